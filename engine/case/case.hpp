@@ -1,0 +1,137 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "engine/case/expression.hpp"
+#include "kernels/material.hpp"
+
+/// A case as plain values, in SI units: what a case file says after every check of user input.
+namespace pliant {
+
+/// Vectors of a case always have three components; in 2D the last is zero.
+using Vector = std::array<double, 3>;
+using VectorExpression = std::array<Expression, 3>;
+
+struct Shape {
+  enum class Kind { box, ball, cylinder, half_space, unite, subtract, intersect };
+  Kind kind = Kind::box;
+  Vector lower = {}, upper = {};     ///< box; may be infinite
+  Vector centre = {};                ///< ball (a disc in 2D), cylinder
+  double radius = 0;                 ///< ball, cylinder
+  Vector axis = {0, 0, 1};           ///< cylinder, infinite along it
+  Vector point = {}, normal = {};    ///< half_space: the side that `normal` (unit) points away from
+  std::vector<Shape> operands;       ///< unite, intersect; subtract takes the others from the first
+};
+
+struct RigidRotation {
+  Vector centre = {};
+  Vector angular_velocity = {};  ///< [1/s]; about z in 2D
+};
+using InitialVelocity = std::variant<VectorExpression, RigidRotation>;
+
+struct BodyCase {
+  std::string name;
+  Shape geometry;
+  kernels::Material<double> material;
+  InitialVelocity velocity;
+};
+
+struct BoundaryCase {
+  enum class Kind { wall, slip_wall, pressure };  ///< "fixed" and "moving_wall" are walls
+  std::string name;
+  Kind kind = Kind::wall;
+  Shape geometry;             ///< the wall's solid at t = 0, or the region that pressure acts in
+  VectorExpression velocity;  ///< of t, walls [m/s]
+  Expression pressure;        ///< of t, positive pushes on the body [Pa]
+};
+
+struct MeasurementCase {
+  enum class Kind {
+    extent,              ///< farthest free surface along an axis, minus `reference`
+    ray,                 ///< distance from `point` along `direction` to the surface, minus `reference`
+    mean_radius,         ///< of the surface around `point`, over `rays` directions
+    point_displacement,  ///< of the material point that started at `point`, along `axis`
+    point_value,         ///< of `field` at `point`
+    mass,
+    momentum,          ///< along `axis`
+    angular_momentum,  ///< about `point`; about z in 2D, along `axis` in 3D
+    kinetic_energy,
+    strain_energy,
+    total_energy,
+    velocity_error,   ///< against `exact`, over `reference` (the amplitude)
+    period,           ///< twice the mean spacing of zero crossings of measurement `of`
+    amplitude_ratio,  ///< mean ratio of successive same-sign maxima of measurement `of`
+  };
+  enum class Norm { maximum, root_mean_square };
+  std::string name;
+  Kind kind = Kind::mass;
+  int body = 0;
+  int axis = 0;
+  bool lower_side = false;  ///< extent: towards -axis
+  std::optional<Expression> where;  ///< extent: only surface points where this is not zero
+  double reference = 0;
+  bool relative = false;  ///< conserved quantities: over the value at the start
+  Vector point = {}, direction = {};
+  int rays = 64;
+  std::string field;
+  VectorExpression exact;
+  Norm norm = Norm::maximum;
+  int of = -1;  ///< position of the measurement that period and amplitude_ratio read
+};
+
+enum class GhostTreatment { linear, averaged, rigid };
+
+struct Case {
+  std::string name;   ///< folder or file stem
+  std::string title;
+  int dimension = 2;
+
+  struct {
+    double spacing = 0;  ///< h [m]
+    kernels::Weight weight = kernels::Weight::quartic_polynomial;
+  } discretisation;
+
+  struct {
+    double end = 0;
+    std::optional<double> step;  ///< none: "cfl"
+    double cfl = 0.5;
+  } time;
+
+  struct {
+    enum class Policy { every, adaptive, never };
+    Policy policy = Policy::adaptive;
+    int every = 10;         ///< steps
+    double strain = 0.2;    ///< threshold of (RP.28)
+    double filter = 0.2;    ///< gamma of (RP.27)
+    bool extensive = false; ///< volume: (RP.25) instead of (RP.24)
+  } remeshing;
+
+  struct {
+    int reinitialise_every = 20;  ///< steps
+  } level_set;
+
+  GhostTreatment ghosts = GhostTreatment::linear;
+
+  struct {
+    std::array<bool, 3> axis = {};
+    Vector lower = {}, upper = {};  ///< of the periodic cell
+  } periodic;
+
+  std::vector<BodyCase> bodies;
+  std::vector<BoundaryCase> boundaries;
+  std::vector<MeasurementCase> measurements;
+
+  struct {
+    double every = 0;             ///< between frames [s]; 0: first and last only
+    double checkpoint_every = 0;  ///< between checkpoints [s]; 0: only when interrupted
+    bool ghosts = false;          ///< frames hold ghost particles too
+    double measure_every = 0;     ///< [s]; 0: at every remeshing and at the end
+  } output;
+};
+
+}  // namespace pliant

@@ -1,0 +1,38 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+
+namespace pliant::kernels {
+
+/// Constitutive law: (RP.3) with (RP.5) or (RP.6), or (RP.9).
+enum class Model : std::uint8_t { linear_rho, linear_log, reduced_polynomial };
+
+/// Pair weight of the moment-matrix gradient: (RP.14), (RP.15), (RP.16).
+enum class Weight : std::uint8_t { quartic, quartic_polynomial, compact };
+
+/// Slots to each side that a weight reaches on an undeformed lattice: 5 x 5 or 3 x 3 stencils.
+constexpr int stencil_reach(Weight weight) { return weight == Weight::compact ? 1 : 2; }
+
+/// Support radius over the spacing.
+constexpr double support(Weight weight) { return weight == Weight::compact ? 1.75 : 2.5; }
+
+/// Constants of one material, in SI units.
+template <class T>
+struct Material {
+  Model model = Model::linear_rho;
+  T density = 1;                       ///< rho0 [kg/m^3]
+  T bulk_modulus = 0;                  ///< K = rho0 c0^2 [Pa], (RP.7); 2/D for the reduced polynomial
+  T shear_modulus = 0;                 ///< mu [Pa], (RP.7); 2 C10 for the reduced polynomial
+  int order = 0;                       ///< N of (RP.9)
+  std::array<T, 5> coefficient = {};   ///< C_n0 [Pa], n = 1..N
+  T compressibility = 0;               ///< D [1/Pa]
+};
+
+/// Components of S (linear) or F (reduced polynomial) that a particle carries.
+template <int D>
+constexpr int carried_components(Model model) {
+  return model == Model::reduced_polynomial ? D * D : D * (D + 1) / 2;
+}
+
+}  // namespace pliant::kernels

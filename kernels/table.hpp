@@ -1,0 +1,190 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+
+#include "kernels/isa.hpp"
+#include "kernels/layout.hpp"
+#include "kernels/material.hpp"
+
+/// The kernels of the remeshed method as the engine calls them: one table of functions for each
+/// instruction set, each function working on one block of slots. Kernels never allocate, throw,
+/// print, or keep state.
+namespace pliant::kernels {
+
+/// Fields that the Runge-Kutta method advances: xi, u, v and S or F. `displacement` is the drift
+/// from the slot since the last remeshing, so that x_p = (cell + 1/2 + lattice offset) h + xi_p.
+template <class T, int D>
+struct Evolving {
+  std::array<T*, D> displacement;
+  std::array<T*, D> velocity;
+  T* volume;
+  std::array<T*, material_components<D>> material;  ///< S in the order of symmetric_index, or F
+};
+
+/// Neighbours beyond the reach of the stencil: a list for each pack, padded to its longest lane with
+/// the particle itself (which adds nothing). Entry k of lane l of pack i: start[i] + k * pack + l.
+template <int D>
+struct NeighbourLists {
+  const std::int64_t* start;                 ///< [pack]
+  const std::int32_t* length;                ///< [pack]
+  const std::int32_t* neighbour;             ///< slot
+  std::array<const std::int8_t*, D> offset;  ///< lattice offset of the neighbour's slot
+};
+
+/// One Runge-Kutta stage of one block, (RP.12) by (RP.18) and (RP.19): gradients of velocity and
+/// stress, rates, update, and the stress of the new state.
+///
+/// Reads displacement, velocity and stress of `current` also in neighbouring blocks. Writes `next`
+/// and `next_stress` in every slot of the block; slots that are not interior get zero rates but for
+/// the displacement, which follows their velocity. In stage 3 (the last) `next` may be `start`.
+template <class T, int D>
+struct Stage {
+  const Segment<D>* segments;
+  int segment_count;
+  T spacing;
+  T time_step;
+  int stage;  ///< 0..3
+  Weight weight;
+  Material<T> material;
+  const PackState* pack_state;          ///< [slot / slots_per_pack]
+  const T* interior;                    ///< [slot], 1 for interior particles, else 0
+  const NeighbourLists<D>* neighbours;  ///< nullptr: the stencil
+  const T* mass;
+  Evolving<const T, D> current;  ///< Q of this stage
+  std::array<const T*, symmetric_components<D>> stress;
+  Evolving<const T, D> start;   ///< Q0
+  Evolving<const T, D> second;  ///< Q2, read in the last stage
+  Evolving<const T, D> third;   ///< Q3, read in the last stage
+  Evolving<T, D> next;
+  std::array<T*, symmetric_components<D>> next_stress;
+};
+
+/// Largest values over the interior particles of a block.
+struct StageResult {
+  double strain_rate;         ///< max abs(eps)_F of (RP.28) [1/s], at the stage's state
+  double wave_speed;          ///< max c of (RP.11) [m/s], at the new state
+  std::int64_t non_finite;    ///< a slot whose new state is not finite or has v <= 0, or -1
+};
+
+/// sigma of (RP.2) from a state, in every slot of a block; the wave speed in the result.
+template <class T, int D>
+struct StressOfState {
+  const Segment<D>* segments;
+  int segment_count;
+  Material<T> material;
+  const PackState* pack_state;
+  const T* interior;
+  const T* mass;
+  Evolving<const T, D> state;
+  std::array<T*, symmetric_components<D>> stress;
+};
+
+/// A record of a surface particle: u (D), sigma (symmetric), grad phi (D), p; padded to a multiple of
+/// a cache line of doubles: 8 values in 2D, 16 in 3D.
+template <int D>
+inline constexpr int record_fields = 2 * D + symmetric_components<D> + 1;
+template <int D>
+inline constexpr int record_width = (record_fields<D> + 7) / 8 * 8;
+
+/// A pack of slots of which some are surface particles.
+struct SurfacePack {
+  std::int64_t first;     ///< slot
+  std::int32_t segment;   ///< of the block
+  std::int32_t record;    ///< of the first surface particle in the pack; the others follow by lane
+  std::uint16_t lanes;    ///< bit l: lane l is a surface particle
+};
+
+/// Writes the records of one block's surface particles; grad phi by (RP.18) over the stencil.
+template <class T, int D>
+struct SurfaceRecords {
+  const Segment<D>* segments;
+  const SurfacePack* packs;
+  int pack_count;
+  T spacing;
+  Weight weight;
+  Material<T> material;
+  const T* mass;
+  const T* level_set;
+  Evolving<const T, D> state;
+  std::array<const T*, symmetric_components<D>> stress;
+  T* records;  ///< [record][record_width]
+};
+
+/// For ghosts first..first+count-1: sums[g][0][k] = sum_i c_gi record_i[k] and
+/// sums[g][1][k] = sum_i b_gi record_i[k], (RP.32) and (RP.33).
+template <class T, int D>
+struct GhostSums {
+  std::int64_t first;
+  std::int64_t count;
+  const std::int64_t* begin;    ///< [ghost + 1] into record, linear, constrained
+  const std::int32_t* record;
+  const T* linear;              ///< c
+  const T* constrained;         ///< b
+  const T* records;             ///< [record][record_width]
+  T* sums;                      ///< [ghost - first][2][record_width]
+};
+
+/// Nodes of a remeshing tile hold the sums of (RP.22): W, W m, W m u (D), W v, W v d (D), W phi,
+/// then W v S or W v F; padded to `node_width` values.
+template <int D>
+inline constexpr int node_fields = 4 + 2 * D + material_components<D>;
+template <int D>
+inline constexpr int node_width = (node_fields<D> + 7) / 8 * 8;
+template <int D>
+struct NodeField {
+  static constexpr int weight = 0, mass = 1, momentum = 2, volume = 2 + D, carried = 3 + D,
+                       level_set = 3 + 2 * D, material = 4 + 2 * D;
+};
+
+/// Adds one source block's particles (every slot that is not vacant) to the nodes of a tile, (RP.21)
+/// and (RP.22), in slot order. Particles whose 4^D nodes do not all lie in the tile's buffer are left
+/// out: the buffer reaches `tile_margin` nodes beyond the nodes that the tile owns, which holds all
+/// nodes of every particle that touches an owned one.
+inline constexpr int tile_margin = 3;
+template <class T, int D>
+struct Scatter {
+  const Segment<D>* segments;
+  int segment_count;
+  const Kind* kind;
+  T inverse_spacing;
+  std::array<std::int32_t, D> shift;  ///< whole cells added to every particle (periodic images)
+  int carried_components;             ///< of S or F
+  const T* mass;
+  const T* level_set;
+  std::array<const T*, D> carried;    ///< d at the last remeshing; d + xi is remeshed
+  Evolving<const T, D> state;
+  T* nodes;                           ///< [z][y][x][node_width]
+  std::array<std::int32_t, D> lower;  ///< lattice cell of the buffer's first node
+  std::array<std::int32_t, D> extent; ///< nodes of the buffer
+};
+
+/// (RP.27) of one field over a block. A direction counts only where the slots two to each side and
+/// the slot itself are valid.
+template <class T, int D>
+struct Filter {
+  const Segment<D>* segments;
+  int segment_count;
+  T strength;      ///< gamma
+  const T* valid;  ///< [slot] 1 or 0
+  const T* field;
+  T* filtered;
+};
+
+template <class T, int D>
+struct Table {
+  Isa isa;
+  int lanes;  ///< of a register
+  StageResult (*advance_stage)(const Stage<T, D>&);
+  StageResult (*evaluate_stress)(const StressOfState<T, D>&);
+  void (*write_surface_records)(const SurfaceRecords<T, D>&);
+  void (*sum_ghosts)(const GhostSums<T, D>&);
+  void (*scatter)(const Scatter<T, D>&);
+  void (*filter)(const Filter<T, D>&);
+};
+
+/// Kernels compiled for `isa`. Instantiated for <double, 2>.
+template <class T, int D>
+const Table<T, D>& table(Isa isa);
+
+}  // namespace pliant::kernels
