@@ -1,0 +1,50 @@
+#pragma once
+
+#include <array>
+#include <cmath>
+#include <cstdint>
+
+namespace pliant {
+
+template <int D>
+using Cell = std::array<std::int32_t, D>;
+template <int D>
+using Point = std::array<double, D>;
+
+/// A square lattice of spacing h [m]: the node of cell c lies at origin + (c + 1/2) h.
+template <int D>
+struct Lattice {
+  double spacing = 0;
+  Point<D> origin = {};
+  Cell<D> period = {};  ///< cells after which a direction repeats itself; 0: never
+
+  double node(int axis, std::int32_t cell) const { return origin[axis] + (cell + 0.5) * spacing; }
+
+  Point<D> node(const Cell<D>& cell) const {
+    Point<D> x;
+    for (int a = 0; a < D; ++a) x[a] = node(a, cell[a]);
+    return x;
+  }
+
+  /// Cell that holds coordinate `x`.
+  std::int32_t cell(int axis, double x) const {
+    return static_cast<std::int32_t>(std::floor((x - origin[axis]) / spacing));
+  }
+
+  /// `cell` moved by whole periods into the first period.
+  std::int32_t wrapped(int axis, std::int32_t cell) const {
+    const std::int32_t n = period[axis];
+    if (n == 0) return cell;
+    const std::int32_t rest = cell % n;
+    return rest < 0 ? rest + n : rest;
+  }
+
+  Cell<D> wrapped(Cell<D> cell) const {
+    for (int a = 0; a < D; ++a) cell[a] = wrapped(a, cell[a]);
+    return cell;
+  }
+
+  bool is_wrapped(const Cell<D>& cell) const { return wrapped(cell) == cell; }
+};
+
+}  // namespace pliant

@@ -1,0 +1,97 @@
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "engine/lattice/lattice.hpp"
+#include "engine/lattice/occupancy.hpp"
+#include "kernels/layout.hpp"
+
+namespace pliant {
+
+/// A contiguous run of segments: the unit that one task owns.
+template <int D>
+struct Block {
+  int first_segment = 0, segment_count = 0;
+  std::int64_t first_slot = 0, slot_count = 0;  ///< slots of the segments; spare packs may lie between
+  Cell<D> lower = {}, upper = {};               ///< cells, inclusive
+};
+
+/// Where the slots of a body lie in memory.
+///
+/// Only occupied packs exist. Those of a lattice row form runs with a spare pack at both ends; runs
+/// follow each other row by row (in 3D in tiles of rows, so that neighbours in space stay neighbours
+/// in memory), and segments cut them where a neighbouring row changes its run. `padding` slots lie
+/// before the first and behind the last run, so that every load of a segment's neighbours is legal.
+template <int D>
+class Layout {
+ public:
+  static constexpr std::int64_t padding = 1024;
+  static constexpr int pack = Occupancy<D>::pack;
+
+  /// Lays out the marked packs; blocks hold about `block_slots` slots and are neighbours when they
+  /// come within `block_reach` cells of each other.
+  void build(const Occupancy<D>& occupancy, const Cell<D>& period, std::int64_t block_slots,
+             int block_reach);
+
+  std::int64_t slots() const { return slots_; }  ///< with padding
+  const std::vector<kernels::Segment<D>>& segments() const { return segments_; }
+  const std::vector<Block<D>>& blocks() const { return blocks_; }
+  const std::vector<std::vector<int>>& neighbours() const { return neighbours_; }
+
+  const kernels::Segment<D>* segments_of(const Block<D>& block) const {
+    return segments_.data() + block.first_segment;
+  }
+
+  /// Slot of a cell, or -1 where there is none. Spare packs count as none.
+  std::int64_t slot(const Cell<D>& cell) const {
+    const int row = occupancy_.row_of(cell);
+    if (row < 0) return -1;
+    for (int r = row_begin_[row]; r < row_begin_[row + 1]; ++r) {
+      const Run& run = runs_[r];
+      if (cell[0] >= run.cell && cell[0] < run.cell + run.count) {
+        return run.first + (cell[0] - run.cell);
+      }
+    }
+    return -1;
+  }
+
+  /// Calls `f(slot, cell)` for every slot of a block, in slot order.
+  template <class F>
+  void for_each_slot(const Block<D>& block, F&& f) const {
+    for (int s = block.first_segment; s < block.first_segment + block.segment_count; ++s) {
+      const kernels::Segment<D>& segment = segments_[s];
+      Cell<D> cell = segment.cell;
+      for (int i = 0; i < segment.count; ++i, ++cell[0]) f(segment.first + i, cell);
+    }
+  }
+
+ private:
+  struct Run {
+    std::int64_t first;  ///< slot of the first occupied pack
+    std::int32_t cell;   ///< x cell of that slot
+    std::int32_t count;  ///< slots, spare packs not counted
+  };
+
+  void find_runs();
+  void place_runs();
+  void cut_segments();
+  void cut_run(const Run& run, Cell<D> row);
+  void group_blocks(std::int64_t block_slots);
+  void connect_blocks(const Cell<D>& period, int reach);
+  const Run* run_near(int row, std::int32_t lower, std::int32_t upper) const;
+
+  Occupancy<D> occupancy_;
+  std::int64_t slots_ = 2 * padding;
+  std::vector<Run> runs_;         ///< by row number
+  std::vector<int> row_begin_;    ///< [row + 1] into runs_
+  std::vector<int> row_order_;    ///< rows in storage order
+  std::vector<kernels::Segment<D>> segments_;
+  std::vector<Block<D>> blocks_;
+  std::vector<std::vector<int>> neighbours_;
+};
+
+extern template class Layout<2>;
+extern template class Layout<3>;
+
+}  // namespace pliant

@@ -1,0 +1,50 @@
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "engine/lattice/lattice.hpp"
+
+namespace pliant {
+
+/// Which packs of lattice cells a body needs: a map over rows (y, or y and z) and pack columns.
+template <int D>
+class Occupancy {
+ public:
+  /// Cells in a pack.
+  static constexpr int pack = 8;
+
+  /// Forgets all marks and covers the cells lower..upper (inclusive) and `reach` cells around them.
+  void reset(Cell<D> lower, Cell<D> upper, int reach);
+
+  void mark(const Cell<D>& cell) { marked_[position(cell)] = 1; }
+
+  /// Marks everything within `reach` cells of a mark, in every direction (whole packs along x).
+  void dilate(int reach);
+
+  int rows() const { return rows_[0] * rows_[1]; }
+  int columns() const { return columns_; }
+  /// Row number of (y[, z]) and back; x is not part of it.
+  Cell<D> row_cell(int row) const;
+  std::int32_t column_cell(int column) const { return (first_column_ + column) * pack; }
+  bool is_marked(int row, int column) const {
+    return marked_[static_cast<std::size_t>(row) * columns_ + column] != 0;
+  }
+  /// Row number of a cell, or -1 outside the map.
+  int row_of(const Cell<D>& cell) const;
+
+ private:
+  std::size_t position(const Cell<D>& cell) const;
+  void dilate_rows(int stride, int lines, int line_length, int reach);
+
+  std::int32_t first_column_ = 0;
+  int columns_ = 0;
+  std::array<std::int32_t, 2> first_row_ = {};
+  std::array<int, 2> rows_ = {1, 1};
+  std::vector<std::uint8_t> marked_, dilated_;
+};
+
+extern template class Occupancy<2>;
+extern template class Occupancy<3>;
+
+}  // namespace pliant
