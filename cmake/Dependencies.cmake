@@ -1,4 +1,4 @@
-# All of these are Debian packages; `./pliant` installs what is missing.
+# Debian packages all of them, listed in debian-packages.txt; `./pliant` installs what is missing.
 
 find_package(xsimd REQUIRED)
 find_package(TBB REQUIRED)
@@ -9,11 +9,13 @@ find_package(CLI11 REQUIRED)
 find_package(tomlplusplus REQUIRED)
 find_package(PkgConfig REQUIRED)
 pkg_check_modules(muparser REQUIRED IMPORTED_TARGET muparser)
+# The serial library is thread-safe in Debian, the parallel one is not.
 set(HDF5_PREFER_PARALLEL OFF)
 find_package(HDF5 REQUIRED COMPONENTS C)
 if(PLIANT_TESTS)
   find_package(GTest REQUIRED)
   include(GoogleTest)
+  find_package(Python3 REQUIRED COMPONENTS Interpreter)
 endif()
 if(PLIANT_BENCHMARKS)
   find_package(benchmark REQUIRED)

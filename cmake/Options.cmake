@@ -1,18 +1,30 @@
 # Every target links `pliant_options`: the language, the warnings, the floating-point contract.
+# Warnings become errors through CMAKE_COMPILE_WARNING_AS_ERROR, which the presets set.
 
 set(CMAKE_EXPORT_COMPILE_COMMANDS ON)
 set(CMAKE_CXX_EXTENSIONS OFF)
+
+if(PLIANT_CCACHE)
+  find_program(ccache ccache REQUIRED)
+  set(CMAKE_CXX_COMPILER_LAUNCHER ${ccache})
+endif()
 
 add_library(pliant_options INTERFACE)
 target_compile_features(pliant_options INTERFACE cxx_std_20)
 target_include_directories(pliant_options INTERFACE ${PROJECT_SOURCE_DIR})
 # Contraction is off so that a fused multiply-add happens where the source asks for one and nowhere
-# else: AVX2 and AVX-512 then agree to the bit.
+# else: AVX2 and AVX-512 then agree to the bit. __FILE__ is relative, so that a program does not
+# depend on where it was built.
 target_compile_options(
-  pliant_options INTERFACE -Wall -Wextra -Wpedantic -Wshadow -Werror -ffp-contract=off)
+  pliant_options INTERFACE -Wall -Wextra -Wpedantic -Wshadow -ffp-contract=off
+                           -fmacro-prefix-map=${PROJECT_SOURCE_DIR}/=)
 
+# Assertions follow the build type: off in Release (NDEBUG), on in Debug, which the sanitize preset
+# uses with some optimisation, since its tests would take minutes without.
 if(PLIANT_SANITIZE)
-  target_compile_options(pliant_options INTERFACE -fsanitize=address,undefined
-                                                  -fno-sanitize-recover=all -fno-omit-frame-pointer)
-  target_link_options(pliant_options INTERFACE -fsanitize=address,undefined)
+  set(sanitizers -fsanitize=address,undefined)
+  target_compile_definitions(pliant_options INTERFACE _GLIBCXX_ASSERTIONS)
+  target_compile_options(pliant_options INTERFACE ${sanitizers} -fno-sanitize-recover=all
+                                                  -fno-omit-frame-pointer -O1)
+  target_link_options(pliant_options INTERFACE ${sanitizers})
 endif()
