@@ -1,0 +1,215 @@
+#include "scheduler/dependencies.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <numeric>
+#include <stdexcept>
+
+// The derivation walks the phases in the order of their list and keeps, for each field and block (a
+// cell), the node that wrote it last and the nodes that have read it since:
+//
+//     phase      advance        exchange       advance
+//     block 0    W ---------------> R . . . . . . > W       a read follows the last write (---),
+//     block 1       `-------------> R . . . . . . > W       a write follows the reads (. .),
+//                                                           or the last write when nobody read.
+//
+// When each of k > 1 blocks reads the values of all blocks, the k readers share one junction before
+// them (all writers lead to it) and one behind them (later writers follow it).
+namespace pliant::scheduler {
+
+namespace {
+
+constexpr int nobody = -1;
+constexpr BlockId no_block = -1;
+
+struct Cell {
+  int writer = nobody;
+  std::vector<int> readers;  // since the last write; the writer itself excluded
+};
+
+class Derivation {
+ public:
+  Derivation(const std::vector<Phase>& phases, const Blocks& blocks,
+             const std::vector<std::string>& field_names)
+      : phases_(phases),
+        blocks_(blocks),
+        field_names_(field_names),
+        // `once` phases have a block 0 to work on even where there are no blocks.
+        cells_per_field_(std::max(blocks.count(), 1)),
+        cells_(field_names.size() * static_cast<std::size_t>(cells_per_field_)) {
+    every_block_.resize(static_cast<std::size_t>(blocks.count()));
+    std::iota(every_block_.begin(), every_block_.end(), 0);
+  }
+
+  Dependencies run() {
+    for (int p = 0; p < static_cast<int>(phases_.size()); ++p) add_phase(p);
+    return std::move(result_);
+  }
+
+ private:
+  const std::vector<BlockId>& blocks_of(const Phase& phase) const {
+    static const std::vector<BlockId> first_block{0};
+    if (phase.extent == Phase::Extent::once) return first_block;
+    return phase.blocks.empty() ? every_block_ : phase.blocks;
+  }
+
+  Cell& cell(FieldId field, BlockId block) {
+    return cells_[static_cast<std::size_t>(field * cells_per_field_ + block)];
+  }
+
+  template <class Visit>
+  void for_each_cell(const Access& access, BlockId block, Visit visit) {
+    if (access.reach == Reach::all) {
+      for (BlockId b = 0; b < cells_per_field_; ++b) visit(cell(access.field, b), b);
+      return;
+    }
+    visit(cell(access.field, block), block);
+    if (access.reach == Reach::own || blocks_.neighbours.empty()) return;
+    for (const BlockId b : blocks_.neighbours[static_cast<std::size_t>(block)])
+      visit(cell(access.field, b), b);
+  }
+
+  int add_node(int phase, BlockId block) {
+    result_.nodes.push_back({phase, block});
+    return static_cast<int>(result_.nodes.size()) - 1;
+  }
+
+  // Edges of one node are added together, so that sorting each node's own keeps the list sorted.
+  void settle_edges(std::size_t first) {
+    auto& edges = result_.edges;
+    const auto begin = edges.begin() + static_cast<std::ptrdiff_t>(first);
+    std::sort(begin, edges.end());
+    edges.erase(std::unique(begin, edges.end()), edges.end());
+  }
+
+  void follow_writers(int node, const Access& read, BlockId block) {
+    for_each_cell(read, block, [&](const Cell& c, BlockId) {
+      if (c.writer != nobody) result_.edges.push_back({c.writer, node, read.field});
+    });
+  }
+
+  void follow_readers(int node, const Access& write, BlockId block) {
+    for_each_cell(write, block, [&](const Cell& c, BlockId) {
+      for (const int reader : c.readers) result_.edges.push_back({reader, node, write.field});
+      if (c.readers.empty() && c.writer != nobody)
+        result_.edges.push_back({c.writer, node, write.field});
+    });
+  }
+
+  void add_phase(int p) {
+    const Phase& phase = phases_[static_cast<std::size_t>(p)];
+    const auto& blocks = blocks_of(phase);
+    const bool shares_reads = blocks.size() > 1;
+    const auto is_shared = [&](const Access& read) {
+      return shares_reads && read.reach == Reach::all;
+    };
+
+    std::vector<Edge> from_junctions;
+    for (const Access& read : phase.reads) {
+      if (!is_shared(read)) continue;
+      const int junction = add_node(p, no_block);
+      const std::size_t first_edge = result_.edges.size();
+      follow_writers(junction, read, 0);
+      settle_edges(first_edge);
+      from_junctions.push_back({junction, 0, read.field});
+    }
+
+    const int first_node = static_cast<int>(result_.nodes.size());
+    for (const BlockId block : blocks) {
+      const int node = add_node(p, block);
+      const std::size_t first_edge = result_.edges.size();
+      for (const Access& read : phase.reads)
+        if (!is_shared(read)) follow_writers(node, read, block);
+      for (const Access& write : phase.writes) follow_readers(node, write, block);
+      for (const Edge& edge : from_junctions)
+        result_.edges.push_back({edge.from, node, edge.field});
+      settle_edges(first_edge);
+    }
+
+    record_writes(phase, first_node, blocks);
+    record_reads(phase, first_node, blocks);
+    for (const Edge& edge : from_junctions) {
+      const int junction = add_node(p, no_block);
+      for (int n = 0; n < static_cast<int>(blocks.size()); ++n)
+        result_.edges.push_back({first_node + n, junction, edge.field});
+      for_each_cell({edge.field, Reach::all}, 0,
+                    [&](Cell& c, BlockId) { c.readers.push_back(junction); });
+    }
+  }
+
+  void record_writes(const Phase& phase, int first_node, const std::vector<BlockId>& blocks) {
+    for (std::size_t n = 0; n < blocks.size(); ++n)
+      for (const Access& write : phase.writes)
+        for_each_cell(write, blocks[n], [&](Cell& c, BlockId b) {
+          const int node = first_node + static_cast<int>(n);
+          if (c.writer >= first_node && c.writer != node) refuse(phase, write.field, b, blocks[n]);
+          c.writer = node;
+          c.readers.clear();
+        });
+  }
+
+  void record_reads(const Phase& phase, int first_node, const std::vector<BlockId>& blocks) {
+    for (std::size_t n = 0; n < blocks.size(); ++n)
+      for (const Access& read : phase.reads)
+        for_each_cell(read, blocks[n], [&](Cell& c, BlockId b) {
+          const int node = first_node + static_cast<int>(n);
+          if (c.writer == node) return;
+          if (c.writer >= first_node) refuse(phase, read.field, b, blocks[n]);
+          if (read.reach != Reach::all || blocks.size() == 1) c.readers.push_back(node);
+        });
+  }
+
+  [[noreturn]] void refuse(const Phase& phase, FieldId field, BlockId written,
+                           BlockId other) const {
+    throw std::invalid_argument(fmt::format(
+        "phase {} writes {} of block {}, which its block {} touches too, but the blocks of a phase "
+        "run in any order: write another field, or make two phases of it",
+        label(phase), field_names_[static_cast<std::size_t>(field)], written, other));
+  }
+
+  const std::vector<Phase>& phases_;
+  const Blocks& blocks_;
+  const std::vector<std::string>& field_names_;
+  int cells_per_field_;
+  std::vector<Cell> cells_;
+  std::vector<BlockId> every_block_;
+  Dependencies result_;
+};
+
+void check(const std::vector<Phase>& phases, const Blocks& blocks, int field_count) {
+  const auto refuse = [](const Phase& phase, const std::string& what) {
+    throw std::invalid_argument(fmt::format("phase {}: {}", label(phase), what));
+  };
+  for (const Phase& phase : phases) {
+    if (!phase.run) refuse(phase, "has no function to run");
+    for (const auto* accesses : {&phase.reads, &phase.writes})
+      for (const Access& access : *accesses)
+        if (access.field < 0 || access.field >= field_count)
+          refuse(phase, fmt::format("there is no field {}", access.field));
+    for (const Access& write : phase.writes)
+      if (write.reach == Reach::neighbours)
+        refuse(phase, "a block may write its own values or, alone in its phase, all of them");
+    for (const BlockId block : phase.blocks)
+      if (block < 0 || block >= blocks.count())
+        refuse(phase, fmt::format("there is no block {}", block));
+    auto sorted = phase.blocks;
+    std::sort(sorted.begin(), sorted.end());
+    if (std::adjacent_find(sorted.begin(), sorted.end()) != sorted.end())
+      refuse(phase, "a block is listed twice");
+  }
+}
+
+}  // namespace
+
+std::string label(const Phase& phase) {
+  return phase.stage < 0 ? phase.name : fmt::format("{}[{}]", phase.name, phase.stage);
+}
+
+Dependencies derive_dependencies(const std::vector<Phase>& phases, const Blocks& blocks,
+                                 const std::vector<std::string>& field_names) {
+  check(phases, blocks, static_cast<int>(field_names.size()));
+  return reduced(Derivation(phases, blocks, field_names).run());
+}
+
+}  // namespace pliant::scheduler

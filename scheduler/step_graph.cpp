@@ -1,0 +1,152 @@
+#include "scheduler/step_graph.hpp"
+
+#include <tbb/flow_graph.h>
+
+#include <algorithm>
+#include <deque>
+#include <random>
+#include <utility>
+
+namespace pliant::scheduler {
+
+namespace {
+
+bool has_ends_of(const Edge& a, const Edge& b) { return a.from == b.from && a.to == b.to; }
+
+double seconds(std::chrono::steady_clock::duration duration) {
+  return std::chrono::duration<double>(duration).count();
+}
+
+}  // namespace
+
+void StepGraph::Task::operator()(int on_worker) {
+  worker = on_worker;
+  start = Clock::now();
+  (*run)(block);
+  stop = Clock::now();
+}
+
+// The oneTBB graph. It belongs to the arena in which it was made, hence to one set of workers.
+struct StepGraph::Flow {
+  using Message = tbb::flow::continue_msg;
+  using FlowNode = tbb::flow::continue_node<Message>;
+
+  Flow(const Dependencies& dependencies, std::vector<Task>& tasks, std::uint64_t workers)
+      : workers_id(workers) {
+    for (std::size_t n = 0; n < tasks.size(); ++n) {
+      if (dependencies.nodes[n].is_junction())
+        nodes.emplace_back(graph, [](const Message&) {});
+      else
+        nodes.emplace_back(graph, [task = &tasks[n]](const Message&) {
+          (*task)(tbb::this_task_arena::current_thread_index());
+        });
+    }
+    std::vector<bool> has_predecessor(tasks.size());
+    const Edge* last = nullptr;
+    for (const Edge& edge : dependencies.edges) {
+      if (last == nullptr || !has_ends_of(*last, edge))
+        make_edge(nodes[static_cast<std::size_t>(edge.from)],
+                  nodes[static_cast<std::size_t>(edge.to)]);
+      has_predecessor[static_cast<std::size_t>(edge.to)] = true;
+      last = &edge;
+    }
+    for (std::size_t n = 0; n < tasks.size(); ++n)
+      if (!has_predecessor[n]) sources.push_back(&nodes[n]);
+  }
+
+  void run() {
+    for (FlowNode* source : sources) source->try_put(Message());
+    graph.wait_for_all();
+  }
+
+  std::uint64_t workers_id;
+  tbb::flow::graph graph;
+  std::deque<FlowNode> nodes;
+  std::vector<FlowNode*> sources;
+};
+
+StepGraph::StepGraph(std::vector<Phase> phases, Blocks blocks, std::vector<std::string> field_names)
+    : phases_(std::move(phases)),
+      blocks_(std::move(blocks)),
+      field_names_(std::move(field_names)),
+      dependencies_(derive_dependencies(phases_, blocks_, field_names_)) {
+  name_timers();
+  tasks_.reserve(nodes().size());
+  for (const Node& node : nodes())
+    tasks_.push_back({&phases_[static_cast<std::size_t>(node.phase)].run, node.block, 0, {}, {}});
+  record_.phase_seconds.resize(timer_names_.size());
+  record_.block_seconds.resize(timer_names_.size() *
+                               static_cast<std::size_t>(std::max(blocks_.count(), 1)));
+  record_.spans.resize(tasks_.size());
+}
+
+StepGraph::StepGraph(StepGraph&&) noexcept = default;
+StepGraph& StepGraph::operator=(StepGraph&&) noexcept = default;
+StepGraph::~StepGraph() = default;
+
+void StepGraph::name_timers() {
+  for (const Phase& phase : phases_) {
+    const auto found = std::find(timer_names_.begin(), timer_names_.end(), phase.name);
+    timer_of_phase_.push_back(static_cast<int>(found - timer_names_.begin()));
+    if (found == timer_names_.end()) timer_names_.push_back(phase.name);
+  }
+}
+
+void StepGraph::run(Workers& workers) {
+  workers.execute([&] {
+    if (!flow_ || flow_->workers_id != workers.id())
+      flow_ = std::make_unique<Flow>(dependencies_, tasks_, workers.id());
+    const auto start = Clock::now();
+    try {
+      flow_->run();
+    } catch (...) {
+      flow_.reset();  // it may hold messages of the step that was cut short
+      throw;
+    }
+    finish_record(start, workers.threads());
+  });
+}
+
+void StepGraph::run_serially(std::uint64_t seed) {
+  std::mt19937_64 random(seed);
+  std::vector<int> waits_for(nodes().size()), ready;
+  std::vector<std::vector<int>> successors(nodes().size());
+  for (const Edge& edge : edges()) {
+    ++waits_for[static_cast<std::size_t>(edge.to)];
+    successors[static_cast<std::size_t>(edge.from)].push_back(edge.to);
+  }
+  for (std::size_t n = 0; n < nodes().size(); ++n)
+    if (waits_for[n] == 0) ready.push_back(static_cast<int>(n));
+
+  const auto start = Clock::now();
+  while (!ready.empty()) {
+    std::swap(ready[random() % ready.size()], ready.back());
+    const auto n = static_cast<std::size_t>(ready.back());
+    ready.pop_back();
+    if (!nodes()[n].is_junction()) tasks_[n](0);
+    for (const int next : successors[n])
+      if (--waits_for[static_cast<std::size_t>(next)] == 0) ready.push_back(next);
+  }
+  finish_record(start, 1);
+}
+
+void StepGraph::finish_record(Clock::time_point start, int workers) {
+  record_.wall_seconds = seconds(Clock::now() - start);
+  std::fill(record_.phase_seconds.begin(), record_.phase_seconds.end(), 0.0);
+  std::fill(record_.block_seconds.begin(), record_.block_seconds.end(), 0.0);
+  record_.worker_busy_seconds.assign(static_cast<std::size_t>(workers), 0.0);
+  const std::size_t row = static_cast<std::size_t>(std::max(blocks_.count(), 1));
+  for (std::size_t n = 0; n < tasks_.size(); ++n) {
+    const Task& task = tasks_[n];
+    if (nodes()[n].is_junction()) continue;
+    const double duration = seconds(task.stop - task.start);
+    const auto timer =
+        static_cast<std::size_t>(timer_of_phase_[static_cast<std::size_t>(nodes()[n].phase)]);
+    record_.phase_seconds[timer] += duration;
+    record_.block_seconds[timer * row + static_cast<std::size_t>(task.block)] += duration;
+    record_.worker_busy_seconds[static_cast<std::size_t>(task.worker)] += duration;
+    record_.spans[n] = {seconds(task.start - start), seconds(task.stop - start), task.worker};
+  }
+}
+
+}  // namespace pliant::scheduler

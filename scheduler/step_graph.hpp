@@ -1,0 +1,87 @@
+#pragma once
+
+#include <chrono>
+#include <cstdint>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "scheduler/blocks.hpp"
+#include "scheduler/dependencies.hpp"
+#include "scheduler/phase.hpp"
+#include "scheduler/step_record.hpp"
+#include "scheduler/workers.hpp"
+
+namespace pliant::scheduler {
+
+/// How much of a graph to print: a node for each phase, or for each phase and block.
+enum class Detail { phases, blocks };
+
+/// A step as a graph of (phase, block) nodes whose edges follow from what phases read and write.
+///
+/// Built when the set of blocks changes, then run once a step. Whatever the number of workers and
+/// the order that they find, each node sees what it would see if the phases ran one after another.
+class StepGraph {
+ public:
+  /// Throws std::invalid_argument as derive_dependencies does.
+  StepGraph(std::vector<Phase> phases, Blocks blocks, std::vector<std::string> field_names);
+  StepGraph(StepGraph&&) noexcept;
+  StepGraph& operator=(StepGraph&&) noexcept;
+  ~StepGraph();
+
+  /// Runs the step. Allocates in the first run with these workers only. An exception that leaves a
+  /// phase cancels the nodes that have not started and comes out here; the graph can run again.
+  void run(Workers& workers);
+
+  /// Runs the step on the calling thread in one of the legal orders, picked by `seed`.
+  void run_serially(std::uint64_t seed);
+
+  const std::vector<Phase>& phases() const { return phases_; }
+  const Blocks& blocks() const { return blocks_; }
+  const std::vector<std::string>& field_names() const { return field_names_; }
+  const std::vector<Node>& nodes() const { return dependencies_.nodes; }
+  const std::vector<Edge>& edges() const { return dependencies_.edges; }
+
+  /// Names of the phases without repetition, in the order of their list.
+  const std::vector<std::string>& timer_names() const { return timer_names_; }
+  /// Of the last run.
+  const StepRecord& record() const { return record_; }
+  StepRecord& record() { return record_; }
+
+  /// The graph in the language of Graphviz, and as JSON: fields, phases, nodes, edges.
+  std::string dot(Detail detail = Detail::blocks) const;
+  std::string json() const;
+
+  /// Edges between phases: those between their nodes, seen from afar. Phases stand for nodes.
+  std::vector<Edge> phase_edges() const;
+
+ private:
+  using Clock = std::chrono::steady_clock;
+
+  // One (phase, block) call and its last times, on a cache line of its own as neighbours run at
+  // once.
+  struct alignas(64) Task {
+    const std::function<void(BlockId)>* run;
+    BlockId block;
+    int worker;
+    Clock::time_point start, stop;
+
+    void operator()(int on_worker);
+  };
+  struct Flow;
+
+  void name_timers();
+  void finish_record(Clock::time_point start, int workers);
+
+  std::vector<Phase> phases_;
+  Blocks blocks_;
+  std::vector<std::string> field_names_;
+  Dependencies dependencies_;
+  std::vector<std::string> timer_names_;
+  std::vector<int> timer_of_phase_;
+  std::vector<Task> tasks_;  // [node]
+  StepRecord record_;
+  std::unique_ptr<Flow> flow_;  // of the last workers
+};
+
+}  // namespace pliant::scheduler

@@ -1,0 +1,105 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <iterator>
+
+#include "scheduler/step_graph.hpp"
+
+namespace pliant::scheduler {
+
+namespace {
+
+std::string quoted(const std::string& text) {
+  std::string result;
+  for (const char c : text) {
+    if (c == '"' || c == '\\') result += '\\';
+    result += c;
+  }
+  return result;
+}
+
+std::string list(const std::vector<Access>& accesses, const std::vector<std::string>& names) {
+  std::string result;
+  for (const Access& access : accesses) {
+    if (!result.empty()) result += ", ";
+    result += names[static_cast<std::size_t>(access.field)];
+    if (access.reach == Reach::neighbours) result += " (neighbours)";
+    if (access.reach == Reach::all) result += " (all)";
+  }
+  return result.empty() ? "nothing" : result;
+}
+
+// One arrow for edges of equal ends, labelled with all their fields.
+template <class Name>
+void print_edges(std::string& out, const std::vector<Edge>& edges,
+                 const std::vector<std::string>& names, Name name) {
+  for (std::size_t e = 0; e < edges.size();) {
+    std::string fields;
+    const Edge ends = edges[e];
+    for (; e < edges.size() && edges[e].from == ends.from && edges[e].to == ends.to; ++e)
+      fields += (fields.empty() ? "" : ", ") + names[static_cast<std::size_t>(edges[e].field)];
+    fmt::format_to(std::back_inserter(out), "  {} -> {} [label=\"{}\"];\n", name(ends.from),
+                   name(ends.to), quoted(fields));
+  }
+}
+
+}  // namespace
+
+std::vector<Edge> StepGraph::phase_edges() const {
+  // What leads into a junction leads to everything behind it.
+  std::vector<std::vector<int>> origins(nodes().size());
+  std::vector<Edge> result;
+  for (const Edge& edge : edges()) {
+    const Node& from = nodes()[static_cast<std::size_t>(edge.from)];
+    const Node& to = nodes()[static_cast<std::size_t>(edge.to)];
+    const auto add = [&](int phase) {
+      if (to.is_junction())
+        origins[static_cast<std::size_t>(edge.to)].push_back(phase);
+      else
+        result.push_back({phase, to.phase, edge.field});
+    };
+    if (from.is_junction())
+      for (const int phase : origins[static_cast<std::size_t>(edge.from)]) add(phase);
+    else
+      add(from.phase);
+  }
+  std::sort(result.begin(), result.end(), [](const Edge& a, const Edge& b) {
+    return std::tie(a.to, a.from, a.field) < std::tie(b.to, b.from, b.field);
+  });
+  result.erase(std::unique(result.begin(), result.end()), result.end());
+  return result;
+}
+
+std::string StepGraph::dot(Detail detail) const {
+  std::string out = "digraph step {\n  rankdir=TB;\n  node [shape=box, fontname=\"sans\"];\n";
+  const auto print = [&]<class... T>(fmt::format_string<T...> text, T&&... values) {
+    fmt::format_to(std::back_inserter(out), text, std::forward<T>(values)...);
+  };
+  if (detail == Detail::phases) {
+    for (std::size_t p = 0; p < phases_.size(); ++p)
+      print("  phase_{} [label=\"{}{}\\nreads {}\\nwrites {}\"];\n", p, quoted(label(phases_[p])),
+            phases_[p].extent == Phase::Extent::once ? " (once)" : "",
+            quoted(list(phases_[p].reads, field_names_)),
+            quoted(list(phases_[p].writes, field_names_)));
+    print_edges(out, phase_edges(), field_names_,
+                [](int phase) { return fmt::format("phase_{}", phase); });
+    return out + "}\n";
+  }
+  for (std::size_t p = 0; p < phases_.size(); ++p) {
+    print("  subgraph cluster_{} {{\n    label=\"{}\";\n", p, quoted(label(phases_[p])));
+    for (std::size_t n = 0; n < nodes().size(); ++n) {
+      if (nodes()[n].phase != static_cast<int>(p)) continue;
+      if (nodes()[n].is_junction())
+        print("    node_{} [shape=point];\n", n);
+      else if (phases_[p].extent == Phase::Extent::once)
+        print("    node_{} [label=\"once\"];\n", n);
+      else
+        print("    node_{} [label=\"{}\"];\n", n, nodes()[n].block);
+    }
+    print("  }}\n");
+  }
+  print_edges(out, edges(), field_names_, [](int node) { return fmt::format("node_{}", node); });
+  return out + "}\n";
+}
+
+}  // namespace pliant::scheduler
