@@ -1,0 +1,26 @@
+#pragma once
+
+#include <filesystem>
+#include <functional>
+#include <string>
+
+#include "engine/output/archive.hpp"
+#include "engine/output/result_file.hpp"
+
+/// The last two checkpoints of a run lie in its folder: `checkpoint.h5`, and before it
+/// `checkpoint.previous.h5`. At no instant is there none. All functions throw OutputError.
+namespace pliant {
+
+/// Writes a checkpoint, whose content `fill` puts; the last one becomes the previous one.
+void write_checkpoint(const std::filesystem::path& folder,
+                      const std::function<void(ArchiveWriter&)>& fill);
+
+/// The latest checkpoint of a folder that is whole: the previous one when the last is damaged,
+/// which `path()` of the reader then tells.
+ArchiveReader open_checkpoint(const std::filesystem::path& folder);
+
+/// How far the result file had come belongs to every checkpoint.
+void put_extent(ArchiveWriter& archive, const std::string& group, const ResultExtent& extent);
+ResultExtent get_extent(const ArchiveReader& archive, const std::string& group);
+
+}  // namespace pliant

@@ -1,0 +1,30 @@
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <variant>
+#include <vector>
+
+namespace pliant {
+
+/// One quantity on every particle of a frame.
+struct FrameField {
+  std::string name;  ///< without '/' and '.', which mean something to HDF5
+  std::string unit;  ///< SI, "1" for a pure number
+  /// 1: scalar; 2 or 3: vector (two components are written as three, the third zero);
+  /// 6: symmetric tensor as xx, yy, zz, xy, yz, xz.
+  int components = 1;
+  /// [particle][component]
+  std::variant<std::vector<double>, std::vector<std::int32_t>, std::vector<std::int64_t>> values;
+};
+
+/// The particles at one instant. Every frame of a run has the same fields; the number of particles
+/// may change.
+struct Frame {
+  double time = 0;  ///< [s]
+  std::int64_t step = 0;
+  std::vector<double> position;  ///< [particle][3], at least one particle [m]
+  std::vector<FrameField> fields;
+};
+
+}  // namespace pliant

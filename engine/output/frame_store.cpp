@@ -1,0 +1,274 @@
+#include "engine/output/frame_store.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <numeric>
+#include <span>
+#include <stdexcept>
+
+// What is where (F frames, N particles of all frames together, n of the largest frame):
+//
+//   /VTKHDF                     Version = 2, 0; Type = PolyData
+//     Points                    [N][3]
+//     PointData/<field>         [N] or [N][component], attribute unit
+//     NumberOfPoints            [F]       = Vertices/NumberOfCells, .../NumberOfConnectivityIds
+//     Vertices/Offsets          [N + F]   0 ... particles of the frame, frame after frame
+//     Vertices/Connectivity     [n]       0, 1, 2, ...: shared by all frames
+//     Lines = Polygons = Strips           empty, but the format wants them
+//     Steps                     NSteps = F
+//       Values                  [F]       time, = /frames/time
+//       PartOffsets, NumberOfParts, PointOffsets [F]; CellOffsets, ConnectivityIdOffsets [F][4]
+//       PointDataOffsets/<field>          = PointOffsets
+//   /frames/step                [F]
+//
+// "=" is a hard link: one array under several names. Offsets are written anew for every frame
+// although each is the start of the longest: readers before VTK 9.4 find a frame's offsets by
+// counting all cells and frames before it, whatever CellOffsets says.
+
+namespace pliant {
+namespace {
+
+using hdf5::checked;
+using hdf5::GrowingArray;
+using hdf5::Handle;
+
+/// Particles in a chunk: no more than keep the largest field's chunk within HDF5's cache of 1 MiB.
+constexpr hsize_t least_chunk_rows = 1024, most_chunk_rows = 16384;
+constexpr hsize_t step_chunk_rows = 256;
+constexpr int topologies = 4;  ///< vertices, lines, polygons, strips
+
+int stored_components(const FrameField& field) {
+  return field.components == 2 ? 3 : field.components;
+}
+
+hid_t type_of(const FrameField& field) {
+  return std::visit([]<class T>(const std::vector<T>&) { return hdf5::type_of<T>(); },
+                    field.values);
+}
+
+template <class T>
+std::vector<T> with_third_component(const std::vector<T>& plane) {
+  std::vector<T> values(plane.size() / 2 * 3, T(0));
+  for (std::size_t p = 0; p < plane.size() / 2; ++p) {
+    values[3 * p] = plane[2 * p];
+    values[3 * p + 1] = plane[2 * p + 1];
+  }
+  return values;
+}
+
+void append_values(GrowingArray& array, const FrameField& field, hsize_t particles) {
+  std::visit(
+      [&](const auto& values) {
+        if (field.components == 2)
+          array.append(with_third_component(values).data(), particles);
+        else
+          array.append(values.data(), particles);
+      },
+      field.values);
+}
+
+void link(hid_t group, const char* name, hid_t other_group, const std::string& other_name) {
+  checked(H5Lcreate_hard(group, name, other_group, other_name.c_str(), H5P_DEFAULT, H5P_DEFAULT),
+          "link " + other_name);
+}
+
+void check(const Frame& frame) {
+  const auto particles = frame.position.size() / 3;
+  if (particles == 0 || frame.position.size() % 3 != 0)
+    throw std::invalid_argument("a frame needs positions [particle][3] of at least one particle");
+  for (const auto& field : frame.fields) {
+    const auto size = std::visit([](const auto& values) { return values.size(); }, field.values);
+    if (field.components < 1 || size != particles * static_cast<std::size_t>(field.components))
+      throw std::invalid_argument(
+          fmt::format("field {} has {} values for {} particles", field.name, size, particles));
+    if (field.name.empty() || field.name.find_first_of("/.") != std::string::npos)
+      throw std::invalid_argument(
+          fmt::format("field name '{}' is empty or contains '/' or '.'", field.name));
+  }
+}
+
+std::vector<const FrameField*> sorted_fields(const Frame& frame) {
+  std::vector<const FrameField*> sorted;
+  for (const auto& field : frame.fields) sorted.push_back(&field);
+  std::ranges::sort(sorted, {}, &FrameField::name);
+  return sorted;
+}
+
+StoredField describe(const std::string& name, const GrowingArray& array) {
+  const auto type = array.type();
+  return {name, std::max(array.components(), 1), H5Tget_class(type) == H5T_INTEGER,
+          static_cast<int>(H5Tget_size(type))};
+}
+
+}  // namespace
+
+FrameStore::FrameStore(hid_t file) : file_(file) {
+  if (hdf5::exists(file_, "VTKHDF")) open();
+}
+
+void FrameStore::create(const Frame& first) {
+  const auto rows =
+      std::clamp<hsize_t>(first.position.size() / 3, least_chunk_rows, most_chunk_rows);
+  const auto reals = H5T_NATIVE_DOUBLE, counts = H5T_NATIVE_INT64;
+  root_ = hdf5::create_group(file_, "VTKHDF");
+  hdf5::write_attribute(root_, "Version", std::vector{2, 0});
+  hdf5::write_attribute(root_, "Type", "PolyData");
+  points_ = GrowingArray::create(root_, "Points", reals, 3, rows);
+  particles_ = GrowingArray::create(root_, "NumberOfPoints", counts, 0, step_chunk_rows);
+
+  const auto vertices = hdf5::create_group(root_, "Vertices");
+  offset_ = GrowingArray::create(vertices, "Offsets", counts, 0, rows);
+  connectivity_ = GrowingArray::create(vertices, "Connectivity", counts, 0, rows);
+  link(root_, "NumberOfPoints", vertices, "NumberOfCells");
+  link(root_, "NumberOfPoints", vertices, "NumberOfConnectivityIds");
+  const auto lines = hdf5::create_group(root_, "Lines");
+  none_ = GrowingArray::create(lines, "NumberOfCells", counts, 0, step_chunk_rows);
+  GrowingArray::create(lines, "Connectivity", counts, 0, step_chunk_rows);
+  link(lines, "NumberOfCells", lines, "NumberOfConnectivityIds");
+  link(lines, "NumberOfCells", lines, "Offsets");
+  link(root_, "Lines", root_, "Polygons");
+  link(root_, "Lines", root_, "Strips");
+
+  steps_ = hdf5::create_group(root_, "Steps");
+  hdf5::write_attribute(steps_, "NSteps", 0);
+  time_ = GrowingArray::create(steps_, "Values", reals, 0, step_chunk_rows);
+  part_ = GrowingArray::create(steps_, "PartOffsets", counts, 0, step_chunk_rows);
+  parts_ = GrowingArray::create(steps_, "NumberOfParts", counts, 0, step_chunk_rows);
+  first_ = GrowingArray::create(steps_, "PointOffsets", counts, 0, step_chunk_rows);
+  cells_ = GrowingArray::create(steps_, "CellOffsets", counts, topologies, step_chunk_rows);
+  connections_ =
+      GrowingArray::create(steps_, "ConnectivityIdOffsets", counts, topologies, step_chunk_rows);
+  const auto field_offsets = hdf5::create_group(steps_, "PointDataOffsets");
+  const auto point_data = hdf5::create_group(root_, "PointData");
+  for (const auto* field : sorted_fields(first)) {
+    const auto components = stored_components(*field);
+    values_.push_back(GrowingArray::create(point_data, field->name, type_of(*field),
+                                           components == 1 ? 0 : components, rows));
+    hdf5::write_attribute(values_.back().id(), "unit", field->unit);
+    fields_.push_back(describe(field->name, values_.back()));
+    link(steps_, "PointOffsets", field_offsets, field->name);
+  }
+
+  const auto frames = hdf5::create_group(file_, "frames");
+  step_ = GrowingArray::create(frames, "step", counts, 0, step_chunk_rows);
+  link(steps_, "Values", frames, "time");
+}
+
+void FrameStore::open() {
+  root_ = hdf5::open_group(file_, "VTKHDF");
+  points_ = GrowingArray::open(root_, "Points");
+  particles_ = GrowingArray::open(root_, "NumberOfPoints");
+  offset_ = GrowingArray::open(root_, "Vertices/Offsets");
+  connectivity_ = GrowingArray::open(root_, "Vertices/Connectivity");
+  none_ = GrowingArray::open(root_, "Lines/NumberOfCells");
+  steps_ = hdf5::open_group(root_, "Steps");
+  time_ = GrowingArray::open(steps_, "Values");
+  part_ = GrowingArray::open(steps_, "PartOffsets");
+  parts_ = GrowingArray::open(steps_, "NumberOfParts");
+  first_ = GrowingArray::open(steps_, "PointOffsets");
+  cells_ = GrowingArray::open(steps_, "CellOffsets");
+  connections_ = GrowingArray::open(steps_, "ConnectivityIdOffsets");
+  step_ = GrowingArray::open(file_, "frames/step");
+  const auto point_data = hdf5::open_group(root_, "PointData");
+  for (const auto& name : hdf5::names(point_data)) {
+    values_.push_back(GrowingArray::open(point_data, name));
+    fields_.push_back(describe(name, values_.back()));
+  }
+
+  std::vector<double> time(time_.rows());
+  std::vector<std::int64_t> particles(particles_.rows());
+  time_.read(time.data());
+  particles_.read(particles.data());
+  std::uint64_t first = 0;
+  const auto frames = static_cast<std::size_t>(hdf5::read_attribute(steps_, "NSteps"));
+  for (std::size_t f = 0; f < frames; ++f) {
+    const auto count = static_cast<std::uint64_t>(particles.at(f));
+    frames_.push_back({time.at(f), first, count});
+    first += count;
+  }
+}
+
+void FrameStore::require_same_fields(const Frame& frame) const {
+  const auto sorted = sorted_fields(frame);
+  const auto same = [](const FrameField* given, const StoredField& stored) {
+    const auto type = type_of(*given);
+    return given->name == stored.name && stored_components(*given) == stored.components &&
+           (H5Tget_class(type) == H5T_INTEGER) == stored.integer &&
+           static_cast<int>(H5Tget_size(type)) == stored.bytes;
+  };
+  if (!std::ranges::equal(sorted, fields_, same))
+    throw std::invalid_argument("a frame has other fields than the earlier ones");
+}
+
+// Three flushes: what a frame's entries point to reaches the file before the entries, and the count
+// that makes them valid comes last.
+void FrameStore::append(const Frame& frame) {
+  check(frame);
+  if (!root_.valid()) create(frame);
+  require_same_fields(frame);
+  append_particles(frame);
+  hdf5::flush(file_);
+  append_step(frame);
+  hdf5::flush(file_);
+  const auto particles = frame.position.size() / 3;
+  const auto first = frames_.empty() ? 0 : frames_.back().first + frames_.back().particles;
+  hdf5::overwrite_attribute(steps_, "NSteps", static_cast<int>(frames_.size() + 1));
+  hdf5::flush(file_);
+  frames_.push_back({frame.time, first, particles});
+}
+
+void FrameStore::append_particles(const Frame& frame) {
+  const auto particles = frame.position.size() / 3;
+  points_.append(frame.position.data(), particles);
+  const auto sorted = sorted_fields(frame);
+  for (std::size_t i = 0; i < sorted.size(); ++i) append_values(values_[i], *sorted[i], particles);
+
+  std::vector<std::int64_t> count(particles + 1);
+  std::iota(count.begin(), count.end(), 0);
+  offset_.append(count.data(), count.size());
+  const auto connected = connectivity_.rows();
+  if (connected < particles) connectivity_.append(count.data() + connected, particles - connected);
+}
+
+void FrameStore::append_step(const Frame& frame) {
+  const auto end = frames_.empty() ? 0 : frames_.back().first + frames_.back().particles;
+  const auto first = static_cast<std::int64_t>(end);
+  const auto particles = static_cast<std::int64_t>(frame.position.size() / 3);
+  const auto part = static_cast<std::int64_t>(frames_.size());
+  const std::int64_t one = 1;
+  const std::array<std::int64_t, topologies> cells = {first}, zeros = {};
+  time_.append(&frame.time, 1);
+  step_.append(&frame.step, 1);
+  part_.append(&part, 1);
+  parts_.append(&one, 1);
+  first_.append(&first, 1);
+  cells_.append(cells.data(), 1);
+  connections_.append(zeros.data(), 1);
+  none_.append(zeros.data(), 1);
+  particles_.append(&particles, 1);
+}
+
+// The reverse of append: the count goes first, then what it no longer counts. An array that a dying
+// process had already lengthened for an uncounted frame is cut back too.
+void FrameStore::truncate(std::size_t frames) {
+  if (!root_.valid()) return;
+  frames_.resize(std::min(frames, frames_.size()));
+  const auto count = frames_.size();
+  hdf5::overwrite_attribute(steps_, "NSteps", static_cast<int>(count));
+  hdf5::flush(file_);
+  const auto end = count == 0 ? 0 : frames_.back().first + frames_.back().particles;
+  std::uint64_t most = 0;
+  for (const auto& frame : frames_) most = std::max(most, frame.particles);
+  for (auto* array :
+       {&time_, &step_, &particles_, &part_, &parts_, &first_, &cells_, &connections_, &none_})
+    array->truncate(count);
+  points_.truncate(end);
+  for (auto& array : values_) array.truncate(end);
+  offset_.truncate(end + count);
+  connectivity_.truncate(most);
+  hdf5::flush(file_);
+}
+
+}  // namespace pliant

@@ -1,0 +1,65 @@
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "engine/output/frame.hpp"
+#include "engine/output/hdf5.hpp"
+
+namespace pliant {
+
+/// Where one frame lies in the arrays of all frames.
+struct FrameSpan {
+  double time;
+  std::uint64_t first;
+  std::uint64_t particles;
+};
+
+/// A field as the file holds it.
+struct StoredField {
+  std::string name;
+  int components;
+  bool integer;
+  int bytes;  ///< of one component
+};
+
+/// The frames of a run, as the group /VTKHDF: temporal PolyData of version 2.0 of that format, one
+/// part a frame, one vertex a particle.
+///
+/// Every array grows at its end only. A process that dies in `append` leaves all earlier frames as
+/// they were, and NSteps, written last, still counts them.
+class FrameStore {
+ public:
+  /// Takes up the frames that an open file holds, if any. Throws hdf5::Failure, as all here do.
+  explicit FrameStore(hid_t file);
+
+  /// Throws std::invalid_argument when the frame contradicts itself or the earlier ones.
+  void append(const Frame& frame);
+  void truncate(std::size_t frames);
+
+  const std::vector<FrameSpan>& frames() const { return frames_; }
+  const std::vector<StoredField>& fields() const { return fields_; }  ///< in alphabetical order
+
+ private:
+  void create(const Frame& first);
+  void open();
+  void require_same_fields(const Frame& frame) const;
+  void append_particles(const Frame& frame);
+  void append_step(const Frame& frame);
+
+  hid_t file_;
+  hdf5::Handle root_, steps_;
+  std::vector<FrameSpan> frames_;
+  std::vector<StoredField> fields_;
+  std::vector<hdf5::GrowingArray> values_;  ///< of fields_
+
+  /// Particles of all frames: [particle]; `offset` has one more entry a frame.
+  hdf5::GrowingArray points_, offset_;
+  /// 0, 1, 2, ... as far as the largest frame needs: every frame's vertices are its first points.
+  hdf5::GrowingArray connectivity_;
+  /// One entry a frame.
+  hdf5::GrowingArray time_, step_, particles_, part_, parts_, first_, cells_, connections_, none_;
+};
+
+}  // namespace pliant

@@ -1,0 +1,134 @@
+#pragma once
+
+#include <hdf5.h>
+
+#include <cstdint>
+#include <filesystem>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "engine/output/error.hpp"
+
+/// The little of HDF5 that results and checkpoints need, with owners for its identifiers.
+namespace pliant::hdf5 {
+
+/// Why a call failed. The classes that own a file turn it into an OutputError naming that file.
+struct Failure {
+  std::string doing;   ///< "write Points"
+  std::string reason;  ///< the operating system's words, else HDF5's
+  int error_number = 0;
+
+  OutputError on(const std::filesystem::path& path) const;
+};
+
+/// Passes on what an HDF5 call returned; throws Failure when that is negative.
+hid_t checked(hid_t returned, std::string_view doing);
+
+/// HDF5 prints its error stack unless told not to, once for each thread; ours go into exceptions.
+void silence();
+
+class Handle {
+ public:
+  using Close = herr_t (*)(hid_t);
+
+  Handle() = default;
+  /// Takes over `id`; throws Failure when it is negative.
+  Handle(hid_t id, Close close, std::string_view doing) : id_(checked(id, doing)), close_(close) {}
+  Handle(Handle&& other) noexcept : id_(std::exchange(other.id_, -1)), close_(other.close_) {}
+  Handle& operator=(Handle&& other) noexcept {
+    std::swap(id_, other.id_);
+    std::swap(close_, other.close_);
+    return *this;
+  }
+  ~Handle() {
+    if (id_ >= 0) close_(id_);
+  }
+  operator hid_t() const { return id_; }
+  bool valid() const { return id_ >= 0; }
+
+ private:
+  hid_t id_ = -1;
+  Close close_ = nullptr;
+};
+
+template <class T>
+hid_t type_of();
+template <>
+inline hid_t type_of<double>() {
+  return H5T_NATIVE_DOUBLE;
+}
+template <>
+inline hid_t type_of<float>() {
+  return H5T_NATIVE_FLOAT;
+}
+template <>
+inline hid_t type_of<std::int32_t>() {
+  return H5T_NATIVE_INT32;
+}
+template <>
+inline hid_t type_of<std::int64_t>() {
+  return H5T_NATIVE_INT64;
+}
+template <>
+inline hid_t type_of<std::uint8_t>() {
+  return H5T_NATIVE_UINT8;
+}
+
+/// Properties of an object without time stamps: equal runs write equal files.
+Handle creation_of(hid_t property_class);
+
+bool exists(hid_t parent, const std::string& name);
+std::vector<std::string> names(hid_t group);  ///< in alphabetical order
+
+Handle create_group(hid_t parent, const std::string& name);
+Handle open_group(hid_t parent, const std::string& name);
+
+void write_attribute(hid_t object, const std::string& name, std::string_view text);
+void write_attribute(hid_t object, const std::string& name, const std::vector<int>& values);
+void write_attribute(hid_t object, const std::string& name, int value);
+void overwrite_attribute(hid_t object, const std::string& name, int value);
+int read_attribute(hid_t object, const std::string& name);
+
+/// A scalar dataset of text.
+void write_text(hid_t parent, const std::string& name, std::string_view text);
+
+void flush(hid_t file);
+
+/// The descriptor of an open file.
+int descriptor(hid_t file);
+
+/// Lets HDF5 close a file whose last changes failed: whatever it still writes goes to memory that
+/// is thrown away, and the file on disk stays as it is.
+void abandon(hid_t file);
+
+/// Rows of equal size that grow at the end: [row] or [row][component].
+class GrowingArray {
+ public:
+  GrowingArray() = default;
+  /// `components` of 0 makes a plain [row].
+  static GrowingArray create(hid_t parent, const std::string& name, hid_t type, int components,
+                             hsize_t chunk_rows);
+  static GrowingArray open(hid_t parent, const std::string& name);
+
+  hsize_t rows() const;
+  int components() const;  ///< 0 of a plain [row]
+  Handle type() const;
+  hid_t id() const { return dataset_; }
+  bool valid() const { return dataset_.valid(); }
+
+  void append(const void* values, hsize_t count);
+  void truncate(hsize_t rows);
+  void read(void* values) const;  ///< all rows
+
+ private:
+  explicit GrowingArray(std::string name, Handle dataset)
+      : name_(std::move(name)), dataset_(std::move(dataset)) {}
+  std::vector<hsize_t> shape() const;
+
+  std::string name_;
+  Handle dataset_;
+};
+
+}  // namespace pliant::hdf5

@@ -1,0 +1,58 @@
+#include "engine/output/summary.hpp"
+
+#include <nlohmann/json.hpp>
+
+#include "engine/output/atomic_file.hpp"
+
+namespace pliant {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+Json json(const ConservedQuantities& quantities) {
+  return {{"mass", quantities.mass},
+          {"momentum", quantities.momentum},
+          {"angular_momentum", quantities.angular_momentum},
+          {"kinetic_energy", quantities.kinetic_energy},
+          {"strain_energy", quantities.strain_energy},
+          {"total_energy", quantities.total_energy}};
+}
+
+Json json(const Summary& summary) {
+  auto versions = Json::object(), phases = Json::object(), measurements = Json::object();
+  for (const auto& [name, version] : summary.versions) versions[name] = version;
+  for (const auto& phase : summary.phases) phases[phase.name] = phase.wall_time;
+  for (const auto& measurement : summary.measurements)
+    measurements[measurement.name] = {{"value", measurement.value}, {"unit", measurement.unit}};
+  const auto& speed = summary.performance;
+  return {{"case", summary.case_name},
+          {"versions", versions},
+          {"method", summary.method},
+          {"particles",
+           {{"start", summary.particles.start},
+            {"end", summary.particles.end},
+            {"ghosts", summary.particles.ghosts}}},
+          {"steps", summary.steps},
+          {"physical_time", summary.physical_time},
+          {"wall_time", summary.wall_time},
+          {"phases", phases},
+          {"performance",
+           {{"particle_stages_per_second", speed.particle_stages_per_second},
+            {"particle_stages", speed.particle_stages},
+            {"step_wall_time", speed.step_wall_time},
+            {"threads", speed.threads},
+            {"isa", speed.isa}}},
+          {"conserved",
+           {{"start", json(summary.conserved.start)}, {"end", json(summary.conserved.end)}}},
+          {"measurements", measurements}};
+}
+
+}  // namespace
+
+std::string json_of(const Summary& summary) { return json(summary).dump(2) + "\n"; }
+
+void write_summary(const std::filesystem::path& folder, const Summary& summary) {
+  write_atomically(folder / "summary.json", json_of(summary));
+}
+
+}  // namespace pliant

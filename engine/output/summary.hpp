@@ -1,0 +1,60 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <filesystem>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace pliant {
+
+/// What a run conserves, or should, in SI units.
+struct ConservedQuantities {
+  double mass = 0;
+  std::array<double, 3> momentum = {};
+  std::array<double, 3> angular_momentum = {};  ///< about the origin
+  double kinetic_energy = 0, strain_energy = 0, total_energy = 0;
+};
+
+/// A run in one page: the content of summary.json. SI units throughout.
+struct Summary {
+  struct Phase {
+    std::string name;
+    double wall_time = 0;  ///< over all threads
+  };
+  struct Measurement {
+    std::string name, unit;
+    double value = 0;  ///< at the end
+  };
+
+  std::string case_name;
+  std::vector<std::pair<std::string, std::string>> versions;  ///< program and libraries
+  std::string method;
+  struct {
+    std::int64_t start = 0, end = 0, ghosts = 0;  ///< ghosts: at the end
+  } particles;
+  std::int64_t steps = 0;
+  double physical_time = 0, wall_time = 0;
+  std::vector<Phase> phases;  ///< in the order of the step
+  struct {
+    double particle_stages_per_second = 0;
+    std::int64_t particle_stages = 0;
+    double step_wall_time = 0;
+    int threads = 1;
+    std::string isa;
+  } performance;
+  struct {
+    ConservedQuantities start, end;
+  } conserved;
+  std::vector<Measurement> measurements;
+};
+
+/// JSON with keys in the order above; numbers read back to the same bits, and those that are not
+/// finite are null.
+std::string json_of(const Summary& summary);
+
+/// Writes folder/summary.json whole or not at all. Throws OutputError.
+void write_summary(const std::filesystem::path& folder, const Summary& summary);
+
+}  // namespace pliant
