@@ -6,12 +6,14 @@
 /// How kernels see particles: slots of a lattice, stored in rows.
 ///
 ///     row y+1   . . . o o o o o o . .        a segment is a run of slots of one lattice row whose
-///     row y     . . o o o[o o o o]o . .      neighbouring rows are each one constant slot offset away:
-///     row y-1   . . . o o o o o o o .        slot(x + dx, row + r) = p + neighbour_row[r] + dx
+///     row y     . . o o o[o o o o]o . .      neighbouring rows are each one constant slot offset
+///     away: row y-1   . . . o o o o o o o .        slot(x + dx, row + r) = p + neighbour_row[r] +
+///     dx
 ///
 /// Storage comes in packs of `slots_per_pack` slots (one cache line of doubles), whatever the
 /// instruction set, so that the layout never depends on the processor. A spare pack at both ends of
-/// every run, and finite values in every slot, make all loads of a pack with an interior particle legal.
+/// every run, and finite values in every slot, make all loads of a pack with an interior particle
+/// legal.
 namespace pliant::kernels {
 
 /// Slots in a cache line of `T`; segments start at and hold whole multiples of it.
@@ -37,7 +39,7 @@ constexpr int row_index(int dy, int dz = 0) {
 
 /// Independent components of a symmetric tensor: xx, xy, yy in 2D; xx, xy, xz, yy, yz, zz in 3D.
 template <int D>
-inline constexpr int symmetric_components = D * (D + 1) / 2;
+inline constexpr int symmetric_components = D*(D + 1) / 2;
 
 /// Position of component (i, j) of a symmetric tensor.
 template <int D>
@@ -48,18 +50,24 @@ constexpr int symmetric_index(int i, int j) {
 
 /// Components of the largest material state: S (symmetric) or F (row-major D x D).
 template <int D>
-inline constexpr int material_components = D * D;
+inline constexpr int material_components = D* D;
 
 template <int D>
 struct Segment {
-  std::int64_t first;                                      ///< slot, a multiple of slots_per_pack
-  std::int32_t count;                                      ///< slots, a multiple of slots_per_pack
-  std::array<std::int32_t, D> cell;                        ///< lattice cell of the first slot
+  std::int64_t first;                ///< slot, a multiple of slots_per_pack
+  std::int32_t count;                ///< slots, a multiple of slots_per_pack
+  std::array<std::int32_t, D> cell;  ///< lattice cell of the first slot
   std::array<std::int64_t, neighbouring_rows<D>> neighbour_row;  ///< slot offsets, by row_index
 };
 
 /// What a slot holds. Only interior particles carry mass through the equations of motion.
-enum class Kind : std::uint8_t { vacant = 0, interior = 1, free_ghost = 2, wall_ghost = 3, image = 4 };
+enum class Kind : std::uint8_t {
+  vacant = 0,
+  interior = 1,
+  free_ghost = 2,
+  wall_ghost = 3,
+  image = 4
+};
 
 /// Whether a pack of slots holds interior particles.
 enum class PackState : std::uint8_t { none = 0, some = 1, all = 2 };

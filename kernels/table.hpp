@@ -22,8 +22,9 @@ struct Evolving {
   std::array<T*, material_components<D>> material;  ///< S in the order of symmetric_index, or F
 };
 
-/// Neighbours beyond the reach of the stencil: a list for each pack, padded to its longest lane with
-/// the particle itself (which adds nothing). Entry k of lane l of pack i: start[i] + k * pack + l.
+/// Neighbours beyond the reach of the stencil: a list for each pack, padded to its longest lane
+/// with the particle itself (which adds nothing). Entry k of lane l of pack i: start[i] + k * pack
+/// + l.
 template <int D>
 struct NeighbourLists {
   const std::int64_t* start;                 ///< [pack]
@@ -62,9 +63,9 @@ struct Stage {
 
 /// Largest values over the interior particles of a block.
 struct StageResult {
-  double strain_rate;         ///< max abs(eps)_F of (RP.28) [1/s], at the stage's state
-  double wave_speed;          ///< max c of (RP.11) [m/s], at the new state
-  std::int64_t non_finite;    ///< a slot whose new state is not finite or has v <= 0, or -1
+  double strain_rate;       ///< max abs(eps)_F of (RP.28) [1/s], at the stage's state
+  double wave_speed;        ///< max c of (RP.11) [m/s], at the new state
+  std::int64_t non_finite;  ///< a slot whose new state is not finite or has v <= 0, or -1
 };
 
 /// sigma of (RP.2) from a state, in every slot of a block; the wave speed in the result.
@@ -80,8 +81,8 @@ struct StressOfState {
   std::array<T*, symmetric_components<D>> stress;
 };
 
-/// A record of a surface particle: u (D), sigma (symmetric), grad phi (D), p; padded to a multiple of
-/// a cache line of doubles: 8 values in 2D, 16 in 3D.
+/// A record of a surface particle: u (D), sigma (symmetric), grad phi (D), p; padded to a multiple
+/// of a cache line of doubles: 8 values in 2D, 16 in 3D.
 template <int D>
 inline constexpr int record_fields = 2 * D + symmetric_components<D> + 1;
 template <int D>
@@ -89,10 +90,10 @@ inline constexpr int record_width = (record_fields<D> + 7) / 8 * 8;
 
 /// A pack of slots of which some are surface particles.
 struct SurfacePack {
-  std::int64_t first;     ///< slot
-  std::int32_t segment;   ///< of the block
-  std::int32_t record;    ///< of the first surface particle in the pack; the others follow by lane
-  std::uint16_t lanes;    ///< bit l: lane l is a surface particle
+  std::int64_t first;    ///< slot
+  std::int32_t segment;  ///< of the block
+  std::int32_t record;   ///< of the first surface particle in the pack; the others follow by lane
+  std::uint16_t lanes;   ///< bit l: lane l is a surface particle
 };
 
 /// Writes the records of one block's surface particles; grad phi by (RP.18) over the stencil.
@@ -117,12 +118,12 @@ template <class T, int D>
 struct GhostSums {
   std::int64_t first;
   std::int64_t count;
-  const std::int64_t* begin;    ///< [ghost + 1] into record, linear, constrained
+  const std::int64_t* begin;  ///< [ghost + 1] into record, linear, constrained
   const std::int32_t* record;
-  const T* linear;              ///< c
-  const T* constrained;         ///< b
-  const T* records;             ///< [record][record_width]
-  T* sums;                      ///< [ghost - first][2][record_width]
+  const T* linear;       ///< c
+  const T* constrained;  ///< b
+  const T* records;      ///< [record][record_width]
+  T* sums;               ///< [ghost - first][2][record_width]
 };
 
 /// Nodes of a remeshing tile hold the sums of (RP.22): W, W m, W m u (D), W v, W v d (D), W phi,
@@ -137,10 +138,10 @@ struct NodeField {
                        level_set = 3 + 2 * D, material = 4 + 2 * D;
 };
 
-/// Adds one source block's particles (every slot that is not vacant) to the nodes of a tile, (RP.21)
-/// and (RP.22), in slot order. Particles whose 4^D nodes do not all lie in the tile's buffer are left
-/// out: the buffer reaches `tile_margin` nodes beyond the nodes that the tile owns, which holds all
-/// nodes of every particle that touches an owned one.
+/// Adds one source block's particles (slots neither vacant nor images) to the nodes of a tile,
+/// (RP.21) and (RP.22), in slot order. Particles whose 4^D nodes do not all lie in the tile's
+/// buffer are left out: the buffer reaches `tile_margin` nodes beyond the nodes that the tile owns,
+/// which holds all nodes of every particle that touches an owned one.
 inline constexpr int tile_margin = 3;
 template <class T, int D>
 struct Scatter {
@@ -152,11 +153,11 @@ struct Scatter {
   int carried_components;             ///< of S or F
   const T* mass;
   const T* level_set;
-  std::array<const T*, D> carried;    ///< d at the last remeshing; d + xi is remeshed
+  std::array<const T*, D> carried;  ///< d at the last remeshing; d + xi is remeshed
   Evolving<const T, D> state;
-  T* nodes;                           ///< [z][y][x][node_width]
-  std::array<std::int32_t, D> lower;  ///< lattice cell of the buffer's first node
-  std::array<std::int32_t, D> extent; ///< nodes of the buffer
+  T* nodes;                            ///< [z][y][x][node_width]
+  std::array<std::int32_t, D> lower;   ///< lattice cell of the buffer's first node
+  std::array<std::int32_t, D> extent;  ///< nodes of the buffer
 };
 
 /// (RP.27) of one field over a block. A direction counts only where the slots two to each side and

@@ -1,0 +1,50 @@
+#include "kernels/isa/tables.hpp"
+
+namespace pliant::kernels {
+
+bool is_supported(Isa isa) {
+  switch (isa) {
+    case Isa::sse2:
+      return true;
+    case Isa::avx2:
+      return __builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma");
+    case Isa::avx512:
+      // All that the unit is compiled with: -march=skylake-avx512.
+      return __builtin_cpu_supports("x86-64-v4");
+  }
+  return false;
+}
+
+Isa widest_supported() {
+  for (const Isa isa : {Isa::avx512, Isa::avx2}) {
+    if (is_supported(isa)) return isa;
+  }
+  return Isa::sse2;
+}
+
+std::string_view name(Isa isa) {
+  switch (isa) {
+    case Isa::sse2:
+      return "sse2";
+    case Isa::avx2:
+      return "avx2";
+    case Isa::avx512:
+      return "avx512";
+  }
+  return "";
+}
+
+template <>
+const Table<double, 2>& table<double, 2>(Isa isa) {
+  switch (isa) {
+    case Isa::avx512:
+      return avx512_table;
+    case Isa::avx2:
+      return avx2_table;
+    case Isa::sse2:
+      break;
+  }
+  return sse2_table;
+}
+
+}  // namespace pliant::kernels

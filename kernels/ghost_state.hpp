@@ -1,0 +1,142 @@
+#pragma once
+
+#include <array>
+#include <cmath>
+
+#include "kernels/layout.hpp"
+#include "kernels/table.hpp"
+
+/// Velocity and stress of a ghost from the sums over its neighbours' records (see GhostSums).
+///
+/// With P = I - n n, a stress splits into its tangential block P s P, its normal part (n.s n) n n
+/// and its shear n tau + tau n, tau = P s n; each boundary condition takes each part from the fit
+/// that is free of constraints or from the one that vanishes on the surface.
+namespace pliant::kernels {
+
+template <class T, int D>
+using VectorOf = std::array<T, D>;
+template <class T, int D>
+using SymmetricOf = std::array<T, symmetric_components<D>>;
+
+template <class T, int D>
+struct GhostState {
+  VectorOf<T, D> velocity;
+  SymmetricOf<T, D> stress;
+};
+
+/// Views of one sum of records: u, sigma, grad phi, p.
+template <class T, int D>
+struct RecordSum {
+  const T* values;
+  T velocity(int i) const { return values[i]; }
+  T stress(int i, int j) const { return values[D + symmetric_index<D>(i, j)]; }
+  T level_set_gradient(int i) const { return values[D + symmetric_components<D> + i]; }
+  T pressure() const { return values[2 * D + symmetric_components<D>]; }
+};
+
+/// (RP.37); the zero vector where the gradients cancel.
+template <class T, int D>
+VectorOf<T, D> unit_normal(const RecordSum<T, D>& sum) {
+  T square = 0;
+  for (int i = 0; i < D; ++i) square += sum.level_set_gradient(i) * sum.level_set_gradient(i);
+  VectorOf<T, D> n = {};
+  if (square > T(1e-12)) {
+    const T scale = 1 / std::sqrt(square);
+    for (int i = 0; i < D; ++i) n[i] = scale * sum.level_set_gradient(i);
+  }
+  return n;
+}
+
+/// s n and n.s n.
+template <class T, int D>
+T traction(const RecordSum<T, D>& sum, const VectorOf<T, D>& n, VectorOf<T, D>& s_n) {
+  T s_nn = 0;
+  for (int i = 0; i < D; ++i) {
+    s_n[i] = 0;
+    for (int j = 0; j < D; ++j) s_n[i] += sum.stress(i, j) * n[j];
+    s_nn += n[i] * s_n[i];
+  }
+  return s_nn;
+}
+
+/// The stress of `sum` with its traction on the plane of normal n replaced by s_nn n + tau.
+template <class T, int D>
+SymmetricOf<T, D> with_traction(const RecordSum<T, D>& sum, const VectorOf<T, D>& n, T s_nn,
+                                const VectorOf<T, D>& tau) {
+  VectorOf<T, D> old;
+  const T old_nn = traction<T, D>(sum, n, old);
+  SymmetricOf<T, D> stress;
+  for (int i = 0; i < D; ++i) {
+    for (int j = i; j < D; ++j) {
+      const T tangential = sum.stress(i, j) - n[i] * old[j] - old[i] * n[j] + old_nn * n[i] * n[j];
+      stress[symmetric_index<D>(i, j)] =
+          tangential + s_nn * n[i] * n[j] + n[i] * tau[j] + tau[i] * n[j];
+    }
+  }
+  return stress;
+}
+
+/// P s n.
+template <class T, int D>
+VectorOf<T, D> shear(const RecordSum<T, D>& sum, const VectorOf<T, D>& n) {
+  VectorOf<T, D> tau;
+  const T s_nn = traction<T, D>(sum, n, tau);
+  for (int i = 0; i < D; ++i) tau[i] -= s_nn * n[i];
+  return tau;
+}
+
+/// (RP.34). `pressure` acts on the surface; `constrained_sum` is sum_i b_gi.
+template <class T, int D>
+GhostState<T, D> free_surface_ghost(RecordSum<T, D> linear, RecordSum<T, D> constrained,
+                                    T constrained_sum, T pressure) {
+  const VectorOf<T, D> n = unit_normal<T, D>(linear);
+  VectorOf<T, D> s_n;
+  const T s_nn = traction<T, D>(constrained, n, s_n) - pressure * (1 - constrained_sum);
+  GhostState<T, D> ghost;
+  for (int i = 0; i < D; ++i) ghost.velocity[i] = linear.velocity(i);
+  ghost.stress = with_traction<T, D>(linear, n, s_nn, shear<T, D>(constrained, n));
+  return ghost;
+}
+
+/// (RP.38): P Sbar P - p I with the ambient pressure `pressure`.
+template <class T, int D>
+GhostState<T, D> averaged_surface_ghost(RecordSum<T, D> mean, T pressure) {
+  const VectorOf<T, D> n = unit_normal<T, D>(mean);
+  std::array<T, record_width<D>> deviatoric;
+  for (int k = 0; k < record_width<D>; ++k) deviatoric[k] = mean.values[k];
+  for (int i = 0; i < D; ++i) deviatoric[D + symmetric_index<D>(i, i)] += mean.pressure();
+  GhostState<T, D> ghost;
+  for (int i = 0; i < D; ++i) ghost.velocity[i] = mean.velocity(i);
+  ghost.stress = with_traction<T, D>(RecordSum<T, D>{deviatoric.data()}, n, T(0), VectorOf<T, D>{});
+  for (int i = 0; i < D; ++i) ghost.stress[symmetric_index<D>(i, i)] -= pressure;
+  return ghost;
+}
+
+/// (RP.35); with sums of means and no constrained part, the wall of (RP.38).
+template <class T, int D>
+GhostState<T, D> wall_ghost(RecordSum<T, D> linear, RecordSum<T, D> constrained, T constrained_sum,
+                            const VectorOf<T, D>& wall_velocity) {
+  GhostState<T, D> ghost;
+  for (int i = 0; i < D; ++i) {
+    ghost.velocity[i] = constrained.velocity(i) + wall_velocity[i] * (1 - constrained_sum);
+    for (int j = i; j < D; ++j) ghost.stress[symmetric_index<D>(i, j)] = linear.stress(i, j);
+  }
+  return ghost;
+}
+
+/// (RP.36), n the normal of the wall.
+template <class T, int D>
+GhostState<T, D> slip_wall_ghost(RecordSum<T, D> linear, RecordSum<T, D> constrained,
+                                 T constrained_sum, const VectorOf<T, D>& wall_velocity,
+                                 const VectorOf<T, D>& n) {
+  GhostState<T, D> ghost = wall_ghost<T, D>(linear, constrained, constrained_sum, wall_velocity);
+  T jump = 0;  // of the normal velocity
+  for (int i = 0; i < D; ++i) jump += n[i] * (ghost.velocity[i] - linear.velocity(i));
+  for (int i = 0; i < D; ++i) ghost.velocity[i] = linear.velocity(i) + jump * n[i];
+  VectorOf<T, D> s_n;
+  const T s_nn = traction<T, D>(linear, n, s_n);
+  ghost.stress = with_traction<T, D>(linear, n, s_nn, shear<T, D>(constrained, n));
+  return ghost;
+}
+
+}  // namespace pliant::kernels

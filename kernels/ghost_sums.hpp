@@ -1,0 +1,38 @@
+#pragma once
+
+#include "kernels/pack.hpp"
+#include "kernels/table.hpp"
+
+namespace pliant::kernels {
+
+/// (RP.32) and (RP.33) for all fields of a ghost at once: a record fills whole registers, and the
+/// two coefficients of a particle are broadcast to them. See GhostSums.
+template <class P, int D>
+void sum_ghosts(const GhostSums<Scalar<P>, D>& ghosts) {
+  using T = Scalar<P>;
+  constexpr int width = record_width<D>;
+  // Float registers may be longer than the record is wide: then each is summed in whole lanes only.
+  static_assert(width % lanes<P> == 0);
+  constexpr int registers = width / lanes<P>;
+  for (std::int64_t g = 0; g < ghosts.count; ++g) {
+    P linear[registers], constrained[registers];
+    for (int r = 0; r < registers; ++r) linear[r] = constrained[r] = P(T(0));
+    const std::int64_t end = ghosts.begin[ghosts.first + g + 1];
+    for (std::int64_t i = ghosts.begin[ghosts.first + g]; i < end; ++i) {
+      const T* record = ghosts.records + static_cast<std::int64_t>(ghosts.record[i]) * width;
+      const P c(ghosts.linear[i]), b(ghosts.constrained[i]);
+      for (int r = 0; r < registers; ++r) {
+        const P value = load<P>(record + r * lanes<P>);
+        linear[r] = fused(c, value, linear[r]);
+        constrained[r] = fused(b, value, constrained[r]);
+      }
+    }
+    T* sums = ghosts.sums + g * 2 * width;
+    for (int r = 0; r < registers; ++r) {
+      linear[r].store_unaligned(sums + r * lanes<P>);
+      constrained[r].store_unaligned(sums + width + r * lanes<P>);
+    }
+  }
+}
+
+}  // namespace pliant::kernels

@@ -1,0 +1,157 @@
+#pragma once
+
+#include "kernels/moment.hpp"
+#include "kernels/weight.hpp"
+
+/// The moment-matrix gradient (RP.18) of several fields in one sweep over the neighbours.
+///
+/// For every neighbour q of a pack of particles p: d = x_q - x_p, omega(|d|), and
+///
+///     A += omega d d^T          H_f += omega d (f_q - f_p)          (grad f = A^-1 H_f at the end)
+///
+/// In 2D with velocity and stress that makes 13 accumulators, which AVX-512 keeps in registers.
+/// Positions enter as displacements xi from the slots: d = (xi_q + offset h) - xi_p, so that the
+/// result does not depend on where the body is.
+namespace pliant::kernels {
+
+/// A and H of a pack.
+template <class P, int D, int F>
+struct GradientSums {
+  P moment[symmetric_components<D>];
+  P slope[F][D];
+
+  GradientSums() {
+    for (P& a : moment) a = P(Scalar<P>(0));
+    for (auto& row : slope) {
+      for (P& h : row) h = P(Scalar<P>(0));
+    }
+  }
+
+  [[gnu::always_inline]] void add(const P& omega, const P (&d)[D], const P (&difference)[F]) {
+    P weighted[D];
+    for (int i = 0; i < D; ++i) weighted[i] = omega * d[i];
+    for (int i = 0; i < D; ++i) {
+      for (int j = i; j < D; ++j) {
+        P& a = moment[symmetric_index<D>(i, j)];
+        a = fused(weighted[i], d[j], a);
+      }
+    }
+    for (int f = 0; f < F; ++f) {
+      for (int i = 0; i < D; ++i) slope[f][i] = fused(weighted[i], difference[f], slope[f][i]);
+    }
+  }
+};
+
+/// Gradients of F fields from their sums; not finite where the neighbours do not span the space.
+template <class P, int D, int F>
+inline void solve(const GradientSums<P, D, F>& sums, P (&gradient)[F][D]) {
+  P inverse[symmetric_components<D>];
+  invert_symmetric(sums.moment, inverse);
+  for (int f = 0; f < F; ++f) {
+    for (int i = 0; i < D; ++i) {
+      P value = inverse[symmetric_index<D>(i, 0)] * sums.slope[f][0];
+      for (int j = 1; j < D; ++j) {
+        value = fused(inverse[symmetric_index<D>(i, j)], sums.slope[f][j], value);
+      }
+      gradient[f][i] = value;
+    }
+  }
+}
+
+/// The fields of a sweep: where particles are, and what is differentiated.
+template <class T, int D, int F>
+struct SweepFields {
+  const T* displacement[D];
+  const T* field[F];
+};
+
+/// A pack of particles p about to meet its neighbours.
+template <Weight weight, class P, int D, int F>
+class PairSweep {
+  using T = Scalar<P>;
+
+ public:
+  PairSweep(const SweepFields<T, D, F>& fields, std::int64_t slot, T spacing)
+      : weight_(spacing), spacing_(spacing) {
+    for (int i = 0; i < D; ++i) position_[i] = load<P>(fields.displacement[i] + slot);
+    for (int f = 0; f < F; ++f) value_[f] = load<P>(fields.field[f] + slot);
+  }
+
+  /// Adds neighbours whose slots lie `offset` cells away; `neighbour(array)` loads them.
+  template <class Load>
+  [[gnu::always_inline]] void meet(const SweepFields<T, D, F>& fields, const P (&offset)[D],
+                                   const Load& neighbour) {
+    P d[D], difference[F];
+    for (int i = 0; i < D; ++i) {
+      d[i] = neighbour(fields.displacement[i]) - fused_minus(offset[i], spacing_, position_[i]);
+    }
+    for (int f = 0; f < F; ++f) difference[f] = neighbour(fields.field[f]) - value_[f];
+    P distance2 = d[0] * d[0];
+    for (int i = 1; i < D; ++i) distance2 = fused(d[i], d[i], distance2);
+    sums_.add(weight_(distance2), d, difference);
+  }
+
+  const GradientSums<P, D, F>& sums() const { return sums_; }
+
+ private:
+  PairWeight<weight, P> weight_;
+  P spacing_;
+  P position_[D];
+  P value_[F];
+  GradientSums<P, D, F> sums_;
+};
+
+/// Sums over the lattice neighbours of the pack at `slot`.
+template <Weight weight, class P, int D, int F>
+inline GradientSums<P, D, F> sweep_stencil(const SweepFields<Scalar<P>, D, F>& fields,
+                                           const std::int64_t* neighbour_row, std::int64_t slot,
+                                           Scalar<P> spacing) {
+  using T = Scalar<P>;
+  constexpr int reach = stencil_reach(weight);
+  constexpr int depth = D == 3 ? reach : 0;
+  PairSweep<weight, P, D, F> sweep(fields, slot, spacing);
+  for (int dz = -depth; dz <= depth; ++dz) {
+    for (int dy = -reach; dy <= reach; ++dy) {
+      const std::int64_t row = slot + neighbour_row[row_index<D>(dy, dz)];
+#pragma GCC unroll 5
+      for (int dx = -reach; dx <= reach; ++dx) {
+        const T cells[3] = {T(dx), T(dy), T(dz)};
+        P offset[D];
+        for (int i = 0; i < D; ++i) offset[i] = P(cells[i]);
+        sweep.meet(fields, offset, [&](const T* field) { return load<P>(field + row + dx); });
+      }
+    }
+  }
+  return sweep.sums();
+}
+
+/// Sums over the listed neighbours of the register of particles at `slot`, which starts at lane
+/// `slot % slots_per_pack` of its pack.
+template <Weight weight, class P, int D, int F>
+inline GradientSums<P, D, F> sweep_list(const SweepFields<Scalar<P>, D, F>& fields,
+                                        const std::int64_t* start, const std::int32_t* length,
+                                        const std::int32_t* neighbour,
+                                        const std::int8_t* const (&offsets)[D], std::int64_t slot,
+                                        Scalar<P> spacing) {
+  using T = Scalar<P>;
+  constexpr int pack = slots_per_pack<T>;
+  PairSweep<weight, P, D, F> sweep(fields, slot, spacing);
+  std::int64_t entry = start[slot / pack] + slot % pack;
+  for (std::int32_t k = 0; k < length[slot / pack]; ++k, entry += pack) {
+    const auto gathered = [&](const auto& value) {
+      alignas(64) T lane[lanes<P>];
+      for (int l = 0; l < lanes<P>; ++l) lane[l] = static_cast<T>(value(entry + l));
+      return P::load_aligned(lane);
+    };
+    P offset[D];
+    for (int i = 0; i < D; ++i) {
+      offset[i] = gathered([&](std::int64_t e) { return offsets[i][e]; });
+    }
+    sweep.meet(fields, offset, [&](const T* field) {
+      return gathered([&](std::int64_t e) { return field[neighbour[e]]; });
+    });
+  }
+  return sweep.sums();
+}
+
+}  // namespace pliant::kernels

@@ -1,0 +1,25 @@
+#pragma once
+
+#include "kernels/filter.hpp"
+#include "kernels/ghost_sums.hpp"
+#include "kernels/scatter.hpp"
+#include "kernels/stage.hpp"
+#include "kernels/state_stress.hpp"
+#include "kernels/surface.hpp"
+
+namespace pliant::kernels {
+
+/// The kernels for packs `P`.
+template <class P, int D>
+constexpr Table<Scalar<P>, D> make_table(Isa isa) {
+  return {isa,
+          lanes<P>,
+          advance_stage<P, D>,
+          evaluate_stress<P, D>,
+          write_surface_records<P, D>,
+          sum_ghosts<P, D>,
+          scatter<P, D>,
+          filter<P, D>};
+}
+
+}  // namespace pliant::kernels

@@ -1,0 +1,33 @@
+#pragma once
+
+#include "kernels/pack.hpp"
+
+namespace pliant::kernels {
+
+/// Inverse of a symmetric D x D matrix, both in the order of symmetric_index. A singular matrix
+/// gives values that are not finite.
+template <class P>
+inline void invert_symmetric(const P (&a)[3], P (&inverse)[3]) {
+  const P determinant = fused_minus(a[1], a[1], a[0] * a[2]);
+  const P factor = P(Scalar<P>(1)) / determinant;
+  inverse[0] = a[2] * factor;
+  inverse[1] = -a[1] * factor;
+  inverse[2] = a[0] * factor;
+}
+
+template <class P>
+inline void invert_symmetric(const P (&a)[6], P (&inverse)[6]) {
+  const P xx = fused_minus(a[4], a[4], a[3] * a[5]);
+  const P xy = fused_minus(a[1], a[5], a[2] * a[4]);
+  const P xz = fused_minus(a[2], a[3], a[1] * a[4]);
+  const P determinant = fused(a[2], xz, fused(a[1], xy, a[0] * xx));
+  const P factor = P(Scalar<P>(1)) / determinant;
+  inverse[0] = xx * factor;
+  inverse[1] = xy * factor;
+  inverse[2] = xz * factor;
+  inverse[3] = fused_minus(a[2], a[2], a[0] * a[5]) * factor;
+  inverse[4] = fused_minus(a[0], a[4], a[1] * a[2]) * factor;
+  inverse[5] = fused_minus(a[1], a[1], a[0] * a[3]) * factor;
+}
+
+}  // namespace pliant::kernels

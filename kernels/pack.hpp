@@ -1,0 +1,66 @@
+#pragma once
+
+#include <xsimd/xsimd.hpp>
+
+#include "kernels/layout.hpp"
+
+/// The register type that kernels are written in, and the few operations that xsimd lacks.
+///
+/// Kernels are compiled once for each instruction set into one program, so everything that an
+/// instruction set's unit may emit carries the architecture in its type: templates over the pack,
+/// and plain arrays instead of standard containers. Otherwise the linker could keep the AVX-512
+/// version of a function that all units share.
+namespace pliant::kernels {
+
+/// Fused multiply-add of a pack; xsimd 8.1 has none for AVX-512 (see isa/avx512_fma.hpp). On SSE2,
+/// which has none either, product and sum are rounded one by one.
+template <class P>
+struct FusedMultiplyAdd {
+  static P sum(const P& x, const P& y, const P& z) { return xsimd::fma(x, y, z); }
+  static P difference(const P& x, const P& y, const P& z) { return xsimd::fnma(x, y, z); }
+};
+
+/// x y + z
+template <class P>
+inline P fused(const P& x, const P& y, const P& z) {
+  return FusedMultiplyAdd<P>::sum(x, y, z);
+}
+
+/// z - x y
+template <class P>
+inline P fused_minus(const P& x, const P& y, const P& z) {
+  return FusedMultiplyAdd<P>::difference(x, y, z);
+}
+
+template <class P>
+using Scalar = typename P::value_type;
+
+template <class P>
+inline constexpr int lanes = static_cast<int>(P::size);
+
+/// Storage packs of `slots_per_pack` slots consist of this many registers.
+template <class P>
+inline constexpr int registers_per_pack = slots_per_pack<Scalar<P>> / lanes<P>;
+
+template <class P>
+inline P load(const Scalar<P>* from) {
+  return P::load_unaligned(from);
+}
+
+/// Largest value of a register; independent of the order of its lanes.
+template <class P>
+inline Scalar<P> largest(const P& pack) {
+  alignas(64) Scalar<P> lane[lanes<P>];
+  pack.store_aligned(lane);
+  Scalar<P> value = lane[0];
+  for (int l = 1; l < lanes<P>; ++l) value = lane[l] > value ? lane[l] : value;
+  return value;
+}
+
+/// Square root of one number by the instruction set of `P`: std::sqrt would be shared by all units.
+template <class P>
+inline Scalar<P> square_root(Scalar<P> x) {
+  return xsimd::sqrt(P(x)).get(0);
+}
+
+}  // namespace pliant::kernels

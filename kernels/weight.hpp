@@ -1,0 +1,71 @@
+#pragma once
+
+#include "kernels/material.hpp"
+#include "kernels/roots.hpp"
+
+namespace pliant::kernels {
+
+/// Pair weight omega of (RP.18) as a function of the squared distance [m^2]; zero outside the
+/// support and finite at zero distance.
+template <Weight weight, class P>
+class PairWeight;
+
+/// (RP.14). Costs about two thirds more than its polynomial.
+template <class P>
+class PairWeight<Weight::quartic, P> {
+  using T = Scalar<P>;
+
+ public:
+  explicit PairWeight(T spacing) : per_spacing2_(1 / (spacing * spacing)) {}
+
+  P operator()(const P& distance2) const {
+    const P s2 = distance2 * per_spacing2_;
+    const P inverse = inverse_square_root(s2);
+    const P s = s2 * inverse;
+    const P a = xsimd::max(P(T(0)), P(T(2.5)) - s);
+    const P b = xsimd::max(P(T(0)), P(T(1.5)) - s);
+    const P outer = fused_minus(P(T(5)) * b, b * b, a * a * a) * (inverse * P(T(1) / T(6)));
+    // Below s = 1/2 the three cubes cancel to this polynomial, which has no pole.
+    return xsimd::select(s2 < P(T(0.25)), P(T(1.25)) - s2, outer);
+  }
+
+ private:
+  P per_spacing2_;
+};
+
+/// (RP.15)
+template <class P>
+class PairWeight<Weight::quartic_polynomial, P> {
+  using T = Scalar<P>;
+
+ public:
+  explicit PairWeight(T spacing) : per_support2_(1 / (T(6.25) * spacing * spacing)) {}
+
+  P operator()(const P& distance2) const {
+    const P t = xsimd::max(P(T(0)), fused_minus(distance2, per_support2_, P(T(1))));
+    const P series = fused(fused(P(T(2.5554)), t, P(T(-2.31468))), t, P(T(0.76443)));
+    return (t * t) * (t * series);
+  }
+
+ private:
+  P per_support2_;
+};
+
+/// (RP.16)
+template <class P>
+class PairWeight<Weight::compact, P> {
+  using T = Scalar<P>;
+
+ public:
+  explicit PairWeight(T spacing) : per_support2_(1 / (T(3.0625) * spacing * spacing)) {}
+
+  P operator()(const P& distance2) const {
+    const P t = xsimd::max(P(T(0)), fused_minus(distance2, per_support2_, P(T(1))));
+    return (t * t) * (t * t);
+  }
+
+ private:
+  P per_support2_;
+};
+
+}  // namespace pliant::kernels
