@@ -5,10 +5,9 @@
 
 /// How kernels see particles: slots of a lattice, stored in rows.
 ///
-///     row y+1   . . . o o o o o o . .        a segment is a run of slots of one lattice row whose
-///     row y     . . o o o[o o o o]o . .      neighbouring rows are each one constant slot offset
-///     away: row y-1   . . . o o o o o o o .        slot(x + dx, row + r) = p + neighbour_row[r] +
-///     dx
+///     row y+1   . . . o o o o o o . .      a segment is a run of slots of one lattice row whose
+///     row y     . . o o o[o o o o]o . .    neighbouring rows are each one constant offset away:
+///     row y-1   . . . o o o o o o o .      slot(x + dx, row + r) = p + neighbour_row[r] + dx
 ///
 /// Storage comes in packs of `slots_per_pack` slots (one cache line of doubles), whatever the
 /// instruction set, so that the layout never depends on the processor. A spare pack at both ends of

@@ -10,6 +10,12 @@
 /// over the values of a node, so that each of the 4^D nodes takes a few aligned load-fma-stores.
 namespace pliant::kernels {
 
+/// True for slots that hold a particle of their own.
+template <class P>
+inline bool scatters(Kind kind) {
+  return kind != Kind::vacant && kind != Kind::image;
+}
+
 /// A prepared storage pack, column by column.
 template <class T, int D>
 struct ScatterColumns {
@@ -97,13 +103,13 @@ void scatter(const Scatter<Scalar<P>, D>& block) {
     for (int begin = 0; begin < segment.count; begin += pack) {
       const Kind* kind = block.kind + segment.first + begin;
       bool occupied = false;
-      for (int l = 0; l < pack; ++l) occupied = occupied || kind[l] != Kind::vacant;
+      for (int l = 0; l < pack; ++l) occupied = occupied || scatters<P>(kind[l]);
       if (!occupied) continue;
       for (int at = 0; at < pack; at += lanes<P>) {
         prepare_scatter<P, D>(block, segment.first + begin + at, at, columns);
       }
       for (int l = 0; l < pack; ++l) {
-        bool inside = kind[l] != Kind::vacant;
+        bool inside = scatters<P>(kind[l]);
         std::int64_t node = 0;
         for (int i = 0; i < D; ++i) {
           const std::int32_t along_row = i == 0 ? begin + l : 0;
