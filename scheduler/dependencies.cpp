@@ -128,13 +128,16 @@ class Derivation {
     }
 
     record_writes(phase, first_node, blocks);
-    record_reads(phase, first_node, blocks);
+    for (const Access& read : phase.reads)
+      if (!is_shared(read)) record_reads(phase, read, first_node, blocks);
     for (const Edge& edge : from_junctions) {
       const int junction = add_node(p, no_block);
       for (int n = 0; n < static_cast<int>(blocks.size()); ++n)
         result_.edges.push_back({first_node + n, junction, edge.field});
-      for_each_cell({edge.field, Reach::all}, 0,
-                    [&](Cell& c, BlockId) { c.readers.push_back(junction); });
+      for_each_cell({edge.field, Reach::all}, 0, [&](Cell& c, BlockId b) {
+        if (c.writer >= first_node) refuse(phase, edge.field, b, blocks[b == blocks[0] ? 1 : 0]);
+        c.readers.push_back(junction);
+      });
     }
   }
 
@@ -149,15 +152,15 @@ class Derivation {
         });
   }
 
-  void record_reads(const Phase& phase, int first_node, const std::vector<BlockId>& blocks) {
+  void record_reads(const Phase& phase, const Access& read, int first_node,
+                    const std::vector<BlockId>& blocks) {
     for (std::size_t n = 0; n < blocks.size(); ++n)
-      for (const Access& read : phase.reads)
-        for_each_cell(read, blocks[n], [&](Cell& c, BlockId b) {
-          const int node = first_node + static_cast<int>(n);
-          if (c.writer == node) return;
-          if (c.writer >= first_node) refuse(phase, read.field, b, blocks[n]);
-          if (read.reach != Reach::all || blocks.size() == 1) c.readers.push_back(node);
-        });
+      for_each_cell(read, blocks[n], [&](Cell& c, BlockId b) {
+        const int node = first_node + static_cast<int>(n);
+        if (c.writer == node) return;
+        if (c.writer >= first_node) refuse(phase, read.field, b, blocks[n]);
+        c.readers.push_back(node);
+      });
   }
 
   [[noreturn]] void refuse(const Phase& phase, FieldId field, BlockId written,

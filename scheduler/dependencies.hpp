@@ -23,6 +23,7 @@ struct Edge {
   int to;
   FieldId field;
 
+  bool has_ends_of(const Edge& other) const { return from == other.from && to == other.to; }
   friend auto operator<=>(const Edge&, const Edge&) = default;
 };
 

@@ -4,9 +4,10 @@
 
 #include "scheduler/dependencies.hpp"
 
-// An edge u -> v is implied when another predecessor of v can be traced back to u. Every edge leads
-// to a later node, so the trace never goes below u; and because the usual detour runs through u's
-// own block, taking that way first finds it in a few hops.
+// An edge u -> v is implied when another predecessor of v can be traced back to u. The level of a
+// node, the length of the longest path that leads to it, rises along every path: the trace stays
+// above u's level, and most edges join adjacent levels and need none. The usual detour runs through
+// u's own block, so that going that way first finds it in a few hops.
 namespace pliant::scheduler {
 
 namespace {
@@ -56,17 +57,23 @@ Dependencies without_idle_junctions(const Dependencies& all) {
 class Tracer {
  public:
   Tracer(const std::vector<Node>& nodes, const std::vector<Edge>& edges)
-      : nodes_(nodes), first_(nodes.size() + 1), visited_(nodes.size(), -1) {
+      : nodes_(nodes),
+        first_(nodes.size() + 1),
+        level_(nodes.size()),
+        last_trace_(nodes.size(), -1) {
     // Predecessors without repetition; edges come sorted by `to`, then `from`.
     for (std::size_t e = 0; e < edges.size(); ++e) {
-      if (e > 0 && edges[e].to == edges[e - 1].to && edges[e].from == edges[e - 1].from) continue;
+      if (e > 0 && edges[e].has_ends_of(edges[e - 1])) continue;
+      const auto to = static_cast<std::size_t>(edges[e].to);
       predecessors_.push_back(edges[e].from);
-      ++first_[static_cast<std::size_t>(edges[e].to) + 1];
+      ++first_[to + 1];
+      level_[to] = std::max(level_[to], level(edges[e].from) + 1);
     }
-    for (std::size_t n = 0; n < nodes.size(); ++n) first_[n + 1] += first_[n];
+    std::partial_sum(first_.begin(), first_.end(), first_.begin());
   }
 
   bool is_implied(const Edge& edge) {
+    if (level(edge.from) + 1 == level(edge.to)) return false;
     ++trace_;
     pending_.clear();
     visit_predecessors(edge.to, edge.from);
@@ -79,8 +86,8 @@ class Tracer {
   }
 
  private:
-  // Stacks the predecessors that come after `target`, the one in its block on top; true when
-  // `target` is among the predecessors.
+  // Stacks the predecessors through which a path from `target` may lead, the one in its block on
+  // top; true when `target` is among the predecessors.
   bool visit_predecessors(int node, int target) {
     const auto n = static_cast<std::size_t>(node);
     const std::size_t bottom = pending_.size();
@@ -88,8 +95,8 @@ class Tracer {
     for (std::size_t i = first_[n]; i < first_[n + 1]; ++i) {
       const int before = predecessors_[i];
       leads_to_target |= before == target;
-      if (before <= target || visited_[static_cast<std::size_t>(before)] == trace_) continue;
-      visited_[static_cast<std::size_t>(before)] = trace_;
+      if (level(before) <= level(target) || last_trace(before) == trace_) continue;
+      last_trace(before) = trace_;
       pending_.push_back(before);
       const std::size_t top = pending_.size() - 1;
       if (top > bottom && block(pending_[top - 1]) == block(target))
@@ -99,11 +106,14 @@ class Tracer {
   }
 
   BlockId block(int node) const { return nodes_[static_cast<std::size_t>(node)].block; }
+  int level(int node) const { return level_[static_cast<std::size_t>(node)]; }
+  int& last_trace(int node) { return last_trace_[static_cast<std::size_t>(node)]; }
 
   const std::vector<Node>& nodes_;
-  std::vector<std::size_t> first_;
+  std::vector<std::size_t> first_;  // [node] of its predecessors
   std::vector<int> predecessors_;
-  std::vector<int> visited_;  // [node] the last trace that came by
+  std::vector<int> level_;
+  std::vector<int> last_trace_;  // [node] that came by
   std::vector<int> pending_;
   int trace_ = 0;
 };
@@ -116,9 +126,7 @@ std::vector<Edge> without_implied_edges(const std::vector<Node>& nodes,
   kept.reserve(edges.size());
   bool is_implied = false;
   for (std::size_t e = 0; e < edges.size(); ++e) {
-    const bool has_new_ends =
-        e == 0 || edges[e].to != edges[e - 1].to || edges[e].from != edges[e - 1].from;
-    if (has_new_ends) is_implied = tracer.is_implied(edges[e]);
+    if (e == 0 || !edges[e].has_ends_of(edges[e - 1])) is_implied = tracer.is_implied(edges[e]);
     if (!is_implied) kept.push_back(edges[e]);
   }
   return kept;

@@ -7,11 +7,11 @@
 #include <random>
 #include <utility>
 
+#include "scheduler/chains.hpp"
+
 namespace pliant::scheduler {
 
 namespace {
-
-bool has_ends_of(const Edge& a, const Edge& b) { return a.from == b.from && a.to == b.to; }
 
 double seconds(std::chrono::steady_clock::duration duration) {
   return std::chrono::duration<double>(duration).count();
@@ -26,32 +26,49 @@ void StepGraph::Task::operator()(int on_worker) {
   stop = Clock::now();
 }
 
-// The oneTBB graph. It belongs to the arena in which it was made, hence to one set of workers.
+// The oneTBB graph, with a node for each chain. It belongs to the arena in which it was made, hence
+// to one set of workers.
 struct StepGraph::Flow {
   using Message = tbb::flow::continue_msg;
   using FlowNode = tbb::flow::continue_node<Message>;
 
   Flow(const Dependencies& dependencies, std::vector<Task>& tasks, std::uint64_t workers)
       : workers_id(workers) {
+    const auto heads = chain_heads(dependencies);
+    std::vector<FlowNode*> flow_node(tasks.size());
+    std::vector<Task*> chain_end(tasks.size());
     for (std::size_t n = 0; n < tasks.size(); ++n) {
-      if (dependencies.nodes[n].is_junction())
-        nodes.emplace_back(graph, [](const Message&) {});
+      const auto head = static_cast<std::size_t>(heads[n]);
+      if (head == n)
+        flow_node[n] = &add_node(dependencies.nodes[n].is_junction() ? nullptr : &tasks[n]);
       else
-        nodes.emplace_back(graph, [task = &tasks[n]](const Message&) {
-          (*task)(tbb::this_task_arena::current_thread_index());
-        });
+        chain_end[head]->next = &tasks[n];
+      chain_end[head] = &tasks[n];
+      tasks[n].next = nullptr;
     }
+
+    std::vector<std::pair<int, int>> links;
+    for (const Edge& edge : dependencies.edges)
+      links.emplace_back(heads[static_cast<std::size_t>(edge.from)],
+                         heads[static_cast<std::size_t>(edge.to)]);
+    std::sort(links.begin(), links.end());
+    links.erase(std::unique(links.begin(), links.end()), links.end());
     std::vector<bool> has_predecessor(tasks.size());
-    const Edge* last = nullptr;
-    for (const Edge& edge : dependencies.edges) {
-      if (last == nullptr || !has_ends_of(*last, edge))
-        make_edge(nodes[static_cast<std::size_t>(edge.from)],
-                  nodes[static_cast<std::size_t>(edge.to)]);
-      has_predecessor[static_cast<std::size_t>(edge.to)] = true;
-      last = &edge;
+    for (const auto& [from, to] : links) {
+      if (from == to) continue;
+      make_edge(*flow_node[static_cast<std::size_t>(from)],
+                *flow_node[static_cast<std::size_t>(to)]);
+      has_predecessor[static_cast<std::size_t>(to)] = true;
     }
     for (std::size_t n = 0; n < tasks.size(); ++n)
-      if (!has_predecessor[n]) sources.push_back(&nodes[n]);
+      if (flow_node[n] != nullptr && !has_predecessor[n]) sources.push_back(flow_node[n]);
+  }
+
+  FlowNode& add_node(Task* first_of_chain) {
+    return nodes.emplace_back(graph, [first_of_chain](const Message&) {
+      for (Task* task = first_of_chain; task != nullptr; task = task->next)
+        (*task)(tbb::this_task_arena::current_thread_index());
+    });
   }
 
   void run() {
@@ -73,7 +90,8 @@ StepGraph::StepGraph(std::vector<Phase> phases, Blocks blocks, std::vector<std::
   name_timers();
   tasks_.reserve(nodes().size());
   for (const Node& node : nodes())
-    tasks_.push_back({&phases_[static_cast<std::size_t>(node.phase)].run, node.block, 0, {}, {}});
+    tasks_.push_back(
+        {&phases_[static_cast<std::size_t>(node.phase)].run, node.block, 0, {}, {}, nullptr});
   record_.phase_seconds.resize(timer_names_.size());
   record_.block_seconds.resize(timer_names_.size() *
                                static_cast<std::size_t>(std::max(blocks_.count(), 1)));

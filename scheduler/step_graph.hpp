@@ -65,6 +65,7 @@ class StepGraph {
     BlockId block;
     int worker;
     Clock::time_point start, stop;
+    Task* next;  // in its chain
 
     void operator()(int on_worker);
   };

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <iterator>
+#include <tuple>
+#include <utility>
 
 #include "scheduler/step_graph.hpp"
 
@@ -36,7 +38,7 @@ void print_edges(std::string& out, const std::vector<Edge>& edges,
   for (std::size_t e = 0; e < edges.size();) {
     std::string fields;
     const Edge ends = edges[e];
-    for (; e < edges.size() && edges[e].from == ends.from && edges[e].to == ends.to; ++e)
+    for (; e < edges.size() && edges[e].has_ends_of(ends); ++e)
       fields += (fields.empty() ? "" : ", ") + names[static_cast<std::size_t>(edges[e].field)];
     fmt::format_to(std::back_inserter(out), "  {} -> {} [label=\"{}\"];\n", name(ends.from),
                    name(ends.to), quoted(fields));

@@ -32,7 +32,7 @@ Json list(const std::vector<Access>& accesses, const std::vector<std::string>& n
 Json list(const std::vector<Edge>& edges, const std::vector<std::string>& names) {
   Json result = Json::array();
   for (std::size_t e = 0; e < edges.size(); ++e) {
-    if (e == 0 || edges[e].from != edges[e - 1].from || edges[e].to != edges[e - 1].to)
+    if (e == 0 || !edges[e].has_ends_of(edges[e - 1]))
       result.push_back({{"from", edges[e].from}, {"to", edges[e].to}, {"fields", Json::array()}});
     result.back()["fields"].push_back(names[static_cast<std::size_t>(edges[e].field)]);
   }
