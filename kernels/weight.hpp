@@ -33,7 +33,7 @@ class PairWeight<Weight::quartic, P> {
   P per_spacing2_;
 };
 
-/// (RP.15)
+/// (RP.15), which follows (RP.14) divided by its value at zero.
 template <class P>
 class PairWeight<Weight::quartic_polynomial, P> {
   using T = Scalar<P>;

@@ -1,0 +1,99 @@
+#pragma once
+
+#include "tests/kernels/patch.hpp"
+
+namespace pliant::kernels::test {
+
+/// A patch with a random but possible state: positions, velocity, density and stress vary from
+/// particle to particle by some per cent.
+template <class T, int D>
+struct Body {
+  Body(std::array<int, D> cells, T spacing, Model model)
+      : patch(cells, spacing), mass(patch.slots), states(4, State<T, D>(patch.slots)) {
+    material.model = model;
+    material.density = T(1.5);
+    material.bulk_modulus = T(80);
+    material.shear_modulus = T(30);
+    material.order = 3;
+    material.coefficient = {T(10), T(4), T(2), 0, 0};
+    material.compressibility = T(0.025);
+    State<T, D>& state = states[0];
+    jitter(state.displacement, T(0.1) * spacing, 1);
+    jitter(state.velocity, T(0.5), 2);
+    std::mt19937 random(3);
+    std::uniform_real_distribution<T> small(T(-0.05), T(0.05));
+    const T cell_volume = std::pow(spacing, T(D));
+    for (std::int64_t s = 0; s < patch.slots; ++s) {
+      mass[s] = material.density * cell_volume;
+      state.volume[s] = cell_volume * (1 + small(random));
+      const bool deformation = model == Model::reduced_polynomial;
+      for (int c = 0; c < material_components<D>; ++c) {
+        const T unit = c % (D + 1) == 0 ? T(1) : T(0);
+        state.material[c][s] = deformation ? unit + small(random) : 10 * small(random);
+      }
+      for (auto& field : state.stress) field[s] = 20 * small(random);
+    }
+    for (int n = 1; n < 4; ++n) states[n] = states[0];
+  }
+
+  /// The arguments of one stage, current state to next state, by the numbers of `states`.
+  Stage<T, D> stage(int number, int current, int next, T time_step) {
+    return {patch.segments.data(),
+            static_cast<int>(patch.segments.size()),
+            patch.spacing,
+            time_step,
+            number,
+            weight,
+            material,
+            patch.pack_state.data(),
+            patch.interior.data(),
+            nullptr,
+            mass.data(),
+            std::as_const(states[current]).evolving(),
+            std::as_const(states[current]).stress_fields(),
+            std::as_const(states[0]).evolving(),
+            std::as_const(states[1]).evolving(),
+            std::as_const(states[2]).evolving(),
+            states[next].evolving(),
+            states[next].stress_fields()};
+  }
+
+  /// One whole step; the result of its last stage. states[0] is the new state.
+  StageResult step(const Table<T, D>& table, T time_step) {
+    const StressOfState<T, D> stress = stress_of(0);
+    table.evaluate_stress(stress);
+    StageResult result{};
+    for (int number = 0; number < 4; ++number) {
+      result = table.advance_stage(stage(number, number, (number + 1) % 4, time_step));
+    }
+    return result;
+  }
+
+  StressOfState<T, D> stress_of(int number) {
+    return {patch.segments.data(),
+            static_cast<int>(patch.segments.size()),
+            material,
+            patch.pack_state.data(),
+            patch.interior.data(),
+            mass.data(),
+            std::as_const(states[number]).evolving(),
+            states[number].stress_fields()};
+  }
+
+  Patch<T, D> patch;
+  Material<T> material;
+  Weight weight = Weight::quartic_polynomial;
+  std::vector<T> mass;
+  std::vector<State<T, D>> states;  ///< Q0, Q2, Q3, Q4 of (RP.19)
+};
+
+/// A box of at least 10 cells in every direction.
+template <class T, int D>
+std::array<int, D> small_box() {
+  std::array<int, D> cells;
+  cells.fill(10);
+  cells[0] = 4 * slots_per_pack<T>;
+  return cells;
+}
+
+}  // namespace pliant::kernels::test

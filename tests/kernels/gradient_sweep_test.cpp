@@ -1,0 +1,102 @@
+#include "kernels/gradient_sweep.hpp"
+
+#include "tests/kernels/dimension.hpp"
+#include "tests/kernels/patch.hpp"
+
+namespace pliant::kernels::test {
+namespace {
+
+/// A linear field, its particles' positions, and the largest error of its gradient.
+template <class T, int D>
+class LinearField {
+  using P = xsimd::batch<T, xsimd::sse2>;
+
+ public:
+  LinearField() : patch_(cells(), T(0.05)), state_(patch_.slots), field_(patch_.slots, T(0)) {
+    jitter(state_.displacement, T(0.15) * patch_.spacing);
+    patch_.for_each([&](std::int64_t s, const auto& cell) {
+      const auto x = patch_.node(cell);
+      double value = 0;
+      for (int i = 0; i < D; ++i) value += slope[i] * (x[i] + state_.displacement[i][s]);
+      field_[s] = static_cast<T>(value);
+    });
+  }
+
+  template <Weight weight>
+  double stencil_error() {
+    return error([&](const auto& fields, const Segment<D>& segment, std::int64_t slot) {
+      return sweep_stencil<weight, P>(fields, segment.neighbour_row.data(), slot, patch_.spacing);
+    });
+  }
+
+  template <Weight weight>
+  double list_error(int reach) {
+    const BoxLists<D> lists(patch_, reach);
+    const NeighbourLists<D> view = lists.view();
+    const std::int8_t* offset[D];
+    for (int i = 0; i < D; ++i) offset[i] = view.offset[i];
+    return error([&](const auto& fields, const Segment<D>&, std::int64_t slot) {
+      return sweep_list<weight, P>(fields, view.start, view.length, view.neighbour, offset, slot,
+                                   patch_.spacing);
+    });
+  }
+
+ private:
+  static constexpr double slope[3] = {1, -0.5, 0.25};
+
+  static std::array<int, D> cells() {
+    std::array<int, D> n;
+    n.fill(10);
+    n[0] = 2 * Patch<T, D>::pack;
+    return n;
+  }
+
+  template <class Sweep>
+  double error(const Sweep& sweep) {
+    SweepFields<T, D, 1> fields;
+    for (int i = 0; i < D; ++i) fields.displacement[i] = state_.displacement[i].data();
+    fields.field[0] = field_.data();
+    double worst = 0;
+    for (const Segment<D>& segment : patch_.segments) {
+      for (std::int64_t s = segment.first; s < segment.first + segment.count; s += lanes<P>) {
+        if (patch_.pack_state[s / patch_.pack] == PackState::none) continue;
+        P gradient[1][D];
+        solve(sweep(fields, segment, s), gradient);
+        for (int l = 0; l < lanes<P>; ++l) {
+          if (patch_.interior[s + l] == 0) continue;
+          for (int i = 0; i < D; ++i) {
+            worst = std::max(worst, std::abs(double(gradient[0][i].get(l)) - slope[i]));
+          }
+        }
+      }
+    }
+    return worst;
+  }
+
+  Patch<T, D> patch_;
+  State<T, D> state_;
+  std::vector<T> field_;
+};
+
+template <class T>
+class gradient_sweep : public testing::Test {};
+TYPED_TEST_SUITE(gradient_sweep, Dimensions);
+
+TYPED_TEST(gradient_sweep, linear_fields_are_reproduced_exactly_over_the_stencil) {
+  LinearField<typename TypeParam::Scalar, TypeParam::dimension> field;
+  const double tolerance = exact<typename TypeParam::Scalar>;
+  EXPECT_LT(field.template stencil_error<Weight::quartic>(), tolerance);
+  EXPECT_LT(field.template stencil_error<Weight::quartic_polynomial>(), tolerance);
+  EXPECT_LT(field.template stencil_error<Weight::compact>(), tolerance);
+}
+
+TYPED_TEST(gradient_sweep, linear_fields_are_reproduced_exactly_over_lists) {
+  LinearField<typename TypeParam::Scalar, TypeParam::dimension> field;
+  const double tolerance = exact<typename TypeParam::Scalar>;
+  EXPECT_LT(field.template list_error<Weight::quartic>(3), tolerance);
+  EXPECT_LT(field.template list_error<Weight::quartic_polynomial>(3), tolerance);
+  EXPECT_LT(field.template list_error<Weight::compact>(2), tolerance);
+}
+
+}  // namespace
+}  // namespace pliant::kernels::test

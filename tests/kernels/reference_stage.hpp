@@ -1,0 +1,129 @@
+#pragma once
+
+#include <Eigen/Dense>
+
+#include "tests/kernels/body.hpp"
+
+/// A stage written down once more, particle by particle with small matrices, for comparison.
+namespace pliant::kernels::test {
+
+template <int D>
+using Matrix = Eigen::Matrix<double, D, D>;
+template <int D>
+using Column = Eigen::Matrix<double, D, 1>;
+
+inline double reference_weight(Weight weight, double s) {
+  const auto cube = [](double x) { return x > 0 ? x * x * x : 0; };
+  switch (weight) {
+    case Weight::quartic:
+      return s == 0 ? 1.25 : (cube(2.5 - s) - 5 * cube(1.5 - s) + 10 * cube(0.5 - s)) / (6 * s);
+    case Weight::quartic_polynomial: {
+      const double t = std::max(0., 1 - s * s / 6.25);
+      return t * t * t * (0.76443 - 2.31468 * t + 2.5554 * t * t);
+    }
+    case Weight::compact:
+      return s < 1.75 ? std::pow(1 - s * s / (1.75 * 1.75), 4) : 0;
+  }
+  return 0;
+}
+
+template <class T, int D>
+Matrix<D> symmetric_at(const std::vector<T>* fields, std::int64_t slot) {
+  Matrix<D> m;
+  for (int i = 0; i < D; ++i) {
+    for (int j = 0; j < D; ++j) m(i, j) = fields[symmetric_index<D>(i, j)][slot];
+  }
+  return m;
+}
+
+template <class T, int D>
+Column<D> vector_at(const std::array<std::vector<T>, D>& fields, std::int64_t slot) {
+  Column<D> v;
+  for (int i = 0; i < D; ++i) v[i] = fields[i][slot];
+  return v;
+}
+
+template <int D>
+struct Rates {
+  Column<D> displacement, velocity;
+  double volume;
+  Matrix<D> material;
+  double strain_rate;
+};
+
+/// Rates of an interior particle of a body in state `q`, (RP.12) and (RP.3) or (RP.8).
+template <class T, int D>
+Rates<D> reference_rates(const Body<T, D>& body, const State<T, D>& q, const Segment<D>& segment,
+                         std::int64_t p) {
+  const double h = body.patch.spacing;
+  const int reach = stencil_reach(body.weight);
+  Matrix<D> moment = Matrix<D>::Zero(), velocity_sum = Matrix<D>::Zero();
+  std::array<Matrix<D>, D> stress_sum;
+  stress_sum.fill(Matrix<D>::Zero());
+  const Matrix<D> sigma_p = symmetric_at<T, D>(q.stress.data(), p);
+  for (int dz = D == 3 ? -reach : 0; dz <= (D == 3 ? reach : 0); ++dz) {
+    for (int dy = -reach; dy <= reach; ++dy) {
+      for (int dx = -reach; dx <= reach; ++dx) {
+        const int cells[3] = {dx, dy, dz};
+        const std::int64_t n = p + segment.neighbour_row[row_index<D>(dy, dz)] + dx;
+        Column<D> d = vector_at<T, D>(q.displacement, n) - vector_at<T, D>(q.displacement, p);
+        for (int i = 0; i < D; ++i) d[i] += cells[i] * h;
+        const double w = reference_weight(body.weight, d.norm() / h);
+        moment += w * d * d.transpose();
+        velocity_sum +=
+            w * (vector_at<T, D>(q.velocity, n) - vector_at<T, D>(q.velocity, p)) * d.transpose();
+        const Matrix<D> difference = symmetric_at<T, D>(q.stress.data(), n) - sigma_p;
+        for (int i = 0; i < D; ++i)
+          stress_sum[i] += w * difference.row(i).transpose() * d.transpose();
+      }
+    }
+  }
+  const Matrix<D> inverse = moment.inverse(), gradient = velocity_sum * inverse;
+  Rates<D> rates;
+  rates.displacement = vector_at<T, D>(q.velocity, p);
+  for (int i = 0; i < D; ++i) {
+    const Matrix<D> gradient_of_row = stress_sum[i] * inverse;  // (j, k): d sigma_ij / dx_k
+    rates.velocity[i] = gradient_of_row.trace() * q.volume[p] / body.mass[p];
+  }
+  rates.volume = q.volume[p] * gradient.trace();
+  const Matrix<D> strain = (gradient + gradient.transpose()) / 2;
+  const Matrix<D> spin = (gradient - gradient.transpose()) / 2;
+  rates.strain_rate = strain.norm();
+  if (body.material.model == Model::reduced_polynomial) {
+    Matrix<D> f;
+    for (int c = 0; c < D * D; ++c) f(c / D, c % D) = q.material[c][p];
+    rates.material = gradient * f;
+  } else {
+    const Matrix<D> s = symmetric_at<T, D>(q.material.data(), p);
+    rates.material =
+        2 * body.material.shear_modulus * (strain - gradient.trace() / 3 * Matrix<D>::Identity()) +
+        spin * s - s * spin;
+  }
+  return rates;
+}
+
+/// sigma of (RP.2) with (RP.5), (RP.6) or (RP.9), in three dimensions where D is 2.
+template <class T, int D>
+Matrix<D> reference_stress(const Body<T, D>& body, const State<T, D>& q, std::int64_t p) {
+  const Material<T>& m = body.material;
+  const double ratio = body.mass[p] / q.volume[p] / m.density;
+  if (m.model != Model::reduced_polynomial) {
+    const double pressure =
+        m.bulk_modulus * (m.model == Model::linear_rho ? ratio - 1 : std::log(ratio));
+    return symmetric_at<T, D>(q.material.data(), p) - pressure * Matrix<D>::Identity();
+  }
+  Eigen::Matrix3d f = Eigen::Matrix3d::Identity();
+  for (int c = 0; c < D * D; ++c) f(c / D, c % D) = q.material[c][p];
+  const double j = f.determinant();
+  const Eigen::Matrix3d b = std::pow(j, -2. / 3) * f * f.transpose();
+  double slope = 0;
+  for (int n = 1; n <= m.order; ++n) {
+    slope += n * m.coefficient[n - 1] * std::pow(b.trace() - 3, n - 1);
+  }
+  const Eigen::Matrix3d deviator = b - b.trace() / 3 * Eigen::Matrix3d::Identity();
+  const Eigen::Matrix3d sigma =
+      2 / j * slope * deviator + 2 / m.compressibility * (j - 1) * Eigen::Matrix3d::Identity();
+  return sigma.topLeftCorner<D, D>();
+}
+
+}  // namespace pliant::kernels::test
