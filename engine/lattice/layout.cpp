@@ -31,6 +31,17 @@ void Layout<D>::build(const Occupancy<D>& occupancy, const Cell<D>& period,
 }
 
 template <int D>
+Cell<D> Layout<D>::cell(std::int64_t slot) const {
+  const auto after = std::upper_bound(
+      segments_.begin(), segments_.end(), slot,
+      [](std::int64_t s, const kernels::Segment<D>& segment) { return s < segment.first; });
+  const kernels::Segment<D>& segment = *std::prev(after);
+  Cell<D> cell = segment.cell;
+  cell[0] += static_cast<std::int32_t>(slot - segment.first);
+  return cell;
+}
+
+template <int D>
 void Layout<D>::find_runs() {
   runs_.clear();
   row_begin_.clear();

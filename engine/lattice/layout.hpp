@@ -13,16 +13,18 @@ namespace pliant {
 template <int D>
 struct Block {
   int first_segment = 0, segment_count = 0;
-  std::int64_t first_slot = 0, slot_count = 0;  ///< slots of the segments; spare packs may lie between
-  Cell<D> lower = {}, upper = {};               ///< cells, inclusive
+  std::int64_t first_slot = 0,
+               slot_count = 0;     ///< slots of the segments; spare packs may lie between
+  Cell<D> lower = {}, upper = {};  ///< cells, inclusive
 };
 
 /// Where the slots of a body lie in memory.
 ///
 /// Only occupied packs exist. Those of a lattice row form runs with a spare pack at both ends; runs
-/// follow each other row by row (in 3D in tiles of rows, so that neighbours in space stay neighbours
-/// in memory), and segments cut them where a neighbouring row changes its run. `padding` slots lie
-/// before the first and behind the last run, so that every load of a segment's neighbours is legal.
+/// follow each other row by row (in 3D in tiles of rows, so that neighbours in space stay
+/// neighbours in memory), and segments cut them where a neighbouring row changes its run. `padding`
+/// slots lie before the first and behind the last run, so that every load of a segment's neighbours
+/// is legal.
 template <int D>
 class Layout {
  public:
@@ -34,6 +36,7 @@ class Layout {
   void build(const Occupancy<D>& occupancy, const Cell<D>& period, std::int64_t block_slots,
              int block_reach);
 
+  const Occupancy<D>& occupancy() const { return occupancy_; }
   std::int64_t slots() const { return slots_; }  ///< with padding
   const std::vector<kernels::Segment<D>>& segments() const { return segments_; }
   const std::vector<Block<D>>& blocks() const { return blocks_; }
@@ -55,6 +58,9 @@ class Layout {
     }
     return -1;
   }
+
+  /// Cell of a slot that belongs to a segment.
+  Cell<D> cell(std::int64_t slot) const;
 
   /// Calls `f(slot, cell)` for every slot of a block, in slot order.
   template <class F>
@@ -83,9 +89,9 @@ class Layout {
 
   Occupancy<D> occupancy_;
   std::int64_t slots_ = 2 * padding;
-  std::vector<Run> runs_;         ///< by row number
-  std::vector<int> row_begin_;    ///< [row + 1] into runs_
-  std::vector<int> row_order_;    ///< rows in storage order
+  std::vector<Run> runs_;       ///< by row number
+  std::vector<int> row_begin_;  ///< [row + 1] into runs_
+  std::vector<int> row_order_;  ///< rows in storage order
   std::vector<kernels::Segment<D>> segments_;
   std::vector<Block<D>> blocks_;
   std::vector<std::vector<int>> neighbours_;

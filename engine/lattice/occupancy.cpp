@@ -75,6 +75,26 @@ void Occupancy<D>::dilate(int reach) {
   if constexpr (D == 3) dilate_rows(columns_ * rows_[0], total / rows_[1], rows_[1], reach);
 }
 
+template <int D>
+std::vector<std::int32_t> Occupancy<D>::save() const {
+  std::vector<std::int32_t> saved = {first_column_, columns_, first_row_[0],
+                                     first_row_[1], rows_[0], rows_[1]};
+  for (std::size_t i = 0; i < marked_.size(); ++i) {
+    if (marked_[i]) saved.push_back(static_cast<std::int32_t>(i));
+  }
+  return saved;
+}
+
+template <int D>
+void Occupancy<D>::restore(const std::vector<std::int32_t>& saved) {
+  first_column_ = saved.at(0);
+  columns_ = saved.at(1);
+  first_row_ = {saved.at(2), saved.at(3)};
+  rows_ = {saved.at(4), saved.at(5)};
+  marked_.assign(static_cast<std::size_t>(rows()) * columns_, 0);
+  for (std::size_t i = 6; i < saved.size(); ++i) marked_.at(saved[i]) = 1;
+}
+
 template class Occupancy<2>;
 template class Occupancy<3>;
 

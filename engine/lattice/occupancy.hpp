@@ -22,6 +22,10 @@ class Occupancy {
   /// Marks everything within `reach` cells of a mark, in every direction (whole packs along x).
   void dilate(int reach);
 
+  /// The map as plain numbers, for checkpoints, and back.
+  std::vector<std::int32_t> save() const;
+  void restore(const std::vector<std::int32_t>& saved);
+
   int rows() const { return rows_[0] * rows_[1]; }
   int columns() const { return columns_; }
   /// Row number of (y[, z]) and back; x is not part of it.

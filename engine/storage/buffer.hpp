@@ -25,8 +25,8 @@ class Buffer {
   Buffer& operator=(const Buffer&) = delete;
   ~Buffer() { std::free(values_); }
 
-  /// Makes room for `size` values and gives every value beyond the old capacity the value `filling`.
-  /// Values below it are kept.
+  /// Makes room for `size` values and gives every value beyond the old capacity the value
+  /// `filling`. Values below it are kept.
   void grow(std::size_t size, T filling) {
     if (size <= capacity_) return;
     const std::size_t alignment = size * sizeof(T) >= huge_page ? huge_page : 64;

@@ -1,0 +1,86 @@
+#include "engine/cli/verbs.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <stdexcept>
+#include <thread>
+
+#include "engine/case/read_case.hpp"
+#include "engine/case/reference.hpp"
+#include "engine/case/validate_summary.hpp"
+#include "engine/remeshed/solver.hpp"
+#include "engine/simulation/run.hpp"
+
+namespace pliant::cli {
+
+namespace {
+
+kernels::Isa isa_of(const std::string& name) {
+  if (name.empty()) return kernels::widest_supported();
+  for (const auto isa : {kernels::Isa::sse2, kernels::Isa::avx2, kernels::Isa::avx512}) {
+    if (kernels::name(isa) != name) continue;
+    if (kernels::is_supported(isa)) return isa;
+    throw std::invalid_argument(
+        fmt::format("--isa {}: this processor does not run it; use {} or less", name,
+                    kernels::name(kernels::widest_supported())));
+  }
+  throw std::invalid_argument(fmt::format("--isa {}: unknown; use sse2, avx2 or avx512", name));
+}
+
+int thread_count(int requested) {
+  if (requested < 0) {
+    throw std::invalid_argument(fmt::format("--threads {}: give a positive number", requested));
+  }
+  return requested > 0 ? requested
+                       : std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
+}
+
+}  // namespace
+
+ExitStatus run(const RunArguments& arguments) {
+  const Case settings = read_case(arguments.source.path, arguments.source.settings);
+  RunOptions options;
+  options.folder = arguments.folder.value_or(std::filesystem::path("results") / settings.name);
+  options.threads = thread_count(arguments.threads);
+  options.isa = isa_of(arguments.isa);
+  options.resume = arguments.resume;
+  options.quiet = arguments.quiet;
+  return run_case(settings, options) == RunEnd::done ? ExitStatus::done : ExitStatus::interrupted;
+}
+
+ExitStatus check(const CaseArguments& arguments) {
+  fmt::print("{}", validate_summary(read_case(arguments.path, arguments.settings)));
+  return ExitStatus::done;
+}
+
+ExitStatus list(const std::filesystem::path& folder) {
+  if (!std::filesystem::is_directory(folder)) {
+    throw std::invalid_argument(
+        fmt::format("{}: no such folder; name one that holds cases", folder.string()));
+  }
+  std::vector<std::filesystem::path> files;
+  for (const auto& entry : std::filesystem::directory_iterator(folder)) {
+    if (std::filesystem::exists(entry.path() / "case.toml"))
+      files.push_back(entry.path() / "case.toml");
+  }
+  std::sort(files.begin(), files.end());
+  for (const auto& file : files) fmt::print("{:40} {}\n", file.string(), read_case(file).title);
+  return ExitStatus::done;
+}
+
+ExitStatus graph(const GraphArguments& arguments) {
+  const Case settings = read_case(arguments.source.path, arguments.source.settings);
+  const remeshed::Solver<double, 2> solver(settings, 1, kernels::widest_supported());
+  const auto detail = arguments.blocks ? scheduler::Detail::blocks : scheduler::Detail::phases;
+  fmt::print("{}", arguments.format == "json" ? solver.step_graph().json()
+                                              : solver.step_graph().dot(detail));
+  return ExitStatus::done;
+}
+
+ExitStatus reference() {
+  fmt::print("{}", case_reference_markdown());
+  return ExitStatus::done;
+}
+
+}  // namespace pliant::cli

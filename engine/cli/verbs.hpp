@@ -1,0 +1,47 @@
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+/// What the program does for each verb of its command line. Errors leave as exceptions.
+namespace pliant::cli {
+
+enum class ExitStatus { done = 0, bad_input = 2, run_failed = 3, interrupted = 4 };
+
+struct CaseArguments {
+  std::filesystem::path path;         ///< a case file or its folder
+  std::vector<std::string> settings;  ///< key=value
+};
+
+struct RunArguments {
+  CaseArguments source;
+  std::optional<std::filesystem::path> folder;  ///< default: results/<case>
+  int threads = 0;                              ///< 0: one for each processor
+  std::string isa;                              ///< empty: the widest supported
+  bool resume = false;
+  bool quiet = false;
+};
+
+ExitStatus run(const RunArguments& arguments);
+
+/// Says what a case would run.
+ExitStatus check(const CaseArguments& arguments);
+
+/// Lists the cases below a folder, with their titles.
+ExitStatus list(const std::filesystem::path& folder);
+
+struct GraphArguments {
+  CaseArguments source;
+  std::string format = "dot";  ///< dot or json
+  bool blocks = false;         ///< a node for each phase and block, not for each phase
+};
+
+/// Prints the step graph of a case.
+ExitStatus graph(const GraphArguments& arguments);
+
+/// Prints the reference of case files, docs/case-reference.md.
+ExitStatus reference();
+
+}  // namespace pliant::cli

@@ -1,0 +1,86 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "engine/case/case.hpp"
+#include "engine/fields.hpp"
+#include "engine/lattice/layout.hpp"
+#include "engine/storage/buffer.hpp"
+#include "kernels/table.hpp"
+
+namespace pliant::remeshed {
+
+using kernels::Kind;
+using kernels::PackState;
+
+/// Ghosts of one block, and the surface particles of the block that ghosts anywhere read.
+template <class T, int D>
+struct BlockGhosts {
+  std::vector<std::int32_t> slot;
+  std::vector<std::int8_t> wall;        ///< of a wall ghost; -1: free surface
+  std::vector<std::int8_t> pressure;    ///< acting at the foot point; -1: none
+  std::vector<Point<D>> normal;         ///< of the wall
+  std::vector<std::int64_t> begin;      ///< [ghost + 1] into the four below
+  std::vector<std::int32_t> neighbour;  ///< slot of an interior particle
+  std::vector<std::int32_t> record;     ///< of that particle
+  std::vector<T> linear, constrained;   ///< c of (RP.32), b of (RP.33)
+  std::vector<T> constrained_sum;       ///< [ghost] sum of b
+  std::vector<kernels::SurfacePack> packs;
+  std::int32_t first_record = 0, record_count = 0;
+  Buffer<T> sums;
+};
+
+/// Slots of a body after a remeshing: where they lie, what they hold, how ghosts read them.
+template <class T, int D>
+struct Population {
+  Layout<D> layout;
+  Buffer<Kind> kind;
+  Buffer<PackState> pack_state;
+  Buffer<T> interior;                     ///< 1 for interior particles, else 0
+  std::vector<BlockGhosts<T, D>> ghosts;  ///< [block]
+  std::vector<std::vector<std::pair<std::int32_t, std::int32_t>>>
+      images;  ///< [block] (image, source)
+  std::int64_t record_count = 0;
+  std::int64_t particles = 0;  ///< interior
+};
+
+/// One body: its lattice, material, particles and surface. Nothing of it is shared with other
+/// bodies.
+///
+/// A remeshing writes `spare` and `stage[1]` (dead between steps) and then swaps them with the
+/// current ones; measuring between remeshings is a remeshing that is not followed by the swap.
+template <class T, int D>
+struct Body {
+  std::string name;
+  const BodyCase* source = nullptr;
+  kernels::Material<T> material;
+  Lattice<D> lattice;
+  Population<T, D> population, spare;
+  std::array<FieldStore<T, D>, 4> stage;  ///< Q0, Q2, Q3, Q4 of (RP.19); 0 and 1 hold all fields
+  std::array<std::array<Buffer<T>, kernels::symmetric_components<D>>, 2> stress;
+  Buffer<T> records;  ///< [record][record_width] of surface particles
+  Buffer<std::int32_t> record_of_slot;
+
+  std::array<T*, kernels::symmetric_components<D>> stress_view(int parity) {
+    std::array<T*, kernels::symmetric_components<D>> view;
+    for (std::size_t c = 0; c < view.size(); ++c) view[c] = stress[parity][c].get();
+    return view;
+  }
+  std::array<const T*, kernels::symmetric_components<D>> stress_view(int parity) const {
+    std::array<const T*, kernels::symmetric_components<D>> view;
+    for (std::size_t c = 0; c < view.size(); ++c) view[c] = stress[parity][c].get();
+    return view;
+  }
+
+  /// Position of a slot's particle [m].
+  Point<D> position(std::int64_t slot, const Cell<D>& cell) const {
+    Point<D> x = lattice.node(cell);
+    for (int a = 0; a < D; ++a) x[a] += stage[0].get(Field::displacement, a)[slot];
+    return x;
+  }
+};
+
+}  // namespace pliant::remeshed

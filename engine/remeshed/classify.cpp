@@ -1,0 +1,77 @@
+#include "engine/remeshed/ghost_fits.hpp"
+
+namespace pliant::remeshed {
+
+namespace {
+
+template <class T, int D>
+Kind kind_of(const Point<D>& x, T phi, double h, bool valid, const Boundaries<D>& boundaries) {
+  if (phi >= ghost_band * h) return Kind::vacant;
+  const double d = boundaries.nearest_wall(x).second;
+  if (d < -ghost_band * h) return Kind::vacant;
+  if (d < 0) return Kind::wall_ghost;
+  if (phi >= 0) return Kind::free_ghost;
+  return valid ? Kind::interior : Kind::vacant;
+}
+
+// Finite values that no interior particle reads.
+template <class T, int D>
+void vacate(FieldStore<T, D>& state, std::int64_t p, const kernels::Material<T>& material,
+            T volume) {
+  for (int a = 0; a < D; ++a) {
+    state.get(Field::velocity, a)[p] = 0;
+    state.get(Field::carried, a)[p] = 0;
+  }
+  state.get(Field::volume)[p] = volume;
+  state.get(Field::mass)[p] = material.density * volume;
+  const bool deforms = material.model == kernels::Model::reduced_polynomial;
+  for (int c = 0; c < state.carried(); ++c) {
+    state.get(Field::material, c)[p] = deforms && c % (D + 1) == 0 ? T(1) : T(0);
+  }
+}
+
+}  // namespace
+
+template <class T, int D>
+void find_pack_states(Population<T, D>& population, const kernels::Segment<D>& segment) {
+  constexpr int pack = Layout<D>::pack;
+  for (std::int64_t p = segment.first; p < segment.first + segment.count; p += pack) {
+    int interior = 0;
+    for (int i = 0; i < pack; ++i) interior += population.kind[p + i] == Kind::interior;
+    population.pack_state[p / pack] = interior == 0      ? PackState::none
+                                      : interior == pack ? PackState::all
+                                                         : PackState::some;
+  }
+}
+
+template <class T, int D>
+std::int64_t classify(const Body<T, D>& body, Population<T, D>& population, FieldStore<T, D>& state,
+                      int block, const Boundaries<D>& boundaries, const T* valid) {
+  const double h = body.lattice.spacing;
+  const T volume = static_cast<T>(std::pow(h, D));
+  const T* phi = state.get(Field::level_set);
+  std::int64_t particles = 0;
+  const Block<D>& range = population.layout.blocks()[block];
+  population.layout.for_each_slot(range, [&](std::int64_t p, const Cell<D>& cell) {
+    const bool own = body.lattice.is_wrapped(cell);
+    const Kind kind =
+        own ? kind_of<T, D>(body.lattice.node(cell), phi[p], h, valid[p] != 0, boundaries)
+            : Kind::vacant;
+    population.kind[p] = kind;
+    population.interior[p] = kind == Kind::interior ? T(1) : T(0);
+    for (int a = 0; a < D; ++a) state.get(Field::displacement, a)[p] = 0;
+    if (kind == Kind::vacant || valid[p] == 0) vacate<T, D>(state, p, body.material, volume);
+    particles += kind == Kind::interior;
+  });
+  for (int i = 0; i < range.segment_count; ++i) {
+    find_pack_states(population, population.layout.segments()[range.first_segment + i]);
+  }
+  return particles;
+}
+
+template std::int64_t classify<double, 2>(const Body<double, 2>&, Population<double, 2>&,
+                                          FieldStore<double, 2>&, int, const Boundaries<2>&,
+                                          const double*);
+template void find_pack_states<double, 2>(Population<double, 2>&, const kernels::Segment<2>&);
+
+}  // namespace pliant::remeshed

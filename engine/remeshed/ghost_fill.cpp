@@ -1,0 +1,134 @@
+#include "engine/remeshed/ghost_fill.hpp"
+
+#include <cmath>
+
+#include "kernels/ghost_state.hpp"
+
+namespace pliant::remeshed {
+
+namespace {
+
+// (RP.39): the mean rigid motion of the neighbours, taken at the ghost.
+template <class T, int D>
+std::array<T, D> rigid_velocity(const Body<T, D>& body, const FieldStore<T, D>& state,
+                                const BlockGhosts<T, D>& ghosts, std::size_t g) {
+  static_assert(D == 2, "the rotation of a plane neighbourhood is one number");
+  const std::int64_t begin = ghosts.begin[g], end = ghosts.begin[g + 1];
+  const Layout<D>& layout = body.population.layout;
+  const auto position = [&](std::int64_t slot) {
+    Point<D> x = body.lattice.node(layout.cell(slot));
+    for (int a = 0; a < D; ++a) x[a] += state.get(Field::displacement, a)[slot];
+    return x;
+  };
+  Point<D> centre = {}, mean = {};
+  for (std::int64_t k = begin; k < end; ++k) {
+    const Point<D> x = position(ghosts.neighbour[k]);
+    for (int a = 0; a < D; ++a) {
+      centre[a] += x[a] / (end - begin);
+      mean[a] += state.get(Field::velocity, a)[ghosts.neighbour[k]] / (end - begin);
+    }
+  }
+  double moment = 0, inertia = 0;
+  for (std::int64_t k = begin; k < end; ++k) {
+    const std::int64_t q = ghosts.neighbour[k];
+    const Point<D> x = position(q);
+    const double rx = x[0] - centre[0], ry = x[1] - centre[1];
+    moment += rx * (state.get(Field::velocity, 1)[q] - mean[1]) -
+              ry * (state.get(Field::velocity, 0)[q] - mean[0]);
+    inertia += rx * rx + ry * ry;
+  }
+  const double omega = inertia > 0 ? moment / inertia : 0;
+  const Point<D> x = position(ghosts.slot[g]);
+  return {static_cast<T>(mean[0] - omega * (x[1] - centre[1])),
+          static_cast<T>(mean[1] + omega * (x[0] - centre[0]))};
+}
+
+}  // namespace
+
+template <int D>
+void BoundaryValues<D>::evaluate(const Boundaries<D>& boundaries, double t) {
+  wall_velocity.clear();
+  pressure.clear();
+  for (const Wall<D>& wall : boundaries.walls) wall_velocity.push_back(wall.velocity(t));
+  for (const SurfacePressure<D>& load : boundaries.pressures) pressure.push_back(load.value(t));
+}
+
+template <class T, int D>
+void fill_ghosts(Body<T, D>& body, int block, int stage, int parity,
+                 const Boundaries<D>& boundaries, const BoundaryValues<D>& values,
+                 GhostTreatment treatment, const kernels::Table<T, D>& table) {
+  BlockGhosts<T, D>& ghosts = body.population.ghosts[block];
+  const std::size_t count = ghosts.slot.size();
+  constexpr int width = kernels::record_width<D>;
+  table.sum_ghosts({0, static_cast<std::int64_t>(count), ghosts.begin.data(), ghosts.record.data(),
+                    ghosts.linear.data(), ghosts.constrained.data(), body.records.get(),
+                    ghosts.sums.get()});
+  FieldStore<T, D>& state = body.stage[stage];
+  const bool averaged = treatment == GhostTreatment::averaged;
+  for (std::size_t g = 0; g < count; ++g) {
+    const kernels::RecordSum<T, D> linear{ghosts.sums.get() + 2 * width * g};
+    const kernels::RecordSum<T, D> constrained{linear.values + width};
+    const T sum = ghosts.constrained_sum[g];
+    kernels::GhostState<T, D> ghost;
+    if (const int w = ghosts.wall[g]; w >= 0) {
+      std::array<T, D> velocity, normal;
+      for (int a = 0; a < D; ++a) {
+        velocity[a] = static_cast<T>(values.wall_velocity[w][a]);
+        normal[a] = static_cast<T>(ghosts.normal[g][a]);
+      }
+      ghost = boundaries.walls[w].slips()
+                  ? kernels::slip_wall_ghost<T, D>(linear, constrained, sum, velocity, normal)
+                  : kernels::wall_ghost<T, D>(linear, constrained, sum, velocity);
+    } else {
+      const int p = ghosts.pressure[g];
+      const T pressure = p < 0 ? T(0) : static_cast<T>(values.pressure[p]);
+      ghost = averaged ? kernels::averaged_surface_ghost<T, D>(linear, pressure)
+                       : kernels::free_surface_ghost<T, D>(linear, constrained, sum, pressure);
+      if (treatment == GhostTreatment::rigid) {
+        ghost.velocity = rigid_velocity<T, D>(body, state, ghosts, g);
+      }
+    }
+    const std::int64_t slot = ghosts.slot[g];
+    for (int a = 0; a < D; ++a) state.get(Field::velocity, a)[slot] = ghost.velocity[a];
+    for (std::size_t c = 0; c < ghost.stress.size(); ++c) {
+      body.stress[parity][c][slot] = ghost.stress[c];
+    }
+  }
+}
+
+template <class T, int D>
+void fill_conserved(Body<T, D>& body, int block) {
+  const BlockGhosts<T, D>& ghosts = body.population.ghosts[block];
+  FieldStore<T, D>& state = body.stage[0];
+  const T volume = static_cast<T>(std::pow(body.lattice.spacing, D));
+  T* mass = state.get(Field::mass);
+  T* v = state.get(Field::volume);
+  for (std::size_t g = 0; g < ghosts.slot.size(); ++g) {
+    const std::int64_t slot = ghosts.slot[g];
+    const auto fit = [&](auto&& value) {
+      T sum = 0;
+      for (std::int64_t k = ghosts.begin[g]; k < ghosts.begin[g + 1]; ++k) {
+        sum += ghosts.linear[k] * value(ghosts.neighbour[k]);
+      }
+      return sum;
+    };
+    mass[slot] = volume * fit([&](std::int64_t q) { return mass[q] / v[q]; });
+    v[slot] = volume;
+    for (Buffer<T>& component : state[Field::material]) {
+      component[slot] = fit([&](std::int64_t q) { return component[q]; });
+    }
+    for (int a = 0; a < D; ++a) {
+      T* carried = state.get(Field::carried, a);
+      const T* drift = state.get(Field::displacement, a);
+      carried[slot] = fit([&](std::int64_t q) { return carried[q] + drift[q]; }) - drift[slot];
+    }
+  }
+}
+
+template struct BoundaryValues<2>;
+template void fill_ghosts<double, 2>(Body<double, 2>&, int, int, int, const Boundaries<2>&,
+                                     const BoundaryValues<2>&, GhostTreatment,
+                                     const kernels::Table<double, 2>&);
+template void fill_conserved<double, 2>(Body<double, 2>&, int);
+
+}  // namespace pliant::remeshed

@@ -1,0 +1,373 @@
+#include "engine/remeshed/ghost_fits.hpp"
+
+#include <Eigen/Dense>
+#include <atomic>
+#include <cmath>
+
+namespace pliant::remeshed {
+
+namespace {
+
+constexpr double fit_radius = 2.6;   // [h], of (RP.32)
+constexpr double mean_radius = 2.5;  // [h], of (RP.38)
+constexpr double widening = 1.3;
+constexpr int most_widenings = 5;
+// Pivots of a normal matrix, relative to its largest, below which a fit counts as singular.
+constexpr double smallest_pivot = 2e-3;
+
+template <int D>
+using Position = Eigen::Matrix<double, D, 1>;
+
+template <int D>
+struct Neighbour {
+  std::int32_t slot;
+  double weight;
+  double surface_distance;  // phi or the distance to the wall, over h
+  Position<D> position;     // from the foot point, over h
+};
+
+/// Solves M x = e where M = sum_i w_i q_i q_i^T; false when M is (nearly) singular.
+template <int N, class Basis, int D>
+bool solve_fit(const std::vector<Neighbour<D>>& particles, const Basis& basis,
+               const Eigen::Matrix<double, N, 1>& at, Eigen::Matrix<double, N, 1>& solution) {
+  Eigen::Matrix<double, N, N> normal = Eigen::Matrix<double, N, N>::Zero();
+  for (const Neighbour<D>& i : particles) {
+    const Eigen::Matrix<double, N, 1> q = basis(i);
+    normal += i.weight * q * q.transpose();
+  }
+  const Eigen::LDLT<Eigen::Matrix<double, N, N>> factor(normal);
+  const auto pivots = factor.vectorD();
+  if (!(pivots.minCoeff() > smallest_pivot * pivots.maxCoeff())) return false;
+  solution = factor.solve(at);
+  return true;
+}
+
+/// What a ghost's fits are made about.
+template <int D>
+struct FitSite {
+  Position<D> ghost;        // x_g - x_f over h
+  Position<D> normal;       // unit, out of the body
+  double surface_distance;  // of the ghost, over h
+};
+
+template <int D>
+Eigen::Matrix<double, D, 1> constrained_basis(double distance, const Position<D>& position,
+                                              const Position<D>& normal) {
+  Eigen::Matrix<double, D, 1> q;
+  q[0] = distance;
+  if constexpr (D == 2) {
+    q[1] = distance * (-normal[1] * position[0] + normal[0] * position[1]);
+  } else {
+    const Position<D> t1 = normal.unitOrthogonal(), t2 = normal.cross(t1);
+    q[1] = distance * t1.dot(position);
+    q[2] = distance * t2.dot(position);
+  }
+  return q;
+}
+
+template <int D>
+bool fit_linear(const std::vector<Neighbour<D>>& particles, const FitSite<D>& site, bool full,
+                std::vector<double>& c) {
+  if (full) {
+    const auto basis = [](const Neighbour<D>& i) {
+      Eigen::Matrix<double, D + 1, 1> q;
+      q << 1, i.position;
+      return q;
+    };
+    Eigen::Matrix<double, D + 1, 1> at, x;
+    at << 1, site.ghost;
+    if (!solve_fit<D + 1>(particles, basis, at, x)) return false;
+    for (const Neighbour<D>& i : particles) c.push_back(i.weight * basis(i).dot(x));
+    return true;
+  }
+  const auto basis = [&](const Neighbour<D>& i) {
+    return Eigen::Vector2d(1, site.normal.dot(i.position));
+  };
+  Eigen::Vector2d x;
+  if (!solve_fit<2>(particles, basis, Eigen::Vector2d(1, site.normal.dot(site.ghost)), x)) {
+    return false;
+  }
+  for (const Neighbour<D>& i : particles) c.push_back(i.weight * basis(i).dot(x));
+  return true;
+}
+
+template <int D>
+bool fit_constrained(const std::vector<Neighbour<D>>& particles, const FitSite<D>& site, bool full,
+                     std::vector<double>& b) {
+  if (full) {
+    const auto basis = [&](const Neighbour<D>& i) {
+      return constrained_basis<D>(i.surface_distance, i.position, site.normal);
+    };
+    Eigen::Matrix<double, D, 1> x;
+    const auto at = constrained_basis<D>(site.surface_distance, site.ghost, site.normal);
+    if (!solve_fit<D>(particles, basis, at, x)) return false;
+    for (const Neighbour<D>& i : particles) b.push_back(i.weight * basis(i).dot(x));
+    return true;
+  }
+  double square = 0;
+  for (const Neighbour<D>& i : particles)
+    square += i.weight * i.surface_distance * i.surface_distance;
+  if (!(square > 1e-3)) return false;
+  for (const Neighbour<D>& i : particles) {
+    b.push_back(i.weight * i.surface_distance * site.surface_distance / square);
+  }
+  return true;
+}
+
+template <class T, int D>
+class GhostFitter {
+ public:
+  GhostFitter(const Body<T, D>& body, Population<T, D>& population, const FieldStore<T, D>& state,
+              int block, const Boundaries<D>& boundaries, GhostTreatment treatment,
+              std::int32_t* used)
+      : body_(body),
+        population_(population),
+        phi_(state.get(Field::level_set)),
+        ghosts_(population.ghosts[block]),
+        boundaries_(boundaries),
+        treatment_(treatment),
+        used_(used) {}
+
+  void add(std::int64_t slot, const Cell<D>& cell, const LevelSet<T, D>& level_set) {
+    const double h = body_.lattice.spacing;
+    const Point<D> x = body_.lattice.node(cell);
+    const auto [wall, wall_distance] = boundaries_.nearest_wall(x);
+    const bool at_wall = population_.kind[slot] == Kind::wall_ghost;
+    Point<D> normal = {}, foot = x;
+    if (at_wall) {
+      normal = boundaries_.walls[wall].normal(x);
+      for (int a = 0; a < D; ++a) foot[a] -= wall_distance * normal[a];
+    } else {
+      Point<D> offset = {};
+      level_set.closest_point(slot, offset);
+      for (int a = 0; a < D; ++a) foot[a] += offset[a];
+      // Where the surface runs on behind a wall, fits are made about the wall.
+      const auto [foot_wall, depth] = boundaries_.nearest_wall(foot);
+      if (depth < 0) {
+        const Point<D> out = boundaries_.walls[foot_wall].normal(foot);
+        for (int a = 0; a < D; ++a) foot[a] -= depth * out[a];
+      }
+    }
+    FitSite<D> site;
+    for (int a = 0; a < D; ++a) {
+      site.ghost[a] = (x[a] - foot[a]) / h;
+      site.normal[a] = at_wall ? normal[a] : site.ghost[a];
+    }
+    if (!at_wall) site.normal = site.normal.norm() > 1e-9 ? site.normal.normalized() : site.normal;
+    site.surface_distance = (at_wall ? wall_distance : phi_[slot]) / h;
+
+    ghosts_.slot.push_back(static_cast<std::int32_t>(slot));
+    ghosts_.wall.push_back(static_cast<std::int8_t>(at_wall ? wall : -1));
+    ghosts_.pressure.push_back(at_wall ? std::int8_t{-1} : pressure_at(foot));
+    ghosts_.normal.push_back(normal);
+    if (treatment_ == GhostTreatment::averaged) {
+      average(cell);
+    } else {
+      fit(site, foot, at_wall ? &boundaries_.walls[wall] : nullptr);
+    }
+    ghosts_.begin.push_back(static_cast<std::int64_t>(ghosts_.neighbour.size()));
+  }
+
+ private:
+  std::int8_t pressure_at(const Point<D>& foot) const {
+    for (std::size_t i = 0; i < boundaries_.pressures.size(); ++i) {
+      if (boundaries_.pressures[i].acts_at(foot)) return static_cast<std::int8_t>(i);
+    }
+    return -1;
+  }
+
+  // Interior particles within `radius` [h] of a point given in cells.
+  void search(const Point<D>& centre, double radius, const Wall<D>* wall) {
+    particles_.clear();
+    Cell<D> lower, upper;
+    for (int a = 0; a < D; ++a) {
+      lower[a] = static_cast<std::int32_t>(std::ceil(centre[a] - radius));
+      upper[a] = static_cast<std::int32_t>(std::floor(centre[a] + radius));
+    }
+    Cell<D> cell = lower;
+    const auto scan_row = [&] {
+      for (cell[0] = lower[0]; cell[0] <= upper[0]; ++cell[0]) consider(cell, centre, radius, wall);
+    };
+    if constexpr (D == 2) {
+      for (cell[1] = lower[1]; cell[1] <= upper[1]; ++cell[1]) scan_row();
+    } else {
+      for (cell[2] = lower[2]; cell[2] <= upper[2]; ++cell[2]) {
+        for (cell[1] = lower[1]; cell[1] <= upper[1]; ++cell[1]) scan_row();
+      }
+    }
+  }
+
+  void consider(const Cell<D>& cell, const Point<D>& centre, double radius, const Wall<D>* wall) {
+    Position<D> r;
+    for (int a = 0; a < D; ++a) r[a] = cell[a] - centre[a];
+    const double fraction = r.squaredNorm() / (radius * radius);
+    if (fraction >= 1) return;
+    const std::int64_t q = population_.layout.slot(body_.lattice.wrapped(cell));
+    if (q < 0 || population_.kind[q] != Kind::interior) return;
+    const double distance = wall ? wall->distance(body_.lattice.node(cell)) : phi_[q];
+    particles_.push_back({static_cast<std::int32_t>(q), (1 - fraction) * (1 - fraction),
+                          distance / body_.lattice.spacing, r});
+  }
+
+  void fit(const FitSite<D>& site, const Point<D>& foot, const Wall<D>* wall) {
+    Point<D> centre;
+    for (int a = 0; a < D; ++a) {
+      centre[a] = (foot[a] - body_.lattice.origin[a]) / body_.lattice.spacing - 0.5;
+    }
+    c_.clear();
+    b_.clear();
+    double radius = fit_radius;
+    for (int attempt = 0; attempt <= most_widenings; ++attempt, radius *= widening) {
+      search(centre, radius, wall);
+      c_.clear();
+      b_.clear();
+      if (fit_linear<D>(particles_, site, true, c_) &&
+          fit_constrained<D>(particles_, site, true, b_)) {
+        return keep();
+      }
+    }
+    c_.clear();
+    b_.clear();
+    if (!fit_linear<D>(particles_, site, false, c_)) constant(c_);
+    if (!fit_constrained<D>(particles_, site, false, b_)) b_.assign(particles_.size(), 0);
+    keep();
+  }
+
+  void constant(std::vector<double>& c) const {
+    double sum = 0;
+    for (const Neighbour<D>& i : particles_) sum += i.weight;
+    c.clear();
+    for (const Neighbour<D>& i : particles_) c.push_back(i.weight / sum);
+  }
+
+  void average(const Cell<D>& cell) {
+    Point<D> centre;
+    for (int a = 0; a < D; ++a) centre[a] = cell[a];
+    double radius = mean_radius;
+    search(centre, radius, nullptr);
+    for (int attempt = 0; particles_.empty() && attempt < 2 * most_widenings; ++attempt) {
+      search(centre, radius *= widening, nullptr);
+    }
+    c_.assign(particles_.size(), particles_.empty() ? 0 : 1.0 / particles_.size());
+    b_.assign(particles_.size(), 0);
+    keep();
+  }
+
+  void keep() {
+    double sum = 0;
+    for (const double b : b_) sum += b;
+    ghosts_.constrained_sum.push_back(static_cast<T>(sum));
+    for (std::size_t k = 0; k < particles_.size(); ++k) {
+      ghosts_.neighbour.push_back(particles_[k].slot);
+      ghosts_.linear.push_back(static_cast<T>(c_[k]));
+      ghosts_.constrained.push_back(static_cast<T>(b_[k]));
+      // Several blocks may mark the same particle at once; they all write 1.
+      std::atomic_ref<std::int32_t>(used_[particles_[k].slot]).store(1, std::memory_order_relaxed);
+    }
+  }
+
+  const Body<T, D>& body_;
+  Population<T, D>& population_;
+  const T* phi_;
+  BlockGhosts<T, D>& ghosts_;
+  const Boundaries<D>& boundaries_;
+  GhostTreatment treatment_;
+  std::int32_t* used_;
+  std::vector<Neighbour<D>>& particles_ = scratch().particles;
+  std::vector<double>& c_ = scratch().c;
+  std::vector<double>& b_ = scratch().b;
+
+  // Kept by each thread, so that a warm remeshing allocates nothing.
+  struct Scratch {
+    std::vector<Neighbour<D>> particles;
+    std::vector<double> c, b;
+  };
+  static Scratch& scratch() {
+    thread_local Scratch scratch;
+    return scratch;
+  }
+};
+
+}  // namespace
+
+template <class T, int D>
+void fit_ghosts(const Body<T, D>& body, Population<T, D>& population, const FieldStore<T, D>& state,
+                int block, const LevelSet<T, D>& level_set, const Boundaries<D>& boundaries,
+                GhostTreatment treatment, std::int32_t* used) {
+  BlockGhosts<T, D>& ghosts = population.ghosts[block];
+  ghosts.slot.clear();
+  ghosts.wall.clear();
+  ghosts.pressure.clear();
+  ghosts.normal.clear();
+  ghosts.begin.assign(1, 0);
+  ghosts.neighbour.clear();
+  ghosts.linear.clear();
+  ghosts.constrained.clear();
+  ghosts.constrained_sum.clear();
+  GhostFitter<T, D> fitter(body, population, state, block, boundaries, treatment, used);
+  population.layout.for_each_slot(population.layout.blocks()[block],
+                                  [&](std::int64_t p, const Cell<D>& cell) {
+                                    const Kind kind = population.kind[p];
+                                    if (kind == Kind::free_ghost || kind == Kind::wall_ghost)
+                                      fitter.add(p, cell, level_set);
+                                  });
+  ghosts.record.resize(ghosts.neighbour.size());
+  ghosts.sums.grow(ghosts.slot.size() * 2 * kernels::record_width<D>, T(0));
+}
+
+template <class T, int D>
+void list_surface_particles(Population<T, D>& population, int block, const std::int32_t* used) {
+  constexpr int pack = Layout<D>::pack;
+  BlockGhosts<T, D>& ghosts = population.ghosts[block];
+  ghosts.packs.clear();
+  ghosts.record_count = 0;
+  const Block<D>& range = population.layout.blocks()[block];
+  for (int s = 0; s < range.segment_count; ++s) {
+    const kernels::Segment<D>& segment = population.layout.segments()[range.first_segment + s];
+    for (std::int64_t p = segment.first; p < segment.first + segment.count; p += pack) {
+      unsigned lanes = 0;
+      int count = 0;
+      for (int i = 0; i < pack; ++i) {
+        lanes |= (used[p + i] != 0 ? 1U : 0U) << i;
+        count += used[p + i] != 0;
+      }
+      if (lanes == 0) continue;
+      ghosts.packs.push_back({p, s, ghosts.record_count, static_cast<std::uint16_t>(lanes)});
+      ghosts.record_count += count;
+    }
+  }
+}
+
+template <class T, int D>
+void number_records(Population<T, D>& population, std::int32_t* record_of_slot) {
+  std::int32_t next = 0;
+  for (BlockGhosts<T, D>& ghosts : population.ghosts) {
+    ghosts.first_record = next;
+    for (kernels::SurfacePack& pack : ghosts.packs) {
+      pack.record += ghosts.first_record;
+      std::int32_t record = pack.record;
+      for (int i = 0; i < Layout<D>::pack; ++i) {
+        if (pack.lanes >> i & 1) record_of_slot[pack.first + i] = record++;
+      }
+    }
+    next += ghosts.record_count;
+  }
+  population.record_count = next;
+}
+
+template <class T, int D>
+void resolve_records(Population<T, D>& population, int block, const std::int32_t* record_of_slot) {
+  BlockGhosts<T, D>& ghosts = population.ghosts[block];
+  for (std::size_t k = 0; k < ghosts.neighbour.size(); ++k) {
+    ghosts.record[k] = record_of_slot[ghosts.neighbour[k]];
+  }
+}
+
+template void fit_ghosts<double, 2>(const Body<double, 2>&, Population<double, 2>&,
+                                    const FieldStore<double, 2>&, int, const LevelSet<double, 2>&,
+                                    const Boundaries<2>&, GhostTreatment, std::int32_t*);
+template void list_surface_particles<double, 2>(Population<double, 2>&, int, const std::int32_t*);
+template void number_records<double, 2>(Population<double, 2>&, std::int32_t*);
+template void resolve_records<double, 2>(Population<double, 2>&, int, const std::int32_t*);
+
+}  // namespace pliant::remeshed

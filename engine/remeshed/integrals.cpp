@@ -1,0 +1,221 @@
+#include "engine/remeshed/integrals.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "engine/remeshed/point_state.hpp"
+
+namespace pliant::remeshed {
+
+namespace {
+
+constexpr int sub_cells = 10;          // to a side, of a cell that the surface may cut
+constexpr double coverage_slope = 10;  // (RP.31)
+const double gauss = 0.5 / std::sqrt(3.0);
+
+// Values of one node and their central differences [per cell].
+template <int D>
+struct Expansion {
+  double density, energy;
+  Point<D> velocity;
+  Point<D> density_slope = {}, energy_slope = {};
+  std::array<Point<D>, D> velocity_slope = {};  // [direction][component]
+  double phi = 0;                               // [h]
+  Point<D> phi_slope = {};
+  std::array<Point<D>, D> phi_curvature = {};
+};
+
+template <class T, int D>
+class Integrator {
+ public:
+  Integrator(const LatticeView<T, D>& view, const Boundaries<D>& boundaries, const Vector& about)
+      : view_(view), boundaries_(boundaries), about_(about), h_(view.body.lattice.spacing) {}
+
+  BodyIntegrals operator()() {
+    const Layout<D>& layout = view_.population.layout;
+    const T* phi = view_.fields.get(Field::level_set);
+    const double reach = 0.5 * std::sqrt(static_cast<double>(D)) + 0.2;
+    for (const Block<D>& block : layout.blocks()) {
+      layout.for_each_slot(block, [&](std::int64_t p, const Cell<D>& cell) {
+        if (view_.population.kind[p] == Kind::vacant || !view_.body.lattice.is_wrapped(cell))
+          return;
+        const double distance = phi[p] / h_;
+        if (distance > reach) return;
+        const Point<D> x = view_.body.lattice.node(cell);
+        const double wall = boundaries_.nearest_wall(x).second / h_;
+        if (wall < -reach) return;
+        const Expansion<D> e = expand(p, cell);
+        if (distance < -reach && wall > reach) {
+          add_whole(x, e);
+        } else {
+          add_cut(x, e);
+        }
+      });
+    }
+    return sum_;
+  }
+
+ private:
+  std::int64_t neighbour(Cell<D> cell, int axis, int step) const {
+    cell[axis] += step;
+    return view_.population.layout.slot(view_.body.lattice.wrapped(cell));
+  }
+
+  bool holds_particle(std::int64_t p) const {
+    return p >= 0 && view_.population.kind[p] != Kind::vacant;
+  }
+
+  Expansion<D> expand(std::int64_t p, const Cell<D>& cell) const {
+    const FieldStore<T, D>& f = view_.fields;
+    const kernels::Material<T>& material = view_.body.material;
+    const T* phi = f.get(Field::level_set);
+    Expansion<D> e;
+    e.density = density<T, D>(f, p);
+    e.energy = energy_density<T, D>(material, f, p);
+    for (int c = 0; c < D; ++c) e.velocity[c] = f.get(Field::velocity, c)[p];
+    e.phi = phi[p] / h_;
+    for (int a = 0; a < D; ++a) {
+      const std::int64_t up = neighbour(cell, a, 1), down = neighbour(cell, a, -1);
+      if (up < 0 || down < 0) continue;
+      e.phi_slope[a] = (phi[up] - phi[down]) / (2 * h_);
+      e.phi_curvature[a][a] = (phi[up] - 2 * phi[p] + phi[down]) / h_;
+      if (holds_particle(up) && holds_particle(down)) add_slopes(e, a, up, down);
+      for (int b = a + 1; b < D; ++b) {
+        e.phi_curvature[a][b] = e.phi_curvature[b][a] = mixed(cell, a, b, phi);
+      }
+    }
+    return e;
+  }
+
+  void add_slopes(Expansion<D>& e, int a, std::int64_t up, std::int64_t down) const {
+    const FieldStore<T, D>& f = view_.fields;
+    const kernels::Material<T>& material = view_.body.material;
+    e.density_slope[a] = (density<T, D>(f, up) - density<T, D>(f, down)) / 2;
+    e.energy_slope[a] =
+        (energy_density<T, D>(material, f, up) - energy_density<T, D>(material, f, down)) / 2;
+    for (int c = 0; c < D; ++c) {
+      const T* u = f.get(Field::velocity, c);
+      e.velocity_slope[a][c] = (u[up] - u[down]) / 2;
+    }
+  }
+
+  double mixed(Cell<D> cell, int a, int b, const T* phi) const {
+    double sum = 0;
+    for (const int i : {-1, 1}) {
+      for (const int j : {-1, 1}) {
+        Cell<D> corner = cell;
+        corner[a] += i;
+        corner[b] += j;
+        const std::int64_t q = view_.population.layout.slot(view_.body.lattice.wrapped(corner));
+        if (q < 0) return 0;
+        sum += i * j * phi[q];
+      }
+    }
+    return sum / (4 * h_);
+  }
+
+  // Gauss points: products of linear fields are integrated exactly.
+  void add_whole(const Point<D>& x, const Expansion<D>& e) {
+    const double volume = std::pow(h_, D) / (1 << D);
+    for (int corner = 0; corner < (1 << D); ++corner) {
+      Point<D> s;
+      for (int a = 0; a < D; ++a) s[a] = corner >> a & 1 ? gauss : -gauss;
+      add(x, s, e, volume);
+    }
+  }
+
+  void add_cut(const Point<D>& x, const Expansion<D>& e) {
+    const double volume = std::pow(h_ / sub_cells, D);
+    const int count = kernels::power(sub_cells, D);
+    for (int k = 0; k < count; ++k) {
+      Point<D> s, at = x;
+      for (int a = 0, rest = k; a < D; ++a, rest /= sub_cells) {
+        s[a] = (rest % sub_cells + 0.5) / sub_cells - 0.5;
+        at[a] += h_ * s[a];
+      }
+      double phi = e.phi;
+      for (int a = 0; a < D; ++a) {
+        phi += e.phi_slope[a] * s[a];
+        for (int b = 0; b < D; ++b) phi += 0.5 * e.phi_curvature[a][b] * s[a] * s[b];
+      }
+      const double wall = boundaries_.nearest_wall(at).second / h_;
+      const double covered = std::clamp(0.5 - coverage_slope * phi, 0.0, 1.0) *
+                             std::clamp(0.5 + coverage_slope * wall, 0.0, 1.0);
+      if (covered > 0) add(x, s, e, volume * covered);
+    }
+  }
+
+  void add(const Point<D>& x, const Point<D>& s, const Expansion<D>& e, double volume) {
+    double density = e.density, energy = e.energy, square = 0;
+    Point<D> u = e.velocity;
+    Vector r = {}, velocity = {};
+    for (int a = 0; a < D; ++a) {
+      density += e.density_slope[a] * s[a];
+      energy += e.energy_slope[a] * s[a];
+      for (int c = 0; c < D; ++c) u[c] += e.velocity_slope[a][c] * s[a];
+      r[a] = x[a] + h_ * s[a] - about_[a];
+    }
+    for (int c = 0; c < D; ++c) {
+      velocity[c] = u[c];
+      square += u[c] * u[c];
+    }
+    add_to(sum_, density * volume, r, velocity, square, energy * volume);
+  }
+
+ public:
+  static void add_to(BodyIntegrals& sum, double mass, const Vector& r, const Vector& u,
+                     double square, double strain_energy) {
+    sum.mass += mass;
+    sum.kinetic_energy += 0.5 * mass * square;
+    sum.strain_energy += strain_energy;
+    for (int c = 0; c < 3; ++c) {
+      sum.momentum[c] += mass * u[c];
+      const int a = (c + 1) % 3, b = (c + 2) % 3;
+      sum.angular_momentum[c] += mass * (r[a] * u[b] - r[b] * u[a]);
+    }
+  }
+
+ private:
+  const LatticeView<T, D>& view_;
+  const Boundaries<D>& boundaries_;
+  Vector about_;
+  double h_;
+  BodyIntegrals sum_;
+};
+
+}  // namespace
+
+template <class T, int D>
+BodyIntegrals integrate(const LatticeView<T, D>& view, const Boundaries<D>& boundaries,
+                        const Vector& about) {
+  return Integrator<T, D>(view, boundaries, about)();
+}
+
+template <class T, int D>
+BodyIntegrals sum_particles(const Body<T, D>& body, const Vector& about) {
+  BodyIntegrals sum;
+  const FieldStore<T, D>& f = body.stage[0];
+  const Layout<D>& layout = body.population.layout;
+  for (const Block<D>& block : layout.blocks()) {
+    layout.for_each_slot(block, [&](std::int64_t p, const Cell<D>& cell) {
+      if (body.population.kind[p] != Kind::interior) return;
+      const Point<D> x = body.position(p, cell);
+      Vector r = {}, u = {};
+      double square = 0;
+      for (int a = 0; a < D; ++a) {
+        r[a] = x[a] - about[a];
+        u[a] = f.get(Field::velocity, a)[p];
+        square += u[a] * u[a];
+      }
+      const double energy = energy_density<T, D>(body.material, f, p) * f.get(Field::volume)[p];
+      Integrator<T, D>::add_to(sum, f.get(Field::mass)[p], r, u, square, energy);
+    });
+  }
+  return sum;
+}
+
+template BodyIntegrals integrate<double, 2>(const LatticeView<double, 2>&, const Boundaries<2>&,
+                                            const Vector&);
+template BodyIntegrals sum_particles<double, 2>(const Body<double, 2>&, const Vector&);
+
+}  // namespace pliant::remeshed

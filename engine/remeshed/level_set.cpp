@@ -1,0 +1,284 @@
+#include "engine/remeshed/level_set.hpp"
+
+#include <cmath>
+#include <cstring>
+
+#include "engine/remeshed/interpolant.hpp"
+
+namespace pliant::remeshed {
+
+namespace {
+
+template <int D>
+double dot(const Point<D>& a, const Point<D>& b) {
+  double sum = 0;
+  for (int i = 0; i < D; ++i) sum += a[i] * b[i];
+  return sum;
+}
+
+template <int D>
+Point<D> difference(const Point<D>& a, const Point<D>& b) {
+  Point<D> c;
+  for (int i = 0; i < D; ++i) c[i] = a[i] - b[i];
+  return c;
+}
+
+template <int D>
+Point<D> as_point(const Cell<D>& cell) {
+  Point<D> x;
+  for (int a = 0; a < D; ++a) x[a] = cell[a];
+  return x;
+}
+
+/// Calls f(neighbour) for the 3^D - 1 cells around a cell.
+template <int D, class F>
+void for_each_adjacent(const Cell<D>& cell, F&& f) {
+  for (int k = D == 3 ? -1 : 0; k <= (D == 3 ? 1 : 0); ++k) {
+    for (int j = -1; j <= 1; ++j) {
+      for (int i = -1; i <= 1; ++i) {
+        if (i == 0 && j == 0 && k == 0) continue;
+        Cell<D> other = cell;
+        other[0] += i;
+        other[1] += j;
+        if constexpr (D == 3) other[2] += k;
+        f(other);
+      }
+    }
+  }
+}
+
+constexpr double search_limit = 2.5;  // cells from a near node to its closest point
+
+}  // namespace
+
+template <class T, int D>
+void LevelSet<T, D>::prepare(const Lattice<D>& lattice, const Layout<D>& layout, T* phi) {
+  lattice_ = &lattice;
+  layout_ = &layout;
+  phi_ = phi;
+  extended_.grow(layout.slots(), T(0));
+  for (auto& layer : layer_) {
+    layer.grow(layout.slots(), 0);
+    std::memset(layer.get(), 0, layout.slots());
+  }
+  for (auto& component : foot_) component.grow(layout.slots(), 0);
+}
+
+template <class T, int D>
+void LevelSet<T, D>::extend_through_walls(const Block<D>& block, const Boundaries<D>& boundaries,
+                                          const T* valid) {
+  const double h = lattice_->spacing;
+  Point<D> centre;
+  double radius = 0;
+  for (int a = 0; a < D; ++a) {
+    centre[a] = (lattice_->node(a, block.lower[a]) + lattice_->node(a, block.upper[a])) / 2;
+    radius += std::pow((block.upper[a] - block.lower[a]) * h / 2, 2);
+  }
+  const bool meets_walls = boundaries.nearest_wall(centre).second < std::sqrt(radius);
+  layout_->for_each_slot(block, [&](std::int64_t p, const Cell<D>& cell) {
+    extended_[p] = valid[p] != 0 ? phi_[p] : T(far * h);
+    if (!meets_walls) return;
+    const Point<D> x = lattice_->node(cell);
+    const auto [wall, d] = boundaries.nearest_wall(x);
+    if (d < 0) {
+      extended_[p] = static_cast<T>(extended_from(x, boundaries.walls[wall].normal(x), -d, valid));
+    }
+  });
+}
+
+// phi at `depth` behind a wall: the line through two points 1.5 h and 2.5 h in front of it.
+template <class T, int D>
+double LevelSet<T, D>::extended_from(const Point<D>& x, const Point<D>& normal, double depth,
+                                     const T* valid) const {
+  const double h = lattice_->spacing;
+  Point<D> nearer = x, farther = x;
+  for (int a = 0; a < D; ++a) {
+    nearer[a] += (depth + 1.5 * h) * normal[a];
+    farther[a] += (depth + 2.5 * h) * normal[a];
+  }
+  double first = 0, second = 0;
+  if (!linear(nearer, valid, first)) return far * h;
+  if (!linear(farther, valid, second)) return first;
+  return first + (first - second) * (depth / h + 1.5);
+}
+
+template <class T, int D>
+bool LevelSet<T, D>::linear(const Point<D>& x, const T* valid, double& value) const {
+  Cell<D> base;
+  Point<D> s;
+  for (int a = 0; a < D; ++a) {
+    const double at = (x[a] - lattice_->origin[a]) / lattice_->spacing - 0.5;
+    base[a] = static_cast<std::int32_t>(std::floor(at));
+    s[a] = at - base[a];
+  }
+  value = 0;
+  for (int corner = 0; corner < (1 << D); ++corner) {
+    Cell<D> cell = base;
+    double weight = 1;
+    for (int a = 0; a < D; ++a) {
+      const int up = corner >> a & 1;
+      cell[a] += up;
+      weight *= up ? s[a] : 1 - s[a];
+    }
+    const std::int64_t p = layout_->slot(lattice_->wrapped(cell));
+    if (p < 0 || valid[p] == 0) return false;
+    value += weight * phi_[p];
+  }
+  return true;
+}
+
+template <class T, int D>
+typename LevelSet<T, D>::Projection LevelSet<T, D>::project(const Point<D>& node, Point<D> start,
+                                                            int iterations) const {
+  const CubicInterpolant<T, D> interpolant(*lattice_, *layout_, extended_.get());
+  Point<D> x = start;
+  for (int iteration = 0; iteration < iterations; ++iteration) {
+    double value = 0;
+    Point<D> g;
+    if (!interpolant(x, value, g)) return {x, false};
+    value /= lattice_->spacing;
+    for (double& component : g) component /= lattice_->spacing;
+    const double square = dot<D>(g, g);
+    if (square < 0.05) return {x, false};
+    const Point<D> back = difference<D>(node, x);
+    const double along = (value + dot<D>(back, g)) / square;
+    Point<D> step;
+    for (int a = 0; a < D; ++a) step[a] = back[a] - along * g[a];
+    const double length = std::sqrt(dot<D>(step, step));
+    const double scale = length > 0.5 ? 0.5 / length : 1;
+    for (int a = 0; a < D; ++a) x[a] += scale * step[a];
+    if (length < 1e-6) return {x, true};
+  }
+  double value = 0;
+  Point<D> g;
+  const bool on_surface = interpolant(x, value, g) && std::abs(value) < 1e-3 * lattice_->spacing;
+  return {x, on_surface};
+}
+
+template <class T, int D>
+void LevelSet<T, D>::set_foot(std::int64_t slot, const Point<D>& node, const Point<D>& foot) {
+  for (int a = 0; a < D; ++a) foot_[a][slot] = foot[a] - node[a];
+}
+
+template <class T, int D>
+bool LevelSet<T, D>::gradient(const Cell<D>& cell, Point<D>& g) const {
+  for (int a = 0; a < D; ++a) {
+    Cell<D> up = cell, down = cell;
+    ++up[a];
+    --down[a];
+    const std::int64_t q = layout_->slot(lattice_->wrapped(up));
+    const std::int64_t r = layout_->slot(lattice_->wrapped(down));
+    if (q < 0 || r < 0) return false;
+    g[a] = (extended_[q] - extended_[r]) / (2 * lattice_->spacing);
+  }
+  return dot<D>(g, g) > 0.05;
+}
+
+template <class T, int D>
+void LevelSet<T, D>::find_closest_points(const Block<D>& block, bool reinitialise) {
+  const double h = lattice_->spacing;
+  layout_->for_each_slot(block, [&](std::int64_t p, const Cell<D>& cell) {
+    phi_[p] = extended_[p];
+    const double phi = extended_[p] / h;
+    if (std::abs(phi) > near_band || !lattice_->is_wrapped(cell)) return;
+    const Point<D> node = as_point<D>(cell);
+    const Projection found = project(node, node, 12);
+    const Point<D> offset = difference<D>(found.point, node);
+    const double distance = std::sqrt(dot<D>(offset, offset));
+    if (found.converged && distance <= search_limit) {
+      set_foot(p, node, found.point);
+      layer_[0][p] = 1;
+      if (reinitialise && distance <= trusted)
+        phi_[p] = std::copysign(T(distance * h), extended_[p]);
+      return;
+    }
+    Point<D> g;
+    if (!gradient(cell, g)) return;
+    const double square = dot<D>(g, g);
+    for (int a = 0; a < D; ++a) foot_[a][p] = -phi * g[a] / square;
+    layer_[0][p] = 1;
+  });
+}
+
+// Reading a layer mark where the neighbouring row has no slot may find a foreign mark, never miss
+// one.
+template <class T, int D>
+bool LevelSet<T, D>::borders_a_layer(const kernels::Segment<D>& segment, std::int64_t slot,
+                                     int layer) const {
+  if (lattice_->period != Cell<D>{}) return true;
+  const std::uint8_t* mark = layer_[layer % 2].get() + slot;
+  std::uint8_t any = 0;
+  for (int k = D == 3 ? -1 : 0; k <= (D == 3 ? 1 : 0); ++k) {
+    for (int j = -1; j <= 1; ++j) {
+      const std::uint8_t* row = mark + segment.neighbour_row[kernels::row_index<D>(j, k)];
+      any |= row[-1] | row[0] | row[1];
+    }
+  }
+  return any != 0;
+}
+
+template <class T, int D>
+void LevelSet<T, D>::add_layer(const Block<D>& block, int layer) {
+  const std::uint8_t* before = layer_[layer % 2].get();
+  std::uint8_t* after = layer_[(layer + 1) % 2].get();
+  for (int s = block.first_segment; s < block.first_segment + block.segment_count; ++s) {
+    const kernels::Segment<D>& segment = layout_->segments()[s];
+    Cell<D> cell = segment.cell;
+    for (int i = 0; i < segment.count; ++i, ++cell[0]) {
+      const std::int64_t p = segment.first + i;
+      after[p] = before[p];
+      if (before[p] == 0 && borders_a_layer(segment, p, layer)) adopt_nearest(p, cell, layer);
+    }
+  }
+}
+
+// The nearest among the closest points of the marked neighbours, polished from there.
+template <class T, int D>
+void LevelSet<T, D>::adopt_nearest(std::int64_t slot, const Cell<D>& cell, int layer) {
+  if (!lattice_->is_wrapped(cell)) return;
+  const double h = lattice_->spacing;
+  const Point<D> node = as_point<D>(cell);
+  double nearest = 1e300;
+  Point<D> foot = {};
+  T sign = 1;
+  for_each_adjacent<D>(cell, [&](const Cell<D>& other) {
+    const std::int64_t q = layout_->slot(lattice_->wrapped(other));
+    if (q < 0 || layer_[layer % 2][q] == 0) return;
+    Point<D> candidate = as_point<D>(other);
+    for (int a = 0; a < D; ++a) candidate[a] += foot_[a][q];
+    const Point<D> offset = difference<D>(candidate, node);
+    const double square = dot<D>(offset, offset);
+    if (square < nearest) {
+      nearest = square;
+      foot = candidate;
+      sign = phi_[q] < 0 ? T(-1) : T(1);
+    }
+  });
+  if (nearest == 1e300) return;
+  const Projection polished = project(node, foot, 6);
+  const Point<D> moved = difference<D>(polished.point, foot);
+  if (polished.converged && dot<D>(moved, moved) < 2) foot = polished.point;
+  const Point<D> offset = difference<D>(foot, node);
+  set_foot(slot, node, foot);
+  phi_[slot] = sign * static_cast<T>(std::sqrt(dot<D>(offset, offset)) * h);
+  layer_[(layer + 1) % 2][slot] = static_cast<std::uint8_t>(layer);
+}
+
+template <class T, int D>
+void LevelSet<T, D>::finish(const Block<D>& block) {
+  const T limit = static_cast<T>(far * lattice_->spacing);
+  layout_->for_each_slot(block, [&](std::int64_t p, const Cell<D>&) {
+    if (layer_[(layers + 1) % 2][p] == 0) phi_[p] = phi_[p] < 0 ? -limit : limit;
+  });
+}
+
+template <class T, int D>
+bool LevelSet<T, D>::closest_point(std::int64_t slot, Point<D>& offset) const {
+  if (layer_[(layers + 1) % 2][slot] == 0) return false;
+  for (int a = 0; a < D; ++a) offset[a] = foot_[a][slot] * lattice_->spacing;
+  return true;
+}
+
+template class LevelSet<double, 2>;
+
+}  // namespace pliant::remeshed

@@ -1,0 +1,68 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+
+#include "engine/lattice/layout.hpp"
+#include "engine/remeshed/walls.hpp"
+#include "engine/storage/buffer.hpp"
+
+/// The level set of a body on a fresh lattice: phi < 0 inside, (RP.29).
+///
+///     near     abs(phi) <= 1.8 h   what remeshing gave is kept; when reinitialisation is due,
+///     replaced
+///                                  by the distance to the closest point of the zero set (RP.30)
+///     layers   further out         rebuilt at every remeshing: each layer takes the closest point
+///     of
+///                                  a neighbour nearer to the surface and polishes it (RP.30)
+///     beyond                       the sign alone, times `far`
+///
+/// Behind walls phi is first continued linearly: there it describes where the free surface would
+/// run on.
+namespace pliant::remeshed {
+
+template <class T, int D>
+class LevelSet {
+ public:
+  static constexpr double near_band = 1.8;  ///< [h]
+  static constexpr double trusted = 1.2;    ///< closest points farther away do not correct phi [h]
+  static constexpr int layers = 6;          ///< the near nodes are layer 1
+  static constexpr double far = 6.5;        ///< [h]
+
+  void prepare(const Lattice<D>& lattice, const Layout<D>& layout, T* phi);
+
+  /// The passes over one block, in this order; each reads neighbouring blocks of the pass before.
+  /// Nodes where `valid` is 0 got nothing from remeshing.
+  void extend_through_walls(const Block<D>& block, const Boundaries<D>& boundaries, const T* valid);
+  void find_closest_points(const Block<D>& block, bool reinitialise);
+  void add_layer(const Block<D>& block, int layer);  ///< 2..layers
+  void finish(const Block<D>& block);
+
+  /// Closest point of the surface minus the node [m]; false where none was found.
+  bool closest_point(std::int64_t slot, Point<D>& offset) const;
+
+ private:
+  struct Projection {
+    Point<D> point;  ///< in cells
+    bool converged;
+  };
+  Projection project(const Point<D>& node, Point<D> start, int iterations) const;
+  double extended_from(const Point<D>& x, const Point<D>& normal, double depth,
+                       const T* valid) const;
+  bool linear(const Point<D>& x, const T* valid, double& value) const;
+  bool gradient(const Cell<D>& cell, Point<D>& g) const;
+  void adopt_nearest(std::int64_t slot, const Cell<D>& cell, int layer);
+  bool borders_a_layer(const kernels::Segment<D>& segment, std::int64_t slot, int layer) const;
+  void set_foot(std::int64_t slot, const Point<D>& node, const Point<D>& foot);
+
+  const Lattice<D>* lattice_ = nullptr;
+  const Layout<D>* layout_ = nullptr;
+  T* phi_ = nullptr;
+  Buffer<T> extended_;  ///< phi continued through walls, before any rebuilding
+  std::array<Buffer<std::uint8_t>, 2> layer_;  ///< 0: no closest point yet; passes alternate
+  std::array<Buffer<double>, D> foot_;         ///< closest point minus node, in cells
+};
+
+extern template class LevelSet<double, 2>;
+
+}  // namespace pliant::remeshed

@@ -1,0 +1,245 @@
+#include "engine/remeshed/measure.hpp"
+
+#include <Eigen/Dense>
+#include <cmath>
+#include <limits>
+
+#include "engine/remeshed/interpolant.hpp"
+#include "engine/remeshed/point_state.hpp"
+#include "engine/remeshed/surface.hpp"
+
+namespace pliant::remeshed {
+
+namespace {
+
+constexpr double pi = 3.14159265358979323846;
+constexpr double nothing = std::numeric_limits<double>::quiet_NaN();
+
+template <int D>
+Vector padded(const Point<D>& x) {
+  Vector v = {};
+  for (int a = 0; a < D; ++a) v[a] = x[a];
+  return v;
+}
+
+template <class T, int D>
+double mean_radius(const LatticeView<T, D>& view, const Vector& centre, int rays) {
+  double sum = 0;
+  for (int k = 0; k < rays; ++k) {
+    const double angle = 2 * pi * (k + 0.5) / rays;
+    const auto r = ray_to_surface(view, centre, {std::cos(angle), std::sin(angle), 0});
+    if (!r) return nothing;
+    sum += *r;
+  }
+  return sum / rays;
+}
+
+void add(BodyIntegrals& sum, const BodyIntegrals& other) {
+  sum.mass += other.mass;
+  sum.kinetic_energy += other.kinetic_energy;
+  sum.strain_energy += other.strain_energy;
+  for (int c = 0; c < 3; ++c) {
+    sum.momentum[c] += other.momentum[c];
+    sum.angular_momentum[c] += other.angular_momentum[c];
+  }
+}
+
+}  // namespace
+
+template <class T, int D>
+Vector material_displacement(const Body<T, D>& body, const Vector& start) {
+  const FieldStore<T, D>& f = body.stage[0];
+  const Layout<D>& layout = body.population.layout;
+  const double h = body.lattice.spacing;
+  // d + xi is the displacement; node - d is where the particle started.
+  const auto from_start = [&](std::int64_t p, const Cell<D>& cell) {
+    Eigen::Matrix<double, D, 1> r;
+    for (int a = 0; a < D; ++a) {
+      r[a] = (body.lattice.node(a, cell[a]) - f.get(Field::carried, a)[p] - start[a]) / h;
+    }
+    return r;
+  };
+  constexpr double radius = 2.6;
+  Eigen::Matrix<double, D + 1, D + 1> normal = Eigen::Matrix<double, D + 1, D + 1>::Zero();
+  Eigen::Matrix<double, D + 1, D> right = Eigen::Matrix<double, D + 1, D>::Zero();
+  for (const Block<D>& block : layout.blocks()) {
+    layout.for_each_slot(block, [&](std::int64_t p, const Cell<D>& cell) {
+      if (body.population.kind[p] != Kind::interior) return;
+      const auto r = from_start(p, cell);
+      const double fraction = r.squaredNorm() / (radius * radius);
+      if (fraction >= 1) return;
+      Eigen::Matrix<double, D + 1, 1> q;
+      q << 1, r;
+      normal += (1 - fraction) * (1 - fraction) * q * q.transpose();
+      for (int a = 0; a < D; ++a) {
+        const double d = f.get(Field::carried, a)[p] + f.get(Field::displacement, a)[p];
+        right.col(a) += (1 - fraction) * (1 - fraction) * d * q;
+      }
+    });
+  }
+  const auto fit = normal.ldlt().solve(right).eval();
+  Vector displacement = {};
+  for (int a = 0; a < D; ++a) displacement[a] = fit(0, a);
+  return displacement;
+}
+
+template <class T, int D>
+std::vector<double> Measurer<T, D>::operator()() {
+  nodes_.clear();
+  std::vector<double> values;
+  for (const MeasurementCase& m : solver_.settings().measurements) values.push_back(value(m));
+  nodes_.clear();
+  return values;
+}
+
+template <class T, int D>
+const LatticeView<T, D>& Measurer<T, D>::nodes(int body) {
+  if (nodes_.empty()) nodes_ = solver_.on_nodes();
+  return nodes_[body];
+}
+
+template <class T, int D>
+double Measurer<T, D>::value(const MeasurementCase& m) {
+  using Quantity = MeasurementCase::Kind;
+  switch (m.kind) {
+    case Quantity::extent:
+    case Quantity::ray:
+    case Quantity::mean_radius:
+      return surface_value(m);
+    case Quantity::point_displacement:
+      return material_displacement<T, D>(solver_.state().bodies[m.body], m.point)[m.axis];
+    case Quantity::point_value:
+      return point_value(m);
+    case Quantity::velocity_error:
+      return velocity_error(m);
+    case Quantity::period:
+    case Quantity::amplitude_ratio:
+      return nothing;
+    default:
+      return conserved(m);
+  }
+}
+
+template <class T, int D>
+double Measurer<T, D>::surface_value(const MeasurementCase& m) {
+  const double t = solver_.clock().time;
+  if (m.kind == MeasurementCase::Kind::mean_radius) {
+    return mean_radius(nodes(m.body), m.point, m.rays);
+  }
+  if (m.kind == MeasurementCase::Kind::ray) {
+    const auto distance = ray_to_surface(nodes(m.body), m.point, m.direction);
+    return distance ? *distance - m.reference : nothing;
+  }
+  const auto counts = [&](const Vector& x) {
+    return !m.where || (*m.where)(x[0], x[1], x[2], t) != 0;
+  };
+  const auto farthest = extent<T, D>(nodes(m.body), m.axis, m.lower_side, counts);
+  if (!farthest) return nothing;
+  return m.lower_side ? m.reference - *farthest : *farthest - m.reference;
+}
+
+template <class T, int D>
+BodyIntegrals Measurer<T, D>::integrals(int body, const Vector& about) {
+  const State<T, D>& state = solver_.state();
+  const bool surface = solver_.remeshing(body).has_surface();
+  if (!solver_.remeshes() || !surface) return sum_particles<T, D>(state.bodies[body], about);
+  return integrate<T, D>(nodes(body), state.boundaries, about);
+}
+
+template <class T, int D>
+double Measurer<T, D>::conserved(const MeasurementCase& m) {
+  using Quantity = MeasurementCase::Kind;
+  const BodyIntegrals sum = integrals(m.body, m.point);
+  switch (m.kind) {
+    case Quantity::mass:
+      return sum.mass;
+    case Quantity::momentum:
+      return sum.momentum[m.axis];
+    case Quantity::angular_momentum:
+      return sum.angular_momentum[D == 2 ? 2 : m.axis];
+    case Quantity::kinetic_energy:
+      return sum.kinetic_energy;
+    case Quantity::strain_energy:
+      return sum.strain_energy;
+    default:
+      return sum.kinetic_energy + sum.strain_energy;
+  }
+}
+
+template <class T, int D>
+BodyIntegrals Measurer<T, D>::totals() {
+  nodes_.clear();
+  BodyIntegrals sum;
+  for (int b = 0; b < static_cast<int>(solver_.state().bodies.size()); ++b)
+    add(sum, integrals(b, {}));
+  nodes_.clear();
+  return sum;
+}
+
+template <class T, int D>
+double Measurer<T, D>::velocity_error(const MeasurementCase& m) const {
+  const Body<T, D>& body = solver_.state().bodies[m.body];
+  const double t = solver_.clock().time;
+  double largest = 0, square = 0;
+  std::int64_t count = 0;
+  for (const Block<D>& block : body.population.layout.blocks()) {
+    body.population.layout.for_each_slot(block, [&](std::int64_t p, const Cell<D>& cell) {
+      if (body.population.kind[p] != pliant::remeshed::Kind::interior) return;
+      const Vector x = padded<D>(body.position(p, cell));
+      for (int a = 0; a < D; ++a) {
+        const double error =
+            std::abs(body.stage[0].get(Field::velocity, a)[p] - m.exact[a](x[0], x[1], x[2], t));
+        largest = std::max(largest, error);
+        square += error * error;
+      }
+      ++count;
+    });
+  }
+  const double error =
+      m.norm == MeasurementCase::Norm::maximum
+          ? largest
+          : std::sqrt(square / static_cast<double>(std::max<std::int64_t>(count, 1)));
+  return error / m.reference;
+}
+
+// A field by the name that case files give it; vectors and stress end in their axes.
+template <class T, int D>
+double node_value(const LatticeView<T, D>& view, const std::string& field, std::int64_t p) {
+  if (field == "pressure") return pressure<T, D>(view.body.material, view.fields, p);
+  if (field == "density") return density<T, D>(view.fields, p);
+  const int last = field.back() - 'x';
+  if (field.starts_with("stress")) {
+    const int first = field[field.size() - 2] - 'x';
+    return stress<T, D>(view.body.material, view.fields,
+                        p)[kernels::symmetric_index<D>(first, last)];
+  }
+  return view.fields.get(field.starts_with("velocity") ? Field::velocity : Field::carried, last)[p];
+}
+
+// Linear in the cell around the point; the field is evaluated at its corner nodes.
+template <class T, int D>
+double Measurer<T, D>::point_value(const MeasurementCase& m) {
+  const LatticeView<T, D>& view = nodes(m.body);
+  const Lattice<D>& lattice = view.body.lattice;
+  double value = 0;
+  for (int corner = 0; corner < (1 << D); ++corner) {
+    Cell<D> cell;
+    double weight = 1;
+    for (int a = 0; a < D; ++a) {
+      const double at = (m.point[a] - lattice.origin[a]) / lattice.spacing - 0.5;
+      const double floor = std::floor(at);
+      const int up = corner >> a & 1;
+      cell[a] = static_cast<std::int32_t>(floor) + up;
+      weight *= up ? at - floor : 1 - (at - floor);
+    }
+    const std::int64_t p = view.population.layout.slot(lattice.wrapped(cell));
+    if (p < 0 || view.population.kind[p] == remeshed::Kind::vacant) return nothing;
+    value += weight * node_value<T, D>(view, m.field, p);
+  }
+  return value;
+}
+
+template class Measurer<double, 2>;
+template Vector material_displacement<double, 2>(const Body<double, 2>&, const Vector&);
+
+}  // namespace pliant::remeshed

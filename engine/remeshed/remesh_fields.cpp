@@ -1,0 +1,234 @@
+#include <algorithm>
+#include <cmath>
+
+#include "engine/geometry/free_surface.hpp"
+#include "engine/geometry/signed_distance.hpp"
+#include "engine/remeshed/remesh.hpp"
+#include "engine/remeshed/setup.hpp"
+
+// How fields cross to the new lattice. Each new block gathers from all present blocks that come
+// near into a tile of nodes of its own, so that blocks share nothing and sums keep one order.
+namespace pliant::remeshed {
+
+template <class T, int D>
+void Remeshing<T, D>::scatter(int block) {
+  const Block<D>& target = body_.spare.layout.blocks()[block];
+  Cell<D> lower, extent;
+  std::size_t nodes = kernels::node_width<D>;
+  for (int a = 0; a < D; ++a) {
+    lower[a] = target.lower[a] - kernels::tile_margin;
+    extent[a] = target.upper[a] + kernels::tile_margin + 1 - lower[a];
+    nodes *= extent[a];
+  }
+  Buffer<T>& tile = tiles_[workers_.index()];
+  tile.grow(nodes, T(0));
+  std::fill_n(tile.get(), nodes, T(0));
+  for (std::size_t b = 0; b < bounds_.size(); ++b) {
+    add_source(static_cast<int>(b), tile.get(), lower, extent);
+  }
+  take_nodes(block, tile.get(), lower, extent);
+}
+
+// A periodic body reaches the tile through every whole period that brings it near.
+template <class T, int D>
+void Remeshing<T, D>::add_source(int block, T* nodes, const Cell<D>& lower, const Cell<D>& extent) {
+  const Bounds& source = bounds_[block];
+  if (source.lower[0] > source.upper[0]) return;
+  Cell<D> first, last;
+  for (int a = 0; a < D; ++a) {
+    const std::int32_t n = body_.lattice.period[a];
+    const std::int32_t least = lower[a] - source.upper[a];
+    const std::int32_t most = lower[a] + extent[a] - 1 - source.lower[a];
+    if (n == 0) {
+      if (least > 0 || most < 0) return;
+      first[a] = last[a] = 0;
+    } else {
+      first[a] = static_cast<std::int32_t>(std::ceil(static_cast<double>(least) / n));
+      last[a] = static_cast<std::int32_t>(std::floor(static_cast<double>(most) / n));
+    }
+  }
+  const Layout<D>& layout = body_.population.layout;
+  const Block<D>& from = layout.blocks()[block];
+  FieldStore<T, D>& state = body_.stage[0];
+  kernels::Scatter<T, D> work = {};
+  work.segments = layout.segments_of(from);
+  work.segment_count = from.segment_count;
+  work.kind = body_.population.kind.get();
+  work.inverse_spacing = static_cast<T>(1 / body_.lattice.spacing);
+  work.carried_components = state.carried();
+  work.mass = state.get(Field::mass);
+  work.level_set = state.get(Field::level_set);
+  for (int a = 0; a < D; ++a) work.carried[a] = state.get(Field::carried, a);
+  work.state = state.template evolving<const T>();
+  work.nodes = nodes;
+  work.lower = lower;
+  work.extent = extent;
+  Cell<D> period = first;
+  while (true) {
+    for (int a = 0; a < D; ++a) work.shift[a] = period[a] * body_.lattice.period[a];
+    kernels_.scatter(work);
+    int a = 0;
+    while (a < D && ++period[a] > last[a]) {
+      period[a] = first[a];
+      ++a;
+    }
+    if (a == D) return;
+  }
+}
+
+// (RP.23)-(RP.26)
+template <class T, int D>
+void Remeshing<T, D>::take_nodes(int block, const T* nodes, const Cell<D>& lower,
+                                 const Cell<D>& extent) {
+  using Node = kernels::NodeField<D>;
+  FieldStore<T, D>& state = body_.stage[1];
+  const T cell_volume = static_cast<T>(std::pow(body_.lattice.spacing, D));
+  const Layout<D>& layout = body_.spare.layout;
+  layout.for_each_slot(layout.blocks()[block], [&](std::int64_t p, const Cell<D>& cell) {
+    std::size_t at = 0;
+    for (int a = D - 1; a >= 0; --a) at = at * extent[a] + (cell[a] - lower[a]);
+    const T* node = nodes + at * kernels::node_width<D>;
+    const T weight = node[Node::weight], mass = node[Node::mass], volume = node[Node::volume];
+    const bool valid = weight >= T(0.6) && volume >= T(0.3) * cell_volume && mass > 0 &&
+                       body_.lattice.is_wrapped(cell);
+    valid_[p] = valid ? T(1) : T(0);
+    // The filter needs images already, whatever the slots turn out to be.
+    body_.spare.kind[p] = valid ? Kind::interior : Kind::vacant;
+    const T per_mass = valid ? 1 / mass : T(0), per_volume = valid ? 1 / volume : T(0);
+    for (int a = 0; a < D; ++a) {
+      state.get(Field::displacement, a)[p] = 0;
+      state.get(Field::velocity, a)[p] = node[Node::momentum + a] * per_mass;
+      state.get(Field::carried, a)[p] = node[Node::carried + a] * per_volume;
+    }
+    for (int c = 0; c < state.carried(); ++c) {
+      state.get(Field::material, c)[p] = node[Node::material + c] * per_volume;
+    }
+    state.get(Field::level_set)[p] =
+        valid ? node[Node::level_set] / weight : T(LevelSet<T, D>::far * body_.lattice.spacing);
+    state.get(Field::volume)[p] = valid && extensive_ ? volume : cell_volume;
+    state.get(Field::mass)[p] = !valid       ? body_.material.density * cell_volume
+                                : extensive_ ? mass
+                                             : mass * per_volume * cell_volume;
+  });
+}
+
+template <class T, int D>
+void Remeshing<T, D>::filter(int block) {
+  const Layout<D>& layout = body_.spare.layout;
+  const Block<D>& range = layout.blocks()[block];
+  const auto apply = [&](const Buffer<T>& from, Buffer<T>& to) {
+    kernels_.filter({layout.segments_of(range), range.segment_count,
+                     static_cast<T>(filter_strength_), valid_.get(), from.get(), to.get()});
+  };
+  for (const Field f : {Field::velocity, Field::material}) {
+    for (std::size_t c = 0; c < body_.stage[1][f].size(); ++c) {
+      apply(body_.stage[1][f][c], body_.stage[2][f][c]);
+    }
+  }
+  apply(body_.stage[1][Field::mass][0], filtered_mass_);
+}
+
+template <class T, int D>
+void Remeshing<T, D>::adopt_filtered() {
+  for (const Field f : {Field::velocity, Field::material}) {
+    body_.stage[1][f].swap(body_.stage[2][f]);
+  }
+  body_.stage[1][Field::mass][0].swap(filtered_mass_);
+}
+
+template <class T, int D>
+void Remeshing<T, D>::list_images(Population<T, D>& population, int block) const {
+  auto& images = population.images[block];
+  images.clear();
+  if (body_.lattice.period == Cell<D>{}) return;
+  const Layout<D>& layout = population.layout;
+  layout.for_each_slot(layout.blocks()[block], [&](std::int64_t p, const Cell<D>& cell) {
+    if (body_.lattice.is_wrapped(cell)) return;
+    const std::int64_t q = layout.slot(body_.lattice.wrapped(cell));
+    if (q >= 0 && population.kind[q] != Kind::vacant) {
+      images.emplace_back(static_cast<std::int32_t>(p), static_cast<std::int32_t>(q));
+    }
+  });
+}
+
+// Slots beyond a period repeat the fields and the validity one period away.
+template <class T, int D>
+void Remeshing<T, D>::copy_images(int block) {
+  Population<T, D>& to = body_.spare;
+  list_images(to, block);
+  for (const auto& [image, source] : to.images[block]) {
+    to.kind[image] = Kind::image;
+    valid_[image] = valid_[source];
+    for (const FieldDeclaration& f : fields) {
+      for (Buffer<T>& component : body_.stage[1][f.field]) component[image] = component[source];
+    }
+  }
+}
+
+template <class T, int D>
+void Remeshing<T, D>::place_initial(const Case& settings, const BodyCase& source) {
+  const double h = body_.lattice.spacing;
+  const double limit = LevelSet<T, D>::far * h;
+  const std::vector<Shape> walls = attached_walls(settings);
+  const Shape surface = free_surface(source.geometry, walls, D);
+  const auto padded = [](const Point<D>& x) {
+    Vector v = {};
+    std::copy(x.begin(), x.end(), v.begin());
+    return v;
+  };
+  const Box box = bounding_box(source.geometry);
+  Cell<D> lower, upper;
+  for (int a = 0; a < D; ++a) {
+    lower[a] = body_.lattice.cell(a, box.lower[a]) - 1;
+    upper[a] = body_.lattice.cell(a, box.upper[a]) + 1;
+    if (body_.lattice.period[a] != 0) {
+      lower[a] = 0;
+      upper[a] = body_.lattice.period[a] - 1;
+    }
+  }
+  occupancy_.reset(lower, upper, layout_reach);
+  Cell<D> cell = lower;
+  while (true) {
+    if (signed_distance(source.geometry, padded(body_.lattice.node(cell)), D) < 0) {
+      occupancy_.mark(cell);
+    }
+    int a = 0;
+    while (a < D && ++cell[a] > upper[a]) {
+      cell[a] = lower[a];
+      ++a;
+    }
+    if (a == D) break;
+  }
+  occupancy_.dilate(layout_reach);
+  prepare_spare();
+
+  FieldStore<T, D>& state = body_.stage[1];
+  const T volume = static_cast<T>(std::pow(h, D));
+  const bool deforms = body_.material.model == kernels::Model::reduced_polynomial;
+  has_surface_ = false;
+  for (const Block<D>& block : body_.spare.layout.blocks()) {
+    body_.spare.layout.for_each_slot(block, [&](std::int64_t p, const Cell<D>& at) {
+      const Vector x = padded(body_.lattice.node(body_.lattice.wrapped(at)));
+      const double phi = signed_distance(surface, x, D);
+      state.get(Field::level_set)[p] = static_cast<T>(std::clamp(phi, -limit, limit));
+      has_surface_ = has_surface_ || phi > -limit;
+      valid_[p] = phi < ghost_band * h ? T(1) : T(0);
+      const Vector u = initial_velocity(source, x);
+      for (int a = 0; a < D; ++a) state.get(Field::velocity, a)[p] = static_cast<T>(u[a]);
+      state.get(Field::volume)[p] = volume;
+      state.get(Field::mass)[p] = body_.material.density * volume;
+      for (int c = 0; c < state.carried(); ++c) {
+        state.get(Field::material, c)[p] = deforms && c % (D + 1) == 0 ? T(1) : T(0);
+      }
+    });
+  }
+}
+
+template void Remeshing<double, 2>::scatter(int);
+template void Remeshing<double, 2>::filter(int);
+template void Remeshing<double, 2>::adopt_filtered();
+template void Remeshing<double, 2>::list_images(Population<double, 2>&, int) const;
+template void Remeshing<double, 2>::copy_images(int);
+template void Remeshing<double, 2>::place_initial(const Case&, const BodyCase&);
+
+}  // namespace pliant::remeshed

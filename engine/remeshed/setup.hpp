@@ -1,0 +1,17 @@
+#pragma once
+
+#include "engine/case/case.hpp"
+#include "engine/lattice/lattice.hpp"
+
+namespace pliant::remeshed {
+
+/// The lattice of a body: nodes lie symmetrically in its bounding box, so that a box whose sides
+/// are whole multiples of the spacing has its surfaces half-way between nodes; periodic directions
+/// start at the lower end of the cell.
+template <int D>
+Lattice<D> body_lattice(const Case& settings, const BodyCase& body);
+
+/// Velocity of a body's material at `x` at t = 0 [m/s].
+Vector initial_velocity(const BodyCase& body, const Vector& x);
+
+}  // namespace pliant::remeshed

@@ -1,0 +1,272 @@
+#include "engine/remeshed/solver.hpp"
+
+#include <fmt/format.h>
+
+#include <chrono>
+#include <cmath>
+
+#include "engine/remeshed/resources.hpp"
+#include "engine/remeshed/setup.hpp"
+
+namespace pliant::remeshed {
+
+namespace {
+
+template <class T, int D>
+State<T, D> empty_state(const Case& settings) {
+  State<T, D> state{{}, Boundaries<D>(settings.boundaries), {}, {}};
+  state.bodies.resize(settings.bodies.size());
+  return state;
+}
+
+template <class T>
+kernels::Material<T> converted(const kernels::Material<double>& m) {
+  kernels::Material<T> material;
+  material.model = m.model;
+  material.density = static_cast<T>(m.density);
+  material.bulk_modulus = static_cast<T>(m.bulk_modulus);
+  material.shear_modulus = static_cast<T>(m.shear_modulus);
+  material.order = m.order;
+  for (std::size_t n = 0; n < m.coefficient.size(); ++n) {
+    material.coefficient[n] = static_cast<T>(m.coefficient[n]);
+  }
+  material.compressibility = static_cast<T>(m.compressibility);
+  return material;
+}
+
+// Shares of a period or of a spacing that rounding may leave between two times.
+constexpr double rounding = 1e-9;
+
+}  // namespace
+
+template <class T, int D>
+Solver<T, D>::Solver(const Case& settings, int threads, kernels::Isa isa)
+    : settings_(settings),
+      workers_(threads),
+      kernels_(kernels::table<T, D>(isa)),
+      state_(empty_state<T, D>(settings_)),
+      step_(state_, settings_, kernels_) {
+  for (std::size_t b = 0; b < settings_.bodies.size(); ++b) {
+    Body<T, D>& body = state_.bodies[b];
+    const BodyCase& source = settings_.bodies[b];
+    body.name = source.name;
+    body.source = &source;
+    body.material = converted<T>(source.material);
+    body.lattice = body_lattice<D>(settings_, source);
+    for (int buffer = 0; buffer < 4; ++buffer) {
+      body.stage[buffer] = FieldStore<T, D>(body.material.model, buffer > 1);
+    }
+    remeshings_.push_back(
+        std::make_unique<Remeshing<T, D>>(settings_, body, state_.boundaries, kernels_, workers_));
+    remeshings_.back()->place_initial(settings_, source);
+  }
+  std::vector<scheduler::Phase> phases;
+  int first = 0;
+  for (auto& remeshing : remeshings_) {
+    remeshing->arrival_phases(phases, first, false);
+    first += static_cast<int>(
+        state_.bodies[&remeshing - remeshings_.data()].spare.layout.blocks().size());
+  }
+  scheduler::StepGraph initial(std::move(phases), blocks(true), resource::names());
+  initial.run(workers_);
+  commit();
+}
+
+template <class T, int D>
+double Solver<T, D>::time_step() const {
+  if (settings_.time.step) return *settings_.time.step;
+  return settings_.time.cfl * settings_.discretisation.spacing / state_.clock.wave_speed;
+}
+
+template <class T, int D>
+void Solver<T, D>::step(double longest) {
+  const auto start = std::chrono::steady_clock::now();
+  Clock& clock = state_.clock;
+  double dt = time_step();
+  if (dt > longest * (1 - rounding)) dt = longest;
+  if (!(dt > 1e-12 * settings_.time.end)) {
+    throw StepFailure(
+        fmt::format("t = {:.6g}: the time step has collapsed to {:.3g} s (largest wave speed "
+                    "{:.3g} m/s); check "
+                    "the material constants and the loading, or use a finer spacing",
+                    clock.time, dt, clock.wave_speed));
+  }
+  step_.prepare(dt);
+  run(*step_graph_);
+  step_.fold();
+  check(step_.result());
+  for (Wall<D>& wall : state_.boundaries.walls) wall.move(clock.time, dt);
+  clock.time += dt;
+  ++clock.step;
+  ++clock.steps_since_remeshing;
+  ++clock.steps_since_reinitialisation;
+  clock.accumulated_strain += dt * step_.result().strain_rate;
+  clock.wave_speed = step_.result().wave_speed;
+  particle_stages_ += 4 * particles();
+  if (remeshing_due()) {
+    const bool reinitialise =
+        clock.steps_since_reinitialisation >= settings_.level_set.reinitialise_every;
+    remesh_onto_spare(reinitialise);
+    if (reinitialise) clock.steps_since_reinitialisation = 0;
+    ++clock.remeshings;
+    clock.steps_since_remeshing = 0;
+    clock.accumulated_strain = 0;
+    commit();
+  }
+  loop_seconds_ += std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+}
+
+template <class T, int D>
+bool Solver<T, D>::remeshing_due() const {
+  using Policy = decltype(Case{}.remeshing)::Policy;
+  switch (settings_.remeshing.policy) {
+    case Policy::every:
+      return state_.clock.steps_since_remeshing >= settings_.remeshing.every;
+    case Policy::adaptive:
+      return state_.clock.accumulated_strain > settings_.remeshing.strain;
+    case Policy::never:
+      return false;
+  }
+  return false;
+}
+
+template <class T, int D>
+void Solver<T, D>::remesh_onto_spare(bool reinitialise) {
+  step_.prepare(0);
+  const auto each_body = [&](bool spare, auto add) {
+    std::vector<scheduler::Phase> phases;
+    int first = 0;
+    for (std::size_t b = 0; b < remeshings_.size(); ++b) {
+      add(phases, *remeshings_[b], first);
+      const Body<T, D>& body = state_.bodies[b];
+      first += static_cast<int>((spare ? body.spare : body.population).layout.blocks().size());
+    }
+    return phases;
+  };
+  run(graph_for(departure_graph_, blocks(false), [&] {
+    std::vector<scheduler::Phase> phases = step_.ghost_phases();
+    for (auto& phase : each_body(false, [](auto&list, auto&remeshing, int first) {
+           remeshing.departure_phases(list, first);
+         })) {
+      phases.push_back(std::move(phase));
+    }
+    return phases;
+  }));
+  for (auto& remeshing : remeshings_) remeshing->set_reinitialise(reinitialise);
+  run(graph_for(arrival_graph_, blocks(true), [&] {
+    return each_body(true, [](auto& list, auto& remeshing, int first) {
+      remeshing.arrival_phases(list, first, true);
+    });
+  }));
+}
+
+template <class T, int D>
+void Solver<T, D>::commit() {
+  for (auto& remeshing : remeshings_) remeshing->commit();
+  restored();
+  run(graph_for(stress_graph_, blocks(false), [&] { return step_.stress_phases(); }));
+  step_.fold();
+  check(step_.result());
+  state_.clock.wave_speed = step_.result().wave_speed;
+}
+
+template <class T, int D>
+void Solver<T, D>::restored() {
+  number_blocks();
+  graph_for(step_graph_, blocks(false), [&] { return step_.phases(); });
+}
+
+template <class T, int D>
+void Solver<T, D>::number_blocks() {
+  state_.blocks.clear();
+  for (std::size_t b = 0; b < state_.bodies.size(); ++b) {
+    const int count = static_cast<int>(state_.bodies[b].population.layout.blocks().size());
+    for (int i = 0; i < count; ++i) state_.blocks.push_back({static_cast<int>(b), i});
+  }
+}
+
+template <class T, int D>
+scheduler::Blocks Solver<T, D>::blocks(bool spare) const {
+  scheduler::Blocks blocks;
+  for (const Body<T, D>& body : state_.bodies) {
+    const int first = blocks.count();
+    for (const auto& near : (spare ? body.spare : body.population).layout.neighbours()) {
+      blocks.neighbours.emplace_back(near);
+      for (int& b : blocks.neighbours.back()) b += first;
+    }
+  }
+  return blocks;
+}
+
+template <class T, int D>
+template <class F>
+scheduler::StepGraph& Solver<T, D>::graph_for(Graph& graph, const scheduler::Blocks& blocks,
+                                              F&& make_phases) {
+  if (!graph || graph->blocks().neighbours != blocks.neighbours) {
+    graph = std::make_unique<scheduler::StepGraph>(make_phases(), blocks, resource::names());
+  }
+  return *graph;
+}
+
+template <class T, int D>
+void Solver<T, D>::run(scheduler::StepGraph& graph) {
+  graph.run(workers_);
+  graph.record().simulated_time = state_.clock.time;
+  totals_.add(graph.record(), graph.timer_names());
+}
+
+template <class T, int D>
+void Solver<T, D>::check(const kernels::StageResult& result) const {
+  if (result.non_finite < 0) return;
+  const BlockOwner owner = state_.blocks[step_.failed_block()];
+  const Body<T, D>& body = state_.bodies[owner.body];
+  const Point<D> x = body.lattice.node(body.population.layout.cell(result.non_finite));
+  throw StepFailure(
+      fmt::format("t = {:.6g}, step {}: particle {} of body `{}` near ({:.4g}, {:.4g}) is no "
+                  "longer finite or has "
+                  "lost its volume; use a smaller time step (time.cfl), remesh more often "
+                  "(remeshing.strain), or "
+                  "use a finer spacing",
+                  state_.clock.time, state_.clock.step, result.non_finite, body.name, x[0], x[1]));
+}
+
+template <class T, int D>
+std::int64_t Solver<T, D>::particles() const {
+  std::int64_t sum = 0;
+  for (const Body<T, D>& body : state_.bodies) sum += body.population.particles;
+  return sum;
+}
+
+template <class T, int D>
+std::vector<LatticeView<T, D>> Solver<T, D>::on_nodes() {
+  const bool fresh = state_.clock.steps_since_remeshing == 0;
+  if (!fresh) remesh_onto_spare(false);
+  std::vector<LatticeView<T, D>> views;
+  for (const Body<T, D>& body : state_.bodies) {
+    views.push_back({body, fresh ? body.population : body.spare, body.stage[fresh ? 0 : 1]});
+  }
+  return views;
+}
+
+template <class T, int D>
+void Solver<T, D>::refresh_ghosts() {
+  step_.prepare(0);
+  run(graph_for(ghost_graph_, blocks(false), [&] { return step_.ghost_phases(); }));
+}
+
+template <class T, int D>
+std::size_t Solver<T, D>::bytes() const {
+  std::size_t sum = 0;
+  for (const Body<T, D>& body : state_.bodies) {
+    for (const auto& store : body.stage) sum += store.bytes();
+    for (const auto& parity : body.stress) {
+      for (const auto& component : parity) sum += component.bytes();
+    }
+    sum += body.records.bytes() + body.population.interior.bytes() + body.spare.interior.bytes();
+  }
+  return sum;
+}
+
+template class Solver<double, 2>;
+
+}  // namespace pliant::remeshed

@@ -1,0 +1,93 @@
+#pragma once
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "engine/remeshed/failure.hpp"
+#include "engine/remeshed/remesh.hpp"
+#include "engine/remeshed/state.hpp"
+#include "engine/remeshed/step.hpp"
+#include "kernels/table.hpp"
+#include "scheduler/step_graph.hpp"
+#include "scheduler/step_record.hpp"
+#include "scheduler/workers.hpp"
+
+namespace pliant::remeshed {
+
+/// A body's fields on nodes: what surface and integral measurements read.
+template <class T, int D>
+struct LatticeView {
+  const Body<T, D>& body;
+  const Population<T, D>& population;
+  const FieldStore<T, D>& fields;
+};
+
+/// Advances a case by the remeshed method: steps, and remeshings when they are due.
+template <class T, int D>
+class Solver {
+ public:
+  /// Throws std::invalid_argument for what the method does not run.
+  Solver(const Case& settings, int threads, kernels::Isa isa);
+
+  /// One time step, at most `longest` [s], and the remeshing that is due after it.
+  /// Throws StepFailure.
+  void step(double longest);
+
+  /// Step length that the case asks for [s], before it is fitted to an output time.
+  double time_step() const;
+
+  const Clock& clock() const { return state_.clock; }
+  State<T, D>& state() { return state_; }
+  const State<T, D>& state() const { return state_; }
+  const Case& settings() const { return settings_; }
+  bool remeshes() const { return settings_.remeshing.policy != remeshing_never; }
+  std::int64_t particles() const;
+  std::size_t bytes() const;
+
+  /// The bodies on fresh nodes at the present time: the particles themselves after a remeshing,
+  /// else a remeshed copy; the particles stay as they are.
+  std::vector<LatticeView<T, D>> on_nodes();
+  /// Velocity and stress of the ghosts at the present state, for output.
+  void refresh_ghosts();
+
+  /// After the state has been read from a checkpoint.
+  void restored();
+  Remeshing<T, D>& remeshing(int body) { return *remeshings_[body]; }
+
+  const scheduler::StepTotals& totals() const { return totals_; }
+  const scheduler::StepGraph& step_graph() const { return *step_graph_; }
+  scheduler::StepGraph& step_graph() { return *step_graph_; }
+  scheduler::Workers& workers() { return workers_; }
+  std::int64_t particle_stages() const { return particle_stages_; }
+  double loop_seconds() const { return loop_seconds_; }
+
+ private:
+  static constexpr auto remeshing_never = decltype(Case{}.remeshing)::Policy::never;
+  using Graph = std::unique_ptr<scheduler::StepGraph>;
+
+  bool remeshing_due() const;
+  void remesh_onto_spare(bool reinitialise);
+  void commit();
+  void number_blocks();
+  scheduler::Blocks blocks(bool spare) const;
+  template <class F>
+  scheduler::StepGraph& graph_for(Graph& graph, const scheduler::Blocks& blocks, F&& make_phases);
+  void run(scheduler::StepGraph& graph);
+  void check(const kernels::StageResult& result) const;
+
+  Case settings_;
+  scheduler::Workers workers_;
+  const kernels::Table<T, D>& kernels_;
+  State<T, D> state_;
+  Step<T, D> step_;
+  std::vector<std::unique_ptr<Remeshing<T, D>>> remeshings_;
+  Graph step_graph_, ghost_graph_, departure_graph_, arrival_graph_, stress_graph_;
+  scheduler::StepTotals totals_;
+  std::int64_t particle_stages_ = 0;
+  double loop_seconds_ = 0;
+};
+
+extern template class Solver<double, 2>;
+
+}  // namespace pliant::remeshed

@@ -1,0 +1,243 @@
+#include "engine/remeshed/step.hpp"
+
+#include <algorithm>
+
+#include "engine/remeshed/resources.hpp"
+
+// A step of the remeshed Lagrangian particle method (H&K, sections 2 and 4).
+//
+//   for each stage s = 0..3 of the Runge-Kutta method (RP.19), stage states Q0, Q2, Q3, Q4:
+//     surface   grad phi of the particles near the surface (RP.18); their u, sigma, grad phi, p are
+//               packed side by side, one cache line each
+//     ghosts    each ghost takes velocity and stress from the packed particles: the free surface
+//     with
+//               its present normal (RP.37), (RP.34), walls (RP.35), (RP.36), as the paper (RP.38)
+//     advance   grad u and div sigma of every particle by the moment matrix (RP.18), its rates
+//               (RP.12), the next stage state and the stress that belongs to it (RP.3)-(RP.9)
+//
+// A step only follows particles. Moving them back onto the lattice is in remesh.cpp; when that is
+// due is decided in solver.cpp.
+namespace pliant::remeshed {
+
+using scheduler::Phase;
+using scheduler::Reach;
+
+template <class T, int D>
+Step<T, D>::Step(State<T, D>& state, const Case& settings, const kernels::Table<T, D>& kernels)
+    : state_(state), settings_(settings), kernels_(kernels) {}
+
+template <class T, int D>
+std::vector<Phase> Step<T, D>::phases() {
+  results_.assign(state_.blocks.size(), {0, 0, -1});
+  std::vector<Phase> phases;
+  for (int stage = 0; stage < 4; ++stage) {
+    add_ghosts(phases, stage);
+    add_advance(phases, stage);
+  }
+  return phases;
+}
+
+template <class T, int D>
+std::vector<Phase> Step<T, D>::ghost_phases() {
+  std::vector<Phase> phases;
+  add_ghosts(phases, 0);
+  return phases;
+}
+
+template <class T, int D>
+std::vector<Phase> Step<T, D>::stress_phases() {
+  results_.assign(state_.blocks.size(), {0, 0, -1});
+  return {{"stress",
+           -1,
+           {{resource::material(0)}},
+           {{resource::stress(0)}},
+           Phase::Extent::per_block,
+           {},
+           [this](int block) { evaluate_stress(block); }}};
+}
+
+template <class T, int D>
+void Step<T, D>::add_ghosts(std::vector<Phase>& phases, int stage) {
+  const int parity = stage % 2;
+  const auto each = [&](const char* name, std::vector<scheduler::Access> reads,
+                        std::vector<scheduler::Access> writes, auto run) {
+    phases.push_back({name,
+                      stage,
+                      std::move(reads),
+                      std::move(writes),
+                      Phase::Extent::per_block,
+                      {},
+                      [this, stage, run](int block) { (this->*run)(block, stage); }});
+  };
+  if (periodic()) {
+    each("image positions", {{resource::drift(stage), Reach::neighbours}},
+         {{resource::drift(stage)}}, &Step::copy_image_drift);
+  }
+  each("surface",
+       {{resource::drift(stage), Reach::neighbours},
+        {resource::velocity(stage)},
+        {resource::stress(parity)},
+        {resource::material(stage)}},
+       {{resource::records}}, &Step::write_records);
+  each("ghosts",
+       {{resource::records, Reach::neighbours},
+        {resource::drift(stage), Reach::neighbours},
+        {resource::velocity(stage), Reach::neighbours}},
+       {{resource::velocity(stage)}, {resource::stress(parity)}}, &Step::fill);
+  if (periodic()) {
+    each("images",
+         {{resource::velocity(stage), Reach::neighbours},
+          {resource::stress(parity), Reach::neighbours}},
+         {{resource::velocity(stage)}, {resource::stress(parity)}}, &Step::copy_images);
+  }
+}
+
+template <class T, int D>
+void Step<T, D>::add_advance(std::vector<Phase>& phases, int stage) {
+  const int parity = stage % 2, next = (stage + 1) % 4;
+  std::vector<scheduler::Access> reads = {{resource::drift(stage), Reach::neighbours},
+                                          {resource::velocity(stage), Reach::neighbours},
+                                          {resource::stress(parity), Reach::neighbours},
+                                          {resource::material(stage)}};
+  for (int buffer = 0; buffer <= stage; ++buffer) {
+    reads.insert(
+        reads.end(),
+        {{resource::drift(buffer)}, {resource::velocity(buffer)}, {resource::material(buffer)}});
+  }
+  phases.push_back({"advance",
+                    stage,
+                    std::move(reads),
+                    {{resource::drift(next)},
+                     {resource::velocity(next)},
+                     {resource::material(next)},
+                     {resource::stress(1 - parity)},
+                     {resource::result}},
+                    Phase::Extent::per_block,
+                    {},
+                    [this, stage](int block) { advance(block, stage); }});
+}
+
+template <class T, int D>
+bool Step<T, D>::periodic() const {
+  return std::any_of(state_.bodies.begin(), state_.bodies.end(),
+                     [](const Body<T, D>& body) { return body.lattice.period != Cell<D>{}; });
+}
+
+template <class T, int D>
+void Step<T, D>::prepare(double time_step) {
+  time_step_ = time_step;
+  for (int stage = 0; stage < 4; ++stage) {
+    boundary_values_[stage].evaluate(state_.boundaries,
+                                     state_.clock.time + stage_time[stage] * time_step);
+  }
+}
+
+template <class T, int D>
+void Step<T, D>::fold() {
+  result_ = {0, 0, -1};
+  failed_block_ = -1;
+  for (std::size_t b = 0; b < results_.size(); ++b) {
+    result_.strain_rate = std::max(result_.strain_rate, results_[b].strain_rate);
+    result_.wave_speed = std::max(result_.wave_speed, results_[b].wave_speed);
+    if (results_[b].non_finite >= 0 && failed_block_ < 0) {
+      result_.non_finite = results_[b].non_finite;
+      failed_block_ = static_cast<int>(b);
+    }
+  }
+}
+
+// A body drifts with its images, so that only the drift is copied, never the position.
+template <class T, int D>
+void Step<T, D>::copy_image_drift(int block, int stage) {
+  const auto [body, local] = owner(block);
+  for (auto& component : body.stage[stage][Field::displacement]) {
+    for (const auto& [image, source] : body.population.images[local]) {
+      component[image] = component[source];
+    }
+  }
+}
+
+template <class T, int D>
+void Step<T, D>::copy_images(int block, int stage) {
+  const auto [body, local] = owner(block);
+  const auto& images = body.population.images[local];
+  for (auto& component : body.stage[stage][Field::velocity]) {
+    for (const auto& [image, source] : images) component[image] = component[source];
+  }
+  for (auto& component : body.stress[stage % 2]) {
+    for (const auto& [image, source] : images) component[image] = component[source];
+  }
+}
+
+template <class T, int D>
+void Step<T, D>::write_records(int block, int stage) {
+  const auto [body, local] = owner(block);
+  const Layout<D>& layout = body.population.layout;
+  const BlockGhosts<T, D>& ghosts = body.population.ghosts[local];
+  kernels::SurfaceRecords<T, D> work = {};
+  work.segments = layout.segments_of(layout.blocks()[local]);
+  work.packs = ghosts.packs.data();
+  work.pack_count = static_cast<int>(ghosts.packs.size());
+  work.spacing = static_cast<T>(body.lattice.spacing);
+  work.weight = settings_.discretisation.weight;
+  work.material = body.material;
+  work.mass = body.stage[0].get(Field::mass);
+  work.level_set = body.stage[0].get(Field::level_set);
+  work.state = body.stage[stage].template evolving<const T>();
+  work.stress = std::as_const(body).stress_view(stage % 2);
+  work.records = body.records.get();
+  kernels_.write_surface_records(work);
+}
+
+template <class T, int D>
+void Step<T, D>::fill(int block, int stage) {
+  const auto [body, local] = owner(block);
+  fill_ghosts<T, D>(body, local, stage, stage % 2, state_.boundaries, boundary_values_[stage],
+                    settings_.ghosts, kernels_);
+}
+
+template <class T, int D>
+void Step<T, D>::advance(int block, int stage) {
+  const auto [body, local] = owner(block);
+  const Population<T, D>& population = body.population;
+  const Block<D>& range = population.layout.blocks()[local];
+  kernels::Stage<T, D> work = {};
+  work.segments = population.layout.segments_of(range);
+  work.segment_count = range.segment_count;
+  work.spacing = static_cast<T>(body.lattice.spacing);
+  work.time_step = static_cast<T>(time_step_);
+  work.stage = stage;
+  work.weight = settings_.discretisation.weight;
+  work.material = body.material;
+  work.pack_state = population.pack_state.get();
+  work.interior = population.interior.get();
+  work.mass = body.stage[0].get(Field::mass);
+  work.current = body.stage[stage].template evolving<const T>();
+  work.stress = std::as_const(body).stress_view(stage % 2);
+  work.start = body.stage[0].template evolving<const T>();
+  work.second = body.stage[1].template evolving<const T>();
+  work.third = body.stage[2].template evolving<const T>();
+  work.next = body.stage[(stage + 1) % 4].evolving();
+  work.next_stress = body.stress_view(1 - stage % 2);
+  results_[block] = kernels_.advance_stage(work);
+}
+
+template <class T, int D>
+void Step<T, D>::evaluate_stress(int block) {
+  const auto [body, local] = owner(block);
+  const Block<D>& range = body.population.layout.blocks()[local];
+  kernels::StressOfState<T, D> work = {};
+  work.segments = body.population.layout.segments_of(range);
+  work.segment_count = range.segment_count;
+  work.material = body.material;
+  work.pack_state = body.population.pack_state.get();
+  work.interior = body.population.interior.get();
+  work.mass = body.stage[0].get(Field::mass);
+  work.state = body.stage[0].template evolving<const T>();
+  work.stress = body.stress_view(0);
+  results_[block] = kernels_.evaluate_stress(work);
+}
+
+template class Step<double, 2>;
+
+}  // namespace pliant::remeshed

@@ -1,0 +1,67 @@
+#pragma once
+
+#include <array>
+#include <vector>
+
+#include "engine/remeshed/ghost_fill.hpp"
+#include "engine/remeshed/state.hpp"
+#include "kernels/table.hpp"
+#include "scheduler/phase.hpp"
+
+namespace pliant::remeshed {
+
+/// One step of the remeshed Lagrangian particle method as phases: four Runge-Kutta stages, each of
+/// ghosts and particles.
+template <class T, int D>
+class Step {
+ public:
+  Step(State<T, D>& state, const Case& settings, const kernels::Table<T, D>& kernels);
+
+  /// The phases of a step, in the order of the paper, over the present blocks.
+  std::vector<scheduler::Phase> phases();
+  /// Those that bring the ghosts of stage 0 up to date.
+  std::vector<scheduler::Phase> ghost_phases();
+  /// Those that compute the stress of a state that no stage has left behind.
+  std::vector<scheduler::Phase> stress_phases();
+
+  /// Fixes the time step [s] and what the boundaries impose at each stage.
+  void prepare(double time_step);
+  /// What the last step found, folded over the blocks in their order.
+  const kernels::StageResult& result() const { return result_; }
+  int failed_block() const { return failed_block_; }
+  void fold();
+
+ private:
+  static constexpr std::array<double, 4> stage_time = {0, 0.5, 0.5, 1};
+
+  struct Owner {
+    Body<T, D>& body;
+    int block;
+  };
+  Owner owner(int block) {
+    return {state_.bodies[state_.blocks[block].body], state_.blocks[block].block};
+  }
+  bool periodic() const;
+  void add_ghosts(std::vector<scheduler::Phase>& phases, int stage);
+  void add_advance(std::vector<scheduler::Phase>& phases, int stage);
+
+  void copy_image_drift(int block, int stage);
+  void write_records(int block, int stage);
+  void fill(int block, int stage);
+  void copy_images(int block, int stage);
+  void advance(int block, int stage);
+  void evaluate_stress(int block);
+
+  State<T, D>& state_;
+  const Case& settings_;
+  const kernels::Table<T, D>& kernels_;
+  double time_step_ = 0;
+  std::array<BoundaryValues<D>, 4> boundary_values_;  ///< [stage]
+  std::vector<kernels::StageResult> results_;         ///< [block]
+  kernels::StageResult result_ = {0, 0, -1};
+  int failed_block_ = -1;
+};
+
+extern template class Step<double, 2>;
+
+}  // namespace pliant::remeshed

@@ -1,0 +1,96 @@
+#include "engine/remeshed/walls.hpp"
+
+#include <limits>
+
+#include "engine/geometry/signed_distance.hpp"
+
+namespace pliant::remeshed {
+
+namespace {
+
+template <int D>
+Vector padded(const Point<D>& x) {
+  Vector v = {};
+  for (int a = 0; a < D; ++a) v[a] = x[a];
+  return v;
+}
+
+}  // namespace
+
+template <int D>
+Wall<D>::Wall(const BoundaryCase& boundary)
+    : shape_(boundary.geometry),
+      velocity_(boundary.velocity),
+      slips_(boundary.kind == BoundaryCase::Kind::slip_wall) {}
+
+template <int D>
+Vector Wall<D>::at_rest(const Point<D>& x) const {
+  Vector at = {};
+  for (int a = 0; a < D; ++a) at[a] = x[a] - offset_[a];
+  return at;
+}
+
+template <int D>
+double Wall<D>::distance(const Point<D>& x) const {
+  return signed_distance(shape_, at_rest(x), D);
+}
+
+template <int D>
+Point<D> Wall<D>::normal(const Point<D>& x) const {
+  const Vector out = outward_direction(shape_, at_rest(x), D);
+  Point<D> n;
+  for (int a = 0; a < D; ++a) n[a] = out[a];
+  return n;
+}
+
+template <int D>
+Point<D> Wall<D>::velocity(double t) const {
+  Point<D> u;
+  for (int a = 0; a < D; ++a) u[a] = velocity_[a](t);
+  return u;
+}
+
+template <int D>
+void Wall<D>::move(double t, double time_step) {
+  const Point<D> u0 = velocity(t), u1 = velocity(t + time_step / 2), u2 = velocity(t + time_step);
+  for (int a = 0; a < D; ++a) offset_[a] += time_step / 6 * (u0[a] + 4 * u1[a] + u2[a]);
+}
+
+template <int D>
+SurfacePressure<D>::SurfacePressure(const BoundaryCase& boundary)
+    : region_(boundary.geometry), pressure_(boundary.pressure) {}
+
+template <int D>
+bool SurfacePressure<D>::acts_at(const Point<D>& x) const {
+  return signed_distance(region_, padded<D>(x), D) < 0;
+}
+
+template <int D>
+Boundaries<D>::Boundaries(const std::vector<BoundaryCase>& cases) {
+  for (const BoundaryCase& boundary : cases) {
+    if (boundary.kind == BoundaryCase::Kind::pressure) {
+      pressures.emplace_back(boundary);
+    } else {
+      walls.emplace_back(boundary);
+    }
+  }
+}
+
+template <int D>
+std::pair<int, double> Boundaries<D>::nearest_wall(const Point<D>& x) const {
+  std::pair<int, double> nearest{-1, std::numeric_limits<double>::infinity()};
+  for (int w = 0; w < static_cast<int>(walls.size()); ++w) {
+    const double d = walls[w].distance(x);
+    if (d < nearest.second) nearest = {w, d};
+  }
+  return nearest;
+}
+
+template class Wall<2>;
+template class Wall<3>;
+template class SurfacePressure<2>;
+template class SurfacePressure<3>;
+template struct Boundaries<2>;
+template struct Boundaries<3>;
+
+}  // namespace pliant::remeshed

@@ -1,0 +1,65 @@
+#pragma once
+
+#include <vector>
+
+#include "engine/case/case.hpp"
+#include "engine/lattice/lattice.hpp"
+
+namespace pliant::remeshed {
+
+/// A rigid solid that bonds to the body or lets it slide; it moves with a prescribed velocity.
+template <int D>
+class Wall {
+ public:
+  explicit Wall(const BoundaryCase& boundary);
+
+  /// Distance to the solid [m], negative inside it.
+  double distance(const Point<D>& x) const;
+  /// Unit normal out of the solid, towards the tissue.
+  Point<D> normal(const Point<D>& x) const;
+  bool slips() const { return slips_; }
+
+  Point<D> velocity(double t) const;
+  /// Displacement since t = 0 [m]; `move` adds that of one step by Simpson's rule.
+  const Point<D>& offset() const { return offset_; }
+  void move(double t, double time_step);
+  void restore(const Point<D>& offset) { offset_ = offset; }
+
+ private:
+  Vector at_rest(const Point<D>& x) const;  // where the wall's material point was at t = 0
+
+  Shape shape_;
+  VectorExpression velocity_;
+  bool slips_;
+  Point<D> offset_ = {};
+};
+
+/// Pressure on the free surface inside a region, (RP.34).
+template <int D>
+class SurfacePressure {
+ public:
+  explicit SurfacePressure(const BoundaryCase& boundary);
+  bool acts_at(const Point<D>& x) const;
+  double value(double t) const { return pressure_(t); }
+
+ private:
+  Shape region_;
+  Expression pressure_;
+};
+
+/// What bounds the bodies of a case, apart from their free surfaces.
+template <int D>
+struct Boundaries {
+  explicit Boundaries(const std::vector<BoundaryCase>& cases);
+
+  /// The wall nearest to `x` and the distance to it; {-1, infinity} without walls.
+  std::pair<int, double> nearest_wall(const Point<D>& x) const;
+
+  std::vector<Wall<D>> walls;
+  std::vector<SurfacePressure<D>> pressures;
+};
+
+extern template struct Boundaries<2>;
+extern template struct Boundaries<3>;
+
+}  // namespace pliant::remeshed

@@ -1,0 +1,100 @@
+#include "engine/simulation/frames.hpp"
+
+#include "engine/remeshed/point_state.hpp"
+
+namespace pliant {
+
+namespace {
+
+using remeshed::Body;
+using remeshed::Kind;
+
+struct Selection {
+  int body;
+  std::int64_t slot;
+  std::array<double, 3> position;
+};
+
+template <class T, int D>
+std::vector<Selection> select(const remeshed::State<T, D>& state, bool with_ghosts) {
+  std::vector<Selection> chosen;
+  for (std::size_t b = 0; b < state.bodies.size(); ++b) {
+    const Body<T, D>& body = state.bodies[b];
+    for (const Block<D>& block : body.population.layout.blocks()) {
+      body.population.layout.for_each_slot(block, [&](std::int64_t p, const Cell<D>& cell) {
+        const Kind kind = body.population.kind[p];
+        if (kind == Kind::vacant || (kind != Kind::interior && !with_ghosts)) return;
+        Selection s{static_cast<int>(b), p, {}};
+        const Point<D> x = body.position(p, cell);
+        for (int a = 0; a < D; ++a) s.position[a] = x[a];
+        chosen.push_back(s);
+      });
+    }
+  }
+  return chosen;
+}
+
+// xx, yy, zz, xy, yz, xz; plane strain has sigma_zz = -3 p - sigma_xx - sigma_yy by (RP.10).
+template <class T, int D>
+std::array<double, 6> full_stress(const Body<T, D>& body, std::int64_t p) {
+  const auto s = [&](int i, int j) {
+    return static_cast<double>(body.stress[0][kernels::symmetric_index<D>(i, j)][p]);
+  };
+  if constexpr (D == 2) {
+    const double pressure = remeshed::pressure<T, D>(body.material, body.stage[0], p);
+    return {s(0, 0), s(1, 1), -3 * pressure - s(0, 0) - s(1, 1), s(0, 1), 0, 0};
+  } else {
+    return {s(0, 0), s(1, 1), s(2, 2), s(0, 1), s(1, 2), s(0, 2)};
+  }
+}
+
+}  // namespace
+
+template <class T, int D>
+Frame take_frame(remeshed::Solver<T, D>& solver, bool with_ghosts) {
+  if (with_ghosts) solver.refresh_ghosts();
+  const auto& bodies = solver.state().bodies;
+  const std::vector<Selection> chosen = select(solver.state(), with_ghosts);
+  Frame frame;
+  frame.time = solver.clock().time;
+  frame.step = solver.clock().step;
+  for (const Selection& s : chosen) {
+    frame.position.insert(frame.position.end(), s.position.begin(), s.position.end());
+  }
+  const auto add = [&](const char* name, const char* unit, int components, auto value) {
+    std::vector<double> values;
+    values.reserve(chosen.size() * components);
+    for (const Selection& s : chosen) {
+      for (int c = 0; c < components; ++c) values.push_back(value(bodies[s.body], s.slot, c));
+    }
+    frame.fields.push_back({name, unit, components, std::move(values)});
+  };
+  using B = Body<T, D>;
+  add("velocity", "m/s", D, [](const B& body, std::int64_t p, int c) {
+    return body.stage[0].get(Field::velocity, c)[p];
+  });
+  add("displacement", "m", D, [](const B& body, std::int64_t p, int c) {
+    return body.stage[0].get(Field::carried, c)[p] + body.stage[0].get(Field::displacement, c)[p];
+  });
+  add("pressure", "Pa", 1, [](const B& body, std::int64_t p, int) {
+    return remeshed::pressure<T, D>(body.material, body.stage[0], p);
+  });
+  add("density", "kg/m^3", 1,
+      [](const B& body, std::int64_t p, int) { return remeshed::density<T, D>(body.stage[0], p); });
+  add("stress", "Pa", 6,
+      [](const B& body, std::int64_t p, int c) { return full_stress<T, D>(body, p)[c]; });
+  add("level_set", "m", 1,
+      [](const B& body, std::int64_t p, int) { return body.stage[0].get(Field::level_set)[p]; });
+  std::vector<std::int32_t> kinds, owners;
+  for (const Selection& s : chosen) {
+    kinds.push_back(static_cast<std::int32_t>(bodies[s.body].population.kind[s.slot]));
+    owners.push_back(s.body);
+  }
+  frame.fields.push_back({"kind", "1", 1, std::move(kinds)});
+  frame.fields.push_back({"body", "1", 1, std::move(owners)});
+  return frame;
+}
+
+template Frame take_frame<double, 2>(remeshed::Solver<double, 2>&, bool);
+
+}  // namespace pliant

@@ -1,0 +1,77 @@
+#include "engine/simulation/histories.hpp"
+
+#include <fmt/format.h>
+
+#include "engine/simulation/oscillation.hpp"
+
+namespace pliant {
+
+void Histories::add(double time, std::vector<double> values) {
+  if (start_.empty()) start_ = values;
+  times_.push_back(time);
+  for (std::size_t m = 0; m < values.size(); ++m) {
+    if (settings_->measurements[m].relative) values[m] /= start_[m];
+    rows_[m].push_back(values[m]);
+  }
+  for (std::size_t m = 0; m < values.size(); ++m) {
+    const MeasurementCase& measurement = settings_->measurements[m];
+    if (measurement.of < 0) continue;
+    const std::vector<double>& of = rows_[measurement.of];
+    rows_[m].back() = measurement.kind == MeasurementCase::Kind::period
+                          ? oscillation_period(times_, of)
+                          : amplitude_ratio(times_, of);
+  }
+}
+
+void Histories::put(ArchiveWriter& archive) const {
+  archive.put("histories/time", std::span<const double>(times_));
+  archive.put("histories/start", std::span<const double>(start_));
+  for (std::size_t m = 0; m < rows_.size(); ++m) {
+    archive.put(fmt::format("histories/{}", settings_->measurements[m].name),
+                std::span<const double>(rows_[m]));
+  }
+}
+
+void Histories::get(const ArchiveReader& archive) {
+  times_ = archive.get<double>("histories/time");
+  start_ = archive.get<double>("histories/start");
+  for (std::size_t m = 0; m < rows_.size(); ++m) {
+    rows_[m] = archive.get<double>(fmt::format("histories/{}", settings_->measurements[m].name));
+  }
+}
+
+std::string unit_of(const MeasurementCase& m, int dimension) {
+  using Kind = MeasurementCase::Kind;
+  const std::string per_depth = dimension == 2 ? "/m" : "";
+  if (m.relative) return "1";
+  switch (m.kind) {
+    case Kind::extent:
+    case Kind::ray:
+    case Kind::mean_radius:
+    case Kind::point_displacement:
+      return "m";
+    case Kind::point_value:
+      return m.field == "density"              ? "kg/m^3"
+             : m.field.starts_with("velocity") ? "m/s"
+             : m.field.starts_with("displ")    ? "m"
+                                               : "Pa";
+    case Kind::mass:
+      return "kg" + per_depth;
+    case Kind::momentum:
+      return "kg m/s" + per_depth;
+    case Kind::angular_momentum:
+      return "kg m^2/s" + per_depth;
+    case Kind::kinetic_energy:
+    case Kind::strain_energy:
+    case Kind::total_energy:
+      return "J" + per_depth;
+    case Kind::period:
+      return "s";
+    case Kind::velocity_error:
+    case Kind::amplitude_ratio:
+      return "1";
+  }
+  return "1";
+}
+
+}  // namespace pliant

@@ -1,0 +1,243 @@
+#include "engine/simulation/run.hpp"
+
+#include <fmt/format.h>
+#include <hdf5.h>
+#include <tbb/version.h>
+#include <xsimd/xsimd.hpp>
+
+#include <chrono>
+#include <cmath>
+#include <optional>
+
+#include "engine/case/resolved.hpp"
+#include "engine/output/atomic_file.hpp"
+#include "engine/output/checkpoint.hpp"
+#include "engine/output/interrupt.hpp"
+#include "engine/output/progress.hpp"
+#include "engine/output/result_file.hpp"
+#include "engine/output/summary.hpp"
+#include "engine/remeshed/measure.hpp"
+#include "engine/simulation/frames.hpp"
+#include "engine/simulation/histories.hpp"
+#include "engine/simulation/solver_archive.hpp"
+#include "engine/version.hpp"
+
+namespace pliant {
+
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+/// The k-th of the instants `every` apart; `every` = 0 means never.
+class Schedule {
+ public:
+  explicit Schedule(double every) : every_(every) {}
+  double next() const { return every_ > 0 ? every_ * static_cast<double>(count_ + 1) : HUGE_VAL; }
+  /// True when `time` has reached the next instant, which then lies behind.
+  bool reached(double time) {
+    if (time < next() * (1 - 1e-12)) return false;
+    ++count_;
+    return true;
+  }
+  std::int64_t count() const { return count_; }
+  void restore(std::int64_t count) { count_ = count; }
+
+ private:
+  double every_;
+  std::int64_t count_ = 0;
+};
+
+ConservedQuantities conserved(const remeshed::BodyIntegrals& sum) {
+  return {sum.mass,           sum.momentum,      sum.angular_momentum,
+          sum.kinetic_energy, sum.strain_energy, sum.kinetic_energy + sum.strain_energy};
+}
+
+template <class T, int D>
+class Run {
+ public:
+  Run(const Case& settings, const RunOptions& options)
+      : settings_(settings),
+        options_(options),
+        solver_(settings, options.threads, options.isa),
+        measurer_(solver_),
+        histories_(settings_),
+        frames_(settings.output.every),
+        samples_(settings.output.measure_every),
+        checkpoints_(settings.output.checkpoint_every),
+        progress_(options.quiet) {}
+
+  RunEnd operator()() {
+    const auto start = Clock::now();
+    options_.resume ? resume() : begin();
+    const Interrupt interrupt;
+    const double end = settings_.time.end;
+    while (solver_.clock().time < end * (1 - 1e-12)) {
+      solver_.step(std::min({end, frames_.next(), samples_.next(), checkpoints_.next()}) -
+                   solver_.clock().time);
+      observe();
+      if (interrupt.requested()) {
+        save();
+        progress_.message(fmt::format("interrupted at t = {:.6g}; `--resume` goes on from there",
+                                      solver_.clock().time));
+        return RunEnd::interrupted;
+      }
+    }
+    finish(std::chrono::duration<double>(Clock::now() - start).count());
+    return RunEnd::done;
+  }
+
+ private:
+  void begin() {
+    RunDescription description;
+    description.case_name = settings_.name;
+    description.title = settings_.title;
+    description.method = "remeshed";
+    description.version = std::string(version);
+    description.dimension = D;
+    description.resolved_case = resolved_toml(settings_);
+    write_atomically(options_.folder / "case.resolved.toml", description.resolved_case);
+    result_.emplace(ResultFile::create(options_.folder, description));
+    start_ = conserved(measurer_.totals());
+    particles_at_start_ = solver_.particles();
+    sample();
+    result_->append(take_frame(solver_, settings_.output.ghosts));
+  }
+
+  void resume() {
+    const ArchiveReader archive = open_checkpoint(options_.folder);
+    if (archive.text("case") != resolved_toml(settings_)) {
+      throw std::invalid_argument(
+          fmt::format("{}: the checkpoint belongs to another case or other settings; run without "
+                      "--resume, or with the settings in {}",
+                      archive.path().string(), (options_.folder / "case.resolved.toml").string()));
+    }
+    get_solver(archive, solver_);
+    histories_.get(archive);
+    frames_.restore(archive.scalar<std::int64_t>("schedule/frames"));
+    samples_.restore(archive.scalar<std::int64_t>("schedule/samples"));
+    checkpoints_.restore(archive.scalar<std::int64_t>("schedule/checkpoints"));
+    particles_at_start_ = archive.scalar<std::int64_t>("start/particles");
+    const auto start = archive.get<double>("start/conserved");
+    start_ = {start[0],
+              {start[1], start[2], start[3]},
+              {start[4], start[5], start[6]},
+              start[7],
+              start[8],
+              start[9]};
+    result_.emplace(ResultFile::resume(options_.folder, get_extent(archive, "result")));
+  }
+
+  void observe() {
+    const double t = solver_.clock().time;
+    const bool last = t >= settings_.time.end * (1 - 1e-12);
+    const bool fresh = solver_.clock().steps_since_remeshing == 0;
+    if (samples_.reached(t) || last || (settings_.output.measure_every == 0 && fresh)) sample();
+    const bool frame = frames_.reached(t) || last;
+    if (frame) result_->append(take_frame(solver_, settings_.output.ghosts));
+    // Without an interval of their own, checkpoints go with the frames.
+    if (checkpoints_.reached(t) || (frame && !last && settings_.output.checkpoint_every == 0))
+      save();
+    progress_.update({t, settings_.time.end, solver_.clock().step, solver_.time_step(),
+                      solver_.particle_stages()});
+  }
+
+  void sample() {
+    histories_.add(solver_.clock().time, measurer_());
+    for (std::size_t m = 0; m < settings_.measurements.size(); ++m) {
+      const MeasurementCase& measurement = settings_.measurements[m];
+      result_->append_history(measurement.name, unit_of(measurement, D), solver_.clock().time,
+                              histories_.last(m));
+    }
+  }
+
+  void save() {
+    const ResultExtent extent = result_->flush();
+    write_checkpoint(options_.folder, [&](ArchiveWriter& archive) {
+      archive.put("case", resolved_toml(settings_));
+      put_solver(archive, solver_);
+      histories_.put(archive);
+      archive.put("schedule/frames", frames_.count());
+      archive.put("schedule/samples", samples_.count());
+      archive.put("schedule/checkpoints", checkpoints_.count());
+      archive.put("start/particles", particles_at_start_);
+      const std::array<double, 10> start = {start_.mass,
+                                            start_.momentum[0],
+                                            start_.momentum[1],
+                                            start_.momentum[2],
+                                            start_.angular_momentum[0],
+                                            start_.angular_momentum[1],
+                                            start_.angular_momentum[2],
+                                            start_.kinetic_energy,
+                                            start_.strain_energy,
+                                            start_.total_energy};
+      archive.put("start/conserved", std::span<const double>(start));
+      put_extent(archive, "result", extent);
+    });
+  }
+
+  void finish(double wall_seconds) {
+    result_->close();
+    progress_.finish();
+    Summary summary;
+    summary.case_name = settings_.name;
+    summary.versions = {
+        {"pliant", std::string(version)},
+        {"oneTBB", fmt::format("{}.{}", TBB_VERSION_MAJOR, TBB_VERSION_MINOR)},
+        {"xsimd",
+         fmt::format("{}.{}.{}", XSIMD_VERSION_MAJOR, XSIMD_VERSION_MINOR, XSIMD_VERSION_PATCH)},
+        {"HDF5", fmt::format("{}.{}.{}", H5_VERS_MAJOR, H5_VERS_MINOR, H5_VERS_RELEASE)}};
+    summary.method = "remeshed";
+    summary.particles.start = particles_at_start_;
+    summary.particles.end = solver_.particles();
+    for (const auto& body : solver_.state().bodies) {
+      for (const auto& block : body.population.ghosts) {
+        summary.particles.ghosts += static_cast<std::int64_t>(block.slot.size());
+      }
+    }
+    summary.steps = solver_.clock().step;
+    summary.physical_time = solver_.clock().time;
+    summary.wall_time = wall_seconds;
+    for (const auto& timer : solver_.totals().timers()) {
+      summary.phases.push_back({timer.name, timer.seconds});
+    }
+    summary.performance.particle_stages = solver_.particle_stages();
+    summary.performance.step_wall_time = solver_.loop_seconds();
+    summary.performance.particle_stages_per_second =
+        solver_.loop_seconds() > 0
+            ? static_cast<double>(solver_.particle_stages()) / solver_.loop_seconds()
+            : 0;
+    summary.performance.threads = options_.threads;
+    summary.performance.isa = std::string(kernels::name(options_.isa));
+    summary.conserved.start = start_;
+    summary.conserved.end = conserved(measurer_.totals());
+    for (std::size_t m = 0; m < settings_.measurements.size(); ++m) {
+      const MeasurementCase& measurement = settings_.measurements[m];
+      summary.measurements.push_back(
+          {measurement.name, unit_of(measurement, D), histories_.last(m)});
+    }
+    write_summary(options_.folder, summary);
+  }
+
+  const Case& settings_;
+  const RunOptions& options_;
+  remeshed::Solver<T, D> solver_;
+  remeshed::Measurer<T, D> measurer_;
+  Histories histories_;
+  Schedule frames_, samples_, checkpoints_;
+  Progress progress_;
+  std::optional<ResultFile> result_;
+  ConservedQuantities start_;
+  std::int64_t particles_at_start_ = 0;
+};
+
+}  // namespace
+
+RunEnd run_case(const Case& settings, const RunOptions& options) {
+  if (settings.dimension != 2) {
+    throw std::invalid_argument(fmt::format(
+        "{}: this version runs two-dimensional cases; set dimension = 2", settings.name));
+  }
+  return Run<double, 2>(settings, options)();
+}
+
+}  // namespace pliant

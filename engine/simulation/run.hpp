@@ -1,0 +1,27 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+
+#include "engine/case/case.hpp"
+#include "kernels/isa.hpp"
+
+namespace pliant {
+
+/// How to run a case: everything that does not change its results.
+struct RunOptions {
+  std::filesystem::path folder;  ///< results go here
+  int threads = 1;
+  kernels::Isa isa = kernels::Isa::sse2;
+  bool resume = false;
+  bool quiet = false;
+};
+
+enum class RunEnd { done, interrupted };
+
+/// Runs a case from its beginning, or from the last checkpoint in the folder, to its end or to the
+/// first SIGINT or SIGTERM, which leaves a checkpoint. Writes result.h5, result.xdmf,
+/// case.resolved.toml and summary.json. Throws OutputError, StepFailure, std::invalid_argument.
+RunEnd run_case(const Case& settings, const RunOptions& options);
+
+}  // namespace pliant

@@ -1,0 +1,226 @@
+#include "engine/simulation/solver_archive.hpp"
+
+#include <fmt/format.h>
+
+#include "engine/remeshed/ghost_fits.hpp"
+
+namespace pliant {
+
+namespace {
+
+using remeshed::BlockGhosts;
+using remeshed::Body;
+using remeshed::Clock;
+using remeshed::Kind;
+using remeshed::Population;
+
+template <class F>
+void for_each_counter(Clock& clock, F&& f) {
+  f("step", clock.step);
+  f("remeshings", clock.remeshings);
+  f("steps_since_remeshing", clock.steps_since_remeshing);
+  f("steps_since_reinitialisation", clock.steps_since_reinitialisation);
+}
+
+template <class F>
+void for_each_clock_value(Clock& clock, F&& f) {
+  f("time", clock.time);
+  f("accumulated_strain", clock.accumulated_strain);
+  f("wave_speed", clock.wave_speed);
+}
+
+/// Calls f(name, buffer) for every slot array of a body.
+template <class T, int D, class F>
+void for_each_slot_array(Body<T, D>& body, F&& f) {
+  for (const FieldDeclaration& field : fields) {
+    auto& components = body.stage[0][field.field];
+    for (std::size_t c = 0; c < components.size(); ++c) {
+      f(fmt::format("{}/{}", field.name, c), components[c]);
+    }
+  }
+  for (std::size_t c = 0; c < body.stress[0].size(); ++c) {
+    f(fmt::format("stress/{}", c), body.stress[0][c]);
+  }
+  f(std::string("interior"), body.population.interior);
+}
+
+template <class V>
+std::vector<V> joined(std::size_t blocks, auto&& part) {
+  std::vector<V> all;
+  for (std::size_t b = 0; b < blocks; ++b) {
+    const auto& values = part(b);
+    all.insert(all.end(), values.begin(), values.end());
+  }
+  return all;
+}
+
+template <class T, int D>
+void put_ghosts(ArchiveWriter& archive, const std::string& group,
+                const Population<T, D>& population) {
+  const std::size_t blocks = population.ghosts.size();
+  std::vector<std::int64_t> sizes, begins, packs;
+  std::vector<std::int32_t> walls;
+  std::vector<double> normals;
+  for (const BlockGhosts<T, D>& g : population.ghosts) {
+    sizes.insert(
+        sizes.end(),
+        {static_cast<std::int64_t>(g.slot.size()), static_cast<std::int64_t>(g.neighbour.size()),
+         static_cast<std::int64_t>(g.packs.size()), g.first_record, g.record_count});
+    begins.insert(begins.end(), g.begin.begin(), g.begin.end());
+    for (std::size_t i = 0; i < g.slot.size(); ++i) {
+      walls.insert(walls.end(), {g.wall[i], g.pressure[i]});
+      normals.insert(normals.end(), g.normal[i].begin(), g.normal[i].end());
+    }
+    for (const kernels::SurfacePack& p : g.packs) {
+      packs.insert(packs.end(), {p.first, p.segment, p.record, p.lanes});
+    }
+  }
+  const auto& all = population.ghosts;
+  archive.put(group + "/sizes", std::span<const std::int64_t>(sizes));
+  archive.put(group + "/begin", std::span<const std::int64_t>(begins));
+  archive.put(group + "/packs", std::span<const std::int64_t>(packs));
+  archive.put(group + "/wall_and_pressure", std::span<const std::int32_t>(walls));
+  archive.put(group + "/normal", std::span<const double>(normals));
+  const auto put = [&]<class V>(const char* name, auto member) {
+    const std::vector<V> values =
+        joined<V>(blocks, [&](std::size_t b) -> const std::vector<V>& { return all[b].*member; });
+    archive.put(group + "/" + name, std::span<const V>(values));
+  };
+  using G = BlockGhosts<T, D>;
+  put.template operator()<std::int32_t>("slot", &G::slot);
+  put.template operator()<std::int32_t>("neighbour", &G::neighbour);
+  put.template operator()<std::int32_t>("record", &G::record);
+  put.template operator()<T>("linear", &G::linear);
+  put.template operator()<T>("constrained", &G::constrained);
+  put.template operator()<T>("constrained_sum", &G::constrained_sum);
+}
+
+template <class T, int D>
+void get_ghosts(const ArchiveReader& archive, const std::string& group,
+                Population<T, D>& population) {
+  const auto sizes = archive.get<std::int64_t>(group + "/sizes");
+  const auto begins = archive.get<std::int64_t>(group + "/begin");
+  const auto packs = archive.get<std::int64_t>(group + "/packs");
+  const auto walls = archive.get<std::int32_t>(group + "/wall_and_pressure");
+  const auto normals = archive.get<double>(group + "/normal");
+  const auto slots = archive.get<std::int32_t>(group + "/slot");
+  const auto neighbours = archive.get<std::int32_t>(group + "/neighbour");
+  const auto records = archive.get<std::int32_t>(group + "/record");
+  const auto linear = archive.get<T>(group + "/linear");
+  const auto constrained = archive.get<T>(group + "/constrained");
+  const auto sums = archive.get<T>(group + "/constrained_sum");
+  std::size_t ghost = 0, neighbour = 0, pack = 0, begin = 0;
+  population.record_count = 0;
+  for (std::size_t b = 0; b < population.ghosts.size(); ++b) {
+    BlockGhosts<T, D>& g = population.ghosts[b];
+    const std::size_t ghosts = sizes[5 * b], pairs = sizes[5 * b + 1], surfaces = sizes[5 * b + 2];
+    const auto part = [](const auto& all, std::size_t from, std::size_t count) {
+      return std::vector(all.begin() + from, all.begin() + from + count);
+    };
+    g.begin = part(begins, begin, ghosts + 1);
+    g.slot = part(slots, ghost, ghosts);
+    g.constrained_sum = part(sums, ghost, ghosts);
+    g.neighbour = part(neighbours, neighbour, pairs);
+    g.record = part(records, neighbour, pairs);
+    g.linear = part(linear, neighbour, pairs);
+    g.constrained = part(constrained, neighbour, pairs);
+    g.wall.clear();
+    g.pressure.clear();
+    g.normal.clear();
+    for (std::size_t i = ghost; i < ghost + ghosts; ++i) {
+      g.wall.push_back(static_cast<std::int8_t>(walls[2 * i]));
+      g.pressure.push_back(static_cast<std::int8_t>(walls[2 * i + 1]));
+      Point<D> normal;
+      for (int a = 0; a < D; ++a) normal[a] = normals[D * i + a];
+      g.normal.push_back(normal);
+    }
+    g.packs.clear();
+    for (std::size_t i = pack; i < pack + surfaces; ++i) {
+      g.packs.push_back({packs[4 * i], static_cast<std::int32_t>(packs[4 * i + 1]),
+                         static_cast<std::int32_t>(packs[4 * i + 2]),
+                         static_cast<std::uint16_t>(packs[4 * i + 3])});
+    }
+    g.first_record = static_cast<std::int32_t>(sizes[5 * b + 3]);
+    g.record_count = static_cast<std::int32_t>(sizes[5 * b + 4]);
+    population.record_count += g.record_count;
+    g.sums.grow(ghosts * 2 * kernels::record_width<D>, T(0));
+    ghost += ghosts;
+    neighbour += pairs;
+    pack += surfaces;
+    begin += ghosts + 1;
+  }
+}
+
+}  // namespace
+
+template <class T, int D>
+void put_solver(ArchiveWriter& archive, remeshed::Solver<T, D>& solver) {
+  remeshed::State<T, D>& state = solver.state();
+  for_each_counter(state.clock, [&](const char* name, std::int64_t& value) {
+    archive.put(std::string("clock/") + name, value);
+  });
+  for_each_clock_value(state.clock, [&](const char* name, double& value) {
+    archive.put(std::string("clock/") + name, value);
+  });
+  std::vector<double> offsets;
+  for (const auto& wall : state.boundaries.walls) {
+    offsets.insert(offsets.end(), wall.offset().begin(), wall.offset().end());
+  }
+  archive.put("walls/offset", std::span<const double>(offsets));
+  for (std::size_t b = 0; b < state.bodies.size(); ++b) {
+    Body<T, D>& body = state.bodies[b];
+    const std::string group = fmt::format("body/{}", b);
+    const std::size_t slots = body.population.layout.slots();
+    const std::vector<std::int32_t> packs = body.population.layout.occupancy().save();
+    archive.put(group + "/occupied_packs", std::span<const std::int32_t>(packs));
+    archive.put(group + "/particles", body.population.particles);
+    const auto* kinds = reinterpret_cast<const std::uint8_t*>(body.population.kind.get());
+    archive.put(group + "/kind", std::span<const std::uint8_t>(kinds, slots));
+    for_each_slot_array(body, [&](const std::string& name, Buffer<T>& values) {
+      archive.put(group + "/" + name, std::span<const T>(values.get(), slots));
+    });
+    put_ghosts<T, D>(archive, group + "/ghosts", body.population);
+  }
+}
+
+template <class T, int D>
+void get_solver(const ArchiveReader& archive, remeshed::Solver<T, D>& solver) {
+  remeshed::State<T, D>& state = solver.state();
+  for_each_counter(state.clock, [&](const char* name, std::int64_t& value) {
+    value = archive.scalar<std::int64_t>(std::string("clock/") + name);
+  });
+  for_each_clock_value(state.clock, [&](const char* name, double& value) {
+    value = archive.scalar<double>(std::string("clock/") + name);
+  });
+  const auto offsets = archive.get<double>("walls/offset");
+  for (std::size_t w = 0; w < state.boundaries.walls.size(); ++w) {
+    Point<D> offset;
+    for (int a = 0; a < D; ++a) offset[a] = offsets.at(D * w + a);
+    state.boundaries.walls[w].restore(offset);
+  }
+  for (std::size_t b = 0; b < state.bodies.size(); ++b) {
+    Body<T, D>& body = state.bodies[b];
+    const std::string group = fmt::format("body/{}", b);
+    solver.remeshing(static_cast<int>(b))
+        .lay_out_again(archive.get<std::int32_t>(group + "/occupied_packs"));
+    Population<T, D>& population = body.population;
+    const std::size_t slots = population.layout.slots();
+    population.particles = archive.scalar<std::int64_t>(group + "/particles");
+    archive.read(group + "/kind",
+                 std::span(reinterpret_cast<std::uint8_t*>(population.kind.get()), slots));
+    for_each_slot_array(body, [&](const std::string& name, Buffer<T>& values) {
+      archive.read(group + "/" + name, std::span<T>(values.get(), slots));
+    });
+    for (const auto& segment : population.layout.segments()) {
+      remeshed::find_pack_states<T, D>(population, segment);
+    }
+    get_ghosts<T, D>(archive, group + "/ghosts", population);
+    solver.remeshing(static_cast<int>(b)).adopt_restored();
+  }
+  solver.restored();
+}
+
+template void put_solver<double, 2>(ArchiveWriter&, remeshed::Solver<double, 2>&);
+template void get_solver<double, 2>(const ArchiveReader&, remeshed::Solver<double, 2>&);
+
+}  // namespace pliant
