@@ -1,0 +1,101 @@
+#include "kernels/filter.hpp"
+
+#include <cmath>
+#include <functional>
+
+#include "tests/kernels/dimension.hpp"
+#include "tests/kernels/patch.hpp"
+
+namespace pliant::kernels::test {
+namespace {
+
+template <class T, int D>
+struct FilteredPatch {
+  static constexpr T strength = T(0.3);
+
+  explicit FilteredPatch(const std::function<double(const std::array<int, D>&)>& value)
+      : patch(cells(), T(1)), valid(patch.interior), field(patch.slots, 0), result(patch.slots, 0) {
+    patch.for_each([&](std::int64_t p, const auto& cell) { field[p] = T(value(cell)); });
+  }
+
+  void filter() {
+    baseline_table<T, D>().filter({patch.segments.data(), static_cast<int>(patch.segments.size()),
+                                   strength, valid.data(), field.data(), result.data()});
+  }
+
+  /// Interior cells `cell` with all four neighbours along every axis in the interior too.
+  template <class F>
+  void for_each_inner(F&& f) {
+    patch.for_each([&](std::int64_t p, const std::array<int, D>& cell) {
+      bool inner = true;
+      for (int i = 0; i < D; ++i) {
+        inner = inner && cell[i] >= patch.margin + 2 && cell[i] < cells()[i] - patch.margin - 2;
+      }
+      if (inner) f(p, cell);
+    });
+  }
+
+  static std::array<int, D> cells() {
+    std::array<int, D> n;
+    n.fill(13);
+    n[0] = 2 * slots_per_pack<T>;
+    return n;
+  }
+
+  Patch<T, D> patch;
+  std::vector<T> valid, field, result;
+};
+
+template <class T>
+class filter : public testing::Test {};
+TYPED_TEST_SUITE(filter, Dimensions);
+
+TYPED_TEST(filter, damps_the_shortest_wave_of_an_axis_by_its_strength) {
+  using T = typename TypeParam::Scalar;
+  constexpr int D = TypeParam::dimension;
+  for (int axis = 0; axis < D; ++axis) {
+    FilteredPatch<T, D> box([&](const auto& cell) { return cell[axis] % 2 == 0 ? 1. : -1.; });
+    box.filter();
+    int checked = 0;
+    box.for_each_inner([&](std::int64_t p, const auto&) {
+      EXPECT_NEAR(box.result[p], (1 - box.strength) * box.field[p],
+                  4 * std::numeric_limits<T>::epsilon());
+      ++checked;
+    });
+    EXPECT_GT(checked, 0);
+  }
+}
+
+TYPED_TEST(filter, leaves_cubics_alone) {
+  using T = typename TypeParam::Scalar;
+  constexpr int D = TypeParam::dimension;
+  FilteredPatch<T, D> box([](const auto& cell) {
+    double sum = 0;
+    for (int i = 0; i < D; ++i) sum += std::pow(cell[i] - 8., 3) - 2 * std::pow(cell[i] - 5., 2);
+    return sum;
+  });
+  box.filter();
+  // Integers: nothing is rounded.
+  box.for_each_inner([&](std::int64_t p, const auto&) { EXPECT_EQ(box.result[p], box.field[p]); });
+}
+
+TYPED_TEST(filter, skips_directions_with_invalid_neighbours) {
+  using T = typename TypeParam::Scalar;
+  constexpr int D = TypeParam::dimension;
+  FilteredPatch<T, D> box([](const auto& cell) { return cell[0] % 2 == 0 ? 1. : -1.; });
+  std::array<int, D> hole;
+  hole.fill(6);
+  const std::int64_t at = box.patch.slot(hole);
+  box.valid[at] = 0;
+  box.filter();
+  EXPECT_EQ(box.result[at], box.field[at]);
+  for (const int dx : {-2, -1, 1, 2}) EXPECT_EQ(box.result[at + dx], box.field[at + dx]);
+  box.patch.for_each([&](std::int64_t p, const auto&) {
+    if (box.patch.interior[p] == 0) {
+      EXPECT_EQ(box.result[p], box.field[p]);
+    }
+  });
+}
+
+}  // namespace
+}  // namespace pliant::kernels::test
