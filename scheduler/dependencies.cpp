@@ -36,9 +36,9 @@ class Derivation {
         blocks_(blocks),
         field_names_(field_names),
         // `once` phases have a block 0 to work on even where there are no blocks.
-        cells_per_field_(std::max(blocks.count(), 1)),
-        cells_(field_names.size() * static_cast<std::size_t>(cells_per_field_)) {
-    every_block_.resize(static_cast<std::size_t>(blocks.count()));
+        cells_per_field_(std::max<std::size_t>(blocks.neighbours.size(), 1)),
+        cells_(field_names.size() * cells_per_field_) {
+    every_block_.resize(blocks.neighbours.size());
     std::iota(every_block_.begin(), every_block_.end(), 0);
   }
 
@@ -55,13 +55,15 @@ class Derivation {
   }
 
   Cell& cell(FieldId field, BlockId block) {
-    return cells_[static_cast<std::size_t>(field * cells_per_field_ + block)];
+    return cells_[static_cast<std::size_t>(field) * cells_per_field_ +
+                  static_cast<std::size_t>(block)];
   }
 
   template <class Visit>
   void for_each_cell(const Access& access, BlockId block, Visit visit) {
     if (access.reach == Reach::all) {
-      for (BlockId b = 0; b < cells_per_field_; ++b) visit(cell(access.field, b), b);
+      for (BlockId b = 0; b < static_cast<BlockId>(cells_per_field_); ++b)
+        visit(cell(access.field, b), b);
       return;
     }
     visit(cell(access.field, block), block);
@@ -100,45 +102,33 @@ class Derivation {
   void add_phase(int p) {
     const Phase& phase = phases_[static_cast<std::size_t>(p)];
     const auto& blocks = blocks_of(phase);
-    const bool shares_reads = blocks.size() > 1;
-    const auto is_shared = [&](const Access& read) {
-      return shares_reads && read.reach == Reach::all;
-    };
+    std::vector<Access> own_reads, shared_reads;
+    for (const Access& read : phase.reads)
+      (blocks.size() > 1 && read.reach == Reach::all ? shared_reads : own_reads).push_back(read);
 
-    std::vector<Edge> from_junctions;
-    for (const Access& read : phase.reads) {
-      if (!is_shared(read)) continue;
+    const int first_junction = static_cast<int>(result_.nodes.size());
+    for (const Access& read : shared_reads) {
       const int junction = add_node(p, no_block);
       const std::size_t first_edge = result_.edges.size();
       follow_writers(junction, read, 0);
       settle_edges(first_edge);
-      from_junctions.push_back({junction, 0, read.field});
     }
 
     const int first_node = static_cast<int>(result_.nodes.size());
     for (const BlockId block : blocks) {
       const int node = add_node(p, block);
       const std::size_t first_edge = result_.edges.size();
-      for (const Access& read : phase.reads)
-        if (!is_shared(read)) follow_writers(node, read, block);
+      for (const Access& read : own_reads) follow_writers(node, read, block);
       for (const Access& write : phase.writes) follow_readers(node, write, block);
-      for (const Edge& edge : from_junctions)
-        result_.edges.push_back({edge.from, node, edge.field});
+      for (int s = 0; s < static_cast<int>(shared_reads.size()); ++s)
+        result_.edges.push_back(
+            {first_junction + s, node, shared_reads[static_cast<std::size_t>(s)].field});
       settle_edges(first_edge);
     }
 
     record_writes(phase, first_node, blocks);
-    for (const Access& read : phase.reads)
-      if (!is_shared(read)) record_reads(phase, read, first_node, blocks);
-    for (const Edge& edge : from_junctions) {
-      const int junction = add_node(p, no_block);
-      for (int n = 0; n < static_cast<int>(blocks.size()); ++n)
-        result_.edges.push_back({first_node + n, junction, edge.field});
-      for_each_cell({edge.field, Reach::all}, 0, [&](Cell& c, BlockId b) {
-        if (c.writer >= first_node) refuse(phase, edge.field, b, blocks[b == blocks[0] ? 1 : 0]);
-        c.readers.push_back(junction);
-      });
-    }
+    for (const Access& read : own_reads) record_reads(phase, read, first_node, blocks);
+    for (const Access& read : shared_reads) record_shared_read(p, read, first_node, blocks);
   }
 
   void record_writes(const Phase& phase, int first_node, const std::vector<BlockId>& blocks) {
@@ -163,6 +153,18 @@ class Derivation {
       });
   }
 
+  void record_shared_read(int p, const Access& read, int first_node,
+                          const std::vector<BlockId>& blocks) {
+    const int junction = add_node(p, no_block);
+    for (int node = first_node; node < first_node + static_cast<int>(blocks.size()); ++node)
+      result_.edges.push_back({node, junction, read.field});
+    for_each_cell(read, 0, [&](Cell& c, BlockId b) {
+      if (c.writer >= first_node)
+        refuse(phases_[static_cast<std::size_t>(p)], read.field, b, blocks[b == blocks[0] ? 1 : 0]);
+      c.readers.push_back(junction);
+    });
+  }
+
   [[noreturn]] void refuse(const Phase& phase, FieldId field, BlockId written,
                            BlockId other) const {
     throw std::invalid_argument(fmt::format(
@@ -174,7 +176,7 @@ class Derivation {
   const std::vector<Phase>& phases_;
   const Blocks& blocks_;
   const std::vector<std::string>& field_names_;
-  int cells_per_field_;
+  std::size_t cells_per_field_;
   std::vector<Cell> cells_;
   std::vector<BlockId> every_block_;
   Dependencies result_;
@@ -184,6 +186,11 @@ void check(const std::vector<Phase>& phases, const Blocks& blocks, int field_cou
   const auto refuse = [](const Phase& phase, const std::string& what) {
     throw std::invalid_argument(fmt::format("phase {}: {}", label(phase), what));
   };
+  for (const auto& neighbours : blocks.neighbours)
+    for (const BlockId block : neighbours)
+      if (block < 0 || block >= blocks.count())
+        throw std::invalid_argument(
+            fmt::format("block {} is a neighbour, but there are {} blocks", block, blocks.count()));
   for (const Phase& phase : phases) {
     if (!phase.run) refuse(phase, "has no function to run");
     for (const auto* accesses : {&phase.reads, &phase.writes})

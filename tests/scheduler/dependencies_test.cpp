@@ -166,6 +166,7 @@ TEST(dependencies, what_does_not_exist_is_refused) {
   EXPECT_NE(complaint_about({phase}, blocks), "");
   phase = per_block("p", {}, {}, nullptr);
   EXPECT_NE(complaint_about({phase}, blocks).find("no function"), std::string::npos);
+  EXPECT_NE(complaint_about({}, Blocks{{{1}, {2}}}).find("block 2"), std::string::npos);
 }
 
 }  // namespace pliant::scheduler

@@ -21,7 +21,8 @@ using namespace testing;
 /// stage: every kind of access that a step has.
 class Ring {
  public:
-  static constexpr int block_count = 9, cells = 16, stages = 3;
+  static constexpr int block_count = 9, stages = 3;
+  static constexpr std::size_t cells = 16;
 
   Ring() : value_(block_count * cells), next_(value_.size()), partial_(block_count) {
     for (std::size_t i = 0; i < value_.size(); ++i)
@@ -58,7 +59,7 @@ class Ring {
   const std::vector<double>& value() const { return value_; }
 
  private:
-  static std::size_t first(BlockId b) { return static_cast<std::size_t>(b * cells); }
+  static std::size_t first(BlockId b) { return static_cast<std::size_t>(b) * cells; }
 
   void spread(BlockId b) {
     const std::size_t n = value_.size();
