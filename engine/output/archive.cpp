@@ -4,9 +4,9 @@
 
 #include <algorithm>
 #include <stdexcept>
-#include <system_error>
 
 #include "engine/output/atomic_file.hpp"
+#include "engine/output/commit_driver.hpp"
 #include "engine/output/error.hpp"
 #include "engine/output/hdf5.hpp"
 
@@ -23,10 +23,11 @@ constexpr hsize_t chunk_size = 131072;  ///< entries under one checksum
 constexpr auto damaged_remedy = "use the checkpoint before it, or run anew";
 constexpr auto foreign_remedy = "give a checkpoint that this program wrote, or run anew";
 
-/// Metadata of the latest format has checksums too.
-Handle latest_format() {
+/// Every block of the latest format has a checksum.
+Handle creating() { return hdf5::commit_access(H5F_LIBVER_V110, H5F_LIBVER_V110); }
+
+Handle reading_unlocked() {
   Handle properties(H5Pcreate(H5P_FILE_ACCESS), H5Pclose, "describe access");
-  checked(H5Pset_libver_bounds(properties, H5F_LIBVER_V110, H5F_LIBVER_V110), "choose the format");
   checked(H5Pset_file_locking(properties, false, true), "leave the file unlocked");
   return properties;
 }
@@ -87,13 +88,14 @@ herr_t verify_object(hid_t root, const char* name, const H5O_info_t* object, voi
 
 struct ArchiveWriter::File {
   std::filesystem::path path;
+  TemporaryFile temporary;
   Handle file;
 
-  explicit File(const std::filesystem::path& final_path) : path(final_path) {
+  explicit File(const std::filesystem::path& final_path) : path(final_path), temporary(path) {
     hdf5::silence();
     try {
-      file = {H5Fcreate(temporary_name(path).c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, latest_format()),
-              H5Fclose, "create it"};
+      file = {H5Fcreate(temporary.path().c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, creating()), H5Fclose,
+              "create it"};
       hdf5::write_attribute(file, format_attribute, format);
     } catch (const hdf5::Failure& failure) {
       throw failure.on(path);
@@ -102,27 +104,26 @@ struct ArchiveWriter::File {
   File(const File&) = delete;
   File& operator=(const File&) = delete;
   ~File() {
-    if (!file.valid()) return;
-    discard();
+    if (file.valid()) hdf5::abandon(file);
   }
 
-  void discard() {
-    hdf5::abandon(file);
-    file = Handle();
-    std::error_code ignored;
-    std::filesystem::remove(temporary_name(path), ignored);
+  /// Runs `change`; when it fails, nothing of the file remains.
+  template <class Change>
+  void guarded(Change change) {
+    if (!file.valid()) throw std::logic_error(path.string() + ": written to after it was closed");
+    hdf5::silence();
+    try {
+      change();
+    } catch (const hdf5::Failure& failure) {
+      hdf5::abandon(file);
+      file = Handle();
+      throw failure.on(path);
+    }
   }
 
   template <class T>
   void put(const std::string& name, std::span<const T> values) {
-    if (!file.valid()) throw std::logic_error(path.string() + ": put after commit");
-    hdf5::silence();
-    try {
-      write(file, name, values);
-    } catch (const hdf5::Failure& failure) {
-      discard();
-      throw failure.on(path);
-    }
+    guarded([&] { write(file, name, values); });
   }
 };
 
@@ -159,15 +160,9 @@ void ArchiveWriter::put(const std::string& name, std::string_view text) {
 }
 
 void ArchiveWriter::commit() {
-  auto& file = *file_;
-  try {
-    hdf5::flush(file.file);
-    file.file = Handle();
-    publish(temporary_name(file.path), file.path);
-  } catch (const hdf5::Failure& failure) {
-    file.discard();
-    throw failure.on(file.path);
-  }
+  file_->guarded([&] { hdf5::flush(file_->file); });
+  file_->file = Handle();
+  file_->temporary.publish(Durable::yes);
 }
 
 struct ArchiveReader::File {
@@ -180,7 +175,7 @@ struct ArchiveReader::File {
     if (H5Fis_hdf5(path.c_str()) <= 0)
       throw OutputError(path, "is not a checkpoint (no HDF5 file)", foreign_remedy);
     try {
-      file = {H5Fopen(path.c_str(), H5F_ACC_RDONLY, latest_format()), H5Fclose, "open it"};
+      file = {H5Fopen(path.c_str(), H5F_ACC_RDONLY, reading_unlocked()), H5Fclose, "open it"};
       if (checked(H5Aexists(file, format_attribute), "read it") == 0)
         throw OutputError(path, "is not a checkpoint (no format number)", foreign_remedy);
       require_format(hdf5::read_attribute(file, format_attribute));

@@ -39,33 +39,34 @@ void write_all(const std::filesystem::path& path, std::string_view text) {
 
 }  // namespace
 
-std::filesystem::path temporary_name(const std::filesystem::path& path) {
-  auto name = path;
-  name += ".partial";
-  return name;
+TemporaryFile::TemporaryFile(const std::filesystem::path& final_path)
+    : final_path_(final_path), path_(final_path) {
+  path_ += ".partial";
 }
 
-void publish(const std::filesystem::path& temporary, const std::filesystem::path& path) {
-  if (::fsync(Descriptor(temporary, O_RDONLY).number()) != 0)
-    throw OutputError::system(path, "write it to the disk", errno);
-  if (::rename(temporary.c_str(), path.c_str()) != 0)
-    throw OutputError::system(path, "put it in place", errno);
-  // The new name itself lives in the folder. Some file systems cannot sync a folder; the file is
-  // in place all the same.
-  const auto folder = path.has_parent_path() ? path.parent_path() : std::filesystem::path(".");
+TemporaryFile::~TemporaryFile() {
+  std::error_code ignored;
+  if (!published_) std::filesystem::remove(path_, ignored);
+}
+
+void TemporaryFile::publish(Durable durable) {
+  if (durable == Durable::yes && ::fsync(Descriptor(path_, O_RDONLY).number()) != 0)
+    throw OutputError::system(final_path_, "write it to the disk", errno);
+  if (::rename(path_.c_str(), final_path_.c_str()) != 0)
+    throw OutputError::system(final_path_, "put it in place", errno);
+  published_ = true;
+  // The new name lives in the folder. Some file systems cannot sync one; the file is in place all
+  // the same.
+  if (durable == Durable::no) return;
+  const auto folder =
+      final_path_.has_parent_path() ? final_path_.parent_path() : std::filesystem::path(".");
   ::fsync(Descriptor(folder, O_RDONLY | O_DIRECTORY).number());
 }
 
-void write_atomically(const std::filesystem::path& path, std::string_view text) {
-  const auto temporary = temporary_name(path);
-  try {
-    write_all(temporary, text);
-    publish(temporary, path);
-  } catch (...) {
-    std::error_code ignored;
-    std::filesystem::remove(temporary, ignored);
-    throw;
-  }
+void write_atomically(const std::filesystem::path& path, std::string_view text, Durable durable) {
+  TemporaryFile file(path);
+  write_all(file.path(), text);
+  file.publish(durable);
 }
 
 }  // namespace pliant

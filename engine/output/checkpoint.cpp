@@ -20,14 +20,13 @@ std::filesystem::path previous_of(const std::filesystem::path& folder) {
 
 /// Gives the last checkpoint its second name; it keeps the first until the new one takes it over.
 void keep_last(const std::filesystem::path& folder) {
-  const auto last = last_of(folder), second_name = temporary_name(previous_of(folder));
+  const auto last = last_of(folder);
+  TemporaryFile second_name(previous_of(folder));
   std::error_code ignored;
-  std::filesystem::remove(second_name, ignored);
-  if (::link(last.c_str(), second_name.c_str()) != 0) {
-    if (errno == ENOENT) return;
-    throw OutputError::system(last, "keep it as the previous checkpoint", errno);
-  }
-  publish(second_name, previous_of(folder));
+  std::filesystem::remove(second_name.path(), ignored);  // of a run that was killed
+  if (::link(last.c_str(), second_name.path().c_str()) == 0)
+    return second_name.publish(Durable::yes);
+  if (errno != ENOENT) throw OutputError::system(last, "keep it as the previous one", errno);
 }
 
 }  // namespace

@@ -8,6 +8,8 @@
 #include <span>
 #include <stdexcept>
 
+#include "engine/output/commit_driver.hpp"
+
 // What is where (F frames, N particles of all frames together, n of the largest frame):
 //
 //   /VTKHDF                     Version = 2, 0; Type = PolyData
@@ -202,14 +204,12 @@ void FrameStore::require_same_fields(const Frame& frame) const {
     throw std::invalid_argument("a frame has other fields than the earlier ones");
 }
 
-// Three flushes: what a frame's entries point to reaches the file before the entries, and the count
-// that makes them valid comes last.
+// The count that makes a frame valid is committed after all else.
 void FrameStore::append(const Frame& frame) {
   check(frame);
   if (!root_.valid()) create(frame);
   require_same_fields(frame);
   append_particles(frame);
-  hdf5::flush(file_);
   append_step(frame);
   hdf5::flush(file_);
   const auto particles = frame.position.size() / 3;

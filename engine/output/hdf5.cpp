@@ -1,8 +1,6 @@
 #include "engine/output/hdf5.hpp"
 
 #include <fmt/format.h>
-#include <sys/mman.h>
-#include <unistd.h>
 
 #include <algorithm>
 #include <array>
@@ -130,21 +128,6 @@ void write_text(hid_t parent, const std::string& name, std::string_view text) {
                        H5Dclose, doing);
   const auto* begin = text.empty() ? "" : text.data();
   checked(H5Dwrite(dataset, type, H5S_ALL, H5S_ALL, H5P_DEFAULT, begin), doing);
-}
-
-void flush(hid_t file) { checked(H5Fflush(file, H5F_SCOPE_LOCAL), "write"); }
-
-int descriptor(hid_t file) {
-  void* number = nullptr;
-  checked(H5Fget_vfd_handle(file, H5P_DEFAULT, &number), "find the open file");
-  return *static_cast<int*>(number);
-}
-
-void abandon(hid_t file) {
-  const int sink = ::memfd_create("abandoned", MFD_CLOEXEC);
-  if (sink < 0) return;
-  ::dup2(sink, descriptor(file));
-  ::close(sink);
 }
 
 GrowingArray GrowingArray::create(hid_t parent, const std::string& name, hid_t type, int components,

@@ -94,15 +94,6 @@ int read_attribute(hid_t object, const std::string& name);
 /// A scalar dataset of text.
 void write_text(hid_t parent, const std::string& name, std::string_view text);
 
-void flush(hid_t file);
-
-/// The descriptor of an open file.
-int descriptor(hid_t file);
-
-/// Lets HDF5 close a file whose last changes failed: whatever it still writes goes to memory that
-/// is thrown away, and the file on disk stays as it is.
-void abandon(hid_t file);
-
 /// Rows of equal size that grow at the end: [row] or [row][component].
 class GrowingArray {
  public:

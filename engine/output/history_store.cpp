@@ -8,24 +8,11 @@ namespace {
 constexpr auto group_name = "measurements";
 constexpr hsize_t chunk_rows = 512;
 
-/// Room in the group's header for so many links: adding one then rewrites the header in place,
-/// which a dying process does whole or not at all.
-constexpr unsigned expected_histories = 64, expected_name_length = 48;
-
-hdf5::Handle create_roomy_group(hid_t file) {
-  const auto properties = hdf5::creation_of(H5P_GROUP_CREATE);
-  hdf5::checked(H5Pset_est_link_info(properties, expected_histories, expected_name_length),
-                "create measurements");
-  hdf5::checked(H5Pset_link_phase_change(properties, expected_histories, 0), "create measurements");
-  return {H5Gcreate2(file, group_name, H5P_DEFAULT, properties, H5P_DEFAULT), H5Gclose,
-          "create measurements"};
-}
-
 }  // namespace
 
 HistoryStore::HistoryStore(hid_t file) {
   if (!hdf5::exists(file, group_name)) {
-    group_ = create_roomy_group(file);
+    group_ = hdf5::create_group(file, group_name);
     return;
   }
   group_ = hdf5::open_group(file, group_name);
@@ -89,13 +76,6 @@ std::map<std::string, std::int64_t> HistoryStore::rows() const {
   for (const auto& [name, history] : histories_)
     rows[name] = history.stored + static_cast<std::int64_t>(history.value.size());
   return rows;
-}
-
-std::uint64_t HistoryStore::bytes_held_back() const {
-  std::uint64_t bytes = 0;
-  for (const auto& [name, history] : histories_)
-    bytes += 2 * sizeof(double) * (history.value.size() + chunk_rows);
-  return bytes;
 }
 
 }  // namespace pliant

@@ -23,8 +23,6 @@ class HistoryStore {
   void truncate(const std::map<std::string, std::int64_t>& rows);
   std::map<std::string, std::int64_t> rows() const;  ///< with those held back
 
-  std::uint64_t bytes_held_back() const;
-
  private:
   struct History {
     std::string unit;

@@ -52,7 +52,7 @@ Json json(const Summary& summary) {
 std::string json_of(const Summary& summary) { return json(summary).dump(2) + "\n"; }
 
 void write_summary(const std::filesystem::path& folder, const Summary& summary) {
-  write_atomically(folder / "summary.json", json_of(summary));
+  write_atomically(folder / "summary.json", json_of(summary), Durable::yes);
 }
 
 }  // namespace pliant

@@ -49,11 +49,15 @@ const char* attribute_type(const StoredField& field) {
   return field.components == 3 ? "Vector" : "Matrix";
 }
 
-void add_frame(std::string& text, const std::string& file, const FrameSpan& frame,
-               const std::vector<StoredField>& fields) {
-  auto out = std::back_inserter(text);
+}  // namespace
+
+XdmfSeries::XdmfSeries(const std::string& file_name) : file_name_(escaped(file_name)) {}
+
+void XdmfSeries::add(const FrameSpan& frame, const std::vector<StoredField>& fields) {
+  auto out = std::back_inserter(frames_);
   const StoredField connectivity{"", 1, true, 8}, points{"", 3, false, 8};
   const FrameSpan vertices{frame.time, 0, frame.particles};
+  const auto root = file_name_ + ":/VTKHDF/";
   fmt::format_to(out,
                  R"(      <Grid Name="particles">
         <Time Value="{}"/>
@@ -65,8 +69,8 @@ void add_frame(std::string& text, const std::string& file, const FrameSpan& fram
         </Geometry>
 )",
                  frame.time, frame.particles,
-                 slab(file + ":/VTKHDF/Vertices/Connectivity", vertices, connectivity),
-                 slab(file + ":/VTKHDF/Points", frame, points));
+                 slab(root + "Vertices/Connectivity", vertices, connectivity),
+                 slab(root + "Points", frame, points));
   for (const auto& field : fields) {
     const auto name = escaped(field.name);
     fmt::format_to(out,
@@ -74,27 +78,21 @@ void add_frame(std::string& text, const std::string& file, const FrameSpan& fram
           {}
         </Attribute>
 )",
-                   name, attribute_type(field),
-                   slab(file + ":/VTKHDF/PointData/" + name, frame, field));
+                   name, attribute_type(field), slab(root + "PointData/" + name, frame, field));
   }
-  text += "      </Grid>\n";
+  frames_ += "      </Grid>\n";
 }
 
-}  // namespace
-
-std::string xdmf_of(const std::string& file_name, const std::vector<FrameSpan>& frames,
-                    const std::vector<StoredField>& fields) {
-  std::string text = R"(<?xml version="1.0"?>
+std::string XdmfSeries::text() const {
+  return R"(<?xml version="1.0"?>
 <Xdmf Version="3.0">
   <Domain>
     <Grid Name="run" GridType="Collection" CollectionType="Temporal">
-)";
-  for (const auto& frame : frames) add_frame(text, escaped(file_name), frame, fields);
-  text += R"(    </Grid>
+)" + frames_ +
+         R"(    </Grid>
   </Domain>
 </Xdmf>
 )";
-  return text;
 }
 
 }  // namespace pliant

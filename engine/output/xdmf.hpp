@@ -7,11 +7,21 @@
 
 namespace pliant {
 
-/// The XDMF 3 text that shows frames of the HDF5 file `file_name` as a time series.
+/// The XDMF 3 text that shows the frames of an HDF5 file as a time series.
 ///
 /// ParaView 5.11 decides its form: slabs are given within the path (an item of type HyperSlab shows
-/// nothing), and the vertices have an explicit connectivity (they are invisible without).
-std::string xdmf_of(const std::string& file_name, const std::vector<FrameSpan>& frames,
-                    const std::vector<StoredField>& fields);
+/// nothing), the vertices have an explicit connectivity (they are invisible without), and a
+/// symmetric tensor is a matrix of one row (XDMF has another order of the six components in mind,
+/// ParaView the one that is stored).
+class XdmfSeries {
+ public:
+  explicit XdmfSeries(const std::string& file_name);
+
+  void add(const FrameSpan& frame, const std::vector<StoredField>& fields);
+  std::string text() const;
+
+ private:
+  std::string file_name_, frames_;
+};
 
 }  // namespace pliant

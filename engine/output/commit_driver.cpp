@@ -1,0 +1,267 @@
+#include "engine/output/commit_driver.hpp"
+
+#include <fcntl.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <cstring>
+#include <memory>
+#include <string>
+#include <vector>
+
+// A file driver for HDF5: the layer that HDF5 reads and writes a file through.
+//
+// HDF5 writes the blocks that describe a file (object headers, chunk indices, the superblock with
+// the file's end) in order of their address, whenever its cache is full or the file is flushed. A
+// process that dies among them leaves, say, an index that points to a block which was never
+// written, or blocks beyond the end that the superblock tells. HDF5's own answer, SWMR, leaves a
+// mark in a killed writer's file that makes readers refuse it.
+//
+// Here such blocks are held back until the flush, and then written so that the file is whole after
+// every single write:
+//
+//      0                       committed end               end
+//      | superblock | blocks, values | new blocks, new values |
+//
+//   values           at once: beyond the committed end nothing refers to them yet, and in a chunk
+//                    that began before, the older values are written again as they were
+//   1. file size     grows to the end, and the space is taken: a full disk is found here
+//   2. new blocks    nothing refers to them yet
+//   3. superblock    tells the new end, which is there
+//   4. old blocks    now refer to new ones, which are there
+//
+// The order within 4 must not matter. It does not where arrays only grow and are indexed by
+// extensible arrays, which never move an entry: a reader finds the new length with or without the
+// new chunks, and missing chunks read as zeros. It would for the B-trees of older formats, whose
+// nodes split. Space that was freed must not be used again, since a new block there would count as
+// old; opening a file anew forgets such space.
+
+namespace pliant::hdf5 {
+namespace {
+
+struct Write {
+  H5FD_mem_t kind;
+  haddr_t begin;
+  std::string bytes;
+
+  haddr_t end() const { return begin + bytes.size(); }
+};
+
+/// HDF5 knows files of a driver by a pointer to this, whose first member is its own.
+struct CommitFile {
+  H5FD_t base = {};
+  int descriptor = -1;
+  haddr_t end = 0;            ///< as HDF5 has allocated
+  haddr_t committed_end = 0;  ///< as the superblock in the file tells
+  haddr_t size = 0;           ///< of the file
+  bool abandoned = false;
+  std::vector<Write> held_back;
+
+  bool write(haddr_t begin, const void* bytes, std::size_t count);
+  bool read(haddr_t begin, void* bytes, std::size_t count) const;
+  bool grow();
+  bool commit();
+};
+
+CommitFile& of(H5FD_t* file) { return *reinterpret_cast<CommitFile*>(file); }
+const CommitFile& of(const H5FD_t* file) { return *reinterpret_cast<const CommitFile*>(file); }
+
+/// Puts the error number where a Failure looks for it.
+herr_t report(bool done, H5FD_t* file) {
+  if (done) return 0;
+  const auto kind = errno == ENOENT ? H5E_CANTOPENFILE : H5E_WRITEERROR;
+  H5Epush2(H5E_DEFAULT, __FILE__, "commit_driver", __LINE__, H5E_ERR_CLS, H5E_VFL, kind,
+           "errno = %d", errno);
+  if (file != nullptr) of(file).abandoned = true;
+  return -1;
+}
+
+bool CommitFile::write(haddr_t begin, const void* bytes, std::size_t count) {
+  const auto* next = static_cast<const char*>(bytes);
+  while (count > 0) {
+    const auto written = ::pwrite(descriptor, next, count, static_cast<off_t>(begin));
+    if (written < 0 && errno == EINTR) continue;
+    if (written < 0) return false;
+    next += written;
+    begin += static_cast<haddr_t>(written);
+    count -= static_cast<std::size_t>(written);
+  }
+  size = std::max(size, begin);
+  return true;
+}
+
+bool CommitFile::read(haddr_t begin, void* bytes, std::size_t count) const {
+  auto* const target = static_cast<char*>(bytes);
+  std::size_t done = 0;
+  while (done < count) {
+    const auto found =
+        ::pread(descriptor, target + done, count - done, static_cast<off_t>(begin + done));
+    if (found < 0 && errno == EINTR) continue;
+    if (found < 0) return false;
+    if (found == 0) break;
+    done += static_cast<std::size_t>(found);
+  }
+  std::memset(target + done, 0, count - done);  // allocated, not written yet
+  for (const auto& write : held_back) {
+    const auto from = std::max(begin, write.begin), to = std::min(begin + count, write.end());
+    if (from < to)
+      std::memcpy(target + (from - begin), write.bytes.data() + (from - write.begin), to - from);
+  }
+  return true;
+}
+
+bool CommitFile::grow() {
+  const auto begin = std::min(size, committed_end);
+  if (end <= begin) return true;
+  if (::fallocate(descriptor, 0, static_cast<off_t>(begin), static_cast<off_t>(end - begin)) != 0) {
+    const bool unsupported = errno == EOPNOTSUPP || errno == ENOSYS || errno == EINVAL;
+    if (!unsupported) return false;
+    if (size < end && ::ftruncate(descriptor, static_cast<off_t>(end)) != 0) return false;
+  }
+  size = std::max(size, end);
+  return true;
+}
+
+bool CommitFile::commit() {
+  if (abandoned) return true;
+  const auto order = [&](const Write& write) {
+    if (write.kind == H5FD_MEM_SUPER) return 1;
+    return write.begin >= committed_end ? 0 : 2;
+  };
+  std::ranges::stable_sort(held_back, {}, order);
+  if (!grow()) return false;
+  for (const auto& block : held_back)
+    if (!write(block.begin, block.bytes.data(), block.bytes.size())) return false;
+  held_back.clear();
+  committed_end = end;
+  return true;
+}
+
+H5FD_t* open_file(const char* name, unsigned flags, hid_t, haddr_t) {
+  int mode = (flags & H5F_ACC_RDWR) ? O_RDWR : O_RDONLY;
+  if (flags & H5F_ACC_TRUNC) mode |= O_TRUNC;
+  if (flags & H5F_ACC_CREAT) mode |= O_CREAT;
+  if (flags & H5F_ACC_EXCL) mode |= O_EXCL;
+  auto file = std::make_unique<CommitFile>();
+  file->descriptor = ::open(name, mode | O_CLOEXEC, 0666);
+  struct stat about = {};
+  if (file->descriptor < 0 || ::fstat(file->descriptor, &about) != 0) {
+    report(false, nullptr);
+    return nullptr;
+  }
+  file->size = static_cast<haddr_t>(about.st_size);
+  file->committed_end = file->size;
+  return &file.release()->base;
+}
+
+herr_t close_file(H5FD_t* base) {
+  const std::unique_ptr<CommitFile> file(&of(base));
+  bool done = file->commit();
+  if (!file->abandoned && file->size > file->end)
+    done = done && ::ftruncate(file->descriptor, static_cast<off_t>(file->end)) == 0;
+  ::close(file->descriptor);
+  return report(done, nullptr);
+}
+
+int compare_files(const H5FD_t* a, const H5FD_t* b) {
+  struct stat of_a = {}, of_b = {};
+  ::fstat(of(a).descriptor, &of_a);
+  ::fstat(of(b).descriptor, &of_b);
+  const auto key = [](const auto& about) { return std::pair(about.st_dev, about.st_ino); };
+  return key(of_a) < key(of_b) ? -1 : key(of_b) < key(of_a) ? 1 : 0;
+}
+
+herr_t tell_features(const H5FD_t*, unsigned long* flags) {
+  *flags = H5FD_FEAT_AGGREGATE_METADATA | H5FD_FEAT_AGGREGATE_SMALLDATA | H5FD_FEAT_DATA_SIEVE |
+           H5FD_FEAT_DEFAULT_VFD_COMPATIBLE;
+  return 0;
+}
+
+haddr_t get_end(const H5FD_t* file, H5FD_mem_t) { return of(file).end; }
+
+herr_t set_end(H5FD_t* file, H5FD_mem_t, haddr_t end) {
+  of(file).end = end;
+  return 0;
+}
+
+haddr_t get_size(const H5FD_t* file, H5FD_mem_t) { return of(file).size; }
+
+herr_t get_handle(H5FD_t* file, hid_t, void** handle) {
+  *handle = &of(file);
+  return 0;
+}
+
+herr_t read_file(H5FD_t* file, H5FD_mem_t, hid_t, haddr_t begin, std::size_t count, void* bytes) {
+  return report(of(file).read(begin, bytes, count), file);
+}
+
+herr_t write_file(H5FD_t* base, H5FD_mem_t kind, hid_t, haddr_t begin, std::size_t count,
+                  const void* bytes) {
+  auto& file = of(base);
+  if (file.abandoned) return 0;
+  if (kind == H5FD_MEM_DRAW) return report(file.write(begin, bytes, count), base);
+  file.held_back.push_back({kind, begin, std::string(static_cast<const char*>(bytes), count)});
+  return 0;
+}
+
+herr_t flush_file(H5FD_t* file, hid_t, hbool_t) { return report(of(file).commit(), file); }
+
+/// The file is cut when it is closed; before, the superblock in it may still tell a later end.
+herr_t truncate_file(H5FD_t*, hid_t, hbool_t) { return 0; }
+
+hid_t driver() {
+  static const hid_t registered = [] {
+    H5FD_class_t functions = {};
+    functions.name = "commit";
+    functions.maxaddr = haddr_t{1} << 62;
+    functions.fc_degree = H5F_CLOSE_WEAK;
+    functions.open = open_file;
+    functions.close = close_file;
+    functions.cmp = compare_files;
+    functions.query = tell_features;
+    functions.get_eoa = get_end;
+    functions.set_eoa = set_end;
+    functions.get_eof = get_size;
+    functions.get_handle = get_handle;
+    functions.read = read_file;
+    functions.write = write_file;
+    functions.flush = flush_file;
+    functions.truncate = truncate_file;
+    const H5FD_mem_t map[] = H5FD_FLMAP_DICHOTOMY;
+    std::ranges::copy(map, functions.fl_map);
+    return checked(H5FDregister(&functions), "register the commit driver");
+  }();
+  return registered;
+}
+
+CommitFile& commit_file(hid_t file) {
+  void* handle = nullptr;
+  checked(H5Fget_vfd_handle(file, H5P_DEFAULT, &handle), "find the open file");
+  return *static_cast<CommitFile*>(handle);
+}
+
+}  // namespace
+
+Handle commit_access(H5F_libver_t oldest, H5F_libver_t latest) {
+  Handle properties(H5Pcreate(H5P_FILE_ACCESS), H5Pclose, "describe access");
+  checked(H5Pset_driver(properties, driver(), nullptr), "choose the driver");
+  checked(H5Pset_libver_bounds(properties, oldest, latest), "choose the format");
+  return properties;
+}
+
+void flush(hid_t file) { checked(H5Fflush(file, H5F_SCOPE_LOCAL), "write"); }
+
+void sync(hid_t file) {
+  if (::fsync(commit_file(file).descriptor) == 0) return;
+  throw Failure{
+      .doing = "write it to the disk", .reason = std::strerror(errno), .error_number = errno};
+}
+
+void abandon(hid_t file) {
+  auto& abandoned = commit_file(file);
+  abandoned.abandoned = true;
+}
+
+}  // namespace pliant::hdf5

@@ -1,0 +1,76 @@
+#include "tests/engine/output/failing_disk.hpp"
+
+#include <fcntl.h>
+#include <signal.h>
+#include <sys/syscall.h>
+#include <sys/types.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <cstdio>
+#include <optional>
+
+// HDF5 is a shared library and finds these before those of libc. File systems that cannot reserve
+// space are the harder case, so that is what they pretend to be.
+
+namespace pliant::test {
+namespace {
+
+std::optional<Fault> injected;
+long faulty_change = 0, changes_made = 0;
+bool reservations_find_a_full_disk = false;
+
+/// Whether the call shall fail.
+bool meets_fault() {
+  const auto number = changes_made++;
+  if (!injected || number < faulty_change) return false;
+  if (*injected == Fault::kill) ::raise(SIGKILL);
+  return *injected == Fault::disk_full;
+}
+
+int fail(int error_number) {
+  errno = error_number;
+  return -1;
+}
+
+}  // namespace
+
+void inject(Fault fault, long number) {
+  injected = fault;
+  faulty_change = number;
+  changes_made = 0;
+}
+
+long changes() { return changes_made; }
+
+void answer_reservations(bool disk_full) { reservations_find_a_full_disk = disk_full; }
+
+}  // namespace pliant::test
+
+using namespace pliant::test;
+
+extern "C" {
+
+ssize_t pwrite(int file, const void* bytes, size_t size, off_t offset) {
+  if (meets_fault()) return fail(ENOSPC);
+  return syscall(SYS_pwrite64, file, bytes, size, offset);
+}
+
+int ftruncate(int file, off_t size) noexcept {
+  if (meets_fault()) return fail(ENOSPC);
+  return static_cast<int>(syscall(SYS_ftruncate, file, size));
+}
+
+int rename(const char* from, const char* to) noexcept {
+  if (meets_fault()) return fail(ENOSPC);
+  return static_cast<int>(syscall(SYS_rename, from, to));
+}
+
+/// The disk's cache is no part of these tests, and forcing it out would make them slow.
+int fsync(int) { return 0; }
+
+int fallocate(int, int, off_t, off_t) {
+  return fail(reservations_find_a_full_disk ? ENOSPC : EOPNOTSUPP);
+}
+
+}  // extern "C"

@@ -1,0 +1,49 @@
+#include "engine/output/interrupt.hpp"
+
+#include <gtest/gtest.h>
+#include <signal.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+namespace pliant::test {
+namespace {
+
+TEST(interrupt, the_first_signal_only_raises_a_flag) {
+  for (const int number : {SIGINT, SIGTERM}) {
+    const Interrupt interrupt;
+    EXPECT_FALSE(interrupt.requested());
+    ::raise(number);
+    EXPECT_TRUE(interrupt.requested());
+    EXPECT_EQ(interrupt.signal(), number);
+  }
+}
+
+TEST(interrupt, a_second_signal_ends_the_process_in_the_default_way) {
+  for (const int second : {SIGINT, SIGTERM}) {
+    const auto child = ::fork();
+    if (child == 0) {
+      const Interrupt interrupt;
+      ::raise(SIGINT);
+      ::raise(second);
+      ::_exit(0);
+    }
+    int status = 0;
+    ::waitpid(child, &status, 0);
+    EXPECT_TRUE(WIFSIGNALED(status));
+    EXPECT_EQ(WTERMSIG(status), second);
+  }
+}
+
+TEST(interrupt, earlier_handlers_come_back) {
+  struct sigaction before = {}, after = {};
+  ::sigaction(SIGINT, nullptr, &before);
+  {
+    const Interrupt interrupt;
+    ::raise(SIGINT);
+  }
+  ::sigaction(SIGINT, nullptr, &after);
+  EXPECT_EQ(before.sa_handler, after.sa_handler);
+}
+
+}  // namespace
+}  // namespace pliant::test

@@ -1,0 +1,140 @@
+#include <gtest/gtest.h>
+#include <signal.h>
+#include <sys/mman.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <chrono>
+#include <thread>
+
+#include "engine/output/result_file.hpp"
+#include "tests/engine/output/failing_disk.hpp"
+#include "tests/engine/output/sample_frames.hpp"
+#include "tests/engine/output/temporary_folder.hpp"
+
+namespace pliant::test {
+namespace {
+
+// Frames of more than a chunk, so that chunks and their index blocks are added all the time.
+constexpr int particles = 1500;
+
+/// Written by the child, read by the parent.
+struct Shared {
+  int completed;
+  long changes;
+};
+
+Shared& shared_memory() {
+  static auto* memory = static_cast<Shared*>(
+      ::mmap(nullptr, sizeof(Shared), PROT_READ | PROT_WRITE, MAP_SHARED | MAP_ANONYMOUS, -1, 0));
+  *memory = {};
+  return *memory;
+}
+
+/// Runs `work` in a process of its own; true when SIGKILL ended it.
+template <class Work>
+bool is_killed(Work work) {
+  const auto child = ::fork();
+  if (child == 0) {
+    work();
+    ::_exit(0);
+  }
+  int status = 0;
+  ::waitpid(child, &status, 0);
+  return WIFSIGNALED(status) && WTERMSIG(status) == SIGKILL;
+}
+
+/// What a killed run left: every frame that was reported complete is there, and one more at most.
+void expect_completed_frames(const TemporaryFolder& folder, int completed) {
+  if (completed == 0 && !std::filesystem::exists(folder / "result.h5")) return;
+  int found = -1;
+  ASSERT_NO_THROW(found = whole_frames(content_of(folder / "result.h5"), particles));
+  EXPECT_GE(found, completed);
+  EXPECT_LE(found, completed + 1);
+}
+
+// The kills are spread over all writes of the run: `stride` keeps the test short.
+void kill_at_each_change(int frames, long stride) {
+  auto& shared = shared_memory();
+  for (long number = 0;; number += stride) {
+    SCOPED_TRACE(number);
+    const TemporaryFolder folder;
+    shared.completed = 0;
+    const bool killed = is_killed([&] {
+      inject(Fault::kill, number);
+      auto file = ResultFile::create(folder.path(), sample_run());
+      for (int f = 0; f < frames; ++f) {
+        write_frames(file, f, f + 1, particles);
+        shared.completed = f + 1;
+      }
+      file.close();
+    });
+    expect_completed_frames(folder, shared.completed);
+    if (!killed) {
+      EXPECT_EQ(shared.completed, frames);
+      EXPECT_GT(number, 20 * frames) << "a frame takes more changes than that";
+      return;
+    }
+    if (testing::Test::HasFailure()) return;
+  }
+}
+
+TEST(killed_writer, leaves_all_completed_frames_whichever_write_is_its_last) {
+  kill_at_each_change(12, 7);
+}
+
+TEST(killed_writer, leaves_a_file_that_can_be_resumed_to_the_end) {
+  const TemporaryFolder whole_folder;
+  {
+    auto file = ResultFile::create(whole_folder / "whole", sample_run());
+    write_frames(file, 0, 6, particles);
+  }
+  const auto whole = content_of(whole_folder / "whole/result.h5");
+  auto& shared = shared_memory();
+  for (long number = 5;; number += 11) {
+    SCOPED_TRACE(number);
+    const auto folder = whole_folder / std::to_string(number);
+    ResultExtent extent;
+    {
+      auto file = ResultFile::create(folder, sample_run());
+      write_frames(file, 0, 2, particles);
+      extent = file.flush();
+    }
+    shared.completed = 0;
+    const auto resume = [&] {
+      auto file = ResultFile::resume(folder, extent);
+      write_frames(file, 2, 6, particles);
+    };
+    const bool killed = is_killed([&] {
+      inject(Fault::kill, number);
+      resume();
+    });
+    EXPECT_GE(whole_frames(content_of(folder / "result.h5"), particles), 2);
+    resume();
+    EXPECT_EQ(differences(whole, content_of(folder / "result.h5")), std::vector<std::string>());
+    if (!killed || testing::Test::HasFailure()) return;
+  }
+}
+
+TEST(killed_writer, leaves_all_completed_frames_at_any_moment) {
+  auto& shared = shared_memory();
+  for (const auto milliseconds : {20, 45, 70, 110}) {
+    const TemporaryFolder folder;
+    shared.completed = 0;
+    const auto child = ::fork();
+    if (child == 0) {
+      auto file = ResultFile::create(folder.path(), sample_run());
+      for (int f = 0;; ++f) {
+        write_frames(file, f, f + 1, particles);
+        shared.completed = f + 1;
+      }
+    }
+    std::this_thread::sleep_for(std::chrono::milliseconds(milliseconds));
+    ::kill(child, SIGKILL);
+    ::waitpid(child, nullptr, 0);
+    expect_completed_frames(folder, shared.completed);
+  }
+}
+
+}  // namespace
+}  // namespace pliant::test
