@@ -20,12 +20,12 @@ using VectorExpression = std::array<Expression, 3>;
 struct Shape {
   enum class Kind { box, ball, cylinder, half_space, unite, subtract, intersect };
   Kind kind = Kind::box;
-  Vector lower = {}, upper = {};     ///< box; may be infinite
-  Vector centre = {};                ///< ball (a disc in 2D), cylinder
-  double radius = 0;                 ///< ball, cylinder
-  Vector axis = {0, 0, 1};           ///< cylinder, infinite along it
-  Vector point = {}, normal = {};    ///< half_space: the side that `normal` (unit) points away from
-  std::vector<Shape> operands;       ///< unite, intersect; subtract takes the others from the first
+  Vector lower = {}, upper = {};   ///< box; may be infinite
+  Vector centre = {};              ///< ball (a disc in 2D), cylinder
+  double radius = 0;               ///< ball, cylinder
+  Vector axis = {0, 0, 1};         ///< cylinder, infinite along it
+  Vector point = {}, normal = {};  ///< half_space: the side that `normal` (unit) points away from
+  std::vector<Shape> operands;     ///< unite, intersect; subtract takes the others from the first
 };
 
 struct RigidRotation {
@@ -34,11 +34,25 @@ struct RigidRotation {
 };
 using InitialVelocity = std::variant<VectorExpression, RigidRotation>;
 
+/// A material in the words of case files; `elastic_constants` gives what the kernels read.
+struct MaterialCase {
+  enum class Model { linear, reduced_polynomial };
+  enum class Law { rho, log };
+  Model model = Model::linear;
+  double density = 0;                ///< [kg/m^3]
+  Law law = Law::rho;                ///< linear: (RP.5) or (RP.6)
+  double youngs_modulus = 0;         ///< linear: E [Pa]
+  double poissons_ratio = 0;         ///< linear: nu
+  std::vector<double> coefficients;  ///< reduced polynomial: C_10, C_20, ... [Pa]
+  double compressibility = 0;        ///< reduced polynomial: D [1/Pa]
+};
+
 struct BodyCase {
   std::string name;
   Shape geometry;
   kernels::Material<double> material;
   InitialVelocity velocity;
+  MaterialCase material_as_given;  ///< what `material` was computed from
 };
 
 struct BoundaryCase {
@@ -52,9 +66,9 @@ struct BoundaryCase {
 
 struct MeasurementCase {
   enum class Kind {
-    extent,              ///< farthest free surface along an axis, minus `reference`
-    ray,                 ///< distance from `point` along `direction` to the surface, minus `reference`
-    mean_radius,         ///< of the surface around `point`, over `rays` directions
+    extent,       ///< farthest free surface along an axis, minus `reference`
+    ray,          ///< distance from `point` along `direction` to the surface, minus `reference`
+    mean_radius,  ///< of the surface around `point`, over `rays` directions
     point_displacement,  ///< of the material point that started at `point`, along `axis`
     point_value,         ///< of `field` at `point`
     mass,
@@ -72,7 +86,7 @@ struct MeasurementCase {
   Kind kind = Kind::mass;
   int body = 0;
   int axis = 0;
-  bool lower_side = false;  ///< extent: towards -axis
+  bool lower_side = false;          ///< extent: towards -axis
   std::optional<Expression> where;  ///< extent: only surface points where this is not zero
   double reference = 0;
   bool relative = false;  ///< conserved quantities: over the value at the start
@@ -85,11 +99,13 @@ struct MeasurementCase {
 };
 
 enum class GhostTreatment { linear, averaged, rigid };
+enum class Method { remeshed };
 
 struct Case {
-  std::string name;   ///< folder or file stem
+  std::string name;  ///< of the folder or the file, unless the file says
   std::string title;
   int dimension = 2;
+  Method method = Method::remeshed;
 
   struct {
     double spacing = 0;  ///< h [m]
@@ -105,10 +121,10 @@ struct Case {
   struct {
     enum class Policy { every, adaptive, never };
     Policy policy = Policy::adaptive;
-    int every = 10;         ///< steps
-    double strain = 0.2;    ///< threshold of (RP.28)
-    double filter = 0.2;    ///< gamma of (RP.27)
-    bool extensive = false; ///< volume: (RP.25) instead of (RP.24)
+    int every = 10;          ///< steps
+    double strain = 0.2;     ///< threshold of (RP.28)
+    double filter = 0.2;     ///< gamma of (RP.27)
+    bool extensive = false;  ///< volume: (RP.25) instead of (RP.24)
   } remeshing;
 
   struct {

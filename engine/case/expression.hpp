@@ -22,6 +22,8 @@ class Expression {
   double operator()(double t) const { return (*this)(0, 0, 0, t); }
 
   bool is_constant() const { return parser_ == nullptr; }
+  /// Whether the value depends on `variable`: one of x, y, z, t.
+  bool uses(char variable) const;
   const std::string& text() const { return text_; }
 
  private:

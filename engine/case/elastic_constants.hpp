@@ -1,0 +1,11 @@
+#pragma once
+
+#include "engine/case/case.hpp"
+
+namespace pliant {
+
+/// What the kernels read of a material: (RP.7), and for the reduced polynomial the small-strain
+/// moduli K = 2/D and mu = 2 C_10.
+kernels::Material<double> elastic_constants(const MaterialCase& given);
+
+}  // namespace pliant

@@ -1,0 +1,112 @@
+#include "engine/case/expression.hpp"
+
+#include <fmt/format.h>
+#include <muParser.h>
+
+#include <cmath>
+#include <numbers>
+#include <stdexcept>
+#include <utility>
+
+namespace pliant {
+
+struct Expression::Parser {
+  explicit Parser(const std::string& formula) {
+    parser.DefineVar("x", &x);
+    parser.DefineVar("y", &y);
+    parser.DefineVar("z", &z);
+    parser.DefineVar("t", &t);
+    parser.DefineConst("pi", std::numbers::pi);
+    parser.SetExpr(formula);
+  }
+
+  double x = 0, y = 0, z = 0, t = 0;
+  mu::Parser parser;
+};
+
+namespace {
+
+/// muParser's own texts count from zero and differ in style from one error to the next.
+std::string explain(const mu::ParserError& error) {
+  const std::string token = error.GetToken();
+  const int position = error.GetPos() + 1;
+  switch (error.GetCode()) {
+    case mu::ecUNASSIGNABLE_TOKEN:
+      return fmt::format("unknown name `{}` at position {}", token, position);
+    case mu::ecUNEXPECTED_EOF:
+      return "it ends where a value is expected";
+    case mu::ecEMPTY_EXPRESSION:
+      return "it is empty";
+    case mu::ecMISSING_PARENS:
+      return "a closing parenthesis is missing";
+    case mu::ecTOO_MANY_PARAMS:
+      return fmt::format("too many arguments of `{}` before position {}", token, position);
+    case mu::ecTOO_FEW_PARAMS:
+      return fmt::format("too few arguments of `{}` before position {}", token, position);
+    default:
+      return fmt::format("unexpected `{}` at position {}", token, position);
+  }
+}
+
+/// muParser would take `x = 1` as an assignment to its own variable.
+void refuse_assignment(const std::string& formula) {
+  for (std::size_t i = formula.find('='); i != std::string::npos; i = formula.find('=', i + 1)) {
+    const bool closes = i > 0 && std::string("=<>!").find(formula[i - 1]) != std::string::npos;
+    const bool opens = i + 1 < formula.size() && formula[i + 1] == '=';
+    if (!closes && !opens) {
+      throw std::invalid_argument(
+          fmt::format("`=` at position {} assigns; equality is written `==`", i + 1));
+    }
+  }
+}
+
+}  // namespace
+
+Expression::Expression(double constant) : text_(fmt::format("{}", constant)), constant_(constant) {}
+
+Expression::Expression(const std::string& formula)
+    : text_(formula), parser_(std::make_unique<Parser>(formula)) {
+  refuse_assignment(formula);
+  try {
+    constant_ = parser_->parser.Eval();
+    if (parser_->parser.GetNumResults() > 1) {
+      throw std::invalid_argument("several values separated by commas, where one is expected");
+    }
+    if (!parser_->parser.GetUsedVar().empty()) return;
+  } catch (const mu::ParserError& error) {
+    throw std::invalid_argument(explain(error));
+  }
+  if (!std::isfinite(constant_)) throw std::invalid_argument("its value is not finite");
+  parser_.reset();
+}
+
+Expression::Expression(const Expression& other)
+    : text_(other.text_),
+      constant_(other.constant_),
+      parser_(other.parser_ ? std::make_unique<Parser>(other.text_) : nullptr) {}
+
+Expression::Expression(Expression&&) noexcept = default;
+
+Expression& Expression::operator=(Expression other) noexcept {
+  std::swap(text_, other.text_);
+  std::swap(constant_, other.constant_);
+  std::swap(parser_, other.parser_);
+  return *this;
+}
+
+Expression::~Expression() = default;
+
+double Expression::operator()(double x, double y, double z, double t) const {
+  if (!parser_) return constant_;
+  parser_->x = x;
+  parser_->y = y;
+  parser_->z = z;
+  parser_->t = t;
+  return parser_->parser.Eval();
+}
+
+bool Expression::uses(char variable) const {
+  return parser_ && parser_->parser.GetUsedVar().contains(std::string(1, variable));
+}
+
+}  // namespace pliant

@@ -1,0 +1,80 @@
+#pragma once
+
+#include <limits>
+#include <string_view>
+
+#include "engine/case/case.hpp"
+
+/// What the vocabulary says about a key, and the values whose spelling in a file differs from their
+/// place in `Case`.
+namespace pliant {
+
+/// Values that a number (every number, of a list) may take.
+struct Limits {
+  double lower, upper;
+  bool lower_included, upper_included;
+  std::string_view text;  ///< as in "youngs_modulus must be ..."
+
+  constexpr bool admit(double value) const {
+    return (lower_included ? value >= lower : value > lower) &&
+           (upper_included ? value <= upper : value < upper);
+  }
+};
+
+inline constexpr double unlimited = std::numeric_limits<double>::infinity();
+inline constexpr Limits finite{-unlimited, unlimited, false, false, "finite"};
+inline constexpr Limits finite_or_infinite{-unlimited, unlimited, true, true,
+                                           "finite, inf or -inf"};
+inline constexpr Limits positive{0, unlimited, false, false, "positive"};
+inline constexpr Limits not_negative{0, unlimited, true, false, "0 or more"};
+inline constexpr Limits at_least_one{1, unlimited, true, false, "1 or more"};
+
+/// Everything about a key but its name and its type. The default is the value that a
+/// default-constructed case holds.
+struct Notes {
+  std::string_view meaning;
+  std::string_view unit = "";
+  std::string_view example = "";  ///< a value, as TOML text
+  Limits limits = finite;
+  bool required = false;
+  bool decides = false;  ///< which other keys the table has hangs on this one's value
+  std::string_view variables = "xyzt";  ///< that a formula may use
+  std::string_view remedy = "";         ///< when a number is outside its limits; else the example
+};
+
+struct Name {  ///< letters, digits, _ and -
+  std::string& text;
+};
+struct StepRule {  ///< a number or "cfl"
+  std::optional<double>& step;
+};
+struct RemeshRule {  ///< a number of steps, "adaptive" or "never"
+  decltype(Case::remeshing)& remeshing;
+};
+struct AxisSet {  ///< ["x", "y"]
+  std::array<bool, 3>& axis;
+};
+struct Direction {  ///< a vector of any length but zero; the case holds the unit vector
+  Vector& vector;
+};
+struct AngularVelocity {  ///< a number in 2D, a vector in 3D
+  Vector& vector;
+};
+struct BodyName {
+  int& index;
+};
+struct MeasurementName {
+  int& index;
+};
+struct FieldName {
+  std::string& field;
+};
+/// `velocity` and `rotation` are two ways to give one value: each is there when the other is not.
+struct VelocityFormulas {
+  InitialVelocity& velocity;
+};
+struct Rotation {
+  InitialVelocity& velocity;
+};
+
+}  // namespace pliant

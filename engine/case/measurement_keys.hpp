@@ -1,0 +1,125 @@
+#pragma once
+
+#include "engine/case/key.hpp"
+#include "engine/case/words.hpp"
+
+/// The part of the vocabulary that says what a run measures: which keys each kind has.
+namespace pliant {
+
+template <class Visitor>
+void axis_key(Visitor& visit, MeasurementCase& m, std::string_view meaning) {
+  Axis axis{m.axis};
+  visit("axis", axis, {.meaning = meaning, .example = "\"x\""});
+  m.axis = static_cast<int>(axis);
+}
+
+template <class Visitor>
+void point_key(Visitor& visit, MeasurementCase& m, std::string_view meaning, bool required) {
+  visit("point", m.point,
+        {.meaning = meaning, .unit = "m", .example = "[0, 0]", .required = required});
+}
+
+template <class Visitor>
+void reference_length_key(Visitor& visit, MeasurementCase& m) {
+  visit(
+      "reference", m.reference,
+      {.meaning = "length to subtract, to measure a displacement", .unit = "m", .example = "0.5"});
+}
+
+template <class Visitor>
+void relative_key(Visitor& visit, MeasurementCase& m) {
+  visit("relative", m.relative,
+        {.meaning = "give the ratio to the value at the start", .example = "true"});
+}
+
+template <class Visitor>
+void extent_keys(Visitor& visit, MeasurementCase& m) {
+  axis_key(visit, m, "direction");
+  Side side = m.lower_side ? Side::lower : Side::upper;
+  visit("side", side, {.meaning = "which end", .example = "\"upper\""});
+  m.lower_side = side == Side::lower;
+  visit("where", m.where,
+        {.meaning = "only surface points where this formula of x, y, z, t is not zero",
+         .example = "\"abs(y) < 0.5\""});
+  reference_length_key(visit, m);
+}
+
+template <class Visitor>
+void velocity_error_keys(Visitor& visit, MeasurementCase& m) {
+  visit("exact", m.exact,
+        {.meaning = "the exact velocity, numbers or formulas of x, y, z, t",
+         .unit = "m/s",
+         .example = "[\"0.01*sin(2*pi*x)\", 0]",
+         .required = true});
+  visit("reference", m.reference,
+        {.meaning = "amplitude by which the error is divided",
+         .unit = "m/s",
+         .example = "0.01",
+         .limits = positive,
+         .required = true});
+  visit("norm", m.norm, {.meaning = "of the error over the body", .example = "\"maximum\""});
+}
+
+template <class Visitor>
+void measurement_keys(Visitor& visit, MeasurementCase& m) {
+  using Kind = MeasurementCase::Kind;
+  visit("name", Name{m.name},
+        {.meaning = "under which the summary gives it",
+         .example = "\"tip_displacement\"",
+         .required = true});
+  if (!visit("kind", m.kind,
+             {.meaning = "what is measured",
+              .example = "\"mass\"",
+              .required = true,
+              .decides = true})) {
+    return;
+  }
+  if (m.kind == Kind::period || m.kind == Kind::amplitude_ratio) {
+    visit("of", MeasurementName{m.of},
+          {.meaning = "the measurement whose history is read",
+           .example = "\"tip_displacement\"",
+           .required = true});
+    return;
+  }
+  visit("body", BodyName{m.body}, {.meaning = "the body; by default the first"});
+  switch (m.kind) {
+    case Kind::extent:
+      return extent_keys(visit, m);
+    case Kind::ray:
+      point_key(visit, m, "where the line starts, inside the body", true);
+      visit(
+          "direction", Direction{m.direction},
+          {.meaning = "along which the surface is sought", .example = "[1, 0]", .required = true});
+      return reference_length_key(visit, m);
+    case Kind::mean_radius:
+      point_key(visit, m, "centre", true);
+      visit("rays", m.rays,
+            {.meaning = "directions over which the mean is taken",
+             .example = "64",
+             .limits = {8, 65536, true, true, "from 8 to 65536"}});
+      return;
+    case Kind::point_displacement:
+      point_key(visit, m, "where the material point is at t = 0", true);
+      return axis_key(visit, m, "component");
+    case Kind::point_value:
+      point_key(visit, m, "where, fixed in space", true);
+      visit("field", FieldName{m.field},
+            {.meaning = "density, pressure, velocity_x, displacement_x, stress_xx, ...",
+             .example = "\"pressure\"",
+             .required = true});
+      return;
+    case Kind::momentum:
+      axis_key(visit, m, "component");
+      return relative_key(visit, m);
+    case Kind::angular_momentum:
+      point_key(visit, m, "about which", false);
+      if (visit.dimension() == 3) axis_key(visit, m, "component, in 3D; about z in 2D");
+      return relative_key(visit, m);
+    case Kind::velocity_error:
+      return velocity_error_keys(visit, m);
+    default:
+      return relative_key(visit, m);
+  }
+}
+
+}  // namespace pliant

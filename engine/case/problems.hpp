@@ -1,0 +1,57 @@
+#pragma once
+
+#include <toml++/toml.h>
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace pliant {
+
+/// Where a value was given: a line of the case file, or a `--set` argument.
+struct Place {
+  std::string file;        ///< or "--set key=value"
+  std::uint32_t line = 0;  ///< 0 for a setting
+
+  std::string text() const;
+};
+
+/// The place of `node`. Nodes that settings brought carry the setting as the name of their file.
+Place place_of(const toml::node& node);
+Place place_of(const toml::key& key);
+
+/// Collects everything that is wrong with a case, so that one run of the reader tells it all.
+class Problems {
+ public:
+  /// Adds "what; remedy". The same sentence about the same place is kept once.
+  void add(const Place& place, std::string_view what, std::string_view remedy);
+
+  bool empty() const { return problems_.empty(); }
+  std::size_t count() const { return problems_.size(); }
+
+  /// One line each, `place: what; remedy`, in the order of the file, settings last.
+  std::string text() const;
+
+ private:
+  struct Problem {
+    Place place;
+    std::string sentence;
+  };
+  std::vector<Problem> problems_;
+};
+
+/// What the toml file calls such a value: "a number", "text", "a list", ...
+std::string describe(const toml::node& node);
+
+/// The word of `known` nearest to `given` in insertions, deletions and replacements; empty when
+/// none is near enough to be what was meant.
+std::string_view nearest_word(std::string_view given, const std::vector<std::string_view>& known);
+
+/// "did you mean `nearest`?", or "`singular` is one of a, b, c" when nothing is near.
+std::string suggestion(std::string_view given, const std::vector<std::string_view>& known,
+                       std::string_view otherwise);
+
+/// How case files begin the arguments that come from the command line.
+inline constexpr std::string_view setting_mark = "--set ";
+
+}  // namespace pliant

@@ -1,0 +1,78 @@
+#include "engine/case/read_case.hpp"
+
+#include <fmt/format.h>
+
+#include <fstream>
+#include <iterator>
+
+#include "engine/case/check_case.hpp"
+#include "engine/case/elastic_constants.hpp"
+#include "engine/case/settings.hpp"
+#include "engine/case/table_reader.hpp"
+#include "engine/case/vocabulary.hpp"
+
+namespace pliant {
+namespace {
+
+toml::table parse(const std::filesystem::path& file) {
+  std::ifstream stream(file);
+  if (!stream) {
+    throw CaseError(
+        fmt::format("{}: cannot be read; give the path of a case file, or of a folder "
+                    "with a case.toml",
+                    file.string()));
+  }
+  const std::string text{std::istreambuf_iterator<char>(stream), {}};
+  try {
+    return toml::parse(text, file.string());
+  } catch (const toml::parse_error& error) {
+    throw CaseError(
+        fmt::format("{}:{}: not TOML: {}; mend the line: texts stand in quotes, lists in brackets, "
+                    "every key once",
+                    file.string(), error.source().begin.line, error.description()));
+  }
+}
+
+/// Names of the tables in the list `key`, empty where one has none.
+std::vector<std::string> names_in(const toml::table& root, std::string_view key) {
+  std::vector<std::string> names;
+  const toml::array* tables = root[key].as_array();
+  if (!tables) return names;
+  for (const toml::node& element : *tables) {
+    const toml::table* table = element.as_table();
+    names.push_back(table ? (*table)["name"].value_or(std::string()) : std::string());
+  }
+  return names;
+}
+
+std::string default_name(const std::filesystem::path& file) {
+  if (file.filename() == "case.toml") {
+    return std::filesystem::absolute(file).parent_path().filename().string();
+  }
+  return file.stem().string();
+}
+
+}  // namespace
+
+Case read_case(const std::filesystem::path& path, std::span<const std::string> settings) {
+  const bool is_folder = std::filesystem::is_directory(path);
+  const std::filesystem::path file = is_folder ? path / "case.toml" : path;
+  toml::table root = parse(file);
+  Problems problems;
+  apply_settings(root, settings, problems);
+
+  Reading reading{problems, root, 2, names_in(root, "body"), names_in(root, "measurement")};
+  if (root["dimension"].value<int>() == 3) reading.dimension = 3;
+  Case a_case;
+  a_case.name = default_name(file);
+  TableReader reader(root, "the case", Place{file.string(), 1}, reading);
+  case_keys(reader, a_case);
+  reader.finish();
+  check_case(a_case, root, Place{file.string(), 1}, problems);
+  if (!problems.empty()) throw CaseError(problems.text());
+
+  for (BodyCase& body : a_case.bodies) body.material = elastic_constants(body.material_as_given);
+  return a_case;
+}
+
+}  // namespace pliant

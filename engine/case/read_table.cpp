@@ -1,0 +1,113 @@
+#include <fmt/format.h>
+
+#include "engine/case/table_reader.hpp"
+#include "engine/case/vocabulary.hpp"
+
+/// Reading of values that are tables themselves: geometry, material, rotation.
+namespace pliant {
+namespace {
+
+/// Reads the keys of the table at `entry`; false when it is no table or anything in it is wrong.
+template <class Keys>
+bool read_keys(const Entry& entry, std::string_view title, Keys&& keys) {
+  const toml::table* table = entry.node.as_table();
+  if (!table) return entry.refuse("must be a table, found " + describe(entry.node));
+  const std::size_t problems = entry.reading.problems.count();
+  TableReader reader(*table, std::string(title), place_of(*table), entry.reading);
+  keys(reader);
+  reader.finish();
+  return entry.reading.problems.count() == problems;
+}
+
+bool read_material(const Entry& entry, std::string_view title, MaterialCase& material) {
+  return read_keys(entry, title, [&](auto& keys) { material_keys(keys, material); });
+}
+
+bool check_corners(const Entry& entry, const Shape& box) {
+  for (int i = 0; i < entry.reading.dimension; ++i) {
+    if (box.lower[i] < box.upper[i]) continue;
+    return entry.refuse(fmt::format("is a box with lower {} and upper {} along {}", box.lower[i],
+                                    box.upper[i], words<Axis>[i].text),
+                        "every component of lower must be below that of upper");
+  }
+  return true;
+}
+
+}  // namespace
+
+bool read(const Entry& entry, ShapeWord& value) {
+  const int number = read_word(entry, words<ShapeWord>);
+  if (number < 0) return false;
+  value = static_cast<ShapeWord>(number);
+  const bool flat = entry.reading.dimension == 2;
+  if (flat && (value == ShapeWord::ball || value == ShapeWord::cylinder)) {
+    return entry.refuse(
+        fmt::format("is a {}, which needs dimension = 3", words<ShapeWord>[number].text),
+        "take shape = \"disc\" in 2D");
+  }
+  if (!flat && value == ShapeWord::disc) {
+    return entry.refuse("is a disc, which needs dimension = 2",
+                        "take shape = \"ball\" or \"cylinder\" in 3D");
+  }
+  return true;
+}
+
+bool read(const Entry& entry, Shape& value) {
+  const bool good = read_keys(entry, entry.key, [&](auto& keys) { shape_keys(keys, value); });
+  return good && (value.kind != Shape::Kind::box || check_corners(entry, value));
+}
+
+bool read(const Entry& entry, std::vector<Shape>& value) {
+  const toml::array* list = entry.node.as_array();
+  if (!list) return entry.refuse("must be a list of shapes, found " + describe(entry.node));
+  if (list->size() < 2) {
+    return entry.refuse(fmt::format("needs two parts or more, got {}", list->size()));
+  }
+  value.resize(list->size());
+  bool good = true;
+  for (std::size_t i = 0; i < list->size(); ++i) {
+    const Entry part{entry.key, *list->get(i), entry.notes, entry.reading};
+    good = read(part, value[i]) && good;
+  }
+  return good;
+}
+
+bool read(const Entry& entry, MaterialCase& value) {
+  const auto name = entry.node.value<std::string>();
+  if (!name) return read_material(entry, entry.key, value);
+  const toml::table* materials = entry.reading.root["material"].as_table();
+  const toml::node* named = materials ? materials->get(*name) : nullptr;
+  if (named) {
+    return read_material({entry.key, *named, entry.notes, entry.reading},
+                         fmt::format("[material.{}]", *name), value);
+  }
+  std::vector<std::string_view> known;
+  if (materials) {
+    for (const auto& [key, node] : *materials) known.push_back(key.str());
+  }
+  const std::string_view nearest = nearest_word(*name, known);
+  return entry.refuse(fmt::format("names the material \"{}\", which does not exist", *name),
+                      nearest.empty() ? fmt::format("add a table [material.{}]", *name)
+                                      : fmt::format("did you mean \"{}\"?", nearest));
+}
+
+bool read(const Entry& entry, Rotation value) {
+  RigidRotation rotation;
+  if (!read_keys(entry, entry.key, [&](auto& keys) { rotation_keys(keys, rotation); }))
+    return false;
+  value.velocity = rotation;
+  return true;
+}
+
+void TableReader::materials(std::string_view key, std::string_view) {
+  const toml::node* materials = find_table(key);
+  if (!materials || !materials->is_table()) return;
+  for (const auto& [name, node] : *materials->as_table()) {
+    const std::string title = fmt::format("[{}.{}]", key, name.str());
+    MaterialCase material;
+    const Notes notes{.meaning = "", .example = "{ model = \"linear\", ... }"};
+    read_material({name.str(), node, notes, reading_}, title, material);
+  }
+}
+
+}  // namespace pliant

@@ -1,0 +1,304 @@
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <cmath>
+#include <stdexcept>
+
+#include "engine/case/table_reader.hpp"
+
+/// Reading of single values: numbers, texts, lists, formulas, words. Tables are in read_table.cpp.
+namespace pliant {
+namespace {
+
+/// A number, or a text that is a formula of constants such as "1/32". `why` says what is wrong.
+std::optional<double> number_in(const toml::node& node, std::string& why) {
+  if (const auto number = node.value<double>(); number && node.is_number()) return number;
+  why = "found " + describe(node);
+  const auto text = node.value<std::string>();
+  if (!text) return std::nullopt;
+  try {
+    const Expression formula(*text);
+    if (formula.is_constant()) return formula(0);
+    why += ", which is not constant";
+  } catch (const std::invalid_argument& error) {
+    why += fmt::format(": {}", error.what());
+  }
+  return std::nullopt;
+}
+
+bool read_number(const Entry& entry, const toml::node& node, double& value) {
+  std::string why;
+  const std::optional<double> number = number_in(node, why);
+  if (!number) return entry.refuse("must be a number, " + why);
+  if (std::isinf(*number) && !entry.notes.limits.admit(*number)) {
+    return entry.refuse(fmt::format("must be finite, got {}", *number));
+  }
+  if (!entry.notes.limits.admit(*number)) {
+    return entry.refuse(fmt::format("must be {}, got {}", entry.notes.limits.text, *number),
+                        std::string(entry.notes.remedy));
+  }
+  value = *number;
+  return true;
+}
+
+bool read_formula(const Entry& entry, const toml::node& node, Expression& value) {
+  const auto text = node.value<std::string>();
+  if (!text) {
+    double number = 0;
+    if (!node.is_number())
+      return entry.refuse("must be a number or a formula, found " + describe(node));
+    if (!read_number(entry, node, number)) return false;
+    value = Expression(number);
+    return true;
+  }
+  const std::string variables = fmt::format("{}", fmt::join(entry.notes.variables, ", "));
+  try {
+    value = Expression(*text);
+  } catch (const std::invalid_argument& error) {
+    return entry.refuse(
+        fmt::format("has the formula \"{}\": {}", *text, error.what()),
+        fmt::format("formulas are made of numbers, {}, pi, + - * / ^, comparisons, "
+                    "?:, &&, || and functions such as sin, exp, sqrt, abs, min, max",
+                    variables));
+  }
+  for (const char variable : std::string_view("xyzt")) {
+    if (!value.uses(variable) || entry.notes.variables.find(variable) != std::string::npos)
+      continue;
+    return entry.refuse(fmt::format("has the formula \"{}\", which uses {}", *text, variable),
+                        fmt::format("here formulas may use {} only", variables));
+  }
+  return true;
+}
+
+/// The list at `entry` when it has one element for each direction; null and a problem otherwise.
+const toml::array* components(const Entry& entry) {
+  const int dimension = entry.reading.dimension;
+  const std::string shape = dimension == 2 ? "[x, y]" : "[x, y, z]";
+  const toml::array* list = entry.node.as_array();
+  if (!list) {
+    entry.refuse("must be a list of numbers, found " + describe(entry.node));
+  } else if (list->size() != static_cast<std::size_t>(dimension)) {
+    entry.refuse(fmt::format("needs {} components where dimension = {}, got {}", dimension, dimension,
+                             list->size()),
+                 "give " + shape);
+    return nullptr;
+  }
+  return list;
+}
+
+bool is_name(std::string_view text) {
+  constexpr std::string_view letters =
+      "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_-";
+  return !text.empty() && text.find_first_not_of(letters) == text.npos;
+}
+
+bool read_reference(const Entry& entry, const std::vector<std::string>& names,
+                    std::string_view what, int& index) {
+  const auto text = entry.node.value<std::string>();
+  if (!text) return entry.refuse("must be a text, found " + describe(entry.node));
+  for (std::size_t i = 0; i < names.size(); ++i) {
+    if (names[i] != *text) continue;
+    index = static_cast<int>(i);
+    return true;
+  }
+  const std::vector<std::string_view> known(names.begin(), names.end());
+  return entry.refuse(fmt::format("names the {} \"{}\", which does not exist", what, *text),
+                      known.empty() ? fmt::format("add a [[{}]] of that name", what)
+                                    : suggestion(*text, known, "there are"));
+}
+
+}  // namespace
+
+bool Entry::refuse(const std::string& what, const std::string& remedy) const {
+  reading.problems.add(
+      place_of(node), fmt::format("{} {}", key, what),
+      remedy.empty() ? fmt::format("write it as in {} = {}", key, notes.example) : remedy);
+  return false;
+}
+
+int read_word(const Entry& entry, std::span<const Word> known) {
+  std::vector<std::string_view> texts;
+  for (const Word& word : known) texts.push_back(word.text);
+  const std::string list = fmt::format("\"{}\"", fmt::join(texts, "\", \""));
+  const auto text = entry.node.value<std::string>();
+  if (!text) {
+    entry.refuse(fmt::format("must be one of {}, found {}", list, describe(entry.node)));
+    return -1;
+  }
+  for (const Word& word : known) {
+    if (word.text == *text) return word.value;
+  }
+  const std::string_view nearest = nearest_word(*text, texts);
+  entry.refuse(
+      fmt::format("must be one of {}, got \"{}\"", list, *text),
+      nearest.empty() ? "take one of these" : fmt::format("did you mean \"{}\"?", nearest));
+  return -1;
+}
+
+bool read(const Entry& entry, double& value) { return read_number(entry, entry.node, value); }
+
+bool read(const Entry& entry, int& value) {
+  double number = 0;
+  if (!read_number(entry, entry.node, number)) return false;
+  if (number != std::floor(number) || std::abs(number) > 1e9) {
+    return entry.refuse(fmt::format("must be a whole number, got {}", number));
+  }
+  value = static_cast<int>(number);
+  return true;
+}
+
+bool read(const Entry& entry, bool& value) {
+  const auto flag = entry.node.value_exact<bool>();
+  if (!flag) return entry.refuse("must be true or false, found " + describe(entry.node));
+  value = *flag;
+  return true;
+}
+
+bool read(const Entry& entry, std::string& value) {
+  const auto text = entry.node.value_exact<std::string>();
+  if (!text) return entry.refuse("must be a text, found " + describe(entry.node));
+  value = *text;
+  return true;
+}
+
+bool read(const Entry& entry, Name value) {
+  if (!read(entry, value.text)) return false;
+  if (is_name(value.text)) return true;
+  return entry.refuse(fmt::format("is made of letters, digits, _ and -, got \"{}\"", value.text));
+}
+
+bool read(const Entry& entry, Vector& value) {
+  const toml::array* list = components(entry);
+  if (!list) return false;
+  bool good = true;
+  for (std::size_t i = 0; i < list->size(); ++i) {
+    good = read_number(entry, *list->get(i), value[i]) && good;
+  }
+  return good;
+}
+
+bool read(const Entry& entry, std::vector<double>& coefficients) {
+  const toml::array* list = entry.node.as_array();
+  if (!list) return entry.refuse("must be a list of numbers, found " + describe(entry.node));
+  if (list->empty() || list->size() > 5) {
+    return entry.refuse(fmt::format("has {} numbers, where one to five are possible", list->size()),
+                        "give C_10 up to at most C_50");
+  }
+  coefficients.resize(list->size());
+  for (std::size_t i = 0; i < list->size(); ++i) {
+    if (!read_number(entry, *list->get(i), coefficients[i])) return false;
+  }
+  if (coefficients.front() > 0) return true;
+  return entry.refuse(fmt::format("must start with a positive C_10, got {}", coefficients.front()),
+                      "the shear modulus is 2 C_10");
+}
+
+bool read(const Entry& entry, Expression& value) { return read_formula(entry, entry.node, value); }
+
+bool read(const Entry& entry, std::optional<Expression>& value) {
+  return read_formula(entry, entry.node, value.emplace());
+}
+
+bool read(const Entry& entry, VectorExpression& value) {
+  const toml::array* list = components(entry);
+  if (!list) return false;
+  bool good = true;
+  for (std::size_t i = 0; i < list->size(); ++i) {
+    good = read_formula(entry, *list->get(i), value[i]) && good;
+  }
+  return good;
+}
+
+bool read(const Entry& entry, StepRule value) {
+  if (entry.node.value<std::string_view>() == "cfl") {
+    value.step.reset();
+    return true;
+  }
+  std::string why;
+  if (!number_in(entry.node, why)) {
+    return entry.refuse("must be a number or \"cfl\", found " + describe(entry.node),
+                        "write step = \"cfl\", or a time step as in step = 5e-5");
+  }
+  return read(entry, value.step.emplace());
+}
+
+bool read(const Entry& entry, RemeshRule value) {
+  using Policy = decltype(Case::remeshing)::Policy;
+  const auto text = entry.node.value<std::string_view>();
+  std::string why;
+  if (text == "adaptive" || text == "never") {
+    value.remeshing.policy = text == "never" ? Policy::never : Policy::adaptive;
+    return true;
+  }
+  if (!number_in(entry.node, why)) {
+    return entry.refuse("must be a number of steps, \"adaptive\" or \"never\", found " +
+                        describe(entry.node));
+  }
+  value.remeshing.policy = Policy::every;
+  return read(entry, value.remeshing.every);
+}
+
+bool read(const Entry& entry, Axis& value) {
+  const int word = read_word(entry, words<Axis>);
+  if (word < 0) return false;
+  if (word >= entry.reading.dimension) {
+    return entry.refuse("is \"z\", which dimension = 2 does not have", "take \"x\" or \"y\"");
+  }
+  value = static_cast<Axis>(word);
+  return true;
+}
+
+bool read(const Entry& entry, AxisSet value) {
+  const toml::array* list = entry.node.as_array();
+  if (!list) return entry.refuse("must be a list of axes, found " + describe(entry.node));
+  for (const toml::node& element : *list) {
+    Axis axis{};
+    if (!read(Entry{entry.key, element, entry.notes, entry.reading}, axis)) return false;
+    value.axis[static_cast<std::size_t>(axis)] = true;
+  }
+  return true;
+}
+
+bool read(const Entry& entry, Direction value) {
+  Vector given{};
+  if (!read(entry, given)) return false;
+  const double length = std::hypot(given[0], given[1], given[2]);
+  if (length == 0) return entry.refuse("must have a direction, got zeros");
+  // A unit vector stays as it is, so that a resolved case reads back to the same bits.
+  const bool is_unit = std::abs(length - 1) < 1e-15;
+  for (std::size_t i = 0; i < 3; ++i) value.vector[i] = is_unit ? given[i] : given[i] / length;
+  return true;
+}
+
+bool read(const Entry& entry, AngularVelocity value) {
+  if (entry.reading.dimension == 3) return read(entry, value.vector);
+  return read(entry, value.vector[2]);
+}
+
+bool read(const Entry& entry, BodyName value) {
+  return read_reference(entry, entry.reading.body_names, "body", value.index);
+}
+
+bool read(const Entry& entry, MeasurementName value) {
+  return read_reference(entry, entry.reading.measurement_names, "measurement", value.index);
+}
+
+bool read(const Entry& entry, FieldName value) {
+  if (!read(entry, value.field)) return false;
+  if (is_measurable(value.field, entry.reading.dimension)) return true;
+  std::vector<std::string_view> known;
+  for (const std::string_view field : measurable_fields) {
+    if (is_measurable(field, entry.reading.dimension)) known.push_back(field);
+  }
+  return entry.refuse(fmt::format("names the field \"{}\", which does not exist", value.field),
+                      suggestion(value.field, known, "there are"));
+}
+
+bool read(const Entry& entry, VelocityFormulas value) {
+  VectorExpression velocity;
+  if (!read(entry, velocity)) return false;
+  value.velocity = velocity;
+  return true;
+}
+
+}  // namespace pliant

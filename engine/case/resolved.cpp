@@ -1,0 +1,165 @@
+#include "engine/case/resolved.hpp"
+
+#include <fmt/format.h>
+
+#include "engine/case/toml_text.hpp"
+#include "engine/case/vocabulary.hpp"
+
+namespace pliant {
+namespace {
+
+/// [a, b] in 2D, [a, b, c] in 3D.
+template <class Element>
+std::string list_text(const std::array<Element, 3>& values, const Writing& writing) {
+  std::string text;
+  for (int i = 0; i < writing.dimension; ++i) {
+    text += (i == 0 ? "" : ", ") + toml_text(values[i], writing);
+  }
+  return "[" + text + "]";
+}
+
+template <class Keys>
+std::string inline_table(const Writing& writing, Keys&& keys) {
+  TableWriter writer(writing);
+  keys(writer);
+  return "{ " + writer.joined(", ") + " }";
+}
+
+}  // namespace
+
+std::string TableWriter::joined(std::string_view separator) const {
+  std::string text;
+  for (const std::string& line : lines_) {
+    if (&line != &lines_.front()) text += separator;
+    text += line;
+  }
+  return text;
+}
+
+/// The shortest decimals that read back to the same bits.
+std::string toml_text(double value, const Writing&) { return fmt::format("{}", value); }
+
+std::string toml_text(int value, const Writing&) { return fmt::format("{}", value); }
+
+std::string toml_text(bool value, const Writing&) { return value ? "true" : "false"; }
+
+std::string toml_text(const std::string& value, const Writing&) {
+  std::string text = "\"";
+  for (const char c : value) {
+    if (c == '"' || c == '\\') {
+      text += '\\';
+      text += c;
+    } else if (static_cast<unsigned char>(c) < 0x20 || c == 0x7f) {
+      text += fmt::format("\\u{:04X}", static_cast<unsigned char>(c));
+    } else {
+      text += c;
+    }
+  }
+  return text + '"';
+}
+
+std::string toml_text(const Vector& value, const Writing& writing) {
+  return list_text(value, writing);
+}
+
+std::string toml_text(const std::vector<double>& value, const Writing&) {
+  std::string text;
+  for (const double number : value) text += fmt::format("{}{}", text.empty() ? "" : ", ", number);
+  return "[" + text + "]";
+}
+
+std::string toml_text(const Expression& value, const Writing& writing) {
+  return value.is_constant() ? toml_text(value(0), writing) : toml_text(value.text(), writing);
+}
+
+std::string toml_text(const std::optional<Expression>& value, const Writing& writing) {
+  return value ? toml_text(*value, writing) : "";
+}
+
+std::string toml_text(const VectorExpression& value, const Writing& writing) {
+  return list_text(value, writing);
+}
+
+std::string toml_text(Name value, const Writing& writing) {
+  return value.text.empty() ? "" : toml_text(value.text, writing);
+}
+
+std::string toml_text(StepRule value, const Writing& writing) {
+  return value.step ? toml_text(*value.step, writing) : "\"cfl\"";
+}
+
+std::string toml_text(RemeshRule value, const Writing& writing) {
+  using Policy = decltype(Case::remeshing)::Policy;
+  if (value.remeshing.policy == Policy::adaptive) return "\"adaptive\"";
+  if (value.remeshing.policy == Policy::never) return "\"never\"";
+  return toml_text(value.remeshing.every, writing);
+}
+
+std::string toml_text(AxisSet value, const Writing&) {
+  std::string text;
+  for (const Word& axis : words<Axis>) {
+    if (!value.axis[axis.value]) continue;
+    text += fmt::format("{}\"{}\"", text.empty() ? "" : ", ", axis.text);
+  }
+  return "[" + text + "]";
+}
+
+std::string toml_text(Direction value, const Writing& writing) {
+  return list_text(value.vector, writing);
+}
+
+std::string toml_text(AngularVelocity value, const Writing& writing) {
+  return writing.dimension == 2 ? toml_text(value.vector[2], writing)
+                                : list_text(value.vector, writing);
+}
+
+std::string toml_text(BodyName value, const Writing& writing) {
+  const auto& bodies = writing.a_case.bodies;
+  const auto index = static_cast<std::size_t>(value.index);
+  return index < bodies.size() ? toml_text(bodies[index].name, writing) : "";
+}
+
+std::string toml_text(MeasurementName value, const Writing& writing) {
+  const auto& measurements = writing.a_case.measurements;
+  const auto index = static_cast<std::size_t>(value.index);
+  return index < measurements.size() ? toml_text(measurements[index].name, writing) : "";
+}
+
+std::string toml_text(FieldName value, const Writing& writing) {
+  return toml_text(value.field, writing);
+}
+
+std::string toml_text(VelocityFormulas value, const Writing& writing) {
+  const auto* velocity = std::get_if<VectorExpression>(&value.velocity);
+  return velocity ? list_text(*velocity, writing) : "";
+}
+
+std::string toml_text(Rotation value, const Writing& writing) {
+  auto* rotation = std::get_if<RigidRotation>(&value.velocity);
+  if (!rotation) return "";
+  return inline_table(writing, [&](auto& keys) { rotation_keys(keys, *rotation); });
+}
+
+std::string toml_text(Shape& value, const Writing& writing) {
+  return inline_table(writing, [&](auto& keys) { shape_keys(keys, value); });
+}
+
+std::string toml_text(std::vector<Shape>& value, const Writing& writing) {
+  std::string text;
+  for (Shape& shape : value) text += (text.empty() ? "" : ", ") + toml_text(shape, writing);
+  return "[" + text + "]";
+}
+
+std::string toml_text(MaterialCase& value, const Writing& writing) {
+  return inline_table(writing, [&](auto& keys) { material_keys(keys, value); });
+}
+
+std::string resolved_toml(const Case& a_case) {
+  // The vocabulary hands out places to write to, for the sake of the reader.
+  Case copy = a_case;
+  TableWriter writer(Writing{a_case, a_case.dimension});
+  case_keys(writer, copy);
+  return writer.joined("\n") + "\n";
+}
+
+}  // namespace pliant

@@ -1,0 +1,12 @@
+#pragma once
+
+#include <string>
+
+#include "engine/case/case.hpp"
+
+namespace pliant {
+
+/// The whole case as a case file with every default filled in. Reading it gives an equal case.
+std::string resolved_toml(const Case& a_case);
+
+}  // namespace pliant

@@ -1,0 +1,113 @@
+#pragma once
+
+#include "engine/case/key.hpp"
+#include "engine/case/words.hpp"
+
+/// The part of the vocabulary that says where bodies and boundaries are.
+namespace pliant {
+
+inline ShapeWord word_of(const Shape& shape, int dimension) {
+  switch (shape.kind) {
+    case Shape::Kind::box:
+      return ShapeWord::box;
+    case Shape::Kind::ball:
+      return dimension == 2 ? ShapeWord::disc : ShapeWord::ball;
+    case Shape::Kind::cylinder:
+      return ShapeWord::cylinder;
+    case Shape::Kind::half_space:
+      return ShapeWord::half_space;
+    case Shape::Kind::unite:
+      return ShapeWord::unite;
+    case Shape::Kind::subtract:
+      return ShapeWord::difference;
+    case Shape::Kind::intersect:
+      break;
+  }
+  return ShapeWord::intersection;
+}
+
+inline Shape::Kind kind_of(ShapeWord shape) {
+  switch (shape) {
+    case ShapeWord::box:
+      return Shape::Kind::box;
+    case ShapeWord::disc:
+    case ShapeWord::ball:
+      return Shape::Kind::ball;
+    case ShapeWord::cylinder:
+      return Shape::Kind::cylinder;
+    case ShapeWord::half_space:
+      return Shape::Kind::half_space;
+    case ShapeWord::unite:
+      return Shape::Kind::unite;
+    case ShapeWord::difference:
+      return Shape::Kind::subtract;
+    case ShapeWord::intersection:
+      break;
+  }
+  return Shape::Kind::intersect;
+}
+
+template <class Visitor>
+void box_keys(Visitor& visit, Shape& shape) {
+  visit("lower", shape.lower,
+        {.meaning = "lower corner; -inf where it has no end",
+         .unit = "m",
+         .example = "[0, 0]",
+         .limits = finite_or_infinite,
+         .required = true});
+  visit("upper", shape.upper,
+        {.meaning = "upper corner; inf where it has no end",
+         .unit = "m",
+         .example = "[1, 1]",
+         .limits = finite_or_infinite,
+         .required = true});
+}
+
+template <class Visitor>
+void round_keys(Visitor& visit, Shape& shape) {
+  visit("centre", shape.centre,
+        {.meaning = "centre, or a point of the axis",
+         .unit = "m",
+         .example = "[0, 0]",
+         .required = true});
+  visit("radius", shape.radius,
+        {.meaning = "radius", .unit = "m", .example = "1", .limits = positive, .required = true});
+  if (shape.kind == Shape::Kind::cylinder) {
+    visit("axis", Direction{shape.axis}, {.meaning = "direction", .example = "[0, 0, 1]"});
+  }
+}
+
+template <class Visitor>
+void half_space_keys(Visitor& visit, Shape& shape) {
+  visit("point", shape.point,
+        {.meaning = "any point of its plane", .unit = "m", .example = "[0, 0]", .required = true});
+  visit(
+      "normal", Direction{shape.normal},
+      {.meaning = "out of it; of a wall, towards the body", .example = "[0, 1]", .required = true});
+}
+
+template <class Visitor>
+void shape_keys(Visitor& visit, Shape& shape) {
+  ShapeWord word = word_of(shape, visit.dimension());
+  const bool known =
+      visit("shape", word,
+            {.meaning = "which shape", .example = "\"box\"", .required = true, .decides = true});
+  if (!known) return;
+  shape.kind = kind_of(word);
+  switch (shape.kind) {
+    case Shape::Kind::box:
+      return box_keys(visit, shape);
+    case Shape::Kind::ball:
+    case Shape::Kind::cylinder:
+      return round_keys(visit, shape);
+    case Shape::Kind::half_space:
+      return half_space_keys(visit, shape);
+    default:
+      visit("of", shape.operands,
+            {.meaning = "the parts, at least two",
+             .example = "[{ shape = \"box\", ... }, { shape = \"disc\", ... }]",
+             .required = true});
+  }
+}
+
+}  // namespace pliant

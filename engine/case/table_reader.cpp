@@ -1,0 +1,61 @@
+#include "engine/case/table_reader.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace pliant {
+
+const toml::node* TableReader::find(std::string_view key, const Notes& notes) {
+  known_.push_back(key);
+  const toml::node* node = table_.get(key);
+  if (node || !notes.required) return node;
+  if (notes.decides) keys_are_known_ = false;
+  missing_.emplace_back(key, notes);
+  return nullptr;
+}
+
+const toml::node* TableReader::find_table(std::string_view key) {
+  known_.push_back(key);
+  const toml::node* node = table_.get(key);
+  if (!node || node->is_table()) return node;
+  reading_.problems.add(place_of(*node),
+                        fmt::format("`{}` must be a table, found {}", key, describe(*node)),
+                        fmt::format("write [{}] on a line of its own, its keys below", key));
+  return nullptr;
+}
+
+const toml::array* TableReader::find_tables(std::string_view key) {
+  known_.push_back(key);
+  const toml::node* node = table_.get(key);
+  if (!node) return nullptr;
+  const toml::array* array = node->as_array();
+  const bool good = array && std::all_of(array->begin(), array->end(),
+                                         [](const toml::node& e) { return e.is_table(); });
+  if (good) return array;
+  reading_.problems.add(
+      place_of(*node), fmt::format("`{}` must be a list of tables, found {}", key, describe(*node)),
+      fmt::format("write [[{}]], with double brackets, before the keys of each", key));
+  return nullptr;
+}
+
+void TableReader::finish() const {
+  // A misspelt key is one mistake, not an unknown key and a missing one.
+  std::vector<std::string_view> meant;
+  for (const auto& [key, node] : table_) {
+    const bool is_known = std::find(known_.begin(), known_.end(), key.str()) != known_.end();
+    if (is_known || !keys_are_known_) continue;
+    meant.push_back(nearest_word(key.str(), known_));
+    // A key that a setting added has no source of its own, its value has.
+    const Place place = key.source().path ? place_of(key) : place_of(node);
+    reading_.problems.add(place, fmt::format("unknown key `{}` in {}", key.str(), title_),
+                          suggestion(key.str(), known_, "its keys are"));
+  }
+  for (const auto& [key, notes] : missing_) {
+    if (std::find(meant.begin(), meant.end(), key) != meant.end()) continue;
+    reading_.problems.add(place_, fmt::format("{} lacks `{}`, {}", title_, key, notes.meaning),
+                          fmt::format("add {} = {}", key, notes.example));
+  }
+}
+
+}  // namespace pliant

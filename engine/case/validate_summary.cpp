@@ -1,0 +1,96 @@
+#include "engine/case/validate_summary.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "engine/case/vocabulary.hpp"
+#include "engine/geometry/signed_distance.hpp"
+
+namespace pliant {
+namespace {
+
+/// Area or volume of a body inside the periodic cell, from midpoints of a grid: exact for boxes.
+double measure(const BodyCase& body, const Case& a_case) {
+  Box box = bounding_box(body.geometry);
+  const int cells = a_case.dimension == 2 ? 1024 : 96;
+  double cell = 1;
+  for (int i = 0; i < a_case.dimension; ++i) {
+    if (a_case.periodic.axis[i]) {
+      box.lower[i] = std::max(box.lower[i], a_case.periodic.lower[i]);
+      box.upper[i] = std::min(box.upper[i], a_case.periodic.upper[i]);
+    }
+    cell *= (box.upper[i] - box.lower[i]) / cells;
+  }
+  double sum = 0;
+  for (int z = 0; z < (a_case.dimension == 2 ? 1 : cells); ++z) {
+    for (int y = 0; y < cells; ++y) {
+      for (int x = 0; x < cells; ++x) {
+        const std::array<int, 3> index{x, y, z};
+        Vector point{};
+        for (int i = 0; i < a_case.dimension; ++i) {
+          point[i] = box.lower[i] + (box.upper[i] - box.lower[i]) * (index[i] + 0.5) / cells;
+        }
+        if (signed_distance(body.geometry, point, a_case.dimension) < 0) sum += cell;
+      }
+    }
+  }
+  return sum;
+}
+
+/// (RP.11) at rest.
+double wave_speed(const BodyCase& body) {
+  const kernels::Material<double>& m = body.material;
+  return std::sqrt((m.bulk_modulus + 4 * m.shear_modulus / 3) / m.density);
+}
+
+std::string model_name(const BodyCase& body) {
+  const MaterialCase& material = body.material_as_given;
+  if (material.model == MaterialCase::Model::reduced_polynomial) {
+    return fmt::format("reduced polynomial of order {}", body.material.order);
+  }
+  return fmt::format("linear, {} law", material.law == MaterialCase::Law::rho ? "rho" : "log");
+}
+
+std::string remeshing_text(const Case& a_case) {
+  using Policy = decltype(Case::remeshing)::Policy;
+  if (a_case.remeshing.policy == Policy::never) return "never remeshed";
+  if (a_case.remeshing.policy == Policy::adaptive) {
+    return fmt::format("remeshed at a strain of {}", a_case.remeshing.strain);
+  }
+  return fmt::format("remeshed every {} steps", a_case.remeshing.every);
+}
+
+}  // namespace
+
+std::string validate_summary(const Case& a_case) {
+  std::string text = fmt::format("{}: {}, {}D, spacing {} m\n", a_case.name,
+                                 a_case.title.empty() ? "no title" : a_case.title, a_case.dimension,
+                                 a_case.discretisation.spacing);
+  const double cell = std::pow(a_case.discretisation.spacing, a_case.dimension);
+  double fastest = 0;
+  for (const BodyCase& body : a_case.bodies) {
+    fastest = std::max(fastest, wave_speed(body));
+    text += fmt::format("  body {}: about {:.0f} particles, {}, waves at {:.4g} m/s\n", body.name,
+                        measure(body, a_case) / cell, model_name(body), wave_speed(body));
+  }
+  for (const BoundaryCase& boundary : a_case.boundaries) {
+    text += fmt::format("  boundary {}: {}\n", boundary.name,
+                        words<BoundaryWord>[static_cast<int>(word_of(boundary))].text);
+  }
+  // (RP.20) at rest
+  const double cfl_step = a_case.time.cfl * a_case.discretisation.spacing / fastest;
+  const double step = a_case.time.step.value_or(cfl_step);
+  text += fmt::format("  time: {} s in about {:.0f} steps of {:.3g} s (CFL number {:.2g}), {}\n",
+                      a_case.time.end, std::ceil(a_case.time.end / step), step,
+                      step * fastest / a_case.discretisation.spacing, remeshing_text(a_case));
+  std::vector<std::string> names;
+  for (const MeasurementCase& measurement : a_case.measurements) names.push_back(measurement.name);
+  text += fmt::format("  measurements: {}\n",
+                      names.empty() ? "none" : fmt::format("{}", fmt::join(names, ", ")));
+  return text;
+}
+
+}  // namespace pliant

@@ -1,0 +1,281 @@
+#pragma once
+
+#include "engine/case/key.hpp"
+#include "engine/case/measurement_keys.hpp"
+#include "engine/case/shape_keys.hpp"
+#include "engine/case/words.hpp"
+
+/// The vocabulary of case files: every key with its place in `Case`, unit, limits and meaning,
+/// stated once. Three visitors walk it: one reads and checks a file, one writes
+/// `case.resolved.toml`, one writes the reference. A visitor has
+///
+///     bool visit(key, value, notes)         false: the value is not usable
+///     void visit.table(key, meaning, keys)            [key]
+///     void visit.optional_table(key, meaning, present, keys)
+///     void visit.list(key, meaning, elements, keys)   [[key]]
+///     void visit.materials(key, meaning)              [key.NAME]
+///     int visit.dimension()
+namespace pliant {
+
+template <class Visitor>
+void material_keys(Visitor& visit, MaterialCase& material) {
+  const bool known = visit("model", material.model,
+                           {.meaning = "constitutive model",
+                            .example = "\"linear\"",
+                            .required = true,
+                            .decides = true});
+  visit("density", material.density,
+        {.meaning = "density at rest",
+         .unit = "kg/m^3",
+         .example = "1000",
+         .limits = positive,
+         .required = true});
+  if (!known) return;
+  if (material.model == MaterialCase::Model::linear) {
+    visit("law", material.law, {.meaning = "pressure law", .example = "\"rho\""});
+    visit("youngs_modulus", material.youngs_modulus,
+          {.meaning = "Young's modulus E",
+           .unit = "Pa",
+           .example = "100",
+           .limits = positive,
+           .required = true});
+    visit("poissons_ratio", material.poissons_ratio,
+          {.meaning = "Poisson's ratio nu",
+           .example = "0.3",
+           .limits = {-1, 0.5, false, false, "above -1 and below 0.5"},
+           .required = true,
+           .remedy = "0.49 is nearly incompressible"});
+  } else {
+    visit("coefficients", material.coefficients,
+          {.meaning = "C_10 (positive), C_20, ..., at most five; the shear modulus is 2 C_10",
+           .unit = "Pa",
+           .example = "[2.2]",
+           .required = true});
+    visit("compressibility", material.compressibility,
+          {.meaning = "D; the bulk modulus is 2/D",
+           .unit = "1/Pa",
+           .example = "0.001",
+           .limits = positive,
+           .required = true});
+  }
+}
+
+template <class Visitor>
+void rotation_keys(Visitor& visit, RigidRotation& rotation) {
+  visit("centre", rotation.centre, {.meaning = "a point at rest", .unit = "m"});
+  visit("angular_velocity", AngularVelocity{rotation.angular_velocity},
+        {.meaning = "about z in 2D, a vector in 3D",
+         .unit = "1/s",
+         .example = "\"2*pi\"",
+         .required = true});
+}
+
+template <class Visitor>
+void body_keys(Visitor& visit, BodyCase& body) {
+  visit("name", Name{body.name},
+        {.meaning = "by which measurements and --set address it",
+         .example = "\"block\"",
+         .required = true});
+  visit("geometry", body.geometry,
+        {.meaning = "its shape at t = 0, see geometry",
+         .example = "{ shape = \"box\", lower = [0, 0], upper = [1, 1] }",
+         .required = true});
+  visit("material", body.material_as_given,
+        {.meaning = "the name of a [material.NAME] table, or such a table in place",
+         .example = "\"tissue\"",
+         .required = true});
+  visit("velocity", VelocityFormulas{body.velocity},
+        {.meaning = "initial velocity; at rest when neither this nor rotation is given",
+         .unit = "m/s",
+         .example = "[0, \"-25*y\"]",
+         .variables = "xyz"});
+  visit("rotation", Rotation{body.velocity},
+        {.meaning = "initial rigid rotation in place of velocity, see rotation",
+         .example = "{ centre = [0, 0], angular_velocity = 1 }"});
+}
+
+inline BoundaryWord word_of(const BoundaryCase& boundary) {
+  if (boundary.kind == BoundaryCase::Kind::slip_wall) return BoundaryWord::slip_wall;
+  if (boundary.kind == BoundaryCase::Kind::pressure) return BoundaryWord::pressure;
+  for (const Expression& component : boundary.velocity) {
+    if (!component.is_constant() || component(0) != 0) return BoundaryWord::moving_wall;
+  }
+  return BoundaryWord::fixed;
+}
+
+inline BoundaryCase::Kind kind_of(BoundaryWord kind) {
+  if (kind == BoundaryWord::slip_wall) return BoundaryCase::Kind::slip_wall;
+  if (kind == BoundaryWord::pressure) return BoundaryCase::Kind::pressure;
+  return BoundaryCase::Kind::wall;
+}
+
+template <class Visitor>
+void boundary_keys(Visitor& visit, BoundaryCase& boundary) {
+  visit("name", Name{boundary.name},
+        {.meaning = "by which --set addresses it", .example = "\"upper\"", .required = true});
+  BoundaryWord kind = word_of(boundary);
+  const bool known =
+      visit("kind", kind,
+            {.meaning = "what it does", .example = "\"fixed\"", .required = true, .decides = true});
+  boundary.kind = kind_of(kind);
+  visit("geometry", boundary.geometry,
+        {.meaning = "the wall's solid at t = 0, or the region in which the pressure acts",
+         .example = "{ shape = \"half_space\", point = [0, 0], normal = [0, 1] }",
+         .required = true});
+  if (!known) return;
+  if (kind == BoundaryWord::moving_wall || kind == BoundaryWord::slip_wall) {
+    visit("velocity", boundary.velocity,
+          {.meaning = "the wall's velocity, numbers or formulas of t",
+           .unit = "m/s",
+           .example = "[0, -25]",
+           .required = kind == BoundaryWord::moving_wall,
+           .variables = "t"});
+  }
+  if (kind == BoundaryWord::pressure) {
+    visit("pressure", boundary.pressure,
+          {.meaning = "what pushes on the body when positive, a number or a formula of t",
+           .unit = "Pa",
+           .example = "\"3000*(1 - exp(-t))\"",
+           .required = true,
+           .variables = "t"});
+  }
+}
+
+template <class Visitor>
+void remeshing_keys(Visitor& visit, decltype(Case::remeshing)& remeshing) {
+  visit("every", RemeshRule{remeshing},
+        {.meaning = "time steps between remeshings, \"adaptive\" (RP.28) or \"never\"",
+         .unit = "steps",
+         .example = "10",
+         .limits = at_least_one});
+  visit("strain", remeshing.strain,
+        {.meaning = "\"adaptive\": remesh when the strain since the last remeshing exceeds this",
+         .example = "0.2",
+         .limits = {0, 1, false, true, "above 0 and at most 1"}});
+  visit("filter", remeshing.filter,
+        {.meaning = "strength of the high-order filter (RP.27); 0 switches it off",
+         .example = "0.2",
+         .limits = {0, 1, true, true, "from 0 to 1"}});
+  VolumeRule volume = remeshing.extensive ? VolumeRule::extensive : VolumeRule::reset;
+  visit("volume", volume, {.meaning = "what particles weigh afterwards", .example = "\"reset\""});
+  remeshing.extensive = volume == VolumeRule::extensive;
+}
+
+template <class Visitor>
+void periodic_keys(Visitor& visit, decltype(Case::periodic)& periodic) {
+  visit("axes", AxisSet{periodic.axis},
+        {.meaning = "directions in which the domain repeats",
+         .example = "[\"x\", \"y\"]",
+         .required = true});
+  visit("lower", periodic.lower,
+        {.meaning = "lower corner of the cell; other directions do not matter",
+         .unit = "m",
+         .example = "[0, 0]",
+         .limits = finite_or_infinite,
+         .required = true});
+  visit("upper", periodic.upper,
+        {.meaning = "upper corner; the cell holds a whole number of spacings",
+         .unit = "m",
+         .example = "[1, 1]",
+         .limits = finite_or_infinite,
+         .required = true});
+}
+
+template <class Visitor>
+void output_keys(Visitor& visit, decltype(Case::output)& output) {
+  visit("every", output.every,
+        {.meaning = "time between frames; 0: the first and the last only",
+         .unit = "s",
+         .example = "0.001",
+         .limits = not_negative});
+  visit("checkpoint_every", output.checkpoint_every,
+        {.meaning = "time between checkpoints; 0: only when interrupted",
+         .unit = "s",
+         .example = "0.01",
+         .limits = not_negative});
+  visit("ghosts", output.ghosts,
+        {.meaning = "whether frames hold ghost particles too", .example = "false"});
+  visit("measure_every", output.measure_every,
+        {.meaning = "time between measurements; 0: at every remeshing and at the end",
+         .unit = "s",
+         .example = "0.001",
+         .limits = not_negative});
+}
+
+template <class Visitor>
+void time_keys(Visitor& visit, decltype(Case::time)& time) {
+  visit("end", time.end,
+        {.meaning = "time at which the run ends",
+         .unit = "s",
+         .example = "0.02",
+         .limits = positive,
+         .required = true});
+  visit("step", StepRule{time.step},
+        {.meaning = "time step, or \"cfl\": from the wave speed (RP.20)",
+         .unit = "s",
+         .example = "5e-5",
+         .limits = positive});
+  visit("cfl", time.cfl,
+        {.meaning = "CFL number of step = \"cfl\"",
+         .example = "0.5",
+         .limits = {0, 2, false, true, "above 0 and at most 2"}});
+}
+
+template <class Visitor>
+void discretisation_keys(Visitor& visit, decltype(Case::discretisation)& discretisation) {
+  visit("spacing", discretisation.spacing,
+        {.meaning = "distance h between particles: the resolution",
+         .unit = "m",
+         .example = "0.03125",
+         .limits = positive,
+         .required = true});
+  visit("weight", discretisation.weight,
+        {.meaning = "pair weight of gradients", .example = "\"compact\""});
+}
+
+template <class Visitor>
+void case_keys(Visitor& visit, Case& a_case) {
+  visit("title", a_case.title, {.meaning = "one line about the case", .example = "\"A case\""});
+  visit("name", Name{a_case.name},
+        {.meaning = "of the results; by default that of the file, or of the folder of a case.toml",
+         .example = "\"compression\""});
+  visit("dimension", a_case.dimension,
+        {.meaning = "2 (plane strain) or 3; vectors have as many components",
+         .example = "2",
+         .limits = {2, 3, true, true, "2 or 3"}});
+  visit("method", a_case.method, {.meaning = "numerical method", .example = "\"remeshed\""});
+  visit.table("discretisation", "Resolution.",
+              [&](auto& keys) { discretisation_keys(keys, a_case.discretisation); });
+  visit.table("time", "Simulated time.", [&](auto& keys) { time_keys(keys, a_case.time); });
+  visit.table("remeshing", "When and how particles return to their lattice.",
+              [&](auto& keys) { remeshing_keys(keys, a_case.remeshing); });
+  visit.table("level_set", "The level set that carries the free surface.", [&](auto& keys) {
+    keys("reinitialise_every", a_case.level_set.reinitialise_every,
+         {.meaning = "time steps between reinitialisations to a signed distance",
+          .unit = "steps",
+          .example = "20",
+          .limits = at_least_one});
+  });
+  visit.table("ghosts", "Particles outside the body that hold its boundary conditions.",
+              [&](auto& keys) {
+                keys("treatment", a_case.ghosts,
+                     {.meaning = "how their values are found", .example = "\"linear\""});
+              });
+  const auto& periodic = a_case.periodic.axis;
+  visit.optional_table("periodic", "A cell that repeats; leave the table out where nothing does.",
+                       periodic[0] || periodic[1] || periodic[2],
+                       [&](auto& keys) { periodic_keys(keys, a_case.periodic); });
+  visit.materials("material", "A named material, for bodies to refer to.");
+  visit.list("body", "An elastic body. Its surface is free where no boundary says otherwise.",
+             a_case.bodies, [](auto& keys, BodyCase& body) { body_keys(keys, body); });
+  visit.list("boundary", "A wall, or a pressure on a part of the free surface.", a_case.boundaries,
+             [](auto& keys, BoundaryCase& boundary) { boundary_keys(keys, boundary); });
+  visit.table("output", "What is written, and how often.",
+              [&](auto& keys) { output_keys(keys, a_case.output); });
+  visit.list("measurement",
+             "A number that `summary.json` gives at the end, with its history in `result.h5`.",
+             a_case.measurements,
+             [](auto& keys, MeasurementCase& m) { measurement_keys(keys, m); });
+}
+
+}  // namespace pliant

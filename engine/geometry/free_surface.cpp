@@ -1,0 +1,128 @@
+#include "engine/geometry/free_surface.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <optional>
+
+#include "engine/geometry/signed_distance.hpp"
+
+namespace pliant {
+namespace {
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
+
+/// One face of a box: across `axis`, at its lower or upper end.
+struct Face {
+  int axis;
+  bool upper;
+
+  double& end_of(Shape& box) const { return upper ? box.upper[axis] : box.lower[axis]; }
+  double position(const Shape& box) const { return upper ? box.upper[axis] : box.lower[axis]; }
+  double opposite(const Shape& box) const { return upper ? box.lower[axis] : box.upper[axis]; }
+};
+
+/// Planes written as decimals in different places of a case file agree to rounding only.
+bool same_plane(double a, double b, double size) { return std::abs(a - b) <= 1e-9 * size; }
+
+double size_of(const Shape& box, int dimension) {
+  double size = 0;
+  for (int i = 0; i < dimension; ++i) {
+    const double extent = box.upper[i] - box.lower[i];
+    if (std::isfinite(extent)) size = std::max(size, extent);
+  }
+  return size;
+}
+
+/// The part of `body` behind which `wall` stands across `face`, as a box that runs on through the
+/// wall; none when the wall is not there.
+std::optional<Shape> continued(const Shape& body, const Face& face, const Shape& wall,
+                               int dimension) {
+  const double size = size_of(body, dimension);
+  Shape part = body;
+  face.end_of(part) = face.upper ? infinity : -infinity;
+  if (wall.kind == Shape::Kind::half_space) {
+    const bool faces_body = wall.normal[face.axis] == (face.upper ? -1 : 1);
+    const bool touches = same_plane(wall.point[face.axis], face.position(body), size);
+    return faces_body && touches ? std::optional(part) : std::nullopt;
+  }
+  if (wall.kind != Shape::Kind::box) return std::nullopt;
+  if (!same_plane(face.opposite(wall), face.position(body), size)) return std::nullopt;
+  for (int i = 0; i < dimension; ++i) {
+    if (i == face.axis) continue;
+    if (wall.lower[i] > body.lower[i] + 1e-9 * size) part.lower[i] = wall.lower[i];
+    if (wall.upper[i] < body.upper[i] - 1e-9 * size) part.upper[i] = wall.upper[i];
+    if (part.lower[i] >= part.upper[i]) return std::nullopt;
+  }
+  return part;
+}
+
+bool covers_face(const Shape& part, const Shape& body, const Face& face, int dimension) {
+  for (int i = 0; i < dimension; ++i) {
+    if (i == face.axis) continue;
+    if (part.lower[i] != body.lower[i] || part.upper[i] != body.upper[i]) return false;
+  }
+  return true;
+}
+
+Shape open_box(const Shape& body, std::span<const Shape> walls, int dimension) {
+  Shape open = body;
+  std::vector<Shape> parts;
+  for (int axis = 0; axis < dimension; ++axis) {
+    for (const bool upper : {false, true}) {
+      const Face face{axis, upper};
+      for (const Shape& wall : walls) {
+        const std::optional<Shape> part = continued(body, face, wall, dimension);
+        if (!part) continue;
+        if (covers_face(*part, body, face, dimension)) {
+          face.end_of(open) = face.position(*part);
+        } else {
+          parts.push_back(*part);
+        }
+      }
+    }
+  }
+  if (parts.empty()) return open;
+  parts.insert(parts.begin(), open);
+  Shape united;
+  united.kind = Shape::Kind::unite;
+  united.operands = std::move(parts);
+  return united;
+}
+
+Shape half_space(int axis, double position, double normal) {
+  Shape shape;
+  shape.kind = Shape::Kind::half_space;
+  shape.point[axis] = position;
+  shape.normal[axis] = normal;
+  return shape;
+}
+
+}  // namespace
+
+std::vector<Shape> attached_walls(const Case& a_case) {
+  std::vector<Shape> walls;
+  for (const BoundaryCase& boundary : a_case.boundaries) {
+    if (boundary.kind != BoundaryCase::Kind::pressure) walls.push_back(boundary.geometry);
+  }
+  for (int axis = 0; axis < a_case.dimension; ++axis) {
+    if (!a_case.periodic.axis[axis]) continue;
+    walls.push_back(half_space(axis, a_case.periodic.lower[axis], 1));
+    walls.push_back(half_space(axis, a_case.periodic.upper[axis], -1));
+  }
+  return walls;
+}
+
+Shape free_surface(const Shape& body, std::span<const Shape> walls, int dimension) {
+  if (body.kind == Shape::Kind::box) return open_box(body, walls, dimension);
+  Shape open = body;
+  for (Shape& operand : open.operands) operand = free_surface(operand, walls, dimension);
+  return open;
+}
+
+double free_surface_distance(const Shape& body, std::span<const Shape> walls, const Vector& x,
+                             int dimension) {
+  return signed_distance(free_surface(body, walls, dimension), x, dimension);
+}
+
+}  // namespace pliant

@@ -1,0 +1,86 @@
+#include "engine/geometry/free_surface.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "tests/engine/geometry/shapes.hpp"
+
+namespace pliant {
+namespace {
+
+using namespace tests;
+
+const Shape block = box({-0.5, -1, 0}, {0.5, 1, 0});
+
+TEST(free_surface, a_body_without_walls_keeps_its_distance) {
+  EXPECT_EQ(free_surface_distance(block, {}, {0, 0.9, 0}, 2), -0.09999999999999998);
+}
+
+TEST(free_surface, it_runs_on_through_bonded_half_spaces) {
+  const std::vector<Shape> pistons{half_space({0, 1, 0}, {0, -1, 0}),
+                                   half_space({0, -1, 0}, {0, 1, 0})};
+  for (const double y : {-3.0, -1.0, -0.99, 0.0, 0.5, 1.0, 2.0}) {
+    for (const double x : {-0.7, -0.5, 0.0, 0.3, 1.5}) {
+      EXPECT_EQ(free_surface_distance(block, pistons, {x, y, 0}, 2), std::abs(x) - 0.5);
+    }
+  }
+}
+
+TEST(free_surface, a_wall_elsewhere_changes_nothing) {
+  const std::vector<Shape> walls{half_space({0, 1.1, 0}, {0, -1, 0}),  // away from the face
+                                 half_space({0, 1, 0}, {0, 1, 0}),     // the body is inside it
+                                 half_space({0, -1, 0}, {0.6, 0.8, 0}),
+                                 box({3, 1, 0}, {4, 2, 0}),  // beside the face
+                                 ball({0, 2, 0}, 1)};
+  const Shape open = free_surface(block, walls, 2);
+  EXPECT_EQ(open.lower, block.lower);
+  EXPECT_EQ(open.upper, block.upper);
+}
+
+TEST(free_surface, it_runs_on_through_a_box_that_covers_the_face) {
+  const std::vector<Shape> walls{box({-0.5, 1, 0}, {0.5, 1.2, 0})};
+  const Shape open = free_surface(block, walls, 2);
+  EXPECT_EQ(open.upper, (Vector{0.5, infinity, 0}));
+  EXPECT_EQ(open.lower, block.lower);
+}
+
+TEST(free_surface, a_box_that_covers_half_a_face_opens_that_half) {
+  const std::vector<Shape> walls{box({0, 1, 0}, {2, 1.2, 0})};
+  EXPECT_EQ(free_surface_distance(block, walls, {0.25, 1, 0}, 2), -0.25);
+  EXPECT_EQ(free_surface_distance(block, walls, {0.25, 7, 0}, 2), -0.25);
+  EXPECT_EQ(free_surface_distance(block, walls, {-0.25, 1.125, 0}, 2), 0.125);
+}
+
+TEST(free_surface, planes_match_to_rounding) {
+  const std::vector<Shape> walls{half_space({0, 0.1 + 0.2, 0}, {0, -1, 0})};
+  const Shape open = free_surface(box({0, 0, 0}, {1, 0.3, 0}), walls, 2);
+  EXPECT_EQ(open.upper[1], infinity);
+}
+
+// The notch touches the wall, so it too runs on through it.
+TEST(free_surface, parts_of_a_combination_are_opened_alike) {
+  const Shape notched = combine(Shape::Kind::subtract, {block, box({-0.1, 0.5, 0}, {0.1, 1, 0})});
+  const std::vector<Shape> walls{half_space({0, 1, 0}, {0, -1, 0})};
+  EXPECT_DOUBLE_EQ(free_surface_distance(notched, walls, {0, 3, 0}, 2), 0.1);
+  EXPECT_DOUBLE_EQ(free_surface_distance(notched, walls, {0.3, 3, 0}, 2), -0.2);
+}
+
+TEST(free_surface, pressure_regions_are_no_walls_and_periodic_ends_are) {
+  Case a_case;
+  a_case.boundaries.resize(3);
+  a_case.boundaries[0].kind = BoundaryCase::Kind::pressure;
+  a_case.boundaries[1].kind = BoundaryCase::Kind::wall;
+  a_case.boundaries[1].geometry = half_space({0, 1, 0}, {0, -1, 0});
+  a_case.boundaries[2].kind = BoundaryCase::Kind::slip_wall;
+  a_case.boundaries[2].geometry = half_space({0, -1, 0}, {0, 1, 0});
+  a_case.periodic.axis = {true, false, false};
+  a_case.periodic.lower = {-0.5, 0, 0};
+  a_case.periodic.upper = {0.5, 0, 0};
+  const std::vector<Shape> walls = attached_walls(a_case);
+  ASSERT_EQ(walls.size(), 4U);
+  EXPECT_EQ(free_surface_distance(block, walls, {0.3, 0.2, 0}, 2), -infinity);
+}
+
+}  // namespace
+}  // namespace pliant

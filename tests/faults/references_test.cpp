@@ -1,0 +1,71 @@
+#include "tests/faults/fault.hpp"
+
+namespace pliant::tests {
+namespace {
+
+const Fault faults[] = {
+    {"a_period_that_is_no_multiple_of_the_spacing",
+     extended("[periodic]\naxes = [\"y\"]\nlower = [0, 0]\nupper = [0, 2.05]\n"),
+     "block.toml:3: the period 2.05 along y is not a multiple of the spacing 0.1; take spacing = "
+     "0.1025"},
+    {"a_body_beyond_the_periodic_cell",
+     extended("[periodic]\naxes = [\"x\"]\nlower = [0, 0]\nupper = [0.5, 1]\n"),
+     "block.toml:8: body \"block\" reaches beyond the periodic cell along x; end it at the cell's "
+     "corners, or give it infinite ends"},
+    {"a_periodic_axis_that_does_not_exist",
+     extended("[periodic]\naxes = [\"z\"]\nlower = [0, 0]\nupper = [1, 1]\n"),
+     "block.toml:11: axes is \"z\", which dimension = 2 does not have; take \"x\" or \"y\""},
+    {"a_periodic_cell_without_end",
+     extended("[periodic]\naxes = [\"x\"]\nlower = [0, 0]\nupper = [inf, 1]\n"),
+     "block.toml:13: the periodic cell goes from 0 to inf along x; give finite corners, lower "
+     "below upper"},
+    {"a_measurement_of_an_unknown_body", measuring("kind = \"mass\"\nbody = \"blok\"\n"),
+     "block.toml:13: body names the body \"blok\", which does not exist; did you mean `block`?"},
+    {"a_measurement_of_an_unknown_measurement", measuring("kind = \"period\"\nof = \"tip\"\n"),
+     "block.toml:13: of names the measurement \"tip\", which does not exist; there are m"},
+    {"a_measurement_of_itself", measuring("kind = \"period\"\nof = \"m\"\n"),
+     "block.toml:13: measurement \"m\" reads \"m\", which has no history of its own; name a "
+     "measurement that is no period or amplitude_ratio"},
+    {"a_measurement_of_an_unknown_field",
+     measuring("kind = \"point_value\"\npoint = [0, 0]\nfield = \"presure\"\n"),
+     "block.toml:14: field names the field \"presure\", which does not exist; did you mean "
+     "`pressure`?"},
+    {"a_field_of_three_dimensions",
+     measuring("kind = \"point_value\"\npoint = [0, 0]\nfield = \"velocity_z\"\n"),
+     "block.toml:14: field names the field \"velocity_z\", which does not exist; did you mean "
+     "`velocity_x`?"},
+    {"an_unknown_kind_of_measurement", measuring("kind = \"momentun\"\n"),
+     "block.toml:12: kind must be one of \"extent\", \"ray\", \"mean_radius\", "
+     "\"point_displacement\", \"point_value\", \"mass\", \"momentum\", \"angular_momentum\", "
+     "\"kinetic_energy\", \"strain_energy\", \"total_energy\", \"velocity_error\", \"period\", "
+     "\"amplitude_ratio\", got \"momentun\"; did you mean \"momentum\"?"},
+    {"a_key_of_another_measurement", measuring("kind = \"mass\"\naxis = \"x\"\n"),
+     "block.toml:13: unknown key `axis` in [[measurement]]; its keys are name, kind, body, "
+     "relative"},
+    {"an_error_without_amplitude", measuring("kind = \"velocity_error\"\nexact = [0, 0]\n"),
+     "block.toml:10: [[measurement]] lacks `reference`, amplitude by which the error is divided; "
+     "add reference = 0.01"},
+    {"too_few_rays", measuring("kind = \"mean_radius\"\npoint = [0, 0]\nrays = 3\n"),
+     "block.toml:14: rays must be from 8 to 65536, got 3; write it as in rays = 64"},
+    {"two_bodies_of_one_name",
+     extended("[[body]]\nname = \"block\"\ngeometry = { shape = \"disc\", centre = [0, 0], radius "
+              "= 1 }\nmaterial = { model = \"linear\", youngs_modulus = 1, poissons_ratio = 0, "
+              "density = 1 }\n"),
+     "block.toml:11: two [[body]] tables are called \"block\"; give each its own name"},
+    {"everything_wrong_is_said_at_once",
+     with(with(block_case, "spacing = 0.1", "spacing = -1"), "youngs_modulus = 100",
+          "youngs_modulus = 0"),
+     "block.toml:3: spacing must be positive, got -1; write it as in spacing = 0.03125\n"
+     "block.toml:9: youngs_modulus must be positive, got 0; write it as in youngs_modulus = 100"},
+};
+
+class faulty_references : public testing::TestWithParam<Fault> {};
+
+TEST_P(faulty_references, are_answered_with_where_what_and_what_to_do) {
+  EXPECT_EQ(complaint(GetParam().text), GetParam().message);
+}
+
+INSTANTIATE_TEST_SUITE_P(faults, faulty_references, testing::ValuesIn(faults), name_of);
+
+}  // namespace
+}  // namespace pliant::tests

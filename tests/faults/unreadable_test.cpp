@@ -1,0 +1,28 @@
+#include <gtest/gtest.h>
+
+#include <filesystem>
+
+#include "engine/case/read_case.hpp"
+
+namespace pliant {
+namespace {
+
+TEST(faulty_paths, a_missing_file_is_named) {
+  try {
+    read_case("no_such_case.toml");
+    FAIL();
+  } catch (const CaseError& error) {
+    EXPECT_STREQ(error.what(),
+                 "no_such_case.toml: cannot be read; give the path of a case file, or of a folder "
+                 "with a case.toml");
+  }
+}
+
+TEST(faulty_paths, a_folder_without_a_case_is_named) {
+  const std::filesystem::path folder = std::filesystem::temp_directory_path();
+  ASSERT_FALSE(std::filesystem::exists(folder / "case.toml"));
+  EXPECT_THROW(read_case(folder), CaseError);
+}
+
+}  // namespace
+}  // namespace pliant

@@ -1,0 +1,99 @@
+#include "tests/faults/fault.hpp"
+
+namespace pliant::tests {
+namespace {
+
+const Fault faults[] = {
+    {"a_number_that_is_text", broken("spacing = 0.1", "spacing = \"fine\""),
+     "block.toml:3: spacing must be a number, found the text \"fine\": unknown name `fine` at "
+     "position 1; write it as in spacing = 0.03125"},
+    {"a_number_that_depends_on_place", broken("spacing = 0.1", "spacing = \"x/10\""),
+     "block.toml:3: spacing must be a number, found the text \"x/10\", which is not constant; "
+     "write it as in spacing = 0.03125"},
+    {"a_number_that_is_a_flag", broken("end = 1", "end = true"),
+     "block.toml:5: end must be a number, found true; write it as in end = 0.02"},
+    {"a_flag_that_is_a_number", extended("[output]\nghosts = 1\n"),
+     "block.toml:11: ghosts must be true or false, found 1; write it as in ghosts = false"},
+    {"a_title_that_is_a_number", broken("\"a block\"", "7"),
+     "block.toml:1: title must be a text, found 7; write it as in title = \"A case\""},
+    {"a_whole_number_with_a_fraction", extended("[level_set]\nreinitialise_every = 2.5\n"),
+     "block.toml:11: reinitialise_every must be a whole number, got 2.5; write it as in "
+     "reinitialise_every = 20"},
+    {"a_geometry_that_is_a_text", broken(geometry, "\"box\""),
+     "block.toml:8: geometry must be a table, found the text \"box\"; write it as in geometry = { "
+     "shape = \"box\", lower = [0, 0], upper = [1, 1] }"},
+    {"a_name_with_a_dot", broken("\"block\"", "\"my.block\""),
+     "block.toml:7: name is made of letters, digits, _ and -, got \"my.block\"; write it as in "
+     "name = \"block\""},
+    {"a_negative_modulus", broken("youngs_modulus = 100", "youngs_modulus = -5"),
+     "block.toml:9: youngs_modulus must be positive, got -5; write it as in youngs_modulus = 100"},
+    {"an_incompressible_material", broken("poissons_ratio = 0.3", "poissons_ratio = 0.5"),
+     "block.toml:9: poissons_ratio must be above -1 and below 0.5, got 0.5; 0.49 is nearly "
+     "incompressible"},
+    {"a_material_without_mass", broken("density = 2", "density = 0"),
+     "block.toml:9: density must be positive, got 0; write it as in density = 1000"},
+    {"a_spacing_of_zero", broken("spacing = 0.1", "spacing = 0"),
+     "block.toml:3: spacing must be positive, got 0; write it as in spacing = 0.03125"},
+    {"an_infinite_end", broken("end = 1", "end = inf"),
+     "block.toml:5: end must be finite, got inf; write it as in end = 0.02"},
+    {"a_negative_output_interval", extended("[output]\nevery = -0.1\n"),
+     "block.toml:11: every must be 0 or more, got -0.1; write it as in every = 0.001"},
+    {"an_unstable_cfl_number", broken("end = 1", "end = 1\ncfl = 3"),
+     "block.toml:6: cfl must be above 0 and at most 2, got 3; write it as in cfl = 0.5"},
+    {"a_step_word_other_than_cfl", broken("end = 1", "end = 1\nstep = \"auto\""),
+     "block.toml:6: step must be a number or \"cfl\", found the text \"auto\"; write step = "
+     "\"cfl\", or a time step as in step = 5e-5"},
+    {"a_step_longer_than_the_run", broken("end = 1", "end = 1\nstep = 2"),
+     "block.toml:6: step 2 is longer than the run, which ends at 1; take a smaller step, or "
+     "\"cfl\""},
+    {"a_remeshing_word", extended("[remeshing]\nevery = \"often\"\n"),
+     "block.toml:11: every must be a number of steps, \"adaptive\" or \"never\", found the text "
+     "\"often\"; write it as in every = 10"},
+    {"a_remeshing_interval_of_zero", extended("[remeshing]\nevery = 0\n"),
+     "block.toml:11: every must be 1 or more, got 0; write it as in every = 10"},
+    {"a_dimension_of_one", broken("title = \"a block\"", "dimension = 1"),
+     "block.toml:1: dimension must be 2 or 3, got 1; write it as in dimension = 2"},
+    {"an_unknown_method", broken("title = \"a block\"", "method = \"sph\""),
+     "block.toml:1: method must be one of \"remeshed\", got \"sph\"; take one of these"},
+    {"a_misspelt_weight", broken("spacing = 0.1", "spacing = 0.1\nweight = \"quartc\""),
+     "block.toml:4: weight must be one of \"quartic\", \"quartic_polynomial\", \"compact\", got "
+     "\"quartc\"; did you mean \"quartic\"?"},
+    {"an_unknown_weight", broken("spacing = 0.1", "spacing = 0.1\nweight = \"gauss\""),
+     "block.toml:4: weight must be one of \"quartic\", \"quartic_polynomial\", \"compact\", got "
+     "\"gauss\"; take one of these"},
+    {"too_many_coefficients",
+     broken(material,
+            "{ model = \"reduced_polynomial\", coefficients = [1, 2, 3, 4, 5, 6], compressibility "
+            "= 0.1, density = 1 }"),
+     "block.toml:9: coefficients has 6 numbers, where one to five are possible; give C_10 up to at "
+     "most C_50"},
+    {"a_negative_first_coefficient",
+     broken(material,
+            "{ model = \"reduced_polynomial\", coefficients = [-1], compressibility = 0.1, density "
+            "= 1 }"),
+     "block.toml:9: coefficients must start with a positive C_10, got -1; the shear modulus is 2 "
+     "C_10"},
+    {"an_unknown_model", broken("model = \"linear\"", "model = \"neo_hooke\""),
+     "block.toml:9: model must be one of \"linear\", \"reduced_polynomial\", got \"neo_hooke\"; "
+     "take one of these"},
+    {"a_material_that_is_not_defined", broken(material, "\"rubber\""),
+     "block.toml:9: material names the material \"rubber\", which does not exist; add a table "
+     "[material.rubber]"},
+    {"a_misspelt_material_name",
+     extended("[[body]]\nname = \"other\"\ngeometry = { shape = \"disc\", centre = [0, 0], radius "
+              "= 1 }\nmaterial = \"tisue\"\n[material.tissue]\nmodel = \"linear\"\nyoungs_modulus "
+              "= 1\npoissons_ratio = 0\ndensity = 1\n"),
+     "block.toml:13: material names the material \"tisue\", which does not exist; did you mean "
+     "\"tissue\"?"},
+};
+
+class faulty_values : public testing::TestWithParam<Fault> {};
+
+TEST_P(faulty_values, are_answered_with_where_what_and_what_to_do) {
+  EXPECT_EQ(complaint(GetParam().text), GetParam().message);
+}
+
+INSTANTIATE_TEST_SUITE_P(faults, faulty_values, testing::ValuesIn(faults), name_of);
+
+}  // namespace
+}  // namespace pliant::tests
