@@ -6,6 +6,13 @@
 
 namespace pliant {
 
+bool Entry::refuse(const std::string& what, const std::string& remedy) const {
+  reading.problems.add(
+      place_of(node), fmt::format("{} {}", key, what),
+      remedy.empty() ? fmt::format("write it as in {} = {}", key, notes.example) : remedy);
+  return false;
+}
+
 const toml::node* TableReader::find(std::string_view key, const Notes& notes) {
   known_.push_back(key);
   const toml::node* node = table_.get(key);

@@ -1,6 +1,8 @@
 #include <gtest/gtest.h>
+#include <unistd.h>
 
 #include <filesystem>
+#include <string>
 
 #include "engine/case/read_case.hpp"
 
@@ -19,9 +21,11 @@ TEST(faulty_paths, a_missing_file_is_named) {
 }
 
 TEST(faulty_paths, a_folder_without_a_case_is_named) {
-  const std::filesystem::path folder = std::filesystem::temp_directory_path();
-  ASSERT_FALSE(std::filesystem::exists(folder / "case.toml"));
+  const std::filesystem::path folder =
+      std::filesystem::temp_directory_path() / ("pliant_empty_" + std::to_string(getpid()));
+  std::filesystem::create_directory(folder);
   EXPECT_THROW(read_case(folder), CaseError);
+  std::filesystem::remove(folder);
 }
 
 }  // namespace

@@ -1,0 +1,134 @@
+#pragma once
+
+#include "engine/case/key.hpp"
+#include "engine/case/shape_keys.hpp"
+#include "engine/case/words.hpp"
+
+/// The part of the vocabulary that says what bodies are and what holds them.
+namespace pliant {
+
+template <class Visitor>
+void material_keys(Visitor& visit, MaterialCase& material) {
+  const bool known = visit("model", material.model,
+                           {.meaning = "constitutive model",
+                            .example = "\"linear\"",
+                            .required = true,
+                            .decides = true});
+  visit("density", material.density,
+        {.meaning = "density at rest",
+         .unit = "kg/m^3",
+         .example = "1000",
+         .limits = positive,
+         .required = true});
+  if (!known) return;
+  if (material.model == MaterialCase::Model::linear) {
+    visit("law", material.law, {.meaning = "pressure law", .example = "\"rho\""});
+    visit("youngs_modulus", material.youngs_modulus,
+          {.meaning = "Young's modulus E",
+           .unit = "Pa",
+           .example = "100",
+           .limits = positive,
+           .required = true});
+    visit("poissons_ratio", material.poissons_ratio,
+          {.meaning = "Poisson's ratio nu",
+           .example = "0.3",
+           .limits = {-1, 0.5, false, false, "above -1 and below 0.5"},
+           .required = true,
+           .remedy = "0.49 is nearly incompressible"});
+  } else {
+    visit("coefficients", material.coefficients,
+          {.meaning = "C_10 (positive), C_20, ..., at most five; the shear modulus is 2 C_10",
+           .unit = "Pa",
+           .example = "[2.2]",
+           .required = true});
+    visit("compressibility", material.compressibility,
+          {.meaning = "D; the bulk modulus is 2/D",
+           .unit = "1/Pa",
+           .example = "0.001",
+           .limits = positive,
+           .required = true});
+  }
+}
+
+template <class Visitor>
+void rotation_keys(Visitor& visit, RigidRotation& rotation) {
+  visit("centre", rotation.centre, {.meaning = "a point at rest", .unit = "m"});
+  visit("angular_velocity", AngularVelocity{rotation.angular_velocity},
+        {.meaning = "about z in 2D, a vector in 3D",
+         .unit = "1/s",
+         .example = "\"2*pi\"",
+         .required = true});
+}
+
+template <class Visitor>
+void body_keys(Visitor& visit, BodyCase& body) {
+  visit("name", Name{body.name},
+        {.meaning = "by which measurements and --set address it",
+         .example = "\"block\"",
+         .required = true});
+  visit("geometry", body.geometry,
+        {.meaning = "its shape at t = 0, see geometry",
+         .example = "{ shape = \"box\", lower = [0, 0], upper = [1, 1] }",
+         .required = true});
+  visit("material", body.material_as_given,
+        {.meaning = "the name of a [material.NAME] table, or such a table in place",
+         .example = "\"tissue\"",
+         .required = true});
+  visit("velocity", VelocityFormulas{body.velocity},
+        {.meaning = "initial velocity; at rest when neither this nor rotation is given",
+         .unit = "m/s",
+         .example = "[0, \"-25*y\"]",
+         .variables = "xyz"});
+  visit("rotation", Rotation{body.velocity},
+        {.meaning = "initial rigid rotation in place of velocity, see rotation",
+         .example = "{ centre = [0, 0], angular_velocity = 1 }"});
+}
+
+inline BoundaryWord word_of(const BoundaryCase& boundary) {
+  if (boundary.kind == BoundaryCase::Kind::slip_wall) return BoundaryWord::slip_wall;
+  if (boundary.kind == BoundaryCase::Kind::pressure) return BoundaryWord::pressure;
+  for (const Expression& component : boundary.velocity) {
+    if (!component.is_constant() || component(0) != 0) return BoundaryWord::moving_wall;
+  }
+  return BoundaryWord::fixed;
+}
+
+inline BoundaryCase::Kind kind_of(BoundaryWord kind) {
+  if (kind == BoundaryWord::slip_wall) return BoundaryCase::Kind::slip_wall;
+  if (kind == BoundaryWord::pressure) return BoundaryCase::Kind::pressure;
+  return BoundaryCase::Kind::wall;
+}
+
+template <class Visitor>
+void boundary_keys(Visitor& visit, BoundaryCase& boundary) {
+  visit("name", Name{boundary.name},
+        {.meaning = "by which --set addresses it", .example = "\"upper\"", .required = true});
+  BoundaryWord kind = word_of(boundary);
+  const bool known =
+      visit("kind", kind,
+            {.meaning = "what it does", .example = "\"fixed\"", .required = true, .decides = true});
+  boundary.kind = kind_of(kind);
+  visit("geometry", boundary.geometry,
+        {.meaning = "the wall's solid at t = 0, or the region in which the pressure acts",
+         .example = "{ shape = \"half_space\", point = [0, 0], normal = [0, 1] }",
+         .required = true});
+  if (!known) return;
+  if (kind == BoundaryWord::moving_wall || kind == BoundaryWord::slip_wall) {
+    visit("velocity", boundary.velocity,
+          {.meaning = "the wall's velocity, numbers or formulas of t",
+           .unit = "m/s",
+           .example = "[0, -25]",
+           .required = kind == BoundaryWord::moving_wall,
+           .variables = "t"});
+  }
+  if (kind == BoundaryWord::pressure) {
+    visit("pressure", boundary.pressure,
+          {.meaning = "what pushes on the body when positive, a number or a formula of t",
+           .unit = "Pa",
+           .example = "\"3000*(1 - exp(-t))\"",
+           .required = true,
+           .variables = "t"});
+  }
+}
+
+}  // namespace pliant
