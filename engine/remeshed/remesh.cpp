@@ -49,7 +49,7 @@ void Remeshing<T, D>::departure_phases(std::vector<scheduler::Phase>& phases, in
       {"remesh: ghosts",
        -1,
        {{resource::drift(0), Reach::neighbours}, {resource::material(0), Reach::neighbours}},
-       {{resource::material(0)}, {resource::constants}},
+       {{resource::constants}},
        Phase::Extent::per_block,
        own,
        [this, first_block](int b) { fill_conserved(body_, b - first_block); }});
@@ -173,11 +173,13 @@ void Remeshing<T, D>::arrival_phases(std::vector<scheduler::Phase>& phases, int 
          }});
   };
   const Access remeshed_near{resource::remeshed, Reach::neighbours};
+  const Access images_near{resource::remeshed_images, Reach::neighbours};
   if (from_particles) {
     each("remesh: scatter", {}, {{resource::remeshed}}, &Remeshing::scatter);
-    each("remesh: images", {remeshed_near}, {{resource::remeshed}}, &Remeshing::copy_images);
+    each("remesh: images", {remeshed_near}, {{resource::remeshed_images}}, &Remeshing::copy_images);
     if (filter_strength_ > 0) {
-      each("remesh: filter", {remeshed_near}, {{resource::filtered}}, &Remeshing::filter);
+      each("remesh: filter", {remeshed_near, images_near}, {{resource::filtered}},
+           &Remeshing::filter);
       once("remesh: filter", {{resource::filtered, Reach::all}}, {{resource::remeshed, Reach::all}},
            &Remeshing::adopt_filtered);
     }
@@ -185,25 +187,26 @@ void Remeshing<T, D>::arrival_phases(std::vector<scheduler::Phase>& phases, int 
   if (has_surface_) {
     each("level set: walls", {remeshed_near}, {{resource::extended}}, &Remeshing::extend_level_set);
     each("level set: closest points", {{resource::extended, Reach::neighbours}},
-         {{resource::closest}}, &Remeshing::find_closest_points);
+         {{resource::closest(0)}}, &Remeshing::find_closest_points);
     for (int layer = 2; layer <= LevelSet<T, D>::layers; ++layer) {
-      phases.push_back(
-          {"level set: layers",
-           layer,
-           {{resource::extended, Reach::neighbours}, {resource::closest, Reach::neighbours}},
-           {{resource::closest}},
-           Phase::Extent::per_block,
-           own,
-           [this, layer, first_block](int b) {
-             level_set_.add_layer(body_.spare.layout.blocks()[b - first_block], layer);
-           }});
+      phases.push_back({"level set: layers",
+                        layer,
+                        {{resource::extended, Reach::neighbours},
+                         {resource::closest(layer % 2), Reach::neighbours}},
+                        {{resource::closest((layer + 1) % 2)}},
+                        Phase::Extent::per_block,
+                        own,
+                        [this, layer, first_block](int b) {
+                          level_set_.add_layer(body_.spare.layout.blocks()[b - first_block], layer);
+                        }});
     }
   }
-  each("remesh: kinds", {{resource::closest}, {resource::remeshed}},
+  each("remesh: kinds", {{resource::closest(0)}, {resource::closest(1)}, {resource::remeshed}},
        {{resource::kinds}, {resource::remeshed}}, &Remeshing::find_kinds);
   each("remesh: images", {{resource::kinds, Reach::neighbours}, remeshed_near},
-       {{resource::kinds}, {resource::remeshed}}, &Remeshing::copy_images);
-  each("ghosts: fits", {{resource::kinds, Reach::neighbours}, {resource::closest}, remeshed_near},
+       {{resource::remeshed_images}}, &Remeshing::copy_images);
+  each("ghosts: fits",
+       {{resource::kinds, Reach::neighbours}, {resource::closest(1)}, remeshed_near, images_near},
        {{resource::fits}}, &Remeshing::fit_block);
   // Fits of all neighbouring blocks mark this block's surface particles.
   each("ghosts: surface", {{resource::fits, Reach::neighbours}}, {{resource::surface_packs}},

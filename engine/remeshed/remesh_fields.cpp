@@ -225,6 +225,8 @@ void Remeshing<T, D>::place_initial(const Case& settings, const BodyCase& source
 }
 
 template void Remeshing<double, 2>::scatter(int);
+template void Remeshing<double, 2>::add_source(int, double*, const Cell<2>&, const Cell<2>&);
+template void Remeshing<double, 2>::take_nodes(int, const double*, const Cell<2>&, const Cell<2>&);
 template void Remeshing<double, 2>::filter(int);
 template void Remeshing<double, 2>::adopt_filtered();
 template void Remeshing<double, 2>::list_images(Population<double, 2>&, int) const;

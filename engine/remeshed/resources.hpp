@@ -17,35 +17,42 @@ constexpr FieldId velocity(int buffer) { return 4 + buffer; }
 constexpr FieldId material(int buffer) { return 8 + buffer; }
 /// sigma of the even and of the odd stages.
 constexpr FieldId stress(int parity) { return 12 + parity; }
-inline constexpr FieldId records = 14;        ///< of surface particles
-inline constexpr FieldId constants = 15;      ///< mass, level set, carried displacement, kinds
-inline constexpr FieldId bounds = 16;         ///< extent of a block's particles
-inline constexpr FieldId remeshed = 17;       ///< fields on the new lattice
-inline constexpr FieldId filtered = 18;       ///< the same, filtered
-inline constexpr FieldId extended = 19;       ///< level set continued through walls
-inline constexpr FieldId closest = 20;        ///< level set rebuilt, closest points
-inline constexpr FieldId kinds = 21;          ///< on the new lattice
-inline constexpr FieldId surface_marks = 22;  ///< particles that ghosts read
-inline constexpr FieldId fits = 23;           ///< ghosts and their coefficients
-inline constexpr FieldId surface_packs = 24;
-inline constexpr FieldId record_numbers = 25;
-inline constexpr FieldId neighbours = 26;  ///< lists beyond the stencil
-inline constexpr FieldId cells = 27;       ///< particles sorted into cells
-inline constexpr FieldId result = 28;      ///< largest values of a block
+/// What ghosts and images take from particles, of stage buffer 0..3: the same arrays as above, but
+/// other slots of them, which no particle's own phase touches.
+constexpr FieldId ghosts(int buffer) { return 14 + buffer; }
+constexpr FieldId image_drift(int buffer) { return 18 + buffer; }
+constexpr FieldId images(int buffer) { return 22 + buffer; }
+/// Closest points and the level set rebuilt from them; the layers' marks alternate.
+constexpr FieldId closest(int parity) { return 26 + parity; }
+inline constexpr FieldId records = 28;          ///< of surface particles
+inline constexpr FieldId constants = 29;        ///< mass, level set, carried displacement of ghosts
+inline constexpr FieldId bounds = 30;           ///< extent of a block's particles
+inline constexpr FieldId remeshed = 31;         ///< fields on the new lattice
+inline constexpr FieldId remeshed_images = 32;  ///< the same, at images
+inline constexpr FieldId filtered = 33;         ///< the same, filtered
+inline constexpr FieldId extended = 34;         ///< level set continued through walls
+inline constexpr FieldId kinds = 35;            ///< on the new lattice
+inline constexpr FieldId fits = 36;             ///< ghosts and their coefficients
+inline constexpr FieldId surface_packs = 37;
+inline constexpr FieldId record_numbers = 38;
+inline constexpr FieldId result = 39;  ///< largest values of a block
 
 inline std::vector<std::string> names() {
   std::vector<std::string> names;
-  for (const char* field : {"xi", "u", "v, S|F"}) {
-    for (const char* buffer : {"Q0", "Q2", "Q3", "Q4"}) {
-      names.push_back(std::string(field) + " of " + buffer);
+  const auto add_each = [&](std::initializer_list<const char*> fields) {
+    for (const char* field : fields) {
+      for (const char* buffer : {"Q0", "Q2", "Q3", "Q4"}) {
+        names.push_back(std::string(field) + " of " + buffer);
+      }
     }
-  }
-  for (const char* name :
-       {"sigma, even stages", "sigma, odd stages", "surface records", "m, phi, d, kinds", "bounds",
-        "remeshed", "filtered", "phi extended", "closest points", "new kinds", "surface marks",
-        "ghost fits", "surface packs", "record numbers", "neighbour lists", "cells", "result"}) {
-    names.emplace_back(name);
-  }
+  };
+  add_each({"xi", "u", "v, S|F"});
+  names.insert(names.end(), {"sigma, even stages", "sigma, odd stages"});
+  add_each({"ghosts", "xi of images", "images"});
+  names.insert(names.end(), {"closest points, even", "closest points, odd", "surface records",
+                             "m, phi, d of ghosts", "bounds", "remeshed", "remeshed images",
+                             "filtered", "phi extended", "kinds", "ghost fits", "surface packs",
+                             "record numbers", "result"});
   return names;
 }
 

@@ -71,10 +71,11 @@ void Step<T, D>::add_ghosts(std::vector<Phase>& phases, int stage) {
   };
   if (periodic()) {
     each("image positions", {{resource::drift(stage), Reach::neighbours}},
-         {{resource::drift(stage)}}, &Step::copy_image_drift);
+         {{resource::image_drift(stage)}}, &Step::copy_image_drift);
   }
   each("surface",
        {{resource::drift(stage), Reach::neighbours},
+        {resource::image_drift(stage)},
         {resource::velocity(stage)},
         {resource::stress(parity)},
         {resource::material(stage)}},
@@ -83,22 +84,23 @@ void Step<T, D>::add_ghosts(std::vector<Phase>& phases, int stage) {
        {{resource::records, Reach::neighbours},
         {resource::drift(stage), Reach::neighbours},
         {resource::velocity(stage), Reach::neighbours}},
-       {{resource::velocity(stage)}, {resource::stress(parity)}}, &Step::fill);
+       {{resource::ghosts(stage)}}, &Step::fill);
   if (periodic()) {
     each("images",
          {{resource::velocity(stage), Reach::neighbours},
-          {resource::stress(parity), Reach::neighbours}},
-         {{resource::velocity(stage)}, {resource::stress(parity)}}, &Step::copy_images);
+          {resource::stress(parity), Reach::neighbours},
+          {resource::ghosts(stage), Reach::neighbours}},
+         {{resource::images(stage)}}, &Step::copy_images);
   }
 }
 
 template <class T, int D>
 void Step<T, D>::add_advance(std::vector<Phase>& phases, int stage) {
   const int parity = stage % 2, next = (stage + 1) % 4;
-  std::vector<scheduler::Access> reads = {{resource::drift(stage), Reach::neighbours},
-                                          {resource::velocity(stage), Reach::neighbours},
-                                          {resource::stress(parity), Reach::neighbours},
-                                          {resource::material(stage)}};
+  std::vector<scheduler::Access> reads = {
+      {resource::drift(stage), Reach::neighbours},   {resource::velocity(stage), Reach::neighbours},
+      {resource::stress(parity), Reach::neighbours}, {resource::ghosts(stage), Reach::neighbours},
+      {resource::images(stage), Reach::neighbours},  {resource::material(stage)}};
   for (int buffer = 0; buffer <= stage; ++buffer) {
     reads.insert(
         reads.end(),
@@ -111,6 +113,9 @@ void Step<T, D>::add_advance(std::vector<Phase>& phases, int stage) {
                      {resource::velocity(next)},
                      {resource::material(next)},
                      {resource::stress(1 - parity)},
+                     {resource::ghosts(next)},
+                     {resource::image_drift(next)},
+                     {resource::images(next)},
                      {resource::result}},
                     Phase::Extent::per_block,
                     {},

@@ -95,8 +95,9 @@ class Run {
     description.version = std::string(version);
     description.dimension = D;
     description.resolved_case = resolved_toml(settings_);
-    write_atomically(options_.folder / "case.resolved.toml", description.resolved_case);
     result_.emplace(ResultFile::create(options_.folder, description));
+    write_atomically(options_.folder / "case.resolved.toml", description.resolved_case,
+                     Durable::no);
     start_ = conserved(measurer_.totals());
     particles_at_start_ = solver_.particles();
     sample();
