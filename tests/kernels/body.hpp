@@ -83,7 +83,7 @@ struct Body {
   Patch<T, D> patch;
   Material<T> material;
   Weight weight = Weight::quartic_polynomial;
-  std::vector<T> mass;
+  Field<T> mass;
   std::vector<State<T, D>> states;  ///< Q0, Q2, Q3, Q4 of (RP.19)
 };
 

@@ -43,7 +43,7 @@ struct FilteredPatch {
   }
 
   Patch<T, D> patch;
-  std::vector<T> valid, field, result;
+  Field<T> valid, field, result;
 };
 
 template <class T>

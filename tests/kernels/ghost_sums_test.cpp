@@ -7,6 +7,7 @@
 
 #include "kernels/table.hpp"
 #include "tests/kernels/dimension.hpp"
+#include "tests/kernels/field.hpp"
 
 namespace pliant::kernels::test {
 namespace {
@@ -21,7 +22,7 @@ TYPED_TEST(ghost_sums, are_the_sums_of_a_plain_loop) {
   constexpr int ghosts = 50, particles = 40, first = 7, count = 31;
   std::mt19937 random(5);
   std::uniform_real_distribution<T> value(-1, 1);
-  std::vector<T> records(particles * width), linear, constrained;
+  Field<T> records(particles * width), linear, constrained;
   for (T& x : records) x = value(random);
   std::vector<std::int64_t> begin = {0};
   std::vector<std::int32_t> record;
@@ -33,7 +34,7 @@ TYPED_TEST(ghost_sums, are_the_sums_of_a_plain_loop) {
     }
     begin.push_back(static_cast<std::int64_t>(record.size()));
   }
-  std::vector<T> sums(count * 2 * width, T(-7));
+  Field<T> sums(count * 2 * width, T(-7));
   baseline_table<T, D>().sum_ghosts({first, count, begin.data(), record.data(), linear.data(),
                                      constrained.data(), records.data(), sums.data()});
   for (int g = 0; g < count; ++g) {

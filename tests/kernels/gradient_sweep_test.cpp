@@ -75,7 +75,7 @@ class LinearField {
 
   Patch<T, D> patch_;
   State<T, D> state_;
-  std::vector<T> field_;
+  Field<T> field_;
 };
 
 template <class T>

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "kernels/table.hpp"
+#include "tests/kernels/field.hpp"
 
 namespace pliant::kernels::test {
 
@@ -61,7 +62,7 @@ class Patch {
   T spacing;
   std::int64_t slots;
   std::vector<Segment<D>> segments;
-  std::vector<T> interior;
+  Field<T> interior;
   std::vector<Kind> kind;
   std::vector<PackState> pack_state;
 
@@ -122,10 +123,10 @@ struct State {
     return fields;
   }
 
-  std::array<std::vector<T>, D> displacement, velocity;
-  std::vector<T> volume;
-  std::array<std::vector<T>, material_components<D>> material;
-  std::array<std::vector<T>, symmetric_components<D>> stress;
+  std::array<Field<T>, D> displacement, velocity;
+  Field<T> volume;
+  std::array<Field<T>, material_components<D>> material;
+  std::array<Field<T>, symmetric_components<D>> stress;
 
  private:
   template <class U, class Self>
@@ -143,7 +144,7 @@ struct State {
 
 /// Moves every slot's particle by up to `amount` in every direction.
 template <class T, std::size_t D>
-void jitter(std::array<std::vector<T>, D>& displacement, T amount, unsigned seed = 1) {
+void jitter(std::array<Field<T>, D>& displacement, T amount, unsigned seed = 1) {
   std::mt19937 random(seed);
   std::uniform_real_distribution<T> shift(-amount, amount);
   for (auto& field : displacement) {

@@ -28,7 +28,7 @@ inline double reference_weight(Weight weight, double s) {
 }
 
 template <class T, int D>
-Matrix<D> symmetric_at(const std::vector<T>* fields, std::int64_t slot) {
+Matrix<D> symmetric_at(const Field<T>* fields, std::int64_t slot) {
   Matrix<D> m;
   for (int i = 0; i < D; ++i) {
     for (int j = 0; j < D; ++j) m(i, j) = fields[symmetric_index<D>(i, j)][slot];
@@ -37,7 +37,7 @@ Matrix<D> symmetric_at(const std::vector<T>* fields, std::int64_t slot) {
 }
 
 template <class T, int D>
-Column<D> vector_at(const std::array<std::vector<T>, D>& fields, std::int64_t slot) {
+Column<D> vector_at(const std::array<Field<T>, D>& fields, std::int64_t slot) {
   Column<D> v;
   for (int i = 0; i < D; ++i) v[i] = fields[i][slot];
   return v;

@@ -53,19 +53,19 @@ struct Tile {
   }
 
   std::vector<double> values(std::int64_t p) const {
-    using Field = NodeField<D>;
+    using Value = NodeField<D>;
     const State<T, D>& q = body.states[0];
     std::vector<double> r(node_fields<D>, 0.);
     const double m = body.mass[p], v = q.volume[p];
-    r[Field::weight] = 1;
-    r[Field::mass] = m;
-    r[Field::volume] = v;
-    r[Field::level_set] = level_set[p];
+    r[Value::weight] = 1;
+    r[Value::mass] = m;
+    r[Value::volume] = v;
+    r[Value::level_set] = level_set[p];
     for (int i = 0; i < D; ++i) {
-      r[Field::momentum + i] = m * q.velocity[i][p];
-      r[Field::carried + i] = v * (double(carried[i][p]) + q.displacement[i][p]);
+      r[Value::momentum + i] = m * q.velocity[i][p];
+      r[Value::carried + i] = v * (double(carried[i][p]) + q.displacement[i][p]);
     }
-    for (int c = 0; c < components; ++c) r[Field::material + c] = v * q.material[c][p];
+    for (int c = 0; c < components; ++c) r[Value::material + c] = v * q.material[c][p];
     return r;
   }
 
@@ -83,15 +83,15 @@ struct Tile {
   }
 
   Body<T, D> body;
-  std::array<std::vector<T>, D> carried = filled();
-  std::vector<T> level_set = std::vector<T>(body.patch.slots), nodes;
+  std::array<Field<T>, D> carried = filled();
+  Field<T> level_set = Field<T>(body.patch.slots), nodes;
   std::array<std::int32_t, D> shift = {}, lower, extent;
   int components;
 
  private:
-  std::array<std::vector<T>, D> filled() const {
-    std::array<std::vector<T>, D> fields;
-    fields.fill(std::vector<T>(body.patch.slots));
+  std::array<Field<T>, D> filled() const {
+    std::array<Field<T>, D> fields;
+    fields.fill(Field<T>(body.patch.slots));
     return fields;
   }
 };

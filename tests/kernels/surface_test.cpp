@@ -42,7 +42,7 @@ TYPED_TEST(surface, records_hold_velocity_stress_normal_and_pressure) {
     const State<T, D>& state = body.states[0];
     // phi = x - 2 y (+ 3 z): its gradient is found exactly.
     const double slope[3] = {1, -2, 3};
-    std::vector<T> level_set(body.patch.slots, 0);
+    Field<T> level_set(body.patch.slots, 0);
     body.patch.for_each([&](std::int64_t p, const auto& cell) {
       const auto x = body.patch.node(cell);
       double phi = 0;
@@ -52,7 +52,7 @@ TYPED_TEST(surface, records_hold_velocity_stress_normal_and_pressure) {
     std::vector<std::int64_t> slots;
     const auto packs = every_third_particle(body.patch, slots);
     constexpr int width = record_width<D>;
-    std::vector<T> records(slots.size() * width, T(-7));
+    Field<T> records(slots.size() * width, T(-7));
     baseline_table<T, D>().write_surface_records(
         {body.patch.segments.data(), packs.data(), static_cast<int>(packs.size()),
          body.patch.spacing, body.weight, body.material, body.mass.data(), level_set.data(),

@@ -1,0 +1,51 @@
+#pragma once
+
+#include <benchmark/benchmark.h>
+
+#include <cmath>
+#include <string>
+
+#include "kernels/table.hpp"
+
+namespace pliant::kernels::bench {
+
+/// What a particle costs: floating-point operations that its sums need (an fma counts two), and
+/// bytes that must move between the processor and memory when nothing is found in caches.
+struct Cost {
+  double flop = 0;
+  double bytes = 0;
+};
+
+/// Rates beside the time: particles, flop and bytes per second.
+inline void report(benchmark::State& state, std::int64_t particles, Cost each) {
+  const double total = static_cast<double>(state.iterations()) * static_cast<double>(particles);
+  state.SetItemsProcessed(static_cast<std::int64_t>(total));
+  state.counters["flop"] = each.flop;
+  state.counters["bytes"] = each.bytes;
+  state.counters["GFLOP/s"] =
+      benchmark::Counter(total * each.flop * 1e-9, benchmark::Counter::kIsRate);
+  state.counters["GB/s"] =
+      benchmark::Counter(total * each.bytes * 1e-9, benchmark::Counter::kIsRate);
+}
+
+/// Runs `run(state, isa)` for 10^3 ... 10^6 particles on every instruction set that there is.
+template <class Run>
+void register_sizes(const std::string& name, const Run& run) {
+  for (const Isa isa : {Isa::sse2, Isa::avx2, Isa::avx512}) {
+    if (!is_supported(isa)) continue;
+    benchmark::RegisterBenchmark((name + "/" + std::string(kernels::name(isa))).c_str(),
+                                 [=](benchmark::State& state) { run(state, isa); })
+        ->Arg(1000)
+        ->Arg(10000)
+        ->Arg(130000)
+        ->Arg(1000000);
+  }
+}
+
+/// Cells of a nearly square box with about `particles` interior ones.
+inline std::array<int, 2> square_box(std::int64_t particles) {
+  const int side = static_cast<int>(std::lround(std::sqrt(static_cast<double>(particles))));
+  return {(side + 6 + 7) / 8 * 8, side + 6};
+}
+
+}  // namespace pliant::kernels::bench

@@ -1,0 +1,55 @@
+#include "bench/kernels/measure.hpp"
+#include "tests/kernels/body.hpp"
+
+namespace pliant::kernels::bench {
+namespace {
+
+/// All interior particles of a body onto one buffer of nodes.
+void scatter(benchmark::State& state, Isa isa) {
+  const auto cells = square_box(state.range(0));
+  test::Body<double, 2> body(cells, 0.01, Model::linear_rho);
+  std::int64_t particles = 0;
+  body.patch.for_each_interior([&](std::int64_t, const auto&) { ++particles; });
+  test::Field<double> nodes(std::size_t(cells[0] + 6) * (cells[1] + 6) * node_width<2>, 0.);
+  const auto& current = std::as_const(body.states[0]);
+  const Scatter<double, 2> arguments{body.patch.segments.data(),
+                                     static_cast<int>(body.patch.segments.size()),
+                                     body.patch.kind.data(),
+                                     100,
+                                     {},
+                                     3,
+                                     body.mass.data(),
+                                     body.mass.data(),
+                                     {body.mass.data(), body.mass.data()},
+                                     current.evolving(),
+                                     nodes.data(),
+                                     {-3, -3},
+                                     {cells[0] + 6, cells[1] + 6}};
+  for (auto _ : state) table<double, 2>(isa).scatter(arguments);
+  report(state, particles, {16 * (1 + 2 * 16) + 40, 12 * 8 + 1 + 2 * 128});
+}
+
+/// One field.
+void filter(benchmark::State& state, Isa isa) {
+  test::Body<double, 2> body(square_box(state.range(0)), 0.01, Model::linear_rho);
+  std::int64_t particles = 0;
+  body.patch.for_each_interior([&](std::int64_t, const auto&) { ++particles; });
+  test::Field<double> filtered(body.patch.slots);
+  const Filter<double, 2> arguments{body.patch.segments.data(),
+                                    static_cast<int>(body.patch.segments.size()),
+                                    0.2,
+                                    body.patch.interior.data(),
+                                    body.mass.data(),
+                                    filtered.data()};
+  for (auto _ : state) table<double, 2>(isa).filter(arguments);
+  report(state, particles, {27, 32});
+}
+
+const bool registered = [] {
+  register_sizes("scatter", scatter);
+  register_sizes("filter", filter);
+  return true;
+}();
+
+}  // namespace
+}  // namespace pliant::kernels::bench

@@ -1,0 +1,97 @@
+#include "bench/kernels/measure.hpp"
+#include "tests/kernels/body.hpp"
+
+namespace pliant::kernels::bench {
+namespace {
+
+using test::Body;
+
+/// The sweep over 24 or 8 neighbours, and the laws; divisions and roots count one each.
+double flop_per_stage(Weight weight, Model model) {
+  const int neighbours = weight == Weight::compact ? 8 : 24;
+  // d 4, r^2 3, A 2 + 6, differences 5, H 20; omega by (RP.14), (RP.15), (RP.16).
+  const int pair = 40 + (weight == Weight::quartic ? 43 : weight == Weight::compact ? 5 : 10);
+  const int law = model == Model::reduced_polynomial ? 120 : 45;
+  return neighbours * pair + 50 + law;
+}
+
+/// Fields read once and written once (writing reads the line first), mean over the four stages.
+double bytes_per_stage(Model model) {
+  const double state = 5 + carried_components<2>(model), stress = 3;
+  const double reads = (1 + 2 + 2 + 4) / 4. * state + stress + 2;  // mass and the interior mask
+  return 8 * (reads + 2 * (state + stress));
+}
+
+/// Four stages of a step on one block.
+void advance(benchmark::State& state, Isa isa, Model model, Weight weight) {
+  Body<double, 2> body(square_box(state.range(0)), 0.01, model);
+  body.weight = weight;
+  std::int64_t particles = 0;
+  body.patch.for_each_interior([&](std::int64_t, const auto&) { ++particles; });
+  const Table<double, 2>& kernels = table<double, 2>(isa);
+  kernels.evaluate_stress(body.stress_of(0));
+  const double time_step = 1e-9;  // the state stays as it is, however many steps are run
+  for (auto _ : state) {
+    for (int number = 0; number < 4; ++number) {
+      benchmark::DoNotOptimize(
+          kernels.advance_stage(body.stage(number, number, (number + 1) % 4, time_step)));
+    }
+  }
+  report(state, 4 * particles, {flop_per_stage(weight, model), bytes_per_stage(model)});
+}
+
+/// The gradients over lists of the stencil's neighbours.
+void advance_listed(benchmark::State& state, Isa isa) {
+  Body<double, 2> body(square_box(state.range(0)), 0.01, Model::linear_rho);
+  const test::BoxLists<2> lists(body.patch, 2);
+  const NeighbourLists<2> view = lists.view();
+  std::int64_t particles = 0;
+  body.patch.for_each_interior([&](std::int64_t, const auto&) { ++particles; });
+  Stage<double, 2> stage = body.stage(0, 0, 1, 1e-9);
+  stage.neighbours = &view;
+  for (auto _ : state) {
+    benchmark::DoNotOptimize(table<double, 2>(isa).advance_stage(stage));
+  }
+  const double flop = flop_per_stage(body.weight, Model::linear_rho);
+  report(state, particles, {flop, bytes_per_stage(Model::linear_rho) + 25 * 6});
+}
+
+void evaluate(benchmark::State& state, Isa isa, Model model) {
+  Body<double, 2> body(square_box(state.range(0)), 0.01, model);
+  std::int64_t slots = 0;
+  for (const auto& segment : body.patch.segments) slots += segment.count;
+  for (auto _ : state) {
+    benchmark::DoNotOptimize(table<double, 2>(isa).evaluate_stress(body.stress_of(0)));
+  }
+  const double flop = model == Model::reduced_polynomial ? 110 : 12;
+  report(state, slots, {flop, 8. * (3 + carried_components<2>(model) + 6)});
+}
+
+std::string name_of(Model model) {
+  return model == Model::linear_rho ? "rho" : model == Model::linear_log ? "log" : "polynomial";
+}
+
+std::string name_of(Weight weight) {
+  return weight == Weight::quartic              ? "quartic"
+         : weight == Weight::quartic_polynomial ? "quartic_polynomial"
+                                                : "compact";
+}
+
+const bool registered = [] {
+  for (const Weight weight : {Weight::quartic, Weight::quartic_polynomial, Weight::compact}) {
+    for (const Model model : {Model::linear_rho, Model::linear_log, Model::reduced_polynomial}) {
+      if (weight != Weight::quartic_polynomial && model != Model::linear_rho) continue;
+      register_sizes("advance_stage/" + name_of(weight) + "/" + name_of(model),
+                     [=](benchmark::State& state, Isa isa) { advance(state, isa, model, weight); });
+    }
+  }
+  register_sizes("advance_stage/lists", advance_listed);
+  for (const Model model : {Model::linear_rho, Model::linear_log, Model::reduced_polynomial}) {
+    register_sizes("evaluate_stress/" + name_of(model),
+                   [=](benchmark::State& state, Isa isa) { evaluate(state, isa, model); });
+  }
+  return true;
+}();
+
+}  // namespace
+}  // namespace pliant::kernels::bench
