@@ -94,8 +94,9 @@ struct ArchiveWriter::File {
   explicit File(const std::filesystem::path& final_path) : path(final_path), temporary(path) {
     hdf5::silence();
     try {
-      file = {H5Fcreate(temporary.path().c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, creating()), H5Fclose,
-              "create it"};
+      file = {H5Fcreate(temporary.path().c_str(), H5F_ACC_TRUNC, hdf5::creation_of(H5P_FILE_CREATE),
+                        creating()),
+              H5Fclose, "create it"};
       hdf5::write_attribute(file, format_attribute, format);
     } catch (const hdf5::Failure& failure) {
       throw failure.on(path);

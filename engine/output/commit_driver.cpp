@@ -57,26 +57,18 @@ struct CommitFile {
   haddr_t committed_end = 0;  ///< as the superblock in the file tells
   haddr_t size = 0;           ///< of the file
   bool abandoned = false;
+  int error_number = 0;  ///< of the first call that failed; the file is abandoned then
   std::vector<Write> held_back;
 
   bool write(haddr_t begin, const void* bytes, std::size_t count);
   bool read(haddr_t begin, void* bytes, std::size_t count) const;
   bool grow();
   bool commit();
+  void note(bool done);
 };
 
 CommitFile& of(H5FD_t* file) { return *reinterpret_cast<CommitFile*>(file); }
 const CommitFile& of(const H5FD_t* file) { return *reinterpret_cast<const CommitFile*>(file); }
-
-/// Puts the error number where a Failure looks for it.
-herr_t report(bool done, H5FD_t* file) {
-  if (done) return 0;
-  const auto kind = errno == ENOENT ? H5E_CANTOPENFILE : H5E_WRITEERROR;
-  H5Epush2(H5E_DEFAULT, __FILE__, "commit_driver", __LINE__, H5E_ERR_CLS, H5E_VFL, kind,
-           "errno = %d", errno);
-  if (file != nullptr) of(file).abandoned = true;
-  return -1;
-}
 
 bool CommitFile::write(haddr_t begin, const void* bytes, std::size_t count) {
   const auto* next = static_cast<const char*>(bytes);
@@ -139,6 +131,14 @@ bool CommitFile::commit() {
   return true;
 }
 
+/// HDF5 is not told that a write failed: it would keep what it could not write, try again when it
+/// closes the file, and stumble over the rest at the end of the process. `flush` tells instead.
+void CommitFile::note(bool done) {
+  if (done || abandoned) return;
+  error_number = errno;
+  abandoned = true;
+}
+
 H5FD_t* open_file(const char* name, unsigned flags, hid_t, haddr_t) {
   int mode = (flags & H5F_ACC_RDWR) ? O_RDWR : O_RDONLY;
   if (flags & H5F_ACC_TRUNC) mode |= O_TRUNC;
@@ -148,7 +148,8 @@ H5FD_t* open_file(const char* name, unsigned flags, hid_t, haddr_t) {
   file->descriptor = ::open(name, mode | O_CLOEXEC, 0666);
   struct stat about = {};
   if (file->descriptor < 0 || ::fstat(file->descriptor, &about) != 0) {
-    report(false, nullptr);
+    H5Epush2(H5E_DEFAULT, __FILE__, "open_file", __LINE__, H5E_ERR_CLS, H5E_VFL, H5E_CANTOPENFILE,
+             "errno = %d", errno);
     return nullptr;
   }
   file->size = static_cast<haddr_t>(about.st_size);
@@ -158,11 +159,11 @@ H5FD_t* open_file(const char* name, unsigned flags, hid_t, haddr_t) {
 
 herr_t close_file(H5FD_t* base) {
   const std::unique_ptr<CommitFile> file(&of(base));
-  bool done = file->commit();
+  file->note(file->commit());
   if (!file->abandoned && file->size > file->end)
-    done = done && ::ftruncate(file->descriptor, static_cast<off_t>(file->end)) == 0;
+    file->note(::ftruncate(file->descriptor, static_cast<off_t>(file->end)) == 0);
   ::close(file->descriptor);
-  return report(done, nullptr);
+  return 0;
 }
 
 int compare_files(const H5FD_t* a, const H5FD_t* b) {
@@ -194,19 +195,24 @@ herr_t get_handle(H5FD_t* file, hid_t, void** handle) {
 }
 
 herr_t read_file(H5FD_t* file, H5FD_mem_t, hid_t, haddr_t begin, std::size_t count, void* bytes) {
-  return report(of(file).read(begin, bytes, count), file);
+  return of(file).read(begin, bytes, count) ? 0 : -1;
 }
 
 herr_t write_file(H5FD_t* base, H5FD_mem_t kind, hid_t, haddr_t begin, std::size_t count,
                   const void* bytes) {
   auto& file = of(base);
   if (file.abandoned) return 0;
-  if (kind == H5FD_MEM_DRAW) return report(file.write(begin, bytes, count), base);
-  file.held_back.push_back({kind, begin, std::string(static_cast<const char*>(bytes), count)});
+  if (kind == H5FD_MEM_DRAW)
+    file.note(file.write(begin, bytes, count));
+  else
+    file.held_back.push_back({kind, begin, std::string(static_cast<const char*>(bytes), count)});
   return 0;
 }
 
-herr_t flush_file(H5FD_t* file, hid_t, hbool_t) { return report(of(file).commit(), file); }
+herr_t flush_file(H5FD_t* file, hid_t, hbool_t) {
+  of(file).note(of(file).commit());
+  return 0;
+}
 
 /// The file is cut when it is closed; before, the superblock in it may still tell a later end.
 herr_t truncate_file(H5FD_t*, hid_t, hbool_t) { return 0; }
@@ -251,17 +257,17 @@ Handle commit_access(H5F_libver_t oldest, H5F_libver_t latest) {
   return properties;
 }
 
-void flush(hid_t file) { checked(H5Fflush(file, H5F_SCOPE_LOCAL), "write"); }
+void flush(hid_t file) {
+  checked(H5Fflush(file, H5F_SCOPE_LOCAL), "write it");
+  if (const int number = commit_file(file).error_number; number != 0)
+    throw Failure::system("write it", number);
+}
 
 void sync(hid_t file) {
-  if (::fsync(commit_file(file).descriptor) == 0) return;
-  throw Failure{
-      .doing = "write it to the disk", .reason = std::strerror(errno), .error_number = errno};
+  if (::fsync(commit_file(file).descriptor) != 0)
+    throw Failure::system("write it to the disk", errno);
 }
 
-void abandon(hid_t file) {
-  auto& abandoned = commit_file(file);
-  abandoned.abandoned = true;
-}
+void abandon(hid_t file) { commit_file(file).abandoned = true; }
 
 }  // namespace pliant::hdf5

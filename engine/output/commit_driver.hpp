@@ -12,7 +12,8 @@ namespace pliant::hdf5 {
 /// open the file at any time, since it is not locked.
 Handle commit_access(H5F_libver_t oldest, H5F_libver_t latest);
 
-/// Commits. Throws Failure; the file must then be abandoned.
+/// Commits. Throws Failure when this or any write since the last commit failed; the file stays as
+/// the last commit left it then, whatever is done with it.
 void flush(hid_t file);
 
 /// Forces what was committed onto the disk. Throws Failure.

@@ -55,6 +55,10 @@ herr_t add_name(hid_t, const char* name, const H5L_info_t*, void* target) {
 
 }  // namespace
 
+Failure Failure::system(std::string doing, int error_number) {
+  return {std::move(doing), std::generic_category().message(error_number), error_number};
+}
+
 OutputError Failure::on(const std::filesystem::path& path) const {
   return {path, fmt::format("cannot {}: {}", doing, reason), remedy_for(error_number)};
 }

@@ -20,6 +20,7 @@ struct Failure {
   std::string reason;  ///< the operating system's words, else HDF5's
   int error_number = 0;
 
+  static Failure system(std::string doing, int error_number);
   OutputError on(const std::filesystem::path& path) const;
 };
 
