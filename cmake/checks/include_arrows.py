@@ -1,6 +1,6 @@
 """Holds the arrows between folders: what each may include.
 
-    kernels/    the standard library and xsimd
+    kernels/    the standard library, xsimd and the intrinsics that it lacks
     scheduler/  the standard library, oneTBB, fmt and JSON
     engine/     kernels, scheduler, and any library
     bench/      all of these
@@ -20,7 +20,7 @@ FOLDERS = {
 }
 # First component of <...>; the standard library needs no entry. Folders not named may use any.
 LIBRARIES = {
-    "kernels": {"xsimd"},
+    "kernels": {"xsimd", "immintrin.h"},
     "scheduler": {"tbb", "oneapi", "fmt", "nlohmann"},
 }
 INCLUDE = re.compile(r'\s*#\s*include\s*([<"])([^>"]+)[>"]')
@@ -38,7 +38,7 @@ def problem(root, folder, bracket, header):
         if allowed is None or first in allowed or is_standard(header):
             return None
         return f"{folder}/ may include <...> of {', '.join(sorted(allowed))} and the standard library only"
-    if not (root / header).is_file():
+    if not any((root / name).is_file() for name in (header, header + ".in")):  # .in: generated
         return "no such file from the repository root; give project headers their full path"
     if first not in FOLDERS[folder]:
         return f"{folder}/ may include {', '.join(sorted(FOLDERS[folder]))} only"

@@ -1,0 +1,42 @@
+"""An installed program runs, reads the installed cases, and knows nothing of the source tree."""
+
+import os
+import subprocess
+import sys
+import tempfile
+import unittest
+from pathlib import Path
+
+BUILD, SOURCE = (os.path.realpath(argument) for argument in sys.argv[1:3])
+
+
+class Installed(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        cls.scratch = tempfile.TemporaryDirectory()
+        cls.addClassCleanup(cls.scratch.cleanup)
+        cls.prefix = Path(cls.scratch.name)
+        cls.program = cls.prefix / "bin/pliant"
+        subprocess.run(["cmake", "--install", BUILD, "--prefix", cls.prefix], check=True,
+                       stdout=subprocess.DEVNULL)
+
+    def test_it_says_its_version(self):
+        out = subprocess.run([self.program, "--version"], cwd="/", capture_output=True, text=True)
+        self.assertEqual(0, out.returncode)
+        self.assertRegex(out.stdout, r"\d+\.\d+\.\d+")
+
+    def test_it_accepts_every_installed_case(self):
+        cases = sorted(self.prefix.glob("share/pliant/cases/*/case.toml"))
+        self.assertTrue(cases)
+        for case in cases:
+            with self.subTest(case=case.parent.name):
+                out = subprocess.run([self.program, "check", case], cwd="/", capture_output=True,
+                                     text=True)
+                self.assertEqual((0, ""), (out.returncode, out.stderr))
+
+    def test_it_holds_no_path_of_the_source_tree(self):
+        self.assertNotIn(SOURCE.encode(), self.program.read_bytes())
+
+
+if __name__ == "__main__":
+    unittest.main(argv=sys.argv[:1])
