@@ -3,8 +3,8 @@
     kernels/    the standard library, xsimd and the intrinsics that it lacks
     scheduler/  the standard library, oneTBB, fmt and JSON
     engine/     kernels, scheduler, and any library
-    bench/      all of these
-    tests/      everything; nothing includes tests or bench
+    bench/      all of these, and fixtures of tests/
+    tests/      all but bench/, which nothing includes
 """
 
 import re
@@ -15,7 +15,7 @@ FOLDERS = {
     "kernels": {"kernels"},
     "scheduler": {"scheduler"},
     "engine": {"kernels", "scheduler", "engine"},
-    "bench": {"kernels", "scheduler", "engine", "bench"},
+    "bench": {"kernels", "scheduler", "engine", "tests", "bench"},
     "tests": {"kernels", "scheduler", "engine", "tests"},
 }
 # First component of <...>; the standard library needs no entry. Folders not named may use any.
