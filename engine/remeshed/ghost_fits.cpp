@@ -118,17 +118,18 @@ template <class T, int D>
 class GhostFitter {
  public:
   GhostFitter(const Body<T, D>& body, Population<T, D>& population, const FieldStore<T, D>& state,
-              int block, const Boundaries<D>& boundaries, GhostTreatment treatment,
-              std::int32_t* used)
+              int block, const LevelSet<T, D>& level_set, const Boundaries<D>& boundaries,
+              GhostTreatment treatment, std::int32_t* used)
       : body_(body),
         population_(population),
         phi_(state.get(Field::level_set)),
+        level_set_(level_set),
         ghosts_(population.ghosts[block]),
         boundaries_(boundaries),
         treatment_(treatment),
         used_(used) {}
 
-  void add(std::int64_t slot, const Cell<D>& cell, const LevelSet<T, D>& level_set) {
+  void add(std::int64_t slot, const Cell<D>& cell) {
     const double h = body_.lattice.spacing;
     const Point<D> x = body_.lattice.node(cell);
     const auto [wall, wall_distance] = boundaries_.nearest_wall(x);
@@ -139,7 +140,7 @@ class GhostFitter {
       for (int a = 0; a < D; ++a) foot[a] -= wall_distance * normal[a];
     } else {
       Point<D> offset = {};
-      level_set.closest_point(slot, offset);
+      level_set_.closest_point(slot, offset);
       for (int a = 0; a < D; ++a) foot[a] += offset[a];
       // Where the surface runs on behind a wall, fits are made about the wall.
       const auto [foot_wall, depth] = boundaries_.nearest_wall(foot);
@@ -154,7 +155,7 @@ class GhostFitter {
       site.normal[a] = at_wall ? normal[a] : site.ghost[a];
     }
     if (!at_wall) site.normal = site.normal.norm() > 1e-9 ? site.normal.normalized() : site.normal;
-    site.surface_distance = (at_wall ? wall_distance : phi_[slot]) / h;
+    site.surface_distance = (at_wall ? wall_distance : surface_distance(slot)) / h;
 
     ghosts_.slot.push_back(static_cast<std::int32_t>(slot));
     ghosts_.wall.push_back(static_cast<std::int8_t>(at_wall ? wall : -1));
@@ -169,6 +170,15 @@ class GhostFitter {
   }
 
  private:
+  // phi is a distance only after a reinitialisation; the closest point always tells.
+  double surface_distance(std::int64_t slot) const {
+    Point<D> offset;
+    if (!level_set_.closest_point(slot, offset)) return phi_[slot];
+    double square = 0;
+    for (int a = 0; a < D; ++a) square += offset[a] * offset[a];
+    return std::copysign(std::sqrt(square), phi_[slot]);
+  }
+
   std::int8_t pressure_at(const Point<D>& foot) const {
     for (std::size_t i = 0; i < boundaries_.pressures.size(); ++i) {
       if (boundaries_.pressures[i].acts_at(foot)) return static_cast<std::int8_t>(i);
@@ -204,7 +214,7 @@ class GhostFitter {
     if (fraction >= 1) return;
     const std::int64_t q = population_.layout.slot(body_.lattice.wrapped(cell));
     if (q < 0 || population_.kind[q] != Kind::interior) return;
-    const double distance = wall ? wall->distance(body_.lattice.node(cell)) : phi_[q];
+    const double distance = wall ? wall->distance(body_.lattice.node(cell)) : surface_distance(q);
     particles_.push_back({static_cast<std::int32_t>(q), (1 - fraction) * (1 - fraction),
                           distance / body_.lattice.spacing, r});
   }
@@ -269,6 +279,7 @@ class GhostFitter {
   const Body<T, D>& body_;
   Population<T, D>& population_;
   const T* phi_;
+  const LevelSet<T, D>& level_set_;
   BlockGhosts<T, D>& ghosts_;
   const Boundaries<D>& boundaries_;
   GhostTreatment treatment_;
@@ -304,12 +315,12 @@ void fit_ghosts(const Body<T, D>& body, Population<T, D>& population, const Fiel
   ghosts.linear.clear();
   ghosts.constrained.clear();
   ghosts.constrained_sum.clear();
-  GhostFitter<T, D> fitter(body, population, state, block, boundaries, treatment, used);
+  GhostFitter<T, D> fitter(body, population, state, block, level_set, boundaries, treatment, used);
   population.layout.for_each_slot(population.layout.blocks()[block],
                                   [&](std::int64_t p, const Cell<D>& cell) {
                                     const Kind kind = population.kind[p];
                                     if (kind == Kind::free_ghost || kind == Kind::wall_ghost)
-                                      fitter.add(p, cell, level_set);
+                                      fitter.add(p, cell);
                                   });
   ghosts.record.resize(ghosts.neighbour.size());
   ghosts.sums.grow(ghosts.slot.size() * 2 * kernels::record_width<D>, T(0));

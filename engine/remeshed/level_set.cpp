@@ -1,5 +1,6 @@
 #include "engine/remeshed/level_set.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <cstring>
 
@@ -86,10 +87,13 @@ void LevelSet<T, D>::extend_through_walls(const Block<D>& block, const Boundarie
   });
 }
 
-// phi at `depth` behind a wall: the line through two points 1.5 h and 2.5 h in front of it.
+// phi at `depth` behind a wall: the line through two points 1.5 h and 2.5 h in front of it. Only a
+// surface that meets the wall runs on through it: far from one, phi keeps its value, and a slope
+// beyond that of a surface at 45 degrees is a kink of phi, not a surface.
 template <class T, int D>
 double LevelSet<T, D>::extended_from(const Point<D>& x, const Point<D>& normal, double depth,
                                      const T* valid) const {
+  constexpr double steepest = 0.7, meets_wall = 3;
   const double h = lattice_->spacing;
   Point<D> nearer = x, farther = x;
   for (int a = 0; a < D; ++a) {
@@ -98,8 +102,9 @@ double LevelSet<T, D>::extended_from(const Point<D>& x, const Point<D>& normal, 
   }
   double first = 0, second = 0;
   if (!linear(nearer, valid, first)) return far * h;
-  if (!linear(farther, valid, second)) return first;
-  return first + (first - second) * (depth / h + 1.5);
+  if (!linear(farther, valid, second) || std::abs(first) > meets_wall * h) return first;
+  const double slope = std::clamp((first - second) / h, -steepest, steepest);
+  return first + slope * (depth + 1.5 * h);
 }
 
 template <class T, int D>
@@ -240,7 +245,6 @@ void LevelSet<T, D>::adopt_nearest(std::int64_t slot, const Cell<D>& cell, int l
   const Point<D> node = as_point<D>(cell);
   double nearest = 1e300;
   Point<D> foot = {};
-  T sign = 1;
   for_each_adjacent<D>(cell, [&](const Cell<D>& other) {
     const std::int64_t q = layout_->slot(lattice_->wrapped(other));
     if (q < 0 || layer_[layer % 2][q] == 0) return;
@@ -251,7 +255,6 @@ void LevelSet<T, D>::adopt_nearest(std::int64_t slot, const Cell<D>& cell, int l
     if (square < nearest) {
       nearest = square;
       foot = candidate;
-      sign = phi_[q] < 0 ? T(-1) : T(1);
     }
   });
   if (nearest == 1e300) return;
@@ -260,7 +263,8 @@ void LevelSet<T, D>::adopt_nearest(std::int64_t slot, const Cell<D>& cell, int l
   if (polished.converged && dot<D>(moved, moved) < 2) foot = polished.point;
   const Point<D> offset = difference<D>(foot, node);
   set_foot(slot, node, foot);
-  phi_[slot] = sign * static_cast<T>(std::sqrt(dot<D>(offset, offset)) * h);
+  // Far from the surface the sign that remeshing left is sure.
+  phi_[slot] = std::copysign(static_cast<T>(std::sqrt(dot<D>(offset, offset)) * h), extended_[slot]);
   layer_[(layer + 1) % 2][slot] = static_cast<std::uint8_t>(layer);
 }
 

@@ -25,7 +25,7 @@ template <class T, int D>
 class LevelSet {
  public:
   static constexpr double near_band = 1.8;  ///< [h]
-  static constexpr double trusted = 1.2;    ///< closest points farther away do not correct phi [h]
+  static constexpr double trusted = 2.5;    ///< closest points farther away do not correct phi [h]
   static constexpr int layers = 6;          ///< the near nodes are layer 1
   static constexpr double far = 6.5;        ///< [h]
 
