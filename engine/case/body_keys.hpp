@@ -11,7 +11,7 @@ template <class Visitor>
 void material_keys(Visitor& visit, MaterialCase& material) {
   const bool known = visit("model", material.model,
                            {.meaning = "constitutive model",
-                            .example = "\"linear\"",
+                            .example = R"("linear")",
                             .required = true,
                             .decides = true});
   visit("density", material.density,
@@ -22,7 +22,7 @@ void material_keys(Visitor& visit, MaterialCase& material) {
          .required = true});
   if (!known) return;
   if (material.model == MaterialCase::Model::linear) {
-    visit("law", material.law, {.meaning = "pressure law", .example = "\"rho\""});
+    visit("law", material.law, {.meaning = "pressure law", .example = R"("rho")"});
     visit("youngs_modulus", material.youngs_modulus,
           {.meaning = "Young's modulus E",
            .unit = "Pa",
@@ -56,7 +56,7 @@ void rotation_keys(Visitor& visit, RigidRotation& rotation) {
   visit("angular_velocity", AngularVelocity{rotation.angular_velocity},
         {.meaning = "about z in 2D, a vector in 3D",
          .unit = "1/s",
-         .example = "\"2*pi\"",
+         .example = R"("2*pi")",
          .required = true});
 }
 
@@ -64,20 +64,20 @@ template <class Visitor>
 void body_keys(Visitor& visit, BodyCase& body) {
   visit("name", Name{body.name},
         {.meaning = "by which measurements and --set address it",
-         .example = "\"block\"",
+         .example = R"("block")",
          .required = true});
   visit("geometry", body.geometry,
         {.meaning = "its shape at t = 0, see geometry",
-         .example = "{ shape = \"box\", lower = [0, 0], upper = [1, 1] }",
+         .example = R"({ shape = "box", lower = [0, 0], upper = [1, 1] })",
          .required = true});
   visit("material", body.material_as_given,
         {.meaning = "the name of a [material.NAME] table, or such a table in place",
-         .example = "\"tissue\"",
+         .example = R"("tissue")",
          .required = true});
   visit("velocity", VelocityFormulas{body.velocity},
         {.meaning = "initial velocity; at rest when neither this nor rotation is given",
          .unit = "m/s",
-         .example = "[0, \"-25*y\"]",
+         .example = R"([0, "-25*y"])",
          .variables = "xyz"});
   visit("rotation", Rotation{body.velocity},
         {.meaning = "initial rigid rotation in place of velocity, see rotation",
@@ -102,15 +102,15 @@ inline BoundaryCase::Kind kind_of(BoundaryWord kind) {
 template <class Visitor>
 void boundary_keys(Visitor& visit, BoundaryCase& boundary) {
   visit("name", Name{boundary.name},
-        {.meaning = "by which --set addresses it", .example = "\"upper\"", .required = true});
+        {.meaning = "by which --set addresses it", .example = R"("upper")", .required = true});
   BoundaryWord kind = word_of(boundary);
-  const bool known =
-      visit("kind", kind,
-            {.meaning = "what it does", .example = "\"fixed\"", .required = true, .decides = true});
+  const bool known = visit(
+      "kind", kind,
+      {.meaning = "what it does", .example = R"("fixed")", .required = true, .decides = true});
   boundary.kind = kind_of(kind);
   visit("geometry", boundary.geometry,
         {.meaning = "the wall's solid at t = 0, or the region in which the pressure acts",
-         .example = "{ shape = \"half_space\", point = [0, 0], normal = [0, 1] }",
+         .example = R"({ shape = "half_space", point = [0, 0], normal = [0, 1] })",
          .required = true});
   if (!known) return;
   if (kind == BoundaryWord::moving_wall || kind == BoundaryWord::slip_wall) {
@@ -125,7 +125,7 @@ void boundary_keys(Visitor& visit, BoundaryCase& boundary) {
     visit("pressure", boundary.pressure,
           {.meaning = "what pushes on the body when positive, a number or a formula of t",
            .unit = "Pa",
-           .example = "\"3000*(1 - exp(-t))\"",
+           .example = R"toml("3000*(1 - exp(-t))")toml",
            .required = true,
            .variables = "t"});
   }

@@ -159,7 +159,7 @@ void check_measurements(const Check& check) {
     if (source.of < 0) continue;
     check.problems.add(
         check.place("measurement", i, "of"),
-        fmt::format("measurement \"{}\" reads \"{}\", which has no history of its own",
+        fmt::format(R"(measurement "{}" reads "{}", which has no history of its own)",
                     measurements[i].name, source.name),
         "name a measurement that is no period or amplitude_ratio");
   }

@@ -28,7 +28,7 @@ namespace {
 
 /// muParser's own texts count from zero and differ in style from one error to the next.
 std::string explain(const mu::ParserError& error) {
-  const std::string token = error.GetToken();
+  const std::string& token = error.GetToken();
   const int position = error.GetPos() + 1;
   switch (error.GetCode()) {
     case mu::ecUNASSIGNABLE_TOKEN:

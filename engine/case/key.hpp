@@ -33,13 +33,13 @@ inline constexpr Limits at_least_one{1, unlimited, true, false, "1 or more"};
 /// default-constructed case holds.
 struct Notes {
   std::string_view meaning;
-  std::string_view unit = "";
-  std::string_view example = "";  ///< a value, as TOML text
+  std::string_view unit = {};
+  std::string_view example = {};  ///< a value, as TOML text
   Limits limits = finite;
   bool required = false;
   bool decides = false;  ///< which other keys the table has hangs on this one's value
   std::string_view variables = "xyzt";  ///< that a formula may use
-  std::string_view remedy = "";         ///< when a number is outside its limits; else the example
+  std::string_view remedy = {};         ///< when a number is outside its limits; else the example
 };
 
 struct Name {  ///< letters, digits, _ and -

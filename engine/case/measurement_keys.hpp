@@ -9,7 +9,7 @@ namespace pliant {
 template <class Visitor>
 void axis_key(Visitor& visit, MeasurementCase& m, std::string_view meaning) {
   Axis axis{m.axis};
-  visit("axis", axis, {.meaning = meaning, .example = "\"x\""});
+  visit("axis", axis, {.meaning = meaning, .example = R"("x")"});
   m.axis = static_cast<int>(axis);
 }
 
@@ -36,11 +36,11 @@ template <class Visitor>
 void extent_keys(Visitor& visit, MeasurementCase& m) {
   axis_key(visit, m, "direction");
   Side side = m.lower_side ? Side::lower : Side::upper;
-  visit("side", side, {.meaning = "which end", .example = "\"upper\""});
+  visit("side", side, {.meaning = "which end", .example = R"("upper")"});
   m.lower_side = side == Side::lower;
   visit("where", m.where,
         {.meaning = "only surface points where this formula of x, y, z, t is not zero",
-         .example = "\"abs(y) < 0.5\""});
+         .example = R"("abs(y) < 0.5")"});
   reference_length_key(visit, m);
 }
 
@@ -49,7 +49,7 @@ void velocity_error_keys(Visitor& visit, MeasurementCase& m) {
   visit("exact", m.exact,
         {.meaning = "the exact velocity, numbers or formulas of x, y, z, t",
          .unit = "m/s",
-         .example = "[\"0.01*sin(2*pi*x)\", 0]",
+         .example = R"toml(["0.01*sin(2*pi*x)", 0])toml",
          .required = true});
   visit("reference", m.reference,
         {.meaning = "amplitude by which the error is divided",
@@ -57,7 +57,7 @@ void velocity_error_keys(Visitor& visit, MeasurementCase& m) {
          .example = "0.01",
          .limits = positive,
          .required = true});
-  visit("norm", m.norm, {.meaning = "of the error over the body", .example = "\"maximum\""});
+  visit("norm", m.norm, {.meaning = "of the error over the body", .example = R"("maximum")"});
 }
 
 template <class Visitor>
@@ -65,11 +65,11 @@ void measurement_keys(Visitor& visit, MeasurementCase& m) {
   using Kind = MeasurementCase::Kind;
   visit("name", Name{m.name},
         {.meaning = "under which the summary gives it",
-         .example = "\"tip_displacement\"",
+         .example = R"("tip_displacement")",
          .required = true});
   if (!visit("kind", m.kind,
              {.meaning = "what is measured",
-              .example = "\"mass\"",
+              .example = R"("mass")",
               .required = true,
               .decides = true})) {
     return;
@@ -77,7 +77,7 @@ void measurement_keys(Visitor& visit, MeasurementCase& m) {
   if (m.kind == Kind::period || m.kind == Kind::amplitude_ratio) {
     visit("of", MeasurementName{m.of},
           {.meaning = "the measurement whose history is read",
-           .example = "\"tip_displacement\"",
+           .example = R"("tip_displacement")",
            .required = true});
     return;
   }
@@ -105,7 +105,7 @@ void measurement_keys(Visitor& visit, MeasurementCase& m) {
       point_key(visit, m, "where, fixed in space", true);
       visit("field", FieldName{m.field},
             {.meaning = "density, pressure, velocity_x, displacement_x, stress_xx, ...",
-             .example = "\"pressure\"",
+             .example = R"("pressure")",
              .required = true});
       return;
     case Kind::momentum:

@@ -164,7 +164,7 @@ bool read(const Entry& entry, RemeshRule value) {
     return true;
   }
   if (!number_in(entry.node, why)) {
-    return entry.refuse("must be a number of steps, \"adaptive\" or \"never\", found " +
+    return entry.refuse(R"(must be a number of steps, "adaptive" or "never", found )" +
                         describe(entry.node));
   }
   value.remeshing.policy = Policy::every;

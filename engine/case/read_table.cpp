@@ -47,7 +47,7 @@ bool read(const Entry& entry, ShapeWord& value) {
   }
   if (!flat && value == ShapeWord::disc) {
     return entry.refuse("is a disc, which needs dimension = 2",
-                        "take shape = \"ball\" or \"cylinder\" in 3D");
+                        R"(take shape = "ball" or "cylinder" in 3D)");
   }
   return true;
 }

@@ -73,7 +73,7 @@ bool read(const Entry& entry, Axis& value) {
   const int word = read_word(entry, words<Axis>);
   if (word < 0) return false;
   if (word >= entry.reading.dimension) {
-    return entry.refuse("is \"z\", which dimension = 2 does not have", "take \"x\" or \"y\"");
+    return entry.refuse("is \"z\", which dimension = 2 does not have", R"(take "x" or "y")");
   }
   value = static_cast<Axis>(word);
   return true;

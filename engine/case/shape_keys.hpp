@@ -91,7 +91,7 @@ void shape_keys(Visitor& visit, Shape& shape) {
   ShapeWord word = word_of(shape, visit.dimension());
   const bool known =
       visit("shape", word,
-            {.meaning = "which shape", .example = "\"box\"", .required = true, .decides = true});
+            {.meaning = "which shape", .example = R"("box")", .required = true, .decides = true});
   if (!known) return;
   shape.kind = kind_of(word);
   switch (shape.kind) {
@@ -105,7 +105,7 @@ void shape_keys(Visitor& visit, Shape& shape) {
     default:
       visit("of", shape.operands,
             {.meaning = "the parts, at least two",
-             .example = "[{ shape = \"box\", ... }, { shape = \"disc\", ... }]",
+             .example = R"([{ shape = "box", ... }, { shape = "disc", ... }])",
              .required = true});
   }
 }

@@ -28,7 +28,7 @@ inline std::string type_of(const VectorExpression&) { return "vector of numbers 
 inline std::string type_of(const Name&) { return "name"; }
 inline std::string type_of(const StepRule&) { return "number or `\"cfl\"`"; }
 inline std::string type_of(const RemeshRule&) {
-  return "whole number, `\"adaptive\"` or `\"never\"`";
+  return R"(whole number, `"adaptive"` or `"never"`)";
 }
 inline std::string type_of(const AxisSet&) { return "list of axes"; }
 inline std::string type_of(const Direction&) { return "vector, of any length"; }
@@ -45,9 +45,11 @@ inline std::string type_of(const MaterialCase&) { return "name or table"; }
 template <class E>
 requires std::is_enum_v<E>
 inline std::string type_of(const E&) {
-  std::vector<std::string> texts;
-  for (const Word& word : words<E>) texts.push_back(fmt::format("`\"{}\"`", word.text));
-  return fmt::format("{}", fmt::join(texts, ", "));
+  std::string texts;
+  for (const Word& word : words<E>) {
+    texts += fmt::format("{}`\"{}\"`", texts.empty() ? "" : ", ", word.text);
+  }
+  return texts;
 }
 
 /// Visits the keys of a table once for every value of its deciding key, and keeps a row for each.

@@ -20,12 +20,12 @@ namespace pliant {
 template <class Visitor>
 void remeshing_keys(Visitor& visit, decltype(Case::remeshing)& remeshing) {
   visit("every", RemeshRule{remeshing},
-        {.meaning = "time steps between remeshings, \"adaptive\" (RP.28) or \"never\"",
+        {.meaning = R"(time steps between remeshings, "adaptive" (RP.28) or "never")",
          .unit = "steps",
          .example = "10",
          .limits = at_least_one});
   visit("strain", remeshing.strain,
-        {.meaning = "\"adaptive\": remesh when the strain since the last remeshing exceeds this",
+        {.meaning = R"("adaptive": remesh when the strain since the last remeshing exceeds this)",
          .example = "0.2",
          .limits = {0, 1, false, true, "above 0 and at most 1"}});
   visit("filter", remeshing.filter,
@@ -33,7 +33,7 @@ void remeshing_keys(Visitor& visit, decltype(Case::remeshing)& remeshing) {
          .example = "0.2",
          .limits = {0, 1, true, true, "from 0 to 1"}});
   VolumeRule volume = remeshing.extensive ? VolumeRule::extensive : VolumeRule::reset;
-  visit("volume", volume, {.meaning = "what particles weigh afterwards", .example = "\"reset\""});
+  visit("volume", volume, {.meaning = "what particles weigh afterwards", .example = R"("reset")"});
   remeshing.extensive = volume == VolumeRule::extensive;
 }
 
@@ -41,7 +41,7 @@ template <class Visitor>
 void periodic_keys(Visitor& visit, decltype(Case::periodic)& periodic) {
   visit("axes", AxisSet{periodic.axis},
         {.meaning = "directions in which the domain repeats",
-         .example = "[\"x\", \"y\"]",
+         .example = R"(["x", "y"])",
          .required = true});
   visit("lower", periodic.lower,
         {.meaning = "lower corner of the cell; other directions do not matter",
@@ -87,12 +87,12 @@ void time_keys(Visitor& visit, decltype(Case::time)& time) {
          .limits = positive,
          .required = true});
   visit("step", StepRule{time.step},
-        {.meaning = "time step, or \"cfl\": from the wave speed (RP.20)",
+        {.meaning = R"(time step, or "cfl": from the wave speed (RP.20))",
          .unit = "s",
          .example = "5e-5",
          .limits = positive});
   visit("cfl", time.cfl,
-        {.meaning = "CFL number of step = \"cfl\"",
+        {.meaning = R"(CFL number of step = "cfl")",
          .example = "0.5",
          .limits = {0, 2, false, true, "above 0 and at most 2"}});
 }
@@ -106,20 +106,20 @@ void discretisation_keys(Visitor& visit, decltype(Case::discretisation)& discret
          .limits = positive,
          .required = true});
   visit("weight", discretisation.weight,
-        {.meaning = "pair weight of gradients", .example = "\"compact\""});
+        {.meaning = "pair weight of gradients", .example = R"("compact")"});
 }
 
 template <class Visitor>
 void case_keys(Visitor& visit, Case& a_case) {
-  visit("title", a_case.title, {.meaning = "one line about the case", .example = "\"A case\""});
+  visit("title", a_case.title, {.meaning = "one line about the case", .example = R"("A case")"});
   visit("name", Name{a_case.name},
         {.meaning = "of the results; by default that of the file, or of the folder of a case.toml",
-         .example = "\"compression\""});
+         .example = R"("compression")"});
   visit("dimension", a_case.dimension,
         {.meaning = "2 (plane strain) or 3; vectors have as many components",
          .example = "2",
          .limits = {2, 3, true, true, "2 or 3"}});
-  visit("method", a_case.method, {.meaning = "numerical method", .example = "\"remeshed\""});
+  visit("method", a_case.method, {.meaning = "numerical method", .example = R"("remeshed")"});
   visit.table("discretisation", "Resolution.",
               [&](auto& keys) { discretisation_keys(keys, a_case.discretisation); });
   visit.table("time", "Simulated time.", [&](auto& keys) { time_keys(keys, a_case.time); });
@@ -135,7 +135,7 @@ void case_keys(Visitor& visit, Case& a_case) {
   visit.table("ghosts", "Particles outside the body that hold its boundary conditions.",
               [&](auto& keys) {
                 keys("treatment", a_case.ghosts,
-                     {.meaning = "how their values are found", .example = "\"linear\""});
+                     {.meaning = "how their values are found", .example = R"("linear")"});
               });
   const auto& periodic = a_case.periodic.axis;
   visit.optional_table("periodic", "A cell that repeats; leave the table out where nothing does.",

@@ -130,7 +130,7 @@ inline constexpr std::array<std::string_view, 14> measurable_fields{
 /// Fields that exist in `dimension`.
 constexpr bool is_measurable(std::string_view field, int dimension) {
   for (const std::string_view known : measurable_fields) {
-    if (known == field) return dimension == 3 || field.find("z", field.size() - 2) == field.npos;
+    if (known == field) return dimension == 3 || field.find('z', field.size() - 2) == field.npos;
   }
   return false;
 }

@@ -10,8 +10,8 @@ const Fault faults[] = {
      "block.toml:8: geometry is a box with lower 0 and upper -2 along y; every component of lower "
      "must be below that of upper"},
     {"an_unknown_shape", broken("shape = \"box\"", "shape = \"square\""),
-     "block.toml:8: shape must be one of \"box\", \"disc\", \"ball\", \"cylinder\", "
-     "\"half_space\", \"union\", \"difference\", \"intersection\", got \"square\"; take one of "
+     R"(block.toml:8: shape must be one of "box", "disc", "ball", "cylinder", )"
+     R"("half_space", "union", "difference", "intersection", got "square"; take one of )"
      "these"},
     {"a_cylinder_in_two_dimensions",
      broken(geometry, "{ shape = \"cylinder\", centre = [0, 0], radius = 1 }"),
@@ -20,7 +20,7 @@ const Fault faults[] = {
      "block.toml:8: radius must be positive, got -1; write it as in radius = 1"},
     {"a_difference_of_one_part",
      broken(geometry,
-            "{ shape = \"difference\", of = [{ shape = \"disc\", centre = [0, 0], radius = 1 }] }"),
+            R"({ shape = "difference", of = [{ shape = "disc", centre = [0, 0], radius = 1 }] })"),
      "block.toml:8: of needs two parts or more, got 1; write it as in of = [{ shape = \"box\", ... "
      "}, { shape = \"disc\", ... }]"},
     {"a_union_of_numbers", broken(geometry, "{ shape = \"union\", of = [1, 2] }"),
@@ -33,7 +33,7 @@ const Fault faults[] = {
      "box"},
     {"a_body_that_holds_nothing",
      broken(geometry,
-            "{ shape = \"intersection\", of = [{ shape = \"disc\", centre = [0, 0], radius = 1 }, "
+            R"({ shape = "intersection", of = [{ shape = "disc", centre = [0, 0], radius = 1 }, )"
             "{ shape = \"disc\", centre = [5, 0], radius = 1 }] }"),
      "block.toml:8: body \"block\" holds no point; let the parts of its geometry overlap"},
     {"a_spacing_larger_than_the_body", broken("spacing = 0.1", "spacing = 1.5"),
@@ -70,13 +70,13 @@ const Fault faults[] = {
      "only"},
 };
 
-class faulty_geometry_and_formulas : public testing::TestWithParam<Fault> {};
+class FaultyGeometry : public testing::TestWithParam<Fault> {};
 
-TEST_P(faulty_geometry_and_formulas, are_answered_with_where_what_and_what_to_do) {
+TEST_P(FaultyGeometry, are_answered_with_where_what_and_what_to_do) {
   EXPECT_EQ(complaint(GetParam().text), GetParam().message);
 }
 
-INSTANTIATE_TEST_SUITE_P(faults, faulty_geometry_and_formulas, testing::ValuesIn(faults), name_of);
+INSTANTIATE_TEST_SUITE_P(faults, FaultyGeometry, testing::ValuesIn(faults), name_of);
 
 }  // namespace
 }  // namespace pliant::tests

@@ -14,7 +14,7 @@ const Fault faults[] = {
      "corners, or give it infinite ends"},
     {"a_periodic_axis_that_does_not_exist",
      extended("[periodic]\naxes = [\"z\"]\nlower = [0, 0]\nupper = [1, 1]\n"),
-     "block.toml:11: axes is \"z\", which dimension = 2 does not have; take \"x\" or \"y\""},
+     R"(block.toml:11: axes is "z", which dimension = 2 does not have; take "x" or "y")"},
     {"a_periodic_cell_without_end",
      extended("[periodic]\naxes = [\"x\"]\nlower = [0, 0]\nupper = [inf, 1]\n"),
      "block.toml:13: the periodic cell goes from 0 to inf along x; give finite corners, lower "
@@ -24,7 +24,7 @@ const Fault faults[] = {
     {"a_measurement_of_an_unknown_measurement", measuring("kind = \"period\"\nof = \"tip\"\n"),
      "block.toml:13: of names the measurement \"tip\", which does not exist; there are m"},
     {"a_measurement_of_itself", measuring("kind = \"period\"\nof = \"m\"\n"),
-     "block.toml:13: measurement \"m\" reads \"m\", which has no history of its own; name a "
+     R"(block.toml:13: measurement "m" reads "m", which has no history of its own; name a )"
      "measurement that is no period or amplitude_ratio"},
     {"a_measurement_of_an_unknown_field",
      measuring("kind = \"point_value\"\npoint = [0, 0]\nfield = \"presure\"\n"),
@@ -35,10 +35,10 @@ const Fault faults[] = {
      "block.toml:14: field names the field \"velocity_z\", which does not exist; did you mean "
      "`velocity_x`?"},
     {"an_unknown_kind_of_measurement", measuring("kind = \"momentun\"\n"),
-     "block.toml:12: kind must be one of \"extent\", \"ray\", \"mean_radius\", "
-     "\"point_displacement\", \"point_value\", \"mass\", \"momentum\", \"angular_momentum\", "
-     "\"kinetic_energy\", \"strain_energy\", \"total_energy\", \"velocity_error\", \"period\", "
-     "\"amplitude_ratio\", got \"momentun\"; did you mean \"momentum\"?"},
+     R"(block.toml:12: kind must be one of "extent", "ray", "mean_radius", )"
+     R"("point_displacement", "point_value", "mass", "momentum", "angular_momentum", )"
+     R"("kinetic_energy", "strain_energy", "total_energy", "velocity_error", "period", )"
+     R"("amplitude_ratio", got "momentun"; did you mean "momentum"?)"},
     {"a_key_of_another_measurement", measuring("kind = \"mass\"\naxis = \"x\"\n"),
      "block.toml:13: unknown key `axis` in [[measurement]]; its keys are name, kind, body, "
      "relative"},
@@ -59,13 +59,13 @@ const Fault faults[] = {
      "block.toml:9: youngs_modulus must be positive, got 0; write it as in youngs_modulus = 100"},
 };
 
-class faulty_references : public testing::TestWithParam<Fault> {};
+class FaultyReferences : public testing::TestWithParam<Fault> {};
 
-TEST_P(faulty_references, are_answered_with_where_what_and_what_to_do) {
+TEST_P(FaultyReferences, are_answered_with_where_what_and_what_to_do) {
   EXPECT_EQ(complaint(GetParam().text), GetParam().message);
 }
 
-INSTANTIATE_TEST_SUITE_P(faults, faulty_references, testing::ValuesIn(faults), name_of);
+INSTANTIATE_TEST_SUITE_P(faults, FaultyReferences, testing::ValuesIn(faults), name_of);
 
 }  // namespace
 }  // namespace pliant::tests

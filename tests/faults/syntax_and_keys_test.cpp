@@ -4,7 +4,7 @@ namespace pliant::tests {
 namespace {
 
 const Fault faults[] = {
-    {"a_text_without_quotes", broken("\"a block\"", "a block"),
+    {"a_text_without_quotes", broken(R"("a block")", "a block"),
      "block.toml:1: not TOML: Error while parsing value: could not determine value type; mend the "
      "line: texts stand in quotes, lists in brackets, every key once"},
     {"a_line_without_a_value", broken("end = 1", "end ="),
@@ -34,7 +34,7 @@ const Fault faults[] = {
     {"a_single_bracket", broken("[[body]]", "[body]"),
      "block.toml:6: `body` must be a list of tables, found a table; write [[body]], with double "
      "brackets, before the keys of each"},
-    {"a_table_that_is_a_number", broken("title = \"a block\"", "output = 3"),
+    {"a_table_that_is_a_number", broken(R"(title = "a block")", "output = 3"),
      "block.toml:1: `output` must be a table, found 3; write [output] on a line of its own, its "
      "keys below"},
     {"a_key_of_another_model", broken("density = 2", "density = 2, coefficients = [1]"),
@@ -46,13 +46,13 @@ const Fault faults[] = {
      "block.toml:14: unknown key `velocity` in [[boundary]]; its keys are name, kind, geometry"},
 };
 
-class faulty_syntax_and_keys : public testing::TestWithParam<Fault> {};
+class FaultySyntax : public testing::TestWithParam<Fault> {};
 
-TEST_P(faulty_syntax_and_keys, are_answered_with_where_what_and_what_to_do) {
+TEST_P(FaultySyntax, are_answered_with_where_what_and_what_to_do) {
   EXPECT_EQ(complaint(GetParam().text), GetParam().message);
 }
 
-INSTANTIATE_TEST_SUITE_P(faults, faulty_syntax_and_keys, testing::ValuesIn(faults), name_of);
+INSTANTIATE_TEST_SUITE_P(faults, FaultySyntax, testing::ValuesIn(faults), name_of);
 
 }  // namespace
 }  // namespace pliant::tests

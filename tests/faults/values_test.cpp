@@ -41,25 +41,25 @@ const Fault faults[] = {
     {"an_unstable_cfl_number", broken("end = 1", "end = 1\ncfl = 3"),
      "block.toml:6: cfl must be above 0 and at most 2, got 3; write it as in cfl = 0.5"},
     {"a_step_word_other_than_cfl", broken("end = 1", "end = 1\nstep = \"auto\""),
-     "block.toml:6: step must be a number or \"cfl\", found the text \"auto\"; write step = "
+     R"(block.toml:6: step must be a number or "cfl", found the text "auto"; write step = )"
      "\"cfl\", or a time step as in step = 5e-5"},
     {"a_step_longer_than_the_run", broken("end = 1", "end = 1\nstep = 2"),
      "block.toml:6: step 2 is longer than the run, which ends at 1; take a smaller step, or "
      "\"cfl\""},
     {"a_remeshing_word", extended("[remeshing]\nevery = \"often\"\n"),
-     "block.toml:11: every must be a number of steps, \"adaptive\" or \"never\", found the text "
+     R"(block.toml:11: every must be a number of steps, "adaptive" or "never", found the text )"
      "\"often\"; write it as in every = 10"},
     {"a_remeshing_interval_of_zero", extended("[remeshing]\nevery = 0\n"),
      "block.toml:11: every must be 1 or more, got 0; write it as in every = 10"},
     {"a_dimension_of_one", broken("title = \"a block\"", "dimension = 1"),
      "block.toml:1: dimension must be 2 or 3, got 1; write it as in dimension = 2"},
     {"an_unknown_method", broken("title = \"a block\"", "method = \"sph\""),
-     "block.toml:1: method must be one of \"remeshed\", got \"sph\"; take one of these"},
+     R"(block.toml:1: method must be one of "remeshed", got "sph"; take one of these)"},
     {"a_misspelt_weight", broken("spacing = 0.1", "spacing = 0.1\nweight = \"quartc\""),
-     "block.toml:4: weight must be one of \"quartic\", \"quartic_polynomial\", \"compact\", got "
-     "\"quartc\"; did you mean \"quartic\"?"},
+     R"(block.toml:4: weight must be one of "quartic", "quartic_polynomial", "compact", got )"
+     R"("quartc"; did you mean "quartic"?)"},
     {"an_unknown_weight", broken("spacing = 0.1", "spacing = 0.1\nweight = \"gauss\""),
-     "block.toml:4: weight must be one of \"quartic\", \"quartic_polynomial\", \"compact\", got "
+     R"(block.toml:4: weight must be one of "quartic", "quartic_polynomial", "compact", got )"
      "\"gauss\"; take one of these"},
     {"too_many_coefficients",
      broken(material,
@@ -74,7 +74,7 @@ const Fault faults[] = {
      "block.toml:9: coefficients must start with a positive C_10, got -1; the shear modulus is 2 "
      "C_10"},
     {"an_unknown_model", broken("model = \"linear\"", "model = \"neo_hooke\""),
-     "block.toml:9: model must be one of \"linear\", \"reduced_polynomial\", got \"neo_hooke\"; "
+     R"(block.toml:9: model must be one of "linear", "reduced_polynomial", got "neo_hooke"; )"
      "take one of these"},
     {"a_material_that_is_not_defined", broken(material, "\"rubber\""),
      "block.toml:9: material names the material \"rubber\", which does not exist; add a table "
@@ -87,13 +87,13 @@ const Fault faults[] = {
      "\"tissue\"?"},
 };
 
-class faulty_values : public testing::TestWithParam<Fault> {};
+class FaultyValues : public testing::TestWithParam<Fault> {};
 
-TEST_P(faulty_values, are_answered_with_where_what_and_what_to_do) {
+TEST_P(FaultyValues, are_answered_with_where_what_and_what_to_do) {
   EXPECT_EQ(complaint(GetParam().text), GetParam().message);
 }
 
-INSTANTIATE_TEST_SUITE_P(faults, faulty_values, testing::ValuesIn(faults), name_of);
+INSTANTIATE_TEST_SUITE_P(faults, FaultyValues, testing::ValuesIn(faults), name_of);
 
 }  // namespace
 }  // namespace pliant::tests

@@ -68,11 +68,11 @@ struct WrongFormula {
   const char* message;
 };
 
-class wrong_formulas : public testing::TestWithParam<WrongFormula> {};
+class WrongFormulas : public testing::TestWithParam<WrongFormula> {};
 
-TEST_P(wrong_formulas, are_explained) {
+TEST_P(WrongFormulas, are_explained) {
   try {
-    Expression{std::string(GetParam().formula)};
+    const Expression formula{std::string(GetParam().formula)};
     FAIL() << GetParam().formula << " was accepted";
   } catch (const std::invalid_argument& error) {
     EXPECT_STREQ(error.what(), GetParam().message);
@@ -80,7 +80,7 @@ TEST_P(wrong_formulas, are_explained) {
 }
 
 INSTANTIATE_TEST_SUITE_P(
-    expression, wrong_formulas,
+    expression, WrongFormulas,
     testing::Values(WrongFormula{"2*yy", "unknown name `yy` at position 3"},
                     WrongFormula{"sine(x)", "unknown name `sine` at position 1"},
                     WrongFormula{"sin(x", "a closing parenthesis is missing"},

@@ -79,7 +79,7 @@ TEST(read_case, numbers_may_be_formulas_of_constants) {
 TEST(read_case, shapes_nest) {
   const Case a_case = read_text(
       with(block_case, "{ shape = \"box\", lower = [0, 0], upper = [1, 2] }",
-           "{ shape = \"difference\", of = [{ shape = \"box\", lower = [0, 0], upper = [1, 2] }, "
+           R"({ shape = "difference", of = [{ shape = "box", lower = [0, 0], upper = [1, 2] }, )"
            "{ shape = \"disc\", centre = [0.5, 1], radius = 0.2 }, "
            "{ shape = \"half_space\", point = [0, 0.5], normal = [0, 2] }] }"));
   const Shape& shape = a_case.bodies.at(0).geometry;
