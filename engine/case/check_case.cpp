@@ -98,7 +98,8 @@ bool is_whole(const Shape& shape, int dimension) {
 
 void check_bodies(const Check& check) {
   const Case& a_case = check.a_case;
-  if (a_case.bodies.empty() && !check.root.contains("body")) {
+  const toml::node* bodies = check.root.get("body");
+  if (!bodies || (bodies->is_array() && bodies->as_array()->empty())) {
     check.problems.add(check.start, "the case has no body",
                        "add [[body]] with name, geometry and material");
   }

@@ -52,6 +52,15 @@ const Fault faults[] = {
               "= 1 }\nmaterial = { model = \"linear\", youngs_modulus = 1, poissons_ratio = 0, "
               "density = 1 }\n"),
      "block.toml:11: two [[body]] tables are called \"block\"; give each its own name"},
+    {"no_body_at_all", "body = []\n[discretisation]\nspacing = 1\n[time]\nend = 1\n",
+     "block.toml:1: the case has no body; add [[body]] with name, geometry and material"},
+    {"a_fault_in_a_shared_material_is_told_once",
+     broken(material, "\"soft\"") +
+         "[[body]]\nname = \"other\"\ngeometry = { shape = \"disc\", centre = [5, 0], radius = 1 "
+         "}\n"
+         "material = \"soft\"\n[material.soft]\nmodel = \"linear\"\nyoungs_modulus = 0\n"
+         "poissons_ratio = 0\ndensity = 1\n",
+     "block.toml:16: youngs_modulus must be positive, got 0; write it as in youngs_modulus = 100"},
     {"everything_wrong_is_said_at_once",
      with(with(block_case, "spacing = 0.1", "spacing = -1"), "youngs_modulus = 100",
           "youngs_modulus = 0"),
