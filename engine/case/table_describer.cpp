@@ -37,7 +37,7 @@ void TableDescriber::list_words(std::string_view key, std::span<const Word> know
 
 std::string TableDescriber::choices_of(const Row& row) const {
   if (row.choices.size() >= choices_.size()) return "all";
-  if (2 * row.choices.size() < choices_.size()) {
+  if (2 * row.choices.size() <= choices_.size()) {
     return fmt::format("{}", fmt::join(row.choices, ", "));
   }
   std::vector<std::string_view> others;
