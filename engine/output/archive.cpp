@@ -23,9 +23,6 @@ constexpr hsize_t chunk_size = 131072;  ///< entries under one checksum
 constexpr auto damaged_remedy = "use the checkpoint before it, or run anew";
 constexpr auto foreign_remedy = "give a checkpoint that this program wrote, or run anew";
 
-/// Every block of the latest format has a checksum.
-Handle creating() { return hdf5::commit_access(H5F_LIBVER_V110, H5F_LIBVER_V110); }
-
 Handle reading_unlocked() {
   Handle properties(H5Pcreate(H5P_FILE_ACCESS), H5Pclose, "describe access");
   checked(H5Pset_file_locking(properties, false, true), "leave the file unlocked");
@@ -94,9 +91,8 @@ struct ArchiveWriter::File {
   explicit File(const std::filesystem::path& final_path) : path(final_path), temporary(path) {
     hdf5::silence();
     try {
-      file = {H5Fcreate(temporary.path().c_str(), H5F_ACC_TRUNC, hdf5::creation_of(H5P_FILE_CREATE),
-                        creating()),
-              H5Fclose, "create it"};
+      // Every block of this format has a checksum.
+      file = hdf5::create_committed(temporary.path(), H5F_LIBVER_V110);
       hdf5::write_attribute(file, format_attribute, format);
     } catch (const hdf5::Failure& failure) {
       throw failure.on(path);

@@ -32,6 +32,7 @@
 //   3. superblock    tells the new end, which is there
 //   4. old blocks    now refer to new ones, which are there
 //
+// When the end comes down, 3 and 4 change places: old blocks first let go of what lies beyond it.
 // The order within 4 must not matter. It does not where arrays only grow and are indexed by
 // extensible arrays, which never move an entry: a reader finds the new length with or without the
 // new chunks, and missing chunks read as zeros. It would for the B-trees of older formats, whose
@@ -119,7 +120,7 @@ bool CommitFile::grow() {
 bool CommitFile::commit() {
   if (abandoned) return true;
   const auto order = [&](const Write& write) {
-    if (write.kind == H5FD_MEM_SUPER) return 1;
+    if (write.kind == H5FD_MEM_SUPER) return end < committed_end ? 3 : 1;
     return write.begin >= committed_end ? 0 : 2;
   };
   std::ranges::stable_sort(held_back, {}, order);
@@ -153,7 +154,6 @@ H5FD_t* open_file(const char* name, unsigned flags, hid_t, haddr_t) {
     return nullptr;
   }
   file->size = static_cast<haddr_t>(about.st_size);
-  file->committed_end = file->size;
   return &file.release()->base;
 }
 
@@ -248,13 +248,27 @@ CommitFile& commit_file(hid_t file) {
   return *static_cast<CommitFile*>(handle);
 }
 
-}  // namespace
-
-Handle commit_access(H5F_libver_t oldest, H5F_libver_t latest) {
+Handle access(H5F_libver_t oldest) {
   Handle properties(H5Pcreate(H5P_FILE_ACCESS), H5Pclose, "describe access");
   checked(H5Pset_driver(properties, driver(), nullptr), "choose the driver");
-  checked(H5Pset_libver_bounds(properties, oldest, latest), "choose the format");
+  checked(H5Pset_libver_bounds(properties, oldest, H5F_LIBVER_LATEST), "choose the format");
   return properties;
+}
+
+}  // namespace
+
+Handle create_committed(const std::filesystem::path& path, H5F_libver_t oldest) {
+  const auto properties = creation_of(H5P_FILE_CREATE);
+  return {H5Fcreate(path.c_str(), H5F_ACC_TRUNC, properties, access(oldest)), H5Fclose,
+          "create it"};
+}
+
+Handle open_committed(const std::filesystem::path& path) {
+  Handle file(H5Fopen(path.c_str(), H5F_ACC_RDWR, access(H5F_LIBVER_EARLIEST)), H5Fclose,
+              "open it");
+  auto& opened = commit_file(file);
+  opened.committed_end = opened.end;
+  return file;
 }
 
 void flush(hid_t file) {

@@ -4,13 +4,16 @@
 
 namespace pliant::hdf5 {
 
-/// How to open a file that changes by commits, in formats no older than `oldest` and no newer than
-/// `latest`.
+/// A new file that changes by commits, its superblock in the format of version `oldest` of HDF5 or
+/// a later one.
 ///
 /// Each `flush` is a commit. A process that dies before, within or after one leaves a file that any
 /// HDF5 reader opens and that has all that was committed before; see commit_driver.cpp. Readers may
-/// open the file at any time, since it is not locked.
-Handle commit_access(H5F_libver_t oldest, H5F_libver_t latest);
+/// open the file at any time, since it is not locked. Throws Failure, as all here do.
+Handle create_committed(const std::filesystem::path& path, H5F_libver_t oldest);
+
+/// Goes on with such a file.
+Handle open_committed(const std::filesystem::path& path);
 
 /// Commits. Throws Failure when this or any write since the last commit failed; the file stays as
 /// the last commit left it then, whatever is done with it.

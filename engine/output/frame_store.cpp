@@ -34,7 +34,6 @@ namespace {
 
 using hdf5::checked;
 using hdf5::GrowingArray;
-using hdf5::Handle;
 
 /// Particles in a chunk: no more than keep the largest field's chunk within HDF5's cache of 1 MiB.
 constexpr hsize_t least_chunk_rows = 1024, most_chunk_rows = 16384;

@@ -33,19 +33,6 @@ Handle with_extensible_arrays(Handle file) {
   return file;
 }
 
-Handle access() { return hdf5::commit_access(H5F_LIBVER_EARLIEST, H5F_LIBVER_LATEST); }
-
-Handle create_file(const std::filesystem::path& path) {
-  const auto properties = hdf5::creation_of(H5P_FILE_CREATE);
-  return with_extensible_arrays(
-      {H5Fcreate(path.c_str(), H5F_ACC_TRUNC, properties, access()), H5Fclose, "create it"});
-}
-
-Handle open_file(const std::filesystem::path& path) {
-  return with_extensible_arrays(
-      {H5Fopen(path.c_str(), H5F_ACC_RDWR, access()), H5Fclose, "open it"});
-}
-
 /// Keeps a second run out of a folder, by a lock that ends with the process.
 class FolderLock {
  public:
@@ -93,7 +80,9 @@ struct ResultFile::File {
         path(folder / "result.h5"),
         viewer(folder / "result.xdmf"),
         temporary(existing ? std::nullopt : std::make_optional<TemporaryFile>(path)),
-        file(existing ? open_file(path) : create_file(temporary->path())),
+        file(with_extensible_arrays(
+            existing ? hdf5::open_committed(path)
+                     : hdf5::create_committed(temporary->path(), H5F_LIBVER_EARLIEST))),
         frames(file),
         histories(file) {}
 

@@ -1,12 +1,12 @@
 #include "tests/engine/output/failing_disk.hpp"
 
 #include <fcntl.h>
-#include <signal.h>
 #include <sys/syscall.h>
 #include <sys/types.h>
 #include <unistd.h>
 
 #include <cerrno>
+#include <csignal>
 #include <cstdio>
 #include <optional>
 
@@ -41,7 +41,7 @@ void inject(Fault fault, long number) {
   changes_made = 0;
 }
 
-long changes() { return changes_made; }
+void repair() { injected.reset(); }
 
 void answer_reservations(bool disk_full) { reservations_find_a_full_disk = disk_full; }
 

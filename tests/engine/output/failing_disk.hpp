@@ -11,8 +11,8 @@ enum class Fault {
 /// From now on the changes are counted from 0, and change `number` meets `fault`.
 void inject(Fault fault, long number);
 
-/// Changes made since then.
-long changes();
+/// No fault any more.
+void repair();
 
 /// Every reservation of space fails with ENOSPC (true), or with EOPNOTSUPP.
 void answer_reservations(bool disk_full);

@@ -24,15 +24,19 @@ void expect_path_and_remedy(const OutputError& error, const std::string& path) {
   EXPECT_NE(message.find("free some space"), message.npos) << message;
 }
 
-class failing_disk : public testing::Test {
- protected:
-  void TearDown() override {
-    inject(Fault::disk_full, 1'000'000'000);
+/// A disk that works again at the end of the test.
+struct FailingDisk {
+  FailingDisk() = default;
+  FailingDisk(const FailingDisk&) = delete;
+  FailingDisk& operator=(const FailingDisk&) = delete;
+  ~FailingDisk() {
+    repair();
     answer_reservations(false);
   }
 };
 
-TEST_F(failing_disk, a_disk_without_room_for_a_frame_is_an_error_with_path_and_remedy) {
+TEST(failing_disk, a_disk_without_room_for_a_frame_is_an_error_with_path_and_remedy) {
+  const FailingDisk disk;
   const TemporaryFolder folder;
   auto file = ResultFile::create(folder.path(), sample_run());
   write_frames(file, 0, 2, particles);
@@ -49,7 +53,8 @@ TEST_F(failing_disk, a_disk_without_room_for_a_frame_is_an_error_with_path_and_r
   EXPECT_EQ(whole_frames(content_of(folder / "result.h5"), particles), 2);
 }
 
-TEST_F(failing_disk, completed_frames_survive_whichever_write_finds_the_disk_full) {
+TEST(failing_disk, completed_frames_survive_whichever_write_finds_the_disk_full) {
+  const FailingDisk disk;
   constexpr int frames = 4;
   bool failed = true;
   for (long number = 0; failed; number += 5) {
@@ -67,7 +72,7 @@ TEST_F(failing_disk, completed_frames_survive_whichever_write_finds_the_disk_ful
       failed = true;
       expect_path_and_remedy(error, folder.path().string());
     }
-    inject(Fault::disk_full, 1'000'000'000);
+    repair();
     EXPECT_FALSE(std::filesystem::exists(folder / "result.h5.partial"));
     if (completed == 0 && !std::filesystem::exists(folder / "result.h5")) continue;
     // The frame's data may be whole when only its viewer file did not fit any more.
@@ -77,7 +82,8 @@ TEST_F(failing_disk, completed_frames_survive_whichever_write_finds_the_disk_ful
   }
 }
 
-TEST_F(failing_disk, the_last_checkpoint_survives_whichever_write_finds_the_disk_full) {
+TEST(failing_disk, the_last_checkpoint_survives_whichever_write_finds_the_disk_full) {
+  const FailingDisk disk;
   const std::vector<double> earlier(20000, 1.5), later(30000, 2.5);
   bool failed = true;
   for (long number = 0; failed; ++number) {
@@ -98,13 +104,14 @@ TEST_F(failing_disk, the_last_checkpoint_survives_whichever_write_finds_the_disk
       failed = true;
       expect_path_and_remedy(error, "checkpoint");
     }
-    inject(Fault::disk_full, 1'000'000'000);
+    repair();
     EXPECT_EQ(open_checkpoint(folder.path()).get<double>("velocity/x"), failed ? earlier : later);
     EXPECT_FALSE(std::filesystem::exists(folder / "checkpoint.h5.partial"));
   }
 }
 
-TEST_F(failing_disk, a_summary_is_replaced_whole_or_not_at_all) {
+TEST(failing_disk, a_summary_is_replaced_whole_or_not_at_all) {
+  const FailingDisk disk;
   const TemporaryFolder folder;
   Summary summary;
   summary.steps = 1;

@@ -1,9 +1,10 @@
 #include "engine/output/interrupt.hpp"
 
 #include <gtest/gtest.h>
-#include <signal.h>
 #include <sys/wait.h>
 #include <unistd.h>
+
+#include <csignal>
 
 namespace pliant::test {
 namespace {
