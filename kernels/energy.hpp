@@ -12,8 +12,8 @@ namespace pliant::kernels {
 template <class T, int D>
 T linear_energy(const Material<T>& material, const T* s, T density) {
   const T j = material.density / density;
-  const T volumetric = material.model == Model::linear_rho ? j - 1 - std::log(j)
-                                                           : j * std::log(j) - j + 1;
+  const T volumetric =
+      material.model == Model::linear_rho ? j - 1 - std::log(j) : j * std::log(j) - j + 1;
   T square = 0, trace = 0;
   for (int i = 0; i < D; ++i) {
     trace += s[symmetric_index<D>(i, i)];
@@ -23,7 +23,8 @@ T linear_energy(const Material<T>& material, const T* s, T density) {
   return material.bulk_modulus * volumetric / j + square / (4 * material.shear_modulus);
 }
 
-/// Elastic energy per current volume of the reduced polynomial at deformation gradient `f`, (RP.41).
+/// Elastic energy per current volume of the reduced polynomial at deformation gradient `f`,
+/// (RP.41).
 template <class T, int D>
 T polynomial_energy(const Material<T>& material, const T* f) {
   T square = D == 2 ? T(1) : T(0);  // tr F F^T, with F_33 = 1 in plane strain

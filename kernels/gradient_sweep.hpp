@@ -1,6 +1,7 @@
 #pragma once
 
 #include "kernels/moment.hpp"
+#include "kernels/table.hpp"
 #include "kernels/weight.hpp"
 
 /// The moment-matrix gradient (RP.18) of several fields in one sweep over the neighbours.
@@ -47,7 +48,9 @@ template <class P, int D, int F>
 inline void solve(const GradientSums<P, D, F>& sums, P (&gradient)[F][D]) {
   P inverse[symmetric_components<D>];
   invert_symmetric(sums.moment, inverse);
+#pragma GCC unroll 16
   for (int f = 0; f < F; ++f) {
+#pragma GCC unroll 3
     for (int i = 0; i < D; ++i) {
       P value = inverse[symmetric_index<D>(i, 0)] * sums.slope[f][0];
       for (int j = 1; j < D; ++j) {
@@ -72,72 +75,70 @@ class PairSweep {
 
  public:
   PairSweep(const SweepFields<T, D, F>& fields, std::int64_t slot, T spacing)
-      : weight_(spacing), spacing_(spacing) {
+      : fields_(fields), weight_(spacing), spacing_(spacing) {
     for (int i = 0; i < D; ++i) position_[i] = load<P>(fields.displacement[i] + slot);
     for (int f = 0; f < F; ++f) value_[f] = load<P>(fields.field[f] + slot);
   }
 
-  /// Adds neighbours whose slots lie `offset` cells away; `neighbour(array)` loads them.
+  /// Adds neighbours whose slots lie `offset` cells away; `neighbour(field)` loads them.
   template <class Load>
-  [[gnu::always_inline]] void meet(const SweepFields<T, D, F>& fields, const P (&offset)[D],
-                                   const Load& neighbour) {
+  [[gnu::always_inline]] void meet(const P (&offset)[D], const Load& neighbour,
+                                   GradientSums<P, D, F>& sums) const {
     P d[D], difference[F];
     for (int i = 0; i < D; ++i) {
-      d[i] = neighbour(fields.displacement[i]) - fused_minus(offset[i], spacing_, position_[i]);
+      d[i] = neighbour(fields_.displacement[i]) - fused_minus(offset[i], spacing_, position_[i]);
     }
-    for (int f = 0; f < F; ++f) difference[f] = neighbour(fields.field[f]) - value_[f];
+    for (int f = 0; f < F; ++f) difference[f] = neighbour(fields_.field[f]) - value_[f];
     P distance2 = d[0] * d[0];
     for (int i = 1; i < D; ++i) distance2 = fused(d[i], d[i], distance2);
-    sums_.add(weight_(distance2), d, difference);
+    sums.add(weight_(distance2), d, difference);
   }
 
-  const GradientSums<P, D, F>& sums() const { return sums_; }
-
  private:
+  const SweepFields<T, D, F>& fields_;
   PairWeight<weight, P> weight_;
   P spacing_;
   P position_[D];
   P value_[F];
-  GradientSums<P, D, F> sums_;
 };
 
 /// Sums over the lattice neighbours of the pack at `slot`.
 template <Weight weight, class P, int D, int F>
-inline GradientSums<P, D, F> sweep_stencil(const SweepFields<Scalar<P>, D, F>& fields,
-                                           const std::int64_t* neighbour_row, std::int64_t slot,
-                                           Scalar<P> spacing) {
+[[gnu::always_inline]] inline void sweep_stencil(const SweepFields<Scalar<P>, D, F>& fields,
+                                                 const std::int64_t* neighbour_row,
+                                                 std::int64_t slot, Scalar<P> spacing,
+                                                 GradientSums<P, D, F>& sums) {
   using T = Scalar<P>;
   constexpr int reach = stencil_reach(weight);
   constexpr int depth = D == 3 ? reach : 0;
-  PairSweep<weight, P, D, F> sweep(fields, slot, spacing);
+  const PairSweep<weight, P, D, F> sweep(fields, slot, spacing);
   for (int dz = -depth; dz <= depth; ++dz) {
+#pragma GCC unroll 5
     for (int dy = -reach; dy <= reach; ++dy) {
       const std::int64_t row = slot + neighbour_row[row_index<D>(dy, dz)];
 #pragma GCC unroll 5
       for (int dx = -reach; dx <= reach; ++dx) {
+        if (dx == 0 && dy == 0 && dz == 0) continue;
         const T cells[3] = {T(dx), T(dy), T(dz)};
         P offset[D];
         for (int i = 0; i < D; ++i) offset[i] = P(cells[i]);
-        sweep.meet(fields, offset, [&](const T* field) { return load<P>(field + row + dx); });
+        sweep.meet(
+            offset, [&](const T* field) { return load<P>(field + row + dx); }, sums);
       }
     }
   }
-  return sweep.sums();
 }
 
 /// Sums over the listed neighbours of the register of particles at `slot`, which starts at lane
 /// `slot % slots_per_pack` of its pack.
 template <Weight weight, class P, int D, int F>
-inline GradientSums<P, D, F> sweep_list(const SweepFields<Scalar<P>, D, F>& fields,
-                                        const std::int64_t* start, const std::int32_t* length,
-                                        const std::int32_t* neighbour,
-                                        const std::int8_t* const (&offsets)[D], std::int64_t slot,
-                                        Scalar<P> spacing) {
+inline void sweep_list(const SweepFields<Scalar<P>, D, F>& fields, const NeighbourLists<D>& lists,
+                       std::int64_t slot, Scalar<P> spacing, GradientSums<P, D, F>& sums) {
   using T = Scalar<P>;
   constexpr int pack = slots_per_pack<T>;
-  PairSweep<weight, P, D, F> sweep(fields, slot, spacing);
-  std::int64_t entry = start[slot / pack] + slot % pack;
-  for (std::int32_t k = 0; k < length[slot / pack]; ++k, entry += pack) {
+  const PairSweep<weight, P, D, F> sweep(fields, slot, spacing);
+  std::int64_t entry = lists.start[slot / pack] + slot % pack;
+  for (std::int32_t k = 0; k < lists.length[slot / pack]; ++k, entry += pack) {
     const auto gathered = [&](const auto& value) {
       alignas(64) T lane[lanes<P>];
       for (int l = 0; l < lanes<P>; ++l) lane[l] = static_cast<T>(value(entry + l));
@@ -145,13 +146,15 @@ inline GradientSums<P, D, F> sweep_list(const SweepFields<Scalar<P>, D, F>& fiel
     };
     P offset[D];
     for (int i = 0; i < D; ++i) {
-      offset[i] = gathered([&](std::int64_t e) { return offsets[i][e]; });
+      offset[i] = gathered([&](std::int64_t e) { return lists.offset[i][e]; });
     }
-    sweep.meet(fields, offset, [&](const T* field) {
-      return gathered([&](std::int64_t e) { return field[neighbour[e]]; });
-    });
+    sweep.meet(
+        offset,
+        [&](const T* field) {
+          return gathered([&](std::int64_t e) { return field[lists.neighbour[e]]; });
+        },
+        sums);
   }
-  return sweep.sums();
 }
 
 }  // namespace pliant::kernels

@@ -62,18 +62,15 @@ void stage_gradients(const Stage<Scalar<P>, D>& stage, const Segment<D>& segment
           P(T(0)).store_aligned(&chunk.force[i][at]);
           for (int j = 0; j < D; ++j) P(T(0)).store_aligned(&chunk.velocity[i][j][at]);
         }
-      } else if constexpr (listed) {
-        const NeighbourLists<D>& lists = *stage.neighbours;
-        const std::int8_t* offset[D];
-        for (int i = 0; i < D; ++i) offset[i] = lists.offset[i];
-        store_gradients<P, D>(sweep_list<weight, P>(fields, lists.start, lists.length,
-                                                    lists.neighbour, offset, slot, stage.spacing),
-                              state, stage.interior, slot, at, chunk);
-      } else {
-        store_gradients<P, D>(
-            sweep_stencil<weight, P>(fields, segment.neighbour_row.data(), slot, stage.spacing),
-            state, stage.interior, slot, at, chunk);
+        continue;
       }
+      GradientSums<P, D, D + symmetric_components<D>> sums;
+      if constexpr (listed) {
+        sweep_list<weight>(fields, *stage.neighbours, slot, stage.spacing, sums);
+      } else {
+        sweep_stencil<weight>(fields, segment.neighbour_row.data(), slot, stage.spacing, sums);
+      }
+      store_gradients<P, D>(sums, state, stage.interior, slot, at, chunk);
     }
   }
 }

@@ -22,8 +22,9 @@ inline void fill_columns(const SurfaceRecords<Scalar<P>, D>& block, const Segmen
   for (int i = 0; i < D; ++i) fields.displacement[i] = block.state.displacement[i];
   fields.field[0] = block.level_set;
   P gradient[1][D];
-  solve(sweep_stencil<weight, P>(fields, segment.neighbour_row.data(), slot, block.spacing),
-        gradient);
+  GradientSums<P, D, 1> sums;
+  sweep_stencil<weight>(fields, segment.neighbour_row.data(), slot, block.spacing, sums);
+  solve(sums, gradient);
   P carried[L::components];
   for (int c = 0; c < L::components; ++c) carried[c] = load<P>(block.state.material[c] + slot);
   const P density = load<P>(block.mass + slot) / load<P>(block.state.volume + slot);

@@ -25,7 +25,9 @@ class LinearField {
   template <Weight weight>
   double stencil_error() {
     return error([&](const auto& fields, const Segment<D>& segment, std::int64_t slot) {
-      return sweep_stencil<weight, P>(fields, segment.neighbour_row.data(), slot, patch_.spacing);
+      GradientSums<P, D, 1> sums;
+      sweep_stencil<weight>(fields, segment.neighbour_row.data(), slot, patch_.spacing, sums);
+      return sums;
     });
   }
 
@@ -33,11 +35,10 @@ class LinearField {
   double list_error(int reach) {
     const BoxLists<D> lists(patch_, reach);
     const NeighbourLists<D> view = lists.view();
-    const std::int8_t* offset[D];
-    for (int i = 0; i < D; ++i) offset[i] = view.offset[i];
     return error([&](const auto& fields, const Segment<D>&, std::int64_t slot) {
-      return sweep_list<weight, P>(fields, view.start, view.length, view.neighbour, offset, slot,
-                                   patch_.spacing);
+      GradientSums<P, D, 1> sums;
+      sweep_list<weight>(fields, view, slot, patch_.spacing, sums);
+      return sums;
     });
   }
 
