@@ -129,31 +129,32 @@ template <Weight weight, class P, int D, int F>
   }
 }
 
+/// The first lanes of an array of another type, converted.
+template <class To, class From>
+[[gnu::always_inline]] inline To converted(const From* from) {
+  alignas(64) typename To::value_type lane[To::size];
+  for (std::size_t l = 0; l < To::size; ++l) {
+    lane[l] = static_cast<typename To::value_type>(from[l]);
+  }
+  return To::load_aligned(lane);
+}
+
 /// Sums over the listed neighbours of the register of particles at `slot`, which starts at lane
 /// `slot % slots_per_pack` of its pack.
 template <Weight weight, class P, int D, int F>
-inline void sweep_list(const SweepFields<Scalar<P>, D, F>& fields, const NeighbourLists<D>& lists,
-                       std::int64_t slot, Scalar<P> spacing, GradientSums<P, D, F>& sums) {
+[[gnu::always_inline]] inline void sweep_list(const SweepFields<Scalar<P>, D, F>& fields,
+                                              const NeighbourLists<D>& lists, std::int64_t slot,
+                                              Scalar<P> spacing, GradientSums<P, D, F>& sums) {
   using T = Scalar<P>;
+  using Slots = xsimd::batch<xsimd::as_integer_t<T>, typename P::arch_type>;
   constexpr int pack = slots_per_pack<T>;
   const PairSweep<weight, P, D, F> sweep(fields, slot, spacing);
   std::int64_t entry = lists.start[slot / pack] + slot % pack;
   for (std::int32_t k = 0; k < lists.length[slot / pack]; ++k, entry += pack) {
-    const auto gathered = [&](const auto& value) {
-      alignas(64) T lane[lanes<P>];
-      for (int l = 0; l < lanes<P>; ++l) lane[l] = static_cast<T>(value(entry + l));
-      return P::load_aligned(lane);
-    };
+    const Slots neighbour = converted<Slots>(lists.neighbour + entry);
     P offset[D];
-    for (int i = 0; i < D; ++i) {
-      offset[i] = gathered([&](std::int64_t e) { return lists.offset[i][e]; });
-    }
-    sweep.meet(
-        offset,
-        [&](const T* field) {
-          return gathered([&](std::int64_t e) { return field[lists.neighbour[e]]; });
-        },
-        sums);
+    for (int i = 0; i < D; ++i) offset[i] = converted<P>(lists.offset[i] + entry);
+    sweep.meet(offset, [&](const T* field) { return P::gather(field, neighbour); }, sums);
   }
 }
 
