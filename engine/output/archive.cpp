@@ -156,9 +156,16 @@ void ArchiveWriter::put(const std::string& name, std::string_view text) {
   file_->put(name, std::span<const std::uint8_t>(bytes));
 }
 
-void ArchiveWriter::commit() {
-  file_->guarded([&] { hdf5::flush(file_->file); });
+void ArchiveWriter::finish() {
+  file_->guarded([&] {
+    hdf5::flush(file_->file);
+    hdf5::sync(file_->file);
+  });
   file_->file = Handle();
+}
+
+void ArchiveWriter::commit() {
+  if (file_->file.valid()) finish();
   file_->temporary.publish(Durable::yes);
 }
 

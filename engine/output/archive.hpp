@@ -30,6 +30,10 @@ class ArchiveWriter {
   void put(const std::string& name, std::int64_t value);
   void put(const std::string& name, std::string_view text);
 
+  /// Brings all to the disk, under the temporary name still; nothing more can be put.
+  void finish();
+
+  /// Gives the file its name, after finishing it.
   void commit();
 
  private:

@@ -35,6 +35,7 @@ void write_checkpoint(const std::filesystem::path& folder,
                       const std::function<void(ArchiveWriter&)>& fill) {
   ArchiveWriter archive(last_of(folder));
   fill(archive);
+  archive.finish();
   keep_last(folder);
   archive.commit();
 }

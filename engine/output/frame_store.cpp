@@ -18,7 +18,8 @@
 //     NumberOfPoints            [F]       = Vertices/NumberOfCells, .../NumberOfConnectivityIds
 //     Vertices/Offsets          [N + F]   0 ... particles of the frame, frame after frame
 //     Vertices/Connectivity     [n]       0, 1, 2, ...: shared by all frames
-//     Lines = Polygons = Strips           empty, but the format wants them
+//     Lines = Polygons = Strips           none, but the format wants to be told so
+//       NumberOfCells           [F]       0, = NumberOfConnectivityIds = Offsets = Connectivity
 //     Steps                     NSteps = F
 //       Values                  [F]       time, = /frames/time
 //       PartOffsets, NumberOfParts, PointOffsets [F]; CellOffsets, ConnectivityIdOffsets [F][4]
@@ -70,9 +71,11 @@ void append_values(GrowingArray& array, const FrameField& field, hsize_t particl
       field.values);
 }
 
-void link(hid_t group, const char* name, hid_t other_group, const std::string& other_name) {
-  checked(H5Lcreate_hard(group, name, other_group, other_name.c_str(), H5P_DEFAULT, H5P_DEFAULT),
-          "link " + other_name);
+/// Gives `old_name` of a group a second name.
+void link(hid_t group, const std::string& name, hid_t old_group, const std::string& old_name) {
+  checked(
+      H5Lcreate_hard(old_group, old_name.c_str(), group, name.c_str(), H5P_DEFAULT, H5P_DEFAULT),
+      "link " + name);
 }
 
 void check(const Frame& frame) {
@@ -122,15 +125,14 @@ void FrameStore::create(const Frame& first) {
   const auto vertices = hdf5::create_group(root_, "Vertices");
   offset_ = GrowingArray::create(vertices, "Offsets", counts, 0, rows);
   connectivity_ = GrowingArray::create(vertices, "Connectivity", counts, 0, rows);
-  link(root_, "NumberOfPoints", vertices, "NumberOfCells");
-  link(root_, "NumberOfPoints", vertices, "NumberOfConnectivityIds");
+  link(vertices, "NumberOfCells", root_, "NumberOfPoints");
+  link(vertices, "NumberOfConnectivityIds", root_, "NumberOfPoints");
   const auto lines = hdf5::create_group(root_, "Lines");
   none_ = GrowingArray::create(lines, "NumberOfCells", counts, 0, step_chunk_rows);
-  GrowingArray::create(lines, "Connectivity", counts, 0, step_chunk_rows);
-  link(lines, "NumberOfCells", lines, "NumberOfConnectivityIds");
-  link(lines, "NumberOfCells", lines, "Offsets");
-  link(root_, "Lines", root_, "Polygons");
-  link(root_, "Lines", root_, "Strips");
+  for (const auto* name : {"NumberOfConnectivityIds", "Offsets", "Connectivity"})
+    link(lines, name, lines, "NumberOfCells");
+  link(root_, "Polygons", root_, "Lines");
+  link(root_, "Strips", root_, "Lines");
 
   steps_ = hdf5::create_group(root_, "Steps");
   hdf5::write_attribute(steps_, "NSteps", 0);
@@ -149,12 +151,12 @@ void FrameStore::create(const Frame& first) {
                                            components == 1 ? 0 : components, rows));
     hdf5::write_attribute(values_.back().id(), "unit", field->unit);
     fields_.push_back(describe(field->name, values_.back()));
-    link(steps_, "PointOffsets", field_offsets, field->name);
+    link(field_offsets, field->name, steps_, "PointOffsets");
   }
 
   const auto frames = hdf5::create_group(file_, "frames");
   step_ = GrowingArray::create(frames, "step", counts, 0, step_chunk_rows);
-  link(steps_, "Values", frames, "time");
+  link(frames, "time", steps_, "Values");
 }
 
 void FrameStore::open() {

@@ -84,7 +84,7 @@ TEST(failing_disk, completed_frames_survive_whichever_write_finds_the_disk_full)
 
 TEST(failing_disk, the_last_checkpoint_survives_whichever_write_finds_the_disk_full) {
   const FailingDisk disk;
-  const std::vector<double> earlier(20000, 1.5), later(30000, 2.5);
+  const std::vector<double> first(5000, 0.5), earlier(20000, 1.5), later(30000, 2.5);
   bool failed = true;
   for (long number = 0; failed; ++number) {
     SCOPED_TRACE(number);
@@ -95,6 +95,7 @@ TEST(failing_disk, the_last_checkpoint_survives_whichever_write_finds_the_disk_f
         archive.put("step", std::int64_t{7});
       });
     };
+    write(first);
     write(earlier);
     failed = false;
     inject(Fault::disk_full, number);
@@ -105,7 +106,15 @@ TEST(failing_disk, the_last_checkpoint_survives_whichever_write_finds_the_disk_f
       expect_path_and_remedy(error, "checkpoint");
     }
     repair();
-    EXPECT_EQ(open_checkpoint(folder.path()).get<double>("velocity/x"), failed ? earlier : later);
+    const auto last = open_checkpoint(folder.path()).get<double>("velocity/x");
+    EXPECT_EQ(last, failed ? earlier : later);
+    const ArchiveReader previous(folder / "checkpoint.previous.h5");
+    const auto before = previous.get<double>("velocity/x");
+    // A failure while the new one is written touches neither.
+    EXPECT_TRUE(before == earlier || (failed && before == first));
+    if (number == 0) {
+      EXPECT_EQ(before, first);
+    }
     EXPECT_FALSE(std::filesystem::exists(folder / "checkpoint.h5.partial"));
   }
 }

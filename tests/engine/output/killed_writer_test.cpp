@@ -82,8 +82,7 @@ TEST(killed_writer, leaves_all_completed_frames_whichever_write_is_its_last) {
   kill_at_each_change(12, 7);
 }
 
-// From a checkpoint behind which the file already goes on, and where a B-tree of chunks would
-// split.
+// From a checkpoint beyond which the file goes on already: resuming cuts it first.
 TEST(killed_writer, leaves_a_file_that_can_be_resumed_to_the_end) {
   constexpr int kept = 30, end = 36;
   const TemporaryFolder folder;
