@@ -85,16 +85,37 @@ VectorOf<T, D> shear(const RecordSum<T, D>& sum, const VectorOf<T, D>& n) {
   return tau;
 }
 
-/// (RP.34). `pressure` acts on the surface; `constrained_sum` is sum_i b_gi.
+/// rho c of plane waves in a material at rest [Pa s/m].
+template <class T>
+struct Impedance {
+  T pressure_wave, shear_wave;
+  explicit Impedance(const Material<T>& m)
+      : pressure_wave(std::sqrt(m.density * (m.bulk_modulus + m.shear_modulus * T(4) / T(3)))),
+        shear_wave(std::sqrt(m.density * m.shear_modulus)) {}
+};
+
+/// The three sums over a ghost's neighbours: c, b and a of (RP.32) and (RP.33).
 template <class T, int D>
-GhostState<T, D> free_surface_ghost(RecordSum<T, D> linear, RecordSum<T, D> constrained,
-                                    T constrained_sum, T pressure) {
-  const VectorOf<T, D> n = unit_normal<T, D>(linear);
+struct GhostFits {
+  RecordSum<T, D> linear, constrained, surface;
+  T constrained_sum;  ///< sum_i b_gi
+};
+
+/// (RP.34), (RP.44). `pressure` acts on the surface.
+template <class T, int D>
+GhostState<T, D> free_surface_ghost(const GhostFits<T, D>& fits, T pressure,
+                                    const Impedance<T>& impedance) {
+  const VectorOf<T, D> n = unit_normal<T, D>(fits.linear);
   VectorOf<T, D> s_n;
-  const T s_nn = traction<T, D>(constrained, n, s_n) - pressure * (1 - constrained_sum);
+  const T s_nn = traction<T, D>(fits.constrained, n, s_n) - pressure * (1 - fits.constrained_sum);
+  const T excess = traction<T, D>(fits.surface, n, s_n) + pressure;
+  const VectorOf<T, D> tau = shear<T, D>(fits.surface, n);
   GhostState<T, D> ghost;
-  for (int i = 0; i < D; ++i) ghost.velocity[i] = linear.velocity(i);
-  ghost.stress = with_traction<T, D>(linear, n, s_nn, shear<T, D>(constrained, n));
+  for (int i = 0; i < D; ++i) {
+    ghost.velocity[i] = fits.linear.velocity(i) - excess / impedance.pressure_wave * n[i] -
+                        tau[i] / impedance.shear_wave;
+  }
+  ghost.stress = with_traction<T, D>(fits.linear, n, s_nn, shear<T, D>(fits.constrained, n));
   return ghost;
 }
 
@@ -112,30 +133,60 @@ GhostState<T, D> averaged_surface_ghost(RecordSum<T, D> mean, T pressure) {
   return ghost;
 }
 
-/// (RP.35); with sums of means and no constrained part, the wall of (RP.38).
+/// The wall of (RP.38).
 template <class T, int D>
-GhostState<T, D> wall_ghost(RecordSum<T, D> linear, RecordSum<T, D> constrained, T constrained_sum,
-                            const VectorOf<T, D>& wall_velocity) {
+GhostState<T, D> averaged_wall_ghost(RecordSum<T, D> mean, const VectorOf<T, D>& wall_velocity) {
   GhostState<T, D> ghost;
+  ghost.velocity = wall_velocity;
   for (int i = 0; i < D; ++i) {
-    ghost.velocity[i] = constrained.velocity(i) + wall_velocity[i] * (1 - constrained_sum);
-    for (int j = i; j < D; ++j) ghost.stress[symmetric_index<D>(i, j)] = linear.stress(i, j);
+    for (int j = i; j < D; ++j) ghost.stress[symmetric_index<D>(i, j)] = mean.stress(i, j);
   }
   return ghost;
 }
 
-/// (RP.36), n the normal of the wall.
+/// (RP.35), (RP.45); n the normal of the wall, into the body.
 template <class T, int D>
-GhostState<T, D> slip_wall_ghost(RecordSum<T, D> linear, RecordSum<T, D> constrained,
-                                 T constrained_sum, const VectorOf<T, D>& wall_velocity,
-                                 const VectorOf<T, D>& n) {
-  GhostState<T, D> ghost = wall_ghost<T, D>(linear, constrained, constrained_sum, wall_velocity);
-  T jump = 0;  // of the normal velocity
-  for (int i = 0; i < D; ++i) jump += n[i] * (ghost.velocity[i] - linear.velocity(i));
-  for (int i = 0; i < D; ++i) ghost.velocity[i] = linear.velocity(i) + jump * n[i];
+GhostState<T, D> wall_ghost(const GhostFits<T, D>& fits, const VectorOf<T, D>& wall_velocity,
+                            const VectorOf<T, D>& n, const Impedance<T>& impedance) {
+  GhostState<T, D> ghost;
+  VectorOf<T, D> slip;
+  T approach = 0;
+  for (int i = 0; i < D; ++i) {
+    ghost.velocity[i] =
+        fits.constrained.velocity(i) + wall_velocity[i] * (1 - fits.constrained_sum);
+    slip[i] = fits.surface.velocity(i) - wall_velocity[i];
+    approach += slip[i] * n[i];
+  }
+  for (int i = 0; i < D; ++i) slip[i] -= approach * n[i];
+  for (int i = 0; i < D; ++i) {
+    for (int j = i; j < D; ++j) {
+      ghost.stress[symmetric_index<D>(i, j)] =
+          fits.linear.stress(i, j) + impedance.pressure_wave * approach * n[i] * n[j] +
+          impedance.shear_wave * (n[i] * slip[j] + slip[i] * n[j]);
+    }
+  }
+  return ghost;
+}
+
+/// (RP.36), (RP.44), (RP.45); n the normal of the wall, into the body.
+template <class T, int D>
+GhostState<T, D> slip_wall_ghost(const GhostFits<T, D>& fits, const VectorOf<T, D>& wall_velocity,
+                                 const VectorOf<T, D>& n, const Impedance<T>& impedance) {
+  T jump = 0, approach = 0;  // normal velocity: of the constrained fit, of the body at the wall
+  for (int i = 0; i < D; ++i) {
+    const T constrained =
+        fits.constrained.velocity(i) + wall_velocity[i] * (1 - fits.constrained_sum);
+    jump += n[i] * (constrained - fits.linear.velocity(i));
+    approach += n[i] * (fits.surface.velocity(i) - wall_velocity[i]);
+  }
+  const VectorOf<T, D> tau = shear<T, D>(fits.surface, n);
+  GhostState<T, D> ghost;
+  for (int i = 0; i < D; ++i) {
+    ghost.velocity[i] = fits.linear.velocity(i) + jump * n[i] + tau[i] / impedance.shear_wave;
+  }
   VectorOf<T, D> s_n;
-  const T s_nn = traction<T, D>(linear, n, s_n);
-  ghost.stress = with_traction<T, D>(linear, n, s_nn, shear<T, D>(constrained, n));
+  const T s_nn = traction<T, D>(fits.linear, n, s_n) + impedance.pressure_wave * approach;
+  ghost.stress = with_traction<T, D>(fits.linear, n, s_nn, shear<T, D>(fits.constrained, n));
   return ghost;
 }
 

@@ -5,8 +5,8 @@
 
 namespace pliant::kernels {
 
-/// (RP.32) and (RP.33) for all fields of a ghost at once: a record fills whole registers, and the
-/// two coefficients of a particle are broadcast to them. See GhostSums.
+/// The fits of all fields of a ghost at once: a record fills whole registers, and the three
+/// coefficients of a particle are broadcast to them. See GhostSums.
 template <class P, int D>
 void sum_ghosts(const GhostSums<Scalar<P>, D>& ghosts) {
   using T = Scalar<P>;
@@ -15,22 +15,24 @@ void sum_ghosts(const GhostSums<Scalar<P>, D>& ghosts) {
   static_assert(width % lanes<P> == 0);
   constexpr int registers = width / lanes<P>;
   for (std::int64_t g = 0; g < ghosts.count; ++g) {
-    P linear[registers], constrained[registers];
-    for (int r = 0; r < registers; ++r) linear[r] = constrained[r] = P(T(0));
+    P linear[registers], constrained[registers], surface[registers];
+    for (int r = 0; r < registers; ++r) linear[r] = constrained[r] = surface[r] = P(T(0));
     const std::int64_t end = ghosts.begin[ghosts.first + g + 1];
     for (std::int64_t i = ghosts.begin[ghosts.first + g]; i < end; ++i) {
       const T* record = ghosts.records + static_cast<std::int64_t>(ghosts.record[i]) * width;
-      const P c(ghosts.linear[i]), b(ghosts.constrained[i]);
+      const P c(ghosts.linear[i]), b(ghosts.constrained[i]), a(ghosts.surface[i]);
       for (int r = 0; r < registers; ++r) {
         const P value = load<P>(record + r * lanes<P>);
         linear[r] = fused(c, value, linear[r]);
         constrained[r] = fused(b, value, constrained[r]);
+        surface[r] = fused(a, value, surface[r]);
       }
     }
-    T* sums = ghosts.sums + g * 2 * width;
+    T* sums = ghosts.sums + g * 3 * width;
     for (int r = 0; r < registers; ++r) {
       linear[r].store_unaligned(sums + r * lanes<P>);
       constrained[r].store_unaligned(sums + width + r * lanes<P>);
+      surface[r].store_unaligned(sums + 2 * width + r * lanes<P>);
     }
   }
 }

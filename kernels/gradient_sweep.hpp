@@ -154,7 +154,8 @@ template <Weight weight, class P, int D, int F>
     const Slots neighbour = converted<Slots>(lists.neighbour + entry);
     P offset[D];
     for (int i = 0; i < D; ++i) offset[i] = converted<P>(lists.offset[i] + entry);
-    sweep.meet(offset, [&](const T* field) { return P::gather(field, neighbour); }, sums);
+    sweep.meet(
+        offset, [&](const T* field) { return P::gather(field, neighbour); }, sums);
   }
 }
 

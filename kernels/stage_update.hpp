@@ -43,7 +43,7 @@ void advance_displacement(const Stage<Scalar<P>, D>& stage, const RungeKutta<P, 
   }
 }
 
-/// du/dt = (v/m) div sigma
+/// du/dt = (v/m) div sigma, and the drag of (RP.43)
 template <class P, bool last, int D>
 void advance_velocity(const Stage<Scalar<P>, D>& stage, const RungeKutta<P, last>& runge_kutta,
                       const ChunkGradients<Scalar<P>, D>& gradients, const Chunk& chunk) {
@@ -53,7 +53,9 @@ void advance_velocity(const Stage<Scalar<P>, D>& stage, const RungeKutta<P, last
     const P specific_volume = load<P>(stage.current.volume + slot) / load<P>(stage.mass + slot);
     for (int i = 0; i < D; ++i) {
       const auto field = stage_field<Arch>(stage, [i](const auto& q) { return q.velocity[i]; });
-      runge_kutta.advance(field, slot, specific_volume * P::load_aligned(&gradients.force[i][at]));
+      runge_kutta.advance(field, slot,
+                          fused(specific_volume, P::load_aligned(&gradients.force[i][at]),
+                                P::load_aligned(&gradients.drag[i][at])));
     }
   }
 }

@@ -45,7 +45,8 @@ struct Stage {
   int segment_count;
   T spacing;
   T time_step;
-  int stage;  ///< 0..3
+  T dissipation;  ///< kappa of (RP.43) [1/s]; 0: none
+  int stage;      ///< 0..3
   Weight weight;
   Material<T> material;
   const PackState* pack_state;          ///< [slot / slots_per_pack]
@@ -112,18 +113,20 @@ struct SurfaceRecords {
   T* records;  ///< [record][record_width]
 };
 
-/// For ghosts first..first+count-1: sums[g][0][k] = sum_i c_gi record_i[k] and
-/// sums[g][1][k] = sum_i b_gi record_i[k], (RP.32) and (RP.33).
+/// For ghosts first..first+count-1 and their neighbours i: sums[g][0][k] = sum_i c_gi record_i[k]
+/// by (RP.32), sums[g][1][k] = sum_i b_gi record_i[k] by (RP.33), sums[g][2][k] = sum_i a_gi
+/// record_i[k], the fit (RP.32) at the foot point.
 template <class T, int D>
 struct GhostSums {
   std::int64_t first;
   std::int64_t count;
-  const std::int64_t* begin;  ///< [ghost + 1] into record, linear, constrained
+  const std::int64_t* begin;  ///< [ghost + 1] into record, linear, constrained, surface
   const std::int32_t* record;
   const T* linear;       ///< c
   const T* constrained;  ///< b
+  const T* surface;      ///< a
   const T* records;      ///< [record][record_width]
-  T* sums;               ///< [ghost - first][2][record_width]
+  T* sums;               ///< [ghost - first][3][record_width]
 };
 
 /// Nodes of a remeshing tile hold the sums of (RP.22): W, W m, W m u (D), W v, W v d (D), W phi,

@@ -107,6 +107,12 @@ void discretisation_keys(Visitor& visit, decltype(Case::discretisation)& discret
          .required = true});
   visit("weight", discretisation.weight,
         {.meaning = "pair weight of gradients", .example = R"("compact")"});
+  visit(
+      "dissipation", discretisation.dissipation,
+      {.meaning = "damping of what the lattice does not resolve (RP.43); free surfaces need it in "
+                  "long runs",
+       .example = "0.5",
+       .limits = {0, 2, true, true, "from 0 to 2"}});
 }
 
 template <class Visitor>

@@ -27,6 +27,7 @@ struct BlockGhosts {
   std::vector<std::int32_t> neighbour;  ///< slot of an interior particle
   std::vector<std::int32_t> record;     ///< of that particle
   std::vector<T> linear, constrained;   ///< c of (RP.32), b of (RP.33)
+  std::vector<T> surface;               ///< a: (RP.32) at the foot point
   std::vector<T> constrained_sum;       ///< [ghost] sum of b
   std::vector<kernels::SurfacePack> packs;
   std::int32_t first_record = 0, record_count = 0;

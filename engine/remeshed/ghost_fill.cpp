@@ -61,14 +61,15 @@ void fill_ghosts(Body<T, D>& body, int block, int stage, int parity,
   const std::size_t count = ghosts.slot.size();
   constexpr int width = kernels::record_width<D>;
   table.sum_ghosts({0, static_cast<std::int64_t>(count), ghosts.begin.data(), ghosts.record.data(),
-                    ghosts.linear.data(), ghosts.constrained.data(), body.records.get(),
-                    ghosts.sums.get()});
+                    ghosts.linear.data(), ghosts.constrained.data(), ghosts.surface.data(),
+                    body.records.get(), ghosts.sums.get()});
   FieldStore<T, D>& state = body.stage[stage];
   const bool averaged = treatment == GhostTreatment::averaged;
+  const kernels::Impedance<T> impedance(body.material);
   for (std::size_t g = 0; g < count; ++g) {
-    const kernels::RecordSum<T, D> linear{ghosts.sums.get() + 2 * width * g};
-    const kernels::RecordSum<T, D> constrained{linear.values + width};
-    const T sum = ghosts.constrained_sum[g];
+    const T* sums = ghosts.sums.get() + 3 * width * g;
+    const kernels::GhostFits<T, D> fits{
+        {sums}, {sums + width}, {sums + 2 * width}, ghosts.constrained_sum[g]};
     kernels::GhostState<T, D> ghost;
     if (const int w = ghosts.wall[g]; w >= 0) {
       std::array<T, D> velocity, normal;
@@ -76,14 +77,15 @@ void fill_ghosts(Body<T, D>& body, int block, int stage, int parity,
         velocity[a] = static_cast<T>(values.wall_velocity[w][a]);
         normal[a] = static_cast<T>(ghosts.normal[g][a]);
       }
-      ghost = boundaries.walls[w].slips()
-                  ? kernels::slip_wall_ghost<T, D>(linear, constrained, sum, velocity, normal)
-                  : kernels::wall_ghost<T, D>(linear, constrained, sum, velocity);
+      ghost = averaged ? kernels::averaged_wall_ghost<T, D>(fits.linear, velocity)
+              : boundaries.walls[w].slips()
+                  ? kernels::slip_wall_ghost<T, D>(fits, velocity, normal, impedance)
+                  : kernels::wall_ghost<T, D>(fits, velocity, normal, impedance);
     } else {
       const int p = ghosts.pressure[g];
       const T pressure = p < 0 ? T(0) : static_cast<T>(values.pressure[p]);
-      ghost = averaged ? kernels::averaged_surface_ghost<T, D>(linear, pressure)
-                       : kernels::free_surface_ghost<T, D>(linear, constrained, sum, pressure);
+      ghost = averaged ? kernels::averaged_surface_ghost<T, D>(fits.linear, pressure)
+                       : kernels::free_surface_ghost<T, D>(fits, pressure, impedance);
       if (treatment == GhostTreatment::rigid) {
         ghost.velocity = rigid_velocity<T, D>(body, state, ghosts, g);
       }

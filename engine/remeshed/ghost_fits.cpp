@@ -50,10 +50,11 @@ struct FitSite {
   double surface_distance;  // of the ghost, over h
 };
 
-template <int D>
-Eigen::Matrix<double, D, 1> constrained_basis(double distance, const Position<D>& position,
+/// {phi, phi t[, phi t2], phi^2} without its last term unless N = D + 1.
+template <int N, int D>
+Eigen::Matrix<double, N, 1> constrained_basis(double distance, const Position<D>& position,
                                               const Position<D>& normal) {
-  Eigen::Matrix<double, D, 1> q;
+  Eigen::Matrix<double, N, 1> q;
   q[0] = distance;
   if constexpr (D == 2) {
     q[1] = distance * (-normal[1] * position[0] + normal[0] * position[1]);
@@ -62,51 +63,66 @@ Eigen::Matrix<double, D, 1> constrained_basis(double distance, const Position<D>
     q[1] = distance * t1.dot(position);
     q[2] = distance * t2.dot(position);
   }
+  if constexpr (N > D) q[D] = distance * distance;
   return q;
 }
 
-template <int D>
-bool fit_linear(const std::vector<Neighbour<D>>& particles, const FitSite<D>& site, bool full,
-                std::vector<double>& c) {
-  if (full) {
-    const auto basis = [](const Neighbour<D>& i) {
-      Eigen::Matrix<double, D + 1, 1> q;
-      q << 1, i.position;
-      return q;
-    };
-    Eigen::Matrix<double, D + 1, 1> at, x;
-    at << 1, site.ghost;
-    if (!solve_fit<D + 1>(particles, basis, at, x)) return false;
-    for (const Neighbour<D>& i : particles) c.push_back(i.weight * basis(i).dot(x));
-    return true;
-  }
-  const auto basis = [&](const Neighbour<D>& i) {
-    return Eigen::Vector2d(1, site.normal.dot(i.position));
-  };
-  Eigen::Vector2d x;
-  if (!solve_fit<2>(particles, basis, Eigen::Vector2d(1, site.normal.dot(site.ghost)), x)) {
+/// Coefficients of (RP.32) at the ghost and at the foot point, in {1, x, y[, z]} or {1, n.x}.
+template <int N, int D, class Basis>
+bool fit_linear(const std::vector<Neighbour<D>>& particles, const Basis& basis,
+                const Position<D>& ghost, std::vector<double>& c, std::vector<double>& a) {
+  const auto of_neighbour = [&](const Neighbour<D>& i) { return basis(i.position); };
+  Eigen::Matrix<double, N, 1> at_ghost, at_foot;
+  if (!solve_fit<N>(particles, of_neighbour, basis(ghost), at_ghost) ||
+      !solve_fit<N>(particles, of_neighbour, basis(Position<D>::Zero()), at_foot)) {
     return false;
   }
-  for (const Neighbour<D>& i : particles) c.push_back(i.weight * basis(i).dot(x));
+  for (const Neighbour<D>& i : particles) {
+    c.push_back(i.weight * basis(i.position).dot(at_ghost));
+    a.push_back(i.weight * basis(i.position).dot(at_foot));
+  }
   return true;
 }
 
 template <int D>
-bool fit_constrained(const std::vector<Neighbour<D>>& particles, const FitSite<D>& site, bool full,
+bool fit_in_all_directions(const std::vector<Neighbour<D>>& particles, const FitSite<D>& site,
+                           std::vector<double>& c, std::vector<double>& a) {
+  const auto basis = [](const Position<D>& x) {
+    Eigen::Matrix<double, D + 1, 1> q;
+    q << 1, x;
+    return q;
+  };
+  return fit_linear<D + 1, D>(particles, basis, site.ghost, c, a);
+}
+
+template <int D>
+bool fit_along_normal(const std::vector<Neighbour<D>>& particles, const FitSite<D>& site,
+                      std::vector<double>& c, std::vector<double>& a) {
+  const auto basis = [&](const Position<D>& x) { return Eigen::Vector2d(1, site.normal.dot(x)); };
+  return fit_linear<2, D>(particles, basis, site.ghost, c, a);
+}
+
+template <int N, int D>
+bool fit_constrained(const std::vector<Neighbour<D>>& particles, const FitSite<D>& site,
                      std::vector<double>& b) {
-  if (full) {
-    const auto basis = [&](const Neighbour<D>& i) {
-      return constrained_basis<D>(i.surface_distance, i.position, site.normal);
-    };
-    Eigen::Matrix<double, D, 1> x;
-    const auto at = constrained_basis<D>(site.surface_distance, site.ghost, site.normal);
-    if (!solve_fit<D>(particles, basis, at, x)) return false;
-    for (const Neighbour<D>& i : particles) b.push_back(i.weight * basis(i).dot(x));
-    return true;
-  }
+  const auto basis = [&](const Neighbour<D>& i) {
+    return constrained_basis<N, D>(i.surface_distance, i.position, site.normal);
+  };
+  Eigen::Matrix<double, N, 1> x;
+  const auto at = constrained_basis<N, D>(site.surface_distance, site.ghost, site.normal);
+  if (!solve_fit<N>(particles, basis, at, x)) return false;
+  for (const Neighbour<D>& i : particles) b.push_back(i.weight * basis(i).dot(x));
+  return true;
+}
+
+// The last resort: proportional to the distance.
+template <int D>
+bool fit_proportional(const std::vector<Neighbour<D>>& particles, const FitSite<D>& site,
+                      std::vector<double>& b) {
   double square = 0;
-  for (const Neighbour<D>& i : particles)
+  for (const Neighbour<D>& i : particles) {
     square += i.weight * i.surface_distance * i.surface_distance;
+  }
   if (!(square > 1e-3)) return false;
   for (const Neighbour<D>& i : particles) {
     b.push_back(i.weight * i.surface_distance * site.surface_distance / square);
@@ -224,30 +240,35 @@ class GhostFitter {
     for (int a = 0; a < D; ++a) {
       centre[a] = (foot[a] - body_.lattice.origin[a]) / body_.lattice.spacing - 0.5;
     }
-    c_.clear();
-    b_.clear();
+    // The curved fit overshoots where the solution is singular: at walls and where they meet the
+    // free surface.
+    const bool curved = boundaries_.nearest_wall(foot).second > fit_radius * body_.lattice.spacing;
     double radius = fit_radius;
     for (int attempt = 0; attempt <= most_widenings; ++attempt, radius *= widening) {
       search(centre, radius, wall);
       c_.clear();
       b_.clear();
-      if (fit_linear<D>(particles_, site, true, c_) &&
-          fit_constrained<D>(particles_, site, true, b_)) {
+      a_.clear();
+      if (fit_in_all_directions<D>(particles_, site, c_, a_) &&
+          ((curved && fit_constrained<D + 1>(particles_, site, b_)) ||
+           fit_constrained<D>(particles_, site, b_))) {
         return keep();
       }
     }
     c_.clear();
     b_.clear();
-    if (!fit_linear<D>(particles_, site, false, c_)) constant(c_);
-    if (!fit_constrained<D>(particles_, site, false, b_)) b_.assign(particles_.size(), 0);
+    a_.clear();
+    if (!fit_along_normal<D>(particles_, site, c_, a_)) constant();
+    if (!fit_proportional<D>(particles_, site, b_)) b_.assign(particles_.size(), 0);
     keep();
   }
 
-  void constant(std::vector<double>& c) const {
+  void constant() {
     double sum = 0;
     for (const Neighbour<D>& i : particles_) sum += i.weight;
-    c.clear();
-    for (const Neighbour<D>& i : particles_) c.push_back(i.weight / sum);
+    c_.clear();
+    for (const Neighbour<D>& i : particles_) c_.push_back(i.weight / sum);
+    a_ = c_;
   }
 
   void average(const Cell<D>& cell) {
@@ -260,6 +281,7 @@ class GhostFitter {
     }
     c_.assign(particles_.size(), particles_.empty() ? 0 : 1.0 / particles_.size());
     b_.assign(particles_.size(), 0);
+    a_ = c_;
     keep();
   }
 
@@ -271,6 +293,7 @@ class GhostFitter {
       ghosts_.neighbour.push_back(particles_[k].slot);
       ghosts_.linear.push_back(static_cast<T>(c_[k]));
       ghosts_.constrained.push_back(static_cast<T>(b_[k]));
+      ghosts_.surface.push_back(static_cast<T>(a_[k]));
       // Several blocks may mark the same particle at once; they all write 1.
       std::atomic_ref<std::int32_t>(used_[particles_[k].slot]).store(1, std::memory_order_relaxed);
     }
@@ -287,11 +310,12 @@ class GhostFitter {
   std::vector<Neighbour<D>>& particles_ = scratch().particles;
   std::vector<double>& c_ = scratch().c;
   std::vector<double>& b_ = scratch().b;
+  std::vector<double>& a_ = scratch().a;
 
   // Kept by each thread, so that a warm remeshing allocates nothing.
   struct Scratch {
     std::vector<Neighbour<D>> particles;
-    std::vector<double> c, b;
+    std::vector<double> c, b, a;
   };
   static Scratch& scratch() {
     thread_local Scratch scratch;
@@ -315,6 +339,7 @@ void fit_ghosts(const Body<T, D>& body, Population<T, D>& population, const Fiel
   ghosts.linear.clear();
   ghosts.constrained.clear();
   ghosts.constrained_sum.clear();
+  ghosts.surface.clear();
   GhostFitter<T, D> fitter(body, population, state, block, level_set, boundaries, treatment, used);
   population.layout.for_each_slot(population.layout.blocks()[block],
                                   [&](std::int64_t p, const Cell<D>& cell) {
@@ -323,7 +348,7 @@ void fit_ghosts(const Body<T, D>& body, Population<T, D>& population, const Fiel
                                       fitter.add(p, cell);
                                   });
   ghosts.record.resize(ghosts.neighbour.size());
-  ghosts.sums.grow(ghosts.slot.size() * 2 * kernels::record_width<D>, T(0));
+  ghosts.sums.grow(ghosts.slot.size() * 3 * kernels::record_width<D>, T(0));
 }
 
 template <class T, int D>

@@ -264,7 +264,8 @@ void LevelSet<T, D>::adopt_nearest(std::int64_t slot, const Cell<D>& cell, int l
   const Point<D> offset = difference<D>(foot, node);
   set_foot(slot, node, foot);
   // Far from the surface the sign that remeshing left is sure.
-  phi_[slot] = std::copysign(static_cast<T>(std::sqrt(dot<D>(offset, offset)) * h), extended_[slot]);
+  phi_[slot] =
+      std::copysign(static_cast<T>(std::sqrt(dot<D>(offset, offset)) * h), extended_[slot]);
   layer_[(layer + 1) % 2][slot] = static_cast<std::uint8_t>(layer);
 }
 

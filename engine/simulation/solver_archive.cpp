@@ -92,6 +92,7 @@ void put_ghosts(ArchiveWriter& archive, const std::string& group,
   put.template operator()<std::int32_t>("record", &G::record);
   put.template operator()<T>("linear", &G::linear);
   put.template operator()<T>("constrained", &G::constrained);
+  put.template operator()<T>("surface", &G::surface);
   put.template operator()<T>("constrained_sum", &G::constrained_sum);
 }
 
@@ -108,6 +109,7 @@ void get_ghosts(const ArchiveReader& archive, const std::string& group,
   const auto records = archive.get<std::int32_t>(group + "/record");
   const auto linear = archive.get<T>(group + "/linear");
   const auto constrained = archive.get<T>(group + "/constrained");
+  const auto surface = archive.get<T>(group + "/surface");
   const auto sums = archive.get<T>(group + "/constrained_sum");
   std::size_t ghost = 0, neighbour = 0, pack = 0, begin = 0;
   population.record_count = 0;
@@ -124,6 +126,7 @@ void get_ghosts(const ArchiveReader& archive, const std::string& group,
     g.record = part(records, neighbour, pairs);
     g.linear = part(linear, neighbour, pairs);
     g.constrained = part(constrained, neighbour, pairs);
+    g.surface = part(surface, neighbour, pairs);
     g.wall.clear();
     g.pressure.clear();
     g.normal.clear();
@@ -143,7 +146,7 @@ void get_ghosts(const ArchiveReader& archive, const std::string& group,
     g.first_record = static_cast<std::int32_t>(sizes[5 * b + 3]);
     g.record_count = static_cast<std::int32_t>(sizes[5 * b + 4]);
     population.record_count += g.record_count;
-    g.sums.grow(ghosts * 2 * kernels::record_width<D>, T(0));
+    g.sums.grow(ghosts * 3 * kernels::record_width<D>, T(0));
     ghost += ghosts;
     neighbour += pairs;
     pack += surfaces;
