@@ -18,17 +18,18 @@ void sum(benchmark::State& state, Isa isa) {
   for (std::int64_t i = 0; i < ghosts * particles; ++i) {
     record[i] = static_cast<std::int32_t>(i / particles + random() % 100);
   }
-  test::Field<double> records((ghosts + 100) * width, 1.), sums(ghosts * 2 * width);
+  test::Field<double> records((ghosts + 100) * width, 1.), sums(ghosts * 3 * width);
   const GhostSums<double, 2> arguments{0,
                                        ghosts,
                                        begin.data(),
                                        record.data(),
                                        coefficient.data(),
                                        coefficient.data(),
+                                       coefficient.data(),
                                        records.data(),
                                        sums.data()};
   for (auto _ : state) table<double, 2>(isa).sum_ghosts(arguments);
-  report(state, ghosts, {particles * width * 4, 20 * 20 + 64 + 3 * 64});
+  report(state, ghosts, {particles * width * 6, 20 * 28 + 64 + 4 * 64});
 }
 
 const bool registered = [] {

@@ -38,24 +38,26 @@ struct Body {
 
   /// The arguments of one stage, current state to next state, by the numbers of `states`.
   Stage<T, D> stage(int number, int current, int next, T time_step) {
-    return {patch.segments.data(),
-            static_cast<int>(patch.segments.size()),
-            patch.spacing,
-            time_step,
-            number,
-            weight,
-            material,
-            patch.pack_state.data(),
-            patch.interior.data(),
-            nullptr,
-            mass.data(),
-            std::as_const(states[current]).evolving(),
-            std::as_const(states[current]).stress_fields(),
-            std::as_const(states[0]).evolving(),
-            std::as_const(states[1]).evolving(),
-            std::as_const(states[2]).evolving(),
-            states[next].evolving(),
-            states[next].stress_fields()};
+    Stage<T, D> arguments{};
+    arguments.segments = patch.segments.data();
+    arguments.segment_count = static_cast<int>(patch.segments.size());
+    arguments.spacing = patch.spacing;
+    arguments.time_step = time_step;
+    arguments.stage = number;
+    arguments.weight = weight;
+    arguments.material = material;
+    arguments.pack_state = patch.pack_state.data();
+    arguments.interior = patch.interior.data();
+    arguments.neighbours = neighbours;
+    arguments.mass = mass.data();
+    arguments.current = std::as_const(states[current]).evolving();
+    arguments.stress = std::as_const(states[current]).stress_fields();
+    arguments.start = std::as_const(states[0]).evolving();
+    arguments.second = std::as_const(states[1]).evolving();
+    arguments.third = std::as_const(states[2]).evolving();
+    arguments.next = states[next].evolving();
+    arguments.next_stress = states[next].stress_fields();
+    return arguments;
   }
 
   /// One whole step; the result of its last stage. states[0] is the new state.
@@ -83,6 +85,7 @@ struct Body {
   Patch<T, D> patch;
   Material<T> material;
   Weight weight = Weight::quartic_polynomial;
+  const NeighbourLists<D>* neighbours = nullptr;
   Field<T> mass;
   std::vector<State<T, D>> states;  ///< Q0, Q2, Q3, Q4 of (RP.19)
 };

@@ -1,10 +1,8 @@
-#include "kernels/filter.hpp"
-
 #include <cmath>
 #include <functional>
 
-#include "tests/kernels/dimension.hpp"
 #include "tests/kernels/patch.hpp"
+#include "tests/kernels/tables.hpp"
 
 namespace pliant::kernels::test {
 namespace {

@@ -1,7 +1,7 @@
 #include "kernels/gradient_sweep.hpp"
 
-#include "tests/kernels/dimension.hpp"
 #include "tests/kernels/patch.hpp"
+#include "tests/kernels/tables.hpp"
 
 namespace pliant::kernels::test {
 namespace {

@@ -1,9 +1,7 @@
-#include "kernels/scatter.hpp"
-
 #include <cmath>
 
 #include "tests/kernels/body.hpp"
-#include "tests/kernels/dimension.hpp"
+#include "tests/kernels/tables.hpp"
 
 namespace pliant::kernels::test {
 namespace {

@@ -1,9 +1,7 @@
-#include "kernels/surface.hpp"
-
 #include <cmath>
 
-#include "tests/kernels/dimension.hpp"
 #include "tests/kernels/reference_stage.hpp"
+#include "tests/kernels/tables.hpp"
 
 namespace pliant::kernels::test {
 namespace {
