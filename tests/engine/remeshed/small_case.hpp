@@ -1,0 +1,50 @@
+#pragma once
+
+#include <cmath>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "engine/case/read_case.hpp"
+#include "engine/remeshed/solver.hpp"
+
+namespace pliant::test {
+
+using Solver = remeshed::Solver<double, 2>;
+using Body = remeshed::Body<double, 2>;
+using LatticeView = remeshed::LatticeView<double, 2>;
+using remeshed::Kind;
+using Settings = std::vector<std::string>;
+
+/// A case that comes with the program, changed by settings as on the command line.
+inline Case small_case(const std::string& name, const Settings& settings) {
+  return read_case(std::filesystem::path(PLIANT_SOURCE_DIR) / "cases" / name, settings);
+}
+
+/// `settings` and then `more`, which win.
+inline Settings operator+(Settings settings, const Settings& more) {
+  settings.insert(settings.end(), more.begin(), more.end());
+  return settings;
+}
+
+/// Steps of the length that the case asks for.
+inline void advance(Solver& solver, int steps) {
+  for (int i = 0; i < steps; ++i) solver.step(HUGE_VAL);
+}
+
+/// Steps to `time`, whatever the case's own steps would be.
+inline void advance_until(Solver& solver, double time) {
+  while (solver.clock().time < time * (1 - 1e-12)) solver.step(time - solver.clock().time);
+}
+
+/// Calls f(slot, cell) for the slots of a population that hold something of kind `kind`.
+template <class F>
+void for_each(const remeshed::Population<double, 2>& population, Kind kind, F&& f) {
+  for (const Block<2>& block : population.layout.blocks()) {
+    population.layout.for_each_slot(block, [&](std::int64_t slot, const Cell<2>& cell) {
+      if (population.kind[slot] == kind) f(slot, cell);
+    });
+  }
+}
+
+}  // namespace pliant::test

@@ -1,0 +1,39 @@
+#include <gtest/gtest.h>
+
+#include "engine/remeshed/measure.hpp"
+#include "engine/simulation/solver_archive.hpp"
+#include "tests/engine/output/temporary_folder.hpp"
+#include "tests/invariants/sample_runs.hpp"
+
+namespace pliant::test {
+namespace {
+
+struct checkpoints : OfSampleRuns {
+  TemporaryFolder folder;
+};
+INSTANTIATE_TEST_SUITE_P(runs, checkpoints, testing::ValuesIn(sample_runs()), name_of);
+
+// Right after a remeshing, right before one, and between.
+TEST_P(checkpoints, a_restored_solver_goes_on_to_the_same_bits) {
+  for (const int steps : {5, 9, 12}) {
+    Solver solver(GetParam().settled(), 1, kernels::widest_supported());
+    advance(solver, steps);
+    ArchiveWriter writer(folder / "solver.h5");
+    put_solver(writer, solver);
+    writer.commit();
+    Solver restored(GetParam().settled(), 2, kernels::widest_supported());
+    get_solver(ArchiveReader(folder / "solver.h5"), restored);
+    EXPECT_EQ(differences(snapshot_of(solver), snapshot_of(restored)), none);
+    for (Solver* each : {&solver, &restored}) {
+      advance(*each, GetParam().steps - steps);
+      EXPECT_GE(each->clock().remeshings, 3);
+    }
+    Snapshot end = snapshot_of(solver), restored_end = snapshot_of(restored);
+    end["measurements"] = remeshed::Measurer<double, 2>(solver)();
+    restored_end["measurements"] = remeshed::Measurer<double, 2>(restored)();
+    EXPECT_EQ(differences(end, restored_end), none) << "from step " << steps;
+  }
+}
+
+}  // namespace
+}  // namespace pliant::test

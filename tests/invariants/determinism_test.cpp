@@ -1,0 +1,105 @@
+#include <gtest/gtest.h>
+
+#include "engine/remeshed/measure.hpp"
+#include "engine/remeshed/resources.hpp"
+#include "tests/invariants/sample_runs.hpp"
+
+// Nothing but the case decides the bits of a result.
+namespace pliant::test {
+namespace {
+
+using kernels::Isa;
+using Measurer = remeshed::Measurer<double, 2>;
+
+struct determinism : OfSampleRuns {};
+INSTANTIATE_TEST_SUITE_P(runs, determinism, testing::ValuesIn(sample_runs()), name_of);
+
+/// Everything after a run, with what the case measures.
+Snapshot end_of(const SampleRun& run, int threads) {
+  Solver solver(run.settled(), threads, kernels::widest_supported());
+  advance(solver, run.steps);
+  EXPECT_GE(solver.clock().remeshings, 3) << "the run is too short to tell";
+  Snapshot end = snapshot_of(solver);
+  end["measurements"] = Measurer(solver)();
+  return end;
+}
+
+TEST_P(determinism, bits_do_not_depend_on_the_number_of_threads) {
+  const Snapshot one = end_of(GetParam(), 1);
+  EXPECT_GT(one.at("cell").size(), 2 * 600u);
+  for (const int threads : {2, 7}) {
+    EXPECT_EQ(differences(one, end_of(GetParam(), threads)), none) << threads << " threads";
+  }
+}
+
+TEST_P(determinism, measuring_changes_nothing_in_the_trajectory) {
+  Solver solver(GetParam().settled(), 1, kernels::widest_supported());
+  Solver measured(GetParam().settled(), 1, kernels::widest_supported());
+  Measurer measurer(measured);
+  for (int i = 0; i < GetParam().steps; ++i) {
+    advance(solver, 1);
+    advance(measured, 1);
+    measurer();
+    if (i % 3 == 0) measured.refresh_ghosts();
+  }
+  // Ghosts hold what was last asked of them.
+  EXPECT_EQ(
+      differences(snapshot_of(solver, Slots::particles), snapshot_of(measured, Slots::particles)),
+      none);
+}
+
+/// Runs a graph in the order of its list, or in another legal one.
+void run(scheduler::StepGraph& graph, Solver& solver, std::uint64_t seed) {
+  solver.workers().execute([&] { graph.run_serially(seed); });
+}
+
+TEST_P(determinism, any_legal_order_of_a_step_gives_the_same_bits) {
+  Solver solver(GetParam().settled(), 1, kernels::widest_supported());
+  advance(solver, 2);
+  Snapshot first;
+  for (std::uint64_t seed = 0; seed < 8; ++seed) {
+    Solver other(GetParam().settled(), 1, kernels::widest_supported());
+    advance(other, 2);
+    run(other.step_graph(), other, seed);  // once more over the same time step
+    const Snapshot end = snapshot_of(other);
+    if (seed == 0) {
+      ASSERT_NE(differences(snapshot_of(solver), end), none) << "nothing has moved";
+      solver.step_graph().run(solver.workers());
+      EXPECT_EQ(differences(snapshot_of(solver), end), none) << "against the parallel order";
+      first = end;
+    }
+    EXPECT_EQ(differences(first, end), none) << "seed " << seed;
+  }
+}
+
+/// The graph that `add` makes of a body's phases, over the blocks of `layout`.
+template <class F>
+scheduler::StepGraph graph_over(const Layout<2>& layout, F&& add) {
+  std::vector<scheduler::Phase> phases;
+  add(phases);
+  return {std::move(phases), scheduler::Blocks{layout.neighbours()}, remeshed::resource::names()};
+}
+
+TEST_P(determinism, any_legal_order_of_a_remeshing_gives_the_same_bits) {
+  Solver solver(GetParam().settled(), 1, kernels::widest_supported());
+  advance(solver, 4);
+  Body& body = solver.state().bodies[0];
+  auto& remeshing = solver.remeshing(0);
+  solver.on_nodes();
+  Snapshot first;
+  add_body(first, {body, body.spare, body.stage[1]}, Slots::all);
+  for (std::uint64_t seed = 0; seed < 5; ++seed) {
+    auto departure = graph_over(body.population.layout,
+                                [&](auto& phases) { remeshing.departure_phases(phases, 0); });
+    run(departure, solver, seed);
+    auto arrival = graph_over(body.spare.layout,
+                              [&](auto& phases) { remeshing.arrival_phases(phases, 0, true); });
+    run(arrival, solver, seed);
+    Snapshot end;
+    add_body(end, {body, body.spare, body.stage[1]}, Slots::all);
+    EXPECT_EQ(differences(first, end), none) << "seed " << seed;
+  }
+}
+
+}  // namespace
+}  // namespace pliant::test

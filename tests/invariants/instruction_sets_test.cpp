@@ -1,0 +1,38 @@
+#include <gtest/gtest.h>
+
+#include "tests/invariants/sample_runs.hpp"
+
+namespace pliant::test {
+namespace {
+
+using kernels::Isa;
+
+struct instruction_sets : OfSampleRuns {
+  /// The particles after 20 steps with `isa`.
+  Snapshot end_with(Isa isa) const {
+    Solver solver(GetParam().settled(), 1, isa);
+    advance(solver, 20);
+    EXPECT_GE(solver.clock().remeshings, 1);
+    return snapshot_of(solver, Slots::particles);
+  }
+};
+INSTANTIATE_TEST_SUITE_P(runs, instruction_sets, testing::ValuesIn(sample_runs()), name_of);
+
+TEST_P(instruction_sets, agree_within_rounding) {
+  if (!is_supported(Isa::avx2)) GTEST_SKIP() << "this processor has no AVX2";
+  const Snapshot narrow = end_with(Isa::sse2), wide = end_with(Isa::avx2);
+  EXPECT_EQ(narrow.at("cell"), wide.at("cell"));
+  for (const FieldDeclaration& field : fields) {
+    // SSE2 has no fused multiply-add: each operation differs by 1e-16 of its terms, which are up to
+    // 1e4 times the differences they leave, and 80 stages add theirs.
+    EXPECT_LT(relative_difference(narrow, wide, std::string(field.name)), 1e-10) << field.name;
+  }
+}
+
+TEST_P(instruction_sets, with_fused_multiply_add_agree_to_the_bit) {
+  if (!is_supported(Isa::avx512)) GTEST_SKIP() << "this processor has no AVX-512";
+  EXPECT_EQ(differences(end_with(Isa::avx2), end_with(Isa::avx512)), none);
+}
+
+}  // namespace
+}  // namespace pliant::test

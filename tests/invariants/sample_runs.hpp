@@ -1,0 +1,45 @@
+#pragma once
+
+#include <gtest/gtest.h>
+
+#include <ostream>
+
+#include "tests/engine/remeshed/snapshot.hpp"
+
+namespace pliant::test {
+
+/// A short run through several remeshings of a small case: free surfaces, moving walls, periods;
+/// both kinds of material.
+struct SampleRun {
+  const char* name;
+  const char* of;
+  Settings settings;
+  int steps;
+
+  Case settled() const { return small_case(of, settings); }
+  friend std::ostream& operator<<(std::ostream& out, const SampleRun& run) {
+    return out << run.name;
+  }
+};
+
+inline std::vector<SampleRun> sample_runs() {
+  const Settings disc = {"discretisation.spacing=0.06", "remeshing.every=5"};
+  const Settings block = {"discretisation.spacing=1/16", "remeshing.strain=0.02"};
+  const Settings cell = {"discretisation.spacing=1/24", "remeshing.every=6",
+                         "body.medium.velocity=[\"2*sin(2*pi*x)*sin(2*pi*y)\", \"1\"]"};
+  return {
+      {"disc", "rotating_cylinder", disc, 22},
+      {"compression_linear", "compression_linear", block, 60},
+      {"compression_hyperelastic", "compression_hyperelastic", block, 60},
+      {"periodic", "periodic_square", cell, 20},
+  };
+}
+
+/// A test that is run with each of them.
+struct OfSampleRuns : testing::TestWithParam<SampleRun> {
+  const std::vector<std::string> none;
+};
+
+inline std::string name_of(const testing::TestParamInfo<SampleRun>& run) { return run.param.name; }
+
+}  // namespace pliant::test
