@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <chrono>
 #include <cmath>
 
@@ -143,7 +144,7 @@ void Solver<T, D>::remesh_onto_spare(bool reinitialise) {
     }
     return phases;
   };
-  run(graph_for(departure_graph_, blocks(false), [&] {
+  run(graph_for(departure_graph_, false, [&] {
     std::vector<scheduler::Phase> phases = step_.ghost_phases();
     for (auto& phase : each_body(false, [](auto&list, auto&remeshing, int first) {
            remeshing.departure_phases(list, first);
@@ -153,7 +154,7 @@ void Solver<T, D>::remesh_onto_spare(bool reinitialise) {
     return phases;
   }));
   for (auto& remeshing : remeshings_) remeshing->set_reinitialise(reinitialise);
-  run(graph_for(arrival_graph_, blocks(true), [&] {
+  run(graph_for(arrival_graph_, true, [&] {
     return each_body(true, [](auto& list, auto& remeshing, int first) {
       remeshing.arrival_phases(list, first, true);
     });
@@ -164,7 +165,7 @@ template <class T, int D>
 void Solver<T, D>::commit() {
   for (auto& remeshing : remeshings_) remeshing->commit();
   restored();
-  run(graph_for(stress_graph_, blocks(false), [&] { return step_.stress_phases(); }));
+  run(graph_for(stress_graph_, false, [&] { return step_.stress_phases(); }));
   step_.fold();
   check(step_.result());
   state_.clock.wave_speed = step_.result().wave_speed;
@@ -173,7 +174,7 @@ void Solver<T, D>::commit() {
 template <class T, int D>
 void Solver<T, D>::restored() {
   number_blocks();
-  graph_for(step_graph_, blocks(false), [&] { return step_.phases(); });
+  graph_for(step_graph_, false, [&] { return step_.phases(); });
 }
 
 template <class T, int D>
@@ -199,11 +200,29 @@ scheduler::Blocks Solver<T, D>::blocks(bool spare) const {
 }
 
 template <class T, int D>
+bool Solver<T, D>::has_blocks(const scheduler::StepGraph& graph, bool spare) const {
+  const auto& listed = graph.blocks().neighbours;
+  std::size_t first = 0;
+  for (const Body<T, D>& body : state_.bodies) {
+    const auto& neighbours = (spare ? body.spare : body.population).layout.neighbours();
+    if (first + neighbours.size() > listed.size()) return false;
+    const auto same = [&](int own, int of_all) { return own + static_cast<int>(first) == of_all; };
+    for (std::size_t b = 0; b < neighbours.size(); ++b) {
+      const auto &near = neighbours[b], &expected = listed[first + b];
+      if (!std::equal(near.begin(), near.end(), expected.begin(), expected.end(), same)) {
+        return false;
+      }
+    }
+    first += neighbours.size();
+  }
+  return first == listed.size();
+}
+
+template <class T, int D>
 template <class F>
-scheduler::StepGraph& Solver<T, D>::graph_for(Graph& graph, const scheduler::Blocks& blocks,
-                                              F&& make_phases) {
-  if (!graph || graph->blocks().neighbours != blocks.neighbours) {
-    graph = std::make_unique<scheduler::StepGraph>(make_phases(), blocks, resource::names());
+scheduler::StepGraph& Solver<T, D>::graph_for(Graph& graph, bool spare, F&& make_phases) {
+  if (!graph || !has_blocks(*graph, spare)) {
+    graph = std::make_unique<scheduler::StepGraph>(make_phases(), blocks(spare), resource::names());
   }
   return *graph;
 }
@@ -251,7 +270,7 @@ std::vector<LatticeView<T, D>> Solver<T, D>::on_nodes() {
 template <class T, int D>
 void Solver<T, D>::refresh_ghosts() {
   step_.prepare(0);
-  run(graph_for(ghost_graph_, blocks(false), [&] { return step_.ghost_phases(); }));
+  run(graph_for(ghost_graph_, false, [&] { return step_.ghost_phases(); }));
 }
 
 template <class T, int D>

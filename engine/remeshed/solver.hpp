@@ -71,8 +71,10 @@ class Solver {
   void commit();
   void number_blocks();
   scheduler::Blocks blocks(bool spare) const;
+  /// Whether a graph was made over the present blocks, or those of the new lattice.
+  bool has_blocks(const scheduler::StepGraph& graph, bool spare) const;
   template <class F>
-  scheduler::StepGraph& graph_for(Graph& graph, const scheduler::Blocks& blocks, F&& make_phases);
+  scheduler::StepGraph& graph_for(Graph& graph, bool spare, F&& make_phases);
   void run(scheduler::StepGraph& graph);
   void check(const kernels::StageResult& result) const;
 
