@@ -54,9 +54,10 @@ struct Write {
 struct CommitFile {
   H5FD_t base = {};
   int descriptor = -1;
-  haddr_t end = 0;            ///< as HDF5 has allocated
-  haddr_t committed_end = 0;  ///< as the superblock in the file tells
-  haddr_t size = 0;           ///< of the file
+  haddr_t end = 0;             ///< as HDF5 has allocated
+  haddr_t committed_end = 0;   ///< as the superblock in the file tells
+  haddr_t size = 0;            ///< of the file
+  bool has_committed = false;  ///< since it was opened
   bool abandoned = false;
   int error_number = 0;  ///< of the first call that failed; the file is abandoned then
   std::vector<Write> held_back;
@@ -118,7 +119,7 @@ bool CommitFile::grow() {
 }
 
 bool CommitFile::commit() {
-  if (abandoned) return true;
+  if (abandoned || held_back.empty()) return true;
   const auto order = [&](const Write& write) {
     if (write.kind == H5FD_MEM_SUPER) return end < committed_end ? 3 : 1;
     return write.begin >= committed_end ? 0 : 2;
@@ -129,6 +130,7 @@ bool CommitFile::commit() {
     if (!write(block.begin, block.bytes.data(), block.bytes.size())) return false;
   held_back.clear();
   committed_end = end;
+  has_committed = true;
   return true;
 }
 
@@ -160,7 +162,8 @@ H5FD_t* open_file(const char* name, unsigned flags, hid_t, haddr_t) {
 herr_t close_file(H5FD_t* base) {
   const std::unique_ptr<CommitFile> file(&of(base));
   file->note(file->commit());
-  if (!file->abandoned && file->size > file->end)
+  // A file that HDF5 refused to open has no end that HDF5 knows of.
+  if (file->has_committed && !file->abandoned && file->size > file->end)
     file->note(::ftruncate(file->descriptor, static_cast<off_t>(file->end)) == 0);
   ::close(file->descriptor);
   return 0;

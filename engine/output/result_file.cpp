@@ -86,15 +86,9 @@ struct ResultFile::File {
         frames(file),
         histories(file) {}
 
-  void require_open() const {
-    if (!file.valid() || failed)
-      throw std::logic_error(path.string() + ": written to after it was closed");
-  }
-
   /// Runs `change`; when it fails, the file stays as the last commit left it.
   template <class Change>
   void guarded(Change change) {
-    require_open();
     hdf5::silence();
     try {
       change();
@@ -161,8 +155,13 @@ void ResultFile::cut(const std::filesystem::path& folder, const ResultExtent& ex
   });
 }
 
+ResultFile::File& ResultFile::open_file() const {
+  if (!file_ || file_->failed)
+    throw std::logic_error("a result file was written to after it was closed or had failed");
+  return *file_;
+}
+
 ResultFile::~ResultFile() {
-  if (!file_ || !file_->file.valid()) return;
   try {
     close();
   } catch (const std::exception&) {
@@ -170,8 +169,7 @@ ResultFile::~ResultFile() {
 }
 
 void ResultFile::append(const Frame& frame) {
-  auto& file = *file_;
-  file.require_open();
+  auto& file = open_file();
   file.guarded([&] {
     file.histories.flush();
     file.frames.append(frame);
@@ -187,13 +185,11 @@ void ResultFile::append(const Frame& frame) {
 
 void ResultFile::append_history(const std::string& name, const std::string& unit, double time,
                                 double value) {
-  file_->require_open();
-  file_->histories.append(name, unit, time, value);
+  open_file().histories.append(name, unit, time, value);
 }
 
 ResultExtent ResultFile::flush() {
-  auto& file = *file_;
-  file.require_open();
+  auto& file = open_file();
   file.guarded([&] {
     file.histories.flush();
     hdf5::flush(file.file);

@@ -65,6 +65,7 @@ class ResultFile {
  private:
   struct File;
   explicit ResultFile(std::unique_ptr<File> file);
+  File& open_file() const;
   static void cut(const std::filesystem::path& folder, const ResultExtent& extent);
   std::unique_ptr<File> file_;
 };

@@ -192,6 +192,30 @@ TEST(result_file, resuming_needs_all_that_the_checkpoint_remembers) {
   EXPECT_EQ(whole_frames(content_of(folder / "result.h5"), particles), 2);
 }
 
+TEST(result_file, a_foreign_or_cut_file_is_not_resumed) {
+  const TemporaryFolder folder;
+  {
+    auto file = ResultFile::create(folder.path(), sample_run());
+    write_frames(file, 0, 2, particles);
+  }
+  std::filesystem::resize_file(folder / "result.h5", 50000);
+  EXPECT_THROW(ResultFile::resume(folder.path(), {2, {}}), OutputError);
+  std::ofstream(folder / "result.h5") << "not HDF5 at all";
+  EXPECT_THROW(ResultFile::resume(folder.path(), {2, {}}), OutputError);
+  EXPECT_EQ(text_of(folder / "result.h5"), "not HDF5 at all");
+}
+
+TEST(result_file, a_closed_file_takes_no_more) {
+  const TemporaryFolder folder;
+  auto file = ResultFile::create(folder.path(), sample_run());
+  file.append(sample_frame(0, particles));
+  file.close();
+  file.close();
+  EXPECT_THROW(file.append(sample_frame(1, particles)), std::logic_error);
+  EXPECT_THROW(file.append_history("extent", "m", 0, 0), std::logic_error);
+  EXPECT_THROW(file.flush(), std::logic_error);
+}
+
 TEST(result_file, frames_that_contradict_the_earlier_ones_are_refused) {
   const TemporaryFolder folder;
   auto file = ResultFile::create(folder.path(), sample_run());
