@@ -47,6 +47,7 @@ inline void add_body(Snapshot& snapshot, const LatticeView& view, Slots which) {
     add("ghost record", ghosts.record);
     add("linear fit", ghosts.linear);
     add("constrained fit", ghosts.constrained);
+    add("surface fit", ghosts.surface);
   }
 }
 
