@@ -9,6 +9,12 @@ namespace pliant::kernels {
 /// cache, and each loop reads and writes few streams.
 inline constexpr int chunk_slots = 64;
 
+/// Slots first..first+count-1 of a segment, whole packs.
+struct Chunk {
+  std::int64_t first;
+  int count;
+};
+
 /// Gradients of a chunk, zero in slots that are not interior.
 template <class T, int D>
 struct ChunkGradients {

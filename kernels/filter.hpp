@@ -1,50 +1,41 @@
 #pragma once
 
-#include "kernels/pack.hpp"
+#include "kernels/fourth_difference.hpp"
 #include "kernels/table.hpp"
 
 namespace pliant::kernels {
 
-/// delta^4 f at a register of slots, from the slots `stride` apart; zero where one of the five
-/// slots is not valid.
+/// Lanes whose slot and the two to each side along a line are valid.
 template <class P>
-inline P fourth_difference(const Scalar<P>* field, const Scalar<P>* valid,
-                           const std::int64_t (&slot)[5]) {
-  using T = Scalar<P>;
-  P all_valid = load<P>(valid + slot[0]);
-  for (int k = 1; k < 5; ++k) all_valid = all_valid * load<P>(valid + slot[k]);
-  const P outer = load<P>(field + slot[0]) + load<P>(field + slot[4]);
-  const P inner = load<P>(field + slot[1]) + load<P>(field + slot[3]);
-  const P centre = load<P>(field + slot[2]);
-  const P difference = fused(P(T(6)), centre, fused_minus(P(T(4)), inner, outer));
-  return xsimd::select(all_valid > P(T(0.5)), difference, P(T(0)));
+inline auto valid_lanes(const Scalar<P>* centre, const LineOffsets& line) {
+  P all_valid = load<P>(centre);
+  for (const std::int64_t away : line.away) all_valid = all_valid * load<P>(centre + away);
+  return all_valid > P(Scalar<P>(0.5));
 }
 
 /// See Filter, (RP.27).
 template <class P, int D>
 void filter(const Filter<Scalar<P>, D>& block) {
   using T = Scalar<P>;
-  const P factor(block.strength / T(16));
+  const P factor(block.strength / T(16)), zero(T(0));
   for (int s = 0; s < block.segment_count; ++s) {
     const Segment<D>& segment = block.segments[s];
+    LineOffsets line[D];
+    for (int axis = 0; axis < D; ++axis) {
+      line[axis] = line_offsets<typename P::arch_type>(segment, axis);
+    }
     for (std::int64_t p = segment.first; p < segment.first + segment.count; p += lanes<P>) {
-      const P value = load<P>(block.field + p);
+      P value = load<P>(block.field + p);
       // Only slots beside valid ones have neighbours that may be loaded.
-      if (!xsimd::any(load<P>(block.valid + p) > P(T(0.5)))) {
-        value.store_unaligned(block.filtered + p);
-        continue;
-      }
-      P sum = fourth_difference<P>(block.field, block.valid, {p - 2, p - 1, p, p + 1, p + 2});
-      for (int axis = 1; axis < D; ++axis) {
-        std::int64_t slot[5];
-        for (int k = 0; k < 5; ++k) {
-          slot[k] =
-              p +
-              segment.neighbour_row[axis == 1 ? row_index<D>(k - 2, 0) : row_index<D>(0, k - 2)];
+      if (xsimd::any(load<P>(block.valid + p) > P(T(0.5)))) {
+        P sum = zero;
+        for (int axis = 0; axis < D; ++axis) {
+          sum = sum + xsimd::select(valid_lanes<P>(block.valid + p, line[axis]),
+                                    fourth_difference<P>(block.field + p, line[axis]), zero);
         }
-        sum = sum + fourth_difference<P>(block.field, block.valid, slot);
+        value = fused_minus(factor, sum, value);
       }
-      fused_minus(factor, sum, value).store_unaligned(block.filtered + p);
+      value.store_unaligned(block.filtered + p);
     }
   }
 }

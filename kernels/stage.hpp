@@ -15,7 +15,7 @@
 namespace pliant::kernels {
 
 template <class P, int D>
-using GradientsOfChunk = void (*)(const Stage<Scalar<P>, D>&, const Segment<D>&, std::int64_t, int,
+using GradientsOfChunk = void (*)(const Stage<Scalar<P>, D>&, const Segment<D>&, const Chunk&,
                                   ChunkGradients<Scalar<P>, D>&);
 
 template <class P, int D>
@@ -63,7 +63,7 @@ StageResult advance_stage(const Stage<Scalar<P>, D>& stage) {
     for (int begin = 0; begin < segment.count; begin += chunk_slots) {
       const int rest = segment.count - begin;
       const Chunk chunk{segment.first + begin, rest < chunk_slots ? rest : chunk_slots};
-      gradients_of(stage, segment, chunk.first, chunk.count, gradients);
+      gradients_of(stage, segment, chunk, gradients);
       update(stage, gradients, chunk, extremes);
     }
   }

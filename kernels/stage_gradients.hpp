@@ -1,7 +1,6 @@
 #pragma once
 
-#include "kernels/chunk.hpp"
-#include "kernels/fourth_difference.hpp"
+#include "kernels/dissipation.hpp"
 #include "kernels/gradient_sweep.hpp"
 
 namespace pliant::kernels {
@@ -25,42 +24,53 @@ inline StageSweepFields<T, D> stage_sweep_fields(const Stage<T, D>& stage) {
 template <class P, int D>
 struct StageGradients {
   P velocity[D][D], force[D], drag[D];
+
+  StageGradients() {
+    for (P& d : drag) d = P(Scalar<P>(0));
+  }
 };
 
-/// grad u and div sigma from the sums of the sweep, (RP.18), with the dissipation of (RP.43): a
-/// drag on the velocity, and a strain rate that relaxes the stress.
+/// grad u and div sigma from the sums of the sweep, (RP.18).
 template <class P, int D>
-[[gnu::always_inline]] inline StageGradients<P, D> gradients_of_register(
-    const Stage<Scalar<P>, D>& stage, const StageSweepFields<Scalar<P>, D>& fields,
-    const Segment<D>& segment, std::int64_t slot,
-    const GradientSums<P, D, D + symmetric_components<D>>& sums) {
-  constexpr int symmetric = symmetric_components<D>;
-  P gradient[D + symmetric][D], fourth[D + symmetric], relaxation[symmetric];
+[[gnu::always_inline]] inline void solve_stage(
+    const GradientSums<P, D, D + symmetric_components<D>>& sums, StageGradients<P, D>& result) {
+  P gradient[D + symmetric_components<D>][D];
   solve(sums, gradient);
-  fourth_differences<P, D>(fields, segment.neighbour_row.data(), slot, fourth);
-  P stress_difference[symmetric];
-  for (int c = 0; c < symmetric; ++c) stress_difference[c] = fourth[D + c];
-  relaxing_strain_rate<P, D>(stage.material, stage.dissipation, stress_difference, relaxation);
-  const P drag(-stage.dissipation);
-  StageGradients<P, D> result;
   for (int i = 0; i < D; ++i) {
     result.force[i] = gradient[D + symmetric_index<D>(i, 0)][0];
     for (int j = 1; j < D; ++j) {
       result.force[i] = result.force[i] + gradient[D + symmetric_index<D>(i, j)][j];
     }
-    for (int j = 0; j < D; ++j) {
-      result.velocity[i][j] = gradient[i][j] + relaxation[symmetric_index<D>(i, j)];
-    }
-    result.drag[i] = drag * fourth[i];
+    for (int j = 0; j < D; ++j) result.velocity[i][j] = gradient[i][j];
   }
-  return result;
+}
+
+/// Adds the dissipation of (RP.43): a drag on the velocity, and a strain rate that relaxes the
+/// stress, from the fourth differences of both.
+template <class P, int D>
+[[gnu::always_inline]] inline void dissipate(
+    const Stage<Scalar<P>, D>& stage,
+    const Scalar<P> (&fourth)[D + symmetric_components<D>][chunk_slots], int at,
+    StageGradients<P, D>& result) {
+  P difference[symmetric_components<D>], relaxation[symmetric_components<D>];
+  for (int c = 0; c < symmetric_components<D>; ++c) {
+    difference[c] = P::load_aligned(&fourth[D + c][at]);
+  }
+  relaxing_strain_rate<P, D>(stage.material, stage.dissipation, difference, relaxation);
+  const P drag(-stage.dissipation);
+  for (int i = 0; i < D; ++i) {
+    result.drag[i] = drag * P::load_aligned(&fourth[i][at]);
+    for (int j = 0; j < D; ++j) {
+      result.velocity[i][j] = result.velocity[i][j] + relaxation[symmetric_index<D>(i, j)];
+    }
+  }
 }
 
 /// Into place `at` of the chunk; zero in slots that are not interior.
 template <class P, int D>
-inline void store_gradients(StageGradients<P, D> gradients, PackState state,
-                            const Scalar<P>* interior, std::int64_t slot, int at,
-                            ChunkGradients<Scalar<P>, D>& chunk) {
+[[gnu::always_inline]] inline void store_gradients(StageGradients<P, D>& gradients, PackState state,
+                                                   const Scalar<P>* interior, std::int64_t slot,
+                                                   int at, ChunkGradients<Scalar<P>, D>& chunk) {
   if (state != PackState::all) {
     const auto inside = interior_lanes<P>(interior, slot);
     const P zero(Scalar<P>(0));
@@ -79,34 +89,44 @@ inline void store_gradients(StageGradients<P, D> gradients, PackState state,
   }
 }
 
-/// Gradients of `count` slots of a segment from `first` on, over the stencil or the lists.
+/// The same without interior particles.
+template <class P, int D>
+inline void store_zeros(int at, ChunkGradients<Scalar<P>, D>& chunk) {
+  const P zero(Scalar<P>(0));
+  for (int i = 0; i < D; ++i) {
+    zero.store_aligned(&chunk.force[i][at]);
+    zero.store_aligned(&chunk.drag[i][at]);
+    for (int j = 0; j < D; ++j) zero.store_aligned(&chunk.velocity[i][j][at]);
+  }
+}
+
+/// Gradients of a chunk of a segment, over the stencil or the lists.
 template <Weight weight, bool listed, class P, int D>
 void stage_gradients(const Stage<Scalar<P>, D>& stage, const Segment<D>& segment,
-                     std::int64_t first, int count, ChunkGradients<Scalar<P>, D>& chunk) {
+                     const Chunk& chunk, ChunkGradients<Scalar<P>, D>& gradients) {
   using T = Scalar<P>;
-  constexpr int pack = slots_per_pack<T>;
+  constexpr int fields_swept = D + symmetric_components<D>;
   const StageSweepFields<T, D> fields = stage_sweep_fields<T, D, typename P::arch_type>(stage);
-  for (int begin = 0; begin < count; begin += pack) {
-    const PackState state = stage.pack_state[(first + begin) / pack];
-    for (int at = begin; at < begin + pack; at += lanes<P>) {
-      const std::int64_t slot = first + at;
-      if (state == PackState::none) {
-        for (int i = 0; i < D; ++i) {
-          P(T(0)).store_aligned(&chunk.force[i][at]);
-          P(T(0)).store_aligned(&chunk.drag[i][at]);
-          for (int j = 0; j < D; ++j) P(T(0)).store_aligned(&chunk.velocity[i][j][at]);
-        }
-        continue;
-      }
-      GradientSums<P, D, D + symmetric_components<D>> sums;
-      if constexpr (listed) {
-        sweep_list<weight>(fields, *stage.neighbours, slot, stage.spacing, sums);
-      } else {
-        sweep_stencil<weight>(fields, segment.neighbour_row.data(), slot, stage.spacing, sums);
-      }
-      store_gradients<P, D>(gradients_of_register<P, D>(stage, fields, segment, slot, sums), state,
-                            stage.interior, slot, at, chunk);
+  alignas(64) T fourth[fields_swept][chunk_slots];
+  const bool dissipates = stage.dissipation != 0;
+  if (dissipates) fourth_differences<P>(fields, segment, stage.pack_state, chunk, fourth);
+  for (int at = 0; at < chunk.count; at += lanes<P>) {
+    const std::int64_t slot = chunk.first + at;
+    const PackState state = stage.pack_state[slot / slots_per_pack<T>];
+    if (state == PackState::none) {
+      store_zeros<P>(at, gradients);
+      continue;
     }
+    GradientSums<P, D, fields_swept> sums;
+    if constexpr (listed) {
+      sweep_list<weight>(fields, *stage.neighbours, slot, stage.spacing, sums);
+    } else {
+      sweep_stencil<weight>(fields, segment.neighbour_row.data(), slot, stage.spacing, sums);
+    }
+    StageGradients<P, D> result;
+    solve_stage(sums, result);
+    if (dissipates) dissipate(stage, fourth, at, result);
+    store_gradients(result, state, stage.interior, slot, at, gradients);
   }
 }
 

@@ -15,12 +15,6 @@ struct StageExtremes {
   std::int64_t non_finite = -1;
 };
 
-/// Slots first..first+count-1, whole packs.
-struct Chunk {
-  std::int64_t first;
-  int count;
-};
-
 /// The states of the field that `pick` takes out of an Evolving.
 template <class Arch, class T, int D, class Pick>
 inline StageField<T> stage_field(const Stage<T, D>& stage, const Pick& pick) {

@@ -51,7 +51,37 @@ struct Rates {
   double strain_rate;
 };
 
-/// Rates of an interior particle of a body in state `q`, (RP.12) and (RP.3) or (RP.8).
+/// delta^4 f summed over the lattice lines through slot p.
+template <class T, int D>
+double fourth_difference_at(const Field<T>& f, const Segment<D>& segment, std::int64_t p) {
+  constexpr double coefficient[5] = {1, -4, 6, -4, 1};
+  double sum = 0;
+  for (int axis = 0; axis < D; ++axis) {
+    for (int k = -2; k <= 2; ++k) {
+      const int dy = axis == 1 ? k : 0, dz = axis == 2 ? k : 0;
+      const std::int64_t row = segment.neighbour_row[row_index<D>(dy, dz)];
+      sum += coefficient[k + 2] * f[p + row + (axis == 0 ? k : 0)];
+    }
+  }
+  return sum;
+}
+
+/// The strain rate that stands in Hooke's law for a stress rate, found by solving its equations.
+template <class T, int D>
+Matrix<D> hooke_inverse(const Material<T>& material, const Matrix<D>& stress) {
+  const double lame = material.bulk_modulus - 2. / 3 * material.shear_modulus;
+  Eigen::Matrix<double, D * D, D* D> stiffness = Eigen::Matrix<double, D * D, D * D>::Zero();
+  for (int i = 0; i < D; ++i) {
+    for (int j = 0; j < D; ++j) {
+      stiffness(i * D + j, i * D + j) += 2 * material.shear_modulus;
+      stiffness(i * D + i, j * D + j) += lame;
+    }
+  }
+  const Eigen::Matrix<double, D * D, 1> right = stress.reshaped();
+  return stiffness.lu().solve(right).reshaped(D, D);
+}
+
+/// Rates of an interior particle of a body in state `q`: (RP.12), (RP.3) or (RP.8), and (RP.43).
 template <class T, int D>
 Rates<D> reference_rates(const Body<T, D>& body, const State<T, D>& q, const Segment<D>& segment,
                          std::int64_t p) {
@@ -78,12 +108,22 @@ Rates<D> reference_rates(const Body<T, D>& body, const State<T, D>& q, const Seg
       }
     }
   }
-  const Matrix<D> inverse = moment.inverse(), gradient = velocity_sum * inverse;
+  const Matrix<D> inverse = moment.inverse();
+  Matrix<D> relaxation;  // (RP.43)
+  for (int i = 0; i < D; ++i) {
+    for (int j = 0; j < D; ++j) {
+      const Field<T>& stress = q.stress[symmetric_index<D>(i, j)];
+      relaxation(i, j) = -body.dissipation * fourth_difference_at(stress, segment, p);
+    }
+  }
+  const Matrix<D> gradient =
+      velocity_sum * inverse + hooke_inverse<T, D>(body.material, relaxation);
   Rates<D> rates;
   rates.displacement = vector_at<T, D>(q.velocity, p);
   for (int i = 0; i < D; ++i) {
     const Matrix<D> gradient_of_row = stress_sum[i] * inverse;  // (j, k): d sigma_ij / dx_k
-    rates.velocity[i] = gradient_of_row.trace() * q.volume[p] / body.mass[p];
+    rates.velocity[i] = gradient_of_row.trace() * q.volume[p] / body.mass[p] -
+                        body.dissipation * fourth_difference_at(q.velocity[i], segment, p);
   }
   rates.volume = q.volume[p] * gradient.trace();
   const Matrix<D> strain = (gradient + gradient.transpose()) / 2;

@@ -62,7 +62,10 @@ TYPED_TEST(stage, rates_agree_with_the_equations_written_with_matrices) {
     Body<T, D> body(small_box<T, D>(), T(0.1), model);
     for (const Weight weight : every_weight) {
       body.weight = weight;
-      EXPECT_LT((worst_rate_error<T, D>(body, nullptr)), rate_tolerance<T>);
+      for (const T dissipation : {T(0), T(0.7)}) {
+        body.dissipation = dissipation;
+        EXPECT_LT((worst_rate_error<T, D>(body, nullptr)), rate_tolerance<T>);
+      }
     }
   }
 }

@@ -1,0 +1,54 @@
+#pragma once
+
+#include "kernels/chunk.hpp"
+#include "kernels/fourth_difference.hpp"
+#include "kernels/gradient_sweep.hpp"
+
+/// The dissipation of (RP.43): fourth differences of velocity and stress along the lattice lines,
+/// which only see what the lattice does not resolve.
+namespace pliant::kernels {
+
+/// Sums over the directions of delta^4 of the sweep's fields in a chunk, field by field. Packs
+/// without interior particles, whose neighbours may not be loaded, keep what they hold.
+template <class P, int D, int F>
+void fourth_differences(const SweepFields<Scalar<P>, D, F>& fields, const Segment<D>& segment,
+                        const PackState* pack_state, const Chunk& chunk,
+                        Scalar<P> (&result)[F][chunk_slots]) {
+  LineOffsets line[D];
+  for (int axis = 0; axis < D; ++axis) {
+    line[axis] = line_offsets<typename P::arch_type>(segment, axis);
+  }
+  for (int f = 0; f < F; ++f) {
+    for (int at = 0; at < chunk.count; at += lanes<P>) {
+      const std::int64_t slot = chunk.first + at;
+      if (pack_state[slot / slots_per_pack<Scalar<P>>] == PackState::none) continue;
+      P sum = fourth_difference<P>(fields.field[f] + slot, line[0]);
+      for (int axis = 1; axis < D; ++axis) {
+        sum = sum + fourth_difference<P>(fields.field[f] + slot, line[axis]);
+      }
+      sum.store_aligned(&result[f][at]);
+    }
+  }
+}
+
+/// The strain rate that relaxes the stress at the rate -kappa delta^4 sigma: Hooke's law inverted.
+template <class P, int D>
+inline void relaxing_strain_rate(const Material<Scalar<P>>& material, Scalar<P> kappa,
+                                 const P (&difference)[symmetric_components<D>],
+                                 P (&strain_rate)[symmetric_components<D>]) {
+  using T = Scalar<P>;
+  const T shear = material.shear_modulus;
+  const T lame = material.bulk_modulus - shear * T(2) / T(3);
+  P trace = difference[0];
+  for (int i = 1; i < D; ++i) trace = trace + difference[symmetric_index<D>(i, i)];
+  const P volumetric = trace * P(lame / (T(D) * lame + 2 * shear));
+  const P scale(-kappa / (2 * shear));
+  for (int i = 0; i < D; ++i) {
+    for (int j = i; j < D; ++j) {
+      const P& d = difference[symmetric_index<D>(i, j)];
+      strain_rate[symmetric_index<D>(i, j)] = scale * (i == j ? d - volumetric : d);
+    }
+  }
+}
+
+}  // namespace pliant::kernels
