@@ -1,0 +1,102 @@
+#include "kernels/ghost_state.hpp"
+
+#include <gtest/gtest.h>
+
+#include <random>
+
+namespace pliant::kernels {
+namespace {
+
+/// Sums of random records with a unit normal among them.
+template <int D>
+struct RandomSum {
+  RandomSum() {
+    static std::mt19937 random(11);
+    std::uniform_real_distribution<double> value(-1, 1);
+    for (double& v : values) v = value(random);
+    normal = unit_normal<double, D>(sum());
+    for (double& t : tangent) t = value(random);
+    double along = 0;
+    for (int i = 0; i < D; ++i) along += tangent[i] * normal[i];
+    for (int i = 0; i < D; ++i) tangent[i] -= along * normal[i];
+  }
+  RecordSum<double, D> sum() const { return {values.data()}; }
+
+  std::array<double, record_width<D>> values;
+  VectorOf<double, D> normal, tangent;
+};
+
+template <int D>
+double component(const SymmetricOf<double, D>& s, const VectorOf<double, D>& a,
+                 const VectorOf<double, D>& b) {
+  double value = 0;
+  for (int i = 0; i < D; ++i) {
+    for (int j = 0; j < D; ++j) value += a[i] * s[symmetric_index<D>(i, j)] * b[j];
+  }
+  return value;
+}
+
+template <int D>
+void expect_prescribed_traction() {
+  for (int trial = 0; trial < 20; ++trial) {
+    const RandomSum<D> random;
+    const auto& n = random.normal;
+    const auto& t = random.tangent;
+    const SymmetricOf<double, D> stress =
+        with_traction<double, D>(random.sum(), n, 0.7, random.tangent);
+    SymmetricOf<double, D> before;
+    for (int i = 0; i < D; ++i) {
+      for (int j = i; j < D; ++j) before[symmetric_index<D>(i, j)] = random.sum().stress(i, j);
+    }
+    double t2 = 0;
+    for (int i = 0; i < D; ++i) t2 += t[i] * t[i];
+    EXPECT_NEAR((component<D>(stress, n, n)), 0.7, 1e-14);
+    EXPECT_NEAR((component<D>(stress, n, t)), t2, 1e-14);
+    EXPECT_NEAR((component<D>(stress, t, t)), (component<D>(before, t, t)), 1e-14);
+  }
+}
+
+TEST(ghost_state, takes_its_traction_from_one_fit_and_the_rest_from_the_other) {
+  expect_prescribed_traction<2>();
+  expect_prescribed_traction<3>();
+}
+
+TEST(ghost_state, traction_and_shear_are_the_parts_of_the_stress_on_a_plane) {
+  const RandomSum<3> random;
+  VectorOf<double, 3> s_n;
+  const double s_nn = traction<double, 3>(random.sum(), random.normal, s_n);
+  const VectorOf<double, 3> tau = shear<double, 3>(random.sum(), random.normal);
+  double across = 0;
+  for (int i = 0; i < 3; ++i) {
+    EXPECT_NEAR(tau[i] + s_nn * random.normal[i], s_n[i], 1e-15);
+    across += tau[i] * random.normal[i];
+  }
+  EXPECT_NEAR(across, 0, 1e-15);
+}
+
+TEST(ghost_state, a_body_at_rest_under_its_surface_pressure_stays_at_rest) {
+  // All fits of a uniform state agree with it, and the constrained one is that of f - f_surface.
+  const double pressure = 0.3;
+  std::array<double, record_width<2>> uniform = {};
+  uniform[2] = uniform[4] = -pressure;
+  uniform[5] = 1;  // grad phi along x
+  std::array<double, record_width<2>> constrained = uniform;
+  const double weight = 0.4;  // sum of b
+  for (double& v : constrained) v *= weight;
+  const GhostFits<double, 2> fits{{uniform.data()}, {constrained.data()}, {uniform.data()}, weight};
+  Material<double> material;
+  material.bulk_modulus = 80;
+  material.shear_modulus = 30;
+  const Impedance<double> impedance(material);
+  const GhostState<double, 2> surface = free_surface_ghost<double, 2>(fits, pressure, impedance);
+  const GhostState<double, 2> wall = wall_ghost<double, 2>(fits, {0, 0}, {-1, 0}, impedance);
+  for (const auto& ghost : {surface, wall}) {
+    for (const double u : ghost.velocity) EXPECT_NEAR(u, 0, 1e-16);
+    EXPECT_NEAR(ghost.stress[0], -pressure, 1e-15);
+    EXPECT_NEAR(ghost.stress[1], 0, 1e-15);
+    EXPECT_NEAR(ghost.stress[2], -pressure, 1e-15);
+  }
+}
+
+}  // namespace
+}  // namespace pliant::kernels
