@@ -76,6 +76,16 @@ void add_graph(CLI::App& app, GraphArguments& arguments, std::function<ExitStatu
   verb->callback([&] { chosen = [&] { return graph(arguments); }; });
 }
 
+void add_bench(CLI::App& app, BenchArguments& arguments, std::function<ExitStatus()>& chosen) {
+  CLI::App* verb = add_verb(app, "bench", "Measure this machine and the speed of the program on it",
+                            "bench --quick --csv speed.csv");
+  verb->add_flag("--quick", arguments.quick, "fewer repetitions, no more than 131 072 particles");
+  verb->add_option("--csv", arguments.csv, "write all figures to this file");
+  verb->add_option("--threads", arguments.threads,
+                   "threads to compare with one (default: one a processor)");
+  verb->callback([&] { chosen = [&] { return bench(arguments); }; });
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
@@ -99,6 +109,8 @@ int main(int argc, char** argv) {
   list_verb->callback([&] { chosen = [&] { return list(list_folder); }; });
   GraphArguments graph_arguments;
   add_graph(app, graph_arguments, chosen);
+  BenchArguments bench_arguments;
+  add_bench(app, bench_arguments, chosen);
   CLI::App* reference_verb = add_verb(app, "reference", "Print the reference of case files",
                                       "reference > case-reference.md");
   reference_verb->callback([&] { chosen = [] { return reference(); }; });

@@ -6,6 +6,7 @@
 #include <stdexcept>
 #include <thread>
 
+#include "engine/bench/standard_set.hpp"
 #include "engine/case/read_case.hpp"
 #include "engine/case/reference.hpp"
 #include "engine/case/validate_summary.hpp"
@@ -75,6 +76,11 @@ ExitStatus graph(const GraphArguments& arguments) {
   const auto detail = arguments.blocks ? scheduler::Detail::blocks : scheduler::Detail::phases;
   fmt::print("{}", arguments.format == "json" ? solver.step_graph().json()
                                               : solver.step_graph().dot(detail));
+  return ExitStatus::done;
+}
+
+ExitStatus bench(const BenchArguments& arguments) {
+  bench::run_standard_set({arguments.quick, arguments.csv, thread_count(arguments.threads)});
   return ExitStatus::done;
 }
 

@@ -41,6 +41,15 @@ struct GraphArguments {
 /// Prints the step graph of a case.
 ExitStatus graph(const GraphArguments& arguments);
 
+struct BenchArguments {
+  bool quick = false;
+  std::optional<std::filesystem::path> csv;
+  int threads = 0;  ///< as in RunArguments
+};
+
+/// Measures the machine and the standard set of cases on it.
+ExitStatus bench(const BenchArguments& arguments);
+
 /// Prints the reference of case files, docs/case-reference.md.
 ExitStatus reference();
 

@@ -1,0 +1,18 @@
+#pragma once
+
+#include <cstdint>
+
+#include "engine/case/case.hpp"
+
+/// The cases of the standard set, as values: an installed program has no case files to rely on.
+namespace pliant::bench {
+
+/// cases/rotating_cylinder with about `particles` interior particles, remeshed every 10 steps, with
+/// the time step of (RP.20).
+Case rotating_cylinder(std::int64_t particles, kernels::Weight weight);
+
+/// cases/compression_hyperelastic with n x 2n particles, remeshed when the particles have strained
+/// enough, to t = 0.02.
+Case compression(int n);
+
+}  // namespace pliant::bench

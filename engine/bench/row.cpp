@@ -1,0 +1,79 @@
+#include "engine/bench/row.hpp"
+
+#include <algorithm>
+
+#include "engine/bench/stage_cost.hpp"
+#include "engine/case/words.hpp"
+
+namespace pliant::bench {
+
+namespace {
+
+double middle(std::vector<double> values) {
+  std::sort(values.begin(), values.end());
+  const std::size_t n = values.size();
+  return n == 0 ? 0 : (values[(n - 1) / 2] + values[n / 2]) / 2;
+}
+
+bool same_case_and_weight(const Row& a, const Row& b) {
+  return a.settings.name == b.settings.name &&
+         a.settings.discretisation.weight == b.settings.discretisation.weight;
+}
+
+}  // namespace
+
+std::string Row::weight() const {
+  const auto value = static_cast<int>(settings.discretisation.weight);
+  for (const Word& word : words<kernels::Weight>) {
+    if (word.value == value) return std::string(word.text);
+  }
+  return {};
+}
+
+Spread Row::spread(const Figure& figure) const {
+  std::vector<double> values;
+  for (const Sample& sample : samples) values.push_back(figure(sample));
+  const auto [least, most] = std::minmax_element(values.begin(), values.end());
+  return {middle(values), *least, *most};
+}
+
+double Row::flop_rate(const Sample& sample) const {
+  return sample.rate() * flop_per_stage(settings.discretisation.weight, model());
+}
+
+double Row::byte_rate(const Sample& sample) const {
+  return sample.rate() * bytes_per_stage(model());
+}
+
+double Row::idle_share(const Sample& sample) const {
+  return 1 - sample.phase_seconds / (threads * sample.wall_seconds);
+}
+
+double speed_up(const std::vector<Row>& rows, const Row& row, const Figure& rate) {
+  const auto alone = std::find_if(rows.begin(), rows.end(), [&](const Row& other) {
+    return other.threads == 1 && same_case_and_weight(row, other) &&
+           row.settings.discretisation.spacing == other.settings.discretisation.spacing;
+  });
+  if (alone == rows.end()) return 0;
+  std::vector<double> ratios;
+  for (std::size_t i = 0; i < std::min(row.samples.size(), alone->samples.size()); ++i) {
+    ratios.push_back(rate(row.samples[i]) / rate(alone->samples[i]));
+  }
+  return middle(ratios);
+}
+
+double extra_idle_share(const std::vector<Row>& rows, const Row& row) {
+  const auto idle = [](const Row& r) {
+    return r.median([&](const Sample& sample) { return r.idle_share(sample); });
+  };
+  const Row* largest = &row;
+  for (const Row& other : rows) {
+    if (other.threads == row.threads && same_case_and_weight(row, other) &&
+        other.samples[0].particles > largest->samples[0].particles) {
+      largest = &other;
+    }
+  }
+  return idle(row) - idle(*largest);
+}
+
+}  // namespace pliant::bench

@@ -1,0 +1,43 @@
+#pragma once
+
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "engine/bench/sample.hpp"
+
+namespace pliant::bench {
+
+using Figure = std::function<double(const Sample&)>;
+
+struct Spread {
+  double median, least, most;
+};
+
+/// All samples of one configuration of the standard set on so many threads.
+struct Row {
+  Case settings;
+  Window window;
+  int threads;
+  std::vector<Sample> samples;  ///< in the order of the repetitions
+
+  std::string weight() const;  ///< as case files spell it
+  kernels::Model model() const { return settings.bodies[0].material.model; }
+
+  Spread spread(const Figure& figure) const;
+  double median(const Figure& figure) const { return spread(figure).median; }
+
+  double flop_rate(const Sample& sample) const;  ///< [flop/s]
+  double byte_rate(const Sample& sample) const;  ///< [bytes/s]
+  /// 1 - (seconds inside phases)/(threads x wall seconds).
+  double idle_share(const Sample& sample) const;
+};
+
+/// Median over the repetitions of a rate relative to that of the same configuration on one thread;
+/// 0 where there is none.
+double speed_up(const std::vector<Row>& rows, const Row& row, const Figure& rate);
+
+/// Idle share of a row less that of the largest body of the same case, weight and threads.
+double extra_idle_share(const std::vector<Row>& rows, const Row& row);
+
+}  // namespace pliant::bench

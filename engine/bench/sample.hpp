@@ -1,0 +1,37 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "engine/bench/calibration.hpp"
+#include "engine/case/case.hpp"
+#include "scheduler/step_record.hpp"
+
+namespace pliant::bench {
+
+/// Which part of a run is measured.
+struct Window {
+  std::int64_t steps_before;  ///< not measured
+  std::int64_t steps;         ///< at most; the run ends at the case's end too
+};
+
+/// A case run for a while, and the machine as it was just then.
+struct Sample {
+  std::int64_t particles = 0;        ///< interior, at the end
+  std::int64_t particle_stages = 0;  ///< (interior particles) x 4 x steps
+  std::int64_t steps = 0, remeshings = 0;
+  double bytes_per_particle = 0;  ///< of all fields
+  double wall_seconds = 0;        ///< of the step loop, remeshing included
+  double processor_seconds = 0;   ///< of all threads
+  double phase_seconds = 0;       ///< inside phases, of all threads
+  double fma_peak = 0;            ///< [flop/s], mean of before and after
+  double triad = 0;               ///< [bytes/s], likewise
+  std::vector<scheduler::StepTotals::Timer> phases;
+
+  double rate() const { return static_cast<double>(particle_stages) / wall_seconds; }
+};
+
+Sample measure(const Case& settings, const Window& window, int threads, kernels::Isa isa,
+               Triad& triad);
+
+}  // namespace pliant::bench

@@ -1,0 +1,114 @@
+#include "engine/bench/standard_set.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cstdio>
+
+#include "engine/bench/cases.hpp"
+#include "engine/bench/machine.hpp"
+#include "engine/bench/report.hpp"
+#include "engine/bench/stage_cost.hpp"
+#include "engine/output/atomic_file.hpp"
+
+namespace pliant::bench {
+
+namespace {
+
+using kernels::Weight;
+
+constexpr std::int64_t compression_columns = 256, quick_compression_columns = 64;
+
+// Whole periods of 20 steps (two remeshings, one reinitialisation of the level set) that take about
+// half a second, after one remeshing that leaves everything warm.
+Window window_for(std::int64_t particles) {
+  constexpr std::int64_t period = 20, most_steps = 1000, stages = 10'000'000;
+  const std::int64_t periods = stages / (4 * period * particles);
+  return {10, std::clamp(periods * period, period, most_steps)};
+}
+
+// Rows in pairs: one thread, then all.
+std::vector<Row> standard_set(const StandardSetOptions& options) {
+  std::vector<Row> rows;
+  const auto add = [&](const Case& settings, const Window& window) {
+    rows.push_back({settings, window, 1, {}});
+    if (options.threads > 1) rows.push_back({settings, window, options.threads, {}});
+  };
+  for (const std::int64_t particles : {2'000, 10'000, 131'072, 1'000'000}) {
+    if (options.quick && particles > 131'072) continue;
+    for (const Weight weight : {Weight::quartic, Weight::quartic_polynomial, Weight::compact}) {
+      add(rotating_cylinder(particles, weight), window_for(particles));
+    }
+  }
+  Case compressed = compression(options.quick ? quick_compression_columns : compression_columns);
+  compressed.discretisation.weight = Weight::quartic;
+  constexpr std::int64_t whole_run = 1'000'000;
+  add(compressed, {0, whole_run});
+  return rows;
+}
+
+void print_machine(const std::vector<std::string>& machine, int threads, Triad& triad) {
+  for (const std::string& line : machine) fmt::print("{}\n", line);
+  fmt::print("\n{:<32}{:>10}", "just now", "1 thread");
+  if (threads > 1) fmt::print("{:>12}", fmt::format("{} threads", threads));
+  const auto print = [&](const std::string& what, const auto& rate) {
+    fmt::print("\n{:<32}{:>10.1f}", what, 1e-9 * rate(1));
+    if (threads > 1) fmt::print("{:>12.1f}", 1e-9 * rate(threads));
+  };
+  for (const auto isa : {kernels::Isa::sse2, kernels::Isa::avx2, kernels::Isa::avx512}) {
+    if (!kernels::is_supported(isa)) continue;
+    print(fmt::format("FMA peak, {} [GFLOP/s]", kernels::name(isa)),
+          [isa](int count) { return fma_peak(isa, count); });
+  }
+  print("triad [GB/s]", [&](int count) { return triad(count); });
+  fmt::print("\n\n");
+}
+
+void print_assumptions() {
+  fmt::print("Assumed for each particle and stage:");
+  for (const Weight weight : {Weight::quartic, Weight::quartic_polynomial, Weight::compact}) {
+    fmt::print(" {} flop ({}),", flop_per_stage(weight, kernels::Model::linear_rho),
+               weight == Weight::quartic   ? "quartic"
+               : weight == Weight::compact ? "compact"
+                                           : "quartic_polynomial");
+  }
+  fmt::print(" {} bytes; {} bytes and {} flop more for a hyperelastic material.\n",
+             bytes_per_stage(kernels::Model::linear_rho),
+             bytes_per_stage(kernels::Model::reduced_polynomial),
+             flop_per_stage(Weight::compact, kernels::Model::reduced_polynomial) -
+                 flop_per_stage(Weight::compact, kernels::Model::linear_rho));
+}
+
+constexpr const char* legend =
+    "M/s: million particle-stages a second, everything included; median and range of the "
+    "repetitions.\n"
+    "speed, FMA's: rate over that on one thread, and what the FMA peak itself gained beside it.\n"
+    "% peak, % triad: of what the machine gave beside each repetition.  B/part: all fields.\n"
+    "idle %: of the threads' time outside phases; extra: less that of the largest body.\n"
+    "CPU %: processor time over threads x wall time; well below 100 the machine was busy "
+    "otherwise.\n";
+
+}  // namespace
+
+void run_standard_set(const StandardSetOptions& options) {
+  const kernels::Isa isa = kernels::widest_supported();
+  const std::vector<std::string> machine = machine_description();
+  Triad triad;
+  print_machine(machine, options.threads, triad);
+  std::vector<Row> rows = standard_set(options);
+  const int repetitions = options.quick ? 3 : 5;
+  for (int repetition = 1; repetition <= repetitions; ++repetition) {
+    for (Row& row : rows) {
+      row.samples.push_back(measure(row.settings, row.window, row.threads, isa, triad));
+      fmt::print(stderr, "{}/{} {} {} {}, {} threads: {:.2f} M/s\n", repetition, repetitions,
+                 row.settings.name, row.samples.back().particles, row.weight(), row.threads,
+                 1e-6 * row.samples.back().rate());
+    }
+  }
+  print_assumptions();
+  fmt::print("\n{}\n{}\nThread time per particle-stage [ns]:\n\n{}", speed_table(rows), legend,
+             phase_table(rows));
+  if (options.csv) write_atomically(*options.csv, csv(machine, rows), Durable::no);
+}
+
+}  // namespace pliant::bench
