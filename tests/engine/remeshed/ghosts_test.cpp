@@ -1,0 +1,135 @@
+#include <gtest/gtest.h>
+
+#include <functional>
+
+#include "tests/engine/remeshed/spinning_disc.hpp"
+
+// What ghosts make of fields that satisfy the boundary conditions already.
+namespace pliant::test {
+namespace {
+
+/// A strip of the block of the compression case, endless along one axis, at rest.
+Settings strip(const char* axis) {
+  return {"discretisation.spacing=1/16", std::string("periodic.axes=[\"") + axis + "\"]",
+          "periodic.lower=[-0.5, -1]", "periodic.upper=[0.5, 1]", "body.block.velocity=[0, 0]"};
+}
+
+struct Values {
+  Point<2> velocity;
+  std::array<double, 3> stress;  ///< xx, xy, yy
+};
+
+/// Gives the particles of a body the values of a function of place, and compares with it what its
+/// ghosts then hold. Neighbours across the period do not follow a field that is not periodic, so
+/// `counts` leaves ghosts near it out.
+int expect_ghosts_follow(Solver& solver, const std::function<Values(const Point<2>&)>& field,
+                         const std::function<bool(const Point<2>&)>& counts) {
+  Body& body = solver.state().bodies[0];
+  for_each(body.population, Kind::interior, [&](std::int64_t p, const Cell<2>& cell) {
+    const Values values = field(body.position(p, cell));
+    for (int a = 0; a < 2; ++a) body.stage[0].get(Field::velocity, a)[p] = values.velocity[a];
+    for (int c = 0; c < 3; ++c) body.stress[0][c][p] = values.stress[c];
+  });
+  solver.refresh_ghosts();
+  int count = 0;
+  for (const Kind kind : {Kind::free_ghost, Kind::wall_ghost}) {
+    for_each(body.population, kind, [&](std::int64_t p, const Cell<2>& cell) {
+      const Point<2> x = body.position(p, cell);
+      if (!counts(x)) return;
+      const Values values = field(x);
+      // Fits amplify rounding by the square of their condition, about 1e2, times fields of size 10.
+      for (int a = 0; a < 2; ++a) {
+        EXPECT_NEAR(body.stage[0].get(Field::velocity, a)[p], values.velocity[a], 1e-10)
+            << "component " << a << " at " << x[0] << ", " << x[1];
+      }
+      for (int c = 0; c < 3; ++c) {
+        EXPECT_NEAR(body.stress[0][c][p], values.stress[c], 1e-10)
+            << "component " << c << " at " << x[0] << ", " << x[1];
+      }
+      ++count;
+    });
+  }
+  return count;
+}
+
+bool everywhere(const Point<2>&) { return true; }
+bool far_from_ends_in_y(const Point<2>& x) { return std::abs(x[1]) < 0.75; }
+bool far_from_ends_in_x(const Point<2>& x) { return std::abs(x[0]) < 0.25; }
+
+Values stretching_strip(const Point<2>& x, double pressure) {
+  const double phi = std::abs(x[0]) - 0.5;
+  return {{1 + 2 * x[0] - 3 * x[1], 0.5 - x[0] + 4 * x[1]},
+          {-pressure + 7 * phi, -5 * phi, 3 - 2 * x[0] + 6 * x[1]}};
+}
+
+TEST(ghosts, of_a_plane_free_surface_continue_linear_fields_without_traction) {
+  Solver solver(small_case("compression_linear", strip("y") + Settings{"boundary=[]"}), 1,
+                kernels::Isa::sse2);
+  const auto field = [](const Point<2>& x) { return stretching_strip(x, 0); };
+  EXPECT_GE(expect_ghosts_follow(solver, field, far_from_ends_in_y), 2 * 4 * 20);
+}
+
+TEST(ghosts, of_a_loaded_surface_continue_linear_fields_with_its_pressure) {
+  const std::string load = R"(boundary=[{ name = "load", kind = "pressure", pressure = 4, )"
+                           R"(geometry = { shape = "box", lower = [-2, -2], upper = [2, 2] } }])";
+  Solver solver(small_case("compression_linear", strip("y") + Settings{load}), 1,
+                kernels::Isa::sse2);
+  const auto field = [](const Point<2>& x) { return stretching_strip(x, 4); };
+  EXPECT_GE(expect_ghosts_follow(solver, field, far_from_ends_in_y), 2 * 4 * 20);
+}
+
+TEST(ghosts, of_a_plane_wall_continue_linear_fields_that_move_with_it) {
+  const Settings moving = {"boundary.upper.velocity=[3, -2]", "boundary.lower.velocity=[-1, 5]"};
+  Solver solver(small_case("compression_linear", strip("x") + moving), 1, kernels::Isa::sse2);
+  const auto field = [](const Point<2>& x) -> Values {
+    const double d = 1 - std::abs(x[1]);
+    const Point<2> wall = x[1] > 0 ? Point<2>{3, -2} : Point<2>{-1, 5};
+    return {{wall[0] + 6 * d, wall[1] - 4 * d},
+            {1 + 2 * x[0] - 3 * x[1], 4 - x[0] + x[1], -2 + 5 * x[0] + 3 * x[1]}};
+  };
+  EXPECT_GE(expect_ghosts_follow(solver, field, far_from_ends_in_x), 2 * 4 * 8);
+}
+
+TEST(ghosts, of_a_slip_wall_continue_linear_fields_that_slide_along_it) {
+  const std::string walls =
+      R"(boundary=[{ name = "upper", kind = "slip_wall", velocity = [0, -2], )"
+      R"(geometry = { shape = "half_space", point = [0, 1], normal = [0, -1] } }, )"
+      R"({ name = "lower", kind = "slip_wall", )"
+      R"(geometry = { shape = "half_space", point = [0, -1], normal = [0, 1] } }])";
+  Solver solver(small_case("compression_linear", strip("x") + Settings{walls}), 1,
+                kernels::Isa::sse2);
+  const auto field = [](const Point<2>& x) -> Values {
+    const double d = 1 - std::abs(x[1]);
+    const double wall = x[1] > 0 ? -2 : 0;
+    return {{3 - 2 * x[0] + 5 * x[1], wall + 4 * d},
+            {1 + 2 * x[0] - 3 * x[1], 7 * d, -2 + 5 * x[0] + 3 * x[1]}};
+  };
+  EXPECT_GE(expect_ghosts_follow(solver, field, far_from_ends_in_x), 2 * 4 * 8);
+}
+
+TEST(ghosts, of_a_round_body_continue_linear_velocities_without_stress) {
+  Solver solver(spinning_disc(0.1), 1, kernels::Isa::sse2);
+  const auto field = [](const Point<2>& x) -> Values {
+    return {{1 + 2 * x[0] - 3 * x[1], 0.5 - x[0] + 4 * x[1]}, {}};
+  };
+  EXPECT_GE(expect_ghosts_follow(solver, field, everywhere), 200);
+}
+
+TEST(ghosts, that_are_rigid_continue_rigid_motions) {
+  Case settings = spinning_disc(0.1);
+  settings.ghosts = GhostTreatment::rigid;
+  Solver solver(settings, 1, kernels::Isa::sse2);
+  const auto field = [](const Point<2>& x) -> Values { return {{1 - 3 * x[1], 2 + 3 * x[0]}, {}}; };
+  EXPECT_GE(expect_ghosts_follow(solver, field, everywhere), 200);
+}
+
+TEST(ghosts, that_average_continue_uniform_motions) {
+  Case settings = spinning_disc(0.1);
+  settings.ghosts = GhostTreatment::averaged;
+  Solver solver(settings, 1, kernels::Isa::sse2);
+  const auto field = [](const Point<2>&) -> Values { return {{1, -2}, {}}; };
+  EXPECT_GE(expect_ghosts_follow(solver, field, everywhere), 200);
+}
+
+}  // namespace
+}  // namespace pliant::test
