@@ -31,7 +31,9 @@ void fourth_differences(const SweepFields<Scalar<P>, D, F>& fields, const Segmen
   }
 }
 
-/// The strain rate that relaxes the stress at the rate -kappa delta^4 sigma: Hooke's law inverted.
+/// The strain rate that relaxes the stress at the rate -kappa delta^4 sigma: Hooke's law inverted. A
+/// material that remembers its deformation (F) relaxes the pressure alone: relaxing its shear would
+/// be creep.
 template <class P, int D>
 inline void relaxing_strain_rate(const Material<Scalar<P>>& material, Scalar<P> kappa,
                                  const P (&difference)[symmetric_components<D>],
@@ -41,12 +43,14 @@ inline void relaxing_strain_rate(const Material<Scalar<P>>& material, Scalar<P> 
   const T lame = material.bulk_modulus - shear * T(2) / T(3);
   P trace = difference[0];
   for (int i = 1; i < D; ++i) trace = trace + difference[symmetric_index<D>(i, i)];
-  const P volumetric = trace * P(lame / (T(D) * lame + 2 * shear));
-  const P scale(-kappa / (2 * shear));
+  const P mean = trace * P(T(1) / T(D));
+  const P volumetric = mean * P(-kappa / (T(D) * lame + 2 * shear));
+  const P scale(material.model == Model::reduced_polynomial ? T(0) : -kappa / (2 * shear));
   for (int i = 0; i < D; ++i) {
     for (int j = i; j < D; ++j) {
       const P& d = difference[symmetric_index<D>(i, j)];
-      strain_rate[symmetric_index<D>(i, j)] = scale * (i == j ? d - volumetric : d);
+      strain_rate[symmetric_index<D>(i, j)] =
+          i == j ? fused(scale, d - mean, volumetric) : scale * d;
     }
   }
 }

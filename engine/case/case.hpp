@@ -110,7 +110,7 @@ struct Case {
   struct {
     double spacing = 0;  ///< h [m]
     kernels::Weight weight = kernels::Weight::quartic_polynomial;
-    double dissipation = 0.5;  ///< gamma_d of (RP.43)
+    double dissipation = 0.25;  ///< gamma_d of (RP.43)
   } discretisation;
 
   struct {
