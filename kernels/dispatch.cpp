@@ -9,8 +9,10 @@ bool is_supported(Isa isa) {
     case Isa::avx2:
       return __builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma");
     case Isa::avx512:
-      // All that the unit is compiled with: -march=skylake-avx512.
-      return __builtin_cpu_supports("x86-64-v4");
+      // What -march=skylake-avx512 uses beyond AVX2; the rest of it came to processors earlier.
+      return is_supported(Isa::avx2) && __builtin_cpu_supports("avx512f") &&
+             __builtin_cpu_supports("avx512bw") && __builtin_cpu_supports("avx512cd") &&
+             __builtin_cpu_supports("avx512dq") && __builtin_cpu_supports("avx512vl");
   }
   return false;
 }

@@ -66,6 +66,7 @@ Values<T> surface(const Table<T, D>& kernels, Model model, Weight weight) {
                                  state.stress_fields(), records.data()});
   const std::vector<std::int64_t> begin = {0, 3, 10, 11, 20};
   std::vector<std::int32_t> record;
+  record.reserve(20);
   for (int i = 0; i < 20; ++i) record.push_back(7 * i % 20);
   kernels.sum_ghosts({0, 4, begin.data(), record.data(), state.velocity[0].data(),
                       state.velocity[1].data(), body.mass.data(), records.data(), sums.data()});
