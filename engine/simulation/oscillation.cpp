@@ -18,8 +18,10 @@ struct Crossing {
 
 std::vector<Crossing> crossings(std::span<const double> time, std::span<const double> value) {
   std::vector<Crossing> found;
-  for (std::size_t i = 1; i < value.size(); ++i) {
-    if ((value[i - 1] < 0) == (value[i] < 0) || value[i - 1] == 0) continue;
+  std::size_t i = 1;
+  while (i < value.size() && value[i - 1] == 0) ++i;  // a start from rest is no crossing
+  for (; i < value.size(); ++i) {
+    if ((value[i - 1] < 0) == (value[i] < 0)) continue;
     const double part = value[i - 1] / (value[i - 1] - value[i]);
     found.push_back({time[i - 1] + part * (time[i] - time[i - 1]), i});
   }
