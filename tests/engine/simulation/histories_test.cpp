@@ -1,0 +1,87 @@
+#include "engine/simulation/histories.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "tests/engine/output/temporary_folder.hpp"
+
+namespace pliant::test {
+namespace {
+
+using Quantity = MeasurementCase::Kind;
+
+/// A mass, the same relative to its start, a tip, and the tip's period.
+struct histories : testing::Test {
+  Case settings;
+  static constexpr double period = 0.8;
+  static constexpr double nothing = std::numeric_limits<double>::quiet_NaN();
+
+  histories() {
+    const auto add = [&](const char* name, Quantity kind, bool relative, int of) {
+      MeasurementCase m;
+      m.name = name;
+      m.kind = kind;
+      m.relative = relative;
+      m.of = of;
+      settings.measurements.push_back(m);
+    };
+    add("mass", Quantity::mass, false, -1);
+    add("mass_ratio", Quantity::mass, true, -1);
+    add("period", Quantity::period, false, 3);  // before what it reads
+    add("tip", Quantity::point_displacement, false, -1);
+  }
+
+  static void extend(Histories& record, int from, int to) {
+    for (int i = from; i < to; ++i) {
+      const double t = 0.01 * i, mass = 4 + t;
+      record.add(t, {mass, mass, nothing, std::cos(2 * std::acos(-1.0) * t / period)});
+    }
+  }
+};
+
+TEST_F(histories, complete_what_depends_on_the_past) {
+  Histories record(settings);
+  EXPECT_TRUE(record.empty());
+  extend(record, 0, 20);
+  EXPECT_TRUE(std::isnan(record.last(2))) << "before the first crossing";
+  extend(record, 20, 151);
+  EXPECT_EQ(record.last_time(), 1.5);
+  EXPECT_EQ(record.last(0), 5.5);
+  EXPECT_EQ(record.last(1), 5.5 / 4);
+  EXPECT_NEAR(record.last(2), period, 1e-4);  // a chord's error: 0.07 w^2 dt^3
+}
+
+TEST_F(histories, go_on_alike_after_a_checkpoint) {
+  const TemporaryFolder folder;
+  Histories whole(settings), restored(settings);
+  extend(whole, 0, 70);
+  ArchiveWriter writer(folder / "histories.h5");
+  whole.put(writer);
+  writer.commit();
+  restored.get(ArchiveReader(folder / "histories.h5"));
+  for (Histories* each : {&whole, &restored}) extend(*each, 70, 151);
+  for (std::size_t m = 0; m < settings.measurements.size(); ++m) {
+    EXPECT_EQ(restored.last(m), whole.last(m)) << settings.measurements[m].name;
+  }
+}
+
+TEST_F(histories, values_have_the_units_of_what_is_measured) {
+  MeasurementCase m;
+  m.kind = Quantity::momentum;
+  EXPECT_EQ(unit_of(m, 2), "kg m/s/m");
+  EXPECT_EQ(unit_of(m, 3), "kg m/s");
+  m.relative = true;
+  EXPECT_EQ(unit_of(m, 2), "1");
+  m.relative = false;
+  m.kind = Quantity::point_value;
+  for (const auto& [field, unit] :
+       {std::pair{"pressure", "Pa"}, std::pair{"stress_xy", "Pa"}, std::pair{"density", "kg/m^3"},
+        std::pair{"velocity_x", "m/s"}, std::pair{"displacement_y", "m"}}) {
+    m.field = field;
+    EXPECT_EQ(unit_of(m, 2), unit) << field;
+  }
+}
+
+}  // namespace
+}  // namespace pliant::test

@@ -1,0 +1,73 @@
+#include "engine/simulation/run.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "tests/engine/output/file_content.hpp"
+#include "tests/engine/output/temporary_folder.hpp"
+#include "tests/engine/remeshed/small_case.hpp"
+
+namespace pliant::test {
+namespace {
+
+struct running : testing::Test {
+  TemporaryFolder folder;
+  const Settings quick = {"discretisation.spacing=0.1", "time.end=0.021", "output.every=0.005"};
+
+  RunEnd run(const Settings& more, bool resume = false) const {
+    RunOptions options;
+    options.folder = folder / "out";
+    options.quiet = true;
+    options.isa = kernels::widest_supported();
+    options.resume = resume;
+    return run_case(small_case("rotating_cylinder", quick + more), options);
+  }
+
+  std::vector<double> result(const std::string& path) const {
+    return content_of(folder / "out" / "result.h5").at(path).as<double>();
+  }
+};
+
+TEST_F(running, leaves_all_its_files) {
+  EXPECT_EQ(run({}), RunEnd::done);
+  for (const char* file : {"result.h5", "result.xdmf", "summary.json", "case.resolved.toml"}) {
+    EXPECT_TRUE(std::filesystem::exists(folder / "out" / file)) << file;
+  }
+}
+
+TEST_F(running, frames_come_at_their_times_and_at_both_ends) {
+  run({});
+  const std::vector<double> times = result("/VTKHDF/Steps/Values");
+  const std::vector<double> expected = {0, 0.005, 0.01, 0.015, 0.02, 0.021};
+  ASSERT_EQ(times.size(), expected.size());
+  for (std::size_t i = 0; i < times.size(); ++i) EXPECT_NEAR(times[i], expected[i], 1e-15);
+}
+
+TEST_F(running, looking_more_often_moves_what_is_seen_by_rounding_only) {
+  // All times are multiples of the time step, but for the last bits of the steps that end at them.
+  run({"output.measure_every=0.02"});
+  const FileContent seldom = content_of(folder / "out" / "result.h5");
+  run({"output.measure_every=0.002"});
+  for (const char* field : {"velocity", "displacement", "stress", "density"}) {
+    const std::string path = std::string("/VTKHDF/PointData/") + field;
+    const std::vector<double> a = seldom.at(path).as<double>(), b = result(path);
+    ASSERT_EQ(a.size(), b.size());
+    const double size = *std::max_element(a.begin(), a.end());
+    for (std::size_t i = 0; i < a.size(); ++i) ASSERT_NEAR(a[i], b[i], 1e-11 * size) << field;
+  }
+}
+
+TEST_F(running, a_checkpoint_of_another_case_is_refused) {
+  run({});
+  EXPECT_THROW(run({"body.cylinder.material.youngs_modulus=99"}, true), std::invalid_argument);
+}
+
+TEST_F(running, three_dimensions_are_refused_until_they_work) {
+  Case settings = small_case("rotating_cylinder", quick);
+  settings.dimension = 3;
+  EXPECT_THROW(run_case(settings, {}), std::invalid_argument);
+}
+
+}  // namespace
+}  // namespace pliant::test
