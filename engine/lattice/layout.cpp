@@ -20,13 +20,13 @@ int tile_of(std::int32_t row) {
 }  // namespace
 
 template <int D>
-void Layout<D>::build(const Occupancy<D>& occupancy, const Cell<D>& period,
-                      std::int64_t block_slots, int block_reach) {
+void Layout<D>::build(const Occupancy<D>& occupancy, const Cell<D>& period, int block_count,
+                      int block_reach) {
   occupancy_ = occupancy;
   find_runs();
   place_runs();
   cut_segments();
-  group_blocks(block_slots);
+  group_blocks(block_count);
   connect_blocks(period, block_reach);
 }
 
@@ -147,14 +147,18 @@ void Layout<D>::cut_run(const Run& run, Cell<D> row) {
   }
 }
 
+// A segment goes to the block in whose share of all slots its middle lies.
 template <int D>
-void Layout<D>::group_blocks(std::int64_t block_slots) {
+void Layout<D>::group_blocks(int block_count) {
   blocks_.clear();
+  std::int64_t total = 0, before = 0, share = -1;
+  for (const kernels::Segment<D>& segment : segments_) total += segment.count;
   for (int s = 0; s < static_cast<int>(segments_.size()); ++s) {
     const kernels::Segment<D>& segment = segments_[s];
-    if (blocks_.empty() || blocks_.back().slot_count + segment.count / 2 > block_slots) {
-      blocks_.push_back({s, 0, segment.first, 0, segment.cell, segment.cell});
-    }
+    const std::int64_t own = (before + segment.count / 2) * block_count / total;
+    before += segment.count;
+    if (own != share) blocks_.push_back({s, 0, segment.first, 0, segment.cell, segment.cell});
+    share = own;
     Block<D>& block = blocks_.back();
     ++block.segment_count;
     block.slot_count += segment.count;

@@ -31,9 +31,10 @@ class Layout {
   static constexpr std::int64_t padding = 1024;
   static constexpr int pack = Occupancy<D>::pack;
 
-  /// Lays out the marked packs; blocks hold about `block_slots` slots and are neighbours when they
-  /// come within `block_reach` cells of each other.
-  void build(const Occupancy<D>& occupancy, const Cell<D>& period, std::int64_t block_slots,
+  /// Lays out the marked packs in `block_count` blocks of about the same size (fewer when segments
+  /// are longer than that). Blocks are neighbours when they come within `block_reach` cells of each
+  /// other.
+  void build(const Occupancy<D>& occupancy, const Cell<D>& period, int block_count,
              int block_reach);
 
   const Occupancy<D>& occupancy() const { return occupancy_; }
@@ -83,7 +84,7 @@ class Layout {
   void place_runs();
   void cut_segments();
   void cut_run(const Run& run, Cell<D> row);
-  void group_blocks(std::int64_t block_slots);
+  void group_blocks(int block_count);
   void connect_blocks(const Cell<D>& period, int reach);
   const Run* run_near(int row, std::int32_t lower, std::int32_t upper) const;
 

@@ -18,11 +18,16 @@ namespace pliant::remeshed {
 
 namespace {
 
-constexpr std::int64_t smallest_block = 256, largest_block = 3072;
-
-template <int D>
-std::int64_t block_slots(std::int64_t slots) {
-  return std::clamp(slots / 12, smallest_block, largest_block);
+// Small bodies are divided among threads as long as blocks are worth a task; large ones into blocks
+// that fit a second-level cache. Four leading bits of the number: it stays as it is, and with it
+// the step graph, until a body has grown or shrunk by some percent.
+int block_count(std::int64_t slots) {
+  constexpr std::int64_t smallest_block = 256, largest_block = 3072, blocks_of_small_bodies = 12;
+  const std::int64_t count = std::max({std::min(slots / smallest_block, blocks_of_small_bodies),
+                                       slots / largest_block, std::int64_t{1}});
+  std::int64_t unit = 1;
+  while (count / unit >= 16) unit *= 2;
+  return static_cast<int>(count / unit * unit);
 }
 
 }  // namespace
@@ -133,7 +138,7 @@ void Remeshing<T, D>::prepare_spare() {
       marked += occupancy_.is_marked(row, column);
     }
   }
-  to.layout.build(occupancy_, body_.lattice.period, block_slots<D>(marked * Layout<D>::pack),
+  to.layout.build(occupancy_, body_.lattice.period, block_count(marked * Layout<D>::pack),
                   block_reach);
   const std::int64_t slots = to.layout.slots();
   const std::size_t blocks = to.layout.blocks().size();

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <iterator>
 
 #include "engine/remeshed/resources.hpp"
 #include "engine/remeshed/setup.hpp"
@@ -93,7 +94,7 @@ void Solver<T, D>::step(double longest) {
                     clock.time, dt, clock.wave_speed));
   }
   step_.prepare(dt);
-  run(*step_graph_);
+  run(*step_graph_.steps);
   step_.fold();
   check(step_.result());
   for (Wall<D>& wall : state_.boundaries.walls) wall.move(clock.time, dt);
@@ -199,32 +200,53 @@ scheduler::Blocks Solver<T, D>::blocks(bool spare) const {
   return blocks;
 }
 
+// Neighbours that a block has no longer do no harm: they only restrict the order of nodes.
 template <class T, int D>
-bool Solver<T, D>::has_blocks(const scheduler::StepGraph& graph, bool spare) const {
-  const auto& listed = graph.blocks().neighbours;
+bool Solver<T, D>::serves(const Graph& graph, bool spare) const {
+  if (!graph.steps) return false;
+  const auto& listed = graph.steps->blocks().neighbours;
   std::size_t first = 0;
-  for (const Body<T, D>& body : state_.bodies) {
-    const auto& neighbours = (spare ? body.spare : body.population).layout.neighbours();
-    if (first + neighbours.size() > listed.size()) return false;
-    const auto same = [&](int own, int of_all) { return own + static_cast<int>(first) == of_all; };
+  for (std::size_t body = 0; body < state_.bodies.size(); ++body) {
+    const Body<T, D>& owner = state_.bodies[body];
+    const auto& neighbours = (spare ? owner.spare : owner.population).layout.neighbours();
+    if (graph.block_counts[body] != neighbours.size()) return false;
     for (std::size_t b = 0; b < neighbours.size(); ++b) {
-      const auto &near = neighbours[b], &expected = listed[first + b];
-      if (!std::equal(near.begin(), near.end(), expected.begin(), expected.end(), same)) {
-        return false;
+      const auto& known = listed[first + b];
+      for (const int near : neighbours[b]) {
+        if (!std::binary_search(known.begin(), known.end(), near + static_cast<int>(first))) {
+          return false;
+        }
       }
     }
     first += neighbours.size();
   }
-  return first == listed.size();
+  return true;
 }
 
+// As long as the bodies keep their numbers of blocks, a new graph keeps the neighbours of the old
+// one too: where blocks come near and part again, as those of a body that breathes do, building a
+// graph at every remeshing would cost a small body a tenth of its time.
 template <class T, int D>
 template <class F>
 scheduler::StepGraph& Solver<T, D>::graph_for(Graph& graph, bool spare, F&& make_phases) {
-  if (!graph || !has_blocks(*graph, spare)) {
-    graph = std::make_unique<scheduler::StepGraph>(make_phases(), blocks(spare), resource::names());
+  if (serves(graph, spare)) return *graph.steps;
+  std::vector<std::size_t> counts;
+  for (const Body<T, D>& body : state_.bodies) {
+    counts.push_back((spare ? body.spare : body.population).layout.blocks().size());
   }
-  return *graph;
+  scheduler::Blocks present = blocks(spare);
+  if (graph.steps && graph.block_counts == counts) {
+    for (int b = 0; b < present.count(); ++b) {
+      const auto& before = graph.steps->blocks().neighbours[b];
+      std::vector<scheduler::BlockId> all;
+      std::set_union(before.begin(), before.end(), present.neighbours[b].begin(),
+                     present.neighbours[b].end(), std::back_inserter(all));
+      present.neighbours[b] = std::move(all);
+    }
+  }
+  graph.steps = std::make_unique<scheduler::StepGraph>(make_phases(), present, resource::names());
+  graph.block_counts = std::move(counts);
+  return *graph.steps;
 }
 
 template <class T, int D>

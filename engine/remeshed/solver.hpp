@@ -56,23 +56,27 @@ class Solver {
   Remeshing<T, D>& remeshing(int body) { return *remeshings_[body]; }
 
   const scheduler::StepTotals& totals() const { return totals_; }
-  const scheduler::StepGraph& step_graph() const { return *step_graph_; }
-  scheduler::StepGraph& step_graph() { return *step_graph_; }
+  const scheduler::StepGraph& step_graph() const { return *step_graph_.steps; }
+  scheduler::StepGraph& step_graph() { return *step_graph_.steps; }
   scheduler::Workers& workers() { return workers_; }
   std::int64_t particle_stages() const { return particle_stages_; }
   double loop_seconds() const { return loop_seconds_; }
 
  private:
   static constexpr auto remeshing_never = decltype(Case{}.remeshing)::Policy::never;
-  using Graph = std::unique_ptr<scheduler::StepGraph>;
+  /// A graph and the number of blocks that each body had when it was made.
+  struct Graph {
+    std::unique_ptr<scheduler::StepGraph> steps;
+    std::vector<std::size_t> block_counts;
+  };
 
   bool remeshing_due() const;
   void remesh_onto_spare(bool reinitialise);
   void commit();
   void number_blocks();
   scheduler::Blocks blocks(bool spare) const;
-  /// Whether a graph was made over the present blocks, or those of the new lattice.
-  bool has_blocks(const scheduler::StepGraph& graph, bool spare) const;
+  /// Whether a graph serves the present blocks, or those of the new lattice.
+  bool serves(const Graph& graph, bool spare) const;
   template <class F>
   scheduler::StepGraph& graph_for(Graph& graph, bool spare, F&& make_phases);
   void run(scheduler::StepGraph& graph);
