@@ -31,9 +31,9 @@ void fourth_differences(const SweepFields<Scalar<P>, D, F>& fields, const Segmen
   }
 }
 
-/// The strain rate that relaxes the stress at the rate -kappa delta^4 sigma: Hooke's law inverted. A
-/// material that remembers its deformation (F) relaxes the pressure alone: relaxing its shear would
-/// be creep.
+/// The strain rate that relaxes the stress at the rate -kappa delta^4 sigma: Hooke's law inverted.
+/// A material that remembers its deformation (F) relaxes the pressure alone: relaxing its shear
+/// would be creep.
 template <class P, int D>
 inline void relaxing_strain_rate(const Material<Scalar<P>>& material, Scalar<P> kappa,
                                  const P (&difference)[symmetric_components<D>],

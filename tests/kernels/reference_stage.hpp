@@ -116,6 +116,9 @@ Rates<D> reference_rates(const Body<T, D>& body, const State<T, D>& q, const Seg
       relaxation(i, j) = -body.dissipation * fourth_difference_at(stress, segment, p);
     }
   }
+  if (body.material.model == Model::reduced_polynomial) {
+    relaxation = (relaxation.trace() / D * Matrix<D>::Identity()).eval();
+  }
   const Matrix<D> gradient =
       velocity_sum * inverse + hooke_inverse<T, D>(body.material, relaxation);
   Rates<D> rates;
