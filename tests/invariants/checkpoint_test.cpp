@@ -8,13 +8,13 @@
 namespace pliant::test {
 namespace {
 
-struct checkpoints : OfSampleRuns {
+struct Checkpoints : OfSampleRuns {
   TemporaryFolder folder;
 };
-INSTANTIATE_TEST_SUITE_P(runs, checkpoints, testing::ValuesIn(sample_runs()), name_of);
+INSTANTIATE_TEST_SUITE_P(runs, Checkpoints, testing::ValuesIn(sample_runs()), name_of);
 
 // Right after a remeshing, right before one, and between.
-TEST_P(checkpoints, a_restored_solver_goes_on_to_the_same_bits) {
+TEST_P(Checkpoints, a_restored_solver_goes_on_to_the_same_bits) {
   for (const int steps : {5, 9, 12}) {
     Solver solver(GetParam().settled(), 1, kernels::widest_supported());
     advance(solver, steps);

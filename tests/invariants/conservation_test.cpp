@@ -9,7 +9,7 @@ namespace pliant::test {
 namespace {
 
 /// A periodic cell in lively motion that is not remeshed unless a test asks for it.
-struct conservation : testing::TestWithParam<const char*> {
+struct Conservation : testing::TestWithParam<const char*> {
   Solver solver(const Settings& more) const {
     const Settings lively = {"discretisation.spacing=1/24", "remeshing.every=1000",
                              "body.medium.velocity=[\"0.4 + 0.8*sin(2*pi*x)*sin(2*pi*y)\", "
@@ -19,7 +19,7 @@ struct conservation : testing::TestWithParam<const char*> {
   }
 };
 INSTANTIATE_TEST_SUITE_P(
-    materials, conservation,
+    materials, Conservation,
     testing::Values(
         R"(body.medium.material={ model = "linear", youngs_modulus = 100, poissons_ratio = 0.3, density = 1 })",
         R"(body.medium.material={ model = "reduced_polynomial", coefficients = [10], compressibility = 1, density = 1 })"),
@@ -51,7 +51,7 @@ Sums particles_of(const Solver& solver) {
 // Sums of 576 equal terms: each addition is off by up to 1.1e-16.
 constexpr double rounding = 6e-14;
 
-TEST_P(conservation, extensive_remeshing_keeps_mass_momentum_and_volume_to_rounding) {
+TEST_P(Conservation, extensive_remeshing_keeps_mass_momentum_and_volume_to_rounding) {
   Solver solver = this->solver({});
   for (int remeshing = 0; remeshing < 5; ++remeshing) {
     advance(solver, 7);
@@ -63,7 +63,7 @@ TEST_P(conservation, extensive_remeshing_keeps_mass_momentum_and_volume_to_round
   }
 }
 
-TEST_P(conservation, total_volume_stays_that_of_the_cell) {
+TEST_P(Conservation, total_volume_stays_that_of_the_cell) {
   // Between remeshings the sum of v div u is zero but for the truncation error of div u, which
   // falls with the square of the spacing.
   const auto volume_error = [&](const char* spacing) {
@@ -79,7 +79,7 @@ TEST_P(conservation, total_volume_stays_that_of_the_cell) {
   EXPECT_LT(fine, coarse / 3);
 }
 
-TEST_P(conservation, resetting_remeshing_gives_every_particle_a_cell_and_keeps_the_density) {
+TEST_P(Conservation, resetting_remeshing_gives_every_particle_a_cell_and_keeps_the_density) {
   Solver reset = this->solver({"remeshing.volume=reset"}), extensive = this->solver({});
   advance(reset, 9);
   advance(extensive, 9);

@@ -11,8 +11,8 @@ namespace {
 using kernels::Isa;
 using Measurer = remeshed::Measurer<double, 2>;
 
-struct determinism : OfSampleRuns {};
-INSTANTIATE_TEST_SUITE_P(runs, determinism, testing::ValuesIn(sample_runs()), name_of);
+struct Determinism : OfSampleRuns {};
+INSTANTIATE_TEST_SUITE_P(runs, Determinism, testing::ValuesIn(sample_runs()), name_of);
 
 /// Everything after a run, with what the case measures.
 Snapshot end_of(const SampleRun& run, int threads) {
@@ -24,7 +24,7 @@ Snapshot end_of(const SampleRun& run, int threads) {
   return end;
 }
 
-TEST_P(determinism, bits_do_not_depend_on_the_number_of_threads) {
+TEST_P(Determinism, bits_do_not_depend_on_the_number_of_threads) {
   const Snapshot one = end_of(GetParam(), 1);
   EXPECT_GT(one.at("cell").size(), 2 * 600u);
   for (const int threads : {2, 7}) {
@@ -32,7 +32,7 @@ TEST_P(determinism, bits_do_not_depend_on_the_number_of_threads) {
   }
 }
 
-TEST_P(determinism, measuring_changes_nothing_in_the_trajectory) {
+TEST_P(Determinism, measuring_changes_nothing_in_the_trajectory) {
   Solver solver(GetParam().settled(), 1, kernels::widest_supported());
   Solver measured(GetParam().settled(), 1, kernels::widest_supported());
   Measurer measurer(measured);
@@ -53,7 +53,7 @@ void run(scheduler::StepGraph& graph, Solver& solver, std::uint64_t seed) {
   solver.workers().execute([&] { graph.run_serially(seed); });
 }
 
-TEST_P(determinism, any_legal_order_of_a_step_gives_the_same_bits) {
+TEST_P(Determinism, any_legal_order_of_a_step_gives_the_same_bits) {
   Solver solver(GetParam().settled(), 1, kernels::widest_supported());
   advance(solver, 2);
   Snapshot first;
@@ -80,7 +80,7 @@ scheduler::StepGraph graph_over(const Layout<2>& layout, F&& add) {
   return {std::move(phases), scheduler::Blocks{layout.neighbours()}, remeshed::resource::names()};
 }
 
-TEST_P(determinism, any_legal_order_of_a_remeshing_gives_the_same_bits) {
+TEST_P(Determinism, any_legal_order_of_a_remeshing_gives_the_same_bits) {
   Solver solver(GetParam().settled(), 1, kernels::widest_supported());
   advance(solver, 4);
   Body& body = solver.state().bodies[0];

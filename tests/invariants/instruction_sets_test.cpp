@@ -7,7 +7,7 @@ namespace {
 
 using kernels::Isa;
 
-struct instruction_sets : OfSampleRuns {
+struct InstructionSets : OfSampleRuns {
   /// The particles after 20 steps with `isa`.
   Snapshot end_with(Isa isa) const {
     Solver solver(GetParam().settled(), 1, isa);
@@ -16,9 +16,9 @@ struct instruction_sets : OfSampleRuns {
     return snapshot_of(solver, Slots::particles);
   }
 };
-INSTANTIATE_TEST_SUITE_P(runs, instruction_sets, testing::ValuesIn(sample_runs()), name_of);
+INSTANTIATE_TEST_SUITE_P(runs, InstructionSets, testing::ValuesIn(sample_runs()), name_of);
 
-TEST_P(instruction_sets, agree_within_rounding) {
+TEST_P(InstructionSets, agree_within_rounding) {
   if (!is_supported(Isa::avx2)) GTEST_SKIP() << "this processor has no AVX2";
   const Snapshot narrow = end_with(Isa::sse2), wide = end_with(Isa::avx2);
   EXPECT_EQ(narrow.at("cell"), wide.at("cell"));
@@ -29,7 +29,7 @@ TEST_P(instruction_sets, agree_within_rounding) {
   }
 }
 
-TEST_P(instruction_sets, with_fused_multiply_add_agree_to_the_bit) {
+TEST_P(InstructionSets, with_fused_multiply_add_agree_to_the_bit) {
   if (!is_supported(Isa::avx512)) GTEST_SKIP() << "this processor has no AVX-512";
   EXPECT_EQ(differences(end_with(Isa::avx2), end_with(Isa::avx512)), none);
 }

@@ -37,7 +37,7 @@ inline std::vector<SampleRun> sample_runs() {
 
 /// A test that is run with each of them.
 struct OfSampleRuns : testing::TestWithParam<SampleRun> {
-  const std::vector<std::string> none;
+  const std::vector<std::string> none = {};
 };
 
 inline std::string name_of(const testing::TestParamInfo<SampleRun>& run) { return run.param.name; }

@@ -12,11 +12,11 @@ namespace {
 
 /// Layouts of random cells: rows with holes, lone packs, empty rows.
 template <class Space>
-struct layout : testing::Test {
+struct RandomLayout : testing::Test {
   static constexpr int dimension = Space::dimension;
   static constexpr int block_reach = 10;
 
-  layout() { build(random_occupancy<dimension>(lower(), upper(), 0.02, 7), {}, 100); }
+  RandomLayout() { build(random_occupancy<dimension>(lower(), upper(), 0.02, 7), {}, 100); }
 
   static Cell<dimension> lower() { return diagonal<dimension>(-8); }
   static Cell<dimension> upper() {
@@ -42,9 +42,9 @@ struct layout : testing::Test {
 
   Layout<dimension> slots;
 };
-TYPED_TEST_SUITE(layout, Dimensions);
+TYPED_TEST_SUITE(RandomLayout, Dimensions);
 
-TYPED_TEST(layout, every_marked_cell_has_a_slot_of_its_own) {
+TYPED_TEST(RandomLayout, every_marked_cell_has_a_slot_of_its_own) {
   constexpr int D = TypeParam::dimension;
   std::set<std::int64_t> used;
   const std::vector<Cell<D>> cells = marked_cells(this->slots.occupancy());
@@ -58,7 +58,7 @@ TYPED_TEST(layout, every_marked_cell_has_a_slot_of_its_own) {
   }
 }
 
-TYPED_TEST(layout, segments_hold_whole_packs_and_agree_with_the_slots_of_their_cells) {
+TYPED_TEST(RandomLayout, segments_hold_whole_packs_and_agree_with_the_slots_of_their_cells) {
   constexpr int D = TypeParam::dimension;
   std::int64_t end = Layout<D>::padding;
   for (const kernels::Segment<D>& segment : this->slots.segments()) {
@@ -73,7 +73,7 @@ TYPED_TEST(layout, segments_hold_whole_packs_and_agree_with_the_slots_of_their_c
   });
 }
 
-TYPED_TEST(layout, a_spare_pack_separates_runs) {
+TYPED_TEST(RandomLayout, a_spare_pack_separates_runs) {
   constexpr int D = TypeParam::dimension;
   std::set<std::int64_t> used;
   this->for_each_slot([&](std::int64_t slot, const Cell<D>&, const auto&) { used.insert(slot); });
@@ -84,7 +84,7 @@ TYPED_TEST(layout, a_spare_pack_separates_runs) {
   });
 }
 
-TYPED_TEST(layout, neighbouring_rows_lead_to_every_existing_neighbour_and_stay_in_storage) {
+TYPED_TEST(RandomLayout, neighbouring_rows_lead_to_every_existing_neighbour_and_stay_in_storage) {
   constexpr int D = TypeParam::dimension;
   constexpr int reach = kernels::row_reach;
   this->for_each_slot([&](std::int64_t slot, const Cell<D>& cell, const auto& segment) {
@@ -104,7 +104,7 @@ TYPED_TEST(layout, neighbouring_rows_lead_to_every_existing_neighbour_and_stay_i
   });
 }
 
-TYPED_TEST(layout, blocks_divide_the_segments_in_order_and_know_their_extent) {
+TYPED_TEST(RandomLayout, blocks_divide_the_segments_in_order_and_know_their_extent) {
   constexpr int D = TypeParam::dimension;
   ASSERT_GT(this->slots.blocks().size(), 5u);
   int segment = 0;
@@ -144,7 +144,7 @@ bool come_near(const Block<D>& a, const Block<D>& b, const Cell<D>& period, int 
   return near;
 }
 
-TYPED_TEST(layout, blocks_within_reach_are_neighbours_of_each_other_across_periods_too) {
+TYPED_TEST(RandomLayout, blocks_within_reach_are_neighbours_of_each_other_across_periods_too) {
   constexpr int D = TypeParam::dimension;
   Cell<D> period = {};
   for (const bool periodic : {false, true}) {
@@ -171,7 +171,7 @@ TYPED_TEST(layout, blocks_within_reach_are_neighbours_of_each_other_across_perio
   }
 }
 
-TYPED_TEST(layout, a_solid_body_wastes_few_slots_and_long_rows_are_cut) {
+TYPED_TEST(RandomLayout, a_solid_body_wastes_few_slots_and_long_rows_are_cut) {
   constexpr int D = TypeParam::dimension;
   Cell<D> upper = diagonal<D>(15);
   upper[0] = 2047;
@@ -187,7 +187,7 @@ TYPED_TEST(layout, a_solid_body_wastes_few_slots_and_long_rows_are_cut) {
   for (const auto& block : this->slots.blocks()) EXPECT_LE(block.slot_count, 600 + 512);
 }
 
-TYPED_TEST(layout, holes_that_spare_packs_would_fill_keep_their_slots) {
+TYPED_TEST(RandomLayout, holes_that_spare_packs_would_fill_keep_their_slots) {
   constexpr int D = TypeParam::dimension;
   Occupancy<D> map;
   Cell<D> far = {};

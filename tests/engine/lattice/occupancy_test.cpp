@@ -10,10 +10,10 @@ namespace pliant::test {
 namespace {
 
 template <class Space>
-struct occupancy : testing::Test {};
-TYPED_TEST_SUITE(occupancy, Dimensions);
+struct Occupancies : testing::Test {};
+TYPED_TEST_SUITE(Occupancies, Dimensions);
 
-TYPED_TEST(occupancy, a_mark_covers_the_pack_of_its_cell) {
+TYPED_TEST(Occupancies, a_mark_covers_the_pack_of_its_cell) {
   constexpr int D = TypeParam::dimension;
   Occupancy<D> map;
   map.reset(diagonal<D>(-20), diagonal<D>(20), 2);
@@ -28,7 +28,7 @@ TYPED_TEST(occupancy, a_mark_covers_the_pack_of_its_cell) {
   }
 }
 
-TYPED_TEST(occupancy, rows_are_found_again_from_their_cells_and_none_outside) {
+TYPED_TEST(Occupancies, rows_are_found_again_from_their_cells_and_none_outside) {
   constexpr int D = TypeParam::dimension;
   Occupancy<D> map;
   map.reset(diagonal<D>(-4), diagonal<D>(5), 2);
@@ -44,7 +44,7 @@ TYPED_TEST(occupancy, rows_are_found_again_from_their_cells_and_none_outside) {
 }
 
 // The oracle looks at every pair of packs.
-TYPED_TEST(occupancy, dilation_marks_the_packs_within_reach_of_a_mark_and_no_others) {
+TYPED_TEST(Occupancies, dilation_marks_the_packs_within_reach_of_a_mark_and_no_others) {
   constexpr int D = TypeParam::dimension;
   for (const int reach : {1, 3, 8, 9}) {
     Cell<D> lower = diagonal<D>(-9), upper = diagonal<D>(4);
@@ -76,7 +76,7 @@ TYPED_TEST(occupancy, dilation_marks_the_packs_within_reach_of_a_mark_and_no_oth
   }
 }
 
-TYPED_TEST(occupancy, is_the_same_after_saving_and_restoring) {
+TYPED_TEST(Occupancies, is_the_same_after_saving_and_restoring) {
   constexpr int D = TypeParam::dimension;
   const Occupancy<D> map = random_occupancy<D>(diagonal<D>(-13), diagonal<D>(6), 0.05, 1);
   Occupancy<D> restored;

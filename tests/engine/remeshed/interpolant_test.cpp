@@ -47,10 +47,10 @@ double cubic(const Point<D>& x) {
 }
 
 template <class Space>
-struct cubic_interpolant : testing::Test {};
-TYPED_TEST_SUITE(cubic_interpolant, Dimensions);
+struct CubicInterpolation : testing::Test {};
+TYPED_TEST_SUITE(CubicInterpolation, Dimensions);
 
-TYPED_TEST(cubic_interpolant, cubics_and_their_gradients_are_exact) {
+TYPED_TEST(CubicInterpolation, cubics_and_their_gradients_are_exact) {
   constexpr int D = TypeParam::dimension;
   const Cell<D> upper = diagonal<D>(15);
   const NodeValues<D> nodes(upper, {}, cubic<D>);
@@ -73,7 +73,7 @@ TYPED_TEST(cubic_interpolant, cubics_and_their_gradients_are_exact) {
   }
 }
 
-TYPED_TEST(cubic_interpolant, nodes_give_their_values) {
+TYPED_TEST(CubicInterpolation, nodes_give_their_values) {
   constexpr int D = TypeParam::dimension;
   const NodeValues<D> nodes(diagonal<D>(7), {},
                             [](const Point<D>& x) { return std::sin(x[0] + 2 * x[D - 1]); });
@@ -86,7 +86,7 @@ TYPED_TEST(cubic_interpolant, nodes_give_their_values) {
   });
 }
 
-TYPED_TEST(cubic_interpolant, has_no_value_where_a_node_is_missing) {
+TYPED_TEST(CubicInterpolation, has_no_value_where_a_node_is_missing) {
   constexpr int D = TypeParam::dimension;
   const NodeValues<D> nodes(diagonal<D>(7), {}, cubic<D>);
   for (int a = 0; a < D; ++a) {
@@ -100,7 +100,7 @@ TYPED_TEST(cubic_interpolant, has_no_value_where_a_node_is_missing) {
   }
 }
 
-TYPED_TEST(cubic_interpolant, runs_on_through_a_period) {
+TYPED_TEST(CubicInterpolation, runs_on_through_a_period) {
   constexpr int D = TypeParam::dimension;
   const Cell<D> period = diagonal<D>(16);
   const auto wave = [](const Point<D>& x) {

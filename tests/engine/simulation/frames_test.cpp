@@ -9,11 +9,11 @@
 namespace pliant::test {
 namespace {
 
-struct frames : testing::Test {
+struct Frames : testing::Test {
   Solver solver{
       small_case("rotating_cylinder", {"discretisation.spacing=0.1", "remeshing.every=4"}), 1,
       kernels::widest_supported()};
-  frames() { advance(solver, 6); }
+  Frames() { advance(solver, 6); }
 
   static const std::vector<double>& values(const Frame& frame, const std::string& name) {
     for (const FrameField& field : frame.fields) {
@@ -23,7 +23,7 @@ struct frames : testing::Test {
   }
 };
 
-TEST_F(frames, hold_every_particle_once_where_it_is) {
+TEST_F(Frames, hold_every_particle_once_where_it_is) {
   const Frame frame = take_frame(solver, false);
   EXPECT_EQ(frame.time, solver.clock().time);
   EXPECT_EQ(frame.step, 6);
@@ -39,7 +39,7 @@ TEST_F(frames, hold_every_particle_once_where_it_is) {
   });
 }
 
-TEST_F(frames, have_a_stress_whose_trace_is_the_pressure) {
+TEST_F(Frames, have_a_stress_whose_trace_is_the_pressure) {
   const Frame frame = take_frame(solver, false);
   const std::vector<double>&stress = values(frame, "stress"), &p = values(frame, "pressure");
   ASSERT_EQ(stress.size(), 6 * p.size());
@@ -53,7 +53,7 @@ TEST_F(frames, have_a_stress_whose_trace_is_the_pressure) {
   EXPECT_GT(largest, 0.01);
 }
 
-TEST_F(frames, show_ghosts_on_demand) {
+TEST_F(Frames, show_ghosts_on_demand) {
   const Frame alone = take_frame(solver, false), all = take_frame(solver, true);
   EXPECT_EQ(alone.fields.size(), all.fields.size());
   EXPECT_GT(all.position.size(), alone.position.size());

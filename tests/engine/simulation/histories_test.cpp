@@ -12,12 +12,12 @@ namespace {
 using Quantity = MeasurementCase::Kind;
 
 /// A mass, the same relative to its start, a tip, and the tip's period.
-struct histories : testing::Test {
+struct MeasuredHistories : testing::Test {
   Case settings;
   static constexpr double period = 0.8;
   static constexpr double nothing = std::numeric_limits<double>::quiet_NaN();
 
-  histories() {
+  MeasuredHistories() {
     const auto add = [&](const char* name, Quantity kind, bool relative, int of) {
       MeasurementCase m;
       m.name = name;
@@ -40,7 +40,7 @@ struct histories : testing::Test {
   }
 };
 
-TEST_F(histories, complete_what_depends_on_the_past) {
+TEST_F(MeasuredHistories, complete_what_depends_on_the_past) {
   Histories record(settings);
   EXPECT_TRUE(record.empty());
   extend(record, 0, 20);
@@ -52,7 +52,7 @@ TEST_F(histories, complete_what_depends_on_the_past) {
   EXPECT_NEAR(record.last(2), period, 1e-4);  // a chord's error: 0.07 w^2 dt^3
 }
 
-TEST_F(histories, go_on_alike_after_a_checkpoint) {
+TEST_F(MeasuredHistories, go_on_alike_after_a_checkpoint) {
   const TemporaryFolder folder;
   Histories whole(settings), restored(settings);
   extend(whole, 0, 70);
@@ -66,7 +66,7 @@ TEST_F(histories, go_on_alike_after_a_checkpoint) {
   }
 }
 
-TEST_F(histories, values_have_the_units_of_what_is_measured) {
+TEST_F(MeasuredHistories, values_have_the_units_of_what_is_measured) {
   MeasurementCase m;
   m.kind = Quantity::momentum;
   EXPECT_EQ(unit_of(m, 2), "kg m/s/m");

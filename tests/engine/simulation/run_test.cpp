@@ -11,7 +11,7 @@
 namespace pliant::test {
 namespace {
 
-struct running : testing::Test {
+struct Running : testing::Test {
   TemporaryFolder folder;
   const Settings quick = {"discretisation.spacing=0.1", "time.end=0.021", "output.every=0.005"};
 
@@ -29,14 +29,14 @@ struct running : testing::Test {
   }
 };
 
-TEST_F(running, leaves_all_its_files) {
+TEST_F(Running, leaves_all_its_files) {
   EXPECT_EQ(run({}), RunEnd::done);
   for (const char* file : {"result.h5", "result.xdmf", "summary.json", "case.resolved.toml"}) {
     EXPECT_TRUE(std::filesystem::exists(folder / "out" / file)) << file;
   }
 }
 
-TEST_F(running, frames_come_at_their_times_and_at_both_ends) {
+TEST_F(Running, frames_come_at_their_times_and_at_both_ends) {
   run({});
   const std::vector<double> times = result("/VTKHDF/Steps/Values");
   const std::vector<double> expected = {0, 0.005, 0.01, 0.015, 0.02, 0.021};
@@ -44,7 +44,7 @@ TEST_F(running, frames_come_at_their_times_and_at_both_ends) {
   for (std::size_t i = 0; i < times.size(); ++i) EXPECT_NEAR(times[i], expected[i], 1e-15);
 }
 
-TEST_F(running, looking_more_often_moves_what_is_seen_by_rounding_only) {
+TEST_F(Running, looking_more_often_moves_what_is_seen_by_rounding_only) {
   // All times are multiples of the time step, but for the last bits of the steps that end at them.
   run({"output.measure_every=0.02"});
   const FileContent seldom = content_of(folder / "out" / "result.h5");
@@ -58,12 +58,12 @@ TEST_F(running, looking_more_often_moves_what_is_seen_by_rounding_only) {
   }
 }
 
-TEST_F(running, a_checkpoint_of_another_case_is_refused) {
+TEST_F(Running, a_checkpoint_of_another_case_is_refused) {
   run({});
   EXPECT_THROW(run({"body.cylinder.material.youngs_modulus=99"}, true), std::invalid_argument);
 }
 
-TEST_F(running, three_dimensions_are_refused_until_they_work) {
+TEST_F(Running, three_dimensions_are_refused_until_they_work) {
   Case settings = small_case("rotating_cylinder", quick);
   settings.dimension = 3;
   EXPECT_THROW(run_case(settings, {}), std::invalid_argument);
