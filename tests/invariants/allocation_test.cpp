@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <climits>
 
-#include "tests/invariants/allocation_counter.hpp"
+#include "tests/allocation_counter.hpp"
 #include "tests/invariants/sample_runs.hpp"
 
 namespace pliant::test {

@@ -1,4 +1,4 @@
-#include "tests/invariants/allocation_counter.hpp"
+#include "tests/allocation_counter.hpp"
 
 #include <atomic>
 #include <cstddef>
