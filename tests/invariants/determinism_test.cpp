@@ -8,7 +8,6 @@
 namespace pliant::test {
 namespace {
 
-using kernels::Isa;
 using Measurer = remeshed::Measurer<double, 2>;
 
 struct Determinism : OfSampleRuns {};

@@ -1,0 +1,78 @@
+#include <gtest/gtest.h>
+
+#include <fstream>
+#include <sstream>
+
+#include "engine/remeshed/measure.hpp"
+#include "tests/engine/remeshed/small_case.hpp"
+
+// Cases against the independent computations in their folders.
+namespace pliant::test {
+namespace {
+
+/// A column of a case's reference.csv over its first column, time.
+struct Reference {
+  std::vector<double> time, value;
+
+  Reference(const std::string& case_name, const std::string& column) {
+    std::ifstream file(PLIANT_SOURCE_DIR "/cases/" + case_name + "/reference.csv");
+    std::string line, cell;
+    std::getline(file, line);
+    std::size_t position = 0, found = 0;
+    for (std::istringstream names(line); std::getline(names, cell, ','); ++position) {
+      if (cell == column) found = position;
+    }
+    EXPECT_GT(found, 0u) << "no column " << column;
+    while (std::getline(file, line)) {
+      std::istringstream cells(line);
+      for (std::size_t c = 0; std::getline(cells, cell, ','); ++c) {
+        if (c == 0) time.push_back(std::stod(cell));
+        if (c == found) value.push_back(std::stod(cell));
+      }
+    }
+  }
+};
+
+/// Runs a case to `end` and expects a measurement to follow the reference within `tolerance` at
+/// every time that the reference has.
+void expect_followed(const Case& settings, const std::string& measurement,
+                     const Reference& reference, double end, double tolerance) {
+  std::size_t m = 0;
+  while (settings.measurements.at(m).name != measurement) ++m;
+  Solver solver(settings, 2, kernels::widest_supported());
+  remeshed::Measurer<double, 2> measurer(solver);
+  int compared = 0;
+  for (std::size_t i = 0; i < reference.time.size() && reference.time[i] <= end; ++i) {
+    advance_until(solver, reference.time[i]);
+    EXPECT_NEAR(measurer()[m], reference.value[i], tolerance) << "t = " << reference.time[i];
+    ++compared;
+  }
+  EXPECT_GE(compared, 10);
+}
+
+// The corners, where the pistons end, are singular and take their share of the tolerances.
+TEST(references, compression_of_a_linear_solid_follows_finite_elements) {
+  const Reference bulge("compression_linear", "u_x_flank_mid_height");
+  expect_followed(small_case("compression_linear", {"discretisation.spacing=1/32"}),
+                  "mid_height_displacement", bulge, 0.02, 0.01 * 0.2437);
+}
+
+TEST(references, compression_of_a_hyperelastic_solid_follows_finite_elements) {
+  const Reference bulge("compression_hyperelastic", "u_x_flank_mid_height");
+  expect_followed(small_case("compression_hyperelastic", {"discretisation.spacing=1/32"}),
+                  "mid_height_displacement", bulge, 0.02, 0.01 * 0.2507);
+}
+
+TEST(references, a_rotating_cylinder_breathes_as_the_exact_solution_does) {
+  const Reference radius("rotating_cylinder", "radius");
+  expect_followed(small_case("rotating_cylinder", {}), "boundary_radius", radius, 0.5, 0.003);
+}
+
+TEST(references, a_plate_swings_out_as_finite_elements_do) {
+  const Reference tip("oscillating_plate", "tip_displacement");
+  // A quarter of the period of 5.94 s; 2 % of the amplitude of 0.043.
+  expect_followed(small_case("oscillating_plate", {}), "tip_displacement", tip, 1.5, 0.02 * 0.043);
+}
+
+}  // namespace
+}  // namespace pliant::test
