@@ -48,12 +48,15 @@ class Layout {
   }
 
   /// Slot of a cell, or -1 where there is none. Spare packs count as none.
-  std::int64_t slot(const Cell<D>& cell) const {
+  std::int64_t slot(const Cell<D>& cell) const { return slot(cell, 1); }
+
+  /// Slot of the first of `count` cells along x, or -1 unless all lie in one run.
+  std::int64_t slot(const Cell<D>& cell, int count) const {
     const int row = occupancy_.row_of(cell);
     if (row < 0) return -1;
     for (int r = row_begin_[row]; r < row_begin_[row + 1]; ++r) {
       const Run& run = runs_[r];
-      if (cell[0] >= run.cell && cell[0] < run.cell + run.count) {
+      if (cell[0] >= run.cell && cell[0] + count <= run.cell + run.count) {
         return run.first + (cell[0] - run.cell);
       }
     }

@@ -14,8 +14,20 @@ class CubicInterpolant {
   CubicInterpolant(const Lattice<D>& lattice, const Layout<D>& layout, const T* values)
       : lattice_(lattice), layout_(layout), values_(values) {}
 
+  /// The 4^D nodes around a cell, kept for the next point: iterations rarely leave their cell.
+  struct Nodes {
+    Cell<D> base;
+    std::array<std::array<double, 4>, kernels::power(4, D - 1)> row;
+    bool are_loaded = false;
+  };
+
   /// False where one of the 4^D nodes has no slot.
   bool operator()(const Point<D>& x, double& value, Point<D>& gradient) const {
+    Nodes nodes;
+    return (*this)(x, nodes, value, gradient);
+  }
+
+  bool operator()(const Point<D>& x, Nodes& nodes, double& value, Point<D>& gradient) const {
     Cell<D> base;
     std::array<std::array<double, 4>, D> weight, slope;
     for (int a = 0; a < D; ++a) {
@@ -23,12 +35,16 @@ class CubicInterpolant {
       base[a] = static_cast<std::int32_t>(floor) - 1;
       lagrange(x[a] - floor, weight[a], slope[a]);
     }
+    if (!nodes.are_loaded || nodes.base != base) {
+      nodes.base = base;
+      nodes.are_loaded = load(nodes);
+      if (!nodes.are_loaded) return false;
+    }
     value = 0;
     gradient = {};
     for (int k = 0; k < (D == 3 ? 4 : 1); ++k) {
       for (int j = 0; j < 4; ++j) {
-        std::array<double, 4> row;
-        if (!load_row(base, j, k, row)) return false;
+        const std::array<double, 4>& row = nodes.row[4 * k + j];
         double f = 0, df = 0;
         for (int i = 0; i < 4; ++i) {
           f += weight[0][i] * row[i];
@@ -47,27 +63,34 @@ class CubicInterpolant {
  private:
   // The cubic through the nodes -1, 0, 1, 2 at 0 <= s < 1.
   static void lagrange(double s, std::array<double, 4>& w, std::array<double, 4>& dw) {
-    w = {-s * (s - 1) * (s - 2) / 6, (s + 1) * (s - 1) * (s - 2) / 2, -(s + 1) * s * (s - 2) / 2,
-         (s + 1) * s * (s - 1) / 6};
-    dw = {-(3 * s * s - 6 * s + 2) / 6, (3 * s * s - 4 * s - 1) / 2, -(3 * s * s - 2 * s - 2) / 2,
-          (3 * s * s - 1) / 6};
+    constexpr double sixth = 1.0 / 6;
+    w = {-s * (s - 1) * (s - 2) * sixth, (s + 1) * (s - 1) * (s - 2) * 0.5,
+         -(s + 1) * s * (s - 2) * 0.5, (s + 1) * s * (s - 1) * sixth};
+    dw = {-(3 * s * s - 6 * s + 2) * sixth, (3 * s * s - 4 * s - 1) * 0.5,
+          -(3 * s * s - 2 * s - 2) * 0.5, (3 * s * s - 1) * sixth};
   }
 
-  bool load_row(const Cell<D>& base, int j, int k, std::array<double, 4>& row) const {
-    Cell<D> cell = base;
-    cell[1] += j;
-    if constexpr (D == 3) cell[2] += k;
-    const Cell<D> first = lattice_.wrapped(cell);
-    cell[0] += 3;
-    const Cell<D> last = lattice_.wrapped(cell);
-    const std::int64_t slot = layout_.slot(first), end = layout_.slot(last);
-    if (slot < 0 || end < 0) return false;
-    if (end - slot == 3) {
-      for (int i = 0; i < 4; ++i) row[i] = values_[slot + i];
-      return true;
+  bool load(Nodes& nodes) const {
+    for (int k = 0; k < (D == 3 ? 4 : 1); ++k) {
+      for (int j = 0; j < 4; ++j) {
+        Cell<D> cell = nodes.base;
+        cell[1] += j;
+        if constexpr (D == 3) cell[2] += k;
+        if (!load_row(cell, nodes.row[4 * k + j])) return false;
+      }
     }
-    for (int i = 0; i < 4; ++i) {  // across a period or a gap
-      cell[0] = base[0] + i;
+    return true;
+  }
+
+  bool load_row(Cell<D> cell, std::array<double, 4>& row) const {
+    if (lattice_.period[0] == 0) {
+      const std::int64_t slot = layout_.slot(lattice_.wrapped(cell), 4);
+      if (slot >= 0) {
+        for (int i = 0; i < 4; ++i) row[i] = values_[slot + i];
+        return true;
+      }
+    }
+    for (int i = 0; i < 4; ++i, ++cell[0]) {  // across a period or a gap
       const std::int64_t at = layout_.slot(lattice_.wrapped(cell));
       if (at < 0) return false;
       row[i] = values_[at];

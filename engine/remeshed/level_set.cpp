@@ -31,9 +31,10 @@ Point<D> as_point(const Cell<D>& cell) {
   return x;
 }
 
-/// Calls f(neighbour) for the 3^D - 1 cells around a cell.
+/// Calls f(neighbour, slots to it) for the 3^D - 1 cells around a cell of a segment. The slots lead
+/// to the neighbour if it has one.
 template <int D, class F>
-void for_each_adjacent(const Cell<D>& cell, F&& f) {
+void for_each_adjacent(const kernels::Segment<D>& segment, const Cell<D>& cell, F&& f) {
   for (int k = D == 3 ? -1 : 0; k <= (D == 3 ? 1 : 0); ++k) {
     for (int j = -1; j <= 1; ++j) {
       for (int i = -1; i <= 1; ++i) {
@@ -42,7 +43,7 @@ void for_each_adjacent(const Cell<D>& cell, F&& f) {
         other[0] += i;
         other[1] += j;
         if constexpr (D == 3) other[2] += k;
-        f(other);
+        f(other, segment.neighbour_row[kernels::row_index<D>(j, k)] + i);
       }
     }
   }
@@ -136,27 +137,28 @@ template <class T, int D>
 typename LevelSet<T, D>::Projection LevelSet<T, D>::project(const Point<D>& node, Point<D> start,
                                                             int iterations) const {
   const CubicInterpolant<T, D> interpolant(*lattice_, *layout_, extended_.get());
+  const double flattest = 0.05 * lattice_->spacing * lattice_->spacing;
+  typename CubicInterpolant<T, D>::Nodes nodes;
   Point<D> x = start;
   for (int iteration = 0; iteration < iterations; ++iteration) {
     double value = 0;
     Point<D> g;
-    if (!interpolant(x, value, g)) return {x, false};
-    value /= lattice_->spacing;
-    for (double& component : g) component /= lattice_->spacing;
+    if (!interpolant(x, nodes, value, g)) return {x, false};
     const double square = dot<D>(g, g);
-    if (square < 0.05) return {x, false};
+    if (square < flattest) return {x, false};
     const Point<D> back = difference<D>(node, x);
     const double along = (value + dot<D>(back, g)) / square;
     Point<D> step;
     for (int a = 0; a < D; ++a) step[a] = back[a] - along * g[a];
-    const double length = std::sqrt(dot<D>(step, step));
-    const double scale = length > 0.5 ? 0.5 / length : 1;
+    const double length2 = dot<D>(step, step);
+    const double scale = length2 > 0.25 ? 0.5 / std::sqrt(length2) : 1;
     for (int a = 0; a < D; ++a) x[a] += scale * step[a];
-    if (length < 1e-6) return {x, true};
+    if (length2 < 1e-12) return {x, true};
   }
   double value = 0;
   Point<D> g;
-  const bool on_surface = interpolant(x, value, g) && std::abs(value) < 1e-3 * lattice_->spacing;
+  const bool on_surface =
+      interpolant(x, nodes, value, g) && std::abs(value) < 1e-3 * lattice_->spacing;
   return {x, on_surface};
 }
 
@@ -205,18 +207,23 @@ void LevelSet<T, D>::find_closest_points(const Block<D>& block, bool reinitialis
   });
 }
 
-// Reading a layer mark where the neighbouring row has no slot may find a foreign mark, never miss
-// one.
+// Whether a slot of the pack at `slot` may border a marked one. Where a neighbouring row has no
+// slot a foreign mark may be found, but none is missed.
 template <class T, int D>
 bool LevelSet<T, D>::borders_a_layer(const kernels::Segment<D>& segment, std::int64_t slot,
                                      int layer) const {
   if (lattice_->period != Cell<D>{}) return true;
   const std::uint8_t* mark = layer_[layer % 2].get() + slot;
-  std::uint8_t any = 0;
+  std::uint64_t any = 0;
+  static_assert(Layout<D>::pack == sizeof any);
   for (int k = D == 3 ? -1 : 0; k <= (D == 3 ? 1 : 0); ++k) {
     for (int j = -1; j <= 1; ++j) {
-      const std::uint8_t* row = mark + segment.neighbour_row[kernels::row_index<D>(j, k)];
-      any |= row[-1] | row[0] | row[1];
+      for (int i = -1; i <= 1; ++i) {
+        std::uint64_t marks;
+        std::memcpy(&marks, mark + segment.neighbour_row[kernels::row_index<D>(j, k)] + i,
+                    sizeof marks);
+        any |= marks;
+      }
     }
   }
   return any != 0;
@@ -228,26 +235,34 @@ void LevelSet<T, D>::add_layer(const Block<D>& block, int layer) {
   std::uint8_t* after = layer_[(layer + 1) % 2].get();
   for (int s = block.first_segment; s < block.first_segment + block.segment_count; ++s) {
     const kernels::Segment<D>& segment = layout_->segments()[s];
-    Cell<D> cell = segment.cell;
-    for (int i = 0; i < segment.count; ++i, ++cell[0]) {
-      const std::int64_t p = segment.first + i;
-      after[p] = before[p];
-      if (before[p] == 0 && borders_a_layer(segment, p, layer)) adopt_nearest(p, cell, layer);
+    std::copy_n(before + segment.first, segment.count, after + segment.first);
+    for (int offset = 0; offset < segment.count; offset += Layout<D>::pack) {
+      const std::int64_t first = segment.first + offset;
+      if (!borders_a_layer(segment, first, layer)) continue;
+      Cell<D> cell = segment.cell;
+      cell[0] += offset;
+      for (std::int64_t p = first; p < first + Layout<D>::pack; ++p, ++cell[0]) {
+        if (before[p] == 0) adopt_nearest(segment, p, cell, layer);
+      }
     }
   }
 }
 
 // The nearest among the closest points of the marked neighbours, polished from there.
 template <class T, int D>
-void LevelSet<T, D>::adopt_nearest(std::int64_t slot, const Cell<D>& cell, int layer) {
+void LevelSet<T, D>::adopt_nearest(const kernels::Segment<D>& segment, std::int64_t slot,
+                                   const Cell<D>& cell, int layer) {
   if (!lattice_->is_wrapped(cell)) return;
   const double h = lattice_->spacing;
   const Point<D> node = as_point<D>(cell);
   double nearest = 1e300;
   Point<D> foot = {};
-  for_each_adjacent<D>(cell, [&](const Cell<D>& other) {
+  const bool periodic = lattice_->period != Cell<D>{};
+  const std::uint8_t* marks = layer_[layer % 2].get();
+  for_each_adjacent<D>(segment, cell, [&](const Cell<D>& other, std::int64_t slots_to) {
+    if (!periodic && marks[slot + slots_to] == 0) return;
     const std::int64_t q = layout_->slot(lattice_->wrapped(other));
-    if (q < 0 || layer_[layer % 2][q] == 0) return;
+    if (q < 0 || marks[q] == 0) return;
     Point<D> candidate = as_point<D>(other);
     for (int a = 0; a < D; ++a) candidate[a] += foot_[a][q];
     const Point<D> offset = difference<D>(candidate, node);

@@ -51,7 +51,8 @@ class LevelSet {
                        const T* valid) const;
   bool linear(const Point<D>& x, const T* valid, double& value) const;
   bool gradient(const Cell<D>& cell, Point<D>& g) const;
-  void adopt_nearest(std::int64_t slot, const Cell<D>& cell, int layer);
+  void adopt_nearest(const kernels::Segment<D>& segment, std::int64_t slot, const Cell<D>& cell,
+                     int layer);
   bool borders_a_layer(const kernels::Segment<D>& segment, std::int64_t slot, int layer) const;
   void set_foot(std::int64_t slot, const Point<D>& node, const Point<D>& foot);
 
