@@ -38,10 +38,12 @@ struct RecordSum {
 template <class T, int D>
 VectorOf<T, D> unit_normal(const RecordSum<T, D>& sum) {
   T square = 0;
+#pragma GCC unroll 3
   for (int i = 0; i < D; ++i) square += sum.level_set_gradient(i) * sum.level_set_gradient(i);
   VectorOf<T, D> n = {};
   if (square > T(1e-12)) {
     const T scale = 1 / std::sqrt(square);
+#pragma GCC unroll 3
     for (int i = 0; i < D; ++i) n[i] = scale * sum.level_set_gradient(i);
   }
   return n;
@@ -51,8 +53,10 @@ VectorOf<T, D> unit_normal(const RecordSum<T, D>& sum) {
 template <class T, int D>
 T traction(const RecordSum<T, D>& sum, const VectorOf<T, D>& n, VectorOf<T, D>& s_n) {
   T s_nn = 0;
+#pragma GCC unroll 3
   for (int i = 0; i < D; ++i) {
     s_n[i] = 0;
+#pragma GCC unroll 3
     for (int j = 0; j < D; ++j) s_n[i] += sum.stress(i, j) * n[j];
     s_nn += n[i] * s_n[i];
   }
@@ -66,7 +70,9 @@ SymmetricOf<T, D> with_traction(const RecordSum<T, D>& sum, const VectorOf<T, D>
   VectorOf<T, D> old;
   const T old_nn = traction<T, D>(sum, n, old);
   SymmetricOf<T, D> stress;
+#pragma GCC unroll 3
   for (int i = 0; i < D; ++i) {
+#pragma GCC unroll 3
     for (int j = i; j < D; ++j) {
       const T tangential = sum.stress(i, j) - n[i] * old[j] - old[i] * n[j] + old_nn * n[i] * n[j];
       stress[symmetric_index<D>(i, j)] =
@@ -81,6 +87,7 @@ template <class T, int D>
 VectorOf<T, D> shear(const RecordSum<T, D>& sum, const VectorOf<T, D>& n) {
   VectorOf<T, D> tau;
   const T s_nn = traction<T, D>(sum, n, tau);
+#pragma GCC unroll 3
   for (int i = 0; i < D; ++i) tau[i] -= s_nn * n[i];
   return tau;
 }
@@ -111,6 +118,7 @@ GhostState<T, D> free_surface_ghost(const GhostFits<T, D>& fits, T pressure,
   const T excess = traction<T, D>(fits.surface, n, s_n) + pressure;
   const VectorOf<T, D> tau = shear<T, D>(fits.surface, n);
   GhostState<T, D> ghost;
+#pragma GCC unroll 3
   for (int i = 0; i < D; ++i) {
     ghost.velocity[i] = fits.linear.velocity(i) - excess / impedance.pressure_wave * n[i] -
                         tau[i] / impedance.shear_wave;
@@ -125,10 +133,13 @@ GhostState<T, D> averaged_surface_ghost(RecordSum<T, D> mean, T pressure) {
   const VectorOf<T, D> n = unit_normal<T, D>(mean);
   std::array<T, record_width<D>> deviatoric;
   for (int k = 0; k < record_width<D>; ++k) deviatoric[k] = mean.values[k];
+#pragma GCC unroll 3
   for (int i = 0; i < D; ++i) deviatoric[D + symmetric_index<D>(i, i)] += mean.pressure();
   GhostState<T, D> ghost;
+#pragma GCC unroll 3
   for (int i = 0; i < D; ++i) ghost.velocity[i] = mean.velocity(i);
   ghost.stress = with_traction<T, D>(RecordSum<T, D>{deviatoric.data()}, n, T(0), VectorOf<T, D>{});
+#pragma GCC unroll 3
   for (int i = 0; i < D; ++i) ghost.stress[symmetric_index<D>(i, i)] -= pressure;
   return ghost;
 }
@@ -138,7 +149,9 @@ template <class T, int D>
 GhostState<T, D> averaged_wall_ghost(RecordSum<T, D> mean, const VectorOf<T, D>& wall_velocity) {
   GhostState<T, D> ghost;
   ghost.velocity = wall_velocity;
+#pragma GCC unroll 3
   for (int i = 0; i < D; ++i) {
+#pragma GCC unroll 3
     for (int j = i; j < D; ++j) ghost.stress[symmetric_index<D>(i, j)] = mean.stress(i, j);
   }
   return ghost;
@@ -151,14 +164,18 @@ GhostState<T, D> wall_ghost(const GhostFits<T, D>& fits, const VectorOf<T, D>& w
   GhostState<T, D> ghost;
   VectorOf<T, D> slip;
   T approach = 0;
+#pragma GCC unroll 3
   for (int i = 0; i < D; ++i) {
     ghost.velocity[i] =
         fits.constrained.velocity(i) + wall_velocity[i] * (1 - fits.constrained_sum);
     slip[i] = fits.surface.velocity(i) - wall_velocity[i];
     approach += slip[i] * n[i];
   }
+#pragma GCC unroll 3
   for (int i = 0; i < D; ++i) slip[i] -= approach * n[i];
+#pragma GCC unroll 3
   for (int i = 0; i < D; ++i) {
+#pragma GCC unroll 3
     for (int j = i; j < D; ++j) {
       ghost.stress[symmetric_index<D>(i, j)] =
           fits.linear.stress(i, j) + impedance.pressure_wave * approach * n[i] * n[j] +
@@ -173,6 +190,7 @@ template <class T, int D>
 GhostState<T, D> slip_wall_ghost(const GhostFits<T, D>& fits, const VectorOf<T, D>& wall_velocity,
                                  const VectorOf<T, D>& n, const Impedance<T>& impedance) {
   T jump = 0, approach = 0;  // normal velocity: of the constrained fit, of the body at the wall
+#pragma GCC unroll 3
   for (int i = 0; i < D; ++i) {
     const T constrained =
         fits.constrained.velocity(i) + wall_velocity[i] * (1 - fits.constrained_sum);
@@ -181,6 +199,7 @@ GhostState<T, D> slip_wall_ghost(const GhostFits<T, D>& fits, const VectorOf<T, 
   }
   const VectorOf<T, D> tau = shear<T, D>(fits.surface, n);
   GhostState<T, D> ghost;
+#pragma GCC unroll 3
   for (int i = 0; i < D; ++i) {
     ghost.velocity[i] = fits.linear.velocity(i) + jump * n[i] + tau[i] / impedance.shear_wave;
   }
