@@ -106,6 +106,7 @@ method = "remeshed"
 [discretisation]
 spacing = 0.1
 weight = "quartic_polynomial"
+dissipation = 0.25
 
 [time]
 end = 1
