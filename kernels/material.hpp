@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <cmath>
 #include <cstdint>
 
 namespace pliant::kernels {
@@ -28,6 +29,13 @@ struct Material {
   std::array<T, 5> coefficient = {};  ///< C_n0 [Pa], n = 1..N
   T compressibility = 0;              ///< D [1/Pa]
 };
+
+/// Speed of pressure waves in a material at rest [m/s], (RP.11).
+template <class T>
+T wave_speed_at_rest(const Material<T>& material) {
+  return std::sqrt((material.bulk_modulus + material.shear_modulus * T(4) / T(3)) /
+                   material.density);
+}
 
 /// Components of S (linear) or F (reduced polynomial) that a particle carries.
 template <int D>

@@ -131,8 +131,6 @@ bool Step<T, D>::periodic() const {
 template <class T, int D>
 void Step<T, D>::prepare(double time_step) {
   time_step_ = time_step;
-  dissipation_ = settings_.discretisation.dissipation * state_.clock.wave_speed /
-                 (16 * settings_.discretisation.spacing);
   for (int stage = 0; stage < 4; ++stage) {
     boundary_values_[stage].evaluate(state_.boundaries,
                                      state_.clock.time + stage_time[stage] * time_step);
@@ -213,7 +211,9 @@ void Step<T, D>::advance(int block, int stage) {
   work.segment_count = range.segment_count;
   work.spacing = static_cast<T>(body.lattice.spacing);
   work.time_step = static_cast<T>(time_step_);
-  work.dissipation = static_cast<T>(dissipation_);
+  // At rest: a speed that followed the state would be one step late, or another body's.
+  work.dissipation = static_cast<T>(settings_.discretisation.dissipation) *
+                     kernels::wave_speed_at_rest(body.material) / (16 * work.spacing);
   work.stage = stage;
   work.weight = settings_.discretisation.weight;
   work.material = body.material;

@@ -56,7 +56,6 @@ class Step {
   const Case& settings_;
   const kernels::Table<T, D>& kernels_;
   double time_step_ = 0;
-  double dissipation_ = 0;                            ///< kappa of (RP.43) [1/s]
   std::array<BoundaryValues<D>, 4> boundary_values_;  ///< [stage]
   std::vector<kernels::StageResult> results_;         ///< [block]
   kernels::StageResult result_ = {0, 0, -1};
