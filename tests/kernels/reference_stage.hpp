@@ -70,15 +70,12 @@ double fourth_difference_at(const Field<T>& f, const Segment<D>& segment, std::i
 template <class T, int D>
 Matrix<D> hooke_inverse(const Material<T>& material, const Matrix<D>& stress) {
   const double lame = material.bulk_modulus - 2. / 3 * material.shear_modulus;
-  Eigen::Matrix<double, D * D, D* D> stiffness = Eigen::Matrix<double, D * D, D * D>::Zero();
-  for (int i = 0; i < D; ++i) {
-    for (int j = 0; j < D; ++j) {
-      stiffness(i * D + j, i * D + j) += 2 * material.shear_modulus;
-      stiffness(i * D + i, j * D + j) += lame;
-    }
-  }
-  const Eigen::Matrix<double, D * D, 1> right = stress.reshaped();
-  return stiffness.lu().solve(right).reshaped(D, D);
+  const Matrix<D> normal_stiffness =
+      Matrix<D>::Constant(lame) + 2 * double(material.shear_modulus) * Matrix<D>::Identity();
+  const Column<D> stretching = normal_stiffness.inverse() * stress.diagonal();
+  Matrix<D> strain = stress / (2 * double(material.shear_modulus));
+  strain.diagonal() = stretching;
+  return strain;
 }
 
 /// Rates of an interior particle of a body in state `q`: (RP.12), (RP.3) or (RP.8), and (RP.43).
