@@ -60,6 +60,7 @@ double rate(int threads, const std::function<double(int)>& portion) {
     rates[t] = work / std::chrono::duration<double>(now - start).count();
   };
   std::vector<std::thread> workers;
+  workers.reserve(threads);
   for (int thread = 0; thread < threads; ++thread) workers.emplace_back(run, thread);
   for (std::thread& worker : workers) worker.join();
   double sum = 0;

@@ -20,7 +20,7 @@ kernels::Scalar<P> fma_loop(std::int64_t rounds) {
   for (int k = 0; k < fma_chains; ++k) x[k] = P(T(k));
   for (std::int64_t i = 0; i < rounds; ++i) {
 #pragma GCC unroll 16
-    for (int k = 0; k < fma_chains; ++k) x[k] = kernels::fused(x[k], factor, summand);
+    for (P& chain : x) chain = kernels::fused(chain, factor, summand);
   }
 #pragma GCC unroll 16
   for (int k = 1; k < fma_chains; ++k) x[0] = x[0] + x[k];
