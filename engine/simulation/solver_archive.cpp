@@ -11,7 +11,6 @@ namespace {
 using remeshed::BlockGhosts;
 using remeshed::Body;
 using remeshed::Clock;
-using remeshed::Kind;
 using remeshed::Population;
 
 template <class F>
