@@ -1,27 +1,13 @@
 #include "bench/kernels/measure.hpp"
+#include "engine/bench/stage_cost.hpp"
 #include "tests/kernels/body.hpp"
 
 namespace pliant::kernels::bench {
 namespace {
 
+using pliant::bench::bytes_per_stage;
+using pliant::bench::flop_per_stage;
 using test::Body;
-
-/// The sweep over 24 or 8 neighbours, the dissipation, and the laws; divisions count one.
-double flop_per_stage(Weight weight, Model model) {
-  const int neighbours = weight == Weight::compact ? 8 : 24;
-  // d 4, r^2 3, A 2 + 6, differences 5, H 20; omega by (RP.14), (RP.15), (RP.16).
-  const int pair = 40 + (weight == Weight::quartic ? 43 : weight == Weight::compact ? 5 : 10);
-  const int law = model == Model::reduced_polynomial ? 120 : 45;
-  const int dissipation = 5 * 17 + 20;
-  return neighbours * pair + 50 + dissipation + law;
-}
-
-/// Fields read once and written once (writing reads the line first), mean over the four stages.
-double bytes_per_stage(Model model) {
-  const double state = 5 + carried_components<2>(model), stress = 3;
-  const double reads = (1 + 2 + 2 + 4) / 4. * state + stress + 2;  // mass and the interior mask
-  return 8 * (reads + 2 * (state + stress));
-}
 
 /// Four stages of a step on one block.
 void advance(benchmark::State& state, Isa isa, Model model, Weight weight) {
