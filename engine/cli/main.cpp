@@ -86,9 +86,7 @@ void add_bench(CLI::App& app, BenchArguments& arguments, std::function<ExitStatu
   verb->callback([&] { chosen = [&] { return bench(arguments); }; });
 }
 
-}  // namespace
-
-int main(int argc, char** argv) {
+int run_program(int argc, char** argv) {
   CLI::App app("Simulates elastic solids and soft tissue with particles.", "pliant");
   app.set_version_flag("--version", "pliant " + std::string(pliant::version));
   app.set_help_flag("-h,--help", "Print this help; `pliant help VERB` explains a verb");
@@ -132,4 +130,15 @@ int main(int argc, char** argv) {
     return app.exit(error) == 0 ? 0 : static_cast<int>(ExitStatus::bad_input);
   }
   return finish(chosen);
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  try {
+    return run_program(argc, argv);
+  } catch (...) {
+    std::fputs("pliant: the command line could not be set up\n", stderr);
+    return static_cast<int>(ExitStatus::run_failed);
+  }
 }
