@@ -8,25 +8,26 @@
 /// which only see what the lattice does not resolve.
 namespace pliant::kernels {
 
-/// Sums over the directions of delta^4 of the sweep's fields in a chunk, field by field. Packs
-/// without interior particles, whose neighbours may not be loaded, keep what they hold.
+/// Sums over the directions of delta^4 of the sweep's fields in a chunk, field by field, between
+/// interior particles. Packs without any, whose neighbours may not be loaded, keep what they hold.
 template <class P, int D, int F>
 void fourth_differences(const SweepFields<Scalar<P>, D, F>& fields, const Segment<D>& segment,
-                        const PackState* pack_state, const Chunk& chunk,
+                        const PackState* pack_state, const Scalar<P>* interior, const Chunk& chunk,
                         Scalar<P> (&result)[F][chunk_slots]) {
   LineOffsets line[D];
   for (int axis = 0; axis < D; ++axis) {
     line[axis] = line_offsets<typename P::arch_type>(segment, axis);
   }
-  for (int f = 0; f < F; ++f) {
-    for (int at = 0; at < chunk.count; at += lanes<P>) {
-      const std::int64_t slot = chunk.first + at;
-      if (pack_state[slot / slots_per_pack<Scalar<P>>] == PackState::none) continue;
-      P sum = fourth_difference<P>(fields.field[f] + slot, line[0]);
-      for (int axis = 1; axis < D; ++axis) {
-        sum = sum + fourth_difference<P>(fields.field[f] + slot, line[axis]);
+  for (int at = 0; at < chunk.count; at += lanes<P>) {
+    const std::int64_t slot = chunk.first + at;
+    if (pack_state[slot / slots_per_pack<Scalar<P>>] == PackState::none) continue;
+    for (int axis = 0; axis < D; ++axis) {
+      const Fluxes<P> fluxes = fluxes_between<P>(interior + slot, line[axis]);
+      for (int f = 0; f < F; ++f) {
+        const P sum = axis == 0 ? P(Scalar<P>(0)) : P::load_aligned(&result[f][at]);
+        (sum + fourth_difference<P>(fields.field[f] + slot, line[axis], fluxes))
+            .store_aligned(&result[f][at]);
       }
-      sum.store_aligned(&result[f][at]);
     }
   }
 }

@@ -21,14 +21,40 @@ inline LineOffsets line_offsets(const Segment<D>& segment, int axis) {
   return line;
 }
 
-/// delta^4 f along a line, at a register of slots; exactly zero where f is constant.
+/// Which of the two fluxes of a slot flow, along a line: to the next slot and from the one before.
 template <class P>
-inline P fourth_difference(const Scalar<P>* centre, const LineOffsets& line) {
-  const P two(Scalar<P>(2)), value = load<P>(centre);
-  const P inner = load<P>(centre + line.away[1]) + load<P>(centre + line.away[2]);
-  const P outer = load<P>(centre + line.away[0]) + load<P>(centre + line.away[3]);
-  return fused_minus(P(Scalar<P>(4)), fused_minus(two, value, inner),
-                     fused_minus(two, value, outer));
+struct Fluxes {
+  typename P::batch_bool_type up, down;
+};
+
+/// delta^4 f along a line, at a register of slots, as the difference of two fluxes: third
+/// differences. What flows out of one slot flows into the next, so sums over slots are kept.
+/// Exactly zero where f is constant.
+template <class P>
+inline P fourth_difference(const Scalar<P>* centre, const LineOffsets& line,
+                           const Fluxes<P>& fluxes) {
+  const P three(Scalar<P>(3)), zero(Scalar<P>(0)), value = load<P>(centre);
+  const P before = load<P>(centre + line.away[1]), after = load<P>(centre + line.away[2]);
+  const P up = fused_minus(three, after - value, load<P>(centre + line.away[3]) - before);
+  const P down = fused_minus(three, value - before, after - load<P>(centre + line.away[0]));
+  return xsimd::select(fluxes.up, up, zero) - xsimd::select(fluxes.down, down, zero);
+}
+
+/// Between slots that are both inside (`inside` is 1 there, 0 elsewhere): none cross the surface.
+template <class P>
+inline Fluxes<P> fluxes_between(const Scalar<P>* inside, const LineOffsets& line) {
+  const P here = load<P>(inside), half(Scalar<P>(0.5));
+  return {here * load<P>(inside + line.away[2]) > half,
+          here * load<P>(inside + line.away[1]) > half};
+}
+
+/// Those whose four slots are all inside.
+template <class P>
+inline Fluxes<P> fluxes_within(const Scalar<P>* inside, const LineOffsets& line) {
+  const P half(Scalar<P>(0.5));
+  const P near = load<P>(inside) * load<P>(inside + line.away[1]) * load<P>(inside + line.away[2]);
+  return {near * load<P>(inside + line.away[3]) > half,
+          near * load<P>(inside + line.away[0]) > half};
 }
 
 }  // namespace pliant::kernels

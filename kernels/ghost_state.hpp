@@ -106,6 +106,7 @@ template <class T, int D>
 struct GhostFits {
   RecordSum<T, D> linear, constrained, surface;
   T constrained_sum;  ///< sum_i b_gi
+  T surface_sum;      ///< sum_i a_gi
 };
 
 /// (RP.34), (RP.44). `pressure` acts on the surface.
@@ -115,7 +116,7 @@ GhostState<T, D> free_surface_ghost(const GhostFits<T, D>& fits, T pressure,
   const VectorOf<T, D> n = unit_normal<T, D>(fits.linear);
   VectorOf<T, D> s_n;
   const T s_nn = traction<T, D>(fits.constrained, n, s_n) - pressure * (1 - fits.constrained_sum);
-  const T excess = traction<T, D>(fits.surface, n, s_n) + pressure;
+  const T excess = traction<T, D>(fits.surface, n, s_n) + pressure * fits.surface_sum;
   const VectorOf<T, D> tau = shear<T, D>(fits.surface, n);
   GhostState<T, D> ghost;
 #pragma GCC unroll 3

@@ -109,7 +109,9 @@ void stage_gradients(const Stage<Scalar<P>, D>& stage, const Segment<D>& segment
   const StageSweepFields<T, D> fields = stage_sweep_fields<T, D, typename P::arch_type>(stage);
   alignas(64) T fourth[fields_swept][chunk_slots];
   const bool dissipates = stage.dissipation != 0;
-  if (dissipates) fourth_differences<P>(fields, segment, stage.pack_state, chunk, fourth);
+  if (dissipates) {
+    fourth_differences<P>(fields, segment, stage.pack_state, stage.interior, chunk, fourth);
+  }
   for (int at = 0; at < chunk.count; at += lanes<P>) {
     const std::int64_t slot = chunk.first + at;
     const PackState state = stage.pack_state[slot / slots_per_pack<T>];

@@ -163,14 +163,13 @@ struct Scatter {
   std::array<std::int32_t, D> extent;  ///< nodes of the buffer
 };
 
-/// (RP.27) of one field over a block. A direction counts only where the slots two to each side and
-/// the slot itself are valid.
+/// (RP.27) of one field over a block, between slots inside.
 template <class T, int D>
 struct Filter {
   const Segment<D>* segments;
   int segment_count;
-  T strength;      ///< gamma
-  const T* valid;  ///< [slot] 1 or 0
+  T strength;       ///< gamma
+  const T* inside;  ///< [slot] 1 or 0
   const T* field;
   T* filtered;
 };

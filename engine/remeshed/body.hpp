@@ -29,6 +29,7 @@ struct BlockGhosts {
   std::vector<T> linear, constrained;   ///< c of (RP.32), b of (RP.33)
   std::vector<T> surface;               ///< a: (RP.32) at the foot point
   std::vector<T> constrained_sum;       ///< [ghost] sum of b
+  std::vector<T> surface_sum;  ///< [ghost] sum of a: 1, or 0 where the surface meets a wall
   std::vector<kernels::SurfacePack> packs;
   std::int32_t first_record = 0, record_count = 0;
   Buffer<T> sums;

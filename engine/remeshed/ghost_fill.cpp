@@ -68,8 +68,11 @@ void fill_ghosts(Body<T, D>& body, int block, int stage, int parity,
   const kernels::Impedance<T> impedance(body.material);
   for (std::size_t g = 0; g < count; ++g) {
     const T* sums = ghosts.sums.get() + 3 * width * g;
-    const kernels::GhostFits<T, D> fits{
-        {sums}, {sums + width}, {sums + 2 * width}, ghosts.constrained_sum[g]};
+    const kernels::GhostFits<T, D> fits{{sums},
+                                        {sums + width},
+                                        {sums + 2 * width},
+                                        ghosts.constrained_sum[g],
+                                        ghosts.surface_sum[g]};
     kernels::GhostState<T, D> ghost;
     if (const int w = ghosts.wall[g]; w >= 0) {
       std::array<T, D> velocity, normal;

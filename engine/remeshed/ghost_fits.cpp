@@ -3,6 +3,7 @@
 #include <Eigen/Dense>
 #include <atomic>
 #include <cmath>
+#include <numeric>
 
 namespace pliant::remeshed {
 
@@ -242,25 +243,37 @@ class GhostFitter {
     }
     // The curved fit overshoots where the solution is singular: at walls and where they meet the
     // free surface.
-    const bool curved = boundaries_.nearest_wall(foot).second > fit_radius * body_.lattice.spacing;
+    const double wall_distance = boundaries_.nearest_wall(foot).second / body_.lattice.spacing;
+    const bool curved = wall_distance > fit_radius;
     double radius = fit_radius;
-    for (int attempt = 0; attempt <= most_widenings; ++attempt, radius *= widening) {
+    bool fitted = false;
+    for (int attempt = 0; !fitted && attempt <= most_widenings; ++attempt, radius *= widening) {
       search(centre, radius, wall);
-      c_.clear();
-      b_.clear();
-      a_.clear();
-      if (fit_in_all_directions<D>(particles_, site, c_, a_) &&
-          ((curved && fit_constrained<D + 1>(particles_, site, b_)) ||
-           fit_constrained<D>(particles_, site, b_))) {
-        return keep();
-      }
+      fitted = fit_fully(site, curved);
     }
+    if (!fitted) fit_poorly(site);
+    // What the fit finds as traction there is the singular stress, no wave to let out.
+    if (wall == nullptr && wall_distance < 1) a_.assign(a_.size(), 0);
+    keep();
+  }
+
+  bool fit_fully(const FitSite<D>& site, bool curved) {
+    clear();
+    return fit_in_all_directions<D>(particles_, site, c_, a_) &&
+           ((curved && fit_constrained<D + 1>(particles_, site, b_)) ||
+            fit_constrained<D>(particles_, site, b_));
+  }
+
+  void fit_poorly(const FitSite<D>& site) {
+    clear();
+    if (!fit_along_normal<D>(particles_, site, c_, a_)) constant();
+    if (!fit_proportional<D>(particles_, site, b_)) b_.assign(particles_.size(), 0);
+  }
+
+  void clear() {
     c_.clear();
     b_.clear();
     a_.clear();
-    if (!fit_along_normal<D>(particles_, site, c_, a_)) constant();
-    if (!fit_proportional<D>(particles_, site, b_)) b_.assign(particles_.size(), 0);
-    keep();
   }
 
   void constant() {
@@ -286,9 +299,8 @@ class GhostFitter {
   }
 
   void keep() {
-    double sum = 0;
-    for (const double b : b_) sum += b;
-    ghosts_.constrained_sum.push_back(static_cast<T>(sum));
+    ghosts_.constrained_sum.push_back(static_cast<T>(std::accumulate(b_.begin(), b_.end(), 0.)));
+    ghosts_.surface_sum.push_back(static_cast<T>(std::accumulate(a_.begin(), a_.end(), 0.)));
     for (std::size_t k = 0; k < particles_.size(); ++k) {
       ghosts_.neighbour.push_back(particles_[k].slot);
       ghosts_.linear.push_back(static_cast<T>(c_[k]));
@@ -339,6 +351,7 @@ void fit_ghosts(const Body<T, D>& body, Population<T, D>& population, const Fiel
   ghosts.linear.clear();
   ghosts.constrained.clear();
   ghosts.constrained_sum.clear();
+  ghosts.surface_sum.clear();
   ghosts.surface.clear();
   GhostFitter<T, D> fitter(body, population, state, block, level_set, boundaries, treatment, used);
   population.layout.for_each_slot(population.layout.blocks()[block],

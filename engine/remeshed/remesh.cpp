@@ -12,6 +12,7 @@
 //               the packs within reach of any particle become the new layout
 //   arrival     M4' scatter of particles and ghosts onto the new nodes      (RP.21)-(RP.26)
 //               high-order filter                                           (RP.27)
+//               det F = rho0/rho                                            (RP.46)
 //               level set: continued through walls, rebuilt, reinitialised  (RP.29), (RP.30)
 //               kinds of the slots; fits of the ghosts                      (RP.32), (RP.33)
 namespace pliant::remeshed {
@@ -151,6 +152,7 @@ void Remeshing<T, D>::prepare_spare() {
   body_.stage[1].grow(slots);
   body_.stage[2].grow(slots);
   valid_.grow(slots, T(0));
+  inside_.grow(slots, T(0));
   filtered_mass_.grow(slots, T(0));
   body_.record_of_slot.grow(slots, 0);
   std::fill_n(body_.record_of_slot.get(), slots, 0);
@@ -235,6 +237,7 @@ void Remeshing<T, D>::find_closest_points(int block) {
 template <class T, int D>
 void Remeshing<T, D>::find_kinds(int block) {
   if (has_surface_) level_set_.finish(body_.spare.layout.blocks()[block]);
+  if (body_.material.model == kernels::Model::reduced_polynomial) match_volumes(block);
   particles_[block] =
       classify<T, D>(body_, body_.spare, body_.stage[1], block, boundaries_, valid_.get());
 }

@@ -58,6 +58,7 @@ class Remeshing {
   void scatter(int block);
   void add_source(int block, T* nodes, const Cell<D>& lower, const Cell<D>& extent);
   void take_nodes(int block, const T* nodes, const Cell<D>& lower, const Cell<D>& extent);
+  void match_volumes(int block);
   void filter(int block);
   void adopt_filtered();
   void copy_images(int block);
@@ -82,6 +83,7 @@ class Remeshing {
   LevelSet<T, D> level_set_;
   std::vector<Bounds> bounds_;           ///< [present block] cells of its particles
   std::vector<std::int64_t> particles_;  ///< [new block]
+  Buffer<T> inside_;                     ///< [new slot] 1 there where phi < 0
   Buffer<T> valid_;                      ///< [new slot] 1 where remeshing left a particle
   Buffer<T> filtered_mass_;
   std::vector<Buffer<T>> tiles_;  ///< [worker]

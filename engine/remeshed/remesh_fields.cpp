@@ -5,6 +5,7 @@
 #include "engine/geometry/signed_distance.hpp"
 #include "engine/remeshed/remesh.hpp"
 #include "engine/remeshed/setup.hpp"
+#include "kernels/set_determinant.hpp"
 
 // How fields cross to the new lattice. Each new block gathers from all present blocks that come
 // near into a tile of nodes of its own, so that blocks share nothing and sums keep one order.
@@ -92,6 +93,7 @@ void Remeshing<T, D>::take_nodes(int block, const T* nodes, const Cell<D>& lower
     const bool valid = weight >= T(0.6) && volume >= T(0.3) * cell_volume && mass > 0 &&
                        body_.lattice.is_wrapped(cell);
     valid_[p] = valid ? T(1) : T(0);
+    inside_[p] = valid && node[Node::level_set] < 0 ? T(1) : T(0);
     // The filter needs images already, whatever the slots turn out to be.
     body_.spare.kind[p] = valid ? Kind::interior : Kind::vacant;
     const T per_mass = valid ? 1 / mass : T(0), per_volume = valid ? 1 / volume : T(0);
@@ -112,13 +114,29 @@ void Remeshing<T, D>::take_nodes(int block, const T* nodes, const Cell<D>& lower
   });
 }
 
+// (RP.46)
+template <class T, int D>
+void Remeshing<T, D>::match_volumes(int block) {
+  FieldStore<T, D>& state = body_.stage[1];
+  const T* mass = state.get(Field::mass);
+  const T* volume = state.get(Field::volume);
+  const Layout<D>& layout = body_.spare.layout;
+  layout.for_each_slot(layout.blocks()[block], [&](std::int64_t p, const Cell<D>&) {
+    if (valid_[p] == 0) return;
+    std::array<T, D * D> f;
+    for (int c = 0; c < D * D; ++c) f[c] = state.get(Field::material, c)[p];
+    kernels::set_determinant<T, D>(f, body_.material.density * volume[p] / mass[p]);
+    for (int c = 0; c < D * D; ++c) state.get(Field::material, c)[p] = f[c];
+  });
+}
+
 template <class T, int D>
 void Remeshing<T, D>::filter(int block) {
   const Layout<D>& layout = body_.spare.layout;
   const Block<D>& range = layout.blocks()[block];
   const auto apply = [&](const Buffer<T>& from, Buffer<T>& to) {
     kernels_.filter({layout.segments_of(range), range.segment_count,
-                     static_cast<T>(filter_strength_), valid_.get(), from.get(), to.get()});
+                     static_cast<T>(filter_strength_), inside_.get(), from.get(), to.get()});
   };
   for (const Field f : {Field::velocity, Field::material}) {
     for (std::size_t c = 0; c < body_.stage[1][f].size(); ++c) {
@@ -159,6 +177,7 @@ void Remeshing<T, D>::copy_images(int block) {
   for (const auto& [image, source] : to.images[block]) {
     to.kind[image] = Kind::image;
     valid_[image] = valid_[source];
+    inside_[image] = inside_[source];
     for (const FieldDeclaration& f : fields) {
       for (Buffer<T>& component : body_.stage[1][f.field]) component[image] = component[source];
     }
@@ -227,6 +246,7 @@ void Remeshing<T, D>::place_initial(const Case& settings, const BodyCase& source
 template void Remeshing<double, 2>::scatter(int);
 template void Remeshing<double, 2>::add_source(int, double*, const Cell<2>&, const Cell<2>&);
 template void Remeshing<double, 2>::take_nodes(int, const double*, const Cell<2>&, const Cell<2>&);
+template void Remeshing<double, 2>::match_volumes(int);
 template void Remeshing<double, 2>::filter(int);
 template void Remeshing<double, 2>::adopt_filtered();
 template void Remeshing<double, 2>::list_images(Population<double, 2>&, int) const;

@@ -93,6 +93,7 @@ void put_ghosts(ArchiveWriter& archive, const std::string& group,
   put.template operator()<T>("constrained", &G::constrained);
   put.template operator()<T>("surface", &G::surface);
   put.template operator()<T>("constrained_sum", &G::constrained_sum);
+  put.template operator()<T>("surface_sum", &G::surface_sum);
 }
 
 template <class T, int D>
@@ -109,7 +110,8 @@ void get_ghosts(const ArchiveReader& archive, const std::string& group,
   const auto linear = archive.get<T>(group + "/linear");
   const auto constrained = archive.get<T>(group + "/constrained");
   const auto surface = archive.get<T>(group + "/surface");
-  const auto sums = archive.get<T>(group + "/constrained_sum");
+  const auto constrained_sums = archive.get<T>(group + "/constrained_sum");
+  const auto surface_sums = archive.get<T>(group + "/surface_sum");
   std::size_t ghost = 0, neighbour = 0, pack = 0, begin = 0;
   population.record_count = 0;
   for (std::size_t b = 0; b < population.ghosts.size(); ++b) {
@@ -120,7 +122,8 @@ void get_ghosts(const ArchiveReader& archive, const std::string& group,
     };
     g.begin = part(begins, begin, ghosts + 1);
     g.slot = part(slots, ghost, ghosts);
-    g.constrained_sum = part(sums, ghost, ghosts);
+    g.constrained_sum = part(constrained_sums, ghost, ghosts);
+    g.surface_sum = part(surface_sums, ghost, ghosts);
     g.neighbour = part(neighbours, neighbour, pairs);
     g.record = part(records, neighbour, pairs);
     g.linear = part(linear, neighbour, pairs);

@@ -83,14 +83,18 @@ TEST(ghost_state, a_body_at_rest_under_its_surface_pressure_stays_at_rest) {
   std::array<double, record_width<2>> constrained = uniform;
   const double weight = 0.4;  // sum of b
   for (double& v : constrained) v *= weight;
-  const GhostFits<double, 2> fits{{uniform.data()}, {constrained.data()}, {uniform.data()}, weight};
+  const GhostFits<double, 2> everywhere{
+      {uniform.data()}, {constrained.data()}, {uniform.data()}, weight, 1};
+  const std::array<double, record_width<2>> none = {};
+  const GhostFits<double, 2> beside_a_wall{
+      {uniform.data()}, {constrained.data()}, {none.data()}, weight, 0};
   Material<double> material;
   material.bulk_modulus = 80;
   material.shear_modulus = 30;
   const Impedance<double> impedance(material);
-  const GhostState<double, 2> surface = free_surface_ghost<double, 2>(fits, pressure, impedance);
-  const GhostState<double, 2> wall = wall_ghost<double, 2>(fits, {0, 0}, {-1, 0}, impedance);
-  for (const auto& ghost : {surface, wall}) {
+  for (const auto& ghost : {free_surface_ghost<double, 2>(everywhere, pressure, impedance),
+                            free_surface_ghost<double, 2>(beside_a_wall, pressure, impedance),
+                            wall_ghost<double, 2>(everywhere, {0, 0}, {-1, 0}, impedance)}) {
     for (const double u : ghost.velocity) EXPECT_NEAR(u, 0, 1e-16);
     EXPECT_NEAR(ghost.stress[0], -pressure, 1e-15);
     EXPECT_NEAR(ghost.stress[1], 0, 1e-15);

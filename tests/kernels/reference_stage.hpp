@@ -51,17 +51,22 @@ struct Rates {
   double strain_rate;
 };
 
-/// delta^4 f summed over the lattice lines through slot p.
+/// delta^4 f summed over the lattice lines through slot p: third differences flowing between
+/// interior neighbours.
 template <class T, int D>
-double fourth_difference_at(const Field<T>& f, const Segment<D>& segment, std::int64_t p) {
-  constexpr double coefficient[5] = {1, -4, 6, -4, 1};
+double fourth_difference_at(const Field<T>& f, const Patch<T, D>& patch, const Segment<D>& segment,
+                            std::int64_t p) {
   double sum = 0;
   for (int axis = 0; axis < D; ++axis) {
-    for (int k = -2; k <= 2; ++k) {
+    const auto along = [&](int k) {
       const int dy = axis == 1 ? k : 0, dz = axis == 2 ? k : 0;
-      const std::int64_t row = segment.neighbour_row[row_index<D>(dy, dz)];
-      sum += coefficient[k + 2] * f[p + row + (axis == 0 ? k : 0)];
-    }
+      return p + segment.neighbour_row[row_index<D>(dy, dz)] + (axis == 0 ? k : 0);
+    };
+    const auto flux = [&](int k) {  // from the neighbour at k to that at k + 1
+      if (patch.interior[along(k)] == 0 || patch.interior[along(k + 1)] == 0) return 0.;
+      return double(f[along(k + 2)]) - 3. * f[along(k + 1)] + 3. * f[along(k)] - f[along(k - 1)];
+    };
+    sum += flux(0) - flux(-1);
   }
   return sum;
 }
@@ -110,7 +115,7 @@ Rates<D> reference_rates(const Body<T, D>& body, const State<T, D>& q, const Seg
   for (int i = 0; i < D; ++i) {
     for (int j = 0; j < D; ++j) {
       const Field<T>& stress = q.stress[symmetric_index<D>(i, j)];
-      relaxation(i, j) = -body.dissipation * fourth_difference_at(stress, segment, p);
+      relaxation(i, j) = -body.dissipation * fourth_difference_at(stress, body.patch, segment, p);
     }
   }
   if (body.material.model == Model::reduced_polynomial) {
@@ -122,8 +127,9 @@ Rates<D> reference_rates(const Body<T, D>& body, const State<T, D>& q, const Seg
   rates.displacement = vector_at<T, D>(q.velocity, p);
   for (int i = 0; i < D; ++i) {
     const Matrix<D> gradient_of_row = stress_sum[i] * inverse;  // (j, k): d sigma_ij / dx_k
-    rates.velocity[i] = gradient_of_row.trace() * q.volume[p] / body.mass[p] -
-                        body.dissipation * fourth_difference_at(q.velocity[i], segment, p);
+    rates.velocity[i] =
+        gradient_of_row.trace() * q.volume[p] / body.mass[p] -
+        body.dissipation * fourth_difference_at(q.velocity[i], body.patch, segment, p);
   }
   rates.volume = q.volume[p] * gradient.trace();
   const Matrix<D> strain = (gradient + gradient.transpose()) / 2;

@@ -1,0 +1,40 @@
+#pragma once
+
+#include <array>
+#include <cmath>
+#include <limits>
+
+/// Small matrices row by row, in plain scalars.
+namespace pliant::kernels {
+
+template <class T>
+std::array<T, 4> cofactors(const std::array<T, 4>& f) {
+  return {f[3], -f[2], -f[1], f[0]};
+}
+
+template <class T>
+std::array<T, 9> cofactors(const std::array<T, 9>& f) {
+  return {f[4] * f[8] - f[5] * f[7], f[5] * f[6] - f[3] * f[8], f[3] * f[7] - f[4] * f[6],
+          f[2] * f[7] - f[1] * f[8], f[0] * f[8] - f[2] * f[6], f[1] * f[6] - f[0] * f[7],
+          f[1] * f[5] - f[2] * f[4], f[2] * f[3] - f[0] * f[5], f[0] * f[4] - f[1] * f[3]};
+}
+
+/// Changes `f` as little as gives it the determinant `value` > 0, (RP.46), by Newton's method along
+/// the cofactors, which point to where the determinant grows the fastest. Stretches far from 1 stay
+/// what they are: the correction falls on the smallest.
+template <class T, int D>
+void set_determinant(std::array<T, D * D>& f, T value) {
+  constexpr int most_iterations = 8;
+  constexpr T tolerance = 16 * std::numeric_limits<T>::epsilon();
+  for (int i = 0; i < most_iterations; ++i) {
+    const auto cofactor = cofactors(f);
+    T determinant = 0, square = 0;
+    for (int c = 0; c < D; ++c) determinant += f[c] * cofactor[c];
+    for (const T c : cofactor) square += c * c;
+    const T missing = value - determinant;
+    if (std::abs(missing) <= tolerance * value) return;
+    for (int c = 0; c < D * D; ++c) f[c] += missing / square * cofactor[c];
+  }
+}
+
+}  // namespace pliant::kernels
