@@ -123,7 +123,7 @@ struct Case {
     enum class Policy { every, adaptive, never };
     Policy policy = Policy::adaptive;
     int every = 10;          ///< steps
-    double strain = 0.2;     ///< threshold of (RP.28)
+    double strain = 0.18;    ///< threshold of (RP.28)
     double filter = 0.2;     ///< gamma of (RP.27)
     bool extensive = false;  ///< volume: (RP.25) instead of (RP.24)
   } remeshing;

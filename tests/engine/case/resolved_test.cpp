@@ -115,7 +115,7 @@ cfl = 0.5
 
 [remeshing]
 every = "adaptive"
-strain = 0.2
+strain = 0.18
 filter = 0.2
 volume = "reset"
 

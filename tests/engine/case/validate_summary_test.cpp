@@ -23,7 +23,7 @@ kind = "mass"
             "  body block: about 200 particles, linear, rho law, waves at 8.204 m/s\n"
             "  boundary floor: fixed\n"
             "  time: 1 s in about 165 steps of 0.00609 s (CFL number 0.5), remeshed at a strain of "
-            "0.2\n"
+            "0.18\n"
             "  measurements: weight\n");
 }
 
