@@ -10,44 +10,64 @@
 ///
 ///     A += omega d d^T          H_f += omega d (f_q - f_p)          (grad f = A^-1 H_f at the end)
 ///
-/// In 2D with velocity and stress that makes 13 accumulators, which AVX-512 keeps in registers.
-/// Positions enter as displacements xi from the slots: d = (xi_q + offset h) - xi_p, so that the
-/// result does not depend on where the body is.
+/// In 2D with velocity and stress that makes 13 accumulators, which AVX-512 keeps in registers. In
+/// 3D it would make 33, so that velocity and stress are swept one after the other, A with the
+/// former. Positions enter as displacements xi from the slots: d = (xi_q + offset h) - xi_p, so
+/// that the result does not depend on where the body is.
 namespace pliant::kernels {
 
-/// A and H of a pack.
-template <class P, int D, int F>
-struct GradientSums {
+/// A of a pack.
+template <class P, int D>
+struct MomentSums {
   P moment[symmetric_components<D>];
-  P slope[F][D];
 
-  GradientSums() {
+  MomentSums() {
     for (P& a : moment) a = P(Scalar<P>(0));
-    for (auto& row : slope) {
-      for (P& h : row) h = P(Scalar<P>(0));
-    }
   }
 
-  [[gnu::always_inline]] void add(const P& omega, const P (&d)[D], const P (&difference)[F]) {
-    P weighted[D];
-    for (int i = 0; i < D; ++i) weighted[i] = omega * d[i];
+  [[gnu::always_inline]] void add(const P (&weighted)[D], const P (&d)[D]) {
     for (int i = 0; i < D; ++i) {
       for (int j = i; j < D; ++j) {
         P& a = moment[symmetric_index<D>(i, j)];
         a = fused(weighted[i], d[j], a);
       }
     }
+  }
+};
+
+/// H of a pack.
+template <class P, int D, int F>
+struct SlopeSums {
+  P slope[F][D];
+
+  SlopeSums() {
+    for (auto& row : slope) {
+      for (P& h : row) h = P(Scalar<P>(0));
+    }
+  }
+
+  [[gnu::always_inline]] void add(const P (&weighted)[D], const P (&)[D],
+                                  const P (&difference)[F]) {
     for (int f = 0; f < F; ++f) {
       for (int i = 0; i < D; ++i) slope[f][i] = fused(weighted[i], difference[f], slope[f][i]);
     }
   }
 };
 
-/// Gradients of F fields from their sums; not finite where the neighbours do not span the space.
+/// Both.
 template <class P, int D, int F>
-inline void solve(const GradientSums<P, D, F>& sums, P (&gradient)[F][D]) {
-  P inverse[symmetric_components<D>];
-  invert_symmetric(sums.moment, inverse);
+struct GradientSums : MomentSums<P, D>, SlopeSums<P, D, F> {
+  [[gnu::always_inline]] void add(const P (&weighted)[D], const P (&d)[D],
+                                  const P (&difference)[F]) {
+    MomentSums<P, D>::add(weighted, d);
+    SlopeSums<P, D, F>::add(weighted, d, difference);
+  }
+};
+
+/// Gradients of F fields from their sums and the inverse of A.
+template <class P, int D, int F>
+inline void solve(const P (&inverse)[symmetric_components<D>], const SlopeSums<P, D, F>& sums,
+                  P (&gradient)[F][D]) {
 #pragma GCC unroll 16
   for (int f = 0; f < F; ++f) {
 #pragma GCC unroll 3
@@ -59,6 +79,14 @@ inline void solve(const GradientSums<P, D, F>& sums, P (&gradient)[F][D]) {
       gradient[f][i] = value;
     }
   }
+}
+
+/// The same with A; not finite where the neighbours do not span the space.
+template <class P, int D, int F>
+inline void solve(const GradientSums<P, D, F>& sums, P (&gradient)[F][D]) {
+  P inverse[symmetric_components<D>];
+  invert_symmetric(sums.moment, inverse);
+  solve<P, D, F>(inverse, sums, gradient);
 }
 
 /// The fields of a sweep: where particles are, and what is differentiated.
@@ -81,9 +109,8 @@ class PairSweep {
   }
 
   /// Adds neighbours whose slots lie `offset` cells away; `neighbour(field)` loads them.
-  template <class Load>
-  [[gnu::always_inline]] void meet(const P (&offset)[D], const Load& neighbour,
-                                   GradientSums<P, D, F>& sums) const {
+  template <class Load, class Sums>
+  [[gnu::always_inline]] void meet(const P (&offset)[D], const Load& neighbour, Sums& sums) const {
     P d[D], difference[F];
     for (int i = 0; i < D; ++i) {
       d[i] = neighbour(fields_.displacement[i]) - fused_minus(offset[i], spacing_, position_[i]);
@@ -91,7 +118,10 @@ class PairSweep {
     for (int f = 0; f < F; ++f) difference[f] = neighbour(fields_.field[f]) - value_[f];
     P distance2 = d[0] * d[0];
     for (int i = 1; i < D; ++i) distance2 = fused(d[i], d[i], distance2);
-    sums.add(weight_(distance2), d, difference);
+    const P omega = weight_(distance2);
+    P weighted[D];
+    for (int i = 0; i < D; ++i) weighted[i] = omega * d[i];
+    sums.add(weighted, d, difference);
   }
 
  private:
@@ -102,23 +132,42 @@ class PairSweep {
   P value_[F];
 };
 
+/// How far the rows of the stencil reach along x, [abs(dz)][abs(dy)]: nodes at `reach + 1` cells
+/// are as far as the nearest ones outside the stencil, and left out too.
+template <class Arch, int reach>
+struct RowWidths {
+  int width[reach + 1][reach + 1];
+
+  constexpr RowWidths() : width() {
+    for (int dz = 0; dz <= reach; ++dz) {
+      for (int dy = 0; dy <= reach; ++dy) {
+        int w = reach;
+        while (w * w + dy * dy + dz * dz >= (reach + 1) * (reach + 1)) --w;
+        width[dz][dy] = w;
+      }
+    }
+  }
+};
+
 /// Sums over the lattice neighbours of the pack at `slot`.
-template <Weight weight, class P, int D, int F>
+template <Weight weight, template <class, int, int> class Sums, class P, int D, int F>
 [[gnu::always_inline]] inline void sweep_stencil(const SweepFields<Scalar<P>, D, F>& fields,
                                                  const std::int64_t* neighbour_row,
                                                  std::int64_t slot, Scalar<P> spacing,
-                                                 GradientSums<P, D, F>& sums) {
+                                                 Sums<P, D, F>& sums) {
   using T = Scalar<P>;
   constexpr int reach = stencil_reach(weight);
   constexpr int depth = D == 3 ? reach : 0;
+  static constexpr RowWidths<typename P::arch_type, reach> widths;
   const PairSweep<weight, P, D, F> sweep(fields, slot, spacing);
   for (int dz = -depth; dz <= depth; ++dz) {
 #pragma GCC unroll 5
     for (int dy = -reach; dy <= reach; ++dy) {
       const std::int64_t row = slot + neighbour_row[row_index<D>(dy, dz)];
+      const int width = widths.width[dz < 0 ? -dz : dz][dy < 0 ? -dy : dy];
 #pragma GCC unroll 5
       for (int dx = -reach; dx <= reach; ++dx) {
-        if (dx == 0 && dy == 0 && dz == 0) continue;
+        if ((dx == 0 && dy == 0 && dz == 0) || dx < -width || dx > width) continue;
         const T cells[3] = {T(dx), T(dy), T(dz)};
         P offset[D];
         for (int i = 0; i < D; ++i) offset[i] = P(cells[i]);
@@ -141,10 +190,10 @@ template <class To, class From>
 
 /// Sums over the listed neighbours of the register of particles at `slot`, which starts at lane
 /// `slot % slots_per_pack` of its pack.
-template <Weight weight, class P, int D, int F>
+template <Weight weight, template <class, int, int> class Sums, class P, int D, int F>
 [[gnu::always_inline]] inline void sweep_list(const SweepFields<Scalar<P>, D, F>& fields,
                                               const NeighbourLists<D>& lists, std::int64_t slot,
-                                              Scalar<P> spacing, GradientSums<P, D, F>& sums) {
+                                              Scalar<P> spacing, Sums<P, D, F>& sums) {
   using T = Scalar<P>;
   using Slots = xsimd::batch<xsimd::as_integer_t<T>, typename P::arch_type>;
   constexpr int pack = slots_per_pack<T>;

@@ -20,6 +20,15 @@ inline StageSweepFields<T, D> stage_sweep_fields(const Stage<T, D>& stage) {
   return fields;
 }
 
+/// Some of the fields of a sweep.
+template <int first, int count, class Arch, class T, int D, int F>
+inline SweepFields<T, D, count> part_of(const SweepFields<T, D, F>& fields) {
+  SweepFields<T, D, count> part;
+  for (int i = 0; i < D; ++i) part.displacement[i] = fields.displacement[i];
+  for (int f = 0; f < count; ++f) part.field[f] = fields.field[first + f];
+  return part;
+}
+
 /// What a register of particles contributes to its chunk.
 template <class P, int D>
 struct StageGradients {
@@ -30,12 +39,36 @@ struct StageGradients {
   }
 };
 
-/// grad u and div sigma from the sums of the sweep, (RP.18).
+/// Gradients of all fields of the sweep, (RP.18). `sweep(fields, sums)` adds up the neighbours.
+template <class P, int D, int F, class Sweep>
+[[gnu::always_inline]] inline void sweep_gradients(const SweepFields<Scalar<P>, D, F>& fields,
+                                                   const Sweep& sweep, P (&gradient)[F][D]) {
+  using Arch = typename P::arch_type;
+  if constexpr (D == 2) {
+    GradientSums<P, D, F> sums;
+    sweep(fields, sums);
+    solve(sums, gradient);
+  } else {
+    P inverse[symmetric_components<D>], velocity[D][D], stress[F - D][D];
+    {
+      GradientSums<P, D, D> sums;
+      sweep(part_of<0, D, Arch>(fields), sums);
+      invert_symmetric(sums.moment, inverse);
+      solve<P, D, D>(inverse, sums, velocity);
+    }
+    SlopeSums<P, D, F - D> sums;
+    sweep(part_of<D, F - D, Arch>(fields), sums);
+    solve<P, D, F - D>(inverse, sums, stress);
+    for (int f = 0; f < F; ++f) {
+      for (int i = 0; i < D; ++i) gradient[f][i] = f < D ? velocity[f][i] : stress[f - D][i];
+    }
+  }
+}
+
+/// grad u and div sigma from the gradients of the sweep.
 template <class P, int D>
-[[gnu::always_inline]] inline void solve_stage(
-    const GradientSums<P, D, D + symmetric_components<D>>& sums, StageGradients<P, D>& result) {
-  P gradient[D + symmetric_components<D>][D];
-  solve(sums, gradient);
+[[gnu::always_inline]] inline void take_gradients(
+    const P (&gradient)[D + symmetric_components<D>][D], StageGradients<P, D>& result) {
   for (int i = 0; i < D; ++i) {
     result.force[i] = gradient[D + symmetric_index<D>(i, 0)][0];
     for (int j = 1; j < D; ++j) {
@@ -119,14 +152,19 @@ void stage_gradients(const Stage<Scalar<P>, D>& stage, const Segment<D>& segment
       store_zeros<P>(at, gradients);
       continue;
     }
-    GradientSums<P, D, fields_swept> sums;
-    if constexpr (listed) {
-      sweep_list<weight>(fields, *stage.neighbours, slot, stage.spacing, sums);
-    } else {
-      sweep_stencil<weight>(fields, segment.neighbour_row.data(), slot, stage.spacing, sums);
-    }
+    P gradient[fields_swept][D];
+    sweep_gradients<P>(
+        fields,
+        [&](const auto& swept, auto& sums) __attribute__((always_inline)) {
+          if constexpr (listed) {
+            sweep_list<weight>(swept, *stage.neighbours, slot, stage.spacing, sums);
+          } else {
+            sweep_stencil<weight>(swept, segment.neighbour_row.data(), slot, stage.spacing, sums);
+          }
+        },
+        gradient);
     StageGradients<P, D> result;
-    solve_stage(sums, result);
+    take_gradients<P, D>(gradient, result);
     if (dissipates) dissipate(stage, fourth, at, result);
     store_gradients(result, state, stage.interior, slot, at, gradients);
   }
