@@ -23,6 +23,17 @@ def frame(file, index, field):
     return steps["Values"][index], file["VTKHDF/Points"][part], values
 
 
+def middle_layer(time, points, values):
+    """The particles of the layer nearest to the middle of a body in space; all of a plane one."""
+    heights = points[:, 2]
+    if np.ptp(heights) == 0:
+        return time, points, values
+    middle = (heights.min() + heights.max()) / 2
+    layers = np.ptp(heights) / len(points) ** (1 / 3)
+    near = np.abs(heights - middle) < 0.6 * layers
+    return time, points[near], values[near]
+
+
 def main():
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("folder")
@@ -33,7 +44,7 @@ def main():
     with h5py.File(f"{arguments.folder}/result.h5", "r") as file:
         count = len(file["VTKHDF/Steps/Values"])
         indices = np.linspace(0, count - 1, min(arguments.frames, count)).round().astype(int)
-        frames = [frame(file, i, arguments.field) for i in indices]
+        frames = [middle_layer(*frame(file, i, arguments.field)) for i in indices]
     lowest = min(values.min() for *_, values in frames)
     highest = max(values.max() for *_, values in frames)
     points = np.concatenate([points for _, points, _ in frames])

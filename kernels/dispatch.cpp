@@ -36,17 +36,20 @@ std::string_view name(Isa isa) {
   return "";
 }
 
-template <>
-const Table<double, 2>& table<double, 2>(Isa isa) {
+template <class T, int D>
+const Table<T, D>& table(Isa isa) {
   switch (isa) {
     case Isa::avx512:
-      return avx512_table;
+      return avx512_table<D>();
     case Isa::avx2:
-      return avx2_table;
+      return avx2_table<D>();
     case Isa::sse2:
       break;
   }
-  return sse2_table;
+  return sse2_table<D>();
 }
+
+template const Table<double, 2>& table<double, 2>(Isa);
+template const Table<double, 3>& table<double, 3>(Isa);
 
 }  // namespace pliant::kernels

@@ -186,7 +186,7 @@ struct Table {
   void (*filter)(const Filter<T, D>&);
 };
 
-/// Kernels compiled for `isa`. Instantiated for <double, 2>.
+/// Kernels compiled for `isa`. Instantiated for <double, 2> and <double, 3>.
 template <class T, int D>
 const Table<T, D>& table(Isa isa);
 

@@ -72,10 +72,15 @@ ExitStatus list(const std::filesystem::path& folder) {
 
 ExitStatus graph(const GraphArguments& arguments) {
   const Case settings = read_case(arguments.source.path, arguments.source.settings);
-  const remeshed::Solver<double, 2> solver(settings, 1, kernels::widest_supported());
-  const auto detail = arguments.blocks ? scheduler::Detail::blocks : scheduler::Detail::phases;
-  fmt::print("{}", arguments.format == "json" ? solver.step_graph().json()
-                                              : solver.step_graph().dot(detail));
+  const auto print = [&](const scheduler::StepGraph& graph) {
+    const auto detail = arguments.blocks ? scheduler::Detail::blocks : scheduler::Detail::phases;
+    fmt::print("{}", arguments.format == "json" ? graph.json() : graph.dot(detail));
+  };
+  if (settings.dimension == 2) {
+    print(remeshed::Solver<double, 2>(settings, 1, kernels::widest_supported()).step_graph());
+  } else {
+    print(remeshed::Solver<double, 3>(settings, 1, kernels::widest_supported()).step_graph());
+  }
   return ExitStatus::done;
 }
 

@@ -73,5 +73,9 @@ template std::int64_t classify<double, 2>(const Body<double, 2>&, Population<dou
                                           FieldStore<double, 2>&, int, const Boundaries<2>&,
                                           const double*);
 template void find_pack_states<double, 2>(Population<double, 2>&, const kernels::Segment<2>&);
+template std::int64_t classify<double, 3>(const Body<double, 3>&, Population<double, 3>&,
+                                          FieldStore<double, 3>&, int, const Boundaries<3>&,
+                                          const double*);
+template void find_pack_states<double, 3>(Population<double, 3>&, const kernels::Segment<3>&);
 
 }  // namespace pliant::remeshed

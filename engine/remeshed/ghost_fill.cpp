@@ -1,5 +1,6 @@
 #include "engine/remeshed/ghost_fill.hpp"
 
+#include <Eigen/Dense>
 #include <cmath>
 
 #include "kernels/ghost_state.hpp"
@@ -12,35 +13,38 @@ namespace {
 template <class T, int D>
 std::array<T, D> rigid_velocity(const Body<T, D>& body, const FieldStore<T, D>& state,
                                 const BlockGhosts<T, D>& ghosts, std::size_t g) {
-  static_assert(D == 2, "the rotation of a plane neighbourhood is one number");
+  using Vector3 = Eigen::Vector3d;
   const std::int64_t begin = ghosts.begin[g], end = ghosts.begin[g + 1];
   const Layout<D>& layout = body.population.layout;
   const auto position = [&](std::int64_t slot) {
-    Point<D> x = body.lattice.node(layout.cell(slot));
-    for (int a = 0; a < D; ++a) x[a] += state.get(Field::displacement, a)[slot];
+    const Point<D> node = body.lattice.node(layout.cell(slot));
+    Vector3 x = Vector3::Zero();
+    for (int a = 0; a < D; ++a) x[a] = node[a] + state.get(Field::displacement, a)[slot];
     return x;
   };
-  Point<D> centre = {}, mean = {};
+  const auto velocity = [&](std::int64_t slot) {
+    Vector3 u = Vector3::Zero();
+    for (int a = 0; a < D; ++a) u[a] = state.get(Field::velocity, a)[slot];
+    return u;
+  };
+  Vector3 centre = Vector3::Zero(), mean = Vector3::Zero();
   for (std::int64_t k = begin; k < end; ++k) {
-    const Point<D> x = position(ghosts.neighbour[k]);
-    for (int a = 0; a < D; ++a) {
-      centre[a] += x[a] / (end - begin);
-      mean[a] += state.get(Field::velocity, a)[ghosts.neighbour[k]] / (end - begin);
-    }
+    centre += position(ghosts.neighbour[k]) / (end - begin);
+    mean += velocity(ghosts.neighbour[k]) / (end - begin);
   }
-  double moment = 0, inertia = 0;
+  Vector3 moment = Vector3::Zero();
+  Eigen::Matrix3d inertia = Eigen::Matrix3d::Zero();
   for (std::int64_t k = begin; k < end; ++k) {
-    const std::int64_t q = ghosts.neighbour[k];
-    const Point<D> x = position(q);
-    const double rx = x[0] - centre[0], ry = x[1] - centre[1];
-    moment += rx * (state.get(Field::velocity, 1)[q] - mean[1]) -
-              ry * (state.get(Field::velocity, 0)[q] - mean[0]);
-    inertia += rx * rx + ry * ry;
+    const Vector3 r = position(ghosts.neighbour[k]) - centre;
+    moment += r.cross(velocity(ghosts.neighbour[k]) - mean);
+    inertia += r.squaredNorm() * Eigen::Matrix3d::Identity() - r * r.transpose();
   }
-  const double omega = inertia > 0 ? moment / inertia : 0;
-  const Point<D> x = position(ghosts.slot[g]);
-  return {static_cast<T>(mean[0] - omega * (x[1] - centre[1])),
-          static_cast<T>(mean[1] + omega * (x[0] - centre[0]))};
+  // Neighbours in a line leave the rotation about it open: the least one is taken.
+  const Vector3 omega = inertia.completeOrthogonalDecomposition().solve(moment);
+  const Vector3 u = mean + omega.cross(position(ghosts.slot[g]) - centre);
+  std::array<T, D> result;
+  for (int a = 0; a < D; ++a) result[a] = static_cast<T>(u[a]);
+  return result;
 }
 
 }  // namespace
@@ -135,5 +139,10 @@ template void fill_ghosts<double, 2>(Body<double, 2>&, int, int, int, const Boun
                                      const BoundaryValues<2>&, GhostTreatment,
                                      const kernels::Table<double, 2>&);
 template void fill_conserved<double, 2>(Body<double, 2>&, int);
+template struct BoundaryValues<3>;
+template void fill_ghosts<double, 3>(Body<double, 3>&, int, int, int, const Boundaries<3>&,
+                                     const BoundaryValues<3>&, GhostTreatment,
+                                     const kernels::Table<double, 3>&);
+template void fill_conserved<double, 3>(Body<double, 3>&, int);
 
 }  // namespace pliant::remeshed

@@ -418,5 +418,11 @@ template void fit_ghosts<double, 2>(const Body<double, 2>&, Population<double, 2
 template void list_surface_particles<double, 2>(Population<double, 2>&, int, const std::int32_t*);
 template void number_records<double, 2>(Population<double, 2>&, std::int32_t*);
 template void resolve_records<double, 2>(Population<double, 2>&, int, const std::int32_t*);
+template void fit_ghosts<double, 3>(const Body<double, 3>&, Population<double, 3>&,
+                                    const FieldStore<double, 3>&, int, const LevelSet<double, 3>&,
+                                    const Boundaries<3>&, GhostTreatment, std::int32_t*);
+template void list_surface_particles<double, 3>(Population<double, 3>&, int, const std::int32_t*);
+template void number_records<double, 3>(Population<double, 3>&, std::int32_t*);
+template void resolve_records<double, 3>(Population<double, 3>&, int, const std::int32_t*);
 
 }  // namespace pliant::remeshed

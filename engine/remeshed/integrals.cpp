@@ -217,5 +217,8 @@ BodyIntegrals sum_particles(const Body<T, D>& body, const Vector& about) {
 template BodyIntegrals integrate<double, 2>(const LatticeView<double, 2>&, const Boundaries<2>&,
                                             const Vector&);
 template BodyIntegrals sum_particles<double, 2>(const Body<double, 2>&, const Vector&);
+template BodyIntegrals integrate<double, 3>(const LatticeView<double, 3>&, const Boundaries<3>&,
+                                            const Vector&);
+template BodyIntegrals sum_particles<double, 3>(const Body<double, 3>&, const Vector&);
 
 }  // namespace pliant::remeshed

@@ -300,5 +300,6 @@ bool LevelSet<T, D>::closest_point(std::int64_t slot, Point<D>& offset) const {
 }
 
 template class LevelSet<double, 2>;
+template class LevelSet<double, 3>;
 
 }  // namespace pliant::remeshed

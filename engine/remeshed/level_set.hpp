@@ -65,5 +65,6 @@ class LevelSet {
 };
 
 extern template class LevelSet<double, 2>;
+extern template class LevelSet<double, 3>;
 
 }  // namespace pliant::remeshed

@@ -241,5 +241,7 @@ double Measurer<T, D>::point_value(const MeasurementCase& m) {
 
 template class Measurer<double, 2>;
 template Vector material_displacement<double, 2>(const Body<double, 2>&, const Vector&);
+template class Measurer<double, 3>;
+template Vector material_displacement<double, 3>(const Body<double, 3>&, const Vector&);
 
 }  // namespace pliant::remeshed

@@ -299,5 +299,6 @@ void Remeshing<T, D>::adopt_restored() {
 }
 
 template class Remeshing<double, 2>;
+template class Remeshing<double, 3>;
 
 }  // namespace pliant::remeshed

@@ -90,5 +90,6 @@ class Remeshing {
 };
 
 extern template class Remeshing<double, 2>;
+extern template class Remeshing<double, 3>;
 
 }  // namespace pliant::remeshed

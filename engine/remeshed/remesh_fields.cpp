@@ -252,5 +252,14 @@ template void Remeshing<double, 2>::adopt_filtered();
 template void Remeshing<double, 2>::list_images(Population<double, 2>&, int) const;
 template void Remeshing<double, 2>::copy_images(int);
 template void Remeshing<double, 2>::place_initial(const Case&, const BodyCase&);
+template void Remeshing<double, 3>::scatter(int);
+template void Remeshing<double, 3>::add_source(int, double*, const Cell<3>&, const Cell<3>&);
+template void Remeshing<double, 3>::take_nodes(int, const double*, const Cell<3>&, const Cell<3>&);
+template void Remeshing<double, 3>::match_volumes(int);
+template void Remeshing<double, 3>::filter(int);
+template void Remeshing<double, 3>::adopt_filtered();
+template void Remeshing<double, 3>::list_images(Population<double, 3>&, int) const;
+template void Remeshing<double, 3>::copy_images(int);
+template void Remeshing<double, 3>::place_initial(const Case&, const BodyCase&);
 
 }  // namespace pliant::remeshed

@@ -309,5 +309,6 @@ std::size_t Solver<T, D>::bytes() const {
 }
 
 template class Solver<double, 2>;
+template class Solver<double, 3>;
 
 }  // namespace pliant::remeshed

@@ -95,5 +95,6 @@ class Solver {
 };
 
 extern template class Solver<double, 2>;
+extern template class Solver<double, 3>;
 
 }  // namespace pliant::remeshed

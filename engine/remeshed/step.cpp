@@ -247,5 +247,6 @@ void Step<T, D>::evaluate_stress(int block) {
 }
 
 template class Step<double, 2>;
+template class Step<double, 3>;
 
 }  // namespace pliant::remeshed

@@ -63,5 +63,6 @@ class Step {
 };
 
 extern template class Step<double, 2>;
+extern template class Step<double, 3>;
 
 }  // namespace pliant::remeshed

@@ -96,5 +96,6 @@ Frame take_frame(remeshed::Solver<T, D>& solver, bool with_ghosts) {
 }
 
 template Frame take_frame<double, 2>(remeshed::Solver<double, 2>&, bool);
+template Frame take_frame<double, 3>(remeshed::Solver<double, 3>&, bool);
 
 }  // namespace pliant

@@ -234,11 +234,8 @@ class Run {
 }  // namespace
 
 RunEnd run_case(const Case& settings, const RunOptions& options) {
-  if (settings.dimension != 2) {
-    throw std::invalid_argument(fmt::format(
-        "{}: this version runs two-dimensional cases; set dimension = 2", settings.name));
-  }
-  return Run<double, 2>(settings, options)();
+  return settings.dimension == 2 ? Run<double, 2>(settings, options)()
+                                 : Run<double, 3>(settings, options)();
 }
 
 }  // namespace pliant

@@ -227,5 +227,7 @@ void get_solver(const ArchiveReader& archive, remeshed::Solver<T, D>& solver) {
 
 template void put_solver<double, 2>(ArchiveWriter&, remeshed::Solver<double, 2>&);
 template void get_solver<double, 2>(const ArchiveReader&, remeshed::Solver<double, 2>&);
+template void put_solver<double, 3>(ArchiveWriter&, remeshed::Solver<double, 3>&);
+template void get_solver<double, 3>(const ArchiveReader&, remeshed::Solver<double, 3>&);
 
 }  // namespace pliant

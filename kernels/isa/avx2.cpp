@@ -3,7 +3,14 @@
 
 namespace pliant::kernels {
 
-constexpr Table<double, 2> avx2_table =
-    make_table<xsimd::batch<double, xsimd::fma3<xsimd::avx2>>, 2>(Isa::avx2);
+template <int D>
+const Table<double, D>& avx2_table() {
+  static constexpr Table<double, D> table =
+      make_table<xsimd::batch<double, xsimd::fma3<xsimd::avx2>>, D>(Isa::avx2);
+  return table;
+}
+
+template const Table<double, 2>& avx2_table<2>();
+template const Table<double, 3>& avx2_table<3>();
 
 }  // namespace pliant::kernels

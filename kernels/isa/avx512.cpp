@@ -5,7 +5,14 @@
 
 namespace pliant::kernels {
 
-constexpr Table<double, 2> avx512_table =
-    make_table<xsimd::batch<double, xsimd::avx512bw>, 2>(Isa::avx512);
+template <int D>
+const Table<double, D>& avx512_table() {
+  static constexpr Table<double, D> table =
+      make_table<xsimd::batch<double, xsimd::avx512bw>, D>(Isa::avx512);
+  return table;
+}
+
+template const Table<double, 2>& avx512_table<2>();
+template const Table<double, 3>& avx512_table<3>();
 
 }  // namespace pliant::kernels

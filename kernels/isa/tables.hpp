@@ -5,8 +5,11 @@
 namespace pliant::kernels {
 
 /// One for each instruction set, defined in the unit that is compiled for it.
-extern const Table<double, 2> sse2_table;
-extern const Table<double, 2> avx2_table;
-extern const Table<double, 2> avx512_table;
+template <int D>
+const Table<double, D>& sse2_table();
+template <int D>
+const Table<double, D>& avx2_table();
+template <int D>
+const Table<double, D>& avx512_table();
 
 }  // namespace pliant::kernels

@@ -17,9 +17,9 @@ std::unique_ptr<Solver> after(const Case& settings, int steps) {
 // Coordinates of size 4 are rounded to 4e-16, which is 1e-14 of a spacing. The slopes of level set
 // and walls pass that on, and 20 steps of a few dozen sums each add to it.
 constexpr double rounding = 1e-11;
-// The cubic interpolant of the level set is continuous, its slope is not: on lattice lines, where the
-// closest points of plane surfaces lie, rounding decides which side's slope turns the foot point.
-// Near corners that is 2e-6 spacings, and stresses feel ten times as much.
+// The cubic interpolant of the level set is continuous, its slope is not: on lattice lines, where
+// the closest points of plane surfaces lie, rounding decides which side's slope turns the foot
+// point. Near corners that is 2e-6 spacings, and stresses feel ten times as much.
 constexpr double closest_points = 2e-5;
 
 const Settings disc = {"discretisation.spacing=1/16", "remeshing.every=6"};

@@ -20,7 +20,6 @@ using Dimensions = testing::Types<Dimension<double, 2>, Dimension<double, 3>, Di
 
 /// Tables that the library does not hold, compiled as it compiles its own. Records of float are
 /// shorter than a register of AVX-512.
-extern const Table<double, 3> sse2_table_3d, avx2_table_3d, avx512_table_3d;
 extern const Table<float, 2> sse2_table_float, avx2_table_float;
 
 /// Kernels of any scalar type and dimension.
@@ -28,8 +27,6 @@ template <class T, int D>
 const Table<T, D>& table_of(Isa isa) {
   if constexpr (std::is_same_v<T, float>) {
     return isa == Isa::sse2 ? sse2_table_float : avx2_table_float;
-  } else if constexpr (D == 3) {
-    return isa == Isa::sse2 ? sse2_table_3d : isa == Isa::avx2 ? avx2_table_3d : avx512_table_3d;
   } else {
     return table<T, D>(isa);
   }

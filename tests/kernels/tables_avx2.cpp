@@ -4,7 +4,6 @@
 namespace pliant::kernels::test {
 
 using Arch = xsimd::fma3<xsimd::avx2>;
-constexpr Table<double, 3> avx2_table_3d = make_table<xsimd::batch<double, Arch>, 3>(Isa::avx2);
 constexpr Table<float, 2> avx2_table_float = make_table<xsimd::batch<float, Arch>, 2>(Isa::avx2);
 
 }  // namespace pliant::kernels::test

@@ -4,7 +4,6 @@
 namespace pliant::kernels::test {
 
 using Arch = xsimd::sse2;
-constexpr Table<double, 3> sse2_table_3d = make_table<xsimd::batch<double, Arch>, 3>(Isa::sse2);
 constexpr Table<float, 2> sse2_table_float = make_table<xsimd::batch<float, Arch>, 2>(Isa::sse2);
 
 }  // namespace pliant::kernels::test

@@ -9,16 +9,18 @@
 namespace pliant::test {
 namespace {
 
-/// Largest error of the velocity over its amplitude, against the exact plane waves, at the end of
-/// the case `periodic_square` with `cells` particles to a wavelength.
+/// Largest error of the velocity over its amplitude, against the exact waves, at the end of the case
+/// `periodic_square` or `periodic_cube` with `cells` particles to a wavelength.
+template <int D = 2>
 double wave_error(int cells, const Settings& material) {
-  const Case settings = small_case(
-      "periodic_square", Settings{"discretisation.spacing=1/" + std::to_string(cells)} + material);
+  const Case settings =
+      small_case(D == 2 ? "periodic_square" : "periodic_cube",
+                 Settings{"discretisation.spacing=1/" + std::to_string(cells)} + material);
   EXPECT_EQ(settings.measurements[0].name, "velocity_error_linf");
-  Solver solver(settings, 2, kernels::widest_supported());
+  remeshed::Solver<double, D> solver(settings, 2, kernels::widest_supported());
   advance_until(solver, settings.time.end);
   EXPECT_GE(solver.clock().remeshings, 5);
-  return remeshed::Measurer<double, 2>(solver)()[0];
+  return remeshed::Measurer<double, D>(solver)()[0];
 }
 
 double order(double coarse, double fine, double ratio) {
@@ -40,6 +42,10 @@ TEST(convergence, plane_waves_in_a_hyperelastic_solid_converge_at_second_order) 
       "time.end=0.158113883008",
       "measurement.velocity_error_linf.exact=[\"" + wave + "\", \"" + wave + "\"]"};
   EXPECT_GE(order(wave_error(16, hyperelastic), wave_error(64, hyperelastic), 4), 1.95);
+}
+
+TEST(convergence, waves_in_a_linear_cube_converge_at_second_order) {
+  EXPECT_GE(order(wave_error<3>(16, {}), wave_error<3>(32, {}), 2), 1.95);
 }
 
 /// State of a periodic cell in lively motion, never remeshed, after `steps` steps to one time.

@@ -33,7 +33,8 @@ inline void advance(Solver& solver, int steps) {
 }
 
 /// Steps to `time`, whatever the case's own steps would be.
-inline void advance_until(Solver& solver, double time) {
+template <int D>
+void advance_until(remeshed::Solver<double, D>& solver, double time) {
   while (solver.clock().time < time * (1 - 1e-12)) solver.step(time - solver.clock().time);
 }
 

@@ -63,11 +63,5 @@ TEST_F(Running, a_checkpoint_of_another_case_is_refused) {
   EXPECT_THROW(run({"body.cylinder.material.youngs_modulus=99"}, true), std::invalid_argument);
 }
 
-TEST_F(Running, three_dimensions_are_refused_until_they_work) {
-  Case settings = small_case("rotating_cylinder", quick);
-  settings.dimension = 3;
-  EXPECT_THROW(run_case(settings, {}), std::invalid_argument);
-}
-
 }  // namespace
 }  // namespace pliant::test

@@ -1,0 +1,70 @@
+#include <gtest/gtest.h>
+
+#include <numbers>
+
+#include "engine/remeshed/measure.hpp"
+#include "engine/simulation/run.hpp"
+#include "tests/engine/case/written_case.hpp"
+#include "tests/engine/output/file_content.hpp"
+#include "tests/engine/output/temporary_folder.hpp"
+#include "tests/engine/remeshed/small_case.hpp"
+
+// A small body in space: all of the method at once, in three dimensions.
+namespace pliant::test {
+namespace {
+
+constexpr const char* ball = R"(
+title = "a spinning ball"
+dimension = 3
+discretisation = { spacing = 0.2, weight = "compact" }
+time = { end = 0.1, step = "cfl" }
+remeshing = { every = 5 }
+output = { every = 0.05, measure_every = 0.02 }
+[[body]]
+name = "ball"
+geometry = { shape = "ball", centre = [0, 0, 0], radius = 1 }
+material = { model = "linear", youngs_modulus = 100, poissons_ratio = 0.3, density = 1 }
+rotation = { centre = [0, 0, 0], angular_velocity = [2, 4, 6] }
+[[boundary]]
+name = "floor"
+kind = "fixed"
+geometry = { shape = "half_space", point = [0, 0, -3], normal = [0, 0, 1] }
+)";
+
+FileContent result_of(const Case& settings, const std::filesystem::path& folder, int threads) {
+  RunOptions options;
+  options.folder = folder;
+  options.quiet = true;
+  options.isa = kernels::widest_supported();
+  options.threads = threads;
+  EXPECT_EQ(run_case(settings, options), RunEnd::done);
+  return content_of(folder / "result.h5");
+}
+
+TEST(three_dimensions, bytes_do_not_depend_on_the_number_of_threads) {
+  const TemporaryFolder folder;
+  const Case settings = tests::read_text(ball);
+  const FileContent one = result_of(settings, folder / "1", 1);
+  for (const int threads : {2, 7}) {
+    EXPECT_EQ(result_of(settings, folder / std::to_string(threads), threads), one) << threads;
+  }
+}
+
+TEST(three_dimensions, a_spinning_ball_keeps_its_momentum_mass_and_energy) {
+  const Case settings = tests::read_text(ball, {"discretisation.spacing=0.15"});
+  remeshed::Solver<double, 3> solver(settings, 2, kernels::widest_supported());
+  remeshed::Measurer<double, 3> measurer(solver);
+  const remeshed::BodyIntegrals start = measurer.totals();
+  EXPECT_NEAR(start.mass, 4. / 3 * std::numbers::pi, 0.01);
+  advance_until(solver, 0.1);
+  EXPECT_GE(solver.clock().remeshings, 2);
+  const remeshed::BodyIntegrals end = measurer.totals();
+  EXPECT_NEAR(end.mass / start.mass, 1, 0.01);
+  EXPECT_NEAR((end.kinetic_energy + end.strain_energy) / start.kinetic_energy, 1, 0.02);
+  for (int axis = 0; axis < 3; ++axis) {
+    EXPECT_NEAR(end.angular_momentum[axis] / start.angular_momentum[axis], 1, 0.01) << axis;
+  }
+}
+
+}  // namespace
+}  // namespace pliant::test
