@@ -36,6 +36,9 @@ inline constexpr FieldId fits = 36;             ///< ghosts and their coefficien
 inline constexpr FieldId surface_packs = 37;
 inline constexpr FieldId record_numbers = 38;
 inline constexpr FieldId result = 39;  ///< largest values of a block
+inline constexpr FieldId sites = 40;   ///< where a block's particles and ghosts are
+inline constexpr FieldId cells = 41;   ///< the same, sorted by place
+inline constexpr FieldId lists = 42;   ///< neighbours outside the stencil
 
 inline std::vector<std::string> names() {
   std::vector<std::string> names;
@@ -52,7 +55,7 @@ inline std::vector<std::string> names() {
   names.insert(names.end(), {"closest points, even", "closest points, odd", "surface records",
                              "m, phi, d of ghosts", "bounds", "remeshed", "remeshed images",
                              "filtered", "phi extended", "kinds", "ghost fits", "surface packs",
-                             "record numbers", "result"});
+                             "record numbers", "result", "sites", "cells", "neighbour lists"});
   return names;
 }
 
