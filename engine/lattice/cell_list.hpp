@@ -44,14 +44,13 @@ class CellList {
     for_each_site([&](const Site<D>& site) { ++begin_[cube_of(site.position) + 2]; });
     for (std::size_t c = 2; c < begin_.size(); ++c) begin_[c] += begin_[c - 1];
     sites_.resize(count);
-    for_each_site([&](const Site<D>& site) {
-      sites_[begin_[cube_of(site.position) + 1]++] = site;
-    });
+    for_each_site(
+        [&](const Site<D>& site) { sites_[begin_[cube_of(site.position) + 1]++] = site; });
   }
 
-  /// Calls f(site, shift) for every site that may lie within the radius of `at`, and perhaps others,
-  /// until one call returns true; tells whether one did. The site's image is `shift` cells away
-  /// from it, a whole number of periods.
+  /// Calls f(site, shift) for every site that may lie within the radius of `at`, and perhaps
+  /// others, until one call returns true; tells whether one did. The site's image is `shift` cells
+  /// away from it, a whole number of periods.
   template <class F>
   bool any_near(const Point<D>& at, F&& f) const {
     Cell<D> first, last, cube;

@@ -14,6 +14,7 @@ template <int D>
 struct BlockNeighbours {
   std::vector<Site<D>> sites;  ///< of the block's own particles and ghosts
   Point<D> lower, upper;       ///< of their places, over h
+  double closest = 0;  ///< distance of a particle from a slot just outside its stencil, over h
   /// Whether any particle has a neighbour outside its stencil. Where none has, the stencil serves.
   bool are_listed = false;
   std::vector<std::int32_t> slot;                   ///< of a neighbour
@@ -26,11 +27,10 @@ struct BodyNeighbours {
   double strain = 0;       ///< sum of dt max abs(eps)_F since the last remeshing, of this body
   double strain_rate = 0;  ///< max abs(eps)_F in the last step [1/s]
 
-  /// Whether neighbours come from a search; else from the stencil.
-  bool are_searched = false;
-  bool is_search_due = false;
-  double strain_at_search = 0;
-  double lasting_strain = 0;  ///< after which a search may miss neighbours, (RP.48)
+  bool are_listed = false;    ///< whether neighbours come from a search; else from the stencil
+  double complete_until = 0;  ///< strain from which on they may miss some, (RP.47)
+  double coming_strain = 0;   ///< allowed to the next step
+  bool is_measuring_due = false, is_search_due = false;
 
   double radius = 0;  ///< of the search, over h
   CellList<D> cells;
@@ -47,8 +47,8 @@ struct BodyNeighbours {
   }
 
   std::size_t bytes() const {
-    std::size_t sum = cells.bytes() + start.capacity() * sizeof(start[0]) +
-                      length.capacity() * sizeof(length[0]);
+    std::size_t sum =
+        cells.bytes() + start.capacity() * sizeof(start[0]) + length.capacity() * sizeof(length[0]);
     for (const BlockNeighbours<D>& own : blocks) {
       sum += own.sites.capacity() * sizeof(Site<D>) + own.slot.capacity() * sizeof(own.slot[0]);
       for (const auto& component : own.offset) sum += component.capacity() * sizeof(component[0]);

@@ -2,10 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdlib>
-#include <limits>
 
+#include "engine/remeshed/neighbour_lists.hpp"
 #include "engine/remeshed/resources.hpp"
+#include "engine/remeshed/stencil_reach.hpp"
 
 // When the neighbourhood widens.
 //
@@ -18,17 +18,20 @@
 //
 // whose size is at most max abs(eps)_2 <= max abs(eps)_F. With E the sum of dt max abs(eps)_F,
 //
-//     r(E) >= r(0) exp(-E).
+//     r(E2) >= r(E1) exp(-(E2 - E1)).                                                      (RP.47)
 //
-// Outside the stencil r(0) >= (n + 1) h: the stencil is complete while (n + 1) h exp(-E) >= R,
-// (RP.47). A search finds all within R + s: complete while (R + s) exp(-(E - E_search)) >= R,
-// (RP.48). Ghosts move with the velocities that they show to the particles beside them, whose eps
-// contains them.
+// Outside the stencil r(0) >= (n + 1) h: it is complete while (n + 1) h exp(-E) >= R. The bound is
+// that of the worst place and the worst direction all along, so that it mostly comes true much too
+// early. Then the closest pair among those n + 1 slots apart is measured, from which (RP.47) goes
+// on; those n + 2 apart are still bounded by r(0). Where a pair has come too near, neighbours are
+// searched for in space, within R + s: what is found is complete while
+// (R + s) exp(-(E - E_search)) >= R.
 //
-// Both bounds must hold to the end of the step to come, whose strain rate is not known yet: it is
-// allowed twice the last one. And a tenth of each is kept back for what eps at the particles does
-// not show: motion between them, and that the sum over steps is no integral. The bound is one on
-// motion within a body: parts that meet across a void become neighbours at the next search.
+// All this must hold to the end of the step to come, whose strain rate is not known yet: it is
+// allowed twice the last one. And a tenth of each bound is kept back for what eps at the particles
+// does not show: motion between them, and that the sum over steps is no integral. Ghosts move with
+// the velocities that they show to the particles beside them, whose eps contains them. Parts of a
+// body that meet across a void are no pairs of (RP.47); they become neighbours at the next search.
 namespace pliant::remeshed {
 
 namespace {
@@ -40,230 +43,118 @@ using scheduler::Reach;
 constexpr double usable = 0.9;
 constexpr double ahead = 2;  // times the strain of the last step
 
-// (RP.48) of a search: a wider skin makes lists longer, a narrower one has them made more often.
-constexpr double least_skin_strain = 0.04;
-constexpr double steps_between_searches = 6;
-
-/// A particle's own site, with its lattice place over h.
-template <class T, int D>
-Site<D> site_of(const Body<T, D>& body, std::int64_t slot, const Cell<D>& cell) {
-  Site<D> site = {{}, cell, static_cast<std::int32_t>(slot)};
-  for (int a = 0; a < D; ++a) {
-    site.position[a] =
-        cell[a] + body.stage[0].get(Field::displacement, a)[slot] / body.lattice.spacing;
-    const std::int32_t n = body.lattice.period[a];
-    if (n == 0) continue;
-    const double periods = std::floor(site.position[a] / n);
-    site.position[a] -= periods * n;
-    site.cell[a] -= static_cast<std::int32_t>(periods) * n;
-  }
-  return site;
-}
-
-/// A neighbour of a particle.
-template <int D>
-struct Neighbour {
-  Cell<D> offset;  // from the particle's cell to that of the neighbour
-  std::int32_t slot;
-
-  // The order of the stencil.
-  friend bool operator<(const Neighbour& a, const Neighbour& b) {
-    return std::lexicographical_compare(a.offset.rbegin(), a.offset.rend(), b.offset.rbegin(),
-                                        b.offset.rend());
-  }
-};
-
-/// Calls f(neighbour) for all slots within the search radius of a particle, until one call returns
-/// true; tells whether one did.
-template <int D, class F>
-bool any_neighbour(const BodyNeighbours<D>& search, const Site<D>& p, F&& f) {
-  const double limit = search.radius * search.radius;
-  return search.cells.any_near(p.position, [&](const Site<D>& q, const Cell<D>& shift) {
-    Neighbour<D> neighbour = {{}, q.slot};
-    double distance2 = 0;
-    bool is_itself = true;
-    for (int a = 0; a < D; ++a) {
-      const double d = q.position[a] + shift[a] - p.position[a];
-      distance2 += d * d;
-      neighbour.offset[a] = q.cell[a] + shift[a] - p.cell[a];
-      is_itself = is_itself && neighbour.offset[a] == 0;
-    }
-    return distance2 < limit && !is_itself && f(neighbour);
-  });
-}
-
-/// The lanes of a pack, kept by each thread so that a warm search allocates nothing.
-template <int D>
-std::array<std::vector<Neighbour<D>>, Layout<D>::pack>& lane_scratch() {
-  thread_local std::array<std::vector<Neighbour<D>>, Layout<D>::pack> lanes;
-  return lanes;
-}
-
-/// Lists the neighbours of the pack at `first`, lane beside lane; a lane's missing entries are the
-/// particle itself, which adds nothing to any sum.
-template <class T, int D>
-void list_pack(Body<T, D>& body, BlockNeighbours<D>& own, std::int64_t first, Cell<D> cell) {
-  constexpr int pack = Layout<D>::pack;
-  BodyNeighbours<D>& search = body.neighbours;
-  auto& lanes = lane_scratch<D>();
-  std::size_t longest = 0;
-  for (int l = 0; l < pack; ++l, ++cell[0]) {
-    lanes[l].clear();
-    if (body.population.kind[first + l] != Kind::interior) continue;
-    any_neighbour<D>(search, site_of<T, D>(body, first + l, cell), [&](const Neighbour<D>& q) {
-      lanes[l].push_back(q);
-      return false;
-    });
-    std::sort(lanes[l].begin(), lanes[l].end());
-    longest = std::max(longest, lanes[l].size());
-  }
-  search.start[first / pack] = static_cast<std::int64_t>(own.slot.size());
-  search.length[first / pack] = static_cast<std::int32_t>(longest);
-  for (std::size_t k = 0; k < longest; ++k) {
-    for (int l = 0; l < pack; ++l) {
-      const Neighbour<D> itself = {{}, static_cast<std::int32_t>(first + l)};
-      const Neighbour<D>& q = k < lanes[l].size() ? lanes[l][k] : itself;
-      own.slot.push_back(q.slot);
-      for (int a = 0; a < D; ++a) own.offset[a].push_back(q.offset[a]);
-    }
-  }
-}
-
-template <class T, int D>
-bool any_beyond_stencil(const Body<T, D>& body, const Block<D>& range, int reach) {
-  bool found = false;
-  body.population.layout.for_each_slot(range, [&](std::int64_t p, const Cell<D>& cell) {
-    if (found || body.population.kind[p] != Kind::interior) return;
-    found = any_neighbour<D>(body.neighbours, site_of<T, D>(body, p, cell), [&](const Neighbour<D>& q) {
-      return std::any_of(q.offset.begin(), q.offset.end(),
-                         [&](std::int32_t cells) { return std::abs(cells) > reach; });
-    });
-  });
-  return found;
+// ln(1 + s/R) of a search: a wider skin makes lists longer, a narrower one has them made more
+// often.
+constexpr double least_skin = 0.04;
+constexpr double steps_of_skin = 6;
+double strain_between(double distance, Weight weight) {
+  return usable * std::log(distance / kernels::support(weight));
 }
 
 }  // namespace
 
 double stencil_strain(Weight weight) {
-  return usable * std::log((kernels::stencil_reach(weight) + 1) / kernels::support(weight));
+  return strain_between(kernels::stencil_reach(weight) + 1, weight);
+}
+
+template <class T, int D>
+void NeighbourSearch<T, D>::forget() {
+  for (Body<T, D>& body : state_.bodies) {
+    body.neighbours.are_listed = false;
+    body.neighbours.complete_until = stencil_strain(weight_);
+  }
 }
 
 template <class T, int D>
 bool NeighbourSearch<T, D>::is_due(double time_step) {
   bool any = false;
   for (Body<T, D>& body : state_.bodies) {
-    BodyNeighbours<D>& search = body.neighbours;
-    const double coming = ahead * time_step * search.strain_rate;
-    search.is_search_due =
-        search.are_searched
-            ? search.strain - search.strain_at_search + coming > search.lasting_strain
-            : search.strain + coming > stencil_strain(weight_);
-    if (!search.is_search_due) continue;
-    any = true;
-    const double skin_strain = std::max(least_skin_strain, steps_between_searches * coming);
-    search.are_searched = true;
-    search.strain_at_search = search.strain;
-    search.lasting_strain = usable * skin_strain;
-    search.radius = kernels::support(weight_) * std::exp(skin_strain);
-    search.blocks.resize(body.population.layout.blocks().size());
-    const std::size_t packs = body.population.layout.slots() / Layout<D>::pack;
-    search.start.resize(packs);
-    search.length.resize(packs);
+    BodyNeighbours<D>& neighbours = body.neighbours;
+    neighbours.coming_strain = ahead * time_step * neighbours.strain_rate;
+    const bool due = neighbours.strain + neighbours.coming_strain > neighbours.complete_until;
+    neighbours.is_measuring_due = due && !neighbours.are_listed;
+    neighbours.is_search_due = due && neighbours.are_listed;
+    if (due) neighbours.blocks.resize(body.population.layout.blocks().size());
+    any = any || due;
   }
   return any;
 }
 
 template <class T, int D>
 std::vector<Phase> NeighbourSearch<T, D>::phases() {
-  return {{"cells",
-           -1,
-           {{resource::drift(0)}},
-           {{resource::sites}},
-           Phase::Extent::per_block,
-           {},
-           [this](int block) { find_sites(block); }},
-          {"cells",
-           -1,
-           {{resource::sites, Reach::all}},
-           {{resource::cells, Reach::all}},
-           Phase::Extent::once,
-           {},
-           [this](int) { sort_sites(); }},
-          {"neighbours",
-           -1,
-           {{resource::cells, Reach::all}, {resource::drift(0)}},
-           {{resource::lists}},
-           Phase::Extent::per_block,
-           {},
-           [this](int block) { list_neighbours(block); }}};
-}
-
-// Images are left out: the search itself goes round the period, as often as particles have.
-template <class T, int D>
-void NeighbourSearch<T, D>::find_sites(int block) {
-  const BlockOwner owner = state_.blocks[block];
-  Body<T, D>& body = state_.bodies[owner.body];
-  if (!body.neighbours.is_search_due) return;
-  BlockNeighbours<D>& own = body.neighbours.blocks[owner.block];
-  const Layout<D>& layout = body.population.layout;
-  own.sites.clear();
-  own.lower.fill(std::numeric_limits<double>::max());
-  own.upper.fill(std::numeric_limits<double>::lowest());
-  layout.for_each_slot(layout.blocks()[owner.block], [&](std::int64_t p, const Cell<D>& cell) {
-    const Kind kind = body.population.kind[p];
-    if (kind == Kind::vacant || kind == Kind::image) return;
-    own.sites.push_back(site_of<T, D>(body, p, cell));
-    for (int a = 0; a < D; ++a) {
-      own.lower[a] = std::min(own.lower[a], own.sites.back().position[a]);
-      own.upper[a] = std::max(own.upper[a], own.sites.back().position[a]);
-    }
-  });
+  const auto each = [this](const char* name, std::vector<scheduler::Access> reads,
+                           scheduler::FieldId writes, auto run) {
+    return Phase{name, -1, std::move(reads), {{writes}}, Phase::Extent::per_block, {}, run};
+  };
+  const auto once = [this](const char* name, scheduler::FieldId reads, scheduler::FieldId writes,
+                           auto run) {
+    return Phase{name, -1, {{reads, Reach::all}}, {{writes, Reach::all}}, Phase::Extent::once,
+                 {},   run};
+  };
+  return {
+      each("stencil reach", {{resource::drift(0), Reach::neighbours}}, resource::closest_pairs,
+           [this](int block) { measure(block); }),
+      once("stencil reach", resource::closest_pairs, resource::verdicts, [this](int) { decide(); }),
+      each("cells", {{resource::verdicts, Reach::all}, {resource::drift(0)}}, resource::sites,
+           [this](int block) {
+             const auto [body, local] = owner(block);
+             if (body.neighbours.is_search_due) find_sites<T, D>(body, local);
+           }),
+      once("cells", resource::sites, resource::cells,
+           [this](int) {
+             for (Body<T, D>& body : state_.bodies) {
+               if (body.neighbours.is_search_due) sort_sites<T, D>(body);
+             }
+           }),
+      each("neighbours", {{resource::cells, Reach::all}, {resource::drift(0)}}, resource::lists,
+           [this](int block) {
+             const auto [body, local] = owner(block);
+             if (!body.neighbours.is_search_due) return;
+             list_neighbours<T, D>(body, local, kernels::stencil_reach(weight_));
+           }),
+  };
 }
 
 template <class T, int D>
-void NeighbourSearch<T, D>::sort_sites() {
+void NeighbourSearch<T, D>::measure(int block) {
+  const auto [body, local] = owner(block);
+  if (!body.neighbours.is_measuring_due) return;
+  body.neighbours.blocks[local].closest =
+      closest_outside<T, D>(body, local, kernels::stencil_reach(weight_));
+}
+
+template <class T, int D>
+void NeighbourSearch<T, D>::decide() {
   for (Body<T, D>& body : state_.bodies) {
-    BodyNeighbours<D>& search = body.neighbours;
-    if (!search.is_search_due) continue;
-    Point<D> lower = search.blocks[0].lower, upper = search.blocks[0].upper;
-    std::size_t count = 0;
-    for (const BlockNeighbours<D>& own : search.blocks) {
-      count += own.sites.size();
-      for (int a = 0; a < D; ++a) {
-        lower[a] = std::min(lower[a], own.lower[a]);
-        upper[a] = std::max(upper[a], own.upper[a]);
-      }
-    }
-    search.cells.cover(lower, upper, body.lattice.period, search.radius, count);
-    search.cells.sort(count, [&](auto&& f) {
-      for (const BlockNeighbours<D>& own : search.blocks) {
-        for (const Site<D>& site : own.sites) f(site);
-      }
-    });
+    BodyNeighbours<D>& neighbours = body.neighbours;
+    if (neighbours.is_measuring_due) decide_after_measuring(neighbours);
+    if (neighbours.is_search_due) prepare_search(body);
   }
 }
 
 template <class T, int D>
-void NeighbourSearch<T, D>::list_neighbours(int block) {
-  const BlockOwner owner = state_.blocks[block];
-  Body<T, D>& body = state_.bodies[owner.body];
-  if (!body.neighbours.is_search_due) return;
-  BlockNeighbours<D>& own = body.neighbours.blocks[owner.block];
-  const Layout<D>& layout = body.population.layout;
-  const Block<D>& range = layout.blocks()[owner.block];
-  own.slot.clear();
-  for (auto& component : own.offset) component.clear();
-  own.are_listed = any_beyond_stencil(body, range, kernels::stencil_reach(weight_));
-  if (!own.are_listed) return;
-  constexpr int pack = Layout<D>::pack;
-  for (int s = 0; s < range.segment_count; ++s) {
-    const kernels::Segment<D>& segment = layout.segments_of(range)[s];
-    Cell<D> cell = segment.cell;
-    for (std::int64_t p = segment.first; p < segment.first + segment.count; p += pack) {
-      if (body.population.pack_state[p / pack] != PackState::none) list_pack<T, D>(body, own, p, cell);
-      cell[0] += pack;
-    }
+void NeighbourSearch<T, D>::decide_after_measuring(BodyNeighbours<D>& neighbours) const {
+  double closest = neighbours.blocks[0].closest;
+  for (const BlockNeighbours<D>& block : neighbours.blocks) {
+    closest = std::min(closest, block.closest);
   }
+  neighbours.complete_until =
+      std::min(neighbours.strain + strain_between(closest, weight_),
+               strain_between(kernels::stencil_reach(weight_) + 2, weight_));
+  neighbours.is_search_due =
+      neighbours.strain + neighbours.coming_strain > neighbours.complete_until;
+}
+
+template <class T, int D>
+void NeighbourSearch<T, D>::prepare_search(Body<T, D>& body) const {
+  BodyNeighbours<D>& neighbours = body.neighbours;
+  const double skin = std::max(least_skin, steps_of_skin * neighbours.coming_strain);
+  neighbours.radius = kernels::support(weight_) * std::exp(skin);
+  neighbours.complete_until = neighbours.strain + strain_between(neighbours.radius, weight_);
+  neighbours.are_listed = true;
+  const std::size_t packs = body.population.layout.slots() / Layout<D>::pack;
+  neighbours.start.resize(packs);
+  neighbours.length.resize(packs);
 }
 
 template class NeighbourSearch<double, 2>;

@@ -8,16 +8,17 @@
 
 namespace pliant::remeshed {
 
-/// Strain after which slots from outside the stencil may come into the support, (RP.47): 0.16, with
-/// the compact weight 0.12.
+/// Strain of (RP.47) up to which no slot from outside the stencil can be within the support: 0.16,
+/// with the compact weight 0.12.
 double stencil_strain(kernels::Weight weight);
 
-/// Finds the neighbours of particles in space, once bodies have strained so much since their last
-/// remeshing that the stencil may miss some, and again before what was found may miss some.
+/// Finds the neighbours of particles in space once slots from outside the stencil come into the
+/// support, and again before what was found may miss some.
 ///
-///     cells        each block notes where its particles and ghosts are; then they are sorted into
-///                  a cell list for each body
-///     neighbours   each block lists its particles' neighbours, if some are outside the stencil
+///     stencil reach   how near such slots are, once the strain since the last remeshing might have
+///                     brought them: mostly the stencil goes on serving
+///     cells           where particles and ghosts are, sorted into a cell list for each body
+///     neighbours      the lists of each block, where the stencil does not serve
 ///
 /// Sums over lists have the bits of sums over the stencil, and do not depend on when the lists were
 /// made: they run in the order of the stencil, and what lies outside the support adds zeros. What
@@ -27,17 +28,27 @@ class NeighbourSearch {
  public:
   NeighbourSearch(State<T, D>& state, kernels::Weight weight) : state_(state), weight_(weight) {}
 
-  /// Decides which bodies must be searched before a step of `time_step` [s], by (RP.47) and
-  /// (RP.48); whether there are any.
+  /// The stencil serves until stencil_strain: the slots are new, or what was found is not known.
+  void forget();
+
+  /// Decides which bodies need a look before a step of `time_step` [s]; whether there are any.
   bool is_due(double time_step);
 
-  /// The search, over the blocks of all bodies; those that need none cost next to nothing.
+  /// That look, over the blocks of all bodies; those that need none cost next to nothing.
   std::vector<scheduler::Phase> phases();
 
  private:
-  void find_sites(int block);
-  void sort_sites();
-  void list_neighbours(int block);
+  struct Owner {
+    Body<T, D>& body;
+    int block;
+  };
+  Owner owner(int block) {
+    return {state_.bodies[state_.blocks[block].body], state_.blocks[block].block};
+  }
+  void measure(int block);
+  void decide();
+  void decide_after_measuring(BodyNeighbours<D>& neighbours) const;
+  void prepare_search(Body<T, D>& body) const;
 
   State<T, D>& state_;
   kernels::Weight weight_;

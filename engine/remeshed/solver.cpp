@@ -49,7 +49,7 @@ Solver<T, D>::Solver(const Case& settings, int threads, kernels::Isa isa)
       state_(empty_state<T, D>(settings_)),
       step_(state_, settings_, kernels_),
       search_(state_, settings_.discretisation.weight),
-      searched_(state_.bodies.size()) {
+      listed_(state_.bodies.size()) {
   for (std::size_t b = 0; b < settings_.bodies.size(); ++b) {
     Body<T, D>& body = state_.bodies[b];
     const BodyCase& source = settings_.bodies[b];
@@ -180,22 +180,24 @@ void Solver<T, D>::commit() {
 template <class T, int D>
 void Solver<T, D>::restored() {
   number_blocks();
-  for (Body<T, D>& body : state_.bodies) body.neighbours.are_searched = false;
+  search_.forget();
   present_graph_ = &graph_for(step_graph_, false, [&] { return step_.phases(); });
 }
 
-// The step over neighbours that were searched for has a graph of its own, and both are kept: bodies
-// that strain much between remeshings go from one to the other and back.
+// The step over listed neighbours has a graph of its own, and both are kept: bodies that strain
+// much between remeshings go from one to the other and back.
 template <class T, int D>
 void Solver<T, D>::find_neighbours(double time_step) {
   if (!search_.is_due(time_step)) return;
   run(graph_for(search_graph_, false, [&] { return search_.phases(); }));
+  const auto is_listed = [](const Body<T, D>& body) { return body.neighbours.are_listed; };
+  if (std::none_of(state_.bodies.begin(), state_.bodies.end(), is_listed)) return;
   for (std::size_t b = 0; b < state_.bodies.size(); ++b) {
-    if (searched_[b] == state_.bodies[b].neighbours.are_searched) continue;
-    searched_[b] = !searched_[b];
-    searched_step_graph_.steps.reset();
+    if (listed_[b] == is_listed(state_.bodies[b])) continue;
+    listed_[b] = !listed_[b];
+    listed_step_graph_.steps.reset();
   }
-  present_graph_ = &graph_for(searched_step_graph_, false, [&] { return step_.phases(); });
+  present_graph_ = &graph_for(listed_step_graph_, false, [&] { return step_.phases(); });
 }
 
 template <class T, int D>

@@ -57,7 +57,7 @@ class Solver {
   Remeshing<T, D>& remeshing(int body) { return *remeshings_[body]; }
 
   const scheduler::StepTotals& totals() const { return totals_; }
-  /// Of the next step, unless it begins with a search for neighbours.
+  /// Of the next step, unless it begins with a look for neighbours.
   const scheduler::StepGraph& step_graph() const { return *present_graph_; }
   scheduler::StepGraph& step_graph() { return *present_graph_; }
   scheduler::Workers& workers() { return workers_; }
@@ -93,10 +93,10 @@ class Solver {
   Step<T, D> step_;
   std::vector<std::unique_ptr<Remeshing<T, D>>> remeshings_;
   NeighbourSearch<T, D> search_;
-  Graph step_graph_, searched_step_graph_, search_graph_;
+  Graph step_graph_, listed_step_graph_, search_graph_;
   Graph ghost_graph_, departure_graph_, arrival_graph_, stress_graph_;
   scheduler::StepGraph* present_graph_ = nullptr;  ///< one of the first two
-  std::vector<bool> searched_;                     ///< [body] as the second was made for
+  std::vector<bool> listed_;                       ///< [body] as the second was made for
   scheduler::StepTotals totals_;
   std::int64_t particle_stages_ = 0;
   double loop_seconds_ = 0;

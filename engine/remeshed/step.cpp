@@ -95,10 +95,10 @@ void Step<T, D>::add_ghosts(std::vector<Phase>& phases, int stage) {
 }
 
 template <class T, int D>
-std::vector<int> Step<T, D>::blocks_where(bool searched) const {
+std::vector<int> Step<T, D>::blocks_where(bool listed) const {
   std::vector<int> blocks;
   for (std::size_t b = 0; b < state_.blocks.size(); ++b) {
-    if (state_.bodies[state_.blocks[b].body].neighbours.are_searched == searched) {
+    if (state_.bodies[state_.blocks[b].body].neighbours.are_listed == listed) {
       blocks.push_back(static_cast<int>(b));
     }
   }
@@ -111,12 +111,12 @@ std::vector<int> Step<T, D>::blocks_where(bool searched) const {
 // is first-order exact wherever its slots have moved.
 template <class T, int D>
 void Step<T, D>::add_advance(std::vector<Phase>& phases, int stage) {
-  std::vector<int> searched = blocks_where(true);
-  if (searched.empty()) return add_advance(phases, stage, Reach::neighbours, {});
+  std::vector<int> listed = blocks_where(true);
+  if (listed.empty()) return add_advance(phases, stage, Reach::neighbours, {});
   std::vector<int> others = blocks_where(false);
   if (others.empty()) return add_advance(phases, stage, Reach::all, {});
   add_advance(phases, stage, Reach::neighbours, std::move(others));
-  add_advance(phases, stage, Reach::all, std::move(searched));
+  add_advance(phases, stage, Reach::all, std::move(listed));
 }
 
 template <class T, int D>
@@ -259,7 +259,7 @@ void Step<T, D>::advance(int block, int stage) {
   work.next = body.stage[(stage + 1) % 4].evolving();
   work.next_stress = body.stress_view(1 - stage % 2);
   kernels::NeighbourLists<D> lists;
-  if (body.neighbours.are_searched && body.neighbours.blocks[local].are_listed) {
+  if (body.neighbours.are_listed && body.neighbours.blocks[local].are_listed) {
     lists = body.neighbours.lists(local);
     work.neighbours = &lists;
   }

@@ -44,7 +44,7 @@ class Step {
     return {state_.bodies[state_.blocks[block].body], state_.blocks[block].block};
   }
   bool periodic() const;
-  std::vector<int> blocks_where(bool searched) const;
+  std::vector<int> blocks_where(bool listed) const;
   void add_ghosts(std::vector<scheduler::Phase>& phases, int stage);
   void add_advance(std::vector<scheduler::Phase>& phases, int stage);
   void add_advance(std::vector<scheduler::Phase>& phases, int stage, scheduler::Reach reach,
