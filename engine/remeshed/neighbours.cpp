@@ -46,7 +46,7 @@ constexpr double ahead = 2;  // times the strain of the last step
 // ln(1 + s/R) of a search: a wider skin makes lists longer, a narrower one has them made more
 // often.
 constexpr double least_skin = 0.04;
-constexpr double steps_of_skin = 6;
+constexpr double steps_of_skin = 3;
 double strain_between(double distance, Weight weight) {
   return usable * std::log(distance / kernels::support(weight));
 }

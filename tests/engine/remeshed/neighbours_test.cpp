@@ -3,10 +3,10 @@
 #include <gtest/gtest.h>
 
 #include <random>
-#include <set>
 
 #include "engine/remeshed/resources.hpp"
 #include "engine/remeshed/stencil_reach.hpp"
+#include "tests/engine/remeshed/neighbourhood.hpp"
 #include "tests/engine/remeshed/snapshot.hpp"
 
 namespace pliant::test {
@@ -14,7 +14,6 @@ namespace {
 
 using kernels::Weight;
 using Search = remeshed::NeighbourSearch<double, 2>;
-using Offset = Cell<2>;
 
 constexpr double never_so_much = 1;  // strain at which no stencil is trusted
 
@@ -42,67 +41,6 @@ void search(Solver& solver, std::uint64_t seed = 0) {
                              scheduler::Blocks{body.population.layout.neighbours()},
                              remeshed::resource::names());
   solver.workers().execute([&] { graph.run_serially(seed); });
-}
-
-struct Site {
-  std::int64_t slot;
-  Cell<2> cell;
-};
-
-std::vector<Site> sites_of(const Body& body) {
-  std::vector<Site> sites;
-  for (const Kind kind : {Kind::interior, Kind::free_ghost, Kind::wall_ghost}) {
-    for_each(body.population, kind, [&](std::int64_t slot, const Cell<2>& cell) {
-      sites.push_back({slot, cell});
-    });
-  }
-  return sites;
-}
-
-/// Distance over h of two slots `offset` cells apart.
-double distance(const Body& body, std::int64_t p, std::int64_t q, const Offset& offset) {
-  double sum = 0;
-  for (int a = 0; a < 2; ++a) {
-    const auto* drift = body.stage[0].get(Field::displacement, a);
-    sum += std::pow(offset[a] + (drift[q] - drift[p]) / body.lattice.spacing, 2);
-  }
-  return std::sqrt(sum);
-}
-
-using Neighbours = std::set<std::pair<Offset, std::int64_t>>;
-
-/// Everything within the radius of a particle, images up to `periods` periods away.
-Neighbours found_by_trying_all(const Body& body, const std::vector<Site>& sites, const Site& p,
-                               double radius, int periods) {
-  Neighbours found;
-  for (const Site& q : sites) {
-    for (int kx = -periods; kx <= periods; ++kx) {
-      for (int ky = -periods; ky <= periods; ++ky) {
-        const Offset offset = {q.cell[0] - p.cell[0] + kx * body.lattice.period[0],
-                               q.cell[1] - p.cell[1] + ky * body.lattice.period[1]};
-        if (offset == Offset{}) continue;
-        if (distance(body, p.slot, q.slot, offset) < radius) found.emplace(offset, q.slot);
-      }
-    }
-  }
-  return found;
-}
-
-/// The list of a particle; checks its order.
-Neighbours listed(const Body& body, int block, std::int64_t p) {
-  const kernels::NeighbourLists<2> lists = body.neighbours.lists(block);
-  Neighbours found;
-  constexpr int pack = Layout<2>::pack;
-  std::pair<int, int> last = {-1000000, 0};
-  for (int k = 0; k < lists.length[p / pack]; ++k) {
-    const std::int64_t entry = lists.start[p / pack] + k * pack + p % pack;
-    const Offset offset = {lists.offset[0][entry], lists.offset[1][entry]};
-    if (lists.neighbour[entry] == p && offset == Offset{}) continue;
-    EXPECT_LT(last, std::pair(offset[1], offset[0])) << "the order of the stencil";
-    last = {offset[1], offset[0]};
-    found.emplace(offset, lists.neighbour[entry]);
-  }
-  return found;
 }
 
 /// Compares all neighbours of a body with what trying all pairs finds; how many particles had
@@ -275,7 +213,7 @@ TEST(neighbours, that_the_stencil_of_such_a_body_misses_count) {
 
 /// Before every step: neighbours are to be searched for, far beyond the stencil.
 void demand_lists(Solver& solver) {
-  constexpr double steps_of_skin = 12;
+  constexpr double steps_of_skin = 6;
   for (Body& body : solver.state().bodies) {
     body.neighbours.strain = never_so_much;
     body.neighbours.strain_rate = 0.3 / (steps_of_skin * solver.time_step());
