@@ -171,7 +171,10 @@ void list_neighbours(Body<T, D>& body, int block, int reach) {
 }
 
 template void find_sites<double, 2>(Body<double, 2>&, int);
+template void find_sites<double, 3>(Body<double, 3>&, int);
 template void sort_sites<double, 2>(Body<double, 2>&);
+template void sort_sites<double, 3>(Body<double, 3>&);
 template void list_neighbours<double, 2>(Body<double, 2>&, int, int);
+template void list_neighbours<double, 3>(Body<double, 3>&, int, int);
 
 }  // namespace pliant::remeshed

@@ -19,7 +19,10 @@ template <class T, int D>
 void list_neighbours(Body<T, D>& body, int block, int reach);
 
 extern template void find_sites<double, 2>(Body<double, 2>&, int);
+extern template void find_sites<double, 3>(Body<double, 3>&, int);
 extern template void sort_sites<double, 2>(Body<double, 2>&);
+extern template void sort_sites<double, 3>(Body<double, 3>&);
 extern template void list_neighbours<double, 2>(Body<double, 2>&, int, int);
+extern template void list_neighbours<double, 3>(Body<double, 3>&, int, int);
 
 }  // namespace pliant::remeshed

@@ -158,5 +158,6 @@ void NeighbourSearch<T, D>::prepare_search(Body<T, D>& body) const {
 }
 
 template class NeighbourSearch<double, 2>;
+template class NeighbourSearch<double, 3>;
 
 }  // namespace pliant::remeshed

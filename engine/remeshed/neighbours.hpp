@@ -55,5 +55,6 @@ class NeighbourSearch {
 };
 
 extern template class NeighbourSearch<double, 2>;
+extern template class NeighbourSearch<double, 3>;
 
 }  // namespace pliant::remeshed

@@ -10,5 +10,6 @@ template <class T, int D>
 double closest_outside(const Body<T, D>& body, int block, int reach);
 
 extern template double closest_outside<double, 2>(const Body<double, 2>&, int, int);
+extern template double closest_outside<double, 3>(const Body<double, 3>&, int, int);
 
 }  // namespace pliant::remeshed
