@@ -27,10 +27,11 @@ struct Evolving {
 /// + l.
 template <int D>
 struct NeighbourLists {
-  const std::int64_t* start;                 ///< [pack]
-  const std::int32_t* length;                ///< [pack]
-  const std::int32_t* neighbour;             ///< slot
-  std::array<const std::int8_t*, D> offset;  ///< lattice offset of the neighbour's slot
+  const std::int64_t* start;                  ///< [pack]
+  const std::int32_t* length;                 ///< [pack]
+  const std::int32_t* neighbour;              ///< slot
+  std::array<const std::int32_t*, D> offset;  ///< from the particle to the neighbour [cells], with
+                                              ///< the whole periods that lie between them
 };
 
 /// One Runge-Kutta stage of one block, (RP.12) by (RP.18) and (RP.19): gradients of velocity and

@@ -8,6 +8,7 @@
 #include "engine/case/case.hpp"
 #include "engine/fields.hpp"
 #include "engine/lattice/layout.hpp"
+#include "engine/remeshed/body_neighbours.hpp"
 #include "engine/storage/buffer.hpp"
 #include "kernels/table.hpp"
 
@@ -65,6 +66,7 @@ struct Body {
   std::array<std::array<Buffer<T>, kernels::symmetric_components<D>>, 2> stress;
   Buffer<T> records;  ///< [record][record_width] of surface particles
   Buffer<std::int32_t> record_of_slot;
+  BodyNeighbours<D> neighbours;
 
   std::array<T*, kernels::symmetric_components<D>> stress_view(int parity) {
     std::array<T*, kernels::symmetric_components<D>> view;

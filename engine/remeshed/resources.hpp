@@ -35,7 +35,12 @@ inline constexpr FieldId kinds = 35;            ///< on the new lattice
 inline constexpr FieldId fits = 36;             ///< ghosts and their coefficients
 inline constexpr FieldId surface_packs = 37;
 inline constexpr FieldId record_numbers = 38;
-inline constexpr FieldId result = 39;  ///< largest values of a block
+inline constexpr FieldId result = 39;         ///< largest values of a block
+inline constexpr FieldId closest_pairs = 40;  ///< not seen by the stencil
+inline constexpr FieldId verdicts = 41;       ///< whether the stencil serves a body
+inline constexpr FieldId sites = 42;          ///< where a block's particles and ghosts are
+inline constexpr FieldId cells = 43;          ///< the same, sorted by place
+inline constexpr FieldId lists = 44;          ///< neighbours that the stencil does not see
 
 inline std::vector<std::string> names() {
   std::vector<std::string> names;
@@ -49,10 +54,11 @@ inline std::vector<std::string> names() {
   add_each({"xi", "u", "v, S|F"});
   names.insert(names.end(), {"sigma, even stages", "sigma, odd stages"});
   add_each({"ghosts", "xi of images", "images"});
-  names.insert(names.end(), {"closest points, even", "closest points, odd", "surface records",
-                             "m, phi, d of ghosts", "bounds", "remeshed", "remeshed images",
-                             "filtered", "phi extended", "kinds", "ghost fits", "surface packs",
-                             "record numbers", "result"});
+  names.insert(names.end(),
+               {"closest points, even", "closest points, odd", "surface records",
+                "m, phi, d of ghosts", "bounds", "remeshed", "remeshed images", "filtered",
+                "phi extended", "kinds", "ghost fits", "surface packs", "record numbers", "result",
+                "closest pairs", "verdicts", "sites", "cells", "neighbour lists"});
   return names;
 }
 

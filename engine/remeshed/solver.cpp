@@ -47,7 +47,9 @@ Solver<T, D>::Solver(const Case& settings, int threads, kernels::Isa isa)
       workers_(threads),
       kernels_(kernels::table<T, D>(isa)),
       state_(empty_state<T, D>(settings_)),
-      step_(state_, settings_, kernels_) {
+      step_(state_, settings_, kernels_),
+      search_(state_, settings_.discretisation.weight),
+      listed_(state_.bodies.size()) {
   for (std::size_t b = 0; b < settings_.bodies.size(); ++b) {
     Body<T, D>& body = state_.bodies[b];
     const BodyCase& source = settings_.bodies[b];
@@ -94,7 +96,8 @@ void Solver<T, D>::step(double longest) {
                     clock.time, dt, clock.wave_speed));
   }
   step_.prepare(dt);
-  run(*step_graph_.steps);
+  find_neighbours(dt);
+  run(*present_graph_);
   step_.fold();
   check(step_.result());
   for (Wall<D>& wall : state_.boundaries.walls) wall.move(clock.time, dt);
@@ -104,6 +107,7 @@ void Solver<T, D>::step(double longest) {
   ++clock.steps_since_reinitialisation;
   clock.accumulated_strain += dt * step_.result().strain_rate;
   clock.wave_speed = step_.result().wave_speed;
+  add_strain(dt);
   particle_stages_ += 4 * particles();
   if (remeshing_due()) {
     const bool reinitialise =
@@ -113,6 +117,7 @@ void Solver<T, D>::step(double longest) {
     ++clock.remeshings;
     clock.steps_since_remeshing = 0;
     clock.accumulated_strain = 0;
+    for (Body<T, D>& body : state_.bodies) body.neighbours.strain = 0;
     commit();
   }
   loop_seconds_ += std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
@@ -175,7 +180,33 @@ void Solver<T, D>::commit() {
 template <class T, int D>
 void Solver<T, D>::restored() {
   number_blocks();
-  graph_for(step_graph_, false, [&] { return step_.phases(); });
+  search_.forget();
+  present_graph_ = &graph_for(step_graph_, false, [&] { return step_.phases(); });
+}
+
+// The step over listed neighbours has a graph of its own, and both are kept: bodies that strain
+// much between remeshings go from one to the other and back.
+template <class T, int D>
+void Solver<T, D>::find_neighbours(double time_step) {
+  if (!search_.is_due(time_step)) return;
+  run(graph_for(search_graph_, false, [&] { return search_.phases(); }));
+  const auto is_listed = [](const Body<T, D>& body) { return body.neighbours.are_listed; };
+  if (std::none_of(state_.bodies.begin(), state_.bodies.end(), is_listed)) return;
+  for (std::size_t b = 0; b < state_.bodies.size(); ++b) {
+    if (listed_[b] == is_listed(state_.bodies[b])) continue;
+    listed_[b] = !listed_[b];
+    listed_step_graph_.steps.reset();
+  }
+  present_graph_ = &graph_for(listed_step_graph_, false, [&] { return step_.phases(); });
+}
+
+template <class T, int D>
+void Solver<T, D>::add_strain(double time_step) {
+  for (std::size_t b = 0; b < state_.bodies.size(); ++b) {
+    BodyNeighbours<D>& neighbours = state_.bodies[b].neighbours;
+    neighbours.strain_rate = step_.strain_rate(static_cast<int>(b));
+    neighbours.strain += time_step * neighbours.strain_rate;
+  }
 }
 
 template <class T, int D>
@@ -303,6 +334,7 @@ std::size_t Solver<T, D>::bytes() const {
     for (const auto& parity : body.stress) {
       for (const auto& component : parity) sum += component.bytes();
     }
+    sum += body.neighbours.bytes();
     sum += body.records.bytes() + body.population.interior.bytes() + body.spare.interior.bytes();
   }
   return sum;

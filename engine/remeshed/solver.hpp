@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "engine/remeshed/failure.hpp"
+#include "engine/remeshed/neighbours.hpp"
 #include "engine/remeshed/remesh.hpp"
 #include "engine/remeshed/state.hpp"
 #include "engine/remeshed/step.hpp"
@@ -56,8 +57,9 @@ class Solver {
   Remeshing<T, D>& remeshing(int body) { return *remeshings_[body]; }
 
   const scheduler::StepTotals& totals() const { return totals_; }
-  const scheduler::StepGraph& step_graph() const { return *step_graph_.steps; }
-  scheduler::StepGraph& step_graph() { return *step_graph_.steps; }
+  /// Of the next step, unless it begins with a look for neighbours.
+  const scheduler::StepGraph& step_graph() const { return *present_graph_; }
+  scheduler::StepGraph& step_graph() { return *present_graph_; }
   scheduler::Workers& workers() { return workers_; }
   std::int64_t particle_stages() const { return particle_stages_; }
   double loop_seconds() const { return loop_seconds_; }
@@ -74,6 +76,8 @@ class Solver {
   void remesh_onto_spare(bool reinitialise);
   void commit();
   void number_blocks();
+  void find_neighbours(double time_step);
+  void add_strain(double time_step);
   scheduler::Blocks blocks(bool spare) const;
   /// Whether a graph serves the present blocks, or those of the new lattice.
   bool serves(const Graph& graph, bool spare) const;
@@ -88,7 +92,11 @@ class Solver {
   State<T, D> state_;
   Step<T, D> step_;
   std::vector<std::unique_ptr<Remeshing<T, D>>> remeshings_;
-  Graph step_graph_, ghost_graph_, departure_graph_, arrival_graph_, stress_graph_;
+  NeighbourSearch<T, D> search_;
+  Graph step_graph_, listed_step_graph_, search_graph_;
+  Graph ghost_graph_, departure_graph_, arrival_graph_, stress_graph_;
+  scheduler::StepGraph* present_graph_ = nullptr;  ///< one of the first two
+  std::vector<bool> listed_;                       ///< [body] as the second was made for
   scheduler::StepTotals totals_;
   std::int64_t particle_stages_ = 0;
   double loop_seconds_ = 0;

@@ -95,12 +95,40 @@ void Step<T, D>::add_ghosts(std::vector<Phase>& phases, int stage) {
 }
 
 template <class T, int D>
+std::vector<int> Step<T, D>::blocks_where(bool listed) const {
+  std::vector<int> blocks;
+  for (std::size_t b = 0; b < state_.blocks.size(); ++b) {
+    if (state_.bodies[state_.blocks[b].body].neighbours.are_listed == listed) {
+      blocks.push_back(static_cast<int>(b));
+    }
+  }
+  return blocks;
+}
+
+// Neighbours that a search has found may belong to any block: particles far apart on the lattice
+// may have come near. Everything else in a step stays on the lattice: fourth differences (RP.43)
+// follow material lines, ghosts keep their fits, and grad phi of surface particles over the stencil
+// is first-order exact wherever its slots have moved.
+template <class T, int D>
 void Step<T, D>::add_advance(std::vector<Phase>& phases, int stage) {
+  std::vector<int> listed = blocks_where(true);
+  if (listed.empty()) return add_advance(phases, stage, Reach::neighbours, {});
+  std::vector<int> others = blocks_where(false);
+  if (others.empty()) return add_advance(phases, stage, Reach::all, {});
+  add_advance(phases, stage, Reach::neighbours, std::move(others));
+  add_advance(phases, stage, Reach::all, std::move(listed));
+}
+
+template <class T, int D>
+void Step<T, D>::add_advance(std::vector<Phase>& phases, int stage, Reach reach,
+                             std::vector<int> blocks) {
   const int parity = stage % 2, next = (stage + 1) % 4;
-  std::vector<scheduler::Access> reads = {
-      {resource::drift(stage), Reach::neighbours},   {resource::velocity(stage), Reach::neighbours},
-      {resource::stress(parity), Reach::neighbours}, {resource::ghosts(stage), Reach::neighbours},
-      {resource::images(stage), Reach::neighbours},  {resource::material(stage)}};
+  std::vector<scheduler::Access> reads = {{resource::drift(stage), reach},
+                                          {resource::velocity(stage), reach},
+                                          {resource::stress(parity), reach},
+                                          {resource::ghosts(stage), reach},
+                                          {resource::images(stage), Reach::neighbours},
+                                          {resource::material(stage)}};
   for (int buffer = 0; buffer <= stage; ++buffer) {
     reads.insert(
         reads.end(),
@@ -118,7 +146,7 @@ void Step<T, D>::add_advance(std::vector<Phase>& phases, int stage) {
                      {resource::images(next)},
                      {resource::result}},
                     Phase::Extent::per_block,
-                    {},
+                    std::move(blocks),
                     [this, stage](int block) { advance(block, stage); }});
 }
 
@@ -141,9 +169,12 @@ template <class T, int D>
 void Step<T, D>::fold() {
   result_ = {0, 0, -1};
   failed_block_ = -1;
+  strain_rates_.assign(state_.bodies.size(), 0);
   for (std::size_t b = 0; b < results_.size(); ++b) {
     result_.strain_rate = std::max(result_.strain_rate, results_[b].strain_rate);
     result_.wave_speed = std::max(result_.wave_speed, results_[b].wave_speed);
+    double& of_body = strain_rates_[state_.blocks[b].body];
+    of_body = std::max(of_body, results_[b].strain_rate);
     if (results_[b].non_finite >= 0 && failed_block_ < 0) {
       result_.non_finite = results_[b].non_finite;
       failed_block_ = static_cast<int>(b);
@@ -227,6 +258,11 @@ void Step<T, D>::advance(int block, int stage) {
   work.third = body.stage[2].template evolving<const T>();
   work.next = body.stage[(stage + 1) % 4].evolving();
   work.next_stress = body.stress_view(1 - stage % 2);
+  kernels::NeighbourLists<D> lists;
+  if (body.neighbours.are_listed && body.neighbours.blocks[local].are_listed) {
+    lists = body.neighbours.lists(local);
+    work.neighbours = &lists;
+  }
   results_[block] = kernels_.advance_stage(work);
 }
 

@@ -29,6 +29,8 @@ class Step {
   /// What the last step found, folded over the blocks in their order.
   const kernels::StageResult& result() const { return result_; }
   int failed_block() const { return failed_block_; }
+  /// max abs(eps)_F of one body in the last step [1/s].
+  double strain_rate(int body) const { return strain_rates_[body]; }
   void fold();
 
  private:
@@ -42,8 +44,11 @@ class Step {
     return {state_.bodies[state_.blocks[block].body], state_.blocks[block].block};
   }
   bool periodic() const;
+  std::vector<int> blocks_where(bool listed) const;
   void add_ghosts(std::vector<scheduler::Phase>& phases, int stage);
   void add_advance(std::vector<scheduler::Phase>& phases, int stage);
+  void add_advance(std::vector<scheduler::Phase>& phases, int stage, scheduler::Reach reach,
+                   std::vector<int> blocks);
 
   void copy_image_drift(int block, int stage);
   void write_records(int block, int stage);
@@ -59,6 +64,7 @@ class Step {
   std::array<BoundaryValues<D>, 4> boundary_values_;  ///< [stage]
   std::vector<kernels::StageResult> results_;         ///< [block]
   kernels::StageResult result_ = {0, 0, -1};
+  std::vector<double> strain_rates_;  ///< [body]
   int failed_block_ = -1;
 };
 

@@ -179,6 +179,8 @@ void put_solver(ArchiveWriter& archive, remeshed::Solver<T, D>& solver) {
     const std::vector<std::int32_t> packs = body.population.layout.occupancy().save();
     archive.put(group + "/occupied_packs", std::span<const std::int32_t>(packs));
     archive.put(group + "/particles", body.population.particles);
+    archive.put(group + "/strain", body.neighbours.strain);
+    archive.put(group + "/strain_rate", body.neighbours.strain_rate);
     const auto* kinds = reinterpret_cast<const std::uint8_t*>(body.population.kind.get());
     archive.put(group + "/kind", std::span<const std::uint8_t>(kinds, slots));
     for_each_slot_array(body, [&](const std::string& name, Buffer<T>& values) {
@@ -210,6 +212,8 @@ void get_solver(const ArchiveReader& archive, remeshed::Solver<T, D>& solver) {
         .lay_out_again(archive.get<std::int32_t>(group + "/occupied_packs"));
     Population<T, D>& population = body.population;
     const std::size_t slots = population.layout.slots();
+    body.neighbours.strain = archive.scalar<double>(group + "/strain");
+    body.neighbours.strain_rate = archive.scalar<double>(group + "/strain_rate");
     population.particles = archive.scalar<std::int64_t>(group + "/particles");
     archive.read(group + "/kind",
                  std::span(reinterpret_cast<std::uint8_t*>(population.kind.get()), slots));

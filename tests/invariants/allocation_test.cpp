@@ -32,6 +32,24 @@ TEST_P(Allocation, a_warm_remeshing_of_an_unchanged_set_allocates_nothing) {
   }
 }
 
+// Lists grow as a body is compressed, until they have found their size.
+TEST(allocation, a_warm_search_for_neighbours_allocates_nothing) {
+  for (const SampleRun& run : listed_runs()) {
+    for (const int threads : {1, 2, 7}) {
+      Solver solver(run.settled(), threads, kernels::widest_supported());
+      advance(solver, run.middle);
+      remeshed::BodyNeighbours<2>& neighbours = solver.state().bodies[0].neighbours;
+      ASSERT_TRUE(neighbours.are_listed);
+      const auto step_with_search = [&] {
+        neighbours.complete_until = 0;
+        advance(solver, 1);
+        EXPECT_GT(neighbours.complete_until, 0);
+      };
+      EXPECT_EQ(least_allocations(step_with_search), 0) << run << ", " << threads << " threads";
+    }
+  }
+}
+
 TEST(allocation, is_counted) {
   const int before = allocations();
   ::operator delete(::operator new(4));

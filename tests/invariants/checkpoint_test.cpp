@@ -12,10 +12,11 @@ struct Checkpoints : OfSampleRuns {
   TemporaryFolder folder;
 };
 INSTANTIATE_TEST_SUITE_P(runs, Checkpoints, testing::ValuesIn(sample_runs()), name_of);
+INSTANTIATE_TEST_SUITE_P(listed_runs, Checkpoints, testing::ValuesIn(listed_runs()), name_of);
 
 // Right after a remeshing, right before one, and between.
 TEST_P(Checkpoints, a_restored_solver_goes_on_to_the_same_bits) {
-  for (const int steps : {5, 9, 12}) {
+  for (const int steps : {5, 9, 12, GetParam().middle}) {
     Solver solver(GetParam().settled(), 1, kernels::widest_supported());
     advance(solver, steps);
     ArchiveWriter writer(folder / "solver.h5");

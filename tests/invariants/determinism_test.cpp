@@ -12,6 +12,7 @@ using Measurer = remeshed::Measurer<double, 2>;
 
 struct Determinism : OfSampleRuns {};
 INSTANTIATE_TEST_SUITE_P(runs, Determinism, testing::ValuesIn(sample_runs()), name_of);
+INSTANTIATE_TEST_SUITE_P(listed_runs, Determinism, testing::ValuesIn(listed_runs()), name_of);
 
 /// Everything after a run, with what the case measures.
 Snapshot end_of(const SampleRun& run, int threads) {
@@ -54,11 +55,11 @@ void run(scheduler::StepGraph& graph, Solver& solver, std::uint64_t seed) {
 
 TEST_P(Determinism, any_legal_order_of_a_step_gives_the_same_bits) {
   Solver solver(GetParam().settled(), 1, kernels::widest_supported());
-  advance(solver, 2);
+  advance(solver, GetParam().middle);
   Snapshot first;
   for (std::uint64_t seed = 0; seed < 8; ++seed) {
     Solver other(GetParam().settled(), 1, kernels::widest_supported());
-    advance(other, 2);
+    advance(other, GetParam().middle);
     run(other.step_graph(), other, seed);  // once more over the same time step
     const Snapshot end = snapshot_of(other);
     if (seed == 0) {
@@ -81,7 +82,7 @@ scheduler::StepGraph graph_over(const Layout<2>& layout, F&& add) {
 
 TEST_P(Determinism, any_legal_order_of_a_remeshing_gives_the_same_bits) {
   Solver solver(GetParam().settled(), 1, kernels::widest_supported());
-  advance(solver, 4);
+  advance(solver, GetParam().middle);
   Body& body = solver.state().bodies[0];
   auto& remeshing = solver.remeshing(0);
   solver.on_nodes();

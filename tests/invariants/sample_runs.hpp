@@ -15,6 +15,8 @@ struct SampleRun {
   const char* of;
   Settings settings;
   int steps;
+  int middle = 4;          ///< steps to a moment that shows what the run is for
+  bool has_lists = false;  ///< whether neighbours come from lists then
 
   Case settled() const { return small_case(of, settings); }
   friend std::ostream& operator<<(std::ostream& out, const SampleRun& run) {
@@ -32,6 +34,18 @@ inline std::vector<SampleRun> sample_runs() {
       {"compression_linear", "compression_linear", block, 60},
       {"compression_hyperelastic", "compression_hyperelastic", block, 60},
       {"periodic", "periodic_square", cell, 20},
+  };
+}
+
+/// Runs that strain so much between remeshings that neighbours come from lists, from `middle` on.
+inline std::vector<SampleRun> listed_runs() {
+  const Settings block = {"discretisation.spacing=1/16", "remeshing.strain=0.3",
+                          "time.step=1.5e-4"};
+  const Settings cell = {"discretisation.spacing=1/24", "remeshing.every=20",
+                         "body.medium.velocity=[\"4*sin(2*pi*x)*sin(2*pi*y)\", \"1\"]"};
+  return {
+      {"listed_compression", "compression_hyperelastic", block, 92, 36, true},
+      {"listed_periodic", "periodic_square", cell, 70, 12, true},
   };
 }
 

@@ -190,14 +190,13 @@ struct BoxLists {
     for (int l = 0; l < slots_per_pack<T>; ++l) {
       const bool real = patch.interior[first + l] != 0;
       neighbour.push_back(static_cast<std::int32_t>(first + l + (real ? away : 0)));
-      for (int i = 0; i < D; ++i)
-        offset[i].push_back(static_cast<std::int8_t>(real ? cells[i] : 0));
+      for (int i = 0; i < D; ++i) offset[i].push_back(real ? cells[i] : 0);
     }
   }
 
   std::vector<std::int64_t> start;
   std::vector<std::int32_t> length, neighbour;
-  std::array<std::vector<std::int8_t>, D> offset;
+  std::array<std::vector<std::int32_t>, D> offset;
 };
 
 }  // namespace pliant::kernels::test
