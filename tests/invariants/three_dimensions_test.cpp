@@ -1,5 +1,7 @@
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
 #include <numbers>
 
 #include "engine/remeshed/measure.hpp"
@@ -63,6 +65,26 @@ TEST(three_dimensions, a_spinning_ball_keeps_its_momentum_mass_and_energy) {
   EXPECT_NEAR((end.kinetic_energy + end.strain_energy) / start.kinetic_energy, 1, 0.02);
   for (int axis = 0; axis < 3; ++axis) {
     EXPECT_NEAR(end.angular_momentum[axis] / start.angular_momentum[axis], 1, 0.01) << axis;
+  }
+}
+
+TEST(three_dimensions, lists_of_neighbours_give_the_bits_of_the_stencil) {
+  const Case settings = tests::read_text(ball);
+  remeshed::Solver<double, 3> stencil(settings, 1, kernels::widest_supported());
+  remeshed::Solver<double, 3> lists(settings, 2, kernels::widest_supported());
+  remeshed::Body<double, 3>& body = lists.state().bodies[0];
+  for (int step = 0; step < 4; ++step) {
+    body.neighbours.strain = 1;  // more than any stencil bears
+    body.neighbours.strain_rate = 0.05 / lists.time_step();
+    for (auto* solver : {&stencil, &lists}) solver->step(HUGE_VAL);
+    const auto& blocks = body.neighbours.blocks;
+    ASSERT_TRUE(blocks[blocks.size() / 2].are_listed);
+  }
+  for (int a = 0; a < 3; ++a) {
+    const double* expected = stencil.state().bodies[0].stage[0].get(Field::velocity, a);
+    const double* found = body.stage[0].get(Field::velocity, a);
+    const auto slots = body.population.layout.slots();
+    EXPECT_TRUE(std::equal(expected, expected + slots, found)) << a;
   }
 }
 
