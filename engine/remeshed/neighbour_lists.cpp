@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdlib>
 #include <limits>
 
 namespace pliant::remeshed {
@@ -94,6 +93,7 @@ void list_pack(Body<T, D>& body, BlockNeighbours<D>& own, std::int64_t first, Ce
   }
 }
 
+// The stencil leaves out the corners of its cube that are as far as the nearest slots beyond it.
 template <class T, int D>
 bool any_beyond_stencil(const Body<T, D>& body, const Block<D>& range, int reach) {
   bool found = false;
@@ -101,8 +101,9 @@ bool any_beyond_stencil(const Body<T, D>& body, const Block<D>& range, int reach
     if (found || body.population.kind[p] != Kind::interior) return;
     found =
         any_neighbour<D>(body.neighbours, site_of<T, D>(body, p, cell), [&](const Neighbour<D>& q) {
-          return std::any_of(q.offset.begin(), q.offset.end(),
-                             [&](std::int32_t cells) { return std::abs(cells) > reach; });
+          double distance2 = 0;
+          for (const double cells : q.offset) distance2 += cells * cells;
+          return distance2 >= (reach + 1) * (reach + 1);
         });
   });
   return found;

@@ -14,7 +14,7 @@ template <class T, int D>
 void sort_sites(Body<T, D>& body);
 
 /// Lists the neighbours of a block's interior particles within the search radius, in the order of
-/// the stencil, if any of them lies more than `reach` slots away.
+/// the stencil, if any of them is (reach + 1) h or more away on the lattice.
 template <class T, int D>
 void list_neighbours(Body<T, D>& body, int block, int reach);
 

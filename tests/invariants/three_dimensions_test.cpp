@@ -88,5 +88,43 @@ TEST(three_dimensions, lists_of_neighbours_give_the_bits_of_the_stencil) {
   }
 }
 
+// Along the diagonal (2, 2, 1), whose node is as far as (3, 0, 0) and no part of the stencil: 20 %
+// shorter, so that it alone comes into the support.
+TEST(three_dimensions, corners_that_the_stencil_leaves_out_are_listed) {
+  const Case settings = tests::read_text(ball, {"discretisation.weight=\"quartic\""});
+  remeshed::Solver<double, 3> solver(settings, 1, kernels::widest_supported());
+  remeshed::Body<double, 3>& body = solver.state().bodies[0];
+  const Layout<3>& layout = body.population.layout;
+  constexpr Point<3> direction = {2. / 3, 2. / 3, 1. / 3};
+  for (const Block<3>& block : layout.blocks()) {
+    layout.for_each_slot(block, [&](std::int64_t p, const Cell<3>& cell) {
+      if (body.population.kind[p] == Kind::vacant) return;
+      const Point<3> x = body.lattice.node(cell);
+      const double along = x[0] * direction[0] + x[1] * direction[1] + x[2] * direction[2];
+      for (int a = 0; a < 3; ++a) {
+        body.stage[0].get(Field::displacement, a)[p] = -0.2 * along * direction[a];
+      }
+    });
+  }
+  body.neighbours.strain = 1;  // more than any stencil bears
+  solver.step(1e-6);
+  const std::int64_t p = layout.slot({0, 0, 0});
+  ASSERT_EQ(body.population.kind[p], Kind::interior);
+  constexpr int pack = Layout<3>::pack;
+  for (std::size_t b = 0; b < layout.blocks().size(); ++b) {
+    const Block<3>& block = layout.blocks()[b];
+    if (p < block.first_slot || p >= block.first_slot + block.slot_count) continue;
+    ASSERT_TRUE(body.neighbours.blocks[b].are_listed);
+    const auto lists = body.neighbours.lists(static_cast<int>(b));
+    bool found = false;
+    for (int k = 0; k < lists.length[p / pack]; ++k) {
+      const std::int64_t entry = lists.start[p / pack] + k * pack + p % pack;
+      found = found || (lists.offset[0][entry] == 2 && lists.offset[1][entry] == 2 &&
+                        lists.offset[2][entry] == 1);
+    }
+    EXPECT_TRUE(found);
+  }
+}
+
 }  // namespace
 }  // namespace pliant::test
