@@ -35,7 +35,9 @@ inline constexpr FieldId kinds = 35;            ///< on the new lattice
 inline constexpr FieldId fits = 36;             ///< ghosts and their coefficients
 inline constexpr FieldId surface_packs = 37;
 inline constexpr FieldId record_numbers = 38;
-inline constexpr FieldId result = 39;  ///< largest values of a block
+inline constexpr FieldId result = 39;   ///< largest values of a block
+inline constexpr FieldId contact = 40;  ///< which ghosts touch a contact wall
+inline constexpr FieldId impulse = 41;  ///< of contact walls on a block
 
 inline std::vector<std::string> names() {
   std::vector<std::string> names;
@@ -52,7 +54,7 @@ inline std::vector<std::string> names() {
   names.insert(names.end(), {"closest points, even", "closest points, odd", "surface records",
                              "m, phi, d of ghosts", "bounds", "remeshed", "remeshed images",
                              "filtered", "phi extended", "kinds", "ghost fits", "surface packs",
-                             "record numbers", "result"});
+                             "record numbers", "result", "contact", "wall impulse"});
   return names;
 }
 
