@@ -34,9 +34,9 @@ void decide_contact(Body<T, D>& body, int block, const Boundaries<D>& boundaries
                         boundaries.walls[ghosts.wall[g]].offset()[a]);
     }
     const bool touches = height < touching_height * body.lattice.spacing &&
-                         kernels::presses<T, D>(ghosts.fits(g),
-                                                converted<T, D>(values.wall_velocity[ghosts.wall[g]]),
-                                                converted<T, D>(n));
+                         kernels::presses<T, D>(
+                             ghosts.fits(g), converted<T, D>(values.wall_velocity[ghosts.wall[g]]),
+                             converted<T, D>(n));
     ghosts.active[g] = touches;
     ghosts.active[g - 1] = !touches;
   }

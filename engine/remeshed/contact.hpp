@@ -4,11 +4,12 @@
 
 // A body touches a contact wall, presses against it and leaves it; nothing bonds them.
 //
-//          |  body  |            Above the wall ghosts stay those of a free surface. Beyond it a slot
+//          |  body  |            Above the wall ghosts stay those of a free surface. Beyond it a
+//          slot
 //     f f f \______/ f f f       has two ghosts, each with its fits: f of the free surface and c of
 //     -------------------wall    the wall. Once per step one of the two is chosen for each slot, by
-//     f f f c c c c f f f f      where the surface stands and whether the wall would push, so that a
-//     f f f c c c c f f f f      patch of contact grows and shrinks by whole slots.
+//     f f f c c c c f f f f      where the surface stands and whether the wall would push, so that
+//     a f f f c c c c f f f f      patch of contact grows and shrinks by whole slots.
 //
 // No penalty stiffness, so no number to choose and no shorter time step: the wall acts through the
 // ghosts of (RP.35) and (RP.36) alone.
