@@ -80,7 +80,7 @@ struct MeasurementCase {
     kinetic_energy,
     strain_energy,
     total_energy,
-    wall_force,       ///< on contact wall `boundary` along `axis`, mean since the last sample
+    wall_force,       ///< of contact wall `boundary` along `axis`, mean since the last sample
     velocity_error,   ///< against `exact`, over `reference` (the amplitude)
     period,           ///< twice the mean spacing of zero crossings of measurement `of`
     amplitude_ratio,  ///< mean ratio of successive same-sign maxima of measurement `of`

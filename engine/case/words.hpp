@@ -107,7 +107,7 @@ inline constexpr std::array words<MeasurementCase::Kind>{
     word(MeasurementCase::Kind::total_energy, "total_energy",
          "kinetic plus strain energy of a body"),
     word(MeasurementCase::Kind::wall_force, "wall_force",
-         "force of the bodies on a contact wall, mean since the last sample (RP.52)"),
+         "force of a contact wall on the bodies, mean since the last sample (RP.52)"),
     word(MeasurementCase::Kind::velocity_error, "velocity_error",
          "difference from an exact velocity, over an amplitude"),
     word(MeasurementCase::Kind::period, "period",

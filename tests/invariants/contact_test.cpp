@@ -14,7 +14,8 @@ Case bouncing_disc(const Settings& more) {
   return {};
 }
 
-int touching(const Solver& solver) {
+int touching(Solver& solver) {
+  solver.refresh_ghosts();
   int count = 0;
   for (const auto& ghosts : solver.state().bodies[0].population.ghosts) {
     for (const std::int32_t g : ghosts.contact) count += ghosts.active[g];
