@@ -210,4 +210,39 @@ GhostState<T, D> slip_wall_ghost(const GhostFits<T, D>& fits, const VectorOf<T, 
   return ghost;
 }
 
+/// (RP.50): whether a wall that only pushes holds the body; n the normal of the wall, into the
+/// body.
+template <class T, int D>
+bool presses(const GhostFits<T, D>& fits, const VectorOf<T, D>& wall_velocity,
+             const VectorOf<T, D>& n) {
+  VectorOf<T, D> s_n;
+  T approach = 0;
+#pragma GCC unroll 3
+  for (int i = 0; i < D; ++i) approach += n[i] * (fits.surface.velocity(i) - wall_velocity[i]);
+  return approach < 0 || traction<T, D>(fits.surface, n, s_n) < 0;
+}
+
+/// (RP.51): force of a wall on the body over the area [Pa]; n the normal of the wall, into the
+/// body.
+template <class T, int D>
+VectorOf<T, D> wall_push(const GhostFits<T, D>& fits, const VectorOf<T, D>& wall_velocity,
+                         const VectorOf<T, D>& n, bool slips, const Impedance<T>& impedance) {
+  VectorOf<T, D> s_n, slip, push;
+  const T s_nn = traction<T, D>(fits.surface, n, s_n);
+  T approach = 0;
+#pragma GCC unroll 3
+  for (int i = 0; i < D; ++i) {
+    slip[i] = fits.surface.velocity(i) - wall_velocity[i];
+    approach += slip[i] * n[i];
+  }
+#pragma GCC unroll 3
+  for (int i = 0; i < D; ++i) {
+    push[i] = -(s_nn + impedance.pressure_wave * approach) * n[i];
+    if (!slips) {
+      push[i] -= s_n[i] - s_nn * n[i] + impedance.shear_wave * (slip[i] - approach * n[i]);
+    }
+  }
+  return push;
+}
+
 }  // namespace pliant::kernels

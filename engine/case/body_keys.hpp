@@ -86,6 +86,7 @@ void body_keys(Visitor& visit, BodyCase& body) {
 
 inline BoundaryWord word_of(const BoundaryCase& boundary) {
   if (boundary.kind == BoundaryCase::Kind::slip_wall) return BoundaryWord::slip_wall;
+  if (boundary.kind == BoundaryCase::Kind::contact_wall) return BoundaryWord::contact_wall;
   if (boundary.kind == BoundaryCase::Kind::pressure) return BoundaryWord::pressure;
   for (const Expression& component : boundary.velocity) {
     if (!component.is_constant() || component(0) != 0) return BoundaryWord::moving_wall;
@@ -95,6 +96,7 @@ inline BoundaryWord word_of(const BoundaryCase& boundary) {
 
 inline BoundaryCase::Kind kind_of(BoundaryWord kind) {
   if (kind == BoundaryWord::slip_wall) return BoundaryCase::Kind::slip_wall;
+  if (kind == BoundaryWord::contact_wall) return BoundaryCase::Kind::contact_wall;
   if (kind == BoundaryWord::pressure) return BoundaryCase::Kind::pressure;
   return BoundaryCase::Kind::wall;
 }
@@ -113,7 +115,11 @@ void boundary_keys(Visitor& visit, BoundaryCase& boundary) {
          .example = R"({ shape = "half_space", point = [0, 0], normal = [0, 1] })",
          .required = true});
   if (!known) return;
-  if (kind == BoundaryWord::moving_wall || kind == BoundaryWord::slip_wall) {
+  if (kind == BoundaryWord::contact_wall) {
+    visit("friction", boundary.friction,
+          {.meaning = "what the wall does along itself", .example = R"("sticking")"});
+  }
+  if (kind != BoundaryWord::fixed && kind != BoundaryWord::pressure) {
     visit("velocity", boundary.velocity,
           {.meaning = "the wall's velocity, numbers or formulas of t",
            .unit = "m/s",

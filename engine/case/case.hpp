@@ -56,12 +56,15 @@ struct BodyCase {
 };
 
 struct BoundaryCase {
-  enum class Kind { wall, slip_wall, pressure };  ///< "fixed" and "moving_wall" are walls
+  /// "fixed" and "moving_wall" are walls; all but contact walls are bonded to the body.
+  enum class Kind { wall, slip_wall, contact_wall, pressure };
+  enum class Friction { frictionless, sticking };
   std::string name;
   Kind kind = Kind::wall;
   Shape geometry;             ///< the wall's solid at t = 0, or the region that pressure acts in
   VectorExpression velocity;  ///< of t, walls [m/s]
-  Expression pressure;        ///< of t, positive pushes on the body [Pa]
+  Friction friction = Friction::frictionless;  ///< contact walls
+  Expression pressure;                         ///< of t, positive pushes on the body [Pa]
 };
 
 struct MeasurementCase {
@@ -77,6 +80,7 @@ struct MeasurementCase {
     kinetic_energy,
     strain_energy,
     total_energy,
+    wall_force,       ///< of contact wall `boundary` along `axis`, mean since the last sample
     velocity_error,   ///< against `exact`, over `reference` (the amplitude)
     period,           ///< twice the mean spacing of zero crossings of measurement `of`
     amplitude_ratio,  ///< mean ratio of successive same-sign maxima of measurement `of`
@@ -85,6 +89,7 @@ struct MeasurementCase {
   std::string name;
   Kind kind = Kind::mass;
   int body = 0;
+  int boundary = -1;
   int axis = 0;
   bool lower_side = false;          ///< extent: towards -axis
   std::optional<Expression> where;  ///< extent: only surface points where this is not zero

@@ -152,9 +152,44 @@ void check_times(const Check& check) {
   }
 }
 
+// Between remeshings a ghost stays on the side of a wall on which it started, and only particles
+// that strain make the adaptive rule remesh: a body that flies towards a wall would pass it.
+void check_contact_walls(const Check& check) {
+  const auto& boundaries = check.a_case.boundaries;
+  bool any = false;
+  for (std::size_t i = 0; i < boundaries.size(); ++i) {
+    if (boundaries[i].kind != BoundaryCase::Kind::contact_wall) continue;
+    any = true;
+    if (boundaries[i].geometry.kind == Shape::Kind::half_space ||
+        !is_whole(boundaries[i].geometry, check.a_case.dimension)) {
+      continue;
+    }
+    check.problems.add(check.place("boundary", i, "geometry"),
+                       fmt::format("contact wall \"{}\" is no half_space", boundaries[i].name),
+                       "give a half_space; bodies touch plane walls only");
+  }
+  if (any && check.a_case.remeshing.policy != decltype(Case::remeshing)::Policy::every) {
+    check.problems.add(check.place("remeshing", "every"),
+                       "contact walls need a fixed number of steps between remeshings",
+                       "write every = 10 in [remeshing]");
+  }
+}
+
 void check_measurements(const Check& check) {
   const auto& measurements = check.a_case.measurements;
   for (std::size_t i = 0; i < measurements.size(); ++i) {
+    if (measurements[i].kind == MeasurementCase::Kind::wall_force &&
+        measurements[i].boundary >= 0) {
+      const std::size_t boundary = static_cast<std::size_t>(measurements[i].boundary);
+      const auto& boundaries = check.a_case.boundaries;
+      if (boundary < boundaries.size() &&
+          boundaries[boundary].kind != BoundaryCase::Kind::contact_wall) {
+        check.problems.add(check.place("measurement", i, "boundary"),
+                           fmt::format("boundary \"{}\" is no contact wall, whose force is known",
+                                       boundaries[boundary].name),
+                           "name a boundary of kind contact_wall");
+      }
+    }
     if (measurements[i].of < 0) continue;
     const MeasurementCase& source = measurements[measurements[i].of];
     if (source.of < 0) continue;
@@ -177,6 +212,7 @@ void check_case(const Case& a_case, const toml::table& root, const Place& start,
   check_bodies(check);
   check_periodic_cell(check);
   check_times(check);
+  check_contact_walls(check);
   check_measurements(check);
 }
 

@@ -63,6 +63,9 @@ struct AngularVelocity {  ///< a number in 2D, a vector in 3D
 struct BodyName {
   int& index;
 };
+struct BoundaryName {
+  int& index;
+};
 struct MeasurementName {
   int& index;
 };

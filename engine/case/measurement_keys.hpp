@@ -81,6 +81,11 @@ void measurement_keys(Visitor& visit, MeasurementCase& m) {
            .required = true});
     return;
   }
+  if (m.kind == Kind::wall_force) {
+    visit("boundary", BoundaryName{m.boundary},
+          {.meaning = "the contact wall", .example = R"("floor")", .required = true});
+    return axis_key(visit, m, "component");
+  }
   visit("body", BodyName{m.body}, {.meaning = "the body; by default the first"});
   switch (m.kind) {
     case Kind::extent:

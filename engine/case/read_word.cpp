@@ -94,6 +94,10 @@ bool read(const Entry& entry, BodyName value) {
   return read_reference(entry, entry.reading.body_names, "body", value.index);
 }
 
+bool read(const Entry& entry, BoundaryName value) {
+  return read_reference(entry, entry.reading.boundary_names, "boundary", value.index);
+}
+
 bool read(const Entry& entry, MeasurementName value) {
   return read_reference(entry, entry.reading.measurement_names, "measurement", value.index);
 }

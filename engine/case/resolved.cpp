@@ -18,6 +18,12 @@ std::string list_text(const std::array<Element, 3>& values, const Writing& writi
   return "[" + text + "]";
 }
 
+template <class Element>
+std::string name_at(const std::vector<Element>& elements, int index, const Writing& writing) {
+  const auto at = static_cast<std::size_t>(index);
+  return at < elements.size() ? toml_text(elements[at].name, writing) : "";
+}
+
 template <class Keys>
 std::string inline_table(const Writing& writing, Keys&& keys) {
   TableWriter writer(writing);
@@ -114,15 +120,15 @@ std::string toml_text(AngularVelocity value, const Writing& writing) {
 }
 
 std::string toml_text(BodyName value, const Writing& writing) {
-  const auto& bodies = writing.a_case.bodies;
-  const auto index = static_cast<std::size_t>(value.index);
-  return index < bodies.size() ? toml_text(bodies[index].name, writing) : "";
+  return name_at(writing.a_case.bodies, value.index, writing);
+}
+
+std::string toml_text(BoundaryName value, const Writing& writing) {
+  return name_at(writing.a_case.boundaries, value.index, writing);
 }
 
 std::string toml_text(MeasurementName value, const Writing& writing) {
-  const auto& measurements = writing.a_case.measurements;
-  const auto index = static_cast<std::size_t>(value.index);
-  return index < measurements.size() ? toml_text(measurements[index].name, writing) : "";
+  return name_at(writing.a_case.measurements, value.index, writing);
 }
 
 std::string toml_text(FieldName value, const Writing& writing) {

@@ -23,6 +23,7 @@ struct Reading {
   const toml::table& root;
   int dimension = 2;
   std::vector<std::string> body_names;
+  std::vector<std::string> boundary_names;
   std::vector<std::string> measurement_names;
 };
 
@@ -54,6 +55,7 @@ bool read(const Entry& entry, AxisSet value);
 bool read(const Entry& entry, Direction value);
 bool read(const Entry& entry, AngularVelocity value);
 bool read(const Entry& entry, BodyName value);
+bool read(const Entry& entry, BoundaryName value);
 bool read(const Entry& entry, MeasurementName value);
 bool read(const Entry& entry, FieldName value);
 bool read(const Entry& entry, VelocityFormulas value);

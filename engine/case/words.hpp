@@ -74,13 +74,20 @@ inline constexpr std::array words<ShapeWord>{
     word(ShapeWord::intersection, "intersection", "the points that all parts share")};
 
 /// Boundaries as case files name them: a fixed wall is a wall without velocity.
-enum class BoundaryWord { fixed, moving_wall, slip_wall, pressure };
+enum class BoundaryWord { fixed, moving_wall, slip_wall, contact_wall, pressure };
 template <>
 inline constexpr std::array words<BoundaryWord>{
     word(BoundaryWord::fixed, "fixed", "material sticks to a wall at rest"),
     word(BoundaryWord::moving_wall, "moving_wall", "material sticks to a wall that moves"),
     word(BoundaryWord::slip_wall, "slip_wall", "material slides along the wall without friction"),
+    word(BoundaryWord::contact_wall, "contact_wall",
+         "a wall that bodies touch, press against and leave (RP.50)"),
     word(BoundaryWord::pressure, "pressure", "pressure on the free surface inside a region")};
+
+template <>
+inline constexpr std::array words<BoundaryCase::Friction>{
+    word(BoundaryCase::Friction::frictionless, "frictionless", "what touches slides (RP.36)"),
+    word(BoundaryCase::Friction::sticking, "sticking", "what touches sticks (RP.35)")};
 
 template <>
 inline constexpr std::array words<MeasurementCase::Kind>{
@@ -99,6 +106,8 @@ inline constexpr std::array words<MeasurementCase::Kind>{
     word(MeasurementCase::Kind::strain_energy, "strain_energy", "of a body"),
     word(MeasurementCase::Kind::total_energy, "total_energy",
          "kinetic plus strain energy of a body"),
+    word(MeasurementCase::Kind::wall_force, "wall_force",
+         "force of a contact wall on the bodies, mean since the last sample (RP.52)"),
     word(MeasurementCase::Kind::velocity_error, "velocity_error",
          "difference from an exact velocity, over an amplitude"),
     word(MeasurementCase::Kind::period, "period",

@@ -103,7 +103,9 @@ Shape half_space(int axis, double position, double normal) {
 std::vector<Shape> attached_walls(const Case& a_case) {
   std::vector<Shape> walls;
   for (const BoundaryCase& boundary : a_case.boundaries) {
-    if (boundary.kind != BoundaryCase::Kind::pressure) walls.push_back(boundary.geometry);
+    const bool bonded =
+        boundary.kind == BoundaryCase::Kind::wall || boundary.kind == BoundaryCase::Kind::slip_wall;
+    if (bonded) walls.push_back(boundary.geometry);
   }
   for (int axis = 0; axis < a_case.dimension; ++axis) {
     if (!a_case.periodic.axis[axis]) continue;

@@ -10,6 +10,7 @@
 #include "engine/lattice/layout.hpp"
 #include "engine/remeshed/body_neighbours.hpp"
 #include "engine/storage/buffer.hpp"
+#include "kernels/ghost_state.hpp"
 #include "kernels/table.hpp"
 
 namespace pliant::remeshed {
@@ -21,7 +22,8 @@ using kernels::PackState;
 template <class T, int D>
 struct BlockGhosts {
   std::vector<std::int32_t> slot;
-  std::vector<std::int8_t> wall;        ///< of a wall ghost; -1: free surface
+  std::vector<std::int8_t> wall;        ///< of a wall or contact ghost; -1: free surface
+  std::vector<std::uint8_t> active;     ///< whether the ghost sets its slot; see `contact`
   std::vector<std::int8_t> pressure;    ///< acting at the foot point; -1: none
   std::vector<Point<D>> normal;         ///< of the wall
   std::vector<std::int64_t> begin;      ///< [ghost + 1] into the four below
@@ -31,9 +33,22 @@ struct BlockGhosts {
   std::vector<T> surface;               ///< a: (RP.32) at the foot point
   std::vector<T> constrained_sum;       ///< [ghost] sum of b
   std::vector<T> surface_sum;  ///< [ghost] sum of a: 1, or 0 where the surface meets a wall
+  /// A slot beyond a contact wall has two ghosts, of the free surface and, next in order, of the
+  /// wall: the latter are listed here. One of the two is active, (RP.50).
+  std::vector<std::int32_t> contact;
+  /// [contact] of the surface above the wall at xi = 0 and the wall's place at t = 0, (RP.50) [m]
+  std::vector<double> contact_height;
+  std::vector<double> contact_area;  ///< [contact] share of the wall, (RP.52) [m^(D-1)]
   std::vector<kernels::SurfacePack> packs;
   std::int32_t first_record = 0, record_count = 0;
   Buffer<T> sums;
+
+  /// The sums of ghost g, once they are made.
+  kernels::GhostFits<T, D> fits(std::size_t g) const {
+    constexpr int width = kernels::record_width<D>;
+    const T* of = sums.get() + 3 * width * g;
+    return {{of}, {of + width}, {of + 2 * width}, constrained_sum[g], surface_sum[g]};
+  }
 };
 
 /// Slots of a body after a remeshing: where they lie, what they hold, how ghosts read them.

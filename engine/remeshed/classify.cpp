@@ -10,7 +10,10 @@ Kind kind_of(const Point<D>& x, T phi, double h, bool valid, const Boundaries<D>
   const double d = boundaries.nearest_wall(x).second;
   if (d < -ghost_band * h) return Kind::vacant;
   if (d < 0) return Kind::wall_ghost;
-  if (phi >= 0) return Kind::free_ghost;
+  // What lies beyond a contact wall is outside the body, whatever phi says.
+  const double beyond = boundaries.nearest_contact(x).second;
+  if (beyond < -ghost_band * h) return Kind::vacant;
+  if (phi >= 0 || beyond < 0) return Kind::free_ghost;
   return valid ? Kind::interior : Kind::vacant;
 }
 

@@ -63,7 +63,6 @@ void fill_ghosts(Body<T, D>& body, int block, int stage, int parity,
                  GhostTreatment treatment, const kernels::Table<T, D>& table) {
   BlockGhosts<T, D>& ghosts = body.population.ghosts[block];
   const std::size_t count = ghosts.slot.size();
-  constexpr int width = kernels::record_width<D>;
   table.sum_ghosts({0, static_cast<std::int64_t>(count), ghosts.begin.data(), ghosts.record.data(),
                     ghosts.linear.data(), ghosts.constrained.data(), ghosts.surface.data(),
                     body.records.get(), ghosts.sums.get()});
@@ -71,12 +70,8 @@ void fill_ghosts(Body<T, D>& body, int block, int stage, int parity,
   const bool averaged = treatment == GhostTreatment::averaged;
   const kernels::Impedance<T> impedance(body.material);
   for (std::size_t g = 0; g < count; ++g) {
-    const T* sums = ghosts.sums.get() + 3 * width * g;
-    const kernels::GhostFits<T, D> fits{{sums},
-                                        {sums + width},
-                                        {sums + 2 * width},
-                                        ghosts.constrained_sum[g],
-                                        ghosts.surface_sum[g]};
+    if (ghosts.active[g] == 0) continue;
+    const kernels::GhostFits<T, D> fits = ghosts.fits(g);
     kernels::GhostState<T, D> ghost;
     if (const int w = ghosts.wall[g]; w >= 0) {
       std::array<T, D> velocity, normal;
@@ -113,6 +108,7 @@ void fill_conserved(Body<T, D>& body, int block) {
   T* mass = state.get(Field::mass);
   T* v = state.get(Field::volume);
   for (std::size_t g = 0; g < ghosts.slot.size(); ++g) {
+    if (ghosts.active[g] == 0) continue;
     const std::int64_t slot = ghosts.slot[g];
     const auto fit = [&](auto&& value) {
       T sum = 0;

@@ -1,6 +1,7 @@
 #include "engine/remeshed/ghost_fits.hpp"
 
 #include <Eigen/Dense>
+#include <algorithm>
 #include <atomic>
 #include <cmath>
 #include <numeric>
@@ -147,10 +148,37 @@ class GhostFitter {
         used_(used) {}
 
   void add(std::int64_t slot, const Cell<D>& cell) {
+    const Point<D> x = body_.lattice.node(cell);
+    if (population_.kind[slot] == Kind::wall_ghost) {
+      const auto [wall, distance] = boundaries_.nearest_wall(x);
+      add(slot, cell, wall, distance);
+      return;
+    }
+    add(slot, cell, -1, 0);
+    const auto [wall, distance] = boundaries_.nearest_contact(x);
+    const double height = surface_distance(slot) + distance;
+    // The body comes no nearer than this before the next remeshing.
+    if (distance < 0 && height < body_.lattice.spacing) add_contact(slot, cell, wall, height);
+  }
+
+ private:
+  void add_contact(std::int64_t slot, const Cell<D>& cell, int wall, double height) {
+    const double h = body_.lattice.spacing;
+    const double distance = boundaries_.walls[wall].distance(body_.lattice.node(cell));
+    ghosts_.contact.push_back(static_cast<std::int32_t>(ghosts_.slot.size()));
+    add(slot, cell, wall, distance);
+    ghosts_.active.back() = 0;
+    const Point<D>& normal = ghosts_.normal.back();
+    for (int a = 0; a < D; ++a) height += normal[a] * boundaries_.walls[wall].offset()[a];
+    ghosts_.contact_height.push_back(height);
+    ghosts_.contact_area.push_back(std::pow(h, D - 1) *
+                                   std::max(0., 1 - std::abs(distance / h + 1)));
+  }
+
+  void add(std::int64_t slot, const Cell<D>& cell, int wall, double wall_distance) {
     const double h = body_.lattice.spacing;
     const Point<D> x = body_.lattice.node(cell);
-    const auto [wall, wall_distance] = boundaries_.nearest_wall(x);
-    const bool at_wall = population_.kind[slot] == Kind::wall_ghost;
+    const bool at_wall = wall >= 0;
     Point<D> normal = {}, foot = x;
     if (at_wall) {
       normal = boundaries_.walls[wall].normal(x);
@@ -176,6 +204,7 @@ class GhostFitter {
 
     ghosts_.slot.push_back(static_cast<std::int32_t>(slot));
     ghosts_.wall.push_back(static_cast<std::int8_t>(at_wall ? wall : -1));
+    ghosts_.active.push_back(1);
     ghosts_.pressure.push_back(at_wall ? std::int8_t{-1} : pressure_at(foot));
     ghosts_.normal.push_back(normal);
     if (treatment_ == GhostTreatment::averaged) {
@@ -186,7 +215,6 @@ class GhostFitter {
     ghosts_.begin.push_back(static_cast<std::int64_t>(ghosts_.neighbour.size()));
   }
 
- private:
   // phi is a distance only after a reinitialisation; the closest point always tells.
   double surface_distance(std::int64_t slot) const {
     Point<D> offset;
@@ -244,7 +272,7 @@ class GhostFitter {
     // The curved fit overshoots where the solution is singular: at walls and where they meet the
     // free surface.
     const double wall_distance = boundaries_.nearest_wall(foot).second / body_.lattice.spacing;
-    const bool curved = wall_distance > fit_radius;
+    const bool curved = wall == nullptr && wall_distance > fit_radius;
     double radius = fit_radius;
     bool fitted = false;
     for (int attempt = 0; !fitted && attempt <= most_widenings; ++attempt, radius *= widening) {
@@ -344,6 +372,10 @@ void fit_ghosts(const Body<T, D>& body, Population<T, D>& population, const Fiel
   BlockGhosts<T, D>& ghosts = population.ghosts[block];
   ghosts.slot.clear();
   ghosts.wall.clear();
+  ghosts.active.clear();
+  ghosts.contact.clear();
+  ghosts.contact_height.clear();
+  ghosts.contact_area.clear();
   ghosts.pressure.clear();
   ghosts.normal.clear();
   ghosts.begin.assign(1, 0);

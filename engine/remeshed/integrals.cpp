@@ -42,7 +42,7 @@ class Integrator {
         const double distance = phi[p] / h_;
         if (distance > reach) return;
         const Point<D> x = view_.body.lattice.node(cell);
-        const double wall = boundaries_.nearest_wall(x).second / h_;
+        const double wall = distance_to_walls(x) / h_;
         if (wall < -reach) return;
         const Expansion<D> e = expand(p, cell);
         if (distance < -reach && wall > reach) {
@@ -56,6 +56,10 @@ class Integrator {
   }
 
  private:
+  double distance_to_walls(const Point<D>& x) const {
+    return std::min(boundaries_.nearest_wall(x).second, boundaries_.nearest_contact(x).second);
+  }
+
   std::int64_t neighbour(Cell<D> cell, int axis, int step) const {
     cell[axis] += step;
     return view_.population.layout.slot(view_.body.lattice.wrapped(cell));
@@ -138,7 +142,7 @@ class Integrator {
         phi += e.phi_slope[a] * s[a];
         for (int b = 0; b < D; ++b) phi += 0.5 * e.phi_curvature[a][b] * s[a] * s[b];
       }
-      const double wall = boundaries_.nearest_wall(at).second / h_;
+      const double wall = distance_to_walls(at) / h_;
       const double covered = std::clamp(0.5 - coverage_slope * phi, 0.0, 1.0) *
                              std::clamp(0.5 + coverage_slope * wall, 0.0, 1.0);
       if (covered > 0) add(x, s, e, volume * covered);

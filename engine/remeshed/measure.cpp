@@ -108,6 +108,10 @@ double Measurer<T, D>::value(const MeasurementCase& m) {
       return surface_value(m);
     case Quantity::point_displacement:
       return material_displacement<T, D>(solver_.state().bodies[m.body], m.point)[m.axis];
+    case Quantity::wall_force: {
+      const State<T, D>& state = solver_.state();
+      return state.wall_impulse[state.boundaries.wall_of[m.boundary]][m.axis];
+    }
     case Quantity::point_value:
       return point_value(m);
     case Quantity::velocity_error:

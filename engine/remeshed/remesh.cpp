@@ -51,14 +51,15 @@ void Remeshing<T, D>::departure_phases(std::vector<scheduler::Phase>& phases, in
   using scheduler::Reach;
   std::vector<int> own(body_.population.layout.blocks().size());
   for (std::size_t b = 0; b < own.size(); ++b) own[b] = first_block + static_cast<int>(b);
-  phases.push_back(
-      {"remesh: ghosts",
-       -1,
-       {{resource::drift(0), Reach::neighbours}, {resource::material(0), Reach::neighbours}},
-       {{resource::constants}},
-       Phase::Extent::per_block,
-       own,
-       [this, first_block](int b) { fill_conserved(body_, b - first_block); }});
+  phases.push_back({"remesh: ghosts",
+                    -1,
+                    {{resource::drift(0), Reach::neighbours},
+                     {resource::material(0), Reach::neighbours},
+                     {resource::contact}},
+                    {{resource::constants}},
+                    Phase::Extent::per_block,
+                    own,
+                    [this, first_block](int b) { fill_conserved(body_, b - first_block); }});
   phases.push_back({"remesh: layout",
                     -1,
                     {{resource::drift(0)}},

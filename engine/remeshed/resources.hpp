@@ -41,6 +41,8 @@ inline constexpr FieldId verdicts = 41;       ///< whether the stencil serves a 
 inline constexpr FieldId sites = 42;          ///< where a block's particles and ghosts are
 inline constexpr FieldId cells = 43;          ///< the same, sorted by place
 inline constexpr FieldId lists = 44;          ///< neighbours that the stencil does not see
+inline constexpr FieldId contact = 45;        ///< which ghosts touch a contact wall
+inline constexpr FieldId impulse = 46;        ///< of contact walls on a block
 
 inline std::vector<std::string> names() {
   std::vector<std::string> names;
@@ -54,11 +56,27 @@ inline std::vector<std::string> names() {
   add_each({"xi", "u", "v, S|F"});
   names.insert(names.end(), {"sigma, even stages", "sigma, odd stages"});
   add_each({"ghosts", "xi of images", "images"});
-  names.insert(names.end(),
-               {"closest points, even", "closest points, odd", "surface records",
-                "m, phi, d of ghosts", "bounds", "remeshed", "remeshed images", "filtered",
-                "phi extended", "kinds", "ghost fits", "surface packs", "record numbers", "result",
-                "closest pairs", "verdicts", "sites", "cells", "neighbour lists"});
+  names.insert(names.end(), {"closest points, even",
+                             "closest points, odd",
+                             "surface records",
+                             "m, phi, d of ghosts",
+                             "bounds",
+                             "remeshed",
+                             "remeshed images",
+                             "filtered",
+                             "phi extended",
+                             "kinds",
+                             "ghost fits",
+                             "surface packs",
+                             "record numbers",
+                             "result",
+                             "closest pairs",
+                             "verdicts",
+                             "sites",
+                             "cells",
+                             "neighbour lists",
+                             "contact",
+                             "wall impulse"});
   return names;
 }
 

@@ -29,6 +29,7 @@ template <class T, int D>
 struct State {
   Clock clock;
   Boundaries<D> boundaries;
+  std::vector<Point<D>> wall_impulse;  ///< [wall] of contact walls on the bodies, since t = 0 [N s]
   std::vector<Body<T, D>> bodies;
   std::vector<BlockOwner> blocks;
 };

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "engine/remeshed/contact.hpp"
 #include "engine/remeshed/resources.hpp"
 
 // A step of the remeshed Lagrangian particle method (H&K, sections 2 and 4).
@@ -9,6 +10,7 @@
 //   for each stage s = 0..3 of the Runge-Kutta method (RP.19), stage states Q0, Q2, Q3, Q4:
 //     surface   grad phi of the particles near the surface (RP.18); their u, sigma, grad phi, p are
 //               packed side by side, one cache line each
+//     contact   first stage only: which ghosts beyond a contact wall the body presses on, (RP.50)
 //     ghosts    each ghost takes velocity and stress from the packed particles: the free surface
 //     with
 //               its present normal (RP.37), (RP.34), walls (RP.35), (RP.36), as the paper (RP.38)
@@ -80,11 +82,20 @@ void Step<T, D>::add_ghosts(std::vector<Phase>& phases, int stage) {
         {resource::stress(parity)},
         {resource::material(stage)}},
        {{resource::records}}, &Step::write_records);
-  each("ghosts",
-       {{resource::records, Reach::neighbours},
-        {resource::drift(stage), Reach::neighbours},
-        {resource::velocity(stage), Reach::neighbours}},
-       {{resource::ghosts(stage)}}, &Step::fill);
+  const bool contact = state_.boundaries.have_contact();
+  if (contact && stage == 0) {
+    each("contact", {{resource::records, Reach::neighbours}, {resource::drift(stage)}},
+         {{resource::contact}}, &Step::decide_contact);
+  }
+  std::vector<scheduler::Access> reads = {{resource::records, Reach::neighbours},
+                                          {resource::drift(stage), Reach::neighbours},
+                                          {resource::velocity(stage), Reach::neighbours}};
+  std::vector<scheduler::Access> writes = {{resource::ghosts(stage)}};
+  if (contact) {
+    reads.push_back({resource::contact});
+    writes.push_back({resource::impulse});
+  }
+  each("ghosts", std::move(reads), std::move(writes), &Step::fill);
   if (periodic()) {
     each("images",
          {{resource::velocity(stage), Reach::neighbours},
@@ -159,6 +170,7 @@ bool Step<T, D>::periodic() const {
 template <class T, int D>
 void Step<T, D>::prepare(double time_step) {
   time_step_ = time_step;
+  impulse_.assign(state_.blocks.size() * state_.boundaries.walls.size(), {});
   for (int stage = 0; stage < 4; ++stage) {
     boundary_values_[stage].evaluate(state_.boundaries,
                                      state_.clock.time + stage_time[stage] * time_step);
@@ -170,6 +182,10 @@ void Step<T, D>::fold() {
   result_ = {0, 0, -1};
   failed_block_ = -1;
   strain_rates_.assign(state_.bodies.size(), 0);
+  const std::size_t walls = state_.wall_impulse.size();
+  for (std::size_t i = 0; i < impulse_.size(); ++i) {
+    for (int a = 0; a < D; ++a) state_.wall_impulse[i % walls][a] += impulse_[i][a];
+  }
   for (std::size_t b = 0; b < results_.size(); ++b) {
     result_.strain_rate = std::max(result_.strain_rate, results_[b].strain_rate);
     result_.wave_speed = std::max(result_.wave_speed, results_[b].wave_speed);
@@ -230,6 +246,15 @@ void Step<T, D>::fill(int block, int stage) {
   const auto [body, local] = owner(block);
   fill_ghosts<T, D>(body, local, stage, stage % 2, state_.boundaries, boundary_values_[stage],
                     settings_.ghosts, kernels_);
+  Point<D>* impulse = impulse_.data() + block * state_.boundaries.walls.size();
+  add_impulse<T, D>(body, local, state_.boundaries, boundary_values_[stage],
+                    stage_weight[stage] * time_step_, impulse);
+}
+
+template <class T, int D>
+void Step<T, D>::decide_contact(int block, int) {
+  const auto [body, local] = owner(block);
+  remeshed::decide_contact<T, D>(body, local, state_.boundaries, boundary_values_[0], kernels_);
 }
 
 template <class T, int D>

@@ -26,7 +26,8 @@ class Step {
 
   /// Fixes the time step [s] and what the boundaries impose at each stage.
   void prepare(double time_step);
-  /// What the last step found, folded over the blocks in their order.
+  /// What the last step found, folded over the blocks in their order, the impulse of contact walls
+  /// into the state.
   const kernels::StageResult& result() const { return result_; }
   int failed_block() const { return failed_block_; }
   /// max abs(eps)_F of one body in the last step [1/s].
@@ -35,6 +36,7 @@ class Step {
 
  private:
   static constexpr std::array<double, 4> stage_time = {0, 0.5, 0.5, 1};
+  static constexpr std::array<double, 4> stage_weight = {1. / 6, 1. / 3, 1. / 3, 1. / 6};
 
   struct Owner {
     Body<T, D>& body;
@@ -52,6 +54,7 @@ class Step {
 
   void copy_image_drift(int block, int stage);
   void write_records(int block, int stage);
+  void decide_contact(int block, int stage);
   void fill(int block, int stage);
   void copy_images(int block, int stage);
   void advance(int block, int stage);
@@ -66,6 +69,7 @@ class Step {
   kernels::StageResult result_ = {0, 0, -1};
   std::vector<double> strain_rates_;  ///< [body]
   int failed_block_ = -1;
+  std::vector<Point<D>> impulse_;  ///< [block][wall] of contact walls on the bodies, of this step
 };
 
 extern template class Step<double, 2>;

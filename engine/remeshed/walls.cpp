@@ -1,5 +1,6 @@
 #include "engine/remeshed/walls.hpp"
 
+#include <algorithm>
 #include <limits>
 
 #include "engine/geometry/signed_distance.hpp"
@@ -21,7 +22,10 @@ template <int D>
 Wall<D>::Wall(const BoundaryCase& boundary)
     : shape_(boundary.geometry),
       velocity_(boundary.velocity),
-      slips_(boundary.kind == BoundaryCase::Kind::slip_wall) {}
+      slips_(boundary.kind == BoundaryCase::Kind::slip_wall ||
+             (boundary.kind == BoundaryCase::Kind::contact_wall &&
+              boundary.friction == BoundaryCase::Friction::frictionless)),
+      bonded_(boundary.kind != BoundaryCase::Kind::contact_wall) {}
 
 template <int D>
 Vector Wall<D>::at_rest(const Point<D>& x) const {
@@ -68,7 +72,9 @@ bool SurfacePressure<D>::acts_at(const Point<D>& x) const {
 template <int D>
 Boundaries<D>::Boundaries(const std::vector<BoundaryCase>& cases) {
   for (const BoundaryCase& boundary : cases) {
-    if (boundary.kind == BoundaryCase::Kind::pressure) {
+    const bool is_wall = boundary.kind != BoundaryCase::Kind::pressure;
+    wall_of.push_back(is_wall ? static_cast<int>(walls.size()) : -1);
+    if (!is_wall) {
       pressures.emplace_back(boundary);
     } else {
       walls.emplace_back(boundary);
@@ -77,9 +83,16 @@ Boundaries<D>::Boundaries(const std::vector<BoundaryCase>& cases) {
 }
 
 template <int D>
-std::pair<int, double> Boundaries<D>::nearest_wall(const Point<D>& x) const {
+bool Boundaries<D>::have_contact() const {
+  return std::any_of(walls.begin(), walls.end(),
+                     [](const Wall<D>& wall) { return !wall.bonded(); });
+}
+
+template <int D>
+std::pair<int, double> Boundaries<D>::nearest(const Point<D>& x, bool bonded) const {
   std::pair<int, double> nearest{-1, std::numeric_limits<double>::infinity()};
   for (int w = 0; w < static_cast<int>(walls.size()); ++w) {
+    if (walls[w].bonded() != bonded) continue;
     const double d = walls[w].distance(x);
     if (d < nearest.second) nearest = {w, d};
   }

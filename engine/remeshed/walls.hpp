@@ -7,7 +7,8 @@
 
 namespace pliant::remeshed {
 
-/// A rigid solid that bonds to the body or lets it slide; it moves with a prescribed velocity.
+/// A rigid solid that moves with a prescribed velocity. A body is bonded to it, or slides along it,
+/// or is only in contact with it as long as it presses.
 template <int D>
 class Wall {
  public:
@@ -18,6 +19,7 @@ class Wall {
   /// Unit normal out of the solid, towards the tissue.
   Point<D> normal(const Point<D>& x) const;
   bool slips() const { return slips_; }
+  bool bonded() const { return bonded_; }
 
   Point<D> velocity(double t) const;
   /// Displacement since t = 0 [m]; `move` adds that of one step by Simpson's rule.
@@ -30,7 +32,7 @@ class Wall {
 
   Shape shape_;
   VectorExpression velocity_;
-  bool slips_;
+  bool slips_, bonded_;
   Point<D> offset_ = {};
 };
 
@@ -52,11 +54,19 @@ template <int D>
 struct Boundaries {
   explicit Boundaries(const std::vector<BoundaryCase>& cases);
 
-  /// The wall nearest to `x` and the distance to it; {-1, infinity} without walls.
-  std::pair<int, double> nearest_wall(const Point<D>& x) const;
+  bool have_contact() const;
+
+  /// The bonded wall nearest to `x` and the distance to it; {-1, infinity} without such walls.
+  std::pair<int, double> nearest_wall(const Point<D>& x) const { return nearest(x, true); }
+  /// The same of contact walls.
+  std::pair<int, double> nearest_contact(const Point<D>& x) const { return nearest(x, false); }
 
   std::vector<Wall<D>> walls;
   std::vector<SurfacePressure<D>> pressures;
+  std::vector<int> wall_of;  ///< [boundary of the case] its place in `walls`, or -1
+
+ private:
+  std::pair<int, double> nearest(const Point<D>& x, bool bonded) const;
 };
 
 extern template struct Boundaries<2>;

@@ -2,15 +2,22 @@
 
 #include <fmt/format.h>
 
+#include <utility>
+
 #include "engine/simulation/oscillation.hpp"
 
 namespace pliant {
 
 void Histories::add(double time, std::vector<double> values) {
-  if (start_.empty()) start_ = values;
+  if (start_.empty()) start_ = latest_ = values;
+  const std::vector<double> before = std::exchange(latest_, values);
+  const double elapsed = times_.empty() ? 0 : time - times_.back();
   times_.push_back(time);
   for (std::size_t m = 0; m < values.size(); ++m) {
     if (settings_->measurements[m].relative) values[m] /= start_[m];
+    if (settings_->measurements[m].kind == MeasurementCase::Kind::wall_force) {
+      values[m] = elapsed > 0 ? (values[m] - before[m]) / elapsed : 0;
+    }
     rows_[m].push_back(values[m]);
   }
   for (std::size_t m = 0; m < values.size(); ++m) {
@@ -26,6 +33,7 @@ void Histories::add(double time, std::vector<double> values) {
 void Histories::put(ArchiveWriter& archive) const {
   archive.put("histories/time", std::span<const double>(times_));
   archive.put("histories/start", std::span<const double>(start_));
+  archive.put("histories/latest", std::span<const double>(latest_));
   for (std::size_t m = 0; m < rows_.size(); ++m) {
     archive.put(fmt::format("histories/{}", settings_->measurements[m].name),
                 std::span<const double>(rows_[m]));
@@ -35,6 +43,7 @@ void Histories::put(ArchiveWriter& archive) const {
 void Histories::get(const ArchiveReader& archive) {
   times_ = archive.get<double>("histories/time");
   start_ = archive.get<double>("histories/start");
+  latest_ = archive.get<double>("histories/latest");
   for (std::size_t m = 0; m < rows_.size(); ++m) {
     rows_[m] = archive.get<double>(fmt::format("histories/{}", settings_->measurements[m].name));
   }
@@ -65,6 +74,8 @@ std::string unit_of(const MeasurementCase& m, int dimension) {
     case Kind::strain_energy:
     case Kind::total_energy:
       return "J" + per_depth;
+    case Kind::wall_force:
+      return "N" + per_depth;
     case Kind::period:
       return "s";
     case Kind::velocity_error:

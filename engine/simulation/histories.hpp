@@ -31,6 +31,7 @@ class Histories {
   std::vector<double> times_;
   std::vector<std::vector<double>> rows_;  ///< [measurement][time]
   std::vector<double> start_;              ///< raw values at the start
+  std::vector<double> latest_;             ///< raw values at the last time: forces are differences
 };
 
 /// SI unit of a measurement's values, "1" for ratios.

@@ -192,7 +192,8 @@ class Run {
     summary.particles.end = solver_.particles();
     for (const auto& body : solver_.state().bodies) {
       for (const auto& block : body.population.ghosts) {
-        summary.particles.ghosts += static_cast<std::int64_t>(block.slot.size());
+        summary.particles.ghosts +=
+            static_cast<std::int64_t>(block.slot.size() - block.contact.size());
       }
     }
     summary.steps = solver_.clock().step;

@@ -61,10 +61,10 @@ void put_ghosts(ArchiveWriter& archive, const std::string& group,
   std::vector<std::int32_t> walls;
   std::vector<double> normals;
   for (const BlockGhosts<T, D>& g : population.ghosts) {
-    sizes.insert(
-        sizes.end(),
-        {static_cast<std::int64_t>(g.slot.size()), static_cast<std::int64_t>(g.neighbour.size()),
-         static_cast<std::int64_t>(g.packs.size()), g.first_record, g.record_count});
+    sizes.insert(sizes.end(), {static_cast<std::int64_t>(g.slot.size()),
+                               static_cast<std::int64_t>(g.neighbour.size()),
+                               static_cast<std::int64_t>(g.packs.size()), g.first_record,
+                               g.record_count, static_cast<std::int64_t>(g.contact.size())});
     begins.insert(begins.end(), g.begin.begin(), g.begin.end());
     for (std::size_t i = 0; i < g.slot.size(); ++i) {
       walls.insert(walls.end(), {g.wall[i], g.pressure[i]});
@@ -89,6 +89,9 @@ void put_ghosts(ArchiveWriter& archive, const std::string& group,
   put.template operator()<std::int32_t>("slot", &G::slot);
   put.template operator()<std::int32_t>("neighbour", &G::neighbour);
   put.template operator()<std::int32_t>("record", &G::record);
+  put.template operator()<std::int32_t>("contact", &G::contact);
+  put.template operator()<double>("contact_height", &G::contact_height);
+  put.template operator()<double>("contact_area", &G::contact_area);
   put.template operator()<T>("linear", &G::linear);
   put.template operator()<T>("constrained", &G::constrained);
   put.template operator()<T>("surface", &G::surface);
@@ -107,16 +110,20 @@ void get_ghosts(const ArchiveReader& archive, const std::string& group,
   const auto slots = archive.get<std::int32_t>(group + "/slot");
   const auto neighbours = archive.get<std::int32_t>(group + "/neighbour");
   const auto records = archive.get<std::int32_t>(group + "/record");
+  const auto contact = archive.get<std::int32_t>(group + "/contact");
+  const auto contact_heights = archive.get<double>(group + "/contact_height");
+  const auto contact_areas = archive.get<double>(group + "/contact_area");
   const auto linear = archive.get<T>(group + "/linear");
   const auto constrained = archive.get<T>(group + "/constrained");
   const auto surface = archive.get<T>(group + "/surface");
   const auto constrained_sums = archive.get<T>(group + "/constrained_sum");
   const auto surface_sums = archive.get<T>(group + "/surface_sum");
-  std::size_t ghost = 0, neighbour = 0, pack = 0, begin = 0;
+  std::size_t ghost = 0, neighbour = 0, pack = 0, begin = 0, touch = 0;
   population.record_count = 0;
   for (std::size_t b = 0; b < population.ghosts.size(); ++b) {
     BlockGhosts<T, D>& g = population.ghosts[b];
-    const std::size_t ghosts = sizes[5 * b], pairs = sizes[5 * b + 1], surfaces = sizes[5 * b + 2];
+    const std::int64_t* size = sizes.data() + 6 * b;
+    const std::size_t ghosts = size[0], pairs = size[1], surfaces = size[2], touching = size[5];
     const auto part = [](const auto& all, std::size_t from, std::size_t count) {
       return std::vector(all.begin() + from, all.begin() + from + count);
     };
@@ -126,6 +133,12 @@ void get_ghosts(const ArchiveReader& archive, const std::string& group,
     g.surface_sum = part(surface_sums, ghost, ghosts);
     g.neighbour = part(neighbours, neighbour, pairs);
     g.record = part(records, neighbour, pairs);
+    g.contact = part(contact, touch, touching);
+    g.contact_height = part(contact_heights, touch, touching);
+    g.contact_area = part(contact_areas, touch, touching);
+    // Decided anew at the start of every step.
+    g.active.assign(ghosts, 1);
+    for (const std::int32_t c : g.contact) g.active[c] = 0;
     g.linear = part(linear, neighbour, pairs);
     g.constrained = part(constrained, neighbour, pairs);
     g.surface = part(surface, neighbour, pairs);
@@ -145,14 +158,15 @@ void get_ghosts(const ArchiveReader& archive, const std::string& group,
                          static_cast<std::int32_t>(packs[4 * i + 2]),
                          static_cast<std::uint16_t>(packs[4 * i + 3])});
     }
-    g.first_record = static_cast<std::int32_t>(sizes[5 * b + 3]);
-    g.record_count = static_cast<std::int32_t>(sizes[5 * b + 4]);
+    g.first_record = static_cast<std::int32_t>(size[3]);
+    g.record_count = static_cast<std::int32_t>(size[4]);
     population.record_count += g.record_count;
     g.sums.grow(ghosts * 3 * kernels::record_width<D>, T(0));
     ghost += ghosts;
     neighbour += pairs;
     pack += surfaces;
     begin += ghosts + 1;
+    touch += touching;
   }
 }
 
@@ -172,6 +186,9 @@ void put_solver(ArchiveWriter& archive, remeshed::Solver<T, D>& solver) {
     offsets.insert(offsets.end(), wall.offset().begin(), wall.offset().end());
   }
   archive.put("walls/offset", std::span<const double>(offsets));
+  std::vector<double> impulses;
+  for (const Point<D>& j : state.wall_impulse) impulses.insert(impulses.end(), j.begin(), j.end());
+  archive.put("walls/impulse", std::span<const double>(impulses));
   for (std::size_t b = 0; b < state.bodies.size(); ++b) {
     Body<T, D>& body = state.bodies[b];
     const std::string group = fmt::format("body/{}", b);
@@ -200,9 +217,13 @@ void get_solver(const ArchiveReader& archive, remeshed::Solver<T, D>& solver) {
     value = archive.scalar<double>(std::string("clock/") + name);
   });
   const auto offsets = archive.get<double>("walls/offset");
+  const auto impulses = archive.get<double>("walls/impulse");
   for (std::size_t w = 0; w < state.boundaries.walls.size(); ++w) {
     Point<D> offset;
-    for (int a = 0; a < D; ++a) offset[a] = offsets.at(D * w + a);
+    for (int a = 0; a < D; ++a) {
+      offset[a] = offsets.at(D * w + a);
+      state.wall_impulse[w][a] = impulses.at(D * w + a);
+    }
     state.boundaries.walls[w].restore(offset);
   }
   for (std::size_t b = 0; b < state.bodies.size(); ++b) {

@@ -34,10 +34,31 @@ const Fault faults[] = {
      measuring("kind = \"point_value\"\npoint = [0, 0]\nfield = \"velocity_z\"\n"),
      "block.toml:14: field names the field \"velocity_z\", which does not exist; did you mean "
      "`velocity_x`?"},
+    {"a_force_on_an_unknown_wall",
+     measuring("kind = \"wall_force\"\nboundary = \"floor\"\naxis = \"y\"\n"),
+     "block.toml:13: boundary names the boundary \"floor\", which does not exist; add a "
+     "[[boundary]] of that name"},
+    {"a_force_on_a_bonded_wall",
+     measuring("kind = \"wall_force\"\nboundary = \"floor\"\n[[boundary]]\nname = \"floor\"\n"
+               "kind = \"fixed\"\ngeometry = { shape = \"half_space\", point = [0, 0], normal = "
+               "[0, 1] }\n"),
+     "block.toml:13: boundary \"floor\" is no contact wall, whose force is known; name a boundary "
+     "of kind contact_wall"},
+    {"contact_with_a_box",
+     extended("[remeshing]\nevery = 10\n[[boundary]]\nname = \"step\"\nkind = \"contact_wall\"\n"
+              "geometry = { shape = \"box\", lower = [0, -1], upper = [1, 0] }\n"),
+     "block.toml:15: contact wall \"step\" is no half_space; give a half_space; bodies touch plane "
+     "walls only"},
+    {"contact_with_adaptive_remeshing",
+     extended("[remeshing]\nevery = \"adaptive\"\n[[boundary]]\nname = \"floor\"\nkind = "
+              "\"contact_wall\"\ngeometry = { shape = \"half_space\", point = [0, 0], normal = [0, "
+              "1] }\n"),
+     "block.toml:11: contact walls need a fixed number of steps between remeshings; write every = "
+     "10 in [remeshing]"},
     {"an_unknown_kind_of_measurement", measuring("kind = \"momentun\"\n"),
      R"(block.toml:12: kind must be one of "extent", "ray", "mean_radius", )"
      R"("point_displacement", "point_value", "mass", "momentum", "angular_momentum", )"
-     R"("kinetic_energy", "strain_energy", "total_energy", "velocity_error", "period", )"
+     R"("kinetic_energy", "strain_energy", "total_energy", "wall_force", "velocity_error", "period", )"
      R"("amplitude_ratio", got "momentun"; did you mean "momentum"?)"},
     {"a_key_of_another_measurement", measuring("kind = \"mass\"\naxis = \"x\"\n"),
      "block.toml:13: unknown key `axis` in [[measurement]]; its keys are name, kind, body, "

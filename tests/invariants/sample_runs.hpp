@@ -29,11 +29,23 @@ inline std::vector<SampleRun> sample_runs() {
   const Settings block = {"discretisation.spacing=1/16", "remeshing.strain=0.02"};
   const Settings cell = {"discretisation.spacing=1/24", "remeshing.every=6",
                          "body.medium.velocity=[\"2*sin(2*pi*x)*sin(2*pi*y)\", \"1\"]"};
+  // The ball as a disc on its way into the wall.
+  const Settings ball = {
+      "dimension=2",
+      "discretisation.spacing=0.018",
+      "time.step=5e-4",
+      "remeshing.every=5",
+      "body.ball.geometry={ shape = \"disc\", centre = [0, 0.28], radius = 0.28 }",
+      "body.ball.velocity=[0, -1]",
+      "boundary.wall.geometry={ shape = \"half_space\", point = [0, 0], normal = [0, 1] }",
+      "measurement.height.point=[0, 0.25]",
+      "measurement.height.direction=[0, 1]"};
   return {
       {"disc", "rotating_cylinder", disc, 22},
       {"compression_linear", "compression_linear", block, 60},
       {"compression_hyperelastic", "compression_hyperelastic", block, 60},
       {"periodic", "periodic_square", cell, 20},
+      {"contact", "bouncing_ball", ball, 20},
   };
 }
 

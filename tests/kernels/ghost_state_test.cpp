@@ -102,5 +102,49 @@ TEST(ghost_state, a_body_at_rest_under_its_surface_pressure_stays_at_rest) {
   }
 }
 
+/// Fits of a state of uniform stress s_yy and s_xy that moves with u_y.
+struct UniformFits {
+  UniformFits(double s_yy, double s_xy, double u_y) {
+    record[1] = u_y;
+    record[3] = s_xy;
+    record[4] = s_yy;
+  }
+  GhostFits<double, 2> fits() const {
+    return {{record.data()}, {record.data()}, {record.data()}, 1, 1};
+  }
+  std::array<double, record_width<2>> record = {};
+};
+
+TEST(ghost_state, a_wall_holds_what_is_pressed_or_comes_nearer) {
+  const VectorOf<double, 2> floor = {0, 1};
+  const auto held = [&](double s_yy, double u_y, double wall) {
+    return presses<double, 2>(UniformFits(s_yy, 0, u_y).fits(), {0, wall}, floor);
+  };
+  EXPECT_TRUE(held(-1, 0.5, 0));
+  EXPECT_TRUE(held(1, -0.5, 0));
+  EXPECT_FALSE(held(1, 0.5, 0));
+  EXPECT_TRUE(held(1, 0.5, 0.7)) << "the wall comes nearer";
+  EXPECT_FALSE(held(0, 0, 0)) << "touching without force";
+}
+
+TEST(ghost_state, a_wall_pushes_against_the_traction_and_only_a_sticking_one_along_itself) {
+  Material<double> material;
+  material.bulk_modulus = 80;
+  material.shear_modulus = 30;
+  const Impedance<double> impedance(material);
+  const VectorOf<double, 2> floor = {0, 1};
+  const UniformFits at_rest(-3, 0.5, 0);
+  const auto sliding = wall_push<double, 2>(at_rest.fits(), {0, 0}, floor, true, impedance);
+  EXPECT_DOUBLE_EQ(sliding[0], 0);
+  EXPECT_DOUBLE_EQ(sliding[1], 3);
+  const auto sticking = wall_push<double, 2>(at_rest.fits(), {0, 0}, floor, false, impedance);
+  EXPECT_DOUBLE_EQ(sticking[0], -0.5);
+  EXPECT_DOUBLE_EQ(sticking[1], 3);
+  // Stress-free material that meets a wall at speed w answers with rho c w.
+  const auto hit =
+      wall_push<double, 2>(UniformFits(0, 0, -2).fits(), {0, 0}, floor, true, impedance);
+  EXPECT_DOUBLE_EQ(hit[1], 2 * impedance.pressure_wave);
+}
+
 }  // namespace
 }  // namespace pliant::kernels

@@ -48,6 +48,9 @@ inline void add_body(Snapshot& snapshot, const LatticeView& view, Slots which) {
     add("linear fit", ghosts.linear);
     add("constrained fit", ghosts.constrained);
     add("surface fit", ghosts.surface);
+    add("contact", ghosts.contact);
+    add("contact height", ghosts.contact_height);
+    add("contact area", ghosts.contact_area);
   }
 }
 
@@ -72,6 +75,9 @@ inline Snapshot snapshot_of(const Solver& solver, Slots which = Slots::all) {
                        clock.wave_speed};
   for (const auto& wall : solver.state().boundaries.walls) {
     snapshot["walls"].insert(snapshot["walls"].end(), wall.offset().begin(), wall.offset().end());
+  }
+  for (const auto& impulse : solver.state().wall_impulse) {
+    snapshot["impulse"].insert(snapshot["impulse"].end(), impulse.begin(), impulse.end());
   }
   return snapshot;
 }

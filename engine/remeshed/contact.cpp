@@ -1,0 +1,70 @@
+#include "engine/remeshed/contact.hpp"
+
+#include "kernels/ghost_state.hpp"
+
+namespace pliant::remeshed {
+
+namespace {
+
+// How high above the wall the surface may still stand [h]: more touches too early.
+constexpr double touching_height = 0.05;
+
+template <class T, int D>
+std::array<T, D> converted(const Point<D>& vector) {
+  std::array<T, D> result;
+  for (int a = 0; a < D; ++a) result[a] = static_cast<T>(vector[a]);
+  return result;
+}
+
+}  // namespace
+
+template <class T, int D>
+void decide_contact(Body<T, D>& body, int block, const Boundaries<D>& boundaries,
+                    const BoundaryValues<D>& values, const kernels::Table<T, D>& table) {
+  BlockGhosts<T, D>& ghosts = body.population.ghosts[block];
+  for (std::size_t k = 0; k < ghosts.contact.size(); ++k) {
+    const std::int32_t g = ghosts.contact[k];
+    table.sum_ghosts({g, 1, ghosts.begin.data(), ghosts.record.data(), ghosts.linear.data(),
+                      ghosts.constrained.data(), ghosts.surface.data(), body.records.get(),
+                      ghosts.sums.get() + 3 * kernels::record_width<D> * g});
+    const Point<D>& n = ghosts.normal[g];
+    double height = ghosts.contact_height[k];
+    for (int a = 0; a < D; ++a) {
+      height += n[a] * (body.stage[0].get(Field::displacement, a)[ghosts.slot[g]] -
+                        boundaries.walls[ghosts.wall[g]].offset()[a]);
+    }
+    const bool touches = height < touching_height * body.lattice.spacing &&
+                         kernels::presses<T, D>(
+                             ghosts.fits(g), converted<T, D>(values.wall_velocity[ghosts.wall[g]]),
+                             converted<T, D>(n));
+    ghosts.active[g] = touches;
+    ghosts.active[g - 1] = !touches;
+  }
+}
+
+template <class T, int D>
+void add_impulse(const Body<T, D>& body, int block, const Boundaries<D>& boundaries,
+                 const BoundaryValues<D>& values, double duration, Point<D>* impulse) {
+  const BlockGhosts<T, D>& ghosts = body.population.ghosts[block];
+  const kernels::Impedance<T> impedance(body.material);
+  for (std::size_t k = 0; k < ghosts.contact.size(); ++k) {
+    const std::int32_t g = ghosts.contact[k];
+    if (ghosts.active[g] == 0) continue;
+    const int wall = ghosts.wall[g];
+    const std::array<T, D> push = kernels::wall_push<T, D>(
+        ghosts.fits(g), converted<T, D>(values.wall_velocity[wall]),
+        converted<T, D>(ghosts.normal[g]), boundaries.walls[wall].slips(), impedance);
+    for (int a = 0; a < D; ++a) impulse[wall][a] += duration * ghosts.contact_area[k] * push[a];
+  }
+}
+
+template void decide_contact<double, 2>(Body<double, 2>&, int, const Boundaries<2>&,
+                                        const BoundaryValues<2>&, const kernels::Table<double, 2>&);
+template void add_impulse<double, 2>(const Body<double, 2>&, int, const Boundaries<2>&,
+                                     const BoundaryValues<2>&, double, Point<2>*);
+template void decide_contact<double, 3>(Body<double, 3>&, int, const Boundaries<3>&,
+                                        const BoundaryValues<3>&, const kernels::Table<double, 3>&);
+template void add_impulse<double, 3>(const Body<double, 3>&, int, const Boundaries<3>&,
+                                     const BoundaryValues<3>&, double, Point<3>*);
+
+}  // namespace pliant::remeshed

@@ -1,0 +1,30 @@
+#pragma once
+
+#include "engine/remeshed/ghost_fill.hpp"
+
+// A body touches a contact wall, presses against it and leaves it; nothing bonds them.
+//
+//          |  body  |            Above the wall ghosts stay those of a free surface. Beyond it a
+//          slot
+//     f f f \______/ f f f       has two ghosts, each with its fits: f of the free surface and c of
+//     -------------------wall    the wall. Once per step one of the two is chosen for each slot, by
+//     f f f c c c c f f f f      where the surface stands and whether the wall would push, so that
+//     a f f f c c c c f f f f      patch of contact grows and shrinks by whole slots.
+//
+// No penalty stiffness, so no number to choose and no shorter time step: the wall acts through the
+// ghosts of (RP.35) and (RP.36) alone.
+namespace pliant::remeshed {
+
+/// (RP.50): which ghost of each slot of a block beyond a contact wall is active, at the start of a
+/// step, from the records of the surface particles.
+template <class T, int D>
+void decide_contact(Body<T, D>& body, int block, const Boundaries<D>& boundaries,
+                    const BoundaryValues<D>& values, const kernels::Table<T, D>& kernels);
+
+/// (RP.52): adds the push of each contact wall on the ghosts of a block during `duration` [s] to
+/// impulse[wall], from the sums that filling the ghosts has left.
+template <class T, int D>
+void add_impulse(const Body<T, D>& body, int block, const Boundaries<D>& boundaries,
+                 const BoundaryValues<D>& values, double duration, Point<D>* impulse);
+
+}  // namespace pliant::remeshed

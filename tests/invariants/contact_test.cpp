@@ -1,0 +1,66 @@
+#include <gtest/gtest.h>
+
+#include "engine/remeshed/measure.hpp"
+#include "tests/invariants/sample_runs.hpp"
+
+// A disc that bounces off a wall.
+namespace pliant::test {
+namespace {
+
+Case bouncing_disc(const Settings& more) {
+  for (const SampleRun& run : sample_runs()) {
+    if (std::string(run.name) == "contact") return small_case(run.of, run.settings + more);
+  }
+  return {};
+}
+
+int touching(Solver& solver) {
+  solver.refresh_ghosts();
+  int count = 0;
+  for (const auto& ghosts : solver.state().bodies[0].population.ghosts) {
+    for (const std::int32_t g : ghosts.contact) count += ghosts.active[g];
+  }
+  return count;
+}
+
+double momentum(Solver& solver) {
+  return remeshed::Measurer<double, 2>(solver).totals().momentum[1];
+}
+
+// The impulse is the traction on the wall, the momentum an integral over the body: two independent
+// sums. A patch of contact grows by whole slots of h, one tenth of it when it is largest.
+TEST(contact, the_impulse_of_the_wall_is_the_change_of_momentum) {
+  for (const char* friction : {"frictionless", "sticking"}) {
+    Solver solver(bouncing_disc({std::string("boundary.wall.friction=") + friction}), 2,
+                  kernels::widest_supported());
+    const double start = momentum(solver);
+    advance_until(solver, 0.05);
+    EXPECT_GT(touching(solver), 10);
+    const double pressed = momentum(solver);
+    EXPECT_NEAR(solver.state().wall_impulse[0][1] / (pressed - start), 1, 0.1) << friction;
+    advance_until(solver, 0.3);
+    EXPECT_EQ(touching(solver), 0) << "it has left the wall";
+    EXPECT_GT(momentum(solver), -0.7 * start);
+    EXPECT_LT(momentum(solver), -start) << "a wall at rest gives no energy";
+    EXPECT_NEAR(solver.state().wall_impulse[0][1] / (momentum(solver) - start), 1, 0.1) << friction;
+  }
+}
+
+TEST(contact, no_particle_lies_beyond_the_wall) {
+  Solver solver(bouncing_disc({}), 2, kernels::widest_supported());
+  advance_until(solver, 0.05);
+  const Body& body = solver.state().bodies[0];
+  for_each(body.population, Kind::interior, [&](std::int64_t slot, const Cell<2>& cell) {
+    EXPECT_GT(body.position(slot, cell)[1], -0.1 * body.lattice.spacing);
+  });
+}
+
+TEST(contact, a_disc_that_flies_away_feels_no_wall) {
+  Solver solver(bouncing_disc({"body.ball.velocity=[0, 1]"}), 2, kernels::widest_supported());
+  advance_until(solver, 0.05);
+  EXPECT_EQ(solver.state().wall_impulse[0][1], 0);
+  EXPECT_EQ(touching(solver), 0);
+}
+
+}  // namespace
+}  // namespace pliant::test
