@@ -61,7 +61,12 @@ Case read_case(const std::filesystem::path& path, std::span<const std::string> s
   Problems problems;
   apply_settings(root, settings, problems);
 
-  Reading reading{problems, root, 2, names_in(root, "body"), names_in(root, "measurement")};
+  Reading reading{problems,
+                  root,
+                  std::filesystem::absolute(file).parent_path(),
+                  2,
+                  names_in(root, "body"),
+                  names_in(root, "measurement")};
   if (root["dimension"].value<int>() == 3) reading.dimension = 3;
   Case a_case;
   a_case.name = default_name(file);

@@ -65,6 +65,10 @@ std::string unit_of(const MeasurementCase& m, int dimension) {
     case Kind::strain_energy:
     case Kind::total_energy:
       return "J" + per_depth;
+    case Kind::volume:
+      return dimension == 2 ? "m^2" : "m^3";
+    case Kind::surface_area:
+      return dimension == 2 ? "m" : "m^2";
     case Kind::period:
       return "s";
     case Kind::velocity_error:
