@@ -151,7 +151,7 @@ def main():
     with open(arguments.out / "reference.csv", "w", newline="") as file:
         rows = csv.writer(file, lineterminator="\n")
         rows.writerow(["time", *kept])
-        for k in range(11):
+        for k in range(9):
             rows.writerow([f"{0.02 * k:.2f}", *(f"{value:.9g}" for value in kept.values())])
 
 

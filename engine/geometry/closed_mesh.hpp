@@ -14,9 +14,9 @@ struct HalfEdge;
 /// A closed surface of triangles and the distances to it.
 ///
 /// The distance is that to the nearest point of the nearest triangle, found through a tree of
-/// boxes. Its sign is that of the angle-weighted pseudonormal there: the nearest point may lie on an
-/// edge or a corner, where the normal of one of the triangles that meet there may point the wrong
-/// way, but their sum, weighted by their angles at a corner, never does.
+/// boxes. Its sign is that of the angle-weighted pseudonormal there: the nearest point may lie on
+/// an edge or a corner, where the normal of one of the triangles that meet there may point the
+/// wrong way, but their sum, weighted by their angles at a corner, never does.
 ///
 ///        \   x         x is outside and nearest to the corner; the triangle below it to the left
 ///      ___\.           sees it from behind, both together do not.

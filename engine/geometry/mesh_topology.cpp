@@ -27,8 +27,8 @@ std::vector<HalfEdge> sorted_edges(const SurfaceMesh& mesh) {
   for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
     for (int k = 0; k < 3; ++k) {
       const std::int32_t from = mesh.triangles[t][k], to = mesh.triangles[t][(k + 1) % 3];
-      edges.push_back({std::min(from, to), std::max(from, to), from < to,
-                       static_cast<std::int32_t>(t), k});
+      edges.push_back(
+          {std::min(from, to), std::max(from, to), from < to, static_cast<std::int32_t>(t), k});
     }
   }
   std::sort(edges.begin(), edges.end(), [](const HalfEdge& a, const HalfEdge& b) {
@@ -53,9 +53,9 @@ struct Fault {
               std::size_t dropped) const {
     if (count == 0) return;
     const std::string without =
-        dropped == 0 ? "" : fmt::format(", without {} triangles of no area", dropped);
-    throw MeshError(fmt::format("{}: {} edges {}{}; the first near ({:.6g}, {:.6g}, {:.6g})", name,
-                                count, what, without, middle[0], middle[1], middle[2]),
+        dropped == 0 ? "" : fmt::format(" without {} triangles of no area", dropped);
+    throw MeshError(fmt::format("{}: {}{}: {}, the first near ({:.6g}, {:.6g}, {:.6g})", name, what,
+                                without, count, middle[0], middle[1], middle[2]),
                     std::string(remedy));
   }
 };
@@ -112,11 +112,11 @@ std::vector<HalfEdge> paired_edges(const SurfaceMesh& mesh, const std::string& n
       turned.add(mesh, edge);
     }
   }
-  open.refuse(name, "are open", "close the surface, and give points that touch the same place",
+  open.refuse(name, "open edges", "close the surface, and give points that touch the same place",
               dropped);
-  crowded.refuse(name, "belong to more than two triangles",
+  crowded.refuse(name, "edges of more than two triangles",
                  "remove double and inner triangles, so that the surface has one inside", dropped);
-  turned.refuse(name, "lie between triangles that face different ways",
+  turned.refuse(name, "edges between triangles that face different ways",
                 "orient all faces outwards", dropped);
   return edges;
 }

@@ -34,10 +34,10 @@ struct Header {
 
 Type type_of(const MeshText& text, std::string_view word) {
   constexpr std::pair<std::string_view, Type> known[] = {
-      {"char", Type::i8},    {"int8", Type::i8},     {"uchar", Type::u8},    {"uint8", Type::u8},
-      {"short", Type::i16},  {"int16", Type::i16},   {"ushort", Type::u16},  {"uint16", Type::u16},
-      {"int", Type::i32},    {"int32", Type::i32},   {"uint", Type::u32},    {"uint32", Type::u32},
-      {"float", Type::f32},  {"float32", Type::f32}, {"double", Type::f64},  {"float64", Type::f64}};
+      {"char", Type::i8},   {"int8", Type::i8},     {"uchar", Type::u8},   {"uint8", Type::u8},
+      {"short", Type::i16}, {"int16", Type::i16},   {"ushort", Type::u16}, {"uint16", Type::u16},
+      {"int", Type::i32},   {"int32", Type::i32},   {"uint", Type::u32},   {"uint32", Type::u32},
+      {"float", Type::f32}, {"float32", Type::f32}, {"double", Type::f64}, {"float64", Type::f64}};
   for (const auto& [name, type] : known) {
     if (name == word) return type;
   }
@@ -128,7 +128,8 @@ class Body {
       corners_.push_back(static_cast<std::int32_t>(corner));
     }
     if (is_face && corners_.size() < 3) {
-      refuse(fmt::format("has {} vertices", corners_.size()), "give it three or more, or remove it");
+      refuse(fmt::format("has {} vertices", corners_.size()),
+             "give it three or more, or remove it");
     }
     add_fan(mesh_, corners_);
   }
