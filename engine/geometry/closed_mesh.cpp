@@ -7,6 +7,7 @@
 #include <cmath>
 #include <limits>
 #include <unsupported/Eigen/BVH>
+#include <utility>
 
 #include "engine/geometry/mesh_topology.hpp"
 
@@ -63,29 +64,40 @@ Foot foot_of(const Corners& c, const Point& x) {
   return {Foot::Part::face, 0, c[0] + over_b / all * ab + over_c / all * ac};
 }
 
-/// What the tree asks for: squared distances.
-struct Search {
-  using Scalar = double;
+using BoxTree = Eigen::KdBVH<double, 3, int>;
 
+/// The triangle nearest to `x`, sought in the nearer boxes first.
+struct Search {
   const SurfaceMesh& mesh;
+  const BoxTree& tree;
   Point x;
-  double best = std::numeric_limits<double>::infinity();
+  double best = std::numeric_limits<double>::infinity();  // square of the distance
   int triangle = -1;
   Foot foot = {};
 
-  double minimumOnVolume(const Eigen::AlignedBox3d& box) const {
-    return box.squaredExteriorDistance(x);
-  }
-
-  double minimumOnObject(int candidate) {
+  void compare(int candidate) {
     const Foot there = foot_of(corners_of(mesh, candidate), x);
     const double square = (there.place - x).squaredNorm();
-    if (square < best) {
-      best = square;
-      triangle = candidate;
-      foot = there;
+    if (square >= best) return;
+    best = square;
+    triangle = candidate;
+    foot = there;
+  }
+
+  void descend(int node) {
+    const int *boxes = nullptr, *boxes_end = nullptr, *triangles = nullptr,
+              *triangles_end = nullptr;
+    tree.getChildren(node, boxes, boxes_end, triangles, triangles_end);
+    for (; triangles != triangles_end; ++triangles) compare(*triangles);
+    std::array<std::pair<double, int>, 2> inner;
+    std::size_t count = 0;
+    for (; boxes != boxes_end; ++boxes) {
+      inner[count++] = {tree.getVolume(*boxes).squaredExteriorDistance(x), *boxes};
     }
-    return square;
+    if (count == 2 && inner[1].first < inner[0].first) std::swap(inner[0], inner[1]);
+    for (std::size_t i = 0; i < count; ++i) {
+      if (inner[i].first < best) descend(inner[i].second);
+    }
   }
 };
 
@@ -107,7 +119,7 @@ double angle_at(const Corners& c, int k) {
 }  // namespace
 
 struct ClosedMesh::Tree {
-  Eigen::KdBVH<double, 3, int> boxes;
+  BoxTree boxes;
 };
 
 ClosedMesh::ClosedMesh(SurfaceMesh mesh, const std::string& name) : mesh_(std::move(mesh)) {
@@ -157,8 +169,8 @@ void ClosedMesh::find_pseudonormals(const std::vector<HalfEdge>& edges) {
 }
 
 ClosedMesh::Nearest ClosedMesh::nearest(const Vector& x) const {
-  Search search{mesh_, point(x)};
-  Eigen::BVMinimize(tree_->boxes, search);
+  Search search{mesh_, tree_->boxes, point(x)};
+  search.descend(tree_->boxes.getRootIndex());
   Point normal;
   switch (search.foot.part) {
     case Foot::Part::face:

@@ -58,8 +58,9 @@ std::string with_bytes(std::string content, std::size_t at, const std::string& r
 }
 
 const MeshFault faults[] = {
-    {"no_file", "no.stl", "", "no.stl: cannot be read; give the path of the mesh from the folder "
-                              "of the case file"},
+    {"no_file", "no.stl", "",
+     "no.stl: cannot be read; give the path of the mesh from the folder "
+     "of the case file"},
     {"an_unknown_ending", "organ.vtk", "x",
      "organ.vtk: no format is known by the ending \".vtk\"; give an STL, OBJ or PLY file that ends "
      "in .stl, .obj or .ply"},

@@ -16,7 +16,8 @@ using namespace tests;
 
 const Vector lower = {-1, -2, -3}, upper = {1.5, 0.5, 1};
 
-// The box has an exact distance of its own. Half of these points are nearest to an edge or a corner.
+// The box has an exact distance of its own. Half of these points are nearest to an edge or a
+// corner.
 TEST(closed_mesh, the_distance_to_a_box_of_triangles_is_that_to_the_box) {
   const ClosedMesh mesh(box_mesh(lower, upper), "box");
   const Shape exact = box(lower, upper);

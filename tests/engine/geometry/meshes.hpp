@@ -44,8 +44,8 @@ inline SurfaceMesh sphere_mesh(double radius, int divisions) {
     std::vector<Triangle> finer;
     for (const Triangle& t : mesh.triangles) {
       const int a = middle(t[0], t[1]), b = middle(t[1], t[2]), c = middle(t[2], t[0]);
-      for (const Triangle& part : {Triangle{t[0], a, c}, Triangle{a, t[1], b}, Triangle{c, b, t[2]},
-                                   Triangle{a, b, c}}) {
+      for (const Triangle& part :
+           {Triangle{t[0], a, c}, Triangle{a, t[1], b}, Triangle{c, b, t[2]}, Triangle{a, b, c}}) {
         finer.push_back(part);
       }
     }
