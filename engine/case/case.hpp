@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <string>
 #include <variant>
@@ -17,15 +18,21 @@ namespace pliant {
 using Vector = std::array<double, 3>;
 using VectorExpression = std::array<Expression, 3>;
 
+class ClosedMesh;
+
 struct Shape {
-  enum class Kind { box, ball, cylinder, half_space, unite, subtract, intersect };
+  enum class Kind { box, ball, cylinder, half_space, mesh, unite, subtract, intersect };
   Kind kind = Kind::box;
   Vector lower = {}, upper = {};   ///< box; may be infinite
   Vector centre = {};              ///< ball (a disc in 2D), cylinder
   double radius = 0;               ///< ball, cylinder
   Vector axis = {0, 0, 1};         ///< cylinder, infinite along it
   Vector point = {}, normal = {};  ///< half_space: the side that `normal` (unit) points away from
-  std::vector<Shape> operands;     ///< unite, intersect; subtract takes the others from the first
+  std::string file;                ///< mesh; once read, its full path
+  double scale = 1;                ///< mesh; [m] per unit of the file
+  Vector translate = {};           ///< mesh; where the file's origin goes [m]
+  std::shared_ptr<const ClosedMesh> mesh;  ///< mesh; what the file holds, in place
+  std::vector<Shape> operands;  ///< unite, intersect; subtract takes the others from the first
 };
 
 struct RigidRotation {
@@ -81,6 +88,8 @@ struct MeasurementCase {
     strain_energy,
     total_energy,
     wall_force,       ///< of contact wall `boundary` along `axis`, mean since the last sample
+    volume,           ///< of {phi < 0}; an area in 2D
+    surface_area,     ///< of {phi = 0}; a length in 2D
     velocity_error,   ///< against `exact`, over `reference` (the amplitude)
     period,           ///< twice the mean spacing of zero crossings of measurement `of`
     amplitude_ratio,  ///< mean ratio of successive same-sign maxima of measurement `of`

@@ -89,6 +89,8 @@ bool is_whole(const Shape& shape, int dimension) {
       return shape.radius > 0;
     case Shape::Kind::half_space:
       return shape.normal != Vector{};
+    case Shape::Kind::mesh:
+      return shape.mesh != nullptr;
     default:
       return !shape.operands.empty() &&
              std::all_of(shape.operands.begin(), shape.operands.end(),

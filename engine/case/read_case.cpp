@@ -63,6 +63,7 @@ Case read_case(const std::filesystem::path& path, std::span<const std::string> s
 
   Reading reading{problems,
                   root,
+                  std::filesystem::absolute(file).parent_path(),
                   2,
                   names_in(root, "body"),
                   names_in(root, "boundary"),

@@ -2,6 +2,7 @@
 
 #include "engine/case/table_reader.hpp"
 #include "engine/case/vocabulary.hpp"
+#include "engine/geometry/closed_mesh.hpp"
 
 /// Reading of values that are tables themselves: geometry, material, rotation.
 namespace pliant {
@@ -33,6 +34,21 @@ bool check_corners(const Entry& entry, const Shape& box) {
   return true;
 }
 
+/// Resolved cases hold the full path: they stand in another folder than the case.
+bool load_mesh(const Entry& entry, Shape& shape) {
+  shape.file = (entry.reading.folder / shape.file).lexically_normal().string();
+  try {
+    SurfaceMesh mesh = read_mesh(shape.file);
+    for (Vector& vertex : mesh.vertices) {
+      for (int i = 0; i < 3; ++i) vertex[i] = shape.scale * vertex[i] + shape.translate[i];
+    }
+    shape.mesh = std::make_shared<const ClosedMesh>(std::move(mesh), shape.file);
+  } catch (const MeshError& error) {
+    return entry.refuse(fmt::format("has the mesh {}", error.what()), error.remedy());
+  }
+  return true;
+}
+
 }  // namespace
 
 bool read(const Entry& entry, ShapeWord& value) {
@@ -40,6 +56,10 @@ bool read(const Entry& entry, ShapeWord& value) {
   if (number < 0) return false;
   value = static_cast<ShapeWord>(number);
   const bool flat = entry.reading.dimension == 2;
+  if (flat && value == ShapeWord::mesh) {
+    return entry.refuse("is a mesh, which needs dimension = 3",
+                        "set dimension = 3, or take other shapes");
+  }
   if (flat && (value == ShapeWord::ball || value == ShapeWord::cylinder)) {
     return entry.refuse(
         fmt::format("is a {}, which needs dimension = 3", words<ShapeWord>[number].text),
@@ -54,7 +74,9 @@ bool read(const Entry& entry, ShapeWord& value) {
 
 bool read(const Entry& entry, Shape& value) {
   const bool good = read_keys(entry, entry.key, [&](auto& keys) { shape_keys(keys, value); });
-  return good && (value.kind != Shape::Kind::box || check_corners(entry, value));
+  if (!good) return false;
+  if (value.kind == Shape::Kind::mesh) return load_mesh(entry, value);
+  return value.kind != Shape::Kind::box || check_corners(entry, value);
 }
 
 bool read(const Entry& entry, std::vector<Shape>& value) {

@@ -16,6 +16,8 @@ inline ShapeWord word_of(const Shape& shape, int dimension) {
       return ShapeWord::cylinder;
     case Shape::Kind::half_space:
       return ShapeWord::half_space;
+    case Shape::Kind::mesh:
+      return ShapeWord::mesh;
     case Shape::Kind::unite:
       return ShapeWord::unite;
     case Shape::Kind::subtract:
@@ -37,6 +39,8 @@ inline Shape::Kind kind_of(ShapeWord shape) {
       return Shape::Kind::cylinder;
     case ShapeWord::half_space:
       return Shape::Kind::half_space;
+    case ShapeWord::mesh:
+      return Shape::Kind::mesh;
     case ShapeWord::unite:
       return Shape::Kind::unite;
     case ShapeWord::difference:
@@ -87,6 +91,21 @@ void half_space_keys(Visitor& visit, Shape& shape) {
 }
 
 template <class Visitor>
+void mesh_keys(Visitor& visit, Shape& shape) {
+  visit("file", shape.file,
+        {.meaning = "STL, OBJ or PLY; a relative path starts from the case file's folder",
+         .example = R"("organ.stl")",
+         .required = true});
+  visit("scale", shape.scale,
+        {.meaning = "length of the file's unit; 0.001 for millimetres",
+         .unit = "m",
+         .example = "0.001",
+         .limits = positive});
+  visit("translate", shape.translate,
+        {.meaning = "where the file's origin goes", .unit = "m", .example = "[0, 0, 0]"});
+}
+
+template <class Visitor>
 void shape_keys(Visitor& visit, Shape& shape) {
   ShapeWord word = word_of(shape, visit.dimension());
   const bool known =
@@ -102,6 +121,8 @@ void shape_keys(Visitor& visit, Shape& shape) {
       return round_keys(visit, shape);
     case Shape::Kind::half_space:
       return half_space_keys(visit, shape);
+    case Shape::Kind::mesh:
+      return mesh_keys(visit, shape);
     default:
       visit("of", shape.operands,
             {.meaning = "the parts, at least two",

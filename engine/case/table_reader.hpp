@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <toml++/toml.h>
+#include <filesystem>
 #include <span>
 #include <string>
 #include <string_view>
@@ -21,6 +22,7 @@ namespace pliant {
 struct Reading {
   Problems& problems;
   const toml::table& root;
+  std::filesystem::path folder;  ///< from which the paths of other files start
   int dimension = 2;
   std::vector<std::string> body_names;
   std::vector<std::string> boundary_names;

@@ -5,9 +5,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <filesystem>
 
 #include "engine/case/vocabulary.hpp"
-#include "engine/geometry/signed_distance.hpp"
+#include "engine/geometry/closed_mesh.hpp"
+#include "engine/geometry/distance_walk.hpp"
 
 namespace pliant {
 namespace {
@@ -25,6 +27,7 @@ double measure(const BodyCase& body, const Case& a_case) {
     cell *= (box.upper[i] - box.lower[i]) / cells;
   }
   double sum = 0;
+  DistanceWalk inside(body.geometry, a_case.dimension, 0);
   for (int z = 0; z < (a_case.dimension == 2 ? 1 : cells); ++z) {
     for (int y = 0; y < cells; ++y) {
       for (int x = 0; x < cells; ++x) {
@@ -33,11 +36,26 @@ double measure(const BodyCase& body, const Case& a_case) {
         for (int i = 0; i < a_case.dimension; ++i) {
           point[i] = box.lower[i] + (box.upper[i] - box.lower[i]) * (index[i] + 0.5) / cells;
         }
-        if (signed_distance(body.geometry, point, a_case.dimension) < 0) sum += cell;
+        if (inside(point) < 0) sum += cell;
       }
     }
   }
   return sum;
+}
+
+/// A line for each mesh among the parts of a shape; reading it has shown that it is closed.
+std::string mesh_lines(const Shape& shape) {
+  std::string text;
+  for (const Shape& part : shape.operands) text += mesh_lines(part);
+  if (!shape.mesh) return text;
+  const Box& box = shape.mesh->bounds();
+  return text + fmt::format(
+                    "    mesh {}: closed, {} triangles ({} without area dropped), {:.6g} m^3, "
+                    "from ({:.4g}, {:.4g}, {:.4g}) to ({:.4g}, {:.4g}, {:.4g})\n",
+                    std::filesystem::path(shape.file).filename().string(),
+                    shape.mesh->triangles().size(), shape.mesh->dropped(), shape.mesh->volume(),
+                    box.lower[0], box.lower[1], box.lower[2], box.upper[0], box.upper[1],
+                    box.upper[2]);
 }
 
 /// (RP.11) at rest.
@@ -75,10 +93,12 @@ std::string validate_summary(const Case& a_case) {
     fastest = std::max(fastest, wave_speed(body));
     text += fmt::format("  body {}: about {:.0f} particles, {}, waves at {:.4g} m/s\n", body.name,
                         measure(body, a_case) / cell, model_name(body), wave_speed(body));
+    text += mesh_lines(body.geometry);
   }
   for (const BoundaryCase& boundary : a_case.boundaries) {
     text += fmt::format("  boundary {}: {}\n", boundary.name,
                         words<BoundaryWord>[static_cast<int>(word_of(boundary))].text);
+    text += mesh_lines(boundary.geometry);
   }
   // (RP.20) at rest
   const double cfl_step = a_case.time.cfl * a_case.discretisation.spacing / fastest;

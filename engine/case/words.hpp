@@ -61,7 +61,17 @@ inline constexpr std::array words<MaterialCase::Law>{
     word(MaterialCase::Law::log, "log", "pressure linear in the logarithm of the density (RP.6)")};
 
 /// Shapes as case files name them; a ball is a disc in 2D.
-enum class ShapeWord { box, disc, ball, cylinder, half_space, unite, difference, intersection };
+enum class ShapeWord {
+  box,
+  disc,
+  ball,
+  cylinder,
+  half_space,
+  mesh,
+  unite,
+  difference,
+  intersection
+};
 template <>
 inline constexpr std::array words<ShapeWord>{
     word(ShapeWord::box, "box", "between two corners; its ends may be infinite"),
@@ -69,6 +79,7 @@ inline constexpr std::array words<ShapeWord>{
     word(ShapeWord::ball, "ball", "in 3D"),
     word(ShapeWord::cylinder, "cylinder", "in 3D, infinite along its axis"),
     word(ShapeWord::half_space, "half_space", "everything on one side of a plane"),
+    word(ShapeWord::mesh, "mesh", "in 3D, inside a closed surface of triangles from a file"),
     word(ShapeWord::unite, "union", "all points of all parts"),
     word(ShapeWord::difference, "difference", "the first part without the others"),
     word(ShapeWord::intersection, "intersection", "the points that all parts share")};
@@ -108,6 +119,9 @@ inline constexpr std::array words<MeasurementCase::Kind>{
          "kinetic plus strain energy of a body"),
     word(MeasurementCase::Kind::wall_force, "wall_force",
          "force of a contact wall on the bodies, mean since the last sample (RP.52)"),
+    word(MeasurementCase::Kind::volume, "volume", "of a body; an area in 2D"),
+    word(MeasurementCase::Kind::surface_area, "surface_area",
+         "of the free surface; a length in 2D"),
     word(MeasurementCase::Kind::velocity_error, "velocity_error",
          "difference from an exact velocity, over an amplitude"),
     word(MeasurementCase::Kind::period, "period",

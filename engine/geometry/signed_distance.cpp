@@ -5,6 +5,8 @@
 #include <cmath>
 #include <limits>
 
+#include "engine/geometry/closed_mesh.hpp"
+
 namespace pliant {
 namespace {
 
@@ -92,6 +94,11 @@ Nearest nearest_combination(const Shape& shape, const Vector& x, int dimension) 
   return result;
 }
 
+Nearest nearest_mesh(const Shape& shape, const Vector& x) {
+  const ClosedMesh::Nearest found = shape.mesh->nearest(x);
+  return {found.distance, found.direction};
+}
+
 Nearest nearest(const Shape& shape, const Vector& x, int dimension) {
   switch (shape.kind) {
     case Shape::Kind::box:
@@ -102,6 +109,8 @@ Nearest nearest(const Shape& shape, const Vector& x, int dimension) {
       return nearest_cylinder(shape, x, dimension);
     case Shape::Kind::half_space:
       return {dot(minus(x, shape.point), shape.normal, dimension), shape.normal};
+    case Shape::Kind::mesh:
+      return nearest_mesh(shape, x);
     default:
       return nearest_combination(shape, x, dimension);
   }
@@ -151,6 +160,8 @@ Box bounding_box(const Shape& shape) {
     }
     case Shape::Kind::half_space:
       return half_space_bounds(shape);
+    case Shape::Kind::mesh:
+      return shape.mesh->bounds();
     case Shape::Kind::subtract:
       return bounding_box(shape.operands.front());
     default:

@@ -5,8 +5,8 @@
 /// Signed distances to the shapes of a case: negative inside. In 2D the z components are ignored.
 namespace pliant {
 
-/// Distance from `x` to the surface of `shape` [m], negative inside. Exact for box, ball, cylinder
-/// and half-space; united, subtracted and intersected shapes take the smaller or the larger of
+/// Distance from `x` to the surface of `shape` [m], negative inside. Exact for box, ball, cylinder,
+/// half-space and mesh; united, subtracted and intersected shapes take the smaller or the larger of
 /// their parts' distances, which has the right sign and is exact near one part's surface.
 double signed_distance(const Shape& shape, const Vector& x, int dimension);
 

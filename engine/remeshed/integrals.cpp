@@ -163,6 +163,7 @@ class Integrator {
       velocity[c] = u[c];
       square += u[c] * u[c];
     }
+    sum_.volume += volume;
     add_to(sum_, density * volume, r, velocity, square, energy * volume);
   }
 
@@ -211,7 +212,9 @@ BodyIntegrals sum_particles(const Body<T, D>& body, const Vector& about) {
         u[a] = f.get(Field::velocity, a)[p];
         square += u[a] * u[a];
       }
-      const double energy = energy_density<T, D>(body.material, f, p) * f.get(Field::volume)[p];
+      const double volume = f.get(Field::volume)[p];
+      const double energy = energy_density<T, D>(body.material, f, p) * volume;
+      sum.volume += volume;
       Integrator<T, D>::add_to(sum, f.get(Field::mass)[p], r, u, square, energy);
     });
   }

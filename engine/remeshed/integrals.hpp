@@ -6,6 +6,7 @@ namespace pliant::remeshed {
 
 /// Integrals over one body, SI units per unit thickness in 2D.
 struct BodyIntegrals {
+  double volume = 0;
   double mass = 0;
   Vector momentum = {};
   Vector angular_momentum = {};  ///< about `about`; z alone in 2D

@@ -7,6 +7,7 @@
 #include "engine/remeshed/interpolant.hpp"
 #include "engine/remeshed/point_state.hpp"
 #include "engine/remeshed/surface.hpp"
+#include "engine/remeshed/surface_area.hpp"
 
 namespace pliant::remeshed {
 
@@ -35,6 +36,7 @@ double mean_radius(const LatticeView<T, D>& view, const Vector& centre, int rays
 }
 
 void add(BodyIntegrals& sum, const BodyIntegrals& other) {
+  sum.volume += other.volume;
   sum.mass += other.mass;
   sum.kinetic_energy += other.kinetic_energy;
   sum.strain_energy += other.strain_energy;
@@ -106,6 +108,8 @@ double Measurer<T, D>::value(const MeasurementCase& m) {
     case Quantity::ray:
     case Quantity::mean_radius:
       return surface_value(m);
+    case Quantity::surface_area:
+      return surface_area(nodes(m.body), solver_.state().boundaries);
     case Quantity::point_displacement:
       return material_displacement<T, D>(solver_.state().bodies[m.body], m.point)[m.axis];
     case Quantity::wall_force: {
@@ -165,6 +169,8 @@ double Measurer<T, D>::conserved(const MeasurementCase& m) {
       return sum.kinetic_energy;
     case Quantity::strain_energy:
       return sum.strain_energy;
+    case Quantity::volume:
+      return sum.volume;
     default:
       return sum.kinetic_energy + sum.strain_energy;
   }

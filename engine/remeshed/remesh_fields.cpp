@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "engine/geometry/distance_walk.hpp"
 #include "engine/geometry/free_surface.hpp"
 #include "engine/geometry/signed_distance.hpp"
 #include "engine/remeshed/remesh.hpp"
@@ -207,10 +208,9 @@ void Remeshing<T, D>::place_initial(const Case& settings, const BodyCase& source
   }
   occupancy_.reset(lower, upper, layout_reach);
   Cell<D> cell = lower;
+  DistanceWalk inside(source.geometry, D, 0);
   while (true) {
-    if (signed_distance(source.geometry, padded(body_.lattice.node(cell)), D) < 0) {
-      occupancy_.mark(cell);
-    }
+    if (inside(padded(body_.lattice.node(cell))) < 0) occupancy_.mark(cell);
     int a = 0;
     while (a < D && ++cell[a] > upper[a]) {
       cell[a] = lower[a];
@@ -225,10 +225,11 @@ void Remeshing<T, D>::place_initial(const Case& settings, const BodyCase& source
   const T volume = static_cast<T>(std::pow(h, D));
   const bool deforms = body_.material.model == kernels::Model::reduced_polynomial;
   has_surface_ = false;
+  DistanceWalk distance(surface, D, limit);
   for (const Block<D>& block : body_.spare.layout.blocks()) {
     body_.spare.layout.for_each_slot(block, [&](std::int64_t p, const Cell<D>& at) {
       const Vector x = padded(body_.lattice.node(body_.lattice.wrapped(at)));
-      const double phi = signed_distance(surface, x, D);
+      const double phi = distance(x);
       state.get(Field::level_set)[p] = static_cast<T>(std::clamp(phi, -limit, limit));
       has_surface_ = has_surface_ || phi > -limit;
       valid_[p] = phi < ghost_band * h ? T(1) : T(0);

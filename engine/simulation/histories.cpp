@@ -76,6 +76,10 @@ std::string unit_of(const MeasurementCase& m, int dimension) {
       return "J" + per_depth;
     case Kind::wall_force:
       return "N" + per_depth;
+    case Kind::volume:
+      return dimension == 2 ? "m^2" : "m^3";
+    case Kind::surface_area:
+      return dimension == 2 ? "m" : "m^2";
     case Kind::period:
       return "s";
     case Kind::velocity_error:

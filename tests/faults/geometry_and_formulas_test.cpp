@@ -11,7 +11,7 @@ const Fault faults[] = {
      "must be below that of upper"},
     {"an_unknown_shape", broken("shape = \"box\"", "shape = \"square\""),
      R"(block.toml:8: shape must be one of "box", "disc", "ball", "cylinder", )"
-     R"("half_space", "union", "difference", "intersection", got "square"; take one of )"
+     R"("half_space", "mesh", "union", "difference", "intersection", got "square"; take one of )"
      "these"},
     {"a_cylinder_in_two_dimensions",
      broken(geometry, "{ shape = \"cylinder\", centre = [0, 0], radius = 1 }"),

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
@@ -15,8 +16,10 @@ class TemporaryFolder {
  public:
   TemporaryFolder() {
     const auto& test = *testing::UnitTest::GetInstance()->current_test_info();
+    std::string name = test.name();
+    std::replace(name.begin(), name.end(), '/', '.');  // of a test with a parameter
     path_ = std::filesystem::temp_directory_path() /
-            ("pliant." + std::to_string(::getpid()) + "." + test.name());
+            ("pliant." + std::to_string(::getpid()) + "." + name);
     std::filesystem::remove_all(path_);
     std::filesystem::create_directories(path_);
   }

@@ -1,0 +1,37 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <filesystem>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include "engine/case/case.hpp"
+
+/// Triangles as files hold them.
+namespace pliant {
+
+/// What is wrong with a mesh file (with its line or byte, where it has one), and what to do.
+class MeshError : public std::runtime_error {
+ public:
+  MeshError(const std::string& what, std::string remedy)
+      : std::runtime_error(what), remedy_(std::move(remedy)) {}
+  const std::string& remedy() const { return remedy_; }
+
+ private:
+  std::string remedy_;
+};
+
+using Triangle = std::array<std::int32_t, 3>;  ///< vertices, counter-clockwise seen from outside
+
+struct SurfaceMesh {
+  std::vector<Vector> vertices;  ///< in the unit of the file; finite
+  std::vector<Triangle> triangles;
+};
+
+/// Reads a file whose name ends in .stl (ASCII or binary), .obj (polygons become fans of triangles)
+/// or .ply (ASCII or binary little endian). Throws MeshError.
+SurfaceMesh read_mesh(const std::filesystem::path& file);
+
+}  // namespace pliant

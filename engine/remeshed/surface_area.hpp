@@ -1,0 +1,14 @@
+#pragma once
+
+#include "engine/remeshed/solver.hpp"
+
+namespace pliant::remeshed {
+
+/// Area of the free surface {phi = 0} in front of every wall [m^2], its length in 2D [m].
+///
+/// Every cube of nodes is divided into D! simplices, in which phi is linear, so that the surface is
+/// a polygon in each; the error falls as h^2.
+template <class T, int D>
+double surface_area(const LatticeView<T, D>& view, const Boundaries<D>& boundaries);
+
+}  // namespace pliant::remeshed
