@@ -1,10 +1,11 @@
 #include "engine/remeshed/ghost_fits.hpp"
 
-#include <Eigen/Dense>
 #include <algorithm>
 #include <atomic>
 #include <cmath>
 #include <numeric>
+
+#include "engine/remeshed/surface_fits.hpp"
 
 namespace pliant::remeshed {
 
@@ -14,123 +15,6 @@ constexpr double fit_radius = 2.6;   // [h], of (RP.32)
 constexpr double mean_radius = 2.5;  // [h], of (RP.38)
 constexpr double widening = 1.3;
 constexpr int most_widenings = 5;
-// Pivots of a normal matrix, relative to its largest, below which a fit counts as singular.
-constexpr double smallest_pivot = 2e-3;
-
-template <int D>
-using Position = Eigen::Matrix<double, D, 1>;
-
-template <int D>
-struct Neighbour {
-  std::int32_t slot;
-  double weight;
-  double surface_distance;  // phi or the distance to the wall, over h
-  Position<D> position;     // from the foot point, over h
-};
-
-/// Solves M x = e where M = sum_i w_i q_i q_i^T; false when M is (nearly) singular.
-template <int N, class Basis, int D>
-bool solve_fit(const std::vector<Neighbour<D>>& particles, const Basis& basis,
-               const Eigen::Matrix<double, N, 1>& at, Eigen::Matrix<double, N, 1>& solution) {
-  Eigen::Matrix<double, N, N> normal = Eigen::Matrix<double, N, N>::Zero();
-  for (const Neighbour<D>& i : particles) {
-    const Eigen::Matrix<double, N, 1> q = basis(i);
-    normal += i.weight * q * q.transpose();
-  }
-  const Eigen::LDLT<Eigen::Matrix<double, N, N>> factor(normal);
-  const auto pivots = factor.vectorD();
-  if (!(pivots.minCoeff() > smallest_pivot * pivots.maxCoeff())) return false;
-  solution = factor.solve(at);
-  return true;
-}
-
-/// What a ghost's fits are made about.
-template <int D>
-struct FitSite {
-  Position<D> ghost;        // x_g - x_f over h
-  Position<D> normal;       // unit, out of the body
-  double surface_distance;  // of the ghost, over h
-};
-
-/// {phi, phi t[, phi t2], phi^2} without its last term unless N = D + 1.
-template <int N, int D>
-Eigen::Matrix<double, N, 1> constrained_basis(double distance, const Position<D>& position,
-                                              const Position<D>& normal) {
-  Eigen::Matrix<double, N, 1> q;
-  q[0] = distance;
-  if constexpr (D == 2) {
-    q[1] = distance * (-normal[1] * position[0] + normal[0] * position[1]);
-  } else {
-    const Position<D> t1 = normal.unitOrthogonal(), t2 = normal.cross(t1);
-    q[1] = distance * t1.dot(position);
-    q[2] = distance * t2.dot(position);
-  }
-  if constexpr (N > D) q[D] = distance * distance;
-  return q;
-}
-
-/// Coefficients of (RP.32) at the ghost and at the foot point, in {1, x, y[, z]} or {1, n.x}.
-template <int N, int D, class Basis>
-bool fit_linear(const std::vector<Neighbour<D>>& particles, const Basis& basis,
-                const Position<D>& ghost, std::vector<double>& c, std::vector<double>& a) {
-  const auto of_neighbour = [&](const Neighbour<D>& i) { return basis(i.position); };
-  Eigen::Matrix<double, N, 1> at_ghost, at_foot;
-  if (!solve_fit<N>(particles, of_neighbour, basis(ghost), at_ghost) ||
-      !solve_fit<N>(particles, of_neighbour, basis(Position<D>::Zero()), at_foot)) {
-    return false;
-  }
-  for (const Neighbour<D>& i : particles) {
-    c.push_back(i.weight * basis(i.position).dot(at_ghost));
-    a.push_back(i.weight * basis(i.position).dot(at_foot));
-  }
-  return true;
-}
-
-template <int D>
-bool fit_in_all_directions(const std::vector<Neighbour<D>>& particles, const FitSite<D>& site,
-                           std::vector<double>& c, std::vector<double>& a) {
-  const auto basis = [](const Position<D>& x) {
-    Eigen::Matrix<double, D + 1, 1> q;
-    q << 1, x;
-    return q;
-  };
-  return fit_linear<D + 1, D>(particles, basis, site.ghost, c, a);
-}
-
-template <int D>
-bool fit_along_normal(const std::vector<Neighbour<D>>& particles, const FitSite<D>& site,
-                      std::vector<double>& c, std::vector<double>& a) {
-  const auto basis = [&](const Position<D>& x) { return Eigen::Vector2d(1, site.normal.dot(x)); };
-  return fit_linear<2, D>(particles, basis, site.ghost, c, a);
-}
-
-template <int N, int D>
-bool fit_constrained(const std::vector<Neighbour<D>>& particles, const FitSite<D>& site,
-                     std::vector<double>& b) {
-  const auto basis = [&](const Neighbour<D>& i) {
-    return constrained_basis<N, D>(i.surface_distance, i.position, site.normal);
-  };
-  Eigen::Matrix<double, N, 1> x;
-  const auto at = constrained_basis<N, D>(site.surface_distance, site.ghost, site.normal);
-  if (!solve_fit<N>(particles, basis, at, x)) return false;
-  for (const Neighbour<D>& i : particles) b.push_back(i.weight * basis(i).dot(x));
-  return true;
-}
-
-// The last resort: proportional to the distance.
-template <int D>
-bool fit_proportional(const std::vector<Neighbour<D>>& particles, const FitSite<D>& site,
-                      std::vector<double>& b) {
-  double square = 0;
-  for (const Neighbour<D>& i : particles) {
-    square += i.weight * i.surface_distance * i.surface_distance;
-  }
-  if (!(square > 1e-3)) return false;
-  for (const Neighbour<D>& i : particles) {
-    b.push_back(i.weight * i.surface_distance * site.surface_distance / square);
-  }
-  return true;
-}
 
 template <class T, int D>
 class GhostFitter {
@@ -288,8 +172,7 @@ class GhostFitter {
   bool fit_fully(const FitSite<D>& site, bool curved) {
     clear();
     return fit_in_all_directions<D>(particles_, site, c_, a_) &&
-           ((curved && fit_constrained<D + 1>(particles_, site, b_)) ||
-            fit_constrained<D>(particles_, site, b_));
+           fit_constrained<D>(particles_, site, curved, b_);
   }
 
   void fit_poorly(const FitSite<D>& site) {
@@ -347,14 +230,14 @@ class GhostFitter {
   const Boundaries<D>& boundaries_;
   GhostTreatment treatment_;
   std::int32_t* used_;
-  std::vector<Neighbour<D>>& particles_ = scratch().particles;
+  Neighbours<D>& particles_ = scratch().particles;
   std::vector<double>& c_ = scratch().c;
   std::vector<double>& b_ = scratch().b;
   std::vector<double>& a_ = scratch().a;
 
   // Kept by each thread, so that a warm remeshing allocates nothing.
   struct Scratch {
-    std::vector<Neighbour<D>> particles;
+    Neighbours<D> particles;
     std::vector<double> c, b, a;
   };
   static Scratch& scratch() {
@@ -396,65 +279,11 @@ void fit_ghosts(const Body<T, D>& body, Population<T, D>& population, const Fiel
   ghosts.sums.grow(ghosts.slot.size() * 3 * kernels::record_width<D>, T(0));
 }
 
-template <class T, int D>
-void list_surface_particles(Population<T, D>& population, int block, const std::int32_t* used) {
-  constexpr int pack = Layout<D>::pack;
-  BlockGhosts<T, D>& ghosts = population.ghosts[block];
-  ghosts.packs.clear();
-  ghosts.record_count = 0;
-  const Block<D>& range = population.layout.blocks()[block];
-  for (int s = 0; s < range.segment_count; ++s) {
-    const kernels::Segment<D>& segment = population.layout.segments()[range.first_segment + s];
-    for (std::int64_t p = segment.first; p < segment.first + segment.count; p += pack) {
-      unsigned lanes = 0;
-      int count = 0;
-      for (int i = 0; i < pack; ++i) {
-        lanes |= (used[p + i] != 0 ? 1U : 0U) << i;
-        count += used[p + i] != 0;
-      }
-      if (lanes == 0) continue;
-      ghosts.packs.push_back({p, s, ghosts.record_count, static_cast<std::uint16_t>(lanes)});
-      ghosts.record_count += count;
-    }
-  }
-}
-
-template <class T, int D>
-void number_records(Population<T, D>& population, std::int32_t* record_of_slot) {
-  std::int32_t next = 0;
-  for (BlockGhosts<T, D>& ghosts : population.ghosts) {
-    ghosts.first_record = next;
-    for (kernels::SurfacePack& pack : ghosts.packs) {
-      pack.record += ghosts.first_record;
-      std::int32_t record = pack.record;
-      for (int i = 0; i < Layout<D>::pack; ++i) {
-        if (pack.lanes >> i & 1) record_of_slot[pack.first + i] = record++;
-      }
-    }
-    next += ghosts.record_count;
-  }
-  population.record_count = next;
-}
-
-template <class T, int D>
-void resolve_records(Population<T, D>& population, int block, const std::int32_t* record_of_slot) {
-  BlockGhosts<T, D>& ghosts = population.ghosts[block];
-  for (std::size_t k = 0; k < ghosts.neighbour.size(); ++k) {
-    ghosts.record[k] = record_of_slot[ghosts.neighbour[k]];
-  }
-}
-
 template void fit_ghosts<double, 2>(const Body<double, 2>&, Population<double, 2>&,
                                     const FieldStore<double, 2>&, int, const LevelSet<double, 2>&,
                                     const Boundaries<2>&, GhostTreatment, std::int32_t*);
-template void list_surface_particles<double, 2>(Population<double, 2>&, int, const std::int32_t*);
-template void number_records<double, 2>(Population<double, 2>&, std::int32_t*);
-template void resolve_records<double, 2>(Population<double, 2>&, int, const std::int32_t*);
 template void fit_ghosts<double, 3>(const Body<double, 3>&, Population<double, 3>&,
                                     const FieldStore<double, 3>&, int, const LevelSet<double, 3>&,
                                     const Boundaries<3>&, GhostTreatment, std::int32_t*);
-template void list_surface_particles<double, 3>(Population<double, 3>&, int, const std::int32_t*);
-template void number_records<double, 3>(Population<double, 3>&, std::int32_t*);
-template void resolve_records<double, 3>(Population<double, 3>&, int, const std::int32_t*);
 
 }  // namespace pliant::remeshed
