@@ -44,8 +44,8 @@ Eigen::Matrix<double, N, 1> constrained_basis(double distance, const Position<D>
 
 /// Coefficients of (RP.32) at the ghost and at the foot point, in {1, x, y[, z]} or {1, n.x}.
 template <int N, int D, class Basis>
-bool fit_linear(const Neighbours<D>& particles, const Basis& basis,
-                const Position<D>& ghost, std::vector<double>& c, std::vector<double>& a) {
+bool fit_linear(const Neighbours<D>& particles, const Basis& basis, const Position<D>& ghost,
+                std::vector<double>& c, std::vector<double>& a) {
   const auto of_neighbour = [&](const Neighbour<D>& i) { return basis(i.position); };
   Eigen::Matrix<double, N, 1> at_ghost, at_foot;
   if (!solve_fit<N>(particles, of_neighbour, basis(ghost), at_ghost) ||
@@ -61,7 +61,7 @@ bool fit_linear(const Neighbours<D>& particles, const Basis& basis,
 
 template <int N, int D>
 bool fit_constrained_in(const Neighbours<D>& particles, const FitSite<D>& site,
-                     std::vector<double>& b) {
+                        std::vector<double>& b) {
   const auto basis = [&](const Neighbour<D>& i) {
     return constrained_basis<N, D>(i.surface_distance, i.position, site.normal);
   };
@@ -113,13 +113,19 @@ bool fit_proportional(const Neighbours<D>& particles, const FitSite<D>& site,
   return true;
 }
 
-template bool fit_in_all_directions<2>(const Neighbours<2>&, const FitSite<2>&, std::vector<double>&, std::vector<double>&);
-template bool fit_along_normal<2>(const Neighbours<2>&, const FitSite<2>&, std::vector<double>&, std::vector<double>&);
-template bool fit_constrained<2>(const Neighbours<2>&, const FitSite<2>&, bool, std::vector<double>&);
+template bool fit_in_all_directions<2>(const Neighbours<2>&, const FitSite<2>&,
+                                       std::vector<double>&, std::vector<double>&);
+template bool fit_along_normal<2>(const Neighbours<2>&, const FitSite<2>&, std::vector<double>&,
+                                  std::vector<double>&);
+template bool fit_constrained<2>(const Neighbours<2>&, const FitSite<2>&, bool,
+                                 std::vector<double>&);
 template bool fit_proportional<2>(const Neighbours<2>&, const FitSite<2>&, std::vector<double>&);
-template bool fit_in_all_directions<3>(const Neighbours<3>&, const FitSite<3>&, std::vector<double>&, std::vector<double>&);
-template bool fit_along_normal<3>(const Neighbours<3>&, const FitSite<3>&, std::vector<double>&, std::vector<double>&);
-template bool fit_constrained<3>(const Neighbours<3>&, const FitSite<3>&, bool, std::vector<double>&);
+template bool fit_in_all_directions<3>(const Neighbours<3>&, const FitSite<3>&,
+                                       std::vector<double>&, std::vector<double>&);
+template bool fit_along_normal<3>(const Neighbours<3>&, const FitSite<3>&, std::vector<double>&,
+                                  std::vector<double>&);
+template bool fit_constrained<3>(const Neighbours<3>&, const FitSite<3>&, bool,
+                                 std::vector<double>&);
 template bool fit_proportional<3>(const Neighbours<3>&, const FitSite<3>&, std::vector<double>&);
 
 }  // namespace pliant::remeshed
