@@ -189,9 +189,9 @@ class GhostFitter {
 
   void constant() {
     double sum = 0;
-    for (const Neighbour<D>& i : particles_) sum += i.weight;
+    for (const FitParticle<D>& i : particles_) sum += i.weight;
     c_.clear();
-    for (const Neighbour<D>& i : particles_) c_.push_back(i.weight / sum);
+    for (const FitParticle<D>& i : particles_) c_.push_back(i.weight / sum);
     a_ = c_;
   }
 
@@ -230,14 +230,14 @@ class GhostFitter {
   const Boundaries<D>& boundaries_;
   GhostTreatment treatment_;
   std::int32_t* used_;
-  Neighbours<D>& particles_ = scratch().particles;
+  FitParticles<D>& particles_ = scratch().particles;
   std::vector<double>& c_ = scratch().c;
   std::vector<double>& b_ = scratch().b;
   std::vector<double>& a_ = scratch().a;
 
   // Kept by each thread, so that a warm remeshing allocates nothing.
   struct Scratch {
-    Neighbours<D> particles;
+    FitParticles<D> particles;
     std::vector<double> c, b, a;
   };
   static Scratch& scratch() {

@@ -12,8 +12,8 @@
 //               packed side by side, one cache line each
 //     contact   first stage only: which ghosts beyond a contact wall the body presses on, (RP.50)
 //     ghosts    each ghost takes velocity and stress from the packed particles: the free surface
-//     with
-//               its present normal (RP.37), (RP.34), walls (RP.35), (RP.36), as the paper (RP.38)
+//               with its present normal (RP.37), (RP.34), walls (RP.35), (RP.36), as the paper
+//               (RP.38)
 //     advance   grad u and div sigma of every particle by the moment matrix (RP.18), its rates
 //               (RP.12), the next stage state and the stress that belongs to it (RP.3)-(RP.9)
 //

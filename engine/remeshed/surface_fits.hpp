@@ -12,7 +12,7 @@ template <int D>
 using Position = Eigen::Matrix<double, D, 1>;
 
 template <int D>
-struct Neighbour {
+struct FitParticle {
   std::int32_t slot;
   double weight;
   double surface_distance;  ///< phi or the distance to the wall, over h
@@ -20,7 +20,7 @@ struct Neighbour {
 };
 
 template <int D>
-using Neighbours = std::vector<Neighbour<D>>;
+using FitParticles = std::vector<FitParticle<D>>;
 
 /// What a ghost's fits are made about.
 template <int D>
@@ -33,23 +33,23 @@ struct FitSite {
 /// Coefficients of (RP.32) at the ghost, appended to `c`, and at the foot point, appended to `a`.
 /// False, as the others, where the particles do not determine the fit.
 template <int D>
-bool fit_in_all_directions(const Neighbours<D>& particles, const FitSite<D>& site,
+bool fit_in_all_directions(const FitParticles<D>& particles, const FitSite<D>& site,
                            std::vector<double>& c, std::vector<double>& a);
 
 /// The same in {1, n.x} alone.
 template <int D>
-bool fit_along_normal(const Neighbours<D>& particles, const FitSite<D>& site,
+bool fit_along_normal(const FitParticles<D>& particles, const FitSite<D>& site,
                       std::vector<double>& c, std::vector<double>& a);
 
 /// Coefficients of (RP.33) at the ghost; its last term, the square of the distance, only if
 /// `curved`.
 template <int D>
-bool fit_constrained(const Neighbours<D>& particles, const FitSite<D>& site, bool curved,
+bool fit_constrained(const FitParticles<D>& particles, const FitSite<D>& site, bool curved,
                      std::vector<double>& b);
 
 /// The last resort: proportional to the distance.
 template <int D>
-bool fit_proportional(const Neighbours<D>& particles, const FitSite<D>& site,
+bool fit_proportional(const FitParticles<D>& particles, const FitSite<D>& site,
                       std::vector<double>& b);
 
 }  // namespace pliant::remeshed
