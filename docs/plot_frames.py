@@ -23,15 +23,17 @@ def frame(file, index, field):
     return steps["Values"][index], file["VTKHDF/Points"][part], values
 
 
-def middle_layer(time, points, values):
-    """The particles of the layer nearest to the middle of a body in space; all of a plane one."""
-    heights = points[:, 2]
+def middle_layer(time, points, values, axis):
+    """The particles of the layer across an axis nearest to the middle of a body in space, with the
+    two other coordinates; all particles of a plane body."""
+    heights = points[:, axis]
+    kept = [a for a in range(3) if a != axis]
     if np.ptp(heights) == 0:
-        return time, points, values
+        return time, points[:, kept], values
     middle = (heights.min() + heights.max()) / 2
     layers = np.ptp(heights) / len(points) ** (1 / 3)
     near = np.abs(heights - middle) < 0.6 * layers
-    return time, points[near], values[near]
+    return time, points[near][:, kept], values[near]
 
 
 def main():
@@ -39,16 +41,19 @@ def main():
     parser.add_argument("folder")
     parser.add_argument("picture")
     parser.add_argument("--field", default="pressure")
+    parser.add_argument("--across", choices="xyz", default="z", help="in space: normal of the layer")
     parser.add_argument("--frames", type=int, default=4, help="how many, spread over the run")
     arguments = parser.parse_args()
     with h5py.File(f"{arguments.folder}/result.h5", "r") as file:
         count = len(file["VTKHDF/Steps/Values"])
         indices = np.linspace(0, count - 1, min(arguments.frames, count)).round().astype(int)
-        frames = [middle_layer(*frame(file, i, arguments.field)) for i in indices]
+        axis = "xyz".index(arguments.across)
+        frames = [middle_layer(*frame(file, i, arguments.field), axis) for i in indices]
     lowest = min(values.min() for *_, values in frames)
     highest = max(values.max() for *_, values in frames)
     points = np.concatenate([points for _, points, _ in frames])
-    low, high = points.min(axis=0) - 0.05, points.max(axis=0) + 0.05
+    low, high = points.min(axis=0), points.max(axis=0)
+    low, high = low - 0.05 * max(high - low), high + 0.05 * max(high - low)
     wide = high[0] - low[0] > 3 * (high[1] - low[1])
     shape = (len(frames), 1) if wide else (1, len(frames))
     size = (9, 1.6 * len(frames)) if wide else (3 * len(frames), 3.4)

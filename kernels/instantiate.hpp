@@ -2,9 +2,11 @@
 
 #include "kernels/filter.hpp"
 #include "kernels/ghost_sums.hpp"
+#include "kernels/motion.hpp"
 #include "kernels/scatter.hpp"
 #include "kernels/stage.hpp"
 #include "kernels/state_stress.hpp"
+#include "kernels/stress_points.hpp"
 #include "kernels/surface.hpp"
 
 namespace pliant::kernels {
@@ -19,7 +21,9 @@ constexpr Table<Scalar<P>, D> make_table(Isa isa) {
           write_surface_records<P, D>,
           sum_ghosts<P, D>,
           scatter<P, D>,
-          filter<P, D>};
+          filter<P, D>,
+          evaluate_stress_points<P, D>,
+          advance_motion<P, D>};
 }
 
 }  // namespace pliant::kernels

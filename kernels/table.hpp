@@ -6,9 +6,10 @@
 #include "kernels/isa.hpp"
 #include "kernels/layout.hpp"
 #include "kernels/material.hpp"
+#include "kernels/total_lagrangian.hpp"
 
-/// The kernels of the remeshed method as the engine calls them: one table of functions for each
-/// instruction set, each function working on one block of slots. Kernels never allocate, throw,
+/// The kernels as the engine calls them: one table of functions for each instruction set, each
+/// function working on one block of slots. Kernels never allocate, throw,
 /// print, or keep state.
 namespace pliant::kernels {
 
@@ -185,6 +186,8 @@ struct Table {
   void (*sum_ghosts)(const GhostSums<T, D>&);
   void (*scatter)(const Scatter<T, D>&);
   void (*filter)(const Filter<T, D>&);
+  StressPointsResult (*evaluate_stress_points)(const StressPoints<T, D>&);
+  MotionResult (*advance_motion)(const Motion<T, D>&);
 };
 
 /// Kernels compiled for `isa`. Instantiated for <double, 2> and <double, 3>.

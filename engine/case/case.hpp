@@ -87,6 +87,7 @@ struct MeasurementCase {
     kinetic_energy,
     strain_energy,
     total_energy,
+    energy_ratio,     ///< kinetic over strain energy
     wall_force,       ///< of contact wall `boundary` along `axis`, mean since the last sample
     volume,           ///< of {phi < 0}; an area in 2D
     surface_area,     ///< of {phi = 0}; a length in 2D
@@ -113,7 +114,7 @@ struct MeasurementCase {
 };
 
 enum class GhostTreatment { linear, averaged, rigid };
-enum class Method { remeshed };
+enum class Method { remeshed, total_lagrangian };
 
 struct Case {
   std::string name;  ///< of the folder or the file, unless the file says
@@ -132,6 +133,13 @@ struct Case {
     std::optional<double> step;  ///< none: "cfl"
     double cfl = 0.5;
   } time;
+
+  struct {
+    double hourglass = 0.8;               ///< kappa of (TL.6)
+    double mass_scaling = 1;              ///< inertia over mass
+    bool scale_to_step = false;           ///< what `time.step` asks for instead
+    std::optional<double> damping = 0.0;  ///< alpha of (TL.8) [1/s]; none: adaptive, (TL.10)
+  } total_lagrangian;
 
   struct {
     enum class Policy { every, adaptive, never };

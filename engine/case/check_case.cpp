@@ -203,6 +203,69 @@ void check_measurements(const Check& check) {
   }
 }
 
+void refuse_tables(const Check& check, std::initializer_list<std::string_view> tables) {
+  for (const std::string_view table : tables) {
+    if (!check.root.contains(table)) continue;
+    check.problems.add(
+        check.place(table, ""),
+        fmt::format("method \"{}\" has no [{}]",
+                    words<Method>[static_cast<int>(check.a_case.method)].text, table),
+        "leave the table out, or choose another method");
+  }
+}
+
+bool measures_undeformed_bodies(MeasurementCase::Kind kind) {
+  using Kind = MeasurementCase::Kind;
+  switch (kind) {
+    case Kind::ray:
+    case Kind::mean_radius:
+    case Kind::point_value:
+    case Kind::wall_force:
+    case Kind::velocity_error:
+      return false;
+    default:
+      return true;
+  }
+}
+
+void check_total_lagrangian(const Check& check) {
+  const Case& a_case = check.a_case;
+  refuse_tables(check, {"remeshing", "level_set", "ghosts", "periodic"});
+  for (std::size_t i = 0; i < a_case.bodies.size(); ++i) {
+    if (a_case.bodies[i].material_as_given.model == MaterialCase::Model::reduced_polynomial) {
+      continue;
+    }
+    check.problems.add(check.place("body", i, "material"),
+                       fmt::format("body \"{}\" is not hyperelastic", a_case.bodies[i].name),
+                       "method total_lagrangian takes model = \"reduced_polynomial\"");
+  }
+  for (std::size_t i = 0; i < a_case.boundaries.size(); ++i) {
+    if (a_case.boundaries[i].kind != BoundaryCase::Kind::contact_wall) continue;
+    check.problems.add(check.place("boundary", i, "kind"),
+                       "method total_lagrangian knows no contact",
+                       "take method = \"remeshed\", or a wall that holds what it touches");
+  }
+  for (std::size_t i = 0; i < a_case.measurements.size(); ++i) {
+    if (measures_undeformed_bodies(a_case.measurements[i].kind)) continue;
+    check.problems.add(
+        check.place("measurement", i, "kind"),
+        fmt::format(
+            "method total_lagrangian does not measure a {}",
+            words<MeasurementCase::Kind>[static_cast<int>(a_case.measurements[i].kind)].text),
+        "measure extent, point_displacement, volume, surface_area, momenta or energies");
+  }
+  if (a_case.total_lagrangian.scale_to_step && !a_case.time.step) {
+    check.problems.add(check.place("total_lagrangian", "mass_scaling"),
+                       "the mass can only be scaled to a given time step",
+                       "give time.step in seconds, or mass_scaling as a number");
+  }
+}
+
+void check_method(const Check& check) {
+  if (check.a_case.method == Method::total_lagrangian) return check_total_lagrangian(check);
+  refuse_tables(check, {"total_lagrangian"});
+}
+
 }  // namespace
 
 void check_case(const Case& a_case, const toml::table& root, const Place& start,
@@ -211,6 +274,7 @@ void check_case(const Case& a_case, const toml::table& root, const Place& start,
   check_names(check, "body", a_case.bodies);
   check_names(check, "boundary", a_case.boundaries);
   check_names(check, "measurement", a_case.measurements);
+  check_method(check);
   check_bodies(check);
   check_periodic_cell(check);
   check_times(check);

@@ -48,6 +48,12 @@ struct Name {  ///< letters, digits, _ and -
 struct StepRule {  ///< a number or "cfl"
   std::optional<double>& step;
 };
+struct MassScaling {  ///< a number or "to_step"
+  decltype(Case::total_lagrangian)& method;
+};
+struct Damping {  ///< a number or "adaptive"
+  std::optional<double>& damping;
+};
 struct RemeshRule {  ///< a number of steps, "adaptive" or "never"
   decltype(Case::remeshing)& remeshing;
 };

@@ -142,17 +142,40 @@ bool read(const Entry& entry, VectorExpression& value) {
   return good;
 }
 
-bool read(const Entry& entry, StepRule value) {
-  if (entry.node.value<std::string_view>() == "cfl") {
-    value.step.reset();
+namespace {
+
+/// Takes the word that stands for no number, else reads the number. `example` names the two.
+bool read_number_or(const Entry& entry, std::string_view word, std::optional<double>& value,
+                    std::string_view example) {
+  if (entry.node.value<std::string_view>() == word) {
+    value.reset();
     return true;
   }
   std::string why;
   if (!number_in(entry.node, why)) {
-    return entry.refuse("must be a number or \"cfl\", found " + describe(entry.node),
-                        "write step = \"cfl\", or a time step as in step = 5e-5");
+    return entry.refuse(
+        fmt::format("must be a number or \"{}\", found {}", word, describe(entry.node)),
+        fmt::format("write {} = \"{}\", or {}", entry.key, word, example));
   }
-  return read(entry, value.step.emplace());
+  return read(entry, value.emplace());
+}
+
+}  // namespace
+
+bool read(const Entry& entry, StepRule value) {
+  return read_number_or(entry, "cfl", value.step, "a time step as in step = 5e-5");
+}
+
+bool read(const Entry& entry, MassScaling value) {
+  std::optional<double> factor;
+  if (!read_number_or(entry, "to_step", factor, "a factor as in mass_scaling = 1e4")) return false;
+  value.method.scale_to_step = !factor;
+  value.method.mass_scaling = factor.value_or(1);
+  return true;
+}
+
+bool read(const Entry& entry, Damping value) {
+  return read_number_or(entry, "adaptive", value.damping, "a rate as in damping = 0.5");
 }
 
 bool read(const Entry& entry, RemeshRule value) {

@@ -94,6 +94,14 @@ std::string toml_text(StepRule value, const Writing& writing) {
   return value.step ? toml_text(*value.step, writing) : "\"cfl\"";
 }
 
+std::string toml_text(MassScaling value, const Writing& writing) {
+  return value.method.scale_to_step ? "\"to_step\"" : toml_text(value.method.mass_scaling, writing);
+}
+
+std::string toml_text(Damping value, const Writing& writing) {
+  return value.damping ? toml_text(*value.damping, writing) : "\"adaptive\"";
+}
+
 std::string toml_text(RemeshRule value, const Writing& writing) {
   using Policy = decltype(Case::remeshing)::Policy;
   if (value.remeshing.policy == Policy::adaptive) return "\"adaptive\"";

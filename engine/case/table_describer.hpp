@@ -27,6 +27,8 @@ inline std::string type_of(const std::optional<Expression>&) { return "formula";
 inline std::string type_of(const VectorExpression&) { return "vector of numbers or formulas"; }
 inline std::string type_of(const Name&) { return "name"; }
 inline std::string type_of(const StepRule&) { return "number or `\"cfl\"`"; }
+inline std::string type_of(const MassScaling&) { return "number or `\"to_step\"`"; }
+inline std::string type_of(const Damping&) { return "number or `\"adaptive\"`"; }
 inline std::string type_of(const RemeshRule&) {
   return R"(whole number, `"adaptive"` or `"never"`)";
 }

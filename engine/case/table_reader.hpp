@@ -52,6 +52,8 @@ bool read(const Entry& entry, std::optional<Expression>& value);
 bool read(const Entry& entry, VectorExpression& value);
 bool read(const Entry& entry, Name value);
 bool read(const Entry& entry, StepRule value);
+bool read(const Entry& entry, MassScaling value);
+bool read(const Entry& entry, Damping value);
 bool read(const Entry& entry, RemeshRule value);
 bool read(const Entry& entry, AxisSet value);
 bool read(const Entry& entry, Direction value);

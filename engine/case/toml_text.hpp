@@ -31,6 +31,8 @@ std::string toml_text(const std::optional<Expression>& value, const Writing&);
 std::string toml_text(const VectorExpression& value, const Writing&);
 std::string toml_text(Name value, const Writing&);
 std::string toml_text(StepRule value, const Writing&);
+std::string toml_text(MassScaling value, const Writing&);
+std::string toml_text(Damping value, const Writing&);
 std::string toml_text(RemeshRule value, const Writing&);
 std::string toml_text(AxisSet value, const Writing&);
 std::string toml_text(Direction value, const Writing&);

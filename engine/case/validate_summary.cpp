@@ -59,9 +59,9 @@ std::string mesh_lines(const Shape& shape) {
 }
 
 /// (RP.11) at rest.
-double wave_speed(const BodyCase& body) {
-  const kernels::Material<double>& m = body.material;
-  return std::sqrt((m.bulk_modulus + 4 * m.shear_modulus / 3) / m.density);
+double wave_speed(const BodyCase& body, const Case& a_case) {
+  return kernels::wave_speed_at_rest(body.material) /
+         std::sqrt(a_case.total_lagrangian.mass_scaling);
 }
 
 std::string model_name(const BodyCase& body) {
@@ -72,7 +72,12 @@ std::string model_name(const BodyCase& body) {
   return fmt::format("linear, {} law", material.law == MaterialCase::Law::rho ? "rho" : "log");
 }
 
-std::string remeshing_text(const Case& a_case) {
+std::string method_text(const Case& a_case) {
+  if (a_case.method == Method::total_lagrangian) {
+    const auto& method = a_case.total_lagrangian;
+    return method.scale_to_step ? "the mass scaled to the step"
+                                : fmt::format("the mass times {}", method.mass_scaling);
+  }
   using Policy = decltype(Case::remeshing)::Policy;
   if (a_case.remeshing.policy == Policy::never) return "never remeshed";
   if (a_case.remeshing.policy == Policy::adaptive) {
@@ -90,9 +95,10 @@ std::string validate_summary(const Case& a_case) {
   const double cell = std::pow(a_case.discretisation.spacing, a_case.dimension);
   double fastest = 0;
   for (const BodyCase& body : a_case.bodies) {
-    fastest = std::max(fastest, wave_speed(body));
+    const double waves = wave_speed(body, a_case);
+    fastest = std::max(fastest, waves);
     text += fmt::format("  body {}: about {:.0f} particles, {}, waves at {:.4g} m/s\n", body.name,
-                        measure(body, a_case) / cell, model_name(body), wave_speed(body));
+                        measure(body, a_case) / cell, model_name(body), waves);
     text += mesh_lines(body.geometry);
   }
   for (const BoundaryCase& boundary : a_case.boundaries) {
@@ -105,7 +111,7 @@ std::string validate_summary(const Case& a_case) {
   const double step = a_case.time.step.value_or(cfl_step);
   text += fmt::format("  time: {} s in about {:.0f} steps of {:.3g} s (CFL number {:.2g}), {}\n",
                       a_case.time.end, std::ceil(a_case.time.end / step), step,
-                      step * fastest / a_case.discretisation.spacing, remeshing_text(a_case));
+                      step * fastest / a_case.discretisation.spacing, method_text(a_case));
   std::vector<std::string> names;
   for (const MeasurementCase& measurement : a_case.measurements) names.push_back(measurement.name);
   text += fmt::format("  measurements: {}\n",

@@ -98,13 +98,15 @@ void time_keys(Visitor& visit, decltype(Case::time)& time) {
 }
 
 template <class Visitor>
-void discretisation_keys(Visitor& visit, decltype(Case::discretisation)& discretisation) {
+void discretisation_keys(Visitor& visit, decltype(Case::discretisation)& discretisation,
+                         Method method) {
   visit("spacing", discretisation.spacing,
         {.meaning = "distance h between particles: the resolution",
          .unit = "m",
          .example = "0.03125",
          .limits = positive,
          .required = true});
+  if (method != Method::remeshed) return;
   visit("weight", discretisation.weight,
         {.meaning = "pair weight of gradients", .example = R"("compact")"});
   visit(
@@ -113,6 +115,25 @@ void discretisation_keys(Visitor& visit, decltype(Case::discretisation)& discret
                   "long runs",
        .example = "0.5",
        .limits = {0, 2, true, true, "from 0 to 2"}});
+}
+
+template <class Visitor>
+void total_lagrangian_keys(Visitor& visit, decltype(Case::total_lagrangian)& method) {
+  visit("hourglass", method.hourglass,
+        {.meaning = "resistance to what stress points do not feel, over that of "
+                    "shear (TL.6)",
+         .example = "0.8",
+         .limits = {0, 2, true, true, "from 0 to 2"}});
+  visit("mass_scaling", MassScaling{method},
+        {.meaning = R"(inertia over mass, or "to_step": what time.step needs to be stable)",
+         .example = "1e4",
+         .limits = at_least_one});
+  visit("damping", Damping{method.damping},
+        {.meaning = R"(rate at which motion fades (TL.8), or "adaptive": twice the frequency of )"
+                    "what moves (TL.10)",
+         .unit = "1/s",
+         .example = "0.5",
+         .limits = not_negative});
 }
 
 template <class Visitor>
@@ -127,22 +148,27 @@ void case_keys(Visitor& visit, Case& a_case) {
          .limits = {2, 3, true, true, "2 or 3"}});
   visit("method", a_case.method, {.meaning = "numerical method", .example = R"("remeshed")"});
   visit.table("discretisation", "Resolution.",
-              [&](auto& keys) { discretisation_keys(keys, a_case.discretisation); });
+              [&](auto& keys) { discretisation_keys(keys, a_case.discretisation, a_case.method); });
   visit.table("time", "Simulated time.", [&](auto& keys) { time_keys(keys, a_case.time); });
-  visit.table("remeshing", "When and how particles return to their lattice.",
-              [&](auto& keys) { remeshing_keys(keys, a_case.remeshing); });
-  visit.table("level_set", "The level set that carries the free surface.", [&](auto& keys) {
-    keys("reinitialise_every", a_case.level_set.reinitialise_every,
-         {.meaning = "time steps between reinitialisations to a signed distance",
-          .unit = "steps",
-          .example = "20",
-          .limits = at_least_one});
-  });
-  visit.table("ghosts", "Particles outside the body that hold its boundary conditions.",
-              [&](auto& keys) {
-                keys("treatment", a_case.ghosts,
-                     {.meaning = "how their values are found", .example = R"("linear")"});
-              });
+  const bool remeshed = a_case.method == Method::remeshed;
+  visit.optional_table("remeshing", "When and how particles return to their lattice.", remeshed,
+                       [&](auto& keys) { remeshing_keys(keys, a_case.remeshing); });
+  visit.optional_table(
+      "level_set", "The level set that carries the free surface.", remeshed, [&](auto& keys) {
+        keys("reinitialise_every", a_case.level_set.reinitialise_every,
+             {.meaning = "time steps between reinitialisations to a signed distance",
+              .unit = "steps",
+              .example = "20",
+              .limits = at_least_one});
+      });
+  visit.optional_table("ghosts", "Particles outside the body that hold its boundary conditions.",
+                       remeshed, [&](auto& keys) {
+                         keys("treatment", a_case.ghosts,
+                              {.meaning = "how their values are found", .example = R"("linear")"});
+                       });
+  visit.optional_table("total_lagrangian",
+                       "What method total_lagrangian does, and how slow its loads are.", !remeshed,
+                       [&](auto& keys) { total_lagrangian_keys(keys, a_case.total_lagrangian); });
   const auto& periodic = a_case.periodic.axis;
   visit.optional_table("periodic", "A cell that repeats; leave the table out where nothing does.",
                        periodic[0] || periodic[1] || periodic[2],

@@ -26,7 +26,9 @@ constexpr Word word(E value, std::string_view text, std::string_view meaning) {
 
 template <>
 inline constexpr std::array words<Method>{
-    word(Method::remeshed, "remeshed", "Lagrangian particles with remeshing and a level set")};
+    word(Method::remeshed, "remeshed", "Lagrangian particles with remeshing and a level set"),
+    word(Method::total_lagrangian, "total_lagrangian",
+         "particles and stress points of the undeformed body (TL.1); hyperelastic materials")};
 
 template <>
 inline constexpr std::array words<kernels::Weight>{
@@ -117,6 +119,8 @@ inline constexpr std::array words<MeasurementCase::Kind>{
     word(MeasurementCase::Kind::strain_energy, "strain_energy", "of a body"),
     word(MeasurementCase::Kind::total_energy, "total_energy",
          "kinetic plus strain energy of a body"),
+    word(MeasurementCase::Kind::energy_ratio, "energy_ratio",
+         "kinetic over strain energy of a body: small when loads are slow"),
     word(MeasurementCase::Kind::wall_force, "wall_force",
          "force of a contact wall on the bodies, mean since the last sample (RP.52)"),
     word(MeasurementCase::Kind::volume, "volume", "of a body; an area in 2D"),

@@ -12,6 +12,7 @@
 #include "engine/case/validate_summary.hpp"
 #include "engine/remeshed/solver.hpp"
 #include "engine/simulation/run.hpp"
+#include "engine/total_lagrangian/solver.hpp"
 
 namespace pliant::cli {
 
@@ -76,11 +77,15 @@ ExitStatus graph(const GraphArguments& arguments) {
     const auto detail = arguments.blocks ? scheduler::Detail::blocks : scheduler::Detail::phases;
     fmt::print("{}", arguments.format == "json" ? graph.json() : graph.dot(detail));
   };
-  if (settings.dimension == 2) {
-    print(remeshed::Solver<double, 2>(settings, 1, kernels::widest_supported()).step_graph());
-  } else {
-    print(remeshed::Solver<double, 3>(settings, 1, kernels::widest_supported()).step_graph());
-  }
+  const auto print_for = [&]<int D>() {
+    const kernels::Isa isa = kernels::widest_supported();
+    if (settings.method == Method::remeshed) {
+      print(remeshed::Solver<double, D>(settings, 1, isa).step_graph());
+    } else {
+      print(total_lagrangian::Solver<double, D>(settings, 1, isa).step_graph());
+    }
+  };
+  settings.dimension == 2 ? print_for.template operator()<2>() : print_for.template operator()<3>();
   return ExitStatus::done;
 }
 

@@ -169,6 +169,8 @@ double Measurer<T, D>::conserved(const MeasurementCase& m) {
       return sum.kinetic_energy;
     case Quantity::strain_energy:
       return sum.strain_energy;
+    case Quantity::energy_ratio:
+      return sum.strain_energy > 0 ? sum.kinetic_energy / sum.strain_energy : 0;
     case Quantity::volume:
       return sum.volume;
     default:

@@ -311,8 +311,19 @@ std::int64_t Solver<T, D>::particles() const {
 }
 
 template <class T, int D>
+std::int64_t Solver<T, D>::ghosts() const {
+  std::int64_t sum = 0;
+  for (const Body<T, D>& body : state_.bodies) {
+    for (const BlockGhosts<T, D>& block : body.population.ghosts) {
+      sum += static_cast<std::int64_t>(block.slot.size() - block.contact.size());
+    }
+  }
+  return sum;
+}
+
+template <class T, int D>
 std::vector<LatticeView<T, D>> Solver<T, D>::on_nodes() {
-  const bool fresh = state_.clock.steps_since_remeshing == 0;
+  const bool fresh = is_fresh();
   if (!fresh) remesh_onto_spare(false);
   std::vector<LatticeView<T, D>> views;
   for (const Body<T, D>& body : state_.bodies) {

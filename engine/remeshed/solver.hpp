@@ -24,10 +24,15 @@ struct LatticeView {
   const FieldStore<T, D>& fields;
 };
 
+template <class T, int D>
+class Measurer;
+
 /// Advances a case by the remeshed method: steps, and remeshings when they are due.
 template <class T, int D>
 class Solver {
  public:
+  using Measurer = remeshed::Measurer<T, D>;
+
   /// Throws std::invalid_argument for what the method does not run.
   Solver(const Case& settings, int threads, kernels::Isa isa);
 
@@ -44,6 +49,10 @@ class Solver {
   const Case& settings() const { return settings_; }
   bool remeshes() const { return settings_.remeshing.policy != remeshing_never; }
   std::int64_t particles() const;
+  std::int64_t ghosts() const;
+  /// Whether particles have just come to lie on nodes: when measurements without a schedule are
+  /// due.
+  bool is_fresh() const { return state_.clock.steps_since_remeshing == 0; }
   std::size_t bytes() const;
 
   /// The bodies on fresh nodes at the present time: the particles themselves after a remeshing,

@@ -84,6 +84,7 @@ std::string unit_of(const MeasurementCase& m, int dimension) {
       return "s";
     case Kind::velocity_error:
     case Kind::amplitude_ratio:
+    case Kind::energy_ratio:
       return "1";
   }
   return "1";

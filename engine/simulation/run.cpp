@@ -10,6 +10,7 @@
 #include <optional>
 
 #include "engine/case/resolved.hpp"
+#include "engine/case/words.hpp"
 #include "engine/output/atomic_file.hpp"
 #include "engine/output/checkpoint.hpp"
 #include "engine/output/interrupt.hpp"
@@ -20,6 +21,8 @@
 #include "engine/simulation/frames.hpp"
 #include "engine/simulation/histories.hpp"
 #include "engine/simulation/solver_archive.hpp"
+#include "engine/total_lagrangian/measure.hpp"
+#include "engine/total_lagrangian/output.hpp"
 #include "engine/version.hpp"
 
 namespace pliant {
@@ -52,7 +55,9 @@ ConservedQuantities conserved(const remeshed::BodyIntegrals& sum) {
           sum.kinetic_energy, sum.strain_energy, sum.kinetic_energy + sum.strain_energy};
 }
 
-template <class T, int D>
+const ConservedQuantities& conserved(const ConservedQuantities& sum) { return sum; }
+
+template <class Solver, int D>
 class Run {
  public:
   Run(const Case& settings, const RunOptions& options)
@@ -91,7 +96,7 @@ class Run {
     RunDescription description;
     description.case_name = settings_.name;
     description.title = settings_.title;
-    description.method = "remeshed";
+    description.method = words<Method>[static_cast<int>(settings_.method)].text;
     description.version = std::string(version);
     description.dimension = D;
     description.resolved_case = resolved_toml(settings_);
@@ -131,7 +136,7 @@ class Run {
   void observe() {
     const double t = solver_.clock().time;
     const bool last = t >= settings_.time.end * (1 - 1e-12);
-    const bool fresh = solver_.clock().steps_since_remeshing == 0;
+    const bool fresh = solver_.is_fresh();
     if (samples_.reached(t) || last || (settings_.output.measure_every == 0 && fresh)) sample();
     const bool frame = frames_.reached(t) || last;
     if (frame) result_->append(take_frame(solver_, settings_.output.ghosts));
@@ -187,15 +192,10 @@ class Run {
         {"xsimd",
          fmt::format("{}.{}.{}", XSIMD_VERSION_MAJOR, XSIMD_VERSION_MINOR, XSIMD_VERSION_PATCH)},
         {"HDF5", fmt::format("{}.{}.{}", H5_VERS_MAJOR, H5_VERS_MINOR, H5_VERS_RELEASE)}};
-    summary.method = "remeshed";
+    summary.method = words<Method>[static_cast<int>(settings_.method)].text;
     summary.particles.start = particles_at_start_;
     summary.particles.end = solver_.particles();
-    for (const auto& body : solver_.state().bodies) {
-      for (const auto& block : body.population.ghosts) {
-        summary.particles.ghosts +=
-            static_cast<std::int64_t>(block.slot.size() - block.contact.size());
-      }
-    }
+    summary.particles.ghosts = solver_.ghosts();
     summary.steps = solver_.clock().step;
     summary.physical_time = solver_.clock().time;
     summary.wall_time = wall_seconds;
@@ -218,12 +218,26 @@ class Run {
           {measurement.name, unit_of(measurement, D), histories_.last(m)});
     }
     write_summary(options_.folder, summary);
+    warn_of_inertia(summary.conserved.end);
+  }
+
+  // Scaled mass is no mass that anyone meant: where it matters, the answer is not the static one.
+  void warn_of_inertia(const ConservedQuantities& end) {
+    const auto& method = settings_.total_lagrangian;
+    constexpr double small = 0.01;
+    if (!method.scale_to_step && method.mass_scaling == 1) return;
+    if (!(end.kinetic_energy > small * end.strain_energy)) return;
+    progress_.message(fmt::format(
+        "warning: the kinetic energy of the scaled mass is {:.2g} of the strain energy in the end: "
+        "not the static answer; load more slowly (time.end), scale the mass less, or add "
+        "total_lagrangian.damping",
+        end.kinetic_energy / end.strain_energy));
   }
 
   const Case& settings_;
   const RunOptions& options_;
-  remeshed::Solver<T, D> solver_;
-  remeshed::Measurer<T, D> measurer_;
+  Solver solver_;
+  typename Solver::Measurer measurer_;
   Histories histories_;
   Schedule frames_, samples_, checkpoints_;
   Progress progress_;
@@ -235,8 +249,12 @@ class Run {
 }  // namespace
 
 RunEnd run_case(const Case& settings, const RunOptions& options) {
-  return settings.dimension == 2 ? Run<double, 2>(settings, options)()
-                                 : Run<double, 3>(settings, options)();
+  const auto run = [&]<int D>() {
+    return settings.method == Method::remeshed
+               ? Run<remeshed::Solver<double, D>, D>(settings, options)()
+               : Run<total_lagrangian::Solver<double, D>, D>(settings, options)();
+  };
+  return settings.dimension == 2 ? run.template operator()<2>() : run.template operator()<3>();
 }
 
 }  // namespace pliant

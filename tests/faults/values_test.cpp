@@ -3,6 +3,20 @@
 namespace pliant::tests {
 namespace {
 
+const std::string rubber_block = R"(title = "a block"
+method = "total_lagrangian"
+[discretisation]
+spacing = 0.1
+[time]
+end = 1
+[[body]]
+name = "block"
+geometry = { shape = "box", lower = [0, 0], upper = [1, 2] }
+material = { model = "reduced_polynomial", coefficients = [10], compressibility = 0.1, density = 2 }
+[total_lagrangian]
+damping = 1
+)";
+
 const Fault faults[] = {
     {"a_number_that_is_text", broken("spacing = 0.1", "spacing = \"fine\""),
      "block.toml:3: spacing must be a number, found the text \"fine\": unknown name `fine` at "
@@ -54,7 +68,40 @@ const Fault faults[] = {
     {"a_dimension_of_one", broken("title = \"a block\"", "dimension = 1"),
      "block.toml:1: dimension must be 2 or 3, got 1; write it as in dimension = 2"},
     {"an_unknown_method", broken("title = \"a block\"", "method = \"sph\""),
-     R"(block.toml:1: method must be one of "remeshed", got "sph"; take one of these)"},
+     R"(block.toml:1: method must be one of "remeshed", "total_lagrangian", got "sph"; take one of )"
+     "these"},
+    {"remeshing_of_what_is_not_remeshed",
+     with(rubber_block, "[total_lagrangian]\n", "[remeshing]\nevery = 3\n[total_lagrangian]\n"),
+     "block.toml:11: method \"total_lagrangian\" has no [remeshing]; leave the table out, or "
+     "choose "
+     "another method"},
+    {"total_lagrangian_keys_of_the_remeshed_method", extended("[total_lagrangian]\ndamping = 1\n"),
+     "block.toml:10: method \"remeshed\" has no [total_lagrangian]; leave the table out, or choose "
+     "another method"},
+    {"a_linear_material_without_a_reference_state",
+     with(rubber_block, "\"reduced_polynomial\", coefficients = [10], compressibility = 0.1",
+          "\"linear\", youngs_modulus = 100, poissons_ratio = 0.3"),
+     "block.toml:10: body \"block\" is not hyperelastic; method total_lagrangian takes model = "
+     "\"reduced_polynomial\""},
+    {"mass_scaled_to_no_step", with(rubber_block, "damping = 1", "mass_scaling = \"to_step\""),
+     "block.toml:12: the mass can only be scaled to a given time step; give time.step in seconds, "
+     "or "
+     "mass_scaling as a number"},
+    {"a_damping_word", with(rubber_block, "damping = 1", "damping = \"much\""),
+     "block.toml:12: damping must be a number or \"adaptive\", found the text \"much\"; write "
+     "damping = \"adaptive\", or a rate as in damping = 0.5"},
+    {"lighter_mass", with(rubber_block, "damping = 1", "mass_scaling = 0.5"),
+     "block.toml:12: mass_scaling must be 1 or more, got 0.5; write it as in mass_scaling = 1e4"},
+    {"a_pressure_at_a_point_of_space",
+     rubber_block + "[[measurement]]\nname = \"p\"\nkind = \"point_value\"\npoint = [0, 0]\nfield "
+                    "= \"pressure\"\n",
+     "block.toml:15: method total_lagrangian does not measure a point_value; measure extent, "
+     "point_displacement, volume, surface_area, momenta or energies"},
+    {"contact_of_undeformed_bodies",
+     rubber_block + "[[boundary]]\nname = \"w\"\nkind = \"contact_wall\"\ngeometry = { shape = "
+                    "\"half_space\", point = [0, -1], normal = [0, 1] }\n",
+     "block.toml:15: method total_lagrangian knows no contact; take method = \"remeshed\", or a "
+     "wall that holds what it touches"},
     {"a_misspelt_weight", broken("spacing = 0.1", "spacing = 0.1\nweight = \"quartc\""),
      R"(block.toml:4: weight must be one of "quartic", "quartic_polynomial", "compact", got )"
      R"("quartc"; did you mean "quartic"?)"},

@@ -1,0 +1,133 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "engine/case/case.hpp"
+#include "engine/lattice/layout.hpp"
+#include "engine/storage/buffer.hpp"
+#include "kernels/table.hpp"
+
+namespace pliant::total_lagrangian {
+
+/// A corner of a facet: a point of the undeformed surface on the line between two particles, with
+/// which it moves.
+template <int D>
+struct Vertex {
+  std::int32_t first, second;  ///< slots
+  double along;                ///< 0 at the first, 1 at the second
+  Point<D> start;              ///< where it is in the undeformed body [m]
+};
+
+/// A piece of the surface {phi = 0} inside one cell, its corners ordered so that its normal points
+/// out of the body.
+template <int D>
+struct Facet {
+  std::array<Vertex<D>, D> vertex;
+  bool free;  ///< not on a wall
+};
+
+/// A facet that carries a pressure on some of its area.
+struct Load {
+  int facet;
+  double share;
+};
+
+/// The surface inside one cell as far as a pressure acts on it.
+struct Patch {
+  int first_load, load_count;
+  int pressure;
+};
+
+/// A particle that a wall holds.
+template <int D>
+struct Held {
+  std::int32_t slot;
+  std::int32_t wall;
+  Point<D> normal;  ///< of a slip wall, out of it; zero where the particle sticks
+};
+
+/// What patches do to the particles of a block: particle `slot[i]` takes `weight[k]` of the force
+/// on patch `patch[k]` for k from begin[i] to begin[i + 1].
+struct Pushes {
+  std::vector<std::int32_t> slot, begin = {0}, patch;
+  std::vector<double> weight;
+};
+
+/// One body, in its undeformed shape: particles on the nodes of a lattice, stress points in the
+/// middle of its cells.
+template <class T, int D>
+struct Body {
+  std::string name;
+  const BodyCase* source = nullptr;
+  kernels::Material<T> material;
+  Lattice<D> lattice;
+  Layout<D> layout;
+  std::int64_t particles = 0;
+  Buffer<T> level_set;     ///< phi of the undeformed body [m]
+  Buffer<T> fraction;      ///< share of the cell above the slot that the body fills, (TL.1)
+  Buffer<T> mass;          ///< [kg], 0 where there is no particle
+  Buffer<T> inverse_mass;  ///< [1/kg], 0 where there is no particle
+  std::array<Buffer<T>, D> displacement, velocity, internal, traction;
+  std::array<std::array<Buffer<T>, kernels::cell_modes<D>>, D> force;
+  std::vector<Facet<D>> facets;
+  std::vector<Load> loads;
+  std::vector<Patch> patches;
+  std::vector<int> first_patch;            ///< [block + 1]
+  std::vector<Point<D>> patch_force;       ///< [patch] [N]
+  std::vector<std::vector<Held<D>>> held;  ///< [block]
+  std::vector<Pushes> pushes;              ///< [block]
+
+  std::array<const T*, D> displacement_view() const {
+    std::array<const T*, D> view;
+    for (int a = 0; a < D; ++a) view[a] = displacement[a].get();
+    return view;
+  }
+
+  bool is_particle(std::int64_t slot) const { return mass[slot] > 0; }
+
+  /// Slots of the corners of a slot's cell, which all exist where the body fills some of it.
+  std::array<std::int64_t, (1 << D)> corners(const Cell<D>& cell) const {
+    std::array<std::int64_t, (1 << D)> slots;
+    for (int c = 0; c < (1 << D); ++c) {
+      Cell<D> at = cell;
+      for (int a = 0; a < D; ++a) at[a] += c >> a & 1;
+      slots[c] = layout.slot(at);
+    }
+    return slots;
+  }
+
+  /// Where a facet's corner is at present [m].
+  Point<D> position(const Vertex<D>& v) const {
+    Point<D> x = v.start;
+    for (int a = 0; a < D; ++a) {
+      x[a] += (1 - v.along) * displacement[a][v.first] + v.along * displacement[a][v.second];
+    }
+    return x;
+  }
+};
+
+/// Normal of the present facet, its length the facet's area [m^(D-1)].
+template <class T, int D>
+Point<D> area_vector(const Body<T, D>& body, const Facet<D>& facet) {
+  std::array<Point<D>, D> x;
+  for (int v = 0; v < D; ++v) x[v] = body.position(facet.vertex[v]);
+  if constexpr (D == 2) {
+    return {x[1][1] - x[0][1], x[0][0] - x[1][0]};
+  } else {
+    Point<3> n, a, b;
+    for (int i = 0; i < 3; ++i) {
+      a[i] = x[1][i] - x[0][i];
+      b[i] = x[2][i] - x[0][i];
+    }
+    for (int i = 0; i < 3; ++i) {
+      const int j = (i + 1) % 3, k = (i + 2) % 3;
+      n[i] = (a[j] * b[k] - a[k] * b[j]) / 2;
+    }
+    return n;
+  }
+}
+
+}  // namespace pliant::total_lagrangian

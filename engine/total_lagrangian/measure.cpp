@@ -1,0 +1,193 @@
+#include "engine/total_lagrangian/measure.hpp"
+
+#include <cmath>
+#include <limits>
+
+#include "engine/total_lagrangian/stress_point.hpp"
+
+namespace pliant::total_lagrangian {
+
+namespace {
+
+constexpr double nothing = std::numeric_limits<double>::quiet_NaN();
+
+template <class T, int D, class F>
+void for_each_particle(const Body<T, D>& body, F&& f) {
+  for (const Block<D>& block : body.layout.blocks()) {
+    body.layout.for_each_slot(block, [&](std::int64_t p, const Cell<D>& cell) {
+      if (body.is_particle(p)) f(p, cell);
+    });
+  }
+}
+
+template <class T, int D, class F>
+void for_each_stress_point(const Body<T, D>& body, double hourglass, F&& f) {
+  for (const Block<D>& block : body.layout.blocks()) {
+    body.layout.for_each_slot(block, [&](std::int64_t p, const Cell<D>& cell) {
+      if (body.fraction[p] > 0) f(p, stress_point<T, D>(body, p, cell, hourglass));
+    });
+  }
+}
+
+}  // namespace
+
+template <class T, int D>
+std::vector<double> Measurer<T, D>::operator()() {
+  std::vector<double> values;
+  for (const MeasurementCase& m : solver_.settings().measurements) values.push_back(value(m));
+  return values;
+}
+
+template <class T, int D>
+double Measurer<T, D>::value(const MeasurementCase& m) const {
+  using Quantity = MeasurementCase::Kind;
+  switch (m.kind) {
+    case Quantity::extent:
+      return extent(m);
+    case Quantity::point_displacement:
+      return point_displacement(m);
+    case Quantity::surface_area:
+      return surface_area(m);
+    case Quantity::volume:
+      return volume(m.body);
+    case Quantity::period:
+    case Quantity::amplitude_ratio:
+      return nothing;
+    default:
+      break;
+  }
+  const ConservedQuantities sum = conserved(m.body, m.point);
+  switch (m.kind) {
+    case Quantity::mass:
+      return sum.mass;
+    case Quantity::momentum:
+      return sum.momentum[m.axis];
+    case Quantity::angular_momentum:
+      return sum.angular_momentum[D == 2 ? 2 : m.axis];
+    case Quantity::kinetic_energy:
+      return sum.kinetic_energy;
+    case Quantity::strain_energy:
+      return sum.strain_energy;
+    case Quantity::energy_ratio:
+      return sum.strain_energy > 0 ? sum.kinetic_energy / sum.strain_energy : 0;
+    default:
+      return sum.total_energy;
+  }
+}
+
+template <class T, int D>
+double Measurer<T, D>::extent(const MeasurementCase& m) const {
+  const Body<T, D>& body = solver_.state().bodies[m.body];
+  const double t = solver_.clock().time, sign = m.lower_side ? -1 : 1;
+  double farthest = -std::numeric_limits<double>::infinity();
+  for (const Facet<D>& facet : body.facets) {
+    if (!facet.free) continue;
+    for (const Vertex<D>& v : facet.vertex) {
+      const Point<D> x = body.position(v);
+      Vector at = {};
+      for (int a = 0; a < D; ++a) at[a] = x[a];
+      if (m.where && (*m.where)(at[0], at[1], at[2], t) == 0) continue;
+      farthest = std::max(farthest, sign * x[m.axis]);
+    }
+  }
+  return std::isfinite(farthest) ? farthest - sign * m.reference : nothing;
+}
+
+// Linear in each direction within the cell in which the point started.
+template <class T, int D>
+double Measurer<T, D>::point_displacement(const MeasurementCase& m) const {
+  const Body<T, D>& body = solver_.state().bodies[m.body];
+  double sum = 0, weights = 0;
+  for (int c = 0; c < (1 << D); ++c) {
+    Cell<D> cell;
+    double weight = 1;
+    for (int a = 0; a < D; ++a) {
+      const double at = (m.point[a] - body.lattice.node(a, 0)) / body.lattice.spacing;
+      // A point on a face that rounding puts beyond it belongs to the cell inside.
+      const double floor = std::floor(at + 1e-9);
+      const int up = c >> a & 1;
+      cell[a] = static_cast<std::int32_t>(floor) + up;
+      weight *= up ? at - floor : 1 - (at - floor);
+    }
+    const std::int64_t p = body.layout.slot(cell);
+    if (p < 0 || !body.is_particle(p)) continue;
+    sum += weight * body.displacement[m.axis][p];
+    weights += weight;
+  }
+  return weights > 0.5 ? sum / weights : nothing;
+}
+
+template <class T, int D>
+double Measurer<T, D>::surface_area(const MeasurementCase& m) const {
+  const Body<T, D>& body = solver_.state().bodies[m.body];
+  double sum = 0;
+  for (const Facet<D>& facet : body.facets) {
+    if (!facet.free) continue;
+    double square = 0;
+    for (const double a : area_vector(body, facet)) square += a * a;
+    sum += std::sqrt(square);
+  }
+  return sum;
+}
+
+template <class T, int D>
+double Measurer<T, D>::volume(int index) const {
+  const Body<T, D>& body = solver_.state().bodies[index];
+  const double cell = std::pow(body.lattice.spacing, D);
+  double sum = 0;
+  for_each_stress_point(body, 0, [&](std::int64_t p, const StressPoint<D>& point) {
+    sum += body.fraction[p] * cell * point.volume_ratio;
+  });
+  return sum;
+}
+
+template <class T, int D>
+ConservedQuantities Measurer<T, D>::conserved(int index, const Vector& about) const {
+  const Body<T, D>& body = solver_.state().bodies[index];
+  const double scaling = solver_.clock().mass_scaling;
+  ConservedQuantities sum;
+  for_each_particle(body, [&](std::int64_t p, const Cell<D>& cell) {
+    Vector r = {}, u = {};
+    double square = 0;
+    for (int a = 0; a < D; ++a) {
+      r[a] = body.lattice.node(a, cell[a]) + body.displacement[a][p] - about[a];
+      u[a] = body.velocity[a][p];
+      square += u[a] * u[a];
+    }
+    sum.mass += body.mass[p];
+    const double inertia = scaling * body.mass[p];
+    sum.kinetic_energy += 0.5 * inertia * square;
+    for (int c = 0; c < 3; ++c) {
+      const int a = (c + 1) % 3, b = (c + 2) % 3;
+      sum.momentum[c] += inertia * u[c];
+      sum.angular_momentum[c] += inertia * (r[a] * u[b] - r[b] * u[a]);
+    }
+  });
+  for_each_stress_point(
+      body, solver_.settings().total_lagrangian.hourglass,
+      [&](std::int64_t, const StressPoint<D>& point) { sum.strain_energy += point.energy; });
+  sum.total_energy = sum.kinetic_energy + sum.strain_energy;
+  return sum;
+}
+
+template <class T, int D>
+ConservedQuantities Measurer<T, D>::totals() {
+  ConservedQuantities sum;
+  for (int b = 0; b < static_cast<int>(solver_.state().bodies.size()); ++b) {
+    const ConservedQuantities one = conserved(b, {});
+    sum.mass += one.mass;
+    sum.kinetic_energy += one.kinetic_energy;
+    sum.strain_energy += one.strain_energy;
+    sum.total_energy += one.total_energy;
+    for (int c = 0; c < 3; ++c) {
+      sum.momentum[c] += one.momentum[c];
+      sum.angular_momentum[c] += one.angular_momentum[c];
+    }
+  }
+  return sum;
+}
+
+template class Measurer<double, 2>;
+template class Measurer<double, 3>;
+
+}  // namespace pliant::total_lagrangian

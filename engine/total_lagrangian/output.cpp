@@ -1,0 +1,165 @@
+#include "engine/total_lagrangian/output.hpp"
+
+#include <fmt/format.h>
+
+#include "engine/total_lagrangian/stress_point.hpp"
+
+namespace pliant {
+
+namespace {
+
+using total_lagrangian::Body;
+using total_lagrangian::StressPoint;
+
+/// Stress as xx, yy, zz, xy, yz, xz, then pressure, density and dilatation.
+constexpr int stress = 0, pressure = 6, density = 7, dilatation = 8, mean_fields = 9;
+using Means = std::array<double, mean_fields>;
+
+template <int D>
+Means values_of(const StressPoint<D>& point, double density_at_rest) {
+  const auto s = [&](int i, int j) { return point.stress[kernels::symmetric_index<D>(i, j)]; };
+  Means values = {};
+  if constexpr (D == 2) {
+    // sigma_zz = -3 p - sigma_xx - sigma_yy by (RP.10)
+    const double zz = -3 * point.pressure - s(0, 0) - s(1, 1);
+    values = {s(0, 0), s(1, 1), zz, s(0, 1), 0, 0};
+  } else {
+    values = {s(0, 0), s(1, 1), s(2, 2), s(0, 1), s(1, 2), s(0, 2)};
+  }
+  values[pressure] = point.pressure;
+  values[density] = density_at_rest / point.volume_ratio;
+  values[dilatation] = point.volume_ratio - 1;
+  return values;
+}
+
+// [slot], weighted by what the body fills of the cells around a particle.
+template <class T, int D>
+std::vector<Means> means(const Body<T, D>& body) {
+  std::vector<Means> sum(body.layout.slots(), Means{});
+  std::vector<double> weight(body.layout.slots(), 0);
+  for (const Block<D>& block : body.layout.blocks()) {
+    body.layout.for_each_slot(block, [&](std::int64_t p, const Cell<D>& cell) {
+      if (!(body.fraction[p] > 0)) return;
+      const Means values =
+          values_of<D>(stress_point<T, D>(body, p, cell, 0), body.material.density);
+      for (const std::int64_t q : body.corners(cell)) {
+        for (int k = 0; k < mean_fields; ++k) sum[q][k] += body.fraction[p] * values[k];
+        weight[q] += body.fraction[p];
+      }
+    });
+  }
+  for (std::size_t p = 0; p < sum.size(); ++p) {
+    for (double& value : sum[p]) value /= weight[p] > 0 ? weight[p] : 1;
+  }
+  return sum;
+}
+
+template <class T, int D>
+void for_each_clock_value(total_lagrangian::Solver<T, D>& solver, auto&& f) {
+  total_lagrangian::Clock& clock = solver.state().clock;
+  f("clock/time", clock.time);
+  f("clock/wave_speed", clock.wave_speed);
+  f("clock/mass_scaling", clock.mass_scaling);
+  f("clock/damping", clock.damping);
+}
+
+template <class T, int D>
+void for_each_field(Body<T, D>& body, auto&& f) {
+  for (int a = 0; a < D; ++a) {
+    f(fmt::format("displacement/{}", a), body.displacement[a]);
+    f(fmt::format("velocity/{}", a), body.velocity[a]);
+    f(fmt::format("internal/{}", a), body.internal[a]);
+  }
+}
+
+}  // namespace
+
+template <class T, int D>
+Frame take_frame(total_lagrangian::Solver<T, D>& solver, bool) {
+  Frame frame;
+  frame.time = solver.clock().time;
+  frame.step = solver.clock().step;
+  std::vector<double> velocity, displacement, level_set, p_field, rho, sigma, volume_change;
+  std::vector<std::int32_t> kinds, owners;
+  for (std::size_t b = 0; b < solver.state().bodies.size(); ++b) {
+    const Body<T, D>& body = solver.state().bodies[b];
+    const std::vector<Means> mean = means(body);
+    for (const Block<D>& block : body.layout.blocks()) {
+      body.layout.for_each_slot(block, [&](std::int64_t p, const Cell<D>& cell) {
+        if (!body.is_particle(p)) return;
+        for (int a = 0; a < 3; ++a) {
+          const bool exists = a < D;
+          frame.position.push_back(exists ? body.lattice.node(a, cell[a]) + body.displacement[a][p]
+                                          : 0);
+          if (!exists) continue;
+          velocity.push_back(body.velocity[a][p]);
+          displacement.push_back(body.displacement[a][p]);
+        }
+        sigma.insert(sigma.end(), mean[p].begin() + stress, mean[p].begin() + pressure);
+        p_field.push_back(mean[p][pressure]);
+        rho.push_back(mean[p][density]);
+        volume_change.push_back(mean[p][dilatation]);
+        level_set.push_back(body.level_set[p]);
+        kinds.push_back(static_cast<std::int32_t>(kernels::Kind::interior));
+        owners.push_back(static_cast<std::int32_t>(b));
+      });
+    }
+  }
+  frame.fields = {{"velocity", "m/s", D, std::move(velocity)},
+                  {"displacement", "m", D, std::move(displacement)},
+                  {"pressure", "Pa", 1, std::move(p_field)},
+                  {"density", "kg/m^3", 1, std::move(rho)},
+                  {"stress", "Pa", 6, std::move(sigma)},
+                  {"dilatation", "1", 1, std::move(volume_change)},
+                  {"level_set", "m", 1, std::move(level_set)},
+                  {"kind", "1", 1, std::move(kinds)},
+                  {"body", "1", 1, std::move(owners)}};
+  return frame;
+}
+
+template <class T, int D>
+void put_solver(ArchiveWriter& archive, total_lagrangian::Solver<T, D>& solver) {
+  total_lagrangian::State<T, D>& state = solver.state();
+  archive.put("clock/step", state.clock.step);
+  for_each_clock_value(solver, [&](const char* name, double& value) { archive.put(name, value); });
+  std::vector<double> offsets;
+  for (const auto& wall : state.boundaries.walls) {
+    offsets.insert(offsets.end(), wall.offset().begin(), wall.offset().end());
+  }
+  archive.put("walls/offset", std::span<const double>(offsets));
+  for (std::size_t b = 0; b < state.bodies.size(); ++b) {
+    for_each_field(state.bodies[b], [&](const std::string& name, Buffer<T>& values) {
+      archive.put(fmt::format("body/{}/{}", b, name),
+                  std::span<const T>(values.get(), state.bodies[b].layout.slots()));
+    });
+  }
+}
+
+template <class T, int D>
+void get_solver(const ArchiveReader& archive, total_lagrangian::Solver<T, D>& solver) {
+  total_lagrangian::State<T, D>& state = solver.state();
+  state.clock.step = archive.scalar<std::int64_t>("clock/step");
+  for_each_clock_value(
+      solver, [&](const char* name, double& value) { value = archive.scalar<double>(name); });
+  const auto offsets = archive.get<double>("walls/offset");
+  for (std::size_t w = 0; w < state.boundaries.walls.size(); ++w) {
+    Point<D> offset;
+    for (int a = 0; a < D; ++a) offset[a] = offsets.at(D * w + a);
+    state.boundaries.walls[w].restore(offset);
+  }
+  for (std::size_t b = 0; b < state.bodies.size(); ++b) {
+    for_each_field(state.bodies[b], [&](const std::string& name, Buffer<T>& values) {
+      archive.read(fmt::format("body/{}/{}", b, name),
+                   std::span<T>(values.get(), state.bodies[b].layout.slots()));
+    });
+  }
+}
+
+template Frame take_frame<double, 2>(total_lagrangian::Solver<double, 2>&, bool);
+template Frame take_frame<double, 3>(total_lagrangian::Solver<double, 3>&, bool);
+template void put_solver<double, 2>(ArchiveWriter&, total_lagrangian::Solver<double, 2>&);
+template void put_solver<double, 3>(ArchiveWriter&, total_lagrangian::Solver<double, 3>&);
+template void get_solver<double, 2>(const ArchiveReader&, total_lagrangian::Solver<double, 2>&);
+template void get_solver<double, 3>(const ArchiveReader&, total_lagrangian::Solver<double, 3>&);
+
+}  // namespace pliant

@@ -1,0 +1,67 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "engine/total_lagrangian/state.hpp"
+#include "kernels/table.hpp"
+#include "scheduler/phase.hpp"
+
+namespace pliant::total_lagrangian {
+
+/// What a step found out about the state that it left behind.
+struct StepResult {
+  double wave_speed = 0;         ///< of (TL.9) [m/s]; 0 unless the step examined it
+  double frequency2 = 0;         ///< omega^2 of (TL.10), without scaling of the mass [1/s^2]
+  std::int64_t non_finite = -1;  ///< a slot, or -1
+  int failed_block = -1;         ///< that the slot belongs to
+};
+
+/// The phases of one time step: the method in the order of its equations.
+template <class T, int D>
+class Step {
+ public:
+  Step(State<T, D>& state, const Case& settings, const kernels::Table<T, D>& kernels);
+
+  std::vector<scheduler::Phase> phases();
+
+  /// What phases read and write, by name.
+  static std::vector<std::string> resources();
+
+  /// Sets the length of the next step, and the loads at its time.
+  void prepare(double time_step, bool examine);
+
+  /// Folds the results of all blocks, in their order.
+  StepResult fold() const;
+
+ private:
+  void push_patches(int block);
+  void push_particles(int block);
+  void evaluate_stress(int block);
+  void move(int block);
+  void hold(Body<T, D>& body, int local);
+
+  struct Owned {
+    Body<T, D>& body;
+    int local;
+  };
+  Owned owner(int block) {
+    const BlockOwner& owner = state_.blocks[block];
+    return {state_.bodies[owner.body], owner.block};
+  }
+
+  State<T, D>& state_;
+  const Case& settings_;
+  const kernels::Table<T, D>& kernels_;
+  double time_step_ = 0;
+  bool examine_ = true;
+  std::vector<double> pressure_;                             ///< [pressure] [Pa]
+  std::vector<Point<D>> wall_velocity_;                      ///< [wall] [m/s]
+  std::vector<kernels::StressPointsResult> stress_results_;  ///< [block]
+  std::vector<kernels::MotionResult> motion_results_;        ///< [block]
+};
+
+extern template class Step<double, 2>;
+extern template class Step<double, 3>;
+
+}  // namespace pliant::total_lagrangian

@@ -1,0 +1,77 @@
+#include "engine/total_lagrangian/stress_point.hpp"
+
+#include <cmath>
+
+#include "kernels/energy.hpp"
+#include "kernels/law.hpp"
+
+namespace pliant::total_lagrangian {
+
+namespace {
+
+// [component][mode], (TL.2).
+template <class T, int D>
+std::array<std::array<double, (1 << D)>, D> modes(const Body<T, D>& body, const Cell<D>& cell) {
+  std::array<std::array<double, (1 << D)>, D> mode = {};
+  const auto corners = body.corners(cell);
+  for (int c = 0; c < (1 << D); ++c) {
+    for (int m = 0; m < (1 << D); ++m) {
+      int sign = 1;
+      for (int a = 0; a < D; ++a) {
+        if (m >> a & 1) sign *= c >> a & 1 ? 1 : -1;
+      }
+      for (int i = 0; i < D; ++i) mode[i][m] += sign * body.displacement[i][corners[c]];
+    }
+  }
+  return mode;
+}
+
+}  // namespace
+
+template <class T, int D>
+StressPoint<D> stress_point(const Body<T, D>& body, std::int64_t slot, const Cell<D>& cell,
+                            double hourglass) {
+  using Pack = xsimd::batch<double, xsimd::sse2>;
+  using Law = kernels::Law<kernels::Model::reduced_polynomial, Pack, D>;
+  const auto mode = modes<T, D>(body, cell);
+  const double h = body.lattice.spacing;
+  std::array<double, D * D> f;
+  Pack packed[D * D];
+  for (int i = 0; i < D; ++i) {
+    for (int j = 0; j < D; ++j) {
+      f[D * i + j] = (i == j ? 1 : 0) + mode[i][1 << j] * 2 / ((1 << D) * h);
+      packed[D * i + j] = Pack(f[D * i + j]);
+    }
+  }
+  StressPoint<D> point;
+  Pack sigma[Law::symmetric];
+  Law::stress(body.material, packed, Pack(1.0), sigma);
+  for (int c = 0; c < Law::symmetric; ++c) point.stress[c] = sigma[c].get(0);
+  point.pressure = Law::pressure(body.material, packed, Pack(1.0)).get(0);
+  point.volume_ratio = kernels::determinant(packed).get(0);
+
+  Pack first, second;
+  kernels::energy_derivatives(body.material, kernels::isochoric_strain<Pack, D>(packed).excess,
+                              first, second);
+  double squares = 0;
+  for (int i = 0; i < D; ++i) {
+    for (int m = 1; m < (1 << D); ++m) {
+      if (m & (m - 1)) squares += mode[i][m] * mode[i][m];
+    }
+  }
+  const double volume = body.fraction[slot] * std::pow(h, D);
+  const double resistance =
+      hourglass * 2 * first.get(0) * volume * 8 / (3.0 * (1 << 2 * D) * h * h);
+  // The energy of (RP.41) is per current volume.
+  point.energy =
+      volume * point.volume_ratio * kernels::polynomial_energy<double, D>(body.material, f.data()) +
+      resistance * squares / 2;
+  return point;
+}
+
+template StressPoint<2> stress_point<double, 2>(const Body<double, 2>&, std::int64_t,
+                                                const Cell<2>&, double);
+template StressPoint<3> stress_point<double, 3>(const Body<double, 3>&, std::int64_t,
+                                                const Cell<3>&, double);
+
+}  // namespace pliant::total_lagrangian

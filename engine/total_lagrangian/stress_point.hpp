@@ -1,0 +1,23 @@
+#pragma once
+
+#include <array>
+
+#include "engine/total_lagrangian/body.hpp"
+
+namespace pliant::total_lagrangian {
+
+/// One stress point in plain numbers, for measurements and output.
+template <int D>
+struct StressPoint {
+  double volume_ratio = 1;                                           ///< J
+  double pressure = 0;                                               ///< [Pa]
+  std::array<double, kernels::symmetric_components<D>> stress = {};  ///< sigma [Pa]
+  double energy = 0;  ///< strain and hourglass energy of the cell [J]
+};
+
+/// The stress point above `slot`, whose cell the body must fill in part; (TL.2)-(TL.6).
+template <class T, int D>
+StressPoint<D> stress_point(const Body<T, D>& body, std::int64_t slot, const Cell<D>& cell,
+                            double hourglass);
+
+}  // namespace pliant::total_lagrangian
