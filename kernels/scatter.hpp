@@ -37,6 +37,7 @@ inline void prepare_scatter(const Scatter<Scalar<P>, D>& block, std::int64_t slo
   put(Field::mass, m);
   put(Field::volume, v);
   put(Field::level_set, load<P>(block.level_set + slot));
+#pragma GCC unroll 3
   for (int i = 0; i < D; ++i) {
     const P xi = load<P>(block.state.displacement[i] + slot);
     put(Field::momentum + i, m * load<P>(block.state.velocity[i] + slot));
@@ -64,6 +65,7 @@ inline void add_to_nodes(const ScatterColumns<Scalar<P>, D>& columns, int l,
   using T = Scalar<P>;
   constexpr int registers = node_width<D> / lanes<P>;
   P record[registers];
+#pragma GCC unroll 8
   for (int r = 0; r < registers; ++r) {
     record[r] = P::load_aligned(&columns.record[l][r * lanes<P>]);
   }
@@ -77,6 +79,7 @@ inline void add_to_nodes(const ScatterColumns<Scalar<P>, D>& columns, int l,
       }
       for (int x = 0; x < 4; ++x, row += node_width<D>) {
         const P weight(factor * columns.weight[0][x][l]);
+#pragma GCC unroll 8
         for (int r = 0; r < registers; ++r) {
           T* sum = row + r * lanes<P>;
           fused(weight, record[r], load<P>(sum)).store_unaligned(sum);
@@ -97,6 +100,7 @@ void scatter(const Scatter<Scalar<P>, D>& block) {
   }
   std::int64_t stride[D];
   stride[0] = node_width<D>;
+#pragma GCC unroll 3
   for (int i = 1; i < D; ++i) stride[i] = stride[i - 1] * block.extent[i - 1];
   for (int s = 0; s < block.segment_count; ++s) {
     const Segment<D>& segment = block.segments[s];
@@ -111,6 +115,7 @@ void scatter(const Scatter<Scalar<P>, D>& block) {
       for (int l = 0; l < pack; ++l) {
         bool inside = scatters<P>(kind[l]);
         std::int64_t node = 0;
+#pragma GCC unroll 3
         for (int i = 0; i < D; ++i) {
           const std::int32_t along_row = i == 0 ? begin + l : 0;
           const std::int32_t first = segment.cell[i] + along_row + block.shift[i] - block.lower[i] +

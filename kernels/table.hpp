@@ -38,8 +38,9 @@ struct NeighbourLists {
 /// stress, rates, update, and the stress of the new state.
 ///
 /// Reads displacement, velocity and stress of `current` also in neighbouring blocks. Writes `next`
-/// and `next_stress` in every slot of the block; slots that are not interior get zero rates but for
-/// the displacement, which follows their velocity. In stage 3 (the last) `next` may be `start`.
+/// and `next_stress` in packs with interior particles; their other slots get zero rates but for the
+/// displacement, which follows their velocity. In packs of ghosts the displacement alone is
+/// written, in vacant ones nothing. In stage 3 (the last) `next` may be `start`.
 template <class T, int D>
 struct Stage {
   const Segment<D>* segments;

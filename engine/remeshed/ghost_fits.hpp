@@ -24,6 +24,11 @@ std::int64_t classify(const Body<T, D>& body, Population<T, D>& population, Fiel
 template <class T, int D>
 void find_pack_states(Population<T, D>& population, const kernels::Segment<D>& segment);
 
+/// Puts at rest what the stages leave alone of their copies of the state: packs without interior
+/// particles. Ghosts among them get their velocity and stress in every stage.
+template <class T, int D>
+void rest_without_particles(Body<T, D>& body, int block);
+
 /// Finds the ghosts of a block and the coefficients of their fits, (RP.32), (RP.33), (RP.38), and
 /// marks the particles that they read in `used`.
 template <class T, int D>

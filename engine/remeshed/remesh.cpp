@@ -145,7 +145,7 @@ void Remeshing<T, D>::prepare_spare() {
   const std::int64_t slots = to.layout.slots();
   const std::size_t blocks = to.layout.blocks().size();
   to.kind.grow(slots, Kind::vacant);
-  to.pack_state.grow(slots / Layout<D>::pack + 1, PackState::none);
+  to.pack_state.grow(slots / Layout<D>::pack + 1, PackState::vacant);
   to.interior.grow(slots, T(0));
   to.ghosts.resize(blocks);
   to.images.resize(blocks);
@@ -293,10 +293,11 @@ void Remeshing<T, D>::lay_out_again(const std::vector<std::int32_t>& occupancy) 
 
 template <class T, int D>
 void Remeshing<T, D>::adopt_restored() {
+  grow_stages();
   for (std::size_t b = 0; b < body_.population.images.size(); ++b) {
     list_images(body_.population, static_cast<int>(b));
+    rest_without_particles<T, D>(body_, static_cast<int>(b));
   }
-  grow_stages();
 }
 
 template class Remeshing<double, 2>;

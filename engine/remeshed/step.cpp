@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "engine/remeshed/contact.hpp"
+#include "engine/remeshed/ghost_fits.hpp"
 #include "engine/remeshed/resources.hpp"
 
 // A step of the remeshed Lagrangian particle method (H&K, sections 2 and 4).
@@ -304,6 +305,7 @@ void Step<T, D>::evaluate_stress(int block) {
   work.mass = body.stage[0].get(Field::mass);
   work.state = body.stage[0].template evolving<const T>();
   work.stress = body.stress_view(0);
+  rest_without_particles(body, local);
   results_[block] = kernels_.evaluate_stress(work);
 }
 
