@@ -125,7 +125,21 @@ class GhostFitter {
     }
     Cell<D> cell = lower;
     const auto scan_row = [&] {
-      for (cell[0] = lower[0]; cell[0] <= upper[0]; ++cell[0]) consider(cell, centre, radius, wall);
+      double square = radius * radius;
+      for (int a = 1; a < D; ++a) square -= (cell[a] - centre[a]) * (cell[a] - centre[a]);
+      if (square <= 0) return;
+      const double chord = std::sqrt(square);
+      cell[0] = static_cast<std::int32_t>(std::ceil(centre[0] - chord));
+      const auto last = static_cast<std::int32_t>(std::floor(centre[0] + chord));
+      // One look-up serves a row that lies in one run.
+      std::int64_t slot = body_.lattice.period == Cell<D>{}
+                              ? population_.layout.slot(cell, last + 1 - cell[0])
+                              : -1;
+      const bool in_one_run = slot >= 0;
+      for (; cell[0] <= last; ++cell[0], ++slot) {
+        if (!in_one_run) slot = population_.layout.slot(body_.lattice.wrapped(cell));
+        if (slot >= 0) consider(slot, cell, centre, radius, wall);
+      }
     };
     if constexpr (D == 2) {
       for (cell[1] = lower[1]; cell[1] <= upper[1]; ++cell[1]) scan_row();
@@ -136,13 +150,13 @@ class GhostFitter {
     }
   }
 
-  void consider(const Cell<D>& cell, const Point<D>& centre, double radius, const Wall<D>* wall) {
+  void consider(std::int64_t q, const Cell<D>& cell, const Point<D>& centre, double radius,
+                const Wall<D>* wall) {
+    if (population_.kind[q] != Kind::interior) return;
     Position<D> r;
     for (int a = 0; a < D; ++a) r[a] = cell[a] - centre[a];
     const double fraction = r.squaredNorm() / (radius * radius);
     if (fraction >= 1) return;
-    const std::int64_t q = population_.layout.slot(body_.lattice.wrapped(cell));
-    if (q < 0 || population_.kind[q] != Kind::interior) return;
     const double distance = wall ? wall->distance(body_.lattice.node(cell)) : surface_distance(q);
     particles_.push_back({static_cast<std::int32_t>(q), (1 - fraction) * (1 - fraction),
                           distance / body_.lattice.spacing, r});
