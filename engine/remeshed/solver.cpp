@@ -37,6 +37,9 @@ kernels::Material<T> converted(const kernels::Material<double>& m) {
   return material;
 }
 
+// Cells by which blocks may come nearer to each other before a graph has to be built again.
+constexpr int graph_slack = 4;
+
 // Shares of a period or of a spacing that rounding may leave between two times.
 constexpr double rounding = 1e-9;
 
@@ -224,7 +227,8 @@ scheduler::Blocks Solver<T, D>::blocks(bool spare) const {
   scheduler::Blocks blocks;
   for (const Body<T, D>& body : state_.bodies) {
     const int first = blocks.count();
-    for (const auto& near : (spare ? body.spare : body.population).layout.neighbours()) {
+    const Layout<D>& layout = (spare ? body.spare : body.population).layout;
+    for (const auto& near : layout.neighbours_and(graph_slack)) {
       blocks.neighbours.emplace_back(near);
       for (int& b : blocks.neighbours.back()) b += first;
     }
