@@ -8,11 +8,26 @@
 /// which only see what the lattice does not resolve.
 namespace pliant::kernels {
 
+/// Whether all slots of the pack of `slot` and the two slots before and behind each along a line
+/// are interior; never wrongly so.
+template <class P>
+inline bool line_is_interior(const PackState* pack_state, std::int64_t slot, int axis,
+                             const LineOffsets& line) {
+  constexpr int pack = slots_per_pack<Scalar<P>>;
+  const std::int64_t own = slot / pack;
+  bool is_interior = pack_state[own] == PackState::all;
+  for (int k = 0; k < 4; ++k) {
+    const std::int64_t other = axis == 0 ? own + (k < 2 ? -1 : 1) : (slot + line.away[k]) / pack;
+    is_interior = is_interior && pack_state[other] == PackState::all;
+  }
+  return is_interior;
+}
+
 /// Sums over the directions of delta^4 of the sweep's fields in a chunk, field by field, between
 /// interior particles.
 template <class P, int D, int F>
 void fourth_differences(const SweepFields<Scalar<P>, D, F>& fields, const Segment<D>& segment,
-                        const Scalar<P>* interior, const Chunk& chunk,
+                        const PackState* pack_state, const Scalar<P>* interior, const Chunk& chunk,
                         Scalar<P> (&result)[F][chunk_slots]) {
   LineOffsets line[D];
   for (int axis = 0; axis < D; ++axis) {
@@ -21,6 +36,15 @@ void fourth_differences(const SweepFields<Scalar<P>, D, F>& fields, const Segmen
   for (int at = 0; at < chunk.count; at += lanes<P>) {
     const std::int64_t slot = chunk.first + at;
     for (int axis = 0; axis < D; ++axis) {
+      if (line_is_interior<P>(pack_state, slot, axis, line[axis])) {
+#pragma GCC unroll 9
+        for (int f = 0; f < F; ++f) {
+          const P sum = axis == 0 ? P(Scalar<P>(0)) : P::load_aligned(&result[f][at]);
+          (sum + fourth_difference_inside<P>(fields.field[f] + slot, line[axis]))
+              .store_aligned(&result[f][at]);
+        }
+        continue;
+      }
       const Fluxes<P> fluxes = fluxes_between<P>(interior + slot, line[axis]);
 #pragma GCC unroll 9
       for (int f = 0; f < F; ++f) {

@@ -180,7 +180,7 @@ void stage_gradients(const Stage<Scalar<P>, D>& stage, const Segment<D>& segment
   alignas(64) T fourth[fields_swept][chunk_slots];
   const bool dissipates = stage.dissipation != 0;
   if (dissipates) {
-    fourth_differences<P>(fields, segment, stage.interior, chunk, fourth);
+    fourth_differences<P>(fields, segment, stage.pack_state, stage.interior, chunk, fourth);
   }
   for (int at = 0; at < chunk.count; at += lanes<P>) {
     const std::int64_t slot = chunk.first + at;
