@@ -36,6 +36,10 @@ void fit_ghosts(const Body<T, D>& body, Population<T, D>& population, const Fiel
                 int block, const LevelSet<T, D>& level_set, const Boundaries<D>& boundaries,
                 GhostTreatment treatment, std::int32_t* used);
 
+/// Marks the ghosts of a block that some particle's stencil reaches, and all of walls.
+template <class T, int D>
+void mark_reached(Population<T, D>& population, int block, int reach);
+
 /// Lists the packs of a block with particles that some fit uses.
 template <class T, int D>
 void list_surface_particles(Population<T, D>& population, int block, const std::int32_t* used);

@@ -41,6 +41,7 @@ Remeshing<T, D>::Remeshing(const Case& settings, Body<T, D>& body, const Boundar
       kernels_(kernels),
       workers_(workers),
       treatment_(settings.ghosts),
+      stencil_reach_(kernels::stencil_reach(settings.discretisation.weight)),
       filter_strength_(settings.remeshing.filter),
       extensive_(settings.remeshing.extensive),
       tiles_(workers.threads()) {}
@@ -247,6 +248,7 @@ template <class T, int D>
 void Remeshing<T, D>::fit_block(int block) {
   fit_ghosts<T, D>(body_, body_.spare, body_.stage[1], block, level_set_, boundaries_, treatment_,
                    body_.record_of_slot.get());
+  mark_reached<T, D>(body_.spare, block, stencil_reach_);
 }
 
 template <class T, int D>
@@ -297,6 +299,7 @@ void Remeshing<T, D>::adopt_restored() {
   for (std::size_t b = 0; b < body_.population.images.size(); ++b) {
     list_images(body_.population, static_cast<int>(b));
     rest_without_particles<T, D>(body_, static_cast<int>(b));
+    mark_reached<T, D>(body_.population, static_cast<int>(b), stencil_reach_);
   }
 }
 

@@ -75,6 +75,7 @@ class Remeshing {
   const kernels::Table<T, D>& kernels_;
   scheduler::Workers& workers_;
   GhostTreatment treatment_;
+  int stencil_reach_;
   double filter_strength_;
   bool extensive_;
   bool has_surface_ = true;
