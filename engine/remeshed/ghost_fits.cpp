@@ -16,6 +16,12 @@ constexpr double mean_radius = 2.5;  // [h], of (RP.38)
 constexpr double widening = 1.3;
 constexpr int most_widenings = 5;
 
+// Pairs of ghosts and particles are many: their lists grow by an eighth, not to the double.
+template <class V>
+void make_room(std::vector<V>& list, std::size_t size) {
+  if (size > list.capacity()) list.reserve(size + size / 8);
+}
+
 template <class T, int D>
 class GhostFitter {
  public:
@@ -226,6 +232,11 @@ class GhostFitter {
   void keep() {
     ghosts_.constrained_sum.push_back(static_cast<T>(std::accumulate(b_.begin(), b_.end(), 0.)));
     ghosts_.surface_sum.push_back(static_cast<T>(std::accumulate(a_.begin(), a_.end(), 0.)));
+    const std::size_t pairs = ghosts_.neighbour.size() + particles_.size();
+    make_room(ghosts_.neighbour, pairs);
+    for (auto* fit : {&ghosts_.linear, &ghosts_.constrained, &ghosts_.surface}) {
+      make_room(*fit, pairs);
+    }
     for (std::size_t k = 0; k < particles_.size(); ++k) {
       ghosts_.neighbour.push_back(particles_[k].slot);
       ghosts_.linear.push_back(static_cast<T>(c_[k]));
@@ -289,6 +300,7 @@ void fit_ghosts(const Body<T, D>& body, Population<T, D>& population, const Fiel
                                     if (kind == Kind::free_ghost || kind == Kind::wall_ghost)
                                       fitter.add(p, cell);
                                   });
+  make_room(ghosts.record, ghosts.neighbour.size());
   ghosts.record.resize(ghosts.neighbour.size());
   ghosts.sums.grow(ghosts.slot.size() * 3 * kernels::record_width<D>, T(0));
 }

@@ -148,7 +148,6 @@ void Remeshing<T, D>::prepare_spare() {
   to.kind.grow(slots, Kind::vacant);
   to.pack_state.grow(slots / Layout<D>::pack + 1, PackState::vacant);
   to.interior.grow(slots, T(0));
-  to.ghosts.resize(blocks);
   to.images.resize(blocks);
   particles_.assign(blocks, 0);
   body_.stage[1].grow(slots);
@@ -227,6 +226,16 @@ void Remeshing<T, D>::arrival_phases(std::vector<scheduler::Phase>& phases, int 
 }
 
 template <class T, int D>
+void Remeshing<T, D>::prepare_arrival(bool reinitialise, bool is_final) {
+  reinitialise_ = reinitialise;
+  is_final_ = is_final;
+  if (!is_final) return;
+  const std::size_t blocks = body_.spare.layout.blocks().size();
+  body_.spare.ghosts.swap(body_.population.ghosts);
+  body_.spare.ghosts.resize(blocks);
+}
+
+template <class T, int D>
 void Remeshing<T, D>::extend_level_set(int block) {
   level_set_.extend_through_walls(body_.spare.layout.blocks()[block], boundaries_, valid_.get());
 }
@@ -246,6 +255,7 @@ void Remeshing<T, D>::find_kinds(int block) {
 
 template <class T, int D>
 void Remeshing<T, D>::fit_block(int block) {
+  if (!is_final_) return;
   fit_ghosts<T, D>(body_, body_.spare, body_.stage[1], block, level_set_, boundaries_, treatment_,
                    body_.record_of_slot.get());
   mark_reached<T, D>(body_.spare, block, stencil_reach_);
@@ -253,16 +263,19 @@ void Remeshing<T, D>::fit_block(int block) {
 
 template <class T, int D>
 void Remeshing<T, D>::list_surface(int block) {
+  if (!is_final_) return;
   list_surface_particles<T, D>(body_.spare, block, body_.record_of_slot.get());
 }
 
 template <class T, int D>
 void Remeshing<T, D>::number_all() {
+  if (!is_final_) return;
   number_records<T, D>(body_.spare, body_.record_of_slot.get());
 }
 
 template <class T, int D>
 void Remeshing<T, D>::resolve_block(int block) {
+  if (!is_final_) return;
   resolve_records<T, D>(body_.spare, block, body_.record_of_slot.get());
 }
 
@@ -289,6 +302,7 @@ template <class T, int D>
 void Remeshing<T, D>::lay_out_again(const std::vector<std::int32_t>& occupancy) {
   occupancy_.restore(occupancy);
   prepare_spare();
+  prepare_arrival(false, true);
   std::swap(body_.population, body_.spare);
   grow_stages();
 }

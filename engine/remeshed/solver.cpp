@@ -71,6 +71,7 @@ Solver<T, D>::Solver(const Case& settings, int threads, kernels::Isa isa)
   std::vector<scheduler::Phase> phases;
   int first = 0;
   for (auto& remeshing : remeshings_) {
+    remeshing->prepare_arrival(false, true);
     remeshing->arrival_phases(phases, first, false);
     first += static_cast<int>(
         state_.bodies[&remeshing - remeshings_.data()].spare.layout.blocks().size());
@@ -116,7 +117,7 @@ void Solver<T, D>::step(double longest) {
   if (remeshing_due()) {
     const bool reinitialise =
         clock.steps_since_reinitialisation >= settings_.level_set.reinitialise_every;
-    remesh_onto_spare(reinitialise);
+    remesh_onto_spare(reinitialise, true);
     if (reinitialise) clock.steps_since_reinitialisation = 0;
     ++clock.remeshings;
     clock.steps_since_remeshing = 0;
@@ -142,7 +143,7 @@ bool Solver<T, D>::remeshing_due() const {
 }
 
 template <class T, int D>
-void Solver<T, D>::remesh_onto_spare(bool reinitialise) {
+void Solver<T, D>::remesh_onto_spare(bool reinitialise, bool is_final) {
   step_.prepare(0);
   const auto each_body = [&](bool spare, auto add) {
     std::vector<scheduler::Phase> phases;
@@ -163,7 +164,7 @@ void Solver<T, D>::remesh_onto_spare(bool reinitialise) {
     }
     return phases;
   }));
-  for (auto& remeshing : remeshings_) remeshing->set_reinitialise(reinitialise);
+  for (auto& remeshing : remeshings_) remeshing->prepare_arrival(reinitialise, is_final);
   run(graph_for(arrival_graph_, true, [&] {
     return each_body(true, [](auto& list, auto& remeshing, int first) {
       remeshing.arrival_phases(list, first, true);
@@ -317,7 +318,7 @@ std::int64_t Solver<T, D>::particles() const {
 template <class T, int D>
 std::vector<LatticeView<T, D>> Solver<T, D>::on_nodes() {
   const bool fresh = state_.clock.steps_since_remeshing == 0;
-  if (!fresh) remesh_onto_spare(false);
+  if (!fresh) remesh_onto_spare(false, false);
   std::vector<LatticeView<T, D>> views;
   for (const Body<T, D>& body : state_.bodies) {
     views.push_back({body, fresh ? body.population : body.spare, body.stage[fresh ? 0 : 1]});
