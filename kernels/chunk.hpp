@@ -44,6 +44,7 @@ inline void store_stress(const Material<Scalar<P>>& material,
                          Scalar<P>* const (&stress)[symmetric_components<D>]) {
   P sigma[symmetric_components<D>];
   Law<model, P, D>::stress(material, carried, density, sigma);
+#pragma GCC unroll 6
   for (int c = 0; c < symmetric_components<D>; ++c) {
     if (state != PackState::all) {
       sigma[c] = xsimd::select(interior_lanes<P>(interior, slot) || finite_lanes(sigma[c]),

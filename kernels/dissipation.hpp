@@ -8,8 +8,23 @@
 /// which only see what the lattice does not resolve.
 namespace pliant::kernels {
 
+/// Whether all slots of the pack of `slot` and the two slots before and behind each along a line
+/// are interior; never wrongly so.
+template <class P>
+inline bool line_is_interior(const PackState* pack_state, std::int64_t slot, int axis,
+                             const LineOffsets& line) {
+  constexpr int pack = slots_per_pack<Scalar<P>>;
+  const std::int64_t own = slot / pack;
+  bool is_interior = pack_state[own] == PackState::all;
+  for (int k = 0; k < 4; ++k) {
+    const std::int64_t other = axis == 0 ? own + (k < 2 ? -1 : 1) : (slot + line.away[k]) / pack;
+    is_interior = is_interior && pack_state[other] == PackState::all;
+  }
+  return is_interior;
+}
+
 /// Sums over the directions of delta^4 of the sweep's fields in a chunk, field by field, between
-/// interior particles. Packs without any, whose neighbours may not be loaded, keep what they hold.
+/// interior particles.
 template <class P, int D, int F>
 void fourth_differences(const SweepFields<Scalar<P>, D, F>& fields, const Segment<D>& segment,
                         const PackState* pack_state, const Scalar<P>* interior, const Chunk& chunk,
@@ -20,9 +35,18 @@ void fourth_differences(const SweepFields<Scalar<P>, D, F>& fields, const Segmen
   }
   for (int at = 0; at < chunk.count; at += lanes<P>) {
     const std::int64_t slot = chunk.first + at;
-    if (pack_state[slot / slots_per_pack<Scalar<P>>] == PackState::none) continue;
     for (int axis = 0; axis < D; ++axis) {
+      if (line_is_interior<P>(pack_state, slot, axis, line[axis])) {
+#pragma GCC unroll 9
+        for (int f = 0; f < F; ++f) {
+          const P sum = axis == 0 ? P(Scalar<P>(0)) : P::load_aligned(&result[f][at]);
+          (sum + fourth_difference_inside<P>(fields.field[f] + slot, line[axis]))
+              .store_aligned(&result[f][at]);
+        }
+        continue;
+      }
       const Fluxes<P> fluxes = fluxes_between<P>(interior + slot, line[axis]);
+#pragma GCC unroll 9
       for (int f = 0; f < F; ++f) {
         const P sum = axis == 0 ? P(Scalar<P>(0)) : P::load_aligned(&result[f][at]);
         (sum + fourth_difference<P>(fields.field[f] + slot, line[axis], fluxes))
@@ -43,11 +67,14 @@ inline void relaxing_strain_rate(const Material<Scalar<P>>& material, Scalar<P> 
   const T shear = material.shear_modulus;
   const T lame = material.bulk_modulus - shear * T(2) / T(3);
   P trace = difference[0];
+#pragma GCC unroll 3
   for (int i = 1; i < D; ++i) trace = trace + difference[symmetric_index<D>(i, i)];
   const P mean = trace * P(T(1) / T(D));
   const P volumetric = mean * P(-kappa / (T(D) * lame + 2 * shear));
   const P scale(material.model == Model::reduced_polynomial ? T(0) : -kappa / (2 * shear));
+#pragma GCC unroll 3
   for (int i = 0; i < D; ++i) {
+#pragma GCC unroll 3
     for (int j = i; j < D; ++j) {
       const P& d = difference[symmetric_index<D>(i, j)];
       strain_rate[symmetric_index<D>(i, j)] =

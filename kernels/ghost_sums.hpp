@@ -16,11 +16,13 @@ void sum_ghosts(const GhostSums<Scalar<P>, D>& ghosts) {
   constexpr int registers = width / lanes<P>;
   for (std::int64_t g = 0; g < ghosts.count; ++g) {
     P linear[registers], constrained[registers], surface[registers];
+#pragma GCC unroll 8
     for (int r = 0; r < registers; ++r) linear[r] = constrained[r] = surface[r] = P(T(0));
     const std::int64_t end = ghosts.begin[ghosts.first + g + 1];
     for (std::int64_t i = ghosts.begin[ghosts.first + g]; i < end; ++i) {
       const T* record = ghosts.records + static_cast<std::int64_t>(ghosts.record[i]) * width;
       const P c(ghosts.linear[i]), b(ghosts.constrained[i]), a(ghosts.surface[i]);
+#pragma GCC unroll 8
       for (int r = 0; r < registers; ++r) {
         const P value = load<P>(record + r * lanes<P>);
         linear[r] = fused(c, value, linear[r]);
@@ -29,6 +31,7 @@ void sum_ghosts(const GhostSums<Scalar<P>, D>& ghosts) {
       }
     }
     T* sums = ghosts.sums + g * 3 * width;
+#pragma GCC unroll 8
     for (int r = 0; r < registers; ++r) {
       linear[r].store_unaligned(sums + r * lanes<P>);
       constrained[r].store_unaligned(sums + width + r * lanes<P>);

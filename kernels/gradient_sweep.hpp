@@ -11,8 +11,12 @@
 ///     A += omega d d^T          H_f += omega d (f_q - f_p)          (grad f = A^-1 H_f at the end)
 ///
 /// In 2D with velocity and stress that makes 13 accumulators, which AVX-512 keeps in registers. In
-/// 3D it would make 33, so that velocity and stress are swept one after the other, A with the
-/// former. Positions enter as displacements xi from the slots: d = (xi_q + offset h) - xi_p, so
+/// 3D it would make 33; there the divergence of the stress is summed after A is known and inverted,
+///
+///     div sigma_i = sum_q (sigma_q - sigma_p)_ij (A^-1 omega d)_j
+///
+/// in three accumulators, from the omega d that the first sweep has left in the first cache.
+/// Positions enter as displacements xi from the slots: d = (xi_q + offset h) - xi_p, so
 /// that the result does not depend on where the body is.
 namespace pliant::kernels {
 
@@ -26,7 +30,9 @@ struct MomentSums {
   }
 
   [[gnu::always_inline]] void add(const P (&weighted)[D], const P (&d)[D]) {
+#pragma GCC unroll 3
     for (int i = 0; i < D; ++i) {
+#pragma GCC unroll 3
       for (int j = i; j < D; ++j) {
         P& a = moment[symmetric_index<D>(i, j)];
         a = fused(weighted[i], d[j], a);
@@ -48,7 +54,9 @@ struct SlopeSums {
 
   [[gnu::always_inline]] void add(const P (&weighted)[D], const P (&)[D],
                                   const P (&difference)[F]) {
+#pragma GCC unroll 9
     for (int f = 0; f < F; ++f) {
+#pragma GCC unroll 3
       for (int i = 0; i < D; ++i) slope[f][i] = fused(weighted[i], difference[f], slope[f][i]);
     }
   }
@@ -73,6 +81,7 @@ inline void solve(const P (&inverse)[symmetric_components<D>], const SlopeSums<P
 #pragma GCC unroll 3
     for (int i = 0; i < D; ++i) {
       P value = inverse[symmetric_index<D>(i, 0)] * sums.slope[f][0];
+#pragma GCC unroll 3
       for (int j = 1; j < D; ++j) {
         value = fused(inverse[symmetric_index<D>(i, j)], sums.slope[f][j], value);
       }
@@ -96,39 +105,67 @@ struct SweepFields {
   const T* field[F];
 };
 
-/// A pack of particles p about to meet its neighbours.
-template <Weight weight, class P, int D, int F>
-class PairSweep {
+/// Where the neighbours of a pack of particles p are, and what they weigh.
+template <Weight weight, class P, int D>
+class Separation {
   using T = Scalar<P>;
 
  public:
-  PairSweep(const SweepFields<T, D, F>& fields, std::int64_t slot, T spacing)
-      : fields_(fields), weight_(spacing), spacing_(spacing) {
-    for (int i = 0; i < D; ++i) position_[i] = load<P>(fields.displacement[i] + slot);
-    for (int f = 0; f < F; ++f) value_[f] = load<P>(fields.field[f] + slot);
+  Separation(const T* const (&displacement)[D], std::int64_t slot, T spacing)
+      : weight_(spacing), spacing_(spacing) {
+#pragma GCC unroll 3
+    for (int i = 0; i < D; ++i) {
+      displacement_[i] = displacement[i];
+      position_[i] = load<P>(displacement[i] + slot);
+    }
   }
 
-  /// Adds neighbours whose slots lie `offset` cells away; `neighbour(field)` loads them.
-  template <class Load, class Sums>
-  [[gnu::always_inline]] void meet(const P (&offset)[D], const Load& neighbour, Sums& sums) const {
-    P d[D], difference[F];
+  /// d and omega d of neighbours whose slots lie `offset` cells away; `neighbour(field)` loads
+  /// them.
+  template <class Load>
+  [[gnu::always_inline]] void operator()(const P (&offset)[D], const Load& neighbour, P (&d)[D],
+                                         P (&weighted)[D]) const {
+#pragma GCC unroll 3
     for (int i = 0; i < D; ++i) {
-      d[i] = neighbour(fields_.displacement[i]) - fused_minus(offset[i], spacing_, position_[i]);
+      d[i] = neighbour(displacement_[i]) - fused_minus(offset[i], P(spacing_), position_[i]);
     }
-    for (int f = 0; f < F; ++f) difference[f] = neighbour(fields_.field[f]) - value_[f];
     P distance2 = d[0] * d[0];
+#pragma GCC unroll 3
     for (int i = 1; i < D; ++i) distance2 = fused(d[i], d[i], distance2);
     const P omega = weight_(distance2);
-    P weighted[D];
+#pragma GCC unroll 3
     for (int i = 0; i < D; ++i) weighted[i] = omega * d[i];
-    sums.add(weighted, d, difference);
   }
 
  private:
-  const SweepFields<T, D, F>& fields_;
   PairWeight<weight, P> weight_;
-  P spacing_;
+  T spacing_;
+  const T* displacement_[D];
   P position_[D];
+};
+
+/// What some fields of a neighbour differ from those of a pack of particles.
+template <class P, int F>
+class Differences {
+  using T = Scalar<P>;
+
+ public:
+  Differences(const T* const* field, std::int64_t slot) {
+#pragma GCC unroll 9
+    for (int f = 0; f < F; ++f) {
+      field_[f] = field[f];
+      value_[f] = load<P>(field[f] + slot);
+    }
+  }
+
+  template <class Load>
+  [[gnu::always_inline]] void operator()(const Load& neighbour, P (&difference)[F]) const {
+#pragma GCC unroll 9
+    for (int f = 0; f < F; ++f) difference[f] = neighbour(field_[f]) - value_[f];
+  }
+
+ private:
+  const T* field_[F];
   P value_[F];
 };
 
@@ -149,30 +186,61 @@ struct RowWidths {
   }
 };
 
-/// Sums over the lattice neighbours of the pack at `slot`.
-template <Weight weight, template <class, int, int> class Sums, class P, int D, int F>
-[[gnu::always_inline]] inline void sweep_stencil(const SweepFields<Scalar<P>, D, F>& fields,
-                                                 const std::int64_t* neighbour_row,
-                                                 std::int64_t slot, Scalar<P> spacing,
-                                                 Sums<P, D, F>& sums) {
+/// Pairs of the stencil at most.
+template <Weight weight, int D>
+inline constexpr int stencil_bound = power(2 * stencil_reach(weight) + 1, D) - 1;
+
+/// Calls `visit(offset, load)` for the neighbours in a row, `width` to each side.
+template <int width, bool centre, class P, int D, class Visit>
+[[gnu::always_inline]] inline void visit_row(int dy, int dz, std::int64_t row, const Visit& visit) {
   using T = Scalar<P>;
+#pragma GCC unroll 5
+  for (int dx = -width; dx <= width; ++dx) {
+    if (centre && dx == 0) continue;
+    const T cells[3] = {T(dx), T(dy), T(dz)};
+    P offset[D];
+#pragma GCC unroll 3
+    for (int i = 0; i < D; ++i) offset[i] = P(cells[i]);
+    visit(offset, [&](const T* field) { return load<P>(field + row + dx); });
+  }
+}
+
+/// The same for all rows. Rows of the plane are known when this is compiled; those of space would
+/// not fit the instruction cache, so that only their widths are.
+template <Weight weight, class P, int D, class Visit>
+[[gnu::always_inline]] inline void visit_stencil(const std::int64_t* neighbour_row,
+                                                 std::int64_t slot, const Visit& visit) {
   constexpr int reach = stencil_reach(weight);
-  constexpr int depth = D == 3 ? reach : 0;
+  static_assert(reach <= 2);
   static constexpr RowWidths<typename P::arch_type, reach> widths;
-  const PairSweep<weight, P, D, F> sweep(fields, slot, spacing);
-  for (int dz = -depth; dz <= depth; ++dz) {
+  if constexpr (D == 2) {
 #pragma GCC unroll 5
     for (int dy = -reach; dy <= reach; ++dy) {
-      const std::int64_t row = slot + neighbour_row[row_index<D>(dy, dz)];
-      const int width = widths.width[dz < 0 ? -dz : dz][dy < 0 ? -dy : dy];
-#pragma GCC unroll 5
-      for (int dx = -reach; dx <= reach; ++dx) {
-        if ((dx == 0 && dy == 0 && dz == 0) || dx < -width || dx > width) continue;
-        const T cells[3] = {T(dx), T(dy), T(dz)};
-        P offset[D];
-        for (int i = 0; i < D; ++i) offset[i] = P(cells[i]);
-        sweep.meet(
-            offset, [&](const T* field) { return load<P>(field + row + dx); }, sums);
+      const std::int64_t row = slot + neighbour_row[row_index<D>(dy)];
+      if (dy == 0) {
+        visit_row<reach, true, P, D>(dy, 0, row, visit);
+      } else if (widths.width[0][dy < 0 ? -dy : dy] == 2) {
+        visit_row<2, false, P, D>(dy, 0, row, visit);
+      } else {
+        visit_row<1, false, P, D>(dy, 0, row, visit);
+      }
+    }
+  } else {
+    for (int dz = -reach; dz <= reach; ++dz) {
+      for (int dy = -reach; dy <= reach; ++dy) {
+        const std::int64_t row = slot + neighbour_row[row_index<D>(dy, dz)];
+        if (dy == 0 && dz == 0) {
+          visit_row<reach, true, P, D>(dy, dz, row, visit);
+          continue;
+        }
+        const int width = widths.width[dz < 0 ? -dz : dz][dy < 0 ? -dy : dy];
+        if (reach > 1 && width == 2) {
+          visit_row<2, false, P, D>(dy, dz, row, visit);
+        } else if (reach > 1 && width == 0) {
+          visit_row<0, false, P, D>(dy, dz, row, visit);
+        } else {
+          visit_row<1, false, P, D>(dy, dz, row, visit);
+        }
       }
     }
   }
@@ -188,24 +256,56 @@ template <class To, class From>
   return To::load_aligned(lane);
 }
 
-/// Sums over the listed neighbours of the register of particles at `slot`, which starts at lane
+/// The same for the listed neighbours of the register of particles at `slot`, which starts at lane
 /// `slot % slots_per_pack` of its pack.
-template <Weight weight, template <class, int, int> class Sums, class P, int D, int F>
-[[gnu::always_inline]] inline void sweep_list(const SweepFields<Scalar<P>, D, F>& fields,
-                                              const NeighbourLists<D>& lists, std::int64_t slot,
-                                              Scalar<P> spacing, Sums<P, D, F>& sums) {
+template <class P, int D, class Visit>
+[[gnu::always_inline]] inline void visit_list(const NeighbourLists<D>& lists, std::int64_t slot,
+                                              const Visit& visit) {
   using T = Scalar<P>;
   using Slots = xsimd::batch<xsimd::as_integer_t<T>, typename P::arch_type>;
   constexpr int pack = slots_per_pack<T>;
-  const PairSweep<weight, P, D, F> sweep(fields, slot, spacing);
   std::int64_t entry = lists.start[slot / pack] + slot % pack;
   for (std::int32_t k = 0; k < lists.length[slot / pack]; ++k, entry += pack) {
     const Slots neighbour = converted<Slots>(lists.neighbour + entry);
     P offset[D];
+#pragma GCC unroll 3
     for (int i = 0; i < D; ++i) offset[i] = converted<P>(lists.offset[i] + entry);
-    sweep.meet(
-        offset, [&](const T* field) { return P::gather(field, neighbour); }, sums);
+    visit(offset, [&](const T* field) { return P::gather(field, neighbour); });
   }
+}
+
+/// Sums over the lattice neighbours of the pack at `slot`.
+template <Weight weight, template <class, int, int> class Sums, class P, int D, int F>
+[[gnu::always_inline]] inline void sweep_stencil(const SweepFields<Scalar<P>, D, F>& fields,
+                                                 const std::int64_t* neighbour_row,
+                                                 std::int64_t slot, Scalar<P> spacing,
+                                                 Sums<P, D, F>& sums) {
+  const Separation<weight, P, D> separation(fields.displacement, slot, spacing);
+  const Differences<P, F> differences(fields.field, slot);
+  visit_stencil<weight, P, D>(
+      neighbour_row,
+      slot, [&](const P(&offset)[D], const auto& neighbour) __attribute__((always_inline)) {
+        P d[D], weighted[D], difference[F];
+        separation(offset, neighbour, d, weighted);
+        differences(neighbour, difference);
+        sums.add(weighted, d, difference);
+      });
+}
+
+/// Sums over the listed neighbours of the register of particles at `slot`.
+template <Weight weight, template <class, int, int> class Sums, class P, int D, int F>
+[[gnu::always_inline]] inline void sweep_list(const SweepFields<Scalar<P>, D, F>& fields,
+                                              const NeighbourLists<D>& lists, std::int64_t slot,
+                                              Scalar<P> spacing, Sums<P, D, F>& sums) {
+  const Separation<weight, P, D> separation(fields.displacement, slot, spacing);
+  const Differences<P, F> differences(fields.field, slot);
+  visit_list<P, D>(
+      lists, slot, [&](const P(&offset)[D], const auto& neighbour) __attribute__((always_inline)) {
+        P d[D], weighted[D], difference[F];
+        separation(offset, neighbour, d, weighted);
+        differences(neighbour, difference);
+        sums.add(weighted, d, difference);
+      });
 }
 
 }  // namespace pliant::kernels

@@ -26,6 +26,7 @@ struct Law {
                      P (&sigma)[symmetric]) {
     const P p = pressure(material, s, density);
     for (int c = 0; c < symmetric; ++c) sigma[c] = s[c];
+#pragma GCC unroll 3
     for (int i = 0; i < D; ++i) {
       P& diagonal = sigma[symmetric_index<D>(i, i)];
       diagonal = diagonal - p;
@@ -57,6 +58,7 @@ struct Law<Model::reduced_polynomial, P, D> {
     const IsochoricStrain<P, D> strain = isochoric_strain<P, D>(f);
     polynomial_deviator<P, D>(material, strain, sigma);
     const P p = polynomial_pressure(material, strain.volume_ratio);
+#pragma GCC unroll 3
     for (int i = 0; i < D; ++i) {
       P& diagonal = sigma[symmetric_index<D>(i, i)];
       diagonal = diagonal - p;

@@ -68,7 +68,10 @@ enum class Kind : std::uint8_t {
   image = 4
 };
 
-/// Whether a pack of slots holds interior particles.
-enum class PackState : std::uint8_t { none = 0, some = 1, all = 2 };
+/// What a pack of slots holds: nothing, ghosts or images but no interior particle, interior
+/// particles in some slots, or in all.
+enum class PackState : std::uint8_t { vacant = 0, ghosts = 1, some = 2, all = 3 };
+
+constexpr bool holds_interior(PackState state) { return state >= PackState::some; }
 
 }  // namespace pliant::kernels

@@ -13,17 +13,23 @@ inline void jaumann_rate(const P& shear_modulus, const P (&s)[symmetric_componen
   using T = Scalar<P>;
   const P half(T(0.5));
   P trace = gradient[0][0];
+#pragma GCC unroll 3
   for (int i = 1; i < D; ++i) trace = trace + gradient[i][i];
   P spin[D][D];
+#pragma GCC unroll 3
   for (int i = 0; i < D; ++i) {
+#pragma GCC unroll 3
     for (int j = 0; j < D; ++j) spin[i][j] = half * (gradient[i][j] - gradient[j][i]);
   }
+#pragma GCC unroll 3
   for (int i = 0; i < D; ++i) {
+#pragma GCC unroll 3
     for (int j = i; j < D; ++j) {
       P strain = half * (gradient[i][j] + gradient[j][i]);
       if (i == j) strain = fused_minus(P(T(1) / T(3)), trace, strain);
       // W S - S W = W S + (W S)^T, because W is antisymmetric and S symmetric.
       P turned = P(T(0));
+#pragma GCC unroll 3
       for (int k = 0; k < D; ++k) {
         if (k != i) turned = fused(spin[i][k], s[symmetric_index<D>(k, j)], turned);
         if (k != j) turned = fused(spin[j][k], s[symmetric_index<D>(k, i)], turned);

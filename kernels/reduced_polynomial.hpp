@@ -8,9 +8,12 @@ namespace pliant::kernels {
 /// dF/dt = (grad u) F, (RP.8); F row by row.
 template <class P, int D>
 inline void deformation_rate(const P (&f)[D * D], const P (&gradient)[D][D], P (&rate)[D * D]) {
+#pragma GCC unroll 3
   for (int i = 0; i < D; ++i) {
+#pragma GCC unroll 3
     for (int j = 0; j < D; ++j) {
       P value = gradient[i][0] * f[j];
+#pragma GCC unroll 3
       for (int k = 1; k < D; ++k) value = fused(gradient[i][k], f[k * D + j], value);
       rate[i * D + j] = value;
     }
@@ -47,9 +50,12 @@ inline IsochoricStrain<P, D> isochoric_strain(const P (&f)[D * D]) {
   const P root = inverse_cube_root(strain.volume_ratio);
   const P scale = root * root;
   P trace = D == 2 ? scale : P(T(0));
+#pragma GCC unroll 3
   for (int i = 0; i < D; ++i) {
+#pragma GCC unroll 3
     for (int j = i; j < D; ++j) {
       P b = f[i * D] * f[j * D];
+#pragma GCC unroll 3
       for (int k = 1; k < D; ++k) b = fused(f[i * D + k], f[j * D + k], b);
       b = b * scale;
       strain.deviator[symmetric_index<D>(i, j)] = b;
@@ -57,6 +63,7 @@ inline IsochoricStrain<P, D> isochoric_strain(const P (&f)[D * D]) {
     }
   }
   const P mean = trace * P(T(1) / T(3));
+#pragma GCC unroll 3
   for (int i = 0; i < D; ++i) {
     P& diagonal = strain.deviator[symmetric_index<D>(i, i)];
     diagonal = diagonal - mean;
@@ -94,6 +101,7 @@ inline void polynomial_deviator(const Material<Scalar<P>>& material,
   P first, second;
   energy_derivatives(material, strain.excess, first, second);
   const P factor = (first + first) / strain.volume_ratio;
+#pragma GCC unroll 6
   for (int c = 0; c < symmetric_components<D>; ++c) s[c] = factor * strain.deviator[c];
 }
 
@@ -105,7 +113,9 @@ inline P polynomial_wave_speed2(const Material<Scalar<P>>& material,
   P first, second;
   energy_derivatives(material, strain.excess, first, second);
   P norm2 = D == 2 ? strain.deviator_zz * strain.deviator_zz : P(T(0));
+#pragma GCC unroll 3
   for (int i = 0; i < D; ++i) {
+#pragma GCC unroll 3
     for (int j = i; j < D; ++j) {
       const P& b = strain.deviator[symmetric_index<D>(i, j)];
       norm2 = fused(i == j ? b : b + b, b, norm2);

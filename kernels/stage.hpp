@@ -11,7 +11,8 @@
 ///     sweep over the neighbours -> gradients in a stack buffer (first cache)
 ///     displacement, velocity, volume, S or F, stress: one short loop each, few streams at a time
 ///
-/// and what one loop has read or written is still in the cache when the next loop wants it.
+/// and what one loop has read or written is still in the cache when the next loop wants it. Packs
+/// of ghosts only drift, and vacant ones are passed over.
 namespace pliant::kernels {
 
 template <class P, int D>
@@ -48,6 +49,38 @@ UpdateOfChunk<P, D> update_for(Model model) {
   return stage_update<Model::reduced_polynomial, last, P, D>;
 }
 
+enum class Slots { vacant, ghosts, particles };
+
+template <class P, int D>
+Slots slots_at(const Stage<Scalar<P>, D>& stage, std::int64_t slot) {
+  const PackState state = stage.pack_state[slot / slots_per_pack<Scalar<P>>];
+  return holds_interior(state)        ? Slots::particles
+         : state == PackState::ghosts ? Slots::ghosts
+                                      : Slots::vacant;
+}
+
+/// Slots from `begin` on in a segment that are of one kind, a chunk of them at most.
+template <class P, int D>
+Chunk next_chunk(const Stage<Scalar<P>, D>& stage, const Segment<D>& segment, int begin) {
+  constexpr int pack = slots_per_pack<Scalar<P>>;
+  Chunk chunk{segment.first + begin, pack};
+  const Slots kind = slots_at<P>(stage, chunk.first);
+  while (begin + chunk.count < segment.count && chunk.count < chunk_slots &&
+         slots_at<P>(stage, chunk.first + chunk.count) == kind) {
+    chunk.count += pack;
+  }
+  return chunk;
+}
+
+template <class P, int D>
+void drift(const Stage<Scalar<P>, D>& stage, const Chunk& chunk) {
+  if (stage.stage == 3) {
+    advance_displacement(stage, RungeKutta<P, true>(stage.time_step, stage.stage), chunk);
+  } else {
+    advance_displacement(stage, RungeKutta<P, false>(stage.time_step, stage.stage), chunk);
+  }
+}
+
 /// See Stage.
 template <class P, int D>
 StageResult advance_stage(const Stage<Scalar<P>, D>& stage) {
@@ -60,11 +93,19 @@ StageResult advance_stage(const Stage<Scalar<P>, D>& stage) {
   StageExtremes<P> extremes;
   for (int s = 0; s < stage.segment_count; ++s) {
     const Segment<D>& segment = stage.segments[s];
-    for (int begin = 0; begin < segment.count; begin += chunk_slots) {
-      const int rest = segment.count - begin;
-      const Chunk chunk{segment.first + begin, rest < chunk_slots ? rest : chunk_slots};
-      gradients_of(stage, segment, chunk, gradients);
-      update(stage, gradients, chunk, extremes);
+    for (int begin = 0; begin < segment.count;) {
+      const Chunk chunk = next_chunk<P>(stage, segment, begin);
+      begin += chunk.count;
+      switch (slots_at<P>(stage, chunk.first)) {
+        case Slots::vacant:
+          break;
+        case Slots::ghosts:
+          drift<P>(stage, chunk);
+          break;
+        case Slots::particles:
+          gradients_of(stage, segment, chunk, gradients);
+          update(stage, gradients, chunk, extremes);
+      }
     }
   }
   return {square_root<P>(largest(extremes.strain_rate2)),

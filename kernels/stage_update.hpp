@@ -27,6 +27,7 @@ template <class P, bool last, int D>
 void advance_displacement(const Stage<Scalar<P>, D>& stage, const RungeKutta<P, last>& runge_kutta,
                           const Chunk& chunk) {
   using Arch = typename P::arch_type;
+#pragma GCC unroll 3
   for (int i = 0; i < D; ++i) {
     const auto field = stage_field<Arch>(stage, [i](const auto& q) { return q.displacement[i]; });
     const Scalar<P>* velocity = stage.current.velocity[i];
@@ -45,6 +46,7 @@ void advance_velocity(const Stage<Scalar<P>, D>& stage, const RungeKutta<P, last
   for (int at = 0; at < chunk.count; at += lanes<P>) {
     const std::int64_t slot = chunk.first + at;
     const P specific_volume = load<P>(stage.current.volume + slot) / load<P>(stage.mass + slot);
+#pragma GCC unroll 3
     for (int i = 0; i < D; ++i) {
       const auto field = stage_field<Arch>(stage, [i](const auto& q) { return q.velocity[i]; });
       runge_kutta.advance(field, slot,
@@ -63,6 +65,7 @@ void advance_volume(const Stage<Scalar<P>, D>& stage, const RungeKutta<P, last>&
   for (int at = 0; at < chunk.count; at += lanes<P>) {
     const std::int64_t slot = chunk.first + at;
     P divergence = P::load_aligned(&gradients.velocity[0][0][at]);
+#pragma GCC unroll 3
     for (int i = 1; i < D; ++i) {
       divergence = divergence + P::load_aligned(&gradients.velocity[i][i][at]);
     }
@@ -79,13 +82,17 @@ void advance_material(const Stage<Scalar<P>, D>& stage, const RungeKutta<P, last
   for (int at = 0; at < chunk.count; at += lanes<P>) {
     const std::int64_t slot = chunk.first + at;
     P gradient[D][D], carried[L::components], rate[L::components];
+#pragma GCC unroll 3
     for (int i = 0; i < D; ++i) {
+#pragma GCC unroll 3
       for (int j = 0; j < D; ++j) gradient[i][j] = P::load_aligned(&gradients.velocity[i][j][at]);
     }
+#pragma GCC unroll 9
     for (int c = 0; c < L::components; ++c) {
       carried[c] = load<P>(stage.current.material[c] + slot);
     }
     L::rate(stage.material, carried, gradient, rate);
+#pragma GCC unroll 9
     for (int c = 0; c < L::components; ++c) {
       const auto field = stage_field<Arch>(stage, [c](const auto& q) { return q.material[c]; });
       runge_kutta.advance(field, slot, rate[c]);
@@ -99,10 +106,12 @@ void stress_of_next(const Stage<Scalar<P>, D>& stage, const Chunk& chunk) {
   using T = Scalar<P>;
   using L = Law<model, P, D>;
   T* stress[L::symmetric];
+#pragma GCC unroll 6
   for (int c = 0; c < L::symmetric; ++c) stress[c] = stage.next_stress[c];
   for (int at = 0; at < chunk.count; at += lanes<P>) {
     const std::int64_t slot = chunk.first + at;
     P carried[L::components];
+#pragma GCC unroll 9
     for (int c = 0; c < L::components; ++c) carried[c] = load<P>(stage.next.material[c] + slot);
     const P density = load<P>(stage.mass + slot) / load<P>(stage.next.volume + slot);
     store_stress<model, P, D>(stage.material, carried, density,
@@ -118,9 +127,11 @@ void strain_rate_of(const ChunkGradients<Scalar<P>, D>& gradients, const Chunk& 
   using T = Scalar<P>;
   for (int at = 0; at < chunk.count; at += lanes<P>) {
     P norm2(T(0));
+#pragma GCC unroll 3
     for (int i = 0; i < D; ++i) {
       const P diagonal = P::load_aligned(&gradients.velocity[i][i][at]);
       norm2 = fused(diagonal, diagonal, norm2);
+#pragma GCC unroll 3
       for (int j = i + 1; j < D; ++j) {
         const P shear = P::load_aligned(&gradients.velocity[i][j][at]) +
                         P::load_aligned(&gradients.velocity[j][i][at]);
@@ -140,19 +151,21 @@ void examine_next(const Stage<Scalar<P>, D>& stage, const Chunk& chunk,
   const P zero(T(0));
   for (int at = 0; at < chunk.count; at += lanes<P>) {
     const std::int64_t slot = chunk.first + at;
-    if (stage.pack_state[slot / slots_per_pack<T>] == PackState::none) continue;
     const auto inside = interior_lanes<P>(stage.interior, slot);
     const P volume = load<P>(stage.next.volume + slot);
     P carried[L::components];
     P sum = volume * zero;  // NaN as soon as one value is infinite or NaN
+#pragma GCC unroll 9
     for (int c = 0; c < L::components; ++c) {
       carried[c] = load<P>(stage.next.material[c] + slot);
       sum = fused(carried[c], zero, sum);
     }
+#pragma GCC unroll 3
     for (int i = 0; i < D; ++i) {
       sum = fused(load<P>(stage.next.displacement[i] + slot), zero, sum);
       sum = fused(load<P>(stage.next.velocity[i] + slot), zero, sum);
     }
+#pragma GCC unroll 6
     for (int c = 0; c < L::symmetric; ++c) {
       sum = fused(load<P>(stage.next_stress[c] + slot), zero, sum);
     }

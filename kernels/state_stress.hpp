@@ -10,12 +10,14 @@ Scalar<P> stress_of_block(const StressOfState<Scalar<P>, D>& block) {
   using T = Scalar<P>;
   using L = Law<model, P, D>;
   T* stress[L::symmetric];
+#pragma GCC unroll 6
   for (int c = 0; c < L::symmetric; ++c) stress[c] = block.stress[c];
   P largest2(T(0));
   for (int s = 0; s < block.segment_count; ++s) {
     const std::int64_t first = block.segments[s].first;
     for (std::int64_t slot = first; slot < first + block.segments[s].count; slot += lanes<P>) {
       P carried[L::components];
+#pragma GCC unroll 9
       for (int c = 0; c < L::components; ++c) carried[c] = load<P>(block.state.material[c] + slot);
       const P density = load<P>(block.mass + slot) / load<P>(block.state.volume + slot);
       const PackState state = block.pack_state[slot / slots_per_pack<T>];

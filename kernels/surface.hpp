@@ -19,6 +19,7 @@ inline void fill_columns(const SurfaceRecords<Scalar<P>, D>& block, const Segmen
   using T = Scalar<P>;
   using L = Law<model, P, D>;
   SweepFields<T, D, 1> fields;
+#pragma GCC unroll 3
   for (int i = 0; i < D; ++i) fields.displacement[i] = block.state.displacement[i];
   fields.field[0] = block.level_set;
   P gradient[1][D];
@@ -26,13 +27,17 @@ inline void fill_columns(const SurfaceRecords<Scalar<P>, D>& block, const Segmen
   sweep_stencil<weight>(fields, segment.neighbour_row.data(), slot, block.spacing, sums);
   solve(sums, gradient);
   P carried[L::components];
+#pragma GCC unroll 9
   for (int c = 0; c < L::components; ++c) carried[c] = load<P>(block.state.material[c] + slot);
   const P density = load<P>(block.mass + slot) / load<P>(block.state.volume + slot);
 
   int f = 0;
   const auto put = [&](const P& value) { value.store_aligned(&columns.field[f++][at]); };
+#pragma GCC unroll 3
   for (int i = 0; i < D; ++i) put(load<P>(block.state.velocity[i] + slot));
+#pragma GCC unroll 6
   for (int c = 0; c < symmetric_components<D>; ++c) put(load<P>(block.stress[c] + slot));
+#pragma GCC unroll 3
   for (int i = 0; i < D; ++i) put(gradient[0][i]);
   put(L::pressure(block.material, carried, density));
 }

@@ -39,8 +39,9 @@ struct NeighbourLists {
 /// stress, rates, update, and the stress of the new state.
 ///
 /// Reads displacement, velocity and stress of `current` also in neighbouring blocks. Writes `next`
-/// and `next_stress` in every slot of the block; slots that are not interior get zero rates but for
-/// the displacement, which follows their velocity. In stage 3 (the last) `next` may be `start`.
+/// and `next_stress` in packs with interior particles; their other slots get zero rates but for the
+/// displacement, which follows their velocity. In packs of ghosts the displacement alone is
+/// written, in vacant ones nothing. In stage 3 (the last) `next` may be `start`.
 template <class T, int D>
 struct Stage {
   const Segment<D>* segments;
@@ -132,11 +133,16 @@ struct GhostSums {
 };
 
 /// Nodes of a remeshing tile hold the sums of (RP.22): W, W m, W m u (D), W v, W v d (D), W phi,
-/// then W v S or W v F; padded to `node_width` values.
+/// then W v S or W v F; padded to whole cache lines of doubles.
 template <int D>
 inline constexpr int node_fields = 4 + 2 * D + material_components<D>;
+/// Values of a node when `components` of S or F are carried, and at most.
 template <int D>
-inline constexpr int node_width = (node_fields<D> + 7) / 8 * 8;
+constexpr int node_width_for(int components) {
+  return (4 + 2 * D + components + 7) / 8 * 8;
+}
+template <int D>
+inline constexpr int node_width = node_width_for<D>(material_components<D>);
 template <int D>
 struct NodeField {
   static constexpr int weight = 0, mass = 1, momentum = 2, volume = 2 + D, carried = 3 + D,
@@ -144,10 +150,7 @@ struct NodeField {
 };
 
 /// Adds one source block's particles (slots neither vacant nor images) to the nodes of a tile,
-/// (RP.21) and (RP.22), in slot order. Particles whose 4^D nodes do not all lie in the tile's
-/// buffer are left out: the buffer reaches `tile_margin` nodes beyond the nodes that the tile owns,
-/// which holds all nodes of every particle that touches an owned one.
-inline constexpr int tile_margin = 3;
+/// (RP.21) and (RP.22), in slot order. Of the 4^D nodes of a particle those outside are left out.
 template <class T, int D>
 struct Scatter {
   const Segment<D>* segments;
@@ -160,7 +163,7 @@ struct Scatter {
   const T* level_set;
   std::array<const T*, D> carried;  ///< d at the last remeshing; d + xi is remeshed
   Evolving<const T, D> state;
-  T* nodes;                            ///< [z][y][x][node_width]
+  T* nodes;                            ///< [z][y][x][node_width_for(carried_components)]
   std::array<std::int32_t, D> lower;   ///< lattice cell of the buffer's first node
   std::array<std::int32_t, D> extent;  ///< nodes of the buffer
 };

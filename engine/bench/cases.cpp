@@ -50,6 +50,16 @@ Case rotating_cylinder(std::int64_t particles, kernels::Weight weight) {
   return settings;
 }
 
+Case spinning_ball(std::int64_t particles, kernels::Weight weight) {
+  Case settings = rotating_cylinder(particles, weight);
+  settings.name = "spinning_ball";
+  settings.dimension = 3;
+  settings.discretisation.spacing =
+      std::cbrt(4 * std::numbers::pi / 3 / static_cast<double>(particles));
+  settings.bodies[0].name = "ball";
+  return settings;
+}
+
 Case compression(int n) {
   Case settings;
   settings.name = "compression_hyperelastic";

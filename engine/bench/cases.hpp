@@ -11,6 +11,9 @@ namespace pliant::bench {
 /// the time step of (RP.20).
 Case rotating_cylinder(std::int64_t particles, kernels::Weight weight);
 
+/// A ball that spins about the z axis, with the material and the settings of the cylinder.
+Case spinning_ball(std::int64_t particles, kernels::Weight weight);
+
 /// cases/compression_hyperelastic with n x 2n particles, remeshed when the particles have strained
 /// enough, to t = 0.02.
 Case compression(int n);

@@ -38,11 +38,12 @@ Spread Row::spread(const Figure& figure) const {
 }
 
 double Row::flop_rate(const Sample& sample) const {
-  return sample.rate() * flop_per_stage(settings.discretisation.weight, model());
+  return sample.rate() *
+         flop_per_stage(settings.discretisation.weight, model(), settings.dimension);
 }
 
 double Row::byte_rate(const Sample& sample) const {
-  return sample.rate() * bytes_per_stage(model());
+  return sample.rate() * bytes_per_stage(model(), settings.dimension);
 }
 
 double Row::idle_share(const Sample& sample) const {

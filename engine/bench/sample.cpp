@@ -9,14 +9,13 @@ namespace pliant::bench {
 
 namespace {
 
-using Solver = remeshed::Solver<double, 2>;
-
 double processor_time() {
   timespec time;
   clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &time);
   return static_cast<double>(time.tv_sec) + 1e-9 * static_cast<double>(time.tv_nsec);
 }
 
+template <class Solver>
 void advance(Solver& solver, std::int64_t steps) {
   const double end = solver.settings().time.end;
   for (std::int64_t i = 0; i < steps && solver.clock().time < end * (1 - 1e-9); ++i) {
@@ -41,11 +40,10 @@ void add_calibration(Sample& sample, int threads, kernels::Isa isa, Triad& triad
   sample.triad += triad(threads) / 2;
 }
 
-}  // namespace
-
-Sample measure(const Case& settings, const Window& window, int threads, kernels::Isa isa,
-               Triad& triad) {
-  Solver solver(settings, threads, isa);
+template <int D>
+Sample measure_in(const Case& settings, const Window& window, int threads, kernels::Isa isa,
+                  Triad& triad) {
+  remeshed::Solver<double, D> solver(settings, threads, isa);
   advance(solver, window.steps_before);
   Sample sample;
   add_calibration(sample, threads, isa, triad);
@@ -68,6 +66,14 @@ Sample measure(const Case& settings, const Window& window, int threads, kernels:
       std::accumulate(sample.phases.begin(), sample.phases.end(), 0.0,
                       [](double sum, const auto& timer) { return sum + timer.seconds; });
   return sample;
+}
+
+}  // namespace
+
+Sample measure(const Case& settings, const Window& window, int threads, kernels::Isa isa,
+               Triad& triad) {
+  return settings.dimension == 2 ? measure_in<2>(settings, window, threads, isa, triad)
+                                 : measure_in<3>(settings, window, threads, isa, triad);
 }
 
 }  // namespace pliant::bench

@@ -2,32 +2,34 @@
 
 #include "engine/fields.hpp"
 
-/// What one particle costs in one Runge-Kutta stage of a plane body, counted from the equations and
-/// from the field list; docs/performance.md shows the sums. Ghosts, empty slots, remeshing and the
-/// level set are overheads, and count for nothing here.
+/// What one particle costs in one Runge-Kutta stage, counted from the equations and from the field
+/// list; docs/performance.md shows the sums. Ghosts, empty slots, remeshing and the level set are
+/// overheads, and count for nothing here.
 namespace pliant::bench {
 
 /// Additions, multiplications, divisions and roots count one each, fused ones two.
-constexpr double flop_per_stage(kernels::Weight weight, kernels::Model model) {
+constexpr double flop_per_stage(kernels::Weight weight, kernels::Model model, int dimension = 2) {
   using kernels::Model;
   using kernels::Weight;
-  const int neighbours = weight == Weight::compact ? 8 : 24;
+  const bool plane = dimension == 2, deforms = model == Model::reduced_polynomial;
+  const int neighbours = weight == Weight::compact ? (plane ? 8 : 26) : (plane ? 24 : 92);
   // omega of (RP.14): s^2 1, 1/s 20, s 1, two cubes 12, the polynomial near zero 1; (RP.15): t 3,
   // series 4, powers 3; (RP.16): t 3, powers 2.
   const int omega = weight == Weight::quartic ? 35 : weight == Weight::compact ? 5 : 10;
-  // d 4, r^2 3, omega d 2, A 6, five differences 5, five times omega d (f_q - f_p) 20.
-  const int pair = 40 + omega;
-  const int gradients = 40;    // A^-1 8, five gradients 30, div sigma 2
-  const int dissipation = 70;  // (RP.43)
-  const int law = model == Model::reduced_polynomial ? 120 : 45;  // rates and stress
-  const int fields = model == Model::reduced_polynomial ? 9 : 8;
+  // In the plane d 4, r^2 3, omega d 2, A 6, five differences 5, five times omega d (f_q - f_p) 20.
+  // In space d 6, r^2 5, omega d 3, A 12, nine differences 9, three times omega d (u_q - u_p) 18,
+  // A^-1 omega d 15, div sigma 18.
+  const int pair = (plane ? 40 : 86) + omega;
+  // In the plane A^-1 8, five gradients 30, div sigma 2; in space A^-1 30, three gradients 45.
+  const int gradients = plane ? 40 : 75;
+  const int dissipation = plane ? 70 : 230;                              // (RP.43)
+  const int law = plane ? (deforms ? 120 : 45) : (deforms ? 300 : 120);  // rates and stress
+  const int fields = plane ? (deforms ? 9 : 8) : (deforms ? 16 : 13);
   return neighbours * pair + gradients + dissipation + law + 4 * fields;  // (RP.19): 2, 2, 2, 10
 }
 
-/// Values that a stage must read and write, mean over the four stages; in the last stage the new
-/// state replaces Q0.
-constexpr double bytes_per_stage(kernels::Model model) {
-  constexpr int D = 2;
+template <int D>
+constexpr double bytes_per_stage_in(kernels::Model model) {
   int state = 0;
   for (const FieldDeclaration& f : fields) {
     if (f.evolving) state += components<D>(f.rank, kernels::carried_components<D>(model));
@@ -36,6 +38,12 @@ constexpr double bytes_per_stage(kernels::Model model) {
   const double states_read = (1 + 2 + 2 + 4) / 4.0;
   const double read = states_read * state + stress + mass + interior / 4.0;
   return sizeof(double) * (read + state + stress);
+}
+
+/// Values that a stage must read and write, mean over the four stages; in the last stage the new
+/// state replaces Q0.
+constexpr double bytes_per_stage(kernels::Model model, int dimension = 2) {
+  return dimension == 2 ? bytes_per_stage_in<2>(model) : bytes_per_stage_in<3>(model);
 }
 
 }  // namespace pliant::bench

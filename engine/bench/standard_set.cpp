@@ -34,12 +34,23 @@ std::vector<Row> standard_set(const StandardSetOptions& options) {
     rows.push_back({settings, window, 1, {}});
     if (options.threads > 1) rows.push_back({settings, window, options.threads, {}});
   };
+  const auto add_balls = [&](std::int64_t particles) {
+    for (const Weight weight : {Weight::quartic_polynomial, Weight::compact}) {
+      add(spinning_ball(particles, weight), window_for(particles));
+    }
+  };
+  if (options.ball) {
+    add_balls(*options.ball);
+    return rows;
+  }
   for (const std::int64_t particles : {2'000, 10'000, 131'072, 1'000'000}) {
     if (options.quick && particles > 131'072) continue;
     for (const Weight weight : {Weight::quartic, Weight::quartic_polynomial, Weight::compact}) {
       add(rotating_cylinder(particles, weight), window_for(particles));
     }
   }
+  add_balls(100'000);
+  if (!options.quick) add_balls(1'000'000);
   Case compressed = compression(options.quick ? quick_compression_columns : compression_columns);
   compressed.discretisation.weight = Weight::quartic;
   constexpr std::int64_t whole_run = 1'000'000;
@@ -65,7 +76,7 @@ void print_machine(const std::vector<std::string>& machine, int threads, Triad& 
 }
 
 void print_assumptions() {
-  fmt::print("Assumed for each particle and stage:");
+  fmt::print("Assumed for each particle and stage, in the plane:");
   for (const Weight weight : {Weight::quartic, Weight::quartic_polynomial, Weight::compact}) {
     fmt::print(" {} flop ({}),", flop_per_stage(weight, kernels::Model::linear_rho),
                weight == Weight::quartic   ? "quartic"

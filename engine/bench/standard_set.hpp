@@ -6,7 +6,8 @@
 namespace pliant::bench {
 
 struct StandardSetOptions {
-  bool quick = false;  ///< fewer repetitions, no more than 131 072 particles
+  bool quick = false;                ///< fewer repetitions, no more than 131 072 particles
+  std::optional<std::int64_t> ball;  ///< nothing but balls of so many particles
   std::optional<std::filesystem::path> csv;
   int threads = 2;  ///< compared with one thread
 };

@@ -80,6 +80,9 @@ void add_bench(CLI::App& app, BenchArguments& arguments, std::function<ExitStatu
   CLI::App* verb = add_verb(app, "bench", "Measure this machine and the speed of the program on it",
                             "bench --quick --csv speed.csv");
   verb->add_flag("--quick", arguments.quick, "fewer repetitions, no more than 131 072 particles");
+  verb->add_option("--ball", arguments.ball,
+                   "measure nothing but spinning balls of this many particles")
+      ->check(CLI::Range(1000, 100'000'000));
   verb->add_option("--csv", arguments.csv, "write all figures to this file");
   verb->add_option("--threads", arguments.threads,
                    "threads to compare with one (default: one a processor)");

@@ -90,7 +90,8 @@ ExitStatus graph(const GraphArguments& arguments) {
 }
 
 ExitStatus bench(const BenchArguments& arguments) {
-  bench::run_standard_set({arguments.quick, arguments.csv, thread_count(arguments.threads)});
+  bench::run_standard_set(
+      {arguments.quick, arguments.ball, arguments.csv, thread_count(arguments.threads)});
   return ExitStatus::done;
 }
 

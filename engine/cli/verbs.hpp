@@ -43,6 +43,7 @@ ExitStatus graph(const GraphArguments& arguments);
 
 struct BenchArguments {
   bool quick = false;
+  std::optional<std::int64_t> ball;
   std::optional<std::filesystem::path> csv;
   int threads = 0;  ///< as in RunArguments
 };

@@ -23,11 +23,13 @@ template <int D>
 void Layout<D>::build(const Occupancy<D>& occupancy, const Cell<D>& period, int block_count,
                       int block_reach) {
   occupancy_ = occupancy;
+  period_ = period;
+  block_reach_ = block_reach;
   find_runs();
   place_runs();
   cut_segments();
   group_blocks(block_count);
-  connect_blocks(period, block_reach);
+  connect_blocks(block_reach, neighbours_);
 }
 
 template <int D>
@@ -172,23 +174,23 @@ void Layout<D>::group_blocks(int block_count) {
 
 // Blocks are also neighbours across a period: the images at one end mirror the other end.
 template <int D>
-void Layout<D>::connect_blocks(const Cell<D>& period, int reach) {
+void Layout<D>::connect_blocks(int reach, std::vector<std::vector<int>>& neighbours) const {
   const int count = static_cast<int>(blocks_.size());
-  neighbours_.resize(count);
+  neighbours.resize(count);
   for (int b = 0; b < count; ++b) {
-    neighbours_[b].clear();
+    neighbours[b].clear();
     for (int other = 0; other < count; ++other) {
       bool near = other != b;
       for (int a = 0; near && a < D; ++a) {
         bool meets = false;
-        for (int shift = -period[a]; !meets && shift <= period[a];
-             shift += std::max(period[a], 1)) {
+        for (int shift = -period_[a]; !meets && shift <= period_[a];
+             shift += std::max(period_[a], 1)) {
           meets = blocks_[other].lower[a] + shift <= blocks_[b].upper[a] + reach &&
                   blocks_[b].lower[a] <= blocks_[other].upper[a] + shift + reach;
         }
         near = meets;
       }
-      if (near) neighbours_[b].push_back(other);
+      if (near) neighbours[b].push_back(other);
     }
   }
 }

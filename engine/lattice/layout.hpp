@@ -42,6 +42,12 @@ class Layout {
   const std::vector<kernels::Segment<D>>& segments() const { return segments_; }
   const std::vector<Block<D>>& blocks() const { return blocks_; }
   const std::vector<std::vector<int>>& neighbours() const { return neighbours_; }
+  /// The same with blocks that are up to `more` cells farther away.
+  std::vector<std::vector<int>> neighbours_and(int more) const {
+    std::vector<std::vector<int>> neighbours;
+    connect_blocks(block_reach_ + more, neighbours);
+    return neighbours;
+  }
 
   const kernels::Segment<D>* segments_of(const Block<D>& block) const {
     return segments_.data() + block.first_segment;
@@ -88,10 +94,12 @@ class Layout {
   void cut_segments();
   void cut_run(const Run& run, Cell<D> row);
   void group_blocks(int block_count);
-  void connect_blocks(const Cell<D>& period, int reach);
+  void connect_blocks(int reach, std::vector<std::vector<int>>& neighbours) const;
   const Run* run_near(int row, std::int32_t lower, std::int32_t upper) const;
 
   Occupancy<D> occupancy_;
+  Cell<D> period_ = {};
+  int block_reach_ = 0;
   std::int64_t slots_ = 2 * padding;
   std::vector<Run> runs_;       ///< by row number
   std::vector<int> row_begin_;  ///< [row + 1] into runs_

@@ -29,17 +29,6 @@ std::size_t Occupancy<D>::position(const Cell<D>& cell) const {
 }
 
 template <int D>
-int Occupancy<D>::row_of(const Cell<D>& cell) const {
-  int row = 0;
-  for (int a = D - 1; a >= 1; --a) {
-    const int r = cell[a] - first_row_[a - 1];
-    if (r < 0 || r >= rows_[a - 1]) return -1;
-    row = row * rows_[a - 1] + r;
-  }
-  return row;
-}
-
-template <int D>
 Cell<D> Occupancy<D>::row_cell(int row) const {
   Cell<D> cell = {};
   cell[1] = first_row_[0] + row % rows_[0];

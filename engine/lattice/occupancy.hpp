@@ -35,7 +35,15 @@ class Occupancy {
     return marked_[static_cast<std::size_t>(row) * columns_ + column] != 0;
   }
   /// Row number of a cell, or -1 outside the map.
-  int row_of(const Cell<D>& cell) const;
+  int row_of(const Cell<D>& cell) const {
+    int row = 0;
+    for (int a = D - 1; a >= 1; --a) {
+      const int r = cell[a] - first_row_[a - 1];
+      if (r < 0 || r >= rows_[a - 1]) return -1;
+      row = row * rows_[a - 1] + r;
+    }
+    return row;
+  }
 
  private:
   std::size_t position(const Cell<D>& cell) const;

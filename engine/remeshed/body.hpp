@@ -24,6 +24,7 @@ struct BlockGhosts {
   std::vector<std::int32_t> slot;
   std::vector<std::int8_t> wall;        ///< of a wall or contact ghost; -1: free surface
   std::vector<std::uint8_t> active;     ///< whether the ghost sets its slot; see `contact`
+  std::vector<std::uint8_t> reached;    ///< by the stencil of a particle; the others only drift
   std::vector<std::int8_t> pressure;    ///< acting at the foot point; -1: none
   std::vector<Point<D>> normal;         ///< of the wall
   std::vector<std::int64_t> begin;      ///< [ghost + 1] into the four below

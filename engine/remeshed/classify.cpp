@@ -1,3 +1,5 @@
+#include <algorithm>
+
 #include "engine/remeshed/ghost_fits.hpp"
 
 namespace pliant::remeshed {
@@ -39,11 +41,34 @@ template <class T, int D>
 void find_pack_states(Population<T, D>& population, const kernels::Segment<D>& segment) {
   constexpr int pack = Layout<D>::pack;
   for (std::int64_t p = segment.first; p < segment.first + segment.count; p += pack) {
-    int interior = 0;
-    for (int i = 0; i < pack; ++i) interior += population.kind[p + i] == Kind::interior;
-    population.pack_state[p / pack] = interior == 0      ? PackState::none
+    int interior = 0, vacant = 0;
+    for (int i = 0; i < pack; ++i) {
+      interior += population.kind[p + i] == Kind::interior;
+      vacant += population.kind[p + i] == Kind::vacant;
+    }
+    population.pack_state[p / pack] = vacant == pack     ? PackState::vacant
+                                      : interior == 0    ? PackState::ghosts
                                       : interior == pack ? PackState::all
                                                          : PackState::some;
+  }
+}
+
+template <class T, int D>
+void rest_without_particles(Body<T, D>& body, int block) {
+  constexpr int pack = Layout<D>::pack;
+  const Layout<D>& layout = body.population.layout;
+  const Block<D>& range = layout.blocks()[block];
+  for (int s = 0; s < range.segment_count; ++s) {
+    const kernels::Segment<D>& segment = layout.segments_of(range)[s];
+    for (std::int64_t p = segment.first; p < segment.first + segment.count; p += pack) {
+      if (holds_interior(body.population.pack_state[p / pack])) continue;
+      const auto clear = [p](Buffer<T>& values) { std::fill_n(values.get() + p, pack, T(0)); };
+      for (std::size_t buffer = 1; buffer < body.stage.size(); ++buffer) {
+        for (Buffer<T>& component : body.stage[buffer][Field::displacement]) clear(component);
+        for (Buffer<T>& component : body.stage[buffer][Field::velocity]) clear(component);
+      }
+      for (Buffer<T>& component : body.stress[1]) clear(component);
+    }
   }
 }
 
@@ -72,6 +97,8 @@ std::int64_t classify(const Body<T, D>& body, Population<T, D>& population, Fiel
   return particles;
 }
 
+template void rest_without_particles<double, 2>(Body<double, 2>&, int);
+template void rest_without_particles<double, 3>(Body<double, 3>&, int);
 template std::int64_t classify<double, 2>(const Body<double, 2>&, Population<double, 2>&,
                                           FieldStore<double, 2>&, int, const Boundaries<2>&,
                                           const double*);

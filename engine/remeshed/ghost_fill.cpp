@@ -47,6 +47,24 @@ std::array<T, D> rigid_velocity(const Body<T, D>& body, const FieldStore<T, D>& 
   return result;
 }
 
+// The sums of all ghosts or, run by run, of those that are reached.
+template <class T, int D>
+void sum_ghosts(BlockGhosts<T, D>& ghosts, const T* records, WhichGhosts which,
+                const kernels::Table<T, D>& table) {
+  const std::size_t count = ghosts.slot.size();
+  const auto is_wanted = [&](std::size_t g) {
+    return which == WhichGhosts::all || ghosts.reached[g] != 0;
+  };
+  for (std::size_t end, begin = 0; begin < count; begin = end + 1) {
+    for (end = begin; end < count && is_wanted(end);) ++end;
+    if (end == begin) continue;
+    table.sum_ghosts({static_cast<std::int64_t>(begin), static_cast<std::int64_t>(end - begin),
+                      ghosts.begin.data(), ghosts.record.data(), ghosts.linear.data(),
+                      ghosts.constrained.data(), ghosts.surface.data(), records,
+                      ghosts.sums.get() + 3 * kernels::record_width<D> * begin});
+  }
+}
+
 }  // namespace
 
 template <int D>
@@ -58,19 +76,17 @@ void BoundaryValues<D>::evaluate(const Boundaries<D>& boundaries, double t) {
 }
 
 template <class T, int D>
-void fill_ghosts(Body<T, D>& body, int block, int stage, int parity,
+void fill_ghosts(Body<T, D>& body, int block, int stage, int parity, WhichGhosts which,
                  const Boundaries<D>& boundaries, const BoundaryValues<D>& values,
                  GhostTreatment treatment, const kernels::Table<T, D>& table) {
   BlockGhosts<T, D>& ghosts = body.population.ghosts[block];
-  const std::size_t count = ghosts.slot.size();
-  table.sum_ghosts({0, static_cast<std::int64_t>(count), ghosts.begin.data(), ghosts.record.data(),
-                    ghosts.linear.data(), ghosts.constrained.data(), ghosts.surface.data(),
-                    body.records.get(), ghosts.sums.get()});
+  sum_ghosts(ghosts, body.records.get(), which, table);
   FieldStore<T, D>& state = body.stage[stage];
   const bool averaged = treatment == GhostTreatment::averaged;
   const kernels::Impedance<T> impedance(body.material);
-  for (std::size_t g = 0; g < count; ++g) {
+  for (std::size_t g = 0; g < ghosts.slot.size(); ++g) {
     if (ghosts.active[g] == 0) continue;
+    if (which == WhichGhosts::reached && ghosts.reached[g] == 0) continue;
     const kernels::GhostFits<T, D> fits = ghosts.fits(g);
     kernels::GhostState<T, D> ghost;
     if (const int w = ghosts.wall[g]; w >= 0) {
@@ -96,6 +112,21 @@ void fill_ghosts(Body<T, D>& body, int block, int stage, int parity,
     for (int a = 0; a < D; ++a) state.get(Field::velocity, a)[slot] = ghost.velocity[a];
     for (std::size_t c = 0; c < ghost.stress.size(); ++c) {
       body.stress[parity][c][slot] = ghost.stress[c];
+    }
+  }
+}
+
+template <class T, int D>
+void carry_ghosts(Body<T, D>& body, int block, int stage) {
+  const BlockGhosts<T, D>& ghosts = body.population.ghosts[block];
+  for (int a = 0; a < D; ++a) {
+    const T* start = body.stage[0].get(Field::velocity, a);
+    const T* middle = body.stage[1].get(Field::velocity, a);
+    T* velocity = body.stage[stage].get(Field::velocity, a);
+    for (std::size_t g = 0; g < ghosts.slot.size(); ++g) {
+      if (ghosts.reached[g] != 0) continue;
+      const std::int64_t slot = ghosts.slot[g];
+      velocity[slot] = stage == 2 ? middle[slot] : 2 * middle[slot] - start[slot];
     }
   }
 }
@@ -131,14 +162,16 @@ void fill_conserved(Body<T, D>& body, int block) {
 }
 
 template struct BoundaryValues<2>;
-template void fill_ghosts<double, 2>(Body<double, 2>&, int, int, int, const Boundaries<2>&,
-                                     const BoundaryValues<2>&, GhostTreatment,
+template void fill_ghosts<double, 2>(Body<double, 2>&, int, int, int, WhichGhosts,
+                                     const Boundaries<2>&, const BoundaryValues<2>&, GhostTreatment,
                                      const kernels::Table<double, 2>&);
+template void carry_ghosts<double, 2>(Body<double, 2>&, int, int);
 template void fill_conserved<double, 2>(Body<double, 2>&, int);
 template struct BoundaryValues<3>;
-template void fill_ghosts<double, 3>(Body<double, 3>&, int, int, int, const Boundaries<3>&,
-                                     const BoundaryValues<3>&, GhostTreatment,
+template void fill_ghosts<double, 3>(Body<double, 3>&, int, int, int, WhichGhosts,
+                                     const Boundaries<3>&, const BoundaryValues<3>&, GhostTreatment,
                                      const kernels::Table<double, 3>&);
+template void carry_ghosts<double, 3>(Body<double, 3>&, int, int);
 template void fill_conserved<double, 3>(Body<double, 3>&, int);
 
 }  // namespace pliant::remeshed

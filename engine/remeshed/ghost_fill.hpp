@@ -13,12 +13,19 @@ struct BoundaryValues {
   void evaluate(const Boundaries<D>& boundaries, double t);
 };
 
+enum class WhichGhosts { all, reached };
+
 /// Velocity and stress of a block's ghosts in stage buffer `stage` from the records of the surface
 /// particles, (RP.34)-(RP.39).
 template <class T, int D>
-void fill_ghosts(Body<T, D>& body, int block, int stage, int parity,
+void fill_ghosts(Body<T, D>& body, int block, int stage, int parity, WhichGhosts which,
                  const Boundaries<D>& boundaries, const BoundaryValues<D>& values,
                  GhostTreatment treatment, const kernels::Table<T, D>& kernels);
+
+/// Velocity of the ghosts that no stencil reaches in the stages 2 and 3 from those of 0 and 1: u1
+/// and 2 u1 - u0, with which the Runge-Kutta method moves them by (RP.80).
+template <class T, int D>
+void carry_ghosts(Body<T, D>& body, int block, int stage);
 
 /// Density, material state and displacement of a block's ghosts by the linear fit (RP.32), and
 /// v = h^d: what remeshing scatters.

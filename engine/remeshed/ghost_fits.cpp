@@ -16,6 +16,12 @@ constexpr double mean_radius = 2.5;  // [h], of (RP.38)
 constexpr double widening = 1.3;
 constexpr int most_widenings = 5;
 
+// Pairs of ghosts and particles are many: their lists grow by an eighth, not to the double.
+template <class V>
+void make_room(std::vector<V>& list, std::size_t size) {
+  if (size > list.capacity()) list.reserve(size + size / 8);
+}
+
 template <class T, int D>
 class GhostFitter {
  public:
@@ -125,7 +131,21 @@ class GhostFitter {
     }
     Cell<D> cell = lower;
     const auto scan_row = [&] {
-      for (cell[0] = lower[0]; cell[0] <= upper[0]; ++cell[0]) consider(cell, centre, radius, wall);
+      double square = radius * radius;
+      for (int a = 1; a < D; ++a) square -= (cell[a] - centre[a]) * (cell[a] - centre[a]);
+      if (square <= 0) return;
+      const double chord = std::sqrt(square);
+      cell[0] = static_cast<std::int32_t>(std::ceil(centre[0] - chord));
+      const auto last = static_cast<std::int32_t>(std::floor(centre[0] + chord));
+      // One look-up serves a row that lies in one run.
+      std::int64_t slot = body_.lattice.period == Cell<D>{}
+                              ? population_.layout.slot(cell, last + 1 - cell[0])
+                              : -1;
+      const bool in_one_run = slot >= 0;
+      for (; cell[0] <= last; ++cell[0], ++slot) {
+        if (!in_one_run) slot = population_.layout.slot(body_.lattice.wrapped(cell));
+        if (slot >= 0) consider(slot, cell, centre, radius, wall);
+      }
     };
     if constexpr (D == 2) {
       for (cell[1] = lower[1]; cell[1] <= upper[1]; ++cell[1]) scan_row();
@@ -136,13 +156,13 @@ class GhostFitter {
     }
   }
 
-  void consider(const Cell<D>& cell, const Point<D>& centre, double radius, const Wall<D>* wall) {
+  void consider(std::int64_t q, const Cell<D>& cell, const Point<D>& centre, double radius,
+                const Wall<D>* wall) {
+    if (population_.kind[q] != Kind::interior) return;
     Position<D> r;
     for (int a = 0; a < D; ++a) r[a] = cell[a] - centre[a];
     const double fraction = r.squaredNorm() / (radius * radius);
     if (fraction >= 1) return;
-    const std::int64_t q = population_.layout.slot(body_.lattice.wrapped(cell));
-    if (q < 0 || population_.kind[q] != Kind::interior) return;
     const double distance = wall ? wall->distance(body_.lattice.node(cell)) : surface_distance(q);
     particles_.push_back({static_cast<std::int32_t>(q), (1 - fraction) * (1 - fraction),
                           distance / body_.lattice.spacing, r});
@@ -212,6 +232,11 @@ class GhostFitter {
   void keep() {
     ghosts_.constrained_sum.push_back(static_cast<T>(std::accumulate(b_.begin(), b_.end(), 0.)));
     ghosts_.surface_sum.push_back(static_cast<T>(std::accumulate(a_.begin(), a_.end(), 0.)));
+    const std::size_t pairs = ghosts_.neighbour.size() + particles_.size();
+    make_room(ghosts_.neighbour, pairs);
+    for (auto* fit : {&ghosts_.linear, &ghosts_.constrained, &ghosts_.surface}) {
+      make_room(*fit, pairs);
+    }
     for (std::size_t k = 0; k < particles_.size(); ++k) {
       ghosts_.neighbour.push_back(particles_[k].slot);
       ghosts_.linear.push_back(static_cast<T>(c_[k]));
@@ -275,6 +300,7 @@ void fit_ghosts(const Body<T, D>& body, Population<T, D>& population, const Fiel
                                     if (kind == Kind::free_ghost || kind == Kind::wall_ghost)
                                       fitter.add(p, cell);
                                   });
+  make_room(ghosts.record, ghosts.neighbour.size());
   ghosts.record.resize(ghosts.neighbour.size());
   ghosts.sums.grow(ghosts.slot.size() * 3 * kernels::record_width<D>, T(0));
 }

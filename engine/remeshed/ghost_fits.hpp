@@ -24,12 +24,21 @@ std::int64_t classify(const Body<T, D>& body, Population<T, D>& population, Fiel
 template <class T, int D>
 void find_pack_states(Population<T, D>& population, const kernels::Segment<D>& segment);
 
+/// Puts at rest what the stages leave alone of their copies of the state: packs without interior
+/// particles. Ghosts among them get their velocity and stress in every stage.
+template <class T, int D>
+void rest_without_particles(Body<T, D>& body, int block);
+
 /// Finds the ghosts of a block and the coefficients of their fits, (RP.32), (RP.33), (RP.38), and
 /// marks the particles that they read in `used`.
 template <class T, int D>
 void fit_ghosts(const Body<T, D>& body, Population<T, D>& population, const FieldStore<T, D>& state,
                 int block, const LevelSet<T, D>& level_set, const Boundaries<D>& boundaries,
                 GhostTreatment treatment, std::int32_t* used);
+
+/// Marks the ghosts of a block that some particle's stencil reaches, and all of walls.
+template <class T, int D>
+void mark_reached(Population<T, D>& population, int block, int reach);
 
 /// Lists the packs of a block with particles that some fit uses.
 template <class T, int D>

@@ -40,27 +40,48 @@ class CubicInterpolant {
       nodes.are_loaded = load(nodes);
       if (!nodes.are_loaded) return false;
     }
-    value = 0;
-    gradient = {};
-    for (int k = 0; k < (D == 3 ? 4 : 1); ++k) {
-      for (int j = 0; j < 4; ++j) {
-        const std::array<double, 4>& row = nodes.row[4 * k + j];
-        double f = 0, df = 0;
-        for (int i = 0; i < 4; ++i) {
-          f += weight[0][i] * row[i];
-          df += slope[0][i] * row[i];
+    if constexpr (D == 2) {
+      contract(nodes.row.data(), weight, slope, value, gradient);
+    } else {
+      std::array<std::array<double, 4>, 4> plane = {}, along = {};
+      for (int k = 0; k < 4; ++k) {
+        for (int j = 0; j < 4; ++j) {
+          for (int i = 0; i < 4; ++i) {
+            plane[j][i] += weight[2][k] * nodes.row[4 * k + j][i];
+            along[j][i] += slope[2][k] * nodes.row[4 * k + j][i];
+          }
         }
-        const double outer = D == 3 ? weight[D - 1][k] : 1;
-        value += outer * weight[1][j] * f;
-        gradient[0] += outer * weight[1][j] * df;
-        gradient[1] += outer * slope[1][j] * f;
-        if constexpr (D == 3) gradient[2] += slope[2][k] * weight[1][j] * f;
+      }
+      contract(plane.data(), weight, slope, value, gradient);
+      gradient[2] = 0;
+      for (int i = 0; i < 4; ++i) {
+        double f = 0;
+        for (int j = 0; j < 4; ++j) f += weight[1][j] * along[j][i];
+        gradient[2] += weight[0][i] * f;
       }
     }
     return true;
   }
 
  private:
+  // Value and gradient in the plane of four rows.
+  static void contract(const std::array<double, 4>* row,
+                       const std::array<std::array<double, 4>, D>& weight,
+                       const std::array<std::array<double, 4>, D>& slope, double& value,
+                       Point<D>& gradient) {
+    value = gradient[0] = gradient[1] = 0;
+    for (int i = 0; i < 4; ++i) {
+      double f = 0, df = 0;
+      for (int j = 0; j < 4; ++j) {
+        f += weight[1][j] * row[j][i];
+        df += slope[1][j] * row[j][i];
+      }
+      value += weight[0][i] * f;
+      gradient[0] += slope[0][i] * f;
+      gradient[1] += weight[0][i] * df;
+    }
+  }
+
   // The cubic through the nodes -1, 0, 1, 2 at 0 <= s < 1.
   static void lagrange(double s, std::array<double, 4>& w, std::array<double, 4>& dw) {
     constexpr double sixth = 1.0 / 6;

@@ -49,7 +49,20 @@ void for_each_adjacent(const kernels::Segment<D>& segment, const Cell<D>& cell, 
   }
 }
 
+/// The point of the plane through `foot` nearest to a node; `foot` itself without a clear normal.
+template <int D>
+Point<D> tangent_point(const Point<D>& node, const Point<D>& foot, const Point<D>& normal) {
+  const double square = dot<D>(normal, normal);
+  if (square < 0.25) return foot;
+  const double along = dot<D>(difference<D>(node, foot), normal) / square;
+  Point<D> x;
+  for (int a = 0; a < D; ++a) x[a] = node[a] - along * normal[a];
+  return x;
+}
+
 constexpr double search_limit = 2.5;  // cells from a near node to its closest point
+// Cells; the distance to the surface depends on the closest point in second order.
+constexpr double shortest_step = 1e-4;
 
 }  // namespace
 
@@ -153,7 +166,7 @@ typename LevelSet<T, D>::Projection LevelSet<T, D>::project(const Point<D>& node
     const double length2 = dot<D>(step, step);
     const double scale = length2 > 0.25 ? 0.5 / std::sqrt(length2) : 1;
     for (int a = 0; a < D; ++a) x[a] += scale * step[a];
-    if (length2 < 1e-12) return {x, true};
+    if (length2 < shortest_step * shortest_step) return {x, true};
   }
   double value = 0;
   Point<D> g;
@@ -248,7 +261,8 @@ void LevelSet<T, D>::add_layer(const Block<D>& block, int layer) {
   }
 }
 
-// The nearest among the closest points of the marked neighbours, polished from there.
+// The nearest among the closest points of the marked neighbours, polished from there. Where the
+// surface is smooth the tangent plane of that point leads nearly to the node's own.
 template <class T, int D>
 void LevelSet<T, D>::adopt_nearest(const kernels::Segment<D>& segment, std::int64_t slot,
                                    const Cell<D>& cell, int layer) {
@@ -256,24 +270,29 @@ void LevelSet<T, D>::adopt_nearest(const kernels::Segment<D>& segment, std::int6
   const double h = lattice_->spacing;
   const Point<D> node = as_point<D>(cell);
   double nearest = 1e300;
-  Point<D> foot = {};
+  Point<D> foot = {}, normal = {};
   const bool periodic = lattice_->period != Cell<D>{};
   const std::uint8_t* marks = layer_[layer % 2].get();
   for_each_adjacent<D>(segment, cell, [&](const Cell<D>& other, std::int64_t slots_to) {
     if (!periodic && marks[slot + slots_to] == 0) return;
     const std::int64_t q = layout_->slot(lattice_->wrapped(other));
     if (q < 0 || marks[q] == 0) return;
-    Point<D> candidate = as_point<D>(other);
-    for (int a = 0; a < D; ++a) candidate[a] += foot_[a][q];
+    Point<D> candidate = as_point<D>(other), to_foot;
+    for (int a = 0; a < D; ++a) {
+      to_foot[a] = foot_[a][q];
+      candidate[a] += to_foot[a];
+    }
     const Point<D> offset = difference<D>(candidate, node);
     const double square = dot<D>(offset, offset);
     if (square < nearest) {
       nearest = square;
       foot = candidate;
+      normal = to_foot;
     }
   });
   if (nearest == 1e300) return;
-  const Projection polished = project(node, foot, 6);
+  Projection polished = project(node, tangent_point<D>(node, foot, normal), 6);
+  if (!polished.converged) polished = project(node, foot, 6);
   const Point<D> moved = difference<D>(polished.point, foot);
   if (polished.converged && dot<D>(moved, moved) < 2) foot = polished.point;
   const Point<D> offset = difference<D>(foot, node);

@@ -164,8 +164,7 @@ void list_neighbours(Body<T, D>& body, int block, int reach) {
     const kernels::Segment<D>& segment = layout.segments_of(range)[s];
     Cell<D> cell = segment.cell;
     for (std::int64_t p = segment.first; p < segment.first + segment.count; p += pack) {
-      if (body.population.pack_state[p / pack] != PackState::none)
-        list_pack<T, D>(body, own, p, cell);
+      if (holds_interior(body.population.pack_state[p / pack])) list_pack<T, D>(body, own, p, cell);
       cell[0] += pack;
     }
   }

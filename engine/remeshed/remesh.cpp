@@ -41,6 +41,7 @@ Remeshing<T, D>::Remeshing(const Case& settings, Body<T, D>& body, const Boundar
       kernels_(kernels),
       workers_(workers),
       treatment_(settings.ghosts),
+      stencil_reach_(kernels::stencil_reach(settings.discretisation.weight)),
       filter_strength_(settings.remeshing.filter),
       extensive_(settings.remeshing.extensive),
       tiles_(workers.threads()) {}
@@ -145,9 +146,8 @@ void Remeshing<T, D>::prepare_spare() {
   const std::int64_t slots = to.layout.slots();
   const std::size_t blocks = to.layout.blocks().size();
   to.kind.grow(slots, Kind::vacant);
-  to.pack_state.grow(slots / Layout<D>::pack + 1, PackState::none);
+  to.pack_state.grow(slots / Layout<D>::pack + 1, PackState::vacant);
   to.interior.grow(slots, T(0));
-  to.ghosts.resize(blocks);
   to.images.resize(blocks);
   particles_.assign(blocks, 0);
   body_.stage[1].grow(slots);
@@ -226,6 +226,16 @@ void Remeshing<T, D>::arrival_phases(std::vector<scheduler::Phase>& phases, int 
 }
 
 template <class T, int D>
+void Remeshing<T, D>::prepare_arrival(bool reinitialise, bool is_final) {
+  reinitialise_ = reinitialise;
+  is_final_ = is_final;
+  if (!is_final) return;
+  const std::size_t blocks = body_.spare.layout.blocks().size();
+  body_.spare.ghosts.swap(body_.population.ghosts);
+  body_.spare.ghosts.resize(blocks);
+}
+
+template <class T, int D>
 void Remeshing<T, D>::extend_level_set(int block) {
   level_set_.extend_through_walls(body_.spare.layout.blocks()[block], boundaries_, valid_.get());
 }
@@ -245,22 +255,27 @@ void Remeshing<T, D>::find_kinds(int block) {
 
 template <class T, int D>
 void Remeshing<T, D>::fit_block(int block) {
+  if (!is_final_) return;
   fit_ghosts<T, D>(body_, body_.spare, body_.stage[1], block, level_set_, boundaries_, treatment_,
                    body_.record_of_slot.get());
+  mark_reached<T, D>(body_.spare, block, stencil_reach_);
 }
 
 template <class T, int D>
 void Remeshing<T, D>::list_surface(int block) {
+  if (!is_final_) return;
   list_surface_particles<T, D>(body_.spare, block, body_.record_of_slot.get());
 }
 
 template <class T, int D>
 void Remeshing<T, D>::number_all() {
+  if (!is_final_) return;
   number_records<T, D>(body_.spare, body_.record_of_slot.get());
 }
 
 template <class T, int D>
 void Remeshing<T, D>::resolve_block(int block) {
+  if (!is_final_) return;
   resolve_records<T, D>(body_.spare, block, body_.record_of_slot.get());
 }
 
@@ -287,16 +302,19 @@ template <class T, int D>
 void Remeshing<T, D>::lay_out_again(const std::vector<std::int32_t>& occupancy) {
   occupancy_.restore(occupancy);
   prepare_spare();
+  prepare_arrival(false, true);
   std::swap(body_.population, body_.spare);
   grow_stages();
 }
 
 template <class T, int D>
 void Remeshing<T, D>::adopt_restored() {
+  grow_stages();
   for (std::size_t b = 0; b < body_.population.images.size(); ++b) {
     list_images(body_.population, static_cast<int>(b));
+    rest_without_particles<T, D>(body_, static_cast<int>(b));
+    mark_reached<T, D>(body_.population, static_cast<int>(b), stencil_reach_);
   }
-  grow_stages();
 }
 
 template class Remeshing<double, 2>;

@@ -38,7 +38,9 @@ class Remeshing {
   /// `from_particles` is false when the new fields are the initial ones: no scatter, no filter.
   void arrival_phases(std::vector<scheduler::Phase>& phases, int first_block, bool from_particles);
 
-  void set_reinitialise(bool due) { reinitialise_ = due; }
+  /// Between the two: whether the level set is due to be reinitialised, and whether `commit` will
+  /// follow. Only then are ghosts fitted, in the place of the present ones.
+  void prepare_arrival(bool reinitialise, bool is_final);
   void commit();
   /// From a checkpoint: the layout first, and what follows from kinds and fits once they are read.
   void lay_out_again(const std::vector<std::int32_t>& occupancy);
@@ -75,6 +77,8 @@ class Remeshing {
   const kernels::Table<T, D>& kernels_;
   scheduler::Workers& workers_;
   GhostTreatment treatment_;
+  int stencil_reach_;
+  bool is_final_ = true;
   double filter_strength_;
   bool extensive_;
   bool has_surface_ = true;

@@ -16,10 +16,10 @@ template <class T, int D>
 void Remeshing<T, D>::scatter(int block) {
   const Block<D>& target = body_.spare.layout.blocks()[block];
   Cell<D> lower, extent;
-  std::size_t nodes = kernels::node_width<D>;
+  std::size_t nodes = kernels::node_width_for<D>(body_.stage[0].carried());
   for (int a = 0; a < D; ++a) {
-    lower[a] = target.lower[a] - kernels::tile_margin;
-    extent[a] = target.upper[a] + kernels::tile_margin + 1 - lower[a];
+    lower[a] = target.lower[a];
+    extent[a] = target.upper[a] + 1 - lower[a];
     nodes *= extent[a];
   }
   Buffer<T>& tile = tiles_[workers_.index()];
@@ -39,8 +39,9 @@ void Remeshing<T, D>::add_source(int block, T* nodes, const Cell<D>& lower, cons
   Cell<D> first, last;
   for (int a = 0; a < D; ++a) {
     const std::int32_t n = body_.lattice.period[a];
-    const std::int32_t least = lower[a] - source.upper[a];
-    const std::int32_t most = lower[a] + extent[a] - 1 - source.lower[a];
+    // Bounds are cells to which particles are nearest: their nodes lie up to two cells away.
+    const std::int32_t least = lower[a] - source.upper[a] - 2;
+    const std::int32_t most = lower[a] + extent[a] + 1 - source.lower[a];
     if (n == 0) {
       if (least > 0 || most < 0) return;
       first[a] = last[a] = 0;
@@ -86,10 +87,11 @@ void Remeshing<T, D>::take_nodes(int block, const T* nodes, const Cell<D>& lower
   FieldStore<T, D>& state = body_.stage[1];
   const T cell_volume = static_cast<T>(std::pow(body_.lattice.spacing, D));
   const Layout<D>& layout = body_.spare.layout;
+  const int width = kernels::node_width_for<D>(state.carried());
   layout.for_each_slot(layout.blocks()[block], [&](std::int64_t p, const Cell<D>& cell) {
     std::size_t at = 0;
     for (int a = D - 1; a >= 0; --a) at = at * extent[a] + (cell[a] - lower[a]);
-    const T* node = nodes + at * kernels::node_width<D>;
+    const T* node = nodes + at * width;
     const T weight = node[Node::weight], mass = node[Node::mass], volume = node[Node::volume];
     const bool valid = weight >= T(0.6) && volume >= T(0.3) * cell_volume && mass > 0 &&
                        body_.lattice.is_wrapped(cell);

@@ -37,6 +37,9 @@ kernels::Material<T> converted(const kernels::Material<double>& m) {
   return material;
 }
 
+// Cells by which blocks may come nearer to each other before a graph has to be built again.
+constexpr int graph_slack = 4;
+
 // Shares of a period or of a spacing that rounding may leave between two times.
 constexpr double rounding = 1e-9;
 
@@ -68,6 +71,7 @@ Solver<T, D>::Solver(const Case& settings, int threads, kernels::Isa isa)
   std::vector<scheduler::Phase> phases;
   int first = 0;
   for (auto& remeshing : remeshings_) {
+    remeshing->prepare_arrival(false, true);
     remeshing->arrival_phases(phases, first, false);
     first += static_cast<int>(
         state_.bodies[&remeshing - remeshings_.data()].spare.layout.blocks().size());
@@ -113,7 +117,7 @@ void Solver<T, D>::step(double longest) {
   if (remeshing_due()) {
     const bool reinitialise =
         clock.steps_since_reinitialisation >= settings_.level_set.reinitialise_every;
-    remesh_onto_spare(reinitialise);
+    remesh_onto_spare(reinitialise, true);
     if (reinitialise) clock.steps_since_reinitialisation = 0;
     ++clock.remeshings;
     clock.steps_since_remeshing = 0;
@@ -139,7 +143,7 @@ bool Solver<T, D>::remeshing_due() const {
 }
 
 template <class T, int D>
-void Solver<T, D>::remesh_onto_spare(bool reinitialise) {
+void Solver<T, D>::remesh_onto_spare(bool reinitialise, bool is_final) {
   step_.prepare(0);
   const auto each_body = [&](bool spare, auto add) {
     std::vector<scheduler::Phase> phases;
@@ -160,7 +164,7 @@ void Solver<T, D>::remesh_onto_spare(bool reinitialise) {
     }
     return phases;
   }));
-  for (auto& remeshing : remeshings_) remeshing->set_reinitialise(reinitialise);
+  for (auto& remeshing : remeshings_) remeshing->prepare_arrival(reinitialise, is_final);
   run(graph_for(arrival_graph_, true, [&] {
     return each_body(true, [](auto& list, auto& remeshing, int first) {
       remeshing.arrival_phases(list, first, true);
@@ -224,7 +228,8 @@ scheduler::Blocks Solver<T, D>::blocks(bool spare) const {
   scheduler::Blocks blocks;
   for (const Body<T, D>& body : state_.bodies) {
     const int first = blocks.count();
-    for (const auto& near : (spare ? body.spare : body.population).layout.neighbours()) {
+    const Layout<D>& layout = (spare ? body.spare : body.population).layout;
+    for (const auto& near : layout.neighbours_and(graph_slack)) {
       blocks.neighbours.emplace_back(near);
       for (int& b : blocks.neighbours.back()) b += first;
     }
@@ -324,7 +329,7 @@ std::int64_t Solver<T, D>::ghosts() const {
 template <class T, int D>
 std::vector<LatticeView<T, D>> Solver<T, D>::on_nodes() {
   const bool fresh = is_fresh();
-  if (!fresh) remesh_onto_spare(false);
+  if (!fresh) remesh_onto_spare(false, false);
   std::vector<LatticeView<T, D>> views;
   for (const Body<T, D>& body : state_.bodies) {
     views.push_back({body, fresh ? body.population : body.spare, body.stage[fresh ? 0 : 1]});

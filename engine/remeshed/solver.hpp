@@ -82,7 +82,7 @@ class Solver {
   };
 
   bool remeshing_due() const;
-  void remesh_onto_spare(bool reinitialise);
+  void remesh_onto_spare(bool reinitialise, bool is_final);
   void commit();
   void number_blocks();
   void find_neighbours(double time_step);

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "engine/remeshed/contact.hpp"
+#include "engine/remeshed/ghost_fits.hpp"
 #include "engine/remeshed/resources.hpp"
 
 // A step of the remeshed Lagrangian particle method (H&K, sections 2 and 4).
@@ -33,7 +34,7 @@ std::vector<Phase> Step<T, D>::phases() {
   results_.assign(state_.blocks.size(), {0, 0, -1});
   std::vector<Phase> phases;
   for (int stage = 0; stage < 4; ++stage) {
-    add_ghosts(phases, stage);
+    add_ghosts(phases, stage, WhichGhosts::reached);
     add_advance(phases, stage);
   }
   return phases;
@@ -42,7 +43,7 @@ std::vector<Phase> Step<T, D>::phases() {
 template <class T, int D>
 std::vector<Phase> Step<T, D>::ghost_phases() {
   std::vector<Phase> phases;
-  add_ghosts(phases, 0);
+  add_ghosts(phases, 0, WhichGhosts::all);
   return phases;
 }
 
@@ -59,7 +60,7 @@ std::vector<Phase> Step<T, D>::stress_phases() {
 }
 
 template <class T, int D>
-void Step<T, D>::add_ghosts(std::vector<Phase>& phases, int stage) {
+void Step<T, D>::add_ghosts(std::vector<Phase>& phases, int stage, WhichGhosts which) {
   const int parity = stage % 2;
   const auto each = [&](const char* name, std::vector<scheduler::Access> reads,
                         std::vector<scheduler::Access> writes, auto run) {
@@ -95,7 +96,12 @@ void Step<T, D>::add_ghosts(std::vector<Phase>& phases, int stage) {
     reads.push_back({resource::contact});
     writes.push_back({resource::impulse});
   }
-  each("ghosts", std::move(reads), std::move(writes), &Step::fill);
+  if (which == WhichGhosts::all) {
+    each("ghosts", std::move(reads), std::move(writes), &Step::fill_all);
+  } else {
+    if (stage >= 2) reads.insert(reads.end(), {{resource::ghosts(0)}, {resource::ghosts(1)}});
+    each("ghosts", std::move(reads), std::move(writes), &Step::fill);
+  }
   if (periodic()) {
     each("images",
          {{resource::velocity(stage), Reach::neighbours},
@@ -242,10 +248,21 @@ void Step<T, D>::write_records(int block, int stage) {
 }
 
 template <class T, int D>
+void Step<T, D>::fill_all(int block, int stage) {
+  const auto [body, local] = owner(block);
+  fill_ghosts<T, D>(body, local, stage, stage % 2, WhichGhosts::all, state_.boundaries,
+                    boundary_values_[stage], settings_.ghosts, kernels_);
+}
+
+// Ghosts that no stencil reaches only have to come along until the next remeshing: they are filled
+// in the first two stages. Lists of neighbours may hold them too, and want their stress.
+template <class T, int D>
 void Step<T, D>::fill(int block, int stage) {
   const auto [body, local] = owner(block);
-  fill_ghosts<T, D>(body, local, stage, stage % 2, state_.boundaries, boundary_values_[stage],
-                    settings_.ghosts, kernels_);
+  const bool all = stage < 2 || body.neighbours.are_listed;
+  fill_ghosts<T, D>(body, local, stage, stage % 2, all ? WhichGhosts::all : WhichGhosts::reached,
+                    state_.boundaries, boundary_values_[stage], settings_.ghosts, kernels_);
+  if (stage >= 2) carry_ghosts<T, D>(body, local, stage);
   Point<D>* impulse = impulse_.data() + block * state_.boundaries.walls.size();
   add_impulse<T, D>(body, local, state_.boundaries, boundary_values_[stage],
                     stage_weight[stage] * time_step_, impulse);
@@ -304,6 +321,7 @@ void Step<T, D>::evaluate_stress(int block) {
   work.mass = body.stage[0].get(Field::mass);
   work.state = body.stage[0].template evolving<const T>();
   work.stress = body.stress_view(0);
+  rest_without_particles(body, local);
   results_[block] = kernels_.evaluate_stress(work);
 }
 

@@ -47,7 +47,7 @@ class Step {
   }
   bool periodic() const;
   std::vector<int> blocks_where(bool listed) const;
-  void add_ghosts(std::vector<scheduler::Phase>& phases, int stage);
+  void add_ghosts(std::vector<scheduler::Phase>& phases, int stage, WhichGhosts which);
   void add_advance(std::vector<scheduler::Phase>& phases, int stage);
   void add_advance(std::vector<scheduler::Phase>& phases, int stage, scheduler::Reach reach,
                    std::vector<int> blocks);
@@ -56,6 +56,7 @@ class Step {
   void write_records(int block, int stage);
   void decide_contact(int block, int stage);
   void fill(int block, int stage);
+  void fill_all(int block, int stage);
   void copy_images(int block, int stage);
   void advance(int block, int stage);
   void evaluate_stress(int block);

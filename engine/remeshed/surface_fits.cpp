@@ -1,6 +1,7 @@
 #include "engine/remeshed/surface_fits.hpp"
 
 #include <Eigen/Dense>
+#include <array>
 
 namespace pliant::remeshed {
 
@@ -9,14 +10,24 @@ namespace {
 // Pivots of a normal matrix, relative to its largest, below which a fit counts as singular.
 constexpr double smallest_pivot = 2e-3;
 
-/// Solves M x = e where M = sum_i w_i q_i q_i^T; false when M is (nearly) singular.
-template <int N, class Basis, int D>
+/// Solves M x = e for each column e of `at` where M = sum_i w_i q_i q_i^T; false when M is (nearly)
+/// singular.
+template <int N, int K, class Basis, int D>
 bool solve_fit(const FitParticles<D>& particles, const Basis& basis,
-               const Eigen::Matrix<double, N, 1>& at, Eigen::Matrix<double, N, 1>& solution) {
-  Eigen::Matrix<double, N, N> normal = Eigen::Matrix<double, N, N>::Zero();
+               const Eigen::Matrix<double, N, K>& at, Eigen::Matrix<double, N, K>& solution) {
+  std::array<double, N*(N + 1) / 2> sum = {};
   for (const FitParticle<D>& i : particles) {
     const Eigen::Matrix<double, N, 1> q = basis(i);
-    normal += i.weight * q * q.transpose();
+    for (int row = 0, entry = 0; row < N; ++row) {
+      const double weighted = i.weight * q[row];
+      for (int column = 0; column <= row; ++column) sum[entry++] += weighted * q[column];
+    }
+  }
+  Eigen::Matrix<double, N, N> normal;
+  for (int row = 0, entry = 0; row < N; ++row) {
+    for (int column = 0; column <= row; ++column) {
+      normal(row, column) = normal(column, row) = sum[entry++];
+    }
   }
   const Eigen::LDLT<Eigen::Matrix<double, N, N>> factor(normal);
   const auto pivots = factor.vectorD();
@@ -27,34 +38,41 @@ bool solve_fit(const FitParticles<D>& particles, const Basis& basis,
 
 /// {phi, phi t[, phi t2], phi^2} without its last term unless N = D + 1.
 template <int N, int D>
-Eigen::Matrix<double, N, 1> constrained_basis(double distance, const Position<D>& position,
-                                              const Position<D>& normal) {
-  Eigen::Matrix<double, N, 1> q;
-  q[0] = distance;
-  if constexpr (D == 2) {
-    q[1] = distance * (-normal[1] * position[0] + normal[0] * position[1]);
-  } else {
-    const Position<D> t1 = normal.unitOrthogonal(), t2 = normal.cross(t1);
-    q[1] = distance * t1.dot(position);
-    q[2] = distance * t2.dot(position);
+class ConstrainedBasis {
+ public:
+  explicit ConstrainedBasis(const Position<D>& normal) {
+    if constexpr (D == 2) {
+      tangent_[0] = {-normal[1], normal[0]};
+    } else {
+      tangent_[0] = normal.unitOrthogonal();
+      tangent_[1] = normal.cross(tangent_[0]);
+    }
   }
-  if constexpr (N > D) q[D] = distance * distance;
-  return q;
-}
+
+  Eigen::Matrix<double, N, 1> operator()(double distance, const Position<D>& position) const {
+    Eigen::Matrix<double, N, 1> q;
+    q[0] = distance;
+    for (int k = 1; k < D; ++k) q[k] = distance * tangent_[k - 1].dot(position);
+    if constexpr (N > D) q[D] = distance * distance;
+    return q;
+  }
+
+ private:
+  std::array<Position<D>, D - 1> tangent_;
+};
 
 /// Coefficients of (RP.32) at the ghost and at the foot point, in {1, x, y[, z]} or {1, n.x}.
 template <int N, int D, class Basis>
 bool fit_linear(const FitParticles<D>& particles, const Basis& basis, const Position<D>& ghost,
                 std::vector<double>& c, std::vector<double>& a) {
   const auto of_neighbour = [&](const FitParticle<D>& i) { return basis(i.position); };
-  Eigen::Matrix<double, N, 1> at_ghost, at_foot;
-  if (!solve_fit<N>(particles, of_neighbour, basis(ghost), at_ghost) ||
-      !solve_fit<N>(particles, of_neighbour, basis(Position<D>::Zero()), at_foot)) {
-    return false;
-  }
+  Eigen::Matrix<double, N, 2> at, x;
+  at << basis(ghost), basis(Position<D>::Zero());
+  if (!solve_fit<N, 2>(particles, of_neighbour, at, x)) return false;
   for (const FitParticle<D>& i : particles) {
-    c.push_back(i.weight * basis(i.position).dot(at_ghost));
-    a.push_back(i.weight * basis(i.position).dot(at_foot));
+    const Eigen::Matrix<double, N, 1> q = basis(i.position);
+    c.push_back(i.weight * q.dot(x.col(0)));
+    a.push_back(i.weight * q.dot(x.col(1)));
   }
   return true;
 }
@@ -62,12 +80,11 @@ bool fit_linear(const FitParticles<D>& particles, const Basis& basis, const Posi
 template <int N, int D>
 bool fit_constrained_in(const FitParticles<D>& particles, const FitSite<D>& site,
                         std::vector<double>& b) {
-  const auto basis = [&](const FitParticle<D>& i) {
-    return constrained_basis<N, D>(i.surface_distance, i.position, site.normal);
-  };
+  const ConstrainedBasis<N, D> terms(site.normal);
+  const auto basis = [&](const FitParticle<D>& i) { return terms(i.surface_distance, i.position); };
   Eigen::Matrix<double, N, 1> x;
-  const auto at = constrained_basis<N, D>(site.surface_distance, site.ghost, site.normal);
-  if (!solve_fit<N>(particles, basis, at, x)) return false;
+  const Eigen::Matrix<double, N, 1> at = terms(site.surface_distance, site.ghost);
+  if (!solve_fit<N, 1>(particles, basis, at, x)) return false;
   for (const FitParticle<D>& i : particles) b.push_back(i.weight * basis(i).dot(x));
   return true;
 }

@@ -12,7 +12,8 @@
 namespace pliant {
 
 /// A 64-byte aligned array of plain values that grows but never shrinks, so that a warm step
-/// allocates nothing. Large arrays ask for huge pages, which is worth about a tenth of the speed.
+/// allocates nothing. Large arrays ask for huge pages, which is worth about a tenth of the speed;
+/// memory that no value has been given yet costs nothing.
 ///
 /// Large arrays all start at the beginning of a page, so that one slot of twenty fields would want
 /// the same set of a cache, and a store look like the load of another field to the processor, which
@@ -31,41 +32,48 @@ class Buffer {
   Buffer& operator=(const Buffer&) = delete;
   ~Buffer() { std::free(memory_); }
 
-  /// Makes room for `size` values and gives every value beyond the old capacity the value
-  /// `filling`. Values below it are kept.
+  /// Makes room for `size` values. Those that there were are kept, those that there were not get
+  /// the value `filling`.
   void grow(std::size_t size, T filling) {
-    if (size <= capacity_) return;
-    const std::size_t alignment = size * sizeof(T) >= huge_page ? huge_page : line;
-    const std::size_t start = size * sizeof(T) >= page ? next_start() : 0;
-    // A tenth of slack keeps a slowly growing body from reallocating at every remeshing.
-    const std::size_t bytes = rounded(start + (size + size / 10) * sizeof(T), alignment);
-    auto* memory = static_cast<std::byte*>(std::aligned_alloc(alignment, bytes));
-    if (memory == nullptr) throw std::bad_alloc();
-    if (alignment == huge_page) madvise(memory, bytes, MADV_HUGEPAGE);
-    T* grown = reinterpret_cast<T*>(memory + start);
-    const std::size_t capacity = (bytes - start) / sizeof(T);
-    std::copy(values_, values_ + capacity_, grown);
-    std::fill(grown + capacity_, grown + capacity, filling);
-    std::free(memory_);
-    memory_ = memory;
-    values_ = grown;
-    capacity_ = capacity;
+    if (size > capacity_) reallocate(size);
+    if (size > size_) std::fill(values_ + size_, values_ + size, filling);
+    size_ = std::max(size_, size);
   }
 
   T* get() { return values_; }
   const T* get() const { return values_; }
   T& operator[](std::size_t i) { return values_[i]; }
   const T& operator[](std::size_t i) const { return values_[i]; }
-  std::size_t bytes() const { return capacity_ * sizeof(T); }
+  std::size_t bytes() const { return size_ * sizeof(T); }
 
   void swap(Buffer& other) noexcept {
     std::swap(memory_, other.memory_);
     std::swap(values_, other.values_);
+    std::swap(size_, other.size_);
     std::swap(capacity_, other.capacity_);
   }
 
  private:
   static constexpr std::size_t line = 64, page = 4096, huge_page = std::size_t{2} << 20;
+
+  void reallocate(std::size_t size) {
+    const std::size_t alignment = size * sizeof(T) >= huge_page ? huge_page : line;
+    const std::size_t start = size * sizeof(T) >= page ? next_start() : 0;
+    // A tenth of slack keeps a slowly growing body from reallocating at every remeshing.
+    const std::size_t bytes = rounded(start + (size + size / 10) * sizeof(T), line);
+    auto* memory =
+        static_cast<std::byte*>(std::aligned_alloc(alignment, rounded(bytes, alignment)));
+    if (memory == nullptr) throw std::bad_alloc();
+    // The last of the pages stay small: they hold less than a huge one.
+    if (alignment == huge_page) madvise(memory, bytes / huge_page * huge_page, MADV_HUGEPAGE);
+    T* grown = reinterpret_cast<T*>(memory + start);
+    std::copy(values_, values_ + size_, grown);
+    std::free(memory_);
+    memory_ = memory;
+    values_ = grown;
+    capacity_ = (bytes - start) / sizeof(T);
+  }
+
   static std::size_t rounded(std::size_t bytes, std::size_t unit) {
     return (bytes + unit - 1) / unit * unit;
   }
@@ -78,7 +86,7 @@ class Buffer {
 
   std::byte* memory_ = nullptr;
   T* values_ = nullptr;
-  std::size_t capacity_ = 0;
+  std::size_t size_ = 0, capacity_ = 0;
 };
 
 }  // namespace pliant

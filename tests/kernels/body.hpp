@@ -61,10 +61,15 @@ struct Body {
     return arguments;
   }
 
-  /// One whole step; the result of its last stage. states[0] is the new state.
+  /// One whole step, during which ghosts keep their velocity and stress; the result of its last
+  /// stage. states[0] is the new state.
   StageResult step(const Table<T, D>& table, T time_step) {
     const StressOfState<T, D> stress = stress_of(0);
     table.evaluate_stress(stress);
+    for (int n = 1; n < 4; ++n) {
+      states[n].velocity = states[0].velocity;
+      states[n].stress = states[0].stress;
+    }
     StageResult result{};
     for (int number = 0; number < 4; ++number) {
       result = table.advance_stage(stage(number, number, (number + 1) % 4, time_step));

@@ -1,6 +1,7 @@
 #include <cmath>
 #include <functional>
 
+#include "kernels/fourth_difference.hpp"
 #include "tests/kernels/patch.hpp"
 #include "tests/kernels/tables.hpp"
 
@@ -118,6 +119,21 @@ TYPED_TEST(filter, keeps_the_sum_of_what_is_inside_and_all_else) {
   });
   EXPECT_TRUE(filtered);
   EXPECT_NEAR(after, before, 1e3 * std::numeric_limits<T>::epsilon());
+}
+
+TEST(fourth_difference, inside_is_that_of_the_fluxes_and_of_the_binomial_coefficients) {
+  using P = xsimd::batch<double, xsimd::sse2>;
+  constexpr int width = 8;
+  std::array<Field<double>, 1> random = {Field<double>(5 * width)};
+  jitter(random, 1., 4);
+  const Field<double>&values = random[0], inside(5 * width, 1.);
+  const LineOffsets line = {{-2 * width, -width, width, 2 * width}};
+  const Fluxes<P> all = fluxes_between<P>(&inside[2 * width], line);
+  const double* centre = &values[2 * width];
+  const double expected = centre[-2 * width] - 4 * centre[-width] + 6 * centre[0] -
+                          4 * centre[width] + centre[2 * width];
+  EXPECT_NEAR(fourth_difference<P>(centre, line, all).get(0), expected, 1e-14);
+  EXPECT_NEAR(fourth_difference_inside<P>(centre, line).get(0), expected, 1e-14);
 }
 
 }  // namespace

@@ -60,7 +60,7 @@ class LinearField {
     double worst = 0;
     for (const Segment<D>& segment : patch_.segments) {
       for (std::int64_t s = segment.first; s < segment.first + segment.count; s += lanes<P>) {
-        if (patch_.pack_state[s / patch_.pack] == PackState::none) continue;
+        if (!holds_interior(patch_.pack_state[s / patch_.pack])) continue;
         P gradient[1][D];
         solve(sweep(fields, segment, s), gradient);
         for (int l = 0; l < lanes<P>; ++l) {

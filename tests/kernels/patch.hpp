@@ -28,7 +28,7 @@ class Patch {
     slots = padding * 2 + static_cast<std::int64_t>(rows) * row_slots_;
     interior.assign(slots, 0);
     kind.assign(slots, Kind::vacant);
-    pack_state.assign(slots / pack, PackState::none);
+    pack_state.assign(slots / pack, PackState::ghosts);
     for (int row = 0; row < rows; ++row) add_row(row);
   }
 
@@ -164,7 +164,7 @@ struct BoxLists {
     for (const Segment<D>& segment : patch.segments) {
       for (int i = 0; i < segment.count; i += pack) {
         const std::int64_t first = segment.first + i;
-        if (patch.pack_state[first / pack] == PackState::none) continue;
+        if (!holds_interior(patch.pack_state[first / pack])) continue;
         start[first / pack] = static_cast<std::int64_t>(neighbour.size());
         for (int dz = D == 3 ? -reach : 0; dz <= (D == 3 ? reach : 0); ++dz) {
           for (int dy = -reach; dy <= reach; ++dy) {
