@@ -41,6 +41,14 @@ struct RigidRotation {
 };
 using InitialVelocity = std::variant<VectorExpression, RigidRotation>;
 
+/// Prony series of the bulk modulus, (RP.70).
+struct PronyCase {
+  enum class Moduli { long_term, instantaneous };
+  std::vector<double> ratios;  ///< g_i
+  std::vector<double> times;   ///< tau_i [s]
+  Moduli moduli = Moduli::long_term;
+};
+
 /// A material in the words of case files; `elastic_constants` gives what the kernels read.
 struct MaterialCase {
   enum class Model { linear, reduced_polynomial };
@@ -52,14 +60,17 @@ struct MaterialCase {
   double poissons_ratio = 0;         ///< linear: nu
   std::vector<double> coefficients;  ///< reduced polynomial: C_10, C_20, ... [Pa]
   double compressibility = 0;        ///< reduced polynomial: D [1/Pa]
+  PronyCase prony;                   ///< reduced polynomial
 };
 
 struct BodyCase {
   std::string name;
   Shape geometry;
   kernels::Material<double> material;
+  std::vector<kernels::PronyTerm<double>> prony;
   InitialVelocity velocity;
-  MaterialCase material_as_given;  ///< what `material` was computed from
+  Vector stretch = {1, 1, 1};      ///< along the axes, at t = 0 from rest
+  MaterialCase material_as_given;  ///< what `material` and `prony` were computed from
 };
 
 struct BoundaryCase {

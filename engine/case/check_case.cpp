@@ -113,6 +113,15 @@ void check_bodies(const Check& check) {
           fmt::format("body \"{}\" has both velocity and rotation", a_case.bodies[i].name),
           "keep one of them");
     }
+    if (a_case.bodies[i].stretch != Vector{1, 1, 1} &&
+        a_case.bodies[i].material_as_given.model == MaterialCase::Model::linear) {
+      check.problems.add(
+          check.place("body", i, "stretch"),
+          fmt::format("body \"{}\" is stretched, but its material follows rates and knows no shape "
+                      "at rest",
+                      a_case.bodies[i].name),
+          "give it a material of model = \"reduced_polynomial\"");
+    }
     if (!is_whole(a_case.bodies[i].geometry, a_case.dimension)) continue;
     const Box box = bounding_box(a_case.bodies[i].geometry);
     const std::size_t before = check.problems.count();

@@ -60,6 +60,11 @@ inline constexpr std::array words<MaterialCase::Law>{
     word(MaterialCase::Law::rho, "rho", "pressure linear in the density (RP.5)"),
     word(MaterialCase::Law::log, "log", "pressure linear in the logarithm of the density (RP.6)")};
 
+template <>
+inline constexpr std::array words<PronyCase::Moduli>{
+    word(PronyCase::Moduli::long_term, "long_term", "2/D is what is left when all has relaxed"),
+    word(PronyCase::Moduli::instantaneous, "instantaneous", "2/D is what a sudden change meets")};
+
 /// Shapes as case files name them; a ball is a disc in 2D.
 enum class ShapeWord {
   box,

@@ -79,7 +79,9 @@ struct Body {
   Population<T, D> population, spare;
   std::array<FieldStore<T, D>, 4> stage;  ///< Q0, Q2, Q3, Q4 of (RP.19); 0 and 1 hold all fields
   std::array<std::array<Buffer<T>, kernels::symmetric_components<D>>, 2> stress;
-  Buffer<T> records;  ///< [record][record_width] of surface particles
+  std::vector<kernels::PronyTerm<T>> prony;
+  std::vector<T*> memory;  ///< [term] p_i of `stage[0]`
+  Buffer<T> records;       ///< [record][record_width] of surface particles
   Buffer<std::int32_t> record_of_slot;
   BodyNeighbours<D> neighbours;
 
@@ -92,6 +94,10 @@ struct Body {
     std::array<const T*, kernels::symmetric_components<D>> view;
     for (std::size_t c = 0; c < view.size(); ++c) view[c] = stress[parity][c].get();
     return view;
+  }
+
+  kernels::BulkViscosity<T> viscosity(const kernels::Relaxation<T>* relaxation = nullptr) const {
+    return {static_cast<int>(prony.size()), relaxation, memory.data()};
   }
 
   /// Position of a slot's particle [m].

@@ -215,13 +215,12 @@ double Measurer<T, D>::velocity_error(const MeasurementCase& m) const {
 // A field by the name that case files give it; vectors and stress end in their axes.
 template <class T, int D>
 double node_value(const LatticeView<T, D>& view, const std::string& field, std::int64_t p) {
-  if (field == "pressure") return pressure<T, D>(view.body.material, view.fields, p);
+  if (field == "pressure") return pressure<T, D>(view.body, view.fields, p);
   if (field == "density") return density<T, D>(view.fields, p);
   const int last = field.back() - 'x';
   if (field.starts_with("stress")) {
     const int first = field[field.size() - 2] - 'x';
-    return stress<T, D>(view.body.material, view.fields,
-                        p)[kernels::symmetric_index<D>(first, last)];
+    return stress<T, D>(view.body, view.fields, p)[kernels::symmetric_index<D>(first, last)];
   }
   return view.fields.get(field.starts_with("velocity") ? Field::velocity : Field::carried, last)[p];
 }

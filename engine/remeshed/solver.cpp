@@ -57,9 +57,13 @@ Solver<T, D>::Solver(const Case& settings, int threads, kernels::Isa isa)
     body.name = source.name;
     body.source = &source;
     body.material = converted<T>(source.material);
+    for (const kernels::PronyTerm<double>& term : source.prony) {
+      body.prony.push_back({static_cast<T>(term.ratio), static_cast<T>(term.time)});
+    }
     body.lattice = body_lattice<D>(settings_, source);
     for (int buffer = 0; buffer < 4; ++buffer) {
-      body.stage[buffer] = FieldStore<T, D>(body.material.model, buffer > 1);
+      body.stage[buffer] =
+          FieldStore<T, D>(body.material.model, static_cast<int>(body.prony.size()), buffer > 1);
     }
     remeshings_.push_back(
         std::make_unique<Remeshing<T, D>>(settings_, body, state_.boundaries, kernels_, workers_));

@@ -4,6 +4,7 @@
 
 #include "engine/remeshed/contact.hpp"
 #include "engine/remeshed/resources.hpp"
+#include "kernels/relaxation.hpp"
 
 // A step of the remeshed Lagrangian particle method (H&K, sections 2 and 4).
 //
@@ -175,6 +176,25 @@ void Step<T, D>::prepare(double time_step) {
     boundary_values_[stage].evaluate(state_.boundaries,
                                      state_.clock.time + stage_time[stage] * time_step);
   }
+  prepare_relaxation();
+}
+
+// (RP.71), to the time of the state that each stage leaves behind.
+template <class T, int D>
+void Step<T, D>::prepare_relaxation() {
+  constexpr std::array<double, 4> reached = {0.5, 0.5, 1, 1};
+  for (int stage = 0; stage < 4; ++stage) {
+    relaxation_[stage].resize(state_.bodies.size());
+    for (std::size_t b = 0; b < state_.bodies.size(); ++b) {
+      const Body<T, D>& body = state_.bodies[b];
+      auto& terms = relaxation_[stage][b];
+      terms.resize(body.prony.size());
+      for (std::size_t i = 0; i < terms.size(); ++i) {
+        terms[i] = kernels::relaxation<T>(body.prony[i], body.material.bulk_modulus,
+                                          reached[stage] * time_step_);
+      }
+    }
+  }
 }
 
 template <class T, int D>
@@ -238,6 +258,7 @@ void Step<T, D>::write_records(int block, int stage) {
   work.state = body.stage[stage].template evolving<const T>();
   work.stress = std::as_const(body).stress_view(stage % 2);
   work.records = body.records.get();
+  work.relaxes = !body.prony.empty();
   kernels_.write_surface_records(work);
 }
 
@@ -283,6 +304,7 @@ void Step<T, D>::advance(int block, int stage) {
   work.third = body.stage[2].template evolving<const T>();
   work.next = body.stage[(stage + 1) % 4].evolving();
   work.next_stress = body.stress_view(1 - stage % 2);
+  work.viscosity = body.viscosity(relaxation_[stage][state_.blocks[block].body].data());
   kernels::NeighbourLists<D> lists;
   if (body.neighbours.are_listed && body.neighbours.blocks[local].are_listed) {
     lists = body.neighbours.lists(local);
@@ -304,6 +326,7 @@ void Step<T, D>::evaluate_stress(int block) {
   work.mass = body.stage[0].get(Field::mass);
   work.state = body.stage[0].template evolving<const T>();
   work.stress = body.stress_view(0);
+  work.viscosity = body.viscosity();
   results_[block] = kernels_.evaluate_stress(work);
 }
 

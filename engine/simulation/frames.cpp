@@ -41,7 +41,7 @@ std::array<double, 6> full_stress(const Body<T, D>& body, std::int64_t p) {
     return static_cast<double>(body.stress[0][kernels::symmetric_index<D>(i, j)][p]);
   };
   if constexpr (D == 2) {
-    const double pressure = remeshed::pressure<T, D>(body.material, body.stage[0], p);
+    const double pressure = remeshed::pressure<T, D>(body, body.stage[0], p);
     return {s(0, 0), s(1, 1), -3 * pressure - s(0, 0) - s(1, 1), s(0, 1), 0, 0};
   } else {
     return {s(0, 0), s(1, 1), s(2, 2), s(0, 1), s(1, 2), s(0, 2)};
@@ -77,7 +77,7 @@ Frame take_frame(remeshed::Solver<T, D>& solver, bool with_ghosts) {
     return body.stage[0].get(Field::carried, c)[p] + body.stage[0].get(Field::displacement, c)[p];
   });
   add("pressure", "Pa", 1, [](const B& body, std::int64_t p, int) {
-    return remeshed::pressure<T, D>(body.material, body.stage[0], p);
+    return remeshed::pressure<T, D>(body, body.stage[0], p);
   });
   add("density", "kg/m^3", 1,
       [](const B& body, std::int64_t p, int) { return remeshed::density<T, D>(body.stage[0], p); });

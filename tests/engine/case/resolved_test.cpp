@@ -130,6 +130,7 @@ name = "block"
 geometry = { shape = "box", lower = [0, 0], upper = [1, 2] }
 material = { model = "linear", density = 2, law = "rho", youngs_modulus = 100, poissons_ratio = 0.3 }
 velocity = [0, 0]
+stretch = [1, 1]
 
 [output]
 every = 0
