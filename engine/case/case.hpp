@@ -172,6 +172,7 @@ struct Case {
     double every = 0;             ///< between frames [s]; 0: first and last only
     double checkpoint_every = 0;  ///< between checkpoints [s]; 0: only when interrupted
     bool ghosts = false;          ///< frames hold ghost particles too
+    bool surface = false;         ///< frames hold the free surface
     double measure_every = 0;     ///< [s]; 0: at every remeshing and at the end
   } output;
 };

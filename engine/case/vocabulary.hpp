@@ -71,6 +71,10 @@ void output_keys(Visitor& visit, decltype(Case::output)& output) {
          .limits = not_negative});
   visit("ghosts", output.ghosts,
         {.meaning = "whether frames hold ghost particles too", .example = "false"});
+  visit("surface", output.surface,
+        {.meaning = "whether frames hold the free surface of every body as a mesh, for "
+                    "surface.xdmf",
+         .example = "false"});
   visit("measure_every", output.measure_every,
         {.meaning = "time between measurements; 0: at every remeshing and at the end",
          .unit = "s",

@@ -31,6 +31,7 @@ void vacate(FieldStore<T, D>& state, std::int64_t p, const kernels::Material<T>&
   for (int c = 0; c < state.carried(); ++c) {
     state.get(Field::material, c)[p] = deforms && c % (D + 1) == 0 ? T(1) : T(0);
   }
+  for (Buffer<T>& pressure : state[Field::memory]) pressure[p] = 0;
 }
 
 }  // namespace

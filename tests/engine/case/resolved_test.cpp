@@ -136,6 +136,7 @@ stretch = [1, 1]
 every = 0
 checkpoint_every = 0
 ghosts = false
+surface = false
 measure_every = 0
 )");
 }
