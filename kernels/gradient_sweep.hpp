@@ -188,6 +188,19 @@ template <class To, class From>
   return To::load_aligned(lane);
 }
 
+/// Lets `sweep` meet one entry of the lists: one neighbour for each lane.
+template <class P, int D, class Sweep, class... Sums>
+[[gnu::always_inline]] inline void meet_listed(const NeighbourLists<D>& lists, std::int64_t entry,
+                                               Sweep& sweep, Sums&... sums) {
+  using T = Scalar<P>;
+  using Slots = xsimd::batch<xsimd::as_integer_t<T>, typename P::arch_type>;
+  const Slots neighbour = converted<Slots>(lists.neighbour + entry);
+  P offset[D];
+  for (int i = 0; i < D; ++i) offset[i] = converted<P>(lists.offset[i] + entry);
+  sweep.meet(
+      offset, [&](const T* field) { return P::gather(field, neighbour); }, sums...);
+}
+
 /// Sums over the listed neighbours of the register of particles at `slot`, which starts at lane
 /// `slot % slots_per_pack` of its pack.
 template <Weight weight, template <class, int, int> class Sums, class P, int D, int F>
@@ -195,16 +208,11 @@ template <Weight weight, template <class, int, int> class Sums, class P, int D, 
                                               const NeighbourLists<D>& lists, std::int64_t slot,
                                               Scalar<P> spacing, Sums<P, D, F>& sums) {
   using T = Scalar<P>;
-  using Slots = xsimd::batch<xsimd::as_integer_t<T>, typename P::arch_type>;
   constexpr int pack = slots_per_pack<T>;
   const PairSweep<weight, P, D, F> sweep(fields, slot, spacing);
   std::int64_t entry = lists.start[slot / pack] + slot % pack;
   for (std::int32_t k = 0; k < lists.length[slot / pack]; ++k, entry += pack) {
-    const Slots neighbour = converted<Slots>(lists.neighbour + entry);
-    P offset[D];
-    for (int i = 0; i < D; ++i) offset[i] = converted<P>(lists.offset[i] + entry);
-    sweep.meet(
-        offset, [&](const T* field) { return P::gather(field, neighbour); }, sums);
+    meet_listed<P, D>(lists, entry, sweep, sums);
   }
 }
 

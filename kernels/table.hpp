@@ -51,6 +51,14 @@ struct BulkViscosity {
   T* const* pressure = nullptr;               ///< [term][slot] p_i at the start of the step [Pa]
 };
 
+/// What particles need besides their state for the pair forces of plain SPH, (RP.74).
+template <class T, int D>
+struct SymmetricPairs {
+  std::array<const T*, symmetric_components<D>> stress;      ///< sigma/rho^2
+  std::array<const T*, symmetric_components<D>> artificial;  ///< R of (RP.76)
+  T linear, quadratic;  ///< alpha c [m/s] and beta [1] of (RP.75)
+};
+
 /// One Runge-Kutta stage of one block, (RP.12) by (RP.18) and (RP.19): gradients of velocity and
 /// stress, rates, update, and the stress of the new state.
 ///
@@ -79,6 +87,9 @@ struct Stage {
   Evolving<T, D> next;
   std::array<T*, symmetric_components<D>> next_stress;
   BulkViscosity<T> viscosity = {};  ///< the last stage writes its pressures
+  /// nullptr: the moment-matrix gradient; else plain SPH, whose neighbours are listed and which
+  /// reads stress from here.
+  const SymmetricPairs<T, D>* pairs = nullptr;
 };
 
 /// Largest values over the interior particles of a block.

@@ -101,6 +101,7 @@ struct MeasurementCase {
     wall_force,       ///< of contact wall `boundary` along `axis`, mean since the last sample
     volume,           ///< of {phi < 0}; an area in 2D
     surface_area,     ///< of {phi = 0}; a length in 2D
+    closest_pair,     ///< smallest distance of two particles over the spacing
     velocity_error,   ///< against `exact`, over `reference` (the amplitude)
     period,           ///< twice the mean spacing of zero crossings of measurement `of`
     amplitude_ratio,  ///< mean ratio of successive same-sign maxima of measurement `of`
@@ -125,6 +126,7 @@ struct MeasurementCase {
 
 enum class GhostTreatment { linear, averaged, rigid };
 enum class Method { remeshed };
+enum class Operators { moment_matrix, symmetric_sph };
 
 struct Case {
   std::string name;  ///< of the folder or the file, unless the file says
@@ -136,6 +138,9 @@ struct Case {
     double spacing = 0;  ///< h [m]
     kernels::Weight weight = kernels::Weight::quartic_polynomial;
     double dissipation = 0.25;  ///< gamma_d of (RP.43)
+    Operators operators = Operators::moment_matrix;
+    double artificial_viscosity = 1;  ///< symmetric_sph: alpha of (RP.75)
+    double artificial_stress = 0.3;   ///< symmetric_sph: epsilon of (RP.76)
   } discretisation;
 
   struct {

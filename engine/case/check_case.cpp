@@ -186,6 +186,39 @@ void check_contact_walls(const Check& check) {
   }
 }
 
+// Plain SPH has neither ghosts nor a level set that its particles would come back to.
+void check_operators(const Check& check) {
+  const Case& a_case = check.a_case;
+  if (a_case.discretisation.operators != Operators::symmetric_sph) return;
+  if (a_case.remeshing.policy != decltype(Case::remeshing)::Policy::never) {
+    check.problems.add(check.place("discretisation", "operators"), "symmetric_sph does not remesh",
+                       "write every = \"never\" in [remeshing]");
+  }
+  if (!a_case.boundaries.empty()) {
+    check.problems.add(check.place("discretisation", "operators"),
+                       "symmetric_sph knows free surfaces and periods only",
+                       "take the boundaries out, or operators = \"moment_matrix\"");
+  }
+  using Kind = MeasurementCase::Kind;
+  for (std::size_t i = 0; i < a_case.measurements.size(); ++i) {
+    const Kind kind = a_case.measurements[i].kind;
+    if (kind != Kind::extent && kind != Kind::ray && kind != Kind::mean_radius &&
+        kind != Kind::surface_area) {
+      continue;
+    }
+    check.problems.add(check.place("measurement", i, "kind"),
+                       fmt::format("measurement \"{}\" needs a level set, which symmetric_sph does "
+                                   "not follow",
+                                   a_case.measurements[i].name),
+                       "take it out, or measure points and conserved quantities");
+  }
+  if (a_case.output.surface) {
+    check.problems.add(check.place("output", "surface"),
+                       "surfaces need a level set, which symmetric_sph does not follow",
+                       "write surface = false");
+  }
+}
+
 void check_measurements(const Check& check) {
   const auto& measurements = check.a_case.measurements;
   for (std::size_t i = 0; i < measurements.size(); ++i) {
@@ -224,6 +257,7 @@ void check_case(const Case& a_case, const toml::table& root, const Place& start,
   check_periodic_cell(check);
   check_times(check);
   check_contact_walls(check);
+  check_operators(check);
   check_measurements(check);
 }
 

@@ -36,6 +36,12 @@ inline constexpr std::array words<kernels::Weight>{
     word(kernels::Weight::compact, "compact", "3 x 3 particles, the fastest (RP.16)")};
 
 template <>
+inline constexpr std::array words<Operators>{
+    word(Operators::moment_matrix, "moment_matrix", "exact for linear fields (RP.18)"),
+    word(Operators::symmetric_sph, "symmetric_sph",
+         "plain SPH without ghosts or remeshing, the paper's baseline (RP.73), (RP.74)")};
+
+template <>
 inline constexpr std::array words<GhostTreatment>{
     word(GhostTreatment::linear, "linear", "linear fits, current normals (RP.34)"),
     word(GhostTreatment::averaged, "averaged", "averages, as Hieber & Koumoutsakos (RP.38)"),
@@ -127,6 +133,8 @@ inline constexpr std::array words<MeasurementCase::Kind>{
     word(MeasurementCase::Kind::volume, "volume", "of a body; an area in 2D"),
     word(MeasurementCase::Kind::surface_area, "surface_area",
          "of the free surface; a length in 2D"),
+    word(MeasurementCase::Kind::closest_pair, "closest_pair",
+         "smallest distance of two particles of a body over the spacing, at most 2"),
     word(MeasurementCase::Kind::velocity_error, "velocity_error",
          "difference from an exact velocity, over an amplitude"),
     word(MeasurementCase::Kind::period, "period",

@@ -75,10 +75,13 @@ struct Body {
   std::string name;
   const BodyCase* source = nullptr;
   kernels::Material<T> material;
+  bool is_plain_sph = false;  ///< without ghosts, neighbours always listed
   Lattice<D> lattice;
   Population<T, D> population, spare;
   std::array<FieldStore<T, D>, 4> stage;  ///< Q0, Q2, Q3, Q4 of (RP.19); 0 and 1 hold all fields
   std::array<std::array<Buffer<T>, kernels::symmetric_components<D>>, 2> stress;
+  /// sigma/rho^2 and R of plain SPH, (RP.74), (RP.76); empty otherwise.
+  std::array<std::array<Buffer<T>, kernels::symmetric_components<D>>, 2> pair_stress;
   std::vector<kernels::PronyTerm<T>> prony;
   std::vector<T*> memory;  ///< [term] p_i of `stage[0]`
   Buffer<T> records;       ///< [record][record_width] of surface particles

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "engine/remeshed/closest_pair.hpp"
 #include "engine/remeshed/interpolant.hpp"
 #include "engine/remeshed/point_state.hpp"
 #include "engine/remeshed/surface.hpp"
@@ -118,6 +119,8 @@ double Measurer<T, D>::value(const MeasurementCase& m) {
     }
     case Quantity::point_value:
       return point_value(m);
+    case Quantity::closest_pair:
+      return closest_pair<T, D>(solver_.state().bodies[m.body]);
     case Quantity::velocity_error:
       return velocity_error(m);
     case Quantity::period:

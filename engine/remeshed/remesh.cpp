@@ -284,6 +284,11 @@ void Remeshing<T, D>::grow_stages() {
   for (auto& parity : body_.stress) {
     for (auto& component : parity) component.grow(slots, T(0));
   }
+  if (body_.is_plain_sph) {
+    for (auto& tensor : body_.pair_stress) {
+      for (auto& component : tensor) component.grow(slots, T(0));
+    }
+  }
   body_.records.grow(body_.population.record_count * kernels::record_width<D>, T(0));
 }
 

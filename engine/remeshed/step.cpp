@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "engine/remeshed/contact.hpp"
+#include "engine/remeshed/pair_stress.hpp"
 #include "engine/remeshed/resources.hpp"
 #include "kernels/relaxation.hpp"
 
@@ -17,6 +18,10 @@
 //               (RP.38)
 //     advance   grad u and div sigma of every particle by the moment matrix (RP.18), its rates
 //               (RP.12), the next stage state and the stress that belongs to it (RP.3)-(RP.9)
+//
+// Plain SPH, the paper's baseline, has no ghosts: (RP.73) and (RP.74) over listed neighbours take
+// the place of (RP.18), and of surface, contact and ghosts
+//     pair stress   sigma/rho^2 of every particle, and its artificial stress (RP.76)
 //
 // A step only follows particles. Moving them back onto the lattice is in remesh.cpp; when that is
 // due is decided in solver.cpp.
@@ -34,7 +39,7 @@ std::vector<Phase> Step<T, D>::phases() {
   results_.assign(state_.blocks.size(), {0, 0, -1});
   std::vector<Phase> phases;
   for (int stage = 0; stage < 4; ++stage) {
-    add_ghosts(phases, stage);
+    is_plain_sph() ? add_pair_stress(phases, stage) : add_ghosts(phases, stage);
     add_advance(phases, stage);
   }
   return phases;
@@ -107,6 +112,26 @@ void Step<T, D>::add_ghosts(std::vector<Phase>& phases, int stage) {
 }
 
 template <class T, int D>
+bool Step<T, D>::is_plain_sph() const {
+  return settings_.discretisation.operators == Operators::symmetric_sph;
+}
+
+template <class T, int D>
+void Step<T, D>::add_pair_stress(std::vector<Phase>& phases, int stage) {
+  phases.push_back({"pair stress",
+                    stage,
+                    {{resource::stress(stage % 2)}, {resource::material(stage)}},
+                    {{resource::pair_stress}},
+                    Phase::Extent::per_block,
+                    {},
+                    [this, stage](int block) {
+                      const auto [body, local] = owner(block);
+                      find_pair_stress<T, D>(body, local, stage,
+                                             settings_.discretisation.artificial_stress);
+                    }});
+}
+
+template <class T, int D>
 std::vector<int> Step<T, D>::blocks_where(bool listed) const {
   std::vector<int> blocks;
   for (std::size_t b = 0; b < state_.blocks.size(); ++b) {
@@ -141,6 +166,9 @@ void Step<T, D>::add_advance(std::vector<Phase>& phases, int stage, Reach reach,
                                           {resource::ghosts(stage), reach},
                                           {resource::images(stage), Reach::neighbours},
                                           {resource::material(stage)}};
+  if (is_plain_sph()) {
+    reads.insert(reads.end(), {{resource::pair_stress, reach}, {resource::material(stage), reach}});
+  }
   for (int buffer = 0; buffer <= stage; ++buffer) {
     reads.insert(
         reads.end(),
@@ -309,6 +337,11 @@ void Step<T, D>::advance(int block, int stage) {
   if (body.neighbours.are_listed && body.neighbours.blocks[local].are_listed) {
     lists = body.neighbours.lists(local);
     work.neighbours = &lists;
+  }
+  kernels::SymmetricPairs<T, D> pairs;
+  if (body.is_plain_sph) {
+    pairs = symmetric_pairs<T, D>(body, settings_.discretisation.artificial_viscosity);
+    work.pairs = &pairs;
   }
   results_[block] = kernels_.advance_stage(work);
 }

@@ -49,6 +49,8 @@ class Step {
   void prepare_relaxation();
   std::vector<int> blocks_where(bool listed) const;
   void add_ghosts(std::vector<scheduler::Phase>& phases, int stage);
+  bool is_plain_sph() const;
+  void add_pair_stress(std::vector<scheduler::Phase>& phases, int stage);
   void add_advance(std::vector<scheduler::Phase>& phases, int stage);
   void add_advance(std::vector<scheduler::Phase>& phases, int stage, scheduler::Reach reach,
                    std::vector<int> blocks);

@@ -81,6 +81,27 @@ const Fault faults[] = {
             "= 1 }"),
      "block.toml:9: coefficients must start with a positive C_10, got -1; the shear modulus is 2 "
      "C_10"},
+    {"plain_sph_that_remeshes",
+     broken("spacing = 0.1", "spacing = 0.1\noperators = \"symmetric_sph\""),
+     "block.toml:4: symmetric_sph does not remesh; write every = \"never\" in [remeshing]"},
+    {"plain_sph_with_a_level_set",
+     with(measuring("kind = \"surface_area\"\n") +
+              "[remeshing]\nevery = \"never\"\n[output]\nsurface = true\n",
+          "spacing = 0.1", "spacing = 0.1\noperators = \"symmetric_sph\""),
+     "block.toml:13: measurement \"m\" needs a level set, which symmetric_sph does not follow; "
+     "take "
+     "it out, or measure points and conserved quantities\n"
+     "block.toml:17: surfaces need a level set, which symmetric_sph does not follow; write surface "
+     "= false"},
+    {"plain_sph_between_walls",
+     with(
+         extended("[remeshing]\nevery = \"never\"\n[[boundary]]\nname = \"floor\"\nkind = "
+                  "\"fixed\"\ngeometry = { shape = \"half_space\", point = [0, 0], normal = [0, 1] "
+                  "}\n"),
+         "spacing = 0.1", "spacing = 0.1\noperators = \"symmetric_sph\""),
+     "block.toml:4: symmetric_sph knows free surfaces and periods only; take the boundaries out, "
+     "or "
+     "operators = \"moment_matrix\""},
     {"a_prony_term_without_time", broken(material, viscous("ratios = [0.1, 0.2], times = [1]")),
      "block.toml:9: prony has 2 ratios and 1 times; every term has one of each"},
     {"prony_ratios_that_leave_nothing",

@@ -107,6 +107,9 @@ method = "remeshed"
 spacing = 0.1
 weight = "quartic_polynomial"
 dissipation = 0.25
+operators = "moment_matrix"
+artificial_viscosity = 1
+artificial_stress = 0.3
 
 [time]
 end = 1
