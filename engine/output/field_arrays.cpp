@@ -42,6 +42,7 @@ void append_values(GrowingArray& array, const FrameField& field, hsize_t rows) {
 
 std::vector<const FrameField*> sorted_by_name(const std::vector<FrameField>& fields) {
   std::vector<const FrameField*> sorted;
+  sorted.reserve(fields.size());
   for (const auto& field : fields) sorted.push_back(&field);
   std::ranges::sort(sorted, {}, &FrameField::name);
   return sorted;
