@@ -11,10 +11,10 @@
 /// names follow from it.
 namespace pliant {
 
-enum class Field { displacement, velocity, volume, material, mass, level_set, carried };
-inline constexpr int field_count = 7;
+enum class Field { displacement, velocity, volume, material, mass, level_set, carried, memory };
+inline constexpr int field_count = 8;
 
-enum class Rank { scalar, vector, material };
+enum class Rank { scalar, vector, material, prony };
 
 /// How a field crosses to the new lattice, (RP.22) and (RP.23).
 enum class Remeshed { not_at_all, as_density_times_volume, as_mass_mean, as_volume_mean, as_mean };
@@ -36,12 +36,24 @@ inline constexpr std::array<FieldDeclaration, field_count> fields = {{
     {Field::mass, "m", "mass", "kg", Rank::scalar, Remeshed::as_density_times_volume, false},
     {Field::level_set, "phi", "level_set", "m", Rank::scalar, Remeshed::as_mean, false},
     {Field::carried, "d", "displacement", "m", Rank::vector, Remeshed::as_volume_mean, false},
+    {Field::memory, "p_i", "memory_pressure", "Pa", Rank::prony, Remeshed::as_volume_mean, false},
 }};
 
-/// Components of a field; `carried` is what the material model carries (S or F).
+/// Components of a field; `carried` is what the material model carries (S or F), `terms` those of
+/// its Prony series.
 template <int D>
-constexpr int components(Rank rank, int carried) {
-  return rank == Rank::scalar ? 1 : rank == Rank::vector ? D : carried;
+constexpr int components(Rank rank, int carried, int terms = 0) {
+  switch (rank) {
+    case Rank::scalar:
+      return 1;
+    case Rank::vector:
+      return D;
+    case Rank::material:
+      return carried;
+    case Rank::prony:
+      break;
+  }
+  return terms;
 }
 
 /// Structure of arrays of the declared fields, or of the evolving ones only.
@@ -49,11 +61,11 @@ template <class T, int D>
 class FieldStore {
  public:
   FieldStore() = default;
-  FieldStore(kernels::Model model, bool evolving_only)
+  FieldStore(kernels::Model model, int prony_terms, bool evolving_only)
       : carried_(kernels::carried_components<D>(model)) {
     for (const FieldDeclaration& f : fields) {
       if (evolving_only && !f.evolving) continue;
-      arrays_[static_cast<int>(f.field)].resize(components<D>(f.rank, carried_));
+      arrays_[static_cast<int>(f.field)].resize(components<D>(f.rank, carried_, prony_terms));
     }
   }
 

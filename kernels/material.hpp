@@ -22,12 +22,20 @@ constexpr double support(Weight weight) { return weight == Weight::compact ? 1.7
 template <class T>
 struct Material {
   Model model = Model::linear_rho;
-  T density = 1;        ///< rho0 [kg/m^3]
-  T bulk_modulus = 0;   ///< K = rho0 c0^2 [Pa], (RP.7); 2/D for the reduced polynomial
-  T shear_modulus = 0;  ///< mu [Pa], (RP.7); 2 C10 for the reduced polynomial
-  int order = 0;        ///< N of (RP.9)
+  T density = 1;  ///< rho0 [kg/m^3]
+  T bulk_modulus =
+      0;  ///< K = rho0 c0^2 [Pa], (RP.7); 2/D for the reduced polynomial, or K0 of (RP.70)
+  T shear_modulus = 0;                ///< mu [Pa], (RP.7); 2 C10 for the reduced polynomial
+  int order = 0;                      ///< N of (RP.9)
   std::array<T, 5> coefficient = {};  ///< C_n0 [Pa], n = 1..N
-  T compressibility = 0;              ///< D [1/Pa]
+  T compressibility = 0;              ///< D [1/Pa]; 2/K0 with Prony terms
+};
+
+/// One term of the Prony series of the bulk modulus, (RP.70).
+template <class T>
+struct PronyTerm {
+  T ratio;  ///< g_i
+  T time;   ///< tau_i [s]
 };
 
 /// Speed of pressure waves in a material at rest [m/s], (RP.11).

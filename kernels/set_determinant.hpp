@@ -19,6 +19,15 @@ std::array<T, 9> cofactors(const std::array<T, 9>& f) {
           f[1] * f[5] - f[2] * f[4], f[2] * f[3] - f[0] * f[5], f[0] * f[4] - f[1] * f[3]};
 }
 
+/// det F.
+template <class T, int D>
+T determinant(const std::array<T, D * D>& f) {
+  const auto cofactor = cofactors(f);
+  T sum = 0;
+  for (int c = 0; c < D; ++c) sum += f[c] * cofactor[c];
+  return sum;
+}
+
 /// Changes `f` as little as gives it the determinant `value` > 0, (RP.46), by Newton's method along
 /// the cofactors, which point to where the determinant grows the fastest. Stretches far from 1 stay
 /// what they are: the correction falls on the smallest.
@@ -28,10 +37,9 @@ void set_determinant(std::array<T, D * D>& f, T value) {
   constexpr T tolerance = 16 * std::numeric_limits<T>::epsilon();
   for (int i = 0; i < most_iterations; ++i) {
     const auto cofactor = cofactors(f);
-    T determinant = 0, square = 0;
-    for (int c = 0; c < D; ++c) determinant += f[c] * cofactor[c];
+    T square = 0;
     for (const T c : cofactor) square += c * c;
-    const T missing = value - determinant;
+    const T missing = value - determinant<T, D>(f);
     if (std::abs(missing) <= tolerance * value) return;
     for (int c = 0; c < D * D; ++c) f[c] += missing / square * cofactor[c];
   }

@@ -2,6 +2,7 @@
 
 #include "kernels/stage_gradients.hpp"
 #include "kernels/stage_update.hpp"
+#include "kernels/symmetric_pairs.hpp"
 
 /// One Runge-Kutta stage of one block.
 ///
@@ -84,8 +85,10 @@ void drift(const Stage<Scalar<P>, D>& stage, const Chunk& chunk) {
 /// See Stage.
 template <class P, int D>
 StageResult advance_stage(const Stage<Scalar<P>, D>& stage) {
-  const auto gradients_of = stage.neighbours != nullptr ? gradients_for<true, P, D>(stage.weight)
-                                                        : gradients_for<false, P, D>(stage.weight);
+  const auto gradients_of = stage.pairs != nullptr ? symmetric_gradients<P, D>
+                            : stage.neighbours != nullptr
+                                ? gradients_for<true, P, D>(stage.weight)
+                                : gradients_for<false, P, D>(stage.weight);
   const Model model = stage.material.model;
   const auto update =
       stage.stage == 3 ? update_for<true, P, D>(model) : update_for<false, P, D>(model);

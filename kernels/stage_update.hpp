@@ -1,6 +1,6 @@
 #pragma once
 
-#include "kernels/chunk.hpp"
+#include "kernels/bulk_viscosity.hpp"
 #include "kernels/runge_kutta.hpp"
 
 /// From the gradients of a chunk to its next state, field by field: the rates of (RP.12) and of
@@ -188,11 +188,15 @@ template <Model model, bool last, class P, int D>
 void stage_update(const Stage<Scalar<P>, D>& stage, const ChunkGradients<Scalar<P>, D>& gradients,
                   const Chunk& chunk, StageExtremes<P>& extremes) {
   const RungeKutta<P, last> runge_kutta(stage.time_step, stage.stage);
+  const bool relaxes = model == Model::reduced_polynomial && stage.viscosity.terms > 0;
+  alignas(64) Scalar<P> change_at_start[chunk_slots];
+  if (relaxes) volume_changes_at_start<P, D>(stage, chunk, change_at_start);
   advance_displacement(stage, runge_kutta, chunk);
   advance_velocity(stage, runge_kutta, gradients, chunk);
   advance_volume(stage, runge_kutta, gradients, chunk);
   advance_material<model>(stage, runge_kutta, gradients, chunk);
   stress_of_next<model, P>(stage, chunk);
+  if (relaxes) relax_next<last, P, D>(stage, chunk, change_at_start);
   if constexpr (last) {
     strain_rate_of(gradients, chunk, extremes);
     examine_next<model>(stage, chunk, extremes);

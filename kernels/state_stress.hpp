@@ -1,6 +1,6 @@
 #pragma once
 
-#include "kernels/chunk.hpp"
+#include "kernels/bulk_viscosity.hpp"
 
 namespace pliant::kernels {
 
@@ -23,6 +23,7 @@ Scalar<P> stress_of_block(const StressOfState<Scalar<P>, D>& block) {
       const PackState state = block.pack_state[slot / slots_per_pack<T>];
       store_stress<model, P, D>(block.material, carried, density, state, block.interior, slot,
                                 stress);
+      if (block.viscosity.terms > 0) add_kept_pressure<P, D>(block, slot);
       const P c2 = L::wave_speed2(block.material, carried, density);
       largest2 =
           xsimd::max(largest2, xsimd::select(interior_lanes<P>(block.interior, slot), c2, P(T(0))));

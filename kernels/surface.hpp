@@ -39,7 +39,16 @@ inline void fill_columns(const SurfaceRecords<Scalar<P>, D>& block, const Segmen
   for (int c = 0; c < symmetric_components<D>; ++c) put(load<P>(block.stress[c] + slot));
 #pragma GCC unroll 3
   for (int i = 0; i < D; ++i) put(gradient[0][i]);
-  put(L::pressure(block.material, carried, density));
+  P pressure = L::pressure(block.material, carried, density);
+  if constexpr (model == Model::reduced_polynomial) {
+    // What relaxes is known from the stress alone: p_i are those of the start of the step.
+    if (block.relaxes) {
+      P elastic[symmetric_components<D>];
+      L::stress(block.material, carried, density, elastic);
+      pressure = pressure + elastic[0] - load<P>(block.stress[0] + slot);
+    }
+  }
+  put(pressure);
 }
 
 template <Weight weight, Model model, class P, int D>

@@ -35,6 +35,31 @@ struct NeighbourLists {
                                               ///< the whole periods that lie between them
 };
 
+/// What a stage makes of one p_i of (RP.70): decay p_i + start (J - 1) + end (J - 1), p_i and the
+/// first J at the start of the step, the second J at the new state, (RP.71).
+template <class T>
+struct Relaxation {
+  T decay;  ///< 1
+  T start;  ///< [Pa]
+  T end;    ///< [Pa]
+};
+
+/// The p_i of a body; a body without Prony terms has none.
+template <class T>
+struct BulkViscosity {
+  int terms = 0;
+  const Relaxation<T>* relaxation = nullptr;  ///< [term], of a stage
+  T* const* pressure = nullptr;               ///< [term][slot] p_i at the start of the step [Pa]
+};
+
+/// What particles need besides their state for the pair forces of plain SPH, (RP.74).
+template <class T, int D>
+struct SymmetricPairs {
+  std::array<const T*, symmetric_components<D>> stress;      ///< sigma/rho^2
+  std::array<const T*, symmetric_components<D>> artificial;  ///< R of (RP.76)
+  T linear, quadratic;  ///< alpha c [m/s] and beta [1] of (RP.75)
+};
+
 /// One Runge-Kutta stage of one block, (RP.12) by (RP.18) and (RP.19): gradients of velocity and
 /// stress, rates, update, and the stress of the new state.
 ///
@@ -63,6 +88,10 @@ struct Stage {
   Evolving<const T, D> third;   ///< Q3, read in the last stage
   Evolving<T, D> next;
   std::array<T*, symmetric_components<D>> next_stress;
+  BulkViscosity<T> viscosity = {};  ///< the last stage writes its pressures
+  /// nullptr: the moment-matrix gradient; else plain SPH, whose neighbours are listed and which
+  /// reads stress from here.
+  const SymmetricPairs<T, D>* pairs = nullptr;
 };
 
 /// Largest values over the interior particles of a block.
@@ -83,6 +112,7 @@ struct StressOfState {
   const T* mass;
   Evolving<const T, D> state;
   std::array<T*, symmetric_components<D>> stress;
+  BulkViscosity<T> viscosity = {};
 };
 
 /// A record of a surface particle: u (D), sigma (symmetric), grad phi (D), p; padded to a multiple
@@ -113,7 +143,8 @@ struct SurfaceRecords {
   const T* level_set;
   Evolving<const T, D> state;
   std::array<const T*, symmetric_components<D>> stress;
-  T* records;  ///< [record][record_width]
+  T* records;            ///< [record][record_width]
+  bool relaxes = false;  ///< whether the stress holds the p_i of (RP.70) too
 };
 
 /// For ghosts first..first+count-1 and their neighbours i: sums[g][0][k] = sum_i c_gi record_i[k]

@@ -8,6 +8,24 @@
 namespace pliant {
 
 template <class Visitor>
+void prony_keys(Visitor& visit, PronyCase& prony) {
+  visit("ratios", prony.ratios,
+        {.meaning = "g_1, g_2, ..., the parts of the instantaneous bulk modulus that relax; "
+                    "together below 1",
+         .example = "[0.3, 0.2]",
+         .limits = {0, 1, false, false, "above 0 and below 1"},
+         .required = true});
+  visit("times", prony.times,
+        {.meaning = "tau_1, tau_2, ..., in which they do",
+         .unit = "s",
+         .example = "[0.1, 1]",
+         .limits = positive,
+         .required = true});
+  visit("moduli", prony.moduli,
+        {.meaning = "which bulk modulus is 2/D", .example = R"("long_term")"});
+}
+
+template <class Visitor>
 void material_keys(Visitor& visit, MaterialCase& material) {
   const bool known = visit("model", material.model,
                            {.meaning = "constitutive model",
@@ -36,7 +54,7 @@ void material_keys(Visitor& visit, MaterialCase& material) {
            .required = true,
            .remedy = "0.49 is nearly incompressible"});
   } else {
-    visit("coefficients", material.coefficients,
+    visit("coefficients", Coefficients{material.coefficients},
           {.meaning = "C_10 (positive), C_20, ..., at most five; the shear modulus is 2 C_10",
            .unit = "Pa",
            .example = "[2.2]",
@@ -47,6 +65,9 @@ void material_keys(Visitor& visit, MaterialCase& material) {
            .example = "0.001",
            .limits = positive,
            .required = true});
+    visit("prony", material.prony,
+          {.meaning = "Prony series of the bulk modulus, see prony; elastic without it",
+           .example = "{ ratios = [0.3, 0.2], times = [0.1, 1] }"});
   }
 }
 
@@ -79,6 +100,11 @@ void body_keys(Visitor& visit, BodyCase& body) {
          .unit = "m/s",
          .example = R"([0, "-25*y"])",
          .variables = "xyz"});
+  visit("stretch", body.stretch,
+        {.meaning = "initial stretches along the axes: the geometry is that of the stretched body "
+                    "(reduced_polynomial)",
+         .example = "[1, 0.95]",
+         .limits = positive});
   visit("rotation", Rotation{body.velocity},
         {.meaning = "initial rigid rotation in place of velocity, see rotation",
          .example = "{ centre = [0, 0], angular_velocity = 1 }"});

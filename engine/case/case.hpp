@@ -41,6 +41,14 @@ struct RigidRotation {
 };
 using InitialVelocity = std::variant<VectorExpression, RigidRotation>;
 
+/// Prony series of the bulk modulus, (RP.70).
+struct PronyCase {
+  enum class Moduli { long_term, instantaneous };
+  std::vector<double> ratios;  ///< g_i
+  std::vector<double> times;   ///< tau_i [s]
+  Moduli moduli = Moduli::long_term;
+};
+
 /// A material in the words of case files; `elastic_constants` gives what the kernels read.
 struct MaterialCase {
   enum class Model { linear, reduced_polynomial };
@@ -52,14 +60,17 @@ struct MaterialCase {
   double poissons_ratio = 0;         ///< linear: nu
   std::vector<double> coefficients;  ///< reduced polynomial: C_10, C_20, ... [Pa]
   double compressibility = 0;        ///< reduced polynomial: D [1/Pa]
+  PronyCase prony;                   ///< reduced polynomial
 };
 
 struct BodyCase {
   std::string name;
   Shape geometry;
   kernels::Material<double> material;
+  std::vector<kernels::PronyTerm<double>> prony;
   InitialVelocity velocity;
-  MaterialCase material_as_given;  ///< what `material` was computed from
+  Vector stretch = {1, 1, 1};      ///< along the axes, at t = 0 from rest
+  MaterialCase material_as_given;  ///< what `material` and `prony` were computed from
 };
 
 struct BoundaryCase {
@@ -91,6 +102,7 @@ struct MeasurementCase {
     wall_force,       ///< of contact wall `boundary` along `axis`, mean since the last sample
     volume,           ///< of {phi < 0}; an area in 2D
     surface_area,     ///< of {phi = 0}; a length in 2D
+    closest_pair,     ///< smallest distance of two particles over the spacing
     velocity_error,   ///< against `exact`, over `reference` (the amplitude)
     period,           ///< twice the mean spacing of zero crossings of measurement `of`
     amplitude_ratio,  ///< mean ratio of successive same-sign maxima of measurement `of`
@@ -115,6 +127,7 @@ struct MeasurementCase {
 
 enum class GhostTreatment { linear, averaged, rigid };
 enum class Method { remeshed, total_lagrangian };
+enum class Operators { moment_matrix, symmetric_sph };
 
 struct Case {
   std::string name;  ///< of the folder or the file, unless the file says
@@ -126,6 +139,9 @@ struct Case {
     double spacing = 0;  ///< h [m]
     kernels::Weight weight = kernels::Weight::quartic_polynomial;
     double dissipation = 0.25;  ///< gamma_d of (RP.43)
+    Operators operators = Operators::moment_matrix;
+    double artificial_viscosity = 1;  ///< symmetric_sph: alpha of (RP.75)
+    double artificial_stress = 0.3;   ///< symmetric_sph: epsilon of (RP.76)
   } discretisation;
 
   struct {
@@ -169,6 +185,7 @@ struct Case {
     double every = 0;             ///< between frames [s]; 0: first and last only
     double checkpoint_every = 0;  ///< between checkpoints [s]; 0: only when interrupted
     bool ghosts = false;          ///< frames hold ghost particles too
+    bool surface = false;         ///< frames hold the free surface
     double measure_every = 0;     ///< [s]; 0: at every remeshing and at the end
   } output;
 };

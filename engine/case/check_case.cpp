@@ -113,6 +113,15 @@ void check_bodies(const Check& check) {
           fmt::format("body \"{}\" has both velocity and rotation", a_case.bodies[i].name),
           "keep one of them");
     }
+    if (a_case.bodies[i].stretch != Vector{1, 1, 1} &&
+        a_case.bodies[i].material_as_given.model == MaterialCase::Model::linear) {
+      check.problems.add(
+          check.place("body", i, "stretch"),
+          fmt::format("body \"{}\" is stretched, but its material follows rates and knows no shape "
+                      "at rest",
+                      a_case.bodies[i].name),
+          "give it a material of model = \"reduced_polynomial\"");
+    }
     if (!is_whole(a_case.bodies[i].geometry, a_case.dimension)) continue;
     const Box box = bounding_box(a_case.bodies[i].geometry);
     const std::size_t before = check.problems.count();
@@ -177,6 +186,39 @@ void check_contact_walls(const Check& check) {
   }
 }
 
+// Plain SPH has neither ghosts nor a level set that its particles would come back to.
+void check_operators(const Check& check) {
+  const Case& a_case = check.a_case;
+  if (a_case.discretisation.operators != Operators::symmetric_sph) return;
+  if (a_case.remeshing.policy != decltype(Case::remeshing)::Policy::never) {
+    check.problems.add(check.place("discretisation", "operators"), "symmetric_sph does not remesh",
+                       "write every = \"never\" in [remeshing]");
+  }
+  if (!a_case.boundaries.empty()) {
+    check.problems.add(check.place("discretisation", "operators"),
+                       "symmetric_sph knows free surfaces and periods only",
+                       "take the boundaries out, or operators = \"moment_matrix\"");
+  }
+  using Kind = MeasurementCase::Kind;
+  for (std::size_t i = 0; i < a_case.measurements.size(); ++i) {
+    const Kind kind = a_case.measurements[i].kind;
+    if (kind != Kind::extent && kind != Kind::ray && kind != Kind::mean_radius &&
+        kind != Kind::surface_area) {
+      continue;
+    }
+    check.problems.add(check.place("measurement", i, "kind"),
+                       fmt::format("measurement \"{}\" needs a level set, which symmetric_sph does "
+                                   "not follow",
+                                   a_case.measurements[i].name),
+                       "take it out, or measure points and conserved quantities");
+  }
+  if (a_case.output.surface) {
+    check.problems.add(check.place("output", "surface"),
+                       "surfaces need a level set, which symmetric_sph does not follow",
+                       "write surface = false");
+  }
+}
+
 void check_measurements(const Check& check) {
   const auto& measurements = check.a_case.measurements;
   for (std::size_t i = 0; i < measurements.size(); ++i) {
@@ -222,23 +264,35 @@ bool measures_undeformed_bodies(MeasurementCase::Kind kind) {
     case Kind::point_value:
     case Kind::wall_force:
     case Kind::velocity_error:
+    case Kind::closest_pair:
       return false;
     default:
       return true;
   }
 }
 
+void check_undeformed_body(const Check& check, std::size_t i) {
+  const BodyCase& body = check.a_case.bodies[i];
+  if (body.material_as_given.model != MaterialCase::Model::reduced_polynomial) {
+    check.problems.add(check.place("body", i, "material"),
+                       fmt::format("body \"{}\" is not hyperelastic", body.name),
+                       "method total_lagrangian takes model = \"reduced_polynomial\"");
+  } else if (!body.material_as_given.prony.ratios.empty()) {
+    check.problems.add(check.place("body", i, "material"),
+                       fmt::format("body \"{}\" relaxes in time", body.name),
+                       "method total_lagrangian takes materials without prony");
+  }
+  if (body.stretch != Vector{1, 1, 1}) {
+    check.problems.add(check.place("body", i, "stretch"),
+                       fmt::format("body \"{}\" starts stretched", body.name),
+                       "method total_lagrangian starts from rest: let walls or pressure stretch it");
+  }
+}
+
 void check_total_lagrangian(const Check& check) {
   const Case& a_case = check.a_case;
   refuse_tables(check, {"remeshing", "level_set", "ghosts", "periodic"});
-  for (std::size_t i = 0; i < a_case.bodies.size(); ++i) {
-    if (a_case.bodies[i].material_as_given.model == MaterialCase::Model::reduced_polynomial) {
-      continue;
-    }
-    check.problems.add(check.place("body", i, "material"),
-                       fmt::format("body \"{}\" is not hyperelastic", a_case.bodies[i].name),
-                       "method total_lagrangian takes model = \"reduced_polynomial\"");
-  }
+  for (std::size_t i = 0; i < a_case.bodies.size(); ++i) check_undeformed_body(check, i);
   for (std::size_t i = 0; i < a_case.boundaries.size(); ++i) {
     if (a_case.boundaries[i].kind != BoundaryCase::Kind::contact_wall) continue;
     check.problems.add(check.place("boundary", i, "kind"),
@@ -279,6 +333,7 @@ void check_case(const Case& a_case, const toml::table& root, const Place& start,
   check_periodic_cell(check);
   check_times(check);
   check_contact_walls(check);
+  check_operators(check);
   check_measurements(check);
 }
 

@@ -1,6 +1,7 @@
 #include "engine/case/elastic_constants.hpp"
 
 #include <algorithm>
+#include <numeric>
 
 namespace pliant {
 
@@ -17,11 +18,22 @@ kernels::Material<double> elastic_constants(const MaterialCase& given) {
     material.model = kernels::Model::reduced_polynomial;
     material.order = static_cast<int>(given.coefficients.size());
     std::copy(given.coefficients.begin(), given.coefficients.end(), material.coefficient.begin());
-    material.compressibility = given.compressibility;
-    material.bulk_modulus = 2 / given.compressibility;
+    const PronyCase& prony = given.prony;
+    const double relaxing = std::accumulate(prony.ratios.begin(), prony.ratios.end(), 0.0);
+    const double left = prony.moduli == PronyCase::Moduli::long_term ? 1 - relaxing : 1;
+    material.compressibility = given.compressibility * left;
+    material.bulk_modulus = 2 / material.compressibility;
     material.shear_modulus = 2 * given.coefficients.front();
   }
   return material;
+}
+
+std::vector<kernels::PronyTerm<double>> prony_terms(const MaterialCase& given) {
+  std::vector<kernels::PronyTerm<double>> terms;
+  for (std::size_t i = 0; i < given.prony.ratios.size(); ++i) {
+    terms.push_back({given.prony.ratios[i], given.prony.times[i]});
+  }
+  return terms;
 }
 
 }  // namespace pliant

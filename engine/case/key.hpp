@@ -45,6 +45,9 @@ struct Notes {
 struct Name {  ///< letters, digits, _ and -
   std::string& text;
 };
+struct Coefficients {  ///< C_10, C_20, ...
+  std::vector<double>& list;
+};
 struct StepRule {  ///< a number or "cfl"
   std::optional<double>& step;
 };

@@ -120,6 +120,8 @@ void measurement_keys(Visitor& visit, MeasurementCase& m) {
       point_key(visit, m, "about which", false);
       if (visit.dimension() == 3) axis_key(visit, m, "component, in 3D; about z in 2D");
       return relative_key(visit, m);
+    case Kind::closest_pair:
+      return;
     case Kind::velocity_error:
       return velocity_error_keys(visit, m);
     default:

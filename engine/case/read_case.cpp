@@ -77,7 +77,10 @@ Case read_case(const std::filesystem::path& path, std::span<const std::string> s
   check_case(a_case, root, Place{file.string(), 1}, problems);
   if (!problems.empty()) throw CaseError(problems.text());
 
-  for (BodyCase& body : a_case.bodies) body.material = elastic_constants(body.material_as_given);
+  for (BodyCase& body : a_case.bodies) {
+    body.material = elastic_constants(body.material_as_given);
+    body.prony = prony_terms(body.material_as_given);
+  }
   return a_case;
 }
 

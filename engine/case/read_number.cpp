@@ -110,19 +110,26 @@ bool read(const Entry& entry, Vector& value) {
   return good;
 }
 
-bool read(const Entry& entry, std::vector<double>& coefficients) {
+bool read(const Entry& entry, std::vector<double>& value) {
   const toml::array* list = entry.node.as_array();
   if (!list) return entry.refuse("must be a list of numbers, found " + describe(entry.node));
-  if (list->empty() || list->size() > 5) {
+  if (list->empty()) return entry.refuse("holds no number");
+  value.resize(list->size());
+  for (std::size_t i = 0; i < list->size(); ++i) {
+    if (!read_number(entry, *list->get(i), value[i])) return false;
+  }
+  return true;
+}
+
+bool read(const Entry& entry, Coefficients value) {
+  const toml::array* list = entry.node.as_array();
+  if (list && (list->empty() || list->size() > 5)) {
     return entry.refuse(fmt::format("has {} numbers, where one to five are possible", list->size()),
                         "give C_10 up to at most C_50");
   }
-  coefficients.resize(list->size());
-  for (std::size_t i = 0; i < list->size(); ++i) {
-    if (!read_number(entry, *list->get(i), coefficients[i])) return false;
-  }
-  if (coefficients.front() > 0) return true;
-  return entry.refuse(fmt::format("must start with a positive C_10, got {}", coefficients.front()),
+  if (!read(entry, value.list)) return false;
+  if (value.list.front() > 0) return true;
+  return entry.refuse(fmt::format("must start with a positive C_10, got {}", value.list.front()),
                       "the shear modulus is 2 C_10");
 }
 

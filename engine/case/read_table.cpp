@@ -1,10 +1,12 @@
 #include <fmt/format.h>
 
+#include <numeric>
+
 #include "engine/case/table_reader.hpp"
 #include "engine/case/vocabulary.hpp"
 #include "engine/geometry/closed_mesh.hpp"
 
-/// Reading of values that are tables themselves: geometry, material, rotation.
+/// Reading of values that are tables themselves: geometry, material, prony, rotation.
 namespace pliant {
 namespace {
 
@@ -111,6 +113,21 @@ bool read(const Entry& entry, MaterialCase& value) {
   return entry.refuse(fmt::format("names the material \"{}\", which does not exist", *name),
                       nearest.empty() ? fmt::format("add a table [material.{}]", *name)
                                       : fmt::format("did you mean \"{}\"?", nearest));
+}
+
+bool read(const Entry& entry, PronyCase& value) {
+  if (!read_keys(entry, entry.key, [&](auto& keys) { prony_keys(keys, value); })) return false;
+  if (value.ratios.size() != value.times.size()) {
+    return entry.refuse(
+        fmt::format("has {} ratios and {} times", value.ratios.size(), value.times.size()),
+        "every term has one of each");
+  }
+  const double sum = std::accumulate(value.ratios.begin(), value.ratios.end(), 0.0);
+  if (sum < 1) return true;
+  return entry.refuse(fmt::format("has ratios that add up to {}, so that nothing would be left of "
+                                  "the bulk modulus",
+                                  sum),
+                      "their sum must be below 1");
 }
 
 bool read(const Entry& entry, Rotation value) {

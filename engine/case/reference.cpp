@@ -87,6 +87,13 @@ std::string case_reference_markdown() {
                       Shape shape;
                       shape_keys(visit, shape);
                     }));
+  describer.section("prony",
+                    "Bulk viscosity of a reduced polynomial: what its bulk modulus loses in time, "
+                    "(RP.70).",
+                    describe_table([](auto& visit) {
+                      PronyCase prony;
+                      prony_keys(visit, prony);
+                    }));
   describer.section("rotation", "An initial rigid rotation of a body.",
                     describe_table([](auto& visit) {
                       RigidRotation rotation;

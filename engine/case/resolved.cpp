@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <utility>
+
 #include "engine/case/toml_text.hpp"
 #include "engine/case/vocabulary.hpp"
 
@@ -72,6 +74,15 @@ std::string toml_text(const std::vector<double>& value, const Writing&) {
   std::string text;
   for (const double number : value) text += fmt::format("{}{}", text.empty() ? "" : ", ", number);
   return "[" + text + "]";
+}
+
+std::string toml_text(Coefficients value, const Writing& writing) {
+  return toml_text(std::as_const(value.list), writing);
+}
+
+std::string toml_text(PronyCase& value, const Writing& writing) {
+  if (value.ratios.empty()) return "";
+  return inline_table(writing, [&](auto& keys) { prony_keys(keys, value); });
 }
 
 std::string toml_text(const Expression& value, const Writing& writing) {

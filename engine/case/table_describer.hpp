@@ -22,6 +22,8 @@ inline std::string type_of(const bool&) { return "true or false"; }
 inline std::string type_of(const std::string&) { return "text"; }
 inline std::string type_of(const Vector&) { return "vector"; }
 inline std::string type_of(const std::vector<double>&) { return "list of numbers"; }
+inline std::string type_of(const Coefficients&) { return "list of numbers"; }
+inline std::string type_of(const PronyCase&) { return "table"; }
 inline std::string type_of(const Expression&) { return "number or formula"; }
 inline std::string type_of(const std::optional<Expression>&) { return "formula"; }
 inline std::string type_of(const VectorExpression&) { return "vector of numbers or formulas"; }

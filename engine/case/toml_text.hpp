@@ -26,6 +26,8 @@ std::string toml_text(bool value, const Writing&);
 std::string toml_text(const std::string& value, const Writing&);
 std::string toml_text(const Vector& value, const Writing&);
 std::string toml_text(const std::vector<double>& value, const Writing&);
+std::string toml_text(Coefficients value, const Writing&);
+std::string toml_text(PronyCase& value, const Writing&);
 std::string toml_text(const Expression& value, const Writing&);
 std::string toml_text(const std::optional<Expression>& value, const Writing&);
 std::string toml_text(const VectorExpression& value, const Writing&);

@@ -71,6 +71,10 @@ void output_keys(Visitor& visit, decltype(Case::output)& output) {
          .limits = not_negative});
   visit("ghosts", output.ghosts,
         {.meaning = "whether frames hold ghost particles too", .example = "false"});
+  visit("surface", output.surface,
+        {.meaning = "whether frames hold the free surface of every body as a mesh, for "
+                    "surface.xdmf",
+         .example = "false"});
   visit("measure_every", output.measure_every,
         {.meaning = "time between measurements; 0: at every remeshing and at the end",
          .unit = "s",
@@ -115,6 +119,17 @@ void discretisation_keys(Visitor& visit, decltype(Case::discretisation)& discret
                   "long runs",
        .example = "0.5",
        .limits = {0, 2, true, true, "from 0 to 2"}});
+  visit("operators", discretisation.operators,
+        {.meaning = "how fields are differentiated", .example = R"("moment_matrix")"});
+  visit("artificial_viscosity", discretisation.artificial_viscosity,
+        {.meaning = "of \"symmetric_sph\": alpha of (RP.75)",
+         .example = "1",
+         .limits = not_negative});
+  visit("artificial_stress", discretisation.artificial_stress,
+        {.meaning = "of \"symmetric_sph\": epsilon of (RP.76), against the tensile instability; 0 "
+                    "switches it off",
+         .example = "0.3",
+         .limits = not_negative});
 }
 
 template <class Visitor>

@@ -38,6 +38,12 @@ inline constexpr std::array words<kernels::Weight>{
     word(kernels::Weight::compact, "compact", "3 x 3 particles, the fastest (RP.16)")};
 
 template <>
+inline constexpr std::array words<Operators>{
+    word(Operators::moment_matrix, "moment_matrix", "exact for linear fields (RP.18)"),
+    word(Operators::symmetric_sph, "symmetric_sph",
+         "plain SPH without ghosts or remeshing, the paper's baseline (RP.73), (RP.74)")};
+
+template <>
 inline constexpr std::array words<GhostTreatment>{
     word(GhostTreatment::linear, "linear", "linear fits, current normals (RP.34)"),
     word(GhostTreatment::averaged, "averaged", "averages, as Hieber & Koumoutsakos (RP.38)"),
@@ -61,6 +67,11 @@ template <>
 inline constexpr std::array words<MaterialCase::Law>{
     word(MaterialCase::Law::rho, "rho", "pressure linear in the density (RP.5)"),
     word(MaterialCase::Law::log, "log", "pressure linear in the logarithm of the density (RP.6)")};
+
+template <>
+inline constexpr std::array words<PronyCase::Moduli>{
+    word(PronyCase::Moduli::long_term, "long_term", "2/D is what is left when all has relaxed"),
+    word(PronyCase::Moduli::instantaneous, "instantaneous", "2/D is what a sudden change meets")};
 
 /// Shapes as case files name them; a ball is a disc in 2D.
 enum class ShapeWord {
@@ -126,6 +137,8 @@ inline constexpr std::array words<MeasurementCase::Kind>{
     word(MeasurementCase::Kind::volume, "volume", "of a body; an area in 2D"),
     word(MeasurementCase::Kind::surface_area, "surface_area",
          "of the free surface; a length in 2D"),
+    word(MeasurementCase::Kind::closest_pair, "closest_pair",
+         "smallest distance of two particles of a body over the spacing, at most 2"),
     word(MeasurementCase::Kind::velocity_error, "velocity_error",
          "difference from an exact velocity, over an amplitude"),
     word(MeasurementCase::Kind::period, "period",

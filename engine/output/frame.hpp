@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <variant>
 #include <vector>
@@ -18,6 +19,14 @@ struct FrameField {
   std::variant<std::vector<double>, std::vector<std::int32_t>, std::vector<std::int64_t>> values;
 };
 
+/// The surfaces of all bodies at one instant: segments in 2D, triangles in 3D.
+struct FrameSurface {
+  int corners = 3;                   ///< of a piece: 2 or 3
+  std::vector<double> position;      ///< [vertex][3] [m]
+  std::vector<std::int64_t> vertex;  ///< [piece][corner]
+  std::vector<FrameField> fields;    ///< on the vertices
+};
+
 /// The particles at one instant. Every frame of a run has the same fields; the number of particles
 /// may change.
 struct Frame {
@@ -25,6 +34,7 @@ struct Frame {
   std::int64_t step = 0;
   std::vector<double> position;  ///< [particle][3], at least one particle [m]
   std::vector<FrameField> fields;
+  std::optional<FrameSurface> surface;  ///< of all frames of a run, or of none
 };
 
 }  // namespace pliant

@@ -1,7 +1,5 @@
 #include "engine/output/frame_store.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <array>
 #include <numeric>
@@ -41,36 +39,6 @@ constexpr hsize_t least_chunk_rows = 1024, most_chunk_rows = 16384;
 constexpr hsize_t step_chunk_rows = 256;
 constexpr int topologies = 4;  ///< vertices, lines, polygons, strips
 
-int stored_components(const FrameField& field) {
-  return field.components == 2 ? 3 : field.components;
-}
-
-hid_t type_of(const FrameField& field) {
-  return std::visit([]<class T>(const std::vector<T>&) { return hdf5::type_of<T>(); },
-                    field.values);
-}
-
-template <class T>
-std::vector<T> with_third_component(const std::vector<T>& plane) {
-  std::vector<T> values(plane.size() / 2 * 3, T(0));
-  for (std::size_t p = 0; p < plane.size() / 2; ++p) {
-    values[3 * p] = plane[2 * p];
-    values[3 * p + 1] = plane[2 * p + 1];
-  }
-  return values;
-}
-
-void append_values(GrowingArray& array, const FrameField& field, hsize_t particles) {
-  std::visit(
-      [&](const auto& values) {
-        if (field.components == 2)
-          array.append(with_third_component(values).data(), particles);
-        else
-          array.append(values.data(), particles);
-      },
-      field.values);
-}
-
 /// Gives `old_name` of a group a second name.
 void link(hid_t group, const std::string& name, hid_t old_group, const std::string& old_name) {
   checked(
@@ -82,28 +50,7 @@ void check(const Frame& frame) {
   const auto particles = frame.position.size() / 3;
   if (particles == 0 || frame.position.size() % 3 != 0)
     throw std::invalid_argument("a frame needs positions [particle][3] of at least one particle");
-  for (const auto& field : frame.fields) {
-    const auto size = std::visit([](const auto& values) { return values.size(); }, field.values);
-    if (field.components < 1 || size != particles * static_cast<std::size_t>(field.components))
-      throw std::invalid_argument(
-          fmt::format("field {} has {} values for {} particles", field.name, size, particles));
-    if (field.name.empty() || field.name.find_first_of("/.") != std::string::npos)
-      throw std::invalid_argument(
-          fmt::format("field name '{}' is empty or contains '/' or '.'", field.name));
-  }
-}
-
-std::vector<const FrameField*> sorted_fields(const Frame& frame) {
-  std::vector<const FrameField*> sorted;
-  for (const auto& field : frame.fields) sorted.push_back(&field);
-  std::ranges::sort(sorted, {}, &FrameField::name);
-  return sorted;
-}
-
-StoredField describe(const std::string& name, const GrowingArray& array) {
-  const auto type = array.type();
-  return {name, std::max(array.components(), 1), H5Tget_class(type) == H5T_INTEGER,
-          static_cast<int>(H5Tget_size(type))};
+  check_fields(frame.fields, particles);
 }
 
 }  // namespace
@@ -145,14 +92,8 @@ void FrameStore::create(const Frame& first) {
       GrowingArray::create(steps_, "ConnectivityIdOffsets", counts, topologies, step_chunk_rows);
   const auto field_offsets = hdf5::create_group(steps_, "PointDataOffsets");
   const auto point_data = hdf5::create_group(root_, "PointData");
-  for (const auto* field : sorted_fields(first)) {
-    const auto components = stored_components(*field);
-    values_.push_back(GrowingArray::create(point_data, field->name, type_of(*field),
-                                           components == 1 ? 0 : components, rows));
-    hdf5::write_attribute(values_.back().id(), "unit", field->unit);
-    fields_.push_back(describe(field->name, values_.back()));
-    link(field_offsets, field->name, steps_, "PointOffsets");
-  }
+  values_.create(point_data, first.fields, rows);
+  for (const auto& field : fields()) link(field_offsets, field.name, steps_, "PointOffsets");
 
   const auto frames = hdf5::create_group(file_, "frames");
   step_ = GrowingArray::create(frames, "step", counts, 0, step_chunk_rows);
@@ -174,11 +115,7 @@ void FrameStore::open() {
   cells_ = GrowingArray::open(steps_, "CellOffsets");
   connections_ = GrowingArray::open(steps_, "ConnectivityIdOffsets");
   step_ = GrowingArray::open(file_, "frames/step");
-  const auto point_data = hdf5::open_group(root_, "PointData");
-  for (const auto& name : hdf5::names(point_data)) {
-    values_.push_back(GrowingArray::open(point_data, name));
-    fields_.push_back(describe(name, values_.back()));
-  }
+  values_.open(hdf5::open_group(root_, "PointData"));
 
   std::vector<double> time(time_.rows());
   std::vector<std::int64_t> particles(particles_.rows());
@@ -193,23 +130,10 @@ void FrameStore::open() {
   }
 }
 
-void FrameStore::require_same_fields(const Frame& frame) const {
-  const auto sorted = sorted_fields(frame);
-  const auto same = [](const FrameField* given, const StoredField& stored) {
-    const auto type = type_of(*given);
-    return given->name == stored.name && stored_components(*given) == stored.components &&
-           (H5Tget_class(type) == H5T_INTEGER) == stored.integer &&
-           static_cast<int>(H5Tget_size(type)) == stored.bytes;
-  };
-  if (!std::ranges::equal(sorted, fields_, same))
-    throw std::invalid_argument("a frame has other fields than the earlier ones");
-}
-
 // The count that makes a frame valid is committed after all else.
 void FrameStore::append(const Frame& frame) {
   check(frame);
   if (!root_.valid()) create(frame);
-  require_same_fields(frame);
   append_particles(frame);
   append_step(frame);
   hdf5::flush(file_);
@@ -222,9 +146,8 @@ void FrameStore::append(const Frame& frame) {
 
 void FrameStore::append_particles(const Frame& frame) {
   const auto particles = frame.position.size() / 3;
+  values_.append(frame.fields, particles);
   points_.append(frame.position.data(), particles);
-  const auto sorted = sorted_fields(frame);
-  for (std::size_t i = 0; i < sorted.size(); ++i) append_values(values_[i], *sorted[i], particles);
 
   std::vector<std::int64_t> count(particles + 1);
   std::iota(count.begin(), count.end(), 0);
@@ -266,7 +189,7 @@ void FrameStore::truncate(std::size_t frames) {
        {&time_, &step_, &particles_, &part_, &parts_, &first_, &cells_, &connections_, &none_})
     array->truncate(count);
   points_.truncate(end);
-  for (auto& array : values_) array.truncate(end);
+  values_.truncate(end);
   offset_.truncate(end + count);
   connectivity_.truncate(most);
   hdf5::flush(file_);

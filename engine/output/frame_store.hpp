@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "engine/output/field_arrays.hpp"
 #include "engine/output/frame.hpp"
 #include "engine/output/hdf5.hpp"
 
@@ -14,14 +15,6 @@ struct FrameSpan {
   double time;
   std::uint64_t first;
   std::uint64_t particles;
-};
-
-/// A field as the file holds it.
-struct StoredField {
-  std::string name;
-  int components;
-  bool integer;
-  int bytes;  ///< of one component
 };
 
 /// The frames of a run, as the group /VTKHDF: temporal PolyData of version 2.0 of that format, one
@@ -39,20 +32,18 @@ class FrameStore {
   void truncate(std::size_t frames);
 
   const std::vector<FrameSpan>& frames() const { return frames_; }
-  const std::vector<StoredField>& fields() const { return fields_; }  ///< in alphabetical order
+  const std::vector<StoredField>& fields() const { return values_.fields(); }
 
  private:
   void create(const Frame& first);
   void open();
-  void require_same_fields(const Frame& frame) const;
   void append_particles(const Frame& frame);
   void append_step(const Frame& frame);
 
   hid_t file_;
   hdf5::Handle root_, steps_;
   std::vector<FrameSpan> frames_;
-  std::vector<StoredField> fields_;
-  std::vector<hdf5::GrowingArray> values_;  ///< of fields_
+  FieldArrays values_;
 
   /// Particles of all frames: [particle]; `offset` has one more entry a frame.
   hdf5::GrowingArray points_, offset_;

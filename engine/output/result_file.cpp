@@ -15,6 +15,7 @@
 #include "engine/output/frame_store.hpp"
 #include "engine/output/hdf5.hpp"
 #include "engine/output/history_store.hpp"
+#include "engine/output/surface_store.hpp"
 #include "engine/output/xdmf.hpp"
 
 // Why a killed process leaves a readable file: it changes by commits (see commit_driver.cpp), which
@@ -66,24 +67,27 @@ void describe(hid_t file, const RunDescription& run) {
 
 struct ResultFile::File {
   FolderLock lock;
-  std::filesystem::path path, viewer;
+  std::filesystem::path path, viewer, surface_viewer;
   std::optional<TemporaryFile> temporary;  ///< of a new file, until its first frame is whole
   bool failed = false;
   Handle file;
   FrameStore frames;
+  SurfaceStore surfaces;
   HistoryStore histories;
-  XdmfSeries series{"result.h5"};
+  XdmfSeries series{"result.h5", "particles"}, surface_series{"result.h5", "surface"};
   std::size_t shown = 0;  ///< frames in `series`
 
   File(const std::filesystem::path& folder, bool existing)
       : lock(folder),
         path(folder / "result.h5"),
         viewer(folder / "result.xdmf"),
+        surface_viewer(folder / "surface.xdmf"),
         temporary(existing ? std::nullopt : std::make_optional<TemporaryFile>(path)),
         file(with_extensible_arrays(
             existing ? hdf5::open_committed(path)
                      : hdf5::create_committed(temporary->path(), H5F_LIBVER_EARLIEST))),
         frames(file),
+        surfaces(file),
         histories(file) {}
 
   /// Runs `change`; when it fails, the file stays as the last commit left it.
@@ -100,9 +104,15 @@ struct ResultFile::File {
   }
 
   void write_viewer() {
-    for (; shown < frames.frames().size(); ++shown)
-      series.add(frames.frames()[shown], frames.fields());
+    for (; shown < frames.frames().size(); ++shown) {
+      const FrameSpan& frame = frames.frames()[shown];
+      series.add_particles(frame, frames.fields());
+      if (surfaces.holds_any())
+        surface_series.add_surface(frame.time, surfaces.spans()[shown], surfaces.corners(),
+                                   surfaces.fields());
+    }
     write_atomically(viewer, series.text(), Durable::no);
+    if (surfaces.holds_any()) write_atomically(surface_viewer, surface_series.text(), Durable::no);
   }
 };
 
@@ -150,6 +160,7 @@ void ResultFile::cut(const std::filesystem::path& folder, const ResultExtent& ex
                       "put back the file that belongs to the checkpoint, or run anew");
   file.guarded([&] {
     file.frames.truncate(static_cast<std::size_t>(extent.frames));
+    file.surfaces.truncate(static_cast<std::size_t>(extent.frames));
     file.histories.truncate(extent.history_rows);
     hdf5::flush(file.file);
   });
@@ -172,11 +183,14 @@ void ResultFile::append(const Frame& frame) {
   auto& file = open_file();
   file.guarded([&] {
     file.histories.flush();
+    if (frame.surface) file.surfaces.append(*frame.surface);
     file.frames.append(frame);
   });
   if (file.temporary) {
     std::error_code ignored;
-    std::filesystem::remove(file.viewer, ignored);  // an earlier run's, whose frames go now
+    // An earlier run's, whose frames go now.
+    for (const auto& shown : {file.viewer, file.surface_viewer})
+      std::filesystem::remove(shown, ignored);
     file.temporary->publish(Durable::no);
     file.temporary.reset();
   }

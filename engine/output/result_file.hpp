@@ -27,9 +27,10 @@ struct ResultExtent {
   std::map<std::string, std::int64_t> history_rows;  ///< by name of the measurement
 };
 
-/// `result.h5` in a folder, and `result.xdmf` that shows its frames.
+/// `result.h5` in a folder, and `result.xdmf` that shows its frames, `surface.xdmf` their surfaces.
 ///
-/// Frames lie under /VTKHDF (see frame_store.cpp), histories under /measurements/NAME. A process
+/// Frames lie under /VTKHDF (see frame_store.cpp), surfaces under /surface, histories under
+/// /measurements/NAME. A process
 /// that is killed leaves a readable file with all completed frames: the file gets its name once the
 /// first frame is whole, and arrays only ever grow. Readers may open it while it is written. The
 /// file has no time stamps: equal runs write equal files.

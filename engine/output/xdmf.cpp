@@ -30,10 +30,20 @@ std::string escaped(const std::string& text) {
   return result;
 }
 
-/// Rows [first, first + count) of an array: start, stride, count, and the shape it is cut from. The
-/// true shape grows with every frame; as far as this frame's end is enough for the reader.
-std::string slab(const std::string& path, const FrameSpan& frame, const StoredField& field) {
-  const auto n = frame.particles, first = frame.first;
+const char* attribute_type(const StoredField& field) {
+  if (field.components == 1) return "Scalar";
+  return field.components == 3 ? "Vector" : "Matrix";
+}
+
+}  // namespace
+
+XdmfSeries::XdmfSeries(const std::string& file_name, std::string grid)
+    : file_name_(escaped(file_name)), grid_(std::move(grid)) {}
+
+/// Rows of an array: start, stride, count, and the shape it is cut from. The true shape grows with
+/// every frame; as far as this frame's end is enough for the reader.
+std::string XdmfSeries::slab(const std::string& path, const Rows& rows, const StoredField& field) {
+  const auto [first, n] = rows;
   const auto k = field.components;
   const auto kind = fmt::format(R"(Format="HDF" NumberType="{}" Precision="{}")",
                                 field.integer ? "Int" : "Float", field.bytes);
@@ -44,33 +54,43 @@ std::string slab(const std::string& path, const FrameSpan& frame, const StoredFi
                      n, k, path, first, n, k, first + n, k);
 }
 
-const char* attribute_type(const StoredField& field) {
-  if (field.components == 1) return "Scalar";
-  return field.components == 3 ? "Vector" : "Matrix";
+void XdmfSeries::add_particles(const FrameSpan& frame, const std::vector<StoredField>& fields) {
+  const auto root = file_name_ + ":/VTKHDF/";
+  const StoredField vertex{"", 1, true, 8};
+  const auto topology = fmt::format(
+      R"(TopologyType="Polyvertex" NodesPerElement="1" NumberOfElements="{}">
+          {})",
+      frame.particles, slab(root + "Vertices/Connectivity", {0, frame.particles}, vertex));
+  add(frame.time, topology, root, {frame.first, frame.particles}, fields);
 }
 
-}  // namespace
+void XdmfSeries::add_surface(double time, const SurfaceSpan& span, int corners,
+                             const std::vector<StoredField>& fields) {
+  if (span.pieces == 0) return;
+  const auto root = file_name_ + ":/surface/";
+  const StoredField vertex{"", corners, true, 8};
+  const auto topology = fmt::format(
+      R"({} NumberOfElements="{}">
+          {})",
+      corners == 2 ? R"(TopologyType="Polyline" NodesPerElement="2")"
+                   : R"(TopologyType="Triangle")",
+      span.pieces, slab(root + "Connectivity", {span.first_piece, span.pieces}, vertex));
+  add(time, topology, root, {span.first_vertex, span.vertices}, fields);
+}
 
-XdmfSeries::XdmfSeries(const std::string& file_name) : file_name_(escaped(file_name)) {}
-
-void XdmfSeries::add(const FrameSpan& frame, const std::vector<StoredField>& fields) {
+void XdmfSeries::add(double time, const std::string& topology, const std::string& root,
+                     const Rows& points, const std::vector<StoredField>& fields) {
   auto out = std::back_inserter(frames_);
-  const StoredField connectivity{"", 1, true, 8}, points{"", 3, false, 8};
-  const FrameSpan vertices{frame.time, 0, frame.particles};
-  const auto root = file_name_ + ":/VTKHDF/";
   fmt::format_to(out,
-                 R"(      <Grid Name="particles">
+                 R"(      <Grid Name="{}">
         <Time Value="{}"/>
-        <Topology TopologyType="Polyvertex" NodesPerElement="1" NumberOfElements="{}">
-          {}
+        <Topology {}
         </Topology>
         <Geometry GeometryType="XYZ">
           {}
         </Geometry>
 )",
-                 frame.time, frame.particles,
-                 slab(root + "Vertices/Connectivity", vertices, connectivity),
-                 slab(root + "Points", frame, points));
+                 grid_, time, topology, slab(root + "Points", points, {"", 3, false, 8}));
   for (const auto& field : fields) {
     const auto name = escaped(field.name);
     fmt::format_to(out,
@@ -78,7 +98,7 @@ void XdmfSeries::add(const FrameSpan& frame, const std::vector<StoredField>& fie
           {}
         </Attribute>
 )",
-                   name, attribute_type(field), slab(root + "PointData/" + name, frame, field));
+                   name, attribute_type(field), slab(root + "PointData/" + name, points, field));
   }
   frames_ += "      </Grid>\n";
 }

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "engine/output/frame_store.hpp"
+#include "engine/output/surface_store.hpp"
 
 namespace pliant {
 
@@ -15,13 +16,24 @@ namespace pliant {
 /// ParaView the one that is stored).
 class XdmfSeries {
  public:
-  explicit XdmfSeries(const std::string& file_name);
+  /// `grid` is what a frame shows: "particles" or "surface".
+  XdmfSeries(const std::string& file_name, std::string grid);
 
-  void add(const FrameSpan& frame, const std::vector<StoredField>& fields);
+  void add_particles(const FrameSpan& frame, const std::vector<StoredField>& fields);
+  /// Leaves frames without any surface out, which ParaView would take for a fault.
+  void add_surface(double time, const SurfaceSpan& span, int corners,
+                   const std::vector<StoredField>& fields);
   std::string text() const;
 
  private:
-  std::string file_name_, frames_;
+  struct Rows {
+    std::uint64_t first, count;
+  };
+  void add(double time, const std::string& topology, const std::string& root, const Rows& points,
+           const std::vector<StoredField>& fields);
+  static std::string slab(const std::string& path, const Rows& rows, const StoredField& field);
+
+  std::string file_name_, grid_, frames_;
 };
 
 }  // namespace pliant

@@ -76,11 +76,16 @@ struct Body {
   std::string name;
   const BodyCase* source = nullptr;
   kernels::Material<T> material;
+  bool is_plain_sph = false;  ///< without ghosts, neighbours always listed
   Lattice<D> lattice;
   Population<T, D> population, spare;
   std::array<FieldStore<T, D>, 4> stage;  ///< Q0, Q2, Q3, Q4 of (RP.19); 0 and 1 hold all fields
   std::array<std::array<Buffer<T>, kernels::symmetric_components<D>>, 2> stress;
-  Buffer<T> records;  ///< [record][record_width] of surface particles
+  /// sigma/rho^2 and R of plain SPH, (RP.74), (RP.76); empty otherwise.
+  std::array<std::array<Buffer<T>, kernels::symmetric_components<D>>, 2> pair_stress;
+  std::vector<kernels::PronyTerm<T>> prony;
+  std::vector<T*> memory;  ///< [term] p_i of `stage[0]`
+  Buffer<T> records;       ///< [record][record_width] of surface particles
   Buffer<std::int32_t> record_of_slot;
   BodyNeighbours<D> neighbours;
 
@@ -93,6 +98,10 @@ struct Body {
     std::array<const T*, kernels::symmetric_components<D>> view;
     for (std::size_t c = 0; c < view.size(); ++c) view[c] = stress[parity][c].get();
     return view;
+  }
+
+  kernels::BulkViscosity<T> viscosity(const kernels::Relaxation<T>* relaxation = nullptr) const {
+    return {static_cast<int>(prony.size()), relaxation, memory.data()};
   }
 
   /// Position of a slot's particle [m].

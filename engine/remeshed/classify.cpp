@@ -7,7 +7,8 @@ namespace pliant::remeshed {
 namespace {
 
 template <class T, int D>
-Kind kind_of(const Point<D>& x, T phi, double h, bool valid, const Boundaries<D>& boundaries) {
+Kind kind_of(const Point<D>& x, T phi, double h, bool valid, bool has_ghosts,
+             const Boundaries<D>& boundaries) {
   if (phi >= ghost_band * h) return Kind::vacant;
   const double d = boundaries.nearest_wall(x).second;
   if (d < -ghost_band * h) return Kind::vacant;
@@ -15,7 +16,7 @@ Kind kind_of(const Point<D>& x, T phi, double h, bool valid, const Boundaries<D>
   // What lies beyond a contact wall is outside the body, whatever phi says.
   const double beyond = boundaries.nearest_contact(x).second;
   if (beyond < -ghost_band * h) return Kind::vacant;
-  if (phi >= 0 || beyond < 0) return Kind::free_ghost;
+  if (phi >= 0 || beyond < 0) return has_ghosts ? Kind::free_ghost : Kind::vacant;
   return valid ? Kind::interior : Kind::vacant;
 }
 
@@ -33,6 +34,7 @@ void vacate(FieldStore<T, D>& state, std::int64_t p, const kernels::Material<T>&
   for (int c = 0; c < state.carried(); ++c) {
     state.get(Field::material, c)[p] = deforms && c % (D + 1) == 0 ? T(1) : T(0);
   }
+  for (Buffer<T>& pressure : state[Field::memory]) pressure[p] = 0;
 }
 
 }  // namespace
@@ -82,9 +84,9 @@ std::int64_t classify(const Body<T, D>& body, Population<T, D>& population, Fiel
   const Block<D>& range = population.layout.blocks()[block];
   population.layout.for_each_slot(range, [&](std::int64_t p, const Cell<D>& cell) {
     const bool own = body.lattice.is_wrapped(cell);
-    const Kind kind =
-        own ? kind_of<T, D>(body.lattice.node(cell), phi[p], h, valid[p] != 0, boundaries)
-            : Kind::vacant;
+    const Kind kind = own ? kind_of<T, D>(body.lattice.node(cell), phi[p], h, valid[p] != 0,
+                                          !body.is_plain_sph, boundaries)
+                          : Kind::vacant;
     population.kind[p] = kind;
     population.interior[p] = kind == Kind::interior ? T(1) : T(0);
     for (int a = 0; a < D; ++a) state.get(Field::displacement, a)[p] = 0;

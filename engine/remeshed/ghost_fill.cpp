@@ -150,8 +150,10 @@ void fill_conserved(Body<T, D>& body, int block) {
     };
     mass[slot] = volume * fit([&](std::int64_t q) { return mass[q] / v[q]; });
     v[slot] = volume;
-    for (Buffer<T>& component : state[Field::material]) {
-      component[slot] = fit([&](std::int64_t q) { return component[q]; });
+    for (const Field f : {Field::material, Field::memory}) {
+      for (Buffer<T>& component : state[f]) {
+        component[slot] = fit([&](std::int64_t q) { return component[q]; });
+      }
     }
     for (int a = 0; a < D; ++a) {
       T* carried = state.get(Field::carried, a);

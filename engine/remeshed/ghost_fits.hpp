@@ -15,7 +15,8 @@ inline constexpr double ghost_band = 4.2;  ///< [h]
 ///     inside a wall, phi < 4.2 h         wall ghost, as deep as 4.2 h
 ///     0 <= phi < 4.2 h                   free ghost
 ///
-/// Images are left vacant. Returns the number of interior particles.
+/// Images are left vacant; plain SPH has vacant slots in the place of ghosts. Returns the number of
+/// interior particles.
 template <class T, int D>
 std::int64_t classify(const Body<T, D>& body, Population<T, D>& population, FieldStore<T, D>& state,
                       int block, const Boundaries<D>& boundaries, const T* valid);

@@ -71,11 +71,10 @@ class Integrator {
 
   Expansion<D> expand(std::int64_t p, const Cell<D>& cell) const {
     const FieldStore<T, D>& f = view_.fields;
-    const kernels::Material<T>& material = view_.body.material;
     const T* phi = f.get(Field::level_set);
     Expansion<D> e;
     e.density = density<T, D>(f, p);
-    e.energy = energy_density<T, D>(material, f, p);
+    e.energy = energy_density<T, D>(view_.body, f, p);
     for (int c = 0; c < D; ++c) e.velocity[c] = f.get(Field::velocity, c)[p];
     e.phi = phi[p] / h_;
     for (int a = 0; a < D; ++a) {
@@ -93,10 +92,9 @@ class Integrator {
 
   void add_slopes(Expansion<D>& e, int a, std::int64_t up, std::int64_t down) const {
     const FieldStore<T, D>& f = view_.fields;
-    const kernels::Material<T>& material = view_.body.material;
     e.density_slope[a] = (density<T, D>(f, up) - density<T, D>(f, down)) / 2;
     e.energy_slope[a] =
-        (energy_density<T, D>(material, f, up) - energy_density<T, D>(material, f, down)) / 2;
+        (energy_density<T, D>(view_.body, f, up) - energy_density<T, D>(view_.body, f, down)) / 2;
     for (int c = 0; c < D; ++c) {
       const T* u = f.get(Field::velocity, c);
       e.velocity_slope[a][c] = (u[up] - u[down]) / 2;
@@ -213,7 +211,7 @@ BodyIntegrals sum_particles(const Body<T, D>& body, const Vector& about) {
         square += u[a] * u[a];
       }
       const double volume = f.get(Field::volume)[p];
-      const double energy = energy_density<T, D>(body.material, f, p) * volume;
+      const double energy = energy_density<T, D>(body, f, p) * volume;
       sum.volume += volume;
       Integrator<T, D>::add_to(sum, f.get(Field::mass)[p], r, u, square, energy);
     });

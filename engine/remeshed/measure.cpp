@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "engine/remeshed/closest_pair.hpp"
 #include "engine/remeshed/interpolant.hpp"
 #include "engine/remeshed/point_state.hpp"
 #include "engine/remeshed/surface.hpp"
@@ -118,6 +119,8 @@ double Measurer<T, D>::value(const MeasurementCase& m) {
     }
     case Quantity::point_value:
       return point_value(m);
+    case Quantity::closest_pair:
+      return closest_pair<T, D>(solver_.state().bodies[m.body]);
     case Quantity::velocity_error:
       return velocity_error(m);
     case Quantity::period:
@@ -217,13 +220,12 @@ double Measurer<T, D>::velocity_error(const MeasurementCase& m) const {
 // A field by the name that case files give it; vectors and stress end in their axes.
 template <class T, int D>
 double node_value(const LatticeView<T, D>& view, const std::string& field, std::int64_t p) {
-  if (field == "pressure") return pressure<T, D>(view.body.material, view.fields, p);
+  if (field == "pressure") return pressure<T, D>(view.body, view.fields, p);
   if (field == "density") return density<T, D>(view.fields, p);
   const int last = field.back() - 'x';
   if (field.starts_with("stress")) {
     const int first = field[field.size() - 2] - 'x';
-    return stress<T, D>(view.body.material, view.fields,
-                        p)[kernels::symmetric_index<D>(first, last)];
+    return stress<T, D>(view.body, view.fields, p)[kernels::symmetric_index<D>(first, last)];
   }
   return view.fields.get(field.starts_with("velocity") ? Field::velocity : Field::carried, last)[p];
 }

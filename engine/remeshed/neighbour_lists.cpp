@@ -8,22 +8,6 @@ namespace pliant::remeshed {
 
 namespace {
 
-/// A particle's own site, with its lattice place over h.
-template <class T, int D>
-Site<D> site_of(const Body<T, D>& body, std::int64_t slot, const Cell<D>& cell) {
-  Site<D> site = {{}, cell, static_cast<std::int32_t>(slot)};
-  for (int a = 0; a < D; ++a) {
-    site.position[a] =
-        cell[a] + body.stage[0].get(Field::displacement, a)[slot] / body.lattice.spacing;
-    const std::int32_t n = body.lattice.period[a];
-    if (n == 0) continue;
-    const double periods = std::floor(site.position[a] / n);
-    site.position[a] -= periods * n;
-    site.cell[a] -= static_cast<std::int32_t>(periods) * n;
-  }
-  return site;
-}
-
 /// A neighbour of a particle.
 template <int D>
 struct Neighbour {
@@ -151,13 +135,13 @@ void sort_sites(Body<T, D>& body) {
 }
 
 template <class T, int D>
-void list_neighbours(Body<T, D>& body, int block, int reach) {
+void list_neighbours(Body<T, D>& body, int block, int reach, bool in_any_case) {
   BlockNeighbours<D>& own = body.neighbours.blocks[block];
   const Layout<D>& layout = body.population.layout;
   const Block<D>& range = layout.blocks()[block];
   own.slot.clear();
   for (auto& component : own.offset) component.clear();
-  own.are_listed = any_beyond_stencil(body, range, reach);
+  own.are_listed = in_any_case || any_beyond_stencil(body, range, reach);
   if (!own.are_listed) return;
   constexpr int pack = Layout<D>::pack;
   for (int s = 0; s < range.segment_count; ++s) {
@@ -174,7 +158,7 @@ template void find_sites<double, 2>(Body<double, 2>&, int);
 template void find_sites<double, 3>(Body<double, 3>&, int);
 template void sort_sites<double, 2>(Body<double, 2>&);
 template void sort_sites<double, 3>(Body<double, 3>&);
-template void list_neighbours<double, 2>(Body<double, 2>&, int, int);
-template void list_neighbours<double, 3>(Body<double, 3>&, int, int);
+template void list_neighbours<double, 2>(Body<double, 2>&, int, int, bool);
+template void list_neighbours<double, 3>(Body<double, 3>&, int, int, bool);
 
 }  // namespace pliant::remeshed

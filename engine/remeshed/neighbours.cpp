@@ -71,9 +71,10 @@ bool NeighbourSearch<T, D>::is_due(double time_step) {
   for (Body<T, D>& body : state_.bodies) {
     BodyNeighbours<D>& neighbours = body.neighbours;
     neighbours.coming_strain = ahead * time_step * neighbours.strain_rate;
-    const bool due = neighbours.strain + neighbours.coming_strain > neighbours.complete_until;
-    neighbours.is_measuring_due = due && !neighbours.are_listed;
-    neighbours.is_search_due = due && neighbours.are_listed;
+    const bool due =
+        in_every_step_ || neighbours.strain + neighbours.coming_strain > neighbours.complete_until;
+    neighbours.is_measuring_due = due && !neighbours.are_listed && !in_every_step_;
+    neighbours.is_search_due = due && !neighbours.is_measuring_due;
     if (due) neighbours.blocks.resize(body.population.layout.blocks().size());
     any = any || due;
   }
@@ -110,7 +111,7 @@ std::vector<Phase> NeighbourSearch<T, D>::phases() {
            [this](int block) {
              const auto [body, local] = owner(block);
              if (!body.neighbours.is_search_due) return;
-             list_neighbours<T, D>(body, local, kernels::stencil_reach(weight_));
+             list_neighbours<T, D>(body, local, kernels::stencil_reach(weight_), in_every_step_);
            }),
   };
 }

@@ -26,7 +26,9 @@ double stencil_strain(kernels::Weight weight);
 template <class T, int D>
 class NeighbourSearch {
  public:
-  NeighbourSearch(State<T, D>& state, kernels::Weight weight) : state_(state), weight_(weight) {}
+  /// `in_every_step`: the stencil never serves, and no bound on the strain is relied upon.
+  NeighbourSearch(State<T, D>& state, kernels::Weight weight, bool in_every_step = false)
+      : state_(state), weight_(weight), in_every_step_(in_every_step) {}
 
   /// The stencil serves until stencil_strain: the slots are new, or what was found is not known.
   void forget();
@@ -52,6 +54,7 @@ class NeighbourSearch {
 
   State<T, D>& state_;
   kernels::Weight weight_;
+  bool in_every_step_;
 };
 
 extern template class NeighbourSearch<double, 2>;

@@ -2,11 +2,14 @@
 
 #include <array>
 
-#include "engine/fields.hpp"
+#include "engine/remeshed/body.hpp"
 #include "kernels/energy.hpp"
 #include "kernels/law.hpp"
+#include "kernels/relaxation.hpp"
+#include "kernels/set_determinant.hpp"
 
-/// Material quantities of single particles, for measurements and output.
+/// Material quantities of single particles, for measurements and output; `fields` are a body's own
+/// or those of its remeshed copy.
 namespace pliant::remeshed {
 
 /// The carried state (S or F) of a slot.
@@ -46,37 +49,59 @@ auto by_law(const kernels::Material<T>& material, const FieldStore<T, D>& fields
   }
 }
 
-/// p of (RP.5), (RP.6) or (RP.9) [Pa].
+/// sum p_i of (RP.70) [Pa].
 template <class T, int D>
-T pressure(const kernels::Material<T>& material, const FieldStore<T, D>& fields,
-           std::int64_t slot) {
-  return by_law<T, D>(material, fields, slot, [&]<class Law>(const auto& carried, const auto& rho) {
+T memory_pressure(const FieldStore<T, D>& fields, std::int64_t slot) {
+  T sum = 0;
+  for (const Buffer<T>& pressure : fields[Field::memory]) sum += pressure[slot];
+  return sum;
+}
+
+/// p of (RP.5), (RP.6), (RP.9) or (RP.70) [Pa].
+template <class T, int D>
+T pressure(const Body<T, D>& body, const FieldStore<T, D>& fields, std::int64_t slot) {
+  const kernels::Material<T>& material = body.material;
+  const auto elastic = [&]<class Law>(const auto& carried, const auto& rho) {
     return Law::pressure(material, carried, rho).get(0);
-  });
+  };
+  return by_law<T, D>(material, fields, slot, elastic) + memory_pressure<T, D>(fields, slot);
 }
 
 /// sigma of (RP.2) [Pa], in the order of symmetric_index.
 template <class T, int D>
-std::array<T, kernels::symmetric_components<D>> stress(const kernels::Material<T>& material,
+std::array<T, kernels::symmetric_components<D>> stress(const Body<T, D>& body,
                                                        const FieldStore<T, D>& fields,
                                                        std::int64_t slot) {
+  const kernels::Material<T>& material = body.material;
+  const T relaxed = memory_pressure<T, D>(fields, slot);
   return by_law<T, D>(material, fields, slot, [&]<class Law>(const auto& carried, const auto& rho) {
     xsimd::batch<T, xsimd::sse2> sigma[Law::symmetric];
     Law::stress(material, carried, rho, sigma);
     std::array<T, kernels::symmetric_components<D>> result;
     for (int c = 0; c < Law::symmetric; ++c) result[c] = sigma[c].get(0);
+    for (int i = 0; i < D; ++i) result[kernels::symmetric_index<D>(i, i)] -= relaxed;
     return result;
   });
 }
 
-/// Elastic energy per current volume [J/m^3], (RP.40) or (RP.41).
+/// Elastic energy per current volume [J/m^3], (RP.40), (RP.41) or (RP.72).
 template <class T, int D>
-T energy_density(const kernels::Material<T>& material, const FieldStore<T, D>& fields,
-                 std::int64_t slot) {
+T energy_density(const Body<T, D>& body, const FieldStore<T, D>& fields, std::int64_t slot) {
+  const kernels::Material<T>& material = body.material;
   const auto state = carried_state<T, D>(fields, slot);
-  return material.model == kernels::Model::reduced_polynomial
-             ? kernels::polynomial_energy<T, D>(material, state.data())
-             : kernels::linear_energy<T, D>(material, state.data(), density<T, D>(fields, slot));
+  if (material.model != kernels::Model::reduced_polynomial) {
+    return kernels::linear_energy<T, D>(material, state.data(), density<T, D>(fields, slot));
+  }
+  T energy = kernels::polynomial_energy<T, D>(material, state.data());
+  if (body.prony.empty()) return energy;
+  const T volume_ratio = kernels::determinant<T, D>(state);
+  for (std::size_t i = 0; i < body.prony.size(); ++i) {
+    energy += kernels::relaxed_energy(body.prony[i], material.bulk_modulus,
+                                      fields.get(Field::memory, static_cast<int>(i))[slot],
+                                      volume_ratio - 1) /
+              volume_ratio;
+  }
+  return energy;
 }
 
 }  // namespace pliant::remeshed

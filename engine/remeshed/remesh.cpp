@@ -44,6 +44,7 @@ Remeshing<T, D>::Remeshing(const Case& settings, Body<T, D>& body, const Boundar
       stencil_reach_(kernels::stencil_reach(settings.discretisation.weight)),
       filter_strength_(settings.remeshing.filter),
       extensive_(settings.remeshing.extensive),
+      filtered_memory_(body.prony.size()),
       tiles_(workers.threads()) {}
 
 template <class T, int D>
@@ -155,6 +156,7 @@ void Remeshing<T, D>::prepare_spare() {
   valid_.grow(slots, T(0));
   inside_.grow(slots, T(0));
   filtered_mass_.grow(slots, T(0));
+  for (Buffer<T>& filtered : filtered_memory_) filtered.grow(slots, T(0));
   body_.record_of_slot.grow(slots, 0);
   std::fill_n(body_.record_of_slot.get(), slots, 0);
   level_set_.prepare(body_.lattice, to.layout, body_.stage[1].get(Field::level_set));
@@ -292,8 +294,15 @@ template <class T, int D>
 void Remeshing<T, D>::grow_stages() {
   const std::int64_t slots = body_.population.layout.slots();
   for (auto& buffer : body_.stage) buffer.grow(slots);
+  body_.memory.clear();
+  for (Buffer<T>& pressure : body_.stage[0][Field::memory]) body_.memory.push_back(pressure.get());
   for (auto& parity : body_.stress) {
     for (auto& component : parity) component.grow(slots, T(0));
+  }
+  if (body_.is_plain_sph) {
+    for (auto& tensor : body_.pair_stress) {
+      for (auto& component : tensor) component.grow(slots, T(0));
+    }
   }
   body_.records.grow(body_.population.record_count * kernels::record_width<D>, T(0));
 }

@@ -58,8 +58,26 @@ class Remeshing {
   void prepare_spare();
   void grow_stages();
   void scatter(int block);
-  void add_source(int block, T* nodes, const Cell<D>& lower, const Cell<D>& extent);
-  void take_nodes(int block, const T* nodes, const Cell<D>& lower, const Cell<D>& extent);
+  /// Nodes around a new block, with the sums of (RP.22).
+  struct Tile {
+    T* nodes;
+    int width;  ///< values of a node
+    Cell<D> lower, extent;
+    const T* node(const Cell<D>& cell) const {
+      std::size_t at = 0;
+      for (int a = D - 1; a >= 0; --a) at = at * extent[a] + (cell[a] - lower[a]);
+      return nodes + at * width;
+    }
+  };
+  /// Fields that take the place of S or F in the sums.
+  struct MaterialFields {
+    int count;
+    std::array<const T*, kernels::material_components<D>> field;
+  };
+  void fill_tile(Tile& tile, const MaterialFields& material);
+  void add_source(int block, const Tile& tile, const MaterialFields& material);
+  void take_nodes(int block, const Tile& tile);
+  void take_memory(int block, const Tile& tile, int first_term, int count);
   void match_volumes(int block);
   void filter(int block);
   void adopt_filtered();
@@ -90,7 +108,8 @@ class Remeshing {
   Buffer<T> inside_;                     ///< [new slot] 1 there where phi < 0
   Buffer<T> valid_;                      ///< [new slot] 1 where remeshing left a particle
   Buffer<T> filtered_mass_;
-  std::vector<Buffer<T>> tiles_;  ///< [worker]
+  std::vector<Buffer<T>> filtered_memory_;  ///< [Prony term]
+  std::vector<Buffer<T>> tiles_;            ///< [worker]
 };
 
 extern template class Remeshing<double, 2>;

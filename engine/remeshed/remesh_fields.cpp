@@ -15,25 +15,46 @@ namespace pliant::remeshed {
 template <class T, int D>
 void Remeshing<T, D>::scatter(int block) {
   const Block<D>& target = body_.spare.layout.blocks()[block];
-  Cell<D> lower, extent;
-  std::size_t nodes = kernels::node_width_for<D>(body_.stage[0].carried());
+  Tile tile;
   for (int a = 0; a < D; ++a) {
-    lower[a] = target.lower[a];
-    extent[a] = target.upper[a] + 1 - lower[a];
-    nodes *= extent[a];
+    tile.lower[a] = target.lower[a];
+    tile.extent[a] = target.upper[a] + 1 - tile.lower[a];
   }
-  Buffer<T>& tile = tiles_[workers_.index()];
-  tile.grow(nodes, T(0));
-  std::fill_n(tile.get(), nodes, T(0));
+  FieldStore<T, D>& state = body_.stage[0];
+  MaterialFields material = {state.carried(), {}};
+  for (int c = 0; c < material.count; ++c) material.field[c] = state.get(Field::material, c);
+  fill_tile(tile, material);
+  take_nodes(block, tile);
+  const int terms = static_cast<int>(body_.prony.size());
+  for (int first = 0; first < terms; first += kernels::material_components<D>) {
+    material.count = std::min(terms - first, kernels::material_components<D>);
+    for (int i = 0; i < material.count; ++i) {
+      material.field[i] = state.get(Field::memory, first + i);
+    }
+    fill_tile(tile, material);
+    take_memory(block, tile, first, material.count);
+  }
+}
+
+template <class T, int D>
+void Remeshing<T, D>::fill_tile(Tile& tile, const MaterialFields& material) {
+  tile.width = kernels::node_width_for<D>(material.count);
+  std::size_t values = tile.width;
+  for (int a = 0; a < D; ++a) values *= tile.extent[a];
+  Buffer<T>& buffer = tiles_[workers_.index()];
+  buffer.grow(values, T(0));
+  std::fill_n(buffer.get(), values, T(0));
+  tile.nodes = buffer.get();
   for (std::size_t b = 0; b < bounds_.size(); ++b) {
-    add_source(static_cast<int>(b), tile.get(), lower, extent);
+    add_source(static_cast<int>(b), tile, material);
   }
-  take_nodes(block, tile.get(), lower, extent);
 }
 
 // A periodic body reaches the tile through every whole period that brings it near.
 template <class T, int D>
-void Remeshing<T, D>::add_source(int block, T* nodes, const Cell<D>& lower, const Cell<D>& extent) {
+void Remeshing<T, D>::add_source(int block, const Tile& tile, const MaterialFields& material) {
+  const Cell<D>& lower = tile.lower;
+  const Cell<D>& extent = tile.extent;
   const Bounds& source = bounds_[block];
   if (source.lower[0] > source.upper[0]) return;
   Cell<D> first, last;
@@ -58,12 +79,13 @@ void Remeshing<T, D>::add_source(int block, T* nodes, const Cell<D>& lower, cons
   work.segment_count = from.segment_count;
   work.kind = body_.population.kind.get();
   work.inverse_spacing = static_cast<T>(1 / body_.lattice.spacing);
-  work.carried_components = state.carried();
+  work.carried_components = material.count;
   work.mass = state.get(Field::mass);
   work.level_set = state.get(Field::level_set);
   for (int a = 0; a < D; ++a) work.carried[a] = state.get(Field::carried, a);
   work.state = state.template evolving<const T>();
-  work.nodes = nodes;
+  work.state.material = material.field;
+  work.nodes = tile.nodes;
   work.lower = lower;
   work.extent = extent;
   Cell<D> period = first;
@@ -81,17 +103,13 @@ void Remeshing<T, D>::add_source(int block, T* nodes, const Cell<D>& lower, cons
 
 // (RP.23)-(RP.26)
 template <class T, int D>
-void Remeshing<T, D>::take_nodes(int block, const T* nodes, const Cell<D>& lower,
-                                 const Cell<D>& extent) {
+void Remeshing<T, D>::take_nodes(int block, const Tile& tile) {
   using Node = kernels::NodeField<D>;
   FieldStore<T, D>& state = body_.stage[1];
   const T cell_volume = static_cast<T>(std::pow(body_.lattice.spacing, D));
   const Layout<D>& layout = body_.spare.layout;
-  const int width = kernels::node_width_for<D>(state.carried());
   layout.for_each_slot(layout.blocks()[block], [&](std::int64_t p, const Cell<D>& cell) {
-    std::size_t at = 0;
-    for (int a = D - 1; a >= 0; --a) at = at * extent[a] + (cell[a] - lower[a]);
-    const T* node = nodes + at * width;
+    const T* node = tile.node(cell);
     const T weight = node[Node::weight], mass = node[Node::mass], volume = node[Node::volume];
     const bool valid = weight >= T(0.6) && volume >= T(0.3) * cell_volume && mass > 0 &&
                        body_.lattice.is_wrapped(cell);
@@ -114,6 +132,20 @@ void Remeshing<T, D>::take_nodes(int block, const T* nodes, const Cell<D>& lower
     state.get(Field::mass)[p] = !valid       ? body_.material.density * cell_volume
                                 : extensive_ ? mass
                                              : mass * per_volume * cell_volume;
+  });
+}
+
+// (RP.23) for p_i, which a second filling has put in the place of F.
+template <class T, int D>
+void Remeshing<T, D>::take_memory(int block, const Tile& tile, int first_term, int count) {
+  using Node = kernels::NodeField<D>;
+  const Layout<D>& layout = body_.spare.layout;
+  layout.for_each_slot(layout.blocks()[block], [&](std::int64_t p, const Cell<D>& cell) {
+    const T* node = tile.node(cell);
+    for (int i = 0; i < count; ++i) {
+      body_.stage[1].get(Field::memory, first_term + i)[p] =
+          valid_[p] != 0 ? node[Node::material + i] / node[Node::volume] : T(0);
+    }
   });
 }
 
@@ -147,6 +179,9 @@ void Remeshing<T, D>::filter(int block) {
     }
   }
   apply(body_.stage[1][Field::mass][0], filtered_mass_);
+  for (std::size_t i = 0; i < filtered_memory_.size(); ++i) {
+    apply(body_.stage[1][Field::memory][i], filtered_memory_[i]);
+  }
 }
 
 template <class T, int D>
@@ -155,6 +190,7 @@ void Remeshing<T, D>::adopt_filtered() {
     body_.stage[1][f].swap(body_.stage[2][f]);
   }
   body_.stage[1][Field::mass][0].swap(filtered_mass_);
+  body_.stage[1][Field::memory].swap(filtered_memory_);
 }
 
 template <class T, int D>
@@ -226,6 +262,8 @@ void Remeshing<T, D>::place_initial(const Case& settings, const BodyCase& source
   FieldStore<T, D>& state = body_.stage[1];
   const T volume = static_cast<T>(std::pow(h, D));
   const bool deforms = body_.material.model == kernels::Model::reduced_polynomial;
+  T volume_ratio = 1;
+  for (int a = 0; a < D; ++a) volume_ratio *= static_cast<T>(source.stretch[a]);
   has_surface_ = false;
   DistanceWalk distance(surface, D, limit);
   for (const Block<D>& block : body_.spare.layout.blocks()) {
@@ -238,17 +276,21 @@ void Remeshing<T, D>::place_initial(const Case& settings, const BodyCase& source
       const Vector u = initial_velocity(source, x);
       for (int a = 0; a < D; ++a) state.get(Field::velocity, a)[p] = static_cast<T>(u[a]);
       state.get(Field::volume)[p] = volume;
-      state.get(Field::mass)[p] = body_.material.density * volume;
+      state.get(Field::mass)[p] = body_.material.density * volume / volume_ratio;
       for (int c = 0; c < state.carried(); ++c) {
-        state.get(Field::material, c)[p] = deforms && c % (D + 1) == 0 ? T(1) : T(0);
+        state.get(Field::material, c)[p] =
+            deforms && c % (D + 1) == 0 ? static_cast<T>(source.stretch[c / (D + 1)]) : T(0);
       }
+      for (Buffer<T>& pressure : state[Field::memory]) pressure[p] = 0;
     });
   }
 }
 
 template void Remeshing<double, 2>::scatter(int);
-template void Remeshing<double, 2>::add_source(int, double*, const Cell<2>&, const Cell<2>&);
-template void Remeshing<double, 2>::take_nodes(int, const double*, const Cell<2>&, const Cell<2>&);
+template void Remeshing<double, 2>::fill_tile(Tile&, const MaterialFields&);
+template void Remeshing<double, 2>::add_source(int, const Tile&, const MaterialFields&);
+template void Remeshing<double, 2>::take_nodes(int, const Tile&);
+template void Remeshing<double, 2>::take_memory(int, const Tile&, int, int);
 template void Remeshing<double, 2>::match_volumes(int);
 template void Remeshing<double, 2>::filter(int);
 template void Remeshing<double, 2>::adopt_filtered();
@@ -256,8 +298,10 @@ template void Remeshing<double, 2>::list_images(Population<double, 2>&, int) con
 template void Remeshing<double, 2>::copy_images(int);
 template void Remeshing<double, 2>::place_initial(const Case&, const BodyCase&);
 template void Remeshing<double, 3>::scatter(int);
-template void Remeshing<double, 3>::add_source(int, double*, const Cell<3>&, const Cell<3>&);
-template void Remeshing<double, 3>::take_nodes(int, const double*, const Cell<3>&, const Cell<3>&);
+template void Remeshing<double, 3>::fill_tile(Tile&, const MaterialFields&);
+template void Remeshing<double, 3>::add_source(int, const Tile&, const MaterialFields&);
+template void Remeshing<double, 3>::take_nodes(int, const Tile&);
+template void Remeshing<double, 3>::take_memory(int, const Tile&, int, int);
 template void Remeshing<double, 3>::match_volumes(int);
 template void Remeshing<double, 3>::filter(int);
 template void Remeshing<double, 3>::adopt_filtered();

@@ -43,6 +43,7 @@ inline constexpr FieldId cells = 43;          ///< the same, sorted by place
 inline constexpr FieldId lists = 44;          ///< neighbours that the stencil does not see
 inline constexpr FieldId contact = 45;        ///< which ghosts touch a contact wall
 inline constexpr FieldId impulse = 46;        ///< of contact walls on a block
+inline constexpr FieldId pair_stress = 47;    ///< of plain SPH
 
 inline std::vector<std::string> names() {
   std::vector<std::string> names;
@@ -76,7 +77,8 @@ inline std::vector<std::string> names() {
                              "cells",
                              "neighbour lists",
                              "contact",
-                             "wall impulse"});
+                             "wall impulse",
+                             "pair stress"});
   return names;
 }
 

@@ -40,6 +40,15 @@ kernels::Material<T> converted(const kernels::Material<double>& m) {
 // Cells by which blocks may come nearer to each other before a graph has to be built again.
 constexpr int graph_slack = 4;
 
+bool is_plain_sph(const Case& settings) {
+  return settings.discretisation.operators == Operators::symmetric_sph;
+}
+
+// Plain SPH has the kernel (RP.13) whatever the weight of the moment matrix would be.
+kernels::Weight search_weight(const Case& settings) {
+  return is_plain_sph(settings) ? kernels::Weight::quartic : settings.discretisation.weight;
+}
+
 // Shares of a period or of a spacing that rounding may leave between two times.
 constexpr double rounding = 1e-9;
 
@@ -52,7 +61,7 @@ Solver<T, D>::Solver(const Case& settings, int threads, kernels::Isa isa)
       kernels_(kernels::table<T, D>(isa)),
       state_(empty_state<T, D>(settings_)),
       step_(state_, settings_, kernels_),
-      search_(state_, settings_.discretisation.weight),
+      search_(state_, search_weight(settings_), is_plain_sph(settings_)),
       listed_(state_.bodies.size()) {
   for (std::size_t b = 0; b < settings_.bodies.size(); ++b) {
     Body<T, D>& body = state_.bodies[b];
@@ -60,9 +69,14 @@ Solver<T, D>::Solver(const Case& settings, int threads, kernels::Isa isa)
     body.name = source.name;
     body.source = &source;
     body.material = converted<T>(source.material);
+    body.is_plain_sph = is_plain_sph(settings_);
+    for (const kernels::PronyTerm<double>& term : source.prony) {
+      body.prony.push_back({static_cast<T>(term.ratio), static_cast<T>(term.time)});
+    }
     body.lattice = body_lattice<D>(settings_, source);
     for (int buffer = 0; buffer < 4; ++buffer) {
-      body.stage[buffer] = FieldStore<T, D>(body.material.model, buffer > 1);
+      body.stage[buffer] =
+          FieldStore<T, D>(body.material.model, static_cast<int>(body.prony.size()), buffer > 1);
     }
     remeshings_.push_back(
         std::make_unique<Remeshing<T, D>>(settings_, body, state_.boundaries, kernels_, workers_));

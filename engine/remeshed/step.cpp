@@ -4,7 +4,9 @@
 
 #include "engine/remeshed/contact.hpp"
 #include "engine/remeshed/ghost_fits.hpp"
+#include "engine/remeshed/pair_stress.hpp"
 #include "engine/remeshed/resources.hpp"
+#include "kernels/relaxation.hpp"
 
 // A step of the remeshed Lagrangian particle method (H&K, sections 2 and 4).
 //
@@ -17,6 +19,10 @@
 //               (RP.38)
 //     advance   grad u and div sigma of every particle by the moment matrix (RP.18), its rates
 //               (RP.12), the next stage state and the stress that belongs to it (RP.3)-(RP.9)
+//
+// Plain SPH, the paper's baseline, has no ghosts: (RP.73) and (RP.74) over listed neighbours take
+// the place of (RP.18), and of surface, contact and ghosts
+//     pair stress   sigma/rho^2 of every particle, and its artificial stress (RP.76)
 //
 // A step only follows particles. Moving them back onto the lattice is in remesh.cpp; when that is
 // due is decided in solver.cpp.
@@ -34,7 +40,8 @@ std::vector<Phase> Step<T, D>::phases() {
   results_.assign(state_.blocks.size(), {0, 0, -1});
   std::vector<Phase> phases;
   for (int stage = 0; stage < 4; ++stage) {
-    add_ghosts(phases, stage, WhichGhosts::reached);
+    is_plain_sph() ? add_pair_stress(phases, stage)
+                   : add_ghosts(phases, stage, WhichGhosts::reached);
     add_advance(phases, stage);
   }
   return phases;
@@ -112,6 +119,26 @@ void Step<T, D>::add_ghosts(std::vector<Phase>& phases, int stage, WhichGhosts w
 }
 
 template <class T, int D>
+bool Step<T, D>::is_plain_sph() const {
+  return settings_.discretisation.operators == Operators::symmetric_sph;
+}
+
+template <class T, int D>
+void Step<T, D>::add_pair_stress(std::vector<Phase>& phases, int stage) {
+  phases.push_back({"pair stress",
+                    stage,
+                    {{resource::stress(stage % 2)}, {resource::material(stage)}},
+                    {{resource::pair_stress}},
+                    Phase::Extent::per_block,
+                    {},
+                    [this, stage](int block) {
+                      const auto [body, local] = owner(block);
+                      find_pair_stress<T, D>(body, local, stage,
+                                             settings_.discretisation.artificial_stress);
+                    }});
+}
+
+template <class T, int D>
 std::vector<int> Step<T, D>::blocks_where(bool listed) const {
   std::vector<int> blocks;
   for (std::size_t b = 0; b < state_.blocks.size(); ++b) {
@@ -146,6 +173,9 @@ void Step<T, D>::add_advance(std::vector<Phase>& phases, int stage, Reach reach,
                                           {resource::ghosts(stage), reach},
                                           {resource::images(stage), Reach::neighbours},
                                           {resource::material(stage)}};
+  if (is_plain_sph()) {
+    reads.insert(reads.end(), {{resource::pair_stress, reach}, {resource::material(stage), reach}});
+  }
   for (int buffer = 0; buffer <= stage; ++buffer) {
     reads.insert(
         reads.end(),
@@ -180,6 +210,25 @@ void Step<T, D>::prepare(double time_step) {
   for (int stage = 0; stage < 4; ++stage) {
     boundary_values_[stage].evaluate(state_.boundaries,
                                      state_.clock.time + stage_time[stage] * time_step);
+  }
+  prepare_relaxation();
+}
+
+// (RP.71), to the time of the state that each stage leaves behind.
+template <class T, int D>
+void Step<T, D>::prepare_relaxation() {
+  constexpr std::array<double, 4> reached = {0.5, 0.5, 1, 1};
+  for (int stage = 0; stage < 4; ++stage) {
+    relaxation_[stage].resize(state_.bodies.size());
+    for (std::size_t b = 0; b < state_.bodies.size(); ++b) {
+      const Body<T, D>& body = state_.bodies[b];
+      auto& terms = relaxation_[stage][b];
+      terms.resize(body.prony.size());
+      for (std::size_t i = 0; i < terms.size(); ++i) {
+        terms[i] = kernels::relaxation<T>(body.prony[i], body.material.bulk_modulus,
+                                          reached[stage] * time_step_);
+      }
+    }
   }
 }
 
@@ -244,6 +293,7 @@ void Step<T, D>::write_records(int block, int stage) {
   work.state = body.stage[stage].template evolving<const T>();
   work.stress = std::as_const(body).stress_view(stage % 2);
   work.records = body.records.get();
+  work.relaxes = !body.prony.empty();
   kernels_.write_surface_records(work);
 }
 
@@ -300,10 +350,16 @@ void Step<T, D>::advance(int block, int stage) {
   work.third = body.stage[2].template evolving<const T>();
   work.next = body.stage[(stage + 1) % 4].evolving();
   work.next_stress = body.stress_view(1 - stage % 2);
+  work.viscosity = body.viscosity(relaxation_[stage][state_.blocks[block].body].data());
   kernels::NeighbourLists<D> lists;
   if (body.neighbours.are_listed && body.neighbours.blocks[local].are_listed) {
     lists = body.neighbours.lists(local);
     work.neighbours = &lists;
+  }
+  kernels::SymmetricPairs<T, D> pairs;
+  if (body.is_plain_sph) {
+    pairs = symmetric_pairs<T, D>(body, settings_.discretisation.artificial_viscosity);
+    work.pairs = &pairs;
   }
   results_[block] = kernels_.advance_stage(work);
 }
@@ -322,6 +378,7 @@ void Step<T, D>::evaluate_stress(int block) {
   work.state = body.stage[0].template evolving<const T>();
   work.stress = body.stress_view(0);
   rest_without_particles(body, local);
+  work.viscosity = body.viscosity();
   results_[block] = kernels_.evaluate_stress(work);
 }
 

@@ -46,8 +46,11 @@ class Step {
     return {state_.bodies[state_.blocks[block].body], state_.blocks[block].block};
   }
   bool periodic() const;
+  void prepare_relaxation();
   std::vector<int> blocks_where(bool listed) const;
   void add_ghosts(std::vector<scheduler::Phase>& phases, int stage, WhichGhosts which);
+  bool is_plain_sph() const;
+  void add_pair_stress(std::vector<scheduler::Phase>& phases, int stage);
   void add_advance(std::vector<scheduler::Phase>& phases, int stage);
   void add_advance(std::vector<scheduler::Phase>& phases, int stage, scheduler::Reach reach,
                    std::vector<int> blocks);
@@ -70,6 +73,7 @@ class Step {
   kernels::StageResult result_ = {0, 0, -1};
   std::vector<double> strain_rates_;  ///< [body]
   int failed_block_ = -1;
+  std::array<std::vector<std::vector<kernels::Relaxation<T>>>, 4> relaxation_;  ///< [stage][body]
   std::vector<Point<D>> impulse_;  ///< [block][wall] of contact walls on the bodies, of this step
 };
 

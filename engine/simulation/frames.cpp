@@ -1,6 +1,7 @@
 #include "engine/simulation/frames.hpp"
 
 #include "engine/remeshed/point_state.hpp"
+#include "engine/remeshed/surface_mesh.hpp"
 
 namespace pliant {
 
@@ -41,17 +42,46 @@ std::array<double, 6> full_stress(const Body<T, D>& body, std::int64_t p) {
     return static_cast<double>(body.stress[0][kernels::symmetric_index<D>(i, j)][p]);
   };
   if constexpr (D == 2) {
-    const double pressure = remeshed::pressure<T, D>(body.material, body.stage[0], p);
+    const double pressure = remeshed::pressure<T, D>(body, body.stage[0], p);
     return {s(0, 0), s(1, 1), -3 * pressure - s(0, 0) - s(1, 1), s(0, 1), 0, 0};
   } else {
     return {s(0, 0), s(1, 1), s(2, 2), s(0, 1), s(1, 2), s(0, 2)};
   }
 }
 
+template <class T, int D>
+FrameSurface take_surface(remeshed::Solver<T, D>& solver) {
+  FrameSurface surface;
+  surface.corners = D;
+  std::vector<double> velocity, displacement;
+  std::vector<std::int32_t> owners;
+  const auto views = solver.on_nodes();
+  for (std::size_t b = 0; b < views.size(); ++b) {
+    const auto& fields = views[b].fields;
+    const auto mesh = remeshed::surface_mesh<T, D>(views[b], solver.state().boundaries);
+    const auto first = static_cast<std::int64_t>(surface.position.size() / 3);
+    for (const auto& piece : mesh.pieces) {
+      for (const std::int64_t v : piece) surface.vertex.push_back(first + v);
+    }
+    for (const remeshed::SurfaceVertex<D>& v : mesh.vertices) {
+      for (int a = 0; a < 3; ++a) surface.position.push_back(a < D ? v.place[a] : 0);
+      for (int a = 0; a < D; ++a) {
+        velocity.push_back(v.interpolated(fields.get(Field::velocity, a)));
+        displacement.push_back(v.interpolated(fields.get(Field::carried, a)));
+      }
+      owners.push_back(static_cast<std::int32_t>(b));
+    }
+  }
+  surface.fields.push_back({"velocity", "m/s", D, std::move(velocity)});
+  surface.fields.push_back({"displacement", "m", D, std::move(displacement)});
+  surface.fields.push_back({"body", "1", 1, std::move(owners)});
+  return surface;
+}
+
 }  // namespace
 
 template <class T, int D>
-Frame take_frame(remeshed::Solver<T, D>& solver, bool with_ghosts) {
+Frame take_frame(remeshed::Solver<T, D>& solver, bool with_ghosts, bool with_surface) {
   if (with_ghosts) solver.refresh_ghosts();
   const auto& bodies = solver.state().bodies;
   const std::vector<Selection> chosen = select(solver.state(), with_ghosts);
@@ -77,7 +107,7 @@ Frame take_frame(remeshed::Solver<T, D>& solver, bool with_ghosts) {
     return body.stage[0].get(Field::carried, c)[p] + body.stage[0].get(Field::displacement, c)[p];
   });
   add("pressure", "Pa", 1, [](const B& body, std::int64_t p, int) {
-    return remeshed::pressure<T, D>(body.material, body.stage[0], p);
+    return remeshed::pressure<T, D>(body, body.stage[0], p);
   });
   add("density", "kg/m^3", 1,
       [](const B& body, std::int64_t p, int) { return remeshed::density<T, D>(body.stage[0], p); });
@@ -92,10 +122,11 @@ Frame take_frame(remeshed::Solver<T, D>& solver, bool with_ghosts) {
   }
   frame.fields.push_back({"kind", "1", 1, std::move(kinds)});
   frame.fields.push_back({"body", "1", 1, std::move(owners)});
+  if (with_surface) frame.surface = take_surface(solver);
   return frame;
 }
 
-template Frame take_frame<double, 2>(remeshed::Solver<double, 2>&, bool);
-template Frame take_frame<double, 3>(remeshed::Solver<double, 3>&, bool);
+template Frame take_frame<double, 2>(remeshed::Solver<double, 2>&, bool, bool);
+template Frame take_frame<double, 3>(remeshed::Solver<double, 3>&, bool, bool);
 
 }  // namespace pliant

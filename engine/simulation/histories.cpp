@@ -82,6 +82,7 @@ std::string unit_of(const MeasurementCase& m, int dimension) {
       return dimension == 2 ? "m" : "m^2";
     case Kind::period:
       return "s";
+    case Kind::closest_pair:
     case Kind::velocity_error:
     case Kind::amplitude_ratio:
     case Kind::energy_ratio:

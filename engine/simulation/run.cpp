@@ -106,7 +106,7 @@ class Run {
     start_ = conserved(measurer_.totals());
     particles_at_start_ = solver_.particles();
     sample();
-    result_->append(take_frame(solver_, settings_.output.ghosts));
+    result_->append(take_frame(solver_, settings_.output.ghosts, settings_.output.surface));
   }
 
   void resume() {
@@ -139,7 +139,8 @@ class Run {
     const bool fresh = solver_.is_fresh();
     if (samples_.reached(t) || last || (settings_.output.measure_every == 0 && fresh)) sample();
     const bool frame = frames_.reached(t) || last;
-    if (frame) result_->append(take_frame(solver_, settings_.output.ghosts));
+    if (frame)
+      result_->append(take_frame(solver_, settings_.output.ghosts, settings_.output.surface));
     // Without an interval of their own, checkpoints go with the frames.
     if (checkpoints_.reached(t) || (frame && !last && settings_.output.checkpoint_every == 0))
       save();

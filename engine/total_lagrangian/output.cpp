@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <map>
+
 #include "engine/total_lagrangian/stress_point.hpp"
 
 namespace pliant {
@@ -54,6 +56,42 @@ std::vector<Means> means(const Body<T, D>& body) {
   return sum;
 }
 
+// Facets meet in corners between the same two particles.
+template <class T, int D>
+FrameSurface take_surface(const total_lagrangian::State<T, D>& state) {
+  FrameSurface surface;
+  surface.corners = D;
+  std::vector<double> velocity, displacement;
+  std::vector<std::int32_t> owners;
+  for (std::size_t b = 0; b < state.bodies.size(); ++b) {
+    const Body<T, D>& body = state.bodies[b];
+    std::map<std::pair<std::int32_t, std::int32_t>, std::int64_t> known;
+    for (const auto& facet : body.facets) {
+      if (!facet.free) continue;
+      for (const total_lagrangian::Vertex<D>& v : facet.vertex) {
+        const auto number = static_cast<std::int64_t>(owners.size());
+        // At a node on the surface all lines from it end alike.
+        const auto [at, is_new] =
+            known.insert({{v.first, v.along < 1e-6 ? v.first : v.second}, number});
+        surface.vertex.push_back(at->second);
+        if (!is_new) continue;
+        const Point<D> x = body.position(v);
+        for (int a = 0; a < 3; ++a) surface.position.push_back(a < D ? x[a] : 0);
+        for (int a = 0; a < D; ++a) {
+          displacement.push_back(x[a] - v.start[a]);
+          velocity.push_back((1 - v.along) * body.velocity[a][v.first] +
+                             v.along * body.velocity[a][v.second]);
+        }
+        owners.push_back(static_cast<std::int32_t>(b));
+      }
+    }
+  }
+  surface.fields = {{"velocity", "m/s", D, std::move(velocity)},
+                    {"displacement", "m", D, std::move(displacement)},
+                    {"body", "1", 1, std::move(owners)}};
+  return surface;
+}
+
 template <class T, int D>
 void for_each_clock_value(total_lagrangian::Solver<T, D>& solver, auto&& f) {
   total_lagrangian::Clock& clock = solver.state().clock;
@@ -75,7 +113,7 @@ void for_each_field(Body<T, D>& body, auto&& f) {
 }  // namespace
 
 template <class T, int D>
-Frame take_frame(total_lagrangian::Solver<T, D>& solver, bool) {
+Frame take_frame(total_lagrangian::Solver<T, D>& solver, bool, bool with_surface) {
   Frame frame;
   frame.time = solver.clock().time;
   frame.step = solver.clock().step;
@@ -114,6 +152,7 @@ Frame take_frame(total_lagrangian::Solver<T, D>& solver, bool) {
                   {"level_set", "m", 1, std::move(level_set)},
                   {"kind", "1", 1, std::move(kinds)},
                   {"body", "1", 1, std::move(owners)}};
+  if (with_surface) frame.surface = take_surface(solver.state());
   return frame;
 }
 
@@ -155,8 +194,8 @@ void get_solver(const ArchiveReader& archive, total_lagrangian::Solver<T, D>& so
   }
 }
 
-template Frame take_frame<double, 2>(total_lagrangian::Solver<double, 2>&, bool);
-template Frame take_frame<double, 3>(total_lagrangian::Solver<double, 3>&, bool);
+template Frame take_frame<double, 2>(total_lagrangian::Solver<double, 2>&, bool, bool);
+template Frame take_frame<double, 3>(total_lagrangian::Solver<double, 3>&, bool, bool);
 template void put_solver<double, 2>(ArchiveWriter&, total_lagrangian::Solver<double, 2>&);
 template void put_solver<double, 3>(ArchiveWriter&, total_lagrangian::Solver<double, 3>&);
 template void get_solver<double, 2>(const ArchiveReader&, total_lagrangian::Solver<double, 2>&);

@@ -59,7 +59,7 @@ const Fault faults[] = {
      R"(block.toml:12: kind must be one of "extent", "ray", "mean_radius", )"
      R"("point_displacement", "point_value", "mass", "momentum", "angular_momentum", )"
      R"("kinetic_energy", "strain_energy", "total_energy", "wall_force", "volume", "surface_area", )"
-     R"("velocity_error", "period", )"
+     R"("closest_pair", "velocity_error", "period", )"
      R"("amplitude_ratio", got "momentun"; did you mean "momentum"?)"},
     {"a_key_of_another_measurement", measuring("kind = \"mass\"\naxis = \"x\"\n"),
      "block.toml:13: unknown key `axis` in [[measurement]]; its keys are name, kind, body, "

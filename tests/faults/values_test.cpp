@@ -17,6 +17,14 @@ material = { model = "reduced_polynomial", coefficients = [10], compressibility 
 damping = 1
 )";
 
+/// A reduced polynomial with a Prony series of the given keys.
+std::string viscous(const std::string& keys) {
+  return "{ model = \"reduced_polynomial\", coefficients = [1], compressibility = 0.1, density = "
+         "1, "
+         "prony = { " +
+         keys + " } }";
+}
+
 const Fault faults[] = {
     {"a_number_that_is_text", broken("spacing = 0.1", "spacing = \"fine\""),
      "block.toml:3: spacing must be a number, found the text \"fine\": unknown name `fine` at "
@@ -120,6 +128,55 @@ const Fault faults[] = {
             "= 1 }"),
      "block.toml:9: coefficients must start with a positive C_10, got -1; the shear modulus is 2 "
      "C_10"},
+    {"plain_sph_that_remeshes",
+     broken("spacing = 0.1", "spacing = 0.1\noperators = \"symmetric_sph\""),
+     "block.toml:4: symmetric_sph does not remesh; write every = \"never\" in [remeshing]"},
+    {"plain_sph_with_a_level_set",
+     with(measuring("kind = \"surface_area\"\n") +
+              "[remeshing]\nevery = \"never\"\n[output]\nsurface = true\n",
+          "spacing = 0.1", "spacing = 0.1\noperators = \"symmetric_sph\""),
+     "block.toml:13: measurement \"m\" needs a level set, which symmetric_sph does not follow; "
+     "take "
+     "it out, or measure points and conserved quantities\n"
+     "block.toml:17: surfaces need a level set, which symmetric_sph does not follow; write surface "
+     "= false"},
+    {"plain_sph_between_walls",
+     with(
+         extended("[remeshing]\nevery = \"never\"\n[[boundary]]\nname = \"floor\"\nkind = "
+                  "\"fixed\"\ngeometry = { shape = \"half_space\", point = [0, 0], normal = [0, 1] "
+                  "}\n"),
+         "spacing = 0.1", "spacing = 0.1\noperators = \"symmetric_sph\""),
+     "block.toml:4: symmetric_sph knows free surfaces and periods only; take the boundaries out, "
+     "or "
+     "operators = \"moment_matrix\""},
+    {"a_prony_term_without_time", broken(material, viscous("ratios = [0.1, 0.2], times = [1]")),
+     "block.toml:9: prony has 2 ratios and 1 times; every term has one of each"},
+    {"prony_ratios_that_leave_nothing",
+     broken(material, viscous("ratios = [0.5, 0.6], times = [1, 2]")),
+     "block.toml:9: prony has ratios that add up to 1.1, so that nothing would be left of the bulk "
+     "modulus; their sum must be below 1"},
+    {"a_negative_prony_ratio", broken(material, viscous("ratios = [-0.5], times = [1]")),
+     "block.toml:9: ratios must be above 0 and below 1, got -0.5; write it as in ratios = [0.3, "
+     "0.2]"},
+    {"a_relaxation_time_of_zero", broken(material, viscous("ratios = [0.5], times = [0]")),
+     "block.toml:9: times must be positive, got 0; write it as in times = [0.1, 1]"},
+    {"a_prony_series_without_terms", broken(material, viscous("ratios = [], times = []")),
+     "block.toml:9: ratios holds no number; write it as in ratios = [0.3, 0.2]\n"
+     "block.toml:9: times holds no number; write it as in times = [0.1, 1]"},
+    {"an_unknown_kind_of_moduli",
+     broken(material, viscous("ratios = [0.5], times = [1], moduli = \"long\"")),
+     R"(block.toml:9: moduli must be one of "long_term", "instantaneous", got "long"; take one of )"
+     "these"},
+    {"a_prony_series_of_a_linear_material",
+     broken("density = 2", "density = 2, prony = { ratios = [0.5], times = [1] }"),
+     "block.toml:9: unknown key `prony` in material; its keys are model, density, law, "
+     "youngs_modulus, poissons_ratio"},
+    {"a_stretch_of_a_linear_material", extended("stretch = [1, 0.9]\n"),
+     "block.toml:10: body \"block\" is stretched, but its material follows rates and knows no "
+     "shape "
+     "at rest; give it a material of model = \"reduced_polynomial\""},
+    {"a_stretch_of_zero", extended("stretch = [1, 0]\n"),
+     "block.toml:10: stretch must be positive, got 0; write it as in stretch = [1, 0.95]"},
     {"an_unknown_model", broken("model = \"linear\"", "model = \"neo_hooke\""),
      R"(block.toml:9: model must be one of "linear", "reduced_polynomial", got "neo_hooke"; )"
      "take one of these"},

@@ -26,7 +26,8 @@ class Process {
     dup2(open("/dev/null", O_WRONLY), STDOUT_FILENO);
     execl(PLIANT_PROGRAM, "pliant", "run", of.c_str(), "--out", out.c_str(), "--threads", "2",
           "--set", "discretisation.spacing=1/32", "--set", "time.end=0.008", "--set",
-          "output.checkpoint_every=0.001", "--quiet", resume ? "--resume" : nullptr, nullptr);
+          "output.checkpoint_every=0.001", "--set", "output.every=0.001", "--set",
+          "output.surface=true", "--quiet", resume ? "--resume" : nullptr, nullptr);
     _exit(127);
   }
 

@@ -40,10 +40,16 @@ inline std::vector<SampleRun> sample_runs() {
       "boundary.wall.geometry={ shape = \"half_space\", point = [0, 0], normal = [0, 1] }",
       "measurement.height.point=[0, 0.25]",
       "measurement.height.direction=[0, 1]"};
+  const Settings viscous = {
+      "body.block.material={ model = \"reduced_polynomial\", coefficients = [2.2, 0, 55], density "
+      "= "
+      "1, compressibility = 0.02, prony = { ratios = [0.1, 0.2, 0.05, 0.1, 0.15], times = [1e-5, "
+      "1e-3, 0.01, 0.1, 10] } }"};
   return {
       {"disc", "rotating_cylinder", disc, 22},
       {"compression_linear", "compression_linear", block, 60},
       {"compression_hyperelastic", "compression_hyperelastic", block, 60},
+      {"compression_viscous", "compression_hyperelastic", block + viscous, 60},
       {"periodic", "periodic_square", cell, 20},
       {"contact", "bouncing_ball", ball, 20},
   };

@@ -1,6 +1,8 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include <numbers>
+
 #include "engine/remeshed/integrals.hpp"
 #include "engine/remeshed/measure.hpp"
 #include "tests/engine/remeshed/snapshot.hpp"
@@ -42,6 +44,56 @@ TEST(convergence, plane_waves_in_a_hyperelastic_solid_converge_at_second_order) 
       "time.end=0.158113883008",
       "measurement.velocity_error_linf.exact=[\"" + wave + "\", \"" + wave + "\"]"};
   EXPECT_GE(order(wave_error(16, hyperelastic), wave_error(64, hyperelastic), 4), 1.95);
+}
+
+/// Velocity amplitude after the time `end` of the standing pressure wave q(t) sin(2 pi x) in the
+/// material of `damped_wave_error`, from its equations of motion: rho q'' = -k^2 [(K0 + 4 mu/3) q -
+/// sum P_i], P_i + tau_i P_i' = g_i K0 q, in many small steps of the midpoint rule.
+double damped_amplitude(double start, double end, double viscous = 1) {
+  constexpr int terms = 2;
+  constexpr double ratio[terms] = {0.3, 0.2}, time[terms] = {0.005, 0.05};
+  constexpr double k = 2 * std::numbers::pi, modulus = 100, stiffness = modulus + 4. / 3 * 20;
+  using State = std::array<double, 2 + terms>;  // q, q', P_i
+  const auto rate = [&](const State& s) {
+    State r = {s[1], -k * k * (stiffness * s[0] - s[2] - s[3])};
+    for (int i = 0; i < terms; ++i)
+      r[2 + i] = (viscous * ratio[i] * modulus * s[0] - s[2 + i]) / time[i];
+    return r;
+  };
+  const auto moved = [](State s, const State& r, double dt) {
+    for (std::size_t i = 0; i < s.size(); ++i) s[i] += dt * r[i];
+    return s;
+  };
+  State s = {0, start};
+  constexpr int steps = 20000;
+  const double dt = end / steps;
+  for (int n = 0; n < steps; ++n) s = moved(s, rate(moved(s, rate(s), dt / 2)), dt);
+  return s[1];
+}
+
+constexpr double damped_time = 0.2;
+
+/// Error of the wave's velocity at its crest over the amplitude at the start.
+double damped_wave_error(int cells) {
+  const double amplitude = 1e-4, end = damped_time;
+  const Case settings = small_case(
+      "periodic_square",
+      {"discretisation.spacing=1/" + std::to_string(cells), fmt::format("time.end={}", end),
+       "body.medium.material={ model = \"reduced_polynomial\", coefficients = [10], density = 1, "
+       "compressibility = 0.02, prony = { ratios = [0.3, 0.2], times = [0.005, 0.05], moduli = "
+       "\"instantaneous\" } }",
+       fmt::format("body.medium.velocity=[\"{}*sin(2*pi*x)\", 0]", amplitude)});
+  EXPECT_EQ(settings.measurements[1].name, "crest_velocity");
+  Solver solver(settings, 2, kernels::widest_supported());
+  advance_until(solver, end);
+  const double crest = remeshed::Measurer<double, 2>(solver)()[1];
+  return std::abs(crest - damped_amplitude(amplitude, end)) / amplitude;
+}
+
+TEST(convergence, bulk_viscosity_damps_pressure_waves_to_second_order) {
+  // Or nothing would be shown.
+  EXPECT_GT(std::abs(damped_amplitude(1, damped_time) - damped_amplitude(1, damped_time, 0)), 0.3);
+  EXPECT_GE(order(damped_wave_error(16), damped_wave_error(64), 4), 1.95);
 }
 
 TEST(convergence, waves_in_a_linear_cube_converge_at_second_order) {

@@ -75,6 +75,27 @@ TEST(references, a_plate_swings_out_as_finite_elements_do) {
   expect_followed(small_case("oscillating_plate", {}), "tip_displacement", tip, 1.5, 0.02 * 0.043);
 }
 
+// The closed form, but for rounding: the medium stays as uniform as it starts.
+TEST(references, a_suddenly_compressed_medium_relaxes_by_its_prony_series) {
+  const Settings flight = {"dimension=3",
+                           "discretisation.spacing=0.2",
+                           "discretisation.dissipation=1",  // for five cells to a period
+                           "periodic.axes=[\"x\", \"y\", \"z\"]",
+                           "periodic.lower=[0, 0, 0]",
+                           "periodic.upper=[1, 1, 1]",
+                           "body.medium.geometry={ shape = \"box\", lower = [0, 0, 0], upper = [1, "
+                           "1, 1] }",
+                           "body.medium.velocity=[1, 0.7, 0.3]",
+                           "body.medium.stretch=[1, 0.95, 1]",
+                           "measurement.pressure.point=[0.5, 0.5, 0.5]"};
+  for (const std::string moduli : {"long_term", "instantaneous"}) {
+    const Reference pressure("prony_step", "pressure_" + moduli);
+    const Settings choice = {"material.rubber.prony.moduli=" + moduli};
+    expect_followed(small_case("prony_step", choice), "pressure", pressure, 50, 1e-9);
+    expect_followed<3>(small_case("prony_step", choice + flight), "pressure", pressure, 5, 1e-9);
+  }
+}
+
 // Exact integrals over the solid that the triangles bound, kept in free flight. The surface is met
 // to about (h/40 mm)^2, and every remeshing leaves some of what it smooths.
 TEST(references, a_thrown_organ_keeps_what_its_mesh_and_velocity_give_it) {

@@ -16,6 +16,23 @@ using tests::with;
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
+TEST(read_case, prony_series_gives_the_modulus_of_a_sudden_change) {
+  for (const std::string moduli : {"long_term", "instantaneous"}) {
+    const Case a_case = read_text(with(
+        block_case,
+        R"({ model = "linear", youngs_modulus = 100, poissons_ratio = 0.3, density = 2 })",
+        "{ model = \"reduced_polynomial\", coefficients = [1], compressibility = 0.1, density = "
+        "1, prony = { ratios = [0.3, 0.2], times = [1, 10], moduli = \"" +
+            moduli + "\" } }"));
+    const BodyCase& body = a_case.bodies.at(0);
+    EXPECT_DOUBLE_EQ(body.material.bulk_modulus, moduli == "long_term" ? 40 : 20);
+    EXPECT_DOUBLE_EQ(2 / body.material.compressibility, body.material.bulk_modulus);
+    ASSERT_EQ(body.prony.size(), 2u);
+    EXPECT_EQ(body.prony[1].ratio, 0.2);
+    EXPECT_EQ(body.prony[1].time, 10);
+  }
+}
+
 TEST(read_case, what_a_file_does_not_say_has_its_default) {
   const Case a_case = read_text(block_case);
   EXPECT_EQ(a_case.name, "block");

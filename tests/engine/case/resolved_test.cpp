@@ -107,6 +107,9 @@ method = "remeshed"
 spacing = 0.1
 weight = "quartic_polynomial"
 dissipation = 0.25
+operators = "moment_matrix"
+artificial_viscosity = 1
+artificial_stress = 0.3
 
 [time]
 end = 1
@@ -130,11 +133,13 @@ name = "block"
 geometry = { shape = "box", lower = [0, 0], upper = [1, 2] }
 material = { model = "linear", density = 2, law = "rho", youngs_modulus = 100, poissons_ratio = 0.3 }
 velocity = [0, 0]
+stretch = [1, 1]
 
 [output]
 every = 0
 checkpoint_every = 0
 ghosts = false
+surface = false
 measure_every = 0
 )");
 }

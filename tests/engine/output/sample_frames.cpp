@@ -79,6 +79,49 @@ void require_frame(const FileContent& content, int f, const Frame& frame) {
   }
 }
 
+/// Pieces grow and shrink from frame to frame; one frame in five has none.
+FrameSurface sample_surface(int number) {
+  const int vertices = number % 5 == 3 ? 0 : 40 + number * 17 % 60;
+  FrameSurface surface;
+  std::vector<double> velocity;
+  for (int v = 0; v < vertices; ++v) {
+    for (int c = 0; c < 3; ++c) surface.position.push_back(value(number, v, 40 + c));
+    for (int c = 0; c < 2; ++c) velocity.push_back(value(number, v, 50 + c));
+    if (v >= 2) surface.vertex.insert(surface.vertex.end(), {v, v - 1, v - 2});
+  }
+  surface.fields = {{"velocity", "m/s", 2, velocity}};
+  return surface;
+}
+
+/// The surface of frame `f`, after those of all earlier frames.
+void require_surface(const FileContent& content, int f) {
+  std::int64_t first_vertex = 0, first_piece = 0;
+  for (int before = 0; before < f; ++before) {
+    const FrameSurface surface = sample_surface(before);
+    first_vertex += static_cast<std::int64_t>(surface.position.size() / 3);
+    first_piece += static_cast<std::int64_t>(surface.vertex.size() / 3);
+  }
+  const FrameSurface surface = sample_surface(f);
+  const auto vertices = static_cast<std::int64_t>(surface.position.size() / 3);
+  const auto pieces = static_cast<std::int64_t>(surface.vertex.size() / 3);
+  require_equal(rows<std::int64_t>(content, "/surface/NumberOfPoints", f, 1), {vertices},
+                "surface NumberOfPoints");
+  require_equal(rows<std::int64_t>(content, "/surface/NumberOfCells", f, 1), {pieces},
+                "surface NumberOfCells");
+  require_equal(rows<double>(content, "/surface/Points", first_vertex, vertices, 3),
+                surface.position, "surface Points");
+  require_equal(rows<std::int64_t>(content, "/surface/Connectivity", first_piece, pieces, 3),
+                surface.vertex, "surface Connectivity");
+  const auto found =
+      rows<double>(content, "/surface/PointData/velocity", first_vertex, vertices, 3);
+  for (std::int64_t v = 0; v < vertices; ++v) {
+    const double* u = found.data() + 3 * v;
+    const auto p = static_cast<int>(v);
+    require_equal<double>({u[0], u[1], u[2]}, {value(f, p, 50), value(f, p, 51), 0.0},
+                          "surface velocity");
+  }
+}
+
 }  // namespace
 
 Frame sample_frame(int number, int least) {
@@ -102,6 +145,7 @@ Frame sample_frame(int number, int least) {
                   {"density", "kg/m^3", 1, density},
                   {"body", "1", 1, body},
                   {"name", "1", 1, name}};
+  frame.surface = sample_surface(number);
   return frame;
 }
 
@@ -123,7 +167,10 @@ void write_frames(ResultFile& file, int begin, int end, int least) {
 
 int whole_frames(const FileContent& content, int least) {
   const auto frames = content.at("/VTKHDF/Steps@NSteps").as<std::int32_t>().at(0);
-  for (int f = 0; f < frames; ++f) require_frame(content, f, sample_frame(f, least));
+  for (int f = 0; f < frames; ++f) {
+    require_frame(content, f, sample_frame(f, least));
+    require_surface(content, f);
+  }
   return frames;
 }
 

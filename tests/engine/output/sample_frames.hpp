@@ -10,7 +10,8 @@
 namespace pliant::test {
 
 /// Frame `number` of a made-up run with `least` particles or up to half as many more: velocity in
-/// the plane, stress, density, a body and a number; every value tells frame, particle, component.
+/// the plane, stress, density, a body and a number; every value tells frame, particle, component. A
+/// surface of triangles, too, in four frames of five.
 Frame sample_frame(int number, int least);
 
 RunDescription sample_run();

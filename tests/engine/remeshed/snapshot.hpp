@@ -31,8 +31,8 @@ inline void add_body(Snapshot& snapshot, const LatticeView& view, Slots which) {
     snapshot["kind"].push_back(static_cast<double>(population.kind[slot]));
   });
   for (const FieldDeclaration& field : fields) {
+    auto& values = snapshot[std::string(field.name)];
     for (const Buffer<double>& component : view.fields[field.field]) {
-      auto& values = snapshot[std::string(field.name)];
       for_each_chosen(
           [&](std::int64_t slot, const Cell<2>&) { values.push_back(component[slot]); });
     }

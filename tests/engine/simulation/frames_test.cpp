@@ -63,5 +63,18 @@ TEST_F(Frames, show_ghosts_on_demand) {
             0.0);
 }
 
+TEST_F(Frames, show_the_surface_on_demand) {
+  EXPECT_FALSE(take_frame(solver, false).surface);
+  const Frame frame = take_frame(solver, false, true);
+  ASSERT_TRUE(frame.surface);
+  const std::vector<double>& x = frame.surface->position;
+  EXPECT_EQ(frame.surface->corners, 2);
+  EXPECT_EQ(frame.surface->vertex.size(), x.size() / 3 * 2);
+  for (std::size_t v = 0; v < x.size(); v += 3) {
+    EXPECT_NEAR(std::hypot(x[v], x[v + 1]), 1, 0.05);
+    EXPECT_EQ(x[v + 2], 0);
+  }
+}
+
 }  // namespace
 }  // namespace pliant::test

@@ -1,0 +1,15 @@
+#pragma once
+
+#include "engine/remeshed/body.hpp"
+
+namespace pliant::remeshed {
+
+/// Smallest distance between two particles of a body, over h; 2 where none are nearer than that.
+/// Particles that clump have it fall towards 0.
+template <class T, int D>
+double closest_pair(const Body<T, D>& body);
+
+extern template double closest_pair<double, 2>(const Body<double, 2>&);
+extern template double closest_pair<double, 3>(const Body<double, 3>&);
+
+}  // namespace pliant::remeshed

@@ -1,0 +1,43 @@
+#include "engine/remeshed/pair_stress.hpp"
+
+#include <Eigen/Eigenvalues>
+#include <algorithm>
+
+namespace pliant::remeshed {
+
+template <class T, int D>
+void find_pair_stress(Body<T, D>& body, int block, int stage, double artificial_stress) {
+  using Matrix = Eigen::Matrix<T, D, D>;
+  const Layout<D>& layout = body.population.layout;
+  const auto stress = std::as_const(body).stress_view(stage % 2);
+  const T* mass = body.stage[0].get(Field::mass);
+  const T* volume = body.stage[stage].get(Field::volume);
+  Eigen::SelfAdjointEigenSolver<Matrix> principal;
+  layout.for_each_slot(layout.blocks()[block], [&](std::int64_t p, const Cell<D>&) {
+    if (body.population.kind[p] != Kind::interior) return;
+    const T density = mass[p] / volume[p];
+    Matrix scaled;
+    for (int i = 0; i < D; ++i) {
+      for (int j = 0; j < D; ++j) {
+        scaled(i, j) = stress[kernels::symmetric_index<D>(i, j)][p] / (density * density);
+      }
+    }
+    principal.computeDirect(scaled);
+    const auto& axes = principal.eigenvectors();
+    const auto tension = principal.eigenvalues().cwiseMax(T(0));
+    const Matrix artificial =
+        static_cast<T>(-artificial_stress) * axes * tension.asDiagonal() * axes.transpose();
+    for (int i = 0; i < D; ++i) {
+      for (int j = i; j < D; ++j) {
+        const int c = kernels::symmetric_index<D>(i, j);
+        body.pair_stress[0][c][p] = scaled(i, j);
+        body.pair_stress[1][c][p] = artificial(i, j);
+      }
+    }
+  });
+}
+
+template void find_pair_stress<double, 2>(Body<double, 2>&, int, int, double);
+template void find_pair_stress<double, 3>(Body<double, 3>&, int, int, double);
+
+}  // namespace pliant::remeshed
