@@ -16,6 +16,7 @@ import matplotlib
 matplotlib.use("Agg")
 import matplotlib.pyplot as plt
 import numpy as np
+from matplotlib.ticker import MaxNLocator
 
 
 PARTICLE = 1  # of the field `kind`; the rest are ghosts
@@ -75,8 +76,9 @@ def draw_map(axis, points, values, levels, highest):
     """Isolines over filled ones; a wall that nothing touches stays blank."""
     if len(points) < 3:
         return None
-    drawn = axis.tricontourf(points[:, 0], points[:, 1], values, np.linspace(0, highest, 41),
-                             cmap="viridis", extend="both")
+    fill = MaxNLocator(40).tick_values(0, highest)
+    drawn = axis.tricontourf(points[:, 0], points[:, 1], values, fill, cmap="viridis",
+                             extend="min")
     lines = axis.tricontour(points[:, 0], points[:, 1], values, levels, colors="w", linewidths=0.8)
     axis.clabel(lines, fontsize=7)
     return drawn
@@ -115,6 +117,8 @@ def main():
         dot = (72 * spacing * size[0] / shape[1] / (high[0] - low[0])) ** 2 * 0.5
         drawn = axis.scatter(points[:, 0], points[:, 1], c=values, s=min(dot, 30), cmap="viridis",
                              vmin=lowest, vmax=highest, linewidths=0)
+    if drawn is None:
+        raise SystemExit("nothing touches a wall at these times")
     figure.colorbar(drawn, ax=axes, label=arguments.field, shrink=0.8)
     figure.savefig(arguments.picture, dpi=80)
 

@@ -94,7 +94,7 @@ struct MeasurementCase {
     period,           ///< twice the mean spacing of zero crossings of measurement `of`
     amplitude_ratio,  ///< mean ratio of successive same-sign maxima of measurement `of`
     largest_mean,     ///< of measurement `of` over a time `over`
-    last_time,        ///< at which measurement `of` was above a hundredth of its largest value
+    last_time,        ///< at which measurement `of` was above a thousandth of its largest value
   };
   enum class Norm { maximum, root_mean_square };
   std::string name;

@@ -131,7 +131,7 @@ inline constexpr std::array words<MeasurementCase::Kind>{
     word(MeasurementCase::Kind::largest_mean, "largest_mean",
          "largest mean over a time of another measurement"),
     word(MeasurementCase::Kind::last_time, "last_time",
-         "when another measurement was last above a hundredth of its largest value")};
+         "when another measurement was last above a thousandth of its largest value")};
 
 template <>
 inline constexpr std::array words<MeasurementCase::Norm>{

@@ -38,7 +38,7 @@ double last_time(std::span<const double> time, std::span<const double> value) {
   double largest = 0, last = nothing;
   for (const double v : value) largest = std::max(largest, v);
   for (std::size_t i = 0; i < time.size(); ++i) {
-    if (value[i] > 0.01 * largest) last = time[i];
+    if (value[i] > 0.001 * largest) last = time[i];
   }
   return last;
 }

@@ -10,7 +10,7 @@ namespace pliant {
 /// samples are shorter.
 double largest_mean(std::span<const double> time, std::span<const double> value, double duration);
 
-/// (RP.63): end of the last sample above a hundredth of the largest; NaN while none is positive.
+/// (RP.63): end of the last sample above a thousandth of the largest; NaN while none is positive.
 double last_time(std::span<const double> time, std::span<const double> value);
 
 }  // namespace pliant

@@ -41,7 +41,7 @@ TEST(pulses, largest_mean_waits_for_its_first_window) {
 TEST(pulses, last_time_is_the_end_of_a_half_wave_within_a_sample) {
   for (const double step : {0.1, 0.01}) {
     const Pulse pulse(step, 2);
-    // The last 0.3 % of the wave are below a hundredth.
+    // The last 0.03 % of the wave are below a thousandth.
     EXPECT_NEAR(last_time(pulse.time, pulse.value), 1, 1.001 * step) << step;
   }
 }
