@@ -106,6 +106,8 @@ struct MeasurementCase {
     velocity_error,   ///< against `exact`, over `reference` (the amplitude)
     period,           ///< twice the mean spacing of zero crossings of measurement `of`
     amplitude_ratio,  ///< mean ratio of successive same-sign maxima of measurement `of`
+    largest_mean,     ///< of measurement `of` over a time `over`
+    last_time,        ///< at which measurement `of` was above a thousandth of its largest value
   };
   enum class Norm { maximum, root_mean_square };
   std::string name;
@@ -122,7 +124,8 @@ struct MeasurementCase {
   std::string field;
   VectorExpression exact;
   Norm norm = Norm::maximum;
-  int of = -1;  ///< position of the measurement that period and amplitude_ratio read
+  int of = -1;      ///< position of the measurement whose history the last four kinds read
+  double over = 0;  ///< largest_mean [s]
 };
 
 enum class GhostTreatment { linear, averaged, rigid };

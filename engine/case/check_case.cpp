@@ -241,7 +241,7 @@ void check_measurements(const Check& check) {
         check.place("measurement", i, "of"),
         fmt::format(R"(measurement "{}" reads "{}", which has no history of its own)",
                     measurements[i].name, source.name),
-        "name a measurement that is no period or amplitude_ratio");
+        "name a measurement that reads no other");
   }
 }
 

@@ -61,6 +61,21 @@ void velocity_error_keys(Visitor& visit, MeasurementCase& m) {
 }
 
 template <class Visitor>
+void history_keys(Visitor& visit, MeasurementCase& m) {
+  visit("of", MeasurementName{m.of},
+        {.meaning = "the measurement whose history is read",
+         .example = R"("tip_displacement")",
+         .required = true});
+  if (m.kind != MeasurementCase::Kind::largest_mean) return;
+  visit("over", m.over,
+        {.meaning = "time over which the mean is taken",
+         .unit = "s",
+         .example = "0.005",
+         .limits = positive,
+         .required = true});
+}
+
+template <class Visitor>
 void measurement_keys(Visitor& visit, MeasurementCase& m) {
   using Kind = MeasurementCase::Kind;
   visit("name", Name{m.name},
@@ -74,12 +89,9 @@ void measurement_keys(Visitor& visit, MeasurementCase& m) {
               .decides = true})) {
     return;
   }
-  if (m.kind == Kind::period || m.kind == Kind::amplitude_ratio) {
-    visit("of", MeasurementName{m.of},
-          {.meaning = "the measurement whose history is read",
-           .example = R"("tip_displacement")",
-           .required = true});
-    return;
+  if (m.kind == Kind::period || m.kind == Kind::amplitude_ratio || m.kind == Kind::largest_mean ||
+      m.kind == Kind::last_time) {
+    return history_keys(visit, m);
   }
   if (m.kind == Kind::wall_force) {
     visit("boundary", BoundaryName{m.boundary},

@@ -144,7 +144,11 @@ inline constexpr std::array words<MeasurementCase::Kind>{
     word(MeasurementCase::Kind::period, "period",
          "twice the mean time between zero crossings of another measurement"),
     word(MeasurementCase::Kind::amplitude_ratio, "amplitude_ratio",
-         "mean ratio of successive maxima of the same sign of another measurement")};
+         "mean ratio of successive maxima of the same sign of another measurement"),
+    word(MeasurementCase::Kind::largest_mean, "largest_mean",
+         "largest mean over a time of another measurement"),
+    word(MeasurementCase::Kind::last_time, "last_time",
+         "when another measurement was last above a thousandth of its largest value")};
 
 template <>
 inline constexpr std::array words<MeasurementCase::Norm>{

@@ -8,6 +8,12 @@ namespace {
 
 // How high above the wall the surface may still stand [h]: more touches too early.
 constexpr double touching_height = 0.05;
+// And how high where it touched before. What is left of a height of a few hundredths of h after
+// compression and remeshing is noise: a slot that it takes from under pressure for a few steps
+// lets the body shoot at the wall, and the energy of that is lost.
+constexpr double leaving_height = 0.3;
+
+constexpr double rounding = 1e-9;  // [h], of where a slot lies
 
 template <class T, int D>
 std::array<T, D> converted(const Point<D>& vector) {
@@ -33,12 +39,14 @@ void decide_contact(Body<T, D>& body, int block, const Boundaries<D>& boundaries
       height += n[a] * (body.stage[0].get(Field::displacement, a)[ghosts.slot[g]] -
                         boundaries.walls[ghosts.wall[g]].offset()[a]);
     }
-    const bool touches = height < touching_height * body.lattice.spacing &&
+    const double reach = ghosts.active[g] != 0 ? leaving_height : touching_height;
+    const bool touches = height < reach * body.lattice.spacing &&
                          kernels::presses<T, D>(
                              ghosts.fits(g), converted<T, D>(values.wall_velocity[ghosts.wall[g]]),
                              converted<T, D>(n));
     ghosts.active[g] = touches;
     ghosts.active[g - 1] = !touches;
+    body.population.kind[ghosts.slot[g]] = touches ? Kind::wall_ghost : Kind::free_ghost;
   }
 }
 
@@ -58,13 +66,40 @@ void add_impulse(const Body<T, D>& body, int block, const Boundaries<D>& boundar
   }
 }
 
+template <class T, int D>
+std::vector<double> wall_pressure(const Body<T, D>& body, const Boundaries<D>& boundaries,
+                                  const BoundaryValues<D>& values) {
+  const Layout<D>& layout = body.population.layout;
+  const double h = body.lattice.spacing;
+  const kernels::Impedance<T> impedance(body.material);
+  std::vector<double> pressure(layout.slots(), 0);
+  for (const BlockGhosts<T, D>& ghosts : body.population.ghosts) {
+    for (const std::int32_t g : ghosts.contact) {
+      if (ghosts.active[g] == 0) continue;
+      const std::int64_t slot = ghosts.slot[g];
+      const Wall<D>& wall = boundaries.walls[ghosts.wall[g]];
+      if (wall.distance(body.lattice.node(layout.cell(slot))) < -(1 + rounding) * h) continue;
+      const std::array<T, D> n = converted<T, D>(ghosts.normal[g]);
+      const std::array<T, D> push = kernels::wall_push<T, D>(
+          ghosts.fits(g), converted<T, D>(values.wall_velocity[ghosts.wall[g]]), n, wall.slips(),
+          impedance);
+      for (int a = 0; a < D; ++a) pressure[slot] += push[a] * n[a];
+    }
+  }
+  return pressure;
+}
+
 template void decide_contact<double, 2>(Body<double, 2>&, int, const Boundaries<2>&,
                                         const BoundaryValues<2>&, const kernels::Table<double, 2>&);
 template void add_impulse<double, 2>(const Body<double, 2>&, int, const Boundaries<2>&,
                                      const BoundaryValues<2>&, double, Point<2>*);
+template std::vector<double> wall_pressure(const Body<double, 2>&, const Boundaries<2>&,
+                                           const BoundaryValues<2>&);
 template void decide_contact<double, 3>(Body<double, 3>&, int, const Boundaries<3>&,
                                         const BoundaryValues<3>&, const kernels::Table<double, 3>&);
 template void add_impulse<double, 3>(const Body<double, 3>&, int, const Boundaries<3>&,
                                      const BoundaryValues<3>&, double, Point<3>*);
+template std::vector<double> wall_pressure(const Body<double, 3>&, const Boundaries<3>&,
+                                           const BoundaryValues<3>&);
 
 }  // namespace pliant::remeshed

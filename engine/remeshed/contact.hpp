@@ -16,7 +16,8 @@
 namespace pliant::remeshed {
 
 /// (RP.50): which ghost of each slot of a block beyond a contact wall is active, at the start of a
-/// step, from the records of the surface particles.
+/// step, from the records of the surface particles and from which one was active before. The kinds
+/// of the slots tell it to the next remeshing. Deciding twice decides the same.
 template <class T, int D>
 void decide_contact(Body<T, D>& body, int block, const Boundaries<D>& boundaries,
                     const BoundaryValues<D>& values, const kernels::Table<T, D>& kernels);
@@ -26,5 +27,11 @@ void decide_contact(Body<T, D>& body, int block, const Boundaries<D>& boundaries
 template <class T, int D>
 void add_impulse(const Body<T, D>& body, int block, const Boundaries<D>& boundaries,
                  const BoundaryValues<D>& values, double duration, Point<D>* impulse);
+
+/// (RP.61): [slot] of the contact ghosts nearest to the wall, the pressure of the wall on the body
+/// at their feet [Pa], from the sums that filling the ghosts has left; 0 of all other slots.
+template <class T, int D>
+std::vector<double> wall_pressure(const Body<T, D>& body, const Boundaries<D>& boundaries,
+                                  const BoundaryValues<D>& values);
 
 }  // namespace pliant::remeshed

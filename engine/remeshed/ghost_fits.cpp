@@ -57,12 +57,20 @@ class GhostFitter {
     const double distance = boundaries_.walls[wall].distance(body_.lattice.node(cell));
     ghosts_.contact.push_back(static_cast<std::int32_t>(ghosts_.slot.size()));
     add(slot, cell, wall, distance);
-    ghosts_.active.back() = 0;
+    ghosts_.active.back() = touched(cell);
     const Point<D>& normal = ghosts_.normal.back();
     for (int a = 0; a < D; ++a) height += normal[a] * boundaries_.walls[wall].offset()[a];
     ghosts_.contact_height.push_back(height);
     ghosts_.contact_area.push_back(std::pow(h, D - 1) *
                                    std::max(0., 1 - std::abs(distance / h + 1)));
+  }
+
+  // What was decided for a slot before this remeshing, (RP.50).
+  bool touched(const Cell<D>& cell) const {
+    const Population<T, D>& before = body_.population;
+    if (before.layout.blocks().empty()) return false;
+    const std::int64_t slot = before.layout.slot(cell);
+    return slot >= 0 && before.kind[slot] == Kind::wall_ghost;
   }
 
   void add(std::int64_t slot, const Cell<D>& cell, int wall, double wall_distance) {

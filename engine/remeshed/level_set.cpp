@@ -89,11 +89,15 @@ void LevelSet<T, D>::extend_through_walls(const Block<D>& block, const Boundarie
     centre[a] = (lattice_->node(a, block.lower[a]) + lattice_->node(a, block.upper[a])) / 2;
     radius += std::pow((block.upper[a] - block.lower[a]) * h / 2, 2);
   }
-  const bool meets_walls = boundaries.nearest_wall(centre).second < std::sqrt(radius);
+  radius = std::sqrt(radius);
+  const bool meets_walls = boundaries.nearest_wall(centre).second < radius;
+  const bool may_touch = boundaries.nearest_contact(centre).second < radius + far * h;
   layout_->for_each_slot(block, [&](std::int64_t p, const Cell<D>& cell) {
     extended_[p] = valid[p] != 0 ? phi_[p] : T(far * h);
-    if (!meets_walls) return;
+    if (!meets_walls && !may_touch) return;
     const Point<D> x = lattice_->node(cell);
+    extended_[p] = std::max(extended_[p], static_cast<T>(-boundaries.nearest_contact(x).second));
+    if (!meets_walls) return;
     const auto [wall, d] = boundaries.nearest_wall(x);
     if (d < 0) {
       extended_[p] = static_cast<T>(extended_from(x, boundaries.walls[wall].normal(x), -d, valid));

@@ -18,7 +18,7 @@
 ///     beyond                       the sign alone, times `far`
 ///
 /// Behind walls phi is first continued linearly: there it describes where the free surface would
-/// run on.
+/// run on. At contact walls it ends, (RP.60).
 namespace pliant::remeshed {
 
 template <class T, int D>

@@ -125,6 +125,8 @@ double Measurer<T, D>::value(const MeasurementCase& m) {
       return velocity_error(m);
     case Quantity::period:
     case Quantity::amplitude_ratio:
+    case Quantity::largest_mean:
+    case Quantity::last_time:
       return nothing;
     default:
       return conserved(m);

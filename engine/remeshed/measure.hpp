@@ -14,9 +14,9 @@ class Measurer {
  public:
   explicit Measurer(Solver<T, D>& solver) : solver_(solver) {}
 
-  /// One value for each measurement of the case; NaN where it has none (period and amplitude_ratio,
-  /// which read histories, and surfaces that do not exist). Of wall_force, the impulse since t = 0:
-  /// histories tell the force.
+  /// One value for each measurement of the case; NaN where it has none (those which read histories,
+  /// and surfaces that do not exist). Of wall_force, the impulse since t = 0: histories tell the
+  /// force.
   std::vector<double> operator()();
 
   /// Conserved quantities of all bodies together, as the summary reports them.

@@ -64,14 +64,16 @@ void Remeshing<T, D>::departure_phases(std::vector<scheduler::Phase>& phases, in
                     [this, first_block](int b) { fill_conserved(body_, b - first_block); }});
   phases.push_back({"remesh: layout",
                     -1,
-                    {{resource::drift(0)}},
+                    {{resource::drift(0)}, {resource::contact}},
                     {{resource::bounds}},
                     Phase::Extent::per_block,
                     own,
                     [this, first_block](int b) { find_bounds(b - first_block); }});
   phases.push_back({"remesh: layout",
                     -1,
-                    {{resource::bounds, Reach::all}, {resource::drift(0), Reach::all}},
+                    {{resource::bounds, Reach::all},
+                     {resource::drift(0), Reach::all},
+                     {resource::contact, Reach::all}},
                     {{resource::remeshed, Reach::all}},
                     Phase::Extent::once,
                     {},

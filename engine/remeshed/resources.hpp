@@ -41,7 +41,7 @@ inline constexpr FieldId verdicts = 41;       ///< whether the stencil serves a 
 inline constexpr FieldId sites = 42;          ///< where a block's particles and ghosts are
 inline constexpr FieldId cells = 43;          ///< the same, sorted by place
 inline constexpr FieldId lists = 44;          ///< neighbours that the stencil does not see
-inline constexpr FieldId contact = 45;        ///< which ghosts touch a contact wall
+inline constexpr FieldId contact = 45;        ///< which ghosts touch a contact wall, kinds
 inline constexpr FieldId impulse = 46;        ///< of contact walls on a block
 inline constexpr FieldId pair_stress = 47;    ///< of plain SPH
 

@@ -1,5 +1,6 @@
 #include "engine/simulation/frames.hpp"
 
+#include "engine/remeshed/contact.hpp"
 #include "engine/remeshed/point_state.hpp"
 #include "engine/remeshed/surface_mesh.hpp"
 
@@ -78,6 +79,17 @@ FrameSurface take_surface(remeshed::Solver<T, D>& solver) {
   return surface;
 }
 
+template <class T, int D>
+std::vector<std::vector<double>> wall_pressures(const remeshed::State<T, D>& state) {
+  remeshed::BoundaryValues<D> now;
+  now.evaluate(state.boundaries, state.clock.time);
+  std::vector<std::vector<double>> pressures;
+  for (const Body<T, D>& body : state.bodies) {
+    pressures.push_back(remeshed::wall_pressure<T, D>(body, state.boundaries, now));
+  }
+  return pressures;
+}
+
 }  // namespace
 
 template <class T, int D>
@@ -115,6 +127,12 @@ Frame take_frame(remeshed::Solver<T, D>& solver, bool with_ghosts, bool with_sur
       [](const B& body, std::int64_t p, int c) { return full_stress<T, D>(body, p)[c]; });
   add("level_set", "m", 1,
       [](const B& body, std::int64_t p, int) { return body.stage[0].get(Field::level_set)[p]; });
+  if (with_ghosts && solver.state().boundaries.have_contact()) {
+    const std::vector<std::vector<double>> pressures = wall_pressures(solver.state());
+    std::vector<double> values;
+    for (const Selection& s : chosen) values.push_back(pressures[s.body][s.slot]);
+    frame.fields.push_back({"wall_pressure", "Pa", 1, std::move(values)});
+  }
   std::vector<std::int32_t> kinds, owners;
   for (const Selection& s : chosen) {
     kinds.push_back(static_cast<std::int32_t>(bodies[s.body].population.kind[s.slot]));

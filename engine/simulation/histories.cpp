@@ -5,8 +5,27 @@
 #include <utility>
 
 #include "engine/simulation/oscillation.hpp"
+#include "engine/simulation/pulse.hpp"
 
 namespace pliant {
+
+namespace {
+
+double value_of(const MeasurementCase& m, const std::vector<double>& times,
+                const std::vector<double>& of) {
+  switch (m.kind) {
+    case MeasurementCase::Kind::period:
+      return oscillation_period(times, of);
+    case MeasurementCase::Kind::amplitude_ratio:
+      return amplitude_ratio(times, of);
+    case MeasurementCase::Kind::largest_mean:
+      return largest_mean(times, of, m.over);
+    default:
+      return last_time(times, of);
+  }
+}
+
+}  // namespace
 
 void Histories::add(double time, std::vector<double> values) {
   if (start_.empty()) start_ = latest_ = values;
@@ -23,10 +42,7 @@ void Histories::add(double time, std::vector<double> values) {
   for (std::size_t m = 0; m < values.size(); ++m) {
     const MeasurementCase& measurement = settings_->measurements[m];
     if (measurement.of < 0) continue;
-    const std::vector<double>& of = rows_[measurement.of];
-    rows_[m].back() = measurement.kind == MeasurementCase::Kind::period
-                          ? oscillation_period(times_, of)
-                          : amplitude_ratio(times_, of);
+    rows_[m].back() = value_of(measurement, times_, rows_[measurement.of]);
   }
 }
 
@@ -49,8 +65,9 @@ void Histories::get(const ArchiveReader& archive) {
   }
 }
 
-std::string unit_of(const MeasurementCase& m, int dimension) {
+std::string unit_of(const Case& settings, const MeasurementCase& m) {
   using Kind = MeasurementCase::Kind;
+  const int dimension = settings.dimension;
   const std::string per_depth = dimension == 2 ? "/m" : "";
   if (m.relative) return "1";
   switch (m.kind) {
@@ -81,7 +98,10 @@ std::string unit_of(const MeasurementCase& m, int dimension) {
     case Kind::surface_area:
       return dimension == 2 ? "m" : "m^2";
     case Kind::period:
+    case Kind::last_time:
       return "s";
+    case Kind::largest_mean:
+      return unit_of(settings, settings.measurements[m.of]);
     case Kind::closest_pair:
     case Kind::velocity_error:
     case Kind::amplitude_ratio:

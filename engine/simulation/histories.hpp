@@ -35,6 +35,6 @@ class Histories {
 };
 
 /// SI unit of a measurement's values, "1" for ratios.
-std::string unit_of(const MeasurementCase& m, int dimension);
+std::string unit_of(const Case& settings, const MeasurementCase& m);
 
 }  // namespace pliant

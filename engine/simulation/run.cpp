@@ -152,8 +152,8 @@ class Run {
     histories_.add(solver_.clock().time, measurer_());
     for (std::size_t m = 0; m < settings_.measurements.size(); ++m) {
       const MeasurementCase& measurement = settings_.measurements[m];
-      result_->append_history(measurement.name, unit_of(measurement, D), solver_.clock().time,
-                              histories_.last(m));
+      result_->append_history(measurement.name, unit_of(settings_, measurement),
+                              solver_.clock().time, histories_.last(m));
     }
   }
 
@@ -216,7 +216,7 @@ class Run {
     for (std::size_t m = 0; m < settings_.measurements.size(); ++m) {
       const MeasurementCase& measurement = settings_.measurements[m];
       summary.measurements.push_back(
-          {measurement.name, unit_of(measurement, D), histories_.last(m)});
+          {measurement.name, unit_of(settings_, measurement), histories_.last(m)});
     }
     write_summary(options_.folder, summary);
     warn_of_inertia(summary.conserved.end);

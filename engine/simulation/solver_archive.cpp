@@ -90,6 +90,7 @@ void put_ghosts(ArchiveWriter& archive, const std::string& group,
   put.template operator()<std::int32_t>("neighbour", &G::neighbour);
   put.template operator()<std::int32_t>("record", &G::record);
   put.template operator()<std::int32_t>("contact", &G::contact);
+  put.template operator()<std::uint8_t>("active", &G::active);
   put.template operator()<double>("contact_height", &G::contact_height);
   put.template operator()<double>("contact_area", &G::contact_area);
   put.template operator()<T>("linear", &G::linear);
@@ -111,6 +112,7 @@ void get_ghosts(const ArchiveReader& archive, const std::string& group,
   const auto neighbours = archive.get<std::int32_t>(group + "/neighbour");
   const auto records = archive.get<std::int32_t>(group + "/record");
   const auto contact = archive.get<std::int32_t>(group + "/contact");
+  const auto active = archive.get<std::uint8_t>(group + "/active");
   const auto contact_heights = archive.get<double>(group + "/contact_height");
   const auto contact_areas = archive.get<double>(group + "/contact_area");
   const auto linear = archive.get<T>(group + "/linear");
@@ -136,9 +138,7 @@ void get_ghosts(const ArchiveReader& archive, const std::string& group,
     g.contact = part(contact, touch, touching);
     g.contact_height = part(contact_heights, touch, touching);
     g.contact_area = part(contact_areas, touch, touching);
-    // Decided anew at the start of every step.
-    g.active.assign(ghosts, 1);
-    for (const std::int32_t c : g.contact) g.active[c] = 0;
+    g.active = part(active, ghost, ghosts);
     g.linear = part(linear, neighbour, pairs);
     g.constrained = part(constrained, neighbour, pairs);
     g.surface = part(surface, neighbour, pairs);

@@ -52,6 +52,8 @@ double Measurer<T, D>::value(const MeasurementCase& m) const {
       return volume(m.body);
     case Quantity::period:
     case Quantity::amplitude_ratio:
+    case Quantity::largest_mean:
+    case Quantity::last_time:
       return nothing;
     default:
       break;

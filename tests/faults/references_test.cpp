@@ -25,7 +25,7 @@ const Fault faults[] = {
      "block.toml:13: of names the measurement \"tip\", which does not exist; there are m"},
     {"a_measurement_of_itself", measuring("kind = \"period\"\nof = \"m\"\n"),
      R"(block.toml:13: measurement "m" reads "m", which has no history of its own; name a )"
-     "measurement that is no period or amplitude_ratio"},
+     "measurement that reads no other"},
     {"a_measurement_of_an_unknown_field",
      measuring("kind = \"point_value\"\npoint = [0, 0]\nfield = \"presure\"\n"),
      "block.toml:14: field names the field \"presure\", which does not exist; did you mean "
@@ -58,9 +58,10 @@ const Fault faults[] = {
     {"an_unknown_kind_of_measurement", measuring("kind = \"momentun\"\n"),
      R"(block.toml:12: kind must be one of "extent", "ray", "mean_radius", )"
      R"("point_displacement", "point_value", "mass", "momentum", "angular_momentum", )"
-     R"("kinetic_energy", "strain_energy", "total_energy", "wall_force", "volume", "surface_area", )"
+     R"("kinetic_energy", "strain_energy", "total_energy", "energy_ratio", "wall_force", "volume", )"
+     R"("surface_area", )"
      R"("closest_pair", "velocity_error", "period", )"
-     R"("amplitude_ratio", got "momentun"; did you mean "momentum"?)"},
+     R"("amplitude_ratio", "largest_mean", "last_time", got "momentun"; did you mean "momentum"?)"},
     {"a_key_of_another_measurement", measuring("kind = \"mass\"\naxis = \"x\"\n"),
      "block.toml:13: unknown key `axis` in [[measurement]]; its keys are name, kind, body, "
      "relative"},

@@ -1,6 +1,10 @@
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <numeric>
+
 #include "engine/remeshed/measure.hpp"
+#include "engine/simulation/frames.hpp"
 #include "tests/invariants/sample_runs.hpp"
 
 // A disc that bounces off a wall.
@@ -43,6 +47,59 @@ TEST(contact, the_impulse_of_the_wall_is_the_change_of_momentum) {
     EXPECT_GT(momentum(solver), -0.7 * start);
     EXPECT_LT(momentum(solver), -start) << "a wall at rest gives no energy";
     EXPECT_NEAR(solver.state().wall_impulse[0][1] / (momentum(solver) - start), 1, 0.1) << friction;
+  }
+}
+
+// Its impulse is a sum over the ghosts of two layers in all stages of a step, the map one layer at
+// one time. Pressure at the edge of contact differs between layers: one slot of ten to a side.
+TEST(contact, the_map_of_the_pressure_adds_up_to_the_force) {
+  for (const char* friction : {"frictionless", "sticking"}) {
+    Solver solver(bouncing_disc({std::string("boundary.wall.friction=") + friction}), 2,
+                  kernels::widest_supported());
+    advance_until(solver, 0.05);
+    const Frame frame = take_frame(solver, true);
+    const auto field = std::ranges::find(frame.fields, "wall_pressure", &FrameField::name);
+    ASSERT_NE(field, frame.fields.end());
+    const auto& pressure = std::get<std::vector<double>>(field->values);
+    const double sum = std::accumulate(pressure.begin(), pressure.end(), 0.);
+    const double before = solver.state().wall_impulse[0][1], t = solver.clock().time;
+    solver.step(1e-4);
+    const double force = (solver.state().wall_impulse[0][1] - before) / (solver.clock().time - t);
+    EXPECT_NEAR(sum * solver.state().bodies[0].lattice.spacing / force, 1, 0.05) << friction;
+  }
+}
+
+// A slot under tension stays in contact while its surface comes down, (RP.50): at the end of
+// contact the last few of twenty pull, by less than a hundredth of the largest force.
+TEST(contact, the_wall_hardly_pulls) {
+  for (const char* friction : {"frictionless", "sticking"}) {
+    Solver solver(bouncing_disc({std::string("boundary.wall.friction=") + friction}), 2,
+                  kernels::widest_supported());
+    double before = 0, most = 0, least = 0;
+    for (double t = 0.0025; t < 0.25; t += 0.0025) {
+      advance_until(solver, t);
+      const double impulse = solver.state().wall_impulse[0][1];
+      most = std::max(most, impulse - before);
+      least = std::min(least, impulse - before);
+      before = impulse;
+    }
+    EXPECT_GT(least, -0.01 * most) << friction;
+    EXPECT_EQ(touching(solver), 0) << "it has left the wall";
+  }
+}
+
+// The level set ends at the wall, (RP.60): the body neither enters it nor stays behind.
+TEST(contact, the_surface_lies_on_the_wall_where_it_touches) {
+  Solver solver(bouncing_disc({}), 2, kernels::widest_supported());
+  advance_until(solver, 0.05);
+  const Body& body = solver.state().bodies[0];
+  const double h = body.lattice.spacing;
+  for (const auto& ghosts : body.population.ghosts) {
+    for (std::size_t k = 0; k < ghosts.contact.size(); ++k) {
+      if (ghosts.active[ghosts.contact[k]] == 0) continue;
+      EXPECT_GT(ghosts.contact_height[k], -0.02 * h);
+      EXPECT_LT(ghosts.contact_height[k], 0.3 * h);
+    }
   }
 }
 

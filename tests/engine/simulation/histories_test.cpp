@@ -69,18 +69,28 @@ TEST_F(MeasuredHistories, go_on_alike_after_a_checkpoint) {
 TEST_F(MeasuredHistories, values_have_the_units_of_what_is_measured) {
   MeasurementCase m;
   m.kind = Quantity::momentum;
-  EXPECT_EQ(unit_of(m, 2), "kg m/s/m");
-  EXPECT_EQ(unit_of(m, 3), "kg m/s");
+  Case plane, space;
+  space.dimension = 3;
+  EXPECT_EQ(unit_of(plane, m), "kg m/s/m");
+  EXPECT_EQ(unit_of(space, m), "kg m/s");
   m.relative = true;
-  EXPECT_EQ(unit_of(m, 2), "1");
+  EXPECT_EQ(unit_of(plane, m), "1");
   m.relative = false;
   m.kind = Quantity::point_value;
   for (const auto& [field, unit] :
        {std::pair{"pressure", "Pa"}, std::pair{"stress_xy", "Pa"}, std::pair{"density", "kg/m^3"},
         std::pair{"velocity_x", "m/s"}, std::pair{"displacement_y", "m"}}) {
     m.field = field;
-    EXPECT_EQ(unit_of(m, 2), unit) << field;
+    EXPECT_EQ(unit_of(plane, m), unit) << field;
   }
+  MeasurementCase force;
+  force.kind = Quantity::wall_force;
+  space.measurements = {force};
+  m.of = 0;
+  m.kind = Quantity::largest_mean;
+  EXPECT_EQ(unit_of(space, m), "N") << "a mean has the unit of what it is the mean of";
+  m.kind = Quantity::last_time;
+  EXPECT_EQ(unit_of(space, m), "s");
 }
 
 }  // namespace

@@ -1,0 +1,46 @@
+#include "engine/simulation/pulse.hpp"
+
+#include <algorithm>
+#include <cstddef>
+#include <limits>
+
+namespace pliant {
+
+namespace {
+
+constexpr double nothing = std::numeric_limits<double>::quiet_NaN();
+constexpr double rounding = 1e-9;  // of the duration: samples lie where many steps have led
+
+// Integral over the samples (first, last], of the first of them only the part behind `from`.
+double integral(std::span<const double> time, std::span<const double> value, std::size_t first,
+                std::size_t last, double from) {
+  double sum = value[first + 1] * (time[first + 1] - from);
+  for (std::size_t i = first + 2; i <= last; ++i) sum += value[i] * (time[i] - time[i - 1]);
+  return sum;
+}
+
+}  // namespace
+
+double largest_mean(std::span<const double> time, std::span<const double> value, double duration) {
+  double largest = nothing;
+  std::size_t first = 0;
+  for (std::size_t last = 1; last < time.size(); ++last) {
+    const double from = std::max(time[last] - duration, time[0]);
+    if (time[last] - time[0] < duration * (1 - rounding)) continue;
+    while (time[first + 1] <= from) ++first;
+    const double mean = integral(time, value, first, last, from) / duration;
+    if (!(mean <= largest)) largest = mean;
+  }
+  return largest;
+}
+
+double last_time(std::span<const double> time, std::span<const double> value) {
+  double largest = 0, last = nothing;
+  for (const double v : value) largest = std::max(largest, v);
+  for (std::size_t i = 0; i < time.size(); ++i) {
+    if (value[i] > 0.001 * largest) last = time[i];
+  }
+  return last;
+}
+
+}  // namespace pliant
