@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "engine/remeshed/body_momentum.hpp"
 #include "engine/remeshed/interpolant.hpp"
 #include "engine/remeshed/point_state.hpp"
 #include "engine/remeshed/surface.hpp"
@@ -151,7 +152,11 @@ BodyIntegrals Measurer<T, D>::integrals(int body, const Vector& about) {
   const State<T, D>& state = solver_.state();
   const bool surface = solver_.remeshing(body).has_surface();
   if (!solver_.remeshes() || !surface) return sum_particles<T, D>(state.bodies[body], about);
-  return integrate<T, D>(nodes(body), state.boundaries, about);
+  BodyIntegrals sum = integrate<T, D>(nodes(body), state.boundaries, about);
+  if (state.books.empty()) return sum;
+  const Point<D> u = mean_velocity<T, D>(state.bodies[body]);
+  for (int a = 0; a < D; ++a) sum.momentum[a] = state.books[body].mass * u[a];
+  return sum;
 }
 
 template <class T, int D>

@@ -26,7 +26,11 @@ using scheduler::Reach;
 
 template <class T, int D>
 Step<T, D>::Step(State<T, D>& state, const Case& settings, const kernels::Table<T, D>& kernels)
-    : state_(state), settings_(settings), kernels_(kernels) {}
+    : state_(state),
+      settings_(settings),
+      kernels_(kernels),
+      contact_(state, settings, kernels),
+      momentum_(state, settings) {}
 
 template <class T, int D>
 std::vector<Phase> Step<T, D>::phases() {
@@ -36,6 +40,7 @@ std::vector<Phase> Step<T, D>::phases() {
     add_ghosts(phases, stage);
     add_advance(phases, stage);
   }
+  if (momentum_.is_needed()) momentum_.add_phases(phases, [this] { return contact_.fold(); });
   return phases;
 }
 
@@ -49,13 +54,17 @@ std::vector<Phase> Step<T, D>::ghost_phases() {
 template <class T, int D>
 std::vector<Phase> Step<T, D>::stress_phases() {
   results_.assign(state_.blocks.size(), {0, 0, -1});
-  return {{"stress",
-           -1,
-           {{resource::material(0)}},
-           {{resource::stress(0)}},
-           Phase::Extent::per_block,
-           {},
-           [this](int block) { evaluate_stress(block); }}};
+  std::vector<Phase> phases = {{"stress",
+                                -1,
+                                {{resource::material(0)}},
+                                {{resource::stress(0)}},
+                                Phase::Extent::per_block,
+                                {},
+                                [this](int block) { evaluate_stress(block); }}};
+  if (momentum_.is_needed()) {
+    momentum_.add_phases(phases, [] { return std::vector<Point<D>>(); });
+  }
+  return phases;
 }
 
 template <class T, int D>
@@ -87,7 +96,12 @@ void Step<T, D>::add_ghosts(std::vector<Phase>& phases, int stage) {
     each("contact", {{resource::records, Reach::neighbours}, {resource::drift(stage)}},
          {{resource::contact}}, &Step::decide_contact);
   }
+  if (contact_.is_needed()) {
+    if (stage == 0) contact_.add_search(phases);
+    contact_.add_tractions(phases, stage);
+  }
   std::vector<scheduler::Access> reads = {{resource::records, Reach::neighbours},
+                                          {resource::tractions},
                                           {resource::drift(stage), Reach::neighbours},
                                           {resource::velocity(stage), Reach::neighbours}};
   std::vector<scheduler::Access> writes = {{resource::ghosts(stage)}};
@@ -170,6 +184,7 @@ bool Step<T, D>::periodic() const {
 template <class T, int D>
 void Step<T, D>::prepare(double time_step) {
   time_step_ = time_step;
+  contact_.prepare(time_step);
   impulse_.assign(state_.blocks.size() * state_.boundaries.walls.size(), {});
   for (int stage = 0; stage < 4; ++stage) {
     boundary_values_[stage].evaluate(state_.boundaries,
