@@ -16,7 +16,8 @@ struct InterfaceSide {
 };
 
 /// (RP.65): the traction on `own`, n its normal, out of it. `closing` is the velocity [m/s] at
-/// which the gap between the surfaces is to vanish, negative where they overlap.
+/// which the gap between the surfaces is to vanish, negative where they overlap. None between
+/// surfaces that do not face each other, as those beside the edge of a contact.
 template <class T, int D>
 SurfaceLoad<T, D> interface_traction(const InterfaceSide<T, D>& own,
                                      const InterfaceSide<T, D>& other, const VectorOf<T, D>& n,
@@ -24,16 +25,19 @@ SurfaceLoad<T, D> interface_traction(const InterfaceSide<T, D>& own,
   VectorOf<T, D> s_n, jump;
   const T own_nn = traction<T, D>(own.surface, n, s_n);
   const T other_nn = traction<T, D>(other.surface, n, s_n);
-  T opening = 0;
+  SurfaceLoad<T, D> load{n, 0, {}};
+  T opening = 0, facing = 0;
+  const VectorOf<T, D> other_n = unit_normal<T, D>(other.surface);
 #pragma GCC unroll 3
   for (int i = 0; i < D; ++i) {
     jump[i] = other.surface.velocity(i) - own.surface.velocity(i);
     opening += jump[i] * n[i];
+    facing -= other_n[i] * n[i];
   }
+  if (facing < T(0.5)) return load;
   const auto resolve = [](T z, T z_other, T s, T s_other, T u) {
     return (z_other * s + z * s_other + z * z_other * u) / (z + z_other);
   };
-  SurfaceLoad<T, D> load{n, 0, {}};
   load.normal = resolve(own.impedance.pressure_wave, other.impedance.pressure_wave, own_nn,
                         other_nn, opening + closing);
   if (kind != InterfaceKind::bonded && !(load.normal < 0)) {

@@ -29,6 +29,17 @@ struct BodyTouches {
   std::vector<std::int32_t> record;   ///< of the other body
   std::vector<T> coefficient;         ///< of its linear fit at the foot point
   std::vector<std::array<T, D>> traction;  ///< on this body, (RP.65) [Pa]
+
+  void clear() {
+    ghost.clear();
+    contact.clear();
+    gap.clear();
+    area.clear();
+    begin.assign(1, 0);
+    record.clear();
+    coefficient.clear();
+    traction.clear();
+  }
 };
 
 /// Ghosts of one block, and the surface particles of the block that ghosts anywhere read.

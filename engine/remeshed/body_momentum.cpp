@@ -82,7 +82,10 @@ void BodyMomentum<T, D>::add_phases(std::vector<Phase>& phases, Impulses impulse
                     {{resource::books, Reach::all}},
                     Phase::Extent::once,
                     {},
-                    [this, impulses = std::move(impulses)](int) { balance(impulses()); }});
+                    [this, impulses = std::move(impulses)](int) {
+                      if (impulses) book(impulses());
+                      balance();
+                    }});
   phases.push_back({"momentum",
                     -1,
                     {{resource::books, Reach::all}},
@@ -97,7 +100,7 @@ void BodyMomentum<T, D>::sum(int block) {
   const auto [body, local] = state_.blocks[block];
   const BlockGhosts<T, D>& ghosts = state_.bodies[body].population.ghosts[local];
   const auto is_set = [](std::int8_t i) { return i >= 0; };
-  sums_[block] = {};
+  sums_[block] = {0, {}, false};
   sums_[block].is_held =
       std::any_of(ghosts.wall.begin(), ghosts.wall.end(), is_set) ||
       std::any_of(ghosts.pressure.begin(), ghosts.pressure.end(), is_set);
@@ -105,25 +108,29 @@ void BodyMomentum<T, D>::sum(int block) {
 }
 
 template <class T, int D>
-void BodyMomentum<T, D>::balance(const std::vector<Point<D>>& impulses) {
+void BodyMomentum<T, D>::book(const std::vector<Point<D>>& impulses) {
   for (std::size_t c = 0; c < impulses.size(); ++c) {
     for (int a = 0; a < D; ++a) {
       state_.books[contacts_[c].bodies[0]].momentum[a] -= impulses[c][a];
       state_.books[contacts_[c].bodies[1]].momentum[a] += impulses[c][a];
     }
   }
-  std::vector<Sum> of_body(state_.books.size());
+}
+
+template <class T, int D>
+void BodyMomentum<T, D>::balance() {
+  of_body_.assign(state_.books.size(), {0, {}, false});
   for (std::size_t b = 0; b < sums_.size(); ++b) {
-    Sum& sum = of_body[state_.blocks[b].body];
+    Sum& sum = of_body_[state_.blocks[b].body];
     sum.mass += sums_[b].mass;
     sum.is_held = sum.is_held || sums_[b].is_held;
     for (int a = 0; a < D; ++a) sum.momentum[a] += sums_[b].momentum[a];
   }
-  for (std::size_t b = 0; b < of_body.size(); ++b) {
+  for (std::size_t b = 0; b < of_body_.size(); ++b) {
     Book<D>& book = state_.books[b];
     for (int a = 0; a < D; ++a) {
-      const double mean = of_body[b].momentum[a] / of_body[b].mass;
-      if (of_body[b].is_held) book.momentum[a] = book.mass * mean;
+      const double mean = of_body_[b].momentum[a] / of_body_[b].mass;
+      if (of_body_[b].is_held) book.momentum[a] = book.mass * mean;
       shift_[b][a] = book.momentum[a] / book.mass - mean;
     }
   }

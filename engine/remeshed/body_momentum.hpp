@@ -33,7 +33,7 @@ class BodyMomentum {
 
   /// Brings the particles to their books; `impulse` gives what contacts did to the second of their
   /// bodies in the step, if there was one.
-  using Impulses = std::function<std::vector<Point<D>>()>;
+  using Impulses = std::function<const std::vector<Point<D>>&()>;
   void add_phases(std::vector<scheduler::Phase>& phases, Impulses impulses);
 
  private:
@@ -43,12 +43,14 @@ class BodyMomentum {
     bool is_held;  ///< by a wall or a pressure, whose impulse no book knows
   };
   void sum(int block);
-  void balance(const std::vector<Point<D>>& impulses);
+  void book(const std::vector<Point<D>>& impulses);
+  void balance();
   void shift(int block);
 
   State<T, D>& state_;
   const std::vector<ContactCase>& contacts_;
   std::vector<Sum> sums_;        ///< [block]
+  std::vector<Sum> of_body_;     ///< [body]
   std::vector<Point<D>> shift_;  ///< [body] [m/s]
 };
 

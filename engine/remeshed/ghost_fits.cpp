@@ -263,7 +263,7 @@ void fit_ghosts(const Body<T, D>& body, Population<T, D>& population, const Fiel
   ghosts.pressure.clear();
   ghosts.normal.clear();
   ghosts.foot.clear();
-  ghosts.touches.ghost.clear();
+  ghosts.touches.clear();
   ghosts.begin.assign(1, 0);
   ghosts.neighbour.clear();
   ghosts.linear.clear();

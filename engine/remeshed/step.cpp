@@ -40,7 +40,9 @@ std::vector<Phase> Step<T, D>::phases() {
     add_ghosts(phases, stage);
     add_advance(phases, stage);
   }
-  if (momentum_.is_needed()) momentum_.add_phases(phases, [this] { return contact_.fold(); });
+  if (momentum_.is_needed()) {
+    momentum_.add_phases(phases, [this]() -> const auto& { return contact_.fold(); });
+  }
   return phases;
 }
 
@@ -62,7 +64,7 @@ std::vector<Phase> Step<T, D>::stress_phases() {
                                 {},
                                 [this](int block) { evaluate_stress(block); }}};
   if (momentum_.is_needed()) {
-    momentum_.add_phases(phases, [] { return std::vector<Point<D>>(); });
+    momentum_.add_phases(phases, {});
   }
   return phases;
 }

@@ -1,0 +1,76 @@
+#pragma once
+
+#include <vector>
+
+#include "engine/lattice/cell_list.hpp"
+#include "engine/remeshed/state.hpp"
+#include "scheduler/phase.hpp"
+
+namespace pliant::remeshed {
+
+/// Finds where bodies touch, at the start of each step: particles of different bodies keep no places
+/// to each other, so that they are searched for in space.
+///
+///     samples   the surface particles and ghosts of each block, with their places
+///     cells     those of a body sorted by place, where its box meets that of another body in contact
+///     touches   ghosts whose foot point lies on another body, and the fit of that body there
+template <class T, int D>
+class TouchSearch {
+ public:
+  TouchSearch(State<T, D>& state, const std::vector<ContactCase>& contacts);
+
+  /// Rooms for the present blocks; before the phases run.
+  void prepare() { samples_.resize(state_.blocks.size()); }
+  void add_phases(std::vector<scheduler::Phase>& phases);
+
+ private:
+  /// A surface particle with a record, or a ghost (record -1).
+  struct Sample {
+    Site<D> site;
+    std::int32_t record;
+    double level_set;  ///< [h]
+  };
+  /// Samples of one body.
+  struct Surface {
+    Point<D> lower, upper;  ///< of the places, as those of sites
+    std::vector<std::int32_t> record;
+    std::vector<double> level_set;
+    CellList<D> cells;  ///< the slot of a site is its place in the two lists above
+    bool is_near_another = false;
+
+    /// Whether a place lies in the box, or within `margin` of it [h].
+    bool holds(const Point<D>& at, const Lattice<D>& lattice, double margin) const {
+      for (int a = 0; a < D; ++a) {
+        if (lattice.period[a] != 0) continue;
+        if (at[a] < lower[a] - margin || at[a] > upper[a] + margin) return false;
+      }
+      return true;
+    }
+  };
+  class Partner;
+
+  void find_samples(int block);
+  void sort_samples();
+  void gather(int body);
+  bool are_near(const ContactCase& contact) const;
+  int other_body(int contact, int body) const {
+    const std::array<int, 2>& pair = contacts_[contact].bodies;
+    return pair[0] == body ? pair[1] : pair[0];
+  }
+  void find_touches(int block);
+  bool may_touch(int owner, const BlockGhosts<T, D>& ghosts, std::int32_t ghost) const;
+  void find_touch(int block, std::int32_t ghost, Partner& partner);
+  Point<D> foot_point(const Body<T, D>& body, const BlockGhosts<T, D>& ghosts,
+                      std::int32_t ghost) const;
+
+  State<T, D>& state_;
+  const std::vector<ContactCase>& contacts_;
+  std::vector<std::vector<int>> contacts_of_;  ///< [body] those that it is part of
+  std::vector<std::vector<Sample>> samples_;   ///< [block]
+  std::vector<Surface> surfaces_;              ///< [body]
+};
+
+extern template class TouchSearch<double, 2>;
+extern template class TouchSearch<double, 3>;
+
+}  // namespace pliant::remeshed
