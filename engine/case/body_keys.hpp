@@ -87,9 +87,7 @@ void body_keys(Visitor& visit, BodyCase& body) {
 template <class Visitor>
 void contact_keys(Visitor& visit, ContactCase& contact) {
   visit("bodies", BodyPair{contact.bodies},
-        {.meaning = "the two that meet",
-         .example = R"(["left", "right"])",
-         .required = true});
+        {.meaning = "the two that meet", .example = R"(["left", "right"])", .required = true});
   visit("kind", contact.kind, {.meaning = "what they do there", .example = R"("frictionless")"});
 }
 

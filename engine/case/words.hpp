@@ -104,7 +104,8 @@ template <>
 inline constexpr std::array words<ContactCase::Kind>{
     word(ContactCase::Kind::frictionless, "frictionless", "they push and slide (RP.65)"),
     word(ContactCase::Kind::sticking, "sticking", "they push, and stick as long as they do"),
-    word(ContactCase::Kind::bonded, "bonded", "one interface for good, whose materials stay apart")};
+    word(ContactCase::Kind::bonded, "bonded",
+         "one interface for good, whose materials stay apart")};
 
 template <>
 inline constexpr std::array words<MeasurementCase::Kind>{

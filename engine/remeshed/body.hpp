@@ -23,11 +23,11 @@ template <class T, int D>
 struct BodyTouches {
   std::vector<std::int32_t> ghost;    ///< in the order of the ghosts
   std::vector<std::int32_t> contact;  ///< of the case
-  std::vector<T> gap;                 ///< to the other body's surface, negative where they overlap [m]
-  std::vector<T> area;                ///< share of the surface, (RP.67) [m^(D-1)]
-  std::vector<std::int64_t> begin;    ///< [touch + 1] into the two below
-  std::vector<std::int32_t> record;   ///< of the other body
-  std::vector<T> coefficient;         ///< of its linear fit at the foot point
+  std::vector<T> gap;   ///< to the other body's surface, negative where they overlap [m]
+  std::vector<T> area;  ///< share of the surface, (RP.67) [m^(D-1)]
+  std::vector<std::int64_t> begin;         ///< [touch + 1] into the two below
+  std::vector<std::int32_t> record;        ///< of the other body
+  std::vector<T> coefficient;              ///< of its linear fit at the foot point
   std::vector<std::array<T, D>> traction;  ///< on this body, (RP.65) [Pa]
 
   void clear() {

@@ -9,15 +9,16 @@
 
 // Bodies that meet.
 //
-//         body a         Ghosts of a body stay those of its own surface. Where the foot point of one
+//         body a         Ghosts of a body stay those of its own surface. Where the foot point of
+//         one
 //     \___________/      lies on another body too, the surface is not free there: it carries the
 //      g g x x g g       traction (RP.65) that two half spaces with the states of the two bodies at
 //         /-----\        that point would exert on each other at once (a Riemann problem), and
 //          body b        the ghost is that of a loaded surface, (RP.66).
 //
-// Nothing is shared but that traction: each body keeps its lattice, its level set and its particles,
-// remeshes by itself, and materials never mix. A bonded interface is the same without the question
-// whether the bodies press.
+// Nothing is shared but that traction: each body keeps its lattice, its level set and its
+// particles, remeshes by itself, and materials never mix. A bonded interface is the same without
+// the question whether the bodies press.
 //
 // Each side finds the traction at its own foot points, and what each of them does to its particles
 // is right to the order of the method, not to rounding. The momentum that crosses is therefore
@@ -46,8 +47,9 @@ class BodyContact {
   static constexpr std::array<double, 4> stage_weight = {1. / 6, 1. / 3, 1. / 3, 1. / 6};
 
   void find_tractions(int block, int stage);
-  std::array<T, D> traction(const Body<T, D>& own, const Body<T, D>& other, BlockGhosts<T, D>& ghosts,
-                           std::size_t touch, ContactCase::Kind kind) const;
+  std::array<T, D> traction(const Body<T, D>& own, const Body<T, D>& other,
+                            BlockGhosts<T, D>& ghosts, std::size_t touch,
+                            ContactCase::Kind kind) const;
 
   State<T, D>& state_;
   const std::vector<ContactCase>& contacts_;

@@ -32,8 +32,7 @@ void add_particles(const Body<T, D>& body, int block, double& mass, Point<D>& mo
   }
 }
 
-}  // namespace
-
+/// sum m u/sum m over the interior particles.
 template <class T, int D>
 Point<D> mean_velocity(const Body<T, D>& body) {
   double mass = 0;
@@ -49,6 +48,15 @@ Point<D> mean_velocity(const Body<T, D>& body) {
   return velocity;
 }
 
+}  // namespace
+
+template <class T, int D>
+Point<D> book_momentum(const State<T, D>& state, int body) {
+  Point<D> momentum = mean_velocity<T, D>(state.bodies[body]);
+  for (double& component : momentum) component *= state.books[body].mass;
+  return momentum;
+}
+
 template <class T, int D>
 BodyMomentum<T, D>::BodyMomentum(State<T, D>& state, const Case& settings)
     : state_(state), contacts_(settings.contacts), shift_(settings.bodies.size()) {
@@ -61,8 +69,7 @@ void BodyMomentum<T, D>::open() {
     const Body<T, D>& body = state_.bodies[b];
     Book<D>& book = state_.books[b];
     book.mass = integrate<T, D>({body, body.population, body.stage[0]}, state_.boundaries, {}).mass;
-    book.momentum = mean_velocity<T, D>(body);
-    for (double& component : book.momentum) component *= book.mass;
+    book.momentum = book_momentum<T, D>(state_, static_cast<int>(b));
   }
 }
 
@@ -101,9 +108,8 @@ void BodyMomentum<T, D>::sum(int block) {
   const BlockGhosts<T, D>& ghosts = state_.bodies[body].population.ghosts[local];
   const auto is_set = [](std::int8_t i) { return i >= 0; };
   sums_[block] = {0, {}, false};
-  sums_[block].is_held =
-      std::any_of(ghosts.wall.begin(), ghosts.wall.end(), is_set) ||
-      std::any_of(ghosts.pressure.begin(), ghosts.pressure.end(), is_set);
+  sums_[block].is_held = std::any_of(ghosts.wall.begin(), ghosts.wall.end(), is_set) ||
+                         std::any_of(ghosts.pressure.begin(), ghosts.pressure.end(), is_set);
   add_particles<T, D>(state_.bodies[body], local, sums_[block].mass, sums_[block].momentum);
 }
 
@@ -157,7 +163,7 @@ void BodyMomentum<T, D>::shift(int block) {
 
 template class BodyMomentum<double, 2>;
 template class BodyMomentum<double, 3>;
-template Point<2> mean_velocity<double, 2>(const Body<double, 2>&);
-template Point<3> mean_velocity<double, 3>(const Body<double, 3>&);
+template Point<2> book_momentum<double, 2>(const State<double, 2>&, int);
+template Point<3> book_momentum<double, 3>(const State<double, 3>&, int);
 
 }  // namespace pliant::remeshed

@@ -8,14 +8,15 @@
 
 // The momentum that bodies in contact hold to.
 //
-// Neither a step nor a remeshing conserves the momentum of a body to rounding: div sigma over fitted
-// ghosts adds up to the surface traction only as far as the method is accurate, and a remeshing
-// changes which nodes are inside and what they weigh. Both errors are those of the method, some
-// tenths of a percent of what the body is doing, and vanish with h; but nothing makes those of two
-// bodies cancel. Hence a book for each body in contact, which changes by the impulses of contacts
-// alone, (RP.67): one number, added to one body and taken from the other. After each step and each
-// remeshing all particles of a body move faster by one small velocity, so that their mean velocity
-// is that of the book, (RP.66). A rigid shift changes no strain, no stress and no relative motion.
+// Neither a step nor a remeshing conserves the momentum of a body to rounding: div sigma over
+// fitted ghosts adds up to the surface traction only as far as the method is accurate, and a
+// remeshing changes which nodes are inside and what they weigh. Both errors are those of the
+// method, some tenths of a percent of what the body is doing, and vanish with h; but nothing makes
+// those of two bodies cancel. Hence a book for each body in contact, which changes by the impulses
+// of contacts alone, (RP.67): one number, added to one body and taken from the other. After each
+// step and each remeshing all particles of a body move faster by one small velocity, so that their
+// mean velocity is that of the book, (RP.66). A rigid shift changes no strain, no stress and no
+// relative motion.
 //
 // The mass of a body in its book is that at t = 0, whatever its particles add up to: their common
 // factor means nothing to the method, which reads densities.
@@ -54,9 +55,9 @@ class BodyMomentum {
   std::vector<Point<D>> shift_;  ///< [body] [m/s]
 };
 
-/// Mass and momentum of the interior particles of a body.
+/// (RP.68) of one body from its particles [N s]; needs books.
 template <class T, int D>
-Point<D> mean_velocity(const Body<T, D>& body);
+Point<D> book_momentum(const State<T, D>& state, int body);
 
 extern template class BodyMomentum<double, 2>;
 extern template class BodyMomentum<double, 3>;

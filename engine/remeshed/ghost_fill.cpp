@@ -85,7 +85,8 @@ void fill_ghosts(Body<T, D>& body, int block, int stage, int parity,
               : boundaries.walls[w].slips()
                   ? kernels::slip_wall_ghost<T, D>(fits, velocity, normal, impedance)
                   : kernels::wall_ghost<T, D>(fits, velocity, normal, impedance);
-    } else if (touch < touches.ghost.size() && touches.ghost[touch] == static_cast<std::int32_t>(g)) {
+    } else if (touch < touches.ghost.size() &&
+               touches.ghost[touch] == static_cast<std::int32_t>(g)) {
       const auto n = kernels::unit_normal<T, D>(fits.linear);
       kernels::SurfaceLoad<T, D> load{n, 0, touches.traction[touch++]};
       for (int a = 0; a < D; ++a) load.normal += load.shear[a] * n[a];

@@ -154,8 +154,8 @@ BodyIntegrals Measurer<T, D>::integrals(int body, const Vector& about) {
   if (!solver_.remeshes() || !surface) return sum_particles<T, D>(state.bodies[body], about);
   BodyIntegrals sum = integrate<T, D>(nodes(body), state.boundaries, about);
   if (state.books.empty()) return sum;
-  const Point<D> u = mean_velocity<T, D>(state.bodies[body]);
-  for (int a = 0; a < D; ++a) sum.momentum[a] = state.books[body].mass * u[a];
+  const Point<D> momentum = book_momentum<T, D>(state, body);
+  std::copy(momentum.begin(), momentum.end(), sum.momentum.begin());
   return sum;
 }
 

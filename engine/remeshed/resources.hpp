@@ -43,12 +43,13 @@ inline constexpr FieldId cells = 43;          ///< the same, sorted by place
 inline constexpr FieldId lists = 44;          ///< neighbours that the stencil does not see
 inline constexpr FieldId contact = 45;        ///< which ghosts touch a contact wall
 inline constexpr FieldId impulse = 46;        ///< of contact walls on a block
-inline constexpr FieldId surface_samples = 47;  ///< where a block's surface particles and ghosts are
-inline constexpr FieldId surface_cells = 48;    ///< the same of bodies, sorted by place
-inline constexpr FieldId touches = 49;          ///< ghosts that touch other bodies
-inline constexpr FieldId tractions = 50;        ///< there
-inline constexpr FieldId momentum = 51;         ///< of a block's particles
-inline constexpr FieldId books = 52;            ///< of bodies
+inline constexpr FieldId surface_samples =
+    47;                                       ///< where a block's surface particles and ghosts are
+inline constexpr FieldId surface_cells = 48;  ///< the same of bodies, sorted by place
+inline constexpr FieldId touches = 49;        ///< ghosts that touch other bodies
+inline constexpr FieldId tractions = 50;      ///< there
+inline constexpr FieldId momentum = 51;       ///< of a block's particles
+inline constexpr FieldId books = 52;          ///< of bodies
 
 inline std::vector<std::string> names() {
   std::vector<std::string> names;

@@ -41,7 +41,8 @@ std::vector<Phase> Step<T, D>::phases() {
     add_advance(phases, stage);
   }
   if (momentum_.is_needed()) {
-    momentum_.add_phases(phases, [this]() -> const auto& { return contact_.fold(); });
+    momentum_.add_phases(
+        phases, [this]() -> const auto& { return contact_.fold(); });
   }
   return phases;
 }

@@ -15,16 +15,14 @@ using scheduler::Phase;
 using scheduler::Reach;
 
 constexpr double fit_radius = 2.6;  // [h], as that of ghosts
-// How far apart pressed surfaces may stand [h]: none of it would let the noise of phi open a surface
-// that is pressed, more touches too early, which costs energy.
+// How far apart pressed surfaces may stand [h]: none of it would let the noise of phi open a
+// surface that is pressed, more touches too early, which costs energy.
 constexpr double touching_gap = 0.01;
-constexpr double clearly_apart = 1;   // [h], where no fit is needed to tell
-constexpr double bonded_gap = 0.5;  // [h]: the sides of a bonded body carry no load
+constexpr double clearly_apart = 1;  // [h], where no fit is needed to tell
+constexpr double bonded_gap = 0.5;   // [h]: the sides of a bonded body carry no load
 
 /// Partition of unity over the layers of ghosts: 1 at `centre`, 0 one spacing away.
-double hat(double distance, double centre) {
-  return std::max(0., 1 - std::abs(distance - centre));
-}
+double hat(double distance, double centre) { return std::max(0., 1 - std::abs(distance - centre)); }
 
 /// (RP.67): share of the surface of a ghost at `distance` from it, both over h.
 template <int D>
@@ -142,14 +140,14 @@ void TouchSearch<T, D>::add_phases(std::vector<Phase>& phases) {
                     Phase::Extent::once,
                     {},
                     [this](int) { sort_samples(); }});
-  phases.push_back({"touches",
-                    -1,
-                    {{resource::surface_cells, Reach::all},
-                     {resource::drift(0), Reach::neighbours}},
-                    {{resource::touches}},
-                    Phase::Extent::per_block,
-                    {},
-                    [this](int block) { find_touches(block); }});
+  phases.push_back(
+      {"touches",
+       -1,
+       {{resource::surface_cells, Reach::all}, {resource::drift(0), Reach::neighbours}},
+       {{resource::touches}},
+       Phase::Extent::per_block,
+       {},
+       [this](int block) { find_touches(block); }});
 }
 
 template <class T, int D>
@@ -262,7 +260,8 @@ void TouchSearch<T, D>::find_touches(int block) {
   touches.traction.resize(touches.ghost.size());
 }
 
-// Whether the ghost's foot point, which has moved about as far as the ghost, may lie on another body.
+// Whether the ghost's foot point, which has moved about as far as the ghost, may lie on another
+// body.
 template <class T, int D>
 bool TouchSearch<T, D>::may_touch(int owner, const BlockGhosts<T, D>& ghosts,
                                   std::int32_t ghost) const {

@@ -8,12 +8,13 @@
 
 namespace pliant::remeshed {
 
-/// Finds where bodies touch, at the start of each step: particles of different bodies keep no places
-/// to each other, so that they are searched for in space.
+/// Finds where bodies touch, at the start of each step: particles of different bodies keep no
+/// places to each other, so that they are searched for in space.
 ///
 ///     samples   the surface particles and ghosts of each block, with their places
-///     cells     those of a body sorted by place, where its box meets that of another body in contact
-///     touches   ghosts whose foot point lies on another body, and the fit of that body there
+///     cells     those of a body sorted by place, where its box meets that of another body in
+///     contact touches   ghosts whose foot point lies on another body, and the fit of that body
+///     there
 template <class T, int D>
 class TouchSearch {
  public:

@@ -40,12 +40,23 @@ inline std::vector<SampleRun> sample_runs() {
       "boundary.wall.geometry={ shape = \"half_space\", point = [0, 0], normal = [0, 1] }",
       "measurement.height.point=[0, 0.25]",
       "measurement.height.direction=[0, 1]"};
+  // Unlike discs on their way into each other, off their axis.
+  const Settings discs = {
+      "discretisation.spacing=0.05",
+      "time.step=2e-3",
+      "remeshing.every=5",
+      "body.left.geometry.centre=[-0.503, 0.1]",
+      "body.left.velocity=[2, 0.1]",
+      "body.right.geometry.centre=[0.503, 0]",
+      "body.right.material={ model = \"reduced_polynomial\", coefficients = [10], "
+      "compressibility = 0.02, density = 2 }"};
   return {
       {"disc", "rotating_cylinder", disc, 22},
       {"compression_linear", "compression_linear", block, 60},
       {"compression_hyperelastic", "compression_hyperelastic", block, 60},
       {"periodic", "periodic_square", cell, 20},
       {"contact", "bouncing_ball", ball, 20},
+      {"two_discs", "two_discs", discs, 20, 12},
   };
 }
 
