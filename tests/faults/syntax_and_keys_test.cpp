@@ -22,7 +22,7 @@ const Fault faults[] = {
     {"an_unknown_table", extended("[remesh]\nevery = 3\n"),
      "block.toml:10: unknown key `remesh` in the case; its keys are title, name, dimension, "
      "method, discretisation, time, remeshing, level_set, ghosts, periodic, material, body, "
-     "boundary, output, measurement"},
+     "boundary, contact, output, measurement"},
     {"a_missing_key", broken("spacing = 0.1", ""),
      "block.toml:2: [discretisation] lacks `spacing`, distance h between particles: the "
      "resolution; add spacing = 0.03125"},
