@@ -12,7 +12,8 @@ namespace {
 using scheduler::Phase;
 using scheduler::Reach;
 
-// Time in which a gap or an overlap is to vanish [h/c]: shorter rings, longer lets bodies sink in.
+// (RP.65): time in which a gap or an overlap is to vanish [h/c]: shorter rings, longer lets bodies
+// sink in.
 constexpr double closing_time = 10;
 
 kernels::InterfaceKind converted(ContactCase::Kind kind) {
@@ -97,14 +98,18 @@ std::array<T, D> BodyContact<T, D>::traction(const Body<T, D>& own, const Body<T
     const T* record = other.records.get() + static_cast<std::int64_t>(touches.record[i]) * width;
     for (int f = 0; f < width; ++f) sum[f] += touches.coefficient[i] * record[f];
   }
-  const T speed = std::min(kernels::wave_speed_at_rest(own.material),
-                           kernels::wave_speed_at_rest(other.material));
+  // A bond asks nothing of the level sets: what they say at its ends would shake it.
+  const double speed =
+      kind == ContactCase::Kind::bonded
+          ? 0
+          : std::min<double>(kernels::wave_speed_at_rest(own.material),
+                             kernels::wave_speed_at_rest(other.material));
   const kernels::GhostFits<T, D> fits = ghosts.fits(g);
   const kernels::SurfaceLoad<T, D> load = kernels::interface_traction<T, D>(
       {fits.surface, kernels::Impedance<T>(own.material)},
       {{sum.data()}, kernels::Impedance<T>(other.material)},
       kernels::unit_normal<T, D>(fits.linear),
-      touches.gap[touch] * speed / static_cast<T>(closing_time * own.lattice.spacing),
+      static_cast<T>(touches.gap[touch] * speed / (closing_time * own.lattice.spacing)),
       converted(kind));
   std::array<T, D> result;
   for (int a = 0; a < D; ++a) result[a] = load.normal * load.n[a] + load.shear[a];

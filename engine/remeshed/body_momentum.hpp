@@ -15,7 +15,7 @@
 // those of two bodies cancel. Hence a book for each body in contact, which changes by the impulses
 // of contacts alone, (RP.67): one number, added to one body and taken from the other. After each
 // step and each remeshing all particles of a body move faster by one small velocity, so that their
-// mean velocity is that of the book, (RP.66). A rigid shift changes no strain, no stress and no
+// mean velocity is that of the book, (RP.68). A rigid shift changes no strain, no stress and no
 // relative motion.
 //
 // The mass of a body in its book is that at t = 0, whatever its particles add up to: their common

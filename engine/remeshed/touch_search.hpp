@@ -8,13 +8,12 @@
 
 namespace pliant::remeshed {
 
-/// Finds where bodies touch, at the start of each step: particles of different bodies keep no
-/// places to each other, so that they are searched for in space.
+/// Finds where bodies touch, (RP.69), at the start of each step: particles of different bodies keep
+/// no places to each other, so that they are searched for in space. Three phases:
 ///
-///     samples   the surface particles and ghosts of each block, with their places
-///     cells     those of a body sorted by place, where its box meets that of another body in
-///     contact touches   ghosts whose foot point lies on another body, and the fit of that body
-///     there
+///     samples   surface particles and ghosts of each block, with their places
+///     cells     those of a body sorted by place, if its box meets that of another one
+///     touches   ghosts whose foot point lies on another body, and the fit of that body
 template <class T, int D>
 class TouchSearch {
  public:
