@@ -38,6 +38,10 @@ class BodyContact {
   /// Once per stage: the tractions there.
   void add_tractions(std::vector<scheduler::Phase>& phases, int stage);
 
+  bool is_bonded() const;
+  /// Once per stage, when the ghosts are there: those at the ends of bonded interfaces.
+  void add_bonds(std::vector<scheduler::Phase>& phases, int stage);
+
   void prepare(double time_step);
   /// (RP.67): impulse of each contact on the second of its bodies in the step [N s], folded over
   /// the blocks in their order.
@@ -47,6 +51,7 @@ class BodyContact {
   static constexpr std::array<double, 4> stage_weight = {1. / 6, 1. / 3, 1. / 3, 1. / 6};
 
   void find_tractions(int block, int stage);
+  void fill_bonds(int block, int stage);
   std::array<T, D> traction(const Body<T, D>& own, const Body<T, D>& other,
                             BlockGhosts<T, D>& ghosts, std::size_t touch,
                             ContactCase::Kind kind) const;

@@ -49,6 +49,7 @@ inline constexpr FieldId surface_cells = 48;  ///< the same of bodies, sorted by
 inline constexpr FieldId touches = 49;        ///< ghosts that touch other bodies
 inline constexpr FieldId tractions = 50;      ///< there
 inline constexpr FieldId momentum = 51;       ///< of a block's particles
+inline constexpr FieldId bonds = 53;          ///< ghosts at the ends of bonded interfaces
 inline constexpr FieldId books = 52;          ///< of bodies
 
 inline std::vector<std::string> names() {
@@ -89,7 +90,8 @@ inline std::vector<std::string> names() {
                              "touches",
                              "tractions",
                              "momentum",
-                             "books"});
+                             "books",
+                             "bonds"});
   return names;
 }
 

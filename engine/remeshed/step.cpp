@@ -113,9 +113,11 @@ void Step<T, D>::add_ghosts(std::vector<Phase>& phases, int stage) {
     writes.push_back({resource::impulse});
   }
   each("ghosts", std::move(reads), std::move(writes), &Step::fill);
+  if (contact_.is_bonded()) contact_.add_bonds(phases, stage);
   if (periodic()) {
     each("images",
          {{resource::velocity(stage), Reach::neighbours},
+          {resource::bonds, Reach::neighbours},
           {resource::stress(parity), Reach::neighbours},
           {resource::ghosts(stage), Reach::neighbours}},
          {{resource::images(stage)}}, &Step::copy_images);
@@ -151,12 +153,11 @@ template <class T, int D>
 void Step<T, D>::add_advance(std::vector<Phase>& phases, int stage, Reach reach,
                              std::vector<int> blocks) {
   const int parity = stage % 2, next = (stage + 1) % 4;
-  std::vector<scheduler::Access> reads = {{resource::drift(stage), reach},
-                                          {resource::velocity(stage), reach},
-                                          {resource::stress(parity), reach},
-                                          {resource::ghosts(stage), reach},
-                                          {resource::images(stage), Reach::neighbours},
-                                          {resource::material(stage)}};
+  std::vector<scheduler::Access> reads = {
+      {resource::drift(stage), reach},   {resource::velocity(stage), reach},
+      {resource::stress(parity), reach}, {resource::ghosts(stage), reach},
+      {resource::bonds, reach},          {resource::images(stage), Reach::neighbours},
+      {resource::material(stage)}};
   for (int buffer = 0; buffer <= stage; ++buffer) {
     reads.insert(
         reads.end(),

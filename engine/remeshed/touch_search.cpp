@@ -18,6 +18,7 @@ constexpr double fit_radius = 2.6;  // [h], as that of ghosts
 // How far apart pressed surfaces may stand [h]: none of it would let the noise of phi open a
 // surface that is pressed, more touches too early, which costs energy.
 constexpr double touching_gap = 0.01;
+constexpr double unlimited = std::numeric_limits<double>::infinity();
 constexpr double clearly_apart = 1;  // [h], where no fit is needed to tell
 constexpr double bonded_gap = 0.5;   // [h]: the sides of a bonded body carry no load
 
@@ -57,7 +58,8 @@ class TouchSearch<T, D>::Partner {
  public:
   /// The gap to the body's surface at x [h], as its level set tells; infinity where there is too
   /// little of the body.
-  double gap(const Surface& surface, const Lattice<D>& lattice, const Point<D>& x) {
+  double gap(const Surface& surface, const Lattice<D>& lattice, const Point<D>& x,
+             double farthest = unlimited) {
     constexpr double none = std::numeric_limits<double>::infinity();
     surface_ = &surface;
     particles_.clear();
@@ -80,7 +82,7 @@ class TouchSearch<T, D>::Partner {
       if (surface.record[site.slot] >= 0) particles_.push_back(sample);
       return false;
     });
-    if (beyond > clearly_apart || particles_.empty() || !fit(around_)) return none;
+    if (beyond > farthest || around_.empty() || !fit(around_)) return none;
     double gap = 0;
     for (std::size_t i = 0; i < around_.size(); ++i) {
       gap += coefficient_[i] * around_[i].surface_distance;
@@ -97,6 +99,37 @@ class TouchSearch<T, D>::Partner {
       touches.coefficient.push_back(static_cast<T>(coefficient_[i]));
     }
     touches.begin.push_back(static_cast<std::int64_t>(touches.record.size()));
+    return true;
+  }
+
+  /// Where the interface ends at a free surface, a ghost beyond it and not inside the other body:
+  /// adds the fit of the other body's particles and ghosts at the ghost. False elsewhere.
+  bool add_bond(BlockGhosts<T, D>& ghosts, std::int32_t ghost, const Surface& surface,
+                const Body<T, D>& body, const Body<T, D>& other_body, int other,
+                const Point<D>& foot) {
+    const double h = body.lattice.spacing;
+    const std::int32_t slot = ghosts.slot[ghost];
+    const Point<D> x = body.position(slot, body.population.layout.cell(slot));
+    const double own_distance = body.stage[0].get(Field::level_set)[slot] / h;
+    const double distance = gap(surface, other_body.lattice, x);
+    if (distance >= own_distance || distance < -0.5 * own_distance) return false;
+    // Not those ghosts of the other body that are bonded to this one.
+    Position<D> to_foot;
+    for (int a = 0; a < D; ++a) to_foot[a] = (foot[a] - x[a]) / h;
+    const auto is_bonded = [&](const FitParticle<D>& q) {
+      return surface.record[q.slot] < 0 &&
+             (q.position - to_foot).norm() < q.surface_distance + 0.05;
+    };
+    around_.erase(std::remove_if(around_.begin(), around_.end(), is_bonded), around_.end());
+    if (!fit(around_)) return false;
+    BodyBonds<T>& bonds = ghosts.bonds;
+    bonds.ghost.push_back(ghost);
+    bonds.body.push_back(other);
+    for (std::size_t i = 0; i < around_.size(); ++i) {
+      bonds.slot.push_back(surface.slot[around_[i].slot]);
+      bonds.coefficient.push_back(static_cast<T>(coefficient_[i]));
+    }
+    bonds.begin.push_back(static_cast<std::int64_t>(bonds.slot.size()));
     return true;
   }
 
@@ -161,7 +194,7 @@ void TouchSearch<T, D>::find_samples(int block) {
   const double h = body.lattice.spacing;
   const T* phi = body.stage[0].get(Field::level_set);
   const auto add = [&](std::int64_t slot, const Cell<D>& cell, std::int32_t record) {
-    Sample sample{{{}, cell, 0}, record, phi[slot] / h};
+    Sample sample{{{}, cell, 0}, static_cast<std::int32_t>(slot), record, phi[slot] / h};
     for (int a = 0; a < D; ++a) {
       const T drift = body.stage[0].get(Field::displacement, a)[slot];
       sample.site.position[a] = in_first_period<D>(cell[a] + drift / h, body.lattice, a);
@@ -211,12 +244,14 @@ void TouchSearch<T, D>::gather(int body) {
   surface.lower.fill(infinity);
   surface.upper.fill(-infinity);
   surface.is_near_another = false;
+  surface.slot.clear();
   surface.record.clear();
   surface.level_set.clear();
   for (std::size_t b = 0; b < samples_.size(); ++b) {
     if (state_.blocks[b].body != body) continue;
     for (Sample& sample : samples_[b]) {
       sample.site.slot = static_cast<std::int32_t>(surface.record.size());
+      surface.slot.push_back(sample.slot);
       surface.record.push_back(sample.record);
       surface.level_set.push_back(sample.level_set);
       for (int a = 0; a < D; ++a) {
@@ -250,6 +285,7 @@ void TouchSearch<T, D>::find_touches(int block) {
   BlockGhosts<T, D>& ghosts = state_.bodies[owner].population.ghosts[local];
   BodyTouches<T, D>& touches = ghosts.touches;
   touches.clear();
+  ghosts.bonds.clear();
   if (!surfaces_[owner].is_near_another) return;
   thread_local Partner partner;
   for (std::size_t g = 0; g < ghosts.slot.size(); ++g) {
@@ -291,7 +327,8 @@ void TouchSearch<T, D>::find_touch(int block, std::int32_t ghost, Partner& partn
   const auto gap_to = [&](int contact) {
     const int other = other_body(contact, owner);
     if (!surfaces_[other].is_near_another) return clearly_apart;
-    const double gap = partner.gap(surfaces_[other], state_.bodies[other].lattice, x);
+    const double gap =
+        partner.gap(surfaces_[other], state_.bodies[other].lattice, x, clearly_apart);
     const bool bonded = contacts_[contact].kind == ContactCase::Kind::bonded;
     return gap < (bonded ? bonded_gap : touching_gap) ? gap : clearly_apart;
   };
@@ -304,7 +341,12 @@ void TouchSearch<T, D>::find_touch(int block, std::int32_t ghost, Partner& partn
     nearest = contact;
   }
   if (nearest < 0) return;
-  if (nearest != contacts_of_[owner].back()) gap_to(nearest);  // the partner's fits were another's
+  const int other = other_body(nearest, owner);
+  if (contacts_[nearest].kind == ContactCase::Kind::bonded &&
+      partner.add_bond(ghosts, ghost, surfaces_[other], body, state_.bodies[other], other, x)) {
+    return;
+  }
+  gap_to(nearest);  // the partner's fits were others
   if (!partner.add_to(ghosts.touches)) return;
   const double distance = body.stage[0].get(Field::level_set)[ghosts.slot[ghost]] / h;
   ghosts.touches.ghost.push_back(ghost);

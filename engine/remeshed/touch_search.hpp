@@ -27,15 +27,15 @@ class TouchSearch {
   /// A surface particle with a record, or a ghost (record -1).
   struct Sample {
     Site<D> site;
-    std::int32_t record;
+    std::int32_t slot, record;
     double level_set;  ///< [h]
   };
   /// Samples of one body.
   struct Surface {
     Point<D> lower, upper;  ///< of the places, as those of sites
-    std::vector<std::int32_t> record;
+    std::vector<std::int32_t> slot, record;
     std::vector<double> level_set;
-    CellList<D> cells;  ///< the slot of a site is its place in the two lists above
+    CellList<D> cells;  ///< the slot of a site is its place in the lists above
     bool is_near_another = false;
 
     /// Whether a place lies in the box, or within `margin` of it [h].
