@@ -113,12 +113,12 @@ class TouchSearch<T, D>::Partner {
     const double own_distance = body.stage[0].get(Field::level_set)[slot] / h;
     const double distance = gap(surface, other_body.lattice, x);
     if (distance >= own_distance || distance < -0.5 * own_distance) return false;
-    // Not those ghosts of the other body that are bonded to this one.
+    // Not those ghosts of the other body that are bonded to this one, with half a cell to spare.
     Position<D> to_foot;
     for (int a = 0; a < D; ++a) to_foot[a] = (foot[a] - x[a]) / h;
     const auto is_bonded = [&](const FitParticle<D>& q) {
       return surface.record[q.slot] < 0 &&
-             (q.position - to_foot).norm() < q.surface_distance + 0.05;
+             (q.position - to_foot).norm() < q.surface_distance + 0.5;
     };
     around_.erase(std::remove_if(around_.begin(), around_.end(), is_bonded), around_.end());
     if (!fit(around_)) return false;
