@@ -5,7 +5,7 @@
 #include <limits>
 
 #include "engine/remeshed/resources.hpp"
-#include "engine/remeshed/surface_fits.hpp"
+#include "engine/remeshed/touch_partner.hpp"
 
 namespace pliant::remeshed {
 
@@ -14,11 +14,9 @@ namespace {
 using scheduler::Phase;
 using scheduler::Reach;
 
-constexpr double fit_radius = 2.6;  // [h], as that of ghosts
 // How far apart pressed surfaces may stand [h]: none of it would let the noise of phi open a
 // surface that is pressed, more touches too early, which costs energy.
-constexpr double touching_gap = 0.01;
-constexpr double unlimited = std::numeric_limits<double>::infinity();
+constexpr double pressed_gap = 0.01;
 constexpr double clearly_apart = 1;  // [h], where no fit is needed to tell
 constexpr double bonded_gap = 0.5;   // [h]: the sides of a bonded body carry no load
 
@@ -32,119 +30,7 @@ double surface_share(double distance) {
   return 3 * (hat(distance, 1) - hat(distance, 2)) + hat(distance, 3);
 }
 
-/// A place over h, in periodic directions in the first period.
-template <int D>
-double in_first_period(double x, const Lattice<D>& lattice, int axis) {
-  const std::int32_t n = lattice.period[axis];
-  return n == 0 ? x : x - n * std::floor(x / n);
-}
-
-/// A point as sites have it.
-template <int D>
-Point<D> place(const Point<D>& x, const Lattice<D>& lattice) {
-  Point<D> at;
-  for (int a = 0; a < D; ++a) {
-    at[a] = in_first_period<D>((x[a] - lattice.origin[a]) / lattice.spacing - 0.5, lattice, a);
-  }
-  return at;
-}
-
 }  // namespace
-
-/// Fits of another body about a foot point. Kept by each thread, so that a warm search allocates
-/// nothing.
-template <class T, int D>
-class TouchSearch<T, D>::Partner {
- public:
-  /// The gap to the body's surface at x [h], as its level set tells; infinity where there is too
-  /// little of the body.
-  double gap(const Surface& surface, const Lattice<D>& lattice, const Point<D>& x,
-             double farthest = unlimited) {
-    constexpr double none = std::numeric_limits<double>::infinity();
-    surface_ = &surface;
-    particles_.clear();
-    around_.clear();
-    const Point<D> at = place<D>(x, lattice);
-    if (!surface.holds(at, lattice, 0)) return none;
-    double nearest = fit_radius, beyond = 0;  // the nearest sample, and its bound of the gap
-    surface.cells.any_near(at, [&](const Site<D>& site, const Cell<D>& shift) {
-      Position<D> r;
-      for (int a = 0; a < D; ++a) r[a] = site.position[a] + shift[a] - at[a];
-      const double fraction = r.squaredNorm() / (fit_radius * fit_radius);
-      if (fraction >= 1) return false;
-      const FitParticle<D> sample{site.slot, (1 - fraction) * (1 - fraction),
-                                  surface.level_set[site.slot], r};
-      if (const double distance = r.norm(); distance < nearest) {
-        nearest = distance;
-        beyond = sample.surface_distance - distance;
-      }
-      around_.push_back(sample);
-      if (surface.record[site.slot] >= 0) particles_.push_back(sample);
-      return false;
-    });
-    if (beyond > farthest || around_.empty() || !fit(around_)) return none;
-    double gap = 0;
-    for (std::size_t i = 0; i < around_.size(); ++i) {
-      gap += coefficient_[i] * around_[i].surface_distance;
-    }
-    return gap;
-  }
-
-  /// Adds the fit of the body's surface particles there to the last of `touches`; false where they
-  /// do not determine it.
-  bool add_to(BodyTouches<T, D>& touches) {
-    if (!fit(particles_)) return false;
-    for (std::size_t i = 0; i < particles_.size(); ++i) {
-      touches.record.push_back(surface_->record[particles_[i].slot]);
-      touches.coefficient.push_back(static_cast<T>(coefficient_[i]));
-    }
-    touches.begin.push_back(static_cast<std::int64_t>(touches.record.size()));
-    return true;
-  }
-
-  /// Where the interface ends at a free surface, a ghost beyond it and not inside the other body:
-  /// adds the fit of the other body's particles and ghosts at the ghost. False elsewhere.
-  bool add_bond(BlockGhosts<T, D>& ghosts, std::int32_t ghost, const Surface& surface,
-                const Body<T, D>& body, const Body<T, D>& other_body, int other,
-                const Point<D>& foot) {
-    const double h = body.lattice.spacing;
-    const std::int32_t slot = ghosts.slot[ghost];
-    const Point<D> x = body.position(slot, body.population.layout.cell(slot));
-    const double own_distance = body.stage[0].get(Field::level_set)[slot] / h;
-    const double distance = gap(surface, other_body.lattice, x);
-    if (distance >= own_distance || distance < -0.5 * own_distance) return false;
-    // Not those ghosts of the other body that are bonded to this one, with half a cell to spare.
-    Position<D> to_foot;
-    for (int a = 0; a < D; ++a) to_foot[a] = (foot[a] - x[a]) / h;
-    const auto is_bonded = [&](const FitParticle<D>& q) {
-      return surface.record[q.slot] < 0 &&
-             (q.position - to_foot).norm() < q.surface_distance + 0.5;
-    };
-    around_.erase(std::remove_if(around_.begin(), around_.end(), is_bonded), around_.end());
-    if (!fit(around_)) return false;
-    BodyBonds<T>& bonds = ghosts.bonds;
-    bonds.ghost.push_back(ghost);
-    bonds.body.push_back(other);
-    for (std::size_t i = 0; i < around_.size(); ++i) {
-      bonds.slot.push_back(surface.slot[around_[i].slot]);
-      bonds.coefficient.push_back(static_cast<T>(coefficient_[i]));
-    }
-    bonds.begin.push_back(static_cast<std::int64_t>(bonds.slot.size()));
-    return true;
-  }
-
- private:
-  bool fit(const FitParticles<D>& particles) {
-    const FitSite<D> site = {Position<D>::Zero(), Position<D>::Zero(), 0};
-    coefficient_.clear();
-    at_foot_.clear();
-    return fit_in_all_directions<D>(particles, site, coefficient_, at_foot_);
-  }
-
-  const Surface* surface_ = nullptr;
-  FitParticles<D> particles_, around_;
-  std::vector<double> coefficient_, at_foot_;
-};
 
 template <class T, int D>
 TouchSearch<T, D>::TouchSearch(State<T, D>& state, const std::vector<ContactCase>& contacts)
@@ -223,11 +109,11 @@ void TouchSearch<T, D>::sort_samples() {
     for (const int body : contact.bodies) surfaces_[body].is_near_another = true;
   }
   for (std::size_t body = 0; body < surfaces_.size(); ++body) {
-    Surface& surface = surfaces_[body];
+    SurfaceSamples<D>& surface = surfaces_[body];
     if (!surface.is_near_another) continue;
     const std::size_t count = surface.record.size();
     surface.cells.cover(surface.lower, surface.upper, state_.bodies[body].lattice.period,
-                        fit_radius, count);
+                        touch_radius, count);
     surface.cells.sort(count, [&](auto&& f) {
       for (std::size_t b = 0; b < samples_.size(); ++b) {
         if (state_.blocks[b].body != static_cast<int>(body)) continue;
@@ -240,7 +126,7 @@ void TouchSearch<T, D>::sort_samples() {
 template <class T, int D>
 void TouchSearch<T, D>::gather(int body) {
   constexpr double infinity = std::numeric_limits<double>::infinity();
-  Surface& surface = surfaces_[body];
+  SurfaceSamples<D>& surface = surfaces_[body];
   surface.lower.fill(infinity);
   surface.upper.fill(-infinity);
   surface.is_near_another = false;
@@ -265,8 +151,8 @@ void TouchSearch<T, D>::gather(int body) {
 // Boxes hold ghosts, so that bodies whose boxes are apart are far from touching.
 template <class T, int D>
 bool TouchSearch<T, D>::are_near(const ContactCase& contact) const {
-  const Surface& first = surfaces_[contact.bodies[0]];
-  const Surface& second = surfaces_[contact.bodies[1]];
+  const SurfaceSamples<D>& first = surfaces_[contact.bodies[0]];
+  const SurfaceSamples<D>& second = surfaces_[contact.bodies[1]];
   const Lattice<D>& lattice = state_.bodies[contact.bodies[0]].lattice;
   const Lattice<D>& other = state_.bodies[contact.bodies[1]].lattice;
   for (int a = 0; a < D; ++a) {
@@ -287,11 +173,11 @@ void TouchSearch<T, D>::find_touches(int block) {
   touches.clear();
   ghosts.bonds.clear();
   if (!surfaces_[owner].is_near_another) return;
-  thread_local Partner partner;
+  thread_local TouchPartner<T, D> partner;
   for (std::size_t g = 0; g < ghosts.slot.size(); ++g) {
     // Fits about a wall tell no traction of the free surface.
     if (ghosts.wall[g] >= 0 || ghosts.surface_sum[g] < T(0.5)) continue;
-    find_touch(block, static_cast<std::int32_t>(g), partner);
+    find_touch(owner, ghosts, static_cast<std::int32_t>(g), partner);
   }
   touches.traction.resize(touches.ghost.size());
 }
@@ -311,42 +197,46 @@ bool TouchSearch<T, D>::may_touch(int owner, const BlockGhosts<T, D>& ghosts,
     const int other = other_body(contact, owner);
     const Lattice<D>& lattice = state_.bodies[other].lattice;
     return surfaces_[other].is_near_another &&
-           surfaces_[other].holds(place<D>(x, lattice), lattice, fit_radius);
+           surfaces_[other].holds(place<D>(x, lattice), lattice, touch_radius);
   });
 }
 
-// The nearest of the bodies that may touch there.
+// The gap that counts, [h]; `clearly_apart` where the bodies of the contact do not touch.
 template <class T, int D>
-void TouchSearch<T, D>::find_touch(int block, std::int32_t ghost, Partner& partner) {
-  const auto [owner, local] = state_.blocks[block];
-  Body<T, D>& body = state_.bodies[owner];
-  BlockGhosts<T, D>& ghosts = body.population.ghosts[local];
-  const double h = body.lattice.spacing;
+double TouchSearch<T, D>::touching_gap(int contact, int owner, const Point<D>& x,
+                                       TouchPartner<T, D>& partner) const {
+  const int other = other_body(contact, owner);
+  if (!surfaces_[other].is_near_another) return clearly_apart;
+  const double gap = partner.gap(surfaces_[other], state_.bodies[other].lattice, x, clearly_apart);
+  const bool bonded = contacts_[contact].kind == ContactCase::Kind::bonded;
+  return gap < (bonded ? bonded_gap : pressed_gap) ? gap : clearly_apart;
+}
+
+// Touches the nearest of the bodies that it may touch.
+template <class T, int D>
+void TouchSearch<T, D>::find_touch(int owner, BlockGhosts<T, D>& ghosts, std::int32_t ghost,
+                                   TouchPartner<T, D>& partner) const {
   if (!may_touch(owner, ghosts, ghost)) return;
+  const Body<T, D>& body = state_.bodies[owner];
+  const double h = body.lattice.spacing;
   const Point<D> x = foot_point(body, ghosts, ghost);
-  const auto gap_to = [&](int contact) {
-    const int other = other_body(contact, owner);
-    if (!surfaces_[other].is_near_another) return clearly_apart;
-    const double gap =
-        partner.gap(surfaces_[other], state_.bodies[other].lattice, x, clearly_apart);
-    const bool bonded = contacts_[contact].kind == ContactCase::Kind::bonded;
-    return gap < (bonded ? bonded_gap : touching_gap) ? gap : clearly_apart;
-  };
   int nearest = -1;
   double least = clearly_apart;
   for (const int contact : contacts_of_[owner]) {
-    const double gap = gap_to(contact);
+    const double gap = touching_gap(contact, owner, x, partner);
     if (gap >= least) continue;
     least = gap;
     nearest = contact;
   }
   if (nearest < 0) return;
   const int other = other_body(nearest, owner);
-  if (contacts_[nearest].kind == ContactCase::Kind::bonded &&
-      partner.add_bond(ghosts, ghost, surfaces_[other], body, state_.bodies[other], other, x)) {
+  const bool bonded = contacts_[nearest].kind == ContactCase::Kind::bonded;
+  if (bonded &&
+      partner.add_bond(body, ghosts, ghost, x, state_.bodies[other], other, surfaces_[other])) {
     return;
   }
-  gap_to(nearest);  // the partner's fits were others
+  // The partner may have looked at another body or place since.
+  if (bonded || nearest != contacts_of_[owner].back()) touching_gap(nearest, owner, x, partner);
   if (!partner.add_to(ghosts.touches)) return;
   const double distance = body.stage[0].get(Field::level_set)[ghosts.slot[ghost]] / h;
   ghosts.touches.ghost.push_back(ghost);

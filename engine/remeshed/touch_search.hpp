@@ -2,11 +2,14 @@
 
 #include <vector>
 
-#include "engine/lattice/cell_list.hpp"
 #include "engine/remeshed/state.hpp"
+#include "engine/remeshed/surface_samples.hpp"
 #include "scheduler/phase.hpp"
 
 namespace pliant::remeshed {
+
+template <class T, int D>
+class TouchPartner;
 
 /// Finds where bodies touch, (RP.69), at the start of each step: particles of different bodies keep
 /// no places to each other, so that they are searched for in space. Three phases:
@@ -30,24 +33,6 @@ class TouchSearch {
     std::int32_t slot, record;
     double level_set;  ///< [h]
   };
-  /// Samples of one body.
-  struct Surface {
-    Point<D> lower, upper;  ///< of the places, as those of sites
-    std::vector<std::int32_t> slot, record;
-    std::vector<double> level_set;
-    CellList<D> cells;  ///< the slot of a site is its place in the lists above
-    bool is_near_another = false;
-
-    /// Whether a place lies in the box, or within `margin` of it [h].
-    bool holds(const Point<D>& at, const Lattice<D>& lattice, double margin) const {
-      for (int a = 0; a < D; ++a) {
-        if (lattice.period[a] != 0) continue;
-        if (at[a] < lower[a] - margin || at[a] > upper[a] + margin) return false;
-      }
-      return true;
-    }
-  };
-  class Partner;
 
   void find_samples(int block);
   void sort_samples();
@@ -59,7 +44,9 @@ class TouchSearch {
   }
   void find_touches(int block);
   bool may_touch(int owner, const BlockGhosts<T, D>& ghosts, std::int32_t ghost) const;
-  void find_touch(int block, std::int32_t ghost, Partner& partner);
+  double touching_gap(int contact, int owner, const Point<D>& x, TouchPartner<T, D>& partner) const;
+  void find_touch(int owner, BlockGhosts<T, D>& ghosts, std::int32_t ghost,
+                  TouchPartner<T, D>& partner) const;
   Point<D> foot_point(const Body<T, D>& body, const BlockGhosts<T, D>& ghosts,
                       std::int32_t ghost) const;
 
@@ -67,7 +54,7 @@ class TouchSearch {
   const std::vector<ContactCase>& contacts_;
   std::vector<std::vector<int>> contacts_of_;  ///< [body] those that it is part of
   std::vector<std::vector<Sample>> samples_;   ///< [block]
-  std::vector<Surface> surfaces_;              ///< [body]
+  std::vector<SurfaceSamples<D>> surfaces_;    ///< [body]
 };
 
 extern template class TouchSearch<double, 2>;

@@ -111,10 +111,10 @@ TEST(convergence, colliding_discs_keep_their_energy_at_first_order) {
 /// Errors of the amplitudes that a bonded interface passes and returns, over the incoming one.
 std::array<double, 2> interface_errors(int cells) {
   const double h = 1. / cells;
-  const Settings settings = {
-      fmt::format("discretisation.spacing={}", h), fmt::format("periodic.upper=[inf, {}]", 8 * h),
-      fmt::format("measurement.reflected.point=[-0.25, {}]", 4 * h),
-      fmt::format("measurement.transmitted.point=[0.125, {}]", 4 * h)};
+  const Settings settings = {fmt::format("discretisation.spacing={}", h),
+                             fmt::format("periodic.upper=[inf, {}]", 8 * h),
+                             fmt::format("measurement.reflected.point=[-0.25, {}]", 4 * h),
+                             fmt::format("measurement.transmitted.point=[0.125, {}]", 4 * h)};
   const Case bar = small_case("bimaterial_bar", settings);
   EXPECT_EQ(bar.measurements[0].name, "reflected");
   EXPECT_EQ(bar.measurements[1].name, "transmitted");
