@@ -72,6 +72,8 @@ void fill_ghosts(Body<T, D>& body, int block, int stage, int parity,
   const BodyTouches<T, D>& touches = ghosts.touches;
   std::size_t touch = 0;
   for (std::size_t g = 0; g < count; ++g) {
+    while (touch < touches.ghost.size() && touches.ghost[touch] < static_cast<std::int32_t>(g))
+      ++touch;
     if (ghosts.active[g] == 0) continue;
     const kernels::GhostFits<T, D> fits = ghosts.fits(g);
     kernels::GhostState<T, D> ghost;
@@ -88,7 +90,7 @@ void fill_ghosts(Body<T, D>& body, int block, int stage, int parity,
     } else if (touch < touches.ghost.size() &&
                touches.ghost[touch] == static_cast<std::int32_t>(g)) {
       const auto n = kernels::unit_normal<T, D>(fits.linear);
-      kernels::SurfaceLoad<T, D> load{n, 0, touches.traction[touch++]};
+      kernels::SurfaceLoad<T, D> load{n, 0, touches.traction[touch]};
       for (int a = 0; a < D; ++a) load.normal += load.shear[a] * n[a];
       for (int a = 0; a < D; ++a) load.shear[a] -= load.normal * n[a];
       ghost = kernels::loaded_surface_ghost<T, D>(fits, load, impedance);
