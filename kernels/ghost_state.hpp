@@ -109,23 +109,43 @@ struct GhostFits {
   T surface_sum;      ///< sum_i a_gi
 };
 
-/// (RP.34), (RP.44). `pressure` acts on the surface.
+/// Traction on a surface: its part along the normal n and the rest.
 template <class T, int D>
-GhostState<T, D> free_surface_ghost(const GhostFits<T, D>& fits, T pressure,
-                                    const Impedance<T>& impedance) {
-  const VectorOf<T, D> n = unit_normal<T, D>(fits.linear);
+struct SurfaceLoad {
+  VectorOf<T, D> n;
+  T normal;
+  VectorOf<T, D> shear;
+};
+
+/// (RP.34), (RP.44) of a surface under `load`.
+template <class T, int D>
+GhostState<T, D> loaded_surface_ghost(const GhostFits<T, D>& fits, const SurfaceLoad<T, D>& load,
+                                      const Impedance<T>& impedance) {
+  const VectorOf<T, D>& n = load.n;
+  const T of_load = 1 - fits.constrained_sum;
   VectorOf<T, D> s_n;
-  const T s_nn = traction<T, D>(fits.constrained, n, s_n) - pressure * (1 - fits.constrained_sum);
-  const T excess = traction<T, D>(fits.surface, n, s_n) + pressure * fits.surface_sum;
-  const VectorOf<T, D> tau = shear<T, D>(fits.surface, n);
+  const T s_nn = traction<T, D>(fits.constrained, n, s_n) + load.normal * of_load;
+  const T excess = traction<T, D>(fits.surface, n, s_n) - load.normal * fits.surface_sum;
+  VectorOf<T, D> tau = shear<T, D>(fits.constrained, n);
+  VectorOf<T, D> excess_tau = shear<T, D>(fits.surface, n);
   GhostState<T, D> ghost;
 #pragma GCC unroll 3
   for (int i = 0; i < D; ++i) {
+    tau[i] += load.shear[i] * of_load;
+    excess_tau[i] -= load.shear[i] * fits.surface_sum;
     ghost.velocity[i] = fits.linear.velocity(i) - excess / impedance.pressure_wave * n[i] -
-                        tau[i] / impedance.shear_wave;
+                        excess_tau[i] / impedance.shear_wave;
   }
-  ghost.stress = with_traction<T, D>(fits.linear, n, s_nn, shear<T, D>(fits.constrained, n));
+  ghost.stress = with_traction<T, D>(fits.linear, n, s_nn, tau);
   return ghost;
+}
+
+/// The same of a free surface; `pressure` acts on it.
+template <class T, int D>
+GhostState<T, D> free_surface_ghost(const GhostFits<T, D>& fits, T pressure,
+                                    const Impedance<T>& impedance) {
+  return loaded_surface_ghost<T, D>(fits, {unit_normal<T, D>(fits.linear), -pressure, {}},
+                                    impedance);
 }
 
 /// (RP.38): P Sbar P - p I with the ambient pressure `pressure`.

@@ -110,6 +110,13 @@ void body_keys(Visitor& visit, BodyCase& body) {
          .example = "{ centre = [0, 0], angular_velocity = 1 }"});
 }
 
+template <class Visitor>
+void contact_keys(Visitor& visit, ContactCase& contact) {
+  visit("bodies", BodyPair{contact.bodies},
+        {.meaning = "the two that meet", .example = R"(["left", "right"])", .required = true});
+  visit("kind", contact.kind, {.meaning = "what they do there", .example = R"("frictionless")"});
+}
+
 inline BoundaryWord word_of(const BoundaryCase& boundary) {
   if (boundary.kind == BoundaryCase::Kind::slip_wall) return BoundaryWord::slip_wall;
   if (boundary.kind == BoundaryCase::Kind::contact_wall) return BoundaryWord::contact_wall;

@@ -85,6 +85,13 @@ struct BoundaryCase {
   Expression pressure;                         ///< of t, positive pushes on the body [Pa]
 };
 
+/// What two bodies do to each other where they meet; bodies in no contact pass through each other.
+struct ContactCase {
+  enum class Kind { frictionless, sticking, bonded };
+  std::array<int, 2> bodies = {-1, -1};
+  Kind kind = Kind::frictionless;
+};
+
 struct MeasurementCase {
   enum class Kind {
     extent,       ///< farthest free surface along an axis, minus `reference`
@@ -182,6 +189,7 @@ struct Case {
 
   std::vector<BodyCase> bodies;
   std::vector<BoundaryCase> boundaries;
+  std::vector<ContactCase> contacts;
   std::vector<MeasurementCase> measurements;
 
   struct {

@@ -6,33 +6,34 @@
 #include <cmath>
 #include <set>
 
+#include "engine/case/check.hpp"
 #include "engine/case/words.hpp"
 #include "engine/geometry/signed_distance.hpp"
 
 namespace pliant {
+
+bool is_whole(const Shape& shape, int dimension) {
+  switch (shape.kind) {
+    case Shape::Kind::box:
+      for (int i = 0; i < dimension; ++i) {
+        if (!(shape.lower[i] < shape.upper[i])) return false;
+      }
+      return true;
+    case Shape::Kind::ball:
+    case Shape::Kind::cylinder:
+      return shape.radius > 0;
+    case Shape::Kind::half_space:
+      return shape.normal != Vector{};
+    case Shape::Kind::mesh:
+      return shape.mesh != nullptr;
+    default:
+      return !shape.operands.empty() &&
+             std::all_of(shape.operands.begin(), shape.operands.end(),
+                         [dimension](const Shape& part) { return is_whole(part, dimension); });
+  }
+}
+
 namespace {
-
-struct Check {
-  const Case& a_case;
-  const toml::table& root;
-  const Place& start;
-  Problems& problems;
-
-  /// The place of [table] key, else of the table, else the start of the file.
-  Place place(std::string_view table, std::string_view key) const {
-    return place_in(root[table], key);
-  }
-
-  /// The same in element `index` of [[list]].
-  Place place(std::string_view list, std::size_t index, std::string_view key) const {
-    return place_in(root[list][index], key);
-  }
-
-  Place place_in(toml::node_view<const toml::node> table, std::string_view key) const {
-    if (table[key]) return place_of(*table[key].node());
-    return table ? place_of(*table.node()) : start;
-  }
-};
 
 std::string_view axis_name(int axis) { return words<Axis>[axis].text; }
 
@@ -73,28 +74,6 @@ void check_extent(const Check& check, std::size_t index, int axis, const Box& bo
         fmt::format("spacing {} is larger than body \"{}\", which is {} wide along {}", spacing,
                     name, extent, axis_name(axis)),
         fmt::format("take {} for ten particles across it", extent / 10));
-  }
-}
-
-/// False for a shape that was not read, whose messages are already there.
-bool is_whole(const Shape& shape, int dimension) {
-  switch (shape.kind) {
-    case Shape::Kind::box:
-      for (int i = 0; i < dimension; ++i) {
-        if (!(shape.lower[i] < shape.upper[i])) return false;
-      }
-      return true;
-    case Shape::Kind::ball:
-    case Shape::Kind::cylinder:
-      return shape.radius > 0;
-    case Shape::Kind::half_space:
-      return shape.normal != Vector{};
-    case Shape::Kind::mesh:
-      return shape.mesh != nullptr;
-    default:
-      return !shape.operands.empty() &&
-             std::all_of(shape.operands.begin(), shape.operands.end(),
-                         [dimension](const Shape& part) { return is_whole(part, dimension); });
   }
 }
 
@@ -179,7 +158,8 @@ void check_contact_walls(const Check& check) {
                        fmt::format("contact wall \"{}\" is no half_space", boundaries[i].name),
                        "give a half_space; bodies touch plane walls only");
   }
-  if (any && check.a_case.remeshing.policy != decltype(Case::remeshing)::Policy::every) {
+  if (any && check.a_case.method == Method::remeshed &&
+      check.a_case.remeshing.policy != decltype(Case::remeshing)::Policy::every) {
     check.problems.add(check.place("remeshing", "every"),
                        "contact walls need a fixed number of steps between remeshings",
                        "write every = 10 in [remeshing]");
@@ -283,15 +263,15 @@ void check_undeformed_body(const Check& check, std::size_t i) {
                        "method total_lagrangian takes materials without prony");
   }
   if (body.stretch != Vector{1, 1, 1}) {
-    check.problems.add(check.place("body", i, "stretch"),
-                       fmt::format("body \"{}\" starts stretched", body.name),
-                       "method total_lagrangian starts from rest: let walls or pressure stretch it");
+    check.problems.add(
+        check.place("body", i, "stretch"), fmt::format("body \"{}\" starts stretched", body.name),
+        "method total_lagrangian starts from rest: let walls or pressure stretch it");
   }
 }
 
 void check_total_lagrangian(const Check& check) {
   const Case& a_case = check.a_case;
-  refuse_tables(check, {"remeshing", "level_set", "ghosts", "periodic"});
+  refuse_tables(check, {"remeshing", "level_set", "ghosts", "periodic", "contact"});
   for (std::size_t i = 0; i < a_case.bodies.size(); ++i) check_undeformed_body(check, i);
   for (std::size_t i = 0; i < a_case.boundaries.size(); ++i) {
     if (a_case.boundaries[i].kind != BoundaryCase::Kind::contact_wall) continue;
@@ -334,6 +314,7 @@ void check_case(const Case& a_case, const toml::table& root, const Place& start,
   check_times(check);
   check_contact_walls(check);
   check_operators(check);
+  check_contacts(check);
   check_measurements(check);
 }
 

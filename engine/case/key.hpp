@@ -72,6 +72,9 @@ struct AngularVelocity {  ///< a number in 2D, a vector in 3D
 struct BodyName {
   int& index;
 };
+struct BodyPair {  ///< the names of two bodies
+  std::array<int, 2>& indices;
+};
 struct BoundaryName {
   int& index;
 };

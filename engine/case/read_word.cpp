@@ -94,6 +94,19 @@ bool read(const Entry& entry, BodyName value) {
   return read_reference(entry, entry.reading.body_names, "body", value.index);
 }
 
+bool read(const Entry& entry, BodyPair value) {
+  const toml::array* list = entry.node.as_array();
+  if (!list || list->size() != value.indices.size()) {
+    return entry.refuse("must be a list of two names of bodies, found " + describe(entry.node));
+  }
+  for (std::size_t i = 0; i < value.indices.size(); ++i) {
+    const Entry element{entry.key, *list->get(i), entry.notes, entry.reading};
+    if (!read(element, BodyName{value.indices[i]})) return false;
+  }
+  if (value.indices[0] != value.indices[1]) return true;
+  return entry.refuse("names the same body twice", "name two bodies; nothing touches itself");
+}
+
 bool read(const Entry& entry, BoundaryName value) {
   return read_reference(entry, entry.reading.boundary_names, "boundary", value.index);
 }

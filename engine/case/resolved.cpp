@@ -142,6 +142,11 @@ std::string toml_text(BodyName value, const Writing& writing) {
   return name_at(writing.a_case.bodies, value.index, writing);
 }
 
+std::string toml_text(BodyPair value, const Writing& writing) {
+  return fmt::format("[{}, {}]", name_at(writing.a_case.bodies, value.indices[0], writing),
+                     name_at(writing.a_case.bodies, value.indices[1], writing));
+}
+
 std::string toml_text(BoundaryName value, const Writing& writing) {
   return name_at(writing.a_case.boundaries, value.index, writing);
 }

@@ -38,6 +38,7 @@ inline std::string type_of(const AxisSet&) { return "list of axes"; }
 inline std::string type_of(const Direction&) { return "vector, of any length"; }
 inline std::string type_of(const AngularVelocity&) { return "number or vector"; }
 inline std::string type_of(const BodyName&) { return "name of a body"; }
+inline std::string type_of(const BodyPair&) { return "list of two names of bodies"; }
 inline std::string type_of(const BoundaryName&) { return "name of a boundary"; }
 inline std::string type_of(const MeasurementName&) { return "name of a measurement"; }
 inline std::string type_of(const FieldName&) { return "name of a field"; }

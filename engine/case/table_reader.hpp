@@ -61,6 +61,7 @@ bool read(const Entry& entry, AxisSet value);
 bool read(const Entry& entry, Direction value);
 bool read(const Entry& entry, AngularVelocity value);
 bool read(const Entry& entry, BodyName value);
+bool read(const Entry& entry, BodyPair value);
 bool read(const Entry& entry, BoundaryName value);
 bool read(const Entry& entry, MeasurementName value);
 bool read(const Entry& entry, FieldName value);

@@ -40,6 +40,7 @@ std::string toml_text(AxisSet value, const Writing&);
 std::string toml_text(Direction value, const Writing&);
 std::string toml_text(AngularVelocity value, const Writing&);
 std::string toml_text(BodyName value, const Writing&);
+std::string toml_text(BodyPair value, const Writing&);
 std::string toml_text(BoundaryName value, const Writing&);
 std::string toml_text(MeasurementName value, const Writing&);
 std::string toml_text(FieldName value, const Writing&);

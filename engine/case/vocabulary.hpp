@@ -193,6 +193,9 @@ void case_keys(Visitor& visit, Case& a_case) {
              a_case.bodies, [](auto& keys, BodyCase& body) { body_keys(keys, body); });
   visit.list("boundary", "A wall, or a pressure on a part of the free surface.", a_case.boundaries,
              [](auto& keys, BoundaryCase& boundary) { boundary_keys(keys, boundary); });
+  visit.list(
+      "contact", "Two bodies that feel each other; without it bodies pass through each other.",
+      a_case.contacts, [](auto& keys, ContactCase& contact) { contact_keys(keys, contact); });
   visit.table("output", "What is written, and how often.",
               [&](auto& keys) { output_keys(keys, a_case.output); });
   visit.list("measurement",

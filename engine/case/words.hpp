@@ -114,6 +114,13 @@ inline constexpr std::array words<BoundaryCase::Friction>{
     word(BoundaryCase::Friction::sticking, "sticking", "what touches sticks (RP.35)")};
 
 template <>
+inline constexpr std::array words<ContactCase::Kind>{
+    word(ContactCase::Kind::frictionless, "frictionless", "they push and slide (RP.65)"),
+    word(ContactCase::Kind::sticking, "sticking", "they push, and stick as long as they do"),
+    word(ContactCase::Kind::bonded, "bonded",
+         "one interface for good, whose materials stay apart")};
+
+template <>
 inline constexpr std::array words<MeasurementCase::Kind>{
     word(MeasurementCase::Kind::extent, "extent",
          "farthest point of the free surface along an axis"),

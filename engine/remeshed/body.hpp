@@ -18,6 +18,48 @@ namespace pliant::remeshed {
 using kernels::Kind;
 using kernels::PackState;
 
+/// Where ghosts of one block touch other bodies in the present step, and what they feel.
+template <class T, int D>
+struct BodyTouches {
+  std::vector<std::int32_t> ghost;    ///< in the order of the ghosts
+  std::vector<std::int32_t> contact;  ///< of the case
+  std::vector<T> gap;   ///< to the other body's surface, negative where they overlap [m]
+  std::vector<T> area;  ///< share of the surface, (RP.67) [m^(D-1)]
+  std::vector<std::int64_t> begin;         ///< [touch + 1] into the two below
+  std::vector<std::int32_t> record;        ///< of the other body
+  std::vector<T> coefficient;              ///< of its linear fit at the foot point
+  std::vector<std::array<T, D>> traction;  ///< on this body, (RP.65) [Pa]
+
+  void clear() {
+    ghost.clear();
+    contact.clear();
+    gap.clear();
+    area.clear();
+    begin.assign(1, 0);
+    record.clear();
+    coefficient.clear();
+    traction.clear();
+  }
+};
+
+/// Ghosts of one block that take the state of another body as it is, (RP.66).
+template <class T>
+struct BodyBonds {
+  std::vector<std::int32_t> ghost;
+  std::vector<std::int32_t> body;   ///< the other
+  std::vector<std::int64_t> begin;  ///< [bond + 1] into the two below
+  std::vector<std::int32_t> slot;   ///< of the other body
+  std::vector<T> coefficient;       ///< of its linear fit at the ghost
+
+  void clear() {
+    ghost.clear();
+    body.clear();
+    begin.assign(1, 0);
+    slot.clear();
+    coefficient.clear();
+  }
+};
+
 /// Ghosts of one block, and the surface particles of the block that ghosts anywhere read.
 template <class T, int D>
 struct BlockGhosts {
@@ -27,6 +69,7 @@ struct BlockGhosts {
   std::vector<std::uint8_t> reached;    ///< by the stencil of a particle; the others only drift
   std::vector<std::int8_t> pressure;    ///< acting at the foot point; -1: none
   std::vector<Point<D>> normal;         ///< of the wall
+  std::vector<Point<D>> foot;           ///< foot point at xi = 0 [m]
   std::vector<std::int64_t> begin;      ///< [ghost + 1] into the four below
   std::vector<std::int32_t> neighbour;  ///< slot of an interior particle
   std::vector<std::int32_t> record;     ///< of that particle
@@ -40,6 +83,8 @@ struct BlockGhosts {
   /// [contact] of the surface above the wall at xi = 0 and the wall's place at t = 0, (RP.50) [m]
   std::vector<double> contact_height;
   std::vector<double> contact_area;  ///< [contact] share of the wall, (RP.52) [m^(D-1)]
+  BodyTouches<T, D> touches;         ///< with other bodies
+  BodyBonds<T> bonds;                ///< at the ends of bonded interfaces
   std::vector<kernels::SurfacePack> packs;
   std::int32_t first_record = 0, record_count = 0;
   Buffer<T> sums;

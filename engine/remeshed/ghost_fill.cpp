@@ -84,7 +84,11 @@ void fill_ghosts(Body<T, D>& body, int block, int stage, int parity, WhichGhosts
   FieldStore<T, D>& state = body.stage[stage];
   const bool averaged = treatment == GhostTreatment::averaged;
   const kernels::Impedance<T> impedance(body.material);
+  const BodyTouches<T, D>& touches = ghosts.touches;
+  std::size_t touch = 0;
   for (std::size_t g = 0; g < ghosts.slot.size(); ++g) {
+    while (touch < touches.ghost.size() && touches.ghost[touch] < static_cast<std::int32_t>(g))
+      ++touch;
     if (ghosts.active[g] == 0) continue;
     if (which == WhichGhosts::reached && ghosts.reached[g] == 0) continue;
     const kernels::GhostFits<T, D> fits = ghosts.fits(g);
@@ -99,6 +103,13 @@ void fill_ghosts(Body<T, D>& body, int block, int stage, int parity, WhichGhosts
               : boundaries.walls[w].slips()
                   ? kernels::slip_wall_ghost<T, D>(fits, velocity, normal, impedance)
                   : kernels::wall_ghost<T, D>(fits, velocity, normal, impedance);
+    } else if (touch < touches.ghost.size() &&
+               touches.ghost[touch] == static_cast<std::int32_t>(g)) {
+      const auto n = kernels::unit_normal<T, D>(fits.linear);
+      kernels::SurfaceLoad<T, D> load{n, 0, touches.traction[touch]};
+      for (int a = 0; a < D; ++a) load.normal += load.shear[a] * n[a];
+      for (int a = 0; a < D; ++a) load.shear[a] -= load.normal * n[a];
+      ghost = kernels::loaded_surface_ghost<T, D>(fits, load, impedance);
     } else {
       const int p = ghosts.pressure[g];
       const T pressure = p < 0 ? T(0) : static_cast<T>(values.pressure[p]);

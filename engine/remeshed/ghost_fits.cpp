@@ -105,6 +105,7 @@ class GhostFitter {
     ghosts_.active.push_back(1);
     ghosts_.pressure.push_back(at_wall ? std::int8_t{-1} : pressure_at(foot));
     ghosts_.normal.push_back(normal);
+    ghosts_.foot.push_back(foot);
     if (treatment_ == GhostTreatment::averaged) {
       average(cell);
     } else {
@@ -294,6 +295,9 @@ void fit_ghosts(const Body<T, D>& body, Population<T, D>& population, const Fiel
   ghosts.contact_area.clear();
   ghosts.pressure.clear();
   ghosts.normal.clear();
+  ghosts.foot.clear();
+  ghosts.touches.clear();
+  ghosts.bonds.clear();
   ghosts.begin.assign(1, 0);
   ghosts.neighbour.clear();
   ghosts.linear.clear();

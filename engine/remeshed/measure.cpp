@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "engine/remeshed/body_momentum.hpp"
 #include "engine/remeshed/closest_pair.hpp"
 #include "engine/remeshed/interpolant.hpp"
 #include "engine/remeshed/point_state.hpp"
@@ -156,7 +157,11 @@ BodyIntegrals Measurer<T, D>::integrals(int body, const Vector& about) {
   const State<T, D>& state = solver_.state();
   const bool surface = solver_.remeshing(body).has_surface();
   if (!solver_.remeshes() || !surface) return sum_particles<T, D>(state.bodies[body], about);
-  return integrate<T, D>(nodes(body), state.boundaries, about);
+  BodyIntegrals sum = integrate<T, D>(nodes(body), state.boundaries, about);
+  if (state.books.empty()) return sum;
+  const Point<D> momentum = book_momentum<T, D>(state, body);
+  std::copy(momentum.begin(), momentum.end(), sum.momentum.begin());
+  return sum;
 }
 
 template <class T, int D>

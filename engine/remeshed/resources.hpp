@@ -44,6 +44,14 @@ inline constexpr FieldId lists = 44;          ///< neighbours that the stencil d
 inline constexpr FieldId contact = 45;        ///< which ghosts touch a contact wall, kinds
 inline constexpr FieldId impulse = 46;        ///< of contact walls on a block
 inline constexpr FieldId pair_stress = 47;    ///< of plain SPH
+inline constexpr FieldId surface_samples =
+    48;                                       ///< where a block's surface particles and ghosts are
+inline constexpr FieldId surface_cells = 49;  ///< the same of bodies, sorted by place
+inline constexpr FieldId touches = 50;        ///< ghosts that touch other bodies
+inline constexpr FieldId tractions = 51;      ///< there
+inline constexpr FieldId momentum = 52;       ///< of a block's particles
+inline constexpr FieldId books = 53;          ///< of bodies
+inline constexpr FieldId bonds = 54;          ///< ghosts at the ends of bonded interfaces
 
 inline std::vector<std::string> names() {
   std::vector<std::string> names;
@@ -78,7 +86,14 @@ inline std::vector<std::string> names() {
                              "neighbour lists",
                              "contact",
                              "wall impulse",
-                             "pair stress"});
+                             "pair stress",
+                             "surface samples",
+                             "surface cells",
+                             "touches",
+                             "tractions",
+                             "momentum",
+                             "books",
+                             "bonds"});
   return names;
 }
 

@@ -16,7 +16,7 @@ namespace {
 
 template <class T, int D>
 State<T, D> empty_state(const Case& settings) {
-  State<T, D> state{{}, Boundaries<D>(settings.boundaries), {}, {}, {}};
+  State<T, D> state{{}, Boundaries<D>(settings.boundaries), {}, {}, {}, {}};
   state.wall_impulse.resize(state.boundaries.walls.size());
   state.bodies.resize(settings.bodies.size());
   return state;
@@ -92,7 +92,10 @@ Solver<T, D>::Solver(const Case& settings, int threads, kernels::Isa isa)
   }
   scheduler::StepGraph initial(std::move(phases), blocks(true), resource::names());
   initial.run(workers_);
-  commit();
+  for (auto& remeshing : remeshings_) remeshing->commit();
+  number_blocks();
+  step_.momentum().open();
+  adopt();
 }
 
 template <class T, int D>
@@ -189,6 +192,11 @@ void Solver<T, D>::remesh_onto_spare(bool reinitialise, bool is_final) {
 template <class T, int D>
 void Solver<T, D>::commit() {
   for (auto& remeshing : remeshings_) remeshing->commit();
+  adopt();
+}
+
+template <class T, int D>
+void Solver<T, D>::adopt() {
   restored();
   run(graph_for(stress_graph_, false, [&] { return step_.stress_phases(); }));
   step_.fold();

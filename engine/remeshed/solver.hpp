@@ -84,6 +84,7 @@ class Solver {
   bool remeshing_due() const;
   void remesh_onto_spare(bool reinitialise, bool is_final);
   void commit();
+  void adopt();
   void number_blocks();
   void find_neighbours(double time_step);
   void add_strain(double time_step);

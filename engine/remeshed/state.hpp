@@ -25,12 +25,20 @@ struct BlockOwner {
   int body, block;
 };
 
+/// What a body in contact holds to, see body_momentum.hpp.
+template <int D>
+struct Book {
+  double mass = 0;         ///< at t = 0 [kg]
+  Point<D> momentum = {};  ///< [N s]
+};
+
 template <class T, int D>
 struct State {
   Clock clock;
   Boundaries<D> boundaries;
   std::vector<Point<D>> wall_impulse;  ///< [wall] of contact walls on the bodies, since t = 0 [N s]
   std::vector<Body<T, D>> bodies;
+  std::vector<Book<D>> books;  ///< [body], or none without contacts between bodies
   std::vector<BlockOwner> blocks;
 };
 

@@ -33,7 +33,11 @@ using scheduler::Reach;
 
 template <class T, int D>
 Step<T, D>::Step(State<T, D>& state, const Case& settings, const kernels::Table<T, D>& kernels)
-    : state_(state), settings_(settings), kernels_(kernels) {}
+    : state_(state),
+      settings_(settings),
+      kernels_(kernels),
+      contact_(state, settings, kernels),
+      momentum_(state, settings) {}
 
 template <class T, int D>
 std::vector<Phase> Step<T, D>::phases() {
@@ -43,6 +47,10 @@ std::vector<Phase> Step<T, D>::phases() {
     is_plain_sph() ? add_pair_stress(phases, stage)
                    : add_ghosts(phases, stage, WhichGhosts::reached);
     add_advance(phases, stage);
+  }
+  if (momentum_.is_needed()) {
+    momentum_.add_phases(
+        phases, [this]() -> const auto& { return contact_.fold(); });
   }
   return phases;
 }
@@ -57,13 +65,17 @@ std::vector<Phase> Step<T, D>::ghost_phases() {
 template <class T, int D>
 std::vector<Phase> Step<T, D>::stress_phases() {
   results_.assign(state_.blocks.size(), {0, 0, -1});
-  return {{"stress",
-           -1,
-           {{resource::material(0)}},
-           {{resource::stress(0)}},
-           Phase::Extent::per_block,
-           {},
-           [this](int block) { evaluate_stress(block); }}};
+  std::vector<Phase> phases = {{"stress",
+                                -1,
+                                {{resource::material(0)}},
+                                {{resource::stress(0)}},
+                                Phase::Extent::per_block,
+                                {},
+                                [this](int block) { evaluate_stress(block); }}};
+  if (momentum_.is_needed()) {
+    momentum_.add_phases(phases, {});
+  }
+  return phases;
 }
 
 template <class T, int D>
@@ -95,7 +107,12 @@ void Step<T, D>::add_ghosts(std::vector<Phase>& phases, int stage, WhichGhosts w
     each("contact", {{resource::records, Reach::neighbours}, {resource::drift(stage)}},
          {{resource::contact}}, &Step::decide_contact);
   }
+  if (contact_.is_needed()) {
+    if (stage == 0) contact_.add_search(phases);
+    contact_.add_tractions(phases, stage);
+  }
   std::vector<scheduler::Access> reads = {{resource::records, Reach::neighbours},
+                                          {resource::tractions},
                                           {resource::drift(stage), Reach::neighbours},
                                           {resource::velocity(stage), Reach::neighbours}};
   std::vector<scheduler::Access> writes = {{resource::ghosts(stage)}};
@@ -109,9 +126,11 @@ void Step<T, D>::add_ghosts(std::vector<Phase>& phases, int stage, WhichGhosts w
     if (stage >= 2) reads.insert(reads.end(), {{resource::ghosts(0)}, {resource::ghosts(1)}});
     each("ghosts", std::move(reads), std::move(writes), &Step::fill);
   }
+  if (contact_.is_bonded()) contact_.add_bonds(phases, stage);
   if (periodic()) {
     each("images",
          {{resource::velocity(stage), Reach::neighbours},
+          {resource::bonds, Reach::neighbours},
           {resource::stress(parity), Reach::neighbours},
           {resource::ghosts(stage), Reach::neighbours}},
          {{resource::images(stage)}}, &Step::copy_images);
@@ -167,12 +186,11 @@ template <class T, int D>
 void Step<T, D>::add_advance(std::vector<Phase>& phases, int stage, Reach reach,
                              std::vector<int> blocks) {
   const int parity = stage % 2, next = (stage + 1) % 4;
-  std::vector<scheduler::Access> reads = {{resource::drift(stage), reach},
-                                          {resource::velocity(stage), reach},
-                                          {resource::stress(parity), reach},
-                                          {resource::ghosts(stage), reach},
-                                          {resource::images(stage), Reach::neighbours},
-                                          {resource::material(stage)}};
+  std::vector<scheduler::Access> reads = {
+      {resource::drift(stage), reach},   {resource::velocity(stage), reach},
+      {resource::stress(parity), reach}, {resource::ghosts(stage), reach},
+      {resource::bonds, reach},          {resource::images(stage), Reach::neighbours},
+      {resource::material(stage)}};
   if (is_plain_sph()) {
     reads.insert(reads.end(), {{resource::pair_stress, reach}, {resource::material(stage), reach}});
   }
@@ -206,6 +224,7 @@ bool Step<T, D>::periodic() const {
 template <class T, int D>
 void Step<T, D>::prepare(double time_step) {
   time_step_ = time_step;
+  contact_.prepare(time_step);
   impulse_.assign(state_.blocks.size() * state_.boundaries.walls.size(), {});
   for (int stage = 0; stage < 4; ++stage) {
     boundary_values_[stage].evaluate(state_.boundaries,

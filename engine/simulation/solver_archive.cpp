@@ -59,7 +59,7 @@ void put_ghosts(ArchiveWriter& archive, const std::string& group,
   const std::size_t blocks = population.ghosts.size();
   std::vector<std::int64_t> sizes, begins, packs;
   std::vector<std::int32_t> walls;
-  std::vector<double> normals;
+  std::vector<double> normals, feet;
   for (const BlockGhosts<T, D>& g : population.ghosts) {
     sizes.insert(sizes.end(), {static_cast<std::int64_t>(g.slot.size()),
                                static_cast<std::int64_t>(g.neighbour.size()),
@@ -69,6 +69,7 @@ void put_ghosts(ArchiveWriter& archive, const std::string& group,
     for (std::size_t i = 0; i < g.slot.size(); ++i) {
       walls.insert(walls.end(), {g.wall[i], g.pressure[i]});
       normals.insert(normals.end(), g.normal[i].begin(), g.normal[i].end());
+      feet.insert(feet.end(), g.foot[i].begin(), g.foot[i].end());
     }
     for (const kernels::SurfacePack& p : g.packs) {
       packs.insert(packs.end(), {p.first, p.segment, p.record, p.lanes});
@@ -80,6 +81,7 @@ void put_ghosts(ArchiveWriter& archive, const std::string& group,
   archive.put(group + "/packs", std::span<const std::int64_t>(packs));
   archive.put(group + "/wall_and_pressure", std::span<const std::int32_t>(walls));
   archive.put(group + "/normal", std::span<const double>(normals));
+  archive.put(group + "/foot", std::span<const double>(feet));
   const auto put = [&]<class V>(const char* name, auto member) {
     const std::vector<V> values =
         joined<V>(blocks, [&](std::size_t b) -> const std::vector<V>& { return all[b].*member; });
@@ -108,6 +110,7 @@ void get_ghosts(const ArchiveReader& archive, const std::string& group,
   const auto packs = archive.get<std::int64_t>(group + "/packs");
   const auto walls = archive.get<std::int32_t>(group + "/wall_and_pressure");
   const auto normals = archive.get<double>(group + "/normal");
+  const auto feet = archive.get<double>(group + "/foot");
   const auto slots = archive.get<std::int32_t>(group + "/slot");
   const auto neighbours = archive.get<std::int32_t>(group + "/neighbour");
   const auto records = archive.get<std::int32_t>(group + "/record");
@@ -145,12 +148,19 @@ void get_ghosts(const ArchiveReader& archive, const std::string& group,
     g.wall.clear();
     g.pressure.clear();
     g.normal.clear();
+    g.foot.clear();
+    g.touches.clear();
+    g.bonds.clear();
     for (std::size_t i = ghost; i < ghost + ghosts; ++i) {
       g.wall.push_back(static_cast<std::int8_t>(walls[2 * i]));
       g.pressure.push_back(static_cast<std::int8_t>(walls[2 * i + 1]));
-      Point<D> normal;
-      for (int a = 0; a < D; ++a) normal[a] = normals[D * i + a];
+      Point<D> normal, foot;
+      for (int a = 0; a < D; ++a) {
+        normal[a] = normals[D * i + a];
+        foot[a] = feet[D * i + a];
+      }
       g.normal.push_back(normal);
+      g.foot.push_back(foot);
     }
     g.packs.clear();
     for (std::size_t i = pack; i < pack + surfaces; ++i) {
@@ -189,6 +199,12 @@ void put_solver(ArchiveWriter& archive, remeshed::Solver<T, D>& solver) {
   std::vector<double> impulses;
   for (const Point<D>& j : state.wall_impulse) impulses.insert(impulses.end(), j.begin(), j.end());
   archive.put("walls/impulse", std::span<const double>(impulses));
+  std::vector<double> books;
+  for (const remeshed::Book<D>& book : state.books) {
+    books.push_back(book.mass);
+    books.insert(books.end(), book.momentum.begin(), book.momentum.end());
+  }
+  archive.put("books", std::span<const double>(books));
   for (std::size_t b = 0; b < state.bodies.size(); ++b) {
     Body<T, D>& body = state.bodies[b];
     const std::string group = fmt::format("body/{}", b);
@@ -225,6 +241,11 @@ void get_solver(const ArchiveReader& archive, remeshed::Solver<T, D>& solver) {
       state.wall_impulse[w][a] = impulses.at(D * w + a);
     }
     state.boundaries.walls[w].restore(offset);
+  }
+  const auto books = archive.get<double>("books");
+  for (std::size_t b = 0; b < state.books.size(); ++b) {
+    state.books[b].mass = books.at((D + 1) * b);
+    for (int a = 0; a < D; ++a) state.books[b].momentum[a] = books.at((D + 1) * b + a + 1);
   }
   for (std::size_t b = 0; b < state.bodies.size(); ++b) {
     Body<T, D>& body = state.bodies[b];

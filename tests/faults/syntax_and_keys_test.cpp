@@ -21,8 +21,9 @@ const Fault faults[] = {
      "block.toml:11: unknown key `colour` in [ghosts]; its keys are treatment"},
     {"an_unknown_table", extended("[remesh]\nevery = 3\n"),
      "block.toml:10: unknown key `remesh` in the case; its keys are title, name, dimension, "
-     "method, discretisation, time, remeshing, level_set, ghosts, periodic, material, body, "
-     "boundary, output, measurement"},
+     "method, discretisation, time, remeshing, level_set, ghosts, total_lagrangian, periodic, "
+     "material, body, "
+     "boundary, contact, output, measurement"},
     {"a_missing_key", broken("spacing = 0.1", ""),
      "block.toml:2: [discretisation] lacks `spacing`, distance h between particles: the "
      "resolution; add spacing = 0.03125"},

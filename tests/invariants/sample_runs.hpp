@@ -45,6 +45,16 @@ inline std::vector<SampleRun> sample_runs() {
       "= "
       "1, compressibility = 0.02, prony = { ratios = [0.1, 0.2, 0.05, 0.1, 0.15], times = [1e-5, "
       "1e-3, 0.01, 0.1, 10] } }"};
+  // Unlike discs on their way into each other, off their axis.
+  const Settings discs = {
+      "discretisation.spacing=0.05",
+      "time.step=2e-3",
+      "remeshing.every=5",
+      "body.left.geometry.centre=[-0.503, 0.1]",
+      "body.left.velocity=[2, 0.1]",
+      "body.right.geometry.centre=[0.503, 0]",
+      "body.right.material={ model = \"reduced_polynomial\", coefficients = [10], "
+      "compressibility = 0.02, density = 2 }"};
   return {
       {"disc", "rotating_cylinder", disc, 22},
       {"compression_linear", "compression_linear", block, 60},
@@ -52,6 +62,7 @@ inline std::vector<SampleRun> sample_runs() {
       {"compression_viscous", "compression_hyperelastic", block + viscous, 60},
       {"periodic", "periodic_square", cell, 20},
       {"contact", "bouncing_ball", ball, 20},
+      {"two_discs", "two_discs", discs, 20, 12},
   };
 }
 

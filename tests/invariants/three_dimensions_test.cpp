@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "engine/remeshed/body_momentum.hpp"
 #include "engine/remeshed/measure.hpp"
 #include "engine/simulation/run.hpp"
 #include "tests/engine/case/written_case.hpp"
@@ -14,6 +15,19 @@
 // A small body in space: all of the method at once, in three dimensions.
 namespace pliant::test {
 namespace {
+
+// Two materials, a curved and a plane surface.
+TEST(three_dimensions, a_ball_gives_a_block_what_it_loses) {
+  const Case settings = small_case("ball_on_block", {"discretisation.spacing=0.1", "measurement=[]",
+                                                     "body.ball.velocity=[0.1, -0.5, 0]"});
+  remeshed::Solver<double, 3> solver(settings, 2, kernels::widest_supported());
+  remeshed::Measurer<double, 3> measurer(solver);
+  const Vector start = measurer.totals().momentum;
+  advance_until(solver, 0.2);
+  const Vector end = measurer.totals().momentum;
+  for (int a = 0; a < 3; ++a) EXPECT_NEAR(end[a], start[a], 1e-12 * std::abs(start[1]));
+  EXPECT_LT((remeshed::book_momentum<double, 3>(solver.state(), 1)[1]), 0.2 * start[1]);
+}
 
 constexpr const char* ball = R"(
 title = "a spinning ball"

@@ -79,6 +79,7 @@ struct RelaxingBox : Body<T, D> {
     StressOfState<T, D> stress = this->stress_of(0);
     stress.viscosity = {terms, nullptr, kept_view.data()};
     baseline_table<T, D>().evaluate_stress(stress);
+    fill_ghosts(0);
     constexpr double reached[] = {0.5, 0.5, 1, 1};
     for (int number = 0; number < 4; ++number) {
       for (int i = 0; i < terms; ++i) {
@@ -88,6 +89,19 @@ struct RelaxingBox : Body<T, D> {
       Stage<T, D> stage = this->stage(number, number, (number + 1) % 4, dt);
       stage.viscosity = {terms, relaxation.data(), kept_view.data()};
       baseline_table<T, D>().advance_stage(stage);
+      fill_ghosts((number + 1) % 4);
+    }
+  }
+
+  /// Around a uniform body they have its stress.
+  void fill_ghosts(int number) {
+    std::int64_t some = 0;
+    this->patch.for_each_interior([&](std::int64_t p, const auto&) { some = p; });
+    for (auto& stress : this->states[number].stress) {
+      const T value = stress[some];
+      for (std::int64_t p = 0; p < this->patch.slots; ++p) {
+        if (this->patch.interior[p] == 0) stress[p] = value;
+      }
     }
   }
 };

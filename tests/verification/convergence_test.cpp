@@ -142,5 +142,47 @@ TEST(convergence, a_spinning_disc_keeps_its_angular_momentum_and_energy) {
   }
 }
 
+/// What two discs lose of their energy when they collide, with `cells` particles to a radius.
+double lost_energy(int cells) {
+  Solver solver(small_case("two_discs", {"discretisation.spacing=0.5/" + std::to_string(cells)}), 2,
+                kernels::widest_supported());
+  remeshed::Measurer<double, 2> measurer(solver);
+  const remeshed::BodyIntegrals start = measurer.totals();
+  advance_until(solver, 0.45);  // they have parted
+  const remeshed::BodyIntegrals end = measurer.totals();
+  EXPECT_NEAR(end.momentum[0], start.momentum[0], 1e-12 * 0.39);
+  return 1 - (end.kinetic_energy + end.strain_energy) / start.kinetic_energy;
+}
+
+// A contact that grows by whole ghosts loses what they jump: first order, and better where the
+// curvature of the discs is resolved.
+TEST(convergence, colliding_discs_keep_their_energy_at_first_order) {
+  EXPECT_GE(order(lost_energy(5), lost_energy(20), 4), 1);
+}
+
+/// Errors of the amplitudes that a bonded interface passes and returns, over the incoming one.
+std::array<double, 2> interface_errors(int cells) {
+  const double h = 1. / cells;
+  const Settings settings = {fmt::format("discretisation.spacing={}", h),
+                             fmt::format("periodic.upper=[inf, {}]", 8 * h),
+                             fmt::format("measurement.reflected.point=[-0.25, {}]", 4 * h),
+                             fmt::format("measurement.transmitted.point=[0.125, {}]", 4 * h)};
+  const Case bar = small_case("bimaterial_bar", settings);
+  EXPECT_EQ(bar.measurements[0].name, "reflected");
+  EXPECT_EQ(bar.measurements[1].name, "transmitted");
+  Solver solver(bar, 2, kernels::widest_supported());
+  advance_until(solver, bar.time.end);
+  const std::vector<double> values = remeshed::Measurer<double, 2>(solver)();
+  return {values[0] / 0.01 + 1. / 3, values[1] / 0.01 - 2. / 3};  // Z2 = 2 Z1
+}
+
+TEST(convergence, an_interface_passes_and_returns_what_the_impedances_say) {
+  const auto coarse = interface_errors(100), fine = interface_errors(200);
+  for (int i = 0; i < 2; ++i) {
+    EXPECT_LT(std::abs(fine[i]), 0.005);
+    EXPECT_GE(order(std::abs(coarse[i]), std::abs(fine[i]), 2), 1.5);
+  }
+}
+
 }  // namespace
 }  // namespace pliant::test

@@ -1,0 +1,40 @@
+#pragma once
+
+#include <toml++/toml.h>
+#include <string_view>
+
+#include "engine/case/case.hpp"
+#include "engine/case/problems.hpp"
+
+/// What the checks of a case share.
+namespace pliant {
+
+struct Check {
+  const Case& a_case;
+  const toml::table& root;
+  const Place& start;
+  Problems& problems;
+
+  /// The place of [table] key, else of the table, else the start of the file.
+  Place place(std::string_view table, std::string_view key) const {
+    return place_in(root[table], key);
+  }
+
+  /// The same in element `index` of [[list]].
+  Place place(std::string_view list, std::size_t index, std::string_view key) const {
+    return place_in(root[list][index], key);
+  }
+
+  Place place_in(toml::node_view<const toml::node> table, std::string_view key) const {
+    if (table[key]) return place_of(*table[key].node());
+    return table ? place_of(*table.node()) : start;
+  }
+};
+
+/// False for a shape that was not read, whose messages are already there.
+bool is_whole(const Shape& shape, int dimension);
+
+/// Pairs of bodies that meet.
+void check_contacts(const Check& check);
+
+}  // namespace pliant

@@ -1,0 +1,72 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <set>
+
+#include "engine/case/check.hpp"
+#include "engine/geometry/overlap.hpp"
+
+namespace pliant {
+namespace {
+
+void check_places(const Check& check, std::size_t index) {
+  const Case& a_case = check.a_case;
+  const ContactCase& contact = a_case.contacts[index];
+  const BodyCase& first = a_case.bodies[contact.bodies[0]];
+  const BodyCase& second = a_case.bodies[contact.bodies[1]];
+  const double spacing = a_case.discretisation.spacing;
+  if (!(spacing > 0) || !is_whole(first.geometry, a_case.dimension) ||
+      !is_whole(second.geometry, a_case.dimension)) {
+    return;
+  }
+  const double depth = overlap(first.geometry, second.geometry, spacing, a_case.dimension);
+  const Place place = check.place("contact", index, "bodies");
+  if (depth > spacing / 4) {
+    check.problems.add(place,
+                       fmt::format("bodies \"{}\" and \"{}\" overlap by {:.3g} at the start",
+                                   first.name, second.name, depth),
+                       "move one of them, or leave the contact out");
+  } else if (contact.kind == ContactCase::Kind::bonded && depth < -0.75 * spacing) {
+    check.problems.add(
+        place,
+        fmt::format("bodies \"{}\" and \"{}\" are bonded and do not meet", first.name, second.name),
+        "let their surfaces touch at the start");
+  }
+}
+
+}  // namespace
+
+// At the edge of a contact, ghosts under load move beside free ones and wear the level set out: two
+// discs gained 18 % of energy between remeshings that only strain called for.
+void check_contacts(const Check& check) {
+  const auto& contacts = check.a_case.contacts;
+  std::set<std::array<int, 2>> taken;
+  bool any_opens = false;
+  for (std::size_t i = 0; i < contacts.size(); ++i) {
+    std::array<int, 2> pair = contacts[i].bodies;
+    if (pair[0] < 0 || pair[1] < 0 || pair[0] == pair[1]) continue;
+    any_opens = any_opens || contacts[i].kind != ContactCase::Kind::bonded;
+    std::sort(pair.begin(), pair.end());
+    if (!taken.insert(pair).second) {
+      check.problems.add(
+          check.place("contact", i, "bodies"),
+          fmt::format("bodies \"{}\" and \"{}\" are in two [[contact]] tables",
+                      check.a_case.bodies[pair[0]].name, check.a_case.bodies[pair[1]].name),
+          "keep one of them");
+    }
+    check_places(check, i);
+  }
+  if (any_opens && check.a_case.remeshing.policy != decltype(Case::remeshing)::Policy::every) {
+    check.problems.add(check.place("remeshing", "every"),
+                       "bodies in contact need a fixed number of steps between remeshings",
+                       "write every = 10 in [remeshing]");
+  }
+  if (!contacts.empty() && check.a_case.ghosts != GhostTreatment::linear) {
+    check.problems.add(check.place("ghosts", "treatment"),
+                       "bodies in contact need ghosts that carry a load",
+                       "write treatment = \"linear\", or leave it out");
+  }
+}
+
+}  // namespace pliant

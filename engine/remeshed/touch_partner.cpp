@@ -1,0 +1,101 @@
+#include "engine/remeshed/touch_partner.hpp"
+
+#include <algorithm>
+
+namespace pliant::remeshed {
+
+namespace {
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
+
+}  // namespace
+
+template <class T, int D>
+double TouchPartner<T, D>::gap(const SurfaceSamples<D>& surface, const Lattice<D>& lattice,
+                               const Point<D>& x, double farthest) {
+  surface_ = &surface;
+  const Point<D> at = place<D>(x, lattice);
+  if (!surface.holds(at, lattice, 0)) return infinity;
+  if (gather(at) > farthest || around_.empty() || !fit(around_)) return infinity;
+  double gap = 0;
+  for (std::size_t i = 0; i < around_.size(); ++i) {
+    gap += coefficient_[i] * around_[i].surface_distance;
+  }
+  return gap;
+}
+
+// What the nearest sample says that the gap is at least.
+template <class T, int D>
+double TouchPartner<T, D>::gather(const Point<D>& at) {
+  particles_.clear();
+  around_.clear();
+  double nearest = touch_radius, least_gap = 0;
+  surface_->cells.any_near(at, [&](const Site<D>& site, const Cell<D>& shift) {
+    Position<D> r;
+    for (int a = 0; a < D; ++a) r[a] = site.position[a] + shift[a] - at[a];
+    const double fraction = r.squaredNorm() / (touch_radius * touch_radius);
+    if (fraction >= 1) return false;
+    const double phi = surface_->level_set[site.slot];
+    around_.push_back({site.slot, (1 - fraction) * (1 - fraction), phi, r});
+    if (surface_->record[site.slot] >= 0) particles_.push_back(around_.back());
+    if (const double distance = r.norm(); distance < nearest) {
+      nearest = distance;
+      least_gap = phi - distance;
+    }
+    return false;
+  });
+  return least_gap;
+}
+
+template <class T, int D>
+bool TouchPartner<T, D>::fit(const FitParticles<D>& particles) {
+  const FitSite<D> site = {Position<D>::Zero(), Position<D>::Zero(), 0};
+  coefficient_.clear();
+  at_foot_.clear();
+  return fit_in_all_directions<D>(particles, site, coefficient_, at_foot_);
+}
+
+template <class T, int D>
+bool TouchPartner<T, D>::add_to(BodyTouches<T, D>& touches) {
+  if (!fit(particles_)) return false;
+  for (std::size_t i = 0; i < particles_.size(); ++i) {
+    touches.record.push_back(surface_->record[particles_[i].slot]);
+    touches.coefficient.push_back(static_cast<T>(coefficient_[i]));
+  }
+  touches.begin.push_back(static_cast<std::int64_t>(touches.record.size()));
+  return true;
+}
+
+template <class T, int D>
+bool TouchPartner<T, D>::add_bond(const Body<T, D>& body, BlockGhosts<T, D>& ghosts,
+                                  std::int32_t ghost, const Point<D>& foot, const Body<T, D>& other,
+                                  int number_of_other, const SurfaceSamples<D>& surface) {
+  const double h = body.lattice.spacing;
+  const std::int32_t slot = ghosts.slot[ghost];
+  const Point<D> x = body.position(slot, body.population.layout.cell(slot));
+  const double own_distance = body.stage[0].get(Field::level_set)[slot] / h;
+  const double distance = gap(surface, other.lattice, x);
+  if (distance >= own_distance || distance < -0.5 * own_distance) return false;
+  // Not those ghosts of the other body that are bonded to this one, with half a cell to spare.
+  Position<D> to_foot;
+  for (int a = 0; a < D; ++a) to_foot[a] = (foot[a] - x[a]) / h;
+  const auto is_bonded = [&](const FitParticle<D>& q) {
+    return surface.record[q.slot] < 0 && (q.position - to_foot).norm() < q.surface_distance + 0.5;
+  };
+  around_.erase(std::remove_if(around_.begin(), around_.end(), is_bonded), around_.end());
+  if (!fit(around_)) return false;
+  BodyBonds<T>& bonds = ghosts.bonds;
+  bonds.ghost.push_back(ghost);
+  bonds.body.push_back(number_of_other);
+  for (std::size_t i = 0; i < around_.size(); ++i) {
+    bonds.slot.push_back(surface.slot[around_[i].slot]);
+    bonds.coefficient.push_back(static_cast<T>(coefficient_[i]));
+  }
+  bonds.begin.push_back(static_cast<std::int64_t>(bonds.slot.size()));
+  return true;
+}
+
+template class TouchPartner<double, 2>;
+template class TouchPartner<double, 3>;
+
+}  // namespace pliant::remeshed

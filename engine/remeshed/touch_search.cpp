@@ -1,0 +1,265 @@
+#include "engine/remeshed/touch_search.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "engine/remeshed/resources.hpp"
+#include "engine/remeshed/touch_partner.hpp"
+
+namespace pliant::remeshed {
+
+namespace {
+
+using scheduler::Phase;
+using scheduler::Reach;
+
+// How far apart pressed surfaces may stand [h]: none of it would let the noise of phi open a
+// surface that is pressed, more touches too early, which costs energy.
+constexpr double pressed_gap = 0.01;
+constexpr double clearly_apart = 1;  // [h], where no fit is needed to tell
+constexpr double bonded_gap = 0.5;   // [h]: the sides of a bonded body carry no load
+
+/// Partition of unity over the layers of ghosts: 1 at `centre`, 0 one spacing away.
+double hat(double distance, double centre) { return std::max(0., 1 - std::abs(distance - centre)); }
+
+/// (RP.67): share of the surface of a ghost at `distance` from it, both over h.
+template <int D>
+double surface_share(double distance) {
+  if constexpr (D == 2) return 2 * hat(distance, 1) - hat(distance, 2);
+  return 3 * (hat(distance, 1) - hat(distance, 2)) + hat(distance, 3);
+}
+
+}  // namespace
+
+template <class T, int D>
+TouchSearch<T, D>::TouchSearch(State<T, D>& state, const std::vector<ContactCase>& contacts)
+    : state_(state),
+      contacts_(contacts),
+      contacts_of_(state.bodies.size()),
+      surfaces_(state.bodies.size()) {
+  for (std::size_t c = 0; c < contacts_.size(); ++c) {
+    for (const int body : contacts_[c].bodies) contacts_of_[body].push_back(static_cast<int>(c));
+  }
+}
+
+template <class T, int D>
+void TouchSearch<T, D>::add_phases(std::vector<Phase>& phases) {
+  phases.push_back({"touches: samples",
+                    -1,
+                    {{resource::drift(0)}},
+                    {{resource::surface_samples}},
+                    Phase::Extent::per_block,
+                    {},
+                    [this](int block) { find_samples(block); }});
+  phases.push_back({"touches: cells",
+                    -1,
+                    {{resource::surface_samples, Reach::all}},
+                    {{resource::surface_cells, Reach::all}},
+                    Phase::Extent::once,
+                    {},
+                    [this](int) { sort_samples(); }});
+  phases.push_back(
+      {"touches",
+       -1,
+       {{resource::surface_cells, Reach::all}, {resource::drift(0), Reach::neighbours}},
+       {{resource::touches}},
+       Phase::Extent::per_block,
+       {},
+       [this](int block) { find_touches(block); }});
+}
+
+template <class T, int D>
+void TouchSearch<T, D>::find_samples(int block) {
+  const auto [owner, local] = state_.blocks[block];
+  std::vector<Sample>& samples = samples_[block];
+  samples.clear();
+  if (contacts_of_[owner].empty()) return;
+  const Body<T, D>& body = state_.bodies[owner];
+  const Layout<D>& layout = body.population.layout;
+  const double h = body.lattice.spacing;
+  const T* phi = body.stage[0].get(Field::level_set);
+  const auto add = [&](std::int64_t slot, const Cell<D>& cell, std::int32_t record) {
+    Sample sample{{{}, cell, 0}, static_cast<std::int32_t>(slot), record, phi[slot] / h};
+    for (int a = 0; a < D; ++a) {
+      const T drift = body.stage[0].get(Field::displacement, a)[slot];
+      sample.site.position[a] = in_first_period<D>(cell[a] + drift / h, body.lattice, a);
+    }
+    samples.push_back(sample);
+  };
+  const BlockGhosts<T, D>& ghosts = body.population.ghosts[local];
+  const int first_segment = layout.blocks()[local].first_segment;
+  for (const kernels::SurfacePack& pack : ghosts.packs) {
+    const kernels::Segment<D>& segment = layout.segments()[first_segment + pack.segment];
+    Cell<D> cell = segment.cell;
+    cell[0] += static_cast<std::int32_t>(pack.first - segment.first);
+    std::int32_t record = pack.record;
+    for (int l = 0; l < Layout<D>::pack; ++l, ++cell[0]) {
+      if (pack.lanes >> l & 1) add(pack.first + l, cell, record++);
+    }
+  }
+  for (const std::int32_t slot : ghosts.slot) add(slot, layout.cell(slot), -1);
+}
+
+template <class T, int D>
+void TouchSearch<T, D>::sort_samples() {
+  for (std::size_t body = 0; body < surfaces_.size(); ++body) gather(static_cast<int>(body));
+  for (const ContactCase& contact : contacts_) {
+    if (!are_near(contact)) continue;
+    for (const int body : contact.bodies) surfaces_[body].is_near_another = true;
+  }
+  for (std::size_t body = 0; body < surfaces_.size(); ++body) {
+    SurfaceSamples<D>& surface = surfaces_[body];
+    if (!surface.is_near_another) continue;
+    const std::size_t count = surface.record.size();
+    surface.cells.cover(surface.lower, surface.upper, state_.bodies[body].lattice.period,
+                        touch_radius, count);
+    surface.cells.sort(count, [&](auto&& f) {
+      for (std::size_t b = 0; b < samples_.size(); ++b) {
+        if (state_.blocks[b].body != static_cast<int>(body)) continue;
+        for (const Sample& sample : samples_[b]) f(sample.site);
+      }
+    });
+  }
+}
+
+template <class T, int D>
+void TouchSearch<T, D>::gather(int body) {
+  constexpr double infinity = std::numeric_limits<double>::infinity();
+  SurfaceSamples<D>& surface = surfaces_[body];
+  surface.lower.fill(infinity);
+  surface.upper.fill(-infinity);
+  surface.is_near_another = false;
+  surface.slot.clear();
+  surface.record.clear();
+  surface.level_set.clear();
+  for (std::size_t b = 0; b < samples_.size(); ++b) {
+    if (state_.blocks[b].body != body) continue;
+    for (Sample& sample : samples_[b]) {
+      sample.site.slot = static_cast<std::int32_t>(surface.record.size());
+      surface.slot.push_back(sample.slot);
+      surface.record.push_back(sample.record);
+      surface.level_set.push_back(sample.level_set);
+      for (int a = 0; a < D; ++a) {
+        surface.lower[a] = std::min(surface.lower[a], sample.site.position[a]);
+        surface.upper[a] = std::max(surface.upper[a], sample.site.position[a]);
+      }
+    }
+  }
+}
+
+// Boxes hold ghosts, so that bodies whose boxes are apart are far from touching.
+template <class T, int D>
+bool TouchSearch<T, D>::are_near(const ContactCase& contact) const {
+  const SurfaceSamples<D>& first = surfaces_[contact.bodies[0]];
+  const SurfaceSamples<D>& second = surfaces_[contact.bodies[1]];
+  const Lattice<D>& lattice = state_.bodies[contact.bodies[0]].lattice;
+  const Lattice<D>& other = state_.bodies[contact.bodies[1]].lattice;
+  for (int a = 0; a < D; ++a) {
+    if (lattice.period[a] != 0) continue;
+    const double shift = (other.origin[a] - lattice.origin[a]) / lattice.spacing;
+    if (first.lower[a] > second.upper[a] + shift || second.lower[a] + shift > first.upper[a]) {
+      return false;
+    }
+  }
+  return true;
+}
+
+template <class T, int D>
+void TouchSearch<T, D>::find_touches(int block) {
+  const auto [owner, local] = state_.blocks[block];
+  BlockGhosts<T, D>& ghosts = state_.bodies[owner].population.ghosts[local];
+  BodyTouches<T, D>& touches = ghosts.touches;
+  touches.clear();
+  ghosts.bonds.clear();
+  if (!surfaces_[owner].is_near_another) return;
+  thread_local TouchPartner<T, D> partner;
+  for (std::size_t g = 0; g < ghosts.slot.size(); ++g) {
+    // Fits about a wall tell no traction of the free surface.
+    if (ghosts.wall[g] >= 0 || ghosts.surface_sum[g] < T(0.5)) continue;
+    find_touch(owner, ghosts, static_cast<std::int32_t>(g), partner);
+  }
+  touches.traction.resize(touches.ghost.size());
+}
+
+// Whether the ghost's foot point, which has moved about as far as the ghost, may lie on another
+// body.
+template <class T, int D>
+bool TouchSearch<T, D>::may_touch(int owner, const BlockGhosts<T, D>& ghosts,
+                                  std::int32_t ghost) const {
+  const Body<T, D>& body = state_.bodies[owner];
+  Point<D> x = ghosts.foot[ghost];
+  for (int a = 0; a < D; ++a) {
+    x[a] += body.stage[0].get(Field::displacement, a)[ghosts.slot[ghost]];
+  }
+  const auto& contacts = contacts_of_[owner];
+  return std::any_of(contacts.begin(), contacts.end(), [&](int contact) {
+    const int other = other_body(contact, owner);
+    const Lattice<D>& lattice = state_.bodies[other].lattice;
+    return surfaces_[other].is_near_another &&
+           surfaces_[other].holds(place<D>(x, lattice), lattice, touch_radius);
+  });
+}
+
+// The gap that counts, [h]; `clearly_apart` where the bodies of the contact do not touch.
+template <class T, int D>
+double TouchSearch<T, D>::touching_gap(int contact, int owner, const Point<D>& x,
+                                       TouchPartner<T, D>& partner) const {
+  const int other = other_body(contact, owner);
+  if (!surfaces_[other].is_near_another) return clearly_apart;
+  const double gap = partner.gap(surfaces_[other], state_.bodies[other].lattice, x, clearly_apart);
+  const bool bonded = contacts_[contact].kind == ContactCase::Kind::bonded;
+  return gap < (bonded ? bonded_gap : pressed_gap) ? gap : clearly_apart;
+}
+
+// Touches the nearest of the bodies that it may touch.
+template <class T, int D>
+void TouchSearch<T, D>::find_touch(int owner, BlockGhosts<T, D>& ghosts, std::int32_t ghost,
+                                   TouchPartner<T, D>& partner) const {
+  if (!may_touch(owner, ghosts, ghost)) return;
+  const Body<T, D>& body = state_.bodies[owner];
+  const double h = body.lattice.spacing;
+  const Point<D> x = foot_point(body, ghosts, ghost);
+  int nearest = -1;
+  double least = clearly_apart;
+  for (const int contact : contacts_of_[owner]) {
+    const double gap = touching_gap(contact, owner, x, partner);
+    if (gap >= least) continue;
+    least = gap;
+    nearest = contact;
+  }
+  if (nearest < 0) return;
+  const int other = other_body(nearest, owner);
+  const bool bonded = contacts_[nearest].kind == ContactCase::Kind::bonded;
+  if (bonded &&
+      partner.add_bond(body, ghosts, ghost, x, state_.bodies[other], other, surfaces_[other])) {
+    return;
+  }
+  // The partner may have looked at another body or place since.
+  if (bonded || nearest != contacts_of_[owner].back()) touching_gap(nearest, owner, x, partner);
+  if (!partner.add_to(ghosts.touches)) return;
+  const double distance = body.stage[0].get(Field::level_set)[ghosts.slot[ghost]] / h;
+  ghosts.touches.ghost.push_back(ghost);
+  ghosts.touches.contact.push_back(nearest);
+  ghosts.touches.gap.push_back(static_cast<T>(least * h));
+  ghosts.touches.area.push_back(static_cast<T>(std::pow(h, D - 1) * surface_share<D>(distance)));
+}
+
+// It moves with the particles of its fit.
+template <class T, int D>
+Point<D> TouchSearch<T, D>::foot_point(const Body<T, D>& body, const BlockGhosts<T, D>& ghosts,
+                                       std::int32_t ghost) const {
+  Point<D> x = ghosts.foot[ghost];
+  for (int a = 0; a < D; ++a) {
+    const T* drift = body.stage[0].get(Field::displacement, a);
+    for (std::int64_t k = ghosts.begin[ghost]; k < ghosts.begin[ghost + 1]; ++k) {
+      x[a] += ghosts.surface[k] * drift[ghosts.neighbour[k]];
+    }
+  }
+  return x;
+}
+
+template class TouchSearch<double, 2>;
+template class TouchSearch<double, 3>;
+
+}  // namespace pliant::remeshed

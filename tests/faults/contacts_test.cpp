@@ -1,0 +1,64 @@
+#include "tests/faults/fault.hpp"
+
+namespace pliant::tests {
+namespace {
+
+/// The block with a second one beside it, which begins at x = `left`, and contact tables from line
+/// 16 on.
+std::string meeting(const char* left, const std::string& contacts,
+                    const std::string& remeshing = "every = 10") {
+  return extended(
+      std::string("[[body]]\nname = \"other\"\ngeometry = { shape = \"box\", lower = [") + left +
+      ", 0], upper = [2, 2] }\nmaterial = { model = \"linear\", youngs_modulus = 1, "
+      "poissons_ratio = 0, density = 1 }\n[remeshing]\n" +
+      remeshing + "\n" + contacts);
+}
+
+const std::string pair = "[[contact]]\nbodies = [\"block\", \"other\"]\n";
+
+const Fault faults[] = {
+    {"contact_with_an_unknown_body",
+     meeting("1.1", "[[contact]]\nbodies = [\"block\", \"othr\"]\n"),
+     "block.toml:17: bodies names the body \"othr\", which does not exist; did you mean `other`?"},
+    {"contact_of_a_body_with_itself",
+     meeting("1.1", "[[contact]]\nbodies = [\"other\", \"other\"]\n"),
+     "block.toml:17: bodies names the same body twice; name two bodies; nothing touches itself"},
+    {"contact_of_three_bodies",
+     meeting("1.1", "[[contact]]\nbodies = [\"block\", \"other\", \"block\"]\n"),
+     "block.toml:17: bodies must be a list of two names of bodies, found a list; write it as in "
+     "bodies = [\"left\", \"right\"]"},
+    {"contact_without_bodies", meeting("1.1", "[[contact]]\nkind = \"bonded\"\n"),
+     "block.toml:16: [[contact]] lacks `bodies`, the two that meet; add bodies = [\"left\", "
+     "\"right\"]"},
+    {"an_unknown_kind_of_contact", meeting("1.1", pair + "kind = \"sticky\"\n"),
+     R"(block.toml:18: kind must be one of "frictionless", "sticking", "bonded", got "sticky"; )"
+     "take one of these"},
+    {"two_contacts_of_one_pair",
+     meeting("1.1", pair + "[[contact]]\nbodies = [\"other\", \"block\"]\n"),
+     "block.toml:19: bodies \"block\" and \"other\" are in two [[contact]] tables; keep one of "
+     "them"},
+    {"bodies_that_overlap", meeting("0.6", pair),
+     "block.toml:17: bodies \"block\" and \"other\" overlap by 0.2 at the start; move one of them, "
+     "or leave the contact out"},
+    {"bonded_bodies_that_do_not_meet", meeting("1.5", pair + "kind = \"bonded\"\n"),
+     "block.toml:17: bodies \"block\" and \"other\" are bonded and do not meet; let their surfaces "
+     "touch at the start"},
+    {"contact_of_bodies_with_adaptive_remeshing", meeting("1.1", pair, "every = \"adaptive\""),
+     "block.toml:15: bodies in contact need a fixed number of steps between remeshings; write "
+     "every = 10 in [remeshing]"},
+    {"contact_of_bodies_with_averaged_ghosts",
+     meeting("1.1", pair + "[ghosts]\ntreatment = \"averaged\"\n"),
+     "block.toml:19: bodies in contact need ghosts that carry a load; write treatment = "
+     "\"linear\", or leave it out"},
+};
+
+class FaultyContacts : public testing::TestWithParam<Fault> {};
+
+TEST_P(FaultyContacts, are_answered_with_where_what_and_what_to_do) {
+  EXPECT_EQ(complaint(GetParam().text), GetParam().message);
+}
+
+INSTANTIATE_TEST_SUITE_P(faults, FaultyContacts, testing::ValuesIn(faults), name_of);
+
+}  // namespace
+}  // namespace pliant::tests

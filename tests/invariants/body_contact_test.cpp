@@ -1,0 +1,109 @@
+#include <gtest/gtest.h>
+
+#include "engine/remeshed/body_momentum.hpp"
+#include "engine/remeshed/measure.hpp"
+#include "tests/invariants/sample_runs.hpp"
+
+// Bodies that meet: what crosses between them, and what does not.
+namespace pliant::test {
+namespace {
+
+using Measurer = remeshed::Measurer<double, 2>;
+
+const Settings coarse = {"discretisation.spacing=0.06", "measurement=[]"};
+const std::string soft =
+    R"(material = { model = "reduced_polynomial", coefficients = [8], compressibility = 0.03, )"
+    R"(density = 2 } })";
+const std::string hard =
+    R"(material = { model = "linear", youngs_modulus = 60, poissons_ratio = 0.4, density = 1 } })";
+
+/// Bodies of unlike shapes and materials, the first at 1.5 m/s into the others.
+const std::string bodies =
+    R"(body=[{ name = "disc", geometry = { shape = "disc", centre = [-0.51, 0.1], radius = 0.5 }, )"
+    R"(velocity = [1.5, 0.2], )" +
+    hard +
+    R"(, { name = "box", geometry = { shape = "box", lower = [0, -0.3], upper = [0.7, 0.5] }, )" +
+    soft +
+    R"(, { name = "last", geometry = { shape = "disc", centre = [1.16, 0.2], radius = 0.45 }, )" +
+    hard + "]";
+
+double momentum(Solver& solver, int axis) { return Measurer(solver).totals().momentum[axis]; }
+
+double momentum_of(Solver& solver, int body, int axis) {
+  return remeshed::book_momentum<double, 2>(solver.state(), body)[axis];
+}
+
+TEST(body_contact, keeps_the_momentum_of_all_bodies_to_rounding) {
+  for (const char* kind : {"frictionless", "sticking"}) {
+    const std::string contacts = std::string("contact=[{ bodies = [\"disc\", \"box\"], kind = \"") +
+                                 kind + "\" }, { bodies = [\"last\", \"box\"] }]";
+    Solver solver(small_case("two_discs", coarse + Settings{bodies, contacts}), 2,
+                  kernels::widest_supported());
+    const double x = momentum(solver, 0), y = momentum(solver, 1);
+    const double last = momentum_of(solver, 2, 0);
+    EXPECT_NEAR(x, 1.5 * 3.14159 / 4, 0.01);
+    for (int part = 1; part <= 5; ++part) {
+      advance_until(solver, 0.1 * part);
+      EXPECT_NEAR(momentum(solver, 0), x, 1e-12 * x) << kind;
+      EXPECT_NEAR(momentum(solver, 1), y, 1e-12 * x) << kind;
+    }
+    EXPECT_EQ(last, 0);
+    EXPECT_GT(momentum_of(solver, 2, 0), 0.3 * x) << "the blow has gone through the box";
+  }
+}
+
+// The integral over the body and the book are two sums that share nothing but the particles.
+TEST(body_contact, books_what_the_bodies_have) {
+  Solver solver(small_case("two_discs", coarse), 2, kernels::widest_supported());
+  for (const double time : {0.1, 0.3, 0.5}) {
+    advance_until(solver, time);
+    const auto views = solver.on_nodes();
+    const auto sum = remeshed::integrate<double, 2>(views[0], solver.state().boundaries, Vector{});
+    EXPECT_NEAR(sum.momentum[0], momentum_of(solver, 0, 0), 0.02 * 0.39);
+  }
+}
+
+TEST(body_contact, of_like_discs_is_the_same_for_both) {
+  Solver solver(small_case("two_discs", coarse), 2, kernels::widest_supported());
+  advance_until(solver, 0.6);
+  EXPECT_LT(momentum_of(solver, 0, 0), -0.8 * 0.39);
+  EXPECT_NEAR(momentum_of(solver, 0, 0), -momentum_of(solver, 1, 0), 1e-13);
+}
+
+// Pulled apart: contact lets go, a bond does not.
+TEST(body_contact, pulls_only_where_bodies_are_bonded) {
+  const Settings pulled = {"discretisation.spacing=0.02", "periodic.upper=[inf, 0.16]",
+                           "measurement=[]", "body.left.velocity=[-0.1, 0]"};
+  for (const char* kind : {"frictionless", "bonded"}) {
+    Solver solver(
+        small_case("bimaterial_bar", pulled + Settings{std::string("contact.0.kind=") + kind}), 2,
+        kernels::widest_supported());
+    advance_until(solver, 0.05);
+    const double right = momentum_of(solver, 1, 0);
+    if (std::string(kind) == "bonded") {
+      EXPECT_LT(right, -0.1 * 0.016);
+    } else {
+      EXPECT_EQ(right, 0);
+    }
+  }
+}
+
+// Waves of some thousandths pass an interface of 1 to 4: what mixed there would lie between.
+TEST(body_contact, does_not_mix_bonded_materials) {
+  Solver solver(small_case("bimaterial_bar", {"discretisation.spacing=0.02", "remeshing.every=2",
+                                              "periodic.upper=[inf, 0.16]", "measurement=[]"}),
+                2, kernels::widest_supported());
+  advance_until(solver, 0.06);
+  EXPECT_GT(solver.clock().remeshings, 30);
+  for (const Body& body : solver.state().bodies) {
+    const double rho0 = body.material.density;
+    for_each(body.population, Kind::interior, [&](std::int64_t slot, const Cell<2>&) {
+      const double rho =
+          body.stage[0].get(Field::mass)[slot] / body.stage[0].get(Field::volume)[slot];
+      EXPECT_NEAR(rho / rho0, 1, 0.01);
+    });
+  }
+}
+
+}  // namespace
+}  // namespace pliant::test
