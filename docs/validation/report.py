@@ -118,13 +118,22 @@ def pictures(name, panels, label, columns=4, limits=None):
 def cube(run, quick):
     """Figure 1: error against 1/h in the periodic cube."""
     cells = [16, 32] if quick else [16, 32, 64]
-    errors = [value(run("periodic_cube", f"discretisation.spacing=1/{n}"), "velocity_error_linf")
-              for n in cells]
-    plot("cube.png", [("ours", (cells, errors), "o-"),
-                      ("second order", (cells, [errors[0] * (cells[0] / n) ** 2 for n in cells]), "k:")],
-         "1/h", "L-infinity error over the amplitude", log=True)
+    errors = {kind: [value(run(case, f"discretisation.spacing=1/{n}"), "velocity_error_linf")
+                     for n in cells]
+              for kind, case in (("linear", "periodic_cube"),
+                                 ("hyperelastic", "periodic_cube_hyperelastic"))}
+    second = [errors["linear"][0] * (cells[0] / n) ** 2 for n in cells]
+    plot("cube.png", [(kind, (cells, e), "o-") for kind, e in errors.items()]
+         + [("second order", (cells, second), "k:")], "1/h", "L-infinity error over the amplitude",
+         log=True)
+    rows = []
+    for i, n in enumerate(cells):
+        rows.append([f"{n}^3"])
+        for e in errors.values():
+            order = "" if i == 0 else f"{np.log2(e[i - 1] / e[i]):.2f}"
+            rows[-1] += [text(e[i]), order]
     return ("## Periodic cube (section 5, figure 1)\n\n"
-            + table(["particles", "error"], [[f"{n}^3", text(e)] for n, e in zip(cells, errors)])
+            + table(["particles", "linear", "order", "hyperelastic", "order"], rows)
             + "\n![Error against 1/h](cube.png)\n")
 
 
@@ -247,10 +256,41 @@ def aspiration(run, quick):
             "isolines go to -4 %).\n\n![Dilatation](aspiration_dilatation.png)\n")
 
 
+def ball(run, quick):
+    """Figures 14 and 15: the bouncing ball and the pressure on its wall."""
+    sizes = [0.036] if quick else [0.036, 0.0225]
+    rows = []
+    for spacing in sizes:
+        for friction in ("frictionless", "sticking"):
+            out = run("bouncing_ball", f"discretisation.spacing={spacing}",
+                      f"boundary.wall.friction={friction}", "output.every=0.01", "output.ghosts=true")
+            summary = json.loads((out / "summary.json").read_text())
+            m = {name: one["value"] for name, one in summary["measurements"].items()}
+            _, energy = history(out, "energy_ratio")
+            rows.append([str(summary["particles"]["start"]), friction, text(m["largest_force"]),
+                         text(m["separation_time"]), text(-m["momentum_ratio"]),
+                         text(float(np.max(energy))), text(float(energy[-1]))])
+            if friction == "sticking":
+                chosen = out
+    rows.append(["reference", "frictionless", "1.829", "0.185", "0.987", "1", ""])
+    rows.append(["reference", "sticking", "1.830", "0.183", "0.987", "1", ""])
+    draw = [sys.executable, here.parent / "plot_frames.py", chosen]
+    for name, *options in (["ball_speed.png", "--field", "velocity", "--times", "0", "0.03", "0.07",
+                            "0.14", "0.21", "0.25"],
+                           ["ball_wall_pressure.png", "--field", "wall_pressure", "--times", "0.03",
+                            "0.07", "0.14", "--levels", "2", "4", "6", "8"]):
+        subprocess.run(draw[:2] + [chosen, here / name] + options, check=True)
+    return ("## Bouncing ball (section 9, figures 14 and 15)\n\n"
+            + table(["particles", "wall", "largest force [N]", "separation [s]", "restitution",
+                     "largest energy", "energy at the end"], rows)
+            + "\nSpeed, sticking.\n\n![Figure 14](ball_speed.png)\n\nPressure on the wall, sticking; "
+            "isolines 2, 4, 6, 8 Pa.\n\n![Figure 15](ball_wall_pressure.png)\n")
+
+
 def main():
     sections = {"cube": cube, "compression": compression, "compression_pictures": compression_pictures,
                 "aspiration": aspiration, "cylinder": cylinder,
-                "cylinder_pictures": cylinder_pictures}
+                "cylinder_pictures": cylinder_pictures, "ball": ball}
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawTextHelpFormatter)
     parser.add_argument("--program", default=str(root / "pliant"))
     parser.add_argument("--quick", action="store_true")

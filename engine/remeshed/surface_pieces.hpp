@@ -1,79 +1,10 @@
 #pragma once
 
-#include <Eigen/Dense>
-#include <algorithm>
-#include <array>
-#include <cstdint>
-#include <numeric>
-
+#include "engine/lattice/surface_pieces.hpp"
 #include "engine/remeshed/solver.hpp"
 
-/// The free surface {phi = 0} of a body in front of every wall, in pieces: segments in 2D,
-/// triangles in 3D.
-///
-/// Every cube of nodes is divided into D! simplices around its diagonal, in which phi is linear
-/// (marching tetrahedra). Cubes that share a face divide it alike, so that pieces meet along whole
-/// edges and the surface of a free body is closed, whatever phi is; no table of ambiguous cases is
-/// needed, which marching cubes would.
+/// The free surface {phi = 0} of a body in front of every wall, in pieces.
 namespace pliant::remeshed {
-
-template <int D>
-using Place = Eigen::Matrix<double, D, 1>;
-
-/// A node of the lattice: a corner of cubes.
-template <int D>
-struct SurfaceNode {
-  std::int64_t slot;
-  Cell<D> cell;  ///< without the wrapping of periods
-  Place<D> place;
-  double phi;
-};
-
-/// Where the surface crosses the line between a node inside and one that is not.
-template <int D>
-struct Crossing {
-  const SurfaceNode<D>* inside;
-  const SurfaceNode<D>* outside;
-
-  double fraction() const { return inside->phi / (inside->phi - outside->phi); }
-  Place<D> place() const { return inside->place + fraction() * (outside->place - inside->place); }
-};
-
-/// Corners of a piece, in the order in which its normal points out of the body: anticlockwise from
-/// outside in 3D, the body to the left in 2D.
-template <int D>
-using SurfacePiece = std::array<Crossing<D>, D>;
-
-/// Calls f(piece) for the pieces in one simplex.
-template <int D, class F>
-void for_each_piece_of(std::array<const SurfaceNode<D>*, D + 1> simplex, F&& f) {
-  const auto is_inside = [](const SurfaceNode<D>* node) { return node->phi < 0; };
-  const auto middle = std::stable_partition(simplex.begin(), simplex.end(), is_inside);
-  const auto inside = middle - simplex.begin();
-  if (inside == 0 || inside == D + 1) return;
-  Eigen::Matrix<double, D, D> edges;
-  for (int i = 0; i < D; ++i) edges.col(i) = simplex[i + 1]->place - simplex[0]->place;
-  bool mirrored = edges.determinant() < 0;
-  const auto emit = [&](SurfacePiece<D> piece) {
-    if (mirrored) std::swap(piece[0], piece[1]);
-    f(piece);
-  };
-  if constexpr (D == 3) {
-    if (inside == 2) {
-      const Crossing<D> first{simplex[0], simplex[2]}, third{simplex[1], simplex[3]};
-      emit({first, {simplex[0], simplex[3]}, third});
-      emit({first, third, {simplex[1], simplex[2]}});
-      return;
-    }
-  }
-  SurfacePiece<D> piece;
-  for (int i = 0; i < D; ++i) {
-    piece[i] =
-        inside == 1 ? Crossing<D>{simplex[0], simplex[i + 1]} : Crossing<D>{simplex[i], simplex[D]};
-  }
-  if (D == 2 && inside == D) mirrored = !mirrored;
-  emit(piece);
-}
 
 /// The cubes of a body's nodes, one after another.
 template <class T, int D>
@@ -102,13 +33,7 @@ class SurfaceCube {
   /// Calls f(piece) for the pieces in the cube.
   template <class F>
   void for_each_piece(F&& f) const {
-    std::array<int, D> axes;
-    std::iota(axes.begin(), axes.end(), 0);
-    do {
-      std::array<const SurfaceNode<D>*, D + 1> simplex = {&corner_[0]};
-      for (int i = 0, corner = 0; i < D; ++i) simplex[i + 1] = &corner_[corner |= 1 << axes[i]];
-      for_each_piece_of<D>(simplex, f);
-    } while (std::next_permutation(axes.begin(), axes.end()));
+    pliant::for_each_piece<D>(corner_, f);
   }
 
  private:

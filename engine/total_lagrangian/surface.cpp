@@ -1,8 +1,8 @@
 #include <Eigen/Dense>
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 
+#include "engine/lattice/surface_pieces.hpp"
 #include "engine/total_lagrangian/setup.hpp"
 
 // The surface of the undeformed body, cut out of its cells simplex by simplex. Corners of facets
@@ -16,67 +16,15 @@ constexpr double on_wall = 1e-6;        // [h]
 constexpr double smallest_area = 1e-9;  // [h^(D-1)]
 
 template <int D>
-struct Corner {
-  std::int64_t slot;
-  Point<D> place;
-  double phi;
-};
-template <int D>
-using Cube = std::array<Corner<D>, (1 << D)>;
-template <int D>
-using Simplex = std::array<Corner<D>, D + 1>;
-
-/// A corner of a piece of surface: between the inside and the outside corner of a simplex.
-template <int D>
-struct Crossing {
-  const Corner<D>*inside, *outside;
-};
-template <int D>
-using Piece = std::array<Crossing<D>, D>;
-
-// Where phi changes sign between one corner and all others the surface is one piece; in space,
-// where it changes sign between two and two, it is a quadrilateral.
-template <int D, class F>
-void for_each_piece(Simplex<D> simplex, F&& f) {
-  const auto is_inside = [](const Corner<D>& corner) { return corner.phi < 0; };
-  const auto middle = std::stable_partition(simplex.begin(), simplex.end(), is_inside);
-  const auto inside = middle - simplex.begin();
-  const auto crossing = [&](int i, int o) { return Crossing<D>{&simplex[i], &simplex[o]}; };
-  if (inside == 0 || inside == D + 1) return;
-  if constexpr (D == 3) {
-    if (inside == 2) {
-      f(Piece<3>{crossing(0, 2), crossing(0, 3), crossing(1, 3)});
-      f(Piece<3>{crossing(0, 2), crossing(1, 3), crossing(1, 2)});
-      return;
-    }
-  }
-  Piece<D> piece;
-  for (int i = 0; i < D; ++i) piece[i] = inside == 1 ? crossing(0, i + 1) : crossing(i, D);
-  f(piece);
-}
-
-// The cell falls into simplices along its diagonal, one for each way to walk it edge by edge.
-template <int D, class F>
-void for_each_piece(const Cube<D>& cube, F&& f) {
-  std::array<int, D> axes;
-  std::iota(axes.begin(), axes.end(), 0);
-  do {
-    Simplex<D> simplex = {cube[0]};
-    for (int i = 0, corner = 0; i < D; ++i) simplex[i + 1] = cube[corner |= 1 << axes[i]];
-    for_each_piece<D>(simplex, f);
-  } while (std::next_permutation(axes.begin(), axes.end()));
-}
+using Cube = std::array<SurfaceNode<D>, (1 << D)>;
 
 template <int D>
 Vertex<D> vertex(const Crossing<D>& crossing) {
   Vertex<D> v{static_cast<std::int32_t>(crossing.inside->slot),
               static_cast<std::int32_t>(crossing.outside->slot),
-              crossing.inside->phi / (crossing.inside->phi - crossing.outside->phi),
+              crossing.fraction(),
               {}};
-  for (int a = 0; a < D; ++a) {
-    const double from = crossing.inside->place[a];
-    v.start[a] = from + v.along * (crossing.outside->place[a] - from);
-  }
+  Eigen::Map<Place<D>>(v.start.data()) = crossing.place();
   return v;
 }
 
@@ -126,15 +74,20 @@ class SurfaceMaker {
     const auto slots = body_.corners(cell);
     Cube<D> cube;
     for (int c = 0; c < (1 << D); ++c) {
-      if (slots[c] < 0) return;
-      cube[c] = {slots[c], {}, static_cast<double>(body_.level_set[slots[c]])};
-      if (cube[c].phi < 0 && !body_.is_particle(slots[c])) return;
-      for (int a = 0; a < D; ++a) cube[c].place[a] = body_.lattice.node(a, cell[a] + (c >> a & 1));
+      SurfaceNode<D>& node = cube[c];
+      node.slot = slots[c];
+      if (node.slot < 0) return;
+      node.phi = body_.level_set[node.slot];
+      if (node.phi < 0 && !body_.is_particle(node.slot)) return;
+      for (int a = 0; a < D; ++a) {
+        node.cell[a] = cell[a] + (c >> a & 1);
+        node.place[a] = body_.lattice.node(a, node.cell[a]);
+      }
     }
     const int first = static_cast<int>(body_.facets.size());
-    for_each_piece<D>(cube, [&](const Piece<D>& piece) {
-      const Facet<D> facet = oriented(piece);
-      if (length<D>(area_vector(body_, facet)) > smallest_) body_.facets.push_back(facet);
+    for_each_piece<D>(cube, [&](const SurfacePiece<D>& piece) {
+      const Facet<D> made = facet(piece);
+      if (length<D>(area_vector(body_, made)) > smallest_) body_.facets.push_back(made);
     });
     const int end = static_cast<int>(body_.facets.size());
     for (int k = 0; first < end && k < static_cast<int>(boundaries_.pressures.size()); ++k) {
@@ -160,22 +113,15 @@ class SurfaceMaker {
   }
 
  private:
-  Facet<D> oriented(const Piece<D>& piece) const {
+  Facet<D> facet(const SurfacePiece<D>& piece) const {
     Facet<D> facet;
-    Point<D> centre = {}, out = {};
+    Point<D> centre = {};
     for (int v = 0; v < D; ++v) {
       facet.vertex[v] = vertex(piece[v]);
       if (!body_.is_particle(facet.vertex[v].second))
         facet.vertex[v].second = facet.vertex[v].first;
-      for (int a = 0; a < D; ++a) {
-        centre[a] += facet.vertex[v].start[a] / D;
-        out[a] += piece[v].outside->place[a] - piece[v].inside->place[a];
-      }
+      for (int a = 0; a < D; ++a) centre[a] += facet.vertex[v].start[a] / D;
     }
-    const Point<D> normal = area_vector(body_, facet);
-    double along = 0;
-    for (int a = 0; a < D; ++a) along += normal[a] * out[a];
-    if (along < 0) std::swap(facet.vertex[0], facet.vertex[1]);
     facet.free = !on_a_wall(centre);
     return facet;
   }
@@ -215,19 +161,18 @@ class SurfaceMaker {
   // all weights that put the force in the middle of the loaded area, the smallest. They are linear
   // in the corners' places: weights of another kind would feed the hourglass modes.
   void push(const Cube<D>& cube, const Point<D>& middle, int patch) {
-    using Vector = Eigen::Matrix<double, D, 1>;
-    std::vector<std::pair<std::int64_t, Vector>> corners;
-    Vector mean = Vector::Zero();
-    for (const Corner<D>& corner : cube) {
+    std::vector<std::pair<std::int64_t, Place<D>>> corners;
+    Place<D> mean = Place<D>::Zero();
+    for (const SurfaceNode<D>& corner : cube) {
       if (corner.phi >= 0) continue;
-      corners.emplace_back(corner.slot, Eigen::Map<const Vector>(corner.place.data()));
-      mean += corners.back().second;
+      corners.emplace_back(corner.slot, corner.place);
+      mean += corner.place;
     }
     mean /= static_cast<double>(corners.size());
     Eigen::Matrix<double, D, D> spread = Eigen::Matrix<double, D, D>::Zero();
     for (const auto& [slot, x] : corners) spread += (x - mean) * (x - mean).transpose();
-    const Vector lever = spread.completeOrthogonalDecomposition().solve(
-        Eigen::Map<const Vector>(middle.data()) - mean);
+    const Place<D> lever = spread.completeOrthogonalDecomposition().solve(
+        Eigen::Map<const Place<D>>(middle.data()) - mean);
     for (const auto& [slot, x] : corners) {
       const double weight = 1 / static_cast<double>(corners.size()) + (x - mean).dot(lever);
       pushes_[slot].push_back({patch, weight});
