@@ -6,7 +6,7 @@
 
 #include "engine/cli/verbs.hpp"
 #include "engine/output/error.hpp"
-#include "engine/remeshed/failure.hpp"
+#include "engine/step_failure.hpp"
 #include "engine/version.hpp"
 
 // The command line: options to plain arguments, exceptions to exit statuses.

@@ -3,8 +3,8 @@
 #include <array>
 #include <cstdint>
 
+#include "engine/body/walls.hpp"
 #include "engine/lattice/layout.hpp"
-#include "engine/remeshed/walls.hpp"
 #include "engine/storage/buffer.hpp"
 
 /// The level set of a body on a fresh lattice: phi < 0 inside, (RP.29).

@@ -37,17 +37,6 @@ double mean_radius(const LatticeView<T, D>& view, const Vector& centre, int rays
   return sum / rays;
 }
 
-void add(BodyIntegrals& sum, const BodyIntegrals& other) {
-  sum.volume += other.volume;
-  sum.mass += other.mass;
-  sum.kinetic_energy += other.kinetic_energy;
-  sum.strain_energy += other.strain_energy;
-  for (int c = 0; c < 3; ++c) {
-    sum.momentum[c] += other.momentum[c];
-    sum.angular_momentum[c] += other.angular_momentum[c];
-  }
-}
-
 }  // namespace
 
 template <class T, int D>
@@ -130,7 +119,7 @@ double Measurer<T, D>::value(const MeasurementCase& m) {
     case Quantity::last_time:
       return nothing;
     default:
-      return conserved(m);
+      return value_of(m, integrals(m.body, m.point), D);
   }
 }
 
@@ -162,30 +151,6 @@ BodyIntegrals Measurer<T, D>::integrals(int body, const Vector& about) {
   const Point<D> momentum = book_momentum<T, D>(state, body);
   std::copy(momentum.begin(), momentum.end(), sum.momentum.begin());
   return sum;
-}
-
-template <class T, int D>
-double Measurer<T, D>::conserved(const MeasurementCase& m) {
-  using Quantity = MeasurementCase::Kind;
-  const BodyIntegrals sum = integrals(m.body, m.point);
-  switch (m.kind) {
-    case Quantity::mass:
-      return sum.mass;
-    case Quantity::momentum:
-      return sum.momentum[m.axis];
-    case Quantity::angular_momentum:
-      return sum.angular_momentum[D == 2 ? 2 : m.axis];
-    case Quantity::kinetic_energy:
-      return sum.kinetic_energy;
-    case Quantity::strain_energy:
-      return sum.strain_energy;
-    case Quantity::energy_ratio:
-      return sum.strain_energy > 0 ? sum.kinetic_energy / sum.strain_energy : 0;
-    case Quantity::volume:
-      return sum.volume;
-    default:
-      return sum.kinetic_energy + sum.strain_energy;
-  }
 }
 
 template <class T, int D>

@@ -25,7 +25,6 @@ class Measurer {
  private:
   double value(const MeasurementCase& m);
   double surface_value(const MeasurementCase& m);
-  double conserved(const MeasurementCase& m);
   double velocity_error(const MeasurementCase& m) const;
   double point_value(const MeasurementCase& m);
   BodyIntegrals integrals(int body, const Vector& about);

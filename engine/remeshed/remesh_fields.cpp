@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "engine/body/initial_velocity.hpp"
 #include "engine/geometry/distance_walk.hpp"
 #include "engine/geometry/free_surface.hpp"
 #include "engine/geometry/signed_distance.hpp"

@@ -11,7 +11,4 @@ namespace pliant::remeshed {
 template <int D>
 Lattice<D> body_lattice(const Case& settings, const BodyCase& body);
 
-/// Velocity of a body's material at `x` at t = 0 [m/s].
-Vector initial_velocity(const BodyCase& body, const Vector& x);
-
 }  // namespace pliant::remeshed

@@ -4,11 +4,11 @@
 #include <string>
 #include <vector>
 
-#include "engine/remeshed/failure.hpp"
 #include "engine/remeshed/neighbours.hpp"
 #include "engine/remeshed/remesh.hpp"
 #include "engine/remeshed/state.hpp"
 #include "engine/remeshed/step.hpp"
+#include "engine/step_failure.hpp"
 #include "kernels/table.hpp"
 #include "scheduler/step_graph.hpp"
 #include "scheduler/step_record.hpp"

@@ -3,9 +3,9 @@
 #include <cstdint>
 #include <vector>
 
+#include "engine/body/walls.hpp"
 #include "engine/case/case.hpp"
 #include "engine/remeshed/body.hpp"
-#include "engine/remeshed/walls.hpp"
 
 namespace pliant::remeshed {
 

@@ -50,12 +50,10 @@ class Schedule {
   std::int64_t count_ = 0;
 };
 
-ConservedQuantities conserved(const remeshed::BodyIntegrals& sum) {
+ConservedQuantities conserved(const BodyIntegrals& sum) {
   return {sum.mass,           sum.momentum,      sum.angular_momentum,
           sum.kinetic_energy, sum.strain_energy, sum.kinetic_energy + sum.strain_energy};
 }
-
-const ConservedQuantities& conserved(const ConservedQuantities& sum) { return sum; }
 
 template <class Solver, int D>
 class Run {

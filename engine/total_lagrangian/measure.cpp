@@ -48,32 +48,13 @@ double Measurer<T, D>::value(const MeasurementCase& m) const {
       return point_displacement(m);
     case Quantity::surface_area:
       return surface_area(m);
-    case Quantity::volume:
-      return volume(m.body);
     case Quantity::period:
     case Quantity::amplitude_ratio:
     case Quantity::largest_mean:
     case Quantity::last_time:
       return nothing;
     default:
-      break;
-  }
-  const ConservedQuantities sum = conserved(m.body, m.point);
-  switch (m.kind) {
-    case Quantity::mass:
-      return sum.mass;
-    case Quantity::momentum:
-      return sum.momentum[m.axis];
-    case Quantity::angular_momentum:
-      return sum.angular_momentum[D == 2 ? 2 : m.axis];
-    case Quantity::kinetic_energy:
-      return sum.kinetic_energy;
-    case Quantity::strain_energy:
-      return sum.strain_energy;
-    case Quantity::energy_ratio:
-      return sum.strain_energy > 0 ? sum.kinetic_energy / sum.strain_energy : 0;
-    default:
-      return sum.total_energy;
+      return value_of(m, integrals(m.body, m.point), D);
   }
 }
 
@@ -133,21 +114,10 @@ double Measurer<T, D>::surface_area(const MeasurementCase& m) const {
 }
 
 template <class T, int D>
-double Measurer<T, D>::volume(int index) const {
-  const Body<T, D>& body = solver_.state().bodies[index];
-  const double cell = std::pow(body.lattice.spacing, D);
-  double sum = 0;
-  for_each_stress_point(body, 0, [&](std::int64_t p, const StressPoint<D>& point) {
-    sum += body.fraction[p] * cell * point.volume_ratio;
-  });
-  return sum;
-}
-
-template <class T, int D>
-ConservedQuantities Measurer<T, D>::conserved(int index, const Vector& about) const {
+BodyIntegrals Measurer<T, D>::integrals(int index, const Vector& about) const {
   const Body<T, D>& body = solver_.state().bodies[index];
   const double scaling = solver_.clock().mass_scaling;
-  ConservedQuantities sum;
+  BodyIntegrals sum;
   for_each_particle(body, [&](std::int64_t p, const Cell<D>& cell) {
     Vector r = {}, u = {};
     double square = 0;
@@ -165,26 +135,20 @@ ConservedQuantities Measurer<T, D>::conserved(int index, const Vector& about) co
       sum.angular_momentum[c] += inertia * (r[a] * u[b] - r[b] * u[a]);
     }
   });
-  for_each_stress_point(
-      body, solver_.settings().total_lagrangian.hourglass,
-      [&](std::int64_t, const StressPoint<D>& point) { sum.strain_energy += point.energy; });
-  sum.total_energy = sum.kinetic_energy + sum.strain_energy;
+  for_each_stress_point(body, solver_.settings().total_lagrangian.hourglass,
+                        [&](std::int64_t p, const StressPoint<D>& point) {
+                          sum.strain_energy += point.energy;
+                          sum.volume += body.fraction[p] * std::pow(body.lattice.spacing, D) *
+                                        point.volume_ratio;
+                        });
   return sum;
 }
 
 template <class T, int D>
-ConservedQuantities Measurer<T, D>::totals() {
-  ConservedQuantities sum;
+BodyIntegrals Measurer<T, D>::totals() {
+  BodyIntegrals sum;
   for (int b = 0; b < static_cast<int>(solver_.state().bodies.size()); ++b) {
-    const ConservedQuantities one = conserved(b, {});
-    sum.mass += one.mass;
-    sum.kinetic_energy += one.kinetic_energy;
-    sum.strain_energy += one.strain_energy;
-    sum.total_energy += one.total_energy;
-    for (int c = 0; c < 3; ++c) {
-      sum.momentum[c] += one.momentum[c];
-      sum.angular_momentum[c] += one.angular_momentum[c];
-    }
+    add(sum, integrals(b, {}));
   }
   return sum;
 }

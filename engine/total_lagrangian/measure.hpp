@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "engine/output/summary.hpp"
+#include "engine/body/integrals.hpp"
 #include "engine/total_lagrangian/solver.hpp"
 
 namespace pliant::total_lagrangian {
@@ -19,15 +19,14 @@ class Measurer {
 
   /// Of all bodies together. Momentum and kinetic energy are those of the scaled mass, as the
   /// particles have them.
-  ConservedQuantities totals();
+  BodyIntegrals totals();
 
  private:
   double value(const MeasurementCase& m) const;
   double extent(const MeasurementCase& m) const;
   double point_displacement(const MeasurementCase& m) const;
   double surface_area(const MeasurementCase& m) const;
-  ConservedQuantities conserved(int body, const Vector& about) const;
-  double volume(int body) const;
+  BodyIntegrals integrals(int body, const Vector& about) const;
 
   Solver<T, D>& solver_;
 };

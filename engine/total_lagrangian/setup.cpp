@@ -1,4 +1,5 @@
 #include "engine/total_lagrangian/setup.hpp"
+#include "engine/body/initial_velocity.hpp"
 
 #include <fmt/format.h>
 
@@ -213,7 +214,7 @@ void make_body(const Case& settings, const BodyCase& source, const Boundaries<D>
       body.inverse_mass[p] = 1 / body.mass[p];
       Vector x = {};
       for (int a = 0; a < D; ++a) x[a] = body.lattice.node(a, cell[a]);
-      const Vector u = remeshed::initial_velocity(source, x);
+      const Vector u = initial_velocity(source, x);
       for (int a = 0; a < D; ++a) body.velocity[a][p] = u[a];
     });
   }

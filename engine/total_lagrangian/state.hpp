@@ -3,13 +3,10 @@
 #include <cstdint>
 #include <vector>
 
-#include "engine/remeshed/walls.hpp"
+#include "engine/body/walls.hpp"
 #include "engine/total_lagrangian/body.hpp"
 
 namespace pliant::total_lagrangian {
-
-using remeshed::Boundaries;
-using remeshed::Wall;
 
 /// Counters that the next step reads; a checkpoint holds all of them.
 struct Clock {

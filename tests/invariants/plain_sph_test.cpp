@@ -43,9 +43,9 @@ TEST(plain_sph, keeps_momentum_to_rounding) {
                            "body.disc.rotation={ centre = [0.5, 0.2], angular_velocity = \"pi\" }"};
   Solver solver(disc(gently + thrown), 2, kernels::widest_supported());
   remeshed::Measurer<double, 2> measurer(solver);
-  const remeshed::BodyIntegrals start = measurer.totals();
+  const BodyIntegrals start = measurer.totals();
   advance(solver, 40);
-  const remeshed::BodyIntegrals end = measurer.totals();
+  const BodyIntegrals end = measurer.totals();
   EXPECT_NEAR(end.momentum[0], start.momentum[0], 1e-13 * start.mass);
   EXPECT_NEAR(end.momentum[1], start.momentum[1], 1e-13 * start.mass);
   EXPECT_NE(end.kinetic_energy, start.kinetic_energy);

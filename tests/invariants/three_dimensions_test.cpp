@@ -70,11 +70,11 @@ TEST(three_dimensions, a_spinning_ball_keeps_its_momentum_mass_and_energy) {
   const Case settings = tests::read_text(ball, {"discretisation.spacing=0.15"});
   remeshed::Solver<double, 3> solver(settings, 2, kernels::widest_supported());
   remeshed::Measurer<double, 3> measurer(solver);
-  const remeshed::BodyIntegrals start = measurer.totals();
+  const BodyIntegrals start = measurer.totals();
   EXPECT_NEAR(start.mass, 4. / 3 * std::numbers::pi, 0.01);
   advance_until(solver, 0.1);
   EXPECT_GE(solver.clock().remeshings, 2);
-  const remeshed::BodyIntegrals end = measurer.totals();
+  const BodyIntegrals end = measurer.totals();
   EXPECT_NEAR(end.mass / start.mass, 1, 0.01);
   EXPECT_NEAR((end.kinetic_energy + end.strain_energy) / start.kinetic_energy, 1, 0.02);
   for (int axis = 0; axis < 3; ++axis) {

@@ -129,10 +129,10 @@ TEST(convergence, a_spinning_disc_keeps_its_angular_momentum_and_energy) {
   Solver solver(small_case("rotating_cylinder", {"remeshing.every=10"}), 2,
                 kernels::widest_supported());
   remeshed::Measurer<double, 2> measurer(solver);
-  const remeshed::BodyIntegrals start = measurer.totals();
+  const BodyIntegrals start = measurer.totals();
   for (int part = 1; part <= 4; ++part) {
     advance_until(solver, 0.025 * part);
-    const remeshed::BodyIntegrals now = measurer.totals();
+    const BodyIntegrals now = measurer.totals();
     EXPECT_NEAR(now.angular_momentum[2] / start.angular_momentum[2], 1, 1e-3);
     // The Jaumann law has no potential: on the exact solution this sum varies by 0.22 %.
     EXPECT_NEAR(
@@ -147,9 +147,9 @@ double lost_energy(int cells) {
   Solver solver(small_case("two_discs", {"discretisation.spacing=0.5/" + std::to_string(cells)}), 2,
                 kernels::widest_supported());
   remeshed::Measurer<double, 2> measurer(solver);
-  const remeshed::BodyIntegrals start = measurer.totals();
+  const BodyIntegrals start = measurer.totals();
   advance_until(solver, 0.45);  // they have parted
-  const remeshed::BodyIntegrals end = measurer.totals();
+  const BodyIntegrals end = measurer.totals();
   EXPECT_NEAR(end.momentum[0], start.momentum[0], 1e-12 * 0.39);
   return 1 - (end.kinetic_energy + end.strain_energy) / start.kinetic_energy;
 }

@@ -10,8 +10,6 @@
 namespace pliant::test {
 namespace {
 
-using remeshed::BodyIntegrals;
-
 constexpr double omega = 3;
 const Vector centre = {0.013, -0.021, 0};
 

@@ -1,4 +1,5 @@
 #include "engine/remeshed/setup.hpp"
+#include "engine/body/initial_velocity.hpp"
 
 #include <gtest/gtest.h>
 
@@ -34,7 +35,7 @@ TEST(setup, periodic_lattices_begin_at_the_cell_and_repeat_with_it) {
 TEST(setup, a_rigid_rotation_turns_about_its_centre) {
   BodyCase body;
   body.velocity = RigidRotation{{1, 2, 0}, {0, 0, 3}};
-  const Vector u = remeshed::initial_velocity(body, {1.5, 2.25, 0});
+  const Vector u = initial_velocity(body, {1.5, 2.25, 0});
   EXPECT_EQ(u, (Vector{-0.75, 1.5, 0}));
 }
 

@@ -1,4 +1,4 @@
-#include "engine/remeshed/walls.hpp"
+#include "engine/body/walls.hpp"
 
 #include <gtest/gtest.h>
 
@@ -6,9 +6,6 @@
 
 namespace pliant::test {
 namespace {
-
-using remeshed::Boundaries;
-using remeshed::Wall;
 
 /// The half-space below y = `level`, moving with the velocities given as formulas of t.
 BoundaryCase floor(double level, const std::string& x = "0", const std::string& y = "0") {

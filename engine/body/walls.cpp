@@ -1,11 +1,11 @@
-#include "engine/remeshed/walls.hpp"
+#include "engine/body/walls.hpp"
 
 #include <algorithm>
 #include <limits>
 
 #include "engine/geometry/signed_distance.hpp"
 
-namespace pliant::remeshed {
+namespace pliant {
 
 namespace {
 
@@ -106,4 +106,4 @@ template class SurfacePressure<3>;
 template struct Boundaries<2>;
 template struct Boundaries<3>;
 
-}  // namespace pliant::remeshed
+}  // namespace pliant

@@ -5,7 +5,7 @@
 #include "engine/case/case.hpp"
 #include "engine/lattice/lattice.hpp"
 
-namespace pliant::remeshed {
+namespace pliant {
 
 /// A rigid solid that moves with a prescribed velocity. A body is bonded to it, or slides along it,
 /// or is only in contact with it as long as it presses.
@@ -72,4 +72,4 @@ struct Boundaries {
 extern template struct Boundaries<2>;
 extern template struct Boundaries<3>;
 
-}  // namespace pliant::remeshed
+}  // namespace pliant

@@ -1,0 +1,23 @@
+#pragma once
+
+#include "engine/case/case.hpp"
+
+namespace pliant {
+
+/// Integrals over a body, in SI units, per unit thickness in 2D.
+struct BodyIntegrals {
+  double volume = 0;
+  double mass = 0;
+  Vector momentum = {};
+  Vector angular_momentum = {};  ///< about `about`; z alone in 2D
+  double kinetic_energy = 0;
+  double strain_energy = 0;
+};
+
+/// What a measurement of an integral takes from them; total energy for kinds of another sort.
+double value_of(const MeasurementCase& measurement, const BodyIntegrals& sum, int dimension);
+
+/// Adds those of another body.
+void add(BodyIntegrals& sum, const BodyIntegrals& other);
+
+}  // namespace pliant
