@@ -67,7 +67,7 @@ double wave_speed(const BodyCase& body, const Case& a_case) {
 std::string model_name(const BodyCase& body) {
   const MaterialCase& material = body.material_as_given;
   if (material.model == MaterialCase::Model::reduced_polynomial) {
-    const std::string text = fmt::format("reduced polynomial of order {}", body.material.order);
+    std::string text = fmt::format("reduced polynomial of order {}", body.material.order);
     const std::size_t terms = body.prony.size();
     if (terms == 0) return text;
     return text + fmt::format(" with {} Prony term{}", terms, terms == 1 ? "" : "s");

@@ -130,6 +130,7 @@ Frame take_frame(remeshed::Solver<T, D>& solver, bool with_ghosts, bool with_sur
   if (with_ghosts && solver.state().boundaries.have_contact()) {
     const std::vector<std::vector<double>> pressures = wall_pressures(solver.state());
     std::vector<double> values;
+    values.reserve(chosen.size());
     for (const Selection& s : chosen) values.push_back(pressures[s.body][s.slot]);
     frame.fields.push_back({"wall_pressure", "Pa", 1, std::move(values)});
   }
