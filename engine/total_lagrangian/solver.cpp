@@ -111,7 +111,7 @@ void Solver<T, D>::check(const StepResult& result) const {
   throw StepFailure(fmt::format(
       "t = {:.6g}, step {}: the cell of body `{}` that began at ({:.4g}, {:.4g}{}) is no longer "
       "finite or has turned inside out; use a smaller time step (time.cfl), more resistance to "
-      "hourglasses (discretisation.hourglass), slower loading, or a finer spacing",
+      "hourglasses (total_lagrangian.hourglass), slower loading, or a finer spacing",
       state_.clock.time, state_.clock.step, body.name, x[0], x[1],
       D == 3 ? fmt::format(", {:.4g}", x[D - 1]) : ""));
 }
