@@ -238,12 +238,10 @@ void Remeshing<T, D>::place_initial(const Case& settings, const BodyCase& source
   const Box box = bounding_box(source.geometry);
   Cell<D> lower, upper;
   for (int a = 0; a < D; ++a) {
-    lower[a] = body_.lattice.cell(a, box.lower[a]) - 1;
-    upper[a] = body_.lattice.cell(a, box.upper[a]) + 1;
-    if (body_.lattice.period[a] != 0) {
-      lower[a] = 0;
-      upper[a] = body_.lattice.period[a] - 1;
-    }
+    // Along a period the body may have no ends.
+    const bool repeats = body_.lattice.period[a] != 0;
+    lower[a] = repeats ? 0 : body_.lattice.cell(a, box.lower[a]) - 1;
+    upper[a] = repeats ? body_.lattice.period[a] - 1 : body_.lattice.cell(a, box.upper[a]) + 1;
   }
   occupancy_.reset(lower, upper, layout_reach);
   Cell<D> cell = lower;
