@@ -124,11 +124,9 @@ StressPointsResult evaluate_stress_points(const StressPoints<Scalar<P>, D>& bloc
       }
       cofactor(f, cof);
       L::stress(block.material, f, P(T(1)), sigma);
-      P first, second;
-      const P excess = isochoric_strain<P, D>(f).excess;
-      energy_derivatives(block.material, excess, first, second);
       const P weight = P(volume * slope) * fraction;
-      const P resistance = P(T(2) * stiffness) * fused(second + second, excess, first) * fraction;
+      const P half_modulus = half_tangent_modulus(block.material, isochoric_strain<P, D>(f).excess);
+      const P resistance = P(T(2) * stiffness) * half_modulus * fraction;
       P finite = zero;
       for (int i = 0; i < D; ++i) {
         for (int m = 1; m < corners; ++m) {

@@ -40,7 +40,7 @@ struct StressPointsResult {
   std::int64_t non_finite;  ///< a slot whose stress is not finite or whose J <= 0, or -1
 };
 
-/// Moves the particles of a block, (TL.7), (TL.8): reads `force` also in neighbouring blocks.
+/// Moves the particles of a block, (TL.5), (TL.8): reads `force` also in neighbouring blocks.
 template <class T, int D>
 struct Motion {
   const Segment<D>* segments;

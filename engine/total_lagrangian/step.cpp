@@ -10,7 +10,7 @@
 //     stress    F at each stress point from the particles at its cell's corners,
 //               stress, and the force that it puts on those corners                  (TL.2)-(TL.6)
 //     motion    the particles' forces; velocity and displacement by central
-//               differences with damping; walls hold what they touch                 (TL.7), (TL.8)
+//               differences with damping; walls hold what they touch                 (TL.5), (TL.8)
 //
 // One evaluation of the stress each step, and no state but displacement and velocity: F is a
 // function of where the particles are, so that nothing creeps however long a load is held.

@@ -50,9 +50,8 @@ StressPoint<D> stress_point(const Body<T, D>& body, std::int64_t slot, const Cel
   point.pressure = Law::pressure(body.material, packed, Pack(1.0)).get(0);
   point.volume_ratio = kernels::determinant(packed).get(0);
 
-  Pack first, second;
-  kernels::energy_derivatives(body.material, kernels::isochoric_strain<Pack, D>(packed).excess,
-                              first, second);
+  const Pack excess = kernels::isochoric_strain<Pack, D>(packed).excess;
+  const double modulus = 2 * kernels::half_tangent_modulus(body.material, excess).get(0);
   double squares = 0;
   for (int i = 0; i < D; ++i) {
     for (int m = 1; m < (1 << D); ++m) {
@@ -60,8 +59,7 @@ StressPoint<D> stress_point(const Body<T, D>& body, std::int64_t slot, const Cel
     }
   }
   const double volume = body.fraction[slot] * std::pow(h, D);
-  const double resistance =
-      hourglass * 2 * first.get(0) * volume * 8 / (3.0 * (1 << 2 * D) * h * h);
+  const double resistance = hourglass * modulus * volume * 8 / (3.0 * (1 << 2 * D) * h * h);
   // The energy of (RP.41) is per current volume.
   point.energy =
       volume * point.volume_ratio * kernels::polynomial_energy<double, D>(body.material, f.data()) +

@@ -139,5 +139,33 @@ TYPED_TEST(StressPoints, an_hourglass_is_resisted_with_the_force_of_its_energy) 
   EXPECT_NEAR(work, -slope, 1e-7 * slope);
 }
 
+// With a stiffening material, stretched: what the energy holds is what the particles feel.
+TEST(hourglass, is_resisted_with_the_force_of_its_energy_under_stretch_too) {
+  LagrangianSolver<2> solver(
+      tests::read_text(free_block(2), {"material.rubber.coefficients=[10, 30]"}), 1,
+      kernels::widest_supported());
+  auto& body = solver.state().bodies[0];
+  total_lagrangian::Measurer<double, 2> measurer(solver);
+  const auto sign = [](const Point<2>& x) {
+    return (std::lround(x[0] / 0.125) + std::lround(x[1] / 0.125)) % 2 == 0 ? 1. : -1.;
+  };
+  const auto energy = [&](double amplitude) {
+    for_each_particle<2>(body, [&](std::int64_t p, const Point<2>& x) {
+      body.displacement[0][p] = 0.4 * x[0] + amplitude * sign(x);
+      body.displacement[1][p] = -0.2 * x[1];
+    });
+    return measurer.totals().strain_energy;
+  };
+  const double step = 1e-6;
+  const double slope = (energy(0.01 + step) - energy(0.01 - step)) / (2 * step);
+  energy(0.01);
+  solver.step(1e-9);
+  double work = 0;
+  for_each_particle<2>(
+      body, [&](std::int64_t p, const Point<2>& x) { work += body.internal[0][p] * sign(x); });
+  EXPECT_GT(slope, 0.1);
+  EXPECT_NEAR(work, -slope, 1e-6 * slope);
+}
+
 }  // namespace
 }  // namespace pliant::test
