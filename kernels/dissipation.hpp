@@ -3,54 +3,59 @@
 #include "kernels/chunk.hpp"
 #include "kernels/fourth_difference.hpp"
 #include "kernels/gradient_sweep.hpp"
+#include "kernels/prefetch.hpp"
 
 /// The dissipation of (RP.43): fourth differences of velocity and stress along the lattice lines,
 /// which only see what the lattice does not resolve.
 namespace pliant::kernels {
 
-/// Whether all slots of the pack of `slot` and the two slots before and behind each along a line
-/// are interior; never wrongly so.
-template <class P>
-inline bool line_is_interior(const PackState* pack_state, std::int64_t slot, int axis,
-                             const LineOffsets& line) {
-  constexpr int pack = slots_per_pack<Scalar<P>>;
-  const std::int64_t own = slot / pack;
-  bool is_interior = pack_state[own] == PackState::all;
-  for (int k = 0; k < 4; ++k) {
-    const std::int64_t other = axis == 0 ? own + (k < 2 ? -1 : 1) : (slot + line.away[k]) / pack;
-    is_interior = is_interior && pack_state[other] == PackState::all;
+/// Whether every flux flows between the interior particles of a pack and their neighbours.
+template <class P, int D>
+inline bool flow_everywhere(const Scalar<P>* interior, const LineOffsets (&line)[D]) {
+  const P half(Scalar<P>(0.5));
+  bool flow = true;
+  for (int at = 0; at < slots_per_pack<Scalar<P>>; at += lanes<P>) {
+    P near(Scalar<P>(1));
+#pragma GCC unroll 3
+    for (const LineOffsets& l : line) {
+      near = near * load<P>(interior + at + l.away[1]) * load<P>(interior + at + l.away[2]);
+    }
+    flow = flow && xsimd::all(near > half || load<P>(interior + at) < half);
   }
-  return is_interior;
+  return flow;
 }
 
 /// Sums over the directions of delta^4 of the sweep's fields in a chunk, field by field, between
-/// interior particles.
+/// interior particles; anything finite in other slots.
 template <class P, int D, int F>
 void fourth_differences(const SweepFields<Scalar<P>, D, F>& fields, const Segment<D>& segment,
-                        const PackState* pack_state, const Scalar<P>* interior, const Chunk& chunk,
+                        const Scalar<P>* interior, const Chunk& chunk,
                         Scalar<P> (&result)[F][chunk_slots]) {
+  constexpr int pack = slots_per_pack<Scalar<P>>;
   LineOffsets line[D];
   for (int axis = 0; axis < D; ++axis) {
     line[axis] = line_offsets<typename P::arch_type>(segment, axis);
   }
-  for (int at = 0; at < chunk.count; at += lanes<P>) {
-    const std::int64_t slot = chunk.first + at;
-    for (int axis = 0; axis < D; ++axis) {
-      if (line_is_interior<P>(pack_state, slot, axis, line[axis])) {
+  for (int begin = 0; begin < chunk.count; begin += pack) {
+    prefetch_ahead<P>(fields.field, chunk.first + begin + line[D - 1].away[3]);
+    const bool flow = flow_everywhere<P>(interior + chunk.first + begin, line);
+    for (int at = begin; at < begin + pack; at += lanes<P>) {
+      const std::int64_t slot = chunk.first + at;
+      if (flow) {
 #pragma GCC unroll 9
         for (int f = 0; f < F; ++f) {
-          const P sum = axis == 0 ? P(Scalar<P>(0)) : P::load_aligned(&result[f][at]);
-          (sum + fourth_difference_inside<P>(fields.field[f] + slot, line[axis]))
-              .store_aligned(&result[f][at]);
+          fourth_differences_inside<P>(fields.field[f] + slot, line).store_aligned(&result[f][at]);
         }
         continue;
       }
-      const Fluxes<P> fluxes = fluxes_between<P>(interior + slot, line[axis]);
+      Fluxes<P> fluxes[D];
+#pragma GCC unroll 3
+      for (int axis = 0; axis < D; ++axis) {
+        fluxes[axis] = fluxes_between<P>(interior + slot, line[axis]);
+      }
 #pragma GCC unroll 9
       for (int f = 0; f < F; ++f) {
-        const P sum = axis == 0 ? P(Scalar<P>(0)) : P::load_aligned(&result[f][at]);
-        (sum + fourth_difference<P>(fields.field[f] + slot, line[axis], fluxes))
-            .store_aligned(&result[f][at]);
+        fourth_differences(fields.field[f] + slot, line, fluxes).store_aligned(&result[f][at]);
       }
     }
   }

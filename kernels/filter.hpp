@@ -20,12 +20,11 @@ void filter(const Filter<Scalar<P>, D>& block) {
       P value = load<P>(block.field + p);
       // Only slots beside these have neighbours that may be loaded.
       if (xsimd::any(load<P>(block.inside + p) > P(T(0.5)))) {
-        P sum(T(0));
+        Fluxes<P> fluxes[D];
         for (int axis = 0; axis < D; ++axis) {
-          const Fluxes<P> fluxes = fluxes_within<P>(block.inside + p, line[axis]);
-          sum = sum + fourth_difference<P>(block.field + p, line[axis], fluxes);
+          fluxes[axis] = fluxes_within<P>(block.inside + p, line[axis]);
         }
-        value = fused_minus(factor, sum, value);
+        value = fused_minus(factor, fourth_differences(block.field + p, line, fluxes), value);
       }
       value.store_unaligned(block.filtered + p);
     }

@@ -40,16 +40,6 @@ inline P fourth_difference(const Scalar<P>* centre, const LineOffsets& line,
   return xsimd::select(fluxes.up, up, zero) - xsimd::select(fluxes.down, down, zero);
 }
 
-/// The same where all five slots of every lane are inside.
-template <class P>
-inline P fourth_difference_inside(const Scalar<P>* centre, const LineOffsets& line) {
-  using T = Scalar<P>;
-  const P twice = P(T(2)) * load<P>(centre);
-  const P near = load<P>(centre + line.away[1]) + load<P>(centre + line.away[2]);
-  const P far = load<P>(centre + line.away[0]) + load<P>(centre + line.away[3]);
-  return fused_minus(P(T(4)), near - twice, far - twice);
-}
-
 /// Between slots that are both inside (`inside` is 1 there, 0 elsewhere): none cross the surface.
 template <class P>
 inline Fluxes<P> fluxes_between(const Scalar<P>* inside, const LineOffsets& line) {
@@ -65,6 +55,32 @@ inline Fluxes<P> fluxes_within(const Scalar<P>* inside, const LineOffsets& line)
   const P near = load<P>(inside) * load<P>(inside + line.away[1]) * load<P>(inside + line.away[2]);
   return {near * load<P>(inside + line.away[3]) > half,
           near * load<P>(inside + line.away[0]) > half};
+}
+
+/// Sums over the directions of delta^4 f where every flux flows.
+template <class P, int D>
+inline P fourth_differences_inside(const Scalar<P>* centre, const LineOffsets (&line)[D]) {
+  using T = Scalar<P>;
+  const P twice = P(T(2)) * load<P>(centre);
+  P near(T(0)), far(T(0));
+#pragma GCC unroll 3
+  for (const LineOffsets& l : line) {
+    near = near + (load<P>(centre + l.away[1]) + load<P>(centre + l.away[2]) - twice);
+    far = far + (load<P>(centre + l.away[0]) + load<P>(centre + l.away[3]) - twice);
+  }
+  return fused_minus(P(T(4)), near, far);
+}
+
+/// The same with the fluxes of each direction.
+template <class P, int D>
+inline P fourth_differences(const Scalar<P>* centre, const LineOffsets (&line)[D],
+                            const Fluxes<P> (&fluxes)[D]) {
+  P sum = fourth_difference<P>(centre, line[0], fluxes[0]);
+#pragma GCC unroll 3
+  for (int axis = 1; axis < D; ++axis) {
+    sum = sum + fourth_difference<P>(centre, line[axis], fluxes[axis]);
+  }
+  return sum;
 }
 
 }  // namespace pliant::kernels

@@ -2,6 +2,7 @@
 
 #include "kernels/dissipation.hpp"
 #include "kernels/gradient_sweep.hpp"
+#include "kernels/prefetch.hpp"
 
 namespace pliant::kernels {
 
@@ -180,11 +181,12 @@ void stage_gradients(const Stage<Scalar<P>, D>& stage, const Segment<D>& segment
   alignas(64) T fourth[fields_swept][chunk_slots];
   const bool dissipates = stage.dissipation != 0;
   if (dissipates) {
-    fourth_differences<P>(fields, segment, stage.pack_state, stage.interior, chunk, fourth);
+    fourth_differences<P>(fields, segment, stage.interior, chunk, fourth);
   }
   for (int at = 0; at < chunk.count; at += lanes<P>) {
     const std::int64_t slot = chunk.first + at;
     const PackState state = stage.pack_state[slot / slots_per_pack<T>];
+    if (at % slots_per_pack<T> == 0) prefetch_update<P>(stage, slot);
     StageGradients<P, D> result;
     sweep<weight, P>(
         fields, slot, stage.spacing, listed,

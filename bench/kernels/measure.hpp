@@ -42,10 +42,14 @@ void register_sizes(const std::string& name, const Run& run) {
   }
 }
 
-/// Cells of a nearly square box with about `particles` interior ones.
-inline std::array<int, 2> square_box(std::int64_t particles) {
-  const int side = static_cast<int>(std::lround(std::sqrt(static_cast<double>(particles))));
-  return {(side + 6 + 7) / 8 * 8, side + 6};
+/// Cells of a nearly square or cubic box with about `particles` interior ones.
+template <int D>
+std::array<int, D> box(std::int64_t particles) {
+  const int side = static_cast<int>(std::lround(std::pow(static_cast<double>(particles), 1. / D)));
+  std::array<int, D> cells;
+  cells.fill(side + 6);
+  cells[0] = (side + 6 + 7) / 8 * 8;
+  return cells;
 }
 
 }  // namespace pliant::kernels::bench

@@ -10,12 +10,13 @@ using pliant::bench::flop_per_stage;
 using test::Body;
 
 /// Four stages of a step on one block.
+template <int D>
 void advance(benchmark::State& state, Isa isa, Model model, Weight weight) {
-  Body<double, 2> body(square_box(state.range(0)), 0.01, model);
+  Body<double, D> body(box<D>(state.range(0)), 0.01, model);
   body.weight = weight;
   std::int64_t particles = 0;
   body.patch.for_each_interior([&](std::int64_t, const auto&) { ++particles; });
-  const Table<double, 2>& kernels = table<double, 2>(isa);
+  const Table<double, D>& kernels = table<double, D>(isa);
   kernels.evaluate_stress(body.stress_of(0));
   const double time_step = 1e-9;  // the state stays as it is, however many steps are run
   for (auto _ : state) {
@@ -24,12 +25,12 @@ void advance(benchmark::State& state, Isa isa, Model model, Weight weight) {
           kernels.advance_stage(body.stage(number, number, (number + 1) % 4, time_step)));
     }
   }
-  report(state, 4 * particles, {flop_per_stage(weight, model), bytes_per_stage(model)});
+  report(state, 4 * particles, {flop_per_stage(weight, model, D), bytes_per_stage(model, D)});
 }
 
 /// The gradients over lists of the stencil's neighbours.
 void advance_listed(benchmark::State& state, Isa isa) {
-  Body<double, 2> body(square_box(state.range(0)), 0.01, Model::linear_rho);
+  Body<double, 2> body(box<2>(state.range(0)), 0.01, Model::linear_rho);
   const test::BoxLists<2> lists(body.patch, 2);
   const NeighbourLists<2> view = lists.view();
   std::int64_t particles = 0;
@@ -44,7 +45,7 @@ void advance_listed(benchmark::State& state, Isa isa) {
 }
 
 void evaluate(benchmark::State& state, Isa isa, Model model) {
-  Body<double, 2> body(square_box(state.range(0)), 0.01, model);
+  Body<double, 2> body(box<2>(state.range(0)), 0.01, model);
   std::int64_t slots = 0;
   for (const auto& segment : body.patch.segments) slots += segment.count;
   for (auto _ : state) {
@@ -68,8 +69,13 @@ const bool registered = [] {
   for (const Weight weight : {Weight::quartic, Weight::quartic_polynomial, Weight::compact}) {
     for (const Model model : {Model::linear_rho, Model::linear_log, Model::reduced_polynomial}) {
       if (weight != Weight::quartic_polynomial && model != Model::linear_rho) continue;
-      register_sizes("advance_stage/" + name_of(weight) + "/" + name_of(model),
-                     [=](benchmark::State& state, Isa isa) { advance(state, isa, model, weight); });
+      const std::string what = name_of(weight) + "/" + name_of(model);
+      register_sizes("advance_stage/" + what, [=](benchmark::State& state, Isa isa) {
+        advance<2>(state, isa, model, weight);
+      });
+      register_sizes("advance_stage/space/" + what, [=](benchmark::State& state, Isa isa) {
+        advance<3>(state, isa, model, weight);
+      });
     }
   }
   register_sizes("advance_stage/lists", advance_listed);

@@ -133,7 +133,7 @@ TEST(fourth_difference, inside_is_that_of_the_fluxes_and_of_the_binomial_coeffic
   const double expected = centre[-2 * width] - 4 * centre[-width] + 6 * centre[0] -
                           4 * centre[width] + centre[2 * width];
   EXPECT_NEAR(fourth_difference<P>(centre, line, all).get(0), expected, 1e-14);
-  EXPECT_NEAR(fourth_difference_inside<P>(centre, line).get(0), expected, 1e-14);
+  EXPECT_NEAR(fourth_differences_inside<P>(centre, {line}).get(0), expected, 1e-14);
 }
 
 }  // namespace
