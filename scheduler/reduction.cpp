@@ -1,13 +1,12 @@
 #include <algorithm>
+#include <cstdint>
+#include <iterator>
 #include <numeric>
-#include <utility>
 
 #include "scheduler/dependencies.hpp"
 
-// An edge u -> v is implied when another predecessor of v can be traced back to u. The level of a
-// node, the length of the longest path that leads to it, rises along every path: the trace stays
-// above u's level, and most edges join adjacent levels and need none. The usual detour runs through
-// u's own block, so that going that way first finds it in a few hops.
+// An edge u -> v is implied when u is an ancestor of another predecessor of v. Edges only lead from
+// lower to higher nodes: the ancestors of all predecessors are known when a node's turn comes.
 namespace pliant::scheduler {
 
 namespace {
@@ -54,80 +53,54 @@ Dependencies without_idle_junctions(const Dependencies& all) {
   return kept;
 }
 
-class Tracer {
+// The ancestors of every node, one bit for each node before it.
+class Ancestors {
  public:
-  Tracer(const std::vector<Node>& nodes, const std::vector<Edge>& edges)
-      : nodes_(nodes),
-        first_(nodes.size() + 1),
-        level_(nodes.size()),
-        last_trace_(nodes.size(), -1) {
-    // Predecessors without repetition; edges come sorted by `to`, then `from`.
-    for (std::size_t e = 0; e < edges.size(); ++e) {
-      if (e > 0 && edges[e].has_ends_of(edges[e - 1])) continue;
-      const auto to = static_cast<std::size_t>(edges[e].to);
-      predecessors_.push_back(edges[e].from);
-      ++first_[to + 1];
-      level_[to] = std::max(level_[to], level(edges[e].from) + 1);
-    }
-    std::partial_sum(first_.begin(), first_.end(), first_.begin());
+  explicit Ancestors(std::size_t nodes) : first_word_(nodes + 1) {
+    for (std::size_t n = 0; n < nodes; ++n) first_word_[n + 1] = first_word_[n] + n / bits + 1;
+    words_.resize(first_word_.back());
   }
 
-  bool is_implied(const Edge& edge) {
-    if (level(edge.from) + 1 == level(edge.to)) return false;
-    ++trace_;
-    pending_.clear();
-    visit_predecessors(edge.to, edge.from);
-    while (!pending_.empty()) {
-      const int node = pending_.back();
-      pending_.pop_back();
-      if (visit_predecessors(node, edge.from)) return true;
-    }
-    return false;
+  bool has(int node, int ancestor) const {
+    return (words_[word_of(node, ancestor)] >> (ancestor % bits) & 1u) != 0;
+  }
+
+  void add(int node, int ancestor) {
+    words_[word_of(node, ancestor)] |= std::uint64_t{1} << (ancestor % bits);
+  }
+
+  void add_those_of(int other, int node) {
+    const std::size_t from = first_word(other), to = first_word(node);
+    const std::size_t count = first_word(other + 1) - from;
+    for (std::size_t w = 0; w < count; ++w) words_[to + w] |= words_[from + w];
   }
 
  private:
-  // Stacks the predecessors through which a path from `target` may lead, the one in its block on
-  // top; true when `target` is among the predecessors.
-  bool visit_predecessors(int node, int target) {
-    const auto n = static_cast<std::size_t>(node);
-    const std::size_t bottom = pending_.size();
-    bool leads_to_target = false;
-    for (std::size_t i = first_[n]; i < first_[n + 1]; ++i) {
-      const int before = predecessors_[i];
-      leads_to_target |= before == target;
-      if (level(before) <= level(target) || last_trace(before) == trace_) continue;
-      last_trace(before) = trace_;
-      pending_.push_back(before);
-      const std::size_t top = pending_.size() - 1;
-      if (top > bottom && block(pending_[top - 1]) == block(target))
-        std::swap(pending_[top - 1], pending_[top]);
-    }
-    return leads_to_target;
+  static constexpr int bits = 64;
+
+  std::size_t first_word(int node) const { return first_word_[static_cast<std::size_t>(node)]; }
+  std::size_t word_of(int node, int ancestor) const {
+    return first_word(node) + static_cast<std::size_t>(ancestor / bits);
   }
 
-  BlockId block(int node) const { return nodes_[static_cast<std::size_t>(node)].block; }
-  int level(int node) const { return level_[static_cast<std::size_t>(node)]; }
-  int& last_trace(int node) { return last_trace_[static_cast<std::size_t>(node)]; }
-
-  const std::vector<Node>& nodes_;
-  std::vector<std::size_t> first_;  // [node] of its predecessors
-  std::vector<int> predecessors_;
-  std::vector<int> level_;
-  std::vector<int> last_trace_;  // [node] that came by
-  std::vector<int> pending_;
-  int trace_ = 0;
+  std::vector<std::size_t> first_word_;  // [node]
+  std::vector<std::uint64_t> words_;
 };
 
-// Leaves out every edge whose ends are joined by a longer path too.
-std::vector<Edge> without_implied_edges(const std::vector<Node>& nodes,
-                                        const std::vector<Edge>& edges) {
-  Tracer tracer(nodes, edges);
+// Leaves out every edge whose ends are joined by a longer path too. Edges come sorted by `to`.
+std::vector<Edge> without_implied_edges(std::size_t nodes, const std::vector<Edge>& edges) {
+  Ancestors ancestors(nodes);
   std::vector<Edge> kept;
   kept.reserve(edges.size());
-  bool is_implied = false;
-  for (std::size_t e = 0; e < edges.size(); ++e) {
-    if (e == 0 || !edges[e].has_ends_of(edges[e - 1])) is_implied = tracer.is_implied(edges[e]);
-    if (!is_implied) kept.push_back(edges[e]);
+  for (auto begin = edges.begin(); begin != edges.end();) {
+    const int node = begin->to;
+    const auto end =
+        std::find_if(begin, edges.end(), [&](const Edge& edge) { return edge.to != node; });
+    for (auto e = begin; e != end; ++e) ancestors.add_those_of(e->from, node);
+    std::copy_if(begin, end, std::back_inserter(kept),
+                 [&](const Edge& edge) { return !ancestors.has(node, edge.from); });
+    for (auto e = begin; e != end; ++e) ancestors.add(node, e->from);
+    begin = end;
   }
   return kept;
 }
@@ -136,7 +109,7 @@ std::vector<Edge> without_implied_edges(const std::vector<Node>& nodes,
 
 Dependencies reduced(const Dependencies& all) {
   auto result = without_idle_junctions(all);
-  result.edges = without_implied_edges(result.nodes, result.edges);
+  result.edges = without_implied_edges(result.nodes.size(), result.edges);
   return result;
 }
 
