@@ -10,7 +10,7 @@ namespace pliant::kernels {
 enum class Model : std::uint8_t { linear_rho, linear_log, reduced_polynomial };
 
 /// Pair weight of the moment-matrix gradient: (RP.14), (RP.15), (RP.16).
-enum class Weight : std::uint8_t { quartic, quartic_polynomial, compact };
+enum class Weight : std::uint8_t { quartic, quartic_polynomial, compact, fourth_order };
 
 /// Slots to each side that a weight reaches on an undeformed lattice: 5 x 5 or 3 x 3 stencils.
 constexpr int stencil_reach(Weight weight) { return weight == Weight::compact ? 1 : 2; }

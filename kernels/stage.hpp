@@ -32,9 +32,13 @@ GradientsOfChunk<P, D> gradients_for(Weight weight) {
     case Weight::quartic_polynomial:
       return stage_gradients<Weight::quartic_polynomial, listed, P, D>;
     case Weight::compact:
+      return stage_gradients<Weight::compact, listed, P, D>;
+    case Weight::fourth_order:
       break;
   }
-  return stage_gradients<Weight::compact, listed, P, D>;
+  // Its moments vanish on the lattice alone.
+  constexpr Weight present = listed ? Weight::quartic_polynomial : Weight::fourth_order;
+  return stage_gradients<present, listed, P, D>;
 }
 
 template <bool last, class P, int D>

@@ -92,6 +92,7 @@ void write_surface_records(const SurfaceRecords<Scalar<P>, D>& block) {
     case Weight::quartic:
       return write_records_by_model<Weight::quartic, P, D>(block);
     case Weight::quartic_polynomial:
+    case Weight::fourth_order:  // negative weights gain nothing beside a surface
       return write_records_by_model<Weight::quartic_polynomial, P, D>(block);
     case Weight::compact:
       return write_records_by_model<Weight::compact, P, D>(block);

@@ -68,4 +68,28 @@ class PairWeight<Weight::compact, P> {
   P per_support2_;
 };
 
+/// (RP.90): the fourth moments vanish on square and cubic lattices. Negative between the second
+/// neighbours along the axes and those between them, so that its moment matrix asks for particles
+/// that are still near their slots.
+template <class P>
+class PairWeight<Weight::fourth_order, P> {
+  using T = Scalar<P>;
+
+ public:
+  explicit PairWeight(T spacing) : per_support2_(1 / (T(6.25) * spacing * spacing)) {}
+
+  P operator()(const P& distance2) const {
+    const P t = xsimd::max(P(T(0)), fused_minus(distance2, per_support2_, P(T(1))));
+    constexpr double coefficients[] = {-30.394221495264024, 21.979141703042178, -6.642571385553331,
+                                       0.6355763142948405};
+    P series(T(15.422074863480338));
+#pragma GCC unroll 4
+    for (const double c : coefficients) series = fused(series, t, P(T(c)));
+    return (t * t) * series;
+  }
+
+ private:
+  P per_support2_;
+};
+
 }  // namespace pliant::kernels

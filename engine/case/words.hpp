@@ -35,7 +35,10 @@ inline constexpr std::array words<kernels::Weight>{
     word(kernels::Weight::quartic, "quartic", "quartic B-spline, 5 x 5 particles (RP.14)"),
     word(kernels::Weight::quartic_polynomial, "quartic_polynomial",
          "a polynomial within 0.7 % of it, about twice as fast (RP.15)"),
-    word(kernels::Weight::compact, "compact", "3 x 3 particles, the fastest (RP.16)")};
+    word(kernels::Weight::compact, "compact", "3 x 3 particles, the fastest (RP.16)"),
+    word(kernels::Weight::fourth_order, "fourth_order",
+         "5 x 5 particles, for waves: gradients of fourth order where the lattice is hardly "
+         "deformed (RP.90)")};
 
 template <>
 inline constexpr std::array words<Operators>{

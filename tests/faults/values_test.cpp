@@ -111,10 +111,10 @@ const Fault faults[] = {
      "block.toml:15: method total_lagrangian knows no contact; take method = \"remeshed\", or a "
      "wall that holds what it touches"},
     {"a_misspelt_weight", broken("spacing = 0.1", "spacing = 0.1\nweight = \"quartc\""),
-     R"(block.toml:4: weight must be one of "quartic", "quartic_polynomial", "compact", got )"
+     R"(block.toml:4: weight must be one of "quartic", "quartic_polynomial", "compact", "fourth_order", got )"
      R"("quartc"; did you mean "quartic"?)"},
     {"an_unknown_weight", broken("spacing = 0.1", "spacing = 0.1\nweight = \"gauss\""),
-     R"(block.toml:4: weight must be one of "quartic", "quartic_polynomial", "compact", got )"
+     R"(block.toml:4: weight must be one of "quartic", "quartic_polynomial", "compact", "fourth_order", got )"
      "\"gauss\"; take one of these"},
     {"too_many_coefficients",
      broken(material,

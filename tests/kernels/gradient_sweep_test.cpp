@@ -89,6 +89,7 @@ TYPED_TEST(gradient_sweep, linear_fields_are_reproduced_exactly_over_the_stencil
   EXPECT_LT(field.template stencil_error<Weight::quartic>(), tolerance);
   EXPECT_LT(field.template stencil_error<Weight::quartic_polynomial>(), tolerance);
   EXPECT_LT(field.template stencil_error<Weight::compact>(), tolerance);
+  EXPECT_LT(field.template stencil_error<Weight::fourth_order>(), tolerance);
 }
 
 TYPED_TEST(gradient_sweep, linear_fields_are_reproduced_exactly_over_lists) {

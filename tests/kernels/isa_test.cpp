@@ -108,7 +108,8 @@ template <class T, int D, class Compare>
 void for_each_combination(const Compare& compare) {
   for (const auto& kernel : {steps<T, D>, surface<T, D>, remeshing<T, D>}) {
     for (const Model model : {Model::linear_rho, Model::linear_log, Model::reduced_polynomial}) {
-      for (const Weight weight : {Weight::quartic, Weight::quartic_polynomial, Weight::compact}) {
+      for (const Weight weight :
+           {Weight::quartic, Weight::quartic_polynomial, Weight::compact, Weight::fourth_order}) {
         compare([&](Isa isa) { return kernel(table_of<T, D>(isa), model, weight); });
       }
     }

@@ -23,6 +23,12 @@ inline double reference_weight(Weight weight, double s) {
     }
     case Weight::compact:
       return s < 1.75 ? std::pow(1 - s * s / (1.75 * 1.75), 4) : 0;
+    case Weight::fourth_order: {
+      const double t = std::max(0., 1 - s * s / 6.25);
+      return t * t *
+             (0.6355763142948405 - 6.642571385553331 * t + 21.979141703042178 * t * t -
+              30.394221495264024 * t * t * t + 15.422074863480338 * t * t * t * t);
+    }
   }
   return 0;
 }

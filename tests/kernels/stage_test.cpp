@@ -6,7 +6,8 @@
 namespace pliant::kernels::test {
 namespace {
 
-constexpr Weight every_weight[] = {Weight::quartic, Weight::quartic_polynomial, Weight::compact};
+constexpr Weight every_weight[] = {Weight::quartic, Weight::quartic_polynomial, Weight::compact,
+                                   Weight::fourth_order};
 constexpr Model every_model[] = {Model::linear_rho, Model::linear_log, Model::reduced_polynomial};
 
 template <class T>

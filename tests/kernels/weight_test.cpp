@@ -39,6 +39,30 @@ TEST(weights, compact_is_the_fourth_power) {
   }
 }
 
+/// Sum over a lattice of omega times dx^4 or dx^2 dy^2.
+double fourth_moment(int dimension, bool mixed) {
+  double sum = 0;
+  const int depth = dimension == 3 ? 2 : 0;
+  for (int z = -depth; z <= depth; ++z) {
+    for (int y = -2; y <= 2; ++y) {
+      for (int x = -2; x <= 2; ++x) {
+        const double s = std::sqrt(x * x + y * y + z * z);
+        sum += omega<Weight::fourth_order>(s) * (mixed ? x * x * y * y : x * x * x * x);
+      }
+    }
+  }
+  return sum;
+}
+
+TEST(weights, fourth_order_has_no_fourth_moments_on_square_and_cubic_lattices) {
+  EXPECT_NEAR(omega<Weight::fourth_order>(0), 1, 1e-12);
+  for (const int dimension : {2, 3}) {
+    for (const bool mixed : {false, true}) {
+      EXPECT_NEAR(fourth_moment(dimension, mixed), 0, 1e-13) << dimension << mixed;
+    }
+  }
+}
+
 TEST(weights, are_positive_inside_their_support_and_zero_outside) {
   for (double s = 0; s < 2.45; s += 0.01) {
     EXPECT_GT(omega<Weight::quartic>(s), 0);
@@ -49,6 +73,7 @@ TEST(weights, are_positive_inside_their_support_and_zero_outside) {
     EXPECT_EQ(omega<Weight::quartic>(s), 0);
     EXPECT_EQ(omega<Weight::quartic_polynomial>(s), 0);
     EXPECT_EQ(omega<Weight::compact>(s), 0);
+    EXPECT_EQ(omega<Weight::fourth_order>(s), 0);
   }
 }
 
