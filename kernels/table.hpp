@@ -210,6 +210,24 @@ struct Filter {
   T* filtered;
 };
 
+/// Closest points on the zero set of the tensor-cubic interpolant of nodal values, (RP.30).
+/// Positions are in cells: node c lies at c. Arrays of nodes hold whole packs, filled up with any
+/// node.
+template <class T, int D>
+struct ClosestPoints {
+  const T* values;                     ///< [z][y][x] of a box of nodes; NaN: there is none
+  std::array<std::int32_t, D> lower;   ///< cell of the box's first node
+  std::array<std::int32_t, D> extent;  ///< nodes of the box
+  int count;                           ///< of nodes whose closest point is wanted
+  int iterations;                      ///< at most
+  T flattest;                          ///< square of a gradient that is too small
+  T shortest_step;                     ///< that is not yet converged
+  T smallest_value;                    ///< that is not on the surface, after the last iteration
+  std::array<const T*, D> node;        ///< [node]
+  std::array<T*, D> point;             ///< [node] start, then closest point
+  T* converged;                        ///< [node] 1 or 0
+};
+
 template <class T, int D>
 struct Table {
   Isa isa;
@@ -218,8 +236,10 @@ struct Table {
   StageResult (*evaluate_stress)(const StressOfState<T, D>&);
   void (*write_surface_records)(const SurfaceRecords<T, D>&);
   void (*sum_ghosts)(const GhostSums<T, D>&);
+  void (*sum_velocities)(const GhostSums<T, D>&);  ///< sums[g][0][k] of k < D alone
   void (*scatter)(const Scatter<T, D>&);
   void (*filter)(const Filter<T, D>&);
+  void (*find_closest_points)(const ClosestPoints<T, D>&);
   StressPointsResult (*evaluate_stress_points)(const StressPoints<T, D>&);
   MotionResult (*advance_motion)(const Motion<T, D>&);
 };

@@ -47,21 +47,35 @@ std::array<T, D> rigid_velocity(const Body<T, D>& body, const FieldStore<T, D>& 
   return result;
 }
 
-// The sums of all ghosts or, run by run, of those that are reached.
-template <class T, int D>
-void sum_ghosts(BlockGhosts<T, D>& ghosts, const T* records, WhichGhosts which,
-                const kernels::Table<T, D>& table) {
+/// Calls f(sums) for every run of ghosts for which `is_wanted(ghost)`.
+template <class T, int D, class IsWanted, class F>
+void for_each_run(BlockGhosts<T, D>& ghosts, const T* records, const IsWanted& is_wanted,
+                  const F& f) {
   const std::size_t count = ghosts.slot.size();
-  const auto is_wanted = [&](std::size_t g) {
-    return which == WhichGhosts::all || ghosts.reached[g] != 0;
-  };
   for (std::size_t end, begin = 0; begin < count; begin = end + 1) {
     for (end = begin; end < count && is_wanted(end);) ++end;
     if (end == begin) continue;
-    table.sum_ghosts({static_cast<std::int64_t>(begin), static_cast<std::int64_t>(end - begin),
-                      ghosts.begin.data(), ghosts.record.data(), ghosts.linear.data(),
-                      ghosts.constrained.data(), ghosts.surface.data(), records,
-                      ghosts.sums.get() + 3 * kernels::record_width<D> * begin});
+    f(kernels::GhostSums<T, D>{static_cast<std::int64_t>(begin),
+                               static_cast<std::int64_t>(end - begin), ghosts.begin.data(),
+                               ghosts.record.data(), ghosts.linear.data(),
+                               ghosts.constrained.data(), ghosts.surface.data(), records,
+                               ghosts.sums.get() + 3 * kernels::record_width<D> * begin});
+  }
+}
+
+template <class T, int D>
+void find_drift_velocity(Body<T, D>& body, int block, GhostTreatment treatment,
+                         const kernels::Table<T, D>& table) {
+  BlockGhosts<T, D>& ghosts = body.population.ghosts[block];
+  const auto drifts = [&](std::size_t g) { return ghosts.reached[g] == 0; };
+  for_each_run(ghosts, body.records.get(), drifts, table.sum_velocities);
+  FieldStore<T, D>& state = body.stage[1];
+  for (std::size_t g = 0; g < ghosts.slot.size(); ++g) {
+    if (!drifts(g)) continue;
+    std::array<T, D> u;
+    for (int a = 0; a < D; ++a) u[a] = ghosts.fits(g).linear.velocity(a);
+    if (treatment == GhostTreatment::rigid) u = rigid_velocity<T, D>(body, state, ghosts, g);
+    for (int a = 0; a < D; ++a) state.get(Field::velocity, a)[ghosts.slot[g]] = u[a];
   }
 }
 
@@ -80,7 +94,10 @@ void fill_ghosts(Body<T, D>& body, int block, int stage, int parity, WhichGhosts
                  const Boundaries<D>& boundaries, const BoundaryValues<D>& values,
                  GhostTreatment treatment, const kernels::Table<T, D>& table) {
   BlockGhosts<T, D>& ghosts = body.population.ghosts[block];
-  sum_ghosts(ghosts, body.records.get(), which, table);
+  for_each_run(
+      ghosts, body.records.get(),
+      [&](std::size_t g) { return which == WhichGhosts::all || ghosts.reached[g] != 0; },
+      table.sum_ghosts);
   FieldStore<T, D>& state = body.stage[stage];
   const bool averaged = treatment == GhostTreatment::averaged;
   const kernels::Impedance<T> impedance(body.material);
@@ -128,16 +145,18 @@ void fill_ghosts(Body<T, D>& body, int block, int stage, int parity, WhichGhosts
 }
 
 template <class T, int D>
-void carry_ghosts(Body<T, D>& body, int block, int stage) {
+void drift_ghosts(Body<T, D>& body, int block, int stage, GhostTreatment treatment,
+                  const kernels::Table<T, D>& table) {
+  if (stage == 1) return find_drift_velocity(body, block, treatment, table);
+  const T times_middle = std::array<T, 4>{0, 1, 1, 2}[stage];
   const BlockGhosts<T, D>& ghosts = body.population.ghosts[block];
   for (int a = 0; a < D; ++a) {
-    const T* start = body.stage[0].get(Field::velocity, a);
     const T* middle = body.stage[1].get(Field::velocity, a);
     T* velocity = body.stage[stage].get(Field::velocity, a);
     for (std::size_t g = 0; g < ghosts.slot.size(); ++g) {
       if (ghosts.reached[g] != 0) continue;
       const std::int64_t slot = ghosts.slot[g];
-      velocity[slot] = stage == 2 ? middle[slot] : 2 * middle[slot] - start[slot];
+      velocity[slot] = stage == 0 ? T(0) : times_middle * middle[slot];
     }
   }
 }
@@ -178,13 +197,15 @@ template struct BoundaryValues<2>;
 template void fill_ghosts<double, 2>(Body<double, 2>&, int, int, int, WhichGhosts,
                                      const Boundaries<2>&, const BoundaryValues<2>&, GhostTreatment,
                                      const kernels::Table<double, 2>&);
-template void carry_ghosts<double, 2>(Body<double, 2>&, int, int);
+template void drift_ghosts<double, 2>(Body<double, 2>&, int, int, GhostTreatment,
+                                      const kernels::Table<double, 2>&);
 template void fill_conserved<double, 2>(Body<double, 2>&, int);
 template struct BoundaryValues<3>;
 template void fill_ghosts<double, 3>(Body<double, 3>&, int, int, int, WhichGhosts,
                                      const Boundaries<3>&, const BoundaryValues<3>&, GhostTreatment,
                                      const kernels::Table<double, 3>&);
-template void carry_ghosts<double, 3>(Body<double, 3>&, int, int);
+template void drift_ghosts<double, 3>(Body<double, 3>&, int, int, GhostTreatment,
+                                      const kernels::Table<double, 3>&);
 template void fill_conserved<double, 3>(Body<double, 3>&, int);
 
 }  // namespace pliant::remeshed

@@ -209,7 +209,8 @@ void Remeshing<T, D>::arrival_phases(std::vector<scheduler::Phase>& phases, int 
                         Phase::Extent::per_block,
                         own,
                         [this, layer, first_block](int b) {
-                          level_set_.add_layer(body_.spare.layout.blocks()[b - first_block], layer);
+                          level_set_.add_layer(body_.spare.layout.blocks()[b - first_block], layer,
+                                               kernels_);
                         }});
     }
   }
@@ -246,7 +247,7 @@ void Remeshing<T, D>::extend_level_set(int block) {
 
 template <class T, int D>
 void Remeshing<T, D>::find_closest_points(int block) {
-  level_set_.find_closest_points(body_.spare.layout.blocks()[block], reinitialise_);
+  level_set_.find_closest_points(body_.spare.layout.blocks()[block], reinitialise_, kernels_);
 }
 
 template <class T, int D>
