@@ -21,7 +21,7 @@ struct Block {
 
 /// Where the slots of a body lie in memory.
 ///
-/// Only occupied packs exist. Those of a lattice row form runs with a spare pack at both ends; runs
+/// Only occupied packs exist. Those of a lattice row form runs with a spare pack between them; runs
 /// follow each other row by row (in 3D in tiles of rows, so that neighbours in space stay
 /// neighbours in memory), and segments cut them where a neighbouring row changes its run. `padding`
 /// slots lie before the first and behind the last run, so that every load of a segment's neighbours
