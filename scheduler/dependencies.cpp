@@ -6,6 +6,8 @@
 #include <numeric>
 #include <stdexcept>
 
+#include "scheduler/reduction.hpp"
+
 // The derivation walks the phases in the order of their list and keeps, for each field and block (a
 // cell), the node that wrote it last and the nodes that have read it since:
 //
@@ -16,6 +18,8 @@
 //
 // When each of k > 1 blocks reads the values of all blocks, the k readers share one junction before
 // them (all writers lead to it) and one behind them (later writers follow it).
+//
+// Edges that others imply, most of them, go as soon as those of their node are known.
 namespace pliant::scheduler {
 
 namespace {
@@ -78,11 +82,12 @@ class Derivation {
   }
 
   // Edges of one node are added together, so that sorting each node's own keeps the list sorted.
-  void settle_edges(std::size_t first) {
+  void settle_edges(int node, std::size_t first) {
     auto& edges = result_.edges;
     const auto begin = edges.begin() + static_cast<std::ptrdiff_t>(first);
     std::sort(begin, edges.end());
     edges.erase(std::unique(begin, edges.end()), edges.end());
+    reduction_.add(result_.nodes[static_cast<std::size_t>(node)], edges, first);
   }
 
   void follow_writers(int node, const Access& read, BlockId block) {
@@ -111,7 +116,7 @@ class Derivation {
       const int junction = add_node(p, no_block);
       const std::size_t first_edge = result_.edges.size();
       follow_writers(junction, read, 0);
-      settle_edges(first_edge);
+      settle_edges(junction, first_edge);
     }
 
     const int first_node = static_cast<int>(result_.nodes.size());
@@ -123,7 +128,7 @@ class Derivation {
       for (int s = 0; s < static_cast<int>(shared_reads.size()); ++s)
         result_.edges.push_back(
             {first_junction + s, node, shared_reads[static_cast<std::size_t>(s)].field});
-      settle_edges(first_edge);
+      settle_edges(node, first_edge);
     }
 
     record_writes(phase, first_node, blocks);
@@ -156,8 +161,10 @@ class Derivation {
   void record_shared_read(int p, const Access& read, int first_node,
                           const std::vector<BlockId>& blocks) {
     const int junction = add_node(p, no_block);
+    const std::size_t first_edge = result_.edges.size();
     for (int node = first_node; node < first_node + static_cast<int>(blocks.size()); ++node)
       result_.edges.push_back({node, junction, read.field});
+    settle_edges(junction, first_edge);
     for_each_cell(read, 0, [&](Cell& c, BlockId b) {
       if (c.writer >= first_node)
         refuse(phases_[static_cast<std::size_t>(p)], read.field, b, blocks[b == blocks[0] ? 1 : 0]);
@@ -180,6 +187,7 @@ class Derivation {
   std::vector<Cell> cells_;
   std::vector<BlockId> every_block_;
   Dependencies result_;
+  Reduction reduction_{Reduction::Junctions::kept};
 };
 
 void check(const std::vector<Phase>& phases, const Blocks& blocks, int field_count) {

@@ -2,12 +2,11 @@
 #include <numeric>
 #include <utility>
 
-#include "scheduler/dependencies.hpp"
+#include "scheduler/reduction.hpp"
 
-// An edge u -> v is implied when another predecessor of v can be traced back to u. The level of a
-// node, the length of the longest path that leads to it, rises along every path: the trace stays
-// above u's level, and most edges join adjacent levels and need none. The usual detour runs through
-// u's own block, so that going that way first finds it in a few hops.
+// The level of a node, the length of the longest path that leads to it, rises along every path: the
+// trace stays above u's level, and most edges join adjacent levels and need none. The usual detour
+// runs through u's own block, so that going that way first finds it in a few hops.
 namespace pliant::scheduler {
 
 namespace {
@@ -54,89 +53,87 @@ Dependencies without_idle_junctions(const Dependencies& all) {
   return kept;
 }
 
-class Tracer {
- public:
-  Tracer(const std::vector<Node>& nodes, const std::vector<Edge>& edges)
-      : nodes_(nodes),
-        first_(nodes.size() + 1),
-        level_(nodes.size()),
-        last_trace_(nodes.size(), -1) {
-    // Predecessors without repetition; edges come sorted by `to`, then `from`.
-    for (std::size_t e = 0; e < edges.size(); ++e) {
-      if (e > 0 && edges[e].has_ends_of(edges[e - 1])) continue;
-      const auto to = static_cast<std::size_t>(edges[e].to);
-      predecessors_.push_back(edges[e].from);
-      ++first_[to + 1];
-      level_[to] = std::max(level_[to], level(edges[e].from) + 1);
-    }
-    std::partial_sum(first_.begin(), first_.end(), first_.begin());
-  }
-
-  bool is_implied(const Edge& edge) {
-    if (level(edge.from) + 1 == level(edge.to)) return false;
-    ++trace_;
-    pending_.clear();
-    visit_predecessors(edge.to, edge.from);
-    while (!pending_.empty()) {
-      const int node = pending_.back();
-      pending_.pop_back();
-      if (visit_predecessors(node, edge.from)) return true;
-    }
-    return false;
-  }
-
- private:
-  // Stacks the predecessors through which a path from `target` may lead, the one in its block on
-  // top; true when `target` is among the predecessors.
-  bool visit_predecessors(int node, int target) {
-    const auto n = static_cast<std::size_t>(node);
-    const std::size_t bottom = pending_.size();
-    bool leads_to_target = false;
-    for (std::size_t i = first_[n]; i < first_[n + 1]; ++i) {
-      const int before = predecessors_[i];
-      leads_to_target |= before == target;
-      if (level(before) <= level(target) || last_trace(before) == trace_) continue;
-      last_trace(before) = trace_;
-      pending_.push_back(before);
-      const std::size_t top = pending_.size() - 1;
-      if (top > bottom && block(pending_[top - 1]) == block(target))
-        std::swap(pending_[top - 1], pending_[top]);
-    }
-    return leads_to_target;
-  }
-
-  BlockId block(int node) const { return nodes_[static_cast<std::size_t>(node)].block; }
-  int level(int node) const { return level_[static_cast<std::size_t>(node)]; }
-  int& last_trace(int node) { return last_trace_[static_cast<std::size_t>(node)]; }
-
-  const std::vector<Node>& nodes_;
-  std::vector<std::size_t> first_;  // [node] of its predecessors
-  std::vector<int> predecessors_;
-  std::vector<int> level_;
-  std::vector<int> last_trace_;  // [node] that came by
-  std::vector<int> pending_;
-  int trace_ = 0;
-};
-
-// Leaves out every edge whose ends are joined by a longer path too.
-std::vector<Edge> without_implied_edges(const std::vector<Node>& nodes,
-                                        const std::vector<Edge>& edges) {
-  Tracer tracer(nodes, edges);
-  std::vector<Edge> kept;
-  kept.reserve(edges.size());
-  bool is_implied = false;
-  for (std::size_t e = 0; e < edges.size(); ++e) {
-    if (e == 0 || !edges[e].has_ends_of(edges[e - 1])) is_implied = tracer.is_implied(edges[e]);
-    if (!is_implied) kept.push_back(edges[e]);
-  }
-  return kept;
-}
-
 }  // namespace
 
+void Reduction::add(const Node& node, std::vector<Edge>& edges, std::size_t first) {
+  int level = 0;
+  for (std::size_t e = first; e < edges.size(); ++e) {
+    if (e > first && edges[e].has_ends_of(edges[e - 1])) continue;
+    predecessors_.push_back(edges[e].from);
+    level = std::max(level, level_[static_cast<std::size_t>(edges[e].from)] + 1);
+  }
+  nodes_.push_back(node);
+  level_.push_back(level);
+  last_trace_.push_back(-1);
+  ends_.push_back(predecessors_.size());
+  drop_implied(edges, first);
+  predecessors_.resize(begin_of(nodes_.size() - 1));
+  for (std::size_t e = first; e < edges.size(); ++e) {
+    if (e == first || !edges[e].has_ends_of(edges[e - 1])) predecessors_.push_back(edges[e].from);
+  }
+  ends_.back() = predecessors_.size();
+}
+
+void Reduction::drop_implied(std::vector<Edge>& edges, std::size_t first) {
+  std::size_t kept = first;
+  bool implied = false;
+  for (std::size_t e = first; e < edges.size(); ++e) {
+    if (e == first || edges[e].from != last_from_) implied = is_implied(edges[e]);
+    last_from_ = edges[e].from;
+    if (!implied) edges[kept++] = edges[e];
+  }
+  edges.resize(kept);
+}
+
+bool Reduction::is_implied(const Edge& edge) {
+  if (junctions_ == Junctions::kept && (is_junction(edge.from) || is_junction(edge.to))) {
+    return false;
+  }
+  if (level(edge.from) + 1 == level(edge.to)) return false;
+  ++trace_;
+  pending_.clear();
+  visit_predecessors(edge.to, edge.from);
+  while (!pending_.empty()) {
+    const int node = pending_.back();
+    pending_.pop_back();
+    if (visit_predecessors(node, edge.from)) return true;
+  }
+  return false;
+}
+
+// Stacks the predecessors through which a path from `target` may lead, the one in its block on
+// top; true when `target` is among the predecessors.
+bool Reduction::visit_predecessors(int node, int target) {
+  const auto n = static_cast<std::size_t>(node);
+  const std::size_t bottom = pending_.size();
+  bool leads_to_target = false;
+  for (std::size_t i = begin_of(n); i < ends_[n]; ++i) {
+    const int before = predecessors_[i];
+    leads_to_target |= before == target;
+    if (level(before) <= level(target) || last_trace(before) == trace_) continue;
+    if (junctions_ == Junctions::kept && is_junction(before)) continue;
+    last_trace(before) = trace_;
+    pending_.push_back(before);
+    const std::size_t top = pending_.size() - 1;
+    if (top > bottom && block(pending_[top - 1]) == block(target))
+      std::swap(pending_[top - 1], pending_[top]);
+  }
+  return leads_to_target;
+}
+
 Dependencies reduced(const Dependencies& all) {
-  auto result = without_idle_junctions(all);
-  result.edges = without_implied_edges(result.nodes, result.edges);
+  const Dependencies before = without_idle_junctions(all);
+  Dependencies result;
+  result.nodes = before.nodes;
+  Reduction reduction(Reduction::Junctions::traced);
+  std::size_t e = 0;
+  for (std::size_t n = 0; n < before.nodes.size(); ++n) {
+    const std::size_t first = result.edges.size();
+    for (; e < before.edges.size() && before.edges[e].to == static_cast<int>(n); ++e) {
+      result.edges.push_back(before.edges[e]);
+    }
+    reduction.add(before.nodes[n], result.edges, first);
+  }
   return result;
 }
 
