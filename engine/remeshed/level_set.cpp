@@ -75,12 +75,10 @@ void LevelSet<T, D>::prepare(const Lattice<D>& lattice, const Layout<D>& layout,
   lattice_ = &lattice;
   layout_ = &layout;
   phi_ = phi;
-  extended_.grow(layout.slots(), T(0));
   for (auto& layer : layer_) {
     layer.grow(layout.slots(), 0);
     std::memset(layer.get(), 0, layout.slots());
   }
-  for (auto& component : foot_) component.grow(layout.slots(), 0);
 }
 
 template <class T, int D>
@@ -180,7 +178,7 @@ void LevelSet<T, D>::find_closest_points(const Block<D>& block, bool reinitialis
     }
     near.add(p, cell, as_point<D>(cell));
   });
-  near.run(*lattice_, *layout_, extended_.get(), 12, kernels);
+  near.run(*lattice_, *layout_, extended_, 12, kernels);
   for (std::size_t i = 0; i < near.size(); ++i) place_near(near, i, reinitialise);
 }
 
@@ -296,7 +294,7 @@ void LevelSet<T, D>::find_nearest(const kernels::Segment<D>& segment, std::int64
 template <class T, int D>
 void LevelSet<T, D>::polish(Border& border, const kernels::Table<T, D>& kernels) const {
   constexpr int iterations = 6;
-  border.polished.run(*lattice_, *layout_, extended_.get(), iterations, kernels);
+  border.polished.run(*lattice_, *layout_, extended_, iterations, kernels);
   for (std::size_t i = 0; i < border.polished.size(); ++i) {
     if (border.polished.has_converged(i)) {
       adopt<D>(border.polished.point(i), border.foot[i]);
@@ -305,7 +303,7 @@ void LevelSet<T, D>::polish(Border& border, const kernels::Table<T, D>& kernels)
       border.again.add(border.polished.slot(i), border.polished.cell(i), border.foot[i]);
     }
   }
-  border.again.run(*lattice_, *layout_, extended_.get(), iterations, kernels);
+  border.again.run(*lattice_, *layout_, extended_, iterations, kernels);
   for (std::size_t k = 0; k < border.failed.size(); ++k) {
     if (border.again.has_converged(k)) adopt<D>(border.again.point(k), border.foot[border.failed[k]]);
   }

@@ -31,6 +31,12 @@ class LevelSet {
   static constexpr double far = 6.5;        ///< [h]
 
   void prepare(const Lattice<D>& lattice, const Layout<D>& layout, T* phi);
+  /// Where to keep phi continued through walls, and closest points, from the first pass to the last
+  /// question for one.
+  void use(T* extended, const std::array<T*, D>& foot) {
+    extended_ = extended;
+    foot_ = foot;
+  }
 
   /// The passes over one block, in this order; each reads neighbouring blocks of the pass before.
   /// Nodes where `valid` is 0 got nothing from remeshing.
@@ -71,9 +77,9 @@ class LevelSet {
   const Lattice<D>* lattice_ = nullptr;
   const Layout<D>* layout_ = nullptr;
   T* phi_ = nullptr;
-  Buffer<T> extended_;  ///< phi continued through walls, before any rebuilding
+  T* extended_ = nullptr;        ///< phi continued through walls, before any rebuilding
+  std::array<T*, D> foot_ = {};  ///< closest point minus node, in cells
   std::array<Buffer<std::uint8_t>, 2> layer_;  ///< 0: no closest point yet; passes alternate
-  std::array<Buffer<double>, D> foot_;         ///< closest point minus node, in cells
 };
 
 extern template class LevelSet<double, 2>;
