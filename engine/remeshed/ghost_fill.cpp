@@ -70,11 +70,11 @@ void for_each_fit(const BlockGhosts<T, D>& ghosts, const T* records, const IsWan
 }
 
 template <class T, int D>
-void find_drift_velocity(Body<T, D>& body, int block, GhostTreatment treatment,
-                         const kernels::Table<T, D>& table) {
+void fit_drift_velocity(Body<T, D>& body, int block, int stage, GhostTreatment treatment,
+                        const kernels::Table<T, D>& table) {
   BlockGhosts<T, D>& ghosts = body.population.ghosts[block];
   const auto drifts = [&](std::size_t g) { return ghosts.reached[g] == 0; };
-  FieldStore<T, D>& state = body.stage[1];
+  FieldStore<T, D>& state = body.stage[buffer_of(stage)];
   for_each_fit(ghosts, body.records.get(), drifts, table.sum_velocities,
                [&](std::size_t g, const kernels::GhostFits<T, D>& fits) {
                  std::array<T, D> u;
@@ -152,16 +152,20 @@ void fill_ghosts(Body<T, D>& body, int block, int stage, int parity, WhichGhosts
 template <class T, int D>
 void drift_ghosts(Body<T, D>& body, int block, int stage, GhostTreatment treatment,
                   const kernels::Table<T, D>& table) {
-  if (stage == 1) return find_drift_velocity(body, block, treatment, table);
-  const T times_middle = std::array<T, 4>{0, 1, 1, 2}[stage];
+  if (stage < 2) return fit_drift_velocity(body, block, stage, treatment, table);
   const BlockGhosts<T, D>& ghosts = body.population.ghosts[block];
   for (int a = 0; a < D; ++a) {
-    const T* middle = body.stage[stage == 3 ? 2 : 1].get(Field::velocity, a);
-    T* velocity = body.stage[buffer_of(stage)].get(Field::velocity, a);
+    const T* start = body.stage[0].get(Field::velocity, a);
+    T* second = body.stage[1].get(Field::velocity, a);
+    T* third = body.stage[2].get(Field::velocity, a);
     for (std::size_t g = 0; g < ghosts.slot.size(); ++g) {
       if (ghosts.reached[g] != 0) continue;
       const std::int64_t slot = ghosts.slot[g];
-      velocity[slot] = stage == 0 ? T(0) : times_middle * middle[slot];
+      if (stage == 2) {
+        third[slot] = (4 * second[slot] - start[slot]) / 3;
+      } else {
+        second[slot] = third[slot];
+      }
     }
   }
 }
