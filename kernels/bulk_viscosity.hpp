@@ -18,12 +18,13 @@ inline P volume_change(const std::array<Pointer, material_components<D>>& f, std
   return determinant(carried) - P(Scalar<P>(1));
 }
 
-/// J - 1 at the start of the step, before the last stage overwrites it.
+/// J - 1 at the start of the step, which the third stage overwrites, for all of them.
 template <class P, int D>
-void volume_changes_at_start(const Stage<Scalar<P>, D>& stage, const Chunk& chunk,
-                             Scalar<P> (&change)[chunk_slots]) {
+void keep_volume_changes(const Stage<Scalar<P>, D>& stage, const Chunk& chunk) {
   for (int at = 0; at < chunk.count; at += lanes<P>) {
-    volume_change<P, D>(stage.start.material, chunk.first + at).store_aligned(&change[at]);
+    const std::int64_t slot = chunk.first + at;
+    volume_change<P, D>(stage.start.material, slot)
+        .store_unaligned(stage.viscosity.volume_change + slot);
   }
 }
 
@@ -40,12 +41,11 @@ inline void add_pressure(const P& pressure,
 
 /// The stress of the new state takes up sum p_i, (RP.71).
 template <bool last, class P, int D>
-void relax_next(const Stage<Scalar<P>, D>& stage, const Chunk& chunk,
-                const Scalar<P> (&change_at_start)[chunk_slots]) {
+void relax_next(const Stage<Scalar<P>, D>& stage, const Chunk& chunk) {
   const BulkViscosity<Scalar<P>>& viscosity = stage.viscosity;
   for (int at = 0; at < chunk.count; at += lanes<P>) {
     const std::int64_t slot = chunk.first + at;
-    const P start = P::load_aligned(&change_at_start[at]);
+    const P start = load<P>(viscosity.volume_change + slot);
     const P end = volume_change<P, D>(stage.next.material, slot);
     P sum(Scalar<P>(0));
     for (int i = 0; i < viscosity.terms; ++i) {

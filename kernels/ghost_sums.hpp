@@ -40,4 +40,30 @@ void sum_ghosts(const GhostSums<Scalar<P>, D>& ghosts) {
   }
 }
 
+/// The same of the velocity alone, by (RP.32).
+template <class P, int D>
+void sum_velocities(const GhostSums<Scalar<P>, D>& ghosts) {
+  using T = Scalar<P>;
+  constexpr int width = record_width<D>;
+  constexpr int registers = (D + lanes<P> - 1) / lanes<P>;
+  for (std::int64_t g = 0; g < ghosts.count; ++g) {
+    P velocity[registers];
+#pragma GCC unroll 2
+    for (int r = 0; r < registers; ++r) velocity[r] = P(T(0));
+    const std::int64_t end = ghosts.begin[ghosts.first + g + 1];
+    for (std::int64_t i = ghosts.begin[ghosts.first + g]; i < end; ++i) {
+      const T* record = ghosts.records + static_cast<std::int64_t>(ghosts.record[i]) * width;
+      const P c(ghosts.linear[i]);
+#pragma GCC unroll 2
+      for (int r = 0; r < registers; ++r) {
+        velocity[r] = fused(c, load<P>(record + r * lanes<P>), velocity[r]);
+      }
+    }
+#pragma GCC unroll 2
+    for (int r = 0; r < registers; ++r) {
+      velocity[r].store_unaligned(ghosts.sums + g * 3 * width + r * lanes<P>);
+    }
+  }
+}
+
 }  // namespace pliant::kernels

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "kernels/closest_point.hpp"
 #include "kernels/filter.hpp"
 #include "kernels/ghost_sums.hpp"
 #include "kernels/motion.hpp"
@@ -20,8 +21,10 @@ constexpr Table<Scalar<P>, D> make_table(Isa isa) {
           evaluate_stress<P, D>,
           write_surface_records<P, D>,
           sum_ghosts<P, D>,
+          sum_velocities<P, D>,
           scatter<P, D>,
           filter<P, D>,
+          find_closest_points<P, D>,
           evaluate_stress_points<P, D>,
           advance_motion<P, D>};
 }

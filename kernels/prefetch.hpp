@@ -27,10 +27,8 @@ template <class P, int D>
   const int components = carried_components<D>(stage.material.model);
   prefetch<P>(stage.start, components, slot);
   prefetch<P>(stage.next, components, slot);
-  if (stage.stage == 3) {
-    prefetch<P>(stage.second, components, slot);
-    prefetch<P>(stage.third, components, slot);
-  }
+  if (stage.stage == 2) prefetch<P>(stage.second, components, slot);
+  if (stage.stage == 3) prefetch<P>(stage.third, components, slot);
   __builtin_prefetch(stage.mass + slot);
   __builtin_prefetch(stage.current.volume + slot);
   for (int c = 0; c < components; ++c) __builtin_prefetch(stage.current.material[c] + slot);

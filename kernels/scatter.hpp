@@ -66,17 +66,17 @@ inline void prepare_scatter(const Scatter<Scalar<P>, D>& block, std::int64_t slo
   }
 }
 
-/// The nodes of a particle, along each axis, that lie in the tile.
+/// The four nodes of a particle along each axis, in the box around the tile.
 template <class P, int D>
 struct NodeRange {
-  int begin[3] = {0, 0, 0}, end[3] = {1, 1, 1};  ///< of its four
-  std::int64_t first = 0;                        ///< offset of the first of its four, maybe outside
+  std::int32_t first[3] = {0, 0, 0};                      ///< of the four, from the lower corner
+  std::int32_t begin[3] = {0, 0, 0}, end[3] = {1, 1, 1};  ///< those in the box, from the same
   bool is_empty = false;
 };
 
 template <class P, int D>
 inline NodeRange<P, D> nodes_of(const Scatter<Scalar<P>, D>& block, const Segment<D>& segment,
-                                int along_row, int lane, const std::int64_t (&stride)[D],
+                                int along_row, int lane,
                                 const ScatterColumns<Scalar<P>, D>& columns) {
   NodeRange<P, D> range;
 #pragma GCC unroll 3
@@ -84,19 +84,48 @@ inline NodeRange<P, D> nodes_of(const Scatter<Scalar<P>, D>& block, const Segmen
     const std::int32_t first = segment.cell[i] + (i == 0 ? along_row : 0) + block.shift[i] -
                                block.lower[i] + static_cast<std::int32_t>(columns.cell[i][lane]) -
                                1;
-    range.begin[i] = first < 0 ? -first : 0;
-    range.end[i] = first + 4 > block.extent[i] ? block.extent[i] - first : 4;
+    range.first[i] = first;
+    range.begin[i] = first < 0 ? 0 : first;
+    range.end[i] = first + 4 > block.extent[i] ? block.extent[i] : first + 4;
     range.is_empty = range.is_empty || range.begin[i] >= range.end[i];
-    range.first += first * stride[i];
   }
   return range;
 }
 
+template <class P, int D>
+inline const NodeRow& row_at(const Scatter<Scalar<P>, D>& block, int y, int z) {
+  return block.rows[static_cast<std::int64_t>(z) * block.extent[1] + y];
+}
+
+/// Whether any row has nodes for a range of particles.
+template <class P, int D>
+inline bool meets_rows(const Scatter<Scalar<P>, D>& block, const NodeRange<P, D>& range) {
+  for (int z = range.begin[2]; z < range.end[2]; ++z) {
+    for (int y = range.begin[1]; y < range.end[1]; ++y) {
+      const NodeRow& row = row_at<P>(block, y, z);
+      if (row.begin < range.end[0] && range.begin[0] < row.end) return true;
+    }
+  }
+  return false;
+}
+
+/// The smallest range that holds two.
+template <class P, int D>
+inline void unite(NodeRange<P, D>& all, const NodeRange<P, D>& other) {
+  if (other.is_empty) return;
+#pragma GCC unroll 3
+  for (int i = 0; i < D; ++i) {
+    all.begin[i] = all.is_empty || other.begin[i] < all.begin[i] ? other.begin[i] : all.begin[i];
+    all.end[i] = all.is_empty || other.end[i] > all.end[i] ? other.end[i] : all.end[i];
+  }
+  all.is_empty = false;
+}
+
 /// Adds lane `l` of a prepared pack.
 template <int width, class P, int D>
-inline void add_to_nodes(const ScatterColumns<Scalar<P>, D>& columns, int l,
-                         const NodeRange<P, D>& range, const std::int64_t (&stride)[D],
-                         Scalar<P>* nodes) {
+inline void add_to_nodes(const Scatter<Scalar<P>, D>& block,
+                         const ScatterColumns<Scalar<P>, D>& columns, int l,
+                         const NodeRange<P, D>& range) {
   using T = Scalar<P>;
   constexpr int registers = width / lanes<P>;
   P record[registers];
@@ -106,17 +135,17 @@ inline void add_to_nodes(const ScatterColumns<Scalar<P>, D>& columns, int l,
   }
   for (int z = range.begin[2]; z < range.end[2]; ++z) {
     for (int y = range.begin[1]; y < range.end[1]; ++y) {
-      T* row = nodes + range.first + y * stride[1];
-      T factor = columns.weight[1][y][l];
-      if constexpr (D == 3) {
-        row += z * stride[2];
-        factor *= columns.weight[2][z][l];
-      }
-      for (int x = range.begin[0]; x < range.end[0]; ++x) {
-        const P weight(factor * columns.weight[0][x][l]);
+      const NodeRow& row = row_at<P>(block, y, z);
+      T factor = columns.weight[1][y - range.first[1]][l];
+      if constexpr (D == 3) factor *= columns.weight[2][z - range.first[2]][l];
+      const int begin = row.begin > range.begin[0] ? row.begin : range.begin[0];
+      const int end = row.end < range.end[0] ? row.end : range.end[0];
+      T* node = block.nodes + (row.first + begin - row.begin) * width;
+      for (int x = begin; x < end; ++x, node += width) {
+        const P weight(factor * columns.weight[0][x - range.first[0]][l]);
 #pragma GCC unroll 16
         for (int r = 0; r < registers; ++r) {
-          T* sum = row + x * width + r * lanes<P>;
+          T* sum = node + r * lanes<P>;
           fused(weight, record[r], load<P>(sum)).store_unaligned(sum);
         }
       }
@@ -132,9 +161,6 @@ void scatter_in(const Scatter<Scalar<P>, D>& block) {
   for (int l = 0; l < pack; ++l) {
     for (int f = 0; f < node_width<D>; ++f) columns.record[l][f] = 0;
   }
-  std::int64_t stride[D];
-  stride[0] = width;
-  for (int i = 1; i < D; ++i) stride[i] = stride[i - 1] * block.extent[i - 1];
   for (int s = 0; s < block.segment_count; ++s) {
     const Segment<D>& segment = block.segments[s];
     for (int begin = 0; begin < segment.count; begin += pack) {
@@ -142,20 +168,19 @@ void scatter_in(const Scatter<Scalar<P>, D>& block) {
       for (int at = 0; at < pack; at += lanes<P>) {
         locate<P, D>(block, segment.first + begin + at, at, columns);
       }
-      NodeRange<P, D> range[pack];
-      bool touches = false;
+      NodeRange<P, D> range[pack], all;
+      all.is_empty = true;
       for (int l = 0; l < pack; ++l) {
-        range[l] = nodes_of<P, D>(block, segment, begin + l, l, stride, columns);
+        range[l] = nodes_of<P, D>(block, segment, begin + l, l, columns);
         range[l].is_empty = range[l].is_empty || !scatters<P>(kind[l]);
-        touches = touches || !range[l].is_empty;
+        unite(all, range[l]);
       }
-      if (!touches) continue;
+      if (all.is_empty || !meets_rows(block, all)) continue;
       for (int at = 0; at < pack; at += lanes<P>) {
         prepare_scatter<P, D>(block, segment.first + begin + at, at, columns);
       }
       for (int l = 0; l < pack; ++l) {
-        if (range[l].is_empty) continue;
-        add_to_nodes<width, P, D>(columns, l, range[l], stride, block.nodes);
+        if (!range[l].is_empty) add_to_nodes<width, P, D>(block, columns, l, range[l]);
       }
     }
   }

@@ -41,17 +41,17 @@ GradientsOfChunk<P, D> gradients_for(Weight weight) {
   return stage_gradients<present, listed, P, D>;
 }
 
-template <bool last, class P, int D>
+template <StagePlace place, class P, int D>
 UpdateOfChunk<P, D> update_for(Model model) {
   switch (model) {
     case Model::linear_rho:
-      return stage_update<Model::linear_rho, last, P, D>;
+      return stage_update<Model::linear_rho, place, P, D>;
     case Model::linear_log:
-      return stage_update<Model::linear_log, last, P, D>;
+      return stage_update<Model::linear_log, place, P, D>;
     case Model::reduced_polynomial:
       break;
   }
-  return stage_update<Model::reduced_polynomial, last, P, D>;
+  return stage_update<Model::reduced_polynomial, place, P, D>;
 }
 
 enum class Slots { vacant, ghosts, particles };
@@ -77,25 +77,19 @@ Chunk next_chunk(const Stage<Scalar<P>, D>& stage, const Segment<D>& segment, in
   return chunk;
 }
 
-template <class P, int D>
+template <StagePlace place, class P, int D>
 void drift(const Stage<Scalar<P>, D>& stage, const Chunk& chunk) {
-  if (stage.stage == 3) {
-    advance_displacement(stage, RungeKutta<P, true>(stage.time_step, stage.stage), chunk);
-  } else {
-    advance_displacement(stage, RungeKutta<P, false>(stage.time_step, stage.stage), chunk);
-  }
+  advance_displacement(stage, RungeKutta<P, place>(stage.time_step), chunk);
 }
 
-/// See Stage.
-template <class P, int D>
-StageResult advance_stage(const Stage<Scalar<P>, D>& stage) {
+/// One stage; see Stage.
+template <StagePlace place, class P, int D>
+StageResult advance_stage_at(const Stage<Scalar<P>, D>& stage) {
   const auto gradients_of = stage.pairs != nullptr ? symmetric_gradients<P, D>
                             : stage.neighbours != nullptr
                                 ? gradients_for<true, P, D>(stage.weight)
                                 : gradients_for<false, P, D>(stage.weight);
-  const Model model = stage.material.model;
-  const auto update =
-      stage.stage == 3 ? update_for<true, P, D>(model) : update_for<false, P, D>(model);
+  const auto update = update_for<place, P, D>(stage.material.model);
   ChunkGradients<Scalar<P>, D> gradients;
   StageExtremes<P> extremes;
   for (int s = 0; s < stage.segment_count; ++s) {
@@ -107,7 +101,7 @@ StageResult advance_stage(const Stage<Scalar<P>, D>& stage) {
         case Slots::vacant:
           break;
         case Slots::ghosts:
-          drift<P>(stage, chunk);
+          drift<place, P>(stage, chunk);
           break;
         case Slots::particles:
           gradients_of(stage, segment, chunk, gradients);
@@ -117,6 +111,18 @@ StageResult advance_stage(const Stage<Scalar<P>, D>& stage) {
   }
   return {square_root<P>(largest(extremes.strain_rate2)),
           square_root<P>(largest(extremes.wave_speed2)), extremes.non_finite};
+}
+
+/// See Stage.
+template <class P, int D>
+StageResult advance_stage(const Stage<Scalar<P>, D>& stage) {
+  switch (stage.stage) {
+    case 2:
+      return advance_stage_at<StagePlace::third, P, D>(stage);
+    case 3:
+      return advance_stage_at<StagePlace::last, P, D>(stage);
+  }
+  return advance_stage_at<StagePlace::early, P, D>(stage);
 }
 
 }  // namespace pliant::kernels

@@ -23,8 +23,8 @@ inline StageField<T> stage_field(const Stage<T, D>& stage, const Pick& pick) {
 }
 
 /// d xi/dt = u, also in slots that are not interior: ghosts move along.
-template <class P, bool last, int D>
-void advance_displacement(const Stage<Scalar<P>, D>& stage, const RungeKutta<P, last>& runge_kutta,
+template <class P, StagePlace place, int D>
+void advance_displacement(const Stage<Scalar<P>, D>& stage, const RungeKutta<P, place>& runge_kutta,
                           const Chunk& chunk) {
   using Arch = typename P::arch_type;
 #pragma GCC unroll 3
@@ -39,8 +39,8 @@ void advance_displacement(const Stage<Scalar<P>, D>& stage, const RungeKutta<P, 
 }
 
 /// du/dt = (v/m) div sigma, and the drag of (RP.43)
-template <class P, bool last, int D>
-void advance_velocity(const Stage<Scalar<P>, D>& stage, const RungeKutta<P, last>& runge_kutta,
+template <class P, StagePlace place, int D>
+void advance_velocity(const Stage<Scalar<P>, D>& stage, const RungeKutta<P, place>& runge_kutta,
                       const ChunkGradients<Scalar<P>, D>& gradients, const Chunk& chunk) {
   using Arch = typename P::arch_type;
   for (int at = 0; at < chunk.count; at += lanes<P>) {
@@ -57,8 +57,8 @@ void advance_velocity(const Stage<Scalar<P>, D>& stage, const RungeKutta<P, last
 }
 
 /// dv/dt = v div u
-template <class P, bool last, int D>
-void advance_volume(const Stage<Scalar<P>, D>& stage, const RungeKutta<P, last>& runge_kutta,
+template <class P, StagePlace place, int D>
+void advance_volume(const Stage<Scalar<P>, D>& stage, const RungeKutta<P, place>& runge_kutta,
                     const ChunkGradients<Scalar<P>, D>& gradients, const Chunk& chunk) {
   using Arch = typename P::arch_type;
   const auto field = stage_field<Arch>(stage, [](const auto& q) { return q.volume; });
@@ -74,8 +74,8 @@ void advance_volume(const Stage<Scalar<P>, D>& stage, const RungeKutta<P, last>&
 }
 
 /// dS/dt by (RP.3) or dF/dt by (RP.8).
-template <Model model, class P, bool last, int D>
-void advance_material(const Stage<Scalar<P>, D>& stage, const RungeKutta<P, last>& runge_kutta,
+template <Model model, class P, StagePlace place, int D>
+void advance_material(const Stage<Scalar<P>, D>& stage, const RungeKutta<P, place>& runge_kutta,
                       const ChunkGradients<Scalar<P>, D>& gradients, const Chunk& chunk) {
   using Arch = typename P::arch_type;
   using L = Law<model, P, D>;
@@ -184,20 +184,20 @@ void examine_next(const Stage<Scalar<P>, D>& stage, const Chunk& chunk,
 }
 
 /// All of the above for one chunk.
-template <Model model, bool last, class P, int D>
+template <Model model, StagePlace place, class P, int D>
 void stage_update(const Stage<Scalar<P>, D>& stage, const ChunkGradients<Scalar<P>, D>& gradients,
                   const Chunk& chunk, StageExtremes<P>& extremes) {
-  const RungeKutta<P, last> runge_kutta(stage.time_step, stage.stage);
+  const RungeKutta<P, place> runge_kutta(stage.time_step);
   const bool relaxes = model == Model::reduced_polynomial && stage.viscosity.terms > 0;
-  alignas(64) Scalar<P> change_at_start[chunk_slots];
-  if (relaxes) volume_changes_at_start<P, D>(stage, chunk, change_at_start);
+  if (relaxes && stage.stage == 0) keep_volume_changes<P, D>(stage, chunk);
   advance_displacement(stage, runge_kutta, chunk);
   advance_velocity(stage, runge_kutta, gradients, chunk);
   advance_volume(stage, runge_kutta, gradients, chunk);
   advance_material<model>(stage, runge_kutta, gradients, chunk);
   stress_of_next<model, P>(stage, chunk);
-  if (relaxes) relax_next<last, P, D>(stage, chunk, change_at_start);
-  if constexpr (last) {
+  constexpr bool is_last = place == StagePlace::last;
+  if (relaxes) relax_next<is_last, P, D>(stage, chunk);
+  if constexpr (is_last) {
     strain_rate_of(gradients, chunk, extremes);
     examine_next<model>(stage, chunk, extremes);
   }

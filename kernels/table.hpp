@@ -50,6 +50,7 @@ struct BulkViscosity {
   int terms = 0;
   const Relaxation<T>* relaxation = nullptr;  ///< [term], of a stage
   T* const* pressure = nullptr;               ///< [term][slot] p_i at the start of the step [Pa]
+  T* volume_change = nullptr;                 ///< [slot] J - 1 there: the first stage keeps it
 };
 
 /// What particles need besides their state for the pair forces of plain SPH, (RP.74).
@@ -66,7 +67,8 @@ struct SymmetricPairs {
 /// Reads displacement, velocity and stress of `current` also in neighbouring blocks. Writes `next`
 /// and `next_stress` in packs with interior particles; their other slots get zero rates but for the
 /// displacement, which follows their velocity. In packs of ghosts the displacement alone is
-/// written, in vacant ones nothing. In stage 3 (the last) `next` may be `start`.
+/// written, in vacant ones nothing. Three copies of the state serve all stages: in stage 2 `next`
+/// may be `second`, in stage 3 (the last) `start`.
 template <class T, int D>
 struct Stage {
   const Segment<D>* segments;
@@ -83,9 +85,9 @@ struct Stage {
   const T* mass;
   Evolving<const T, D> current;  ///< Q of this stage
   std::array<const T*, symmetric_components<D>> stress;
-  Evolving<const T, D> start;   ///< Q0
-  Evolving<const T, D> second;  ///< Q2, read in the last stage
-  Evolving<const T, D> third;   ///< Q3, read in the last stage
+  Evolving<T, D> start;         ///< Q0; stage 2 leaves Q3 + (Q2 - Q0)/3 there
+  Evolving<const T, D> second;  ///< Q2, read in stage 2
+  Evolving<const T, D> third;   ///< Q3, read in stage 3
   Evolving<T, D> next;
   std::array<T*, symmetric_components<D>> next_stress;
   BulkViscosity<T> viscosity = {};  ///< the last stage writes its pressures
@@ -180,6 +182,12 @@ struct NodeField {
                        level_set = 3 + 2 * D, material = 4 + 2 * D;
 };
 
+/// The nodes of a tile in one lattice row, side by side in storage; none where begin == end.
+struct NodeRow {
+  std::int32_t begin, end;  ///< along x, from the lower corner of the tile
+  std::int64_t first;       ///< the node at `begin`
+};
+
 /// Adds one source block's particles (slots neither vacant nor images) to the nodes of a tile,
 /// (RP.21) and (RP.22), in slot order. Of the 4^D nodes of a particle those outside are left out.
 template <class T, int D>
@@ -194,9 +202,10 @@ struct Scatter {
   const T* level_set;
   std::array<const T*, D> carried;  ///< d at the last remeshing; d + xi is remeshed
   Evolving<const T, D> state;
-  T* nodes;                            ///< [z][y][x][node_width_for(carried_components)]
-  std::array<std::int32_t, D> lower;   ///< lattice cell of the buffer's first node
-  std::array<std::int32_t, D> extent;  ///< nodes of the buffer
+  T* nodes;                            ///< [node][node_width_for(carried_components)]
+  const NodeRow* rows;                 ///< [z][y]
+  std::array<std::int32_t, D> lower;   ///< lattice cell at the lower corner of the tile
+  std::array<std::int32_t, D> extent;  ///< of the box around the tile
 };
 
 /// (RP.27) of one field over a block, between slots inside.
@@ -210,6 +219,24 @@ struct Filter {
   T* filtered;
 };
 
+/// Closest points on the zero set of the tensor-cubic interpolant of nodal values, (RP.30).
+/// Positions are in cells: node c lies at c. Arrays of nodes hold whole packs, filled up with any
+/// node.
+template <class T, int D>
+struct ClosestPoints {
+  const T* values;                     ///< [z][y][x] of a box of nodes; NaN: there is none
+  std::array<std::int32_t, D> lower;   ///< cell of the box's first node
+  std::array<std::int32_t, D> extent;  ///< nodes of the box
+  int count;                           ///< of nodes whose closest point is wanted
+  int iterations;                      ///< at most
+  T flattest;                          ///< square of a gradient that is too small
+  T shortest_step;                     ///< that is not yet converged
+  T smallest_value;                    ///< that is not on the surface, after the last iteration
+  std::array<const T*, D> node;        ///< [node]
+  std::array<T*, D> point;             ///< [node] start, then closest point
+  T* converged;                        ///< [node] 1 or 0
+};
+
 template <class T, int D>
 struct Table {
   Isa isa;
@@ -218,8 +245,10 @@ struct Table {
   StageResult (*evaluate_stress)(const StressOfState<T, D>&);
   void (*write_surface_records)(const SurfaceRecords<T, D>&);
   void (*sum_ghosts)(const GhostSums<T, D>&);
+  void (*sum_velocities)(const GhostSums<T, D>&);  ///< sums[g][0][k] of k < D alone
   void (*scatter)(const Scatter<T, D>&);
   void (*filter)(const Filter<T, D>&);
+  void (*find_closest_points)(const ClosestPoints<T, D>&);
   StressPointsResult (*evaluate_stress_points)(const StressPoints<T, D>&);
   MotionResult (*advance_motion)(const Motion<T, D>&);
 };

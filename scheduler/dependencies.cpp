@@ -6,6 +6,8 @@
 #include <numeric>
 #include <stdexcept>
 
+#include "scheduler/ancestors.hpp"
+
 // The derivation walks the phases in the order of their list and keeps, for each field and block (a
 // cell), the node that wrote it last and the nodes that have read it since:
 //
@@ -16,6 +18,9 @@
 //
 // When each of k > 1 blocks reads the values of all blocks, the k readers share one junction before
 // them (all writers lead to it) and one behind them (later writers follow it).
+//
+// Edges that others imply, most of them, go as soon as those of their node are known; those of
+// junctions stay, since some junctions are removed in the end.
 namespace pliant::scheduler {
 
 namespace {
@@ -83,6 +88,10 @@ class Derivation {
     const auto begin = edges.begin() + static_cast<std::ptrdiff_t>(first);
     std::sort(begin, edges.end());
     edges.erase(std::unique(begin, edges.end()), edges.end());
+    ancestors_.add_node(edges, first, [this](const Edge& edge) {
+      return result_.nodes[static_cast<std::size_t>(edge.from)].is_junction() ||
+             result_.nodes[static_cast<std::size_t>(edge.to)].is_junction();
+    });
   }
 
   void follow_writers(int node, const Access& read, BlockId block) {
@@ -156,8 +165,10 @@ class Derivation {
   void record_shared_read(int p, const Access& read, int first_node,
                           const std::vector<BlockId>& blocks) {
     const int junction = add_node(p, no_block);
+    const std::size_t first_edge = result_.edges.size();
     for (int node = first_node; node < first_node + static_cast<int>(blocks.size()); ++node)
       result_.edges.push_back({node, junction, read.field});
+    settle_edges(first_edge);
     for_each_cell(read, 0, [&](Cell& c, BlockId b) {
       if (c.writer >= first_node)
         refuse(phases_[static_cast<std::size_t>(p)], read.field, b, blocks[b == blocks[0] ? 1 : 0]);
@@ -180,6 +191,7 @@ class Derivation {
   std::vector<Cell> cells_;
   std::vector<BlockId> every_block_;
   Dependencies result_;
+  Ancestors ancestors_;
 };
 
 void check(const std::vector<Phase>& phases, const Blocks& blocks, int field_count) {

@@ -1,12 +1,8 @@
 #include <algorithm>
-#include <cstdint>
-#include <iterator>
 #include <numeric>
 
-#include "scheduler/dependencies.hpp"
+#include "scheduler/ancestors.hpp"
 
-// An edge u -> v is implied when u is an ancestor of another predecessor of v. Edges only lead from
-// lower to higher nodes: the ancestors of all predecessors are known when a node's turn comes.
 namespace pliant::scheduler {
 
 namespace {
@@ -53,54 +49,17 @@ Dependencies without_idle_junctions(const Dependencies& all) {
   return kept;
 }
 
-// The ancestors of every node, one bit for each node before it.
-class Ancestors {
- public:
-  explicit Ancestors(std::size_t nodes) : first_word_(nodes + 1) {
-    for (std::size_t n = 0; n < nodes; ++n) first_word_[n + 1] = first_word_[n] + n / bits + 1;
-    words_.resize(first_word_.back());
-  }
-
-  bool has(int node, int ancestor) const {
-    return (words_[word_of(node, ancestor)] >> (ancestor % bits) & 1u) != 0;
-  }
-
-  void add(int node, int ancestor) {
-    words_[word_of(node, ancestor)] |= std::uint64_t{1} << (ancestor % bits);
-  }
-
-  void add_those_of(int other, int node) {
-    const std::size_t from = first_word(other), to = first_word(node);
-    const std::size_t count = first_word(other + 1) - from;
-    for (std::size_t w = 0; w < count; ++w) words_[to + w] |= words_[from + w];
-  }
-
- private:
-  static constexpr int bits = 64;
-
-  std::size_t first_word(int node) const { return first_word_[static_cast<std::size_t>(node)]; }
-  std::size_t word_of(int node, int ancestor) const {
-    return first_word(node) + static_cast<std::size_t>(ancestor / bits);
-  }
-
-  std::vector<std::size_t> first_word_;  // [node]
-  std::vector<std::uint64_t> words_;
-};
-
 // Leaves out every edge whose ends are joined by a longer path too. Edges come sorted by `to`.
 std::vector<Edge> without_implied_edges(std::size_t nodes, const std::vector<Edge>& edges) {
-  Ancestors ancestors(nodes);
+  Ancestors ancestors;
   std::vector<Edge> kept;
-  kept.reserve(edges.size());
-  for (auto begin = edges.begin(); begin != edges.end();) {
-    const int node = begin->to;
-    const auto end =
-        std::find_if(begin, edges.end(), [&](const Edge& edge) { return edge.to != node; });
-    for (auto e = begin; e != end; ++e) ancestors.add_those_of(e->from, node);
-    std::copy_if(begin, end, std::back_inserter(kept),
-                 [&](const Edge& edge) { return !ancestors.has(node, edge.from); });
-    for (auto e = begin; e != end; ++e) ancestors.add(node, e->from);
-    begin = end;
+  auto next = edges.begin();
+  for (std::size_t node = 0; node < nodes; ++node) {
+    const std::size_t first = kept.size();
+    for (; next != edges.end() && static_cast<std::size_t>(next->to) == node; ++next) {
+      kept.push_back(*next);
+    }
+    ancestors.add_node(kept, first, [](const Edge&) { return false; });
   }
   return kept;
 }

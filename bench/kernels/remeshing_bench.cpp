@@ -11,6 +11,8 @@ void scatter(benchmark::State& state, Isa isa) {
   std::int64_t particles = 0;
   body.patch.for_each_interior([&](std::int64_t, const auto&) { ++particles; });
   test::Field<double> nodes(std::size_t(cells[0] + 6) * (cells[1] + 6) * node_width<2>, 0.);
+  const std::array<std::int32_t, 2> extent = {cells[0] + 6, cells[1] + 6};
+  const std::vector<NodeRow> rows = test::whole_rows<2>(extent);
   const auto& current = std::as_const(body.states[0]);
   const Scatter<double, 2> arguments{body.patch.segments.data(),
                                      static_cast<int>(body.patch.segments.size()),
@@ -23,8 +25,9 @@ void scatter(benchmark::State& state, Isa isa) {
                                      {body.mass.data(), body.mass.data()},
                                      current.evolving(),
                                      nodes.data(),
+                                     rows.data(),
                                      {-3, -3},
-                                     {cells[0] + 6, cells[1] + 6}};
+                                     extent};
   for (auto _ : state) table<double, 2>(isa).scatter(arguments);
   report(state, particles, {16 * (1 + 2 * 16) + 40, 12 * 8 + 1 + 2 * 128});
 }

@@ -53,9 +53,9 @@ void Layout<D>::find_runs() {
     for (int column = 0; column < occupancy_.columns(); ++column) {
       if (!occupancy_.is_marked(row, column)) continue;
       const std::int32_t cell = occupancy_.column_cell(column);
-      // Gaps that the spare packs would fill anyway join two runs.
+      // A gap that the spare pack would fill anyway joins two runs.
       const bool joins = static_cast<int>(runs_.size()) > row_first_run &&
-                         cell - (runs_.back().cell + runs_.back().count) <= 2 * pack;
+                         cell - (runs_.back().cell + runs_.back().count) <= pack;
       if (joins) {
         runs_.back().count = cell + pack - runs_.back().cell;
       } else {
@@ -81,10 +81,10 @@ void Layout<D>::place_runs() {
   for (const int row : row_order_) {
     for (int r = row_begin_[row]; r < row_begin_[row + 1]; ++r) {
       runs_[r].first = next + pack;
-      next += runs_[r].count + 2 * pack;
+      next += pack + runs_[r].count;
     }
   }
-  slots_ = next + padding;
+  slots_ = next + pack + padding;
 }
 
 // The run of a row that meets the cells lower..upper (exclusive), widened by what kernels may load.

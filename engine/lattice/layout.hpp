@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <vector>
 
@@ -20,7 +21,7 @@ struct Block {
 
 /// Where the slots of a body lie in memory.
 ///
-/// Only occupied packs exist. Those of a lattice row form runs with a spare pack at both ends; runs
+/// Only occupied packs exist. Those of a lattice row form runs with a spare pack between them; runs
 /// follow each other row by row (in 3D in tiles of rows, so that neighbours in space stay
 /// neighbours in memory), and segments cut them where a neighbouring row changes its run. `padding`
 /// slots lie before the first and behind the last run, so that every load of a segment's neighbours
@@ -67,6 +68,20 @@ class Layout {
       }
     }
     return -1;
+  }
+
+  /// Calls `f(x, slot, n)` for the stretches of slots slot..slot+n-1 of the cells x..x+n-1 along x
+  /// among the `count` cells from `cell` on.
+  template <class F>
+  void for_each_stretch(const Cell<D>& cell, int count, F&& f) const {
+    const int row = occupancy_.row_of(cell);
+    if (row < 0) return;
+    for (int r = row_begin_[row]; r < row_begin_[row + 1]; ++r) {
+      const Run& run = runs_[r];
+      const std::int32_t x = std::max(cell[0], run.cell);
+      const std::int32_t n = std::min(cell[0] + count, run.cell + run.count) - x;
+      if (n > 0) f(x, run.first + (x - run.cell), n);
+    }
   }
 
   /// Cell of a slot that belongs to a segment.

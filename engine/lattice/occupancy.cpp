@@ -1,16 +1,9 @@
 #include "engine/lattice/occupancy.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 namespace pliant {
-
-namespace {
-
-std::int32_t column_of(std::int32_t x) {
-  return x >= 0 ? x / Occupancy<2>::pack : -((-x + Occupancy<2>::pack - 1) / Occupancy<2>::pack);
-}
-
-}  // namespace
 
 template <int D>
 void Occupancy<D>::reset(Cell<D> lower, Cell<D> upper, int reach) {
@@ -36,20 +29,25 @@ Cell<D> Occupancy<D>::row_cell(int row) const {
   return cell;
 }
 
-// Dilates along one direction: elements `stride` apart form lines of `line_length`.
+// The cells of every marked row, widened step by step, go to all rows that they reach: rows at the
+// distance r take them as far along x as the ball is wide there.
 template <int D>
-void Occupancy<D>::dilate_rows(int stride, int lines, int line_length, int reach) {
+void Occupancy<D>::dilate(double radius) {
+  const int reach = static_cast<int>(radius);
   dilated_.assign(marked_.size(), 0);
-  for (int line = 0; line < lines; ++line) {
-    const std::size_t first =
-        static_cast<std::size_t>(line / stride) * stride * line_length + line % stride;
-    int until = -1;  // marks reach up to here
-    for (int i = 0; i < line_length + reach; ++i) {
-      if (i < line_length && marked_[first + static_cast<std::size_t>(i) * stride])
-        until = i + reach;
-      const int target = i - reach;
-      if (target >= 0 && until >= target) {
-        dilated_[first + static_cast<std::size_t>(target) * stride] = 1;
+  for (int row = 0; row < rows(); ++row) {
+    const auto begin = marked_.begin() + static_cast<std::ptrdiff_t>(row) * columns_;
+    if (std::all_of(begin, begin + columns_, [](std::uint8_t cells) { return cells == 0; })) {
+      continue;
+    }
+    widened_.assign(begin, begin + columns_);
+    for (int along_x = 0; along_x <= reach; ++along_x) {
+      if (along_x > 0) widen_by_one_cell();
+      for (int dz = D == 3 ? -reach : 0; dz <= (D == 3 ? reach : 0); ++dz) {
+        for (int dy = -reach; dy <= reach; ++dy) {
+          const double chord2 = radius * radius - dy * dy - dz * dz;
+          if (chord2 >= 0 && static_cast<int>(std::sqrt(chord2)) == along_x) add_to(row, dy, dz);
+        }
       }
     }
   }
@@ -57,11 +55,24 @@ void Occupancy<D>::dilate_rows(int stride, int lines, int line_length, int reach
 }
 
 template <int D>
-void Occupancy<D>::dilate(int reach) {
-  const int total = rows() * columns_;
-  dilate_rows(1, rows(), columns_, (reach + pack - 1) / pack);
-  dilate_rows(columns_, total / rows_[0], rows_[0], reach);
-  if constexpr (D == 3) dilate_rows(columns_ * rows_[0], total / rows_[1], rows_[1], reach);
+void Occupancy<D>::widen_by_one_cell() {
+  std::uint8_t before = 0;
+  for (int column = 0; column < columns_; ++column) {
+    const std::uint8_t cells = widened_[column];
+    const std::uint8_t after = column + 1 < columns_ ? widened_[column + 1] : 0;
+    widened_[column] = static_cast<std::uint8_t>(cells | cells << 1 | cells >> 1 |
+                                                 before >> (pack - 1) | after << (pack - 1));
+    before = cells;
+  }
+}
+
+// Rows outside the map take nothing.
+template <int D>
+void Occupancy<D>::add_to(int row, int dy, int dz) {
+  const int y = row % rows_[0] + dy, z = row / rows_[0] + dz;
+  if (y < 0 || y >= rows_[0] || z < 0 || z >= rows_[1]) return;
+  std::uint8_t* target = dilated_.data() + static_cast<std::size_t>(z * rows_[0] + y) * columns_;
+  for (int column = 0; column < columns_; ++column) target[column] |= widened_[column];
 }
 
 template <int D>
@@ -81,7 +92,8 @@ void Occupancy<D>::restore(const std::vector<std::int32_t>& saved) {
   first_row_ = {saved.at(2), saved.at(3)};
   rows_ = {saved.at(4), saved.at(5)};
   marked_.assign(static_cast<std::size_t>(rows()) * columns_, 0);
-  for (std::size_t i = 6; i < saved.size(); ++i) marked_.at(saved[i]) = 1;
+  constexpr std::uint8_t whole_pack = 0xff;
+  for (std::size_t i = 6; i < saved.size(); ++i) marked_.at(saved[i]) = whole_pack;
 }
 
 template class Occupancy<2>;

@@ -7,7 +7,8 @@
 
 namespace pliant {
 
-/// Which packs of lattice cells a body needs: a map over rows (y, or y and z) and pack columns.
+/// Which packs of lattice cells a body needs: a map of marked cells over rows (y, or y and z) and
+/// pack columns.
 template <int D>
 class Occupancy {
  public:
@@ -17,12 +18,15 @@ class Occupancy {
   /// Forgets all marks and covers the cells lower..upper (inclusive) and `reach` cells around them.
   void reset(Cell<D> lower, Cell<D> upper, int reach);
 
-  void mark(const Cell<D>& cell) { marked_[position(cell)] = 1; }
+  void mark(const Cell<D>& cell) {
+    const int lane = cell[0] - column_cell(column_of(cell[0]) - first_column_);
+    marked_[position(cell)] |= static_cast<std::uint8_t>(1 << lane);
+  }
 
-  /// Marks everything within `reach` cells of a mark, in every direction (whole packs along x).
-  void dilate(int reach);
+  /// Marks every cell of the map within `radius` cells of a marked one.
+  void dilate(double radius);
 
-  /// The map as plain numbers, for checkpoints, and back.
+  /// The packs with marks as plain numbers, for checkpoints, and back.
   std::vector<std::int32_t> save() const;
   void restore(const std::vector<std::int32_t>& saved);
 
@@ -46,14 +50,19 @@ class Occupancy {
   }
 
  private:
+  static std::int32_t column_of(std::int32_t x) {
+    return x >= 0 ? x / pack : -((-x + pack - 1) / pack);
+  }
   std::size_t position(const Cell<D>& cell) const;
-  void dilate_rows(int stride, int lines, int line_length, int reach);
+  void widen_by_one_cell();
+  void add_to(int row, int dy, int dz);
 
   std::int32_t first_column_ = 0;
   int columns_ = 0;
   std::array<std::int32_t, 2> first_row_ = {};
   std::array<int, 2> rows_ = {1, 1};
-  std::vector<std::uint8_t> marked_, dilated_;
+  std::vector<std::uint8_t> marked_, dilated_;  ///< [row][column], one bit for each cell
+  std::vector<std::uint8_t> widened_;           ///< [column] of one row
 };
 
 extern template class Occupancy<2>;

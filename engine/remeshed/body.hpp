@@ -64,19 +64,18 @@ struct BodyBonds {
 template <class T, int D>
 struct BlockGhosts {
   std::vector<std::int32_t> slot;
-  std::vector<std::int8_t> wall;        ///< of a wall or contact ghost; -1: free surface
-  std::vector<std::uint8_t> active;     ///< whether the ghost sets its slot; see `contact`
-  std::vector<std::uint8_t> reached;    ///< by the stencil of a particle; the others only drift
-  std::vector<std::int8_t> pressure;    ///< acting at the foot point; -1: none
-  std::vector<Point<D>> normal;         ///< of the wall
-  std::vector<Point<D>> foot;           ///< foot point at xi = 0 [m]
-  std::vector<std::int64_t> begin;      ///< [ghost + 1] into the four below
-  std::vector<std::int32_t> neighbour;  ///< slot of an interior particle
-  std::vector<std::int32_t> record;     ///< of that particle
-  std::vector<T> linear, constrained;   ///< c of (RP.32), b of (RP.33)
-  std::vector<T> surface;               ///< a: (RP.32) at the foot point
-  std::vector<T> constrained_sum;       ///< [ghost] sum of b
-  std::vector<T> surface_sum;  ///< [ghost] sum of a: 1, or 0 where the surface meets a wall
+  std::vector<std::int8_t> wall;       ///< of a wall or contact ghost; -1: free surface
+  std::vector<std::uint8_t> active;    ///< whether the ghost sets its slot; see `contact`
+  std::vector<std::uint8_t> reached;   ///< by the stencil of a particle; the others only drift
+  std::vector<std::int8_t> pressure;   ///< acting at the foot point; -1: none
+  std::vector<Point<D>> normal;        ///< of the wall
+  std::vector<Point<D>> foot;          ///< foot point at xi = 0 [m]
+  std::vector<std::int64_t> begin;     ///< [ghost + 1] into the four below
+  std::vector<std::int32_t> record;    ///< of an interior particle
+  std::vector<T> linear, constrained;  ///< c of (RP.32), b of (RP.33)
+  std::vector<T> surface;              ///< a: (RP.32) at the foot point
+  std::vector<T> constrained_sum;      ///< [ghost] sum of b
+  std::vector<T> surface_sum;          ///< [ghost] sum of a: 1, or 0 where the surface meets a wall
   /// A slot beyond a contact wall has two ghosts, of the free surface and, next in order, of the
   /// wall: the latter are listed here. One of the two is active, (RP.50).
   std::vector<std::int32_t> contact;
@@ -87,12 +86,27 @@ struct BlockGhosts {
   BodyBonds<T> bonds;                ///< at the ends of bonded interfaces
   std::vector<kernels::SurfacePack> packs;
   std::int32_t first_record = 0, record_count = 0;
-  Buffer<T> sums;
 
-  /// The sums of ghost g, once they are made.
-  kernels::GhostFits<T, D> fits(std::size_t g) const {
+  /// Values that the sums of a ghost take.
+  static constexpr int sums_of_ghost = 3 * kernels::record_width<D>;
+
+  /// What there is to do for the sums of ghosts first..first+count-1.
+  kernels::GhostSums<T, D> sums(std::size_t first, std::size_t count, const T* records,
+                                T* into) const {
+    return {static_cast<std::int64_t>(first),
+            static_cast<std::int64_t>(count),
+            begin.data(),
+            record.data(),
+            linear.data(),
+            constrained.data(),
+            surface.data(),
+            records,
+            into};
+  }
+
+  /// The fits of ghost g from its sums.
+  kernels::GhostFits<T, D> fits(std::size_t g, const T* of) const {
     constexpr int width = kernels::record_width<D>;
-    const T* of = sums.get() + 3 * width * g;
     return {{of}, {of + width}, {of + 2 * width}, constrained_sum[g], surface_sum[g]};
   }
 };
@@ -103,19 +117,24 @@ struct Population {
   Layout<D> layout;
   Buffer<Kind> kind;
   Buffer<PackState> pack_state;
-  Buffer<T> interior;                     ///< 1 for interior particles, else 0
   std::vector<BlockGhosts<T, D>> ghosts;  ///< [block]
   std::vector<std::vector<std::pair<std::int32_t, std::int32_t>>>
       images;  ///< [block] (image, source)
-  std::int64_t record_count = 0;
+  std::vector<std::int32_t> slot_of_record;
   std::int64_t particles = 0;  ///< interior
 };
+
+/// The buffer that holds the state of a stage: Q4 takes the place of Q2.
+constexpr int buffer_of(int stage) { return stage == 3 ? 1 : stage; }
+constexpr int buffer_after(int stage) { return buffer_of((stage + 1) % 4); }
 
 /// One body: its lattice, material, particles and surface. Nothing of it is shared with other
 /// bodies.
 ///
 /// A remeshing writes `spare` and `stage[1]` (dead between steps) and then swaps them with the
-/// current ones; measuring between remeshings is a remeshing that is not followed by the swap.
+/// current ones; measuring between remeshings is a remeshing that is not followed by the swap. What
+/// it needs besides lies in `stage[2]`, dead between steps too. Within steps in turn the stress of
+/// the odd stages lies where `stage[1]` has the fields that do not evolve.
 template <class T, int D>
 struct Body {
   std::string name;
@@ -124,29 +143,32 @@ struct Body {
   bool is_plain_sph = false;  ///< without ghosts, neighbours always listed
   Lattice<D> lattice;
   Population<T, D> population, spare;
-  std::array<FieldStore<T, D>, 4> stage;  ///< Q0, Q2, Q3, Q4 of (RP.19); 0 and 1 hold all fields
-  std::array<std::array<Buffer<T>, kernels::symmetric_components<D>>, 2> stress;
+  std::array<FieldStore<T, D>, 3> stage;  ///< see buffer_of; 0 and 1 hold all fields
+  std::array<Buffer<T>, kernels::symmetric_components<D>> stress;  ///< of the even stages
+  Buffer<T> last_odd_stress;  ///< the component of the odd stages for which there is no other place
+  Buffer<T> interior;         ///< [slot] of `population`: 1 for interior particles, else 0
   /// sigma/rho^2 and R of plain SPH, (RP.74), (RP.76); empty otherwise.
   std::array<std::array<Buffer<T>, kernels::symmetric_components<D>>, 2> pair_stress;
   std::vector<kernels::PronyTerm<T>> prony;
-  std::vector<T*> memory;  ///< [term] p_i of `stage[0]`
-  Buffer<T> records;       ///< [record][record_width] of surface particles
+  std::vector<T*> memory;   ///< [term] p_i of `stage[0]`
+  Buffer<T> volume_change;  ///< J - 1 at the start of the step; empty without p_i
+  Buffer<T> records;        ///< [record][record_width] of surface particles
   Buffer<std::int32_t> record_of_slot;
   BodyNeighbours<D> neighbours;
 
+  /// A component of sigma of the even or of the odd stages.
+  Buffer<T>& stress_component(int parity, int component) {
+    return stress_component_of(*this, parity, component);
+  }
   std::array<T*, kernels::symmetric_components<D>> stress_view(int parity) {
-    std::array<T*, kernels::symmetric_components<D>> view;
-    for (std::size_t c = 0; c < view.size(); ++c) view[c] = stress[parity][c].get();
-    return view;
+    return stress_view_of<T>(*this, parity);
   }
   std::array<const T*, kernels::symmetric_components<D>> stress_view(int parity) const {
-    std::array<const T*, kernels::symmetric_components<D>> view;
-    for (std::size_t c = 0; c < view.size(); ++c) view[c] = stress[parity][c].get();
-    return view;
+    return stress_view_of<const T>(*this, parity);
   }
 
-  kernels::BulkViscosity<T> viscosity(const kernels::Relaxation<T>* relaxation = nullptr) const {
-    return {static_cast<int>(prony.size()), relaxation, memory.data()};
+  kernels::BulkViscosity<T> viscosity(const kernels::Relaxation<T>* relaxation = nullptr) {
+    return {static_cast<int>(prony.size()), relaxation, memory.data(), volume_change.get()};
   }
 
   /// Position of a slot's particle [m].
@@ -154,6 +176,24 @@ struct Body {
     Point<D> x = lattice.node(cell);
     for (int a = 0; a < D; ++a) x[a] += stage[0].get(Field::displacement, a)[slot];
     return x;
+  }
+
+ private:
+  template <class Self>
+  static auto& stress_component_of(Self& body, int parity, int component) {
+    if (parity == 0) return body.stress[component];
+    if (component == 0) return body.stage[1][Field::mass][0];
+    if (component == 1) return body.stage[1][Field::level_set][0];
+    if (component < 2 + D) return body.stage[1][Field::carried][component - 2];
+    return body.last_odd_stress;
+  }
+  template <class U, class Self>
+  static std::array<U*, kernels::symmetric_components<D>> stress_view_of(Self& body, int parity) {
+    std::array<U*, kernels::symmetric_components<D>> view;
+    for (std::size_t c = 0; c < view.size(); ++c) {
+      view[c] = stress_component_of(body, parity, static_cast<int>(c)).get();
+    }
+    return view;
   }
 };
 

@@ -61,9 +61,9 @@ void BodyContact<T, D>::add_bonds(std::vector<Phase>& phases, int stage) {
   phases.push_back({"bonds",
                     stage,
                     {{resource::touches},
-                     {resource::velocity(stage), Reach::all},
+                     {resource::velocity(buffer_of(stage)), Reach::all},
                      {resource::stress(stage % 2), Reach::all},
-                     {resource::ghosts(stage), Reach::all}},
+                     {resource::ghosts(buffer_of(stage)), Reach::all}},
                     {{resource::bonds}},
                     Phase::Extent::per_block,
                     {},
@@ -87,12 +87,13 @@ void BodyContact<T, D>::fill_bonds(int block, int stage) {
       return sum;
     };
     for (int a = 0; a < D; ++a) {
-      own.stage[stage].get(Field::velocity, a)[slot] =
-          fit(other.stage[stage].get(Field::velocity, a));
+      own.stage[buffer_of(stage)].get(Field::velocity, a)[slot] =
+          fit(other.stage[buffer_of(stage)].get(Field::velocity, a));
     }
     const auto stress = other.stress_view(stage % 2);
+    const auto own_stress = own.stress_view(stage % 2);
     for (std::size_t c = 0; c < stress.size(); ++c) {
-      own.stress[stage % 2][c][slot] = fit(stress[c]);
+      own_stress[c][slot] = fit(stress[c]);
     }
   }
 }
@@ -133,14 +134,13 @@ void BodyContact<T, D>::find_tractions(int block, int stage) {
 
 template <class T, int D>
 std::array<T, D> BodyContact<T, D>::traction(const Body<T, D>& own, const Body<T, D>& other,
-                                             BlockGhosts<T, D>& ghosts, std::size_t touch,
+                                             const BlockGhosts<T, D>& ghosts, std::size_t touch,
                                              ContactCase::Kind kind) const {
   constexpr int width = kernels::record_width<D>;
   const BodyTouches<T, D>& touches = ghosts.touches;
   const std::int32_t g = touches.ghost[touch];
-  kernels_.sum_ghosts({g, 1, ghosts.begin.data(), ghosts.record.data(), ghosts.linear.data(),
-                       ghosts.constrained.data(), ghosts.surface.data(), own.records.get(),
-                       ghosts.sums.get() + 3 * width * g});
+  std::array<T, BlockGhosts<T, D>::sums_of_ghost> sums;
+  kernels_.sum_ghosts(ghosts.sums(g, 1, own.records.get(), sums.data()));
   std::array<T, width> sum = {};
   for (std::int64_t i = touches.begin[touch]; i < touches.begin[touch + 1]; ++i) {
     const T* record = other.records.get() + static_cast<std::int64_t>(touches.record[i]) * width;
@@ -151,7 +151,7 @@ std::array<T, D> BodyContact<T, D>::traction(const Body<T, D>& own, const Body<T
                            ? 0
                            : std::min<double>(kernels::wave_speed_at_rest(own.material),
                                               kernels::wave_speed_at_rest(other.material));
-  const kernels::GhostFits<T, D> fits = ghosts.fits(g);
+  const kernels::GhostFits<T, D> fits = ghosts.fits(g, sums.data());
   const kernels::SurfaceLoad<T, D> load = kernels::interface_traction<T, D>(
       {fits.surface, kernels::Impedance<T>(own.material)},
       {{sum.data()}, kernels::Impedance<T>(other.material)},

@@ -53,7 +53,7 @@ class BodyContact {
   void find_tractions(int block, int stage);
   void fill_bonds(int block, int stage);
   std::array<T, D> traction(const Body<T, D>& own, const Body<T, D>& other,
-                            BlockGhosts<T, D>& ghosts, std::size_t touch,
+                            const BlockGhosts<T, D>& ghosts, std::size_t touch,
                             ContactCase::Kind kind) const;
 
   State<T, D>& state_;

@@ -17,7 +17,7 @@ template <class T, int D>
 void add_particles(const Body<T, D>& body, int block, double& mass, Point<D>& momentum) {
   const FieldStore<T, D>& f = body.stage[0];
   const T* m = f.get(Field::mass);
-  const T* interior = body.population.interior.get();
+  const Kind* kind = body.population.kind.get();
   std::array<const T*, D> u;
   for (int a = 0; a < D; ++a) u[a] = f.get(Field::velocity, a);
   const Layout<D>& layout = body.population.layout;
@@ -25,9 +25,9 @@ void add_particles(const Body<T, D>& body, int block, double& mass, Point<D>& mo
   for (int s = range.first_segment; s < range.first_segment + range.segment_count; ++s) {
     const kernels::Segment<D>& segment = layout.segments()[s];
     for (std::int64_t p = segment.first; p < segment.first + segment.count; ++p) {
-      const double m_p = interior[p] * m[p];
-      mass += m_p;
-      for (int a = 0; a < D; ++a) momentum[a] += m_p * u[a][p];
+      if (kind[p] != Kind::interior) continue;
+      mass += m[p];
+      for (int a = 0; a < D; ++a) momentum[a] += m[p] * u[a][p];
     }
   }
 }
@@ -147,7 +147,7 @@ void BodyMomentum<T, D>::shift(int block) {
   const auto [owner, local] = state_.blocks[block];
   Body<T, D>& body = state_.bodies[owner];
   const Layout<D>& layout = body.population.layout;
-  const T* interior = body.population.interior.get();
+  const Kind* kind = body.population.kind.get();
   const Block<D>& range = layout.blocks()[local];
   for (int a = 0; a < D; ++a) {
     T* u = body.stage[0].get(Field::velocity, a);
@@ -155,7 +155,7 @@ void BodyMomentum<T, D>::shift(int block) {
     for (int s = range.first_segment; s < range.first_segment + range.segment_count; ++s) {
       const kernels::Segment<D>& segment = layout.segments()[s];
       for (std::int64_t p = segment.first; p < segment.first + segment.count; ++p) {
-        u[p] += interior[p] * by;
+        if (kind[p] == Kind::interior) u[p] += by;
       }
     }
   }

@@ -56,12 +56,16 @@ void find_pack_states(Population<T, D>& population, const kernels::Segment<D>& s
 }
 
 template <class T, int D>
-void rest_without_particles(Body<T, D>& body, int block) {
+void prepare_slots(Body<T, D>& body, int block) {
   constexpr int pack = Layout<D>::pack;
   const Layout<D>& layout = body.population.layout;
   const Block<D>& range = layout.blocks()[block];
   for (int s = 0; s < range.segment_count; ++s) {
     const kernels::Segment<D>& segment = layout.segments_of(range)[s];
+    const Kind* kind = body.population.kind.get();
+    std::transform(kind + segment.first, kind + segment.first + segment.count,
+                   body.interior.get() + segment.first,
+                   [](Kind k) { return k == Kind::interior ? T(1) : T(0); });
     for (std::int64_t p = segment.first; p < segment.first + segment.count; p += pack) {
       if (holds_interior(body.population.pack_state[p / pack])) continue;
       const auto clear = [p](Buffer<T>& values) { std::fill_n(values.get() + p, pack, T(0)); };
@@ -69,7 +73,7 @@ void rest_without_particles(Body<T, D>& body, int block) {
         for (Buffer<T>& component : body.stage[buffer][Field::displacement]) clear(component);
         for (Buffer<T>& component : body.stage[buffer][Field::velocity]) clear(component);
       }
-      for (Buffer<T>& component : body.stress[1]) clear(component);
+      for (int c = 0; c < kernels::symmetric_components<D>; ++c) clear(body.stress_component(1, c));
     }
   }
 }
@@ -88,7 +92,6 @@ std::int64_t classify(const Body<T, D>& body, Population<T, D>& population, Fiel
                                           !body.is_plain_sph, boundaries)
                           : Kind::vacant;
     population.kind[p] = kind;
-    population.interior[p] = kind == Kind::interior ? T(1) : T(0);
     for (int a = 0; a < D; ++a) state.get(Field::displacement, a)[p] = 0;
     if (kind == Kind::vacant || valid[p] == 0) vacate<T, D>(state, p, body.material, volume);
     particles += kind == Kind::interior;
@@ -99,8 +102,8 @@ std::int64_t classify(const Body<T, D>& body, Population<T, D>& population, Fiel
   return particles;
 }
 
-template void rest_without_particles<double, 2>(Body<double, 2>&, int);
-template void rest_without_particles<double, 3>(Body<double, 3>&, int);
+template void prepare_slots<double, 2>(Body<double, 2>&, int);
+template void prepare_slots<double, 3>(Body<double, 3>&, int);
 template std::int64_t classify<double, 2>(const Body<double, 2>&, Population<double, 2>&,
                                           FieldStore<double, 2>&, int, const Boundaries<2>&,
                                           const double*);

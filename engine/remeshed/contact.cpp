@@ -22,17 +22,27 @@ std::array<T, D> converted(const Point<D>& vector) {
   return result;
 }
 
+template <class T, int D>
+using SumsOfGhost = std::array<T, BlockGhosts<T, D>::sums_of_ghost>;
+
+// The fits of one ghost to the present records; they point into `sums`.
+template <class T, int D>
+kernels::GhostFits<T, D> fits_of(const Body<T, D>& body, const BlockGhosts<T, D>& ghosts,
+                                 std::int32_t ghost, const kernels::Table<T, D>& table,
+                                 SumsOfGhost<T, D>& sums) {
+  table.sum_ghosts(ghosts.sums(ghost, 1, body.records.get(), sums.data()));
+  return ghosts.fits(ghost, sums.data());
+}
+
 }  // namespace
 
 template <class T, int D>
 void decide_contact(Body<T, D>& body, int block, const Boundaries<D>& boundaries,
                     const BoundaryValues<D>& values, const kernels::Table<T, D>& table) {
   BlockGhosts<T, D>& ghosts = body.population.ghosts[block];
+  SumsOfGhost<T, D> sums;
   for (std::size_t k = 0; k < ghosts.contact.size(); ++k) {
     const std::int32_t g = ghosts.contact[k];
-    table.sum_ghosts({g, 1, ghosts.begin.data(), ghosts.record.data(), ghosts.linear.data(),
-                      ghosts.constrained.data(), ghosts.surface.data(), body.records.get(),
-                      ghosts.sums.get() + 3 * kernels::record_width<D> * g});
     const Point<D>& n = ghosts.normal[g];
     double height = ghosts.contact_height[k];
     for (int a = 0; a < D; ++a) {
@@ -40,10 +50,11 @@ void decide_contact(Body<T, D>& body, int block, const Boundaries<D>& boundaries
                         boundaries.walls[ghosts.wall[g]].offset()[a]);
     }
     const double reach = ghosts.active[g] != 0 ? leaving_height : touching_height;
-    const bool touches = height < reach * body.lattice.spacing &&
-                         kernels::presses<T, D>(
-                             ghosts.fits(g), converted<T, D>(values.wall_velocity[ghosts.wall[g]]),
-                             converted<T, D>(n));
+    const bool touches =
+        height < reach * body.lattice.spacing &&
+        kernels::presses<T, D>(fits_of(body, ghosts, g, table, sums),
+                               converted<T, D>(values.wall_velocity[ghosts.wall[g]]),
+                               converted<T, D>(n));
     ghosts.active[g] = touches;
     ghosts.active[g - 1] = !touches;
     body.population.kind[ghosts.slot[g]] = touches ? Kind::wall_ghost : Kind::free_ghost;
@@ -52,15 +63,17 @@ void decide_contact(Body<T, D>& body, int block, const Boundaries<D>& boundaries
 
 template <class T, int D>
 void add_impulse(const Body<T, D>& body, int block, const Boundaries<D>& boundaries,
-                 const BoundaryValues<D>& values, double duration, Point<D>* impulse) {
+                 const BoundaryValues<D>& values, double duration,
+                 const kernels::Table<T, D>& table, Point<D>* impulse) {
   const BlockGhosts<T, D>& ghosts = body.population.ghosts[block];
+  SumsOfGhost<T, D> sums;
   const kernels::Impedance<T> impedance(body.material);
   for (std::size_t k = 0; k < ghosts.contact.size(); ++k) {
     const std::int32_t g = ghosts.contact[k];
     if (ghosts.active[g] == 0) continue;
     const int wall = ghosts.wall[g];
     const std::array<T, D> push = kernels::wall_push<T, D>(
-        ghosts.fits(g), converted<T, D>(values.wall_velocity[wall]),
+        fits_of(body, ghosts, g, table, sums), converted<T, D>(values.wall_velocity[wall]),
         converted<T, D>(ghosts.normal[g]), boundaries.walls[wall].slips(), impedance);
     for (int a = 0; a < D; ++a) impulse[wall][a] += duration * ghosts.contact_area[k] * push[a];
   }
@@ -68,11 +81,13 @@ void add_impulse(const Body<T, D>& body, int block, const Boundaries<D>& boundar
 
 template <class T, int D>
 std::vector<double> wall_pressure(const Body<T, D>& body, const Boundaries<D>& boundaries,
-                                  const BoundaryValues<D>& values) {
+                                  const BoundaryValues<D>& values,
+                                  const kernels::Table<T, D>& table) {
   const Layout<D>& layout = body.population.layout;
   const double h = body.lattice.spacing;
   const kernels::Impedance<T> impedance(body.material);
   std::vector<double> pressure(layout.slots(), 0);
+  SumsOfGhost<T, D> sums;
   for (const BlockGhosts<T, D>& ghosts : body.population.ghosts) {
     for (const std::int32_t g : ghosts.contact) {
       if (ghosts.active[g] == 0) continue;
@@ -81,8 +96,8 @@ std::vector<double> wall_pressure(const Body<T, D>& body, const Boundaries<D>& b
       if (wall.distance(body.lattice.node(layout.cell(slot))) < -(1 + rounding) * h) continue;
       const std::array<T, D> n = converted<T, D>(ghosts.normal[g]);
       const std::array<T, D> push = kernels::wall_push<T, D>(
-          ghosts.fits(g), converted<T, D>(values.wall_velocity[ghosts.wall[g]]), n, wall.slips(),
-          impedance);
+          fits_of(body, ghosts, g, table, sums),
+          converted<T, D>(values.wall_velocity[ghosts.wall[g]]), n, wall.slips(), impedance);
       for (int a = 0; a < D; ++a) pressure[slot] += push[a] * n[a];
     }
   }
@@ -92,14 +107,18 @@ std::vector<double> wall_pressure(const Body<T, D>& body, const Boundaries<D>& b
 template void decide_contact<double, 2>(Body<double, 2>&, int, const Boundaries<2>&,
                                         const BoundaryValues<2>&, const kernels::Table<double, 2>&);
 template void add_impulse<double, 2>(const Body<double, 2>&, int, const Boundaries<2>&,
-                                     const BoundaryValues<2>&, double, Point<2>*);
+                                     const BoundaryValues<2>&, double,
+                                     const kernels::Table<double, 2>&, Point<2>*);
 template std::vector<double> wall_pressure(const Body<double, 2>&, const Boundaries<2>&,
-                                           const BoundaryValues<2>&);
+                                           const BoundaryValues<2>&,
+                                           const kernels::Table<double, 2>&);
 template void decide_contact<double, 3>(Body<double, 3>&, int, const Boundaries<3>&,
                                         const BoundaryValues<3>&, const kernels::Table<double, 3>&);
 template void add_impulse<double, 3>(const Body<double, 3>&, int, const Boundaries<3>&,
-                                     const BoundaryValues<3>&, double, Point<3>*);
+                                     const BoundaryValues<3>&, double,
+                                     const kernels::Table<double, 3>&, Point<3>*);
 template std::vector<double> wall_pressure(const Body<double, 3>&, const Boundaries<3>&,
-                                           const BoundaryValues<3>&);
+                                           const BoundaryValues<3>&,
+                                           const kernels::Table<double, 3>&);
 
 }  // namespace pliant::remeshed

@@ -16,6 +16,9 @@ std::array<T, D> rigid_velocity(const Body<T, D>& body, const FieldStore<T, D>& 
   using Vector3 = Eigen::Vector3d;
   const std::int64_t begin = ghosts.begin[g], end = ghosts.begin[g + 1];
   const Layout<D>& layout = body.population.layout;
+  const auto particle = [&](std::int64_t k) {
+    return body.population.slot_of_record[ghosts.record[k]];
+  };
   const auto position = [&](std::int64_t slot) {
     const Point<D> node = body.lattice.node(layout.cell(slot));
     Vector3 x = Vector3::Zero();
@@ -29,14 +32,14 @@ std::array<T, D> rigid_velocity(const Body<T, D>& body, const FieldStore<T, D>& 
   };
   Vector3 centre = Vector3::Zero(), mean = Vector3::Zero();
   for (std::int64_t k = begin; k < end; ++k) {
-    centre += position(ghosts.neighbour[k]) / (end - begin);
-    mean += velocity(ghosts.neighbour[k]) / (end - begin);
+    centre += position(particle(k)) / (end - begin);
+    mean += velocity(particle(k)) / (end - begin);
   }
   Vector3 moment = Vector3::Zero();
   Eigen::Matrix3d inertia = Eigen::Matrix3d::Zero();
   for (std::int64_t k = begin; k < end; ++k) {
-    const Vector3 r = position(ghosts.neighbour[k]) - centre;
-    moment += r.cross(velocity(ghosts.neighbour[k]) - mean);
+    const Vector3 r = position(particle(k)) - centre;
+    moment += r.cross(velocity(particle(k)) - mean);
     inertia += r.squaredNorm() * Eigen::Matrix3d::Identity() - r * r.transpose();
   }
   // Neighbours in a line leave the rotation about it open: the least one is taken.
@@ -47,22 +50,40 @@ std::array<T, D> rigid_velocity(const Body<T, D>& body, const FieldStore<T, D>& 
   return result;
 }
 
-// The sums of all ghosts or, run by run, of those that are reached.
-template <class T, int D>
-void sum_ghosts(BlockGhosts<T, D>& ghosts, const T* records, WhichGhosts which,
-                const kernels::Table<T, D>& table) {
+/// Calls f(ghost, its fits) for every ghost for which `is_wanted(ghost)`. The sums are made by
+/// `sum` for some ghosts at a time, and stay in the first cache.
+template <class T, int D, class IsWanted, class Sum, class F>
+void for_each_fit(const BlockGhosts<T, D>& ghosts, const T* records, const IsWanted& is_wanted,
+                  const Sum& sum, const F& f) {
+  constexpr std::size_t at_once = 32;
+  constexpr int width = BlockGhosts<T, D>::sums_of_ghost;
+  alignas(64) std::array<T, at_once * width> sums;
   const std::size_t count = ghosts.slot.size();
-  const auto is_wanted = [&](std::size_t g) {
-    return which == WhichGhosts::all || ghosts.reached[g] != 0;
-  };
-  for (std::size_t end, begin = 0; begin < count; begin = end + 1) {
-    for (end = begin; end < count && is_wanted(end);) ++end;
+  for (std::size_t end, begin = 0; begin < count; begin = std::max(end, begin + 1)) {
+    for (end = begin; end < std::min(count, begin + at_once) && is_wanted(end);) ++end;
     if (end == begin) continue;
-    table.sum_ghosts({static_cast<std::int64_t>(begin), static_cast<std::int64_t>(end - begin),
-                      ghosts.begin.data(), ghosts.record.data(), ghosts.linear.data(),
-                      ghosts.constrained.data(), ghosts.surface.data(), records,
-                      ghosts.sums.get() + 3 * kernels::record_width<D> * begin});
+    sum(ghosts.sums(begin, end - begin, records, sums.data()));
+    for (std::size_t g = begin; g < end; ++g) {
+      f(g, ghosts.fits(g, sums.data() + width * (g - begin)));
+    }
   }
+}
+
+template <class T, int D>
+void fit_drift_velocity(Body<T, D>& body, int block, int stage, GhostTreatment treatment,
+                        const kernels::Table<T, D>& table) {
+  BlockGhosts<T, D>& ghosts = body.population.ghosts[block];
+  const auto drifts = [&](std::size_t g) { return ghosts.reached[g] == 0; };
+  FieldStore<T, D>& state = body.stage[buffer_of(stage)];
+  for_each_fit(ghosts, body.records.get(), drifts, table.sum_velocities,
+               [&](std::size_t g, const kernels::GhostFits<T, D>& fits) {
+                 std::array<T, D> u;
+                 for (int a = 0; a < D; ++a) u[a] = fits.linear.velocity(a);
+                 if (treatment == GhostTreatment::rigid) {
+                   u = rigid_velocity<T, D>(body, state, ghosts, g);
+                 }
+                 for (int a = 0; a < D; ++a) state.get(Field::velocity, a)[ghosts.slot[g]] = u[a];
+               });
 }
 
 }  // namespace
@@ -80,18 +101,18 @@ void fill_ghosts(Body<T, D>& body, int block, int stage, int parity, WhichGhosts
                  const Boundaries<D>& boundaries, const BoundaryValues<D>& values,
                  GhostTreatment treatment, const kernels::Table<T, D>& table) {
   BlockGhosts<T, D>& ghosts = body.population.ghosts[block];
-  sum_ghosts(ghosts, body.records.get(), which, table);
-  FieldStore<T, D>& state = body.stage[stage];
+  FieldStore<T, D>& state = body.stage[buffer_of(stage)];
+  const auto stress = body.stress_view(parity);
   const bool averaged = treatment == GhostTreatment::averaged;
   const kernels::Impedance<T> impedance(body.material);
   const BodyTouches<T, D>& touches = ghosts.touches;
   std::size_t touch = 0;
-  for (std::size_t g = 0; g < ghosts.slot.size(); ++g) {
+  const auto is_wanted = [&](std::size_t g) {
+    return ghosts.active[g] != 0 && (which == WhichGhosts::all || ghosts.reached[g] != 0);
+  };
+  const auto fill = [&](std::size_t g, const kernels::GhostFits<T, D>& fits) {
     while (touch < touches.ghost.size() && touches.ghost[touch] < static_cast<std::int32_t>(g))
       ++touch;
-    if (ghosts.active[g] == 0) continue;
-    if (which == WhichGhosts::reached && ghosts.reached[g] == 0) continue;
-    const kernels::GhostFits<T, D> fits = ghosts.fits(g);
     kernels::GhostState<T, D> ghost;
     if (const int w = ghosts.wall[g]; w >= 0) {
       std::array<T, D> velocity, normal;
@@ -122,22 +143,29 @@ void fill_ghosts(Body<T, D>& body, int block, int stage, int parity, WhichGhosts
     const std::int64_t slot = ghosts.slot[g];
     for (int a = 0; a < D; ++a) state.get(Field::velocity, a)[slot] = ghost.velocity[a];
     for (std::size_t c = 0; c < ghost.stress.size(); ++c) {
-      body.stress[parity][c][slot] = ghost.stress[c];
+      stress[c][slot] = ghost.stress[c];
     }
-  }
+  };
+  for_each_fit(ghosts, body.records.get(), is_wanted, table.sum_ghosts, fill);
 }
 
 template <class T, int D>
-void carry_ghosts(Body<T, D>& body, int block, int stage) {
+void drift_ghosts(Body<T, D>& body, int block, int stage, GhostTreatment treatment,
+                  const kernels::Table<T, D>& table) {
+  if (stage < 2) return fit_drift_velocity(body, block, stage, treatment, table);
   const BlockGhosts<T, D>& ghosts = body.population.ghosts[block];
   for (int a = 0; a < D; ++a) {
     const T* start = body.stage[0].get(Field::velocity, a);
-    const T* middle = body.stage[1].get(Field::velocity, a);
-    T* velocity = body.stage[stage].get(Field::velocity, a);
+    T* second = body.stage[1].get(Field::velocity, a);
+    T* third = body.stage[2].get(Field::velocity, a);
     for (std::size_t g = 0; g < ghosts.slot.size(); ++g) {
       if (ghosts.reached[g] != 0) continue;
       const std::int64_t slot = ghosts.slot[g];
-      velocity[slot] = stage == 2 ? middle[slot] : 2 * middle[slot] - start[slot];
+      if (stage == 2) {
+        third[slot] = (4 * second[slot] - start[slot]) / 3;
+      } else {
+        second[slot] = third[slot];
+      }
     }
   }
 }
@@ -155,7 +183,7 @@ void fill_conserved(Body<T, D>& body, int block) {
     const auto fit = [&](auto&& value) {
       T sum = 0;
       for (std::int64_t k = ghosts.begin[g]; k < ghosts.begin[g + 1]; ++k) {
-        sum += ghosts.linear[k] * value(ghosts.neighbour[k]);
+        sum += ghosts.linear[k] * value(body.population.slot_of_record[ghosts.record[k]]);
       }
       return sum;
     };
@@ -178,13 +206,15 @@ template struct BoundaryValues<2>;
 template void fill_ghosts<double, 2>(Body<double, 2>&, int, int, int, WhichGhosts,
                                      const Boundaries<2>&, const BoundaryValues<2>&, GhostTreatment,
                                      const kernels::Table<double, 2>&);
-template void carry_ghosts<double, 2>(Body<double, 2>&, int, int);
+template void drift_ghosts<double, 2>(Body<double, 2>&, int, int, GhostTreatment,
+                                      const kernels::Table<double, 2>&);
 template void fill_conserved<double, 2>(Body<double, 2>&, int);
 template struct BoundaryValues<3>;
 template void fill_ghosts<double, 3>(Body<double, 3>&, int, int, int, WhichGhosts,
                                      const Boundaries<3>&, const BoundaryValues<3>&, GhostTreatment,
                                      const kernels::Table<double, 3>&);
-template void carry_ghosts<double, 3>(Body<double, 3>&, int, int);
+template void drift_ghosts<double, 3>(Body<double, 3>&, int, int, GhostTreatment,
+                                      const kernels::Table<double, 3>&);
 template void fill_conserved<double, 3>(Body<double, 3>&, int);
 
 }  // namespace pliant::remeshed

@@ -22,10 +22,11 @@ void fill_ghosts(Body<T, D>& body, int block, int stage, int parity, WhichGhosts
                  const Boundaries<D>& boundaries, const BoundaryValues<D>& values,
                  GhostTreatment treatment, const kernels::Table<T, D>& kernels);
 
-/// Velocity of the ghosts that no stencil reaches in the stages 2 and 3 from those of 0 and 1: u1
-/// and 2 u1 - u0, with which the Runge-Kutta method moves them by (RP.80).
+/// Velocity of the ghosts that no stencil reaches: by (RP.32) u0 and u1 in the stages 0 and 1, and
+/// (4 u1 - u0)/3 in both others, with which the Runge-Kutta method moves them by dt u1, (RP.80).
 template <class T, int D>
-void carry_ghosts(Body<T, D>& body, int block, int stage);
+void drift_ghosts(Body<T, D>& body, int block, int stage, GhostTreatment treatment,
+                  const kernels::Table<T, D>& kernels);
 
 /// Density, material state and displacement of a block's ghosts by the linear fit (RP.32), and
 /// v = h^d: what remeshing scatters.

@@ -111,7 +111,7 @@ class GhostFitter {
     } else {
       fit(site, foot, at_wall ? &boundaries_.walls[wall] : nullptr);
     }
-    ghosts_.begin.push_back(static_cast<std::int64_t>(ghosts_.neighbour.size()));
+    ghosts_.begin.push_back(static_cast<std::int64_t>(ghosts_.record.size()));
   }
 
   // phi is a distance only after a reinitialisation; the closest point always tells.
@@ -241,13 +241,13 @@ class GhostFitter {
   void keep() {
     ghosts_.constrained_sum.push_back(static_cast<T>(std::accumulate(b_.begin(), b_.end(), 0.)));
     ghosts_.surface_sum.push_back(static_cast<T>(std::accumulate(a_.begin(), a_.end(), 0.)));
-    const std::size_t pairs = ghosts_.neighbour.size() + particles_.size();
-    make_room(ghosts_.neighbour, pairs);
+    const std::size_t pairs = ghosts_.record.size() + particles_.size();
+    make_room(ghosts_.record, pairs);
     for (auto* fit : {&ghosts_.linear, &ghosts_.constrained, &ghosts_.surface}) {
       make_room(*fit, pairs);
     }
     for (std::size_t k = 0; k < particles_.size(); ++k) {
-      ghosts_.neighbour.push_back(particles_[k].slot);
+      ghosts_.record.push_back(particles_[k].slot);
       ghosts_.linear.push_back(static_cast<T>(c_[k]));
       ghosts_.constrained.push_back(static_cast<T>(b_[k]));
       ghosts_.surface.push_back(static_cast<T>(a_[k]));
@@ -299,7 +299,7 @@ void fit_ghosts(const Body<T, D>& body, Population<T, D>& population, const Fiel
   ghosts.touches.clear();
   ghosts.bonds.clear();
   ghosts.begin.assign(1, 0);
-  ghosts.neighbour.clear();
+  ghosts.record.clear();
   ghosts.linear.clear();
   ghosts.constrained.clear();
   ghosts.constrained_sum.clear();
@@ -312,9 +312,6 @@ void fit_ghosts(const Body<T, D>& body, Population<T, D>& population, const Fiel
                                     if (kind == Kind::free_ghost || kind == Kind::wall_ghost)
                                       fitter.add(p, cell);
                                   });
-  make_room(ghosts.record, ghosts.neighbour.size());
-  ghosts.record.resize(ghosts.neighbour.size());
-  ghosts.sums.grow(ghosts.slot.size() * 3 * kernels::record_width<D>, T(0));
 }
 
 template void fit_ghosts<double, 2>(const Body<double, 2>&, Population<double, 2>&,

@@ -25,10 +25,11 @@ std::int64_t classify(const Body<T, D>& body, Population<T, D>& population, Fiel
 template <class T, int D>
 void find_pack_states(Population<T, D>& population, const kernels::Segment<D>& segment);
 
-/// Puts at rest what the stages leave alone of their copies of the state: packs without interior
-/// particles. Ghosts among them get their velocity and stress in every stage.
+/// Makes a block ready for steps: marks its interior particles, and puts at rest what the stages
+/// leave alone of their copies of the state, packs without interior particles. Ghosts among them
+/// get their velocity and stress in every stage.
 template <class T, int D>
-void rest_without_particles(Body<T, D>& body, int block);
+void prepare_slots(Body<T, D>& body, int block);
 
 /// Finds the ghosts of a block and the coefficients of their fits, (RP.32), (RP.33), (RP.38), and
 /// marks the particles that they read in `used`.
@@ -45,9 +46,12 @@ void mark_reached(Population<T, D>& population, int block, int reach);
 template <class T, int D>
 void list_surface_particles(Population<T, D>& population, int block, const std::int32_t* used);
 
-/// Numbers the records of all blocks in order, then tells every fit the record of its neighbours.
+/// Numbers the records of all blocks in order, then tells every fit the records of the particles
+/// whose slots it has named so far.
 template <class T, int D>
 void number_records(Population<T, D>& population, std::int32_t* record_of_slot);
+template <class T, int D>
+void list_slots_of_records(Population<T, D>& population);
 template <class T, int D>
 void resolve_records(Population<T, D>& population, int block, const std::int32_t* record_of_slot);
 

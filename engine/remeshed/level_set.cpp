@@ -4,8 +4,6 @@
 #include <cmath>
 #include <cstring>
 
-#include "engine/remeshed/interpolant.hpp"
-
 namespace pliant::remeshed {
 
 namespace {
@@ -61,8 +59,14 @@ Point<D> tangent_point(const Point<D>& node, const Point<D>& foot, const Point<D
 }
 
 constexpr double search_limit = 2.5;  // cells from a near node to its closest point
-// Cells; the distance to the surface depends on the closest point in second order.
-constexpr double shortest_step = 1e-4;
+static_assert(search_limit <= Projections<double, 3>::farthest_move);
+
+/// Takes the polished closest point unless it has left the neighbourhood.
+template <int D>
+void adopt(const Point<D>& polished, Point<D>& foot) {
+  const Point<D> moved = difference<D>(polished, foot);
+  if (dot<D>(moved, moved) < 2) foot = polished;
+}
 
 }  // namespace
 
@@ -71,12 +75,10 @@ void LevelSet<T, D>::prepare(const Lattice<D>& lattice, const Layout<D>& layout,
   lattice_ = &lattice;
   layout_ = &layout;
   phi_ = phi;
-  extended_.grow(layout.slots(), T(0));
   for (auto& layer : layer_) {
     layer.grow(layout.slots(), 0);
     std::memset(layer.get(), 0, layout.slots());
   }
-  for (auto& component : foot_) component.grow(layout.slots(), 0);
 }
 
 template <class T, int D>
@@ -151,40 +153,6 @@ bool LevelSet<T, D>::linear(const Point<D>& x, const T* valid, double& value) co
 }
 
 template <class T, int D>
-typename LevelSet<T, D>::Projection LevelSet<T, D>::project(const Point<D>& node, Point<D> start,
-                                                            int iterations) const {
-  const CubicInterpolant<T, D> interpolant(*lattice_, *layout_, extended_.get());
-  const double flattest = 0.05 * lattice_->spacing * lattice_->spacing;
-  typename CubicInterpolant<T, D>::Nodes nodes;
-  Point<D> x = start;
-  for (int iteration = 0; iteration < iterations; ++iteration) {
-    double value = 0;
-    Point<D> g;
-    if (!interpolant(x, nodes, value, g)) return {x, false};
-    const double square = dot<D>(g, g);
-    if (square < flattest) return {x, false};
-    const Point<D> back = difference<D>(node, x);
-    const double along = (value + dot<D>(back, g)) / square;
-    Point<D> step;
-    for (int a = 0; a < D; ++a) step[a] = back[a] - along * g[a];
-    const double length2 = dot<D>(step, step);
-    const double scale = length2 > 0.25 ? 0.5 / std::sqrt(length2) : 1;
-    for (int a = 0; a < D; ++a) x[a] += scale * step[a];
-    if (length2 < shortest_step * shortest_step) return {x, true};
-  }
-  double value = 0;
-  Point<D> g;
-  const bool on_surface =
-      interpolant(x, nodes, value, g) && std::abs(value) < 1e-3 * lattice_->spacing;
-  return {x, on_surface};
-}
-
-template <class T, int D>
-void LevelSet<T, D>::set_foot(std::int64_t slot, const Point<D>& node, const Point<D>& foot) {
-  for (int a = 0; a < D; ++a) foot_[a][slot] = foot[a] - node[a];
-}
-
-template <class T, int D>
 bool LevelSet<T, D>::gradient(const Cell<D>& cell, Point<D>& g) const {
   for (int a = 0; a < D; ++a) {
     Cell<D> up = cell, down = cell;
@@ -199,29 +167,40 @@ bool LevelSet<T, D>::gradient(const Cell<D>& cell, Point<D>& g) const {
 }
 
 template <class T, int D>
-void LevelSet<T, D>::find_closest_points(const Block<D>& block, bool reinitialise) {
-  const double h = lattice_->spacing;
+void LevelSet<T, D>::find_closest_points(const Block<D>& block, bool reinitialise,
+                                         const kernels::Table<T, D>& kernels) {
+  thread_local Projections<T, D> near;
+  near.clear();
   layout_->for_each_slot(block, [&](std::int64_t p, const Cell<D>& cell) {
     phi_[p] = extended_[p];
-    const double phi = extended_[p] / h;
-    if (std::abs(phi) > near_band || !lattice_->is_wrapped(cell)) return;
-    const Point<D> node = as_point<D>(cell);
-    const Projection found = project(node, node, 12);
-    const Point<D> offset = difference<D>(found.point, node);
-    const double distance = std::sqrt(dot<D>(offset, offset));
-    if (found.converged && distance <= search_limit) {
-      set_foot(p, node, found.point);
-      layer_[0][p] = 1;
-      if (reinitialise && distance <= trusted)
-        phi_[p] = std::copysign(T(distance * h), extended_[p]);
+    if (std::abs(extended_[p]) > near_band * lattice_->spacing || !lattice_->is_wrapped(cell)) {
       return;
     }
-    Point<D> g;
-    if (!gradient(cell, g)) return;
-    const double square = dot<D>(g, g);
-    for (int a = 0; a < D; ++a) foot_[a][p] = -phi * g[a] / square;
-    layer_[0][p] = 1;
+    near.add(p, cell, as_point<D>(cell));
   });
+  near.run(*lattice_, *layout_, extended_, 12, kernels);
+  for (std::size_t i = 0; i < near.size(); ++i) place_near(near, i, reinitialise);
+}
+
+template <class T, int D>
+void LevelSet<T, D>::place_near(const Projections<T, D>& near, std::size_t i, bool reinitialise) {
+  const double h = lattice_->spacing;
+  const std::int64_t slot = near.slot(i);
+  const Point<D> offset = difference<D>(near.point(i), near.node(i));
+  const double distance = std::sqrt(dot<D>(offset, offset));
+  if (near.has_converged(i) && distance <= search_limit) {
+    for (int a = 0; a < D; ++a) foot_[a][slot] = offset[a];
+    layer_[0][slot] = 1;
+    if (reinitialise && distance <= trusted) {
+      phi_[slot] = std::copysign(T(distance * h), extended_[slot]);
+    }
+    return;
+  }
+  Point<D> g;
+  if (!gradient(near.cell(i), g)) return;
+  const double square = dot<D>(g, g);
+  for (int a = 0; a < D; ++a) foot_[a][slot] = -extended_[slot] / h * g[a] / square;
+  layer_[0][slot] = 1;
 }
 
 // Whether a slot of the pack at `slot` may border a marked one. Where a neighbouring row has no
@@ -247,9 +226,12 @@ bool LevelSet<T, D>::borders_a_layer(const kernels::Segment<D>& segment, std::in
 }
 
 template <class T, int D>
-void LevelSet<T, D>::add_layer(const Block<D>& block, int layer) {
+void LevelSet<T, D>::add_layer(const Block<D>& block, int layer,
+                               const kernels::Table<T, D>& kernels) {
   const std::uint8_t* before = layer_[layer % 2].get();
   std::uint8_t* after = layer_[(layer + 1) % 2].get();
+  thread_local Border border;
+  border.clear();
   for (int s = block.first_segment; s < block.first_segment + block.segment_count; ++s) {
     const kernels::Segment<D>& segment = layout_->segments()[s];
     std::copy_n(before + segment.first, segment.count, after + segment.first);
@@ -259,27 +241,35 @@ void LevelSet<T, D>::add_layer(const Block<D>& block, int layer) {
       Cell<D> cell = segment.cell;
       cell[0] += offset;
       for (std::int64_t p = first; p < first + Layout<D>::pack; ++p, ++cell[0]) {
-        if (before[p] == 0) adopt_nearest(segment, p, cell, layer);
+        if (before[p] == 0) find_nearest(segment, p, cell, layer, border);
       }
     }
   }
+  polish(border, kernels);
+  for (std::size_t i = 0; i < border.polished.size(); ++i) {
+    const std::int64_t slot = border.polished.slot(i);
+    const Point<D> offset = difference<D>(border.foot[i], border.polished.node(i));
+    for (int a = 0; a < D; ++a) foot_[a][slot] = offset[a];
+    // Far from the surface the sign that remeshing left is sure.
+    phi_[slot] = std::copysign(
+        static_cast<T>(std::sqrt(dot<D>(offset, offset)) * lattice_->spacing), extended_[slot]);
+    after[slot] = static_cast<std::uint8_t>(layer);
+  }
 }
 
-// The nearest among the closest points of the marked neighbours, polished from there. Where the
-// surface is smooth the tangent plane of that point leads nearly to the node's own.
+// The nearest among the closest points of the marked neighbours.
 template <class T, int D>
-void LevelSet<T, D>::adopt_nearest(const kernels::Segment<D>& segment, std::int64_t slot,
-                                   const Cell<D>& cell, int layer) {
+void LevelSet<T, D>::find_nearest(const kernels::Segment<D>& segment, std::int64_t slot,
+                                  const Cell<D>& cell, int layer, Border& border) const {
   if (!lattice_->is_wrapped(cell)) return;
-  const double h = lattice_->spacing;
   const Point<D> node = as_point<D>(cell);
   double nearest = 1e300;
   Point<D> foot = {}, normal = {};
   const bool periodic = lattice_->period != Cell<D>{};
   const std::uint8_t* marks = layer_[layer % 2].get();
   for_each_adjacent<D>(segment, cell, [&](const Cell<D>& other, std::int64_t slots_to) {
-    if (!periodic && marks[slot + slots_to] == 0) return;
-    const std::int64_t q = layout_->slot(lattice_->wrapped(other));
+    std::int64_t q = slot + slots_to;
+    if (periodic) q = layout_->slot(lattice_->wrapped(other));
     if (q < 0 || marks[q] == 0) return;
     Point<D> candidate = as_point<D>(other), to_foot;
     for (int a = 0; a < D; ++a) {
@@ -288,23 +278,36 @@ void LevelSet<T, D>::adopt_nearest(const kernels::Segment<D>& segment, std::int6
     }
     const Point<D> offset = difference<D>(candidate, node);
     const double square = dot<D>(offset, offset);
-    if (square < nearest) {
-      nearest = square;
-      foot = candidate;
-      normal = to_foot;
-    }
+    // A row that does not exist may lie anywhere: then this was another node's.
+    if (square >= nearest || (!periodic && layout_->slot(other) != q)) return;
+    nearest = square;
+    foot = candidate;
+    normal = to_foot;
   });
   if (nearest == 1e300) return;
-  Projection polished = project(node, tangent_point<D>(node, foot, normal), 6);
-  if (!polished.converged) polished = project(node, foot, 6);
-  const Point<D> moved = difference<D>(polished.point, foot);
-  if (polished.converged && dot<D>(moved, moved) < 2) foot = polished.point;
-  const Point<D> offset = difference<D>(foot, node);
-  set_foot(slot, node, foot);
-  // Far from the surface the sign that remeshing left is sure.
-  phi_[slot] =
-      std::copysign(static_cast<T>(std::sqrt(dot<D>(offset, offset)) * h), extended_[slot]);
-  layer_[(layer + 1) % 2][slot] = static_cast<std::uint8_t>(layer);
+  border.polished.add(slot, cell, tangent_point<D>(node, foot, normal));
+  border.foot.push_back(foot);
+}
+
+// Where the surface is smooth the tangent plane of a neighbour's closest point leads nearly to the
+// node's own; elsewhere that point itself may.
+template <class T, int D>
+void LevelSet<T, D>::polish(Border& border, const kernels::Table<T, D>& kernels) const {
+  constexpr int iterations = 6;
+  border.polished.run(*lattice_, *layout_, extended_, iterations, kernels);
+  for (std::size_t i = 0; i < border.polished.size(); ++i) {
+    if (border.polished.has_converged(i)) {
+      adopt<D>(border.polished.point(i), border.foot[i]);
+    } else {
+      border.failed.push_back(i);
+      border.again.add(border.polished.slot(i), border.polished.cell(i), border.foot[i]);
+    }
+  }
+  border.again.run(*lattice_, *layout_, extended_, iterations, kernels);
+  for (std::size_t k = 0; k < border.failed.size(); ++k) {
+    if (border.again.has_converged(k))
+      adopt<D>(border.again.point(k), border.foot[border.failed[k]]);
+  }
 }
 
 template <class T, int D>

@@ -5,6 +5,7 @@
 
 #include "engine/body/walls.hpp"
 #include "engine/lattice/layout.hpp"
+#include "engine/remeshed/projections.hpp"
 #include "engine/storage/buffer.hpp"
 
 /// The level set of a body on a fresh lattice: phi < 0 inside, (RP.29).
@@ -30,38 +31,55 @@ class LevelSet {
   static constexpr double far = 6.5;        ///< [h]
 
   void prepare(const Lattice<D>& lattice, const Layout<D>& layout, T* phi);
+  /// Where to keep phi continued through walls, and closest points, from the first pass to the last
+  /// question for one.
+  void use(T* extended, const std::array<T*, D>& foot) {
+    extended_ = extended;
+    foot_ = foot;
+  }
 
   /// The passes over one block, in this order; each reads neighbouring blocks of the pass before.
   /// Nodes where `valid` is 0 got nothing from remeshing.
   void extend_through_walls(const Block<D>& block, const Boundaries<D>& boundaries, const T* valid);
-  void find_closest_points(const Block<D>& block, bool reinitialise);
-  void add_layer(const Block<D>& block, int layer);  ///< 2..layers
+  void find_closest_points(const Block<D>& block, bool reinitialise,
+                           const kernels::Table<T, D>& kernels);
+  void add_layer(const Block<D>& block, int layer,
+                 const kernels::Table<T, D>& kernels);  ///< 2..layers
   void finish(const Block<D>& block);
 
   /// Closest point of the surface minus the node [m]; false where none was found.
   bool closest_point(std::int64_t slot, Point<D>& offset) const;
 
  private:
-  struct Projection {
-    Point<D> point;  ///< in cells
-    bool converged;
+  /// Nodes that get a closest point in a layer.
+  struct Border {
+    Projections<T, D> polished, again;
+    std::vector<Point<D>> foot;       ///< [node] in cells
+    std::vector<std::size_t> failed;  ///< nodes of `again`
+
+    void clear() {
+      polished.clear();
+      again.clear();
+      foot.clear();
+      failed.clear();
+    }
   };
-  Projection project(const Point<D>& node, Point<D> start, int iterations) const;
+  void place_near(const Projections<T, D>& near, std::size_t i, bool reinitialise);
+  void find_nearest(const kernels::Segment<D>& segment, std::int64_t slot, const Cell<D>& cell,
+                    int layer, Border& border) const;
+  void polish(Border& border, const kernels::Table<T, D>& kernels) const;
   double extended_from(const Point<D>& x, const Point<D>& normal, double depth,
                        const T* valid) const;
   bool linear(const Point<D>& x, const T* valid, double& value) const;
   bool gradient(const Cell<D>& cell, Point<D>& g) const;
-  void adopt_nearest(const kernels::Segment<D>& segment, std::int64_t slot, const Cell<D>& cell,
-                     int layer);
   bool borders_a_layer(const kernels::Segment<D>& segment, std::int64_t slot, int layer) const;
-  void set_foot(std::int64_t slot, const Point<D>& node, const Point<D>& foot);
 
   const Lattice<D>* lattice_ = nullptr;
   const Layout<D>* layout_ = nullptr;
   T* phi_ = nullptr;
-  Buffer<T> extended_;  ///< phi continued through walls, before any rebuilding
+  T* extended_ = nullptr;        ///< phi continued through walls, before any rebuilding
+  std::array<T*, D> foot_ = {};  ///< closest point minus node, in cells
   std::array<Buffer<std::uint8_t>, 2> layer_;  ///< 0: no closest point yet; passes alternate
-  std::array<Buffer<double>, D> foot_;         ///< closest point minus node, in cells
 };
 
 extern template class LevelSet<double, 2>;

@@ -11,7 +11,7 @@ void find_pair_stress(Body<T, D>& body, int block, int stage, double artificial_
   const Layout<D>& layout = body.population.layout;
   const auto stress = std::as_const(body).stress_view(stage % 2);
   const T* mass = body.stage[0].get(Field::mass);
-  const T* volume = body.stage[stage].get(Field::volume);
+  const T* volume = body.stage[buffer_of(stage)].get(Field::volume);
   Eigen::SelfAdjointEigenSolver<Matrix> principal;
   layout.for_each_slot(layout.blocks()[block], [&](std::int64_t p, const Cell<D>&) {
     if (body.population.kind[p] != Kind::interior) return;

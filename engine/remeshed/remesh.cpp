@@ -150,18 +150,27 @@ void Remeshing<T, D>::prepare_spare() {
   const std::size_t blocks = to.layout.blocks().size();
   to.kind.grow(slots, Kind::vacant);
   to.pack_state.grow(slots / Layout<D>::pack + 1, PackState::vacant);
-  to.interior.grow(slots, T(0));
   to.images.resize(blocks);
   particles_.assign(blocks, 0);
   body_.stage[1].grow(slots);
   body_.stage[2].grow(slots);
-  valid_.grow(slots, T(0));
-  inside_.grow(slots, T(0));
-  filtered_mass_.grow(slots, T(0));
   for (Buffer<T>& filtered : filtered_memory_) filtered.grow(slots, T(0));
   body_.record_of_slot.grow(slots, 0);
   std::fill_n(body_.record_of_slot.get(), slots, 0);
   level_set_.prepare(body_.lattice, to.layout, body_.stage[1].get(Field::level_set));
+  borrow_arrays();
+}
+
+// What is needed only now lies in stage[2] beside the filtered fields, and in their place once they
+// are adopted.
+template <class T, int D>
+void Remeshing<T, D>::borrow_arrays() {
+  FieldStore<T, D>& dead = body_.stage[2];
+  inside_ = dead.get(Field::displacement, 0);
+  valid_ = dead.get(Field::displacement, 1);
+  std::array<T*, D> foot;
+  for (int a = 0; a < D; ++a) foot[a] = dead.get(Field::velocity, a);
+  level_set_.use(dead.get(Field::material, 0), foot);
 }
 
 template <class T, int D>
@@ -209,7 +218,8 @@ void Remeshing<T, D>::arrival_phases(std::vector<scheduler::Phase>& phases, int 
                         Phase::Extent::per_block,
                         own,
                         [this, layer, first_block](int b) {
-                          level_set_.add_layer(body_.spare.layout.blocks()[b - first_block], layer);
+                          level_set_.add_layer(body_.spare.layout.blocks()[b - first_block], layer,
+                                               kernels_);
                         }});
     }
   }
@@ -241,12 +251,12 @@ void Remeshing<T, D>::prepare_arrival(bool reinitialise, bool is_final) {
 
 template <class T, int D>
 void Remeshing<T, D>::extend_level_set(int block) {
-  level_set_.extend_through_walls(body_.spare.layout.blocks()[block], boundaries_, valid_.get());
+  level_set_.extend_through_walls(body_.spare.layout.blocks()[block], boundaries_, valid_);
 }
 
 template <class T, int D>
 void Remeshing<T, D>::find_closest_points(int block) {
-  level_set_.find_closest_points(body_.spare.layout.blocks()[block], reinitialise_);
+  level_set_.find_closest_points(body_.spare.layout.blocks()[block], reinitialise_, kernels_);
 }
 
 template <class T, int D>
@@ -254,7 +264,7 @@ void Remeshing<T, D>::find_kinds(int block) {
   if (has_surface_) level_set_.finish(body_.spare.layout.blocks()[block]);
   if (body_.material.model == kernels::Model::reduced_polynomial) match_volumes(block);
   particles_[block] =
-      classify<T, D>(body_, body_.spare, body_.stage[1], block, boundaries_, valid_.get());
+      classify<T, D>(body_, body_.spare, body_.stage[1], block, boundaries_, valid_);
 }
 
 template <class T, int D>
@@ -298,15 +308,16 @@ void Remeshing<T, D>::grow_stages() {
   for (auto& buffer : body_.stage) buffer.grow(slots);
   body_.memory.clear();
   for (Buffer<T>& pressure : body_.stage[0][Field::memory]) body_.memory.push_back(pressure.get());
-  for (auto& parity : body_.stress) {
-    for (auto& component : parity) component.grow(slots, T(0));
-  }
+  for (Buffer<T>& component : body_.stress) component.grow(slots, T(0));
+  if (kernels::symmetric_components < D >> D + 2) body_.last_odd_stress.grow(slots, T(0));
+  body_.interior.grow(slots, T(0));
+  if (!body_.prony.empty()) body_.volume_change.grow(slots, T(0));
   if (body_.is_plain_sph) {
     for (auto& tensor : body_.pair_stress) {
       for (auto& component : tensor) component.grow(slots, T(0));
     }
   }
-  body_.records.grow(body_.population.record_count * kernels::record_width<D>, T(0));
+  body_.records.grow(body_.population.slot_of_record.size() * kernels::record_width<D>, T(0));
 }
 
 template <class T, int D>
@@ -323,7 +334,7 @@ void Remeshing<T, D>::adopt_restored() {
   grow_stages();
   for (std::size_t b = 0; b < body_.population.images.size(); ++b) {
     list_images(body_.population, static_cast<int>(b));
-    rest_without_particles<T, D>(body_, static_cast<int>(b));
+    prepare_slots<T, D>(body_, static_cast<int>(b));
     mark_reached<T, D>(body_.population, static_cast<int>(b), stencil_reach_);
   }
 }

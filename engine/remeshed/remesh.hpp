@@ -56,17 +56,25 @@ class Remeshing {
   void find_bounds(int block);
   void lay_out();
   void prepare_spare();
+  void borrow_arrays();
   void grow_stages();
   void scatter(int block);
-  /// Nodes around a new block, with the sums of (RP.22).
+  /// Nodes of a new block, with the sums of (RP.22). Every worker has one.
   struct Tile {
-    T* nodes;
-    int width;  ///< values of a node
+    Buffer<T> nodes;
+    std::vector<kernels::NodeRow> rows;  ///< [z][y] of the box around the block
+    std::int64_t count = 0;              ///< nodes
+    int width = 0;                       ///< values of a node
     Cell<D> lower, extent;
-    const T* node(const Cell<D>& cell) const {
+
+    kernels::NodeRow& row(const Cell<D>& cell) {
       std::size_t at = 0;
-      for (int a = D - 1; a >= 0; --a) at = at * extent[a] + (cell[a] - lower[a]);
-      return nodes + at * width;
+      for (int a = D - 1; a > 0; --a) at = at * extent[a] + (cell[a] - lower[a]);
+      return rows[at];
+    }
+    const T* node(const Cell<D>& cell) {
+      const kernels::NodeRow& own = row(cell);
+      return nodes.get() + (own.first + cell[0] - lower[0] - own.begin) * width;
     }
   };
   /// Fields that take the place of S or F in the sums.
@@ -74,10 +82,11 @@ class Remeshing {
     int count;
     std::array<const T*, kernels::material_components<D>> field;
   };
+  void lay_tile_out(int block, Tile& tile) const;
   void fill_tile(Tile& tile, const MaterialFields& material);
-  void add_source(int block, const Tile& tile, const MaterialFields& material);
-  void take_nodes(int block, const Tile& tile);
-  void take_memory(int block, const Tile& tile, int first_term, int count);
+  void add_source(int block, Tile& tile, const MaterialFields& material);
+  void take_nodes(int block, Tile& tile);
+  void take_memory(int block, Tile& tile, int first_term, int count);
   void match_volumes(int block);
   void filter(int block);
   void adopt_filtered();
@@ -103,13 +112,12 @@ class Remeshing {
   bool reinitialise_ = false;
   Occupancy<D> occupancy_;
   LevelSet<T, D> level_set_;
-  std::vector<Bounds> bounds_;           ///< [present block] cells of its particles
-  std::vector<std::int64_t> particles_;  ///< [new block]
-  Buffer<T> inside_;                     ///< [new slot] 1 there where phi < 0
-  Buffer<T> valid_;                      ///< [new slot] 1 where remeshing left a particle
-  Buffer<T> filtered_mass_;
+  std::vector<Bounds> bounds_;              ///< [present block] cells of its particles
+  std::vector<std::int64_t> particles_;     ///< [new block]
+  T* inside_ = nullptr;                     ///< [new slot] 1 there where phi < 0
+  T* valid_ = nullptr;                      ///< [new slot] 1 where remeshing left a particle
   std::vector<Buffer<T>> filtered_memory_;  ///< [Prony term]
-  std::vector<Buffer<T>> tiles_;            ///< [worker]
+  std::vector<Tile> tiles_;                 ///< [worker]
 };
 
 extern template class Remeshing<double, 2>;

@@ -10,17 +10,13 @@
 #include "kernels/set_determinant.hpp"
 
 // How fields cross to the new lattice. Each new block gathers from all present blocks that come
-// near into a tile of nodes of its own, so that blocks share nothing and sums keep one order.
+// near into a tile of its own nodes, so that blocks share nothing and sums keep one order.
 namespace pliant::remeshed {
 
 template <class T, int D>
 void Remeshing<T, D>::scatter(int block) {
-  const Block<D>& target = body_.spare.layout.blocks()[block];
-  Tile tile;
-  for (int a = 0; a < D; ++a) {
-    tile.lower[a] = target.lower[a];
-    tile.extent[a] = target.upper[a] + 1 - tile.lower[a];
-  }
+  Tile& tile = tiles_[workers_.index()];
+  lay_tile_out(block, tile);
   FieldStore<T, D>& state = body_.stage[0];
   MaterialFields material = {state.carried(), {}};
   for (int c = 0; c < material.count; ++c) material.field[c] = state.get(Field::material, c);
@@ -37,15 +33,39 @@ void Remeshing<T, D>::scatter(int block) {
   }
 }
 
+// The box around a block has several times as many nodes: blocks begin and end amid the tiles of
+// rows of the layout.
+template <class T, int D>
+void Remeshing<T, D>::lay_tile_out(int block, Tile& tile) const {
+  const Layout<D>& layout = body_.spare.layout;
+  const Block<D>& target = layout.blocks()[block];
+  std::size_t rows = 1;
+  for (int a = 0; a < D; ++a) {
+    tile.lower[a] = target.lower[a];
+    tile.extent[a] = target.upper[a] + 1 - tile.lower[a];
+    if (a > 0) rows *= tile.extent[a];
+  }
+  tile.rows.assign(rows, {0, 0, 0});
+  for (int s = 0; s < target.segment_count; ++s) {
+    const kernels::Segment<D>& segment = layout.segments_of(target)[s];
+    kernels::NodeRow& row = tile.row(segment.cell);
+    const std::int32_t begin = segment.cell[0] - tile.lower[0];
+    row.begin = row.begin == row.end ? begin : std::min(row.begin, begin);
+    row.end = std::max(row.end, begin + segment.count);
+  }
+  tile.count = 0;
+  for (kernels::NodeRow& row : tile.rows) {
+    row.first = tile.count;
+    tile.count += row.end - row.begin;
+  }
+}
+
 template <class T, int D>
 void Remeshing<T, D>::fill_tile(Tile& tile, const MaterialFields& material) {
   tile.width = kernels::node_width_for<D>(material.count);
-  std::size_t values = tile.width;
-  for (int a = 0; a < D; ++a) values *= tile.extent[a];
-  Buffer<T>& buffer = tiles_[workers_.index()];
-  buffer.grow(values, T(0));
-  std::fill_n(buffer.get(), values, T(0));
-  tile.nodes = buffer.get();
+  const std::size_t values = tile.count * tile.width;
+  tile.nodes.grow(values, T(0));
+  std::fill_n(tile.nodes.get(), values, T(0));
   for (std::size_t b = 0; b < bounds_.size(); ++b) {
     add_source(static_cast<int>(b), tile, material);
   }
@@ -53,7 +73,7 @@ void Remeshing<T, D>::fill_tile(Tile& tile, const MaterialFields& material) {
 
 // A periodic body reaches the tile through every whole period that brings it near.
 template <class T, int D>
-void Remeshing<T, D>::add_source(int block, const Tile& tile, const MaterialFields& material) {
+void Remeshing<T, D>::add_source(int block, Tile& tile, const MaterialFields& material) {
   const Cell<D>& lower = tile.lower;
   const Cell<D>& extent = tile.extent;
   const Bounds& source = bounds_[block];
@@ -86,7 +106,8 @@ void Remeshing<T, D>::add_source(int block, const Tile& tile, const MaterialFiel
   for (int a = 0; a < D; ++a) work.carried[a] = state.get(Field::carried, a);
   work.state = state.template evolving<const T>();
   work.state.material = material.field;
-  work.nodes = tile.nodes;
+  work.nodes = tile.nodes.get();
+  work.rows = tile.rows.data();
   work.lower = lower;
   work.extent = extent;
   Cell<D> period = first;
@@ -104,7 +125,7 @@ void Remeshing<T, D>::add_source(int block, const Tile& tile, const MaterialFiel
 
 // (RP.23)-(RP.26)
 template <class T, int D>
-void Remeshing<T, D>::take_nodes(int block, const Tile& tile) {
+void Remeshing<T, D>::take_nodes(int block, Tile& tile) {
   using Node = kernels::NodeField<D>;
   FieldStore<T, D>& state = body_.stage[1];
   const T cell_volume = static_cast<T>(std::pow(body_.lattice.spacing, D));
@@ -138,7 +159,7 @@ void Remeshing<T, D>::take_nodes(int block, const Tile& tile) {
 
 // (RP.23) for p_i, which a second filling has put in the place of F.
 template <class T, int D>
-void Remeshing<T, D>::take_memory(int block, const Tile& tile, int first_term, int count) {
+void Remeshing<T, D>::take_memory(int block, Tile& tile, int first_term, int count) {
   using Node = kernels::NodeField<D>;
   const Layout<D>& layout = body_.spare.layout;
   layout.for_each_slot(layout.blocks()[block], [&](std::int64_t p, const Cell<D>& cell) {
@@ -172,14 +193,14 @@ void Remeshing<T, D>::filter(int block) {
   const Block<D>& range = layout.blocks()[block];
   const auto apply = [&](const Buffer<T>& from, Buffer<T>& to) {
     kernels_.filter({layout.segments_of(range), range.segment_count,
-                     static_cast<T>(filter_strength_), inside_.get(), from.get(), to.get()});
+                     static_cast<T>(filter_strength_), inside_, from.get(), to.get()});
   };
   for (const Field f : {Field::velocity, Field::material}) {
     for (std::size_t c = 0; c < body_.stage[1][f].size(); ++c) {
       apply(body_.stage[1][f][c], body_.stage[2][f][c]);
     }
   }
-  apply(body_.stage[1][Field::mass][0], filtered_mass_);
+  apply(body_.stage[1][Field::mass][0], body_.stage[2][Field::volume][0]);
   for (std::size_t i = 0; i < filtered_memory_.size(); ++i) {
     apply(body_.stage[1][Field::memory][i], filtered_memory_[i]);
   }
@@ -190,8 +211,9 @@ void Remeshing<T, D>::adopt_filtered() {
   for (const Field f : {Field::velocity, Field::material}) {
     body_.stage[1][f].swap(body_.stage[2][f]);
   }
-  body_.stage[1][Field::mass][0].swap(filtered_mass_);
+  body_.stage[1][Field::mass].swap(body_.stage[2][Field::volume]);
   body_.stage[1][Field::memory].swap(filtered_memory_);
+  borrow_arrays();
 }
 
 template <class T, int D>
@@ -286,10 +308,11 @@ void Remeshing<T, D>::place_initial(const Case& settings, const BodyCase& source
 }
 
 template void Remeshing<double, 2>::scatter(int);
+template void Remeshing<double, 2>::lay_tile_out(int, Tile&) const;
 template void Remeshing<double, 2>::fill_tile(Tile&, const MaterialFields&);
-template void Remeshing<double, 2>::add_source(int, const Tile&, const MaterialFields&);
-template void Remeshing<double, 2>::take_nodes(int, const Tile&);
-template void Remeshing<double, 2>::take_memory(int, const Tile&, int, int);
+template void Remeshing<double, 2>::add_source(int, Tile&, const MaterialFields&);
+template void Remeshing<double, 2>::take_nodes(int, Tile&);
+template void Remeshing<double, 2>::take_memory(int, Tile&, int, int);
 template void Remeshing<double, 2>::match_volumes(int);
 template void Remeshing<double, 2>::filter(int);
 template void Remeshing<double, 2>::adopt_filtered();
@@ -297,10 +320,11 @@ template void Remeshing<double, 2>::list_images(Population<double, 2>&, int) con
 template void Remeshing<double, 2>::copy_images(int);
 template void Remeshing<double, 2>::place_initial(const Case&, const BodyCase&);
 template void Remeshing<double, 3>::scatter(int);
+template void Remeshing<double, 3>::lay_tile_out(int, Tile&) const;
 template void Remeshing<double, 3>::fill_tile(Tile&, const MaterialFields&);
-template void Remeshing<double, 3>::add_source(int, const Tile&, const MaterialFields&);
-template void Remeshing<double, 3>::take_nodes(int, const Tile&);
-template void Remeshing<double, 3>::take_memory(int, const Tile&, int, int);
+template void Remeshing<double, 3>::add_source(int, Tile&, const MaterialFields&);
+template void Remeshing<double, 3>::take_nodes(int, Tile&);
+template void Remeshing<double, 3>::take_memory(int, Tile&, int, int);
 template void Remeshing<double, 3>::match_volumes(int);
 template void Remeshing<double, 3>::filter(int);
 template void Remeshing<double, 3>::adopt_filtered();

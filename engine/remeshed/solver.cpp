@@ -74,7 +74,7 @@ Solver<T, D>::Solver(const Case& settings, int threads, kernels::Isa isa)
       body.prony.push_back({static_cast<T>(term.ratio), static_cast<T>(term.time)});
     }
     body.lattice = body_lattice<D>(settings_, source);
-    for (int buffer = 0; buffer < 4; ++buffer) {
+    for (int buffer = 0; buffer < 3; ++buffer) {
       body.stage[buffer] =
           FieldStore<T, D>(body.material.model, static_cast<int>(body.prony.size()), buffer > 1);
     }
@@ -370,11 +370,9 @@ std::size_t Solver<T, D>::bytes() const {
   std::size_t sum = 0;
   for (const Body<T, D>& body : state_.bodies) {
     for (const auto& store : body.stage) sum += store.bytes();
-    for (const auto& parity : body.stress) {
-      for (const auto& component : parity) sum += component.bytes();
-    }
-    sum += body.neighbours.bytes();
-    sum += body.records.bytes() + body.population.interior.bytes() + body.spare.interior.bytes();
+    for (const auto& component : body.stress) sum += component.bytes();
+    sum += body.last_odd_stress.bytes() + body.interior.bytes() + body.volume_change.bytes();
+    sum += body.neighbours.bytes() + body.records.bytes();
   }
   return sum;
 }

@@ -65,6 +65,7 @@ class Solver {
   void restored();
   Remeshing<T, D>& remeshing(int body) { return *remeshings_[body]; }
 
+  const kernels::Table<T, D>& kernels() const { return kernels_; }
   const scheduler::StepTotals& totals() const { return totals_; }
   /// Of the next step, unless it begins with a look for neighbours.
   const scheduler::StepGraph& step_graph() const { return *present_graph_; }

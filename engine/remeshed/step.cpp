@@ -10,7 +10,8 @@
 
 // A step of the remeshed Lagrangian particle method (H&K, sections 2 and 4).
 //
-//   for each stage s = 0..3 of the Runge-Kutta method (RP.19), stage states Q0, Q2, Q3, Q4:
+//   for each stage s = 0..3 of the Runge-Kutta method (RP.19), stage states Q0, Q2, Q3, Q4 (where
+//   Q2 was):
 //     surface   grad phi of the particles near the surface (RP.18); their u, sigma, grad phi, p are
 //               packed side by side, one cache line each
 //     contact   first stage only: which ghosts beyond a contact wall the body presses on, (RP.50)
@@ -80,7 +81,7 @@ std::vector<Phase> Step<T, D>::stress_phases() {
 
 template <class T, int D>
 void Step<T, D>::add_ghosts(std::vector<Phase>& phases, int stage, WhichGhosts which) {
-  const int parity = stage % 2;
+  const int parity = stage % 2, buffer = buffer_of(stage);
   const auto each = [&](const char* name, std::vector<scheduler::Access> reads,
                         std::vector<scheduler::Access> writes, auto run) {
     phases.push_back({name,
@@ -92,19 +93,19 @@ void Step<T, D>::add_ghosts(std::vector<Phase>& phases, int stage, WhichGhosts w
                       [this, stage, run](int block) { (this->*run)(block, stage); }});
   };
   if (periodic()) {
-    each("image positions", {{resource::drift(stage), Reach::neighbours}},
-         {{resource::image_drift(stage)}}, &Step::copy_image_drift);
+    each("image positions", {{resource::drift(buffer), Reach::neighbours}},
+         {{resource::image_drift(buffer)}}, &Step::copy_image_drift);
   }
   each("surface",
-       {{resource::drift(stage), Reach::neighbours},
-        {resource::image_drift(stage)},
-        {resource::velocity(stage)},
+       {{resource::drift(buffer), Reach::neighbours},
+        {resource::image_drift(buffer)},
+        {resource::velocity(buffer)},
         {resource::stress(parity)},
-        {resource::material(stage)}},
+        {resource::material(buffer)}},
        {{resource::records}}, &Step::write_records);
   const bool contact = state_.boundaries.have_contact();
   if (contact && stage == 0) {
-    each("contact", {{resource::records, Reach::neighbours}, {resource::drift(stage)}},
+    each("contact", {{resource::records, Reach::neighbours}, {resource::drift(buffer)}},
          {{resource::contact}}, &Step::decide_contact);
   }
   if (contact_.is_needed()) {
@@ -113,9 +114,9 @@ void Step<T, D>::add_ghosts(std::vector<Phase>& phases, int stage, WhichGhosts w
   }
   std::vector<scheduler::Access> reads = {{resource::records, Reach::neighbours},
                                           {resource::tractions},
-                                          {resource::drift(stage), Reach::neighbours},
-                                          {resource::velocity(stage), Reach::neighbours}};
-  std::vector<scheduler::Access> writes = {{resource::ghosts(stage)}};
+                                          {resource::drift(buffer), Reach::neighbours},
+                                          {resource::velocity(buffer), Reach::neighbours}};
+  std::vector<scheduler::Access> writes = {{resource::ghosts(buffer)}};
   if (contact) {
     reads.push_back({resource::contact});
     writes.push_back({resource::impulse});
@@ -123,17 +124,18 @@ void Step<T, D>::add_ghosts(std::vector<Phase>& phases, int stage, WhichGhosts w
   if (which == WhichGhosts::all) {
     each("ghosts", std::move(reads), std::move(writes), &Step::fill_all);
   } else {
-    if (stage >= 2) reads.insert(reads.end(), {{resource::ghosts(0)}, {resource::ghosts(1)}});
+    if (stage == 2) reads.insert(reads.end(), {{resource::ghosts(0)}, {resource::ghosts(1)}});
+    if (stage == 3) reads.push_back({resource::ghosts(2)});
     each("ghosts", std::move(reads), std::move(writes), &Step::fill);
   }
   if (contact_.is_bonded()) contact_.add_bonds(phases, stage);
   if (periodic()) {
     each("images",
-         {{resource::velocity(stage), Reach::neighbours},
+         {{resource::velocity(buffer), Reach::neighbours},
           {resource::bonds, Reach::neighbours},
           {resource::stress(parity), Reach::neighbours},
-          {resource::ghosts(stage), Reach::neighbours}},
-         {{resource::images(stage)}}, &Step::copy_images);
+          {resource::ghosts(buffer), Reach::neighbours}},
+         {{resource::images(buffer)}}, &Step::copy_images);
   }
 }
 
@@ -146,7 +148,7 @@ template <class T, int D>
 void Step<T, D>::add_pair_stress(std::vector<Phase>& phases, int stage) {
   phases.push_back({"pair stress",
                     stage,
-                    {{resource::stress(stage % 2)}, {resource::material(stage)}},
+                    {{resource::stress(stage % 2)}, {resource::material(buffer_of(stage))}},
                     {{resource::pair_stress}},
                     Phase::Extent::per_block,
                     {},
@@ -185,34 +187,35 @@ void Step<T, D>::add_advance(std::vector<Phase>& phases, int stage) {
 template <class T, int D>
 void Step<T, D>::add_advance(std::vector<Phase>& phases, int stage, Reach reach,
                              std::vector<int> blocks) {
-  const int parity = stage % 2, next = (stage + 1) % 4;
+  const int parity = stage % 2, current = buffer_of(stage), next = buffer_after(stage);
   std::vector<scheduler::Access> reads = {
-      {resource::drift(stage), reach},   {resource::velocity(stage), reach},
-      {resource::stress(parity), reach}, {resource::ghosts(stage), reach},
-      {resource::bonds, reach},          {resource::images(stage), Reach::neighbours},
-      {resource::material(stage)}};
+      {resource::drift(current), reach}, {resource::velocity(current), reach},
+      {resource::stress(parity), reach}, {resource::ghosts(current), reach},
+      {resource::bonds, reach},          {resource::images(current), Reach::neighbours},
+      {resource::material(current)}};
   if (is_plain_sph()) {
-    reads.insert(reads.end(), {{resource::pair_stress, reach}, {resource::material(stage), reach}});
+    reads.insert(reads.end(),
+                 {{resource::pair_stress, reach}, {resource::material(current), reach}});
   }
-  for (int buffer = 0; buffer <= stage; ++buffer) {
+  std::vector<scheduler::Access> writes = {{resource::stress(1 - parity)},
+                                           {resource::ghosts(next)},
+                                           {resource::image_drift(next)},
+                                           {resource::images(next)},
+                                           {resource::result}};
+  for (int buffer = 0; buffer <= std::min(stage, 2); ++buffer) {
     reads.insert(
         reads.end(),
         {{resource::drift(buffer)}, {resource::velocity(buffer)}, {resource::material(buffer)}});
   }
-  phases.push_back({"advance",
-                    stage,
-                    std::move(reads),
-                    {{resource::drift(next)},
-                     {resource::velocity(next)},
-                     {resource::material(next)},
-                     {resource::stress(1 - parity)},
-                     {resource::ghosts(next)},
-                     {resource::image_drift(next)},
-                     {resource::images(next)},
-                     {resource::result}},
-                    Phase::Extent::per_block,
-                    std::move(blocks),
-                    [this, stage](int block) { advance(block, stage); }});
+  const auto write_state = [&](int buffer) {
+    writes.insert(
+        writes.end(),
+        {{resource::drift(buffer)}, {resource::velocity(buffer)}, {resource::material(buffer)}});
+  };
+  write_state(next);
+  if (stage == 2) write_state(0);
+  phases.push_back({"advance", stage, std::move(reads), std::move(writes), Phase::Extent::per_block,
+                    std::move(blocks), [this, stage](int block) { advance(block, stage); }});
 }
 
 template <class T, int D>
@@ -276,7 +279,7 @@ void Step<T, D>::fold() {
 template <class T, int D>
 void Step<T, D>::copy_image_drift(int block, int stage) {
   const auto [body, local] = owner(block);
-  for (auto& component : body.stage[stage][Field::displacement]) {
+  for (auto& component : body.stage[buffer_of(stage)][Field::displacement]) {
     for (const auto& [image, source] : body.population.images[local]) {
       component[image] = component[source];
     }
@@ -287,10 +290,10 @@ template <class T, int D>
 void Step<T, D>::copy_images(int block, int stage) {
   const auto [body, local] = owner(block);
   const auto& images = body.population.images[local];
-  for (auto& component : body.stage[stage][Field::velocity]) {
+  for (auto& component : body.stage[buffer_of(stage)][Field::velocity]) {
     for (const auto& [image, source] : images) component[image] = component[source];
   }
-  for (auto& component : body.stress[stage % 2]) {
+  for (T* component : body.stress_view(stage % 2)) {
     for (const auto& [image, source] : images) component[image] = component[source];
   }
 }
@@ -309,7 +312,7 @@ void Step<T, D>::write_records(int block, int stage) {
   work.material = body.material;
   work.mass = body.stage[0].get(Field::mass);
   work.level_set = body.stage[0].get(Field::level_set);
-  work.state = body.stage[stage].template evolving<const T>();
+  work.state = body.stage[buffer_of(stage)].template evolving<const T>();
   work.stress = std::as_const(body).stress_view(stage % 2);
   work.records = body.records.get();
   work.relaxes = !body.prony.empty();
@@ -323,18 +326,19 @@ void Step<T, D>::fill_all(int block, int stage) {
                     boundary_values_[stage], settings_.ghosts, kernels_);
 }
 
-// Ghosts that no stencil reaches only have to come along until the next remeshing: they are filled
-// in the first two stages. Lists of neighbours may hold them too, and want their stress.
+// Ghosts that no stencil reaches only have to come along until the next remeshing. Lists of
+// neighbours and the bonds of other bodies may hold them too, and want their stress; where they
+// drift to must not depend on that.
 template <class T, int D>
 void Step<T, D>::fill(int block, int stage) {
   const auto [body, local] = owner(block);
-  const bool all = stage < 2 || body.neighbours.are_listed;
+  const bool all = body.neighbours.are_listed || contact_.is_bonded();
   fill_ghosts<T, D>(body, local, stage, stage % 2, all ? WhichGhosts::all : WhichGhosts::reached,
                     state_.boundaries, boundary_values_[stage], settings_.ghosts, kernels_);
-  if (stage >= 2) carry_ghosts<T, D>(body, local, stage);
+  drift_ghosts<T, D>(body, local, stage, settings_.ghosts, kernels_);
   Point<D>* impulse = impulse_.data() + block * state_.boundaries.walls.size();
   add_impulse<T, D>(body, local, state_.boundaries, boundary_values_[stage],
-                    stage_weight[stage] * time_step_, impulse);
+                    stage_weight[stage] * time_step_, kernels_, impulse);
 }
 
 template <class T, int D>
@@ -360,14 +364,14 @@ void Step<T, D>::advance(int block, int stage) {
   work.weight = settings_.discretisation.weight;
   work.material = body.material;
   work.pack_state = population.pack_state.get();
-  work.interior = population.interior.get();
+  work.interior = body.interior.get();
   work.mass = body.stage[0].get(Field::mass);
-  work.current = body.stage[stage].template evolving<const T>();
+  work.current = body.stage[buffer_of(stage)].template evolving<const T>();
   work.stress = std::as_const(body).stress_view(stage % 2);
-  work.start = body.stage[0].template evolving<const T>();
+  work.start = body.stage[0].evolving();
   work.second = body.stage[1].template evolving<const T>();
   work.third = body.stage[2].template evolving<const T>();
-  work.next = body.stage[(stage + 1) % 4].evolving();
+  work.next = body.stage[buffer_after(stage)].evolving();
   work.next_stress = body.stress_view(1 - stage % 2);
   work.viscosity = body.viscosity(relaxation_[stage][state_.blocks[block].body].data());
   kernels::NeighbourLists<D> lists;
@@ -392,11 +396,11 @@ void Step<T, D>::evaluate_stress(int block) {
   work.segment_count = range.segment_count;
   work.material = body.material;
   work.pack_state = body.population.pack_state.get();
-  work.interior = body.population.interior.get();
+  work.interior = body.interior.get();
   work.mass = body.stage[0].get(Field::mass);
   work.state = body.stage[0].template evolving<const T>();
   work.stress = body.stress_view(0);
-  rest_without_particles(body, local);
+  prepare_slots(body, local);
   work.viscosity = body.viscosity();
   results_[block] = kernels_.evaluate_stress(work);
 }

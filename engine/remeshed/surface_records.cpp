@@ -69,33 +69,43 @@ void number_records(Population<T, D>& population, std::int32_t* record_of_slot) 
   std::int32_t next = 0;
   for (BlockGhosts<T, D>& ghosts : population.ghosts) {
     ghosts.first_record = next;
-    for (kernels::SurfacePack& pack : ghosts.packs) {
-      pack.record += ghosts.first_record;
-      std::int32_t record = pack.record;
-      for (int i = 0; i < Layout<D>::pack; ++i) {
-        if (pack.lanes >> i & 1) record_of_slot[pack.first + i] = record++;
-      }
-    }
+    for (kernels::SurfacePack& pack : ghosts.packs) pack.record += ghosts.first_record;
     next += ghosts.record_count;
   }
-  population.record_count = next;
+  list_slots_of_records(population);
+  for (std::size_t r = 0; r < population.slot_of_record.size(); ++r) {
+    record_of_slot[population.slot_of_record[r]] = static_cast<std::int32_t>(r);
+  }
+}
+
+template <class T, int D>
+void list_slots_of_records(Population<T, D>& population) {
+  population.slot_of_record.clear();
+  for (const BlockGhosts<T, D>& ghosts : population.ghosts) {
+    for (const kernels::SurfacePack& pack : ghosts.packs) {
+      for (int i = 0; i < Layout<D>::pack; ++i) {
+        if ((pack.lanes >> i & 1) == 0) continue;
+        population.slot_of_record.push_back(static_cast<std::int32_t>(pack.first + i));
+      }
+    }
+  }
 }
 
 template <class T, int D>
 void resolve_records(Population<T, D>& population, int block, const std::int32_t* record_of_slot) {
   BlockGhosts<T, D>& ghosts = population.ghosts[block];
-  for (std::size_t k = 0; k < ghosts.neighbour.size(); ++k) {
-    ghosts.record[k] = record_of_slot[ghosts.neighbour[k]];
-  }
+  for (std::int32_t& record : ghosts.record) record = record_of_slot[record];
 }
 
 template void mark_reached<double, 2>(Population<double, 2>&, int, int);
 template void mark_reached<double, 3>(Population<double, 3>&, int, int);
 template void list_surface_particles<double, 2>(Population<double, 2>&, int, const std::int32_t*);
 template void number_records<double, 2>(Population<double, 2>&, std::int32_t*);
+template void list_slots_of_records<double, 2>(Population<double, 2>&);
 template void resolve_records<double, 2>(Population<double, 2>&, int, const std::int32_t*);
 template void list_surface_particles<double, 3>(Population<double, 3>&, int, const std::int32_t*);
 template void number_records<double, 3>(Population<double, 3>&, std::int32_t*);
+template void list_slots_of_records<double, 3>(Population<double, 3>&);
 template void resolve_records<double, 3>(Population<double, 3>&, int, const std::int32_t*);
 
 }  // namespace pliant::remeshed

@@ -253,7 +253,7 @@ Point<D> TouchSearch<T, D>::foot_point(const Body<T, D>& body, const BlockGhosts
   for (int a = 0; a < D; ++a) {
     const T* drift = body.stage[0].get(Field::displacement, a);
     for (std::int64_t k = ghosts.begin[ghost]; k < ghosts.begin[ghost + 1]; ++k) {
-      x[a] += ghosts.surface[k] * drift[ghosts.neighbour[k]];
+      x[a] += ghosts.surface[k] * drift[body.population.slot_of_record[ghosts.record[k]]];
     }
   }
   return x;

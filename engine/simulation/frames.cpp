@@ -40,7 +40,7 @@ std::vector<Selection> select(const remeshed::State<T, D>& state, bool with_ghos
 template <class T, int D>
 std::array<double, 6> full_stress(const Body<T, D>& body, std::int64_t p) {
   const auto s = [&](int i, int j) {
-    return static_cast<double>(body.stress[0][kernels::symmetric_index<D>(i, j)][p]);
+    return static_cast<double>(body.stress[kernels::symmetric_index<D>(i, j)][p]);
   };
   if constexpr (D == 2) {
     const double pressure = remeshed::pressure<T, D>(body, body.stage[0], p);
@@ -80,12 +80,14 @@ FrameSurface take_surface(remeshed::Solver<T, D>& solver) {
 }
 
 template <class T, int D>
-std::vector<std::vector<double>> wall_pressures(const remeshed::State<T, D>& state) {
+std::vector<std::vector<double>> wall_pressures(const remeshed::Solver<T, D>& solver) {
+  const remeshed::State<T, D>& state = solver.state();
   remeshed::BoundaryValues<D> now;
   now.evaluate(state.boundaries, state.clock.time);
   std::vector<std::vector<double>> pressures;
   for (const Body<T, D>& body : state.bodies) {
-    pressures.push_back(remeshed::wall_pressure<T, D>(body, state.boundaries, now));
+    pressures.push_back(
+        remeshed::wall_pressure<T, D>(body, state.boundaries, now, solver.kernels()));
   }
   return pressures;
 }
@@ -128,7 +130,7 @@ Frame take_frame(remeshed::Solver<T, D>& solver, bool with_ghosts, bool with_sur
   add("level_set", "m", 1,
       [](const B& body, std::int64_t p, int) { return body.stage[0].get(Field::level_set)[p]; });
   if (with_ghosts && solver.state().boundaries.have_contact()) {
-    const std::vector<std::vector<double>> pressures = wall_pressures(solver.state());
+    const std::vector<std::vector<double>> pressures = wall_pressures(solver);
     std::vector<double> values;
     values.reserve(chosen.size());
     for (const Selection& s : chosen) values.push_back(pressures[s.body][s.slot]);

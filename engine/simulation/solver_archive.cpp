@@ -37,10 +37,9 @@ void for_each_slot_array(Body<T, D>& body, F&& f) {
       f(fmt::format("{}/{}", field.name, c), components[c]);
     }
   }
-  for (std::size_t c = 0; c < body.stress[0].size(); ++c) {
-    f(fmt::format("stress/{}", c), body.stress[0][c]);
+  for (std::size_t c = 0; c < body.stress.size(); ++c) {
+    f(fmt::format("stress/{}", c), body.stress[c]);
   }
-  f(std::string("interior"), body.population.interior);
 }
 
 template <class V>
@@ -62,7 +61,7 @@ void put_ghosts(ArchiveWriter& archive, const std::string& group,
   std::vector<double> normals, feet;
   for (const BlockGhosts<T, D>& g : population.ghosts) {
     sizes.insert(sizes.end(), {static_cast<std::int64_t>(g.slot.size()),
-                               static_cast<std::int64_t>(g.neighbour.size()),
+                               static_cast<std::int64_t>(g.record.size()),
                                static_cast<std::int64_t>(g.packs.size()), g.first_record,
                                g.record_count, static_cast<std::int64_t>(g.contact.size())});
     begins.insert(begins.end(), g.begin.begin(), g.begin.end());
@@ -89,7 +88,6 @@ void put_ghosts(ArchiveWriter& archive, const std::string& group,
   };
   using G = BlockGhosts<T, D>;
   put.template operator()<std::int32_t>("slot", &G::slot);
-  put.template operator()<std::int32_t>("neighbour", &G::neighbour);
   put.template operator()<std::int32_t>("record", &G::record);
   put.template operator()<std::int32_t>("contact", &G::contact);
   put.template operator()<std::uint8_t>("active", &G::active);
@@ -112,7 +110,6 @@ void get_ghosts(const ArchiveReader& archive, const std::string& group,
   const auto normals = archive.get<double>(group + "/normal");
   const auto feet = archive.get<double>(group + "/foot");
   const auto slots = archive.get<std::int32_t>(group + "/slot");
-  const auto neighbours = archive.get<std::int32_t>(group + "/neighbour");
   const auto records = archive.get<std::int32_t>(group + "/record");
   const auto contact = archive.get<std::int32_t>(group + "/contact");
   const auto active = archive.get<std::uint8_t>(group + "/active");
@@ -124,7 +121,6 @@ void get_ghosts(const ArchiveReader& archive, const std::string& group,
   const auto constrained_sums = archive.get<T>(group + "/constrained_sum");
   const auto surface_sums = archive.get<T>(group + "/surface_sum");
   std::size_t ghost = 0, neighbour = 0, pack = 0, begin = 0, touch = 0;
-  population.record_count = 0;
   for (std::size_t b = 0; b < population.ghosts.size(); ++b) {
     BlockGhosts<T, D>& g = population.ghosts[b];
     const std::int64_t* size = sizes.data() + 6 * b;
@@ -136,7 +132,6 @@ void get_ghosts(const ArchiveReader& archive, const std::string& group,
     g.slot = part(slots, ghost, ghosts);
     g.constrained_sum = part(constrained_sums, ghost, ghosts);
     g.surface_sum = part(surface_sums, ghost, ghosts);
-    g.neighbour = part(neighbours, neighbour, pairs);
     g.record = part(records, neighbour, pairs);
     g.contact = part(contact, touch, touching);
     g.contact_height = part(contact_heights, touch, touching);
@@ -170,14 +165,13 @@ void get_ghosts(const ArchiveReader& archive, const std::string& group,
     }
     g.first_record = static_cast<std::int32_t>(size[3]);
     g.record_count = static_cast<std::int32_t>(size[4]);
-    population.record_count += g.record_count;
-    g.sums.grow(ghosts * 3 * kernels::record_width<D>, T(0));
     ghost += ghosts;
     neighbour += pairs;
     pack += surfaces;
     begin += ghosts + 1;
     touch += touching;
   }
+  remeshed::list_slots_of_records(population);
 }
 
 }  // namespace

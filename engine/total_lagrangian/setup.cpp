@@ -143,7 +143,7 @@ void lay_out(const Nodes<D>& nodes, Body<T, D>& body) {
     throw std::invalid_argument(fmt::format(
         "body `{}` fills no cell of its lattice; use a finer discretisation.spacing", body.name));
   }
-  occupancy.dilate(1);
+  occupancy.dilate(1.8);  // also the neighbours across edges and corners
   const int blocks = static_cast<int>(std::max<std::int64_t>(marked / slots_of_block, 2));
   body.layout.build(occupancy, {}, blocks, 1);
 }

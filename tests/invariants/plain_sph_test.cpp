@@ -77,7 +77,7 @@ TEST(plain_sph, has_artificial_stress_along_axes_in_tension_only) {
   const double stress[3] = {6 * c * c - 2 * s * s, 8 * c * s, 6 * s * s - 2 * c * c};
   const double expected[3] = {-0.3 * 6 / 4 * c * c, -0.3 * 6 / 4 * c * s, -0.3 * 6 / 4 * s * s};
   for_each(body.population, Kind::interior, [&](std::int64_t p, const Cell<2>&) {
-    for (int k = 0; k < 3; ++k) body.stress[0][k][p] = stress[k];
+    for (int k = 0; k < 3; ++k) body.stress[k][p] = stress[k];
     body.stage[0].get(Field::mass)[p] = 2 * body.stage[0].get(Field::volume)[p];
   });
   for (std::size_t b = 0; b < body.population.layout.blocks().size(); ++b) {

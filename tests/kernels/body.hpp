@@ -53,7 +53,7 @@ struct Body {
     arguments.mass = mass.data();
     arguments.current = std::as_const(states[current]).evolving();
     arguments.stress = std::as_const(states[current]).stress_fields();
-    arguments.start = std::as_const(states[0]).evolving();
+    arguments.start = states[0].evolving();
     arguments.second = std::as_const(states[1]).evolving();
     arguments.third = std::as_const(states[2]).evolving();
     arguments.next = states[next].evolving();

@@ -56,6 +56,7 @@ struct RelaxingBox : Body<T, D> {
   static constexpr int terms = 3;
   std::array<PronyTerm<T>, terms> prony = {{{T(0.1), T(0.01)}, {T(0.2), T(1)}, {T(0.3), T(100)}}};
   std::array<std::vector<T>, terms> kept;
+  std::vector<T> change;
   std::array<T*, terms> kept_view;
   std::array<Relaxation<T>, terms> relaxation;
 
@@ -70,6 +71,7 @@ struct RelaxingBox : Body<T, D> {
       kept[i].assign(this->patch.slots, 0);
       kept_view[i] = kept[i].data();
     }
+    change.assign(this->patch.slots, 0);
     for (int n = 1; n < 4; ++n) this->states[n] = state;
   }
 
@@ -87,7 +89,7 @@ struct RelaxingBox : Body<T, D> {
             kernels::relaxation(prony[i], this->material.bulk_modulus, reached[number] * dt);
       }
       Stage<T, D> stage = this->stage(number, number, (number + 1) % 4, dt);
-      stage.viscosity = {terms, relaxation.data(), kept_view.data()};
+      stage.viscosity = {terms, relaxation.data(), kept_view.data(), change.data()};
       baseline_table<T, D>().advance_stage(stage);
       fill_ghosts((number + 1) % 4);
     }

@@ -90,8 +90,11 @@ Values<T> remeshing(const Table<T, D>& kernels, Model model, Weight) {
                           state.evolving().velocity,
                           state.evolving(),
                           nullptr,
+                          nullptr,
                           {},
                           small_box<T, D>()};
+  const std::vector<NodeRow> rows = whole_rows<D>(small_box<T, D>());
+  arguments.rows = rows.data();
   std::size_t size = node_width<D>;
   for (const int n : small_box<T, D>()) size *= n;
   Values<T> nodes(size), filtered(body.patch.slots);

@@ -12,6 +12,16 @@
 
 namespace pliant::kernels::test {
 
+/// Rows that fill the box around a remeshing tile.
+template <int D>
+std::vector<NodeRow> whole_rows(const std::array<std::int32_t, D>& extent) {
+  std::vector<NodeRow> rows(D == 3 ? extent[1] * extent[2] : extent[1]);
+  for (std::size_t r = 0; r < rows.size(); ++r) {
+    rows[r] = {0, extent[0], static_cast<std::int64_t>(r) * extent[0]};
+  }
+  return rows;
+}
+
 /// A full box of lattice cells in memory, laid out as kernels expect bodies: rows of whole packs
 /// with spare packs between them. Cells nearer than `margin` to the box's faces are not interior,
 /// so that rows begin and end with packs that are interior in some lanes only.

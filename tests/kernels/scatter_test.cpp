@@ -32,6 +32,7 @@ struct Tile {
     std::size_t size = width;
     for (const std::int32_t n : extent) size *= n;
     nodes.assign(size, T(0));
+    rows = whole_rows<D>(extent);
   }
 
   void scatter() {
@@ -46,6 +47,7 @@ struct Tile {
                             {},
                             std::as_const(body.states[0]).evolving(),
                             nodes.data(),
+                            rows.data(),
                             lower,
                             extent};
     for (int i = 0; i < D; ++i) arguments.carried[i] = carried[i].data();
@@ -85,6 +87,7 @@ struct Tile {
   Body<T, D> body;
   std::array<Field<T>, D> carried = filled();
   Field<T> level_set = Field<T>(body.patch.slots), nodes;
+  std::vector<NodeRow> rows;
   std::array<std::int32_t, D> shift = {}, lower, extent;
   int components, width;
 
@@ -151,6 +154,35 @@ TYPED_TEST(scatter, agrees_with_a_plain_sum_over_particles) {
     });
     // Cell coordinates up to 60 cost the oracle that many units; the kernel keeps fractions apart.
     EXPECT_LT(worst, 1000 * std::numeric_limits<T>::epsilon());
+  }
+}
+
+TYPED_TEST(scatter, onto_rows_of_different_lengths_finds_the_same_sums) {
+  using T = typename TypeParam::Scalar;
+  constexpr int D = TypeParam::dimension;
+  Tile<T, D> box(Model::linear_rho), ragged(Model::linear_rho);
+  box.scatter();
+  std::int64_t first = 0;
+  int at = 0;
+  for (NodeRow& row : ragged.rows) {
+    row.begin = at % 5 == 0 ? 0 : at % 7;  // every fifth row has no nodes
+    row.end = at % 5 == 0 ? 0 : row.end - at % 11;
+    row.first = first;
+    first += row.end - row.begin;
+    ++at;
+  }
+  ragged.scatter();
+  for (std::size_t r = 0; r < ragged.rows.size(); ++r) {
+    const NodeRow &part = ragged.rows[r], &whole = box.rows[r];
+    for (int x = part.begin; x < part.end; ++x) {
+      for (int f = 0; f < box.width; ++f) {
+        ASSERT_EQ(ragged.nodes[(part.first + x - part.begin) * box.width + f],
+                  box.nodes[(whole.first + x) * box.width + f]);
+      }
+    }
+  }
+  for (std::size_t n = first * box.width; n < ragged.nodes.size(); ++n) {
+    ASSERT_EQ(ragged.nodes[n], 0);
   }
 }
 

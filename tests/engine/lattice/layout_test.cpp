@@ -187,13 +187,13 @@ TYPED_TEST(RandomLayout, a_solid_body_wastes_few_slots_and_long_rows_are_cut) {
   for (const auto& block : this->slots.blocks()) EXPECT_LE(block.slot_count, 600 + 512);
 }
 
-TYPED_TEST(RandomLayout, holes_that_spare_packs_would_fill_keep_their_slots) {
+TYPED_TEST(RandomLayout, holes_that_a_spare_pack_would_fill_keep_their_slots) {
   constexpr int D = TypeParam::dimension;
   Occupancy<D> map;
   Cell<D> far = {};
   far[0] = 100;
   map.reset({}, far, 0);
-  for (const int x : {0, 24, 56}) {  // gaps of two packs and of three
+  for (const int x : {0, 16, 40}) {  // gaps of one pack and of two
     Cell<D> cell = {};
     cell[0] = x;
     map.mark(cell);
@@ -204,10 +204,10 @@ TYPED_TEST(RandomLayout, holes_that_spare_packs_would_fill_keep_their_slots) {
     cell[0] = x;
     return this->slots.slot(cell);
   };
-  EXPECT_EQ(slot(24) - slot(0), 24);
+  EXPECT_EQ(slot(16) - slot(0), 16);
   EXPECT_EQ(slot(12), slot(0) + 12);
-  EXPECT_EQ(slot(40), -1);
-  EXPECT_EQ(slot(56) - slot(24), 8 + 2 * 8) << "a spare pack at the end of each";
+  EXPECT_EQ(slot(28), -1);
+  EXPECT_EQ(slot(40) - slot(16), 8 + 8) << "a spare pack between them";
 }
 
 }  // namespace

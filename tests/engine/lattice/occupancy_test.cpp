@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include <cstdlib>
+#include <random>
 
 #include "tests/engine/lattice/random_cells.hpp"
 
@@ -43,34 +43,42 @@ TYPED_TEST(Occupancies, rows_are_found_again_from_their_cells_and_none_outside) 
   }
 }
 
-// The oracle looks at every pair of packs.
-TYPED_TEST(Occupancies, dilation_marks_the_packs_within_reach_of_a_mark_and_no_others) {
+// The oracle looks at every pair of a cell and a mark.
+TYPED_TEST(Occupancies, dilation_marks_the_packs_of_cells_within_a_ball_and_no_others) {
   constexpr int D = TypeParam::dimension;
-  for (const int reach : {1, 3, 8, 9}) {
+  for (const double radius : {1.0, 1.8, 3.0, 6.0, 8.5}) {
     Cell<D> lower = diagonal<D>(-9), upper = diagonal<D>(4);
     upper[0] = 50;
-    Occupancy<D> before;
-    before.reset(lower, upper, reach);
-    const Occupancy<D> few = random_occupancy<D>(lower, upper, 0.003, reach);
-    for (const Cell<D>& cell : marked_cells(few)) before.mark(cell);
-    Occupancy<D> after = before;
-    after.dilate(reach);
-
-    const int pack_reach = (reach + 7) / 8;
-    const auto within_reach = [&](int row, int column) {
-      const Cell<D> cell = before.row_cell(row);
-      for (const Cell<D>& mark : marked_cells(before)) {
-        const int columns = std::abs(mark[0] - before.column_cell(column)) / 8;
-        bool near = mark[0] % 8 == 0 && columns <= pack_reach;
-        for (int a = 1; a < D; ++a) near = near && std::abs(mark[a] - cell[a]) <= reach;
-        if (near) return true;
+    Occupancy<D> map;
+    map.reset(lower, upper, 9);
+    std::vector<Cell<D>> marks;
+    std::mt19937 random(9);
+    std::bernoulli_distribution chosen(D == 2 ? 0.005 : 0.001);
+    for_each_cell<D>(lower, upper, [&](const Cell<D>& cell) {
+      if (!chosen(random)) return;
+      map.mark(cell);
+      marks.push_back(cell);
+    });
+    ASSERT_FALSE(marks.empty());
+    map.dilate(radius);
+    const auto is_near = [&](const Cell<D>& cell) {
+      for (const Cell<D>& mark : marks) {
+        double square = 0;
+        for (int a = 0; a < D; ++a) square += (mark[a] - cell[a]) * (mark[a] - cell[a]);
+        if (square <= radius * radius) return true;
       }
       return false;
     };
-    for (int row = 0; row < before.rows(); ++row) {
-      for (int column = 0; column < before.columns(); ++column) {
-        ASSERT_EQ(after.is_marked(row, column), within_reach(row, column))
-            << "reach " << reach << ", row " << row << ", column " << column;
+    for (int row = 0; row < map.rows(); ++row) {
+      for (int column = 0; column < map.columns(); ++column) {
+        Cell<D> cell = map.row_cell(row);
+        bool near = false;
+        for (int i = 0; i < Occupancy<D>::pack; ++i) {
+          cell[0] = map.column_cell(column) + i;
+          near = near || is_near(cell);
+        }
+        ASSERT_EQ(map.is_marked(row, column), near)
+            << "radius " << radius << ", row " << row << ", column " << column;
       }
     }
   }

@@ -28,7 +28,7 @@ int expect_ghosts_follow(Solver& solver, const std::function<Values(const Point<
   for_each(body.population, Kind::interior, [&](std::int64_t p, const Cell<2>& cell) {
     const Values values = field(body.position(p, cell));
     for (int a = 0; a < 2; ++a) body.stage[0].get(Field::velocity, a)[p] = values.velocity[a];
-    for (int c = 0; c < 3; ++c) body.stress[0][c][p] = values.stress[c];
+    for (int c = 0; c < 3; ++c) body.stress[c][p] = values.stress[c];
   });
   solver.refresh_ghosts();
   int count = 0;
@@ -43,7 +43,7 @@ int expect_ghosts_follow(Solver& solver, const std::function<Values(const Point<
             << "component " << a << " at " << x[0] << ", " << x[1];
       }
       for (int c = 0; c < 3; ++c) {
-        EXPECT_NEAR(body.stress[0][c][p], values.stress[c], 1e-10)
+        EXPECT_NEAR(body.stress[c][p], values.stress[c], 1e-10)
             << "component " << c << " at " << x[0] << ", " << x[1];
       }
       ++count;

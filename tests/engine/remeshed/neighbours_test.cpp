@@ -161,21 +161,39 @@ const Settings spinning_rubber = {
     "time.step=1e-4",
     R"(body.cylinder.material={ model = "reduced_polynomial", coefficients = [40], compressibility = 0.002, density = 2 })"};
 
+/// The phases of the first stage of a solver's step, in a graph of their own.
+scheduler::StepGraph first_stage_of(const Solver& solver) {
+  std::vector<scheduler::Phase> phases;
+  for (const scheduler::Phase& phase : solver.step_graph().phases()) {
+    if (phase.stage == 0) phases.push_back(phase);
+  }
+  return {std::move(phases), solver.step_graph().blocks(), remeshed::resource::names()};
+}
+
 /// grad u of every interior particle as the first stage of a step sees it, row by row: F is 1
-/// before it, and 1 + dt/2 grad u in Q2 after it.
+/// before it, and 1 + dt/2 grad u in Q2 after it. A whole step finds the neighbours first.
 std::vector<std::array<double, 4>> gradients_of(const VectorExpression& velocity, bool by_search) {
   Solver solver(small_case("rotating_cylinder", spinning_rubber), 1, kernels::widest_supported());
   Body& body = solver.state().bodies[0];
-  displace(body, [](const Point<2>& x) { return Point<2>{x[0], 0.6 * x[1]}; });
-  for_each(body.population, Kind::interior, [&](std::int64_t p, const Cell<2>& cell) {
-    const Point<2> x = body.position(p, cell);
-    for (int a = 0; a < 2; ++a) {
-      body.stage[0].get(Field::velocity, a)[p] = velocity[a](x[0], x[1], 0, 0);
-    }
-  });
+  const auto start = [&] {
+    displace(body, [](const Point<2>& x) { return Point<2>{x[0], 0.6 * x[1]}; });
+    for_each(body.population, Kind::interior, [&](std::int64_t p, const Cell<2>& cell) {
+      const Point<2> x = body.position(p, cell);
+      for (int a = 0; a < 2; ++a) {
+        body.stage[0].get(Field::velocity, a)[p] = velocity[a](x[0], x[1], 0, 0);
+      }
+      for (int c = 0; c < 4; ++c) {
+        body.stage[0].get(Field::material, c)[p] = c % 3 == 0 ? 1 : 0;
+      }
+      for (Buffer<double>& component : body.stress) component[p] = 0;
+    });
+  };
+  start();
   if (by_search) body.neighbours.strain = never_so_much;
   advance(solver, 1);
   EXPECT_EQ(body.neighbours.are_listed, by_search);
+  start();
+  first_stage_of(solver).run(solver.workers());
   std::vector<std::array<double, 4>> gradients;
   for_each(body.population, Kind::interior, [&](std::int64_t p, const Cell<2>&) {
     std::array<double, 4> gradient;

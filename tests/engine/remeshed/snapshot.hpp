@@ -43,7 +43,6 @@ inline void add_body(Snapshot& snapshot, const LatticeView& view, Slots which) {
   };
   for (const auto& ghosts : population.ghosts) {
     add("ghost slot", ghosts.slot);
-    add("ghost neighbour", ghosts.neighbour);
     add("ghost record", ghosts.record);
     add("linear fit", ghosts.linear);
     add("constrained fit", ghosts.constrained);
@@ -59,7 +58,7 @@ inline Snapshot snapshot_of(const Solver& solver, Slots which = Slots::all) {
   Snapshot snapshot;
   for (const Body& body : solver.state().bodies) {
     add_body(snapshot, {body, body.population, body.stage[0]}, which);
-    for (const Buffer<double>& component : body.stress[0]) {
+    for (const Buffer<double>& component : body.stress) {
       for_each(body.population, Kind::interior, [&](std::int64_t slot, const Cell<2>&) {
         snapshot["stress"].push_back(component[slot]);
       });

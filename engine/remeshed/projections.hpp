@@ -1,0 +1,55 @@
+#pragma once
+
+#include <array>
+#include <vector>
+
+#include "engine/lattice/layout.hpp"
+#include "kernels/table.hpp"
+
+namespace pliant::remeshed {
+
+/// Nodes on their way to the zero set of a slot field, (RP.30). Positions are in cells.
+template <class T, int D>
+class Projections {
+ public:
+  /// Cells that a point may move from its start.
+  static constexpr int farthest_move = 3;
+
+  void clear();
+  void add(std::int64_t slot, const Cell<D>& node, const Point<D>& start);
+
+  /// Moves all points onto the zero set of `values`.
+  void run(const Lattice<D>& lattice, const Layout<D>& layout, const T* values, int iterations,
+           const kernels::Table<T, D>& kernels);
+
+  std::size_t size() const { return slot_.size(); }
+  std::int64_t slot(std::size_t i) const { return slot_[i]; }
+  Cell<D> cell(std::size_t i) const;
+  Point<D> node(std::size_t i) const { return point_of(node_, i); }
+  /// Start, or after `run` where it has led to.
+  Point<D> point(std::size_t i) const { return point_of(point_, i); }
+  bool has_converged(std::size_t i) const { return converged_[i] != 0; }
+
+ private:
+  using Coordinates = std::array<std::vector<T>, D>;
+
+  static Point<D> point_of(const Coordinates& x, std::size_t i) {
+    Point<D> point;
+    for (int a = 0; a < D; ++a) point[a] = x[a][i];
+    return point;
+  }
+  void fill_box(const Lattice<D>& lattice, const Layout<D>& layout, const T* values);
+  void fill_row(const Lattice<D>& lattice, const Layout<D>& layout, const T* values,
+                const Cell<D>& first, T* row) const;
+
+  std::vector<std::int64_t> slot_;
+  Coordinates node_, point_;
+  std::vector<T> converged_;
+  Cell<D> lower_, extent_;
+  std::vector<T> box_;  ///< [z][y][x] values of the nodes around all starts
+};
+
+extern template class Projections<double, 2>;
+extern template class Projections<double, 3>;
+
+}  // namespace pliant::remeshed
