@@ -16,8 +16,9 @@ namespace {
 
 template <class T, int D>
 State<T, D> empty_state(const Case& settings) {
-  State<T, D> state{{}, Boundaries<D>(settings.boundaries), {}, {}, {}, {}};
+  State<T, D> state{{}, Boundaries<D>(settings.boundaries), {}, {}, {}, {}, {}};
   state.wall_impulse.resize(state.boundaries.walls.size());
+  state.contact_impulse.resize(settings.contacts.size());
   state.bodies.resize(settings.bodies.size());
   return state;
 }
