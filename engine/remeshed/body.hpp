@@ -76,7 +76,7 @@ struct BlockGhosts {
   std::vector<T> linear, constrained;   ///< c of (RP.32), b of (RP.33)
   std::vector<T> surface;               ///< a: (RP.32) at the foot point
   std::vector<T> constrained_sum;       ///< [ghost] sum of b
-  std::vector<T> surface_sum;  ///< [ghost] sum of a: 1, or 0 where the surface meets a wall
+  std::vector<T> surface_sum;  ///< [ghost] sum of a: 1, or 0 where the surface ends at a wall
   /// A slot beyond a contact wall has two ghosts, of the free surface and, next in order, of the
   /// wall: the latter are listed here. One of the two is active, (RP.50).
   std::vector<std::int32_t> contact;
