@@ -297,7 +297,6 @@ void fit_ghosts(const Body<T, D>& body, Population<T, D>& population, const Fiel
   ghosts.normal.clear();
   ghosts.foot.clear();
   ghosts.touches.clear();
-  ghosts.bonds.clear();
   ghosts.begin.assign(1, 0);
   ghosts.neighbour.clear();
   ghosts.linear.clear();

@@ -51,7 +51,6 @@ inline constexpr FieldId touches = 50;        ///< ghosts that touch other bodie
 inline constexpr FieldId tractions = 51;      ///< there
 inline constexpr FieldId momentum = 52;       ///< of a block's particles
 inline constexpr FieldId books = 53;          ///< of bodies
-inline constexpr FieldId bonds = 54;          ///< ghosts at the ends of bonded interfaces
 
 inline std::vector<std::string> names() {
   std::vector<std::string> names;
@@ -92,8 +91,7 @@ inline std::vector<std::string> names() {
                              "touches",
                              "tractions",
                              "momentum",
-                             "books",
-                             "bonds"});
+                             "books"});
   return names;
 }
 

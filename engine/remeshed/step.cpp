@@ -126,11 +126,9 @@ void Step<T, D>::add_ghosts(std::vector<Phase>& phases, int stage, WhichGhosts w
     if (stage >= 2) reads.insert(reads.end(), {{resource::ghosts(0)}, {resource::ghosts(1)}});
     each("ghosts", std::move(reads), std::move(writes), &Step::fill);
   }
-  if (contact_.is_bonded()) contact_.add_bonds(phases, stage);
   if (periodic()) {
     each("images",
          {{resource::velocity(stage), Reach::neighbours},
-          {resource::bonds, Reach::neighbours},
           {resource::stress(parity), Reach::neighbours},
           {resource::ghosts(stage), Reach::neighbours}},
          {{resource::images(stage)}}, &Step::copy_images);
@@ -186,11 +184,12 @@ template <class T, int D>
 void Step<T, D>::add_advance(std::vector<Phase>& phases, int stage, Reach reach,
                              std::vector<int> blocks) {
   const int parity = stage % 2, next = (stage + 1) % 4;
-  std::vector<scheduler::Access> reads = {
-      {resource::drift(stage), reach},   {resource::velocity(stage), reach},
-      {resource::stress(parity), reach}, {resource::ghosts(stage), reach},
-      {resource::bonds, reach},          {resource::images(stage), Reach::neighbours},
-      {resource::material(stage)}};
+  std::vector<scheduler::Access> reads = {{resource::drift(stage), reach},
+                                          {resource::velocity(stage), reach},
+                                          {resource::stress(parity), reach},
+                                          {resource::ghosts(stage), reach},
+                                          {resource::images(stage), Reach::neighbours},
+                                          {resource::material(stage)}};
   if (is_plain_sph()) {
     reads.insert(reads.end(), {{resource::pair_stress, reach}, {resource::material(stage), reach}});
   }

@@ -167,7 +167,6 @@ void get_ghosts(const ArchiveReader& archive, const std::string& group,
     g.normal.clear();
     g.foot.clear();
     g.touches.clear();
-    g.bonds.clear();
     for (std::size_t i = ghost; i < ghost + ghosts; ++i) {
       g.wall.push_back(static_cast<std::int8_t>(walls[2 * i]));
       g.pressure.push_back(static_cast<std::int8_t>(walls[2 * i + 1]));
