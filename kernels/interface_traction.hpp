@@ -17,7 +17,7 @@ struct InterfaceSide {
 
 /// (RP.65): the traction on `own`, n its normal, out of it. `closing` is the velocity [m/s] at
 /// which the gap between the surfaces is to vanish, negative where they overlap. None between
-/// surfaces that do not face each other, as those beside the edge of a contact.
+/// surfaces that do not face each other, as those beside the edge of a contact, unless bonded.
 template <class T, int D>
 SurfaceLoad<T, D> interface_traction(const InterfaceSide<T, D>& own,
                                      const InterfaceSide<T, D>& other, const VectorOf<T, D>& n,
@@ -34,7 +34,7 @@ SurfaceLoad<T, D> interface_traction(const InterfaceSide<T, D>& own,
     opening += jump[i] * n[i];
     facing -= other_n[i] * n[i];
   }
-  if (facing < T(0.5)) return load;
+  if (kind != InterfaceKind::bonded && facing < T(0.5)) return load;
   const auto resolve = [](T z, T z_other, T s, T s_other, T u) {
     return (z_other * s + z * s_other + z * z_other * u) / (z + z_other);
   };

@@ -99,6 +99,15 @@ std::pair<int, double> Boundaries<D>::nearest(const Point<D>& x, bool bonded) co
   return nearest;
 }
 
+template <int D>
+double Boundaries<D>::distance_to_sticking(const Point<D>& x) const {
+  double least = std::numeric_limits<double>::infinity();
+  for (const Wall<D>& wall : walls) {
+    if (wall.bonded() && !wall.slips()) least = std::min(least, wall.distance(x));
+  }
+  return least;
+}
+
 template class Wall<2>;
 template class Wall<3>;
 template class SurfacePressure<2>;

@@ -60,6 +60,8 @@ struct Boundaries {
   std::pair<int, double> nearest_wall(const Point<D>& x) const { return nearest(x, true); }
   /// The same of contact walls.
   std::pair<int, double> nearest_contact(const Point<D>& x) const { return nearest(x, false); }
+  /// Distance to the nearest wall that material sticks to for good; infinity without such walls.
+  double distance_to_sticking(const Point<D>& x) const;
 
   std::vector<Wall<D>> walls;
   std::vector<SurfacePressure<D>> pressures;

@@ -107,6 +107,7 @@ struct MeasurementCase {
     total_energy,
     energy_ratio,     ///< kinetic over strain energy
     wall_force,       ///< of contact wall `boundary` along `axis`, mean since the last sample
+    contact_force,    ///< on the first of `bodies` from the second, likewise
     volume,           ///< of {phi < 0}; an area in 2D
     surface_area,     ///< of {phi = 0}; a length in 2D
     closest_pair,     ///< smallest distance of two particles over the spacing
@@ -121,6 +122,7 @@ struct MeasurementCase {
   Kind kind = Kind::mass;
   int body = 0;
   int boundary = -1;
+  std::array<int, 2> bodies = {-1, -1};  ///< contact_force
   int axis = 0;
   bool lower_side = false;          ///< extent: towards -axis
   std::optional<Expression> where;  ///< extent: only surface points where this is not zero
@@ -133,6 +135,9 @@ struct MeasurementCase {
   Norm norm = Norm::maximum;
   int of = -1;      ///< position of the measurement whose history the last four kinds read
   double over = 0;  ///< largest_mean [s]
+
+  /// Forces are means between samples: what an impulse has changed by, over the time.
+  bool is_force() const { return kind == Kind::wall_force || kind == Kind::contact_force; }
 };
 
 enum class GhostTreatment { linear, averaged, rigid };

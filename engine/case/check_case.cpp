@@ -243,6 +243,7 @@ bool measures_undeformed_bodies(MeasurementCase::Kind kind) {
     case Kind::mean_radius:
     case Kind::point_value:
     case Kind::wall_force:
+    case Kind::contact_force:
     case Kind::velocity_error:
     case Kind::closest_pair:
       return false;

@@ -35,11 +35,35 @@ void check_places(const Check& check, std::size_t index) {
   }
 }
 
+/// Whether a [[contact]] joins two bodies, in whichever order.
+bool have_contact(const Case& a_case, std::array<int, 2> bodies) {
+  return std::any_of(a_case.contacts.begin(), a_case.contacts.end(), [&](const ContactCase& c) {
+    return std::is_permutation(bodies.begin(), bodies.end(), c.bodies.begin());
+  });
+}
+
+void check_forces(const Check& check) {
+  const Case& a_case = check.a_case;
+  for (std::size_t i = 0; i < a_case.measurements.size(); ++i) {
+    const MeasurementCase& m = a_case.measurements[i];
+    if (m.kind != MeasurementCase::Kind::contact_force || m.bodies[0] < 0 || m.bodies[1] < 0 ||
+        have_contact(a_case, m.bodies)) {
+      continue;
+    }
+    check.problems.add(
+        check.place("measurement", i, "bodies"),
+        fmt::format("bodies \"{}\" and \"{}\" are in no [[contact]], whose force is known",
+                    a_case.bodies[m.bodies[0]].name, a_case.bodies[m.bodies[1]].name),
+        "add a [[contact]] of the two, or name two that touch");
+  }
+}
+
 }  // namespace
 
 // At the edge of a contact, ghosts under load move beside free ones and wear the level set out: two
 // discs gained 18 % of energy between remeshings that only strain called for.
 void check_contacts(const Check& check) {
+  check_forces(check);
   const auto& contacts = check.a_case.contacts;
   std::set<std::array<int, 2>> taken;
   bool any_opens = false;

@@ -98,6 +98,13 @@ void measurement_keys(Visitor& visit, MeasurementCase& m) {
           {.meaning = "the contact wall", .example = R"("floor")", .required = true});
     return axis_key(visit, m, "component");
   }
+  if (m.kind == Kind::contact_force) {
+    visit("bodies", BodyPair{m.bodies},
+          {.meaning = "the two of a [[contact]]: the force on the first, from the second",
+           .example = R"(["left", "right"])",
+           .required = true});
+    return axis_key(visit, m, "component");
+  }
   visit("body", BodyName{m.body}, {.meaning = "the body; by default the first"});
   switch (m.kind) {
     case Kind::extent:

@@ -144,6 +144,8 @@ inline constexpr std::array words<MeasurementCase::Kind>{
          "kinetic over strain energy of a body: small when loads are slow"),
     word(MeasurementCase::Kind::wall_force, "wall_force",
          "force of a contact wall on the bodies, mean since the last sample (RP.52)"),
+    word(MeasurementCase::Kind::contact_force, "contact_force",
+         "force between two bodies in contact, mean since the last sample (RP.67)"),
     word(MeasurementCase::Kind::volume, "volume", "of a body; an area in 2D"),
     word(MeasurementCase::Kind::surface_area, "surface_area",
          "of the free surface; a length in 2D"),

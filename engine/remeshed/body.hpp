@@ -42,24 +42,6 @@ struct BodyTouches {
   }
 };
 
-/// Ghosts of one block that take the state of another body as it is, (RP.66).
-template <class T>
-struct BodyBonds {
-  std::vector<std::int32_t> ghost;
-  std::vector<std::int32_t> body;   ///< the other
-  std::vector<std::int64_t> begin;  ///< [bond + 1] into the two below
-  std::vector<std::int32_t> slot;   ///< of the other body
-  std::vector<T> coefficient;       ///< of its linear fit at the ghost
-
-  void clear() {
-    ghost.clear();
-    body.clear();
-    begin.assign(1, 0);
-    slot.clear();
-    coefficient.clear();
-  }
-};
-
 /// Ghosts of one block, and the surface particles of the block that ghosts anywhere read.
 template <class T, int D>
 struct BlockGhosts {
@@ -75,7 +57,7 @@ struct BlockGhosts {
   std::vector<T> linear, constrained;  ///< c of (RP.32), b of (RP.33)
   std::vector<T> surface;              ///< a: (RP.32) at the foot point
   std::vector<T> constrained_sum;      ///< [ghost] sum of b
-  std::vector<T> surface_sum;          ///< [ghost] sum of a: 1, or 0 where the surface meets a wall
+  std::vector<T> surface_sum;  ///< [ghost] sum of a: 1, or 0 where the surface ends at a wall
   /// A slot beyond a contact wall has two ghosts, of the free surface and, next in order, of the
   /// wall: the latter are listed here. One of the two is active, (RP.50).
   std::vector<std::int32_t> contact;
@@ -83,7 +65,6 @@ struct BlockGhosts {
   std::vector<double> contact_height;
   std::vector<double> contact_area;  ///< [contact] share of the wall, (RP.52) [m^(D-1)]
   BodyTouches<T, D> touches;         ///< with other bodies
-  BodyBonds<T> bonds;                ///< at the ends of bonded interfaces
   std::vector<kernels::SurfacePack> packs;
   std::int32_t first_record = 0, record_count = 0;
 

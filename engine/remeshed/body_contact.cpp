@@ -50,55 +50,6 @@ void BodyContact<T, D>::add_tractions(std::vector<Phase>& phases, int stage) {
 }
 
 template <class T, int D>
-bool BodyContact<T, D>::is_bonded() const {
-  return std::any_of(contacts_.begin(), contacts_.end(), [](const ContactCase& contact) {
-    return contact.kind == ContactCase::Kind::bonded;
-  });
-}
-
-template <class T, int D>
-void BodyContact<T, D>::add_bonds(std::vector<Phase>& phases, int stage) {
-  phases.push_back({"bonds",
-                    stage,
-                    {{resource::touches},
-                     {resource::velocity(buffer_of(stage)), Reach::all},
-                     {resource::stress(stage % 2), Reach::all},
-                     {resource::ghosts(buffer_of(stage)), Reach::all}},
-                    {{resource::bonds}},
-                    Phase::Extent::per_block,
-                    {},
-                    [this, stage](int block) { fill_bonds(block, stage); }});
-}
-
-template <class T, int D>
-void BodyContact<T, D>::fill_bonds(int block, int stage) {
-  const auto [owner, local] = state_.blocks[block];
-  Body<T, D>& own = state_.bodies[owner];
-  const BlockGhosts<T, D>& ghosts = own.population.ghosts[local];
-  const BodyBonds<T>& bonds = ghosts.bonds;
-  for (std::size_t k = 0; k < bonds.ghost.size(); ++k) {
-    const Body<T, D>& other = state_.bodies[bonds.body[k]];
-    const std::int32_t slot = ghosts.slot[bonds.ghost[k]];
-    const auto fit = [&](const T* field) {
-      T sum = 0;
-      for (std::int64_t i = bonds.begin[k]; i < bonds.begin[k + 1]; ++i) {
-        sum += bonds.coefficient[i] * field[bonds.slot[i]];
-      }
-      return sum;
-    };
-    for (int a = 0; a < D; ++a) {
-      own.stage[buffer_of(stage)].get(Field::velocity, a)[slot] =
-          fit(other.stage[buffer_of(stage)].get(Field::velocity, a));
-    }
-    const auto stress = other.stress_view(stage % 2);
-    const auto own_stress = own.stress_view(stage % 2);
-    for (std::size_t c = 0; c < stress.size(); ++c) {
-      own_stress[c][slot] = fit(stress[c]);
-    }
-  }
-}
-
-template <class T, int D>
 void BodyContact<T, D>::prepare(double time_step) {
   time_step_ = time_step;
   search_.prepare();

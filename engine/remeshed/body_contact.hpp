@@ -18,7 +18,7 @@
 //
 // Nothing is shared but that traction: each body keeps its lattice, its level set and its
 // particles, remeshes by itself, and materials never mix. A bonded interface is the same without
-// the question whether the bodies press.
+// the question whether the bodies press: ghosts that lie nearer to the other body are bonded to it.
 //
 // Each side finds the traction at its own foot points, and what each of them does to its particles
 // is right to the order of the method, not to rounding. The momentum that crosses is therefore
@@ -38,10 +38,6 @@ class BodyContact {
   /// Once per stage: the tractions there.
   void add_tractions(std::vector<scheduler::Phase>& phases, int stage);
 
-  bool is_bonded() const;
-  /// Once per stage, when the ghosts are there: those at the ends of bonded interfaces.
-  void add_bonds(std::vector<scheduler::Phase>& phases, int stage);
-
   void prepare(double time_step);
   /// (RP.67): impulse of each contact on the second of its bodies in the step [N s], folded over
   /// the blocks in their order.
@@ -51,7 +47,6 @@ class BodyContact {
   static constexpr std::array<double, 4> stage_weight = {1. / 6, 1. / 3, 1. / 3, 1. / 6};
 
   void find_tractions(int block, int stage);
-  void fill_bonds(int block, int stage);
   std::array<T, D> traction(const Body<T, D>& own, const Body<T, D>& other,
                             const BlockGhosts<T, D>& ghosts, std::size_t touch,
                             ContactCase::Kind kind) const;

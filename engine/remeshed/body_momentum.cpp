@@ -117,6 +117,7 @@ template <class T, int D>
 void BodyMomentum<T, D>::book(const std::vector<Point<D>>& impulses) {
   for (std::size_t c = 0; c < impulses.size(); ++c) {
     for (int a = 0; a < D; ++a) {
+      state_.contact_impulse[c][a] += impulses[c][a];
       state_.books[contacts_[c].bodies[0]].momentum[a] -= impulses[c][a];
       state_.books[contacts_[c].bodies[1]].momentum[a] += impulses[c][a];
     }

@@ -182,10 +182,10 @@ class GhostFitter {
     for (int a = 0; a < D; ++a) {
       centre[a] = (foot[a] - body_.lattice.origin[a]) / body_.lattice.spacing - 0.5;
     }
-    // The curved fit overshoots where the solution is singular: at walls and where they meet the
-    // free surface.
-    const double wall_distance = boundaries_.nearest_wall(foot).second / body_.lattice.spacing;
-    const bool curved = wall == nullptr && wall_distance > fit_radius;
+    // The curved fit overshoots where the solution is singular: at walls that hold the body, and
+    // where they meet the free surface. A slip wall is a plane of symmetry, which makes no corner.
+    const double corner_distance = boundaries_.distance_to_sticking(foot) / body_.lattice.spacing;
+    const bool curved = wall == nullptr && corner_distance > fit_radius;
     double radius = fit_radius;
     bool fitted = false;
     for (int attempt = 0; !fitted && attempt <= most_widenings; ++attempt, radius *= widening) {
@@ -194,7 +194,7 @@ class GhostFitter {
     }
     if (!fitted) fit_poorly(site);
     // What the fit finds as traction there is the singular stress, no wave to let out.
-    if (wall == nullptr && wall_distance < 1) a_.assign(a_.size(), 0);
+    if (wall == nullptr && corner_distance < 1) a_.assign(a_.size(), 0);
     keep();
   }
 
@@ -297,7 +297,6 @@ void fit_ghosts(const Body<T, D>& body, Population<T, D>& population, const Fiel
   ghosts.normal.clear();
   ghosts.foot.clear();
   ghosts.touches.clear();
-  ghosts.bonds.clear();
   ghosts.begin.assign(1, 0);
   ghosts.record.clear();
   ghosts.linear.clear();

@@ -103,10 +103,9 @@ double Measurer<T, D>::value(const MeasurementCase& m) {
       return surface_area(nodes(m.body), solver_.state().boundaries);
     case Quantity::point_displacement:
       return material_displacement<T, D>(solver_.state().bodies[m.body], m.point)[m.axis];
-    case Quantity::wall_force: {
-      const State<T, D>& state = solver_.state();
-      return state.wall_impulse[state.boundaries.wall_of[m.boundary]][m.axis];
-    }
+    case Quantity::wall_force:
+    case Quantity::contact_force:
+      return impulse(m);
     case Quantity::point_value:
       return point_value(m);
     case Quantity::closest_pair:
@@ -121,6 +120,21 @@ double Measurer<T, D>::value(const MeasurementCase& m) {
     default:
       return value_of(m, integrals(m.body, m.point), D);
   }
+}
+
+template <class T, int D>
+double Measurer<T, D>::impulse(const MeasurementCase& m) const {
+  const State<T, D>& state = solver_.state();
+  if (m.kind == MeasurementCase::Kind::wall_force) {
+    return state.wall_impulse[state.boundaries.wall_of[m.boundary]][m.axis];
+  }
+  double on_first = 0;
+  for (std::size_t c = 0; c < state.contact_impulse.size(); ++c) {
+    const std::array<int, 2>& of = solver_.settings().contacts[c].bodies;
+    if (of == m.bodies) on_first -= state.contact_impulse[c][m.axis];
+    if (of == std::array{m.bodies[1], m.bodies[0]}) on_first += state.contact_impulse[c][m.axis];
+  }
+  return on_first;
 }
 
 template <class T, int D>

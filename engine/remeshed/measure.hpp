@@ -15,7 +15,7 @@ class Measurer {
   explicit Measurer(Solver<T, D>& solver) : solver_(solver) {}
 
   /// One value for each measurement of the case; NaN where it has none (those which read histories,
-  /// and surfaces that do not exist). Of wall_force, the impulse since t = 0: histories tell the
+  /// and surfaces that do not exist). Of forces, the impulse since t = 0: histories tell the
   /// force.
   std::vector<double> operator()();
 
@@ -24,6 +24,7 @@ class Measurer {
 
  private:
   double value(const MeasurementCase& m);
+  double impulse(const MeasurementCase& m) const;
   double surface_value(const MeasurementCase& m);
   double velocity_error(const MeasurementCase& m) const;
   double point_value(const MeasurementCase& m);

@@ -51,7 +51,6 @@ inline constexpr FieldId touches = 44;        ///< ghosts that touch other bodie
 inline constexpr FieldId tractions = 45;      ///< there
 inline constexpr FieldId momentum = 46;       ///< of a block's particles
 inline constexpr FieldId books = 47;          ///< of bodies
-inline constexpr FieldId bonds = 48;          ///< ghosts at the ends of bonded interfaces
 
 inline std::vector<std::string> names() {
   std::vector<std::string> names;
@@ -92,8 +91,7 @@ inline std::vector<std::string> names() {
                              "touches",
                              "tractions",
                              "momentum",
-                             "books",
-                             "bonds"});
+                             "books"});
   return names;
 }
 

@@ -16,8 +16,9 @@ namespace {
 
 template <class T, int D>
 State<T, D> empty_state(const Case& settings) {
-  State<T, D> state{{}, Boundaries<D>(settings.boundaries), {}, {}, {}, {}};
+  State<T, D> state{{}, Boundaries<D>(settings.boundaries), {}, {}, {}, {}, {}};
   state.wall_impulse.resize(state.boundaries.walls.size());
+  state.contact_impulse.resize(settings.contacts.size());
   state.bodies.resize(settings.bodies.size());
   return state;
 }
@@ -197,6 +198,7 @@ void Solver<T, D>::commit() {
 
 template <class T, int D>
 void Solver<T, D>::adopt() {
+  check_bodies();
   restored();
   run(graph_for(stress_graph_, false, [&] { return step_.stress_phases(); }));
   step_.fold();
@@ -328,6 +330,19 @@ void Solver<T, D>::check(const kernels::StageResult& result) const {
                   "(remeshing.strain), or "
                   "use a finer spacing",
                   state_.clock.time, state_.clock.step, result.non_finite, body.name, x[0], x[1]));
+}
+
+// A body that blows up may be flung off its level set within one remeshing, finite to the last.
+template <class T, int D>
+void Solver<T, D>::check_bodies() const {
+  for (const Body<T, D>& body : state_.bodies) {
+    if (body.population.particles > 0) continue;
+    throw StepFailure(
+        fmt::format("t = {:.6g}, step {}: body `{}` has no particle left; look at the last frames "
+                    "for where it broke, then use a smaller time step (time.cfl), remesh more "
+                    "often (remeshing.every), or use a finer spacing",
+                    state_.clock.time, state_.clock.step, body.name));
+  }
 }
 
 template <class T, int D>

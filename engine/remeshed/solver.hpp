@@ -96,6 +96,7 @@ class Solver {
   scheduler::StepGraph& graph_for(Graph& graph, bool spare, F&& make_phases);
   void run(scheduler::StepGraph& graph);
   void check(const kernels::StageResult& result) const;
+  void check_bodies() const;
 
   Case settings_;
   scheduler::Workers workers_;

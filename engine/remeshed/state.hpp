@@ -37,6 +37,7 @@ struct State {
   Clock clock;
   Boundaries<D> boundaries;
   std::vector<Point<D>> wall_impulse;  ///< [wall] of contact walls on the bodies, since t = 0 [N s]
+  std::vector<Point<D>> contact_impulse;  ///< [contact] on its second body, since t = 0 [N s]
   std::vector<Body<T, D>> bodies;
   std::vector<Book<D>> books;  ///< [body], or none without contacts between bodies
   std::vector<BlockOwner> blocks;

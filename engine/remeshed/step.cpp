@@ -128,11 +128,9 @@ void Step<T, D>::add_ghosts(std::vector<Phase>& phases, int stage, WhichGhosts w
     if (stage == 3) reads.push_back({resource::ghosts(2)});
     each("ghosts", std::move(reads), std::move(writes), &Step::fill);
   }
-  if (contact_.is_bonded()) contact_.add_bonds(phases, stage);
   if (periodic()) {
     each("images",
          {{resource::velocity(buffer), Reach::neighbours},
-          {resource::bonds, Reach::neighbours},
           {resource::stress(parity), Reach::neighbours},
           {resource::ghosts(buffer), Reach::neighbours}},
          {{resource::images(buffer)}}, &Step::copy_images);
@@ -188,11 +186,12 @@ template <class T, int D>
 void Step<T, D>::add_advance(std::vector<Phase>& phases, int stage, Reach reach,
                              std::vector<int> blocks) {
   const int parity = stage % 2, current = buffer_of(stage), next = buffer_after(stage);
-  std::vector<scheduler::Access> reads = {
-      {resource::drift(current), reach}, {resource::velocity(current), reach},
-      {resource::stress(parity), reach}, {resource::ghosts(current), reach},
-      {resource::bonds, reach},          {resource::images(current), Reach::neighbours},
-      {resource::material(current)}};
+  std::vector<scheduler::Access> reads = {{resource::drift(current), reach},
+                                          {resource::velocity(current), reach},
+                                          {resource::stress(parity), reach},
+                                          {resource::ghosts(current), reach},
+                                          {resource::images(current), Reach::neighbours},
+                                          {resource::material(current)}};
   if (is_plain_sph()) {
     reads.insert(reads.end(),
                  {{resource::pair_stress, reach}, {resource::material(current), reach}});
@@ -327,14 +326,13 @@ void Step<T, D>::fill_all(int block, int stage) {
 }
 
 // Ghosts that no stencil reaches only have to come along until the next remeshing. Lists of
-// neighbours and the bonds of other bodies may hold them too, and want their stress; where they
-// drift to must not depend on that.
+// neighbours may hold them too, and want their stress; where they drift to must not depend on that.
 template <class T, int D>
 void Step<T, D>::fill(int block, int stage) {
   const auto [body, local] = owner(block);
-  const bool all = body.neighbours.are_listed || contact_.is_bonded();
-  fill_ghosts<T, D>(body, local, stage, stage % 2, all ? WhichGhosts::all : WhichGhosts::reached,
-                    state_.boundaries, boundary_values_[stage], settings_.ghosts, kernels_);
+  const WhichGhosts which = body.neighbours.are_listed ? WhichGhosts::all : WhichGhosts::reached;
+  fill_ghosts<T, D>(body, local, stage, stage % 2, which, state_.boundaries,
+                    boundary_values_[stage], settings_.ghosts, kernels_);
   drift_ghosts<T, D>(body, local, stage, settings_.ghosts, kernels_);
   Point<D>* impulse = impulse_.data() + block * state_.boundaries.walls.size();
   add_impulse<T, D>(body, local, state_.boundaries, boundary_values_[stage],

@@ -28,7 +28,6 @@ Point<D> place(const Point<D>& x, const Lattice<D>& lattice) {
 template <int D>
 struct SurfaceSamples {
   Point<D> lower, upper;             ///< of the places, as those of sites
-  std::vector<std::int32_t> slot;    ///< [sample]
   std::vector<std::int32_t> record;  ///< [sample] of a particle; -1: a ghost
   std::vector<double> level_set;     ///< [sample] [h]
   CellList<D> cells;                 ///< the slot of a site is the number of its sample

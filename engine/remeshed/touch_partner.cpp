@@ -1,6 +1,6 @@
 #include "engine/remeshed/touch_partner.hpp"
 
-#include <algorithm>
+#include <limits>
 
 namespace pliant::remeshed {
 
@@ -63,35 +63,6 @@ bool TouchPartner<T, D>::add_to(BodyTouches<T, D>& touches) {
     touches.coefficient.push_back(static_cast<T>(coefficient_[i]));
   }
   touches.begin.push_back(static_cast<std::int64_t>(touches.record.size()));
-  return true;
-}
-
-template <class T, int D>
-bool TouchPartner<T, D>::add_bond(const Body<T, D>& body, BlockGhosts<T, D>& ghosts,
-                                  std::int32_t ghost, const Point<D>& foot, const Body<T, D>& other,
-                                  int number_of_other, const SurfaceSamples<D>& surface) {
-  const double h = body.lattice.spacing;
-  const std::int32_t slot = ghosts.slot[ghost];
-  const Point<D> x = body.position(slot, body.population.layout.cell(slot));
-  const double own_distance = body.stage[0].get(Field::level_set)[slot] / h;
-  const double distance = gap(surface, other.lattice, x);
-  if (distance >= own_distance || distance < -0.5 * own_distance) return false;
-  // Not those ghosts of the other body that are bonded to this one, with half a cell to spare.
-  Position<D> to_foot;
-  for (int a = 0; a < D; ++a) to_foot[a] = (foot[a] - x[a]) / h;
-  const auto is_bonded = [&](const FitParticle<D>& q) {
-    return surface.record[q.slot] < 0 && (q.position - to_foot).norm() < q.surface_distance + 0.5;
-  };
-  around_.erase(std::remove_if(around_.begin(), around_.end(), is_bonded), around_.end());
-  if (!fit(around_)) return false;
-  BodyBonds<T>& bonds = ghosts.bonds;
-  bonds.ghost.push_back(ghost);
-  bonds.body.push_back(number_of_other);
-  for (std::size_t i = 0; i < around_.size(); ++i) {
-    bonds.slot.push_back(surface.slot[around_[i].slot]);
-    bonds.coefficient.push_back(static_cast<T>(coefficient_[i]));
-  }
-  bonds.begin.push_back(static_cast<std::int64_t>(bonds.slot.size()));
   return true;
 }
 

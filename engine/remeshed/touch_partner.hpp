@@ -1,6 +1,5 @@
 #pragma once
 
-#include <limits>
 #include <vector>
 
 #include "engine/remeshed/body.hpp"
@@ -11,7 +10,7 @@ namespace pliant::remeshed {
 
 inline constexpr double touch_radius = 2.6;  ///< [h] of fits, as that of ghosts
 
-/// Fits of another body about a point, (RP.65), (RP.66), (RP.69). Keeps its room, so that a warm
+/// Fits of another body about a point, (RP.65), (RP.69). Keeps its room, so that a warm
 /// search allocates nothing.
 template <class T, int D>
 class TouchPartner {
@@ -19,17 +18,11 @@ class TouchPartner {
   /// The gap from x [m] to the surface of a body, as its level set tells [h]; infinity where there
   /// is too little of it, or where its nearest sample says that it is more than `farthest`.
   double gap(const SurfaceSamples<D>& surface, const Lattice<D>& lattice, const Point<D>& x,
-             double farthest = std::numeric_limits<double>::infinity());
+             double farthest);
 
   /// Adds the fit of the body's surface particles there to `touches`; false where they do not
   /// determine it.
   bool add_to(BodyTouches<T, D>& touches);
-
-  /// Where an interface ends at a free surface, a ghost beyond it and not inside the other body:
-  /// adds the fit of the other body's particles and ghosts at the ghost. False elsewhere.
-  bool add_bond(const Body<T, D>& body, BlockGhosts<T, D>& ghosts, std::int32_t ghost,
-                const Point<D>& foot, const Body<T, D>& other, int number_of_other,
-                const SurfaceSamples<D>& surface);
 
  private:
   double gather(const Point<D>& at);

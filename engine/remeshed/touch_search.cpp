@@ -18,7 +18,7 @@ using scheduler::Reach;
 // surface that is pressed, more touches too early, which costs energy.
 constexpr double pressed_gap = 0.01;
 constexpr double clearly_apart = 1;  // [h], where no fit is needed to tell
-constexpr double bonded_gap = 0.5;   // [h]: the sides of a bonded body carry no load
+constexpr double apart = std::numeric_limits<double>::infinity();
 
 /// Partition of unity over the layers of ghosts: 1 at `centre`, 0 one spacing away.
 double hat(double distance, double centre) { return std::max(0., 1 - std::abs(distance - centre)); }
@@ -80,7 +80,7 @@ void TouchSearch<T, D>::find_samples(int block) {
   const double h = body.lattice.spacing;
   const T* phi = body.stage[0].get(Field::level_set);
   const auto add = [&](std::int64_t slot, const Cell<D>& cell, std::int32_t record) {
-    Sample sample{{{}, cell, 0}, static_cast<std::int32_t>(slot), record, phi[slot] / h};
+    Sample sample{{{}, cell, 0}, record, phi[slot] / h};
     for (int a = 0; a < D; ++a) {
       const T drift = body.stage[0].get(Field::displacement, a)[slot];
       sample.site.position[a] = in_first_period<D>(cell[a] + drift / h, body.lattice, a);
@@ -130,14 +130,12 @@ void TouchSearch<T, D>::gather(int body) {
   surface.lower.fill(infinity);
   surface.upper.fill(-infinity);
   surface.is_near_another = false;
-  surface.slot.clear();
   surface.record.clear();
   surface.level_set.clear();
   for (std::size_t b = 0; b < samples_.size(); ++b) {
     if (state_.blocks[b].body != body) continue;
     for (Sample& sample : samples_[b]) {
       sample.site.slot = static_cast<std::int32_t>(surface.record.size());
-      surface.slot.push_back(sample.slot);
       surface.record.push_back(sample.record);
       surface.level_set.push_back(sample.level_set);
       for (int a = 0; a < D; ++a) {
@@ -171,7 +169,6 @@ void TouchSearch<T, D>::find_touches(int block) {
   BlockGhosts<T, D>& ghosts = state_.bodies[owner].population.ghosts[local];
   BodyTouches<T, D>& touches = ghosts.touches;
   touches.clear();
-  ghosts.bonds.clear();
   if (!surfaces_[owner].is_near_another) return;
   thread_local TouchPartner<T, D> partner;
   for (std::size_t g = 0; g < ghosts.slot.size(); ++g) {
@@ -201,15 +198,22 @@ bool TouchSearch<T, D>::may_touch(int owner, const BlockGhosts<T, D>& ghosts,
   });
 }
 
-// The gap that counts, [h]; `clearly_apart` where the bodies of the contact do not touch.
+// The gap that counts, [h]; `apart` where the ghost feels nothing of the contact's other body. What
+// a level set tells of a gap is wrong where it has a corner, as at the end of a bonded interface:
+// there it counts which body is nearer.
 template <class T, int D>
-double TouchSearch<T, D>::touching_gap(int contact, int owner, const Point<D>& x,
+double TouchSearch<T, D>::touching_gap(int contact, int owner, const GhostPlace& ghost,
                                        TouchPartner<T, D>& partner) const {
   const int other = other_body(contact, owner);
-  if (!surfaces_[other].is_near_another) return clearly_apart;
-  const double gap = partner.gap(surfaces_[other], state_.bodies[other].lattice, x, clearly_apart);
-  const bool bonded = contacts_[contact].kind == ContactCase::Kind::bonded;
-  return gap < (bonded ? bonded_gap : pressed_gap) ? gap : clearly_apart;
+  if (!surfaces_[other].is_near_another) return apart;
+  const auto gap = [&](const Point<D>& x, double farthest) {
+    return partner.gap(surfaces_[other], state_.bodies[other].lattice, x, farthest);
+  };
+  if (contacts_[contact].kind == ContactCase::Kind::bonded) {
+    return gap(ghost.position, apart) < ghost.distance ? gap(ghost.foot, apart) : apart;
+  }
+  const double at_foot = gap(ghost.foot, clearly_apart);
+  return at_foot < pressed_gap ? at_foot : apart;
 }
 
 // Touches the nearest of the bodies that it may touch.
@@ -219,30 +223,27 @@ void TouchSearch<T, D>::find_touch(int owner, BlockGhosts<T, D>& ghosts, std::in
   if (!may_touch(owner, ghosts, ghost)) return;
   const Body<T, D>& body = state_.bodies[owner];
   const double h = body.lattice.spacing;
-  const Point<D> x = foot_point(body, ghosts, ghost);
+  const std::int32_t slot = ghosts.slot[ghost];
+  const GhostPlace place = {body.position(slot, body.population.layout.cell(slot)),
+                            foot_point(body, ghosts, ghost),
+                            body.stage[0].get(Field::level_set)[slot] / h};
   int nearest = -1;
-  double least = clearly_apart;
+  double least = apart;
   for (const int contact : contacts_of_[owner]) {
-    const double gap = touching_gap(contact, owner, x, partner);
+    const double gap = touching_gap(contact, owner, place, partner);
     if (gap >= least) continue;
     least = gap;
     nearest = contact;
   }
   if (nearest < 0) return;
-  const int other = other_body(nearest, owner);
-  const bool bonded = contacts_[nearest].kind == ContactCase::Kind::bonded;
-  if (bonded &&
-      partner.add_bond(body, ghosts, ghost, x, state_.bodies[other], other, surfaces_[other])) {
-    return;
-  }
-  // The partner may have looked at another body or place since.
-  if (bonded || nearest != contacts_of_[owner].back()) touching_gap(nearest, owner, x, partner);
+  // The partner may have looked at another body since.
+  if (nearest != contacts_of_[owner].back()) touching_gap(nearest, owner, place, partner);
   if (!partner.add_to(ghosts.touches)) return;
-  const double distance = body.stage[0].get(Field::level_set)[ghosts.slot[ghost]] / h;
   ghosts.touches.ghost.push_back(ghost);
   ghosts.touches.contact.push_back(nearest);
   ghosts.touches.gap.push_back(static_cast<T>(least * h));
-  ghosts.touches.area.push_back(static_cast<T>(std::pow(h, D - 1) * surface_share<D>(distance)));
+  ghosts.touches.area.push_back(
+      static_cast<T>(std::pow(h, D - 1) * surface_share<D>(place.distance)));
 }
 
 // It moves with the particles of its fit.

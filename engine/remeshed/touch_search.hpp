@@ -30,8 +30,13 @@ class TouchSearch {
   /// A surface particle with a record, or a ghost (record -1).
   struct Sample {
     Site<D> site;
-    std::int32_t slot, record;
+    std::int32_t record;
     double level_set;  ///< [h]
+  };
+
+  struct GhostPlace {
+    Point<D> position, foot;  ///< [m]
+    double distance;          ///< from the surface of its body [h]
   };
 
   void find_samples(int block);
@@ -44,7 +49,8 @@ class TouchSearch {
   }
   void find_touches(int block);
   bool may_touch(int owner, const BlockGhosts<T, D>& ghosts, std::int32_t ghost) const;
-  double touching_gap(int contact, int owner, const Point<D>& x, TouchPartner<T, D>& partner) const;
+  double touching_gap(int contact, int owner, const GhostPlace& ghost,
+                      TouchPartner<T, D>& partner) const;
   void find_touch(int owner, BlockGhosts<T, D>& ghosts, std::int32_t ghost,
                   TouchPartner<T, D>& partner) const;
   Point<D> foot_point(const Body<T, D>& body, const BlockGhosts<T, D>& ghosts,

@@ -34,7 +34,7 @@ void Histories::add(double time, std::vector<double> values) {
   times_.push_back(time);
   for (std::size_t m = 0; m < values.size(); ++m) {
     if (settings_->measurements[m].relative) values[m] /= start_[m];
-    if (settings_->measurements[m].kind == MeasurementCase::Kind::wall_force) {
+    if (settings_->measurements[m].is_force()) {
       values[m] = elapsed > 0 ? (values[m] - before[m]) / elapsed : 0;
     }
     rows_[m].push_back(values[m]);
@@ -92,6 +92,7 @@ std::string unit_of(const Case& settings, const MeasurementCase& m) {
     case Kind::total_energy:
       return "J" + per_depth;
     case Kind::wall_force:
+    case Kind::contact_force:
       return "N" + per_depth;
     case Kind::volume:
       return dimension == 2 ? "m^2" : "m^3";

@@ -42,6 +42,23 @@ void for_each_slot_array(Body<T, D>& body, F&& f) {
   }
 }
 
+template <int D>
+void put_points(ArchiveWriter& archive, const std::string& name,
+                const std::vector<Point<D>>& points) {
+  std::vector<double> values;
+  for (const Point<D>& x : points) values.insert(values.end(), x.begin(), x.end());
+  archive.put(name, std::span<const double>(values));
+}
+
+template <int D>
+void get_points(const ArchiveReader& archive, const std::string& name,
+                std::vector<Point<D>>& points) {
+  const auto values = archive.get<double>(name);
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    for (int a = 0; a < D; ++a) points[i][a] = values.at(D * i + a);
+  }
+}
+
 template <class V>
 std::vector<V> joined(std::size_t blocks, auto&& part) {
   std::vector<V> all;
@@ -145,7 +162,6 @@ void get_ghosts(const ArchiveReader& archive, const std::string& group,
     g.normal.clear();
     g.foot.clear();
     g.touches.clear();
-    g.bonds.clear();
     for (std::size_t i = ghost; i < ghost + ghosts; ++i) {
       g.wall.push_back(static_cast<std::int8_t>(walls[2 * i]));
       g.pressure.push_back(static_cast<std::int8_t>(walls[2 * i + 1]));
@@ -185,14 +201,11 @@ void put_solver(ArchiveWriter& archive, remeshed::Solver<T, D>& solver) {
   for_each_clock_value(state.clock, [&](const char* name, double& value) {
     archive.put(std::string("clock/") + name, value);
   });
-  std::vector<double> offsets;
-  for (const auto& wall : state.boundaries.walls) {
-    offsets.insert(offsets.end(), wall.offset().begin(), wall.offset().end());
-  }
-  archive.put("walls/offset", std::span<const double>(offsets));
-  std::vector<double> impulses;
-  for (const Point<D>& j : state.wall_impulse) impulses.insert(impulses.end(), j.begin(), j.end());
-  archive.put("walls/impulse", std::span<const double>(impulses));
+  std::vector<Point<D>> offsets;
+  for (const auto& wall : state.boundaries.walls) offsets.push_back(wall.offset());
+  put_points<D>(archive, "walls/offset", offsets);
+  put_points<D>(archive, "walls/impulse", state.wall_impulse);
+  put_points<D>(archive, "contacts/impulse", state.contact_impulse);
   std::vector<double> books;
   for (const remeshed::Book<D>& book : state.books) {
     books.push_back(book.mass);
@@ -226,16 +239,11 @@ void get_solver(const ArchiveReader& archive, remeshed::Solver<T, D>& solver) {
   for_each_clock_value(state.clock, [&](const char* name, double& value) {
     value = archive.scalar<double>(std::string("clock/") + name);
   });
-  const auto offsets = archive.get<double>("walls/offset");
-  const auto impulses = archive.get<double>("walls/impulse");
-  for (std::size_t w = 0; w < state.boundaries.walls.size(); ++w) {
-    Point<D> offset;
-    for (int a = 0; a < D; ++a) {
-      offset[a] = offsets.at(D * w + a);
-      state.wall_impulse[w][a] = impulses.at(D * w + a);
-    }
-    state.boundaries.walls[w].restore(offset);
-  }
+  std::vector<Point<D>> offsets(state.boundaries.walls.size());
+  get_points<D>(archive, "walls/offset", offsets);
+  for (std::size_t w = 0; w < offsets.size(); ++w) state.boundaries.walls[w].restore(offsets[w]);
+  get_points<D>(archive, "walls/impulse", state.wall_impulse);
+  get_points<D>(archive, "contacts/impulse", state.contact_impulse);
   const auto books = archive.get<double>("books");
   for (std::size_t b = 0; b < state.books.size(); ++b) {
     state.books[b].mass = books.at((D + 1) * b);

@@ -46,6 +46,12 @@ const Fault faults[] = {
     {"contact_of_bodies_with_adaptive_remeshing", meeting("1.1", pair, "every = \"adaptive\""),
      "block.toml:15: bodies in contact need a fixed number of steps between remeshings; write "
      "every = 10 in [remeshing]"},
+    {"a_force_between_bodies_that_do_not_touch",
+     meeting("1.1",
+             "[[measurement]]\nname = \"push\"\nkind = \"contact_force\"\nbodies = [\"other\", "
+             "\"block\"]\naxis = \"x\"\n"),
+     "block.toml:19: bodies \"other\" and \"block\" are in no [[contact]], whose force is known; "
+     "add a [[contact]] of the two, or name two that touch"},
     {"contact_of_bodies_with_averaged_ghosts",
      meeting("1.1", pair + "[ghosts]\ntreatment = \"averaged\"\n"),
      "block.toml:19: bodies in contact need ghosts that carry a load; write treatment = "

@@ -58,7 +58,8 @@ const Fault faults[] = {
     {"an_unknown_kind_of_measurement", measuring("kind = \"momentun\"\n"),
      R"(block.toml:12: kind must be one of "extent", "ray", "mean_radius", )"
      R"("point_displacement", "point_value", "mass", "momentum", "angular_momentum", )"
-     R"("kinetic_energy", "strain_energy", "total_energy", "energy_ratio", "wall_force", "volume", )"
+     R"("kinetic_energy", "strain_energy", "total_energy", "energy_ratio", "wall_force", )"
+     R"("contact_force", "volume", )"
      R"("surface_area", )"
      R"("closest_pair", "velocity_error", "period", )"
      R"("amplitude_ratio", "largest_mean", "last_time", got "momentun"; did you mean "momentum"?)"},

@@ -70,6 +70,31 @@ TEST(body_contact, of_like_discs_is_the_same_for_both) {
   EXPECT_NEAR(momentum_of(solver, 0, 0), -momentum_of(solver, 1, 0), 1e-13);
 }
 
+// Momentum of a free body changes by the force on it, of which contact is all there is.
+TEST(body_contact, force_is_what_changes_the_momentum) {
+  const auto force = [](const char* first, const char* second) {
+    return std::string("measurement=[{ name = \"push\", kind = \"contact_force\", bodies = [\"") +
+           first + "\", \"" + second + "\"], axis = \"x\" }]";
+  };
+  for (const char* kind : {"frictionless", "sticking", "bonded"}) {
+    for (const bool is_first : {true, false}) {
+      Solver solver(
+          small_case("bimaterial_bar",
+                     {"discretisation.spacing=0.02", "periodic.upper=[inf, 0.16]",
+                      std::string("contact.0.kind=") + kind, "body.left.velocity=[0.1, 0]",
+                      is_first ? force("left", "right") : force("right", "left")}),
+          2, kernels::widest_supported());
+      Measurer measurer(solver);
+      const int body = is_first ? 0 : 1;
+      const double before = momentum_of(solver, body, 0);
+      EXPECT_EQ(measurer()[0], 0);
+      advance_until(solver, 0.05);
+      EXPECT_EQ(measurer()[0] < 0, is_first) << kind;
+      EXPECT_NEAR(measurer()[0], momentum_of(solver, body, 0) - before, 1e-12) << kind;
+    }
+  }
+}
+
 // Pulled apart: contact lets go, a bond does not.
 TEST(body_contact, pulls_only_where_bodies_are_bonded) {
   const Settings pulled = {"discretisation.spacing=0.02", "periodic.upper=[inf, 0.16]",

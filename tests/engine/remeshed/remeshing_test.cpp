@@ -74,6 +74,22 @@ TEST(remeshing, of_half_shifted_particles_loses_nothing_at_third_order) {
   EXPECT_GT(std::log2(remeshing_error(32, half) / remeshing_error(64, half)), 3.9);
 }
 
+TEST(remeshing, that_leaves_a_body_without_particles_says_which_and_when) {
+  Solver solver(small_case("rotating_cylinder",
+                           {"discretisation.spacing=0.2", "remeshing.every=1", "measurement=[]"}),
+                1, kernels::Isa::sse2);
+  Body& body = solver.state().bodies[0];
+  std::fill_n(body.stage[0].get(Field::level_set), body.population.layout.slots(), 1.0);
+  try {
+    solver.step(1);
+    FAIL() << "went on without particles";
+  } catch (const StepFailure& failure) {
+    EXPECT_NE(std::string(failure.what()).find("step 1: body `cylinder` has no particle left"),
+              std::string::npos)
+        << failure.what();
+  }
+}
+
 TEST(remeshing, of_particles_on_their_nodes_changes_nothing) {
   Solver solver(spinning_disc(0.1), 1, kernels::Isa::sse2);
   displace(solver, [](const Point<2>&) { return Point<2>{0, 0}; });

@@ -66,6 +66,19 @@ TEST_F(MeasuredHistories, go_on_alike_after_a_checkpoint) {
   }
 }
 
+TEST_F(MeasuredHistories, forces_are_what_impulses_change_by) {
+  settings.measurements.resize(2);
+  settings.measurements[0].kind = Quantity::wall_force;
+  settings.measurements[1] = settings.measurements[0];
+  settings.measurements[1].kind = Quantity::contact_force;
+  Histories record(settings);
+  record.add(0, {3, 0});
+  EXPECT_EQ(record.last(0), 0);
+  record.add(0.5, {4, -1});
+  EXPECT_EQ(record.last(0), 2);
+  EXPECT_EQ(record.last(1), -2);
+}
+
 TEST_F(MeasuredHistories, values_have_the_units_of_what_is_measured) {
   MeasurementCase m;
   m.kind = Quantity::momentum;
@@ -84,11 +97,13 @@ TEST_F(MeasuredHistories, values_have_the_units_of_what_is_measured) {
     EXPECT_EQ(unit_of(plane, m), unit) << field;
   }
   MeasurementCase force;
-  force.kind = Quantity::wall_force;
-  space.measurements = {force};
   m.of = 0;
   m.kind = Quantity::largest_mean;
-  EXPECT_EQ(unit_of(space, m), "N") << "a mean has the unit of what it is the mean of";
+  for (const Quantity kind : {Quantity::wall_force, Quantity::contact_force}) {
+    force.kind = kind;
+    space.measurements = {force};
+    EXPECT_EQ(unit_of(space, m), "N") << "a mean has the unit of what it is the mean of";
+  }
   m.kind = Quantity::last_time;
   EXPECT_EQ(unit_of(space, m), "s");
 }
