@@ -9,6 +9,7 @@
 #include "kernels/state_stress.hpp"
 #include "kernels/stress_points.hpp"
 #include "kernels/surface.hpp"
+#include "kernels/surface_fits.hpp"
 
 namespace pliant::kernels {
 
@@ -25,6 +26,7 @@ constexpr Table<Scalar<P>, D> make_table(Isa isa) {
           scatter<P, D>,
           filter<P, D>,
           find_closest_points<P, D>,
+          fit_surface<P, D>,
           evaluate_stress_points<P, D>,
           advance_motion<P, D>};
 }

@@ -210,6 +210,30 @@ struct Filter {
   T* filtered;
 };
 
+/// Pivots of a fit's normal matrix, relative to its largest, below which it counts as singular.
+inline constexpr double smallest_pivot = 2e-3;
+
+/// Coefficients of the fits (RP.32) and (RP.33) of a pack of ghosts, one in each lane. Entry k of
+/// lane l, of its k-th particle, is [k * slots_per_pack + l]; lanes with fewer particles are filled
+/// up with such as are farther than R away. All lengths are over h.
+template <class T, int D>
+struct SurfaceFits {
+  int length;  ///< of the longest list
+  T radius;    ///< R
+  std::array<const T*, D> position;  ///< [entry] of particles, from the foot point
+  const T* distance;                 ///< [entry] from the surface
+  std::array<const T*, D> ghost;     ///< [lane] from the foot point
+  std::array<const T*, D> normal;    ///< [lane] unit, out of the body
+  const T* ghost_distance;           ///< [lane] from the surface
+  const T* curved;                   ///< [lane] 1: with the term phi^2 of (RP.33); 0: without
+  T* linear;                         ///< [entry] c
+  T* constrained;                    ///< [entry] b
+  T* surface;                        ///< [entry] a, (RP.32) at the foot point
+  T* constrained_sum;                ///< [lane] of b
+  T* surface_sum;                    ///< [lane] of a
+  T* fitted;                         ///< [lane] 1, or 0 where the particles do not determine them
+};
+
 /// Closest points on the zero set of the tensor-cubic interpolant of nodal values, (RP.30).
 /// Positions are in cells: node c lies at c. Arrays of nodes hold whole packs, filled up with any
 /// node.
@@ -240,6 +264,7 @@ struct Table {
   void (*scatter)(const Scatter<T, D>&);
   void (*filter)(const Filter<T, D>&);
   void (*find_closest_points)(const ClosestPoints<T, D>&);
+  void (*fit_surface)(const SurfaceFits<T, D>&);
   StressPointsResult (*evaluate_stress_points)(const StressPoints<T, D>&);
   MotionResult (*advance_motion)(const Motion<T, D>&);
 };

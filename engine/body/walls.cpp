@@ -88,17 +88,6 @@ bool Boundaries<D>::have_contact() const {
                      [](const Wall<D>& wall) { return !wall.bonded(); });
 }
 
-template <int D>
-std::pair<int, double> Boundaries<D>::nearest(const Point<D>& x, bool bonded) const {
-  std::pair<int, double> nearest{-1, std::numeric_limits<double>::infinity()};
-  for (int w = 0; w < static_cast<int>(walls.size()); ++w) {
-    if (walls[w].bonded() != bonded) continue;
-    const double d = walls[w].distance(x);
-    if (d < nearest.second) nearest = {w, d};
-  }
-  return nearest;
-}
-
 template class Wall<2>;
 template class Wall<3>;
 template class SurfacePressure<2>;

@@ -47,31 +47,29 @@ std::array<T, D> rigid_velocity(const Body<T, D>& body, const FieldStore<T, D>& 
   return result;
 }
 
-/// Calls f(sums) for every run of ghosts for which `is_wanted(ghost)`.
-template <class T, int D, class IsWanted, class F>
-void for_each_run(BlockGhosts<T, D>& ghosts, const T* records, const IsWanted& is_wanted,
-                  const F& f) {
-  const std::size_t count = ghosts.slot.size();
-  for (std::size_t end, begin = 0; begin < count; begin = end + 1) {
-    for (end = begin; end < count && is_wanted(end);) ++end;
-    if (end == begin) continue;
-    f(kernels::GhostSums<T, D>{static_cast<std::int64_t>(begin),
-                               static_cast<std::int64_t>(end - begin), ghosts.begin.data(),
-                               ghosts.record.data(), ghosts.linear.data(),
-                               ghosts.constrained.data(), ghosts.surface.data(), records,
-                               ghosts.sums.get() + 3 * kernels::record_width<D> * begin});
-  }
+/// Arguments of the sums of ghosts first..end-1.
+template <class T, int D>
+kernels::GhostSums<T, D> sums_of(BlockGhosts<T, D>& ghosts, const T* records, std::size_t first,
+                                 std::size_t end) {
+  return {static_cast<std::int64_t>(first),
+          static_cast<std::int64_t>(end - first),
+          ghosts.begin.data(),
+          ghosts.record.data(),
+          ghosts.linear.data(),
+          ghosts.constrained.data(),
+          ghosts.surface.data(),
+          records,
+          ghosts.sums.get() + 3 * kernels::record_width<D> * first};
 }
 
 template <class T, int D>
 void find_drift_velocity(Body<T, D>& body, int block, GhostTreatment treatment,
                          const kernels::Table<T, D>& table) {
   BlockGhosts<T, D>& ghosts = body.population.ghosts[block];
-  const auto drifts = [&](std::size_t g) { return ghosts.reached[g] == 0; };
-  for_each_run(ghosts, body.records.get(), drifts, table.sum_velocities);
+  const std::size_t count = ghosts.slot.size();
+  table.sum_velocities(sums_of(ghosts, body.records.get(), ghosts.reached_count, count));
   FieldStore<T, D>& state = body.stage[1];
-  for (std::size_t g = 0; g < ghosts.slot.size(); ++g) {
-    if (!drifts(g)) continue;
+  for (std::size_t g = ghosts.reached_count; g < count; ++g) {
     std::array<T, D> u;
     for (int a = 0; a < D; ++a) u[a] = ghosts.fits(g).linear.velocity(a);
     if (treatment == GhostTreatment::rigid) u = rigid_velocity<T, D>(body, state, ghosts, g);
@@ -94,20 +92,17 @@ void fill_ghosts(Body<T, D>& body, int block, int stage, int parity, WhichGhosts
                  const Boundaries<D>& boundaries, const BoundaryValues<D>& values,
                  GhostTreatment treatment, const kernels::Table<T, D>& table) {
   BlockGhosts<T, D>& ghosts = body.population.ghosts[block];
-  for_each_run(
-      ghosts, body.records.get(),
-      [&](std::size_t g) { return which == WhichGhosts::all || ghosts.reached[g] != 0; },
-      table.sum_ghosts);
+  const std::size_t count = which == WhichGhosts::all ? ghosts.slot.size() : ghosts.reached_count;
+  table.sum_ghosts(sums_of(ghosts, body.records.get(), 0, count));
   FieldStore<T, D>& state = body.stage[stage];
   const bool averaged = treatment == GhostTreatment::averaged;
   const kernels::Impedance<T> impedance(body.material);
   const BodyTouches<T, D>& touches = ghosts.touches;
   std::size_t touch = 0;
-  for (std::size_t g = 0; g < ghosts.slot.size(); ++g) {
+  for (std::size_t g = 0; g < count; ++g) {
     while (touch < touches.ghost.size() && touches.ghost[touch] < static_cast<std::int32_t>(g))
       ++touch;
     if (ghosts.active[g] == 0) continue;
-    if (which == WhichGhosts::reached && ghosts.reached[g] == 0) continue;
     const kernels::GhostFits<T, D> fits = ghosts.fits(g);
     kernels::GhostState<T, D> ghost;
     if (const int w = ghosts.wall[g]; w >= 0) {
@@ -153,8 +148,7 @@ void drift_ghosts(Body<T, D>& body, int block, int stage, GhostTreatment treatme
   for (int a = 0; a < D; ++a) {
     const T* middle = body.stage[1].get(Field::velocity, a);
     T* velocity = body.stage[stage].get(Field::velocity, a);
-    for (std::size_t g = 0; g < ghosts.slot.size(); ++g) {
-      if (ghosts.reached[g] != 0) continue;
+    for (std::size_t g = ghosts.reached_count; g < ghosts.slot.size(); ++g) {
       const std::int64_t slot = ghosts.slot[g];
       velocity[slot] = stage == 0 ? T(0) : times_middle * middle[slot];
     }

@@ -59,7 +59,6 @@ Point<D> tangent_point(const Point<D>& node, const Point<D>& foot, const Point<D
 }
 
 constexpr double search_limit = 2.5;  // cells from a near node to its closest point
-static_assert(search_limit <= Projections<double, 3>::farthest_move);
 
 /// Takes the polished closest point unless it has left the neighbourhood.
 template <int D>
@@ -180,7 +179,7 @@ void LevelSet<T, D>::find_closest_points(const Block<D>& block, bool reinitialis
     }
     near.add(p, cell, as_point<D>(cell));
   });
-  near.run(*lattice_, *layout_, extended_.get(), 12, kernels);
+  near.run(*lattice_, *layout_, extended_.get(), 3, 12, kernels);
   for (std::size_t i = 0; i < near.size(); ++i) place_near(near, i, reinitialise);
 }
 
@@ -295,8 +294,9 @@ void LevelSet<T, D>::find_nearest(const kernels::Segment<D>& segment, std::int64
 // node's own; elsewhere that point itself may.
 template <class T, int D>
 void LevelSet<T, D>::polish(Border& border, const kernels::Table<T, D>& kernels) const {
-  constexpr int iterations = 6;
-  border.polished.run(*lattice_, *layout_, extended_.get(), iterations, kernels);
+  // Blocks reach no farther than one cell beyond the closest points of the last layer.
+  constexpr int farthest_move = 1, iterations = 6;
+  border.polished.run(*lattice_, *layout_, extended_.get(), farthest_move, iterations, kernels);
   for (std::size_t i = 0; i < border.polished.size(); ++i) {
     if (border.polished.has_converged(i)) {
       adopt<D>(border.polished.point(i), border.foot[i]);
@@ -305,7 +305,7 @@ void LevelSet<T, D>::polish(Border& border, const kernels::Table<T, D>& kernels)
       border.again.add(border.polished.slot(i), border.polished.cell(i), border.foot[i]);
     }
   }
-  border.again.run(*lattice_, *layout_, extended_.get(), iterations, kernels);
+  border.again.run(*lattice_, *layout_, extended_.get(), farthest_move, iterations, kernels);
   for (std::size_t k = 0; k < border.failed.size(); ++k) {
     if (border.again.has_converged(k)) adopt<D>(border.again.point(k), border.foot[border.failed[k]]);
   }
@@ -315,7 +315,12 @@ template <class T, int D>
 void LevelSet<T, D>::finish(const Block<D>& block) {
   const T limit = static_cast<T>(far * lattice_->spacing);
   layout_->for_each_slot(block, [&](std::int64_t p, const Cell<D>&) {
-    if (layer_[(layers + 1) % 2][p] == 0) phi_[p] = phi_[p] < 0 ? -limit : limit;
+    Point<D> offset;
+    if (closest_point(p, offset)) {
+      extended_[p] = std::copysign(static_cast<T>(std::sqrt(dot<D>(offset, offset))), phi_[p]);
+    } else {
+      extended_[p] = phi_[p] = phi_[p] < 0 ? -limit : limit;
+    }
   });
 }
 
