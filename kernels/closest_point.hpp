@@ -61,7 +61,8 @@ class NodesAround {
     }
     for (int row = 0; row < power(4, D - 1); ++row) {
       const T* from = work_.values + at + work_.extent[0] * (row % 4);
-      if constexpr (D == 3) from += static_cast<std::int64_t>(work_.extent[0]) * work_.extent[1] * (row / 4);
+      if constexpr (D == 3)
+        from += static_cast<std::int64_t>(work_.extent[0]) * work_.extent[1] * (row / 4);
 #pragma GCC unroll 4
       for (int i = 0; i < 4; ++i) value_[4 * row + i][l] = from[i];
     }

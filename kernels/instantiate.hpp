@@ -2,6 +2,7 @@
 
 #include "kernels/closest_point.hpp"
 #include "kernels/filter.hpp"
+#include "kernels/free_surface_ghosts.hpp"
 #include "kernels/ghost_sums.hpp"
 #include "kernels/motion.hpp"
 #include "kernels/scatter.hpp"
@@ -23,6 +24,7 @@ constexpr Table<Scalar<P>, D> make_table(Isa isa) {
           write_surface_records<P, D>,
           sum_ghosts<P, D>,
           sum_velocities<P, D>,
+          fill_free_surfaces<P, D>,
           scatter<P, D>,
           filter<P, D>,
           find_closest_points<P, D>,

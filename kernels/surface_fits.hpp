@@ -126,8 +126,7 @@ class FitLanes {
     }
 #pragma GCC unroll 4
     for (int i = 0; i < terms; ++i) curved_.right[0][i] = value_at_ghost_[i];
-    const Mask is_curved =
-        curved_.solve(least) && load<P>(work_.curved + lane_) > P(T(0.5));
+    const Mask is_curved = curved_.solve(least) && load<P>(work_.curved + lane_) > P(T(0.5));
     const Mask is_plain = plain.solve(least);
 #pragma GCC unroll 3
     for (int i = 0; i < D; ++i) {

@@ -130,14 +130,13 @@ struct SurfacePack {
   std::uint16_t lanes;   ///< bit l: lane l is a surface particle
 };
 
-/// Writes the records of one block's surface particles; grad phi by (RP.18) over the stencil.
+/// Writes the records of one block's surface particles, grad phi by (RP.81).
 template <class T, int D>
 struct SurfaceRecords {
   const Segment<D>* segments;
   const SurfacePack* packs;
   int pack_count;
   T spacing;
-  Weight weight;
   Material<T> material;
   const T* mass;
   const T* level_set;
@@ -161,6 +160,25 @@ struct GhostSums {
   const T* surface;      ///< a
   const T* records;      ///< [record][record_width]
   T* sums;               ///< [ghost - first][3][record_width]
+};
+
+/// Velocity and stress of the first `count` ghosts by (RP.34), (RP.44) from their sums; those of
+/// walls and inactive ones are left out.
+template <class T, int D>
+struct FreeSurfaceGhosts {
+  std::int64_t count;
+  const T* sums;                ///< [ghost][3][record_width]
+  const T* constrained_sum;     ///< [ghost] of b
+  const T* surface_sum;         ///< [ghost] of a
+  const std::int32_t* slot;     ///< [ghost]
+  const std::int8_t* wall;      ///< [ghost] -1: none
+  const std::uint8_t* active;   ///< [ghost]
+  const std::int8_t* pressure;  ///< [ghost] place in `pressures`; -1: none
+  const double* pressures;      ///< [Pa]
+  T pressure_impedance;         ///< rho c_p
+  T shear_impedance;            ///< rho c_s
+  std::array<T*, D> velocity;   ///< [slot]
+  std::array<T*, symmetric_components<D>> stress;
 };
 
 /// Nodes of a remeshing tile hold the sums of (RP.22): W, W m, W m u (D), W v, W v d (D), W phi,
@@ -218,8 +236,8 @@ inline constexpr double smallest_pivot = 2e-3;
 /// up with such as are farther than R away. All lengths are over h.
 template <class T, int D>
 struct SurfaceFits {
-  int length;  ///< of the longest list
-  T radius;    ///< R
+  int length;                        ///< of the longest list
+  T radius;                          ///< R
   std::array<const T*, D> position;  ///< [entry] of particles, from the foot point
   const T* distance;                 ///< [entry] from the surface
   std::array<const T*, D> ghost;     ///< [lane] from the foot point
@@ -261,6 +279,7 @@ struct Table {
   void (*write_surface_records)(const SurfaceRecords<T, D>&);
   void (*sum_ghosts)(const GhostSums<T, D>&);
   void (*sum_velocities)(const GhostSums<T, D>&);  ///< sums[g][0][k] of k < D alone
+  void (*fill_free_surfaces)(const FreeSurfaceGhosts<T, D>&);
   void (*scatter)(const Scatter<T, D>&);
   void (*filter)(const Filter<T, D>&);
   void (*find_closest_points)(const ClosestPoints<T, D>&);

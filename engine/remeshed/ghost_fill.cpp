@@ -62,6 +62,94 @@ kernels::GhostSums<T, D> sums_of(BlockGhosts<T, D>& ghosts, const T* records, st
           ghosts.sums.get() + 3 * kernels::record_width<D> * first};
 }
 
+/// Sets the first `count` ghosts of a block from their sums.
+template <class T, int D>
+struct GhostFill {
+  const Body<T, D>& body;
+  const BlockGhosts<T, D>& ghosts;
+  std::size_t count;
+  FieldStore<T, D>& state;
+  std::array<T*, kernels::symmetric_components<D>> stress;
+
+  void fill_surfaces(const BoundaryValues<D>& values, const kernels::Table<T, D>& table) const {
+    const kernels::Impedance<T> impedance(body.material);
+    kernels::FreeSurfaceGhosts<T, D> work = {};
+    work.count = static_cast<std::int64_t>(count);
+    work.sums = ghosts.sums.get();
+    work.constrained_sum = ghosts.constrained_sum.data();
+    work.surface_sum = ghosts.surface_sum.data();
+    work.slot = ghosts.slot.data();
+    work.wall = ghosts.wall.data();
+    work.active = ghosts.active.data();
+    work.pressure = ghosts.pressure.data();
+    work.pressures = values.pressure.data();
+    work.pressure_impedance = impedance.pressure_wave;
+    work.shear_impedance = impedance.shear_wave;
+    for (int a = 0; a < D; ++a) work.velocity[a] = state.get(Field::velocity, a);
+    work.stress = stress;
+    table.fill_free_surfaces(work);
+  }
+
+  void average_surfaces(const BoundaryValues<D>& values) const {
+    for (std::size_t g = 0; g < count; ++g) {
+      if (ghosts.wall[g] >= 0) continue;
+      const int p = ghosts.pressure[g];
+      set(g, kernels::averaged_surface_ghost<T, D>(
+                 ghosts.fits(g).linear, p < 0 ? T(0) : static_cast<T>(values.pressure[p])));
+    }
+  }
+
+  void turn_rigidly() const {
+    for (std::size_t g = 0; g < count; ++g) {
+      if (ghosts.wall[g] >= 0 || ghosts.active[g] == 0) continue;
+      const auto u = rigid_velocity<T, D>(body, state, ghosts, g);
+      for (int a = 0; a < D; ++a) state.get(Field::velocity, a)[ghosts.slot[g]] = u[a];
+    }
+  }
+
+  void fill_touching() const {
+    const kernels::Impedance<T> impedance(body.material);
+    for (std::size_t k = 0; k < ghosts.touches.ghost.size(); ++k) {
+      const std::size_t g = ghosts.touches.ghost[k];
+      if (g >= count) continue;
+      const kernels::GhostFits<T, D> fits = ghosts.fits(g);
+      const auto n = kernels::unit_normal<T, D>(fits.linear);
+      kernels::SurfaceLoad<T, D> load{n, 0, ghosts.touches.traction[k]};
+      for (int a = 0; a < D; ++a) load.normal += load.shear[a] * n[a];
+      for (int a = 0; a < D; ++a) load.shear[a] -= load.normal * n[a];
+      set(g, kernels::loaded_surface_ghost<T, D>(fits, load, impedance));
+    }
+  }
+
+  void fill_walls(const Boundaries<D>& boundaries, const BoundaryValues<D>& values,
+                  bool averaged) const {
+    const kernels::Impedance<T> impedance(body.material);
+    for (std::size_t g = 0; g < count; ++g) {
+      const int w = ghosts.wall[g];
+      if (w < 0) continue;
+      const kernels::GhostFits<T, D> fits = ghosts.fits(g);
+      std::array<T, D> velocity, normal;
+      for (int a = 0; a < D; ++a) {
+        velocity[a] = static_cast<T>(values.wall_velocity[w][a]);
+        normal[a] = static_cast<T>(ghosts.normal[g][a]);
+      }
+      set(g, averaged ? kernels::averaged_wall_ghost<T, D>(fits.linear, velocity)
+             : boundaries.walls[w].slips()
+                 ? kernels::slip_wall_ghost<T, D>(fits, velocity, normal, impedance)
+                 : kernels::wall_ghost<T, D>(fits, velocity, normal, impedance));
+    }
+  }
+
+ private:
+  // Of a slot with two ghosts one alone is active.
+  void set(std::size_t g, const kernels::GhostState<T, D>& ghost) const {
+    if (ghosts.active[g] == 0) return;
+    const std::int64_t slot = ghosts.slot[g];
+    for (int a = 0; a < D; ++a) state.get(Field::velocity, a)[slot] = ghost.velocity[a];
+    for (std::size_t c = 0; c < ghost.stress.size(); ++c) stress[c][slot] = ghost.stress[c];
+  }
+};
+
 template <class T, int D>
 void find_drift_velocity(Body<T, D>& body, int block, GhostTreatment treatment,
                          const kernels::Table<T, D>& table) {
@@ -94,49 +182,15 @@ void fill_ghosts(Body<T, D>& body, int block, int stage, int parity, WhichGhosts
   BlockGhosts<T, D>& ghosts = body.population.ghosts[block];
   const std::size_t count = which == WhichGhosts::all ? ghosts.slot.size() : ghosts.reached_count;
   table.sum_ghosts(sums_of(ghosts, body.records.get(), 0, count));
-  FieldStore<T, D>& state = body.stage[stage];
-  const bool averaged = treatment == GhostTreatment::averaged;
-  const kernels::Impedance<T> impedance(body.material);
-  const BodyTouches<T, D>& touches = ghosts.touches;
-  std::size_t touch = 0;
-  for (std::size_t g = 0; g < count; ++g) {
-    while (touch < touches.ghost.size() && touches.ghost[touch] < static_cast<std::int32_t>(g))
-      ++touch;
-    if (ghosts.active[g] == 0) continue;
-    const kernels::GhostFits<T, D> fits = ghosts.fits(g);
-    kernels::GhostState<T, D> ghost;
-    if (const int w = ghosts.wall[g]; w >= 0) {
-      std::array<T, D> velocity, normal;
-      for (int a = 0; a < D; ++a) {
-        velocity[a] = static_cast<T>(values.wall_velocity[w][a]);
-        normal[a] = static_cast<T>(ghosts.normal[g][a]);
-      }
-      ghost = averaged ? kernels::averaged_wall_ghost<T, D>(fits.linear, velocity)
-              : boundaries.walls[w].slips()
-                  ? kernels::slip_wall_ghost<T, D>(fits, velocity, normal, impedance)
-                  : kernels::wall_ghost<T, D>(fits, velocity, normal, impedance);
-    } else if (touch < touches.ghost.size() &&
-               touches.ghost[touch] == static_cast<std::int32_t>(g)) {
-      const auto n = kernels::unit_normal<T, D>(fits.linear);
-      kernels::SurfaceLoad<T, D> load{n, 0, touches.traction[touch]};
-      for (int a = 0; a < D; ++a) load.normal += load.shear[a] * n[a];
-      for (int a = 0; a < D; ++a) load.shear[a] -= load.normal * n[a];
-      ghost = kernels::loaded_surface_ghost<T, D>(fits, load, impedance);
-    } else {
-      const int p = ghosts.pressure[g];
-      const T pressure = p < 0 ? T(0) : static_cast<T>(values.pressure[p]);
-      ghost = averaged ? kernels::averaged_surface_ghost<T, D>(fits.linear, pressure)
-                       : kernels::free_surface_ghost<T, D>(fits, pressure, impedance);
-      if (treatment == GhostTreatment::rigid) {
-        ghost.velocity = rigid_velocity<T, D>(body, state, ghosts, g);
-      }
-    }
-    const std::int64_t slot = ghosts.slot[g];
-    for (int a = 0; a < D; ++a) state.get(Field::velocity, a)[slot] = ghost.velocity[a];
-    for (std::size_t c = 0; c < ghost.stress.size(); ++c) {
-      body.stress[parity][c][slot] = ghost.stress[c];
-    }
+  const GhostFill<T, D> fill{body, ghosts, count, body.stage[stage], body.stress_view(parity)};
+  if (treatment == GhostTreatment::averaged) {
+    fill.average_surfaces(values);
+  } else {
+    fill.fill_surfaces(values, table);
+    if (treatment == GhostTreatment::rigid) fill.turn_rigidly();
+    fill.fill_touching();
   }
+  fill.fill_walls(boundaries, values, treatment == GhostTreatment::averaged);
 }
 
 template <class T, int D>

@@ -307,7 +307,8 @@ void LevelSet<T, D>::polish(Border& border, const kernels::Table<T, D>& kernels)
   }
   border.again.run(*lattice_, *layout_, extended_.get(), farthest_move, iterations, kernels);
   for (std::size_t k = 0; k < border.failed.size(); ++k) {
-    if (border.again.has_converged(k)) adopt<D>(border.again.point(k), border.foot[border.failed[k]]);
+    if (border.again.has_converged(k))
+      adopt<D>(border.again.point(k), border.foot[border.failed[k]]);
   }
 }
 

@@ -10,7 +10,7 @@ namespace {
 
 // Cells; the distance to the surface depends on the closest point in second order.
 constexpr double shortest_step = 1e-4;
-constexpr double flattest = 0.05;       // square of a gradient
+constexpr double flattest = 0.05;        // square of a gradient
 constexpr double smallest_value = 1e-3;  // [h]
 
 }  // namespace
