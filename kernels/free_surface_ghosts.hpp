@@ -1,6 +1,7 @@
 #pragma once
 
 #include "kernels/ghost_state.hpp"
+#include "kernels/ghost_sums.hpp"
 #include "kernels/pack.hpp"
 #include "kernels/table.hpp"
 
@@ -19,7 +20,7 @@ struct InverseRoot<xsimd::batch<T, Arch>> {
 template <class P, int D>
 struct SumColumns {
   static constexpr int width = record_width<D>;
-  alignas(64) Scalar<P> lane[3][record_fields<D>][lanes<P>];
+  alignas(64) Scalar<P> lane[3][record_fields<D>][lanes<P>] = {};
   P linear[record_fields<D>], constrained[record_fields<D>], surface[record_fields<D>];
 
   void take(const Scalar<P>* sums, int l) {
@@ -40,49 +41,70 @@ struct SumColumns {
   }
 };
 
-/// The ghosts first..first+lanes-1, or as many as there are.
+/// Ghosts on their way through a register, one in each lane.
 template <class P, int D>
-void fill_free_surfaces_from(const FreeSurfaceGhosts<Scalar<P>, D>& ghosts, std::int64_t first,
-                             const Impedance<P>& impedance) {
+class GhostLanes {
   using T = Scalar<P>;
-  constexpr int components = symmetric_components<D>;
-  SumColumns<P, D> columns;
-  alignas(64) T of_constrained[lanes<P>], of_surface[lanes<P>], pressure[lanes<P>];
-  for (int l = 0; l < lanes<P>; ++l) {
-    const std::int64_t g = first + l < ghosts.count ? first + l : first;
-    columns.take(ghosts.sums + g * 3 * record_width<D>, l);
-    of_constrained[l] = ghosts.constrained_sum[g];
-    of_surface[l] = ghosts.surface_sum[g];
-    pressure[l] =
-        ghosts.pressure[g] < 0 ? T(0) : static_cast<T>(ghosts.pressures[ghosts.pressure[g]]);
+  static constexpr int components = symmetric_components<D>;
+
+ public:
+  explicit GhostLanes(const FreeSurfaceGhosts<T, D>& ghosts)
+      : ghosts_(ghosts), impedance_(P(ghosts.pressure_impedance), P(ghosts.shear_impedance)) {}
+
+  bool are_full() const { return count_ == lanes<P>; }
+
+  /// The sums never leave the first cache.
+  void add(std::int64_t g) {
+    alignas(64) T sums[3 * record_width<D>];
+    sum_ghost<P, D>(ghosts_.lists, g, sums);
+    columns_.take(sums, count_);
+    constrained_sum_[count_] = ghosts_.constrained_sum[g];
+    surface_sum_[count_] = ghosts_.surface_sum[g];
+    const int p = ghosts_.pressure[g];
+    pressure_[count_] = p < 0 ? T(0) : static_cast<T>(ghosts_.pressures[p]);
+    slot_[count_++] = ghosts_.slot[g];
   }
-  columns.load();
-  const GhostState<P, D> ghost = free_surface_ghost<P, D>({{columns.linear},
-                                                           {columns.constrained},
-                                                           {columns.surface},
-                                                           P::load_aligned(of_constrained),
-                                                           P::load_aligned(of_surface)},
-                                                          P::load_aligned(pressure), impedance);
-  alignas(64) T velocity[D][lanes<P>], stress[components][lanes<P>];
+
+  void write() {
+    columns_.load();
+    const GhostState<P, D> ghost = free_surface_ghost<P, D>({{columns_.linear},
+                                                             {columns_.constrained},
+                                                             {columns_.surface},
+                                                             P::load_aligned(constrained_sum_),
+                                                             P::load_aligned(surface_sum_)},
+                                                            P::load_aligned(pressure_), impedance_);
+    alignas(64) T velocity[D][lanes<P>], stress[components][lanes<P>];
 #pragma GCC unroll 3
-  for (int a = 0; a < D; ++a) ghost.velocity[a].store_aligned(velocity[a]);
+    for (int a = 0; a < D; ++a) ghost.velocity[a].store_aligned(velocity[a]);
 #pragma GCC unroll 6
-  for (int c = 0; c < components; ++c) ghost.stress[c].store_aligned(stress[c]);
-  for (int l = 0; l < lanes<P> && first + l < ghosts.count; ++l) {
-    if (ghosts.active[first + l] == 0 || ghosts.wall[first + l] >= 0) continue;
-    const std::int64_t slot = ghosts.slot[first + l];
-    for (int a = 0; a < D; ++a) ghosts.velocity[a][slot] = velocity[a][l];
-    for (int c = 0; c < components; ++c) ghosts.stress[c][slot] = stress[c][l];
+    for (int c = 0; c < components; ++c) ghost.stress[c].store_aligned(stress[c]);
+    for (int l = 0; l < count_; ++l) {
+      for (int a = 0; a < D; ++a) ghosts_.velocity[a][slot_[l]] = velocity[a][l];
+      for (int c = 0; c < components; ++c) ghosts_.stress[c][slot_[l]] = stress[c][l];
+    }
+    count_ = 0;
   }
-}
+
+ private:
+  const FreeSurfaceGhosts<T, D>& ghosts_;
+  Impedance<P> impedance_;
+  SumColumns<P, D> columns_;
+  alignas(64) T constrained_sum_[lanes<P>] = {}, surface_sum_[lanes<P>] = {};
+  alignas(64) T pressure_[lanes<P>] = {};
+  std::int32_t slot_[lanes<P>];
+  int count_ = 0;
+};
 
 /// See FreeSurfaceGhosts.
 template <class P, int D>
 void fill_free_surfaces(const FreeSurfaceGhosts<Scalar<P>, D>& ghosts) {
-  const Impedance<P> impedance(P(ghosts.pressure_impedance), P(ghosts.shear_impedance));
-  for (std::int64_t first = 0; first < ghosts.count; first += lanes<P>) {
-    fill_free_surfaces_from<P, D>(ghosts, first, impedance);
+  GhostLanes<P, D> filling(ghosts);
+  for (std::int64_t g = 0; g < ghosts.lists.count; ++g) {
+    if (ghosts.active[g] == 0 || ghosts.wall[g] >= 0) continue;
+    filling.add(g);
+    if (filling.are_full()) filling.write();
   }
+  filling.write();
 }
 
 }  // namespace pliant::kernels

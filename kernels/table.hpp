@@ -162,12 +162,11 @@ struct GhostSums {
   T* sums;               ///< [ghost - first][3][record_width]
 };
 
-/// Velocity and stress of the first `count` ghosts by (RP.34), (RP.44) from their sums; those of
-/// walls and inactive ones are left out.
+/// Velocity and stress of ghosts by (RP.34), (RP.44); those of walls and inactive ones are left
+/// out.
 template <class T, int D>
 struct FreeSurfaceGhosts {
-  std::int64_t count;
-  const T* sums;                ///< [ghost][3][record_width]
+  GhostSums<T, D> lists;        ///< of the ghosts 0..count-1; its sums are not kept
   const T* constrained_sum;     ///< [ghost] of b
   const T* surface_sum;         ///< [ghost] of a
   const std::int32_t* slot;     ///< [ghost]

@@ -66,7 +66,7 @@ kernels::GhostSums<T, D> sums_of(BlockGhosts<T, D>& ghosts, const T* records, st
 template <class T, int D>
 struct GhostFill {
   const Body<T, D>& body;
-  const BlockGhosts<T, D>& ghosts;
+  BlockGhosts<T, D>& ghosts;
   std::size_t count;
   FieldStore<T, D>& state;
   std::array<T*, kernels::symmetric_components<D>> stress;
@@ -74,8 +74,7 @@ struct GhostFill {
   void fill_surfaces(const BoundaryValues<D>& values, const kernels::Table<T, D>& table) const {
     const kernels::Impedance<T> impedance(body.material);
     kernels::FreeSurfaceGhosts<T, D> work = {};
-    work.count = static_cast<std::int64_t>(count);
-    work.sums = ghosts.sums.get();
+    work.lists = sums_of(ghosts, body.records.get(), 0, count);
     work.constrained_sum = ghosts.constrained_sum.data();
     work.surface_sum = ghosts.surface_sum.data();
     work.slot = ghosts.slot.data();
@@ -90,7 +89,8 @@ struct GhostFill {
     table.fill_free_surfaces(work);
   }
 
-  void average_surfaces(const BoundaryValues<D>& values) const {
+  void average_surfaces(const BoundaryValues<D>& values, const kernels::Table<T, D>& table) const {
+    table.sum_ghosts(sums_of(ghosts, body.records.get(), 0, count));
     for (std::size_t g = 0; g < count; ++g) {
       if (ghosts.wall[g] >= 0) continue;
       const int p = ghosts.pressure[g];
@@ -121,12 +121,13 @@ struct GhostFill {
     }
   }
 
-  void fill_walls(const Boundaries<D>& boundaries, const BoundaryValues<D>& values,
-                  bool averaged) const {
+  void fill_walls(const Boundaries<D>& boundaries, const BoundaryValues<D>& values, bool averaged,
+                  const kernels::Table<T, D>& table) const {
     const kernels::Impedance<T> impedance(body.material);
     for (std::size_t g = 0; g < count; ++g) {
       const int w = ghosts.wall[g];
-      if (w < 0) continue;
+      if (w < 0 || ghosts.active[g] == 0) continue;
+      table.sum_ghosts(sums_of(ghosts, body.records.get(), g, g + 1));
       const kernels::GhostFits<T, D> fits = ghosts.fits(g);
       std::array<T, D> velocity, normal;
       for (int a = 0; a < D; ++a) {
@@ -181,16 +182,15 @@ void fill_ghosts(Body<T, D>& body, int block, int stage, int parity, WhichGhosts
                  GhostTreatment treatment, const kernels::Table<T, D>& table) {
   BlockGhosts<T, D>& ghosts = body.population.ghosts[block];
   const std::size_t count = which == WhichGhosts::all ? ghosts.slot.size() : ghosts.reached_count;
-  table.sum_ghosts(sums_of(ghosts, body.records.get(), 0, count));
   const GhostFill<T, D> fill{body, ghosts, count, body.stage[stage], body.stress_view(parity)};
   if (treatment == GhostTreatment::averaged) {
-    fill.average_surfaces(values);
+    fill.average_surfaces(values, table);
   } else {
     fill.fill_surfaces(values, table);
     if (treatment == GhostTreatment::rigid) fill.turn_rigidly();
     fill.fill_touching();
   }
-  fill.fill_walls(boundaries, values, treatment == GhostTreatment::averaged);
+  fill.fill_walls(boundaries, values, treatment == GhostTreatment::averaged, table);
 }
 
 template <class T, int D>

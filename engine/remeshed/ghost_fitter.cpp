@@ -257,7 +257,7 @@ void GhostFitter<T, D>::search(const Point<D>& centre, double radius, const Wall
     const auto last = static_cast<std::int32_t>(std::floor(centre[0] + chord));
     // One look-up serves a row that lies in one run.
     std::int64_t slot =
-        body_.lattice.period == Cell<D>{} ? population_.layout.slot(cell, last + 1 - cell[0]) : -1;
+        body_.lattice.is_periodic() ? -1 : population_.layout.slot(cell, last + 1 - cell[0]);
     const bool in_one_run = slot >= 0;
     for (; cell[0] <= last; ++cell[0], ++slot) {
       if (!in_one_run) slot = population_.layout.slot(body_.lattice.wrapped(cell));

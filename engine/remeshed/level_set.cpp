@@ -209,7 +209,7 @@ void LevelSet<T, D>::place_near(const Projections<T, D>& near, std::size_t i, bo
 template <class T, int D>
 bool LevelSet<T, D>::borders_a_layer(const kernels::Segment<D>& segment, std::int64_t slot,
                                      int layer) const {
-  if (lattice_->period != Cell<D>{}) return true;
+  if (lattice_->is_periodic()) return true;
   const std::uint8_t* mark = layer_[layer % 2].get() + slot;
   std::uint64_t any = 0;
   static_assert(Layout<D>::pack == sizeof any);
@@ -266,7 +266,7 @@ void LevelSet<T, D>::find_nearest(const kernels::Segment<D>& segment, std::int64
   const Point<D> node = as_point<D>(cell);
   double nearest = 1e300;
   Point<D> foot = {}, normal = {};
-  const bool periodic = lattice_->period != Cell<D>{};
+  const bool periodic = lattice_->is_periodic();
   const std::uint8_t* marks = layer_[layer % 2].get();
   for_each_adjacent<D>(segment, cell, [&](const Cell<D>& other, std::int64_t slots_to) {
     std::int64_t q = slot + slots_to;

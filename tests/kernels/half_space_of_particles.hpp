@@ -67,7 +67,10 @@ struct HalfSpaceOfParticles {
   void fill(int lane) {
     std::uniform_real_distribution<double> value(-1, 1);
     double n[D], square = 0;
-    for (double& x : n) square += (x = value(random)) * x;
+    for (double& x : n) {
+      x = value(random);
+      square += x * x;
+    }
     for (int a = 0; a < D; ++a) {
       n[a] /= std::sqrt(square);
       normal[a][lane] = static_cast<T>(n[a]);
@@ -77,7 +80,10 @@ struct HalfSpaceOfParticles {
     curved[lane] = T(lane % 2);
     for (int k = 0; k < length; ++k) {
       double x[D], depth = 0;
-      for (int a = 0; a < D; ++a) depth += (x[a] = radius * value(random)) * n[a];
+      for (int a = 0; a < D; ++a) {
+        x[a] = radius * value(random);
+        depth += x[a] * n[a];
+      }
       if (depth > 0) {  // mirrored into the body
         for (int a = 0; a < D; ++a) x[a] -= 2 * depth * n[a];
       }
