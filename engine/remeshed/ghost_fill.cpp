@@ -152,12 +152,12 @@ struct GhostFill {
 };
 
 template <class T, int D>
-void find_drift_velocity(Body<T, D>& body, int block, GhostTreatment treatment,
+void find_drift_velocity(Body<T, D>& body, int block, int stage, GhostTreatment treatment,
                          const kernels::Table<T, D>& table) {
   BlockGhosts<T, D>& ghosts = body.population.ghosts[block];
   const std::size_t count = ghosts.slot.size();
   table.sum_velocities(sums_of(ghosts, body.records.get(), ghosts.reached_count, count));
-  FieldStore<T, D>& state = body.stage[1];
+  FieldStore<T, D>& state = body.stage[stage];
   for (std::size_t g = ghosts.reached_count; g < count; ++g) {
     std::array<T, D> u;
     for (int a = 0; a < D; ++a) u[a] = ghosts.fits(g).linear.velocity(a);
@@ -196,15 +196,15 @@ void fill_ghosts(Body<T, D>& body, int block, int stage, int parity, WhichGhosts
 template <class T, int D>
 void drift_ghosts(Body<T, D>& body, int block, int stage, GhostTreatment treatment,
                   const kernels::Table<T, D>& table) {
-  if (stage == 1) return find_drift_velocity(body, block, treatment, table);
-  const T times_middle = std::array<T, 4>{0, 1, 1, 2}[stage];
+  if (stage < 2) return find_drift_velocity(body, block, stage, treatment, table);
   const BlockGhosts<T, D>& ghosts = body.population.ghosts[block];
   for (int a = 0; a < D; ++a) {
+    const T* start = body.stage[0].get(Field::velocity, a);
     const T* middle = body.stage[1].get(Field::velocity, a);
     T* velocity = body.stage[stage].get(Field::velocity, a);
     for (std::size_t g = ghosts.reached_count; g < ghosts.slot.size(); ++g) {
       const std::int64_t slot = ghosts.slot[g];
-      velocity[slot] = stage == 0 ? T(0) : times_middle * middle[slot];
+      velocity[slot] = stage == 2 ? middle[slot] : 2 * middle[slot] - start[slot];
     }
   }
 }

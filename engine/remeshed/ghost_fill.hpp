@@ -22,8 +22,8 @@ void fill_ghosts(Body<T, D>& body, int block, int stage, int parity, WhichGhosts
                  const Boundaries<D>& boundaries, const BoundaryValues<D>& values,
                  GhostTreatment treatment, const kernels::Table<T, D>& kernels);
 
-/// Velocity of the ghosts that no stencil reaches: u of (RP.80) in stage 1, and 0, u, 2 u in the
-/// stages 0, 2, 3, with which the Runge-Kutta method moves them by dt u.
+/// Velocity of the ghosts that no stencil reaches: u0, u1 of (RP.32) or (RP.39) in the stages 0 and
+/// 1, then u1 and 2 u1 - u0, with which the Runge-Kutta method moves them by (RP.80).
 template <class T, int D>
 void drift_ghosts(Body<T, D>& body, int block, int stage, GhostTreatment treatment,
                   const kernels::Table<T, D>& kernels);

@@ -123,7 +123,7 @@ void Step<T, D>::add_ghosts(std::vector<Phase>& phases, int stage, WhichGhosts w
   if (which == WhichGhosts::all) {
     each("ghosts", std::move(reads), std::move(writes), &Step::fill_all);
   } else {
-    if (stage >= 2) reads.push_back({resource::ghosts(1)});
+    if (stage >= 2) reads.insert(reads.end(), {{resource::ghosts(0)}, {resource::ghosts(1)}});
     each("ghosts", std::move(reads), std::move(writes), &Step::fill);
   }
   if (contact_.is_bonded()) contact_.add_bonds(phases, stage);
@@ -322,14 +322,15 @@ void Step<T, D>::fill_all(int block, int stage) {
 }
 
 // Ghosts that no stencil reaches only have to come along until the next remeshing. Lists of
-// neighbours and the bonds of other bodies may hold them too, and want their stress.
+// neighbours and the bonds of other bodies may hold them too, and want their stress; they drift the
+// same way then.
 template <class T, int D>
 void Step<T, D>::fill(int block, int stage) {
   const auto [body, local] = owner(block);
   const bool all = body.neighbours.are_listed || contact_.is_bonded();
   fill_ghosts<T, D>(body, local, stage, stage % 2, all ? WhichGhosts::all : WhichGhosts::reached,
                     state_.boundaries, boundary_values_[stage], settings_.ghosts, kernels_);
-  if (!all) drift_ghosts<T, D>(body, local, stage, settings_.ghosts, kernels_);
+  drift_ghosts<T, D>(body, local, stage, settings_.ghosts, kernels_);
   Point<D>* impulse = impulse_.data() + block * state_.boundaries.walls.size();
   add_impulse<T, D>(body, local, state_.boundaries, boundary_values_[stage],
                     stage_weight[stage] * time_step_, impulse);

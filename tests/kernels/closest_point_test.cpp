@@ -22,7 +22,7 @@ TYPED_TEST(closest_point, lies_on_the_line_from_the_centre_of_a_ball_through_the
     for (int a = 0; a < D; ++a) {
       const double centre = ball.centre(a);
       const double expected = centre + ball.radius / from_centre * (ball.node[a][i] - centre);
-      EXPECT_NEAR(ball.point[a][i], expected, 1e-3);
+      EXPECT_NEAR(ball.point[a][i], expected, 5e-3);  // of a ball of six cells
     }
   }
 }

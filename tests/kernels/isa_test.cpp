@@ -110,7 +110,8 @@ template <class T, int D>
 Values<T> free_surface(const Table<T, D>& kernels, Model, Weight) {
   NodesOfABall<T, D> ball;
   kernels.find_closest_points(ball.arguments());
-  Values<T> values(ball.converged.begin(), ball.converged.end());
+  Values<T> values(ball.converged.begin(), ball.converged.begin() + ball.count);
+  for (Field<T>& coordinate : ball.point) coordinate.resize(ball.count);  // the rest fills a pack
   append(values, ball.point);
   HalfSpaceOfParticles<T, D> space;
   kernels.fit_surface(space.arguments());
