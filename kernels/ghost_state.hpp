@@ -6,7 +6,8 @@
 #include "kernels/layout.hpp"
 #include "kernels/table.hpp"
 
-/// Velocity and stress of a ghost from the sums over its neighbours' records (see GhostSums).
+/// Velocity and stress of a ghost from the sums over its neighbours' records (see GhostSums). `T`
+/// is a number, or at free surfaces a register of them.
 ///
 /// With P = I - n n, a stress splits into its tangential block P s P, its normal part (n.s n) n n
 /// and its shear n tau + tau n, tau = P s n; each boundary condition takes each part from the fit
@@ -34,18 +35,22 @@ struct RecordSum {
   T pressure() const { return values[2 * D + symmetric_components<D>]; }
 };
 
+/// 1/sqrt(x), 0 where x is next to nothing; for registers see free_surface_ghosts.hpp.
+template <class T>
+struct InverseRoot {
+  static T of(T square) { return square > T(1e-12) ? 1 / std::sqrt(square) : T(0); }
+};
+
 /// (RP.37); the zero vector where the gradients cancel.
 template <class T, int D>
 VectorOf<T, D> unit_normal(const RecordSum<T, D>& sum) {
   T square = 0;
 #pragma GCC unroll 3
   for (int i = 0; i < D; ++i) square += sum.level_set_gradient(i) * sum.level_set_gradient(i);
-  VectorOf<T, D> n = {};
-  if (square > T(1e-12)) {
-    const T scale = 1 / std::sqrt(square);
+  const T scale = InverseRoot<T>::of(square);
+  VectorOf<T, D> n;
 #pragma GCC unroll 3
-    for (int i = 0; i < D; ++i) n[i] = scale * sum.level_set_gradient(i);
-  }
+  for (int i = 0; i < D; ++i) n[i] = scale * sum.level_set_gradient(i);
   return n;
 }
 
@@ -99,6 +104,7 @@ struct Impedance {
   explicit Impedance(const Material<T>& m)
       : pressure_wave(std::sqrt(m.density * (m.bulk_modulus + m.shear_modulus * T(4) / T(3)))),
         shear_wave(std::sqrt(m.density * m.shear_modulus)) {}
+  Impedance(const T& pressure, const T& shear) : pressure_wave(pressure), shear_wave(shear) {}
 };
 
 /// The three sums over a ghost's neighbours: c, b and a of (RP.32) and (RP.33).
@@ -144,8 +150,9 @@ GhostState<T, D> loaded_surface_ghost(const GhostFits<T, D>& fits, const Surface
 template <class T, int D>
 GhostState<T, D> free_surface_ghost(const GhostFits<T, D>& fits, T pressure,
                                     const Impedance<T>& impedance) {
-  return loaded_surface_ghost<T, D>(fits, {unit_normal<T, D>(fits.linear), -pressure, {}},
-                                    impedance);
+  SurfaceLoad<T, D> load{unit_normal<T, D>(fits.linear), -pressure, {}};
+  load.shear.fill(T(0));
+  return loaded_surface_ghost<T, D>(fits, load, impedance);
 }
 
 /// (RP.38): P Sbar P - p I with the ambient pressure `pressure`.

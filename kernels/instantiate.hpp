@@ -2,6 +2,7 @@
 
 #include "kernels/closest_point.hpp"
 #include "kernels/filter.hpp"
+#include "kernels/free_surface_ghosts.hpp"
 #include "kernels/ghost_sums.hpp"
 #include "kernels/motion.hpp"
 #include "kernels/scatter.hpp"
@@ -9,6 +10,7 @@
 #include "kernels/state_stress.hpp"
 #include "kernels/stress_points.hpp"
 #include "kernels/surface.hpp"
+#include "kernels/surface_fits.hpp"
 
 namespace pliant::kernels {
 
@@ -22,9 +24,11 @@ constexpr Table<Scalar<P>, D> make_table(Isa isa) {
           write_surface_records<P, D>,
           sum_ghosts<P, D>,
           sum_velocities<P, D>,
+          fill_free_surfaces<P, D>,
           scatter<P, D>,
           filter<P, D>,
           find_closest_points<P, D>,
+          fit_surface<P, D>,
           evaluate_stress_points<P, D>,
           advance_motion<P, D>};
 }

@@ -132,14 +132,13 @@ struct SurfacePack {
   std::uint16_t lanes;   ///< bit l: lane l is a surface particle
 };
 
-/// Writes the records of one block's surface particles; grad phi by (RP.18) over the stencil.
+/// Writes the records of one block's surface particles, grad phi by (RP.81).
 template <class T, int D>
 struct SurfaceRecords {
   const Segment<D>* segments;
   const SurfacePack* packs;
   int pack_count;
   T spacing;
-  Weight weight;
   Material<T> material;
   const T* mass;
   const T* level_set;
@@ -163,6 +162,24 @@ struct GhostSums {
   const T* surface;      ///< a
   const T* records;      ///< [record][record_width]
   T* sums;               ///< [ghost - first][3][record_width]
+};
+
+/// Velocity and stress of ghosts by (RP.34), (RP.44); those of walls and inactive ones are left
+/// out.
+template <class T, int D>
+struct FreeSurfaceGhosts {
+  GhostSums<T, D> lists;        ///< of the ghosts 0..count-1; its sums are not kept
+  const T* constrained_sum;     ///< [ghost] of b
+  const T* surface_sum;         ///< [ghost] of a
+  const std::int32_t* slot;     ///< [ghost]
+  const std::int8_t* wall;      ///< [ghost] -1: none
+  const std::uint8_t* active;   ///< [ghost]
+  const std::int8_t* pressure;  ///< [ghost] place in `pressures`; -1: none
+  const double* pressures;      ///< [Pa]
+  T pressure_impedance;         ///< rho c_p
+  T shear_impedance;            ///< rho c_s
+  std::array<T*, D> velocity;   ///< [slot]
+  std::array<T*, symmetric_components<D>> stress;
 };
 
 /// Nodes of a remeshing tile hold the sums of (RP.22): W, W m, W m u (D), W v, W v d (D), W phi,
@@ -219,6 +236,30 @@ struct Filter {
   T* filtered;
 };
 
+/// Pivots of a fit's normal matrix, relative to its largest, below which it counts as singular.
+inline constexpr double smallest_pivot = 2e-3;
+
+/// Coefficients of the fits (RP.32) and (RP.33) of a pack of ghosts, one in each lane. Entry k of
+/// lane l, of its k-th particle, is [k * slots_per_pack + l]; lanes with fewer particles are filled
+/// up with such as are farther than R away. All lengths are over h.
+template <class T, int D>
+struct SurfaceFits {
+  int length;                        ///< of the longest list
+  T radius;                          ///< R
+  std::array<const T*, D> position;  ///< [entry] of particles, from the foot point
+  const T* distance;                 ///< [entry] from the surface
+  std::array<const T*, D> ghost;     ///< [lane] from the foot point
+  std::array<const T*, D> normal;    ///< [lane] unit, out of the body
+  const T* ghost_distance;           ///< [lane] from the surface
+  const T* curved;                   ///< [lane] 1: with the term phi^2 of (RP.33); 0: without
+  T* linear;                         ///< [entry] c
+  T* constrained;                    ///< [entry] b
+  T* surface;                        ///< [entry] a, (RP.32) at the foot point
+  T* constrained_sum;                ///< [lane] of b
+  T* surface_sum;                    ///< [lane] of a
+  T* fitted;                         ///< [lane] 1, or 0 where the particles do not determine them
+};
+
 /// Closest points on the zero set of the tensor-cubic interpolant of nodal values, (RP.30).
 /// Positions are in cells: node c lies at c. Arrays of nodes hold whole packs, filled up with any
 /// node.
@@ -246,9 +287,11 @@ struct Table {
   void (*write_surface_records)(const SurfaceRecords<T, D>&);
   void (*sum_ghosts)(const GhostSums<T, D>&);
   void (*sum_velocities)(const GhostSums<T, D>&);  ///< sums[g][0][k] of k < D alone
+  void (*fill_free_surfaces)(const FreeSurfaceGhosts<T, D>&);
   void (*scatter)(const Scatter<T, D>&);
   void (*filter)(const Filter<T, D>&);
   void (*find_closest_points)(const ClosestPoints<T, D>&);
+  void (*fit_surface)(const SurfaceFits<T, D>&);
   StressPointsResult (*evaluate_stress_points)(const StressPoints<T, D>&);
   MotionResult (*advance_motion)(const Motion<T, D>&);
 };

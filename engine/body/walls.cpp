@@ -89,17 +89,6 @@ bool Boundaries<D>::have_contact() const {
 }
 
 template <int D>
-std::pair<int, double> Boundaries<D>::nearest(const Point<D>& x, bool bonded) const {
-  std::pair<int, double> nearest{-1, std::numeric_limits<double>::infinity()};
-  for (int w = 0; w < static_cast<int>(walls.size()); ++w) {
-    if (walls[w].bonded() != bonded) continue;
-    const double d = walls[w].distance(x);
-    if (d < nearest.second) nearest = {w, d};
-  }
-  return nearest;
-}
-
-template <int D>
 double Boundaries<D>::distance_to_sticking(const Point<D>& x) const {
   double least = std::numeric_limits<double>::infinity();
   for (const Wall<D>& wall : walls) {

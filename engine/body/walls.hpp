@@ -1,5 +1,7 @@
 #pragma once
 
+#include <limits>
+#include <utility>
 #include <vector>
 
 #include "engine/case/case.hpp"
@@ -68,7 +70,15 @@ struct Boundaries {
   std::vector<int> wall_of;  ///< [boundary of the case] its place in `walls`, or -1
 
  private:
-  std::pair<int, double> nearest(const Point<D>& x, bool bonded) const;
+  std::pair<int, double> nearest(const Point<D>& x, bool bonded) const {
+    std::pair<int, double> nearest{-1, std::numeric_limits<double>::infinity()};
+    for (int w = 0; w < static_cast<int>(walls.size()); ++w) {
+      if (walls[w].bonded() != bonded) continue;
+      const double d = walls[w].distance(x);
+      if (d < nearest.second) nearest = {w, d};
+    }
+    return nearest;
+  }
 };
 
 extern template struct Boundaries<2>;

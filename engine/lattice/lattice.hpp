@@ -44,7 +44,19 @@ struct Lattice {
     return cell;
   }
 
-  bool is_wrapped(const Cell<D>& cell) const { return wrapped(cell) == cell; }
+  bool is_periodic() const {
+    for (int a = 0; a < D; ++a) {
+      if (period[a] != 0) return true;
+    }
+    return false;
+  }
+
+  bool is_wrapped(const Cell<D>& cell) const {
+    for (int a = 0; a < D; ++a) {
+      if (period[a] != 0 && (cell[a] < 0 || cell[a] >= period[a])) return false;
+    }
+    return true;
+  }
 };
 
 }  // namespace pliant

@@ -16,7 +16,7 @@ namespace {
 using hdf5::checked;
 using hdf5::Handle;
 
-constexpr int format = 1;  ///< raised when an older program could no longer read the file
+constexpr int format = 2;  ///< raised when an older program could no longer read the file
 constexpr auto format_attribute = "pliant_archive_format";
 constexpr hsize_t chunk_size = 131072;  ///< entries under one checksum
 

@@ -42,13 +42,15 @@ struct BodyTouches {
   }
 };
 
-/// Ghosts of one block, and the surface particles of the block that ghosts anywhere read.
+/// Ghosts of one block, and the surface particles of the block that ghosts anywhere read. Those of
+/// walls and those that the stencil of a particle reaches come first, in the order of the slots;
+/// then, likewise, the others, which only drift.
 template <class T, int D>
 struct BlockGhosts {
   std::vector<std::int32_t> slot;
+  std::size_t reached_count = 0;       ///< of the ghosts that come first
   std::vector<std::int8_t> wall;       ///< of a wall or contact ghost; -1: free surface
   std::vector<std::uint8_t> active;    ///< whether the ghost sets its slot; see `contact`
-  std::vector<std::uint8_t> reached;   ///< by the stencil of a particle; the others only drift
   std::vector<std::int8_t> pressure;   ///< acting at the foot point; -1: none
   std::vector<Point<D>> normal;        ///< of the wall
   std::vector<Point<D>> foot;          ///< foot point at xi = 0 [m]

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "engine/remeshed/present_fits.hpp"
 #include "engine/remeshed/resources.hpp"
 #include "kernels/interface_traction.hpp"
 
@@ -90,8 +91,7 @@ std::array<T, D> BodyContact<T, D>::traction(const Body<T, D>& own, const Body<T
   constexpr int width = kernels::record_width<D>;
   const BodyTouches<T, D>& touches = ghosts.touches;
   const std::int32_t g = touches.ghost[touch];
-  std::array<T, BlockGhosts<T, D>::sums_of_ghost> sums;
-  kernels_.sum_ghosts(ghosts.sums(g, 1, own.records.get(), sums.data()));
+  PresentFits<T, D> present(own, ghosts, kernels_);
   std::array<T, width> sum = {};
   for (std::int64_t i = touches.begin[touch]; i < touches.begin[touch + 1]; ++i) {
     const T* record = other.records.get() + static_cast<std::int64_t>(touches.record[i]) * width;
@@ -102,7 +102,7 @@ std::array<T, D> BodyContact<T, D>::traction(const Body<T, D>& own, const Body<T
                            ? 0
                            : std::min<double>(kernels::wave_speed_at_rest(own.material),
                                               kernels::wave_speed_at_rest(other.material));
-  const kernels::GhostFits<T, D> fits = ghosts.fits(g, sums.data());
+  const kernels::GhostFits<T, D> fits = present.of(g);
   const kernels::SurfaceLoad<T, D> load = kernels::interface_traction<T, D>(
       {fits.surface, kernels::Impedance<T>(own.material)},
       {{sum.data()}, kernels::Impedance<T>(other.material)},

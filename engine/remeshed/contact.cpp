@@ -1,5 +1,6 @@
 #include "engine/remeshed/contact.hpp"
 
+#include "engine/remeshed/present_fits.hpp"
 #include "kernels/ghost_state.hpp"
 
 namespace pliant::remeshed {
@@ -22,25 +23,13 @@ std::array<T, D> converted(const Point<D>& vector) {
   return result;
 }
 
-template <class T, int D>
-using SumsOfGhost = std::array<T, BlockGhosts<T, D>::sums_of_ghost>;
-
-// The fits of one ghost to the present records; they point into `sums`.
-template <class T, int D>
-kernels::GhostFits<T, D> fits_of(const Body<T, D>& body, const BlockGhosts<T, D>& ghosts,
-                                 std::int32_t ghost, const kernels::Table<T, D>& table,
-                                 SumsOfGhost<T, D>& sums) {
-  table.sum_ghosts(ghosts.sums(ghost, 1, body.records.get(), sums.data()));
-  return ghosts.fits(ghost, sums.data());
-}
-
 }  // namespace
 
 template <class T, int D>
 void decide_contact(Body<T, D>& body, int block, const Boundaries<D>& boundaries,
                     const BoundaryValues<D>& values, const kernels::Table<T, D>& table) {
   BlockGhosts<T, D>& ghosts = body.population.ghosts[block];
-  SumsOfGhost<T, D> sums;
+  PresentFits<T, D> fits(body, ghosts, table);
   for (std::size_t k = 0; k < ghosts.contact.size(); ++k) {
     const std::int32_t g = ghosts.contact[k];
     const Point<D>& n = ghosts.normal[g];
@@ -52,8 +41,7 @@ void decide_contact(Body<T, D>& body, int block, const Boundaries<D>& boundaries
     const double reach = ghosts.active[g] != 0 ? leaving_height : touching_height;
     const bool touches =
         height < reach * body.lattice.spacing &&
-        kernels::presses<T, D>(fits_of(body, ghosts, g, table, sums),
-                               converted<T, D>(values.wall_velocity[ghosts.wall[g]]),
+        kernels::presses<T, D>(fits.of(g), converted<T, D>(values.wall_velocity[ghosts.wall[g]]),
                                converted<T, D>(n));
     ghosts.active[g] = touches;
     ghosts.active[g - 1] = !touches;
@@ -66,15 +54,15 @@ void add_impulse(const Body<T, D>& body, int block, const Boundaries<D>& boundar
                  const BoundaryValues<D>& values, double duration,
                  const kernels::Table<T, D>& table, Point<D>* impulse) {
   const BlockGhosts<T, D>& ghosts = body.population.ghosts[block];
-  SumsOfGhost<T, D> sums;
+  PresentFits<T, D> fits(body, ghosts, table);
   const kernels::Impedance<T> impedance(body.material);
   for (std::size_t k = 0; k < ghosts.contact.size(); ++k) {
     const std::int32_t g = ghosts.contact[k];
     if (ghosts.active[g] == 0) continue;
     const int wall = ghosts.wall[g];
     const std::array<T, D> push = kernels::wall_push<T, D>(
-        fits_of(body, ghosts, g, table, sums), converted<T, D>(values.wall_velocity[wall]),
-        converted<T, D>(ghosts.normal[g]), boundaries.walls[wall].slips(), impedance);
+        fits.of(g), converted<T, D>(values.wall_velocity[wall]), converted<T, D>(ghosts.normal[g]),
+        boundaries.walls[wall].slips(), impedance);
     for (int a = 0; a < D; ++a) impulse[wall][a] += duration * ghosts.contact_area[k] * push[a];
   }
 }
@@ -87,8 +75,8 @@ std::vector<double> wall_pressure(const Body<T, D>& body, const Boundaries<D>& b
   const double h = body.lattice.spacing;
   const kernels::Impedance<T> impedance(body.material);
   std::vector<double> pressure(layout.slots(), 0);
-  SumsOfGhost<T, D> sums;
   for (const BlockGhosts<T, D>& ghosts : body.population.ghosts) {
+    PresentFits<T, D> fits(body, ghosts, table);
     for (const std::int32_t g : ghosts.contact) {
       if (ghosts.active[g] == 0) continue;
       const std::int64_t slot = ghosts.slot[g];
@@ -96,8 +84,8 @@ std::vector<double> wall_pressure(const Body<T, D>& body, const Boundaries<D>& b
       if (wall.distance(body.lattice.node(layout.cell(slot))) < -(1 + rounding) * h) continue;
       const std::array<T, D> n = converted<T, D>(ghosts.normal[g]);
       const std::array<T, D> push = kernels::wall_push<T, D>(
-          fits_of(body, ghosts, g, table, sums),
-          converted<T, D>(values.wall_velocity[ghosts.wall[g]]), n, wall.slips(), impedance);
+          fits.of(g), converted<T, D>(values.wall_velocity[ghosts.wall[g]]), n, wall.slips(),
+          impedance);
       for (int a = 0; a < D; ++a) pressure[slot] += push[a] * n[a];
     }
   }

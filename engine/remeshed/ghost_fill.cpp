@@ -1,8 +1,10 @@
 #include "engine/remeshed/ghost_fill.hpp"
 
 #include <Eigen/Dense>
+#include <algorithm>
 #include <cmath>
 
+#include "engine/remeshed/present_fits.hpp"
 #include "kernels/ghost_state.hpp"
 
 namespace pliant::remeshed {
@@ -50,40 +52,116 @@ std::array<T, D> rigid_velocity(const Body<T, D>& body, const FieldStore<T, D>& 
   return result;
 }
 
-/// Calls f(ghost, its fits) for every ghost for which `is_wanted(ghost)`. The sums are made by
-/// `sum` for some ghosts at a time, and stay in the first cache.
-template <class T, int D, class IsWanted, class Sum, class F>
-void for_each_fit(const BlockGhosts<T, D>& ghosts, const T* records, const IsWanted& is_wanted,
-                  const Sum& sum, const F& f) {
-  constexpr std::size_t at_once = 32;
-  constexpr int width = BlockGhosts<T, D>::sums_of_ghost;
-  alignas(64) std::array<T, at_once * width> sums;
-  const std::size_t count = ghosts.slot.size();
-  for (std::size_t end, begin = 0; begin < count; begin = std::max(end, begin + 1)) {
-    for (end = begin; end < std::min(count, begin + at_once) && is_wanted(end);) ++end;
-    if (end == begin) continue;
-    sum(ghosts.sums(begin, end - begin, records, sums.data()));
-    for (std::size_t g = begin; g < end; ++g) {
-      f(g, ghosts.fits(g, sums.data() + width * (g - begin)));
+/// Sets the first `count` ghosts of a block from their fits to the present records.
+template <class T, int D>
+struct GhostFill {
+  const Body<T, D>& body;
+  BlockGhosts<T, D>& ghosts;
+  std::size_t count;
+  FieldStore<T, D>& state;
+  std::array<T*, kernels::symmetric_components<D>> stress;
+  const kernels::Table<T, D>& table;
+
+  void fill_surfaces(const BoundaryValues<D>& values) const {
+    const kernels::Impedance<T> impedance(body.material);
+    kernels::FreeSurfaceGhosts<T, D> work = {};
+    work.lists = ghosts.sums(0, count, body.records.get(), nullptr);
+    work.constrained_sum = ghosts.constrained_sum.data();
+    work.surface_sum = ghosts.surface_sum.data();
+    work.slot = ghosts.slot.data();
+    work.wall = ghosts.wall.data();
+    work.active = ghosts.active.data();
+    work.pressure = ghosts.pressure.data();
+    work.pressures = values.pressure.data();
+    work.pressure_impedance = impedance.pressure_wave;
+    work.shear_impedance = impedance.shear_wave;
+    for (int a = 0; a < D; ++a) work.velocity[a] = state.get(Field::velocity, a);
+    work.stress = stress;
+    table.fill_free_surfaces(work);
+  }
+
+  void average_surfaces(const BoundaryValues<D>& values) const {
+    PresentFits<T, D> fits(body, ghosts, table);
+    for (std::size_t g = 0; g < count; ++g) {
+      if (ghosts.wall[g] >= 0) continue;
+      const int p = ghosts.pressure[g];
+      set(g, kernels::averaged_surface_ghost<T, D>(
+                 fits.of(g).linear, p < 0 ? T(0) : static_cast<T>(values.pressure[p])));
     }
   }
-}
 
+  void turn_rigidly() const {
+    for (std::size_t g = 0; g < count; ++g) {
+      if (ghosts.wall[g] >= 0 || ghosts.active[g] == 0) continue;
+      const auto u = rigid_velocity<T, D>(body, state, ghosts, g);
+      for (int a = 0; a < D; ++a) state.get(Field::velocity, a)[ghosts.slot[g]] = u[a];
+    }
+  }
+
+  void fill_touching() const {
+    const kernels::Impedance<T> impedance(body.material);
+    PresentFits<T, D> present(body, ghosts, table);
+    for (std::size_t k = 0; k < ghosts.touches.ghost.size(); ++k) {
+      const std::size_t g = ghosts.touches.ghost[k];
+      if (g >= count) continue;
+      const kernels::GhostFits<T, D> fits = present.of(g);
+      const auto n = kernels::unit_normal<T, D>(fits.linear);
+      kernels::SurfaceLoad<T, D> load{n, 0, ghosts.touches.traction[k]};
+      for (int a = 0; a < D; ++a) load.normal += load.shear[a] * n[a];
+      for (int a = 0; a < D; ++a) load.shear[a] -= load.normal * n[a];
+      set(g, kernels::loaded_surface_ghost<T, D>(fits, load, impedance));
+    }
+  }
+
+  void fill_walls(const Boundaries<D>& boundaries, const BoundaryValues<D>& values,
+                  bool averaged) const {
+    const kernels::Impedance<T> impedance(body.material);
+    PresentFits<T, D> present(body, ghosts, table);
+    for (std::size_t g = 0; g < count; ++g) {
+      const int w = ghosts.wall[g];
+      if (w < 0 || ghosts.active[g] == 0) continue;
+      const kernels::GhostFits<T, D> fits = present.of(g);
+      std::array<T, D> velocity, normal;
+      for (int a = 0; a < D; ++a) {
+        velocity[a] = static_cast<T>(values.wall_velocity[w][a]);
+        normal[a] = static_cast<T>(ghosts.normal[g][a]);
+      }
+      set(g, averaged ? kernels::averaged_wall_ghost<T, D>(fits.linear, velocity)
+             : boundaries.walls[w].slips()
+                 ? kernels::slip_wall_ghost<T, D>(fits, velocity, normal, impedance)
+                 : kernels::wall_ghost<T, D>(fits, velocity, normal, impedance));
+    }
+  }
+
+ private:
+  // Of a slot with two ghosts one alone is active.
+  void set(std::size_t g, const kernels::GhostState<T, D>& ghost) const {
+    if (ghosts.active[g] == 0) return;
+    const std::int64_t slot = ghosts.slot[g];
+    for (int a = 0; a < D; ++a) state.get(Field::velocity, a)[slot] = ghost.velocity[a];
+    for (std::size_t c = 0; c < ghost.stress.size(); ++c) stress[c][slot] = ghost.stress[c];
+  }
+};
+
+// The sums are made for some ghosts at a time, and stay in the first cache.
 template <class T, int D>
-void fit_drift_velocity(Body<T, D>& body, int block, int stage, GhostTreatment treatment,
-                        const kernels::Table<T, D>& table) {
-  BlockGhosts<T, D>& ghosts = body.population.ghosts[block];
-  const auto drifts = [&](std::size_t g) { return ghosts.reached[g] == 0; };
+void find_drift_velocity(Body<T, D>& body, int block, int stage, GhostTreatment treatment,
+                         const kernels::Table<T, D>& table) {
+  constexpr std::size_t at_once = 32, width = BlockGhosts<T, D>::sums_of_ghost;
+  alignas(64) std::array<T, at_once * width> sums;
+  const BlockGhosts<T, D>& ghosts = body.population.ghosts[block];
   FieldStore<T, D>& state = body.stage[buffer_of(stage)];
-  for_each_fit(ghosts, body.records.get(), drifts, table.sum_velocities,
-               [&](std::size_t g, const kernels::GhostFits<T, D>& fits) {
-                 std::array<T, D> u;
-                 for (int a = 0; a < D; ++a) u[a] = fits.linear.velocity(a);
-                 if (treatment == GhostTreatment::rigid) {
-                   u = rigid_velocity<T, D>(body, state, ghosts, g);
-                 }
-                 for (int a = 0; a < D; ++a) state.get(Field::velocity, a)[ghosts.slot[g]] = u[a];
-               });
+  for (std::size_t begin = ghosts.reached_count; begin < ghosts.slot.size(); begin += at_once) {
+    const std::size_t end = std::min(begin + at_once, ghosts.slot.size());
+    table.sum_velocities(ghosts.sums(begin, end - begin, body.records.get(), sums.data()));
+    for (std::size_t g = begin; g < end; ++g) {
+      const auto fits = ghosts.fits(g, sums.data() + width * (g - begin));
+      std::array<T, D> u;
+      for (int a = 0; a < D; ++a) u[a] = fits.linear.velocity(a);
+      if (treatment == GhostTreatment::rigid) u = rigid_velocity<T, D>(body, state, ghosts, g);
+      for (int a = 0; a < D; ++a) state.get(Field::velocity, a)[ghosts.slot[g]] = u[a];
+    }
+  }
 }
 
 }  // namespace
@@ -101,65 +179,29 @@ void fill_ghosts(Body<T, D>& body, int block, int stage, int parity, WhichGhosts
                  const Boundaries<D>& boundaries, const BoundaryValues<D>& values,
                  GhostTreatment treatment, const kernels::Table<T, D>& table) {
   BlockGhosts<T, D>& ghosts = body.population.ghosts[block];
-  FieldStore<T, D>& state = body.stage[buffer_of(stage)];
-  const auto stress = body.stress_view(parity);
-  const bool averaged = treatment == GhostTreatment::averaged;
-  const kernels::Impedance<T> impedance(body.material);
-  const BodyTouches<T, D>& touches = ghosts.touches;
-  std::size_t touch = 0;
-  const auto is_wanted = [&](std::size_t g) {
-    return ghosts.active[g] != 0 && (which == WhichGhosts::all || ghosts.reached[g] != 0);
-  };
-  const auto fill = [&](std::size_t g, const kernels::GhostFits<T, D>& fits) {
-    while (touch < touches.ghost.size() && touches.ghost[touch] < static_cast<std::int32_t>(g))
-      ++touch;
-    kernels::GhostState<T, D> ghost;
-    if (const int w = ghosts.wall[g]; w >= 0) {
-      std::array<T, D> velocity, normal;
-      for (int a = 0; a < D; ++a) {
-        velocity[a] = static_cast<T>(values.wall_velocity[w][a]);
-        normal[a] = static_cast<T>(ghosts.normal[g][a]);
-      }
-      ghost = averaged ? kernels::averaged_wall_ghost<T, D>(fits.linear, velocity)
-              : boundaries.walls[w].slips()
-                  ? kernels::slip_wall_ghost<T, D>(fits, velocity, normal, impedance)
-                  : kernels::wall_ghost<T, D>(fits, velocity, normal, impedance);
-    } else if (touch < touches.ghost.size() &&
-               touches.ghost[touch] == static_cast<std::int32_t>(g)) {
-      const auto n = kernels::unit_normal<T, D>(fits.linear);
-      kernels::SurfaceLoad<T, D> load{n, 0, touches.traction[touch]};
-      for (int a = 0; a < D; ++a) load.normal += load.shear[a] * n[a];
-      for (int a = 0; a < D; ++a) load.shear[a] -= load.normal * n[a];
-      ghost = kernels::loaded_surface_ghost<T, D>(fits, load, impedance);
-    } else {
-      const int p = ghosts.pressure[g];
-      const T pressure = p < 0 ? T(0) : static_cast<T>(values.pressure[p]);
-      ghost = averaged ? kernels::averaged_surface_ghost<T, D>(fits.linear, pressure)
-                       : kernels::free_surface_ghost<T, D>(fits, pressure, impedance);
-      if (treatment == GhostTreatment::rigid) {
-        ghost.velocity = rigid_velocity<T, D>(body, state, ghosts, g);
-      }
-    }
-    const std::int64_t slot = ghosts.slot[g];
-    for (int a = 0; a < D; ++a) state.get(Field::velocity, a)[slot] = ghost.velocity[a];
-    for (std::size_t c = 0; c < ghost.stress.size(); ++c) {
-      stress[c][slot] = ghost.stress[c];
-    }
-  };
-  for_each_fit(ghosts, body.records.get(), is_wanted, table.sum_ghosts, fill);
+  const std::size_t count = which == WhichGhosts::all ? ghosts.slot.size() : ghosts.reached_count;
+  const GhostFill<T, D> fill{
+      body, ghosts, count, body.stage[buffer_of(stage)], body.stress_view(parity), table};
+  if (treatment == GhostTreatment::averaged) {
+    fill.average_surfaces(values);
+  } else {
+    fill.fill_surfaces(values);
+    if (treatment == GhostTreatment::rigid) fill.turn_rigidly();
+    fill.fill_touching();
+  }
+  fill.fill_walls(boundaries, values, treatment == GhostTreatment::averaged);
 }
 
 template <class T, int D>
 void drift_ghosts(Body<T, D>& body, int block, int stage, GhostTreatment treatment,
                   const kernels::Table<T, D>& table) {
-  if (stage < 2) return fit_drift_velocity(body, block, stage, treatment, table);
+  if (stage < 2) return find_drift_velocity(body, block, stage, treatment, table);
   const BlockGhosts<T, D>& ghosts = body.population.ghosts[block];
   for (int a = 0; a < D; ++a) {
     const T* start = body.stage[0].get(Field::velocity, a);
     T* second = body.stage[1].get(Field::velocity, a);
     T* third = body.stage[2].get(Field::velocity, a);
-    for (std::size_t g = 0; g < ghosts.slot.size(); ++g) {
-      if (ghosts.reached[g] != 0) continue;
+    for (std::size_t g = ghosts.reached_count; g < ghosts.slot.size(); ++g) {
       const std::int64_t slot = ghosts.slot[g];
       if (stage == 2) {
         third[slot] = (4 * second[slot] - start[slot]) / 3;

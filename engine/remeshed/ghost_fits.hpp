@@ -31,16 +31,23 @@ void find_pack_states(Population<T, D>& population, const kernels::Segment<D>& s
 template <class T, int D>
 void prepare_slots(Body<T, D>& body, int block);
 
-/// Finds the ghosts of a block and the coefficients of their fits, (RP.32), (RP.33), (RP.38), and
-/// marks the particles that they read in `used`.
+/// What ghosts are found from.
 template <class T, int D>
-void fit_ghosts(const Body<T, D>& body, Population<T, D>& population, const FieldStore<T, D>& state,
-                int block, const LevelSet<T, D>& level_set, const Boundaries<D>& boundaries,
-                GhostTreatment treatment, std::int32_t* used);
+struct GhostSearch {
+  const Body<T, D>& body;  ///< before the remeshing
+  Population<T, D>& population;
+  const LevelSet<T, D>& level_set;
+  const Boundaries<D>& boundaries;
+  GhostTreatment treatment;
+  int stencil_reach;
+  const kernels::Table<T, D>& kernels;
+};
 
-/// Marks the ghosts of a block that some particle's stencil reaches, and all of walls.
+/// Finds the ghosts of a block and the coefficients of their fits, (RP.32), (RP.33), (RP.38), and
+/// marks the particles that they read in `used`. Ghosts that some particle's stencil reaches, and
+/// all of walls, come first.
 template <class T, int D>
-void mark_reached(Population<T, D>& population, int block, int reach);
+void fit_ghosts(const GhostSearch<T, D>& search, int block, std::int32_t* used);
 
 /// Lists the packs of a block with particles that some fit uses.
 template <class T, int D>

@@ -59,7 +59,6 @@ Point<D> tangent_point(const Point<D>& node, const Point<D>& foot, const Point<D
 }
 
 constexpr double search_limit = 2.5;  // cells from a near node to its closest point
-static_assert(search_limit <= Projections<double, 3>::farthest_move);
 
 /// Takes the polished closest point unless it has left the neighbourhood.
 template <int D>
@@ -178,7 +177,7 @@ void LevelSet<T, D>::find_closest_points(const Block<D>& block, bool reinitialis
     }
     near.add(p, cell, as_point<D>(cell));
   });
-  near.run(*lattice_, *layout_, extended_, 12, kernels);
+  near.run(*lattice_, *layout_, extended_, 3, 12, kernels);
   for (std::size_t i = 0; i < near.size(); ++i) place_near(near, i, reinitialise);
 }
 
@@ -208,7 +207,7 @@ void LevelSet<T, D>::place_near(const Projections<T, D>& near, std::size_t i, bo
 template <class T, int D>
 bool LevelSet<T, D>::borders_a_layer(const kernels::Segment<D>& segment, std::int64_t slot,
                                      int layer) const {
-  if (lattice_->period != Cell<D>{}) return true;
+  if (lattice_->is_periodic()) return true;
   const std::uint8_t* mark = layer_[layer % 2].get() + slot;
   std::uint64_t any = 0;
   static_assert(Layout<D>::pack == sizeof any);
@@ -265,7 +264,7 @@ void LevelSet<T, D>::find_nearest(const kernels::Segment<D>& segment, std::int64
   const Point<D> node = as_point<D>(cell);
   double nearest = 1e300;
   Point<D> foot = {}, normal = {};
-  const bool periodic = lattice_->period != Cell<D>{};
+  const bool periodic = lattice_->is_periodic();
   const std::uint8_t* marks = layer_[layer % 2].get();
   for_each_adjacent<D>(segment, cell, [&](const Cell<D>& other, std::int64_t slots_to) {
     std::int64_t q = slot + slots_to;
@@ -293,8 +292,9 @@ void LevelSet<T, D>::find_nearest(const kernels::Segment<D>& segment, std::int64
 // node's own; elsewhere that point itself may.
 template <class T, int D>
 void LevelSet<T, D>::polish(Border& border, const kernels::Table<T, D>& kernels) const {
-  constexpr int iterations = 6;
-  border.polished.run(*lattice_, *layout_, extended_, iterations, kernels);
+  // Blocks reach no farther than one cell beyond the closest points of the last layer.
+  constexpr int farthest_move = 1, iterations = 6;
+  border.polished.run(*lattice_, *layout_, extended_, farthest_move, iterations, kernels);
   for (std::size_t i = 0; i < border.polished.size(); ++i) {
     if (border.polished.has_converged(i)) {
       adopt<D>(border.polished.point(i), border.foot[i]);
@@ -303,7 +303,7 @@ void LevelSet<T, D>::polish(Border& border, const kernels::Table<T, D>& kernels)
       border.again.add(border.polished.slot(i), border.polished.cell(i), border.foot[i]);
     }
   }
-  border.again.run(*lattice_, *layout_, extended_, iterations, kernels);
+  border.again.run(*lattice_, *layout_, extended_, farthest_move, iterations, kernels);
   for (std::size_t k = 0; k < border.failed.size(); ++k) {
     if (border.again.has_converged(k))
       adopt<D>(border.again.point(k), border.foot[border.failed[k]]);
@@ -314,7 +314,12 @@ template <class T, int D>
 void LevelSet<T, D>::finish(const Block<D>& block) {
   const T limit = static_cast<T>(far * lattice_->spacing);
   layout_->for_each_slot(block, [&](std::int64_t p, const Cell<D>&) {
-    if (layer_[(layers + 1) % 2][p] == 0) phi_[p] = phi_[p] < 0 ? -limit : limit;
+    Point<D> offset;
+    if (closest_point(p, offset)) {
+      extended_[p] = std::copysign(static_cast<T>(std::sqrt(dot<D>(offset, offset))), phi_[p]);
+    } else {
+      extended_[p] = phi_[p] = phi_[p] < 0 ? -limit : limit;
+    }
   });
 }
 

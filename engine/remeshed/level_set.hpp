@@ -47,6 +47,10 @@ class LevelSet {
                  const kernels::Table<T, D>& kernels);  ///< 2..layers
   void finish(const Block<D>& block);
 
+  /// Distance of a finished node from the surface, negative inside [m]. phi itself is one only
+  /// after a reinitialisation; the closest point always tells.
+  T surface_distance(std::int64_t slot) const { return extended_[slot]; }
+
   /// Closest point of the surface minus the node [m]; false where none was found.
   bool closest_point(std::int64_t slot, Point<D>& offset) const;
 
@@ -77,8 +81,9 @@ class LevelSet {
   const Lattice<D>* lattice_ = nullptr;
   const Layout<D>* layout_ = nullptr;
   T* phi_ = nullptr;
-  T* extended_ = nullptr;        ///< phi continued through walls, before any rebuilding
-  std::array<T*, D> foot_ = {};  ///< closest point minus node, in cells
+  /// phi continued through walls, before any rebuilding; of finished nodes, their distance.
+  T* extended_ = nullptr;
+  std::array<T*, D> foot_ = {};                ///< closest point minus node, in cells
   std::array<Buffer<std::uint8_t>, 2> layer_;  ///< 0: no closest point yet; passes alternate
 };
 

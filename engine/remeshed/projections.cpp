@@ -42,11 +42,12 @@ Cell<D> Projections<T, D>::cell(std::size_t i) const {
 
 template <class T, int D>
 void Projections<T, D>::run(const Lattice<D>& lattice, const Layout<D>& layout, const T* values,
-                            int iterations, const kernels::Table<T, D>& kernels) {
+                            int farthest_move, int iterations,
+                            const kernels::Table<T, D>& kernels) {
   if (slot_.empty()) return;
   const std::size_t pack = Layout<D>::pack, whole = (size() + pack - 1) / pack * pack;
   kernels::ClosestPoints<T, D> work = {};
-  fill_box(lattice, layout, values);
+  fill_box(lattice, layout, values, farthest_move);
   for (int a = 0; a < D; ++a) {
     node_[a].resize(whole, node_[a].back());
     point_[a].resize(whole, point_[a].back());
@@ -69,7 +70,7 @@ void Projections<T, D>::run(const Lattice<D>& lattice, const Layout<D>& layout, 
 
 template <class T, int D>
 void Projections<T, D>::fill_box(const Lattice<D>& lattice, const Layout<D>& layout,
-                                 const T* values) {
+                                 const T* values, int farthest_move) {
   std::size_t nodes = 1;
   for (int a = 0; a < D; ++a) {
     const auto [least, most] = std::minmax_element(point_[a].begin(), point_[a].end());

@@ -12,15 +12,13 @@ namespace pliant::remeshed {
 template <class T, int D>
 class Projections {
  public:
-  /// Cells that a point may move from its start.
-  static constexpr int farthest_move = 3;
-
   void clear();
   void add(std::int64_t slot, const Cell<D>& node, const Point<D>& start);
 
-  /// Moves all points onto the zero set of `values`.
-  void run(const Lattice<D>& lattice, const Layout<D>& layout, const T* values, int iterations,
-           const kernels::Table<T, D>& kernels);
+  /// Moves all points onto the zero set of `values`. Those that would go farther than
+  /// `farthest_move` cells out of the box around all starts may not converge.
+  void run(const Lattice<D>& lattice, const Layout<D>& layout, const T* values, int farthest_move,
+           int iterations, const kernels::Table<T, D>& kernels);
 
   std::size_t size() const { return slot_.size(); }
   std::int64_t slot(std::size_t i) const { return slot_[i]; }
@@ -38,7 +36,8 @@ class Projections {
     for (int a = 0; a < D; ++a) point[a] = x[a][i];
     return point;
   }
-  void fill_box(const Lattice<D>& lattice, const Layout<D>& layout, const T* values);
+  void fill_box(const Lattice<D>& lattice, const Layout<D>& layout, const T* values,
+                int farthest_move);
   void fill_row(const Lattice<D>& lattice, const Layout<D>& layout, const T* values,
                 const Cell<D>& first, T* row) const;
 

@@ -224,11 +224,15 @@ void Remeshing<T, D>::arrival_phases(std::vector<scheduler::Phase>& phases, int 
     }
   }
   each("remesh: kinds", {{resource::closest(0)}, {resource::closest(1)}, {resource::remeshed}},
-       {{resource::kinds}, {resource::remeshed}}, &Remeshing::find_kinds);
+       {{resource::kinds}, {resource::remeshed}, {resource::extended}}, &Remeshing::find_kinds);
   each("remesh: images", {{resource::kinds, Reach::neighbours}, remeshed_near},
        {{resource::remeshed_images}}, &Remeshing::copy_images);
   each("ghosts: fits",
-       {{resource::kinds, Reach::neighbours}, {resource::closest(1)}, remeshed_near, images_near},
+       {{resource::kinds, Reach::neighbours},
+        {resource::closest(1)},
+        {resource::extended, Reach::neighbours},
+        remeshed_near,
+        images_near},
        {{resource::fits}}, &Remeshing::fit_block);
   // Fits of all neighbouring blocks mark this block's surface particles.
   each("ghosts: surface", {{resource::fits, Reach::neighbours}}, {{resource::surface_packs}},
@@ -270,9 +274,9 @@ void Remeshing<T, D>::find_kinds(int block) {
 template <class T, int D>
 void Remeshing<T, D>::fit_block(int block) {
   if (!is_final_) return;
-  fit_ghosts<T, D>(body_, body_.spare, body_.stage[1], block, level_set_, boundaries_, treatment_,
-                   body_.record_of_slot.get());
-  mark_reached<T, D>(body_.spare, block, stencil_reach_);
+  fit_ghosts<T, D>(
+      {body_, body_.spare, level_set_, boundaries_, treatment_, stencil_reach_, kernels_}, block,
+      body_.record_of_slot.get());
 }
 
 template <class T, int D>
@@ -335,7 +339,6 @@ void Remeshing<T, D>::adopt_restored() {
   for (std::size_t b = 0; b < body_.population.images.size(); ++b) {
     list_images(body_.population, static_cast<int>(b));
     prepare_slots<T, D>(body_, static_cast<int>(b));
-    mark_reached<T, D>(body_.population, static_cast<int>(b), stencil_reach_);
   }
 }
 

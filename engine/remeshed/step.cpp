@@ -12,7 +12,7 @@
 //
 //   for each stage s = 0..3 of the Runge-Kutta method (RP.19), stage states Q0, Q2, Q3, Q4 (where
 //   Q2 was):
-//     surface   grad phi of the particles near the surface (RP.18); their u, sigma, grad phi, p are
+//     surface   grad phi of the particles near the surface (RP.81); their u, sigma, grad phi, p are
 //               packed side by side, one cache line each
 //     contact   first stage only: which ghosts beyond a contact wall the body presses on, (RP.50)
 //     ghosts    each ghost takes velocity and stress from the packed particles: the free surface
@@ -170,8 +170,7 @@ std::vector<int> Step<T, D>::blocks_where(bool listed) const {
 
 // Neighbours that a search has found may belong to any block: particles far apart on the lattice
 // may have come near. Everything else in a step stays on the lattice: fourth differences (RP.43)
-// follow material lines, ghosts keep their fits, and grad phi of surface particles over the stencil
-// is first-order exact wherever its slots have moved.
+// and grad phi of surface particles (RP.81) follow material lines, and ghosts keep their fits.
 template <class T, int D>
 void Step<T, D>::add_advance(std::vector<Phase>& phases, int stage) {
   std::vector<int> listed = blocks_where(true);
@@ -307,7 +306,6 @@ void Step<T, D>::write_records(int block, int stage) {
   work.packs = ghosts.packs.data();
   work.pack_count = static_cast<int>(ghosts.packs.size());
   work.spacing = static_cast<T>(body.lattice.spacing);
-  work.weight = settings_.discretisation.weight;
   work.material = body.material;
   work.mass = body.stage[0].get(Field::mass);
   work.level_set = body.stage[0].get(Field::level_set);

@@ -3,12 +3,11 @@
 #include <Eigen/Dense>
 #include <array>
 
+#include "kernels/table.hpp"
+
 namespace pliant::remeshed {
 
 namespace {
-
-// Pivots of a normal matrix, relative to its largest, below which a fit counts as singular.
-constexpr double smallest_pivot = 2e-3;
 
 /// Solves M x = e for each column e of `at` where M = sum_i w_i q_i q_i^T; false when M is (nearly)
 /// singular.
@@ -31,7 +30,7 @@ bool solve_fit(const FitParticles<D>& particles, const Basis& basis,
   }
   const Eigen::LDLT<Eigen::Matrix<double, N, N>> factor(normal);
   const auto pivots = factor.vectorD();
-  if (!(pivots.minCoeff() > smallest_pivot * pivots.maxCoeff())) return false;
+  if (!(pivots.minCoeff() > kernels::smallest_pivot * pivots.maxCoeff())) return false;
   solution = factor.solve(at);
   return true;
 }

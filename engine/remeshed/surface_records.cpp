@@ -1,45 +1,7 @@
 #include "engine/remeshed/ghost_fits.hpp"
 
-// Which ghosts particles read; which particles the fits read, and where their records lie: side by
-// side, block after block.
+// Which particles the fits read, and where their records lie: side by side, block after block.
 namespace pliant::remeshed {
-
-namespace {
-
-// Whether a particle, or its image, has the slot in its stencil. A row that does not exist may lie
-// anywhere: what is found there does no harm.
-template <class T, int D>
-bool is_reached(const Population<T, D>& population, const kernels::Segment<D>& segment,
-                std::int64_t slot, int reach) {
-  const int depth = D == 3 ? reach : 0;
-  for (int dz = -depth; dz <= depth; ++dz) {
-    for (int dy = -reach; dy <= reach; ++dy) {
-      const std::int64_t row = slot + segment.neighbour_row[kernels::row_index<D>(dy, dz)];
-      for (int dx = -reach; dx <= reach; ++dx) {
-        if (dx * dx + dy * dy + dz * dz >= (reach + 1) * (reach + 1)) continue;
-        const Kind kind = population.kind[row + dx];
-        if (kind == Kind::interior || kind == Kind::image) return true;
-      }
-    }
-  }
-  return false;
-}
-
-}  // namespace
-
-template <class T, int D>
-void mark_reached(Population<T, D>& population, int block, int reach) {
-  BlockGhosts<T, D>& ghosts = population.ghosts[block];
-  ghosts.reached.assign(ghosts.slot.size(), 1);
-  const kernels::Segment<D>* segment =
-      population.layout.segments_of(population.layout.blocks()[block]);
-  for (std::size_t g = 0; g < ghosts.slot.size(); ++g) {
-    while (ghosts.slot[g] >= segment->first + segment->count) ++segment;
-    const bool shares_slot = g + 1 < ghosts.slot.size() && ghosts.slot[g + 1] == ghosts.slot[g];
-    ghosts.reached[g] = ghosts.wall[g] >= 0 || shares_slot ||
-                        is_reached(population, *segment, ghosts.slot[g], reach);
-  }
-}
 
 template <class T, int D>
 void list_surface_particles(Population<T, D>& population, int block, const std::int32_t* used) {
@@ -97,8 +59,6 @@ void resolve_records(Population<T, D>& population, int block, const std::int32_t
   for (std::int32_t& record : ghosts.record) record = record_of_slot[record];
 }
 
-template void mark_reached<double, 2>(Population<double, 2>&, int, int);
-template void mark_reached<double, 3>(Population<double, 3>&, int, int);
 template void list_surface_particles<double, 2>(Population<double, 2>&, int, const std::int32_t*);
 template void number_records<double, 2>(Population<double, 2>&, std::int32_t*);
 template void list_slots_of_records<double, 2>(Population<double, 2>&);

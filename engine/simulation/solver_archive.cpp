@@ -73,7 +73,7 @@ template <class T, int D>
 void put_ghosts(ArchiveWriter& archive, const std::string& group,
                 const Population<T, D>& population) {
   const std::size_t blocks = population.ghosts.size();
-  std::vector<std::int64_t> sizes, begins, packs;
+  std::vector<std::int64_t> sizes, reached, begins, packs;
   std::vector<std::int32_t> walls;
   std::vector<double> normals, feet;
   for (const BlockGhosts<T, D>& g : population.ghosts) {
@@ -81,6 +81,7 @@ void put_ghosts(ArchiveWriter& archive, const std::string& group,
                                static_cast<std::int64_t>(g.record.size()),
                                static_cast<std::int64_t>(g.packs.size()), g.first_record,
                                g.record_count, static_cast<std::int64_t>(g.contact.size())});
+    reached.push_back(static_cast<std::int64_t>(g.reached_count));
     begins.insert(begins.end(), g.begin.begin(), g.begin.end());
     for (std::size_t i = 0; i < g.slot.size(); ++i) {
       walls.insert(walls.end(), {g.wall[i], g.pressure[i]});
@@ -93,6 +94,7 @@ void put_ghosts(ArchiveWriter& archive, const std::string& group,
   }
   const auto& all = population.ghosts;
   archive.put(group + "/sizes", std::span<const std::int64_t>(sizes));
+  archive.put(group + "/reached", std::span<const std::int64_t>(reached));
   archive.put(group + "/begin", std::span<const std::int64_t>(begins));
   archive.put(group + "/packs", std::span<const std::int64_t>(packs));
   archive.put(group + "/wall_and_pressure", std::span<const std::int32_t>(walls));
@@ -121,6 +123,7 @@ template <class T, int D>
 void get_ghosts(const ArchiveReader& archive, const std::string& group,
                 Population<T, D>& population) {
   const auto sizes = archive.get<std::int64_t>(group + "/sizes");
+  const auto reached = archive.get<std::int64_t>(group + "/reached");
   const auto begins = archive.get<std::int64_t>(group + "/begin");
   const auto packs = archive.get<std::int64_t>(group + "/packs");
   const auto walls = archive.get<std::int32_t>(group + "/wall_and_pressure");
@@ -142,6 +145,7 @@ void get_ghosts(const ArchiveReader& archive, const std::string& group,
     BlockGhosts<T, D>& g = population.ghosts[b];
     const std::int64_t* size = sizes.data() + 6 * b;
     const std::size_t ghosts = size[0], pairs = size[1], surfaces = size[2], touching = size[5];
+    g.reached_count = reached[b];
     const auto part = [](const auto& all, std::size_t from, std::size_t count) {
       return std::vector(all.begin() + from, all.begin() + from + count);
     };

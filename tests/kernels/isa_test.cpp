@@ -5,6 +5,8 @@
 #include <vector>
 
 #include "tests/kernels/body.hpp"
+#include "tests/kernels/half_space_of_particles.hpp"
+#include "tests/kernels/nodes_of_a_ball.hpp"
 #include "tests/kernels/tables.hpp"
 
 namespace pliant::kernels::test {
@@ -47,7 +49,7 @@ Values<T> steps(const Table<T, D>& kernels, Model model, Weight weight) {
 
 /// Surface records of a row's particles, and ghost sums over them.
 template <class T, int D>
-Values<T> surface(const Table<T, D>& kernels, Model model, Weight weight) {
+Values<T> surface(const Table<T, D>& kernels, Model model, Weight) {
   Body<T, D> body(small_box<T, D>(), T(0.1), model);
   const auto& segments = body.patch.segments;
   constexpr int pack = slots_per_pack<T>, chosen = 5;
@@ -61,7 +63,7 @@ Values<T> surface(const Table<T, D>& kernels, Model model, Weight weight) {
   const auto& state = std::as_const(body.states[0]);
   Values<T> records(packs.size() * chosen * record_width<D>), sums(4 * 3 * record_width<D>);
   kernels.write_surface_records({segments.data(), packs.data(), static_cast<int>(packs.size()),
-                                 body.patch.spacing, weight, body.material, body.mass.data(),
+                                 body.patch.spacing, body.material, body.mass.data(),
                                  state.displacement[0].data(), state.evolving(),
                                  state.stress_fields(), records.data()});
   const std::vector<std::int64_t> begin = {0, 3, 10, 11, 20};
@@ -106,10 +108,25 @@ Values<T> remeshing(const Table<T, D>& kernels, Model model, Weight) {
   return nodes;
 }
 
+/// Closest points, and the fits of ghosts.
+template <class T, int D>
+Values<T> free_surface(const Table<T, D>& kernels, Model, Weight) {
+  NodesOfABall<T, D> ball;
+  kernels.find_closest_points(ball.arguments());
+  Values<T> values(ball.converged.begin(), ball.converged.begin() + ball.count);
+  for (Field<T>& coordinate : ball.point) coordinate.resize(ball.count);  // the rest fills a pack
+  append(values, ball.point);
+  HalfSpaceOfParticles<T, D> space;
+  kernels.fit_surface(space.arguments());
+  append(values, std::array{space.linear, space.constrained, space.surface, space.fitted,
+                            space.constrained_sum, space.surface_sum});
+  return values;
+}
+
 /// Calls `compare(compute)` for every kernel, law and weight, where `compute(isa)` are its values.
 template <class T, int D, class Compare>
 void for_each_combination(const Compare& compare) {
-  for (const auto& kernel : {steps<T, D>, surface<T, D>, remeshing<T, D>}) {
+  for (const auto& kernel : {steps<T, D>, surface<T, D>, remeshing<T, D>, free_surface<T, D>}) {
     for (const Model model : {Model::linear_rho, Model::linear_log, Model::reduced_polynomial}) {
       for (const Weight weight :
            {Weight::quartic, Weight::quartic_polynomial, Weight::compact, Weight::fourth_order}) {

@@ -53,7 +53,7 @@ TYPED_TEST(surface, records_hold_velocity_stress_normal_and_pressure) {
     Field<T> records(slots.size() * width, T(-7));
     baseline_table<T, D>().write_surface_records(
         {body.patch.segments.data(), packs.data(), static_cast<int>(packs.size()),
-         body.patch.spacing, body.weight, body.material, body.mass.data(), level_set.data(),
+         body.patch.spacing, body.material, body.mass.data(), level_set.data(),
          std::as_const(state).evolving(), std::as_const(state).stress_fields(), records.data()});
     for (std::size_t r = 0; r < slots.size(); ++r) {
       const T* record = records.data() + r * width;

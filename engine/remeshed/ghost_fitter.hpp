@@ -1,0 +1,87 @@
+#pragma once
+
+#include <array>
+#include <vector>
+
+#include "engine/remeshed/body.hpp"
+#include "engine/remeshed/level_set.hpp"
+#include "engine/remeshed/surface_fits.hpp"
+
+namespace pliant::remeshed {
+
+/// Appends the fits of one block's ghosts to their lists, in the order in which they come.
+///
+/// Ghosts wait until there is one for each lane of a pack. Those whose particles within R do not
+/// determine a fit are then fitted one by one, with more particles or fewer terms.
+template <class T, int D>
+class GhostFitter {
+ public:
+  GhostFitter(const Body<T, D>& body, const Population<T, D>& population, BlockGhosts<T, D>& ghosts,
+              const LevelSet<T, D>& level_set, const Boundaries<D>& boundaries,
+              const kernels::Table<T, D>& kernels, std::int32_t* used);
+
+  /// (RP.32) and (RP.33) about a foot point; `wall` is nullptr at a free surface.
+  void fit(const FitSite<D>& site, const Point<D>& foot, const Wall<D>* wall);
+  /// (RP.38)
+  void average(const Cell<D>& cell);
+  /// Fits the ghosts that still wait.
+  void finish();
+
+ private:
+  static constexpr int pack = Layout<D>::pack;
+
+  struct Waiting {
+    FitSite<D> site;
+    Point<D> centre;  ///< foot point in cells
+    const Wall<D>* wall;
+    bool curved;  ///< the fit (RP.33) has its last term
+    bool at_rim;  ///< where the free surface meets a wall
+    FitParticles<D> particles;
+  };
+  /// Arguments of a kernel, [entry] or [lane] as there.
+  struct Lanes {
+    std::array<std::vector<T>, D> position;
+    std::vector<T> distance, linear, constrained, surface;
+    alignas(64) std::array<std::array<T, pack>, D> ghost, normal;
+    alignas(64) std::array<T, pack> ghost_distance, curved, constrained_sum, surface_sum, fitted;
+  };
+  /// Kept by each thread, so that a warm remeshing allocates nothing.
+  struct Scratch {
+    std::array<Waiting, pack> waiting;
+    Lanes lanes;
+    std::vector<double> linear, constrained, surface;
+  };
+  static Scratch& scratch();
+
+  void search(const Point<D>& centre, double radius, const Wall<D>* wall,
+              FitParticles<D>& particles) const;
+  void consider(std::int64_t slot, const Cell<D>& cell, const Point<D>& centre, double radius,
+                const Wall<D>* wall, FitParticles<D>& particles) const;
+  void fill_lanes(int length);
+  void fill_lane(int lane, int length);
+  void fit_lanes(int length);
+  void fit_alone(Waiting& ghost);
+  bool fit_fully(const Waiting& ghost);
+  void fit_poorly(const Waiting& ghost);
+  void take_mean(const FitParticles<D>& particles);
+  void clear();
+  void keep(const FitParticles<D>& particles);
+  template <class V>
+  void append(const FitParticles<D>& particles, const V* linear, const V* constrained,
+              const V* surface, int stride);
+
+  const Body<T, D>& body_;
+  const Population<T, D>& population_;
+  BlockGhosts<T, D>& ghosts_;
+  const LevelSet<T, D>& level_set_;
+  const Boundaries<D>& boundaries_;
+  const kernels::Table<T, D>& kernels_;
+  std::int32_t* used_;
+  Scratch& scratch_ = scratch();
+  int waiting_ = 0;
+};
+
+extern template class GhostFitter<double, 2>;
+extern template class GhostFitter<double, 3>;
+
+}  // namespace pliant::remeshed
