@@ -22,6 +22,22 @@ std::array<T, D> converted(const Point<D>& vector) {
   return result;
 }
 
+template <class T, int D>
+T pressure_on(const Body<T, D>& body, const BlockGhosts<T, D>& ghosts, std::int32_t g,
+              const BoundaryValues<D>& values) {
+  return kernels::wall_pressure<T, D>(
+      ghosts.fits(g), converted<T, D>(values.wall_velocity[ghosts.wall[g]]),
+      converted<T, D>(ghosts.normal[g]), kernels::Impedance<T>(body.material));
+}
+
+// Of the two ghosts of a slot the wall's comes second.
+template <class T, int D>
+void choose(Population<T, D>& population, BlockGhosts<T, D>& ghosts, std::int32_t g, bool touches) {
+  ghosts.active[g] = touches;
+  ghosts.active[g - 1] = !touches;
+  population.kind[ghosts.slot[g]] = touches ? Kind::wall_ghost : Kind::free_ghost;
+}
+
 }  // namespace
 
 template <class T, int D>
@@ -40,13 +56,18 @@ void decide_contact(Body<T, D>& body, int block, const Boundaries<D>& boundaries
                         boundaries.walls[ghosts.wall[g]].offset()[a]);
     }
     const double reach = ghosts.active[g] != 0 ? leaving_height : touching_height;
-    const bool touches = height < reach * body.lattice.spacing &&
-                         kernels::presses<T, D>(
-                             ghosts.fits(g), converted<T, D>(values.wall_velocity[ghosts.wall[g]]),
-                             converted<T, D>(n));
-    ghosts.active[g] = touches;
-    ghosts.active[g - 1] = !touches;
-    body.population.kind[ghosts.slot[g]] = touches ? Kind::wall_ghost : Kind::free_ghost;
+    choose(body.population, ghosts, g,
+           height < reach * body.lattice.spacing && pressure_on(body, ghosts, g, values) > 0);
+  }
+}
+
+template <class T, int D>
+void release_contact(Body<T, D>& body, int block, const BoundaryValues<D>& values) {
+  BlockGhosts<T, D>& ghosts = body.population.ghosts[block];
+  for (const std::int32_t g : ghosts.contact) {
+    if (ghosts.active[g] != 0 && !(pressure_on(body, ghosts, g, values) > 0)) {
+      choose(body.population, ghosts, g, false);
+    }
   }
 }
 
@@ -71,7 +92,6 @@ std::vector<double> wall_pressure(const Body<T, D>& body, const Boundaries<D>& b
                                   const BoundaryValues<D>& values) {
   const Layout<D>& layout = body.population.layout;
   const double h = body.lattice.spacing;
-  const kernels::Impedance<T> impedance(body.material);
   std::vector<double> pressure(layout.slots(), 0);
   for (const BlockGhosts<T, D>& ghosts : body.population.ghosts) {
     for (const std::int32_t g : ghosts.contact) {
@@ -79,11 +99,7 @@ std::vector<double> wall_pressure(const Body<T, D>& body, const Boundaries<D>& b
       const std::int64_t slot = ghosts.slot[g];
       const Wall<D>& wall = boundaries.walls[ghosts.wall[g]];
       if (wall.distance(body.lattice.node(layout.cell(slot))) < -(1 + rounding) * h) continue;
-      const std::array<T, D> n = converted<T, D>(ghosts.normal[g]);
-      const std::array<T, D> push = kernels::wall_push<T, D>(
-          ghosts.fits(g), converted<T, D>(values.wall_velocity[ghosts.wall[g]]), n, wall.slips(),
-          impedance);
-      for (int a = 0; a < D; ++a) pressure[slot] += push[a] * n[a];
+      pressure[slot] += pressure_on(body, ghosts, g, values);
     }
   }
   return pressure;
@@ -91,12 +107,14 @@ std::vector<double> wall_pressure(const Body<T, D>& body, const Boundaries<D>& b
 
 template void decide_contact<double, 2>(Body<double, 2>&, int, const Boundaries<2>&,
                                         const BoundaryValues<2>&, const kernels::Table<double, 2>&);
+template void release_contact<double, 2>(Body<double, 2>&, int, const BoundaryValues<2>&);
 template void add_impulse<double, 2>(const Body<double, 2>&, int, const Boundaries<2>&,
                                      const BoundaryValues<2>&, double, Point<2>*);
 template std::vector<double> wall_pressure(const Body<double, 2>&, const Boundaries<2>&,
                                            const BoundaryValues<2>&);
 template void decide_contact<double, 3>(Body<double, 3>&, int, const Boundaries<3>&,
                                         const BoundaryValues<3>&, const kernels::Table<double, 3>&);
+template void release_contact<double, 3>(Body<double, 3>&, int, const BoundaryValues<3>&);
 template void add_impulse<double, 3>(const Body<double, 3>&, int, const Boundaries<3>&,
                                      const BoundaryValues<3>&, double, Point<3>*);
 template std::vector<double> wall_pressure(const Body<double, 3>&, const Boundaries<3>&,

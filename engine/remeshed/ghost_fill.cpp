@@ -3,6 +3,7 @@
 #include <Eigen/Dense>
 #include <cmath>
 
+#include "engine/remeshed/contact.hpp"
 #include "kernels/ghost_state.hpp"
 
 namespace pliant::remeshed {
@@ -81,6 +82,7 @@ void fill_ghosts(Body<T, D>& body, int block, int stage, int parity, WhichGhosts
                  GhostTreatment treatment, const kernels::Table<T, D>& table) {
   BlockGhosts<T, D>& ghosts = body.population.ghosts[block];
   sum_ghosts(ghosts, body.records.get(), which, table);
+  release_contact(body, block, values);
   FieldStore<T, D>& state = body.stage[stage];
   const bool averaged = treatment == GhostTreatment::averaged;
   const kernels::Impedance<T> impedance(body.material);

@@ -15,6 +15,10 @@ constexpr double fit_radius = 2.6;   // [h], of (RP.32)
 constexpr double mean_radius = 2.5;  // [h], of (RP.38)
 constexpr double widening = 1.3;
 constexpr int most_widenings = 5;
+// How much less far fits look along the surface than into the body near a contact wall: what holds
+// the body ends at the edge of contact, and a fit that looks across it takes what it sees there for
+// a jump at the surface, which (RP.44) and (RP.45) damp.
+constexpr double narrowing = 2;
 
 // Pairs of ghosts and particles are many: their lists grow by an eighth, not to the double.
 template <class V>
@@ -130,9 +134,10 @@ class GhostFitter {
     return -1;
   }
 
-  // Interior particles within `radius` [h] of a point given in cells.
-  void search(const Point<D>& centre, double radius, const Wall<D>* wall) {
+  // Interior particles within reach of a point given in cells.
+  void search(const Point<D>& centre, const FitReach<D>& reach, const Wall<D>* wall) {
     particles_.clear();
+    const double radius = reach.radius;
     Cell<D> lower, upper;
     for (int a = 0; a < D; ++a) {
       lower[a] = static_cast<std::int32_t>(std::ceil(centre[a] - radius));
@@ -153,7 +158,7 @@ class GhostFitter {
       const bool in_one_run = slot >= 0;
       for (; cell[0] <= last; ++cell[0], ++slot) {
         if (!in_one_run) slot = population_.layout.slot(body_.lattice.wrapped(cell));
-        if (slot >= 0) consider(slot, cell, centre, radius, wall);
+        if (slot >= 0) consider(slot, cell, centre, reach, wall);
       }
     };
     if constexpr (D == 2) {
@@ -165,12 +170,12 @@ class GhostFitter {
     }
   }
 
-  void consider(std::int64_t q, const Cell<D>& cell, const Point<D>& centre, double radius,
-                const Wall<D>* wall) {
+  void consider(std::int64_t q, const Cell<D>& cell, const Point<D>& centre,
+                const FitReach<D>& reach, const Wall<D>* wall) {
     if (population_.kind[q] != Kind::interior) return;
     Position<D> r;
     for (int a = 0; a < D; ++a) r[a] = cell[a] - centre[a];
-    const double fraction = r.squaredNorm() / (radius * radius);
+    const double fraction = reach.fraction(r);
     if (fraction >= 1) return;
     const double distance = wall ? wall->distance(body_.lattice.node(cell)) : surface_distance(q);
     particles_.push_back({static_cast<std::int32_t>(q), (1 - fraction) * (1 - fraction),
@@ -186,10 +191,14 @@ class GhostFitter {
     // free surface.
     const double wall_distance = boundaries_.nearest_wall(foot).second / body_.lattice.spacing;
     const bool curved = wall == nullptr && wall_distance > fit_radius;
-    double radius = fit_radius;
+    FitReach<D> reach = {fit_radius, site.normal};
+    if (boundaries_.nearest_contact(foot).second < fit_radius * body_.lattice.spacing) {
+      reach.narrowing = narrowing;
+    }
     bool fitted = false;
-    for (int attempt = 0; !fitted && attempt <= most_widenings; ++attempt, radius *= widening) {
-      search(centre, radius, wall);
+    for (int attempt = 0; !fitted && attempt <= most_widenings; ++attempt) {
+      search(centre, reach, wall);
+      reach.radius *= widening;
       fitted = fit_fully(site, curved);
     }
     if (!fitted) fit_poorly(site);
@@ -227,10 +236,11 @@ class GhostFitter {
   void average(const Cell<D>& cell) {
     Point<D> centre;
     for (int a = 0; a < D; ++a) centre[a] = cell[a];
-    double radius = mean_radius;
-    search(centre, radius, nullptr);
+    FitReach<D> reach = {mean_radius};
+    search(centre, reach, nullptr);
     for (int attempt = 0; particles_.empty() && attempt < 2 * most_widenings; ++attempt) {
-      search(centre, radius *= widening, nullptr);
+      reach.radius *= widening;
+      search(centre, reach, nullptr);
     }
     c_.assign(particles_.size(), particles_.empty() ? 0 : 1.0 / particles_.size());
     b_.assign(particles_.size(), 0);

@@ -69,21 +69,18 @@ TEST(contact, the_map_of_the_pressure_adds_up_to_the_force) {
   }
 }
 
-// A slot under tension stays in contact while its surface comes down, (RP.50): at the end of
-// contact the last few of twenty pull, by less than a hundredth of the largest force.
-TEST(contact, the_wall_hardly_pulls) {
+// (RP.50): in every stage.
+TEST(contact, the_wall_never_pulls) {
   for (const char* friction : {"frictionless", "sticking"}) {
     Solver solver(bouncing_disc({std::string("boundary.wall.friction=") + friction}), 2,
                   kernels::widest_supported());
-    double before = 0, most = 0, least = 0;
-    for (double t = 0.0025; t < 0.25; t += 0.0025) {
-      advance_until(solver, t);
+    double before = 0;
+    while (solver.clock().time < 0.25) {
+      solver.step(1e-2);
       const double impulse = solver.state().wall_impulse[0][1];
-      most = std::max(most, impulse - before);
-      least = std::min(least, impulse - before);
+      EXPECT_GE(impulse, before) << friction << ", t = " << solver.clock().time;
       before = impulse;
     }
-    EXPECT_GT(least, -0.01 * most) << friction;
     EXPECT_EQ(touching(solver), 0) << "it has left the wall";
   }
 }
