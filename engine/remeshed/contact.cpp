@@ -7,7 +7,7 @@ namespace pliant::remeshed {
 namespace {
 
 // How high above the wall the surface may still stand [h]: more touches too early.
-constexpr double touching_height = 0.05;
+constexpr double touching_height = 0.01;
 // And how high where it touched before. What is left of a height of a few hundredths of h after
 // compression and remeshing is noise: a slot that it takes from under pressure for a few steps
 // lets the body shoot at the wall, and the energy of that is lost.

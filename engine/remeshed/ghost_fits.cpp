@@ -18,7 +18,7 @@ constexpr int most_widenings = 5;
 // How much less far fits look along the surface than into the body near a contact wall: what holds
 // the body ends at the edge of contact, and a fit that looks across it takes what it sees there for
 // a jump at the surface, which (RP.44) and (RP.45) damp.
-constexpr double narrowing = 2;
+constexpr double narrowing = 1.5;
 
 // Pairs of ghosts and particles are many: their lists grow by an eighth, not to the double.
 template <class V>
