@@ -237,16 +237,16 @@ GhostState<T, D> slip_wall_ghost(const GhostFits<T, D>& fits, const VectorOf<T, 
   return ghost;
 }
 
-/// (RP.50): whether a wall that only pushes holds the body; n the normal of the wall, into the
-/// body.
+/// n.(RP.51): pressure of a wall on the body, negative where it pulls [Pa]; n the normal of the
+/// wall, into the body.
 template <class T, int D>
-bool presses(const GhostFits<T, D>& fits, const VectorOf<T, D>& wall_velocity,
-             const VectorOf<T, D>& n) {
+T wall_pressure(const GhostFits<T, D>& fits, const VectorOf<T, D>& wall_velocity,
+                const VectorOf<T, D>& n, const Impedance<T>& impedance) {
   VectorOf<T, D> s_n;
   T approach = 0;
 #pragma GCC unroll 3
   for (int i = 0; i < D; ++i) approach += n[i] * (fits.surface.velocity(i) - wall_velocity[i]);
-  return approach < 0 || traction<T, D>(fits.surface, n, s_n) < 0;
+  return -(traction<T, D>(fits.surface, n, s_n) + impedance.pressure_wave * approach);
 }
 
 /// (RP.51): force of a wall on the body over the area [Pa]; n the normal of the wall, into the
@@ -254,8 +254,13 @@ bool presses(const GhostFits<T, D>& fits, const VectorOf<T, D>& wall_velocity,
 template <class T, int D>
 VectorOf<T, D> wall_push(const GhostFits<T, D>& fits, const VectorOf<T, D>& wall_velocity,
                          const VectorOf<T, D>& n, bool slips, const Impedance<T>& impedance) {
-  VectorOf<T, D> s_n, slip, push;
-  const T s_nn = traction<T, D>(fits.surface, n, s_n);
+  const T pressure = wall_pressure<T, D>(fits, wall_velocity, n, impedance);
+  VectorOf<T, D> push;
+#pragma GCC unroll 3
+  for (int i = 0; i < D; ++i) push[i] = pressure * n[i];
+  if (slips) return push;
+  const VectorOf<T, D> tau = shear<T, D>(fits.surface, n);
+  VectorOf<T, D> slip;
   T approach = 0;
 #pragma GCC unroll 3
   for (int i = 0; i < D; ++i) {
@@ -264,10 +269,7 @@ VectorOf<T, D> wall_push(const GhostFits<T, D>& fits, const VectorOf<T, D>& wall
   }
 #pragma GCC unroll 3
   for (int i = 0; i < D; ++i) {
-    push[i] = -(s_nn + impedance.pressure_wave * approach) * n[i];
-    if (!slips) {
-      push[i] -= s_n[i] - s_nn * n[i] + impedance.shear_wave * (slip[i] - approach * n[i]);
-    }
+    push[i] -= tau[i] + impedance.shear_wave * (slip[i] - approach * n[i]);
   }
   return push;
 }

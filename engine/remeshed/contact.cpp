@@ -8,7 +8,7 @@ namespace pliant::remeshed {
 namespace {
 
 // How high above the wall the surface may still stand [h]: more touches too early.
-constexpr double touching_height = 0.05;
+constexpr double touching_height = 0.01;
 // And how high where it touched before. What is left of a height of a few hundredths of h after
 // compression and remeshing is noise: a slot that it takes from under pressure for a few steps
 // lets the body shoot at the wall, and the energy of that is lost.
@@ -21,6 +21,22 @@ std::array<T, D> converted(const Point<D>& vector) {
   std::array<T, D> result;
   for (int a = 0; a < D; ++a) result[a] = static_cast<T>(vector[a]);
   return result;
+}
+
+template <class T, int D>
+T pressure_on(const Body<T, D>& body, const BlockGhosts<T, D>& ghosts, std::int32_t g,
+              const BoundaryValues<D>& values, PresentFits<T, D>& fits) {
+  return kernels::wall_pressure<T, D>(
+      fits.of(g), converted<T, D>(values.wall_velocity[ghosts.wall[g]]),
+      converted<T, D>(ghosts.normal[g]), kernels::Impedance<T>(body.material));
+}
+
+// Of the two ghosts of a slot the wall's comes second.
+template <class T, int D>
+void choose(Population<T, D>& population, BlockGhosts<T, D>& ghosts, std::int32_t g, bool touches) {
+  ghosts.active[g] = touches;
+  ghosts.active[g - 1] = !touches;
+  population.kind[ghosts.slot[g]] = touches ? Kind::wall_ghost : Kind::free_ghost;
 }
 
 }  // namespace
@@ -39,13 +55,20 @@ void decide_contact(Body<T, D>& body, int block, const Boundaries<D>& boundaries
                         boundaries.walls[ghosts.wall[g]].offset()[a]);
     }
     const double reach = ghosts.active[g] != 0 ? leaving_height : touching_height;
-    const bool touches =
-        height < reach * body.lattice.spacing &&
-        kernels::presses<T, D>(fits.of(g), converted<T, D>(values.wall_velocity[ghosts.wall[g]]),
-                               converted<T, D>(n));
-    ghosts.active[g] = touches;
-    ghosts.active[g - 1] = !touches;
-    body.population.kind[ghosts.slot[g]] = touches ? Kind::wall_ghost : Kind::free_ghost;
+    choose(body.population, ghosts, g,
+           height < reach * body.lattice.spacing && pressure_on(body, ghosts, g, values, fits) > 0);
+  }
+}
+
+template <class T, int D>
+void release_contact(Body<T, D>& body, int block, const BoundaryValues<D>& values,
+                     const kernels::Table<T, D>& table) {
+  BlockGhosts<T, D>& ghosts = body.population.ghosts[block];
+  PresentFits<T, D> fits(body, ghosts, table);
+  for (const std::int32_t g : ghosts.contact) {
+    if (ghosts.active[g] != 0 && !(pressure_on(body, ghosts, g, values, fits) > 0)) {
+      choose(body.population, ghosts, g, false);
+    }
   }
 }
 
@@ -73,7 +96,6 @@ std::vector<double> wall_pressure(const Body<T, D>& body, const Boundaries<D>& b
                                   const kernels::Table<T, D>& table) {
   const Layout<D>& layout = body.population.layout;
   const double h = body.lattice.spacing;
-  const kernels::Impedance<T> impedance(body.material);
   std::vector<double> pressure(layout.slots(), 0);
   for (const BlockGhosts<T, D>& ghosts : body.population.ghosts) {
     PresentFits<T, D> fits(body, ghosts, table);
@@ -82,11 +104,7 @@ std::vector<double> wall_pressure(const Body<T, D>& body, const Boundaries<D>& b
       const std::int64_t slot = ghosts.slot[g];
       const Wall<D>& wall = boundaries.walls[ghosts.wall[g]];
       if (wall.distance(body.lattice.node(layout.cell(slot))) < -(1 + rounding) * h) continue;
-      const std::array<T, D> n = converted<T, D>(ghosts.normal[g]);
-      const std::array<T, D> push = kernels::wall_push<T, D>(
-          fits.of(g), converted<T, D>(values.wall_velocity[ghosts.wall[g]]), n, wall.slips(),
-          impedance);
-      for (int a = 0; a < D; ++a) pressure[slot] += push[a] * n[a];
+      pressure[slot] += pressure_on(body, ghosts, g, values, fits);
     }
   }
   return pressure;
@@ -94,6 +112,8 @@ std::vector<double> wall_pressure(const Body<T, D>& body, const Boundaries<D>& b
 
 template void decide_contact<double, 2>(Body<double, 2>&, int, const Boundaries<2>&,
                                         const BoundaryValues<2>&, const kernels::Table<double, 2>&);
+template void release_contact<double, 2>(Body<double, 2>&, int, const BoundaryValues<2>&,
+                                         const kernels::Table<double, 2>&);
 template void add_impulse<double, 2>(const Body<double, 2>&, int, const Boundaries<2>&,
                                      const BoundaryValues<2>&, double,
                                      const kernels::Table<double, 2>&, Point<2>*);
@@ -102,6 +122,8 @@ template std::vector<double> wall_pressure(const Body<double, 2>&, const Boundar
                                            const kernels::Table<double, 2>&);
 template void decide_contact<double, 3>(Body<double, 3>&, int, const Boundaries<3>&,
                                         const BoundaryValues<3>&, const kernels::Table<double, 3>&);
+template void release_contact<double, 3>(Body<double, 3>&, int, const BoundaryValues<3>&,
+                                         const kernels::Table<double, 3>&);
 template void add_impulse<double, 3>(const Body<double, 3>&, int, const Boundaries<3>&,
                                      const BoundaryValues<3>&, double,
                                      const kernels::Table<double, 3>&, Point<3>*);

@@ -4,12 +4,17 @@
 
 // A body touches a contact wall, presses against it and leaves it; nothing bonds them.
 //
-//          |  body  |            Above the wall ghosts stay those of a free surface. Beyond it a
-//          slot
-//     f f f \______/ f f f       has two ghosts, each with its fits: f of the free surface and c of
-//     -------------------wall    the wall. Once per step one of the two is chosen for each slot, by
-//     f f f c c c c f f f f      where the surface stands and whether the wall would push, so that
-//     a f f f c c c c f f f f      patch of contact grows and shrinks by whole slots.
+//          |  body  |
+//     f f f \______/ f f f
+//     -------------------wall
+//     f f f c c c c f f f f
+//     f f f c c c c f f f f
+//
+// Above the wall ghosts stay those of a free surface. Beyond it a slot has two ghosts, each with
+// its fits: f of the free surface and c of the wall. Once per step one of the two is chosen for
+// each slot, by where the surface stands and whether the wall would push, so that a patch of
+// contact grows and shrinks by whole slots. A slot where the wall would pull in a later stage is
+// let go there and then.
 //
 // No penalty stiffness, so no number to choose and no shorter time step: the wall acts through the
 // ghosts of (RP.35) and (RP.36) alone.
@@ -21,6 +26,11 @@ namespace pliant::remeshed {
 template <class T, int D>
 void decide_contact(Body<T, D>& body, int block, const Boundaries<D>& boundaries,
                     const BoundaryValues<D>& values, const kernels::Table<T, D>& kernels);
+
+/// (RP.50): lets go of the slots of a block where the wall would pull in the present stage.
+template <class T, int D>
+void release_contact(Body<T, D>& body, int block, const BoundaryValues<D>& values,
+                     const kernels::Table<T, D>& kernels);
 
 /// (RP.52): adds the push of each contact wall on the ghosts of a block during `duration` [s] to
 /// impulse[wall], from the records of the surface particles.

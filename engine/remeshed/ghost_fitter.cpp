@@ -13,6 +13,10 @@ constexpr double fit_radius = 2.6;   // [h], of (RP.32)
 constexpr double mean_radius = 2.5;  // [h], of (RP.38)
 constexpr double widening = 1.3;
 constexpr int most_widenings = 5;
+// How much less far fits look along the surface than into the body near a contact wall: what holds
+// the body ends at the edge of contact, and a fit that looks across it takes what it sees there for
+// a jump at the surface, which (RP.44) and (RP.45) damp.
+constexpr double narrowing = 1.5;
 
 // Pairs of ghosts and particles are many: their lists grow by an eighth, not to the double.
 template <class V>
@@ -56,7 +60,10 @@ void GhostFitter<T, D>::fit(const FitSite<D>& site, const Point<D>& foot, const 
   for (int a = 0; a < D; ++a) {
     ghost.centre[a] = (foot[a] - body_.lattice.origin[a]) / h - 0.5;
   }
-  search(ghost.centre, fit_radius, wall, ghost.particles);
+  ghost.reach = {fit_radius, site.normal};
+  ghost.near_contact = boundaries_.nearest_contact(foot).second < fit_radius * h;
+  if (ghost.near_contact) ghost.reach.narrowing = narrowing;
+  search(ghost.centre, ghost.reach, wall, ghost.particles);
   if (waiting_ == pack) finish();
 }
 
@@ -72,7 +79,7 @@ void GhostFitter<T, D>::finish() {
   const Lanes& lanes = scratch_.lanes;
   for (int l = 0; l < waiting_; ++l) {
     Waiting& ghost = scratch_.waiting[l];
-    if (ghost.at_rim || lanes.fitted[l] == 0) {
+    if (ghost.at_rim || ghost.near_contact || lanes.fitted[l] == 0) {
       fit_alone(ghost);
       continue;
     }
@@ -143,10 +150,10 @@ void GhostFitter<T, D>::fit_lanes(int length) {
 
 template <class T, int D>
 void GhostFitter<T, D>::fit_alone(Waiting& ghost) {
-  double radius = fit_radius;
   bool fitted = fit_fully(ghost);
   for (int attempt = 0; !fitted && attempt < most_widenings; ++attempt) {
-    search(ghost.centre, radius *= widening, ghost.wall, ghost.particles);
+    ghost.reach.radius *= widening;
+    search(ghost.centre, ghost.reach, ghost.wall, ghost.particles);
     fitted = fit_fully(ghost);
   }
   if (!fitted) fit_poorly(ghost);
@@ -194,10 +201,11 @@ void GhostFitter<T, D>::average(const Cell<D>& cell) {
   FitParticles<D>& particles = scratch_.waiting[0].particles;
   Point<D> centre;
   for (int a = 0; a < D; ++a) centre[a] = cell[a];
-  double radius = mean_radius;
-  search(centre, radius, nullptr, particles);
+  FitReach<D> reach = {mean_radius};
+  search(centre, reach, nullptr, particles);
   for (int attempt = 0; particles.empty() && attempt < 2 * most_widenings; ++attempt) {
-    search(centre, radius *= widening, nullptr, particles);
+    reach.radius *= widening;
+    search(centre, reach, nullptr, particles);
   }
   scratch_.linear.assign(particles.size(), particles.empty() ? 0 : 1.0 / particles.size());
   scratch_.constrained.assign(particles.size(), 0);
@@ -237,11 +245,12 @@ void GhostFitter<T, D>::append(const FitParticles<D>& particles, const V* linear
   ghosts_.begin.push_back(static_cast<std::int64_t>(pairs));
 }
 
-// Interior particles within `radius` [h] of a point given in cells.
+// Interior particles within reach of a point given in cells.
 template <class T, int D>
-void GhostFitter<T, D>::search(const Point<D>& centre, double radius, const Wall<D>* wall,
-                               FitParticles<D>& particles) const {
+void GhostFitter<T, D>::search(const Point<D>& centre, const FitReach<D>& reach,
+                               const Wall<D>* wall, FitParticles<D>& particles) const {
   particles.clear();
+  const double radius = reach.radius;
   Cell<D> lower, upper;
   for (int a = 0; a < D; ++a) {
     lower[a] = static_cast<std::int32_t>(std::ceil(centre[a] - radius));
@@ -261,7 +270,7 @@ void GhostFitter<T, D>::search(const Point<D>& centre, double radius, const Wall
     const bool in_one_run = slot >= 0;
     for (; cell[0] <= last; ++cell[0], ++slot) {
       if (!in_one_run) slot = population_.layout.slot(body_.lattice.wrapped(cell));
-      if (slot >= 0) consider(slot, cell, centre, radius, wall, particles);
+      if (slot >= 0) consider(slot, cell, centre, reach, wall, particles);
     }
   };
   if constexpr (D == 2) {
@@ -275,12 +284,12 @@ void GhostFitter<T, D>::search(const Point<D>& centre, double radius, const Wall
 
 template <class T, int D>
 void GhostFitter<T, D>::consider(std::int64_t slot, const Cell<D>& cell, const Point<D>& centre,
-                                 double radius, const Wall<D>* wall,
+                                 const FitReach<D>& reach, const Wall<D>* wall,
                                  FitParticles<D>& particles) const {
   if (population_.kind[slot] != Kind::interior) return;
   Position<D> r;
   for (int a = 0; a < D; ++a) r[a] = cell[a] - centre[a];
-  const double fraction = r.squaredNorm() / (radius * radius);
+  const double fraction = reach.fraction(r);
   if (fraction >= 1) return;
   const double distance =
       wall ? wall->distance(body_.lattice.node(cell)) : level_set_.surface_distance(slot);

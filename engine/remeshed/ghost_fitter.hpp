@@ -11,8 +11,9 @@ namespace pliant::remeshed {
 
 /// Appends the fits of one block's ghosts to their lists, in the order in which they come.
 ///
-/// Ghosts wait until there is one for each lane of a pack. Those whose particles within R do not
-/// determine a fit are then fitted one by one, with more particles or fewer terms.
+/// Ghosts wait until there is one for each lane of a pack. Those near contact walls, which look
+/// less far along the surface, are then fitted one by one, and so are those whose particles within
+/// R do not determine a fit, with more particles or fewer terms.
 template <class T, int D>
 class GhostFitter {
  public:
@@ -33,9 +34,11 @@ class GhostFitter {
   struct Waiting {
     FitSite<D> site;
     Point<D> centre;  ///< foot point in cells
+    FitReach<D> reach;
     const Wall<D>* wall;
-    bool curved;  ///< the fit (RP.33) has its last term
-    bool at_rim;  ///< where the free surface meets a wall
+    bool curved;        ///< the fit (RP.33) has its last term
+    bool at_rim;        ///< where the free surface meets a wall
+    bool near_contact;  ///< with a wall
     FitParticles<D> particles;
   };
   /// Arguments of a kernel, [entry] or [lane] as there.
@@ -53,10 +56,10 @@ class GhostFitter {
   };
   static Scratch& scratch();
 
-  void search(const Point<D>& centre, double radius, const Wall<D>* wall,
+  void search(const Point<D>& centre, const FitReach<D>& reach, const Wall<D>* wall,
               FitParticles<D>& particles) const;
-  void consider(std::int64_t slot, const Cell<D>& cell, const Point<D>& centre, double radius,
-                const Wall<D>* wall, FitParticles<D>& particles) const;
+  void consider(std::int64_t slot, const Cell<D>& cell, const Point<D>& centre,
+                const FitReach<D>& reach, const Wall<D>* wall, FitParticles<D>& particles) const;
   void fill_lanes(int length);
   void fill_lane(int lane, int length);
   void fit_lanes(int length);

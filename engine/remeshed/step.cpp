@@ -17,7 +17,7 @@
 //     contact   first stage only: which ghosts beyond a contact wall the body presses on, (RP.50)
 //     ghosts    each ghost takes velocity and stress from the packed particles: the free surface
 //               with its present normal (RP.37), (RP.34), walls (RP.35), (RP.36), as the paper
-//               (RP.38)
+//               (RP.38); contact walls let go where they would pull
 //     advance   grad u and div sigma of every particle by the moment matrix (RP.18), its rates
 //               (RP.12), the next stage state and the stress that belongs to it (RP.3)-(RP.9)
 //
@@ -118,8 +118,7 @@ void Step<T, D>::add_ghosts(std::vector<Phase>& phases, int stage, WhichGhosts w
                                           {resource::velocity(buffer), Reach::neighbours}};
   std::vector<scheduler::Access> writes = {{resource::ghosts(buffer)}};
   if (contact) {
-    reads.push_back({resource::contact});
-    writes.push_back({resource::impulse});
+    writes.insert(writes.end(), {{resource::contact}, {resource::impulse}});
   }
   if (which == WhichGhosts::all) {
     each("ghosts", std::move(reads), std::move(writes), &Step::fill_all);

@@ -30,6 +30,20 @@ struct FitSite {
   double surface_distance;  ///< of the ghost, over h
 };
 
+/// Where a fit looks for particles.
+template <int D>
+struct FitReach {
+  double radius;                             ///< [h]
+  Position<D> normal = Position<D>::Zero();  ///< unit, of the surface
+  double narrowing = 1;                      ///< of the radius along the surface
+
+  /// r^2/R^2 of the weight at a place from the foot point, over h.
+  double fraction(const Position<D>& x) const {
+    const double square = x.squaredNorm(), along = normal.dot(x);
+    return (square + (narrowing * narrowing - 1) * (square - along * along)) / (radius * radius);
+  }
+};
+
 /// Coefficients of (RP.32) at the ghost, appended to `c`, and at the foot point, appended to `a`.
 /// False, as the others, where the particles do not determine the fit.
 template <int D>

@@ -1,6 +1,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <numeric>
 
 #include "engine/remeshed/measure.hpp"
@@ -41,12 +42,13 @@ TEST(contact, the_impulse_of_the_wall_is_the_change_of_momentum) {
     advance_until(solver, 0.05);
     EXPECT_GT(touching(solver), 10);
     const double pressed = momentum(solver);
-    EXPECT_NEAR(solver.state().wall_impulse[0][1] / (pressed - start), 1, 0.1) << friction;
+    EXPECT_NEAR(solver.state().wall_impulse[0][1] / (pressed - start), 1, 0.03) << friction;
     advance_until(solver, 0.3);
     EXPECT_EQ(touching(solver), 0) << "it has left the wall";
     EXPECT_GT(momentum(solver), -0.7 * start);
     EXPECT_LT(momentum(solver), -start) << "a wall at rest gives no energy";
-    EXPECT_NEAR(solver.state().wall_impulse[0][1] / (momentum(solver) - start), 1, 0.1) << friction;
+    EXPECT_NEAR(solver.state().wall_impulse[0][1] / (momentum(solver) - start), 1, 0.03)
+        << friction;
   }
 }
 
@@ -69,21 +71,18 @@ TEST(contact, the_map_of_the_pressure_adds_up_to_the_force) {
   }
 }
 
-// A slot under tension stays in contact while its surface comes down, (RP.50): at the end of
-// contact the last few of twenty pull, by less than a hundredth of the largest force.
-TEST(contact, the_wall_hardly_pulls) {
+// (RP.50): in every stage.
+TEST(contact, the_wall_never_pulls) {
   for (const char* friction : {"frictionless", "sticking"}) {
     Solver solver(bouncing_disc({std::string("boundary.wall.friction=") + friction}), 2,
                   kernels::widest_supported());
-    double before = 0, most = 0, least = 0;
-    for (double t = 0.0025; t < 0.25; t += 0.0025) {
-      advance_until(solver, t);
+    double before = 0;
+    while (solver.clock().time < 0.25) {
+      solver.step(1e-2);
       const double impulse = solver.state().wall_impulse[0][1];
-      most = std::max(most, impulse - before);
-      least = std::min(least, impulse - before);
+      EXPECT_GE(impulse, before) << friction << ", t = " << solver.clock().time;
       before = impulse;
     }
-    EXPECT_GT(least, -0.01 * most) << friction;
     EXPECT_EQ(touching(solver), 0) << "it has left the wall";
   }
 }
@@ -101,6 +100,30 @@ TEST(contact, the_surface_lies_on_the_wall_where_it_touches) {
       EXPECT_LT(ghosts.contact_height[k], 0.3 * h);
     }
   }
+}
+
+// In the middle, where no fit is singular and has to look farther: 2.6 h up and 1.73 h to the
+// sides.
+TEST(contact, fits_at_the_wall_look_farther_into_the_body_than_along_it) {
+  Solver solver(bouncing_disc({}), 2, kernels::widest_supported());
+  advance_until(solver, 0.05);
+  const Body& body = solver.state().bodies[0];
+  const double h = body.lattice.spacing;
+  double highest = 0, widest = 0;
+  for (const auto& ghosts : body.population.ghosts) {
+    for (const std::int32_t g : ghosts.contact) {
+      const auto& foot = ghosts.foot[g];
+      if (std::abs(foot[0]) > 3 * h) continue;
+      for (std::int64_t k = ghosts.begin[g]; k < ghosts.begin[g + 1]; ++k) {
+        const auto slot = body.population.slot_of_record[ghosts.record[k]];
+        const auto x = body.lattice.node(body.population.layout.cell(slot));
+        widest = std::max(widest, std::abs(x[0] - foot[0]));
+        highest = std::max(highest, x[1] - foot[1]);
+      }
+    }
+  }
+  EXPECT_LT(widest, 1.74 * h);
+  EXPECT_GT(highest, 1.5 * h);
 }
 
 TEST(contact, no_particle_lies_beyond_the_wall) {

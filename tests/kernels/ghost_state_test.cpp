@@ -115,16 +115,20 @@ struct UniformFits {
   std::array<double, record_width<2>> record = {};
 };
 
-TEST(ghost_state, a_wall_holds_what_is_pressed_or_comes_nearer) {
-  const VectorOf<double, 2> floor = {0, 1};
-  const auto held = [&](double s_yy, double u_y, double wall) {
-    return presses<double, 2>(UniformFits(s_yy, 0, u_y).fits(), {0, wall}, floor);
+// The half space between body and wall: what it moves at is weighed against its stress.
+TEST(ghost_state, the_pressure_of_a_wall_is_that_of_the_wave_it_sends_back) {
+  Material<double> material;
+  material.bulk_modulus = 80;
+  material.shear_modulus = 30;
+  const Impedance<double> impedance(material);
+  const auto pressure = [&](double s_yy, double u_y, double wall) {
+    return wall_pressure<double, 2>(UniformFits(s_yy, 0, u_y).fits(), {0, wall}, {0, 1}, impedance);
   };
-  EXPECT_TRUE(held(-1, 0.5, 0));
-  EXPECT_TRUE(held(1, -0.5, 0));
-  EXPECT_FALSE(held(1, 0.5, 0));
-  EXPECT_TRUE(held(1, 0.5, 0.7)) << "the wall comes nearer";
-  EXPECT_FALSE(held(0, 0, 0)) << "touching without force";
+  const double wave = 0.5 * impedance.pressure_wave;
+  EXPECT_DOUBLE_EQ(pressure(-3, 0, 0), 3);
+  EXPECT_DOUBLE_EQ(pressure(-3, -0.5, 0), 3 + wave);
+  EXPECT_DOUBLE_EQ(pressure(-3, 0.5, 0), 3 - wave) << "it moves away: the wall would pull";
+  EXPECT_DOUBLE_EQ(pressure(1, 0.5, 1), wave - 1) << "the wall comes nearer";
 }
 
 TEST(ghost_state, a_wall_pushes_against_the_traction_and_only_a_sticking_one_along_itself) {
