@@ -10,6 +10,23 @@ namespace pliant::kernels {
 template <Weight weight, class P>
 class PairWeight;
 
+/// t = max(0, 1 - r^2/R^2) of (RP.15), (RP.16) and (RP.90), R the support.
+template <class P>
+class WithinSupport {
+  using T = Scalar<P>;
+
+ public:
+  /// R^2 over h^2.
+  WithinSupport(T spacing, T square) : per_support2_(1 / (square * spacing * spacing)) {}
+
+  P operator()(const P& distance2) const {
+    return xsimd::max(P(T(0)), fused_minus(distance2, per_support2_, P(T(1))));
+  }
+
+ private:
+  P per_support2_;
+};
+
 /// (RP.14). Costs about two thirds more than its polynomial.
 template <class P>
 class PairWeight<Weight::quartic, P> {
@@ -39,16 +56,16 @@ class PairWeight<Weight::quartic_polynomial, P> {
   using T = Scalar<P>;
 
  public:
-  explicit PairWeight(T spacing) : per_support2_(1 / (T(6.25) * spacing * spacing)) {}
+  explicit PairWeight(T spacing) : within_(spacing, T(6.25)) {}
 
   P operator()(const P& distance2) const {
-    const P t = xsimd::max(P(T(0)), fused_minus(distance2, per_support2_, P(T(1))));
+    const P t = within_(distance2);
     const P series = fused(fused(P(T(2.5554)), t, P(T(-2.31468))), t, P(T(0.76443)));
     return (t * t) * (t * series);
   }
 
  private:
-  P per_support2_;
+  WithinSupport<P> within_;
 };
 
 /// (RP.16)
@@ -57,15 +74,15 @@ class PairWeight<Weight::compact, P> {
   using T = Scalar<P>;
 
  public:
-  explicit PairWeight(T spacing) : per_support2_(1 / (T(3.0625) * spacing * spacing)) {}
+  explicit PairWeight(T spacing) : within_(spacing, T(3.0625)) {}
 
   P operator()(const P& distance2) const {
-    const P t = xsimd::max(P(T(0)), fused_minus(distance2, per_support2_, P(T(1))));
+    const P t = within_(distance2);
     return (t * t) * (t * t);
   }
 
  private:
-  P per_support2_;
+  WithinSupport<P> within_;
 };
 
 /// (RP.90): the fourth moments vanish on square and cubic lattices. Negative between the second
@@ -76,10 +93,10 @@ class PairWeight<Weight::fourth_order, P> {
   using T = Scalar<P>;
 
  public:
-  explicit PairWeight(T spacing) : per_support2_(1 / (T(6.25) * spacing * spacing)) {}
+  explicit PairWeight(T spacing) : within_(spacing, T(6.25)) {}
 
   P operator()(const P& distance2) const {
-    const P t = xsimd::max(P(T(0)), fused_minus(distance2, per_support2_, P(T(1))));
+    const P t = within_(distance2);
     constexpr double coefficients[] = {-30.394221495264024, 21.979141703042178, -6.642571385553331,
                                        0.6355763142948405};
     P series(T(15.422074863480338));
@@ -89,7 +106,7 @@ class PairWeight<Weight::fourth_order, P> {
   }
 
  private:
-  P per_support2_;
+  WithinSupport<P> within_;
 };
 
 }  // namespace pliant::kernels

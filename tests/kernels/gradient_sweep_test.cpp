@@ -6,6 +6,40 @@
 namespace pliant::kernels::test {
 namespace {
 
+/// Sums over the lattice neighbours of the pack at `slot`.
+template <Weight weight, template <class, int, int> class Sums, class P, int D, int F>
+[[gnu::always_inline]] inline void sweep_stencil(const SweepFields<Scalar<P>, D, F>& fields,
+                                                 const std::int64_t* neighbour_row,
+                                                 std::int64_t slot, Scalar<P> spacing,
+                                                 Sums<P, D, F>& sums) {
+  const Separation<weight, P, D> separation(fields.displacement, slot, spacing);
+  const Differences<P, F> differences(fields.field, slot);
+  visit_stencil<weight, P, D>(
+      neighbour_row,
+      slot, [&](const P(&offset)[D], const auto& neighbour) __attribute__((always_inline)) {
+        P d[D], weighted[D], difference[F];
+        separation(offset, neighbour, d, weighted);
+        differences(neighbour, difference);
+        sums.add(weighted, d, difference);
+      });
+}
+
+/// Sums over the listed neighbours of the register of particles at `slot`.
+template <Weight weight, template <class, int, int> class Sums, class P, int D, int F>
+[[gnu::always_inline]] inline void sweep_list(const SweepFields<Scalar<P>, D, F>& fields,
+                                              const NeighbourLists<D>& lists, std::int64_t slot,
+                                              Scalar<P> spacing, Sums<P, D, F>& sums) {
+  const Separation<weight, P, D> separation(fields.displacement, slot, spacing);
+  const Differences<P, F> differences(fields.field, slot);
+  visit_list<P, D>(
+      lists, slot, [&](const P(&offset)[D], const auto& neighbour) __attribute__((always_inline)) {
+        P d[D], weighted[D], difference[F];
+        separation(offset, neighbour, d, weighted);
+        differences(neighbour, difference);
+        sums.add(weighted, d, difference);
+      });
+}
+
 /// A linear field, its particles' positions, and the largest error of its gradient.
 template <class T, int D>
 class LinearField {
