@@ -111,7 +111,7 @@ Values<T> remeshing(const Table<T, D>& kernels, Model model, Weight) {
 /// Closest points, and the fits of ghosts.
 template <class T, int D>
 Values<T> free_surface(const Table<T, D>& kernels, Model, Weight) {
-  NodesOfABall<T, D> ball;
+  NodesOfABall<T, D> ball(6.3);
   kernels.find_closest_points(ball.arguments());
   Values<T> values(ball.converged.begin(), ball.converged.begin() + ball.count);
   for (Field<T>& coordinate : ball.point) coordinate.resize(ball.count);  // the rest fills a pack

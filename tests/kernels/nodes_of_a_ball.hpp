@@ -11,10 +11,8 @@ namespace pliant::kernels::test {
 /// surface.
 template <class T, int D>
 struct NodesOfABall {
-  static constexpr int width = 22;
-  static constexpr double radius = 6.3;
-
-  NodesOfABall() {
+  explicit NodesOfABall(double radius_in_cells)
+      : radius(radius_in_cells), width(2 * static_cast<int>(std::ceil(radius + 4))) {
     int total = 1;
     for (int a = 0; a < D; ++a) total *= width;
     for (int n = 0; n < total; ++n) add(n);
@@ -26,7 +24,7 @@ struct NodesOfABall {
     converged.resize(node[0].size());
   }
 
-  static double centre(int axis) { return lower + width / 2 + 0.21 * axis; }
+  double centre(int axis) const { return lower + width / 2 + 0.21 * axis; }
 
   double distance_from_centre(const std::array<Field<T>, D>& x, int i) const {
     double square = 0;
@@ -52,7 +50,8 @@ struct NodesOfABall {
     return work;
   }
 
-  int count;
+  double radius;
+  int width, count;
   Field<T> values, converged;
   std::array<Field<T>, D> node, point;
 
