@@ -185,55 +185,78 @@ GhostState<T, D> averaged_wall_ghost(RecordSum<T, D> mean, const VectorOf<T, D>&
   return ghost;
 }
 
+/// w.n, how fast the body leaves the wall; n the normal of the wall, into the body.
+template <class T, int D>
+T departure(const GhostFits<T, D>& fits, const VectorOf<T, D>& wall_velocity,
+            const VectorOf<T, D>& n) {
+  T speed = 0;
+#pragma GCC unroll 3
+  for (int i = 0; i < D; ++i) speed += n[i] * (fits.surface.velocity(i) - wall_velocity[i]);
+  return speed;
+}
+
 /// (RP.35), (RP.45); n the normal of the wall, into the body.
 template <class T, int D>
 GhostState<T, D> wall_ghost(const GhostFits<T, D>& fits, const VectorOf<T, D>& wall_velocity,
                             const VectorOf<T, D>& n, const Impedance<T>& impedance) {
+  const T away = departure<T, D>(fits, wall_velocity, n);
   GhostState<T, D> ghost;
   VectorOf<T, D> slip;
-  T approach = 0;
 #pragma GCC unroll 3
   for (int i = 0; i < D; ++i) {
     ghost.velocity[i] =
         fits.constrained.velocity(i) + wall_velocity[i] * (1 - fits.constrained_sum);
-    slip[i] = fits.surface.velocity(i) - wall_velocity[i];
-    approach += slip[i] * n[i];
+    slip[i] = fits.surface.velocity(i) - wall_velocity[i] - away * n[i];
   }
-#pragma GCC unroll 3
-  for (int i = 0; i < D; ++i) slip[i] -= approach * n[i];
 #pragma GCC unroll 3
   for (int i = 0; i < D; ++i) {
 #pragma GCC unroll 3
     for (int j = i; j < D; ++j) {
       ghost.stress[symmetric_index<D>(i, j)] =
-          fits.linear.stress(i, j) + impedance.pressure_wave * approach * n[i] * n[j] +
+          fits.linear.stress(i, j) + impedance.pressure_wave * away * n[i] * n[j] +
           impedance.shear_wave * (n[i] * slip[j] + slip[i] * n[j]);
     }
   }
   return ghost;
 }
 
-/// (RP.36), (RP.44), (RP.45); n the normal of the wall, into the body.
+/// A sum of records where a ghost is mirrored: a linear fit f has there 2 f(foot) - f(ghost).
+template <class T, int D>
+class MirroredSum {
+ public:
+  explicit MirroredSum(const GhostFits<T, D>& fits) {
+#pragma GCC unroll 13
+    for (int k = 0; k < record_width<D>; ++k) {
+      values_[k] = 2 * fits.surface.values[k] - fits.linear.values[k];
+    }
+  }
+  RecordSum<T, D> sum() const { return {values_.data()}; }
+
+ private:
+  std::array<T, record_width<D>> values_;
+};
+
+/// (RP.36), (RP.44), (RP.45): the mirror image of the body; n the normal of the wall, into the
+/// body.
 template <class T, int D>
 GhostState<T, D> slip_wall_ghost(const GhostFits<T, D>& fits, const VectorOf<T, D>& wall_velocity,
                                  const VectorOf<T, D>& n, const Impedance<T>& impedance) {
-  T jump = 0, approach = 0;  // normal velocity: of the constrained fit, of the body at the wall
+  const MirroredSum<T, D> mirrored(fits);
+  const RecordSum<T, D> image = mirrored.sum();
+  T along = 0;
 #pragma GCC unroll 3
-  for (int i = 0; i < D; ++i) {
-    const T constrained =
-        fits.constrained.velocity(i) + wall_velocity[i] * (1 - fits.constrained_sum);
-    jump += n[i] * (constrained - fits.linear.velocity(i));
-    approach += n[i] * (fits.surface.velocity(i) - wall_velocity[i]);
-  }
-  const VectorOf<T, D> tau = shear<T, D>(fits.surface, n);
+  for (int i = 0; i < D; ++i) along += n[i] * (image.velocity(i) - wall_velocity[i]);
+  const VectorOf<T, D> held = shear<T, D>(fits.surface, n);
+  VectorOf<T, D> s_n, tau = shear<T, D>(image, n);
   GhostState<T, D> ghost;
 #pragma GCC unroll 3
   for (int i = 0; i < D; ++i) {
-    ghost.velocity[i] = fits.linear.velocity(i) + jump * n[i] + tau[i] / impedance.shear_wave;
+    ghost.velocity[i] = image.velocity(i) - 2 * along * n[i] + held[i] / impedance.shear_wave;
+    tau[i] = -tau[i];
   }
-  VectorOf<T, D> s_n;
-  const T s_nn = traction<T, D>(fits.linear, n, s_n) + impedance.pressure_wave * approach;
-  ghost.stress = with_traction<T, D>(fits.linear, n, s_nn, shear<T, D>(fits.constrained, n));
+  const T s_nn = traction<T, D>(image, n, s_n) +
+                 impedance.pressure_wave * departure<T, D>(fits, wall_velocity, n);
+  ghost.stress = with_traction<T, D>(image, n, s_nn, tau);
   return ghost;
 }
 
@@ -241,12 +264,11 @@ GhostState<T, D> slip_wall_ghost(const GhostFits<T, D>& fits, const VectorOf<T, 
 /// wall, into the body.
 template <class T, int D>
 T wall_pressure(const GhostFits<T, D>& fits, const VectorOf<T, D>& wall_velocity,
-                const VectorOf<T, D>& n, const Impedance<T>& impedance) {
+                const VectorOf<T, D>& n, bool slips, const Impedance<T>& impedance) {
   VectorOf<T, D> s_n;
-  T approach = 0;
-#pragma GCC unroll 3
-  for (int i = 0; i < D; ++i) approach += n[i] * (fits.surface.velocity(i) - wall_velocity[i]);
-  return -(traction<T, D>(fits.surface, n, s_n) + impedance.pressure_wave * approach);
+  const T s_nn = slips ? traction<T, D>(MirroredSum<T, D>(fits).sum(), n, s_n)
+                       : traction<T, D>(fits.surface, n, s_n);
+  return -(s_nn + impedance.pressure_wave * departure<T, D>(fits, wall_velocity, n));
 }
 
 /// (RP.51): force of a wall on the body over the area [Pa]; n the normal of the wall, into the
@@ -254,22 +276,17 @@ T wall_pressure(const GhostFits<T, D>& fits, const VectorOf<T, D>& wall_velocity
 template <class T, int D>
 VectorOf<T, D> wall_push(const GhostFits<T, D>& fits, const VectorOf<T, D>& wall_velocity,
                          const VectorOf<T, D>& n, bool slips, const Impedance<T>& impedance) {
-  const T pressure = wall_pressure<T, D>(fits, wall_velocity, n, impedance);
+  const T pressure = wall_pressure<T, D>(fits, wall_velocity, n, slips, impedance);
   VectorOf<T, D> push;
 #pragma GCC unroll 3
   for (int i = 0; i < D; ++i) push[i] = pressure * n[i];
   if (slips) return push;
   const VectorOf<T, D> tau = shear<T, D>(fits.surface, n);
-  VectorOf<T, D> slip;
-  T approach = 0;
+  const T away = departure<T, D>(fits, wall_velocity, n);
 #pragma GCC unroll 3
   for (int i = 0; i < D; ++i) {
-    slip[i] = fits.surface.velocity(i) - wall_velocity[i];
-    approach += slip[i] * n[i];
-  }
-#pragma GCC unroll 3
-  for (int i = 0; i < D; ++i) {
-    push[i] -= tau[i] + impedance.shear_wave * (slip[i] - approach * n[i]);
+    const T slip = fits.surface.velocity(i) - wall_velocity[i] - away * n[i];
+    push[i] -= tau[i] + impedance.shear_wave * slip;
   }
   return push;
 }

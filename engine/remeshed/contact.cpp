@@ -25,10 +25,12 @@ std::array<T, D> converted(const Point<D>& vector) {
 
 template <class T, int D>
 T pressure_on(const Body<T, D>& body, const BlockGhosts<T, D>& ghosts, std::int32_t g,
-              const BoundaryValues<D>& values, PresentFits<T, D>& fits) {
+              const Boundaries<D>& boundaries, const BoundaryValues<D>& values,
+              PresentFits<T, D>& fits) {
+  const int wall = ghosts.wall[g];
   return kernels::wall_pressure<T, D>(
-      fits.of(g), converted<T, D>(values.wall_velocity[ghosts.wall[g]]),
-      converted<T, D>(ghosts.normal[g]), kernels::Impedance<T>(body.material));
+      fits.of(g), converted<T, D>(values.wall_velocity[wall]), converted<T, D>(ghosts.normal[g]),
+      boundaries.walls[wall].slips(), kernels::Impedance<T>(body.material));
 }
 
 // Of the two ghosts of a slot the wall's comes second.
@@ -56,17 +58,17 @@ void decide_contact(Body<T, D>& body, int block, const Boundaries<D>& boundaries
     }
     const double reach = ghosts.active[g] != 0 ? leaving_height : touching_height;
     choose(body.population, ghosts, g,
-           height < reach * body.lattice.spacing && pressure_on(body, ghosts, g, values, fits) > 0);
+           height < reach * body.lattice.spacing && pressure_on(body, ghosts, g, boundaries, values, fits) > 0);
   }
 }
 
 template <class T, int D>
-void release_contact(Body<T, D>& body, int block, const BoundaryValues<D>& values,
-                     const kernels::Table<T, D>& table) {
+void release_contact(Body<T, D>& body, int block, const Boundaries<D>& boundaries,
+                     const BoundaryValues<D>& values, const kernels::Table<T, D>& table) {
   BlockGhosts<T, D>& ghosts = body.population.ghosts[block];
   PresentFits<T, D> fits(body, ghosts, table);
   for (const std::int32_t g : ghosts.contact) {
-    if (ghosts.active[g] != 0 && !(pressure_on(body, ghosts, g, values, fits) > 0)) {
+    if (ghosts.active[g] != 0 && !(pressure_on(body, ghosts, g, boundaries, values, fits) > 0)) {
       choose(body.population, ghosts, g, false);
     }
   }
@@ -104,7 +106,7 @@ std::vector<double> wall_pressure(const Body<T, D>& body, const Boundaries<D>& b
       const std::int64_t slot = ghosts.slot[g];
       const Wall<D>& wall = boundaries.walls[ghosts.wall[g]];
       if (wall.distance(body.lattice.node(layout.cell(slot))) < -(1 + rounding) * h) continue;
-      pressure[slot] += pressure_on(body, ghosts, g, values, fits);
+      pressure[slot] += pressure_on(body, ghosts, g, boundaries, values, fits);
     }
   }
   return pressure;
@@ -112,7 +114,8 @@ std::vector<double> wall_pressure(const Body<T, D>& body, const Boundaries<D>& b
 
 template void decide_contact<double, 2>(Body<double, 2>&, int, const Boundaries<2>&,
                                         const BoundaryValues<2>&, const kernels::Table<double, 2>&);
-template void release_contact<double, 2>(Body<double, 2>&, int, const BoundaryValues<2>&,
+template void release_contact<double, 2>(Body<double, 2>&, int, const Boundaries<2>&,
+                                         const BoundaryValues<2>&,
                                          const kernels::Table<double, 2>&);
 template void add_impulse<double, 2>(const Body<double, 2>&, int, const Boundaries<2>&,
                                      const BoundaryValues<2>&, double,
@@ -122,7 +125,8 @@ template std::vector<double> wall_pressure(const Body<double, 2>&, const Boundar
                                            const kernels::Table<double, 2>&);
 template void decide_contact<double, 3>(Body<double, 3>&, int, const Boundaries<3>&,
                                         const BoundaryValues<3>&, const kernels::Table<double, 3>&);
-template void release_contact<double, 3>(Body<double, 3>&, int, const BoundaryValues<3>&,
+template void release_contact<double, 3>(Body<double, 3>&, int, const Boundaries<3>&,
+                                         const BoundaryValues<3>&,
                                          const kernels::Table<double, 3>&);
 template void add_impulse<double, 3>(const Body<double, 3>&, int, const Boundaries<3>&,
                                      const BoundaryValues<3>&, double,

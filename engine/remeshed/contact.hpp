@@ -29,8 +29,8 @@ void decide_contact(Body<T, D>& body, int block, const Boundaries<D>& boundaries
 
 /// (RP.50): lets go of the slots of a block where the wall would pull in the present stage.
 template <class T, int D>
-void release_contact(Body<T, D>& body, int block, const BoundaryValues<D>& values,
-                     const kernels::Table<T, D>& kernels);
+void release_contact(Body<T, D>& body, int block, const Boundaries<D>& boundaries,
+                     const BoundaryValues<D>& values, const kernels::Table<T, D>& kernels);
 
 /// (RP.52): adds the push of each contact wall on the ghosts of a block during `duration` [s] to
 /// impulse[wall], from the records of the surface particles.

@@ -179,7 +179,7 @@ template <class T, int D>
 void fill_ghosts(Body<T, D>& body, int block, int stage, int parity, WhichGhosts which,
                  const Boundaries<D>& boundaries, const BoundaryValues<D>& values,
                  GhostTreatment treatment, const kernels::Table<T, D>& table) {
-  release_contact(body, block, values, table);
+  release_contact(body, block, boundaries, values, table);
   BlockGhosts<T, D>& ghosts = body.population.ghosts[block];
   const std::size_t count = which == WhichGhosts::all ? ghosts.slot.size() : ghosts.reached_count;
   const GhostFill<T, D> fill{

@@ -122,7 +122,12 @@ TEST(ghost_state, the_pressure_of_a_wall_is_that_of_the_wave_it_sends_back) {
   material.shear_modulus = 30;
   const Impedance<double> impedance(material);
   const auto pressure = [&](double s_yy, double u_y, double wall) {
-    return wall_pressure<double, 2>(UniformFits(s_yy, 0, u_y).fits(), {0, wall}, {0, 1}, impedance);
+    const UniformFits state(s_yy, 0, u_y);
+    const auto of = [&](bool slips) {
+      return wall_pressure<double, 2>(state.fits(), {0, wall}, {0, 1}, slips, impedance);
+    };
+    EXPECT_DOUBLE_EQ(of(true), of(false));
+    return of(true);
   };
   const double wave = 0.5 * impedance.pressure_wave;
   EXPECT_DOUBLE_EQ(pressure(-3, 0, 0), 3);
@@ -148,6 +153,28 @@ TEST(ghost_state, a_wall_pushes_against_the_traction_and_only_a_sticking_one_alo
   const auto hit =
       wall_push<double, 2>(UniformFits(0, 0, -2).fits(), {0, 0}, floor, true, impedance);
   EXPECT_DOUBLE_EQ(hit[1], 2 * impedance.pressure_wave);
+}
+
+// Records from a wall at y = 0 on: at the foot point, and one spacing behind the wall.
+TEST(ghost_state, behind_a_slip_wall_is_the_mirror_image_of_the_body) {
+  Material<double> material;
+  material.bulk_modulus = 80;
+  material.shear_modulus = 30;
+  const Impedance<double> impedance(material);
+  const std::array<double, record_width<2>> none = {};
+  //                                                u_x   u_y  s_xx  s_xy  s_yy
+  const std::array<double, record_width<2>> foot = {0.3, 0.00, -1.0, 0.0, -4.0},
+                                            behind = {0.5, -0.2, -1.5, 0.6, -4.5};
+  const GhostFits<double, 2> fits{{behind.data()}, {none.data()}, {foot.data()}, 0, 1};
+  const auto ghost = slip_wall_ghost<double, 2>(fits, {7, 0}, {0, 1}, impedance);
+  EXPECT_DOUBLE_EQ(ghost.velocity[0], 0.1);
+  EXPECT_DOUBLE_EQ(ghost.velocity[1], -0.2);
+  EXPECT_DOUBLE_EQ(ghost.stress[0], -0.5);
+  EXPECT_DOUBLE_EQ(ghost.stress[1], 0.6);
+  EXPECT_DOUBLE_EQ(ghost.stress[2], -3.5);
+  EXPECT_DOUBLE_EQ((wall_pressure<double, 2>(fits, {7, 0}, {0, 1}, true, impedance)), 3.5)
+      << "it pushes with the stress that its ghosts take";
+  EXPECT_DOUBLE_EQ((wall_pressure<double, 2>(fits, {7, 0}, {0, 1}, false, impedance)), 4);
 }
 
 }  // namespace
