@@ -94,6 +94,7 @@ const LatticeView<T, D>& Measurer<T, D>::nodes(int body) {
 template <class T, int D>
 double Measurer<T, D>::value(const MeasurementCase& m) {
   using Quantity = MeasurementCase::Kind;
+  if (m.reads_history()) return nothing;
   switch (m.kind) {
     case Quantity::extent:
     case Quantity::ray:
@@ -112,11 +113,6 @@ double Measurer<T, D>::value(const MeasurementCase& m) {
       return closest_pair<T, D>(solver_.state().bodies[m.body]);
     case Quantity::velocity_error:
       return velocity_error(m);
-    case Quantity::period:
-    case Quantity::amplitude_ratio:
-    case Quantity::largest_mean:
-    case Quantity::last_time:
-      return nothing;
     default:
       return value_of(m, integrals(m.body, m.point), D);
   }

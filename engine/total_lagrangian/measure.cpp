@@ -41,6 +41,7 @@ std::vector<double> Measurer<T, D>::operator()() {
 template <class T, int D>
 double Measurer<T, D>::value(const MeasurementCase& m) const {
   using Quantity = MeasurementCase::Kind;
+  if (m.reads_history()) return nothing;
   switch (m.kind) {
     case Quantity::extent:
       return extent(m);
@@ -48,11 +49,6 @@ double Measurer<T, D>::value(const MeasurementCase& m) const {
       return point_displacement(m);
     case Quantity::surface_area:
       return surface_area(m);
-    case Quantity::period:
-    case Quantity::amplitude_ratio:
-    case Quantity::largest_mean:
-    case Quantity::last_time:
-      return nothing;
     default:
       return value_of(m, integrals(m.body, m.point), D);
   }
