@@ -3,26 +3,20 @@
 #include <cstdint>
 #include <vector>
 
+#include "engine/body/numbering.hpp"
 #include "engine/body/walls.hpp"
 #include "engine/case/case.hpp"
 #include "engine/remeshed/body.hpp"
+#include "engine/step_clock.hpp"
 
 namespace pliant::remeshed {
 
 /// Counters that the next step reads; a checkpoint holds all of them.
-struct Clock {
-  double time = 0;  ///< [s]
-  std::int64_t step = 0;
+struct Clock : StepClock {
   std::int64_t remeshings = 0;
   std::int64_t steps_since_remeshing = 0;
   std::int64_t steps_since_reinitialisation = 0;
   double accumulated_strain = 0;  ///< of (RP.28), since the last remeshing
-  double wave_speed = 0;          ///< largest, at the present state [m/s]
-};
-
-/// Where a block of the step graph belongs: the blocks of all bodies in one numbering.
-struct BlockOwner {
-  int body, block;
 };
 
 /// What a body in contact holds to, see body_momentum.hpp.
