@@ -4,6 +4,7 @@
 
 #include "engine/remeshed/present_fits.hpp"
 #include "engine/remeshed/resources.hpp"
+#include "engine/remeshed/runge_kutta.hpp"
 #include "kernels/interface_traction.hpp"
 
 namespace pliant::remeshed {

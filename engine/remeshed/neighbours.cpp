@@ -98,7 +98,7 @@ std::vector<Phase> NeighbourSearch<T, D>::phases() {
       once("stencil reach", resource::closest_pairs, resource::verdicts, [this](int) { decide(); }),
       each("cells", {{resource::verdicts, Reach::all}, {resource::drift(0)}}, resource::sites,
            [this](int block) {
-             const auto [body, local] = owner(block);
+             const auto [body, local] = state_.owner(block);
              if (body.neighbours.is_search_due) find_sites<T, D>(body, local);
            }),
       once("cells", resource::sites, resource::cells,
@@ -109,7 +109,7 @@ std::vector<Phase> NeighbourSearch<T, D>::phases() {
            }),
       each("neighbours", {{resource::cells, Reach::all}, {resource::drift(0)}}, resource::lists,
            [this](int block) {
-             const auto [body, local] = owner(block);
+             const auto [body, local] = state_.owner(block);
              if (!body.neighbours.is_search_due) return;
              list_neighbours<T, D>(body, local, kernels::stencil_reach(weight_), in_every_step_);
            }),
@@ -118,7 +118,7 @@ std::vector<Phase> NeighbourSearch<T, D>::phases() {
 
 template <class T, int D>
 void NeighbourSearch<T, D>::measure(int block) {
-  const auto [body, local] = owner(block);
+  const auto [body, local] = state_.owner(block);
   if (!body.neighbours.is_measuring_due) return;
   body.neighbours.blocks[local].closest =
       closest_outside<T, D>(body, local, kernels::stencil_reach(weight_));

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "engine/remeshed/images.hpp"
 #include "engine/remeshed/resources.hpp"
 
 // The remeshing of H&K, section 2.3:
@@ -337,7 +338,7 @@ template <class T, int D>
 void Remeshing<T, D>::adopt_restored() {
   grow_stages();
   for (std::size_t b = 0; b < body_.population.images.size(); ++b) {
-    list_images(body_.population, static_cast<int>(b));
+    list_images(body_.lattice, body_.population, static_cast<int>(b));
     prepare_slots<T, D>(body_, static_cast<int>(b));
   }
 }

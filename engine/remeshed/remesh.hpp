@@ -52,7 +52,6 @@ class Remeshing {
   struct Bounds {
     Cell<D> lower, upper;
   };
-  void list_images(Population<T, D>& population, int block) const;
   void find_bounds(int block);
   void lay_out();
   void prepare_spare();

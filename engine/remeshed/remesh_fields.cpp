@@ -5,6 +5,7 @@
 #include "engine/geometry/distance_walk.hpp"
 #include "engine/geometry/free_surface.hpp"
 #include "engine/geometry/signed_distance.hpp"
+#include "engine/remeshed/images.hpp"
 #include "engine/remeshed/remesh.hpp"
 #include "engine/remeshed/setup.hpp"
 #include "kernels/set_determinant.hpp"
@@ -216,26 +217,11 @@ void Remeshing<T, D>::adopt_filtered() {
   borrow_arrays();
 }
 
-template <class T, int D>
-void Remeshing<T, D>::list_images(Population<T, D>& population, int block) const {
-  auto& images = population.images[block];
-  images.clear();
-  if (body_.lattice.period == Cell<D>{}) return;
-  const Layout<D>& layout = population.layout;
-  layout.for_each_slot(layout.blocks()[block], [&](std::int64_t p, const Cell<D>& cell) {
-    if (body_.lattice.is_wrapped(cell)) return;
-    const std::int64_t q = layout.slot(body_.lattice.wrapped(cell));
-    if (q >= 0 && population.kind[q] != Kind::vacant) {
-      images.emplace_back(static_cast<std::int32_t>(p), static_cast<std::int32_t>(q));
-    }
-  });
-}
-
 // Slots beyond a period repeat the fields and the validity one period away.
 template <class T, int D>
 void Remeshing<T, D>::copy_images(int block) {
   Population<T, D>& to = body_.spare;
-  list_images(to, block);
+  list_images(body_.lattice, to, block);
   for (const auto& [image, source] : to.images[block]) {
     to.kind[image] = Kind::image;
     valid_[image] = valid_[source];
@@ -316,7 +302,6 @@ template void Remeshing<double, 2>::take_memory(int, Tile&, int, int);
 template void Remeshing<double, 2>::match_volumes(int);
 template void Remeshing<double, 2>::filter(int);
 template void Remeshing<double, 2>::adopt_filtered();
-template void Remeshing<double, 2>::list_images(Population<double, 2>&, int) const;
 template void Remeshing<double, 2>::copy_images(int);
 template void Remeshing<double, 2>::place_initial(const Case&, const BodyCase&);
 template void Remeshing<double, 3>::scatter(int);
@@ -328,7 +313,6 @@ template void Remeshing<double, 3>::take_memory(int, Tile&, int, int);
 template void Remeshing<double, 3>::match_volumes(int);
 template void Remeshing<double, 3>::filter(int);
 template void Remeshing<double, 3>::adopt_filtered();
-template void Remeshing<double, 3>::list_images(Population<double, 3>&, int) const;
 template void Remeshing<double, 3>::copy_images(int);
 template void Remeshing<double, 3>::place_initial(const Case&, const BodyCase&);
 

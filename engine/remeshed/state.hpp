@@ -35,6 +35,13 @@ struct State {
   std::vector<Body<T, D>> bodies;
   std::vector<Book<D>> books;  ///< [body], or none without contacts between bodies
   std::vector<BlockOwner> blocks;
+
+  /// The body of a block, and the block's number in it.
+  struct Owner {
+    Body<T, D>& body;
+    int block;
+  };
+  Owner owner(int block) { return {bodies[blocks[block].body], blocks[block].block}; }
 };
 
 }  // namespace pliant::remeshed
