@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "engine/body/padded.hpp"
 #include "engine/remeshed/body_momentum.hpp"
 #include "engine/remeshed/closest_pair.hpp"
 #include "engine/remeshed/interpolant.hpp"
@@ -17,13 +18,6 @@ namespace {
 
 constexpr double pi = 3.14159265358979323846;
 constexpr double nothing = std::numeric_limits<double>::quiet_NaN();
-
-template <int D>
-Vector padded(const Point<D>& x) {
-  Vector v = {};
-  for (int a = 0; a < D; ++a) v[a] = x[a];
-  return v;
-}
 
 template <class T, int D>
 double mean_radius(const LatticeView<T, D>& view, const Vector& centre, int rays) {

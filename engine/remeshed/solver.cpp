@@ -41,7 +41,7 @@ Solver<T, D>::Solver(const Case& settings, int threads, kernels::Isa isa)
   for (std::size_t b = 0; b < state_.bodies.size(); ++b) {
     remeshings_.push_back(std::make_unique<Remeshing<T, D>>(settings_, state_.bodies[b],
                                                             state_.boundaries, kernels_, workers_));
-    remeshings_.back()->place_initial(settings_, settings_.bodies[b]);
+    remeshings_.back()->place_initial(settings_);
     remeshings_.back()->prepare_arrival(false, true);
   }
   scheduler::StepGraph initial(arrival_phases(false), connect_blocks<D>(spare_layouts_, 0),
