@@ -83,14 +83,17 @@ bool NeighbourSearch<T, D>::is_due(double time_step) {
 
 template <class T, int D>
 std::vector<Phase> NeighbourSearch<T, D>::phases() {
-  const auto each = [this](const char* name, std::vector<scheduler::Access> reads,
-                           scheduler::FieldId writes, auto run) {
-    return Phase{name, -1, std::move(reads), {{writes}}, Phase::Extent::per_block, {}, run};
+  const auto each = [](const char* name, std::vector<scheduler::Access> reads,
+                       scheduler::FieldId writes, auto run) -> Phase {
+    return {.name = name, .reads = std::move(reads), .writes = {{writes}}, .run = run};
   };
-  const auto once = [this](const char* name, scheduler::FieldId reads, scheduler::FieldId writes,
-                           auto run) {
-    return Phase{name, -1, {{reads, Reach::all}}, {{writes, Reach::all}}, Phase::Extent::once,
-                 {},   run};
+  const auto once = [](const char* name, scheduler::FieldId reads, scheduler::FieldId writes,
+                       auto run) -> Phase {
+    return {.name = name,
+            .reads = {{reads, Reach::all}},
+            .writes = {{writes, Reach::all}},
+            .extent = Phase::Extent::once,
+            .run = run};
   };
   return {
       each("stencil reach", {{resource::drift(0), Reach::neighbours}}, resource::closest_pairs,

@@ -47,14 +47,11 @@ std::vector<Phase> Step<T, D>::phases() {
   motion_results_.assign(state_.blocks.size(), {});
   using Access = scheduler::Access;
   const auto each = [this](const char* name, std::vector<Access> reads, std::vector<Access> writes,
-                           auto run) {
-    return Phase{name,
-                 -1,
-                 std::move(reads),
-                 std::move(writes),
-                 Phase::Extent::per_block,
-                 {},
-                 [this, run](int block) { (this->*run)(block); }};
+                           auto run) -> Phase {
+    return {.name = name,
+            .reads = std::move(reads),
+            .writes = std::move(writes),
+            .run = [this, run](int block) { (this->*run)(block); }};
   };
   std::vector<Phase> phases;
   if (!state_.boundaries.pressures.empty()) {
