@@ -2,8 +2,10 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <map>
 
+#include "engine/body/full_stress.hpp"
 #include "engine/total_lagrangian/stress_point.hpp"
 
 namespace pliant {
@@ -19,15 +21,9 @@ using Means = std::array<double, mean_fields>;
 
 template <int D>
 Means values_of(const StressPoint<D>& point, double density_at_rest) {
-  const auto s = [&](int i, int j) { return point.stress[kernels::symmetric_index<D>(i, j)]; };
   Means values = {};
-  if constexpr (D == 2) {
-    // sigma_zz = -3 p - sigma_xx - sigma_yy by (RP.10)
-    const double zz = -3 * point.pressure - s(0, 0) - s(1, 1);
-    values = {s(0, 0), s(1, 1), zz, s(0, 1), 0, 0};
-  } else {
-    values = {s(0, 0), s(1, 1), s(2, 2), s(0, 1), s(1, 2), s(0, 2)};
-  }
+  const std::array<double, 6> stress_of_point = full_stress<D>(point.stress, point.pressure);
+  std::copy(stress_of_point.begin(), stress_of_point.end(), values.begin() + stress);
   values[pressure] = point.pressure;
   values[density] = density_at_rest / point.volume_ratio;
   values[dilatation] = point.volume_ratio - 1;
