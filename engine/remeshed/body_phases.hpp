@@ -15,7 +15,7 @@ class BodyPhases {
   using Accesses = std::vector<scheduler::Access>;
 
   BodyPhases(std::vector<scheduler::Phase>& phases, int first_block, std::size_t block_count)
-      : phases_(phases), blocks_(block_count) {
+      : phases_(phases), first_block_(first_block), blocks_(block_count) {
     std::iota(blocks_.begin(), blocks_.end(), first_block);
   }
 
@@ -28,7 +28,7 @@ class BodyPhases {
          .reads = std::move(reads),
          .writes = std::move(writes),
          .blocks = blocks_,
-         .run = [run = std::move(run), first = blocks_.front()](int b) { run(b - first); }});
+         .run = [run = std::move(run), first = first_block_](int b) { run(b - first); }});
   }
 
   void once(const char* name, Accesses reads, Accesses writes, std::function<void()> run) {
@@ -41,6 +41,7 @@ class BodyPhases {
 
  private:
   std::vector<scheduler::Phase>& phases_;
+  int first_block_;
   std::vector<int> blocks_;
 };
 
