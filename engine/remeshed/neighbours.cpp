@@ -83,9 +83,9 @@ bool NeighbourSearch<T, D>::is_due(double time_step) {
 
 template <class T, int D>
 std::vector<Phase> NeighbourSearch<T, D>::phases() {
-  const auto each = [](const char* name, std::vector<scheduler::Access> reads,
+  const auto each = [](const char* name, const std::vector<scheduler::Access>& reads,
                        scheduler::FieldId writes, auto run) -> Phase {
-    return {.name = name, .reads = std::move(reads), .writes = {{writes}}, .run = run};
+    return {.name = name, .reads = reads, .writes = {{writes}}, .run = run};
   };
   const auto once = [](const char* name, scheduler::FieldId reads, scheduler::FieldId writes,
                        auto run) -> Phase {

@@ -80,11 +80,12 @@ std::vector<Phase> Step<T, D>::stress_phases() {
 
 template <class T, int D>
 template <class F>
-Phase Step<T, D>::on_blocks(const char* name, int stage, Accesses reads, Accesses writes, F run) {
+Phase Step<T, D>::on_blocks(const char* name, int stage, const Accesses& reads,
+                            const Accesses& writes, F run) {
   return {.name = name,
           .stage = stage,
-          .reads = std::move(reads),
-          .writes = std::move(writes),
+          .reads = reads,
+          .writes = writes,
           .run = [this, run](int block) {
             const auto [body, local] = state_.owner(block);
             run(body, local);
@@ -183,17 +184,17 @@ std::vector<int> Step<T, D>::blocks_where(bool listed) const {
 // and grad phi of surface particles (RP.81) follow material lines, and ghosts keep their fits.
 template <class T, int D>
 void Step<T, D>::add_advance(std::vector<Phase>& phases, int stage) {
-  std::vector<int> listed = blocks_where(true);
+  const std::vector<int> listed = blocks_where(true);
   if (listed.empty()) return add_advance(phases, stage, Reach::neighbours, {});
-  std::vector<int> others = blocks_where(false);
+  const std::vector<int> others = blocks_where(false);
   if (others.empty()) return add_advance(phases, stage, Reach::all, {});
-  add_advance(phases, stage, Reach::neighbours, std::move(others));
-  add_advance(phases, stage, Reach::all, std::move(listed));
+  add_advance(phases, stage, Reach::neighbours, others);
+  add_advance(phases, stage, Reach::all, listed);
 }
 
 template <class T, int D>
 void Step<T, D>::add_advance(std::vector<Phase>& phases, int stage, Reach reach,
-                             std::vector<int> blocks) {
+                             const std::vector<int>& blocks) {
   const int parity = stage % 2, current = buffer_of(stage), next = buffer_after(stage);
   Accesses reads = {{resource::drift(current), reach},
                     {resource::velocity(current), reach},
@@ -227,7 +228,7 @@ void Step<T, D>::add_advance(std::vector<Phase>& phases, int stage, Reach reach,
        .stage = stage,
        .reads = std::move(reads),
        .writes = std::move(writes),
-       .blocks = std::move(blocks),
+       .blocks = blocks,
        .run = [this, stage](int block) { results_[block] = particles_.advance(block, stage); }});
 }
 

@@ -30,20 +30,22 @@ class Step {
 
   /// Fixes the time step [s] and what the boundaries impose at each stage.
   void prepare(double time_step);
-  /// What the last step found, folded over the blocks in their order, the impulse of contact walls
-  /// into the state.
+  /// Folds what a step found over the blocks in their order, the impulse of contact walls into the
+  /// state.
+  void fold();
   const kernels::StageResult& result() const { return result_; }
+  /// The block of the slot that is no longer finite, or -1.
   int failed_block() const { return failed_block_; }
   /// max abs(eps)_F of one body in the last step [1/s].
   double strain_rate(int body) const { return strain_rates_[body]; }
-  void fold();
 
  private:
   using Accesses = std::vector<scheduler::Access>;
 
   /// A phase that runs on each block, with the body and the number that the block has in it.
   template <class F>
-  scheduler::Phase on_blocks(const char* name, int stage, Accesses reads, Accesses writes, F run);
+  scheduler::Phase on_blocks(const char* name, int stage, const Accesses& reads,
+                             const Accesses& writes, F run);
 
   bool periodic() const;
   std::vector<int> blocks_where(bool listed) const;
@@ -52,7 +54,7 @@ class Step {
   void add_pair_stress(std::vector<scheduler::Phase>& phases, int stage);
   void add_advance(std::vector<scheduler::Phase>& phases, int stage);
   void add_advance(std::vector<scheduler::Phase>& phases, int stage, scheduler::Reach reach,
-                   std::vector<int> blocks);
+                   const std::vector<int>& blocks);
 
   void fill(int block, int stage);
   void fill_all(int block, int stage);
