@@ -57,6 +57,17 @@ inline Scalar<P> largest(const P& pack) {
   return value;
 }
 
+/// The first lane that is set in a mask; one must be.
+template <class P>
+inline int first_lane(const typename P::batch_bool_type& mask) {
+  using T = Scalar<P>;
+  alignas(64) T is_set[lanes<P>];
+  xsimd::select(mask, P(T(1)), P(T(0))).store_aligned(is_set);
+  int lane = 0;
+  while (is_set[lane] == 0) ++lane;
+  return lane;
+}
+
 /// Square root of one number by the instruction set of `P`: std::sqrt would be shared by all units.
 template <class P>
 inline Scalar<P> square_root(Scalar<P> x) {

@@ -171,11 +171,7 @@ void examine_next(const Stage<Scalar<P>, D>& stage, const Chunk& chunk,
     }
     const auto sound = (sum == zero) && (volume > zero);
     if (extremes.non_finite < 0 && xsimd::any(inside && !sound)) {
-      alignas(64) T failed[lanes<P>];
-      xsimd::select(inside && !sound, P(T(1)), zero).store_aligned(failed);
-      int lane = 0;
-      while (failed[lane] == 0) ++lane;
-      extremes.non_finite = slot + lane;
+      extremes.non_finite = slot + first_lane<P>(inside && !sound);
     }
     const P c2 = L::wave_speed2(stage.material, carried, load<P>(stage.mass + slot) / volume);
     extremes.wave_speed2 =

@@ -73,11 +73,7 @@ inline void examine(const Material<Scalar<P>>& material, const P (&f)[D * D], co
   const auto inside = fraction > zero;
   const auto sound = (finite == zero) && (jacobian > zero);
   if (extremes.non_finite < 0 && xsimd::any(inside && !sound)) {
-    alignas(64) T failed[lanes<P>];
-    xsimd::select(inside && !sound, P(T(1)), zero).store_aligned(failed);
-    int lane = 0;
-    while (failed[lane] == 0) ++lane;
-    extremes.non_finite = slot + lane;
+    extremes.non_finite = slot + first_lane<P>(inside && !sound);
   }
   // Of the deformed material, in units of the lattice: |F^-1| = |cof F|/J.
   const P c2 = L::wave_speed2(material, f, P(material.density) / jacobian) *

@@ -27,10 +27,10 @@ struct Phase {
 
   std::string name;  ///< phases of one name, one for each stage, share a timer
   int stage = -1;    ///< -1: not part of a stage; else shown as name[stage]
-  std::vector<Access> reads;
-  std::vector<Access> writes;  ///< Reach::own or Reach::all
+  std::vector<Access> reads = {};
+  std::vector<Access> writes = {};  ///< Reach::own or Reach::all
   Extent extent = Extent::per_block;
-  std::vector<BlockId> blocks;       ///< per_block: where there is work; empty means every block
+  std::vector<BlockId> blocks = {};  ///< per_block: where there is work; empty means every block
   std::function<void(BlockId)> run;  ///< a `once` phase gets block 0, and Reach::own means block 0
 };
 

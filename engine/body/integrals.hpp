@@ -17,6 +17,10 @@ struct BodyIntegrals {
 /// What a measurement of an integral takes from them; total energy for kinds of another sort.
 double value_of(const MeasurementCase& measurement, const BodyIntegrals& sum, int dimension);
 
+/// Adds the momenta and the kinetic energy of `mass` [kg] at `r` [m], seen from the point that
+/// angular momentum is about, with velocity `u` [m/s].
+void add_motion(BodyIntegrals& sum, double mass, const Vector& r, const Vector& u);
+
 /// Adds those of another body.
 void add(BodyIntegrals& sum, const BodyIntegrals& other);
 

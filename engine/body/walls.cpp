@@ -3,20 +3,10 @@
 #include <algorithm>
 #include <limits>
 
+#include "engine/body/padded.hpp"
 #include "engine/geometry/signed_distance.hpp"
 
 namespace pliant {
-
-namespace {
-
-template <int D>
-Vector padded(const Point<D>& x) {
-  Vector v = {};
-  for (int a = 0; a < D; ++a) v[a] = x[a];
-  return v;
-}
-
-}  // namespace
 
 template <int D>
 Wall<D>::Wall(const BoundaryCase& boundary)

@@ -136,6 +136,7 @@ struct MeasurementCase {
   int of = -1;      ///< position of the measurement whose history the last four kinds read
   double over = 0;  ///< largest_mean [s]
 
+  bool reads_history() const { return of >= 0; }
   /// Forces are means between samples: what an impulse has changed by, over the time.
   bool is_force() const { return kind == Kind::wall_force || kind == Kind::contact_force; }
 };

@@ -5,6 +5,7 @@
 
 #include "engine/case/case.hpp"
 #include "engine/case/problems.hpp"
+#include "engine/case/words.hpp"
 
 /// What the checks of a case share.
 namespace pliant {
@@ -33,6 +34,14 @@ struct Check {
 
 /// False for a shape that was not read, whose messages are already there.
 bool is_whole(const Shape& shape, int dimension);
+
+inline std::string_view axis_name(int axis) { return words<Axis>[axis].text; }
+
+/// Bodies one by one: what they are made of, and whether the spacing and the cell can hold them.
+void check_bodies(const Check& check);
+
+/// What the method and its operators cannot do.
+void check_method(const Check& check);
 
 /// Pairs of bodies that meet.
 void check_contacts(const Check& check);

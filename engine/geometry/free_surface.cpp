@@ -5,8 +5,6 @@
 #include <limits>
 #include <optional>
 
-#include "engine/geometry/signed_distance.hpp"
-
 namespace pliant {
 namespace {
 
@@ -120,11 +118,6 @@ Shape free_surface(const Shape& body, std::span<const Shape> walls, int dimensio
   Shape open = body;
   for (Shape& operand : open.operands) operand = free_surface(operand, walls, dimension);
   return open;
-}
-
-double free_surface_distance(const Shape& body, std::span<const Shape> walls, const Vector& x,
-                             int dimension) {
-  return signed_distance(free_surface(body, walls, dimension), x, dimension);
 }
 
 }  // namespace pliant

@@ -25,8 +25,4 @@ std::vector<Shape> attached_walls(const Case& a_case);
 /// moved to infinity. A face that a wall covers in part is extended over that part.
 Shape free_surface(const Shape& body, std::span<const Shape> walls, int dimension);
 
-/// Distance to the body's free surface [m], negative inside; minus infinity when it has none.
-double free_surface_distance(const Shape& body, std::span<const Shape> walls, const Vector& x,
-                             int dimension);
-
 }  // namespace pliant

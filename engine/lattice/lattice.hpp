@@ -3,6 +3,7 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
+#include <utility>
 
 namespace pliant {
 
@@ -10,6 +11,18 @@ template <int D>
 using Cell = std::array<std::int32_t, D>;
 template <int D>
 using Point = std::array<double, D>;
+
+/// Calls `f(cell)` for the cells first..last, inclusive, x fastest.
+template <int D, int axis = D - 1, class F>
+void for_each_cell(const Cell<D>& first, const Cell<D>& last, F&& f, Cell<D> cell = {}) {
+  for (cell[axis] = first[axis]; cell[axis] <= last[axis]; ++cell[axis]) {
+    if constexpr (axis == 0) {
+      f(std::as_const(cell));
+    } else {
+      for_each_cell<D, axis - 1>(first, last, f, cell);
+    }
+  }
+}
 
 /// A square lattice of spacing h [m]: the node of cell c lies at origin + (c + 1/2) h.
 template <int D>

@@ -4,6 +4,7 @@
 
 #include "engine/remeshed/present_fits.hpp"
 #include "engine/remeshed/resources.hpp"
+#include "engine/remeshed/runge_kutta.hpp"
 #include "kernels/interface_traction.hpp"
 
 namespace pliant::remeshed {
@@ -41,13 +42,11 @@ BodyContact<T, D>::BodyContact(State<T, D>& state, const Case& settings,
 
 template <class T, int D>
 void BodyContact<T, D>::add_tractions(std::vector<Phase>& phases, int stage) {
-  phases.push_back({"tractions",
-                    stage,
-                    {{resource::records, Reach::all}, {resource::touches}},
-                    {{resource::tractions}},
-                    Phase::Extent::per_block,
-                    {},
-                    [this, stage](int block) { find_tractions(block, stage); }});
+  phases.push_back({.name = "tractions",
+                    .stage = stage,
+                    .reads = {{resource::records, Reach::all}, {resource::touches}},
+                    .writes = {{resource::tractions}},
+                    .run = [this, stage](int block) { find_tractions(block, stage); }});
 }
 
 template <class T, int D>

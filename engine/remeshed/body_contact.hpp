@@ -44,8 +44,6 @@ class BodyContact {
   const std::vector<Point<D>>& fold();
 
  private:
-  static constexpr std::array<double, 4> stage_weight = {1. / 6, 1. / 3, 1. / 3, 1. / 6};
-
   void find_tractions(int block, int stage);
   std::array<T, D> traction(const Body<T, D>& own, const Body<T, D>& other,
                             const BlockGhosts<T, D>& ghosts, std::size_t touch,

@@ -76,30 +76,22 @@ void BodyMomentum<T, D>::open() {
 template <class T, int D>
 void BodyMomentum<T, D>::add_phases(std::vector<Phase>& phases, Impulses impulses) {
   sums_.resize(state_.blocks.size());
-  phases.push_back({"momentum",
-                    -1,
-                    {{resource::velocity(0)}, {resource::constants}},
-                    {{resource::momentum}},
-                    Phase::Extent::per_block,
-                    {},
-                    [this](int block) { sum(block); }});
-  phases.push_back({"momentum",
-                    -1,
-                    {{resource::momentum, Reach::all}, {resource::tractions, Reach::all}},
-                    {{resource::books, Reach::all}},
-                    Phase::Extent::once,
-                    {},
-                    [this, impulses = std::move(impulses)](int) {
+  phases.push_back({.name = "momentum",
+                    .reads = {{resource::velocity(0)}, {resource::constants}},
+                    .writes = {{resource::momentum}},
+                    .run = [this](int block) { sum(block); }});
+  phases.push_back({.name = "momentum",
+                    .reads = {{resource::momentum, Reach::all}, {resource::tractions, Reach::all}},
+                    .writes = {{resource::books, Reach::all}},
+                    .extent = Phase::Extent::once,
+                    .run = [this, impulses = std::move(impulses)](int) {
                       if (impulses) book(impulses());
                       balance();
                     }});
-  phases.push_back({"momentum",
-                    -1,
-                    {{resource::books, Reach::all}},
-                    {{resource::velocity(0)}},
-                    Phase::Extent::per_block,
-                    {},
-                    [this](int block) { shift(block); }});
+  phases.push_back({.name = "momentum",
+                    .reads = {{resource::books, Reach::all}},
+                    .writes = {{resource::velocity(0)}},
+                    .run = [this](int block) { shift(block); }});
 }
 
 template <class T, int D>

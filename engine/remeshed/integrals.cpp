@@ -148,7 +148,7 @@ class Integrator {
   }
 
   void add(const Point<D>& x, const Point<D>& s, const Expansion<D>& e, double volume) {
-    double density = e.density, energy = e.energy, square = 0;
+    double density = e.density, energy = e.energy;
     Point<D> u = e.velocity;
     Vector r = {}, velocity = {};
     for (int a = 0; a < D; ++a) {
@@ -157,28 +157,13 @@ class Integrator {
       for (int c = 0; c < D; ++c) u[c] += e.velocity_slope[a][c] * s[a];
       r[a] = x[a] + h_ * s[a] - about_[a];
     }
-    for (int c = 0; c < D; ++c) {
-      velocity[c] = u[c];
-      square += u[c] * u[c];
-    }
+    std::copy(u.begin(), u.end(), velocity.begin());
     sum_.volume += volume;
-    add_to(sum_, density * volume, r, velocity, square, energy * volume);
+    sum_.mass += density * volume;
+    sum_.strain_energy += energy * volume;
+    add_motion(sum_, density * volume, r, velocity);
   }
 
- public:
-  static void add_to(BodyIntegrals& sum, double mass, const Vector& r, const Vector& u,
-                     double square, double strain_energy) {
-    sum.mass += mass;
-    sum.kinetic_energy += 0.5 * mass * square;
-    sum.strain_energy += strain_energy;
-    for (int c = 0; c < 3; ++c) {
-      sum.momentum[c] += mass * u[c];
-      const int a = (c + 1) % 3, b = (c + 2) % 3;
-      sum.angular_momentum[c] += mass * (r[a] * u[b] - r[b] * u[a]);
-    }
-  }
-
- private:
   const LatticeView<T, D>& view_;
   const Boundaries<D>& boundaries_;
   Vector about_;
@@ -204,16 +189,15 @@ BodyIntegrals sum_particles(const Body<T, D>& body, const Vector& about) {
       if (body.population.kind[p] != Kind::interior) return;
       const Point<D> x = body.position(p, cell);
       Vector r = {}, u = {};
-      double square = 0;
       for (int a = 0; a < D; ++a) {
         r[a] = x[a] - about[a];
         u[a] = f.get(Field::velocity, a)[p];
-        square += u[a] * u[a];
       }
       const double volume = f.get(Field::volume)[p];
-      const double energy = energy_density<T, D>(body, f, p) * volume;
       sum.volume += volume;
-      Integrator<T, D>::add_to(sum, f.get(Field::mass)[p], r, u, square, energy);
+      sum.mass += f.get(Field::mass)[p];
+      sum.strain_energy += energy_density<T, D>(body, f, p) * volume;
+      add_motion(sum, f.get(Field::mass)[p], r, u);
     });
   }
   return sum;

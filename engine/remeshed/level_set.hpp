@@ -3,23 +3,19 @@
 #include <array>
 #include <cstdint>
 
-#include "engine/body/walls.hpp"
-#include "engine/lattice/layout.hpp"
 #include "engine/remeshed/projections.hpp"
+#include "engine/remeshed/wall_extension.hpp"
 #include "engine/storage/buffer.hpp"
 
 /// The level set of a body on a fresh lattice: phi < 0 inside, (RP.29).
 ///
-///     near     abs(phi) <= 1.8 h   what remeshing gave is kept; when reinitialisation is due,
-///     replaced
-///                                  by the distance to the closest point of the zero set (RP.30)
-///     layers   further out         rebuilt at every remeshing: each layer takes the closest point
-///     of
-///                                  a neighbour nearer to the surface and polishes it (RP.30)
-///     beyond                       the sign alone, times `far`
+///     near     abs(phi) <= 1.8 h: what remeshing gave is kept, or, when reinitialisation is due,
+///              replaced by the distance to the closest point of the zero set (RP.30)
+///     layers   further out, rebuilt at every remeshing: each layer takes the closest point of a
+///              neighbour nearer to the surface and polishes it (RP.30)
+///     beyond   the sign alone, times `far`
 ///
-/// Behind walls phi is first continued linearly: there it describes where the free surface would
-/// run on. At contact walls it ends, (RP.60).
+/// All of it for phi continued behind walls, see wall_extension.hpp.
 namespace pliant::remeshed {
 
 template <class T, int D>
@@ -40,7 +36,11 @@ class LevelSet {
 
   /// The passes over one block, in this order; each reads neighbouring blocks of the pass before.
   /// Nodes where `valid` is 0 got nothing from remeshing.
-  void extend_through_walls(const Block<D>& block, const Boundaries<D>& boundaries, const T* valid);
+  void extend_through_walls(const Block<D>& block, const Boundaries<D>& boundaries,
+                            const T* valid) {
+    const WallExtension<T, D> extension(*lattice_, *layout_, phi_, valid, far * lattice_->spacing);
+    extension.extend(block, boundaries, extended_);
+  }
   void find_closest_points(const Block<D>& block, bool reinitialise,
                            const kernels::Table<T, D>& kernels);
   void add_layer(const Block<D>& block, int layer,
@@ -72,9 +72,6 @@ class LevelSet {
   void find_nearest(const kernels::Segment<D>& segment, std::int64_t slot, const Cell<D>& cell,
                     int layer, Border& border) const;
   void polish(Border& border, const kernels::Table<T, D>& kernels) const;
-  double extended_from(const Point<D>& x, const Point<D>& normal, double depth,
-                       const T* valid) const;
-  bool linear(const Point<D>& x, const T* valid, double& value) const;
   bool gradient(const Cell<D>& cell, Point<D>& g) const;
   bool borders_a_layer(const kernels::Segment<D>& segment, std::int64_t slot, int layer) const;
 

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "engine/body/padded.hpp"
 #include "engine/remeshed/body_momentum.hpp"
 #include "engine/remeshed/closest_pair.hpp"
 #include "engine/remeshed/interpolant.hpp"
@@ -17,13 +18,6 @@ namespace {
 
 constexpr double pi = 3.14159265358979323846;
 constexpr double nothing = std::numeric_limits<double>::quiet_NaN();
-
-template <int D>
-Vector padded(const Point<D>& x) {
-  Vector v = {};
-  for (int a = 0; a < D; ++a) v[a] = x[a];
-  return v;
-}
 
 template <class T, int D>
 double mean_radius(const LatticeView<T, D>& view, const Vector& centre, int rays) {
@@ -94,6 +88,7 @@ const LatticeView<T, D>& Measurer<T, D>::nodes(int body) {
 template <class T, int D>
 double Measurer<T, D>::value(const MeasurementCase& m) {
   using Quantity = MeasurementCase::Kind;
+  if (m.reads_history()) return nothing;
   switch (m.kind) {
     case Quantity::extent:
     case Quantity::ray:
@@ -112,11 +107,6 @@ double Measurer<T, D>::value(const MeasurementCase& m) {
       return closest_pair<T, D>(solver_.state().bodies[m.body]);
     case Quantity::velocity_error:
       return velocity_error(m);
-    case Quantity::period:
-    case Quantity::amplitude_ratio:
-    case Quantity::largest_mean:
-    case Quantity::last_time:
-      return nothing;
     default:
       return value_of(m, integrals(m.body, m.point), D);
   }

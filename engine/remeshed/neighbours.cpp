@@ -83,14 +83,17 @@ bool NeighbourSearch<T, D>::is_due(double time_step) {
 
 template <class T, int D>
 std::vector<Phase> NeighbourSearch<T, D>::phases() {
-  const auto each = [this](const char* name, std::vector<scheduler::Access> reads,
-                           scheduler::FieldId writes, auto run) {
-    return Phase{name, -1, std::move(reads), {{writes}}, Phase::Extent::per_block, {}, run};
+  const auto each = [](const char* name, const std::vector<scheduler::Access>& reads,
+                       scheduler::FieldId writes, auto run) -> Phase {
+    return {.name = name, .reads = reads, .writes = {{writes}}, .run = run};
   };
-  const auto once = [this](const char* name, scheduler::FieldId reads, scheduler::FieldId writes,
-                           auto run) {
-    return Phase{name, -1, {{reads, Reach::all}}, {{writes, Reach::all}}, Phase::Extent::once,
-                 {},   run};
+  const auto once = [](const char* name, scheduler::FieldId reads, scheduler::FieldId writes,
+                       auto run) -> Phase {
+    return {.name = name,
+            .reads = {{reads, Reach::all}},
+            .writes = {{writes, Reach::all}},
+            .extent = Phase::Extent::once,
+            .run = run};
   };
   return {
       each("stencil reach", {{resource::drift(0), Reach::neighbours}}, resource::closest_pairs,
@@ -98,7 +101,7 @@ std::vector<Phase> NeighbourSearch<T, D>::phases() {
       once("stencil reach", resource::closest_pairs, resource::verdicts, [this](int) { decide(); }),
       each("cells", {{resource::verdicts, Reach::all}, {resource::drift(0)}}, resource::sites,
            [this](int block) {
-             const auto [body, local] = owner(block);
+             const auto [body, local] = state_.owner(block);
              if (body.neighbours.is_search_due) find_sites<T, D>(body, local);
            }),
       once("cells", resource::sites, resource::cells,
@@ -109,7 +112,7 @@ std::vector<Phase> NeighbourSearch<T, D>::phases() {
            }),
       each("neighbours", {{resource::cells, Reach::all}, {resource::drift(0)}}, resource::lists,
            [this](int block) {
-             const auto [body, local] = owner(block);
+             const auto [body, local] = state_.owner(block);
              if (!body.neighbours.is_search_due) return;
              list_neighbours<T, D>(body, local, kernels::stencil_reach(weight_), in_every_step_);
            }),
@@ -118,7 +121,7 @@ std::vector<Phase> NeighbourSearch<T, D>::phases() {
 
 template <class T, int D>
 void NeighbourSearch<T, D>::measure(int block) {
-  const auto [body, local] = owner(block);
+  const auto [body, local] = state_.owner(block);
   if (!body.neighbours.is_measuring_due) return;
   body.neighbours.blocks[local].closest =
       closest_outside<T, D>(body, local, kernels::stencil_reach(weight_));

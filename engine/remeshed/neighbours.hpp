@@ -40,13 +40,6 @@ class NeighbourSearch {
   std::vector<scheduler::Phase> phases();
 
  private:
-  struct Owner {
-    Body<T, D>& body;
-    int block;
-  };
-  Owner owner(int block) {
-    return {state_.bodies[state_.blocks[block].body], state_.blocks[block].block};
-  }
   void measure(int block);
   void decide();
   void decide_after_measuring(BodyNeighbours<D>& neighbours) const;

@@ -25,6 +25,55 @@ Lattice<D> body_lattice(const Case& settings, const BodyCase& body) {
   return lattice;
 }
 
+namespace {
+
+template <class T>
+kernels::Material<T> converted(const kernels::Material<double>& m) {
+  kernels::Material<T> material;
+  material.model = m.model;
+  material.density = static_cast<T>(m.density);
+  material.bulk_modulus = static_cast<T>(m.bulk_modulus);
+  material.shear_modulus = static_cast<T>(m.shear_modulus);
+  material.order = m.order;
+  for (std::size_t n = 0; n < m.coefficient.size(); ++n) {
+    material.coefficient[n] = static_cast<T>(m.coefficient[n]);
+  }
+  material.compressibility = static_cast<T>(m.compressibility);
+  return material;
+}
+
+template <class T, int D>
+void set_up(const Case& settings, const BodyCase& source, Body<T, D>& body) {
+  body.name = source.name;
+  body.source = &source;
+  body.material = converted<T>(source.material);
+  body.is_plain_sph = is_plain_sph(settings);
+  for (const kernels::PronyTerm<double>& term : source.prony) {
+    body.prony.push_back({static_cast<T>(term.ratio), static_cast<T>(term.time)});
+  }
+  body.lattice = body_lattice<D>(settings, source);
+  for (int buffer = 0; buffer < 3; ++buffer) {
+    body.stage[buffer] =
+        FieldStore<T, D>(body.material.model, static_cast<int>(body.prony.size()), buffer > 1);
+  }
+}
+
+}  // namespace
+
+template <class T, int D>
+State<T, D> make_state(const Case& settings) {
+  State<T, D> state{{}, Boundaries<D>(settings.boundaries), {}, {}, {}, {}, {}};
+  state.wall_impulse.resize(state.boundaries.walls.size());
+  state.contact_impulse.resize(settings.contacts.size());
+  state.bodies.resize(settings.bodies.size());
+  for (std::size_t b = 0; b < state.bodies.size(); ++b) {
+    set_up(settings, settings.bodies[b], state.bodies[b]);
+  }
+  return state;
+}
+
+template State<double, 2> make_state<double, 2>(const Case&);
+template State<double, 3> make_state<double, 3>(const Case&);
 template Lattice<2> body_lattice<2>(const Case&, const BodyCase&);
 template Lattice<3> body_lattice<3>(const Case&, const BodyCase&);
 

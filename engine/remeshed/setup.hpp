@@ -2,6 +2,7 @@
 
 #include "engine/case/case.hpp"
 #include "engine/lattice/lattice.hpp"
+#include "engine/remeshed/state.hpp"
 
 namespace pliant::remeshed {
 
@@ -10,5 +11,14 @@ namespace pliant::remeshed {
 /// start at the lower end of the cell.
 template <int D>
 Lattice<D> body_lattice(const Case& settings, const BodyCase& body);
+
+/// The state before bodies have particles. It refers to the bodies of `settings`.
+template <class T, int D>
+State<T, D> make_state(const Case& settings);
+
+/// Whether particles meet by pair forces alone, the paper's baseline.
+inline bool is_plain_sph(const Case& settings) {
+  return settings.discretisation.operators == Operators::symmetric_sph;
+}
 
 }  // namespace pliant::remeshed

@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
-#include <iterator>
 
 #include "engine/remeshed/resources.hpp"
 #include "engine/remeshed/setup.hpp"
@@ -14,44 +13,17 @@ namespace pliant::remeshed {
 
 namespace {
 
-template <class T, int D>
-State<T, D> empty_state(const Case& settings) {
-  State<T, D> state{{}, Boundaries<D>(settings.boundaries), {}, {}, {}, {}, {}};
-  state.wall_impulse.resize(state.boundaries.walls.size());
-  state.contact_impulse.resize(settings.contacts.size());
-  state.bodies.resize(settings.bodies.size());
-  return state;
-}
-
-template <class T>
-kernels::Material<T> converted(const kernels::Material<double>& m) {
-  kernels::Material<T> material;
-  material.model = m.model;
-  material.density = static_cast<T>(m.density);
-  material.bulk_modulus = static_cast<T>(m.bulk_modulus);
-  material.shear_modulus = static_cast<T>(m.shear_modulus);
-  material.order = m.order;
-  for (std::size_t n = 0; n < m.coefficient.size(); ++n) {
-    material.coefficient[n] = static_cast<T>(m.coefficient[n]);
-  }
-  material.compressibility = static_cast<T>(m.compressibility);
-  return material;
-}
-
-// Cells by which blocks may come nearer to each other before a graph has to be built again.
-constexpr int graph_slack = 4;
-
-bool is_plain_sph(const Case& settings) {
-  return settings.discretisation.operators == Operators::symmetric_sph;
-}
-
 // Plain SPH has the kernel (RP.13) whatever the weight of the moment matrix would be.
 kernels::Weight search_weight(const Case& settings) {
   return is_plain_sph(settings) ? kernels::Weight::quartic : settings.discretisation.weight;
 }
 
-// Shares of a period or of a spacing that rounding may leave between two times.
-constexpr double rounding = 1e-9;
+template <class T, int D>
+Layouts<D> layouts_of(const std::vector<Body<T, D>>& bodies, Population<T, D> Body<T, D>::*slots) {
+  Layouts<D> layouts;
+  for (const Body<T, D>& body : bodies) layouts.push_back(&(body.*slots).layout);
+  return layouts;
+}
 
 }  // namespace
 
@@ -60,41 +32,23 @@ Solver<T, D>::Solver(const Case& settings, int threads, kernels::Isa isa)
     : settings_(settings),
       workers_(threads),
       kernels_(kernels::table<T, D>(isa)),
-      state_(empty_state<T, D>(settings_)),
+      state_(make_state<T, D>(settings_)),
+      layouts_(layouts_of(state_.bodies, &Body<T, D>::population)),
+      spare_layouts_(layouts_of(state_.bodies, &Body<T, D>::spare)),
       step_(state_, settings_, kernels_),
       search_(state_, search_weight(settings_), is_plain_sph(settings_)),
       listed_(state_.bodies.size()) {
-  for (std::size_t b = 0; b < settings_.bodies.size(); ++b) {
-    Body<T, D>& body = state_.bodies[b];
-    const BodyCase& source = settings_.bodies[b];
-    body.name = source.name;
-    body.source = &source;
-    body.material = converted<T>(source.material);
-    body.is_plain_sph = is_plain_sph(settings_);
-    for (const kernels::PronyTerm<double>& term : source.prony) {
-      body.prony.push_back({static_cast<T>(term.ratio), static_cast<T>(term.time)});
-    }
-    body.lattice = body_lattice<D>(settings_, source);
-    for (int buffer = 0; buffer < 3; ++buffer) {
-      body.stage[buffer] =
-          FieldStore<T, D>(body.material.model, static_cast<int>(body.prony.size()), buffer > 1);
-    }
-    remeshings_.push_back(
-        std::make_unique<Remeshing<T, D>>(settings_, body, state_.boundaries, kernels_, workers_));
-    remeshings_.back()->place_initial(settings_, source);
+  for (std::size_t b = 0; b < state_.bodies.size(); ++b) {
+    remeshings_.push_back(std::make_unique<Remeshing<T, D>>(settings_, state_.bodies[b],
+                                                            state_.boundaries, kernels_, workers_));
+    remeshings_.back()->place_initial(settings_);
+    remeshings_.back()->prepare_arrival(false, true);
   }
-  std::vector<scheduler::Phase> phases;
-  int first = 0;
-  for (auto& remeshing : remeshings_) {
-    remeshing->prepare_arrival(false, true);
-    remeshing->arrival_phases(phases, first, false);
-    first += static_cast<int>(
-        state_.bodies[&remeshing - remeshings_.data()].spare.layout.blocks().size());
-  }
-  scheduler::StepGraph initial(std::move(phases), blocks(true), resource::names());
+  scheduler::StepGraph initial(arrival_phases(false), connect_blocks<D>(spare_layouts_, 0),
+                               resource::names());
   initial.run(workers_);
   for (auto& remeshing : remeshings_) remeshing->commit();
-  number_blocks();
+  number_blocks<D>(layouts_, state_.blocks);
   step_.momentum().open();
   adopt();
 }
@@ -109,15 +63,7 @@ template <class T, int D>
 void Solver<T, D>::step(double longest) {
   const auto start = std::chrono::steady_clock::now();
   Clock& clock = state_.clock;
-  double dt = time_step();
-  if (dt > longest * (1 - rounding)) dt = longest;
-  if (!(dt > 1e-12 * settings_.time.end)) {
-    throw StepFailure(
-        fmt::format("t = {:.6g}: the time step has collapsed to {:.3g} s (largest wave speed "
-                    "{:.3g} m/s); check "
-                    "the material constants and the loading, or use a finer spacing",
-                    clock.time, dt, clock.wave_speed));
-  }
+  const double dt = step_length(settings_, clock, time_step(), longest);
   step_.prepare(dt);
   find_neighbours(dt);
   run(*present_graph_);
@@ -132,17 +78,7 @@ void Solver<T, D>::step(double longest) {
   clock.wave_speed = step_.result().wave_speed;
   add_strain(dt);
   particle_stages_ += 4 * particles();
-  if (remeshing_due()) {
-    const bool reinitialise =
-        clock.steps_since_reinitialisation >= settings_.level_set.reinitialise_every;
-    remesh_onto_spare(reinitialise, true);
-    if (reinitialise) clock.steps_since_reinitialisation = 0;
-    ++clock.remeshings;
-    clock.steps_since_remeshing = 0;
-    clock.accumulated_strain = 0;
-    for (Body<T, D>& body : state_.bodies) body.neighbours.strain = 0;
-    commit();
-  }
+  if (remeshing_due()) remesh();
   loop_seconds_ += std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
 }
 
@@ -161,46 +97,55 @@ bool Solver<T, D>::remeshing_due() const {
 }
 
 template <class T, int D>
-void Solver<T, D>::remesh_onto_spare(bool reinitialise, bool is_final) {
-  step_.prepare(0);
-  const auto each_body = [&](bool spare, auto add) {
-    std::vector<scheduler::Phase> phases;
-    int first = 0;
-    for (std::size_t b = 0; b < remeshings_.size(); ++b) {
-      add(phases, *remeshings_[b], first);
-      const Body<T, D>& body = state_.bodies[b];
-      first += static_cast<int>((spare ? body.spare : body.population).layout.blocks().size());
-    }
-    return phases;
-  };
-  run(graph_for(departure_graph_, false, [&] {
-    std::vector<scheduler::Phase> phases = step_.ghost_phases();
-    for (auto& phase : each_body(false, [](auto&list, auto&remeshing, int first) {
-           remeshing.departure_phases(list, first);
-         })) {
-      phases.push_back(std::move(phase));
-    }
-    return phases;
-  }));
-  for (auto& remeshing : remeshings_) remeshing->prepare_arrival(reinitialise, is_final);
-  run(graph_for(arrival_graph_, true, [&] {
-    return each_body(true, [](auto& list, auto& remeshing, int first) {
-      remeshing.arrival_phases(list, first, true);
-    });
-  }));
+void Solver<T, D>::remesh() {
+  Clock& clock = state_.clock;
+  const bool reinitialise =
+      clock.steps_since_reinitialisation >= settings_.level_set.reinitialise_every;
+  remesh_onto_spare(reinitialise, true);
+  if (reinitialise) clock.steps_since_reinitialisation = 0;
+  ++clock.remeshings;
+  clock.steps_since_remeshing = 0;
+  clock.accumulated_strain = 0;
+  for (Body<T, D>& body : state_.bodies) body.neighbours.strain = 0;
+  for (auto& remeshing : remeshings_) remeshing->commit();
+  adopt();
 }
 
 template <class T, int D>
-void Solver<T, D>::commit() {
-  for (auto& remeshing : remeshings_) remeshing->commit();
-  adopt();
+void Solver<T, D>::remesh_onto_spare(bool reinitialise, bool is_final) {
+  step_.prepare(0);
+  run(departure_graph_.over(layouts_, [&] { return departure_phases(); }));
+  for (auto& remeshing : remeshings_) remeshing->prepare_arrival(reinitialise, is_final);
+  run(arrival_graph_.over(spare_layouts_, [&] { return arrival_phases(true); }));
+}
+
+template <class T, int D>
+std::vector<scheduler::Phase> Solver<T, D>::departure_phases() {
+  std::vector<scheduler::Phase> phases = step_.ghost_phases();
+  int first = 0;
+  for (std::size_t b = 0; b < remeshings_.size(); ++b) {
+    remeshings_[b]->departure_phases(phases, first);
+    first += static_cast<int>(layouts_[b]->blocks().size());
+  }
+  return phases;
+}
+
+template <class T, int D>
+std::vector<scheduler::Phase> Solver<T, D>::arrival_phases(bool from_particles) {
+  std::vector<scheduler::Phase> phases;
+  int first = 0;
+  for (std::size_t b = 0; b < remeshings_.size(); ++b) {
+    remeshings_[b]->arrival_phases(phases, first, from_particles);
+    first += static_cast<int>(spare_layouts_[b]->blocks().size());
+  }
+  return phases;
 }
 
 template <class T, int D>
 void Solver<T, D>::adopt() {
   check_bodies();
   restored();
-  run(graph_for(stress_graph_, false, [&] { return step_.stress_phases(); }));
+  run(stress_graph_.over(layouts_, [&] { return step_.stress_phases(); }));
   step_.fold();
   check(step_.result());
   state_.clock.wave_speed = step_.result().wave_speed;
@@ -208,9 +153,9 @@ void Solver<T, D>::adopt() {
 
 template <class T, int D>
 void Solver<T, D>::restored() {
-  number_blocks();
+  number_blocks<D>(layouts_, state_.blocks);
   search_.forget();
-  present_graph_ = &graph_for(step_graph_, false, [&] { return step_.phases(); });
+  present_graph_ = &step_graph_.over(layouts_, [&] { return step_.phases(); });
 }
 
 // The step over listed neighbours has a graph of its own, and both are kept: bodies that strain
@@ -218,15 +163,15 @@ void Solver<T, D>::restored() {
 template <class T, int D>
 void Solver<T, D>::find_neighbours(double time_step) {
   if (!search_.is_due(time_step)) return;
-  run(graph_for(search_graph_, false, [&] { return search_.phases(); }));
+  run(search_graph_.over(layouts_, [&] { return search_.phases(); }));
   const auto is_listed = [](const Body<T, D>& body) { return body.neighbours.are_listed; };
   if (std::none_of(state_.bodies.begin(), state_.bodies.end(), is_listed)) return;
   for (std::size_t b = 0; b < state_.bodies.size(); ++b) {
     if (listed_[b] == is_listed(state_.bodies[b])) continue;
     listed_[b] = !listed_[b];
-    listed_step_graph_.steps.reset();
+    listed_step_graph_.drop();
   }
-  present_graph_ = &graph_for(listed_step_graph_, false, [&] { return step_.phases(); });
+  present_graph_ = &listed_step_graph_.over(layouts_, [&] { return step_.phases(); });
 }
 
 template <class T, int D>
@@ -236,78 +181,6 @@ void Solver<T, D>::add_strain(double time_step) {
     neighbours.strain_rate = step_.strain_rate(static_cast<int>(b));
     neighbours.strain += time_step * neighbours.strain_rate;
   }
-}
-
-template <class T, int D>
-void Solver<T, D>::number_blocks() {
-  state_.blocks.clear();
-  for (std::size_t b = 0; b < state_.bodies.size(); ++b) {
-    const int count = static_cast<int>(state_.bodies[b].population.layout.blocks().size());
-    for (int i = 0; i < count; ++i) state_.blocks.push_back({static_cast<int>(b), i});
-  }
-}
-
-template <class T, int D>
-scheduler::Blocks Solver<T, D>::blocks(bool spare) const {
-  scheduler::Blocks blocks;
-  for (const Body<T, D>& body : state_.bodies) {
-    const int first = blocks.count();
-    const Layout<D>& layout = (spare ? body.spare : body.population).layout;
-    for (const auto& near : layout.neighbours_and(graph_slack)) {
-      blocks.neighbours.emplace_back(near);
-      for (int& b : blocks.neighbours.back()) b += first;
-    }
-  }
-  return blocks;
-}
-
-// Neighbours that a block has no longer do no harm: they only restrict the order of nodes.
-template <class T, int D>
-bool Solver<T, D>::serves(const Graph& graph, bool spare) const {
-  if (!graph.steps) return false;
-  const auto& listed = graph.steps->blocks().neighbours;
-  std::size_t first = 0;
-  for (std::size_t body = 0; body < state_.bodies.size(); ++body) {
-    const Body<T, D>& owner = state_.bodies[body];
-    const auto& neighbours = (spare ? owner.spare : owner.population).layout.neighbours();
-    if (graph.block_counts[body] != neighbours.size()) return false;
-    for (std::size_t b = 0; b < neighbours.size(); ++b) {
-      const auto& known = listed[first + b];
-      for (const int near : neighbours[b]) {
-        if (!std::binary_search(known.begin(), known.end(), near + static_cast<int>(first))) {
-          return false;
-        }
-      }
-    }
-    first += neighbours.size();
-  }
-  return true;
-}
-
-// As long as the bodies keep their numbers of blocks, a new graph keeps the neighbours of the old
-// one too: where blocks come near and part again, as those of a body that breathes do, building a
-// graph at every remeshing would cost a small body a tenth of its time.
-template <class T, int D>
-template <class F>
-scheduler::StepGraph& Solver<T, D>::graph_for(Graph& graph, bool spare, F&& make_phases) {
-  if (serves(graph, spare)) return *graph.steps;
-  std::vector<std::size_t> counts;
-  for (const Body<T, D>& body : state_.bodies) {
-    counts.push_back((spare ? body.spare : body.population).layout.blocks().size());
-  }
-  scheduler::Blocks present = blocks(spare);
-  if (graph.steps && graph.block_counts == counts) {
-    for (int b = 0; b < present.count(); ++b) {
-      const auto& before = graph.steps->blocks().neighbours[b];
-      std::vector<scheduler::BlockId> all;
-      std::set_union(before.begin(), before.end(), present.neighbours[b].begin(),
-                     present.neighbours[b].end(), std::back_inserter(all));
-      present.neighbours[b] = std::move(all);
-    }
-  }
-  graph.steps = std::make_unique<scheduler::StepGraph>(make_phases(), present, resource::names());
-  graph.block_counts = std::move(counts);
-  return *graph.steps;
 }
 
 template <class T, int D>
@@ -377,7 +250,7 @@ std::vector<LatticeView<T, D>> Solver<T, D>::on_nodes() {
 template <class T, int D>
 void Solver<T, D>::refresh_ghosts() {
   step_.prepare(0);
-  run(graph_for(ghost_graph_, false, [&] { return step_.ghost_phases(); }));
+  run(ghost_graph_.over(layouts_, [&] { return step_.ghost_phases(); }));
 }
 
 template <class T, int D>

@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "engine/remeshed/kept_graph.hpp"
 #include "engine/remeshed/neighbours.hpp"
 #include "engine/remeshed/remesh.hpp"
 #include "engine/remeshed/state.hpp"
@@ -76,24 +77,15 @@ class Solver {
 
  private:
   static constexpr auto remeshing_never = decltype(Case{}.remeshing)::Policy::never;
-  /// A graph and the number of blocks that each body had when it was made.
-  struct Graph {
-    std::unique_ptr<scheduler::StepGraph> steps;
-    std::vector<std::size_t> block_counts;
-  };
 
   bool remeshing_due() const;
+  void remesh();
   void remesh_onto_spare(bool reinitialise, bool is_final);
-  void commit();
+  std::vector<scheduler::Phase> departure_phases();
+  std::vector<scheduler::Phase> arrival_phases(bool from_particles);
   void adopt();
-  void number_blocks();
   void find_neighbours(double time_step);
   void add_strain(double time_step);
-  scheduler::Blocks blocks(bool spare) const;
-  /// Whether a graph serves the present blocks, or those of the new lattice.
-  bool serves(const Graph& graph, bool spare) const;
-  template <class F>
-  scheduler::StepGraph& graph_for(Graph& graph, bool spare, F&& make_phases);
   void run(scheduler::StepGraph& graph);
   void check(const kernels::StageResult& result) const;
   void check_bodies() const;
@@ -102,11 +94,12 @@ class Solver {
   scheduler::Workers workers_;
   const kernels::Table<T, D>& kernels_;
   State<T, D> state_;
+  Layouts<D> layouts_, spare_layouts_;  ///< of the present slots, and of the new lattice
   Step<T, D> step_;
   std::vector<std::unique_ptr<Remeshing<T, D>>> remeshings_;
   NeighbourSearch<T, D> search_;
-  Graph step_graph_, listed_step_graph_, search_graph_;
-  Graph ghost_graph_, departure_graph_, arrival_graph_, stress_graph_;
+  KeptGraph<D> step_graph_, listed_step_graph_, search_graph_;
+  KeptGraph<D> ghost_graph_, departure_graph_, arrival_graph_, stress_graph_;
   scheduler::StepGraph* present_graph_ = nullptr;  ///< one of the first two
   std::vector<bool> listed_;                       ///< [body] as the second was made for
   scheduler::StepTotals totals_;

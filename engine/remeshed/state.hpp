@@ -3,26 +3,20 @@
 #include <cstdint>
 #include <vector>
 
+#include "engine/body/numbering.hpp"
 #include "engine/body/walls.hpp"
 #include "engine/case/case.hpp"
 #include "engine/remeshed/body.hpp"
+#include "engine/step_clock.hpp"
 
 namespace pliant::remeshed {
 
 /// Counters that the next step reads; a checkpoint holds all of them.
-struct Clock {
-  double time = 0;  ///< [s]
-  std::int64_t step = 0;
+struct Clock : StepClock {
   std::int64_t remeshings = 0;
   std::int64_t steps_since_remeshing = 0;
   std::int64_t steps_since_reinitialisation = 0;
   double accumulated_strain = 0;  ///< of (RP.28), since the last remeshing
-  double wave_speed = 0;          ///< largest, at the present state [m/s]
-};
-
-/// Where a block of the step graph belongs: the blocks of all bodies in one numbering.
-struct BlockOwner {
-  int body, block;
 };
 
 /// What a body in contact holds to, see body_momentum.hpp.
@@ -41,6 +35,13 @@ struct State {
   std::vector<Body<T, D>> bodies;
   std::vector<Book<D>> books;  ///< [body], or none without contacts between bodies
   std::vector<BlockOwner> blocks;
+
+  /// The body of a block, and the block's number in it.
+  struct Owner {
+    Body<T, D>& body;
+    int block;
+  };
+  Owner owner(int block) { return {bodies[blocks[block].body], blocks[block].block}; }
 };
 
 }  // namespace pliant::remeshed

@@ -6,6 +6,7 @@
 #include "engine/remeshed/body_contact.hpp"
 #include "engine/remeshed/body_momentum.hpp"
 #include "engine/remeshed/ghost_fill.hpp"
+#include "engine/remeshed/particle_update.hpp"
 #include "engine/remeshed/state.hpp"
 #include "kernels/table.hpp"
 #include "scheduler/phase.hpp"
@@ -29,47 +30,39 @@ class Step {
 
   /// Fixes the time step [s] and what the boundaries impose at each stage.
   void prepare(double time_step);
-  /// What the last step found, folded over the blocks in their order, the impulse of contact walls
-  /// into the state.
+  /// Folds what a step found over the blocks in their order, the impulse of contact walls into the
+  /// state.
+  void fold();
   const kernels::StageResult& result() const { return result_; }
+  /// The block of the slot that is no longer finite, or -1.
   int failed_block() const { return failed_block_; }
   /// max abs(eps)_F of one body in the last step [1/s].
   double strain_rate(int body) const { return strain_rates_[body]; }
-  void fold();
 
  private:
-  static constexpr std::array<double, 4> stage_time = {0, 0.5, 0.5, 1};
-  static constexpr std::array<double, 4> stage_weight = {1. / 6, 1. / 3, 1. / 3, 1. / 6};
+  using Accesses = std::vector<scheduler::Access>;
 
-  struct Owner {
-    Body<T, D>& body;
-    int block;
-  };
-  Owner owner(int block) {
-    return {state_.bodies[state_.blocks[block].body], state_.blocks[block].block};
-  }
+  /// A phase that runs on each block, with the body and the number that the block has in it.
+  template <class F>
+  scheduler::Phase on_blocks(const char* name, int stage, const Accesses& reads,
+                             const Accesses& writes, F run);
+
   bool periodic() const;
-  void prepare_relaxation();
   std::vector<int> blocks_where(bool listed) const;
   void add_ghosts(std::vector<scheduler::Phase>& phases, int stage, WhichGhosts which);
-  bool is_plain_sph() const;
+  void add_filling(std::vector<scheduler::Phase>& phases, int stage, WhichGhosts which);
   void add_pair_stress(std::vector<scheduler::Phase>& phases, int stage);
   void add_advance(std::vector<scheduler::Phase>& phases, int stage);
   void add_advance(std::vector<scheduler::Phase>& phases, int stage, scheduler::Reach reach,
-                   std::vector<int> blocks);
+                   const std::vector<int>& blocks);
 
-  void copy_image_drift(int block, int stage);
-  void write_records(int block, int stage);
-  void decide_contact(int block, int stage);
   void fill(int block, int stage);
   void fill_all(int block, int stage);
-  void copy_images(int block, int stage);
-  void advance(int block, int stage);
-  void evaluate_stress(int block);
 
   State<T, D>& state_;
   const Case& settings_;
   const kernels::Table<T, D>& kernels_;
+  ParticleUpdate<T, D> particles_;
   BodyContact<T, D> contact_;
   BodyMomentum<T, D> momentum_;
   double time_step_ = 0;
@@ -78,7 +71,6 @@ class Step {
   kernels::StageResult result_ = {0, 0, -1};
   std::vector<double> strain_rates_;  ///< [body]
   int failed_block_ = -1;
-  std::array<std::vector<std::vector<kernels::Relaxation<T>>>, 4> relaxation_;  ///< [stage][body]
   std::vector<Point<D>> impulse_;  ///< [block][wall] of contact walls on the bodies, of this step
 };
 

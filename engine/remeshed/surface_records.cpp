@@ -1,3 +1,5 @@
+#include "engine/remeshed/surface_records.hpp"
+
 #include "engine/remeshed/ghost_fits.hpp"
 
 // Which particles the fits read, and where their records lie: side by side, block after block.
@@ -59,6 +61,30 @@ void resolve_records(Population<T, D>& population, int block, const std::int32_t
   for (std::int32_t& record : ghosts.record) record = record_of_slot[record];
 }
 
+template <class T, int D>
+void write_surface_records(Body<T, D>& body, int block, int stage,
+                           const kernels::Table<T, D>& kernels) {
+  const Layout<D>& layout = body.population.layout;
+  const BlockGhosts<T, D>& ghosts = body.population.ghosts[block];
+  kernels::SurfaceRecords<T, D> work = {};
+  work.segments = layout.segments_of(layout.blocks()[block]);
+  work.packs = ghosts.packs.data();
+  work.pack_count = static_cast<int>(ghosts.packs.size());
+  work.spacing = static_cast<T>(body.lattice.spacing);
+  work.material = body.material;
+  work.mass = body.stage[0].get(Field::mass);
+  work.level_set = body.stage[0].get(Field::level_set);
+  work.state = body.stage[buffer_of(stage)].template evolving<const T>();
+  work.stress = std::as_const(body).stress_view(stage % 2);
+  work.records = body.records.get();
+  work.relaxes = !body.prony.empty();
+  kernels.write_surface_records(work);
+}
+
+template void write_surface_records<double, 2>(Body<double, 2>&, int, int,
+                                               const kernels::Table<double, 2>&);
+template void write_surface_records<double, 3>(Body<double, 3>&, int, int,
+                                               const kernels::Table<double, 3>&);
 template void list_surface_particles<double, 2>(Population<double, 2>&, int, const std::int32_t*);
 template void number_records<double, 2>(Population<double, 2>&, std::int32_t*);
 template void list_slots_of_records<double, 2>(Population<double, 2>&);

@@ -45,28 +45,20 @@ TouchSearch<T, D>::TouchSearch(State<T, D>& state, const std::vector<ContactCase
 
 template <class T, int D>
 void TouchSearch<T, D>::add_phases(std::vector<Phase>& phases) {
-  phases.push_back({"touches: samples",
-                    -1,
-                    {{resource::drift(0)}},
-                    {{resource::surface_samples}},
-                    Phase::Extent::per_block,
-                    {},
-                    [this](int block) { find_samples(block); }});
-  phases.push_back({"touches: cells",
-                    -1,
-                    {{resource::surface_samples, Reach::all}},
-                    {{resource::surface_cells, Reach::all}},
-                    Phase::Extent::once,
-                    {},
-                    [this](int) { sort_samples(); }});
+  phases.push_back({.name = "touches: samples",
+                    .reads = {{resource::drift(0)}},
+                    .writes = {{resource::surface_samples}},
+                    .run = [this](int block) { find_samples(block); }});
+  phases.push_back({.name = "touches: cells",
+                    .reads = {{resource::surface_samples, Reach::all}},
+                    .writes = {{resource::surface_cells, Reach::all}},
+                    .extent = Phase::Extent::once,
+                    .run = [this](int) { sort_samples(); }});
   phases.push_back(
-      {"touches",
-       -1,
-       {{resource::surface_cells, Reach::all}, {resource::drift(0), Reach::neighbours}},
-       {{resource::touches}},
-       Phase::Extent::per_block,
-       {},
-       [this](int block) { find_touches(block); }});
+      {.name = "touches",
+       .reads = {{resource::surface_cells, Reach::all}, {resource::drift(0), Reach::neighbours}},
+       .writes = {{resource::touches}},
+       .run = [this](int block) { find_touches(block); }});
 }
 
 template <class T, int D>

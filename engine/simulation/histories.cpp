@@ -41,7 +41,7 @@ void Histories::add(double time, std::vector<double> values) {
   }
   for (std::size_t m = 0; m < values.size(); ++m) {
     const MeasurementCase& measurement = settings_->measurements[m];
-    if (measurement.of < 0) continue;
+    if (!measurement.reads_history()) continue;
     rows_[m].back() = value_of(measurement, times_, rows_[measurement.of]);
   }
 }

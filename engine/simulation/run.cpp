@@ -17,12 +17,13 @@
 #include "engine/output/progress.hpp"
 #include "engine/output/result_file.hpp"
 #include "engine/output/summary.hpp"
+#include "engine/remeshed/frame.hpp"
 #include "engine/remeshed/measure.hpp"
-#include "engine/simulation/frames.hpp"
+#include "engine/remeshed/solver_archive.hpp"
 #include "engine/simulation/histories.hpp"
-#include "engine/simulation/solver_archive.hpp"
+#include "engine/total_lagrangian/frame.hpp"
 #include "engine/total_lagrangian/measure.hpp"
-#include "engine/total_lagrangian/output.hpp"
+#include "engine/total_lagrangian/solver_archive.hpp"
 #include "engine/version.hpp"
 
 namespace pliant {

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <limits>
 
+#include "engine/body/padded.hpp"
 #include "engine/total_lagrangian/stress_point.hpp"
 
 namespace pliant::total_lagrangian {
@@ -41,6 +42,7 @@ std::vector<double> Measurer<T, D>::operator()() {
 template <class T, int D>
 double Measurer<T, D>::value(const MeasurementCase& m) const {
   using Quantity = MeasurementCase::Kind;
+  if (m.reads_history()) return nothing;
   switch (m.kind) {
     case Quantity::extent:
       return extent(m);
@@ -48,11 +50,6 @@ double Measurer<T, D>::value(const MeasurementCase& m) const {
       return point_displacement(m);
     case Quantity::surface_area:
       return surface_area(m);
-    case Quantity::period:
-    case Quantity::amplitude_ratio:
-    case Quantity::largest_mean:
-    case Quantity::last_time:
-      return nothing;
     default:
       return value_of(m, integrals(m.body, m.point), D);
   }
@@ -67,8 +64,7 @@ double Measurer<T, D>::extent(const MeasurementCase& m) const {
     if (!facet.free) continue;
     for (const Vertex<D>& v : facet.vertex) {
       const Point<D> x = body.position(v);
-      Vector at = {};
-      for (int a = 0; a < D; ++a) at[a] = x[a];
+      const Vector at = padded<D>(x);
       if (m.where && (*m.where)(at[0], at[1], at[2], t) == 0) continue;
       farthest = std::max(farthest, sign * x[m.axis]);
     }
@@ -120,20 +116,12 @@ BodyIntegrals Measurer<T, D>::integrals(int index, const Vector& about) const {
   BodyIntegrals sum;
   for_each_particle(body, [&](std::int64_t p, const Cell<D>& cell) {
     Vector r = {}, u = {};
-    double square = 0;
     for (int a = 0; a < D; ++a) {
       r[a] = body.lattice.node(a, cell[a]) + body.displacement[a][p] - about[a];
       u[a] = body.velocity[a][p];
-      square += u[a] * u[a];
     }
     sum.mass += body.mass[p];
-    const double inertia = scaling * body.mass[p];
-    sum.kinetic_energy += 0.5 * inertia * square;
-    for (int c = 0; c < 3; ++c) {
-      const int a = (c + 1) % 3, b = (c + 2) % 3;
-      sum.momentum[c] += inertia * u[c];
-      sum.angular_momentum[c] += inertia * (r[a] * u[b] - r[b] * u[a]);
-    }
+    add_motion(sum, scaling * body.mass[p], r, u);
   });
   for_each_stress_point(body, solver_.settings().total_lagrangian.hourglass,
                         [&](std::int64_t p, const StressPoint<D>& point) {

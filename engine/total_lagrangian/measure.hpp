@@ -13,8 +13,8 @@ class Measurer {
  public:
   explicit Measurer(Solver<T, D>& solver) : solver_(solver) {}
 
-  /// One value for each measurement of the case; NaN where it has none (period and amplitude_ratio,
-  /// which read histories).
+  /// One value for each measurement of the case; NaN where it has none (those which read
+  /// histories).
   std::vector<double> operator()();
 
   /// Of all bodies together. Momentum and kinetic energy are those of the scaled mass, as the

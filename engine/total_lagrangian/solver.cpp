@@ -13,9 +13,6 @@ namespace pliant::total_lagrangian {
 
 namespace {
 
-// Shares of a step that rounding may leave between two times.
-constexpr double rounding = 1e-9;
-
 // Steps after which wave speed and soundness of the state are looked at again: waves go a few cells
 // in that time, and the state hardly changes.
 constexpr int examine_every = 8;
@@ -29,25 +26,20 @@ Solver<T, D>::Solver(const Case& settings, int threads, kernels::Isa isa)
       state_{{}, Boundaries<D>(settings_.boundaries), {}, {}},
       step_(state_, settings_, kernels::table<T, D>(isa)) {
   state_.bodies.resize(settings_.bodies.size());
-  scheduler::Blocks blocks;
+  Layouts<D> layouts;
   for (std::size_t b = 0; b < state_.bodies.size(); ++b) {
     Body<T, D>& body = state_.bodies[b];
     body.material = settings_.bodies[b].material;
     make_body<T, D>(settings_, settings_.bodies[b], state_.boundaries, body);
-    const int first = blocks.count();
-    for (int i = 0; i < static_cast<int>(body.layout.blocks().size()); ++i) {
-      state_.blocks.push_back({static_cast<int>(b), i});
-      blocks.neighbours.push_back(body.layout.neighbours()[i]);
-      for (int& near : blocks.neighbours.back()) near += first;
-    }
-  }
-  for (const Body<T, D>& body : state_.bodies) {
+    layouts.push_back(&body.layout);
     state_.clock.wave_speed = std::max(
         state_.clock.wave_speed, static_cast<double>(kernels::wave_speed_at_rest(body.material)));
   }
+  number_blocks<D>(layouts, state_.blocks);
   state_.clock.damping = settings_.total_lagrangian.damping.value_or(0);
   scale_mass();
-  graph_ = std::make_unique<scheduler::StepGraph>(step_.phases(), blocks, Step<T, D>::resources());
+  graph_ = std::make_unique<scheduler::StepGraph>(step_.phases(), connect_blocks<D>(layouts, 0),
+                                                  Step<T, D>::resources());
 }
 
 // Waves are slower by the square root of the scaling; "to_step" makes them as slow as the step
@@ -73,14 +65,7 @@ template <class T, int D>
 void Solver<T, D>::step(double longest) {
   const auto start = std::chrono::steady_clock::now();
   Clock& clock = state_.clock;
-  double dt = time_step();
-  if (dt > longest * (1 - rounding)) dt = longest;
-  if (!(dt > 1e-12 * settings_.time.end)) {
-    throw StepFailure(fmt::format(
-        "t = {:.6g}: the time step has collapsed to {:.3g} s (largest wave speed {:.3g} "
-        "m/s); check the material constants and the loading",
-        clock.time, dt, clock.wave_speed));
-  }
+  const double dt = step_length(settings_, clock, time_step(), longest);
   const bool examine = clock.step % examine_every == 0;
   step_.prepare(dt, examine);
   graph_->run(workers_);

@@ -46,15 +46,11 @@ std::vector<Phase> Step<T, D>::phases() {
   stress_results_.assign(state_.blocks.size(), {0, -1});
   motion_results_.assign(state_.blocks.size(), {});
   using Access = scheduler::Access;
-  const auto each = [this](const char* name, std::vector<Access> reads, std::vector<Access> writes,
-                           auto run) {
-    return Phase{name,
-                 -1,
-                 std::move(reads),
-                 std::move(writes),
-                 Phase::Extent::per_block,
-                 {},
-                 [this, run](int block) { (this->*run)(block); }};
+  const auto each = [this](const char* name, const std::vector<Access>& reads,
+                           const std::vector<Access>& writes, auto run) -> Phase {
+    return {.name = name, .reads = reads, .writes = writes, .run = [this, run](int block) {
+              (this->*run)(block);
+            }};
   };
   std::vector<Phase> phases;
   if (!state_.boundaries.pressures.empty()) {

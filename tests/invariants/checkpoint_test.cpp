@@ -1,7 +1,7 @@
 #include <gtest/gtest.h>
 
 #include "engine/remeshed/measure.hpp"
-#include "engine/simulation/solver_archive.hpp"
+#include "engine/remeshed/solver_archive.hpp"
 #include "tests/engine/output/temporary_folder.hpp"
 #include "tests/invariants/sample_runs.hpp"
 

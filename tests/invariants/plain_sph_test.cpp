@@ -2,7 +2,7 @@
 
 #include "engine/remeshed/measure.hpp"
 #include "engine/remeshed/pair_stress.hpp"
-#include "engine/simulation/solver_archive.hpp"
+#include "engine/remeshed/solver_archive.hpp"
 #include "tests/engine/output/temporary_folder.hpp"
 #include "tests/engine/remeshed/snapshot.hpp"
 

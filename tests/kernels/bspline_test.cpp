@@ -4,6 +4,8 @@
 
 #include <cmath>
 
+#include "tests/kernels/bspline_slope.hpp"
+
 namespace pliant::kernels {
 namespace {
 

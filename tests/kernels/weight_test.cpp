@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include "kernels/bspline.hpp"
+#include "tests/kernels/bspline_slope.hpp"
 
 namespace pliant::kernels {
 namespace {

@@ -4,6 +4,7 @@
 
 #include <cmath>
 
+#include "engine/geometry/signed_distance.hpp"
 #include "tests/engine/geometry/shapes.hpp"
 
 namespace pliant {
@@ -13,8 +14,13 @@ using namespace tests;
 
 const Shape block = box({-0.5, -1, 0}, {0.5, 1, 0});
 
+/// From the free surface of a plane body; minus infinity when it has none.
+double distance(const Shape& body, const std::vector<Shape>& walls, const Vector& x) {
+  return signed_distance(free_surface(body, walls, 2), x, 2);
+}
+
 TEST(free_surface, a_body_without_walls_keeps_its_distance) {
-  EXPECT_EQ(free_surface_distance(block, {}, {0, 0.9, 0}, 2), -0.09999999999999998);
+  EXPECT_EQ(distance(block, {}, {0, 0.9, 0}), -0.09999999999999998);
 }
 
 TEST(free_surface, it_runs_on_through_bonded_half_spaces) {
@@ -22,7 +28,7 @@ TEST(free_surface, it_runs_on_through_bonded_half_spaces) {
                                    half_space({0, -1, 0}, {0, 1, 0})};
   for (const double y : {-3.0, -1.0, -0.99, 0.0, 0.5, 1.0, 2.0}) {
     for (const double x : {-0.7, -0.5, 0.0, 0.3, 1.5}) {
-      EXPECT_EQ(free_surface_distance(block, pistons, {x, y, 0}, 2), std::abs(x) - 0.5);
+      EXPECT_EQ(distance(block, pistons, {x, y, 0}), std::abs(x) - 0.5);
     }
   }
 }
@@ -47,9 +53,9 @@ TEST(free_surface, it_runs_on_through_a_box_that_covers_the_face) {
 
 TEST(free_surface, a_box_that_covers_half_a_face_opens_that_half) {
   const std::vector<Shape> walls{box({0, 1, 0}, {2, 1.2, 0})};
-  EXPECT_EQ(free_surface_distance(block, walls, {0.25, 1, 0}, 2), -0.25);
-  EXPECT_EQ(free_surface_distance(block, walls, {0.25, 7, 0}, 2), -0.25);
-  EXPECT_EQ(free_surface_distance(block, walls, {-0.25, 1.125, 0}, 2), 0.125);
+  EXPECT_EQ(distance(block, walls, {0.25, 1, 0}), -0.25);
+  EXPECT_EQ(distance(block, walls, {0.25, 7, 0}), -0.25);
+  EXPECT_EQ(distance(block, walls, {-0.25, 1.125, 0}), 0.125);
 }
 
 TEST(free_surface, planes_match_to_rounding) {
@@ -62,8 +68,8 @@ TEST(free_surface, planes_match_to_rounding) {
 TEST(free_surface, parts_of_a_combination_are_opened_alike) {
   const Shape notched = combine(Shape::Kind::subtract, {block, box({-0.1, 0.5, 0}, {0.1, 1, 0})});
   const std::vector<Shape> walls{half_space({0, 1, 0}, {0, -1, 0})};
-  EXPECT_DOUBLE_EQ(free_surface_distance(notched, walls, {0, 3, 0}, 2), 0.1);
-  EXPECT_DOUBLE_EQ(free_surface_distance(notched, walls, {0.3, 3, 0}, 2), -0.2);
+  EXPECT_DOUBLE_EQ(distance(notched, walls, {0, 3, 0}), 0.1);
+  EXPECT_DOUBLE_EQ(distance(notched, walls, {0.3, 3, 0}), -0.2);
 }
 
 TEST(free_surface, pressure_regions_are_no_walls_and_periodic_ends_are) {
@@ -79,7 +85,7 @@ TEST(free_surface, pressure_regions_are_no_walls_and_periodic_ends_are) {
   a_case.periodic.upper = {0.5, 0, 0};
   const std::vector<Shape> walls = attached_walls(a_case);
   ASSERT_EQ(walls.size(), 4U);
-  EXPECT_EQ(free_surface_distance(block, walls, {0.3, 0.2, 0}, 2), -infinity);
+  EXPECT_EQ(distance(block, walls, {0.3, 0.2, 0}), -infinity);
 }
 
 }  // namespace

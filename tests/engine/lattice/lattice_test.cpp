@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <vector>
+
 namespace pliant {
 namespace {
 
@@ -22,6 +24,17 @@ TEST(lattice, cells_wrap_into_the_first_period_where_there_is_one) {
   EXPECT_EQ(lattice.wrapped({-16, 0, 4}), (Cell<3>{0, 0, 4}));
   EXPECT_TRUE(lattice.is_wrapped({7, -100, 0}));
   EXPECT_FALSE(lattice.is_wrapped({8, 0, 0}));
+}
+
+TEST(lattice, cells_of_a_box_come_one_by_one_x_fastest) {
+  std::vector<Cell<3>> cells;
+  for_each_cell<3>({-1, 2, 5}, {0, 3, 5}, [&](const Cell<3>& cell) { cells.push_back(cell); });
+  EXPECT_EQ(cells, (std::vector<Cell<3>>{{-1, 2, 5}, {0, 2, 5}, {-1, 3, 5}, {0, 3, 5}}));
+}
+
+TEST(lattice, a_box_that_ends_before_it_begins_has_no_cells) {
+  for_each_cell<2>({0, 0}, {-1, 4}, [](const Cell<2>&) { FAIL(); });
+  for_each_cell<2>({0, 5}, {3, 4}, [](const Cell<2>&) { FAIL(); });
 }
 
 }  // namespace

@@ -1,5 +1,6 @@
-#include "engine/simulation/frames.hpp"
+#include "engine/remeshed/frame.hpp"
 
+#include "engine/body/full_stress.hpp"
 #include "engine/remeshed/contact.hpp"
 #include "engine/remeshed/point_state.hpp"
 #include "engine/remeshed/surface_mesh.hpp"
@@ -36,18 +37,11 @@ std::vector<Selection> select(const remeshed::State<T, D>& state, bool with_ghos
   return chosen;
 }
 
-// xx, yy, zz, xy, yz, xz; plane strain has sigma_zz = -3 p - sigma_xx - sigma_yy by (RP.10).
 template <class T, int D>
-std::array<double, 6> full_stress(const Body<T, D>& body, std::int64_t p) {
-  const auto s = [&](int i, int j) {
-    return static_cast<double>(body.stress[kernels::symmetric_index<D>(i, j)][p]);
-  };
-  if constexpr (D == 2) {
-    const double pressure = remeshed::pressure<T, D>(body, body.stage[0], p);
-    return {s(0, 0), s(1, 1), -3 * pressure - s(0, 0) - s(1, 1), s(0, 1), 0, 0};
-  } else {
-    return {s(0, 0), s(1, 1), s(2, 2), s(0, 1), s(1, 2), s(0, 2)};
-  }
+std::array<double, 6> stress_of(const Body<T, D>& body, std::int64_t p) {
+  std::array<double, kernels::symmetric_components<D>> stress;
+  for (std::size_t c = 0; c < stress.size(); ++c) stress[c] = body.stress[c][p];
+  return full_stress<D>(stress, remeshed::pressure<T, D>(body, body.stage[0], p));
 }
 
 template <class T, int D>
@@ -126,7 +120,7 @@ Frame take_frame(remeshed::Solver<T, D>& solver, bool with_ghosts, bool with_sur
   add("density", "kg/m^3", 1,
       [](const B& body, std::int64_t p, int) { return remeshed::density<T, D>(body.stage[0], p); });
   add("stress", "Pa", 6,
-      [](const B& body, std::int64_t p, int c) { return full_stress<T, D>(body, p)[c]; });
+      [](const B& body, std::int64_t p, int c) { return stress_of(body, p)[c]; });
   add("level_set", "m", 1,
       [](const B& body, std::int64_t p, int) { return body.stage[0].get(Field::level_set)[p]; });
   if (with_ghosts && solver.state().boundaries.have_contact()) {

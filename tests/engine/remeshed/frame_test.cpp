@@ -1,4 +1,4 @@
-#include "engine/simulation/frames.hpp"
+#include "engine/remeshed/frame.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,12 +1,7 @@
-#include "engine/output/archive.hpp"
-
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <stdexcept>
-
-#include "engine/output/atomic_file.hpp"
-#include "engine/output/commit_driver.hpp"
+#include "engine/output/archive.hpp"
+#include "engine/output/archive_format.hpp"
 #include "engine/output/error.hpp"
 #include "engine/output/hdf5.hpp"
 
@@ -16,10 +11,6 @@ namespace {
 using hdf5::checked;
 using hdf5::Handle;
 
-constexpr int format = 2;  ///< raised when an older program could no longer read the file
-constexpr auto format_attribute = "pliant_archive_format";
-constexpr hsize_t chunk_size = 131072;  ///< entries under one checksum
-
 constexpr auto damaged_remedy = "use the checkpoint before it, or run anew";
 constexpr auto foreign_remedy = "give a checkpoint that this program wrote, or run anew";
 
@@ -27,26 +18,6 @@ Handle reading_unlocked() {
   Handle properties(H5Pcreate(H5P_FILE_ACCESS), H5Pclose, "describe access");
   checked(H5Pset_file_locking(properties, false, true), "leave the file unlocked");
   return properties;
-}
-
-template <class T>
-void write(hid_t file, const std::string& name, std::span<const T> values) {
-  const auto doing = "write " + name;
-  const auto type = hdf5::type_of<T>();
-  const hsize_t size = values.size();
-  const Handle space(H5Screate_simple(1, &size, nullptr), H5Sclose, doing);
-  const Handle links(H5Pcreate(H5P_LINK_CREATE), H5Pclose, doing);
-  checked(H5Pset_create_intermediate_group(links, 1), doing);
-  const auto properties = hdf5::creation_of(H5P_DATASET_CREATE);
-  if (size > 0) {
-    const auto chunk = std::min(size, chunk_size);
-    checked(H5Pset_chunk(properties, 1, &chunk), doing);
-    checked(H5Pset_fletcher32(properties), doing);
-  }
-  const Handle dataset(H5Dcreate2(file, name.c_str(), type, space, links, properties, H5P_DEFAULT),
-                       H5Dclose, doing);
-  if (size > 0)
-    checked(H5Dwrite(dataset, type, H5S_ALL, H5S_ALL, H5P_DEFAULT, values.data()), doing);
 }
 
 /// Everything but the values, so that they can be read to where they belong.
@@ -83,92 +54,6 @@ herr_t verify_object(hid_t root, const char* name, const H5O_info_t* object, voi
 
 }  // namespace
 
-struct ArchiveWriter::File {
-  std::filesystem::path path;
-  TemporaryFile temporary;
-  Handle file;
-
-  explicit File(const std::filesystem::path& final_path) : path(final_path), temporary(path) {
-    hdf5::silence();
-    try {
-      // Every block of this format has a checksum.
-      file = hdf5::create_committed(temporary.path(), H5F_LIBVER_V110);
-      hdf5::write_attribute(file, format_attribute, format);
-    } catch (const hdf5::Failure& failure) {
-      throw failure.on(path);
-    }
-  }
-  File(const File&) = delete;
-  File& operator=(const File&) = delete;
-  ~File() {
-    if (file.valid()) hdf5::abandon(file);
-  }
-
-  /// Runs `change`; when it fails, nothing of the file remains.
-  template <class Change>
-  void guarded(Change change) {
-    if (!file.valid()) throw std::logic_error(path.string() + ": written to after it was closed");
-    hdf5::silence();
-    try {
-      change();
-    } catch (const hdf5::Failure& failure) {
-      hdf5::abandon(file);
-      file = Handle();
-      throw failure.on(path);
-    }
-  }
-
-  template <class T>
-  void put(const std::string& name, std::span<const T> values) {
-    guarded([&] { write(file, name, values); });
-  }
-};
-
-ArchiveWriter::ArchiveWriter(const std::filesystem::path& path)
-    : file_(std::make_unique<File>(path)) {}
-ArchiveWriter::ArchiveWriter(ArchiveWriter&&) noexcept = default;
-ArchiveWriter& ArchiveWriter::operator=(ArchiveWriter&&) noexcept = default;
-ArchiveWriter::~ArchiveWriter() = default;
-
-void ArchiveWriter::put(const std::string& name, std::span<const double> values) {
-  file_->put(name, values);
-}
-void ArchiveWriter::put(const std::string& name, std::span<const float> values) {
-  file_->put(name, values);
-}
-void ArchiveWriter::put(const std::string& name, std::span<const std::int32_t> values) {
-  file_->put(name, values);
-}
-void ArchiveWriter::put(const std::string& name, std::span<const std::int64_t> values) {
-  file_->put(name, values);
-}
-void ArchiveWriter::put(const std::string& name, std::span<const std::uint8_t> values) {
-  file_->put(name, values);
-}
-void ArchiveWriter::put(const std::string& name, double value) {
-  file_->put(name, std::span<const double>(&value, 1));
-}
-void ArchiveWriter::put(const std::string& name, std::int64_t value) {
-  file_->put(name, std::span<const std::int64_t>(&value, 1));
-}
-void ArchiveWriter::put(const std::string& name, std::string_view text) {
-  const std::vector<std::uint8_t> bytes(text.begin(), text.end());
-  file_->put(name, std::span<const std::uint8_t>(bytes));
-}
-
-void ArchiveWriter::finish() {
-  file_->guarded([&] {
-    hdf5::flush(file_->file);
-    hdf5::sync(file_->file);
-  });
-  file_->file = Handle();
-}
-
-void ArchiveWriter::commit() {
-  if (file_->file.valid()) finish();
-  file_->temporary.publish(Durable::yes);
-}
-
 struct ArchiveReader::File {
   std::filesystem::path path;
   Handle file;
@@ -180,17 +65,18 @@ struct ArchiveReader::File {
       throw OutputError(path, "is not a checkpoint (no HDF5 file)", foreign_remedy);
     try {
       file = {H5Fopen(path.c_str(), H5F_ACC_RDONLY, reading_unlocked()), H5Fclose, "open it"};
-      if (checked(H5Aexists(file, format_attribute), "read it") == 0)
+      if (checked(H5Aexists(file, archive::format_attribute), "read it") == 0)
         throw OutputError(path, "is not a checkpoint (no format number)", foreign_remedy);
-      require_format(hdf5::read_attribute(file, format_attribute));
+      require_format(hdf5::read_attribute(file, archive::format_attribute));
     } catch (const hdf5::Failure& failure) {
       throw damaged(failure);
     }
   }
 
   void require_format(int found) const {
-    if (found > format)
-      throw OutputError(path, fmt::format("has format {}, this program reads {}", found, format),
+    if (found > archive::format)
+      throw OutputError(path,
+                        fmt::format("has format {}, this program reads {}", found, archive::format),
                         "use the program that wrote it, or a later one");
   }
 

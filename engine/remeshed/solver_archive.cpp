@@ -1,7 +1,8 @@
-#include "engine/simulation/solver_archive.hpp"
+#include "engine/remeshed/solver_archive.hpp"
 
 #include <fmt/format.h>
 
+#include "engine/body/archived_points.hpp"
 #include "engine/remeshed/ghost_fits.hpp"
 
 namespace pliant {
@@ -39,23 +40,6 @@ void for_each_slot_array(Body<T, D>& body, F&& f) {
   }
   for (std::size_t c = 0; c < body.stress.size(); ++c) {
     f(fmt::format("stress/{}", c), body.stress[c]);
-  }
-}
-
-template <int D>
-void put_points(ArchiveWriter& archive, const std::string& name,
-                const std::vector<Point<D>>& points) {
-  std::vector<double> values;
-  for (const Point<D>& x : points) values.insert(values.end(), x.begin(), x.end());
-  archive.put(name, std::span<const double>(values));
-}
-
-template <int D>
-void get_points(const ArchiveReader& archive, const std::string& name,
-                std::vector<Point<D>>& points) {
-  const auto values = archive.get<double>(name);
-  for (std::size_t i = 0; i < points.size(); ++i) {
-    for (int a = 0; a < D; ++a) points[i][a] = values.at(D * i + a);
   }
 }
 
@@ -205,9 +189,7 @@ void put_solver(ArchiveWriter& archive, remeshed::Solver<T, D>& solver) {
   for_each_clock_value(state.clock, [&](const char* name, double& value) {
     archive.put(std::string("clock/") + name, value);
   });
-  std::vector<Point<D>> offsets;
-  for (const auto& wall : state.boundaries.walls) offsets.push_back(wall.offset());
-  put_points<D>(archive, "walls/offset", offsets);
+  put_offsets<D>(archive, state.boundaries.walls);
   put_points<D>(archive, "walls/impulse", state.wall_impulse);
   put_points<D>(archive, "contacts/impulse", state.contact_impulse);
   std::vector<double> books;
@@ -243,9 +225,7 @@ void get_solver(const ArchiveReader& archive, remeshed::Solver<T, D>& solver) {
   for_each_clock_value(state.clock, [&](const char* name, double& value) {
     value = archive.scalar<double>(std::string("clock/") + name);
   });
-  std::vector<Point<D>> offsets(state.boundaries.walls.size());
-  get_points<D>(archive, "walls/offset", offsets);
-  for (std::size_t w = 0; w < offsets.size(); ++w) state.boundaries.walls[w].restore(offsets[w]);
+  get_offsets<D>(archive, state.boundaries.walls);
   get_points<D>(archive, "walls/impulse", state.wall_impulse);
   get_points<D>(archive, "contacts/impulse", state.contact_impulse);
   const auto books = archive.get<double>("books");

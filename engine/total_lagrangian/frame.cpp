@@ -1,9 +1,9 @@
-#include "engine/total_lagrangian/output.hpp"
+#include "engine/total_lagrangian/frame.hpp"
 
-#include <fmt/format.h>
-
+#include <algorithm>
 #include <map>
 
+#include "engine/body/full_stress.hpp"
 #include "engine/total_lagrangian/stress_point.hpp"
 
 namespace pliant {
@@ -19,15 +19,9 @@ using Means = std::array<double, mean_fields>;
 
 template <int D>
 Means values_of(const StressPoint<D>& point, double density_at_rest) {
-  const auto s = [&](int i, int j) { return point.stress[kernels::symmetric_index<D>(i, j)]; };
   Means values = {};
-  if constexpr (D == 2) {
-    // sigma_zz = -3 p - sigma_xx - sigma_yy by (RP.10)
-    const double zz = -3 * point.pressure - s(0, 0) - s(1, 1);
-    values = {s(0, 0), s(1, 1), zz, s(0, 1), 0, 0};
-  } else {
-    values = {s(0, 0), s(1, 1), s(2, 2), s(0, 1), s(1, 2), s(0, 2)};
-  }
+  const std::array<double, 6> stress_of_point = full_stress<D>(point.stress, point.pressure);
+  std::copy(stress_of_point.begin(), stress_of_point.end(), values.begin() + stress);
   values[pressure] = point.pressure;
   values[density] = density_at_rest / point.volume_ratio;
   values[dilatation] = point.volume_ratio - 1;
@@ -92,24 +86,6 @@ FrameSurface take_surface(const total_lagrangian::State<T, D>& state) {
   return surface;
 }
 
-template <class T, int D>
-void for_each_clock_value(total_lagrangian::Solver<T, D>& solver, auto&& f) {
-  total_lagrangian::Clock& clock = solver.state().clock;
-  f("clock/time", clock.time);
-  f("clock/wave_speed", clock.wave_speed);
-  f("clock/mass_scaling", clock.mass_scaling);
-  f("clock/damping", clock.damping);
-}
-
-template <class T, int D>
-void for_each_field(Body<T, D>& body, auto&& f) {
-  for (int a = 0; a < D; ++a) {
-    f(fmt::format("displacement/{}", a), body.displacement[a]);
-    f(fmt::format("velocity/{}", a), body.velocity[a]);
-    f(fmt::format("internal/{}", a), body.internal[a]);
-  }
-}
-
 }  // namespace
 
 template <class T, int D>
@@ -156,49 +132,7 @@ Frame take_frame(total_lagrangian::Solver<T, D>& solver, bool, bool with_surface
   return frame;
 }
 
-template <class T, int D>
-void put_solver(ArchiveWriter& archive, total_lagrangian::Solver<T, D>& solver) {
-  total_lagrangian::State<T, D>& state = solver.state();
-  archive.put("clock/step", state.clock.step);
-  for_each_clock_value(solver, [&](const char* name, double& value) { archive.put(name, value); });
-  std::vector<double> offsets;
-  for (const auto& wall : state.boundaries.walls) {
-    offsets.insert(offsets.end(), wall.offset().begin(), wall.offset().end());
-  }
-  archive.put("walls/offset", std::span<const double>(offsets));
-  for (std::size_t b = 0; b < state.bodies.size(); ++b) {
-    for_each_field(state.bodies[b], [&](const std::string& name, Buffer<T>& values) {
-      archive.put(fmt::format("body/{}/{}", b, name),
-                  std::span<const T>(values.get(), state.bodies[b].layout.slots()));
-    });
-  }
-}
-
-template <class T, int D>
-void get_solver(const ArchiveReader& archive, total_lagrangian::Solver<T, D>& solver) {
-  total_lagrangian::State<T, D>& state = solver.state();
-  state.clock.step = archive.scalar<std::int64_t>("clock/step");
-  for_each_clock_value(
-      solver, [&](const char* name, double& value) { value = archive.scalar<double>(name); });
-  const auto offsets = archive.get<double>("walls/offset");
-  for (std::size_t w = 0; w < state.boundaries.walls.size(); ++w) {
-    Point<D> offset;
-    for (int a = 0; a < D; ++a) offset[a] = offsets.at(D * w + a);
-    state.boundaries.walls[w].restore(offset);
-  }
-  for (std::size_t b = 0; b < state.bodies.size(); ++b) {
-    for_each_field(state.bodies[b], [&](const std::string& name, Buffer<T>& values) {
-      archive.read(fmt::format("body/{}/{}", b, name),
-                   std::span<T>(values.get(), state.bodies[b].layout.slots()));
-    });
-  }
-}
-
 template Frame take_frame<double, 2>(total_lagrangian::Solver<double, 2>&, bool, bool);
 template Frame take_frame<double, 3>(total_lagrangian::Solver<double, 3>&, bool, bool);
-template void put_solver<double, 2>(ArchiveWriter&, total_lagrangian::Solver<double, 2>&);
-template void put_solver<double, 3>(ArchiveWriter&, total_lagrangian::Solver<double, 3>&);
-template void get_solver<double, 2>(const ArchiveReader&, total_lagrangian::Solver<double, 2>&);
-template void get_solver<double, 3>(const ArchiveReader&, total_lagrangian::Solver<double, 3>&);
 
 }  // namespace pliant

@@ -1,0 +1,18 @@
+#pragma once
+
+#include <algorithm>
+
+#include "engine/case/case.hpp"
+#include "engine/lattice/lattice.hpp"
+
+namespace pliant {
+
+/// A point as case files and shapes know it: z = 0 in 2D.
+template <int D>
+Vector padded(const Point<D>& x) {
+  Vector v = {};
+  std::copy(x.begin(), x.end(), v.begin());
+  return v;
+}
+
+}  // namespace pliant

@@ -1,0 +1,47 @@
+#include "engine/remeshed/images.hpp"
+
+namespace pliant::remeshed {
+
+template <class T, int D>
+void list_images(const Lattice<D>& lattice, Population<T, D>& population, int block) {
+  auto& images = population.images[block];
+  images.clear();
+  if (!lattice.is_periodic()) return;
+  const Layout<D>& layout = population.layout;
+  layout.for_each_slot(layout.blocks()[block], [&](std::int64_t p, const Cell<D>& cell) {
+    if (lattice.is_wrapped(cell)) return;
+    const std::int64_t q = layout.slot(lattice.wrapped(cell));
+    if (q >= 0 && population.kind[q] != Kind::vacant) {
+      images.emplace_back(static_cast<std::int32_t>(p), static_cast<std::int32_t>(q));
+    }
+  });
+}
+
+template <class T, int D>
+void copy_image_drift(Body<T, D>& body, int block, int stage) {
+  for (auto& component : body.stage[buffer_of(stage)][Field::displacement]) {
+    for (const auto& [image, source] : body.population.images[block]) {
+      component[image] = component[source];
+    }
+  }
+}
+
+template <class T, int D>
+void copy_images(Body<T, D>& body, int block, int stage) {
+  const auto& images = body.population.images[block];
+  for (auto& component : body.stage[buffer_of(stage)][Field::velocity]) {
+    for (const auto& [image, source] : images) component[image] = component[source];
+  }
+  for (T* component : body.stress_view(stage % 2)) {
+    for (const auto& [image, source] : images) component[image] = component[source];
+  }
+}
+
+template void list_images<double, 2>(const Lattice<2>&, Population<double, 2>&, int);
+template void copy_image_drift<double, 2>(Body<double, 2>&, int, int);
+template void copy_images<double, 2>(Body<double, 2>&, int, int);
+template void list_images<double, 3>(const Lattice<3>&, Population<double, 3>&, int);
+template void copy_image_drift<double, 3>(Body<double, 3>&, int, int);
+template void copy_images<double, 3>(Body<double, 3>&, int, int);
+
+}  // namespace pliant::remeshed

@@ -1,0 +1,50 @@
+#pragma once
+
+#include <vector>
+
+#include "engine/remeshed/body.hpp"
+
+namespace pliant::remeshed {
+
+/// Cells, inclusive, to which the particles of a block are nearest; lower > upper without any.
+template <int D>
+struct CellBounds {
+  Cell<D> lower, upper;
+};
+
+/// Finds where a body needs slots: every pack within reach of an interior particle.
+template <class T, int D>
+class LayoutSearch {
+ public:
+  explicit LayoutSearch(const Body<T, D>& body) : body_(body) {}
+
+  /// Once the body has other blocks.
+  void prepare() { bounds_.resize(body_.population.layout.blocks().size()); }
+  /// Block by block, then `mark_particles`.
+  void find_bounds(int block);
+  void mark_particles();
+  /// In their place at t = 0: nodes inside the body's geometry.
+  void mark_geometry();
+  /// From a checkpoint.
+  void restore(const std::vector<std::int32_t>& occupancy) { occupancy_.restore(occupancy); }
+
+  void build(Layout<D>& layout) const;
+  /// [present block]
+  const std::vector<CellBounds<D>>& bounds() const { return bounds_; }
+
+ private:
+  /// Cells to each side that blocks can reach: a ghost, its foot point, its widest fit.
+  static constexpr int block_reach = 10;
+  /// Cells around interior particles that have slots: the ghost band, one cell that the surface may
+  /// have moved, and one for the differences at its rim.
+  static constexpr int layout_reach = 6;
+
+  const Body<T, D>& body_;
+  Occupancy<D> occupancy_;
+  std::vector<CellBounds<D>> bounds_;
+};
+
+extern template class LayoutSearch<double, 2>;
+extern template class LayoutSearch<double, 3>;
+
+}  // namespace pliant::remeshed

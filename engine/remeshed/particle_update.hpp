@@ -1,0 +1,40 @@
+#pragma once
+
+#include <array>
+#include <vector>
+
+#include "engine/remeshed/state.hpp"
+#include "kernels/table.hpp"
+
+namespace pliant::remeshed {
+
+/// What a stage does to the particles of a block, once ghosts and images are there.
+template <class T, int D>
+class ParticleUpdate {
+ public:
+  ParticleUpdate(State<T, D>& state, const Case& settings, const kernels::Table<T, D>& kernels);
+
+  /// Fixes the time step [s].
+  void prepare(double time_step);
+
+  /// Rates (RP.12) by (RP.18), or by (RP.73) and (RP.74), the next stage state (RP.19) and its
+  /// stress.
+  kernels::StageResult advance(int block, int stage);
+  /// Stress of a state that no stage has left behind.
+  kernels::StageResult evaluate_stress(int block);
+
+ private:
+  /// Everything of a stage but its neighbours.
+  kernels::Stage<T, D> stage_of(Body<T, D>& body, int block, int stage) const;
+
+  State<T, D>& state_;
+  const Case& settings_;
+  const kernels::Table<T, D>& kernels_;
+  double time_step_ = 0;
+  std::array<std::vector<std::vector<kernels::Relaxation<T>>>, 4> relaxation_;  ///< [stage][body]
+};
+
+extern template class ParticleUpdate<double, 2>;
+extern template class ParticleUpdate<double, 3>;
+
+}  // namespace pliant::remeshed
