@@ -11,10 +11,10 @@ namespace pliant::remeshed {
 namespace {
 
 // Whether a particle, or its image, has the slot in its stencil. A row that does not exist may lie
-// anywhere: what is found there does no harm.
+// anywhere: then the particle was another cell's.
 template <class T, int D>
 bool is_reached(const Population<T, D>& population, const kernels::Segment<D>& segment,
-                std::int64_t slot, int reach) {
+                std::int64_t slot, const Cell<D>& cell, int reach) {
   const int depth = D == 3 ? reach : 0;
   for (int dz = -depth; dz <= depth; ++dz) {
     for (int dy = -reach; dy <= reach; ++dy) {
@@ -22,7 +22,12 @@ bool is_reached(const Population<T, D>& population, const kernels::Segment<D>& s
       for (int dx = -reach; dx <= reach; ++dx) {
         if (dx * dx + dy * dy + dz * dz >= (reach + 1) * (reach + 1)) continue;
         const Kind kind = population.kind[row + dx];
-        if (kind == Kind::interior || kind == Kind::image) return true;
+        if (kind != Kind::interior && kind != Kind::image) continue;
+        Cell<D> other = cell;
+        other[0] += dx;
+        other[1] += dy;
+        if constexpr (D == 3) other[2] += dz;
+        if (population.layout.slot(other) == row + dx) return true;
       }
     }
   }
@@ -72,7 +77,7 @@ class GhostFinder {
     if (height < h) {
       add_free(slot, cell);
       add_contact(slot, cell, wall, height);
-    } else if (is_reached(population_, segment, slot, stencil_reach_)) {
+    } else if (is_reached<T, D>(population_, segment, slot, cell, stencil_reach_)) {
       add_free(slot, cell);
     } else {
       drifting_.push_back({slot, cell});
