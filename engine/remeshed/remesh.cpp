@@ -288,7 +288,7 @@ void Remeshing<T, D>::list_surface(int block) {
 template <class T, int D>
 void Remeshing<T, D>::number_all() {
   if (!is_final_) return;
-  number_records<T, D>(body_.spare, body_.record_of_slot.get());
+  number_records<T, D>(body_.spare, level_set_, body_.lattice.spacing, body_.record_of_slot.get());
 }
 
 template <class T, int D>
