@@ -10,8 +10,8 @@
 ///     row y-1   . . . o o o o o o o .      slot(x + dx, row + r) = p + neighbour_row[r] + dx
 ///
 /// Storage comes in packs of `slots_per_pack` slots (one cache line of doubles), whatever the
-/// instruction set, so that the layout never depends on the processor. A spare pack between runs,
-/// and finite values in every slot, make all loads of a pack with an interior particle legal.
+/// instruction set, so that the layout never depends on the processor. Slots around every interior
+/// particle, and finite values in every slot, make all loads of a pack with one legal.
 namespace pliant::kernels {
 
 /// Slots in a cache line of `T`; segments start at and hold whole multiples of it.

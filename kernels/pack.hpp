@@ -20,6 +20,13 @@ struct FusedMultiplyAdd {
   static P difference(const P& x, const P& y, const P& z) { return xsimd::fnma(x, y, z); }
 };
 
+/// Plain numbers, for what works on them as on registers.
+template <>
+struct FusedMultiplyAdd<double> {
+  static double sum(double x, double y, double z) { return x * y + z; }
+  static double difference(double x, double y, double z) { return z - x * y; }
+};
+
 /// x y + z
 template <class P>
 inline P fused(const P& x, const P& y, const P& z) {
@@ -31,6 +38,12 @@ template <class P>
 inline P fused_minus(const P& x, const P& y, const P& z) {
   return FusedMultiplyAdd<P>::difference(x, y, z);
 }
+
+template <class P>
+inline P larger(const P& x, const P& y) {
+  return xsimd::max(x, y);
+}
+inline double larger(double x, double y) { return x > y ? x : y; }
 
 template <class P>
 using Scalar = typename P::value_type;

@@ -35,7 +35,8 @@ class FitLanes {
     const P least = P(T(smallest_pivot));
     const Mask fitted = linear_.solve(least) && solve_constrained(least);
     xsimd::select(fitted, P(T(1)), P(T(0))).store_unaligned(work_.fitted + lane_);
-    write_coefficients();
+    write_terms();
+    write_constrained_sum();
   }
 
  private:
@@ -136,32 +137,36 @@ class FitLanes {
     return is_curved || is_plain;
   }
 
-  void write_coefficients() const {
-    P sum_of_constrained(T(0)), sum_of_surface(T(0));
+  void write_terms() const {
+#pragma GCC unroll 4
+    for (int i = 0; i < terms; ++i) {
+      linear_.right[0][i].store_unaligned(work_.linear[i] + lane_);
+      linear_.right[1][i].store_unaligned(work_.surface[i] + lane_);
+    }
+    constrained_[0].store_unaligned(work_.constrained[0] + lane_);
+#pragma GCC unroll 3
+    for (int a = 0; a < D; ++a) {
+      P along(T(0));
+#pragma GCC unroll 2
+      for (int k = 1; k < D; ++k) along = fused(constrained_[k], tangent_[k - 1][a], along);
+      along.store_unaligned(work_.constrained[a + 1] + lane_);
+    }
+    constrained_[D].store_unaligned(work_.constrained[D + 1] + lane_);
+  }
+
+  void write_constrained_sum() const {
+    P sum(T(0));
     for (int k = 0; k < work_.length; ++k) {
       const std::int64_t entry = static_cast<std::int64_t>(k) * pack + lane_;
       P position[D], term[terms];
       const P w = weight(entry, position);
-      P c = linear_.right[0][0], a = linear_.right[1][0];
-#pragma GCC unroll 3
-      for (int i = 0; i < D; ++i) {
-        c = fused(linear_.right[0][i + 1], position[i], c);
-        a = fused(linear_.right[1][i + 1], position[i], a);
-      }
       set_constrained_terms(position, load<P>(work_.distance + entry), term);
       P b = constrained_[0] * term[0];
 #pragma GCC unroll 3
       for (int i = 1; i < terms; ++i) b = fused(constrained_[i], term[i], b);
-      a = w * a;
-      b = w * b;
-      sum_of_constrained = sum_of_constrained + b;
-      sum_of_surface = sum_of_surface + a;
-      (w * c).store_unaligned(work_.linear + entry);
-      b.store_unaligned(work_.constrained + entry);
-      a.store_unaligned(work_.surface + entry);
+      sum = fused(w, b, sum);
     }
-    sum_of_constrained.store_unaligned(work_.constrained_sum + lane_);
-    sum_of_surface.store_unaligned(work_.surface_sum + lane_);
+    sum.store_unaligned(work_.constrained_sum + lane_);
   }
 
   const SurfaceFits<T, D>& work_;

@@ -4,6 +4,7 @@
 #include <cstdint>
 
 #include "kernels/evolving.hpp"
+#include "kernels/fit_terms.hpp"
 #include "kernels/isa.hpp"
 #include "kernels/layout.hpp"
 #include "kernels/material.hpp"
@@ -147,13 +148,14 @@ template <class T, int D>
 struct GhostSums {
   std::int64_t first;
   std::int64_t count;
-  const std::int64_t* begin;  ///< [ghost + 1] into record, linear, constrained, surface
-  const std::int32_t* record;
-  const T* linear;       ///< c
-  const T* constrained;  ///< b
-  const T* surface;      ///< a
-  const T* records;      ///< [record][record_width]
-  T* sums;               ///< [ghost - first][3][record_width]
+  const std::int64_t* begin;       ///< [ghost + 1] into pairs
+  const FitPair* pairs;            ///< with neighbours; whole registers of them are loaded
+  const FitTerms<T, D>* terms;     ///< [ghost]
+  const std::int64_t* wall_begin;  ///< [ghost] into wall_distance; -1 at free surfaces
+  const T* wall_distance;          ///< of the neighbours, over h; loaded as the pairs are
+  const T* surface_distance;       ///< [record] over h
+  const T* records;                ///< [record][record_width]
+  T* sums;                         ///< [ghost - first][3][record_width]
 };
 
 /// Velocity and stress of ghosts by (RP.34), (RP.44); those of walls and inactive ones are left
@@ -177,7 +179,7 @@ struct FreeSurfaceGhosts {
 /// Pivots of a fit's normal matrix, relative to its largest, below which it counts as singular.
 inline constexpr double smallest_pivot = 2e-3;
 
-/// Coefficients of the fits (RP.32) and (RP.33) of a pack of ghosts, one in each lane. Entry k of
+/// Terms of the fits (RP.32) and (RP.33) of a pack of ghosts, one in each lane. Entry k of
 /// lane l, of its k-th particle, is [k * slots_per_pack + l]; lanes with fewer particles are filled
 /// up with such as are farther than R away. All lengths are over h.
 template <class T, int D>
@@ -190,12 +192,10 @@ struct SurfaceFits {
   std::array<const T*, D> normal;    ///< [lane] unit, out of the body
   const T* ghost_distance;           ///< [lane] from the surface
   const T* curved;                   ///< [lane] 1: with the term phi^2 of (RP.33); 0: without
-  T* linear;                         ///< [entry] c
-  T* constrained;                    ///< [entry] b
-  T* surface;                        ///< [entry] a, (RP.32) at the foot point
-  T* constrained_sum;                ///< [lane] of b
-  T* surface_sum;                    ///< [lane] of a
   T* fitted;                         ///< [lane] 1, or 0 where the particles do not determine them
+  T* constrained_sum;                ///< [lane] of the coefficients b
+  std::array<T*, D + 1> linear, surface;  ///< [lane] see FitTerms
+  std::array<T*, D + 2> constrained;      ///< [lane] likewise
 };
 
 template <class T, int D>

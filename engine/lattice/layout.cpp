@@ -53,7 +53,7 @@ void Layout<D>::find_runs() {
     for (int column = 0; column < occupancy_.columns(); ++column) {
       if (!occupancy_.is_marked(row, column)) continue;
       const std::int32_t cell = occupancy_.column_cell(column);
-      // A gap that the spare pack would fill anyway joins two runs.
+      // A gap of one pack is filled: a segment that lies beside it sees slots at both of its ends.
       const bool joins = static_cast<int>(runs_.size()) > row_first_run &&
                          cell - (runs_.back().cell + runs_.back().count) <= pack;
       if (joins) {
@@ -80,11 +80,11 @@ void Layout<D>::place_runs() {
   std::int64_t next = padding;
   for (const int row : row_order_) {
     for (int r = row_begin_[row]; r < row_begin_[row + 1]; ++r) {
-      runs_[r].first = next + pack;
-      next += pack + runs_[r].count;
+      runs_[r].first = next;
+      next += runs_[r].count;
     }
   }
-  slots_ = next + pack + padding;
+  slots_ = next + padding;
 }
 
 // The run of a row that meets the cells lower..upper (exclusive), widened by what kernels may load.

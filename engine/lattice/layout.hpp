@@ -14,18 +14,17 @@ namespace pliant {
 template <int D>
 struct Block {
   int first_segment = 0, segment_count = 0;
-  std::int64_t first_slot = 0,
-               slot_count = 0;     ///< slots of the segments; spare packs may lie between
+  std::int64_t first_slot = 0, slot_count = 0;
   Cell<D> lower = {}, upper = {};  ///< cells, inclusive
 };
 
 /// Where the slots of a body lie in memory.
 ///
-/// Only occupied packs exist. Those of a lattice row form runs with a spare pack between them; runs
-/// follow each other row by row (in 3D in tiles of rows, so that neighbours in space stay
-/// neighbours in memory), and segments cut them where a neighbouring row changes its run. `padding`
-/// slots lie before the first and behind the last run, so that every load of a segment's neighbours
-/// is legal.
+/// Only occupied packs exist. Those of a lattice row form runs; runs follow each other row by row
+/// (in 3D in tiles of rows, so that neighbours in space stay neighbours in memory), and segments
+/// cut them where a neighbouring row changes its run. `padding` slots lie before the first and
+/// behind the last run, so that every load of a segment's neighbours is legal. What lies beside the
+/// ends of a run belongs to other rows.
 template <int D>
 class Layout {
  public:
@@ -54,7 +53,7 @@ class Layout {
     return segments_.data() + block.first_segment;
   }
 
-  /// Slot of a cell, or -1 where there is none. Spare packs count as none.
+  /// Slot of a cell, or -1 where there is none.
   std::int64_t slot(const Cell<D>& cell) const { return slot(cell, 1); }
 
   /// Slot of the first of `count` cells along x, or -1 unless all lie in one run.
@@ -101,7 +100,7 @@ class Layout {
   struct Run {
     std::int64_t first;  ///< slot of the first occupied pack
     std::int32_t cell;   ///< x cell of that slot
-    std::int32_t count;  ///< slots, spare packs not counted
+    std::int32_t count;  ///< slots
   };
 
   void find_runs();

@@ -42,24 +42,28 @@ struct BodyTouches {
   }
 };
 
+template <class T, int D>
+struct Body;
+
 /// Ghosts of one block, and the surface particles of the block that ghosts anywhere read. Those of
 /// walls and those that the stencil of a particle reaches come first, in the order of the slots;
 /// then, likewise, the others, which only drift.
 template <class T, int D>
 struct BlockGhosts {
   std::vector<std::int32_t> slot;
-  std::size_t reached_count = 0;       ///< of the ghosts that come first
-  std::vector<std::int8_t> wall;       ///< of a wall or contact ghost; -1: free surface
-  std::vector<std::uint8_t> active;    ///< whether the ghost sets its slot; see `contact`
-  std::vector<std::int8_t> pressure;   ///< acting at the foot point; -1: none
-  std::vector<Point<D>> normal;        ///< of the wall
-  std::vector<Point<D>> foot;          ///< foot point at xi = 0 [m]
-  std::vector<std::int64_t> begin;     ///< [ghost + 1] into the four below
-  std::vector<std::int32_t> record;    ///< of an interior particle
-  std::vector<T> linear, constrained;  ///< c of (RP.32), b of (RP.33)
-  std::vector<T> surface;              ///< a: (RP.32) at the foot point
-  std::vector<T> constrained_sum;      ///< [ghost] sum of b
-  std::vector<T> surface_sum;  ///< [ghost] sum of a: 1, or 0 where the surface ends at a wall
+  std::size_t reached_count = 0;               ///< of the ghosts that come first
+  std::vector<std::int8_t> wall;               ///< of a wall or contact ghost; -1: free surface
+  std::vector<std::uint8_t> active;            ///< whether the ghost sets its slot; see `contact`
+  std::vector<std::int8_t> pressure;           ///< acting at the foot point; -1: none
+  std::vector<Point<D>> normal;                ///< of the wall
+  std::vector<Point<D>> foot;                  ///< foot point at xi = 0 [m]
+  std::vector<kernels::FitTerms<T, D>> terms;  ///< of the fits (RP.32), (RP.33)
+  std::vector<T> constrained_sum;              ///< sum of the coefficients b
+  std::vector<T> surface_sum;                  ///< of a: 1, or 0 where the surface ends at a wall
+  std::vector<std::int64_t> begin;             ///< [ghost + 1] into the next
+  std::vector<kernels::FitPair> pairs;         ///< with interior particles
+  std::vector<std::int64_t> wall_begin;        ///< into the next; -1: free surface
+  std::vector<T> wall_distance;                ///< of the particles of walls' ghosts, over h
   /// A slot beyond a contact wall has two ghosts, of the free surface and, next in order, of the
   /// wall: the latter are listed here. One of the two is active, (RP.50).
   std::vector<std::int32_t> contact;
@@ -73,17 +77,18 @@ struct BlockGhosts {
   /// Values that the sums of a ghost take.
   static constexpr int sums_of_ghost = 3 * kernels::record_width<D>;
 
-  /// What there is to do for the sums of ghosts first..first+count-1.
-  kernels::GhostSums<T, D> sums(std::size_t first, std::size_t count, const T* records,
+  /// What there is to do for the sums of ghosts first..first+count-1 of a body.
+  kernels::GhostSums<T, D> sums(std::size_t first, std::size_t count, const Body<T, D>& body,
                                 T* into) const {
     return {static_cast<std::int64_t>(first),
             static_cast<std::int64_t>(count),
             begin.data(),
-            record.data(),
-            linear.data(),
-            constrained.data(),
-            surface.data(),
-            records,
+            pairs.data(),
+            terms.data(),
+            wall_begin.data(),
+            wall_distance.data(),
+            body.population.surface_distance.data(),
+            body.records.get(),
             into};
   }
 
@@ -104,7 +109,8 @@ struct Population {
   std::vector<std::vector<std::pair<std::int32_t, std::int32_t>>>
       images;  ///< [block] (image, source)
   std::vector<std::int32_t> slot_of_record;
-  std::int64_t particles = 0;  ///< interior
+  std::vector<T> surface_distance;  ///< [record] phi over h at the remeshing
+  std::int64_t particles = 0;       ///< interior
 };
 
 /// The buffer that holds the state of a stage: Q4 takes the place of Q2.

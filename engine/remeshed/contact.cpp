@@ -58,7 +58,8 @@ void decide_contact(Body<T, D>& body, int block, const Boundaries<D>& boundaries
     }
     const double reach = ghosts.active[g] != 0 ? leaving_height : touching_height;
     choose(body.population, ghosts, g,
-           height < reach * body.lattice.spacing && pressure_on(body, ghosts, g, boundaries, values, fits) > 0);
+           height < reach * body.lattice.spacing &&
+               pressure_on(body, ghosts, g, boundaries, values, fits) > 0);
   }
 }
 

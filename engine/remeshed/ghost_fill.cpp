@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "engine/remeshed/contact.hpp"
+#include "engine/remeshed/fit_coefficient.hpp"
 #include "engine/remeshed/present_fits.hpp"
 #include "kernels/ghost_state.hpp"
 
@@ -20,7 +21,7 @@ std::array<T, D> rigid_velocity(const Body<T, D>& body, const FieldStore<T, D>& 
   const std::int64_t begin = ghosts.begin[g], end = ghosts.begin[g + 1];
   const Layout<D>& layout = body.population.layout;
   const auto particle = [&](std::int64_t k) {
-    return body.population.slot_of_record[ghosts.record[k]];
+    return body.population.slot_of_record[kernels::record_of(ghosts.pairs[k])];
   };
   const auto position = [&](std::int64_t slot) {
     const Point<D> node = body.lattice.node(layout.cell(slot));
@@ -66,7 +67,7 @@ struct GhostFill {
   void fill_surfaces(const BoundaryValues<D>& values) const {
     const kernels::Impedance<T> impedance(body.material);
     kernels::FreeSurfaceGhosts<T, D> work = {};
-    work.lists = ghosts.sums(0, count, body.records.get(), nullptr);
+    work.lists = ghosts.sums(0, count, body, nullptr);
     work.constrained_sum = ghosts.constrained_sum.data();
     work.surface_sum = ghosts.surface_sum.data();
     work.slot = ghosts.slot.data();
@@ -154,7 +155,7 @@ void find_drift_velocity(Body<T, D>& body, int block, int stage, GhostTreatment 
   FieldStore<T, D>& state = body.stage[buffer_of(stage)];
   for (std::size_t begin = ghosts.reached_count; begin < ghosts.slot.size(); begin += at_once) {
     const std::size_t end = std::min(begin + at_once, ghosts.slot.size());
-    table.sum_velocities(ghosts.sums(begin, end - begin, body.records.get(), sums.data()));
+    table.sum_velocities(ghosts.sums(begin, end - begin, body, sums.data()));
     for (std::size_t g = begin; g < end; ++g) {
       const auto fits = ghosts.fits(g, sums.data() + width * (g - begin));
       std::array<T, D> u;
@@ -221,13 +222,19 @@ void fill_conserved(Body<T, D>& body, int block) {
   const T volume = static_cast<T>(std::pow(body.lattice.spacing, D));
   T* mass = state.get(Field::mass);
   T* v = state.get(Field::volume);
+  thread_local std::vector<T> coefficient;
   for (std::size_t g = 0; g < ghosts.slot.size(); ++g) {
     if (ghosts.active[g] == 0) continue;
-    const std::int64_t slot = ghosts.slot[g];
+    const std::int64_t slot = ghosts.slot[g], begin = ghosts.begin[g], end = ghosts.begin[g + 1];
+    coefficient.clear();
+    for (std::int64_t k = begin; k < end; ++k) {
+      coefficient.push_back(fit_coefficient<T, D>(ghosts, g, k, ghosts.terms[g].linear));
+    }
     const auto fit = [&](auto&& value) {
       T sum = 0;
-      for (std::int64_t k = ghosts.begin[g]; k < ghosts.begin[g + 1]; ++k) {
-        sum += ghosts.linear[k] * value(body.population.slot_of_record[ghosts.record[k]]);
+      for (std::int64_t k = begin; k < end; ++k) {
+        sum += coefficient[k - begin] *
+               value(body.population.slot_of_record[kernels::record_of(ghosts.pairs[k])]);
       }
       return sum;
     };

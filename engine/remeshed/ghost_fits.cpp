@@ -5,16 +5,17 @@
 #include <vector>
 
 #include "engine/remeshed/ghost_fitter.hpp"
+#include "engine/storage/push_tightly.hpp"
 
 namespace pliant::remeshed {
 
 namespace {
 
 // Whether a particle, or its image, has the slot in its stencil. A row that does not exist may lie
-// anywhere: what is found there does no harm.
+// anywhere: then the particle was another cell's.
 template <class T, int D>
 bool is_reached(const Population<T, D>& population, const kernels::Segment<D>& segment,
-                std::int64_t slot, int reach) {
+                std::int64_t slot, const Cell<D>& cell, int reach) {
   const int depth = D == 3 ? reach : 0;
   for (int dz = -depth; dz <= depth; ++dz) {
     for (int dy = -reach; dy <= reach; ++dy) {
@@ -22,7 +23,12 @@ bool is_reached(const Population<T, D>& population, const kernels::Segment<D>& s
       for (int dx = -reach; dx <= reach; ++dx) {
         if (dx * dx + dy * dy + dz * dz >= (reach + 1) * (reach + 1)) continue;
         const Kind kind = population.kind[row + dx];
-        if (kind == Kind::interior || kind == Kind::image) return true;
+        if (kind != Kind::interior && kind != Kind::image) continue;
+        Cell<D> other = cell;
+        other[0] += dx;
+        other[1] += dy;
+        if constexpr (D == 3) other[2] += dz;
+        if (population.layout.slot(other) == row + dx) return true;
       }
     }
   }
@@ -72,7 +78,7 @@ class GhostFinder {
     if (height < h) {
       add_free(slot, cell);
       add_contact(slot, cell, wall, height);
-    } else if (is_reached(population_, segment, slot, stencil_reach_)) {
+    } else if (is_reached<T, D>(population_, segment, slot, cell, stencil_reach_)) {
       add_free(slot, cell);
     } else {
       drifting_.push_back({slot, cell});
@@ -144,12 +150,12 @@ class GhostFinder {
 
   void list(std::int64_t slot, int wall, std::int8_t pressure, const Point<D>& normal,
             const Point<D>& foot) {
-    ghosts_.slot.push_back(static_cast<std::int32_t>(slot));
-    ghosts_.wall.push_back(static_cast<std::int8_t>(wall));
-    ghosts_.active.push_back(1);
-    ghosts_.pressure.push_back(pressure);
-    ghosts_.normal.push_back(normal);
-    ghosts_.foot.push_back(foot);
+    push_tightly(ghosts_.slot, static_cast<std::int32_t>(slot));
+    push_tightly(ghosts_.wall, static_cast<std::int8_t>(wall));
+    push_tightly(ghosts_.active, std::uint8_t{1});
+    push_tightly(ghosts_.pressure, pressure);
+    push_tightly(ghosts_.normal, normal);
+    push_tightly(ghosts_.foot, foot);
   }
 
   void fit(const FitSite<D>& site, const Cell<D>& cell, const Point<D>& foot, const Wall<D>* wall) {
@@ -194,14 +200,19 @@ void fit_ghosts(const GhostSearch<T, D>& search, int block, std::int32_t* used) 
   ghosts.normal.clear();
   ghosts.foot.clear();
   ghosts.touches.clear();
-  ghosts.begin.assign(1, 0);
-  ghosts.record.clear();
-  ghosts.linear.clear();
-  ghosts.constrained.clear();
+  ghosts.terms.clear();
   ghosts.constrained_sum.clear();
   ghosts.surface_sum.clear();
-  ghosts.surface.clear();
+  ghosts.begin.assign(1, 0);
+  ghosts.pairs.clear();
+  ghosts.wall_begin.clear();
+  ghosts.wall_distance.clear();
   GhostFinder<T, D>(search, block, used).add_all(search.population.layout.blocks()[block]);
+  // Whole registers of these are loaded.
+  for (int i = 1; i < Layout<D>::pack; ++i) {
+    if (!ghosts.pairs.empty()) push_tightly(ghosts.pairs, ghosts.pairs.back());
+    if (!ghosts.wall_distance.empty()) push_tightly(ghosts.wall_distance, T(0));
+  }
 }
 
 template void fit_ghosts<double, 2>(const GhostSearch<double, 2>&, int, std::int32_t*);

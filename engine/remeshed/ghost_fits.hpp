@@ -43,7 +43,7 @@ struct GhostSearch {
   const kernels::Table<T, D>& kernels;
 };
 
-/// Finds the ghosts of a block and the coefficients of their fits, (RP.32), (RP.33), (RP.38), and
+/// Finds the ghosts of a block and the terms of their fits, (RP.32), (RP.33), (RP.38), and
 /// marks the particles that they read in `used`. Ghosts that some particle's stencil reaches, and
 /// all of walls, come first.
 template <class T, int D>
@@ -53,10 +53,11 @@ void fit_ghosts(const GhostSearch<T, D>& search, int block, std::int32_t* used);
 template <class T, int D>
 void list_surface_particles(Population<T, D>& population, int block, const std::int32_t* used);
 
-/// Numbers the records of all blocks in order, then tells every fit the records of the particles
-/// whose slots it has named so far.
+/// Numbers the records of all blocks in order and keeps how far their particles are from the
+/// surface, then tells every fit the records of the particles whose slots it has named so far.
 template <class T, int D>
-void number_records(Population<T, D>& population, std::int32_t* record_of_slot);
+void number_records(Population<T, D>& population, const LevelSet<T, D>& level_set, double spacing,
+                    std::int32_t* record_of_slot);
 template <class T, int D>
 void list_slots_of_records(Population<T, D>& population);
 template <class T, int D>

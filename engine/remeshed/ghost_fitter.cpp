@@ -3,7 +3,10 @@
 #include <algorithm>
 #include <atomic>
 #include <cmath>
-#include <numeric>
+#include <limits>
+
+#include "engine/storage/push_tightly.hpp"
+#include "kernels/fit_coefficients.hpp"
 
 namespace pliant::remeshed {
 
@@ -17,13 +20,6 @@ constexpr int most_widenings = 5;
 // the body ends at the edge of contact, and a fit that looks across it takes what it sees there for
 // a jump at the surface, which (RP.44) and (RP.45) damp.
 constexpr double narrowing = 1.5;
-
-// Pairs of ghosts and particles are many: their lists grow by an eighth, not to the double.
-template <class V>
-void grow(std::vector<V>& list, std::size_t size) {
-  if (size > list.capacity()) list.reserve(size + size / 8);
-  list.resize(size);
-}
 
 }  // namespace
 
@@ -83,10 +79,9 @@ void GhostFitter<T, D>::finish() {
       fit_alone(ghost);
       continue;
     }
-    ghosts_.constrained_sum.push_back(lanes.constrained_sum[l]);
-    ghosts_.surface_sum.push_back(lanes.surface_sum[l]);
-    append(ghost.particles, lanes.linear.data() + l, lanes.constrained.data() + l,
-           lanes.surface.data() + l, pack);
+    Terms terms = terms_of_lane(l);
+    place(ghost, terms);
+    append(ghost, terms, lanes.constrained_sum[l]);
   }
   waiting_ = 0;
 }
@@ -96,9 +91,7 @@ void GhostFitter<T, D>::fill_lanes(int length) {
   Lanes& lanes = scratch_.lanes;
   const std::size_t entries = static_cast<std::size_t>(length) * pack;
   for (auto& coordinate : lanes.position) coordinate.resize(entries);
-  for (auto* list : {&lanes.distance, &lanes.linear, &lanes.constrained, &lanes.surface}) {
-    list->resize(entries);
-  }
+  lanes.distance.resize(entries);
   // Lanes without a ghost repeat the first.
   for (int l = 0; l < pack; ++l) fill_lane(l, length);
 }
@@ -139,110 +132,122 @@ void GhostFitter<T, D>::fit_lanes(int length) {
   work.distance = lanes.distance.data();
   work.ghost_distance = lanes.ghost_distance.data();
   work.curved = lanes.curved.data();
-  work.linear = lanes.linear.data();
-  work.constrained = lanes.constrained.data();
-  work.surface = lanes.surface.data();
-  work.constrained_sum = lanes.constrained_sum.data();
-  work.surface_sum = lanes.surface_sum.data();
   work.fitted = lanes.fitted.data();
+  work.constrained_sum = lanes.constrained_sum.data();
+  for (std::size_t i = 0; i < work.linear.size(); ++i) {
+    work.linear[i] = lanes.linear[i].data();
+    work.surface[i] = lanes.surface[i].data();
+  }
+  for (std::size_t i = 0; i < work.constrained.size(); ++i) {
+    work.constrained[i] = lanes.constrained[i].data();
+  }
   kernels_.fit_surface(work);
 }
 
 template <class T, int D>
+typename GhostFitter<T, D>::Terms GhostFitter<T, D>::terms_of_lane(int lane) const {
+  const Lanes& lanes = scratch_.lanes;
+  Terms terms;
+  for (std::size_t i = 0; i < terms.linear.size(); ++i) {
+    terms.linear[i] = lanes.linear[i][lane];
+    terms.surface[i] = lanes.surface[i][lane];
+  }
+  for (std::size_t i = 0; i < terms.constrained.size(); ++i) {
+    terms.constrained[i] = lanes.constrained[i][lane];
+  }
+  return terms;
+}
+
+template <class T, int D>
 void GhostFitter<T, D>::fit_alone(Waiting& ghost) {
-  bool fitted = fit_fully(ghost);
+  Terms terms;
+  bool fitted = fit_fully(ghost, terms);
   for (int attempt = 0; !fitted && attempt < most_widenings; ++attempt) {
     ghost.reach.radius *= widening;
     search(ghost.centre, ghost.reach, ghost.wall, ghost.particles);
-    fitted = fit_fully(ghost);
+    fitted = fit_fully(ghost, terms);
   }
-  if (!fitted) fit_poorly(ghost);
+  if (!fitted) fit_poorly(ghost, terms);
   // What the fit finds as traction there is the singular stress, no wave to let out.
-  if (ghost.at_rim) std::fill(scratch_.surface.begin(), scratch_.surface.end(), 0);
-  keep(ghost.particles);
-}
-
-template <class T, int D>
-bool GhostFitter<T, D>::fit_fully(const Waiting& ghost) {
-  clear();
-  return fit_in_all_directions<D>(ghost.particles, ghost.site, scratch_.linear, scratch_.surface) &&
-         fit_constrained<D>(ghost.particles, ghost.site, ghost.curved, scratch_.constrained);
-}
-
-template <class T, int D>
-void GhostFitter<T, D>::fit_poorly(const Waiting& ghost) {
-  clear();
-  if (!fit_along_normal<D>(ghost.particles, ghost.site, scratch_.linear, scratch_.surface)) {
-    take_mean(ghost.particles);
+  if (ghost.at_rim) terms.surface = {};
+  place(ghost, terms);
+  T sum = 0;
+  for (const FitParticle<D>& i : ghost.particles) {
+    T r[D];
+    for (int a = 0; a < D; ++a) r[a] = static_cast<T>(i.position[a]);
+    sum += kernels::fit_coefficients(terms, r, static_cast<T>(i.surface_distance)).constrained;
   }
-  if (!fit_proportional<D>(ghost.particles, ghost.site, scratch_.constrained)) {
-    scratch_.constrained.assign(ghost.particles.size(), 0);
+  append(ghost, terms, sum);
+}
+
+template <class T, int D>
+bool GhostFitter<T, D>::fit_fully(const Waiting& ghost, Terms& terms) const {
+  return fit_in_all_directions(ghost.particles, ghost.site, terms) &&
+         fit_constrained(ghost.particles, ghost.site, ghost.curved, terms);
+}
+
+template <class T, int D>
+void GhostFitter<T, D>::fit_poorly(const Waiting& ghost, Terms& terms) const {
+  terms = {};
+  if (!fit_along_normal(ghost.particles, ghost.site, terms)) {
+    double sum = 0;
+    for (const FitParticle<D>& i : ghost.particles) sum += i.weight;
+    terms.linear[0] = terms.surface[0] = static_cast<T>(1 / sum);
   }
-}
-
-template <class T, int D>
-void GhostFitter<T, D>::clear() {
-  scratch_.linear.clear();
-  scratch_.constrained.clear();
-  scratch_.surface.clear();
-}
-
-template <class T, int D>
-void GhostFitter<T, D>::take_mean(const FitParticles<D>& particles) {
-  double sum = 0;
-  for (const FitParticle<D>& i : particles) sum += i.weight;
-  scratch_.linear.clear();
-  for (const FitParticle<D>& i : particles) scratch_.linear.push_back(i.weight / sum);
-  scratch_.surface = scratch_.linear;
+  fit_proportional(ghost.particles, ghost.site, terms);
 }
 
 template <class T, int D>
 void GhostFitter<T, D>::average(const Cell<D>& cell) {
-  FitParticles<D>& particles = scratch_.waiting[0].particles;
-  Point<D> centre;
-  for (int a = 0; a < D; ++a) centre[a] = cell[a];
-  FitReach<D> reach = {mean_radius};
-  search(centre, reach, nullptr, particles);
-  for (int attempt = 0; particles.empty() && attempt < 2 * most_widenings; ++attempt) {
-    reach.radius *= widening;
-    search(centre, reach, nullptr, particles);
+  Waiting& ghost = scratch_.waiting[0];
+  ghost.wall = nullptr;
+  ghost.at_rim = false;
+  for (int a = 0; a < D; ++a) ghost.centre[a] = cell[a];
+  ghost.reach = {mean_radius};
+  search(ghost.centre, ghost.reach, nullptr, ghost.particles);
+  for (int attempt = 0; ghost.particles.empty() && attempt < 2 * most_widenings; ++attempt) {
+    ghost.reach.radius *= widening;
+    search(ghost.centre, ghost.reach, nullptr, ghost.particles);
   }
-  scratch_.linear.assign(particles.size(), particles.empty() ? 0 : 1.0 / particles.size());
-  scratch_.constrained.assign(particles.size(), 0);
-  scratch_.surface = scratch_.linear;
-  keep(particles);
+  ghost.reach.radius = std::numeric_limits<double>::infinity();  // all count the same
+  Terms mean;
+  mean.linear[0] = mean.surface[0] = T(1) / static_cast<T>(ghost.particles.size());
+  place(ghost, mean);
+  append(ghost, mean, 0);
 }
 
-// What was fitted for one ghost alone.
+// The weight of (RP.32), and the cell next to the foot point from which the particles' are counted.
 template <class T, int D>
-void GhostFitter<T, D>::keep(const FitParticles<D>& particles) {
-  const auto sum = [](const std::vector<double>& list) {
-    return static_cast<T>(std::accumulate(list.begin(), list.end(), 0.));
-  };
-  ghosts_.constrained_sum.push_back(sum(scratch_.constrained));
-  ghosts_.surface_sum.push_back(sum(scratch_.surface));
-  append(particles, scratch_.linear.data(), scratch_.constrained.data(), scratch_.surface.data(),
-         1);
+void GhostFitter<T, D>::place(const Waiting& ghost, Terms& terms) {
+  const FitReach<D>& reach = ghost.reach;
+  const double square = reach.narrowing * reach.narrowing;
+  terms.steepness = static_cast<T>(square / (reach.radius * reach.radius));
+  for (int a = 0; a < D; ++a) {
+    terms.broad[a] = static_cast<T>(std::sqrt(square - 1) / reach.radius * reach.normal[a]);
+    terms.start[a] = static_cast<T>(std::round(ghost.centre[a]) - ghost.centre[a]);
+  }
 }
 
 template <class T, int D>
-template <class V>
-void GhostFitter<T, D>::append(const FitParticles<D>& particles, const V* linear,
-                               const V* constrained, const V* surface, int stride) {
-  const std::size_t first = ghosts_.record.size(), pairs = first + particles.size();
-  grow(ghosts_.record, pairs);
-  grow(ghosts_.linear, pairs);
-  grow(ghosts_.constrained, pairs);
-  grow(ghosts_.surface, pairs);
-  for (std::size_t k = 0; k < particles.size(); ++k) {
-    ghosts_.record[first + k] = particles[k].slot;
-    ghosts_.linear[first + k] = static_cast<T>(linear[stride * k]);
-    ghosts_.constrained[first + k] = static_cast<T>(constrained[stride * k]);
-    ghosts_.surface[first + k] = static_cast<T>(surface[stride * k]);
+void GhostFitter<T, D>::append(const Waiting& ghost, const Terms& terms, T constrained_sum) {
+  push_tightly(ghosts_.terms, terms);
+  push_tightly(ghosts_.constrained_sum, constrained_sum);
+  push_tightly(ghosts_.surface_sum, ghost.at_rim || ghost.particles.empty() ? T(0) : T(1));
+  const auto wall_begin = static_cast<std::int64_t>(ghosts_.wall_distance.size());
+  push_tightly(ghosts_.wall_begin, ghost.wall == nullptr ? std::int64_t{-1} : wall_begin);
+  for (const FitParticle<D>& i : ghost.particles) {
+    Cell<D> cells;
+    for (int a = 0; a < D; ++a) {
+      cells[a] = static_cast<std::int32_t>(std::lround(i.position[a] - terms.start[a]));
+    }
+    push_tightly(ghosts_.pairs, kernels::fit_pair<D>(i.slot, cells));
+    if (ghost.wall != nullptr) {
+      push_tightly(ghosts_.wall_distance, static_cast<T>(i.surface_distance));
+    }
     // Several blocks may mark the same particle at once; they all write 1.
-    std::atomic_ref<std::int32_t>(used_[particles[k].slot]).store(1, std::memory_order_relaxed);
+    std::atomic_ref<std::int32_t>(used_[i.slot]).store(1, std::memory_order_relaxed);
   }
-  ghosts_.begin.push_back(static_cast<std::int64_t>(pairs));
+  push_tightly(ghosts_.begin, static_cast<std::int64_t>(ghosts_.pairs.size()));
 }
 
 // Interior particles within reach of a point given in cells.

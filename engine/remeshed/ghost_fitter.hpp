@@ -31,6 +31,8 @@ class GhostFitter {
  private:
   static constexpr int pack = Layout<D>::pack;
 
+  using Terms = kernels::FitTerms<T, D>;
+
   struct Waiting {
     FitSite<D> site;
     Point<D> centre;  ///< foot point in cells
@@ -44,15 +46,16 @@ class GhostFitter {
   /// Arguments of a kernel, [entry] or [lane] as there.
   struct Lanes {
     std::array<std::vector<T>, D> position;
-    std::vector<T> distance, linear, constrained, surface;
+    std::vector<T> distance;
     alignas(64) std::array<std::array<T, pack>, D> ghost, normal;
-    alignas(64) std::array<T, pack> ghost_distance, curved, constrained_sum, surface_sum, fitted;
+    alignas(64) std::array<T, pack> ghost_distance, curved, constrained_sum, fitted;
+    alignas(64) std::array<std::array<T, pack>, D + 1> linear, surface;
+    alignas(64) std::array<std::array<T, pack>, D + 2> constrained;
   };
   /// Kept by each thread, so that a warm remeshing allocates nothing.
   struct Scratch {
     std::array<Waiting, pack> waiting;
     Lanes lanes;
-    std::vector<double> linear, constrained, surface;
   };
   static Scratch& scratch();
 
@@ -63,15 +66,12 @@ class GhostFitter {
   void fill_lanes(int length);
   void fill_lane(int lane, int length);
   void fit_lanes(int length);
+  Terms terms_of_lane(int lane) const;
   void fit_alone(Waiting& ghost);
-  bool fit_fully(const Waiting& ghost);
-  void fit_poorly(const Waiting& ghost);
-  void take_mean(const FitParticles<D>& particles);
-  void clear();
-  void keep(const FitParticles<D>& particles);
-  template <class V>
-  void append(const FitParticles<D>& particles, const V* linear, const V* constrained,
-              const V* surface, int stride);
+  bool fit_fully(const Waiting& ghost, Terms& terms) const;
+  void fit_poorly(const Waiting& ghost, Terms& terms) const;
+  static void place(const Waiting& ghost, Terms& terms);
+  void append(const Waiting& ghost, const Terms& terms, T constrained_sum);
 
   const Body<T, D>& body_;
   const Population<T, D>& population_;

@@ -12,16 +12,16 @@ class PresentFits {
  public:
   PresentFits(const Body<T, D>& body, const BlockGhosts<T, D>& ghosts,
               const kernels::Table<T, D>& kernels)
-      : records_(body.records.get()), ghosts_(ghosts), kernels_(kernels) {}
+      : body_(body), ghosts_(ghosts), kernels_(kernels) {}
 
   /// Good until the next one is asked for.
   kernels::GhostFits<T, D> of(std::size_t ghost) {
-    kernels_.sum_ghosts(ghosts_.sums(ghost, 1, records_, sums_.data()));
+    kernels_.sum_ghosts(ghosts_.sums(ghost, 1, body_, sums_.data()));
     return ghosts_.fits(ghost, sums_.data());
   }
 
  private:
-  const T* records_;
+  const Body<T, D>& body_;
   const BlockGhosts<T, D>& ghosts_;
   const kernels::Table<T, D>& kernels_;
   alignas(64) std::array<T, BlockGhosts<T, D>::sums_of_ghost> sums_;

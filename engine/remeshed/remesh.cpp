@@ -165,7 +165,10 @@ void Remeshing<T, D>::add_ghosts(BodyPhases& phases) {
               });
   phases.once("ghosts: surface", {{resource::surface_packs, Reach::all}},
               {{resource::record_numbers, Reach::all}}, [this] {
-                if (is_final_) number_records(body_.spare, body_.record_of_slot.get());
+                if (is_final_) {
+                  number_records(body_.spare, level_set_, body_.lattice.spacing,
+                                 body_.record_of_slot.get());
+                }
               });
   phases.each("ghosts: surface", {{resource::record_numbers}}, {{resource::fits}}, [this](int b) {
     if (is_final_) resolve_records(body_.spare, b, body_.record_of_slot.get());

@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "engine/body/archived_points.hpp"
 #include "engine/remeshed/ghost_fits.hpp"
 
@@ -53,6 +55,17 @@ std::vector<V> joined(std::size_t blocks, auto&& part) {
   return all;
 }
 
+/// Calls f(term) for every number of a fit.
+template <class Terms, class F>
+void for_each_term(Terms& terms, F&& f) {
+  std::for_each(terms.start.begin(), terms.start.end(), f);
+  f(terms.steepness);
+  std::for_each(terms.broad.begin(), terms.broad.end(), f);
+  std::for_each(terms.linear.begin(), terms.linear.end(), f);
+  std::for_each(terms.surface.begin(), terms.surface.end(), f);
+  std::for_each(terms.constrained.begin(), terms.constrained.end(), f);
+}
+
 template <class T, int D>
 void put_ghosts(ArchiveWriter& archive, const std::string& group,
                 const Population<T, D>& population) {
@@ -60,17 +73,20 @@ void put_ghosts(ArchiveWriter& archive, const std::string& group,
   std::vector<std::int64_t> sizes, reached, begins, packs;
   std::vector<std::int32_t> walls;
   std::vector<double> normals, feet;
+  std::vector<T> terms;
   for (const BlockGhosts<T, D>& g : population.ghosts) {
     sizes.insert(sizes.end(), {static_cast<std::int64_t>(g.slot.size()),
-                               static_cast<std::int64_t>(g.record.size()),
+                               static_cast<std::int64_t>(g.pairs.size()),
                                static_cast<std::int64_t>(g.packs.size()), g.first_record,
-                               g.record_count, static_cast<std::int64_t>(g.contact.size())});
+                               g.record_count, static_cast<std::int64_t>(g.contact.size()),
+                               static_cast<std::int64_t>(g.wall_distance.size())});
     reached.push_back(static_cast<std::int64_t>(g.reached_count));
     begins.insert(begins.end(), g.begin.begin(), g.begin.end());
     for (std::size_t i = 0; i < g.slot.size(); ++i) {
       walls.insert(walls.end(), {g.wall[i], g.pressure[i]});
       normals.insert(normals.end(), g.normal[i].begin(), g.normal[i].end());
       feet.insert(feet.end(), g.foot[i].begin(), g.foot[i].end());
+      for_each_term(g.terms[i], [&](const T& term) { terms.push_back(term); });
     }
     for (const kernels::SurfacePack& p : g.packs) {
       packs.insert(packs.end(), {p.first, p.segment, p.record, p.lanes});
@@ -84,6 +100,8 @@ void put_ghosts(ArchiveWriter& archive, const std::string& group,
   archive.put(group + "/wall_and_pressure", std::span<const std::int32_t>(walls));
   archive.put(group + "/normal", std::span<const double>(normals));
   archive.put(group + "/foot", std::span<const double>(feet));
+  archive.put(group + "/terms", std::span<const T>(terms));
+  archive.put(group + "/surface_distance", std::span<const T>(population.surface_distance));
   const auto put = [&]<class V>(const char* name, auto member) {
     const std::vector<V> values =
         joined<V>(blocks, [&](std::size_t b) -> const std::vector<V>& { return all[b].*member; });
@@ -91,14 +109,13 @@ void put_ghosts(ArchiveWriter& archive, const std::string& group,
   };
   using G = BlockGhosts<T, D>;
   put.template operator()<std::int32_t>("slot", &G::slot);
-  put.template operator()<std::int32_t>("record", &G::record);
+  put.template operator()<kernels::FitPair>("pairs", &G::pairs);
   put.template operator()<std::int32_t>("contact", &G::contact);
   put.template operator()<std::uint8_t>("active", &G::active);
   put.template operator()<double>("contact_height", &G::contact_height);
   put.template operator()<double>("contact_area", &G::contact_area);
-  put.template operator()<T>("linear", &G::linear);
-  put.template operator()<T>("constrained", &G::constrained);
-  put.template operator()<T>("surface", &G::surface);
+  put.template operator()<std::int64_t>("wall_begin", &G::wall_begin);
+  put.template operator()<T>("wall_distance", &G::wall_distance);
   put.template operator()<T>("constrained_sum", &G::constrained_sum);
   put.template operator()<T>("surface_sum", &G::surface_sum);
 }
@@ -114,21 +131,22 @@ void get_ghosts(const ArchiveReader& archive, const std::string& group,
   const auto normals = archive.get<double>(group + "/normal");
   const auto feet = archive.get<double>(group + "/foot");
   const auto slots = archive.get<std::int32_t>(group + "/slot");
-  const auto records = archive.get<std::int32_t>(group + "/record");
+  const auto all_pairs = archive.get<kernels::FitPair>(group + "/pairs");
   const auto contact = archive.get<std::int32_t>(group + "/contact");
   const auto active = archive.get<std::uint8_t>(group + "/active");
   const auto contact_heights = archive.get<double>(group + "/contact_height");
   const auto contact_areas = archive.get<double>(group + "/contact_area");
-  const auto linear = archive.get<T>(group + "/linear");
-  const auto constrained = archive.get<T>(group + "/constrained");
-  const auto surface = archive.get<T>(group + "/surface");
+  const auto wall_begins = archive.get<std::int64_t>(group + "/wall_begin");
+  const auto wall_distances = archive.get<T>(group + "/wall_distance");
+  const auto terms = archive.get<T>(group + "/terms");
   const auto constrained_sums = archive.get<T>(group + "/constrained_sum");
   const auto surface_sums = archive.get<T>(group + "/surface_sum");
-  std::size_t ghost = 0, neighbour = 0, pack = 0, begin = 0, touch = 0;
+  std::size_t ghost = 0, neighbour = 0, pack = 0, begin = 0, touch = 0, wall = 0, term = 0;
   for (std::size_t b = 0; b < population.ghosts.size(); ++b) {
     BlockGhosts<T, D>& g = population.ghosts[b];
-    const std::int64_t* size = sizes.data() + 6 * b;
-    const std::size_t ghosts = size[0], pairs = size[1], surfaces = size[2], touching = size[5];
+    const std::int64_t* size = sizes.data() + 7 * b;
+    const std::size_t ghosts = size[0], pairs = size[1], surfaces = size[2], touching = size[5],
+                      walled = size[6];
     g.reached_count = reached[b];
     const auto part = [](const auto& all, std::size_t from, std::size_t count) {
       return std::vector(all.begin() + from, all.begin() + from + count);
@@ -137,14 +155,15 @@ void get_ghosts(const ArchiveReader& archive, const std::string& group,
     g.slot = part(slots, ghost, ghosts);
     g.constrained_sum = part(constrained_sums, ghost, ghosts);
     g.surface_sum = part(surface_sums, ghost, ghosts);
-    g.record = part(records, neighbour, pairs);
+    g.pairs = part(all_pairs, neighbour, pairs);
     g.contact = part(contact, touch, touching);
     g.contact_height = part(contact_heights, touch, touching);
     g.contact_area = part(contact_areas, touch, touching);
     g.active = part(active, ghost, ghosts);
-    g.linear = part(linear, neighbour, pairs);
-    g.constrained = part(constrained, neighbour, pairs);
-    g.surface = part(surface, neighbour, pairs);
+    g.wall_begin = part(wall_begins, ghost, ghosts);
+    g.wall_distance = part(wall_distances, wall, walled);
+    g.terms.resize(ghosts);
+    for (auto& fit : g.terms) for_each_term(fit, [&](T& value) { value = terms.at(term++); });
     g.wall.clear();
     g.pressure.clear();
     g.normal.clear();
@@ -174,7 +193,9 @@ void get_ghosts(const ArchiveReader& archive, const std::string& group,
     pack += surfaces;
     begin += ghosts + 1;
     touch += touching;
+    wall += walled;
   }
+  population.surface_distance = archive.get<T>(group + "/surface_distance");
   remeshed::list_slots_of_records(population);
 }
 

@@ -56,92 +56,108 @@ class ConstrainedBasis {
     return q;
   }
 
+  /// The gradient of the terms along the surface over phi.
+  Position<D> along(const Eigen::Matrix<double, N, 1>& x) const {
+    Position<D> sum = Position<D>::Zero();
+    for (int k = 1; k < D; ++k) sum += x[k] * tangent_[k - 1];
+    return sum;
+  }
+
  private:
   std::array<Position<D>, D - 1> tangent_;
 };
 
-/// Coefficients of (RP.32) at the ghost and at the foot point, in {1, x, y[, z]} or {1, n.x}.
+/// (RP.32) at the ghost and at the foot point, in {1, x, y[, z]} or {1, n.x}.
 template <int N, int D, class Basis>
-bool fit_linear(const FitParticles<D>& particles, const Basis& basis, const Position<D>& ghost,
-                std::vector<double>& c, std::vector<double>& a) {
+bool solve_linear(const FitParticles<D>& particles, const Basis& basis, const Position<D>& ghost,
+                  Eigen::Matrix<double, N, 2>& x) {
   const auto of_neighbour = [&](const FitParticle<D>& i) { return basis(i.position); };
-  Eigen::Matrix<double, N, 2> at, x;
+  Eigen::Matrix<double, N, 2> at;
   at << basis(ghost), basis(Position<D>::Zero());
-  if (!solve_fit<N, 2>(particles, of_neighbour, at, x)) return false;
-  for (const FitParticle<D>& i : particles) {
-    const Eigen::Matrix<double, N, 1> q = basis(i.position);
-    c.push_back(i.weight * q.dot(x.col(0)));
-    a.push_back(i.weight * q.dot(x.col(1)));
-  }
-  return true;
+  return solve_fit<N, 2>(particles, of_neighbour, at, x);
 }
 
-template <int N, int D>
+template <class T, std::size_t N>
+void put(double constant, const auto& slope, std::array<T, N>& terms) {
+  terms[0] = static_cast<T>(constant);
+  for (int a = 0; a < slope.size(); ++a) terms[a + 1] = static_cast<T>(slope[a]);
+}
+
+template <int N, class T, int D>
 bool fit_constrained_in(const FitParticles<D>& particles, const FitSite<D>& site,
-                        std::vector<double>& b) {
-  const ConstrainedBasis<N, D> terms(site.normal);
-  const auto basis = [&](const FitParticle<D>& i) { return terms(i.surface_distance, i.position); };
+                        kernels::FitTerms<T, D>& terms) {
+  const ConstrainedBasis<N, D> in(site.normal);
+  const auto basis = [&](const FitParticle<D>& i) { return in(i.surface_distance, i.position); };
   Eigen::Matrix<double, N, 1> x;
-  const Eigen::Matrix<double, N, 1> at = terms(site.surface_distance, site.ghost);
+  const Eigen::Matrix<double, N, 1> at = in(site.surface_distance, site.ghost);
   if (!solve_fit<N, 1>(particles, basis, at, x)) return false;
-  for (const FitParticle<D>& i : particles) b.push_back(i.weight * basis(i).dot(x));
+  put(x[0], in.along(x), terms.constrained);
+  terms.constrained[D + 1] = N > D ? static_cast<T>(x[N - 1]) : T(0);
   return true;
 }
 
 }  // namespace
 
-template <int D>
+template <class T, int D>
 bool fit_in_all_directions(const FitParticles<D>& particles, const FitSite<D>& site,
-                           std::vector<double>& c, std::vector<double>& a) {
+                           kernels::FitTerms<T, D>& terms) {
   const auto basis = [](const Position<D>& x) {
     Eigen::Matrix<double, D + 1, 1> q;
     q << 1, x;
     return q;
   };
-  return fit_linear<D + 1, D>(particles, basis, site.ghost, c, a);
+  Eigen::Matrix<double, D + 1, 2> x;
+  if (!solve_linear<D + 1, D>(particles, basis, site.ghost, x)) return false;
+  put(x(0, 0), x.col(0).template tail<D>(), terms.linear);
+  put(x(0, 1), x.col(1).template tail<D>(), terms.surface);
+  return true;
 }
 
-template <int D>
+template <class T, int D>
 bool fit_along_normal(const FitParticles<D>& particles, const FitSite<D>& site,
-                      std::vector<double>& c, std::vector<double>& a) {
+                      kernels::FitTerms<T, D>& terms) {
   const auto basis = [&](const Position<D>& x) { return Eigen::Vector2d(1, site.normal.dot(x)); };
-  return fit_linear<2, D>(particles, basis, site.ghost, c, a);
+  Eigen::Matrix<double, 2, 2> x;
+  if (!solve_linear<2, D>(particles, basis, site.ghost, x)) return false;
+  put(x(0, 0), Position<D>(x(1, 0) * site.normal), terms.linear);
+  put(x(0, 1), Position<D>(x(1, 1) * site.normal), terms.surface);
+  return true;
 }
 
-template <int D>
+template <class T, int D>
 bool fit_constrained(const FitParticles<D>& particles, const FitSite<D>& site, bool curved,
-                     std::vector<double>& b) {
-  return (curved && fit_constrained_in<D + 1>(particles, site, b)) ||
-         fit_constrained_in<D>(particles, site, b);
+                     kernels::FitTerms<T, D>& terms) {
+  return (curved && fit_constrained_in<D + 1>(particles, site, terms)) ||
+         fit_constrained_in<D>(particles, site, terms);
 }
 
-template <int D>
+template <class T, int D>
 bool fit_proportional(const FitParticles<D>& particles, const FitSite<D>& site,
-                      std::vector<double>& b) {
+                      kernels::FitTerms<T, D>& terms) {
   double square = 0;
   for (const FitParticle<D>& i : particles) {
     square += i.weight * i.surface_distance * i.surface_distance;
   }
   if (!(square > 1e-3)) return false;
-  for (const FitParticle<D>& i : particles) {
-    b.push_back(i.weight * i.surface_distance * site.surface_distance / square);
-  }
+  put(site.surface_distance / square, Position<D>(Position<D>::Zero()), terms.constrained);
   return true;
 }
 
-template bool fit_in_all_directions<2>(const FitParticles<2>&, const FitSite<2>&,
-                                       std::vector<double>&, std::vector<double>&);
-template bool fit_along_normal<2>(const FitParticles<2>&, const FitSite<2>&, std::vector<double>&,
-                                  std::vector<double>&);
-template bool fit_constrained<2>(const FitParticles<2>&, const FitSite<2>&, bool,
-                                 std::vector<double>&);
-template bool fit_proportional<2>(const FitParticles<2>&, const FitSite<2>&, std::vector<double>&);
-template bool fit_in_all_directions<3>(const FitParticles<3>&, const FitSite<3>&,
-                                       std::vector<double>&, std::vector<double>&);
-template bool fit_along_normal<3>(const FitParticles<3>&, const FitSite<3>&, std::vector<double>&,
-                                  std::vector<double>&);
-template bool fit_constrained<3>(const FitParticles<3>&, const FitSite<3>&, bool,
-                                 std::vector<double>&);
-template bool fit_proportional<3>(const FitParticles<3>&, const FitSite<3>&, std::vector<double>&);
+template bool fit_in_all_directions<double, 2>(const FitParticles<2>&, const FitSite<2>&,
+                                               kernels::FitTerms<double, 2>&);
+template bool fit_along_normal<double, 2>(const FitParticles<2>&, const FitSite<2>&,
+                                          kernels::FitTerms<double, 2>&);
+template bool fit_constrained<double, 2>(const FitParticles<2>&, const FitSite<2>&, bool,
+                                         kernels::FitTerms<double, 2>&);
+template bool fit_proportional<double, 2>(const FitParticles<2>&, const FitSite<2>&,
+                                          kernels::FitTerms<double, 2>&);
+template bool fit_in_all_directions<double, 3>(const FitParticles<3>&, const FitSite<3>&,
+                                               kernels::FitTerms<double, 3>&);
+template bool fit_along_normal<double, 3>(const FitParticles<3>&, const FitSite<3>&,
+                                          kernels::FitTerms<double, 3>&);
+template bool fit_constrained<double, 3>(const FitParticles<3>&, const FitSite<3>&, bool,
+                                         kernels::FitTerms<double, 3>&);
+template bool fit_proportional<double, 3>(const FitParticles<3>&, const FitSite<3>&,
+                                          kernels::FitTerms<double, 3>&);
 
 }  // namespace pliant::remeshed

@@ -4,8 +4,10 @@
 #include <cstdint>
 #include <vector>
 
+#include "kernels/fit_terms.hpp"
+
 /// Weighted least-squares fits of the particles around a foot point on the surface. They depend on
-/// places alone, so that a fit is a list of coefficients, one for each particle.
+/// places alone, so that a fit is a coefficient for each particle: its weight times a polynomial.
 namespace pliant::remeshed {
 
 template <int D>
@@ -44,26 +46,26 @@ struct FitReach {
   }
 };
 
-/// Coefficients of (RP.32) at the ghost, appended to `c`, and at the foot point, appended to `a`.
-/// False, as the others, where the particles do not determine the fit.
-template <int D>
+/// (RP.32) at the ghost, `linear` of the terms, and at the foot point, their `surface`. False, as
+/// the others, where the particles do not determine the fit.
+template <class T, int D>
 bool fit_in_all_directions(const FitParticles<D>& particles, const FitSite<D>& site,
-                           std::vector<double>& c, std::vector<double>& a);
+                           kernels::FitTerms<T, D>& terms);
 
 /// The same in {1, n.x} alone.
-template <int D>
+template <class T, int D>
 bool fit_along_normal(const FitParticles<D>& particles, const FitSite<D>& site,
-                      std::vector<double>& c, std::vector<double>& a);
+                      kernels::FitTerms<T, D>& terms);
 
-/// Coefficients of (RP.33) at the ghost; its last term, the square of the distance, only if
-/// `curved`.
-template <int D>
+/// (RP.33) at the ghost, `constrained` of the terms; its last term, the square of the distance,
+/// only if `curved`.
+template <class T, int D>
 bool fit_constrained(const FitParticles<D>& particles, const FitSite<D>& site, bool curved,
-                     std::vector<double>& b);
+                     kernels::FitTerms<T, D>& terms);
 
 /// The last resort: proportional to the distance.
-template <int D>
+template <class T, int D>
 bool fit_proportional(const FitParticles<D>& particles, const FitSite<D>& site,
-                      std::vector<double>& b);
+                      kernels::FitTerms<T, D>& terms);
 
 }  // namespace pliant::remeshed

@@ -29,7 +29,8 @@ void list_surface_particles(Population<T, D>& population, int block, const std::
 }
 
 template <class T, int D>
-void number_records(Population<T, D>& population, std::int32_t* record_of_slot) {
+void number_records(Population<T, D>& population, const LevelSet<T, D>& level_set, double spacing,
+                    std::int32_t* record_of_slot) {
   std::int32_t next = 0;
   for (BlockGhosts<T, D>& ghosts : population.ghosts) {
     ghosts.first_record = next;
@@ -37,8 +38,11 @@ void number_records(Population<T, D>& population, std::int32_t* record_of_slot) 
     next += ghosts.record_count;
   }
   list_slots_of_records(population);
-  for (std::size_t r = 0; r < population.slot_of_record.size(); ++r) {
-    record_of_slot[population.slot_of_record[r]] = static_cast<std::int32_t>(r);
+  population.surface_distance.clear();
+  for (const std::int32_t slot : population.slot_of_record) {
+    record_of_slot[slot] = static_cast<std::int32_t>(population.surface_distance.size());
+    population.surface_distance.push_back(
+        static_cast<T>(level_set.surface_distance(slot) / spacing));
   }
 }
 
@@ -58,7 +62,9 @@ void list_slots_of_records(Population<T, D>& population) {
 template <class T, int D>
 void resolve_records(Population<T, D>& population, int block, const std::int32_t* record_of_slot) {
   BlockGhosts<T, D>& ghosts = population.ghosts[block];
-  for (std::int32_t& record : ghosts.record) record = record_of_slot[record];
+  for (kernels::FitPair& pair : ghosts.pairs) {
+    pair = kernels::with_record(pair, record_of_slot[kernels::record_of(pair)]);
+  }
 }
 
 template <class T, int D>
@@ -86,11 +92,13 @@ template void write_surface_records<double, 2>(Body<double, 2>&, int, int,
 template void write_surface_records<double, 3>(Body<double, 3>&, int, int,
                                                const kernels::Table<double, 3>&);
 template void list_surface_particles<double, 2>(Population<double, 2>&, int, const std::int32_t*);
-template void number_records<double, 2>(Population<double, 2>&, std::int32_t*);
+template void number_records<double, 2>(Population<double, 2>&, const LevelSet<double, 2>&, double,
+                                        std::int32_t*);
 template void list_slots_of_records<double, 2>(Population<double, 2>&);
 template void resolve_records<double, 2>(Population<double, 2>&, int, const std::int32_t*);
 template void list_surface_particles<double, 3>(Population<double, 3>&, int, const std::int32_t*);
-template void number_records<double, 3>(Population<double, 3>&, std::int32_t*);
+template void number_records<double, 3>(Population<double, 3>&, const LevelSet<double, 3>&, double,
+                                        std::int32_t*);
 template void list_slots_of_records<double, 3>(Population<double, 3>&);
 template void resolve_records<double, 3>(Population<double, 3>&, int, const std::int32_t*);
 

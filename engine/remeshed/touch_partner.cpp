@@ -18,9 +18,7 @@ double TouchPartner<T, D>::gap(const SurfaceSamples<D>& surface, const Lattice<D
   if (!surface.holds(at, lattice, 0)) return infinity;
   if (gather(at) > farthest || around_.empty() || !fit(around_)) return infinity;
   double gap = 0;
-  for (std::size_t i = 0; i < around_.size(); ++i) {
-    gap += coefficient_[i] * around_[i].surface_distance;
-  }
+  for (const FitParticle<D>& i : around_) gap += coefficient(i) * i.surface_distance;
   return gap;
 }
 
@@ -50,17 +48,22 @@ double TouchPartner<T, D>::gather(const Point<D>& at) {
 template <class T, int D>
 bool TouchPartner<T, D>::fit(const FitParticles<D>& particles) {
   const FitSite<D> site = {Position<D>::Zero(), Position<D>::Zero(), 0};
-  coefficient_.clear();
-  at_foot_.clear();
-  return fit_in_all_directions<D>(particles, site, coefficient_, at_foot_);
+  return fit_in_all_directions(particles, site, terms_);
+}
+
+template <class T, int D>
+double TouchPartner<T, D>::coefficient(const FitParticle<D>& particle) const {
+  double sum = terms_.linear[0];
+  for (int a = 0; a < D; ++a) sum += terms_.linear[a + 1] * particle.position[a];
+  return particle.weight * sum;
 }
 
 template <class T, int D>
 bool TouchPartner<T, D>::add_to(BodyTouches<T, D>& touches) {
   if (!fit(particles_)) return false;
-  for (std::size_t i = 0; i < particles_.size(); ++i) {
-    touches.record.push_back(surface_->record[particles_[i].slot]);
-    touches.coefficient.push_back(static_cast<T>(coefficient_[i]));
+  for (const FitParticle<D>& i : particles_) {
+    touches.record.push_back(surface_->record[i.slot]);
+    touches.coefficient.push_back(static_cast<T>(coefficient(i)));
   }
   touches.begin.push_back(static_cast<std::int64_t>(touches.record.size()));
   return true;

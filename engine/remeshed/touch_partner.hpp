@@ -27,10 +27,11 @@ class TouchPartner {
  private:
   double gather(const Point<D>& at);
   bool fit(const FitParticles<D>& particles);
+  double coefficient(const FitParticle<D>& particle) const;
 
   const SurfaceSamples<D>* surface_ = nullptr;
   FitParticles<D> around_, particles_;  ///< samples near the point; those that have records
-  std::vector<double> coefficient_, at_foot_;
+  kernels::FitTerms<double, D> terms_;
 };
 
 extern template class TouchPartner<double, 2>;

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "engine/remeshed/fit_coefficient.hpp"
 #include "engine/remeshed/resources.hpp"
 #include "engine/remeshed/touch_partner.hpp"
 
@@ -246,7 +247,8 @@ Point<D> TouchSearch<T, D>::foot_point(const Body<T, D>& body, const BlockGhosts
   for (int a = 0; a < D; ++a) {
     const T* drift = body.stage[0].get(Field::displacement, a);
     for (std::int64_t k = ghosts.begin[ghost]; k < ghosts.begin[ghost + 1]; ++k) {
-      x[a] += ghosts.surface[k] * drift[body.population.slot_of_record[ghosts.record[k]]];
+      x[a] += fit_coefficient<T, D>(ghosts, ghost, k, ghosts.terms[ghost].surface) *
+              drift[body.population.slot_of_record[kernels::record_of(ghosts.pairs[k])]];
     }
   }
   return x;

@@ -115,7 +115,7 @@ TEST(contact, fits_at_the_wall_look_farther_into_the_body_than_along_it) {
       const auto& foot = ghosts.foot[g];
       if (std::abs(foot[0]) > 3 * h) continue;
       for (std::int64_t k = ghosts.begin[g]; k < ghosts.begin[g + 1]; ++k) {
-        const auto slot = body.population.slot_of_record[ghosts.record[k]];
+        const auto slot = body.population.slot_of_record[kernels::record_of(ghosts.pairs[k])];
         const auto x = body.lattice.node(body.population.layout.cell(slot));
         widest = std::max(widest, std::abs(x[0] - foot[0]));
         highest = std::max(highest, x[1] - foot[1]);

@@ -13,6 +13,7 @@ TYPED_TEST_SUITE(ghost_sums, Dimensions);
 TYPED_TEST(ghost_sums, are_the_sums_of_a_plain_loop) {
   using T = typename TypeParam::Scalar;
   constexpr int D = TypeParam::dimension, width = record_width<D>, first = 7, count = 31;
+  using Fit = FitCoefficients<double>;
   const RandomGhosts<T, D> random;
   Field<T> sums(count * 3 * width, T(-7));
   baseline_table<T, D>().sum_ghosts(random.sums(first, count, sums.data()));
@@ -21,9 +22,9 @@ TYPED_TEST(ghost_sums, are_the_sums_of_a_plain_loop) {
   for (int g = 0; g < count; ++g) {
     const T* ghost = &sums[g * 3 * width];
     for (int k = 0; k < width; ++k) {
-      EXPECT_NEAR(ghost[k], random.sum(random.linear, first + g, k), tolerance);
-      EXPECT_NEAR(ghost[width + k], random.sum(random.constrained, first + g, k), tolerance);
-      EXPECT_NEAR(ghost[2 * width + k], random.sum(random.surface, first + g, k), tolerance);
+      EXPECT_NEAR(ghost[k], random.sum(&Fit::linear, first + g, k), tolerance);
+      EXPECT_NEAR(ghost[width + k], random.sum(&Fit::constrained, first + g, k), tolerance);
+      EXPECT_NEAR(ghost[2 * width + k], random.sum(&Fit::surface, first + g, k), tolerance);
     }
   }
 }

@@ -17,10 +17,11 @@ struct HalfSpaceOfParticles {
   static constexpr double radius = 2.6;
 
   HalfSpaceOfParticles() {
-    for (auto* list : {&distance, &linear, &constrained, &surface}) list->resize(length * pack);
-    for (auto* list : {&ghost_distance, &curved, &constrained_sum, &surface_sum, &fitted}) {
-      list->resize(pack);
-    }
+    distance.resize(length * pack);
+    for (auto* list : {&ghost_distance, &curved, &constrained_sum, &fitted}) list->resize(pack);
+    for (auto& list : linear) list.resize(pack);
+    for (auto& list : surface) list.resize(pack);
+    for (auto& list : constrained) list.resize(pack);
     for (int a = 0; a < D; ++a) {
       position[a].resize(length * pack);
       ghost[a].resize(pack);
@@ -48,18 +49,35 @@ struct HalfSpaceOfParticles {
     work.distance = distance.data();
     work.ghost_distance = ghost_distance.data();
     work.curved = curved.data();
-    work.linear = linear.data();
-    work.constrained = constrained.data();
-    work.surface = surface.data();
-    work.constrained_sum = constrained_sum.data();
-    work.surface_sum = surface_sum.data();
     work.fitted = fitted.data();
+    work.constrained_sum = constrained_sum.data();
+    for (std::size_t i = 0; i < linear.size(); ++i) {
+      work.linear[i] = linear[i].data();
+      work.surface[i] = surface[i].data();
+    }
+    for (std::size_t i = 0; i < constrained.size(); ++i)
+      work.constrained[i] = constrained[i].data();
     return work;
   }
 
+  /// What was fitted in a lane.
+  FitTerms<double, D> terms(int lane) const {
+    FitTerms<double, D> fit;
+    fit.steepness = 1 / (radius * radius);
+    for (std::size_t i = 0; i < linear.size(); ++i) {
+      fit.linear[i] = linear[i][lane];
+      fit.surface[i] = surface[i][lane];
+    }
+    for (std::size_t i = 0; i < constrained.size(); ++i) {
+      fit.constrained[i] = constrained[i][lane];
+    }
+    return fit;
+  }
+
   std::array<Field<T>, D> position, ghost, normal;
-  Field<T> distance, linear, constrained, surface;
-  Field<T> ghost_distance, curved, constrained_sum, surface_sum, fitted;
+  Field<T> distance, ghost_distance, curved, constrained_sum, fitted;
+  std::array<Field<T>, D + 1> linear, surface;
+  std::array<Field<T>, D + 2> constrained;
 
  private:
   std::mt19937 random{3};

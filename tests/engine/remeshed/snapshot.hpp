@@ -43,14 +43,18 @@ inline void add_body(Snapshot& snapshot, const LatticeView& view, Slots which) {
   };
   for (const auto& ghosts : population.ghosts) {
     add("ghost slot", ghosts.slot);
-    add("ghost record", ghosts.record);
-    add("linear fit", ghosts.linear);
-    add("constrained fit", ghosts.constrained);
-    add("surface fit", ghosts.surface);
+    add("pairs", ghosts.pairs);
+    add("distance from walls", ghosts.wall_distance);
+    for (const auto& terms : ghosts.terms) {
+      add("linear fit", terms.linear);
+      add("constrained fit", terms.constrained);
+      add("surface fit", terms.surface);
+    }
     add("contact", ghosts.contact);
     add("contact height", ghosts.contact_height);
     add("contact area", ghosts.contact_area);
   }
+  add("distance from the surface", population.surface_distance);
 }
 
 /// Bodies, stress and clock of a solver.

@@ -1,0 +1,17 @@
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+namespace pliant {
+
+/// Appends to a list that is long and kept: it grows by an eighth, not to the double. The value may
+/// be one of the list.
+template <class V>
+void push_tightly(std::vector<V>& list, V value) {
+  constexpr std::size_t least = 8;
+  if (list.size() == list.capacity()) list.reserve(list.size() + list.size() / 8 + least);
+  list.push_back(value);
+}
+
+}  // namespace pliant
