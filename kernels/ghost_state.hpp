@@ -220,43 +220,28 @@ GhostState<T, D> wall_ghost(const GhostFits<T, D>& fits, const VectorOf<T, D>& w
   return ghost;
 }
 
-/// A sum of records where a ghost is mirrored: a linear fit f has there 2 f(foot) - f(ghost).
-template <class T, int D>
-class MirroredSum {
- public:
-  explicit MirroredSum(const GhostFits<T, D>& fits) {
-#pragma GCC unroll 13
-    for (int k = 0; k < record_width<D>; ++k) {
-      values_[k] = 2 * fits.surface.values[k] - fits.linear.values[k];
-    }
-  }
-  RecordSum<T, D> sum() const { return {values_.data()}; }
-
- private:
-  std::array<T, record_width<D>> values_;
-};
-
-/// (RP.36), (RP.44), (RP.45): the mirror image of the body; n the normal of the wall, into the
-/// body.
+/// (RP.36), (RP.44), (RP.45); n the normal of the wall, into the body.
 template <class T, int D>
 GhostState<T, D> slip_wall_ghost(const GhostFits<T, D>& fits, const VectorOf<T, D>& wall_velocity,
                                  const VectorOf<T, D>& n, const Impedance<T>& impedance) {
-  const MirroredSum<T, D> mirrored(fits);
-  const RecordSum<T, D> image = mirrored.sum();
-  T along = 0;
+  const RecordSum<T, D>& at_wall = fits.surface;
+  T jump = 0;  // of the normal velocity, from the wall to the ghost
 #pragma GCC unroll 3
-  for (int i = 0; i < D; ++i) along += n[i] * (image.velocity(i) - wall_velocity[i]);
-  const VectorOf<T, D> held = shear<T, D>(fits.surface, n);
-  VectorOf<T, D> s_n, tau = shear<T, D>(image, n);
+  for (int i = 0; i < D; ++i) {
+    const T constrained =
+        fits.constrained.velocity(i) + wall_velocity[i] * (1 - fits.constrained_sum);
+    jump += n[i] * (constrained - at_wall.velocity(i));
+  }
+  const VectorOf<T, D> tau = shear<T, D>(at_wall, n);
   GhostState<T, D> ghost;
 #pragma GCC unroll 3
   for (int i = 0; i < D; ++i) {
-    ghost.velocity[i] = image.velocity(i) - 2 * along * n[i] + held[i] / impedance.shear_wave;
-    tau[i] = -tau[i];
+    ghost.velocity[i] = at_wall.velocity(i) + jump * n[i] + tau[i] / impedance.shear_wave;
   }
-  const T s_nn = traction<T, D>(image, n, s_n) +
+  VectorOf<T, D> s_n;
+  const T s_nn = traction<T, D>(at_wall, n, s_n) +
                  impedance.pressure_wave * departure<T, D>(fits, wall_velocity, n);
-  ghost.stress = with_traction<T, D>(image, n, s_nn, tau);
+  ghost.stress = with_traction<T, D>(at_wall, n, s_nn, shear<T, D>(fits.constrained, n));
   return ghost;
 }
 
@@ -266,8 +251,9 @@ template <class T, int D>
 T wall_pressure(const GhostFits<T, D>& fits, const VectorOf<T, D>& wall_velocity,
                 const VectorOf<T, D>& n, bool slips, const Impedance<T>& impedance) {
   VectorOf<T, D> s_n;
-  const T s_nn = slips ? traction<T, D>(MirroredSum<T, D>(fits).sum(), n, s_n)
-                       : traction<T, D>(fits.surface, n, s_n);
+  T s_nn = traction<T, D>(fits.surface, n, s_n);
+  // The mean of the ghost and of the body as far before the wall, 2 f(x_f) - f(x_g).
+  if (slips) s_nn += (s_nn - traction<T, D>(fits.linear, n, s_n)) / 2;
   return -(s_nn + impedance.pressure_wave * departure<T, D>(fits, wall_velocity, n));
 }
 
