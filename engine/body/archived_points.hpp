@@ -30,6 +30,7 @@ void get_points(const ArchiveReader& archive, const std::string& name,
 template <int D>
 void put_offsets(ArchiveWriter& archive, const std::vector<Wall<D>>& walls) {
   std::vector<Point<D>> offsets;
+  offsets.reserve(walls.size());
   for (const Wall<D>& wall : walls) offsets.push_back(wall.offset());
   put_points<D>(archive, "walls/offset", offsets);
 }
