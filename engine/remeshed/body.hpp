@@ -74,6 +74,28 @@ struct BlockGhosts {
   std::vector<kernels::SurfacePack> packs;
   std::int32_t first_record = 0, record_count = 0;
 
+  /// Forgets the ghosts; what is known of the records stays.
+  void clear() {
+    slot.clear();
+    reached_count = 0;
+    wall.clear();
+    active.clear();
+    pressure.clear();
+    normal.clear();
+    foot.clear();
+    terms.clear();
+    constrained_sum.clear();
+    surface_sum.clear();
+    begin.assign(1, 0);
+    pairs.clear();
+    wall_begin.clear();
+    wall_distance.clear();
+    contact.clear();
+    contact_height.clear();
+    contact_area.clear();
+    touches.clear();
+  }
+
   /// Values that the sums of a ghost take.
   static constexpr int sums_of_ghost = 3 * kernels::record_width<D>;
 

@@ -190,23 +190,7 @@ class GhostFinder {
 template <class T, int D>
 void fit_ghosts(const GhostSearch<T, D>& search, int block, std::int32_t* used) {
   BlockGhosts<T, D>& ghosts = search.population.ghosts[block];
-  ghosts.slot.clear();
-  ghosts.wall.clear();
-  ghosts.active.clear();
-  ghosts.contact.clear();
-  ghosts.contact_height.clear();
-  ghosts.contact_area.clear();
-  ghosts.pressure.clear();
-  ghosts.normal.clear();
-  ghosts.foot.clear();
-  ghosts.touches.clear();
-  ghosts.terms.clear();
-  ghosts.constrained_sum.clear();
-  ghosts.surface_sum.clear();
-  ghosts.begin.assign(1, 0);
-  ghosts.pairs.clear();
-  ghosts.wall_begin.clear();
-  ghosts.wall_distance.clear();
+  ghosts.clear();
   GhostFinder<T, D>(search, block, used).add_all(search.population.layout.blocks()[block]);
   // Whole registers of these are loaded.
   for (int i = 1; i < Layout<D>::pack; ++i) {

@@ -2,7 +2,8 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
+#include <numeric>
+#include <type_traits>
 
 #include "engine/body/archived_points.hpp"
 #include "engine/remeshed/ghost_fits.hpp"
@@ -45,155 +46,114 @@ void for_each_slot_array(Body<T, D>& body, F&& f) {
   }
 }
 
+/// The number that values of a list consist of.
 template <class V>
-std::vector<V> joined(std::size_t blocks, auto&& part) {
-  std::vector<V> all;
-  for (std::size_t b = 0; b < blocks; ++b) {
-    const auto& values = part(b);
-    all.insert(all.end(), values.begin(), values.end());
-  }
-  return all;
+struct Number {
+  using Type = V;
+};
+template <>
+struct Number<std::int8_t> {
+  using Type = std::uint8_t;
+};
+template <class N, std::size_t size>
+struct Number<std::array<N, size>> {
+  using Type = N;
+};
+template <class T, int D>
+struct Number<kernels::FitTerms<T, D>> {
+  using Type = T;
+};
+
+template <class V>
+auto numbers_of(std::vector<V>& values) {
+  using N = typename Number<V>::Type;
+  static_assert(sizeof(V) % sizeof(N) == 0 && std::is_trivially_copyable_v<V>);
+  return std::span(reinterpret_cast<N*>(values.data()), values.size() * (sizeof(V) / sizeof(N)));
 }
 
-/// Calls f(term) for every number of a fit.
-template <class Terms, class F>
-void for_each_term(Terms& terms, F&& f) {
-  std::for_each(terms.start.begin(), terms.start.end(), f);
-  f(terms.steepness);
-  std::for_each(terms.broad.begin(), terms.broad.end(), f);
-  std::for_each(terms.linear.begin(), terms.linear.end(), f);
-  std::for_each(terms.surface.begin(), terms.surface.end(), f);
-  std::for_each(terms.constrained.begin(), terms.constrained.end(), f);
+/// Calls f(name, list) for every list of a block's ghosts; their touches are found anew.
+template <class T, int D, class F>
+void for_each_list(F&& f) {
+  using G = BlockGhosts<T, D>;
+  f("slot", &G::slot);
+  f("wall", &G::wall);
+  f("active", &G::active);
+  f("pressure", &G::pressure);
+  f("normal", &G::normal);
+  f("foot", &G::foot);
+  f("terms", &G::terms);
+  f("constrained_sum", &G::constrained_sum);
+  f("surface_sum", &G::surface_sum);
+  f("begin", &G::begin);
+  f("pairs", &G::pairs);
+  f("wall_begin", &G::wall_begin);
+  f("wall_distance", &G::wall_distance);
+  f("contact", &G::contact);
+  f("contact_height", &G::contact_height);
+  f("contact_area", &G::contact_area);
 }
 
+// A list of all blocks is one array; another says how long each block's is.
 template <class T, int D>
 void put_ghosts(ArchiveWriter& archive, const std::string& group,
                 const Population<T, D>& population) {
-  const std::size_t blocks = population.ghosts.size();
-  std::vector<std::int64_t> sizes, reached, begins, packs;
-  std::vector<std::int32_t> walls;
-  std::vector<double> normals, feet;
-  std::vector<T> terms;
-  for (const BlockGhosts<T, D>& g : population.ghosts) {
-    sizes.insert(sizes.end(), {static_cast<std::int64_t>(g.slot.size()),
-                               static_cast<std::int64_t>(g.pairs.size()),
-                               static_cast<std::int64_t>(g.packs.size()), g.first_record,
-                               g.record_count, static_cast<std::int64_t>(g.contact.size()),
-                               static_cast<std::int64_t>(g.wall_distance.size())});
-    reached.push_back(static_cast<std::int64_t>(g.reached_count));
-    begins.insert(begins.end(), g.begin.begin(), g.begin.end());
-    for (std::size_t i = 0; i < g.slot.size(); ++i) {
-      walls.insert(walls.end(), {g.wall[i], g.pressure[i]});
-      normals.insert(normals.end(), g.normal[i].begin(), g.normal[i].end());
-      feet.insert(feet.end(), g.foot[i].begin(), g.foot[i].end());
-      for_each_term(g.terms[i], [&](const T& term) { terms.push_back(term); });
-    }
-    for (const kernels::SurfacePack& p : g.packs) {
+  for_each_list<T, D>(
+      [&]<class V>(const std::string& name, std::vector<V> BlockGhosts<T, D>::*list) {
+        std::vector<std::int64_t> lengths;
+        std::vector<V> all;
+        for (const BlockGhosts<T, D>& ghosts : population.ghosts) {
+          const std::vector<V>& values = ghosts.*list;
+          lengths.push_back(static_cast<std::int64_t>(values.size()));
+          all.insert(all.end(), values.begin(), values.end());
+        }
+        const std::span<const typename Number<V>::Type> numbers = numbers_of(all);
+        archive.put(group + "/" + name + "/lengths", std::span<const std::int64_t>(lengths));
+        archive.put(group + "/" + name + "/values", numbers);
+      });
+  std::vector<std::int64_t> reached, packs;
+  for (const BlockGhosts<T, D>& ghosts : population.ghosts) {
+    reached.push_back(static_cast<std::int64_t>(ghosts.reached_count));
+    packs.insert(packs.end(), {static_cast<std::int64_t>(ghosts.packs.size()), ghosts.first_record,
+                               ghosts.record_count});
+    for (const kernels::SurfacePack& p : ghosts.packs) {
       packs.insert(packs.end(), {p.first, p.segment, p.record, p.lanes});
     }
   }
-  const auto& all = population.ghosts;
-  archive.put(group + "/sizes", std::span<const std::int64_t>(sizes));
   archive.put(group + "/reached", std::span<const std::int64_t>(reached));
-  archive.put(group + "/begin", std::span<const std::int64_t>(begins));
   archive.put(group + "/packs", std::span<const std::int64_t>(packs));
-  archive.put(group + "/wall_and_pressure", std::span<const std::int32_t>(walls));
-  archive.put(group + "/normal", std::span<const double>(normals));
-  archive.put(group + "/foot", std::span<const double>(feet));
-  archive.put(group + "/terms", std::span<const T>(terms));
   archive.put(group + "/surface_distance", std::span<const T>(population.surface_distance));
-  const auto put = [&]<class V>(const char* name, auto member) {
-    const std::vector<V> values =
-        joined<V>(blocks, [&](std::size_t b) -> const std::vector<V>& { return all[b].*member; });
-    archive.put(group + "/" + name, std::span<const V>(values));
-  };
-  using G = BlockGhosts<T, D>;
-  put.template operator()<std::int32_t>("slot", &G::slot);
-  put.template operator()<kernels::FitPair>("pairs", &G::pairs);
-  put.template operator()<std::int32_t>("contact", &G::contact);
-  put.template operator()<std::uint8_t>("active", &G::active);
-  put.template operator()<double>("contact_height", &G::contact_height);
-  put.template operator()<double>("contact_area", &G::contact_area);
-  put.template operator()<std::int64_t>("wall_begin", &G::wall_begin);
-  put.template operator()<T>("wall_distance", &G::wall_distance);
-  put.template operator()<T>("constrained_sum", &G::constrained_sum);
-  put.template operator()<T>("surface_sum", &G::surface_sum);
 }
 
 template <class T, int D>
 void get_ghosts(const ArchiveReader& archive, const std::string& group,
                 Population<T, D>& population) {
-  const auto sizes = archive.get<std::int64_t>(group + "/sizes");
+  for_each_list<T, D>(
+      [&]<class V>(const std::string& name, std::vector<V> BlockGhosts<T, D>::*list) {
+        const auto lengths = archive.get<std::int64_t>(group + "/" + name + "/lengths");
+        std::vector<V> all(std::accumulate(lengths.begin(), lengths.end(), std::int64_t{0}));
+        archive.read(group + "/" + name + "/values", numbers_of(all));
+        auto first = all.begin();
+        for (std::size_t b = 0; b < population.ghosts.size(); first += lengths[b++]) {
+          (population.ghosts[b].*list).assign(first, first + lengths.at(b));
+        }
+      });
   const auto reached = archive.get<std::int64_t>(group + "/reached");
-  const auto begins = archive.get<std::int64_t>(group + "/begin");
   const auto packs = archive.get<std::int64_t>(group + "/packs");
-  const auto walls = archive.get<std::int32_t>(group + "/wall_and_pressure");
-  const auto normals = archive.get<double>(group + "/normal");
-  const auto feet = archive.get<double>(group + "/foot");
-  const auto slots = archive.get<std::int32_t>(group + "/slot");
-  const auto all_pairs = archive.get<kernels::FitPair>(group + "/pairs");
-  const auto contact = archive.get<std::int32_t>(group + "/contact");
-  const auto active = archive.get<std::uint8_t>(group + "/active");
-  const auto contact_heights = archive.get<double>(group + "/contact_height");
-  const auto contact_areas = archive.get<double>(group + "/contact_area");
-  const auto wall_begins = archive.get<std::int64_t>(group + "/wall_begin");
-  const auto wall_distances = archive.get<T>(group + "/wall_distance");
-  const auto terms = archive.get<T>(group + "/terms");
-  const auto constrained_sums = archive.get<T>(group + "/constrained_sum");
-  const auto surface_sums = archive.get<T>(group + "/surface_sum");
-  std::size_t ghost = 0, neighbour = 0, pack = 0, begin = 0, touch = 0, wall = 0, term = 0;
+  auto pack = packs.begin();
+  const auto next = [&] { return static_cast<std::int32_t>(*pack++); };
   for (std::size_t b = 0; b < population.ghosts.size(); ++b) {
-    BlockGhosts<T, D>& g = population.ghosts[b];
-    const std::int64_t* size = sizes.data() + 7 * b;
-    const std::size_t ghosts = size[0], pairs = size[1], surfaces = size[2], touching = size[5],
-                      walled = size[6];
-    g.reached_count = reached[b];
-    const auto part = [](const auto& all, std::size_t from, std::size_t count) {
-      return std::vector(all.begin() + from, all.begin() + from + count);
-    };
-    g.begin = part(begins, begin, ghosts + 1);
-    g.slot = part(slots, ghost, ghosts);
-    g.constrained_sum = part(constrained_sums, ghost, ghosts);
-    g.surface_sum = part(surface_sums, ghost, ghosts);
-    g.pairs = part(all_pairs, neighbour, pairs);
-    g.contact = part(contact, touch, touching);
-    g.contact_height = part(contact_heights, touch, touching);
-    g.contact_area = part(contact_areas, touch, touching);
-    g.active = part(active, ghost, ghosts);
-    g.wall_begin = part(wall_begins, ghost, ghosts);
-    g.wall_distance = part(wall_distances, wall, walled);
-    g.terms.resize(ghosts);
-    for (auto& fit : g.terms) for_each_term(fit, [&](T& value) { value = terms.at(term++); });
-    g.wall.clear();
-    g.pressure.clear();
-    g.normal.clear();
-    g.foot.clear();
-    g.touches.clear();
-    for (std::size_t i = ghost; i < ghost + ghosts; ++i) {
-      g.wall.push_back(static_cast<std::int8_t>(walls[2 * i]));
-      g.pressure.push_back(static_cast<std::int8_t>(walls[2 * i + 1]));
-      Point<D> normal, foot;
-      for (int a = 0; a < D; ++a) {
-        normal[a] = normals[D * i + a];
-        foot[a] = feet[D * i + a];
-      }
-      g.normal.push_back(normal);
-      g.foot.push_back(foot);
+    BlockGhosts<T, D>& ghosts = population.ghosts[b];
+    ghosts.touches.clear();
+    ghosts.reached_count = reached[b];
+    ghosts.packs.resize(*pack++);
+    ghosts.first_record = next();
+    ghosts.record_count = next();
+    for (kernels::SurfacePack& p : ghosts.packs) {
+      p.first = *pack++;
+      p.segment = next();
+      p.record = next();
+      p.lanes = static_cast<std::uint16_t>(*pack++);
     }
-    g.packs.clear();
-    for (std::size_t i = pack; i < pack + surfaces; ++i) {
-      g.packs.push_back({packs[4 * i], static_cast<std::int32_t>(packs[4 * i + 1]),
-                         static_cast<std::int32_t>(packs[4 * i + 2]),
-                         static_cast<std::uint16_t>(packs[4 * i + 3])});
-    }
-    g.first_record = static_cast<std::int32_t>(size[3]);
-    g.record_count = static_cast<std::int32_t>(size[4]);
-    ghost += ghosts;
-    neighbour += pairs;
-    pack += surfaces;
-    begin += ghosts + 1;
-    touch += touching;
-    wall += walled;
   }
   population.surface_distance = archive.get<T>(group + "/surface_distance");
   remeshed::list_slots_of_records(population);
