@@ -1,7 +1,6 @@
 #pragma once
 
 #include <array>
-#include <cmath>
 #include <cstdint>
 #include <utility>
 
@@ -11,6 +10,15 @@ template <int D>
 using Cell = std::array<std::int32_t, D>;
 template <int D>
 using Point = std::array<double, D>;
+
+/// The whole numbers next below and above x, or x itself; without SSE4.1 the standard library's are
+/// calls.
+inline std::int32_t cell_below(double x) {
+  const auto whole = static_cast<std::int32_t>(x);
+  return whole - (x < whole ? 1 : 0);
+}
+inline std::int32_t cell_above(double x) { return -cell_below(-x); }
+inline std::int32_t nearest_cell(double x) { return cell_below(x + 0.5); }
 
 /// Calls `f(cell)` for the cells first..last, inclusive, x fastest.
 template <int D, int axis = D - 1, class F>
@@ -40,9 +48,7 @@ struct Lattice {
   }
 
   /// Cell that holds coordinate `x`.
-  std::int32_t cell(int axis, double x) const {
-    return static_cast<std::int32_t>(std::floor((x - origin[axis]) / spacing));
-  }
+  std::int32_t cell(int axis, double x) const { return cell_below((x - origin[axis]) / spacing); }
 
   /// `cell` moved by whole periods into the first period.
   std::int32_t wrapped(int axis, std::int32_t cell) const {

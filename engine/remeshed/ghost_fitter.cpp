@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <atomic>
-#include <cmath>
 #include <limits>
 
 #include "engine/storage/push_tightly.hpp"
@@ -29,9 +28,8 @@ GhostFitter<T, D>::GhostFitter(const Body<T, D>& body, const Population<T, D>& p
                                const Boundaries<D>& boundaries, const kernels::Table<T, D>& table,
                                std::int32_t* used)
     : body_(body),
-      population_(population),
       ghosts_(ghosts),
-      level_set_(level_set),
+      search_(body.lattice, population, level_set),
       boundaries_(boundaries),
       kernels_(table),
       used_(used) {}
@@ -59,7 +57,7 @@ void GhostFitter<T, D>::fit(const FitSite<D>& site, const Point<D>& foot, const 
   ghost.reach = {fit_radius, site.normal};
   ghost.near_contact = boundaries_.nearest_contact(foot).second < fit_radius * h;
   if (ghost.near_contact) ghost.reach.narrowing = narrowing;
-  search(ghost.centre, ghost.reach, wall, ghost.particles);
+  search_.find(ghost.centre, ghost.reach, wall, ghost.particles);
   if (waiting_ == pack) finish();
 }
 
@@ -164,7 +162,7 @@ void GhostFitter<T, D>::fit_alone(Waiting& ghost) {
   bool fitted = fit_fully(ghost, terms);
   for (int attempt = 0; !fitted && attempt < most_widenings; ++attempt) {
     ghost.reach.radius *= widening;
-    search(ghost.centre, ghost.reach, ghost.wall, ghost.particles);
+    search_.find(ghost.centre, ghost.reach, ghost.wall, ghost.particles);
     fitted = fit_fully(ghost, terms);
   }
   if (!fitted) fit_poorly(ghost, terms);
@@ -204,10 +202,10 @@ void GhostFitter<T, D>::average(const Cell<D>& cell) {
   ghost.at_rim = false;
   for (int a = 0; a < D; ++a) ghost.centre[a] = cell[a];
   ghost.reach = {mean_radius};
-  search(ghost.centre, ghost.reach, nullptr, ghost.particles);
+  search_.find(ghost.centre, ghost.reach, nullptr, ghost.particles);
   for (int attempt = 0; ghost.particles.empty() && attempt < 2 * most_widenings; ++attempt) {
     ghost.reach.radius *= widening;
-    search(ghost.centre, ghost.reach, nullptr, ghost.particles);
+    search_.find(ghost.centre, ghost.reach, nullptr, ghost.particles);
   }
   ghost.reach.radius = std::numeric_limits<double>::infinity();  // all count the same
   Terms mean;
@@ -219,12 +217,11 @@ void GhostFitter<T, D>::average(const Cell<D>& cell) {
 // The weight of (RP.32), and the cell next to the foot point from which the particles' are counted.
 template <class T, int D>
 void GhostFitter<T, D>::place(const Waiting& ghost, Terms& terms) {
-  const FitReach<D>& reach = ghost.reach;
-  const double square = reach.narrowing * reach.narrowing;
-  terms.steepness = static_cast<T>(square / (reach.radius * reach.radius));
+  const Position<D> broad = ghost.reach.broad();
+  terms.steepness = static_cast<T>(ghost.reach.steepness());
   for (int a = 0; a < D; ++a) {
-    terms.broad[a] = static_cast<T>(std::sqrt(square - 1) / reach.radius * reach.normal[a]);
-    terms.start[a] = static_cast<T>(std::round(ghost.centre[a]) - ghost.centre[a]);
+    terms.broad[a] = static_cast<T>(broad[a]);
+    terms.start[a] = static_cast<T>(nearest_cell(ghost.centre[a]) - ghost.centre[a]);
   }
 }
 
@@ -238,7 +235,7 @@ void GhostFitter<T, D>::append(const Waiting& ghost, const Terms& terms, T const
   for (const FitParticle<D>& i : ghost.particles) {
     Cell<D> cells;
     for (int a = 0; a < D; ++a) {
-      cells[a] = static_cast<std::int32_t>(std::lround(i.position[a] - terms.start[a]));
+      cells[a] = nearest_cell(i.position[a] - terms.start[a]);
     }
     push_tightly(ghosts_.pairs, kernels::fit_pair<D>(i.slot, cells));
     if (ghost.wall != nullptr) {
@@ -248,58 +245,6 @@ void GhostFitter<T, D>::append(const Waiting& ghost, const Terms& terms, T const
     std::atomic_ref<std::int32_t>(used_[i.slot]).store(1, std::memory_order_relaxed);
   }
   push_tightly(ghosts_.begin, static_cast<std::int64_t>(ghosts_.pairs.size()));
-}
-
-// Interior particles within reach of a point given in cells.
-template <class T, int D>
-void GhostFitter<T, D>::search(const Point<D>& centre, const FitReach<D>& reach,
-                               const Wall<D>* wall, FitParticles<D>& particles) const {
-  particles.clear();
-  const double radius = reach.radius;
-  Cell<D> lower, upper;
-  for (int a = 0; a < D; ++a) {
-    lower[a] = static_cast<std::int32_t>(std::ceil(centre[a] - radius));
-    upper[a] = static_cast<std::int32_t>(std::floor(centre[a] + radius));
-  }
-  Cell<D> cell = lower;
-  const auto scan_row = [&] {
-    double square = radius * radius;
-    for (int a = 1; a < D; ++a) square -= (cell[a] - centre[a]) * (cell[a] - centre[a]);
-    if (square <= 0) return;
-    const double chord = std::sqrt(square);
-    cell[0] = static_cast<std::int32_t>(std::ceil(centre[0] - chord));
-    const auto last = static_cast<std::int32_t>(std::floor(centre[0] + chord));
-    // One look-up serves a row that lies in one run.
-    std::int64_t slot =
-        body_.lattice.is_periodic() ? -1 : population_.layout.slot(cell, last + 1 - cell[0]);
-    const bool in_one_run = slot >= 0;
-    for (; cell[0] <= last; ++cell[0], ++slot) {
-      if (!in_one_run) slot = population_.layout.slot(body_.lattice.wrapped(cell));
-      if (slot >= 0) consider(slot, cell, centre, reach, wall, particles);
-    }
-  };
-  if constexpr (D == 2) {
-    for (cell[1] = lower[1]; cell[1] <= upper[1]; ++cell[1]) scan_row();
-  } else {
-    for (cell[2] = lower[2]; cell[2] <= upper[2]; ++cell[2]) {
-      for (cell[1] = lower[1]; cell[1] <= upper[1]; ++cell[1]) scan_row();
-    }
-  }
-}
-
-template <class T, int D>
-void GhostFitter<T, D>::consider(std::int64_t slot, const Cell<D>& cell, const Point<D>& centre,
-                                 const FitReach<D>& reach, const Wall<D>* wall,
-                                 FitParticles<D>& particles) const {
-  if (population_.kind[slot] != Kind::interior) return;
-  Position<D> r;
-  for (int a = 0; a < D; ++a) r[a] = cell[a] - centre[a];
-  const double fraction = reach.fraction(r);
-  if (fraction >= 1) return;
-  const double distance =
-      wall ? wall->distance(body_.lattice.node(cell)) : level_set_.surface_distance(slot);
-  particles.push_back({static_cast<std::int32_t>(slot), (1 - fraction) * (1 - fraction),
-                       distance / body_.lattice.spacing, r});
 }
 
 template class GhostFitter<double, 2>;

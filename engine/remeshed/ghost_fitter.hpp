@@ -3,9 +3,7 @@
 #include <array>
 #include <vector>
 
-#include "engine/remeshed/body.hpp"
-#include "engine/remeshed/level_set.hpp"
-#include "engine/remeshed/surface_fits.hpp"
+#include "engine/remeshed/fit_search.hpp"
 
 namespace pliant::remeshed {
 
@@ -59,10 +57,6 @@ class GhostFitter {
   };
   static Scratch& scratch();
 
-  void search(const Point<D>& centre, const FitReach<D>& reach, const Wall<D>* wall,
-              FitParticles<D>& particles) const;
-  void consider(std::int64_t slot, const Cell<D>& cell, const Point<D>& centre,
-                const FitReach<D>& reach, const Wall<D>* wall, FitParticles<D>& particles) const;
   void fill_lanes(int length);
   void fill_lane(int lane, int length);
   void fit_lanes(int length);
@@ -74,9 +68,8 @@ class GhostFitter {
   void append(const Waiting& ghost, const Terms& terms, T constrained_sum);
 
   const Body<T, D>& body_;
-  const Population<T, D>& population_;
   BlockGhosts<T, D>& ghosts_;
-  const LevelSet<T, D>& level_set_;
+  FitSearch<T, D> search_;
   const Boundaries<D>& boundaries_;
   const kernels::Table<T, D>& kernels_;
   std::int32_t* used_;

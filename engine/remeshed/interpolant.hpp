@@ -1,7 +1,6 @@
 #pragma once
 
 #include <algorithm>
-#include <cmath>
 
 #include "engine/lattice/layout.hpp"
 #include "kernels/cubic.hpp"
@@ -21,9 +20,9 @@ class CubicInterpolant {
     Cell<D> base;
     kernels::CubicWeights<double> weight[D];
     for (int a = 0; a < D; ++a) {
-      const double floor = std::floor(x[a]);
-      base[a] = static_cast<std::int32_t>(floor) - 1;
-      weight[a] = kernels::CubicWeights<double>(x[a] - floor);
+      const std::int32_t below = cell_below(x[a]);
+      base[a] = below - 1;
+      weight[a] = kernels::CubicWeights<double>(x[a] - below);
     }
     Nodes nodes;
     if (!load(base, nodes)) return false;

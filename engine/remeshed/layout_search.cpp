@@ -1,7 +1,6 @@
 #include "engine/remeshed/layout_search.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <limits>
 
 #include "engine/body/padded.hpp"
@@ -34,7 +33,7 @@ class NearestCell {
   }
   Cell<D> operator()(std::int64_t slot, Cell<D> cell) const {
     for (int a = 0; a < D; ++a) {
-      cell[a] += static_cast<std::int32_t>(std::floor(drift_[a][slot] * inverse_spacing_ + T(0.5)));
+      cell[a] += nearest_cell(drift_[a][slot] * inverse_spacing_);
     }
     return cell;
   }

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <cmath>
 #include <cstdint>
 #include <vector>
 
@@ -39,11 +40,9 @@ struct FitReach {
   Position<D> normal = Position<D>::Zero();  ///< unit, of the surface
   double narrowing = 1;                      ///< of the radius along the surface
 
-  /// r^2/R^2 of the weight at a place from the foot point, over h.
-  double fraction(const Position<D>& x) const {
-    const double square = x.squaredNorm(), along = normal.dot(x);
-    return (square + (narrowing * narrowing - 1) * (square - along * along)) / (radius * radius);
-  }
+  /// Of the weight: see kernels::FitTerms.
+  double steepness() const { return narrowing * narrowing / (radius * radius); }
+  Position<D> broad() const { return std::sqrt(narrowing * narrowing - 1) / radius * normal; }
 };
 
 /// (RP.32) at the ghost, `linear` of the terms, and at the foot point, their `surface`. False, as

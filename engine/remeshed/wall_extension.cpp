@@ -57,7 +57,7 @@ bool WallExtension<T, D>::interpolate(const Point<D>& x, double& value) const {
   Point<D> s;
   for (int a = 0; a < D; ++a) {
     const double at = (x[a] - lattice_.origin[a]) / lattice_.spacing - 0.5;
-    base[a] = static_cast<std::int32_t>(std::floor(at));
+    base[a] = cell_below(at);
     s[a] = at - base[a];
   }
   value = 0;
