@@ -1,7 +1,6 @@
 #pragma once
 
 #include <array>
-#include <bit>
 #include <cstdint>
 
 /// The fits of a ghost: moving least squares, whose coefficients are a weight times a polynomial.
@@ -42,11 +41,8 @@ constexpr FitPair with_record(FitPair pair, std::int32_t record) {
   return (pair >> 32 << 32) | record;
 }
 
-/// As the last bits of 2^52 + byte: every instruction set does this for a register of pairs.
 constexpr double cells_along(FitPair pair, int axis) {
-  constexpr double large = 4503599627370496;  // 2^52
-  return std::bit_cast<double>((pair >> (32 + 8 * axis) & 255) | std::bit_cast<FitPair>(large)) -
-         (large + 128);
+  return static_cast<double>((pair >> (32 + 8 * axis) & 255) - 128);
 }
 
 }  // namespace pliant::kernels

@@ -16,27 +16,28 @@ struct InverseRoot<xsimd::batch<T, Arch>> {
   }
 };
 
-/// Sums of a register of ghosts, field by field.
+/// Sums of a register of ghosts, field by field. Of the fits that are constrained or at the foot
+/// point, tractions alone are wanted.
 template <class P, int D>
 struct SumColumns {
-  static constexpr int width = record_width<D>;
-  alignas(64) Scalar<P> lane[3][record_fields<D>][lanes<P>] = {};
-  P linear[record_fields<D>], constrained[record_fields<D>], surface[record_fields<D>];
+  static constexpr int width = record_width<D>, stresses = symmetric_components<D>;
+  static_assert(RecordPlace<D>::stress == 0);
+  alignas(64) Scalar<P> lane[width + 2 * stresses][lanes<P>] = {};
+  P linear[width], constrained[stresses], surface[stresses];
 
   void take(const Scalar<P>* sums, int l) {
-    for (int f = 0; f < record_fields<D>; ++f) lane[0][f][l] = sums[f];
-    // Of the fits that are constrained or at the foot point, tractions alone are wanted.
-    for (int f = D; f < D + symmetric_components<D>; ++f) {
-      lane[1][f][l] = sums[width + f];
-      lane[2][f][l] = sums[2 * width + f];
+    for (int f = 0; f < width; ++f) lane[f][l] = sums[f];
+    for (int f = 0; f < stresses; ++f) {
+      lane[width + f][l] = sums[width + f];
+      lane[width + stresses + f][l] = sums[2 * width + f];
     }
   }
 
   void load() {
-    for (int f = 0; f < record_fields<D>; ++f) linear[f] = P::load_aligned(lane[0][f]);
-    for (int f = D; f < D + symmetric_components<D>; ++f) {
-      constrained[f] = P::load_aligned(lane[1][f]);
-      surface[f] = P::load_aligned(lane[2][f]);
+    for (int f = 0; f < width; ++f) linear[f] = P::load_aligned(lane[f]);
+    for (int f = 0; f < stresses; ++f) {
+      constrained[f] = P::load_aligned(lane[width + f]);
+      surface[f] = P::load_aligned(lane[width + stresses + f]);
     }
   }
 };
@@ -56,7 +57,7 @@ class GhostLanes {
   /// The sums never leave the first cache.
   void add(std::int64_t g) {
     alignas(64) T sums[3 * record_width<D>];
-    sum_ghost<P, D>(ghosts_.lists, g, sums);
+    sum_ghost<P, D, components>(ghosts_.lists, g, sums);
     columns_.take(sums, count_);
     constrained_sum_[count_] = ghosts_.constrained_sum[g];
     surface_sum_[count_] = ghosts_.surface_sum[g];

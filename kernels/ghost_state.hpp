@@ -25,14 +25,15 @@ struct GhostState {
   SymmetricOf<T, D> stress;
 };
 
-/// Views of one sum of records: u, sigma, grad phi, p.
+/// Views of one sum of records.
 template <class T, int D>
 struct RecordSum {
+  using Place = RecordPlace<D>;
   const T* values;
-  T velocity(int i) const { return values[i]; }
-  T stress(int i, int j) const { return values[D + symmetric_index<D>(i, j)]; }
-  T level_set_gradient(int i) const { return values[D + symmetric_components<D> + i]; }
-  T pressure() const { return values[2 * D + symmetric_components<D>]; }
+  T velocity(int i) const { return values[Place::velocity + i]; }
+  T stress(int i, int j) const { return values[Place::stress + symmetric_index<D>(i, j)]; }
+  T level_set_gradient(int i) const { return values[Place::slope + i]; }
+  T pressure() const { return values[Place::pressure]; }
 };
 
 /// 1/sqrt(x), 0 where x is next to nothing; for registers see free_surface_ghosts.hpp.
@@ -162,7 +163,8 @@ GhostState<T, D> averaged_surface_ghost(RecordSum<T, D> mean, T pressure) {
   std::array<T, record_width<D>> deviatoric;
   for (int k = 0; k < record_width<D>; ++k) deviatoric[k] = mean.values[k];
 #pragma GCC unroll 3
-  for (int i = 0; i < D; ++i) deviatoric[D + symmetric_index<D>(i, i)] += mean.pressure();
+  for (int i = 0; i < D; ++i)
+    deviatoric[RecordPlace<D>::stress + symmetric_index<D>(i, i)] += mean.pressure();
   GhostState<T, D> ghost;
 #pragma GCC unroll 3
   for (int i = 0; i < D; ++i) ghost.velocity[i] = mean.velocity(i);

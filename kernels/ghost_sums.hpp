@@ -1,5 +1,8 @@
 #pragma once
 
+#include <bit>
+#include <utility>
+
 #include "kernels/fit_coefficients.hpp"
 #include "kernels/pack.hpp"
 #include "kernels/table.hpp"
@@ -9,21 +12,33 @@ namespace pliant::kernels {
 /// The register of value(0), value(1), ...
 template <class P, class F>
 inline P register_of(const F& value) {
-  alignas(64) Scalar<P> lane[lanes<P>];
-  for (int l = 0; l < lanes<P>; ++l) lane[l] = value(l);
-  return P::load_aligned(lane);
+  return [&]<int... lane>(std::integer_sequence<int, lane...>) { return P{value(lane)...}; }
+  (std::make_integer_sequence<int, lanes<P>>());
+}
+
+/// Cells along an axis to the particles of a register of pairs: see cells_along.
+template <class P>
+inline P cells_of(const FitPair* pairs, int axis) {
+  using T = Scalar<P>;
+  if constexpr (sizeof(T) == sizeof(FitPair)) {
+    using Bits = xsimd::as_unsigned_integer_t<P>;
+    using Bit = typename Bits::value_type;
+    const Bits pair = Bits::load_unaligned(reinterpret_cast<const Bit*>(pairs));
+    const Bits byte = (pair >> (32 + 8 * axis)) & Bits(Bit(255));
+    // The last bits of 2^52 and a byte are those of the byte.
+    constexpr T large = 4503599627370496;
+    return xsimd::bitwise_cast<P>(byte | Bits(std::bit_cast<Bit>(large))) - P(large + 128);
+  } else {
+    return register_of<P>([&](int l) { return static_cast<T>(cells_along(pairs[l], axis)); });
+  }
 }
 
 /// From a ghost's foot point to the particles of a register of pairs, over h.
 template <class P, int D>
 inline void find_positions(const FitTerms<Scalar<P>, D>& terms, const FitPair* pairs,
                            P (&position)[D]) {
-  using T = Scalar<P>;
 #pragma GCC unroll 3
-  for (int a = 0; a < D; ++a) {
-    position[a] = register_of<P>([&](int l) { return static_cast<T>(cells_along(pairs[l], a)); }) +
-                  P(terms.start[a]);
-  }
+  for (int a = 0; a < D; ++a) position[a] = cells_of<P>(pairs, a) + P(terms.start[a]);
 }
 
 /// Coefficients of a register of pairs of a ghost, those from `pair` on.
@@ -44,43 +59,57 @@ inline FitCoefficients<P> coefficients_from(const GhostSums<Scalar<P>, D>& ghost
 /// Pairs whose coefficients are made at a time: mostly those of a whole ghost.
 inline constexpr int pairs_at_once = 64;
 
-/// The fits of all fields of one ghost at once: a record fills whole registers, and the three
-/// coefficients of a particle are broadcast to them. See GhostSums.
-template <class P, int D>
+/// Some pairs of a ghost at a time: `make(i, pair)` for each register of them, i counting from 0,
+/// then `add(i, record)` for each one.
+template <class P, int D, class Make, class Add>
+inline void for_each_pair(const GhostSums<Scalar<P>, D>& ghosts, std::int64_t ghost,
+                          const Make& make, const Add& add) {
+  const std::int64_t end = ghosts.begin[ghost + 1];
+  for (std::int64_t first = ghosts.begin[ghost]; first < end; first += pairs_at_once) {
+    const int count = end - first < pairs_at_once ? static_cast<int>(end - first) : pairs_at_once;
+    for (int i = 0; i < count; i += lanes<P>) make(i, first + i);
+    for (int i = 0; i < count; ++i) {
+      add(i, ghosts.records + record_of(ghosts.pairs[first + i]) * std::int64_t{record_width<D>});
+    }
+  }
+}
+
+/// The fits of one ghost: a record fills whole registers, and the three coefficients of a particle
+/// are broadcast to them. Of b and a, the first `fields` fields at least. See GhostSums.
+template <class P, int D, int fields = record_width<D>>
 inline void sum_ghost(const GhostSums<Scalar<P>, D>& ghosts, std::int64_t ghost, Scalar<P>* sums) {
   using T = Scalar<P>;
   constexpr int width = record_width<D>;
   // Float registers may be longer than the record is wide: then each is summed in whole lanes only.
   static_assert(width % lanes<P> == 0);
-  constexpr int registers = width / lanes<P>;
-  P linear[registers], constrained[registers], surface[registers];
+  constexpr int registers = width / lanes<P>, some = (fields + lanes<P> - 1) / lanes<P>;
+  P linear[registers], constrained[some], surface[some];
 #pragma GCC unroll 8
-  for (int r = 0; r < registers; ++r) linear[r] = constrained[r] = surface[r] = P(T(0));
-  const std::int64_t end = ghosts.begin[ghost + 1];
+  for (int r = 0; r < registers; ++r) linear[r] = P(T(0));
+#pragma GCC unroll 8
+  for (int r = 0; r < some; ++r) constrained[r] = surface[r] = P(T(0));
   alignas(64) T coefficient[3][pairs_at_once];
-  for (std::int64_t first = ghosts.begin[ghost]; first < end; first += pairs_at_once) {
-    const int count = end - first < pairs_at_once ? static_cast<int>(end - first) : pairs_at_once;
-    for (int i = 0; i < count; i += lanes<P>) {
-      const FitCoefficients<P> fit = coefficients_from<P, D>(ghosts, ghost, first + i);
-      fit.linear.store_aligned(coefficient[0] + i);
-      fit.constrained.store_aligned(coefficient[1] + i);
-      fit.surface.store_aligned(coefficient[2] + i);
-    }
-    for (int i = 0; i < count; ++i) {
-      const T* record = ghosts.records + record_of(ghosts.pairs[first + i]) * std::int64_t{width};
-      const P c(coefficient[0][i]), b(coefficient[1][i]), a(coefficient[2][i]);
+  const auto make = [&](int i, std::int64_t pair) {
+    const FitCoefficients<P> fit = coefficients_from<P, D>(ghosts, ghost, pair);
+    fit.linear.store_aligned(coefficient[0] + i);
+    fit.constrained.store_aligned(coefficient[1] + i);
+    fit.surface.store_aligned(coefficient[2] + i);
+  };
+  for_each_pair<P, D>(ghosts, ghost, make, [&](int i, const T* record) {
+    const P c(coefficient[0][i]), b(coefficient[1][i]), a(coefficient[2][i]);
 #pragma GCC unroll 8
-      for (int r = 0; r < registers; ++r) {
-        const P value = load<P>(record + r * lanes<P>);
-        linear[r] = fused(c, value, linear[r]);
-        constrained[r] = fused(b, value, constrained[r]);
-        surface[r] = fused(a, value, surface[r]);
-      }
+    for (int r = 0; r < registers; ++r) {
+      const P value = load<P>(record + r * lanes<P>);
+      linear[r] = fused(c, value, linear[r]);
+      if (r >= some) continue;
+      constrained[r] = fused(b, value, constrained[r]);
+      surface[r] = fused(a, value, surface[r]);
     }
-  }
+  });
 #pragma GCC unroll 8
-  for (int r = 0; r < registers; ++r) {
-    linear[r].store_unaligned(sums + r * lanes<P>);
+  for (int r = 0; r < registers; ++r) linear[r].store_unaligned(sums + r * lanes<P>);
+#pragma GCC unroll 8
+  for (int r = 0; r < some; ++r) {
     constrained[r].store_unaligned(sums + width + r * lanes<P>);
     surface[r].store_unaligned(sums + 2 * width + r * lanes<P>);
   }
@@ -98,35 +127,30 @@ void sum_ghosts(const GhostSums<Scalar<P>, D>& ghosts) {
 template <class P, int D>
 void sum_velocities(const GhostSums<Scalar<P>, D>& ghosts) {
   using T = Scalar<P>;
-  constexpr int width = record_width<D>;
-  constexpr int registers = (D + lanes<P> - 1) / lanes<P>;
+  constexpr int place = RecordPlace<D>::velocity / lanes<P> * lanes<P>;
+  constexpr int registers = (RecordPlace<D>::velocity + D - place + lanes<P> - 1) / lanes<P>;
   for (std::int64_t g = 0; g < ghosts.count; ++g) {
     const FitTerms<T, D>& terms = ghosts.terms[ghosts.first + g];
     P velocity[registers];
 #pragma GCC unroll 2
     for (int r = 0; r < registers; ++r) velocity[r] = P(T(0));
-    const std::int64_t end = ghosts.begin[ghosts.first + g + 1];
     alignas(64) T coefficient[pairs_at_once];
-    for (std::int64_t first = ghosts.begin[ghosts.first + g]; first < end; first += pairs_at_once) {
-      const int count = end - first < pairs_at_once ? static_cast<int>(end - first) : pairs_at_once;
-      for (int i = 0; i < count; i += lanes<P>) {
-        P position[D];
-        find_positions(terms, ghosts.pairs + first + i, position);
-        (fit_weight(terms, position) * linear_terms(terms.linear, position))
-            .store_aligned(coefficient + i);
-      }
-      for (int i = 0; i < count; ++i) {
-        const T* record = ghosts.records + record_of(ghosts.pairs[first + i]) * std::int64_t{width};
-        const P c(coefficient[i]);
+    const auto make = [&](int i, std::int64_t pair) {
+      P position[D];
+      find_positions(terms, ghosts.pairs + pair, position);
+      (fit_weight(terms, position) * linear_terms(terms.linear, position))
+          .store_aligned(coefficient + i);
+    };
+    for_each_pair<P, D>(ghosts, ghosts.first + g, make, [&](int i, const T* record) {
+      const P c(coefficient[i]);
 #pragma GCC unroll 2
-        for (int r = 0; r < registers; ++r) {
-          velocity[r] = fused(c, load<P>(record + r * lanes<P>), velocity[r]);
-        }
+      for (int r = 0; r < registers; ++r) {
+        velocity[r] = fused(c, load<P>(record + place + r * lanes<P>), velocity[r]);
       }
-    }
+    });
 #pragma GCC unroll 2
     for (int r = 0; r < registers; ++r) {
-      velocity[r].store_unaligned(ghosts.sums + g * 3 * width + r * lanes<P>);
+      velocity[r].store_unaligned(ghosts.sums + g * 3 * record_width<D> + place + r * lanes<P>);
     }
   }
 }

@@ -9,7 +9,7 @@ namespace pliant::kernels {
 /// Records of up to one storage pack, field by field.
 template <class T, int D>
 struct RecordColumns {
-  alignas(64) T field[record_fields<D>][slots_per_pack<T>];
+  alignas(64) T field[record_width<D>][slots_per_pack<T>] = {};
 };
 
 /// Cross product of two rows, or the row turned by -90 degrees in the plane: normal to both.
@@ -84,14 +84,17 @@ inline void fill_columns(const SurfaceRecords<Scalar<P>, D>& block, const Segmen
   for (int c = 0; c < L::components; ++c) carried[c] = load<P>(block.state.material[c] + slot);
   const P density = load<P>(block.mass + slot) / load<P>(block.state.volume + slot);
 
-  int f = 0;
-  const auto put = [&](const P& value) { value.store_aligned(&columns.field[f++][at]); };
-#pragma GCC unroll 3
-  for (int i = 0; i < D; ++i) put(load<P>(block.state.velocity[i] + slot));
+  using Place = RecordPlace<D>;
+  const auto put = [&](int f, const P& value) { value.store_aligned(&columns.field[f][at]); };
 #pragma GCC unroll 6
-  for (int c = 0; c < symmetric_components<D>; ++c) put(load<P>(block.stress[c] + slot));
+  for (int c = 0; c < symmetric_components<D>; ++c) {
+    put(Place::stress + c, load<P>(block.stress[c] + slot));
+  }
 #pragma GCC unroll 3
-  for (int i = 0; i < D; ++i) put(gradient[i]);
+  for (int i = 0; i < D; ++i) {
+    put(Place::velocity + i, load<P>(block.state.velocity[i] + slot));
+    put(Place::slope + i, gradient[i]);
+  }
   P pressure = L::pressure(block.material, carried, density);
   if constexpr (model == Model::reduced_polynomial) {
     // What relaxes is known from the stress alone: p_i are those of the start of the step.
@@ -101,7 +104,7 @@ inline void fill_columns(const SurfaceRecords<Scalar<P>, D>& block, const Segmen
       pressure = pressure + elastic[0] - load<P>(block.stress[0] + slot);
     }
   }
-  put(pressure);
+  put(Place::pressure, pressure);
 }
 
 template <Model model, class P, int D>
@@ -117,9 +120,7 @@ void write_records(const SurfaceRecords<Scalar<P>, D>& block) {
     T* record = block.records + static_cast<std::int64_t>(pack.record) * record_width<D>;
     for (int l = 0; l < slots_per_pack<T>; ++l) {
       if ((pack.lanes >> l & 1u) == 0) continue;
-      for (int f = 0; f < record_width<D>; ++f) {
-        record[f] = f < record_fields<D> ? columns.field[f][l] : T(0);
-      }
+      for (int f = 0; f < record_width<D>; ++f) record[f] = columns.field[f][l];
       record += record_width<D>;
     }
   }

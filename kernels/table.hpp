@@ -110,12 +110,18 @@ struct StressOfState {
   BulkViscosity<T> viscosity = {};
 };
 
-/// A record of a surface particle: u (D), sigma (symmetric), grad phi (D), p; padded to a multiple
-/// of a cache line of doubles: 8 values in 2D, 16 in 3D.
+/// Where the fields of a surface particle's record lie: first what all fits of a ghost of the free
+/// surface ask for. Padded with zeros, u to whole registers of four doubles, all to cache lines of
+/// eight.
 template <int D>
-inline constexpr int record_fields = 2 * D + symmetric_components<D> + 1;
+struct RecordPlace {
+  static constexpr int stress = 0;                             ///< sigma
+  static constexpr int pressure = symmetric_components<D>;     ///< p
+  static constexpr int velocity = (pressure + 1 + 3) / 4 * 4;  ///< u (D)
+  static constexpr int slope = velocity + D;                   ///< grad phi (D)
+};
 template <int D>
-inline constexpr int record_width = (record_fields<D> + 7) / 8 * 8;
+inline constexpr int record_width = (RecordPlace<D>::slope + D + 7) / 8 * 8;
 
 /// A pack of slots of which some are surface particles.
 struct SurfacePack {
@@ -206,7 +212,7 @@ struct Table {
   StageResult (*evaluate_stress)(const StressOfState<T, D>&);
   void (*write_surface_records)(const SurfaceRecords<T, D>&);
   void (*sum_ghosts)(const GhostSums<T, D>&);
-  void (*sum_velocities)(const GhostSums<T, D>&);  ///< sums[g][0][k] of k < D alone
+  void (*sum_velocities)(const GhostSums<T, D>&);  ///< sums[g][0] of u alone
   void (*fill_free_surfaces)(const FreeSurfaceGhosts<T, D>&);
   void (*scatter)(const Scatter<T, D>&);
   void (*filter)(const Filter<T, D>&);

@@ -218,38 +218,39 @@ void drift_ghosts(Body<T, D>& body, int block, int stage, GhostTreatment treatme
 template <class T, int D>
 void fill_conserved(Body<T, D>& body, int block) {
   const BlockGhosts<T, D>& ghosts = body.population.ghosts[block];
+  const std::vector<std::int32_t>& slot_of_record = body.population.slot_of_record;
   FieldStore<T, D>& state = body.stage[0];
   const T volume = static_cast<T>(std::pow(body.lattice.spacing, D));
   T* mass = state.get(Field::mass);
   T* v = state.get(Field::volume);
-  thread_local std::vector<T> coefficient;
+  thread_local std::vector<T*> fields;
+  thread_local std::vector<T> sums;
+  fields.clear();
+  for (const Field f : {Field::material, Field::memory}) {
+    for (Buffer<T>& component : state[f]) fields.push_back(component.get());
+  }
+  std::array<T*, D> carried, drift;
+  for (int a = 0; a < D; ++a) {
+    carried[a] = state.get(Field::carried, a);
+    drift[a] = state.get(Field::displacement, a);
+  }
   for (std::size_t g = 0; g < ghosts.slot.size(); ++g) {
     if (ghosts.active[g] == 0) continue;
-    const std::int64_t slot = ghosts.slot[g], begin = ghosts.begin[g], end = ghosts.begin[g + 1];
-    coefficient.clear();
-    for (std::int64_t k = begin; k < end; ++k) {
-      coefficient.push_back(fit_coefficient<T, D>(ghosts, g, k, ghosts.terms[g].linear));
+    T density = 0;
+    std::array<T, D> displacement = {};
+    sums.assign(fields.size(), T(0));
+    for (std::int64_t k = ghosts.begin[g]; k < ghosts.begin[g + 1]; ++k) {
+      const T c = fit_coefficient<T, D>(ghosts, g, k, ghosts.terms[g].linear);
+      const std::int64_t q = slot_of_record[kernels::record_of(ghosts.pairs[k])];
+      density += c * (mass[q] / v[q]);
+      for (int a = 0; a < D; ++a) displacement[a] += c * (carried[a][q] + drift[a][q]);
+      for (std::size_t f = 0; f < fields.size(); ++f) sums[f] += c * fields[f][q];
     }
-    const auto fit = [&](auto&& value) {
-      T sum = 0;
-      for (std::int64_t k = begin; k < end; ++k) {
-        sum += coefficient[k - begin] *
-               value(body.population.slot_of_record[kernels::record_of(ghosts.pairs[k])]);
-      }
-      return sum;
-    };
-    mass[slot] = volume * fit([&](std::int64_t q) { return mass[q] / v[q]; });
+    const std::int64_t slot = ghosts.slot[g];
+    mass[slot] = volume * density;
     v[slot] = volume;
-    for (const Field f : {Field::material, Field::memory}) {
-      for (Buffer<T>& component : state[f]) {
-        component[slot] = fit([&](std::int64_t q) { return component[q]; });
-      }
-    }
-    for (int a = 0; a < D; ++a) {
-      T* carried = state.get(Field::carried, a);
-      const T* drift = state.get(Field::displacement, a);
-      carried[slot] = fit([&](std::int64_t q) { return carried[q] + drift[q]; }) - drift[slot];
-    }
+    for (int a = 0; a < D; ++a) carried[a][slot] = displacement[a] - drift[a][slot];
+    for (std::size_t f = 0; f < fields.size(); ++f) fields[f][slot] = sums[f];
   }
 }
 

@@ -7,6 +7,8 @@
 namespace pliant::kernels {
 namespace {
 
+using Place = RecordPlace<2>;
+
 /// Sums of random records with a unit normal among them.
 template <int D>
 struct RandomSum {
@@ -78,8 +80,8 @@ TEST(ghost_state, a_body_at_rest_under_its_surface_pressure_stays_at_rest) {
   // All fits of a uniform state agree with it, and the constrained one is that of f - f_surface.
   const double pressure = 0.3;
   std::array<double, record_width<2>> uniform = {};
-  uniform[2] = uniform[4] = -pressure;
-  uniform[5] = 1;  // grad phi along x
+  uniform[Place::stress] = uniform[Place::stress + 2] = -pressure;
+  uniform[Place::slope] = 1;
   std::array<double, record_width<2>> constrained = uniform;
   const double weight = 0.4;  // sum of b
   for (double& v : constrained) v *= weight;
@@ -105,9 +107,9 @@ TEST(ghost_state, a_body_at_rest_under_its_surface_pressure_stays_at_rest) {
 /// Fits of a state of uniform stress s_yy and s_xy that moves with u_y.
 struct UniformFits {
   UniformFits(double s_yy, double s_xy, double u_y) {
-    record[1] = u_y;
-    record[3] = s_xy;
-    record[4] = s_yy;
+    record[Place::velocity + 1] = u_y;
+    record[Place::stress + 1] = s_xy;
+    record[Place::stress + 2] = s_yy;
   }
   GhostFits<double, 2> fits() const {
     return {{record.data()}, {record.data()}, {record.data()}, 1, 1};
@@ -161,10 +163,10 @@ TEST(ghost_state, behind_a_slip_wall_is_what_lies_at_it_but_what_changes_its_sig
   material.bulk_modulus = 80;
   material.shear_modulus = 30;
   const Impedance<double> impedance(material);
-  //                                                u_x   u_y  s_xx  s_xy  s_yy
-  const std::array<double, record_width<2>> foot = {0.3, 0.00, -1.0, 0.0, -4.0},
-                                            linear = {0.5, -0.2, -1.5, 0.6, -4.5},
-                                            constrained = {0.7, -0.1, -1.7, 0.4, -4.7};
+  //                                                s_xx  s_xy  s_yy   p  u_x   u_y
+  const std::array<double, record_width<2>> foot = {-1.0, 0.0, -4.0, 0, 0.3, 0.00},
+                                            linear = {-1.5, 0.6, -4.5, 0, 0.5, -0.2},
+                                            constrained = {-1.7, 0.4, -4.7, 0, 0.7, -0.1};
   const GhostFits<double, 2> fits{{linear.data()}, {constrained.data()}, {foot.data()}, 0, 1};
   const auto ghost = slip_wall_ghost<double, 2>(fits, {7, 0}, {0, 1}, impedance);
   EXPECT_DOUBLE_EQ(ghost.velocity[0], 0.3);

@@ -19,12 +19,12 @@ struct Side {
     static std::mt19937 random(5);
     std::uniform_real_distribution<double> value(-1, 1);
     for (double& v : record) v = value(random);
-    for (int i = 0; i < D; ++i) record[D + symmetric_components<D> + i] = n[i];
+    for (int i = 0; i < D; ++i) record[RecordPlace<D>::slope + i] = n[i];
   }
   InterfaceSide<double, D> view() const { return {{record.data()}, impedance}; }
   double velocity(const VectorOf<double, D>& n) const {
     double sum = 0;
-    for (int i = 0; i < D; ++i) sum += record[i] * n[i];
+    for (int i = 0; i < D; ++i) sum += view().surface.velocity(i) * n[i];
     return sum;
   }
   double stress(const VectorOf<double, D>& n) const {

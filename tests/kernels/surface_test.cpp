@@ -1,5 +1,6 @@
 #include <cmath>
 
+#include "kernels/ghost_state.hpp"
 #include "tests/kernels/reference_stage.hpp"
 #include "tests/kernels/tables.hpp"
 
@@ -57,9 +58,14 @@ TYPED_TEST(surface, records_hold_velocity_stress_normal_and_pressure) {
          std::as_const(state).evolving(), std::as_const(state).stress_fields(), records.data()});
     for (std::size_t r = 0; r < slots.size(); ++r) {
       const T* record = records.data() + r * width;
-      for (int i = 0; i < D; ++i) EXPECT_EQ(*record++, state.velocity[i][slots[r]]);
-      for (const auto& field : state.stress) EXPECT_EQ(*record++, field[slots[r]]);
-      for (int i = 0; i < D; ++i) EXPECT_NEAR(*record++, slope[i], 10 * exact<T>);
+      const RecordSum<T, D> view{record};
+      for (int i = 0; i < D; ++i) {
+        EXPECT_EQ(view.velocity(i), state.velocity[i][slots[r]]);
+        EXPECT_NEAR(view.level_set_gradient(i), slope[i], 10 * exact<T>);
+        for (int j = i; j < D; ++j) {
+          EXPECT_EQ(view.stress(i, j), state.stress[symmetric_index<D>(i, j)][slots[r]]);
+        }
+      }
       Matrix<D> stress = reference_stress(body, state, slots[r]);
       double pressure = 0;
       if (model == Model::reduced_polynomial) {
@@ -69,8 +75,10 @@ TYPED_TEST(surface, records_hold_velocity_stress_normal_and_pressure) {
       } else {
         pressure = state.material[0][slots[r]] - stress(0, 0);  // p = S_xx - sigma_xx
       }
-      EXPECT_NEAR(*record++, pressure, 1000 * std::numeric_limits<T>::epsilon());
-      for (; record != records.data() + (r + 1) * width; ++record) EXPECT_EQ(*record, 0);
+      EXPECT_NEAR(view.pressure(), pressure, 1000 * std::numeric_limits<T>::epsilon());
+      using Place = RecordPlace<D>;
+      for (int f = Place::pressure + 1; f < Place::velocity; ++f) EXPECT_EQ(record[f], 0);
+      for (int f = Place::slope + D; f < width; ++f) EXPECT_EQ(record[f], 0);
     }
   }
 }
