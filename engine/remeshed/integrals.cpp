@@ -48,7 +48,7 @@ class Integrator {
         if (distance < -reach && wall > reach) {
           add_whole(x, e);
         } else {
-          add_cut(x, e);
+          add_cut(x, e, wall < reach);
         }
       });
     }
@@ -126,7 +126,7 @@ class Integrator {
     }
   }
 
-  void add_cut(const Point<D>& x, const Expansion<D>& e) {
+  void add_cut(const Point<D>& x, const Expansion<D>& e, bool is_near_wall) {
     const double volume = std::pow(h_ / sub_cells, D);
     const int count = kernels::power(sub_cells, D);
     for (int k = 0; k < count; ++k) {
@@ -140,9 +140,11 @@ class Integrator {
         phi += e.phi_slope[a] * s[a];
         for (int b = 0; b < D; ++b) phi += 0.5 * e.phi_curvature[a][b] * s[a] * s[b];
       }
-      const double wall = distance_to_walls(at) / h_;
-      const double covered = std::clamp(0.5 - coverage_slope * phi, 0.0, 1.0) *
-                             std::clamp(0.5 + coverage_slope * wall, 0.0, 1.0);
+      double covered = std::clamp(0.5 - coverage_slope * phi, 0.0, 1.0);
+      if (is_near_wall) {
+        const double wall = distance_to_walls(at) / h_;
+        covered *= std::clamp(0.5 + coverage_slope * wall, 0.0, 1.0);
+      }
       if (covered > 0) add(x, s, e, volume * covered);
     }
   }

@@ -72,11 +72,17 @@ Vector material_displacement(const Body<T, D>& body, const Vector& start) {
 
 template <class T, int D>
 std::vector<double> Measurer<T, D>::operator()() {
-  nodes_.clear();
+  forget();
   std::vector<double> values;
   for (const MeasurementCase& m : solver_.settings().measurements) values.push_back(value(m));
-  nodes_.clear();
+  forget();
   return values;
+}
+
+template <class T, int D>
+void Measurer<T, D>::forget() {
+  nodes_.clear();
+  integrals_.clear();
 }
 
 template <class T, int D>
@@ -146,7 +152,15 @@ double Measurer<T, D>::surface_value(const MeasurementCase& m) {
 }
 
 template <class T, int D>
-BodyIntegrals Measurer<T, D>::integrals(int body, const Vector& about) {
+const BodyIntegrals& Measurer<T, D>::integrals(int body, const Vector& about) {
+  for (const Integrated& known : integrals_) {
+    if (known.body == body && known.about == about) return known.sum;
+  }
+  return integrals_.emplace_back(body, about, integrate_body(body, about)).sum;
+}
+
+template <class T, int D>
+BodyIntegrals Measurer<T, D>::integrate_body(int body, const Vector& about) {
   const State<T, D>& state = solver_.state();
   const bool surface = solver_.remeshing(body).has_surface();
   if (!solver_.remeshes() || !surface) return sum_particles<T, D>(state.bodies[body], about);
@@ -159,11 +173,12 @@ BodyIntegrals Measurer<T, D>::integrals(int body, const Vector& about) {
 
 template <class T, int D>
 BodyIntegrals Measurer<T, D>::totals() {
-  nodes_.clear();
+  forget();
   BodyIntegrals sum;
-  for (int b = 0; b < static_cast<int>(solver_.state().bodies.size()); ++b)
+  for (int b = 0; b < static_cast<int>(solver_.state().bodies.size()); ++b) {
     add(sum, integrals(b, {}));
-  nodes_.clear();
+  }
+  forget();
   return sum;
 }
 

@@ -28,11 +28,21 @@ class Measurer {
   double surface_value(const MeasurementCase& m);
   double velocity_error(const MeasurementCase& m) const;
   double point_value(const MeasurementCase& m);
-  BodyIntegrals integrals(int body, const Vector& about);
+  /// Integrals of a body; its angular momentum is about `about`.
+  struct Integrated {
+    int body;
+    Vector about;
+    BodyIntegrals sum;
+  };
+  const BodyIntegrals& integrals(int body, const Vector& about);
+  BodyIntegrals integrate_body(int body, const Vector& about);
   const LatticeView<T, D>& nodes(int body);
+  void forget();
 
   Solver<T, D>& solver_;
-  std::vector<LatticeView<T, D>> nodes_;  ///< of the present call, once something asks for them
+  // Of the present call, once something asks for them.
+  std::vector<LatticeView<T, D>> nodes_;
+  std::vector<Integrated> integrals_;
 };
 
 /// Displacement since t = 0 of the material point that started at `start` [m]: the linear fit
