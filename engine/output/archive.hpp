@@ -42,7 +42,7 @@ class ArchiveWriter {
 };
 
 /// Reads what ArchiveWriter wrote. Every array carries a checksum, so that damage is found.
-/// Throws OutputError for a file that is missing, foreign, of a later format or damaged, and for a
+/// Throws OutputError for a file that is missing, foreign, of another format or damaged, and for a
 /// name or a type that is not there.
 class ArchiveReader {
  public:

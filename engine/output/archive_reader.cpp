@@ -74,10 +74,10 @@ struct ArchiveReader::File {
   }
 
   void require_format(int found) const {
-    if (found > archive::format)
+    if (found != archive::format)
       throw OutputError(path,
                         fmt::format("has format {}, this program reads {}", found, archive::format),
-                        "use the program that wrote it, or a later one");
+                        "go on with the program that wrote it, or run anew");
   }
 
   OutputError damaged(const hdf5::Failure& failure) const {

@@ -10,7 +10,9 @@
 #include <numeric>
 #include <thread>
 
+#include "engine/output/archive_format.hpp"
 #include "engine/output/error.hpp"
+#include "engine/output/hdf5.hpp"
 #include "tests/engine/output/temporary_folder.hpp"
 
 namespace pliant::test {
@@ -85,6 +87,22 @@ TEST(archive, arrays_come_back_bit_for_bit) {
   std::vector<double> in_place(awkward.size());
   reader.read("body/velocity", std::span<double>(in_place));
   EXPECT_EQ(bytes_of(in_place), bytes_of(awkward));
+}
+
+TEST(archive, of_another_format_is_refused_by_its_number) {
+  const TemporaryFolder folder;
+  ArchiveWriter writer(folder / "a.h5");
+  writer.put("time", 1.0);
+  writer.commit();
+  for (const int other : {archive::format - 1, archive::format + 1}) {
+    {
+      const hdf5::Handle file(H5Fopen((folder / "a.h5").c_str(), H5F_ACC_RDWR, H5P_DEFAULT),
+                              H5Fclose, "open it");
+      hdf5::overwrite_attribute(file, archive::format_attribute, other);
+    }
+    expect_in("has format " + std::to_string(other),
+              error_of([&] { const ArchiveReader reader(folder / "a.h5"); }));
+  }
 }
 
 TEST(archive, equal_content_makes_equal_files) {
