@@ -156,7 +156,8 @@ const BodyIntegrals& Measurer<T, D>::integrals(int body, const Vector& about) {
   for (const Integrated& known : integrals_) {
     if (known.body == body && known.about == about) return known.sum;
   }
-  return integrals_.emplace_back(body, about, integrate_body(body, about)).sum;
+  integrals_.push_back({body, about, integrate_body(body, about)});
+  return integrals_.back().sum;
 }
 
 template <class T, int D>

@@ -68,7 +68,8 @@ template <class V>
 auto numbers_of(std::vector<V>& values) {
   using N = typename Number<V>::Type;
   static_assert(sizeof(V) % sizeof(N) == 0 && std::is_trivially_copyable_v<V>);
-  return std::span(reinterpret_cast<N*>(values.data()), values.size() * (sizeof(V) / sizeof(N)));
+  const std::size_t bytes = values.size() * sizeof(V);
+  return std::span(reinterpret_cast<N*>(values.data()), bytes / sizeof(N));
 }
 
 /// Calls f(name, list) for every list of a block's ghosts; their touches are found anew.
