@@ -74,25 +74,33 @@ struct BlockGhosts {
   std::vector<kernels::SurfacePack> packs;
   std::int32_t first_record = 0, record_count = 0;
 
+  /// Calls f(name, list) for every list of the ghosts but those of their touches.
+  template <class F>
+  static void for_each_list(F&& f) {
+    using G = BlockGhosts;
+    f("slot", &G::slot);
+    f("wall", &G::wall);
+    f("active", &G::active);
+    f("pressure", &G::pressure);
+    f("normal", &G::normal);
+    f("foot", &G::foot);
+    f("terms", &G::terms);
+    f("constrained_sum", &G::constrained_sum);
+    f("surface_sum", &G::surface_sum);
+    f("begin", &G::begin);
+    f("pairs", &G::pairs);
+    f("wall_begin", &G::wall_begin);
+    f("wall_distance", &G::wall_distance);
+    f("contact", &G::contact);
+    f("contact_height", &G::contact_height);
+    f("contact_area", &G::contact_area);
+  }
+
   /// Forgets the ghosts; what is known of the records stays.
   void clear() {
-    slot.clear();
+    for_each_list([this](const char*, auto list) { (this->*list).clear(); });
+    begin.push_back(0);
     reached_count = 0;
-    wall.clear();
-    active.clear();
-    pressure.clear();
-    normal.clear();
-    foot.clear();
-    terms.clear();
-    constrained_sum.clear();
-    surface_sum.clear();
-    begin.assign(1, 0);
-    pairs.clear();
-    wall_begin.clear();
-    wall_distance.clear();
-    contact.clear();
-    contact_height.clear();
-    contact_area.clear();
     touches.clear();
   }
 

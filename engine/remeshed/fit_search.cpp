@@ -12,14 +12,13 @@ void FitSearch<T, D>::find(const Point<D>& centre, const FitReach<D>& reach, con
   const Position<D> broad = reach.broad();
   const double inverse_spacing = 1 / lattice_.spacing;
   const bool is_periodic = lattice_.is_periodic();
-  Cell<D> lower, upper;
-  for (int a = 0; a < D; ++a) {
-    lower[a] = cell_above(centre[a] - radius);
-    upper[a] = cell_below(centre[a] + radius);
+  Cell<D> first_row = {}, last_row = {};
+  for (int a = 1; a < D; ++a) {
+    first_row[a] = cell_above(centre[a] - radius);
+    last_row[a] = cell_below(centre[a] + radius);
   }
-  Cell<D> cell = lower;
   Position<D> r;
-  const auto scan_row = [&] {
+  for_each_cell<D>(first_row, last_row, [&](Cell<D> cell) {
     double square = radius * radius;
     for (int a = 1; a < D; ++a) {
       r[a] = cell[a] - centre[a];
@@ -44,14 +43,7 @@ void FitSearch<T, D>::find(const Point<D>& centre, const FitReach<D>& reach, con
       particles.push_back(
           {static_cast<std::int32_t>(slot), root * root, distance * inverse_spacing, r});
     }
-  };
-  if constexpr (D == 2) {
-    for (cell[1] = lower[1]; cell[1] <= upper[1]; ++cell[1]) scan_row();
-  } else {
-    for (cell[2] = lower[2]; cell[2] <= upper[2]; ++cell[2]) {
-      for (cell[1] = lower[1]; cell[1] <= upper[1]; ++cell[1]) scan_row();
-    }
-  }
+  });
 }
 
 template class FitSearch<double, 2>;

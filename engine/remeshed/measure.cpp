@@ -233,10 +233,10 @@ double Measurer<T, D>::point_value(const MeasurementCase& m) {
     double weight = 1;
     for (int a = 0; a < D; ++a) {
       const double at = (m.point[a] - lattice.origin[a]) / lattice.spacing - 0.5;
-      const double floor = std::floor(at);
+      const std::int32_t below = cell_below(at);
       const int up = corner >> a & 1;
-      cell[a] = static_cast<std::int32_t>(floor) + up;
-      weight *= up ? at - floor : 1 - (at - floor);
+      cell[a] = below + up;
+      weight *= up ? at - below : 1 - (at - below);
     }
     const std::int64_t p = view.population.layout.slot(lattice.wrapped(cell));
     if (p < 0 || view.population.kind[p] == remeshed::Kind::vacant) return nothing;

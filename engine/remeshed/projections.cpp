@@ -1,7 +1,6 @@
 #include "engine/remeshed/projections.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <limits>
 
 namespace pliant::remeshed {
@@ -74,8 +73,8 @@ void Projections<T, D>::fill_box(const Lattice<D>& lattice, const Layout<D>& lay
   std::size_t nodes = 1;
   for (int a = 0; a < D; ++a) {
     const auto [least, most] = std::minmax_element(point_[a].begin(), point_[a].end());
-    lower_[a] = static_cast<std::int32_t>(std::floor(*least)) - farthest_move - 1;
-    extent_[a] = static_cast<std::int32_t>(std::floor(*most)) + farthest_move + 3 - lower_[a];
+    lower_[a] = cell_below(*least) - farthest_move - 1;
+    extent_[a] = cell_below(*most) + farthest_move + 3 - lower_[a];
     nodes *= extent_[a];
   }
   box_.assign(nodes, std::numeric_limits<T>::quiet_NaN());

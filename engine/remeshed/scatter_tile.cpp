@@ -1,7 +1,6 @@
 #include "engine/remeshed/scatter_tile.hpp"
 
 #include <algorithm>
-#include <cmath>
 
 namespace pliant::remeshed {
 
@@ -91,8 +90,8 @@ CellBounds<D> ScatterTile<T, D>::periods_to(const CellBounds<D>& source,
       if (least > 0 || most < 0) return none;
       continue;
     }
-    periods.lower[a] = static_cast<std::int32_t>(std::ceil(least / n));
-    periods.upper[a] = static_cast<std::int32_t>(std::floor(most / n));
+    periods.lower[a] = cell_above(least / n);
+    periods.upper[a] = cell_below(most / n);
   }
   return periods;
 }

@@ -72,33 +72,11 @@ auto numbers_of(std::vector<V>& values) {
   return std::span(reinterpret_cast<N*>(values.data()), bytes / sizeof(N));
 }
 
-/// Calls f(name, list) for every list of a block's ghosts; their touches are found anew.
-template <class T, int D, class F>
-void for_each_list(F&& f) {
-  using G = BlockGhosts<T, D>;
-  f("slot", &G::slot);
-  f("wall", &G::wall);
-  f("active", &G::active);
-  f("pressure", &G::pressure);
-  f("normal", &G::normal);
-  f("foot", &G::foot);
-  f("terms", &G::terms);
-  f("constrained_sum", &G::constrained_sum);
-  f("surface_sum", &G::surface_sum);
-  f("begin", &G::begin);
-  f("pairs", &G::pairs);
-  f("wall_begin", &G::wall_begin);
-  f("wall_distance", &G::wall_distance);
-  f("contact", &G::contact);
-  f("contact_height", &G::contact_height);
-  f("contact_area", &G::contact_area);
-}
-
 // A list of all blocks is one array; another says how long each block's is.
 template <class T, int D>
 void put_ghosts(ArchiveWriter& archive, const std::string& group,
                 const Population<T, D>& population) {
-  for_each_list<T, D>(
+  BlockGhosts<T, D>::for_each_list(
       [&]<class V>(const std::string& name, std::vector<V> BlockGhosts<T, D>::*list) {
         std::vector<std::int64_t> lengths;
         std::vector<V> all;
@@ -128,7 +106,7 @@ void put_ghosts(ArchiveWriter& archive, const std::string& group,
 template <class T, int D>
 void get_ghosts(const ArchiveReader& archive, const std::string& group,
                 Population<T, D>& population) {
-  for_each_list<T, D>(
+  BlockGhosts<T, D>::for_each_list(
       [&]<class V>(const std::string& name, std::vector<V> BlockGhosts<T, D>::*list) {
         const auto lengths = archive.get<std::int64_t>(group + "/" + name + "/lengths");
         std::vector<V> all(std::accumulate(lengths.begin(), lengths.end(), std::int64_t{0}));
