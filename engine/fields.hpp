@@ -11,7 +11,16 @@
 /// names follow from it.
 namespace pliant {
 
-enum class Field { displacement, velocity, volume, material, mass, level_set, carried, memory };
+enum class Field {
+  drift,
+  velocity,
+  volume,
+  material,
+  mass,
+  level_set,
+  displacement,
+  memory_pressure
+};
 inline constexpr int field_count = 8;
 
 enum class Rank { scalar, vector, material, prony };
@@ -28,28 +37,29 @@ struct FieldDeclaration {
 };
 
 inline constexpr std::array<FieldDeclaration, field_count> fields = {{
-    {Field::displacement, "xi", "drift", "m", Rank::vector, Remeshed::not_at_all, true},
+    {Field::drift, "xi", "drift", "m", Rank::vector, Remeshed::not_at_all, true},
     {Field::velocity, "u", "velocity", "m/s", Rank::vector, Remeshed::as_mass_mean, true},
     {Field::volume, "v", "volume", "m^D", Rank::scalar, Remeshed::as_density_times_volume, true},
     {Field::material, "S|F", "material_state", "Pa|1", Rank::material, Remeshed::as_volume_mean,
      true},
     {Field::mass, "m", "mass", "kg", Rank::scalar, Remeshed::as_density_times_volume, false},
     {Field::level_set, "phi", "level_set", "m", Rank::scalar, Remeshed::as_mean, false},
-    {Field::carried, "d", "displacement", "m", Rank::vector, Remeshed::as_volume_mean, false},
-    {Field::memory, "p_i", "memory_pressure", "Pa", Rank::prony, Remeshed::as_volume_mean, false},
+    {Field::displacement, "d", "displacement", "m", Rank::vector, Remeshed::as_volume_mean, false},
+    {Field::memory_pressure, "p_i", "memory_pressure", "Pa", Rank::prony, Remeshed::as_volume_mean,
+     false},
 }};
 
-/// Components of a field; `carried` is what the material model carries (S or F), `terms` those of
-/// its Prony series.
+/// Components of a field; `material_components` are those of what the material model evolves (S or
+/// F), `terms` those of its Prony series.
 template <int D>
-constexpr int components(Rank rank, int carried, int terms = 0) {
+constexpr int components(Rank rank, int material_components, int terms = 0) {
   switch (rank) {
     case Rank::scalar:
       return 1;
     case Rank::vector:
       return D;
     case Rank::material:
-      return carried;
+      return material_components;
     case Rank::prony:
       break;
   }
@@ -62,10 +72,11 @@ class FieldStore {
  public:
   FieldStore() = default;
   FieldStore(kernels::Model model, int prony_terms, bool evolving_only)
-      : carried_(kernels::carried_components<D>(model)) {
+      : material_components_(kernels::material_component_count<D>(model)) {
     for (const FieldDeclaration& f : fields) {
       if (evolving_only && !f.evolving) continue;
-      arrays_[static_cast<int>(f.field)].resize(components<D>(f.rank, carried_, prony_terms));
+      arrays_[static_cast<int>(f.field)].resize(
+          components<D>(f.rank, material_components_, prony_terms));
     }
   }
 
@@ -85,15 +96,15 @@ class FieldStore {
   kernels::Evolving<U, D> evolving() {
     kernels::Evolving<U, D> view = {};
     for (int a = 0; a < D; ++a) {
-      view.displacement[a] = get(Field::displacement, a);
+      view.drift[a] = get(Field::drift, a);
       view.velocity[a] = get(Field::velocity, a);
     }
     view.volume = get(Field::volume);
-    for (int c = 0; c < carried_; ++c) view.material[c] = get(Field::material, c);
+    for (int c = 0; c < material_components_; ++c) view.material[c] = get(Field::material, c);
     return view;
   }
 
-  int carried() const { return carried_; }
+  int material_components() const { return material_components_; }
 
   std::size_t bytes() const {
     std::size_t sum = 0;
@@ -104,7 +115,7 @@ class FieldStore {
   }
 
  private:
-  int carried_ = 0;
+  int material_components_ = 0;
   std::array<std::vector<Buffer<T>>, field_count> arrays_;
 };
 

@@ -39,7 +39,7 @@ inline auto finite_lanes(const P& x) {
 /// not interior, since their extrapolated state may be no possible state of the material.
 template <Model model, class P, int D>
 inline void store_stress(const Material<Scalar<P>>& material,
-                         const P (&carried)[carried_components<D>(model)], const P& density,
+                         const P (&carried)[material_component_count<D>(model)], const P& density,
                          PackState state, const Scalar<P>* interior, std::int64_t slot,
                          Scalar<P>* const (&stress)[symmetric_components<D>]) {
   P sigma[symmetric_components<D>];

@@ -262,8 +262,9 @@ T wall_pressure(const GhostFits<T, D>& fits, const VectorOf<T, D>& wall_velocity
 /// (RP.51): force of a wall on the body over the area [Pa]; n the normal of the wall, into the
 /// body.
 template <class T, int D>
-VectorOf<T, D> wall_push(const GhostFits<T, D>& fits, const VectorOf<T, D>& wall_velocity,
-                         const VectorOf<T, D>& n, bool slips, const Impedance<T>& impedance) {
+VectorOf<T, D> wall_force_density(const GhostFits<T, D>& fits, const VectorOf<T, D>& wall_velocity,
+                                  const VectorOf<T, D>& n, bool slips,
+                                  const Impedance<T>& impedance) {
   const T pressure = wall_pressure<T, D>(fits, wall_velocity, n, slips, impedance);
   VectorOf<T, D> push;
 #pragma GCC unroll 3

@@ -101,7 +101,7 @@ inline void solve(const GradientSums<P, D, F>& sums, P (&gradient)[F][D]) {
 /// The fields of a sweep: where particles are, and what is differentiated.
 template <class T, int D, int F>
 struct SweepFields {
-  const T* displacement[D];
+  const T* drift[D];
   const T* field[F];
 };
 
@@ -111,12 +111,12 @@ class Separation {
   using T = Scalar<P>;
 
  public:
-  Separation(const T* const (&displacement)[D], std::int64_t slot, T spacing)
+  Separation(const T* const (&drift)[D], std::int64_t slot, T spacing)
       : weight_(spacing), spacing_(spacing) {
 #pragma GCC unroll 3
     for (int i = 0; i < D; ++i) {
-      displacement_[i] = displacement[i];
-      position_[i] = load<P>(displacement[i] + slot);
+      drift_[i] = drift[i];
+      position_[i] = load<P>(drift[i] + slot);
     }
   }
 
@@ -127,7 +127,7 @@ class Separation {
                                          P (&weighted)[D]) const {
 #pragma GCC unroll 3
     for (int i = 0; i < D; ++i) {
-      d[i] = neighbour(displacement_[i]) - fused_minus(offset[i], P(spacing_), position_[i]);
+      d[i] = neighbour(drift_[i]) - fused_minus(offset[i], P(spacing_), position_[i]);
     }
     P distance2 = d[0] * d[0];
 #pragma GCC unroll 3
@@ -140,7 +140,7 @@ class Separation {
  private:
   PairWeight<weight, P> weight_;
   T spacing_;
-  const T* displacement_[D];
+  const T* drift_[D];
   P position_[D];
 };
 

@@ -9,7 +9,7 @@ namespace pliant::kernels {
 /// of (RP.2), p and c^2 of a state.
 template <Model model, class P, int D>
 struct Law {
-  static constexpr int components = carried_components<D>(model);
+  static constexpr int components = material_component_count<D>(model);
   static constexpr int symmetric = symmetric_components<D>;
   using Constants = Material<Scalar<P>>;
 
@@ -40,7 +40,7 @@ struct Law {
 
 template <class P, int D>
 struct Law<Model::reduced_polynomial, P, D> {
-  static constexpr int components = carried_components<D>(Model::reduced_polynomial);
+  static constexpr int components = material_component_count<D>(Model::reduced_polynomial);
   static constexpr int symmetric = symmetric_components<D>;
   using Constants = Material<Scalar<P>>;
 

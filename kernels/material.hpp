@@ -47,7 +47,7 @@ T wave_speed_at_rest(const Material<T>& material) {
 
 /// Components of S (linear) or F (reduced polynomial) that a particle carries.
 template <int D>
-constexpr int carried_components(Model model) {
+constexpr int material_component_count(Model model) {
   return model == Model::reduced_polynomial ? D * D : D * (D + 1) / 2;
 }
 

@@ -13,7 +13,7 @@ template <class P, class T, int D>
                                             std::int64_t slot) {
 #pragma GCC unroll 3
   for (int i = 0; i < D; ++i) {
-    __builtin_prefetch(state.displacement[i] + slot);
+    __builtin_prefetch(state.drift[i] + slot);
     __builtin_prefetch(state.velocity[i] + slot);
   }
   __builtin_prefetch(state.volume + slot);
@@ -24,7 +24,7 @@ template <class P, class T, int D>
 template <class P, int D>
 [[gnu::always_inline]] inline void prefetch_update(const Stage<Scalar<P>, D>& stage,
                                                    std::int64_t slot) {
-  const int components = carried_components<D>(stage.material.model);
+  const int components = material_component_count<D>(stage.material.model);
   prefetch<P>(stage.start, components, slot);
   prefetch<P>(stage.next, components, slot);
   if (stage.stage == 2) prefetch<P>(stage.second, components, slot);

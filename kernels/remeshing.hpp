@@ -41,12 +41,12 @@ struct Scatter {
   const Kind* kind;
   T inverse_spacing;
   std::array<std::int32_t, D> shift;  ///< whole cells added to every particle (periodic images)
-  int carried_components;             ///< of S or F
+  int material_component_count;       ///< of S or F
   const T* mass;
   const T* level_set;
   std::array<const T*, D> carried;  ///< d at the last remeshing; d + xi is remeshed
   Evolving<const T, D> state;
-  T* nodes;                            ///< [node][node_width_for(carried_components)]
+  T* nodes;                            ///< [node][node_width_for(material_component_count)]
   const NodeRow* rows;                 ///< [z][y]
   std::array<std::int32_t, D> lower;   ///< lattice cell at the lower corner of the tile
   std::array<std::int32_t, D> extent;  ///< of the box around the tile

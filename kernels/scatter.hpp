@@ -31,7 +31,7 @@ inline void locate(const Scatter<Scalar<P>, D>& block, std::int64_t slot, int at
                    ScatterColumns<Scalar<P>, D>& columns) {
 #pragma GCC unroll 3
   for (int i = 0; i < D; ++i) {
-    const P position = load<P>(block.state.displacement[i] + slot) * P(block.inverse_spacing);
+    const P position = load<P>(block.state.drift[i] + slot) * P(block.inverse_spacing);
     xsimd::floor(position).store_aligned(&columns.cell[i][at]);
   }
 }
@@ -50,17 +50,17 @@ inline void prepare_scatter(const Scatter<Scalar<P>, D>& block, std::int64_t slo
   put(Field::level_set, load<P>(block.level_set + slot));
 #pragma GCC unroll 3
   for (int i = 0; i < D; ++i) {
-    const P xi = load<P>(block.state.displacement[i] + slot);
+    const P xi = load<P>(block.state.drift[i] + slot);
     put(Field::momentum + i, m * load<P>(block.state.velocity[i] + slot));
-    put(Field::carried + i, v * (load<P>(block.carried[i] + slot) + xi));
+    put(Field::displacement + i, v * (load<P>(block.carried[i] + slot) + xi));
     P weight[4];
     m4prime(xi * P(block.inverse_spacing) - P::load_aligned(&columns.cell[i][at]), weight);
     for (int k = 0; k < 4; ++k) weight[k].store_aligned(&columns.weight[i][k][at]);
   }
-  for (int c = 0; c < block.carried_components; ++c) {
+  for (int c = 0; c < block.material_component_count; ++c) {
     put(Field::material + c, v * load<P>(block.state.material[c] + slot));
   }
-  const int fields = Field::material + block.carried_components;
+  const int fields = Field::material + block.material_component_count;
   for (int l = 0; l < lanes<P>; ++l) {
     for (int f = 0; f < fields; ++f) columns.record[at + l][f] = value[f][l];
   }
@@ -190,7 +190,7 @@ void scatter_in(const Scatter<Scalar<P>, D>& block) {
 template <class P, int D>
 void scatter(const Scatter<Scalar<P>, D>& block) {
   constexpr int symmetric = node_width_for<D>(symmetric_components<D>);
-  if (4 + 2 * D + block.carried_components <= symmetric) {
+  if (4 + 2 * D + block.material_component_count <= symmetric) {
     scatter_in<symmetric, P, D>(block);
   } else {
     scatter_in<node_width<D>, P, D>(block);

@@ -10,7 +10,7 @@
 /// would open dozens of streams at once; instead a chunk of 64 slots goes through
 ///
 ///     sweep over the neighbours -> gradients in a stack buffer (first cache)
-///     displacement, velocity, volume, S or F, stress: one short loop each, few streams at a time
+///     drift, velocity, volume, S or F, stress: one short loop each, few streams at a time
 ///
 /// and what one loop has read or written is still in the cache when the next loop wants it. Packs
 /// of ghosts only drift, and vacant ones are passed over.

@@ -15,7 +15,7 @@ inline StageSweepFields<T, D> stage_sweep_fields(const Stage<T, D>& stage) {
   StageSweepFields<T, D> fields;
 #pragma GCC unroll 3
   for (int i = 0; i < D; ++i) {
-    fields.displacement[i] = stage.current.displacement[i];
+    fields.drift[i] = stage.current.drift[i];
     fields.field[i] = stage.current.velocity[i];
   }
 #pragma GCC unroll 6
@@ -39,7 +39,7 @@ template <Weight weight, class P, class Visit>
                                          std::int64_t slot, Scalar<P> spacing, bool,
                                          const Visit& visit, StageGradients<P, 2>& result) {
   constexpr int D = 2, F = D + symmetric_components<D>;
-  const Separation<weight, P, D> separation(fields.displacement, slot, spacing);
+  const Separation<weight, P, D> separation(fields.drift, slot, spacing);
   const Differences<P, F> differences(fields.field, slot);
   GradientSums<P, D, F> sums;
   visit([&](const P(&offset)[D], const auto& neighbour) __attribute__((always_inline)) {
@@ -70,7 +70,7 @@ template <Weight weight, class P, class Visit>
                                          const Visit& visit, StageGradients<P, 3>& result) {
   constexpr int D = 3, F = symmetric_components<D>;
   using T = Scalar<P>;
-  const Separation<weight, P, D> separation(fields.displacement, slot, spacing);
+  const Separation<weight, P, D> separation(fields.drift, slot, spacing);
   alignas(64) T kept[stencil_bound<weight, D>][D][lanes<P>];
   P inverse[symmetric_components<D>];
   {

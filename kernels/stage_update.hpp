@@ -29,7 +29,7 @@ void advance_displacement(const Stage<Scalar<P>, D>& stage, const RungeKutta<P, 
   using Arch = typename P::arch_type;
 #pragma GCC unroll 3
   for (int i = 0; i < D; ++i) {
-    const auto field = stage_field<Arch>(stage, [i](const auto& q) { return q.displacement[i]; });
+    const auto field = stage_field<Arch>(stage, [i](const auto& q) { return q.drift[i]; });
     const Scalar<P>* velocity = stage.current.velocity[i];
     for (int at = 0; at < chunk.count; at += lanes<P>) {
       const std::int64_t slot = chunk.first + at;
@@ -162,7 +162,7 @@ void examine_next(const Stage<Scalar<P>, D>& stage, const Chunk& chunk,
     }
 #pragma GCC unroll 3
     for (int i = 0; i < D; ++i) {
-      sum = fused(load<P>(stage.next.displacement[i] + slot), zero, sum);
+      sum = fused(load<P>(stage.next.drift[i] + slot), zero, sum);
       sum = fused(load<P>(stage.next.velocity[i] + slot), zero, sum);
     }
 #pragma GCC unroll 6

@@ -64,7 +64,7 @@ inline void level_set_gradient(const SurfaceRecords<Scalar<P>, D>& block, const 
     };
 #pragma GCC unroll 3
     for (int i = 0; i < D; ++i) {
-      row[j][i] = difference(block.state.displacement[i]);
+      row[j][i] = difference(block.state.drift[i]);
       if (i == j) row[j][i] = row[j][i] + P(2 * block.spacing);
     }
     rise[j] = difference(block.level_set);

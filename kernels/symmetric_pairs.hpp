@@ -35,8 +35,7 @@ class PairForces {
     P d[D], difference[D];
     P distance2(T(0)), approach(T(0));
     for (int i = 0; i < D; ++i) {
-      d[i] =
-          q.displacement[i] - fused_minus(offset[i], P(stage_.spacing), own_state_.displacement[i]);
+      d[i] = q.drift[i] - fused_minus(offset[i], P(stage_.spacing), own_state_.drift[i]);
       difference[i] = q.velocity[i] - own_state_.velocity[i];
       distance2 = fused(d[i], d[i], distance2);
       approach = fused(d[i], difference[i], approach);
@@ -63,13 +62,13 @@ class PairForces {
 
  private:
   struct Particle {
-    P displacement[D], velocity[D], stress[symmetric], artificial[symmetric], mass, density;
+    P drift[D], velocity[D], stress[symmetric], artificial[symmetric], mass, density;
   };
 
   template <class Load>
   [[gnu::always_inline]] void take(Particle& particle, const Load& load_field) const {
     for (int i = 0; i < D; ++i) {
-      particle.displacement[i] = load_field(stage_.current.displacement[i]);
+      particle.drift[i] = load_field(stage_.current.drift[i]);
       particle.velocity[i] = load_field(stage_.current.velocity[i]);
     }
     for (int c = 0; c < symmetric; ++c) {

@@ -57,9 +57,9 @@ struct SymmetricPairs {
 /// One Runge-Kutta stage of one block, (RP.12) by (RP.18) and (RP.19): gradients of velocity and
 /// stress, rates, update, and the stress of the new state.
 ///
-/// Reads displacement, velocity and stress of `current` also in neighbouring blocks. Writes `next`
+/// Reads drift, velocity and stress of `current` also in neighbouring blocks. Writes `next`
 /// and `next_stress` in packs with interior particles; their other slots get zero rates but for the
-/// displacement, which follows their velocity. In packs of ghosts the displacement alone is
+/// drift, which follows their velocity. In packs of ghosts the displacement alone is
 /// written, in vacant ones nothing. Three copies of the state serve all stages: in stage 2 `next`
 /// may be `second`, in stage 3 (the last) `start`.
 template <class T, int D>

@@ -52,7 +52,7 @@ void evaluate(benchmark::State& state, Isa isa, Model model) {
     benchmark::DoNotOptimize(table<double, 2>(isa).evaluate_stress(body.stress_of(0)));
   }
   const double flop = model == Model::reduced_polynomial ? 110 : 12;
-  report(state, slots, {flop, 8. * (3 + carried_components<2>(model) + 6)});
+  report(state, slots, {flop, 8. * (3 + material_component_count<2>(model) + 6)});
 }
 
 std::string name_of(Model model) {

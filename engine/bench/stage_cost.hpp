@@ -32,7 +32,7 @@ template <int D>
 constexpr double bytes_per_stage_in(kernels::Model model) {
   int state = 0;
   for (const FieldDeclaration& f : fields) {
-    if (f.evolving) state += components<D>(f.rank, kernels::carried_components<D>(model));
+    if (f.evolving) state += components<D>(f.rank, kernels::material_component_count<D>(model));
   }
   constexpr int stress = kernels::symmetric_components<D>, mass = 1, interior = 1;
   const double states_read = (1 + 2 + 3 + 3) / 4.0, states_written = (1 + 1 + 2 + 1) / 4.0;

@@ -5,8 +5,8 @@
 #include <new>
 
 #include "engine/cli/verbs.hpp"
+#include "engine/method/step_failure.hpp"
 #include "engine/output/error.hpp"
-#include "engine/step_failure.hpp"
 #include "engine/version.hpp"
 
 // The command line: options to plain arguments, exceptions to exit statuses.

@@ -8,7 +8,7 @@
 #include "engine/case/case.hpp"
 #include "engine/fields.hpp"
 #include "engine/lattice/layout.hpp"
-#include "engine/remeshed/body_neighbours.hpp"
+#include "engine/remeshed/neighbours/body_neighbours.hpp"
 #include "engine/storage/buffer.hpp"
 #include "kernels/ghost_state.hpp"
 #include "kernels/table.hpp"
@@ -20,7 +20,7 @@ using kernels::PackState;
 
 /// Where ghosts of one block touch other bodies in the present step, and what they feel.
 template <class T, int D>
-struct BodyTouches {
+struct ContactPoints {
   std::vector<std::int32_t> ghost;    ///< in the order of the ghosts
   std::vector<std::int32_t> contact;  ///< of the case
   std::vector<T> gap;   ///< to the other body's surface, negative where they overlap [m]
@@ -69,12 +69,12 @@ struct BlockGhosts {
   std::vector<std::int32_t> contact;
   /// [contact] of the surface above the wall at xi = 0 and the wall's place at t = 0, (RP.50) [m]
   std::vector<double> contact_height;
-  std::vector<double> contact_area;  ///< [contact] share of the wall, (RP.52) [m^(D-1)]
-  BodyTouches<T, D> touches;         ///< with other bodies
+  std::vector<double> contact_area;    ///< [contact] share of the wall, (RP.52) [m^(D-1)]
+  ContactPoints<T, D> contact_points;  ///< with other bodies
   std::vector<kernels::SurfacePack> packs;
   std::int32_t first_record = 0, record_count = 0;
 
-  /// Calls f(name, list) for every list of the ghosts but those of their touches.
+  /// Calls f(name, list) for every list of the ghosts but those of their contact_points.
   template <class F>
   static void for_each_list(F&& f) {
     using G = BlockGhosts;
@@ -101,7 +101,7 @@ struct BlockGhosts {
     for_each_list([this](const char*, auto list) { (this->*list).clear(); });
     begin.push_back(0);
     reached_count = 0;
-    touches.clear();
+    contact_points.clear();
   }
 
   /// Values that the sums of a ghost take.
@@ -193,7 +193,7 @@ struct Body {
   /// Position of a slot's particle [m].
   Point<D> position(std::int64_t slot, const Cell<D>& cell) const {
     Point<D> x = lattice.node(cell);
-    for (int a = 0; a < D; ++a) x[a] += stage[0].get(Field::displacement, a)[slot];
+    for (int a = 0; a < D; ++a) x[a] += stage[0].get(Field::drift, a)[slot];
     return x;
   }
 
@@ -203,7 +203,7 @@ struct Body {
     if (parity == 0) return body.stress[component];
     if (component == 0) return body.stage[1][Field::mass][0];
     if (component == 1) return body.stage[1][Field::level_set][0];
-    if (component < 2 + D) return body.stage[1][Field::carried][component - 2];
+    if (component < 2 + D) return body.stage[1][Field::displacement][component - 2];
     return body.last_odd_stress;
   }
   template <class U, class Self>

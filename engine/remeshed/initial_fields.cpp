@@ -3,11 +3,11 @@
 #include <algorithm>
 #include <cmath>
 
-#include "engine/body/initial_velocity.hpp"
-#include "engine/body/padded.hpp"
 #include "engine/geometry/distance_walk.hpp"
 #include "engine/geometry/free_surface.hpp"
-#include "engine/remeshed/ghost_fits.hpp"
+#include "engine/geometry/padded.hpp"
+#include "engine/method/initial_velocity.hpp"
+#include "engine/remeshed/ghosts/ghost_fits.hpp"
 
 namespace pliant::remeshed {
 
@@ -36,11 +36,11 @@ bool set_initial_fields(const Case& settings, Body<T, D>& body, T* valid) {
       for (int a = 0; a < D; ++a) state.get(Field::velocity, a)[p] = static_cast<T>(u[a]);
       state.get(Field::volume)[p] = volume;
       state.get(Field::mass)[p] = body.material.density * volume / volume_ratio;
-      for (int c = 0; c < state.carried(); ++c) {
+      for (int c = 0; c < state.material_components(); ++c) {
         state.get(Field::material, c)[p] =
             deforms && c % (D + 1) == 0 ? static_cast<T>(source.stretch[c / (D + 1)]) : T(0);
       }
-      for (Buffer<T>& pressure : state[Field::memory]) pressure[p] = 0;
+      for (Buffer<T>& pressure : state[Field::memory_pressure]) pressure[p] = 0;
     });
   }
   return has_surface;

@@ -1,6 +1,6 @@
 #include "engine/remeshed/particle_update.hpp"
 
-#include "engine/remeshed/ghost_fits.hpp"
+#include "engine/remeshed/ghosts/ghost_fits.hpp"
 #include "engine/remeshed/pair_stress.hpp"
 #include "engine/remeshed/runge_kutta.hpp"
 #include "kernels/relaxation.hpp"

@@ -18,7 +18,7 @@ constexpr FieldId material(int buffer) { return 6 + buffer; }
 /// sigma of the even and of the odd stages.
 constexpr FieldId stress(int parity) { return 9 + parity; }
 /// What ghosts and images take from particles, of stage buffer 0..2: the same arrays as above, but
-/// other slots of them, which no particle's own phase touches.
+/// other slots of them, which no particle's own phase contact_points.
 constexpr FieldId ghosts(int buffer) { return 11 + buffer; }
 constexpr FieldId image_drift(int buffer) { return 14 + buffer; }
 constexpr FieldId images(int buffer) { return 17 + buffer; }
@@ -45,12 +45,12 @@ inline constexpr FieldId contact = 39;        ///< which ghosts touch a contact 
 inline constexpr FieldId impulse = 40;        ///< of contact walls on a block
 inline constexpr FieldId pair_stress = 41;    ///< of plain SPH
 inline constexpr FieldId surface_samples =
-    42;                                       ///< where a block's surface particles and ghosts are
-inline constexpr FieldId surface_cells = 43;  ///< the same of bodies, sorted by place
-inline constexpr FieldId touches = 44;        ///< ghosts that touch other bodies
-inline constexpr FieldId tractions = 45;      ///< there
-inline constexpr FieldId momentum = 46;       ///< of a block's particles
-inline constexpr FieldId books = 47;          ///< of bodies
+    42;                                        ///< where a block's surface particles and ghosts are
+inline constexpr FieldId surface_cells = 43;   ///< the same of bodies, sorted by place
+inline constexpr FieldId contact_points = 44;  ///< ghosts that touch other bodies
+inline constexpr FieldId tractions = 45;       ///< there
+inline constexpr FieldId momentum = 46;        ///< of a block's particles
+inline constexpr FieldId momentum_budgets = 47;  ///< of bodies
 
 inline std::vector<std::string> names() {
   std::vector<std::string> names;
@@ -88,10 +88,10 @@ inline std::vector<std::string> names() {
                              "pair stress",
                              "surface samples",
                              "surface cells",
-                             "touches",
+                             "contact_points",
                              "tractions",
                              "momentum",
-                             "books"});
+                             "momentum_budgets"});
   return names;
 }
 

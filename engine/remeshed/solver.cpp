@@ -42,9 +42,9 @@ Solver<T, D>::Solver(const Case& settings, int threads, kernels::Isa isa)
     remeshings_.push_back(std::make_unique<Remeshing<T, D>>(settings_, state_.bodies[b],
                                                             state_.boundaries, kernels_, workers_));
     remeshings_.back()->place_initial(settings_);
-    remeshings_.back()->prepare_arrival(false, true);
+    remeshings_.back()->prepare_target(false, true);
   }
-  scheduler::StepGraph initial(arrival_phases(false), connect_blocks<D>(spare_layouts_, 0),
+  scheduler::StepGraph initial(target_phases(false), connect_blocks<D>(spare_layouts_, 0),
                                resource::names());
   initial.run(workers_);
   for (auto& remeshing : remeshings_) remeshing->commit();
@@ -114,28 +114,28 @@ void Solver<T, D>::remesh() {
 template <class T, int D>
 void Solver<T, D>::remesh_onto_spare(bool reinitialise, bool is_final) {
   step_.prepare(0);
-  run(departure_graph_.over(layouts_, [&] { return departure_phases(); }));
-  for (auto& remeshing : remeshings_) remeshing->prepare_arrival(reinitialise, is_final);
-  run(arrival_graph_.over(spare_layouts_, [&] { return arrival_phases(true); }));
+  run(source_graph_.over(layouts_, [&] { return source_phases(); }));
+  for (auto& remeshing : remeshings_) remeshing->prepare_target(reinitialise, is_final);
+  run(target_graph_.over(spare_layouts_, [&] { return target_phases(true); }));
 }
 
 template <class T, int D>
-std::vector<scheduler::Phase> Solver<T, D>::departure_phases() {
+std::vector<scheduler::Phase> Solver<T, D>::source_phases() {
   std::vector<scheduler::Phase> phases = step_.ghost_phases();
   int first = 0;
   for (std::size_t b = 0; b < remeshings_.size(); ++b) {
-    remeshings_[b]->departure_phases(phases, first);
+    remeshings_[b]->source_phases(phases, first);
     first += static_cast<int>(layouts_[b]->blocks().size());
   }
   return phases;
 }
 
 template <class T, int D>
-std::vector<scheduler::Phase> Solver<T, D>::arrival_phases(bool from_particles) {
+std::vector<scheduler::Phase> Solver<T, D>::target_phases(bool from_particles) {
   std::vector<scheduler::Phase> phases;
   int first = 0;
   for (std::size_t b = 0; b < remeshings_.size(); ++b) {
-    remeshings_[b]->arrival_phases(phases, first, from_particles);
+    remeshings_[b]->target_phases(phases, first, from_particles);
     first += static_cast<int>(spare_layouts_[b]->blocks().size());
   }
   return phases;
@@ -154,7 +154,7 @@ void Solver<T, D>::adopt() {
 template <class T, int D>
 void Solver<T, D>::restored() {
   number_blocks<D>(layouts_, state_.blocks);
-  search_.forget();
+  search_.clear();
   present_graph_ = &step_graph_.over(layouts_, [&] { return step_.phases(); });
 }
 

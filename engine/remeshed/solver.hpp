@@ -4,12 +4,12 @@
 #include <string>
 #include <vector>
 
-#include "engine/remeshed/kept_graph.hpp"
-#include "engine/remeshed/neighbours.hpp"
-#include "engine/remeshed/remesh.hpp"
+#include "engine/method/cached_graph.hpp"
+#include "engine/method/step_failure.hpp"
+#include "engine/remeshed/neighbours/neighbours.hpp"
+#include "engine/remeshed/remeshing/remesh.hpp"
 #include "engine/remeshed/state.hpp"
 #include "engine/remeshed/step.hpp"
-#include "engine/step_failure.hpp"
 #include "kernels/table.hpp"
 #include "scheduler/step_graph.hpp"
 #include "scheduler/step_record.hpp"
@@ -81,8 +81,8 @@ class Solver {
   bool remeshing_due() const;
   void remesh();
   void remesh_onto_spare(bool reinitialise, bool is_final);
-  std::vector<scheduler::Phase> departure_phases();
-  std::vector<scheduler::Phase> arrival_phases(bool from_particles);
+  std::vector<scheduler::Phase> source_phases();
+  std::vector<scheduler::Phase> target_phases(bool from_particles);
   void adopt();
   void find_neighbours(double time_step);
   void add_strain(double time_step);
@@ -98,8 +98,8 @@ class Solver {
   Step<T, D> step_;
   std::vector<std::unique_ptr<Remeshing<T, D>>> remeshings_;
   NeighbourSearch<T, D> search_;
-  KeptGraph<D> step_graph_, listed_step_graph_, search_graph_;
-  KeptGraph<D> ghost_graph_, departure_graph_, arrival_graph_, stress_graph_;
+  CachedGraph<D> step_graph_, listed_step_graph_, search_graph_;
+  CachedGraph<D> ghost_graph_, source_graph_, target_graph_, stress_graph_;
   scheduler::StepGraph* present_graph_ = nullptr;  ///< one of the first two
   std::vector<bool> listed_;                       ///< [body] as the second was made for
   scheduler::StepTotals totals_;

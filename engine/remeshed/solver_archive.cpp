@@ -5,8 +5,8 @@
 #include <numeric>
 #include <type_traits>
 
-#include "engine/body/archived_points.hpp"
-#include "engine/remeshed/ghost_fits.hpp"
+#include "engine/method/archived_points.hpp"
+#include "engine/remeshed/ghosts/ghost_fits.hpp"
 
 namespace pliant {
 
@@ -122,7 +122,7 @@ void get_ghosts(const ArchiveReader& archive, const std::string& group,
   const auto next = [&] { return static_cast<std::int32_t>(*pack++); };
   for (std::size_t b = 0; b < population.ghosts.size(); ++b) {
     BlockGhosts<T, D>& ghosts = population.ghosts[b];
-    ghosts.touches.clear();
+    ghosts.contact_points.clear();
     ghosts.reached_count = reached[b];
     ghosts.packs.resize(*pack++);
     ghosts.first_record = next();
@@ -152,12 +152,12 @@ void put_solver(ArchiveWriter& archive, remeshed::Solver<T, D>& solver) {
   put_offsets<D>(archive, state.boundaries.walls);
   put_points<D>(archive, "walls/impulse", state.wall_impulse);
   put_points<D>(archive, "contacts/impulse", state.contact_impulse);
-  std::vector<double> books;
-  for (const remeshed::Book<D>& book : state.books) {
-    books.push_back(book.mass);
-    books.insert(books.end(), book.momentum.begin(), book.momentum.end());
+  std::vector<double> momentum_budgets;
+  for (const remeshed::MomentumBudget<D>& book : state.momentum_budgets) {
+    momentum_budgets.push_back(book.mass);
+    momentum_budgets.insert(momentum_budgets.end(), book.momentum.begin(), book.momentum.end());
   }
-  archive.put("books", std::span<const double>(books));
+  archive.put("momentum_budgets", std::span<const double>(momentum_budgets));
   for (std::size_t b = 0; b < state.bodies.size(); ++b) {
     Body<T, D>& body = state.bodies[b];
     const std::string group = fmt::format("body/{}", b);
@@ -188,10 +188,11 @@ void get_solver(const ArchiveReader& archive, remeshed::Solver<T, D>& solver) {
   get_offsets<D>(archive, state.boundaries.walls);
   get_points<D>(archive, "walls/impulse", state.wall_impulse);
   get_points<D>(archive, "contacts/impulse", state.contact_impulse);
-  const auto books = archive.get<double>("books");
-  for (std::size_t b = 0; b < state.books.size(); ++b) {
-    state.books[b].mass = books.at((D + 1) * b);
-    for (int a = 0; a < D; ++a) state.books[b].momentum[a] = books.at((D + 1) * b + a + 1);
+  const auto momentum_budgets = archive.get<double>("momentum_budgets");
+  for (std::size_t b = 0; b < state.momentum_budgets.size(); ++b) {
+    state.momentum_budgets[b].mass = momentum_budgets.at((D + 1) * b);
+    for (int a = 0; a < D; ++a)
+      state.momentum_budgets[b].momentum[a] = momentum_budgets.at((D + 1) * b + a + 1);
   }
   for (std::size_t b = 0; b < state.bodies.size(); ++b) {
     Body<T, D>& body = state.bodies[b];
@@ -212,7 +213,7 @@ void get_solver(const ArchiveReader& archive, remeshed::Solver<T, D>& solver) {
       remeshed::find_pack_states<T, D>(population, segment);
     }
     get_ghosts<T, D>(archive, group + "/ghosts", population);
-    solver.remeshing(static_cast<int>(b)).adopt_restored();
+    solver.remeshing(static_cast<int>(b)).swap_in_restored();
   }
   solver.restored();
 }

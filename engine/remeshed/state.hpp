@@ -3,11 +3,11 @@
 #include <cstdint>
 #include <vector>
 
-#include "engine/body/numbering.hpp"
-#include "engine/body/walls.hpp"
+#include "engine/blocks/numbering.hpp"
+#include "engine/boundaries/walls.hpp"
 #include "engine/case/case.hpp"
+#include "engine/method/step_clock.hpp"
 #include "engine/remeshed/body.hpp"
-#include "engine/step_clock.hpp"
 
 namespace pliant::remeshed {
 
@@ -21,7 +21,7 @@ struct Clock : StepClock {
 
 /// What a body in contact holds to, see body_momentum.hpp.
 template <int D>
-struct Book {
+struct MomentumBudget {
   double mass = 0;         ///< at t = 0 [kg]
   Point<D> momentum = {};  ///< [N s]
 };
@@ -33,7 +33,8 @@ struct State {
   std::vector<Point<D>> wall_impulse;  ///< [wall] of contact walls on the bodies, since t = 0 [N s]
   std::vector<Point<D>> contact_impulse;  ///< [contact] on its second body, since t = 0 [N s]
   std::vector<Body<T, D>> bodies;
-  std::vector<Book<D>> books;  ///< [body], or none without contacts between bodies
+  std::vector<MomentumBudget<D>>
+      momentum_budgets;  ///< [body], or none without contacts between bodies
   std::vector<BlockOwner> blocks;
 
   /// The body of a block, and the block's number in it.

@@ -2,13 +2,13 @@
 
 #include <algorithm>
 
-#include "engine/remeshed/contact.hpp"
+#include "engine/remeshed/contact/wall_contact.hpp"
+#include "engine/remeshed/ghosts/surface_records.hpp"
 #include "engine/remeshed/images.hpp"
 #include "engine/remeshed/pair_stress.hpp"
 #include "engine/remeshed/resources.hpp"
 #include "engine/remeshed/runge_kutta.hpp"
 #include "engine/remeshed/setup.hpp"
-#include "engine/remeshed/surface_records.hpp"
 
 // A step of the remeshed Lagrangian particle method (H&K, sections 2 and 4).
 //

@@ -3,9 +3,9 @@
 #include <array>
 #include <vector>
 
-#include "engine/remeshed/body_contact.hpp"
-#include "engine/remeshed/body_momentum.hpp"
-#include "engine/remeshed/ghost_fill.hpp"
+#include "engine/remeshed/contact/body_contact.hpp"
+#include "engine/remeshed/contact/momentum_correction.hpp"
+#include "engine/remeshed/ghosts/ghost_fill.hpp"
 #include "engine/remeshed/particle_update.hpp"
 #include "engine/remeshed/state.hpp"
 #include "kernels/table.hpp"
@@ -26,7 +26,7 @@ class Step {
   std::vector<scheduler::Phase> ghost_phases();
   /// Those that compute the stress of a state that no stage has left behind.
   std::vector<scheduler::Phase> stress_phases();
-  BodyMomentum<T, D>& momentum() { return momentum_; }
+  MomentumCorrection<T, D>& momentum() { return momentum_; }
 
   /// Fixes the time step [s] and what the boundaries impose at each stage.
   void prepare(double time_step);
@@ -64,7 +64,7 @@ class Step {
   const kernels::Table<T, D>& kernels_;
   ParticleUpdate<T, D> particles_;
   BodyContact<T, D> contact_;
-  BodyMomentum<T, D> momentum_;
+  MomentumCorrection<T, D> momentum_;
   double time_step_ = 0;
   std::array<BoundaryValues<D>, 4> boundary_values_;  ///< [stage]
   std::vector<kernels::StageResult> results_;         ///< [block]

@@ -30,20 +30,20 @@ struct Facet {
 };
 
 /// A facet that carries a pressure on some of its area.
-struct Load {
+struct FacetLoad {
   int facet;
   double share;
 };
 
 /// The surface inside one cell as far as a pressure acts on it.
-struct Patch {
+struct SurfacePatch {
   int first_load, load_count;
   int pressure;
 };
 
 /// A particle that a wall holds.
 template <int D>
-struct Held {
+struct ConstrainedParticle {
   std::int32_t slot;
   std::int32_t wall;
   Point<D> normal;  ///< of a slip wall, out of it; zero where the particle sticks
@@ -51,7 +51,7 @@ struct Held {
 
 /// What patches do to the particles of a block: particle `slot[i]` takes `weight[k]` of the force
 /// on patch `patch[k]` for k from begin[i] to begin[i + 1].
-struct Pushes {
+struct NodalLoads {
   std::vector<std::int32_t> slot, begin = {0}, patch;
   std::vector<double> weight;
 };
@@ -73,12 +73,12 @@ struct Body {
   std::array<Buffer<T>, D> displacement, velocity, internal, traction;
   std::array<std::array<Buffer<T>, kernels::cell_modes<D>>, D> force;
   std::vector<Facet<D>> facets;
-  std::vector<Load> loads;
-  std::vector<Patch> patches;
-  std::vector<int> first_patch;            ///< [block + 1]
-  std::vector<Point<D>> patch_force;       ///< [patch] [N]
-  std::vector<std::vector<Held<D>>> held;  ///< [block]
-  std::vector<Pushes> pushes;              ///< [block]
+  std::vector<FacetLoad> loads;
+  std::vector<SurfacePatch> patches;
+  std::vector<int> first_patch;                           ///< [block + 1]
+  std::vector<Point<D>> patch_force;                      ///< [patch] [N]
+  std::vector<std::vector<ConstrainedParticle<D>>> held;  ///< [block]
+  std::vector<NodalLoads> nodal_loads;                    ///< [block]
 
   std::array<const T*, D> displacement_view() const {
     std::array<const T*, D> view;

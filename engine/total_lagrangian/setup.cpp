@@ -1,5 +1,5 @@
 #include "engine/total_lagrangian/setup.hpp"
-#include "engine/body/initial_velocity.hpp"
+#include "engine/method/initial_velocity.hpp"
 
 #include <fmt/format.h>
 

@@ -6,7 +6,7 @@
 #include <chrono>
 #include <cmath>
 
-#include "engine/step_failure.hpp"
+#include "engine/method/step_failure.hpp"
 #include "engine/total_lagrangian/setup.hpp"
 
 namespace pliant::total_lagrangian {

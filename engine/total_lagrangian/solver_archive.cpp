@@ -2,7 +2,7 @@
 
 #include <fmt/format.h>
 
-#include "engine/body/archived_points.hpp"
+#include "engine/method/archived_points.hpp"
 
 namespace pliant {
 

@@ -3,9 +3,9 @@
 #include <cstdint>
 #include <vector>
 
-#include "engine/body/numbering.hpp"
-#include "engine/body/walls.hpp"
-#include "engine/step_clock.hpp"
+#include "engine/blocks/numbering.hpp"
+#include "engine/boundaries/walls.hpp"
+#include "engine/method/step_clock.hpp"
 #include "engine/total_lagrangian/body.hpp"
 
 namespace pliant::total_lagrangian {

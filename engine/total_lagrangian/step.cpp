@@ -55,9 +55,9 @@ std::vector<Phase> Step<T, D>::phases() {
   std::vector<Phase> phases;
   if (!state_.boundaries.pressures.empty()) {
     phases.push_back(each("pressure", {{displacement, Reach::neighbours}}, {{patch_forces}},
-                          &Step::push_patches));
+                          &Step::sum_patch_loads));
     phases.push_back(each("traction", {{patch_forces, Reach::neighbours}}, {{tractions}},
-                          &Step::push_particles));
+                          &Step::distribute_patch_loads));
   }
   phases.push_back(each("stress", {{displacement, Reach::neighbours}},
                         {{internal_forces}, {results}}, &Step::evaluate_stress));
@@ -98,10 +98,10 @@ StepResult Step<T, D>::fold() const {
 }
 
 template <class T, int D>
-void Step<T, D>::push_patches(int block) {
+void Step<T, D>::sum_patch_loads(int block) {
   const auto [body, local] = owner(block);
   for (int i = body.first_patch[local]; i < body.first_patch[local + 1]; ++i) {
-    const Patch& patch = body.patches[i];
+    const SurfacePatch& patch = body.patches[i];
     Point<D> area = {};
     for (int k = patch.first_load; k < patch.first_load + patch.load_count; ++k) {
       const Point<D> whole = area_vector(body, body.facets[body.loads[k].facet]);
@@ -112,15 +112,16 @@ void Step<T, D>::push_patches(int block) {
 }
 
 template <class T, int D>
-void Step<T, D>::push_particles(int block) {
+void Step<T, D>::distribute_patch_loads(int block) {
   const auto [body, local] = owner(block);
-  const Pushes& pushes = body.pushes[local];
-  for (std::size_t i = 0; i < pushes.slot.size(); ++i) {
+  const NodalLoads& nodal_loads = body.nodal_loads[local];
+  for (std::size_t i = 0; i < nodal_loads.slot.size(); ++i) {
     Point<D> sum = {};
-    for (std::int32_t k = pushes.begin[i]; k < pushes.begin[i + 1]; ++k) {
-      for (int a = 0; a < D; ++a) sum[a] += pushes.weight[k] * body.patch_force[pushes.patch[k]][a];
+    for (std::int32_t k = nodal_loads.begin[i]; k < nodal_loads.begin[i + 1]; ++k) {
+      for (int a = 0; a < D; ++a)
+        sum[a] += nodal_loads.weight[k] * body.patch_force[nodal_loads.patch[k]][a];
     }
-    for (int a = 0; a < D; ++a) body.traction[a][pushes.slot[i]] = sum[a];
+    for (int a = 0; a < D; ++a) body.traction[a][nodal_loads.slot[i]] = sum[a];
   }
 }
 
@@ -170,7 +171,7 @@ void Step<T, D>::move(int block) {
 // last has the last word.
 template <class T, int D>
 void Step<T, D>::hold(Body<T, D>& body, int local) {
-  for (const Held<D>& held : body.held[local]) {
+  for (const ConstrainedParticle<D>& held : body.held[local]) {
     Point<D> excess;
     double along = 0, slips = 0;
     for (int a = 0; a < D; ++a) {

@@ -35,8 +35,8 @@ class Step {
   StepResult fold() const;
 
  private:
-  void push_patches(int block);
-  void push_particles(int block);
+  void sum_patch_loads(int block);
+  void distribute_patch_loads(int block);
   void evaluate_stress(int block);
   void move(int block);
   void hold(Body<T, D>& body, int local);

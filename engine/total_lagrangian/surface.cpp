@@ -97,9 +97,9 @@ class SurfaceMaker {
 
   // Which particles the patches push.
   void share_out() {
-    body_.pushes.assign(body_.layout.blocks().size(), {});
-    for (std::size_t b = 0; b < body_.pushes.size(); ++b) {
-      Pushes& to = body_.pushes[b];
+    body_.nodal_loads.assign(body_.layout.blocks().size(), {});
+    for (std::size_t b = 0; b < body_.nodal_loads.size(); ++b) {
+      NodalLoads& to = body_.nodal_loads[b];
       body_.layout.for_each_slot(body_.layout.blocks()[b], [&](std::int64_t p, const Cell<D>&) {
         if (pushes_[p].empty()) return;
         to.slot.push_back(static_cast<std::int32_t>(p));

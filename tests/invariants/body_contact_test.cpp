@@ -1,7 +1,7 @@
 #include <gtest/gtest.h>
 
-#include "engine/remeshed/body_momentum.hpp"
-#include "engine/remeshed/measure.hpp"
+#include "engine/remeshed/contact/momentum_correction.hpp"
+#include "engine/remeshed/observe/measure.hpp"
 #include "tests/invariants/sample_runs.hpp"
 
 // Bodies that meet: what crosses between them, and what does not.
@@ -30,7 +30,7 @@ const std::string bodies =
 double momentum(Solver& solver, int axis) { return Measurer(solver).totals().momentum[axis]; }
 
 double momentum_of(Solver& solver, int body, int axis) {
-  return remeshed::book_momentum<double, 2>(solver.state(), body)[axis];
+  return remeshed::budget_momentum<double, 2>(solver.state(), body)[axis];
 }
 
 TEST(body_contact, keeps_the_momentum_of_all_bodies_to_rounding) {

@@ -1,6 +1,6 @@
 #include <gtest/gtest.h>
 
-#include "engine/remeshed/measure.hpp"
+#include "engine/remeshed/observe/measure.hpp"
 #include "engine/remeshed/solver_archive.hpp"
 #include "tests/engine/output/temporary_folder.hpp"
 #include "tests/invariants/sample_runs.hpp"

@@ -2,7 +2,7 @@
 
 #include <numeric>
 
-#include "engine/remeshed/integrals.hpp"
+#include "engine/remeshed/observe/integrals.hpp"
 #include "tests/engine/remeshed/small_case.hpp"
 
 namespace pliant::test {

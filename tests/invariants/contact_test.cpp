@@ -4,8 +4,8 @@
 #include <cmath>
 #include <numeric>
 
-#include "engine/remeshed/frame.hpp"
-#include "engine/remeshed/measure.hpp"
+#include "engine/remeshed/observe/frame.hpp"
+#include "engine/remeshed/observe/measure.hpp"
 #include "tests/invariants/sample_runs.hpp"
 
 // A disc that bounces off a wall.

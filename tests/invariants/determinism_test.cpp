@@ -1,6 +1,6 @@
 #include <gtest/gtest.h>
 
-#include "engine/remeshed/measure.hpp"
+#include "engine/remeshed/observe/measure.hpp"
 #include "engine/remeshed/resources.hpp"
 #include "tests/invariants/sample_runs.hpp"
 
@@ -90,10 +90,10 @@ TEST_P(Determinism, any_legal_order_of_a_remeshing_gives_the_same_bits) {
   add_body(first, {body, body.spare, body.stage[1]}, Slots::all);
   for (std::uint64_t seed = 0; seed < 5; ++seed) {
     auto departure = graph_over(body.population.layout,
-                                [&](auto& phases) { remeshing.departure_phases(phases, 0); });
+                                [&](auto& phases) { remeshing.source_phases(phases, 0); });
     run(departure, solver, seed);
     auto arrival = graph_over(body.spare.layout,
-                              [&](auto& phases) { remeshing.arrival_phases(phases, 0, true); });
+                              [&](auto& phases) { remeshing.target_phases(phases, 0, true); });
     run(arrival, solver, seed);
     Snapshot end;
     add_body(end, {body, body.spare, body.stage[1]}, Slots::all);

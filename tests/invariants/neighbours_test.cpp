@@ -1,6 +1,6 @@
 #include <gtest/gtest.h>
 
-#include "tests/engine/remeshed/neighbourhood.hpp"
+#include "tests/engine/remeshed/neighbours/neighbourhood.hpp"
 #include "tests/invariants/sample_runs.hpp"
 
 // No particle loses a neighbour, however much it strains between remeshings.

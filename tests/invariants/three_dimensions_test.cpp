@@ -4,8 +4,8 @@
 #include <cmath>
 #include <numbers>
 
-#include "engine/remeshed/body_momentum.hpp"
-#include "engine/remeshed/measure.hpp"
+#include "engine/remeshed/contact/momentum_correction.hpp"
+#include "engine/remeshed/observe/measure.hpp"
 #include "engine/simulation/run.hpp"
 #include "tests/engine/case/written_case.hpp"
 #include "tests/engine/output/file_content.hpp"
@@ -26,7 +26,7 @@ TEST(three_dimensions, a_ball_gives_a_block_what_it_loses) {
   advance_until(solver, 0.2);
   const Vector end = measurer.totals().momentum;
   for (int a = 0; a < 3; ++a) EXPECT_NEAR(end[a], start[a], 1e-12 * std::abs(start[1]));
-  EXPECT_LT((remeshed::book_momentum<double, 3>(solver.state(), 1)[1]), 0.2 * start[1]);
+  EXPECT_LT((remeshed::budget_momentum<double, 3>(solver.state(), 1)[1]), 0.2 * start[1]);
 }
 
 constexpr const char* ball = R"(
@@ -116,7 +116,7 @@ TEST(three_dimensions, corners_that_the_stencil_leaves_out_are_listed) {
       const Point<3> x = body.lattice.node(cell);
       const double along = x[0] * direction[0] + x[1] * direction[1] + x[2] * direction[2];
       for (int a = 0; a < 3; ++a) {
-        body.stage[0].get(Field::displacement, a)[p] = -0.2 * along * direction[a];
+        body.stage[0].get(Field::drift, a)[p] = -0.2 * along * direction[a];
       }
     });
   }

@@ -18,7 +18,7 @@ struct Body {
     material.coefficient = {T(10), T(4), T(2), 0, 0};
     material.compressibility = T(0.025);
     State<T, D>& state = states[0];
-    jitter(state.displacement, T(0.1) * spacing, 1);
+    jitter(state.drift, T(0.1) * spacing, 1);
     jitter(state.velocity, T(0.5), 2);
     std::mt19937 random(3);
     std::uniform_real_distribution<T> small(T(-0.05), T(0.05));

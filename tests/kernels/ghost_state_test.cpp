@@ -145,15 +145,17 @@ TEST(ghost_state, a_wall_pushes_against_the_traction_and_only_a_sticking_one_alo
   const Impedance<double> impedance(material);
   const VectorOf<double, 2> floor = {0, 1};
   const UniformFits at_rest(-3, 0.5, 0);
-  const auto sliding = wall_push<double, 2>(at_rest.fits(), {0, 0}, floor, true, impedance);
+  const auto sliding =
+      wall_force_density<double, 2>(at_rest.fits(), {0, 0}, floor, true, impedance);
   EXPECT_DOUBLE_EQ(sliding[0], 0);
   EXPECT_DOUBLE_EQ(sliding[1], 3);
-  const auto sticking = wall_push<double, 2>(at_rest.fits(), {0, 0}, floor, false, impedance);
+  const auto sticking =
+      wall_force_density<double, 2>(at_rest.fits(), {0, 0}, floor, false, impedance);
   EXPECT_DOUBLE_EQ(sticking[0], -0.5);
   EXPECT_DOUBLE_EQ(sticking[1], 3);
   // Stress-free material that meets a wall at speed w answers with rho c w.
   const auto hit =
-      wall_push<double, 2>(UniformFits(0, 0, -2).fits(), {0, 0}, floor, true, impedance);
+      wall_force_density<double, 2>(UniformFits(0, 0, -2).fits(), {0, 0}, floor, true, impedance);
   EXPECT_DOUBLE_EQ(hit[1], 2 * impedance.pressure_wave);
 }
 

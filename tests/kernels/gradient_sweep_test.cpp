@@ -12,7 +12,7 @@ template <Weight weight, template <class, int, int> class Sums, class P, int D, 
                                                  const std::int64_t* neighbour_row,
                                                  std::int64_t slot, Scalar<P> spacing,
                                                  Sums<P, D, F>& sums) {
-  const Separation<weight, P, D> separation(fields.displacement, slot, spacing);
+  const Separation<weight, P, D> separation(fields.drift, slot, spacing);
   const Differences<P, F> differences(fields.field, slot);
   visit_stencil<weight, P, D>(
       neighbour_row,
@@ -29,7 +29,7 @@ template <Weight weight, template <class, int, int> class Sums, class P, int D, 
 [[gnu::always_inline]] inline void sweep_list(const SweepFields<Scalar<P>, D, F>& fields,
                                               const NeighbourLists<D>& lists, std::int64_t slot,
                                               Scalar<P> spacing, Sums<P, D, F>& sums) {
-  const Separation<weight, P, D> separation(fields.displacement, slot, spacing);
+  const Separation<weight, P, D> separation(fields.drift, slot, spacing);
   const Differences<P, F> differences(fields.field, slot);
   visit_list<P, D>(
       lists, slot, [&](const P(&offset)[D], const auto& neighbour) __attribute__((always_inline)) {
@@ -47,11 +47,11 @@ class LinearField {
 
  public:
   LinearField() : patch_(cells(), T(0.05)), state_(patch_.slots), field_(patch_.slots, T(0)) {
-    jitter(state_.displacement, T(0.15) * patch_.spacing);
+    jitter(state_.drift, T(0.15) * patch_.spacing);
     patch_.for_each([&](std::int64_t s, const auto& cell) {
       const auto x = patch_.node(cell);
       double value = 0;
-      for (int i = 0; i < D; ++i) value += slope[i] * (x[i] + state_.displacement[i][s]);
+      for (int i = 0; i < D; ++i) value += slope[i] * (x[i] + state_.drift[i][s]);
       field_[s] = static_cast<T>(value);
     });
   }
@@ -89,7 +89,7 @@ class LinearField {
   template <class Sweep>
   double error(const Sweep& sweep) {
     SweepFields<T, D, 1> fields;
-    for (int i = 0; i < D; ++i) fields.displacement[i] = state_.displacement[i].data();
+    for (int i = 0; i < D; ++i) fields.drift[i] = state_.drift[i].data();
     fields.field[0] = field_.data();
     double worst = 0;
     for (const Segment<D>& segment : patch_.segments) {

@@ -39,7 +39,7 @@ Values<T> steps(const Table<T, D>& kernels, Model model, Weight weight) {
     values.push_back(static_cast<T>(result.wave_speed));
   }
   for (const auto& state : body.states) {
-    append(values, state.displacement);
+    append(values, state.drift);
     append(values, state.velocity);
     append(values, std::array{state.volume});
     append(values, state.material);
@@ -65,8 +65,8 @@ Values<T> surface(const Table<T, D>& kernels, Model model, Weight) {
   Values<T> records(packs.size() * chosen * record_width<D>);
   kernels.write_surface_records({segments.data(), packs.data(), static_cast<int>(packs.size()),
                                  body.patch.spacing, body.material, body.mass.data(),
-                                 state.displacement[0].data(), state.evolving(),
-                                 state.stress_fields(), records.data()});
+                                 state.drift[0].data(), state.evolving(), state.stress_fields(),
+                                 records.data()});
   const RandomGhosts<T, D> ghosts;
   Values<T> sums(ghosts.ghosts * 3 * record_width<D>);
   kernels.sum_ghosts(ghosts.sums(0, ghosts.ghosts, sums.data()));
@@ -84,7 +84,7 @@ Values<T> remeshing(const Table<T, D>& kernels, Model model, Weight) {
                           body.patch.kind.data(),
                           10,
                           {},
-                          carried_components<D>(model),
+                          material_component_count<D>(model),
                           body.mass.data(),
                           state.volume.data(),
                           state.evolving().velocity,

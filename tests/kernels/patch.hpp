@@ -112,7 +112,7 @@ class Patch {
 template <class T, int D>
 struct State {
   explicit State(std::int64_t slots) : volume(slots, T(1)) {
-    for (auto* fields : {&displacement, &velocity}) {
+    for (auto* fields : {&drift, &velocity}) {
       for (auto& field : *fields) field.assign(slots, T(0));
     }
     for (auto& field : material) field.assign(slots, T(0));
@@ -133,7 +133,7 @@ struct State {
     return fields;
   }
 
-  std::array<Field<T>, D> displacement, velocity;
+  std::array<Field<T>, D> drift, velocity;
   Field<T> volume;
   std::array<Field<T>, material_components<D>> material;
   std::array<Field<T>, symmetric_components<D>> stress;
@@ -143,7 +143,7 @@ struct State {
   static Evolving<U, D> view(Self& self) {
     Evolving<U, D> q{};
     for (int i = 0; i < D; ++i) {
-      q.displacement[i] = self.displacement[i].data();
+      q.drift[i] = self.drift[i].data();
       q.velocity[i] = self.velocity[i].data();
     }
     q.volume = self.volume.data();
@@ -154,10 +154,10 @@ struct State {
 
 /// Moves every slot's particle by up to `amount` in every direction.
 template <class T, std::size_t D>
-void jitter(std::array<Field<T>, D>& displacement, T amount, unsigned seed = 1) {
+void jitter(std::array<Field<T>, D>& drift, T amount, unsigned seed = 1) {
   std::mt19937 random(seed);
   std::uniform_real_distribution<T> shift(-amount, amount);
-  for (auto& field : displacement) {
+  for (auto& field : drift) {
     for (T& xi : field) xi = shift(random);
   }
 }

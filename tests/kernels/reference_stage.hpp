@@ -51,7 +51,7 @@ Column<D> vector_at(const std::array<Field<T>, D>& fields, std::int64_t slot) {
 
 template <int D>
 struct Rates {
-  Column<D> displacement, velocity;
+  Column<D> drift, velocity;
   double volume;
   Matrix<D> material;
   double strain_rate;
@@ -104,7 +104,7 @@ Rates<D> reference_rates(const Body<T, D>& body, const State<T, D>& q, const Seg
       for (int dx = -reach; dx <= reach; ++dx) {
         const int cells[3] = {dx, dy, dz};
         const std::int64_t n = p + segment.neighbour_row[row_index<D>(dy, dz)] + dx;
-        Column<D> d = vector_at<T, D>(q.displacement, n) - vector_at<T, D>(q.displacement, p);
+        Column<D> d = vector_at<T, D>(q.drift, n) - vector_at<T, D>(q.drift, p);
         for (int i = 0; i < D; ++i) d[i] += cells[i] * h;
         const double w = reference_weight(body.weight, d.norm() / h);
         moment += w * d * d.transpose();

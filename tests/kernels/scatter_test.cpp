@@ -18,12 +18,12 @@ template <class T, int D>
 struct Tile {
   explicit Tile(Model model) : body(small_box<T, D>(), T(0.1), model) {
     State<T, D>& state = body.states[0];
-    jitter(state.displacement, T(1.4) * body.patch.spacing, 7);
+    jitter(state.drift, T(1.4) * body.patch.spacing, 7);
     jitter(carried, T(0.3), 8);
     std::mt19937 random(9);
     std::uniform_real_distribution<T> value(-1, 1);
     for (T& phi : level_set) phi = value(random);
-    components = carried_components<D>(model);
+    components = material_component_count<D>(model);
     width = node_width_for<D>(components);
     constexpr int margin = 3;
     lower.fill(-margin);
@@ -65,7 +65,7 @@ struct Tile {
     r[Value::level_set] = level_set[p];
     for (int i = 0; i < D; ++i) {
       r[Value::momentum + i] = m * q.velocity[i][p];
-      r[Value::carried + i] = v * (double(carried[i][p]) + q.displacement[i][p]);
+      r[Value::carried + i] = v * (double(carried[i][p]) + q.drift[i][p]);
     }
     for (int c = 0; c < components; ++c) r[Value::material + c] = v * q.material[c][p];
     return r;
@@ -141,7 +141,7 @@ TYPED_TEST(scatter, agrees_with_a_plain_sum_over_particles) {
       tile.body.patch.for_each_interior([&](std::int64_t p, const auto& from) {
         double weight = 1;
         for (int i = 0; i < D; ++i) {
-          const double x = from[i] + tile.shift[i] + tile.body.states[0].displacement[i][p] / h;
+          const double x = from[i] + tile.shift[i] + tile.body.states[0].drift[i][p] / h;
           weight *= kernel(x - cell[i]);
         }
         if (weight == 0) return;

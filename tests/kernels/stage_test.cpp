@@ -40,7 +40,7 @@ double worst_rate_error(Body<T, D>& body, const NeighbourLists<D>* lists) {
     const Rates<D> rates = reference_rates(body, start, segment_of(body.patch, p), p);
     const State<T, D>& next = body.states[1];
     for (int i = 0; i < D; ++i) {
-      compare(next.displacement[i][p], start.displacement[i][p], rates.displacement[i], 1);
+      compare(next.drift[i][p], start.drift[i][p], rates.drift[i], 1);
       compare(next.velocity[i][p], start.velocity[i][p], rates.velocity[i], 10);
       for (int j = deformation ? 0 : i; j < D; ++j) {
         const int c = deformation ? i * D + j : symmetric_index<D>(i, j);
@@ -135,7 +135,7 @@ TYPED_TEST(stage, particles_that_are_not_interior_only_move_along) {
     EXPECT_EQ(next.volume[p], start.volume[p]);
     for (int i = 0; i < D; ++i) {
       EXPECT_EQ(next.velocity[i][p], start.velocity[i][p]);
-      EXPECT_NEAR(next.displacement[i][p], start.displacement[i][p] + dt * start.velocity[i][p],
+      EXPECT_NEAR(next.drift[i][p], start.drift[i][p] + dt * start.velocity[i][p],
                   4 * std::numeric_limits<T>::epsilon());
     }
     for (int c = 0; c < material_components<D>; ++c) {
@@ -153,7 +153,7 @@ TYPED_TEST(stage, vacant_and_padding_slots_stay_finite) {
     body.patch.for_each([&](std::int64_t p, const auto& cell) {
       // Beyond one layer of ghosts everything is vacant, and one ghost is in an impossible state.
       if (body.patch.interior[p] != 0 || cell[0] == 2) return;
-      for (int i = 0; i < D; ++i) state.displacement[i][p] = state.velocity[i][p] = 0;
+      for (int i = 0; i < D; ++i) state.drift[i][p] = state.velocity[i][p] = 0;
       const bool ghost = cell[0] == 1;
       for (int c = 0; c < material_components<D>; ++c) state.material[c][p] = ghost ? T(-1) : T(0);
     });
@@ -165,7 +165,7 @@ TYPED_TEST(stage, vacant_and_padding_slots_stay_finite) {
           for (const T value : field) ASSERT_TRUE(std::isfinite(value));
         }
       };
-      expect_finite(q.displacement);
+      expect_finite(q.drift);
       expect_finite(q.velocity);
       expect_finite(q.material);
       expect_finite(q.stress);

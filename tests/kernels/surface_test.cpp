@@ -45,7 +45,7 @@ TYPED_TEST(surface, records_hold_velocity_stress_normal_and_pressure) {
     body.patch.for_each([&](std::int64_t p, const auto& cell) {
       const auto x = body.patch.node(cell);
       double phi = 0;
-      for (int i = 0; i < D; ++i) phi += slope[i] * (x[i] + state.displacement[i][p]);
+      for (int i = 0; i < D; ++i) phi += slope[i] * (x[i] + state.drift[i][p]);
       level_set[p] = static_cast<T>(phi);
     });
     std::vector<std::int64_t> slots;

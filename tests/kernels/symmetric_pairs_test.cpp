@@ -35,7 +35,7 @@ struct SphBody : Body<T, D> {
 
   Column<D> place(std::int64_t p, const std::array<std::int32_t, D>& cell) const {
     const auto node = this->patch.node(cell);
-    Column<D> x = vector_at<T, D>(this->states[0].displacement, p);
+    Column<D> x = vector_at<T, D>(this->states[0].drift, p);
     for (int i = 0; i < D; ++i) x[i] += node[i];
     return x;
   }

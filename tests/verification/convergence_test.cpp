@@ -3,8 +3,8 @@
 
 #include <numbers>
 
-#include "engine/remeshed/integrals.hpp"
-#include "engine/remeshed/measure.hpp"
+#include "engine/remeshed/observe/integrals.hpp"
+#include "engine/remeshed/observe/measure.hpp"
 #include "tests/engine/remeshed/snapshot.hpp"
 
 // Orders of convergence and conserved quantities of whole runs.

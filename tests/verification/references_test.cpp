@@ -3,7 +3,7 @@
 #include <fstream>
 #include <sstream>
 
-#include "engine/remeshed/measure.hpp"
+#include "engine/remeshed/observe/measure.hpp"
 #include "tests/engine/remeshed/small_case.hpp"
 
 // Cases against the independent computations in their folders.

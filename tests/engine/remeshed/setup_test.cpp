@@ -1,5 +1,5 @@
 #include "engine/remeshed/setup.hpp"
-#include "engine/body/initial_velocity.hpp"
+#include "engine/method/initial_velocity.hpp"
 
 #include <gtest/gtest.h>
 

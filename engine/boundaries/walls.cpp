@@ -1,0 +1,97 @@
+#include "engine/boundaries/walls.hpp"
+
+#include <algorithm>
+#include <limits>
+
+#include "engine/geometry/padded.hpp"
+#include "engine/geometry/signed_distance.hpp"
+
+namespace pliant {
+
+template <int D>
+Wall<D>::Wall(const BoundaryCase& boundary)
+    : shape_(boundary.geometry),
+      velocity_(boundary.velocity),
+      slips_(boundary.kind == BoundaryCase::Kind::slip_wall ||
+             (boundary.kind == BoundaryCase::Kind::contact_wall &&
+              boundary.friction == BoundaryCase::Friction::frictionless)),
+      bonded_(boundary.kind != BoundaryCase::Kind::contact_wall) {}
+
+template <int D>
+Vector Wall<D>::at_rest(const Point<D>& x) const {
+  Vector at = {};
+  for (int a = 0; a < D; ++a) at[a] = x[a] - offset_[a];
+  return at;
+}
+
+template <int D>
+double Wall<D>::distance(const Point<D>& x) const {
+  return signed_distance(shape_, at_rest(x), D);
+}
+
+template <int D>
+Point<D> Wall<D>::normal(const Point<D>& x) const {
+  const Vector out = outward_direction(shape_, at_rest(x), D);
+  Point<D> n;
+  for (int a = 0; a < D; ++a) n[a] = out[a];
+  return n;
+}
+
+template <int D>
+Point<D> Wall<D>::velocity(double t) const {
+  Point<D> u;
+  for (int a = 0; a < D; ++a) u[a] = velocity_[a](t);
+  return u;
+}
+
+template <int D>
+void Wall<D>::move(double t, double time_step) {
+  const Point<D> u0 = velocity(t), u1 = velocity(t + time_step / 2), u2 = velocity(t + time_step);
+  for (int a = 0; a < D; ++a) offset_[a] += time_step / 6 * (u0[a] + 4 * u1[a] + u2[a]);
+}
+
+template <int D>
+SurfacePressure<D>::SurfacePressure(const BoundaryCase& boundary)
+    : region_(boundary.geometry), pressure_(boundary.pressure) {}
+
+template <int D>
+bool SurfacePressure<D>::acts_at(const Point<D>& x) const {
+  return signed_distance(region_, padded<D>(x), D) < 0;
+}
+
+template <int D>
+Boundaries<D>::Boundaries(const std::vector<BoundaryCase>& cases) {
+  for (const BoundaryCase& boundary : cases) {
+    const bool is_wall = boundary.kind != BoundaryCase::Kind::pressure;
+    wall_of.push_back(is_wall ? static_cast<int>(walls.size()) : -1);
+    if (!is_wall) {
+      pressures.emplace_back(boundary);
+    } else {
+      walls.emplace_back(boundary);
+    }
+  }
+}
+
+template <int D>
+bool Boundaries<D>::have_contact() const {
+  return std::any_of(walls.begin(), walls.end(),
+                     [](const Wall<D>& wall) { return !wall.bonded(); });
+}
+
+template <int D>
+double Boundaries<D>::distance_to_sticking(const Point<D>& x) const {
+  double least = std::numeric_limits<double>::infinity();
+  for (const Wall<D>& wall : walls) {
+    if (wall.bonded() && !wall.slips()) least = std::min(least, wall.distance(x));
+  }
+  return least;
+}
+
+template class Wall<2>;
+template class Wall<3>;
+template class SurfacePressure<2>;
+template class SurfacePressure<3>;
+template struct Boundaries<2>;
+template struct Boundaries<3>;
+
+}  // namespace pliant

@@ -1,0 +1,36 @@
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <vector>
+
+#include "engine/blocks/numbering.hpp"
+#include "scheduler/step_graph.hpp"
+
+namespace pliant::remeshed {
+
+/// A step graph that is built when it is first asked for, and again only when blocks have come near
+/// each other that it does not know as neighbours, or bodies have other numbers of blocks. Those
+/// that are neighbours no longer do no harm: they only restrict the order of nodes.
+template <int D>
+class CachedGraph {
+ public:
+  using MakePhases = std::function<std::vector<scheduler::Phase>()>;
+
+  /// The graph of the phases over the blocks of `layouts`.
+  scheduler::StepGraph& over(const Layouts<D>& layouts, const MakePhases& make_phases);
+  /// For when the phases have become others.
+  void drop() { graph_.reset(); }
+
+ private:
+  bool has_counts(const Layouts<D>& layouts) const;
+  bool serves(const Layouts<D>& layouts) const;
+
+  std::unique_ptr<scheduler::StepGraph> graph_;
+  std::vector<std::size_t> block_counts_;  ///< [body] when it was built
+};
+
+extern template class CachedGraph<2>;
+extern template class CachedGraph<3>;
+
+}  // namespace pliant::remeshed

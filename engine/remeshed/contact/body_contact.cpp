@@ -1,0 +1,121 @@
+#include "engine/remeshed/contact/body_contact.hpp"
+
+#include <algorithm>
+
+#include "engine/remeshed/ghosts/fit_evaluator.hpp"
+#include "engine/remeshed/resources.hpp"
+#include "engine/remeshed/runge_kutta.hpp"
+#include "kernels/interface_traction.hpp"
+
+namespace pliant::remeshed {
+
+namespace {
+
+using scheduler::Phase;
+using scheduler::Reach;
+
+// (RP.65): time in which a gap or an overlap is to vanish [h/c]: shorter rings, longer lets bodies
+// sink in.
+constexpr double closing_time = 10;
+
+kernels::InterfaceKind converted(ContactCase::Kind kind) {
+  switch (kind) {
+    case ContactCase::Kind::frictionless:
+      return kernels::InterfaceKind::frictionless;
+    case ContactCase::Kind::sticking:
+      return kernels::InterfaceKind::sticking;
+    case ContactCase::Kind::bonded:
+      break;
+  }
+  return kernels::InterfaceKind::bonded;
+}
+
+}  // namespace
+
+template <class T, int D>
+BodyContact<T, D>::BodyContact(State<T, D>& state, const Case& settings,
+                               const kernels::Table<T, D>& kernels)
+    : state_(state),
+      contacts_(settings.contacts),
+      kernels_(kernels),
+      search_(state, settings.contacts) {}
+
+template <class T, int D>
+void BodyContact<T, D>::add_tractions(std::vector<Phase>& phases, int stage) {
+  phases.push_back({.name = "tractions",
+                    .stage = stage,
+                    .reads = {{resource::records, Reach::all}, {resource::contact_points}},
+                    .writes = {{resource::tractions}},
+                    .run = [this, stage](int block) { find_tractions(block, stage); }});
+}
+
+template <class T, int D>
+void BodyContact<T, D>::prepare(double time_step) {
+  time_step_ = time_step;
+  search_.prepare();
+  block_impulse_.assign(state_.blocks.size() * contacts_.size(), {});
+}
+
+template <class T, int D>
+const std::vector<Point<D>>& BodyContact<T, D>::fold() {
+  impulse_.assign(contacts_.size(), {});
+  for (std::size_t i = 0; i < block_impulse_.size(); ++i) {
+    for (int a = 0; a < D; ++a) impulse_[i % contacts_.size()][a] += block_impulse_[i][a];
+  }
+  return impulse_;
+}
+
+template <class T, int D>
+void BodyContact<T, D>::find_tractions(int block, int stage) {
+  const auto [owner, local] = state_.blocks[block];
+  const Body<T, D>& own = state_.bodies[owner];
+  BlockGhosts<T, D>& ghosts = state_.bodies[owner].population.ghosts[local];
+  ContactPoints<T, D>& contact_points = ghosts.contact_points;
+  for (std::size_t k = 0; k < contact_points.ghost.size(); ++k) {
+    const int c = contact_points.contact[k];
+    const bool is_first = contacts_[c].bodies[0] == owner;
+    const Body<T, D>& other = state_.bodies[contacts_[c].bodies[is_first ? 1 : 0]];
+    contact_points.traction[k] = traction(own, other, ghosts, k, contacts_[c].kind);
+    // On the second body, the mean of what the two sides say.
+    const double share = (is_first ? -0.5 : 0.5) * stage_weight[stage] * time_step_;
+    Point<D>& impulse = block_impulse_[block * contacts_.size() + c];
+    for (int a = 0; a < D; ++a)
+      impulse[a] += share * contact_points.area[k] * contact_points.traction[k][a];
+  }
+}
+
+template <class T, int D>
+std::array<T, D> BodyContact<T, D>::traction(const Body<T, D>& own, const Body<T, D>& other,
+                                             const BlockGhosts<T, D>& ghosts, std::size_t point,
+                                             ContactCase::Kind kind) const {
+  constexpr int width = kernels::record_width<D>;
+  const ContactPoints<T, D>& contact_points = ghosts.contact_points;
+  const std::int32_t g = contact_points.ghost[point];
+  FitEvaluator<T, D> present(own, ghosts, kernels_);
+  std::array<T, width> sum = {};
+  for (std::int64_t i = contact_points.begin[point]; i < contact_points.begin[point + 1]; ++i) {
+    const T* record =
+        other.records.get() + static_cast<std::int64_t>(contact_points.record[i]) * width;
+    for (int f = 0; f < width; ++f) sum[f] += contact_points.coefficient[i] * record[f];
+  }
+  // A bond asks nothing of the level sets: what they say at its ends would shake it.
+  const double speed = kind == ContactCase::Kind::bonded
+                           ? 0
+                           : std::min<double>(kernels::wave_speed_at_rest(own.material),
+                                              kernels::wave_speed_at_rest(other.material));
+  const kernels::GhostFits<T, D> fits = present.of(g);
+  const kernels::SurfaceLoad<T, D> load = kernels::interface_traction<T, D>(
+      {fits.surface, kernels::Impedance<T>(own.material)},
+      {{sum.data()}, kernels::Impedance<T>(other.material)},
+      kernels::unit_normal<T, D>(fits.linear),
+      static_cast<T>(contact_points.gap[point] * speed / (closing_time * own.lattice.spacing)),
+      converted(kind));
+  std::array<T, D> result;
+  for (int a = 0; a < D; ++a) result[a] = load.normal * load.n[a] + load.shear[a];
+  return result;
+}
+
+template class BodyContact<double, 2>;
+template class BodyContact<double, 3>;
+
+}  // namespace pliant::remeshed

@@ -1,0 +1,64 @@
+#pragma once
+
+#include <vector>
+
+#include "engine/remeshed/contact/contact_search.hpp"
+#include "engine/remeshed/state.hpp"
+#include "kernels/table.hpp"
+#include "scheduler/phase.hpp"
+
+// Bodies that meet.
+//
+//         body a         Ghosts of a body stay those of its own surface. Where the foot point of
+//         one
+//     \___________/      lies on another body too, the surface is not free there: it carries the
+//      g g x x g g       traction (RP.65) that two half spaces with the states of the two bodies at
+//         /-----\        that point would exert on each other at once (a Riemann problem), and
+//          body b        the ghost is that of a loaded surface, (RP.66).
+//
+// Nothing is shared but that traction: each body keeps its lattice, its level set and its
+// particles, remeshes by itself, and materials never mix. A bonded interface is the same without
+// the question whether the bodies press: ghosts that lie nearer to the other body are bonded to it.
+//
+// Each side finds the traction at its own foot points, and what each of them does to its particles
+// is right to the order of the method, not to rounding. The momentum that crosses is therefore
+// booked once for each pair, as the mean of what the two sides say, (RP.67), and each body holds to
+// its book: body_momentum.hpp.
+namespace pliant::remeshed {
+
+template <class T, int D>
+class BodyContact {
+ public:
+  BodyContact(State<T, D>& state, const Case& settings, const kernels::Table<T, D>& kernels);
+
+  bool is_needed() const { return !contacts_.empty(); }
+
+  /// Once per step: where bodies touch.
+  void add_search(std::vector<scheduler::Phase>& phases) { search_.add_phases(phases); }
+  /// Once per stage: the tractions there.
+  void add_tractions(std::vector<scheduler::Phase>& phases, int stage);
+
+  void prepare(double time_step);
+  /// (RP.67): impulse of each contact on the second of its bodies in the step [N s], folded over
+  /// the blocks in their order.
+  const std::vector<Point<D>>& fold();
+
+ private:
+  void find_tractions(int block, int stage);
+  std::array<T, D> traction(const Body<T, D>& own, const Body<T, D>& other,
+                            const BlockGhosts<T, D>& ghosts, std::size_t point,
+                            ContactCase::Kind kind) const;
+
+  State<T, D>& state_;
+  const std::vector<ContactCase>& contacts_;
+  const kernels::Table<T, D>& kernels_;
+  ContactSearch<T, D> search_;
+  double time_step_ = 0;
+  std::vector<Point<D>> block_impulse_;  ///< [block][contact] on the second body, of this step
+  std::vector<Point<D>> impulse_;        ///< [contact]
+};
+
+extern template class BodyContact<double, 2>;
+extern template class BodyContact<double, 3>;
+
+}  // namespace pliant::remeshed

@@ -1,0 +1,40 @@
+#pragma once
+
+#include <vector>
+
+#include "engine/remeshed/body.hpp"
+#include "engine/remeshed/contact/surface_samples.hpp"
+#include "engine/remeshed/ghosts/surface_fits.hpp"
+
+namespace pliant::remeshed {
+
+inline constexpr double contact_fit_radius = 2.6;  ///< [h] of fits, as that of ghosts
+
+/// Fits of another body about a point, (RP.65), (RP.69). Keeps its room, so that a warm
+/// search allocates nothing.
+template <class T, int D>
+class OpposingFit {
+ public:
+  /// The gap from x [m] to the surface of a body, as its level set tells [h]; infinity where there
+  /// is too little of it, or where its nearest sample says that it is more than `farthest`.
+  double gap(const SurfaceSamples<D>& surface, const Lattice<D>& lattice, const Point<D>& x,
+             double farthest);
+
+  /// Adds the fit of the body's surface particles there to `contact_points`; false where they do
+  /// not determine it.
+  bool add_to(ContactPoints<T, D>& contact_points);
+
+ private:
+  double gather(const Point<D>& at);
+  bool fit(const FitParticles<D>& particles);
+  double coefficient(const FitParticle<D>& particle) const;
+
+  const SurfaceSamples<D>* surface_ = nullptr;
+  FitParticles<D> around_, particles_;  ///< samples near the point; those that have records
+  kernels::FitTerms<double, D> terms_;
+};
+
+extern template class OpposingFit<double, 2>;
+extern template class OpposingFit<double, 3>;
+
+}  // namespace pliant::remeshed

@@ -1,0 +1,140 @@
+#include "engine/remeshed/contact/wall_contact.hpp"
+
+#include "engine/remeshed/ghosts/fit_evaluator.hpp"
+#include "kernels/ghost_state.hpp"
+
+namespace pliant::remeshed {
+
+namespace {
+
+// How high above the wall the surface may still stand [h]: more contact_points too early.
+constexpr double contact_onset_height = 0.01;
+// And how high where it touched before. What is left of a height of a few hundredths of h after
+// compression and remeshing is noise: a slot that it takes from under pressure for a few steps
+// lets the body shoot at the wall, and the energy of that is lost.
+constexpr double leaving_height = 0.3;
+
+constexpr double rounding = 1e-9;  // [h], of where a slot lies
+
+template <class T, int D>
+std::array<T, D> converted(const Point<D>& vector) {
+  std::array<T, D> result;
+  for (int a = 0; a < D; ++a) result[a] = static_cast<T>(vector[a]);
+  return result;
+}
+
+template <class T, int D>
+T pressure_on(const Body<T, D>& body, const BlockGhosts<T, D>& ghosts, std::int32_t g,
+              const Boundaries<D>& boundaries, const BoundaryValues<D>& values,
+              FitEvaluator<T, D>& fits) {
+  const int wall = ghosts.wall[g];
+  return kernels::wall_pressure<T, D>(
+      fits.of(g), converted<T, D>(values.wall_velocity[wall]), converted<T, D>(ghosts.normal[g]),
+      boundaries.walls[wall].slips(), kernels::Impedance<T>(body.material));
+}
+
+// Of the two ghosts of a slot the wall's comes second.
+template <class T, int D>
+void choose(Population<T, D>& population, BlockGhosts<T, D>& ghosts, std::int32_t g,
+            bool contact_points) {
+  ghosts.active[g] = contact_points;
+  ghosts.active[g - 1] = !contact_points;
+  population.kind[ghosts.slot[g]] = contact_points ? Kind::wall_ghost : Kind::free_ghost;
+}
+
+}  // namespace
+
+template <class T, int D>
+void decide_contact(Body<T, D>& body, int block, const Boundaries<D>& boundaries,
+                    const BoundaryValues<D>& values, const kernels::Table<T, D>& table) {
+  BlockGhosts<T, D>& ghosts = body.population.ghosts[block];
+  FitEvaluator<T, D> fits(body, ghosts, table);
+  for (std::size_t k = 0; k < ghosts.contact.size(); ++k) {
+    const std::int32_t g = ghosts.contact[k];
+    const Point<D>& n = ghosts.normal[g];
+    double height = ghosts.contact_height[k];
+    for (int a = 0; a < D; ++a) {
+      height += n[a] * (body.stage[0].get(Field::drift, a)[ghosts.slot[g]] -
+                        boundaries.walls[ghosts.wall[g]].offset()[a]);
+    }
+    const double reach = ghosts.active[g] != 0 ? leaving_height : contact_onset_height;
+    choose(body.population, ghosts, g,
+           height < reach * body.lattice.spacing &&
+               pressure_on(body, ghosts, g, boundaries, values, fits) > 0);
+  }
+}
+
+template <class T, int D>
+void release_contact(Body<T, D>& body, int block, const Boundaries<D>& boundaries,
+                     const BoundaryValues<D>& values, const kernels::Table<T, D>& table) {
+  BlockGhosts<T, D>& ghosts = body.population.ghosts[block];
+  FitEvaluator<T, D> fits(body, ghosts, table);
+  for (const std::int32_t g : ghosts.contact) {
+    if (ghosts.active[g] != 0 && !(pressure_on(body, ghosts, g, boundaries, values, fits) > 0)) {
+      choose(body.population, ghosts, g, false);
+    }
+  }
+}
+
+template <class T, int D>
+void add_impulse(const Body<T, D>& body, int block, const Boundaries<D>& boundaries,
+                 const BoundaryValues<D>& values, double duration,
+                 const kernels::Table<T, D>& table, Point<D>* impulse) {
+  const BlockGhosts<T, D>& ghosts = body.population.ghosts[block];
+  FitEvaluator<T, D> fits(body, ghosts, table);
+  const kernels::Impedance<T> impedance(body.material);
+  for (std::size_t k = 0; k < ghosts.contact.size(); ++k) {
+    const std::int32_t g = ghosts.contact[k];
+    if (ghosts.active[g] == 0) continue;
+    const int wall = ghosts.wall[g];
+    const std::array<T, D> push = kernels::wall_force_density<T, D>(
+        fits.of(g), converted<T, D>(values.wall_velocity[wall]), converted<T, D>(ghosts.normal[g]),
+        boundaries.walls[wall].slips(), impedance);
+    for (int a = 0; a < D; ++a) impulse[wall][a] += duration * ghosts.contact_area[k] * push[a];
+  }
+}
+
+template <class T, int D>
+std::vector<double> wall_pressure(const Body<T, D>& body, const Boundaries<D>& boundaries,
+                                  const BoundaryValues<D>& values,
+                                  const kernels::Table<T, D>& table) {
+  const Layout<D>& layout = body.population.layout;
+  const double h = body.lattice.spacing;
+  std::vector<double> pressure(layout.slots(), 0);
+  for (const BlockGhosts<T, D>& ghosts : body.population.ghosts) {
+    FitEvaluator<T, D> fits(body, ghosts, table);
+    for (const std::int32_t g : ghosts.contact) {
+      if (ghosts.active[g] == 0) continue;
+      const std::int64_t slot = ghosts.slot[g];
+      const Wall<D>& wall = boundaries.walls[ghosts.wall[g]];
+      if (wall.distance(body.lattice.node(layout.cell(slot))) < -(1 + rounding) * h) continue;
+      pressure[slot] += pressure_on(body, ghosts, g, boundaries, values, fits);
+    }
+  }
+  return pressure;
+}
+
+template void decide_contact<double, 2>(Body<double, 2>&, int, const Boundaries<2>&,
+                                        const BoundaryValues<2>&, const kernels::Table<double, 2>&);
+template void release_contact<double, 2>(Body<double, 2>&, int, const Boundaries<2>&,
+                                         const BoundaryValues<2>&,
+                                         const kernels::Table<double, 2>&);
+template void add_impulse<double, 2>(const Body<double, 2>&, int, const Boundaries<2>&,
+                                     const BoundaryValues<2>&, double,
+                                     const kernels::Table<double, 2>&, Point<2>*);
+template std::vector<double> wall_pressure(const Body<double, 2>&, const Boundaries<2>&,
+                                           const BoundaryValues<2>&,
+                                           const kernels::Table<double, 2>&);
+template void decide_contact<double, 3>(Body<double, 3>&, int, const Boundaries<3>&,
+                                        const BoundaryValues<3>&, const kernels::Table<double, 3>&);
+template void release_contact<double, 3>(Body<double, 3>&, int, const Boundaries<3>&,
+                                         const BoundaryValues<3>&,
+                                         const kernels::Table<double, 3>&);
+template void add_impulse<double, 3>(const Body<double, 3>&, int, const Boundaries<3>&,
+                                     const BoundaryValues<3>&, double,
+                                     const kernels::Table<double, 3>&, Point<3>*);
+template std::vector<double> wall_pressure(const Body<double, 3>&, const Boundaries<3>&,
+                                           const BoundaryValues<3>&,
+                                           const kernels::Table<double, 3>&);
+
+}  // namespace pliant::remeshed

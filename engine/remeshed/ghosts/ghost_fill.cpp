@@ -1,0 +1,272 @@
+#include "engine/remeshed/ghosts/ghost_fill.hpp"
+
+#include <Eigen/Dense>
+#include <algorithm>
+#include <cmath>
+
+#include "engine/remeshed/contact/wall_contact.hpp"
+#include "engine/remeshed/ghosts/fit_coefficient.hpp"
+#include "engine/remeshed/ghosts/fit_evaluator.hpp"
+#include "kernels/ghost_state.hpp"
+
+namespace pliant::remeshed {
+
+namespace {
+
+// (RP.39): the mean rigid motion of the neighbours, taken at the ghost.
+template <class T, int D>
+std::array<T, D> rigid_velocity(const Body<T, D>& body, const FieldStore<T, D>& state,
+                                const BlockGhosts<T, D>& ghosts, std::size_t g) {
+  using Vector3 = Eigen::Vector3d;
+  const std::int64_t begin = ghosts.begin[g], end = ghosts.begin[g + 1];
+  const Layout<D>& layout = body.population.layout;
+  const auto particle = [&](std::int64_t k) {
+    return body.population.slot_of_record[kernels::record_of(ghosts.pairs[k])];
+  };
+  const auto position = [&](std::int64_t slot) {
+    const Point<D> node = body.lattice.node(layout.cell(slot));
+    Vector3 x = Vector3::Zero();
+    for (int a = 0; a < D; ++a) x[a] = node[a] + state.get(Field::drift, a)[slot];
+    return x;
+  };
+  const auto velocity = [&](std::int64_t slot) {
+    Vector3 u = Vector3::Zero();
+    for (int a = 0; a < D; ++a) u[a] = state.get(Field::velocity, a)[slot];
+    return u;
+  };
+  Vector3 centre = Vector3::Zero(), mean = Vector3::Zero();
+  for (std::int64_t k = begin; k < end; ++k) {
+    centre += position(particle(k)) / (end - begin);
+    mean += velocity(particle(k)) / (end - begin);
+  }
+  Vector3 moment = Vector3::Zero();
+  Eigen::Matrix3d inertia = Eigen::Matrix3d::Zero();
+  for (std::int64_t k = begin; k < end; ++k) {
+    const Vector3 r = position(particle(k)) - centre;
+    moment += r.cross(velocity(particle(k)) - mean);
+    inertia += r.squaredNorm() * Eigen::Matrix3d::Identity() - r * r.transpose();
+  }
+  // Neighbours in a line leave the rotation about it open: the least one is taken.
+  const Vector3 omega = inertia.completeOrthogonalDecomposition().solve(moment);
+  const Vector3 u = mean + omega.cross(position(ghosts.slot[g]) - centre);
+  std::array<T, D> result;
+  for (int a = 0; a < D; ++a) result[a] = static_cast<T>(u[a]);
+  return result;
+}
+
+/// Sets the first `count` ghosts of a block from their fits to the present records.
+template <class T, int D>
+struct GhostFill {
+  const Body<T, D>& body;
+  BlockGhosts<T, D>& ghosts;
+  std::size_t count;
+  FieldStore<T, D>& state;
+  std::array<T*, kernels::symmetric_components<D>> stress;
+  const kernels::Table<T, D>& table;
+
+  void fill_surfaces(const BoundaryValues<D>& values) const {
+    const kernels::Impedance<T> impedance(body.material);
+    kernels::FreeSurfaceGhosts<T, D> work = {};
+    work.lists = ghosts.sums(0, count, body, nullptr);
+    work.constrained_sum = ghosts.constrained_sum.data();
+    work.surface_sum = ghosts.surface_sum.data();
+    work.slot = ghosts.slot.data();
+    work.wall = ghosts.wall.data();
+    work.active = ghosts.active.data();
+    work.pressure = ghosts.pressure.data();
+    work.pressures = values.pressure.data();
+    work.pressure_impedance = impedance.pressure_wave;
+    work.shear_impedance = impedance.shear_wave;
+    for (int a = 0; a < D; ++a) work.velocity[a] = state.get(Field::velocity, a);
+    work.stress = stress;
+    table.fill_free_surfaces(work);
+  }
+
+  void average_surfaces(const BoundaryValues<D>& values) const {
+    FitEvaluator<T, D> fits(body, ghosts, table);
+    for (std::size_t g = 0; g < count; ++g) {
+      if (ghosts.wall[g] >= 0) continue;
+      const int p = ghosts.pressure[g];
+      set(g, kernels::averaged_surface_ghost<T, D>(
+                 fits.of(g).linear, p < 0 ? T(0) : static_cast<T>(values.pressure[p])));
+    }
+  }
+
+  void turn_rigidly() const {
+    for (std::size_t g = 0; g < count; ++g) {
+      if (ghosts.wall[g] >= 0 || ghosts.active[g] == 0) continue;
+      const auto u = rigid_velocity<T, D>(body, state, ghosts, g);
+      for (int a = 0; a < D; ++a) state.get(Field::velocity, a)[ghosts.slot[g]] = u[a];
+    }
+  }
+
+  void fill_in_contact() const {
+    const kernels::Impedance<T> impedance(body.material);
+    FitEvaluator<T, D> present(body, ghosts, table);
+    for (std::size_t k = 0; k < ghosts.contact_points.ghost.size(); ++k) {
+      const std::size_t g = ghosts.contact_points.ghost[k];
+      if (g >= count) continue;
+      const kernels::GhostFits<T, D> fits = present.of(g);
+      const auto n = kernels::unit_normal<T, D>(fits.linear);
+      kernels::SurfaceLoad<T, D> load{n, 0, ghosts.contact_points.traction[k]};
+      for (int a = 0; a < D; ++a) load.normal += load.shear[a] * n[a];
+      for (int a = 0; a < D; ++a) load.shear[a] -= load.normal * n[a];
+      set(g, kernels::loaded_surface_ghost<T, D>(fits, load, impedance));
+    }
+  }
+
+  void fill_walls(const Boundaries<D>& boundaries, const BoundaryValues<D>& values,
+                  bool averaged) const {
+    const kernels::Impedance<T> impedance(body.material);
+    FitEvaluator<T, D> present(body, ghosts, table);
+    for (std::size_t g = 0; g < count; ++g) {
+      const int w = ghosts.wall[g];
+      if (w < 0 || ghosts.active[g] == 0) continue;
+      const kernels::GhostFits<T, D> fits = present.of(g);
+      std::array<T, D> velocity, normal;
+      for (int a = 0; a < D; ++a) {
+        velocity[a] = static_cast<T>(values.wall_velocity[w][a]);
+        normal[a] = static_cast<T>(ghosts.normal[g][a]);
+      }
+      set(g, averaged ? kernels::averaged_wall_ghost<T, D>(fits.linear, velocity)
+             : boundaries.walls[w].slips()
+                 ? kernels::slip_wall_ghost<T, D>(fits, velocity, normal, impedance)
+                 : kernels::wall_ghost<T, D>(fits, velocity, normal, impedance));
+    }
+  }
+
+ private:
+  // Of a slot with two ghosts one alone is active.
+  void set(std::size_t g, const kernels::GhostState<T, D>& ghost) const {
+    if (ghosts.active[g] == 0) return;
+    const std::int64_t slot = ghosts.slot[g];
+    for (int a = 0; a < D; ++a) state.get(Field::velocity, a)[slot] = ghost.velocity[a];
+    for (std::size_t c = 0; c < ghost.stress.size(); ++c) stress[c][slot] = ghost.stress[c];
+  }
+};
+
+// The sums are made for some ghosts at a time, and stay in the first cache.
+template <class T, int D>
+void find_drift_velocity(Body<T, D>& body, int block, int stage, GhostTreatment treatment,
+                         const kernels::Table<T, D>& table) {
+  constexpr std::size_t at_once = 32, width = BlockGhosts<T, D>::sums_of_ghost;
+  alignas(64) std::array<T, at_once * width> sums;
+  const BlockGhosts<T, D>& ghosts = body.population.ghosts[block];
+  FieldStore<T, D>& state = body.stage[buffer_of(stage)];
+  for (std::size_t begin = ghosts.reached_count; begin < ghosts.slot.size(); begin += at_once) {
+    const std::size_t end = std::min(begin + at_once, ghosts.slot.size());
+    table.sum_velocities(ghosts.sums(begin, end - begin, body, sums.data()));
+    for (std::size_t g = begin; g < end; ++g) {
+      const auto fits = ghosts.fits(g, sums.data() + width * (g - begin));
+      std::array<T, D> u;
+      for (int a = 0; a < D; ++a) u[a] = fits.linear.velocity(a);
+      if (treatment == GhostTreatment::rigid) u = rigid_velocity<T, D>(body, state, ghosts, g);
+      for (int a = 0; a < D; ++a) state.get(Field::velocity, a)[ghosts.slot[g]] = u[a];
+    }
+  }
+}
+
+}  // namespace
+
+template <int D>
+void BoundaryValues<D>::evaluate(const Boundaries<D>& boundaries, double t) {
+  wall_velocity.clear();
+  pressure.clear();
+  for (const Wall<D>& wall : boundaries.walls) wall_velocity.push_back(wall.velocity(t));
+  for (const SurfacePressure<D>& load : boundaries.pressures) pressure.push_back(load.value(t));
+}
+
+template <class T, int D>
+void fill_ghosts(Body<T, D>& body, int block, int stage, int parity, WhichGhosts which,
+                 const Boundaries<D>& boundaries, const BoundaryValues<D>& values,
+                 GhostTreatment treatment, const kernels::Table<T, D>& table) {
+  release_contact(body, block, boundaries, values, table);
+  BlockGhosts<T, D>& ghosts = body.population.ghosts[block];
+  const std::size_t count = which == WhichGhosts::all ? ghosts.slot.size() : ghosts.reached_count;
+  const GhostFill<T, D> fill{
+      body, ghosts, count, body.stage[buffer_of(stage)], body.stress_view(parity), table};
+  if (treatment == GhostTreatment::averaged) {
+    fill.average_surfaces(values);
+  } else {
+    fill.fill_surfaces(values);
+    if (treatment == GhostTreatment::rigid) fill.turn_rigidly();
+    fill.fill_in_contact();
+  }
+  fill.fill_walls(boundaries, values, treatment == GhostTreatment::averaged);
+}
+
+template <class T, int D>
+void drift_ghosts(Body<T, D>& body, int block, int stage, GhostTreatment treatment,
+                  const kernels::Table<T, D>& table) {
+  if (stage < 2) return find_drift_velocity(body, block, stage, treatment, table);
+  const BlockGhosts<T, D>& ghosts = body.population.ghosts[block];
+  for (int a = 0; a < D; ++a) {
+    const T* start = body.stage[0].get(Field::velocity, a);
+    T* second = body.stage[1].get(Field::velocity, a);
+    T* third = body.stage[2].get(Field::velocity, a);
+    for (std::size_t g = ghosts.reached_count; g < ghosts.slot.size(); ++g) {
+      const std::int64_t slot = ghosts.slot[g];
+      if (stage == 2) {
+        third[slot] = (4 * second[slot] - start[slot]) / 3;
+      } else {
+        second[slot] = third[slot];
+      }
+    }
+  }
+}
+
+template <class T, int D>
+void fill_conserved(Body<T, D>& body, int block) {
+  const BlockGhosts<T, D>& ghosts = body.population.ghosts[block];
+  const std::vector<std::int32_t>& slot_of_record = body.population.slot_of_record;
+  FieldStore<T, D>& state = body.stage[0];
+  const T volume = static_cast<T>(std::pow(body.lattice.spacing, D));
+  T* mass = state.get(Field::mass);
+  T* v = state.get(Field::volume);
+  thread_local std::vector<T*> fields;
+  thread_local std::vector<T> sums;
+  fields.clear();
+  for (const Field f : {Field::material, Field::memory_pressure}) {
+    for (Buffer<T>& component : state[f]) fields.push_back(component.get());
+  }
+  std::array<T*, D> carried, drift;
+  for (int a = 0; a < D; ++a) {
+    carried[a] = state.get(Field::displacement, a);
+    drift[a] = state.get(Field::drift, a);
+  }
+  for (std::size_t g = 0; g < ghosts.slot.size(); ++g) {
+    if (ghosts.active[g] == 0) continue;
+    T density = 0;
+    std::array<T, D> displacement = {};
+    sums.assign(fields.size(), T(0));
+    for (std::int64_t k = ghosts.begin[g]; k < ghosts.begin[g + 1]; ++k) {
+      const T c = fit_coefficient<T, D>(ghosts, g, k, ghosts.terms[g].linear);
+      const std::int64_t q = slot_of_record[kernels::record_of(ghosts.pairs[k])];
+      density += c * (mass[q] / v[q]);
+      for (int a = 0; a < D; ++a) displacement[a] += c * (carried[a][q] + drift[a][q]);
+      for (std::size_t f = 0; f < fields.size(); ++f) sums[f] += c * fields[f][q];
+    }
+    const std::int64_t slot = ghosts.slot[g];
+    mass[slot] = volume * density;
+    v[slot] = volume;
+    for (int a = 0; a < D; ++a) carried[a][slot] = displacement[a] - drift[a][slot];
+    for (std::size_t f = 0; f < fields.size(); ++f) fields[f][slot] = sums[f];
+  }
+}
+
+template struct BoundaryValues<2>;
+template void fill_ghosts<double, 2>(Body<double, 2>&, int, int, int, WhichGhosts,
+                                     const Boundaries<2>&, const BoundaryValues<2>&, GhostTreatment,
+                                     const kernels::Table<double, 2>&);
+template void drift_ghosts<double, 2>(Body<double, 2>&, int, int, GhostTreatment,
+                                      const kernels::Table<double, 2>&);
+template void fill_conserved<double, 2>(Body<double, 2>&, int);
+template struct BoundaryValues<3>;
+template void fill_ghosts<double, 3>(Body<double, 3>&, int, int, int, WhichGhosts,
+                                     const Boundaries<3>&, const BoundaryValues<3>&, GhostTreatment,
+                                     const kernels::Table<double, 3>&);
+template void drift_ghosts<double, 3>(Body<double, 3>&, int, int, GhostTreatment,
+                                      const kernels::Table<double, 3>&);
+template void fill_conserved<double, 3>(Body<double, 3>&, int);
+
+}  // namespace pliant::remeshed

@@ -1,0 +1,205 @@
+#include "engine/remeshed/ghosts/ghost_fits.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include "engine/remeshed/ghosts/ghost_fitter.hpp"
+#include "engine/storage/push_tightly.hpp"
+
+namespace pliant::remeshed {
+
+namespace {
+
+// Whether a particle, or its image, has the slot in its stencil. A row that does not exist may lie
+// anywhere: then the particle was another cell's.
+template <class T, int D>
+bool is_reached(const Population<T, D>& population, const kernels::Segment<D>& segment,
+                std::int64_t slot, const Cell<D>& cell, int reach) {
+  const int depth = D == 3 ? reach : 0;
+  for (int dz = -depth; dz <= depth; ++dz) {
+    for (int dy = -reach; dy <= reach; ++dy) {
+      const std::int64_t row = slot + segment.neighbour_row[kernels::row_index<D>(dy, dz)];
+      for (int dx = -reach; dx <= reach; ++dx) {
+        if (dx * dx + dy * dy + dz * dz >= (reach + 1) * (reach + 1)) continue;
+        const Kind kind = population.kind[row + dx];
+        if (kind != Kind::interior && kind != Kind::image) continue;
+        Cell<D> other = cell;
+        other[0] += dx;
+        other[1] += dy;
+        if constexpr (D == 3) other[2] += dz;
+        if (population.layout.slot(other) == row + dx) return true;
+      }
+    }
+  }
+  return false;
+}
+
+/// Finds the ghosts of a block, and what their fits are made about.
+template <class T, int D>
+class GhostFinder {
+ public:
+  GhostFinder(const GhostSearch<T, D>& search, int block, std::int32_t* used)
+      : body_(search.body),
+        population_(search.population),
+        level_set_(search.level_set),
+        ghosts_(population_.ghosts[block]),
+        boundaries_(search.boundaries),
+        treatment_(search.treatment),
+        stencil_reach_(search.stencil_reach),
+        fitter_(body_, population_, ghosts_, level_set_, boundaries_, search.kernels, used) {}
+
+  void add_all(const Block<D>& block) {
+    drifting_.clear();
+    const Layout<D>& layout = population_.layout;
+    for (int s = block.first_segment; s < block.first_segment + block.segment_count; ++s) {
+      const kernels::Segment<D>& segment = layout.segments()[s];
+      Cell<D> cell = segment.cell;
+      for (int i = 0; i < segment.count; ++i, ++cell[0]) add(segment, segment.first + i, cell);
+    }
+    ghosts_.reached_count = ghosts_.slot.size();
+    for (const auto& [slot, cell] : drifting_) add_free(slot, cell);
+    fitter_.finish();
+  }
+
+ private:
+  void add(const kernels::Segment<D>& segment, std::int64_t slot, const Cell<D>& cell) {
+    const Kind kind = population_.kind[slot];
+    if (kind != Kind::free_ghost && kind != Kind::wall_ghost) return;
+    const double h = body_.lattice.spacing;
+    const Point<D> x = body_.lattice.node(cell);
+    if (kind == Kind::wall_ghost) {
+      const auto [wall, distance] = boundaries_.nearest_wall(x);
+      return add_wall(slot, cell, wall, distance);
+    }
+    const auto [wall, distance] = boundaries_.nearest_contact(x);
+    const double height = distance < 0 ? level_set_.surface_distance(slot) + distance : h;
+    // The body comes no nearer than this before the next remeshing.
+    if (height < h) {
+      add_free(slot, cell);
+      add_contact(slot, cell, wall, height);
+    } else if (is_reached<T, D>(population_, segment, slot, cell, stencil_reach_)) {
+      add_free(slot, cell);
+    } else {
+      drifting_.push_back({slot, cell});
+    }
+  }
+
+  void add_contact(std::int64_t slot, const Cell<D>& cell, int wall, double height) {
+    const double h = body_.lattice.spacing;
+    const double distance = boundaries_.walls[wall].distance(body_.lattice.node(cell));
+    ghosts_.contact.push_back(static_cast<std::int32_t>(ghosts_.slot.size()));
+    add_wall(slot, cell, wall, distance);
+    ghosts_.active.back() = touched(cell);
+    const Point<D>& normal = ghosts_.normal.back();
+    for (int a = 0; a < D; ++a) height += normal[a] * boundaries_.walls[wall].offset()[a];
+    ghosts_.contact_height.push_back(height);
+    ghosts_.contact_area.push_back(std::pow(h, D - 1) *
+                                   std::max(0., 1 - std::abs(distance / h + 1)));
+  }
+
+  // What was decided for a slot before this remeshing, (RP.50).
+  bool touched(const Cell<D>& cell) const {
+    const Population<T, D>& before = body_.population;
+    if (before.layout.blocks().empty()) return false;
+    const std::int64_t slot = before.layout.slot(cell);
+    return slot >= 0 && before.kind[slot] == Kind::wall_ghost;
+  }
+
+  void add_wall(std::int64_t slot, const Cell<D>& cell, int wall, double distance) {
+    const Point<D> x = body_.lattice.node(cell), normal = boundaries_.walls[wall].normal(x);
+    Point<D> foot = x;
+    for (int a = 0; a < D; ++a) foot[a] -= distance * normal[a];
+    FitSite<D> site = site_of(x, foot, distance);
+    for (int a = 0; a < D; ++a) site.normal[a] = normal[a];
+    list(slot, wall, -1, normal, foot);
+    fit(site, cell, foot, &boundaries_.walls[wall]);
+  }
+
+  void add_free(std::int64_t slot, const Cell<D>& cell) {
+    const Point<D> x = body_.lattice.node(cell);
+    Point<D> foot = x, offset = {};
+    level_set_.closest_point(slot, offset);
+    for (int a = 0; a < D; ++a) foot[a] += offset[a];
+    // Where the surface runs on behind a wall, fits are made about the wall.
+    const auto [wall, depth] = boundaries_.nearest_wall(foot);
+    if (depth < 0) {
+      const Point<D> out = boundaries_.walls[wall].normal(foot);
+      for (int a = 0; a < D; ++a) foot[a] -= depth * out[a];
+    }
+    FitSite<D> site = site_of(x, foot, level_set_.surface_distance(slot));
+    site.normal = site.ghost.norm() > 1e-9 ? site.ghost.normalized() : site.ghost;
+    list(slot, -1, pressure_at(foot), {}, foot);
+    fit(site, cell, foot, nullptr);
+  }
+
+  FitSite<D> site_of(const Point<D>& x, const Point<D>& foot, double distance) const {
+    const double h = body_.lattice.spacing;
+    FitSite<D> site;
+    for (int a = 0; a < D; ++a) site.ghost[a] = (x[a] - foot[a]) / h;
+    site.surface_distance = distance / h;
+    return site;
+  }
+
+  std::int8_t pressure_at(const Point<D>& foot) const {
+    for (std::size_t i = 0; i < boundaries_.pressures.size(); ++i) {
+      if (boundaries_.pressures[i].acts_at(foot)) return static_cast<std::int8_t>(i);
+    }
+    return -1;
+  }
+
+  void list(std::int64_t slot, int wall, std::int8_t pressure, const Point<D>& normal,
+            const Point<D>& foot) {
+    push_tightly(ghosts_.slot, static_cast<std::int32_t>(slot));
+    push_tightly(ghosts_.wall, static_cast<std::int8_t>(wall));
+    push_tightly(ghosts_.active, std::uint8_t{1});
+    push_tightly(ghosts_.pressure, pressure);
+    push_tightly(ghosts_.normal, normal);
+    push_tightly(ghosts_.foot, foot);
+  }
+
+  void fit(const FitSite<D>& site, const Cell<D>& cell, const Point<D>& foot, const Wall<D>* wall) {
+    if (treatment_ == GhostTreatment::averaged) {
+      fitter_.average(cell);
+    } else {
+      fitter_.fit(site, foot, wall);
+    }
+  }
+
+  using Ghosts = std::vector<std::pair<std::int64_t, Cell<D>>>;
+
+  // Kept by each thread, so that a warm remeshing allocates nothing.
+  static Ghosts& scratch() {
+    thread_local Ghosts scratch;
+    return scratch;
+  }
+
+  const Body<T, D>& body_;
+  Population<T, D>& population_;
+  const LevelSet<T, D>& level_set_;
+  BlockGhosts<T, D>& ghosts_;
+  const Boundaries<D>& boundaries_;
+  GhostTreatment treatment_;
+  int stencil_reach_;
+  GhostFitter<T, D> fitter_;
+  Ghosts& drifting_ = scratch();
+};
+
+}  // namespace
+
+template <class T, int D>
+void fit_ghosts(const GhostSearch<T, D>& search, int block, std::int32_t* used) {
+  BlockGhosts<T, D>& ghosts = search.population.ghosts[block];
+  ghosts.clear();
+  GhostFinder<T, D>(search, block, used).add_all(search.population.layout.blocks()[block]);
+  // Whole registers of these are loaded.
+  for (int i = 1; i < Layout<D>::pack; ++i) {
+    if (!ghosts.pairs.empty()) push_tightly(ghosts.pairs, ghosts.pairs.back());
+    if (!ghosts.wall_distance.empty()) push_tightly(ghosts.wall_distance, T(0));
+  }
+}
+
+template void fit_ghosts<double, 2>(const GhostSearch<double, 2>&, int, std::int32_t*);
+template void fit_ghosts<double, 3>(const GhostSearch<double, 3>&, int, std::int32_t*);
+
+}  // namespace pliant::remeshed

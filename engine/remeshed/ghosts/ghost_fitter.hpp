@@ -1,0 +1,83 @@
+#pragma once
+
+#include <array>
+#include <vector>
+
+#include "engine/remeshed/ghosts/fit_search.hpp"
+
+namespace pliant::remeshed {
+
+/// Appends the fits of one block's ghosts to their lists, in the order in which they come.
+///
+/// Ghosts wait until there is one for each lane of a pack. Those near contact walls, which look
+/// less far along the surface, are then fitted one by one, and so are those whose particles within
+/// R do not determine a fit, with more particles or fewer terms.
+template <class T, int D>
+class GhostFitter {
+ public:
+  GhostFitter(const Body<T, D>& body, const Population<T, D>& population, BlockGhosts<T, D>& ghosts,
+              const LevelSet<T, D>& level_set, const Boundaries<D>& boundaries,
+              const kernels::Table<T, D>& kernels, std::int32_t* used);
+
+  /// (RP.32) and (RP.33) about a foot point; `wall` is nullptr at a free surface.
+  void fit(const FitSite<D>& site, const Point<D>& foot, const Wall<D>* wall);
+  /// (RP.38)
+  void average(const Cell<D>& cell);
+  /// Fits the ghosts that still wait.
+  void finish();
+
+ private:
+  static constexpr int pack = Layout<D>::pack;
+
+  using Terms = kernels::FitTerms<T, D>;
+
+  struct Waiting {
+    FitSite<D> site;
+    Point<D> centre;  ///< foot point in cells
+    FitReach<D> reach;
+    const Wall<D>* wall;
+    bool curved;        ///< the fit (RP.33) has its last term
+    bool at_rim;        ///< where the free surface meets a wall
+    bool near_contact;  ///< with a wall
+    FitParticles<D> particles;
+  };
+  /// Arguments of a kernel, [entry] or [lane] as there.
+  struct Lanes {
+    std::array<std::vector<T>, D> position;
+    std::vector<T> distance;
+    alignas(64) std::array<std::array<T, pack>, D> ghost, normal;
+    alignas(64) std::array<T, pack> ghost_distance, curved, constrained_sum, fitted;
+    alignas(64) std::array<std::array<T, pack>, D + 1> linear, surface;
+    alignas(64) std::array<std::array<T, pack>, D + 2> constrained;
+  };
+  /// Kept by each thread, so that a warm remeshing allocates nothing.
+  struct Scratch {
+    std::array<Waiting, pack> waiting;
+    Lanes lanes;
+  };
+  static Scratch& scratch();
+
+  void fill_lanes(int length);
+  void fill_lane(int lane, int length);
+  void fit_lanes(int length);
+  Terms terms_of_lane(int lane) const;
+  void fit_alone(Waiting& ghost);
+  bool fit_fully(const Waiting& ghost, Terms& terms) const;
+  void fit_poorly(const Waiting& ghost, Terms& terms) const;
+  static void place(const Waiting& ghost, Terms& terms);
+  void append(const Waiting& ghost, const Terms& terms, T constrained_sum);
+
+  const Body<T, D>& body_;
+  BlockGhosts<T, D>& ghosts_;
+  FitSearch<T, D> search_;
+  const Boundaries<D>& boundaries_;
+  const kernels::Table<T, D>& kernels_;
+  std::int32_t* used_;
+  Scratch& scratch_ = scratch();
+  int waiting_ = 0;
+};
+
+extern template class GhostFitter<double, 2>;
+extern template class GhostFitter<double, 3>;
+
+}  // namespace pliant::remeshed

@@ -1,0 +1,265 @@
+#include "engine/remeshed/level_set/level_set.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+
+namespace pliant::remeshed {
+
+namespace {
+
+template <int D>
+double dot(const Point<D>& a, const Point<D>& b) {
+  double sum = 0;
+  for (int i = 0; i < D; ++i) sum += a[i] * b[i];
+  return sum;
+}
+
+template <int D>
+Point<D> difference(const Point<D>& a, const Point<D>& b) {
+  Point<D> c;
+  for (int i = 0; i < D; ++i) c[i] = a[i] - b[i];
+  return c;
+}
+
+template <int D>
+Point<D> as_point(const Cell<D>& cell) {
+  Point<D> x;
+  for (int a = 0; a < D; ++a) x[a] = cell[a];
+  return x;
+}
+
+/// Calls f(neighbour, slots to it) for the 3^D - 1 cells around a cell of a segment. The slots lead
+/// to the neighbour if it has one.
+template <int D, class F>
+void for_each_adjacent(const kernels::Segment<D>& segment, const Cell<D>& cell, F&& f) {
+  for (int k = D == 3 ? -1 : 0; k <= (D == 3 ? 1 : 0); ++k) {
+    for (int j = -1; j <= 1; ++j) {
+      for (int i = -1; i <= 1; ++i) {
+        if (i == 0 && j == 0 && k == 0) continue;
+        Cell<D> other = cell;
+        other[0] += i;
+        other[1] += j;
+        if constexpr (D == 3) other[2] += k;
+        f(other, segment.neighbour_row[kernels::row_index<D>(j, k)] + i);
+      }
+    }
+  }
+}
+
+/// The point of the plane through `foot` nearest to a node; `foot` itself without a clear normal.
+template <int D>
+Point<D> tangent_point(const Point<D>& node, const Point<D>& foot, const Point<D>& normal) {
+  const double square = dot<D>(normal, normal);
+  if (square < 0.25) return foot;
+  const double along = dot<D>(difference<D>(node, foot), normal) / square;
+  Point<D> x;
+  for (int a = 0; a < D; ++a) x[a] = node[a] - along * normal[a];
+  return x;
+}
+
+constexpr double search_limit = 2.5;  // cells from a near node to its closest point
+
+/// Takes the polished closest point unless it has left the neighbourhood.
+template <int D>
+void adopt(const Point<D>& polished, Point<D>& foot) {
+  const Point<D> moved = difference<D>(polished, foot);
+  if (dot<D>(moved, moved) < 2) foot = polished;
+}
+
+}  // namespace
+
+template <class T, int D>
+void LevelSet<T, D>::prepare(const Lattice<D>& lattice, const Layout<D>& layout, T* phi) {
+  lattice_ = &lattice;
+  layout_ = &layout;
+  phi_ = phi;
+  for (auto& layer : layer_) {
+    layer.grow(layout.slots(), 0);
+    std::memset(layer.get(), 0, layout.slots());
+  }
+}
+
+template <class T, int D>
+bool LevelSet<T, D>::gradient(const Cell<D>& cell, Point<D>& g) const {
+  for (int a = 0; a < D; ++a) {
+    Cell<D> up = cell, down = cell;
+    ++up[a];
+    --down[a];
+    const std::int64_t q = layout_->slot(lattice_->wrapped(up));
+    const std::int64_t r = layout_->slot(lattice_->wrapped(down));
+    if (q < 0 || r < 0) return false;
+    g[a] = (extended_[q] - extended_[r]) / (2 * lattice_->spacing);
+  }
+  return dot<D>(g, g) > 0.05;
+}
+
+template <class T, int D>
+void LevelSet<T, D>::find_closest_points(const Block<D>& block, bool reinitialise,
+                                         const kernels::Table<T, D>& kernels) {
+  thread_local Projections<T, D> near;
+  near.clear();
+  layout_->for_each_slot(block, [&](std::int64_t p, const Cell<D>& cell) {
+    phi_[p] = extended_[p];
+    if (std::abs(extended_[p]) > near_band * lattice_->spacing || !lattice_->is_wrapped(cell)) {
+      return;
+    }
+    near.add(p, cell, as_point<D>(cell));
+  });
+  near.run(*lattice_, *layout_, extended_, 3, 12, kernels);
+  for (std::size_t i = 0; i < near.size(); ++i) place_near(near, i, reinitialise);
+}
+
+template <class T, int D>
+void LevelSet<T, D>::place_near(const Projections<T, D>& near, std::size_t i, bool reinitialise) {
+  const double h = lattice_->spacing;
+  const std::int64_t slot = near.slot(i);
+  const Point<D> offset = difference<D>(near.point(i), near.node(i));
+  const double distance = std::sqrt(dot<D>(offset, offset));
+  if (near.has_converged(i) && distance <= search_limit) {
+    for (int a = 0; a < D; ++a) foot_[a][slot] = offset[a];
+    layer_[0][slot] = 1;
+    if (reinitialise && distance <= trusted) {
+      phi_[slot] = std::copysign(T(distance * h), extended_[slot]);
+    }
+    return;
+  }
+  Point<D> g;
+  if (!gradient(near.cell(i), g)) return;
+  const double square = dot<D>(g, g);
+  for (int a = 0; a < D; ++a) foot_[a][slot] = -extended_[slot] / h * g[a] / square;
+  layer_[0][slot] = 1;
+}
+
+// Whether a slot of the pack at `slot` may border a marked one. Where a neighbouring row has no
+// slot a foreign mark may be found, but none is missed.
+template <class T, int D>
+bool LevelSet<T, D>::borders_a_layer(const kernels::Segment<D>& segment, std::int64_t slot,
+                                     int layer) const {
+  if (lattice_->is_periodic()) return true;
+  const std::uint8_t* mark = layer_[layer % 2].get() + slot;
+  std::uint64_t any = 0;
+  static_assert(Layout<D>::pack == sizeof any);
+  for (int k = D == 3 ? -1 : 0; k <= (D == 3 ? 1 : 0); ++k) {
+    for (int j = -1; j <= 1; ++j) {
+      for (int i = -1; i <= 1; ++i) {
+        std::uint64_t marks;
+        std::memcpy(&marks, mark + segment.neighbour_row[kernels::row_index<D>(j, k)] + i,
+                    sizeof marks);
+        any |= marks;
+      }
+    }
+  }
+  return any != 0;
+}
+
+template <class T, int D>
+void LevelSet<T, D>::add_layer(const Block<D>& block, int layer,
+                               const kernels::Table<T, D>& kernels) {
+  const std::uint8_t* before = layer_[layer % 2].get();
+  std::uint8_t* after = layer_[(layer + 1) % 2].get();
+  thread_local Border border;
+  border.clear();
+  for (int s = block.first_segment; s < block.first_segment + block.segment_count; ++s) {
+    const kernels::Segment<D>& segment = layout_->segments()[s];
+    std::copy_n(before + segment.first, segment.count, after + segment.first);
+    for (int offset = 0; offset < segment.count; offset += Layout<D>::pack) {
+      const std::int64_t first = segment.first + offset;
+      if (!borders_a_layer(segment, first, layer)) continue;
+      Cell<D> cell = segment.cell;
+      cell[0] += offset;
+      for (std::int64_t p = first; p < first + Layout<D>::pack; ++p, ++cell[0]) {
+        if (before[p] == 0) find_nearest(segment, p, cell, layer, border);
+      }
+    }
+  }
+  polish(border, kernels);
+  for (std::size_t i = 0; i < border.polished.size(); ++i) {
+    const std::int64_t slot = border.polished.slot(i);
+    const Point<D> offset = difference<D>(border.foot[i], border.polished.node(i));
+    for (int a = 0; a < D; ++a) foot_[a][slot] = offset[a];
+    // Far from the surface the sign that remeshing left is sure.
+    phi_[slot] = std::copysign(
+        static_cast<T>(std::sqrt(dot<D>(offset, offset)) * lattice_->spacing), extended_[slot]);
+    after[slot] = static_cast<std::uint8_t>(layer);
+  }
+}
+
+// The nearest among the closest points of the marked neighbours.
+template <class T, int D>
+void LevelSet<T, D>::find_nearest(const kernels::Segment<D>& segment, std::int64_t slot,
+                                  const Cell<D>& cell, int layer, Border& border) const {
+  if (!lattice_->is_wrapped(cell)) return;
+  const Point<D> node = as_point<D>(cell);
+  double nearest = 1e300;
+  Point<D> foot = {}, normal = {};
+  const bool periodic = lattice_->is_periodic();
+  const std::uint8_t* marks = layer_[layer % 2].get();
+  for_each_adjacent<D>(segment, cell, [&](const Cell<D>& other, std::int64_t slots_to) {
+    std::int64_t q = slot + slots_to;
+    if (periodic) q = layout_->slot(lattice_->wrapped(other));
+    if (q < 0 || marks[q] == 0) return;
+    Point<D> candidate = as_point<D>(other), to_foot;
+    for (int a = 0; a < D; ++a) {
+      to_foot[a] = foot_[a][q];
+      candidate[a] += to_foot[a];
+    }
+    const Point<D> offset = difference<D>(candidate, node);
+    const double square = dot<D>(offset, offset);
+    // A row that does not exist may lie anywhere: then this was another node's.
+    if (square >= nearest || (!periodic && layout_->slot(other) != q)) return;
+    nearest = square;
+    foot = candidate;
+    normal = to_foot;
+  });
+  if (nearest == 1e300) return;
+  border.polished.add(slot, cell, tangent_point<D>(node, foot, normal));
+  border.foot.push_back(foot);
+}
+
+// Where the surface is smooth the tangent plane of a neighbour's closest point leads nearly to the
+// node's own; elsewhere that point itself may.
+template <class T, int D>
+void LevelSet<T, D>::polish(Border& border, const kernels::Table<T, D>& kernels) const {
+  // Blocks reach no farther than one cell beyond the closest points of the last layer.
+  constexpr int farthest_move = 1, iterations = 6;
+  border.polished.run(*lattice_, *layout_, extended_, farthest_move, iterations, kernels);
+  for (std::size_t i = 0; i < border.polished.size(); ++i) {
+    if (border.polished.has_converged(i)) {
+      adopt<D>(border.polished.point(i), border.foot[i]);
+    } else {
+      border.failed.push_back(i);
+      border.again.add(border.polished.slot(i), border.polished.cell(i), border.foot[i]);
+    }
+  }
+  border.again.run(*lattice_, *layout_, extended_, farthest_move, iterations, kernels);
+  for (std::size_t k = 0; k < border.failed.size(); ++k) {
+    if (border.again.has_converged(k))
+      adopt<D>(border.again.point(k), border.foot[border.failed[k]]);
+  }
+}
+
+template <class T, int D>
+void LevelSet<T, D>::finish(const Block<D>& block) {
+  const T limit = static_cast<T>(far * lattice_->spacing);
+  layout_->for_each_slot(block, [&](std::int64_t p, const Cell<D>&) {
+    Point<D> offset;
+    if (closest_point(p, offset)) {
+      extended_[p] = std::copysign(static_cast<T>(std::sqrt(dot<D>(offset, offset))), phi_[p]);
+    } else {
+      extended_[p] = phi_[p] = phi_[p] < 0 ? -limit : limit;
+    }
+  });
+}
+
+template <class T, int D>
+bool LevelSet<T, D>::closest_point(std::int64_t slot, Point<D>& offset) const {
+  if (layer_[(layers + 1) % 2][slot] == 0) return false;
+  for (int a = 0; a < D; ++a) offset[a] = foot_[a][slot] * lattice_->spacing;
+  return true;
+}
+
+template class LevelSet<double, 2>;
+template class LevelSet<double, 3>;
+
+}  // namespace pliant::remeshed

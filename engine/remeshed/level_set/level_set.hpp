@@ -1,0 +1,90 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+
+#include "engine/remeshed/level_set/projections.hpp"
+#include "engine/remeshed/level_set/wall_extension.hpp"
+#include "engine/storage/buffer.hpp"
+
+/// The level set of a body on a fresh lattice: phi < 0 inside, (RP.29).
+///
+///     near     abs(phi) <= 1.8 h: what remeshing gave is kept, or, when reinitialisation is due,
+///              replaced by the distance to the closest point of the zero set (RP.30)
+///     layers   further out, rebuilt at every remeshing: each layer takes the closest point of a
+///              neighbour nearer to the surface and polishes it (RP.30)
+///     beyond   the sign alone, times `far`
+///
+/// All of it for phi continued behind walls, see wall_extension.hpp.
+namespace pliant::remeshed {
+
+template <class T, int D>
+class LevelSet {
+ public:
+  static constexpr double near_band = 1.8;  ///< [h]
+  static constexpr double trusted = 2.5;    ///< closest points farther away do not correct phi [h]
+  static constexpr int layers = 6;          ///< the near nodes are layer 1
+  static constexpr double far = 6.5;        ///< [h]
+
+  void prepare(const Lattice<D>& lattice, const Layout<D>& layout, T* phi);
+  /// Where to keep phi continued through walls, and closest points, from the first pass to the last
+  /// question for one.
+  void use(T* extended, const std::array<T*, D>& foot) {
+    extended_ = extended;
+    foot_ = foot;
+  }
+
+  /// The passes over one block, in this order; each reads neighbouring blocks of the pass before.
+  /// Nodes where `valid` is 0 got nothing from remeshing.
+  void extend_through_walls(const Block<D>& block, const Boundaries<D>& boundaries,
+                            const T* valid) {
+    const WallExtension<T, D> extension(*lattice_, *layout_, phi_, valid, far * lattice_->spacing);
+    extension.extend(block, boundaries, extended_);
+  }
+  void find_closest_points(const Block<D>& block, bool reinitialise,
+                           const kernels::Table<T, D>& kernels);
+  void add_layer(const Block<D>& block, int layer,
+                 const kernels::Table<T, D>& kernels);  ///< 2..layers
+  void finish(const Block<D>& block);
+
+  /// Distance of a finished node from the surface, negative inside [m]. phi itself is one only
+  /// after a reinitialisation; the closest point always tells.
+  T surface_distance(std::int64_t slot) const { return extended_[slot]; }
+
+  /// Closest point of the surface minus the node [m]; false where none was found.
+  bool closest_point(std::int64_t slot, Point<D>& offset) const;
+
+ private:
+  /// Nodes that get a closest point in a layer.
+  struct Border {
+    Projections<T, D> polished, again;
+    std::vector<Point<D>> foot;       ///< [node] in cells
+    std::vector<std::size_t> failed;  ///< nodes of `again`
+
+    void clear() {
+      polished.clear();
+      again.clear();
+      foot.clear();
+      failed.clear();
+    }
+  };
+  void place_near(const Projections<T, D>& near, std::size_t i, bool reinitialise);
+  void find_nearest(const kernels::Segment<D>& segment, std::int64_t slot, const Cell<D>& cell,
+                    int layer, Border& border) const;
+  void polish(Border& border, const kernels::Table<T, D>& kernels) const;
+  bool gradient(const Cell<D>& cell, Point<D>& g) const;
+  bool borders_a_layer(const kernels::Segment<D>& segment, std::int64_t slot, int layer) const;
+
+  const Lattice<D>* lattice_ = nullptr;
+  const Layout<D>* layout_ = nullptr;
+  T* phi_ = nullptr;
+  /// phi continued through walls, before any rebuilding; of finished nodes, their distance.
+  T* extended_ = nullptr;
+  std::array<T*, D> foot_ = {};                ///< closest point minus node, in cells
+  std::array<Buffer<std::uint8_t>, 2> layer_;  ///< 0: no closest point yet; passes alternate
+};
+
+extern template class LevelSet<double, 2>;
+extern template class LevelSet<double, 3>;
+
+}  // namespace pliant::remeshed

@@ -1,0 +1,82 @@
+#include "engine/remeshed/level_set/wall_extension.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace pliant::remeshed {
+
+template <class T, int D>
+void WallExtension<T, D>::extend(const Block<D>& block, const Boundaries<D>& boundaries,
+                                 T* extended) const {
+  const double h = lattice_.spacing;
+  Point<D> centre;
+  double radius = 0;
+  for (int a = 0; a < D; ++a) {
+    centre[a] = (lattice_.node(a, block.lower[a]) + lattice_.node(a, block.upper[a])) / 2;
+    radius += std::pow((block.upper[a] - block.lower[a]) * h / 2, 2);
+  }
+  radius = std::sqrt(radius);
+  const bool meets_walls = boundaries.nearest_wall(centre).second < radius;
+  const bool may_be_in_contact = boundaries.nearest_contact(centre).second < radius + far_;
+  layout_.for_each_slot(block, [&](std::int64_t p, const Cell<D>& cell) {
+    extended[p] = valid_[p] != 0 ? phi_[p] : T(far_);
+    if (!meets_walls && !may_be_in_contact) return;
+    const Point<D> x = lattice_.node(cell);
+    extended[p] = std::max(extended[p], static_cast<T>(-boundaries.nearest_contact(x).second));
+    if (!meets_walls) return;
+    const auto [wall, d] = boundaries.nearest_wall(x);
+    if (d < 0) {
+      extended[p] = static_cast<T>(behind_wall(x, boundaries.walls[wall].normal(x), -d));
+    }
+  });
+}
+
+// phi at `depth` behind a wall: the line through two points 1.5 h and 2.5 h in front of it. Only a
+// surface that meets the wall runs on through it: far from one, phi keeps its value, and a slope
+// beyond that of a surface at 45 degrees is a kink of phi, not a surface.
+template <class T, int D>
+double WallExtension<T, D>::behind_wall(const Point<D>& x, const Point<D>& normal,
+                                        double depth) const {
+  constexpr double steepest = 0.7, meets_wall = 3;
+  const double h = lattice_.spacing;
+  Point<D> nearer = x, farther = x;
+  for (int a = 0; a < D; ++a) {
+    nearer[a] += (depth + 1.5 * h) * normal[a];
+    farther[a] += (depth + 2.5 * h) * normal[a];
+  }
+  double first = 0, second = 0;
+  if (!interpolate(nearer, first)) return far_;
+  if (!interpolate(farther, second) || std::abs(first) > meets_wall * h) return first;
+  const double slope = std::clamp((first - second) / h, -steepest, steepest);
+  return first + slope * (depth + 1.5 * h);
+}
+
+template <class T, int D>
+bool WallExtension<T, D>::interpolate(const Point<D>& x, double& value) const {
+  Cell<D> base;
+  Point<D> s;
+  for (int a = 0; a < D; ++a) {
+    const double at = (x[a] - lattice_.origin[a]) / lattice_.spacing - 0.5;
+    base[a] = cell_below(at);
+    s[a] = at - base[a];
+  }
+  value = 0;
+  for (int corner = 0; corner < (1 << D); ++corner) {
+    Cell<D> cell = base;
+    double weight = 1;
+    for (int a = 0; a < D; ++a) {
+      const int up = corner >> a & 1;
+      cell[a] += up;
+      weight *= up ? s[a] : 1 - s[a];
+    }
+    const std::int64_t p = layout_.slot(lattice_.wrapped(cell));
+    if (p < 0 || valid_[p] == 0) return false;
+    value += weight * phi_[p];
+  }
+  return true;
+}
+
+template class WallExtension<double, 2>;
+template class WallExtension<double, 3>;
+
+}  // namespace pliant::remeshed

@@ -1,0 +1,45 @@
+#pragma once
+
+#include <cmath>
+
+#include "engine/remeshed/body.hpp"
+
+/// The parts of a search for neighbours in space, one after another.
+namespace pliant::remeshed {
+
+/// A particle's own site, with its lattice place over h.
+template <class T, int D>
+Site<D> site_of(const Body<T, D>& body, std::int64_t slot, const Cell<D>& cell) {
+  Site<D> site = {{}, cell, static_cast<std::int32_t>(slot)};
+  for (int a = 0; a < D; ++a) {
+    site.position[a] = cell[a] + body.stage[0].get(Field::drift, a)[slot] / body.lattice.spacing;
+    const std::int32_t n = body.lattice.period[a];
+    if (n == 0) continue;
+    const double periods = std::floor(site.position[a] / n);
+    site.position[a] -= periods * n;
+    site.cell[a] -= static_cast<std::int32_t>(periods) * n;
+  }
+  return site;
+}
+
+/// Where the particles and ghosts of a block are, at the start of a step.
+template <class T, int D>
+void find_sites(Body<T, D>& body, int block);
+
+/// Makes the cell list of a body of the sites of its blocks.
+template <class T, int D>
+void sort_sites(Body<T, D>& body);
+
+/// Lists the neighbours of a block's interior particles within the search radius, in the order of
+/// the stencil, if any of them is (reach + 1) h or more away on the lattice, or `in_any_case`.
+template <class T, int D>
+void list_neighbours(Body<T, D>& body, int block, int reach, bool in_any_case);
+
+extern template void find_sites<double, 2>(Body<double, 2>&, int);
+extern template void find_sites<double, 3>(Body<double, 3>&, int);
+extern template void sort_sites<double, 2>(Body<double, 2>&);
+extern template void sort_sites<double, 3>(Body<double, 3>&);
+extern template void list_neighbours<double, 2>(Body<double, 2>&, int, int, bool);
+extern template void list_neighbours<double, 3>(Body<double, 3>&, int, int, bool);
+
+}  // namespace pliant::remeshed

@@ -1,0 +1,167 @@
+#include "engine/remeshed/neighbours/neighbours.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "engine/remeshed/neighbours/neighbour_lists.hpp"
+#include "engine/remeshed/neighbours/stencil_reach.hpp"
+#include "engine/remeshed/resources.hpp"
+
+// When the neighbourhood widens.
+//
+// Between remeshings particles keep their slots, and the stencil of n slots to each side (2; with
+// the compact weight 1) shows a particle all its neighbours as long as none from farther away comes
+// into the support R. Two particles at distance r, with velocities that vary smoothly between them,
+// obey
+//
+//     d ln r/dt = (u_q - u_p).d/r^2 = the mean of t.eps t along the line that joins them, t = d/r,
+//
+// whose size is at most max abs(eps)_2 <= max abs(eps)_F. With E the sum of dt max abs(eps)_F,
+//
+//     r(E2) >= r(E1) exp(-(E2 - E1)).                                                      (RP.47)
+//
+// Outside the stencil r(0) >= (n + 1) h: it is complete while (n + 1) h exp(-E) >= R. The bound is
+// that of the worst place and the worst direction all along, so that it mostly comes true much too
+// early. Then the closest pair among those n + 1 slots apart is measured, from which (RP.47) goes
+// on; those n + 2 apart are still bounded by r(0). Where a pair has come too near, neighbours are
+// searched for in space, within R + s: what is found is complete while
+// (R + s) exp(-(E - E_search)) >= R.
+//
+// All this must hold to the end of the step to come, whose strain rate is not known yet: it is
+// allowed twice the last one. And a tenth of each bound is kept back for what eps at the particles
+// does not show: motion between them, and that the sum over steps is no integral. Ghosts move with
+// the velocities that they show to the particles beside them, whose eps contains them. Parts of a
+// body that meet across a void are no pairs of (RP.47); they become neighbours at the next search.
+namespace pliant::remeshed {
+
+namespace {
+
+using kernels::Weight;
+using scheduler::Phase;
+using scheduler::Reach;
+
+constexpr double usable = 0.9;
+constexpr double ahead = 2;  // times the strain of the last step
+
+// ln(1 + s/R) of a search: a wider skin makes lists longer, a narrower one has them made more
+// often.
+constexpr double least_skin = 0.04;
+constexpr double steps_of_skin = 3;
+double strain_between(double distance, Weight weight) {
+  return usable * std::log(distance / kernels::support(weight));
+}
+
+}  // namespace
+
+double stencil_strain(Weight weight) {
+  return strain_between(kernels::stencil_reach(weight) + 1, weight);
+}
+
+template <class T, int D>
+void NeighbourSearch<T, D>::clear() {
+  for (Body<T, D>& body : state_.bodies) {
+    body.neighbours.are_listed = false;
+    body.neighbours.complete_until = stencil_strain(weight_);
+  }
+}
+
+template <class T, int D>
+bool NeighbourSearch<T, D>::is_due(double time_step) {
+  bool any = false;
+  for (Body<T, D>& body : state_.bodies) {
+    BodyNeighbours<D>& neighbours = body.neighbours;
+    neighbours.coming_strain = ahead * time_step * neighbours.strain_rate;
+    const bool due =
+        in_every_step_ || neighbours.strain + neighbours.coming_strain > neighbours.complete_until;
+    neighbours.is_measuring_due = due && !neighbours.are_listed && !in_every_step_;
+    neighbours.is_search_due = due && !neighbours.is_measuring_due;
+    if (due) neighbours.blocks.resize(body.population.layout.blocks().size());
+    any = any || due;
+  }
+  return any;
+}
+
+template <class T, int D>
+std::vector<Phase> NeighbourSearch<T, D>::phases() {
+  const auto each = [](const char* name, const std::vector<scheduler::Access>& reads,
+                       scheduler::FieldId writes, auto run) -> Phase {
+    return {.name = name, .reads = reads, .writes = {{writes}}, .run = run};
+  };
+  const auto once = [](const char* name, scheduler::FieldId reads, scheduler::FieldId writes,
+                       auto run) -> Phase {
+    return {.name = name,
+            .reads = {{reads, Reach::all}},
+            .writes = {{writes, Reach::all}},
+            .extent = Phase::Extent::once,
+            .run = run};
+  };
+  return {
+      each("stencil reach", {{resource::drift(0), Reach::neighbours}}, resource::closest_pairs,
+           [this](int block) { measure(block); }),
+      once("stencil reach", resource::closest_pairs, resource::verdicts, [this](int) { decide(); }),
+      each("cells", {{resource::verdicts, Reach::all}, {resource::drift(0)}}, resource::sites,
+           [this](int block) {
+             const auto [body, local] = state_.owner(block);
+             if (body.neighbours.is_search_due) find_sites<T, D>(body, local);
+           }),
+      once("cells", resource::sites, resource::cells,
+           [this](int) {
+             for (Body<T, D>& body : state_.bodies) {
+               if (body.neighbours.is_search_due) sort_sites<T, D>(body);
+             }
+           }),
+      each("neighbours", {{resource::cells, Reach::all}, {resource::drift(0)}}, resource::lists,
+           [this](int block) {
+             const auto [body, local] = state_.owner(block);
+             if (!body.neighbours.is_search_due) return;
+             list_neighbours<T, D>(body, local, kernels::stencil_reach(weight_), in_every_step_);
+           }),
+  };
+}
+
+template <class T, int D>
+void NeighbourSearch<T, D>::measure(int block) {
+  const auto [body, local] = state_.owner(block);
+  if (!body.neighbours.is_measuring_due) return;
+  body.neighbours.blocks[local].closest =
+      closest_outside<T, D>(body, local, kernels::stencil_reach(weight_));
+}
+
+template <class T, int D>
+void NeighbourSearch<T, D>::decide() {
+  for (Body<T, D>& body : state_.bodies) {
+    BodyNeighbours<D>& neighbours = body.neighbours;
+    if (neighbours.is_measuring_due) decide_after_measuring(neighbours);
+    if (neighbours.is_search_due) prepare_search(body);
+  }
+}
+
+template <class T, int D>
+void NeighbourSearch<T, D>::decide_after_measuring(BodyNeighbours<D>& neighbours) const {
+  double closest = neighbours.blocks[0].closest;
+  for (const BlockNeighbours<D>& block : neighbours.blocks) {
+    closest = std::min(closest, block.closest);
+  }
+  neighbours.complete_until =
+      std::min(neighbours.strain + strain_between(closest, weight_),
+               strain_between(kernels::stencil_reach(weight_) + 2, weight_));
+  neighbours.is_search_due =
+      neighbours.strain + neighbours.coming_strain > neighbours.complete_until;
+}
+
+template <class T, int D>
+void NeighbourSearch<T, D>::prepare_search(Body<T, D>& body) const {
+  BodyNeighbours<D>& neighbours = body.neighbours;
+  const double skin = std::max(least_skin, steps_of_skin * neighbours.coming_strain);
+  neighbours.radius = kernels::support(weight_) * std::exp(skin);
+  neighbours.complete_until = neighbours.strain + strain_between(neighbours.radius, weight_);
+  neighbours.are_listed = true;
+  const std::size_t packs = body.population.layout.slots() / Layout<D>::pack;
+  neighbours.start.resize(packs);
+  neighbours.length.resize(packs);
+}
+
+template class NeighbourSearch<double, 2>;
+template class NeighbourSearch<double, 3>;
+
+}  // namespace pliant::remeshed

@@ -1,0 +1,147 @@
+#include "engine/remeshed/observe/frame.hpp"
+
+#include "engine/method/full_stress.hpp"
+#include "engine/remeshed/contact/wall_contact.hpp"
+#include "engine/remeshed/observe/point_state.hpp"
+#include "engine/remeshed/observe/surface_mesh.hpp"
+
+namespace pliant {
+
+namespace {
+
+using remeshed::Body;
+using remeshed::Kind;
+
+struct Selection {
+  int body;
+  std::int64_t slot;
+  std::array<double, 3> position;
+};
+
+template <class T, int D>
+std::vector<Selection> select(const remeshed::State<T, D>& state, bool with_ghosts) {
+  std::vector<Selection> chosen;
+  for (std::size_t b = 0; b < state.bodies.size(); ++b) {
+    const Body<T, D>& body = state.bodies[b];
+    for (const Block<D>& block : body.population.layout.blocks()) {
+      body.population.layout.for_each_slot(block, [&](std::int64_t p, const Cell<D>& cell) {
+        const Kind kind = body.population.kind[p];
+        if (kind == Kind::vacant || (kind != Kind::interior && !with_ghosts)) return;
+        Selection s{static_cast<int>(b), p, {}};
+        const Point<D> x = body.position(p, cell);
+        for (int a = 0; a < D; ++a) s.position[a] = x[a];
+        chosen.push_back(s);
+      });
+    }
+  }
+  return chosen;
+}
+
+template <class T, int D>
+std::array<double, 6> stress_of(const Body<T, D>& body, std::int64_t p) {
+  std::array<double, kernels::symmetric_components<D>> stress;
+  for (std::size_t c = 0; c < stress.size(); ++c) stress[c] = body.stress[c][p];
+  return full_stress<D>(stress, remeshed::pressure<T, D>(body, body.stage[0], p));
+}
+
+template <class T, int D>
+FrameSurface take_surface(remeshed::Solver<T, D>& solver) {
+  FrameSurface surface;
+  surface.corners = D;
+  std::vector<double> velocity, displacement;
+  std::vector<std::int32_t> owners;
+  const auto views = solver.on_nodes();
+  for (std::size_t b = 0; b < views.size(); ++b) {
+    const auto& fields = views[b].fields;
+    const auto mesh = remeshed::surface_mesh<T, D>(views[b], solver.state().boundaries);
+    const auto first = static_cast<std::int64_t>(surface.position.size() / 3);
+    for (const auto& piece : mesh.pieces) {
+      for (const std::int64_t v : piece) surface.vertex.push_back(first + v);
+    }
+    for (const remeshed::SurfaceVertex<D>& v : mesh.vertices) {
+      for (int a = 0; a < 3; ++a) surface.position.push_back(a < D ? v.place[a] : 0);
+      for (int a = 0; a < D; ++a) {
+        velocity.push_back(v.interpolated(fields.get(Field::velocity, a)));
+        displacement.push_back(v.interpolated(fields.get(Field::displacement, a)));
+      }
+      owners.push_back(static_cast<std::int32_t>(b));
+    }
+  }
+  surface.fields.push_back({"velocity", "m/s", D, std::move(velocity)});
+  surface.fields.push_back({"displacement", "m", D, std::move(displacement)});
+  surface.fields.push_back({"body", "1", 1, std::move(owners)});
+  return surface;
+}
+
+template <class T, int D>
+std::vector<std::vector<double>> wall_pressures(const remeshed::Solver<T, D>& solver) {
+  const remeshed::State<T, D>& state = solver.state();
+  remeshed::BoundaryValues<D> now;
+  now.evaluate(state.boundaries, state.clock.time);
+  std::vector<std::vector<double>> pressures;
+  for (const Body<T, D>& body : state.bodies) {
+    pressures.push_back(
+        remeshed::wall_pressure<T, D>(body, state.boundaries, now, solver.kernels()));
+  }
+  return pressures;
+}
+
+}  // namespace
+
+template <class T, int D>
+Frame take_frame(remeshed::Solver<T, D>& solver, bool with_ghosts, bool with_surface) {
+  if (with_ghosts) solver.refresh_ghosts();
+  const auto& bodies = solver.state().bodies;
+  const std::vector<Selection> chosen = select(solver.state(), with_ghosts);
+  Frame frame;
+  frame.time = solver.clock().time;
+  frame.step = solver.clock().step;
+  for (const Selection& s : chosen) {
+    frame.position.insert(frame.position.end(), s.position.begin(), s.position.end());
+  }
+  const auto add = [&](const char* name, const char* unit, int components, auto value) {
+    std::vector<double> values;
+    values.reserve(chosen.size() * components);
+    for (const Selection& s : chosen) {
+      for (int c = 0; c < components; ++c) values.push_back(value(bodies[s.body], s.slot, c));
+    }
+    frame.fields.push_back({name, unit, components, std::move(values)});
+  };
+  using B = Body<T, D>;
+  add("velocity", "m/s", D, [](const B& body, std::int64_t p, int c) {
+    return body.stage[0].get(Field::velocity, c)[p];
+  });
+  add("displacement", "m", D, [](const B& body, std::int64_t p, int c) {
+    return body.stage[0].get(Field::displacement, c)[p] + body.stage[0].get(Field::drift, c)[p];
+  });
+  add("pressure", "Pa", 1, [](const B& body, std::int64_t p, int) {
+    return remeshed::pressure<T, D>(body, body.stage[0], p);
+  });
+  add("density", "kg/m^3", 1,
+      [](const B& body, std::int64_t p, int) { return remeshed::density<T, D>(body.stage[0], p); });
+  add("stress", "Pa", 6,
+      [](const B& body, std::int64_t p, int c) { return stress_of(body, p)[c]; });
+  add("level_set", "m", 1,
+      [](const B& body, std::int64_t p, int) { return body.stage[0].get(Field::level_set)[p]; });
+  if (with_ghosts && solver.state().boundaries.have_contact()) {
+    const std::vector<std::vector<double>> pressures = wall_pressures(solver);
+    std::vector<double> values;
+    values.reserve(chosen.size());
+    for (const Selection& s : chosen) values.push_back(pressures[s.body][s.slot]);
+    frame.fields.push_back({"wall_pressure", "Pa", 1, std::move(values)});
+  }
+  std::vector<std::int32_t> kinds, owners;
+  for (const Selection& s : chosen) {
+    kinds.push_back(static_cast<std::int32_t>(bodies[s.body].population.kind[s.slot]));
+    owners.push_back(s.body);
+  }
+  frame.fields.push_back({"kind", "1", 1, std::move(kinds)});
+  frame.fields.push_back({"body", "1", 1, std::move(owners)});
+  if (with_surface) frame.surface = take_surface(solver);
+  return frame;
+}
+
+template Frame take_frame<double, 2>(remeshed::Solver<double, 2>&, bool, bool);
+template Frame take_frame<double, 3>(remeshed::Solver<double, 3>&, bool, bool);
+
+}  // namespace pliant

@@ -1,0 +1,17 @@
+#pragma once
+
+#include "engine/method/body_integrals.hpp"
+#include "engine/remeshed/solver.hpp"
+
+namespace pliant::remeshed {
+
+/// Over {phi < 0} in front of every wall, (RP.31), (RP.40)-(RP.42).
+template <class T, int D>
+BodyIntegrals integrate(const LatticeView<T, D>& view, const Boundaries<D>& boundaries,
+                        const Vector& about);
+
+/// As sums over the particles, for bodies that are never remeshed or have no surface.
+template <class T, int D>
+BodyIntegrals sum_particles(const Body<T, D>& body, const Vector& about);
+
+}  // namespace pliant::remeshed

@@ -1,0 +1,108 @@
+#pragma once
+
+#include <array>
+
+#include "engine/remeshed/body.hpp"
+#include "kernels/energy.hpp"
+#include "kernels/law.hpp"
+#include "kernels/relaxation.hpp"
+#include "kernels/set_determinant.hpp"
+
+/// Material quantities of single particles, for measurements and output; `fields` are a body's own
+/// or those of its remeshed copy.
+namespace pliant::remeshed {
+
+/// The carried state (S or F) of a slot.
+template <class T, int D>
+std::array<T, kernels::material_components<D>> material_state(const FieldStore<T, D>& fields,
+                                                              std::int64_t slot) {
+  std::array<T, kernels::material_components<D>> state = {};
+  for (int c = 0; c < fields.material_components(); ++c)
+    state[c] = fields.get(Field::material, c)[slot];
+  return state;
+}
+
+template <class T, int D>
+T density(const FieldStore<T, D>& fields, std::int64_t slot) {
+  return fields.get(Field::mass)[slot] / fields.get(Field::volume)[slot];
+}
+
+/// Calls `f.operator()<Law>(carried, rho)` with the law of a material and the state of a slot in
+/// packs.
+template <class T, int D, class F>
+auto by_law(const kernels::Material<T>& material, const FieldStore<T, D>& fields, std::int64_t slot,
+            F&& f) {
+  using Pack = xsimd::batch<T, xsimd::sse2>;
+  const auto state = material_state<T, D>(fields, slot);
+  const auto call = [&]<kernels::Model model>() {
+    using Law = kernels::Law<model, Pack, D>;
+    Pack carried[Law::components];
+    for (int c = 0; c < Law::components; ++c) carried[c] = Pack(state[c]);
+    return f.template operator()<Law>(carried, Pack(density<T, D>(fields, slot)));
+  };
+  switch (material.model) {
+    case kernels::Model::linear_rho:
+      return call.template operator()<kernels::Model::linear_rho>();
+    case kernels::Model::linear_log:
+      return call.template operator()<kernels::Model::linear_log>();
+    default:
+      return call.template operator()<kernels::Model::reduced_polynomial>();
+  }
+}
+
+/// sum p_i of (RP.70) [Pa].
+template <class T, int D>
+T memory_pressure(const FieldStore<T, D>& fields, std::int64_t slot) {
+  T sum = 0;
+  for (const Buffer<T>& pressure : fields[Field::memory_pressure]) sum += pressure[slot];
+  return sum;
+}
+
+/// p of (RP.5), (RP.6), (RP.9) or (RP.70) [Pa].
+template <class T, int D>
+T pressure(const Body<T, D>& body, const FieldStore<T, D>& fields, std::int64_t slot) {
+  const kernels::Material<T>& material = body.material;
+  const auto elastic = [&]<class Law>(const auto& carried, const auto& rho) {
+    return Law::pressure(material, carried, rho).get(0);
+  };
+  return by_law<T, D>(material, fields, slot, elastic) + memory_pressure<T, D>(fields, slot);
+}
+
+/// sigma of (RP.2) [Pa], in the order of symmetric_index.
+template <class T, int D>
+std::array<T, kernels::symmetric_components<D>> stress(const Body<T, D>& body,
+                                                       const FieldStore<T, D>& fields,
+                                                       std::int64_t slot) {
+  const kernels::Material<T>& material = body.material;
+  const T relaxed = memory_pressure<T, D>(fields, slot);
+  return by_law<T, D>(material, fields, slot, [&]<class Law>(const auto& carried, const auto& rho) {
+    xsimd::batch<T, xsimd::sse2> sigma[Law::symmetric];
+    Law::stress(material, carried, rho, sigma);
+    std::array<T, kernels::symmetric_components<D>> result;
+    for (int c = 0; c < Law::symmetric; ++c) result[c] = sigma[c].get(0);
+    for (int i = 0; i < D; ++i) result[kernels::symmetric_index<D>(i, i)] -= relaxed;
+    return result;
+  });
+}
+
+/// Elastic energy per current volume [J/m^3], (RP.40), (RP.41) or (RP.72).
+template <class T, int D>
+T energy_density(const Body<T, D>& body, const FieldStore<T, D>& fields, std::int64_t slot) {
+  const kernels::Material<T>& material = body.material;
+  const auto state = material_state<T, D>(fields, slot);
+  if (material.model != kernels::Model::reduced_polynomial) {
+    return kernels::linear_energy<T, D>(material, state.data(), density<T, D>(fields, slot));
+  }
+  T energy = kernels::polynomial_energy<T, D>(material, state.data());
+  if (body.prony.empty()) return energy;
+  const T volume_ratio = kernels::determinant<T, D>(state);
+  for (std::size_t i = 0; i < body.prony.size(); ++i) {
+    energy += kernels::relaxed_energy(body.prony[i], material.bulk_modulus,
+                                      fields.get(Field::memory_pressure, static_cast<int>(i))[slot],
+                                      volume_ratio - 1) /
+              volume_ratio;
+  }
+  return energy;
+}
+
+}  // namespace pliant::remeshed

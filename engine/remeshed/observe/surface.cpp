@@ -1,0 +1,119 @@
+#include "engine/remeshed/observe/surface.hpp"
+
+#include <cmath>
+
+#include "engine/remeshed/level_set/interpolant.hpp"
+
+namespace pliant::remeshed {
+
+namespace {
+
+template <class T, int D>
+class Surface {
+ public:
+  explicit Surface(const LatticeView<T, D>& view)
+      : lattice_(view.body.lattice),
+        interpolant_(lattice_, view.population.layout, view.fields.get(Field::level_set)) {}
+
+  std::optional<double> phi(const Vector& x) const {
+    Point<D> at, slope;
+    for (int a = 0; a < D; ++a) at[a] = (x[a] - lattice_.origin[a]) / lattice_.spacing - 0.5;
+    double value = 0;
+    if (!interpolant_(at, value, slope)) return std::nullopt;
+    return value;
+  }
+
+  // The zero between two distances along a ray, phi < 0 at the first; bisection to rounding.
+  double zero(const Vector& origin, const Vector& direction, double inside, double outside) const {
+    for (int i = 0; i < 60; ++i) {
+      const double middle = (inside + outside) / 2;
+      const std::optional<double> value = phi(along(origin, direction, middle));
+      (value && *value < 0 ? inside : outside) = middle;
+    }
+    return (inside + outside) / 2;
+  }
+
+  static Vector along(const Vector& origin, const Vector& direction, double s) {
+    return {origin[0] + s * direction[0], origin[1] + s * direction[1],
+            origin[2] + s * direction[2]};
+  }
+
+ private:
+  const Lattice<D>& lattice_;
+  CubicInterpolant<T, D> interpolant_;
+};
+
+// The last cell along the ray that can hold anything of the body.
+template <class T, int D>
+double reach(const LatticeView<T, D>& view, const Vector& origin) {
+  double far = 0;
+  for (const Block<D>& block : view.population.layout.blocks()) {
+    double square = 0;
+    for (int a = 0; a < D; ++a) {
+      const double low = std::abs(view.body.lattice.node(a, block.lower[a]) - origin[a]);
+      const double high = std::abs(view.body.lattice.node(a, block.upper[a]) - origin[a]);
+      square += std::pow(std::max(low, high), 2);
+    }
+    far = std::max(far, std::sqrt(square));
+  }
+  return far;
+}
+
+}  // namespace
+
+template <class T, int D>
+std::optional<double> ray_to_surface(const LatticeView<T, D>& view, const Vector& origin,
+                                     const Vector& direction) {
+  const Surface<T, D> surface(view);
+  const double step = view.body.lattice.spacing / 4;
+  std::optional<double> found;
+  bool inside = false;
+  const double end = reach(view, origin);
+  for (double s = 0; s < end; s += step) {
+    const std::optional<double> value = surface.phi(Surface<T, D>::along(origin, direction, s));
+    const bool now_inside = value && *value < 0;
+    if (inside && !now_inside && value) found = surface.zero(origin, direction, s - step, s);
+    inside = now_inside;
+  }
+  return found;
+}
+
+template <class T, int D>
+std::optional<double> extent(const LatticeView<T, D>& view, int axis, bool lower_side,
+                             const std::function<bool(const Vector&)>& counts) {
+  const Surface<T, D> surface(view);
+  const Lattice<D>& lattice = view.body.lattice;
+  const Layout<D>& layout = view.population.layout;
+  const T* phi = view.fields.get(Field::level_set);
+  const double side = lower_side ? -1 : 1;
+  Vector direction = {};
+  direction[axis] = side;
+  std::optional<double> farthest;
+  for (const Block<D>& block : layout.blocks()) {
+    layout.for_each_slot(block, [&](std::int64_t p, const Cell<D>& cell) {
+      if (phi[p] >= 0 || phi[p] < -1.5 * lattice.spacing) return;
+      Cell<D> next = cell;
+      next[axis] += lower_side ? -1 : 1;
+      const std::int64_t q = layout.slot(next);
+      if (q < 0 || phi[q] < 0) return;
+      Vector node = {};
+      for (int a = 0; a < D; ++a) node[a] = lattice.node(a, cell[a]);
+      const double s = surface.zero(node, direction, 0, lattice.spacing);
+      const Vector at = Surface<T, D>::along(node, direction, s);
+      if (!counts(at)) return;
+      if (!farthest || side * (at[axis] - *farthest) > 0) farthest = at[axis];
+    });
+  }
+  return farthest;
+}
+
+template std::optional<double> ray_to_surface(const LatticeView<double, 2>&, const Vector&,
+                                              const Vector&);
+template std::optional<double> extent(const LatticeView<double, 2>&, int, bool,
+                                      const std::function<bool(const Vector&)>&);
+template std::optional<double> ray_to_surface(const LatticeView<double, 3>&, const Vector&,
+                                              const Vector&);
+template std::optional<double> extent(const LatticeView<double, 3>&, int, bool,
+                                      const std::function<bool(const Vector&)>&);
+
+}  // namespace pliant::remeshed

@@ -1,0 +1,128 @@
+#include "engine/remeshed/remeshing/layout_search.hpp"
+
+#include <algorithm>
+#include <limits>
+
+#include "engine/geometry/distance_walk.hpp"
+#include "engine/geometry/padded.hpp"
+#include "engine/geometry/signed_distance.hpp"
+
+namespace pliant::remeshed {
+
+namespace {
+
+// Small bodies are divided among threads as long as blocks are worth a task; large ones into blocks
+// that fit a second-level cache. Four leading bits of the number: it stays as it is, and with it
+// the step graph, until a body has grown or shrunk by some percent.
+int block_count(std::int64_t slots) {
+  constexpr std::int64_t smallest_block = 256, largest_block = 3072, blocks_of_small_bodies = 12;
+  const std::int64_t count = std::max({std::min(slots / smallest_block, blocks_of_small_bodies),
+                                       slots / largest_block, std::int64_t{1}});
+  std::int64_t unit = 1;
+  while (count / unit >= 16) unit *= 2;
+  return static_cast<int>(count / unit * unit);
+}
+
+/// The cell to whose node a particle has come nearest.
+template <class T, int D>
+class NearestCell {
+ public:
+  explicit NearestCell(const Body<T, D>& body)
+      : inverse_spacing_(static_cast<T>(1 / body.lattice.spacing)) {
+    for (int a = 0; a < D; ++a) drift_[a] = body.stage[0].get(Field::drift, a);
+  }
+  Cell<D> operator()(std::int64_t slot, Cell<D> cell) const {
+    for (int a = 0; a < D; ++a) {
+      cell[a] += nearest_cell(drift_[a][slot] * inverse_spacing_);
+    }
+    return cell;
+  }
+
+ private:
+  T inverse_spacing_;
+  std::array<const T*, D> drift_;
+};
+
+}  // namespace
+
+template <class T, int D>
+void LayoutSearch<T, D>::find_bounds(int block) {
+  constexpr std::int32_t none = std::numeric_limits<std::int32_t>::max();
+  CellBounds<D> found;
+  found.lower.fill(none);
+  found.upper.fill(-none);
+  const Population<T, D>& from = body_.population;
+  const NearestCell<T, D> nearest(body_);
+  from.layout.for_each_slot(from.layout.blocks()[block], [&](std::int64_t p, const Cell<D>& cell) {
+    if (from.kind[p] == Kind::vacant || from.kind[p] == Kind::image) return;
+    const Cell<D> at = nearest(p, cell);
+    for (int a = 0; a < D; ++a) {
+      found.lower[a] = std::min(found.lower[a], at[a]);
+      found.upper[a] = std::max(found.upper[a], at[a]);
+    }
+  });
+  bounds_[block] = found;
+}
+
+template <class T, int D>
+void LayoutSearch<T, D>::mark_particles() {
+  CellBounds<D> all = bounds_[0];
+  for (const CellBounds<D>& of_block : bounds_) {
+    for (int a = 0; a < D; ++a) {
+      all.lower[a] = std::min(all.lower[a], of_block.lower[a]);
+      all.upper[a] = std::max(all.upper[a], of_block.upper[a]);
+    }
+  }
+  for (int a = 0; a < D; ++a) {
+    if (body_.lattice.period[a] == 0) continue;
+    all.lower[a] = 0;
+    all.upper[a] = body_.lattice.period[a] - 1;
+  }
+  occupancy_.reset(all.lower, all.upper, layout_reach);
+  const Population<T, D>& from = body_.population;
+  const NearestCell<T, D> nearest(body_);
+  for (const Block<D>& block : from.layout.blocks()) {
+    from.layout.for_each_slot(block, [&](std::int64_t p, const Cell<D>& cell) {
+      if (from.kind[p] != Kind::interior) return;
+      occupancy_.mark(body_.lattice.wrapped(nearest(p, cell)));
+    });
+  }
+  occupancy_.dilate(layout_reach);
+}
+
+template <class T, int D>
+void LayoutSearch<T, D>::mark_geometry() {
+  const Lattice<D>& lattice = body_.lattice;
+  const Shape& geometry = body_.source->geometry;
+  const Box box = bounding_box(geometry);
+  Cell<D> lower, upper;
+  for (int a = 0; a < D; ++a) {
+    // Along a period the body may have no ends.
+    const bool repeats = lattice.period[a] != 0;
+    lower[a] = repeats ? 0 : lattice.cell(a, box.lower[a]) - 1;
+    upper[a] = repeats ? lattice.period[a] - 1 : lattice.cell(a, box.upper[a]) + 1;
+  }
+  occupancy_.reset(lower, upper, layout_reach);
+  DistanceWalk inside(geometry, D, 0);
+  for_each_cell<D>(lower, upper, [&](const Cell<D>& cell) {
+    if (inside(padded<D>(lattice.node(cell))) < 0) occupancy_.mark(cell);
+  });
+  occupancy_.dilate(layout_reach);
+}
+
+template <class T, int D>
+void LayoutSearch<T, D>::build(Layout<D>& layout) const {
+  std::int64_t marked = 0;
+  for (int row = 0; row < occupancy_.rows(); ++row) {
+    for (int column = 0; column < occupancy_.columns(); ++column) {
+      marked += occupancy_.is_marked(row, column);
+    }
+  }
+  layout.build(occupancy_, body_.lattice.period, block_count(marked * Layout<D>::pack),
+               block_reach);
+}
+
+template class LayoutSearch<double, 2>;
+template class LayoutSearch<double, 3>;
+
+}  // namespace pliant::remeshed

@@ -1,0 +1,74 @@
+#pragma once
+
+#include <vector>
+
+#include "engine/remeshed/body_phases.hpp"
+#include "engine/remeshed/ghosts/ghost_fill.hpp"
+#include "engine/remeshed/ghosts/ghost_fits.hpp"
+#include "engine/remeshed/level_set/level_set.hpp"
+#include "engine/remeshed/remeshing/layout_search.hpp"
+#include "engine/remeshed/remeshing/remeshed_fields.hpp"
+#include "engine/remeshed/state.hpp"
+#include "scheduler/workers.hpp"
+
+namespace pliant::remeshed {
+
+/// Moves one body's particles back onto its lattice: section 2.3 of H&K, (RP.21)-(RP.31).
+///
+/// Works in two parts, since the blocks of the new lattice are known only after the first:
+/// `source_phases` over the present blocks (ghosts take up mass, then the new layout is found),
+/// and `target_phases` over the new ones (scatter, filter, level set, classification, ghost fits).
+/// The result lies in `spare` and `stage[1]`; the particles themselves are untouched until
+/// `commit`.
+template <class T, int D>
+class Remeshing {
+ public:
+  Remeshing(const Case& settings, Body<T, D>& body, const Boundaries<D>& boundaries,
+            const kernels::Table<T, D>& kernels, scheduler::Workers& workers);
+
+  /// Lays the initial particles out; `target_phases(false)` then completes them.
+  void place_initial(const Case& settings);
+
+  void source_phases(std::vector<scheduler::Phase>& phases, int first_block);
+  /// `from_particles` is false when the new fields are the initial ones: no scatter, no filter.
+  void target_phases(std::vector<scheduler::Phase>& phases, int first_block, bool from_particles);
+
+  /// Between the two: whether the level set is due to be reinitialised, and whether `commit` will
+  /// follow. Only then are ghosts fitted, in the place of the present ones.
+  void prepare_target(bool reinitialise, bool is_final);
+  void commit();
+  /// From a checkpoint: the layout first, and what follows from kinds and fits once they are read.
+  void lay_out_again(const std::vector<std::int32_t>& occupancy);
+  void swap_in_restored();
+
+  bool has_surface() const { return has_surface_; }
+
+ private:
+  void add_fields(BodyPhases& phases);
+  void add_level_set(BodyPhases& phases);
+  void add_ghosts(BodyPhases& phases);
+
+  void prepare_spare();
+  void share_with_level_set();
+  void find_kinds(int block);
+  void fit_block(int block);
+  void grow_stages();
+
+  Body<T, D>& body_;
+  const Boundaries<D>& boundaries_;
+  const kernels::Table<T, D>& kernels_;
+  GhostTreatment treatment_;
+  int stencil_reach_;
+  bool is_final_ = true;
+  bool has_surface_ = true;
+  bool reinitialise_ = false;
+  LayoutSearch<T, D> layout_search_;
+  RemeshedFields<T, D> fields_;
+  LevelSet<T, D> level_set_;
+  std::vector<std::int64_t> particles_;  ///< [new block]
+};
+
+extern template class Remeshing<double, 2>;
+extern template class Remeshing<double, 3>;
+
+}  // namespace pliant::remeshed

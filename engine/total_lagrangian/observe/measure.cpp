@@ -1,0 +1,147 @@
+#include "engine/total_lagrangian/observe/measure.hpp"
+
+#include <cmath>
+#include <limits>
+
+#include "engine/geometry/padded.hpp"
+#include "engine/total_lagrangian/stress_point.hpp"
+
+namespace pliant::total_lagrangian {
+
+namespace {
+
+constexpr double nothing = std::numeric_limits<double>::quiet_NaN();
+
+template <class T, int D, class F>
+void for_each_particle(const Body<T, D>& body, F&& f) {
+  for (const Block<D>& block : body.layout.blocks()) {
+    body.layout.for_each_slot(block, [&](std::int64_t p, const Cell<D>& cell) {
+      if (body.is_particle(p)) f(p, cell);
+    });
+  }
+}
+
+template <class T, int D, class F>
+void for_each_stress_point(const Body<T, D>& body, double hourglass, F&& f) {
+  for (const Block<D>& block : body.layout.blocks()) {
+    body.layout.for_each_slot(block, [&](std::int64_t p, const Cell<D>& cell) {
+      if (body.fraction[p] > 0) f(p, stress_point<T, D>(body, p, cell, hourglass));
+    });
+  }
+}
+
+}  // namespace
+
+template <class T, int D>
+std::vector<double> Measurer<T, D>::operator()() {
+  std::vector<double> values;
+  for (const MeasurementCase& m : solver_.settings().measurements) values.push_back(value(m));
+  return values;
+}
+
+template <class T, int D>
+double Measurer<T, D>::value(const MeasurementCase& m) const {
+  using Quantity = MeasurementCase::Kind;
+  if (m.reads_history()) return nothing;
+  switch (m.kind) {
+    case Quantity::extent:
+      return extent(m);
+    case Quantity::point_displacement:
+      return point_displacement(m);
+    case Quantity::surface_area:
+      return surface_area(m);
+    default:
+      return value_of(m, integrals(m.body, m.point), D);
+  }
+}
+
+template <class T, int D>
+double Measurer<T, D>::extent(const MeasurementCase& m) const {
+  const Body<T, D>& body = solver_.state().bodies[m.body];
+  const double t = solver_.clock().time, sign = m.lower_side ? -1 : 1;
+  double farthest = -std::numeric_limits<double>::infinity();
+  for (const Facet<D>& facet : body.facets) {
+    if (!facet.free) continue;
+    for (const Vertex<D>& v : facet.vertex) {
+      const Point<D> x = body.position(v);
+      const Vector at = padded<D>(x);
+      if (m.where && (*m.where)(at[0], at[1], at[2], t) == 0) continue;
+      farthest = std::max(farthest, sign * x[m.axis]);
+    }
+  }
+  return std::isfinite(farthest) ? farthest - sign * m.reference : nothing;
+}
+
+// Linear in each direction within the cell in which the point started.
+template <class T, int D>
+double Measurer<T, D>::point_displacement(const MeasurementCase& m) const {
+  const Body<T, D>& body = solver_.state().bodies[m.body];
+  double sum = 0, weights = 0;
+  for (int c = 0; c < (1 << D); ++c) {
+    Cell<D> cell;
+    double weight = 1;
+    for (int a = 0; a < D; ++a) {
+      const double at = (m.point[a] - body.lattice.node(a, 0)) / body.lattice.spacing;
+      // A point on a face that rounding puts beyond it belongs to the cell inside.
+      const double floor = std::floor(at + 1e-9);
+      const int up = c >> a & 1;
+      cell[a] = static_cast<std::int32_t>(floor) + up;
+      weight *= up ? at - floor : 1 - (at - floor);
+    }
+    const std::int64_t p = body.layout.slot(cell);
+    if (p < 0 || !body.is_particle(p)) continue;
+    sum += weight * body.displacement[m.axis][p];
+    weights += weight;
+  }
+  return weights > 0.5 ? sum / weights : nothing;
+}
+
+template <class T, int D>
+double Measurer<T, D>::surface_area(const MeasurementCase& m) const {
+  const Body<T, D>& body = solver_.state().bodies[m.body];
+  double sum = 0;
+  for (const Facet<D>& facet : body.facets) {
+    if (!facet.free) continue;
+    double square = 0;
+    for (const double a : area_vector(body, facet)) square += a * a;
+    sum += std::sqrt(square);
+  }
+  return sum;
+}
+
+template <class T, int D>
+BodyIntegrals Measurer<T, D>::integrals(int index, const Vector& about) const {
+  const Body<T, D>& body = solver_.state().bodies[index];
+  const double scaling = solver_.clock().mass_scaling;
+  BodyIntegrals sum;
+  for_each_particle(body, [&](std::int64_t p, const Cell<D>& cell) {
+    Vector r = {}, u = {};
+    for (int a = 0; a < D; ++a) {
+      r[a] = body.lattice.node(a, cell[a]) + body.displacement[a][p] - about[a];
+      u[a] = body.velocity[a][p];
+    }
+    sum.mass += body.mass[p];
+    add_motion(sum, scaling * body.mass[p], r, u);
+  });
+  for_each_stress_point(body, solver_.settings().total_lagrangian.hourglass,
+                        [&](std::int64_t p, const StressPoint<D>& point) {
+                          sum.strain_energy += point.energy;
+                          sum.volume += body.fraction[p] * std::pow(body.lattice.spacing, D) *
+                                        point.volume_ratio;
+                        });
+  return sum;
+}
+
+template <class T, int D>
+BodyIntegrals Measurer<T, D>::totals() {
+  BodyIntegrals sum;
+  for (int b = 0; b < static_cast<int>(solver_.state().bodies.size()); ++b) {
+    add(sum, integrals(b, {}));
+  }
+  return sum;
+}
+
+template class Measurer<double, 2>;
+template class Measurer<double, 3>;
+
+}  // namespace pliant::total_lagrangian

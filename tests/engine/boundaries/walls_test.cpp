@@ -1,0 +1,74 @@
+#include "engine/boundaries/walls.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+namespace pliant::test {
+namespace {
+
+/// The half-space below y = `level`, moving with the velocities given as formulas of t.
+BoundaryCase floor(double level, const std::string& x = "0", const std::string& y = "0") {
+  BoundaryCase boundary;
+  boundary.kind = BoundaryCase::Kind::wall;
+  boundary.geometry.kind = Shape::Kind::half_space;
+  boundary.geometry.point = {0, level, 0};
+  boundary.geometry.normal = {0, 1, 0};
+  boundary.velocity = {Expression(x), Expression(y), Expression(0.0)};
+  return boundary;
+}
+
+TEST(walls, motion_of_cubic_velocity_is_followed_exactly) {
+  Wall<2> wall(floor(0, "1 - 2*t + 3*t^2 - 4*t^3", "5*t^3"));
+  double t = 0;
+  for (const double dt : {0.3, 0.05, 0.4, 0.25}) {
+    wall.move(t, dt);
+    t += dt;
+    EXPECT_NEAR(wall.offset()[0], t - t * t + t * t * t - t * t * t * t, 1e-15);
+    EXPECT_NEAR(wall.offset()[1], 1.25 * t * t * t * t, 1e-15);
+  }
+}
+
+TEST(walls, distance_and_normal_move_with_the_wall) {
+  Wall<2> wall(floor(0.5, "0", "-2"));
+  EXPECT_DOUBLE_EQ(wall.distance({7, 0.75}), 0.25);
+  EXPECT_DOUBLE_EQ(wall.distance({7, 0.25}), -0.25);
+  wall.move(0, 0.1);
+  EXPECT_DOUBLE_EQ(wall.distance({7, 0.75}), 0.45);
+  EXPECT_EQ(wall.normal({7, 0.1}), (Point<2>{0, 1}));
+  EXPECT_EQ(wall.velocity(3), (Point<2>{0, -2}));
+}
+
+TEST(walls, a_restored_wall_stands_where_it_stood) {
+  Wall<2> wall(floor(0, "t", "sin(t)")), restored = wall;
+  for (int i = 0; i < 5; ++i) wall.move(0.1 * i, 0.1);
+  restored.restore(wall.offset());
+  EXPECT_EQ(restored.distance({0.3, 0.7}), wall.distance({0.3, 0.7}));
+}
+
+TEST(walls, the_nearest_of_several_is_found_and_pressures_are_none_of_them) {
+  BoundaryCase load = floor(0.2);
+  load.kind = BoundaryCase::Kind::pressure;
+  load.pressure = Expression("3*t");
+  BoundaryCase slippery = floor(-1);
+  slippery.kind = BoundaryCase::Kind::slip_wall;
+  const Boundaries<2> boundaries({load, floor(-2), slippery});
+  ASSERT_EQ(boundaries.walls.size(), 2u);
+  ASSERT_EQ(boundaries.pressures.size(), 1u);
+  EXPECT_FALSE(boundaries.walls[0].slips());
+  EXPECT_TRUE(boundaries.walls[1].slips());
+  EXPECT_EQ(boundaries.nearest_wall({0, 0}), (std::pair<int, double>{1, 1}));
+  EXPECT_EQ(boundaries.distance_to_sticking({0, 0}), 2);
+  EXPECT_EQ(boundaries.pressures[0].value(2), 6);
+  EXPECT_TRUE(boundaries.pressures[0].acts_at({0, 0.1}));
+  EXPECT_FALSE(boundaries.pressures[0].acts_at({0, 0.3}));
+}
+
+TEST(walls, without_any_the_nearest_is_infinitely_far) {
+  const auto [wall, distance] = Boundaries<2>({}).nearest_wall({0, 0});
+  EXPECT_EQ(wall, -1);
+  EXPECT_EQ(distance, HUGE_VAL);
+}
+
+}  // namespace
+}  // namespace pliant::test

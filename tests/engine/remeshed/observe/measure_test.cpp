@@ -1,0 +1,99 @@
+#include "engine/remeshed/observe/measure.hpp"
+
+#include <gtest/gtest.h>
+
+#include "engine/remeshed/observe/surface.hpp"
+#include "tests/engine/remeshed/spinning_disc.hpp"
+
+namespace pliant::test {
+namespace {
+
+using Measurer = remeshed::Measurer<double, 2>;
+
+const Vector centre = {0.013, -0.021, 0};
+
+/// Largest distance of the measured surface from the circle, over many directions.
+double surface_error(double spacing) {
+  Solver solver(spinning_disc(spacing), 1, kernels::Isa::sse2);
+  const LatticeView view = solver.on_nodes()[0];
+  double largest = 0;
+  for (int k = 0; k < 101; ++k) {
+    const double angle = 2 * pi * k / 101;
+    const auto r =
+        remeshed::ray_to_surface(view, centre, Vector{std::cos(angle), std::sin(angle), 0});
+    EXPECT_TRUE(r);
+    largest = std::max(largest, std::abs(r.value_or(0) - 1));
+  }
+  return largest;
+}
+
+TEST(measuring, the_surface_of_a_disc_is_found_to_fourth_order) {
+  const double coarse = surface_error(0.1), fine = surface_error(0.05);
+  // 3/128 h^4 times a fourth derivative of the distance, up to 3, in each direction.
+  EXPECT_LT(coarse, 2 * 3.0 / 128 * 3 * 1e-4);
+  EXPECT_LT(fine, coarse / 12);
+}
+
+TEST(measuring, extents_reach_to_the_surface_and_no_farther) {
+  Solver solver(spinning_disc(0.05), 1, kernels::Isa::sse2);
+  const LatticeView view = solver.on_nodes()[0];
+  const auto all = [](const Vector&) { return true; };
+  const auto upper_half = [](const Vector& x) { return x[1] > 0.5; };
+  for (const int axis : {0, 1}) {
+    for (const bool lower_side : {false, true}) {
+      const double side = lower_side ? -1 : 1;
+      const double reached = *remeshed::extent<double, 2>(view, axis, lower_side, all);
+      // The circle falls back by h^2/8 between the two node lines around its farthest point.
+      EXPECT_LE(side * (reached - centre[axis]), 1 + 1e-6);
+      EXPECT_GE(side * (reached - centre[axis]), 1 - 0.05 * 0.05 / 8 - 1e-6);
+    }
+  }
+  const double cut = *remeshed::extent<double, 2>(view, 0, false, upper_half) - centre[0];
+  const double at_the_cut = std::sqrt(1 - std::pow(0.5 - centre[1], 2));
+  EXPECT_LE(cut, at_the_cut);
+  EXPECT_GE(cut, at_the_cut - 0.05);  // a node line lies within h above the cut
+  EXPECT_FALSE((remeshed::extent<double, 2>(view, 0, false, [](const Vector&) { return false; })));
+}
+
+TEST(measuring, linear_displacements_are_traced_to_their_starting_points) {
+  Solver solver(spinning_disc(0.1), 1, kernels::Isa::sse2);
+  Body& body = solver.state().bodies[0];
+  // A uniform stretch x = 1.02 X, y = 0.97 Y: d = x - X, the drift a part of it.
+  for_each(body.population, Kind::interior, [&](std::int64_t p, const Cell<2>& cell) {
+    const Point<2> node = body.lattice.node(cell);
+    const double drift[] = {0.01 * node[1], 0.02}, stretch[] = {1.02, 0.97};
+    for (int a = 0; a < 2; ++a) {
+      const double x = node[a] + drift[a];
+      body.stage[0].get(Field::drift, a)[p] = drift[a];
+      body.stage[0].get(Field::displacement, a)[p] = x - x / stretch[a] - drift[a];
+    }
+  });
+  const Vector start = {0.31, -0.42, 0};
+  const Vector d = remeshed::material_displacement<double, 2>(body, start);
+  EXPECT_NEAR(d[0], 0.02 * start[0], 1e-13);
+  EXPECT_NEAR(d[1], -0.03 * start[1], 1e-13);
+}
+
+TEST(measuring, everything_that_the_cases_ask_for_has_a_value_at_the_start) {
+  for (const char* name : {"compression_linear", "compression_hyperelastic", "rotating_cylinder",
+                           "periodic_square", "oscillating_plate"}) {
+    const Case settings = small_case(name, {});
+    Solver solver(settings, 1, kernels::Isa::sse2);
+    const std::vector<double> values = Measurer(solver)();
+    ASSERT_EQ(values.size(), settings.measurements.size());
+    for (std::size_t m = 0; m < values.size(); ++m) {
+      const bool read_from_history = settings.measurements[m].of >= 0;
+      EXPECT_EQ(std::isnan(values[m]), read_from_history) << settings.measurements[m].name;
+    }
+  }
+}
+
+TEST(measuring, the_waves_start_without_an_error) {
+  const Case settings = small_case("periodic_square", {});
+  Solver solver(settings, 1, kernels::Isa::sse2);
+  // The case gives its frequencies and amplitudes with 12 digits.
+  EXPECT_NEAR(Measurer(solver)()[0], 0, 1e-12);
+}
+
+}  // namespace
+}  // namespace pliant::test

@@ -1,0 +1,74 @@
+#include "engine/remeshed/observe/surface_area.hpp"
+
+#include <gtest/gtest.h>
+
+#include "engine/remeshed/observe/measure.hpp"
+#include "tests/engine/case/written_case.hpp"
+#include "tests/engine/remeshed/spinning_disc.hpp"
+
+namespace pliant::test {
+namespace {
+
+constexpr const char* ball = R"(
+dimension = 3
+discretisation = { spacing = 0.2 }
+time = { end = 1 }
+[[body]]
+name = "ball"
+geometry = { shape = "ball", centre = [0.013, -0.021, 0.03], radius = 1 }
+material = { model = "linear", youngs_modulus = 100, poissons_ratio = 0.3, density = 1 }
+[[measurement]]
+name = "volume"
+kind = "volume"
+[[measurement]]
+name = "area"
+kind = "surface_area"
+)";
+
+double perimeter(double spacing) {
+  Solver solver(spinning_disc(spacing), 1, kernels::Isa::sse2);
+  return remeshed::surface_area<double, 2>(solver.on_nodes()[0], solver.state().boundaries);
+}
+
+/// Volume and area over those of the ball.
+std::array<double, 2> of_a_ball(double spacing) {
+  const Case settings =
+      tests::read_text(ball, {"discretisation.spacing=" + std::to_string(spacing)});
+  remeshed::Solver<double, 3> solver(settings, 1, kernels::Isa::sse2);
+  const std::vector<double> values = remeshed::Measurer<double, 3>(solver)();
+  return {values[0] / (4 * pi / 3), values[1] / (4 * pi)};
+}
+
+// phi is linear on edges of length l <= sqrt(2) h: zeros lie up to l^2/8 inside the circle, and
+// chords of length l are short by l^2/24 of theirs.
+TEST(surface_area, of_a_disc_is_its_perimeter_to_second_order) {
+  for (const double h : {0.1, 0.05, 0.025}) {
+    const double ratio = perimeter(h) / (2 * pi);
+    EXPECT_LT(ratio, 1);
+    EXPECT_GT(ratio, 1 - (2. / 8 + 2. / 24) * h * h);
+  }
+}
+
+// In space l <= sqrt(3) h, twice as radii go squared; both errors fall to a quarter with h/2.
+TEST(surface_area, of_a_ball_converges_to_second_order) {
+  const double coarse = 1 - of_a_ball(0.2)[1], fine = 1 - of_a_ball(0.1)[1];
+  EXPECT_GT(coarse, 0);
+  EXPECT_LT(coarse, 2 * (3. / 8 + 3. / 24) * 0.2 * 0.2);
+  EXPECT_NEAR(coarse / fine, 4, 0.6);
+}
+
+// A surface of area 4 pi cuts that many sub-cells of side h/10, each to a random share.
+TEST(volume, of_a_ball_is_met_to_the_sampling_of_sub_cells) {
+  EXPECT_NEAR(of_a_ball(0.2)[0], 1, std::pow(0.02, 2) * 3);
+}
+
+TEST(surface_area, counts_only_what_lies_in_front_of_walls) {
+  Solver solver(small_case("compression_linear", {"discretisation.spacing=1/16"}), 1,
+                kernels::Isa::sse2);
+  // The flanks of the block of height 2; its ends are bonded to the pistons.
+  EXPECT_NEAR((remeshed::surface_area<double, 2>(solver.on_nodes()[0], solver.state().boundaries)),
+              4, 1e-12);
+}
+
+}  // namespace
+}  // namespace pliant::test
