@@ -13,7 +13,7 @@ namespace pliant::kernels {
 /// then W v S or W v F; padded to whole cache lines of doubles.
 template <int D>
 inline constexpr int node_fields = 4 + 2 * D + material_components<D>;
-/// Values of a node when `components` of S or F are carried, and at most.
+/// Values of a node when `components` of S or F cross with it, and at most.
 template <int D>
 constexpr int node_width_for(int components) {
   return (4 + 2 * D + components + 7) / 8 * 8;
@@ -22,7 +22,7 @@ template <int D>
 inline constexpr int node_width = node_width_for<D>(material_components<D>);
 template <int D>
 struct NodeField {
-  static constexpr int weight = 0, mass = 1, momentum = 2, volume = 2 + D, carried = 3 + D,
+  static constexpr int weight = 0, mass = 1, momentum = 2, volume = 2 + D, displacement = 3 + D,
                        level_set = 3 + 2 * D, material = 4 + 2 * D;
 };
 
@@ -44,7 +44,7 @@ struct Scatter {
   int material_component_count;       ///< of S or F
   const T* mass;
   const T* level_set;
-  std::array<const T*, D> carried;  ///< d at the last remeshing; d + xi is remeshed
+  std::array<const T*, D> displacement;  ///< d at the last remeshing; d + xi is remeshed
   Evolving<const T, D> state;
   T* nodes;                            ///< [node][node_width_for(material_component_count)]
   const NodeRow* rows;                 ///< [z][y]

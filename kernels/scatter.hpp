@@ -52,7 +52,7 @@ inline void prepare_scatter(const Scatter<Scalar<P>, D>& block, std::int64_t slo
   for (int i = 0; i < D; ++i) {
     const P xi = load<P>(block.state.drift[i] + slot);
     put(Field::momentum + i, m * load<P>(block.state.velocity[i] + slot));
-    put(Field::displacement + i, v * (load<P>(block.carried[i] + slot) + xi));
+    put(Field::displacement + i, v * (load<P>(block.displacement[i] + slot) + xi));
     P weight[4];
     m4prime(xi * P(block.inverse_spacing) - P::load_aligned(&columns.cell[i][at]), weight);
     for (int k = 0; k < 4; ++k) weight[k].store_aligned(&columns.weight[i][k][at]);

@@ -19,7 +19,7 @@ struct Tile {
   explicit Tile(Model model) : body(small_box<T, D>(), T(0.1), model) {
     State<T, D>& state = body.states[0];
     jitter(state.drift, T(1.4) * body.patch.spacing, 7);
-    jitter(carried, T(0.3), 8);
+    jitter(displacement, T(0.3), 8);
     std::mt19937 random(9);
     std::uniform_real_distribution<T> value(-1, 1);
     for (T& phi : level_set) phi = value(random);
@@ -50,7 +50,7 @@ struct Tile {
                             rows.data(),
                             lower,
                             extent};
-    for (int i = 0; i < D; ++i) arguments.carried[i] = carried[i].data();
+    for (int i = 0; i < D; ++i) arguments.displacement[i] = displacement[i].data();
     baseline_table<T, D>().scatter(arguments);
   }
 
@@ -65,7 +65,7 @@ struct Tile {
     r[Value::level_set] = level_set[p];
     for (int i = 0; i < D; ++i) {
       r[Value::momentum + i] = m * q.velocity[i][p];
-      r[Value::carried + i] = v * (double(carried[i][p]) + q.drift[i][p]);
+      r[Value::displacement + i] = v * (double(displacement[i][p]) + q.drift[i][p]);
     }
     for (int c = 0; c < components; ++c) r[Value::material + c] = v * q.material[c][p];
     return r;
@@ -85,7 +85,7 @@ struct Tile {
   }
 
   Body<T, D> body;
-  std::array<Field<T>, D> carried = filled();
+  std::array<Field<T>, D> displacement = filled();
   Field<T> level_set = Field<T>(body.patch.slots), nodes;
   std::vector<NodeRow> rows;
   std::array<std::int32_t, D> shift = {}, lower, extent;

@@ -78,7 +78,7 @@ void RemeshedFields<T, D>::take_nodes(int block, ScatterTile<T, D>& tile) {
     for (int a = 0; a < D; ++a) {
       state.get(Field::drift, a)[p] = 0;
       state.get(Field::velocity, a)[p] = node[Node::momentum + a] * per_mass;
-      state.get(Field::displacement, a)[p] = node[Node::carried + a] * per_volume;
+      state.get(Field::displacement, a)[p] = node[Node::displacement + a] * per_volume;
     }
     for (int c = 0; c < state.material_components(); ++c) {
       state.get(Field::material, c)[p] = node[Node::material + c] * per_volume;

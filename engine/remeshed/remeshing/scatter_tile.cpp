@@ -63,7 +63,7 @@ kernels::Scatter<T, D> ScatterTile<T, D>::scatter_of(Body<T, D>& body,
   work.material_component_count = carried.count;
   work.mass = state.get(Field::mass);
   work.level_set = state.get(Field::level_set);
-  for (int a = 0; a < D; ++a) work.carried[a] = state.get(Field::displacement, a);
+  for (int a = 0; a < D; ++a) work.displacement[a] = state.get(Field::displacement, a);
   work.state = state.template evolving<const T>();
   work.state.material = carried.field;
   work.nodes = nodes_.get();
