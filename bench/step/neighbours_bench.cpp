@@ -41,8 +41,8 @@ void compress(Solver& solver) {
 }
 
 void step(benchmark::State& state, Weight weight, bool over_lists) {
-  Solver solver(without_remeshing(state.range(0), weight), static_cast<int>(state.range(1)),
-                kernels::widest_supported());
+  Solver solver(without_remeshing(state.range(0), weight),
+                {static_cast<int>(state.range(1)), kernels::widest_supported()});
   if (over_lists) compress(solver);
   solver.step(1);
   for (auto _ : state) solver.step(1);
@@ -53,13 +53,13 @@ void step(benchmark::State& state, Weight weight, bool over_lists) {
 }
 
 void search(benchmark::State& state, Weight weight) {
-  Solver solver(without_remeshing(state.range(0), weight), static_cast<int>(state.range(1)),
-                kernels::widest_supported());
+  Solver solver(without_remeshing(state.range(0), weight),
+                {static_cast<int>(state.range(1)), kernels::widest_supported()});
   compress(solver);
   solver.step(1);
   const auto seconds = [&] {
     double sum = 0;
-    for (const auto& timer : solver.totals().timers()) {
+    for (const auto& timer : solver.step_totals().timers()) {
       if (timer.name == "cells" || timer.name == "neighbours") sum += timer.seconds;
     }
     return sum;

@@ -35,27 +35,27 @@ double seconds_of(const scheduler::StepTotals& totals, const std::string& phase)
 // Arguments: particles, threads.
 void rotating_cylinder_steps(benchmark::State& state, Weight weight) {
   const auto threads = static_cast<int>(state.range(1));
-  Solver solver(rotating_cylinder(state.range(0), weight), threads, kernels::widest_supported());
+  Solver solver(rotating_cylinder(state.range(0), weight), {threads, kernels::widest_supported()});
   advance(solver);
-  const scheduler::StepTotals before = solver.totals();
+  const scheduler::StepTotals before = solver.step_totals();
   const std::int64_t stages = solver.particle_stages();
-  const double loop = solver.loop_seconds();
+  const double loop = solver.step_seconds();
   for (auto _ : state) advance(solver);
 
   state.SetItemsProcessed(solver.particle_stages() - stages);
   state.counters["particles"] = static_cast<double>(solver.particles());
   state.counters["bytes_per_particle"] =
       static_cast<double>(solver.bytes()) / static_cast<double>(solver.particles());
-  const double available = threads * (solver.loop_seconds() - loop);
+  const double available = threads * (solver.step_seconds() - loop);
   double idle = 1;
-  for (const auto& timer : solver.totals().timers()) {
+  for (const auto& timer : solver.step_totals().timers()) {
     const double share = (timer.seconds - seconds_of(before, timer.name)) / available;
     state.counters[timer.name] = share;
     idle -= share;
   }
   state.counters["idle"] = idle;
   const double stages_per_second =
-      static_cast<double>(solver.particle_stages() - stages) / (solver.loop_seconds() - loop);
+      static_cast<double>(solver.particle_stages() - stages) / (solver.step_seconds() - loop);
   state.counters["GFLOP/s"] =
       1e-9 * stages_per_second * flop_per_stage(weight, kernels::Model::linear_rho);
   state.counters["GB/s"] = 1e-9 * stages_per_second * bytes_per_stage(kernels::Model::linear_rho);

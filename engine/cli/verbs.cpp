@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <memory>
 #include <stdexcept>
 #include <thread>
 
@@ -10,9 +11,7 @@
 #include "engine/case/read_case.hpp"
 #include "engine/case/reference.hpp"
 #include "engine/case/validate_summary.hpp"
-#include "engine/remeshed/solver.hpp"
 #include "engine/simulation/run.hpp"
-#include "engine/total_lagrangian/solver.hpp"
 
 namespace pliant::cli {
 
@@ -73,19 +72,10 @@ ExitStatus list(const std::filesystem::path& folder) {
 
 ExitStatus graph(const GraphArguments& arguments) {
   const Case settings = read_case(arguments.source.path, arguments.source.settings);
-  const auto print = [&](const scheduler::StepGraph& graph) {
-    const auto detail = arguments.blocks ? scheduler::Detail::blocks : scheduler::Detail::phases;
-    fmt::print("{}", arguments.format == "json" ? graph.json() : graph.dot(detail));
-  };
-  const auto print_for = [&]<int D>() {
-    const kernels::Isa isa = kernels::widest_supported();
-    if (settings.method == Method::remeshed) {
-      print(remeshed::Solver<double, D>(settings, 1, isa).step_graph());
-    } else {
-      print(total_lagrangian::Solver<double, D>(settings, 1, isa).step_graph());
-    }
-  };
-  settings.dimension == 2 ? print_for.template operator()<2>() : print_for.template operator()<3>();
+  const std::unique_ptr<Solver> solver = methods().make(settings, {});
+  const scheduler::StepGraph& graph = solver->step_graph();
+  const auto detail = arguments.blocks ? scheduler::Detail::blocks : scheduler::Detail::phases;
+  fmt::print("{}", arguments.format == "json" ? graph.json() : graph.dot(detail));
   return ExitStatus::done;
 }
 

@@ -3,9 +3,7 @@
 #include <algorithm>
 #include <iterator>
 
-#include "engine/remeshed/resources.hpp"
-
-namespace pliant::remeshed {
+namespace pliant {
 
 namespace {
 
@@ -54,7 +52,7 @@ scheduler::StepGraph& CachedGraph<D>::over(const Layouts<D>& layouts,
   scheduler::Blocks blocks = connect_blocks<D>(layouts, slack);
   if (graph_ && has_counts(layouts)) add_neighbours(blocks, graph_->blocks());
   graph_ =
-      std::make_unique<scheduler::StepGraph>(make_phases(), std::move(blocks), resource::names());
+      std::make_unique<scheduler::StepGraph>(make_phases(), std::move(blocks), resource_names_);
   block_counts_.clear();
   for (const Layout<D>* layout : layouts) block_counts_.push_back(layout->blocks().size());
   return *graph_;
@@ -63,4 +61,4 @@ scheduler::StepGraph& CachedGraph<D>::over(const Layouts<D>& layouts,
 template class CachedGraph<2>;
 template class CachedGraph<3>;
 
-}  // namespace pliant::remeshed
+}  // namespace pliant

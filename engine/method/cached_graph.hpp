@@ -2,12 +2,14 @@
 
 #include <functional>
 #include <memory>
+#include <string>
+#include <utility>
 #include <vector>
 
 #include "engine/blocks/numbering.hpp"
 #include "scheduler/step_graph.hpp"
 
-namespace pliant::remeshed {
+namespace pliant {
 
 /// A step graph that is built when it is first asked for, and again only when blocks have come near
 /// each other that it does not know as neighbours, or bodies have other numbers of blocks. Those
@@ -15,6 +17,10 @@ namespace pliant::remeshed {
 template <int D>
 class CachedGraph {
  public:
+  /// The names of what its phases read and write.
+  explicit CachedGraph(std::vector<std::string> resource_names)
+      : resource_names_(std::move(resource_names)) {}
+
   using MakePhases = std::function<std::vector<scheduler::Phase>()>;
 
   /// The graph of the phases over the blocks of `layouts`.
@@ -26,6 +32,7 @@ class CachedGraph {
   bool has_counts(const Layouts<D>& layouts) const;
   bool serves(const Layouts<D>& layouts) const;
 
+  std::vector<std::string> resource_names_;
   std::unique_ptr<scheduler::StepGraph> graph_;
   std::vector<std::size_t> block_counts_;  ///< [body] when it was built
 };
@@ -33,4 +40,4 @@ class CachedGraph {
 extern template class CachedGraph<2>;
 extern template class CachedGraph<3>;
 
-}  // namespace pliant::remeshed
+}  // namespace pliant

@@ -27,6 +27,12 @@ struct FrameSurface {
   std::vector<FrameField> fields;    ///< on the vertices
 };
 
+/// What a frame holds besides the particles.
+struct FrameParts {
+  bool ghosts = false;
+  bool surface = false;  ///< the free surface of every body
+};
+
 /// The particles at one instant. Every frame of a run has the same fields; the number of particles
 /// may change.
 struct Frame {

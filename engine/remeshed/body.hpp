@@ -159,6 +159,7 @@ struct Body {
   std::string name;
   const BodyCase* source = nullptr;
   kernels::Material<T> material;
+  bool has_surface = true;    ///< whether phi = 0 cuts it; not so where it fills a periodic cell
   bool is_plain_sph = false;  ///< without ghosts, neighbours always listed
   Lattice<D> lattice;
   Population<T, D> population, spare;

@@ -3,11 +3,14 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 
+#include "engine/method/step_failure.hpp"
+#include "engine/remeshed/observe/frame.hpp"
+#include "engine/remeshed/observe/measure.hpp"
 #include "engine/remeshed/resources.hpp"
 #include "engine/remeshed/setup.hpp"
+#include "engine/remeshed/state_archive.hpp"
 
 namespace pliant::remeshed {
 
@@ -28,42 +31,46 @@ Layouts<D> layouts_of(const std::vector<Body<T, D>>& bodies, Population<T, D> Bo
 }  // namespace
 
 template <class T, int D>
-Solver<T, D>::Solver(const Case& settings, int threads, kernels::Isa isa)
-    : settings_(settings),
-      workers_(threads),
-      kernels_(kernels::table<T, D>(isa)),
-      state_(make_state<T, D>(settings_)),
+Solver<T, D>::Solver(const Case& a_case, const SolverOptions& options)
+    : pliant::Solver(a_case, options),
+      kernels_(kernels::table<T, D>(options.isa)),
+      state_(make_state<T, D>(settings())),
       layouts_(layouts_of(state_.bodies, &Body<T, D>::population)),
       spare_layouts_(layouts_of(state_.bodies, &Body<T, D>::spare)),
-      step_(state_, settings_, kernels_),
-      search_(state_, search_weight(settings_), is_plain_sph(settings_)),
+      step_(state_, settings(), kernels_),
+      search_(state_, search_weight(settings()), is_plain_sph(settings())),
+      step_graph_(resource::names()),
+      listed_step_graph_(resource::names()),
+      search_graph_(resource::names()),
+      ghost_graph_(resource::names()),
+      source_graph_(resource::names()),
+      target_graph_(resource::names()),
+      stress_graph_(resource::names()),
       listed_(state_.bodies.size()) {
   for (std::size_t b = 0; b < state_.bodies.size(); ++b) {
-    remeshings_.push_back(std::make_unique<Remeshing<T, D>>(settings_, state_.bodies[b],
-                                                            state_.boundaries, kernels_, workers_));
-    remeshings_.back()->place_initial(settings_);
+    remeshings_.push_back(std::make_unique<Remeshing<T, D>>(
+        settings(), state_.bodies[b], state_.boundaries, kernels_, workers()));
+    remeshings_.back()->place_initial(settings());
     remeshings_.back()->prepare_target(false, true);
   }
   scheduler::StepGraph initial(target_phases(false), connect_blocks<D>(spare_layouts_, 0),
                                resource::names());
-  initial.run(workers_);
+  initial.run(workers());
   for (auto& remeshing : remeshings_) remeshing->commit();
   number_blocks<D>(layouts_, state_.blocks);
   step_.momentum().open();
-  adopt();
+  use_new_slots();
 }
 
 template <class T, int D>
 double Solver<T, D>::time_step() const {
-  if (settings_.time.step) return *settings_.time.step;
-  return settings_.time.cfl * settings_.discretisation.spacing / state_.clock.wave_speed;
+  if (settings().time.step) return *settings().time.step;
+  return settings().time.cfl * settings().discretisation.spacing / state_.clock.wave_speed;
 }
 
 template <class T, int D>
-void Solver<T, D>::step(double longest) {
-  const auto start = std::chrono::steady_clock::now();
+void Solver<T, D>::take_step(double dt) {
   Clock& clock = state_.clock;
-  const double dt = step_length(settings_, clock, time_step(), longest);
   step_.prepare(dt);
   find_neighbours(dt);
   run(*present_graph_);
@@ -77,19 +84,18 @@ void Solver<T, D>::step(double longest) {
   clock.accumulated_strain += dt * step_.result().strain_rate;
   clock.wave_speed = step_.result().wave_speed;
   add_strain(dt);
-  particle_stages_ += 4 * particles();
+  add_particle_stages(4 * particles());
   if (remeshing_due()) remesh();
-  loop_seconds_ += std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
 }
 
 template <class T, int D>
 bool Solver<T, D>::remeshing_due() const {
   using Policy = decltype(Case{}.remeshing)::Policy;
-  switch (settings_.remeshing.policy) {
+  switch (settings().remeshing.policy) {
     case Policy::every:
-      return state_.clock.steps_since_remeshing >= settings_.remeshing.every;
+      return state_.clock.steps_since_remeshing >= settings().remeshing.every;
     case Policy::adaptive:
-      return state_.clock.accumulated_strain > settings_.remeshing.strain;
+      return state_.clock.accumulated_strain > settings().remeshing.strain;
     case Policy::never:
       return false;
   }
@@ -100,7 +106,7 @@ template <class T, int D>
 void Solver<T, D>::remesh() {
   Clock& clock = state_.clock;
   const bool reinitialise =
-      clock.steps_since_reinitialisation >= settings_.level_set.reinitialise_every;
+      clock.steps_since_reinitialisation >= settings().level_set.reinitialise_every;
   remesh_onto_spare(reinitialise, true);
   if (reinitialise) clock.steps_since_reinitialisation = 0;
   ++clock.remeshings;
@@ -108,7 +114,7 @@ void Solver<T, D>::remesh() {
   clock.accumulated_strain = 0;
   for (Body<T, D>& body : state_.bodies) body.neighbours.strain = 0;
   for (auto& remeshing : remeshings_) remeshing->commit();
-  adopt();
+  use_new_slots();
 }
 
 template <class T, int D>
@@ -142,9 +148,9 @@ std::vector<scheduler::Phase> Solver<T, D>::target_phases(bool from_particles) {
 }
 
 template <class T, int D>
-void Solver<T, D>::adopt() {
+void Solver<T, D>::use_new_slots() {
   check_bodies();
-  restored();
+  number_slots();
   run(stress_graph_.over(layouts_, [&] { return step_.stress_phases(); }));
   step_.fold();
   check(step_.result());
@@ -152,7 +158,7 @@ void Solver<T, D>::adopt() {
 }
 
 template <class T, int D>
-void Solver<T, D>::restored() {
+void Solver<T, D>::number_slots() {
   number_blocks<D>(layouts_, state_.blocks);
   search_.clear();
   present_graph_ = &step_graph_.over(layouts_, [&] { return step_.phases(); });
@@ -184,25 +190,25 @@ void Solver<T, D>::add_strain(double time_step) {
 }
 
 template <class T, int D>
-void Solver<T, D>::run(scheduler::StepGraph& graph) {
-  graph.run(workers_);
-  graph.record().simulated_time = state_.clock.time;
-  totals_.add(graph.record(), graph.timer_names());
-}
-
-template <class T, int D>
 void Solver<T, D>::check(const kernels::StageResult& result) const {
   if (result.non_finite < 0) return;
   const BlockOwner owner = state_.blocks[step_.failed_block()];
   const Body<T, D>& body = state_.bodies[owner.body];
   const Point<D> x = body.lattice.node(body.population.layout.cell(result.non_finite));
-  throw StepFailure(
-      fmt::format("t = {:.6g}, step {}: particle {} of body `{}` near ({:.4g}, {:.4g}) is no "
-                  "longer finite or has "
-                  "lost its volume; use a smaller time step (time.cfl), remesh more often "
-                  "(remeshing.strain), or "
-                  "use a finer spacing",
-                  state_.clock.time, state_.clock.step, result.non_finite, body.name, x[0], x[1]));
+  throw failed_step(
+      state_.clock,
+      fmt::format("particle {} of body `{}` near {} is no longer finite or has lost its volume",
+                  result.non_finite, body.name, coordinates<D>(x)),
+      remedies());
+}
+
+template <class T, int D>
+std::vector<std::string> Solver<T, D>::remedies() const {
+  using Policy = decltype(Case{}.remeshing)::Policy;
+  const bool adaptive = settings().remeshing.policy == Policy::adaptive;
+  return {smaller_step(settings()),
+          adaptive ? "remesh more often (remeshing.strain)" : "remesh more often (remeshing.every)",
+          "use a finer spacing"};
 }
 
 // A body that blows up may be flung off its level set within one remeshing, finite to the last.
@@ -210,11 +216,9 @@ template <class T, int D>
 void Solver<T, D>::check_bodies() const {
   for (const Body<T, D>& body : state_.bodies) {
     if (body.population.particles > 0) continue;
-    throw StepFailure(
-        fmt::format("t = {:.6g}, step {}: body `{}` has no particle left; look at the last frames "
-                    "for where it broke, then use a smaller time step (time.cfl), remesh more "
-                    "often (remeshing.every), or use a finer spacing",
-                    state_.clock.time, state_.clock.step, body.name));
+    std::vector<std::string> all = remedies();
+    all.insert(all.begin(), "look at the last frames for where it broke");
+    throw failed_step(state_.clock, fmt::format("body `{}` has no particle left", body.name), all);
   }
 }
 
@@ -238,7 +242,7 @@ std::int64_t Solver<T, D>::ghosts() const {
 
 template <class T, int D>
 std::vector<LatticeView<T, D>> Solver<T, D>::on_nodes() {
-  const bool fresh = is_fresh();
+  const bool fresh = lies_on_nodes();
   if (!fresh) remesh_onto_spare(false, false);
   std::vector<LatticeView<T, D>> views;
   for (const Body<T, D>& body : state_.bodies) {
@@ -263,6 +267,34 @@ std::size_t Solver<T, D>::bytes() const {
     sum += body.neighbours.bytes() + body.records.bytes();
   }
   return sum;
+}
+
+template <class T, int D>
+std::vector<double> Solver<T, D>::measure_each(std::span<const MeasurementCase> measurements) {
+  return Measurer<T, D>(settings(), state_, [this] { return on_nodes(); })(measurements);
+}
+
+template <class T, int D>
+BodyIntegrals Solver<T, D>::integrals() {
+  return Measurer<T, D>(settings(), state_, [this] { return on_nodes(); }).totals();
+}
+
+template <class T, int D>
+Frame Solver<T, D>::frame(const FrameParts& parts) {
+  if (parts.ghosts) refresh_ghosts();
+  return take_frame<T, D>(
+      state_, kernels_, [this] { return on_nodes(); }, parts);
+}
+
+template <class T, int D>
+void Solver<T, D>::save(ArchiveWriter& archive) const {
+  put_state(archive, state_);
+}
+
+template <class T, int D>
+void Solver<T, D>::restore(const ArchiveReader& archive) {
+  get_state(archive, state_, remeshings_);
+  number_slots();
 }
 
 template class Solver<double, 2>;

@@ -7,6 +7,7 @@
 
 #include <chrono>
 #include <cmath>
+#include <memory>
 #include <optional>
 
 #include "engine/case/resolved.hpp"
@@ -17,13 +18,7 @@
 #include "engine/output/progress.hpp"
 #include "engine/output/result_file.hpp"
 #include "engine/output/summary.hpp"
-#include "engine/remeshed/observe/frame.hpp"
-#include "engine/remeshed/observe/measure.hpp"
-#include "engine/remeshed/solver_archive.hpp"
 #include "engine/simulation/histories.hpp"
-#include "engine/total_lagrangian/observe/frame.hpp"
-#include "engine/total_lagrangian/observe/measure.hpp"
-#include "engine/total_lagrangian/solver_archive.hpp"
 #include "engine/version.hpp"
 
 namespace pliant {
@@ -56,14 +51,12 @@ ConservedQuantities conserved(const BodyIntegrals& sum) {
           sum.kinetic_energy, sum.strain_energy, sum.kinetic_energy + sum.strain_energy};
 }
 
-template <class Solver, int D>
 class Run {
  public:
-  Run(const Case& settings, const RunOptions& options)
+  Run(const Case& settings, const RunOptions& options, const MethodRegistry& methods)
       : settings_(settings),
         options_(options),
-        solver_(settings, options.threads, options.isa),
-        measurer_(solver_),
+        solver_(methods.make(settings, {options.threads, options.isa})),
         histories_(settings_),
         frames_(settings.output.every),
         samples_(settings.output.measure_every),
@@ -75,14 +68,14 @@ class Run {
     options_.resume ? resume() : begin();
     const Interrupt interrupt;
     const double end = settings_.time.end;
-    while (solver_.clock().time < end * (1 - 1e-12)) {
-      solver_.step(std::min({end, frames_.next(), samples_.next(), checkpoints_.next()}) -
-                   solver_.clock().time);
+    while (solver_->clock().time < end * (1 - 1e-12)) {
+      solver_->step(std::min({end, frames_.next(), samples_.next(), checkpoints_.next()}) -
+                    solver_->clock().time);
       observe();
       if (interrupt.requested()) {
         save();
         progress_.message(fmt::format("interrupted at t = {:.6g}; `--resume` goes on from there",
-                                      solver_.clock().time));
+                                      solver_->clock().time));
         return RunEnd::interrupted;
       }
     }
@@ -97,15 +90,15 @@ class Run {
     description.title = settings_.title;
     description.method = words<Method>[static_cast<int>(settings_.method)].text;
     description.version = std::string(version);
-    description.dimension = D;
+    description.dimension = settings_.dimension;
     description.resolved_case = resolved_toml(settings_);
     result_.emplace(ResultFile::create(options_.folder, description));
     write_atomically(options_.folder / "case.resolved.toml", description.resolved_case,
                      Durable::no);
-    start_ = conserved(measurer_.totals());
-    particles_at_start_ = solver_.particles();
+    start_ = conserved(solver_->integrals());
+    particles_at_start_ = solver_->particles();
     sample();
-    result_->append(take_frame(solver_, settings_.output.ghosts, settings_.output.surface));
+    result_->append(solver_->frame(parts()));
   }
 
   void resume() {
@@ -116,7 +109,7 @@ class Run {
                       "--resume, or with the settings in {}",
                       archive.path().string(), (options_.folder / "case.resolved.toml").string()));
     }
-    get_solver(archive, solver_);
+    solver_->restore(archive);
     histories_.get(archive);
     frames_.restore(archive.scalar<std::int64_t>("schedule/frames"));
     samples_.restore(archive.scalar<std::int64_t>("schedule/samples"));
@@ -133,26 +126,27 @@ class Run {
   }
 
   void observe() {
-    const double t = solver_.clock().time;
+    const double t = solver_->clock().time;
     const bool last = t >= settings_.time.end * (1 - 1e-12);
-    const bool fresh = solver_.is_fresh();
-    if (samples_.reached(t) || last || (settings_.output.measure_every == 0 && fresh)) sample();
+    const bool due = solver_->is_measuring_due();
+    if (samples_.reached(t) || last || (settings_.output.measure_every == 0 && due)) sample();
     const bool frame = frames_.reached(t) || last;
-    if (frame)
-      result_->append(take_frame(solver_, settings_.output.ghosts, settings_.output.surface));
+    if (frame) result_->append(solver_->frame(parts()));
     // Without an interval of their own, checkpoints go with the frames.
     if (checkpoints_.reached(t) || (frame && !last && settings_.output.checkpoint_every == 0))
       save();
-    progress_.update({t, settings_.time.end, solver_.clock().step, solver_.time_step(),
-                      solver_.particle_stages()});
+    progress_.update({t, settings_.time.end, solver_->clock().step, solver_->time_step(),
+                      solver_->particle_stages()});
   }
 
+  FrameParts parts() const { return {settings_.output.ghosts, settings_.output.surface}; }
+
   void sample() {
-    histories_.add(solver_.clock().time, measurer_());
+    histories_.add(solver_->clock().time, solver_->measure());
     for (std::size_t m = 0; m < settings_.measurements.size(); ++m) {
       const MeasurementCase& measurement = settings_.measurements[m];
       result_->append_history(measurement.name, unit_of(settings_, measurement),
-                              solver_.clock().time, histories_.last(m));
+                              solver_->clock().time, histories_.last(m));
     }
   }
 
@@ -160,7 +154,7 @@ class Run {
     const ResultExtent extent = result_->flush();
     write_checkpoint(options_.folder, [&](ArchiveWriter& archive) {
       archive.put("case", resolved_toml(settings_));
-      put_solver(archive, solver_);
+      solver_->save(archive);
       histories_.put(archive);
       archive.put("schedule/frames", frames_.count());
       archive.put("schedule/samples", samples_.count());
@@ -194,24 +188,24 @@ class Run {
         {"HDF5", fmt::format("{}.{}.{}", H5_VERS_MAJOR, H5_VERS_MINOR, H5_VERS_RELEASE)}};
     summary.method = words<Method>[static_cast<int>(settings_.method)].text;
     summary.particles.start = particles_at_start_;
-    summary.particles.end = solver_.particles();
-    summary.particles.ghosts = solver_.ghosts();
-    summary.steps = solver_.clock().step;
-    summary.physical_time = solver_.clock().time;
+    summary.particles.end = solver_->particles();
+    summary.particles.ghosts = solver_->ghosts();
+    summary.steps = solver_->clock().step;
+    summary.physical_time = solver_->clock().time;
     summary.wall_time = wall_seconds;
-    for (const auto& timer : solver_.totals().timers()) {
+    for (const auto& timer : solver_->step_totals().timers()) {
       summary.phases.push_back({timer.name, timer.seconds});
     }
-    summary.performance.particle_stages = solver_.particle_stages();
-    summary.performance.step_wall_time = solver_.loop_seconds();
+    summary.performance.particle_stages = solver_->particle_stages();
+    summary.performance.step_wall_time = solver_->step_seconds();
     summary.performance.particle_stages_per_second =
-        solver_.loop_seconds() > 0
-            ? static_cast<double>(solver_.particle_stages()) / solver_.loop_seconds()
+        solver_->step_seconds() > 0
+            ? static_cast<double>(solver_->particle_stages()) / solver_->step_seconds()
             : 0;
     summary.performance.threads = options_.threads;
     summary.performance.isa = std::string(kernels::name(options_.isa));
     summary.conserved.start = start_;
-    summary.conserved.end = conserved(measurer_.totals());
+    summary.conserved.end = conserved(solver_->integrals());
     for (std::size_t m = 0; m < settings_.measurements.size(); ++m) {
       const MeasurementCase& measurement = settings_.measurements[m];
       summary.measurements.push_back(
@@ -236,8 +230,7 @@ class Run {
 
   const Case& settings_;
   const RunOptions& options_;
-  Solver solver_;
-  typename Solver::Measurer measurer_;
+  std::unique_ptr<Solver> solver_;
   Histories histories_;
   Schedule frames_, samples_, checkpoints_;
   Progress progress_;
@@ -248,13 +241,8 @@ class Run {
 
 }  // namespace
 
-RunEnd run_case(const Case& settings, const RunOptions& options) {
-  const auto run = [&]<int D>() {
-    return settings.method == Method::remeshed
-               ? Run<remeshed::Solver<double, D>, D>(settings, options)()
-               : Run<total_lagrangian::Solver<double, D>, D>(settings, options)();
-  };
-  return settings.dimension == 2 ? run.template operator()<2>() : run.template operator()<3>();
+RunEnd run_case(const Case& settings, const RunOptions& options, const MethodRegistry& methods) {
+  return Run(settings, options, methods)();
 }
 
 }  // namespace pliant

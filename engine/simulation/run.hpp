@@ -3,8 +3,7 @@
 #include <filesystem>
 #include <string>
 
-#include "engine/case/case.hpp"
-#include "kernels/isa.hpp"
+#include "engine/simulation/methods.hpp"
 
 namespace pliant {
 
@@ -22,6 +21,7 @@ enum class RunEnd { done, interrupted };
 /// Runs a case from its beginning, or from the last checkpoint in the folder, to its end or to the
 /// first SIGINT or SIGTERM, which leaves a checkpoint. Writes result.h5, result.xdmf,
 /// case.resolved.toml and summary.json. Throws OutputError, StepFailure, std::invalid_argument.
-RunEnd run_case(const Case& settings, const RunOptions& options);
+RunEnd run_case(const Case& settings, const RunOptions& options,
+                const MethodRegistry& methods = pliant::methods());
 
 }  // namespace pliant

@@ -13,7 +13,7 @@ TEST_P(Allocation, a_warm_step_allocates_nothing) {
   for (const int threads : {1, 2, 7}) {
     Case settings = GetParam().settled();
     settings.remeshing.policy = decltype(settings.remeshing)::Policy::never;
-    Solver solver(settings, threads, kernels::widest_supported());
+    Solver solver(settings, {threads, kernels::widest_supported()});
     EXPECT_EQ(least_allocations([&] { advance(solver, 8); }), 0) << threads << " threads";
   }
 }
@@ -26,7 +26,7 @@ TEST_P(Allocation, a_warm_remeshing_of_an_unchanged_set_allocates_nothing) {
     // At rest nothing moves: the set of particles is the same after each remeshing.
     for (BodyCase& body : settings.bodies) body.velocity = VectorExpression{};
     for (BoundaryCase& wall : settings.boundaries) wall.velocity = VectorExpression{};
-    Solver solver(settings, threads, kernels::widest_supported());
+    Solver solver(settings, {threads, kernels::widest_supported()});
     EXPECT_EQ(least_allocations([&] { advance(solver, 8); }), 0) << threads << " threads";
     EXPECT_GE(solver.clock().remeshings, 8);
   }
@@ -36,7 +36,7 @@ TEST_P(Allocation, a_warm_remeshing_of_an_unchanged_set_allocates_nothing) {
 TEST(allocation, a_warm_search_for_neighbours_allocates_nothing) {
   for (const SampleRun& run : listed_runs()) {
     for (const int threads : {1, 2, 7}) {
-      Solver solver(run.settled(), threads, kernels::widest_supported());
+      Solver solver(run.settled(), {threads, kernels::widest_supported()});
       advance(solver, run.middle);
       remeshed::BodyNeighbours<2>& neighbours = solver.state().bodies[0].neighbours;
       ASSERT_TRUE(neighbours.are_listed);

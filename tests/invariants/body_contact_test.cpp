@@ -1,14 +1,12 @@
 #include <gtest/gtest.h>
 
 #include "engine/remeshed/contact/momentum_correction.hpp"
-#include "engine/remeshed/observe/measure.hpp"
+#include "engine/remeshed/solver.hpp"
 #include "tests/invariants/sample_runs.hpp"
 
 // Bodies that meet: what crosses between them, and what does not.
 namespace pliant::test {
 namespace {
-
-using Measurer = remeshed::Measurer<double, 2>;
 
 const Settings coarse = {"discretisation.spacing=0.06", "measurement=[]"};
 const std::string soft =
@@ -27,7 +25,7 @@ const std::string bodies =
     R"(, { name = "last", geometry = { shape = "disc", centre = [1.16, 0.2], radius = 0.45 }, )" +
     hard + "]";
 
-double momentum(Solver& solver, int axis) { return Measurer(solver).totals().momentum[axis]; }
+double momentum(Solver& solver, int axis) { return solver.integrals().momentum[axis]; }
 
 double momentum_of(Solver& solver, int body, int axis) {
   return remeshed::budget_momentum<double, 2>(solver.state(), body)[axis];
@@ -37,8 +35,8 @@ TEST(body_contact, keeps_the_momentum_of_all_bodies_to_rounding) {
   for (const char* kind : {"frictionless", "sticking"}) {
     const std::string contacts = std::string("contact=[{ bodies = [\"disc\", \"box\"], kind = \"") +
                                  kind + "\" }, { bodies = [\"last\", \"box\"] }]";
-    Solver solver(small_case("two_discs", coarse + Settings{bodies, contacts}), 2,
-                  kernels::widest_supported());
+    Solver solver(small_case("two_discs", coarse + Settings{bodies, contacts}),
+                  {2, kernels::widest_supported()});
     const double x = momentum(solver, 0), y = momentum(solver, 1);
     const double last = momentum_of(solver, 2, 0);
     EXPECT_NEAR(x, 1.5 * 3.14159 / 4, 0.01);
@@ -54,7 +52,7 @@ TEST(body_contact, keeps_the_momentum_of_all_bodies_to_rounding) {
 
 // The integral over the body and the book are two sums that share nothing but the particles.
 TEST(body_contact, books_what_the_bodies_have) {
-  Solver solver(small_case("two_discs", coarse), 2, kernels::widest_supported());
+  Solver solver(small_case("two_discs", coarse), {2, kernels::widest_supported()});
   for (const double time : {0.1, 0.3, 0.5}) {
     advance_until(solver, time);
     const auto views = solver.on_nodes();
@@ -64,7 +62,7 @@ TEST(body_contact, books_what_the_bodies_have) {
 }
 
 TEST(body_contact, of_like_discs_is_the_same_for_both) {
-  Solver solver(small_case("two_discs", coarse), 2, kernels::widest_supported());
+  Solver solver(small_case("two_discs", coarse), {2, kernels::widest_supported()});
   advance_until(solver, 0.6);
   EXPECT_LT(momentum_of(solver, 0, 0), -0.8 * 0.39);
   EXPECT_NEAR(momentum_of(solver, 0, 0), -momentum_of(solver, 1, 0), 1e-13);
@@ -84,13 +82,12 @@ TEST(body_contact, force_is_what_changes_the_momentum) {
                       std::string("contact.0.kind=") + kind, "body.left.velocity=[0.1, 0]",
                       is_first ? force("left", "right") : force("right", "left")}),
           2, kernels::widest_supported());
-      Measurer measurer(solver);
       const int body = is_first ? 0 : 1;
       const double before = momentum_of(solver, body, 0);
-      EXPECT_EQ(measurer()[0], 0);
+      EXPECT_EQ(solver.measure()[0], 0);
       advance_until(solver, 0.05);
-      EXPECT_EQ(measurer()[0] < 0, is_first) << kind;
-      EXPECT_NEAR(measurer()[0], momentum_of(solver, body, 0) - before, 1e-12) << kind;
+      EXPECT_EQ(solver.measure()[0] < 0, is_first) << kind;
+      EXPECT_NEAR(solver.measure()[0], momentum_of(solver, body, 0) - before, 1e-12) << kind;
     }
   }
 }
@@ -101,8 +98,8 @@ TEST(body_contact, pulls_only_where_bodies_are_bonded) {
                            "measurement=[]", "body.left.velocity=[-0.1, 0]"};
   for (const char* kind : {"frictionless", "bonded"}) {
     Solver solver(
-        small_case("bimaterial_bar", pulled + Settings{std::string("contact.0.kind=") + kind}), 2,
-        kernels::widest_supported());
+        small_case("bimaterial_bar", pulled + Settings{std::string("contact.0.kind=") + kind}),
+        {2, kernels::widest_supported()});
     advance_until(solver, 0.05);
     const double right = momentum_of(solver, 1, 0);
     if (std::string(kind) == "bonded") {

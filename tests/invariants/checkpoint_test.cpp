@@ -1,7 +1,6 @@
 #include <gtest/gtest.h>
 
-#include "engine/remeshed/observe/measure.hpp"
-#include "engine/remeshed/solver_archive.hpp"
+#include "engine/remeshed/solver.hpp"
 #include "tests/engine/output/temporary_folder.hpp"
 #include "tests/invariants/sample_runs.hpp"
 
@@ -17,21 +16,21 @@ INSTANTIATE_TEST_SUITE_P(listed_runs, Checkpoints, testing::ValuesIn(listed_runs
 // Right after a remeshing, right before one, and between.
 TEST_P(Checkpoints, a_restored_solver_goes_on_to_the_same_bits) {
   for (const int steps : {5, 9, 12, GetParam().middle}) {
-    Solver solver(GetParam().settled(), 1, kernels::widest_supported());
+    Solver solver(GetParam().settled(), {1, kernels::widest_supported()});
     advance(solver, steps);
     ArchiveWriter writer(folder / "solver.h5");
-    put_solver(writer, solver);
+    solver.save(writer);
     writer.commit();
-    Solver restored(GetParam().settled(), 2, kernels::widest_supported());
-    get_solver(ArchiveReader(folder / "solver.h5"), restored);
+    Solver restored(GetParam().settled(), {2, kernels::widest_supported()});
+    restored.restore(ArchiveReader(folder / "solver.h5"));
     EXPECT_EQ(differences(snapshot_of(solver), snapshot_of(restored)), none);
     for (Solver* each : {&solver, &restored}) {
       advance(*each, GetParam().steps - steps);
       EXPECT_GE(each->clock().remeshings, 3);
     }
     Snapshot end = snapshot_of(solver), restored_end = snapshot_of(restored);
-    end["measurements"] = remeshed::Measurer<double, 2>(solver)();
-    restored_end["measurements"] = remeshed::Measurer<double, 2>(restored)();
+    end["measurements"] = solver.measure();
+    restored_end["measurements"] = restored.measure();
     EXPECT_EQ(differences(end, restored_end), none) << "from step " << steps;
   }
 }

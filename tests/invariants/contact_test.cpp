@@ -4,8 +4,7 @@
 #include <cmath>
 #include <numeric>
 
-#include "engine/remeshed/observe/frame.hpp"
-#include "engine/remeshed/observe/measure.hpp"
+#include "engine/remeshed/solver.hpp"
 #include "tests/invariants/sample_runs.hpp"
 
 // A disc that bounces off a wall.
@@ -28,16 +27,14 @@ int touching(Solver& solver) {
   return count;
 }
 
-double momentum(Solver& solver) {
-  return remeshed::Measurer<double, 2>(solver).totals().momentum[1];
-}
+double momentum(Solver& solver) { return solver.integrals().momentum[1]; }
 
 // The impulse is the traction on the wall, the momentum an integral over the body: two independent
 // sums. A patch of contact grows by whole slots of h, one tenth of it when it is largest.
 TEST(contact, the_impulse_of_the_wall_is_the_change_of_momentum) {
   for (const char* friction : {"frictionless", "sticking"}) {
-    Solver solver(bouncing_disc({std::string("boundary.wall.friction=") + friction}), 2,
-                  kernels::widest_supported());
+    Solver solver(bouncing_disc({std::string("boundary.wall.friction=") + friction}),
+                  {2, kernels::widest_supported()});
     const double start = momentum(solver);
     advance_until(solver, 0.05);
     EXPECT_GT(touching(solver), 10);
@@ -56,10 +53,10 @@ TEST(contact, the_impulse_of_the_wall_is_the_change_of_momentum) {
 // one time. Pressure at the edge of contact differs between layers: one slot of ten to a side.
 TEST(contact, the_map_of_the_pressure_adds_up_to_the_force) {
   for (const char* friction : {"frictionless", "sticking"}) {
-    Solver solver(bouncing_disc({std::string("boundary.wall.friction=") + friction}), 2,
-                  kernels::widest_supported());
+    Solver solver(bouncing_disc({std::string("boundary.wall.friction=") + friction}),
+                  {2, kernels::widest_supported()});
     advance_until(solver, 0.05);
-    const Frame frame = take_frame(solver, true);
+    const Frame frame = solver.frame({.ghosts = true});
     const auto field = std::ranges::find(frame.fields, "wall_pressure", &FrameField::name);
     ASSERT_NE(field, frame.fields.end());
     const auto& pressure = std::get<std::vector<double>>(field->values);
@@ -74,8 +71,8 @@ TEST(contact, the_map_of_the_pressure_adds_up_to_the_force) {
 // (RP.50): in every stage.
 TEST(contact, the_wall_never_pulls) {
   for (const char* friction : {"frictionless", "sticking"}) {
-    Solver solver(bouncing_disc({std::string("boundary.wall.friction=") + friction}), 2,
-                  kernels::widest_supported());
+    Solver solver(bouncing_disc({std::string("boundary.wall.friction=") + friction}),
+                  {2, kernels::widest_supported()});
     double before = 0;
     while (solver.clock().time < 0.25) {
       solver.step(1e-2);
@@ -89,7 +86,7 @@ TEST(contact, the_wall_never_pulls) {
 
 // The level set ends at the wall, (RP.60): the body neither enters it nor stays behind.
 TEST(contact, the_surface_lies_on_the_wall_where_it_touches) {
-  Solver solver(bouncing_disc({}), 2, kernels::widest_supported());
+  Solver solver(bouncing_disc({}), {2, kernels::widest_supported()});
   advance_until(solver, 0.05);
   const Body& body = solver.state().bodies[0];
   const double h = body.lattice.spacing;
@@ -105,7 +102,7 @@ TEST(contact, the_surface_lies_on_the_wall_where_it_touches) {
 // In the middle, where no fit is singular and has to look farther: 2.6 h up and 1.73 h to the
 // sides.
 TEST(contact, fits_at_the_wall_look_farther_into_the_body_than_along_it) {
-  Solver solver(bouncing_disc({}), 2, kernels::widest_supported());
+  Solver solver(bouncing_disc({}), {2, kernels::widest_supported()});
   advance_until(solver, 0.05);
   const Body& body = solver.state().bodies[0];
   const double h = body.lattice.spacing;
@@ -127,7 +124,7 @@ TEST(contact, fits_at_the_wall_look_farther_into_the_body_than_along_it) {
 }
 
 TEST(contact, no_particle_lies_beyond_the_wall) {
-  Solver solver(bouncing_disc({}), 2, kernels::widest_supported());
+  Solver solver(bouncing_disc({}), {2, kernels::widest_supported()});
   advance_until(solver, 0.05);
   const Body& body = solver.state().bodies[0];
   for_each(body.population, Kind::interior, [&](std::int64_t slot, const Cell<2>& cell) {
@@ -136,7 +133,7 @@ TEST(contact, no_particle_lies_beyond_the_wall) {
 }
 
 TEST(contact, a_disc_that_flies_away_feels_no_wall) {
-  Solver solver(bouncing_disc({"body.ball.velocity=[0, 1]"}), 2, kernels::widest_supported());
+  Solver solver(bouncing_disc({"body.ball.velocity=[0, 1]"}), {2, kernels::widest_supported()});
   advance_until(solver, 0.05);
   EXPECT_EQ(solver.state().wall_impulse[0][1], 0);
   EXPECT_EQ(touching(solver), 0);

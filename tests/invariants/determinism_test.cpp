@@ -1,14 +1,12 @@
 #include <gtest/gtest.h>
 
-#include "engine/remeshed/observe/measure.hpp"
 #include "engine/remeshed/resources.hpp"
+#include "engine/remeshed/solver.hpp"
 #include "tests/invariants/sample_runs.hpp"
 
 // Nothing but the case decides the bits of a result.
 namespace pliant::test {
 namespace {
-
-using Measurer = remeshed::Measurer<double, 2>;
 
 struct Determinism : OfSampleRuns {};
 INSTANTIATE_TEST_SUITE_P(runs, Determinism, testing::ValuesIn(sample_runs()), name_of);
@@ -16,11 +14,11 @@ INSTANTIATE_TEST_SUITE_P(listed_runs, Determinism, testing::ValuesIn(listed_runs
 
 /// Everything after a run, with what the case measures.
 Snapshot end_of(const SampleRun& run, int threads) {
-  Solver solver(run.settled(), threads, kernels::widest_supported());
+  Solver solver(run.settled(), {threads, kernels::widest_supported()});
   advance(solver, run.steps);
   EXPECT_GE(solver.clock().remeshings, 3) << "the run is too short to tell";
   Snapshot end = snapshot_of(solver);
-  end["measurements"] = Measurer(solver)();
+  end["measurements"] = solver.measure();
   return end;
 }
 
@@ -33,13 +31,12 @@ TEST_P(Determinism, bits_do_not_depend_on_the_number_of_threads) {
 }
 
 TEST_P(Determinism, measuring_changes_nothing_in_the_trajectory) {
-  Solver solver(GetParam().settled(), 1, kernels::widest_supported());
-  Solver measured(GetParam().settled(), 1, kernels::widest_supported());
-  Measurer measurer(measured);
+  Solver solver(GetParam().settled(), {1, kernels::widest_supported()});
+  Solver measured(GetParam().settled(), {1, kernels::widest_supported()});
   for (int i = 0; i < GetParam().steps; ++i) {
     advance(solver, 1);
     advance(measured, 1);
-    measurer();
+    measured.measure();
     if (i % 3 == 0) measured.refresh_ghosts();
   }
   // Ghosts hold what was last asked of them.
@@ -54,11 +51,11 @@ void run(scheduler::StepGraph& graph, Solver& solver, std::uint64_t seed) {
 }
 
 TEST_P(Determinism, any_legal_order_of_a_step_gives_the_same_bits) {
-  Solver solver(GetParam().settled(), 1, kernels::widest_supported());
+  Solver solver(GetParam().settled(), {1, kernels::widest_supported()});
   advance(solver, GetParam().middle);
   Snapshot first;
   for (std::uint64_t seed = 0; seed < 8; ++seed) {
-    Solver other(GetParam().settled(), 1, kernels::widest_supported());
+    Solver other(GetParam().settled(), {1, kernels::widest_supported()});
     advance(other, GetParam().middle);
     run(other.step_graph(), other, seed);  // once more over the same time step
     const Snapshot end = snapshot_of(other);
@@ -81,7 +78,7 @@ scheduler::StepGraph graph_over(const Layout<2>& layout, F&& add) {
 }
 
 TEST_P(Determinism, any_legal_order_of_a_remeshing_gives_the_same_bits) {
-  Solver solver(GetParam().settled(), 1, kernels::widest_supported());
+  Solver solver(GetParam().settled(), {1, kernels::widest_supported()});
   advance(solver, GetParam().middle);
   Body& body = solver.state().bodies[0];
   auto& remeshing = solver.remeshing(0);

@@ -10,7 +10,7 @@ using kernels::Isa;
 struct InstructionSets : OfSampleRuns {
   /// The particles after 20 steps with `isa`.
   Snapshot end_with(Isa isa) const {
-    Solver solver(GetParam().settled(), 1, isa);
+    Solver solver(GetParam().settled(), {1, isa});
     advance(solver, 20);
     EXPECT_GE(solver.clock().remeshings, 1);
     return snapshot_of(solver, Slots::particles);

@@ -32,7 +32,7 @@ int lost(const Body& body, int block, const std::vector<Site>& sites, kernels::W
 }
 
 TEST_P(NeighboursOfRuns, are_all_met_in_every_step) {
-  Solver solver(GetParam().settled(), 1, kernels::widest_supported());
+  Solver solver(GetParam().settled(), {1, kernels::widest_supported()});
   const Body& body = solver.state().bodies[0];
   int listed_steps = 0;
   for (int step = 1; step <= GetParam().steps; ++step) {

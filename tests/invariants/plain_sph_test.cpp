@@ -1,8 +1,7 @@
 #include <gtest/gtest.h>
 
-#include "engine/remeshed/observe/measure.hpp"
 #include "engine/remeshed/pair_stress.hpp"
-#include "engine/remeshed/solver_archive.hpp"
+#include "engine/remeshed/solver.hpp"
 #include "tests/engine/output/temporary_folder.hpp"
 #include "tests/engine/remeshed/snapshot.hpp"
 
@@ -17,10 +16,9 @@ Case disc(const Settings& more = {}) { return small_case("tensile_instability", 
 double measured(const Case& settings, const std::string& name, double time) {
   std::size_t m = 0;
   while (settings.measurements.at(m).name != name) ++m;
-  Solver solver(settings, 2, kernels::widest_supported());
-  remeshed::Measurer<double, 2> measurer(solver);
+  Solver solver(settings, {2, kernels::widest_supported()});
   advance_until(solver, time);
-  return measurer()[m];
+  return solver.measure()[m];
 }
 
 const Settings coarse = {"discretisation.spacing=0.1", "time.step=1e-3"};
@@ -41,11 +39,10 @@ TEST(plain_sph, is_what_clumps_and_not_the_particles_of_the_moment_matrix) {
 TEST(plain_sph, keeps_momentum_to_rounding) {
   const Settings thrown = {"discretisation.spacing=0.1",
                            "body.disc.rotation={ centre = [0.5, 0.2], angular_velocity = \"pi\" }"};
-  Solver solver(disc(gently + thrown), 2, kernels::widest_supported());
-  remeshed::Measurer<double, 2> measurer(solver);
-  const BodyIntegrals start = measurer.totals();
+  Solver solver(disc(gently + thrown), {2, kernels::widest_supported()});
+  const BodyIntegrals start = solver.integrals();
   advance(solver, 40);
-  const BodyIntegrals end = measurer.totals();
+  const BodyIntegrals end = solver.integrals();
   EXPECT_NEAR(end.momentum[0], start.momentum[0], 1e-13 * start.mass);
   EXPECT_NEAR(end.momentum[1], start.momentum[1], 1e-13 * start.mass);
   EXPECT_NE(end.kinetic_energy, start.kinetic_energy);
@@ -54,24 +51,24 @@ TEST(plain_sph, keeps_momentum_to_rounding) {
 TEST(plain_sph, has_the_same_bits_for_any_number_of_threads_and_from_a_checkpoint) {
   const TemporaryFolder folder;
   const Case settings = disc(gently);
-  Solver one(settings, 1, kernels::widest_supported());
+  Solver one(settings, {1, kernels::widest_supported()});
   advance(one, 10);
   ArchiveWriter writer(folder / "solver.h5");
-  put_solver(writer, one);
+  one.save(writer);
   writer.commit();
   advance(one, 15);
-  Solver many(settings, 7, kernels::widest_supported());
+  Solver many(settings, {7, kernels::widest_supported()});
   advance(many, 25);
   EXPECT_EQ(differences(snapshot_of(one), snapshot_of(many)), std::vector<std::string>());
-  Solver restored(settings, 2, kernels::widest_supported());
-  get_solver(ArchiveReader(folder / "solver.h5"), restored);
+  Solver restored(settings, {2, kernels::widest_supported()});
+  restored.restore(ArchiveReader(folder / "solver.h5"));
   advance(restored, 15);
   EXPECT_EQ(differences(snapshot_of(one), snapshot_of(restored)), std::vector<std::string>());
 }
 
 // A stress of principal values 6 and -2 Pa on axes turned by 30 degrees, at a density of 2.
 TEST(plain_sph, has_artificial_stress_along_axes_in_tension_only) {
-  Solver solver(disc(), 1, kernels::widest_supported());
+  Solver solver(disc(), {1, kernels::widest_supported()});
   Body& body = solver.state().bodies[0];
   const double c = std::sqrt(3) / 2, s = 0.5;
   const double stress[3] = {6 * c * c - 2 * s * s, 8 * c * s, 6 * s * s - 2 * c * c};

@@ -5,7 +5,7 @@
 #include <numbers>
 
 #include "engine/remeshed/contact/momentum_correction.hpp"
-#include "engine/remeshed/observe/measure.hpp"
+#include "engine/remeshed/solver.hpp"
 #include "engine/simulation/run.hpp"
 #include "tests/engine/case/written_case.hpp"
 #include "tests/engine/output/file_content.hpp"
@@ -20,11 +20,10 @@ namespace {
 TEST(three_dimensions, a_ball_gives_a_block_what_it_loses) {
   const Case settings = small_case("ball_on_block", {"discretisation.spacing=0.1", "measurement=[]",
                                                      "body.ball.velocity=[0.1, -0.5, 0]"});
-  remeshed::Solver<double, 3> solver(settings, 2, kernels::widest_supported());
-  remeshed::Measurer<double, 3> measurer(solver);
-  const Vector start = measurer.totals().momentum;
+  remeshed::Solver<double, 3> solver(settings, {2, kernels::widest_supported()});
+  const Vector start = solver.integrals().momentum;
   advance_until(solver, 0.2);
-  const Vector end = measurer.totals().momentum;
+  const Vector end = solver.integrals().momentum;
   for (int a = 0; a < 3; ++a) EXPECT_NEAR(end[a], start[a], 1e-12 * std::abs(start[1]));
   EXPECT_LT((remeshed::budget_momentum<double, 3>(solver.state(), 1)[1]), 0.2 * start[1]);
 }
@@ -68,13 +67,12 @@ TEST(three_dimensions, bytes_do_not_depend_on_the_number_of_threads) {
 
 TEST(three_dimensions, a_spinning_ball_keeps_its_momentum_mass_and_energy) {
   const Case settings = tests::read_text(ball, {"discretisation.spacing=0.15"});
-  remeshed::Solver<double, 3> solver(settings, 2, kernels::widest_supported());
-  remeshed::Measurer<double, 3> measurer(solver);
-  const BodyIntegrals start = measurer.totals();
+  remeshed::Solver<double, 3> solver(settings, {2, kernels::widest_supported()});
+  const BodyIntegrals start = solver.integrals();
   EXPECT_NEAR(start.mass, 4. / 3 * std::numbers::pi, 0.01);
   advance_until(solver, 0.1);
   EXPECT_GE(solver.clock().remeshings, 2);
-  const BodyIntegrals end = measurer.totals();
+  const BodyIntegrals end = solver.integrals();
   EXPECT_NEAR(end.mass / start.mass, 1, 0.01);
   EXPECT_NEAR((end.kinetic_energy + end.strain_energy) / start.kinetic_energy, 1, 0.02);
   for (int axis = 0; axis < 3; ++axis) {
@@ -84,8 +82,8 @@ TEST(three_dimensions, a_spinning_ball_keeps_its_momentum_mass_and_energy) {
 
 TEST(three_dimensions, lists_of_neighbours_give_the_bits_of_the_stencil) {
   const Case settings = tests::read_text(ball);
-  remeshed::Solver<double, 3> stencil(settings, 1, kernels::widest_supported());
-  remeshed::Solver<double, 3> lists(settings, 2, kernels::widest_supported());
+  remeshed::Solver<double, 3> stencil(settings, {1, kernels::widest_supported()});
+  remeshed::Solver<double, 3> lists(settings, {2, kernels::widest_supported()});
   remeshed::Body<double, 3>& body = lists.state().bodies[0];
   for (int step = 0; step < 4; ++step) {
     body.neighbours.strain = 1;  // more than any stencil bears
@@ -106,7 +104,7 @@ TEST(three_dimensions, lists_of_neighbours_give_the_bits_of_the_stencil) {
 // shorter, so that it alone comes into the support.
 TEST(three_dimensions, corners_that_the_stencil_leaves_out_are_listed) {
   const Case settings = tests::read_text(ball, {"discretisation.weight=\"quartic\""});
-  remeshed::Solver<double, 3> solver(settings, 1, kernels::widest_supported());
+  remeshed::Solver<double, 3> solver(settings, {1, kernels::widest_supported()});
   remeshed::Body<double, 3>& body = solver.state().bodies[0];
   const Layout<3>& layout = body.population.layout;
   constexpr Point<3> direction = {2. / 3, 2. / 3, 1. / 3};

@@ -4,7 +4,7 @@
 #include <numbers>
 
 #include "engine/remeshed/observe/integrals.hpp"
-#include "engine/remeshed/observe/measure.hpp"
+#include "engine/remeshed/solver.hpp"
 #include "tests/engine/remeshed/snapshot.hpp"
 
 // Orders of convergence and conserved quantities of whole runs.
@@ -19,10 +19,10 @@ double wave_error(int cells, const Settings& material) {
       small_case(D == 2 ? "periodic_square" : "periodic_cube",
                  Settings{"discretisation.spacing=1/" + std::to_string(cells)} + material);
   EXPECT_EQ(settings.measurements[0].name, "velocity_error_linf");
-  remeshed::Solver<double, D> solver(settings, 2, kernels::widest_supported());
+  remeshed::Solver<double, D> solver(settings, {2, kernels::widest_supported()});
   advance_until(solver, settings.time.end);
   EXPECT_GE(solver.clock().remeshings, 5);
-  return remeshed::Measurer<double, D>(solver)()[0];
+  return solver.measure()[0];
 }
 
 double order(double coarse, double fine, double ratio) {
@@ -84,9 +84,9 @@ double damped_wave_error(int cells) {
        "\"instantaneous\" } }",
        fmt::format("body.medium.velocity=[\"{}*sin(2*pi*x)\", 0]", amplitude)});
   EXPECT_EQ(settings.measurements[1].name, "crest_velocity");
-  Solver solver(settings, 2, kernels::widest_supported());
+  Solver solver(settings, {2, kernels::widest_supported()});
   advance_until(solver, end);
-  const double crest = remeshed::Measurer<double, 2>(solver)()[1];
+  const double crest = solver.measure()[1];
   return std::abs(crest - damped_amplitude(amplitude, end)) / amplitude;
 }
 
@@ -108,7 +108,7 @@ Snapshot lively_motion(int steps) {
       {"discretisation.spacing=1/16", "remeshing.every=never",
        fmt::format("time.step={}", end / steps),
        "body.medium.velocity=[\"0.5*sin(2*pi*x)*cos(2*pi*y)\", \"0.4*sin(2*pi*(x + y))\"]"});
-  Solver solver(settings, 1, kernels::widest_supported());
+  Solver solver(settings, {1, kernels::widest_supported()});
   advance(solver, steps);
   EXPECT_NEAR(solver.clock().time, end, 1e-12);
   EXPECT_EQ(solver.clock().remeshings, 0);
@@ -126,13 +126,12 @@ TEST(convergence, time_steps_converge_at_fourth_order) {
 }
 
 TEST(convergence, a_spinning_disc_keeps_its_angular_momentum_and_energy) {
-  Solver solver(small_case("rotating_cylinder", {"remeshing.every=10"}), 2,
-                kernels::widest_supported());
-  remeshed::Measurer<double, 2> measurer(solver);
-  const BodyIntegrals start = measurer.totals();
+  Solver solver(small_case("rotating_cylinder", {"remeshing.every=10"}),
+                {2, kernels::widest_supported()});
+  const BodyIntegrals start = solver.integrals();
   for (int part = 1; part <= 4; ++part) {
     advance_until(solver, 0.025 * part);
-    const BodyIntegrals now = measurer.totals();
+    const BodyIntegrals now = solver.integrals();
     EXPECT_NEAR(now.angular_momentum[2] / start.angular_momentum[2], 1, 1e-3);
     // The Jaumann law has no potential: on the exact solution this sum varies by 0.22 %.
     EXPECT_NEAR(
@@ -144,12 +143,11 @@ TEST(convergence, a_spinning_disc_keeps_its_angular_momentum_and_energy) {
 
 /// What two discs lose of their energy when they collide, with `cells` particles to a radius.
 double lost_energy(int cells) {
-  Solver solver(small_case("two_discs", {"discretisation.spacing=0.5/" + std::to_string(cells)}), 2,
-                kernels::widest_supported());
-  remeshed::Measurer<double, 2> measurer(solver);
-  const BodyIntegrals start = measurer.totals();
+  Solver solver(small_case("two_discs", {"discretisation.spacing=0.5/" + std::to_string(cells)}),
+                {2, kernels::widest_supported()});
+  const BodyIntegrals start = solver.integrals();
   advance_until(solver, 0.45);  // they have parted
-  const BodyIntegrals end = measurer.totals();
+  const BodyIntegrals end = solver.integrals();
   EXPECT_NEAR(end.momentum[0], start.momentum[0], 1e-12 * 0.39);
   return 1 - (end.kinetic_energy + end.strain_energy) / start.kinetic_energy;
 }
@@ -170,9 +168,9 @@ std::array<double, 2> interface_errors(int cells) {
   const Case bar = small_case("bimaterial_bar", settings);
   EXPECT_EQ(bar.measurements[0].name, "reflected");
   EXPECT_EQ(bar.measurements[1].name, "transmitted");
-  Solver solver(bar, 2, kernels::widest_supported());
+  Solver solver(bar, {2, kernels::widest_supported()});
   advance_until(solver, bar.time.end);
-  const std::vector<double> values = remeshed::Measurer<double, 2>(solver)();
+  const std::vector<double> values = solver.measure();
   return {values[0] / 0.01 + 1. / 3, values[1] / 0.01 - 2. / 3};  // Z2 = 2 Z1
 }
 

@@ -3,7 +3,7 @@
 #include <fstream>
 #include <sstream>
 
-#include "engine/remeshed/observe/measure.hpp"
+#include "engine/remeshed/solver.hpp"
 #include "tests/engine/remeshed/small_case.hpp"
 
 // Cases against the independent computations in their folders.
@@ -40,12 +40,11 @@ void expect_followed(const Case& settings, const std::string& measurement,
                      const Reference& reference, double end, double tolerance) {
   std::size_t m = 0;
   while (settings.measurements.at(m).name != measurement) ++m;
-  remeshed::Solver<double, D> solver(settings, 2, kernels::widest_supported());
-  remeshed::Measurer<double, D> measurer(solver);
+  remeshed::Solver<double, D> solver(settings, {2, kernels::widest_supported()});
   int compared = 0;
   for (std::size_t i = 0; i < reference.time.size() && reference.time[i] <= end; ++i) {
     advance_until(solver, reference.time[i]);
-    EXPECT_NEAR(measurer()[m], reference.value[i], tolerance) << "t = " << reference.time[i];
+    EXPECT_NEAR(solver.measure()[m], reference.value[i], tolerance) << "t = " << reference.time[i];
     ++compared;
   }
   EXPECT_GE(compared, 5);

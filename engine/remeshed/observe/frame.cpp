@@ -5,12 +5,9 @@
 #include "engine/remeshed/observe/point_state.hpp"
 #include "engine/remeshed/observe/surface_mesh.hpp"
 
-namespace pliant {
+namespace pliant::remeshed {
 
 namespace {
-
-using remeshed::Body;
-using remeshed::Kind;
 
 struct Selection {
   int body;
@@ -19,7 +16,7 @@ struct Selection {
 };
 
 template <class T, int D>
-std::vector<Selection> select(const remeshed::State<T, D>& state, bool with_ghosts) {
+std::vector<Selection> select(const State<T, D>& state, bool with_ghosts) {
   std::vector<Selection> chosen;
   for (std::size_t b = 0; b < state.bodies.size(); ++b) {
     const Body<T, D>& body = state.bodies[b];
@@ -41,24 +38,24 @@ template <class T, int D>
 std::array<double, 6> stress_of(const Body<T, D>& body, std::int64_t p) {
   std::array<double, kernels::symmetric_components<D>> stress;
   for (std::size_t c = 0; c < stress.size(); ++c) stress[c] = body.stress[c][p];
-  return full_stress<D>(stress, remeshed::pressure<T, D>(body, body.stage[0], p));
+  return full_stress<D>(stress, pressure<T, D>(body, body.stage[0], p));
 }
 
 template <class T, int D>
-FrameSurface take_surface(remeshed::Solver<T, D>& solver) {
+FrameSurface take_surface(const Boundaries<D>& boundaries,
+                          const std::vector<LatticeView<T, D>>& views) {
   FrameSurface surface;
   surface.corners = D;
   std::vector<double> velocity, displacement;
   std::vector<std::int32_t> owners;
-  const auto views = solver.on_nodes();
   for (std::size_t b = 0; b < views.size(); ++b) {
     const auto& fields = views[b].fields;
-    const auto mesh = remeshed::surface_mesh<T, D>(views[b], solver.state().boundaries);
+    const auto mesh = surface_mesh<T, D>(views[b], boundaries);
     const auto first = static_cast<std::int64_t>(surface.position.size() / 3);
     for (const auto& piece : mesh.pieces) {
       for (const std::int64_t v : piece) surface.vertex.push_back(first + v);
     }
-    for (const remeshed::SurfaceVertex<D>& v : mesh.vertices) {
+    for (const SurfaceVertex<D>& v : mesh.vertices) {
       for (int a = 0; a < 3; ++a) surface.position.push_back(a < D ? v.place[a] : 0);
       for (int a = 0; a < D; ++a) {
         velocity.push_back(v.interpolated(fields.get(Field::velocity, a)));
@@ -74,14 +71,13 @@ FrameSurface take_surface(remeshed::Solver<T, D>& solver) {
 }
 
 template <class T, int D>
-std::vector<std::vector<double>> wall_pressures(const remeshed::Solver<T, D>& solver) {
-  const remeshed::State<T, D>& state = solver.state();
-  remeshed::BoundaryValues<D> now;
+std::vector<std::vector<double>> wall_pressures(const State<T, D>& state,
+                                                const kernels::Table<T, D>& kernels) {
+  BoundaryValues<D> now;
   now.evaluate(state.boundaries, state.clock.time);
   std::vector<std::vector<double>> pressures;
   for (const Body<T, D>& body : state.bodies) {
-    pressures.push_back(
-        remeshed::wall_pressure<T, D>(body, state.boundaries, now, solver.kernels()));
+    pressures.push_back(wall_pressure<T, D>(body, state.boundaries, now, kernels));
   }
   return pressures;
 }
@@ -89,13 +85,13 @@ std::vector<std::vector<double>> wall_pressures(const remeshed::Solver<T, D>& so
 }  // namespace
 
 template <class T, int D>
-Frame take_frame(remeshed::Solver<T, D>& solver, bool with_ghosts, bool with_surface) {
-  if (with_ghosts) solver.refresh_ghosts();
-  const auto& bodies = solver.state().bodies;
-  const std::vector<Selection> chosen = select(solver.state(), with_ghosts);
+Frame take_frame(const State<T, D>& state, const kernels::Table<T, D>& kernels,
+                 const NodeSource<T, D>& find_nodes, const FrameParts& parts) {
+  const auto& bodies = state.bodies;
+  const std::vector<Selection> chosen = select(state, parts.ghosts);
   Frame frame;
-  frame.time = solver.clock().time;
-  frame.step = solver.clock().step;
+  frame.time = state.clock.time;
+  frame.step = state.clock.step;
   for (const Selection& s : chosen) {
     frame.position.insert(frame.position.end(), s.position.begin(), s.position.end());
   }
@@ -114,17 +110,16 @@ Frame take_frame(remeshed::Solver<T, D>& solver, bool with_ghosts, bool with_sur
   add("displacement", "m", D, [](const B& body, std::int64_t p, int c) {
     return body.stage[0].get(Field::displacement, c)[p] + body.stage[0].get(Field::drift, c)[p];
   });
-  add("pressure", "Pa", 1, [](const B& body, std::int64_t p, int) {
-    return remeshed::pressure<T, D>(body, body.stage[0], p);
-  });
+  add("pressure", "Pa", 1,
+      [](const B& body, std::int64_t p, int) { return pressure<T, D>(body, body.stage[0], p); });
   add("density", "kg/m^3", 1,
-      [](const B& body, std::int64_t p, int) { return remeshed::density<T, D>(body.stage[0], p); });
+      [](const B& body, std::int64_t p, int) { return density<T, D>(body.stage[0], p); });
   add("stress", "Pa", 6,
       [](const B& body, std::int64_t p, int c) { return stress_of(body, p)[c]; });
   add("level_set", "m", 1,
       [](const B& body, std::int64_t p, int) { return body.stage[0].get(Field::level_set)[p]; });
-  if (with_ghosts && solver.state().boundaries.have_contact()) {
-    const std::vector<std::vector<double>> pressures = wall_pressures(solver);
+  if (parts.ghosts && state.boundaries.have_contact()) {
+    const std::vector<std::vector<double>> pressures = wall_pressures(state, kernels);
     std::vector<double> values;
     values.reserve(chosen.size());
     for (const Selection& s : chosen) values.push_back(pressures[s.body][s.slot]);
@@ -137,11 +132,13 @@ Frame take_frame(remeshed::Solver<T, D>& solver, bool with_ghosts, bool with_sur
   }
   frame.fields.push_back({"kind", "1", 1, std::move(kinds)});
   frame.fields.push_back({"body", "1", 1, std::move(owners)});
-  if (with_surface) frame.surface = take_surface(solver);
+  if (parts.surface) frame.surface = take_surface<T, D>(state.boundaries, find_nodes());
   return frame;
 }
 
-template Frame take_frame<double, 2>(remeshed::Solver<double, 2>&, bool, bool);
-template Frame take_frame<double, 3>(remeshed::Solver<double, 3>&, bool, bool);
+template Frame take_frame<double, 2>(const State<double, 2>&, const kernels::Table<double, 2>&,
+                                     const NodeSource<double, 2>&, const FrameParts&);
+template Frame take_frame<double, 3>(const State<double, 3>&, const kernels::Table<double, 3>&,
+                                     const NodeSource<double, 3>&, const FrameParts&);
 
-}  // namespace pliant
+}  // namespace pliant::remeshed

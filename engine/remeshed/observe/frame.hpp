@@ -1,14 +1,16 @@
 #pragma once
 
 #include "engine/output/frame.hpp"
-#include "engine/remeshed/solver.hpp"
+#include "engine/remeshed/lattice_view.hpp"
+#include "engine/remeshed/state.hpp"
 
-namespace pliant {
+namespace pliant::remeshed {
 
-/// The particles of a solver as viewers see them, ghosts and surfaces as an option; with ghosts and
+/// The particles of a state as viewers see them, ghosts and surfaces as an option; with ghosts and
 /// contact walls the pressure of these too, (RP.61). SI units; stresses have their zz component in
-/// plane strain too. Surfaces are those of nodes: between remeshings, of a remeshed copy.
+/// plane strain too. Surfaces are those of `find_nodes`: between remeshings, of a remeshed copy.
 template <class T, int D>
-Frame take_frame(remeshed::Solver<T, D>& solver, bool with_ghosts, bool with_surface = false);
+Frame take_frame(const State<T, D>& state, const kernels::Table<T, D>& kernels,
+                 const NodeSource<T, D>& find_nodes, const FrameParts& parts);
 
-}  // namespace pliant
+}  // namespace pliant::remeshed

@@ -1,7 +1,8 @@
 #pragma once
 
+#include "engine/boundaries/walls.hpp"
 #include "engine/method/body_integrals.hpp"
-#include "engine/remeshed/solver.hpp"
+#include "engine/remeshed/lattice_view.hpp"
 
 namespace pliant::remeshed {
 

@@ -71,23 +71,15 @@ Vector material_displacement(const Body<T, D>& body, const Vector& start) {
 }
 
 template <class T, int D>
-std::vector<double> Measurer<T, D>::operator()() {
-  clear();
+std::vector<double> Measurer<T, D>::operator()(std::span<const MeasurementCase> measurements) {
   std::vector<double> values;
-  for (const MeasurementCase& m : solver_.settings().measurements) values.push_back(value(m));
-  clear();
+  for (const MeasurementCase& m : measurements) values.push_back(value(m));
   return values;
 }
 
 template <class T, int D>
-void Measurer<T, D>::clear() {
-  nodes_.clear();
-  integrals_.clear();
-}
-
-template <class T, int D>
 const LatticeView<T, D>& Measurer<T, D>::nodes(int body) {
-  if (nodes_.empty()) nodes_ = solver_.on_nodes();
+  if (nodes_.empty()) nodes_ = find_nodes_();
   return nodes_[body];
 }
 
@@ -101,16 +93,16 @@ double Measurer<T, D>::value(const MeasurementCase& m) {
     case Quantity::mean_radius:
       return surface_value(m);
     case Quantity::surface_area:
-      return surface_area(nodes(m.body), solver_.state().boundaries);
+      return surface_area(nodes(m.body), state_.boundaries);
     case Quantity::point_displacement:
-      return material_displacement<T, D>(solver_.state().bodies[m.body], m.point)[m.axis];
+      return material_displacement<T, D>(state_.bodies[m.body], m.point)[m.axis];
     case Quantity::wall_force:
     case Quantity::contact_force:
       return impulse(m);
     case Quantity::point_value:
       return point_value(m);
     case Quantity::closest_pair:
-      return closest_pair<T, D>(solver_.state().bodies[m.body]);
+      return closest_pair<T, D>(state_.bodies[m.body]);
     case Quantity::velocity_error:
       return velocity_error(m);
     default:
@@ -120,22 +112,21 @@ double Measurer<T, D>::value(const MeasurementCase& m) {
 
 template <class T, int D>
 double Measurer<T, D>::impulse(const MeasurementCase& m) const {
-  const State<T, D>& state = solver_.state();
   if (m.kind == MeasurementCase::Kind::wall_force) {
-    return state.wall_impulse[state.boundaries.wall_of[m.boundary]][m.axis];
+    return state_.wall_impulse[state_.boundaries.wall_of[m.boundary]][m.axis];
   }
   double on_first = 0;
-  for (std::size_t c = 0; c < state.contact_impulse.size(); ++c) {
-    const std::array<int, 2>& of = solver_.settings().contacts[c].bodies;
-    if (of == m.bodies) on_first -= state.contact_impulse[c][m.axis];
-    if (of == std::array{m.bodies[1], m.bodies[0]}) on_first += state.contact_impulse[c][m.axis];
+  for (std::size_t c = 0; c < state_.contact_impulse.size(); ++c) {
+    const std::array<int, 2>& of = settings_.contacts[c].bodies;
+    if (of == m.bodies) on_first -= state_.contact_impulse[c][m.axis];
+    if (of == std::array{m.bodies[1], m.bodies[0]}) on_first += state_.contact_impulse[c][m.axis];
   }
   return on_first;
 }
 
 template <class T, int D>
 double Measurer<T, D>::surface_value(const MeasurementCase& m) {
-  const double t = solver_.clock().time;
+  const double t = state_.clock.time;
   if (m.kind == MeasurementCase::Kind::mean_radius) {
     return mean_radius(nodes(m.body), m.point, m.rays);
   }
@@ -162,31 +153,31 @@ const BodyIntegrals& Measurer<T, D>::integrals(int body, const Vector& about) {
 
 template <class T, int D>
 BodyIntegrals Measurer<T, D>::integrate_body(int body, const Vector& about) {
-  const State<T, D>& state = solver_.state();
-  const bool surface = solver_.remeshing(body).has_surface();
-  if (!solver_.remeshes() || !surface) return sum_particles<T, D>(state.bodies[body], about);
-  BodyIntegrals sum = integrate<T, D>(nodes(body), state.boundaries, about);
-  if (state.momentum_budgets.empty()) return sum;
-  const Point<D> momentum = budget_momentum<T, D>(state, body);
+  using Policy = decltype(Case{}.remeshing)::Policy;
+  const Body<T, D>& particles = state_.bodies[body];
+  if (settings_.remeshing.policy == Policy::never || !particles.has_surface) {
+    return sum_particles<T, D>(particles, about);
+  }
+  BodyIntegrals sum = integrate<T, D>(nodes(body), state_.boundaries, about);
+  if (state_.momentum_budgets.empty()) return sum;
+  const Point<D> momentum = budget_momentum<T, D>(state_, body);
   std::copy(momentum.begin(), momentum.end(), sum.momentum.begin());
   return sum;
 }
 
 template <class T, int D>
 BodyIntegrals Measurer<T, D>::totals() {
-  clear();
   BodyIntegrals sum;
-  for (int b = 0; b < static_cast<int>(solver_.state().bodies.size()); ++b) {
+  for (int b = 0; b < static_cast<int>(state_.bodies.size()); ++b) {
     add(sum, integrals(b, {}));
   }
-  clear();
   return sum;
 }
 
 template <class T, int D>
 double Measurer<T, D>::velocity_error(const MeasurementCase& m) const {
-  const Body<T, D>& body = solver_.state().bodies[m.body];
-  const double t = solver_.clock().time;
+  const Body<T, D>& body = state_.bodies[m.body];
+  const double t = state_.clock.time;
   double largest = 0, square = 0;
   std::int64_t count = 0;
   for (const Block<D>& block : body.population.layout.blocks()) {

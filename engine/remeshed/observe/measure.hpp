@@ -1,23 +1,25 @@
 #pragma once
 
+#include <span>
 #include <string>
 #include <vector>
 
+#include "engine/remeshed/lattice_view.hpp"
 #include "engine/remeshed/observe/integrals.hpp"
-#include "engine/remeshed/solver.hpp"
+#include "engine/remeshed/state.hpp"
 
 namespace pliant::remeshed {
 
-/// Evaluates what a case measures at the present time of a solver.
+/// Evaluates measurements of a state at one instant. What several of them need is found once.
 template <class T, int D>
 class Measurer {
  public:
-  explicit Measurer(Solver<T, D>& solver) : solver_(solver) {}
+  Measurer(const Case& settings, const State<T, D>& state, NodeSource<T, D> find_nodes)
+      : settings_(settings), state_(state), find_nodes_(std::move(find_nodes)) {}
 
-  /// One value for each measurement of the case; NaN where it has none (those which read histories,
-  /// and surfaces that do not exist). Of forces, the impulse since t = 0: histories tell the
-  /// force.
-  std::vector<double> operator()();
+  /// One value for each measurement; NaN where it has none (those which read histories, and
+  /// surfaces that do not exist). Of forces, the impulse since t = 0: histories tell the force.
+  std::vector<double> operator()(std::span<const MeasurementCase> measurements);
 
   /// Conserved quantities of all bodies together, as the summary reports them.
   BodyIntegrals totals();
@@ -37,10 +39,11 @@ class Measurer {
   const BodyIntegrals& integrals(int body, const Vector& about);
   BodyIntegrals integrate_body(int body, const Vector& about);
   const LatticeView<T, D>& nodes(int body);
-  void clear();
 
-  Solver<T, D>& solver_;
-  // Of the present call, once something asks for them.
+  const Case& settings_;
+  const State<T, D>& state_;
+  NodeSource<T, D> find_nodes_;
+  // Empty until something asks for them.
   std::vector<LatticeView<T, D>> nodes_;
   std::vector<Integrated> integrals_;
 };

@@ -1,6 +1,7 @@
 #pragma once
 
-#include "engine/remeshed/solver.hpp"
+#include "engine/boundaries/walls.hpp"
+#include "engine/remeshed/lattice_view.hpp"
 
 namespace pliant::remeshed {
 

@@ -4,7 +4,8 @@
 #include <cstdint>
 #include <vector>
 
-#include "engine/remeshed/solver.hpp"
+#include "engine/boundaries/walls.hpp"
+#include "engine/remeshed/lattice_view.hpp"
 
 namespace pliant::remeshed {
 

@@ -1,7 +1,8 @@
 #pragma once
 
+#include "engine/boundaries/walls.hpp"
 #include "engine/lattice/surface_pieces.hpp"
-#include "engine/remeshed/solver.hpp"
+#include "engine/remeshed/lattice_view.hpp"
 
 /// The free surface {phi = 0} of a body in front of every wall, in pieces.
 namespace pliant::remeshed {

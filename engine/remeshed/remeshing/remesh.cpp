@@ -35,7 +35,7 @@ template <class T, int D>
 void Remeshing<T, D>::place_initial(const Case& settings) {
   layout_search_.mark_geometry();
   prepare_spare();
-  has_surface_ = set_initial_fields(settings, body_, fields_.valid());
+  body_.has_surface = set_initial_fields(settings, body_, fields_.valid());
 }
 
 template <class T, int D>
@@ -98,7 +98,7 @@ void Remeshing<T, D>::target_phases(std::vector<scheduler::Phase>& all, int firs
                                     bool from_particles) {
   BodyPhases phases(all, first_block, body_.spare.layout.blocks().size());
   if (from_particles) add_fields(phases);
-  if (has_surface_) add_level_set(phases);
+  if (body_.has_surface) add_level_set(phases);
   phases.each("remesh: kinds",
               {{resource::closest(0)}, {resource::closest(1)}, {resource::remeshed}},
               {{resource::kinds}, {resource::remeshed}, {resource::extended}},
@@ -177,7 +177,7 @@ void Remeshing<T, D>::add_ghosts(BodyPhases& phases) {
 
 template <class T, int D>
 void Remeshing<T, D>::find_kinds(int block) {
-  if (has_surface_) level_set_.finish(body_.spare.layout.blocks()[block]);
+  if (body_.has_surface) level_set_.finish(body_.spare.layout.blocks()[block]);
   if (body_.material.model == kernels::Model::reduced_polynomial) fields_.match_volumes(block);
   particles_[block] =
       classify<T, D>(body_, body_.spare, body_.stage[1], block, boundaries_, fields_.valid());

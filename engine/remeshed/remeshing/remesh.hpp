@@ -41,8 +41,6 @@ class Remeshing {
   void lay_out_again(const std::vector<std::int32_t>& occupancy);
   void swap_in_restored();
 
-  bool has_surface() const { return has_surface_; }
-
  private:
   void add_fields(BodyPhases& phases);
   void add_level_set(BodyPhases& phases);
@@ -60,7 +58,6 @@ class Remeshing {
   GhostTreatment treatment_;
   int stencil_reach_;
   bool is_final_ = true;
-  bool has_surface_ = true;
   bool reinitialise_ = false;
   LayoutSearch<T, D> layout_search_;
   RemeshedFields<T, D> fields_;

@@ -6,12 +6,9 @@
 #include "engine/method/full_stress.hpp"
 #include "engine/total_lagrangian/stress_point.hpp"
 
-namespace pliant {
+namespace pliant::total_lagrangian {
 
 namespace {
-
-using total_lagrangian::Body;
-using total_lagrangian::StressPoint;
 
 /// Stress as xx, yy, zz, xy, yz, xz, then pressure, density and dilatation.
 constexpr int stress = 0, pressure = 6, density = 7, dilatation = 8, mean_fields = 9;
@@ -52,7 +49,7 @@ std::vector<Means> means(const Body<T, D>& body) {
 
 // Facets meet in corners between the same two particles.
 template <class T, int D>
-FrameSurface take_surface(const total_lagrangian::State<T, D>& state) {
+FrameSurface take_surface(const State<T, D>& state) {
   FrameSurface surface;
   surface.corners = D;
   std::vector<double> velocity, displacement;
@@ -62,7 +59,7 @@ FrameSurface take_surface(const total_lagrangian::State<T, D>& state) {
     std::map<std::pair<std::int32_t, std::int32_t>, std::int64_t> known;
     for (const auto& facet : body.facets) {
       if (!facet.free) continue;
-      for (const total_lagrangian::Vertex<D>& v : facet.vertex) {
+      for (const Vertex<D>& v : facet.vertex) {
         const auto number = static_cast<std::int64_t>(owners.size());
         // At a node on the surface all lines from it end alike.
         const auto [at, is_new] =
@@ -89,14 +86,14 @@ FrameSurface take_surface(const total_lagrangian::State<T, D>& state) {
 }  // namespace
 
 template <class T, int D>
-Frame take_frame(total_lagrangian::Solver<T, D>& solver, bool, bool with_surface) {
+Frame take_frame(const State<T, D>& state, const FrameParts& parts) {
   Frame frame;
-  frame.time = solver.clock().time;
-  frame.step = solver.clock().step;
+  frame.time = state.clock.time;
+  frame.step = state.clock.step;
   std::vector<double> velocity, displacement, level_set, p_field, rho, sigma, volume_change;
   std::vector<std::int32_t> kinds, owners;
-  for (std::size_t b = 0; b < solver.state().bodies.size(); ++b) {
-    const Body<T, D>& body = solver.state().bodies[b];
+  for (std::size_t b = 0; b < state.bodies.size(); ++b) {
+    const Body<T, D>& body = state.bodies[b];
     const std::vector<Means> mean = means(body);
     for (const Block<D>& block : body.layout.blocks()) {
       body.layout.for_each_slot(block, [&](std::int64_t p, const Cell<D>& cell) {
@@ -128,11 +125,11 @@ Frame take_frame(total_lagrangian::Solver<T, D>& solver, bool, bool with_surface
                   {"level_set", "m", 1, std::move(level_set)},
                   {"kind", "1", 1, std::move(kinds)},
                   {"body", "1", 1, std::move(owners)}};
-  if (with_surface) frame.surface = take_surface(solver.state());
+  if (parts.surface) frame.surface = take_surface(state);
   return frame;
 }
 
-template Frame take_frame<double, 2>(total_lagrangian::Solver<double, 2>&, bool, bool);
-template Frame take_frame<double, 3>(total_lagrangian::Solver<double, 3>&, bool, bool);
+template Frame take_frame<double, 2>(const State<double, 2>&, const FrameParts&);
+template Frame take_frame<double, 3>(const State<double, 3>&, const FrameParts&);
 
-}  // namespace pliant
+}  // namespace pliant::total_lagrangian

@@ -1,14 +1,13 @@
 #pragma once
 
 #include "engine/output/frame.hpp"
-#include "engine/total_lagrangian/solver.hpp"
+#include "engine/total_lagrangian/state.hpp"
 
-namespace pliant {
+namespace pliant::total_lagrangian {
 
-/// The particles of a solver as viewers see them, in SI units. Stress, pressure and dilatation are
+/// The particles of a state as viewers see them, in SI units. Stress, pressure and dilatation are
 /// the means over the stress points around a particle. There are no ghosts to show.
 template <class T, int D>
-Frame take_frame(total_lagrangian::Solver<T, D>& solver, bool with_ghosts,
-                 bool with_surface = false);
+Frame take_frame(const State<T, D>& state, const FrameParts& parts);
 
-}  // namespace pliant
+}  // namespace pliant::total_lagrangian

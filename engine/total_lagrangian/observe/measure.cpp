@@ -33,9 +33,10 @@ void for_each_stress_point(const Body<T, D>& body, double hourglass, F&& f) {
 }  // namespace
 
 template <class T, int D>
-std::vector<double> Measurer<T, D>::operator()() {
+std::vector<double> Measurer<T, D>::operator()(
+    std::span<const MeasurementCase> measurements) const {
   std::vector<double> values;
-  for (const MeasurementCase& m : solver_.settings().measurements) values.push_back(value(m));
+  for (const MeasurementCase& m : measurements) values.push_back(value(m));
   return values;
 }
 
@@ -57,8 +58,8 @@ double Measurer<T, D>::value(const MeasurementCase& m) const {
 
 template <class T, int D>
 double Measurer<T, D>::extent(const MeasurementCase& m) const {
-  const Body<T, D>& body = solver_.state().bodies[m.body];
-  const double t = solver_.clock().time, sign = m.lower_side ? -1 : 1;
+  const Body<T, D>& body = state_.bodies[m.body];
+  const double t = state_.clock.time, sign = m.lower_side ? -1 : 1;
   double farthest = -std::numeric_limits<double>::infinity();
   for (const Facet<D>& facet : body.facets) {
     if (!facet.free) continue;
@@ -75,7 +76,7 @@ double Measurer<T, D>::extent(const MeasurementCase& m) const {
 // Linear in each direction within the cell in which the point started.
 template <class T, int D>
 double Measurer<T, D>::point_displacement(const MeasurementCase& m) const {
-  const Body<T, D>& body = solver_.state().bodies[m.body];
+  const Body<T, D>& body = state_.bodies[m.body];
   double sum = 0, weights = 0;
   for (int c = 0; c < (1 << D); ++c) {
     Cell<D> cell;
@@ -98,7 +99,7 @@ double Measurer<T, D>::point_displacement(const MeasurementCase& m) const {
 
 template <class T, int D>
 double Measurer<T, D>::surface_area(const MeasurementCase& m) const {
-  const Body<T, D>& body = solver_.state().bodies[m.body];
+  const Body<T, D>& body = state_.bodies[m.body];
   double sum = 0;
   for (const Facet<D>& facet : body.facets) {
     if (!facet.free) continue;
@@ -111,8 +112,8 @@ double Measurer<T, D>::surface_area(const MeasurementCase& m) const {
 
 template <class T, int D>
 BodyIntegrals Measurer<T, D>::integrals(int index, const Vector& about) const {
-  const Body<T, D>& body = solver_.state().bodies[index];
-  const double scaling = solver_.clock().mass_scaling;
+  const Body<T, D>& body = state_.bodies[index];
+  const double scaling = state_.clock.mass_scaling;
   BodyIntegrals sum;
   for_each_particle(body, [&](std::int64_t p, const Cell<D>& cell) {
     Vector r = {}, u = {};
@@ -123,19 +124,18 @@ BodyIntegrals Measurer<T, D>::integrals(int index, const Vector& about) const {
     sum.mass += body.mass[p];
     add_motion(sum, scaling * body.mass[p], r, u);
   });
-  for_each_stress_point(body, solver_.settings().total_lagrangian.hourglass,
-                        [&](std::int64_t p, const StressPoint<D>& point) {
-                          sum.strain_energy += point.energy;
-                          sum.volume += body.fraction[p] * std::pow(body.lattice.spacing, D) *
-                                        point.volume_ratio;
-                        });
+  for_each_stress_point(
+      body, settings_.total_lagrangian.hourglass, [&](std::int64_t p, const StressPoint<D>& point) {
+        sum.strain_energy += point.energy;
+        sum.volume += body.fraction[p] * std::pow(body.lattice.spacing, D) * point.volume_ratio;
+      });
   return sum;
 }
 
 template <class T, int D>
-BodyIntegrals Measurer<T, D>::totals() {
+BodyIntegrals Measurer<T, D>::totals() const {
   BodyIntegrals sum;
-  for (int b = 0; b < static_cast<int>(solver_.state().bodies.size()); ++b) {
+  for (int b = 0; b < static_cast<int>(state_.bodies.size()); ++b) {
     add(sum, integrals(b, {}));
   }
   return sum;

@@ -1,25 +1,25 @@
 #pragma once
 
+#include <span>
 #include <vector>
 
 #include "engine/method/body_integrals.hpp"
-#include "engine/total_lagrangian/solver.hpp"
+#include "engine/total_lagrangian/state.hpp"
 
 namespace pliant::total_lagrangian {
 
-/// Evaluates what a case measures at the present time of a solver.
+/// Evaluates measurements of a state at one instant.
 template <class T, int D>
 class Measurer {
  public:
-  explicit Measurer(Solver<T, D>& solver) : solver_(solver) {}
+  Measurer(const Case& settings, const State<T, D>& state) : settings_(settings), state_(state) {}
 
-  /// One value for each measurement of the case; NaN where it has none (those which read
-  /// histories).
-  std::vector<double> operator()();
+  /// One value for each measurement; NaN where it has none (those which read histories).
+  std::vector<double> operator()(std::span<const MeasurementCase> measurements) const;
 
   /// Of all bodies together. Momentum and kinetic energy are those of the scaled mass, as the
   /// particles have them.
-  BodyIntegrals totals();
+  BodyIntegrals totals() const;
 
  private:
   double value(const MeasurementCase& m) const;
@@ -28,7 +28,8 @@ class Measurer {
   double surface_area(const MeasurementCase& m) const;
   BodyIntegrals integrals(int body, const Vector& about) const;
 
-  Solver<T, D>& solver_;
+  const Case& settings_;
+  const State<T, D>& state_;
 };
 
 }  // namespace pliant::total_lagrangian

@@ -29,7 +29,7 @@ struct CachedGraph : testing::Test {
   }
 
   Layout<2> layout;
-  remeshed::CachedGraph<2> kept;
+  pliant::CachedGraph<2> kept{{}};
   int built = 0;
 };
 

@@ -40,8 +40,8 @@ TEST(setup, a_rigid_rotation_turns_about_its_centre) {
 }
 
 TEST(setup, a_fresh_solver_fills_the_body_with_particles_at_its_density) {
-  const Solver solver(small_case("compression_linear", {"discretisation.spacing=1/16"}), 1,
-                      kernels::Isa::sse2);
+  const Solver solver(small_case("compression_linear", {"discretisation.spacing=1/16"}),
+                      {1, kernels::Isa::sse2});
   EXPECT_EQ(solver.particles(), 16 * 32);
   const Body& body = solver.state().bodies[0];
   for_each(body.population, Kind::interior, [&](std::int64_t p, const Cell<2>& cell) {

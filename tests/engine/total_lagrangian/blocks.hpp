@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "engine/total_lagrangian/observe/measure.hpp"
+#include "engine/total_lagrangian/solver.hpp"
 #include "tests/engine/case/written_case.hpp"
 
 namespace pliant::test {

@@ -51,8 +51,8 @@ TEST(total_lagrangian, bytes_do_not_depend_on_a_restart) {
 TEST(total_lagrangian, wide_instruction_sets_agree_to_the_bit) {
   if (!kernels::is_supported(kernels::Isa::avx512)) GTEST_SKIP() << "no AVX-512 here";
   const Case settings = aspiration();
-  LagrangianSolver<3> wide(settings, 1, kernels::Isa::avx512);
-  LagrangianSolver<3> narrow(settings, 1, kernels::Isa::avx2);
+  LagrangianSolver<3> wide(settings, {1, kernels::Isa::avx512});
+  LagrangianSolver<3> narrow(settings, {1, kernels::Isa::avx2});
   for (int step = 0; step < 20; ++step) {
     wide.step(HUGE_VAL);
     narrow.step(HUGE_VAL);
@@ -70,7 +70,7 @@ TEST(total_lagrangian, wide_instruction_sets_agree_to_the_bit) {
 TEST(total_lagrangian, any_legal_order_of_a_step_gives_the_same_bits) {
   std::vector<double> first;
   for (std::uint64_t seed = 0; seed < 6; ++seed) {
-    LagrangianSolver<3> solver(aspiration(), 1, kernels::widest_supported());
+    LagrangianSolver<3> solver(aspiration(), {1, kernels::widest_supported()});
     for (int step = 0; step < 3; ++step) solver.step(HUGE_VAL);
     solver.workers().execute([&] { solver.step_graph().run_serially(seed); });
     const auto& body = solver.state().bodies[0];

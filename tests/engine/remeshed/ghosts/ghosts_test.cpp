@@ -63,8 +63,8 @@ Values stretching_strip(const Point<2>& x, double pressure) {
 }
 
 TEST(ghosts, of_a_plane_free_surface_continue_linear_fields_without_traction) {
-  Solver solver(small_case("compression_linear", strip("y") + Settings{"boundary=[]"}), 1,
-                kernels::Isa::sse2);
+  Solver solver(small_case("compression_linear", strip("y") + Settings{"boundary=[]"}),
+                {1, kernels::Isa::sse2});
   const auto field = [](const Point<2>& x) { return stretching_strip(x, 0); };
   EXPECT_GE(expect_ghosts_follow(solver, field, far_from_ends_in_y), 2 * 4 * 20);
 }
@@ -72,15 +72,15 @@ TEST(ghosts, of_a_plane_free_surface_continue_linear_fields_without_traction) {
 TEST(ghosts, of_a_loaded_surface_continue_linear_fields_with_its_pressure) {
   const std::string load = R"(boundary=[{ name = "load", kind = "pressure", pressure = 4, )"
                            R"(geometry = { shape = "box", lower = [-2, -2], upper = [2, 2] } }])";
-  Solver solver(small_case("compression_linear", strip("y") + Settings{load}), 1,
-                kernels::Isa::sse2);
+  Solver solver(small_case("compression_linear", strip("y") + Settings{load}),
+                {1, kernels::Isa::sse2});
   const auto field = [](const Point<2>& x) { return stretching_strip(x, 4); };
   EXPECT_GE(expect_ghosts_follow(solver, field, far_from_ends_in_y), 2 * 4 * 20);
 }
 
 TEST(ghosts, of_a_plane_wall_continue_linear_fields_that_move_with_it) {
   const Settings moving = {"boundary.upper.velocity=[3, -2]", "boundary.lower.velocity=[-1, 5]"};
-  Solver solver(small_case("compression_linear", strip("x") + moving), 1, kernels::Isa::sse2);
+  Solver solver(small_case("compression_linear", strip("x") + moving), {1, kernels::Isa::sse2});
   const auto field = [](const Point<2>& x) -> Values {
     const double d = 1 - std::abs(x[1]);
     const Point<2> wall = x[1] > 0 ? Point<2>{3, -2} : Point<2>{-1, 5};
@@ -96,8 +96,8 @@ TEST(ghosts, of_a_slip_wall_hold_what_it_has_and_mirror_what_changes_its_sign) {
       R"(geometry = { shape = "half_space", point = [0, 1], normal = [0, -1] } }, )"
       R"({ name = "lower", kind = "slip_wall", )"
       R"(geometry = { shape = "half_space", point = [0, -1], normal = [0, 1] } }])";
-  Solver solver(small_case("compression_linear", strip("x") + Settings{walls}), 1,
-                kernels::Isa::sse2);
+  Solver solver(small_case("compression_linear", strip("x") + Settings{walls}),
+                {1, kernels::Isa::sse2});
   const auto field = [](const Point<2>& x) -> Values {
     const double d = 1 - std::abs(x[1]);
     const double wall = x[1] > 0 ? -2 : 0;
@@ -107,7 +107,7 @@ TEST(ghosts, of_a_slip_wall_hold_what_it_has_and_mirror_what_changes_its_sign) {
 }
 
 TEST(ghosts, of_a_round_body_continue_linear_velocities_without_stress) {
-  Solver solver(spinning_disc(0.1), 1, kernels::Isa::sse2);
+  Solver solver(spinning_disc(0.1), {1, kernels::Isa::sse2});
   const auto field = [](const Point<2>& x) -> Values {
     return {{1 + 2 * x[0] - 3 * x[1], 0.5 - x[0] + 4 * x[1]}, {}};
   };
@@ -117,7 +117,7 @@ TEST(ghosts, of_a_round_body_continue_linear_velocities_without_stress) {
 TEST(ghosts, that_are_rigid_continue_rigid_motions) {
   Case settings = spinning_disc(0.1);
   settings.ghosts = GhostTreatment::rigid;
-  Solver solver(settings, 1, kernels::Isa::sse2);
+  Solver solver(settings, {1, kernels::Isa::sse2});
   const auto field = [](const Point<2>& x) -> Values { return {{1 - 3 * x[1], 2 + 3 * x[0]}, {}}; };
   EXPECT_GE(expect_ghosts_follow(solver, field, everywhere), 200);
 }
@@ -125,7 +125,7 @@ TEST(ghosts, that_are_rigid_continue_rigid_motions) {
 TEST(ghosts, that_average_continue_uniform_motions) {
   Case settings = spinning_disc(0.1);
   settings.ghosts = GhostTreatment::averaged;
-  Solver solver(settings, 1, kernels::Isa::sse2);
+  Solver solver(settings, {1, kernels::Isa::sse2});
   const auto field = [](const Point<2>&) -> Values { return {{1, -2}, {}}; };
   EXPECT_GE(expect_ghosts_follow(solver, field, everywhere), 200);
 }

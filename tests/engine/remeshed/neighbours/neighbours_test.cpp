@@ -90,8 +90,8 @@ TEST(neighbours, are_all_those_within_the_radius_of_irregular_strained_particles
 }
 
 TEST(neighbours, are_all_those_within_the_radius_where_only_some_blocks_have_strained) {
-  Solver solver(small_case("compression_linear", {"discretisation.spacing=1/16"}), 1,
-                kernels::widest_supported());
+  Solver solver(small_case("compression_linear", {"discretisation.spacing=1/16"}),
+                {1, kernels::widest_supported()});
   Body& body = solver.state().bodies[0];
   displace(body, [](const Point<2>& x) {
     return Point<2>{x[0], x[1] > 0.5 ? 0.5 + 0.6 * (x[1] - 0.5) : x[1]};
@@ -103,8 +103,8 @@ TEST(neighbours, are_all_those_within_the_radius_where_only_some_blocks_have_str
 }
 
 TEST(neighbours, are_found_across_periods_wherever_particles_have_wandered) {
-  Solver solver(small_case("periodic_square", {"discretisation.spacing=1/16"}), 1,
-                kernels::widest_supported());
+  Solver solver(small_case("periodic_square", {"discretisation.spacing=1/16"}),
+                {1, kernels::widest_supported()});
   Body& body = solver.state().bodies[0];
   std::mt19937 random(5);
   std::uniform_int_distribution<int> periods(-2, 2);
@@ -118,8 +118,8 @@ TEST(neighbours, are_found_across_periods_wherever_particles_have_wandered) {
 }
 
 TEST(neighbours, do_not_depend_on_the_order_of_the_search) {
-  Solver solver(small_case("rotating_cylinder", {"discretisation.spacing=0.08"}), 1,
-                kernels::widest_supported());
+  Solver solver(small_case("rotating_cylinder", {"discretisation.spacing=0.08"}),
+                {1, kernels::widest_supported()});
   Body& body = solver.state().bodies[0];
   displace(body, compressed);
   search(solver);
@@ -135,8 +135,8 @@ TEST(neighbours, do_not_depend_on_the_order_of_the_search) {
 }
 
 TEST(neighbours, just_outside_the_stencil_are_measured) {
-  Solver solver(small_case("rotating_cylinder", {"discretisation.spacing=0.1"}), 1,
-                kernels::widest_supported());
+  Solver solver(small_case("rotating_cylinder", {"discretisation.spacing=0.1"}),
+                {1, kernels::widest_supported()});
   Body& body = solver.state().bodies[0];
   displace(body, compressed);
   double least = HUGE_VAL, measured = HUGE_VAL;
@@ -173,7 +173,7 @@ scheduler::StepGraph first_stage_of(const Solver& solver) {
 /// grad u of every interior particle as the first stage of a step sees it, row by row: F is 1
 /// before it, and 1 + dt/2 grad u in Q2 after it. A whole step finds the neighbours first.
 std::vector<std::array<double, 4>> gradients_of(const VectorExpression& velocity, bool by_search) {
-  Solver solver(small_case("rotating_cylinder", spinning_rubber), 1, kernels::widest_supported());
+  Solver solver(small_case("rotating_cylinder", spinning_rubber), {1, kernels::widest_supported()});
   Body& body = solver.state().bodies[0];
   const auto start = [&] {
     displace(body, [](const Point<2>& x) { return Point<2>{x[0], 0.6 * x[1]}; });
@@ -244,8 +244,8 @@ TEST(neighbours, from_lists_give_the_bits_of_the_stencil) {
     const bool periodic = std::string(name) == "periodic_square";
     const Settings coarse = {"discretisation.spacing=1/16", "remeshing.every=8"};
     const Case settings = small_case(name, periodic ? coarse + wave : coarse);
-    Solver stencil(settings, 1, kernels::widest_supported());
-    Solver lists(settings, 2, kernels::widest_supported());
+    Solver stencil(settings, {1, kernels::widest_supported()});
+    Solver lists(settings, {2, kernels::widest_supported()});
     for (int step = 0; step < 20; ++step) {
       demand_lists(lists);
       advance(stencil, 1);

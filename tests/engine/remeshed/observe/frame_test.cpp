@@ -1,4 +1,3 @@
-#include "engine/remeshed/observe/frame.hpp"
 
 #include <gtest/gtest.h>
 
@@ -24,7 +23,7 @@ struct Frames : testing::Test {
 };
 
 TEST_F(Frames, hold_every_particle_once_where_it_is) {
-  const Frame frame = take_frame(solver, false);
+  const Frame frame = solver.frame({});
   EXPECT_EQ(frame.time, solver.clock().time);
   EXPECT_EQ(frame.step, 6);
   const Body& body = solver.state().bodies[0];
@@ -40,7 +39,7 @@ TEST_F(Frames, hold_every_particle_once_where_it_is) {
 }
 
 TEST_F(Frames, have_a_stress_whose_trace_is_the_pressure) {
-  const Frame frame = take_frame(solver, false);
+  const Frame frame = solver.frame({});
   const std::vector<double>&stress = values(frame, "stress"), &p = values(frame, "pressure");
   ASSERT_EQ(stress.size(), 6 * p.size());
   double largest = 0;
@@ -54,7 +53,7 @@ TEST_F(Frames, have_a_stress_whose_trace_is_the_pressure) {
 }
 
 TEST_F(Frames, show_ghosts_on_demand) {
-  const Frame alone = take_frame(solver, false), all = take_frame(solver, true);
+  const Frame alone = solver.frame({}), all = solver.frame({.ghosts = true});
   EXPECT_EQ(alone.fields.size(), all.fields.size());
   EXPECT_GT(all.position.size(), alone.position.size());
   EXPECT_GT(*std::max_element(values(all, "level_set").begin(), values(all, "level_set").end()),
@@ -64,8 +63,8 @@ TEST_F(Frames, show_ghosts_on_demand) {
 }
 
 TEST_F(Frames, show_the_surface_on_demand) {
-  EXPECT_FALSE(take_frame(solver, false).surface);
-  const Frame frame = take_frame(solver, false, true);
+  EXPECT_FALSE(solver.frame({}).surface);
+  const Frame frame = solver.frame({.surface = true});
   ASSERT_TRUE(frame.surface);
   const std::vector<double>& x = frame.surface->position;
   EXPECT_EQ(frame.surface->corners, 2);

@@ -14,7 +14,7 @@ constexpr double omega = 3;
 const Vector centre = {0.013, -0.021, 0};
 
 BodyIntegrals integrals_at(double spacing) {
-  Solver solver(spinning_disc(spacing), 1, kernels::Isa::sse2);
+  Solver solver(spinning_disc(spacing), {1, kernels::Isa::sse2});
   return remeshed::integrate<double, 2>(solver.on_nodes()[0], solver.state().boundaries, centre);
 }
 
@@ -57,7 +57,7 @@ TEST(integrals, a_body_that_spins_about_its_centre_has_no_momentum) {
 }
 
 TEST(integrals, of_uniform_fields_are_area_times_value) {
-  Solver solver(spinning_disc(0.05), 1, kernels::Isa::sse2);
+  Solver solver(spinning_disc(0.05), {1, kernels::Isa::sse2});
   Body& body = solver.state().bodies[0];
   const double s[] = {2, 1, -0.5};  // xx, xy, yy
   for (int c = 0; c < 3; ++c) {
@@ -71,8 +71,8 @@ TEST(integrals, of_uniform_fields_are_area_times_value) {
 }
 
 TEST(integrals, count_only_what_lies_in_front_of_walls) {
-  Solver solver(small_case("compression_linear", {"discretisation.spacing=1/16"}), 1,
-                kernels::Isa::sse2);
+  Solver solver(small_case("compression_linear", {"discretisation.spacing=1/16"}),
+                {1, kernels::Isa::sse2});
   const BodyIntegrals sum =
       remeshed::integrate<double, 2>(solver.on_nodes()[0], solver.state().boundaries, {});
   // Surfaces half-way between nodes are met exactly.
@@ -84,7 +84,7 @@ TEST(integrals, count_only_what_lies_in_front_of_walls) {
 }
 
 TEST(integrals, sums_over_particles_are_those_of_their_masses) {
-  const Solver solver(spinning_disc(0.1), 1, kernels::Isa::sse2);
+  const Solver solver(spinning_disc(0.1), {1, kernels::Isa::sse2});
   const Body& body = solver.state().bodies[0];
   const BodyIntegrals sum = remeshed::sum_particles<double, 2>(body, centre);
   EXPECT_NEAR(sum.mass, 0.01 * static_cast<double>(solver.particles()), 1e-13);

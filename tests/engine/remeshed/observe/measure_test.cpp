@@ -8,13 +8,11 @@
 namespace pliant::test {
 namespace {
 
-using Measurer = remeshed::Measurer<double, 2>;
-
 const Vector centre = {0.013, -0.021, 0};
 
 /// Largest distance of the measured surface from the circle, over many directions.
 double surface_error(double spacing) {
-  Solver solver(spinning_disc(spacing), 1, kernels::Isa::sse2);
+  Solver solver(spinning_disc(spacing), {1, kernels::Isa::sse2});
   const LatticeView view = solver.on_nodes()[0];
   double largest = 0;
   for (int k = 0; k < 101; ++k) {
@@ -35,7 +33,7 @@ TEST(measuring, the_surface_of_a_disc_is_found_to_fourth_order) {
 }
 
 TEST(measuring, extents_reach_to_the_surface_and_no_farther) {
-  Solver solver(spinning_disc(0.05), 1, kernels::Isa::sse2);
+  Solver solver(spinning_disc(0.05), {1, kernels::Isa::sse2});
   const LatticeView view = solver.on_nodes()[0];
   const auto all = [](const Vector&) { return true; };
   const auto upper_half = [](const Vector& x) { return x[1] > 0.5; };
@@ -56,7 +54,7 @@ TEST(measuring, extents_reach_to_the_surface_and_no_farther) {
 }
 
 TEST(measuring, linear_displacements_are_traced_to_their_starting_points) {
-  Solver solver(spinning_disc(0.1), 1, kernels::Isa::sse2);
+  Solver solver(spinning_disc(0.1), {1, kernels::Isa::sse2});
   Body& body = solver.state().bodies[0];
   // A uniform stretch x = 1.02 X, y = 0.97 Y: d = x - X, the drift a part of it.
   for_each(body.population, Kind::interior, [&](std::int64_t p, const Cell<2>& cell) {
@@ -78,8 +76,8 @@ TEST(measuring, everything_that_the_cases_ask_for_has_a_value_at_the_start) {
   for (const char* name : {"compression_linear", "compression_hyperelastic", "rotating_cylinder",
                            "periodic_square", "oscillating_plate"}) {
     const Case settings = small_case(name, {});
-    Solver solver(settings, 1, kernels::Isa::sse2);
-    const std::vector<double> values = Measurer(solver)();
+    Solver solver(settings, {1, kernels::Isa::sse2});
+    const std::vector<double> values = solver.measure();
     ASSERT_EQ(values.size(), settings.measurements.size());
     for (std::size_t m = 0; m < values.size(); ++m) {
       const bool read_from_history = settings.measurements[m].of >= 0;
@@ -90,9 +88,9 @@ TEST(measuring, everything_that_the_cases_ask_for_has_a_value_at_the_start) {
 
 TEST(measuring, the_waves_start_without_an_error) {
   const Case settings = small_case("periodic_square", {});
-  Solver solver(settings, 1, kernels::Isa::sse2);
+  Solver solver(settings, {1, kernels::Isa::sse2});
   // The case gives its frequencies and amplitudes with 12 digits.
-  EXPECT_NEAR(Measurer(solver)()[0], 0, 1e-12);
+  EXPECT_NEAR(solver.measure()[0], 0, 1e-12);
 }
 
 }  // namespace

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "engine/remeshed/observe/measure.hpp"
+#include "engine/remeshed/solver.hpp"
 #include "tests/engine/case/written_case.hpp"
 #include "tests/engine/remeshed/spinning_disc.hpp"
 
@@ -26,7 +26,7 @@ kind = "surface_area"
 )";
 
 double perimeter(double spacing) {
-  Solver solver(spinning_disc(spacing), 1, kernels::Isa::sse2);
+  Solver solver(spinning_disc(spacing), {1, kernels::Isa::sse2});
   return remeshed::surface_area<double, 2>(solver.on_nodes()[0], solver.state().boundaries);
 }
 
@@ -34,8 +34,8 @@ double perimeter(double spacing) {
 std::array<double, 2> of_a_ball(double spacing) {
   const Case settings =
       tests::read_text(ball, {"discretisation.spacing=" + std::to_string(spacing)});
-  remeshed::Solver<double, 3> solver(settings, 1, kernels::Isa::sse2);
-  const std::vector<double> values = remeshed::Measurer<double, 3>(solver)();
+  remeshed::Solver<double, 3> solver(settings, {1, kernels::Isa::sse2});
+  const std::vector<double> values = solver.measure();
   return {values[0] / (4 * pi / 3), values[1] / (4 * pi)};
 }
 
@@ -63,8 +63,8 @@ TEST(volume, of_a_ball_is_met_to_the_sampling_of_sub_cells) {
 }
 
 TEST(surface_area, counts_only_what_lies_in_front_of_walls) {
-  Solver solver(small_case("compression_linear", {"discretisation.spacing=1/16"}), 1,
-                kernels::Isa::sse2);
+  Solver solver(small_case("compression_linear", {"discretisation.spacing=1/16"}),
+                {1, kernels::Isa::sse2});
   // The flanks of the block of height 2; its ends are bonded to the pistons.
   EXPECT_NEAR((remeshed::surface_area<double, 2>(solver.on_nodes()[0], solver.state().boundaries)),
               4, 1e-12);

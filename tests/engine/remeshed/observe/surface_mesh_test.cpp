@@ -78,7 +78,7 @@ TEST(surface_mesh, of_a_ball_is_closed_and_holds_its_volume) {
 }
 
 TEST(surface_mesh, stays_closed_while_the_ball_turns_and_breathes) {
-  Solver3 solver(tests::read_text(ball), 1, kernels::Isa::sse2);
+  Solver3 solver(tests::read_text(ball), {1, kernels::Isa::sse2});
   for (int step = 0; step < 7; ++step) solver.step(HUGE_VAL);
   EXPECT_GE(solver.clock().remeshings, 2);
   const auto surface = surface_of(solver);
@@ -90,7 +90,7 @@ TEST(surface_mesh, stays_closed_while_the_ball_turns_and_breathes) {
 }
 
 TEST(surface_mesh, carries_linear_fields_exactly) {
-  Solver3 solver(tests::read_text(ball), 1, kernels::Isa::sse2);
+  Solver3 solver(tests::read_text(ball), {1, kernels::Isa::sse2});
   const auto views = solver.on_nodes();
   const Place omega(2, 4, 6);
   for (const auto& v :
@@ -103,7 +103,7 @@ TEST(surface_mesh, carries_linear_fields_exactly) {
 }
 
 TEST(surface_mesh, of_a_disc_is_one_loop_with_the_body_to_its_left) {
-  Solver solver(spinning_disc(0.1), 1, kernels::Isa::sse2);
+  Solver solver(spinning_disc(0.1), {1, kernels::Isa::sse2});
   const auto surface =
       remeshed::surface_mesh<double, 2>(solver.on_nodes()[0], solver.state().boundaries);
   std::map<std::int64_t, std::int64_t> next;

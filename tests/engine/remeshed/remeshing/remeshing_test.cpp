@@ -30,8 +30,8 @@ double wave(const Point<2>& x) {
 template <class F>
 double remeshing_error(int cells, F&& displacement) {
   Solver solver(
-      small_case("periodic_square", {"discretisation.spacing=1/" + std::to_string(cells)}), 1,
-      kernels::Isa::sse2);
+      small_case("periodic_square", {"discretisation.spacing=1/" + std::to_string(cells)}),
+      {1, kernels::Isa::sse2});
   Body& body = solver.state().bodies[0];
   displace(solver, [&](const Point<2>& node) {
     const Point<2> by = displacement(node);
@@ -91,7 +91,7 @@ TEST(remeshing, that_leaves_a_body_without_particles_says_which_and_when) {
 }
 
 TEST(remeshing, of_particles_on_their_nodes_changes_nothing) {
-  Solver solver(spinning_disc(0.1), 1, kernels::Isa::sse2);
+  Solver solver(spinning_disc(0.1), {1, kernels::Isa::sse2});
   displace(solver, [](const Point<2>&) { return Point<2>{0, 0}; });
   const Body& body = solver.state().bodies[0];
   const LatticeView view = solver.on_nodes()[0];
@@ -114,7 +114,7 @@ struct Surface {
     const Point<2> shift = {0.29 * spacing, -0.37 * spacing};
     Case settings = spinning_disc(spacing);
     settings.bodies[0].velocity = VectorExpression{};
-    Solver solver(settings, 1, kernels::Isa::sse2);
+    Solver solver(settings, {1, kernels::Isa::sse2});
     const double before = area(solver);
     displace(solver, [&](const Point<2>&) { return shift; });
     area_error = std::abs(area(solver) - before);
@@ -149,7 +149,7 @@ double reinitialisation_error(double spacing) {
   settings.remeshing.policy = decltype(settings.remeshing)::Policy::every;
   settings.remeshing.every = 1;
   settings.level_set.reinitialise_every = 1;
-  Solver solver(settings, 1, kernels::Isa::sse2);
+  Solver solver(settings, {1, kernels::Isa::sse2});
   advance(solver, 1);
   EXPECT_EQ(solver.clock().steps_since_reinitialisation, 0);
   const Body& body = solver.state().bodies[0];

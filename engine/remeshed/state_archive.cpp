@@ -1,40 +1,28 @@
-#include "engine/remeshed/solver_archive.hpp"
+#include "engine/remeshed/state_archive.hpp"
 
 #include <fmt/format.h>
 
 #include <numeric>
 #include <type_traits>
 
+#include "engine/method/archived_clock.hpp"
 #include "engine/method/archived_points.hpp"
 #include "engine/remeshed/ghosts/ghost_fits.hpp"
 
-namespace pliant {
+namespace pliant::remeshed {
 
 namespace {
 
-using remeshed::BlockGhosts;
-using remeshed::Body;
-using remeshed::Clock;
-using remeshed::Population;
-
-template <class F>
-void for_each_counter(Clock& clock, F&& f) {
-  f("step", clock.step);
+template <class C, class F>
+void for_each_counter(C& clock, F&& f) {
   f("remeshings", clock.remeshings);
   f("steps_since_remeshing", clock.steps_since_remeshing);
   f("steps_since_reinitialisation", clock.steps_since_reinitialisation);
 }
 
-template <class F>
-void for_each_clock_value(Clock& clock, F&& f) {
-  f("time", clock.time);
-  f("accumulated_strain", clock.accumulated_strain);
-  f("wave_speed", clock.wave_speed);
-}
-
 /// Calls f(name, buffer) for every slot array of a body.
-template <class T, int D, class F>
-void for_each_slot_array(Body<T, D>& body, F&& f) {
+template <class B, class F>
+void for_each_slot_array(B& body, F&& f) {
   for (const FieldDeclaration& field : fields) {
     auto& components = body.stage[0][field.field];
     for (std::size_t c = 0; c < components.size(); ++c) {
@@ -135,31 +123,29 @@ void get_ghosts(const ArchiveReader& archive, const std::string& group,
     }
   }
   population.surface_distance = archive.get<T>(group + "/surface_distance");
-  remeshed::list_slots_of_records(population);
+  list_slots_of_records(population);
 }
 
 }  // namespace
 
 template <class T, int D>
-void put_solver(ArchiveWriter& archive, remeshed::Solver<T, D>& solver) {
-  remeshed::State<T, D>& state = solver.state();
-  for_each_counter(state.clock, [&](const char* name, std::int64_t& value) {
+void put_state(ArchiveWriter& archive, const State<T, D>& state) {
+  put_clock(archive, state.clock);
+  for_each_counter(state.clock, [&](const char* name, std::int64_t value) {
     archive.put(std::string("clock/") + name, value);
   });
-  for_each_clock_value(state.clock, [&](const char* name, double& value) {
-    archive.put(std::string("clock/") + name, value);
-  });
+  archive.put("clock/accumulated_strain", state.clock.accumulated_strain);
   put_offsets<D>(archive, state.boundaries.walls);
   put_points<D>(archive, "walls/impulse", state.wall_impulse);
   put_points<D>(archive, "contacts/impulse", state.contact_impulse);
   std::vector<double> momentum_budgets;
-  for (const remeshed::MomentumBudget<D>& book : state.momentum_budgets) {
-    momentum_budgets.push_back(book.mass);
-    momentum_budgets.insert(momentum_budgets.end(), book.momentum.begin(), book.momentum.end());
+  for (const MomentumBudget<D>& budget : state.momentum_budgets) {
+    momentum_budgets.push_back(budget.mass);
+    momentum_budgets.insert(momentum_budgets.end(), budget.momentum.begin(), budget.momentum.end());
   }
   archive.put("momentum_budgets", std::span<const double>(momentum_budgets));
   for (std::size_t b = 0; b < state.bodies.size(); ++b) {
-    Body<T, D>& body = state.bodies[b];
+    const Body<T, D>& body = state.bodies[b];
     const std::string group = fmt::format("body/{}", b);
     const std::size_t slots = body.population.layout.slots();
     const std::vector<std::int32_t> packs = body.population.layout.occupancy().save();
@@ -169,7 +155,7 @@ void put_solver(ArchiveWriter& archive, remeshed::Solver<T, D>& solver) {
     archive.put(group + "/strain_rate", body.neighbours.strain_rate);
     const auto* kinds = reinterpret_cast<const std::uint8_t*>(body.population.kind.get());
     archive.put(group + "/kind", std::span<const std::uint8_t>(kinds, slots));
-    for_each_slot_array(body, [&](const std::string& name, Buffer<T>& values) {
+    for_each_slot_array(body, [&](const std::string& name, const Buffer<T>& values) {
       archive.put(group + "/" + name, std::span<const T>(values.get(), slots));
     });
     put_ghosts<T, D>(archive, group + "/ghosts", body.population);
@@ -177,14 +163,13 @@ void put_solver(ArchiveWriter& archive, remeshed::Solver<T, D>& solver) {
 }
 
 template <class T, int D>
-void get_solver(const ArchiveReader& archive, remeshed::Solver<T, D>& solver) {
-  remeshed::State<T, D>& state = solver.state();
+void get_state(const ArchiveReader& archive, State<T, D>& state,
+               const std::vector<std::unique_ptr<Remeshing<T, D>>>& remeshings) {
+  get_clock(archive, state.clock);
   for_each_counter(state.clock, [&](const char* name, std::int64_t& value) {
     value = archive.scalar<std::int64_t>(std::string("clock/") + name);
   });
-  for_each_clock_value(state.clock, [&](const char* name, double& value) {
-    value = archive.scalar<double>(std::string("clock/") + name);
-  });
+  state.clock.accumulated_strain = archive.scalar<double>("clock/accumulated_strain");
   get_offsets<D>(archive, state.boundaries.walls);
   get_points<D>(archive, "walls/impulse", state.wall_impulse);
   get_points<D>(archive, "contacts/impulse", state.contact_impulse);
@@ -197,8 +182,7 @@ void get_solver(const ArchiveReader& archive, remeshed::Solver<T, D>& solver) {
   for (std::size_t b = 0; b < state.bodies.size(); ++b) {
     Body<T, D>& body = state.bodies[b];
     const std::string group = fmt::format("body/{}", b);
-    solver.remeshing(static_cast<int>(b))
-        .lay_out_again(archive.get<std::int32_t>(group + "/occupied_packs"));
+    remeshings[b]->lay_out_again(archive.get<std::int32_t>(group + "/occupied_packs"));
     Population<T, D>& population = body.population;
     const std::size_t slots = population.layout.slots();
     body.neighbours.strain = archive.scalar<double>(group + "/strain");
@@ -210,17 +194,18 @@ void get_solver(const ArchiveReader& archive, remeshed::Solver<T, D>& solver) {
       archive.read(group + "/" + name, std::span<T>(values.get(), slots));
     });
     for (const auto& segment : population.layout.segments()) {
-      remeshed::find_pack_states<T, D>(population, segment);
+      find_pack_states<T, D>(population, segment);
     }
     get_ghosts<T, D>(archive, group + "/ghosts", population);
-    solver.remeshing(static_cast<int>(b)).swap_in_restored();
+    remeshings[b]->swap_in_restored();
   }
-  solver.restored();
 }
 
-template void put_solver<double, 2>(ArchiveWriter&, remeshed::Solver<double, 2>&);
-template void get_solver<double, 2>(const ArchiveReader&, remeshed::Solver<double, 2>&);
-template void put_solver<double, 3>(ArchiveWriter&, remeshed::Solver<double, 3>&);
-template void get_solver<double, 3>(const ArchiveReader&, remeshed::Solver<double, 3>&);
+template void put_state<double, 2>(ArchiveWriter&, const State<double, 2>&);
+template void get_state<double, 2>(const ArchiveReader&, State<double, 2>&,
+                                   const std::vector<std::unique_ptr<Remeshing<double, 2>>>&);
+template void put_state<double, 3>(ArchiveWriter&, const State<double, 3>&);
+template void get_state<double, 3>(const ArchiveReader&, State<double, 3>&,
+                                   const std::vector<std::unique_ptr<Remeshing<double, 3>>>&);
 
-}  // namespace pliant
+}  // namespace pliant::remeshed

@@ -1,0 +1,46 @@
+#pragma once
+
+#include <memory>
+#include <string_view>
+#include <vector>
+
+#include "engine/method/solver.hpp"
+
+namespace pliant {
+
+/// A method as programs see it.
+struct RegisteredMethod {
+  std::string_view word;  ///< as case files write it
+  /// Makes a solver and sets its bodies up. Throws StepFailure and std::invalid_argument.
+  std::unique_ptr<Solver> (*make)(const Case& settings, const SolverOptions& options);
+};
+
+/// The methods that a program can run, by the words of case files.
+class MethodRegistry {
+ public:
+  explicit MethodRegistry(std::vector<RegisteredMethod> methods) : methods_(std::move(methods)) {}
+
+  /// Throws std::invalid_argument for a word of no method.
+  const RegisteredMethod& find(std::string_view word) const;
+
+  /// A solver of the method that the case names, at t = 0.
+  std::unique_ptr<Solver> make(const Case& settings, const SolverOptions& options) const;
+
+ private:
+  std::vector<RegisteredMethod> methods_;
+};
+
+/// Makes an S<T, D> for the scalar type and the dimension of a case.
+template <template <class, int> class S>
+std::unique_ptr<Solver> make_solver(const Case& settings, const SolverOptions& options) {
+  switch (settings.dimension) {
+    case 2:
+      return std::make_unique<S<double, 2>>(settings, options);
+    case 3:
+      return std::make_unique<S<double, 3>>(settings, options);
+    default:
+      throw std::invalid_argument("a case has 2 or 3 dimensions");
+  }
+}
+
+}  // namespace pliant

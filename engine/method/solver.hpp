@@ -1,0 +1,94 @@
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "engine/case/case.hpp"
+#include "engine/method/body_integrals.hpp"
+#include "engine/method/step_clock.hpp"
+#include "engine/output/archive.hpp"
+#include "engine/output/frame.hpp"
+#include "kernels/isa.hpp"
+#include "scheduler/step_graph.hpp"
+#include "scheduler/step_record.hpp"
+#include "scheduler/workers.hpp"
+
+namespace pliant {
+
+/// What a solver runs on; results do not depend on it.
+struct SolverOptions {
+  int threads = 1;
+  kernels::Isa isa = kernels::widest_supported();
+};
+
+/// A case and the method that advances it: the one interface between methods and the programs that
+/// run them. The scalar type and the dimension of the method are hidden behind it.
+class Solver {
+ public:
+  /// Throws std::invalid_argument unless `options.threads` is positive.
+  Solver(const Case& settings, const SolverOptions& options);
+  Solver(const Solver&) = delete;
+  Solver& operator=(const Solver&) = delete;
+  virtual ~Solver() = default;
+
+  const Case& settings() const { return settings_; }
+  virtual const StepClock& clock() const = 0;
+  /// Step length that the case asks for [s], before it is fitted to an output time.
+  virtual double time_step() const = 0;
+
+  /// Takes one time step of at most `longest` [s]. Throws StepFailure.
+  void step(double longest);
+  /// Steps to the time `until` [s] and ends exactly there. Throws StepFailure.
+  void advance(double until);
+
+  virtual std::int64_t particles() const = 0;
+  virtual std::int64_t ghosts() const { return 0; }
+  virtual std::int64_t remeshings() const { return 0; }
+  /// Size of all fields [bytes].
+  virtual std::size_t bytes() const = 0;
+
+  /// One value in SI units for each measurement of the case; NaN for those that read histories, and
+  /// for surfaces that do not exist. Forces are given as impulses since t = 0 [N s].
+  std::vector<double> measure() { return measure_each(settings_.measurements); }
+  /// Whether measurements without a schedule are due at the present time.
+  virtual bool is_measuring_due() const { return false; }
+  /// Conserved quantities of all bodies together.
+  virtual BodyIntegrals integrals() = 0;
+  /// The particles at the present time, in SI units.
+  virtual Frame frame(const FrameParts& parts) = 0;
+
+  /// Writes everything that the next step reads and set-up does not make again.
+  virtual void save(ArchiveWriter& archive) const = 0;
+  /// Reads into a solver that was made from the same case; it continues to the same bits. Throws
+  /// OutputError when the archive does not fit it.
+  virtual void restore(const ArchiveReader& archive) = 0;
+
+  /// Phases and dependencies of the next step.
+  virtual const scheduler::StepGraph& step_graph() const = 0;
+  /// Time spent in each phase since the solver was made.
+  const scheduler::StepTotals& step_totals() const { return step_totals_; }
+  /// Evaluations of the equation of motion since the solver was made, summed over the particles.
+  std::int64_t particle_stages() const { return particle_stages_; }
+  /// Wall time spent in `step` since the solver was made [s].
+  double step_seconds() const { return step_seconds_; }
+  scheduler::Workers& workers() { return workers_; }
+
+ protected:
+  /// Runs a graph and adds its record to the totals.
+  void run(scheduler::StepGraph& graph);
+  void add_particle_stages(std::int64_t count) { particle_stages_ += count; }
+
+ private:
+  /// Advances the state by `time_step` [s]. Throws StepFailure.
+  virtual void take_step(double time_step) = 0;
+  virtual std::vector<double> measure_each(std::span<const MeasurementCase> measurements) = 0;
+
+  Case settings_;
+  scheduler::Workers workers_;
+  scheduler::StepTotals step_totals_;
+  std::int64_t particle_stages_ = 0;
+  double step_seconds_ = 0;
+};
+
+}  // namespace pliant

@@ -1,0 +1,55 @@
+#include "engine/total_lagrangian/state_archive.hpp"
+
+#include <fmt/format.h>
+
+#include "engine/method/archived_clock.hpp"
+#include "engine/method/archived_points.hpp"
+
+namespace pliant::total_lagrangian {
+
+namespace {
+
+void for_each_field(auto& body, auto&& f) {
+  for (std::size_t a = 0; a < body.displacement.size(); ++a) {
+    f(fmt::format("displacement/{}", a), body.displacement[a]);
+    f(fmt::format("velocity/{}", a), body.velocity[a]);
+    f(fmt::format("internal/{}", a), body.internal[a]);
+  }
+}
+
+}  // namespace
+
+template <class T, int D>
+void put_state(ArchiveWriter& archive, const State<T, D>& state) {
+  put_clock(archive, state.clock);
+  archive.put("clock/mass_scaling", state.clock.mass_scaling);
+  archive.put("clock/damping", state.clock.damping);
+  put_offsets<D>(archive, state.boundaries.walls);
+  for (std::size_t b = 0; b < state.bodies.size(); ++b) {
+    for_each_field(state.bodies[b], [&](const std::string& name, const Buffer<T>& values) {
+      archive.put(fmt::format("body/{}/{}", b, name),
+                  std::span<const T>(values.get(), state.bodies[b].layout.slots()));
+    });
+  }
+}
+
+template <class T, int D>
+void get_state(const ArchiveReader& archive, State<T, D>& state) {
+  get_clock(archive, state.clock);
+  state.clock.mass_scaling = archive.scalar<double>("clock/mass_scaling");
+  state.clock.damping = archive.scalar<double>("clock/damping");
+  get_offsets<D>(archive, state.boundaries.walls);
+  for (std::size_t b = 0; b < state.bodies.size(); ++b) {
+    for_each_field(state.bodies[b], [&](const std::string& name, Buffer<T>& values) {
+      archive.read(fmt::format("body/{}/{}", b, name),
+                   std::span<T>(values.get(), state.bodies[b].layout.slots()));
+    });
+  }
+}
+
+template void put_state<double, 2>(ArchiveWriter&, const State<double, 2>&);
+template void put_state<double, 3>(ArchiveWriter&, const State<double, 3>&);
+template void get_state<double, 2>(const ArchiveReader&, State<double, 2>&);
+template void get_state<double, 3>(const ArchiveReader&, State<double, 3>&);
+
+}  // namespace pliant::total_lagrangian
