@@ -33,7 +33,7 @@ Layouts<D> layouts_of(const std::vector<Body<T, D>>& bodies, Population<T, D> Bo
 template <class T, int D>
 Solver<T, D>::Solver(const Case& a_case, const SolverOptions& options)
     : pliant::Solver(a_case, options),
-      kernels_(kernels::table<T, D>(options.isa)),
+      kernels_(kernels::RemeshedTable<T, D>::of(options.isa)),
       state_(make_state<T, D>(settings())),
       layouts_(layouts_of(state_.bodies, &Body<T, D>::population)),
       spare_layouts_(layouts_of(state_.bodies, &Body<T, D>::spare)),

@@ -25,7 +25,7 @@ template <class T, int D>
 Solver<T, D>::Solver(const Case& a_case, const SolverOptions& options)
     : pliant::Solver(a_case, options),
       state_{{}, Boundaries<D>(settings().boundaries), {}, {}},
-      step_(state_, settings(), kernels::table<T, D>(options.isa)) {
+      step_(state_, settings(), kernels::TotalLagrangianTable<T, D>::of(options.isa)) {
   state_.bodies.resize(settings().bodies.size());
   Layouts<D> layouts;
   for (std::size_t b = 0; b < state_.bodies.size(); ++b) {

@@ -33,7 +33,8 @@ enum Resource : scheduler::FieldId {
 }  // namespace
 
 template <class T, int D>
-Step<T, D>::Step(State<T, D>& state, const Case& settings, const kernels::Table<T, D>& kernels)
+Step<T, D>::Step(State<T, D>& state, const Case& settings,
+                 const kernels::TotalLagrangianTable<T, D>& kernels)
     : state_(state), settings_(settings), kernels_(kernels) {}
 
 template <class T, int D>

@@ -5,7 +5,7 @@
 #include "engine/remeshed/ghosts/fit_evaluator.hpp"
 #include "engine/remeshed/resources.hpp"
 #include "engine/remeshed/runge_kutta.hpp"
-#include "kernels/interface_traction.hpp"
+#include "kernels/remeshed/ghosts/interface_traction.hpp"
 
 namespace pliant::remeshed {
 
@@ -34,7 +34,7 @@ kernels::InterfaceKind converted(ContactCase::Kind kind) {
 
 template <class T, int D>
 BodyContact<T, D>::BodyContact(State<T, D>& state, const Case& settings,
-                               const kernels::Table<T, D>& kernels)
+                               const kernels::RemeshedTable<T, D>& kernels)
     : state_(state),
       contacts_(settings.contacts),
       kernels_(kernels),

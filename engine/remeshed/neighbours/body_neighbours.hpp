@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "engine/blocks/cell_list.hpp"
-#include "kernels/table.hpp"
+#include "kernels/remeshed/table.hpp"
 
 namespace pliant::remeshed {
 

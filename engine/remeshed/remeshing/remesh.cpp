@@ -22,7 +22,7 @@ using scheduler::Reach;
 
 template <class T, int D>
 Remeshing<T, D>::Remeshing(const Case& settings, Body<T, D>& body, const Boundaries<D>& boundaries,
-                           const kernels::Table<T, D>& kernels, scheduler::Workers& workers)
+                           const kernels::RemeshedTable<T, D>& kernels, scheduler::Workers& workers)
     : body_(body),
       boundaries_(boundaries),
       kernels_(kernels),

@@ -5,13 +5,13 @@
 
 #include "engine/remeshed/images.hpp"
 #include "engine/remeshed/level_set/level_set.hpp"
-#include "kernels/set_determinant.hpp"
+#include "kernels/remeshed/remeshing/set_determinant.hpp"
 
 namespace pliant::remeshed {
 
 template <class T, int D>
 RemeshedFields<T, D>::RemeshedFields(const Case& settings, Body<T, D>& body,
-                                     const kernels::Table<T, D>& kernels,
+                                     const kernels::RemeshedTable<T, D>& kernels,
                                      scheduler::Workers& workers)
     : body_(body),
       kernels_(kernels),

@@ -14,8 +14,8 @@ namespace pliant::remeshed {
 template <class T, int D>
 class RemeshedFields {
  public:
-  RemeshedFields(const Case& settings, Body<T, D>& body, const kernels::Table<T, D>& kernels,
-                 scheduler::Workers& workers);
+  RemeshedFields(const Case& settings, Body<T, D>& body,
+                 const kernels::RemeshedTable<T, D>& kernels, scheduler::Workers& workers);
 
   /// Room for the slots of `spare`.
   void prepare();
@@ -40,7 +40,7 @@ class RemeshedFields {
   void take_memory(int block, ScatterTile<T, D>& tile, int first_term, int count);
 
   Body<T, D>& body_;
-  const kernels::Table<T, D>& kernels_;
+  const kernels::RemeshedTable<T, D>& kernels_;
   scheduler::Workers& workers_;
   double filter_strength_;
   bool extensive_;
