@@ -43,7 +43,7 @@ kernels::Stage<T, D> ParticleUpdate<T, D>::stage_of(Body<T, D>& body, int block,
   work.dissipation = static_cast<T>(settings_.discretisation.dissipation) *
                      kernels::wave_speed_at_rest(body.material) / (16 * work.spacing);
   work.stage = stage;
-  work.weight = settings_.discretisation.weight;
+  work.weight = settings_.discretisation.kernel;
   work.material = body.material;
   work.pack_state = population.pack_state.get();
   work.interior = body.interior.get();

@@ -134,7 +134,7 @@ void Step<T, D>::evaluate_stress(int block) {
   work.segments = body.layout.segments_of(range);
   work.segment_count = range.segment_count;
   work.spacing = static_cast<T>(body.lattice.spacing);
-  work.hourglass = static_cast<T>(settings_.total_lagrangian.hourglass);
+  work.hourglass = static_cast<T>(settings_.total_lagrangian.hourglass_stiffness);
   work.examine = examine_;
   work.material = body.material;
   work.fraction = body.fraction.get();

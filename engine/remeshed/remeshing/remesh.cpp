@@ -27,7 +27,7 @@ Remeshing<T, D>::Remeshing(const Case& settings, Body<T, D>& body, const Boundar
       boundaries_(boundaries),
       kernels_(kernels),
       treatment_(settings.ghosts),
-      stencil_reach_(kernels::stencil_reach(settings.discretisation.weight)),
+      stencil_reach_(kernels::stencil_reach(settings.discretisation.kernel)),
       layout_search_(body),
       fields_(settings, body, kernels, workers) {}
 

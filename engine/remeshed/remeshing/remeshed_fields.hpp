@@ -43,7 +43,7 @@ class RemeshedFields {
   const kernels::RemeshedTable<T, D>& kernels_;
   scheduler::Workers& workers_;
   double filter_strength_;
-  bool extensive_;
+  bool conserves_volume_;
   T* inside_ = nullptr;                     ///< [new slot] 1 there where phi < 0
   T* valid_ = nullptr;                      ///< [new slot]
   std::vector<Buffer<T>> filtered_memory_;  ///< [Prony term]
