@@ -53,7 +53,7 @@ void ContactSearch<T, D>::add_phases(std::vector<Phase>& phases) {
   phases.push_back({.name = "contact_points: cells",
                     .reads = {{resource::surface_samples, Reach::all}},
                     .writes = {{resource::surface_cells, Reach::all}},
-                    .extent = Phase::Extent::once,
+                    .kind = Phase::Kind::reduce,
                     .run = [this](int) { sort_samples(); }});
   phases.push_back(
       {.name = "contact_points",
