@@ -11,7 +11,8 @@ endif()
 
 add_library(pliant_options INTERFACE)
 target_compile_features(pliant_options INTERFACE cxx_std_20)
-target_include_directories(pliant_options INTERFACE ${PROJECT_SOURCE_DIR})
+target_include_directories(pliant_options INTERFACE ${PROJECT_SOURCE_DIR} ${PROJECT_SOURCE_DIR}/include
+                                                    ${PROJECT_BINARY_DIR}/include)
 # Contraction is off so that a fused multiply-add happens where the source asks for one and nowhere
 # else: AVX2 and AVX-512 then agree to the bit. __FILE__ is relative, so that a program does not
 # depend on where it was built.

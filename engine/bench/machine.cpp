@@ -6,7 +6,7 @@
 #include <fstream>
 #include <thread>
 
-#include "engine/version.hpp"
+#include <pliant/version.hpp>
 #include "kernels/isa.hpp"
 
 namespace pliant::bench {

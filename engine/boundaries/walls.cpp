@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <stdexcept>
 
 #include "engine/geometry/padded.hpp"
 #include "engine/geometry/signed_distance.hpp"
@@ -39,6 +40,7 @@ Point<D> Wall<D>::normal(const Point<D>& x) const {
 
 template <int D>
 Point<D> Wall<D>::velocity(double t) const {
+  if (set_velocity_) return *set_velocity_;
   Point<D> u;
   for (int a = 0; a < D; ++a) u[a] = velocity_[a](t);
   return u;
@@ -64,12 +66,29 @@ Boundaries<D>::Boundaries(const std::vector<BoundaryCase>& cases) {
   for (const BoundaryCase& boundary : cases) {
     const bool is_wall = boundary.kind != BoundaryCase::Kind::pressure;
     wall_of.push_back(is_wall ? static_cast<int>(walls.size()) : -1);
+    pressure_of.push_back(is_wall ? -1 : static_cast<int>(pressures.size()));
     if (!is_wall) {
       pressures.emplace_back(boundary);
     } else {
       walls.emplace_back(boundary);
     }
   }
+}
+
+template <int D>
+void Boundaries<D>::set_pressure(std::size_t boundary, double pressure) {
+  const int place = pressure_of.at(boundary);
+  if (place < 0) throw std::invalid_argument("a wall has no pressure to set; set its velocity");
+  pressures[place].set_value(pressure);
+}
+
+template <int D>
+void Boundaries<D>::set_wall_velocity(std::size_t boundary, const std::array<double, 3>& velocity) {
+  const int place = wall_of.at(boundary);
+  if (place < 0) throw std::invalid_argument("a pressure has no velocity to set; set its value");
+  Point<D> u;
+  for (int a = 0; a < D; ++a) u[a] = velocity[a];
+  walls[place].set_velocity(u);
 }
 
 template <int D>

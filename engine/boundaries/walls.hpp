@@ -1,9 +1,12 @@
 #pragma once
 
 #include <limits>
+#include <optional>
+#include <string>
 #include <utility>
 #include <vector>
 
+#include "engine/boundaries/loads.hpp"
 #include "engine/case/case.hpp"
 #include "engine/lattice/lattice.hpp"
 
@@ -23,7 +26,10 @@ class Wall {
   bool slips() const { return slips_; }
   bool bonded() const { return bonded_; }
 
+  /// As prescribed, or as set since.
   Point<D> velocity(double t) const;
+  const std::optional<Point<D>>& set_velocity() const { return set_velocity_; }
+  void set_velocity(const std::optional<Point<D>>& velocity) { set_velocity_ = velocity; }
   /// Displacement since t = 0 [m]; `move` adds that of one step by Simpson's rule.
   const Point<D>& offset() const { return offset_; }
   void move(double t, double time_step);
@@ -35,6 +41,7 @@ class Wall {
   Shape shape_;
   VectorExpression velocity_;
   bool slips_, bonded_;
+  std::optional<Point<D>> set_velocity_;
   Point<D> offset_ = {};
 };
 
@@ -44,17 +51,24 @@ class SurfacePressure {
  public:
   explicit SurfacePressure(const BoundaryCase& boundary);
   bool acts_at(const Point<D>& x) const;
-  double value(double t) const { return pressure_(t); }
+  /// As prescribed, or as set since [Pa].
+  double value(double t) const { return set_value_ ? *set_value_ : pressure_(t); }
+  const std::optional<double>& set_value() const { return set_value_; }
+  void set_value(const std::optional<double>& value) { set_value_ = value; }
 
  private:
   Shape region_;
   Expression pressure_;
+  std::optional<double> set_value_;
 };
 
 /// What bounds the bodies of a case, apart from their free surfaces.
 template <int D>
-struct Boundaries {
+struct Boundaries final : Loads {
   explicit Boundaries(const std::vector<BoundaryCase>& cases);
+
+  void set_pressure(std::size_t boundary, double pressure) override;
+  void set_wall_velocity(std::size_t boundary, const std::array<double, 3>& velocity) override;
 
   bool have_contact() const;
 
@@ -67,7 +81,8 @@ struct Boundaries {
 
   std::vector<Wall<D>> walls;
   std::vector<SurfacePressure<D>> pressures;
-  std::vector<int> wall_of;  ///< [boundary of the case] its place in `walls`, or -1
+  std::vector<int> wall_of;      ///< [boundary of the case] its place in `walls`, or -1
+  std::vector<int> pressure_of;  ///< [boundary of the case] its place in `pressures`, or -1
 
  private:
   std::pair<int, double> nearest(const Point<D>& x, bool bonded) const {

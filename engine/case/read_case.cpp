@@ -14,15 +14,7 @@
 namespace pliant {
 namespace {
 
-toml::table parse(const std::filesystem::path& file) {
-  std::ifstream stream(file);
-  if (!stream) {
-    throw CaseError(
-        fmt::format("{}: cannot be read; give the path of a case file, or of a folder "
-                    "with a case.toml",
-                    file.string()));
-  }
-  const std::string text{std::istreambuf_iterator<char>(stream), {}};
+toml::table parse(const std::string& text, const std::filesystem::path& file) {
   try {
     return toml::parse(text, file.string());
   } catch (const toml::parse_error& error) {
@@ -54,10 +46,29 @@ std::string default_name(const std::filesystem::path& file) {
 
 }  // namespace
 
+std::filesystem::path case_path(const std::filesystem::path& path) {
+  return std::filesystem::is_directory(path) ? path / "case.toml" : path;
+}
+
+std::string case_text(const std::filesystem::path& file) {
+  std::ifstream stream(file);
+  if (!stream) {
+    throw CaseError(
+        fmt::format("{}: cannot be read; give the path of a case file, or of a folder "
+                    "with a case.toml",
+                    file.string()));
+  }
+  return {std::istreambuf_iterator<char>(stream), {}};
+}
+
 Case read_case(const std::filesystem::path& path, std::span<const std::string> settings) {
-  const bool is_folder = std::filesystem::is_directory(path);
-  const std::filesystem::path file = is_folder ? path / "case.toml" : path;
-  toml::table root = parse(file);
+  const std::filesystem::path file = case_path(path);
+  return parse_case(case_text(file), file, settings);
+}
+
+Case parse_case(const std::string& text, const std::filesystem::path& file,
+                std::span<const std::string> settings) {
+  toml::table root = parse(text, file);
   Problems problems;
   apply_settings(root, settings, problems);
 

@@ -23,4 +23,14 @@ class CaseError : public std::runtime_error {
 /// by position (boundary.upper.velocity, body.0.material.youngs_modulus). Throws CaseError.
 Case read_case(const std::filesystem::path& path, std::span<const std::string> settings = {});
 
+/// The two halves of reading: the file of a case, which is `path` or the case.toml in it, and its
+/// text. Throws CaseError when it cannot be read.
+std::filesystem::path case_path(const std::filesystem::path& path);
+std::string case_text(const std::filesystem::path& file);
+
+/// Checks the text of a case; `file` names it in messages, and files that the text names are
+/// relative to its folder. Throws CaseError.
+Case parse_case(const std::string& text, const std::filesystem::path& file,
+                std::span<const std::string> settings = {});
+
 }  // namespace pliant

@@ -4,10 +4,10 @@
 #include <functional>
 #include <new>
 
+#include <pliant/version.hpp>
 #include "engine/cli/verbs.hpp"
 #include "engine/method/step_failure.hpp"
 #include "engine/output/error.hpp"
-#include "engine/version.hpp"
 
 // The command line: options to plain arguments, exceptions to exit statuses.
 

@@ -12,39 +12,17 @@
 #include "engine/case/reference.hpp"
 #include "engine/case/validate_summary.hpp"
 #include "engine/simulation/run.hpp"
+#include "engine/simulation/solver_options.hpp"
 
 namespace pliant::cli {
-
-namespace {
-
-kernels::Isa isa_of(const std::string& name) {
-  if (name.empty()) return kernels::widest_supported();
-  for (const auto isa : {kernels::Isa::sse2, kernels::Isa::avx2, kernels::Isa::avx512}) {
-    if (kernels::name(isa) != name) continue;
-    if (kernels::is_supported(isa)) return isa;
-    throw std::invalid_argument(
-        fmt::format("--isa {}: this processor does not run it; use {} or less", name,
-                    kernels::name(kernels::widest_supported())));
-  }
-  throw std::invalid_argument(fmt::format("--isa {}: unknown; use sse2, avx2 or avx512", name));
-}
-
-int thread_count(int requested) {
-  if (requested < 0) {
-    throw std::invalid_argument(fmt::format("--threads {}: give a positive number", requested));
-  }
-  return requested > 0 ? requested
-                       : std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
-}
-
-}  // namespace
 
 ExitStatus run(const RunArguments& arguments) {
   const Case settings = read_case(arguments.source.path, arguments.source.settings);
   RunOptions options;
   options.folder = arguments.folder.value_or(std::filesystem::path("results") / settings.name);
-  options.threads = thread_count(arguments.threads);
-  options.isa = isa_of(arguments.isa);
+  const SolverOptions machine = solver_options(arguments.threads, arguments.isa);
+  options.threads = machine.threads;
+  options.isa = machine.isa;
   options.resume = arguments.resume;
   options.quiet = arguments.quiet;
   return run_case(settings, options) == RunEnd::done ? ExitStatus::done : ExitStatus::interrupted;
@@ -80,8 +58,8 @@ ExitStatus graph(const GraphArguments& arguments) {
 }
 
 ExitStatus bench(const BenchArguments& arguments) {
-  bench::run_standard_set(
-      {arguments.quick, arguments.ball, arguments.csv, thread_count(arguments.threads)});
+  bench::run_standard_set({arguments.quick, arguments.ball, arguments.csv,
+                           solver_options(arguments.threads, "").threads});
   return ExitStatus::done;
 }
 

@@ -1,12 +1,15 @@
 #pragma once
 
+#include <cmath>
+#include <limits>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "engine/boundaries/walls.hpp"
 #include "engine/output/archive.hpp"
 
-/// Points in an archive, and where walls have got to.
+/// Points and boundaries in an archive.
 namespace pliant {
 
 template <int D>
@@ -27,19 +30,41 @@ void get_points(const ArchiveReader& archive, const std::string& name,
   }
 }
 
+/// Where walls have got to, and the loads that were set in the place of those of the case; those
+/// that were not are NaN.
 template <int D>
-void put_offsets(ArchiveWriter& archive, const std::vector<Wall<D>>& walls) {
-  std::vector<Point<D>> offsets;
-  offsets.reserve(walls.size());
-  for (const Wall<D>& wall : walls) offsets.push_back(wall.offset());
+void put_boundaries(ArchiveWriter& archive, const Boundaries<D>& boundaries) {
+  Point<D> none;
+  none.fill(std::numeric_limits<double>::quiet_NaN());
+  std::vector<Point<D>> offsets, velocities;
+  for (const Wall<D>& wall : boundaries.walls) {
+    offsets.push_back(wall.offset());
+    velocities.push_back(wall.set_velocity().value_or(none));
+  }
+  std::vector<double> pressures;
+  for (const SurfacePressure<D>& pressure : boundaries.pressures) {
+    pressures.push_back(pressure.set_value().value_or(none[0]));
+  }
   put_points<D>(archive, "walls/offset", offsets);
+  put_points<D>(archive, "walls/set_velocity", velocities);
+  archive.put("pressures/set_value", std::span<const double>(pressures));
 }
 
 template <int D>
-void get_offsets(const ArchiveReader& archive, std::vector<Wall<D>>& walls) {
-  std::vector<Point<D>> offsets(walls.size());
+void get_boundaries(const ArchiveReader& archive, Boundaries<D>& boundaries) {
+  std::vector<Point<D>> offsets(boundaries.walls.size()), velocities(offsets);
   get_points<D>(archive, "walls/offset", offsets);
-  for (std::size_t w = 0; w < walls.size(); ++w) walls[w].restore(offsets[w]);
+  get_points<D>(archive, "walls/set_velocity", velocities);
+  for (std::size_t w = 0; w < offsets.size(); ++w) {
+    boundaries.walls[w].restore(offsets[w]);
+    const bool was_set = !std::isnan(velocities[w][0]);
+    boundaries.walls[w].set_velocity(was_set ? std::optional(velocities[w]) : std::nullopt);
+  }
+  const auto pressures = archive.get<double>("pressures/set_value");
+  for (std::size_t i = 0; i < boundaries.pressures.size(); ++i) {
+    const bool was_set = !std::isnan(pressures.at(i));
+    boundaries.pressures[i].set_value(was_set ? std::optional(pressures[i]) : std::nullopt);
+  }
 }
 
 }  // namespace pliant

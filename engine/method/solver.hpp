@@ -1,9 +1,12 @@
 #pragma once
 
+#include <array>
 #include <cstdint>
+#include <pliant/field.hpp>
 #include <span>
 #include <vector>
 
+#include "engine/boundaries/loads.hpp"
 #include "engine/case/case.hpp"
 #include "engine/method/body_integrals.hpp"
 #include "engine/method/step_clock.hpp"
@@ -51,12 +54,25 @@ class Solver {
   /// One value in SI units for each measurement of the case; NaN for those that read histories, and
   /// for surfaces that do not exist. Forces are given as impulses since t = 0 [N s].
   std::vector<double> measure() { return measure_each(settings_.measurements); }
+  /// The same of one of them.
+  double measure(std::size_t measurement) {
+    return measure_each(std::span(settings_.measurements).subspan(measurement, 1))[0];
+  }
   /// Whether measurements without a schedule are due at the present time.
   virtual bool is_measuring_due() const { return false; }
   /// Conserved quantities of all bodies together.
   virtual BodyIntegrals integrals() = 0;
   /// The particles at the present time, in SI units.
   virtual Frame frame(const FrameParts& parts) = 0;
+
+  /// The loads of the boundaries, which may be changed between steps.
+  virtual Loads& loads() = 0;
+  /// Where the particles of a body are in its arrays, in ascending order.
+  virtual std::vector<SlotRun> particle_runs(int body) const = 0;
+  /// The fields of a body as they lie in memory; good until the next step.
+  virtual std::vector<FieldView> fields(int body) const = 0;
+  /// Positions of the particles of a body [m], in the order of its slots.
+  virtual std::vector<std::array<double, 3>> positions(int body) const = 0;
 
   /// Writes everything that the next step reads and set-up does not make again.
   virtual void save(ArchiveWriter& archive) const = 0;

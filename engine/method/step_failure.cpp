@@ -11,7 +11,8 @@ StepFailure failed_step(const StepClock& clock, const std::string& what,
   for (std::size_t i = 1; i < remedies.size(); ++i) {
     list += (i + 1 == remedies.size() ? ", or " : ", ") + remedies[i];
   }
-  return StepFailure(fmt::format("t = {:.6g}, step {}: {}; {}", clock.time, clock.step, what, list));
+  return StepFailure(
+      fmt::format("t = {:.6g}, step {}: {}; {}", clock.time, clock.step, what, list));
 }
 
 std::string smaller_step(const Case& settings) {

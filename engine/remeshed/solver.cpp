@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "engine/method/step_failure.hpp"
+#include "engine/remeshed/observe/field_views.hpp"
 #include "engine/remeshed/observe/frame.hpp"
 #include "engine/remeshed/observe/measure.hpp"
 #include "engine/remeshed/resources.hpp"
@@ -284,6 +285,21 @@ Frame Solver<T, D>::frame(const FrameParts& parts) {
   if (parts.ghosts) refresh_ghosts();
   return take_frame<T, D>(
       state_, kernels_, [this] { return on_nodes(); }, parts);
+}
+
+template <class T, int D>
+std::vector<SlotRun> Solver<T, D>::particle_runs(int body) const {
+  return remeshed::particle_runs(state_.bodies.at(body));
+}
+
+template <class T, int D>
+std::vector<FieldView> Solver<T, D>::fields(int body) const {
+  return field_views(state_.bodies.at(body));
+}
+
+template <class T, int D>
+std::vector<std::array<double, 3>> Solver<T, D>::positions(int body) const {
+  return remeshed::positions(state_.bodies.at(body));
 }
 
 template <class T, int D>

@@ -33,6 +33,11 @@ class Solver final : public pliant::Solver {
   BodyIntegrals integrals() override;
   Frame frame(const FrameParts& parts) override;
 
+  Loads& loads() override { return state_.boundaries; }
+  std::vector<SlotRun> particle_runs(int body) const override;
+  std::vector<FieldView> fields(int body) const override;
+  std::vector<std::array<double, 3>> positions(int body) const override;
+
   void save(ArchiveWriter& archive) const override;
   void restore(const ArchiveReader& archive) override;
 

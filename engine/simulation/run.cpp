@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 #include <hdf5.h>
 #include <tbb/version.h>
+#include <pliant/version.hpp>
 #include <xsimd/xsimd.hpp>
 
 #include <chrono>
@@ -19,7 +20,6 @@
 #include "engine/output/result_file.hpp"
 #include "engine/output/summary.hpp"
 #include "engine/simulation/histories.hpp"
-#include "engine/version.hpp"
 
 namespace pliant {
 

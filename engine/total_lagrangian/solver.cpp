@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "engine/method/step_failure.hpp"
+#include "engine/total_lagrangian/observe/field_views.hpp"
 #include "engine/total_lagrangian/observe/frame.hpp"
 #include "engine/total_lagrangian/observe/measure.hpp"
 #include "engine/total_lagrangian/setup.hpp"
@@ -135,6 +136,21 @@ BodyIntegrals Solver<T, D>::integrals() {
 template <class T, int D>
 Frame Solver<T, D>::frame(const FrameParts& parts) {
   return take_frame(state_, parts);
+}
+
+template <class T, int D>
+std::vector<SlotRun> Solver<T, D>::particle_runs(int body) const {
+  return total_lagrangian::particle_runs(state_.bodies.at(body));
+}
+
+template <class T, int D>
+std::vector<FieldView> Solver<T, D>::fields(int body) const {
+  return field_views(state_.bodies.at(body));
+}
+
+template <class T, int D>
+std::vector<std::array<double, 3>> Solver<T, D>::positions(int body) const {
+  return total_lagrangian::positions(state_.bodies.at(body));
 }
 
 template <class T, int D>

@@ -24,7 +24,7 @@ void put_state(ArchiveWriter& archive, const State<T, D>& state) {
   put_clock(archive, state.clock);
   archive.put("clock/mass_scaling", state.clock.mass_scaling);
   archive.put("clock/damping", state.clock.damping);
-  put_offsets<D>(archive, state.boundaries.walls);
+  put_boundaries<D>(archive, state.boundaries);
   for (std::size_t b = 0; b < state.bodies.size(); ++b) {
     for_each_field(state.bodies[b], [&](const std::string& name, const Buffer<T>& values) {
       archive.put(fmt::format("body/{}/{}", b, name),
@@ -38,7 +38,7 @@ void get_state(const ArchiveReader& archive, State<T, D>& state) {
   get_clock(archive, state.clock);
   state.clock.mass_scaling = archive.scalar<double>("clock/mass_scaling");
   state.clock.damping = archive.scalar<double>("clock/damping");
-  get_offsets<D>(archive, state.boundaries.walls);
+  get_boundaries<D>(archive, state.boundaries);
   for (std::size_t b = 0; b < state.bodies.size(); ++b) {
     for_each_field(state.bodies[b], [&](const std::string& name, Buffer<T>& values) {
       archive.read(fmt::format("body/{}/{}", b, name),

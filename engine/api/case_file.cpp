@@ -1,0 +1,54 @@
+#include <pliant/case_file.hpp>
+#include <pliant/error.hpp>
+
+#include <fmt/format.h>
+
+#include "engine/case/read_case.hpp"
+
+namespace pliant {
+
+CaseFile CaseFile::read(const std::filesystem::path& path) {
+  CaseFile file;
+  file.file_ = case_path(path);
+  try {
+    file.text_ = case_text(file.file_);
+  } catch (const CaseError& error) {
+    throw InputError(error.what());
+  }
+  return file;
+}
+
+CaseFile CaseFile::parse(std::string toml, std::filesystem::path folder) {
+  CaseFile file;
+  file.text_ = std::move(toml);
+  file.file_ = std::move(folder) / "case";
+  return file;
+}
+
+CaseFile& CaseFile::set(std::string_view key, std::string_view value) {
+  settings_.push_back(fmt::format("{}={}", key, value));
+  return *this;
+}
+
+CaseFile& CaseFile::set(std::string_view key, double value) {
+  return set(key, fmt::format("{}", value));
+}
+
+CaseFile& CaseFile::set(std::string_view key, int value) {
+  return set(key, fmt::format("{}", value));
+}
+
+CaseFile& CaseFile::set(std::string_view key, bool value) {
+  return set(key, fmt::format("{}", value));
+}
+
+CaseFile& CaseFile::set(std::string_view key, std::initializer_list<double> values) {
+  return set(key, fmt::format("[{}]", fmt::join(values, ", ")));
+}
+
+CaseFile& CaseFile::add(std::string_view list, std::string_view name) {
+  text_ += fmt::format("\n[[{}]]\nname = \"{}\"\n", list, name);
+  return *this;
+}
+
+}  // namespace pliant

@@ -1,0 +1,52 @@
+#include "engine/remeshed/observe/field_views.hpp"
+
+#include "engine/method/field_views.hpp"
+
+namespace pliant::remeshed {
+
+namespace {
+
+template <class T, int D>
+auto is_interior(const Body<T, D>& body) {
+  return [&kind = body.population.kind](std::int64_t slot) { return kind[slot] == Kind::interior; };
+}
+
+}  // namespace
+
+template <class T, int D>
+std::vector<SlotRun> particle_runs(const Body<T, D>& body) {
+  return runs_of_particles<D>(body.population.layout, is_interior(body));
+}
+
+// The displacement of the list of fields is that at the last remeshing: what callers see has a name of
+// its own.
+template <class T, int D>
+std::vector<FieldView> field_views(const Body<T, D>& body) {
+  const std::int64_t slots = body.population.layout.slots();
+  std::vector<FieldView> views;
+  for (const FieldDeclaration& field : pliant::fields) {
+    const auto& components = body.stage[0][field.field];
+    if (components.empty()) continue;
+    const bool is_displacement = field.field == Field::displacement;
+    views.push_back(field_view<T>(is_displacement ? "displacement_at_remeshing" : field.name,
+                                  field.unit, components, slots));
+  }
+  views.push_back(field_view<T>("stress", "Pa", body.stress, slots));
+  return views;
+}
+
+template <class T, int D>
+std::vector<std::array<double, 3>> positions(const Body<T, D>& body) {
+  return positions_of_particles<D>(
+      body.population.layout, is_interior(body),
+      [&body](std::int64_t slot, const Cell<D>& cell) { return body.position(slot, cell); });
+}
+
+template std::vector<SlotRun> particle_runs<double, 2>(const Body<double, 2>&);
+template std::vector<FieldView> field_views<double, 2>(const Body<double, 2>&);
+template std::vector<std::array<double, 3>> positions<double, 2>(const Body<double, 2>&);
+template std::vector<SlotRun> particle_runs<double, 3>(const Body<double, 3>&);
+template std::vector<FieldView> field_views<double, 3>(const Body<double, 3>&);
+template std::vector<std::array<double, 3>> positions<double, 3>(const Body<double, 3>&);
+
+}  // namespace pliant::remeshed

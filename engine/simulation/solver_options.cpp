@@ -1,0 +1,39 @@
+#include "engine/simulation/solver_options.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <stdexcept>
+#include <thread>
+
+namespace pliant {
+
+namespace {
+
+kernels::Isa isa_of(const std::string& name) {
+  if (name.empty()) return kernels::widest_supported();
+  for (const auto isa : {kernels::Isa::sse2, kernels::Isa::avx2, kernels::Isa::avx512}) {
+    if (kernels::name(isa) != name) continue;
+    if (kernels::is_supported(isa)) return isa;
+    throw std::invalid_argument(
+        fmt::format("--isa {}: this processor does not run it; use {} or less", name,
+                    kernels::name(kernels::widest_supported())));
+  }
+  throw std::invalid_argument(fmt::format("--isa {}: unknown; use sse2, avx2 or avx512", name));
+}
+
+int thread_count(int requested) {
+  if (requested < 0) {
+    throw std::invalid_argument(fmt::format("--threads {}: give a positive number", requested));
+  }
+  return requested > 0 ? requested
+                       : std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
+}
+
+}  // namespace
+
+SolverOptions solver_options(int threads, const std::string& isa) {
+  return {thread_count(threads), isa_of(isa)};
+}
+
+}  // namespace pliant

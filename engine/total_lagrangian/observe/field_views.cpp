@@ -1,0 +1,46 @@
+#include "engine/total_lagrangian/observe/field_views.hpp"
+
+#include "engine/method/field_views.hpp"
+
+namespace pliant::total_lagrangian {
+
+namespace {
+
+template <class T, int D>
+auto has_mass(const Body<T, D>& body) {
+  return [&body](std::int64_t slot) { return body.is_particle(slot); };
+}
+
+}  // namespace
+
+template <class T, int D>
+std::vector<SlotRun> particle_runs(const Body<T, D>& body) {
+  return runs_of_particles<D>(body.layout, has_mass(body));
+}
+
+template <class T, int D>
+std::vector<FieldView> field_views(const Body<T, D>& body) {
+  const std::int64_t slots = body.layout.slots();
+  return {field_view<T>("displacement", "m", body.displacement, slots),
+          field_view<T>("velocity", "m/s", body.velocity, slots),
+          field_view<T>("mass", "kg", std::span(&body.mass, 1), slots)};
+}
+
+template <class T, int D>
+std::vector<std::array<double, 3>> positions(const Body<T, D>& body) {
+  return positions_of_particles<D>(
+      body.layout, has_mass(body), [&body](std::int64_t slot, const Cell<D>& cell) {
+        Point<D> x = body.lattice.node(cell);
+        for (int a = 0; a < D; ++a) x[a] += body.displacement[a][slot];
+        return x;
+      });
+}
+
+template std::vector<SlotRun> particle_runs<double, 2>(const Body<double, 2>&);
+template std::vector<FieldView> field_views<double, 2>(const Body<double, 2>&);
+template std::vector<std::array<double, 3>> positions<double, 2>(const Body<double, 2>&);
+template std::vector<SlotRun> particle_runs<double, 3>(const Body<double, 3>&);
+template std::vector<FieldView> field_views<double, 3>(const Body<double, 3>&);
+template std::vector<std::array<double, 3>> positions<double, 3>(const Body<double, 3>&);
+
+}  // namespace pliant::total_lagrangian

@@ -1,0 +1,97 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <filesystem>
+#include <memory>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include <pliant/case_file.hpp>
+#include <pliant/field.hpp>
+
+namespace pliant {
+
+/// How to compute: nothing here changes a result, which is the same to the bit.
+struct SimulationOptions {
+  int threads = 0;  ///< 0: one for each processor
+  std::string isa;  ///< "sse2", "avx2" or "avx512"; empty: the widest that the processor has
+};
+
+/// Conserved quantities of all bodies, in SI units, per unit thickness in 2D.
+struct Totals {
+  double mass;
+  std::array<double, 3> momentum, angular_momentum;  ///< about the origin
+  double kinetic_energy, strain_energy;
+};
+
+/// A case that is being simulated, step by step, under the control of the caller.
+///
+///     pliant::Simulation simulation(pliant::CaseFile::read("cases/bouncing_ball"));
+///     while (simulation.time() < 0.2) {
+///       simulation.advance(simulation.time() + 1. / 60);
+///       std::cout << simulation.measurement("height") << '\n';
+///     }
+///
+/// Not safe for use by several threads at once; it uses `threads` of its own. Spans that it hands
+/// out are good until the next call that is not const. All values are in SI units; vectors have
+/// three components, the third zero in 2D.
+class Simulation {
+ public:
+  /// Checks the case and sets it up. Throws InputError for what is wrong with it, RunError when it
+  /// cannot be set up.
+  explicit Simulation(const CaseFile& case_file, const SimulationOptions& options = {});
+  Simulation(Simulation&&) noexcept;
+  Simulation& operator=(Simulation&&) noexcept;
+  ~Simulation();
+
+  /// One time step of the length that the case asks for. Throws RunError.
+  void step();
+  /// Steps until `time` [s] is reached; the last step is shortened to end there. Throws RunError.
+  void advance(double until);
+
+  double time() const;              ///< [s]
+  double time_step() const;         ///< length of the next step [s]
+  std::int64_t step_count() const;  ///< since t = 0
+  int dimension() const;            ///< 2 or 3
+
+  const std::vector<std::string>& bodies() const;  ///< names, in the order of the case
+  std::int64_t particle_count() const;             ///< of all bodies
+
+  /// Where the particles of a body are in its arrays, in ascending order.
+  std::vector<SlotRun> particles(int body) const;
+  /// All fields of a body, without a copy.
+  std::vector<FieldView> fields(int body) const;
+  /// One field of a body, without a copy. Throws InputError for an unknown name, with those that
+  /// exist.
+  FieldView field(int body, std::string_view name) const;
+  /// Positions of the particles of a body [m], in the order of `particles`: a copy, since bodies
+  /// keep places relative to their lattices.
+  std::vector<std::array<double, 3>> positions(int body) const;
+
+  Totals totals();
+  /// The present value of a measurement of the case; a force is the mean since it was last asked
+  /// for. Throws InputError for an unknown name, and for a measurement that reads the history of
+  /// another (a period, say): the samples of a history are the caller's.
+  double measurement(std::string_view name);
+
+  /// From now on a boundary of kind "pressure" has this pressure [Pa], whatever the case says.
+  void set_pressure(std::string_view boundary, double pressure);
+  /// From now on a wall moves with this velocity [m/s], whatever the case says.
+  void set_wall_velocity(std::string_view boundary, const std::array<double, 3>& velocity);
+
+  /// Writes everything that the next step reads, loads that were set included. Throws RunError.
+  void save(const std::filesystem::path& file) const;
+  /// Continues from a file that a simulation of the same case has saved, to the same bits. Throws
+  /// InputError when it is that of another case, RunError when it cannot be read.
+  void restore(const std::filesystem::path& file);
+
+ private:
+  int checked(int body) const;
+
+  struct State;
+  std::unique_ptr<State> state_;
+};
+
+}  // namespace pliant
