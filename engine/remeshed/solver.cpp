@@ -39,7 +39,7 @@ Solver<T, D>::Solver(const Case& a_case, const SolverOptions& options)
       layouts_(layouts_of(state_.bodies, &Body<T, D>::population)),
       spare_layouts_(layouts_of(state_.bodies, &Body<T, D>::spare)),
       step_(state_, settings(), kernels_),
-      search_(state_, search_weight(settings()), is_plain_sph(settings())),
+      search_(state_, search_kernel(settings()), is_plain_sph(settings())),
       step_graph_(resource::names()),
       listed_step_graph_(resource::names()),
       search_graph_(resource::names()),

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "engine/lattice/layout_blocks.hpp"
 #include "engine/method/step_failure.hpp"
 #include "engine/total_lagrangian/observe/field_views.hpp"
 #include "engine/total_lagrangian/observe/frame.hpp"
