@@ -5,7 +5,8 @@
 #include <vector>
 
 #include "engine/storage/buffer.hpp"
-#include "kernels/table.hpp"
+#include "kernels/material.hpp"
+#include "kernels/remeshed/evolving.hpp"
 
 /// The one list of particle fields: storage, stage copies, checkpoints, output and the scheduler's
 /// names follow from it.

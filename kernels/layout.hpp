@@ -9,14 +9,14 @@
 ///     row y     . . o o o[o o o o]o . .    neighbouring rows are each one constant offset away:
 ///     row y-1   . . . o o o o o o o .      slot(x + dx, row + r) = p + neighbour_row[r] + dx
 ///
-/// Storage comes in packs of `slots_per_pack` slots (one cache line of doubles), whatever the
-/// instruction set, so that the layout never depends on the processor. Slots around every interior
-/// particle, and finite values in every slot, make all loads of a pack with one legal.
+/// Storage comes in packs of `slots_per_pack` slots (one cache line of doubles, half a line of
+/// floats), whatever the instruction set and the precision, so that the layout depends on neither.
+/// Slots around every interior particle, and finite values in every slot, make all loads of a pack
+/// with one legal.
 namespace pliant::kernels {
 
-/// Slots in a cache line of `T`; segments start at and hold whole multiples of it.
-template <class T>
-inline constexpr int slots_per_pack = 64 / sizeof(T);
+/// Segments start at and hold whole multiples of this.
+inline constexpr int slots_per_pack = 8;
 
 /// Rows and columns of neighbouring slots that a segment knows, to each side.
 inline constexpr int row_reach = 3;

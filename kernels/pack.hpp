@@ -1,5 +1,6 @@
 #pragma once
 
+#include <concepts>
 #include <xsimd/xsimd.hpp>
 
 #include "kernels/layout.hpp"
@@ -12,7 +13,7 @@
 /// version of a function that all units share.
 namespace pliant::kernels {
 
-/// Fused multiply-add of a pack; xsimd 8.1 has none for AVX-512 (see isa/avx512_fma.hpp). On SSE2,
+/// Fused multiply-add of a pack; xsimd 8.1 has none for AVX-512 (see avx512_fma.hpp). On SSE2,
 /// which has none either, product and sum are rounded one by one.
 template <class P>
 struct FusedMultiplyAdd {
@@ -21,10 +22,10 @@ struct FusedMultiplyAdd {
 };
 
 /// Plain numbers, for what works on them as on registers.
-template <>
-struct FusedMultiplyAdd<double> {
-  static double sum(double x, double y, double z) { return x * y + z; }
-  static double difference(double x, double y, double z) { return z - x * y; }
+template <std::floating_point T>
+struct FusedMultiplyAdd<T> {
+  static T sum(T x, T y, T z) { return x * y + z; }
+  static T difference(T x, T y, T z) { return z - x * y; }
 };
 
 /// x y + z
@@ -41,9 +42,12 @@ inline P fused_minus(const P& x, const P& y, const P& z) {
 
 template <class P>
 inline P larger(const P& x, const P& y) {
-  return xsimd::max(x, y);
+  if constexpr (std::floating_point<P>) {
+    return x > y ? x : y;
+  } else {
+    return xsimd::max(x, y);
+  }
 }
-inline double larger(double x, double y) { return x > y ? x : y; }
 
 template <class P>
 using Scalar = typename P::value_type;
@@ -53,7 +57,7 @@ inline constexpr int lanes = static_cast<int>(P::size);
 
 /// Storage packs of `slots_per_pack` slots consist of this many registers.
 template <class P>
-inline constexpr int registers_per_pack = slots_per_pack<Scalar<P>> / lanes<P>;
+inline constexpr int registers_per_pack = slots_per_pack / lanes<P>;
 
 template <class P>
 inline P load(const Scalar<P>* from) {

@@ -8,7 +8,7 @@ namespace pliant::scheduler {
 
 /// Which blocks are near which: the units of ownership that phases are divided into.
 struct Blocks {
-  /// [block] the other blocks that Reach::neighbours touches, itself excluded; symmetric.
+  /// [block] the other blocks that Reach::neighbours includes, itself excluded; symmetric.
   std::vector<std::vector<BlockId>> neighbours;
 
   int count() const { return static_cast<int>(neighbours.size()); }

@@ -40,7 +40,7 @@ class Derivation {
       : phases_(phases),
         blocks_(blocks),
         field_names_(field_names),
-        // `once` phases have a block 0 to work on even where there are no blocks.
+        // Reduce phases have a block 0 to work on even where there are no blocks.
         cells_per_field_(std::max<std::size_t>(blocks.neighbours.size(), 1)),
         cells_(field_names.size() * cells_per_field_) {
     every_block_.resize(blocks.neighbours.size());
@@ -54,8 +54,9 @@ class Derivation {
 
  private:
   const std::vector<BlockId>& blocks_of(const Phase& phase) const {
-    static const std::vector<BlockId> first_block{0};
-    if (phase.extent == Phase::Extent::once) return first_block;
+    static const std::vector<BlockId> first_block{0}, none;
+    if (phase.kind == Phase::Kind::reduce) return first_block;
+    if (phase.kind == Phase::Kind::exchange) return none;
     return phase.blocks.empty() ? every_block_ : phase.blocks;
   }
 
@@ -178,10 +179,11 @@ class Derivation {
 
   [[noreturn]] void refuse(const Phase& phase, FieldId field, BlockId written,
                            BlockId other) const {
-    throw std::invalid_argument(fmt::format(
-        "phase {} writes {} of block {}, which its block {} touches too, but the blocks of a phase "
-        "run in any order: write another field, or make two phases of it",
-        label(phase), field_names_[static_cast<std::size_t>(field)], written, other));
+    throw std::invalid_argument(
+        fmt::format("phase {} writes {} of block {}, which its block {} accesses too, but the "
+                    "blocks of a phase "
+                    "run in any order: write another field, or make two phases of it",
+                    label(phase), field_names_[static_cast<std::size_t>(field)], written, other));
   }
 
   const std::vector<Phase>& phases_;
@@ -204,7 +206,10 @@ void check(const std::vector<Phase>& phases, const Blocks& blocks, int field_cou
         throw std::invalid_argument(
             fmt::format("block {} is a neighbour, but there are {} blocks", block, blocks.count()));
   for (const Phase& phase : phases) {
-    if (!phase.run) refuse(phase, "has no function to run");
+    const bool is_exchange = phase.kind == Phase::Kind::exchange;
+    if (!is_exchange && !phase.run) refuse(phase, "has no function to run");
+    if (is_exchange && (phase.run || !phase.writes.empty()))
+      refuse(phase, "an exchange only sends what it reads: it neither runs nor writes");
     for (const auto* accesses : {&phase.reads, &phase.writes})
       for (const Access& access : *accesses)
         if (access.field < 0 || access.field >= field_count)

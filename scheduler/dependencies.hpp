@@ -38,8 +38,8 @@ struct Dependencies {
 /// writer follows the last writer and all readers since. Edges that others imply are left out.
 ///
 /// Throws std::invalid_argument for a field or block that does not exist, a write that reaches
-/// neighbours, a phase without a function, and for a phase whose blocks touch what another of its
-/// blocks writes.
+/// neighbours, a phase without a function, an exchange that runs or writes, and for a phase whose
+/// blocks access what another of its blocks writes.
 Dependencies derive_dependencies(const std::vector<Phase>& phases, const Blocks& blocks,
                                  const std::vector<std::string>& field_names);
 

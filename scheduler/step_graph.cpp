@@ -8,10 +8,14 @@
 #include <utility>
 
 #include "scheduler/chains.hpp"
+#include "scheduler/exchanges.hpp"
+#include "scheduler/node_runner.hpp"
 
 namespace pliant::scheduler {
 
 namespace {
+
+constexpr int no_timer = -1;
 
 double seconds(std::chrono::steady_clock::duration duration) {
   return std::chrono::duration<double>(duration).count();
@@ -83,7 +87,7 @@ struct StepGraph::Flow {
 };
 
 StepGraph::StepGraph(std::vector<Phase> phases, Blocks blocks, std::vector<std::string> field_names)
-    : phases_(std::move(phases)),
+    : phases_(with_exchanges(std::move(phases))),
       blocks_(std::move(blocks)),
       field_names_(std::move(field_names)),
       dependencies_(derive_dependencies(phases_, blocks_, field_names_)) {
@@ -104,6 +108,10 @@ StepGraph::~StepGraph() = default;
 
 void StepGraph::name_timers() {
   for (const Phase& phase : phases_) {
+    if (phase.kind == Phase::Kind::exchange) {
+      timer_of_phase_.push_back(no_timer);
+      continue;
+    }
     const auto found = std::find(timer_names_.begin(), timer_names_.end(), phase.name);
     timer_of_phase_.push_back(static_cast<int>(found - timer_names_.begin()));
     if (found == timer_names_.end()) timer_names_.push_back(phase.name);
@@ -111,6 +119,8 @@ void StepGraph::name_timers() {
 }
 
 void StepGraph::run(Workers& workers) {
+  if (NodeRunner* runner = workers.delegate())
+    return workers.execute([&] { run_through(*runner); });
   workers.execute([&] {
     if (!flow_ || flow_->workers_id != workers.id())
       flow_ = std::make_unique<Flow>(dependencies_, tasks_, workers.id());
@@ -123,6 +133,18 @@ void StepGraph::run(Workers& workers) {
     }
     finish_record(start, workers.threads());
   });
+}
+
+void StepGraph::run_through(NodeRunner& runner) {
+  const auto start = Clock::now();
+  for (std::size_t n = 0; n < nodes().size(); ++n) {
+    if (nodes()[n].is_junction()) continue;
+    tasks_[n].worker = 0;
+    tasks_[n].start = Clock::now();
+    runner.run(*this, nodes()[n]);
+    tasks_[n].stop = Clock::now();
+  }
+  finish_record(start, 1);
 }
 
 void StepGraph::run_serially(std::uint64_t seed) {

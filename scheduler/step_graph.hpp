@@ -36,13 +36,14 @@ class StepGraph {
   /// Runs the step on the calling thread in one of the legal orders, picked by `seed`.
   void run_serially(std::uint64_t seed);
 
+  /// With the exchanges that they need, see with_exchanges.
   const std::vector<Phase>& phases() const { return phases_; }
   const Blocks& blocks() const { return blocks_; }
   const std::vector<std::string>& field_names() const { return field_names_; }
   const std::vector<Node>& nodes() const { return dependencies_.nodes; }
   const std::vector<Edge>& edges() const { return dependencies_.edges; }
 
-  /// Names of the phases without repetition, in the order of their list.
+  /// Names of the phases without repetition, in the order of their list, exchanges left out.
   const std::vector<std::string>& timer_names() const { return timer_names_; }
   /// Of the last run.
   const StepRecord& record() const { return record_; }
@@ -52,7 +53,8 @@ class StepGraph {
   std::string dot(Detail detail = Detail::blocks) const;
   std::string json() const;
 
-  /// Edges between phases: those between their nodes, seen from afar. Phases stand for nodes.
+  /// Edges between phases: those between their nodes, merged. Phases stand for nodes. What a phase
+  /// reads of other blocks comes to it by way of the exchange.
   std::vector<Edge> phase_edges() const;
 
  private:
@@ -71,7 +73,10 @@ class StepGraph {
   };
   struct Flow;
 
+  void run_through(NodeRunner& runner);
   void name_timers();
+  void print_phases(std::string& out) const;
+  void print_blocks(std::string& out) const;
   void finish_record(Clock::time_point start, int workers);
 
   std::vector<Phase> phases_;

@@ -45,12 +45,39 @@ void print_edges(std::string& out, const std::vector<Edge>& edges,
   }
 }
 
+bool reads_of_others(const Phase& phase, FieldId field) {
+  return phase.kind != Phase::Kind::reduce &&
+         std::any_of(phase.reads.begin(), phase.reads.end(), [&](const Access& read) {
+           return read.field == field && read.reach != Reach::own;
+         });
+}
+
+// The last exchange between the phases of an edge that sends what its second phase reads; -1: none.
+int exchange_on(const Edge& edge, const std::vector<Phase>& phases) {
+  const auto phase = [&](int p) -> const Phase& { return phases[static_cast<std::size_t>(p)]; };
+  if (!reads_of_others(phase(edge.to), edge.field)) return -1;
+  for (int p = edge.to - 1; p > edge.from; --p) {
+    if (phase(p).kind == Phase::Kind::exchange && reads_of_others(phase(p), edge.field)) return p;
+  }
+  return -1;
+}
+
+const char* shown(Phase::Kind kind) { return kind == Phase::Kind::reduce ? " (reduce)" : ""; }
+
 }  // namespace
 
 std::vector<Edge> StepGraph::phase_edges() const {
   // What leads into a junction leads to everything behind it.
   std::vector<std::vector<int>> origins(nodes().size());
   std::vector<Edge> result;
+  const auto add_edge = [&](const Edge& edge) {
+    if (const int exchange = exchange_on(edge, phases_); exchange >= 0) {
+      result.push_back({edge.from, exchange, edge.field});
+      result.push_back({exchange, edge.to, edge.field});
+    } else {
+      result.push_back(edge);
+    }
+  };
   for (const Edge& edge : edges()) {
     const Node& from = nodes()[static_cast<std::size_t>(edge.from)];
     const Node& to = nodes()[static_cast<std::size_t>(edge.to)];
@@ -58,7 +85,7 @@ std::vector<Edge> StepGraph::phase_edges() const {
       if (to.is_junction())
         origins[static_cast<std::size_t>(edge.to)].push_back(phase);
       else
-        result.push_back({phase, to.phase, edge.field});
+        add_edge({phase, to.phase, edge.field});
     };
     if (from.is_junction())
       for (const int phase : origins[static_cast<std::size_t>(edge.from)]) add(phase);
@@ -74,34 +101,45 @@ std::vector<Edge> StepGraph::phase_edges() const {
 
 std::string StepGraph::dot(Detail detail) const {
   std::string out = "digraph step {\n  rankdir=TB;\n  node [shape=box, fontname=\"sans\"];\n";
+  detail == Detail::phases ? print_phases(out) : print_blocks(out);
+  return out + "}\n";
+}
+
+void StepGraph::print_phases(std::string& out) const {
+  for (std::size_t p = 0; p < phases_.size(); ++p) {
+    const Phase& phase = phases_[p];
+    const std::string reads = quoted(list(phase.reads, field_names_));
+    if (phase.kind == Phase::Kind::exchange)
+      fmt::format_to(std::back_inserter(out), "  phase_{} [shape=ellipse, label=\"{}\\n{}\"];\n", p,
+                     quoted(label(phase)), reads);
+    else
+      fmt::format_to(
+          std::back_inserter(out), "  phase_{} [label=\"{}{}\\nreads {}\\nwrites {}\"];\n", p,
+          quoted(label(phase)), shown(phase.kind), reads, quoted(list(phase.writes, field_names_)));
+  }
+  print_edges(out, phase_edges(), field_names_,
+              [](int phase) { return fmt::format("phase_{}", phase); });
+}
+
+void StepGraph::print_blocks(std::string& out) const {
   const auto print = [&]<class... T>(fmt::format_string<T...> text, T&&... values) {
     fmt::format_to(std::back_inserter(out), text, std::forward<T>(values)...);
   };
-  if (detail == Detail::phases) {
-    for (std::size_t p = 0; p < phases_.size(); ++p)
-      print("  phase_{} [label=\"{}{}\\nreads {}\\nwrites {}\"];\n", p, quoted(label(phases_[p])),
-            phases_[p].extent == Phase::Extent::once ? " (once)" : "",
-            quoted(list(phases_[p].reads, field_names_)),
-            quoted(list(phases_[p].writes, field_names_)));
-    print_edges(out, phase_edges(), field_names_,
-                [](int phase) { return fmt::format("phase_{}", phase); });
-    return out + "}\n";
-  }
   for (std::size_t p = 0; p < phases_.size(); ++p) {
+    if (phases_[p].kind == Phase::Kind::exchange) continue;
     print("  subgraph cluster_{} {{\n    label=\"{}\";\n", p, quoted(label(phases_[p])));
     for (std::size_t n = 0; n < nodes().size(); ++n) {
       if (nodes()[n].phase != static_cast<int>(p)) continue;
       if (nodes()[n].is_junction())
         print("    node_{} [shape=point];\n", n);
-      else if (phases_[p].extent == Phase::Extent::once)
-        print("    node_{} [label=\"once\"];\n", n);
+      else if (phases_[p].kind == Phase::Kind::reduce)
+        print("    node_{} [label=\"reduce\"];\n", n);
       else
         print("    node_{} [label=\"{}\"];\n", n, nodes()[n].block);
     }
     print("  }}\n");
   }
   print_edges(out, edges(), field_names_, [](int node) { return fmt::format("node_{}", node); });
-  return out + "}\n";
 }
 
 }  // namespace pliant::scheduler

@@ -20,6 +20,18 @@ const char* name(Reach reach) {
   return "";
 }
 
+const char* name(Phase::Kind kind) {
+  switch (kind) {
+    case Phase::Kind::per_block:
+      return "per_block";
+    case Phase::Kind::reduce:
+      return "reduce";
+    case Phase::Kind::exchange:
+      return "exchange";
+  }
+  return "";
+}
+
 Json list(const std::vector<Access>& accesses, const std::vector<std::string>& names) {
   Json result = Json::array();
   for (const Access& access : accesses)
@@ -46,7 +58,7 @@ std::string StepGraph::json() const {
   for (const Phase& phase : phases_)
     phases.push_back({{"name", phase.name},
                       {"stage", phase.stage},
-                      {"extent", phase.extent == Phase::Extent::once ? "once" : "per_block"},
+                      {"kind", name(phase.kind)},
                       {"reads", list(phase.reads, field_names_)},
                       {"writes", list(phase.writes, field_names_)}});
   for (const Node& node : nodes()) {

@@ -8,6 +8,8 @@
 
 namespace pliant::scheduler {
 
+class NodeRunner;
+
 /// The threads that run steps: the calling thread and `threads - 1` others, which exist only from
 /// the first parallel work on. With one thread nothing ever runs elsewhere than on the caller.
 class Workers {
@@ -29,6 +31,10 @@ class Workers {
   /// Of the calling worker, 0..threads-1; only for calls from within `execute` or a step.
   int index() const { return tbb::this_task_arena::current_thread_index(); }
 
+  /// Has `runner` run the nodes of all graphs, on the calling thread; nullptr: as usual.
+  void delegate(NodeRunner* runner) { runner_ = runner; }
+  NodeRunner* delegate() const { return runner_; }
+
   /// Differs between any two Workers of this process.
   std::uint64_t id() const { return id_; }
 
@@ -38,6 +44,7 @@ class Workers {
   // Lets oneTBB start more threads than there are cores, where so many are asked for.
   tbb::global_control limit_;
   tbb::task_arena arena_;
+  NodeRunner* runner_ = nullptr;
 };
 
 }  // namespace pliant::scheduler

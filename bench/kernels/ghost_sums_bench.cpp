@@ -24,7 +24,7 @@ void sum(benchmark::State& state, Isa isa) {
   const GhostSums<double, 2> arguments{
       0,       ghosts,          begin.data(),   pairs.data(), terms.data(), at_free_surfaces.data(),
       nullptr, distance.data(), records.data(), sums.data()};
-  for (auto _ : state) table<double, 2>(isa).sum_ghosts(arguments);
+  for (auto _ : state) RemeshedTable<double, 2>::of(isa).sum_ghosts(arguments);
   report(state, ghosts, {particles * (width * 6 + 30), 20 * 8 + 13 * 8 + 64 + 4 * 64});
 }
 

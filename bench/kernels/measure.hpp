@@ -5,7 +5,7 @@
 #include <cmath>
 #include <string>
 
-#include "kernels/table.hpp"
+#include "kernels/remeshed/table.hpp"
 
 namespace pliant::kernels::bench {
 

@@ -28,7 +28,7 @@ void scatter(benchmark::State& state, Isa isa) {
                                      rows.data(),
                                      {-3, -3},
                                      extent};
-  for (auto _ : state) table<double, 2>(isa).scatter(arguments);
+  for (auto _ : state) RemeshedTable<double, 2>::of(isa).scatter(arguments);
   report(state, particles, {16 * (1 + 2 * 16) + 40, 12 * 8 + 1 + 2 * 128});
 }
 
@@ -44,7 +44,7 @@ void filter(benchmark::State& state, Isa isa) {
                                     body.patch.interior.data(),
                                     body.mass.data(),
                                     filtered.data()};
-  for (auto _ : state) table<double, 2>(isa).filter(arguments);
+  for (auto _ : state) RemeshedTable<double, 2>::of(isa).filter(arguments);
   report(state, particles, {27, 32});
 }
 

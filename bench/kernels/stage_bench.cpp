@@ -16,7 +16,7 @@ void advance(benchmark::State& state, Isa isa, Model model, Weight weight) {
   body.weight = weight;
   std::int64_t particles = 0;
   body.patch.for_each_interior([&](std::int64_t, const auto&) { ++particles; });
-  const Table<double, D>& kernels = table<double, D>(isa);
+  const RemeshedTable<double, D>& kernels = RemeshedTable<double, D>::of(isa);
   kernels.evaluate_stress(body.stress_of(0));
   const double time_step = 1e-9;  // the state stays as it is, however many steps are run
   for (auto _ : state) {
@@ -38,7 +38,7 @@ void advance_listed(benchmark::State& state, Isa isa) {
   Stage<double, 2> stage = body.stage(0, 0, 1, 1e-9);
   stage.neighbours = &view;
   for (auto _ : state) {
-    benchmark::DoNotOptimize(table<double, 2>(isa).advance_stage(stage));
+    benchmark::DoNotOptimize(RemeshedTable<double, 2>::of(isa).advance_stage(stage));
   }
   const double flop = flop_per_stage(body.weight, Model::linear_rho);
   report(state, particles, {flop, bytes_per_stage(Model::linear_rho) + 25 * 6});
@@ -49,7 +49,7 @@ void evaluate(benchmark::State& state, Isa isa, Model model) {
   std::int64_t slots = 0;
   for (const auto& segment : body.patch.segments) slots += segment.count;
   for (auto _ : state) {
-    benchmark::DoNotOptimize(table<double, 2>(isa).evaluate_stress(body.stress_of(0)));
+    benchmark::DoNotOptimize(RemeshedTable<double, 2>::of(isa).evaluate_stress(body.stress_of(0)));
   }
   const double flop = model == Model::reduced_polynomial ? 110 : 12;
   report(state, slots, {flop, 8. * (3 + material_component_count<2>(model) + 6)});

@@ -28,7 +28,7 @@ void write_records(benchmark::State& state, Isa isa) {
                                             current.evolving(),
                                             current.stress_fields(),
                                             records.data()};
-  for (auto _ : state) table<double, 2>(isa).write_surface_records(arguments);
+  for (auto _ : state) RemeshedTable<double, 2>::of(isa).write_surface_records(arguments);
   // Whole packs are computed: 8/3 gradients of one field for each record.
   report(state, static_cast<std::int64_t>(3 * packs.size()), {8. / 3 * 30, 8. / 3 * 200 + 128});
 }

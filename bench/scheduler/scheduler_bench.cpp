@@ -76,7 +76,7 @@ StepGraph small_step(int blocks, std::int64_t links) {
         {{to}});
   }
   add("time step", -1, {{state, Reach::all}}, {{time_step, Reach::all}});
-  phases.back().extent = Phase::Extent::once;
+  phases.back().kind = Phase::Kind::reduce;
   phases.back().run = [](BlockId) {};
   return {std::move(phases), ring_of_blocks(blocks), {"state", "next", "record", "ghost", "dt"}};
 }

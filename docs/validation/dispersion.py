@@ -16,17 +16,17 @@ def _polynomial(factor, *coefficients):
     return omega
 
 
-weights = {
-    "quartic_polynomial": (2, _polynomial(lambda t: t**3, 0.76443, -2.31468, 2.5554)),
+kernels = {
+    "quartic_spline_fit": (2, _polynomial(lambda t: t**3, 0.76443, -2.31468, 2.5554)),
     "compact": (1, lambda squares: np.maximum(0, 1 - squares / 1.75**2)**4),  # (RP.16)
     "fourth_order": (2, _polynomial(lambda t: t**2, 0.6355763142948405, -6.642571385553331,
                                     21.979141703042178, -30.394221495264024, 15.422074863480338)),
 }
 
 
-def speed_ratio(weight, cells):
+def speed_ratio(kernel, cells):
     """r of waves along the diagonal with `cells` particles in the period of every axis."""
-    reach, omega = weights[weight]
+    reach, omega = kernels[kernel]
     d = np.array(list(itertools.product(range(-reach, reach + 1), repeat=3)), float)
     squares = (d**2).sum(axis=1)
     inside = (squares > 0) & (squares < (reach + 1)**2)
@@ -36,7 +36,7 @@ def speed_ratio(weight, cells):
     return slope / (omega(squares) * d[:, 0]**2).sum() / k
 
 
-def cube_error(weight, cells, p_period, s_period):
+def cube_error(kernel, cells, p_period, s_period):
     """The L-infinity error of section 5 at t = T_S, over the amplitude, of such a medium."""
     x = 2 * np.pi * (np.arange(cells) + 0.5) / cells
     s, c = np.sin(x), np.cos(x)
@@ -49,5 +49,5 @@ def cube_error(weight, cells, p_period, s_period):
     def velocity(time):
         p, shear = np.cos(2 * np.pi * time / p_period), np.cos(2 * np.pi * time / s_period)
         return both * shear + pressure * (p - shear)
-    ratio = speed_ratio(weight, cells)
+    ratio = speed_ratio(kernel, cells)
     return np.abs(velocity(ratio * s_period) - velocity(s_period)).max()

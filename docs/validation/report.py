@@ -34,7 +34,7 @@ paper = {
 }
 compression_cells = [16, 32, 64, 128, 256]
 paper_ghosts = ["ghosts.treatment=averaged", "remeshing.every=1", "remeshing.filter=0",
-                "discretisation.dissipation=0", "discretisation.weight=quartic_polynomial"]
+                "discretisation.dissipation=0", "discretisation.kernel=quartic_spline_fit"]
 
 
 class Runs:
@@ -123,25 +123,25 @@ def cube(run, quick):
     kinds = {"linear": ("periodic_cube", 0.049761, 0.093095),
              "hyperelastic": ("periodic_cube_hyperelastic", 0.107833, 0.129099)}
     curves, rows = [], []
-    for weight in dispersion.weights:
+    for kernel in dispersion.kernels:
         columns = []
         for kind, (case, p_period, s_period) in kinds.items():
             measured = [value(run(case, f"discretisation.spacing=1/{n}",
-                                  f"discretisation.weight={weight}"), "velocity_error_linf")
+                                  f"discretisation.kernel={kernel}"), "velocity_error_linf")
                         for n in cells]
             orders = [""] + [f"{order:.2f}" for order in np.log2(measured[:-1] / np.array(measured[1:]))]
-            alone = [dispersion.cube_error(weight, n, p_period, s_period) for n in cells]
+            alone = [dispersion.cube_error(kernel, n, p_period, s_period) for n in cells]
             columns += [[f"{e:.5f}" for e in measured], orders, [f"{e:.5f}" for e in alone]]
-            curves.append((f"{kind}, {weight}", (cells, measured), "o-" if kind == "linear" else "s--"))
-        rows += [[weight, f"{n}^3", *row] for n, row in zip(cells, zip(*columns))]
+            curves.append((f"{kind}, {kernel}", (cells, measured), "o-" if kind == "linear" else "s--"))
+        rows += [[kernel, f"{n}^3", *row] for n, row in zip(cells, zip(*columns))]
     second = [curves[0][1][1][0] * (cells[0] / n) ** 2 for n in cells]
     plot("cube.png", curves + [("second order", (cells, second), "k:")], "1/h",
          "L-infinity error over the amplitude", log=True)
     return ("## Periodic cube (section 5, figure 1)\n\n"
-            + table(["weight", "particles", "linear", "order", "gradient alone", "hyperelastic", "order",
+            + table(["kernel", "particles", "linear", "order", "gradient alone", "hyperelastic", "order",
                      "gradient alone"], rows)
             + "\n\"Gradient alone\" is what the dispersion of (RP.18) makes of the waves when all else is exact "
-            "([dispersion.py](dispersion.py)): with the first two weights hardly anything else contributes. Where "
+            "([dispersion.py](dispersion.py)): with the first two kernels hardly anything else contributes. Where "
             "this error is large it is no longer proportional to that of the wave speed, so that the orders "
             "between coarse sizes lie on either side of two. With fourth_order the dissipation (RP.43), of third "
             "order, is what is left.\n\n![Error against 1/h](cube.png)\n")
@@ -271,7 +271,7 @@ def ball(run, quick):
     sizes = [0.036] if quick else [0.036, 0.0225]
     rows = []
     for spacing in sizes:
-        for friction in ("frictionless", "sticking"):
+        for friction in ("frictionless", "no_slip"):
             out = run("bouncing_ball", f"discretisation.spacing={spacing}",
                       f"boundary.wall.friction={friction}", "output.every=0.01", "output.ghosts=true")
             summary = json.loads((out / "summary.json").read_text())
@@ -280,10 +280,10 @@ def ball(run, quick):
             rows.append([str(summary["particles"]["start"]), friction, text(m["largest_force"]),
                          text(m["separation_time"]), text(-m["momentum_ratio"]),
                          text(float(np.max(energy))), text(float(energy[-1]))])
-            if friction == "sticking":
+            if friction == "no_slip":
                 chosen = out
     rows.append(["reference", "frictionless", "1.829", "0.185", "0.987", "1", ""])
-    rows.append(["reference", "sticking", "1.830", "0.183", "0.987", "1", ""])
+    rows.append(["reference", "no_slip", "1.830", "0.183", "0.987", "1", ""])
     draw = [sys.executable, here.parent / "plot_frames.py", chosen]
     for name, *options in (["ball_speed.png", "--field", "velocity", "--times", "0", "0.03", "0.07",
                             "0.14", "0.21", "0.25"],
@@ -293,7 +293,7 @@ def ball(run, quick):
     return ("## Bouncing ball (section 9, figures 14 and 15)\n\n"
             + table(["particles", "wall", "largest force [N]", "separation [s]", "restitution",
                      "largest energy", "energy at the end"], rows)
-            + "\nSpeed, sticking.\n\n![Figure 14](ball_speed.png)\n\nPressure on the wall, sticking; "
+            + "\nSpeed, no-slip.\n\n![Figure 14](ball_speed.png)\n\nPressure on the wall, no-slip; "
             "isolines 2, 4, 6, 8 Pa.\n\n![Figure 15](ball_wall_pressure.png)\n")
 
 

@@ -33,7 +33,7 @@ Case rotating_cylinder(std::int64_t particles, kernels::Weight weight) {
   Case settings;
   settings.name = "rotating_cylinder";
   settings.discretisation.spacing = std::sqrt(std::numbers::pi / static_cast<double>(particles));
-  settings.discretisation.weight = weight;
+  settings.discretisation.kernel = weight;
   settings.time.end = 1000;
   settings.remeshing.policy = decltype(settings.remeshing)::Policy::every;
   settings.remeshing.every = 10;

@@ -1,5 +1,5 @@
 #include "engine/bench/fma_loop.hpp"
-#include "kernels/isa/avx512_fma.hpp"
+#include "kernels/avx512_fma.hpp"
 
 namespace pliant::bench {
 

@@ -135,7 +135,7 @@ std::string csv(const std::vector<std::string>& machine, const std::vector<Row>&
         row.samples[0].steps, row.median(steps_per_remeshing), rate.median, rate.least, rate.most,
         speed_up(rows, row, [](const Sample& s) { return s.rate(); }),
         speed_up(rows, row, [](const Sample& s) { return s.fma_peak; }),
-        flop_per_stage(row.settings.discretisation.weight, row.model(), row.settings.dimension),
+        flop_per_stage(row.settings.discretisation.kernel, row.model(), row.settings.dimension),
         row.median([](const Sample& s) { return s.fma_peak; }),
         row.median([&](const Sample& s) { return row.flop_rate(s) / s.fma_peak; }),
         bytes_per_stage(row.model(), row.settings.dimension),

@@ -17,18 +17,12 @@ double middle(std::vector<double> values) {
 
 bool same_case_and_weight(const Row& a, const Row& b) {
   return a.settings.name == b.settings.name &&
-         a.settings.discretisation.weight == b.settings.discretisation.weight;
+         a.settings.discretisation.kernel == b.settings.discretisation.kernel;
 }
 
 }  // namespace
 
-std::string Row::weight() const {
-  const auto value = static_cast<int>(settings.discretisation.weight);
-  for (const Word& word : words<kernels::Weight>) {
-    if (word.value == value) return std::string(word.text);
-  }
-  return {};
-}
+std::string Row::weight() const { return std::string(text_of(settings.discretisation.kernel)); }
 
 Spread Row::spread(const Figure& figure) const {
   std::vector<double> values;
@@ -39,7 +33,7 @@ Spread Row::spread(const Figure& figure) const {
 
 double Row::flop_rate(const Sample& sample) const {
   return sample.rate() *
-         flop_per_stage(settings.discretisation.weight, model(), settings.dimension);
+         flop_per_stage(settings.discretisation.kernel, model(), settings.dimension);
 }
 
 double Row::byte_rate(const Sample& sample) const {

@@ -1,110 +1,87 @@
 #pragma once
 
-#include <algorithm>
+#include <array>
 #include <cstddef>
 #include <cstdint>
+#include <type_traits>
 #include <vector>
 
-#include "engine/lattice/lattice.hpp"
+#include "engine/blocks/bins.hpp"
 
 namespace pliant {
 
-/// A particle as a search in space sees it. In periodic directions both its place and its cell are
-/// moved by the same whole periods, until the place lies in the first one.
-template <int D>
+/// A point of a cell list, and what its owner wants to know of it: a number, or a few.
+template <class T, int D, class Label = std::int32_t>
 struct Site {
-  Point<D> position;  ///< over h: the cell plus the drift from it
-  Cell<D> cell;       ///< of the particle's slot
-  std::int32_t slot;
+  std::array<T, D> position;
+  Label label;
 };
 
-/// Particles sorted by place into cubes, so that those within a radius of a point are found among
-/// those of a few cubes.
+/// Points sorted by position into bins, so that those within a radius of a position are found among
+/// those of a few bins. Takes time and memory linear in the number of points.
 ///
-///     . . . . . .      cubes are at least a radius wide: a point's neighbours lie in its own and
-///     . x x x . .      in the adjacent ones (x); in periodic directions a whole number of cubes
-///     . x o x . .      makes a period, and the row of cubes is a ring. A ring that is shorter than
-///     . x x x . .      the radius is gone round more than once.
-///
-/// Takes time and memory linear in the number of particles.
-template <int D>
+/// T is the type of the coordinates (float or double), Label what each point carries.
+template <class T, int D, class Label = std::int32_t>
 class CellList {
  public:
-  /// Lays cubes over the box from `lower` to `upper`, in periodic directions over the period, for
-  /// searches within `radius`. All lengths are over h. No more cubes than `sites`, however far a
-  /// few particles may have strayed.
-  void cover(const Point<D>& lower, const Point<D>& upper, const Cell<D>& period, double radius,
-             std::size_t sites);
+  using Position = std::array<T, D>;
+  using Site = pliant::Site<T, D, Label>;
 
-  /// Sorts the sites that `for_each_site(f)` passes to f; it is called twice. Sites of one cube
-  /// keep their order.
+  /// Prepares for `count` points in the box from `lower` to `upper` and searches within `radius`.
+  /// A direction whose `period` is not 0 repeats itself after that length; its points lie in
+  /// [0, period). All lengths are of one unit.
+  void cover(const Position& lower, const Position& upper, const Position& period, T radius,
+             std::size_t count) {
+    bins_.cover(exact(lower), exact(upper), exact(period), radius, count);
+  }
+
+  /// Sorts the `count` sites that `for_each_site(f)` passes to f; it is called twice. Sites of one
+  /// bin keep their order.
   template <class ForEachSite>
   void sort(std::size_t count, const ForEachSite& for_each_site) {
-    begin_.assign(cubes() + 2, 0);
-    for_each_site([&](const Site<D>& site) { ++begin_[cube_of(site.position) + 2]; });
-    for (std::size_t c = 2; c < begin_.size(); ++c) begin_[c] += begin_[c - 1];
+    begin_.assign(bins_.count() + 2, 0);
+    for_each_site([&](const Site& site) { ++begin_[bins_.bin_of(exact(site.position)) + 2]; });
+    for (std::size_t b = 2; b < begin_.size(); ++b) begin_[b] += begin_[b - 1];
     sites_.resize(count);
     for_each_site(
-        [&](const Site<D>& site) { sites_[begin_[cube_of(site.position) + 1]++] = site; });
+        [&](const Site& site) { sites_[begin_[bins_.bin_of(exact(site.position)) + 1]++] = site; });
   }
 
   /// Calls f(site, shift) for every site that may lie within the radius of `at`, and perhaps
-  /// others, until one call returns true; tells whether one did. The site's image is `shift` cells
-  /// away from it, a whole number of periods.
+  /// others, until one call returns true; tells whether one did. The position of the image that is
+  /// meant is that of the site plus `shift`, a whole number of periods.
   template <class F>
-  bool any_near(const Point<D>& at, F&& f) const {
-    Cell<D> first, last, cube;
-    for (int a = 0; a < D; ++a) {
-      first[a] = index(a, at[a]) - reach_[a];
-      last[a] = index(a, at[a]) + reach_[a];
-      if (period_[a] != 0) continue;
-      first[a] = std::max(first[a], 0);
-      last[a] = std::min(last[a], count_[a] - 1);
-    }
-    cube = first;
-    while (true) {
-      if (any_in(cube, f)) return true;
-      int a = 0;
-      while (a < D && ++cube[a] > last[a]) {
-        cube[a] = first[a];
-        ++a;
+  bool any_near(const Position& at, F&& f) const {
+    return bins_.any_near(exact(at), [&](std::size_t bin, const std::array<double, D>& moved) {
+      const Position shift = converted<T>(moved);
+      for (std::int64_t s = begin_[bin]; s < begin_[bin + 1]; ++s) {
+        if (f(sites_[s], shift)) return true;
       }
-      if (a == D) return false;
-    }
+      return false;
+    });
   }
 
-  std::size_t cubes() const;
+  std::size_t bins() const { return bins_.count(); }
   std::size_t bytes() const {
-    return sites_.capacity() * sizeof(Site<D>) + begin_.capacity() * sizeof(begin_[0]);
+    return sites_.capacity() * sizeof(Site) + begin_.capacity() * sizeof(begin_[0]);
   }
 
  private:
-  std::int32_t index(int axis, double x) const;
-  std::size_t cube_of(const Point<D>& position) const;
-
-  template <class F>
-  bool any_in(Cell<D> cube, F& f) const {
-    Cell<D> shift = {};
-    std::size_t at = 0;
-    for (int a = D - 1; a >= 0; --a) {
-      // The first period is the usual one: nothing to divide.
-      while (cube[a] < 0) cube[a] += count_[a], shift[a] -= period_[a];
-      while (cube[a] >= count_[a]) cube[a] -= count_[a], shift[a] += period_[a];
-      at = at * count_[a] + cube[a];
+  template <class To, class From>
+  static std::array<To, D> converted(const std::array<From, D>& x) {
+    if constexpr (std::is_same_v<To, From>) {
+      return x;
+    } else {
+      std::array<To, D> result;
+      for (int a = 0; a < D; ++a) result[a] = static_cast<To>(x[a]);
+      return result;
     }
-    for (std::int64_t s = begin_[at]; s < begin_[at + 1]; ++s) {
-      if (f(sites_[s], shift)) return true;
-    }
-    return false;
   }
+  static std::array<double, D> exact(const Position& x) { return converted<double>(x); }
 
-  Point<D> lower_ = {}, per_size_ = {};
-  Cell<D> count_ = {}, period_ = {}, reach_ = {};
-  std::vector<std::int64_t> begin_;  ///< [cube + 1] into sites_
-  std::vector<Site<D>> sites_;
+  Bins<D> bins_;
+  std::vector<std::int64_t> begin_;  ///< [bin + 1] into sites_
+  std::vector<Site> sites_;
 };
-
-extern template class CellList<2>;
-extern template class CellList<3>;
 
 }  // namespace pliant

@@ -1,27 +1,23 @@
 #pragma once
 
+#include <span>
 #include <vector>
 
-#include "engine/lattice/layout.hpp"
 #include "scheduler/blocks.hpp"
 
-/// The blocks of all bodies in one numbering, body after body: what the step graph sees.
+/// The blocks of all bodies in one numbering, body after body: what the step graph sees. A body may
+/// be a lattice (engine/lattice/layout_blocks.hpp) or a cloud of points (point_blocks.hpp).
 namespace pliant {
 
-/// Where a block of the step graph belongs.
+/// The body that a block of the step graph belongs to, and the block's number within it.
 struct BlockOwner {
   int body, block;
 };
 
-/// [body]
-template <int D>
-using Layouts = std::vector<const Layout<D>*>;
+/// Sets the owner of each block of the step graph, from the number of blocks of each body.
+void number_blocks(std::span<const int> counts, std::vector<BlockOwner>& owners);
 
-template <int D>
-void number_blocks(const Layouts<D>& layouts, std::vector<BlockOwner>& owners);
-
-/// Neighbours of each block, and those of its body up to `more` cells farther away.
-template <int D>
-scheduler::Blocks connect_blocks(const Layouts<D>& layouts, int more);
+/// The blocks of all bodies in one numbering; blocks of different bodies are no neighbours.
+scheduler::Blocks join_blocks(std::span<const scheduler::Blocks> bodies);
 
 }  // namespace pliant

@@ -4,25 +4,26 @@
 #include "engine/case/shape_keys.hpp"
 #include "engine/case/words.hpp"
 
-/// The part of the vocabulary that says what bodies are and what holds them.
+/// The part of the vocabulary that describes bodies, their boundaries and contacts.
 namespace pliant {
 
 template <class Visitor>
 void prony_keys(Visitor& visit, PronyCase& prony) {
   visit("ratios", prony.ratios,
-        {.meaning = "g_1, g_2, ..., the parts of the instantaneous bulk modulus that relax; "
-                    "together below 1",
+        {.meaning =
+             "g_1, g_2, ..., relaxing fractions of the instantaneous bulk modulus; their sum is "
+             "below 1",
          .example = "[0.3, 0.2]",
          .limits = {0, 1, false, false, "above 0 and below 1"},
          .required = true});
   visit("times", prony.times,
-        {.meaning = "tau_1, tau_2, ..., in which they do",
+        {.meaning = "tau_1, tau_2, ..., their relaxation times",
          .unit = "s",
          .example = "[0.1, 1]",
          .limits = positive,
          .required = true});
   visit("moduli", prony.moduli,
-        {.meaning = "which bulk modulus is 2/D", .example = R"("long_term")"});
+        {.meaning = "bulk modulus to which compressibility refers", .example = R"("long_term")"});
 }
 
 template <class Visitor>
@@ -40,7 +41,8 @@ void material_keys(Visitor& visit, MaterialCase& material) {
          .required = true});
   if (!known) return;
   if (material.model == MaterialCase::Model::linear) {
-    visit("law", material.law, {.meaning = "pressure law", .example = R"("rho")"});
+    visit("equation_of_state", material.equation_of_state,
+          {.meaning = "pressure as a function of the density", .example = R"("linear")"});
     visit("youngs_modulus", material.youngs_modulus,
           {.meaning = "Young's modulus E",
            .unit = "Pa",
@@ -55,7 +57,7 @@ void material_keys(Visitor& visit, MaterialCase& material) {
            .remedy = "0.49 is nearly incompressible"});
   } else {
     visit("coefficients", Coefficients{material.coefficients},
-          {.meaning = "C_10 (positive), C_20, ..., at most five; the shear modulus is 2 C_10",
+          {.meaning = "C_10 (positive), C_20, ..., up to five; the shear modulus is 2 C_10",
            .unit = "Pa",
            .example = "[2.2]",
            .required = true});
@@ -66,16 +68,17 @@ void material_keys(Visitor& visit, MaterialCase& material) {
            .limits = positive,
            .required = true});
     visit("prony", material.prony,
-          {.meaning = "Prony series of the bulk modulus, see prony; elastic without it",
+          {.meaning =
+               "Prony series of the bulk modulus, see prony; without it the material is elastic",
            .example = "{ ratios = [0.3, 0.2], times = [0.1, 1] }"});
   }
 }
 
 template <class Visitor>
 void rotation_keys(Visitor& visit, RigidRotation& rotation) {
-  visit("centre", rotation.centre, {.meaning = "a point at rest", .unit = "m"});
+  visit("centre", rotation.centre, {.meaning = "point at rest", .unit = "m"});
   visit("angular_velocity", AngularVelocity{rotation.angular_velocity},
-        {.meaning = "about z in 2D, a vector in 3D",
+        {.meaning = "angular velocity, about z in 2D, a vector in 3D",
          .unit = "1/s",
          .example = R"("2*pi")",
          .required = true});
@@ -84,37 +87,37 @@ void rotation_keys(Visitor& visit, RigidRotation& rotation) {
 template <class Visitor>
 void body_keys(Visitor& visit, BodyCase& body) {
   visit("name", Name{body.name},
-        {.meaning = "by which measurements and --set address it",
+        {.meaning = "name, to which contacts, measurements and --set refer",
          .example = R"("block")",
          .required = true});
   visit("geometry", body.geometry,
-        {.meaning = "its shape at t = 0, see geometry",
+        {.meaning = "shape at t = 0, see geometry",
          .example = R"({ shape = "box", lower = [0, 0], upper = [1, 1] })",
          .required = true});
   visit("material", body.material_as_given,
-        {.meaning = "the name of a [material.NAME] table, or such a table in place",
+        {.meaning = "name of a [material.NAME] table, or an inline table with the keys of one",
          .example = R"("tissue")",
          .required = true});
   visit("velocity", VelocityFormulas{body.velocity},
-        {.meaning = "initial velocity; at rest when neither this nor rotation is given",
+        {.meaning = "initial velocity; without it and without rotation the body starts at rest",
          .unit = "m/s",
          .example = R"([0, "-25*y"])",
          .variables = "xyz"});
   visit("stretch", body.stretch,
-        {.meaning = "initial stretches along the axes: the geometry is that of the stretched body "
-                    "(reduced_polynomial)",
+        {.meaning = "initial stretch along each axis; geometry is the shape of the stretched body "
+                    "(reduced_polynomial only)",
          .example = "[1, 0.95]",
          .limits = positive});
   visit("rotation", Rotation{body.velocity},
-        {.meaning = "initial rigid rotation in place of velocity, see rotation",
+        {.meaning = "initial rigid rotation instead of velocity, see rotation",
          .example = "{ centre = [0, 0], angular_velocity = 1 }"});
 }
 
 template <class Visitor>
 void contact_keys(Visitor& visit, ContactCase& contact) {
   visit("bodies", BodyPair{contact.bodies},
-        {.meaning = "the two that meet", .example = R"(["left", "right"])", .required = true});
-  visit("kind", contact.kind, {.meaning = "what they do there", .example = R"("frictionless")"});
+        {.meaning = "the two bodies", .example = R"(["left", "right"])", .required = true});
+  visit("kind", contact.kind, {.meaning = "contact law", .example = R"("frictionless")"});
 }
 
 inline BoundaryWord word_of(const BoundaryCase& boundary) {
@@ -137,24 +140,26 @@ inline BoundaryCase::Kind kind_of(BoundaryWord kind) {
 template <class Visitor>
 void boundary_keys(Visitor& visit, BoundaryCase& boundary) {
   visit("name", Name{boundary.name},
-        {.meaning = "by which --set addresses it", .example = R"("upper")", .required = true});
+        {.meaning = "name, to which measurements and --set refer",
+         .example = R"("upper")",
+         .required = true});
   BoundaryWord kind = word_of(boundary);
   const bool known = visit(
       "kind", kind,
-      {.meaning = "what it does", .example = R"("fixed")", .required = true, .decides = true});
+      {.meaning = "kind of boundary", .example = R"("fixed")", .required = true, .decides = true});
   boundary.kind = kind_of(kind);
   visit("geometry", boundary.geometry,
-        {.meaning = "the wall's solid at t = 0, or the region in which the pressure acts",
+        {.meaning = "solid of the wall at t = 0, or region in which the pressure acts",
          .example = R"({ shape = "half_space", point = [0, 0], normal = [0, 1] })",
          .required = true});
   if (!known) return;
   if (kind == BoundaryWord::contact_wall) {
     visit("friction", boundary.friction,
-          {.meaning = "what the wall does along itself", .example = R"("sticking")"});
+          {.meaning = "friction between wall and bodies", .example = R"("no_slip")"});
   }
   if (kind != BoundaryWord::fixed && kind != BoundaryWord::pressure) {
     visit("velocity", boundary.velocity,
-          {.meaning = "the wall's velocity, numbers or formulas of t",
+          {.meaning = "velocity of the wall, numbers or formulas of t",
            .unit = "m/s",
            .example = "[0, -25]",
            .required = kind == BoundaryWord::moving_wall,
@@ -162,7 +167,7 @@ void boundary_keys(Visitor& visit, BoundaryCase& boundary) {
   }
   if (kind == BoundaryWord::pressure) {
     visit("pressure", boundary.pressure,
-          {.meaning = "what pushes on the body when positive, a number or a formula of t",
+          {.meaning = "pressure, positive when it pushes on the body, a number or a formula of t",
            .unit = "Pa",
            .example = R"toml("3000*(1 - exp(-t))")toml",
            .required = true,

@@ -52,12 +52,12 @@ struct PronyCase {
 /// A material in the words of case files; `elastic_constants` gives what the kernels read.
 struct MaterialCase {
   enum class Model { linear, reduced_polynomial };
-  enum class Law { rho, log };
+  enum class EquationOfState { linear, logarithmic };
   Model model = Model::linear;
-  double density = 0;                ///< [kg/m^3]
-  Law law = Law::rho;                ///< linear: (RP.5) or (RP.6)
-  double youngs_modulus = 0;         ///< linear: E [Pa]
-  double poissons_ratio = 0;         ///< linear: nu
+  double density = 0;                                           ///< [kg/m^3]
+  EquationOfState equation_of_state = EquationOfState::linear;  ///< linear: (RP.5) or (RP.6)
+  double youngs_modulus = 0;                                    ///< linear: E [Pa]
+  double poissons_ratio = 0;                                    ///< linear: nu
   std::vector<double> coefficients;  ///< reduced polynomial: C_10, C_20, ... [Pa]
   double compressibility = 0;        ///< reduced polynomial: D [1/Pa]
   PronyCase prony;                   ///< reduced polynomial
@@ -74,9 +74,9 @@ struct BodyCase {
 };
 
 struct BoundaryCase {
-  /// "fixed" and "moving_wall" are walls; all but contact walls are bonded to the body.
+  /// "fixed" and "moving_wall" are walls; all but contact walls are attached to the body.
   enum class Kind { wall, slip_wall, contact_wall, pressure };
-  enum class Friction { frictionless, sticking };
+  enum class Friction { frictionless, no_slip };
   std::string name;
   Kind kind = Kind::wall;
   Shape geometry;             ///< the wall's solid at t = 0, or the region that pressure acts in
@@ -85,18 +85,19 @@ struct BoundaryCase {
   Expression pressure;                         ///< of t, positive pushes on the body [Pa]
 };
 
-/// What two bodies do to each other where they meet; bodies in no contact pass through each other.
+/// How two bodies act on each other where they meet; bodies without a contact pass through each
+/// other.
 struct ContactCase {
-  enum class Kind { frictionless, sticking, bonded };
+  enum class Kind { frictionless, no_slip, tied };
   std::array<int, 2> bodies = {-1, -1};
   Kind kind = Kind::frictionless;
 };
 
 struct MeasurementCase {
   enum class Kind {
-    extent,       ///< farthest free surface along an axis, minus `reference`
-    ray,          ///< distance from `point` along `direction` to the surface, minus `reference`
-    mean_radius,  ///< of the surface around `point`, over `rays` directions
+    extent,              ///< farthest free surface along an axis, minus `reference`
+    surface_distance,    ///< from `point` along `direction`, minus `reference`
+    mean_radius,         ///< of the surface around `point`, over `directions`
     point_displacement,  ///< of the material point that started at `point`, along `axis`
     point_value,         ///< of `field` at `point`
     mass,
@@ -105,17 +106,17 @@ struct MeasurementCase {
     kinetic_energy,
     strain_energy,
     total_energy,
-    energy_ratio,     ///< kinetic over strain energy
-    wall_force,       ///< of contact wall `boundary` along `axis`, mean since the last sample
-    contact_force,    ///< on the first of `bodies` from the second, likewise
-    volume,           ///< of {phi < 0}; an area in 2D
-    surface_area,     ///< of {phi = 0}; a length in 2D
-    closest_pair,     ///< smallest distance of two particles over the spacing
-    velocity_error,   ///< against `exact`, over `reference` (the amplitude)
-    period,           ///< twice the mean spacing of zero crossings of measurement `of`
-    amplitude_ratio,  ///< mean ratio of successive same-sign maxima of measurement `of`
-    largest_mean,     ///< of measurement `of` over a time `over`
-    last_time,        ///< at which measurement `of` was above a thousandth of its largest value
+    energy_ratio,   ///< kinetic over strain energy
+    wall_force,     ///< of contact wall `boundary` along `axis`, mean since the last sample
+    contact_force,  ///< on the first of `bodies` from the second, likewise
+    volume,         ///< of {phi < 0}; an area in 2D
+    surface_area,   ///< of {phi = 0}; a length in 2D
+    minimum_particle_distance,  ///< over the spacing
+    velocity_error,             ///< against `exact`, over `reference` (the amplitude)
+    period,                     ///< twice the mean spacing of zero crossings of measurement `of`
+    amplitude_ratio,            ///< mean ratio of successive same-sign maxima of measurement `of`
+    peak_moving_average,        ///< largest mean of measurement `of` over a time `window`
+    last_time_above,  ///< last time at which measurement `of` exceeds a thousandth of its peak
   };
   enum class Norm { maximum, root_mean_square };
   std::string name;
@@ -129,12 +130,12 @@ struct MeasurementCase {
   double reference = 0;
   bool relative = false;  ///< conserved quantities: over the value at the start
   Vector point = {}, direction = {};
-  int rays = 64;
+  int directions = 64;
   std::string field;
   VectorExpression exact;
   Norm norm = Norm::maximum;
-  int of = -1;      ///< position of the measurement whose history the last four kinds read
-  double over = 0;  ///< largest_mean [s]
+  int of = -1;        ///< position of the measurement whose history the last four kinds read
+  double window = 0;  ///< peak_moving_average [s]
 
   bool reads_history() const { return of >= 0; }
   /// Forces are means between samples: what an impulse has changed by, over the time.
@@ -143,6 +144,8 @@ struct MeasurementCase {
 
 enum class GhostTreatment { linear, averaged, rigid };
 enum class Method { remeshed, total_lagrangian };
+/// Volume of remeshed particles: that of a cell (RP.24), or conserved (RP.25).
+enum class VolumeRule { reset, conserved };
 enum class Operators { moment_matrix, symmetric_sph };
 
 struct Case {
@@ -153,7 +156,7 @@ struct Case {
 
   struct {
     double spacing = 0;  ///< h [m]
-    kernels::Weight weight = kernels::Weight::quartic_polynomial;
+    kernels::Weight kernel = kernels::Weight::quartic_polynomial;
     double dissipation = 0.25;  ///< gamma_d of (RP.43)
     Operators operators = Operators::moment_matrix;
     double artificial_viscosity = 1;  ///< symmetric_sph: alpha of (RP.75)
@@ -167,19 +170,19 @@ struct Case {
   } time;
 
   struct {
-    double hourglass = 0.8;               ///< kappa of (TL.6)
+    double hourglass_stiffness = 0.8;     ///< kappa of (TL.6)
     double mass_scaling = 1;              ///< inertia over mass
-    bool scale_to_step = false;           ///< what `time.step` asks for instead
+    bool match_time_step = false;         ///< scale the mass as `time.step` needs it instead
     std::optional<double> damping = 0.0;  ///< alpha of (TL.8) [1/s]; none: adaptive, (TL.10)
   } total_lagrangian;
 
   struct {
     enum class Policy { every, adaptive, never };
     Policy policy = Policy::adaptive;
-    int every = 10;          ///< steps
-    double strain = 0.18;    ///< threshold of (RP.28)
-    double filter = 0.2;     ///< gamma of (RP.27)
-    bool extensive = false;  ///< volume: (RP.25) instead of (RP.24)
+    int every = 10;                  ///< steps
+    double strain_threshold = 0.18;  ///< of (RP.28)
+    double filter = 0.2;             ///< gamma of (RP.27)
+    VolumeRule volume = VolumeRule::reset;
   } remeshing;
 
   struct {

@@ -38,25 +38,26 @@ void check_extent(const Check& check, std::size_t index, int axis, const Box& bo
   const double extent = box.upper[axis] - box.lower[axis];
   const double spacing = a_case.discretisation.spacing;
   if (extent <= 0) {
-    check.problems.add(place, fmt::format("body \"{}\" holds no point", name),
-                       "let the parts of its geometry overlap");
+    check.problems.add(place, fmt::format("body \"{}\" is empty", name),
+                       "change its geometry so that it contains at least one point");
   } else if (a_case.periodic.axis[axis]) {
     const bool fits = std::isinf(extent) || (box.lower[axis] >= a_case.periodic.lower[axis] &&
                                              box.upper[axis] <= a_case.periodic.upper[axis]);
     if (fits) return;
     check.problems.add(
         place,
-        fmt::format("body \"{}\" reaches beyond the periodic cell along {}", name, axis_name(axis)),
-        "end it at the cell's corners, or give it infinite ends");
+        fmt::format("body \"{}\" extends beyond the periodic cell along {}", name, axis_name(axis)),
+        "limit it to the cell, or make it infinite along this axis");
   } else if (std::isinf(extent)) {
-    check.problems.add(place, fmt::format("body \"{}\" has no end along {}", name, axis_name(axis)),
+    check.problems.add(place,
+                       fmt::format("body \"{}\" is unbounded along {}", name, axis_name(axis)),
                        "give finite corners, or intersect it with a box");
   } else if (spacing > extent) {
     check.problems.add(
         check.place("discretisation", "spacing"),
         fmt::format("spacing {} is larger than body \"{}\", which is {} wide along {}", spacing,
                     name, extent, axis_name(axis)),
-        fmt::format("take {} for ten particles across it", extent / 10));
+        fmt::format("use spacing = {} for ten particles across it", extent / 10));
   }
 }
 
@@ -72,10 +73,10 @@ void check_start(const Check& check, std::size_t index) {
       body.material_as_given.model == MaterialCase::Model::linear) {
     check.problems.add(
         check.place("body", index, "stretch"),
-        fmt::format("body \"{}\" is stretched, but its material follows rates and knows no shape "
-                    "at rest",
+        fmt::format("body \"{}\" has an initial stretch, but its linear material has no undeformed "
+                    "reference shape",
                     body.name),
-        "give it a material of model = \"reduced_polynomial\"");
+        "use a material with model = \"reduced_polynomial\"");
   }
 }
 

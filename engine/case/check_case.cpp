@@ -17,9 +17,10 @@ void check_names(const Check& check, std::string_view list, const std::vector<El
   std::set<std::string_view> taken;
   for (std::size_t i = 0; i < elements.size(); ++i) {
     if (taken.insert(elements[i].name).second || elements[i].name.empty()) continue;
-    check.problems.add(check.place(list, i, "name"),
-                       fmt::format("two [[{}]] tables are called \"{}\"", list, elements[i].name),
-                       "give each its own name");
+    check.problems.add(
+        check.place(list, i, "name"),
+        fmt::format("two [[{}]] tables have the name \"{}\"", list, elements[i].name),
+        "give each a different name");
   }
 }
 
@@ -40,7 +41,7 @@ void check_periodic_cell(const Check& check) {
           check.place("discretisation", "spacing"),
           fmt::format("the period {} along {} is not a multiple of the spacing {}", period,
                       axis_name(axis), spacing),
-          fmt::format("take spacing = {}", period / std::max(1.0, std::round(cells))));
+          fmt::format("use spacing = {}", period / std::max(1.0, std::round(cells))));
     }
   }
 }
@@ -51,12 +52,12 @@ void check_times(const Check& check) {
     check.problems.add(
         check.place("time", "step"),
         fmt::format("step {} is longer than the run, which ends at {}", *time.step, time.end),
-        "take a smaller step, or \"cfl\"");
+        "use a smaller step, or \"cfl\"");
   }
 }
 
-// Between remeshings a ghost stays on the side of a wall on which it started, and only particles
-// that strain make the adaptive rule remesh: a body that flies towards a wall would pass it.
+// Between two remeshings a ghost stays on the side of a wall on which it started. The adaptive rule
+// remeshes strained bodies only, so that an undeformed body would fly through a wall.
 void check_contact_walls(const Check& check) {
   const auto& boundaries = check.a_case.boundaries;
   bool any = false;
@@ -68,8 +69,8 @@ void check_contact_walls(const Check& check) {
       continue;
     }
     check.problems.add(check.place("boundary", i, "geometry"),
-                       fmt::format("contact wall \"{}\" is no half_space", boundaries[i].name),
-                       "give a half_space; bodies touch plane walls only");
+                       fmt::format("contact wall \"{}\" is not a half_space", boundaries[i].name),
+                       "use a half_space: contact needs a plane wall");
   }
   if (any && check.a_case.method == Method::remeshed &&
       check.a_case.remeshing.policy != decltype(Case::remeshing)::Policy::every) {
@@ -88,10 +89,11 @@ void check_measurements(const Check& check) {
       const auto& boundaries = check.a_case.boundaries;
       if (boundary < boundaries.size() &&
           boundaries[boundary].kind != BoundaryCase::Kind::contact_wall) {
-        check.problems.add(check.place("measurement", i, "boundary"),
-                           fmt::format("boundary \"{}\" is no contact wall, whose force is known",
-                                       boundaries[boundary].name),
-                           "name a boundary of kind contact_wall");
+        check.problems.add(
+            check.place("measurement", i, "boundary"),
+            fmt::format("boundary \"{}\" is not a contact wall, so that its force is not known",
+                        boundaries[boundary].name),
+            "name a boundary of kind contact_wall");
       }
     }
     if (!measurements[i].reads_history()) continue;
@@ -99,9 +101,10 @@ void check_measurements(const Check& check) {
     if (!source.reads_history()) continue;
     check.problems.add(
         check.place("measurement", i, "of"),
-        fmt::format(R"(measurement "{}" reads "{}", which has no history of its own)",
-                    measurements[i].name, source.name),
-        "name a measurement that reads no other");
+        fmt::format(
+            R"(measurement "{}" evaluates "{}", which itself evaluates another measurement)",
+            measurements[i].name, source.name),
+        "name a measurement that does not evaluate another one");
   }
 }
 

@@ -26,11 +26,11 @@ void check_places(const Check& check, std::size_t index) {
     check.problems.add(place,
                        fmt::format("bodies \"{}\" and \"{}\" overlap by {:.3g} at the start",
                                    first.name, second.name, depth),
-                       "move one of them, or leave the contact out");
-  } else if (contact.kind == ContactCase::Kind::bonded && depth < -0.75 * spacing) {
+                       "move one of them, or remove the contact");
+  } else if (contact.kind == ContactCase::Kind::tied && depth < -0.75 * spacing) {
     check.problems.add(
         place,
-        fmt::format("bodies \"{}\" and \"{}\" are bonded and do not meet", first.name, second.name),
+        fmt::format("bodies \"{}\" and \"{}\" are tied but do not meet", first.name, second.name),
         "let their surfaces touch at the start");
   }
 }
@@ -52,16 +52,16 @@ void check_forces(const Check& check) {
     }
     check.problems.add(
         check.place("measurement", i, "bodies"),
-        fmt::format("bodies \"{}\" and \"{}\" are in no [[contact]], whose force is known",
+        fmt::format("bodies \"{}\" and \"{}\" have no [[contact]], so that they exert no force",
                     a_case.bodies[m.bodies[0]].name, a_case.bodies[m.bodies[1]].name),
-        "add a [[contact]] of the two, or name two that touch");
+        "add a [[contact]] between them, or name two bodies that have one");
   }
 }
 
 }  // namespace
 
-// At the edge of a contact, ghosts under load move beside free ones and wear the level set out: two
-// discs gained 18 % of energy between remeshings that only strain called for.
+// At the edge of a contact, loaded ghosts move beside free ones and distort the level set. With
+// adaptive remeshing two colliding discs gained 18 % of energy.
 void check_contacts(const Check& check) {
   check_forces(check);
   const auto& contacts = check.a_case.contacts;
@@ -70,7 +70,7 @@ void check_contacts(const Check& check) {
   for (std::size_t i = 0; i < contacts.size(); ++i) {
     std::array<int, 2> pair = contacts[i].bodies;
     if (pair[0] < 0 || pair[1] < 0 || pair[0] == pair[1]) continue;
-    any_opens = any_opens || contacts[i].kind != ContactCase::Kind::bonded;
+    any_opens = any_opens || contacts[i].kind != ContactCase::Kind::tied;
     std::sort(pair.begin(), pair.end());
     if (!taken.insert(pair).second) {
       check.problems.add(
@@ -88,8 +88,8 @@ void check_contacts(const Check& check) {
   }
   if (!contacts.empty() && check.a_case.ghosts != GhostTreatment::linear) {
     check.problems.add(check.place("ghosts", "treatment"),
-                       "bodies in contact need ghosts that carry a load",
-                       "write treatment = \"linear\", or leave it out");
+                       "contact between bodies needs linear ghosts",
+                       "write treatment = \"linear\", or remove the key");
   }
 }
 

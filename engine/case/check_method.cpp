@@ -23,7 +23,7 @@ void check_operators(const Check& check) {
   using Kind = MeasurementCase::Kind;
   for (std::size_t i = 0; i < a_case.measurements.size(); ++i) {
     const Kind kind = a_case.measurements[i].kind;
-    if (kind != Kind::extent && kind != Kind::ray && kind != Kind::mean_radius &&
+    if (kind != Kind::extent && kind != Kind::surface_distance && kind != Kind::mean_radius &&
         kind != Kind::surface_area) {
       continue;
     }
@@ -54,13 +54,13 @@ void refuse_tables(const Check& check, std::initializer_list<std::string_view> t
 bool measures_undeformed_bodies(MeasurementCase::Kind kind) {
   using Kind = MeasurementCase::Kind;
   switch (kind) {
-    case Kind::ray:
+    case Kind::surface_distance:
     case Kind::mean_radius:
     case Kind::point_value:
     case Kind::wall_force:
     case Kind::contact_force:
     case Kind::velocity_error:
-    case Kind::closest_pair:
+    case Kind::minimum_particle_distance:
       return false;
     default:
       return true;
@@ -104,7 +104,7 @@ void check_total_lagrangian(const Check& check) {
             words<MeasurementCase::Kind>[static_cast<int>(a_case.measurements[i].kind)].text),
         "measure extent, point_displacement, volume, surface_area, momenta or energies");
   }
-  if (a_case.total_lagrangian.scale_to_step && !a_case.time.step) {
+  if (a_case.total_lagrangian.match_time_step && !a_case.time.step) {
     check.problems.add(check.place("total_lagrangian", "mass_scaling"),
                        "the mass can only be scaled to a given time step",
                        "give time.step in seconds, or mass_scaling as a number");

@@ -9,8 +9,9 @@ kernels::Material<double> elastic_constants(const MaterialCase& given) {
   kernels::Material<double> material;
   material.density = given.density;
   if (given.model == MaterialCase::Model::linear) {
-    material.model = given.law == MaterialCase::Law::rho ? kernels::Model::linear_rho
-                                                         : kernels::Model::linear_log;
+    material.model = given.equation_of_state == MaterialCase::EquationOfState::linear
+                         ? kernels::Model::linear_rho
+                         : kernels::Model::linear_log;
     // (RP.7)
     material.bulk_modulus = given.youngs_modulus / (3 * (1 - 2 * given.poissons_ratio));
     material.shear_modulus = given.youngs_modulus / (2 * (1 + given.poissons_ratio));

@@ -51,7 +51,7 @@ struct Coefficients {  ///< C_10, C_20, ...
 struct StepRule {  ///< a number or "cfl"
   std::optional<double>& step;
 };
-struct MassScaling {  ///< a number or "to_step"
+struct MassScaling {  ///< a number or "match_time_step"
   decltype(Case::total_lagrangian)& method;
 };
 struct Damping {  ///< a number or "adaptive"

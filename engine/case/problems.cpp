@@ -83,7 +83,10 @@ std::string_view nearest_word(std::string_view given, const std::vector<std::str
     best = word;
     best_distance = distance;
   }
-  return best;
+  if (!best.empty() || given.size() < 3) return best;
+  const auto begins = [given](std::string_view word) { return word.starts_with(given); };
+  const auto longer = std::find_if(known.begin(), known.end(), begins);
+  return longer == known.end() ? best : *longer;
 }
 
 std::string suggestion(std::string_view given, const std::vector<std::string_view>& known,

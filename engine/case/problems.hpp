@@ -20,7 +20,7 @@ struct Place {
 Place place_of(const toml::node& node);
 Place place_of(const toml::key& key);
 
-/// Collects everything that is wrong with a case, so that one run of the reader tells it all.
+/// Collects everything that is wrong with a case, so that one run of the reader reports it all.
 class Problems {
  public:
   /// Adds "what; remedy". The same sentence about the same place is kept once.
@@ -40,11 +40,11 @@ class Problems {
   std::vector<Problem> problems_;
 };
 
-/// What the toml file calls such a value: "a number", "text", "a list", ...
+/// Description of a value for messages: "the text "a"", "3", "a list", ...
 std::string describe(const toml::node& node);
 
-/// The word of `known` nearest to `given` in insertions, deletions and replacements; empty when
-/// none is near enough to be what was meant.
+/// The word of `known` nearest to `given` in insertions, deletions and replacements, else one that
+/// begins with it; empty when none is similar.
 std::string_view nearest_word(std::string_view given, const std::vector<std::string_view>& known);
 
 /// "did you mean `nearest`?", or "`singular` is one of a, b, c" when nothing is near.

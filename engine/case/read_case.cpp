@@ -18,11 +18,10 @@ toml::table parse(const std::string& text, const std::filesystem::path& file) {
   try {
     return toml::parse(text, file.string());
   } catch (const toml::parse_error& error) {
-    throw CaseError(
-        fmt::format("{}:{}: not TOML: {}; correct the line: texts stand in quotes, lists in "
-                    "brackets, every key "
-                    "once",
-                    file.string(), error.source().begin.line, error.description()));
+    throw CaseError(fmt::format(
+        "{}:{}: not TOML: {}; correct the line: write texts in quotes, lists in brackets, "
+        "and every key once",
+        file.string(), error.source().begin.line, error.description()));
   }
 }
 

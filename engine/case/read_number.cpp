@@ -57,7 +57,7 @@ bool read_formula(const Entry& entry, const toml::node& node, Expression& value)
   } catch (const std::invalid_argument& error) {
     return entry.refuse(
         fmt::format("has the formula \"{}\": {}", *text, error.what()),
-        fmt::format("formulas are made of numbers, {}, pi, + - * / ^, comparisons, "
+        fmt::format("formulas consist of numbers, {}, pi, + - * / ^, comparisons, "
                     "?:, &&, || and functions such as sin, exp, sqrt, abs, min, max",
                     variables));
   }
@@ -78,8 +78,8 @@ const toml::array* components(const Entry& entry) {
   if (!list) {
     entry.refuse("must be a list of numbers, found " + describe(entry.node));
   } else if (list->size() != static_cast<std::size_t>(dimension)) {
-    entry.refuse(fmt::format("needs {} components where dimension = {}, got {}", dimension,
-                             dimension, list->size()),
+    entry.refuse(fmt::format("needs {} components for dimension = {}, got {}", dimension, dimension,
+                             list->size()),
                  "give " + shape);
     return nullptr;
   }
@@ -113,7 +113,7 @@ bool read(const Entry& entry, Vector& value) {
 bool read(const Entry& entry, std::vector<double>& value) {
   const toml::array* list = entry.node.as_array();
   if (!list) return entry.refuse("must be a list of numbers, found " + describe(entry.node));
-  if (list->empty()) return entry.refuse("holds no number");
+  if (list->empty()) return entry.refuse("is empty, but must contain a number");
   value.resize(list->size());
   for (std::size_t i = 0; i < list->size(); ++i) {
     if (!read_number(entry, *list->get(i), value[i])) return false;
@@ -124,7 +124,7 @@ bool read(const Entry& entry, std::vector<double>& value) {
 bool read(const Entry& entry, Coefficients value) {
   const toml::array* list = entry.node.as_array();
   if (list && (list->empty() || list->size() > 5)) {
-    return entry.refuse(fmt::format("has {} numbers, where one to five are possible", list->size()),
+    return entry.refuse(fmt::format("has {} numbers, but must have one to five", list->size()),
                         "give C_10 up to at most C_50");
   }
   if (!read(entry, value.list)) return false;
@@ -175,8 +175,9 @@ bool read(const Entry& entry, StepRule value) {
 
 bool read(const Entry& entry, MassScaling value) {
   std::optional<double> factor;
-  if (!read_number_or(entry, "to_step", factor, "a factor as in mass_scaling = 1e4")) return false;
-  value.method.scale_to_step = !factor;
+  if (!read_number_or(entry, "match_time_step", factor, "a factor as in mass_scaling = 1e4"))
+    return false;
+  value.method.match_time_step = !factor;
   value.method.mass_scaling = factor.value_or(1);
   return true;
 }
@@ -205,7 +206,7 @@ bool read(const Entry& entry, Direction value) {
   Vector given{};
   if (!read(entry, given)) return false;
   const double length = std::hypot(given[0], given[1], given[2]);
-  if (length == 0) return entry.refuse("must have a direction, got zeros");
+  if (length == 0) return entry.refuse("must not be zero");
   // A unit vector stays as it is, so that a resolved case reads back to the same bits.
   const bool is_unit = std::abs(length - 1) < 1e-15;
   for (std::size_t i = 0; i < 3; ++i) value.vector[i] = is_unit ? given[i] : given[i] / length;

@@ -31,7 +31,7 @@ bool check_corners(const Entry& entry, const Shape& box) {
     if (box.lower[i] < box.upper[i]) continue;
     return entry.refuse(fmt::format("is a box with lower {} and upper {} along {}", box.lower[i],
                                     box.upper[i], words<Axis>[i].text),
-                        "every component of lower must be below that of upper");
+                        "every component of lower must be less than that of upper");
   }
   return true;
 }
@@ -60,16 +60,16 @@ bool read(const Entry& entry, ShapeWord& value) {
   const bool flat = entry.reading.dimension == 2;
   if (flat && value == ShapeWord::mesh) {
     return entry.refuse("is a mesh, which needs dimension = 3",
-                        "set dimension = 3, or take other shapes");
+                        "set dimension = 3, or use other shapes");
   }
   if (flat && (value == ShapeWord::ball || value == ShapeWord::cylinder)) {
     return entry.refuse(
         fmt::format("is a {}, which needs dimension = 3", words<ShapeWord>[number].text),
-        "take shape = \"disc\" in 2D");
+        "use shape = \"disc\" in 2D");
   }
   if (!flat && value == ShapeWord::disc) {
     return entry.refuse("is a disc, which needs dimension = 2",
-                        R"(take shape = "ball" or "cylinder" in 3D)");
+                        R"(use shape = "ball" or "cylinder" in 3D)");
   }
   return true;
 }
@@ -120,12 +120,12 @@ bool read(const Entry& entry, PronyCase& value) {
   if (value.ratios.size() != value.times.size()) {
     return entry.refuse(
         fmt::format("has {} ratios and {} times", value.ratios.size(), value.times.size()),
-        "every term has one of each");
+        "give one ratio and one time for each term");
   }
   const double sum = std::accumulate(value.ratios.begin(), value.ratios.end(), 0.0);
   if (sum < 1) return true;
-  return entry.refuse(fmt::format("has ratios that add up to {}, so that nothing would be left of "
-                                  "the bulk modulus",
+  return entry.refuse(fmt::format("has ratios whose sum is {}, so that no bulk modulus remains "
+                                  "after relaxation",
                                   sum),
                       "their sum must be below 1");
 }

@@ -43,9 +43,8 @@ int read_word(const Entry& entry, std::span<const Word> known) {
     if (word.text == *text) return word.value;
   }
   const std::string_view nearest = nearest_word(*text, texts);
-  entry.refuse(
-      fmt::format("must be one of {}, got \"{}\"", list, *text),
-      nearest.empty() ? "take one of these" : fmt::format("did you mean \"{}\"?", nearest));
+  entry.refuse(fmt::format("must be one of {}, got \"{}\"", list, *text),
+               nearest.empty() ? "use one of these" : fmt::format("did you mean \"{}\"?", nearest));
   return -1;
 }
 
@@ -66,14 +65,15 @@ bool read(const Entry& entry, std::string& value) {
 bool read(const Entry& entry, Name value) {
   if (!read(entry, value.text)) return false;
   if (is_name(value.text)) return true;
-  return entry.refuse(fmt::format("is made of letters, digits, _ and -, got \"{}\"", value.text));
+  return entry.refuse(
+      fmt::format("must consist of letters, digits, _ and -, got \"{}\"", value.text));
 }
 
 bool read(const Entry& entry, Axis& value) {
   const int word = read_word(entry, words<Axis>);
   if (word < 0) return false;
   if (word >= entry.reading.dimension) {
-    return entry.refuse("is \"z\", which dimension = 2 does not have", R"(take "x" or "y")");
+    return entry.refuse("is \"z\", which does not exist in 2D", R"(use "x" or "y")");
   }
   value = static_cast<Axis>(word);
   return true;
@@ -104,7 +104,7 @@ bool read(const Entry& entry, BodyPair value) {
     if (!read(element, BodyName{value.indices[i]})) return false;
   }
   if (value.indices[0] != value.indices[1]) return true;
-  return entry.refuse("names the same body twice", "name two bodies; nothing touches itself");
+  return entry.refuse("names the same body twice", "name two different bodies");
 }
 
 bool read(const Entry& entry, BoundaryName value) {

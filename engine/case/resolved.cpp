@@ -106,7 +106,8 @@ std::string toml_text(StepRule value, const Writing& writing) {
 }
 
 std::string toml_text(MassScaling value, const Writing& writing) {
-  return value.method.scale_to_step ? "\"to_step\"" : toml_text(value.method.mass_scaling, writing);
+  return value.method.match_time_step ? "\"to_step\""
+                                      : toml_text(value.method.mass_scaling, writing);
 }
 
 std::string toml_text(Damping value, const Writing& writing) {

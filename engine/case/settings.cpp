@@ -123,7 +123,8 @@ void apply_settings(toml::table& root, std::span<const std::string> settings, Pr
     const Place place{fmt::format("{}{}", setting_mark, text)};
     const std::size_t equals = text.find('=');
     if (equals == std::string::npos || equals == 0) {
-      problems.add(place, "a setting is key=value", "write it as in --set time.end=0.01");
+      problems.add(place, "a setting must have the form key=value",
+                   "write it as in --set time.end=0.01");
       continue;
     }
     std::optional<toml::table> parsed = parse_value(text.substr(equals + 1), place, problems);

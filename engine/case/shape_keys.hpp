@@ -3,7 +3,7 @@
 #include "engine/case/key.hpp"
 #include "engine/case/words.hpp"
 
-/// The part of the vocabulary that says where bodies and boundaries are.
+/// The part of the vocabulary that describes shapes.
 namespace pliant {
 
 inline ShapeWord word_of(const Shape& shape, int dimension) {
@@ -54,13 +54,13 @@ inline Shape::Kind kind_of(ShapeWord shape) {
 template <class Visitor>
 void box_keys(Visitor& visit, Shape& shape) {
   visit("lower", shape.lower,
-        {.meaning = "lower corner; -inf where it has no end",
+        {.meaning = "lower corner; -inf where the box is unbounded",
          .unit = "m",
          .example = "[0, 0]",
          .limits = finite_or_infinite,
          .required = true});
   visit("upper", shape.upper,
-        {.meaning = "upper corner; inf where it has no end",
+        {.meaning = "upper corner; inf where the box is unbounded",
          .unit = "m",
          .example = "[1, 1]",
          .limits = finite_or_infinite,
@@ -70,39 +70,41 @@ void box_keys(Visitor& visit, Shape& shape) {
 template <class Visitor>
 void round_keys(Visitor& visit, Shape& shape) {
   visit("centre", shape.centre,
-        {.meaning = "centre, or a point of the axis",
+        {.meaning = "centre, or any point of the axis",
          .unit = "m",
          .example = "[0, 0]",
          .required = true});
   visit("radius", shape.radius,
         {.meaning = "radius", .unit = "m", .example = "1", .limits = positive, .required = true});
   if (shape.kind == Shape::Kind::cylinder) {
-    visit("axis", Direction{shape.axis}, {.meaning = "direction", .example = "[0, 0, 1]"});
+    visit("axis", Direction{shape.axis},
+          {.meaning = "direction of the axis", .example = "[0, 0, 1]"});
   }
 }
 
 template <class Visitor>
 void half_space_keys(Visitor& visit, Shape& shape) {
   visit("point", shape.point,
-        {.meaning = "any point of its plane", .unit = "m", .example = "[0, 0]", .required = true});
-  visit(
-      "normal", Direction{shape.normal},
-      {.meaning = "out of it; of a wall, towards the body", .example = "[0, 1]", .required = true});
+        {.meaning = "any point of the plane", .unit = "m", .example = "[0, 0]", .required = true});
+  visit("normal", Direction{shape.normal},
+        {.meaning = "outward normal of the half-space; for a wall it points towards the body",
+         .example = "[0, 1]",
+         .required = true});
 }
 
 template <class Visitor>
 void mesh_keys(Visitor& visit, Shape& shape) {
   visit("file", shape.file,
-        {.meaning = "STL, OBJ or PLY; a relative path starts from the case file's folder",
+        {.meaning = "STL, OBJ or PLY file; a relative path starts from the folder of the case file",
          .example = R"("organ.stl")",
          .required = true});
   visit("scale", shape.scale,
-        {.meaning = "length of the file's unit; 0.001 for millimetres",
+        {.meaning = "length of one unit of the file; 0.001 for millimetres",
          .unit = "m",
          .example = "0.001",
          .limits = positive});
   visit("translate", shape.translate,
-        {.meaning = "where the file's origin goes", .unit = "m", .example = "[0, 0, 0]"});
+        {.meaning = "position of the origin of the file", .unit = "m", .example = "[0, 0, 0]"});
 }
 
 template <class Visitor>
@@ -110,7 +112,7 @@ void shape_keys(Visitor& visit, Shape& shape) {
   ShapeWord word = word_of(shape, visit.dimension());
   const bool known =
       visit("shape", word,
-            {.meaning = "which shape", .example = R"("box")", .required = true, .decides = true});
+            {.meaning = "kind of shape", .example = R"("box")", .required = true, .decides = true});
   if (!known) return;
   shape.kind = kind_of(word);
   switch (shape.kind) {
@@ -125,7 +127,7 @@ void shape_keys(Visitor& visit, Shape& shape) {
       return mesh_keys(visit, shape);
     default:
       visit("of", shape.operands,
-            {.meaning = "the parts, at least two",
+            {.meaning = "the parts, two or more",
              .example = R"([{ shape = "box", ... }, { shape = "disc", ... }])",
              .required = true});
   }

@@ -52,10 +52,7 @@ std::string toml_text(MaterialCase& value, const Writing&);
 
 template <class E>
 requires std::is_enum_v<E> std::string toml_text(E value, const Writing&) {
-  for (const Word& word : words<E>) {
-    if (word.value == static_cast<int>(value)) return fmt::format("\"{}\"", word.text);
-  }
-  return "";
+  return fmt::format("\"{}\"", text_of(value));
 }
 
 /// Visits the keys of one table and keeps a line `key = value` for each.

@@ -72,19 +72,19 @@ std::string model_name(const BodyCase& body) {
     if (terms == 0) return text;
     return text + fmt::format(" with {} Prony term{}", terms, terms == 1 ? "" : "s");
   }
-  return fmt::format("linear, {} law", material.law == MaterialCase::Law::rho ? "rho" : "log");
+  return fmt::format("linear elastic, {} equation of state", text_of(material.equation_of_state));
 }
 
 std::string method_text(const Case& a_case) {
   if (a_case.method == Method::total_lagrangian) {
     const auto& method = a_case.total_lagrangian;
-    return method.scale_to_step ? "the mass scaled to the step"
-                                : fmt::format("the mass times {}", method.mass_scaling);
+    return method.match_time_step ? "the mass scaled to the step"
+                                  : fmt::format("the mass times {}", method.mass_scaling);
   }
   using Policy = decltype(Case::remeshing)::Policy;
   if (a_case.remeshing.policy == Policy::never) return "never remeshed";
   if (a_case.remeshing.policy == Policy::adaptive) {
-    return fmt::format("remeshed at a strain of {}", a_case.remeshing.strain);
+    return fmt::format("remeshed at a strain of {}", a_case.remeshing.strain_threshold);
   }
   return fmt::format("remeshed every {} steps", a_case.remeshing.every);
 }

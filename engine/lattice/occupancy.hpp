@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "engine/lattice/lattice.hpp"
+#include "kernels/layout.hpp"
 
 namespace pliant {
 
@@ -13,7 +14,7 @@ template <int D>
 class Occupancy {
  public:
   /// Cells in a pack.
-  static constexpr int pack = 8;
+  static constexpr int pack = kernels::slots_per_pack;
 
   /// Forgets all marks and covers the cells lower..upper (inclusive) and `reach` cells around them.
   void reset(Cell<D> lower, Cell<D> upper, int reach);

@@ -6,7 +6,7 @@
 #include <utility>
 #include <vector>
 
-#include "engine/blocks/numbering.hpp"
+#include "engine/lattice/layout_blocks.hpp"
 #include "scheduler/step_graph.hpp"
 
 namespace pliant {

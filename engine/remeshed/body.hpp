@@ -10,8 +10,8 @@
 #include "engine/lattice/layout.hpp"
 #include "engine/remeshed/neighbours/body_neighbours.hpp"
 #include "engine/storage/buffer.hpp"
-#include "kernels/ghost_state.hpp"
-#include "kernels/table.hpp"
+#include "kernels/remeshed/ghosts/ghost_state.hpp"
+#include "kernels/remeshed/table.hpp"
 
 namespace pliant::remeshed {
 

@@ -31,11 +31,11 @@ class BodyPhases {
          .run = [run = std::move(run), first = first_block_](int b) { run(b - first); }});
   }
 
-  void once(const char* name, Accesses reads, Accesses writes, std::function<void()> run) {
+  void reduce(const char* name, Accesses reads, Accesses writes, std::function<void()> run) {
     phases_.push_back({.name = name,
                        .reads = std::move(reads),
                        .writes = std::move(writes),
-                       .extent = scheduler::Phase::Extent::once,
+                       .kind = scheduler::Phase::Kind::reduce,
                        .run = [run = std::move(run)](int) { run(); }});
   }
 

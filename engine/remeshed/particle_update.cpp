@@ -3,13 +3,13 @@
 #include "engine/remeshed/ghosts/ghost_fits.hpp"
 #include "engine/remeshed/pair_stress.hpp"
 #include "engine/remeshed/runge_kutta.hpp"
-#include "kernels/relaxation.hpp"
+#include "kernels/remeshed/stage/relaxation.hpp"
 
 namespace pliant::remeshed {
 
 template <class T, int D>
 ParticleUpdate<T, D>::ParticleUpdate(State<T, D>& state, const Case& settings,
-                                     const kernels::Table<T, D>& kernels)
+                                     const kernels::RemeshedTable<T, D>& kernels)
     : state_(state), settings_(settings), kernels_(kernels) {}
 
 // (RP.71), to the time of the state that each stage leaves behind.
@@ -43,7 +43,7 @@ kernels::Stage<T, D> ParticleUpdate<T, D>::stage_of(Body<T, D>& body, int block,
   work.dissipation = static_cast<T>(settings_.discretisation.dissipation) *
                      kernels::wave_speed_at_rest(body.material) / (16 * work.spacing);
   work.stage = stage;
-  work.weight = settings_.discretisation.weight;
+  work.weight = settings_.discretisation.kernel;
   work.material = body.material;
   work.pack_state = population.pack_state.get();
   work.interior = body.interior.get();

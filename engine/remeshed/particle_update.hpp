@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "engine/remeshed/state.hpp"
-#include "kernels/table.hpp"
+#include "kernels/remeshed/table.hpp"
 
 namespace pliant::remeshed {
 
@@ -12,7 +12,8 @@ namespace pliant::remeshed {
 template <class T, int D>
 class ParticleUpdate {
  public:
-  ParticleUpdate(State<T, D>& state, const Case& settings, const kernels::Table<T, D>& kernels);
+  ParticleUpdate(State<T, D>& state, const Case& settings,
+                 const kernels::RemeshedTable<T, D>& kernels);
 
   /// Fixes the time step [s].
   void prepare(double time_step);
@@ -29,7 +30,7 @@ class ParticleUpdate {
 
   State<T, D>& state_;
   const Case& settings_;
-  const kernels::Table<T, D>& kernels_;
+  const kernels::RemeshedTable<T, D>& kernels_;
   double time_step_ = 0;
   std::array<std::vector<std::vector<kernels::Relaxation<T>>>, 4> relaxation_;  ///< [stage][body]
 };

@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "engine/geometry/signed_distance.hpp"
+#include "kernels/with_scalar.hpp"
 
 namespace pliant::remeshed {
 
@@ -27,26 +28,11 @@ Lattice<D> body_lattice(const Case& settings, const BodyCase& body) {
 
 namespace {
 
-template <class T>
-kernels::Material<T> converted(const kernels::Material<double>& m) {
-  kernels::Material<T> material;
-  material.model = m.model;
-  material.density = static_cast<T>(m.density);
-  material.bulk_modulus = static_cast<T>(m.bulk_modulus);
-  material.shear_modulus = static_cast<T>(m.shear_modulus);
-  material.order = m.order;
-  for (std::size_t n = 0; n < m.coefficient.size(); ++n) {
-    material.coefficient[n] = static_cast<T>(m.coefficient[n]);
-  }
-  material.compressibility = static_cast<T>(m.compressibility);
-  return material;
-}
-
 template <class T, int D>
 void set_up(const Case& settings, const BodyCase& source, Body<T, D>& body) {
   body.name = source.name;
   body.source = &source;
-  body.material = converted<T>(source.material);
+  body.material = kernels::with_scalar<T>(source.material);
   body.is_plain_sph = is_plain_sph(settings);
   for (const kernels::PronyTerm<double>& term : source.prony) {
     body.prony.push_back({static_cast<T>(term.ratio), static_cast<T>(term.time)});

@@ -17,9 +17,9 @@ namespace pliant::remeshed {
 
 namespace {
 
-// Plain SPH has the kernel (RP.13) whatever the weight of the moment matrix would be.
-kernels::Weight search_weight(const Case& settings) {
-  return is_plain_sph(settings) ? kernels::Weight::quartic : settings.discretisation.weight;
+// Plain SPH has the kernel (RP.13) whatever kernel the case names.
+kernels::Weight search_kernel(const Case& settings) {
+  return is_plain_sph(settings) ? kernels::Weight::quartic : settings.discretisation.kernel;
 }
 
 template <class T, int D>
@@ -34,7 +34,7 @@ Layouts<D> layouts_of(const std::vector<Body<T, D>>& bodies, Population<T, D> Bo
 template <class T, int D>
 Solver<T, D>::Solver(const Case& a_case, const SolverOptions& options)
     : pliant::Solver(a_case, options),
-      kernels_(kernels::table<T, D>(options.isa)),
+      kernels_(kernels::RemeshedTable<T, D>::of(options.isa)),
       state_(make_state<T, D>(settings())),
       layouts_(layouts_of(state_.bodies, &Body<T, D>::population)),
       spare_layouts_(layouts_of(state_.bodies, &Body<T, D>::spare)),
@@ -96,7 +96,7 @@ bool Solver<T, D>::remeshing_due() const {
     case Policy::every:
       return state_.clock.steps_since_remeshing >= settings().remeshing.every;
     case Policy::adaptive:
-      return state_.clock.accumulated_strain > settings().remeshing.strain;
+      return state_.clock.accumulated_strain > settings().remeshing.strain_threshold;
     case Policy::never:
       return false;
   }
@@ -208,7 +208,7 @@ std::vector<std::string> Solver<T, D>::remedies() const {
   using Policy = decltype(Case{}.remeshing)::Policy;
   const bool adaptive = settings().remeshing.policy == Policy::adaptive;
   return {smaller_step(settings()),
-          adaptive ? "remesh more often (remeshing.strain)" : "remesh more often (remeshing.every)",
+          adaptive ? "remesh more often (remeshing.strain_threshold)" : "remesh more often (remeshing.every)",
           "use a finer spacing"};
 }
 

@@ -10,7 +10,7 @@
 #include "engine/remeshed/remeshing/remesh.hpp"
 #include "engine/remeshed/state.hpp"
 #include "engine/remeshed/step.hpp"
-#include "kernels/table.hpp"
+#include "kernels/remeshed/table.hpp"
 
 namespace pliant::remeshed {
 
@@ -71,7 +71,7 @@ class Solver final : public pliant::Solver {
   void check_bodies() const;
   std::vector<std::string> remedies() const;
 
-  const kernels::Table<T, D>& kernels_;
+  const kernels::RemeshedTable<T, D>& kernels_;
   State<T, D> state_;
   Layouts<D> layouts_, spare_layouts_;  ///< of the present slots, and of the new lattice
   Step<T, D> step_;

@@ -35,7 +35,8 @@ using scheduler::Phase;
 using scheduler::Reach;
 
 template <class T, int D>
-Step<T, D>::Step(State<T, D>& state, const Case& settings, const kernels::Table<T, D>& kernels)
+Step<T, D>::Step(State<T, D>& state, const Case& settings,
+                 const kernels::RemeshedTable<T, D>& kernels)
     : state_(state),
       settings_(settings),
       kernels_(kernels),

@@ -8,7 +8,7 @@
 #include "engine/remeshed/ghosts/ghost_fill.hpp"
 #include "engine/remeshed/particle_update.hpp"
 #include "engine/remeshed/state.hpp"
-#include "kernels/table.hpp"
+#include "kernels/remeshed/table.hpp"
 #include "scheduler/phase.hpp"
 
 namespace pliant::remeshed {
@@ -18,7 +18,7 @@ namespace pliant::remeshed {
 template <class T, int D>
 class Step {
  public:
-  Step(State<T, D>& state, const Case& settings, const kernels::Table<T, D>& kernels);
+  Step(State<T, D>& state, const Case& settings, const kernels::RemeshedTable<T, D>& kernels);
 
   /// The phases of a step, in the order of the paper, over the present blocks.
   std::vector<scheduler::Phase> phases();
@@ -61,7 +61,7 @@ class Step {
 
   State<T, D>& state_;
   const Case& settings_;
-  const kernels::Table<T, D>& kernels_;
+  const kernels::RemeshedTable<T, D>& kernels_;
   ParticleUpdate<T, D> particles_;
   BodyContact<T, D> contact_;
   MomentumCorrection<T, D> momentum_;

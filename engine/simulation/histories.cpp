@@ -18,10 +18,10 @@ double value_of(const MeasurementCase& m, const std::vector<double>& times,
       return oscillation_period(times, of);
     case MeasurementCase::Kind::amplitude_ratio:
       return amplitude_ratio(times, of);
-    case MeasurementCase::Kind::largest_mean:
-      return largest_mean(times, of, m.over);
+    case MeasurementCase::Kind::peak_moving_average:
+      return peak_moving_average(times, of, m.window);
     default:
-      return last_time(times, of);
+      return last_time_above(times, of);
   }
 }
 
@@ -72,7 +72,7 @@ std::string unit_of(const Case& settings, const MeasurementCase& m) {
   if (m.relative) return "1";
   switch (m.kind) {
     case Kind::extent:
-    case Kind::ray:
+    case Kind::surface_distance:
     case Kind::mean_radius:
     case Kind::point_displacement:
       return "m";
@@ -99,11 +99,11 @@ std::string unit_of(const Case& settings, const MeasurementCase& m) {
     case Kind::surface_area:
       return dimension == 2 ? "m" : "m^2";
     case Kind::period:
-    case Kind::last_time:
+    case Kind::last_time_above:
       return "s";
-    case Kind::largest_mean:
+    case Kind::peak_moving_average:
       return unit_of(settings, settings.measurements[m.of]);
-    case Kind::closest_pair:
+    case Kind::minimum_particle_distance:
     case Kind::velocity_error:
     case Kind::amplitude_ratio:
     case Kind::energy_ratio:

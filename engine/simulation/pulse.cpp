@@ -21,7 +21,8 @@ double integral(std::span<const double> time, std::span<const double> value, std
 
 }  // namespace
 
-double largest_mean(std::span<const double> time, std::span<const double> value, double duration) {
+double peak_moving_average(std::span<const double> time, std::span<const double> value,
+                           double duration) {
   double largest = nothing;
   std::size_t first = 0;
   for (std::size_t last = 1; last < time.size(); ++last) {
@@ -34,7 +35,7 @@ double largest_mean(std::span<const double> time, std::span<const double> value,
   return largest;
 }
 
-double last_time(std::span<const double> time, std::span<const double> value) {
+double last_time_above(std::span<const double> time, std::span<const double> value) {
   double largest = 0, last = nothing;
   for (const double v : value) largest = std::max(largest, v);
   for (std::size_t i = 0; i < time.size(); ++i) {

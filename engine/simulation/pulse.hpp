@@ -8,9 +8,10 @@ namespace pliant {
 
 /// (RP.62): largest mean of the signal over `duration` [s], by the samples' ends; NaN while the
 /// samples are shorter.
-double largest_mean(std::span<const double> time, std::span<const double> value, double duration);
+double peak_moving_average(std::span<const double> time, std::span<const double> value,
+                           double duration);
 
 /// (RP.63): end of the last sample above a thousandth of the largest; NaN while none is positive.
-double last_time(std::span<const double> time, std::span<const double> value);
+double last_time_above(std::span<const double> time, std::span<const double> value);
 
 }  // namespace pliant

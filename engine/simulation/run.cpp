@@ -219,7 +219,7 @@ class Run {
   void warn_of_inertia(const ConservedQuantities& end) {
     const auto& method = settings_.total_lagrangian;
     constexpr double small = 0.01;
-    if (!method.scale_to_step && method.mass_scaling == 1) return;
+    if (!method.match_time_step && method.mass_scaling == 1) return;
     if (!(end.kinetic_energy > small * end.strain_energy)) return;
     progress_.message(fmt::format(
         "warning: the kinetic energy of the scaled mass is {:.2g} of the strain energy in the end: "

@@ -8,7 +8,7 @@
 #include "engine/case/case.hpp"
 #include "engine/lattice/layout.hpp"
 #include "engine/storage/buffer.hpp"
-#include "kernels/table.hpp"
+#include "kernels/total_lagrangian/table.hpp"
 
 namespace pliant::total_lagrangian {
 

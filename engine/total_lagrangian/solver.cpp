@@ -26,7 +26,7 @@ template <class T, int D>
 Solver<T, D>::Solver(const Case& a_case, const SolverOptions& options)
     : pliant::Solver(a_case, options),
       state_{{}, Boundaries<D>(settings().boundaries), {}, {}},
-      step_(state_, settings(), kernels::table<T, D>(options.isa)) {
+      step_(state_, settings(), kernels::TotalLagrangianTable<T, D>::of(options.isa)) {
   state_.bodies.resize(settings().bodies.size());
   Layouts<D> layouts;
   for (std::size_t b = 0; b < state_.bodies.size(); ++b) {
@@ -44,13 +44,13 @@ Solver<T, D>::Solver(const Case& a_case, const SolverOptions& options)
                                                   Step<T, D>::resources());
 }
 
-// Waves are slower by the square root of the scaling; "to_step" makes them as slow as the step
-// needs at present.
+// Waves are slower by the square root of the scaling; "match_time_step" makes them as slow as the
+// step needs at present.
 template <class T, int D>
 void Solver<T, D>::scale_mass() {
   const auto& method = settings().total_lagrangian;
   double& scaling = state_.clock.mass_scaling = method.mass_scaling;
-  if (!method.scale_to_step) return;
+  if (!method.match_time_step) return;
   const double cells = state_.clock.wave_speed * *settings().time.step /
                        (settings().time.cfl * settings().discretisation.spacing);
   scaling = std::max(1.0, cells * cells);
@@ -95,7 +95,7 @@ void Solver<T, D>::check(const StepResult& result) const {
       fmt::format("the cell of body `{}` that began at {} is no longer finite or has turned inside "
                   "out",
                   body.name, coordinates<D>(x)),
-      {smaller_step(settings()), "raise the hourglass stiffness (total_lagrangian.hourglass)",
+      {smaller_step(settings()), "raise the hourglass stiffness (total_lagrangian.hourglass_stiffness)",
        "load more slowly", "use a finer spacing"});
 }
 

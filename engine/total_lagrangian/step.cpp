@@ -33,7 +33,8 @@ enum Resource : scheduler::FieldId {
 }  // namespace
 
 template <class T, int D>
-Step<T, D>::Step(State<T, D>& state, const Case& settings, const kernels::Table<T, D>& kernels)
+Step<T, D>::Step(State<T, D>& state, const Case& settings,
+                 const kernels::TotalLagrangianTable<T, D>& kernels)
     : state_(state), settings_(settings), kernels_(kernels) {}
 
 template <class T, int D>
@@ -133,7 +134,7 @@ void Step<T, D>::evaluate_stress(int block) {
   work.segments = body.layout.segments_of(range);
   work.segment_count = range.segment_count;
   work.spacing = static_cast<T>(body.lattice.spacing);
-  work.hourglass = static_cast<T>(settings_.total_lagrangian.hourglass);
+  work.hourglass = static_cast<T>(settings_.total_lagrangian.hourglass_stiffness);
   work.examine = examine_;
   work.material = body.material;
   work.fraction = body.fraction.get();

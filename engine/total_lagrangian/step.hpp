@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "engine/total_lagrangian/state.hpp"
-#include "kernels/table.hpp"
+#include "kernels/total_lagrangian/table.hpp"
 #include "scheduler/phase.hpp"
 
 namespace pliant::total_lagrangian {
@@ -21,7 +21,8 @@ struct StepResult {
 template <class T, int D>
 class Step {
  public:
-  Step(State<T, D>& state, const Case& settings, const kernels::Table<T, D>& kernels);
+  Step(State<T, D>& state, const Case& settings,
+       const kernels::TotalLagrangianTable<T, D>& kernels);
 
   std::vector<scheduler::Phase> phases();
 
@@ -52,7 +53,7 @@ class Step {
 
   State<T, D>& state_;
   const Case& settings_;
-  const kernels::Table<T, D>& kernels_;
+  const kernels::TotalLagrangianTable<T, D>& kernels_;
   double time_step_ = 0;
   bool examine_ = true;
   std::vector<double> pressure_;                             ///< [pressure] [Pa]

@@ -22,26 +22,26 @@ const Fault faults[] = {
      "block.toml:17: bodies names the body \"othr\", which does not exist; did you mean `other`?"},
     {"contact_of_a_body_with_itself",
      meeting("1.1", "[[contact]]\nbodies = [\"other\", \"other\"]\n"),
-     "block.toml:17: bodies names the same body twice; name two bodies; nothing touches itself"},
+     "block.toml:17: bodies names the same body twice; name two different bodies"},
     {"contact_of_three_bodies",
      meeting("1.1", "[[contact]]\nbodies = [\"block\", \"other\", \"block\"]\n"),
      "block.toml:17: bodies must be a list of two names of bodies, found a list; write it as in "
      "bodies = [\"left\", \"right\"]"},
-    {"contact_without_bodies", meeting("1.1", "[[contact]]\nkind = \"bonded\"\n"),
-     "block.toml:16: [[contact]] lacks `bodies`, the two that meet; add bodies = [\"left\", "
+    {"contact_without_bodies", meeting("1.1", "[[contact]]\nkind = \"tied\"\n"),
+     "block.toml:16: [[contact]] lacks `bodies`, the two bodies; add bodies = [\"left\", "
      "\"right\"]"},
     {"an_unknown_kind_of_contact", meeting("1.1", pair + "kind = \"sticky\"\n"),
-     R"(block.toml:18: kind must be one of "frictionless", "sticking", "bonded", got "sticky"; )"
-     "take one of these"},
+     R"(block.toml:18: kind must be one of "frictionless", "no_slip", "tied", got "sticky"; )"
+     "use one of these"},
     {"two_contacts_of_one_pair",
      meeting("1.1", pair + "[[contact]]\nbodies = [\"other\", \"block\"]\n"),
      "block.toml:19: bodies \"block\" and \"other\" are in two [[contact]] tables; keep one of "
      "them"},
     {"bodies_that_overlap", meeting("0.6", pair),
      "block.toml:17: bodies \"block\" and \"other\" overlap by 0.2 at the start; move one of them, "
-     "or leave the contact out"},
-    {"bonded_bodies_that_do_not_meet", meeting("1.5", pair + "kind = \"bonded\"\n"),
-     "block.toml:17: bodies \"block\" and \"other\" are bonded and do not meet; let their surfaces "
+     "or remove the contact"},
+    {"tied_bodies_that_do_not_meet", meeting("1.5", pair + "kind = \"tied\"\n"),
+     "block.toml:17: bodies \"block\" and \"other\" are tied but do not meet; let their surfaces "
      "touch at the start"},
     {"contact_of_bodies_with_adaptive_remeshing", meeting("1.1", pair, "every = \"adaptive\""),
      "block.toml:15: bodies in contact need a fixed number of steps between remeshings; write "
@@ -50,12 +50,12 @@ const Fault faults[] = {
      meeting("1.1",
              "[[measurement]]\nname = \"push\"\nkind = \"contact_force\"\nbodies = [\"other\", "
              "\"block\"]\naxis = \"x\"\n"),
-     "block.toml:19: bodies \"other\" and \"block\" are in no [[contact]], whose force is known; "
-     "add a [[contact]] of the two, or name two that touch"},
+     "block.toml:19: bodies \"other\" and \"block\" have no [[contact]], so that they exert no "
+     "force; add a [[contact]] between them, or name two bodies that have one"},
     {"contact_of_bodies_with_averaged_ghosts",
      meeting("1.1", pair + "[ghosts]\ntreatment = \"averaged\"\n"),
-     "block.toml:19: bodies in contact need ghosts that carry a load; write treatment = "
-     "\"linear\", or leave it out"},
+     "block.toml:19: contact between bodies needs linear ghosts; write treatment = "
+     "\"linear\", or remove the key"},
 };
 
 class FaultyContacts : public testing::TestWithParam<Fault> {};

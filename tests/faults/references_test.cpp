@@ -6,15 +6,15 @@ namespace {
 const Fault faults[] = {
     {"a_period_that_is_no_multiple_of_the_spacing",
      extended("[periodic]\naxes = [\"y\"]\nlower = [0, 0]\nupper = [0, 2.05]\n"),
-     "block.toml:3: the period 2.05 along y is not a multiple of the spacing 0.1; take spacing = "
+     "block.toml:3: the period 2.05 along y is not a multiple of the spacing 0.1; use spacing = "
      "0.1025"},
     {"a_body_beyond_the_periodic_cell",
      extended("[periodic]\naxes = [\"x\"]\nlower = [0, 0]\nupper = [0.5, 1]\n"),
-     "block.toml:8: body \"block\" reaches beyond the periodic cell along x; end it at the cell's "
-     "corners, or give it infinite ends"},
+     "block.toml:8: body \"block\" extends beyond the periodic cell along x; limit it to the cell, "
+     "or make it infinite along this axis"},
     {"a_periodic_axis_that_does_not_exist",
      extended("[periodic]\naxes = [\"z\"]\nlower = [0, 0]\nupper = [1, 1]\n"),
-     R"(block.toml:11: axes is "z", which dimension = 2 does not have; take "x" or "y")"},
+     R"(block.toml:11: axes is "z", which does not exist in 2D; use "x" or "y")"},
     {"a_periodic_cell_without_end",
      extended("[periodic]\naxes = [\"x\"]\nlower = [0, 0]\nupper = [inf, 1]\n"),
      "block.toml:13: the periodic cell goes from 0 to inf along x; give finite corners, lower "
@@ -24,8 +24,8 @@ const Fault faults[] = {
     {"a_measurement_of_an_unknown_measurement", measuring("kind = \"period\"\nof = \"tip\"\n"),
      "block.toml:13: of names the measurement \"tip\", which does not exist; there are m"},
     {"a_measurement_of_itself", measuring("kind = \"period\"\nof = \"m\"\n"),
-     R"(block.toml:13: measurement "m" reads "m", which has no history of its own; name a )"
-     "measurement that reads no other"},
+     R"(block.toml:13: measurement "m" evaluates "m", which itself evaluates another )"
+     "measurement; name a measurement that does not evaluate another one"},
     {"a_measurement_of_an_unknown_field",
      measuring("kind = \"point_value\"\npoint = [0, 0]\nfield = \"presure\"\n"),
      "block.toml:14: field names the field \"presure\", which does not exist; did you mean "
@@ -38,17 +38,17 @@ const Fault faults[] = {
      measuring("kind = \"wall_force\"\nboundary = \"floor\"\naxis = \"y\"\n"),
      "block.toml:13: boundary names the boundary \"floor\", which does not exist; add a "
      "[[boundary]] of that name"},
-    {"a_force_on_a_bonded_wall",
+    {"a_force_on_a_fixed_wall",
      measuring("kind = \"wall_force\"\nboundary = \"floor\"\n[[boundary]]\nname = \"floor\"\n"
                "kind = \"fixed\"\ngeometry = { shape = \"half_space\", point = [0, 0], normal = "
                "[0, 1] }\n"),
-     "block.toml:13: boundary \"floor\" is no contact wall, whose force is known; name a boundary "
-     "of kind contact_wall"},
+     "block.toml:13: boundary \"floor\" is not a contact wall, so that its force is not known; "
+     "name a boundary of kind contact_wall"},
     {"contact_with_a_box",
      extended("[remeshing]\nevery = 10\n[[boundary]]\nname = \"step\"\nkind = \"contact_wall\"\n"
               "geometry = { shape = \"box\", lower = [0, -1], upper = [1, 0] }\n"),
-     "block.toml:15: contact wall \"step\" is no half_space; give a half_space; bodies touch plane "
-     "walls only"},
+     "block.toml:15: contact wall \"step\" is not a half_space; use a half_space: contact "
+     "needs a plane wall"},
     {"contact_with_adaptive_remeshing",
      extended("[remeshing]\nevery = \"adaptive\"\n[[boundary]]\nname = \"floor\"\nkind = "
               "\"contact_wall\"\ngeometry = { shape = \"half_space\", point = [0, 0], normal = [0, "
@@ -56,26 +56,26 @@ const Fault faults[] = {
      "block.toml:11: contact walls need a fixed number of steps between remeshings; write every = "
      "10 in [remeshing]"},
     {"an_unknown_kind_of_measurement", measuring("kind = \"momentun\"\n"),
-     R"(block.toml:12: kind must be one of "extent", "ray", "mean_radius", )"
+     R"(block.toml:12: kind must be one of "extent", "surface_distance", "mean_radius", )"
      R"("point_displacement", "point_value", "mass", "momentum", "angular_momentum", )"
      R"("kinetic_energy", "strain_energy", "total_energy", "energy_ratio", "wall_force", )"
      R"("contact_force", "volume", )"
      R"("surface_area", )"
-     R"("closest_pair", "velocity_error", "period", )"
-     R"("amplitude_ratio", "largest_mean", "last_time", got "momentun"; did you mean "momentum"?)"},
+     R"("minimum_particle_distance", "velocity_error", "period", )"
+     R"("amplitude_ratio", "peak_moving_average", "last_time_above", got "momentun"; did you mean "momentum"?)"},
     {"a_key_of_another_measurement", measuring("kind = \"mass\"\naxis = \"x\"\n"),
      "block.toml:13: unknown key `axis` in [[measurement]]; its keys are name, kind, body, "
      "relative"},
     {"an_error_without_amplitude", measuring("kind = \"velocity_error\"\nexact = [0, 0]\n"),
      "block.toml:10: [[measurement]] lacks `reference`, amplitude by which the error is divided; "
      "add reference = 0.01"},
-    {"too_few_rays", measuring("kind = \"mean_radius\"\npoint = [0, 0]\nrays = 3\n"),
-     "block.toml:14: rays must be from 8 to 65536, got 3; write it as in rays = 64"},
+    {"too_few_directions", measuring("kind = \"mean_radius\"\npoint = [0, 0]\ndirections = 3\n"),
+     "block.toml:14: directions must be from 8 to 65536, got 3; write it as in directions = 64"},
     {"two_bodies_of_one_name",
      extended("[[body]]\nname = \"block\"\ngeometry = { shape = \"disc\", centre = [0, 0], radius "
               "= 1 }\nmaterial = { model = \"linear\", youngs_modulus = 1, poissons_ratio = 0, "
               "density = 1 }\n"),
-     "block.toml:11: two [[body]] tables are called \"block\"; give each its own name"},
+     "block.toml:11: two [[body]] tables have the name \"block\"; give each a different name"},
     {"no_body_at_all", "body = []\n[discretisation]\nspacing = 1\n[time]\nend = 1\n",
      "block.toml:1: the case has no body; add [[body]] with name, geometry and material"},
     {"a_fault_in_a_shared_material_is_told_once",

@@ -5,14 +5,15 @@ namespace {
 
 const Fault faults[] = {
     {"a_text_without_quotes", broken(R"("a block")", "a block"),
-     "block.toml:1: not TOML: Error while parsing value: could not determine value type; mend the "
-     "line: texts stand in quotes, lists in brackets, every key once"},
+     "block.toml:1: not TOML: Error while parsing value: could not determine value type; correct "
+     "the line: write texts in quotes, lists in brackets, and every key once"},
     {"a_line_without_a_value", broken("end = 1", "end ="),
-     "block.toml:5: not TOML: Error while parsing key-value pair: expected value, saw '\\n'; mend "
-     "the line: texts stand in quotes, lists in brackets, every key once"},
+     "block.toml:5: not TOML: Error while parsing key-value pair: expected value, saw '\\n'; "
+     "correct "
+     "the line: write texts in quotes, lists in brackets, and every key once"},
     {"a_key_given_twice", broken("end = 1", "end = 1\nend = 2"),
      "block.toml:6: not TOML: Error while parsing key-value pair: cannot redefine existing integer "
-     "'end'; mend the line: texts stand in quotes, lists in brackets, every key once"},
+     "'end'; correct the line: write texts in quotes, lists in brackets, and every key once"},
     {"an_unknown_key", broken("end = 1", "endd = 1\nend = 1"),
      "block.toml:5: unknown key `endd` in [time]; did you mean `end`?"},
     {"an_unknown_key_of_a_material", broken("youngs_modulus", "young_modulus"),
@@ -25,10 +26,10 @@ const Fault faults[] = {
      "material, body, "
      "boundary, contact, output, measurement"},
     {"a_missing_key", broken("spacing = 0.1", ""),
-     "block.toml:2: [discretisation] lacks `spacing`, distance h between particles: the "
+     "block.toml:2: [discretisation] lacks `spacing`, initial distance h between particles, the "
      "resolution; add spacing = 0.03125"},
     {"a_missing_table", "title = \"nothing\"\n",
-     "block.toml:1: [discretisation] lacks `spacing`, distance h between particles: the "
+     "block.toml:1: [discretisation] lacks `spacing`, initial distance h between particles, the "
      "resolution; add spacing = 0.03125\n"
      "block.toml:1: [time] lacks `end`, time at which the run ends; add end = 0.02\n"
      "block.toml:1: the case has no body; add [[body]] with name, geometry and material"},
@@ -39,7 +40,8 @@ const Fault faults[] = {
      "block.toml:1: `output` must be a table, found 3; write [output] on a line of its own, its "
      "keys below"},
     {"a_key_of_another_model", broken("density = 2", "density = 2, coefficients = [1]"),
-     "block.toml:9: unknown key `coefficients` in material; its keys are model, density, law, "
+     "block.toml:9: unknown key `coefficients` in material; its keys are model, density, "
+     "equation_of_state, "
      "youngs_modulus, poissons_ratio"},
     {"a_key_of_another_kind",
      extended("[[boundary]]\nname = \"floor\"\nkind = \"fixed\"\ngeometry = { shape = "

@@ -45,7 +45,8 @@ const Fault faults[] = {
      "block.toml:8: geometry must be a table, found the text \"box\"; write it as in geometry = { "
      "shape = \"box\", lower = [0, 0], upper = [1, 1] }"},
     {"a_name_with_a_dot", broken("\"block\"", "\"my.block\""),
-     "block.toml:7: name is made of letters, digits, _ and -, got \"my.block\"; write it as in "
+     "block.toml:7: name must consist of letters, digits, _ and -, got \"my.block\"; write it as "
+     "in "
      "name = \"block\""},
     {"a_negative_modulus", broken("youngs_modulus = 100", "youngs_modulus = -5"),
      "block.toml:9: youngs_modulus must be positive, got -5; write it as in youngs_modulus = 100"},
@@ -66,7 +67,7 @@ const Fault faults[] = {
      R"(block.toml:6: step must be a number or "cfl", found the text "auto"; write step = )"
      "\"cfl\", or a time step as in step = 5e-5"},
     {"a_step_longer_than_the_run", broken("end = 1", "end = 1\nstep = 2"),
-     "block.toml:6: step 2 is longer than the run, which ends at 1; take a smaller step, or "
+     "block.toml:6: step 2 is longer than the run, which ends at 1; use a smaller step, or "
      "\"cfl\""},
     {"a_remeshing_word", extended("[remeshing]\nevery = \"often\"\n"),
      R"(block.toml:11: every must be a number of steps, "adaptive" or "never", found the text )"
@@ -76,7 +77,7 @@ const Fault faults[] = {
     {"a_dimension_of_one", broken("title = \"a block\"", "dimension = 1"),
      "block.toml:1: dimension must be 2 or 3, got 1; write it as in dimension = 2"},
     {"an_unknown_method", broken("title = \"a block\"", "method = \"sph\""),
-     R"(block.toml:1: method must be one of "remeshed", "total_lagrangian", got "sph"; take one of )"
+     R"(block.toml:1: method must be one of "remeshed", "total_lagrangian", got "sph"; use one of )"
      "these"},
     {"remeshing_of_what_is_not_remeshed",
      with(rubber_block, "[total_lagrangian]\n", "[remeshing]\nevery = 3\n[total_lagrangian]\n"),
@@ -110,17 +111,23 @@ const Fault faults[] = {
                     "\"half_space\", point = [0, -1], normal = [0, 1] }\n",
      "block.toml:15: method total_lagrangian knows no contact; take method = \"remeshed\", or a "
      "wall that holds what it touches"},
-    {"a_misspelt_weight", broken("spacing = 0.1", "spacing = 0.1\nweight = \"quartc\""),
-     R"(block.toml:4: weight must be one of "quartic", "quartic_polynomial", "compact", "fourth_order", got )"
-     R"("quartc"; did you mean "quartic"?)"},
-    {"an_unknown_weight", broken("spacing = 0.1", "spacing = 0.1\nweight = \"gauss\""),
-     R"(block.toml:4: weight must be one of "quartic", "quartic_polynomial", "compact", "fourth_order", got )"
-     "\"gauss\"; take one of these"},
+    {"a_misspelt_kernel", broken("spacing = 0.1", "spacing = 0.1\nkernel = \"compct\""),
+     R"(block.toml:4: kernel must be one of "quartic_spline", "quartic_spline_fit", "compact", )"
+     R"("fourth_order", got "compct"; did you mean "compact"?)"},
+    {"the_beginning_of_a_kernel", broken("spacing = 0.1", "spacing = 0.1\nkernel = \"quartic\""),
+     R"(block.toml:4: kernel must be one of "quartic_spline", "quartic_spline_fit", "compact", )"
+     R"("fourth_order", got "quartic"; did you mean "quartic_spline"?)"},
+    {"a_key_of_an_earlier_version", broken("spacing = 0.1", "spacing = 0.1\nweight = \"compact\""),
+     "block.toml:4: unknown key `weight` in [discretisation]; its keys are spacing, kernel, "
+     "dissipation, operators, artificial_viscosity, artificial_stress"},
+    {"an_unknown_kernel", broken("spacing = 0.1", "spacing = 0.1\nkernel = \"gauss\""),
+     R"(block.toml:4: kernel must be one of "quartic_spline", "quartic_spline_fit", "compact", )"
+     R"("fourth_order", got "gauss"; use one of these)"},
     {"too_many_coefficients",
      broken(material,
             "{ model = \"reduced_polynomial\", coefficients = [1, 2, 3, 4, 5, 6], compressibility "
             "= 0.1, density = 1 }"),
-     "block.toml:9: coefficients has 6 numbers, where one to five are possible; give C_10 up to at "
+     "block.toml:9: coefficients has 6 numbers, but must have one to five; give C_10 up to at "
      "most C_50"},
     {"a_negative_first_coefficient",
      broken(material,
@@ -150,36 +157,37 @@ const Fault faults[] = {
      "or "
      "operators = \"moment_matrix\""},
     {"a_prony_term_without_time", broken(material, viscous("ratios = [0.1, 0.2], times = [1]")),
-     "block.toml:9: prony has 2 ratios and 1 times; every term has one of each"},
+     "block.toml:9: prony has 2 ratios and 1 times; give one ratio and one time for each term"},
     {"prony_ratios_that_leave_nothing",
      broken(material, viscous("ratios = [0.5, 0.6], times = [1, 2]")),
-     "block.toml:9: prony has ratios that add up to 1.1, so that nothing would be left of the bulk "
-     "modulus; their sum must be below 1"},
+     "block.toml:9: prony has ratios whose sum is 1.1, so that no bulk modulus remains after "
+     "relaxation; their sum must be below 1"},
     {"a_negative_prony_ratio", broken(material, viscous("ratios = [-0.5], times = [1]")),
      "block.toml:9: ratios must be above 0 and below 1, got -0.5; write it as in ratios = [0.3, "
      "0.2]"},
     {"a_relaxation_time_of_zero", broken(material, viscous("ratios = [0.5], times = [0]")),
      "block.toml:9: times must be positive, got 0; write it as in times = [0.1, 1]"},
     {"a_prony_series_without_terms", broken(material, viscous("ratios = [], times = []")),
-     "block.toml:9: ratios holds no number; write it as in ratios = [0.3, 0.2]\n"
-     "block.toml:9: times holds no number; write it as in times = [0.1, 1]"},
+     "block.toml:9: ratios is empty, but must contain a number; write it as in ratios = [0.3, "
+     "0.2]\n"
+     "block.toml:9: times is empty, but must contain a number; write it as in times = [0.1, 1]"},
     {"an_unknown_kind_of_moduli",
      broken(material, viscous("ratios = [0.5], times = [1], moduli = \"long\"")),
-     R"(block.toml:9: moduli must be one of "long_term", "instantaneous", got "long"; take one of )"
-     "these"},
+     R"(block.toml:9: moduli must be one of "long_term", "instantaneous", got "long"; did you mean )"
+     "\"long_term\"?"},
     {"a_prony_series_of_a_linear_material",
      broken("density = 2", "density = 2, prony = { ratios = [0.5], times = [1] }"),
-     "block.toml:9: unknown key `prony` in material; its keys are model, density, law, "
+     "block.toml:9: unknown key `prony` in material; its keys are model, density, "
+     "equation_of_state, "
      "youngs_modulus, poissons_ratio"},
     {"a_stretch_of_a_linear_material", extended("stretch = [1, 0.9]\n"),
-     "block.toml:10: body \"block\" is stretched, but its material follows rates and knows no "
-     "shape "
-     "at rest; give it a material of model = \"reduced_polynomial\""},
+     "block.toml:10: body \"block\" has an initial stretch, but its linear material has no "
+     "undeformed reference shape; use a material with model = \"reduced_polynomial\""},
     {"a_stretch_of_zero", extended("stretch = [1, 0]\n"),
      "block.toml:10: stretch must be positive, got 0; write it as in stretch = [1, 0.95]"},
     {"an_unknown_model", broken("model = \"linear\"", "model = \"neo_hooke\""),
      R"(block.toml:9: model must be one of "linear", "reduced_polynomial", got "neo_hooke"; )"
-     "take one of these"},
+     "use one of these"},
     {"a_material_that_is_not_defined", broken(material, "\"rubber\""),
      "block.toml:9: material names the material \"rubber\", which does not exist; add a table "
      "[material.rubber]"},

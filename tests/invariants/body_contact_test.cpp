@@ -32,7 +32,7 @@ double momentum_of(Solver& solver, int body, int axis) {
 }
 
 TEST(body_contact, keeps_the_momentum_of_all_bodies_to_rounding) {
-  for (const char* kind : {"frictionless", "sticking"}) {
+  for (const char* kind : {"frictionless", "no_slip"}) {
     const std::string contacts = std::string("contact=[{ bodies = [\"disc\", \"box\"], kind = \"") +
                                  kind + "\" }, { bodies = [\"last\", \"box\"] }]";
     Solver solver(small_case("two_discs", coarse + Settings{bodies, contacts}),
@@ -74,7 +74,7 @@ TEST(body_contact, force_is_what_changes_the_momentum) {
     return std::string("measurement=[{ name = \"push\", kind = \"contact_force\", bodies = [\"") +
            first + "\", \"" + second + "\"], axis = \"x\" }]";
   };
-  for (const char* kind : {"frictionless", "sticking", "bonded"}) {
+  for (const char* kind : {"frictionless", "no_slip", "tied"}) {
     for (const bool is_first : {true, false}) {
       Solver solver(
           small_case("bimaterial_bar",
@@ -93,16 +93,16 @@ TEST(body_contact, force_is_what_changes_the_momentum) {
 }
 
 // Pulled apart: contact lets go, a bond does not.
-TEST(body_contact, pulls_only_where_bodies_are_bonded) {
+TEST(body_contact, pulls_only_where_bodies_are_tied) {
   const Settings pulled = {"discretisation.spacing=0.02", "periodic.upper=[inf, 0.16]",
                            "measurement=[]", "body.left.velocity=[-0.1, 0]"};
-  for (const char* kind : {"frictionless", "bonded"}) {
+  for (const char* kind : {"frictionless", "tied"}) {
     Solver solver(
         small_case("bimaterial_bar", pulled + Settings{std::string("contact.0.kind=") + kind}),
         {2, kernels::widest_supported()});
     advance_until(solver, 0.05);
     const double right = momentum_of(solver, 1, 0);
-    if (std::string(kind) == "bonded") {
+    if (std::string(kind) == "tied") {
       EXPECT_LT(right, -0.1 * 0.016);
     } else {
       EXPECT_EQ(right, 0);
@@ -111,7 +111,7 @@ TEST(body_contact, pulls_only_where_bodies_are_bonded) {
 }
 
 // Waves of some thousandths pass an interface of 1 to 4: what mixed there would lie between.
-TEST(body_contact, does_not_mix_bonded_materials) {
+TEST(body_contact, does_not_mix_tied_materials) {
   Solver solver(small_case("bimaterial_bar", {"discretisation.spacing=0.02", "remeshing.every=2",
                                               "periodic.upper=[inf, 0.16]", "measurement=[]"}),
                 2, kernels::widest_supported());

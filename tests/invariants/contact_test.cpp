@@ -32,7 +32,7 @@ double momentum(Solver& solver) { return solver.integrals().momentum[1]; }
 // The impulse is the traction on the wall, the momentum an integral over the body: two independent
 // sums. A patch of contact grows by whole slots of h, one tenth of it when it is largest.
 TEST(contact, the_impulse_of_the_wall_is_the_change_of_momentum) {
-  for (const char* friction : {"frictionless", "sticking"}) {
+  for (const char* friction : {"frictionless", "no_slip"}) {
     Solver solver(bouncing_disc({std::string("boundary.wall.friction=") + friction}),
                   {2, kernels::widest_supported()});
     const double start = momentum(solver);
@@ -52,7 +52,7 @@ TEST(contact, the_impulse_of_the_wall_is_the_change_of_momentum) {
 // Its impulse is a sum over the ghosts of two layers in all stages of a step, the map one layer at
 // one time. Pressure at the edge of contact differs between layers: one slot of ten to a side.
 TEST(contact, the_map_of_the_pressure_adds_up_to_the_force) {
-  for (const char* friction : {"frictionless", "sticking"}) {
+  for (const char* friction : {"frictionless", "no_slip"}) {
     Solver solver(bouncing_disc({std::string("boundary.wall.friction=") + friction}),
                   {2, kernels::widest_supported()});
     advance_until(solver, 0.05);
@@ -70,7 +70,7 @@ TEST(contact, the_map_of_the_pressure_adds_up_to_the_force) {
 
 // (RP.50): in every stage.
 TEST(contact, the_wall_never_pulls) {
-  for (const char* friction : {"frictionless", "sticking"}) {
+  for (const char* friction : {"frictionless", "no_slip"}) {
     Solver solver(bouncing_disc({std::string("boundary.wall.friction=") + friction}),
                   {2, kernels::widest_supported()});
     double before = 0;

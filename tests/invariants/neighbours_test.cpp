@@ -43,7 +43,7 @@ TEST_P(NeighboursOfRuns, are_all_met_in_every_step) {
     }
     const auto sites = sites_of(body);
     for (int b = 0; b < static_cast<int>(body.population.layout.blocks().size()); ++b) {
-      ASSERT_EQ(lost(body, b, sites, solver.settings().discretisation.weight), 0)
+      ASSERT_EQ(lost(body, b, sites, solver.settings().discretisation.kernel), 0)
           << "after step " << step;
     }
   }

@@ -23,7 +23,7 @@ constexpr double rounding = 1e-11;
 constexpr double closest_points = 2e-5;
 
 const Settings disc = {"discretisation.spacing=1/16", "remeshing.every=6"};
-const Settings block = {"discretisation.spacing=1/16", "remeshing.strain=0.015"};
+const Settings block = {"discretisation.spacing=1/16", "remeshing.strain_threshold=0.015"};
 
 void expect_same_particles(const Solver& a, const Solver& b) {
   EXPECT_GE(a.clock().remeshings, 2);

@@ -31,7 +31,7 @@ TEST(three_dimensions, a_ball_gives_a_block_what_it_loses) {
 constexpr const char* ball = R"(
 title = "a spinning ball"
 dimension = 3
-discretisation = { spacing = 0.2, weight = "compact" }
+discretisation = { spacing = 0.2, kernel = "compact" }
 time = { end = 0.1, step = "cfl" }
 remeshing = { every = 5 }
 output = { every = 0.05, measure_every = 0.02 }
@@ -103,7 +103,7 @@ TEST(three_dimensions, lists_of_neighbours_give_the_bits_of_the_stencil) {
 // Along the diagonal (2, 2, 1), whose node is as far as (3, 0, 0) and no part of the stencil: 20 %
 // shorter, so that it alone comes into the support.
 TEST(three_dimensions, corners_that_the_stencil_leaves_out_are_listed) {
-  const Case settings = tests::read_text(ball, {"discretisation.weight=\"quartic\""});
+  const Case settings = tests::read_text(ball, {"discretisation.kernel=\"quartic_spline\""});
   remeshed::Solver<double, 3> solver(settings, {1, kernels::widest_supported()});
   remeshed::Body<double, 3>& body = solver.state().bodies[0];
   const Layout<3>& layout = body.population.layout;

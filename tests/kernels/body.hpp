@@ -63,7 +63,7 @@ struct Body {
 
   /// One whole step, during which ghosts keep their velocity and stress; the result of its last
   /// stage. states[0] is the new state.
-  StageResult step(const Table<T, D>& table, T time_step) {
+  StageResult step(const RemeshedTable<T, D>& table, T time_step) {
     const StressOfState<T, D> stress = stress_of(0);
     table.evaluate_stress(stress);
     for (int n = 1; n < 4; ++n) {
@@ -102,7 +102,7 @@ template <class T, int D>
 std::array<int, D> small_box() {
   std::array<int, D> cells;
   cells.fill(10);
-  cells[0] = 4 * slots_per_pack<T>;
+  cells[0] = 4 * slots_per_pack;
   return cells;
 }
 

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <random>
 
-#include "kernels/table.hpp"
+#include "kernels/remeshed/table.hpp"
 #include "tests/kernels/field.hpp"
 
 namespace pliant::kernels::test {
@@ -13,7 +13,7 @@ namespace pliant::kernels::test {
 /// above it.
 template <class T, int D>
 struct HalfSpaceOfParticles {
-  static constexpr int length = 45, pack = slots_per_pack<T>;
+  static constexpr int length = 45, pack = slots_per_pack;
   static constexpr double radius = 2.6;
 
   HalfSpaceOfParticles() {

@@ -2,8 +2,10 @@
 
 #include <cmath>
 #include <cstring>
+#include <type_traits>
 #include <vector>
 
+#include "kernels/total_lagrangian/table.hpp"
 #include "tests/kernels/body.hpp"
 #include "tests/kernels/half_space_of_particles.hpp"
 #include "tests/kernels/nodes_of_a_ball.hpp"
@@ -25,7 +27,7 @@ void append(Values<T>& values, const std::array<Field<T>, N>& fields) {
 
 /// All that two steps compute, the first with lists.
 template <class T, int D>
-Values<T> steps(const Table<T, D>& kernels, Model model, Weight weight) {
+Values<T> steps(const RemeshedTable<T, D>& kernels, Model model, Weight weight) {
   Body<T, D> body(small_box<T, D>(), T(0.1), model);
   body.weight = weight;
   const BoxLists<D> lists(body.patch, stencil_reach(weight));
@@ -50,10 +52,10 @@ Values<T> steps(const Table<T, D>& kernels, Model model, Weight weight) {
 
 /// Surface records of a row's particles, and ghost sums.
 template <class T, int D>
-Values<T> surface(const Table<T, D>& kernels, Model model, Weight) {
+Values<T> surface(const RemeshedTable<T, D>& kernels, Model model, Weight) {
   Body<T, D> body(small_box<T, D>(), T(0.1), model);
   const auto& segments = body.patch.segments;
-  constexpr int pack = slots_per_pack<T>, chosen = 5;
+  constexpr int pack = slots_per_pack, chosen = 5;
   std::vector<SurfacePack> packs;
   for (std::size_t s = 0; s < segments.size(); ++s) {
     const std::int64_t first = segments[s].first + pack;
@@ -75,7 +77,7 @@ Values<T> surface(const Table<T, D>& kernels, Model model, Weight) {
 }
 
 template <class T, int D>
-Values<T> remeshing(const Table<T, D>& kernels, Model model, Weight) {
+Values<T> remeshing(const RemeshedTable<T, D>& kernels, Model model, Weight) {
   Body<T, D> body(small_box<T, D>(), T(0.1), model);
   const auto& state = std::as_const(body.states[0]);
   const int segment_count = static_cast<int>(body.patch.segments.size());
@@ -108,7 +110,7 @@ Values<T> remeshing(const Table<T, D>& kernels, Model model, Weight) {
 
 /// Closest points, and the fits of ghosts.
 template <class T, int D>
-Values<T> free_surface(const Table<T, D>& kernels, Model, Weight) {
+Values<T> free_surface(const RemeshedTable<T, D>& kernels, Model, Weight) {
   NodesOfABall<T, D> ball(6.3);
   kernels.find_closest_points(ball.arguments());
   Values<T> values(ball.converged.begin(), ball.converged.begin() + ball.count);
@@ -130,7 +132,7 @@ void for_each_combination(const Compare& compare) {
     for (const Model model : {Model::linear_rho, Model::linear_log, Model::reduced_polynomial}) {
       for (const Weight weight :
            {Weight::quartic, Weight::quartic_polynomial, Weight::compact, Weight::fourth_order}) {
-        compare([&](Isa isa) { return kernel(table_of<T, D>(isa), model, weight); });
+        compare([&](Isa isa) { return kernel(RemeshedTable<T, D>::of(isa), model, weight); });
       }
     }
   }
@@ -168,11 +170,21 @@ TYPED_TEST(isa, avx2_and_avx512_agree_to_the_bit) {
   });
 }
 
-TEST(dispatch, finds_the_tables_asked_for) {
-  for (const Isa isa : every_isa) {
-    EXPECT_EQ((table<double, 2>(isa).isa), isa);
-    EXPECT_EQ((table<double, 2>(isa).lanes), isa == Isa::sse2 ? 2 : isa == Isa::avx2 ? 4 : 8);
+TYPED_TEST(isa, no_two_share_a_kernel) {
+  using T = typename TypeParam::Scalar;
+  constexpr int D = TypeParam::dimension;
+  for (const Isa wide : {Isa::avx2, Isa::avx512}) {
+    EXPECT_NE((RemeshedTable<T, D>::of(wide).advance_stage), baseline_table<T, D>().advance_stage);
+    EXPECT_NE((TotalLagrangianTable<T, D>::of(wide).advance_motion),
+              (TotalLagrangianTable<T, D>::of(Isa::sse2).advance_motion));
   }
+  // Single precision has nothing wider than AVX2.
+  EXPECT_EQ(
+      (RemeshedTable<T, D>::of(Isa::avx2).scatter == RemeshedTable<T, D>::of(Isa::avx512).scatter),
+      (std::is_same_v<T, float>));
+}
+
+TEST(dispatch, the_processor_runs_the_baseline_and_what_it_names_as_widest) {
   EXPECT_TRUE(is_supported(Isa::sse2));
   EXPECT_TRUE(is_supported(widest_supported()));
   EXPECT_EQ(name(Isa::avx512), "avx512");

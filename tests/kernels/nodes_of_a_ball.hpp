@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "kernels/table.hpp"
+#include "kernels/remeshed/table.hpp"
 #include "tests/kernels/field.hpp"
 
 namespace pliant::kernels::test {
@@ -17,7 +17,7 @@ struct NodesOfABall {
     for (int a = 0; a < D; ++a) total *= width;
     for (int n = 0; n < total; ++n) add(n);
     count = static_cast<int>(node[0].size());
-    while (node[0].size() % slots_per_pack<T> != 0) {
+    while (node[0].size() % slots_per_pack != 0) {
       for (int a = 0; a < D; ++a) node[a].push_back(node[a].back());
     }
     point = node;

@@ -7,7 +7,7 @@
 #include <utility>
 #include <vector>
 
-#include "kernels/table.hpp"
+#include "kernels/remeshed/table.hpp"
 #include "tests/kernels/field.hpp"
 
 namespace pliant::kernels::test {
@@ -28,7 +28,7 @@ std::vector<NodeRow> whole_rows(const std::array<std::int32_t, D>& extent) {
 template <class T, int D>
 class Patch {
  public:
-  static constexpr int pack = slots_per_pack<T>;
+  static constexpr int pack = slots_per_pack;
   static constexpr int margin = 3;
 
   Patch(std::array<int, D> cells, T h) : spacing(h), cells_(cells) {
@@ -168,7 +168,7 @@ template <int D>
 struct BoxLists {
   template <class T>
   BoxLists(const Patch<T, D>& patch, int reach) {
-    constexpr int pack = slots_per_pack<T>;
+    constexpr int pack = slots_per_pack;
     start.assign(patch.slots / pack, 0);
     length.assign(patch.slots / pack, 0);
     for (const Segment<D>& segment : patch.segments) {
@@ -197,7 +197,7 @@ struct BoxLists {
   template <class T>
   void add(const Patch<T, D>& patch, std::int64_t first, std::array<int, 3> cells,
            std::int64_t away) {
-    for (int l = 0; l < slots_per_pack<T>; ++l) {
+    for (int l = 0; l < slots_per_pack; ++l) {
       const bool real = patch.interior[first + l] != 0;
       neighbour.push_back(static_cast<std::int32_t>(first + l + (real ? away : 0)));
       for (int i = 0; i < D; ++i) offset[i].push_back(real ? cells[i] : 0);

@@ -4,8 +4,8 @@
 #include <random>
 #include <vector>
 
-#include "kernels/fit_coefficients.hpp"
-#include "kernels/table.hpp"
+#include "kernels/remeshed/ghosts/fit_coefficients.hpp"
+#include "kernels/remeshed/table.hpp"
 #include "tests/kernels/field.hpp"
 
 namespace pliant::kernels::test {
@@ -20,8 +20,8 @@ struct RandomGhosts {
     for (T& x : records) x = value();
     for (T& x : surface_distance) x = value();
     for (int g = 0; g < ghosts; ++g) add_ghost(g % 4 == 0);
-    pairs.resize(pairs.size() + slots_per_pack<T>);
-    wall_distance.resize(wall_distance.size() + slots_per_pack<T>);
+    pairs.resize(pairs.size() + slots_per_pack);
+    wall_distance.resize(wall_distance.size() + slots_per_pack);
   }
 
   /// The coefficients of the k-th particle of all ghosts, which is one of ghost g.

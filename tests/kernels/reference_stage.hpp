@@ -130,7 +130,7 @@ Rates<D> reference_rates(const Body<T, D>& body, const State<T, D>& q, const Seg
   const Matrix<D> gradient =
       velocity_sum * inverse + hooke_inverse<T, D>(body.material, relaxation);
   Rates<D> rates;
-  rates.displacement = vector_at<T, D>(q.velocity, p);
+  rates.drift = vector_at<T, D>(q.velocity, p);
   for (int i = 0; i < D; ++i) {
     const Matrix<D> gradient_of_row = stress_sum[i] * inverse;  // (j, k): d sigma_ij / dx_k
     rates.velocity[i] =

@@ -1,10 +1,11 @@
-"""Fails when two of the given object files define the same weak function.
+"""Fails when object files of two instruction sets define the same weak function.
 
-Each holds the kernels of one instruction set. A function that two of them define would be kept once,
-and perhaps compiled for a processor that this one is not.
+The folder of an object file names its instruction set. A function that two of them define would be kept
+once, and perhaps compiled for a processor that this one is not.
 """
 
 import itertools
+import re
 import subprocess
 import sys
 
@@ -14,11 +15,17 @@ def weak_functions(path):
     return {line.split()[-1] for line in lines.splitlines() if " W " in line}
 
 
+def instruction_set(path):
+    return re.search(r"pliant_kernels_(\w+)", path)[1]
+
+
 def main(paths):
-    functions = {path: weak_functions(path) for path in paths}
-    if sum(map(bool, functions.values())) < 2:
-        return "nothing to compare: the objects define no weak functions"
-    for first, second in itertools.combinations(paths, 2):
+    functions = {}
+    for path in paths:
+        functions.setdefault(instruction_set(path), set()).update(weak_functions(path))
+    if len(functions) < 2 or not all(functions.values()):
+        return "nothing to compare: give objects of several instruction sets that define weak functions"
+    for first, second in itertools.combinations(functions, 2):
         shared = functions[first] & functions[second]
         if shared:
             return "\n".join([f"{first} and {second} both define", *sorted(shared)])

@@ -3,9 +3,8 @@
 #include <gtest/gtest.h>
 
 #include <limits>
-#include <type_traits>
 
-#include "kernels/table.hpp"
+#include "kernels/remeshed/table.hpp"
 
 namespace pliant::kernels::test {
 
@@ -16,25 +15,12 @@ struct Dimension {
   static constexpr int dimension = D;
 };
 
-using Dimensions = testing::Types<Dimension<double, 2>, Dimension<double, 3>, Dimension<float, 2>>;
-
-/// Tables that the library does not hold, compiled as it compiles its own. Records of float are
-/// shorter than a register of AVX-512.
-extern const Table<float, 2> sse2_table_float, avx2_table_float;
-
-/// Kernels of any scalar type and dimension.
-template <class T, int D>
-const Table<T, D>& table_of(Isa isa) {
-  if constexpr (std::is_same_v<T, float>) {
-    return isa == Isa::sse2 ? sse2_table_float : avx2_table_float;
-  } else {
-    return table<T, D>(isa);
-  }
-}
+using Dimensions = testing::Types<Dimension<double, 2>, Dimension<double, 3>, Dimension<float, 2>,
+                                  Dimension<float, 3>>;
 
 template <class T, int D>
-const Table<T, D>& baseline_table() {
-  return table_of<T, D>(Isa::sse2);
+const RemeshedTable<T, D>& baseline_table() {
+  return RemeshedTable<T, D>::of(Isa::sse2);
 }
 
 /// What linear fields may lose: 1e-12 in double, the same number of units in float.

@@ -11,7 +11,7 @@ TEST(allocation, a_warm_step_allocates_nothing) {
   for (const int threads : {1, 2, 7}) {
     StepGraph graph(
         {per_block("advance", {{0, Reach::neighbours}}, {{1}}), per_block("copy", {{1}}, {{0}}),
-         once("fold", {{0, Reach::all}}, {{2, Reach::all}}),
+         reduce("fold", {{0, Reach::all}}, {{2, Reach::all}}),
          per_block("gather", {{0, Reach::all}}, {{1}})},
         row_of_blocks(20), {"a", "b", "c"});
     Workers workers(threads);

@@ -30,7 +30,8 @@ TEST(chains, end_where_a_node_waits_for_several) {
 }
 
 TEST(chains, do_not_hold_back_blocks_that_could_start) {
-  const auto heads = heads_of({once("set", {}, {{0, Reach::all}}), per_block("use", {{0}}, {})}, 3);
+  const auto heads =
+      heads_of({reduce("set", {}, {{0, Reach::all}}), per_block("use", {{0}}, {})}, 3);
   EXPECT_EQ(heads, (std::vector<int>{0, 1, 2, 3}));
 }
 

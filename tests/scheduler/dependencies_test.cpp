@@ -88,19 +88,19 @@ TEST(dependencies, reading_neighbours_follows_their_writers_and_own) {
       expected);
 }
 
-TEST(dependencies, a_once_phase_that_reaches_all_stands_between_all_blocks) {
+TEST(dependencies, a_reduce_phase_that_reaches_all_stands_between_all_blocks) {
   const Ends expected{{{0, 0}, {1, 0}}, {{0, 1}, {1, 0}}, {{0, 2}, {1, 0}},
                       {{1, 0}, {2, 0}}, {{1, 0}, {2, 1}}, {{1, 0}, {2, 2}}};
   EXPECT_EQ(
-      edges_of({per_block("write", {}, {{a}}), once("fold", {{a, Reach::all}}, {{b, Reach::all}}),
+      edges_of({per_block("write", {}, {{a}}), reduce("fold", {{a, Reach::all}}, {{b, Reach::all}}),
                 per_block("use", {{b}}, {})},
                row_of_blocks(3)),
       expected);
 }
 
-TEST(dependencies, a_once_phase_without_reach_touches_block_zero) {
+TEST(dependencies, a_reduce_phase_without_reach_accesses_block_zero) {
   const Ends expected{{{0, 0}, {1, 0}}};
-  EXPECT_EQ(edges_of({once("set", {}, {{a}}), per_block("use", {{a}}, {})}, row_of_blocks(3)),
+  EXPECT_EQ(edges_of({reduce("set", {}, {{a}}), per_block("use", {{a}}, {})}, row_of_blocks(3)),
             expected);
 }
 
@@ -125,10 +125,27 @@ TEST(dependencies, blocks_that_each_read_all_share_a_junction) {
   EXPECT_EQ(derived.edges.size(), 4u * count);
 }
 
-TEST(dependencies, once_phases_run_even_without_blocks) {
+TEST(dependencies, reduce_phases_run_even_without_blocks) {
   const auto derived = derive_dependencies(
-      {per_block("write", {}, {{a}}), once("fold", {{a, Reach::all}}, {})}, Blocks{}, names);
+      {per_block("write", {}, {{a}}), reduce("fold", {{a, Reach::all}}, {})}, Blocks{}, names);
   EXPECT_EQ(derived.nodes.size(), 1u);
+}
+
+TEST(dependencies, an_exchange_has_no_node_and_neither_runs_nor_writes) {
+  const Phase exchange = {.name = "exchange",
+                          .reads = {{a, Reach::neighbours}},
+                          .kind = Phase::Kind::exchange,
+                          .run = {}};
+  const auto derived = derive_dependencies(
+      {per_block("write", {}, {{a}}), exchange, per_block("read", {{a, Reach::neighbours}}, {})},
+      row_of_blocks(2), names);
+  EXPECT_EQ(derived.nodes.size(), 4u);
+  EXPECT_EQ(derived.edges.size(), 4u);
+  Phase writes = exchange, runs = exchange;
+  writes.writes = {{b}};
+  runs.run = do_nothing;
+  EXPECT_NE(complaint_about({writes}, row_of_blocks(2)).find("only sends"), std::string::npos);
+  EXPECT_NE(complaint_about({runs}, row_of_blocks(2)).find("only sends"), std::string::npos);
 }
 
 TEST(dependencies, edges_tell_every_field_that_causes_them) {
@@ -146,7 +163,7 @@ TEST(dependencies, a_phase_whose_blocks_disturb_each_other_is_refused_with_a_rem
   EXPECT_NE(complaint_about({per_block("scatter", {}, {{a, Reach::all}})}, row_of_blocks(2)), "");
   // Alone, or in a single block, nobody is disturbed.
   EXPECT_EQ(
-      complaint_about({once("smooth", {{a, Reach::all}}, {{a, Reach::all}})}, row_of_blocks(2)),
+      complaint_about({reduce("smooth", {{a, Reach::all}}, {{a, Reach::all}})}, row_of_blocks(2)),
       "");
   EXPECT_EQ(complaint_about({per_block("smooth", {{a, Reach::all}}, {{a, Reach::all}})},
                             row_of_blocks(1)),

@@ -21,10 +21,10 @@ inline Phase per_block(std::string name, std::vector<Access> reads, std::vector<
           .run = std::move(run)};
 }
 
-inline Phase once(std::string name, std::vector<Access> reads, std::vector<Access> writes,
-                  std::function<void(BlockId)> run = do_nothing) {
+inline Phase reduce(std::string name, std::vector<Access> reads, std::vector<Access> writes,
+                    std::function<void(BlockId)> run = do_nothing) {
   Phase phase = per_block(std::move(name), std::move(reads), std::move(writes), std::move(run));
-  phase.extent = Phase::Extent::once;
+  phase.kind = Phase::Kind::reduce;
   return phase;
 }
 

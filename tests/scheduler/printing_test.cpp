@@ -17,7 +17,7 @@ StepGraph printed_graph() {
   auto advance = per_block("advance", {{0, Reach::neighbours}}, {{1}});
   advance.stage = 2;
   return {{advance, per_block("smooth \"all\"", {{1, Reach::all}}, {{0}}),
-           once("fold", {{0, Reach::all}, {1}}, {})},
+           reduce("fold", {{0, Reach::all}, {1}}, {})},
           row_of_blocks(6),
           {"velocity", "next velocity"}};
 }
@@ -64,8 +64,13 @@ TEST(printing, dot_shows_stages_fields_and_reach) {
   const std::string phases = printed_graph().dot(Detail::phases);
   EXPECT_NE(phases.find("advance[2]\\nreads velocity (neighbours)\\nwrites next velocity"),
             std::string::npos);
-  EXPECT_NE(phases.find("phase_0 -> phase_1 [label=\"next velocity\"]"), std::string::npos)
+  EXPECT_NE(phases.find("phase_0 [shape=ellipse, label=\"exchange[2]\\nvelocity (neighbours)\"]"),
+            std::string::npos)
       << phases;
+  EXPECT_NE(phases.find("fold (reduce)"), std::string::npos) << phases;
+  // What is read of all blocks comes by way of an exchange.
+  EXPECT_NE(phases.find("phase_1 -> phase_2 [label=\"next velocity\"]"), std::string::npos);
+  EXPECT_NE(phases.find("phase_2 -> phase_3 [label=\"next velocity\"]"), std::string::npos);
   const std::string blocks = printed_graph().dot();
   EXPECT_NE(blocks.find("label=\"advance[2]\""), std::string::npos);
   EXPECT_NE(blocks.find("smooth \\\"all\\\""), std::string::npos);
@@ -82,9 +87,11 @@ TEST(printing, json_holds_the_same_graph) {
   const auto json = nlohmann::json::parse(graph.json());
   EXPECT_EQ(json["fields"], (std::vector<std::string>{"velocity", "next velocity"}));
   EXPECT_EQ(json["blocks"], 6);
-  EXPECT_EQ(json["phases"].size(), 3u);
+  ASSERT_EQ(json["phases"].size(), 5u);
+  EXPECT_EQ(json["phases"][0]["kind"], "exchange");
   EXPECT_EQ(json["phases"][0]["reads"][0]["reach"], "neighbours");
-  EXPECT_EQ(json["phases"][2]["extent"], "once");
+  EXPECT_EQ(json["phases"][1]["kind"], "per_block");
+  EXPECT_EQ(json["phases"][4]["kind"], "reduce");
   ASSERT_EQ(json["nodes"].size(), graph.nodes().size());
   std::vector<Edge> edges;
   for (const auto& edge : json["edges"])
@@ -97,7 +104,7 @@ TEST(printing, phases_are_linked_through_junctions) {
   const StepGraph graph({per_block("write", {}, {{0}}), per_block("read", {{0, Reach::all}}, {})},
                         row_of_blocks(9), {"a"});
   EXPECT_EQ(graph.nodes().size(), 19u);
-  EXPECT_EQ(graph.phase_edges(), (std::vector<Edge>{{0, 1, 0}}));
+  EXPECT_EQ(graph.phase_edges(), (std::vector<Edge>{{0, 1, 0}, {1, 2, 0}}));
 }
 
 }  // namespace pliant::scheduler

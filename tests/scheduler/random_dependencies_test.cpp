@@ -42,13 +42,13 @@ Problem random_problem(std::mt19937& random) {
   const int phase_count = 1 + below(random, 10);
   for (int p = 0; p < phase_count; ++p) {
     Phase phase = per_block("phase", {}, {});
-    if (below(random, 4) == 0) phase.extent = Phase::Extent::once;
+    if (below(random, 4) == 0) phase.kind = Phase::Kind::reduce;
     for (int r = below(random, 3); r > 0; --r)
       phase.reads.push_back({below(random, field_count), static_cast<Reach>(below(random, 3))});
     for (int w = below(random, 3); w > 0; --w)
       phase.writes.push_back(
           {below(random, field_count), below(random, 5) == 0 ? Reach::all : Reach::own});
-    if (phase.extent == Phase::Extent::per_block && below(random, 3) == 0)
+    if (phase.kind == Phase::Kind::per_block && below(random, 3) == 0)
       for (int b = 0; b < block_count; ++b)
         if (below(random, 2) == 0) phase.blocks.push_back(b);
     problem.phases.push_back(phase);
@@ -90,7 +90,7 @@ std::vector<Call> calls_of(const Problem& problem) {
       const bool is_listed =
           phase.blocks.empty() ||
           std::find(phase.blocks.begin(), phase.blocks.end(), b) != phase.blocks.end();
-      if (phase.extent == Phase::Extent::once ? b == 0 : is_listed)
+      if (phase.kind == Phase::Kind::reduce ? b == 0 : is_listed)
         calls.push_back({p, b, values(phase.reads, b, problem.blocks),
                          values(phase.writes, b, problem.blocks)});
     }

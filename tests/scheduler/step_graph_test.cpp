@@ -47,8 +47,8 @@ class Ring {
       result.push_back(per_block("kick", {{factor}}, {{value}},
                                  [this](BlockId b) { value_[first(b)] += factor_; }));
       result.back().blocks = {1, 4};
-      result.push_back(once("fold", {{partial, Reach::all}}, {{factor, Reach::all}},
-                            [this](BlockId) { fold(); }));
+      result.push_back(reduce("fold", {{partial, Reach::all}}, {{factor, Reach::all}},
+                              [this](BlockId) { fold(); }));
       for (std::size_t p = result.size() - 4; p < result.size(); ++p) result[p].stage = stage;
     }
     return result;
@@ -88,7 +88,7 @@ std::vector<double> expected_ring() {
   Ring ring;
   for (int step = 0; step < steps; ++step)
     for (const Phase& phase : ring.phases()) {
-      if (phase.extent == Phase::Extent::once)
+      if (phase.kind == Phase::Kind::reduce)
         phase.run(0);
       else
         for (int b = 0; b < Ring::block_count; ++b)
@@ -200,7 +200,7 @@ TEST(step_graph, an_exception_in_a_phase_comes_out_and_the_graph_runs_again) {
                                [&](BlockId b) {
                                  if (fails && b == 3) throw std::runtime_error("block 3 broke");
                                }),
-                     once("after", {{0, Reach::all}}, {}, [&](BlockId) { ++after; })},
+                     reduce("after", {{0, Reach::all}}, {}, [&](BlockId) { ++after; })},
                     row_of_blocks(6), {"a"});
     Workers workers(threads);
     try {

@@ -28,7 +28,7 @@ double sum(const std::vector<double>& values) {
 StepGraph timed_graph() {
   using namespace std::chrono_literals;
   auto work = per_block("work", {}, {{0}}, [](BlockId) { spin_for(100us); });
-  auto fold = once("fold", {{0, Reach::all}}, {{0, Reach::all}}, [](BlockId) { spin_for(50us); });
+  auto fold = reduce("fold", {{0, Reach::all}}, {{0, Reach::all}}, [](BlockId) { spin_for(50us); });
   auto work_again = work;
   work.stage = 0;
   work_again.stage = 1;

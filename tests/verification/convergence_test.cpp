@@ -158,7 +158,7 @@ TEST(convergence, colliding_discs_keep_their_energy_at_first_order) {
   EXPECT_GE(order(lost_energy(5), lost_energy(20), 4), 1);
 }
 
-/// Errors of the amplitudes that a bonded interface passes and returns, over the incoming one.
+/// Errors of the amplitudes that a tied interface passes and returns, over the incoming one.
 std::array<double, 2> interface_errors(int cells) {
   const double h = 1. / cells;
   const Settings settings = {fmt::format("discretisation.spacing={}", h),

@@ -5,7 +5,7 @@
 #include "engine/remeshed/ghosts/fit_evaluator.hpp"
 #include "engine/remeshed/resources.hpp"
 #include "engine/remeshed/runge_kutta.hpp"
-#include "kernels/interface_traction.hpp"
+#include "kernels/remeshed/ghosts/interface_traction.hpp"
 
 namespace pliant::remeshed {
 
@@ -22,9 +22,9 @@ kernels::InterfaceKind converted(ContactCase::Kind kind) {
   switch (kind) {
     case ContactCase::Kind::frictionless:
       return kernels::InterfaceKind::frictionless;
-    case ContactCase::Kind::sticking:
+    case ContactCase::Kind::no_slip:
       return kernels::InterfaceKind::sticking;
-    case ContactCase::Kind::bonded:
+    case ContactCase::Kind::tied:
       break;
   }
   return kernels::InterfaceKind::bonded;
@@ -34,7 +34,7 @@ kernels::InterfaceKind converted(ContactCase::Kind kind) {
 
 template <class T, int D>
 BodyContact<T, D>::BodyContact(State<T, D>& state, const Case& settings,
-                               const kernels::Table<T, D>& kernels)
+                               const kernels::RemeshedTable<T, D>& kernels)
     : state_(state),
       contacts_(settings.contacts),
       kernels_(kernels),
@@ -99,7 +99,7 @@ std::array<T, D> BodyContact<T, D>::traction(const Body<T, D>& own, const Body<T
     for (int f = 0; f < width; ++f) sum[f] += contact_points.coefficient[i] * record[f];
   }
   // A bond asks nothing of the level sets: what they say at its ends would shake it.
-  const double speed = kind == ContactCase::Kind::bonded
+  const double speed = kind == ContactCase::Kind::tied
                            ? 0
                            : std::min<double>(kernels::wave_speed_at_rest(own.material),
                                               kernels::wave_speed_at_rest(other.material));

@@ -4,7 +4,7 @@
 
 #include "engine/remeshed/contact/contact_search.hpp"
 #include "engine/remeshed/state.hpp"
-#include "kernels/table.hpp"
+#include "kernels/remeshed/table.hpp"
 #include "scheduler/phase.hpp"
 
 // Bodies that meet.
@@ -29,7 +29,8 @@ namespace pliant::remeshed {
 template <class T, int D>
 class BodyContact {
  public:
-  BodyContact(State<T, D>& state, const Case& settings, const kernels::Table<T, D>& kernels);
+  BodyContact(State<T, D>& state, const Case& settings,
+              const kernels::RemeshedTable<T, D>& kernels);
 
   bool is_needed() const { return !contacts_.empty(); }
 
@@ -51,7 +52,7 @@ class BodyContact {
 
   State<T, D>& state_;
   const std::vector<ContactCase>& contacts_;
-  const kernels::Table<T, D>& kernels_;
+  const kernels::RemeshedTable<T, D>& kernels_;
   ContactSearch<T, D> search_;
   double time_step_ = 0;
   std::vector<Point<D>> block_impulse_;  ///< [block][contact] on the second body, of this step

@@ -53,7 +53,7 @@ void ContactSearch<T, D>::add_phases(std::vector<Phase>& phases) {
   phases.push_back({.name = "contact_points: cells",
                     .reads = {{resource::surface_samples, Reach::all}},
                     .writes = {{resource::surface_cells, Reach::all}},
-                    .extent = Phase::Extent::once,
+                    .kind = Phase::Kind::reduce,
                     .run = [this](int) { sort_samples(); }});
   phases.push_back(
       {.name = "contact_points",
@@ -73,7 +73,7 @@ void ContactSearch<T, D>::find_samples(int block) {
   const double h = body.lattice.spacing;
   const T* phi = body.stage[0].get(Field::level_set);
   const auto add = [&](std::int64_t slot, const Cell<D>& cell, std::int32_t record) {
-    Sample sample{{{}, cell, 0}, record, phi[slot] / h};
+    Sample sample{{{}, 0}, record, phi[slot] / h};
     for (int a = 0; a < D; ++a) {
       const T drift = body.stage[0].get(Field::drift, a)[slot];
       sample.site.position[a] = in_first_period<D>(cell[a] + drift / h, body.lattice, a);
@@ -105,7 +105,7 @@ void ContactSearch<T, D>::sort_samples() {
     SurfaceSamples<D>& surface = surfaces_[body];
     if (!surface.is_near_another) continue;
     const std::size_t count = surface.record.size();
-    surface.cells.cover(surface.lower, surface.upper, state_.bodies[body].lattice.period,
+    surface.cells.cover(surface.lower, surface.upper, period_of<D>(state_.bodies[body].lattice),
                         contact_fit_radius, count);
     surface.cells.sort(count, [&](auto&& f) {
       for (std::size_t b = 0; b < samples_.size(); ++b) {
@@ -128,7 +128,7 @@ void ContactSearch<T, D>::gather(int body) {
   for (std::size_t b = 0; b < samples_.size(); ++b) {
     if (state_.blocks[b].body != body) continue;
     for (Sample& sample : samples_[b]) {
-      sample.site.slot = static_cast<std::int32_t>(surface.record.size());
+      sample.site.label = static_cast<std::int32_t>(surface.record.size());
       surface.record.push_back(sample.record);
       surface.level_set.push_back(sample.level_set);
       for (int a = 0; a < D; ++a) {
@@ -202,7 +202,7 @@ double ContactSearch<T, D>::contact_gap(int contact, int owner, const GhostPlace
   const auto gap = [&](const Point<D>& x, double farthest) {
     return opposing.gap(surfaces_[other], state_.bodies[other].lattice, x, farthest);
   };
-  if (contacts_[contact].kind == ContactCase::Kind::bonded) {
+  if (contacts_[contact].kind == ContactCase::Kind::tied) {
     return gap(ghost.position, apart) < ghost.distance ? gap(ghost.foot, apart) : apart;
   }
   const double at_foot = gap(ghost.foot, clearly_apart);

@@ -11,8 +11,8 @@ namespace pliant::remeshed {
 template <class T, int D>
 class OpposingFit;
 
-/// Finds where bodies touch, (RP.69), at the start of each step: particles of different bodies keep
-/// no places to each other, so that they are searched for in space. Three phases:
+/// Finds where bodies touch, (RP.69), at the start of each step: particles of different bodies have
+/// no fixed neighbours among each other, so that a search by position finds them. Three phases:
 ///
 ///     samples   surface particles and ghosts of each block, with their places
 ///     cells     those of a body sorted by place, if its box meets that of another one
@@ -29,7 +29,7 @@ class ContactSearch {
  private:
   /// A surface particle with a record, or a ghost (record -1).
   struct Sample {
-    Site<D> site;
+    Site<double, D> site;  ///< labelled with the number among all samples of the body
     std::int32_t record;
     double level_set;  ///< [h]
   };

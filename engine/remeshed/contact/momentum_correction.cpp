@@ -83,7 +83,7 @@ void MomentumCorrection<T, D>::add_phases(std::vector<Phase>& phases, Impulses i
   phases.push_back({.name = "momentum",
                     .reads = {{resource::momentum, Reach::all}, {resource::tractions, Reach::all}},
                     .writes = {{resource::momentum_budgets, Reach::all}},
-                    .extent = Phase::Extent::once,
+                    .kind = Phase::Kind::reduce,
                     .run = [this, impulses = std::move(impulses)](int) {
                       if (impulses) book(impulses());
                       balance();

@@ -28,14 +28,14 @@ double OpposingFit<T, D>::gather(const Point<D>& at) {
   particles_.clear();
   around_.clear();
   double nearest = contact_fit_radius, least_gap = 0;
-  surface_->cells.any_near(at, [&](const Site<D>& site, const Cell<D>& shift) {
+  surface_->cells.any_near(at, [&](const auto& site, const Point<D>& shift) {
     Position<D> r;
     for (int a = 0; a < D; ++a) r[a] = site.position[a] + shift[a] - at[a];
     const double fraction = r.squaredNorm() / (contact_fit_radius * contact_fit_radius);
     if (fraction >= 1) return false;
-    const double phi = surface_->level_set[site.slot];
-    around_.push_back({site.slot, (1 - fraction) * (1 - fraction), phi, r});
-    if (surface_->record[site.slot] >= 0) particles_.push_back(around_.back());
+    const double phi = surface_->level_set[site.label];
+    around_.push_back({site.label, (1 - fraction) * (1 - fraction), phi, r});
+    if (surface_->record[site.label] >= 0) particles_.push_back(around_.back());
     if (const double distance = r.norm(); distance < nearest) {
       nearest = distance;
       least_gap = phi - distance;

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "engine/blocks/cell_list.hpp"
+#include "engine/lattice/lattice.hpp"
 
 namespace pliant::remeshed {
 
@@ -14,7 +15,7 @@ double in_first_period(double x, const Lattice<D>& lattice, int axis) {
   return n == 0 ? x : x - n * std::floor(x / n);
 }
 
-/// A point as sites have it: over h, a node at its cell.
+/// A position over h, where a node lies at its cell.
 template <int D>
 Point<D> place(const Point<D>& x, const Lattice<D>& lattice) {
   Point<D> at;
@@ -30,7 +31,7 @@ struct SurfaceSamples {
   Point<D> lower, upper;             ///< of the places, as those of sites
   std::vector<std::int32_t> record;  ///< [sample] of a particle; -1: a ghost
   std::vector<double> level_set;     ///< [sample] [h]
-  CellList<D> cells;                 ///< the slot of a site is the number of its sample
+  CellList<double, D> cells;         ///< sites are labelled with the number of their sample
   bool is_near_another = false;      ///< body that it may touch
 
   /// Whether a place lies in the box, or within `margin` of it [h].

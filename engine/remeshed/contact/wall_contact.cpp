@@ -1,7 +1,7 @@
 #include "engine/remeshed/contact/wall_contact.hpp"
 
 #include "engine/remeshed/ghosts/fit_evaluator.hpp"
-#include "kernels/ghost_state.hpp"
+#include "kernels/remeshed/ghosts/ghost_state.hpp"
 
 namespace pliant::remeshed {
 
@@ -46,7 +46,7 @@ void choose(Population<T, D>& population, BlockGhosts<T, D>& ghosts, std::int32_
 
 template <class T, int D>
 void decide_contact(Body<T, D>& body, int block, const Boundaries<D>& boundaries,
-                    const BoundaryValues<D>& values, const kernels::Table<T, D>& table) {
+                    const BoundaryValues<D>& values, const kernels::RemeshedTable<T, D>& table) {
   BlockGhosts<T, D>& ghosts = body.population.ghosts[block];
   FitEvaluator<T, D> fits(body, ghosts, table);
   for (std::size_t k = 0; k < ghosts.contact.size(); ++k) {
@@ -66,7 +66,7 @@ void decide_contact(Body<T, D>& body, int block, const Boundaries<D>& boundaries
 
 template <class T, int D>
 void release_contact(Body<T, D>& body, int block, const Boundaries<D>& boundaries,
-                     const BoundaryValues<D>& values, const kernels::Table<T, D>& table) {
+                     const BoundaryValues<D>& values, const kernels::RemeshedTable<T, D>& table) {
   BlockGhosts<T, D>& ghosts = body.population.ghosts[block];
   FitEvaluator<T, D> fits(body, ghosts, table);
   for (const std::int32_t g : ghosts.contact) {
@@ -79,7 +79,7 @@ void release_contact(Body<T, D>& body, int block, const Boundaries<D>& boundarie
 template <class T, int D>
 void add_impulse(const Body<T, D>& body, int block, const Boundaries<D>& boundaries,
                  const BoundaryValues<D>& values, double duration,
-                 const kernels::Table<T, D>& table, Point<D>* impulse) {
+                 const kernels::RemeshedTable<T, D>& table, Point<D>* impulse) {
   const BlockGhosts<T, D>& ghosts = body.population.ghosts[block];
   FitEvaluator<T, D> fits(body, ghosts, table);
   const kernels::Impedance<T> impedance(body.material);
@@ -97,7 +97,7 @@ void add_impulse(const Body<T, D>& body, int block, const Boundaries<D>& boundar
 template <class T, int D>
 std::vector<double> wall_pressure(const Body<T, D>& body, const Boundaries<D>& boundaries,
                                   const BoundaryValues<D>& values,
-                                  const kernels::Table<T, D>& table) {
+                                  const kernels::RemeshedTable<T, D>& table) {
   const Layout<D>& layout = body.population.layout;
   const double h = body.lattice.spacing;
   std::vector<double> pressure(layout.slots(), 0);
@@ -115,26 +115,28 @@ std::vector<double> wall_pressure(const Body<T, D>& body, const Boundaries<D>& b
 }
 
 template void decide_contact<double, 2>(Body<double, 2>&, int, const Boundaries<2>&,
-                                        const BoundaryValues<2>&, const kernels::Table<double, 2>&);
+                                        const BoundaryValues<2>&,
+                                        const kernels::RemeshedTable<double, 2>&);
 template void release_contact<double, 2>(Body<double, 2>&, int, const Boundaries<2>&,
                                          const BoundaryValues<2>&,
-                                         const kernels::Table<double, 2>&);
+                                         const kernels::RemeshedTable<double, 2>&);
 template void add_impulse<double, 2>(const Body<double, 2>&, int, const Boundaries<2>&,
                                      const BoundaryValues<2>&, double,
-                                     const kernels::Table<double, 2>&, Point<2>*);
+                                     const kernels::RemeshedTable<double, 2>&, Point<2>*);
 template std::vector<double> wall_pressure(const Body<double, 2>&, const Boundaries<2>&,
                                            const BoundaryValues<2>&,
-                                           const kernels::Table<double, 2>&);
+                                           const kernels::RemeshedTable<double, 2>&);
 template void decide_contact<double, 3>(Body<double, 3>&, int, const Boundaries<3>&,
-                                        const BoundaryValues<3>&, const kernels::Table<double, 3>&);
+                                        const BoundaryValues<3>&,
+                                        const kernels::RemeshedTable<double, 3>&);
 template void release_contact<double, 3>(Body<double, 3>&, int, const Boundaries<3>&,
                                          const BoundaryValues<3>&,
-                                         const kernels::Table<double, 3>&);
+                                         const kernels::RemeshedTable<double, 3>&);
 template void add_impulse<double, 3>(const Body<double, 3>&, int, const Boundaries<3>&,
                                      const BoundaryValues<3>&, double,
-                                     const kernels::Table<double, 3>&, Point<3>*);
+                                     const kernels::RemeshedTable<double, 3>&, Point<3>*);
 template std::vector<double> wall_pressure(const Body<double, 3>&, const Boundaries<3>&,
                                            const BoundaryValues<3>&,
-                                           const kernels::Table<double, 3>&);
+                                           const kernels::RemeshedTable<double, 3>&);
 
 }  // namespace pliant::remeshed

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "engine/remeshed/body.hpp"
-#include "kernels/fit_coefficients.hpp"
+#include "kernels/remeshed/ghosts/fit_coefficients.hpp"
 
 namespace pliant::remeshed {
 

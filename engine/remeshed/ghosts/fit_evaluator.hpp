@@ -11,7 +11,7 @@ template <class T, int D>
 class FitEvaluator {
  public:
   FitEvaluator(const Body<T, D>& body, const BlockGhosts<T, D>& ghosts,
-               const kernels::Table<T, D>& kernels)
+               const kernels::RemeshedTable<T, D>& kernels)
       : body_(body), ghosts_(ghosts), kernels_(kernels) {}
 
   /// Good until the next one is asked for.
@@ -23,7 +23,7 @@ class FitEvaluator {
  private:
   const Body<T, D>& body_;
   const BlockGhosts<T, D>& ghosts_;
-  const kernels::Table<T, D>& kernels_;
+  const kernels::RemeshedTable<T, D>& kernels_;
   alignas(64) std::array<T, BlockGhosts<T, D>::sums_of_ghost> sums_;
 };
 

@@ -7,7 +7,7 @@
 #include "engine/remeshed/contact/wall_contact.hpp"
 #include "engine/remeshed/ghosts/fit_coefficient.hpp"
 #include "engine/remeshed/ghosts/fit_evaluator.hpp"
-#include "kernels/ghost_state.hpp"
+#include "kernels/remeshed/ghosts/ghost_state.hpp"
 
 namespace pliant::remeshed {
 
@@ -62,7 +62,7 @@ struct GhostFill {
   std::size_t count;
   FieldStore<T, D>& state;
   std::array<T*, kernels::symmetric_components<D>> stress;
-  const kernels::Table<T, D>& table;
+  const kernels::RemeshedTable<T, D>& table;
 
   void fill_surfaces(const BoundaryValues<D>& values) const {
     const kernels::Impedance<T> impedance(body.material);
@@ -148,7 +148,7 @@ struct GhostFill {
 // The sums are made for some ghosts at a time, and stay in the first cache.
 template <class T, int D>
 void find_drift_velocity(Body<T, D>& body, int block, int stage, GhostTreatment treatment,
-                         const kernels::Table<T, D>& table) {
+                         const kernels::RemeshedTable<T, D>& table) {
   constexpr std::size_t at_once = 32, width = BlockGhosts<T, D>::sums_of_ghost;
   alignas(64) std::array<T, at_once * width> sums;
   const BlockGhosts<T, D>& ghosts = body.population.ghosts[block];
@@ -179,7 +179,7 @@ void BoundaryValues<D>::evaluate(const Boundaries<D>& boundaries, double t) {
 template <class T, int D>
 void fill_ghosts(Body<T, D>& body, int block, int stage, int parity, WhichGhosts which,
                  const Boundaries<D>& boundaries, const BoundaryValues<D>& values,
-                 GhostTreatment treatment, const kernels::Table<T, D>& table) {
+                 GhostTreatment treatment, const kernels::RemeshedTable<T, D>& table) {
   release_contact(body, block, boundaries, values, table);
   BlockGhosts<T, D>& ghosts = body.population.ghosts[block];
   const std::size_t count = which == WhichGhosts::all ? ghosts.slot.size() : ghosts.reached_count;
@@ -197,7 +197,7 @@ void fill_ghosts(Body<T, D>& body, int block, int stage, int parity, WhichGhosts
 
 template <class T, int D>
 void drift_ghosts(Body<T, D>& body, int block, int stage, GhostTreatment treatment,
-                  const kernels::Table<T, D>& table) {
+                  const kernels::RemeshedTable<T, D>& table) {
   if (stage < 2) return find_drift_velocity(body, block, stage, treatment, table);
   const BlockGhosts<T, D>& ghosts = body.population.ghosts[block];
   for (int a = 0; a < D; ++a) {
@@ -257,16 +257,16 @@ void fill_conserved(Body<T, D>& body, int block) {
 template struct BoundaryValues<2>;
 template void fill_ghosts<double, 2>(Body<double, 2>&, int, int, int, WhichGhosts,
                                      const Boundaries<2>&, const BoundaryValues<2>&, GhostTreatment,
-                                     const kernels::Table<double, 2>&);
+                                     const kernels::RemeshedTable<double, 2>&);
 template void drift_ghosts<double, 2>(Body<double, 2>&, int, int, GhostTreatment,
-                                      const kernels::Table<double, 2>&);
+                                      const kernels::RemeshedTable<double, 2>&);
 template void fill_conserved<double, 2>(Body<double, 2>&, int);
 template struct BoundaryValues<3>;
 template void fill_ghosts<double, 3>(Body<double, 3>&, int, int, int, WhichGhosts,
                                      const Boundaries<3>&, const BoundaryValues<3>&, GhostTreatment,
-                                     const kernels::Table<double, 3>&);
+                                     const kernels::RemeshedTable<double, 3>&);
 template void drift_ghosts<double, 3>(Body<double, 3>&, int, int, GhostTreatment,
-                                      const kernels::Table<double, 3>&);
+                                      const kernels::RemeshedTable<double, 3>&);
 template void fill_conserved<double, 3>(Body<double, 3>&, int);
 
 }  // namespace pliant::remeshed

@@ -40,7 +40,7 @@ struct GhostSearch {
   const Boundaries<D>& boundaries;
   GhostTreatment treatment;
   int stencil_reach;
-  const kernels::Table<T, D>& kernels;
+  const kernels::RemeshedTable<T, D>& kernels;
 };
 
 /// Finds the ghosts of a block and the terms of their fits, (RP.32), (RP.33), (RP.38), and

@@ -5,7 +5,7 @@
 #include <limits>
 
 #include "engine/storage/push_tightly.hpp"
-#include "kernels/fit_coefficients.hpp"
+#include "kernels/remeshed/ghosts/fit_coefficients.hpp"
 
 namespace pliant::remeshed {
 
@@ -25,8 +25,8 @@ constexpr double narrowing = 1.5;
 template <class T, int D>
 GhostFitter<T, D>::GhostFitter(const Body<T, D>& body, const Population<T, D>& population,
                                BlockGhosts<T, D>& ghosts, const LevelSet<T, D>& level_set,
-                               const Boundaries<D>& boundaries, const kernels::Table<T, D>& table,
-                               std::int32_t* used)
+                               const Boundaries<D>& boundaries,
+                               const kernels::RemeshedTable<T, D>& table, std::int32_t* used)
     : body_(body),
       ghosts_(ghosts),
       search_(body.lattice, population, level_set),

@@ -17,7 +17,7 @@ class GhostFitter {
  public:
   GhostFitter(const Body<T, D>& body, const Population<T, D>& population, BlockGhosts<T, D>& ghosts,
               const LevelSet<T, D>& level_set, const Boundaries<D>& boundaries,
-              const kernels::Table<T, D>& kernels, std::int32_t* used);
+              const kernels::RemeshedTable<T, D>& kernels, std::int32_t* used);
 
   /// (RP.32) and (RP.33) about a foot point; `wall` is nullptr at a free surface.
   void fit(const FitSite<D>& site, const Point<D>& foot, const Wall<D>* wall);
@@ -71,7 +71,7 @@ class GhostFitter {
   BlockGhosts<T, D>& ghosts_;
   FitSearch<T, D> search_;
   const Boundaries<D>& boundaries_;
-  const kernels::Table<T, D>& kernels_;
+  const kernels::RemeshedTable<T, D>& kernels_;
   std::int32_t* used_;
   Scratch& scratch_ = scratch();
   int waiting_ = 0;

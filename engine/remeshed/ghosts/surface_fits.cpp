@@ -3,7 +3,7 @@
 #include <Eigen/Dense>
 #include <array>
 
-#include "kernels/table.hpp"
+#include "kernels/remeshed/table.hpp"
 
 namespace pliant::remeshed {
 

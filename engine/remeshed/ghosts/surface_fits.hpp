@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "kernels/fit_terms.hpp"
+#include "kernels/remeshed/ghosts/fit_terms.hpp"
 
 /// Weighted least-squares fits of the particles around a foot point on the surface. They depend on
 /// places alone, so that a fit is a coefficient for each particle: its weight times a polynomial.

@@ -69,7 +69,7 @@ void resolve_records(Population<T, D>& population, int block, const std::int32_t
 
 template <class T, int D>
 void write_surface_records(Body<T, D>& body, int block, int stage,
-                           const kernels::Table<T, D>& kernels) {
+                           const kernels::RemeshedTable<T, D>& kernels) {
   const Layout<D>& layout = body.population.layout;
   const BlockGhosts<T, D>& ghosts = body.population.ghosts[block];
   kernels::SurfaceRecords<T, D> work = {};
@@ -88,9 +88,9 @@ void write_surface_records(Body<T, D>& body, int block, int stage,
 }
 
 template void write_surface_records<double, 2>(Body<double, 2>&, int, int,
-                                               const kernels::Table<double, 2>&);
+                                               const kernels::RemeshedTable<double, 2>&);
 template void write_surface_records<double, 3>(Body<double, 3>&, int, int,
-                                               const kernels::Table<double, 3>&);
+                                               const kernels::RemeshedTable<double, 3>&);
 template void list_surface_particles<double, 2>(Population<double, 2>&, int, const std::int32_t*);
 template void number_records<double, 2>(Population<double, 2>&, const LevelSet<double, 2>&, double,
                                         std::int32_t*);

@@ -7,6 +7,6 @@ namespace pliant::remeshed {
 /// Writes the records of a block's surface particles, which ghosts read, at a stage.
 template <class T, int D>
 void write_surface_records(Body<T, D>& body, int block, int stage,
-                           const kernels::Table<T, D>& kernels);
+                           const kernels::RemeshedTable<T, D>& kernels);
 
 }  // namespace pliant::remeshed

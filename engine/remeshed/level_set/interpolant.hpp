@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "engine/lattice/layout.hpp"
-#include "kernels/cubic.hpp"
+#include "kernels/remeshed/remeshing/cubic.hpp"
 
 namespace pliant::remeshed {
 

@@ -96,7 +96,7 @@ bool LevelSet<T, D>::gradient(const Cell<D>& cell, Point<D>& g) const {
 
 template <class T, int D>
 void LevelSet<T, D>::find_closest_points(const Block<D>& block, bool reinitialise,
-                                         const kernels::Table<T, D>& kernels) {
+                                         const kernels::RemeshedTable<T, D>& kernels) {
   thread_local Projections<T, D> near;
   near.clear();
   layout_->for_each_slot(block, [&](std::int64_t p, const Cell<D>& cell) {
@@ -155,7 +155,7 @@ bool LevelSet<T, D>::borders_a_layer(const kernels::Segment<D>& segment, std::in
 
 template <class T, int D>
 void LevelSet<T, D>::add_layer(const Block<D>& block, int layer,
-                               const kernels::Table<T, D>& kernels) {
+                               const kernels::RemeshedTable<T, D>& kernels) {
   const std::uint8_t* before = layer_[layer % 2].get();
   std::uint8_t* after = layer_[(layer + 1) % 2].get();
   thread_local Border border;
@@ -220,7 +220,7 @@ void LevelSet<T, D>::find_nearest(const kernels::Segment<D>& segment, std::int64
 // Where the surface is smooth the tangent plane of a neighbour's closest point leads nearly to the
 // node's own; elsewhere that point itself may.
 template <class T, int D>
-void LevelSet<T, D>::polish(Border& border, const kernels::Table<T, D>& kernels) const {
+void LevelSet<T, D>::polish(Border& border, const kernels::RemeshedTable<T, D>& kernels) const {
   // Blocks reach no farther than one cell beyond the closest points of the last layer.
   constexpr int farthest_move = 1, iterations = 6;
   border.polished.run(*lattice_, *layout_, extended_, farthest_move, iterations, kernels);

@@ -42,9 +42,9 @@ class LevelSet {
     extension.extend(block, boundaries, extended_);
   }
   void find_closest_points(const Block<D>& block, bool reinitialise,
-                           const kernels::Table<T, D>& kernels);
+                           const kernels::RemeshedTable<T, D>& kernels);
   void add_layer(const Block<D>& block, int layer,
-                 const kernels::Table<T, D>& kernels);  ///< 2..layers
+                 const kernels::RemeshedTable<T, D>& kernels);  ///< 2..layers
   void finish(const Block<D>& block);
 
   /// Distance of a finished node from the surface, negative inside [m]. phi itself is one only
@@ -71,7 +71,7 @@ class LevelSet {
   void place_near(const Projections<T, D>& near, std::size_t i, bool reinitialise);
   void find_nearest(const kernels::Segment<D>& segment, std::int64_t slot, const Cell<D>& cell,
                     int layer, Border& border) const;
-  void polish(Border& border, const kernels::Table<T, D>& kernels) const;
+  void polish(Border& border, const kernels::RemeshedTable<T, D>& kernels) const;
   bool gradient(const Cell<D>& cell, Point<D>& g) const;
   bool borders_a_layer(const kernels::Segment<D>& segment, std::int64_t slot, int layer) const;
 

@@ -42,7 +42,7 @@ Cell<D> Projections<T, D>::cell(std::size_t i) const {
 template <class T, int D>
 void Projections<T, D>::run(const Lattice<D>& lattice, const Layout<D>& layout, const T* values,
                             int farthest_move, int iterations,
-                            const kernels::Table<T, D>& kernels) {
+                            const kernels::RemeshedTable<T, D>& kernels) {
   if (slot_.empty()) return;
   const std::size_t pack = Layout<D>::pack, whole = (size() + pack - 1) / pack * pack;
   kernels::ClosestPoints<T, D> work = {};

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "engine/lattice/layout.hpp"
-#include "kernels/table.hpp"
+#include "kernels/remeshed/table.hpp"
 
 namespace pliant::remeshed {
 
@@ -18,7 +18,7 @@ class Projections {
   /// Moves all points onto the zero set of `values`. Those that would go farther than
   /// `farthest_move` cells out of the box around all starts may not converge.
   void run(const Lattice<D>& lattice, const Layout<D>& layout, const T* values, int farthest_move,
-           int iterations, const kernels::Table<T, D>& kernels);
+           int iterations, const kernels::RemeshedTable<T, D>& kernels);
 
   std::size_t size() const { return slot_.size(); }
   std::int64_t slot(std::size_t i) const { return slot_[i]; }

@@ -5,15 +5,39 @@
 #include <vector>
 
 #include "engine/blocks/cell_list.hpp"
-#include "kernels/table.hpp"
+#include "engine/lattice/lattice.hpp"
+#include "kernels/remeshed/table.hpp"
 
 namespace pliant::remeshed {
 
-/// What a search in space found for one block.
+/// What a search for neighbours knows of a particle beside its position: its slot, and the cell of
+/// that slot. In periodic directions the position lies in the first period, and the cell is moved
+/// by the same whole periods.
+template <int D>
+struct SlotLabel {
+  Cell<D> cell;
+  std::int32_t slot;
+};
+
+/// Positions of particles over h: the cell plus the displacement from it.
+template <int D>
+using SlotList = CellList<double, D, SlotLabel<D>>;
+template <int D>
+using SlotSite = typename SlotList<D>::Site;
+
+/// Periods of positions over h; 0 in directions that do not repeat.
+template <int D>
+Point<D> period_of(const Lattice<D>& lattice) {
+  Point<D> period;
+  for (int a = 0; a < D; ++a) period[a] = lattice.period[a];
+  return period;
+}
+
+/// What a search among positions found for one block.
 template <int D>
 struct BlockNeighbours {
-  std::vector<Site<D>> sites;  ///< of the block's own particles and ghosts
-  Point<D> lower, upper;       ///< of their places, over h
+  std::vector<SlotSite<D>> sites;  ///< of the block's own particles and ghosts
+  Point<D> lower, upper;           ///< of their places, over h
   double closest = 0;  ///< distance of a particle from a slot just outside its stencil, over h
   /// Whether any particle has a neighbour outside its stencil. Where none has, the stencil serves.
   bool are_listed = false;
@@ -33,7 +57,7 @@ struct BodyNeighbours {
   bool is_measuring_due = false, is_search_due = false;
 
   double radius = 0;  ///< of the search, over h
-  CellList<D> cells;
+  SlotList<D> cells;
   std::vector<BlockNeighbours<D>> blocks;
   std::vector<std::int64_t> start;   ///< [pack] into the lists of its block
   std::vector<std::int32_t> length;  ///< [pack]
@@ -50,7 +74,7 @@ struct BodyNeighbours {
     std::size_t sum =
         cells.bytes() + start.capacity() * sizeof(start[0]) + length.capacity() * sizeof(length[0]);
     for (const BlockNeighbours<D>& own : blocks) {
-      sum += own.sites.capacity() * sizeof(Site<D>) + own.slot.capacity() * sizeof(own.slot[0]);
+      sum += own.sites.capacity() * sizeof(SlotSite<D>) + own.slot.capacity() * sizeof(own.slot[0]);
       for (const auto& component : own.offset) sum += component.capacity() * sizeof(component[0]);
     }
     return sum;

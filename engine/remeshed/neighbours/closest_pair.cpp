@@ -11,7 +11,7 @@ namespace pliant::remeshed {
 template <class T, int D>
 double closest_pair(const Body<T, D>& body) {
   constexpr double radius = 2;
-  std::vector<Site<D>> sites;
+  std::vector<SlotSite<D>> sites;
   Point<D> lower, upper;
   lower.fill(std::numeric_limits<double>::max());
   upper.fill(std::numeric_limits<double>::lowest());
@@ -26,20 +26,20 @@ double closest_pair(const Body<T, D>& body) {
       }
     });
   }
-  CellList<D> cells;
-  cells.cover(lower, upper, body.lattice.period, radius, sites.size());
+  SlotList<D> cells;
+  cells.cover(lower, upper, period_of<D>(body.lattice), radius, sites.size());
   cells.sort(sites.size(), [&](auto&& f) {
-    for (const Site<D>& site : sites) f(site);
+    for (const SlotSite<D>& site : sites) f(site);
   });
   double least2 = radius * radius;
-  for (const Site<D>& p : sites) {
-    cells.any_near(p.position, [&](const Site<D>& q, const Cell<D>& shift) {
+  for (const SlotSite<D>& p : sites) {
+    cells.any_near(p.position, [&](const SlotSite<D>& q, const Point<D>& shift) {
       double distance2 = 0;
       for (int a = 0; a < D; ++a) {
         const double d = q.position[a] + shift[a] - p.position[a];
         distance2 += d * d;
       }
-      if (q.slot != p.slot || shift != Cell<D>{}) least2 = std::min(least2, distance2);
+      if (q.label.slot != p.label.slot || shift != Point<D>{}) least2 = std::min(least2, distance2);
       return false;
     });
   }

@@ -24,16 +24,16 @@ struct Neighbour {
 /// Calls f(neighbour) for all slots within the search radius of a particle, until one call returns
 /// true; tells whether one did.
 template <int D, class F>
-bool any_neighbour(const BodyNeighbours<D>& search, const Site<D>& p, F&& f) {
+bool any_neighbour(const BodyNeighbours<D>& search, const SlotSite<D>& p, F&& f) {
   const double limit = search.radius * search.radius;
-  return search.cells.any_near(p.position, [&](const Site<D>& q, const Cell<D>& shift) {
-    Neighbour<D> neighbour = {{}, q.slot};
+  return search.cells.any_near(p.position, [&](const SlotSite<D>& q, const Point<D>& shift) {
+    Neighbour<D> neighbour = {{}, q.label.slot};
     double distance2 = 0;
     bool is_itself = true;
     for (int a = 0; a < D; ++a) {
       const double d = q.position[a] + shift[a] - p.position[a];
       distance2 += d * d;
-      neighbour.offset[a] = q.cell[a] + shift[a] - p.cell[a];
+      neighbour.offset[a] = q.label.cell[a] + static_cast<std::int32_t>(shift[a]) - p.label.cell[a];
       is_itself = is_itself && neighbour.offset[a] == 0;
     }
     return distance2 < limit && !is_itself && f(neighbour);
@@ -126,10 +126,10 @@ void sort_sites(Body<T, D>& body) {
       upper[a] = std::max(upper[a], own.upper[a]);
     }
   }
-  search.cells.cover(lower, upper, body.lattice.period, search.radius, count);
+  search.cells.cover(lower, upper, period_of<D>(body.lattice), search.radius, count);
   search.cells.sort(count, [&](auto&& f) {
     for (const BlockNeighbours<D>& own : search.blocks) {
-      for (const Site<D>& site : own.sites) f(site);
+      for (const SlotSite<D>& site : own.sites) f(site);
     }
   });
 }

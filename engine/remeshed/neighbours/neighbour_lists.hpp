@@ -4,20 +4,20 @@
 
 #include "engine/remeshed/body.hpp"
 
-/// The parts of a search for neighbours in space, one after another.
+/// The parts of a search for neighbours by position, one after another.
 namespace pliant::remeshed {
 
-/// A particle's own site, with its lattice place over h.
+/// A particle's own site.
 template <class T, int D>
-Site<D> site_of(const Body<T, D>& body, std::int64_t slot, const Cell<D>& cell) {
-  Site<D> site = {{}, cell, static_cast<std::int32_t>(slot)};
+SlotSite<D> site_of(const Body<T, D>& body, std::int64_t slot, const Cell<D>& cell) {
+  SlotSite<D> site = {{}, {cell, static_cast<std::int32_t>(slot)}};
   for (int a = 0; a < D; ++a) {
     site.position[a] = cell[a] + body.stage[0].get(Field::drift, a)[slot] / body.lattice.spacing;
     const std::int32_t n = body.lattice.period[a];
     if (n == 0) continue;
     const double periods = std::floor(site.position[a] / n);
     site.position[a] -= periods * n;
-    site.cell[a] -= static_cast<std::int32_t>(periods) * n;
+    site.label.cell[a] -= static_cast<std::int32_t>(periods) * n;
   }
   return site;
 }

@@ -87,29 +87,30 @@ std::vector<Phase> NeighbourSearch<T, D>::phases() {
                        scheduler::FieldId writes, auto run) -> Phase {
     return {.name = name, .reads = reads, .writes = {{writes}}, .run = run};
   };
-  const auto once = [](const char* name, scheduler::FieldId reads, scheduler::FieldId writes,
-                       auto run) -> Phase {
+  const auto reduce = [](const char* name, scheduler::FieldId reads, scheduler::FieldId writes,
+                         auto run) -> Phase {
     return {.name = name,
             .reads = {{reads, Reach::all}},
             .writes = {{writes, Reach::all}},
-            .extent = Phase::Extent::once,
+            .kind = Phase::Kind::reduce,
             .run = run};
   };
   return {
       each("stencil reach", {{resource::drift(0), Reach::neighbours}}, resource::closest_pairs,
            [this](int block) { measure(block); }),
-      once("stencil reach", resource::closest_pairs, resource::verdicts, [this](int) { decide(); }),
+      reduce("stencil reach", resource::closest_pairs, resource::verdicts,
+             [this](int) { decide(); }),
       each("cells", {{resource::verdicts, Reach::all}, {resource::drift(0)}}, resource::sites,
            [this](int block) {
              const auto [body, local] = state_.owner(block);
              if (body.neighbours.is_search_due) find_sites<T, D>(body, local);
            }),
-      once("cells", resource::sites, resource::cells,
-           [this](int) {
-             for (Body<T, D>& body : state_.bodies) {
-               if (body.neighbours.is_search_due) sort_sites<T, D>(body);
-             }
-           }),
+      reduce("cells", resource::sites, resource::cells,
+             [this](int) {
+               for (Body<T, D>& body : state_.bodies) {
+                 if (body.neighbours.is_search_due) sort_sites<T, D>(body);
+               }
+             }),
       each("neighbours", {{resource::cells, Reach::all}, {resource::drift(0)}}, resource::lists,
            [this](int block) {
              const auto [body, local] = state_.owner(block);

@@ -72,7 +72,7 @@ FrameSurface take_surface(const Boundaries<D>& boundaries,
 
 template <class T, int D>
 std::vector<std::vector<double>> wall_pressures(const State<T, D>& state,
-                                                const kernels::Table<T, D>& kernels) {
+                                                const kernels::RemeshedTable<T, D>& kernels) {
   BoundaryValues<D> now;
   now.evaluate(state.boundaries, state.clock.time);
   std::vector<std::vector<double>> pressures;
@@ -85,7 +85,7 @@ std::vector<std::vector<double>> wall_pressures(const State<T, D>& state,
 }  // namespace
 
 template <class T, int D>
-Frame take_frame(const State<T, D>& state, const kernels::Table<T, D>& kernels,
+Frame take_frame(const State<T, D>& state, const kernels::RemeshedTable<T, D>& kernels,
                  const NodeSource<T, D>& find_nodes, const FrameParts& parts) {
   const auto& bodies = state.bodies;
   const std::vector<Selection> chosen = select(state, parts.ghosts);
@@ -136,9 +136,9 @@ Frame take_frame(const State<T, D>& state, const kernels::Table<T, D>& kernels,
   return frame;
 }
 
-template Frame take_frame<double, 2>(const State<double, 2>&, const kernels::Table<double, 2>&,
+template Frame take_frame<double, 2>(const State<double, 2>&, const kernels::RemeshedTable<double, 2>&,
                                      const NodeSource<double, 2>&, const FrameParts&);
-template Frame take_frame<double, 3>(const State<double, 3>&, const kernels::Table<double, 3>&,
+template Frame take_frame<double, 3>(const State<double, 3>&, const kernels::RemeshedTable<double, 3>&,
                                      const NodeSource<double, 3>&, const FrameParts&);
 
 }  // namespace pliant::remeshed

@@ -10,7 +10,7 @@ namespace pliant::remeshed {
 /// contact walls the pressure of these too, (RP.61). SI units; stresses have their zz component in
 /// plane strain too. Surfaces are those of `find_nodes`: between remeshings, of a remeshed copy.
 template <class T, int D>
-Frame take_frame(const State<T, D>& state, const kernels::Table<T, D>& kernels,
+Frame take_frame(const State<T, D>& state, const kernels::RemeshedTable<T, D>& kernels,
                  const NodeSource<T, D>& find_nodes, const FrameParts& parts);
 
 }  // namespace pliant::remeshed

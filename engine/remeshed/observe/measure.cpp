@@ -20,15 +20,15 @@ constexpr double pi = 3.14159265358979323846;
 constexpr double nothing = std::numeric_limits<double>::quiet_NaN();
 
 template <class T, int D>
-double mean_radius(const LatticeView<T, D>& view, const Vector& centre, int rays) {
+double mean_radius(const LatticeView<T, D>& view, const Vector& centre, int directions) {
   double sum = 0;
-  for (int k = 0; k < rays; ++k) {
-    const double angle = 2 * pi * (k + 0.5) / rays;
+  for (int k = 0; k < directions; ++k) {
+    const double angle = 2 * pi * (k + 0.5) / directions;
     const auto r = ray_to_surface(view, centre, {std::cos(angle), std::sin(angle), 0});
     if (!r) return nothing;
     sum += *r;
   }
-  return sum / rays;
+  return sum / directions;
 }
 
 }  // namespace
@@ -89,7 +89,7 @@ double Measurer<T, D>::value(const MeasurementCase& m) {
   if (m.reads_history()) return nothing;
   switch (m.kind) {
     case Quantity::extent:
-    case Quantity::ray:
+    case Quantity::surface_distance:
     case Quantity::mean_radius:
       return surface_value(m);
     case Quantity::surface_area:
@@ -101,7 +101,7 @@ double Measurer<T, D>::value(const MeasurementCase& m) {
       return impulse(m);
     case Quantity::point_value:
       return point_value(m);
-    case Quantity::closest_pair:
+    case Quantity::minimum_particle_distance:
       return closest_pair<T, D>(state_.bodies[m.body]);
     case Quantity::velocity_error:
       return velocity_error(m);
@@ -128,9 +128,9 @@ template <class T, int D>
 double Measurer<T, D>::surface_value(const MeasurementCase& m) {
   const double t = state_.clock.time;
   if (m.kind == MeasurementCase::Kind::mean_radius) {
-    return mean_radius(nodes(m.body), m.point, m.rays);
+    return mean_radius(nodes(m.body), m.point, m.directions);
   }
-  if (m.kind == MeasurementCase::Kind::ray) {
+  if (m.kind == MeasurementCase::Kind::surface_distance) {
     const auto distance = ray_to_surface(nodes(m.body), m.point, m.direction);
     return distance ? *distance - m.reference : nothing;
   }

@@ -5,8 +5,8 @@
 #include "engine/remeshed/body.hpp"
 #include "kernels/energy.hpp"
 #include "kernels/law.hpp"
-#include "kernels/relaxation.hpp"
-#include "kernels/set_determinant.hpp"
+#include "kernels/remeshed/remeshing/set_determinant.hpp"
+#include "kernels/remeshed/stage/relaxation.hpp"
 
 /// Material quantities of single particles, for measurements and output; `fields` are a body's own
 /// or those of its remeshed copy.

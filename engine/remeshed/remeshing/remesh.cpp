@@ -22,12 +22,12 @@ using scheduler::Reach;
 
 template <class T, int D>
 Remeshing<T, D>::Remeshing(const Case& settings, Body<T, D>& body, const Boundaries<D>& boundaries,
-                           const kernels::Table<T, D>& kernels, scheduler::Workers& workers)
+                           const kernels::RemeshedTable<T, D>& kernels, scheduler::Workers& workers)
     : body_(body),
       boundaries_(boundaries),
       kernels_(kernels),
       treatment_(settings.ghosts),
-      stencil_reach_(kernels::stencil_reach(settings.discretisation.weight)),
+      stencil_reach_(kernels::stencil_reach(settings.discretisation.kernel)),
       layout_search_(body),
       fields_(settings, body, kernels, workers) {}
 
@@ -48,14 +48,14 @@ void Remeshing<T, D>::source_phases(std::vector<scheduler::Phase>& all, int firs
               {{resource::constants}}, [this](int b) { fill_conserved(body_, b); });
   phases.each("remesh: layout", {{resource::drift(0)}, {resource::contact}}, {{resource::bounds}},
               [this](int b) { layout_search_.find_bounds(b); });
-  phases.once("remesh: layout",
-              {{resource::bounds, Reach::all},
-               {resource::drift(0), Reach::all},
-               {resource::contact, Reach::all}},
-              {{resource::remeshed, Reach::all}}, [this] {
-                layout_search_.mark_particles();
-                prepare_spare();
-              });
+  phases.reduce("remesh: layout",
+                {{resource::bounds, Reach::all},
+                 {resource::drift(0), Reach::all},
+                 {resource::contact, Reach::all}},
+                {{resource::remeshed, Reach::all}}, [this] {
+                  layout_search_.mark_particles();
+                  prepare_spare();
+                });
 }
 
 template <class T, int D>
@@ -120,11 +120,11 @@ void Remeshing<T, D>::add_fields(BodyPhases& phases) {
   if (!fields_.filters()) return;
   phases.each("remesh: filter", {remeshed_near, images_near}, {{resource::filtered}},
               [this](int b) { fields_.filter(b); });
-  phases.once("remesh: filter", {{resource::filtered, Reach::all}},
-              {{resource::remeshed, Reach::all}}, [this] {
-                fields_.swap_in_filtered();
-                share_with_level_set();
-              });
+  phases.reduce("remesh: filter", {{resource::filtered, Reach::all}},
+                {{resource::remeshed, Reach::all}}, [this] {
+                  fields_.swap_in_filtered();
+                  share_with_level_set();
+                });
 }
 
 template <class T, int D>
@@ -163,13 +163,13 @@ void Remeshing<T, D>::add_ghosts(BodyPhases& phases) {
               [this](int b) {
                 if (is_final_) list_surface_particles(body_.spare, b, body_.record_of_slot.get());
               });
-  phases.once("ghosts: surface", {{resource::surface_packs, Reach::all}},
-              {{resource::record_numbers, Reach::all}}, [this] {
-                if (is_final_) {
-                  number_records(body_.spare, level_set_, body_.lattice.spacing,
-                                 body_.record_of_slot.get());
-                }
-              });
+  phases.reduce("ghosts: surface", {{resource::surface_packs, Reach::all}},
+                {{resource::record_numbers, Reach::all}}, [this] {
+                  if (is_final_) {
+                    number_records(body_.spare, level_set_, body_.lattice.spacing,
+                                   body_.record_of_slot.get());
+                  }
+                });
   phases.each("ghosts: surface", {{resource::record_numbers}}, {{resource::fits}}, [this](int b) {
     if (is_final_) resolve_records(body_.spare, b, body_.record_of_slot.get());
   });

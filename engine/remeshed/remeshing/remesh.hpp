@@ -24,7 +24,7 @@ template <class T, int D>
 class Remeshing {
  public:
   Remeshing(const Case& settings, Body<T, D>& body, const Boundaries<D>& boundaries,
-            const kernels::Table<T, D>& kernels, scheduler::Workers& workers);
+            const kernels::RemeshedTable<T, D>& kernels, scheduler::Workers& workers);
 
   /// Lays the initial particles out; `target_phases(false)` then completes them.
   void place_initial(const Case& settings);
@@ -54,7 +54,7 @@ class Remeshing {
 
   Body<T, D>& body_;
   const Boundaries<D>& boundaries_;
-  const kernels::Table<T, D>& kernels_;
+  const kernels::RemeshedTable<T, D>& kernels_;
   GhostTreatment treatment_;
   int stencil_reach_;
   bool is_final_ = true;

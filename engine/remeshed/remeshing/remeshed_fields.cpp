@@ -5,19 +5,19 @@
 
 #include "engine/remeshed/images.hpp"
 #include "engine/remeshed/level_set/level_set.hpp"
-#include "kernels/set_determinant.hpp"
+#include "kernels/remeshed/remeshing/set_determinant.hpp"
 
 namespace pliant::remeshed {
 
 template <class T, int D>
 RemeshedFields<T, D>::RemeshedFields(const Case& settings, Body<T, D>& body,
-                                     const kernels::Table<T, D>& kernels,
+                                     const kernels::RemeshedTable<T, D>& kernels,
                                      scheduler::Workers& workers)
     : body_(body),
       kernels_(kernels),
       workers_(workers),
       filter_strength_(settings.remeshing.filter),
-      extensive_(settings.remeshing.extensive),
+      conserves_volume_(settings.remeshing.volume == VolumeRule::conserved),
       filtered_memory_(body.prony.size()),
       tiles_(workers.threads()) {}
 
@@ -85,10 +85,10 @@ void RemeshedFields<T, D>::take_nodes(int block, ScatterTile<T, D>& tile) {
     }
     state.get(Field::level_set)[p] =
         valid ? node[Node::level_set] / weight : T(LevelSet<T, D>::far * body_.lattice.spacing);
-    state.get(Field::volume)[p] = valid && extensive_ ? volume : cell_volume;
-    state.get(Field::mass)[p] = !valid       ? body_.material.density * cell_volume
-                                : extensive_ ? mass
-                                             : mass * per_volume * cell_volume;
+    state.get(Field::volume)[p] = valid && conserves_volume_ ? volume : cell_volume;
+    state.get(Field::mass)[p] = !valid              ? body_.material.density * cell_volume
+                                : conserves_volume_ ? mass
+                                                    : mass * per_volume * cell_volume;
   });
 }
 

@@ -14,8 +14,8 @@ namespace pliant::remeshed {
 template <class T, int D>
 class RemeshedFields {
  public:
-  RemeshedFields(const Case& settings, Body<T, D>& body, const kernels::Table<T, D>& kernels,
-                 scheduler::Workers& workers);
+  RemeshedFields(const Case& settings, Body<T, D>& body,
+                 const kernels::RemeshedTable<T, D>& kernels, scheduler::Workers& workers);
 
   /// Room for the slots of `spare`.
   void prepare();
@@ -40,10 +40,10 @@ class RemeshedFields {
   void take_memory(int block, ScatterTile<T, D>& tile, int first_term, int count);
 
   Body<T, D>& body_;
-  const kernels::Table<T, D>& kernels_;
+  const kernels::RemeshedTable<T, D>& kernels_;
   scheduler::Workers& workers_;
   double filter_strength_;
-  bool extensive_;
+  bool conserves_volume_;
   T* inside_ = nullptr;                     ///< [new slot] 1 there where phi < 0
   T* valid_ = nullptr;                      ///< [new slot]
   std::vector<Buffer<T>> filtered_memory_;  ///< [Prony term]

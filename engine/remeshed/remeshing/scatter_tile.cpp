@@ -33,7 +33,7 @@ void ScatterTile<T, D>::lay_out(const Layout<D>& layout, int block) {
 template <class T, int D>
 void ScatterTile<T, D>::fill(Body<T, D>& body, const std::vector<CellBounds<D>>& bounds,
                              const TransportedFields<T, D>& carried,
-                             const kernels::Table<T, D>& kernels) {
+                             const kernels::RemeshedTable<T, D>& kernels) {
   width_ = kernels::node_width_for<D>(carried.count);
   const std::size_t values = count_ * width_;
   nodes_.grow(values, T(0));

@@ -22,7 +22,7 @@ class ScatterTile {
   /// Sums over the particles and ghosts of a body, of its present blocks in order. `bounds` are
   /// those of the blocks.
   void fill(Body<T, D>& body, const std::vector<CellBounds<D>>& bounds,
-            const TransportedFields<T, D>& carried, const kernels::Table<T, D>& kernels);
+            const TransportedFields<T, D>& carried, const kernels::RemeshedTable<T, D>& kernels);
 
   /// The sums of a node: see kernels::NodeField.
   const T* node(const Cell<D>& cell) {

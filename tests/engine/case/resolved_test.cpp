@@ -15,16 +15,16 @@ title = "quotes \" and \\ and\ttabs"
 name = "rich"
 [discretisation]
 spacing = "1/30"
-weight = "compact"
+kernel = "compact"
 [time]
 end = 0.3
 step = 1e-4
 cfl = 0.3
 [remeshing]
 every = 7
-strain = 0.1
+strain_threshold = 0.1
 filter = 0.05
-volume = "extensive"
+volume = "conserved"
 [level_set]
 reinitialise_every = 11
 [ghosts]
@@ -41,7 +41,7 @@ rotation = { centre = [0.1, 0.5], angular_velocity = 0.7 }
 [[body]]
 name = "hard"
 geometry = { shape = "intersection", of = [{ shape = "box", lower = [-0.5, 2], upper = [0.5, 3] }, { shape = "half_space", point = [0, 2.5], normal = [1, 3] }] }
-material = { model = "linear", law = "log", youngs_modulus = 0.1, poissons_ratio = 0.3, density = 1 }
+material = { model = "linear", equation_of_state = "logarithmic", youngs_modulus = 0.1, poissons_ratio = 0.3, density = 1 }
 velocity = ["sin(y)", 1]
 [[boundary]]
 name = "lid"
@@ -81,7 +81,7 @@ kind = "amplitude_ratio"
 of = "bulge"
 [[measurement]]
 name = "reach"
-kind = "ray"
+kind = "surface_distance"
 point = [0, 2.5]
 direction = [1, 2]
 [[measurement]]
@@ -105,7 +105,7 @@ method = "remeshed"
 
 [discretisation]
 spacing = 0.1
-weight = "quartic_polynomial"
+kernel = "quartic_spline_fit"
 dissipation = 0.25
 operators = "moment_matrix"
 artificial_viscosity = 1
@@ -118,7 +118,7 @@ cfl = 0.5
 
 [remeshing]
 every = "adaptive"
-strain = 0.18
+strain_threshold = 0.18
 filter = 0.2
 volume = "reset"
 
@@ -131,7 +131,7 @@ treatment = "linear"
 [[body]]
 name = "block"
 geometry = { shape = "box", lower = [0, 0], upper = [1, 2] }
-material = { model = "linear", density = 2, law = "rho", youngs_modulus = 100, poissons_ratio = 0.3 }
+material = { model = "linear", density = 2, equation_of_state = "linear", youngs_modulus = 100, poissons_ratio = 0.3 }
 velocity = [0, 0]
 stretch = [1, 1]
 
@@ -211,12 +211,12 @@ TEST(resolved, no_setting_is_lost) {
   for (const char* setting : {"title=b",
                               "name=b",
                               "discretisation.spacing=0.05",
-                              "discretisation.weight=quartic",
+                              "discretisation.kernel=quartic_spline",
                               "time.end=4",
                               "time.step=cfl",
                               "time.cfl=0.1",
                               "remeshing.every=never",
-                              "remeshing.strain=0.3",
+                              "remeshing.strain_threshold=0.3",
                               "remeshing.filter=0",
                               "remeshing.volume=reset",
                               "level_set.reinitialise_every=5",
@@ -229,7 +229,7 @@ TEST(resolved, no_setting_is_lost) {
                               "measurement.bulge.where=x<0",
                               "measurement.bulge.body=soft",
                               "measurement.error.norm=maximum",
-                              "body.hard.material.law=rho",
+                              "body.hard.material.equation_of_state=linear",
                               "body.soft.rotation.angular_velocity=3",
                               "boundary.air.pressure=t",
                               "periodic.upper=[3, inf]"}) {

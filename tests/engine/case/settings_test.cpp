@@ -63,8 +63,9 @@ TEST(settings, are_checked_like_the_file_and_named_in_messages) {
 }
 
 TEST(settings, wrong_ones_are_explained) {
-  EXPECT_EQ(complaint(walled_case, {"time.end"}),
-            "--set time.end: a setting is key=value; write it as in --set time.end=0.01");
+  EXPECT_EQ(
+      complaint(walled_case, {"time.end"}),
+      "--set time.end: a setting must have the form key=value; write it as in --set time.end=0.01");
   EXPECT_EQ(complaint(walled_case, {"boundary.uper.velocity=[0,0]"}),
             "--set boundary.uper.velocity=[0,0]: `boundary` has no element `uper`; did you mean "
             "`upper`?");

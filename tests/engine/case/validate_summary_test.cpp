@@ -20,7 +20,8 @@ kind = "mass"
 )";
   EXPECT_EQ(validate_summary(tests::read_text(text)),
             "block: a block, 2D, spacing 0.1 m\n"
-            "  body block: about 200 particles, linear, rho law, waves at 8.204 m/s\n"
+            "  body block: about 200 particles, linear elastic, linear equation of state, waves at "
+            "8.204 m/s\n"
             "  boundary floor: fixed\n"
             "  time: 1 s in about 165 steps of 0.00609 s (CFL number 0.5), remeshed at a strain of "
             "0.18\n"

@@ -98,13 +98,13 @@ TEST_F(MeasuredHistories, values_have_the_units_of_what_is_measured) {
   }
   MeasurementCase force;
   m.of = 0;
-  m.kind = Quantity::largest_mean;
+  m.kind = Quantity::peak_moving_average;
   for (const Quantity kind : {Quantity::wall_force, Quantity::contact_force}) {
     force.kind = kind;
     space.measurements = {force};
     EXPECT_EQ(unit_of(space, m), "N") << "a mean has the unit of what it is the mean of";
   }
-  m.kind = Quantity::last_time;
+  m.kind = Quantity::last_time_above;
   EXPECT_EQ(unit_of(space, m), "s");
 }
 

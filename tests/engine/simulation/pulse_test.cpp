@@ -22,33 +22,33 @@ struct Pulse {
   }
 };
 
-TEST(pulses, largest_mean_of_a_half_wave_is_that_of_its_top) {
+TEST(pulses, peak_moving_average_of_a_half_wave_is_that_of_its_top) {
   const double pi = std::acos(-1.0);
   const Pulse pulse(1 / 64., 2);
   // Windows that end with samples: one of them is centred at the top.
   for (const double over : {2 / 64., 8 / 64., 1.0}) {
     const double exact = std::sin(pi * over / 2) / (pi * over / 2);
-    EXPECT_NEAR(largest_mean(pulse.time, pulse.value, over), exact, 1e-12) << over;
+    EXPECT_NEAR(peak_moving_average(pulse.time, pulse.value, over), exact, 1e-12) << over;
   }
 }
 
-TEST(pulses, largest_mean_waits_for_its_first_window) {
+TEST(pulses, peak_moving_average_waits_for_its_first_window) {
   const Pulse pulse(0.125, 0.5);
-  EXPECT_TRUE(std::isnan(largest_mean(pulse.time, pulse.value, 0.6)));
-  EXPECT_FALSE(std::isnan(largest_mean(pulse.time, pulse.value, 0.5)));
+  EXPECT_TRUE(std::isnan(peak_moving_average(pulse.time, pulse.value, 0.6)));
+  EXPECT_FALSE(std::isnan(peak_moving_average(pulse.time, pulse.value, 0.5)));
 }
 
-TEST(pulses, last_time_is_the_end_of_a_half_wave_within_a_sample) {
+TEST(pulses, last_time_above_is_the_end_of_a_half_wave_within_a_sample) {
   for (const double step : {0.1, 0.01}) {
     const Pulse pulse(step, 2);
     // The last 0.03 % of the wave are below a thousandth.
-    EXPECT_NEAR(last_time(pulse.time, pulse.value), 1, 1.001 * step) << step;
+    EXPECT_NEAR(last_time_above(pulse.time, pulse.value), 1, 1.001 * step) << step;
   }
 }
 
-TEST(pulses, nothing_that_is_positive_has_no_last_time) {
+TEST(pulses, nothing_that_is_positive_has_no_last_time_above) {
   const std::vector<double> time = {0, 1, 2}, value = {0, -1, 0};
-  EXPECT_TRUE(std::isnan(last_time(time, value)));
+  EXPECT_TRUE(std::isnan(last_time_above(time, value)));
 }
 
 }  // namespace

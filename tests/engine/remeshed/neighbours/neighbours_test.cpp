@@ -33,7 +33,7 @@ void displace(Body& body, F&& place) {
 /// Searches for the neighbours of a solver's first body, whatever its strain.
 void search(Solver& solver, std::uint64_t seed = 0) {
   Body& body = solver.state().bodies[0];
-  Search search(solver.state(), solver.settings().discretisation.weight);
+  Search search(solver.state(), solver.settings().discretisation.kernel);
   search.forget();
   body.neighbours.strain = never_so_much;
   ASSERT_TRUE(search.is_due(0));
@@ -77,15 +77,15 @@ Point<2> compressed(const Point<2>& x) {
 }
 
 TEST(neighbours, are_all_those_within_the_radius_of_irregular_strained_particles) {
-  for (const char* weight : {"quartic", "compact"}) {
+  for (const char* weight : {"quartic_spline", "compact"}) {
     Solver solver(
         small_case("rotating_cylinder", {"discretisation.spacing=0.1",
-                                         std::string("discretisation.weight=\"") + weight + "\""}),
+                                         std::string("discretisation.kernel=\"") + weight + "\""}),
         1, kernels::widest_supported());
     Body& body = solver.state().bodies[0];
     displace(body, compressed);
     search(solver);
-    EXPECT_GT(compare_with_trying_all(body, solver.settings().discretisation.weight, 0), 250);
+    EXPECT_GT(compare_with_trying_all(body, solver.settings().discretisation.kernel, 0), 250);
   }
 }
 

@@ -1,0 +1,85 @@
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <limits>
+#include <vector>
+
+namespace pliant {
+
+/// A box with sides along the axes; empty until it has grown.
+template <int D>
+struct Box {
+  std::array<double, D> lower = filled(std::numeric_limits<double>::infinity());
+  std::array<double, D> upper = filled(-std::numeric_limits<double>::infinity());
+
+  void grow(const Box& other) {
+    for (int a = 0; a < D; ++a) {
+      lower[a] = std::min(lower[a], other.lower[a]);
+      upper[a] = std::max(upper[a], other.upper[a]);
+    }
+  }
+  void grow(const std::array<double, D>& point) { grow(Box{point, point}); }
+
+  static std::array<double, D> filled(double value) {
+    std::array<double, D> all;
+    all.fill(value);
+    return all;
+  }
+};
+
+/// Square of the least distance between points of two boxes. Never more than the squared distance
+/// of two such points, rounding included.
+template <int D>
+double squared_gap(const Box<D>& a, const Box<D>& b) {
+  double sum = 0;
+  for (int i = 0; i < D; ++i) {
+    const double gap = std::max({0.0, a.lower[i] - b.upper[i], b.lower[i] - a.upper[i]});
+    sum += gap * gap;
+  }
+  return sum;
+}
+
+/// Boxes of ever longer runs of a list of boxes, for lists in which neighbours in the list are
+/// neighbours in space. A search takes O(log n) steps and one for each box found.
+template <int D>
+class BoxTree {
+ public:
+  explicit BoxTree(std::vector<Box<D>> boxes) {
+    levels_.push_back(std::move(boxes));
+    while (levels_.back().size() > 1) {
+      const std::vector<Box<D>>& below = levels_.back();
+      std::vector<Box<D>> level((below.size() + 1) / 2);
+      for (std::size_t i = 0; i < below.size(); ++i) level[i / 2].grow(below[i]);
+      levels_.push_back(std::move(level));
+    }
+  }
+
+  const Box<D>& operator[](std::size_t i) const { return levels_[0][i]; }
+
+  /// Calls f(i) in ascending order for the boxes from number `from` on whose gap to `box` squared
+  /// is at most `squared_radius`.
+  template <class F>
+  void for_each_near(const Box<D>& box, double squared_radius, std::size_t from, F&& f) const {
+    if (!levels_[0].empty()) visit(levels_.size() - 1, 0, box, squared_radius, from, f);
+  }
+
+ private:
+  template <class F>
+  void visit(std::size_t level, std::size_t i, const Box<D>& box, double squared_radius,
+             std::size_t from, F& f) const {
+    if ((i + 1) << level <= from || i >= levels_[level].size()) return;
+    if (squared_gap(levels_[level][i], box) > squared_radius) return;
+    if (level == 0) {
+      f(i);
+      return;
+    }
+    visit(level - 1, 2 * i, box, squared_radius, from, f);
+    visit(level - 1, 2 * i + 1, box, squared_radius, from, f);
+  }
+
+  std::vector<std::vector<Box<D>>> levels_;  ///< [level][i] box of runs of 2^level boxes
+};
+
+}  // namespace pliant

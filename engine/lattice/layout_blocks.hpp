@@ -1,0 +1,22 @@
+#pragma once
+
+#include <vector>
+
+#include "engine/blocks/numbering.hpp"
+#include "engine/lattice/layout.hpp"
+
+namespace pliant {
+
+/// [body]
+template <int D>
+using Layouts = std::vector<const Layout<D>*>;
+
+/// Numbers the blocks of bodies that lie on lattices.
+template <int D>
+void number_blocks(const Layouts<D>& layouts, std::vector<BlockOwner>& owners);
+
+/// Neighbours of each block, and those of its body up to `more` cells farther away.
+template <int D>
+scheduler::Blocks connect_blocks(const Layouts<D>& layouts, int more);
+
+}  // namespace pliant

@@ -1,0 +1,283 @@
+#pragma once
+
+#include <array>
+#include <cmath>
+
+#include "kernels/layout.hpp"
+#include "kernels/remeshed/ghosts/arguments.hpp"
+
+/// Velocity and stress of a ghost from the sums over its neighbours' records (see GhostSums). `T`
+/// is a number, or at free surfaces a register of them.
+///
+/// With P = I - n n, a stress splits into its tangential block P s P, its normal part (n.s n) n n
+/// and its shear n tau + tau n, tau = P s n; each boundary condition takes each part from the fit
+/// that is free of constraints or from the one that vanishes on the surface.
+namespace pliant::kernels {
+
+template <class T, int D>
+using VectorOf = std::array<T, D>;
+template <class T, int D>
+using SymmetricOf = std::array<T, symmetric_components<D>>;
+
+template <class T, int D>
+struct GhostState {
+  VectorOf<T, D> velocity;
+  SymmetricOf<T, D> stress;
+};
+
+/// Views of one sum of records.
+template <class T, int D>
+struct RecordSum {
+  using Place = RecordPlace<D>;
+  const T* values;
+  T velocity(int i) const { return values[Place::velocity + i]; }
+  T stress(int i, int j) const { return values[Place::stress + symmetric_index<D>(i, j)]; }
+  T level_set_gradient(int i) const { return values[Place::slope + i]; }
+  T pressure() const { return values[Place::pressure]; }
+};
+
+/// 1/sqrt(x), 0 where x is next to nothing; for registers see free_surface_ghosts.hpp.
+template <class T>
+struct InverseRoot {
+  static T of(T square) { return square > T(1e-12) ? 1 / std::sqrt(square) : T(0); }
+};
+
+/// (RP.37); the zero vector where the gradients cancel.
+template <class T, int D>
+VectorOf<T, D> unit_normal(const RecordSum<T, D>& sum) {
+  T square = 0;
+#pragma GCC unroll 3
+  for (int i = 0; i < D; ++i) square += sum.level_set_gradient(i) * sum.level_set_gradient(i);
+  const T scale = InverseRoot<T>::of(square);
+  VectorOf<T, D> n;
+#pragma GCC unroll 3
+  for (int i = 0; i < D; ++i) n[i] = scale * sum.level_set_gradient(i);
+  return n;
+}
+
+/// s n and n.s n.
+template <class T, int D>
+T traction(const RecordSum<T, D>& sum, const VectorOf<T, D>& n, VectorOf<T, D>& s_n) {
+  T s_nn = 0;
+#pragma GCC unroll 3
+  for (int i = 0; i < D; ++i) {
+    s_n[i] = 0;
+#pragma GCC unroll 3
+    for (int j = 0; j < D; ++j) s_n[i] += sum.stress(i, j) * n[j];
+    s_nn += n[i] * s_n[i];
+  }
+  return s_nn;
+}
+
+/// The stress of `sum` with its traction on the plane of normal n replaced by s_nn n + tau.
+template <class T, int D>
+SymmetricOf<T, D> with_traction(const RecordSum<T, D>& sum, const VectorOf<T, D>& n, T s_nn,
+                                const VectorOf<T, D>& tau) {
+  VectorOf<T, D> old;
+  const T old_nn = traction<T, D>(sum, n, old);
+  SymmetricOf<T, D> stress;
+#pragma GCC unroll 3
+  for (int i = 0; i < D; ++i) {
+#pragma GCC unroll 3
+    for (int j = i; j < D; ++j) {
+      const T tangential = sum.stress(i, j) - n[i] * old[j] - old[i] * n[j] + old_nn * n[i] * n[j];
+      stress[symmetric_index<D>(i, j)] =
+          tangential + s_nn * n[i] * n[j] + n[i] * tau[j] + tau[i] * n[j];
+    }
+  }
+  return stress;
+}
+
+/// P s n.
+template <class T, int D>
+VectorOf<T, D> shear(const RecordSum<T, D>& sum, const VectorOf<T, D>& n) {
+  VectorOf<T, D> tau;
+  const T s_nn = traction<T, D>(sum, n, tau);
+#pragma GCC unroll 3
+  for (int i = 0; i < D; ++i) tau[i] -= s_nn * n[i];
+  return tau;
+}
+
+/// rho c of plane waves in a material at rest [Pa s/m].
+template <class T>
+struct Impedance {
+  T pressure_wave, shear_wave;
+  explicit Impedance(const Material<T>& m)
+      : pressure_wave(std::sqrt(m.density * (m.bulk_modulus + m.shear_modulus * T(4) / T(3)))),
+        shear_wave(std::sqrt(m.density * m.shear_modulus)) {}
+  Impedance(const T& pressure, const T& shear) : pressure_wave(pressure), shear_wave(shear) {}
+};
+
+/// The three sums over a ghost's neighbours: c, b and a of (RP.32) and (RP.33).
+template <class T, int D>
+struct GhostFits {
+  RecordSum<T, D> linear, constrained, surface;
+  T constrained_sum;  ///< sum_i b_gi
+  T surface_sum;      ///< sum_i a_gi
+};
+
+/// Traction on a surface: its part along the normal n and the rest.
+template <class T, int D>
+struct SurfaceLoad {
+  VectorOf<T, D> n;
+  T normal;
+  VectorOf<T, D> shear;
+};
+
+/// (RP.34), (RP.44) of a surface under `load`.
+template <class T, int D>
+GhostState<T, D> loaded_surface_ghost(const GhostFits<T, D>& fits, const SurfaceLoad<T, D>& load,
+                                      const Impedance<T>& impedance) {
+  const VectorOf<T, D>& n = load.n;
+  const T of_load = 1 - fits.constrained_sum;
+  VectorOf<T, D> s_n;
+  const T s_nn = traction<T, D>(fits.constrained, n, s_n) + load.normal * of_load;
+  const T excess = traction<T, D>(fits.surface, n, s_n) - load.normal * fits.surface_sum;
+  VectorOf<T, D> tau = shear<T, D>(fits.constrained, n);
+  VectorOf<T, D> excess_tau = shear<T, D>(fits.surface, n);
+  GhostState<T, D> ghost;
+#pragma GCC unroll 3
+  for (int i = 0; i < D; ++i) {
+    tau[i] += load.shear[i] * of_load;
+    excess_tau[i] -= load.shear[i] * fits.surface_sum;
+    ghost.velocity[i] = fits.linear.velocity(i) - excess / impedance.pressure_wave * n[i] -
+                        excess_tau[i] / impedance.shear_wave;
+  }
+  ghost.stress = with_traction<T, D>(fits.linear, n, s_nn, tau);
+  return ghost;
+}
+
+/// The same of a free surface; `pressure` acts on it.
+template <class T, int D>
+GhostState<T, D> free_surface_ghost(const GhostFits<T, D>& fits, T pressure,
+                                    const Impedance<T>& impedance) {
+  SurfaceLoad<T, D> load{unit_normal<T, D>(fits.linear), -pressure, {}};
+  load.shear.fill(T(0));
+  return loaded_surface_ghost<T, D>(fits, load, impedance);
+}
+
+/// (RP.38): P Sbar P - p I with the ambient pressure `pressure`.
+template <class T, int D>
+GhostState<T, D> averaged_surface_ghost(RecordSum<T, D> mean, T pressure) {
+  const VectorOf<T, D> n = unit_normal<T, D>(mean);
+  std::array<T, record_width<D>> deviatoric;
+  for (int k = 0; k < record_width<D>; ++k) deviatoric[k] = mean.values[k];
+#pragma GCC unroll 3
+  for (int i = 0; i < D; ++i)
+    deviatoric[RecordPlace<D>::stress + symmetric_index<D>(i, i)] += mean.pressure();
+  GhostState<T, D> ghost;
+#pragma GCC unroll 3
+  for (int i = 0; i < D; ++i) ghost.velocity[i] = mean.velocity(i);
+  ghost.stress = with_traction<T, D>(RecordSum<T, D>{deviatoric.data()}, n, T(0), VectorOf<T, D>{});
+#pragma GCC unroll 3
+  for (int i = 0; i < D; ++i) ghost.stress[symmetric_index<D>(i, i)] -= pressure;
+  return ghost;
+}
+
+/// The wall of (RP.38).
+template <class T, int D>
+GhostState<T, D> averaged_wall_ghost(RecordSum<T, D> mean, const VectorOf<T, D>& wall_velocity) {
+  GhostState<T, D> ghost;
+  ghost.velocity = wall_velocity;
+#pragma GCC unroll 3
+  for (int i = 0; i < D; ++i) {
+#pragma GCC unroll 3
+    for (int j = i; j < D; ++j) ghost.stress[symmetric_index<D>(i, j)] = mean.stress(i, j);
+  }
+  return ghost;
+}
+
+/// w.n, how fast the body leaves the wall; n the normal of the wall, into the body.
+template <class T, int D>
+T departure(const GhostFits<T, D>& fits, const VectorOf<T, D>& wall_velocity,
+            const VectorOf<T, D>& n) {
+  T speed = 0;
+#pragma GCC unroll 3
+  for (int i = 0; i < D; ++i) speed += n[i] * (fits.surface.velocity(i) - wall_velocity[i]);
+  return speed;
+}
+
+/// (RP.35), (RP.45); n the normal of the wall, into the body.
+template <class T, int D>
+GhostState<T, D> wall_ghost(const GhostFits<T, D>& fits, const VectorOf<T, D>& wall_velocity,
+                            const VectorOf<T, D>& n, const Impedance<T>& impedance) {
+  const T away = departure<T, D>(fits, wall_velocity, n);
+  GhostState<T, D> ghost;
+  VectorOf<T, D> slip;
+#pragma GCC unroll 3
+  for (int i = 0; i < D; ++i) {
+    ghost.velocity[i] =
+        fits.constrained.velocity(i) + wall_velocity[i] * (1 - fits.constrained_sum);
+    slip[i] = fits.surface.velocity(i) - wall_velocity[i] - away * n[i];
+  }
+#pragma GCC unroll 3
+  for (int i = 0; i < D; ++i) {
+#pragma GCC unroll 3
+    for (int j = i; j < D; ++j) {
+      ghost.stress[symmetric_index<D>(i, j)] =
+          fits.linear.stress(i, j) + impedance.pressure_wave * away * n[i] * n[j] +
+          impedance.shear_wave * (n[i] * slip[j] + slip[i] * n[j]);
+    }
+  }
+  return ghost;
+}
+
+/// (RP.36), (RP.44), (RP.45); n the normal of the wall, into the body.
+template <class T, int D>
+GhostState<T, D> slip_wall_ghost(const GhostFits<T, D>& fits, const VectorOf<T, D>& wall_velocity,
+                                 const VectorOf<T, D>& n, const Impedance<T>& impedance) {
+  const RecordSum<T, D>& at_wall = fits.surface;
+  T jump = 0;  // of the normal velocity, from the wall to the ghost
+#pragma GCC unroll 3
+  for (int i = 0; i < D; ++i) {
+    const T constrained =
+        fits.constrained.velocity(i) + wall_velocity[i] * (1 - fits.constrained_sum);
+    jump += n[i] * (constrained - at_wall.velocity(i));
+  }
+  const VectorOf<T, D> tau = shear<T, D>(at_wall, n);
+  GhostState<T, D> ghost;
+#pragma GCC unroll 3
+  for (int i = 0; i < D; ++i) {
+    ghost.velocity[i] = at_wall.velocity(i) + jump * n[i] + tau[i] / impedance.shear_wave;
+  }
+  VectorOf<T, D> s_n;
+  const T s_nn = traction<T, D>(at_wall, n, s_n) +
+                 impedance.pressure_wave * departure<T, D>(fits, wall_velocity, n);
+  ghost.stress = with_traction<T, D>(at_wall, n, s_nn, shear<T, D>(fits.constrained, n));
+  return ghost;
+}
+
+/// n.(RP.51): pressure of a wall on the body, negative where it pulls [Pa]; n the normal of the
+/// wall, into the body.
+template <class T, int D>
+T wall_pressure(const GhostFits<T, D>& fits, const VectorOf<T, D>& wall_velocity,
+                const VectorOf<T, D>& n, bool slips, const Impedance<T>& impedance) {
+  VectorOf<T, D> s_n;
+  T s_nn = traction<T, D>(fits.surface, n, s_n);
+  // The mean of the ghost and of the body as far before the wall, 2 f(x_f) - f(x_g).
+  if (slips) s_nn += (s_nn - traction<T, D>(fits.linear, n, s_n)) / 2;
+  return -(s_nn + impedance.pressure_wave * departure<T, D>(fits, wall_velocity, n));
+}
+
+/// (RP.51): force of a wall on the body over the area [Pa]; n the normal of the wall, into the
+/// body.
+template <class T, int D>
+VectorOf<T, D> wall_force_density(const GhostFits<T, D>& fits, const VectorOf<T, D>& wall_velocity,
+                                  const VectorOf<T, D>& n, bool slips,
+                                  const Impedance<T>& impedance) {
+  const T pressure = wall_pressure<T, D>(fits, wall_velocity, n, slips, impedance);
+  VectorOf<T, D> push;
+#pragma GCC unroll 3
+  for (int i = 0; i < D; ++i) push[i] = pressure * n[i];
+  if (slips) return push;
+  const VectorOf<T, D> tau = shear<T, D>(fits.surface, n);
+  const T away = departure<T, D>(fits, wall_velocity, n);
+#pragma GCC unroll 3
+  for (int i = 0; i < D; ++i) {
+    const T slip = fits.surface.velocity(i) - wall_velocity[i] - away * n[i];
+    push[i] -= tau[i] + impedance.shear_wave * slip;
+  }
+  return push;
+}
+
+}  // namespace pliant::kernels

@@ -1,0 +1,58 @@
+#pragma once
+
+#include "kernels/remeshed/ghosts/ghost_state.hpp"
+
+/// What two bodies do to each other at a point of their common surface.
+namespace pliant::kernels {
+
+/// How an interface answers; the words of case files.
+enum class InterfaceKind { frictionless, sticking, bonded };
+
+/// One side of an interface: what the linear fit of a body finds at the point.
+template <class T, int D>
+struct InterfaceSide {
+  RecordSum<T, D> surface;
+  Impedance<T> impedance;
+};
+
+/// (RP.65): the traction on `own`, n its normal, out of it. `closing` is the velocity [m/s] at
+/// which the gap between the surfaces is to vanish, negative where they overlap. None between
+/// surfaces that do not face each other, as those beside the edge of a contact, unless bonded.
+template <class T, int D>
+SurfaceLoad<T, D> interface_traction(const InterfaceSide<T, D>& own,
+                                     const InterfaceSide<T, D>& other, const VectorOf<T, D>& n,
+                                     T closing, InterfaceKind kind) {
+  VectorOf<T, D> s_n, jump;
+  const T own_nn = traction<T, D>(own.surface, n, s_n);
+  const T other_nn = traction<T, D>(other.surface, n, s_n);
+  SurfaceLoad<T, D> load{n, 0, {}};
+  T opening = 0, facing = 0;
+  const VectorOf<T, D> other_n = unit_normal<T, D>(other.surface);
+#pragma GCC unroll 3
+  for (int i = 0; i < D; ++i) {
+    jump[i] = other.surface.velocity(i) - own.surface.velocity(i);
+    opening += jump[i] * n[i];
+    facing -= other_n[i] * n[i];
+  }
+  if (kind != InterfaceKind::bonded && facing < T(0.5)) return load;
+  const auto resolve = [](T z, T z_other, T s, T s_other, T u) {
+    return (z_other * s + z * s_other + z * z_other * u) / (z + z_other);
+  };
+  load.normal = resolve(own.impedance.pressure_wave, other.impedance.pressure_wave, own_nn,
+                        other_nn, opening + closing);
+  if (kind != InterfaceKind::bonded && !(load.normal < 0)) {
+    load.normal = 0;
+    return load;
+  }
+  if (kind == InterfaceKind::frictionless) return load;
+  const VectorOf<T, D> own_tau = shear<T, D>(own.surface, n);
+  const VectorOf<T, D> other_tau = shear<T, D>(other.surface, n);
+#pragma GCC unroll 3
+  for (int i = 0; i < D; ++i) {
+    load.shear[i] = resolve(own.impedance.shear_wave, other.impedance.shear_wave, own_tau[i],
+                            other_tau[i], jump[i] - opening * n[i]);
+  }
+  return load;
+}
+
+}  // namespace pliant::kernels

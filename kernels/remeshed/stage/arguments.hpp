@@ -1,0 +1,118 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+
+#include "kernels/isa.hpp"
+#include "kernels/layout.hpp"
+#include "kernels/material.hpp"
+#include "kernels/remeshed/evolving.hpp"
+
+/// What the kernels of a Runge-Kutta stage work on.
+namespace pliant::kernels {
+
+/// Neighbours beyond the reach of the stencil: a list for each pack, padded to its longest lane
+/// with the particle itself (which adds nothing). Entry k of lane l of pack i: start[i] + k * pack
+/// + l.
+template <int D>
+struct NeighbourLists {
+  const std::int64_t* start;                  ///< [pack]
+  const std::int32_t* length;                 ///< [pack]
+  const std::int32_t* neighbour;              ///< slot
+  std::array<const std::int32_t*, D> offset;  ///< from the particle to the neighbour [cells], with
+                                              ///< the whole periods that lie between them
+};
+
+/// What a stage makes of one p_i of (RP.70): decay p_i + start (J - 1) + end (J - 1), p_i and the
+/// first J at the start of the step, the second J at the new state, (RP.71).
+template <class T>
+struct Relaxation {
+  T decay;  ///< 1
+  T start;  ///< [Pa]
+  T end;    ///< [Pa]
+};
+
+/// The p_i of a body; a body without Prony terms has none.
+template <class T>
+struct BulkViscosity {
+  int terms = 0;
+  const Relaxation<T>* relaxation = nullptr;  ///< [term], of a stage
+  T* const* pressure = nullptr;               ///< [term][slot] p_i at the start of the step [Pa]
+  T* volume_change = nullptr;                 ///< [slot] J - 1 there: the first stage keeps it
+};
+
+/// What particles need besides their state for the pair forces of plain SPH, (RP.74).
+template <class T, int D>
+struct SymmetricPairs {
+  std::array<const T*, symmetric_components<D>> stress;      ///< sigma/rho^2
+  std::array<const T*, symmetric_components<D>> artificial;  ///< R of (RP.76)
+  T linear, quadratic;  ///< alpha c [m/s] and beta [1] of (RP.75)
+};
+
+/// One Runge-Kutta stage of one block, (RP.12) by (RP.18) and (RP.19): gradients of velocity and
+/// stress, rates, update, and the stress of the new state.
+///
+/// Reads drift, velocity and stress of `current` also in neighbouring blocks. Writes `next`
+/// and `next_stress` in packs with interior particles; their other slots get zero rates but for the
+/// drift, which follows their velocity. In packs of ghosts the displacement alone is
+/// written, in vacant ones nothing. Three copies of the state serve all stages: in stage 2 `next`
+/// may be `second`, in stage 3 (the last) `start`.
+template <class T, int D>
+struct Stage {
+  const Segment<D>* segments;
+  int segment_count;
+  T spacing;
+  T time_step;
+  T dissipation;  ///< kappa of (RP.43) [1/s]; 0: none
+  int stage;      ///< 0..3
+  Weight weight;
+  Material<T> material;
+  const PackState* pack_state;          ///< [slot / slots_per_pack]
+  const T* interior;                    ///< [slot], 1 for interior particles, else 0
+  const NeighbourLists<D>* neighbours;  ///< nullptr: the stencil
+  const T* mass;
+  Evolving<const T, D> current;  ///< Q of this stage
+  std::array<const T*, symmetric_components<D>> stress;
+  Evolving<T, D> start;         ///< Q0; stage 2 leaves Q3 + (Q2 - Q0)/3 there
+  Evolving<const T, D> second;  ///< Q2, read in stage 2
+  Evolving<const T, D> third;   ///< Q3, read in stage 3
+  Evolving<T, D> next;
+  std::array<T*, symmetric_components<D>> next_stress;
+  BulkViscosity<T> viscosity = {};  ///< the last stage writes its pressures
+  /// nullptr: the moment-matrix gradient; else plain SPH, whose neighbours are listed and which
+  /// reads stress from here.
+  const SymmetricPairs<T, D>* pairs = nullptr;
+};
+
+/// Largest values over the interior particles of a block.
+struct StageResult {
+  double strain_rate;       ///< max abs(eps)_F of (RP.28) [1/s], at the stage's state
+  double wave_speed;        ///< max c of (RP.11) [m/s], at the new state
+  std::int64_t non_finite;  ///< a slot whose new state is not finite or has v <= 0, or -1
+};
+
+/// sigma of (RP.2) from a state, in every slot of a block; the wave speed in the result.
+template <class T, int D>
+struct StressOfState {
+  const Segment<D>* segments;
+  int segment_count;
+  Material<T> material;
+  const PackState* pack_state;
+  const T* interior;
+  const T* mass;
+  Evolving<const T, D> state;
+  std::array<T*, symmetric_components<D>> stress;
+  BulkViscosity<T> viscosity = {};
+};
+
+template <class T, int D>
+struct StageKernels {
+  StageResult (*advance_stage)(const Stage<T, D>&);
+  StageResult (*evaluate_stress)(const StressOfState<T, D>&);
+};
+
+/// Those compiled for `isa`.
+template <Isa isa, class T, int D>
+StageKernels<T, D> stage_kernels();
+
+}  // namespace pliant::kernels

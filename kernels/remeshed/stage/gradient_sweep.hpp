@@ -1,0 +1,277 @@
+#pragma once
+
+#include "kernels/remeshed/stage/arguments.hpp"
+#include "kernels/remeshed/stage/moment.hpp"
+#include "kernels/remeshed/stage/weight.hpp"
+
+/// The moment-matrix gradient (RP.18) of several fields in one sweep over the neighbours.
+///
+/// For every neighbour q of a pack of particles p: d = x_q - x_p, omega(|d|), and
+///
+///     A += omega d d^T          H_f += omega d (f_q - f_p)          (grad f = A^-1 H_f at the end)
+///
+/// In 2D with velocity and stress that makes 13 accumulators, which AVX-512 keeps in registers. In
+/// 3D it would make 33; there the divergence of the stress is summed after A is known and inverted,
+///
+///     div sigma_i = sum_q (sigma_q - sigma_p)_ij (A^-1 omega d)_j
+///
+/// in three accumulators, from the omega d that the first sweep has left in the first cache.
+/// Positions enter as displacements xi from the slots: d = (xi_q + offset h) - xi_p, so
+/// that the result does not depend on where the body is.
+namespace pliant::kernels {
+
+/// A of a pack.
+template <class P, int D>
+struct MomentSums {
+  P moment[symmetric_components<D>];
+
+  MomentSums() {
+    for (P& a : moment) a = P(Scalar<P>(0));
+  }
+
+  [[gnu::always_inline]] void add(const P (&weighted)[D], const P (&d)[D]) {
+#pragma GCC unroll 3
+    for (int i = 0; i < D; ++i) {
+#pragma GCC unroll 3
+      for (int j = i; j < D; ++j) {
+        P& a = moment[symmetric_index<D>(i, j)];
+        a = fused(weighted[i], d[j], a);
+      }
+    }
+  }
+};
+
+/// H of a pack.
+template <class P, int D, int F>
+struct SlopeSums {
+  P slope[F][D];
+
+  SlopeSums() {
+    for (auto& row : slope) {
+      for (P& h : row) h = P(Scalar<P>(0));
+    }
+  }
+
+  [[gnu::always_inline]] void add(const P (&weighted)[D], const P (&)[D],
+                                  const P (&difference)[F]) {
+#pragma GCC unroll 9
+    for (int f = 0; f < F; ++f) {
+#pragma GCC unroll 3
+      for (int i = 0; i < D; ++i) slope[f][i] = fused(weighted[i], difference[f], slope[f][i]);
+    }
+  }
+};
+
+/// Both.
+template <class P, int D, int F>
+struct GradientSums : MomentSums<P, D>, SlopeSums<P, D, F> {
+  [[gnu::always_inline]] void add(const P (&weighted)[D], const P (&d)[D],
+                                  const P (&difference)[F]) {
+    MomentSums<P, D>::add(weighted, d);
+    SlopeSums<P, D, F>::add(weighted, d, difference);
+  }
+};
+
+/// Gradients of F fields from their sums and the inverse of A.
+template <class P, int D, int F>
+inline void solve(const P (&inverse)[symmetric_components<D>], const SlopeSums<P, D, F>& sums,
+                  P (&gradient)[F][D]) {
+#pragma GCC unroll 16
+  for (int f = 0; f < F; ++f) {
+#pragma GCC unroll 3
+    for (int i = 0; i < D; ++i) {
+      P value = inverse[symmetric_index<D>(i, 0)] * sums.slope[f][0];
+#pragma GCC unroll 3
+      for (int j = 1; j < D; ++j) {
+        value = fused(inverse[symmetric_index<D>(i, j)], sums.slope[f][j], value);
+      }
+      gradient[f][i] = value;
+    }
+  }
+}
+
+/// The same with A; not finite where the neighbours do not span the space.
+template <class P, int D, int F>
+inline void solve(const GradientSums<P, D, F>& sums, P (&gradient)[F][D]) {
+  P inverse[symmetric_components<D>];
+  invert_symmetric(sums.moment, inverse);
+  solve<P, D, F>(inverse, sums, gradient);
+}
+
+/// The fields of a sweep: where particles are, and what is differentiated.
+template <class T, int D, int F>
+struct SweepFields {
+  const T* drift[D];
+  const T* field[F];
+};
+
+/// Where the neighbours of a pack of particles p are, and what they weigh.
+template <Weight weight, class P, int D>
+class Separation {
+  using T = Scalar<P>;
+
+ public:
+  Separation(const T* const (&drift)[D], std::int64_t slot, T spacing)
+      : weight_(spacing), spacing_(spacing) {
+#pragma GCC unroll 3
+    for (int i = 0; i < D; ++i) {
+      drift_[i] = drift[i];
+      position_[i] = load<P>(drift[i] + slot);
+    }
+  }
+
+  /// d and omega d of neighbours whose slots lie `offset` cells away; `neighbour(field)` loads
+  /// them.
+  template <class Load>
+  [[gnu::always_inline]] void operator()(const P (&offset)[D], const Load& neighbour, P (&d)[D],
+                                         P (&weighted)[D]) const {
+#pragma GCC unroll 3
+    for (int i = 0; i < D; ++i) {
+      d[i] = neighbour(drift_[i]) - fused_minus(offset[i], P(spacing_), position_[i]);
+    }
+    P distance2 = d[0] * d[0];
+#pragma GCC unroll 3
+    for (int i = 1; i < D; ++i) distance2 = fused(d[i], d[i], distance2);
+    const P omega = weight_(distance2);
+#pragma GCC unroll 3
+    for (int i = 0; i < D; ++i) weighted[i] = omega * d[i];
+  }
+
+ private:
+  PairWeight<weight, P> weight_;
+  T spacing_;
+  const T* drift_[D];
+  P position_[D];
+};
+
+/// What some fields of a neighbour differ from those of a pack of particles.
+template <class P, int F>
+class Differences {
+  using T = Scalar<P>;
+
+ public:
+  Differences(const T* const* field, std::int64_t slot) {
+#pragma GCC unroll 9
+    for (int f = 0; f < F; ++f) {
+      field_[f] = field[f];
+      value_[f] = load<P>(field[f] + slot);
+    }
+  }
+
+  template <class Load>
+  [[gnu::always_inline]] void operator()(const Load& neighbour, P (&difference)[F]) const {
+#pragma GCC unroll 9
+    for (int f = 0; f < F; ++f) difference[f] = neighbour(field_[f]) - value_[f];
+  }
+
+ private:
+  const T* field_[F];
+  P value_[F];
+};
+
+/// How far the rows of the stencil reach along x, [abs(dz)][abs(dy)]: nodes at `reach + 1` cells
+/// are as far as the nearest ones outside the stencil, and left out too.
+template <class Arch, int reach>
+struct RowWidths {
+  int width[reach + 1][reach + 1];
+
+  constexpr RowWidths() : width() {
+    for (int dz = 0; dz <= reach; ++dz) {
+      for (int dy = 0; dy <= reach; ++dy) {
+        int w = reach;
+        while (w * w + dy * dy + dz * dz >= (reach + 1) * (reach + 1)) --w;
+        width[dz][dy] = w;
+      }
+    }
+  }
+};
+
+/// Pairs of the stencil at most.
+template <Weight weight, int D>
+inline constexpr int stencil_bound = power(2 * stencil_reach(weight) + 1, D) - 1;
+
+/// Calls `visit(offset, load)` for the neighbours in a row, `width` to each side.
+template <int width, bool centre, class P, int D, class Visit>
+[[gnu::always_inline]] inline void visit_row(int dy, int dz, std::int64_t row, const Visit& visit) {
+  using T = Scalar<P>;
+#pragma GCC unroll 5
+  for (int dx = -width; dx <= width; ++dx) {
+    if (centre && dx == 0) continue;
+    const T cells[3] = {T(dx), T(dy), T(dz)};
+    P offset[D];
+#pragma GCC unroll 3
+    for (int i = 0; i < D; ++i) offset[i] = P(cells[i]);
+    visit(offset, [&](const T* field) { return load<P>(field + row + dx); });
+  }
+}
+
+/// The same for all rows. Rows of the plane are known when this is compiled; those of space would
+/// not fit the instruction cache, so that only their widths are.
+template <Weight weight, class P, int D, class Visit>
+[[gnu::always_inline]] inline void visit_stencil(const std::int64_t* neighbour_row,
+                                                 std::int64_t slot, const Visit& visit) {
+  constexpr int reach = stencil_reach(weight);
+  static_assert(reach <= 2);
+  static constexpr RowWidths<typename P::arch_type, reach> widths;
+  if constexpr (D == 2) {
+#pragma GCC unroll 5
+    for (int dy = -reach; dy <= reach; ++dy) {
+      const std::int64_t row = slot + neighbour_row[row_index<D>(dy)];
+      if (dy == 0) {
+        visit_row<reach, true, P, D>(dy, 0, row, visit);
+      } else if (widths.width[0][dy < 0 ? -dy : dy] == 2) {
+        visit_row<2, false, P, D>(dy, 0, row, visit);
+      } else {
+        visit_row<1, false, P, D>(dy, 0, row, visit);
+      }
+    }
+  } else {
+    for (int dz = -reach; dz <= reach; ++dz) {
+      for (int dy = -reach; dy <= reach; ++dy) {
+        const std::int64_t row = slot + neighbour_row[row_index<D>(dy, dz)];
+        if (dy == 0 && dz == 0) {
+          visit_row<reach, true, P, D>(dy, dz, row, visit);
+          continue;
+        }
+        const int width = widths.width[dz < 0 ? -dz : dz][dy < 0 ? -dy : dy];
+        if (reach > 1 && width == 2) {
+          visit_row<2, false, P, D>(dy, dz, row, visit);
+        } else if (reach > 1 && width == 0) {
+          visit_row<0, false, P, D>(dy, dz, row, visit);
+        } else {
+          visit_row<1, false, P, D>(dy, dz, row, visit);
+        }
+      }
+    }
+  }
+}
+
+/// The first lanes of an array of another type, converted.
+template <class To, class From>
+[[gnu::always_inline]] inline To converted(const From* from) {
+  alignas(64) typename To::value_type lane[To::size];
+  for (std::size_t l = 0; l < To::size; ++l) {
+    lane[l] = static_cast<typename To::value_type>(from[l]);
+  }
+  return To::load_aligned(lane);
+}
+
+/// The same for the listed neighbours of the register of particles at `slot`, which starts at lane
+/// `slot % slots_per_pack` of its pack.
+template <class P, int D, class Visit>
+[[gnu::always_inline]] inline void visit_list(const NeighbourLists<D>& lists, std::int64_t slot,
+                                              const Visit& visit) {
+  using T = Scalar<P>;
+  using Slots = xsimd::batch<xsimd::as_integer_t<T>, typename P::arch_type>;
+  constexpr int pack = slots_per_pack;
+  std::int64_t entry = lists.start[slot / pack] + slot % pack;
+  for (std::int32_t k = 0; k < lists.length[slot / pack]; ++k, entry += pack) {
+    const Slots neighbour = converted<Slots>(lists.neighbour + entry);
+    P offset[D];
+#pragma GCC unroll 3
+    for (int i = 0; i < D; ++i) offset[i] = converted<P>(lists.offset[i] + entry);
+    visit(offset, [&](const T* field) { return P::gather(field, neighbour); });
+  }
+}
+
+}  // namespace pliant::kernels

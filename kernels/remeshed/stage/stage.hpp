@@ -1,0 +1,128 @@
+#pragma once
+
+#include "kernels/remeshed/stage/stage_gradients.hpp"
+#include "kernels/remeshed/stage/stage_update.hpp"
+#include "kernels/remeshed/stage/symmetric_pairs.hpp"
+
+/// One Runge-Kutta stage of one block.
+///
+/// The memory streams of a stage cost more than its arithmetic. Fusing everything into one loop
+/// would open dozens of streams at once; instead a chunk of 64 slots goes through
+///
+///     sweep over the neighbours -> gradients in a stack buffer (first cache)
+///     drift, velocity, volume, S or F, stress: one short loop each, few streams at a time
+///
+/// and what one loop has read or written is still in the cache when the next loop wants it. Packs
+/// of ghosts only drift, and vacant ones are passed over.
+namespace pliant::kernels {
+
+template <class P, int D>
+using GradientsOfChunk = void (*)(const Stage<Scalar<P>, D>&, const Segment<D>&, const Chunk&,
+                                  ChunkGradients<Scalar<P>, D>&);
+
+template <class P, int D>
+using UpdateOfChunk = void (*)(const Stage<Scalar<P>, D>&, const ChunkGradients<Scalar<P>, D>&,
+                               const Chunk&, StageExtremes<P>&);
+
+template <bool listed, class P, int D>
+GradientsOfChunk<P, D> gradients_for(Weight weight) {
+  switch (weight) {
+    case Weight::quartic:
+      return stage_gradients<Weight::quartic, listed, P, D>;
+    case Weight::quartic_polynomial:
+      return stage_gradients<Weight::quartic_polynomial, listed, P, D>;
+    case Weight::compact:
+      return stage_gradients<Weight::compact, listed, P, D>;
+    case Weight::fourth_order:
+      break;
+  }
+  // Its moments vanish on the lattice alone.
+  constexpr Weight present = listed ? Weight::quartic_polynomial : Weight::fourth_order;
+  return stage_gradients<present, listed, P, D>;
+}
+
+template <StagePlace place, class P, int D>
+UpdateOfChunk<P, D> update_for(Model model) {
+  switch (model) {
+    case Model::linear_rho:
+      return stage_update<Model::linear_rho, place, P, D>;
+    case Model::linear_log:
+      return stage_update<Model::linear_log, place, P, D>;
+    case Model::reduced_polynomial:
+      break;
+  }
+  return stage_update<Model::reduced_polynomial, place, P, D>;
+}
+
+enum class Slots { vacant, ghosts, particles };
+
+template <class P, int D>
+Slots slots_at(const Stage<Scalar<P>, D>& stage, std::int64_t slot) {
+  const PackState state = stage.pack_state[slot / slots_per_pack];
+  return holds_interior(state)        ? Slots::particles
+         : state == PackState::ghosts ? Slots::ghosts
+                                      : Slots::vacant;
+}
+
+/// Slots from `begin` on in a segment that are of one kind, a chunk of them at most.
+template <class P, int D>
+Chunk next_chunk(const Stage<Scalar<P>, D>& stage, const Segment<D>& segment, int begin) {
+  constexpr int pack = slots_per_pack;
+  Chunk chunk{segment.first + begin, pack};
+  const Slots kind = slots_at<P>(stage, chunk.first);
+  while (begin + chunk.count < segment.count && chunk.count < chunk_slots &&
+         slots_at<P>(stage, chunk.first + chunk.count) == kind) {
+    chunk.count += pack;
+  }
+  return chunk;
+}
+
+template <StagePlace place, class P, int D>
+void drift(const Stage<Scalar<P>, D>& stage, const Chunk& chunk) {
+  advance_displacement(stage, RungeKutta<P, place>(stage.time_step), chunk);
+}
+
+/// One stage; see Stage.
+template <StagePlace place, class P, int D>
+StageResult advance_stage_at(const Stage<Scalar<P>, D>& stage) {
+  const auto gradients_of = stage.pairs != nullptr ? symmetric_gradients<P, D>
+                            : stage.neighbours != nullptr
+                                ? gradients_for<true, P, D>(stage.weight)
+                                : gradients_for<false, P, D>(stage.weight);
+  const auto update = update_for<place, P, D>(stage.material.model);
+  ChunkGradients<Scalar<P>, D> gradients;
+  StageExtremes<P> extremes;
+  for (int s = 0; s < stage.segment_count; ++s) {
+    const Segment<D>& segment = stage.segments[s];
+    for (int begin = 0; begin < segment.count;) {
+      const Chunk chunk = next_chunk<P>(stage, segment, begin);
+      begin += chunk.count;
+      switch (slots_at<P>(stage, chunk.first)) {
+        case Slots::vacant:
+          break;
+        case Slots::ghosts:
+          drift<place, P>(stage, chunk);
+          break;
+        case Slots::particles:
+          gradients_of(stage, segment, chunk, gradients);
+          update(stage, gradients, chunk, extremes);
+      }
+    }
+  }
+  return {square_root<P>(largest(extremes.strain_rate2)),
+          square_root<P>(largest(extremes.wave_speed2)), extremes.non_finite};
+}
+
+/// See Stage.
+template <class P, int D>
+StageResult advance_stage(const Stage<Scalar<P>, D>& stage) {
+  switch (stage.stage) {
+    case 2:
+      return advance_stage_at<StagePlace::third, P, D>(stage);
+    case 3:
+      return advance_stage_at<StagePlace::last, P, D>(stage);
+  }
+  return advance_stage_at<StagePlace::early, P, D>(stage);
+}
+
+}  // namespace pliant::kernels

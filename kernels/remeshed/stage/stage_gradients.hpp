@@ -1,0 +1,206 @@
+#pragma once
+
+#include "kernels/remeshed/stage/dissipation.hpp"
+#include "kernels/remeshed/stage/gradient_sweep.hpp"
+#include "kernels/remeshed/stage/prefetch.hpp"
+
+namespace pliant::kernels {
+
+/// Fields of a stage's sweep: velocity, then stress in the order of symmetric_index.
+template <class T, int D>
+using StageSweepFields = SweepFields<T, D, D + symmetric_components<D>>;
+
+template <class T, int D, class Arch>
+inline StageSweepFields<T, D> stage_sweep_fields(const Stage<T, D>& stage) {
+  StageSweepFields<T, D> fields;
+#pragma GCC unroll 3
+  for (int i = 0; i < D; ++i) {
+    fields.drift[i] = stage.current.drift[i];
+    fields.field[i] = stage.current.velocity[i];
+  }
+#pragma GCC unroll 6
+  for (int c = 0; c < symmetric_components<D>; ++c) fields.field[D + c] = stage.stress[c];
+  return fields;
+}
+
+/// What a register of particles contributes to its chunk.
+template <class P, int D>
+struct StageGradients {
+  P velocity[D][D], force[D], drag[D];
+
+  StageGradients() {
+    for (P& d : drag) d = P(Scalar<P>(0));
+  }
+};
+
+/// grad u and div sigma of the plane, in one sweep; `visit(f)` visits the neighbours.
+template <Weight weight, class P, class Visit>
+[[gnu::always_inline]] inline void sweep(const StageSweepFields<Scalar<P>, 2>& fields,
+                                         std::int64_t slot, Scalar<P> spacing, bool,
+                                         const Visit& visit, StageGradients<P, 2>& result) {
+  constexpr int D = 2, F = D + symmetric_components<D>;
+  const Separation<weight, P, D> separation(fields.drift, slot, spacing);
+  const Differences<P, F> differences(fields.field, slot);
+  GradientSums<P, D, F> sums;
+  visit([&](const P(&offset)[D], const auto& neighbour) __attribute__((always_inline)) {
+    P d[D], weighted[D], difference[F];
+    separation(offset, neighbour, d, weighted);
+    differences(neighbour, difference);
+    sums.add(weighted, d, difference);
+  });
+  P gradient[F][D];
+  solve(sums, gradient);
+#pragma GCC unroll 3
+  for (int i = 0; i < D; ++i) {
+    result.force[i] = gradient[D + symmetric_index<D>(i, 0)][0];
+#pragma GCC unroll 3
+    for (int j = 1; j < D; ++j) {
+      result.force[i] = result.force[i] + gradient[D + symmetric_index<D>(i, j)][j];
+    }
+#pragma GCC unroll 3
+    for (int j = 0; j < D; ++j) result.velocity[i][j] = gradient[i][j];
+  }
+}
+
+/// The same in space, in two sweeps; see gradient_sweep.hpp. The weights of a stencil are kept for
+/// the second one, those of a list, which may be any length, made again.
+template <Weight weight, class P, class Visit>
+[[gnu::always_inline]] inline void sweep(const StageSweepFields<Scalar<P>, 3>& fields,
+                                         std::int64_t slot, Scalar<P> spacing, bool listed,
+                                         const Visit& visit, StageGradients<P, 3>& result) {
+  constexpr int D = 3, F = symmetric_components<D>;
+  using T = Scalar<P>;
+  const Separation<weight, P, D> separation(fields.drift, slot, spacing);
+  alignas(64) T kept[stencil_bound<weight, D>][D][lanes<P>];
+  P inverse[symmetric_components<D>];
+  {
+    const Differences<P, D> differences(fields.field, slot);
+    GradientSums<P, D, D> sums;
+    int pair = 0;
+    visit([&](const P(&offset)[D], const auto& neighbour) __attribute__((always_inline)) {
+      P d[D], weighted[D], difference[D];
+      separation(offset, neighbour, d, weighted);
+      if (!listed) {
+#pragma GCC unroll 3
+        for (int i = 0; i < D; ++i) weighted[i].store_aligned(kept[pair][i]);
+        ++pair;
+      }
+      differences(neighbour, difference);
+      sums.add(weighted, d, difference);
+    });
+    invert_symmetric(sums.moment, inverse);
+    solve<P, D, D>(inverse, sums, result.velocity);
+  }
+  const Differences<P, F> differences(fields.field + D, slot);
+  for (P& f : result.force) f = P(T(0));
+  int pair = 0;
+  visit([&](const P(&offset)[D], const auto& neighbour) __attribute__((always_inline)) {
+    P weighted[D], difference[F];
+    if (listed) {
+      P d[D];
+      separation(offset, neighbour, d, weighted);
+    } else {
+#pragma GCC unroll 3
+      for (int i = 0; i < D; ++i) weighted[i] = P::load_aligned(kept[pair][i]);
+      ++pair;
+    }
+    differences(neighbour, difference);
+#pragma GCC unroll 3
+    for (int j = 0; j < D; ++j) {
+      P share = inverse[symmetric_index<D>(j, 0)] * weighted[0];
+#pragma GCC unroll 3
+      for (int k = 1; k < D; ++k) {
+        share = fused(inverse[symmetric_index<D>(j, k)], weighted[k], share);
+      }
+#pragma GCC unroll 3
+      for (int i = 0; i < D; ++i) {
+        result.force[i] = fused(share, difference[symmetric_index<D>(i, j)], result.force[i]);
+      }
+    }
+  });
+}
+
+/// Adds the dissipation of (RP.43): a drag on the velocity, and a strain rate that relaxes the
+/// stress, from the fourth differences of both.
+template <class P, int D>
+[[gnu::always_inline]] inline void dissipate(
+    const Stage<Scalar<P>, D>& stage,
+    const Scalar<P> (&fourth)[D + symmetric_components<D>][chunk_slots], int at,
+    StageGradients<P, D>& result) {
+  P difference[symmetric_components<D>], relaxation[symmetric_components<D>];
+#pragma GCC unroll 6
+  for (int c = 0; c < symmetric_components<D>; ++c) {
+    difference[c] = P::load_aligned(&fourth[D + c][at]);
+  }
+  relaxing_strain_rate<P, D>(stage.material, stage.dissipation, difference, relaxation);
+  const P drag(-stage.dissipation);
+#pragma GCC unroll 3
+  for (int i = 0; i < D; ++i) {
+    result.drag[i] = drag * P::load_aligned(&fourth[i][at]);
+#pragma GCC unroll 3
+    for (int j = 0; j < D; ++j) {
+      result.velocity[i][j] = result.velocity[i][j] + relaxation[symmetric_index<D>(i, j)];
+    }
+  }
+}
+
+/// Into place `at` of the chunk; zero in slots that are not interior.
+template <class P, int D>
+[[gnu::always_inline]] inline void store_gradients(StageGradients<P, D>& gradients, PackState state,
+                                                   const Scalar<P>* interior, std::int64_t slot,
+                                                   int at, ChunkGradients<Scalar<P>, D>& chunk) {
+  if (state != PackState::all) {
+    const auto inside = interior_lanes<P>(interior, slot);
+    const P zero(Scalar<P>(0));
+#pragma GCC unroll 3
+    for (int i = 0; i < D; ++i) {
+      gradients.force[i] = xsimd::select(inside, gradients.force[i], zero);
+      gradients.drag[i] = xsimd::select(inside, gradients.drag[i], zero);
+#pragma GCC unroll 3
+      for (int j = 0; j < D; ++j) {
+        gradients.velocity[i][j] = xsimd::select(inside, gradients.velocity[i][j], zero);
+      }
+    }
+  }
+#pragma GCC unroll 3
+  for (int i = 0; i < D; ++i) {
+    gradients.force[i].store_aligned(&chunk.force[i][at]);
+    gradients.drag[i].store_aligned(&chunk.drag[i][at]);
+#pragma GCC unroll 3
+    for (int j = 0; j < D; ++j) gradients.velocity[i][j].store_aligned(&chunk.velocity[i][j][at]);
+  }
+}
+
+/// Gradients of a chunk of a segment, over the stencil or the lists.
+template <Weight weight, bool listed, class P, int D>
+void stage_gradients(const Stage<Scalar<P>, D>& stage, const Segment<D>& segment,
+                     const Chunk& chunk, ChunkGradients<Scalar<P>, D>& gradients) {
+  using T = Scalar<P>;
+  constexpr int fields_swept = D + symmetric_components<D>;
+  const StageSweepFields<T, D> fields = stage_sweep_fields<T, D, typename P::arch_type>(stage);
+  alignas(64) T fourth[fields_swept][chunk_slots];
+  const bool dissipates = stage.dissipation != 0;
+  if (dissipates) {
+    fourth_differences<P>(fields, segment, stage.interior, chunk, fourth);
+  }
+  for (int at = 0; at < chunk.count; at += lanes<P>) {
+    const std::int64_t slot = chunk.first + at;
+    const PackState state = stage.pack_state[slot / slots_per_pack];
+    if (at % slots_per_pack == 0) prefetch_update<P>(stage, slot);
+    StageGradients<P, D> result;
+    sweep<weight, P>(
+        fields, slot, stage.spacing, listed,
+        [&](const auto& visit) __attribute__((always_inline)) {
+          if constexpr (listed) {
+            visit_list<P, D>(*stage.neighbours, slot, visit);
+          } else {
+            visit_stencil<weight, P, D>(segment.neighbour_row.data(), slot, visit);
+          }
+        },
+        result);
+    if (dissipates) dissipate(stage, fourth, at, result);
+    store_gradients(result, state, stage.interior, slot, at, gradients);
+  }
+}
+
+}  // namespace pliant::kernels

@@ -1,0 +1,18 @@
+#pragma once
+
+#include "kernels/remeshed/ghosts/arguments.hpp"
+#include "kernels/remeshed/remeshing/arguments.hpp"
+#include "kernels/remeshed/stage/arguments.hpp"
+
+namespace pliant::kernels {
+
+/// The kernels of remeshed particles as the engine calls them: one table of functions for each
+/// instruction set, each function working on one block of slots. Kernels never allocate, throw,
+/// print, or keep state. Instantiated for double and float in 2D and 3D.
+template <class T, int D>
+struct RemeshedTable : StageKernels<T, D>, GhostKernels<T, D>, RemeshingKernels<T, D> {
+  /// Kernels compiled for `isa`.
+  static const RemeshedTable& of(Isa isa);
+};
+
+}  // namespace pliant::kernels

@@ -1,0 +1,24 @@
+#pragma once
+
+#include "kernels/isa.hpp"
+#include "kernels/total_lagrangian/arguments.hpp"
+
+namespace pliant::kernels {
+
+/// The kernels of the total Lagrangian method as the engine calls them: one table of functions for
+/// each instruction set, each function working on one block of slots. Kernels never allocate,
+/// throw, print, or keep state. Instantiated for double and float in 2D and 3D.
+template <class T, int D>
+struct TotalLagrangianTable {
+  StressPointsResult (*evaluate_stress_points)(const StressPoints<T, D>&);
+  MotionResult (*advance_motion)(const Motion<T, D>&);
+
+  /// Kernels compiled for `isa`.
+  static const TotalLagrangianTable& of(Isa isa);
+};
+
+/// Those compiled for `isa`.
+template <Isa isa, class T, int D>
+TotalLagrangianTable<T, D> total_lagrangian_kernels();
+
+}  // namespace pliant::kernels

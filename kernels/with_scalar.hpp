@@ -1,0 +1,25 @@
+#pragma once
+
+#include <cstddef>
+
+#include "kernels/material.hpp"
+
+namespace pliant::kernels {
+
+/// A material with its constants converted to the scalar type T.
+template <class T, class U>
+Material<T> with_scalar(const Material<U>& m) {
+  Material<T> material;
+  material.model = m.model;
+  material.density = static_cast<T>(m.density);
+  material.bulk_modulus = static_cast<T>(m.bulk_modulus);
+  material.shear_modulus = static_cast<T>(m.shear_modulus);
+  material.order = m.order;
+  for (std::size_t n = 0; n < m.coefficient.size(); ++n) {
+    material.coefficient[n] = static_cast<T>(m.coefficient[n]);
+  }
+  material.compressibility = static_cast<T>(m.compressibility);
+  return material;
+}
+
+}  // namespace pliant::kernels

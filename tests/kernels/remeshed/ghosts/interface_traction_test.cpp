@@ -1,0 +1,105 @@
+#include "kernels/remeshed/ghosts/interface_traction.hpp"
+
+#include <gtest/gtest.h>
+
+#include <random>
+
+namespace pliant::kernels {
+namespace {
+
+/// A side of an interface whose outward normal is along grad phi.
+template <int D>
+struct Side {
+  std::array<double, record_width<D>> record = {};
+  Impedance<double> impedance;
+
+  Side(const VectorOf<double, D>& n, double young, double density)
+      : impedance(Material<double>{
+            .density = density, .bulk_modulus = young / 1.2, .shear_modulus = young / 2.6}) {
+    static std::mt19937 random(5);
+    std::uniform_real_distribution<double> value(-1, 1);
+    for (double& v : record) v = value(random);
+    for (int i = 0; i < D; ++i) record[RecordPlace<D>::slope + i] = n[i];
+  }
+  InterfaceSide<double, D> view() const { return {{record.data()}, impedance}; }
+  double velocity(const VectorOf<double, D>& n) const {
+    double sum = 0;
+    for (int i = 0; i < D; ++i) sum += view().surface.velocity(i) * n[i];
+    return sum;
+  }
+  double stress(const VectorOf<double, D>& n) const {
+    VectorOf<double, D> s_n;
+    return traction<double, D>(view().surface, n, s_n);
+  }
+};
+
+template <int D>
+VectorOf<double, D> negative(VectorOf<double, D> n) {
+  for (double& c : n) c = -c;
+  return n;
+}
+
+template <int D>
+VectorOf<double, D> oblique() {
+  VectorOf<double, D> n = {0.6, 0.8};
+  if constexpr (D == 3) n = {2. / 7, -3. / 7, 6. / 7};
+  return n;
+}
+
+template <int D>
+void expect_opposite_tractions() {
+  const VectorOf<double, D> n = oblique<D>();
+  for (int trial = 0; trial < 20; ++trial) {
+    const Side<D> a(n, 3, 2), b(negative<D>(n), 5, 1);
+    for (const auto kind :
+         {InterfaceKind::frictionless, InterfaceKind::sticking, InterfaceKind::bonded}) {
+      const auto on_a = interface_traction<double, D>(a.view(), b.view(), n, -0.1, kind);
+      const auto on_b =
+          interface_traction<double, D>(b.view(), a.view(), negative<D>(n), -0.1, kind);
+      for (int i = 0; i < D; ++i) {
+        EXPECT_NEAR(on_a.normal * on_a.n[i] + on_a.shear[i],
+                    -(on_b.normal * on_b.n[i] + on_b.shear[i]), 1e-14);
+      }
+      EXPECT_TRUE(on_a.normal <= 0 || kind == InterfaceKind::bonded);
+    }
+  }
+}
+
+TEST(interface_traction, is_opposite_for_the_two_bodies) {
+  expect_opposite_tractions<2>();
+  expect_opposite_tractions<3>();
+}
+
+// What runs out of each half space keeps its invariant: sigma - Z u on the side below, sigma + Z u
+// on the one above; both meet at one velocity.
+TEST(interface_traction, solves_the_riemann_problem_of_two_half_spaces) {
+  const VectorOf<double, 2> n = oblique<2>();
+  for (int trial = 0; trial < 20; ++trial) {
+    const Side<2> a(n, 3, 2), b(negative<2>(n), 5, 1);
+    const double z_a = a.impedance.pressure_wave, z_b = b.impedance.pressure_wave;
+    const double t =
+        interface_traction<double, 2>(a.view(), b.view(), n, 0., InterfaceKind::bonded).normal;
+    const double u_below = a.velocity(n) + (t - a.stress(n)) / z_a;
+    const double u_above = b.velocity(n) - (t - b.stress(n)) / z_b;
+    EXPECT_NEAR(u_below, u_above, 1e-14);
+  }
+}
+
+// Normals of bonded surfaces lean at the ends of the interface, and say nothing about the bond.
+TEST(interface_traction, is_none_between_surfaces_that_do_not_face_each_other_unless_bonded) {
+  const VectorOf<double, 2> n = oblique<2>(), t = {-n[1], n[0]};
+  for (const VectorOf<double, 2>& other : {n, t}) {
+    const Side<2> a(n, 3, 2), b(other, 5, 1);
+    for (const InterfaceKind kind : {InterfaceKind::frictionless, InterfaceKind::sticking}) {
+      const auto load = interface_traction<double, 2>(a.view(), b.view(), n, -9., kind);
+      EXPECT_EQ(load.normal, 0);
+      EXPECT_EQ(load.shear[0], 0);
+    }
+    EXPECT_LT(
+        (interface_traction<double, 2>(a.view(), b.view(), n, -9., InterfaceKind::bonded).normal),
+        0);
+  }
+}
+
+}  // namespace
+}  // namespace pliant::kernels

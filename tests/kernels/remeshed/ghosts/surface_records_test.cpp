@@ -1,0 +1,87 @@
+#include <cmath>
+
+#include "kernels/remeshed/ghosts/ghost_state.hpp"
+#include "tests/kernels/reference_stage.hpp"
+#include "tests/kernels/tables.hpp"
+
+namespace pliant::kernels::test {
+namespace {
+
+template <class T>
+class surface : public testing::Test {};
+TYPED_TEST_SUITE(surface, Dimensions);
+
+/// Every third interior particle, packed.
+template <class T, int D>
+std::vector<SurfacePack> every_third_particle(const Patch<T, D>& patch,
+                                              std::vector<std::int64_t>& slots) {
+  std::vector<SurfacePack> packs;
+  for (std::size_t s = 0; s < patch.segments.size(); ++s) {
+    const Segment<D>& segment = patch.segments[s];
+    for (std::int64_t first = segment.first; first < segment.first + segment.count;
+         first += patch.pack) {
+      SurfacePack pack{first, static_cast<std::int32_t>(s), static_cast<std::int32_t>(slots.size()),
+                       0};
+      for (int l = 0; l < patch.pack; ++l) {
+        if (patch.interior[first + l] == 0 || (first + l) % 3 != 0) continue;
+        pack.lanes = static_cast<std::uint16_t>(pack.lanes | 1u << l);
+        slots.push_back(first + l);
+      }
+      if (pack.lanes != 0) packs.push_back(pack);
+    }
+  }
+  return packs;
+}
+
+TYPED_TEST(surface, records_hold_velocity_stress_normal_and_pressure) {
+  using T = typename TypeParam::Scalar;
+  constexpr int D = TypeParam::dimension;
+  for (const Model model : {Model::linear_rho, Model::linear_log, Model::reduced_polynomial}) {
+    Body<T, D> body(small_box<T, D>(), T(0.1), model);
+    const State<T, D>& state = body.states[0];
+    // phi = x - 2 y (+ 3 z): its gradient is found exactly.
+    const double slope[3] = {1, -2, 3};
+    Field<T> level_set(body.patch.slots, 0);
+    body.patch.for_each([&](std::int64_t p, const auto& cell) {
+      const auto x = body.patch.node(cell);
+      double phi = 0;
+      for (int i = 0; i < D; ++i) phi += slope[i] * (x[i] + state.drift[i][p]);
+      level_set[p] = static_cast<T>(phi);
+    });
+    std::vector<std::int64_t> slots;
+    const auto packs = every_third_particle(body.patch, slots);
+    constexpr int width = record_width<D>;
+    Field<T> records(slots.size() * width, T(-7));
+    baseline_table<T, D>().write_surface_records(
+        {body.patch.segments.data(), packs.data(), static_cast<int>(packs.size()),
+         body.patch.spacing, body.material, body.mass.data(), level_set.data(),
+         std::as_const(state).evolving(), std::as_const(state).stress_fields(), records.data()});
+    for (std::size_t r = 0; r < slots.size(); ++r) {
+      const T* record = records.data() + r * width;
+      const RecordSum<T, D> view{record};
+      for (int i = 0; i < D; ++i) {
+        EXPECT_EQ(view.velocity(i), state.velocity[i][slots[r]]);
+        EXPECT_NEAR(view.level_set_gradient(i), slope[i], 10 * exact<T>);
+        for (int j = i; j < D; ++j) {
+          EXPECT_EQ(view.stress(i, j), state.stress[symmetric_index<D>(i, j)][slots[r]]);
+        }
+      }
+      Matrix<D> stress = reference_stress(body, state, slots[r]);
+      double pressure = 0;
+      if (model == Model::reduced_polynomial) {
+        Matrix<D> f;
+        for (int c = 0; c < D * D; ++c) f(c / D, c % D) = state.material[c][slots[r]];
+        pressure = 2 / body.material.compressibility * (1 - f.determinant());
+      } else {
+        pressure = state.material[0][slots[r]] - stress(0, 0);  // p = S_xx - sigma_xx
+      }
+      EXPECT_NEAR(view.pressure(), pressure, 1000 * std::numeric_limits<T>::epsilon());
+      using Place = RecordPlace<D>;
+      for (int f = Place::pressure + 1; f < Place::velocity; ++f) EXPECT_EQ(record[f], 0);
+      for (int f = Place::slope + D; f < width; ++f) EXPECT_EQ(record[f], 0);
+    }
+  }
+}
+
+}  // namespace
+}  // namespace pliant::kernels::test
