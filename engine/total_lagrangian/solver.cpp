@@ -96,8 +96,9 @@ void Solver<T, D>::check(const StepResult& result) const {
       fmt::format("the cell of body `{}` that began at {} is no longer finite or has turned inside "
                   "out",
                   body.name, coordinates<D>(x)),
-      {smaller_step(settings()), "raise the hourglass stiffness (total_lagrangian.hourglass_stiffness)",
-       "load more slowly", "use a finer spacing"});
+      {smaller_step(settings()),
+       "raise the hourglass stiffness (total_lagrangian.hourglass_stiffness)", "load more slowly",
+       "use a finer spacing"});
 }
 
 template <class T, int D>
