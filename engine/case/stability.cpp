@@ -53,7 +53,7 @@ double stable_cfl(const Case& a_case) {
 }
 
 std::optional<double> stable_step(const Case& a_case) {
-  if (a_case.method == Method::total_lagrangian && a_case.total_lagrangian.scale_to_step) {
+  if (a_case.method == Method::total_lagrangian && a_case.total_lagrangian.match_time_step) {
     return std::nullopt;
   }
   return stable_cfl(a_case) * a_case.discretisation.spacing / fastest_wave(a_case);
@@ -68,9 +68,10 @@ std::string stability_warning(const Case& a_case) {
         *a_case.time.step, *limit, stable_cfl(a_case));
   }
   if (!a_case.time.step && a_case.time.cfl > stable_cfl(a_case)) {
-    return fmt::format("the CFL number {:.3g} is above the stability limit of {:.2g}; set time.cfl "
-                       "to less than the limit",
-                       a_case.time.cfl, stable_cfl(a_case));
+    return fmt::format(
+        "the CFL number {:.3g} is above the stability limit of {:.2g}; set time.cfl "
+        "to less than the limit",
+        a_case.time.cfl, stable_cfl(a_case));
   }
   return "";
 }

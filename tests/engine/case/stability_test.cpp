@@ -26,8 +26,8 @@ double weight(kernels::Weight kind, double s2) {
       return std::pow(std::max(0., 1 - s2 / 3.0625), 4);
     default:
       return t * t *
-             (0.63557631 + t * (-6.64257139 +
-                                t * (21.97914170 + t * (-30.39422150 + t * 15.42207486))));
+             (0.63557631 +
+              t * (-6.64257139 + t * (21.97914170 + t * (-30.39422150 + t * 15.42207486))));
   }
 }
 
@@ -114,7 +114,7 @@ TEST(stability, a_mass_that_is_scaled_to_the_step_has_no_limit) {
   a_case.method = Method::total_lagrangian;
   a_case.time.step = 1;
   EXPECT_NE(stability_warning(a_case), "");
-  a_case.total_lagrangian.scale_to_step = true;
+  a_case.total_lagrangian.match_time_step = true;
   EXPECT_EQ(stability_warning(a_case), "");
 }
 

@@ -57,11 +57,11 @@ geometry = { shape = "union", of = [
 
 // The parts fly a thousand spacings in a step: a lattice over both would not fit into memory.
 TEST(failures, of_parts_that_fly_apart_name_the_body) {
-  Solver solver(
-      tests::read_text(two_parts, {"body.pair.velocity=[\"x > 0 ? 1e9 : -1e9\", \"0\"]"}), {});
-  EXPECT_TRUE(
-      holds(failure_of(solver), "the particles of body `pair` have flown too far apart for one "
-                                "lattice; use a smaller time step (time.cfl), "));
+  Solver solver(tests::read_text(two_parts, {"body.pair.velocity=[\"x > 0 ? 1e9 : -1e9\", \"0\"]"}),
+                {});
+  EXPECT_TRUE(holds(failure_of(solver),
+                    "the particles of body `pair` have flown too far apart for one "
+                    "lattice; use a smaller time step (time.cfl), "));
 }
 
 // What a wall that holds the body tears off at its edge, no shorter step would save.

@@ -47,9 +47,8 @@ struct Passes {
   /// Calls f(node in cells, slot) for nodes at least `margin` cells from the rim.
   template <class F>
   void inside(int upper, int margin, F&& f) const {
-    for_each_cell<D>(diagonal<D>(margin), diagonal<D>(upper - margin), [&](const Cell<D>& cell) {
-      f(point_of<D>(cell), nodes.layout.slot(cell));
-    });
+    for_each_cell<D>(diagonal<D>(margin), diagonal<D>(upper - margin),
+                     [&](const Cell<D>& cell) { f(point_of<D>(cell), nodes.layout.slot(cell)); });
   }
 
   NodeValues<D> nodes;
@@ -80,7 +79,8 @@ TYPED_TEST_SUITE(LevelSets, Dimensions);
 TYPED_TEST(LevelSets, of_planes_become_exact_distances_in_six_layers) {
   constexpr int D = TypeParam::dimension;
   constexpr int upper = 27;
-  const Passes<D> passes(upper, [](const Point<D>& x) { return 0.8 * plane<D>(x); }, true);
+  const Passes<D> passes(
+      upper, [](const Point<D>& x) { return 0.8 * plane<D>(x); }, true);
   int near = 0, layered = 0;
   passes.inside(upper, 9, [&](const Point<D>& x, std::int64_t slot) {
     const double exact = plane<D>(x), phi = passes.nodes.values[slot];
@@ -110,7 +110,8 @@ TYPED_TEST(LevelSets, of_planes_become_exact_distances_in_six_layers) {
 TYPED_TEST(LevelSets, keep_phi_near_the_surface_unless_reinitialised) {
   constexpr int D = TypeParam::dimension;
   constexpr int upper = 27;
-  const Passes<D> passes(upper, [](const Point<D>& x) { return 0.8 * plane<D>(x); }, false);
+  const Passes<D> passes(
+      upper, [](const Point<D>& x) { return 0.8 * plane<D>(x); }, false);
   passes.inside(upper, 9, [&](const Point<D>& x, std::int64_t slot) {
     if (std::abs(0.8 * plane<D>(x)) > 1.8) return;
     EXPECT_EQ(passes.nodes.values[slot], passes.before[slot]);

@@ -25,9 +25,8 @@ struct NodeValues {
     lattice.period = period;
     layout.build(random_occupancy<D>({}, upper, 1, 1), period, 1000, 10);
     values.resize(layout.slots());
-    for_each_cell<D>({}, upper, [&](const Cell<D>& cell) {
-      values[layout.slot(cell)] = f(point_of<D>(cell));
-    });
+    for_each_cell<D>(
+        {}, upper, [&](const Cell<D>& cell) { values[layout.slot(cell)] = f(point_of<D>(cell)); });
   }
 
   Lattice<D> lattice;

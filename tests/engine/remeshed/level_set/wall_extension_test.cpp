@@ -29,7 +29,8 @@ template <int D>
 struct Extension {
   template <class Phi>
   Extension(const BoundaryCase& boundary, Phi&& of)
-      : phi(diagonal<D>(upper), {},
+      : phi(
+            diagonal<D>(upper), {},
             [&](const Point<D>& x) {
               Point<D> at;
               for (int a = 0; a < D; ++a) at[a] = (x[a] + 0.5) * spacing;
@@ -68,9 +69,8 @@ TYPED_TEST(BehindWalls, plane_surfaces_run_on_exactly) {
   constexpr int D = TypeParam::dimension;
   const double height = 3.1;
   const auto plane = [](const Point<D>& x) { return 0.8 * x[0] + 0.6 * x[1] - 6.2; };
-  Extension<D> nodes(floor_at(height, BoundaryCase::Kind::wall), [&](const Point<D>& x) {
-    return x[1] < height ? 1e3 : plane(x);
-  });
+  Extension<D> nodes(floor_at(height, BoundaryCase::Kind::wall),
+                     [&](const Point<D>& x) { return x[1] < height ? 1e3 : plane(x); });
   int behind = 0;
   nodes.for_each_extended([&](const Point<D>& x, double value) {
     if (x[1] >= height) {
@@ -89,9 +89,8 @@ TYPED_TEST(BehindWalls, plane_surfaces_run_on_exactly) {
 TYPED_TEST(BehindWalls, phi_far_from_a_surface_keeps_its_value) {
   constexpr int D = TypeParam::dimension;
   const double height = 3.1;
-  Extension<D> nodes(floor_at(height, BoundaryCase::Kind::wall), [&](const Point<D>& x) {
-    return x[1] < height ? 1e3 : -10 + 0.5 * x[1];
-  });
+  Extension<D> nodes(floor_at(height, BoundaryCase::Kind::wall),
+                     [&](const Point<D>& x) { return x[1] < height ? 1e3 : -10 + 0.5 * x[1]; });
   nodes.for_each_extended([&](const Point<D>& x, double value) {
     if (x[1] < height) EXPECT_NEAR(value, -10 + 0.5 * (height + 1.5 * spacing), 1e-12);
   });
