@@ -7,83 +7,111 @@
 
 #include "scheduler/access_probes.hpp"
 
-// Three kinds of probes look at the same experiment.
+// Two kinds of probes look at the same experiment.
 //
-//     recorder   notes what each node has written, and compares all other memory before and after
+//     recorder   notes what each node writes, and compares all other memory before and after it
 //     disturber  disturbs all that a node has not declared while it runs, and stops at the first
-//                node that writes something else than the recorder has noted: it has read
-//                something undeclared
-//     culprits   the disturber again, for this node alone with one field at a time, then with one
-//                block of it at a time
+//                node that writes something else than the recorder has noted
 //
-// What has been found is left alone from then on, and the disturber starts again until it finds
-// nothing more.
+// Which phase and which field have made the difference is found by disturbing one phase at a time,
+// then one field of it, then one block of that. The phase is that of the node which differs, or an
+// earlier one that has kept what it read in memory of no field. What has been found is left alone
+// from then on, and the disturber starts again until nothing differs any more.
 namespace pliant::scheduler {
 
 namespace {
 
 using Experiment = std::function<void(AccessProbe&)>;
 
-std::optional<Deviation> deviation_under(const Disturbance& disturbance,
-                                         const Experiment& experiment,
-                                         const std::vector<std::size_t>& fingerprints) {
-  Disturber disturber(disturbance, fingerprints);
-  try {
-    experiment(disturber);
-  } catch (const Disturber::Stop&) {
+class Search {
+ public:
+  explicit Search(const Experiment& experiment) : experiment_(experiment) {
+    experiment(recorder_);
+    found_ = recorder_.writes();
+    // Disturbing what a phase writes without having declared it would leave traces.
+    disturbance_.spared = recorder_.written();
   }
-  return disturber.deviation();
-}
 
-/// The fields that a node has read, each with the first block where it has.
-std::vector<std::pair<FieldId, BlockId>> culprits(const Deviation& deviation,
-                                                  const Experiment& experiment,
-                                                  const std::vector<std::size_t>& fingerprints,
-                                                  const Disturbance& disturbance) {
-  std::vector<std::pair<FieldId, BlockId>> found;
-  Disturbance one = disturbance;
-  one.node = deviation.number;
-  for (one.field = 0; one.field < static_cast<FieldId>(deviation.fields.size()); ++one.field) {
-    one.block = every;
-    if (!deviation_under(one, experiment, fingerprints)) continue;
-    for (one.block = 0; one.block < deviation.blocks; ++one.block)
-      if (deviation_under(one, experiment, fingerprints)) break;
-    found.emplace_back(one.field, one.block < deviation.blocks ? one.block : every);
+  std::vector<UndeclaredAccess> run() {
+    while (const auto deviation = deviation_under(disturbance_)) {
+      if (find_reads(*deviation)) continue;
+      if (disturbance_.spared.count({deviation->phase, every}) != 0) break;
+      spare(deviation->phase, every, *deviation);
+    }
+    return std::move(found_);
   }
-  return found;
-}
+
+ private:
+  std::optional<Deviation> deviation_under(const Disturbance& disturbance) const {
+    Disturber disturber(disturbance, recorder_.nodes());
+    try {
+      experiment_(disturber);
+    } catch (const Disturber::Stop&) {
+    }
+    return disturber.deviation();
+  }
+
+  bool find_reads(const Deviation& deviation) {
+    if (find_reads_of(deviation.phase, deviation)) return true;
+    std::set<std::string> tried = {deviation.phase};
+    for (std::size_t n = deviation.number; n-- > 0;) {
+      const std::string& phase = recorder_.nodes()[n].phase;
+      if (tried.insert(phase).second && find_reads_of(phase, deviation)) return true;
+    }
+    return false;
+  }
+
+  bool find_reads_of(const std::string& phase, const Deviation& deviation) {
+    Disturbance one = disturbance_;
+    one.phase = phase;
+    one.last_node = deviation.number;
+    if (!deviation_under(one)) return false;
+    bool any = false;
+    for (one.field = 0; one.field < static_cast<FieldId>(deviation.fields.size()); ++one.field) {
+      if (const auto read = deviation_under(one)) {
+        spare(phase, one.field, *read, block_of(one, *read));
+        any = true;
+      }
+    }
+    return any;
+  }
+
+  // The first block whose values alone make a difference.
+  BlockId block_of(Disturbance one, const Deviation& deviation) const {
+    for (one.block = 0; one.block < deviation.blocks; ++one.block)
+      if (deviation_under(one)) return one.block;
+    return every;
+  }
+
+  void spare(const std::string& phase, FieldId field, const Deviation& deviation,
+             BlockId field_block = every) {
+    disturbance_.spared.insert({phase, field});
+    found_.push_back(
+        {UndeclaredAccess::Kind::read, phase, deviation.phase == phase ? deviation.block : every,
+         field == every ? "several fields" : deviation.fields[static_cast<std::size_t>(field)],
+         field_block});
+  }
+
+  const Experiment& experiment_;
+  Recorder recorder_;
+  Disturbance disturbance_;
+  std::vector<UndeclaredAccess> found_;
+};
 
 }  // namespace
 
 std::string text(const UndeclaredAccess& access) {
-  const bool reads = access.kind == UndeclaredAccess::Kind::read;
-  const std::string blocks =
-      access.field_block < 0 ? "several blocks" : fmt::format("block {}", access.field_block);
-  return fmt::format("phase {} on block {} {} {} of {} without declaring it", access.phase,
-                     access.block, reads ? "reads" : "writes", access.field, blocks);
+  const auto of = [](const char* before, BlockId block, const char* otherwise) {
+    return block < 0 ? std::string(otherwise) : fmt::format("{} block {}", before, block);
+  };
+  return fmt::format("phase {}{} {} {}{} without declaring it", access.phase,
+                     of(" on", access.block, ""),
+                     access.kind == UndeclaredAccess::Kind::read ? "reads" : "writes", access.field,
+                     of(" of", access.field_block, " of several blocks"));
 }
 
 std::vector<UndeclaredAccess> undeclared_accesses(const Experiment& experiment) {
-  Recorder recorder;
-  experiment(recorder);
-  std::vector<UndeclaredAccess> found = recorder.writes();
-  // Where a phase writes what it has not declared, disturbing that would leave traces.
-  Disturbance disturbance;
-  disturbance.spared = recorder.written();
-  while (const auto deviation = deviation_under(disturbance, experiment, recorder.fingerprints())) {
-    const auto read = culprits(*deviation, experiment, recorder.fingerprints(), disturbance);
-    for (const auto& [field, block] : read) {
-      disturbance.spared.insert({deviation->phase, field});
-      found.push_back({UndeclaredAccess::Kind::read, deviation->phase, deviation->block,
-                       deviation->fields[static_cast<std::size_t>(field)], block});
-    }
-    if (!read.empty()) continue;
-    // Only several fields together make a difference.
-    disturbance.spared.insert({deviation->phase, every});
-    found.push_back({UndeclaredAccess::Kind::read, deviation->phase, deviation->block,
-                     "several fields", every});
-  }
-  return found;
+  return Search(experiment).run();
 }
 
 }  // namespace pliant::scheduler

@@ -17,7 +17,7 @@ struct UndeclaredAccess {
 
   Kind kind;
   std::string phase;    ///< its label
-  BlockId block;        ///< that the phase worked on
+  BlockId block;        ///< that the phase worked on; -1: not known
   std::string field;    ///< what was read or written
   BlockId field_block;  ///< and of which block; -1: of several, of which no one alone shows it
 

@@ -51,7 +51,7 @@ bool is_written(const Snapshot& before, const FieldMemory& after, const ByteSet&
 
 }  // namespace
 
-void Recorder::run(const StepGraph& graph, const Node& node, int) {
+void Recorder::run(const StepGraph& graph, const Node& node, std::size_t) {
   const Declared declared(graph, node);
   const ByteSet writable = bytes_of(graph, declared, true);
   std::vector<Snapshot> before;
@@ -65,7 +65,7 @@ void Recorder::run(const StepGraph& graph, const Node& node, int) {
     if (is_written(snapshot, memory_of(graph, snapshot.field, snapshot.block), writable))
       note(graph, declared, node, snapshot);
   }
-  fingerprints_.push_back(fingerprint_of_writes(graph, declared));
+  nodes_.push_back({label(declared.phase()), fingerprint_of_writes(graph, declared)});
 }
 
 void Recorder::note(const StepGraph& graph, const Declared& declared, const Node& node,
@@ -76,10 +76,10 @@ void Recorder::note(const StepGraph& graph, const Declared& declared, const Node
   if (written_.insert({access.phase, written.field}).second) writes_.push_back(access);
 }
 
-void Disturber::run(const StepGraph& graph, const Node& node, int number) {
+void Disturber::run(const StepGraph& graph, const Node& node, std::size_t number) {
   const Declared declared(graph, node);
   const ByteSet usable = bytes_of(graph, declared, false);
-  const std::vector<Snapshot> undisturbed = disturb(graph, declared, number, usable);
+  const std::vector<Snapshot> undisturbed = disturb(graph, declared, usable);
   bool deviates = false;
   try {
     declared.phase().run(node.block);
@@ -87,22 +87,21 @@ void Disturber::run(const StepGraph& graph, const Node& node, int number) {
     deviates = true;  // it did not throw when nothing was disturbed
   }
   for (const Snapshot& snapshot : undisturbed) restore(graph, snapshot, usable);
-  deviates = deviates || fingerprint_of_writes(graph, declared) !=
-                             fingerprints_.at(static_cast<std::size_t>(number));
+  deviates = deviates || fingerprint_of_writes(graph, declared) != nodes_.at(number).fingerprint;
   if (deviates)
     deviation_ = {number, label(declared.phase()), node.block, graph.field_names(),
                   graph.blocks().count()};
-  if (deviates || number == disturbance_.node) throw Stop();
+  if (deviates || number == disturbance_.last_node) throw Stop();
 }
 
 // Returns what the memory held before.
 std::vector<Snapshot> Disturber::disturb(const StepGraph& graph, const Declared& declared,
-                                         int number, const ByteSet& usable) const {
+                                         const ByteSet& usable) const {
   const std::string phase = label(declared.phase());
   std::vector<Snapshot> undisturbed;
   for_each_field_and_block(graph, [&](FieldId field, BlockId block) {
     if (declared.accesses(field, block)) return;
-    if (!disturbance_.includes(number, phase, field, block)) return;
+    if (!disturbance_.includes(phase, field, block)) return;
     const FieldMemory memory = memory_of(graph, field, block);
     undisturbed.push_back({field, block, {}, {}});
     undisturbed.back().take(memory);

@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <exception>
+#include <limits>
 #include <optional>
 #include <set>
 #include <string>
@@ -23,7 +24,7 @@ class CountingProbe : public AccessProbe {
   }
 
  protected:
-  virtual void run(const StepGraph& graph, const Node& node, int number) = 0;
+  virtual void run(const StepGraph& graph, const Node& node, std::size_t number) = 0;
 
   FieldMemory memory_of(const StepGraph& graph, FieldId field, BlockId block) const;
   std::size_t fingerprint_of_writes(const StepGraph& graph, const Declared& declared) const;
@@ -31,33 +32,39 @@ class CountingProbe : public AccessProbe {
   ByteSet bytes_of(const StepGraph& graph, const Declared& declared, bool only_writes) const;
 
  private:
-  int number_ = 0;
+  std::size_t number_ = 0;
 };
 
 /// A phase by its label, and a field; `every`: all its fields.
 using PhaseAndField = std::pair<std::string, FieldId>;
 inline constexpr int every = -1;
 
+/// A node that has run.
+struct Recorded {
+  std::string phase;        ///< its label
+  std::size_t fingerprint;  ///< of what it wrote
+};
+
 /// Notes what nodes write, and finds writes that they have not declared.
 class Recorder final : public CountingProbe {
  public:
-  const std::vector<std::size_t>& fingerprints() const { return fingerprints_; }  ///< [node]
+  const std::vector<Recorded>& nodes() const { return nodes_; }
   const std::vector<UndeclaredAccess>& writes() const { return writes_; }
   const std::set<PhaseAndField>& written() const { return written_; }  ///< the same
 
  private:
-  void run(const StepGraph& graph, const Node& node, int number) override;
+  void run(const StepGraph& graph, const Node& node, std::size_t number) override;
   void note(const StepGraph& graph, const Declared& declared, const Node& node,
             const Snapshot& written);
 
-  std::vector<std::size_t> fingerprints_;
+  std::vector<Recorded> nodes_;
   std::vector<UndeclaredAccess> writes_;
   std::set<PhaseAndField> written_;
 };
 
-/// A node that has read something undeclared.
+/// A node that has written something else because values were disturbed.
 struct Deviation {
-  int number;
+  std::size_t number;
   std::string phase;
   BlockId block;
   std::vector<std::string> fields;  // [field] names
@@ -66,15 +73,16 @@ struct Deviation {
 
 /// What a disturber disturbs.
 struct Disturbance {
-  int node = every;
+  std::string phase = {};  ///< label; empty: every phase
   FieldId field = every;
   BlockId block = every;
+  std::size_t last_node = std::numeric_limits<std::size_t>::max();  ///< what follows does not run
   std::set<PhaseAndField> spared = {};
 
-  bool includes(int number, const std::string& phase, FieldId f, BlockId b) const {
-    return (node == every || node == number) && (field == every || field == f) &&
-           (block == every || block == b) && spared.count({phase, f}) == 0 &&
-           spared.count({phase, every}) == 0;
+  bool includes(const std::string& of_phase, FieldId f, BlockId b) const {
+    return (phase.empty() || phase == of_phase) && (field == every || field == f) &&
+           (block == every || block == b) && spared.count({of_phase, f}) == 0 &&
+           spared.count({of_phase, every}) == 0;
   }
 };
 
@@ -82,8 +90,8 @@ struct Disturbance {
 /// difference.
 class Disturber final : public CountingProbe {
  public:
-  Disturber(const Disturbance& disturbance, const std::vector<std::size_t>& fingerprints)
-      : disturbance_(disturbance), fingerprints_(fingerprints) {}
+  Disturber(const Disturbance& disturbance, const std::vector<Recorded>& nodes)
+      : disturbance_(disturbance), nodes_(nodes) {}
 
   /// Thrown through the experiment when the rest of it does not matter.
   struct Stop : std::exception {};
@@ -91,13 +99,13 @@ class Disturber final : public CountingProbe {
   const std::optional<Deviation>& deviation() const { return deviation_; }
 
  private:
-  void run(const StepGraph& graph, const Node& node, int number) override;
-  std::vector<Snapshot> disturb(const StepGraph& graph, const Declared& declared, int number,
+  void run(const StepGraph& graph, const Node& node, std::size_t number) override;
+  std::vector<Snapshot> disturb(const StepGraph& graph, const Declared& declared,
                                 const ByteSet& usable) const;
   void restore(const StepGraph& graph, const Snapshot& snapshot, const ByteSet& usable) const;
 
   const Disturbance& disturbance_;
-  const std::vector<std::size_t>& fingerprints_;
+  const std::vector<Recorded>& nodes_;
   std::optional<Deviation> deviation_;
 };
 

@@ -149,6 +149,18 @@ TEST(access_check, every_phase_and_field_is_found_once) {
                           "phase second on block 0 reads b of block 3 without declaring it"}));
 }
 
+TEST(access_check, a_read_that_shows_in_a_later_phase_is_found) {
+  double kept = 0;
+  EXPECT_EQ(complaints([&kept](Memory& m) {
+              return std::vector{
+                  reduce("first", {}, {}, [&m, &kept](BlockId) { kept = *m.of(m.a, 1); }),
+                  per_block("second", {}, {{b}}, [](BlockId) {}),
+                  per_block("third", {}, {{b}},
+                            [&m, &kept](BlockId block) { *m.of(m.b, block) = kept; })};
+            }),
+            Texts{"phase first reads a of block 1 without declaring it"});
+}
+
 TEST(access_check, memory_that_fields_share_belongs_to_a_phase_that_declares_one_of_them) {
   const auto found = undeclared_accesses([&](AccessProbe& probe) {
     Memory m;
