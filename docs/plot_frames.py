@@ -55,8 +55,8 @@ def wall_layer(time, points, values):
 
 
 def middle_layer(time, points, values, axis):
-    """The particles of the layer across an axis nearest to the middle of a body in space, with the
-    two other coordinates; all particles of a plane body."""
+    """The particles of the layer across an axis nearest to the middle of a body in 3D, with the
+    two other coordinates; all particles in 2D."""
     heights = points[:, axis]
     kept = [a for a in range(3) if a != axis]
     if np.ptp(heights) == 0:
@@ -75,7 +75,7 @@ def indices_of(times, wanted, count):
 
 
 def draw_map(axis, points, values, levels, highest):
-    """Isolines over filled ones; a wall that nothing touches stays blank."""
+    """Isolines over filled ones; a wall without contact stays blank."""
     if len(points) < 3:
         return None
     fill = MaxNLocator(40).tick_values(0, highest)
@@ -91,7 +91,7 @@ def main():
     parser.add_argument("folder")
     parser.add_argument("picture")
     parser.add_argument("--field", default="pressure")
-    parser.add_argument("--across", choices="xyz", default="z", help="in space: normal of the layer")
+    parser.add_argument("--across", choices="xyz", default="z", help="in 3D: normal of the layer")
     parser.add_argument("--frames", type=int, default=4, help="how many, spread over the run")
     parser.add_argument("--times", type=float, nargs="+", help="frames nearest to these times, s")
     parser.add_argument("--levels", type=float, nargs="+", help="isolines of wall_pressure")
@@ -123,7 +123,7 @@ def main():
         drawn = axis.scatter(points[:, 0], points[:, 1], c=values, s=min(dot, 30), cmap="viridis",
                              vmin=lowest, vmax=highest, linewidths=0)
     if drawn is None:
-        raise SystemExit("nothing touches a wall at these times")
+        raise SystemExit("no body is in contact with a wall at these times")
     figure.colorbar(drawn, ax=axes, label=arguments.field, shrink=0.8)
     figure.savefig(arguments.picture, dpi=80)
 

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Reruns the figures and tables of Hieber & Koumoutsakos (2008) and writes them beside this file.
+"""Reruns the figures and tables of Hieber & Koumoutsakos (2008) and writes their pages beside this file.
 
     docs/validation/report.py [--program ./pliant] [--quick] [SECTION ...]
 
@@ -313,11 +313,6 @@ def main():
         with tempfile.TemporaryDirectory() as folder:
             page = sections[name](Runs(arguments.program, folder), arguments.quick)
         (here / f"{name}.md").write_text(page[1:])
-    lines = [f"- [{section.__doc__.splitlines()[0].rstrip('.')}]({name}.md)"
-             for name, section in sections.items() if (here / f"{name}.md").exists()]
-    (here / "README.md").write_text("# The paper's figures and tables, rerun\n\n"
-                                    "    docs/validation/report.py [SECTION ...]\n\n"
-                                    + "\n".join(lines) + "\n")
 
 
 if __name__ == "__main__":

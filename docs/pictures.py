@@ -1,0 +1,106 @@
+#!/usr/bin/env python3
+"""Runs the cases of the documentation and draws their pictures again.
+
+    docs/pictures.py [--program ./pliant] [--results results/pictures] [NAME ...]
+
+NAME is a picture without its ending, or the beginning of one, as in `cases/organ` or `boundaries`.
+Without a name all are drawn, which takes about half an hour on two cores. Runs that are in the
+results folder already are not repeated. Needs python3-h5py, python3-matplotlib, python3-scipy,
+python3-vtk9 and xvfb.
+"""
+import argparse
+import pathlib
+import subprocess
+import sys
+
+here = pathlib.Path(__file__).resolve().parent
+root = here.parent
+mm = ["--scale", "1000", "--label", "displacement [mm]"]
+
+# The picture: its case, what is set, and how it is rendered.
+rendered = {
+    "cases/liver_aspiration/result": (
+        "cases/liver_aspiration", ["discretisation.spacing=0.025/28", "time.step=8e-4", "output.every=5"],
+        ["--cut", "y", "--walls", "--margin", "0.05", "--view", "-65", "35", "--times", "0", "15",
+         "--zoom", "1.1", "--size", "1500", "850", *mm]),
+    "cases/bouncing_ball/result": (
+        "cases/bouncing_ball", [],
+        ["--cut", "x", "--walls", "--up", "y", "--view", "-50", "20", "--margin", "0.12",
+         "--field", "pressure", "--label", "pressure [Pa]", "--times", "0.02", "0.08", "0.2",
+         "--size", "1500", "600"]),
+    "cases/ball_on_block/result": (
+        "cases/ball_on_block", ["discretisation.spacing=0.05"],
+        ["--cut", "z", "--up", "y", "--view", "28", "20", "--field", "velocity_y",
+         "--label", "upward velocity [m/s]", "--times", "0", "0.16", "0.5", "--size", "1500", "600"]),
+    "cases/organ/result": (
+        "cases/organ", [],
+        ["--field", "velocity", "--label", "speed [m/s]", "--times", "0", "0.08", "0.16",
+         "--size", "1500", "600"]),
+    "docs/tutorial/jelly": (
+        "docs/tutorial", [],
+        ["--cut", "y", "--walls", "--field", "velocity_z", "--label", "upward velocity [m/s]",
+         "--times", "0", "0.015", "0.06", "--size", "1500", "600"]),
+    "docs/tutorial/hollow": (
+        "docs/tutorial",
+        ["body.ball.geometry={ shape = 'difference', of = ["
+         "{ shape = 'ball', centre = [0, 0, 0.031], radius = 0.03 }, "
+         "{ shape = 'ball', centre = [0, 0, 0.031], radius = 0.016 }] }"],
+        ["--cut", "y", "--walls", "--field", "velocity_z", "--label", "upward velocity [m/s]",
+         "--times", "0", "0.015", "0.06", "--size", "1500", "600"]),
+    "docs/boundaries/free": (
+        "docs/boundaries/free.toml", [],
+        ["--times", "0", "0.01", "0.02", "--size", "1500", "600", "--field", "velocity", "--label",
+         "speed [m/s]"]),
+    "docs/boundaries/fixed": (
+        "docs/boundaries/fixed.toml", [],
+        ["--walls", "--view", "-70", "20", *mm]),
+    "docs/boundaries/moving_wall": (
+        "docs/boundaries/moving_wall.toml", [],
+        ["--cut", "y", "--walls", "--times", "0", "2", "--size", "1400", "700", *mm]),
+    "docs/boundaries/slip_wall": (
+        "docs/boundaries/slip_wall.toml", [],
+        ["--cut", "y", "--walls", "--times", "0", "2", "--size", "1400", "700", *mm]),
+    "docs/boundaries/pressure": (
+        "docs/boundaries/pressure.toml", [],
+        ["--cut", "y", "--walls", *mm]),
+    "docs/contacts/frictionless": (
+        "docs/contacts/two_balls.toml", [],
+        ["--times", "0", "0.02", "0.05", "--view", "-80", "12", "--size", "1500", "600",
+         "--field", "velocity", "--label", "speed [m/s]"]),
+    "docs/contacts/no_slip": (
+        "docs/contacts/two_balls.toml", ["contact.0.kind=no_slip"],
+        ["--times", "0", "0.02", "0.05", "--view", "-80", "12", "--size", "1500", "600",
+         "--field", "velocity", "--label", "speed [m/s]"]),
+    "docs/materials/linear": (
+        "docs/materials/linear.toml", [],
+        ["--cut", "y", "--walls", "--field", "pressure", "--label", "pressure [Pa]", "--times", "0",
+         "0.015", "0.06", "--size", "1500", "600"]),
+}
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__,
+                                     formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("--program", default=root / "pliant")
+    parser.add_argument("--results", type=pathlib.Path, default=root / "results/pictures")
+    parser.add_argument("names", nargs="*", metavar="NAME")
+    arguments = parser.parse_args()
+    wanted = [name for name in rendered
+              if not arguments.names
+              or any(name.removeprefix("docs/").startswith(given) for given in arguments.names)]
+    if not wanted:
+        raise SystemExit("no such picture; there are " + ", ".join(rendered))
+    for name in wanted:
+        case, settings, look = rendered[name]
+        folder = arguments.results / name
+        print(name, flush=True)
+        if not (folder / "summary.json").exists():
+            sets = [part for s in [*settings, "output.surface=true"] for part in ("--set", s)]
+            subprocess.run([arguments.program, "run", root / case, "--quiet", "--out", folder, *sets],
+                           check=True)
+        subprocess.run(["xvfb-run", "-a", sys.executable, here / "render.py", folder,
+                        root / f"{name}.png", *look], check=True)
+
+
+if __name__ == "__main__":
+    main()
