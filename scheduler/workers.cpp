@@ -1,6 +1,8 @@
 #include "scheduler/workers.hpp"
 
 #include <fmt/format.h>
+#include <tbb/global_control.h>
+#include <tbb/task_arena.h>
 
 #include <atomic>
 #include <stdexcept>
@@ -22,10 +24,25 @@ std::uint64_t next_id() {
 
 }  // namespace
 
+struct Workers::Arena {
+  // Lets oneTBB start more threads than there are cores, where so many are asked for.
+  tbb::global_control limit;
+  tbb::task_arena arena;
+};
+
 Workers::Workers(int threads)
     : threads_(checked(threads)),
       id_(next_id()),
-      limit_(tbb::global_control::max_allowed_parallelism, static_cast<std::size_t>(threads)),
-      arena_(threads) {}
+      arena_(new Arena{
+          {tbb::global_control::max_allowed_parallelism, static_cast<std::size_t>(threads)},
+          tbb::task_arena(threads)}) {}
+
+Workers::~Workers() = default;
+
+void Workers::call(void (*function)(void*), void* what) {
+  arena_->arena.execute([=] { function(what); });
+}
+
+int Workers::index() const { return tbb::this_task_arena::current_thread_index(); }
 
 }  // namespace pliant::scheduler

@@ -1,10 +1,8 @@
 #pragma once
 
-#include <tbb/global_control.h>
-#include <tbb/task_arena.h>
-
 #include <cstdint>
-#include <utility>
+#include <memory>
+#include <type_traits>
 
 namespace pliant::scheduler {
 
@@ -18,6 +16,7 @@ class Workers {
   explicit Workers(int threads);
   Workers(const Workers&) = delete;
   Workers& operator=(const Workers&) = delete;
+  ~Workers();
 
   int threads() const { return threads_; }
 
@@ -25,11 +24,12 @@ class Workers {
   /// step the way in and out.
   template <class F>
   void execute(F&& f) {
-    arena_.execute(std::forward<F>(f));
+    using Call = std::remove_reference_t<F>;
+    call([](void* what) { (*static_cast<Call*>(what))(); }, &f);
   }
 
   /// Of the calling worker, 0..threads-1; only for calls from within `execute` or a step.
-  int index() const { return tbb::this_task_arena::current_thread_index(); }
+  int index() const;
 
   /// Has `runner` run the nodes of all graphs, on the calling thread; nullptr: as usual.
   void delegate(NodeRunner* runner) { runner_ = runner; }
@@ -39,11 +39,14 @@ class Workers {
   std::uint64_t id() const { return id_; }
 
  private:
+  // oneTBB's headers take longer to compile than most files that include this one.
+  struct Arena;
+
+  void call(void (*function)(void*), void* what);
+
   int threads_;
   std::uint64_t id_;
-  // Lets oneTBB start more threads than there are cores, where so many are asked for.
-  tbb::global_control limit_;
-  tbb::task_arena arena_;
+  std::unique_ptr<Arena> arena_;
   NodeRunner* runner_ = nullptr;
 };
 

@@ -1,4 +1,5 @@
-"""An installed program runs, reads the installed cases, and knows nothing of the source tree."""
+"""An installed program runs, reads the installed cases, and knows nothing of the source tree; programs
+over the installed library build and run."""
 
 import os
 import subprocess
@@ -33,6 +34,23 @@ class Installed(unittest.TestCase):
                 out = subprocess.run([self.program, "check", case], cwd="/", capture_output=True,
                                      text=True)
                 self.assertEqual((0, ""), (out.returncode, out.stderr))
+
+    def test_programs_over_the_installed_library_build_and_run(self):
+        build = self.prefix / "examples"
+        subprocess.run(["cmake", "-S", Path(SOURCE) / "examples", "-B", build, "-G", "Ninja",
+                        f"-DCMAKE_PREFIX_PATH={self.prefix}", "-DCMAKE_BUILD_TYPE=Release",
+                        "-DCMAKE_CXX_FLAGS=-Wall -Wextra -Wpedantic -Werror",
+                        "-DCMAKE_EXPORT_COMPILE_COMMANDS=ON"],
+                       check=True, capture_output=True)
+        built = subprocess.run(["cmake", "--build", build], capture_output=True, text=True)
+        self.assertEqual(0, built.returncode, built.stdout)
+        self.assertNotIn("-ffp-contract", (build / "compile_commands.json").read_text())
+        hello = subprocess.run([build / "hello"], capture_output=True, text=True, check=True).stdout
+        self.assertRegex(hello, r"angular momentum: (1\.00|0\.99)\d+ of its start")
+        loads = subprocess.run([build / "moving_load"], capture_output=True, text=True, check=True)
+        moved = [float(line.split()[-2]) for line in loads.stdout.splitlines()]
+        self.assertEqual(30, len(moved))
+        self.assertLess(min(moved), -1e-3)
 
     def test_it_holds_no_path_of_the_source_tree(self):
         self.assertNotIn(SOURCE.encode(), self.program.read_bytes())

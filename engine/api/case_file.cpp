@@ -3,6 +3,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "engine/case/read_case.hpp"
 
 namespace pliant {
@@ -26,7 +28,9 @@ CaseFile CaseFile::parse(std::string toml, std::filesystem::path folder) {
 }
 
 CaseFile& CaseFile::set(std::string_view key, std::string_view value) {
-  settings_.push_back(fmt::format("{}={}", key, value));
+  std::string line(value);
+  std::ranges::replace(line, '\n', ' ');  // TOML wants a table that is a value on one line
+  settings_.push_back(fmt::format("{}={}", key, line));
   return *this;
 }
 

@@ -3,8 +3,8 @@
 #include "engine/fields.hpp"
 
 /// What one particle costs in one Runge-Kutta stage, counted from the equations and from the field
-/// list; docs/performance.md shows the sums. Ghosts, empty slots, remeshing and the level set are
-/// overheads, and count for nothing here.
+/// list; docs/performance/step.md shows the sums. Ghosts, empty slots, remeshing and the level set
+/// are overheads, and count for nothing here.
 namespace pliant::bench {
 
 /// Additions, multiplications, divisions and roots count one each, fused ones two.

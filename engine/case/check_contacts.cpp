@@ -42,6 +42,27 @@ bool have_contact(const Case& a_case, std::array<int, 2> bodies) {
   });
 }
 
+// What a body has behind a contact wall would be cut off at the first remeshing, (RP.60).
+void check_contact_wall(const Check& check, std::size_t body_index, std::size_t wall_index) {
+  const Case& a_case = check.a_case;
+  const BodyCase& body = a_case.bodies[body_index];
+  const BoundaryCase& wall = a_case.boundaries[wall_index];
+  const double spacing = a_case.discretisation.spacing;
+  if (wall.kind != BoundaryCase::Kind::contact_wall || !(spacing > 0) ||
+      !is_whole(body.geometry, a_case.dimension) || !is_whole(wall.geometry, a_case.dimension)) {
+    return;
+  }
+  // Walls are mostly simple shapes: where a point is outside, the body is not asked.
+  const double depth = overlap(wall.geometry, body.geometry, spacing, a_case.dimension);
+  if (depth <= spacing / 4) return;
+  check.problems.add(
+      check.place("body", body_index, "geometry"),
+      fmt::format("body \"{}\" overlaps the contact wall \"{}\" by {:.3g} at the start", body.name,
+                  wall.name, depth),
+      "move the body or the wall until they stand apart, or subtract the wall from "
+      "the body");
+}
+
 void check_forces(const Check& check) {
   const Case& a_case = check.a_case;
   for (std::size_t i = 0; i < a_case.measurements.size(); ++i) {
@@ -64,6 +85,11 @@ void check_forces(const Check& check) {
 // adaptive remeshing two colliding discs gained 18 % of energy.
 void check_contacts(const Check& check) {
   check_forces(check);
+  for (std::size_t b = 0; b < check.a_case.bodies.size(); ++b) {
+    for (std::size_t w = 0; w < check.a_case.boundaries.size(); ++w) {
+      check_contact_wall(check, b, w);
+    }
+  }
   const auto& contacts = check.a_case.contacts;
   std::set<std::array<int, 2>> taken;
   bool any_opens = false;

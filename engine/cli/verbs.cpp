@@ -10,14 +10,25 @@
 #include "engine/bench/standard_set.hpp"
 #include "engine/case/read_case.hpp"
 #include "engine/case/reference.hpp"
+#include "engine/case/stability.hpp"
 #include "engine/case/validate_summary.hpp"
 #include "engine/simulation/run.hpp"
 #include "engine/simulation/solver_options.hpp"
 
 namespace pliant::cli {
 
+namespace {
+
+void warn_of_instability(const Case& settings) {
+  const std::string warning = stability_warning(settings);
+  if (!warning.empty()) fmt::print(stderr, "warning: {}\n", warning);
+}
+
+}  // namespace
+
 ExitStatus run(const RunArguments& arguments) {
   const Case settings = read_case(arguments.source.path, arguments.source.settings);
+  if (!arguments.quiet) warn_of_instability(settings);
   RunOptions options;
   options.folder = arguments.folder.value_or(std::filesystem::path("results") / settings.name);
   const SolverOptions machine = solver_options(arguments.threads, arguments.isa);
@@ -29,7 +40,9 @@ ExitStatus run(const RunArguments& arguments) {
 }
 
 ExitStatus check(const CaseArguments& arguments) {
-  fmt::print("{}", validate_summary(read_case(arguments.path, arguments.settings)));
+  const Case settings = read_case(arguments.path, arguments.settings);
+  warn_of_instability(settings);
+  fmt::print("{}", validate_summary(settings));
   return ExitStatus::done;
 }
 

@@ -83,8 +83,12 @@ void add_fan(SurfaceMesh& mesh, const std::vector<std::int32_t>& corners) {
 }
 
 SurfaceMesh read_mesh(const std::filesystem::path& file) {
-  std::ifstream stream(file, std::ios::binary);
-  if (!stream || std::filesystem::is_directory(file)) {
+  // Neither a folder nor a pipe, which may never end.
+  std::error_code ignored;
+  const bool is_file = std::filesystem::is_regular_file(file, ignored);
+  std::ifstream stream;
+  if (is_file) stream.open(file, std::ios::binary);
+  if (!is_file || !stream) {
     throw MeshError(fmt::format("{}: cannot be read", file.string()),
                     "give the path of the mesh from the folder of the case file");
   }

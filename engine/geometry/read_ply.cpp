@@ -1,5 +1,6 @@
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <optional>
 #include <utility>
@@ -8,7 +9,10 @@
 
 // PLY: a header in text that declares elements and their properties, then the elements one after
 // the other, as text or as bytes. Vertices have x, y and z, faces a list of vertices; everything
-// else is read over.
+// else is skipped.
+//
+// The header is not trusted. Every element that it announces takes at least one byte of the file,
+// so that a wrong number of elements ends with the file: elements without properties are refused.
 namespace pliant {
 namespace {
 
@@ -22,12 +26,22 @@ struct Property {
 
 struct Element {
   std::string name;
+  std::size_t line = 0;  // offset of its declaration in the file
   std::int64_t count = 0;
   std::vector<Property> properties;
+
+  bool has(std::string_view property) const {
+    return std::any_of(properties.begin(), properties.end(),
+                       [&](const Property& p) { return p.name == property && !p.count; });
+  }
 };
 
+bool holds_corners(const Element& element, const Property& property) {
+  return element.name == "face" && property.name.starts_with("vert") && property.count;
+}
+
 struct Header {
-  bool is_text = false;
+  std::optional<bool> is_text;  // nothing before the line `format`
   std::vector<Element> elements;
   std::size_t end = 0;
 };
@@ -63,25 +77,68 @@ bool read_format(MeshText& text) {
               "save it as ascii or binary_little_endian");
 }
 
+Element read_element(MeshText& text) {
+  Element element;
+  element.line = text.offset();
+  element.name = text.word_of_line();
+  element.count = text.integer(text.word_of_line(), "a number of elements");
+  if (element.count < 0) text.refuse("a negative number of elements", std::string(save_again));
+  return element;
+}
+
+void check_element(const MeshFile& file, const Element& element) {
+  const auto refuse = [&](std::string_view what, std::string_view remedy) {
+    file.refuse_line(element.line, fmt::format("the element \"{}\" {}", element.name, what),
+                     std::string(remedy));
+  };
+  if (element.count == 0) return;
+  if (element.properties.empty()) {
+    refuse("has no properties", "declare its properties, or remove the element");
+  }
+  if (element.name == "vertex") {
+    for (const char* axis : {"x", "y", "z"}) {
+      if (!element.has(axis)) {
+        refuse(fmt::format("has no property {}", axis), "export vertices with x, y and z");
+      }
+    }
+  }
+  const auto& properties = element.properties;
+  if (element.name == "face" &&
+      std::none_of(properties.begin(), properties.end(),
+                   [&](const Property& p) { return holds_corners(element, p); })) {
+    refuse("has no list of vertices", "export faces with the list vertex_indices");
+  }
+}
+
+void check_header(const MeshFile& file, const Header& header) {
+  if (!header.is_text) {
+    file.refuse_line(0, "the header has no line `format`", std::string(save_again));
+  }
+  for (const Element& element : header.elements) check_element(file, element);
+}
+
 Header read_header(const MeshFile& file) {
   Header header;
   MeshText text(file);
-  if (text.word_of_line() != "ply") text.refuse("no PLY file", "the first line says `ply`");
+  if (text.word_of_line() != "ply") {
+    text.refuse("this is not a PLY file, which begins with the line `ply`",
+                std::string(save_again));
+  }
   while (text.next_line()) {
     const std::string_view key = text.word_of_line();
     if (key == "format") {
       header.is_text = read_format(text);
     } else if (key == "element") {
-      Element& element = header.elements.emplace_back();
-      element.name = text.word_of_line();
-      element.count = text.integer(text.word_of_line(), "a number of elements");
-      if (element.count < 0) text.refuse("a negative number of elements", std::string(save_again));
+      header.elements.push_back(read_element(text));
     } else if (key == "property") {
-      if (header.elements.empty()) text.refuse("a property of nothing", std::string(save_again));
+      if (header.elements.empty()) {
+        text.refuse("a property stands before the first element", std::string(save_again));
+      }
       header.elements.back().properties.push_back(read_property(text));
     } else if (key == "end_header") {
       text.next_line();
       header.end = text.offset();
+      check_header(file, header);
       return header;
     }
   }
@@ -105,38 +162,49 @@ class Body {
 
  private:
   void read(const Element& element, const Property& property) {
-    if (!property.count) {
-      const double value = next(element, property.type);
-      const std::size_t axis = std::string_view("xyz").find(property.name);
-      const bool is_axis = property.name.size() == 1 && axis != std::string_view::npos;
-      if (element.name != "vertex" || !is_axis) return;
-      if (!std::isfinite(value)) refuse("is not finite", "remove it, or give it a place");
-      mesh_.vertices.back()[axis] = value;
-      return;
-    }
+    if (property.count) return read_list(element, property);
+    const double value = next(element, property.type);
+    const std::size_t axis = std::string_view("xyz").find(property.name);
+    const bool is_axis = property.name.size() == 1 && axis != std::string_view::npos;
+    if (element.name != "vertex" || !is_axis) return;
+    if (!std::isfinite(value)) refuse("is not finite", "remove it, or give it a place");
+    mesh_.vertices.back()[axis] = value;
+  }
+
+  void read_list(const Element& element, const Property& property) {
     const double count = next(element, *property.count);
     if (!(count >= 0)) refuse("has a list of negative length", std::string(save_again));
-    const bool is_face = element.name == "face" && property.name.starts_with("vert");
+    if (!is_whole(count)) {
+      refuse(fmt::format("has a list of {} values", count), std::string(save_again));
+    }
+    const bool is_face = holds_corners(element, property);
     corners_.clear();
     for (double i = 0; i < count; ++i) {
       const double corner = next(element, property.type);
-      if (!is_face) continue;
-      if (!(corner >= 0 && corner < static_cast<double>(mesh_.vertices.size()))) {
-        refuse(fmt::format("has the vertex {}, of {}", corner, mesh_.vertices.size()),
-               "count vertices from 0, and put them before the faces");
-      }
-      corners_.push_back(static_cast<std::int32_t>(corner));
+      if (is_face) add_corner(corner);
     }
-    if (is_face && corners_.size() < 3) {
+    if (!is_face) return;
+    if (corners_.size() < 3) {
       refuse(fmt::format("has {} vertices", corners_.size()),
              "give it three or more, or remove it");
     }
     add_fan(mesh_, corners_);
   }
 
+  void add_corner(double corner) {
+    const std::size_t count = mesh_.vertices.size();
+    if (!(corner >= 0 && corner < static_cast<double>(count) && is_whole(corner))) {
+      refuse(fmt::format("has the vertex {}, of {}", corner, count),
+             "count vertices from 0, and put them before the faces");
+    }
+    corners_.push_back(static_cast<std::int32_t>(corner));
+  }
+
+  static bool is_whole(double value) { return value == std::floor(value); }
+
   double next(const Element& element, Type type) {
     element_ = &element;
-    if (header_.is_text) {
+    if (*header_.is_text) {
       const std::string_view word = text_.word();
       if (word.empty()) refuse_end();
       return text_.number(word, fmt::format("a value of {} {}", element.name, index_));
@@ -177,7 +245,7 @@ class Body {
 
   [[noreturn]] void refuse(const std::string& what, const std::string& remedy) const {
     const std::string sentence = fmt::format("{} {} {}", element_->name, index_, what);
-    if (header_.is_text) text_.refuse(sentence, remedy);
+    if (*header_.is_text) text_.refuse(sentence, remedy);
     file_.refuse_byte(at_, sentence, remedy);
   }
 

@@ -3,10 +3,17 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "engine/case/stability.hpp"
+
 namespace pliant {
 
-StepFailure failed_step(const StepClock& clock, const std::string& what,
+StepFailure failed_step(const Case& settings, const StepClock& clock, const std::string& what,
                         const std::vector<std::string>& remedies) {
+  const std::string cause = stability_warning(settings);
+  if (!cause.empty()) {
+    return StepFailure(
+        fmt::format("t = {:.6g}, step {}: {}; {}", clock.time, clock.step, what, cause));
+  }
   std::string list = remedies.front();
   for (std::size_t i = 1; i < remedies.size(); ++i) {
     list += (i + 1 == remedies.size() ? ", or " : ", ") + remedies[i];
@@ -16,6 +23,10 @@ StepFailure failed_step(const StepClock& clock, const std::string& what,
 }
 
 std::string smaller_step(const Case& settings) {
+  const auto& method = settings.total_lagrangian;
+  if (settings.method == Method::total_lagrangian && method.match_time_step) {
+    return "scale the mass more (a smaller time.cfl)";
+  }
   return settings.time.step ? "use a smaller time step (time.step)"
                             : "use a smaller time step (time.cfl)";
 }

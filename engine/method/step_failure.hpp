@@ -16,8 +16,9 @@ struct StepFailure : std::runtime_error {
 };
 
 /// A failure with its time and step: `what` happened, and the remedies to try, of which there is at
-/// least one.
-StepFailure failed_step(const StepClock& clock, const std::string& what,
+/// least one. Where the case has a step above the stability limit, that is the cause, and the
+/// remedy is another step.
+StepFailure failed_step(const Case& settings, const StepClock& clock, const std::string& what,
                         const std::vector<std::string>& remedies);
 
 /// The remedy of a smaller time step, by the key that sets the step of this case.

@@ -17,6 +17,10 @@ namespace pliant::remeshed {
 
 namespace {
 
+// How near a wall the edge of a clamp is the likely cause of a failure [h]: its stress is singular,
+// and no step is short enough for it.
+constexpr double edge_of_clamp = 3;
+
 // Plain SPH has the kernel (RP.13) whatever kernel the case names.
 kernels::Weight search_kernel(const Case& settings) {
   return is_plain_sph(settings) ? kernels::Weight::quartic : settings.discretisation.kernel;
@@ -77,6 +81,7 @@ void Solver<T, D>::take_step(double dt) {
   run(*present_graph_);
   step_.fold();
   check(step_.result());
+  check_strain(dt);
   for (Wall<D>& wall : state_.boundaries.walls) wall.move(clock.time, dt);
   clock.time += dt;
   ++clock.step;
@@ -122,6 +127,7 @@ template <class T, int D>
 void Solver<T, D>::remesh_onto_spare(bool reinitialise, bool is_final) {
   step_.prepare(0);
   run(source_graph_.over(layouts_, [&] { return source_phases(); }));
+  check_layouts();
   for (auto& remeshing : remeshings_) remeshing->prepare_target(reinitialise, is_final);
   run(target_graph_.over(spare_layouts_, [&] { return target_phases(true); }));
 }
@@ -196,11 +202,41 @@ void Solver<T, D>::check(const kernels::StageResult& result) const {
   const BlockOwner owner = state_.blocks[step_.failed_block()];
   const Body<T, D>& body = state_.bodies[owner.body];
   const Point<D> x = body.lattice.node(body.population.layout.cell(result.non_finite));
-  throw failed_step(
-      state_.clock,
+  const std::string what =
       fmt::format("particle {} of body `{}` near {} is no longer finite or has lost its volume",
-                  result.non_finite, body.name, coordinates<D>(x)),
-      remedies());
+                  result.non_finite, body.name, coordinates<D>(x));
+  const auto [wall, distance] = state_.boundaries.nearest_wall(x);
+  if (distance > edge_of_clamp * body.lattice.spacing) {
+    throw failed_step(settings(), state_.clock, what, remedies());
+  }
+  throw failed_step(settings(), state_.clock, what + ", beside a wall that holds it",
+                    {"load more slowly", "use a finer spacing"});
+}
+
+// A step that strains the body so much tells nothing any more, and the lists of neighbours for the
+// next one would not fit into memory.
+template <class T, int D>
+void Solver<T, D>::check_strain(double time_step) const {
+  for (std::size_t b = 0; b < state_.bodies.size(); ++b) {
+    const double strain = time_step * step_.strain_rate(static_cast<int>(b));
+    if (strain <= largest_step_strain) continue;
+    throw failed_step(
+        settings(), state_.clock,
+        fmt::format("body `{}` strained by {:.2g} in one step", state_.bodies[b].name, strain),
+        remedies());
+  }
+}
+
+template <class T, int D>
+void Solver<T, D>::check_layouts() const {
+  for (std::size_t b = 0; b < state_.bodies.size(); ++b) {
+    if (remeshings_[b]->has_layout()) continue;
+    throw failed_step(settings(), state_.clock,
+                      fmt::format("the particles of body `{}` have flown too far apart for one "
+                                  "lattice",
+                                  state_.bodies[b].name),
+                      remedies());
+  }
 }
 
 template <class T, int D>
@@ -208,7 +244,8 @@ std::vector<std::string> Solver<T, D>::remedies() const {
   using Policy = decltype(Case{}.remeshing)::Policy;
   const bool adaptive = settings().remeshing.policy == Policy::adaptive;
   return {smaller_step(settings()),
-          adaptive ? "remesh more often (remeshing.strain_threshold)" : "remesh more often (remeshing.every)",
+          adaptive ? "remesh more often (remeshing.strain_threshold)"
+                   : "remesh more often (remeshing.every)",
           "use a finer spacing"};
 }
 
@@ -219,7 +256,8 @@ void Solver<T, D>::check_bodies() const {
     if (body.population.particles > 0) continue;
     std::vector<std::string> all = remedies();
     all.insert(all.begin(), "look at the last frames for where it broke");
-    throw failed_step(state_.clock, fmt::format("body `{}` has no particle left", body.name), all);
+    throw failed_step(settings(), state_.clock,
+                      fmt::format("body `{}` has no particle left", body.name), all);
   }
 }
 

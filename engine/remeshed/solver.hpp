@@ -68,6 +68,8 @@ class Solver final : public pliant::Solver {
   void find_neighbours(double time_step);
   void add_strain(double time_step);
   void check(const kernels::StageResult& result) const;
+  void check_strain(double time_step) const;
+  void check_layouts() const;
   void check_bodies() const;
   std::vector<std::string> remedies() const;
 

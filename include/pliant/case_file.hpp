@@ -31,6 +31,7 @@ class CaseFile {
 
   /// Sets the value of a key, as `--set` does: lists and tables are TOML text, and elements of
   /// lists are addressed by name or by position ("boundary.upper.velocity", "body.0.material").
+  /// Line breaks in a value count as spaces.
   CaseFile& set(std::string_view key, std::string_view value);
   CaseFile& set(std::string_view key, const char* value) {
     return set(key, std::string_view(value));

@@ -16,7 +16,21 @@ std::string meeting(const char* left, const std::string& contacts,
 
 const std::string pair = "[[contact]]\nbodies = [\"block\", \"other\"]\n";
 
+/// The block and a contact wall below `height`.
+std::string standing_in(const char* height) {
+  return extended(std::string("[remeshing]\nevery = 10\n[[boundary]]\nname = \"floor\"\nkind = "
+                              "\"contact_wall\"\ngeometry = { shape = \"half_space\", point = "
+                              "[0, ") +
+                  height + "], normal = [0, 1] }\n");
+}
+
 const Fault faults[] = {
+    {"a_body_partly_inside_a_contact_wall", standing_in("0.5"),
+     "block.toml:8: body \"block\" overlaps the contact wall \"floor\" by 0.2 at the start; move "
+     "the body or the wall until they stand apart, or subtract the wall from the body"},
+    {"a_body_wholly_inside_a_contact_wall", standing_in("10"),
+     "block.toml:8: body \"block\" overlaps the contact wall \"floor\" by 0.5 at the start; move "
+     "the body or the wall until they stand apart, or subtract the wall from the body"},
     {"contact_with_an_unknown_body",
      meeting("1.1", "[[contact]]\nbodies = [\"block\", \"othr\"]\n"),
      "block.toml:17: bodies names the body \"othr\", which does not exist; did you mean `other`?"},
@@ -63,6 +77,8 @@ class FaultyContacts : public testing::TestWithParam<Fault> {};
 TEST_P(FaultyContacts, are_answered_with_where_what_and_what_to_do) {
   EXPECT_EQ(complaint(GetParam().text), GetParam().message);
 }
+
+TEST(contacts, a_body_may_begin_on_a_contact_wall) { EXPECT_EQ(complaint(standing_in("0")), ""); }
 
 INSTANTIATE_TEST_SUITE_P(faults, FaultyContacts, testing::ValuesIn(faults), name_of);
 

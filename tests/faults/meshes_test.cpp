@@ -106,6 +106,41 @@ const MeshFault faults[] = {
     {"a_truncated_binary_ply", "organ.ply", cut(binary_ply(), 250),
      "organ.ply: byte 250: the file ends before vertex 1 of the 4 that it announces; save it again "
      "from the program that made it"},
+    {"a_ply_with_vertices_without_properties", "organ.ply",
+     "ply\nformat ascii 1.0\nelement vertex 9000000000000000000\nend_header\n",
+     "organ.ply:3: the element \"vertex\" has no properties; declare its properties, or remove the "
+     "element"},
+    {"a_ply_with_any_element_without_properties", "organ.ply",
+     with(ascii_ply, "element face", "element edge 9000000000000000000\nelement face"),
+     "organ.ply:9: the element \"edge\" has no properties; declare its properties, or remove the "
+     "element"},
+    {"a_ply_with_vertices_without_z", "organ.ply", with(ascii_ply, "float z", "float depth"),
+     "organ.ply:4: the element \"vertex\" has no property z; export vertices with x, y and z"},
+    {"a_ply_with_vertices_whose_z_is_a_list", "organ.ply",
+     with(ascii_ply, "float z", "list uchar float z"),
+     "organ.ply:4: the element \"vertex\" has no property z; export vertices with x, y and z"},
+    {"a_ply_with_faces_without_vertices", "organ.ply",
+     with(ascii_ply, "vertex_indices", "neighbours"),
+     "organ.ply:9: the element \"face\" has no list of vertices; export faces with the list "
+     "vertex_indices"},
+    {"a_ply_without_format", "organ.ply", with(ascii_ply, "format ascii 1.0\n", ""),
+     "organ.ply:1: the header has no line `format`; save it again from the program that made it"},
+    {"an_ascii_ply_with_more_vertices_than_the_file_holds", "organ.ply",
+     with(ascii_ply, "vertex 4", "vertex 9000000000000000000"),
+     "organ.ply: byte 285: the file ends before vertex 8 of the 9000000000000000000 that it "
+     "announces; save it again from the program that made it"},
+    {"a_binary_ply_with_more_vertices_than_the_file_holds", "organ.ply",
+     with(binary_ply(), "vertex 4", "vertex 9000000000000000000"),
+     "organ.ply: byte 396: the file ends before vertex 6 of the 9000000000000000000 that it "
+     "announces; save it again from the program that made it"},
+    {"an_ascii_ply_with_an_endless_list", "organ.ply", with(ascii_ply, "3 0 2 1", "1e300 0 2 1"),
+     "organ.ply: byte 271: the file ends before face 0 of the 4 that it announces; save it again "
+     "from the program that made it"},
+    {"an_ascii_ply_with_half_a_corner", "organ.ply", with(ascii_ply, "3 0 2 1", "3 0 2 1.5"),
+     "organ.ply:16: face 0 has the vertex 1.5, of 4; count vertices from 0, and put them before "
+     "the faces"},
+    {"an_ascii_ply_with_half_a_list", "organ.ply", with(ascii_ply, "3 0 2 1", "2.5 0 2 1"),
+     "organ.ply:16: face 0 has a list of 2.5 values; save it again from the program that made it"},
     {"a_ply_header_without_end", "organ.ply", cut(ascii_ply, 60),
      "organ.ply: byte 60: the file ends before its `end_header`; save it again from the program "
      "that made it"},

@@ -28,10 +28,13 @@
 // (R + s) exp(-(E - E_search)) >= R.
 //
 // All this must hold to the end of the step to come, whose strain rate is not known yet: it is
-// allowed twice the last one. And a tenth of each bound is kept back for what eps at the particles
-// does not show: motion between them, and that the sum over steps is no integral. Ghosts move with
-// the velocities that they show to the particles beside them, whose eps contains them. Parts of a
-// body that meet across a void are no pairs of (RP.47); they become neighbours at the next search.
+// allowed twice the last one, but no more than the strain at which a step fails (the solver stops
+// the run there). That also bounds the lists: their length grows with exp(d E) of a step, and a
+// step above the stability limit strains without end. And a tenth of each bound is kept back for
+// what eps at the particles does not show: motion between them, and that the sum over steps is no
+// integral. Ghosts move with the velocities that they show to the particles beside them, whose eps
+// contains them. Parts of a body that meet across a void are no pairs of (RP.47); they become
+// neighbours at the next search.
 namespace pliant::remeshed {
 
 namespace {
@@ -47,6 +50,8 @@ constexpr double ahead = 2;  // times the strain of the last step
 // often.
 constexpr double least_skin = 0.04;
 constexpr double steps_of_skin = 3;
+constexpr double largest_skin = largest_step_strain / usable;
+
 double strain_between(double distance, Weight weight) {
   return usable * std::log(distance / kernels::support(weight));
 }
@@ -70,7 +75,8 @@ bool NeighbourSearch<T, D>::is_due(double time_step) {
   bool any = false;
   for (Body<T, D>& body : state_.bodies) {
     BodyNeighbours<D>& neighbours = body.neighbours;
-    neighbours.coming_strain = ahead * time_step * neighbours.strain_rate;
+    neighbours.coming_strain =
+        std::min(ahead * time_step * neighbours.strain_rate, largest_step_strain);
     const bool due =
         in_every_step_ || neighbours.strain + neighbours.coming_strain > neighbours.complete_until;
     neighbours.is_measuring_due = due && !neighbours.are_listed && !in_every_step_;
@@ -153,7 +159,8 @@ void NeighbourSearch<T, D>::decide_after_measuring(BodyNeighbours<D>& neighbours
 template <class T, int D>
 void NeighbourSearch<T, D>::prepare_search(Body<T, D>& body) const {
   BodyNeighbours<D>& neighbours = body.neighbours;
-  const double skin = std::max(least_skin, steps_of_skin * neighbours.coming_strain);
+  const double skin =
+      std::clamp(steps_of_skin * neighbours.coming_strain, least_skin, largest_skin);
   neighbours.radius = kernels::support(weight_) * std::exp(skin);
   neighbours.complete_until = neighbours.strain + strain_between(neighbours.radius, weight_);
   neighbours.are_listed = true;

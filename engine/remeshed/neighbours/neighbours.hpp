@@ -12,6 +12,10 @@ namespace pliant::remeshed {
 /// with the compact weight 0.12.
 double stencil_strain(kernels::Weight weight);
 
+/// Strain of one step, dt max abs(eps)_F, at which a step fails: Runge-Kutta stages that strain so
+/// much are far from the state that they started from, and lists of neighbours for them endless.
+inline constexpr double largest_step_strain = 0.5;
+
 /// Finds the neighbours of particles in space once slots from outside the stencil come into the
 /// support, and again before what was found may miss some.
 ///

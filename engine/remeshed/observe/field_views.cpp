@@ -18,8 +18,8 @@ std::vector<SlotRun> particle_runs(const Body<T, D>& body) {
   return runs_of_particles<D>(body.population.layout, is_interior(body));
 }
 
-// The displacement of the list of fields is that at the last remeshing: what callers see has a name of
-// its own.
+// The displacement of the list of fields is that at the last remeshing: what callers see has a name
+// of its own.
 template <class T, int D>
 std::vector<FieldView> field_views(const Body<T, D>& body) {
   const std::int64_t slots = body.population.layout.slots();

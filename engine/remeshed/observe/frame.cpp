@@ -136,9 +136,11 @@ Frame take_frame(const State<T, D>& state, const kernels::RemeshedTable<T, D>& k
   return frame;
 }
 
-template Frame take_frame<double, 2>(const State<double, 2>&, const kernels::RemeshedTable<double, 2>&,
+template Frame take_frame<double, 2>(const State<double, 2>&,
+                                     const kernels::RemeshedTable<double, 2>&,
                                      const NodeSource<double, 2>&, const FrameParts&);
-template Frame take_frame<double, 3>(const State<double, 3>&, const kernels::RemeshedTable<double, 3>&,
+template Frame take_frame<double, 3>(const State<double, 3>&,
+                                     const kernels::RemeshedTable<double, 3>&,
                                      const NodeSource<double, 3>&, const FrameParts&);
 
 }  // namespace pliant::remeshed

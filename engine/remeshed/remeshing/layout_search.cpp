@@ -23,6 +23,11 @@ int block_count(std::int64_t slots) {
   return static_cast<int>(count / unit * unit);
 }
 
+// Packs in the map of a body's box: half a gigabyte for the map and its copy. Bodies that hold
+// together need a hundredth of it, or their slots do not fit into memory either.
+constexpr double largest_map = 1 << 28;
+constexpr double farthest_drift = 1e8;  // cells; a whole number holds 2e9
+
 /// The cell to whose node a particle has come nearest.
 template <class T, int D>
 class NearestCell {
@@ -33,7 +38,8 @@ class NearestCell {
   }
   Cell<D> operator()(std::int64_t slot, Cell<D> cell) const {
     for (int a = 0; a < D; ++a) {
-      cell[a] += nearest_cell(drift_[a][slot] * inverse_spacing_);
+      const double cells = drift_[a][slot] * inverse_spacing_;
+      cell[a] += nearest_cell(std::clamp(cells, -farthest_drift, farthest_drift));
     }
     return cell;
   }
@@ -65,7 +71,7 @@ void LayoutSearch<T, D>::find_bounds(int block) {
 }
 
 template <class T, int D>
-void LayoutSearch<T, D>::mark_particles() {
+bool LayoutSearch<T, D>::mark_particles() {
   CellBounds<D> all = bounds_[0];
   for (const CellBounds<D>& of_block : bounds_) {
     for (int a = 0; a < D; ++a) {
@@ -78,6 +84,9 @@ void LayoutSearch<T, D>::mark_particles() {
     all.lower[a] = 0;
     all.upper[a] = body_.lattice.period[a] - 1;
   }
+  double packs = 1.0 / Layout<D>::pack;
+  for (int a = 0; a < D; ++a) packs *= 1.0 + all.upper[a] - all.lower[a] + 2 * layout_reach;
+  if (packs > largest_map) return false;
   occupancy_.reset(all.lower, all.upper, layout_reach);
   const Population<T, D>& from = body_.population;
   const NearestCell<T, D> nearest(body_);
@@ -88,6 +97,7 @@ void LayoutSearch<T, D>::mark_particles() {
     });
   }
   occupancy_.dilate(layout_reach);
+  return true;
 }
 
 template <class T, int D>

@@ -22,7 +22,8 @@ class LayoutSearch {
   void prepare() { bounds_.resize(body_.population.layout.blocks().size()); }
   /// Block by block, then `mark_particles`.
   void find_bounds(int block);
-  void mark_particles();
+  /// False where the particles have flown so far apart that no map of their cells fits into memory.
+  bool mark_particles();
   /// In their place at t = 0: nodes inside the body's geometry.
   void mark_geometry();
   /// From a checkpoint.

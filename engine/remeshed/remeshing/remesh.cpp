@@ -53,8 +53,8 @@ void Remeshing<T, D>::source_phases(std::vector<scheduler::Phase>& all, int firs
                  {resource::drift(0), Reach::all},
                  {resource::contact, Reach::all}},
                 {{resource::remeshed, Reach::all}}, [this] {
-                  layout_search_.mark_particles();
-                  prepare_spare();
+                  has_layout_ = layout_search_.mark_particles();
+                  if (has_layout_) prepare_spare();
                 });
 }
 

@@ -33,6 +33,8 @@ class Remeshing {
   /// `from_particles` is false when the new fields are the initial ones: no scatter, no filter.
   void target_phases(std::vector<scheduler::Phase>& phases, int first_block, bool from_particles);
 
+  /// Between the two: false where the particles have flown too far apart for a lattice.
+  bool has_layout() const { return has_layout_; }
   /// Between the two: whether the level set is due to be reinitialised, and whether `commit` will
   /// follow. Only then are ghosts fitted, in the place of the present ones.
   void prepare_target(bool reinitialise, bool is_final);
@@ -58,6 +60,7 @@ class Remeshing {
   GhostTreatment treatment_;
   int stencil_reach_;
   bool is_final_ = true;
+  bool has_layout_ = true;
   bool reinitialise_ = false;
   LayoutSearch<T, D> layout_search_;
   RemeshedFields<T, D> fields_;

@@ -1,4 +1,5 @@
 #include <gtest/gtest.h>
+#include <sys/stat.h>
 
 #include <fstream>
 
@@ -56,6 +57,30 @@ TEST(read_mesh, every_cut_is_survived) {
       }
     }
   }
+}
+
+// A header may announce anything: what is read takes no more memory than the file allows.
+TEST(read_mesh, wrong_numbers_of_elements_end_with_the_file) {
+  for (const char* key : {"element vertex ", "element face "}) {
+    for (const std::string& whole : {ascii_ply, binary_ply()}) {
+      std::string content = whole;
+      content.insert(content.find(key) + std::string(key).size(), "10000000000000000");
+      EXPECT_THROW(read("a.ply", content), MeshError);
+    }
+  }
+}
+
+TEST(read_mesh, elements_that_are_not_read_may_be_empty) {
+  std::string content = ascii_ply;
+  content.insert(content.find("element face"), "element edge 0\n");
+  EXPECT_EQ(read("a.ply", content).triangles.size(), 4u);
+}
+
+// Reading a pipe to its end would wait for whoever writes into it.
+TEST(read_mesh, a_pipe_is_no_mesh) {
+  const test::TemporaryFolder folder;
+  ASSERT_EQ(mkfifo((folder / "a.stl").c_str(), 0600), 0);
+  EXPECT_THROW(read_mesh(folder / "a.stl"), MeshError);
 }
 
 }  // namespace

@@ -5,35 +5,17 @@
 #include <cmath>
 #include <random>
 
-#include "tests/engine/lattice/random_cells.hpp"
+#include "tests/engine/remeshed/level_set/node_values.hpp"
 
 namespace pliant::test {
 namespace {
 
 using remeshed::CubicInterpolant;
 
-/// Values on the nodes of a solid block of cells.
 template <int D>
-struct NodeValues {
-  template <class F>
-  NodeValues(const Cell<D>& upper, const Cell<D>& period, F&& f) {
-    lattice.spacing = 1;
-    lattice.period = period;
-    layout.build(random_occupancy<D>({}, upper, 1, 1), period, 1000, 10);
-    values.resize(layout.slots());
-    for_each_cell<D>({}, upper, [&](const Cell<D>& cell) {
-      Point<D> x;
-      std::copy(cell.begin(), cell.end(), x.begin());
-      values[layout.slot(cell)] = f(x);
-    });
-  }
-
-  CubicInterpolant<double, D> interpolant() const { return {lattice, layout, values.data()}; }
-
-  Lattice<D> lattice;
-  Layout<D> layout;
-  std::vector<double> values;
-};
+CubicInterpolant<double, D> interpolant(const NodeValues<D>& nodes) {
+  return {nodes.lattice, nodes.layout, nodes.values.data()};
+}
 
 /// A polynomial of degree 3 in each direction, with every mixed term, and its gradient.
 template <int D>
@@ -54,14 +36,14 @@ TYPED_TEST(CubicInterpolation, cubics_and_their_gradients_are_exact) {
   constexpr int D = TypeParam::dimension;
   const Cell<D> upper = diagonal<D>(15);
   const NodeValues<D> nodes(upper, {}, cubic<D>);
-  const auto interpolant = nodes.interpolant();
+  const auto interpolate = interpolant(nodes);
   std::mt19937 random(1);
   std::uniform_real_distribution<double> anywhere(1, 13.99);
   for (int i = 0; i < 200; ++i) {
     Point<D> x, gradient;
     for (double& component : x) component = anywhere(random);
     double value = 0;
-    ASSERT_TRUE(interpolant(x, value, gradient));
+    ASSERT_TRUE(interpolate(x, value, gradient));
     EXPECT_NEAR(value, cubic<D>(x), 1e-13);
     for (int a = 0; a < D; ++a) {
       Point<D> up = x, down = x;
@@ -81,7 +63,7 @@ TYPED_TEST(CubicInterpolation, nodes_give_their_values) {
     Point<D> x, gradient;
     std::copy(cell.begin(), cell.end(), x.begin());
     double value = 0;
-    ASSERT_TRUE(nodes.interpolant()(x, value, gradient));
+    ASSERT_TRUE(interpolant(nodes)(x, value, gradient));
     EXPECT_EQ(value, nodes.values[nodes.layout.slot(cell)]);
   });
 }
@@ -95,7 +77,7 @@ TYPED_TEST(CubicInterpolation, has_no_value_where_a_node_is_missing) {
     double value = 0;
     for (const double outside : {0.99, 6.01}) {
       x[a] = outside;
-      EXPECT_FALSE(nodes.interpolant()(x, value, gradient)) << a << ": " << outside;
+      EXPECT_FALSE(interpolant(nodes)(x, value, gradient)) << a << ": " << outside;
     }
   }
 }
@@ -112,7 +94,7 @@ TYPED_TEST(CubicInterpolation, runs_on_through_a_period) {
     Point<D> x, gradient;
     x.fill(s);
     double value = 0;
-    ASSERT_TRUE(nodes.interpolant()(x, value, gradient)) << s;
+    ASSERT_TRUE(interpolant(nodes)(x, value, gradient)) << s;
     // 3/128 (k h)^4 in each direction, k h = 0.39.
     EXPECT_NEAR(value, wave(x), 2 * 3.0 / 128 * std::pow(0.3927, 4)) << s;
   }

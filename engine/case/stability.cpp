@@ -1,0 +1,79 @@
+#include "engine/case/stability.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+// (RP.91). A plane wave of the wave number k has the rates lambda = -kappa delta^4(k) +- i c g(k),
+// g(k) the gradient operator's answer to it. Runge-Kutta 4 is stable up to 2 sqrt(2) on the
+// imaginary axis and up to 2.785 on the real one.
+namespace pliant {
+
+namespace {
+
+constexpr double on_imaginary_axis = 2.8284271247461903, on_real_axis = 2.785;
+// Free surfaces and walls ask for shorter steps than the interior, as measured.
+constexpr double near_surfaces = 0.75;
+
+/// max_k h abs(g(k)) on the square and on the cubic lattice.
+double largest_response(kernels::Weight kernel, int dimension) {
+  const bool plane = dimension == 2;
+  switch (kernel) {
+    case kernels::Weight::quartic:
+      return plane ? 0.951 : 0.971;
+    case kernels::Weight::quartic_polynomial:
+      return plane ? 0.920 : 0.946;
+    case kernels::Weight::compact:
+      return plane ? 1.251 : 1.400;
+    case kernels::Weight::fourth_order:
+      return plane ? 1.727 : 2.143;
+  }
+  return 1;
+}
+
+double fastest_wave(const Case& a_case) {
+  double fastest = 0;
+  for (const BodyCase& body : a_case.bodies) {
+    fastest = std::max(fastest, kernels::wave_speed_at_rest(body.material));
+  }
+  return fastest / std::sqrt(a_case.total_lagrangian.mass_scaling);
+}
+
+}  // namespace
+
+double stable_cfl(const Case& a_case) {
+  if (a_case.method == Method::total_lagrangian) return 1;
+  const auto& discretisation = a_case.discretisation;
+  const double waves =
+      on_imaginary_axis / largest_response(discretisation.kernel, a_case.dimension);
+  // delta^4 is at most 16 along each direction, and 16 is what kappa has in its denominator.
+  const double dissipation = discretisation.dissipation * a_case.dimension;
+  return near_surfaces * (dissipation > 0 ? std::min(waves, on_real_axis / dissipation) : waves);
+}
+
+std::optional<double> stable_step(const Case& a_case) {
+  if (a_case.method == Method::total_lagrangian && a_case.total_lagrangian.match_time_step) {
+    return std::nullopt;
+  }
+  return stable_cfl(a_case) * a_case.discretisation.spacing / fastest_wave(a_case);
+}
+
+std::string stability_warning(const Case& a_case) {
+  const std::optional<double> limit = stable_step(a_case);
+  if (a_case.time.step && limit && *a_case.time.step > *limit) {
+    return fmt::format(
+        "the time step {:.4g} s is above the stability limit of {:.3g} s (CFL number {:.2g}); set "
+        "time.step = \"cfl\", or to less than the limit",
+        *a_case.time.step, *limit, stable_cfl(a_case));
+  }
+  if (!a_case.time.step && a_case.time.cfl > stable_cfl(a_case)) {
+    return fmt::format(
+        "the CFL number {:.3g} is above the stability limit of {:.2g}; set time.cfl "
+        "to less than the limit",
+        a_case.time.cfl, stable_cfl(a_case));
+  }
+  return "";
+}
+
+}  // namespace pliant

@@ -1,0 +1,122 @@
+#include "engine/case/stability.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <complex>
+
+#include "tests/engine/case/written_case.hpp"
+
+namespace pliant::tests {
+namespace {
+
+constexpr int nodes = 16;  // wave numbers to a side of the zone
+
+/// (RP.14)-(RP.16) and (RP.90), of the square of the distance over h.
+double weight(kernels::Weight kind, double s2) {
+  const double s = std::sqrt(s2), t = std::max(0., 1 - s2 / 6.25);
+  const auto cube = [](double a) { return a > 0 ? a * a * a : 0; };
+  switch (kind) {
+    case kernels::Weight::quartic:
+      return (cube(2.5 - s) - 5 * cube(1.5 - s) + 10 * cube(0.5 - s)) / (6 * s);
+    case kernels::Weight::quartic_polynomial:
+      return t * t * t * (0.76443 - 2.31468 * t + 2.5554 * t * t);
+    case kernels::Weight::compact:
+      return std::pow(std::max(0., 1 - s2 / 3.0625), 4);
+    default:
+      return t * t *
+             (0.63557631 +
+              t * (-6.64257139 + t * (21.97914170 + t * (-30.39422150 + t * 15.42207486))));
+  }
+}
+
+/// Whether Runge-Kutta 4 damps exp(z) or keeps it.
+bool is_stable(std::complex<double> z) {
+  return std::abs(1. + z * (1. + z / 2. * (1. + z / 3. * (1. + z / 4.)))) <= 1 + 1e-9;
+}
+
+/// Largest CFL number at which no plane wave in an endless lattice grows, from (RP.18), (RP.19) and
+/// (RP.43).
+double lattice_limit(kernels::Weight kind, int dimension, double dissipation) {
+  std::vector<std::complex<double>> rates;  // times h/c
+  for (int n = 0; n < std::pow(nodes + 1, dimension); ++n) {
+    const int index[3] = {n % (nodes + 1), n / (nodes + 1) % (nodes + 1),
+                          n / (nodes + 1) / (nodes + 1)};
+    double moment = 0, response[3] = {}, differences = 0;
+    for (int z = dimension == 3 ? -2 : 0; z <= (dimension == 3 ? 2 : 0); ++z) {
+      for (int y = -2; y <= 2; ++y) {
+        for (int x = -2; x <= 2; ++x) {
+          const int d[3] = {x, y, z}, s2 = x * x + y * y + z * z;
+          if (s2 == 0) continue;
+          const double omega = weight(kind, s2);
+          moment += omega * x * x;  // A is isotropic on a cubic lattice
+          const double phase = M_PI / nodes * (index[0] * x + index[1] * y + index[2] * z);
+          for (int a = 0; a < dimension; ++a) response[a] += omega * d[a] * std::sin(phase);
+        }
+      }
+    }
+    for (int a = 0; a < dimension; ++a) {
+      differences += std::pow(2 * std::sin(M_PI / nodes * index[a] / 2), 4);
+    }
+    rates.emplace_back(-dissipation / 16 * differences,
+                       std::hypot(response[0], response[1], response[2]) / moment);
+  }
+  double cfl = 0;
+  const auto stands = [&](double at) {
+    return std::all_of(rates.begin(), rates.end(),
+                       [&](const std::complex<double>& rate) { return is_stable(at * rate); });
+  };
+  while (cfl < 12 && stands(cfl + 0.01)) cfl += 0.01;
+  return cfl;
+}
+
+TEST(stability, limits_are_three_quarters_of_those_of_plane_waves) {
+  Case a_case = read_text(block_case);
+  for (const int dimension : {2, 3}) {
+    for (const auto kind : {kernels::Weight::quartic, kernels::Weight::quartic_polynomial,
+                            kernels::Weight::compact, kernels::Weight::fourth_order}) {
+      for (const double dissipation : {0., 0.1, 0.25, 1.}) {
+        a_case.dimension = dimension;
+        a_case.discretisation.kernel = kind;
+        a_case.discretisation.dissipation = dissipation;
+        const double of_waves = lattice_limit(kind, dimension, dissipation);
+        // Damping shifts the limit of the waves by up to 4 %.
+        EXPECT_NEAR(stable_cfl(a_case) / (0.75 * of_waves), 1, 0.04)
+            << dimension << "D, weight " << static_cast<int>(kind) << ", " << dissipation;
+      }
+    }
+  }
+}
+
+// Waves at sqrt((K + 4 mu/3)/rho) with K = 250/3 and mu = 500/13.
+TEST(stability, steps_follow_from_the_fastest_body_at_rest) {
+  const Case a_case = read_text(block_case);
+  const double speed = std::sqrt((250. / 3 + 2000. / 39) / 2);
+  ASSERT_TRUE(stable_step(a_case));
+  EXPECT_NEAR(*stable_step(a_case), stable_cfl(a_case) * 0.1 / speed, 1e-12);
+}
+
+TEST(stability, steps_above_the_limit_are_warned_of_with_the_key_that_sets_them) {
+  EXPECT_EQ(stability_warning(read_text(block_case)), "");
+  EXPECT_EQ(stability_warning(read_text(block_case, {"time.step=0.02"})), "");
+  EXPECT_EQ(stability_warning(read_text(block_case, {"time.step=0.05"})),
+            "the time step 0.05 s is above the stability limit of 0.0281 s (CFL number 2.3); set "
+            "time.step = \"cfl\", or to less than the limit");
+  EXPECT_EQ(stability_warning(
+                read_text(block_case, {"time.cfl=1.5", "discretisation.kernel=fourth_order"})),
+            "the CFL number 1.5 is above the stability limit of 1.2; set time.cfl to less than the "
+            "limit");
+}
+
+TEST(stability, a_mass_that_is_scaled_to_the_step_has_no_limit) {
+  Case a_case = read_text(block_case);
+  a_case.method = Method::total_lagrangian;
+  a_case.time.step = 1;
+  EXPECT_NE(stability_warning(a_case), "");
+  a_case.total_lagrangian.match_time_step = true;
+  EXPECT_EQ(stability_warning(a_case), "");
+}
+
+}  // namespace
+}  // namespace pliant::tests

@@ -1,0 +1,132 @@
+#include "engine/remeshed/level_set/wall_extension.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "tests/engine/remeshed/level_set/node_values.hpp"
+
+namespace pliant::test {
+namespace {
+
+using remeshed::WallExtension;
+
+constexpr double spacing = 0.5, far = 3.25;
+constexpr int upper = 23;
+
+/// A wall or a contact wall whose surface is the plane y = `height` [m], its solid below.
+BoundaryCase floor_at(double height, BoundaryCase::Kind kind) {
+  BoundaryCase boundary;
+  boundary.kind = kind;
+  boundary.geometry.kind = Shape::Kind::half_space;
+  boundary.geometry.point = {0, height, 0};
+  boundary.geometry.normal = {0, 1, 0};
+  return boundary;
+}
+
+/// phi of the places of nodes [m], and what becomes of it.
+template <int D>
+struct Extension {
+  template <class Phi>
+  Extension(const BoundaryCase& boundary, Phi&& of)
+      : phi(
+            diagonal<D>(upper), {},
+            [&](const Point<D>& x) {
+              Point<D> at;
+              for (int a = 0; a < D; ++a) at[a] = (x[a] + 0.5) * spacing;
+              return of(at);
+            },
+            spacing),
+        valid(phi.layout.slots(), 1),
+        extended(phi.layout.slots()),
+        boundaries(std::vector<BoundaryCase>{boundary}) {}
+
+  /// Calls f(place, value) for every node.
+  template <class F>
+  void for_each_extended(F&& f) {
+    const WallExtension<double, D> extension(phi.lattice, phi.layout, phi.values.data(),
+                                             valid.data(), far);
+    for (const Block<D>& block : phi.layout.blocks()) {
+      extension.extend(block, boundaries, extended.data());
+    }
+    for_each_cell<D>({}, diagonal<D>(upper), [&](const Cell<D>& cell) {
+      f(phi.lattice.node(cell), extended[phi.layout.slot(cell)]);
+    });
+  }
+
+  NodeValues<D> phi;
+  std::vector<double> valid, extended;
+  Boundaries<D> boundaries;
+};
+
+template <class Space>
+struct BehindWalls : testing::Test {};
+TYPED_TEST_SUITE(BehindWalls, Dimensions);
+
+// A surface that meets the wall at an angle, phi = n.x - c: remeshing has left nothing of it behind
+// the wall.
+TYPED_TEST(BehindWalls, plane_surfaces_run_on_exactly) {
+  constexpr int D = TypeParam::dimension;
+  const double height = 3.1;
+  const auto plane = [](const Point<D>& x) { return 0.8 * x[0] + 0.6 * x[1] - 6.2; };
+  Extension<D> nodes(floor_at(height, BoundaryCase::Kind::wall),
+                     [&](const Point<D>& x) { return x[1] < height ? 1e3 : plane(x); });
+  int behind = 0;
+  nodes.for_each_extended([&](const Point<D>& x, double value) {
+    if (x[1] >= height) {
+      EXPECT_EQ(value, plane(x));
+      return;
+    }
+    // The line through points 1.5 h and 2.5 h in front of the wall, where the surface is near.
+    const double in_front = plane(x) + 0.6 * (height + 1.5 * spacing - x[1]);
+    if (std::abs(in_front) > 3 * spacing) return;
+    ++behind;
+    EXPECT_NEAR(value, plane(x), 1e-12);
+  });
+  EXPECT_GT(behind, 20);
+}
+
+TYPED_TEST(BehindWalls, phi_far_from_a_surface_keeps_its_value) {
+  constexpr int D = TypeParam::dimension;
+  const double height = 3.1;
+  Extension<D> nodes(floor_at(height, BoundaryCase::Kind::wall),
+                     [&](const Point<D>& x) { return x[1] < height ? 1e3 : -10 + 0.5 * x[1]; });
+  nodes.for_each_extended([&](const Point<D>& x, double value) {
+    if (x[1] < height) EXPECT_NEAR(value, -10 + 0.5 * (height + 1.5 * spacing), 1e-12);
+  });
+}
+
+TYPED_TEST(BehindWalls, slopes_steeper_than_a_surface_at_45_degrees_are_cut) {
+  constexpr int D = TypeParam::dimension;
+  const double height = 3.1;
+  Extension<D> nodes(floor_at(height, BoundaryCase::Kind::wall), [&](const Point<D>& x) {
+    return x[1] < height ? 1e3 : height + 1.5 * spacing - x[1];
+  });
+  nodes.for_each_extended([&](const Point<D>& x, double value) {
+    if (x[1] < height) EXPECT_NEAR(value, 0.7 * (height + 1.5 * spacing - x[1]), 1e-12);
+  });
+}
+
+// (RP.60)
+TYPED_TEST(BehindWalls, bodies_end_at_contact_walls) {
+  constexpr int D = TypeParam::dimension;
+  const double height = 3.1;
+  const auto plane = [](const Point<D>& x) { return 0.8 * x[0] + 0.6 * x[1] - 6.2; };
+  Extension<D> nodes(floor_at(height, BoundaryCase::Kind::contact_wall), plane);
+  nodes.for_each_extended([&](const Point<D>& x, double value) {
+    EXPECT_NEAR(value, std::max(plane(x), height - x[1]), 1e-12);
+  });
+}
+
+TYPED_TEST(BehindWalls, nodes_that_remeshing_left_empty_are_far_outside) {
+  constexpr int D = TypeParam::dimension;
+  Extension<D> nodes(floor_at(-100, BoundaryCase::Kind::wall), [](const Point<D>&) { return -1; });
+  const std::int64_t empty = nodes.phi.layout.slot(diagonal<D>(7));
+  nodes.valid[empty] = 0;
+  nodes.for_each_extended([](const Point<D>&, double) {});
+  EXPECT_EQ(nodes.extended[empty], far);
+  EXPECT_EQ(nodes.extended[nodes.phi.layout.slot(diagonal<D>(8))], -1);
+}
+
+}  // namespace
+}  // namespace pliant::test
