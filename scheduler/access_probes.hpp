@@ -9,7 +9,7 @@
 #include <utility>
 #include <vector>
 
-#include "scheduler/access_check.hpp"
+#include "scheduler/access_probe.hpp"
 #include "scheduler/node_memory.hpp"
 
 /// The probes of an access check.

@@ -4,8 +4,6 @@
 #include <cstdint>
 #include <vector>
 
-#include "scheduler/dependencies.hpp"
-
 namespace pliant::scheduler {
 
 /// The ancestors of each node of a graph, one bit for every node before it. Nodes are added in an
@@ -13,8 +11,9 @@ namespace pliant::scheduler {
 class Ancestors {
  public:
   /// Adds the next node, and the edges to it: those of `edges` from `first` on. Removes the edges
-  /// u -> v whose u is an ancestor of another predecessor of v, unless `stays(edge)`.
-  template <class Stays>
+  /// u -> v whose u is an ancestor of another predecessor of v, unless `stays(edge)`. `Edge` has
+  /// the node `from` that it leaves.
+  template <class Edge, class Stays>
   void add_node(std::vector<Edge>& edges, std::size_t first, const Stays& stays) {
     const std::size_t node = begin_.size();
     begin_.push_back(words_.size());

@@ -2,6 +2,7 @@
 #include <numeric>
 
 #include "scheduler/ancestors.hpp"
+#include "scheduler/dependencies.hpp"
 
 namespace pliant::scheduler {
 

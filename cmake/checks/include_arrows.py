@@ -1,10 +1,13 @@
-"""Holds the arrows between folders: what each may include.
+"""Holds the arrows between folders, and between files: what each may include.
 
     kernels/    the standard library, xsimd and the intrinsics that it lacks
     scheduler/  the standard library, oneTBB, fmt and JSON
-    engine/     kernels, scheduler, and any library
+    engine/     kernels, scheduler, and any library; inside it, the folders of the table below
     bench/      all of these, and fixtures of tests/
     tests/      all but bench/, which nothing includes
+
+A file and its header are one unit here: no unit may include itself by way of others, neither in
+its header nor in its source.
 """
 
 import re
@@ -18,11 +21,34 @@ FOLDERS = {
     "bench": {"kernels", "scheduler", "engine", "tests", "bench"},
     "tests": {"kernels", "scheduler", "engine", "tests"},
 }
+# Folders of engine/ from the bottom to the top, and those that each may include besides itself.
+DATA = {"case", "geometry", "storage", "lattice", "blocks", "boundaries"}
+METHOD = DATA | {"output", "method"}
+ENGINE = {
+    "storage": set(),
+    "blocks": {"storage"},
+    "lattice": {"storage", "blocks"},
+    "case": {"geometry"},
+    "geometry": {"case", "storage", "lattice"},
+    "boundaries": {"case", "geometry", "lattice"},
+    "output": {"storage"},
+    "method": DATA | {"output"},
+    "remeshed": METHOD,
+    "total_lagrangian": METHOD,
+    "sph": METHOD | {"remeshed"},
+    "simulation": METHOD | {"remeshed", "total_lagrangian", "sph"},
+    "api": METHOD | {"simulation"},
+    "bench": METHOD | {"simulation"},
+    "cli": METHOD | {"simulation", "bench"},
+}
+# Arrows that would close a cycle between folders, until the folders are taken apart.
+EXCEPTIONS = {("geometry", "case")}
 # First component of <...>; the standard library needs no entry. Folders not named may use any.
 LIBRARIES = {
     "kernels": {"xsimd", "immintrin.h"},
     "scheduler": {"tbb", "oneapi", "fmt", "nlohmann"},
 }
+UNITS = {"kernels", "scheduler", "engine"}
 INCLUDE = re.compile(r'\s*#\s*include\s*([<"])([^>"]+)[>"]')
 
 
@@ -30,31 +56,103 @@ def is_standard(header):
     return re.fullmatch(r"[a-z0-9_]+", header) is not None
 
 
-def problem(root, folder, bracket, header):
-    """What is wrong with this include in a file of `folder`; None when nothing is."""
-    first = header.split("/")[0]
+def subfolder(parts):
+    """The folder of engine/ that a path lies in; None for files of engine/ itself."""
+    return parts[1] if len(parts) > 2 else None
+
+
+def problem_inside_engine(own, other):
+    """What is wrong with an include of a file in engine/`other` in one of engine/`own`."""
+    if own == other or other is None or own is None:
+        return None
+    if own not in ENGINE:
+        return f"engine/{own}/ is not in the table of folders in cmake/checks/include_arrows.py"
+    if other not in ENGINE[own]:
+        allowed = ", ".join(sorted(ENGINE[own])) or "no other folder"
+        return f"of engine/, engine/{own}/ may include {allowed} only"
+    return None
+
+
+def problem(root, path, bracket, header):
+    """What is wrong with this include in the file `path`; None when nothing is."""
+    folder = path.parts[0]
+    parts = header.split("/")
     if bracket == "<":
         allowed = LIBRARIES.get(folder)
-        if allowed is None or first in allowed or is_standard(header):
+        if allowed is None or parts[0] in allowed or is_standard(header):
             return None
         return f"{folder}/ may include <...> of {', '.join(sorted(allowed))} and the standard library only"
     if not any((root / name).is_file() for name in (header, header + ".in")):  # .in: generated
         return "no such file from the repository root; give project headers their full path"
-    if first not in FOLDERS[folder]:
+    if parts[0] not in FOLDERS[folder]:
         return f"{folder}/ may include {', '.join(sorted(FOLDERS[folder]))} only"
+    if folder == "engine" and parts[0] == "engine":
+        return problem_inside_engine(subfolder(path.parts), subfolder(parts))
     return None
 
 
+def cycles(arrows):
+    """The sets of nodes that reach each other, as sorted lists; `arrows` is {node: [node]}."""
+    order, reached = [], set()
+
+    def visit(start, follow, found):
+        stack = [(start, iter(follow.get(start, ())))]
+        reached.add(start)
+        while stack:
+            node, rest = stack[-1]
+            for other in rest:
+                if other not in reached:
+                    reached.add(other)
+                    stack.append((other, iter(follow.get(other, ()))))
+                    break
+            else:
+                found.append(stack.pop()[0])
+
+    for node in sorted(arrows):
+        if node not in reached:
+            visit(node, arrows, order)
+    backwards = {}
+    for node, others in arrows.items():
+        for other in others:
+            backwards.setdefault(other, []).append(node)
+    reached.clear()
+    sets = []
+    for node in reversed(order):
+        if node not in reached:
+            sets.append([])
+            visit(node, backwards, sets[-1])
+    return sorted(sorted(nodes) for nodes in sets if len(nodes) > 1)
+
+
 def check(root):
+    units = {}
     for path in tracked.files(root):
         folder = path.parts[0]
         if folder not in FOLDERS or path.suffix not in {".hpp", ".cpp"}:
             continue
+        unit = str(path.with_suffix(""))
         for number, line in tracked.lines(root, path):
             if match := INCLUDE.match(line):
-                if what := problem(root, folder, *match.groups()):
+                if what := problem(root, path, *match.groups()):
                     yield f"{path}:{number}: {match[2]}: {what}"
+                other = re.sub(r"\.[ch]pp$", "", match[2])
+                if folder in UNITS and match[1] == '"' and other != unit:
+                    units.setdefault(unit, []).append(other)
+    for names in cycles(units):
+        yield f"{names[0]}: includes itself by way of {', '.join(names[1:])}; take out what they share"
+
+
+def check_table():
+    arrows = {folder: [other for other in allowed if (folder, other) not in EXCEPTIONS]
+              for folder, allowed in ENGINE.items()}
+    for names in cycles(arrows):
+        yield f"the table of folders has a cycle: {', '.join(names)}"
+
+
+def check_all(root):
+    yield from check_table()
+    yield from check(root)
 
 
 if __name__ == "__main__":
-    tracked.main(check)
+    tracked.main(check_all)

@@ -47,6 +47,31 @@ class Checks(unittest.TestCase):
                               kernels__b_dot_cpp='#include "a.hpp"\n')
         self.assertEqual(1, len(problems))
 
+    def test_arrows_between_folders_of_the_engine_are_held(self):
+        problems = self.found(
+            include_arrows.check,
+            engine__case__a_dot_hpp='#include "engine/remeshed/b.hpp"\n',
+            engine__remeshed__b_dot_hpp='#include "engine/method/c.hpp"\n',
+            engine__method__c_dot_hpp="",
+            engine__new__d_dot_hpp='#include "engine/case/a.hpp"\n')
+        self.assertEqual(
+            ["engine/case/a.hpp:1: engine/remeshed/b.hpp: of engine/, engine/case/ may include geometry only",
+             "engine/new/d.hpp:1: engine/case/a.hpp: engine/new/ is not in the table of folders in "
+             "cmake/checks/include_arrows.py"], problems)
+
+    def test_a_cycle_through_a_source_file_is_named(self):
+        tree = dict(kernels__a_dot_hpp='#include "kernels/b.hpp"\n',
+                    kernels__b_dot_hpp="", kernels__c_dot_hpp="")
+        self.assertEqual([], self.found(
+            include_arrows.check, kernels__b_dot_cpp='#include "kernels/c.hpp"\n', **tree))
+        self.assertEqual(
+            ["kernels/a: includes itself by way of kernels/b; take out what they share"],
+            self.found(include_arrows.check, kernels__b_dot_cpp='#include "kernels/a.hpp"\n', **tree))
+
+    def test_the_table_of_folders_has_no_cycle(self):
+        self.assertEqual([], list(include_arrows.check_table()))
+        self.assertEqual([["a", "b"]], include_arrows.cycles({"a": ["b"], "b": ["a", "c"], "c": []}))
+
     def test_a_tag_of_the_tables_passes(self):
         self.assertEqual([], self.found(
             equation_tags.check, docs__equations_dot_md=f"| ({TAG}) | a = b | |\n",

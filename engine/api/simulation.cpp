@@ -66,7 +66,8 @@ struct Simulation::State {
 Simulation::Simulation(const CaseFile& case_file, const SimulationOptions& options)
     : state_(std::make_unique<State>()) {
   translated([&] {
-    const Case settings = parse_case(case_file.text(), case_file.file(), case_file.settings());
+    const Case settings =
+        parse_case(case_file.text(), case_file.file(), case_file.settings(), methods().rules());
     state_->solver = methods().make(settings, solver_options(options.threads, options.isa));
   });
   for (const BodyCase& body : state_->settings().bodies) state_->bodies.push_back(body.name);

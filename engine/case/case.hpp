@@ -143,24 +143,19 @@ struct MeasurementCase {
 };
 
 enum class GhostTreatment { linear, averaged, rigid };
-enum class Method { remeshed, total_lagrangian };
 /// Volume of remeshed particles: that of a cell (RP.24), or conserved (RP.25).
 enum class VolumeRule { reset, conserved };
-enum class Operators { moment_matrix, symmetric_sph };
 
 struct Case {
   std::string name;  ///< of the folder or the file, unless the file says
   std::string title;
   int dimension = 2;
-  Method method = Method::remeshed;
+  std::string method = "remeshed";  ///< the word of a registered method
 
   struct {
     double spacing = 0;  ///< h [m]
     kernels::Weight kernel = kernels::Weight::quartic_polynomial;
     double dissipation = 0.25;  ///< gamma_d of (RP.43)
-    Operators operators = Operators::moment_matrix;
-    double artificial_viscosity = 1;  ///< symmetric_sph: alpha of (RP.75)
-    double artificial_stress = 0.3;   ///< symmetric_sph: epsilon of (RP.76)
   } discretisation;
 
   struct {
@@ -175,6 +170,11 @@ struct Case {
     bool match_time_step = false;         ///< scale the mass as `time.step` needs it instead
     std::optional<double> damping = 0.0;  ///< alpha of (TL.8) [1/s]; none: adaptive, (TL.10)
   } total_lagrangian;
+
+  struct {
+    double artificial_viscosity = 1;  ///< alpha of (RP.75)
+    double artificial_stress = 0.3;   ///< epsilon of (RP.76)
+  } sph;
 
   struct {
     enum class Policy { every, adaptive, never };

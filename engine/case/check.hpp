@@ -3,7 +3,7 @@
 #include <toml++/toml.h>
 #include <string_view>
 
-#include "engine/case/case.hpp"
+#include "engine/case/method_rules.hpp"
 #include "engine/case/problems.hpp"
 #include "engine/case/words.hpp"
 
@@ -14,6 +14,7 @@ struct Check {
   const Case& a_case;
   const toml::table& root;
   const Place& start;
+  MethodList methods;
   Problems& problems;
 
   /// The place of [table] key, else of the table, else the start of the file.
@@ -40,7 +41,7 @@ inline std::string_view axis_name(int axis) { return words<Axis>[axis].text; }
 /// Bodies one by one: what they are made of, and whether the spacing and the cell can hold them.
 void check_bodies(const Check& check);
 
-/// What the method and its operators cannot do.
+/// What the method of the case cannot do, and tables of other methods.
 void check_method(const Check& check);
 
 /// Pairs of bodies that meet.

@@ -56,14 +56,10 @@ void check_times(const Check& check) {
   }
 }
 
-// Between two remeshings a ghost stays on the side of a wall on which it started. The adaptive rule
-// remeshes strained bodies only, so that an undeformed body would fly through a wall.
 void check_contact_walls(const Check& check) {
   const auto& boundaries = check.a_case.boundaries;
-  bool any = false;
   for (std::size_t i = 0; i < boundaries.size(); ++i) {
     if (boundaries[i].kind != BoundaryCase::Kind::contact_wall) continue;
-    any = true;
     if (boundaries[i].geometry.kind == Shape::Kind::half_space ||
         !is_whole(boundaries[i].geometry, check.a_case.dimension)) {
       continue;
@@ -71,12 +67,6 @@ void check_contact_walls(const Check& check) {
     check.problems.add(check.place("boundary", i, "geometry"),
                        fmt::format("contact wall \"{}\" is not a half_space", boundaries[i].name),
                        "use a half_space: contact needs a plane wall");
-  }
-  if (any && check.a_case.method == Method::remeshed &&
-      check.a_case.remeshing.policy != decltype(Case::remeshing)::Policy::every) {
-    check.problems.add(check.place("remeshing", "every"),
-                       "contact walls need a fixed number of steps between remeshings",
-                       "write every = 10 in [remeshing]");
   }
 }
 
@@ -110,9 +100,9 @@ void check_measurements(const Check& check) {
 
 }  // namespace
 
-void check_case(const Case& a_case, const toml::table& root, const Place& start,
+void check_case(const Case& a_case, const toml::table& root, const Place& start, MethodList methods,
                 Problems& problems) {
-  const Check check{a_case, root, start, problems};
+  const Check check{a_case, root, start, methods, problems};
   check_names(check, "body", a_case.bodies);
   check_names(check, "boundary", a_case.boundaries);
   check_names(check, "measurement", a_case.measurements);

@@ -3,7 +3,7 @@
 #include <limits>
 #include <string_view>
 
-#include "engine/case/case.hpp"
+#include "engine/case/method_rules.hpp"
 
 /// What the vocabulary says about a key, and the values whose spelling in a file differs from their
 /// place in `Case`.
@@ -44,6 +44,10 @@ struct Notes {
 
 struct Name {  ///< letters, digits, _ and -
   std::string& text;
+};
+struct MethodWord {  ///< the word of one of the methods
+  std::string& word;
+  MethodList known;
 };
 struct Coefficients {  ///< C_10, C_20, ...
   std::vector<double>& list;

@@ -61,13 +61,14 @@ std::string case_text(const std::filesystem::path& file) {
   return {std::istreambuf_iterator<char>(stream), {}};
 }
 
-Case read_case(const std::filesystem::path& path, std::span<const std::string> settings) {
+Case read_case(const std::filesystem::path& path, std::span<const std::string> settings,
+               MethodList methods) {
   const std::filesystem::path file = case_path(path);
-  return parse_case(case_text(file), file, settings);
+  return parse_case(case_text(file), file, settings, methods);
 }
 
 Case parse_case(const std::string& text, const std::filesystem::path& file,
-                std::span<const std::string> settings) {
+                std::span<const std::string> settings, MethodList methods) {
   toml::table root = parse(text, file);
   Problems problems;
   apply_settings(root, settings, problems);
@@ -78,14 +79,15 @@ Case parse_case(const std::string& text, const std::filesystem::path& file,
                   2,
                   names_in(root, "body"),
                   names_in(root, "boundary"),
-                  names_in(root, "measurement")};
+                  names_in(root, "measurement"),
+                  methods};
   if (root["dimension"].value<int>() == 3) reading.dimension = 3;
   Case a_case;
   a_case.name = default_name(file);
   TableReader reader(root, "the case", Place{file.string(), 1}, reading);
   case_keys(reader, a_case);
   reader.finish();
-  check_case(a_case, root, Place{file.string(), 1}, problems);
+  check_case(a_case, root, Place{file.string(), 1}, methods, problems);
   if (!problems.empty()) throw CaseError(problems.text());
 
   for (BodyCase& body : a_case.bodies) {

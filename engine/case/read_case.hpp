@@ -5,7 +5,7 @@
 #include <stdexcept>
 #include <string>
 
-#include "engine/case/case.hpp"
+#include "engine/case/method_rules.hpp"
 
 namespace pliant {
 
@@ -20,8 +20,10 @@ class CaseError : public std::runtime_error {
 ///
 /// `path` is a TOML file, or a folder that holds a case.toml. Each of `settings` is "key=value" and
 /// overrides the file: the value is TOML or plain text, elements of arrays are addressed by name or
-/// by position (boundary.upper.velocity, body.0.material.youngs_modulus). Throws CaseError.
-Case read_case(const std::filesystem::path& path, std::span<const std::string> settings = {});
+/// by position (boundary.upper.velocity, body.0.material.youngs_modulus). The case names one of
+/// `methods`. Throws CaseError.
+Case read_case(const std::filesystem::path& path, std::span<const std::string> settings,
+               MethodList methods);
 
 /// The two halves of reading: the file of a case, which is `path` or the case.toml in it, and its
 /// text. Throws CaseError when it cannot be read.
@@ -31,6 +33,6 @@ std::string case_text(const std::filesystem::path& file);
 /// Checks the text of a case; `file` names it in messages, and files that the text names are
 /// relative to its folder. Throws CaseError.
 Case parse_case(const std::string& text, const std::filesystem::path& file,
-                std::span<const std::string> settings = {});
+                std::span<const std::string> settings, MethodList methods);
 
 }  // namespace pliant

@@ -69,6 +69,13 @@ bool read(const Entry& entry, Name value) {
       fmt::format("must consist of letters, digits, _ and -, got \"{}\"", value.text));
 }
 
+bool read(const Entry& entry, MethodWord value) {
+  const std::vector<Word> known = words_of(value.known);
+  const int word = read_word(entry, known);
+  if (word >= 0) value.word = known[word].text;
+  return word >= 0;
+}
+
 bool read(const Entry& entry, Axis& value) {
   const int word = read_word(entry, words<Axis>);
   if (word < 0) return false;

@@ -18,6 +18,8 @@ std::string describe_table(Keys&& keys) {
 /// Visits the whole case and writes one section for each of its tables.
 class CaseDescriber {
  public:
+  explicit CaseDescriber(MethodList methods) : methods_(methods) {}
+
   template <class Value>
   bool operator()(std::string_view key, Value&& value, const Notes& notes) {
     return top_level_(key, value, notes);
@@ -53,9 +55,11 @@ class CaseDescriber {
   }
 
   int dimension() const { return top_level_.dimension(); }
+  MethodList methods() const { return methods_; }
   std::string text() const { return top_level_.text() + sections_; }
 
  private:
+  MethodList methods_;
   TableDescriber top_level_;
   std::string sections_;
 };
@@ -78,8 +82,8 @@ Any key can be set on the command line: `--set time.end=0.01`, and in lists by n
 
 }  // namespace
 
-std::string case_reference_markdown() {
-  CaseDescriber describer;
+std::string case_reference_markdown(MethodList methods) {
+  CaseDescriber describer(methods);
   Case a_case;
   case_keys(describer, a_case);
   describer.section("geometry", "A shape: of a body, of a wall's solid, of a region.",

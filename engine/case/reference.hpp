@@ -2,10 +2,12 @@
 
 #include <string>
 
+#include "engine/case/method_rules.hpp"
+
 namespace pliant {
 
 /// docs/case-reference.md: every key of case files with type, unit, default and meaning, from the
 /// vocabulary that the reader checks files against.
-std::string case_reference_markdown();
+std::string case_reference_markdown(MethodList methods);
 
 }  // namespace pliant

@@ -101,6 +101,10 @@ std::string toml_text(Name value, const Writing& writing) {
   return value.text.empty() ? "" : toml_text(value.text, writing);
 }
 
+std::string toml_text(MethodWord value, const Writing& writing) {
+  return toml_text(std::as_const(value.word), writing);
+}
+
 std::string toml_text(StepRule value, const Writing& writing) {
   return value.step ? toml_text(*value.step, writing) : "\"cfl\"";
 }

@@ -43,7 +43,7 @@ double fastest_wave(const Case& a_case) {
 }  // namespace
 
 double stable_cfl(const Case& a_case) {
-  if (a_case.method == Method::total_lagrangian) return 1;
+  if (a_case.method == "total_lagrangian") return 1;
   const auto& discretisation = a_case.discretisation;
   const double waves =
       on_imaginary_axis / largest_response(discretisation.kernel, a_case.dimension);
@@ -53,9 +53,10 @@ double stable_cfl(const Case& a_case) {
 }
 
 std::optional<double> stable_step(const Case& a_case) {
-  if (a_case.method == Method::total_lagrangian && a_case.total_lagrangian.match_time_step) {
-    return std::nullopt;
-  }
+  const bool has_limit =
+      a_case.method == "remeshed" || a_case.method == "sph" ||
+      (a_case.method == "total_lagrangian" && !a_case.total_lagrangian.match_time_step);
+  if (!has_limit) return std::nullopt;
   return stable_cfl(a_case) * a_case.discretisation.spacing / fastest_wave(a_case);
 }
 

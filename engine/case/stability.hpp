@@ -12,7 +12,7 @@ namespace pliant {
 double stable_cfl(const Case& a_case);
 
 /// Longest stable time step [s], by the fastest body at rest; none where the mass is scaled to the
-/// step.
+/// step, and for methods without a known limit.
 std::optional<double> stable_step(const Case& a_case);
 
 /// "the time step 0.001 s (CFL number 2.9) is above the stability limit of 0.00079 s ..., and what

@@ -16,6 +16,14 @@
 /// Writing of the reference page: one table of keys in Markdown.
 namespace pliant {
 
+inline std::string joined_words(std::span<const Word> known) {
+  std::string texts;
+  for (const Word& word : known) {
+    texts += fmt::format("{}`\"{}\"`", texts.empty() ? "" : ", ", word.text);
+  }
+  return texts;
+}
+
 inline std::string type_of(const double&) { return "number"; }
 inline std::string type_of(const int&) { return "whole number"; }
 inline std::string type_of(const bool&) { return "true or false"; }
@@ -28,6 +36,7 @@ inline std::string type_of(const Expression&) { return "number or formula"; }
 inline std::string type_of(const std::optional<Expression>&) { return "formula"; }
 inline std::string type_of(const VectorExpression&) { return "vector of numbers or formulas"; }
 inline std::string type_of(const Name&) { return "name"; }
+inline std::string type_of(const MethodWord& value) { return joined_words(words_of(value.known)); }
 inline std::string type_of(const StepRule&) { return "number or `\"cfl\"`"; }
 inline std::string type_of(const MassScaling&) { return "number or `\"to_step\"`"; }
 inline std::string type_of(const Damping&) { return "number or `\"adaptive\"`"; }
@@ -50,13 +59,7 @@ inline std::string type_of(const MaterialCase&) { return "name or table"; }
 
 template <class E>
 requires std::is_enum_v<E>
-inline std::string type_of(const E&) {
-  std::string texts;
-  for (const Word& word : words<E>) {
-    texts += fmt::format("{}`\"{}\"`", texts.empty() ? "" : ", ", word.text);
-  }
-  return texts;
-}
+inline std::string type_of(const E&) { return joined_words(words<E>); }
 
 /// Visits the keys of a table once for every value of its deciding key, and keeps a row for each.
 ///
@@ -77,6 +80,7 @@ class TableDescriber {
         list_words(key, words<Plain>);
       }
     }
+    if constexpr (std::is_same_v<Plain, MethodWord>) list_words(key, words_of(value.known));
     std::string fallback = "required";
     if (!notes.required) {
       const std::string text = toml_text(value, Writing{empty_case(), dimension()});

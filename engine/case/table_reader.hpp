@@ -27,6 +27,7 @@ struct Reading {
   std::vector<std::string> body_names;
   std::vector<std::string> boundary_names;
   std::vector<std::string> measurement_names;
+  MethodList methods;
 };
 
 /// A key that is present.
@@ -53,6 +54,7 @@ bool read(const Entry& entry, Expression& value);
 bool read(const Entry& entry, std::optional<Expression>& value);
 bool read(const Entry& entry, VectorExpression& value);
 bool read(const Entry& entry, Name value);
+bool read(const Entry& entry, MethodWord value);
 bool read(const Entry& entry, StepRule value);
 bool read(const Entry& entry, MassScaling value);
 bool read(const Entry& entry, Damping value);
@@ -134,6 +136,7 @@ class TableReader {
   void materials(std::string_view key, std::string_view meaning);
 
   int dimension() const { return reading_.dimension; }
+  MethodList methods() const { return reading_.methods; }
 
   /// Reports required keys that are missing, and keys that no visit named.
   void finish() const;

@@ -32,6 +32,7 @@ std::string toml_text(const Expression& value, const Writing&);
 std::string toml_text(const std::optional<Expression>& value, const Writing&);
 std::string toml_text(const VectorExpression& value, const Writing&);
 std::string toml_text(Name value, const Writing&);
+std::string toml_text(MethodWord value, const Writing&);
 std::string toml_text(StepRule value, const Writing&);
 std::string toml_text(MassScaling value, const Writing&);
 std::string toml_text(Damping value, const Writing&);
@@ -94,6 +95,7 @@ class TableWriter {
   void materials(std::string_view, std::string_view) {}
 
   int dimension() const { return writing_.dimension; }
+  MethodList methods() const { return {}; }
 
   std::string joined(std::string_view separator) const;
 

@@ -10,6 +10,7 @@
 #include "engine/case/vocabulary.hpp"
 #include "engine/geometry/closed_mesh.hpp"
 #include "engine/geometry/distance_walk.hpp"
+#include "engine/geometry/signed_distance.hpp"
 
 namespace pliant {
 namespace {
@@ -76,11 +77,12 @@ std::string model_name(const BodyCase& body) {
 }
 
 std::string method_text(const Case& a_case) {
-  if (a_case.method == Method::total_lagrangian) {
+  if (a_case.method == "total_lagrangian") {
     const auto& method = a_case.total_lagrangian;
     return method.match_time_step ? "the mass scaled to the step"
                                   : fmt::format("the mass times {}", method.mass_scaling);
   }
+  if (a_case.method != "remeshed") return a_case.method;
   using Policy = decltype(Case::remeshing)::Policy;
   if (a_case.remeshing.policy == Policy::never) return "never remeshed";
   if (a_case.remeshing.policy == Policy::adaptive) {

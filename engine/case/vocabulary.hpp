@@ -15,6 +15,7 @@
 ///     void visit.list(key, meaning, elements, keys)   [[key]]
 ///     void visit.materials(key, meaning)              [key.NAME]
 ///     int visit.dimension()
+///     MethodList visit.methods()
 namespace pliant {
 
 template <class Visitor>
@@ -105,14 +106,14 @@ void time_keys(Visitor& visit, decltype(Case::time)& time) {
 
 template <class Visitor>
 void discretisation_keys(Visitor& visit, decltype(Case::discretisation)& discretisation,
-                         Method method) {
+                         std::string_view method) {
   visit("spacing", discretisation.spacing,
         {.meaning = "initial distance h between particles, the resolution",
          .unit = "m",
          .example = "0.03125",
          .limits = positive,
          .required = true});
-  if (method != Method::remeshed) return;
+  if (method != "remeshed") return;
   visit("kernel", discretisation.kernel,
         {.meaning = "smoothing kernel of the gradients", .example = R"("compact")"});
   visit("dissipation", discretisation.dissipation,
@@ -121,15 +122,17 @@ void discretisation_keys(Visitor& visit, decltype(Case::discretisation)& discret
              "surfaces need it in long runs",
          .example = "0.5",
          .limits = {0, 2, true, true, "from 0 to 2"}});
-  visit("operators", discretisation.operators,
-        {.meaning = "how fields are differentiated", .example = R"("moment_matrix")"});
-  visit("artificial_viscosity", discretisation.artificial_viscosity,
-        {.meaning = "of \"symmetric_sph\": alpha of (RP.75)",
+}
+
+template <class Visitor>
+void sph_keys(Visitor& visit, decltype(Case::sph)& sph) {
+  visit("artificial_viscosity", sph.artificial_viscosity,
+        {.meaning = "alpha of the artificial viscosity (RP.75)",
          .example = "1",
          .limits = not_negative});
-  visit("artificial_stress", discretisation.artificial_stress,
-        {.meaning = "of \"symmetric_sph\": epsilon of (RP.76), against the tensile instability; 0 "
-                    "switches it off",
+  visit("artificial_stress", sph.artificial_stress,
+        {.meaning = "epsilon of the artificial stress (RP.76), which prevents the tensile "
+                    "instability; 0 switches it off",
          .example = "0.3",
          .limits = not_negative});
 }
@@ -166,12 +169,13 @@ void case_keys(Visitor& visit, Case& a_case) {
         {.meaning = "2 (plane strain) or 3; the number of components of vectors",
          .example = "2",
          .limits = {2, 3, true, true, "2 or 3"}});
-  visit("method", a_case.method, {.meaning = "numerical method", .example = R"("remeshed")"});
+  visit("method", MethodWord{a_case.method, visit.methods()},
+        {.meaning = "numerical method", .example = R"("remeshed")"});
   visit.table("discretisation", "Resolution and spatial operators.",
               [&](auto& keys) { discretisation_keys(keys, a_case.discretisation, a_case.method); });
   visit.table("time", "Simulated time and time step.",
               [&](auto& keys) { time_keys(keys, a_case.time); });
-  const bool remeshed = a_case.method == Method::remeshed;
+  const bool remeshed = a_case.method == "remeshed";
   visit.optional_table("remeshing", "Remeshing of the particles onto their lattice.", remeshed,
                        [&](auto& keys) { remeshing_keys(keys, a_case.remeshing); });
   visit.optional_table(
@@ -190,8 +194,10 @@ void case_keys(Visitor& visit, Case& a_case) {
              {.meaning = "extrapolation of their values", .example = R"("linear")"});
       });
   visit.optional_table("total_lagrangian", "Parameters of method = \"total_lagrangian\".",
-                       !remeshed,
+                       a_case.method == "total_lagrangian",
                        [&](auto& keys) { total_lagrangian_keys(keys, a_case.total_lagrangian); });
+  visit.optional_table("sph", "Parameters of method = \"sph\".", a_case.method == "sph",
+                       [&](auto& keys) { sph_keys(keys, a_case.sph); });
   const auto& periodic = a_case.periodic.axis;
   visit.optional_table("periodic",
                        "Periodic cell. Leave the table out if no direction is periodic.",

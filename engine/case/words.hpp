@@ -2,8 +2,10 @@
 
 #include <array>
 #include <string_view>
+#include <vector>
 
 #include "engine/case/case.hpp"
+#include "engine/case/method_rules.hpp"
 
 /// The words that case files use for the choices of a case.
 namespace pliant {
@@ -25,14 +27,6 @@ constexpr Word word(E value, std::string_view text, std::string_view meaning) {
 }
 
 template <>
-inline constexpr std::array words<Method>{
-    word(Method::remeshed, "remeshed",
-         "Lagrangian particles that are remeshed; a level set follows the free surface"),
-    word(Method::total_lagrangian, "total_lagrangian",
-         "nodes and stress points of the undeformed body (TL.1), for slow loads; hyperelastic "
-         "materials only")};
-
-template <>
 inline constexpr std::array words<kernels::Weight>{
     word(kernels::Weight::quartic, "quartic_spline", "quartic B-spline, 5 x 5 particles (RP.14)"),
     word(kernels::Weight::quartic_polynomial, "quartic_spline_fit",
@@ -46,17 +40,19 @@ inline constexpr std::array words<kernels::Weight>{
          "(RP.90)")};
 
 template <>
-inline constexpr std::array words<Operators>{
-    word(Operators::moment_matrix, "moment_matrix",
-         "gradients that are exact for linear fields (RP.18)"),
-    word(Operators::symmetric_sph, "symmetric_sph",
-         "plain SPH without ghosts or remeshing, the baseline of the paper (RP.73), (RP.74)")};
-
-template <>
 inline constexpr std::array words<GhostTreatment>{
     word(GhostTreatment::linear, "linear", "linear fits with current normals (RP.34)"),
     word(GhostTreatment::averaged, "averaged", "averages, as in Hieber & Koumoutsakos (RP.38)"),
     word(GhostTreatment::rigid, "rigid", "rigid motion of the neighbours (RP.39)")};
+
+/// The words of methods, each with its position in the list as its value.
+inline std::vector<Word> words_of(MethodList methods) {
+  std::vector<Word> words;
+  for (const MethodRules& method : methods) {
+    words.push_back({static_cast<int>(words.size()), method.word, method.meaning});
+  }
+  return words;
+}
 
 template <>
 inline constexpr std::array words<VolumeRule>{

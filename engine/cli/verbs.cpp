@@ -8,10 +8,10 @@
 #include <thread>
 
 #include "engine/bench/standard_set.hpp"
-#include "engine/case/read_case.hpp"
 #include "engine/case/reference.hpp"
 #include "engine/case/stability.hpp"
 #include "engine/case/validate_summary.hpp"
+#include "engine/simulation/methods.hpp"
 #include "engine/simulation/run.hpp"
 #include "engine/simulation/solver_options.hpp"
 
@@ -77,7 +77,7 @@ ExitStatus bench(const BenchArguments& arguments) {
 }
 
 ExitStatus reference() {
-  fmt::print("{}", case_reference_markdown());
+  fmt::print("{}", case_reference_markdown(methods().rules()));
   return ExitStatus::done;
 }
 

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "engine/geometry/signed_distance.hpp"
+#include "engine/geometry/box.hpp"
 #include "engine/geometry/surface_mesh.hpp"
 
 namespace pliant {

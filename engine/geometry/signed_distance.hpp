@@ -1,6 +1,7 @@
 #pragma once
 
 #include "engine/case/case.hpp"
+#include "engine/geometry/box.hpp"
 
 /// Signed distances to the shapes of a case: negative inside. In 2D the z components are ignored.
 namespace pliant {
@@ -13,10 +14,6 @@ double signed_distance(const Shape& shape, const Vector& x, int dimension);
 /// Unit vector along which `signed_distance` grows fastest at `x`: on the surface, the outward
 /// normal. At a point with no single nearest surface point, one of those it could be.
 Vector outward_direction(const Shape& shape, const Vector& x, int dimension);
-
-struct Box {
-  Vector lower, upper;  ///< may be infinite
-};
 
 /// A box that holds `shape`; infinite along directions in which it has no end.
 Box bounding_box(const Shape& shape);

@@ -3,18 +3,22 @@
 #include <fmt/format.h>
 
 #include <stdexcept>
-
-#include "engine/case/words.hpp"
+#include <utility>
 
 namespace pliant {
 
+MethodRegistry::MethodRegistry(std::vector<RegisteredMethod> methods)
+    : methods_(std::move(methods)) {
+  for (const RegisteredMethod& method : methods_) rules_.push_back(method.rules);
+}
+
 const RegisteredMethod& MethodRegistry::find(std::string_view word) const {
   for (const RegisteredMethod& method : methods_) {
-    if (method.word == word) return method;
+    if (method.rules.word == word) return method;
   }
   std::string known;
   for (const RegisteredMethod& method : methods_) {
-    known += fmt::format("{}\"{}\"", known.empty() ? "" : ", ", method.word);
+    known += fmt::format("{}\"{}\"", known.empty() ? "" : ", ", method.rules.word);
   }
   throw std::invalid_argument(
       fmt::format("there is no method \"{}\"; take one of {}", word, known));
@@ -22,7 +26,7 @@ const RegisteredMethod& MethodRegistry::find(std::string_view word) const {
 
 std::unique_ptr<Solver> MethodRegistry::make(const Case& settings,
                                              const SolverOptions& options) const {
-  return find(words<Method>[static_cast<int>(settings.method)].text).make(settings, options);
+  return find(settings.method).make(settings, options);
 }
 
 }  // namespace pliant

@@ -4,13 +4,14 @@
 #include <string_view>
 #include <vector>
 
+#include "engine/case/method_rules.hpp"
 #include "engine/method/solver.hpp"
 
 namespace pliant {
 
 /// A method as programs see it.
 struct RegisteredMethod {
-  std::string_view word;  ///< as case files write it
+  MethodRules rules;  ///< for case files
   /// Makes a solver and sets its bodies up. Throws StepFailure and std::invalid_argument.
   std::unique_ptr<Solver> (*make)(const Case& settings, const SolverOptions& options);
 };
@@ -18,7 +19,7 @@ struct RegisteredMethod {
 /// The methods that a program can run, by the words of case files.
 class MethodRegistry {
  public:
-  explicit MethodRegistry(std::vector<RegisteredMethod> methods) : methods_(std::move(methods)) {}
+  explicit MethodRegistry(std::vector<RegisteredMethod> methods);
 
   /// Throws std::invalid_argument for a word of no method.
   const RegisteredMethod& find(std::string_view word) const;
@@ -26,8 +27,12 @@ class MethodRegistry {
   /// A solver of the method that the case names, at t = 0.
   std::unique_ptr<Solver> make(const Case& settings, const SolverOptions& options) const;
 
+  /// Those of all methods, for reading cases.
+  MethodList rules() const { return rules_; }
+
  private:
   std::vector<RegisteredMethod> methods_;
+  std::vector<MethodRules> rules_;
 };
 
 /// Makes an S<T, D> for the scalar type and the dimension of a case.

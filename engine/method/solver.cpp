@@ -1,6 +1,11 @@
 #include "engine/method/solver.hpp"
 
+#include <fmt/format.h>
+
 #include <chrono>
+
+#include "engine/method/step_length.hpp"
+#include "engine/output/error.hpp"
 
 namespace pliant {
 
@@ -17,6 +22,22 @@ void Solver::step(double longest) {
 void Solver::advance(double until) {
   constexpr double rounding = 1e-12;
   while (clock().time < until * (1 - rounding)) step(until - clock().time);
+}
+
+void Solver::save(ArchiveWriter& archive) const {
+  archive.put("method", settings_.method);
+  save_state(archive);
+}
+
+void Solver::restore(const ArchiveReader& archive) {
+  const std::string method = archive.text("method");
+  if (method != settings_.method) {
+    throw OutputError(
+        archive.path(),
+        fmt::format("is a state of method \"{}\", not of \"{}\"", method, settings_.method),
+        "restore it with the case that it was saved with");
+  }
+  restore_state(archive);
 }
 
 void Solver::run(scheduler::StepGraph& graph) {

@@ -75,10 +75,10 @@ class Solver {
   virtual std::vector<std::array<double, 3>> positions(int body) const = 0;
 
   /// Writes everything that the next step reads and set-up does not make again.
-  virtual void save(ArchiveWriter& archive) const = 0;
+  void save(ArchiveWriter& archive) const;
   /// Reads into a solver that was made from the same case; it continues to the same bits. Throws
-  /// OutputError when the archive does not fit it.
-  virtual void restore(const ArchiveReader& archive) = 0;
+  /// OutputError when the archive is of another method or does not fit the case.
+  void restore(const ArchiveReader& archive);
 
   /// Phases and dependencies of the next step.
   virtual const scheduler::StepGraph& step_graph() const = 0;
@@ -99,6 +99,8 @@ class Solver {
   /// Advances the state by `time_step` [s]. Throws StepFailure.
   virtual void take_step(double time_step) = 0;
   virtual std::vector<double> measure_each(std::span<const MeasurementCase> measurements) = 0;
+  virtual void save_state(ArchiveWriter& archive) const = 0;
+  virtual void restore_state(const ArchiveReader& archive) = 0;
 
   Case settings_;
   scheduler::Workers workers_;

@@ -24,7 +24,7 @@ StepFailure failed_step(const Case& settings, const StepClock& clock, const std:
 
 std::string smaller_step(const Case& settings) {
   const auto& method = settings.total_lagrangian;
-  if (settings.method == Method::total_lagrangian && method.match_time_step) {
+  if (settings.method == "total_lagrangian" && method.match_time_step) {
     return "scale the mass more (a smaller time.cfl)";
   }
   return settings.time.step ? "use a smaller time step (time.step)"

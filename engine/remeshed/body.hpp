@@ -159,16 +159,13 @@ struct Body {
   std::string name;
   const BodyCase* source = nullptr;
   kernels::Material<T> material;
-  bool has_surface = true;    ///< whether phi = 0 cuts it; not so where it fills a periodic cell
-  bool is_plain_sph = false;  ///< without ghosts, neighbours always listed
+  bool has_surface = true;  ///< whether phi = 0 cuts it; not so where it fills a periodic cell
   Lattice<D> lattice;
   Population<T, D> population, spare;
   std::array<FieldStore<T, D>, 3> stage;  ///< see buffer_of; 0 and 1 hold all fields
   std::array<Buffer<T>, kernels::symmetric_components<D>> stress;  ///< of the even stages
   Buffer<T> last_odd_stress;  ///< the component of the odd stages for which there is no other place
   Buffer<T> interior;         ///< [slot] of `population`: 1 for interior particles, else 0
-  /// sigma/rho^2 and R of plain SPH, (RP.74), (RP.76); empty otherwise.
-  std::array<std::array<Buffer<T>, kernels::symmetric_components<D>>, 2> pair_stress;
   std::vector<kernels::PronyTerm<T>> prony;
   std::vector<T*> memory;   ///< [term] p_i of `stage[0]`
   Buffer<T> volume_change;  ///< J - 1 at the start of the step; empty without p_i

@@ -7,7 +7,8 @@
 #include "engine/geometry/free_surface.hpp"
 #include "engine/geometry/padded.hpp"
 #include "engine/method/initial_velocity.hpp"
-#include "engine/remeshed/ghosts/ghost_fits.hpp"
+#include "engine/remeshed/level_set/level_set.hpp"
+#include "engine/remeshed/particle_kinds.hpp"
 
 namespace pliant::remeshed {
 

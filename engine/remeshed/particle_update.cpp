@@ -1,7 +1,6 @@
 #include "engine/remeshed/particle_update.hpp"
 
-#include "engine/remeshed/ghosts/ghost_fits.hpp"
-#include "engine/remeshed/pair_stress.hpp"
+#include "engine/remeshed/particle_kinds.hpp"
 #include "engine/remeshed/runge_kutta.hpp"
 #include "kernels/remeshed/stage/relaxation.hpp"
 
@@ -59,7 +58,8 @@ kernels::Stage<T, D> ParticleUpdate<T, D>::stage_of(Body<T, D>& body, int block,
 }
 
 template <class T, int D>
-kernels::StageResult ParticleUpdate<T, D>::advance(int block, int stage) {
+kernels::StageResult ParticleUpdate<T, D>::advance(int block, int stage,
+                                                   const kernels::SymmetricPairs<T, D>* pairs) {
   const auto [body, local] = state_.owner(block);
   kernels::Stage<T, D> work = stage_of(body, local, stage);
   work.viscosity = body.viscosity(relaxation_[stage][state_.blocks[block].body].data());
@@ -68,11 +68,7 @@ kernels::StageResult ParticleUpdate<T, D>::advance(int block, int stage) {
     lists = body.neighbours.lists(local);
     work.neighbours = &lists;
   }
-  kernels::SymmetricPairs<T, D> pairs;
-  if (body.is_plain_sph) {
-    pairs = symmetric_pairs<T, D>(body, settings_.discretisation.artificial_viscosity);
-    work.pairs = &pairs;
-  }
+  work.pairs = pairs;
   return kernels_.advance_stage(work);
 }
 

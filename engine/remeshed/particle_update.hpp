@@ -20,7 +20,9 @@ class ParticleUpdate {
 
   /// Rates (RP.12) by (RP.18), or by (RP.73) and (RP.74), the next stage state (RP.19) and its
   /// stress.
-  kernels::StageResult advance(int block, int stage);
+  /// With `pairs`, the sums of plain SPH over lists of neighbours.
+  kernels::StageResult advance(int block, int stage,
+                               const kernels::SymmetricPairs<T, D>* pairs = nullptr);
   /// Stress of a state that no stage has left behind.
   kernels::StageResult evaluate_stress(int block);
 

@@ -33,7 +33,6 @@ void set_up(const Case& settings, const BodyCase& source, Body<T, D>& body) {
   body.name = source.name;
   body.source = &source;
   body.material = kernels::with_scalar<T>(source.material);
-  body.is_plain_sph = is_plain_sph(settings);
   for (const kernels::PronyTerm<double>& term : source.prony) {
     body.prony.push_back({static_cast<T>(term.ratio), static_cast<T>(term.time)});
   }

@@ -16,9 +16,4 @@ Lattice<D> body_lattice(const Case& settings, const BodyCase& body);
 template <class T, int D>
 State<T, D> make_state(const Case& settings);
 
-/// Whether particles meet by pair forces alone, the paper's baseline.
-inline bool is_plain_sph(const Case& settings) {
-  return settings.discretisation.operators == Operators::symmetric_sph;
-}
-
 }  // namespace pliant::remeshed

@@ -3,9 +3,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
+#include <iterator>
 
-#include "engine/method/step_failure.hpp"
+#include "engine/method/step_length.hpp"
+#include "engine/remeshed/check_state.hpp"
 #include "engine/remeshed/observe/field_views.hpp"
 #include "engine/remeshed/observe/frame.hpp"
 #include "engine/remeshed/observe/measure.hpp"
@@ -15,35 +16,14 @@
 
 namespace pliant::remeshed {
 
-namespace {
-
-// How near a wall the edge of a clamp is the likely cause of a failure [h]: its stress is singular,
-// and no step is short enough for it.
-constexpr double edge_of_clamp = 3;
-
-// Plain SPH has the kernel (RP.13) whatever kernel the case names.
-kernels::Weight search_kernel(const Case& settings) {
-  return is_plain_sph(settings) ? kernels::Weight::quartic : settings.discretisation.kernel;
-}
-
-template <class T, int D>
-Layouts<D> layouts_of(const std::vector<Body<T, D>>& bodies, Population<T, D> Body<T, D>::*slots) {
-  Layouts<D> layouts;
-  for (const Body<T, D>& body : bodies) layouts.push_back(&(body.*slots).layout);
-  return layouts;
-}
-
-}  // namespace
-
 template <class T, int D>
 Solver<T, D>::Solver(const Case& a_case, const SolverOptions& options)
     : pliant::Solver(a_case, options),
       kernels_(kernels::RemeshedTable<T, D>::of(options.isa)),
       state_(make_state<T, D>(settings())),
-      layouts_(layouts_of(state_.bodies, &Body<T, D>::population)),
-      spare_layouts_(layouts_of(state_.bodies, &Body<T, D>::spare)),
       step_(state_, settings(), kernels_),
-      search_(state_, search_kernel(settings()), is_plain_sph(settings())),
+      remeshings_(settings(), state_, kernels_, workers(), Outside::ghosts),
+      search_(state_, settings().discretisation.kernel),
       step_graph_(resource::names()),
       listed_step_graph_(resource::names()),
       search_graph_(resource::names()),
@@ -52,25 +32,15 @@ Solver<T, D>::Solver(const Case& a_case, const SolverOptions& options)
       target_graph_(resource::names()),
       stress_graph_(resource::names()),
       listed_(state_.bodies.size()) {
-  for (std::size_t b = 0; b < state_.bodies.size(); ++b) {
-    remeshings_.push_back(std::make_unique<Remeshing<T, D>>(
-        settings(), state_.bodies[b], state_.boundaries, kernels_, workers()));
-    remeshings_.back()->place_initial(settings());
-    remeshings_.back()->prepare_target(false, true);
-  }
-  scheduler::StepGraph initial(target_phases(false), connect_blocks<D>(spare_layouts_, 0),
-                               resource::names());
-  initial.run(workers());
-  for (auto& remeshing : remeshings_) remeshing->commit();
-  number_blocks<D>(layouts_, state_.blocks);
+  remeshings_.place_initial();
+  number_blocks<D>(remeshings_.layouts(), state_.blocks);
   step_.momentum().open();
   use_new_slots();
 }
 
 template <class T, int D>
 double Solver<T, D>::time_step() const {
-  if (settings().time.step) return *settings().time.step;
-  return settings().time.cfl * settings().discretisation.spacing / state_.clock.wave_speed;
+  return asked_step(settings(), state_.clock.wave_speed);
 }
 
 template <class T, int D>
@@ -80,16 +50,16 @@ void Solver<T, D>::take_step(double dt) {
   find_neighbours(dt);
   run(*present_graph_);
   step_.fold();
-  check(step_.result());
-  check_strain(dt);
+  check_finite(settings(), step_.results(), state_, remedies());
+  check_strain(settings(), step_.results(), state_, dt, remedies());
   for (Wall<D>& wall : state_.boundaries.walls) wall.move(clock.time, dt);
   clock.time += dt;
   ++clock.step;
   ++clock.steps_since_remeshing;
   ++clock.steps_since_reinitialisation;
-  clock.accumulated_strain += dt * step_.result().strain_rate;
-  clock.wave_speed = step_.result().wave_speed;
-  add_strain(dt);
+  clock.accumulated_strain += dt * step_.results().total().strain_rate;
+  clock.wave_speed = step_.results().total().wave_speed;
+  search_.add_strain(step_.results(), dt);
   add_particle_stages(4 * particles());
   if (remeshing_due()) remesh();
 }
@@ -119,56 +89,42 @@ void Solver<T, D>::remesh() {
   clock.steps_since_remeshing = 0;
   clock.accumulated_strain = 0;
   for (Body<T, D>& body : state_.bodies) body.neighbours.strain = 0;
-  for (auto& remeshing : remeshings_) remeshing->commit();
+  remeshings_.commit();
   use_new_slots();
 }
 
 template <class T, int D>
 void Solver<T, D>::remesh_onto_spare(bool reinitialise, bool is_final) {
   step_.prepare(0);
-  run(source_graph_.over(layouts_, [&] { return source_phases(); }));
+  run(source_graph_.over(remeshings_.layouts(), [&] { return source_phases(); }));
   check_layouts();
-  for (auto& remeshing : remeshings_) remeshing->prepare_target(reinitialise, is_final);
-  run(target_graph_.over(spare_layouts_, [&] { return target_phases(true); }));
+  remeshings_.prepare_target(reinitialise, is_final);
+  run(target_graph_.over(remeshings_.new_layouts(),
+                         [&] { return remeshings_.target_phases(true); }));
 }
 
 template <class T, int D>
 std::vector<scheduler::Phase> Solver<T, D>::source_phases() {
   std::vector<scheduler::Phase> phases = step_.ghost_phases();
-  int first = 0;
-  for (std::size_t b = 0; b < remeshings_.size(); ++b) {
-    remeshings_[b]->source_phases(phases, first);
-    first += static_cast<int>(layouts_[b]->blocks().size());
-  }
-  return phases;
-}
-
-template <class T, int D>
-std::vector<scheduler::Phase> Solver<T, D>::target_phases(bool from_particles) {
-  std::vector<scheduler::Phase> phases;
-  int first = 0;
-  for (std::size_t b = 0; b < remeshings_.size(); ++b) {
-    remeshings_[b]->target_phases(phases, first, from_particles);
-    first += static_cast<int>(spare_layouts_[b]->blocks().size());
-  }
+  std::ranges::move(remeshings_.source_phases(), std::back_inserter(phases));
   return phases;
 }
 
 template <class T, int D>
 void Solver<T, D>::use_new_slots() {
-  check_bodies();
+  check_bodies(settings(), state_, remedies());
   number_slots();
-  run(stress_graph_.over(layouts_, [&] { return step_.stress_phases(); }));
+  run(stress_graph_.over(remeshings_.layouts(), [&] { return step_.stress_phases(); }));
   step_.fold();
-  check(step_.result());
-  state_.clock.wave_speed = step_.result().wave_speed;
+  check_finite(settings(), step_.results(), state_, remedies());
+  state_.clock.wave_speed = step_.results().total().wave_speed;
 }
 
 template <class T, int D>
 void Solver<T, D>::number_slots() {
-  number_blocks<D>(layouts_, state_.blocks);
+  number_blocks<D>(remeshings_.layouts(), state_.blocks);
   search_.clear();
-  present_graph_ = &step_graph_.over(layouts_, [&] { return step_.phases(); });
+  present_graph_ = &step_graph_.over(remeshings_.layouts(), [&] { return step_.phases(); });
 }
 
 // The step over listed neighbours has a graph of its own, and both are kept: bodies that strain
@@ -176,7 +132,7 @@ void Solver<T, D>::number_slots() {
 template <class T, int D>
 void Solver<T, D>::find_neighbours(double time_step) {
   if (!search_.is_due(time_step)) return;
-  run(search_graph_.over(layouts_, [&] { return search_.phases(); }));
+  run(search_graph_.over(remeshings_.layouts(), [&] { return search_.phases(); }));
   const auto is_listed = [](const Body<T, D>& body) { return body.neighbours.are_listed; };
   if (std::none_of(state_.bodies.begin(), state_.bodies.end(), is_listed)) return;
   for (std::size_t b = 0; b < state_.bodies.size(); ++b) {
@@ -184,53 +140,13 @@ void Solver<T, D>::find_neighbours(double time_step) {
     listed_[b] = !listed_[b];
     listed_step_graph_.drop();
   }
-  present_graph_ = &listed_step_graph_.over(layouts_, [&] { return step_.phases(); });
+  present_graph_ = &listed_step_graph_.over(remeshings_.layouts(), [&] { return step_.phases(); });
 }
 
 template <class T, int D>
-void Solver<T, D>::add_strain(double time_step) {
+void Solver<T, D>::check_layouts() {
   for (std::size_t b = 0; b < state_.bodies.size(); ++b) {
-    BodyNeighbours<D>& neighbours = state_.bodies[b].neighbours;
-    neighbours.strain_rate = step_.strain_rate(static_cast<int>(b));
-    neighbours.strain += time_step * neighbours.strain_rate;
-  }
-}
-
-template <class T, int D>
-void Solver<T, D>::check(const kernels::StageResult& result) const {
-  if (result.non_finite < 0) return;
-  const BlockOwner owner = state_.blocks[step_.failed_block()];
-  const Body<T, D>& body = state_.bodies[owner.body];
-  const Point<D> x = body.lattice.node(body.population.layout.cell(result.non_finite));
-  const std::string what =
-      fmt::format("particle {} of body `{}` near {} is no longer finite or has lost its volume",
-                  result.non_finite, body.name, coordinates<D>(x));
-  const auto [wall, distance] = state_.boundaries.nearest_wall(x);
-  if (distance > edge_of_clamp * body.lattice.spacing) {
-    throw failed_step(settings(), state_.clock, what, remedies());
-  }
-  throw failed_step(settings(), state_.clock, what + ", beside a wall that holds it",
-                    {"load more slowly", "use a finer spacing"});
-}
-
-// A step that strains the body so much tells nothing any more, and the lists of neighbours for the
-// next one would not fit into memory.
-template <class T, int D>
-void Solver<T, D>::check_strain(double time_step) const {
-  for (std::size_t b = 0; b < state_.bodies.size(); ++b) {
-    const double strain = time_step * step_.strain_rate(static_cast<int>(b));
-    if (strain <= largest_step_strain) continue;
-    throw failed_step(
-        settings(), state_.clock,
-        fmt::format("body `{}` strained by {:.2g} in one step", state_.bodies[b].name, strain),
-        remedies());
-  }
-}
-
-template <class T, int D>
-void Solver<T, D>::check_layouts() const {
-  for (std::size_t b = 0; b < state_.bodies.size(); ++b) {
-    if (remeshings_[b]->has_layout()) continue;
+    if (remeshings_[b].has_layout()) continue;
     throw failed_step(settings(), state_.clock,
                       fmt::format("the particles of body `{}` have flown too far apart for one "
                                   "lattice",
@@ -247,25 +163,6 @@ std::vector<std::string> Solver<T, D>::remedies() const {
           adaptive ? "remesh more often (remeshing.strain_threshold)"
                    : "remesh more often (remeshing.every)",
           "use a finer spacing"};
-}
-
-// A body that blows up may be flung off its level set within one remeshing, finite to the last.
-template <class T, int D>
-void Solver<T, D>::check_bodies() const {
-  for (const Body<T, D>& body : state_.bodies) {
-    if (body.population.particles > 0) continue;
-    std::vector<std::string> all = remedies();
-    all.insert(all.begin(), "look at the last frames for where it broke");
-    throw failed_step(settings(), state_.clock,
-                      fmt::format("body `{}` has no particle left", body.name), all);
-  }
-}
-
-template <class T, int D>
-std::int64_t Solver<T, D>::particles() const {
-  std::int64_t sum = 0;
-  for (const Body<T, D>& body : state_.bodies) sum += body.population.particles;
-  return sum;
 }
 
 template <class T, int D>
@@ -293,19 +190,7 @@ std::vector<LatticeView<T, D>> Solver<T, D>::on_nodes() {
 template <class T, int D>
 void Solver<T, D>::refresh_ghosts() {
   step_.prepare(0);
-  run(ghost_graph_.over(layouts_, [&] { return step_.ghost_phases(); }));
-}
-
-template <class T, int D>
-std::size_t Solver<T, D>::bytes() const {
-  std::size_t sum = 0;
-  for (const Body<T, D>& body : state_.bodies) {
-    for (const auto& store : body.stage) sum += store.bytes();
-    for (const auto& component : body.stress) sum += component.bytes();
-    sum += body.last_odd_stress.bytes() + body.interior.bytes() + body.volume_change.bytes();
-    sum += body.neighbours.bytes() + body.records.bytes();
-  }
-  return sum;
+  run(ghost_graph_.over(remeshings_.layouts(), [&] { return step_.ghost_phases(); }));
 }
 
 template <class T, int D>
@@ -341,12 +226,12 @@ std::vector<std::array<double, 3>> Solver<T, D>::positions(int body) const {
 }
 
 template <class T, int D>
-void Solver<T, D>::save(ArchiveWriter& archive) const {
+void Solver<T, D>::save_state(ArchiveWriter& archive) const {
   put_state(archive, state_);
 }
 
 template <class T, int D>
-void Solver<T, D>::restore(const ArchiveReader& archive) {
+void Solver<T, D>::restore_state(const ArchiveReader& archive) {
   get_state(archive, state_, remeshings_);
   number_slots();
 }

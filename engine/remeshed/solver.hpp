@@ -1,13 +1,12 @@
 #pragma once
 
-#include <memory>
 #include <vector>
 
 #include "engine/method/cached_graph.hpp"
 #include "engine/method/solver.hpp"
 #include "engine/remeshed/lattice_view.hpp"
 #include "engine/remeshed/neighbours/neighbours.hpp"
-#include "engine/remeshed/remeshing/remesh.hpp"
+#include "engine/remeshed/remeshing/remeshings.hpp"
 #include "engine/remeshed/state.hpp"
 #include "engine/remeshed/step.hpp"
 #include "kernels/remeshed/table.hpp"
@@ -23,10 +22,10 @@ class Solver final : public pliant::Solver {
 
   const Clock& clock() const override { return state_.clock; }
   double time_step() const override;
-  std::int64_t particles() const override;
+  std::int64_t particles() const override { return state_.particles(); }
   std::int64_t ghosts() const override;
   std::int64_t remeshings() const override { return state_.clock.remeshings; }
-  std::size_t bytes() const override;
+  std::size_t bytes() const override { return state_.bytes(); }
 
   /// After a remeshing particles lie on nodes.
   bool is_measuring_due() const override { return lies_on_nodes(); }
@@ -38,15 +37,12 @@ class Solver final : public pliant::Solver {
   std::vector<FieldView> fields(int body) const override;
   std::vector<std::array<double, 3>> positions(int body) const override;
 
-  void save(ArchiveWriter& archive) const override;
-  void restore(const ArchiveReader& archive) override;
-
   /// Of the next step, unless that begins with a search for neighbours.
   const scheduler::StepGraph& step_graph() const override { return *present_graph_; }
   scheduler::StepGraph& step_graph() { return *present_graph_; }
   State<T, D>& state() { return state_; }
   const State<T, D>& state() const { return state_; }
-  Remeshing<T, D>& remeshing(int body) { return *remeshings_[body]; }
+  Remeshing<T, D>& remeshing(int body) { return remeshings_[body]; }
 
   /// The bodies on fresh nodes at the present time: the particles themselves after a remeshing,
   /// else a remeshed copy; the particles stay as they are.
@@ -57,27 +53,23 @@ class Solver final : public pliant::Solver {
  private:
   void take_step(double time_step) override;
   std::vector<double> measure_each(std::span<const MeasurementCase> measurements) override;
+  void save_state(ArchiveWriter& archive) const override;
+  void restore_state(const ArchiveReader& archive) override;
   bool lies_on_nodes() const { return state_.clock.steps_since_remeshing == 0; }
   bool remeshing_due() const;
   void remesh();
   void remesh_onto_spare(bool reinitialise, bool is_final);
   std::vector<scheduler::Phase> source_phases();
-  std::vector<scheduler::Phase> target_phases(bool from_particles);
   void use_new_slots();
   void number_slots();
   void find_neighbours(double time_step);
-  void add_strain(double time_step);
-  void check(const kernels::StageResult& result) const;
-  void check_strain(double time_step) const;
-  void check_layouts() const;
-  void check_bodies() const;
+  void check_layouts();
   std::vector<std::string> remedies() const;
 
   const kernels::RemeshedTable<T, D>& kernels_;
   State<T, D> state_;
-  Layouts<D> layouts_, spare_layouts_;  ///< of the present slots, and of the new lattice
   Step<T, D> step_;
-  std::vector<std::unique_ptr<Remeshing<T, D>>> remeshings_;
+  Remeshings<T, D> remeshings_;
   NeighbourSearch<T, D> search_;
   CachedGraph<D> step_graph_, listed_step_graph_, search_graph_;
   CachedGraph<D> ghost_graph_, source_graph_, target_graph_, stress_graph_;

@@ -37,6 +37,24 @@ struct State {
       momentum_budgets;  ///< [body], or none without contacts between bodies
   std::vector<BlockOwner> blocks;
 
+  std::int64_t particles() const {
+    std::int64_t sum = 0;
+    for (const Body<T, D>& body : bodies) sum += body.population.particles;
+    return sum;
+  }
+
+  /// Size of all fields [bytes].
+  std::size_t bytes() const {
+    std::size_t sum = 0;
+    for (const Body<T, D>& body : bodies) {
+      for (const auto& store : body.stage) sum += store.bytes();
+      for (const auto& component : body.stress) sum += component.bytes();
+      sum += body.last_odd_stress.bytes() + body.interior.bytes() + body.volume_change.bytes();
+      sum += body.neighbours.bytes() + body.records.bytes();
+    }
+    return sum;
+  }
+
   /// The body of a block, and the block's number in it.
   struct Owner {
     Body<T, D>& body;

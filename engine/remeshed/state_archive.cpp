@@ -8,6 +8,7 @@
 #include "engine/method/archived_clock.hpp"
 #include "engine/method/archived_points.hpp"
 #include "engine/remeshed/ghosts/ghost_fits.hpp"
+#include "engine/remeshed/particle_kinds.hpp"
 
 namespace pliant::remeshed {
 
@@ -163,8 +164,7 @@ void put_state(ArchiveWriter& archive, const State<T, D>& state) {
 }
 
 template <class T, int D>
-void get_state(const ArchiveReader& archive, State<T, D>& state,
-               const std::vector<std::unique_ptr<Remeshing<T, D>>>& remeshings) {
+void get_state(const ArchiveReader& archive, State<T, D>& state, Remeshings<T, D>& remeshings) {
   get_clock(archive, state.clock);
   for_each_counter(state.clock, [&](const char* name, std::int64_t& value) {
     value = archive.scalar<std::int64_t>(std::string("clock/") + name);
@@ -182,7 +182,7 @@ void get_state(const ArchiveReader& archive, State<T, D>& state,
   for (std::size_t b = 0; b < state.bodies.size(); ++b) {
     Body<T, D>& body = state.bodies[b];
     const std::string group = fmt::format("body/{}", b);
-    remeshings[b]->lay_out_again(archive.get<std::int32_t>(group + "/occupied_packs"));
+    remeshings[b].lay_out_again(archive.get<std::int32_t>(group + "/occupied_packs"));
     Population<T, D>& population = body.population;
     const std::size_t slots = population.layout.slots();
     body.neighbours.strain = archive.scalar<double>(group + "/strain");
@@ -197,15 +197,13 @@ void get_state(const ArchiveReader& archive, State<T, D>& state,
       find_pack_states<T, D>(population, segment);
     }
     get_ghosts<T, D>(archive, group + "/ghosts", population);
-    remeshings[b]->swap_in_restored();
+    remeshings[b].swap_in_restored();
   }
 }
 
 template void put_state<double, 2>(ArchiveWriter&, const State<double, 2>&);
-template void get_state<double, 2>(const ArchiveReader&, State<double, 2>&,
-                                   const std::vector<std::unique_ptr<Remeshing<double, 2>>>&);
+template void get_state<double, 2>(const ArchiveReader&, State<double, 2>&, Remeshings<double, 2>&);
 template void put_state<double, 3>(ArchiveWriter&, const State<double, 3>&);
-template void get_state<double, 3>(const ArchiveReader&, State<double, 3>&,
-                                   const std::vector<std::unique_ptr<Remeshing<double, 3>>>&);
+template void get_state<double, 3>(const ArchiveReader&, State<double, 3>&, Remeshings<double, 3>&);
 
 }  // namespace pliant::remeshed

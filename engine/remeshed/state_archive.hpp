@@ -1,10 +1,7 @@
 #pragma once
 
-#include <memory>
-#include <vector>
-
 #include "engine/output/archive.hpp"
-#include "engine/remeshed/remeshing/remesh.hpp"
+#include "engine/remeshed/remeshing/remeshings.hpp"
 #include "engine/remeshed/state.hpp"
 
 namespace pliant::remeshed {
@@ -17,7 +14,6 @@ void put_state(ArchiveWriter& archive, const State<T, D>& state);
 /// Into the state of the same case; `remeshings` lay its bodies out. Throws OutputError when the
 /// archive does not fit the state.
 template <class T, int D>
-void get_state(const ArchiveReader& archive, State<T, D>& state,
-               const std::vector<std::unique_ptr<Remeshing<T, D>>>& remeshings);
+void get_state(const ArchiveReader& archive, State<T, D>& state, Remeshings<T, D>& remeshings);
 
 }  // namespace pliant::remeshed

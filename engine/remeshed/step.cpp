@@ -5,10 +5,8 @@
 #include "engine/remeshed/contact/wall_contact.hpp"
 #include "engine/remeshed/ghosts/surface_records.hpp"
 #include "engine/remeshed/images.hpp"
-#include "engine/remeshed/pair_stress.hpp"
 #include "engine/remeshed/resources.hpp"
 #include "engine/remeshed/runge_kutta.hpp"
-#include "engine/remeshed/setup.hpp"
 
 // A step of the remeshed Lagrangian particle method (H&K, sections 2 and 4).
 //
@@ -22,10 +20,6 @@
 //               (RP.38); contact walls let go where they would pull
 //     advance   grad u and div sigma of every particle by the moment matrix (RP.18), its rates
 //               (RP.12), the next stage state and the stress that belongs to it (RP.3)-(RP.9)
-//
-// Plain SPH, the paper's baseline, has no ghosts: (RP.73) and (RP.74) over listed neighbours take
-// the place of (RP.18), and of surface, contact and ghosts
-//     pair stress   sigma/rho^2 of every particle, and its artificial stress (RP.76)
 //
 // A step only follows particles. Moving them back onto the lattice is in remesh.cpp; when that is
 // due is decided in solver.cpp.
@@ -46,11 +40,10 @@ Step<T, D>::Step(State<T, D>& state, const Case& settings,
 
 template <class T, int D>
 std::vector<Phase> Step<T, D>::phases() {
-  results_.assign(state_.blocks.size(), {0, 0, -1});
+  results_.reset(state_.blocks, state_.bodies.size());
   std::vector<Phase> phases;
   for (int stage = 0; stage < 4; ++stage) {
-    is_plain_sph(settings_) ? add_pair_stress(phases, stage)
-                            : add_ghosts(phases, stage, WhichGhosts::reached);
+    add_ghosts(phases, stage, WhichGhosts::reached);
     add_advance(phases, stage);
   }
   if (momentum_.is_needed()) {
@@ -69,7 +62,7 @@ std::vector<Phase> Step<T, D>::ghost_phases() {
 
 template <class T, int D>
 std::vector<Phase> Step<T, D>::stress_phases() {
-  results_.assign(state_.blocks.size(), {0, 0, -1});
+  results_.reset(state_.blocks, state_.bodies.size());
   std::vector<Phase> phases = {
       {.name = "stress",
        .reads = {{resource::material(0)}},
@@ -161,15 +154,6 @@ void Step<T, D>::add_filling(std::vector<Phase>& phases, int stage, WhichGhosts 
 }
 
 template <class T, int D>
-void Step<T, D>::add_pair_stress(std::vector<Phase>& phases, int stage) {
-  phases.push_back(on_blocks(
-      "pair stress", stage, {{resource::stress(stage % 2)}, {resource::material(buffer_of(stage))}},
-      {{resource::pair_stress}}, [this, stage](Body<T, D>& body, int block) {
-        find_pair_stress<T, D>(body, block, stage, settings_.discretisation.artificial_stress);
-      }));
-}
-
-template <class T, int D>
 std::vector<int> Step<T, D>::blocks_where(bool listed) const {
   std::vector<int> blocks;
   for (std::size_t b = 0; b < state_.blocks.size(); ++b) {
@@ -203,10 +187,6 @@ void Step<T, D>::add_advance(std::vector<Phase>& phases, int stage, Reach reach,
                     {resource::ghosts(current), reach},
                     {resource::images(current), Reach::neighbours},
                     {resource::material(current)}};
-  if (is_plain_sph(settings_)) {
-    reads.insert(reads.end(),
-                 {{resource::pair_stress, reach}, {resource::material(current), reach}});
-  }
   Accesses writes = {{resource::stress(1 - parity)},
                      {resource::ghosts(next)},
                      {resource::image_drift(next)},
@@ -253,23 +233,11 @@ void Step<T, D>::prepare(double time_step) {
 
 template <class T, int D>
 void Step<T, D>::fold() {
-  result_ = {0, 0, -1};
-  failed_block_ = -1;
-  strain_rates_.assign(state_.bodies.size(), 0);
   const std::size_t walls = state_.wall_impulse.size();
   for (std::size_t i = 0; i < impulse_.size(); ++i) {
     for (int a = 0; a < D; ++a) state_.wall_impulse[i % walls][a] += impulse_[i][a];
   }
-  for (std::size_t b = 0; b < results_.size(); ++b) {
-    result_.strain_rate = std::max(result_.strain_rate, results_[b].strain_rate);
-    result_.wave_speed = std::max(result_.wave_speed, results_[b].wave_speed);
-    double& of_body = strain_rates_[state_.blocks[b].body];
-    of_body = std::max(of_body, results_[b].strain_rate);
-    if (results_[b].non_finite >= 0 && failed_block_ < 0) {
-      result_.non_finite = results_[b].non_finite;
-      failed_block_ = static_cast<int>(b);
-    }
-  }
+  results_.fold(state_.blocks);
 }
 
 template <class T, int D>

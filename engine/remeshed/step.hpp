@@ -7,6 +7,7 @@
 #include "engine/remeshed/contact/momentum_correction.hpp"
 #include "engine/remeshed/ghosts/ghost_fill.hpp"
 #include "engine/remeshed/particle_update.hpp"
+#include "engine/remeshed/stage_results.hpp"
 #include "engine/remeshed/state.hpp"
 #include "kernels/remeshed/table.hpp"
 #include "scheduler/phase.hpp"
@@ -33,11 +34,7 @@ class Step {
   /// Folds what a step found over the blocks in their order, the impulse of contact walls into the
   /// state.
   void fold();
-  const kernels::StageResult& result() const { return result_; }
-  /// The block of the slot that is no longer finite, or -1.
-  int failed_block() const { return failed_block_; }
-  /// max abs(eps)_F of one body in the last step [1/s].
-  double strain_rate(int body) const { return strain_rates_[body]; }
+  const StageResults& results() const { return results_; }
 
  private:
   using Accesses = std::vector<scheduler::Access>;
@@ -51,7 +48,6 @@ class Step {
   std::vector<int> blocks_where(bool listed) const;
   void add_ghosts(std::vector<scheduler::Phase>& phases, int stage, WhichGhosts which);
   void add_filling(std::vector<scheduler::Phase>& phases, int stage, WhichGhosts which);
-  void add_pair_stress(std::vector<scheduler::Phase>& phases, int stage);
   void add_advance(std::vector<scheduler::Phase>& phases, int stage);
   void add_advance(std::vector<scheduler::Phase>& phases, int stage, scheduler::Reach reach,
                    const std::vector<int>& blocks);
@@ -67,10 +63,7 @@ class Step {
   MomentumCorrection<T, D> momentum_;
   double time_step_ = 0;
   std::array<BoundaryValues<D>, 4> boundary_values_;  ///< [stage]
-  std::vector<kernels::StageResult> results_;         ///< [block]
-  kernels::StageResult result_ = {0, 0, -1};
-  std::vector<double> strain_rates_;  ///< [body]
-  int failed_block_ = -1;
+  StageResults results_;
   std::vector<Point<D>> impulse_;  ///< [block][wall] of contact walls on the bodies, of this step
 };
 

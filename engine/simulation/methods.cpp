@@ -1,16 +1,19 @@
 #include "engine/simulation/methods.hpp"
 
-#include "engine/remeshed/solver.hpp"
-#include "engine/total_lagrangian/solver.hpp"
+#include "engine/remeshed/method.hpp"
+#include "engine/sph/method.hpp"
+#include "engine/total_lagrangian/method.hpp"
 
 namespace pliant {
 
 const MethodRegistry& methods() {
-  static const MethodRegistry registry({
-      {"remeshed", make_solver<remeshed::Solver>},
-      {"total_lagrangian", make_solver<total_lagrangian::Solver>},
-  });
+  static const MethodRegistry registry(
+      {remeshed::method(), total_lagrangian::method(), sph::method()});
   return registry;
+}
+
+Case read_case(const std::filesystem::path& path, std::span<const std::string> settings) {
+  return read_case(path, settings, methods().rules());
 }
 
 }  // namespace pliant

@@ -1,5 +1,10 @@
 #pragma once
 
+#include <filesystem>
+#include <span>
+#include <string>
+
+#include "engine/case/read_case.hpp"
 #include "engine/method/registry.hpp"
 
 namespace pliant {
@@ -7,5 +12,8 @@ namespace pliant {
 /// The methods that come with the program: the list in methods.cpp is the one place that names
 /// them all.
 const MethodRegistry& methods();
+
+/// Reads and checks a case file for these methods. Throws CaseError.
+Case read_case(const std::filesystem::path& path, std::span<const std::string> settings = {});
 
 }  // namespace pliant

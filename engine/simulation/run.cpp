@@ -12,7 +12,6 @@
 #include <optional>
 
 #include "engine/case/resolved.hpp"
-#include "engine/case/words.hpp"
 #include "engine/output/atomic_file.hpp"
 #include "engine/output/checkpoint.hpp"
 #include "engine/output/interrupt.hpp"
@@ -88,7 +87,7 @@ class Run {
     RunDescription description;
     description.case_name = settings_.name;
     description.title = settings_.title;
-    description.method = words<Method>[static_cast<int>(settings_.method)].text;
+    description.method = settings_.method;
     description.version = std::string(version);
     description.dimension = settings_.dimension;
     description.resolved_case = resolved_toml(settings_);
@@ -186,7 +185,7 @@ class Run {
         {"xsimd",
          fmt::format("{}.{}.{}", XSIMD_VERSION_MAJOR, XSIMD_VERSION_MINOR, XSIMD_VERSION_PATCH)},
         {"HDF5", fmt::format("{}.{}.{}", H5_VERS_MAJOR, H5_VERS_MINOR, H5_VERS_RELEASE)}};
-    summary.method = words<Method>[static_cast<int>(settings_.method)].text;
+    summary.method = settings_.method;
     summary.particles.start = particles_at_start_;
     summary.particles.end = solver_->particles();
     summary.particles.ghosts = solver_->ghosts();

@@ -8,7 +8,6 @@
 #include <stdexcept>
 
 #include "engine/geometry/signed_distance.hpp"
-#include "engine/remeshed/setup.hpp"
 
 namespace pliant::total_lagrangian {
 

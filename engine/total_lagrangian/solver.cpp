@@ -172,12 +172,12 @@ std::vector<std::array<double, 3>> Solver<T, D>::positions(int body) const {
 }
 
 template <class T, int D>
-void Solver<T, D>::save(ArchiveWriter& archive) const {
+void Solver<T, D>::save_state(ArchiveWriter& archive) const {
   put_state(archive, state_);
 }
 
 template <class T, int D>
-void Solver<T, D>::restore(const ArchiveReader& archive) {
+void Solver<T, D>::restore_state(const ArchiveReader& archive) {
   get_state(archive, state_);
 }
 

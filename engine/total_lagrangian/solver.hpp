@@ -27,9 +27,6 @@ class Solver final : public pliant::Solver {
   std::vector<FieldView> fields(int body) const override;
   std::vector<std::array<double, 3>> positions(int body) const override;
 
-  void save(ArchiveWriter& archive) const override;
-  void restore(const ArchiveReader& archive) override;
-
   const scheduler::StepGraph& step_graph() const override { return *graph_; }
   scheduler::StepGraph& step_graph() { return *graph_; }
   State<T, D>& state() { return state_; }
@@ -38,6 +35,8 @@ class Solver final : public pliant::Solver {
  private:
   void take_step(double time_step) override;
   std::vector<double> measure_each(std::span<const MeasurementCase> measurements) override;
+  void save_state(ArchiveWriter& archive) const override;
+  void restore_state(const ArchiveReader& archive) override;
   void scale_mass();
   void check(const StepResult& result) const;
 

@@ -4,7 +4,7 @@
 #include <filesystem>
 #include <string>
 
-#include "engine/case/read_case.hpp"
+#include "engine/simulation/methods.hpp"
 
 namespace pliant {
 namespace {

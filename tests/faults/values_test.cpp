@@ -76,9 +76,9 @@ const Fault faults[] = {
      "block.toml:11: every must be 1 or more, got 0; write it as in every = 10"},
     {"a_dimension_of_one", broken("title = \"a block\"", "dimension = 1"),
      "block.toml:1: dimension must be 2 or 3, got 1; write it as in dimension = 2"},
-    {"an_unknown_method", broken("title = \"a block\"", "method = \"sph\""),
-     R"(block.toml:1: method must be one of "remeshed", "total_lagrangian", got "sph"; use one of )"
-     "these"},
+    {"an_unknown_method", broken("title = \"a block\"", "method = \"peridynamics\""),
+     R"(block.toml:1: method must be one of "remeshed", "total_lagrangian", "sph", got )"
+     "\"peridynamics\"; use one of these"},
     {"remeshing_of_what_is_not_remeshed",
      with(rubber_block, "[total_lagrangian]\n", "[remeshing]\nevery = 3\n[total_lagrangian]\n"),
      "block.toml:11: method \"total_lagrangian\" has no [remeshing]; leave the table out, or "
@@ -109,8 +109,8 @@ const Fault faults[] = {
     {"contact_of_undeformed_bodies",
      rubber_block + "[[boundary]]\nname = \"w\"\nkind = \"contact_wall\"\ngeometry = { shape = "
                     "\"half_space\", point = [0, -1], normal = [0, 1] }\n",
-     "block.toml:15: method total_lagrangian knows no contact; take method = \"remeshed\", or a "
-     "wall that holds what it touches"},
+     "block.toml:15: method total_lagrangian has no contact; take method = \"remeshed\", or a "
+     "wall to which the body sticks"},
     {"a_misspelt_kernel", broken("spacing = 0.1", "spacing = 0.1\nkernel = \"compct\""),
      R"(block.toml:4: kernel must be one of "quartic_spline", "quartic_spline_fit", "compact", )"
      R"("fourth_order", got "compct"; did you mean "compact"?)"},
@@ -119,7 +119,7 @@ const Fault faults[] = {
      R"("fourth_order", got "quartic"; did you mean "quartic_spline"?)"},
     {"a_key_of_an_earlier_version", broken("spacing = 0.1", "spacing = 0.1\nweight = \"compact\""),
      "block.toml:4: unknown key `weight` in [discretisation]; its keys are spacing, kernel, "
-     "dissipation, operators, artificial_viscosity, artificial_stress"},
+     "dissipation"},
     {"an_unknown_kernel", broken("spacing = 0.1", "spacing = 0.1\nkernel = \"gauss\""),
      R"(block.toml:4: kernel must be one of "quartic_spline", "quartic_spline_fit", "compact", )"
      R"("fourth_order", got "gauss"; use one of these)"},
@@ -135,27 +135,26 @@ const Fault faults[] = {
             "= 1 }"),
      "block.toml:9: coefficients must start with a positive C_10, got -1; the shear modulus is 2 "
      "C_10"},
-    {"plain_sph_that_remeshes",
-     broken("spacing = 0.1", "spacing = 0.1\noperators = \"symmetric_sph\""),
-     "block.toml:4: symmetric_sph does not remesh; write every = \"never\" in [remeshing]"},
-    {"plain_sph_with_a_level_set",
-     with(measuring("kind = \"surface_area\"\n") +
-              "[remeshing]\nevery = \"never\"\n[output]\nsurface = true\n",
-          "spacing = 0.1", "spacing = 0.1\noperators = \"symmetric_sph\""),
-     "block.toml:13: measurement \"m\" needs a level set, which symmetric_sph does not follow; "
-     "take "
-     "it out, or measure points and conserved quantities\n"
-     "block.toml:17: surfaces need a level set, which symmetric_sph does not follow; write surface "
-     "= false"},
-    {"plain_sph_between_walls",
-     with(
-         extended("[remeshing]\nevery = \"never\"\n[[boundary]]\nname = \"floor\"\nkind = "
-                  "\"fixed\"\ngeometry = { shape = \"half_space\", point = [0, 0], normal = [0, 1] "
-                  "}\n"),
-         "spacing = 0.1", "spacing = 0.1\noperators = \"symmetric_sph\""),
-     "block.toml:4: symmetric_sph knows free surfaces and periods only; take the boundaries out, "
-     "or "
-     "operators = \"moment_matrix\""},
+    {"sph_that_remeshes",
+     with(extended("[remeshing]\nevery = 3\n"), "title = \"a block\"", "method = \"sph\""),
+     "block.toml:10: method \"sph\" has no [remeshing]; leave the table out, or choose another "
+     "method"},
+    {"sph_with_a_level_set",
+     with(measuring("kind = \"surface_area\"\n") + "[output]\nsurface = true\n",
+          "title = \"a block\"", "method = \"sph\""),
+     "block.toml:12: measurement \"m\" needs a level set or remeshed particles, which method sph "
+     "does not have; take it out, or measure displacements and conserved quantities\n"
+     "block.toml:14: surfaces need a level set, which method sph does not have; write surface = "
+     "false"},
+    {"sph_between_walls",
+     with(extended("[[boundary]]\nname = \"floor\"\nkind = \"fixed\"\ngeometry = { shape = "
+                   "\"half_space\", point = [0, 0], normal = [0, 1] }\n"),
+          "title = \"a block\"", "method = \"sph\""),
+     "block.toml:12: method sph has free surfaces and periodic cells only; take the boundaries "
+     "out, or method = \"remeshed\""},
+    {"sph_keys_of_the_remeshed_method", extended("[sph]\nartificial_stress = 0\n"),
+     "block.toml:10: method \"remeshed\" has no [sph]; leave the table out, or choose another "
+     "method"},
     {"a_prony_term_without_time", broken(material, viscous("ratios = [0.1, 0.2], times = [1]")),
      "block.toml:9: prony has 2 ratios and 1 times; give one ratio and one time for each term"},
     {"prony_ratios_that_leave_nothing",

@@ -1,6 +1,7 @@
 #pragma once
 
-#include "engine/remeshed/ghosts/ghost_fill.hpp"
+#include "engine/boundaries/boundary_values.hpp"
+#include "engine/remeshed/state.hpp"
 
 // A body contact_points a contact wall, presses against it and leaves it; nothing bonds them.
 //

@@ -168,14 +168,6 @@ void find_drift_velocity(Body<T, D>& body, int block, int stage, GhostTreatment 
 
 }  // namespace
 
-template <int D>
-void BoundaryValues<D>::evaluate(const Boundaries<D>& boundaries, double t) {
-  wall_velocity.clear();
-  pressure.clear();
-  for (const Wall<D>& wall : boundaries.walls) wall_velocity.push_back(wall.velocity(t));
-  for (const SurfacePressure<D>& load : boundaries.pressures) pressure.push_back(load.value(t));
-}
-
 template <class T, int D>
 void fill_ghosts(Body<T, D>& body, int block, int stage, int parity, WhichGhosts which,
                  const Boundaries<D>& boundaries, const BoundaryValues<D>& values,
@@ -254,14 +246,12 @@ void fill_conserved(Body<T, D>& body, int block) {
   }
 }
 
-template struct BoundaryValues<2>;
 template void fill_ghosts<double, 2>(Body<double, 2>&, int, int, int, WhichGhosts,
                                      const Boundaries<2>&, const BoundaryValues<2>&, GhostTreatment,
                                      const kernels::RemeshedTable<double, 2>&);
 template void drift_ghosts<double, 2>(Body<double, 2>&, int, int, GhostTreatment,
                                       const kernels::RemeshedTable<double, 2>&);
 template void fill_conserved<double, 2>(Body<double, 2>&, int);
-template struct BoundaryValues<3>;
 template void fill_ghosts<double, 3>(Body<double, 3>&, int, int, int, WhichGhosts,
                                      const Boundaries<3>&, const BoundaryValues<3>&, GhostTreatment,
                                      const kernels::RemeshedTable<double, 3>&);

@@ -1,17 +1,9 @@
 #pragma once
 
+#include "engine/boundaries/boundary_values.hpp"
 #include "engine/remeshed/state.hpp"
 
 namespace pliant::remeshed {
-
-/// What the boundaries impose at one moment.
-template <int D>
-struct BoundaryValues {
-  std::vector<Point<D>> wall_velocity;
-  std::vector<double> pressure;
-
-  void evaluate(const Boundaries<D>& boundaries, double t);
-};
 
 enum class WhichGhosts { all, reached };
 

@@ -88,6 +88,15 @@ bool NeighbourSearch<T, D>::is_due(double time_step) {
 }
 
 template <class T, int D>
+void NeighbourSearch<T, D>::add_strain(const StageResults& results, double time_step) {
+  for (std::size_t b = 0; b < state_.bodies.size(); ++b) {
+    BodyNeighbours<D>& neighbours = state_.bodies[b].neighbours;
+    neighbours.strain_rate = results.strain_rate(b);
+    neighbours.strain += time_step * neighbours.strain_rate;
+  }
+}
+
+template <class T, int D>
 std::vector<Phase> NeighbourSearch<T, D>::phases() {
   const auto each = [](const char* name, const std::vector<scheduler::Access>& reads,
                        scheduler::FieldId writes, auto run) -> Phase {

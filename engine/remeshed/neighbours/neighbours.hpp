@@ -2,6 +2,7 @@
 
 #include <vector>
 
+#include "engine/remeshed/stage_results.hpp"
 #include "engine/remeshed/state.hpp"
 #include "kernels/material.hpp"
 #include "scheduler/phase.hpp"
@@ -39,6 +40,9 @@ class NeighbourSearch {
 
   /// Decides which bodies need a look before a step of `time_step` [s]; whether there are any.
   bool is_due(double time_step);
+
+  /// Adds what bodies strained in a step of `time_step` [s].
+  void add_strain(const StageResults& results, double time_step);
 
   /// That look, over the blocks of all bodies; those that need none cost next to nothing.
   std::vector<scheduler::Phase> phases();

@@ -155,7 +155,7 @@ template <class T, int D>
 BodyIntegrals Measurer<T, D>::integrate_body(int body, const Vector& about) {
   using Policy = decltype(Case{}.remeshing)::Policy;
   const Body<T, D>& particles = state_.bodies[body];
-  if (settings_.remeshing.policy == Policy::never || !particles.has_surface) {
+  if (!find_nodes_ || settings_.remeshing.policy == Policy::never || !particles.has_surface) {
     return sum_particles<T, D>(particles, about);
   }
   BodyIntegrals sum = integrate<T, D>(nodes(body), state_.boundaries, about);

@@ -14,6 +14,8 @@ namespace pliant::remeshed {
 template <class T, int D>
 class Measurer {
  public:
+  /// Without `find_nodes` conserved quantities are sums over particles, and nothing else that is
+  /// found on nodes can be measured.
   Measurer(const Case& settings, const State<T, D>& state, NodeSource<T, D> find_nodes)
       : settings_(settings), state_(state), find_nodes_(std::move(find_nodes)) {}
 

@@ -22,12 +22,14 @@ using scheduler::Reach;
 
 template <class T, int D>
 Remeshing<T, D>::Remeshing(const Case& settings, Body<T, D>& body, const Boundaries<D>& boundaries,
-                           const kernels::RemeshedTable<T, D>& kernels, scheduler::Workers& workers)
+                           const kernels::RemeshedTable<T, D>& kernels, scheduler::Workers& workers,
+                           Outside outside)
     : body_(body),
       boundaries_(boundaries),
       kernels_(kernels),
       treatment_(settings.ghosts),
       stencil_reach_(kernels::stencil_reach(settings.discretisation.kernel)),
+      outside_(outside),
       layout_search_(body),
       fields_(settings, body, kernels, workers) {}
 
@@ -179,8 +181,8 @@ template <class T, int D>
 void Remeshing<T, D>::find_kinds(int block) {
   if (body_.has_surface) level_set_.finish(body_.spare.layout.blocks()[block]);
   if (body_.material.model == kernels::Model::reduced_polynomial) fields_.match_volumes(block);
-  particles_[block] =
-      classify<T, D>(body_, body_.spare, body_.stage[1], block, boundaries_, fields_.valid());
+  particles_[block] = classify<T, D>(body_, body_.spare, body_.stage[1], block, boundaries_,
+                                     fields_.valid(), outside_);
 }
 
 template <class T, int D>
@@ -211,11 +213,6 @@ void Remeshing<T, D>::grow_stages() {
   if (kernels::symmetric_components < D >> D + 2) body_.last_odd_stress.grow(slots, T(0));
   body_.interior.grow(slots, T(0));
   if (!body_.prony.empty()) body_.volume_change.grow(slots, T(0));
-  if (body_.is_plain_sph) {
-    for (auto& tensor : body_.pair_stress) {
-      for (auto& component : tensor) component.grow(slots, T(0));
-    }
-  }
   body_.records.grow(body_.population.slot_of_record.size() * kernels::record_width<D>, T(0));
 }
 

@@ -6,6 +6,7 @@
 #include "engine/remeshed/ghosts/ghost_fill.hpp"
 #include "engine/remeshed/ghosts/ghost_fits.hpp"
 #include "engine/remeshed/level_set/level_set.hpp"
+#include "engine/remeshed/particle_kinds.hpp"
 #include "engine/remeshed/remeshing/layout_search.hpp"
 #include "engine/remeshed/remeshing/remeshed_fields.hpp"
 #include "engine/remeshed/state.hpp"
@@ -24,7 +25,8 @@ template <class T, int D>
 class Remeshing {
  public:
   Remeshing(const Case& settings, Body<T, D>& body, const Boundaries<D>& boundaries,
-            const kernels::RemeshedTable<T, D>& kernels, scheduler::Workers& workers);
+            const kernels::RemeshedTable<T, D>& kernels, scheduler::Workers& workers,
+            Outside outside);
 
   /// Lays the initial particles out; `target_phases(false)` then completes them.
   void place_initial(const Case& settings);
@@ -59,6 +61,7 @@ class Remeshing {
   const kernels::RemeshedTable<T, D>& kernels_;
   GhostTreatment treatment_;
   int stencil_reach_;
+  Outside outside_;
   bool is_final_ = true;
   bool has_layout_ = true;
   bool reinitialise_ = false;

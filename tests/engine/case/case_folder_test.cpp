@@ -4,7 +4,7 @@
 #include <set>
 #include <string>
 
-#include "engine/case/read_case.hpp"
+#include "engine/simulation/methods.hpp"
 
 /// The cases that come with the program.
 namespace pliant {

@@ -107,9 +107,6 @@ method = "remeshed"
 spacing = 0.1
 kernel = "quartic_spline_fit"
 dissipation = 0.25
-operators = "moment_matrix"
-artificial_viscosity = 1
-artificial_stress = 0.3
 
 [time]
 end = 1

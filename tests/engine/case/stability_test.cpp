@@ -111,7 +111,7 @@ TEST(stability, steps_above_the_limit_are_warned_of_with_the_key_that_sets_them)
 
 TEST(stability, a_mass_that_is_scaled_to_the_step_has_no_limit) {
   Case a_case = read_text(block_case);
-  a_case.method = Method::total_lagrangian;
+  a_case.method = "total_lagrangian";
   a_case.time.step = 1;
   EXPECT_NE(stability_warning(a_case), "");
   a_case.total_lagrangian.match_time_step = true;

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "engine/case/read_case.hpp"
+#include "engine/simulation/methods.hpp"
 
 namespace pliant::tests {
 

@@ -30,9 +30,14 @@ TEST(failed_step, names_a_step_above_the_stability_limit_as_the_cause) {
 
 TEST(failed_step, names_the_mass_scaling_where_that_follows_the_step) {
   Case a_case = tests::read_text(tests::block_case, {"time.step=1"});
-  a_case.method = Method::total_lagrangian;
+  a_case.method = "total_lagrangian";
   a_case.total_lagrangian.match_time_step = true;
   EXPECT_EQ(smaller_step(a_case), "scale the mass more (a smaller time.cfl)");
+}
+
+TEST(failed_step, names_places_by_all_their_coordinates) {
+  EXPECT_EQ(coordinates<2>({0.5, -1}), "(0.5, -1)");
+  EXPECT_EQ(coordinates<3>({0.5, -1, 2.25}), "(0.5, -1, 2.25)");
 }
 
 }  // namespace

@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
-#include "engine/case/read_case.hpp"
 #include "engine/remeshed/solver.hpp"
+#include "engine/simulation/methods.hpp"
 
 namespace pliant::test {
 

@@ -1,13 +1,14 @@
-#include <algorithm>
+#include "engine/remeshed/particle_kinds.hpp"
 
-#include "engine/remeshed/ghosts/ghost_fits.hpp"
+#include <algorithm>
+#include <cmath>
 
 namespace pliant::remeshed {
 
 namespace {
 
 template <class T, int D>
-Kind kind_of(const Point<D>& x, T phi, double h, bool valid, bool has_ghosts,
+Kind kind_of(const Point<D>& x, T phi, double h, bool valid, Outside outside,
              const Boundaries<D>& boundaries) {
   if (phi >= ghost_band * h) return Kind::vacant;
   const double d = boundaries.nearest_wall(x).second;
@@ -16,7 +17,9 @@ Kind kind_of(const Point<D>& x, T phi, double h, bool valid, bool has_ghosts,
   // What lies beyond a contact wall is outside the body, whatever phi says.
   const double beyond = boundaries.nearest_contact(x).second;
   if (beyond < -ghost_band * h) return Kind::vacant;
-  if (phi >= 0 || beyond < 0) return has_ghosts ? Kind::free_ghost : Kind::vacant;
+  if (phi >= 0 || beyond < 0) {
+    return outside == Outside::ghosts ? Kind::free_ghost : Kind::vacant;
+  }
   return valid ? Kind::interior : Kind::vacant;
 }
 
@@ -80,7 +83,7 @@ void prepare_slots(Body<T, D>& body, int block) {
 
 template <class T, int D>
 std::int64_t classify(const Body<T, D>& body, Population<T, D>& population, FieldStore<T, D>& state,
-                      int block, const Boundaries<D>& boundaries, const T* valid) {
+                      int block, const Boundaries<D>& boundaries, const T* valid, Outside outside) {
   const double h = body.lattice.spacing;
   const T volume = static_cast<T>(std::pow(h, D));
   const T* phi = state.get(Field::level_set);
@@ -88,9 +91,9 @@ std::int64_t classify(const Body<T, D>& body, Population<T, D>& population, Fiel
   const Block<D>& range = population.layout.blocks()[block];
   population.layout.for_each_slot(range, [&](std::int64_t p, const Cell<D>& cell) {
     const bool own = body.lattice.is_wrapped(cell);
-    const Kind kind = own ? kind_of<T, D>(body.lattice.node(cell), phi[p], h, valid[p] != 0,
-                                          !body.is_plain_sph, boundaries)
-                          : Kind::vacant;
+    const Kind kind =
+        own ? kind_of<T, D>(body.lattice.node(cell), phi[p], h, valid[p] != 0, outside, boundaries)
+            : Kind::vacant;
     population.kind[p] = kind;
     for (int a = 0; a < D; ++a) state.get(Field::drift, a)[p] = 0;
     if (kind == Kind::vacant || valid[p] == 0) vacate<T, D>(state, p, body.material, volume);
@@ -106,11 +109,11 @@ template void prepare_slots<double, 2>(Body<double, 2>&, int);
 template void prepare_slots<double, 3>(Body<double, 3>&, int);
 template std::int64_t classify<double, 2>(const Body<double, 2>&, Population<double, 2>&,
                                           FieldStore<double, 2>&, int, const Boundaries<2>&,
-                                          const double*);
+                                          const double*, Outside);
 template void find_pack_states<double, 2>(Population<double, 2>&, const kernels::Segment<2>&);
 template std::int64_t classify<double, 3>(const Body<double, 3>&, Population<double, 3>&,
                                           FieldStore<double, 3>&, int, const Boundaries<3>&,
-                                          const double*);
+                                          const double*, Outside);
 template void find_pack_states<double, 3>(Population<double, 3>&, const kernels::Segment<3>&);
 
 }  // namespace pliant::remeshed

@@ -1,4 +1,4 @@
-#include "engine/method/step_clock.hpp"
+#include "engine/method/step_length.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,10 +1,15 @@
-#include "engine/method/step_clock.hpp"
+#include "engine/method/step_length.hpp"
 
 #include <fmt/format.h>
 
 #include "engine/method/step_failure.hpp"
 
 namespace pliant {
+
+double asked_step(const Case& settings, double wave_speed) {
+  if (settings.time.step) return *settings.time.step;
+  return settings.time.cfl * settings.discretisation.spacing / wave_speed;
+}
 
 double step_length(const Case& settings, const StepClock& clock, double asked, double longest) {
   constexpr double rounding = 1e-9, shortest = 1e-12;  // of the step; of the run

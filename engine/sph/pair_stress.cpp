@@ -1,20 +1,21 @@
-#include "engine/remeshed/pair_stress.hpp"
+#include "engine/sph/pair_stress.hpp"
 
 #include <Eigen/Eigenvalues>
 #include <algorithm>
 
-namespace pliant::remeshed {
+namespace pliant::sph {
 
 template <class T, int D>
-void find_pair_stress(Body<T, D>& body, int block, int stage, double artificial_stress) {
+void find_pair_stress(const remeshed::Body<T, D>& body, int block, int stage,
+                      double artificial_stress, PairStress<T, D>& pair_stress) {
   using Matrix = Eigen::Matrix<T, D, D>;
   const Layout<D>& layout = body.population.layout;
-  const auto stress = std::as_const(body).stress_view(stage % 2);
+  const auto stress = body.stress_view(stage % 2);
   const T* mass = body.stage[0].get(Field::mass);
-  const T* volume = body.stage[buffer_of(stage)].get(Field::volume);
+  const T* volume = body.stage[remeshed::buffer_of(stage)].get(Field::volume);
   Eigen::SelfAdjointEigenSolver<Matrix> principal;
   layout.for_each_slot(layout.blocks()[block], [&](std::int64_t p, const Cell<D>&) {
-    if (body.population.kind[p] != Kind::interior) return;
+    if (body.population.kind[p] != kernels::Kind::interior) return;
     const T density = mass[p] / volume[p];
     Matrix scaled;
     for (int i = 0; i < D; ++i) {
@@ -30,14 +31,16 @@ void find_pair_stress(Body<T, D>& body, int block, int stage, double artificial_
     for (int i = 0; i < D; ++i) {
       for (int j = i; j < D; ++j) {
         const int c = kernels::symmetric_index<D>(i, j);
-        body.pair_stress[0][c][p] = scaled(i, j);
-        body.pair_stress[1][c][p] = artificial(i, j);
+        pair_stress.scaled[c][p] = scaled(i, j);
+        pair_stress.artificial[c][p] = artificial(i, j);
       }
     }
   });
 }
 
-template void find_pair_stress<double, 2>(Body<double, 2>&, int, int, double);
-template void find_pair_stress<double, 3>(Body<double, 3>&, int, int, double);
+template void find_pair_stress<double, 2>(const remeshed::Body<double, 2>&, int, int, double,
+                                          PairStress<double, 2>&);
+template void find_pair_stress<double, 3>(const remeshed::Body<double, 3>&, int, int, double,
+                                          PairStress<double, 3>&);
 
-}  // namespace pliant::remeshed
+}  // namespace pliant::sph

@@ -1,0 +1,28 @@
+#pragma once
+
+#include <initializer_list>
+#include <span>
+#include <string>
+#include <string_view>
+
+#include "engine/case/case.hpp"
+
+namespace pliant {
+
+struct Check;
+
+/// What reading a case needs to know of a method.
+struct MethodRules {
+  std::string_view word;     ///< as case files write it
+  std::string_view meaning;  ///< for the reference of case files
+  /// Adds what the case asks for and the method cannot do.
+  void (*check)(const Check& check);
+};
+
+/// The methods that a case may name.
+using MethodList = std::span<const MethodRules>;
+
+/// Adds a problem for each of these tables that the case contains.
+void refuse_tables(const Check& check, std::initializer_list<std::string_view> tables);
+
+}  // namespace pliant

@@ -1,0 +1,30 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "engine/method/step_failure.hpp"
+#include "engine/remeshed/stage_results.hpp"
+#include "engine/remeshed/state.hpp"
+
+/// Failures of a run that only its state shows; `remedies` are those of the method.
+namespace pliant::remeshed {
+
+/// Throws StepFailure when a particle is no longer finite.
+template <class T, int D>
+void check_finite(const Case& settings, const StageResults& results, const State<T, D>& state,
+                  const std::vector<std::string>& remedies);
+
+/// Throws StepFailure when a body has strained so much in a step of `time_step` [s] that its state
+/// has no meaning: the lists of neighbours for the next step would not fit into memory.
+template <class T, int D>
+void check_strain(const Case& settings, const StageResults& results, const State<T, D>& state,
+                  double time_step, const std::vector<std::string>& remedies);
+
+/// Throws StepFailure when a body has no particle left: within one remeshing, an unstable body may
+/// leave its level set although all its values are finite.
+template <class T, int D>
+void check_bodies(const Case& settings, const State<T, D>& state,
+                  const std::vector<std::string>& remedies);
+
+}  // namespace pliant::remeshed

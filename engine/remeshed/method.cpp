@@ -1,0 +1,33 @@
+#include "engine/remeshed/method.hpp"
+
+#include "engine/case/check.hpp"
+#include "engine/remeshed/solver.hpp"
+
+namespace pliant::remeshed {
+
+namespace {
+
+// Between two remeshings a ghost stays on the side of a wall on which it started. The adaptive rule
+// remeshes strained bodies only, so that an undeformed body would fly through a wall.
+void check_contact_walls(const Check& check) {
+  using Policy = decltype(Case::remeshing)::Policy;
+  if (check.a_case.remeshing.policy == Policy::every) return;
+  for (const BoundaryCase& boundary : check.a_case.boundaries) {
+    if (boundary.kind != BoundaryCase::Kind::contact_wall) continue;
+    check.problems.add(check.place("remeshing", "every"),
+                       "contact walls need a fixed number of steps between remeshings",
+                       "write every = 10 in [remeshing]");
+    return;
+  }
+}
+
+}  // namespace
+
+RegisteredMethod method() {
+  return {
+      {"remeshed", "Lagrangian particles that are remeshed; a level set follows the free surface",
+       check_contact_walls},
+      make_solver<Solver>};
+}
+
+}  // namespace pliant::remeshed

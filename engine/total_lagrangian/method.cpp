@@ -1,0 +1,81 @@
+#include "engine/total_lagrangian/method.hpp"
+
+#include <fmt/format.h>
+
+#include "engine/case/check.hpp"
+#include "engine/total_lagrangian/solver.hpp"
+
+namespace pliant::total_lagrangian {
+
+namespace {
+
+bool is_measured(MeasurementCase::Kind kind) {
+  using Kind = MeasurementCase::Kind;
+  switch (kind) {
+    case Kind::surface_distance:
+    case Kind::mean_radius:
+    case Kind::point_value:
+    case Kind::wall_force:
+    case Kind::contact_force:
+    case Kind::velocity_error:
+    case Kind::minimum_particle_distance:
+      return false;
+    default:
+      return true;
+  }
+}
+
+void check_body(const Check& check, std::size_t i) {
+  const BodyCase& body = check.a_case.bodies[i];
+  if (body.material_as_given.model != MaterialCase::Model::reduced_polynomial) {
+    check.problems.add(check.place("body", i, "material"),
+                       fmt::format("body \"{}\" is not hyperelastic", body.name),
+                       "method total_lagrangian takes model = \"reduced_polynomial\"");
+  } else if (!body.material_as_given.prony.ratios.empty()) {
+    check.problems.add(check.place("body", i, "material"),
+                       fmt::format("body \"{}\" relaxes in time", body.name),
+                       "method total_lagrangian takes materials without prony");
+  }
+  if (body.stretch != Vector{1, 1, 1}) {
+    check.problems.add(
+        check.place("body", i, "stretch"), fmt::format("body \"{}\" starts stretched", body.name),
+        "method total_lagrangian starts from rest: let walls or pressure stretch it");
+  }
+}
+
+void check(const Check& check) {
+  const Case& a_case = check.a_case;
+  refuse_tables(check, {"remeshing", "level_set", "ghosts", "periodic", "contact"});
+  for (std::size_t i = 0; i < a_case.bodies.size(); ++i) check_body(check, i);
+  for (std::size_t i = 0; i < a_case.boundaries.size(); ++i) {
+    if (a_case.boundaries[i].kind != BoundaryCase::Kind::contact_wall) continue;
+    check.problems.add(check.place("boundary", i, "kind"), "method total_lagrangian has no contact",
+                       "take method = \"remeshed\", or a wall to which the body sticks");
+  }
+  for (std::size_t i = 0; i < a_case.measurements.size(); ++i) {
+    if (is_measured(a_case.measurements[i].kind)) continue;
+    check.problems.add(
+        check.place("measurement", i, "kind"),
+        fmt::format(
+            "method total_lagrangian does not measure a {}",
+            words<MeasurementCase::Kind>[static_cast<int>(a_case.measurements[i].kind)].text),
+        "measure extent, point_displacement, volume, surface_area, momenta or energies");
+  }
+  if (a_case.total_lagrangian.match_time_step && !a_case.time.step) {
+    check.problems.add(check.place("total_lagrangian", "mass_scaling"),
+                       "the mass can only be scaled to a given time step",
+                       "give time.step in seconds, or mass_scaling as a number");
+  }
+}
+
+}  // namespace
+
+RegisteredMethod method() {
+  return {{"total_lagrangian",
+           "nodes and stress points of the undeformed body (TL.1), for slow loads; hyperelastic "
+           "materials only",
+           check},
+          make_solver<Solver>};
+}
+
+}  // namespace pliant::total_lagrangian
