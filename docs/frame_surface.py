@@ -122,7 +122,8 @@ def section(mesh, origin, axis, spacing, lift):
     away.SetInput(mesh)
     away.FunctionValue(plane.GetPoints().GetData(), distance)
     signed = np.abs(vtk_to_numpy(distance))
-    signed[is_inside(points[:, kept], outline[:, :, kept])] *= -1
+    # Off the lattice, so that no ray runs through a corner of the outline.
+    signed[is_inside(points[:, kept] + 1e-3 * spacing, outline[:, :, kept])] *= -1
     values = numpy_to_vtk(signed, deep=True)
     plane.GetPointData().SetScalars(values)
     clip.SetInputData(plane)
