@@ -17,14 +17,16 @@ exit "$1"
 """
 CMAKE = """#!/bin/bash
 echo configured
-mkdir -p build/release && touch build/release/build.ninja
+mkdir -p build/release && : > build/release/build.ninja
 echo "CMAKE_HOME_DIRECTORY:INTERNAL=$PWD" > build/release/CMakeCache.txt
 """
 NINJA = """#!/bin/bash
 cd "$2"
+grep -q damaged build.ninja && { echo "ninja: error: build.ninja:1: expected '='"; exit 1; }
 [[ -e engine/cli/pliant ]] && { echo "ninja: no work to do."; exit; }
 [[ $3 == -n ]] && exit
-echo built
+echo "[1/3] Building a"; echo "[2/3] Building b"; echo "[3/3] Linking c"
+[[ -e ../../broken ]] && { echo "FAILED: a"; echo "a.cpp:1: error"; }
 [[ -e ../../broken ]] && exit 1
 echo "$*" >> ../builds
 sleep 0.2
@@ -101,7 +103,36 @@ class Launcher(unittest.TestCase):
         (self.root / "broken").touch()
         status, out, err = self.launch("0")
         self.assertEqual((1, ""), (status, out))
-        self.assertIn("built", err)
+        self.assertIn("a.cpp:1: error", err)
+        self.assertIn("remove", err)
+
+    def test_without_a_terminal_a_build_shows_how_far_it_is_in_few_lines(self):
+        lines = [line for line in self.launch("0")[2].splitlines() if "/3]" in line]
+        self.assertEqual(["pliant: building [1/3]"], lines)
+
+    def test_a_damaged_build_folder_is_configured_again(self):
+        self.launch("0")
+        (self.root / "build/release/build.ninja").write_text("damaged")
+        status, out, err = self.launch("0")
+        self.assertEqual((0, "[0]"), (status, out))
+        self.assertIn("damaged", err)
+        self.assertEqual((0, "[0]", ""), self.launch("0"))
+
+    # A folder in the place of the lock stops root too, as a read-only tree stops everybody.
+    def lock_out(self):
+        (self.root / "build/.lock").unlink(missing_ok=True)
+        (self.root / "build/.lock").mkdir(parents=True)
+
+    def test_a_tree_that_cannot_be_written_runs_what_is_built(self):
+        self.launch("0")
+        self.lock_out()
+        self.assertEqual((3, "[3]", ""), self.launch("3"))
+
+    def test_a_tree_that_cannot_be_written_and_is_not_built_says_what_to_do(self):
+        self.lock_out()
+        status, out, err = self.launch("0")
+        self.assertEqual((1, ""), (status, out))
+        self.assertIn("let its owner run ./pliant once", err)
 
     def test_missing_packages_end_with_2(self):
         write(self.root / "cmake/install-packages", "#!/bin/bash\nexit 2\n")
@@ -111,6 +142,48 @@ class Launcher(unittest.TestCase):
         status, out, _ = self.launch("test", "-R", "a b")
         self.assertEqual(8, status)
         self.assertRegex(out, r"^ctest --preset release --parallel \d+ -R a b$")
+
+
+APT = """#!/bin/bash
+echo "$*" >> "$APT_LOG"
+[[ $* == *install* ]] || exit 0
+echo "Reading package lists..."
+echo "pmstatus:libx:37.5000:Unpacking libx (amd64)"
+echo "pmstatus:libx:62.5000:Configuring libx (amd64)"
+[[ -n ${APT_FAILS-} ]] && { echo "E: no such package"; exit 100; }
+exit 0
+"""
+
+
+class Packages(unittest.TestCase):
+    def setUp(self):
+        self.scratch = tempfile.TemporaryDirectory()
+        self.addCleanup(self.scratch.cleanup)
+        self.root = Path(self.scratch.name)
+        (self.root / "cmake").mkdir()
+        shutil.copy(SOURCE / "cmake/install-packages", self.root / "cmake")
+        (self.root / "cmake/debian-packages.txt").write_text("build libx\nbuild liby\n")
+        write(self.root / "tools/dpkg-query", "#!/bin/bash\necho liby installed\n")
+        write(self.root / "tools/apt-get", APT)
+        write(self.root / "tools/sudo", '#!/bin/bash\n[[ $1 == -n ]] && shift\nexec "$@"\n')
+
+    def install(self, **variables):
+        tools = f"{self.root}/tools:{os.environ['PATH']}"
+        environment = dict(os.environ, PATH=tools, APT_LOG=str(self.root / "log"), **variables)
+        done = subprocess.run([self.root / "cmake/install-packages", "build"], env=environment,
+                              capture_output=True, text=True)
+        return done.returncode, done.stdout, done.stderr
+
+    def test_installing_says_what_and_how_far_it_is(self):
+        status, out, err = self.install()
+        self.assertEqual((0, ""), (status, out))
+        self.assertEqual(["pliant: installing libx",
+                          "pliant: [37 %] Unpacking libx (amd64)"], err.splitlines())
+
+    def test_a_failed_installation_shows_the_messages_and_ends_with_2(self):
+        status, _, err = self.install(APT_FAILS="yes")
+        self.assertEqual(2, status)
+        self.assertIn("E: no such package", err)
 
 
 if __name__ == "__main__":
