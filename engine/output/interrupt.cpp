@@ -5,7 +5,7 @@
 namespace pliant {
 namespace {
 
-// A signal handler may touch nothing but lock-free atomics and sigaction.
+// A signal handler may use nothing but lock-free atomics and sigaction.
 std::atomic<int> received = 0;
 static_assert(std::atomic<int>::is_always_lock_free);
 
@@ -16,7 +16,9 @@ void restore_default(int number) {
 }
 
 extern "C" void note_signal(int number) {
-  received = number;
+  int none = 0;
+  received.compare_exchange_strong(none, number);
+  if (number == SIGHUP) return;
   restore_default(SIGINT);
   restore_default(SIGTERM);
 }
@@ -30,11 +32,14 @@ Interrupt::Interrupt() {
   action.sa_flags = SA_RESTART;
   sigaction(SIGINT, &action, &earlier_interrupt_);
   sigaction(SIGTERM, &action, &earlier_terminate_);
+  sigaction(SIGHUP, nullptr, &earlier_hangup_);
+  if (earlier_hangup_.sa_handler != SIG_IGN) sigaction(SIGHUP, &action, nullptr);
 }
 
 Interrupt::~Interrupt() {
   sigaction(SIGINT, &earlier_interrupt_, nullptr);
   sigaction(SIGTERM, &earlier_terminate_, nullptr);
+  sigaction(SIGHUP, &earlier_hangup_, nullptr);
 }
 
 int Interrupt::signal() const { return received; }

@@ -83,17 +83,29 @@ void Progress::update(const ProgressState& state) {
 
 void Progress::finish() {
   if (!last_is_written_) write(last_, now_());
-  if (drawn_) std::fputc('\n', stream_);
-  std::fflush(stream_);
+  if (drawn_) put("\n");
   drawn_ = false;
 }
 
+void Progress::report(std::string_view text) {
+  finish();
+  if (style_ != Style::silent) put(text);
+}
+
 void Progress::message(std::string_view text) {
-  if (drawn_) std::fputs(clear_line, stream_);
+  put(fmt::format("{}{}\n", drawn_ ? clear_line : "", text));
   drawn_ = false;
-  std::fwrite(text.data(), 1, text.size(), stream_);
-  std::fputc('\n', stream_);
-  std::fflush(stream_);
+}
+
+/// A run is worth more than its progress: where the terminal is gone or the disk full, nothing more
+/// is shown.
+void Progress::put(std::string_view text) {
+  const bool written = std::fwrite(text.data(), 1, text.size(), stream_) == text.size();
+  if (std::fflush(stream_) == 0 && written) return;
+  std::clearerr(stream_);
+  style_ = Style::silent;
+  last_is_written_ = true;
+  drawn_ = false;
 }
 
 void Progress::write(const ProgressState& state, Clock::time_point now) {
@@ -104,17 +116,16 @@ void Progress::write(const ProgressState& state, Clock::time_point now) {
   const double done = state.time - first_.time;
   const double left = state.time >= state.end ? 0 : (state.end - state.time) / done * since_start;
   const auto text = progress_text(state, rate, left);
-  if (style_ == Style::redrawn) {
-    const auto line = drawn_line(text, fraction_of(state), width_of(::fileno(stream_)));
-    fmt::print(stream_, "{}{}", clear_line, line);
-    drawn_ = true;
-  } else {
-    fmt::print(stream_, "{}\n", text);
-  }
-  std::fflush(stream_);
   written_ = state;
   written_at_ = now;
   last_is_written_ = true;
+  if (style_ == Style::redrawn) {
+    const auto line = drawn_line(text, fraction_of(state), width_of(::fileno(stream_)));
+    drawn_ = true;
+    put(clear_line + line);
+  } else {
+    put(text + '\n');
+  }
 }
 
 }  // namespace pliant

@@ -18,7 +18,7 @@ struct ProgressState {
 };
 
 /// Tells a person how a run is going: one line redrawn in place on a terminal, a plain line every
-/// few seconds elsewhere.
+/// few seconds elsewhere. Never throws: when its stream cannot be written, it falls silent.
 class Progress {
  public:
   enum class Style { silent, lines, redrawn };
@@ -37,11 +37,15 @@ class Progress {
   /// Writes the last state and ends the line.
   void finish();
 
-  /// Writes a line of text, also when silent: the redrawn line, and what Ctrl-C left on it, gives
-  /// way.
+  /// Finishes, then writes `text`, lines that end with a newline, unless silent.
+  void report(std::string_view text);
+
+  /// Writes a line of text, also when silent, in place of the redrawn line and what Ctrl-C left on
+  /// it.
   void message(std::string_view text);
 
  private:
+  void put(std::string_view text);
   void write(const ProgressState& state, Clock::time_point now);
 
   std::FILE* stream_;

@@ -10,7 +10,7 @@ namespace pliant::test {
 namespace {
 
 TEST(interrupt, the_first_signal_only_raises_a_flag) {
-  for (const int number : {SIGINT, SIGTERM}) {
+  for (const int number : {SIGINT, SIGTERM, SIGHUP}) {
     const Interrupt interrupt;
     EXPECT_FALSE(interrupt.requested());
     ::raise(number);
@@ -33,6 +33,24 @@ TEST(interrupt, a_second_signal_ends_the_process_in_the_default_way) {
     EXPECT_TRUE(WIFSIGNALED(status));
     EXPECT_EQ(WTERMSIG(status), second);
   }
+}
+
+TEST(interrupt, hangups_never_end_the_process) {
+  const Interrupt interrupt;
+  for (int i = 0; i < 3; ++i) ::raise(SIGHUP);
+  ::raise(SIGINT);
+  ::raise(SIGHUP);
+  EXPECT_EQ(interrupt.signal(), SIGHUP);
+}
+
+TEST(interrupt, a_hangup_that_was_ignored_stays_ignored) {
+  ::signal(SIGHUP, SIG_IGN);
+  {
+    const Interrupt interrupt;
+    ::raise(SIGHUP);
+    EXPECT_FALSE(interrupt.requested());
+  }
+  EXPECT_EQ(::signal(SIGHUP, SIG_DFL), SIG_IGN);
 }
 
 TEST(interrupt, earlier_handlers_come_back) {

@@ -118,6 +118,31 @@ TEST(progress, a_resumed_run_estimates_from_its_own_steps) {
       << progress.text();
 }
 
+TEST(progress, a_stream_that_cannot_be_written_falls_silent) {
+  for (const auto style : {Progress::Style::lines, Progress::Style::redrawn}) {
+    std::FILE* full = std::fopen("/dev/full", "w");
+    ASSERT_NE(full, nullptr);
+    Progress::Clock::time_point now = {};
+    {
+      Progress progress(full, style, [&] { return now; });
+      for (int step = 0; step < 100; ++step, now += 100ms) progress.update(state(step));
+      EXPECT_NO_THROW(progress.message("interrupted"));
+      EXPECT_NO_THROW(progress.report("results\n"));
+    }
+    std::fclose(full);
+  }
+}
+
+TEST(progress, a_report_follows_the_last_line_unless_quiet) {
+  Recorded shown(Progress::Style::lines), quiet(Progress::Style::silent);
+  for (Recorded* progress : {&shown, &quiet}) {
+    run(*progress, 1);
+    (*progress)().report("results in x\n");
+  }
+  EXPECT_TRUE(shown.text().ends_with("\nresults in x\n")) << shown.text();
+  EXPECT_EQ(quiet.text(), "");
+}
+
 TEST(progress, an_estimate_is_left_out_while_nothing_is_known) {
   EXPECT_TRUE(
       progress_text(state(0), 0, std::numeric_limits<double>::infinity()).ends_with("ETA -:--"));
