@@ -1,6 +1,6 @@
 #pragma once
 
-/// What tells an archive from any other HDF5 file.
+/// How an archive is recognised among HDF5 files.
 namespace pliant::archive {
 
 inline constexpr int format = 4;  ///< raised whenever checkpoints hold something else than before

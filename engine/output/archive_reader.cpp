@@ -11,8 +11,9 @@ namespace {
 using hdf5::checked;
 using hdf5::Handle;
 
-constexpr auto damaged_remedy = "use the checkpoint before it, or run anew";
-constexpr auto foreign_remedy = "give a checkpoint that this program wrote, or run anew";
+constexpr auto damaged_remedy = "use the checkpoint before it, or run without --resume";
+constexpr auto foreign_remedy =
+    "give a checkpoint that this program wrote, or run without --resume";
 
 Handle reading_unlocked() {
   Handle properties(H5Pcreate(H5P_FILE_ACCESS), H5Pclose, "describe access");
@@ -75,9 +76,9 @@ struct ArchiveReader::File {
 
   void require_format(int found) const {
     if (found != archive::format)
-      throw OutputError(path,
-                        fmt::format("has format {}, this program reads {}", found, archive::format),
-                        "go on with the program that wrote it, or run anew");
+      throw OutputError(
+          path, fmt::format("has format {}, and this program reads {}", found, archive::format),
+          "continue with the version of pliant that wrote it, or run without --resume");
   }
 
   OutputError damaged(const hdf5::Failure& failure) const {

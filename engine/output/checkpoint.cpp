@@ -1,6 +1,8 @@
 #include "engine/output/checkpoint.hpp"
 
+#include <fmt/format.h>
 #include <unistd.h>
+#include <pliant/error.hpp>
 
 #include <cerrno>
 #include <system_error>
@@ -41,6 +43,15 @@ void write_checkpoint(const std::filesystem::path& folder,
 }
 
 ArchiveReader open_checkpoint(const std::filesystem::path& folder) {
+  std::error_code unreadable;
+  if (!std::filesystem::exists(last_of(folder), unreadable) &&
+      !std::filesystem::exists(previous_of(folder), unreadable)) {
+    throw InputError(fmt::format(
+        "{}: there is no checkpoint to continue from; run without --resume. Checkpoints "
+        "are written with the frames, every output.checkpoint_every, and when a run is "
+        "interrupted",
+        folder.string()));
+  }
   try {
     ArchiveReader archive(last_of(folder));
     archive.verify();

@@ -1,6 +1,12 @@
 #include "engine/output/commit_driver.hpp"
 
+#include <H5public.h>
 #include <fcntl.h>
+#if H5_VERSION_GE(1, 14, 0)
+#include <H5FDdevelop.h>  // where later versions declare what drivers are made of
+#elif H5_VERSION_GE(1, 13, 0)
+#error "HDF5 1.13 has development releases only: build with 1.10, 1.12 or 1.14"
+#endif
 #include <sys/stat.h>
 #include <unistd.h>
 
@@ -16,7 +22,7 @@
 // HDF5 writes the blocks that describe a file (object headers, chunk indices, the superblock with
 // the file's end) in order of their address, whenever its cache is full or the file is flushed. A
 // process that dies among them leaves, say, an index that points to a block which was never
-// written, or blocks beyond the end that the superblock tells. HDF5's own answer, SWMR, leaves a
+// written, or blocks beyond the end that the superblock states. HDF5's own answer, SWMR, leaves a
 // mark in a killed writer's file that makes readers refuse it.
 //
 // Here such blocks are held back until the flush, and then written so that the file is whole after
@@ -29,15 +35,15 @@
 //                    that began before, the older values are written again as they were
 //   1. file size     grows to the end, and the space is taken: a full disk is found here
 //   2. new blocks    nothing refers to them yet
-//   3. superblock    tells the new end, which is there
+//   3. superblock    states the new end, which is there
 //   4. old blocks    now refer to new ones, which are there
 //
-// When the end comes down, 3 and 4 change places: old blocks first let go of what lies beyond it.
+// When the file shrinks, 3 and 4 change places: old blocks first drop what lies beyond the new end.
 // The order within 4 must not matter. It does not where arrays only grow and are indexed by
 // extensible arrays, which never move an entry: a reader finds the new length with or without the
 // new chunks, and missing chunks read as zeros. It would for the B-trees of older formats, whose
 // nodes split. Space that was freed must not be used again, since a new block there would count as
-// old; opening a file anew forgets such space.
+// old; a file that is opened anew does not use such space.
 
 namespace pliant::hdf5 {
 namespace {
@@ -55,7 +61,7 @@ struct CommitFile {
   H5FD_t base = {};
   int descriptor = -1;
   haddr_t end = 0;             ///< as HDF5 has allocated
-  haddr_t committed_end = 0;   ///< as the superblock in the file tells
+  haddr_t committed_end = 0;   ///< as the superblock in the file states
   haddr_t size = 0;            ///< of the file
   bool has_committed = false;  ///< since it was opened
   bool abandoned = false;
@@ -134,8 +140,8 @@ bool CommitFile::commit() {
   return true;
 }
 
-/// HDF5 is not told that a write failed: it would keep what it could not write, try again when it
-/// closes the file, and stumble over the rest at the end of the process. `flush` tells instead.
+/// HDF5 does not learn that a write failed: it would keep what it could not write, try again when
+/// it closes the file, and fail again at the end of the process. `flush` reports the error instead.
 void CommitFile::note(bool done) {
   if (done || abandoned) return;
   error_number = errno;
@@ -223,6 +229,13 @@ herr_t truncate_file(H5FD_t*, hid_t, hbool_t) { return 0; }
 hid_t driver() {
   static const hid_t registered = [] {
     H5FD_class_t functions = {};
+#if H5_VERSION_GE(1, 14, 0)
+    static_assert(H5FD_CLASS_VERSION == 1,
+                  "this version of HDF5 describes drivers in a new way: compare the members of its "
+                  "H5FD_class_t with those that are set here");
+    functions.version = H5FD_CLASS_VERSION;
+    functions.value = 300;  // of the range that is free for private drivers
+#endif
     functions.name = "commit";
     functions.maxaddr = haddr_t{1} << 62;
     functions.fc_degree = H5F_CLOSE_WEAK;

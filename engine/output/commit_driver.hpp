@@ -12,7 +12,7 @@ namespace pliant::hdf5 {
 /// open the file at any time, since it is not locked. Throws Failure, as all here do.
 Handle create_committed(const std::filesystem::path& path, H5F_libver_t oldest);
 
-/// Goes on with such a file.
+/// Opens such a file to continue it.
 Handle open_committed(const std::filesystem::path& path);
 
 /// Commits. Throws Failure when this or any write since the last commit failed; the file stays as

@@ -21,8 +21,10 @@ std::string_view remedy_for(int error_number) {
   switch (error_number) {
     case ENOSPC:
     case EDQUOT:
-    case EFBIG:
       return "free some space there, or choose a folder on another disk with --out";
+    case EFBIG:
+      return "raise the limit on file sizes (ulimit -f), or choose a folder on another disk with "
+             "--out";
     case EACCES:
     case EPERM:
     case EROFS:

@@ -24,7 +24,7 @@ struct FrameSpan {
 /// they were, and NSteps, written last, still counts them.
 class FrameStore {
  public:
-  /// Takes up the frames that an open file holds, if any. Throws hdf5::Failure, as all here do.
+  /// Opens the frames that the file holds, if any. Throws hdf5::Failure, as all here do.
   explicit FrameStore(hid_t file);
 
   /// Throws std::invalid_argument when the frame contradicts itself or the earlier ones.

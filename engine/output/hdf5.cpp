@@ -10,7 +10,7 @@
 namespace pliant::hdf5 {
 namespace {
 
-/// HDF5 tells the error number of a failed system call only within the text of its error stack.
+/// HDF5 gives the error number of a failed system call only within the text of its error stack.
 herr_t look_for_reason(unsigned, const H5E_error2_t* entry, void* target) {
   auto& failure = *static_cast<Failure*>(target);
   const std::string_view text = entry->desc ? entry->desc : "";
@@ -36,6 +36,17 @@ Handle text_type(std::string_view text) {
   checked(H5Tset_strpad(type, H5T_STR_NULLPAD), "describe text");
   checked(H5Tset_cset(type, H5T_CSET_UTF8), "describe text");
   return type;
+}
+
+/// A text of `type`, of fixed length and padded with zeros, as `read` fills it.
+template <class Read>
+std::string fixed_text(hid_t type, const std::string& doing, Read read) {
+  if (H5Tget_class(type) != H5T_STRING || H5Tis_variable_str(type) != 0)
+    throw Failure{.doing = doing, .reason = "it is no text of fixed length", .error_number = 0};
+  std::string text(H5Tget_size(type), '\0');
+  checked(read(text.data()), doing);
+  text.resize(text.find_last_not_of('\0') + 1);
+  return text;
 }
 
 Handle scalar_space() { return {H5Screate(H5S_SCALAR), H5Sclose, "describe a scalar"}; }
@@ -122,6 +133,26 @@ int read_attribute(hid_t object, const std::string& name) {
   int value = 0;
   checked(H5Aread(attribute, H5T_NATIVE_INT, &value), doing);
   return value;
+}
+
+bool has_attribute(hid_t object, const std::string& name) {
+  return checked(H5Aexists(object, name.c_str()), "look for attribute " + name) > 0;
+}
+
+std::string read_text_attribute(hid_t object, const std::string& name) {
+  const auto doing = "read attribute " + name;
+  const Handle attribute(H5Aopen(object, name.c_str(), H5P_DEFAULT), H5Aclose, doing);
+  const Handle type(H5Aget_type(attribute), H5Tclose, doing);
+  return fixed_text(type, doing, [&](char* text) { return H5Aread(attribute, type, text); });
+}
+
+std::string read_text(hid_t parent, const std::string& name) {
+  const auto doing = "read " + name;
+  const Handle dataset(H5Dopen2(parent, name.c_str(), H5P_DEFAULT), H5Dclose, doing);
+  const Handle type(H5Dget_type(dataset), H5Tclose, doing);
+  return fixed_text(type, doing, [&](char* text) {
+    return H5Dread(dataset, type, H5S_ALL, H5S_ALL, H5P_DEFAULT, text);
+  });
 }
 
 void write_text(hid_t parent, const std::string& name, std::string_view text) {

@@ -92,7 +92,11 @@ void write_attribute(hid_t object, const std::string& name, int value);
 void overwrite_attribute(hid_t object, const std::string& name, int value);
 int read_attribute(hid_t object, const std::string& name);
 
+bool has_attribute(hid_t object, const std::string& name);
+std::string read_text_attribute(hid_t object, const std::string& name);
+
 /// A scalar dataset of text.
+std::string read_text(hid_t parent, const std::string& name);
 void write_text(hid_t parent, const std::string& name, std::string_view text);
 
 /// Rows of equal size that grow at the end: [row] or [row][component].

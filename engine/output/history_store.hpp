@@ -13,7 +13,7 @@ namespace pliant {
 /// back until `flush`. Throws hdf5::Failure.
 class HistoryStore {
  public:
-  /// Takes up the histories that an open file holds, if any.
+  /// Opens the histories that the file holds, if any.
   explicit HistoryStore(hid_t file);
 
   void append(const std::string& name, const std::string& unit, double time, double value);

@@ -1,10 +1,8 @@
 #include "engine/output/result_file.hpp"
 
-#include <fcntl.h>
-#include <sys/file.h>
-#include <unistd.h>
+#include <fmt/format.h>
+#include <pliant/error.hpp>
 
-#include <cerrno>
 #include <optional>
 #include <stdexcept>
 #include <system_error>
@@ -15,6 +13,7 @@
 #include "engine/output/frame_store.hpp"
 #include "engine/output/hdf5.hpp"
 #include "engine/output/history_store.hpp"
+#include "engine/output/run_folder.hpp"
 #include "engine/output/surface_store.hpp"
 #include "engine/output/xdmf.hpp"
 
@@ -34,25 +33,6 @@ Handle with_extensible_arrays(Handle file) {
   return file;
 }
 
-/// Keeps a second run out of a folder, by a lock that ends with the process.
-class FolderLock {
- public:
-  explicit FolderLock(const std::filesystem::path& folder)
-      : descriptor_(::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC)) {
-    if (descriptor_ < 0) throw OutputError::system(folder, "open this folder", errno);
-    if (::flock(descriptor_, LOCK_EX | LOCK_NB) == 0 || errno != EWOULDBLOCK) return;
-    ::close(descriptor_);
-    throw OutputError(folder, "another run is writing into this folder",
-                      "wait for it, or choose another folder with --out");
-  }
-  FolderLock(const FolderLock&) = delete;
-  FolderLock& operator=(const FolderLock&) = delete;
-  ~FolderLock() { ::close(descriptor_); }
-
- private:
-  int descriptor_;
-};
-
 void describe(hid_t file, const RunDescription& run) {
   const auto group = hdf5::create_group(file, "run");
   hdf5::write_attribute(group, "case", run.case_name);
@@ -60,14 +40,39 @@ void describe(hid_t file, const RunDescription& run) {
   hdf5::write_attribute(group, "method", run.method);
   hdf5::write_attribute(group, "version", run.version);
   hdf5::write_attribute(group, "dimension", run.dimension);
+  hdf5::write_attribute(group, "identity", run.identity);
   hdf5::write_text(group, "case.toml", run.resolved_case);
+}
+
+void require_identity(hid_t file, const std::filesystem::path& path, const RunDescription& run) {
+  const auto group = hdf5::open_group(file, "run");
+  if (hdf5::has_attribute(group, "identity") &&
+      hdf5::read_text_attribute(group, "identity") == run.identity)
+    return;
+  throw InputError(fmt::format(
+      "{}: belongs to another run than the checkpoint; run without --resume, which starts anew, or "
+      "put back the result file of the checkpoint's run",
+      path.string()));
+}
+
+/// Replaces the text of the case, which differs when a run continues to a later end. The new text
+/// is written beside the old one, since space that a commit frees must not be used again within it.
+void update_case(hid_t file, const std::string& resolved_case) {
+  const auto group = hdf5::open_group(file, "run");
+  if (hdf5::read_text(group, "case.toml") == resolved_case) return;
+  constexpr auto name = "case.toml", next = "case.toml.next";
+  hdf5::write_text(group, next, resolved_case);
+  checked(H5Ldelete(group, name, H5P_DEFAULT), "replace the case");
+  checked(H5Lmove(group, next, group, name, H5P_DEFAULT, H5P_DEFAULT), "replace the case");
 }
 
 }  // namespace
 
 struct ResultFile::File {
   FolderLock lock;
-  std::filesystem::path path, viewer, surface_viewer;
+  std::filesystem::path path, settings;
+  std::string case_text;
+  std::filesystem::path viewer, surface_viewer;
   std::optional<TemporaryFile> temporary;  ///< of a new file, until its first frame is whole
   bool failed = false;
   Handle file;
@@ -77,9 +82,12 @@ struct ResultFile::File {
   XdmfSeries series{"result.h5", "particles"}, surface_series{"result.h5", "surface"};
   std::size_t shown = 0;  ///< frames in `series`
 
-  File(const std::filesystem::path& folder, bool existing)
-      : lock(folder),
+  File(FolderLock lock_of_folder, const std::filesystem::path& folder, std::string resolved_case,
+       bool existing)
+      : lock(std::move(lock_of_folder)),
         path(folder / "result.h5"),
+        settings(folder / "case.resolved.toml"),
+        case_text(std::move(resolved_case)),
         viewer(folder / "result.xdmf"),
         surface_viewer(folder / "surface.xdmf"),
         temporary(existing ? std::nullopt : std::make_optional<TemporaryFile>(path)),
@@ -102,6 +110,8 @@ struct ResultFile::File {
       throw failure.on(path);
     }
   }
+
+  void write_settings() const { write_atomically(settings, case_text, Durable::no); }
 
   void write_viewer() {
     for (; shown < frames.frames().size(); ++shown) {
@@ -127,7 +137,9 @@ ResultFile ResultFile::create(const std::filesystem::path& folder, const RunDesc
   std::filesystem::create_directories(folder, error);
   if (error) throw OutputError::system(folder, "create this folder", error.value());
   try {
-    auto file = std::make_unique<File>(folder, false);
+    FolderLock lock(folder);
+    clear_earlier_run(folder);
+    auto file = std::make_unique<File>(std::move(lock), folder, run.resolved_case, false);
     file->guarded([&] { describe(file->file, run); });
     return ResultFile(std::move(file));
   } catch (const hdf5::Failure& failure) {
@@ -135,13 +147,15 @@ ResultFile ResultFile::create(const std::filesystem::path& folder, const RunDesc
   }
 }
 
-ResultFile ResultFile::resume(const std::filesystem::path& folder, const ResultExtent& extent) {
+ResultFile ResultFile::resume(const std::filesystem::path& folder, const RunDescription& run,
+                              const ResultExtent& extent) {
   const auto path = folder / "result.h5";
   hdf5::silence();
   try {
-    cut(folder, extent);
-    // Opened anew, the file forgets the space that this freed, as commits ask for.
-    auto file = std::make_unique<File>(folder, true);
+    FolderLock lock = cut(folder, run, extent);
+    // A file that is opened anew does not use the space again that this freed; commits need that.
+    auto file = std::make_unique<File>(std::move(lock), folder, run.resolved_case, true);
+    file->write_settings();
     file->write_viewer();
     return ResultFile(std::move(file));
   } catch (const hdf5::Failure& failure) {
@@ -149,21 +163,26 @@ ResultFile ResultFile::resume(const std::filesystem::path& folder, const ResultE
   }
 }
 
-void ResultFile::cut(const std::filesystem::path& folder, const ResultExtent& extent) {
-  File file(folder, true);
+FolderLock ResultFile::cut(const std::filesystem::path& folder, const RunDescription& run,
+                           const ResultExtent& extent) {
+  File file(FolderLock(folder), folder, run.resolved_case, true);
+  require_identity(file.file, file.path, run);
   const auto rows = file.histories.rows();
   auto complete = static_cast<std::int64_t>(file.frames.frames().size()) >= extent.frames;
   for (const auto& [name, count] : extent.history_rows)
     complete = complete && (count == 0 || (rows.contains(name) && rows.at(name) >= count));
   if (!complete)
-    throw OutputError(file.path, "holds less than the checkpoint remembers",
-                      "put back the file that belongs to the checkpoint, or run anew");
+    throw OutputError(file.path, "holds fewer frames or measurements than at the checkpoint",
+                      "put back the file that belongs to the checkpoint, or run without --resume");
+  remove_summary(folder);
   file.guarded([&] {
     file.frames.truncate(static_cast<std::size_t>(extent.frames));
     file.surfaces.truncate(static_cast<std::size_t>(extent.frames));
     file.histories.truncate(extent.history_rows);
+    update_case(file.file, run.resolved_case);
     hdf5::flush(file.file);
   });
+  return std::move(file.lock);
 }
 
 ResultFile::File& ResultFile::open_file() const {
@@ -188,11 +207,12 @@ void ResultFile::append(const Frame& frame) {
   });
   if (file.temporary) {
     std::error_code ignored;
-    // An earlier run's, whose frames go now.
-    for (const auto& shown : {file.viewer, file.surface_viewer})
-      std::filesystem::remove(shown, ignored);
+    // Those of an earlier run, whose frames go now.
+    for (const auto& stale : {file.viewer, file.surface_viewer, file.settings})
+      std::filesystem::remove(stale, ignored);
     file.temporary->publish(Durable::no);
     file.temporary.reset();
+    file.write_settings();
   }
   file.write_viewer();
 }

@@ -1,5 +1,9 @@
 #include "engine/output/summary.hpp"
 
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
 #include <nlohmann/json.hpp>
 
 #include "engine/output/atomic_file.hpp"
@@ -49,7 +53,23 @@ Json json(const Summary& summary) {
 
 }  // namespace
 
-std::string json_of(const Summary& summary) { return json(summary).dump(2) + "\n"; }
+std::string json_of(const Summary& summary) {
+  // Names may come from folders, whose names need not be UTF-8.
+  constexpr auto errors = Json::error_handler_t::replace;
+  return json(summary).dump(2, ' ', false, errors) + "\n";
+}
+
+std::string report_of(const std::filesystem::path& folder, const Summary& summary) {
+  std::string text = fmt::format("results in {}; open result.xdmf in ParaView\n", folder.string());
+  std::size_t width = 0;
+  for (const auto& measurement : summary.measurements)
+    width = std::max(width, measurement.name.size());
+  for (const auto& [name, unit, value] : summary.measurements)
+    text += std::isfinite(value) ? fmt::format("  {:<{}}  {:.6g}{}\n", name, width, value,
+                                               unit == "1" ? "" : " " + unit)
+                                 : fmt::format("  {:<{}}  not measured\n", name, width);
+  return text;
+}
 
 void write_summary(const std::filesystem::path& folder, const Summary& summary) {
   write_atomically(folder / "summary.json", json_of(summary), Durable::yes);

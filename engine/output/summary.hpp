@@ -54,6 +54,10 @@ struct Summary {
 /// finite are null.
 std::string json_of(const Summary& summary);
 
+/// For a person at the end of a run: where the results are, and one line "name  value unit" for
+/// each measurement.
+std::string report_of(const std::filesystem::path& folder, const Summary& summary);
+
 /// Writes folder/summary.json whole or not at all. Throws OutputError.
 void write_summary(const std::filesystem::path& folder, const Summary& summary);
 

@@ -26,7 +26,7 @@ struct SurfaceSpan {
 /// The surface of a frame is appended before the frame itself, whose count makes both valid.
 class SurfaceStore {
  public:
-  /// Takes up the surfaces that an open file holds, if any. Throws hdf5::Failure, as all here do.
+  /// Opens the surfaces that the file holds, if any. Throws hdf5::Failure, as all here do.
   explicit SurfaceStore(hid_t file);
 
   /// Throws std::invalid_argument when the surface contradicts itself or the earlier ones.

@@ -12,13 +12,13 @@
 #include <optional>
 
 #include "engine/case/resolved.hpp"
-#include "engine/output/atomic_file.hpp"
 #include "engine/output/checkpoint.hpp"
 #include "engine/output/interrupt.hpp"
 #include "engine/output/progress.hpp"
 #include "engine/output/result_file.hpp"
 #include "engine/output/summary.hpp"
 #include "engine/simulation/histories.hpp"
+#include "engine/simulation/run_identity.hpp"
 
 namespace pliant {
 
@@ -67,13 +67,13 @@ class Run {
     options_.resume ? resume() : begin();
     const Interrupt interrupt;
     const double end = settings_.time.end;
-    while (solver_->clock().time < end * (1 - 1e-12)) {
+    while (!at_end()) {
       solver_->step(std::min({end, frames_.next(), samples_.next(), checkpoints_.next()}) -
                     solver_->clock().time);
       observe();
-      if (interrupt.requested()) {
+      if (interrupt.requested() && !at_end()) {
         save();
-        progress_.message(fmt::format("interrupted at t = {:.6g}; `--resume` goes on from there",
+        progress_.message(fmt::format("interrupted at t = {:.6g} s; continue with --resume",
                                       solver_->clock().time));
         return RunEnd::interrupted;
       }
@@ -83,7 +83,9 @@ class Run {
   }
 
  private:
-  void begin() {
+  bool at_end() const { return solver_->clock().time >= settings_.time.end * (1 - 1e-12); }
+
+  RunDescription describe() const {
     RunDescription description;
     description.case_name = settings_.name;
     description.title = settings_.title;
@@ -91,9 +93,12 @@ class Run {
     description.version = std::string(version);
     description.dimension = settings_.dimension;
     description.resolved_case = resolved_toml(settings_);
-    result_.emplace(ResultFile::create(options_.folder, description));
-    write_atomically(options_.folder / "case.resolved.toml", description.resolved_case,
-                     Durable::no);
+    description.identity = identity_of(settings_);
+    return description;
+  }
+
+  void begin() {
+    result_.emplace(ResultFile::create(options_.folder, describe()));
     start_ = conserved(solver_->integrals());
     particles_at_start_ = solver_->particles();
     sample();
@@ -102,12 +107,7 @@ class Run {
 
   void resume() {
     const ArchiveReader archive = open_checkpoint(options_.folder);
-    if (archive.text("case") != resolved_toml(settings_)) {
-      throw std::invalid_argument(
-          fmt::format("{}: the checkpoint belongs to another case or other settings; run without "
-                      "--resume, or with the settings in {}",
-                      archive.path().string(), (options_.folder / "case.resolved.toml").string()));
-    }
+    require_same_run(archive, settings_);
     solver_->restore(archive);
     histories_.get(archive);
     frames_.restore(archive.scalar<std::int64_t>("schedule/frames"));
@@ -121,19 +121,22 @@ class Run {
               start[7],
               start[8],
               start[9]};
-    result_.emplace(ResultFile::resume(options_.folder, get_extent(archive, "result")));
+    result_.emplace(ResultFile::resume(options_.folder, describe(), get_extent(archive, "result")));
   }
 
   void observe() {
     const double t = solver_->clock().time;
-    const bool last = t >= settings_.time.end * (1 - 1e-12);
+    const bool last = at_end();
     const bool due = solver_->is_measuring_due();
     if (samples_.reached(t) || last || (settings_.output.measure_every == 0 && due)) sample();
     const bool frame = frames_.reached(t) || last;
     if (frame) result_->append(solver_->frame(parts()));
-    // Without an interval of their own, checkpoints go with the frames.
-    if (checkpoints_.reached(t) || (frame && !last && settings_.output.checkpoint_every == 0))
-      save();
+    // Without an interval of their own, checkpoints go with the frames. There is none at the end: a
+    // run that continues to a later end must not keep what only the end called for, the last frame
+    // and measurements, and a last step that was cut short.
+    const bool save_now =
+        checkpoints_.reached(t) || (frame && settings_.output.checkpoint_every == 0);
+    if (save_now && !last) save();
     progress_.update({t, settings_.time.end, solver_->clock().step, solver_->time_step(),
                       solver_->particle_stages()});
   }
@@ -152,7 +155,7 @@ class Run {
   void save() {
     const ResultExtent extent = result_->flush();
     write_checkpoint(options_.folder, [&](ArchiveWriter& archive) {
-      archive.put("case", resolved_toml(settings_));
+      put_identity(archive, settings_);
       solver_->save(archive);
       histories_.put(archive);
       archive.put("schedule/frames", frames_.count());
@@ -211,6 +214,7 @@ class Run {
           {measurement.name, unit_of(settings_, measurement), histories_.last(m)});
     }
     write_summary(options_.folder, summary);
+    progress_.report(report_of(options_.folder, summary));
     warn_of_inertia(summary.conserved.end);
   }
 

@@ -19,8 +19,9 @@ struct RunOptions {
 enum class RunEnd { done, interrupted };
 
 /// Runs a case from its beginning, or from the last checkpoint in the folder, to its end or to the
-/// first SIGINT or SIGTERM, which leaves a checkpoint. Writes result.h5, result.xdmf,
-/// case.resolved.toml and summary.json. Throws OutputError, StepFailure, std::invalid_argument.
+/// first SIGINT, SIGTERM or SIGHUP, which leaves a checkpoint. Writes result.h5, result.xdmf,
+/// case.resolved.toml and summary.json. Throws OutputError, StepFailure, and InputError for a
+/// folder whose checkpoint or result belongs to another run.
 RunEnd run_case(const Case& settings, const RunOptions& options,
                 const MethodRegistry& methods = pliant::methods());
 

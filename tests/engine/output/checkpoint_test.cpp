@@ -1,10 +1,10 @@
 #include "engine/output/checkpoint.hpp"
 
 #include <gtest/gtest.h>
+#include <pliant/error.hpp>
 
 #include <fstream>
 
-#include "engine/output/error.hpp"
 #include "tests/engine/output/temporary_folder.hpp"
 
 namespace pliant::test {
@@ -57,13 +57,15 @@ TEST(checkpoint, a_failure_while_filling_keeps_both) {
   EXPECT_EQ(step_of(ArchiveReader(folder / "checkpoint.previous.h5")), 1);
 }
 
-TEST(checkpoint, none_is_an_error_that_names_the_file) {
+TEST(checkpoint, none_is_bad_input_and_the_message_names_the_folder) {
   const TemporaryFolder folder;
   try {
     open_checkpoint(folder.path());
     FAIL() << "there is none";
-  } catch (const OutputError& error) {
-    EXPECT_NE(std::string(error.what()).find("checkpoint.h5: does not exist"), std::string::npos);
+  } catch (const InputError& error) {
+    EXPECT_TRUE(
+        std::string(error.what()).starts_with(folder.path().string() + ": there is no checkpoint"))
+        << error.what();
   }
 }
 

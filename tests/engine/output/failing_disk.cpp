@@ -66,6 +66,12 @@ int rename(const char* from, const char* to) noexcept {
   return static_cast<int>(syscall(SYS_rename, from, to));
 }
 
+/// Removing needs no room on the disk.
+int unlink(const char* path) noexcept {
+  if (injected == Fault::kill) meets_fault();
+  return static_cast<int>(syscall(SYS_unlink, path));
+}
+
 /// The disk's cache is no part of these tests, and forcing it out would make them slow.
 int fsync(int) { return 0; }
 

@@ -1,5 +1,7 @@
 #include "tests/engine/output/file_content.hpp"
 
+// Later versions of HDF5 offer the functions of 1.10 under this name.
+#define H5_USE_110_API
 #include <hdf5.h>
 
 namespace pliant::test {

@@ -7,7 +7,9 @@
 #include <csignal>
 #include <thread>
 
+#include "engine/output/checkpoint.hpp"
 #include "engine/output/result_file.hpp"
+#include "engine/output/summary.hpp"
 #include "tests/engine/output/failing_disk.hpp"
 #include "tests/engine/output/sample_frames.hpp"
 #include "tests/engine/output/temporary_folder.hpp"
@@ -82,27 +84,32 @@ TEST(killed_writer, leaves_all_completed_frames_whichever_write_is_its_last) {
   kill_at_each_change(12, 17);
 }
 
-// From a checkpoint beyond which the file goes on already: resuming cuts it first.
+// From a checkpoint beyond which the file has grown, to a later end: resuming first cuts the
+// file and replaces the case in it.
 TEST(killed_writer, leaves_a_file_that_can_be_resumed_to_the_end) {
   constexpr int kept = 30, end = 36;
   const TemporaryFolder folder;
+  RunDescription longer = sample_run();
+  longer.resolved_case = "[time]\nend = 2.5\n";
   ResultExtent extent;
   {
-    auto file = ResultFile::create(folder / "whole", sample_run());
+    auto file = ResultFile::create(folder / "first", sample_run());
     write_frames(file, 0, kept, particles);
     extent = file.flush();
     write_frames(file, kept, end, particles);
+    auto whole = ResultFile::create(folder / "whole", longer);
+    write_frames(whole, 0, end, particles);
   }
   const auto whole = content_of(folder / "whole/result.h5");
   const auto resume = [&] {
-    auto file = ResultFile::resume(folder / "killed", extent);
+    auto file = ResultFile::resume(folder / "killed", longer, extent);
     write_frames(file, kept, end, particles);
   };
   bool killed = true;
-  for (long number = 0; killed; number += 23) {
+  for (long number = 0; killed; number += number < 12 ? 1 : 29) {
     SCOPED_TRACE(number);
     std::filesystem::remove_all(folder / "killed");
-    std::filesystem::copy(folder / "whole", folder / "killed");
+    std::filesystem::copy(folder / "first", folder / "killed");
     killed = is_killed([&] {
       inject(Fault::kill, number);
       resume();
@@ -112,6 +119,45 @@ TEST(killed_writer, leaves_a_file_that_can_be_resumed_to_the_end) {
     ASSERT_EQ(differences(whole, content_of(folder / "killed/result.h5")),
               std::vector<std::string>());
   }
+}
+
+// A new run starts in the folder of an earlier one.
+TEST(killed_writer, never_leaves_files_of_two_runs_that_contradict_each_other) {
+  constexpr int few = 20;
+  const TemporaryFolder folder;
+  const auto text_if_there = [](const std::filesystem::path& path) {
+    return std::filesystem::exists(path) ? text_of(path) : "";
+  };
+  {
+    auto file = ResultFile::create(folder / "earlier", sample_run());
+    write_frames(file, 0, 1, few);
+    for (int i = 0; i < 2; ++i)
+      write_checkpoint(folder / "earlier", [](ArchiveWriter& archive) { archive.put("run", 1.0); });
+    write_summary(folder / "earlier", {});
+  }
+  RunDescription another = sample_run();
+  another.resolved_case = "[time]\nend = 2\n";
+  bool killed = true, saw_both = false;
+  for (long number = 0; killed; ++number) {
+    SCOPED_TRACE(number);
+    const auto shared = folder / "shared";
+    std::filesystem::remove_all(shared);
+    std::filesystem::copy(folder / "earlier", shared);
+    killed = is_killed([&] {
+      inject(Fault::kill, number);
+      auto file = ResultFile::create(shared, another);
+      write_frames(file, 0, 1, few);
+    });
+    const auto content = content_of(shared / "result.h5");
+    const std::string& case_text = content.at("/run/case.toml").bytes;
+    const std::string settings = text_if_there(shared / "case.resolved.toml");
+    EXPECT_TRUE(settings.empty() || settings == case_text);
+    if (case_text == sample_run().resolved_case) continue;
+    saw_both = true;
+    for (const char* name : {"checkpoint.h5", "checkpoint.previous.h5", "summary.json"})
+      EXPECT_FALSE(std::filesystem::exists(shared / name)) << name;
+  }
+  EXPECT_TRUE(saw_both);
 }
 
 TEST(killed_writer, leaves_all_completed_frames_at_any_moment) {

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 #include <sys/wait.h>
+#include <pliant/error.hpp>
 
 #include <chrono>
 #include <regex>
@@ -76,12 +77,12 @@ TEST(result_file, a_resumed_run_equals_an_uninterrupted_one) {
       auto file = ResultFile::create(resumed, sample_run());
       write_frames(file, 0, kept, particles);
       extent = file.flush();
-      // The run goes on beyond its checkpoint and measures something new.
+      // The run continues beyond its checkpoint and measures something new.
       write_frames(file, kept, 6, particles + 5);
       file.append_history("late", "1", 5, 6);
     }
     {
-      auto file = ResultFile::resume(resumed, extent);
+      auto file = ResultFile::resume(resumed, sample_run(), extent);
       write_frames(file, kept, 8, particles);
     }
     EXPECT_EQ(
@@ -102,7 +103,7 @@ TEST(result_file, resuming_twice_from_one_checkpoint_is_resuming_once) {
   }
   const auto whole = content_of(folder / "result.h5");
   for (int times = 0; times < 2; ++times) {
-    auto file = ResultFile::resume(folder.path(), extent);
+    auto file = ResultFile::resume(folder.path(), sample_run(), extent);
     write_frames(file, 3, 6, particles);
   }
   EXPECT_EQ(differences(whole, content_of(folder / "result.h5")), std::vector<std::string>());
@@ -120,7 +121,7 @@ TEST(result_file, rows_between_the_last_frame_and_the_checkpoint_are_kept) {
   }
   EXPECT_EQ(extent.frames, 1);
   EXPECT_EQ(extent.history_rows, (std::map<std::string, std::int64_t>{{"extent", 4}}));
-  ResultFile::resume(folder.path(), extent).close();
+  ResultFile::resume(folder.path(), sample_run(), extent).close();
   EXPECT_EQ(content_of(folder / "result.h5").at("/measurements/extent/value").as<double>().back(),
             8);
 }
@@ -143,7 +144,7 @@ TEST(result_file, can_be_read_while_it_is_written) {
   auto file = ResultFile::create(folder.path(), sample_run());
   for (int f = 0; f < 3; ++f) {
     write_frames(file, f, f + 1, particles);
-    // A process of its own: within this one HDF5 would share the open file.
+    // In a separate process: within this one HDF5 would share the open file.
     const auto child = ::fork();
     if (child == 0) {
       const auto command = "h5dump -H " + (folder / "result.h5").string() + " > /dev/null";
@@ -179,17 +180,30 @@ TEST(result_file, a_second_run_is_kept_out_of_the_folder) {
   EXPECT_THROW(ResultFile::create(folder.path(), sample_run()), OutputError);
 }
 
-TEST(result_file, resuming_needs_all_that_the_checkpoint_remembers) {
+TEST(result_file, resuming_needs_all_that_the_checkpoint_counted) {
   const TemporaryFolder folder;
   {
     auto file = ResultFile::create(folder.path(), sample_run());
     write_frames(file, 0, 2, particles);
   }
-  EXPECT_THROW(ResultFile::resume(folder.path(), {3, {}}), OutputError);
-  EXPECT_THROW(ResultFile::resume(folder.path(), {2, {{"extent", 7}}}), OutputError);
-  EXPECT_THROW(ResultFile::resume(folder.path(), {2, {{"unknown", 1}}}), OutputError);
-  EXPECT_THROW(ResultFile::resume(folder / "elsewhere", {2, {}}), OutputError);
+  EXPECT_THROW(ResultFile::resume(folder.path(), sample_run(), {3, {}}), OutputError);
+  EXPECT_THROW(ResultFile::resume(folder.path(), sample_run(), {2, {{"extent", 7}}}), OutputError);
+  EXPECT_THROW(ResultFile::resume(folder.path(), sample_run(), {2, {{"unknown", 1}}}), OutputError);
+  EXPECT_THROW(ResultFile::resume(folder / "elsewhere", sample_run(), {2, {}}), OutputError);
   EXPECT_EQ(whole_frames(content_of(folder / "result.h5"), particles), 2);
+}
+
+TEST(result_file, of_another_run_is_not_resumed_and_not_changed) {
+  const TemporaryFolder folder;
+  {
+    auto file = ResultFile::create(folder.path(), sample_run());
+    write_frames(file, 0, 2, particles);
+  }
+  const auto before = text_of(folder / "result.h5");
+  RunDescription another = sample_run();
+  another.identity = "fedcba9876543210";
+  EXPECT_THROW(ResultFile::resume(folder.path(), another, {1, {}}), InputError);
+  EXPECT_TRUE(text_of(folder / "result.h5") == before);
 }
 
 TEST(result_file, a_foreign_or_cut_file_is_not_resumed) {
@@ -199,9 +213,9 @@ TEST(result_file, a_foreign_or_cut_file_is_not_resumed) {
     write_frames(file, 0, 2, particles);
   }
   std::filesystem::resize_file(folder / "result.h5", 50000);
-  EXPECT_THROW(ResultFile::resume(folder.path(), {2, {}}), OutputError);
+  EXPECT_THROW(ResultFile::resume(folder.path(), sample_run(), {2, {}}), OutputError);
   std::ofstream(folder / "result.h5") << "not HDF5 at all";
-  EXPECT_THROW(ResultFile::resume(folder.path(), {2, {}}), OutputError);
+  EXPECT_THROW(ResultFile::resume(folder.path(), sample_run(), {2, {}}), OutputError);
   EXPECT_EQ(text_of(folder / "result.h5"), "not HDF5 at all");
 }
 

@@ -155,7 +155,8 @@ RunDescription sample_run() {
           .method = "remeshed",
           .version = "0.1.0",
           .dimension = 2,
-          .resolved_case = "[time]\nend = 1\n"};
+          .resolved_case = "[time]\nend = 1\n",
+          .identity = "0123456789abcdef"};
 }
 
 void write_frames(ResultFile& file, int begin, int end, int least) {

@@ -70,5 +70,18 @@ TEST(summary, without_measurements_has_an_empty_object) {
   EXPECT_TRUE(nlohmann::json::parse(json_of(Summary{}))["measurements"].is_object());
 }
 
+TEST(summary, a_report_names_folder_and_file_and_aligns_the_measurements) {
+  EXPECT_EQ(report_of("results/disc", sample()),
+            "results in results/disc; open result.xdmf in ParaView\n"
+            "  radius  0.1 m\n"
+            "  broken  not measured\n");
+}
+
+TEST(summary, a_name_that_is_not_utf8_is_written_all_the_same) {
+  Summary summary;
+  summary.case_name = "\xff";
+  EXPECT_EQ(nlohmann::json::parse(json_of(summary))["case"], "\uFFFD");
+}
+
 }  // namespace
 }  // namespace pliant::test

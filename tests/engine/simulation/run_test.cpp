@@ -1,6 +1,7 @@
 #include "engine/simulation/run.hpp"
 
 #include <gtest/gtest.h>
+#include <pliant/error.hpp>
 
 #include <algorithm>
 
@@ -60,7 +61,7 @@ TEST_F(Running, looking_more_often_moves_what_is_seen_by_rounding_only) {
 
 TEST_F(Running, a_checkpoint_of_another_case_is_refused) {
   run({});
-  EXPECT_THROW(run({"body.cylinder.material.youngs_modulus=99"}, true), std::invalid_argument);
+  EXPECT_THROW(run({"body.cylinder.material.youngs_modulus=99"}, true), InputError);
 }
 
 }  // namespace
