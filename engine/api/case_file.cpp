@@ -12,11 +12,7 @@ namespace pliant {
 CaseFile CaseFile::read(const std::filesystem::path& path) {
   CaseFile file;
   file.file_ = case_path(path);
-  try {
-    file.text_ = case_text(file.file_);
-  } catch (const CaseError& error) {
-    throw InputError(error.what());
-  }
+  file.text_ = case_text(file.file_);
   return file;
 }
 

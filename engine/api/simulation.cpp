@@ -26,8 +26,6 @@ template <class F>
 auto translated(F&& f) {
   try {
     return f();
-  } catch (const CaseError& error) {
-    throw InputError(error.what());
   } catch (const std::invalid_argument& error) {
     throw InputError(error.what());
   } catch (const StepFailure& error) {

@@ -41,6 +41,10 @@ std::string explain(const mu::ParserError& error) {
       return "a closing parenthesis is missing";
     case mu::ecTOO_MANY_PARAMS:
       return fmt::format("too many arguments of `{}` before position {}", token, position);
+    case mu::ecEXPRESSION_TOO_LONG:
+      return fmt::format("it is longer than {} characters", mu::MaxLenExpression);
+    case mu::ecIDENTIFIER_TOO_LONG:
+      return fmt::format("it holds a name of more than {} characters", mu::MaxLenIdentifier);
     case mu::ecTOO_FEW_PARAMS:
       return fmt::format("too few arguments of `{}` before position {}", token, position);
     default:
@@ -60,12 +64,22 @@ void refuse_assignment(const std::string& formula) {
   }
 }
 
+/// Sets up the parser, which checks the length of a formula and of its names already.
+template <class Parser>
+std::unique_ptr<Parser> parse(const std::string& formula) {
+  try {
+    return std::make_unique<Parser>(formula);
+  } catch (const mu::ParserError& error) {
+    throw std::invalid_argument(explain(error));
+  }
+}
+
 }  // namespace
 
 Expression::Expression(double constant) : text_(fmt::format("{}", constant)), constant_(constant) {}
 
 Expression::Expression(const std::string& formula)
-    : text_(formula), parser_(std::make_unique<Parser>(formula)) {
+    : text_(formula), parser_(parse<Parser>(formula)) {
   refuse_assignment(formula);
   try {
     constant_ = parser_->parser.Eval();

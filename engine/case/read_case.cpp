@@ -4,6 +4,7 @@
 
 #include <fstream>
 #include <iterator>
+#include <system_error>
 
 #include "engine/case/check_case.hpp"
 #include "engine/case/elastic_constants.hpp"
@@ -18,6 +19,10 @@ toml::table parse(const std::string& text, const std::filesystem::path& file) {
   try {
     return toml::parse(text, file.string());
   } catch (const toml::parse_error& error) {
+    if (error.description().find("utf-8") != std::string_view::npos) {
+      throw CaseError(fmt::format("{}:{}: not UTF-8 text; save the file as UTF-8", file.string(),
+                                  error.source().begin.line));
+    }
     throw CaseError(fmt::format(
         "{}:{}: not TOML: {}; correct the line: write texts in quotes, lists in brackets, "
         "and every key once",
@@ -39,7 +44,9 @@ std::vector<std::string> names_in(const toml::table& root, std::string_view key)
 
 std::string default_name(const std::filesystem::path& file) {
   if (file.filename() == "case.toml") {
-    return std::filesystem::absolute(file).parent_path().filename().string();
+    // "." and ".." are not names of folders.
+    const auto folder = std::filesystem::absolute(file).lexically_normal().parent_path();
+    return folder.has_filename() ? folder.filename().string() : "case";
   }
   return file.stem().string();
 }
@@ -47,7 +54,8 @@ std::string default_name(const std::filesystem::path& file) {
 }  // namespace
 
 std::filesystem::path case_path(const std::filesystem::path& path) {
-  return std::filesystem::is_directory(path) ? path / "case.toml" : path;
+  std::error_code unreadable;  // reported where the file is opened
+  return std::filesystem::is_directory(path, unreadable) ? path / "case.toml" : path;
 }
 
 std::string case_text(const std::filesystem::path& file) {

@@ -1,8 +1,8 @@
 #pragma once
 
 #include <filesystem>
+#include <pliant/error.hpp>
 #include <span>
-#include <stdexcept>
 #include <string>
 
 #include "engine/case/method_rules.hpp"
@@ -11,9 +11,9 @@ namespace pliant {
 
 /// Everything that is wrong with a case file, one line each: `file:line: what; remedy`, or
 /// `--set key=value: what; remedy`.
-class CaseError : public std::runtime_error {
+class CaseError : public InputError {
  public:
-  using std::runtime_error::runtime_error;
+  using InputError::InputError;
 };
 
 /// Reads and checks a case file; no user input is checked anywhere else.

@@ -50,7 +50,13 @@ std::optional<toml::table> parse_value(const std::string& value, const Place& pl
     if (c == '"' || c == '\\') quoted += '\\';
     quoted += c == '\n' ? ' ' : c;
   }
-  return toml::parse("value = \"" + quoted + "\"", std::string_view(place.file));
+  try {
+    return toml::parse("value = \"" + quoted + "\"", std::string_view(place.file));
+  } catch (const toml::parse_error&) {
+    problems.add(place, "the value holds control characters, or bytes that are not UTF-8",
+                 "write it in plain text");
+    return std::nullopt;
+  }
 }
 
 /// The element of `array` that `word` addresses: a position from 0, or the name of a table.

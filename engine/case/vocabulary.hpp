@@ -66,7 +66,7 @@ void output_keys(Visitor& visit, decltype(Case::output)& output) {
          .example = "0.001",
          .limits = not_negative});
   visit("checkpoint_every", output.checkpoint_every,
-        {.meaning = "time between two checkpoints; 0 writes one only when the run is interrupted",
+        {.meaning = "time between two checkpoints; 0 writes one with every frame",
          .unit = "s",
          .example = "0.01",
          .limits = not_negative});

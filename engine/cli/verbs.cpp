@@ -1,11 +1,13 @@
 #include "engine/cli/verbs.hpp"
 
 #include <fmt/format.h>
+#include <pliant/error.hpp>
 
 #include <algorithm>
+#include <csignal>
+#include <cstdio>
 #include <memory>
-#include <stdexcept>
-#include <thread>
+#include <system_error>
 
 #include "engine/bench/standard_set.hpp"
 #include "engine/case/reference.hpp"
@@ -21,12 +23,15 @@ namespace {
 
 void warn_of_instability(const Case& settings) {
   const std::string warning = stability_warning(settings);
-  if (!warning.empty()) fmt::print(stderr, "warning: {}\n", warning);
+  // A stderr that cannot be written must not end the run.
+  if (!warning.empty()) std::fputs(fmt::format("warning: {}\n", warning).c_str(), stderr);
 }
 
 }  // namespace
 
 ExitStatus run(const RunArguments& arguments) {
+  // A reader of the progress that ends, as `head` does, must not end the run.
+  std::signal(SIGPIPE, SIG_IGN);
   const Case settings = read_case(arguments.source.path, arguments.source.settings);
   if (!arguments.quiet) warn_of_instability(settings);
   RunOptions options;
@@ -47,14 +52,16 @@ ExitStatus check(const CaseArguments& arguments) {
 }
 
 ExitStatus list(const std::filesystem::path& folder) {
-  if (!std::filesystem::is_directory(folder)) {
-    throw std::invalid_argument(
-        fmt::format("{}: no such folder; name one that holds cases", folder.string()));
-  }
+  std::error_code error;
   std::vector<std::filesystem::path> files;
-  for (const auto& entry : std::filesystem::directory_iterator(folder)) {
-    if (std::filesystem::exists(entry.path() / "case.toml"))
-      files.push_back(entry.path() / "case.toml");
+  for (const auto& entry : std::filesystem::directory_iterator(folder, error)) {
+    std::error_code unreadable;
+    const auto file = entry.path() / "case.toml";
+    if (std::filesystem::exists(file, unreadable)) files.push_back(file);
+  }
+  if (error) {
+    throw InputError(fmt::format("{}: cannot be listed: {}; give a folder that holds cases",
+                                 folder.string(), error.message()));
   }
   std::sort(files.begin(), files.end());
   for (const auto& file : files) fmt::print("{:40} {}\n", file.string(), read_case(file).title);
@@ -76,7 +83,7 @@ ExitStatus bench(const BenchArguments& arguments) {
   return ExitStatus::done;
 }
 
-ExitStatus reference() {
+ExitStatus reference(const NoArguments&) {
   fmt::print("{}", case_reference_markdown(methods().rules()));
   return ExitStatus::done;
 }

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-/// What the program does for each verb of its command line. Errors leave as exceptions.
+/// What each command of the program does. Throws InputError for what the user gave wrong.
 namespace pliant::cli {
 
 enum class ExitStatus { done = 0, bad_input = 2, run_failed = 3, interrupted = 4 };
@@ -18,7 +18,7 @@ struct CaseArguments {
 struct RunArguments {
   CaseArguments source;
   std::optional<std::filesystem::path> folder;  ///< default: results/<case>
-  int threads = 0;                              ///< 0: one for each processor
+  int threads = 0;                              ///< 0: one per processor
   std::string isa;                              ///< empty: the widest supported
   bool resume = false;
   bool quiet = false;
@@ -51,7 +51,9 @@ struct BenchArguments {
 /// Measures the machine and the standard set of cases on it.
 ExitStatus bench(const BenchArguments& arguments);
 
+struct NoArguments {};
+
 /// Prints the reference of case files, docs/case-reference.md.
-ExitStatus reference();
+ExitStatus reference(const NoArguments&);
 
 }  // namespace pliant::cli

@@ -1,11 +1,12 @@
 #include "engine/total_lagrangian/setup.hpp"
+
+#include <pliant/error.hpp>
 #include "engine/method/initial_velocity.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
-#include <stdexcept>
 
 #include "engine/geometry/signed_distance.hpp"
 
@@ -139,7 +140,7 @@ void lay_out(const Nodes<D>& nodes, Body<T, D>& body) {
     }
   });
   if (marked == 0) {
-    throw std::invalid_argument(fmt::format(
+    throw InputError(fmt::format(
         "body `{}` fills no cell of its lattice; use a finer discretisation.spacing", body.name));
   }
   occupancy.dilate(1.8);  // also the neighbours across edges and corners

@@ -5,7 +5,7 @@
 namespace pliant::total_lagrangian {
 
 /// Makes a body of a case: its lattice, particles, stress points and surface, at rest or with the
-/// case's initial velocity. Throws std::invalid_argument when the lattice is too coarse for it.
+/// case's initial velocity. Throws InputError when the lattice is too coarse for it.
 template <class T, int D>
 void make_body(const Case& settings, const BodyCase& source, const Boundaries<D>& boundaries,
                Body<T, D>& body);

@@ -1,0 +1,69 @@
+import shutil
+
+from program import CASE, SMALL, ProgramTest, main
+
+
+class CommandLine(ProgramTest):
+    def refused(self, *arguments):
+        status, out, err = self.pliant(*arguments)
+        self.assertEqual((2, ""), (status, out), err)
+        self.assertEqual(1, err.count("\n"), err)
+        return err
+
+    def test_a_misspelt_command_is_answered_with_the_nearest(self):
+        self.assertIn("pliant rnu: no such command; did you mean `run`?", self.refused("rnu", CASE))
+        self.assertIn("did you mean `bench`?", self.refused("help", "bnech"))
+
+    def test_a_misspelt_option_is_answered_with_the_nearest(self):
+        self.assertIn("pliant run: there is no option --thread; did you mean `--threads`?",
+                      self.refused("run", CASE, "--thread", "2"))
+        self.assertIn("did you mean `--out`?", self.refused("run", CASE, "--oud=x"))
+
+    def test_no_command_and_no_case_are_refused_with_a_remedy(self):
+        self.assertIn("`pliant help` lists them", self.refused())
+        self.assertIn("CASE is required; `pliant help run`", self.refused("run"))
+        self.assertIn("one argument too many, `b`", self.refused("check", CASE, "b"))
+
+    def test_more_threads_than_any_machine_has_are_refused_with_the_limit(self):
+        for threads in ("100000", "-1"):
+            self.assertIn(f"--threads {threads}: give a number from 1 to 1024",
+                          self.refused("run", CASE, "--threads", threads))
+        self.assertIn("--threads", self.refused("run", CASE, "--threads", "99999999999999"))
+
+    def test_the_last_of_an_option_given_twice_counts(self):
+        first, last = self.folder / "first", self.folder / "last"
+        status, _, err = self.pliant("run", CASE, *SMALL, "--set", "time.end=0.005", "--quiet", "--quiet",
+                                     "--threads", "1", "--out", first, "--out", last)
+        self.assertEqual((0, ""), (status, err))
+        self.assertFalse(first.exists())
+        self.assertTrue((last / "result.h5").exists())
+
+    def test_the_case_in_the_working_directory_has_the_name_of_its_folder(self):
+        here = self.folder / "disc"
+        here.mkdir()
+        shutil.copy(CASE / "case.toml", here)
+        status, _, err = self.pliant("run", ".", *SMALL, "--set", "time.end=0.005", cwd=here)
+        self.assertEqual(0, status, err)
+        self.assertTrue((here / "results/disc/result.h5").exists())
+        self.assertIn("disc: ", self.pliant("check", "../disc/", cwd=here)[1])
+
+    def test_a_run_ends_with_where_its_results_are_and_what_was_measured(self):
+        status, out, err = self.run_case()
+        self.assertEqual((0, ""), (status, out))
+        self.assertIn(f"results in {self.out}; open result.xdmf in ParaView\n", err)
+        self.assertRegex(err, r"\n  energy_ratio +0\.999\d*\n")
+        self.assertRegex(err, r"\n  boundary_radius +[0-9.]+ m\n")
+        self.assertEqual((0, "", ""), self.run_case("--quiet"))
+
+    def test_help_speaks_of_commands_and_fits_a_terminal(self):
+        texts = [self.pliant("--help")[1], self.pliant("help")[1]]
+        texts += [self.pliant("help", command)[1] for command in ("run", "check", "bench", "graph", "help")]
+        for text in texts:
+            self.assertNotRegex(text.lower(), "verb|subcommand")
+            self.assertLessEqual(max(map(len, text.splitlines())), 100, text)
+        self.assertEqual(texts[0], texts[1])
+        self.assertIn("Commands:", texts[0])
+
+
+if __name__ == "__main__":
+    main()
