@@ -19,7 +19,7 @@ struct Clock : StepClock {
   double accumulated_strain = 0;  ///< of (RP.28), since the last remeshing
 };
 
-/// What a body in contact holds to, see body_momentum.hpp.
+/// Of a body in contact, see momentum_correction.hpp.
 template <int D>
 struct MomentumBudget {
   double mass = 0;         ///< at t = 0 [kg]

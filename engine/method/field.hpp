@@ -1,0 +1,41 @@
+#pragma once
+
+#include <string_view>
+
+/// What a row of a method's list of fields says. Storage, stage copies, checkpoints, frames, the
+/// scheduler's resources and docs/fields.md follow from those lists.
+namespace pliant {
+
+/// The components of one item of a field.
+enum class Rank {
+  scalar,
+  vector,            ///< D
+  symmetric_tensor,  ///< D (D + 1)/2
+  material,          ///< S, a symmetric tensor, or F, D x D
+  prony,             ///< one for each term of the material's Prony series
+  corner_modes,      ///< a vector for each mode of the corners of a cell
+  fit_terms,         ///< coefficients of the three fits of a ghost
+  record,            ///< values of a surface record
+  list               ///< as many as the item has
+};
+
+/// How a field crosses to the new lattice, (RP.22) and (RP.23).
+enum class Remeshed { not_at_all, as_density_times_volume, as_mass_mean, as_volume_mean, as_mean };
+
+/// One field of a method, whose enumerations name its fields, index spaces, and groups: a group
+/// holds fields that phases always read or write together, and is what the scheduler sees.
+template <class Field, class IndexSpace, class Group>
+struct FieldDeclaration {
+  Field field;
+  std::string_view symbol, name, unit;  ///< the unit in SI, "1" for a pure number
+  Rank rank;
+  IndexSpace space;
+  Group group;
+  Remeshed remeshed = Remeshed::not_at_all;
+  int copies = 1;                        ///< of Runge-Kutta stages, or of passes that alternate
+  bool is_saved = false;                 ///< in checkpoints
+  bool is_shown = false;                 ///< in frames
+  std::string_view shares_storage = "";  ///< what else lies in its memory at other times
+};
+
+}  // namespace pliant
