@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <string_view>
 
 /// What a row of a method's list of fields says. Storage, stage copies, checkpoints, frames, the
@@ -17,6 +18,13 @@ enum class Rank {
   fit_terms,         ///< coefficients of the three fits of a ghost
   record,            ///< values of a surface record
   list               ///< as many as the item has
+};
+
+/// One index space of a method: what its fields have one value, vector or list for.
+template <class IndexSpace>
+struct IndexSpaceDeclaration {
+  IndexSpace space;
+  std::string_view name, meaning;
 };
 
 /// How a field crosses to the new lattice, (RP.22) and (RP.23).
@@ -37,5 +45,14 @@ struct FieldDeclaration {
   bool is_shown = false;                 ///< in frames
   std::string_view shares_storage = "";  ///< what else lies in its memory at other times
 };
+
+/// Whether a list has one row for each of its enumerators, in their order.
+template <class List, class Row, class Name>
+constexpr bool is_in_order(const List& list, Name Row::*name, Name last) {
+  for (std::size_t i = 0; i < list.size(); ++i) {
+    if (list[i].*name != static_cast<Name>(i)) return false;
+  }
+  return list.size() == static_cast<std::size_t>(last) + 1;
+}
 
 }  // namespace pliant

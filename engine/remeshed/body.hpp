@@ -179,8 +179,8 @@ struct Body {
   Buffer<std::int32_t> record_of_slot;
   BodyNeighbours<D> neighbours;
 
-  /// Calls f(field, copy, buffers) for every array of the body's slots that is not in `stage`: those
-  /// that its material and method need.
+  /// Calls f(field, copy, buffers) for every array of the body's slots that is not in `stage`:
+  /// those that its material and method need.
   template <class F>
   void for_each_array(F&& f) {
     visit_arrays(*this, f);

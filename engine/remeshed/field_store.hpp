@@ -77,4 +77,26 @@ class FieldStore {
   std::array<std::vector<Buffer<T>>, state_field_count> arrays_;
 };
 
+/// A component of a field of the state.
+struct StateComponent {
+  Field field;
+  int component;
+};
+
+/// Where the odd stages keep each component of sigma: in fields of Q2 that only a remeshing and
+/// what follows it write, (RP.19). The last component in 3D has an array of its own.
+template <int D>
+inline constexpr auto odd_stress_storage = [] {
+  using F = Field;
+  if constexpr (D == 2) {
+    return std::to_array<StateComponent>({{F::mass, 0}, {F::level_set, 0}, {F::displacement, 0}});
+  } else {
+    return std::to_array<StateComponent>({{F::mass, 0},
+                                          {F::level_set, 0},
+                                          {F::displacement, 0},
+                                          {F::displacement, 1},
+                                          {F::displacement, 2}});
+  }
+}();
+
 }  // namespace pliant::remeshed

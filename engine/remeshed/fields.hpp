@@ -104,6 +104,26 @@ enum class IndexSpace {
   new_slot
 };
 
+// clang-format off
+inline constexpr auto index_spaces = [] {
+  using S = IndexSpace;
+  return std::to_array<IndexSpaceDeclaration<IndexSpace>>({
+      {S::slot, "slot", "a place in storage, which belongs to a lattice cell; vacant, or with a particle, ghost or image"},
+      {S::pack, "pack", "as many neighbouring slots as fill a cache line"},
+      {S::image, "image", "a slot beyond a period, with the slot that it repeats"},
+      {S::ghost, "ghost", "a slot outside of the body, at a free surface, a wall, or another body"},
+      {S::pair, "pair", "a ghost and a particle of its fits"},
+      {S::wall_ghost, "wall ghost", "a ghost beyond a contact wall"},
+      {S::record, "record", "a particle that fits of ghosts read"},
+      {S::contact_point, "contact point", "a ghost whose foot point lies on another body"},
+      {S::contact_pair, "contact pair", "a contact point and a particle of the other body"},
+      {S::block, "block", "the slots that one worker takes at a time"},
+      {S::body, "body", "a body"},
+      {S::new_slot, "new slot", "a slot of the new lattice, in a remeshing"},
+  });
+}();
+// clang-format on
+
 /// Fields that phases always read or write together.
 enum class Group {
   drift,
@@ -246,7 +266,9 @@ inline constexpr auto field_list = [] {
 }();
 // clang-format on
 
-constexpr const Declaration& declaration(Field field) { return field_list[static_cast<int>(field)]; }
+constexpr const Declaration& declaration(Field field) {
+  return field_list[static_cast<int>(field)];
+}
 
 /// The fields of the state, which a FieldStore holds.
 inline constexpr int state_field_count = static_cast<int>(Field::memory_pressure) + 1;
@@ -256,39 +278,8 @@ inline constexpr std::span<const Declaration> state_fields(field_list.data(), st
 /// three stage states, (RP.19).
 constexpr bool is_evolving(const Declaration& field) { return field.copies == 3; }
 
-namespace detail {
-
-constexpr bool fields_are_in_order() {
-  for (std::size_t i = 0; i < field_list.size(); ++i) {
-    if (field_list[i].field != static_cast<Field>(i)) return false;
-  }
-  return field_list.size() == static_cast<std::size_t>(Field::record_number) + 1;
-}
-
-}  // namespace detail
-
-static_assert(detail::fields_are_in_order());
-
-/// A component of a field of the state.
-struct StateComponent {
-  Field field;
-  int component;
-};
-
-/// Where the odd stages keep each component of sigma: in fields of Q2 that only a remeshing and
-/// what follows it write, (RP.19). The last component in 3D has an array of its own.
-template <int D>
-inline constexpr auto odd_stress_storage = [] {
-  using F = Field;
-  if constexpr (D == 2) {
-    return std::to_array<StateComponent>({{F::mass, 0}, {F::level_set, 0}, {F::displacement, 0}});
-  } else {
-    return std::to_array<StateComponent>({{F::mass, 0},
-                                          {F::level_set, 0},
-                                          {F::displacement, 0},
-                                          {F::displacement, 1},
-                                          {F::displacement, 2}});
-  }
-}();
+static_assert(is_in_order(index_spaces, &IndexSpaceDeclaration<IndexSpace>::space,
+                          IndexSpace::new_slot));
+static_assert(is_in_order(field_list, &Declaration::field, Field::record_number));
 
 }  // namespace pliant::remeshed

@@ -24,9 +24,8 @@ class RegionSearch {
       for (const Declaration& f : state_fields)
         add_slots(f.field, copy, body_.stage[copy][f.field]);
     }
-    body_.for_each_array([this](Field field, int copy, auto components) {
-      add_slots(field, copy, components);
-    });
+    body_.for_each_array(
+        [this](Field field, int copy, auto components) { add_slots(field, copy, components); });
     Population<T, D>& population = body_.population;
     if (wanted_.group == Group::kinds) add_kinds(population);
     if (wanted_.group == Group::image_sources) add(population.images[block_]);

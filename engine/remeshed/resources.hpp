@@ -54,7 +54,7 @@ inline constexpr auto group_list = [] {
   });
 }();
 
-static_assert(group_list.size() == static_cast<std::size_t>(Group::record_numbers) + 1);
+static_assert(is_in_order(group_list, &GroupDeclaration<Group>::group, Group::record_numbers));
 
 inline constexpr ResourceNumbers<Group, group_list.size()> resource_numbers(group_list);
 
