@@ -44,14 +44,14 @@ class PhaseRows {
          .run = [run = std::move(run), first = first_block_](int block) { run(block - first); }});
   }
 
-  /// `run()` once, for all blocks.
-  void once(const char* name, const Accesses& reads, const Accesses& writes,
-            std::function<void()> run) {
+  /// `run()` once for all blocks.
+  void reduce(const char* name, const Accesses& reads, const Accesses& writes,
+              std::function<void()> run) {
     phases_.push_back({.name = name,
                        .stage = stage_,
                        .reads = reads,
                        .writes = writes,
-                       .extent = scheduler::Phase::Extent::once,
+                       .kind = scheduler::Phase::Kind::reduce,
                        .run = [run = std::move(run)](int) { run(); }});
   }
 

@@ -5,7 +5,8 @@
 
 #include "engine/remeshed/fields.hpp"
 #include "engine/storage/buffer.hpp"
-#include "kernels/table.hpp"
+#include "kernels/material.hpp"
+#include "kernels/remeshed/evolving.hpp"
 
 namespace pliant::remeshed {
 

@@ -7,7 +7,7 @@
 #include "engine/remeshed/ghosts/ghost_fill.hpp"
 #include "engine/remeshed/particle_update.hpp"
 #include "engine/remeshed/state.hpp"
-#include "kernels/table.hpp"
+#include "kernels/remeshed/table.hpp"
 
 namespace pliant::remeshed {
 
@@ -15,7 +15,7 @@ namespace pliant::remeshed {
 template <class T, int D>
 class StageWork {
  public:
-  StageWork(State<T, D>& state, const Case& settings, const kernels::Table<T, D>& kernels)
+  StageWork(State<T, D>& state, const Case& settings, const kernels::RemeshedTable<T, D>& kernels)
       : state_(state),
         settings_(settings),
         kernels_(kernels),
@@ -55,7 +55,7 @@ class StageWork {
 
   State<T, D>& state_;
   const Case& settings_;
-  const kernels::Table<T, D>& kernels_;
+  const kernels::RemeshedTable<T, D>& kernels_;
   ParticleUpdate<T, D> particles_;
   double time_step_ = 0;
   std::array<BoundaryValues<D>, 4> boundary_values_;  ///< [stage]

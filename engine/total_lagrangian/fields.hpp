@@ -26,8 +26,8 @@ enum class Field {
   result
 };
 
-/// Particles are nodes of the lattice of the undeformed body, stress points its cells. Each cell has
-/// the number of the slot at its lower corner.
+/// Particles are nodes of the lattice of the undeformed body, stress points its cells. Each cell
+/// has the number of the slot at its lower corner.
 enum class IndexSpace { particle, cell, facet, patch, constrained_particle, nodal_load, block };
 
 inline constexpr auto index_spaces = std::to_array<IndexSpaceDeclaration<IndexSpace>>({
@@ -84,7 +84,9 @@ inline constexpr auto field_list = [] {
 }();
 // clang-format on
 
-constexpr const Declaration& declaration(Field field) { return field_list[static_cast<int>(field)]; }
+constexpr const Declaration& declaration(Field field) {
+  return field_list[static_cast<int>(field)];
+}
 
 /// In the order of Group.
 inline constexpr auto group_list = std::to_array<GroupDeclaration<Group>>({

@@ -36,9 +36,9 @@ std::vector<std::span<std::byte>> regions(State<T, D>& state, scheduler::FieldId
   return found;
 }
 
-template std::vector<std::span<std::byte>> regions<double, 2>(State<double, 2>&,
-                                                              scheduler::FieldId, int);
-template std::vector<std::span<std::byte>> regions<double, 3>(State<double, 3>&,
-                                                              scheduler::FieldId, int);
+template std::vector<std::span<std::byte>> regions<double, 2>(State<double, 2>&, scheduler::FieldId,
+                                                              int);
+template std::vector<std::span<std::byte>> regions<double, 3>(State<double, 3>&, scheduler::FieldId,
+                                                              int);
 
 }  // namespace pliant::total_lagrangian

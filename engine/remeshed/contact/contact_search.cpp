@@ -53,8 +53,8 @@ void ContactSearch<T, D>::add_phases(std::vector<Phase>& phases) {
             own(particles(drift) + ghosts(drift) + particles(constants) + ghosts(constants) +
                 whole(fits)),
             own(whole(surface_samples)), [this](int block) { find_samples(block); });
-  rows.once("contact search: cells", all(whole(surface_samples)),
-            all(whole(surface_samples) + whole(surface_cells)), [this] { sort_samples(); });
+  rows.reduce("contact search: cells", all(whole(surface_samples)),
+              all(whole(surface_samples) + whole(surface_cells)), [this] { sort_samples(); });
   rows.each("contact search: points",
             all(whole(surface_cells)) + near(particles(drift) + whole(fits)) +
                 own(ghosts(drift) + ghosts(constants)),

@@ -83,11 +83,11 @@ void MomentumCorrection<T, D>::add_phases(std::vector<Phase>& phases, Impulses i
   rows.each("momentum",
             own(particles(velocity) + particles(constants) + whole(kinds) + whole(fits)),
             own(whole(momentum)), [this](int block) { sum(block); });
-  rows.once("momentum", all(whole(momentum) + whole(contact_impulse) + whole(momentum_budgets)),
-            all(whole(momentum_budgets)), [this, impulses = std::move(impulses)] {
-              if (impulses) add_impulses(impulses());
-              balance();
-            });
+  rows.reduce("momentum", all(whole(momentum) + whole(contact_impulse) + whole(momentum_budgets)),
+              all(whole(momentum_budgets)), [this, impulses = std::move(impulses)] {
+                if (impulses) add_impulses(impulses());
+                balance();
+              });
   rows.each("momentum", all(whole(momentum_budgets)) + own(particles(velocity) + whole(kinds)),
             own(particles(velocity)), [this](int block) { shift(block); });
 }

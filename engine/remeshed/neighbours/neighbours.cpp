@@ -105,14 +105,14 @@ std::vector<Phase> NeighbourSearch<T, D>::phases() {
   PhaseRows rows(phases);
   rows.each("stencil reach", near(slots(drift) + whole(kinds)), own(whole(closest_pairs)),
             [this](int block) { measure(block); });
-  rows.once("stencil reach", all(whole(closest_pairs)),
-            all(whole(search_decisions) + whole(neighbour_lists)), [this] { decide(); });
+  rows.reduce("stencil reach", all(whole(closest_pairs)),
+              all(whole(search_decisions) + whole(neighbour_lists)), [this] { decide(); });
   rows.each("cells", all(whole(search_decisions)) + own(positions), own(whole(sites)),
             [this](int block) {
               const auto [body, local] = state_.owner(block);
               if (body.neighbours.is_search_due) find_sites<T, D>(body, local);
             });
-  rows.once("cells", all(whole(search_decisions) + whole(sites)), all(whole(cells)), [this] {
+  rows.reduce("cells", all(whole(search_decisions) + whole(sites)), all(whole(cells)), [this] {
     for (Body<T, D>& body : state_.bodies) {
       if (body.neighbours.is_search_due) sort_sites<T, D>(body);
     }

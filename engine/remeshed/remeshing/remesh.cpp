@@ -88,11 +88,11 @@ void Remeshing<T, D>::source_phases(std::vector<scheduler::Phase>& phases, int f
       [this](int b) { fill_conserved(body_, b); });
   rows.each("remesh: layout", own(particles(drift) + ghosts(drift) + whole(kinds)),
             own(whole(bounds)), [this](int b) { layout_search_.find_bounds(b); });
-  rows.once("remesh: layout", all(whole(bounds) + particles(drift) + whole(kinds)),
-            all(new_lattice()), [this] {
-              layout_search_.mark_particles();
-              prepare_spare();
-            });
+  rows.reduce("remesh: layout", all(whole(bounds) + particles(drift) + whole(kinds)),
+              all(new_lattice()), [this] {
+                layout_search_.mark_particles();
+                prepare_spare();
+              });
 }
 
 template <class T, int D>
@@ -159,11 +159,11 @@ void Remeshing<T, D>::add_fields(PhaseRows& rows) {
   if (!fields_.filters()) return;
   rows.each("remesh: filter", near(with_images(new_state) + with_images(marks)),
             own(whole(filtered)), [this](int b) { fields_.filter(b); });
-  rows.once("remesh: filter", all(whole(filtered)),
-            all(with_images(new_state) + whole(filtered) + in_place_of_filtered()), [this] {
-              fields_.swap_in_filtered();
-              share_with_level_set();
-            });
+  rows.reduce("remesh: filter", all(whole(filtered)),
+              all(with_images(new_state) + whole(filtered) + in_place_of_filtered()), [this] {
+                fields_.swap_in_filtered();
+                share_with_level_set();
+              });
 }
 
 template <class T, int D>
@@ -199,12 +199,12 @@ void Remeshing<T, D>::add_ghosts(PhaseRows& rows) {
   rows.each("ghosts: surface", near(whole(used)), own(whole(surface_packs)), [this](int b) {
     if (is_final_) list_surface_particles(body_.spare, b, body_.record_of_slot.get());
   });
-  rows.once("ghosts: surface", all(whole(surface_packs) + whole(extended)),
-            all(whole(surface_packs) + whole(record_numbers)), [this] {
-              if (!is_final_) return;
-              number_records(body_.spare, level_set_, body_.lattice.spacing,
-                             body_.record_of_slot.get());
-            });
+  rows.reduce("ghosts: surface", all(whole(surface_packs) + whole(extended)),
+              all(whole(surface_packs) + whole(record_numbers)), [this] {
+                if (!is_final_) return;
+                number_records(body_.spare, level_set_, body_.lattice.spacing,
+                               body_.record_of_slot.get());
+              });
   rows.each("ghosts: surface", near(whole(record_numbers)) + own(whole(new_fits)),
             own(whole(new_fits)), [this](int b) {
               if (is_final_) resolve_records(body_.spare, b, body_.record_of_slot.get());

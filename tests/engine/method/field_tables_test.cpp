@@ -61,11 +61,10 @@ std::string tables(const Spaces& spaces, const Fields& fields) {
       "\n| field | symbol | unit | components | index space | remeshing | copies | saved | shown | "
       "shares storage with |\n| --- | --- | --- | --- | --- | --- | --- | --- | --- | --- |\n";
   for (const auto& f : fields) {
-    text_of += fmt::format("| `{}` | {} | {} | {} | {} | {} | {} | {} | {} | {} |\n", f.name,
-                           f.symbol, f.unit, text(f.rank),
-                           spaces[static_cast<std::size_t>(f.space)].name, text(f.remeshed),
-                           f.copies, f.is_saved ? "yes" : "", f.is_shown ? "yes" : "",
-                           f.shares_storage);
+    text_of += fmt::format(
+        "| `{}` | {} | {} | {} | {} | {} | {} | {} | {} | {} |\n", f.name, f.symbol, f.unit,
+        text(f.rank), spaces[static_cast<std::size_t>(f.space)].name, text(f.remeshed), f.copies,
+        f.is_saved ? "yes" : "", f.is_shown ? "yes" : "", f.shares_storage);
   }
   return text_of;
 }

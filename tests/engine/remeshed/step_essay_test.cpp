@@ -45,7 +45,8 @@ void compare(const Names& found, const Names& essay, Names& missing) {
 
 std::vector<SampleRun> runs_of_all_kinds() {
   std::vector<SampleRun> runs = sample_runs();
-  runs.push_back({"plain_sph", "tensile_instability", {"discretisation.spacing=0.1", "time.step=1e-3"}, 1});
+  runs.push_back(
+      {"plain_sph", "tensile_instability", {"discretisation.spacing=0.1", "time.step=1e-3"}, 1});
   return runs;
 }
 
