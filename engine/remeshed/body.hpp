@@ -180,7 +180,7 @@ struct Body {
   BodyNeighbours<D> neighbours;
 
   /// Calls f(field, copy, buffers) for every array of the body's slots that is not in `stage`:
-  /// those that its material and method need.
+  /// those that its material needs.
   template <class F>
   void for_each_array(F&& f) {
     visit_arrays(*this, f);
@@ -223,9 +223,6 @@ struct Body {
     if (has_own_odd_stress) f(Field::stress, 1, span(&body.last_odd_stress, 1));
     f(Field::interior, 0, span(&body.interior, 1));
     if (!body.prony.empty()) f(Field::volume_change, 0, span(&body.volume_change, 1));
-    if (!body.is_plain_sph) return;
-    f(Field::pair_stress, 0, span(body.pair_stress[0]));
-    f(Field::artificial_stress, 0, span(body.pair_stress[1]));
   }
   template <class Self>
   static auto& stress_component_of(Self& body, int parity, int component) {

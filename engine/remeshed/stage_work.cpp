@@ -1,11 +1,8 @@
 #include "engine/remeshed/stage_work.hpp"
 
-#include <algorithm>
-
 #include "engine/remeshed/contact/wall_contact.hpp"
 #include "engine/remeshed/ghosts/surface_records.hpp"
 #include "engine/remeshed/images.hpp"
-#include "engine/remeshed/pair_stress.hpp"
 #include "engine/remeshed/runge_kutta.hpp"
 
 namespace pliant::remeshed {
@@ -70,30 +67,12 @@ void StageWork<T, D>::fill_reached_ghosts(int block, int stage) {
 }
 
 template <class T, int D>
-void StageWork<T, D>::find_pair_stress(int block, int stage) {
-  const auto [body, local] = state_.owner(block);
-  remeshed::find_pair_stress<T, D>(body, local, stage, settings_.discretisation.artificial_stress);
-}
-
-template <class T, int D>
 void StageWork<T, D>::fold() {
-  result_ = {0, 0, -1};
-  failed_block_ = -1;
-  strain_rates_.assign(state_.bodies.size(), 0);
   const std::size_t walls = state_.wall_impulse.size();
   for (std::size_t i = 0; i < impulse_.size(); ++i) {
     for (int a = 0; a < D; ++a) state_.wall_impulse[i % walls][a] += impulse_[i][a];
   }
-  for (std::size_t b = 0; b < results_.size(); ++b) {
-    result_.strain_rate = std::max(result_.strain_rate, results_[b].strain_rate);
-    result_.wave_speed = std::max(result_.wave_speed, results_[b].wave_speed);
-    double& of_body = strain_rates_[state_.blocks[b].body];
-    of_body = std::max(of_body, results_[b].strain_rate);
-    if (results_[b].non_finite >= 0 && failed_block_ < 0) {
-      result_.non_finite = results_[b].non_finite;
-      failed_block_ = static_cast<int>(b);
-    }
-  }
+  results_.fold(state_.blocks);
 }
 
 template class StageWork<double, 2>;

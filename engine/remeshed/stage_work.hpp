@@ -3,9 +3,10 @@
 #include <array>
 #include <vector>
 
-#include "engine/remeshed/contact/body_contact.hpp"
+#include "engine/boundaries/boundary_values.hpp"
 #include "engine/remeshed/ghosts/ghost_fill.hpp"
 #include "engine/remeshed/particle_update.hpp"
+#include "engine/remeshed/stage_results.hpp"
 #include "engine/remeshed/state.hpp"
 #include "kernels/remeshed/table.hpp"
 
@@ -22,7 +23,7 @@ class StageWork {
         particles_(state, settings, kernels) {}
 
   /// Makes room for the results of the present blocks.
-  void prepare_blocks() { results_.assign(state_.blocks.size(), {0, 0, -1}); }
+  void prepare_blocks() { results_.reset(state_.blocks, state_.bodies.size()); }
   /// Fixes the time step [s] and what the boundaries impose at each stage.
   void prepare(double time_step);
 
@@ -33,22 +34,13 @@ class StageWork {
   /// Ghosts that particles read at a stage; the others only drift.
   void fill_reached_ghosts(int block, int stage);
   void fill_all_ghosts(int block, int stage);
-  void find_pair_stress(int block, int stage);
   void advance(int block, int stage) { results_[block] = particles_.advance(block, stage); }
   void evaluate_stress(int block) { results_[block] = particles_.evaluate_stress(block); }
 
   /// Folds what a step found over the blocks in their order, the impulse of contact walls into the
   /// state.
   void fold();
-  const kernels::StageResult& result() const { return result_; }
-  /// The block of the slot that is no longer finite, or -1.
-  int failed_block() const { return failed_block_; }
-  /// max abs(eps)_F of one body in the last step [1/s].
-  double strain_rate(int body) const { return strain_rates_[body]; }
-
-  /// For each block, what a step found; the impulse of each contact wall.
-  std::vector<kernels::StageResult>& results() { return results_; }
-  std::vector<Point<D>>& wall_impulse() { return impulse_; }
+  const StageResults& results() const { return results_; }
 
  private:
   void fill(int block, int stage, WhichGhosts which);
@@ -59,10 +51,7 @@ class StageWork {
   ParticleUpdate<T, D> particles_;
   double time_step_ = 0;
   std::array<BoundaryValues<D>, 4> boundary_values_;  ///< [stage]
-  std::vector<kernels::StageResult> results_;         ///< [block]
-  kernels::StageResult result_ = {0, 0, -1};
-  std::vector<double> strain_rates_;  ///< [body]
-  int failed_block_ = -1;
+  StageResults results_;
   std::vector<Point<D>> impulse_;  ///< [block][wall] of contact walls on the bodies, of this step
 };
 

@@ -4,7 +4,6 @@
 
 #include "engine/remeshed/resources.hpp"
 #include "engine/remeshed/runge_kutta.hpp"
-#include "engine/remeshed/setup.hpp"
 
 // A step of the remeshed Lagrangian particle method (H&K, sections 2 and 4).
 //
@@ -28,11 +27,9 @@
 //                       with their present normal (RP.37), (RP.34), walls (RP.35), (RP.36), as the
 //                       paper (RP.38); contact walls release the ghosts that they would pull
 //     images            periodic bodies: velocity and stress of the slots beyond a period
-//     pair stress       plain SPH, in the place of all phases above: sigma/rho^2 of every particle
-//                       and its artificial stress (RP.76)
-//     advance           grad u and div sigma of every particle by the moment matrix (RP.18), in
-//                       plain SPH by (RP.73) and (RP.74); its rates (RP.12), the next state and the
-//                       stress that belongs to it (RP.3)-(RP.9)
+//     advance           grad u and div sigma of every particle by the moment matrix (RP.18), its
+//                       rates (RP.12), the next state and the stress that belongs to it
+//                       (RP.3)-(RP.9)
 //
 // After the last stage:
 //
@@ -50,11 +47,6 @@ using namespace resource;
 using enum Group;
 
 namespace {
-
-/// A copy of the state, Q of (RP.19), in all slots.
-Resources state(int copy) {
-  return slots(drift, copy) + slots(velocity, copy) + slots(material, copy);
-}
 
 /// Particles and ghosts, which images repeat.
 Resources repeated(Group group, int copy) { return particles(group, copy) + ghosts(group, copy); }
@@ -75,7 +67,7 @@ std::vector<Phase> Step<T, D>::phases() {
   work_.prepare_blocks();
   std::vector<Phase> phases;
   for (int stage = 0; stage < 4; ++stage) {
-    is_plain_sph(settings_) ? add_pair_stress(phases, stage) : add_ghosts(phases, stage, false);
+    add_ghosts(phases, stage, false);
     add_advance(phases, stage);
   }
   if (momentum_.is_needed()) {
@@ -92,16 +84,12 @@ std::vector<Phase> Step<T, D>::ghost_phases() {
   return phases;
 }
 
-// Puts slots that no stage advances at rest in all copies, too.
 template <class T, int D>
 std::vector<Phase> Step<T, D>::stress_phases() {
   work_.prepare_blocks();
   std::vector<Phase> phases;
-  PhaseRows(phases).each(
-      "stress", own(slots(material) + slots(constants) + slots(memory) + whole(kinds)),
-      own(slots(stress, 0) + slots(stress, 1) + slots(drift, 1) + slots(velocity, 1) +
-          slots(drift, 2) + slots(velocity, 2) + whole(interior) + whole(results)),
-      [this](int block) { work_.evaluate_stress(block); });
+  PhaseRows(phases).each("stress", read_by_evaluate_stress(), written_by_evaluate_stress(),
+                         [this](int block) { work_.evaluate_stress(block); });
   if (momentum_.is_needed()) momentum_.add_phases(phases, {});
   return phases;
 }
@@ -162,15 +150,6 @@ Accesses Step<T, D>::written_by_ghosts(int stage) const {
   return writes + own(whole(contact) + whole(kinds) + whole(wall_impulse));
 }
 
-template <class T, int D>
-void Step<T, D>::add_pair_stress(std::vector<Phase>& phases, int stage) {
-  PhaseRows(phases).at_stage(stage).each(
-      "pair stress",
-      own(particles(stress, stage % 2) + particles(material, buffer_of(stage)) +
-          particles(constants) + whole(kinds)),
-      own(whole(pair_stress)), at(stage, &StageWork<T, D>::find_pair_stress));
-}
-
 // Neighbours that a search has found may belong to any block: particles far apart on the lattice
 // may have come near. Everything else in a step stays on the lattice: fourth differences (RP.43)
 // and grad phi of surface particles (RP.81) follow material lines, and ghosts keep their fits.
@@ -182,37 +161,19 @@ void Step<T, D>::add_advance(std::vector<Phase>& phases, int stage) {
     const Reach reach = are_listed ? Reach::all : Reach::neighbours;
     PhaseRows(phases, blocks)
         .at_stage(stage)
-        .each("advance", read_by_advance(stage, reach), written_by_advance(stage),
+        .each("advance", read_by_advance(stage, reach), written_by_update(stage),
               at(stage, &StageWork<T, D>::advance));
   }
 }
 
-// Stage 2 takes (Q2 - Q0)/3 along, and stage 3 (Q4 - Q3)/3.
 template <class T, int D>
-Accesses Step<T, D>::read_by_advance(int stage, Reach reach) const {
+Accesses Step<T, D>::read_by_advance(int stage, Reach reach) {
   const int current = buffer_of(stage), parity = stage % 2;
-  const auto near_or_all = [reach](const Resources& read) { return Accesses(read, reach); };
-  Accesses reads = near_or_all(repeated(drift, current) + repeated(velocity, current) +
-                               repeated(stress, parity)) +
-                   near(images(drift, current) + images(velocity, current) +
-                        images(stress, parity) + whole(interior)) +
-                   own(state(0) + state(current) + slots(constants) + slots(memory) + whole(kinds) +
-                       whole(neighbour_lists));
-  if (stage == 2) reads = reads + own(state(1));
-  if (stage == 3) reads = reads + own(state(2));
-  if (!is_plain_sph(settings_)) return reads;
-  return reads +
-         near_or_all(whole(pair_stress) + particles(material, current) + particles(constants));
-}
-
-// Stage 2 leaves Q3 + (Q2 - Q0)/3 where Q0 was; relaxing pressures keep their values of the start
-// of a step until its end, (RP.71).
-template <class T, int D>
-Accesses Step<T, D>::written_by_advance(int stage) const {
-  Accesses writes = own(state(buffer_after(stage)) + slots(stress, 1 - stage % 2) + whole(results));
-  if (stage == 2) writes = writes + own(state(0));
-  if (stage == 0 || stage == 3) writes = writes + own(slots(memory));
-  return writes;
+  const Resources listed =
+      repeated(drift, current) + repeated(velocity, current) + repeated(stress, parity);
+  return Accesses(listed, reach) + read_by_update(stage) +
+         near(images(drift, current) + images(velocity, current) + images(stress, parity) +
+              whole(interior));
 }
 
 template <class T, int D>

@@ -31,9 +31,7 @@ class Step {
   void prepare(double time_step);
   /// What a step found over all blocks.
   void fold() { work_.fold(); }
-  const kernels::StageResult& result() const { return work_.result(); }
-  int failed_block() const { return work_.failed_block(); }
-  double strain_rate(int body) const { return work_.strain_rate(body); }
+  const StageResults& results() const { return work_.results(); }
 
  private:
   /// A function of StageWork at a stage, for a row.
@@ -43,12 +41,10 @@ class Step {
   }
 
   void add_ghosts(std::vector<scheduler::Phase>& phases, int stage, bool all_of_them);
-  void add_pair_stress(std::vector<scheduler::Phase>& phases, int stage);
   void add_advance(std::vector<scheduler::Phase>& phases, int stage);
   Accesses read_by_ghosts(int stage, bool all_of_them) const;
   Accesses written_by_ghosts(int stage) const;
-  Accesses read_by_advance(int stage, scheduler::Reach reach) const;
-  Accesses written_by_advance(int stage) const;
+  static Accesses read_by_advance(int stage, scheduler::Reach reach);
 
   bool is_periodic() const;
   std::vector<int> blocks_where(bool listed) const;

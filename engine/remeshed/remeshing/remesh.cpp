@@ -90,8 +90,8 @@ void Remeshing<T, D>::source_phases(std::vector<scheduler::Phase>& phases, int f
             own(whole(bounds)), [this](int b) { layout_search_.find_bounds(b); });
   rows.reduce("remesh: layout", all(whole(bounds) + particles(drift) + whole(kinds)),
               all(new_lattice()), [this] {
-                layout_search_.mark_particles();
-                prepare_spare();
+                has_layout_ = layout_search_.mark_particles();
+                if (has_layout_) prepare_spare();
               });
 }
 
