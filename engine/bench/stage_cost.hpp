@@ -1,6 +1,6 @@
 #pragma once
 
-#include "engine/fields.hpp"
+#include "engine/remeshed/field_store.hpp"
 
 /// What one particle costs in one Runge-Kutta stage, counted from the equations and from the field
 /// list; docs/performance/step.md shows the sums. Ghosts, empty slots, remeshing and the level set
@@ -31,8 +31,9 @@ constexpr double flop_per_stage(kernels::Weight weight, kernels::Model model, in
 template <int D>
 constexpr double bytes_per_stage_in(kernels::Model model) {
   int state = 0;
-  for (const FieldDeclaration& f : fields) {
-    if (f.evolving) state += components<D>(f.rank, kernels::material_component_count<D>(model));
+  for (const remeshed::Declaration& f : remeshed::state_fields) {
+    if (!remeshed::is_evolving(f)) continue;
+    state += remeshed::components<D>(f.rank, kernels::material_component_count<D>(model));
   }
   constexpr int stress = kernels::symmetric_components<D>, mass = 1, interior = 1;
   const double states_read = (1 + 2 + 3 + 3) / 4.0, states_written = (1 + 1 + 2 + 1) / 4.0;

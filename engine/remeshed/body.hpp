@@ -2,13 +2,15 @@
 
 #include <array>
 #include <cstdint>
+#include <span>
 #include <string>
 #include <vector>
 
 #include "engine/case/case.hpp"
-#include "engine/fields.hpp"
 #include "engine/lattice/layout.hpp"
+#include "engine/remeshed/field_store.hpp"
 #include "engine/remeshed/neighbours/body_neighbours.hpp"
+#include "engine/remeshed/runge_kutta.hpp"
 #include "engine/storage/buffer.hpp"
 #include "kernels/remeshed/ghosts/ghost_state.hpp"
 #include "kernels/remeshed/table.hpp"
@@ -18,27 +20,35 @@ namespace pliant::remeshed {
 using kernels::Kind;
 using kernels::PackState;
 
-/// Where ghosts of one block touch other bodies in the present step, and what they feel.
+/// Ghosts of one block that lie on other bodies in the present step, and their tractions.
 template <class T, int D>
 struct ContactPoints {
   std::vector<std::int32_t> ghost;    ///< in the order of the ghosts
   std::vector<std::int32_t> contact;  ///< of the case
   std::vector<T> gap;   ///< to the other body's surface, negative where they overlap [m]
   std::vector<T> area;  ///< share of the surface, (RP.67) [m^(D-1)]
-  std::vector<std::int64_t> begin;         ///< [touch + 1] into the two below
+  std::vector<std::int64_t> begin;         ///< [contact point + 1] into the two below
   std::vector<std::int32_t> record;        ///< of the other body
   std::vector<T> coefficient;              ///< of its linear fit at the foot point
   std::vector<std::array<T, D>> traction;  ///< on this body, (RP.65) [Pa]
 
+  /// Calls f(field, list) for every list of the contact points.
+  template <class F>
+  static void for_each_list(F&& f) {
+    using P = ContactPoints;
+    f(Field::contact_ghost, &P::ghost);
+    f(Field::contact_number, &P::contact);
+    f(Field::gap, &P::gap);
+    f(Field::area, &P::area);
+    f(Field::contact_begin, &P::begin);
+    f(Field::contact_record, &P::record);
+    f(Field::contact_coefficient, &P::coefficient);
+    f(Field::traction, &P::traction);
+  }
+
   void clear() {
-    ghost.clear();
-    contact.clear();
-    gap.clear();
-    area.clear();
-    begin.assign(1, 0);
-    record.clear();
-    coefficient.clear();
-    traction.clear();
+    for_each_list([this](Field, auto list) { (this->*list).clear(); });
+    begin.push_back(0);
   }
 };
 
@@ -74,31 +84,31 @@ struct BlockGhosts {
   std::vector<kernels::SurfacePack> packs;
   std::int32_t first_record = 0, record_count = 0;
 
-  /// Calls f(name, list) for every list of the ghosts but those of their contact_points.
+  /// Calls f(field, list) for every list of the ghosts but those of their contact points.
   template <class F>
   static void for_each_list(F&& f) {
     using G = BlockGhosts;
-    f("slot", &G::slot);
-    f("wall", &G::wall);
-    f("active", &G::active);
-    f("pressure", &G::pressure);
-    f("normal", &G::normal);
-    f("foot", &G::foot);
-    f("terms", &G::terms);
-    f("constrained_sum", &G::constrained_sum);
-    f("surface_sum", &G::surface_sum);
-    f("begin", &G::begin);
-    f("pairs", &G::pairs);
-    f("wall_begin", &G::wall_begin);
-    f("wall_distance", &G::wall_distance);
-    f("contact", &G::contact);
-    f("contact_height", &G::contact_height);
-    f("contact_area", &G::contact_area);
+    f(Field::ghost_slot, &G::slot);
+    f(Field::wall, &G::wall);
+    f(Field::active, &G::active);
+    f(Field::pressure, &G::pressure);
+    f(Field::normal, &G::normal);
+    f(Field::foot, &G::foot);
+    f(Field::terms, &G::terms);
+    f(Field::constrained_sum, &G::constrained_sum);
+    f(Field::surface_sum, &G::surface_sum);
+    f(Field::pairs_begin, &G::begin);
+    f(Field::pairs, &G::pairs);
+    f(Field::wall_begin, &G::wall_begin);
+    f(Field::wall_distance, &G::wall_distance);
+    f(Field::contact, &G::contact);
+    f(Field::contact_height, &G::contact_height);
+    f(Field::contact_area, &G::contact_area);
   }
 
-  /// Forgets the ghosts; what is known of the records stays.
+  /// Removes the ghosts; the records stay.
   void clear() {
-    for_each_list([this](const char*, auto list) { (this->*list).clear(); });
+    for_each_list([this](Field, auto list) { (this->*list).clear(); });
     begin.push_back(0);
     reached_count = 0;
     contact_points.clear();
@@ -143,10 +153,6 @@ struct Population {
   std::int64_t particles = 0;       ///< interior
 };
 
-/// The buffer that holds the state of a stage: Q4 takes the place of Q2.
-constexpr int buffer_of(int stage) { return stage == 3 ? 1 : stage; }
-constexpr int buffer_after(int stage) { return buffer_of((stage + 1) % 4); }
-
 /// One body: its lattice, material, particles and surface. Nothing of it is shared with other
 /// bodies.
 ///
@@ -173,6 +179,17 @@ struct Body {
   Buffer<std::int32_t> record_of_slot;
   BodyNeighbours<D> neighbours;
 
+  /// Calls f(field, copy, buffers) for every array of the body's slots that is not in `stage`:
+  /// those that its material needs.
+  template <class F>
+  void for_each_array(F&& f) {
+    visit_arrays(*this, f);
+  }
+  template <class F>
+  void for_each_array(F&& f) const {
+    visit_arrays(*this, f);
+  }
+
   /// A component of sigma of the even or of the odd stages.
   Buffer<T>& stress_component(int parity, int component) {
     return stress_component_of(*this, parity, component);
@@ -196,13 +213,23 @@ struct Body {
   }
 
  private:
+  static constexpr bool has_own_odd_stress =
+      odd_stress_storage<D>.size() < kernels::symmetric_components<D>;
+
+  template <class Self, class F>
+  static void visit_arrays(Self& body, F&& f) {
+    using std::span;
+    f(Field::stress, 0, span(body.stress));
+    if (has_own_odd_stress) f(Field::stress, 1, span(&body.last_odd_stress, 1));
+    f(Field::interior, 0, span(&body.interior, 1));
+    if (!body.prony.empty()) f(Field::volume_change, 0, span(&body.volume_change, 1));
+  }
   template <class Self>
   static auto& stress_component_of(Self& body, int parity, int component) {
     if (parity == 0) return body.stress[component];
-    if (component == 0) return body.stage[1][Field::mass][0];
-    if (component == 1) return body.stage[1][Field::level_set][0];
-    if (component < 2 + D) return body.stage[1][Field::displacement][component - 2];
-    return body.last_odd_stress;
+    if (component == std::ssize(odd_stress_storage<D>)) return body.last_odd_stress;
+    const StateComponent& place = odd_stress_storage<D>[component];
+    return body.stage[1][place.field][place.component];
   }
   template <class U, class Self>
   static std::array<U*, kernels::symmetric_components<D>> stress_view_of(Self& body, int parity) {

@@ -1,10 +1,51 @@
 #include "engine/remeshed/particle_update.hpp"
 
 #include "engine/remeshed/particle_kinds.hpp"
+#include "engine/remeshed/resources.hpp"
 #include "engine/remeshed/runge_kutta.hpp"
 #include "kernels/remeshed/stage/relaxation.hpp"
 
 namespace pliant::remeshed {
+
+using namespace resource;
+
+namespace {
+
+/// A copy of the state, Q of (RP.19), in all slots.
+Resources state(int copy) {
+  return slots(Group::drift, copy) + slots(Group::velocity, copy) + slots(Group::material, copy);
+}
+
+}  // namespace
+
+// Stage 2 reads Q2 for (Q2 - Q0)/3, and stage 3 reads Q3 for (Q4 - Q3)/3.
+Accesses read_by_update(int stage) {
+  const Accesses reads =
+      own(state(0) + state(buffer_of(stage)) + slots(Group::constants) + slots(Group::memory) +
+          whole(Group::kinds) + whole(Group::interior) + whole(Group::neighbour_lists));
+  return stage < 2 ? reads : reads + own(state(stage - 1));
+}
+
+// Stage 2 leaves Q3 + (Q2 - Q0)/3 where Q0 was. The first stage keeps J - 1, and the last one
+// leaves the new pressures p_i, (RP.71).
+Accesses written_by_update(int stage) {
+  Accesses writes =
+      own(state(buffer_after(stage)) + slots(Group::stress, 1 - stage % 2) + whole(Group::results));
+  if (stage == 2) writes = writes + own(state(0));
+  if (stage == 0 || stage == 3) writes = writes + own(slots(Group::memory));
+  return writes;
+}
+
+Accesses read_by_evaluate_stress() {
+  return own(slots(Group::material) + slots(Group::constants) + slots(Group::memory) +
+             whole(Group::kinds));
+}
+
+Accesses written_by_evaluate_stress() {
+  return own(slots(Group::stress, 0) + slots(Group::stress, 1) + slots(Group::drift, 1) +
+             slots(Group::velocity, 1) + slots(Group::drift, 2) + slots(Group::velocity, 2) +
+             whole(Group::interior) + whole(Group::results));
+}
 
 template <class T, int D>
 ParticleUpdate<T, D>::ParticleUpdate(State<T, D>& state, const Case& settings,

@@ -3,10 +3,20 @@
 #include <array>
 #include <vector>
 
+#include "engine/method/resources.hpp"
 #include "engine/remeshed/state.hpp"
 #include "kernels/remeshed/table.hpp"
 
 namespace pliant::remeshed {
+
+/// What ParticleUpdate::advance reads of its own block besides the values that neighbours have too,
+/// and what it writes.
+Accesses read_by_update(int stage);
+Accesses written_by_update(int stage);
+/// The same of ParticleUpdate::evaluate_stress, which also puts slots that no stage advances at
+/// rest in all copies.
+Accesses read_by_evaluate_stress();
+Accesses written_by_evaluate_stress();
 
 /// What a stage does to the particles of a block, once ghosts and images are there.
 template <class T, int D>

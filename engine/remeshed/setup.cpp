@@ -39,7 +39,7 @@ void set_up(const Case& settings, const BodyCase& source, Body<T, D>& body) {
   body.lattice = body_lattice<D>(settings, source);
   for (int buffer = 0; buffer < 3; ++buffer) {
     body.stage[buffer] =
-        FieldStore<T, D>(body.material.model, static_cast<int>(body.prony.size()), buffer > 1);
+        FieldStore<T, D>(body.material.model, static_cast<int>(body.prony.size()), buffer);
   }
 }
 

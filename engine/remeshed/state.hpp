@@ -19,7 +19,7 @@ struct Clock : StepClock {
   double accumulated_strain = 0;  ///< of (RP.28), since the last remeshing
 };
 
-/// What a body in contact holds to, see body_momentum.hpp.
+/// Of a body in contact, see momentum_correction.hpp.
 template <int D>
 struct MomentumBudget {
   double mass = 0;         ///< at t = 0 [kg]
@@ -48,8 +48,9 @@ struct State {
     std::size_t sum = 0;
     for (const Body<T, D>& body : bodies) {
       for (const auto& store : body.stage) sum += store.bytes();
-      for (const auto& component : body.stress) sum += component.bytes();
-      sum += body.last_odd_stress.bytes() + body.interior.bytes() + body.volume_change.bytes();
+      body.for_each_array([&sum](Field, int, auto components) {
+        for (const Buffer<T>& component : components) sum += component.bytes();
+      });
       sum += body.neighbours.bytes() + body.records.bytes();
     }
     return sum;

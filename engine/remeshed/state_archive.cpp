@@ -21,18 +21,19 @@ void for_each_counter(C& clock, F&& f) {
   f("steps_since_reinitialisation", clock.steps_since_reinitialisation);
 }
 
-/// Calls f(name, buffer) for every slot array of a body.
+/// Calls f(name, buffer) for every array of slots that a checkpoint holds: one copy of each.
 template <class B, class F>
 void for_each_slot_array(B& body, F&& f) {
-  for (const FieldDeclaration& field : fields) {
-    auto& components = body.stage[0][field.field];
+  const auto visit = [&f](const Declaration& field, auto& components) {
+    if (!field.is_saved) return;
     for (std::size_t c = 0; c < components.size(); ++c) {
       f(fmt::format("{}/{}", field.name, c), components[c]);
     }
+  };
+  for (const Declaration& field : state_fields) {
+    visit(field, body.stage[0][field.field]);
   }
-  for (std::size_t c = 0; c < body.stress.size(); ++c) {
-    f(fmt::format("stress/{}", c), body.stress[c]);
-  }
+  visit(declaration(Field::stress), body.stress);
 }
 
 /// The number that values of a list consist of.
@@ -61,12 +62,18 @@ auto numbers_of(std::vector<V>& values) {
   return std::span(reinterpret_cast<N*>(values.data()), bytes / sizeof(N));
 }
 
+std::string list_name(const std::string& group, Field field) {
+  return fmt::format("{}/{}", group, declaration(field).name);
+}
+
 // A list of all blocks is one array; another says how long each block's is.
 template <class T, int D>
 void put_ghosts(ArchiveWriter& archive, const std::string& group,
                 const Population<T, D>& population) {
   BlockGhosts<T, D>::for_each_list(
-      [&]<class V>(const std::string& name, std::vector<V> BlockGhosts<T, D>::*list) {
+      [&]<class V>(Field field, std::vector<V> BlockGhosts<T, D>::*list) {
+        if (!declaration(field).is_saved) return;
+        const std::string name = list_name(group, field);
         std::vector<std::int64_t> lengths;
         std::vector<V> all;
         for (const BlockGhosts<T, D>& ghosts : population.ghosts) {
@@ -75,8 +82,8 @@ void put_ghosts(ArchiveWriter& archive, const std::string& group,
           all.insert(all.end(), values.begin(), values.end());
         }
         const std::span<const typename Number<V>::Type> numbers = numbers_of(all);
-        archive.put(group + "/" + name + "/lengths", std::span<const std::int64_t>(lengths));
-        archive.put(group + "/" + name + "/values", numbers);
+        archive.put(name + "/lengths", std::span<const std::int64_t>(lengths));
+        archive.put(name + "/values", numbers);
       });
   std::vector<std::int64_t> reached, packs;
   for (const BlockGhosts<T, D>& ghosts : population.ghosts) {
@@ -88,25 +95,28 @@ void put_ghosts(ArchiveWriter& archive, const std::string& group,
     }
   }
   archive.put(group + "/reached", std::span<const std::int64_t>(reached));
-  archive.put(group + "/packs", std::span<const std::int64_t>(packs));
-  archive.put(group + "/surface_distance", std::span<const T>(population.surface_distance));
+  archive.put(list_name(group, Field::surface_pack), std::span<const std::int64_t>(packs));
+  archive.put(list_name(group, Field::surface_distance),
+              std::span<const T>(population.surface_distance));
 }
 
 template <class T, int D>
 void get_ghosts(const ArchiveReader& archive, const std::string& group,
                 Population<T, D>& population) {
   BlockGhosts<T, D>::for_each_list(
-      [&]<class V>(const std::string& name, std::vector<V> BlockGhosts<T, D>::*list) {
-        const auto lengths = archive.get<std::int64_t>(group + "/" + name + "/lengths");
+      [&]<class V>(Field field, std::vector<V> BlockGhosts<T, D>::*list) {
+        if (!declaration(field).is_saved) return;
+        const std::string name = list_name(group, field);
+        const auto lengths = archive.get<std::int64_t>(name + "/lengths");
         std::vector<V> all(std::accumulate(lengths.begin(), lengths.end(), std::int64_t{0}));
-        archive.read(group + "/" + name + "/values", numbers_of(all));
+        archive.read(name + "/values", numbers_of(all));
         auto first = all.begin();
         for (std::size_t b = 0; b < population.ghosts.size(); first += lengths[b++]) {
           (population.ghosts[b].*list).assign(first, first + lengths.at(b));
         }
       });
   const auto reached = archive.get<std::int64_t>(group + "/reached");
-  const auto packs = archive.get<std::int64_t>(group + "/packs");
+  const auto packs = archive.get<std::int64_t>(list_name(group, Field::surface_pack));
   auto pack = packs.begin();
   const auto next = [&] { return static_cast<std::int32_t>(*pack++); };
   for (std::size_t b = 0; b < population.ghosts.size(); ++b) {
@@ -123,7 +133,7 @@ void get_ghosts(const ArchiveReader& archive, const std::string& group,
       p.lanes = static_cast<std::uint16_t>(*pack++);
     }
   }
-  population.surface_distance = archive.get<T>(group + "/surface_distance");
+  population.surface_distance = archive.get<T>(list_name(group, Field::surface_distance));
   list_slots_of_records(population);
 }
 

@@ -2,48 +2,72 @@
 
 #include <algorithm>
 
-#include "engine/remeshed/contact/wall_contact.hpp"
-#include "engine/remeshed/ghosts/surface_records.hpp"
-#include "engine/remeshed/images.hpp"
 #include "engine/remeshed/resources.hpp"
 #include "engine/remeshed/runge_kutta.hpp"
 
 // A step of the remeshed Lagrangian particle method (H&K, sections 2 and 4).
 //
-//   for each stage s = 0..3 of the Runge-Kutta method (RP.19), stage states Q0, Q2, Q3, Q4 (where
-//   Q2 was):
-//     surface   grad phi of the particles near the surface (RP.81); their u, sigma, grad phi, p are
-//               packed side by side, one cache line each
-//     contact   first stage only: which ghosts beyond a contact wall the body presses on, (RP.50)
-//     ghosts    each ghost takes velocity and stress from the packed particles: the free surface
-//               with its present normal (RP.37), (RP.34), walls (RP.35), (RP.36), as the paper
-//               (RP.38); contact walls let go where they would pull
-//     advance   grad u and div sigma of every particle by the moment matrix (RP.18), its rates
-//               (RP.12), the next stage state and the stress that belongs to it (RP.3)-(RP.9)
+// Each of the four stages of the Runge-Kutta method (RP.19) takes a `current` copy of the state
+// (Q0, Q2, Q3, and Q4, which lies where Q2 was) to the `next` one:
 //
-// A step only follows particles. Moving them back onto the lattice is in remesh.cpp; when that is
-// due is decided in solver.cpp.
+//     image positions   periodic bodies: drift of the slots beyond a period
+//     surface           grad phi of the particles near the surface (RP.81); their u, sigma, grad
+//     phi
+//                       and p go side by side into surface records, one or two cache lines each
+//     contact           contact walls, first stage: which ghosts beyond the wall the body presses
+//                       on, (RP.50)
+//     contact search: samples   contact between bodies, first stage: surface particles and ghosts
+//     of
+//                       each block, with their positions
+//     contact search: cells     those of a body in a cell list, if its box meets that of another
+//     contact search: points    ghosts whose foot point lies on another body, and the fit of that
+//                       body there, (RP.69)
+//     tractions         contact between bodies: tractions at the contact points, (RP.65)
+//     ghosts            velocity and stress of each ghost from the surface records: free surfaces
+//                       with their present normal (RP.37), (RP.34), walls (RP.35), (RP.36), as the
+//                       paper (RP.38); contact walls release the ghosts that they would pull
+//     images            periodic bodies: velocity and stress of the slots beyond a period
+//     advance           grad u and div sigma of every particle by the moment matrix (RP.18), its
+//                       rates (RP.12), the next state and the stress that belongs to it
+//                       (RP.3)-(RP.9)
+//
+// After the last stage:
+//
+//     momentum          contact between bodies: the momentum of each body, its momentum budget
+//                       (RP.67), and the small velocity that makes the two equal (RP.68)
+//
+// A step only follows particles. remesh.cpp moves them back onto the lattice; solver.cpp decides
+// when that is due. The rows below say what each phase reads (of its own block; of the neighbouring
+// blocks too, `near`; of all blocks, `all`), what it writes, and its function.
 namespace pliant::remeshed {
 
 using scheduler::Phase;
 using scheduler::Reach;
+using namespace resource;
+using enum Group;
+
+namespace {
+
+/// Particles and ghosts, which images repeat.
+Resources repeated(Group group, int copy) { return particles(group, copy) + ghosts(group, copy); }
+
+}  // namespace
 
 template <class T, int D>
 Step<T, D>::Step(State<T, D>& state, const Case& settings,
                  const kernels::RemeshedTable<T, D>& kernels)
     : state_(state),
       settings_(settings),
-      kernels_(kernels),
-      particles_(state, settings, kernels),
+      work_(state, settings, kernels),
       contact_(state, settings, kernels),
       momentum_(state, settings) {}
 
 template <class T, int D>
 std::vector<Phase> Step<T, D>::phases() {
-  results_.reset(state_.blocks, state_.bodies.size());
+  work_.prepare_blocks();
   std::vector<Phase> phases;
   for (int stage = 0; stage < 4; ++stage) {
-    add_ghosts(phases, stage, WhichGhosts::reached);
+    add_ghosts(phases, stage, false);
     add_advance(phases, stage);
   }
   if (momentum_.is_needed()) {
@@ -56,101 +80,100 @@ std::vector<Phase> Step<T, D>::phases() {
 template <class T, int D>
 std::vector<Phase> Step<T, D>::ghost_phases() {
   std::vector<Phase> phases;
-  add_ghosts(phases, 0, WhichGhosts::all);
+  add_ghosts(phases, 0, true);
   return phases;
 }
 
 template <class T, int D>
 std::vector<Phase> Step<T, D>::stress_phases() {
-  results_.reset(state_.blocks, state_.bodies.size());
-  std::vector<Phase> phases = {
-      {.name = "stress",
-       .reads = {{resource::material(0)}},
-       .writes = {{resource::stress(0)}},
-       .run = [this](int block) { results_[block] = particles_.evaluate_stress(block); }}};
+  work_.prepare_blocks();
+  std::vector<Phase> phases;
+  PhaseRows(phases).each("stress", read_by_evaluate_stress(), written_by_evaluate_stress(),
+                         [this](int block) { work_.evaluate_stress(block); });
   if (momentum_.is_needed()) momentum_.add_phases(phases, {});
   return phases;
 }
 
 template <class T, int D>
-template <class F>
-Phase Step<T, D>::on_blocks(const char* name, int stage, const Accesses& reads,
-                            const Accesses& writes, F run) {
-  return {.name = name,
-          .stage = stage,
-          .reads = reads,
-          .writes = writes,
-          .run = [this, run](int block) {
-            const auto [body, local] = state_.owner(block);
-            run(body, local);
-          }};
-}
-
-template <class T, int D>
-void Step<T, D>::add_ghosts(std::vector<Phase>& phases, int stage, WhichGhosts which) {
-  using Body = remeshed::Body<T, D>;
-  const int parity = stage % 2, buffer = buffer_of(stage);
-  if (periodic()) {
-    phases.push_back(
-        on_blocks("image positions", stage, {{resource::drift(buffer), Reach::neighbours}},
-                  {{resource::image_drift(buffer)}},
-                  [stage](Body& body, int block) { copy_image_drift(body, block, stage); }));
+void Step<T, D>::add_ghosts(std::vector<Phase>& phases, int stage, bool all_of_them) {
+  using Work = StageWork<T, D>;
+  const int current = buffer_of(stage), parity = stage % 2;
+  PhaseRows rows = PhaseRows(phases).at_stage(stage);
+  if (is_periodic()) {
+    rows.each("image positions", near(repeated(drift, current)) + own(whole(image_sources)),
+              own(images(drift, current)), at(stage, &Work::copy_image_positions));
   }
-  phases.push_back(on_blocks("surface", stage,
-                             {{resource::drift(buffer), Reach::neighbours},
-                              {resource::image_drift(buffer)},
-                              {resource::velocity(buffer)},
-                              {resource::stress(parity)},
-                              {resource::material(buffer)}},
-                             {{resource::records}}, [this, stage](Body& body, int block) {
-                               write_surface_records(body, block, stage, kernels_);
-                             }));
+  rows.each("surface",
+            near(slots(drift, current) + slots(constants)) +
+                own(particles(velocity, current) + particles(stress, parity) +
+                    particles(material, current) + whole(fits)),
+            own(whole(records)), at(stage, &Work::write_records));
   if (stage == 0 && state_.boundaries.have_contact()) {
-    phases.push_back(on_blocks(
-        "contact", stage, {{resource::records, Reach::neighbours}, {resource::drift(buffer)}},
-        {{resource::contact}}, [this](Body& body, int block) {
-          decide_contact(body, block, state_.boundaries, boundary_values_[0], kernels_);
-        }));
+    rows.each("contact", near(whole(records) + whole(fits)) + own(ghosts(drift) + whole(contact)),
+              own(whole(contact) + whole(kinds)), at(stage, &Work::decide_wall_contact));
   }
   if (contact_.is_needed()) {
     if (stage == 0) contact_.add_search(phases);
     contact_.add_tractions(phases, stage);
   }
-  add_filling(phases, stage, which);
-  if (periodic()) {
-    phases.push_back(on_blocks("images", stage,
-                               {{resource::velocity(buffer), Reach::neighbours},
-                                {resource::stress(parity), Reach::neighbours},
-                                {resource::ghosts(buffer), Reach::neighbours}},
-                               {{resource::images(buffer)}}, [stage](Body& body, int block) {
-                                 copy_images(body, block, stage);
-                               }));
+  rows.each("ghosts", read_by_ghosts(stage, all_of_them), written_by_ghosts(stage),
+            at(stage, all_of_them ? &Work::fill_all_ghosts : &Work::fill_reached_ghosts));
+  if (is_periodic()) {
+    rows.each(
+        "images",
+        near(repeated(velocity, current) + repeated(stress, parity)) + own(whole(image_sources)),
+        own(images(velocity, current) + images(stress, parity)),
+        at(stage, &Work::copy_image_states));
+  }
+}
+
+// Rigid ghosts (RP.39) read the particles themselves. Ghosts that no particle reads drift with the
+// velocities of earlier stages, instead of with a fit of their own.
+template <class T, int D>
+Accesses Step<T, D>::read_by_ghosts(int stage, bool all_of_them) const {
+  const int current = buffer_of(stage);
+  Accesses reads = near(whole(records) + whole(fits)) +
+                   own(whole(contact) + whole(contact_points) + whole(tractions));
+  if (settings_.ghosts == GhostTreatment::rigid) {
+    reads = reads + near(particles(drift, current) + particles(velocity, current)) +
+            own(ghosts(drift, current));
+  }
+  if (all_of_them || stage < 2) return reads;
+  return reads +
+         (stage == 2 ? own(ghosts(velocity, 0) + ghosts(velocity, 1)) : own(ghosts(velocity, 2)));
+}
+
+template <class T, int D>
+Accesses Step<T, D>::written_by_ghosts(int stage) const {
+  const Accesses writes = own(ghosts(velocity, buffer_of(stage)) + ghosts(stress, stage % 2));
+  if (!state_.boundaries.have_contact()) return writes;
+  return writes + own(whole(contact) + whole(kinds) + whole(wall_impulse));
+}
+
+// Neighbours that a search has found may belong to any block: particles far apart on the lattice
+// may have come near. Everything else in a step stays on the lattice: fourth differences (RP.43)
+// and grad phi of surface particles (RP.81) follow material lines, and ghosts keep their fits.
+template <class T, int D>
+void Step<T, D>::add_advance(std::vector<Phase>& phases, int stage) {
+  for (const bool are_listed : {false, true}) {
+    const std::vector<int> blocks = blocks_where(are_listed);
+    if (blocks.empty()) continue;
+    const Reach reach = are_listed ? Reach::all : Reach::neighbours;
+    PhaseRows(phases, blocks)
+        .at_stage(stage)
+        .each("advance", read_by_advance(stage, reach), written_by_update(stage),
+              at(stage, &StageWork<T, D>::advance));
   }
 }
 
 template <class T, int D>
-void Step<T, D>::add_filling(std::vector<Phase>& phases, int stage, WhichGhosts which) {
-  const int buffer = buffer_of(stage);
-  Accesses reads = {{resource::records, Reach::neighbours},
-                    {resource::tractions},
-                    {resource::drift(buffer), Reach::neighbours},
-                    {resource::velocity(buffer), Reach::neighbours}};
-  Accesses writes = {{resource::ghosts(buffer)}};
-  if (state_.boundaries.have_contact()) {
-    writes.insert(writes.end(), {{resource::contact}, {resource::impulse}});
-  }
-  const bool drifts = which == WhichGhosts::reached;
-  if (drifts && stage == 2) {
-    reads.insert(reads.end(), {{resource::ghosts(0)}, {resource::ghosts(1)}});
-  }
-  if (drifts && stage == 3) reads.push_back({resource::ghosts(2)});
-  phases.push_back({.name = "ghosts",
-                    .stage = stage,
-                    .reads = std::move(reads),
-                    .writes = std::move(writes),
-                    .run = [this, stage, drifts](int block) {
-                      drifts ? fill(block, stage) : fill_all(block, stage);
-                    }});
+Accesses Step<T, D>::read_by_advance(int stage, Reach reach) {
+  const int current = buffer_of(stage), parity = stage % 2;
+  const Resources listed =
+      repeated(drift, current) + repeated(velocity, current) + repeated(stress, parity);
+  return Accesses(listed, reach) + read_by_update(stage) +
+         near(images(drift, current) + images(velocity, current) + images(stress, parity) +
+              whole(interior));
 }
 
 template <class T, int D>
@@ -164,101 +187,16 @@ std::vector<int> Step<T, D>::blocks_where(bool listed) const {
   return blocks;
 }
 
-// Neighbours that a search has found may belong to any block: particles far apart on the lattice
-// may have come near. Everything else in a step stays on the lattice: fourth differences (RP.43)
-// and grad phi of surface particles (RP.81) follow material lines, and ghosts keep their fits.
 template <class T, int D>
-void Step<T, D>::add_advance(std::vector<Phase>& phases, int stage) {
-  const std::vector<int> listed = blocks_where(true);
-  if (listed.empty()) return add_advance(phases, stage, Reach::neighbours, {});
-  const std::vector<int> others = blocks_where(false);
-  if (others.empty()) return add_advance(phases, stage, Reach::all, {});
-  add_advance(phases, stage, Reach::neighbours, others);
-  add_advance(phases, stage, Reach::all, listed);
-}
-
-template <class T, int D>
-void Step<T, D>::add_advance(std::vector<Phase>& phases, int stage, Reach reach,
-                             const std::vector<int>& blocks) {
-  const int parity = stage % 2, current = buffer_of(stage), next = buffer_after(stage);
-  Accesses reads = {{resource::drift(current), reach},
-                    {resource::velocity(current), reach},
-                    {resource::stress(parity), reach},
-                    {resource::ghosts(current), reach},
-                    {resource::images(current), Reach::neighbours},
-                    {resource::material(current)}};
-  Accesses writes = {{resource::stress(1 - parity)},
-                     {resource::ghosts(next)},
-                     {resource::image_drift(next)},
-                     {resource::images(next)},
-                     {resource::result}};
-  for (int buffer = 0; buffer <= std::min(stage, 2); ++buffer) {
-    reads.insert(
-        reads.end(),
-        {{resource::drift(buffer)}, {resource::velocity(buffer)}, {resource::material(buffer)}});
-  }
-  const auto write_state = [&](int buffer) {
-    writes.insert(
-        writes.end(),
-        {{resource::drift(buffer)}, {resource::velocity(buffer)}, {resource::material(buffer)}});
-  };
-  write_state(next);
-  if (stage == 2) write_state(0);
-  phases.push_back(
-      {.name = "advance",
-       .stage = stage,
-       .reads = std::move(reads),
-       .writes = std::move(writes),
-       .blocks = blocks,
-       .run = [this, stage](int block) { results_[block] = particles_.advance(block, stage); }});
-}
-
-template <class T, int D>
-bool Step<T, D>::periodic() const {
+bool Step<T, D>::is_periodic() const {
   return std::any_of(state_.bodies.begin(), state_.bodies.end(),
                      [](const Body<T, D>& body) { return body.lattice.is_periodic(); });
 }
 
 template <class T, int D>
 void Step<T, D>::prepare(double time_step) {
-  time_step_ = time_step;
   contact_.prepare(time_step);
-  impulse_.assign(state_.blocks.size() * state_.boundaries.walls.size(), {});
-  for (int stage = 0; stage < 4; ++stage) {
-    boundary_values_[stage].evaluate(state_.boundaries,
-                                     state_.clock.time + stage_time[stage] * time_step);
-  }
-  particles_.prepare(time_step);
-}
-
-template <class T, int D>
-void Step<T, D>::fold() {
-  const std::size_t walls = state_.wall_impulse.size();
-  for (std::size_t i = 0; i < impulse_.size(); ++i) {
-    for (int a = 0; a < D; ++a) state_.wall_impulse[i % walls][a] += impulse_[i][a];
-  }
-  results_.fold(state_.blocks);
-}
-
-template <class T, int D>
-void Step<T, D>::fill_all(int block, int stage) {
-  const auto [body, local] = state_.owner(block);
-  fill_ghosts<T, D>(body, local, stage, stage % 2, WhichGhosts::all, state_.boundaries,
-                    boundary_values_[stage], settings_.ghosts, kernels_);
-}
-
-// Ghosts that no stencil reaches only have to come along until the next remeshing. Lists of
-// neighbours may hold them too, and want their stress; where they drift to must not depend on that.
-template <class T, int D>
-void Step<T, D>::fill(int block, int stage) {
-  const auto [body, local] = state_.owner(block);
-  const WhichGhosts which = body.neighbours.are_listed ? WhichGhosts::all : WhichGhosts::reached;
-  fill_ghosts<T, D>(body, local, stage, stage % 2, which, state_.boundaries,
-                    boundary_values_[stage], settings_.ghosts, kernels_);
-  drift_ghosts<T, D>(body, local, stage, settings_.ghosts, kernels_);
-  Point<D>* impulse = impulse_.data() + block * state_.boundaries.walls.size();
-  add_impulse<T, D>(body, local, state_.boundaries, boundary_values_[stage],
-                    stage_weight[stage] * time_step_, kernels_, impulse);
+  work_.prepare(time_step);
 }
 
 template class Step<double, 2>;

@@ -1,13 +1,11 @@
 #pragma once
 
-#include <array>
 #include <vector>
 
+#include "engine/method/phase_rows.hpp"
 #include "engine/remeshed/contact/body_contact.hpp"
 #include "engine/remeshed/contact/momentum_correction.hpp"
-#include "engine/remeshed/ghosts/ghost_fill.hpp"
-#include "engine/remeshed/particle_update.hpp"
-#include "engine/remeshed/stage_results.hpp"
+#include "engine/remeshed/stage_work.hpp"
 #include "engine/remeshed/state.hpp"
 #include "kernels/remeshed/table.hpp"
 #include "scheduler/phase.hpp"
@@ -31,40 +29,31 @@ class Step {
 
   /// Fixes the time step [s] and what the boundaries impose at each stage.
   void prepare(double time_step);
-  /// Folds what a step found over the blocks in their order, the impulse of contact walls into the
-  /// state.
-  void fold();
-  const StageResults& results() const { return results_; }
+  /// What a step found over all blocks.
+  void fold() { work_.fold(); }
+  const StageResults& results() const { return work_.results(); }
 
  private:
-  using Accesses = std::vector<scheduler::Access>;
+  /// A function of StageWork at a stage, for a row.
+  template <class Function>
+  std::function<void(int)> at(int stage, Function function) {
+    return [this, stage, function](int block) { (work_.*function)(block, stage); };
+  }
 
-  /// A phase that runs on each block, with the body and the number that the block has in it.
-  template <class F>
-  scheduler::Phase on_blocks(const char* name, int stage, const Accesses& reads,
-                             const Accesses& writes, F run);
-
-  bool periodic() const;
-  std::vector<int> blocks_where(bool listed) const;
-  void add_ghosts(std::vector<scheduler::Phase>& phases, int stage, WhichGhosts which);
-  void add_filling(std::vector<scheduler::Phase>& phases, int stage, WhichGhosts which);
+  void add_ghosts(std::vector<scheduler::Phase>& phases, int stage, bool all_of_them);
   void add_advance(std::vector<scheduler::Phase>& phases, int stage);
-  void add_advance(std::vector<scheduler::Phase>& phases, int stage, scheduler::Reach reach,
-                   const std::vector<int>& blocks);
+  Accesses read_by_ghosts(int stage, bool all_of_them) const;
+  Accesses written_by_ghosts(int stage) const;
+  static Accesses read_by_advance(int stage, scheduler::Reach reach);
 
-  void fill(int block, int stage);
-  void fill_all(int block, int stage);
+  bool is_periodic() const;
+  std::vector<int> blocks_where(bool listed) const;
 
   State<T, D>& state_;
   const Case& settings_;
-  const kernels::RemeshedTable<T, D>& kernels_;
-  ParticleUpdate<T, D> particles_;
+  StageWork<T, D> work_;
   BodyContact<T, D> contact_;
   MomentumCorrection<T, D> momentum_;
-  double time_step_ = 0;
-  std::array<BoundaryValues<D>, 4> boundary_values_;  ///< [stage]
-  StageResults results_;
-  std::vector<Point<D>> impulse_;  ///< [block][wall] of contact walls on the bodies, of this step
 };
 
 extern template class Step<double, 2>;

@@ -11,8 +11,8 @@ void find_pair_stress(const remeshed::Body<T, D>& body, int block, int stage,
   using Matrix = Eigen::Matrix<T, D, D>;
   const Layout<D>& layout = body.population.layout;
   const auto stress = body.stress_view(stage % 2);
-  const T* mass = body.stage[0].get(Field::mass);
-  const T* volume = body.stage[remeshed::buffer_of(stage)].get(Field::volume);
+  const T* mass = body.stage[0].get(remeshed::Field::mass);
+  const T* volume = body.stage[remeshed::buffer_of(stage)].get(remeshed::Field::volume);
   Eigen::SelfAdjointEigenSolver<Matrix> principal;
   layout.for_each_slot(layout.blocks()[block], [&](std::int64_t p, const Cell<D>&) {
     if (body.population.kind[p] != kernels::Kind::interior) return;

@@ -1,25 +1,24 @@
 #include "engine/sph/step.hpp"
 
-#include <algorithm>
-
+#include "engine/method/phase_rows.hpp"
 #include "engine/remeshed/resources.hpp"
 
-// A step of plain SPH, the baseline of H&K.
+// A step of plain SPH, the baseline of H&K. For each of the four stages of the Runge-Kutta method
+// (RP.19):
 //
-//   for each stage s = 0..3 of the Runge-Kutta method (RP.19), stage states Q0, Q2, Q3, Q4 (where
-//   Q2 was):
-//     pair stress   sigma/rho^2 of every particle, and its artificial stress (RP.76)
-//     advance       grad u by (RP.73) and the forces of the pairs (RP.74), (RP.75) over listed
-//                   neighbours, the rates (RP.12), the next stage state and the stress that belongs
-//                   to it (RP.3)-(RP.9)
+//     pair stress       sigma/rho^2 of every particle, and its artificial stress (RP.76)
+//     advance           grad u by (RP.73) and the forces of the pairs (RP.74), (RP.75) over lists
+//     of
+//                       neighbours, the rates (RP.12), the next state and the stress that belongs
+//                       to it (RP.3)-(RP.9)
 //
 // There are no ghosts: particles at a free surface simply have fewer neighbours. The lists are made
 // anew before every step, in solver.cpp, and may name particles of any block.
 namespace pliant::sph {
 
-namespace resource = remeshed::resource;
 using scheduler::Phase;
-using scheduler::Reach;
+using namespace remeshed::resource;
+using enum remeshed::Group;
 
 template <class T, int D>
 Step<T, D>::Step(remeshed::State<T, D>& state, const Case& settings,
@@ -39,44 +38,30 @@ template <class T, int D>
 std::vector<Phase> Step<T, D>::phases() {
   std::vector<Phase> phases;
   for (int stage = 0; stage < 4; ++stage) {
-    const int parity = stage % 2;
-    const int current = remeshed::buffer_of(stage), next = remeshed::buffer_after(stage);
-    phases.push_back({.name = "pair stress",
-                      .stage = stage,
-                      .reads = {{resource::stress(parity)}, {resource::material(current)}},
-                      .writes = {{resource::pair_stress}},
-                      .run = [this, stage](int block) { find_stress_of_pairs(block, stage); }});
-    Phase advancing = {.name = "advance",
-                       .stage = stage,
-                       .reads = {{resource::drift(current), Reach::all},
-                                 {resource::velocity(current), Reach::all},
-                                 {resource::material(current), Reach::all},
-                                 {resource::pair_stress, Reach::all}},
-                       .writes = {{resource::stress(1 - parity)}, {resource::result}},
-                       .run = [this, stage](int block) { advance(block, stage); }};
-    for (int buffer = 0; buffer <= std::min(stage, 2); ++buffer) {
-      advancing.reads.insert(
-          advancing.reads.end(),
-          {{resource::drift(buffer)}, {resource::velocity(buffer)}, {resource::material(buffer)}});
-    }
-    const auto write_state = [&](int buffer) {
-      advancing.writes.insert(
-          advancing.writes.end(),
-          {{resource::drift(buffer)}, {resource::velocity(buffer)}, {resource::material(buffer)}});
-    };
-    write_state(next);
-    if (stage == 2) write_state(0);
-    phases.push_back(std::move(advancing));
+    const int current = remeshed::buffer_of(stage);
+    PhaseRows rows = PhaseRows(phases).at_stage(stage);
+    rows.each("pair stress",
+              own(particles(stress, stage % 2) + particles(material, current) +
+                  particles(constants) + whole(kinds)),
+              own(whole(pair_stress)),
+              [this, stage](int block) { find_stress_of_pairs(block, stage); });
+    rows.each("advance",
+              all(particles(drift, current) + particles(velocity, current) +
+                  particles(material, current) + particles(constants) + whole(pair_stress)) +
+                  remeshed::read_by_update(stage),
+              remeshed::written_by_update(stage),
+              [this, stage](int block) { advance(block, stage); });
   }
   return phases;
 }
 
 template <class T, int D>
 std::vector<Phase> Step<T, D>::stress_phases() {
-  return {{.name = "stress",
-           .reads = {{resource::material(0)}},
-           .writes = {{resource::stress(0)}},
-           .run = [this](int block) { results_[block] = particles_.evaluate_stress(block); }}};
+  std::vector<Phase> phases;
+  PhaseRows(phases).each(
+      "stress", remeshed::read_by_evaluate_stress(), remeshed::written_by_evaluate_stress(),
+      [this](int block) { results_[block] = particles_.evaluate_stress(block); });
+  return phases;
 }
 
 template <class T, int D>

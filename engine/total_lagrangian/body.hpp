@@ -2,12 +2,14 @@
 
 #include <array>
 #include <cstdint>
+#include <span>
 #include <string>
 #include <vector>
 
 #include "engine/case/case.hpp"
 #include "engine/lattice/layout.hpp"
 #include "engine/storage/buffer.hpp"
+#include "engine/total_lagrangian/fields.hpp"
 #include "kernels/total_lagrangian/table.hpp"
 
 namespace pliant::total_lagrangian {
@@ -41,15 +43,15 @@ struct SurfacePatch {
   int pressure;
 };
 
-/// A particle that a wall holds.
+/// A particle whose velocity a wall sets.
 template <int D>
 struct ConstrainedParticle {
   std::int32_t slot;
   std::int32_t wall;
-  Point<D> normal;  ///< of a slip wall, out of it; zero where the particle sticks
+  Point<D> normal;  ///< of a slip wall, out of it; zero at a no-slip wall
 };
 
-/// What patches do to the particles of a block: particle `slot[i]` takes `weight[k]` of the force
+/// Loads of patches on the particles of a block: particle `slot[i]` takes `weight[k]` of the force
 /// on patch `patch[k]` for k from begin[i] to begin[i + 1].
 struct NodalLoads {
   std::vector<std::int32_t> slot, begin = {0}, patch;
@@ -80,6 +82,16 @@ struct Body {
   std::vector<std::vector<ConstrainedParticle<D>>> held;  ///< [block]
   std::vector<NodalLoads> nodal_loads;                    ///< [block]
 
+  /// Calls f(field, buffers) for every array of slots.
+  template <class F>
+  void for_each_array(F&& f) {
+    visit_arrays(*this, f);
+  }
+  template <class F>
+  void for_each_array(F&& f) const {
+    visit_arrays(*this, f);
+  }
+
   std::array<const T*, D> displacement_view() const {
     std::array<const T*, D> view;
     for (int a = 0; a < D; ++a) view[a] = displacement[a].get();
@@ -106,6 +118,21 @@ struct Body {
       x[a] += (1 - v.along) * displacement[a][v.first] + v.along * displacement[a][v.second];
     }
     return x;
+  }
+
+ private:
+  template <class Self, class F>
+  static void visit_arrays(Self& body, F&& f) {
+    using std::span;
+    f(Field::displacement, span(body.displacement));
+    f(Field::velocity, span(body.velocity));
+    f(Field::internal_force, span(body.internal));
+    f(Field::traction, span(body.traction));
+    f(Field::mass, span(&body.mass, 1));
+    f(Field::inverse_mass, span(&body.inverse_mass, 1));
+    f(Field::level_set, span(&body.level_set, 1));
+    f(Field::fraction, span(&body.fraction, 1));
+    for (auto& modes : body.force) f(Field::corner_force, span(modes));
   }
 };
 

@@ -151,15 +151,9 @@ void lay_out(const Nodes<D>& nodes, Body<T, D>& body) {
 template <class T, int D>
 void make_room(Body<T, D>& body) {
   const std::int64_t slots = body.layout.slots();
-  for (Buffer<T>* field : {&body.level_set, &body.fraction, &body.mass, &body.inverse_mass}) {
-    field->grow(slots, T(0));
-  }
-  for (int a = 0; a < D; ++a) {
-    for (auto* field : {&body.displacement, &body.velocity, &body.internal, &body.traction}) {
-      (*field)[a].grow(slots, T(0));
-    }
-    for (Buffer<T>& mode : body.force[a]) mode.grow(slots, T(0));
-  }
+  body.for_each_array([slots](Field, auto components) {
+    for (Buffer<T>& component : components) component.grow(slots, T(0));
+  });
 }
 
 // The nearest wall that comes within half a spacing holds a particle: on average over where the

@@ -9,12 +9,14 @@ namespace pliant::total_lagrangian {
 
 namespace {
 
-void for_each_field(auto& body, auto&& f) {
-  for (std::size_t a = 0; a < body.displacement.size(); ++a) {
-    f(fmt::format("displacement/{}", a), body.displacement[a]);
-    f(fmt::format("velocity/{}", a), body.velocity[a]);
-    f(fmt::format("internal/{}", a), body.internal[a]);
-  }
+/// Calls f(name, buffer) for every array that a checkpoint holds.
+void for_each_saved_array(auto& body, auto&& f) {
+  body.for_each_array([&f](Field field, auto components) {
+    if (!declaration(field).is_saved) return;
+    for (std::size_t c = 0; c < components.size(); ++c) {
+      f(fmt::format("{}/{}", declaration(field).name, c), components[c]);
+    }
+  });
 }
 
 }  // namespace
@@ -26,7 +28,7 @@ void put_state(ArchiveWriter& archive, const State<T, D>& state) {
   archive.put("clock/damping", state.clock.damping);
   put_boundaries<D>(archive, state.boundaries);
   for (std::size_t b = 0; b < state.bodies.size(); ++b) {
-    for_each_field(state.bodies[b], [&](const std::string& name, const Buffer<T>& values) {
+    for_each_saved_array(state.bodies[b], [&](const std::string& name, const Buffer<T>& values) {
       archive.put(fmt::format("body/{}/{}", b, name),
                   std::span<const T>(values.get(), state.bodies[b].layout.slots()));
     });
@@ -40,7 +42,7 @@ void get_state(const ArchiveReader& archive, State<T, D>& state) {
   state.clock.damping = archive.scalar<double>("clock/damping");
   get_boundaries<D>(archive, state.boundaries);
   for (std::size_t b = 0; b < state.bodies.size(); ++b) {
-    for_each_field(state.bodies[b], [&](const std::string& name, Buffer<T>& values) {
+    for_each_saved_array(state.bodies[b], [&](const std::string& name, Buffer<T>& values) {
       archive.read(fmt::format("body/{}/{}", b, name),
                    std::span<T>(values.get(), state.bodies[b].layout.slots()));
     });

@@ -2,35 +2,24 @@
 
 #include <algorithm>
 
-// A step of the total Lagrangian method: everything happens on the lattice of the undeformed body,
-// whose particles keep their neighbours for ever.
+#include "engine/method/phase_rows.hpp"
+
+// A step of the total Lagrangian method. Everything happens on the lattice of the undeformed body,
+// where particles always have the same neighbours.
 //
-//     pressure  the force on the surface inside each cell where a pressure acts      (TL.7)
-//     traction  what it is to each particle                                          (TL.7)
-//     stress    F at each stress point from the particles at its cell's corners,
-//               stress, and the force that it puts on those corners                  (TL.2)-(TL.6)
-//     motion    the particles' forces; velocity and displacement by central
-//               differences with damping; walls hold what they touch                 (TL.5), (TL.8)
+//     pressure          the force on the surface inside each cell where a pressure acts (TL.7)
+//     traction          the share of each particle in that force (TL.7)
+//     stress            F at each stress point from the particles at its cell's corners, the
+//                       stress, and its force on those corners (TL.2)-(TL.6)
+//     motion            the force on each particle (TL.5); velocity and displacement by central
+//                       differences with damping (TL.8); the velocity that walls set
 //
-// One evaluation of the stress each step, and no state but displacement and velocity: F is a
-// function of where the particles are, so that nothing creeps however long a load is held.
+// There is one evaluation of the stress in each step, and the state is displacement and velocity
+// alone: F is a function of where the particles are, so that nothing creeps under a constant load.
 namespace pliant::total_lagrangian {
 
-namespace {
-
 using scheduler::Phase;
-using scheduler::Reach;
-
-enum Resource : scheduler::FieldId {
-  displacement,
-  velocity,
-  patch_forces,
-  tractions,
-  internal_forces,
-  results
-};
-
-}  // namespace
+using enum Group;
 
 template <class T, int D>
 Step<T, D>::Step(State<T, D>& state, const Case& settings,
@@ -38,33 +27,27 @@ Step<T, D>::Step(State<T, D>& state, const Case& settings,
     : state_(state), settings_(settings), kernels_(kernels) {}
 
 template <class T, int D>
-std::vector<std::string> Step<T, D>::resources() {
-  return {"d", "u", "forces on patches", "tractions", "forces of stress points", "results"};
-}
-
-template <class T, int D>
 std::vector<Phase> Step<T, D>::phases() {
   stress_results_.assign(state_.blocks.size(), {0, -1});
   motion_results_.assign(state_.blocks.size(), {});
-  using Access = scheduler::Access;
-  const auto each = [this](const char* name, const std::vector<Access>& reads,
-                           const std::vector<Access>& writes, auto run) -> Phase {
-    return {.name = name, .reads = reads, .writes = writes, .run = [this, run](int block) {
-              (this->*run)(block);
-            }};
+  const auto run = [this](auto function) {
+    return [this, function](int block) { (this->*function)(block); };
   };
   std::vector<Phase> phases;
+  PhaseRows rows(phases);
   if (!state_.boundaries.pressures.empty()) {
-    phases.push_back(each("pressure", {{displacement, Reach::neighbours}}, {{patch_forces}},
-                          &Step::sum_patch_loads));
-    phases.push_back(each("traction", {{patch_forces, Reach::neighbours}}, {{tractions}},
-                          &Step::distribute_patch_loads));
+    rows.each("pressure", near(of(displacement)) + own(of(surface)), own(of(patch_forces)),
+              run(&Step::sum_patch_loads));
+    rows.each("traction", near(of(patch_forces)) + own(of(surface)), own(of(tractions)),
+              run(&Step::distribute_patch_loads));
   }
-  phases.push_back(each("stress", {{displacement, Reach::neighbours}},
-                        {{internal_forces}, {results}}, &Step::evaluate_stress));
-  phases.push_back(each(
-      "motion", {{internal_forces, Reach::neighbours}, {tractions}, {velocity}, {displacement}},
-      {{velocity}, {displacement}, {results}}, &Step::move));
+  rows.each("stress", near(of(displacement)) + own(of(constants)),
+            own(of(corner_forces) + of(results)), run(&Step::evaluate_stress));
+  rows.each("motion",
+            near(of(corner_forces)) + own(of(tractions) + of(constants) + of(surface) +
+                                          of(internal_forces) + of(velocity) + of(displacement)),
+            own(of(internal_forces) + of(velocity) + of(displacement) + of(results)),
+            run(&Step::move));
   return phases;
 }
 
@@ -165,13 +148,13 @@ void Step<T, D>::move(int block) {
     work.displacement[a] = body.displacement[a].get();
   }
   motion_results_[block] = kernels_.advance_motion(work);
-  hold(body, local);
+  apply_walls(body, local);
 }
 
-// Takes back what a held particle moved against its walls; in the order of the walls, so that the
-// last has the last word.
+// Undoes what a constrained particle has moved against its walls, in their order: where two walls
+// meet, the last one counts.
 template <class T, int D>
-void Step<T, D>::hold(Body<T, D>& body, int local) {
+void Step<T, D>::apply_walls(Body<T, D>& body, int local) {
   for (const ConstrainedParticle<D>& held : body.held[local]) {
     Point<D> excess;
     double along = 0, slips = 0;

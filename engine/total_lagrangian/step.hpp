@@ -9,7 +9,7 @@
 
 namespace pliant::total_lagrangian {
 
-/// What a step found out about the state that it left behind.
+/// What a step finds about the state that it leaves behind.
 struct StepResult {
   double wave_speed = 0;         ///< of (TL.9) [m/s]; 0 unless the step examined it
   double frequency2 = 0;         ///< omega^2 of (TL.10), without scaling of the mass [1/s^2]
@@ -26,8 +26,8 @@ class Step {
 
   std::vector<scheduler::Phase> phases();
 
-  /// What phases read and write, by name.
-  static std::vector<std::string> resources();
+  /// Names of what phases read and write.
+  static std::vector<std::string> resources() { return resource_numbers.names(); }
 
   /// Sets the length of the next step, and the loads at its time.
   void prepare(double time_step, bool examine);
@@ -40,7 +40,7 @@ class Step {
   void distribute_patch_loads(int block);
   void evaluate_stress(int block);
   void move(int block);
-  void hold(Body<T, D>& body, int local);
+  void apply_walls(Body<T, D>& body, int local);
 
   struct Owned {
     Body<T, D>& body;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "engine/method/phase_rows.hpp"
 #include "engine/remeshed/ghosts/fit_evaluator.hpp"
 #include "engine/remeshed/resources.hpp"
 #include "engine/remeshed/runge_kutta.hpp"
@@ -12,7 +13,6 @@ namespace pliant::remeshed {
 namespace {
 
 using scheduler::Phase;
-using scheduler::Reach;
 
 // (RP.65): time in which a gap or an overlap is to vanish [h/c]: shorter rings, longer lets bodies
 // sink in.
@@ -42,11 +42,12 @@ BodyContact<T, D>::BodyContact(State<T, D>& state, const Case& settings,
 
 template <class T, int D>
 void BodyContact<T, D>::add_tractions(std::vector<Phase>& phases, int stage) {
-  phases.push_back({.name = "tractions",
-                    .stage = stage,
-                    .reads = {{resource::records, Reach::all}, {resource::contact_points}},
-                    .writes = {{resource::tractions}},
-                    .run = [this, stage](int block) { find_tractions(block, stage); }});
+  using namespace resource;
+  using enum Group;
+  PhaseRows(phases).at_stage(stage).each(
+      "tractions", all(whole(records)) + near(whole(fits)) + own(whole(contact_points)),
+      own(whole(tractions) + whole(contact_impulse)),
+      [this, stage](int block) { find_tractions(block, stage); });
 }
 
 template <class T, int D>

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "engine/method/phase_rows.hpp"
 #include "engine/remeshed/contact/opposing_fit.hpp"
 #include "engine/remeshed/ghosts/fit_coefficient.hpp"
 #include "engine/remeshed/resources.hpp"
@@ -13,10 +14,9 @@ namespace pliant::remeshed {
 namespace {
 
 using scheduler::Phase;
-using scheduler::Reach;
 
-// How far apart pressed surfaces may stand [h]: none of it would let the noise of phi open a
-// surface that is pressed, more contact_points too early, which costs energy.
+// How far apart pressed surfaces may stand [h]: with none, the noise of phi would open a surface
+// that is pressed; with more, bodies would meet too early, which costs energy.
 constexpr double pressed_gap = 0.01;
 constexpr double clearly_apart = 1;  // [h], where no fit is needed to tell
 constexpr double apart = std::numeric_limits<double>::infinity();
@@ -46,20 +46,19 @@ ContactSearch<T, D>::ContactSearch(State<T, D>& state, const std::vector<Contact
 
 template <class T, int D>
 void ContactSearch<T, D>::add_phases(std::vector<Phase>& phases) {
-  phases.push_back({.name = "contact_points: samples",
-                    .reads = {{resource::drift(0)}},
-                    .writes = {{resource::surface_samples}},
-                    .run = [this](int block) { find_samples(block); }});
-  phases.push_back({.name = "contact_points: cells",
-                    .reads = {{resource::surface_samples, Reach::all}},
-                    .writes = {{resource::surface_cells, Reach::all}},
-                    .kind = Phase::Kind::reduce,
-                    .run = [this](int) { sort_samples(); }});
-  phases.push_back(
-      {.name = "contact_points",
-       .reads = {{resource::surface_cells, Reach::all}, {resource::drift(0), Reach::neighbours}},
-       .writes = {{resource::contact_points}},
-       .run = [this](int block) { find_contact_points(block); }});
+  using namespace resource;
+  using enum Group;
+  PhaseRows rows(phases);
+  rows.each("contact search: samples",
+            own(particles(drift) + ghosts(drift) + particles(constants) + ghosts(constants) +
+                whole(fits)),
+            own(whole(surface_samples)), [this](int block) { find_samples(block); });
+  rows.reduce("contact search: cells", all(whole(surface_samples)),
+              all(whole(surface_samples) + whole(surface_cells)), [this] { sort_samples(); });
+  rows.each("contact search: points",
+            all(whole(surface_cells)) + near(particles(drift) + whole(fits)) +
+                own(ghosts(drift) + ghosts(constants)),
+            own(whole(contact_points)), [this](int block) { find_contact_points(block); });
 }
 
 template <class T, int D>
@@ -209,7 +208,7 @@ double ContactSearch<T, D>::contact_gap(int contact, int owner, const GhostPlace
   return at_foot < pressed_gap ? at_foot : apart;
 }
 
-// Touches the nearest of the bodies that it may touch.
+// The contact point of a ghost is on the nearest of the bodies that its own body may touch.
 template <class T, int D>
 void ContactSearch<T, D>::find_contact_point(int owner, BlockGhosts<T, D>& ghosts,
                                              std::int32_t ghost,
@@ -230,7 +229,7 @@ void ContactSearch<T, D>::find_contact_point(int owner, BlockGhosts<T, D>& ghost
     nearest = contact;
   }
   if (nearest < 0) return;
-  // The opposing may have looked at another body since.
+  // The opposing fit may be that of another body by now.
   if (nearest != contacts_of_[owner].back()) contact_gap(nearest, owner, place, opposing);
   if (!opposing.add_to(ghosts.contact_points)) return;
   ghosts.contact_points.ghost.push_back(ghost);

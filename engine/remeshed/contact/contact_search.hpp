@@ -14,9 +14,9 @@ class OpposingFit;
 /// Finds where bodies touch, (RP.69), at the start of each step: particles of different bodies have
 /// no fixed neighbours among each other, so that a search by position finds them. Three phases:
 ///
-///     samples   surface particles and ghosts of each block, with their places
-///     cells     those of a body sorted by place, if its box meets that of another one
-///     contact_points   ghosts whose foot point lies on another body, and the fit of that body
+///     samples   surface particles and ghosts of each block, with their positions
+///     cells     those of a body in a cell list, if its box meets that of another one
+///     points    ghosts whose foot point lies on another body, and the fit of that body
 template <class T, int D>
 class ContactSearch {
  public:

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "engine/method/phase_rows.hpp"
 #include "engine/remeshed/observe/integrals.hpp"
 #include "engine/remeshed/resources.hpp"
 
@@ -10,7 +11,6 @@ namespace pliant::remeshed {
 namespace {
 
 using scheduler::Phase;
-using scheduler::Reach;
 
 /// Adds m and m u of a block's interior particles.
 template <class T, int D>
@@ -67,31 +67,29 @@ template <class T, int D>
 void MomentumCorrection<T, D>::open() {
   for (std::size_t b = 0; b < state_.momentum_budgets.size(); ++b) {
     const Body<T, D>& body = state_.bodies[b];
-    MomentumBudget<D>& book = state_.momentum_budgets[b];
-    book.mass = integrate<T, D>({body, body.population, body.stage[0]}, state_.boundaries, {}).mass;
-    book.momentum = budget_momentum<T, D>(state_, static_cast<int>(b));
+    MomentumBudget<D>& budget = state_.momentum_budgets[b];
+    budget.mass =
+        integrate<T, D>({body, body.population, body.stage[0]}, state_.boundaries, {}).mass;
+    budget.momentum = budget_momentum<T, D>(state_, static_cast<int>(b));
   }
 }
 
 template <class T, int D>
 void MomentumCorrection<T, D>::add_phases(std::vector<Phase>& phases, Impulses impulses) {
   sums_.resize(state_.blocks.size());
-  phases.push_back({.name = "momentum",
-                    .reads = {{resource::velocity(0)}, {resource::constants}},
-                    .writes = {{resource::momentum}},
-                    .run = [this](int block) { sum(block); }});
-  phases.push_back({.name = "momentum",
-                    .reads = {{resource::momentum, Reach::all}, {resource::tractions, Reach::all}},
-                    .writes = {{resource::momentum_budgets, Reach::all}},
-                    .kind = Phase::Kind::reduce,
-                    .run = [this, impulses = std::move(impulses)](int) {
-                      if (impulses) book(impulses());
-                      balance();
-                    }});
-  phases.push_back({.name = "momentum",
-                    .reads = {{resource::momentum_budgets, Reach::all}},
-                    .writes = {{resource::velocity(0)}},
-                    .run = [this](int block) { shift(block); }});
+  using namespace resource;
+  using enum Group;
+  PhaseRows rows(phases);
+  rows.each("momentum",
+            own(particles(velocity) + particles(constants) + whole(kinds) + whole(fits)),
+            own(whole(momentum)), [this](int block) { sum(block); });
+  rows.reduce("momentum", all(whole(momentum) + whole(contact_impulse) + whole(momentum_budgets)),
+              all(whole(momentum_budgets)), [this, impulses = std::move(impulses)] {
+                if (impulses) add_impulses(impulses());
+                balance();
+              });
+  rows.each("momentum", all(whole(momentum_budgets)) + own(particles(velocity) + whole(kinds)),
+            own(particles(velocity)), [this](int block) { shift(block); });
 }
 
 template <class T, int D>
@@ -106,7 +104,7 @@ void MomentumCorrection<T, D>::sum(int block) {
 }
 
 template <class T, int D>
-void MomentumCorrection<T, D>::book(const std::vector<Point<D>>& impulses) {
+void MomentumCorrection<T, D>::add_impulses(const std::vector<Point<D>>& impulses) {
   for (std::size_t c = 0; c < impulses.size(); ++c) {
     for (int a = 0; a < D; ++a) {
       state_.contact_impulse[c][a] += impulses[c][a];
@@ -126,11 +124,11 @@ void MomentumCorrection<T, D>::balance() {
     for (int a = 0; a < D; ++a) sum.momentum[a] += sums_[b].momentum[a];
   }
   for (std::size_t b = 0; b < of_body_.size(); ++b) {
-    MomentumBudget<D>& book = state_.momentum_budgets[b];
+    MomentumBudget<D>& budget = state_.momentum_budgets[b];
     for (int a = 0; a < D; ++a) {
       const double mean = of_body_[b].momentum[a] / of_body_[b].mass;
-      if (of_body_[b].is_held) book.momentum[a] = book.mass * mean;
-      shift_[b][a] = book.momentum[a] / book.mass - mean;
+      if (of_body_[b].is_held) budget.momentum[a] = budget.mass * mean;
+      shift_[b][a] = budget.momentum[a] / budget.mass - mean;
     }
   }
 }

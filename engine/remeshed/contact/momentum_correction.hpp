@@ -6,20 +6,20 @@
 #include "engine/remeshed/state.hpp"
 #include "scheduler/phase.hpp"
 
-// The momentum that bodies in contact hold to.
+// The momentum budget of bodies in contact.
 //
 // Neither a step nor a remeshing conserves the momentum of a body to rounding: div sigma over
 // fitted ghosts adds up to the surface traction only as far as the method is accurate, and a
 // remeshing changes which nodes are inside and what they weigh. Both errors are those of the
 // method, some tenths of a percent of what the body is doing, and vanish with h; but nothing makes
-// those of two bodies cancel. Hence a book for each body in contact, which changes by the impulses
-// of contacts alone, (RP.67): one number, added to one body and taken from the other. After each
-// step and each remeshing all particles of a body move faster by one small velocity, so that their
-// mean velocity is that of the book, (RP.68). A rigid shift changes no strain, no stress and no
-// relative motion.
+// those of two bodies cancel. Each body in contact therefore has a momentum budget, which changes
+// by the impulses of contacts alone, (RP.67): one number, added to one body and taken from the
+// other. After each step and each remeshing one small velocity is added to all particles of a body,
+// so that their mean velocity is that of the budget, (RP.68). This changes no strain, no stress and
+// no relative motion.
 //
-// The mass of a body in its book is that at t = 0, whatever its particles add up to: their common
-// factor means nothing to the method, which reads densities.
+// The mass of a body in its budget is that at t = 0, whatever the masses of its particles add up
+// to: the method reads densities, which a common factor of masses does not change.
 namespace pliant::remeshed {
 
 template <class T, int D>
@@ -29,11 +29,11 @@ class MomentumCorrection {
 
   bool is_needed() const { return !state_.momentum_budgets.empty(); }
 
-  /// Opens the momentum_budgets at t = 0.
+  /// Sets the momentum budgets at t = 0.
   void open();
 
-  /// Brings the particles to their momentum_budgets; `impulse` gives what contacts did to the
-  /// second of their bodies in the step, if there was one.
+  /// Phases that give the particles of each body the momentum of its budget; `impulses` are those
+  /// of contacts on their second bodies in the step, if there was one.
   using Impulses = std::function<const std::vector<Point<D>>&()>;
   void add_phases(std::vector<scheduler::Phase>& phases, Impulses impulses);
 
@@ -41,10 +41,10 @@ class MomentumCorrection {
   struct Sum {
     double mass;
     Point<D> momentum;
-    bool is_held;  ///< by a wall or a pressure, whose impulse no book knows
+    bool is_held;  ///< by a wall or a pressure, whose impulse no budget contains
   };
   void sum(int block);
-  void book(const std::vector<Point<D>>& impulses);
+  void add_impulses(const std::vector<Point<D>>& impulses);
   void balance();
   void shift(int block);
 
@@ -55,7 +55,7 @@ class MomentumCorrection {
   std::vector<Point<D>> shift_;  ///< [body] [m/s]
 };
 
-/// (RP.68) of one body from its particles [N s]; needs momentum_budgets.
+/// (RP.68) of one body from its particles [N s]; needs a momentum budget.
 template <class T, int D>
 Point<D> budget_momentum(const State<T, D>& state, int body);
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "engine/method/phase_rows.hpp"
 #include "engine/remeshed/neighbours/neighbour_lists.hpp"
 #include "engine/remeshed/neighbours/stencil_reach.hpp"
 #include "engine/remeshed/resources.hpp"
@@ -41,7 +42,6 @@ namespace {
 
 using kernels::Weight;
 using scheduler::Phase;
-using scheduler::Reach;
 
 constexpr double usable = 0.9;
 constexpr double ahead = 2;  // times the strain of the last step
@@ -98,41 +98,32 @@ void NeighbourSearch<T, D>::add_strain(const StageResults& results, double time_
 
 template <class T, int D>
 std::vector<Phase> NeighbourSearch<T, D>::phases() {
-  const auto each = [](const char* name, const std::vector<scheduler::Access>& reads,
-                       scheduler::FieldId writes, auto run) -> Phase {
-    return {.name = name, .reads = reads, .writes = {{writes}}, .run = run};
-  };
-  const auto reduce = [](const char* name, scheduler::FieldId reads, scheduler::FieldId writes,
-                         auto run) -> Phase {
-    return {.name = name,
-            .reads = {{reads, Reach::all}},
-            .writes = {{writes, Reach::all}},
-            .kind = Phase::Kind::reduce,
-            .run = run};
-  };
-  return {
-      each("stencil reach", {{resource::drift(0), Reach::neighbours}}, resource::closest_pairs,
-           [this](int block) { measure(block); }),
-      reduce("stencil reach", resource::closest_pairs, resource::verdicts,
-             [this](int) { decide(); }),
-      each("cells", {{resource::verdicts, Reach::all}, {resource::drift(0)}}, resource::sites,
-           [this](int block) {
-             const auto [body, local] = state_.owner(block);
-             if (body.neighbours.is_search_due) find_sites<T, D>(body, local);
-           }),
-      reduce("cells", resource::sites, resource::cells,
-             [this](int) {
-               for (Body<T, D>& body : state_.bodies) {
-                 if (body.neighbours.is_search_due) sort_sites<T, D>(body);
-               }
-             }),
-      each("neighbours", {{resource::cells, Reach::all}, {resource::drift(0)}}, resource::lists,
-           [this](int block) {
-             const auto [body, local] = state_.owner(block);
-             if (!body.neighbours.is_search_due) return;
-             list_neighbours<T, D>(body, local, kernels::stencil_reach(weight_), in_every_step_);
-           }),
-  };
+  using namespace resource;
+  using enum Group;
+  const Resources positions = particles(drift) + ghosts(drift) + whole(kinds);
+  std::vector<Phase> phases;
+  PhaseRows rows(phases);
+  rows.each("stencil reach", near(slots(drift) + whole(kinds)), own(whole(closest_pairs)),
+            [this](int block) { measure(block); });
+  rows.reduce("stencil reach", all(whole(closest_pairs)),
+              all(whole(search_decisions) + whole(neighbour_lists)), [this] { decide(); });
+  rows.each("cells", all(whole(search_decisions)) + own(positions), own(whole(sites)),
+            [this](int block) {
+              const auto [body, local] = state_.owner(block);
+              if (body.neighbours.is_search_due) find_sites<T, D>(body, local);
+            });
+  rows.reduce("cells", all(whole(search_decisions) + whole(sites)), all(whole(cells)), [this] {
+    for (Body<T, D>& body : state_.bodies) {
+      if (body.neighbours.is_search_due) sort_sites<T, D>(body);
+    }
+  });
+  rows.each("neighbours", all(whole(search_decisions) + whole(cells)) + own(positions),
+            own(whole(neighbour_lists)), [this](int block) {
+              const auto [body, local] = state_.owner(block);
+              if (!body.neighbours.is_search_due) return;
+              list_neighbours<T, D>(body, local, kernels::stencil_reach(weight_), in_every_step_);
+            });
+  return phases;
 }
 
 template <class T, int D>

@@ -18,20 +18,21 @@ std::vector<SlotRun> particle_runs(const Body<T, D>& body) {
   return runs_of_particles<D>(body.population.layout, is_interior(body));
 }
 
-// The displacement of the list of fields is that at the last remeshing: what callers see has a name
-// of its own.
+// The displacement of the list of fields is that at the last remeshing, and so gets another name:
+// the displacement of frames contains the drift.
 template <class T, int D>
 std::vector<FieldView> field_views(const Body<T, D>& body) {
   const std::int64_t slots = body.population.layout.slots();
   std::vector<FieldView> views;
-  for (const FieldDeclaration& field : pliant::fields) {
+  for (const Declaration& field : state_fields) {
     const auto& components = body.stage[0][field.field];
     if (components.empty()) continue;
     const bool is_displacement = field.field == Field::displacement;
     views.push_back(field_view<T>(is_displacement ? "displacement_at_remeshing" : field.name,
                                   field.unit, components, slots));
   }
-  views.push_back(field_view<T>("stress", "Pa", body.stress, slots));
+  const Declaration& stress = declaration(Field::stress);
+  views.push_back(field_view<T>(stress.name, stress.unit, body.stress, slots));
   return views;
 }
 

@@ -34,6 +34,13 @@ std::vector<Selection> select(const State<T, D>& state, bool with_ghosts) {
   return chosen;
 }
 
+/// A field of the list under its name and unit.
+template <class V>
+FrameField shown(Field field, int components, std::vector<V> values) {
+  const Declaration& declared = declaration(field);
+  return {std::string(declared.name), std::string(declared.unit), components, std::move(values)};
+}
+
 template <class T, int D>
 std::array<double, 6> stress_of(const Body<T, D>& body, std::int64_t p) {
   std::array<double, kernels::symmetric_components<D>> stress;
@@ -64,8 +71,8 @@ FrameSurface take_surface(const Boundaries<D>& boundaries,
       owners.push_back(static_cast<std::int32_t>(b));
     }
   }
-  surface.fields.push_back({"velocity", "m/s", D, std::move(velocity)});
-  surface.fields.push_back({"displacement", "m", D, std::move(displacement)});
+  surface.fields.push_back(shown(Field::velocity, D, std::move(velocity)));
+  surface.fields.push_back(shown(Field::displacement, D, std::move(displacement)));
   surface.fields.push_back({"body", "1", 1, std::move(owners)});
   return surface;
 }
@@ -95,28 +102,34 @@ Frame take_frame(const State<T, D>& state, const kernels::RemeshedTable<T, D>& k
   for (const Selection& s : chosen) {
     frame.position.insert(frame.position.end(), s.position.begin(), s.position.end());
   }
-  const auto add = [&](const char* name, const char* unit, int components, auto value) {
+  const auto values_of = [&](int components, auto value) {
     std::vector<double> values;
     values.reserve(chosen.size() * components);
     for (const Selection& s : chosen) {
       for (int c = 0; c < components; ++c) values.push_back(value(bodies[s.body], s.slot, c));
     }
-    frame.fields.push_back({name, unit, components, std::move(values)});
+    return values;
+  };
+  const auto add = [&](Field field, int components, auto value) {
+    frame.fields.push_back(shown(field, components, values_of(components, value)));
+  };
+  const auto add_derived = [&](const char* name, const char* unit, auto value) {
+    frame.fields.push_back({name, unit, 1, values_of(1, value)});
   };
   using B = Body<T, D>;
-  add("velocity", "m/s", D, [](const B& body, std::int64_t p, int c) {
+  add(Field::velocity, D, [](const B& body, std::int64_t p, int c) {
     return body.stage[0].get(Field::velocity, c)[p];
   });
-  add("displacement", "m", D, [](const B& body, std::int64_t p, int c) {
+  add(Field::displacement, D, [](const B& body, std::int64_t p, int c) {
     return body.stage[0].get(Field::displacement, c)[p] + body.stage[0].get(Field::drift, c)[p];
   });
-  add("pressure", "Pa", 1,
-      [](const B& body, std::int64_t p, int) { return pressure<T, D>(body, body.stage[0], p); });
-  add("density", "kg/m^3", 1,
-      [](const B& body, std::int64_t p, int) { return density<T, D>(body.stage[0], p); });
-  add("stress", "Pa", 6,
-      [](const B& body, std::int64_t p, int c) { return stress_of(body, p)[c]; });
-  add("level_set", "m", 1,
+  add_derived("pressure", "Pa", [](const B& body, std::int64_t p, int) {
+    return pressure<T, D>(body, body.stage[0], p);
+  });
+  add_derived("density", "kg/m^3",
+              [](const B& body, std::int64_t p, int) { return density<T, D>(body.stage[0], p); });
+  add(Field::stress, 6, [](const B& body, std::int64_t p, int c) { return stress_of(body, p)[c]; });
+  add(Field::level_set, 1,
       [](const B& body, std::int64_t p, int) { return body.stage[0].get(Field::level_set)[p]; });
   if (parts.ghosts && state.boundaries.have_contact()) {
     const std::vector<std::vector<double>> pressures = wall_pressures(state, kernels);
@@ -130,7 +143,7 @@ Frame take_frame(const State<T, D>& state, const kernels::RemeshedTable<T, D>& k
     kinds.push_back(static_cast<std::int32_t>(bodies[s.body].population.kind[s.slot]));
     owners.push_back(s.body);
   }
-  frame.fields.push_back({"kind", "1", 1, std::move(kinds)});
+  frame.fields.push_back(shown(Field::kind, 1, std::move(kinds)));
   frame.fields.push_back({"body", "1", 1, std::move(owners)});
   if (parts.surface) frame.surface = take_surface<T, D>(state.boundaries, find_nodes());
   return frame;

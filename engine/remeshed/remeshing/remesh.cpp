@@ -1,24 +1,61 @@
 #include "engine/remeshed/remeshing/remesh.hpp"
 
 #include <algorithm>
+#include <span>
 
+#include "engine/method/phase_rows.hpp"
 #include "engine/remeshed/images.hpp"
 #include "engine/remeshed/initial_fields.hpp"
 #include "engine/remeshed/resources.hpp"
 
-// The remeshing of H&K, section 2.3:
+// The remeshing of H&K, section 2.3, in two graphs, since the blocks of the new lattice are known
+// only after the first. Over the blocks of the old lattice:
 //
-//   departure   ghosts take up the fitted density, material state and displacement
-//               the packs within reach of any particle become the new layout
-//   arrival     M4' scatter of particles and ghosts onto the new nodes      (RP.21)-(RP.26)
-//               high-order filter                                           (RP.27)
-//               det F = rho0/rho                                            (RP.46)
-//               level set: continued through walls, rebuilt, reinitialised  (RP.29), (RP.30)
-//               kinds of the slots; fits of the ghosts                      (RP.32), (RP.33)
+//     remesh: ghosts    ghosts take the fitted density, material state and displacement
+//     remesh: layout    the packs within reach of any particle become the new lattice
+//
+// Over the blocks of the new lattice:
+//
+//     remesh: scatter   M4' sums over particles and ghosts at the new nodes, and the fields from
+//                       them (RP.21)-(RP.26)
+//     remesh: images    periodic bodies: slots beyond a period repeat the nodes one period away
+//     remesh: filter    high-order filter (RP.27)
+//     level set: walls  phi continued through walls
+//     level set: closest points   on the surface, of the nodes near it; if due, phi becomes the
+//                       distance to them (RP.30)
+//     level set: layers           the same layer by layer further out (RP.29)
+//     remesh: kinds     which slots hold particles and ghosts; det F = rho0/rho (RP.46)
+//     ghosts: fits      the coefficients of the ghosts (RP.32), (RP.33)
+//     ghosts: surface   the particles that fits read get surface records
 namespace pliant::remeshed {
 
-using scheduler::Access;
-using scheduler::Reach;
+using namespace resource;
+using enum Group;
+
+namespace {
+
+/// The state of particles and ghosts on the old lattice.
+Resources old_state() {
+  Resources state = whole(kinds);
+  for (const Group group : {drift, velocity, material, constants, memory}) {
+    state = state + particles(group) + ghosts(group);
+  }
+  return state;
+}
+
+/// Fields on the new lattice, those of images too.
+Resources with_images(Group group) { return particles(group) + images(group); }
+
+/// What lies in the memory of the filtered state once that is no longer needed.
+Resources in_place_of_filtered() { return whole(extended) + whole(closest, 0) + whole(closest, 1); }
+
+/// Everything that a new layout makes room for.
+Resources new_lattice() {
+  return with_images(new_state) + with_images(new_kinds) + with_images(marks) + whole(filtered) +
+         in_place_of_filtered() + whole(particle_counts) + whole(used);
+}
+
+}  // namespace
 
 template <class T, int D>
 Remeshing<T, D>::Remeshing(const Case& settings, Body<T, D>& body, const Boundaries<D>& boundaries,
@@ -41,23 +78,21 @@ void Remeshing<T, D>::place_initial(const Case& settings) {
 }
 
 template <class T, int D>
-void Remeshing<T, D>::source_phases(std::vector<scheduler::Phase>& all, int first_block) {
-  BodyPhases phases(all, first_block, body_.population.layout.blocks().size());
-  phases.each("remesh: ghosts",
-              {{resource::drift(0), Reach::neighbours},
-               {resource::material(0), Reach::neighbours},
-               {resource::contact}},
-              {{resource::constants}}, [this](int b) { fill_conserved(body_, b); });
-  phases.each("remesh: layout", {{resource::drift(0)}, {resource::contact}}, {{resource::bounds}},
-              [this](int b) { layout_search_.find_bounds(b); });
-  phases.reduce("remesh: layout",
-                {{resource::bounds, Reach::all},
-                 {resource::drift(0), Reach::all},
-                 {resource::contact, Reach::all}},
-                {{resource::remeshed, Reach::all}}, [this] {
-                  has_layout_ = layout_search_.mark_particles();
-                  if (has_layout_) prepare_spare();
-                });
+void Remeshing<T, D>::source_phases(std::vector<scheduler::Phase>& phases, int first_block) {
+  PhaseRows rows(phases, first_block, body_.population.layout.blocks().size());
+  rows.each(
+      "remesh: ghosts",
+      near(particles(drift) + particles(material) + particles(constants) + particles(memory)) +
+          own(ghosts(drift) + whole(fits) + whole(contact)),
+      own(ghosts(material) + ghosts(constants) + ghosts(memory)),
+      [this](int b) { fill_conserved(body_, b); });
+  rows.each("remesh: layout", own(particles(drift) + ghosts(drift) + whole(kinds)),
+            own(whole(bounds)), [this](int b) { layout_search_.find_bounds(b); });
+  rows.reduce("remesh: layout", all(whole(bounds) + particles(drift) + whole(kinds)),
+              all(new_lattice()), [this] {
+                has_layout_ = layout_search_.mark_particles();
+                if (has_layout_) prepare_spare();
+              });
 }
 
 template <class T, int D>
@@ -96,85 +131,84 @@ void Remeshing<T, D>::prepare_target(bool reinitialise, bool is_final) {
 }
 
 template <class T, int D>
-void Remeshing<T, D>::target_phases(std::vector<scheduler::Phase>& all, int first_block,
+void Remeshing<T, D>::target_phases(std::vector<scheduler::Phase>& phases, int first_block,
                                     bool from_particles) {
-  BodyPhases phases(all, first_block, body_.spare.layout.blocks().size());
-  if (from_particles) add_fields(phases);
-  if (body_.has_surface) add_level_set(phases);
-  phases.each("remesh: kinds",
-              {{resource::closest(0)}, {resource::closest(1)}, {resource::remeshed}},
-              {{resource::kinds}, {resource::remeshed}, {resource::extended}},
-              [this](int b) { find_kinds(b); });
-  phases.each("remesh: images",
-              {{resource::kinds, Reach::neighbours}, {resource::remeshed, Reach::neighbours}},
-              {{resource::remeshed_images}}, [this](int b) { fields_.copy_images(b); });
-  add_ghosts(phases);
+  PhaseRows rows(phases, first_block, body_.spare.layout.blocks().size());
+  if (from_particles) add_fields(rows);
+  if (body_.has_surface) add_level_set(rows);
+  rows.each("remesh: kinds",
+            own(whole(closest, 0) + whole(closest, 1) + particles(new_state) + particles(marks)),
+            own(particles(new_state) + particles(new_kinds) + images(new_state) +
+                images(new_kinds) + whole(extended) + whole(particle_counts)),
+            [this](int b) { find_kinds(b); });
+  rows.each("remesh: images", near(particles(new_state) + particles(new_kinds) + particles(marks)),
+            own(images(new_state) + images(new_kinds) + images(marks)),
+            [this](int b) { fields_.copy_images(b); });
+  add_ghosts(rows);
 }
 
+// A block gathers from all blocks of the old lattice, which has a numbering of its own.
 template <class T, int D>
-void Remeshing<T, D>::add_fields(BodyPhases& phases) {
-  const Access remeshed_near{resource::remeshed, Reach::neighbours};
-  const Access images_near{resource::remeshed_images, Reach::neighbours};
-  phases.each("remesh: scatter", {}, {{resource::remeshed}},
-              [this](int b) { fields_.scatter(b, layout_search_.bounds()); });
-  phases.each("remesh: images", {remeshed_near}, {{resource::remeshed_images}},
-              [this](int b) { fields_.copy_images(b); });
+void Remeshing<T, D>::add_fields(PhaseRows& rows) {
+  const Resources state = with_images(new_state) + with_images(new_kinds) + with_images(marks);
+  rows.each("remesh: scatter", all(old_state() + whole(bounds)), own(state),
+            [this](int b) { fields_.scatter(b, layout_search_.bounds()); });
+  rows.each("remesh: images", near(particles(new_state) + particles(new_kinds) + particles(marks)),
+            own(images(new_state) + images(new_kinds) + images(marks)),
+            [this](int b) { fields_.copy_images(b); });
   if (!fields_.filters()) return;
-  phases.each("remesh: filter", {remeshed_near, images_near}, {{resource::filtered}},
-              [this](int b) { fields_.filter(b); });
-  phases.reduce("remesh: filter", {{resource::filtered, Reach::all}},
-                {{resource::remeshed, Reach::all}}, [this] {
-                  fields_.swap_in_filtered();
-                  share_with_level_set();
-                });
+  rows.each("remesh: filter", near(with_images(new_state) + with_images(marks)),
+            own(whole(filtered)), [this](int b) { fields_.filter(b); });
+  rows.reduce("remesh: filter", all(whole(filtered)),
+              all(with_images(new_state) + whole(filtered) + in_place_of_filtered()), [this] {
+                fields_.swap_in_filtered();
+                share_with_level_set();
+              });
 }
 
 template <class T, int D>
-void Remeshing<T, D>::add_level_set(BodyPhases& phases) {
+void Remeshing<T, D>::add_level_set(PhaseRows& rows) {
   const auto block = [this](int b) -> const Block<D>& { return body_.spare.layout.blocks()[b]; };
-  const Access extended_near{resource::extended, Reach::neighbours};
-  phases.each("level set: walls", {{resource::remeshed, Reach::neighbours}}, {{resource::extended}},
-              [this, block](int b) {
-                level_set_.extend_through_walls(block(b), boundaries_, fields_.valid());
-              });
-  phases.each(
-      "level set: closest points", {extended_near}, {{resource::closest(0)}},
-      [this, block](int b) { level_set_.find_closest_points(block(b), reinitialise_, kernels_); });
+  rows.each("level set: walls", near(with_images(new_state) + with_images(marks)),
+            own(whole(extended)), [this, block](int b) {
+              level_set_.extend_through_walls(block(b), boundaries_, fields_.valid());
+            });
+  rows.each("level set: closest points", near(whole(extended)),
+            own(whole(closest, 0) + with_images(new_state)), [this, block](int b) {
+              level_set_.find_closest_points(block(b), reinitialise_, kernels_);
+            });
   for (int layer = 2; layer <= LevelSet<T, D>::layers; ++layer) {
-    phases.each(
-        "level set: layers", {extended_near, {resource::closest(layer % 2), Reach::neighbours}},
-        {{resource::closest((layer + 1) % 2)}},
-        [this, block, layer](int b) { level_set_.add_layer(block(b), layer, kernels_); }, layer);
+    rows.at_stage(layer).each(
+        "level set: layers", near(whole(extended) + whole(closest, layer % 2)),
+        own(whole(closest, (layer + 1) % 2) + with_images(new_state)),
+        [this, block, layer](int b) { level_set_.add_layer(block(b), layer, kernels_); });
   }
+  rows.at_stage(-1);
 }
 
-// Only nodes that are to stay get ghosts.
+// Only nodes that are to stay get ghosts. Fits of all neighbouring blocks mark a block's surface
+// particles.
 template <class T, int D>
-void Remeshing<T, D>::add_ghosts(BodyPhases& phases) {
-  phases.each("ghosts: fits",
-              {{resource::kinds, Reach::neighbours},
-               {resource::closest(1)},
-               {resource::extended, Reach::neighbours},
-               {resource::remeshed, Reach::neighbours},
-               {resource::remeshed_images, Reach::neighbours}},
-              {{resource::fits}}, [this](int b) {
-                if (is_final_) fit_block(b);
-              });
-  // Fits of all neighbouring blocks mark this block's surface particles.
-  phases.each("ghosts: surface", {{resource::fits, Reach::neighbours}}, {{resource::surface_packs}},
-              [this](int b) {
-                if (is_final_) list_surface_particles(body_.spare, b, body_.record_of_slot.get());
-              });
-  phases.reduce("ghosts: surface", {{resource::surface_packs, Reach::all}},
-                {{resource::record_numbers, Reach::all}}, [this] {
-                  if (is_final_) {
-                    number_records(body_.spare, level_set_, body_.lattice.spacing,
-                                   body_.record_of_slot.get());
-                  }
-                });
-  phases.each("ghosts: surface", {{resource::record_numbers}}, {{resource::fits}}, [this](int b) {
-    if (is_final_) resolve_records(body_.spare, b, body_.record_of_slot.get());
+void Remeshing<T, D>::add_ghosts(PhaseRows& rows) {
+  rows.each(
+      "ghosts: fits",
+      near(with_images(new_kinds) + whole(extended)) + own(whole(closest, 1)) + all(whole(kinds)),
+      own(whole(new_fits) + whole(used)), [this](int b) {
+        if (is_final_) fit_block(b);
+      });
+  rows.each("ghosts: surface", near(whole(used)), own(whole(surface_packs)), [this](int b) {
+    if (is_final_) list_surface_particles(body_.spare, b, body_.record_of_slot.get());
   });
+  rows.reduce("ghosts: surface", all(whole(surface_packs) + whole(extended)),
+              all(whole(surface_packs) + whole(record_numbers)), [this] {
+                if (!is_final_) return;
+                number_records(body_.spare, level_set_, body_.lattice.spacing,
+                               body_.record_of_slot.get());
+              });
+  rows.each("ghosts: surface", near(whole(record_numbers)) + own(whole(new_fits)),
+            own(whole(new_fits)), [this](int b) {
+              if (is_final_) resolve_records(body_.spare, b, body_.record_of_slot.get());
+            });
 }
 
 template <class T, int D>
@@ -209,10 +243,9 @@ void Remeshing<T, D>::grow_stages() {
   body_.memory.clear();
   for (Buffer<T>& pressure : body_.stage[0][Field::memory_pressure])
     body_.memory.push_back(pressure.get());
-  for (Buffer<T>& component : body_.stress) component.grow(slots, T(0));
-  if (kernels::symmetric_components < D >> D + 2) body_.last_odd_stress.grow(slots, T(0));
-  body_.interior.grow(slots, T(0));
-  if (!body_.prony.empty()) body_.volume_change.grow(slots, T(0));
+  body_.for_each_array([slots](Field, int, auto components) {
+    for (Buffer<T>& component : components) component.grow(slots, T(0));
+  });
   body_.records.grow(body_.population.slot_of_record.size() * kernels::record_width<D>, T(0));
 }
 

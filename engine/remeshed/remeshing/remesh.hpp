@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "engine/remeshed/body_phases.hpp"
+#include "engine/method/phase_rows.hpp"
 #include "engine/remeshed/ghosts/ghost_fill.hpp"
 #include "engine/remeshed/ghosts/ghost_fits.hpp"
 #include "engine/remeshed/level_set/level_set.hpp"
@@ -46,9 +46,9 @@ class Remeshing {
   void swap_in_restored();
 
  private:
-  void add_fields(BodyPhases& phases);
-  void add_level_set(BodyPhases& phases);
-  void add_ghosts(BodyPhases& phases);
+  void add_fields(PhaseRows& rows);
+  void add_level_set(PhaseRows& rows);
+  void add_ghosts(PhaseRows& rows);
 
   void prepare_spare();
   void share_with_level_set();

@@ -161,7 +161,7 @@ void RemeshedFields<T, D>::copy_images(int block) {
     to.kind[image] = Kind::image;
     valid_[image] = valid_[source];
     inside_[image] = inside_[source];
-    for (const FieldDeclaration& f : fields) {
+    for (const Declaration& f : state_fields) {
       for (Buffer<T>& component : body_.stage[1][f.field]) component[image] = component[source];
     }
   }

@@ -13,6 +13,7 @@ namespace pliant::test {
 using Solver = remeshed::Solver<double, 2>;
 using Body = remeshed::Body<double, 2>;
 using LatticeView = remeshed::LatticeView<double, 2>;
+using remeshed::Field;
 using remeshed::Kind;
 using Settings = std::vector<std::string>;
 

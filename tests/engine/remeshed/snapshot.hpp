@@ -30,7 +30,7 @@ inline void add_body(Snapshot& snapshot, const LatticeView& view, Slots which) {
     snapshot["cell"].insert(snapshot["cell"].end(), cell.begin(), cell.end());
     snapshot["kind"].push_back(static_cast<double>(population.kind[slot]));
   });
-  for (const FieldDeclaration& field : fields) {
+  for (const remeshed::Declaration& field : remeshed::state_fields) {
     auto& values = snapshot[std::string(field.name)];
     for (const Buffer<double>& component : view.fields[field.field]) {
       for_each_chosen(

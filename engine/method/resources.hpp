@@ -1,0 +1,136 @@
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <initializer_list>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "scheduler/phase.hpp"
+
+/// Resources: what the scheduler knows of a method's fields, numbered by the list of their groups.
+namespace pliant {
+
+/// The slots of a block that a resource holds: ghosts and images lie in the same arrays as
+/// particles, but other phases write them.
+enum class Part { particles, ghosts, images };
+inline constexpr int part_count = 3;
+
+/// One group of fields.
+template <class Group>
+struct GroupDeclaration {
+  Group group;
+  std::string_view name;
+  bool has_parts = false;                  ///< each Part is a resource of its own
+  std::array<const char*, 3> copies = {};  ///< names of its copies; none: there is one
+};
+
+/// A resource in the words of its method.
+template <class Group>
+struct Resource {
+  Group group;
+  int copy = 0;
+  Part part = Part::particles;
+};
+
+/// The numbers and names that follow from a list of groups, whose order is that of `Group`.
+template <class Group, std::size_t n>
+class ResourceNumbers {
+ public:
+  /// Keeps a reference to the list.
+  constexpr explicit ResourceNumbers(const std::array<GroupDeclaration<Group>, n>& groups)
+      : groups_(groups) {
+    for (std::size_t g = 0; g < n; ++g) {
+      first_[g + 1] = first_[g] + copies(groups[g]) * parts(groups[g]);
+    }
+  }
+
+  constexpr scheduler::FieldId operator()(const Resource<Group>& resource) const {
+    const auto g = static_cast<std::size_t>(resource.group);
+    const int part = groups_[g].has_parts ? static_cast<int>(resource.part) : 0;
+    return first_[g] + resource.copy * parts(groups_[g]) + part;
+  }
+
+  constexpr Resource<Group> operator[](scheduler::FieldId id) const {
+    const auto above = std::upper_bound(first_.begin(), first_.end(), id);
+    const auto g = static_cast<std::size_t>(above - first_.begin() - 1);
+    const int of_group = id - first_[g], of_copy = parts(groups_[g]);
+    return {groups_[g].group, of_group / of_copy, static_cast<Part>(of_group % of_copy)};
+  }
+
+  constexpr int count() const { return first_[n]; }
+
+  std::vector<std::string> names() const {
+    std::vector<std::string> names;
+    for (scheduler::FieldId id = 0; id < count(); ++id) names.push_back(name((*this)[id]));
+    return names;
+  }
+
+ private:
+  static constexpr int copies(const GroupDeclaration<Group>& group) {
+    int count = 0;
+    for (const char* name : group.copies) count += name != nullptr ? 1 : 0;
+    return std::max(count, 1);
+  }
+  static constexpr int parts(const GroupDeclaration<Group>& group) {
+    return group.has_parts ? part_count : 1;
+  }
+
+  std::string name(const Resource<Group>& resource) const {
+    const auto& group = groups_[static_cast<std::size_t>(resource.group)];
+    std::string name(group.name);
+    if (resource.part == Part::ghosts) name += " of ghosts";
+    if (resource.part == Part::images) name += " of images";
+    const char* copy = group.copies[static_cast<std::size_t>(resource.copy)];
+    return copy == nullptr ? name : name + ", " + copy;
+  }
+
+  const std::array<GroupDeclaration<Group>, n>& groups_;
+  std::array<scheduler::FieldId, n + 1> first_ = {};
+};
+
+/// Resources that phases name together.
+class Resources {
+ public:
+  Resources(std::initializer_list<scheduler::FieldId> ids) : ids_(ids) {}
+
+  friend Resources operator+(Resources a, const Resources& b) {
+    a.ids_.insert(a.ids_.end(), b.ids_.begin(), b.ids_.end());
+    return a;
+  }
+  auto begin() const { return ids_.begin(); }
+  auto end() const { return ids_.end(); }
+
+ private:
+  std::vector<scheduler::FieldId> ids_;
+};
+
+/// What a phase reads or writes: resources, and of which blocks.
+class Accesses {
+ public:
+  Accesses() = default;
+  Accesses(const Resources& resources, scheduler::Reach reach) {
+    for (const scheduler::FieldId id : resources) list_.push_back({id, reach});
+  }
+
+  friend Accesses operator+(Accesses a, const Accesses& b) {
+    a.list_.insert(a.list_.end(), b.list_.begin(), b.list_.end());
+    return a;
+  }
+  operator std::vector<scheduler::Access>() const { return list_; }
+
+ private:
+  std::vector<scheduler::Access> list_;
+};
+
+/// Of the block that a phase works on.
+inline Accesses own(const Resources& resources) { return {resources, scheduler::Reach::own}; }
+/// Of that block and its neighbours.
+inline Accesses near(const Resources& resources) {
+  return {resources, scheduler::Reach::neighbours};
+}
+/// Of all blocks.
+inline Accesses all(const Resources& resources) { return {resources, scheduler::Reach::all}; }
+
+}  // namespace pliant

@@ -1,0 +1,81 @@
+#include "engine/remeshed/stage_work.hpp"
+
+#include "engine/remeshed/contact/wall_contact.hpp"
+#include "engine/remeshed/ghosts/surface_records.hpp"
+#include "engine/remeshed/images.hpp"
+#include "engine/remeshed/runge_kutta.hpp"
+
+namespace pliant::remeshed {
+
+template <class T, int D>
+void StageWork<T, D>::prepare(double time_step) {
+  time_step_ = time_step;
+  impulse_.assign(state_.blocks.size() * state_.boundaries.walls.size(), {});
+  for (int stage = 0; stage < 4; ++stage) {
+    boundary_values_[stage].evaluate(state_.boundaries,
+                                     state_.clock.time + stage_time[stage] * time_step);
+  }
+  particles_.prepare(time_step);
+}
+
+template <class T, int D>
+void StageWork<T, D>::copy_image_positions(int block, int stage) {
+  const auto [body, local] = state_.owner(block);
+  copy_image_drift(body, local, stage);
+}
+
+template <class T, int D>
+void StageWork<T, D>::copy_image_states(int block, int stage) {
+  const auto [body, local] = state_.owner(block);
+  copy_images(body, local, stage);
+}
+
+template <class T, int D>
+void StageWork<T, D>::write_records(int block, int stage) {
+  const auto [body, local] = state_.owner(block);
+  write_surface_records(body, local, stage, kernels_);
+}
+
+template <class T, int D>
+void StageWork<T, D>::decide_wall_contact(int block, int stage) {
+  const auto [body, local] = state_.owner(block);
+  decide_contact(body, local, state_.boundaries, boundary_values_[stage], kernels_);
+}
+
+template <class T, int D>
+void StageWork<T, D>::fill(int block, int stage, WhichGhosts which) {
+  const auto [body, local] = state_.owner(block);
+  fill_ghosts<T, D>(body, local, stage, stage % 2, which, state_.boundaries,
+                    boundary_values_[stage], settings_.ghosts, kernels_);
+}
+
+template <class T, int D>
+void StageWork<T, D>::fill_all_ghosts(int block, int stage) {
+  fill(block, stage, WhichGhosts::all);
+}
+
+// Ghosts that no stencil reaches only have to come along until the next remeshing. Neighbour lists
+// may hold them too, and then their stress is read; where they drift to must not depend on that.
+template <class T, int D>
+void StageWork<T, D>::fill_reached_ghosts(int block, int stage) {
+  const auto [body, local] = state_.owner(block);
+  fill(block, stage, body.neighbours.are_listed ? WhichGhosts::all : WhichGhosts::reached);
+  drift_ghosts<T, D>(body, local, stage, settings_.ghosts, kernels_);
+  Point<D>* impulse = impulse_.data() + block * state_.boundaries.walls.size();
+  add_impulse<T, D>(body, local, state_.boundaries, boundary_values_[stage],
+                    stage_weight[stage] * time_step_, kernels_, impulse);
+}
+
+template <class T, int D>
+void StageWork<T, D>::fold() {
+  const std::size_t walls = state_.wall_impulse.size();
+  for (std::size_t i = 0; i < impulse_.size(); ++i) {
+    for (int a = 0; a < D; ++a) state_.wall_impulse[i % walls][a] += impulse_[i][a];
+  }
+  results_.fold(state_.blocks);
+}
+
+template class StageWork<double, 2>;
+template class StageWork<double, 3>;
+
+}  // namespace pliant::remeshed

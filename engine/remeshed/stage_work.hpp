@@ -1,0 +1,61 @@
+#pragma once
+
+#include <array>
+#include <vector>
+
+#include "engine/boundaries/boundary_values.hpp"
+#include "engine/remeshed/ghosts/ghost_fill.hpp"
+#include "engine/remeshed/particle_update.hpp"
+#include "engine/remeshed/stage_results.hpp"
+#include "engine/remeshed/state.hpp"
+#include "kernels/remeshed/table.hpp"
+
+namespace pliant::remeshed {
+
+/// What the phases of a step do on one block at one stage, and what they find out about the step.
+template <class T, int D>
+class StageWork {
+ public:
+  StageWork(State<T, D>& state, const Case& settings, const kernels::RemeshedTable<T, D>& kernels)
+      : state_(state),
+        settings_(settings),
+        kernels_(kernels),
+        particles_(state, settings, kernels) {}
+
+  /// Makes room for the results of the present blocks.
+  void prepare_blocks() { results_.reset(state_.blocks, state_.bodies.size()); }
+  /// Fixes the time step [s] and what the boundaries impose at each stage.
+  void prepare(double time_step);
+
+  void copy_image_positions(int block, int stage);
+  void copy_image_states(int block, int stage);
+  void write_records(int block, int stage);
+  void decide_wall_contact(int block, int stage);
+  /// Ghosts that particles read at a stage; the others only drift.
+  void fill_reached_ghosts(int block, int stage);
+  void fill_all_ghosts(int block, int stage);
+  void advance(int block, int stage) { results_[block] = particles_.advance(block, stage); }
+  void evaluate_stress(int block) { results_[block] = particles_.evaluate_stress(block); }
+
+  /// Folds what a step found over the blocks in their order, the impulse of contact walls into the
+  /// state.
+  void fold();
+  const StageResults& results() const { return results_; }
+
+ private:
+  void fill(int block, int stage, WhichGhosts which);
+
+  State<T, D>& state_;
+  const Case& settings_;
+  const kernels::RemeshedTable<T, D>& kernels_;
+  ParticleUpdate<T, D> particles_;
+  double time_step_ = 0;
+  std::array<BoundaryValues<D>, 4> boundary_values_;  ///< [stage]
+  StageResults results_;
+  std::vector<Point<D>> impulse_;  ///< [block][wall] of contact walls on the bodies, of this step
+};
+
+extern template class StageWork<double, 2>;
+extern template class StageWork<double, 3>;
+
+}  // namespace pliant::remeshed

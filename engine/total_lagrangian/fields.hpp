@@ -1,0 +1,114 @@
+#pragma once
+
+#include <array>
+
+#include "engine/method/field.hpp"
+#include "engine/method/resources.hpp"
+
+/// The fields of the total Lagrangian method, declared once; docs/fields.md shows them as a table.
+namespace pliant::total_lagrangian {
+
+enum class Field {
+  displacement,
+  velocity,
+  internal_force,
+  traction,
+  mass,
+  inverse_mass,
+  level_set,
+  fraction,
+  corner_force,
+  facet,
+  patch,
+  patch_force,
+  constrained_particle,
+  nodal_load,
+  result
+};
+
+/// Particles are nodes of the lattice of the undeformed body, stress points its cells. Each cell
+/// has the number of the slot at its lower corner.
+enum class IndexSpace { particle, cell, facet, patch, constrained_particle, nodal_load, block };
+
+inline constexpr auto index_spaces = std::to_array<IndexSpaceDeclaration<IndexSpace>>({
+    {IndexSpace::particle, "particle", "a node of the lattice of the undeformed body"},
+    {IndexSpace::cell, "cell", "a cell of that lattice, with one stress point"},
+    {IndexSpace::facet, "facet", "a piece of the surface inside one cell"},
+    {IndexSpace::patch, "patch", "the facets inside one cell on which a pressure acts"},
+    {IndexSpace::constrained_particle, "constrained particle",
+     "a particle whose velocity a wall sets"},
+    {IndexSpace::nodal_load, "nodal load", "a particle and the patches that load it"},
+    {IndexSpace::block, "block", "the slots that one worker takes at a time"},
+});
+
+/// Fields that phases always read or write together.
+enum class Group {
+  displacement,
+  velocity,
+  internal_forces,
+  tractions,
+  constants,
+  corner_forces,
+  surface,
+  patch_forces,
+  results
+};
+
+using Declaration = FieldDeclaration<Field, IndexSpace, Group>;
+
+// clang-format off
+inline constexpr auto field_list = [] {
+  using enum Rank;
+  using enum Remeshed;
+  using F = Field;
+  using S = IndexSpace;
+  using G = Group;
+  constexpr bool saved = true, shown = true, made_again = false;
+  return std::to_array<Declaration>({
+      {F::displacement, "d", "displacement", "m", vector, S::particle, G::displacement, not_at_all, 1, saved, shown},
+      {F::velocity, "u", "velocity", "m/s", vector, S::particle, G::velocity, not_at_all, 1, saved, shown},
+      {F::internal_force, "", "internal", "N", vector, S::particle, G::internal_forces, not_at_all, 1, saved},
+      {F::traction, "", "traction", "N", vector, S::particle, G::tractions},
+      {F::mass, "m", "mass", "kg", scalar, S::particle, G::constants},
+      {F::inverse_mass, "1/m", "inverse_mass", "1/kg", scalar, S::particle, G::constants},
+      {F::level_set, "phi", "level_set", "m", scalar, S::particle, G::constants, not_at_all, 1, made_again, shown},
+      {F::fraction, "f", "fraction", "1", scalar, S::cell, G::constants},
+      {F::corner_force, "", "corner_force", "N", corner_modes, S::cell, G::corner_forces},
+      {F::facet, "X", "facet", "m", list, S::facet, G::surface},
+      {F::patch, "", "patch", "1", list, S::patch, G::surface},
+      {F::patch_force, "", "patch_force", "N", vector, S::patch, G::patch_forces},
+      {F::constrained_particle, "n", "constrained_particle", "1", list, S::constrained_particle, G::surface},
+      {F::nodal_load, "", "nodal_load", "1", list, S::nodal_load, G::surface},
+      {F::result, "c, omega^2", "result", "m/s, 1/s^2", list, S::block, G::results},
+  });
+}();
+// clang-format on
+
+constexpr const Declaration& declaration(Field field) {
+  return field_list[static_cast<int>(field)];
+}
+
+/// In the order of Group.
+inline constexpr auto group_list = std::to_array<GroupDeclaration<Group>>({
+    {Group::displacement, "d"},
+    {Group::velocity, "u"},
+    {Group::internal_forces, "internal forces"},
+    {Group::tractions, "tractions"},
+    {Group::constants, "m, phi, f"},
+    {Group::corner_forces, "corner forces"},
+    {Group::surface, "surface"},
+    {Group::patch_forces, "patch forces"},
+    {Group::results, "results"},
+});
+
+inline constexpr ResourceNumbers<Group, group_list.size()> resource_numbers(group_list);
+
+static_assert(is_in_order(index_spaces, &IndexSpaceDeclaration<IndexSpace>::space,
+                          IndexSpace::block));
+static_assert(is_in_order(field_list, &Declaration::field, Field::result));
+static_assert(is_in_order(group_list, &GroupDeclaration<Group>::group, Group::results));
+
+/// The resource of a group.
+inline Resources of(Group group) { return {resource_numbers({group})}; }
+
+}  // namespace pliant::total_lagrangian
