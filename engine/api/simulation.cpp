@@ -7,6 +7,7 @@
 #include <cmath>
 #include <new>
 
+#include "engine/case/measurement_kinds.hpp"
 #include "engine/case/problems.hpp"
 #include "engine/case/read_case.hpp"
 #include "engine/case/resolved.hpp"
@@ -134,7 +135,7 @@ double Simulation::measurement(std::string_view name) {
         name));
   }
   const double value = translated([&] { return state_->solver->measure(m); });
-  if (!measurement.is_force()) return value / state_->start[m];
+  if (row_of(measurement.kind).sampling != Sampling::rate) return value / state_->start[m];
   const double impulse = value - state_->latest[m], passed = time() - state_->latest_time[m];
   state_->latest[m] = value;
   state_->latest_time[m] = time();

@@ -4,6 +4,8 @@
 #include <limits>
 #include <stdexcept>
 
+#include "engine/case/boundary_kinds.hpp"
+#include "engine/case/contact_laws.hpp"
 #include "engine/geometry/padded.hpp"
 #include "engine/geometry/signed_distance.hpp"
 
@@ -13,10 +15,10 @@ template <int D>
 Wall<D>::Wall(const BoundaryCase& boundary)
     : shape_(boundary.geometry),
       velocity_(boundary.velocity),
-      slips_(boundary.kind == BoundaryCase::Kind::slip_wall ||
-             (boundary.kind == BoundaryCase::Kind::contact_wall &&
-              boundary.friction == BoundaryCase::Friction::frictionless)),
-      bonded_(boundary.kind != BoundaryCase::Kind::contact_wall) {}
+      slips_(
+          boundary.kind == BoundaryCase::Kind::slip_wall ||
+          (boundary.kind == BoundaryCase::Kind::contact_wall && row_of(boundary.friction).slides)),
+      bonded_(row_of(boundary.kind).is_attached) {}
 
 template <int D>
 Vector Wall<D>::at_rest(const Point<D>& x) const {
@@ -64,7 +66,7 @@ bool SurfacePressure<D>::acts_at(const Point<D>& x) const {
 template <int D>
 Boundaries<D>::Boundaries(const std::vector<BoundaryCase>& cases) {
   for (const BoundaryCase& boundary : cases) {
-    const bool is_wall = boundary.kind != BoundaryCase::Kind::pressure;
+    const bool is_wall = row_of(boundary.kind).is_wall;
     wall_of.push_back(is_wall ? static_cast<int>(walls.size()) : -1);
     pressure_of.push_back(is_wall ? -1 : static_cast<int>(pressures.size()));
     if (!is_wall) {

@@ -117,24 +117,7 @@ template <class Visitor>
 void contact_keys(Visitor& visit, ContactCase& contact) {
   visit("bodies", BodyPair{contact.bodies},
         {.meaning = "the two bodies", .example = R"(["left", "right"])", .required = true});
-  visit("kind", contact.kind, {.meaning = "contact law", .example = R"("frictionless")"});
-}
-
-inline BoundaryWord word_of(const BoundaryCase& boundary) {
-  if (boundary.kind == BoundaryCase::Kind::slip_wall) return BoundaryWord::slip_wall;
-  if (boundary.kind == BoundaryCase::Kind::contact_wall) return BoundaryWord::contact_wall;
-  if (boundary.kind == BoundaryCase::Kind::pressure) return BoundaryWord::pressure;
-  for (const Expression& component : boundary.velocity) {
-    if (!component.is_constant() || component(0) != 0) return BoundaryWord::moving_wall;
-  }
-  return BoundaryWord::fixed;
-}
-
-inline BoundaryCase::Kind kind_of(BoundaryWord kind) {
-  if (kind == BoundaryWord::slip_wall) return BoundaryCase::Kind::slip_wall;
-  if (kind == BoundaryWord::contact_wall) return BoundaryCase::Kind::contact_wall;
-  if (kind == BoundaryWord::pressure) return BoundaryCase::Kind::pressure;
-  return BoundaryCase::Kind::wall;
+  visit("kind", contact.law, {.meaning = "contact law", .example = R"("frictionless")"});
 }
 
 template <class Visitor>
@@ -143,34 +126,33 @@ void boundary_keys(Visitor& visit, BoundaryCase& boundary) {
         {.meaning = "name, to which measurements and --set refer",
          .example = R"("upper")",
          .required = true});
-  BoundaryWord kind = word_of(boundary);
   const bool known = visit(
-      "kind", kind,
+      "kind", boundary.kind,
       {.meaning = "kind of boundary", .example = R"("fixed")", .required = true, .decides = true});
-  boundary.kind = kind_of(kind);
   visit("geometry", boundary.geometry,
         {.meaning = "solid of the wall at t = 0, or region in which the pressure acts",
          .example = R"({ shape = "half_space", point = [0, 0], normal = [0, 1] })",
          .required = true});
   if (!known) return;
-  if (kind == BoundaryWord::contact_wall) {
-    visit("friction", boundary.friction,
+  const BoundaryKind& row = row_of(boundary.kind);
+  if (row.friction != Use::no) {
+    visit("friction", WallFriction{boundary.friction},
           {.meaning = "friction between wall and bodies", .example = R"("no_slip")"});
   }
-  if (kind != BoundaryWord::fixed && kind != BoundaryWord::pressure) {
+  if (row.velocity != Use::no) {
     visit("velocity", boundary.velocity,
           {.meaning = "velocity of the wall, numbers or formulas of t",
            .unit = "m/s",
            .example = "[0, -25]",
-           .required = kind == BoundaryWord::moving_wall,
+           .required = row.velocity == Use::required,
            .variables = "t"});
   }
-  if (kind == BoundaryWord::pressure) {
+  if (row.pressure != Use::no) {
     visit("pressure", boundary.pressure,
           {.meaning = "pressure, positive when it pushes on the body, a number or a formula of t",
            .unit = "Pa",
            .example = R"toml("3000*(1 - exp(-t))")toml",
-           .required = true,
+           .required = row.pressure == Use::required,
            .variables = "t"});
   }
 }

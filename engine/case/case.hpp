@@ -2,38 +2,19 @@
 
 #include <array>
 #include <cstdint>
-#include <memory>
 #include <optional>
 #include <string>
 #include <variant>
 #include <vector>
 
 #include "engine/case/expression.hpp"
+#include "engine/geometry/shape.hpp"
 #include "kernels/material.hpp"
 
 /// A case as plain values, in SI units: what a case file says after every check of user input.
 namespace pliant {
 
-/// Vectors of a case always have three components; in 2D the last is zero.
-using Vector = std::array<double, 3>;
 using VectorExpression = std::array<Expression, 3>;
-
-class ClosedMesh;
-
-struct Shape {
-  enum class Kind { box, ball, cylinder, half_space, mesh, unite, subtract, intersect };
-  Kind kind = Kind::box;
-  Vector lower = {}, upper = {};   ///< box; may be infinite
-  Vector centre = {};              ///< ball (a disc in 2D), cylinder
-  double radius = 0;               ///< ball, cylinder
-  Vector axis = {0, 0, 1};         ///< cylinder, infinite along it
-  Vector point = {}, normal = {};  ///< half_space: the side that `normal` (unit) points away from
-  std::string file;                ///< mesh; once read, its full path
-  double scale = 1;                ///< mesh; [m] per unit of the file
-  Vector translate = {};           ///< mesh; where the file's origin goes [m]
-  std::shared_ptr<const ClosedMesh> mesh;  ///< mesh; what the file holds, in place
-  std::vector<Shape> operands;  ///< unite, intersect; subtract takes the others from the first
-};
 
 struct RigidRotation {
   Vector centre = {};
@@ -73,50 +54,57 @@ struct BodyCase {
   MaterialCase material_as_given;  ///< what `material` and `prony` were computed from
 };
 
+/// How surfaces in contact act on each other; see contact_laws.hpp.
+enum class ContactLaw { frictionless, no_slip, tied };
+
 struct BoundaryCase {
-  /// "fixed" and "moving_wall" are walls; all but contact walls are attached to the body.
-  enum class Kind { wall, slip_wall, contact_wall, pressure };
-  enum class Friction { frictionless, no_slip };
+  enum class Kind {
+    fixed,
+    moving_wall,
+    slip_wall,
+    contact_wall,
+    pressure
+  };  ///< boundary_kinds.hpp
   std::string name;
-  Kind kind = Kind::wall;
+  Kind kind = Kind::fixed;
   Shape geometry;             ///< the wall's solid at t = 0, or the region that pressure acts in
   VectorExpression velocity;  ///< of t, walls [m/s]
-  Friction friction = Friction::frictionless;  ///< contact walls
-  Expression pressure;                         ///< of t, positive pushes on the body [Pa]
+  ContactLaw friction = ContactLaw::frictionless;  ///< contact walls
+  Expression pressure;                             ///< of t, positive pushes on the body [Pa]
 };
 
-/// How two bodies act on each other where they meet; bodies without a contact pass through each
+/// How two bodies act on each other where they meet. Bodies without a contact pass through each
 /// other.
 struct ContactCase {
-  enum class Kind { frictionless, no_slip, tied };
   std::array<int, 2> bodies = {-1, -1};
-  Kind kind = Kind::frictionless;
+  ContactLaw law = ContactLaw::frictionless;
 };
 
 struct MeasurementCase {
+  /// measurement_kinds.hpp says what they are.
   enum class Kind {
-    extent,              ///< farthest free surface along an axis, minus `reference`
-    surface_distance,    ///< from `point` along `direction`, minus `reference`
-    mean_radius,         ///< of the surface around `point`, over `directions`
-    point_displacement,  ///< of the material point that started at `point`, along `axis`
-    point_value,         ///< of `field` at `point`
+    extent,
+    surface_distance,
+    mean_radius,
+    point_displacement,
+    point_value,
     mass,
-    momentum,          ///< along `axis`
-    angular_momentum,  ///< about `point`; about z in 2D, along `axis` in 3D
+    momentum,
+    angular_momentum,
     kinetic_energy,
     strain_energy,
     total_energy,
-    energy_ratio,   ///< kinetic over strain energy
-    wall_force,     ///< of contact wall `boundary` along `axis`, mean since the last sample
-    contact_force,  ///< on the first of `bodies` from the second, likewise
-    volume,         ///< of {phi < 0}; an area in 2D
-    surface_area,   ///< of {phi = 0}; a length in 2D
-    minimum_particle_distance,  ///< over the spacing
-    velocity_error,             ///< against `exact`, over `reference` (the amplitude)
-    period,                     ///< twice the mean spacing of zero crossings of measurement `of`
-    amplitude_ratio,            ///< mean ratio of successive same-sign maxima of measurement `of`
-    peak_moving_average,        ///< largest mean of measurement `of` over a time `window`
-    last_time_above,  ///< last time at which measurement `of` exceeds a thousandth of its peak
+    energy_ratio,
+    wall_force,
+    contact_force,
+    volume,
+    surface_area,
+    minimum_particle_distance,
+    velocity_error,
+    period,
+    amplitude_ratio,
+    peak_moving_average,
+    last_time_above,
   };
   enum class Norm { maximum, root_mean_square };
   std::string name;
@@ -137,9 +125,9 @@ struct MeasurementCase {
   int of = -1;        ///< position of the measurement whose history the last four kinds read
   double window = 0;  ///< peak_moving_average [s]
 
+  double fraction = 0.001;  ///< last_time_above
+
   bool reads_history() const { return of >= 0; }
-  /// Forces are means between samples: what an impulse has changed by, over the time.
-  bool is_force() const { return kind == Kind::wall_force || kind == Kind::contact_force; }
 };
 
 enum class GhostTreatment { linear, averaged, rigid };

@@ -33,10 +33,14 @@ struct Check {
   }
 };
 
-/// False for a shape that was not read, whose messages are already there.
+/// False for a shape with problems, which are already reported.
 bool is_whole(const Shape& shape, int dimension);
 
 inline std::string_view axis_name(int axis) { return words<Axis>[axis].text; }
+
+/// Everything that is wrong with a case whose values are all good one by one, and whose meshes are
+/// loaded.
+void check_case(const Check& check);
 
 /// Bodies one by one: what they are made of, and whether the spacing and the cell can hold them.
 void check_bodies(const Check& check);
@@ -46,5 +50,8 @@ void check_method(const Check& check);
 
 /// Pairs of bodies that meet.
 void check_contacts(const Check& check);
+
+/// What measurements refer to.
+void check_measurements(const Check& check);
 
 }  // namespace pliant

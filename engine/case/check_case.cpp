@@ -1,5 +1,3 @@
-#include "engine/case/check_case.hpp"
-
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -70,42 +68,12 @@ void check_contact_walls(const Check& check) {
   }
 }
 
-void check_measurements(const Check& check) {
-  const auto& measurements = check.a_case.measurements;
-  for (std::size_t i = 0; i < measurements.size(); ++i) {
-    if (measurements[i].kind == MeasurementCase::Kind::wall_force &&
-        measurements[i].boundary >= 0) {
-      const std::size_t boundary = static_cast<std::size_t>(measurements[i].boundary);
-      const auto& boundaries = check.a_case.boundaries;
-      if (boundary < boundaries.size() &&
-          boundaries[boundary].kind != BoundaryCase::Kind::contact_wall) {
-        check.problems.add(
-            check.place("measurement", i, "boundary"),
-            fmt::format("boundary \"{}\" is not a contact wall, so that its force is not known",
-                        boundaries[boundary].name),
-            "name a boundary of kind contact_wall");
-      }
-    }
-    if (!measurements[i].reads_history()) continue;
-    const MeasurementCase& source = measurements[measurements[i].of];
-    if (!source.reads_history()) continue;
-    check.problems.add(
-        check.place("measurement", i, "of"),
-        fmt::format(
-            R"(measurement "{}" evaluates "{}", which itself evaluates another measurement)",
-            measurements[i].name, source.name),
-        "name a measurement that does not evaluate another one");
-  }
-}
-
 }  // namespace
 
-void check_case(const Case& a_case, const toml::table& root, const Place& start, MethodList methods,
-                Problems& problems) {
-  const Check check{a_case, root, start, methods, problems};
-  check_names(check, "body", a_case.bodies);
-  check_names(check, "boundary", a_case.boundaries);
-  check_names(check, "measurement", a_case.measurements);
+void check_case(const Check& check) {
+  check_names(check, "body", check.a_case.bodies);
+  check_names(check, "boundary", check.a_case.boundaries);
+  check_names(check, "measurement", check.a_case.measurements);
   check_method(check);
   check_bodies(check);
   check_periodic_cell(check);

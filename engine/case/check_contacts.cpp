@@ -27,19 +27,12 @@ void check_places(const Check& check, std::size_t index) {
                        fmt::format("bodies \"{}\" and \"{}\" overlap by {:.3g} at the start",
                                    first.name, second.name, depth),
                        "move one of them, or remove the contact");
-  } else if (contact.kind == ContactCase::Kind::tied && depth < -0.75 * spacing) {
+  } else if (contact.law == ContactLaw::tied && depth < -0.75 * spacing) {
     check.problems.add(
         place,
         fmt::format("bodies \"{}\" and \"{}\" are tied but do not meet", first.name, second.name),
         "let their surfaces touch at the start");
   }
-}
-
-/// Whether a [[contact]] joins two bodies, in whichever order.
-bool have_contact(const Case& a_case, std::array<int, 2> bodies) {
-  return std::any_of(a_case.contacts.begin(), a_case.contacts.end(), [&](const ContactCase& c) {
-    return std::is_permutation(bodies.begin(), bodies.end(), c.bodies.begin());
-  });
 }
 
 // What a body has behind a contact wall would be cut off at the first remeshing, (RP.60).
@@ -63,28 +56,11 @@ void check_contact_wall(const Check& check, std::size_t body_index, std::size_t 
       "the body");
 }
 
-void check_forces(const Check& check) {
-  const Case& a_case = check.a_case;
-  for (std::size_t i = 0; i < a_case.measurements.size(); ++i) {
-    const MeasurementCase& m = a_case.measurements[i];
-    if (m.kind != MeasurementCase::Kind::contact_force || m.bodies[0] < 0 || m.bodies[1] < 0 ||
-        have_contact(a_case, m.bodies)) {
-      continue;
-    }
-    check.problems.add(
-        check.place("measurement", i, "bodies"),
-        fmt::format("bodies \"{}\" and \"{}\" have no [[contact]], so that they exert no force",
-                    a_case.bodies[m.bodies[0]].name, a_case.bodies[m.bodies[1]].name),
-        "add a [[contact]] between them, or name two bodies that have one");
-  }
-}
-
 }  // namespace
 
 // At the edge of a contact, loaded ghosts move beside free ones and distort the level set. With
 // adaptive remeshing two colliding discs gained 18 % of energy.
 void check_contacts(const Check& check) {
-  check_forces(check);
   for (std::size_t b = 0; b < check.a_case.bodies.size(); ++b) {
     for (std::size_t w = 0; w < check.a_case.boundaries.size(); ++w) {
       check_contact_wall(check, b, w);
@@ -92,11 +68,11 @@ void check_contacts(const Check& check) {
   }
   const auto& contacts = check.a_case.contacts;
   std::set<std::array<int, 2>> taken;
-  bool any_opens = false;
+  bool any_separates = false;
   for (std::size_t i = 0; i < contacts.size(); ++i) {
     std::array<int, 2> pair = contacts[i].bodies;
     if (pair[0] < 0 || pair[1] < 0 || pair[0] == pair[1]) continue;
-    any_opens = any_opens || contacts[i].kind != ContactCase::Kind::tied;
+    any_separates = any_separates || row_of(contacts[i].law).separates;
     std::sort(pair.begin(), pair.end());
     if (!taken.insert(pair).second) {
       check.problems.add(
@@ -107,7 +83,7 @@ void check_contacts(const Check& check) {
     }
     check_places(check, i);
   }
-  if (any_opens && check.a_case.remeshing.policy != decltype(Case::remeshing)::Policy::every) {
+  if (any_separates && check.a_case.remeshing.policy != decltype(Case::remeshing)::Policy::every) {
     check.problems.add(check.place("remeshing", "every"),
                        "bodies in contact need a fixed number of steps between remeshings",
                        "write every = 10 in [remeshing]");

@@ -1,4 +1,5 @@
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include "engine/case/check.hpp"
 
@@ -14,6 +15,21 @@ void refuse_tables(const Check& check, std::initializer_list<std::string_view> t
     check.problems.add(check.place(key, ""),
                        fmt::format("method \"{}\" has no {}", check.a_case.method, title),
                        "leave the table out, or choose another method");
+  }
+}
+
+void refuse_measurements(const Check& check, bool (*is_measured)(MeasurementCase::Kind kind)) {
+  std::vector<std::string_view> measured;
+  for (const MeasurementKind& row : measurement_kinds) {
+    if (is_measured(row.kind)) measured.push_back(row.word);
+  }
+  for (std::size_t i = 0; i < check.a_case.measurements.size(); ++i) {
+    const MeasurementKind& row = row_of(check.a_case.measurements[i].kind);
+    if (is_measured(row.kind) || row.sampling == Sampling::from_history) continue;
+    check.problems.add(
+        check.place("measurement", i, "kind"),
+        fmt::format("method \"{}\" does not measure \"{}\"", check.a_case.method, row.word),
+        fmt::format("measure one of {}, or choose another method", fmt::join(measured, ", ")));
   }
 }
 

@@ -85,6 +85,9 @@ struct BoundaryName {
 struct MeasurementName {
   int& index;
 };
+struct WallFriction {  ///< a contact law that lets bodies separate
+  ContactLaw& law;
+};
 struct FieldName {
   std::string& field;
 };

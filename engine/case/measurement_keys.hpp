@@ -1,9 +1,11 @@
 #pragma once
 
 #include "engine/case/key.hpp"
+#include "engine/case/measurement_kinds.hpp"
 #include "engine/case/words.hpp"
 
-/// The part of the vocabulary that describes measurements: the keys of each kind.
+/// The part of the vocabulary that describes measurements: what each of their keys reads. Which
+/// kind has which keys is in the table of measurement_kinds.hpp.
 namespace pliant {
 
 template <class Visitor>
@@ -14,136 +16,150 @@ void axis_key(Visitor& visit, MeasurementCase& m, std::string_view meaning) {
 }
 
 template <class Visitor>
-void point_key(Visitor& visit, MeasurementCase& m, std::string_view meaning, bool required) {
-  visit("point", m.point,
-        {.meaning = meaning, .unit = "m", .example = "[0, 0]", .required = required});
-}
-
-template <class Visitor>
-void reference_length_key(Visitor& visit, MeasurementCase& m) {
-  visit(
-      "reference", m.reference,
-      {.meaning = "length that is subtracted, for a displacement", .unit = "m", .example = "0.5"});
-}
-
-template <class Visitor>
-void relative_key(Visitor& visit, MeasurementCase& m) {
-  visit("relative", m.relative,
-        {.meaning = "whether the value is divided by the value at the start", .example = "true"});
-}
-
-template <class Visitor>
-void extent_keys(Visitor& visit, MeasurementCase& m) {
-  axis_key(visit, m, "axis along which the extent is measured");
+void side_key(Visitor& visit, MeasurementCase& m) {
   Side side = m.lower_side ? Side::lower : Side::upper;
   visit("side", side, {.meaning = "end of the body", .example = R"("upper")"});
   m.lower_side = side == Side::lower;
-  visit("where", m.where,
-        {.meaning = "formula of x, y, z, t; only surface points where it is not zero count",
-         .example = R"("abs(y) < 0.5")"});
-  reference_length_key(visit, m);
 }
 
+/// Keys that say what is measured, and of what.
 template <class Visitor>
-void velocity_error_keys(Visitor& visit, MeasurementCase& m) {
-  visit("exact", m.exact,
-        {.meaning = "exact velocity, numbers or formulas of x, y, z, t",
-         .unit = "m/s",
-         .example = R"toml(["0.01*sin(2*pi*x)", 0])toml",
-         .required = true});
-  visit("reference", m.reference,
-        {.meaning = "amplitude by which the error is divided",
-         .unit = "m/s",
-         .example = "0.01",
-         .limits = positive,
-         .required = true});
-  visit("norm", m.norm, {.meaning = "norm of the error over the body", .example = R"("maximum")"});
-}
-
-template <class Visitor>
-void history_keys(Visitor& visit, MeasurementCase& m) {
-  visit("of", MeasurementName{m.of},
-        {.meaning = "name of the measurement whose history is evaluated",
-         .example = R"("tip_displacement")",
-         .required = true});
-  if (m.kind != MeasurementCase::Kind::peak_moving_average) return;
-  visit("window", m.window,
-        {.meaning = "time over which the moving average is taken",
-         .unit = "s",
-         .example = "0.005",
-         .limits = positive,
-         .required = true});
-}
-
-template <class Visitor>
-void measurement_keys(Visitor& visit, MeasurementCase& m) {
-  using Kind = MeasurementCase::Kind;
-  visit("name", Name{m.name},
-        {.meaning = "name in summary.json and result.h5",
-         .example = R"("tip_displacement")",
-         .required = true});
-  if (!visit("kind", m.kind,
-             {.meaning = "kind of measurement",
-              .example = R"("mass")",
-              .required = true,
-              .decides = true})) {
-    return;
-  }
-  if (m.kind == Kind::period || m.kind == Kind::amplitude_ratio ||
-      m.kind == Kind::peak_moving_average || m.kind == Kind::last_time_above) {
-    return history_keys(visit, m);
-  }
-  if (m.kind == Kind::wall_force) {
-    visit("boundary", BoundaryName{m.boundary},
-          {.meaning = "name of the contact wall", .example = R"("floor")", .required = true});
-    return axis_key(visit, m, "component");
-  }
-  if (m.kind == Kind::contact_force) {
-    visit("bodies", BodyPair{m.bodies},
-          {.meaning = "two bodies of one [[contact]]: the force on the first from the second",
-           .example = R"(["left", "right"])",
-           .required = true});
-    return axis_key(visit, m, "component");
-  }
-  visit("body", BodyName{m.body}, {.meaning = "name of the body; by default the first one"});
-  switch (m.kind) {
-    case Kind::extent:
-      return extent_keys(visit, m);
-    case Kind::surface_distance:
-      point_key(visit, m, "start of the line, inside the body", true);
-      visit("direction", Direction{m.direction},
-            {.meaning = "direction of the line", .example = "[1, 0]", .required = true});
-      return reference_length_key(visit, m);
-    case Kind::mean_radius:
-      point_key(visit, m, "centre", true);
-      visit("directions", m.directions,
-            {.meaning = "number of directions over which the mean is taken",
-             .example = "64",
-             .limits = {8, 65536, true, true, "from 8 to 65536"}});
+void object_key(Visitor& visit, MeasurementCase& m, const KeyUse& use) {
+  switch (use.key) {
+    case MeasurementKey::body:
+      visit("body", BodyName{m.body}, {.meaning = "name of the body; by default the first one"});
       return;
-    case Kind::point_displacement:
-      point_key(visit, m, "position of the material point at t = 0", true);
-      return axis_key(visit, m, "component");
-    case Kind::point_value:
-      point_key(visit, m, "fixed position", true);
+    case MeasurementKey::boundary:
+      visit("boundary", BoundaryName{m.boundary},
+            {.meaning = "name of the contact wall", .example = R"("floor")", .required = true});
+      return;
+    case MeasurementKey::bodies:
+      visit("bodies", BodyPair{m.bodies},
+            {.meaning = "two bodies of one [[contact]]: the force on the first from the second",
+             .example = R"(["left", "right"])",
+             .required = true});
+      return;
+    case MeasurementKey::field:
       visit("field", FieldName{m.field},
             {.meaning = "field: density, pressure, velocity_x, displacement_x, stress_xx, ...",
              .example = R"("pressure")",
              .required = true});
       return;
-    case Kind::momentum:
-      axis_key(visit, m, "component");
-      return relative_key(visit, m);
-    case Kind::angular_momentum:
-      point_key(visit, m, "point about which it is taken", false);
-      if (visit.dimension() == 3) axis_key(visit, m, "component in 3D; in 2D it is about z");
-      return relative_key(visit, m);
-    case Kind::minimum_particle_distance:
+    case MeasurementKey::exact:
+      visit("exact", m.exact,
+            {.meaning = "exact velocity, numbers or formulas of x, y, z, t",
+             .unit = "m/s",
+             .example = R"toml(["0.01*sin(2*pi*x)", 0])toml",
+             .required = true});
       return;
-    case Kind::velocity_error:
-      return velocity_error_keys(visit, m);
+    case MeasurementKey::of:
+      visit("of", MeasurementName{m.of},
+            {.meaning = "name of the measurement whose history is evaluated",
+             .example = R"("tip_displacement")",
+             .required = true});
+      return;
     default:
-      return relative_key(visit, m);
+      return;
+  }
+}
+
+/// Keys that give a place or a direction.
+template <class Visitor>
+void place_key(Visitor& visit, MeasurementCase& m, const KeyUse& use) {
+  switch (use.key) {
+    case MeasurementKey::axis:
+      return axis_key(visit, m, use.meaning);
+    case MeasurementKey::rotation_axis:
+      if (visit.dimension() == 3) axis_key(visit, m, use.meaning);
+      return;
+    case MeasurementKey::side:
+      return side_key(visit, m);
+    case MeasurementKey::where:
+      visit("where", m.where,
+            {.meaning = "formula of x, y, z, t; only surface points where it is not zero count",
+             .example = R"("abs(y) < 0.5")"});
+      return;
+    case MeasurementKey::point:
+      visit("point", m.point,
+            {.meaning = use.meaning, .unit = "m", .example = "[0, 0]", .required = use.required});
+      return;
+    case MeasurementKey::direction:
+      visit("direction", Direction{m.direction},
+            {.meaning = "direction of the line", .example = "[1, 0]", .required = true});
+      return;
+    case MeasurementKey::directions:
+      visit("directions", m.directions,
+            {.meaning = "number of directions over which the mean is taken",
+             .example = "64",
+             .limits = {8, 65536, true, true, "from 8 to 65536"}});
+      return;
+    default:
+      return;
+  }
+}
+
+/// Keys that say how the value is evaluated.
+template <class Visitor>
+void evaluation_key(Visitor& visit, MeasurementCase& m, const KeyUse& use) {
+  switch (use.key) {
+    case MeasurementKey::length:
+      visit("reference", m.reference,
+            {.meaning = "length that is subtracted, for a displacement",
+             .unit = "m",
+             .example = "0.5"});
+      return;
+    case MeasurementKey::amplitude:
+      visit("reference", m.reference,
+            {.meaning = "amplitude by which the error is divided",
+             .unit = "m/s",
+             .example = "0.01",
+             .limits = positive,
+             .required = true});
+      return;
+    case MeasurementKey::relative:
+      visit(
+          "relative", m.relative,
+          {.meaning = "whether the value is divided by the value at the start", .example = "true"});
+      return;
+    case MeasurementKey::norm:
+      visit("norm", m.norm,
+            {.meaning = "norm of the error over the body", .example = R"("maximum")"});
+      return;
+    case MeasurementKey::window:
+      visit("window", m.window,
+            {.meaning = "time over which the moving average is taken",
+             .unit = "s",
+             .example = "0.005",
+             .limits = positive,
+             .required = true});
+      return;
+    case MeasurementKey::fraction:
+      visit("fraction", m.fraction,
+            {.meaning = "fraction of the peak that must be exceeded",
+             .example = "0.01",
+             .limits = {0, 1, false, false, "above 0 and below 1"}});
+      return;
+    default:
+      return;
+  }
+}
+
+template <class Visitor>
+void measurement_keys(Visitor& visit, MeasurementCase& m) {
+  visit("name", Name{m.name},
+        {.meaning = "name in summary.json and result.h5",
+         .example = R"("tip_displacement")",
+         .required = true});
+  const bool known = visit("kind", m.kind,
+                           {.meaning = "kind of measurement",
+                            .example = R"("mass")",
+                            .required = true,
+                            .decides = true});
+  if (!known) return;
+  for (const KeyUse& use : row_of(m.kind).keys) {
+    object_key(visit, m, use);
+    place_key(visit, m, use);
+    evaluation_key(visit, m, use);
   }
 }
 

@@ -22,6 +22,10 @@ struct MethodRules {
 /// The methods that a case may name.
 using MethodList = std::span<const MethodRules>;
 
+/// Adds a problem for each measurement that the method cannot evaluate, and that does not evaluate
+/// the history of another one.
+void refuse_measurements(const Check& check, bool (*is_measured)(MeasurementCase::Kind kind));
+
 /// Adds a problem for each of these tables that the case contains.
 void refuse_tables(const Check& check, std::initializer_list<std::string_view> tables);
 

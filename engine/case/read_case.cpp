@@ -2,15 +2,18 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <fstream>
 #include <iterator>
 #include <system_error>
 
-#include "engine/case/check_case.hpp"
+#include "engine/case/check.hpp"
 #include "engine/case/elastic_constants.hpp"
 #include "engine/case/settings.hpp"
 #include "engine/case/table_reader.hpp"
 #include "engine/case/vocabulary.hpp"
+#include "engine/geometry/load_meshes.hpp"
+#include "engine/geometry/surface_mesh.hpp"
 
 namespace pliant {
 namespace {
@@ -40,6 +43,26 @@ std::vector<std::string> names_in(const toml::table& root, std::string_view key)
     names.push_back(table ? (*table)["name"].value_or(std::string()) : std::string());
   }
   return names;
+}
+
+bool has_all_files(const Shape& shape) {
+  return std::all_of(shape.operands.begin(), shape.operands.end(), has_all_files) &&
+         (shape.kind != Shape::Kind::mesh || !shape.file.empty());
+}
+
+/// Loads the meshes of the shapes in [[list]].
+template <class Element>
+void load_meshes_of(std::vector<Element>& elements, std::string_view list, const Check& check) {
+  for (std::size_t i = 0; i < elements.size(); ++i) {
+    if (!has_all_files(elements[i].geometry)) continue;  // which is reported already
+    try {
+      load_meshes(elements[i].geometry);
+    } catch (const MeshError& error) {
+      check.problems.add(check.place(list, i, "geometry"),
+                         fmt::format("geometry has a faulty mesh: {}", error.what()),
+                         error.remedy());
+    }
+  }
 }
 
 std::string default_name(const std::filesystem::path& file) {
@@ -95,7 +118,11 @@ Case parse_case(const std::string& text, const std::filesystem::path& file,
   TableReader reader(root, "the case", Place{file.string(), 1}, reading);
   case_keys(reader, a_case);
   reader.finish();
-  check_case(a_case, root, Place{file.string(), 1}, methods, problems);
+  const Place start{file.string(), 1};
+  const Check check{a_case, root, start, methods, problems};
+  load_meshes_of(a_case.bodies, "body", check);
+  load_meshes_of(a_case.boundaries, "boundary", check);
+  check_case(check);
   if (!problems.empty()) throw CaseError(problems.text());
 
   for (BodyCase& body : a_case.bodies) {

@@ -4,7 +4,6 @@
 
 #include "engine/case/table_reader.hpp"
 #include "engine/case/vocabulary.hpp"
-#include "engine/geometry/closed_mesh.hpp"
 
 /// Reading of values that are tables themselves: geometry, material, prony, rotation.
 namespace pliant {
@@ -36,21 +35,6 @@ bool check_corners(const Entry& entry, const Shape& box) {
   return true;
 }
 
-/// Resolved cases hold the full path: they stand in another folder than the case.
-bool load_mesh(const Entry& entry, Shape& shape) {
-  shape.file = (entry.reading.folder / shape.file).lexically_normal().string();
-  try {
-    SurfaceMesh mesh = read_mesh(shape.file);
-    for (Vector& vertex : mesh.vertices) {
-      for (int i = 0; i < 3; ++i) vertex[i] = shape.scale * vertex[i] + shape.translate[i];
-    }
-    shape.mesh = std::make_shared<const ClosedMesh>(std::move(mesh), shape.file);
-  } catch (const MeshError& error) {
-    return entry.refuse(fmt::format("has the mesh {}", error.what()), error.remedy());
-  }
-  return true;
-}
-
 }  // namespace
 
 bool read(const Entry& entry, ShapeWord& value) {
@@ -77,7 +61,10 @@ bool read(const Entry& entry, ShapeWord& value) {
 bool read(const Entry& entry, Shape& value) {
   const bool good = read_keys(entry, entry.key, [&](auto& keys) { shape_keys(keys, value); });
   if (!good) return false;
-  if (value.kind == Shape::Kind::mesh) return load_mesh(entry, value);
+  // Resolved cases contain the full path, because they are in another folder than the case.
+  if (value.kind == Shape::Kind::mesh) {
+    value.file = (entry.reading.folder / value.file).lexically_normal().string();
+  }
   return value.kind != Shape::Kind::box || check_corners(entry, value);
 }
 

@@ -1,6 +1,8 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <algorithm>
+
 #include "engine/case/table_reader.hpp"
 
 /// Reading of texts, words, flags and names.
@@ -122,13 +124,19 @@ bool read(const Entry& entry, MeasurementName value) {
   return read_reference(entry, entry.reading.measurement_names, "measurement", value.index);
 }
 
+bool read(const Entry& entry, WallFriction value) {
+  const int word = read_word(entry, wall_frictions());
+  if (word >= 0) value.law = static_cast<ContactLaw>(word);
+  return word >= 0;
+}
+
 bool read(const Entry& entry, FieldName value) {
   if (!read(entry, value.field)) return false;
-  if (is_measurable(value.field, entry.reading.dimension)) return true;
   std::vector<std::string_view> known;
-  for (const std::string_view field : measurable_fields) {
-    if (is_measurable(field, entry.reading.dimension)) known.push_back(field);
+  for (const MeasurableField& field : measurable_fields) {
+    if (exists_in(field, entry.reading.dimension)) known.push_back(field.name);
   }
+  if (std::find(known.begin(), known.end(), value.field) != known.end()) return true;
   return entry.refuse(fmt::format("names the field \"{}\", which does not exist", value.field),
                       suggestion(value.field, known, "there are"));
 }

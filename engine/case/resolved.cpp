@@ -160,6 +160,10 @@ std::string toml_text(MeasurementName value, const Writing& writing) {
   return name_at(writing.a_case.measurements, value.index, writing);
 }
 
+std::string toml_text(WallFriction value, const Writing& writing) {
+  return toml_text(value.law, writing);
+}
+
 std::string toml_text(FieldName value, const Writing& writing) {
   return toml_text(value.field, writing);
 }

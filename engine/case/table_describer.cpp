@@ -9,6 +9,14 @@ std::string word_line(const Word& word) {
 
 }  // namespace
 
+std::string type_of(const WallFriction&) {
+  std::string texts;
+  for (const Word& word : wall_frictions()) {
+    texts += fmt::format("{}`\"{}\"`", texts.empty() ? "" : ", ", word.text);
+  }
+  return texts;
+}
+
 const Case& TableDescriber::empty_case() {
   static const Case empty;
   return empty;

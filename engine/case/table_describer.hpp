@@ -50,6 +50,7 @@ inline std::string type_of(const BodyName&) { return "name of a body"; }
 inline std::string type_of(const BodyPair&) { return "list of two names of bodies"; }
 inline std::string type_of(const BoundaryName&) { return "name of a boundary"; }
 inline std::string type_of(const MeasurementName&) { return "name of a measurement"; }
+std::string type_of(const WallFriction&);
 inline std::string type_of(const FieldName&) { return "name of a field"; }
 inline std::string type_of(const VelocityFormulas&) { return "vector of numbers or formulas"; }
 inline std::string type_of(const Rotation&) { return "table"; }

@@ -66,6 +66,7 @@ bool read(const Entry& entry, BodyName value);
 bool read(const Entry& entry, BodyPair value);
 bool read(const Entry& entry, BoundaryName value);
 bool read(const Entry& entry, MeasurementName value);
+bool read(const Entry& entry, WallFriction value);
 bool read(const Entry& entry, FieldName value);
 bool read(const Entry& entry, VelocityFormulas value);
 bool read(const Entry& entry, Rotation value);

@@ -44,6 +44,7 @@ std::string toml_text(BodyName value, const Writing&);
 std::string toml_text(BodyPair value, const Writing&);
 std::string toml_text(BoundaryName value, const Writing&);
 std::string toml_text(MeasurementName value, const Writing&);
+std::string toml_text(WallFriction value, const Writing&);
 std::string toml_text(FieldName value, const Writing&);
 std::string toml_text(VelocityFormulas value, const Writing&);
 std::string toml_text(Rotation value, const Writing&);

@@ -48,7 +48,7 @@ double measure(const BodyCase& body, const Case& a_case) {
 std::string mesh_lines(const Shape& shape) {
   std::string text;
   for (const Shape& part : shape.operands) text += mesh_lines(part);
-  if (!shape.mesh) return text;
+  if (shape.kind != Shape::Kind::mesh) return text;
   const Box& box = shape.mesh->bounds();
   return text + fmt::format(
                     "    mesh {}: closed, {} triangles ({} without area dropped), {:.6g} m^3, "
@@ -107,8 +107,7 @@ std::string validate_summary(const Case& a_case) {
     text += mesh_lines(body.geometry);
   }
   for (const BoundaryCase& boundary : a_case.boundaries) {
-    text += fmt::format("  boundary {}: {}\n", boundary.name,
-                        words<BoundaryWord>[static_cast<int>(word_of(boundary))].text);
+    text += fmt::format("  boundary {}: {}\n", boundary.name, row_of(boundary.kind).word);
     text += mesh_lines(boundary.geometry);
   }
   // (RP.20) at rest

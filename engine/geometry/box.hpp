@@ -1,6 +1,6 @@
 #pragma once
 
-#include "engine/case/case.hpp"
+#include "engine/geometry/shape.hpp"
 
 namespace pliant {
 

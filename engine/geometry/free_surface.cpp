@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 #include <optional>
+#include <vector>
 
 namespace pliant {
 namespace {
@@ -88,30 +89,7 @@ Shape open_box(const Shape& body, std::span<const Shape> walls, int dimension) {
   return united;
 }
 
-Shape half_space(int axis, double position, double normal) {
-  Shape shape;
-  shape.kind = Shape::Kind::half_space;
-  shape.point[axis] = position;
-  shape.normal[axis] = normal;
-  return shape;
-}
-
 }  // namespace
-
-std::vector<Shape> attached_walls(const Case& a_case) {
-  std::vector<Shape> walls;
-  for (const BoundaryCase& boundary : a_case.boundaries) {
-    const bool bonded =
-        boundary.kind == BoundaryCase::Kind::wall || boundary.kind == BoundaryCase::Kind::slip_wall;
-    if (bonded) walls.push_back(boundary.geometry);
-  }
-  for (int axis = 0; axis < a_case.dimension; ++axis) {
-    if (!a_case.periodic.axis[axis]) continue;
-    walls.push_back(half_space(axis, a_case.periodic.lower[axis], 1));
-    walls.push_back(half_space(axis, a_case.periodic.upper[axis], -1));
-  }
-  return walls;
-}
 
 Shape free_surface(const Shape& body, std::span<const Shape> walls, int dimension) {
   if (body.kind == Shape::Kind::box) return open_box(body, walls, dimension);

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "engine/case/case.hpp"
+#include "engine/geometry/shape.hpp"
 #include "engine/lattice/lattice.hpp"
 
 namespace pliant {

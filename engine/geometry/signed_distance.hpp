@@ -1,9 +1,9 @@
 #pragma once
 
-#include "engine/case/case.hpp"
 #include "engine/geometry/box.hpp"
+#include "engine/geometry/shape.hpp"
 
-/// Signed distances to the shapes of a case: negative inside. In 2D the z components are ignored.
+/// Signed distances to shapes: negative inside. In 2D the z components are ignored.
 namespace pliant {
 
 /// Distance from `x` to the surface of `shape` [m], negative inside. Exact for box, ball, cylinder,

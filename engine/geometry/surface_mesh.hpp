@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "engine/case/case.hpp"
+#include "engine/geometry/shape.hpp"
 
 /// Triangles as files hold them.
 namespace pliant {

@@ -4,13 +4,17 @@
 
 #include <chrono>
 
+#include "engine/geometry/load_meshes.hpp"
 #include "engine/method/step_length.hpp"
 #include "engine/output/error.hpp"
 
 namespace pliant {
 
 Solver::Solver(const Case& settings, const SolverOptions& options)
-    : settings_(settings), workers_(options.threads) {}
+    : settings_(settings), workers_(options.threads) {
+  for (BodyCase& body : settings_.bodies) load_meshes(body.geometry);
+  for (BoundaryCase& boundary : settings_.boundaries) load_meshes(boundary.geometry);
+}
 
 void Solver::step(double longest) {
   using Clock = std::chrono::steady_clock;

@@ -26,8 +26,11 @@ Json json(const Summary& summary) {
   auto versions = Json::object(), phases = Json::object(), measurements = Json::object();
   for (const auto& [name, version] : summary.versions) versions[name] = version;
   for (const auto& phase : summary.phases) phases[phase.name] = phase.wall_time;
-  for (const auto& measurement : summary.measurements)
-    measurements[measurement.name] = {{"value", measurement.value}, {"unit", measurement.unit}};
+  for (const auto& measurement : summary.measurements) {
+    Json& entry = measurements[measurement.name];
+    entry = {{"value", measurement.value}, {"unit", measurement.unit}};
+    if (!measurement.reason.empty()) entry["reason"] = measurement.reason;
+  }
   const auto& speed = summary.performance;
   return {{"case", summary.case_name},
           {"versions", versions},

@@ -25,7 +25,8 @@ struct Summary {
   };
   struct Measurement {
     std::string name, unit;
-    double value = 0;  ///< at the end
+    double value = 0;         ///< at the end
+    std::string reason = {};  ///< why there is no value; empty where there is one
   };
 
   std::string case_name;

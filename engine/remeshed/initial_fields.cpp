@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "engine/boundaries/attached_walls.hpp"
 #include "engine/geometry/distance_walk.hpp"
 #include "engine/geometry/free_surface.hpp"
 #include "engine/geometry/padded.hpp"

@@ -1,6 +1,7 @@
 #include "engine/remeshed/method.hpp"
 
 #include "engine/case/check.hpp"
+#include "engine/remeshed/observe/measure.hpp"
 #include "engine/remeshed/solver.hpp"
 
 namespace pliant::remeshed {
@@ -21,13 +22,17 @@ void check_contact_walls(const Check& check) {
   }
 }
 
+void check(const Check& check) {
+  check_contact_walls(check);
+  refuse_measurements(check, Measurer<double, 2>::is_measured);
+}
+
 }  // namespace
 
 RegisteredMethod method() {
-  return {
-      {"remeshed", "Lagrangian particles that are remeshed; a level set follows the free surface",
-       check_contact_walls},
-      make_solver<Solver>};
+  return {{"remeshed",
+           "Lagrangian particles that are remeshed; a level set follows the free surface", check},
+          make_solver<Solver>};
 }
 
 }  // namespace pliant::remeshed

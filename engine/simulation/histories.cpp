@@ -2,8 +2,13 @@
 
 #include <fmt/format.h>
 
+#include <cassert>
+#include <cmath>
+#include <limits>
+#include <span>
 #include <utility>
 
+#include "engine/case/measurement_kinds.hpp"
 #include "engine/simulation/oscillation.hpp"
 #include "engine/simulation/pulse.hpp"
 
@@ -11,18 +16,35 @@ namespace pliant {
 
 namespace {
 
-double value_of(const MeasurementCase& m, const std::vector<double>& times,
-                const std::vector<double>& of) {
-  switch (m.kind) {
-    case MeasurementCase::Kind::period:
-      return oscillation_period(times, of);
-    case MeasurementCase::Kind::amplitude_ratio:
-      return amplitude_ratio(times, of);
-    case MeasurementCase::Kind::peak_moving_average:
-      return peak_moving_average(times, of, m.window);
-    default:
-      return last_time_above(times, of);
+using Samples = std::span<const double>;
+
+/// Functions of the kinds that evaluate the history of another measurement.
+struct HistoryFunction {
+  MeasurementCase::Kind kind;
+  double (*evaluate)(const MeasurementCase& m, Samples times, Samples values);
+};
+
+constexpr HistoryFunction functions[] = {
+    {MeasurementCase::Kind::period,
+     [](const MeasurementCase&, Samples t, Samples f) { return oscillation_period(t, f); }},
+    {MeasurementCase::Kind::amplitude_ratio,
+     [](const MeasurementCase&, Samples t, Samples f) { return amplitude_ratio(t, f); }},
+    {MeasurementCase::Kind::peak_moving_average,
+     [](const MeasurementCase& m, Samples t, Samples f) {
+       return peak_moving_average(t, f, m.window);
+     }},
+    {MeasurementCase::Kind::last_time_above,
+     [](const MeasurementCase& m, Samples t, Samples f) {
+       return last_time_above(t, f, m.fraction);
+     }},
+};
+
+double evaluate_history(const MeasurementCase& m, Samples times, Samples values) {
+  for (const HistoryFunction& function : functions) {
+    if (function.kind == m.kind) return function.evaluate(m, times, values);
   }
+  assert(false);
+  return std::numeric_limits<double>::quiet_NaN();
 }
 
 }  // namespace
@@ -32,18 +54,29 @@ void Histories::add(double time, std::vector<double> values) {
   const std::vector<double> before = std::exchange(latest_, values);
   const double elapsed = times_.empty() ? 0 : time - times_.back();
   times_.push_back(time);
+  const auto sampling = [this](std::size_t m) {
+    return row_of(settings_->measurements[m].kind).sampling;
+  };
   for (std::size_t m = 0; m < values.size(); ++m) {
     if (settings_->measurements[m].relative) values[m] /= start_[m];
-    if (settings_->measurements[m].is_force()) {
+    if (sampling(m) == Sampling::rate) {
       values[m] = elapsed > 0 ? (values[m] - before[m]) / elapsed : 0;
     }
     rows_[m].push_back(values[m]);
   }
   for (std::size_t m = 0; m < values.size(); ++m) {
     const MeasurementCase& measurement = settings_->measurements[m];
-    if (!measurement.reads_history()) continue;
-    rows_[m].back() = value_of(measurement, times_, rows_[measurement.of]);
+    if (sampling(m) != Sampling::from_history) continue;
+    rows_[m].back() = evaluate_history(measurement, times_, rows_[measurement.of]);
   }
+}
+
+std::string_view Histories::why_missing(std::size_t m) const {
+  const MeasurementCase& measurement = settings_->measurements[m];
+  if (std::isfinite(rows_[m].back())) return "";
+  if (measurement.relative && !(start_[m] != 0)) return "the value at the start is zero";
+  const std::string_view reason = row_of(measurement.kind).missing;
+  return reason.empty() ? "the value is not finite" : reason;
 }
 
 void Histories::put(ArchiveWriter& archive) const {
@@ -63,53 +96,6 @@ void Histories::get(const ArchiveReader& archive) {
   for (std::size_t m = 0; m < rows_.size(); ++m) {
     rows_[m] = archive.get<double>(fmt::format("histories/{}", settings_->measurements[m].name));
   }
-}
-
-std::string unit_of(const Case& settings, const MeasurementCase& m) {
-  using Kind = MeasurementCase::Kind;
-  const int dimension = settings.dimension;
-  const std::string per_depth = dimension == 2 ? "/m" : "";
-  if (m.relative) return "1";
-  switch (m.kind) {
-    case Kind::extent:
-    case Kind::surface_distance:
-    case Kind::mean_radius:
-    case Kind::point_displacement:
-      return "m";
-    case Kind::point_value:
-      return m.field == "density"              ? "kg/m^3"
-             : m.field.starts_with("velocity") ? "m/s"
-             : m.field.starts_with("displ")    ? "m"
-                                               : "Pa";
-    case Kind::mass:
-      return "kg" + per_depth;
-    case Kind::momentum:
-      return "kg m/s" + per_depth;
-    case Kind::angular_momentum:
-      return "kg m^2/s" + per_depth;
-    case Kind::kinetic_energy:
-    case Kind::strain_energy:
-    case Kind::total_energy:
-      return "J" + per_depth;
-    case Kind::wall_force:
-    case Kind::contact_force:
-      return "N" + per_depth;
-    case Kind::volume:
-      return dimension == 2 ? "m^2" : "m^3";
-    case Kind::surface_area:
-      return dimension == 2 ? "m" : "m^2";
-    case Kind::period:
-    case Kind::last_time_above:
-      return "s";
-    case Kind::peak_moving_average:
-      return unit_of(settings, settings.measurements[m.of]);
-    case Kind::minimum_particle_distance:
-    case Kind::velocity_error:
-    case Kind::amplitude_ratio:
-    case Kind::energy_ratio:
-      return "1";
-  }
-  return "1";
 }
 
 }  // namespace pliant

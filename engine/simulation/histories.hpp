@@ -1,6 +1,6 @@
 #pragma once
 
-#include <string>
+#include <string_view>
 #include <vector>
 
 #include "engine/case/case.hpp"
@@ -8,8 +8,8 @@
 
 namespace pliant {
 
-/// Values of every measurement over time, in memory: relative quantities and oscillations read
-/// their own past.
+/// Values of every measurement over time, in memory: some kinds evaluate the history of another
+/// measurement, and relative quantities need the value at the start.
 class Histories {
  public:
   explicit Histories(const Case& settings)
@@ -22,6 +22,8 @@ class Histories {
   double last_time() const { return times_.back(); }
   /// Of measurement `m`, at the last time.
   double last(std::size_t m) const { return rows_[m].back(); }
+  /// Why measurement `m` has no value at the last time; empty where it has one.
+  std::string_view why_missing(std::size_t m) const;
 
   void put(ArchiveWriter& archive) const;
   void get(const ArchiveReader& archive);
@@ -33,8 +35,5 @@ class Histories {
   std::vector<double> start_;              ///< raw values at the start
   std::vector<double> latest_;             ///< raw values at the last time: forces are differences
 };
-
-/// SI unit of a measurement's values, "1" for ratios.
-std::string unit_of(const Case& settings, const MeasurementCase& m);
 
 }  // namespace pliant

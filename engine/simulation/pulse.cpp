@@ -1,6 +1,7 @@
 #include "engine/simulation/pulse.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <limits>
 
@@ -9,7 +10,7 @@ namespace pliant {
 namespace {
 
 constexpr double nothing = std::numeric_limits<double>::quiet_NaN();
-constexpr double rounding = 1e-9;  // of the duration: samples lie where many steps have led
+constexpr double rounding = 1e-9;  // of the duration: sample times are sums of many steps
 
 // Integral over the samples (first, last], of the first of them only the part behind `from`.
 double integral(std::span<const double> time, std::span<const double> value, std::size_t first,
@@ -30,16 +31,17 @@ double peak_moving_average(std::span<const double> time, std::span<const double>
     if (time[last] - time[0] < duration * (1 - rounding)) continue;
     while (time[first + 1] <= from) ++first;
     const double mean = integral(time, value, first, last, from) / duration;
-    if (!(mean <= largest)) largest = mean;
+    if (std::isnan(largest) || std::abs(mean) > std::abs(largest)) largest = mean;
   }
   return largest;
 }
 
-double last_time_above(std::span<const double> time, std::span<const double> value) {
+double last_time_above(std::span<const double> time, std::span<const double> value,
+                       double fraction) {
   double largest = 0, last = nothing;
-  for (const double v : value) largest = std::max(largest, v);
+  for (const double v : value) largest = std::max(largest, std::abs(v));
   for (std::size_t i = 0; i < time.size(); ++i) {
-    if (value[i] > 0.001 * largest) last = time[i];
+    if (std::abs(value[i]) > fraction * largest) last = time[i];
   }
   return last;
 }

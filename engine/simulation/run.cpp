@@ -147,7 +147,7 @@ class Run {
     histories_.add(solver_->clock().time, solver_->measure());
     for (std::size_t m = 0; m < settings_.measurements.size(); ++m) {
       const MeasurementCase& measurement = settings_.measurements[m];
-      result_->append_history(measurement.name, unit_of(settings_, measurement),
+      result_->append_history(measurement.name, std::string(unit_of(settings_, measurement)),
                               solver_->clock().time, histories_.last(m));
     }
   }
@@ -210,8 +210,9 @@ class Run {
     summary.conserved.end = conserved(solver_->integrals());
     for (std::size_t m = 0; m < settings_.measurements.size(); ++m) {
       const MeasurementCase& measurement = settings_.measurements[m];
-      summary.measurements.push_back(
-          {measurement.name, unit_of(settings_, measurement), histories_.last(m)});
+      summary.measurements.push_back({measurement.name,
+                                      std::string(unit_of(settings_, measurement)),
+                                      histories_.last(m), std::string(histories_.why_missing(m))});
     }
     write_summary(options_.folder, summary);
     progress_.report(report_of(options_.folder, summary));

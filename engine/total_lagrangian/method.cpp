@@ -3,27 +3,12 @@
 #include <fmt/format.h>
 
 #include "engine/case/check.hpp"
+#include "engine/total_lagrangian/observe/measure.hpp"
 #include "engine/total_lagrangian/solver.hpp"
 
 namespace pliant::total_lagrangian {
 
 namespace {
-
-bool is_measured(MeasurementCase::Kind kind) {
-  using Kind = MeasurementCase::Kind;
-  switch (kind) {
-    case Kind::surface_distance:
-    case Kind::mean_radius:
-    case Kind::point_value:
-    case Kind::wall_force:
-    case Kind::contact_force:
-    case Kind::velocity_error:
-    case Kind::minimum_particle_distance:
-      return false;
-    default:
-      return true;
-  }
-}
 
 void check_body(const Check& check, std::size_t i) {
   const BodyCase& body = check.a_case.bodies[i];
@@ -52,15 +37,7 @@ void check(const Check& check) {
     check.problems.add(check.place("boundary", i, "kind"), "method total_lagrangian has no contact",
                        "take method = \"remeshed\", or a wall to which the body sticks");
   }
-  for (std::size_t i = 0; i < a_case.measurements.size(); ++i) {
-    if (is_measured(a_case.measurements[i].kind)) continue;
-    check.problems.add(
-        check.place("measurement", i, "kind"),
-        fmt::format(
-            "method total_lagrangian does not measure a {}",
-            words<MeasurementCase::Kind>[static_cast<int>(a_case.measurements[i].kind)].text),
-        "measure extent, point_displacement, volume, surface_area, momenta or energies");
-  }
+  refuse_measurements(check, Measurer<double, 2>::is_measured);
   if (a_case.total_lagrangian.match_time_step && !a_case.time.step) {
     check.problems.add(check.place("total_lagrangian", "mass_scaling"),
                        "the mass can only be scaled to a given time step",

@@ -15,7 +15,7 @@ struct MeshFault {
   const char* name;
   const char* file;
   std::string content;
-  const char* message;  ///< after the place and "geometry has the mesh "
+  const char* message;  ///< after the place and "geometry has a faulty mesh: "
 
   friend std::ostream& operator<<(std::ostream& stream, const MeshFault& fault) {
     return stream << fault.name;
@@ -150,7 +150,7 @@ class FaultyMesh : public testing::TestWithParam<MeshFault> {};
 
 TEST_P(FaultyMesh, is_answered_with_where_what_and_what_to_do) {
   EXPECT_EQ(mesh_complaint(GetParam().file, GetParam().content),
-            std::string("organ.toml:6: geometry has the mesh ") + GetParam().message);
+            std::string("organ.toml:6: geometry has a faulty mesh: ") + GetParam().message);
 }
 
 INSTANTIATE_TEST_SUITE_P(faults, FaultyMesh, testing::ValuesIn(faults),
@@ -181,7 +181,7 @@ TEST(meshes, a_resolved_case_finds_them_from_any_folder) {
 
 TEST(meshes, need_three_dimensions) {
   EXPECT_EQ(complaint(broken(geometry, R"({ shape = "mesh", file = "organ.stl" })")),
-            "block.toml:8: shape is a mesh, which needs dimension = 3; set dimension = 3, or take "
+            "block.toml:8: shape is a mesh, which needs dimension = 3; set dimension = 3, or use "
             "other shapes");
 }
 

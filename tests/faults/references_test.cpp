@@ -26,6 +26,11 @@ const Fault faults[] = {
     {"a_measurement_of_itself", measuring("kind = \"period\"\nof = \"m\"\n"),
      R"(block.toml:13: measurement "m" evaluates "m", which itself evaluates another )"
      "measurement; name a measurement that does not evaluate another one"},
+    {"a_displacement_of_a_point_outside_the_body",
+     measuring("kind = \"point_displacement\"\npoint = [3, 1]\naxis = \"x\"\n"),
+     "block.toml:13: the point of measurement \"m\" lies 2 m outside body \"block\" at t = 0; give "
+     "a "
+     "point inside the body or on its surface"},
     {"a_measurement_of_an_unknown_field",
      measuring("kind = \"point_value\"\npoint = [0, 0]\nfield = \"presure\"\n"),
      "block.toml:14: field names the field \"presure\", which does not exist; did you mean "

@@ -20,11 +20,13 @@ const Fault faults[] = {
      "block.toml:9: unknown key `young_modulus` in material; did you mean `youngs_modulus`?"},
     {"an_unknown_key_unlike_any_other", extended("[ghosts]\ncolour = 3\n"),
      "block.toml:11: unknown key `colour` in [ghosts]; its keys are treatment"},
-    {"an_unknown_table", extended("[remesh]\nevery = 3\n"),
-     "block.toml:10: unknown key `remesh` in the case; its keys are title, name, dimension, "
+    {"an_unknown_table", extended("[output_files]\nevery = 3\n"),
+     "block.toml:10: unknown key `output_files` in the case; its keys are title, name, dimension, "
      "method, discretisation, time, remeshing, level_set, ghosts, total_lagrangian, periodic, "
      "material, body, "
      "boundary, contact, output, measurement"},
+    {"the_beginning_of_a_table", extended("[remesh]\nevery = 3\n"),
+     "block.toml:10: unknown key `remesh` in the case; did you mean `remeshing`?"},
     {"a_missing_key", broken("spacing = 0.1", ""),
      "block.toml:2: [discretisation] lacks `spacing`, initial distance h between particles, the "
      "resolution; add spacing = 0.03125"},

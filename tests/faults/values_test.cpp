@@ -92,7 +92,8 @@ const Fault faults[] = {
           "\"linear\", youngs_modulus = 100, poissons_ratio = 0.3"),
      "block.toml:10: body \"block\" is not hyperelastic; method total_lagrangian takes model = "
      "\"reduced_polynomial\""},
-    {"mass_scaled_to_no_step", with(rubber_block, "damping = 1", "mass_scaling = \"to_step\""),
+    {"mass_scaled_to_no_step",
+     with(rubber_block, "damping = 1", "mass_scaling = \"match_time_step\""),
      "block.toml:12: the mass can only be scaled to a given time step; give time.step in seconds, "
      "or "
      "mass_scaling as a number"},
@@ -104,8 +105,9 @@ const Fault faults[] = {
     {"a_pressure_at_a_point_of_space",
      rubber_block + "[[measurement]]\nname = \"p\"\nkind = \"point_value\"\npoint = [0, 0]\nfield "
                     "= \"pressure\"\n",
-     "block.toml:15: method total_lagrangian does not measure a point_value; measure extent, "
-     "point_displacement, volume, surface_area, momenta or energies"},
+     "block.toml:15: method \"total_lagrangian\" does not measure \"point_value\"; measure one of "
+     "extent, point_displacement, mass, momentum, angular_momentum, kinetic_energy, strain_energy, "
+     "total_energy, energy_ratio, volume, surface_area, or choose another method"},
     {"contact_of_undeformed_bodies",
      rubber_block + "[[boundary]]\nname = \"w\"\nkind = \"contact_wall\"\ngeometry = { shape = "
                     "\"half_space\", point = [0, -1], normal = [0, 1] }\n",
@@ -142,8 +144,10 @@ const Fault faults[] = {
     {"sph_with_a_level_set",
      with(measuring("kind = \"surface_area\"\n") + "[output]\nsurface = true\n",
           "title = \"a block\"", "method = \"sph\""),
-     "block.toml:12: measurement \"m\" needs a level set or remeshed particles, which method sph "
-     "does not have; take it out, or measure displacements and conserved quantities\n"
+     "block.toml:12: method \"sph\" does not measure \"surface_area\"; measure one of "
+     "point_displacement, mass, momentum, angular_momentum, kinetic_energy, strain_energy, "
+     "total_energy, energy_ratio, wall_force, contact_force, volume, minimum_particle_distance, "
+     "velocity_error, or choose another method\n"
      "block.toml:14: surfaces need a level set, which method sph does not have; write surface = "
      "false"},
     {"sph_between_walls",

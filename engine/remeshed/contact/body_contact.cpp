@@ -18,13 +18,13 @@ using scheduler::Phase;
 // sink in.
 constexpr double closing_time = 10;
 
-kernels::InterfaceKind converted(ContactCase::Kind kind) {
-  switch (kind) {
-    case ContactCase::Kind::frictionless:
+kernels::InterfaceKind converted(ContactLaw law) {
+  switch (law) {
+    case ContactLaw::frictionless:
       return kernels::InterfaceKind::frictionless;
-    case ContactCase::Kind::no_slip:
+    case ContactLaw::no_slip:
       return kernels::InterfaceKind::sticking;
-    case ContactCase::Kind::tied:
+    case ContactLaw::tied:
       break;
   }
   return kernels::InterfaceKind::bonded;
@@ -76,7 +76,7 @@ void BodyContact<T, D>::find_tractions(int block, int stage) {
     const int c = contact_points.contact[k];
     const bool is_first = contacts_[c].bodies[0] == owner;
     const Body<T, D>& other = state_.bodies[contacts_[c].bodies[is_first ? 1 : 0]];
-    contact_points.traction[k] = traction(own, other, ghosts, k, contacts_[c].kind);
+    contact_points.traction[k] = traction(own, other, ghosts, k, contacts_[c].law);
     // On the second body, the mean of what the two sides say.
     const double share = (is_first ? -0.5 : 0.5) * stage_weight[stage] * time_step_;
     Point<D>& impulse = block_impulse_[block * contacts_.size() + c];
@@ -88,7 +88,7 @@ void BodyContact<T, D>::find_tractions(int block, int stage) {
 template <class T, int D>
 std::array<T, D> BodyContact<T, D>::traction(const Body<T, D>& own, const Body<T, D>& other,
                                              const BlockGhosts<T, D>& ghosts, std::size_t point,
-                                             ContactCase::Kind kind) const {
+                                             ContactLaw law) const {
   constexpr int width = kernels::record_width<D>;
   const ContactPoints<T, D>& contact_points = ghosts.contact_points;
   const std::int32_t g = contact_points.ghost[point];
@@ -100,7 +100,7 @@ std::array<T, D> BodyContact<T, D>::traction(const Body<T, D>& own, const Body<T
     for (int f = 0; f < width; ++f) sum[f] += contact_points.coefficient[i] * record[f];
   }
   // A bond asks nothing of the level sets: what they say at its ends would shake it.
-  const double speed = kind == ContactCase::Kind::tied
+  const double speed = law == ContactLaw::tied
                            ? 0
                            : std::min<double>(kernels::wave_speed_at_rest(own.material),
                                               kernels::wave_speed_at_rest(other.material));
@@ -110,7 +110,7 @@ std::array<T, D> BodyContact<T, D>::traction(const Body<T, D>& own, const Body<T
       {{sum.data()}, kernels::Impedance<T>(other.material)},
       kernels::unit_normal<T, D>(fits.linear),
       static_cast<T>(contact_points.gap[point] * speed / (closing_time * own.lattice.spacing)),
-      converted(kind));
+      converted(law));
   std::array<T, D> result;
   for (int a = 0; a < D; ++a) result[a] = load.normal * load.n[a] + load.shear[a];
   return result;

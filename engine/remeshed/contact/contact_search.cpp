@@ -201,7 +201,7 @@ double ContactSearch<T, D>::contact_gap(int contact, int owner, const GhostPlace
   const auto gap = [&](const Point<D>& x, double farthest) {
     return opposing.gap(surfaces_[other], state_.bodies[other].lattice, x, farthest);
   };
-  if (contacts_[contact].kind == ContactCase::Kind::tied) {
+  if (contacts_[contact].law == ContactLaw::tied) {
     return gap(ghost.position, apart) < ghost.distance ? gap(ghost.foot, apart) : apart;
   }
   const double at_foot = gap(ghost.foot, clearly_apart);

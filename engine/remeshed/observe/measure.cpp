@@ -1,13 +1,15 @@
 #include "engine/remeshed/observe/measure.hpp"
 
-#include <Eigen/Dense>
+#include <algorithm>
 #include <cmath>
+#include <functional>
 #include <limits>
 
 #include "engine/geometry/padded.hpp"
 #include "engine/remeshed/contact/momentum_correction.hpp"
 #include "engine/remeshed/level_set/interpolant.hpp"
 #include "engine/remeshed/neighbours/closest_pair.hpp"
+#include "engine/remeshed/observe/material_displacement.hpp"
 #include "engine/remeshed/observe/point_state.hpp"
 #include "engine/remeshed/observe/surface.hpp"
 #include "engine/remeshed/observe/surface_area.hpp"
@@ -17,58 +19,10 @@ namespace pliant::remeshed {
 namespace {
 
 constexpr double pi = 3.14159265358979323846;
+constexpr double on_wall = 1e-9;  // [h] distances that rounding may leave
 constexpr double nothing = std::numeric_limits<double>::quiet_NaN();
 
-template <class T, int D>
-double mean_radius(const LatticeView<T, D>& view, const Vector& centre, int directions) {
-  double sum = 0;
-  for (int k = 0; k < directions; ++k) {
-    const double angle = 2 * pi * (k + 0.5) / directions;
-    const auto r = ray_to_surface(view, centre, {std::cos(angle), std::sin(angle), 0});
-    if (!r) return nothing;
-    sum += *r;
-  }
-  return sum / directions;
-}
-
 }  // namespace
-
-template <class T, int D>
-Vector material_displacement(const Body<T, D>& body, const Vector& start) {
-  const FieldStore<T, D>& f = body.stage[0];
-  const Layout<D>& layout = body.population.layout;
-  const double h = body.lattice.spacing;
-  // d + xi is the displacement; node - d is where the particle started.
-  const auto from_start = [&](std::int64_t p, const Cell<D>& cell) {
-    Eigen::Matrix<double, D, 1> r;
-    for (int a = 0; a < D; ++a) {
-      r[a] = (body.lattice.node(a, cell[a]) - f.get(Field::displacement, a)[p] - start[a]) / h;
-    }
-    return r;
-  };
-  constexpr double radius = 2.6;
-  Eigen::Matrix<double, D + 1, D + 1> normal = Eigen::Matrix<double, D + 1, D + 1>::Zero();
-  Eigen::Matrix<double, D + 1, D> right = Eigen::Matrix<double, D + 1, D>::Zero();
-  for (const Block<D>& block : layout.blocks()) {
-    layout.for_each_slot(block, [&](std::int64_t p, const Cell<D>& cell) {
-      if (body.population.kind[p] != Kind::interior) return;
-      const auto r = from_start(p, cell);
-      const double fraction = r.squaredNorm() / (radius * radius);
-      if (fraction >= 1) return;
-      Eigen::Matrix<double, D + 1, 1> q;
-      q << 1, r;
-      normal += (1 - fraction) * (1 - fraction) * q * q.transpose();
-      for (int a = 0; a < D; ++a) {
-        const double d = f.get(Field::displacement, a)[p] + f.get(Field::drift, a)[p];
-        right.col(a) += (1 - fraction) * (1 - fraction) * d * q;
-      }
-    });
-  }
-  const auto fit = normal.ldlt().solve(right).eval();
-  Vector displacement = {};
-  for (int a = 0; a < D; ++a) displacement[a] = fit(0, a);
-  return displacement;
-}
 
 template <class T, int D>
 std::vector<double> Measurer<T, D>::operator()(std::span<const MeasurementCase> measurements) {
@@ -84,37 +38,45 @@ const LatticeView<T, D>& Measurer<T, D>::nodes(int body) {
 }
 
 template <class T, int D>
-double Measurer<T, D>::value(const MeasurementCase& m) {
+auto Measurer<T, D>::function_of(MeasurementCase::Kind kind) -> Function {
   using Quantity = MeasurementCase::Kind;
-  if (m.reads_history()) return nothing;
-  switch (m.kind) {
-    case Quantity::extent:
-    case Quantity::surface_distance:
-    case Quantity::mean_radius:
-      return surface_value(m);
-    case Quantity::surface_area:
-      return surface_area(nodes(m.body), state_.boundaries);
-    case Quantity::point_displacement:
-      return material_displacement<T, D>(state_.bodies[m.body], m.point)[m.axis];
-    case Quantity::wall_force:
-    case Quantity::contact_force:
-      return impulse(m);
-    case Quantity::point_value:
-      return point_value(m);
-    case Quantity::minimum_particle_distance:
-      return closest_pair<T, D>(state_.bodies[m.body]);
-    case Quantity::velocity_error:
-      return velocity_error(m);
-    default:
-      return value_of(m, integrals(m.body, m.point), D);
-  }
+  static constexpr Function functions[] = {
+      {Quantity::extent, &Measurer::extent, Reads::nodes},
+      {Quantity::surface_distance, &Measurer::surface_distance, Reads::nodes},
+      {Quantity::mean_radius, &Measurer::mean_radius, Reads::nodes},
+      {Quantity::point_displacement, &Measurer::point_displacement, Reads::particles},
+      {Quantity::point_value, &Measurer::point_value, Reads::nodes},
+      {Quantity::mass, &Measurer::integral, Reads::particles},
+      {Quantity::momentum, &Measurer::integral, Reads::particles},
+      {Quantity::angular_momentum, &Measurer::integral, Reads::particles},
+      {Quantity::kinetic_energy, &Measurer::integral, Reads::particles},
+      {Quantity::strain_energy, &Measurer::integral, Reads::particles},
+      {Quantity::total_energy, &Measurer::integral, Reads::particles},
+      {Quantity::energy_ratio, &Measurer::integral, Reads::particles},
+      {Quantity::wall_force, &Measurer::wall_impulse, Reads::particles},
+      {Quantity::contact_force, &Measurer::contact_impulse, Reads::particles},
+      {Quantity::volume, &Measurer::integral, Reads::particles},
+      {Quantity::surface_area, &Measurer::area, Reads::nodes},
+      {Quantity::minimum_particle_distance, &Measurer::minimum_particle_distance, Reads::particles},
+      {Quantity::velocity_error, &Measurer::velocity_error, Reads::particles},
+  };
+  const auto known = std::ranges::find(functions, kind, &Function::kind);
+  return known == std::end(functions) ? Function{} : *known;
 }
 
 template <class T, int D>
-double Measurer<T, D>::impulse(const MeasurementCase& m) const {
-  if (m.kind == MeasurementCase::Kind::wall_force) {
-    return state_.wall_impulse[state_.boundaries.wall_of[m.boundary]][m.axis];
-  }
+double Measurer<T, D>::value(const MeasurementCase& m) {
+  const Function function = function_of(m.kind);
+  return function.evaluate ? (this->*function.evaluate)(m) : nothing;
+}
+
+template <class T, int D>
+double Measurer<T, D>::wall_impulse(const MeasurementCase& m) {
+  return state_.wall_impulse[state_.boundaries.wall_of[m.boundary]][m.axis];
+}
+
+template <class T, int D>
+double Measurer<T, D>::contact_impulse(const MeasurementCase& m) {
   double on_first = 0;
   for (std::size_t c = 0; c < state_.contact_impulse.size(); ++c) {
     const std::array<int, 2>& of = settings_.contacts[c].bodies;
@@ -124,22 +86,66 @@ double Measurer<T, D>::impulse(const MeasurementCase& m) const {
   return on_first;
 }
 
+// The level set continues through walls to which the body is attached; its surface does not.
 template <class T, int D>
-double Measurer<T, D>::surface_value(const MeasurementCase& m) {
+std::function<bool(const Vector&)> Measurer<T, D>::free_points(const MeasurementCase& m) const {
   const double t = state_.clock.time;
-  if (m.kind == MeasurementCase::Kind::mean_radius) {
-    return mean_radius(nodes(m.body), m.point, m.directions);
-  }
-  if (m.kind == MeasurementCase::Kind::surface_distance) {
-    const auto distance = ray_to_surface(nodes(m.body), m.point, m.direction);
-    return distance ? *distance - m.reference : nothing;
-  }
-  const auto counts = [&](const Vector& x) {
-    return !m.where || (*m.where)(x[0], x[1], x[2], t) != 0;
+  return [this, &m, t](const Vector& x) {
+    return !is_in_wall(x) && (!m.where || (*m.where)(x[0], x[1], x[2], t) != 0);
   };
-  const auto farthest = extent<T, D>(nodes(m.body), m.axis, m.lower_side, counts);
+}
+
+template <class T, int D>
+double Measurer<T, D>::extent(const MeasurementCase& m) {
+  const auto farthest = remeshed::extent<T, D>(nodes(m.body), m.axis, m.lower_side, free_points(m));
   if (!farthest) return nothing;
   return m.lower_side ? m.reference - *farthest : *farthest - m.reference;
+}
+
+template <class T, int D>
+double Measurer<T, D>::surface_distance(const MeasurementCase& m) {
+  const auto distance = ray_to_surface(nodes(m.body), m.point, m.direction, free_points(m));
+  return distance ? *distance - m.reference : nothing;
+}
+
+template <class T, int D>
+double Measurer<T, D>::mean_radius(const MeasurementCase& m) {
+  double sum = 0;
+  for (int k = 0; k < m.directions; ++k) {
+    const double angle = 2 * pi * (k + 0.5) / m.directions;
+    const auto r = ray_to_surface(nodes(m.body), m.point, {std::cos(angle), std::sin(angle), 0},
+                                  free_points(m));
+    if (!r) return nothing;
+    sum += *r;
+  }
+  return sum / m.directions;
+}
+
+template <class T, int D>
+double Measurer<T, D>::point_displacement(const MeasurementCase& m) {
+  return material_displacement<T, D>(state_.bodies[m.body], m.point)[m.axis];
+}
+
+template <class T, int D>
+double Measurer<T, D>::minimum_particle_distance(const MeasurementCase& m) {
+  return closest_pair<T, D>(state_.bodies[m.body]);
+}
+
+template <class T, int D>
+double Measurer<T, D>::area(const MeasurementCase& m) {
+  return surface_area(nodes(m.body), state_.boundaries);
+}
+
+template <class T, int D>
+double Measurer<T, D>::integral(const MeasurementCase& m) {
+  return value_of(m, integrals(m.body, m.point), D);
+}
+
+template <class T, int D>
+bool Measurer<T, D>::is_in_wall(const Vector& x) const {
+  Point<D> at;
+  std::copy(x.begin(), x.begin() + D, at.begin());
+  return state_.boundaries.nearest_wall(at).second < -on_wall * settings_.discretisation.spacing;
 }
 
 template <class T, int D>
@@ -175,7 +181,7 @@ BodyIntegrals Measurer<T, D>::totals() {
 }
 
 template <class T, int D>
-double Measurer<T, D>::velocity_error(const MeasurementCase& m) const {
+double Measurer<T, D>::velocity_error(const MeasurementCase& m) {
   const Body<T, D>& body = state_.bodies[m.body];
   const double t = state_.clock.time;
   double largest = 0, square = 0;
@@ -219,7 +225,7 @@ template <class T, int D>
 double Measurer<T, D>::point_value(const MeasurementCase& m) {
   const LatticeView<T, D>& view = nodes(m.body);
   const Lattice<D>& lattice = view.body.lattice;
-  double value = 0;
+  double value = 0, phi = 0;
   for (int corner = 0; corner < (1 << D); ++corner) {
     Cell<D> cell;
     double weight = 1;
@@ -233,13 +239,13 @@ double Measurer<T, D>::point_value(const MeasurementCase& m) {
     const std::int64_t p = view.population.layout.slot(lattice.wrapped(cell));
     if (p < 0 || view.population.kind[p] == remeshed::Kind::vacant) return nothing;
     value += weight * node_value<T, D>(view, m.field, p);
+    phi += weight * view.fields.get(Field::level_set)[p];
   }
-  return value;
+  const bool is_outside = (view.body.has_surface && phi > 0) || is_in_wall(m.point);
+  return is_outside ? nothing : value;
 }
 
 template class Measurer<double, 2>;
-template Vector material_displacement<double, 2>(const Body<double, 2>&, const Vector&);
 template class Measurer<double, 3>;
-template Vector material_displacement<double, 3>(const Body<double, 3>&, const Vector&);
 
 }  // namespace pliant::remeshed

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <span>
 #include <string>
 #include <vector>
@@ -26,12 +27,39 @@ class Measurer {
   /// Conserved quantities of all bodies together, as the summary reports them.
   BodyIntegrals totals();
 
+  static bool is_measured(MeasurementCase::Kind kind) {
+    return function_of(kind).evaluate != nullptr;
+  }
+  /// Whether particles are enough: there are neither nodes nor a level set.
+  static bool is_measured_on_particles(MeasurementCase::Kind kind) {
+    return is_measured(kind) && function_of(kind).reads == Reads::particles;
+  }
+
  private:
+  enum class Reads { particles, nodes };
+  struct Function {
+    MeasurementCase::Kind kind = {};
+    double (Measurer::*evaluate)(const MeasurementCase&) = nullptr;  ///< null: none
+    Reads reads = Reads::particles;
+  };
+  static Function function_of(MeasurementCase::Kind kind);
   double value(const MeasurementCase& m);
-  double impulse(const MeasurementCase& m) const;
-  double surface_value(const MeasurementCase& m);
-  double velocity_error(const MeasurementCase& m) const;
+  // One function for each kind of measurement, or for several alike.
+  double extent(const MeasurementCase& m);
+  double surface_distance(const MeasurementCase& m);
+  double mean_radius(const MeasurementCase& m);
+  double point_displacement(const MeasurementCase& m);
   double point_value(const MeasurementCase& m);
+  double integral(const MeasurementCase& m);
+  double wall_impulse(const MeasurementCase& m);
+  double contact_impulse(const MeasurementCase& m);
+  double area(const MeasurementCase& m);
+  double minimum_particle_distance(const MeasurementCase& m);
+  double velocity_error(const MeasurementCase& m);
+  /// Whether a point of the surface counts: outside walls, and where the measurement says.
+  std::function<bool(const Vector&)> free_points(const MeasurementCase& m) const;
+  /// Whether a point lies in a wall to which bodies are attached.
+  bool is_in_wall(const Vector& x) const;
   /// Integrals of a body; its angular momentum is about `about`.
   struct Integrated {
     int body;
@@ -49,10 +77,5 @@ class Measurer {
   std::vector<LatticeView<T, D>> nodes_;
   std::vector<Integrated> integrals_;
 };
-
-/// Displacement since t = 0 of the material point that started at `start` [m]: the linear fit
-/// through the particles that started around it.
-template <class T, int D>
-Vector material_displacement(const Body<T, D>& body, const Vector& start);
 
 }  // namespace pliant::remeshed

@@ -63,7 +63,8 @@ double reach(const LatticeView<T, D>& view, const Vector& origin) {
 
 template <class T, int D>
 std::optional<double> ray_to_surface(const LatticeView<T, D>& view, const Vector& origin,
-                                     const Vector& direction) {
+                                     const Vector& direction,
+                                     const std::function<bool(const Vector&)>& counts) {
   const Surface<T, D> surface(view);
   const double step = view.body.lattice.spacing / 4;
   std::optional<double> found;
@@ -72,7 +73,10 @@ std::optional<double> ray_to_surface(const LatticeView<T, D>& view, const Vector
   for (double s = 0; s < end; s += step) {
     const std::optional<double> value = surface.phi(Surface<T, D>::along(origin, direction, s));
     const bool now_inside = value && *value < 0;
-    if (inside && !now_inside && value) found = surface.zero(origin, direction, s - step, s);
+    if (inside && !now_inside && value) {
+      const double zero = surface.zero(origin, direction, s - step, s);
+      if (!counts || counts(Surface<T, D>::along(origin, direction, zero))) found = zero;
+    }
     inside = now_inside;
   }
   return found;
@@ -108,11 +112,13 @@ std::optional<double> extent(const LatticeView<T, D>& view, int axis, bool lower
 }
 
 template std::optional<double> ray_to_surface(const LatticeView<double, 2>&, const Vector&,
-                                              const Vector&);
+                                              const Vector&,
+                                              const std::function<bool(const Vector&)>&);
 template std::optional<double> extent(const LatticeView<double, 2>&, int, bool,
                                       const std::function<bool(const Vector&)>&);
 template std::optional<double> ray_to_surface(const LatticeView<double, 3>&, const Vector&,
-                                              const Vector&);
+                                              const Vector&,
+                                              const std::function<bool(const Vector&)>&);
 template std::optional<double> extent(const LatticeView<double, 3>&, int, bool,
                                       const std::function<bool(const Vector&)>&);
 

@@ -9,10 +9,12 @@
 namespace pliant::remeshed {
 
 /// Distance [m] from `origin` along the unit vector `direction` to the last zero of phi on the way
-/// out of the body; none when the ray never leaves it.
+/// out of the body, of the points that `counts` admits (all, when empty); none when there is no
+/// such point.
 template <class T, int D>
 std::optional<double> ray_to_surface(const LatticeView<T, D>& view, const Vector& origin,
-                                     const Vector& direction);
+                                     const Vector& direction,
+                                     const std::function<bool(const Vector&)>& counts = {});
 
 /// Farthest coordinate along `axis` (or, on the lower side, the lowest) that the surface reaches on
 /// the node lines parallel to it, of the points that `counts` admits.

@@ -1,7 +1,9 @@
 #include "engine/total_lagrangian/observe/measure.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 #include "engine/geometry/padded.hpp"
 #include "engine/total_lagrangian/stress_point.hpp"
@@ -41,19 +43,36 @@ std::vector<double> Measurer<T, D>::operator()(
 }
 
 template <class T, int D>
-double Measurer<T, D>::value(const MeasurementCase& m) const {
+auto Measurer<T, D>::function_of(MeasurementCase::Kind kind) -> Function {
   using Quantity = MeasurementCase::Kind;
-  if (m.reads_history()) return nothing;
-  switch (m.kind) {
-    case Quantity::extent:
-      return extent(m);
-    case Quantity::point_displacement:
-      return point_displacement(m);
-    case Quantity::surface_area:
-      return surface_area(m);
-    default:
-      return value_of(m, integrals(m.body, m.point), D);
+  static constexpr std::pair<Quantity, Function> functions[] = {
+      {Quantity::extent, &Measurer::extent},
+      {Quantity::point_displacement, &Measurer::point_displacement},
+      {Quantity::mass, &Measurer::integral},
+      {Quantity::momentum, &Measurer::integral},
+      {Quantity::angular_momentum, &Measurer::integral},
+      {Quantity::kinetic_energy, &Measurer::integral},
+      {Quantity::strain_energy, &Measurer::integral},
+      {Quantity::total_energy, &Measurer::integral},
+      {Quantity::energy_ratio, &Measurer::integral},
+      {Quantity::volume, &Measurer::integral},
+      {Quantity::surface_area, &Measurer::surface_area},
+  };
+  for (const auto& [known, function] : functions) {
+    if (known == kind) return function;
   }
+  return nullptr;
+}
+
+template <class T, int D>
+double Measurer<T, D>::value(const MeasurementCase& m) const {
+  const Function function = function_of(m.kind);
+  return function ? (this->*function)(m) : nothing;
+}
+
+template <class T, int D>
+double Measurer<T, D>::integral(const MeasurementCase& m) const {
+  return value_of(m, integrals(m.body, m.point), D);
 }
 
 template <class T, int D>

@@ -21,11 +21,17 @@ class Measurer {
   /// particles have them.
   BodyIntegrals totals() const;
 
+  static bool is_measured(MeasurementCase::Kind kind) { return function_of(kind) != nullptr; }
+
  private:
+  using Function = double (Measurer::*)(const MeasurementCase&) const;
+  /// The function that evaluates a kind of measurement; null where there is none.
+  static Function function_of(MeasurementCase::Kind kind);
   double value(const MeasurementCase& m) const;
   double extent(const MeasurementCase& m) const;
   double point_displacement(const MeasurementCase& m) const;
   double surface_area(const MeasurementCase& m) const;
+  double integral(const MeasurementCase& m) const;
   BodyIntegrals integrals(int body, const Vector& about) const;
 
   const Case& settings_;

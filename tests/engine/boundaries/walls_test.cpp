@@ -10,7 +10,7 @@ namespace {
 /// The half-space below y = `level`, moving with the velocities given as formulas of t.
 BoundaryCase floor(double level, const std::string& x = "0", const std::string& y = "0") {
   BoundaryCase boundary;
-  boundary.kind = BoundaryCase::Kind::wall;
+  boundary.kind = BoundaryCase::Kind::fixed;
   boundary.geometry.kind = Shape::Kind::half_space;
   boundary.geometry.point = {0, level, 0};
   boundary.geometry.normal = {0, 1, 0};

@@ -23,7 +23,7 @@ TEST(free_surface, a_body_without_walls_keeps_its_distance) {
   EXPECT_EQ(distance(block, {}, {0, 0.9, 0}), -0.09999999999999998);
 }
 
-TEST(free_surface, it_runs_on_through_bonded_half_spaces) {
+TEST(free_surface, it_continues_through_attached_half_spaces) {
   const std::vector<Shape> pistons{half_space({0, 1, 0}, {0, -1, 0}),
                                    half_space({0, -1, 0}, {0, 1, 0})};
   for (const double y : {-3.0, -1.0, -0.99, 0.0, 0.5, 1.0, 2.0}) {
@@ -44,7 +44,7 @@ TEST(free_surface, a_wall_elsewhere_changes_nothing) {
   EXPECT_EQ(open.upper, block.upper);
 }
 
-TEST(free_surface, it_runs_on_through_a_box_that_covers_the_face) {
+TEST(free_surface, it_continues_through_a_box_that_covers_the_face) {
   const std::vector<Shape> walls{box({-0.5, 1, 0}, {0.5, 1.2, 0})};
   const Shape open = free_surface(block, walls, 2);
   EXPECT_EQ(open.upper, (Vector{0.5, infinity, 0}));
@@ -70,22 +70,6 @@ TEST(free_surface, parts_of_a_combination_are_opened_alike) {
   const std::vector<Shape> walls{half_space({0, 1, 0}, {0, -1, 0})};
   EXPECT_DOUBLE_EQ(distance(notched, walls, {0, 3, 0}), 0.1);
   EXPECT_DOUBLE_EQ(distance(notched, walls, {0.3, 3, 0}), -0.2);
-}
-
-TEST(free_surface, pressure_regions_are_no_walls_and_periodic_ends_are) {
-  Case a_case;
-  a_case.boundaries.resize(3);
-  a_case.boundaries[0].kind = BoundaryCase::Kind::pressure;
-  a_case.boundaries[1].kind = BoundaryCase::Kind::wall;
-  a_case.boundaries[1].geometry = half_space({0, 1, 0}, {0, -1, 0});
-  a_case.boundaries[2].kind = BoundaryCase::Kind::slip_wall;
-  a_case.boundaries[2].geometry = half_space({0, -1, 0}, {0, 1, 0});
-  a_case.periodic.axis = {true, false, false};
-  a_case.periodic.lower = {-0.5, 0, 0};
-  a_case.periodic.upper = {0.5, 0, 0};
-  const std::vector<Shape> walls = attached_walls(a_case);
-  ASSERT_EQ(walls.size(), 4U);
-  EXPECT_EQ(distance(block, walls, {0.3, 0.2, 0}), -infinity);
 }
 
 }  // namespace

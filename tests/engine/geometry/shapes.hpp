@@ -2,7 +2,7 @@
 
 #include <limits>
 
-#include "engine/case/case.hpp"
+#include "engine/geometry/shape.hpp"
 
 /// Shapes for tests.
 namespace pliant::tests {

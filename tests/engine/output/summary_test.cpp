@@ -28,7 +28,7 @@ Summary sample() {
                          .isa = "avx512"};
   summary.conserved.start.momentum = {1, 5e-324, -0.0};
   summary.conserved.end.total_energy = std::numeric_limits<double>::max();
-  summary.measurements = {{"radius", "m", 0.1}, {"broken", "1", std::nan("")}};
+  summary.measurements = {{"radius", "m", 0.1}, {"broken", "1", std::nan(""), "it broke"}};
   return summary;
 }
 
@@ -53,7 +53,9 @@ TEST(summary, is_json_whose_numbers_read_back_to_the_same_bits) {
   EXPECT_EQ(json["phases"]["stress"], 0.7);
   EXPECT_EQ(json["measurements"]["radius"]["value"], 0.1);
   EXPECT_EQ(json["measurements"]["radius"]["unit"], "m");
+  EXPECT_FALSE(json["measurements"]["radius"].contains("reason"));
   EXPECT_TRUE(json["measurements"]["broken"]["value"].is_null());
+  EXPECT_EQ(json["measurements"]["broken"]["reason"], "it broke");
 }
 
 TEST(summary, keys_keep_their_order) {

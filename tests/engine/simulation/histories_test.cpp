@@ -4,6 +4,7 @@
 
 #include <cmath>
 
+#include "engine/case/measurement_kinds.hpp"
 #include "tests/engine/output/temporary_folder.hpp"
 
 namespace pliant::test {
@@ -64,6 +65,15 @@ TEST_F(MeasuredHistories, go_on_alike_after_a_checkpoint) {
   for (std::size_t m = 0; m < settings.measurements.size(); ++m) {
     EXPECT_EQ(restored.last(m), whole.last(m)) << settings.measurements[m].name;
   }
+}
+
+TEST_F(MeasuredHistories, say_why_there_is_no_value) {
+  Histories record(settings);
+  record.add(0, {0, 0, nothing, nothing});
+  EXPECT_EQ(record.why_missing(0), "");
+  EXPECT_EQ(record.why_missing(1), "the value at the start is zero");
+  EXPECT_EQ(record.why_missing(2), "the measurement crosses zero less than twice");
+  EXPECT_EQ(record.why_missing(3), "no particles that started around the point remain");
 }
 
 TEST_F(MeasuredHistories, forces_are_what_impulses_change_by) {

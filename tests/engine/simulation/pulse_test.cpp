@@ -42,13 +42,35 @@ TEST(pulses, last_time_above_is_the_end_of_a_half_wave_within_a_sample) {
   for (const double step : {0.1, 0.01}) {
     const Pulse pulse(step, 2);
     // The last 0.03 % of the wave are below a thousandth.
-    EXPECT_NEAR(last_time_above(pulse.time, pulse.value), 1, 1.001 * step) << step;
+    EXPECT_NEAR(last_time_above(pulse.time, pulse.value, 0.001), 1, 1.001 * step) << step;
   }
 }
 
-TEST(pulses, nothing_that_is_positive_has_no_last_time_above) {
-  const std::vector<double> time = {0, 1, 2}, value = {0, -1, 0};
-  EXPECT_TRUE(std::isnan(last_time_above(time, value)));
+TEST(pulses, last_time_above_a_half_is_where_the_wave_falls_below_it) {
+  const Pulse pulse(0.01, 2);
+  EXPECT_NEAR(last_time_above(pulse.time, pulse.value, 0.5), 5. / 6, 0.011);  // sin(5 pi/6) = 1/2
+}
+
+// The force on the other body, or of a wall on the other side, has the opposite sign.
+TEST(pulses, of_opposite_sign_have_the_same_times_and_the_opposite_peak) {
+  const Pulse pulse(1 / 64., 2);
+  std::vector<double> opposite = pulse.value;
+  for (double& value : opposite) value = -value;
+  EXPECT_EQ(peak_moving_average(pulse.time, opposite, 0.125),
+            -peak_moving_average(pulse.time, pulse.value, 0.125));
+  EXPECT_EQ(last_time_above(pulse.time, opposite, 0.001),
+            last_time_above(pulse.time, pulse.value, 0.001));
+}
+
+TEST(pulses, of_both_signs_peak_where_their_magnitude_is_largest) {
+  const std::vector<double> time = {0, 1, 2, 3}, value = {0, 2, -3, 1};
+  EXPECT_EQ(peak_moving_average(time, value, 1), -3);
+  EXPECT_EQ(last_time_above(time, value, 0.5), 2);
+}
+
+TEST(pulses, that_are_zero_throughout_have_no_last_time_above) {
+  const std::vector<double> time = {0, 1, 2}, value = {0, 0, 0};
+  EXPECT_TRUE(std::isnan(last_time_above(time, value, 0.001)));
 }
 
 }  // namespace

@@ -69,7 +69,7 @@ TYPED_TEST(BehindWalls, plane_surfaces_run_on_exactly) {
   constexpr int D = TypeParam::dimension;
   const double height = 3.1;
   const auto plane = [](const Point<D>& x) { return 0.8 * x[0] + 0.6 * x[1] - 6.2; };
-  Extension<D> nodes(floor_at(height, BoundaryCase::Kind::wall),
+  Extension<D> nodes(floor_at(height, BoundaryCase::Kind::fixed),
                      [&](const Point<D>& x) { return x[1] < height ? 1e3 : plane(x); });
   int behind = 0;
   nodes.for_each_extended([&](const Point<D>& x, double value) {
@@ -89,7 +89,7 @@ TYPED_TEST(BehindWalls, plane_surfaces_run_on_exactly) {
 TYPED_TEST(BehindWalls, phi_far_from_a_surface_keeps_its_value) {
   constexpr int D = TypeParam::dimension;
   const double height = 3.1;
-  Extension<D> nodes(floor_at(height, BoundaryCase::Kind::wall),
+  Extension<D> nodes(floor_at(height, BoundaryCase::Kind::fixed),
                      [&](const Point<D>& x) { return x[1] < height ? 1e3 : -10 + 0.5 * x[1]; });
   nodes.for_each_extended([&](const Point<D>& x, double value) {
     if (x[1] < height) EXPECT_NEAR(value, -10 + 0.5 * (height + 1.5 * spacing), 1e-12);
@@ -99,7 +99,7 @@ TYPED_TEST(BehindWalls, phi_far_from_a_surface_keeps_its_value) {
 TYPED_TEST(BehindWalls, slopes_steeper_than_a_surface_at_45_degrees_are_cut) {
   constexpr int D = TypeParam::dimension;
   const double height = 3.1;
-  Extension<D> nodes(floor_at(height, BoundaryCase::Kind::wall), [&](const Point<D>& x) {
+  Extension<D> nodes(floor_at(height, BoundaryCase::Kind::fixed), [&](const Point<D>& x) {
     return x[1] < height ? 1e3 : height + 1.5 * spacing - x[1];
   });
   nodes.for_each_extended([&](const Point<D>& x, double value) {
@@ -120,7 +120,7 @@ TYPED_TEST(BehindWalls, bodies_end_at_contact_walls) {
 
 TYPED_TEST(BehindWalls, nodes_that_remeshing_left_empty_are_far_outside) {
   constexpr int D = TypeParam::dimension;
-  Extension<D> nodes(floor_at(-100, BoundaryCase::Kind::wall), [](const Point<D>&) { return -1; });
+  Extension<D> nodes(floor_at(-100, BoundaryCase::Kind::fixed), [](const Point<D>&) { return -1; });
   const std::int64_t empty = nodes.phi.layout.slot(diagonal<D>(7));
   nodes.valid[empty] = 0;
   nodes.for_each_extended([](const Point<D>&, double) {});

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "engine/remeshed/observe/material_displacement.hpp"
 #include "engine/remeshed/observe/surface.hpp"
 #include "tests/engine/remeshed/spinning_disc.hpp"
 

@@ -1,0 +1,47 @@
+#pragma once
+
+#include <array>
+#include <string_view>
+#include <vector>
+
+#include "engine/case/case.hpp"
+#include "engine/case/word.hpp"
+
+/// The laws of contact, each declared in one row: word, meaning, and what the methods have to know
+/// of it. Tractions between bodies are in kernels/interface_traction.hpp.
+namespace pliant {
+
+struct ContactLawRow {
+  ContactLaw kind;
+  std::string_view word;
+  bool separates;  ///< bodies can move apart; walls accept these laws as `friction`
+  bool slides;     ///< without friction
+  std::string_view meaning;
+};
+
+inline constexpr auto contact_laws = std::to_array<ContactLawRow>({
+    {ContactLaw::frictionless, "frictionless", true, true,
+     "unilateral contact without friction (RP.36), (RP.65)"},
+    {ContactLaw::no_slip, "no_slip", true, false,
+     "unilateral contact without sliding (RP.35), (RP.65)"},
+    {ContactLaw::tied, "tied", false, false, "permanent bond without sliding or separation"},
+});
+static_assert(is_in_order(contact_laws));
+
+constexpr const ContactLawRow& row_of(ContactLaw law) {
+  return contact_laws[static_cast<std::size_t>(law)];
+}
+
+template <>
+inline constexpr auto words<ContactLaw> = words_of<ContactLaw>(contact_laws);
+
+/// The laws that walls accept as `friction`.
+inline std::vector<Word> wall_frictions() {
+  std::vector<Word> list;
+  for (const ContactLawRow& row : contact_laws) {
+    if (row.separates) list.push_back(word(row.kind, row.word, row.meaning));
+  }
+  return list;
+}
+
+}  // namespace pliant

@@ -1,0 +1,284 @@
+#pragma once
+
+#include <array>
+#include <string_view>
+
+#include "engine/case/case.hpp"
+#include "engine/case/word.hpp"
+
+/// The kinds of measurements, each declared in one row: word, unit, keys and meaning. The functions
+/// that evaluate them are in a table of each method (`observe/measure.cpp`), and in that of
+/// `simulation/histories.cpp` for the kinds that evaluate the history of another measurement.
+namespace pliant {
+
+/// Keys of [[measurement]] besides `name` and `kind`; measurement_keys.hpp says what each reads.
+enum class MeasurementKey {
+  none,
+  body,
+  boundary,
+  bodies,
+  axis,
+  rotation_axis,  ///< `axis`, in 3D only
+  side,
+  where,
+  length,     ///< `reference`, a length to subtract
+  amplitude,  ///< `reference`, a velocity to divide by
+  relative,
+  point,
+  direction,
+  directions,
+  field,
+  exact,
+  norm,
+  of,
+  window,
+  fraction,
+};
+
+/// A key as one kind uses it.
+struct KeyUse {
+  MeasurementKey key = MeasurementKey::none;
+  std::string_view meaning = {};
+  bool required = false;
+};
+
+/// SI units of a kind; where they depend on more than the dimension, `other` gives them.
+struct KindUnit {
+  std::string_view in_2d, in_3d;
+  std::string_view (*other)(const Case&, const MeasurementCase&) = nullptr;
+};
+
+/// How samples follow from the values that a method gives.
+enum class Sampling {
+  value,         ///< the value itself
+  rate,          ///< the change since the last sample over the time since then: force of an impulse
+  from_history,  ///< not given by the method, but by the history of another measurement
+};
+
+struct MeasurementKind {
+  MeasurementCase::Kind kind;
+  std::string_view word;
+  KindUnit unit;
+  Sampling sampling;
+  std::array<KeyUse, 5> keys;
+  std::string_view meaning;
+  std::string_view missing;  ///< what it means that there is no value
+};
+
+std::string_view unit_of_field(const Case& a_case, const MeasurementCase& m);
+std::string_view unit_of_source(const Case& a_case, const MeasurementCase& m);
+
+namespace units {
+inline constexpr KindUnit one{"1", "1"}, second{"s", "s"}, metre{"m", "m"}, area{"m", "m^2"},
+    volume{"m^2", "m^3"}, mass{"kg/m", "kg"}, momentum{"kg m/s/m", "kg m/s"},
+    angular_momentum{"kg m^2/s/m", "kg m^2/s"}, energy{"J/m", "J"}, force{"N/m", "N"},
+    of_field{{}, {}, unit_of_field}, of_source{{}, {}, unit_of_source};
+}  // namespace units
+
+namespace key_uses {
+inline constexpr KeyUse body{MeasurementKey::body}, side{MeasurementKey::side},
+    where{MeasurementKey::where}, length{MeasurementKey::length},
+    relative{MeasurementKey::relative}, of{MeasurementKey::of, "", true},
+    component{MeasurementKey::axis, "component"};
+constexpr KeyUse point(std::string_view meaning) { return {MeasurementKey::point, meaning, true}; }
+}  // namespace key_uses
+
+inline constexpr auto measurement_kinds = [] {
+  using Kind = MeasurementCase::Kind;
+  using Key = MeasurementKey;
+  using namespace key_uses;
+  return std::to_array<MeasurementKind>({
+      {Kind::extent,
+       "extent",
+       units::metre,
+       Sampling::value,
+       {body, {Key::axis, "axis along which the extent is measured"}, side, where, length},
+       "coordinate of the farthest point of the free surface along an axis",
+       "no point of the free surface counts"},
+      {Kind::surface_distance,
+       "surface_distance",
+       units::metre,
+       Sampling::value,
+       {body, point("start of the line, inside the body"), {Key::direction, "", true}, length},
+       "distance from a point to the free surface along a direction",
+       "the line does not start inside the body, or meets no free surface"},
+      {Kind::mean_radius,
+       "mean_radius",
+       units::metre,
+       Sampling::value,
+       {body, point("centre"), {Key::directions}},
+       "mean distance from a point to the free surface over all directions",
+       "the point is outside the body, or a direction meets no free surface"},
+      {Kind::point_displacement,
+       "point_displacement",
+       units::metre,
+       Sampling::value,
+       {body, point("position of the material point at t = 0"), component},
+       "displacement of a material point along an axis",
+       "no particles that started around the point remain"},
+      {Kind::point_value,
+       "point_value",
+       units::of_field,
+       Sampling::value,
+       {body, point("fixed position"), {Key::field, "", true}},
+       "value of a field at a fixed point",
+       "the point is outside the body"},
+      {Kind::mass, "mass", units::mass, Sampling::value, {body, relative}, "mass of a body", ""},
+      {Kind::momentum,
+       "momentum",
+       units::momentum,
+       Sampling::value,
+       {body, component, relative},
+       "momentum of a body along an axis",
+       ""},
+      {Kind::angular_momentum,
+       "angular_momentum",
+       units::angular_momentum,
+       Sampling::value,
+       {body,
+        {Key::point, "point about which it is taken"},
+        {Key::rotation_axis, "component in 3D; in 2D it is about z"},
+        relative},
+       "angular momentum of a body about a point",
+       ""},
+      {Kind::kinetic_energy,
+       "kinetic_energy",
+       units::energy,
+       Sampling::value,
+       {body, relative},
+       "kinetic energy of a body",
+       ""},
+      {Kind::strain_energy,
+       "strain_energy",
+       units::energy,
+       Sampling::value,
+       {body, relative},
+       "strain energy of a body",
+       ""},
+      {Kind::total_energy,
+       "total_energy",
+       units::energy,
+       Sampling::value,
+       {body, relative},
+       "kinetic plus strain energy of a body",
+       ""},
+      {Kind::energy_ratio,
+       "energy_ratio",
+       units::one,
+       Sampling::value,
+       {body, relative},
+       "ratio of kinetic to strain energy of a body, small for slow loads",
+       "the strain energy is zero"},
+      {Kind::wall_force,
+       "wall_force",
+       units::force,
+       Sampling::rate,
+       {{{Key::boundary, "", true}, component}},
+       "force of a contact wall on all bodies, averaged since the last sample (RP.52)",
+       ""},
+      {Kind::contact_force,
+       "contact_force",
+       units::force,
+       Sampling::rate,
+       {{{Key::bodies, "", true}, component}},
+       "force between two bodies in contact, averaged since the last sample (RP.67)",
+       ""},
+      {Kind::volume,
+       "volume",
+       units::volume,
+       Sampling::value,
+       {body, relative},
+       "volume of a body, area in 2D",
+       ""},
+      {Kind::surface_area,
+       "surface_area",
+       units::area,
+       Sampling::value,
+       {body, relative},
+       "area of the free surface of a body, length in 2D",
+       ""},
+      {Kind::minimum_particle_distance,
+       "minimum_particle_distance",
+       units::one,
+       Sampling::value,
+       {body},
+       "smallest distance between two particles of a body over the spacing, at most 2",
+       ""},
+      {Kind::velocity_error,
+       "velocity_error",
+       units::one,
+       Sampling::value,
+       {body, {Key::exact, "", true}, {Key::amplitude, "", true}, {Key::norm}},
+       "difference from an exact velocity over an amplitude",
+       ""},
+      {Kind::period,
+       "period",
+       units::second,
+       Sampling::from_history,
+       {of},
+       "twice the mean time between zero crossings of another measurement",
+       "the measurement crosses zero less than twice"},
+      {Kind::amplitude_ratio,
+       "amplitude_ratio",
+       units::one,
+       Sampling::from_history,
+       {of},
+       "mean ratio of successive maxima of equal sign of another measurement",
+       "the measurement has no two successive maxima of equal sign"},
+      {Kind::peak_moving_average,
+       "peak_moving_average",
+       units::of_source,
+       Sampling::from_history,
+       {of, {Key::window, "", true}},
+       "moving average of largest magnitude of another measurement (RP.62)",
+       "the samples cover less time than the window"},
+      {Kind::last_time_above,
+       "last_time_above",
+       units::second,
+       Sampling::from_history,
+       {of, {Key::fraction}},
+       "last time at which another measurement exceeds a fraction of its peak, in magnitude "
+       "(RP.63)",
+       "the measurement is zero throughout"},
+  });
+}();
+static_assert(is_in_order(measurement_kinds));
+
+constexpr const MeasurementKind& row_of(MeasurementCase::Kind kind) {
+  return measurement_kinds[static_cast<std::size_t>(kind)];
+}
+
+template <>
+inline constexpr auto words<MeasurementCase::Kind> =
+    words_of<MeasurementCase::Kind>(measurement_kinds);
+
+/// A field that `point_value` reads; those with a z exist only in 3D.
+struct MeasurableField {
+  std::string_view name, unit;
+};
+inline constexpr auto measurable_fields = std::to_array<MeasurableField>({
+    {"density", "kg/m^3"},
+    {"pressure", "Pa"},
+    {"velocity_x", "m/s"},
+    {"velocity_y", "m/s"},
+    {"velocity_z", "m/s"},
+    {"displacement_x", "m"},
+    {"displacement_y", "m"},
+    {"displacement_z", "m"},
+    {"stress_xx", "Pa"},
+    {"stress_xy", "Pa"},
+    {"stress_xz", "Pa"},
+    {"stress_yy", "Pa"},
+    {"stress_yz", "Pa"},
+    {"stress_zz", "Pa"},
+});
+
+constexpr bool exists_in(const MeasurableField& field, int dimension) {
+  const std::string_view name = field.name;
+  return dimension == 3 || name.find('z', name.size() - 2) == name.npos;
+}
+
+/// SI unit of the values of a measurement, "1" for ratios.
+std::string_view unit_of(const Case& a_case, const MeasurementCase& m);
+
+}  // namespace pliant
