@@ -67,10 +67,10 @@ std::string report_of(const std::filesystem::path& folder, const Summary& summar
   std::size_t width = 0;
   for (const auto& measurement : summary.measurements)
     width = std::max(width, measurement.name.size());
-  for (const auto& [name, unit, value] : summary.measurements)
+  for (const auto& [name, unit, value, reason] : summary.measurements)
     text += std::isfinite(value) ? fmt::format("  {:<{}}  {:.6g}{}\n", name, width, value,
                                                unit == "1" ? "" : " " + unit)
-                                 : fmt::format("  {:<{}}  not measured\n", name, width);
+                                 : fmt::format("  {:<{}}  no value: {}\n", name, width, reason);
   return text;
 }
 

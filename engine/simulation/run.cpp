@@ -11,6 +11,7 @@
 #include <memory>
 #include <optional>
 
+#include "engine/case/measurement_kinds.hpp"
 #include "engine/case/resolved.hpp"
 #include "engine/output/checkpoint.hpp"
 #include "engine/output/interrupt.hpp"

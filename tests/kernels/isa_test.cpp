@@ -174,7 +174,8 @@ TYPED_TEST(isa, no_two_share_a_kernel) {
   using T = typename TypeParam::Scalar;
   constexpr int D = TypeParam::dimension;
   for (const Isa wide : {Isa::avx2, Isa::avx512}) {
-    EXPECT_NE((RemeshedTable<T, D>::of(wide).advance_stage), baseline_table<T, D>().advance_stage);
+    EXPECT_NE((RemeshedTable<T, D>::of(wide).advance_stage),
+              (baseline_table<T, D>().advance_stage));
     EXPECT_NE((TotalLagrangianTable<T, D>::of(wide).advance_motion),
               (TotalLagrangianTable<T, D>::of(Isa::sse2).advance_motion));
   }
