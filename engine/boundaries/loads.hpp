@@ -5,9 +5,9 @@
 
 namespace pliant {
 
-/// What the boundaries of a case do to its bodies, for callers that change it between steps: from then
-/// on the value given here holds in the place of that of the case. Boundaries have the numbers of the
-/// case.
+/// What the boundaries of a case do to its bodies, for callers that change it between steps: from
+/// then on the value given here holds in the place of that of the case. Boundaries have the numbers
+/// of the case.
 class Loads {
  public:
   virtual ~Loads() = default;

@@ -147,11 +147,14 @@ enum class Method { remeshed, total_lagrangian };
 /// Volume of remeshed particles: that of a cell (RP.24), or conserved (RP.25).
 enum class VolumeRule { reset, conserved };
 enum class Operators { moment_matrix, symmetric_sph };
+/// Scalar type of the fields.
+enum class Precision { binary64, binary32 };
 
 struct Case {
   std::string name;  ///< of the folder or the file, unless the file says
   std::string title;
   int dimension = 2;
+  Precision precision = Precision::binary64;
   Method method = Method::remeshed;
 
   struct {

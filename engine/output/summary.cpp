@@ -28,6 +28,7 @@ Json json(const Summary& summary) {
   return {{"case", summary.case_name},
           {"versions", versions},
           {"method", summary.method},
+          {"precision", summary.precision},
           {"particles",
            {{"start", summary.particles.start},
             {"end", summary.particles.end},

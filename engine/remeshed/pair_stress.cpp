@@ -39,5 +39,7 @@ void find_pair_stress(Body<T, D>& body, int block, int stage, double artificial_
 
 template void find_pair_stress<double, 2>(Body<double, 2>&, int, int, double);
 template void find_pair_stress<double, 3>(Body<double, 3>&, int, int, double);
+template void find_pair_stress<float, 2>(Body<float, 2>&, int, int, double);
+template void find_pair_stress<float, 3>(Body<float, 3>&, int, int, double);
 
 }  // namespace pliant::remeshed

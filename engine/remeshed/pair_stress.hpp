@@ -26,5 +26,7 @@ kernels::SymmetricPairs<T, D> symmetric_pairs(const Body<T, D>& body, double art
 
 extern template void find_pair_stress<double, 2>(Body<double, 2>&, int, int, double);
 extern template void find_pair_stress<double, 3>(Body<double, 3>&, int, int, double);
+extern template void find_pair_stress<float, 2>(Body<float, 2>&, int, int, double);
+extern template void find_pair_stress<float, 3>(Body<float, 3>&, int, int, double);
 
 }  // namespace pliant::remeshed

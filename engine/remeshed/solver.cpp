@@ -208,7 +208,8 @@ std::vector<std::string> Solver<T, D>::remedies() const {
   using Policy = decltype(Case{}.remeshing)::Policy;
   const bool adaptive = settings().remeshing.policy == Policy::adaptive;
   return {smaller_step(settings()),
-          adaptive ? "remesh more often (remeshing.strain_threshold)" : "remesh more often (remeshing.every)",
+          adaptive ? "remesh more often (remeshing.strain_threshold)"
+                   : "remesh more often (remeshing.every)",
           "use a finer spacing"};
 }
 
@@ -315,5 +316,7 @@ void Solver<T, D>::restore(const ArchiveReader& archive) {
 
 template class Solver<double, 2>;
 template class Solver<double, 3>;
+template class Solver<float, 2>;
+template class Solver<float, 3>;
 
 }  // namespace pliant::remeshed

@@ -295,5 +295,7 @@ void Step<T, D>::fill(int block, int stage) {
 
 template class Step<double, 2>;
 template class Step<double, 3>;
+template class Step<float, 2>;
+template class Step<float, 3>;
 
 }  // namespace pliant::remeshed

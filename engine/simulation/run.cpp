@@ -187,6 +187,7 @@ class Run {
          fmt::format("{}.{}.{}", XSIMD_VERSION_MAJOR, XSIMD_VERSION_MINOR, XSIMD_VERSION_PATCH)},
         {"HDF5", fmt::format("{}.{}.{}", H5_VERS_MAJOR, H5_VERS_MINOR, H5_VERS_RELEASE)}};
     summary.method = words<Method>[static_cast<int>(settings_.method)].text;
+    summary.precision = words<Precision>[static_cast<int>(settings_.precision)].text;
     summary.particles.start = particles_at_start_;
     summary.particles.end = solver_->particles();
     summary.particles.ghosts = solver_->ghosts();

@@ -12,6 +12,7 @@
 #include "engine/total_lagrangian/observe/measure.hpp"
 #include "engine/total_lagrangian/setup.hpp"
 #include "engine/total_lagrangian/state_archive.hpp"
+#include "kernels/with_scalar.hpp"
 
 namespace pliant::total_lagrangian {
 
@@ -32,7 +33,7 @@ Solver<T, D>::Solver(const Case& a_case, const SolverOptions& options)
   Layouts<D> layouts;
   for (std::size_t b = 0; b < state_.bodies.size(); ++b) {
     Body<T, D>& body = state_.bodies[b];
-    body.material = settings().bodies[b].material;
+    body.material = kernels::with_scalar<T>(settings().bodies[b].material);
     make_body<T, D>(settings(), settings().bodies[b], state_.boundaries, body);
     layouts.push_back(&body.layout);
     state_.clock.wave_speed = std::max(
@@ -96,8 +97,9 @@ void Solver<T, D>::check(const StepResult& result) const {
       fmt::format("the cell of body `{}` that began at {} is no longer finite or has turned inside "
                   "out",
                   body.name, coordinates<D>(x)),
-      {smaller_step(settings()), "raise the hourglass stiffness (total_lagrangian.hourglass_stiffness)",
-       "load more slowly", "use a finer spacing"});
+      {smaller_step(settings()),
+       "raise the hourglass stiffness (total_lagrangian.hourglass_stiffness)", "load more slowly",
+       "use a finer spacing"});
 }
 
 template <class T, int D>
@@ -166,5 +168,7 @@ void Solver<T, D>::restore(const ArchiveReader& archive) {
 
 template class Solver<double, 2>;
 template class Solver<double, 3>;
+template class Solver<float, 2>;
+template class Solver<float, 3>;
 
 }  // namespace pliant::total_lagrangian

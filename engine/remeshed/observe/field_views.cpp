@@ -18,8 +18,8 @@ std::vector<SlotRun> particle_runs(const Body<T, D>& body) {
   return runs_of_particles<D>(body.population.layout, is_interior(body));
 }
 
-// The displacement of the list of fields is that at the last remeshing: what callers see has a name of
-// its own.
+// The displacement of the list of fields is that at the last remeshing: what callers see has a name
+// of its own.
 template <class T, int D>
 std::vector<FieldView> field_views(const Body<T, D>& body) {
   const std::int64_t slots = body.population.layout.slots();
@@ -48,5 +48,11 @@ template std::vector<std::array<double, 3>> positions<double, 2>(const Body<doub
 template std::vector<SlotRun> particle_runs<double, 3>(const Body<double, 3>&);
 template std::vector<FieldView> field_views<double, 3>(const Body<double, 3>&);
 template std::vector<std::array<double, 3>> positions<double, 3>(const Body<double, 3>&);
+template std::vector<SlotRun> particle_runs<float, 2>(const Body<float, 2>&);
+template std::vector<FieldView> field_views<float, 2>(const Body<float, 2>&);
+template std::vector<std::array<double, 3>> positions<float, 2>(const Body<float, 2>&);
+template std::vector<SlotRun> particle_runs<float, 3>(const Body<float, 3>&);
+template std::vector<FieldView> field_views<float, 3>(const Body<float, 3>&);
+template std::vector<std::array<double, 3>> positions<float, 3>(const Body<float, 3>&);
 
 }  // namespace pliant::remeshed

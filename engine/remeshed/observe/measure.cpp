@@ -241,5 +241,9 @@ template class Measurer<double, 2>;
 template Vector material_displacement<double, 2>(const Body<double, 2>&, const Vector&);
 template class Measurer<double, 3>;
 template Vector material_displacement<double, 3>(const Body<double, 3>&, const Vector&);
+template class Measurer<float, 2>;
+template Vector material_displacement<float, 2>(const Body<float, 2>&, const Vector&);
+template class Measurer<float, 3>;
+template Vector material_displacement<float, 3>(const Body<float, 3>&, const Vector&);
 
 }  // namespace pliant::remeshed

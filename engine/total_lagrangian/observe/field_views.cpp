@@ -28,12 +28,12 @@ std::vector<FieldView> field_views(const Body<T, D>& body) {
 
 template <class T, int D>
 std::vector<std::array<double, 3>> positions(const Body<T, D>& body) {
-  return positions_of_particles<D>(
-      body.layout, has_mass(body), [&body](std::int64_t slot, const Cell<D>& cell) {
-        Point<D> x = body.lattice.node(cell);
-        for (int a = 0; a < D; ++a) x[a] += body.displacement[a][slot];
-        return x;
-      });
+  return positions_of_particles<D>(body.layout, has_mass(body),
+                                   [&body](std::int64_t slot, const Cell<D>& cell) {
+                                     Point<D> x = body.lattice.node(cell);
+                                     for (int a = 0; a < D; ++a) x[a] += body.displacement[a][slot];
+                                     return x;
+                                   });
 }
 
 template std::vector<SlotRun> particle_runs<double, 2>(const Body<double, 2>&);
@@ -42,5 +42,11 @@ template std::vector<std::array<double, 3>> positions<double, 2>(const Body<doub
 template std::vector<SlotRun> particle_runs<double, 3>(const Body<double, 3>&);
 template std::vector<FieldView> field_views<double, 3>(const Body<double, 3>&);
 template std::vector<std::array<double, 3>> positions<double, 3>(const Body<double, 3>&);
+template std::vector<SlotRun> particle_runs<float, 2>(const Body<float, 2>&);
+template std::vector<FieldView> field_views<float, 2>(const Body<float, 2>&);
+template std::vector<std::array<double, 3>> positions<float, 2>(const Body<float, 2>&);
+template std::vector<SlotRun> particle_runs<float, 3>(const Body<float, 3>&);
+template std::vector<FieldView> field_views<float, 3>(const Body<float, 3>&);
+template std::vector<std::array<double, 3>> positions<float, 3>(const Body<float, 3>&);
 
 }  // namespace pliant::total_lagrangian

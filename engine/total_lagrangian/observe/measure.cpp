@@ -124,11 +124,12 @@ BodyIntegrals Measurer<T, D>::integrals(int index, const Vector& about) const {
     sum.mass += body.mass[p];
     add_motion(sum, scaling * body.mass[p], r, u);
   });
-  for_each_stress_point(
-      body, settings_.total_lagrangian.hourglass_stiffness, [&](std::int64_t p, const StressPoint<D>& point) {
-        sum.strain_energy += point.energy;
-        sum.volume += body.fraction[p] * std::pow(body.lattice.spacing, D) * point.volume_ratio;
-      });
+  for_each_stress_point(body, settings_.total_lagrangian.hourglass_stiffness,
+                        [&](std::int64_t p, const StressPoint<D>& point) {
+                          sum.strain_energy += point.energy;
+                          sum.volume += body.fraction[p] * std::pow(body.lattice.spacing, D) *
+                                        point.volume_ratio;
+                        });
   return sum;
 }
 
@@ -143,5 +144,7 @@ BodyIntegrals Measurer<T, D>::totals() const {
 
 template class Measurer<double, 2>;
 template class Measurer<double, 3>;
+template class Measurer<float, 2>;
+template class Measurer<float, 3>;
 
 }  // namespace pliant::total_lagrangian
