@@ -133,12 +133,15 @@ struct MeasurementCase {
 enum class GhostTreatment { linear, averaged, rigid };
 /// Volume of remeshed particles: that of a cell (RP.24), or conserved (RP.25).
 enum class VolumeRule { reset, conserved };
+/// Scalar type of the fields.
+enum class Precision { binary64, binary32 };
 
 struct Case {
   std::string name;  ///< of the folder or the file, unless the file says
   std::string title;
   int dimension = 2;
   std::string method = "remeshed";  ///< the word of a registered method
+  Precision precision = Precision::binary64;
 
   struct {
     double spacing = 0;  ///< h [m]

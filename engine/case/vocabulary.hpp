@@ -171,6 +171,9 @@ void case_keys(Visitor& visit, Case& a_case) {
          .limits = {2, 3, true, true, "2 or 3"}});
   visit("method", MethodWord{a_case.method, visit.methods()},
         {.meaning = "numerical method", .example = R"("remeshed")"});
+  visit("precision", a_case.precision,
+        {.meaning = "precision of the fields; clocks, sums and measurements are double",
+         .example = R"("double")"});
   visit.table("discretisation", "Resolution and spatial operators.",
               [&](auto& keys) { discretisation_keys(keys, a_case.discretisation, a_case.method); });
   visit.table("time", "Simulated time and time step.",

@@ -15,6 +15,11 @@
 namespace pliant {
 
 template <>
+inline constexpr std::array words<Precision>{
+    word(Precision::binary64, "double", "64 bits, about 16 digits"),
+    word(Precision::binary32, "single", "32 bits, about 7 digits; faster, and half of the memory")};
+
+template <>
 inline constexpr std::array words<kernels::Weight>{
     word(kernels::Weight::quartic, "quartic_spline", "quartic B-spline, 5 x 5 particles (RP.14)"),
     word(kernels::Weight::quartic_polynomial, "quartic_spline_fit",

@@ -35,17 +35,24 @@ class MethodRegistry {
   std::vector<MethodRules> rules_;
 };
 
-/// Makes an S<T, D> for the scalar type and the dimension of a case.
-template <template <class, int> class S>
-std::unique_ptr<Solver> make_solver(const Case& settings, const SolverOptions& options) {
+/// Makes an S<T, D> for the dimension of a case.
+template <template <class, int> class S, class T>
+std::unique_ptr<Solver> make_solver_of(const Case& settings, const SolverOptions& options) {
   switch (settings.dimension) {
     case 2:
-      return std::make_unique<S<double, 2>>(settings, options);
+      return std::make_unique<S<T, 2>>(settings, options);
     case 3:
-      return std::make_unique<S<double, 3>>(settings, options);
+      return std::make_unique<S<T, 3>>(settings, options);
     default:
       throw std::invalid_argument("a case has 2 or 3 dimensions");
   }
+}
+
+/// Makes an S<T, D> for the precision and the dimension of a case.
+template <template <class, int> class S>
+std::unique_ptr<Solver> make_solver(const Case& settings, const SolverOptions& options) {
+  return settings.precision == Precision::binary32 ? make_solver_of<S, float>(settings, options)
+                                                   : make_solver_of<S, double>(settings, options);
 }
 
 }  // namespace pliant

@@ -19,6 +19,8 @@ hid_t type_of(const FrameField& field) {
                     field.values);
 }
 
+bool is_integer(hid_t type) { return H5Tget_class(type) == H5T_INTEGER; }
+
 template <class T>
 std::vector<T> with_third_component(const std::vector<T>& plane) {
   std::vector<T> values(plane.size() / 2 * 3, T(0));
@@ -48,13 +50,13 @@ std::vector<const FrameField*> sorted_by_name(const std::vector<FrameField>& fie
   return sorted;
 }
 
+}  // namespace
+
 StoredField describe(const std::string& name, const GrowingArray& array) {
   const auto type = array.type();
-  return {name, std::max(array.components(), 1), H5Tget_class(type) == H5T_INTEGER,
+  return {name, std::max(array.components(), 1), is_integer(type),
           static_cast<int>(H5Tget_size(type))};
 }
-
-}  // namespace
 
 void check_fields(const std::vector<FrameField>& fields, std::size_t rows) {
   for (const auto& field : fields) {
@@ -68,10 +70,13 @@ void check_fields(const std::vector<FrameField>& fields, std::size_t rows) {
   }
 }
 
-void FieldArrays::create(hid_t group, const std::vector<FrameField>& fields, hsize_t chunk_rows) {
+void FieldArrays::create(hid_t group, const std::vector<FrameField>& fields, int real_bytes,
+                         hsize_t chunk_rows) {
   for (const auto* field : sorted_by_name(fields)) {
     const auto components = stored_components(*field);
-    values_.push_back(GrowingArray::create(group, field->name, type_of(*field),
+    const auto given = type_of(*field),
+               type = is_integer(given) ? given : hdf5::real_type(real_bytes);
+    values_.push_back(GrowingArray::create(group, field->name, type,
                                            components == 1 ? 0 : components, chunk_rows));
     hdf5::write_attribute(values_.back().id(), "unit", field->unit);
     fields_.push_back(describe(field->name, values_.back()));
@@ -89,8 +94,8 @@ void FieldArrays::require_same(const std::vector<const FrameField*>& sorted) con
   const auto same = [](const FrameField* given, const StoredField& stored) {
     const auto type = type_of(*given);
     return given->name == stored.name && stored_components(*given) == stored.components &&
-           (H5Tget_class(type) == H5T_INTEGER) == stored.integer &&
-           static_cast<int>(H5Tget_size(type)) == stored.bytes;
+           is_integer(type) == stored.integer &&
+           (!stored.integer || static_cast<int>(H5Tget_size(type)) == stored.bytes);
   };
   if (!std::ranges::equal(sorted, fields_, same))
     throw std::invalid_argument("a frame has other fields than the earlier ones");

@@ -16,14 +16,18 @@ struct StoredField {
   int bytes;  ///< of one component
 };
 
+StoredField describe(const std::string& name, const hdf5::GrowingArray& array);
+
 /// Throws std::invalid_argument when a field has not `rows` values or a name that HDF5 takes amiss.
 void check_fields(const std::vector<FrameField>& fields, std::size_t rows);
 
 /// Datasets of one group, one for each field, that grow together: [row] or [row][component], with
-/// the attribute unit. Vectors of a plane get a third component. Throws hdf5::Failure.
+/// the attribute unit. Real numbers take `real_bytes` bytes. Vectors of a plane get a third
+/// component. Throws hdf5::Failure.
 class FieldArrays {
  public:
-  void create(hid_t group, const std::vector<FrameField>& fields, hsize_t chunk_rows);
+  void create(hid_t group, const std::vector<FrameField>& fields, int real_bytes,
+              hsize_t chunk_rows);
   void open(hid_t group);
 
   /// Throws std::invalid_argument when `fields` are others than those of the file.

@@ -40,6 +40,7 @@ struct Frame {
   std::int64_t step = 0;
   std::vector<double> position;  ///< [particle][3], at least one particle [m]
   std::vector<FrameField> fields;
+  int real_bytes = sizeof(double);  ///< of a stored position or field: 8, or 4 in single precision
   std::optional<FrameSurface> surface;  ///< of all frames of a run, or of none
 };
 

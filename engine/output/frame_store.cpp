@@ -62,7 +62,8 @@ FrameStore::FrameStore(hid_t file) : file_(file) {
 void FrameStore::create(const Frame& first) {
   const auto rows =
       std::clamp<hsize_t>(first.position.size() / 3, least_chunk_rows, most_chunk_rows);
-  const auto reals = H5T_NATIVE_DOUBLE, counts = H5T_NATIVE_INT64;
+  const auto reals = hdf5::real_type(first.real_bytes), times = hdf5::type_of<double>(),
+             counts = hdf5::type_of<std::int64_t>();
   root_ = hdf5::create_group(file_, "VTKHDF");
   hdf5::write_attribute(root_, "Version", std::vector{2, 0});
   hdf5::write_attribute(root_, "Type", "PolyData");
@@ -83,7 +84,7 @@ void FrameStore::create(const Frame& first) {
 
   steps_ = hdf5::create_group(root_, "Steps");
   hdf5::write_attribute(steps_, "NSteps", 0);
-  time_ = GrowingArray::create(steps_, "Values", reals, 0, step_chunk_rows);
+  time_ = GrowingArray::create(steps_, "Values", times, 0, step_chunk_rows);
   part_ = GrowingArray::create(steps_, "PartOffsets", counts, 0, step_chunk_rows);
   parts_ = GrowingArray::create(steps_, "NumberOfParts", counts, 0, step_chunk_rows);
   first_ = GrowingArray::create(steps_, "PointOffsets", counts, 0, step_chunk_rows);
@@ -92,7 +93,7 @@ void FrameStore::create(const Frame& first) {
       GrowingArray::create(steps_, "ConnectivityIdOffsets", counts, topologies, step_chunk_rows);
   const auto field_offsets = hdf5::create_group(steps_, "PointDataOffsets");
   const auto point_data = hdf5::create_group(root_, "PointData");
-  values_.create(point_data, first.fields, rows);
+  values_.create(point_data, first.fields, first.real_bytes, rows);
   for (const auto& field : fields()) link(field_offsets, field.name, steps_, "PointOffsets");
 
   const auto frames = hdf5::create_group(file_, "frames");

@@ -32,6 +32,7 @@ class FrameStore {
   void truncate(std::size_t frames);
 
   const std::vector<FrameSpan>& frames() const { return frames_; }
+  StoredField position() const { return describe("Points", points_); }
   const std::vector<StoredField>& fields() const { return values_.fields(); }
 
  private:

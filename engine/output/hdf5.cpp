@@ -205,7 +205,7 @@ Handle GrowingArray::type() const {
   return {H5Tget_native_type(stored, H5T_DIR_ASCEND), H5Tclose, "open " + name_};
 }
 
-void GrowingArray::append(const void* values, hsize_t count) {
+void GrowingArray::append(const void* values, hid_t type, hsize_t count) {
   if (count == 0) return;
   const auto doing = "write " + name_;
   auto size = shape();
@@ -219,7 +219,7 @@ void GrowingArray::append(const void* values, hsize_t count) {
           doing);
   const auto rank = static_cast<int>(part.size());
   const Handle in_memory(H5Screate_simple(rank, part.data(), nullptr), H5Sclose, doing);
-  checked(H5Dwrite(dataset_, type(), in_memory, in_file, H5P_DEFAULT, values), doing);
+  checked(H5Dwrite(dataset_, type, in_memory, in_file, H5P_DEFAULT, values), doing);
 }
 
 void GrowingArray::truncate(hsize_t rows) {

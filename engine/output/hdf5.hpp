@@ -77,6 +77,9 @@ inline hid_t type_of<std::uint8_t>() {
   return H5T_NATIVE_UINT8;
 }
 
+/// A real number in a file: `bytes` is 4 or 8.
+inline hid_t real_type(int bytes) { return bytes == 4 ? type_of<float>() : type_of<double>(); }
+
 /// Properties of an object without time stamps: equal runs write equal files.
 Handle creation_of(hid_t property_class);
 
@@ -114,7 +117,11 @@ class GrowingArray {
   hid_t id() const { return dataset_; }
   bool valid() const { return dataset_.valid(); }
 
-  void append(const void* values, hsize_t count);
+  /// Values are converted to the type of the array.
+  template <class T>
+  void append(const T* values, hsize_t count) {
+    append(values, type_of<T>(), count);
+  }
   void truncate(hsize_t rows);
   void read(void* values) const;  ///< all rows
 
@@ -122,6 +129,7 @@ class GrowingArray {
   explicit GrowingArray(std::string name, Handle dataset)
       : name_(std::move(name)), dataset_(std::move(dataset)) {}
   std::vector<hsize_t> shape() const;
+  void append(const void* values, hid_t type, hsize_t count);
 
   std::string name_;
   Handle dataset_;

@@ -116,10 +116,10 @@ struct ResultFile::File {
   void write_viewer() {
     for (; shown < frames.frames().size(); ++shown) {
       const FrameSpan& frame = frames.frames()[shown];
-      series.add_particles(frame, frames.fields());
+      series.add_particles(frame, frames.position(), frames.fields());
       if (surfaces.holds_any())
         surface_series.add_surface(frame.time, surfaces.spans()[shown], surfaces.corners(),
-                                   surfaces.fields());
+                                   surfaces.position(), surfaces.fields());
     }
     write_atomically(viewer, series.text(), Durable::no);
     if (surfaces.holds_any()) write_atomically(surface_viewer, surface_series.text(), Durable::no);
@@ -202,7 +202,7 @@ void ResultFile::append(const Frame& frame) {
   auto& file = open_file();
   file.guarded([&] {
     file.histories.flush();
-    if (frame.surface) file.surfaces.append(*frame.surface);
+    if (frame.surface) file.surfaces.append(*frame.surface, frame.real_bytes);
     file.frames.append(frame);
   });
   if (file.temporary) {

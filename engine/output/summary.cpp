@@ -35,6 +35,7 @@ Json json(const Summary& summary) {
   return {{"case", summary.case_name},
           {"versions", versions},
           {"method", summary.method},
+          {"precision", summary.precision},
           {"particles",
            {{"start", summary.particles.start},
             {"end", summary.particles.end},

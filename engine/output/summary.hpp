@@ -31,7 +31,7 @@ struct Summary {
 
   std::string case_name;
   std::vector<std::pair<std::string, std::string>> versions;  ///< program and libraries
-  std::string method;
+  std::string method, precision;
   struct {
     std::int64_t start = 0, end = 0, ghosts = 0;  ///< ghosts: at the end
   } particles;

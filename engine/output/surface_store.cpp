@@ -29,16 +29,16 @@ SurfaceStore::SurfaceStore(hid_t file) : file_(file) {
   if (hdf5::exists(file_, "surface")) open();
 }
 
-void SurfaceStore::create(const FrameSurface& first) {
+void SurfaceStore::create(const FrameSurface& first, int real_bytes) {
   const auto rows =
       std::clamp<hsize_t>(first.position.size() / 3, least_chunk_rows, most_chunk_rows);
-  const auto reals = H5T_NATIVE_DOUBLE, counts = H5T_NATIVE_INT64;
+  const auto reals = hdf5::real_type(real_bytes), counts = hdf5::type_of<std::int64_t>();
   root_ = hdf5::create_group(file_, "surface");
   points_ = GrowingArray::create(root_, "Points", reals, 3, rows);
   connectivity_ = GrowingArray::create(root_, "Connectivity", counts, first.corners, rows);
   vertices_ = GrowingArray::create(root_, "NumberOfPoints", counts, 0, step_chunk_rows);
   pieces_ = GrowingArray::create(root_, "NumberOfCells", counts, 0, step_chunk_rows);
-  values_.create(hdf5::create_group(root_, "PointData"), first.fields, rows);
+  values_.create(hdf5::create_group(root_, "PointData"), first.fields, real_bytes, rows);
 }
 
 void SurfaceStore::open() {
@@ -66,9 +66,9 @@ SurfaceSpan SurfaceStore::next() const {
   return {last.first_vertex + last.vertices, 0, last.first_piece + last.pieces, 0};
 }
 
-void SurfaceStore::append(const FrameSurface& surface) {
+void SurfaceStore::append(const FrameSurface& surface, int real_bytes) {
   check(surface);
-  if (!root_.valid()) create(surface);
+  if (!root_.valid()) create(surface, real_bytes);
   if (surface.corners != corners())
     throw std::invalid_argument("a surface has other pieces than the earlier ones");
   SurfaceSpan span = next();

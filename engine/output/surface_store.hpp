@@ -30,16 +30,17 @@ class SurfaceStore {
   explicit SurfaceStore(hid_t file);
 
   /// Throws std::invalid_argument when the surface contradicts itself or the earlier ones.
-  void append(const FrameSurface& surface);
+  void append(const FrameSurface& surface, int real_bytes);
   void truncate(std::size_t frames);
 
   bool holds_any() const { return root_.valid(); }
   const std::vector<SurfaceSpan>& spans() const { return spans_; }  ///< [frame]
+  StoredField position() const { return describe("Points", points_); }
   const std::vector<StoredField>& fields() const { return values_.fields(); }
   int corners() const { return connectivity_.components(); }
 
  private:
-  void create(const FrameSurface& first);
+  void create(const FrameSurface& first, int real_bytes);
   void open();
   SurfaceSpan next() const;
 

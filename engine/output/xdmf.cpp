@@ -54,18 +54,19 @@ std::string XdmfSeries::slab(const std::string& path, const Rows& rows, const St
                      n, k, path, first, n, k, first + n, k);
 }
 
-void XdmfSeries::add_particles(const FrameSpan& frame, const std::vector<StoredField>& fields) {
+void XdmfSeries::add_particles(const FrameSpan& frame, const StoredField& position,
+                               const std::vector<StoredField>& fields) {
   const auto root = file_name_ + ":/VTKHDF/";
   const StoredField vertex{"", 1, true, 8};
   const auto topology = fmt::format(
       R"(TopologyType="Polyvertex" NodesPerElement="1" NumberOfElements="{}">
           {})",
       frame.particles, slab(root + "Vertices/Connectivity", {0, frame.particles}, vertex));
-  add(frame.time, topology, root, {frame.first, frame.particles}, fields);
+  add(frame.time, topology, root, {frame.first, frame.particles}, position, fields);
 }
 
 void XdmfSeries::add_surface(double time, const SurfaceSpan& span, int corners,
-                             const std::vector<StoredField>& fields) {
+                             const StoredField& position, const std::vector<StoredField>& fields) {
   if (span.pieces == 0) return;
   const auto root = file_name_ + ":/surface/";
   const StoredField vertex{"", corners, true, 8};
@@ -75,11 +76,12 @@ void XdmfSeries::add_surface(double time, const SurfaceSpan& span, int corners,
       corners == 2 ? R"(TopologyType="Polyline" NodesPerElement="2")"
                    : R"(TopologyType="Triangle")",
       span.pieces, slab(root + "Connectivity", {span.first_piece, span.pieces}, vertex));
-  add(time, topology, root, {span.first_vertex, span.vertices}, fields);
+  add(time, topology, root, {span.first_vertex, span.vertices}, position, fields);
 }
 
 void XdmfSeries::add(double time, const std::string& topology, const std::string& root,
-                     const Rows& points, const std::vector<StoredField>& fields) {
+                     const Rows& points, const StoredField& position,
+                     const std::vector<StoredField>& fields) {
   auto out = std::back_inserter(frames_);
   fmt::format_to(out,
                  R"(      <Grid Name="{}">
@@ -90,7 +92,7 @@ void XdmfSeries::add(double time, const std::string& topology, const std::string
           {}
         </Geometry>
 )",
-                 grid_, time, topology, slab(root + "Points", points, {"", 3, false, 8}));
+                 grid_, time, topology, slab(root + "Points", points, position));
   for (const auto& field : fields) {
     const auto name = escaped(field.name);
     fmt::format_to(out,

@@ -19,9 +19,10 @@ class XdmfSeries {
   /// `grid` is what a frame shows: "particles" or "surface".
   XdmfSeries(const std::string& file_name, std::string grid);
 
-  void add_particles(const FrameSpan& frame, const std::vector<StoredField>& fields);
+  void add_particles(const FrameSpan& frame, const StoredField& position,
+                     const std::vector<StoredField>& fields);
   /// Leaves frames without any surface out, which ParaView would take for a fault.
-  void add_surface(double time, const SurfaceSpan& span, int corners,
+  void add_surface(double time, const SurfaceSpan& span, int corners, const StoredField& position,
                    const std::vector<StoredField>& fields);
   std::string text() const;
 
@@ -30,7 +31,7 @@ class XdmfSeries {
     std::uint64_t first, count;
   };
   void add(double time, const std::string& topology, const std::string& root, const Rows& points,
-           const std::vector<StoredField>& fields);
+           const StoredField& position, const std::vector<StoredField>& fields);
   static std::string slab(const std::string& path, const Rows& rows, const StoredField& field);
 
   std::string file_name_, grid_, frames_;

@@ -69,5 +69,17 @@ template void check_strain<double, 3>(const Case&, const StageResults&, const St
                                       double, const std::vector<std::string>&);
 template void check_bodies<double, 3>(const Case&, const State<double, 3>&,
                                       const std::vector<std::string>&);
+template void check_finite<float, 2>(const Case&, const StageResults&, const State<float, 2>&,
+                                     const std::vector<std::string>&);
+template void check_strain<float, 2>(const Case&, const StageResults&, const State<float, 2>&,
+                                     double, const std::vector<std::string>&);
+template void check_bodies<float, 2>(const Case&, const State<float, 2>&,
+                                     const std::vector<std::string>&);
+template void check_finite<float, 3>(const Case&, const StageResults&, const State<float, 3>&,
+                                     const std::vector<std::string>&);
+template void check_strain<float, 3>(const Case&, const StageResults&, const State<float, 3>&,
+                                     double, const std::vector<std::string>&);
+template void check_bodies<float, 3>(const Case&, const State<float, 3>&,
+                                     const std::vector<std::string>&);
 
 }  // namespace pliant::remeshed

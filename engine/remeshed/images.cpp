@@ -43,5 +43,11 @@ template void copy_images<double, 2>(Body<double, 2>&, int, int);
 template void list_images<double, 3>(const Lattice<3>&, Population<double, 3>&, int);
 template void copy_image_drift<double, 3>(Body<double, 3>&, int, int);
 template void copy_images<double, 3>(Body<double, 3>&, int, int);
+template void list_images<float, 2>(const Lattice<2>&, Population<float, 2>&, int);
+template void copy_image_drift<float, 2>(Body<float, 2>&, int, int);
+template void copy_images<float, 2>(Body<float, 2>&, int, int);
+template void list_images<float, 3>(const Lattice<3>&, Population<float, 3>&, int);
+template void copy_image_drift<float, 3>(Body<float, 3>&, int, int);
+template void copy_images<float, 3>(Body<float, 3>&, int, int);
 
 }  // namespace pliant::remeshed

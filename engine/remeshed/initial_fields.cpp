@@ -50,5 +50,7 @@ bool set_initial_fields(const Case& settings, Body<T, D>& body, T* valid) {
 
 template bool set_initial_fields<double, 2>(const Case&, Body<double, 2>&, double*);
 template bool set_initial_fields<double, 3>(const Case&, Body<double, 3>&, double*);
+template bool set_initial_fields<float, 2>(const Case&, Body<float, 2>&, float*);
+template bool set_initial_fields<float, 3>(const Case&, Body<float, 3>&, float*);
 
 }  // namespace pliant::remeshed

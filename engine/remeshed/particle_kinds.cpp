@@ -115,5 +115,15 @@ template std::int64_t classify<double, 3>(const Body<double, 3>&, Population<dou
                                           FieldStore<double, 3>&, int, const Boundaries<3>&,
                                           const double*, Outside);
 template void find_pack_states<double, 3>(Population<double, 3>&, const kernels::Segment<3>&);
+template void prepare_slots<float, 2>(Body<float, 2>&, int);
+template void prepare_slots<float, 3>(Body<float, 3>&, int);
+template std::int64_t classify<float, 2>(const Body<float, 2>&, Population<float, 2>&,
+                                         FieldStore<float, 2>&, int, const Boundaries<2>&,
+                                         const float*, Outside);
+template void find_pack_states<float, 2>(Population<float, 2>&, const kernels::Segment<2>&);
+template std::int64_t classify<float, 3>(const Body<float, 3>&, Population<float, 3>&,
+                                         FieldStore<float, 3>&, int, const Boundaries<3>&,
+                                         const float*, Outside);
+template void find_pack_states<float, 3>(Population<float, 3>&, const kernels::Segment<3>&);
 
 }  // namespace pliant::remeshed

@@ -133,5 +133,7 @@ kernels::StageResult ParticleUpdate<T, D>::evaluate_stress(int block) {
 
 template class ParticleUpdate<double, 2>;
 template class ParticleUpdate<double, 3>;
+template class ParticleUpdate<float, 2>;
+template class ParticleUpdate<float, 3>;
 
 }  // namespace pliant::remeshed

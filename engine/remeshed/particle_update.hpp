@@ -49,5 +49,7 @@ class ParticleUpdate {
 
 extern template class ParticleUpdate<double, 2>;
 extern template class ParticleUpdate<double, 3>;
+extern template class ParticleUpdate<float, 2>;
+extern template class ParticleUpdate<float, 3>;
 
 }  // namespace pliant::remeshed

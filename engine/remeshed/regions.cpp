@@ -208,5 +208,7 @@ std::vector<Region> regions(State<T, D>& state, scheduler::FieldId resource, int
 
 template std::vector<Region> regions<double, 2>(State<double, 2>&, scheduler::FieldId, int);
 template std::vector<Region> regions<double, 3>(State<double, 3>&, scheduler::FieldId, int);
+template std::vector<Region> regions<float, 2>(State<float, 2>&, scheduler::FieldId, int);
+template std::vector<Region> regions<float, 3>(State<float, 3>&, scheduler::FieldId, int);
 
 }  // namespace pliant::remeshed

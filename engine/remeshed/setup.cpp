@@ -59,6 +59,8 @@ State<T, D> make_state(const Case& settings) {
 
 template State<double, 2> make_state<double, 2>(const Case&);
 template State<double, 3> make_state<double, 3>(const Case&);
+template State<float, 2> make_state<float, 2>(const Case&);
+template State<float, 3> make_state<float, 3>(const Case&);
 template Lattice<2> body_lattice<2>(const Case&, const BodyCase&);
 template Lattice<3> body_lattice<3>(const Case&, const BodyCase&);
 

@@ -238,5 +238,7 @@ void Solver<T, D>::restore_state(const ArchiveReader& archive) {
 
 template class Solver<double, 2>;
 template class Solver<double, 3>;
+template class Solver<float, 2>;
+template class Solver<float, 3>;
 
 }  // namespace pliant::remeshed

@@ -79,5 +79,7 @@ class Solver final : public pliant::Solver {
 
 extern template class Solver<double, 2>;
 extern template class Solver<double, 3>;
+extern template class Solver<float, 2>;
+extern template class Solver<float, 3>;
 
 }  // namespace pliant::remeshed

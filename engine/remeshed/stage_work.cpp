@@ -77,5 +77,7 @@ void StageWork<T, D>::fold() {
 
 template class StageWork<double, 2>;
 template class StageWork<double, 3>;
+template class StageWork<float, 2>;
+template class StageWork<float, 3>;
 
 }  // namespace pliant::remeshed

@@ -57,5 +57,7 @@ class StageWork {
 
 extern template class StageWork<double, 2>;
 extern template class StageWork<double, 3>;
+extern template class StageWork<float, 2>;
+extern template class StageWork<float, 3>;
 
 }  // namespace pliant::remeshed

@@ -215,5 +215,9 @@ template void put_state<double, 2>(ArchiveWriter&, const State<double, 2>&);
 template void get_state<double, 2>(const ArchiveReader&, State<double, 2>&, Remeshings<double, 2>&);
 template void put_state<double, 3>(ArchiveWriter&, const State<double, 3>&);
 template void get_state<double, 3>(const ArchiveReader&, State<double, 3>&, Remeshings<double, 3>&);
+template void put_state<float, 2>(ArchiveWriter&, const State<float, 2>&);
+template void get_state<float, 2>(const ArchiveReader&, State<float, 2>&, Remeshings<float, 2>&);
+template void put_state<float, 3>(ArchiveWriter&, const State<float, 3>&);
+template void get_state<float, 3>(const ArchiveReader&, State<float, 3>&, Remeshings<float, 3>&);
 
 }  // namespace pliant::remeshed

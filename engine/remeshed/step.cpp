@@ -201,5 +201,7 @@ void Step<T, D>::prepare(double time_step) {
 
 template class Step<double, 2>;
 template class Step<double, 3>;
+template class Step<float, 2>;
+template class Step<float, 3>;
 
 }  // namespace pliant::remeshed

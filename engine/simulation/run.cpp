@@ -13,6 +13,7 @@
 
 #include "engine/case/measurement_kinds.hpp"
 #include "engine/case/resolved.hpp"
+#include "engine/case/words.hpp"
 #include "engine/output/checkpoint.hpp"
 #include "engine/output/interrupt.hpp"
 #include "engine/output/progress.hpp"
@@ -190,6 +191,7 @@ class Run {
          fmt::format("{}.{}.{}", XSIMD_VERSION_MAJOR, XSIMD_VERSION_MINOR, XSIMD_VERSION_PATCH)},
         {"HDF5", fmt::format("{}.{}.{}", H5_VERS_MAJOR, H5_VERS_MINOR, H5_VERS_RELEASE)}};
     summary.method = settings_.method;
+    summary.precision = words<Precision>[static_cast<int>(settings_.precision)].text;
     summary.particles.start = particles_at_start_;
     summary.particles.end = solver_->particles();
     summary.particles.ghosts = solver_->ghosts();

@@ -42,5 +42,9 @@ template void find_pair_stress<double, 2>(const remeshed::Body<double, 2>&, int,
                                           PairStress<double, 2>&);
 template void find_pair_stress<double, 3>(const remeshed::Body<double, 3>&, int, int, double,
                                           PairStress<double, 3>&);
+template void find_pair_stress<float, 2>(const remeshed::Body<float, 2>&, int, int, double,
+                                         PairStress<float, 2>&);
+template void find_pair_stress<float, 3>(const remeshed::Body<float, 3>&, int, int, double,
+                                         PairStress<float, 3>&);
 
 }  // namespace pliant::sph

@@ -88,5 +88,7 @@ std::size_t Step<T, D>::bytes() const {
 
 template class Step<double, 2>;
 template class Step<double, 3>;
+template class Step<float, 2>;
+template class Step<float, 3>;
 
 }  // namespace pliant::sph

@@ -40,5 +40,9 @@ template std::vector<std::span<std::byte>> regions<double, 2>(State<double, 2>&,
                                                               int);
 template std::vector<std::span<std::byte>> regions<double, 3>(State<double, 3>&, scheduler::FieldId,
                                                               int);
+template std::vector<std::span<std::byte>> regions<float, 2>(State<float, 2>&, scheduler::FieldId,
+                                                             int);
+template std::vector<std::span<std::byte>> regions<float, 3>(State<float, 3>&, scheduler::FieldId,
+                                                             int);
 
 }  // namespace pliant::total_lagrangian

@@ -220,5 +220,9 @@ template void make_body<double, 2>(const Case&, const BodyCase&, const Boundarie
                                    Body<double, 2>&);
 template void make_body<double, 3>(const Case&, const BodyCase&, const Boundaries<3>&,
                                    Body<double, 3>&);
+template void make_body<float, 2>(const Case&, const BodyCase&, const Boundaries<2>&,
+                                  Body<float, 2>&);
+template void make_body<float, 3>(const Case&, const BodyCase&, const Boundaries<3>&,
+                                  Body<float, 3>&);
 
 }  // namespace pliant::total_lagrangian

@@ -12,6 +12,7 @@
 #include "engine/total_lagrangian/observe/measure.hpp"
 #include "engine/total_lagrangian/setup.hpp"
 #include "engine/total_lagrangian/state_archive.hpp"
+#include "kernels/with_scalar.hpp"
 
 namespace pliant::total_lagrangian {
 
@@ -45,7 +46,7 @@ Solver<T, D>::Solver(const Case& a_case, const SolverOptions& options)
   Layouts<D> layouts;
   for (std::size_t b = 0; b < state_.bodies.size(); ++b) {
     Body<T, D>& body = state_.bodies[b];
-    body.material = settings().bodies[b].material;
+    body.material = kernels::with_scalar<T>(settings().bodies[b].material);
     make_body<T, D>(settings(), settings().bodies[b], state_.boundaries, body);
     layouts.push_back(&body.layout);
     state_.clock.wave_speed = std::max(
@@ -183,5 +184,7 @@ void Solver<T, D>::restore_state(const ArchiveReader& archive) {
 
 template class Solver<double, 2>;
 template class Solver<double, 3>;
+template class Solver<float, 2>;
+template class Solver<float, 3>;
 
 }  // namespace pliant::total_lagrangian

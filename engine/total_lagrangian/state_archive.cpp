@@ -53,5 +53,9 @@ template void put_state<double, 2>(ArchiveWriter&, const State<double, 2>&);
 template void put_state<double, 3>(ArchiveWriter&, const State<double, 3>&);
 template void get_state<double, 2>(const ArchiveReader&, State<double, 2>&);
 template void get_state<double, 3>(const ArchiveReader&, State<double, 3>&);
+template void put_state<float, 2>(ArchiveWriter&, const State<float, 2>&);
+template void put_state<float, 3>(ArchiveWriter&, const State<float, 3>&);
+template void get_state<float, 2>(const ArchiveReader&, State<float, 2>&);
+template void get_state<float, 3>(const ArchiveReader&, State<float, 3>&);
 
 }  // namespace pliant::total_lagrangian

@@ -173,5 +173,7 @@ void Step<T, D>::apply_walls(Body<T, D>& body, int local) {
 
 template class Step<double, 2>;
 template class Step<double, 3>;
+template class Step<float, 2>;
+template class Step<float, 3>;
 
 }  // namespace pliant::total_lagrangian

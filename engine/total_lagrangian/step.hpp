@@ -64,5 +64,7 @@ class Step {
 
 extern template class Step<double, 2>;
 extern template class Step<double, 3>;
+extern template class Step<float, 2>;
+extern template class Step<float, 3>;
 
 }  // namespace pliant::total_lagrangian

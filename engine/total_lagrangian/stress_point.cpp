@@ -4,6 +4,7 @@
 
 #include "kernels/energy.hpp"
 #include "kernels/law.hpp"
+#include "kernels/with_scalar.hpp"
 
 namespace pliant::total_lagrangian {
 
@@ -35,6 +36,7 @@ StressPoint<D> stress_point(const Body<T, D>& body, std::int64_t slot, const Cel
   using Law = kernels::Law<kernels::Model::reduced_polynomial, Pack, D>;
   const auto mode = modes<T, D>(body, cell);
   const double h = body.lattice.spacing;
+  const auto material = kernels::with_scalar<double>(body.material);
   std::array<double, D * D> f;
   Pack packed[D * D];
   for (int i = 0; i < D; ++i) {
@@ -45,13 +47,13 @@ StressPoint<D> stress_point(const Body<T, D>& body, std::int64_t slot, const Cel
   }
   StressPoint<D> point;
   Pack sigma[Law::symmetric];
-  Law::stress(body.material, packed, Pack(1.0), sigma);
+  Law::stress(material, packed, Pack(1.0), sigma);
   for (int c = 0; c < Law::symmetric; ++c) point.stress[c] = sigma[c].get(0);
-  point.pressure = Law::pressure(body.material, packed, Pack(1.0)).get(0);
+  point.pressure = Law::pressure(material, packed, Pack(1.0)).get(0);
   point.volume_ratio = kernels::determinant(packed).get(0);
 
   const Pack excess = kernels::isochoric_strain<Pack, D>(packed).excess;
-  const double modulus = 2 * kernels::half_tangent_modulus(body.material, excess).get(0);
+  const double modulus = 2 * kernels::half_tangent_modulus(material, excess).get(0);
   double squares = 0;
   for (int i = 0; i < D; ++i) {
     for (int m = 1; m < (1 << D); ++m) {
@@ -62,7 +64,7 @@ StressPoint<D> stress_point(const Body<T, D>& body, std::int64_t slot, const Cel
   const double resistance = hourglass * modulus * volume * 8 / (3.0 * (1 << 2 * D) * h * h);
   // The energy of (RP.41) is per current volume.
   point.energy =
-      volume * point.volume_ratio * kernels::polynomial_energy<double, D>(body.material, f.data()) +
+      volume * point.volume_ratio * kernels::polynomial_energy<double, D>(material, f.data()) +
       resistance * squares / 2;
   return point;
 }
@@ -71,5 +73,9 @@ template StressPoint<2> stress_point<double, 2>(const Body<double, 2>&, std::int
                                                 const Cell<2>&, double);
 template StressPoint<3> stress_point<double, 3>(const Body<double, 3>&, std::int64_t,
                                                 const Cell<3>&, double);
+template StressPoint<2> stress_point<float, 2>(const Body<float, 2>&, std::int64_t, const Cell<2>&,
+                                               double);
+template StressPoint<3> stress_point<float, 3>(const Body<float, 3>&, std::int64_t, const Cell<3>&,
+                                               double);
 
 }  // namespace pliant::total_lagrangian

@@ -201,5 +201,7 @@ void make_surface(const Boundaries<D>& boundaries, Body<T, D>& body) {
 
 template void make_surface<double, 2>(const Boundaries<2>&, Body<double, 2>&);
 template void make_surface<double, 3>(const Boundaries<3>&, Body<double, 3>&);
+template void make_surface<float, 2>(const Boundaries<2>&, Body<float, 2>&);
+template void make_surface<float, 3>(const Boundaries<3>&, Body<float, 3>&);
 
 }  // namespace pliant::total_lagrangian

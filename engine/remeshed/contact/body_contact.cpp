@@ -118,5 +118,7 @@ std::array<T, D> BodyContact<T, D>::traction(const Body<T, D>& own, const Body<T
 
 template class BodyContact<double, 2>;
 template class BodyContact<double, 3>;
+template class BodyContact<float, 2>;
+template class BodyContact<float, 3>;
 
 }  // namespace pliant::remeshed

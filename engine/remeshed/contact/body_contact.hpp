@@ -61,5 +61,7 @@ class BodyContact {
 
 extern template class BodyContact<double, 2>;
 extern template class BodyContact<double, 3>;
+extern template class BodyContact<float, 2>;
+extern template class BodyContact<float, 3>;
 
 }  // namespace pliant::remeshed

@@ -256,5 +256,7 @@ Point<D> ContactSearch<T, D>::foot_point(const Body<T, D>& body, const BlockGhos
 
 template class ContactSearch<double, 2>;
 template class ContactSearch<double, 3>;
+template class ContactSearch<float, 2>;
+template class ContactSearch<float, 3>;
 
 }  // namespace pliant::remeshed

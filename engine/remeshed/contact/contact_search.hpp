@@ -65,5 +65,7 @@ class ContactSearch {
 
 extern template class ContactSearch<double, 2>;
 extern template class ContactSearch<double, 3>;
+extern template class ContactSearch<float, 2>;
+extern template class ContactSearch<float, 3>;
 
 }  // namespace pliant::remeshed

@@ -27,7 +27,7 @@ void add_particles(const Body<T, D>& body, int block, double& mass, Point<D>& mo
     for (std::int64_t p = segment.first; p < segment.first + segment.count; ++p) {
       if (kind[p] != Kind::interior) continue;
       mass += m[p];
-      for (int a = 0; a < D; ++a) momentum[a] += m[p] * u[a][p];
+      for (int a = 0; a < D; ++a) momentum[a] += double(m[p]) * u[a][p];
     }
   }
 }
@@ -156,5 +156,9 @@ template class MomentumCorrection<double, 2>;
 template class MomentumCorrection<double, 3>;
 template Point<2> budget_momentum<double, 2>(const State<double, 2>&, int);
 template Point<3> budget_momentum<double, 3>(const State<double, 3>&, int);
+template class MomentumCorrection<float, 2>;
+template class MomentumCorrection<float, 3>;
+template Point<2> budget_momentum<float, 2>(const State<float, 2>&, int);
+template Point<3> budget_momentum<float, 3>(const State<float, 3>&, int);
 
 }  // namespace pliant::remeshed

@@ -61,5 +61,7 @@ Point<D> budget_momentum(const State<T, D>& state, int body);
 
 extern template class MomentumCorrection<double, 2>;
 extern template class MomentumCorrection<double, 3>;
+extern template class MomentumCorrection<float, 2>;
+extern template class MomentumCorrection<float, 3>;
 
 }  // namespace pliant::remeshed

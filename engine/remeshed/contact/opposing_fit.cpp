@@ -71,5 +71,7 @@ bool OpposingFit<T, D>::add_to(ContactPoints<T, D>& contact_points) {
 
 template class OpposingFit<double, 2>;
 template class OpposingFit<double, 3>;
+template class OpposingFit<float, 2>;
+template class OpposingFit<float, 3>;
 
 }  // namespace pliant::remeshed

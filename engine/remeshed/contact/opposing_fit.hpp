@@ -36,5 +36,7 @@ class OpposingFit {
 
 extern template class OpposingFit<double, 2>;
 extern template class OpposingFit<double, 3>;
+extern template class OpposingFit<float, 2>;
+extern template class OpposingFit<float, 3>;
 
 }  // namespace pliant::remeshed

@@ -138,5 +138,29 @@ template void add_impulse<double, 3>(const Body<double, 3>&, int, const Boundari
 template std::vector<double> wall_pressure(const Body<double, 3>&, const Boundaries<3>&,
                                            const BoundaryValues<3>&,
                                            const kernels::RemeshedTable<double, 3>&);
+template void decide_contact<float, 2>(Body<float, 2>&, int, const Boundaries<2>&,
+                                       const BoundaryValues<2>&,
+                                       const kernels::RemeshedTable<float, 2>&);
+template void release_contact<float, 2>(Body<float, 2>&, int, const Boundaries<2>&,
+                                        const BoundaryValues<2>&,
+                                        const kernels::RemeshedTable<float, 2>&);
+template void add_impulse<float, 2>(const Body<float, 2>&, int, const Boundaries<2>&,
+                                    const BoundaryValues<2>&, double,
+                                    const kernels::RemeshedTable<float, 2>&, Point<2>*);
+template std::vector<double> wall_pressure(const Body<float, 2>&, const Boundaries<2>&,
+                                           const BoundaryValues<2>&,
+                                           const kernels::RemeshedTable<float, 2>&);
+template void decide_contact<float, 3>(Body<float, 3>&, int, const Boundaries<3>&,
+                                       const BoundaryValues<3>&,
+                                       const kernels::RemeshedTable<float, 3>&);
+template void release_contact<float, 3>(Body<float, 3>&, int, const Boundaries<3>&,
+                                        const BoundaryValues<3>&,
+                                        const kernels::RemeshedTable<float, 3>&);
+template void add_impulse<float, 3>(const Body<float, 3>&, int, const Boundaries<3>&,
+                                    const BoundaryValues<3>&, double,
+                                    const kernels::RemeshedTable<float, 3>&, Point<3>*);
+template std::vector<double> wall_pressure(const Body<float, 3>&, const Boundaries<3>&,
+                                           const BoundaryValues<3>&,
+                                           const kernels::RemeshedTable<float, 3>&);
 
 }  // namespace pliant::remeshed

@@ -48,5 +48,7 @@ void FitSearch<T, D>::find(const Point<D>& centre, const FitReach<D>& reach, con
 
 template class FitSearch<double, 2>;
 template class FitSearch<double, 3>;
+template class FitSearch<float, 2>;
+template class FitSearch<float, 3>;
 
 }  // namespace pliant::remeshed

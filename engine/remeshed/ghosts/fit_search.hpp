@@ -27,5 +27,7 @@ class FitSearch {
 
 extern template class FitSearch<double, 2>;
 extern template class FitSearch<double, 3>;
+extern template class FitSearch<float, 2>;
+extern template class FitSearch<float, 3>;
 
 }  // namespace pliant::remeshed

@@ -252,11 +252,23 @@ template void fill_ghosts<double, 2>(Body<double, 2>&, int, int, int, WhichGhost
 template void drift_ghosts<double, 2>(Body<double, 2>&, int, int, GhostTreatment,
                                       const kernels::RemeshedTable<double, 2>&);
 template void fill_conserved<double, 2>(Body<double, 2>&, int);
+template void fill_ghosts<float, 2>(Body<float, 2>&, int, int, int, WhichGhosts,
+                                    const Boundaries<2>&, const BoundaryValues<2>&, GhostTreatment,
+                                    const kernels::RemeshedTable<float, 2>&);
+template void drift_ghosts<float, 2>(Body<float, 2>&, int, int, GhostTreatment,
+                                     const kernels::RemeshedTable<float, 2>&);
+template void fill_conserved<float, 2>(Body<float, 2>&, int);
 template void fill_ghosts<double, 3>(Body<double, 3>&, int, int, int, WhichGhosts,
                                      const Boundaries<3>&, const BoundaryValues<3>&, GhostTreatment,
                                      const kernels::RemeshedTable<double, 3>&);
 template void drift_ghosts<double, 3>(Body<double, 3>&, int, int, GhostTreatment,
                                       const kernels::RemeshedTable<double, 3>&);
 template void fill_conserved<double, 3>(Body<double, 3>&, int);
+template void fill_ghosts<float, 3>(Body<float, 3>&, int, int, int, WhichGhosts,
+                                    const Boundaries<3>&, const BoundaryValues<3>&, GhostTreatment,
+                                    const kernels::RemeshedTable<float, 3>&);
+template void drift_ghosts<float, 3>(Body<float, 3>&, int, int, GhostTreatment,
+                                     const kernels::RemeshedTable<float, 3>&);
+template void fill_conserved<float, 3>(Body<float, 3>&, int);
 
 }  // namespace pliant::remeshed

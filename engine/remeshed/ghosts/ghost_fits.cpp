@@ -201,5 +201,7 @@ void fit_ghosts(const GhostSearch<T, D>& search, int block, std::int32_t* used) 
 
 template void fit_ghosts<double, 2>(const GhostSearch<double, 2>&, int, std::int32_t*);
 template void fit_ghosts<double, 3>(const GhostSearch<double, 3>&, int, std::int32_t*);
+template void fit_ghosts<float, 2>(const GhostSearch<float, 2>&, int, std::int32_t*);
+template void fit_ghosts<float, 3>(const GhostSearch<float, 3>&, int, std::int32_t*);
 
 }  // namespace pliant::remeshed

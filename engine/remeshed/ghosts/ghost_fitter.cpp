@@ -249,5 +249,7 @@ void GhostFitter<T, D>::append(const Waiting& ghost, const Terms& terms, T const
 
 template class GhostFitter<double, 2>;
 template class GhostFitter<double, 3>;
+template class GhostFitter<float, 2>;
+template class GhostFitter<float, 3>;
 
 }  // namespace pliant::remeshed

@@ -79,5 +79,7 @@ class GhostFitter {
 
 extern template class GhostFitter<double, 2>;
 extern template class GhostFitter<double, 3>;
+extern template class GhostFitter<float, 2>;
+extern template class GhostFitter<float, 3>;
 
 }  // namespace pliant::remeshed

@@ -159,5 +159,21 @@ template bool fit_constrained<double, 3>(const FitParticles<3>&, const FitSite<3
                                          kernels::FitTerms<double, 3>&);
 template bool fit_proportional<double, 3>(const FitParticles<3>&, const FitSite<3>&,
                                           kernels::FitTerms<double, 3>&);
+template bool fit_in_all_directions<float, 2>(const FitParticles<2>&, const FitSite<2>&,
+                                              kernels::FitTerms<float, 2>&);
+template bool fit_along_normal<float, 2>(const FitParticles<2>&, const FitSite<2>&,
+                                         kernels::FitTerms<float, 2>&);
+template bool fit_constrained<float, 2>(const FitParticles<2>&, const FitSite<2>&, bool,
+                                        kernels::FitTerms<float, 2>&);
+template bool fit_proportional<float, 2>(const FitParticles<2>&, const FitSite<2>&,
+                                         kernels::FitTerms<float, 2>&);
+template bool fit_in_all_directions<float, 3>(const FitParticles<3>&, const FitSite<3>&,
+                                              kernels::FitTerms<float, 3>&);
+template bool fit_along_normal<float, 3>(const FitParticles<3>&, const FitSite<3>&,
+                                         kernels::FitTerms<float, 3>&);
+template bool fit_constrained<float, 3>(const FitParticles<3>&, const FitSite<3>&, bool,
+                                        kernels::FitTerms<float, 3>&);
+template bool fit_proportional<float, 3>(const FitParticles<3>&, const FitSite<3>&,
+                                         kernels::FitTerms<float, 3>&);
 
 }  // namespace pliant::remeshed

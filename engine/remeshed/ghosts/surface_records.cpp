@@ -101,5 +101,19 @@ template void number_records<double, 3>(Population<double, 3>&, const LevelSet<d
                                         std::int32_t*);
 template void list_slots_of_records<double, 3>(Population<double, 3>&);
 template void resolve_records<double, 3>(Population<double, 3>&, int, const std::int32_t*);
+template void write_surface_records<float, 2>(Body<float, 2>&, int, int,
+                                              const kernels::RemeshedTable<float, 2>&);
+template void write_surface_records<float, 3>(Body<float, 3>&, int, int,
+                                              const kernels::RemeshedTable<float, 3>&);
+template void list_surface_particles<float, 2>(Population<float, 2>&, int, const std::int32_t*);
+template void number_records<float, 2>(Population<float, 2>&, const LevelSet<float, 2>&, double,
+                                       std::int32_t*);
+template void list_slots_of_records<float, 2>(Population<float, 2>&);
+template void resolve_records<float, 2>(Population<float, 2>&, int, const std::int32_t*);
+template void list_surface_particles<float, 3>(Population<float, 3>&, int, const std::int32_t*);
+template void number_records<float, 3>(Population<float, 3>&, const LevelSet<float, 3>&, double,
+                                       std::int32_t*);
+template void list_slots_of_records<float, 3>(Population<float, 3>&);
+template void resolve_records<float, 3>(Population<float, 3>&, int, const std::int32_t*);
 
 }  // namespace pliant::remeshed

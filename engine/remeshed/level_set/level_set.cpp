@@ -98,7 +98,7 @@ template <class T, int D>
 void LevelSet<T, D>::find_closest_points(const Block<D>& block, bool reinitialise,
                                          const kernels::RemeshedTable<T, D>& kernels) {
   thread_local Projections<T, D> near;
-  near.clear();
+  near.clear(block.lower);
   layout_->for_each_slot(block, [&](std::int64_t p, const Cell<D>& cell) {
     phi_[p] = extended_[p];
     if (std::abs(extended_[p]) > near_band * lattice_->spacing || !lattice_->is_wrapped(cell)) {
@@ -159,7 +159,7 @@ void LevelSet<T, D>::add_layer(const Block<D>& block, int layer,
   const std::uint8_t* before = layer_[layer % 2].get();
   std::uint8_t* after = layer_[(layer + 1) % 2].get();
   thread_local Border border;
-  border.clear();
+  border.clear(block.lower);
   for (int s = block.first_segment; s < block.first_segment + block.segment_count; ++s) {
     const kernels::Segment<D>& segment = layout_->segments()[s];
     std::copy_n(before + segment.first, segment.count, after + segment.first);
@@ -261,5 +261,7 @@ bool LevelSet<T, D>::closest_point(std::int64_t slot, Point<D>& offset) const {
 
 template class LevelSet<double, 2>;
 template class LevelSet<double, 3>;
+template class LevelSet<float, 2>;
+template class LevelSet<float, 3>;
 
 }  // namespace pliant::remeshed

@@ -61,9 +61,9 @@ class LevelSet {
     std::vector<Point<D>> foot;       ///< [node] in cells
     std::vector<std::size_t> failed;  ///< nodes of `again`
 
-    void clear() {
-      polished.clear();
-      again.clear();
+    void clear(const Cell<D>& nearby) {
+      polished.clear(nearby);
+      again.clear(nearby);
       foot.clear();
       failed.clear();
     }
@@ -86,5 +86,7 @@ class LevelSet {
 
 extern template class LevelSet<double, 2>;
 extern template class LevelSet<double, 3>;
+extern template class LevelSet<float, 2>;
+extern template class LevelSet<float, 3>;
 
 }  // namespace pliant::remeshed

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <type_traits>
 
 namespace pliant::remeshed {
 
@@ -15,7 +16,8 @@ constexpr double smallest_value = 1e-3;  // [h]
 }  // namespace
 
 template <class T, int D>
-void Projections<T, D>::clear() {
+void Projections<T, D>::clear(const Cell<D>& nearby) {
+  if constexpr (std::is_same_v<T, float>) origin_ = nearby;
   slot_.clear();
   for (int a = 0; a < D; ++a) {
     node_[a].clear();
@@ -27,15 +29,15 @@ template <class T, int D>
 void Projections<T, D>::add(std::int64_t slot, const Cell<D>& node, const Point<D>& start) {
   slot_.push_back(slot);
   for (int a = 0; a < D; ++a) {
-    node_[a].push_back(static_cast<T>(node[a]));
-    point_[a].push_back(static_cast<T>(start[a]));
+    node_[a].push_back(static_cast<T>(node[a] - origin_[a]));
+    point_[a].push_back(static_cast<T>(start[a] - origin_[a]));
   }
 }
 
 template <class T, int D>
 Cell<D> Projections<T, D>::cell(std::size_t i) const {
   Cell<D> cell;
-  for (int a = 0; a < D; ++a) cell[a] = static_cast<std::int32_t>(node_[a][i]);
+  for (int a = 0; a < D; ++a) cell[a] = origin_[a] + static_cast<std::int32_t>(node_[a][i]);
   return cell;
 }
 
@@ -88,7 +90,9 @@ void Projections<T, D>::fill_box(const Lattice<D>& lattice, const Layout<D>& lay
 template <class T, int D>
 void Projections<T, D>::fill_row(const Lattice<D>& lattice, const Layout<D>& layout,
                                  const T* values, const Cell<D>& first, T* row) const {
-  Cell<D> cell = first;
+  Cell<D> cell;
+  for (int a = 0; a < D; ++a) cell[a] = origin_[a] + first[a];
+  const std::int32_t first_x = cell[0];
   for (int a = 1; a < D; ++a) cell[a] = lattice.wrapped(a, cell[a]);
   const auto copy = [&](T* to) {
     return [&cell, values, to](std::int32_t x, std::int64_t slot, std::int32_t n) {
@@ -97,12 +101,14 @@ void Projections<T, D>::fill_row(const Lattice<D>& lattice, const Layout<D>& lay
   };
   if (lattice.period[0] == 0) return layout.for_each_stretch(cell, extent_[0], copy(row));
   for (int i = 0; i < extent_[0]; ++i) {
-    cell[0] = lattice.wrapped(0, first[0] + i);
+    cell[0] = lattice.wrapped(0, first_x + i);
     layout.for_each_stretch(cell, 1, copy(row + i));
   }
 }
 
 template class Projections<double, 2>;
 template class Projections<double, 3>;
+template class Projections<float, 2>;
+template class Projections<float, 3>;
 
 }  // namespace pliant::remeshed

@@ -9,10 +9,14 @@
 namespace pliant::remeshed {
 
 /// Nodes on their way to the zero set of a slot field, (RP.30). Positions are in cells.
+///
+/// In single precision they are kept from a cell nearby, because the position in a far cell would
+/// leave few digits for the place in it.
 template <class T, int D>
 class Projections {
  public:
-  void clear();
+  /// All nodes that are added afterwards lie near the cell `nearby`.
+  void clear(const Cell<D>& nearby);
   void add(std::int64_t slot, const Cell<D>& node, const Point<D>& start);
 
   /// Moves all points onto the zero set of `values`. Those that would go farther than
@@ -31,9 +35,9 @@ class Projections {
  private:
   using Coordinates = std::array<std::vector<T>, D>;
 
-  static Point<D> point_of(const Coordinates& x, std::size_t i) {
+  Point<D> point_of(const Coordinates& x, std::size_t i) const {
     Point<D> point;
-    for (int a = 0; a < D; ++a) point[a] = x[a][i];
+    for (int a = 0; a < D; ++a) point[a] = origin_[a] + static_cast<double>(x[a][i]);
     return point;
   }
   void fill_box(const Lattice<D>& lattice, const Layout<D>& layout, const T* values,
@@ -44,11 +48,14 @@ class Projections {
   std::vector<std::int64_t> slot_;
   Coordinates node_, point_;
   std::vector<T> converged_;
+  Cell<D> origin_ = {};  ///< from which positions count
   Cell<D> lower_, extent_;
   std::vector<T> box_;  ///< [z][y][x] values of the nodes around all starts
 };
 
 extern template class Projections<double, 2>;
 extern template class Projections<double, 3>;
+extern template class Projections<float, 2>;
+extern template class Projections<float, 3>;
 
 }  // namespace pliant::remeshed

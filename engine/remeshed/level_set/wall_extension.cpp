@@ -78,5 +78,7 @@ bool WallExtension<T, D>::interpolate(const Point<D>& x, double& value) const {
 
 template class WallExtension<double, 2>;
 template class WallExtension<double, 3>;
+template class WallExtension<float, 2>;
+template class WallExtension<float, 3>;
 
 }  // namespace pliant::remeshed

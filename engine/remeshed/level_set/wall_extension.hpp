@@ -31,5 +31,7 @@ class WallExtension {
 
 extern template class WallExtension<double, 2>;
 extern template class WallExtension<double, 3>;
+extern template class WallExtension<float, 2>;
+extern template class WallExtension<float, 3>;
 
 }  // namespace pliant::remeshed

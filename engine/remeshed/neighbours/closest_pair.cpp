@@ -48,5 +48,7 @@ double closest_pair(const Body<T, D>& body) {
 
 template double closest_pair<double, 2>(const Body<double, 2>&);
 template double closest_pair<double, 3>(const Body<double, 3>&);
+template double closest_pair<float, 2>(const Body<float, 2>&);
+template double closest_pair<float, 3>(const Body<float, 3>&);
 
 }  // namespace pliant::remeshed

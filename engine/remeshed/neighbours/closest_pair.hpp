@@ -11,5 +11,7 @@ double closest_pair(const Body<T, D>& body);
 
 extern template double closest_pair<double, 2>(const Body<double, 2>&);
 extern template double closest_pair<double, 3>(const Body<double, 3>&);
+extern template double closest_pair<float, 2>(const Body<float, 2>&);
+extern template double closest_pair<float, 3>(const Body<float, 3>&);
 
 }  // namespace pliant::remeshed

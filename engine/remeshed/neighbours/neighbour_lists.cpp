@@ -160,5 +160,11 @@ template void sort_sites<double, 2>(Body<double, 2>&);
 template void sort_sites<double, 3>(Body<double, 3>&);
 template void list_neighbours<double, 2>(Body<double, 2>&, int, int, bool);
 template void list_neighbours<double, 3>(Body<double, 3>&, int, int, bool);
+template void find_sites<float, 2>(Body<float, 2>&, int);
+template void find_sites<float, 3>(Body<float, 3>&, int);
+template void sort_sites<float, 2>(Body<float, 2>&);
+template void sort_sites<float, 3>(Body<float, 3>&);
+template void list_neighbours<float, 2>(Body<float, 2>&, int, int, bool);
+template void list_neighbours<float, 3>(Body<float, 3>&, int, int, bool);
 
 }  // namespace pliant::remeshed

@@ -41,5 +41,11 @@ extern template void sort_sites<double, 2>(Body<double, 2>&);
 extern template void sort_sites<double, 3>(Body<double, 3>&);
 extern template void list_neighbours<double, 2>(Body<double, 2>&, int, int, bool);
 extern template void list_neighbours<double, 3>(Body<double, 3>&, int, int, bool);
+extern template void find_sites<float, 2>(Body<float, 2>&, int);
+extern template void find_sites<float, 3>(Body<float, 3>&, int);
+extern template void sort_sites<float, 2>(Body<float, 2>&);
+extern template void sort_sites<float, 3>(Body<float, 3>&);
+extern template void list_neighbours<float, 2>(Body<float, 2>&, int, int, bool);
+extern template void list_neighbours<float, 3>(Body<float, 3>&, int, int, bool);
 
 }  // namespace pliant::remeshed

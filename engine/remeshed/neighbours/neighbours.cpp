@@ -171,5 +171,7 @@ void NeighbourSearch<T, D>::prepare_search(Body<T, D>& body) const {
 
 template class NeighbourSearch<double, 2>;
 template class NeighbourSearch<double, 3>;
+template class NeighbourSearch<float, 2>;
+template class NeighbourSearch<float, 3>;
 
 }  // namespace pliant::remeshed

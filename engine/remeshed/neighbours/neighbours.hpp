@@ -60,5 +60,7 @@ class NeighbourSearch {
 
 extern template class NeighbourSearch<double, 2>;
 extern template class NeighbourSearch<double, 3>;
+extern template class NeighbourSearch<float, 2>;
+extern template class NeighbourSearch<float, 3>;
 
 }  // namespace pliant::remeshed

@@ -74,5 +74,7 @@ double closest_outside(const Body<T, D>& body, int block, int reach) {
 
 template double closest_outside<double, 2>(const Body<double, 2>&, int, int);
 template double closest_outside<double, 3>(const Body<double, 3>&, int, int);
+template double closest_outside<float, 2>(const Body<float, 2>&, int, int);
+template double closest_outside<float, 3>(const Body<float, 3>&, int, int);
 
 }  // namespace pliant::remeshed

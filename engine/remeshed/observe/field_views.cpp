@@ -49,5 +49,11 @@ template std::vector<std::array<double, 3>> positions<double, 2>(const Body<doub
 template std::vector<SlotRun> particle_runs<double, 3>(const Body<double, 3>&);
 template std::vector<FieldView> field_views<double, 3>(const Body<double, 3>&);
 template std::vector<std::array<double, 3>> positions<double, 3>(const Body<double, 3>&);
+template std::vector<SlotRun> particle_runs<float, 2>(const Body<float, 2>&);
+template std::vector<FieldView> field_views<float, 2>(const Body<float, 2>&);
+template std::vector<std::array<double, 3>> positions<float, 2>(const Body<float, 2>&);
+template std::vector<SlotRun> particle_runs<float, 3>(const Body<float, 3>&);
+template std::vector<FieldView> field_views<float, 3>(const Body<float, 3>&);
+template std::vector<std::array<double, 3>> positions<float, 3>(const Body<float, 3>&);
 
 }  // namespace pliant::remeshed

@@ -97,6 +97,7 @@ Frame take_frame(const State<T, D>& state, const kernels::RemeshedTable<T, D>& k
   const auto& bodies = state.bodies;
   const std::vector<Selection> chosen = select(state, parts.ghosts);
   Frame frame;
+  frame.real_bytes = sizeof(T);
   frame.time = state.clock.time;
   frame.step = state.clock.step;
   for (const Selection& s : chosen) {
@@ -155,5 +156,9 @@ template Frame take_frame<double, 2>(const State<double, 2>&,
 template Frame take_frame<double, 3>(const State<double, 3>&,
                                      const kernels::RemeshedTable<double, 3>&,
                                      const NodeSource<double, 3>&, const FrameParts&);
+template Frame take_frame<float, 2>(const State<float, 2>&, const kernels::RemeshedTable<float, 2>&,
+                                    const NodeSource<float, 2>&, const FrameParts&);
+template Frame take_frame<float, 3>(const State<float, 3>&, const kernels::RemeshedTable<float, 3>&,
+                                    const NodeSource<float, 3>&, const FrameParts&);
 
 }  // namespace pliant::remeshed

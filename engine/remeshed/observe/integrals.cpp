@@ -211,5 +211,11 @@ template BodyIntegrals sum_particles<double, 2>(const Body<double, 2>&, const Ve
 template BodyIntegrals integrate<double, 3>(const LatticeView<double, 3>&, const Boundaries<3>&,
                                             const Vector&);
 template BodyIntegrals sum_particles<double, 3>(const Body<double, 3>&, const Vector&);
+template BodyIntegrals integrate<float, 2>(const LatticeView<float, 2>&, const Boundaries<2>&,
+                                           const Vector&);
+template BodyIntegrals sum_particles<float, 2>(const Body<float, 2>&, const Vector&);
+template BodyIntegrals integrate<float, 3>(const LatticeView<float, 3>&, const Boundaries<3>&,
+                                           const Vector&);
+template BodyIntegrals sum_particles<float, 3>(const Body<float, 3>&, const Vector&);
 
 }  // namespace pliant::remeshed

@@ -51,5 +51,7 @@ Vector material_displacement(const Body<T, D>& body, const Vector& start) {
 
 template Vector material_displacement<double, 2>(const Body<double, 2>&, const Vector&);
 template Vector material_displacement<double, 3>(const Body<double, 3>&, const Vector&);
+template Vector material_displacement<float, 2>(const Body<float, 2>&, const Vector&);
+template Vector material_displacement<float, 3>(const Body<float, 3>&, const Vector&);
 
 }  // namespace pliant::remeshed

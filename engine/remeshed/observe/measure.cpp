@@ -247,5 +247,7 @@ double Measurer<T, D>::point_value(const MeasurementCase& m) {
 
 template class Measurer<double, 2>;
 template class Measurer<double, 3>;
+template class Measurer<float, 2>;
+template class Measurer<float, 3>;
 
 }  // namespace pliant::remeshed

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <array>
 
 #include "engine/remeshed/body.hpp"
@@ -7,6 +8,7 @@
 #include "kernels/law.hpp"
 #include "kernels/remeshed/remeshing/set_determinant.hpp"
 #include "kernels/remeshed/stage/relaxation.hpp"
+#include "kernels/with_scalar.hpp"
 
 /// Material quantities of single particles, for measurements and output; `fields` are a body's own
 /// or those of its remeshed copy.
@@ -85,21 +87,23 @@ std::array<T, kernels::symmetric_components<D>> stress(const Body<T, D>& body,
   });
 }
 
-/// Elastic energy per current volume [J/m^3], (RP.40), (RP.41) or (RP.72).
+/// Elastic energy per current volume [J/m^3], (RP.40), (RP.41) or (RP.72); in double precision,
+/// because it is the square of a small strain.
 template <class T, int D>
-T energy_density(const Body<T, D>& body, const FieldStore<T, D>& fields, std::int64_t slot) {
-  const kernels::Material<T>& material = body.material;
-  const auto state = material_state<T, D>(fields, slot);
+double energy_density(const Body<T, D>& body, const FieldStore<T, D>& fields, std::int64_t slot) {
+  const auto material = kernels::with_scalar<double>(body.material);
+  std::array<double, kernels::material_components<D>> state;
+  std::ranges::copy(material_state<T, D>(fields, slot), state.begin());
   if (material.model != kernels::Model::reduced_polynomial) {
-    return kernels::linear_energy<T, D>(material, state.data(), density<T, D>(fields, slot));
+    return kernels::linear_energy<double, D>(material, state.data(), density<T, D>(fields, slot));
   }
-  T energy = kernels::polynomial_energy<T, D>(material, state.data());
+  double energy = kernels::polynomial_energy<double, D>(material, state.data());
   if (body.prony.empty()) return energy;
-  const T volume_ratio = kernels::determinant<T, D>(state);
+  const double volume_ratio = kernels::determinant<double, D>(state);
   for (std::size_t i = 0; i < body.prony.size(); ++i) {
-    energy += kernels::relaxed_energy(body.prony[i], material.bulk_modulus,
-                                      fields.get(Field::memory_pressure, static_cast<int>(i))[slot],
-                                      volume_ratio - 1) /
+    const kernels::PronyTerm<double> term{body.prony[i].ratio, body.prony[i].time};
+    const double pressure = fields.get(Field::memory_pressure, static_cast<int>(i))[slot];
+    energy += kernels::relaxed_energy(term, material.bulk_modulus, pressure, volume_ratio - 1) /
               volume_ratio;
   }
   return energy;

@@ -121,5 +121,15 @@ template std::optional<double> ray_to_surface(const LatticeView<double, 3>&, con
                                               const std::function<bool(const Vector&)>&);
 template std::optional<double> extent(const LatticeView<double, 3>&, int, bool,
                                       const std::function<bool(const Vector&)>&);
+template std::optional<double> ray_to_surface(const LatticeView<float, 2>&, const Vector&,
+                                              const Vector&,
+                                              const std::function<bool(const Vector&)>&);
+template std::optional<double> extent(const LatticeView<float, 2>&, int, bool,
+                                      const std::function<bool(const Vector&)>&);
+template std::optional<double> ray_to_surface(const LatticeView<float, 3>&, const Vector&,
+                                              const Vector&,
+                                              const std::function<bool(const Vector&)>&);
+template std::optional<double> extent(const LatticeView<float, 3>&, int, bool,
+                                      const std::function<bool(const Vector&)>&);
 
 }  // namespace pliant::remeshed

@@ -26,5 +26,7 @@ double surface_area(const LatticeView<T, D>& view, const Boundaries<D>& boundari
 
 template double surface_area<double, 2>(const LatticeView<double, 2>&, const Boundaries<2>&);
 template double surface_area<double, 3>(const LatticeView<double, 3>&, const Boundaries<3>&);
+template double surface_area<float, 2>(const LatticeView<float, 2>&, const Boundaries<2>&);
+template double surface_area<float, 3>(const LatticeView<float, 3>&, const Boundaries<3>&);
 
 }  // namespace pliant::remeshed

@@ -69,5 +69,9 @@ template ExtractedSurface<2> surface_mesh<double, 2>(const LatticeView<double, 2
                                                      const Boundaries<2>&);
 template ExtractedSurface<3> surface_mesh<double, 3>(const LatticeView<double, 3>&,
                                                      const Boundaries<3>&);
+template ExtractedSurface<2> surface_mesh<float, 2>(const LatticeView<float, 2>&,
+                                                    const Boundaries<2>&);
+template ExtractedSurface<3> surface_mesh<float, 3>(const LatticeView<float, 3>&,
+                                                    const Boundaries<3>&);
 
 }  // namespace pliant::remeshed

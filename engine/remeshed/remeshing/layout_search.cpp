@@ -134,5 +134,7 @@ void LayoutSearch<T, D>::build(Layout<D>& layout) const {
 
 template class LayoutSearch<double, 2>;
 template class LayoutSearch<double, 3>;
+template class LayoutSearch<float, 2>;
+template class LayoutSearch<float, 3>;
 
 }  // namespace pliant::remeshed

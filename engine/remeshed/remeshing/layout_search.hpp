@@ -47,5 +47,7 @@ class LayoutSearch {
 
 extern template class LayoutSearch<double, 2>;
 extern template class LayoutSearch<double, 3>;
+extern template class LayoutSearch<float, 2>;
+extern template class LayoutSearch<float, 3>;
 
 }  // namespace pliant::remeshed

@@ -269,5 +269,7 @@ void Remeshing<T, D>::swap_in_restored() {
 
 template class Remeshing<double, 2>;
 template class Remeshing<double, 3>;
+template class Remeshing<float, 2>;
+template class Remeshing<float, 3>;
 
 }  // namespace pliant::remeshed

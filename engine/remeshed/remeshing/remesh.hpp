@@ -73,5 +73,7 @@ class Remeshing {
 
 extern template class Remeshing<double, 2>;
 extern template class Remeshing<double, 3>;
+extern template class Remeshing<float, 2>;
+extern template class Remeshing<float, 3>;
 
 }  // namespace pliant::remeshed

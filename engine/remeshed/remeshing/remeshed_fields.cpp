@@ -169,5 +169,7 @@ void RemeshedFields<T, D>::copy_images(int block) {
 
 template class RemeshedFields<double, 2>;
 template class RemeshedFields<double, 3>;
+template class RemeshedFields<float, 2>;
+template class RemeshedFields<float, 3>;
 
 }  // namespace pliant::remeshed

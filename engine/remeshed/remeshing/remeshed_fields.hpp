@@ -52,5 +52,7 @@ class RemeshedFields {
 
 extern template class RemeshedFields<double, 2>;
 extern template class RemeshedFields<double, 3>;
+extern template class RemeshedFields<float, 2>;
+extern template class RemeshedFields<float, 3>;
 
 }  // namespace pliant::remeshed

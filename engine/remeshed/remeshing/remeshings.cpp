@@ -64,5 +64,7 @@ void Remeshings<T, D>::commit() {
 
 template class Remeshings<double, 2>;
 template class Remeshings<double, 3>;
+template class Remeshings<float, 2>;
+template class Remeshings<float, 3>;
 
 }  // namespace pliant::remeshed

@@ -40,5 +40,7 @@ class Remeshings {
 
 extern template class Remeshings<double, 2>;
 extern template class Remeshings<double, 3>;
+extern template class Remeshings<float, 2>;
+extern template class Remeshings<float, 3>;
 
 }  // namespace pliant::remeshed

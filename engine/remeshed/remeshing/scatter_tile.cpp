@@ -98,5 +98,7 @@ CellBounds<D> ScatterTile<T, D>::periods_to(const CellBounds<D>& source,
 
 template class ScatterTile<double, 2>;
 template class ScatterTile<double, 3>;
+template class ScatterTile<float, 2>;
+template class ScatterTile<float, 3>;
 
 }  // namespace pliant::remeshed

@@ -48,5 +48,7 @@ class ScatterTile {
 
 extern template class ScatterTile<double, 2>;
 extern template class ScatterTile<double, 3>;
+extern template class ScatterTile<float, 2>;
+extern template class ScatterTile<float, 3>;
 
 }  // namespace pliant::remeshed

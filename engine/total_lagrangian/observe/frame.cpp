@@ -94,6 +94,7 @@ FrameSurface take_surface(const State<T, D>& state) {
 template <class T, int D>
 Frame take_frame(const State<T, D>& state, const FrameParts& parts) {
   Frame frame;
+  frame.real_bytes = sizeof(T);
   frame.time = state.clock.time;
   frame.step = state.clock.step;
   std::vector<double> velocity, displacement, level_set, p_field, rho, sigma, volume_change;
@@ -137,5 +138,7 @@ Frame take_frame(const State<T, D>& state, const FrameParts& parts) {
 
 template Frame take_frame<double, 2>(const State<double, 2>&, const FrameParts&);
 template Frame take_frame<double, 3>(const State<double, 3>&, const FrameParts&);
+template Frame take_frame<float, 2>(const State<float, 2>&, const FrameParts&);
+template Frame take_frame<float, 3>(const State<float, 3>&, const FrameParts&);
 
 }  // namespace pliant::total_lagrangian

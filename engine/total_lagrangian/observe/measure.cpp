@@ -163,5 +163,7 @@ BodyIntegrals Measurer<T, D>::totals() const {
 
 template class Measurer<double, 2>;
 template class Measurer<double, 3>;
+template class Measurer<float, 2>;
+template class Measurer<float, 3>;
 
 }  // namespace pliant::total_lagrangian

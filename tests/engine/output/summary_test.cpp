@@ -62,9 +62,9 @@ TEST(summary, keys_keep_their_order) {
   const auto json = nlohmann::ordered_json::parse(json_of(sample()));
   std::vector<std::string> keys;
   for (const auto& entry : json.items()) keys.push_back(entry.key());
-  EXPECT_EQ(keys, (std::vector<std::string>{"case", "versions", "method", "particles", "steps",
-                                            "physical_time", "wall_time", "phases", "performance",
-                                            "conserved", "measurements"}));
+  EXPECT_EQ(keys, (std::vector<std::string>{"case", "versions", "method", "precision", "particles",
+                                            "steps", "physical_time", "wall_time", "phases",
+                                            "performance", "conserved", "measurements"}));
   EXPECT_EQ(json["phases"].begin().key(), "stress");  // not alphabetical: the order of the step
 }
 

@@ -29,7 +29,7 @@ struct Passes {
                      [&](const Cell<D>& cell) { valid[nodes.layout.slot(cell)] = 1; });
     level_set.prepare(nodes.lattice, nodes.layout, nodes.values.data());
     level_set.use(extended.data(), foot_of);
-    const auto& table = kernels::table<double, D>(kernels::Isa::sse2);
+    const auto& table = kernels::RemeshedTable<double, D>::of(kernels::Isa::sse2);
     const Boundaries<D> none(std::vector<BoundaryCase>{});
     each([&](const Block<D>& b) { level_set.extend_through_walls(b, none, valid.data()); });
     each([&](const Block<D>& b) { level_set.find_closest_points(b, reinitialise, table); });

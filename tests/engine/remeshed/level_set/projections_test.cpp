@@ -43,7 +43,7 @@ Projections<double, D> projected(const NodeValues<D>& nodes, F&& distance) {
     });
   }
   points.run(nodes.lattice, nodes.layout, nodes.values.data(), farthest_move, iterations,
-             kernels::table<double, D>(kernels::Isa::sse2));
+             kernels::RemeshedTable<double, D>::of(kernels::Isa::sse2));
   return points;
 }
 
@@ -104,7 +104,7 @@ TYPED_TEST(ProjectionsOnto, nodes_without_a_surface_do_not_converge) {
   const Cell<D> cell = diagonal<D>(5);
   points.add(nodes.layout.slot(cell), cell, point_of<D>(cell));
   points.run(nodes.lattice, nodes.layout, nodes.values.data(), farthest_move, iterations,
-             kernels::table<double, D>(kernels::Isa::sse2));
+             kernels::RemeshedTable<double, D>::of(kernels::Isa::sse2));
   EXPECT_FALSE(points.has_converged(0));
 }
 
@@ -121,7 +121,7 @@ TYPED_TEST(ProjectionsOnto, surfaces_beyond_a_period_are_found) {
   cell[0] = 15;
   points.add(nodes.layout.slot(cell), cell, point_of<D>(cell));
   points.run(nodes.lattice, nodes.layout, nodes.values.data(), farthest_move, iterations,
-             kernels::table<double, D>(kernels::Isa::sse2));
+             kernels::RemeshedTable<double, D>::of(kernels::Isa::sse2));
   ASSERT_TRUE(points.has_converged(0));
   // 3/128 (k h)^4/k
   EXPECT_NEAR(points.point(0)[0], 16.3, 3. / 128 * k * k * k);
