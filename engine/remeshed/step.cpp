@@ -11,24 +11,23 @@
 // (Q0, Q2, Q3, and Q4, which lies where Q2 was) to the `next` one:
 //
 //     image positions   periodic bodies: drift of the slots beyond a period
-//     surface           grad phi of the particles near the surface (RP.81); their u, sigma, grad
-//     phi
-//                       and p go side by side into surface records, one or two cache lines each
-//     contact           contact walls, first stage: which ghosts beyond the wall the body presses
-//                       on, (RP.50)
-//     contact search: samples   contact between bodies, first stage: surface particles and ghosts
-//     of
-//                       each block, with their positions
-//     contact search: cells     those of a body in a cell list, if its box meets that of another
-//     contact search: points    ghosts whose foot point lies on another body, and the fit of that
-//                       body there, (RP.69)
+//     surface           grad phi of the particles near the surface (RP.81); their u, sigma,
+//                       grad phi and p go side by side into surface records
+//     contact           contact walls, first stage: which ghosts beyond the wall the body
+//                       presses on, (RP.50)
+//     contact search: samples   contact between bodies, first stage: surface particles and
+//                       ghosts of each block, with their positions
+//     contact search: cells     those of a body in a cell list, if its box meets another one
+//     contact search: points    ghosts whose foot point lies on another body, and the fit of
+//                       that body there, (RP.69)
 //     tractions         contact between bodies: tractions at the contact points, (RP.65)
-//     ghosts            velocity and stress of each ghost from the surface records: free surfaces
-//                       with their present normal (RP.37), (RP.34), walls (RP.35), (RP.36), as the
-//                       paper (RP.38); contact walls release the ghosts that they would pull
+//     ghosts            velocity and stress of each ghost from the surface records: free
+//                       surfaces with their present normal (RP.37), (RP.34), walls (RP.35),
+//                       (RP.36), as the paper (RP.38); contact walls release the ghosts that
+//                       they would pull
 //     images            periodic bodies: velocity and stress of the slots beyond a period
-//     advance           grad u and div sigma of every particle by the moment matrix (RP.18), its
-//                       rates (RP.12), the next state and the stress that belongs to it
+//     advance           grad u and div sigma of every particle by the moment matrix (RP.18),
+//                       its rates (RP.12), the next state and the stress that belongs to it
 //                       (RP.3)-(RP.9)
 //
 // After the last stage:

@@ -7,10 +7,9 @@
 // (RP.19):
 //
 //     pair stress       sigma/rho^2 of every particle, and its artificial stress (RP.76)
-//     advance           grad u by (RP.73) and the forces of the pairs (RP.74), (RP.75) over lists
-//     of
-//                       neighbours, the rates (RP.12), the next state and the stress that belongs
-//                       to it (RP.3)-(RP.9)
+//     advance           grad u by (RP.73) and the forces of the pairs (RP.74), (RP.75) over
+//                       lists of neighbours, the rates (RP.12), the next state and the stress
+//                       that belongs to it (RP.3)-(RP.9)
 //
 // There are no ghosts: particles at a free surface simply have fewer neighbours. The lists are made
 // anew before every step, in solver.cpp, and may name particles of any block.

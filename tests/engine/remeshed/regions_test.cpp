@@ -41,7 +41,7 @@ std::map<scheduler::FieldId, std::vector<Region>> present(Solver& solver) {
 }
 
 TEST_P(Regions, no_two_resources_of_a_step_share_memory) {
-  Solver solver(GetParam().settled(), 1, kernels::widest_supported());
+  Solver solver(GetParam().settled(), {1, kernels::widest_supported()});
   advance(solver, GetParam().middle);
   std::map<const std::byte*, std::pair<const std::byte*, scheduler::FieldId>> owners;
   const auto names = remeshed::resource::names();
@@ -58,7 +58,7 @@ TEST_P(Regions, no_two_resources_of_a_step_share_memory) {
 }
 
 TEST_P(Regions, every_slot_of_the_state_belongs_to_a_resource) {
-  Solver solver(GetParam().settled(), 1, kernels::widest_supported());
+  Solver solver(GetParam().settled(), {1, kernels::widest_supported()});
   advance(solver, GetParam().middle);
   std::vector<Region> all;
   for (const auto& [id, of_resource] : present(solver)) {
@@ -88,7 +88,7 @@ TEST_P(Regions, every_slot_of_the_state_belongs_to_a_resource) {
 
 // Phases order themselves by resources: these must have one.
 TEST(resources, of_the_odd_stress_are_those_of_the_fields_in_whose_place_it_lies) {
-  Solver solver(sample_runs()[0].settled(), 1, kernels::widest_supported());
+  Solver solver(sample_runs()[0].settled(), {1, kernels::widest_supported()});
   Body& body = solver.state().bodies[0];
   using namespace remeshed::resource;
   const auto odd = *particles(Group::stress, 1).begin();
