@@ -45,7 +45,9 @@ class FreeFlight final : public Solver {
   }
 
   Frame frame(const FrameParts&) override {
-    Frame frame{.time = clock_.time, .step = clock_.step};
+    Frame frame;
+    frame.time = clock_.time;
+    frame.step = clock_.step;
     FrameField velocity{"velocity", "m/s", 3, std::vector<double>()};
     for (std::size_t p = 0; p < mass_.size(); ++p) {
       frame.position.insert(frame.position.end(), position_[p].begin(), position_[p].end());
