@@ -106,7 +106,7 @@ TEST(killed_writer, leaves_a_file_that_can_be_resumed_to_the_end) {
     write_frames(file, kept, end, particles);
   };
   bool killed = true;
-  for (long number = 0; killed; number += number < 12 ? 1 : 29) {
+  for (long number = 0; killed; number += number < 12 ? 1 : 47) {
     SCOPED_TRACE(number);
     std::filesystem::remove_all(folder / "killed");
     std::filesystem::copy(folder / "first", folder / "killed");
