@@ -1,84 +1,57 @@
 #include "engine/bench/cases.hpp"
 
+#include <fmt/format.h>
+
 #include <cmath>
 #include <numbers>
+#include <string>
+#include <vector>
 
-#include "engine/case/elastic_constants.hpp"
+#include "engine/bench/case_texts.hpp"
+#include "engine/case/read_case.hpp"
+#include "engine/case/words.hpp"
 
 namespace pliant::bench {
 
 namespace {
 
-BodyCase body(const char* name, const MaterialCase& material) {
-  BodyCase body;
-  body.name = name;
-  body.material_as_given = material;
-  body.material = elastic_constants(material);
-  return body;
+using Settings = std::vector<std::string>;
+
+Case read(std::string_view text, const char* name, double spacing, kernels::Weight kernel,
+          const Settings& more) {
+  Settings settings = {fmt::format("discretisation.spacing={:.17g}", spacing),
+                       fmt::format("discretisation.kernel={}",
+                                   words<kernels::Weight>[static_cast<int>(kernel)].text),
+                       "time.step=cfl", "measurement=[]", "output={}"};
+  settings.insert(settings.end(), more.begin(), more.end());
+  Case a_case = parse_case(std::string(text), "case.toml", settings);
+  a_case.name = name;
+  return a_case;
 }
 
-BoundaryCase piston(const char* name, double y, double speed) {
-  BoundaryCase wall;
-  wall.name = name;
-  wall.geometry.kind = Shape::Kind::half_space;
-  wall.geometry.point = {0, y, 0};
-  wall.geometry.normal = {0, y > 0 ? -1.0 : 1.0, 0};
-  wall.velocity[1] = Expression(speed);
-  return wall;
-}
+// No sample may end before its steps are done.
+const Settings spinning = {"time.end=1000", "discretisation.dissipation=0.25"};
 
 }  // namespace
 
-Case rotating_cylinder(std::int64_t particles, kernels::Weight weight) {
-  Case settings;
-  settings.name = "rotating_cylinder";
-  settings.discretisation.spacing = std::sqrt(std::numbers::pi / static_cast<double>(particles));
-  settings.discretisation.kernel = weight;
-  settings.time.end = 1000;
-  settings.remeshing.policy = decltype(settings.remeshing)::Policy::every;
-  settings.remeshing.every = 10;
-
-  MaterialCase material;
-  material.density = 1;
-  material.youngs_modulus = 100;
-  material.poissons_ratio = 0.3;
-  BodyCase cylinder = body("cylinder", material);
-  cylinder.geometry.kind = Shape::Kind::ball;
-  cylinder.geometry.radius = 1;
-  cylinder.velocity = RigidRotation{{}, {0, 0, 2 * std::numbers::pi}};
-  settings.bodies.push_back(cylinder);
-  return settings;
+Case rotating_cylinder(std::int64_t particles, kernels::Weight kernel) {
+  const double spacing = std::sqrt(std::numbers::pi / static_cast<double>(particles));
+  return read(rotating_cylinder_text, "rotating_cylinder", spacing, kernel, spinning);
 }
 
-Case spinning_ball(std::int64_t particles, kernels::Weight weight) {
-  Case settings = rotating_cylinder(particles, weight);
-  settings.name = "spinning_ball";
-  settings.dimension = 3;
-  settings.discretisation.spacing =
-      std::cbrt(4 * std::numbers::pi / 3 / static_cast<double>(particles));
-  settings.bodies[0].name = "ball";
-  return settings;
+Case spinning_ball(std::int64_t particles, kernels::Weight kernel) {
+  const double spacing = std::cbrt(4 * std::numbers::pi / 3 / static_cast<double>(particles));
+  Settings settings = spinning;
+  settings.insert(
+      settings.end(),
+      {"dimension=3", "body.0.geometry={ shape = \"ball\", centre = [0, 0, 0], radius = 1 }",
+       "body.0.rotation={ centre = [0, 0, 0], angular_velocity = [0, 0, \"2*pi\"] }",
+       "body.0.name=ball"});
+  return read(rotating_cylinder_text, "spinning_ball", spacing, kernel, settings);
 }
 
-Case compression(int n) {
-  Case settings;
-  settings.name = "compression_hyperelastic";
-  settings.discretisation.spacing = 1.0 / n;
-  settings.time.end = 0.02;
-  settings.remeshing.policy = decltype(settings.remeshing)::Policy::adaptive;
-
-  MaterialCase material;
-  material.model = MaterialCase::Model::reduced_polynomial;
-  material.density = 1;
-  material.coefficients = {2.2};
-  material.compressibility = 0.001;
-  BodyCase block = body("block", material);
-  block.geometry.lower = {-0.5, -1, 0};
-  block.geometry.upper = {0.5, 1, 0};
-  block.velocity = VectorExpression{Expression(0), Expression("-25*y"), Expression(0)};
-  settings.bodies.push_back(block);
-  settings.boundaries = {piston("upper", 1, -25), piston("lower", -1, 25)};
-  return settings;
+Case compression(int n, kernels::Weight kernel) {
+  return read(compression_hyperelastic_text, "compression_hyperelastic", 1.0 / n, kernel, {});
 }
 
 }  // namespace pliant::bench

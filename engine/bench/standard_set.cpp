@@ -51,10 +51,9 @@ std::vector<Row> standard_set(const StandardSetOptions& options) {
   }
   add_balls(100'000);
   if (!options.quick) add_balls(1'000'000);
-  Case compressed = compression(options.quick ? quick_compression_columns : compression_columns);
-  compressed.discretisation.kernel = Weight::quartic;
   constexpr std::int64_t whole_run = 1'000'000;
-  add(compressed, {0, whole_run});
+  add(compression(options.quick ? quick_compression_columns : compression_columns, Weight::quartic),
+      {0, whole_run});
   return rows;
 }
 

@@ -1,0 +1,12 @@
+#pragma once
+
+#include <string_view>
+
+/// Case files of cases/, built into the program: an installed program measures the same cases from
+/// any folder.
+namespace pliant::bench {
+
+extern const std::string_view rotating_cylinder_text;
+extern const std::string_view compression_hyperelastic_text;
+
+}  // namespace pliant::bench

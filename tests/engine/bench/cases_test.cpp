@@ -1,0 +1,50 @@
+#include "engine/bench/cases.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+namespace pliant::test {
+namespace {
+
+using kernels::Weight;
+
+TEST(bench_cases, have_the_spacing_of_the_particles_asked_for) {
+  const double pi = std::acos(-1.0);
+  EXPECT_DOUBLE_EQ(bench::rotating_cylinder(2000, Weight::compact).discretisation.spacing,
+                   std::sqrt(pi / 2000));
+  EXPECT_DOUBLE_EQ(bench::spinning_ball(100'000, Weight::compact).discretisation.spacing,
+                   std::cbrt(4 * pi / 3 / 100'000));
+  EXPECT_DOUBLE_EQ(bench::compression(64, Weight::compact).discretisation.spacing, 1. / 64);
+}
+
+// What rates of earlier versions were measured with.
+TEST(bench_cases, keep_the_settings_that_rates_depend_on) {
+  using Policy = decltype(Case::remeshing)::Policy;
+  for (const Case& a_case :
+       {bench::rotating_cylinder(2000, Weight::compact), bench::spinning_ball(2000, Weight::compact),
+        bench::compression(64, Weight::compact)}) {
+    EXPECT_EQ(a_case.discretisation.kernel, Weight::compact) << a_case.name;
+    EXPECT_EQ(a_case.discretisation.dissipation, 0.25) << a_case.name;
+    EXPECT_FALSE(a_case.time.step) << a_case.name;
+    EXPECT_EQ(a_case.time.cfl, 0.5) << a_case.name;
+    EXPECT_TRUE(a_case.measurements.empty()) << a_case.name;
+    EXPECT_EQ(a_case.level_set.reinitialise_every, 20) << a_case.name;
+    const bool compressed = a_case.boundaries.size() == 2;
+    EXPECT_EQ(a_case.remeshing.policy, compressed ? Policy::adaptive : Policy::every);
+    EXPECT_EQ(a_case.remeshing.every, 10) << a_case.name;
+    EXPECT_EQ(a_case.time.end, compressed ? 0.02 : 1000) << a_case.name;
+  }
+}
+
+TEST(bench_cases, a_ball_spins_about_z) {
+  const Case ball = bench::spinning_ball(2000, Weight::quartic);
+  EXPECT_EQ(ball.dimension, 3);
+  EXPECT_EQ(ball.bodies[0].name, "ball");
+  EXPECT_EQ(ball.bodies[0].geometry.kind, Shape::Kind::ball);
+  const auto& rotation = std::get<RigidRotation>(ball.bodies[0].velocity);
+  EXPECT_EQ(rotation.angular_velocity, (Vector{0, 0, 2 * std::acos(-1.0)}));
+}
+
+}  // namespace
+}  // namespace pliant::test
