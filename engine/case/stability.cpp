@@ -32,6 +32,8 @@ double largest_response(kernels::Weight kernel, int dimension) {
   return 1;
 }
 
+}  // namespace
+
 double fastest_wave(const Case& a_case) {
   double fastest = 0;
   for (const BodyCase& body : a_case.bodies) {
@@ -39,8 +41,6 @@ double fastest_wave(const Case& a_case) {
   }
   return fastest / std::sqrt(a_case.total_lagrangian.mass_scaling);
 }
-
-}  // namespace
 
 double stable_cfl(const Case& a_case) {
   if (a_case.method == "total_lagrangian") return 1;

@@ -64,6 +64,7 @@ void add_run(Commands& commands) {
   command.add_flag("--resume", arguments->resume,
                    "continue from the last checkpoint in the folder;\n"
                    "time.end may be later than it was");
+  command.add_flag("--force", arguments->force, "run even if the memory may not suffice");
   command.add_flag("--quiet", arguments->quiet, "show neither progress nor measurements");
 }
 

@@ -13,6 +13,7 @@
 #include "engine/case/reference.hpp"
 #include "engine/case/stability.hpp"
 #include "engine/case/validate_summary.hpp"
+#include "engine/simulation/estimate.hpp"
 #include "engine/simulation/methods.hpp"
 #include "engine/simulation/run.hpp"
 #include "engine/simulation/solver_options.hpp"
@@ -34,6 +35,9 @@ ExitStatus run(const RunArguments& arguments) {
   std::signal(SIGPIPE, SIG_IGN);
   const Case settings = read_case(arguments.source.path, arguments.source.settings);
   if (!arguments.quiet) warn_of_instability(settings);
+  if (!arguments.force) {
+    refuse_what_does_not_fit(settings, estimate(settings), available_memory());
+  }
   RunOptions options;
   options.folder = arguments.folder.value_or(std::filesystem::path("results") / settings.name);
   const SolverOptions machine = solver_options(arguments.threads, arguments.isa);
@@ -48,6 +52,15 @@ ExitStatus check(const CaseArguments& arguments) {
   const Case settings = read_case(arguments.path, arguments.settings);
   warn_of_instability(settings);
   fmt::print("{}", validate_summary(settings));
+  const Estimate size = estimate(settings);
+  fmt::print("  cost: {}", size.text());
+  const SolverOptions machine = solver_options(0, "");
+  const std::optional<double> seconds = estimated_seconds(settings, size, machine, methods());
+  if (seconds) {
+    fmt::print(", {} on {} threads (within a factor of two)", duration_text(*seconds),
+               machine.threads);
+  }
+  fmt::print("\n");
   return ExitStatus::done;
 }
 

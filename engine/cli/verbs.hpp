@@ -21,6 +21,7 @@ struct RunArguments {
   int threads = 0;                              ///< 0: one per processor
   std::string isa;                              ///< empty: the widest supported
   bool resume = false;
+  bool force = false;  ///< run even if the memory may not suffice
   bool quiet = false;
 };
 

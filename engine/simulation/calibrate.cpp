@@ -1,0 +1,67 @@
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <exception>
+
+#include "engine/simulation/estimate.hpp"
+
+// Steps of the case itself, on a lattice that is quickly set up.
+namespace pliant {
+
+namespace {
+
+constexpr double most_particles = 6000;
+constexpr int warm_up = 2, most_steps = 60;
+constexpr double enough_seconds = 0.3;
+
+/// A whole multiple of the spacing with few particles, of which a period holds a whole number; 0
+/// where there is none.
+int coarsening(const Case& a_case, double particles) {
+  const double h = a_case.discretisation.spacing;
+  const int least =
+      std::max(1, static_cast<int>(std::ceil(
+                      std::pow(particles / most_particles, 1.0 / a_case.dimension))));
+  const auto divides = [&](int factor) {
+    for (int a = 0; a < a_case.dimension; ++a) {
+      if (!a_case.periodic.axis[a]) continue;
+      const long cells = std::lround((a_case.periodic.upper[a] - a_case.periodic.lower[a]) / h);
+      if (cells % factor != 0) return false;
+    }
+    return true;
+  };
+  for (int factor = least; factor < 2 * least + 2; ++factor) {
+    if (divides(factor)) return factor;
+  }
+  return 0;
+}
+
+double seconds_per_particle_step(Solver& solver) {
+  for (int i = 0; i < warm_up; ++i) solver.step(HUGE_VAL);
+  const double before = solver.step_seconds();
+  double particle_steps = 0;
+  for (int i = 0; i < most_steps && solver.step_seconds() - before < enough_seconds; ++i) {
+    solver.step(HUGE_VAL);
+    particle_steps += static_cast<double>(solver.particles());
+  }
+  return (solver.step_seconds() - before) / particle_steps;
+}
+
+}  // namespace
+
+std::optional<double> estimated_seconds(const Case& a_case, const Estimate& size,
+                                        const SolverOptions& options,
+                                        const MethodRegistry& methods) {
+  const auto particles = static_cast<double>(size.particles);
+  const int factor = coarsening(a_case, particles);
+  if (factor == 0) return std::nullopt;
+  Case coarse = a_case;
+  coarse.discretisation.spacing *= factor;
+  try {
+    return static_cast<double>(size.steps) * particles *
+           seconds_per_particle_step(*methods.make(coarse, options));
+  } catch (const std::exception&) {  // too coarse for the case: then nothing is known
+    return std::nullopt;
+  }
+}
+
+}  // namespace pliant

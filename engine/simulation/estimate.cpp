@@ -1,0 +1,205 @@
+#include "engine/simulation/estimate.hpp"
+
+#include <fmt/format.h>
+#include <pliant/error.hpp>
+
+#include <algorithm>
+#include <cmath>
+
+#include "engine/case/stability.hpp"
+#include "engine/geometry/distance_walk.hpp"
+#include "engine/geometry/signed_distance.hpp"
+#include "engine/lattice/occupancy.hpp"
+#include "engine/remeshed/fields.hpp"
+#include "kernels/total_lagrangian/arguments.hpp"
+
+// The number of slots times h^d is V + S h for small h, V the volume and S proportional to the
+// surface: two coarse lattices give both. The bytes of a slot follow from the list of fields; those
+// of a ghost and of a particle were measured.
+namespace pliant {
+
+namespace {
+
+constexpr double most_cells = 1e6;  // of a lattice on which slots are counted
+constexpr std::size_t value = sizeof(double);
+
+constexpr double program_bytes = 2.4e7;
+
+/// Bytes for each part of a body.
+struct Cost {
+  double slot, ghost, particle;
+};
+
+/// Cells around particles that have slots.
+double reach_of(const Case& a_case) { return a_case.method == Method::total_lagrangian ? 1.8 : 6; }
+
+Box clipped_box(const Case& a_case, const BodyCase& body) {
+  Box box = bounding_box(body.geometry);
+  for (int a = 0; a < a_case.dimension; ++a) {
+    if (!a_case.periodic.axis[a]) continue;
+    box.lower[a] = std::max(box.lower[a], a_case.periodic.lower[a]);
+    box.upper[a] = std::min(box.upper[a], a_case.periodic.upper[a]);
+  }
+  return box;
+}
+
+double cells_of(const Case& a_case, const Box& box, double spacing) {
+  double cells = 1;
+  for (int a = 0; a < a_case.dimension; ++a) {
+    cells *= (box.upper[a] - box.lower[a]) / spacing + 2 * reach_of(a_case);
+  }
+  return cells;
+}
+
+/// Particles and slots of a body on a lattice of the given spacing.
+struct Count {
+  double particles = 0, slots = 0;
+};
+
+template <int D>
+Count count_on(const Case& a_case, const BodyCase& body, const Box& box, double spacing) {
+  // Total Lagrangian particles lie on the corners of all cells that the body fills in part.
+  const bool on_corners = a_case.method == Method::total_lagrangian;
+  const double margin = on_corners ? spacing / 2 : 0, centre = on_corners ? 0 : 0.5;
+  Cell<D> lower = {}, upper = {};
+  for (int a = 0; a < D; ++a) {
+    lower[a] = on_corners ? -1 : 0;
+    upper[a] = cell_below((box.upper[a] - box.lower[a]) / spacing) - lower[a];
+  }
+  const double reach = reach_of(a_case);
+  Occupancy<D> occupancy;
+  occupancy.reset(lower, upper, static_cast<int>(std::ceil(reach)));
+  DistanceWalk distance(body.geometry, D, 2 * margin);
+  Count count;
+  for_each_cell<D>(lower, upper, [&](const Cell<D>& cell) {
+    Vector x = {};
+    for (int a = 0; a < D; ++a) x[a] = box.lower[a] + (cell[a] + centre) * spacing;
+    if (distance(x) >= margin) return;
+    ++count.particles;
+    occupancy.mark(cell);
+  });
+  occupancy.dilate(reach);
+  for (int row = 0; row < occupancy.rows(); ++row) {
+    for (int column = 0; column < occupancy.columns(); ++column) {
+      count.slots += occupancy.is_marked(row, column) ? Occupancy<D>::pack : 0;
+    }
+  }
+  return count;
+}
+
+template <int D>
+Count count_of(const Case& a_case, const BodyCase& body) {
+  const Box box = clipped_box(a_case, body);
+  const double h = a_case.discretisation.spacing;
+  double coarse = h;
+  while (cells_of(a_case, box, coarse) > most_cells) coarse *= 1.05;
+  const Count fine = count_on<D>(a_case, body, box, coarse);
+  if (coarse == h) return fine;
+  constexpr double ratio = 1.5;
+  const Count coarser = count_on<D>(a_case, body, box, ratio * coarse);
+  const double volume = fine.slots * std::pow(coarse, D);
+  const double slope =
+      (coarser.slots * std::pow(ratio * coarse, D) - volume) / ((ratio - 1) * coarse);
+  return {fine.particles * std::pow(coarse / h, D),
+          (volume - slope * (coarse - h)) / std::pow(h, D)};
+}
+
+/// Values of a slot in the three copies of the state, the stress, and what is kept beside them.
+template <int D>
+double values_of_slot(const BodyCase& body) {
+  int state = 0;
+  const int terms = static_cast<int>(body.prony.size());
+  const int material = kernels::material_component_count<D>(body.material.model);
+  for (const remeshed::Declaration& f : remeshed::state_fields) {
+    state += f.copies * remeshed::components<D>(f.rank, material, terms);
+  }
+  constexpr int stress = kernels::symmetric_components<D>, interior = 1;
+  const int memory = terms > 0 ? terms + 1 : 0;  // filtered p_i, J - 1
+  return state + stress + interior + (D == 3 ? 1 : 0) + memory;
+}
+
+// Ghosts have fits; particles are in frames, and in the cells over which totals are integrated.
+template <int D>
+Cost cost_of(const Case& a_case, const BodyCase& body) {
+  if (a_case.method == Method::total_lagrangian) {
+    // phi, fraction, mass and its inverse; four vectors; the modes of the forces
+    return {value * (4.0 + 4 * D + D * kernels::cell_modes<D>), 0, D == 2 ? 150. : 400.};
+  }
+  return {value * (values_of_slot<D>(body) + 1), D == 2 ? 2500. : 1300., D == 2 ? 180. : 320.};
+}
+
+template <int D>
+Estimate estimate_in(const Case& a_case) {
+  Estimate sum;
+  double bytes = program_bytes;
+  for (const BodyCase& body : a_case.bodies) {
+    const Count count = count_of<D>(a_case, body);
+    const Cost cost = cost_of<D>(a_case, body);
+    const double ghosts = (count.slots - count.particles) / 2;
+    sum.particles += std::llround(count.particles);
+    sum.slots += std::llround(count.slots);
+    bytes += count.slots * cost.slot + ghosts * cost.ghost + count.particles * cost.particle;
+  }
+  sum.bytes = static_cast<std::size_t>(bytes);
+  return sum;
+}
+
+/// Steps between outputs end at them.
+std::int64_t steps_of(const Case& a_case) {
+  const double step = a_case.time.step.value_or(a_case.time.cfl * a_case.discretisation.spacing /
+                                                fastest_wave(a_case));
+  std::int64_t steps = 0;
+  double time = 0;
+  const double end = a_case.time.end;
+  const auto& output = a_case.output;
+  constexpr std::int64_t enough = 1'000'000;  // instants, after which none matters
+  std::array<std::int64_t, 3> passed = {};
+  const std::array<double, 3> every = {output.every, output.measure_every, output.checkpoint_every};
+  for (std::int64_t instant = 0; time < end * (1 - 1e-12) && instant < enough; ++instant) {
+    double next = end;
+    for (int k = 0; k < 3; ++k) {
+      if (every[k] > 0) next = std::min(next, every[k] * static_cast<double>(passed[k] + 1));
+    }
+    for (int k = 0; k < 3; ++k) {
+      if (every[k] > 0 && every[k] * static_cast<double>(passed[k] + 1) <= next) ++passed[k];
+    }
+    steps += std::llround(std::ceil((next - time) / step * (1 - 1e-9)));
+    time = next;
+  }
+  return steps + std::llround(std::ceil((end - time) / step * (1 - 1e-9)));
+}
+
+}  // namespace
+
+Estimate estimate(const Case& a_case) {
+  Estimate size = a_case.dimension == 2 ? estimate_in<2>(a_case) : estimate_in<3>(a_case);
+  size.steps = steps_of(a_case);
+  return size;
+}
+
+std::string Estimate::text() const {
+  return fmt::format("about {} particles in {} slots, {} of memory, {} steps", particles, slots,
+                     memory_text(bytes), steps);
+}
+
+void refuse_what_does_not_fit(const Case& a_case, const Estimate& size, std::size_t available) {
+  if (size.bytes <= available) return;
+  throw InputError(
+      fmt::format("{}: the run needs about {} of memory for {} particles, and {} are available; use "
+                  "a coarser discretisation.spacing, or --force to try",
+                  a_case.name, memory_text(size.bytes), size.particles, memory_text(available)));
+}
+
+std::string memory_text(std::size_t bytes) {
+  const double mega = 1e-6 * static_cast<double>(bytes);
+  return mega < 1000 ? fmt::format("{:.0f} MB", mega) : fmt::format("{:.1f} GB", mega / 1000);
+}
+
+std::string duration_text(double seconds) {
+  if (seconds < 100) return fmt::format("{:.2g} s", seconds);
+  if (seconds < 6000) return fmt::format("{:.0f} min", seconds / 60);
+  if (seconds < 100 * 3600) return fmt::format("{:.1f} h", seconds / 3600);
+  return fmt::format("{:.1f} days", seconds / 86400);
+}
+
+}  // namespace pliant
