@@ -130,7 +130,7 @@ pressure = "10*(1 - exp(-t))"
 )toml");
   ASSERT_EQ(a_case.boundaries.size(), 4U);
   EXPECT_EQ(a_case.boundaries[0].kind, BoundaryCase::Kind::fixed);
-  EXPECT_EQ(a_case.boundaries[1].kind, BoundaryCase::Kind::fixed);
+  EXPECT_EQ(a_case.boundaries[1].kind, BoundaryCase::Kind::moving_wall);
   EXPECT_EQ(a_case.boundaries[1].velocity[1](2), -6);
   EXPECT_EQ(a_case.boundaries[1].geometry.upper, (Vector{infinity, infinity, 0}));
   EXPECT_EQ(a_case.boundaries[2].kind, BoundaryCase::Kind::slip_wall);

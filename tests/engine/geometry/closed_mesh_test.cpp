@@ -6,6 +6,7 @@
 #include <numbers>
 #include <random>
 
+#include "engine/geometry/signed_distance.hpp"
 #include "tests/engine/geometry/meshes.hpp"
 #include "tests/engine/geometry/shapes.hpp"
 
