@@ -8,7 +8,7 @@
 /// Strain energy of one particle, in plain scalars: measured, never stepped.
 namespace pliant::kernels {
 
-/// Elastic energy per current volume of the linear laws at deviatoric stress `s`, (RP.40).
+/// Elastic energy per current volume of the linear laws at deviatoric stress `s`, (RP.62).
 template <class T, int D>
 T linear_energy(const Material<T>& material, const T* s, T density) {
   const T j = material.density / density;
@@ -19,12 +19,12 @@ T linear_energy(const Material<T>& material, const T* s, T density) {
     trace += s[symmetric_index<D>(i, i)];
     for (int k = 0; k < D; ++k) square += s[symmetric_index<D>(i, k)] * s[symmetric_index<D>(i, k)];
   }
-  if (D == 2) square += trace * trace;  // S_zz = -(S_xx + S_yy), (RP.10)
+  if (D == 2) square += trace * trace;  // S_zz = -(S_xx + S_yy), (RP.11)
   return material.bulk_modulus * volumetric / j + square / (4 * material.shear_modulus);
 }
 
 /// Elastic energy per current volume of the reduced polynomial at deformation gradient `f`,
-/// (RP.41).
+/// (RP.63).
 template <class T, int D>
 T polynomial_energy(const Material<T>& material, const T* f) {
   T square = D == 2 ? T(1) : T(0);  // tr F F^T, with F_33 = 1 in plane strain

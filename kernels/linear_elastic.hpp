@@ -6,7 +6,7 @@
 namespace pliant::kernels {
 
 /// dS/dt of (RP.3) at deviatoric stress S and velocity gradient du_i/dx_j. In 2D the strain is
-/// plane: S_zz = -(S_xx + S_yy) and the trace is the trace in the plane (RP.10).
+/// plane: S_zz = -(S_xx + S_yy) and the trace is the trace in the plane (RP.11).
 template <class P, int D>
 inline void jaumann_rate(const P& shear_modulus, const P (&s)[symmetric_components<D>],
                          const P (&gradient)[D][D], P (&rate)[symmetric_components<D>]) {
@@ -49,7 +49,7 @@ inline P linear_pressure(const P& bulk_modulus, const P& relative_density) {
   }
 }
 
-/// c^2 of (RP.11).
+/// c^2 of (RP.12).
 template <Model model, class P>
 inline P linear_wave_speed2(const Material<Scalar<P>>& material, const P& density) {
   using T = Scalar<P>;

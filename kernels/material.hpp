@@ -9,7 +9,7 @@ namespace pliant::kernels {
 /// Constitutive law: (RP.3) with (RP.5) or (RP.6), or (RP.9).
 enum class Model : std::uint8_t { linear_rho, linear_log, reduced_polynomial };
 
-/// Pair weight of the moment-matrix gradient: (RP.14), (RP.15), (RP.16).
+/// Pair weight of the moment-matrix gradient: (RP.15), (RP.16), (RP.17).
 enum class Weight : std::uint8_t { quartic, quartic_polynomial, compact, fourth_order };
 
 /// Slots to each side that a weight reaches on an undeformed lattice: 5 x 5 or 3 x 3 stencils.
@@ -24,21 +24,21 @@ struct Material {
   Model model = Model::linear_rho;
   T density = 1;  ///< rho0 [kg/m^3]
   T bulk_modulus =
-      0;  ///< K = rho0 c0^2 [Pa], (RP.7); 2/D for the reduced polynomial, or K0 of (RP.70)
+      0;  ///< K = rho0 c0^2 [Pa], (RP.7); 2/D for the reduced polynomial, or K0 of (RP.10)
   T shear_modulus = 0;                ///< mu [Pa], (RP.7); 2 C10 for the reduced polynomial
   int order = 0;                      ///< N of (RP.9)
   std::array<T, 5> coefficient = {};  ///< C_n0 [Pa], n = 1..N
   T compressibility = 0;              ///< D [1/Pa]; 2/K0 with Prony terms
 };
 
-/// One term of the Prony series of the bulk modulus, (RP.70).
+/// One term of the Prony series of the bulk modulus, (RP.10).
 template <class T>
 struct PronyTerm {
   T ratio;  ///< g_i
   T time;   ///< tau_i [s]
 };
 
-/// Speed of pressure waves in a material at rest [m/s], (RP.11).
+/// Speed of pressure waves in a material at rest [m/s], (RP.12).
 template <class T>
 T wave_speed_at_rest(const Material<T>& material) {
   return std::sqrt((material.bulk_modulus + material.shear_modulus * T(4) / T(3)) /

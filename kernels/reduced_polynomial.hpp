@@ -38,7 +38,7 @@ template <class P, int D>
 struct IsochoricStrain {
   P volume_ratio;                       ///< J
   P deviator[symmetric_components<D>];  ///< dev B
-  P deviator_zz;                        ///< in plane strain (RP.10); unused in 3D
+  P deviator_zz;                        ///< in plane strain (RP.11); unused in 3D
   P excess;                             ///< I1 - 3
 };
 
@@ -73,7 +73,7 @@ inline IsochoricStrain<P, D> isochoric_strain(const P (&f)[D * D]) {
   return strain;
 }
 
-/// W1 = sum n C_n0 (I1 - 3)^(n-1), and W2 = dW1/dI1, of (RP.11) by Horner's rule.
+/// W1 = sum n C_n0 (I1 - 3)^(n-1), and W2 = dW1/dI1, of (RP.12) by Horner's rule.
 template <class P>
 inline void energy_derivatives(const Material<Scalar<P>>& material, const P& excess, P& first,
                                P& second) {
@@ -113,7 +113,7 @@ inline void polynomial_deviator(const Material<Scalar<P>>& material,
   for (int c = 0; c < symmetric_components<D>; ++c) s[c] = factor * strain.deviator[c];
 }
 
-/// Upper bound of c^2, (RP.11).
+/// Upper bound of c^2, (RP.12).
 template <class P, int D>
 inline P polynomial_wave_speed2(const Material<Scalar<P>>& material,
                                 const IsochoricStrain<P, D>& strain, const P& density) {

@@ -1,4 +1,4 @@
-"""What the moment-matrix gradient (RP.18) alone makes of the waves of the periodic cube.
+"""What the moment-matrix gradient (RP.20) alone makes of the waves of the periodic cube.
 
 On an undisturbed cubic lattice it turns exp(ik.x) into i k' exp(ik.x), along the diagonal with k' = r k, so
 that the waves of a medium without any other error run r times as fast as they should.
@@ -9,7 +9,7 @@ import numpy as np
 
 
 def _polynomial(factor, *coefficients):
-    """(RP.15), (RP.90): factor(t) times a polynomial in t, from the squared distance over h."""
+    """(RP.16), (RP.18): factor(t) times a polynomial in t, from the squared distance over h."""
     def omega(squares):
         t = np.maximum(0, 1 - squares / 6.25)
         return factor(t) * np.polynomial.polynomial.polyval(t, coefficients)
@@ -18,7 +18,7 @@ def _polynomial(factor, *coefficients):
 
 kernels = {
     "quartic_spline_fit": (2, _polynomial(lambda t: t**3, 0.76443, -2.31468, 2.5554)),
-    "compact": (1, lambda squares: np.maximum(0, 1 - squares / 1.75**2)**4),  # (RP.16)
+    "compact": (1, lambda squares: np.maximum(0, 1 - squares / 1.75**2)**4),  # (RP.17)
     "fourth_order": (2, _polynomial(lambda t: t**2, 0.6355763142948405, -6.642571385553331,
                                     21.979141703042178, -30.394221495264024, 15.422074863480338)),
 }

@@ -140,10 +140,10 @@ def cube(run, quick):
     return ("## Periodic cube (section 5, figure 1)\n\n"
             + table(["kernel", "particles", "linear", "order", "gradient alone", "hyperelastic", "order",
                      "gradient alone"], rows)
-            + "\n\"Gradient alone\" is what the dispersion of (RP.18) makes of the waves when all else is exact "
+            + "\n\"Gradient alone\" is what the dispersion of (RP.20) makes of the waves when all else is exact "
             "([dispersion.py](dispersion.py)): with the first two kernels hardly anything else contributes. Where "
             "this error is large it is no longer proportional to that of the wave speed, so that the orders "
-            "between coarse sizes lie on either side of two. With fourth_order the dissipation (RP.43), of third "
+            "between coarse sizes lie on either side of two. With fourth_order the dissipation (RP.23), of third "
             "order, is what is left.\n\n![Error against 1/h](cube.png)\n")
 
 

@@ -133,7 +133,7 @@ class Body:
         return energies
 
     def energies(self):
-        """Momentum along x, kinetic and strain energy, (RP.40), at the time of the places."""
+        """Momentum along x, kinetic and strain energy, (RP.62), at the time of the places."""
         u = self.present_velocity
         j = self.area / self.area0
         xx, yy, xy = np.moveaxis(self.deviator, -1, 0)

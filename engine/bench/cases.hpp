@@ -9,14 +9,14 @@
 namespace pliant::bench {
 
 /// cases/rotating_cylinder with about `particles` interior particles, remeshed every 10 steps, with
-/// the time step of (RP.20) and the default dissipation.
+/// the time step of (RP.29) and the default dissipation.
 Case rotating_cylinder(std::int64_t particles, kernels::Weight kernel);
 
 /// A ball that spins about the z axis, with the material and the settings of the cylinder.
 Case spinning_ball(std::int64_t particles, kernels::Weight kernel);
 
 /// cases/compression_hyperelastic with n x 2n particles, remeshed when the particles have strained
-/// enough, to t = 0.02 with the time step of (RP.20).
+/// enough, to t = 0.02 with the time step of (RP.29).
 Case compression(int n, kernels::Weight kernel);
 
 }  // namespace pliant::bench

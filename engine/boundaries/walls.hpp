@@ -45,7 +45,7 @@ class Wall {
   Point<D> offset_ = {};
 };
 
-/// Pressure on the free surface inside a region, (RP.34).
+/// Pressure on the free surface inside a region, (RP.45).
 template <int D>
 class SurfacePressure {
  public:

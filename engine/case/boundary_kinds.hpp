@@ -31,7 +31,7 @@ inline constexpr auto boundary_kinds = [] {
       {Kind::slip_wall, "slip_wall", true, true, Use::optional, Use::no, Use::no,
        "wall along which the body slides without friction and from which it cannot separate"},
       {Kind::contact_wall, "contact_wall", true, false, Use::optional, Use::optional, Use::no,
-       "wall with unilateral contact: bodies can meet it and separate from it (RP.50)"},
+       "wall with unilateral contact: bodies can meet it and separate from it (RP.52)"},
       {Kind::pressure, "pressure", false, false, Use::no, Use::no, Use::required,
        "pressure on the part of the free surface that lies in a region"},
   });

@@ -22,7 +22,7 @@ struct RigidRotation {
 };
 using InitialVelocity = std::variant<VectorExpression, RigidRotation>;
 
-/// Prony series of the bulk modulus, (RP.70).
+/// Prony series of the bulk modulus, (RP.10).
 struct PronyCase {
   enum class Moduli { long_term, instantaneous };
   std::vector<double> ratios;  ///< g_i
@@ -131,7 +131,7 @@ struct MeasurementCase {
 };
 
 enum class GhostTreatment { linear, averaged, rigid };
-/// Volume of remeshed particles: that of a cell (RP.24), or conserved (RP.25).
+/// Volume of remeshed particles: that of a cell (RP.34), or conserved (RP.35).
 enum class VolumeRule { reset, conserved };
 /// Scalar type of the fields.
 enum class Precision { binary64, binary32 };
@@ -146,7 +146,7 @@ struct Case {
   struct {
     double spacing = 0;  ///< h [m]
     kernels::Weight kernel = kernels::Weight::quartic_polynomial;
-    double dissipation = 0.25;  ///< gamma_d of (RP.43)
+    double dissipation = 0.25;  ///< gamma_d of (RP.23)
   } discretisation;
 
   struct {
@@ -163,16 +163,16 @@ struct Case {
   } total_lagrangian;
 
   struct {
-    double artificial_viscosity = 1;  ///< alpha of (RP.75)
-    double artificial_stress = 0.3;   ///< epsilon of (RP.76)
+    double artificial_viscosity = 1;  ///< alpha of (RP.27)
+    double artificial_stress = 0.3;   ///< epsilon of (RP.28)
   } sph;
 
   struct {
     enum class Policy { every, adaptive, never };
     Policy policy = Policy::adaptive;
     int every = 10;                  ///< steps
-    double strain_threshold = 0.18;  ///< of (RP.28)
-    double filter = 0.2;             ///< gamma of (RP.27)
+    double strain_threshold = 0.18;  ///< of (RP.39)
+    double filter = 0.2;             ///< gamma of (RP.37)
     VolumeRule volume = VolumeRule::reset;
   } remeshing;
 

@@ -35,7 +35,7 @@ void check_places(const Check& check, std::size_t index) {
   }
 }
 
-// What a body has behind a contact wall would be cut off at the first remeshing, (RP.60).
+// What a body has behind a contact wall would be cut off at the first remeshing, (RP.54).
 void check_contact_wall(const Check& check, std::size_t body_index, std::size_t wall_index) {
   const Case& a_case = check.a_case;
   const BodyCase& body = a_case.bodies[body_index];

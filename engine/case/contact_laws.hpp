@@ -21,9 +21,9 @@ struct ContactLawRow {
 
 inline constexpr auto contact_laws = std::to_array<ContactLawRow>({
     {ContactLaw::frictionless, "frictionless", true, true,
-     "unilateral contact without friction (RP.36), (RP.65)"},
+     "unilateral contact without friction (RP.47), (RP.56)"},
     {ContactLaw::no_slip, "no_slip", true, false,
-     "unilateral contact without sliding (RP.35), (RP.65)"},
+     "unilateral contact without sliding (RP.46), (RP.56)"},
     {ContactLaw::tied, "tied", false, false, "permanent bond without sliding or separation"},
 });
 static_assert(is_in_order(contact_laws));

@@ -5,7 +5,7 @@
 namespace pliant {
 
 /// What the kernels read of a material: (RP.7), and for the reduced polynomial the small-strain
-/// moduli K = 2/D, or K0 of (RP.70) where it relaxes, and mu = 2 C_10.
+/// moduli K = 2/D, or K0 of (RP.10) where it relaxes, and mu = 2 C_10.
 kernels::Material<double> elastic_constants(const MaterialCase& given);
 
 /// The terms of its Prony series.

@@ -93,7 +93,7 @@ std::string case_reference_markdown(MethodList methods) {
                     }));
   describer.section("prony",
                     "Bulk viscosity of a reduced polynomial: what its bulk modulus loses in time, "
-                    "(RP.70).",
+                    "(RP.10).",
                     describe_table([](auto& visit) {
                       PronyCase prony;
                       prony_keys(visit, prony);

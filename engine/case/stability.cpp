@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-// (RP.91). A plane wave of the wave number k has the rates lambda = -kappa delta^4(k) +- i c g(k),
+// (RP.30). A plane wave of the wave number k has the rates lambda = -kappa delta^4(k) +- i c g(k),
 // g(k) the gradient operator's answer to it. Runge-Kutta 4 is stable up to 2 sqrt(2) on the
 // imaginary axis and up to 2.785 on the real one.
 namespace pliant {

@@ -8,10 +8,10 @@
 /// How long a time step may be: waves of the material at rest, and the operators that carry them.
 namespace pliant {
 
-/// Speed of the fastest waves of the material at rest, (RP.11), in scaled mass [m/s].
+/// Speed of the fastest waves of the material at rest, (RP.12), in scaled mass [m/s].
 double fastest_wave(const Case& a_case);
 
-/// CFL number up to which steps of the case's method are stable, (RP.91) and (TL.9).
+/// CFL number up to which steps of the case's method are stable, (RP.30) and (TL.9).
 double stable_cfl(const Case& a_case);
 
 /// Longest stable time step [s], by the fastest body at rest; none where the mass is scaled to the

@@ -59,7 +59,7 @@ std::string mesh_lines(const Shape& shape) {
                     box.upper[2]);
 }
 
-/// (RP.11) at rest.
+/// (RP.12) at rest.
 double wave_speed(const BodyCase& body, const Case& a_case) {
   return kernels::wave_speed_at_rest(body.material) /
          std::sqrt(a_case.total_lagrangian.mass_scaling);
@@ -110,7 +110,7 @@ std::string validate_summary(const Case& a_case) {
     text += fmt::format("  boundary {}: {}\n", boundary.name, row_of(boundary.kind).word);
     text += mesh_lines(boundary.geometry);
   }
-  // (RP.20) at rest
+  // (RP.29) at rest
   const double cfl_step = a_case.time.cfl * a_case.discretisation.spacing / fastest;
   const double step = a_case.time.step.value_or(cfl_step);
   text += fmt::format("  time: {} s in about {:.0f} steps of {:.3g} s (CFL number {:.2g}), {}\n",

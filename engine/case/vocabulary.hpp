@@ -21,7 +21,7 @@ namespace pliant {
 template <class Visitor>
 void remeshing_keys(Visitor& visit, decltype(Case::remeshing)& remeshing) {
   visit("every", RemeshRule{remeshing},
-        {.meaning = R"(number of time steps between two remeshings, "adaptive" (RP.28) or "never")",
+        {.meaning = R"(number of time steps between two remeshings, "adaptive" (RP.39) or "never")",
          .unit = "steps",
          .example = "10",
          .limits = at_least_one});
@@ -30,7 +30,7 @@ void remeshing_keys(Visitor& visit, decltype(Case::remeshing)& remeshing) {
          .example = "0.2",
          .limits = {0, 1, false, true, "above 0 and at most 1"}});
   visit("filter", remeshing.filter,
-        {.meaning = "strength of the high-order filter (RP.27); 0 switches it off",
+        {.meaning = "strength of the high-order filter (RP.37); 0 switches it off",
          .example = "0.2",
          .limits = {0, 1, true, true, "from 0 to 1"}});
   visit("volume", remeshing.volume,
@@ -94,7 +94,7 @@ void time_keys(Visitor& visit, decltype(Case::time)& time) {
          .limits = positive,
          .required = true});
   visit("step", StepRule{time.step},
-        {.meaning = R"(time step, or "cfl" to derive it from the wave speed (RP.20))",
+        {.meaning = R"(time step, or "cfl" to derive it from the wave speed (RP.29))",
          .unit = "s",
          .example = "5e-5",
          .limits = positive});
@@ -118,7 +118,7 @@ void discretisation_keys(Visitor& visit, decltype(Case::discretisation)& discret
         {.meaning = "smoothing kernel of the gradients", .example = R"("compact")"});
   visit("dissipation", discretisation.dissipation,
         {.meaning =
-             "strength of the damping of modes that the lattice does not resolve (RP.43); free "
+             "strength of the damping of modes that the lattice does not resolve (RP.23); free "
              "surfaces need it in long runs",
          .example = "0.5",
          .limits = {0, 2, true, true, "from 0 to 2"}});
@@ -127,11 +127,11 @@ void discretisation_keys(Visitor& visit, decltype(Case::discretisation)& discret
 template <class Visitor>
 void sph_keys(Visitor& visit, decltype(Case::sph)& sph) {
   visit("artificial_viscosity", sph.artificial_viscosity,
-        {.meaning = "alpha of the artificial viscosity (RP.75)",
+        {.meaning = "alpha of the artificial viscosity (RP.27)",
          .example = "1",
          .limits = not_negative});
   visit("artificial_stress", sph.artificial_stress,
-        {.meaning = "epsilon of the artificial stress (RP.76), which prevents the tensile "
+        {.meaning = "epsilon of the artificial stress (RP.28), which prevents the tensile "
                     "instability; 0 switches it off",
          .example = "0.3",
          .limits = not_negative});

@@ -21,22 +21,22 @@ inline constexpr std::array words<Precision>{
 
 template <>
 inline constexpr std::array words<kernels::Weight>{
-    word(kernels::Weight::quartic, "quartic_spline", "quartic B-spline, 5 x 5 particles (RP.14)"),
+    word(kernels::Weight::quartic, "quartic_spline", "quartic B-spline, 5 x 5 particles (RP.15)"),
     word(kernels::Weight::quartic_polynomial, "quartic_spline_fit",
          "polynomial fit to the quartic spline within 0.7 %, 5 x 5 particles, about twice as fast "
-         "(RP.15)"),
+         "(RP.16)"),
     word(kernels::Weight::compact, "compact",
          "polynomial over the compact stencil of 3 x 3 particles, the "
-         "fastest (RP.16)"),
+         "fastest (RP.17)"),
     word(kernels::Weight::fourth_order, "fourth_order",
          "gradients of fourth order on a nearly undeformed lattice, for waves, 5 x 5 particles "
-         "(RP.90)")};
+         "(RP.18)")};
 
 template <>
 inline constexpr std::array words<GhostTreatment>{
-    word(GhostTreatment::linear, "linear", "linear fits with current normals (RP.34)"),
-    word(GhostTreatment::averaged, "averaged", "averages, as in Hieber & Koumoutsakos (RP.38)"),
-    word(GhostTreatment::rigid, "rigid", "rigid motion of the neighbours (RP.39)")};
+    word(GhostTreatment::linear, "linear", "linear fits with current normals (RP.45)"),
+    word(GhostTreatment::averaged, "averaged", "averages, as in Hieber & Koumoutsakos (RP.49)"),
+    word(GhostTreatment::rigid, "rigid", "rigid motion of the neighbours (RP.59)")};
 
 /// The words of methods, each with its position in the list as its value.
 inline std::vector<Word> words_of(MethodList methods) {
@@ -49,9 +49,9 @@ inline std::vector<Word> words_of(MethodList methods) {
 
 template <>
 inline constexpr std::array words<VolumeRule>{
-    word(VolumeRule::reset, "reset", "every particle gets the volume of a lattice cell (RP.24)"),
+    word(VolumeRule::reset, "reset", "every particle gets the volume of a lattice cell (RP.34)"),
     word(VolumeRule::conserved, "conserved",
-         "mass, momentum and volume are conserved to rounding (RP.25), for periodic bodies")};
+         "mass, momentum and volume are conserved to rounding (RP.35), for periodic bodies")};
 
 template <>
 inline constexpr std::array words<MaterialCase::Model>{

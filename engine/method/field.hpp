@@ -27,7 +27,7 @@ struct IndexSpaceDeclaration {
   std::string_view name, meaning;
 };
 
-/// How a field crosses to the new lattice, (RP.22) and (RP.23).
+/// How a field crosses to the new lattice, (RP.32) and (RP.33).
 enum class Remeshed { not_at_all, as_density_times_volume, as_mass_mean, as_volume_mean, as_mean };
 
 /// One field of a method, whose enumerations name its fields, index spaces, and groups: a group

@@ -5,7 +5,7 @@
 
 namespace pliant {
 
-/// The given time step of a case, else that of its CFL number (RP.20) [s].
+/// The given time step of a case, else that of its CFL number (RP.29) [s].
 double asked_step(const Case& settings, double wave_speed);
 
 /// Length of the next step [s]: `asked`, or `longest` where that is shorter but for rounding.

@@ -26,11 +26,11 @@ struct ContactPoints {
   std::vector<std::int32_t> ghost;    ///< in the order of the ghosts
   std::vector<std::int32_t> contact;  ///< of the case
   std::vector<T> gap;   ///< to the other body's surface, negative where they overlap [m]
-  std::vector<T> area;  ///< share of the surface, (RP.67) [m^(D-1)]
+  std::vector<T> area;  ///< share of the surface, (RP.68) [m^(D-1)]
   std::vector<std::int64_t> begin;         ///< [contact point + 1] into the two below
   std::vector<std::int32_t> record;        ///< of the other body
   std::vector<T> coefficient;              ///< of its linear fit at the foot point
-  std::vector<std::array<T, D>> traction;  ///< on this body, (RP.65) [Pa]
+  std::vector<std::array<T, D>> traction;  ///< on this body, (RP.56) [Pa]
 
   /// Calls f(field, list) for every list of the contact points.
   template <class F>
@@ -67,7 +67,7 @@ struct BlockGhosts {
   std::vector<std::int8_t> pressure;           ///< acting at the foot point; -1: none
   std::vector<Point<D>> normal;                ///< of the wall
   std::vector<Point<D>> foot;                  ///< foot point at xi = 0 [m]
-  std::vector<kernels::FitTerms<T, D>> terms;  ///< of the fits (RP.32), (RP.33)
+  std::vector<kernels::FitTerms<T, D>> terms;  ///< of the fits (RP.43), (RP.44)
   std::vector<T> constrained_sum;              ///< sum of the coefficients b
   std::vector<T> surface_sum;                  ///< of a: 1, or 0 where the surface ends at a wall
   std::vector<std::int64_t> begin;             ///< [ghost + 1] into the next
@@ -75,11 +75,11 @@ struct BlockGhosts {
   std::vector<std::int64_t> wall_begin;        ///< into the next; -1: free surface
   std::vector<T> wall_distance;                ///< of the particles of walls' ghosts, over h
   /// A slot beyond a contact wall has two ghosts, of the free surface and, next in order, of the
-  /// wall: the latter are listed here. One of the two is active, (RP.50).
+  /// wall: the latter are listed here. One of the two is active, (RP.52).
   std::vector<std::int32_t> contact;
-  /// [contact] of the surface above the wall at xi = 0 and the wall's place at t = 0, (RP.50) [m]
+  /// [contact] of the surface above the wall at xi = 0 and the wall's place at t = 0, (RP.52) [m]
   std::vector<double> contact_height;
-  std::vector<double> contact_area;    ///< [contact] share of the wall, (RP.52) [m^(D-1)]
+  std::vector<double> contact_area;    ///< [contact] share of the wall, (RP.65) [m^(D-1)]
   ContactPoints<T, D> contact_points;  ///< with other bodies
   std::vector<kernels::SurfacePack> packs;
   std::int32_t first_record = 0, record_count = 0;

@@ -85,7 +85,7 @@ struct StateComponent {
 };
 
 /// Where the odd stages keep each component of sigma: in fields of Q2 that only a remeshing and
-/// what follows it write, (RP.19). The last component in 3D has an array of its own.
+/// what follows it write, (RP.21). The last component in 3D has an array of its own.
 template <int D>
 inline constexpr auto odd_stress_storage = [] {
   using F = Field;

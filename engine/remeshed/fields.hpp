@@ -275,7 +275,7 @@ inline constexpr int state_field_count = static_cast<int>(Field::memory_pressure
 inline constexpr std::span<const Declaration> state_fields(field_list.data(), state_field_count);
 
 /// Whether the Runge-Kutta method advances a field of the state: there is a copy for each of its
-/// three stage states, (RP.19).
+/// three stage states, (RP.21).
 constexpr bool is_evolving(const Declaration& field) { return field.copies == 3; }
 
 static_assert(is_in_order(index_spaces, &IndexSpaceDeclaration<IndexSpace>::space,

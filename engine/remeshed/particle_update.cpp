@@ -11,7 +11,7 @@ using namespace resource;
 
 namespace {
 
-/// A copy of the state, Q of (RP.19), in all slots.
+/// A copy of the state, Q of (RP.21), in all slots.
 Resources state(int copy) {
   return slots(Group::drift, copy) + slots(Group::velocity, copy) + slots(Group::material, copy);
 }
@@ -27,7 +27,7 @@ Accesses read_by_update(int stage) {
 }
 
 // Stage 2 leaves Q3 + (Q2 - Q0)/3 where Q0 was. The first stage keeps J - 1, and the last one
-// leaves the new pressures p_i, (RP.71).
+// leaves the new pressures p_i, (RP.22).
 Accesses written_by_update(int stage) {
   Accesses writes =
       own(state(buffer_after(stage)) + slots(Group::stress, 1 - stage % 2) + whole(Group::results));
@@ -52,7 +52,7 @@ ParticleUpdate<T, D>::ParticleUpdate(State<T, D>& state, const Case& settings,
                                      const kernels::RemeshedTable<T, D>& kernels)
     : state_(state), settings_(settings), kernels_(kernels) {}
 
-// (RP.71), to the time of the state that each stage leaves behind.
+// (RP.22), to the time of the state that each stage leaves behind.
 template <class T, int D>
 void ParticleUpdate<T, D>::prepare(double time_step) {
   time_step_ = time_step;

@@ -28,7 +28,7 @@ class ParticleUpdate {
   /// Fixes the time step [s].
   void prepare(double time_step);
 
-  /// Rates (RP.12) by (RP.18), or by (RP.73) and (RP.74), the next stage state (RP.19) and its
+  /// Rates (RP.13) by (RP.20), or by (RP.25) and (RP.26), the next stage state (RP.21) and its
   /// stress.
   /// With `pairs`, the sums of plain SPH over lists of neighbours.
   kernels::StageResult advance(int block, int stage,

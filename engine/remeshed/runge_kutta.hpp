@@ -2,7 +2,7 @@
 
 #include <array>
 
-/// The stages s = 0..3 of a step, (RP.19).
+/// The stages s = 0..3 of a step, (RP.21).
 namespace pliant::remeshed {
 
 /// When the state of a stage is, and when the one that it leaves behind, in time steps.

@@ -16,7 +16,7 @@ struct Clock : StepClock {
   std::int64_t remeshings = 0;
   std::int64_t steps_since_remeshing = 0;
   std::int64_t steps_since_reinitialisation = 0;
-  double accumulated_strain = 0;  ///< of (RP.28), since the last remeshing
+  double accumulated_strain = 0;  ///< of (RP.39), since the last remeshing
 };
 
 /// Of a body in contact, see momentum_correction.hpp.

@@ -7,33 +7,33 @@
 
 // A step of the remeshed Lagrangian particle method (H&K, sections 2 and 4).
 //
-// Each of the four stages of the Runge-Kutta method (RP.19) takes a `current` copy of the state
+// Each of the four stages of the Runge-Kutta method (RP.21) takes a `current` copy of the state
 // (Q0, Q2, Q3, and Q4, which lies where Q2 was) to the `next` one:
 //
 //     image positions   periodic bodies: drift of the slots beyond a period
-//     surface           grad phi of the particles near the surface (RP.81); their u, sigma,
+//     surface           grad phi of the particles near the surface (RP.61); their u, sigma,
 //                       grad phi and p go side by side into surface records
 //     contact           contact walls, first stage: which ghosts beyond the wall the body
-//                       presses on, (RP.50)
+//                       presses on, (RP.52)
 //     contact search: samples   contact between bodies, first stage: surface particles and
 //                       ghosts of each block, with their positions
 //     contact search: cells     those of a body in a cell list, if its box meets another one
 //     contact search: points    ghosts whose foot point lies on another body, and the fit of
-//                       that body there, (RP.69)
-//     tractions         contact between bodies: tractions at the contact points, (RP.65)
+//                       that body there, (RP.58)
+//     tractions         contact between bodies: tractions at the contact points, (RP.56)
 //     ghosts            velocity and stress of each ghost from the surface records: free
-//                       surfaces with their present normal (RP.37), (RP.34), walls (RP.35),
-//                       (RP.36), as the paper (RP.38); contact walls release the ghosts that
+//                       surfaces with their present normal (RP.48), (RP.45), walls (RP.46),
+//                       (RP.47), as the paper (RP.49); contact walls release the ghosts that
 //                       they would pull
 //     images            periodic bodies: velocity and stress of the slots beyond a period
-//     advance           grad u and div sigma of every particle by the moment matrix (RP.18),
-//                       its rates (RP.12), the next state and the stress that belongs to it
+//     advance           grad u and div sigma of every particle by the moment matrix (RP.20),
+//                       its rates (RP.13), the next state and the stress that belongs to it
 //                       (RP.3)-(RP.9)
 //
 // After the last stage:
 //
 //     momentum          contact between bodies: the momentum of each body, its momentum budget
-//                       (RP.67), and the small velocity that makes the two equal (RP.68)
+//                       (RP.68), and the small velocity that makes the two equal (RP.69)
 //
 // A step only follows particles. remesh.cpp moves them back onto the lattice; solver.cpp decides
 // when that is due. The rows below say what each phase reads (of its own block; of the neighbouring
@@ -126,7 +126,7 @@ void Step<T, D>::add_ghosts(std::vector<Phase>& phases, int stage, bool all_of_t
   }
 }
 
-// Rigid ghosts (RP.39) read the particles themselves. Ghosts that no particle reads drift with the
+// Rigid ghosts (RP.59) read the particles themselves. Ghosts that no particle reads drift with the
 // velocities of earlier stages, instead of with a fit of their own.
 template <class T, int D>
 Accesses Step<T, D>::read_by_ghosts(int stage, bool all_of_them) const {
@@ -150,8 +150,8 @@ Accesses Step<T, D>::written_by_ghosts(int stage) const {
 }
 
 // Neighbours that a search has found may belong to any block: particles far apart on the lattice
-// may have come near. Everything else in a step stays on the lattice: fourth differences (RP.43)
-// and grad phi of surface particles (RP.81) follow material lines, and ghosts keep their fits.
+// may have come near. Everything else in a step stays on the lattice: fourth differences (RP.23)
+// and grad phi of surface particles (RP.61) follow material lines, and ghosts keep their fits.
 template <class T, int D>
 void Step<T, D>::add_advance(std::vector<Phase>& phases, int stage) {
   for (const bool are_listed : {false, true}) {

@@ -7,12 +7,12 @@
 /// exact integrals.
 namespace pliant {
 
-/// (RP.62): moving average over `duration` [s], by the ends of the samples, where its magnitude is
+/// (RP.66): moving average over `duration` [s], by the ends of the samples, where its magnitude is
 /// largest; with its sign. NaN while the samples cover less than the duration.
 double peak_moving_average(std::span<const double> time, std::span<const double> value,
                            double duration);
 
-/// (RP.63): end of the last sample whose magnitude exceeds `fraction` of the largest magnitude; NaN
+/// (RP.67): end of the last sample whose magnitude exceeds `fraction` of the largest magnitude; NaN
 /// while all are zero.
 double last_time_above(std::span<const double> time, std::span<const double> value,
                        double fraction);

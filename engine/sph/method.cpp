@@ -29,7 +29,7 @@ void check(const Check& check) {
 
 RegisteredMethod method() {
   return {
-      {"sph", "plain SPH without ghosts or remeshing, the baseline of the paper (RP.73), (RP.74)",
+      {"sph", "plain SPH without ghosts or remeshing, the baseline of the paper (RP.25), (RP.26)",
        check},
       make_solver<Solver>};
 }

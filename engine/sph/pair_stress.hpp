@@ -5,7 +5,7 @@
 
 #include "engine/remeshed/body.hpp"
 
-/// What the pair forces (RP.74) of plain SPH read.
+/// What the pair forces (RP.26) of plain SPH read.
 namespace pliant::sph {
 
 /// The stress of a body's particles as pair forces need it.
@@ -13,7 +13,7 @@ template <class T, int D>
 struct PairStress {
   using Tensor = std::array<Buffer<T>, kernels::symmetric_components<D>>;
   Tensor scaled;      ///< sigma/rho^2 [m^5/(kg s^2)]
-  Tensor artificial;  ///< R of (RP.76) [m^5/(kg s^2)]
+  Tensor artificial;  ///< R of (RP.28) [m^5/(kg s^2)]
 
   void grow(std::int64_t slots) {
     for (Tensor* tensor : {&scaled, &artificial}) {
@@ -31,12 +31,12 @@ struct PairStress {
 };
 
 /// Finds the pair stress of a block's particles at a stage; `artificial_stress` is epsilon of
-/// (RP.76).
+/// (RP.28).
 template <class T, int D>
 void find_pair_stress(const remeshed::Body<T, D>& body, int block, int stage,
                       double artificial_stress, PairStress<T, D>& pair_stress);
 
-/// A view of the pair stress for the kernel, with the viscosity of (RP.75): beta = 2 alpha, c of
+/// A view of the pair stress for the kernel, with the viscosity of (RP.27): beta = 2 alpha, c of
 /// the material at rest.
 template <class T, int D>
 kernels::SymmetricPairs<T, D> symmetric_pairs(const remeshed::Body<T, D>& body,

@@ -4,11 +4,11 @@
 #include "engine/remeshed/resources.hpp"
 
 // A step of plain SPH, the baseline of H&K. For each of the four stages of the Runge-Kutta method
-// (RP.19):
+// (RP.21):
 //
-//     pair stress       sigma/rho^2 of every particle, and its artificial stress (RP.76)
-//     advance           grad u by (RP.73) and the forces of the pairs (RP.74), (RP.75) over
-//                       lists of neighbours, the rates (RP.12), the next state and the stress
+//     pair stress       sigma/rho^2 of every particle, and its artificial stress (RP.28)
+//     advance           grad u by (RP.25) and the forces of the pairs (RP.26), (RP.27) over
+//                       lists of neighbours, the rates (RP.13), the next state and the stress
 //                       that belongs to it (RP.3)-(RP.9)
 //
 // There are no ghosts: particles at a free surface simply have fewer neighbours. The lists are made

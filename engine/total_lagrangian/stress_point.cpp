@@ -62,7 +62,7 @@ StressPoint<D> stress_point(const Body<T, D>& body, std::int64_t slot, const Cel
   }
   const double volume = body.fraction[slot] * std::pow(h, D);
   const double resistance = hourglass * modulus * volume * 8 / (3.0 * (1 << 2 * D) * h * h);
-  // The energy of (RP.41) is per current volume.
+  // The energy of (RP.63) is per current volume.
   point.energy =
       volume * point.volume_ratio * kernels::polynomial_energy<double, D>(material, f.data()) +
       resistance * squares / 2;

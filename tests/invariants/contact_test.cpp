@@ -68,7 +68,7 @@ TEST(contact, the_map_of_the_pressure_adds_up_to_the_force) {
   }
 }
 
-// (RP.50): in every stage.
+// (RP.52): in every stage.
 TEST(contact, the_wall_never_pulls) {
   for (const char* friction : {"frictionless", "no_slip"}) {
     Solver solver(bouncing_disc({std::string("boundary.wall.friction=") + friction}),
@@ -84,7 +84,7 @@ TEST(contact, the_wall_never_pulls) {
   }
 }
 
-// The level set ends at the wall, (RP.60): the body neither enters it nor stays behind.
+// The level set ends at the wall, (RP.54): the body neither enters it nor stays behind.
 TEST(contact, the_surface_lies_on_the_wall_where_it_touches) {
   Solver solver(bouncing_disc({}), {2, kernels::widest_supported()});
   advance_until(solver, 0.05);

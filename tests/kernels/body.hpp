@@ -94,7 +94,7 @@ struct Body {
   T dissipation = T(0.7);
   const NeighbourLists<D>* neighbours = nullptr;
   Field<T> mass;
-  std::vector<State<T, D>> states;  ///< Q0, Q2, Q3, Q4 of (RP.19)
+  std::vector<State<T, D>> states;  ///< Q0, Q2, Q3, Q4 of (RP.21)
 };
 
 /// A box of at least 10 cells in every direction.

@@ -22,7 +22,7 @@ Material<double> liver() {
   return material;
 }
 
-/// (RP.41), per reference volume.
+/// (RP.63), per reference volume.
 double energy(const Material<double>& material, const Deformation& f) {
   const double j = f.determinant();
   const double excess = std::pow(j, -2. / 3) * (f * f.transpose()).trace() - 3;

@@ -89,7 +89,7 @@ Matrix<D> hooke_inverse(const Material<T>& material, const Matrix<D>& stress) {
   return strain;
 }
 
-/// Rates of an interior particle of a body in state `q`: (RP.12), (RP.3) or (RP.8), and (RP.43).
+/// Rates of an interior particle of a body in state `q`: (RP.13), (RP.3) or (RP.8), and (RP.23).
 template <class T, int D>
 Rates<D> reference_rates(const Body<T, D>& body, const State<T, D>& q, const Segment<D>& segment,
                          std::int64_t p) {
@@ -117,7 +117,7 @@ Rates<D> reference_rates(const Body<T, D>& body, const State<T, D>& q, const Seg
     }
   }
   const Matrix<D> inverse = moment.inverse();
-  Matrix<D> relaxation;  // (RP.43)
+  Matrix<D> relaxation;  // (RP.23)
   for (int i = 0; i < D; ++i) {
     for (int j = 0; j < D; ++j) {
       const Field<T>& stress = q.stress[symmetric_index<D>(i, j)];

@@ -14,7 +14,7 @@ namespace {
 
 using scheduler::Phase;
 
-// (RP.65): time in which a gap or an overlap is to vanish [h/c]: shorter rings, longer lets bodies
+// (RP.56): time in which a gap or an overlap is to vanish [h/c]: shorter rings, longer lets bodies
 // sink in.
 constexpr double closing_time = 10;
 

@@ -12,9 +12,9 @@
 //         body a         Ghosts of a body stay those of its own surface. Where the foot point of
 //         one
 //     \___________/      lies on another body too, the surface is not free there: it carries the
-//      g g x x g g       traction (RP.65) that two half spaces with the states of the two bodies at
+//      g g x x g g       traction (RP.56) that two half spaces with the states of the two bodies at
 //         /-----\        that point would exert on each other at once (a Riemann problem), and
-//          body b        the ghost is that of a loaded surface, (RP.66).
+//          body b        the ghost is that of a loaded surface, (RP.57).
 //
 // Nothing is shared but that traction: each body keeps its lattice, its level set and its
 // particles, remeshes by itself, and materials never mix. A bonded interface is the same without
@@ -22,7 +22,7 @@
 //
 // Each side finds the traction at its own foot points, and what each of them does to its particles
 // is right to the order of the method, not to rounding. The momentum that crosses is therefore
-// booked once for each pair, as the mean of what the two sides say, (RP.67), and each body holds to
+// booked once for each pair, as the mean of what the two sides say, (RP.68), and each body holds to
 // its book: body_momentum.hpp.
 namespace pliant::remeshed {
 
@@ -40,7 +40,7 @@ class BodyContact {
   void add_tractions(std::vector<scheduler::Phase>& phases, int stage);
 
   void prepare(double time_step);
-  /// (RP.67): impulse of each contact on the second of its bodies in the step [N s], folded over
+  /// (RP.68): impulse of each contact on the second of its bodies in the step [N s], folded over
   /// the blocks in their order.
   const std::vector<Point<D>>& fold();
 

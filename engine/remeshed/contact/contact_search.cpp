@@ -24,7 +24,7 @@ constexpr double apart = std::numeric_limits<double>::infinity();
 /// Partition of unity over the layers of ghosts: 1 at `centre`, 0 one spacing away.
 double hat(double distance, double centre) { return std::max(0., 1 - std::abs(distance - centre)); }
 
-/// (RP.67): share of the surface of a ghost at `distance` from it, both over h.
+/// (RP.68): share of the surface of a ghost at `distance` from it, both over h.
 template <int D>
 double surface_share(double distance) {
   if constexpr (D == 2) return 2 * hat(distance, 1) - hat(distance, 2);

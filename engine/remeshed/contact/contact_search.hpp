@@ -11,7 +11,7 @@ namespace pliant::remeshed {
 template <class T, int D>
 class OpposingFit;
 
-/// Finds where bodies touch, (RP.69), at the start of each step: particles of different bodies have
+/// Finds where bodies touch, (RP.58), at the start of each step: particles of different bodies have
 /// no fixed neighbours among each other, so that a search by position finds them. Three phases:
 ///
 ///     samples   surface particles and ghosts of each block, with their positions

@@ -13,9 +13,9 @@
 // remeshing changes which nodes are inside and what they weigh. Both errors are those of the
 // method, some tenths of a percent of what the body is doing, and vanish with h; but nothing makes
 // those of two bodies cancel. Each body in contact therefore has a momentum budget, which changes
-// by the impulses of contacts alone, (RP.67): one number, added to one body and taken from the
+// by the impulses of contacts alone, (RP.68): one number, added to one body and taken from the
 // other. After each step and each remeshing one small velocity is added to all particles of a body,
-// so that their mean velocity is that of the budget, (RP.68). This changes no strain, no stress and
+// so that their mean velocity is that of the budget, (RP.69). This changes no strain, no stress and
 // no relative motion.
 //
 // The mass of a body in its budget is that at t = 0, whatever the masses of its particles add up
@@ -55,7 +55,7 @@ class MomentumCorrection {
   std::vector<Point<D>> shift_;  ///< [body] [m/s]
 };
 
-/// (RP.68) of one body from its particles [N s]; needs a momentum budget.
+/// (RP.69) of one body from its particles [N s]; needs a momentum budget.
 template <class T, int D>
 Point<D> budget_momentum(const State<T, D>& state, int body);
 

@@ -10,7 +10,7 @@ namespace pliant::remeshed {
 
 inline constexpr double contact_fit_radius = 2.6;  ///< [h] of fits, as that of ghosts
 
-/// Fits of another body about a point, (RP.65), (RP.69). Keeps its room, so that a warm
+/// Fits of another body about a point, (RP.56), (RP.58). Keeps its room, so that a warm
 /// search allocates nothing.
 template <class T, int D>
 class OpposingFit {

@@ -18,29 +18,29 @@
 // let go there and then.
 //
 // No penalty stiffness, so no number to choose and no shorter time step: the wall acts through the
-// ghosts of (RP.35) and (RP.36) alone.
+// ghosts of (RP.46) and (RP.47) alone.
 namespace pliant::remeshed {
 
-/// (RP.50): which ghost of each slot of a block beyond a contact wall is active, at the start of a
+/// (RP.52): which ghost of each slot of a block beyond a contact wall is active, at the start of a
 /// step, from the records of the surface particles and from which one was active before. The kinds
 /// of the slots tell it to the next remeshing. Deciding twice decides the same.
 template <class T, int D>
 void decide_contact(Body<T, D>& body, int block, const Boundaries<D>& boundaries,
                     const BoundaryValues<D>& values, const kernels::RemeshedTable<T, D>& kernels);
 
-/// (RP.50): lets go of the slots of a block where the wall would pull in the present stage.
+/// (RP.52): lets go of the slots of a block where the wall would pull in the present stage.
 template <class T, int D>
 void release_contact(Body<T, D>& body, int block, const Boundaries<D>& boundaries,
                      const BoundaryValues<D>& values, const kernels::RemeshedTable<T, D>& kernels);
 
-/// (RP.52): adds the push of each contact wall on the ghosts of a block during `duration` [s] to
+/// (RP.65): adds the push of each contact wall on the ghosts of a block during `duration` [s] to
 /// impulse[wall], from the records of the surface particles.
 template <class T, int D>
 void add_impulse(const Body<T, D>& body, int block, const Boundaries<D>& boundaries,
                  const BoundaryValues<D>& values, double duration,
                  const kernels::RemeshedTable<T, D>& kernels, Point<D>* impulse);
 
-/// (RP.61): [slot] of the contact ghosts nearest to the wall, the pressure of the wall on the body
+/// (RP.55): [slot] of the contact ghosts nearest to the wall, the pressure of the wall on the body
 /// at their feet [Pa], from the records that filling the ghosts has left; 0 of all other slots.
 template <class T, int D>
 std::vector<double> wall_pressure(const Body<T, D>& body, const Boundaries<D>& boundaries,

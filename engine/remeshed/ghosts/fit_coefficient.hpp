@@ -5,7 +5,7 @@
 
 namespace pliant::remeshed {
 
-/// Coefficient of (RP.32) of the k-th particle of all ghosts of a block, which is one of ghost g;
+/// Coefficient of (RP.43) of the k-th particle of all ghosts of a block, which is one of ghost g;
 /// `polynomial` is `linear` or `surface` of its terms.
 template <class T, int D>
 T fit_coefficient(const BlockGhosts<T, D>& ghosts, std::size_t g, std::int64_t k,

@@ -13,7 +13,7 @@ namespace pliant::remeshed {
 
 namespace {
 
-// (RP.39): the mean rigid motion of the neighbours, taken at the ghost.
+// (RP.59): the mean rigid motion of the neighbours, taken at the ghost.
 template <class T, int D>
 std::array<T, D> rigid_velocity(const Body<T, D>& body, const FieldStore<T, D>& state,
                                 const BlockGhosts<T, D>& ghosts, std::size_t g) {

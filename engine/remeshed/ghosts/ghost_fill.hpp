@@ -8,20 +8,20 @@ namespace pliant::remeshed {
 enum class WhichGhosts { all, reached };
 
 /// Velocity and stress of a block's ghosts in stage buffer `stage` from the records of the surface
-/// particles, (RP.34)-(RP.39).
+/// particles, (RP.45)-(RP.49), (RP.59).
 template <class T, int D>
 void fill_ghosts(Body<T, D>& body, int block, int stage, int parity, WhichGhosts which,
                  const Boundaries<D>& boundaries, const BoundaryValues<D>& values,
                  GhostTreatment treatment, const kernels::RemeshedTable<T, D>& kernels);
 
-/// Velocity of the ghosts that no stencil reaches: by (RP.32) or (RP.39) u0 and u1 in the stages 0
+/// Velocity of the ghosts that no stencil reaches: by (RP.43) or (RP.59) u0 and u1 in the stages 0
 /// and 1, and (4 u1 - u0)/3 in both others, with which the Runge-Kutta method moves them by dt u1,
-/// (RP.80).
+/// (RP.60).
 template <class T, int D>
 void drift_ghosts(Body<T, D>& body, int block, int stage, GhostTreatment treatment,
                   const kernels::RemeshedTable<T, D>& kernels);
 
-/// Density, material state and displacement of a block's ghosts by the linear fit (RP.32), and
+/// Density, material state and displacement of a block's ghosts by the linear fit (RP.43), and
 /// v = h^d: what remeshing scatters.
 template <class T, int D>
 void fill_conserved(Body<T, D>& body, int block);

@@ -98,7 +98,7 @@ class GhostFinder {
                                    std::max(0., 1 - std::abs(distance / h + 1)));
   }
 
-  // What was decided for a slot before this remeshing, (RP.50).
+  // What was decided for a slot before this remeshing, (RP.52).
   bool touched(const Cell<D>& cell) const {
     const Population<T, D>& before = body_.population;
     if (before.layout.blocks().empty()) return false;

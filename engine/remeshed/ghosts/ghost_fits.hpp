@@ -18,7 +18,7 @@ struct GhostSearch {
   const kernels::RemeshedTable<T, D>& kernels;
 };
 
-/// Finds the ghosts of a block and the terms of their fits, (RP.32), (RP.33), (RP.38), and
+/// Finds the ghosts of a block and the terms of their fits, (RP.43), (RP.44), (RP.49), and
 /// marks the particles that they read in `used`. Ghosts that some particle's stencil reaches, and
 /// all of walls, come first.
 template <class T, int D>

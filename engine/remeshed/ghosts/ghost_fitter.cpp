@@ -11,13 +11,13 @@ namespace pliant::remeshed {
 
 namespace {
 
-constexpr double fit_radius = 2.6;   // [h], of (RP.32)
-constexpr double mean_radius = 2.5;  // [h], of (RP.38)
+constexpr double fit_radius = 2.6;   // [h], of (RP.43)
+constexpr double mean_radius = 2.5;  // [h], of (RP.49)
 constexpr double widening = 1.3;
 constexpr int most_widenings = 5;
 // How much less far fits look along the surface than into the body near a contact wall: what holds
 // the body ends at the edge of contact, and a fit that looks across it takes what it sees there for
-// a jump at the surface, which (RP.44) and (RP.45) damp.
+// a jump at the surface, which (RP.50) and (RP.51) damp.
 constexpr double narrowing = 1.5;
 
 }  // namespace
@@ -214,7 +214,7 @@ void GhostFitter<T, D>::average(const Cell<D>& cell) {
   append(ghost, mean, 0);
 }
 
-// The weight of (RP.32), and the cell next to the foot point from which the particles' are counted.
+// The weight of (RP.43), and the cell next to the foot point from which the particles' are counted.
 template <class T, int D>
 void GhostFitter<T, D>::place(const Waiting& ghost, Terms& terms) {
   const Position<D> broad = ghost.reach.broad();

@@ -19,9 +19,9 @@ class GhostFitter {
               const LevelSet<T, D>& level_set, const Boundaries<D>& boundaries,
               const kernels::RemeshedTable<T, D>& kernels, std::int32_t* used);
 
-  /// (RP.32) and (RP.33) about a foot point; `wall` is nullptr at a free surface.
+  /// (RP.43) and (RP.44) about a foot point; `wall` is nullptr at a free surface.
   void fit(const FitSite<D>& site, const Point<D>& foot, const Wall<D>* wall);
-  /// (RP.38)
+  /// (RP.49)
   void average(const Cell<D>& cell);
   /// Fits the ghosts that still wait.
   void finish();
@@ -36,7 +36,7 @@ class GhostFitter {
     Point<D> centre;  ///< foot point in cells
     FitReach<D> reach;
     const Wall<D>* wall;
-    bool curved;        ///< the fit (RP.33) has its last term
+    bool curved;        ///< the fit (RP.44) has its last term
     bool at_rim;        ///< where the free surface meets a wall
     bool near_contact;  ///< with a wall
     FitParticles<D> particles;

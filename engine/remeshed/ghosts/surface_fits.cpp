@@ -67,7 +67,7 @@ class ConstrainedBasis {
   std::array<Position<D>, D - 1> tangent_;
 };
 
-/// (RP.32) at the ghost and at the foot point, in {1, x, y[, z]} or {1, n.x}.
+/// (RP.43) at the ghost and at the foot point, in {1, x, y[, z]} or {1, n.x}.
 template <int N, int D, class Basis>
 bool solve_linear(const FitParticles<D>& particles, const Basis& basis, const Position<D>& ghost,
                   Eigen::Matrix<double, N, 2>& x) {

@@ -45,7 +45,7 @@ struct FitReach {
   Position<D> broad() const { return std::sqrt(narrowing * narrowing - 1) / radius * normal; }
 };
 
-/// (RP.32) at the ghost, `linear` of the terms, and at the foot point, their `surface`. False, as
+/// (RP.43) at the ghost, `linear` of the terms, and at the foot point, their `surface`. False, as
 /// the others, where the particles do not determine the fit.
 template <class T, int D>
 bool fit_in_all_directions(const FitParticles<D>& particles, const FitSite<D>& site,
@@ -56,7 +56,7 @@ template <class T, int D>
 bool fit_along_normal(const FitParticles<D>& particles, const FitSite<D>& site,
                       kernels::FitTerms<T, D>& terms);
 
-/// (RP.33) at the ghost, `constrained` of the terms; its last term, the square of the distance,
+/// (RP.44) at the ghost, `constrained` of the terms; its last term, the square of the distance,
 /// only if `curved`.
 template <class T, int D>
 bool fit_constrained(const FitParticles<D>& particles, const FitSite<D>& site, bool curved,

@@ -7,7 +7,7 @@
 
 namespace pliant::remeshed {
 
-/// Tensor-product cubic interpolation of a slot field, (RP.30). Positions are in cells: node c lies
+/// Tensor-product cubic interpolation of a slot field, (RP.41). Positions are in cells: node c lies
 /// at c; gradients are per cell.
 template <class T, int D>
 class CubicInterpolant {

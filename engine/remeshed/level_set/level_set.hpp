@@ -7,12 +7,12 @@
 #include "engine/remeshed/level_set/wall_extension.hpp"
 #include "engine/storage/buffer.hpp"
 
-/// The level set of a body on a fresh lattice: phi < 0 inside, (RP.29).
+/// The level set of a body on a fresh lattice: phi < 0 inside, (RP.40).
 ///
 ///     near     abs(phi) <= 1.8 h: what remeshing gave is kept, or, when reinitialisation is due,
-///              replaced by the distance to the closest point of the zero set (RP.30)
+///              replaced by the distance to the closest point of the zero set (RP.41)
 ///     layers   further out, rebuilt at every remeshing: each layer takes the closest point of a
-///              neighbour nearer to the surface and polishes it (RP.30)
+///              neighbour nearer to the surface and polishes it (RP.41)
 ///     beyond   the sign alone, times `far`
 ///
 /// All of it for phi continued behind walls, see wall_extension.hpp.

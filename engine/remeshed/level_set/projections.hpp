@@ -8,7 +8,7 @@
 
 namespace pliant::remeshed {
 
-/// Nodes on their way to the zero set of a slot field, (RP.30). Positions are in cells.
+/// Nodes on their way to the zero set of a slot field, (RP.41). Positions are in cells.
 ///
 /// In single precision they are kept from a cell nearby, because the position in a far cell would
 /// leave few digits for the place in it.

@@ -52,7 +52,7 @@ struct BodyNeighbours {
   double strain_rate = 0;  ///< max abs(eps)_F in the last step [1/s]
 
   bool are_listed = false;    ///< whether neighbours come from a search; else from the stencil
-  double complete_until = 0;  ///< strain from which on they may miss some, (RP.47)
+  double complete_until = 0;  ///< strain from which on they may miss some, (RP.24)
   double coming_strain = 0;   ///< allowed to the next step
   bool is_measuring_due = false, is_search_due = false;
 

@@ -19,11 +19,11 @@
 //
 // whose size is at most max abs(eps)_2 <= max abs(eps)_F. With E the sum of dt max abs(eps)_F,
 //
-//     r(E2) >= r(E1) exp(-(E2 - E1)).                                                      (RP.47)
+//     r(E2) >= r(E1) exp(-(E2 - E1)).                                                      (RP.24)
 //
 // Outside the stencil r(0) >= (n + 1) h: it is complete while (n + 1) h exp(-E) >= R. The bound is
 // that of the worst place and the worst direction all along, so that it mostly comes true much too
-// early. Then the closest pair among those n + 1 slots apart is measured, from which (RP.47) goes
+// early. Then the closest pair among those n + 1 slots apart is measured, from which (RP.24) goes
 // on; those n + 2 apart are still bounded by r(0). Where a pair has come too near, neighbours are
 // searched for in space, within R + s: what is found is complete while
 // (R + s) exp(-(E - E_search)) >= R.
@@ -34,7 +34,7 @@
 // step above the stability limit strains without end. And a tenth of each bound is kept back for
 // what eps at the particles does not show: motion between them, and that the sum over steps is no
 // integral. Ghosts move with the velocities that they show to the particles beside them, whose eps
-// contains them. Parts of a body that meet across a void are no pairs of (RP.47); they become
+// contains them. Parts of a body that meet across a void are no pairs of (RP.24); they become
 // neighbours at the next search.
 namespace pliant::remeshed {
 

@@ -9,7 +9,7 @@
 
 namespace pliant::remeshed {
 
-/// Strain of (RP.47) up to which no slot from outside the stencil can be within the support: 0.16,
+/// Strain of (RP.24) up to which no slot from outside the stencil can be within the support: 0.16,
 /// with the compact weight 0.12.
 double stencil_strain(kernels::Weight weight);
 

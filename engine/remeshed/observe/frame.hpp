@@ -7,7 +7,7 @@
 namespace pliant::remeshed {
 
 /// The particles of a state as viewers see them, ghosts and surfaces as an option; with ghosts and
-/// contact walls the pressure of these too, (RP.61). SI units; stresses have their zz component in
+/// contact walls the pressure of these too, (RP.55). SI units; stresses have their zz component in
 /// plane strain too. Surfaces are those of `find_nodes`: between remeshings, of a remeshed copy.
 template <class T, int D>
 Frame take_frame(const State<T, D>& state, const kernels::RemeshedTable<T, D>& kernels,

@@ -10,7 +10,7 @@ namespace pliant::remeshed {
 namespace {
 
 constexpr int sub_cells = 10;          // to a side, of a cell that the surface may cut
-constexpr double coverage_slope = 10;  // (RP.31)
+constexpr double coverage_slope = 10;  // (RP.42)
 const double gauss = 0.5 / std::sqrt(3.0);
 
 // Values of one node and their central differences [per cell].

@@ -6,7 +6,7 @@
 
 namespace pliant::remeshed {
 
-/// Over {phi < 0} in front of every wall, (RP.31), (RP.40)-(RP.42).
+/// Over {phi < 0} in front of every wall, (RP.42), (RP.62), (RP.63), (RP.70).
 template <class T, int D>
 BodyIntegrals integrate(const LatticeView<T, D>& view, const Boundaries<D>& boundaries,
                         const Vector& about);

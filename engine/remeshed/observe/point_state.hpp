@@ -52,7 +52,7 @@ auto by_law(const kernels::Material<T>& material, const FieldStore<T, D>& fields
   }
 }
 
-/// sum p_i of (RP.70) [Pa].
+/// sum p_i of (RP.10) [Pa].
 template <class T, int D>
 T memory_pressure(const FieldStore<T, D>& fields, std::int64_t slot) {
   T sum = 0;
@@ -60,7 +60,7 @@ T memory_pressure(const FieldStore<T, D>& fields, std::int64_t slot) {
   return sum;
 }
 
-/// p of (RP.5), (RP.6), (RP.9) or (RP.70) [Pa].
+/// p of (RP.5), (RP.6), (RP.9) or (RP.10) [Pa].
 template <class T, int D>
 T pressure(const Body<T, D>& body, const FieldStore<T, D>& fields, std::int64_t slot) {
   const kernels::Material<T>& material = body.material;
@@ -87,7 +87,7 @@ std::array<T, kernels::symmetric_components<D>> stress(const Body<T, D>& body,
   });
 }
 
-/// Elastic energy per current volume [J/m^3], (RP.40), (RP.41) or (RP.72); in double precision,
+/// Elastic energy per current volume [J/m^3], (RP.62), (RP.63) or (RP.64); in double precision,
 /// because it is the square of a small strain.
 template <class T, int D>
 double energy_density(const Body<T, D>& body, const FieldStore<T, D>& fields, std::int64_t slot) {

@@ -17,15 +17,15 @@
 // Over the blocks of the new lattice:
 //
 //     remesh: scatter   M4' sums over particles and ghosts at the new nodes, and the fields from
-//                       them (RP.21)-(RP.26)
+//                       them (RP.31)-(RP.36)
 //     remesh: images    periodic bodies: slots beyond a period repeat the nodes one period away
-//     remesh: filter    high-order filter (RP.27)
+//     remesh: filter    high-order filter (RP.37)
 //     level set: walls  phi continued through walls
 //     level set: closest points   on the surface, of the nodes near it; if due, phi becomes the
-//                       distance to them (RP.30)
-//     level set: layers           the same layer by layer further out (RP.29)
-//     remesh: kinds     which slots hold particles and ghosts; det F = rho0/rho (RP.46)
-//     ghosts: fits      the coefficients of the ghosts (RP.32), (RP.33)
+//                       distance to them (RP.41)
+//     level set: layers           the same layer by layer further out (RP.40)
+//     remesh: kinds     which slots hold particles and ghosts; det F = rho0/rho (RP.38)
+//     ghosts: fits      the coefficients of the ghosts (RP.43), (RP.44)
 //     ghosts: surface   the particles that fits read get surface records
 namespace pliant::remeshed {
 

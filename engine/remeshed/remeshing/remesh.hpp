@@ -14,7 +14,7 @@
 
 namespace pliant::remeshed {
 
-/// Moves one body's particles back onto its lattice: section 2.3 of H&K, (RP.21)-(RP.31).
+/// Moves one body's particles back onto its lattice: section 2.3 of H&K, (RP.31)-(RP.42).
 ///
 /// Works in two parts, since the blocks of the new lattice are known only after the first:
 /// `source_phases` over the present blocks (ghosts take up mass, then the new layout is found),

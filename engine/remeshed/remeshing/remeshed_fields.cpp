@@ -58,7 +58,7 @@ void RemeshedFields<T, D>::scatter(int block, const std::vector<CellBounds<D>>& 
   }
 }
 
-// (RP.23)-(RP.26)
+// (RP.33)-(RP.36)
 template <class T, int D>
 void RemeshedFields<T, D>::take_nodes(int block, ScatterTile<T, D>& tile) {
   using Node = kernels::NodeField<D>;
@@ -92,7 +92,7 @@ void RemeshedFields<T, D>::take_nodes(int block, ScatterTile<T, D>& tile) {
   });
 }
 
-// (RP.23) for p_i, which a second filling has put in the place of F.
+// (RP.33) for p_i, which a second filling has put in the place of F.
 template <class T, int D>
 void RemeshedFields<T, D>::take_memory(int block, ScatterTile<T, D>& tile, int first_term,
                                        int count) {
@@ -107,7 +107,7 @@ void RemeshedFields<T, D>::take_memory(int block, ScatterTile<T, D>& tile, int f
   });
 }
 
-// (RP.46)
+// (RP.38)
 template <class T, int D>
 void RemeshedFields<T, D>::match_volumes(int block) {
   FieldStore<T, D>& state = body_.stage[1];

@@ -20,15 +20,15 @@ class RemeshedFields {
   /// Room for the slots of `spare`.
   void prepare();
 
-  /// M4' sums (RP.21), (RP.22) and fields from them, (RP.23)-(RP.26).
+  /// M4' sums (RP.31), (RP.32) and fields from them, (RP.33)-(RP.36).
   void scatter(int block, const std::vector<CellBounds<D>>& bounds);
   /// Slots beyond a period repeat the fields and the validity one period away.
   void copy_images(int block);
   bool filters() const { return filter_strength_ > 0; }
-  /// (RP.27), of every block before `swap_in_filtered`.
+  /// (RP.37), of every block before `swap_in_filtered`.
   void filter(int block);
   void swap_in_filtered();
-  /// det F = rho0/rho, (RP.46).
+  /// det F = rho0/rho, (RP.38).
   void match_volumes(int block);
 
   /// [new slot] 1 where remeshing left a particle or ghost.

@@ -6,14 +6,14 @@
 
 namespace pliant::remeshed {
 
-/// Fields of the old lattice that take the place of S or F in the sums of (RP.22).
+/// Fields of the old lattice that take the place of S or F in the sums of (RP.32).
 template <class T, int D>
 struct TransportedFields {
   int count;
   std::array<const T*, kernels::material_components<D>> field;
 };
 
-/// Nodes of a block of the new lattice, with the sums of (RP.22).
+/// Nodes of a block of the new lattice, with the sums of (RP.32).
 template <class T, int D>
 class ScatterTile {
  public:

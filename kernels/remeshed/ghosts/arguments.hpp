@@ -33,7 +33,7 @@ struct SurfacePack {
   std::uint16_t lanes;   ///< bit l: lane l is a surface particle
 };
 
-/// Writes the records of one block's surface particles, grad phi by (RP.81).
+/// Writes the records of one block's surface particles, grad phi by (RP.61).
 template <class T, int D>
 struct SurfaceRecords {
   const Segment<D>* segments;
@@ -46,12 +46,12 @@ struct SurfaceRecords {
   Evolving<const T, D> state;
   std::array<const T*, symmetric_components<D>> stress;
   T* records;            ///< [record][record_width]
-  bool relaxes = false;  ///< whether the stress holds the p_i of (RP.70) too
+  bool relaxes = false;  ///< whether the stress holds the p_i of (RP.10) too
 };
 
 /// For ghosts first..first+count-1 and their neighbours i: sums[g][0][k] = sum_i c_gi record_i[k]
-/// by (RP.32), sums[g][1][k] = sum_i b_gi record_i[k] by (RP.33), sums[g][2][k] = sum_i a_gi
-/// record_i[k], the fit (RP.32) at the foot point.
+/// by (RP.43), sums[g][1][k] = sum_i b_gi record_i[k] by (RP.44), sums[g][2][k] = sum_i a_gi
+/// record_i[k], the fit (RP.43) at the foot point.
 template <class T, int D>
 struct GhostSums {
   std::int64_t first;
@@ -66,7 +66,7 @@ struct GhostSums {
   T* sums;                         ///< [ghost - first][3][record_width]
 };
 
-/// Velocity and stress of ghosts by (RP.34), (RP.44); those of walls and inactive ones are left
+/// Velocity and stress of ghosts by (RP.45), (RP.50); those of walls and inactive ones are left
 /// out.
 template <class T, int D>
 struct FreeSurfaceGhosts {
@@ -87,7 +87,7 @@ struct FreeSurfaceGhosts {
 /// Pivots of a fit's normal matrix, relative to its largest, below which it counts as singular.
 inline constexpr double smallest_pivot = 2e-3;
 
-/// Terms of the fits (RP.32) and (RP.33) of a pack of ghosts, one in each lane. Entry k of
+/// Terms of the fits (RP.43) and (RP.44) of a pack of ghosts, one in each lane. Entry k of
 /// lane l, of its k-th particle, is [k * slots_per_pack + l]; lanes with fewer particles are filled
 /// up with such as are farther than R away. All lengths are over h.
 template <class T, int D>
@@ -99,7 +99,7 @@ struct SurfaceFits {
   std::array<const T*, D> ghost;     ///< [lane] from the foot point
   std::array<const T*, D> normal;    ///< [lane] unit, out of the body
   const T* ghost_distance;           ///< [lane] from the surface
-  const T* curved;                   ///< [lane] 1: with the term phi^2 of (RP.33); 0: without
+  const T* curved;                   ///< [lane] 1: with the term phi^2 of (RP.44); 0: without
   T* fitted;                         ///< [lane] 1, or 0 where the particles do not determine them
   T* constrained_sum;                ///< [lane] of the coefficients b
   std::array<T*, D + 1> linear, surface;  ///< [lane] see FitTerms

@@ -11,9 +11,9 @@ namespace pliant::kernels {
 /// Coefficients of the particle at r from the ghost's foot point and phi from the surface or the
 /// wall, all over h:
 ///
-///     c = w (c_0 + sum_a c_a r_a)                        (RP.32) at the ghost
-///     a = w (a_0 + sum_a a_a r_a)                        (RP.32) at the foot point
-///     b = w phi (b_0 + sum_a b_a r_a + b_last phi)       (RP.33)
+///     c = w (c_0 + sum_a c_a r_a)                        (RP.43) at the ghost
+///     a = w (a_0 + sum_a a_a r_a)                        (RP.43) at the foot point
+///     b = w phi (b_0 + sum_a b_a r_a + b_last phi)       (RP.44)
 ///     w = (1 - steepness r^2 + (broad.r)^2)^2, 0 where the bracket is below 0
 template <class T, int D>
 struct FitTerms {

@@ -42,7 +42,7 @@ struct InverseRoot {
   static T of(T square) { return square > T(1e-12) ? 1 / std::sqrt(square) : T(0); }
 };
 
-/// (RP.37); the zero vector where the gradients cancel.
+/// (RP.48); the zero vector where the gradients cancel.
 template <class T, int D>
 VectorOf<T, D> unit_normal(const RecordSum<T, D>& sum) {
   T square = 0;
@@ -108,7 +108,7 @@ struct Impedance {
   Impedance(const T& pressure, const T& shear) : pressure_wave(pressure), shear_wave(shear) {}
 };
 
-/// The three sums over a ghost's neighbours: c, b and a of (RP.32) and (RP.33).
+/// The three sums over a ghost's neighbours: c, b and a of (RP.43) and (RP.44).
 template <class T, int D>
 struct GhostFits {
   RecordSum<T, D> linear, constrained, surface;
@@ -124,7 +124,7 @@ struct SurfaceLoad {
   VectorOf<T, D> shear;
 };
 
-/// (RP.34), (RP.44) of a surface under `load`.
+/// (RP.45), (RP.50) of a surface under `load`.
 template <class T, int D>
 GhostState<T, D> loaded_surface_ghost(const GhostFits<T, D>& fits, const SurfaceLoad<T, D>& load,
                                       const Impedance<T>& impedance) {
@@ -156,7 +156,7 @@ GhostState<T, D> free_surface_ghost(const GhostFits<T, D>& fits, T pressure,
   return loaded_surface_ghost<T, D>(fits, load, impedance);
 }
 
-/// (RP.38): P Sbar P - p I with the ambient pressure `pressure`.
+/// (RP.49): P Sbar P - p I with the ambient pressure `pressure`.
 template <class T, int D>
 GhostState<T, D> averaged_surface_ghost(RecordSum<T, D> mean, T pressure) {
   const VectorOf<T, D> n = unit_normal<T, D>(mean);
@@ -174,7 +174,7 @@ GhostState<T, D> averaged_surface_ghost(RecordSum<T, D> mean, T pressure) {
   return ghost;
 }
 
-/// The wall of (RP.38).
+/// The wall of (RP.49).
 template <class T, int D>
 GhostState<T, D> averaged_wall_ghost(RecordSum<T, D> mean, const VectorOf<T, D>& wall_velocity) {
   GhostState<T, D> ghost;
@@ -197,7 +197,7 @@ T departure(const GhostFits<T, D>& fits, const VectorOf<T, D>& wall_velocity,
   return speed;
 }
 
-/// (RP.35), (RP.45); n the normal of the wall, into the body.
+/// (RP.46), (RP.51); n the normal of the wall, into the body.
 template <class T, int D>
 GhostState<T, D> wall_ghost(const GhostFits<T, D>& fits, const VectorOf<T, D>& wall_velocity,
                             const VectorOf<T, D>& n, const Impedance<T>& impedance) {
@@ -222,7 +222,7 @@ GhostState<T, D> wall_ghost(const GhostFits<T, D>& fits, const VectorOf<T, D>& w
   return ghost;
 }
 
-/// (RP.36), (RP.44), (RP.45); n the normal of the wall, into the body.
+/// (RP.47), (RP.50), (RP.51); n the normal of the wall, into the body.
 template <class T, int D>
 GhostState<T, D> slip_wall_ghost(const GhostFits<T, D>& fits, const VectorOf<T, D>& wall_velocity,
                                  const VectorOf<T, D>& n, const Impedance<T>& impedance) {
@@ -247,7 +247,7 @@ GhostState<T, D> slip_wall_ghost(const GhostFits<T, D>& fits, const VectorOf<T, 
   return ghost;
 }
 
-/// n.(RP.51): pressure of a wall on the body, negative where it pulls [Pa]; n the normal of the
+/// n.(RP.53): pressure of a wall on the body, negative where it pulls [Pa]; n the normal of the
 /// wall, into the body.
 template <class T, int D>
 T wall_pressure(const GhostFits<T, D>& fits, const VectorOf<T, D>& wall_velocity,
@@ -259,7 +259,7 @@ T wall_pressure(const GhostFits<T, D>& fits, const VectorOf<T, D>& wall_velocity
   return -(s_nn + impedance.pressure_wave * departure<T, D>(fits, wall_velocity, n));
 }
 
-/// (RP.51): force of a wall on the body over the area [Pa]; n the normal of the wall, into the
+/// (RP.53): force of a wall on the body over the area [Pa]; n the normal of the wall, into the
 /// body.
 template <class T, int D>
 VectorOf<T, D> wall_force_density(const GhostFits<T, D>& fits, const VectorOf<T, D>& wall_velocity,

@@ -132,7 +132,7 @@ void sum_ghosts(const GhostSums<Scalar<P>, D>& ghosts) {
   }
 }
 
-/// The same of the velocity alone, by (RP.32).
+/// The same of the velocity alone, by (RP.43).
 template <class P, int D>
 void sum_velocities(const GhostSums<Scalar<P>, D>& ghosts) {
   using T = Scalar<P>;

@@ -15,7 +15,7 @@ struct InterfaceSide {
   Impedance<T> impedance;
 };
 
-/// (RP.65): the traction on `own`, n its normal, out of it. `closing` is the velocity [m/s] at
+/// (RP.56): the traction on `own`, n its normal, out of it. `closing` is the velocity [m/s] at
 /// which the gap between the surfaces is to vanish, negative where they overlap. None between
 /// surfaces that do not face each other, as those beside the edge of a contact, unless bonded.
 template <class T, int D>

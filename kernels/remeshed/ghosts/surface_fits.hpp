@@ -3,7 +3,7 @@
 #include "kernels/remeshed/ghosts/arguments.hpp"
 #include "kernels/remeshed/ghosts/least_squares.hpp"
 
-/// The fits (RP.32) and (RP.33) of ghosts, one in each lane: see SurfaceFits.
+/// The fits (RP.43) and (RP.44) of ghosts, one in each lane: see SurfaceFits.
 namespace pliant::kernels {
 
 /// One register of ghosts.

@@ -20,7 +20,7 @@ inline void normal_to(const P (&a)[3], const P (&b)[3], P (&normal)[3]) {
   normal[2] = fused_minus(a[1], b[0], a[0] * b[1]);
 }
 
-/// (RP.81) from the rows x_+j - x_-j and phi_+j - phi_-j.
+/// (RP.61) from the rows x_+j - x_-j and phi_+j - phi_-j.
 template <class P>
 inline void solve_slopes(const P (&row)[2][2], const P (&rise)[2], P (&gradient)[2]) {
   const P determinant = fused_minus(row[0][1], row[1][0], row[0][0] * row[1][1]);
@@ -47,7 +47,7 @@ inline void solve_slopes(const P (&row)[3][3], const P (&rise)[3], P (&gradient)
   }
 }
 
-/// (RP.81) of the register of particles at `slot`.
+/// (RP.61) of the register of particles at `slot`.
 template <class P, int D>
 inline void level_set_gradient(const SurfaceRecords<Scalar<P>, D>& block, const Segment<D>& segment,
                                std::int64_t slot, P (&gradient)[D]) {

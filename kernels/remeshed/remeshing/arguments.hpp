@@ -10,7 +10,7 @@
 /// What the kernels of remeshing work on: scatter, filter, level set.
 namespace pliant::kernels {
 
-/// Nodes of a remeshing tile hold the sums of (RP.22): W, W m, W m u (D), W v, W v d (D), W phi,
+/// Nodes of a remeshing tile hold the sums of (RP.32): W, W m, W m u (D), W v, W v d (D), W phi,
 /// then W v S or W v F; padded to whole cache lines of doubles.
 template <int D>
 inline constexpr int node_fields = 4 + 2 * D + material_components<D>;
@@ -34,7 +34,7 @@ struct NodeRow {
 };
 
 /// Adds one source block's particles (slots neither vacant nor images) to the nodes of a tile,
-/// (RP.21) and (RP.22), in slot order. Of the 4^D nodes of a particle those outside are left out.
+/// (RP.31) and (RP.32), in slot order. Of the 4^D nodes of a particle those outside are left out.
 template <class T, int D>
 struct Scatter {
   const Segment<D>* segments;
@@ -53,7 +53,7 @@ struct Scatter {
   std::array<std::int32_t, D> extent;  ///< of the box around the tile
 };
 
-/// (RP.27) of one field over a block, between slots inside.
+/// (RP.37) of one field over a block, between slots inside.
 template <class T, int D>
 struct Filter {
   const Segment<D>* segments;
@@ -64,7 +64,7 @@ struct Filter {
   T* filtered;
 };
 
-/// Closest points on the zero set of the tensor-cubic interpolant of nodal values, (RP.30).
+/// Closest points on the zero set of the tensor-cubic interpolant of nodal values, (RP.41).
 /// Positions are in cells: node c lies at c. Arrays of nodes hold whole packs, filled up with any
 /// node.
 template <class T, int D>

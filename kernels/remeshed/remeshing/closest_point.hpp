@@ -4,7 +4,7 @@
 #include "kernels/remeshed/remeshing/arguments.hpp"
 #include "kernels/remeshed/remeshing/cubic.hpp"
 
-/// Closest points of a zero set by (RP.30), one node in each lane: see ClosestPoints.
+/// Closest points of a zero set by (RP.41), one node in each lane: see ClosestPoints.
 namespace pliant::kernels {
 
 /// The 4^D nodes around the points of a register, kept from one point to the next: iterations

@@ -5,7 +5,7 @@
 
 namespace pliant::kernels {
 
-/// See Filter, (RP.27).
+/// See Filter, (RP.37).
 template <class P, int D>
 void filter(const Filter<Scalar<P>, D>& block) {
   using T = Scalar<P>;

@@ -4,7 +4,7 @@
 
 namespace pliant::kernels {
 
-/// M4' of (RP.21) at the four nodes around a particle; `fraction` in [0, 1) is its distance over h
+/// M4' of (RP.31) at the four nodes around a particle; `fraction` in [0, 1) is its distance over h
 /// from the second node.
 template <class P>
 inline void m4prime(const P& fraction, P (&weight)[4]) {

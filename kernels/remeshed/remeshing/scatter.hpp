@@ -186,7 +186,7 @@ void scatter_in(const Scatter<Scalar<P>, D>& block) {
   }
 }
 
-/// See Scatter, (RP.21) and (RP.22).
+/// See Scatter, (RP.31) and (RP.32).
 template <class P, int D>
 void scatter(const Scatter<Scalar<P>, D>& block) {
   constexpr int symmetric = node_width_for<D>(symmetric_components<D>);

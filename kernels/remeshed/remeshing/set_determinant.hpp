@@ -28,7 +28,7 @@ T determinant(const std::array<T, D * D>& f) {
   return sum;
 }
 
-/// Changes `f` as little as gives it the determinant `value` > 0, (RP.46), by Newton's method along
+/// Changes `f` as little as gives it the determinant `value` > 0, (RP.38), by Newton's method along
 /// the cofactors, which point to where the determinant grows the fastest. Stretches far from 1 stay
 /// what they are: the correction falls on the smallest.
 template <class T, int D>

@@ -23,8 +23,8 @@ struct NeighbourLists {
                                               ///< the whole periods that lie between them
 };
 
-/// What a stage makes of one p_i of (RP.70): decay p_i + start (J - 1) + end (J - 1), p_i and the
-/// first J at the start of the step, the second J at the new state, (RP.71).
+/// What a stage makes of one p_i of (RP.10): decay p_i + start (J - 1) + end (J - 1), p_i and the
+/// first J at the start of the step, the second J at the new state, (RP.22).
 template <class T>
 struct Relaxation {
   T decay;  ///< 1
@@ -41,15 +41,15 @@ struct BulkViscosity {
   T* volume_change = nullptr;                 ///< [slot] J - 1 there: the first stage keeps it
 };
 
-/// What particles need besides their state for the pair forces of plain SPH, (RP.74).
+/// What particles need besides their state for the pair forces of plain SPH, (RP.26).
 template <class T, int D>
 struct SymmetricPairs {
   std::array<const T*, symmetric_components<D>> stress;      ///< sigma/rho^2
-  std::array<const T*, symmetric_components<D>> artificial;  ///< R of (RP.76)
-  T linear, quadratic;  ///< alpha c [m/s] and beta [1] of (RP.75)
+  std::array<const T*, symmetric_components<D>> artificial;  ///< R of (RP.28)
+  T linear, quadratic;  ///< alpha c [m/s] and beta [1] of (RP.27)
 };
 
-/// One Runge-Kutta stage of one block, (RP.12) by (RP.18) and (RP.19): gradients of velocity and
+/// One Runge-Kutta stage of one block, (RP.13) by (RP.20) and (RP.21): gradients of velocity and
 /// stress, rates, update, and the stress of the new state.
 ///
 /// Reads drift, velocity and stress of `current` also in neighbouring blocks. Writes `next`
@@ -63,7 +63,7 @@ struct Stage {
   int segment_count;
   T spacing;
   T time_step;
-  T dissipation;  ///< kappa of (RP.43) [1/s]; 0: none
+  T dissipation;  ///< kappa of (RP.23) [1/s]; 0: none
   int stage;      ///< 0..3
   Weight weight;
   Material<T> material;
@@ -86,8 +86,8 @@ struct Stage {
 
 /// Largest values over the interior particles of a block.
 struct StageResult {
-  double strain_rate;       ///< max abs(eps)_F of (RP.28) [1/s], at the stage's state
-  double wave_speed;        ///< max c of (RP.11) [m/s], at the new state
+  double strain_rate;       ///< max abs(eps)_F of (RP.39) [1/s], at the stage's state
+  double wave_speed;        ///< max c of (RP.12) [m/s], at the new state
   std::int64_t non_finite;  ///< a slot whose new state is not finite or has v <= 0, or -1
 };
 

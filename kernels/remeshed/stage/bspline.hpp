@@ -6,7 +6,7 @@
 
 namespace pliant::kernels {
 
-/// w of (RP.13) at s = r/h >= 0.
+/// w of (RP.14) at s = r/h >= 0.
 template <class P>
 inline P bspline(const P& s) {
   using T = Scalar<P>;
@@ -18,7 +18,7 @@ inline P bspline(const P& s) {
   return fused(P(T(10)), fourth_power_below(T(0.5)), sum) * P(T(1) / T(24));
 }
 
-/// n_d of (RP.13), which makes the integral of W one.
+/// n_d of (RP.14), which makes the integral of W one.
 template <int D>
 inline constexpr double bspline_normalisation = D == 1   ? 1
                                                 : D == 2 ? 2304 / (1199 * std::numbers::pi)

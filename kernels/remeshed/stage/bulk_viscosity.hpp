@@ -2,9 +2,9 @@
 
 #include "kernels/remeshed/stage/chunk.hpp"
 
-/// Bulk viscosity of a reduced polynomial: the pressures p_i of (RP.70) during a stage.
+/// Bulk viscosity of a reduced polynomial: the pressures p_i of (RP.10) during a stage.
 ///
-/// They are no part of the Runge-Kutta states: their equations are linear, so that (RP.71) takes
+/// They are no part of the Runge-Kutta states: their equations are linear, so that (RP.22) takes
 /// them from the start of the step to any stage, however much shorter than the step their times
 /// are. Each particle keeps them at the start of the step, where the last stage leaves the new
 /// ones.
@@ -39,7 +39,7 @@ inline void add_pressure(const P& pressure,
   }
 }
 
-/// The stress of the new state takes up sum p_i, (RP.71).
+/// The stress of the new state takes up sum p_i, (RP.22).
 template <bool last, class P, int D>
 void relax_next(const Stage<Scalar<P>, D>& stage, const Chunk& chunk) {
   const BulkViscosity<Scalar<P>>& viscosity = stage.viscosity;

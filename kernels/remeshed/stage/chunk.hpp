@@ -20,7 +20,7 @@ template <class T, int D>
 struct ChunkGradients {
   alignas(64) T velocity[D][D][chunk_slots];  ///< du_i/dx_j
   alignas(64) T force[D][chunk_slots];        ///< div sigma
-  alignas(64) T drag[D][chunk_slots];         ///< du/dt of (RP.43)
+  alignas(64) T drag[D][chunk_slots];         ///< du/dt of (RP.23)
 };
 
 /// Mask of the interior particles of a register.

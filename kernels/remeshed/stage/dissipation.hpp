@@ -5,7 +5,7 @@
 #include "kernels/remeshed/stage/gradient_sweep.hpp"
 #include "kernels/remeshed/stage/prefetch.hpp"
 
-/// The dissipation of (RP.43): fourth differences of velocity and stress along the lattice lines,
+/// The dissipation of (RP.23): fourth differences of velocity and stress along the lattice lines,
 /// which only see what the lattice does not resolve.
 namespace pliant::kernels {
 

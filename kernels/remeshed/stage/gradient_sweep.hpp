@@ -4,7 +4,7 @@
 #include "kernels/remeshed/stage/moment.hpp"
 #include "kernels/remeshed/stage/weight.hpp"
 
-/// The moment-matrix gradient (RP.18) of several fields in one sweep over the neighbours.
+/// The moment-matrix gradient (RP.20) of several fields in one sweep over the neighbours.
 ///
 /// For every neighbour q of a pack of particles p: d = x_q - x_p, omega(|d|), and
 ///

@@ -8,7 +8,7 @@
 /// Prony terms in plain scalars: what the engine prepares for a step and measures.
 namespace pliant::kernels {
 
-/// (RP.71) over the time `interval` [s]: the exact solution where J is linear in time, whatever the
+/// (RP.22) over the time `interval` [s]: the exact solution where J is linear in time, whatever the
 /// ratio of the interval to tau.
 template <class T>
 Relaxation<T> relaxation(const PronyTerm<T>& term, T instantaneous_bulk_modulus, double interval) {
@@ -21,7 +21,7 @@ Relaxation<T> relaxation(const PronyTerm<T>& term, T instantaneous_bulk_modulus,
 }
 
 /// What one term adds to the elastic energy per reference volume at J - 1 = `volume_change`,
-/// (RP.72).
+/// (RP.64).
 template <class T>
 T relaxed_energy(const PronyTerm<T>& term, T instantaneous_bulk_modulus, T pressure,
                  T volume_change) {

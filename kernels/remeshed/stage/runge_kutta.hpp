@@ -16,7 +16,7 @@ struct StageField {
 
 enum class StagePlace { early, third, last };
 
-/// (RP.19) with three copies of the state: Q2, Q3 after the first two stages, Q4 after the third,
+/// (RP.21) with three copies of the state: Q2, Q3 after the first two stages, Q4 after the third,
 /// which leaves Q3 + (Q2 - Q0)/3 in the place of Q0, and Q_new after the last, which adds
 /// (Q4 - Q3)/3 + dt/6 k4.
 ///

@@ -120,7 +120,7 @@ template <Weight weight, class P, class Visit>
   });
 }
 
-/// Adds the dissipation of (RP.43): a drag on the velocity, and a strain rate that relaxes the
+/// Adds the dissipation of (RP.23): a drag on the velocity, and a strain rate that relaxes the
 /// stress, from the fourth differences of both.
 template <class P, int D>
 [[gnu::always_inline]] inline void dissipate(

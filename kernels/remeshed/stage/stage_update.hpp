@@ -3,8 +3,8 @@
 #include "kernels/remeshed/stage/bulk_viscosity.hpp"
 #include "kernels/remeshed/stage/runge_kutta.hpp"
 
-/// From the gradients of a chunk to its next state, field by field: the rates of (RP.12) and of
-/// (RP.3) or (RP.8), advanced by (RP.19), and the stress of the new state.
+/// From the gradients of a chunk to its next state, field by field: the rates of (RP.13) and of
+/// (RP.3) or (RP.8), advanced by (RP.21), and the stress of the new state.
 namespace pliant::kernels {
 
 /// Largest values of a block so far, lane by lane.
@@ -38,7 +38,7 @@ void advance_displacement(const Stage<Scalar<P>, D>& stage, const RungeKutta<P, 
   }
 }
 
-/// du/dt = (v/m) div sigma, and the drag of (RP.43)
+/// du/dt = (v/m) div sigma, and the drag of (RP.23)
 template <class P, StagePlace place, int D>
 void advance_velocity(const Stage<Scalar<P>, D>& stage, const RungeKutta<P, place>& runge_kutta,
                       const ChunkGradients<Scalar<P>, D>& gradients, const Chunk& chunk) {

@@ -3,7 +3,7 @@
 #include "kernels/remeshed/stage/bspline.hpp"
 #include "kernels/remeshed/stage/stage_gradients.hpp"
 
-/// Plain SPH over listed neighbours: the velocity gradient (RP.73) and the acceleration (RP.74).
+/// Plain SPH over listed neighbours: the velocity gradient (RP.25) and the acceleration (RP.26).
 namespace pliant::kernels {
 
 /// The particles p of a register and what they gather from their neighbours.
@@ -79,7 +79,7 @@ class PairForces {
     particle.density = particle.mass / load_field(stage_.current.volume);
   }
 
-  // Pi of (RP.75).
+  // Pi of (RP.27).
   [[gnu::always_inline]] P viscosity(const P& density, const P& distance2,
                                      const P& approach) const {
     const T h = stage_.spacing;

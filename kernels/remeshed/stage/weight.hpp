@@ -5,12 +5,12 @@
 
 namespace pliant::kernels {
 
-/// Pair weight omega of (RP.18) as a function of the squared distance [m^2]; zero outside the
+/// Pair weight omega of (RP.20) as a function of the squared distance [m^2]; zero outside the
 /// support and finite at zero distance.
 template <Weight weight, class P>
 class PairWeight;
 
-/// t = max(0, 1 - r^2/R^2) of (RP.15), (RP.16) and (RP.90), R the support.
+/// t = max(0, 1 - r^2/R^2) of (RP.16), (RP.17) and (RP.18), R the support.
 template <class P>
 class WithinSupport {
   using T = Scalar<P>;
@@ -27,7 +27,7 @@ class WithinSupport {
   P per_support2_;
 };
 
-/// (RP.14). Costs about two thirds more than its polynomial.
+/// (RP.15). Costs about two thirds more than its polynomial.
 template <class P>
 class PairWeight<Weight::quartic, P> {
   using T = Scalar<P>;
@@ -50,7 +50,7 @@ class PairWeight<Weight::quartic, P> {
   P per_spacing2_;
 };
 
-/// (RP.15), which follows (RP.14) divided by its value at zero.
+/// (RP.16), which follows (RP.15) divided by its value at zero.
 template <class P>
 class PairWeight<Weight::quartic_polynomial, P> {
   using T = Scalar<P>;
@@ -68,7 +68,7 @@ class PairWeight<Weight::quartic_polynomial, P> {
   WithinSupport<P> within_;
 };
 
-/// (RP.16)
+/// (RP.17)
 template <class P>
 class PairWeight<Weight::compact, P> {
   using T = Scalar<P>;
@@ -85,7 +85,7 @@ class PairWeight<Weight::compact, P> {
   WithinSupport<P> within_;
 };
 
-/// (RP.90): the fourth moments vanish on square and cubic lattices. Negative between the second
+/// (RP.18): the fourth moments vanish on square and cubic lattices. Negative between the second
 /// neighbours along the axes and those between them, so that its moment matrix asks for particles
 /// that are still near their slots.
 template <class P>

@@ -13,7 +13,7 @@ namespace {
 
 constexpr int nodes = 16;  // wave numbers to a side of the zone
 
-/// (RP.14)-(RP.16) and (RP.90), of the square of the distance over h.
+/// (RP.15)-(RP.17) and (RP.18), of the square of the distance over h.
 double weight(kernels::Weight kind, double s2) {
   const double s = std::sqrt(s2), t = std::max(0., 1 - s2 / 6.25);
   const auto cube = [](double a) { return a > 0 ? a * a * a : 0; };
@@ -36,8 +36,8 @@ bool is_stable(std::complex<double> z) {
   return std::abs(1. + z * (1. + z / 2. * (1. + z / 3. * (1. + z / 4.)))) <= 1 + 1e-9;
 }
 
-/// Largest CFL number at which no plane wave in an endless lattice grows, from (RP.18), (RP.19) and
-/// (RP.43).
+/// Largest CFL number at which no plane wave in an endless lattice grows, from (RP.20), (RP.21) and
+/// (RP.23).
 double lattice_limit(kernels::Weight kind, int dimension, double dissipation) {
   std::vector<std::complex<double>> rates;  // times h/c
   for (int n = 0; n < std::pow(nodes + 1, dimension); ++n) {

@@ -47,7 +47,7 @@ TYPED_TEST(StressPoints, a_homogeneous_deformation_has_the_stress_of_the_law_eve
   constexpr int D = TypeParam::value;
   const auto f = some_deformation<D>();
   this->deform(f);
-  // (RP.9), (RP.10) written out anew.
+  // (RP.9), (RP.11) written out anew.
   Eigen::Matrix3d full = Eigen::Matrix3d::Identity();
   full.topLeftCorner<D, D>() = f;
   const double j = full.determinant();

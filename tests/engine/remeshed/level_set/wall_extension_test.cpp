@@ -107,7 +107,7 @@ TYPED_TEST(BehindWalls, slopes_steeper_than_a_surface_at_45_degrees_are_cut) {
   });
 }
 
-// (RP.60)
+// (RP.54)
 TYPED_TEST(BehindWalls, bodies_end_at_contact_walls) {
   constexpr int D = TypeParam::dimension;
   const double height = 3.1;

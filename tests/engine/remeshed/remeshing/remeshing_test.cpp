@@ -54,7 +54,7 @@ TEST(remeshing, of_shifted_particles_has_the_third_moment_of_m4_as_its_error) {
   const auto shifted = [&](const Point<2>&) { return Point<2>{theta, theta}; };
   const double coarse = remeshing_error(32, shifted), fine = remeshing_error(64, shifted);
   EXPECT_GT(std::log2(coarse / fine), 2.95);
-  // (RP.21): theta (1 - theta)(1 - 2 theta) h^3/6 times f_xxx + f_yyy, which reaches (2 pi)^3 for
+  // (RP.31): theta (1 - theta)(1 - 2 theta) h^3/6 times f_xxx + f_yyy, which reaches (2 pi)^3 for
   // this wave where its two parts add up; the next term is smaller by k h.
   const double leading = theta * (1 - theta) * (1 - 2 * theta) / 6 * std::pow(2 * pi / 64, 3);
   EXPECT_NEAR(fine, leading, 0.1 * leading);

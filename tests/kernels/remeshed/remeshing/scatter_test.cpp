@@ -6,7 +6,7 @@
 namespace pliant::kernels::test {
 namespace {
 
-/// M4' as (RP.21) has it.
+/// M4' as (RP.31) has it.
 double kernel(double s) {
   s = std::abs(s);
   if (s < 1) return 1 - 2.5 * s * s + 1.5 * s * s * s;

@@ -40,7 +40,7 @@ struct SphBody : Body<T, D> {
     return x;
   }
 
-  /// (RP.73) and (RP.74) to (RP.75) over the cube of slots within three cells.
+  /// (RP.25) and (RP.26) to (RP.27) over the cube of slots within three cells.
   void sum(std::int64_t p, const std::array<std::int32_t, D>& cell, Matrix<D>& gradient,
            Column<D>& acceleration) const {
     const State<T, D>& state = this->states[0];
