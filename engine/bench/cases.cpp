@@ -10,6 +10,7 @@
 #include "engine/bench/case_texts.hpp"
 #include "engine/case/read_case.hpp"
 #include "engine/case/words.hpp"
+#include "engine/simulation/methods.hpp"
 
 namespace pliant::bench {
 
@@ -24,7 +25,7 @@ Case read(std::string_view text, const char* name, double spacing, kernels::Weig
                                    words<kernels::Weight>[static_cast<int>(kernel)].text),
                        "time.step=cfl", "measurement=[]", "output={}"};
   settings.insert(settings.end(), more.begin(), more.end());
-  Case a_case = parse_case(std::string(text), "case.toml", settings);
+  Case a_case = parse_case(std::string(text), "case.toml", settings, methods().rules());
   a_case.name = name;
   return a_case;
 }

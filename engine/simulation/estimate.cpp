@@ -10,7 +10,7 @@
 #include "engine/geometry/distance_walk.hpp"
 #include "engine/geometry/signed_distance.hpp"
 #include "engine/lattice/occupancy.hpp"
-#include "engine/remeshed/fields.hpp"
+#include "engine/remeshed/field_store.hpp"
 #include "kernels/total_lagrangian/arguments.hpp"
 
 // The number of slots times h^d is V + S h for small h, V the volume and S proportional to the
@@ -31,7 +31,7 @@ struct Cost {
 };
 
 /// Cells around particles that have slots.
-double reach_of(const Case& a_case) { return a_case.method == Method::total_lagrangian ? 1.8 : 6; }
+double reach_of(const Case& a_case) { return a_case.method == "total_lagrangian" ? 1.8 : 6; }
 
 Box clipped_box(const Case& a_case, const BodyCase& body) {
   Box box = bounding_box(body.geometry);
@@ -59,7 +59,7 @@ struct Count {
 template <int D>
 Count count_on(const Case& a_case, const BodyCase& body, const Box& box, double spacing) {
   // Total Lagrangian particles lie on the corners of all cells that the body fills in part.
-  const bool on_corners = a_case.method == Method::total_lagrangian;
+  const bool on_corners = a_case.method == "total_lagrangian";
   const double margin = on_corners ? spacing / 2 : 0, centre = on_corners ? 0 : 0.5;
   Cell<D> lower = {}, upper = {};
   for (int a = 0; a < D; ++a) {
@@ -121,7 +121,7 @@ double values_of_slot(const BodyCase& body) {
 // Ghosts have fits; particles are in frames, and in the cells over which totals are integrated.
 template <int D>
 Cost cost_of(const Case& a_case, const BodyCase& body) {
-  if (a_case.method == Method::total_lagrangian) {
+  if (a_case.method == "total_lagrangian") {
     // phi, fraction, mass and its inverse; four vectors; the modes of the forces
     return {value * (4.0 + 4 * D + D * kernels::cell_modes<D>), 0, D == 2 ? 150. : 400.};
   }
