@@ -33,7 +33,8 @@ void compress(Solver& solver) {
     population.layout.for_each_slot(block, [&](std::int64_t p, const Cell<2>& cell) {
       if (population.kind[p] == kernels::Kind::vacant) return;
       for (int a = 0; a < 2; ++a) {
-        body.stage[0].get(Field::drift, a)[p] = (size - 1) * body.lattice.node(a, cell[a]);
+        body.stage[0].get(remeshed::Field::drift, a)[p] =
+            (size - 1) * body.lattice.node(a, cell[a]);
       }
     });
   }

@@ -16,7 +16,7 @@ constexpr double edge_of_clamp = 3;
 
 template <class T, int D>
 void check_finite(const Case& settings, const StageResults& results, const State<T, D>& state,
-                  const std::vector<std::string>& remedies) {
+                  Remedies remedies) {
   const std::int64_t slot = results.total().non_finite;
   if (slot < 0) return;
   const Body<T, D>& body = state.bodies[state.blocks[results.failed_block()].body];
@@ -26,7 +26,7 @@ void check_finite(const Case& settings, const StageResults& results, const State
                   slot, body.name, coordinates<D>(x));
   const auto [wall, distance] = state.boundaries.nearest_wall(x);
   if (distance > edge_of_clamp * body.lattice.spacing) {
-    throw failed_step(settings, state.clock, what, remedies);
+    throw failed_step(settings, state.clock, what, remedies(settings));
   }
   throw failed_step(settings, state.clock, what + ", beside a wall that holds it",
                     {"load more slowly", "use a finer spacing"});
@@ -34,23 +34,22 @@ void check_finite(const Case& settings, const StageResults& results, const State
 
 template <class T, int D>
 void check_strain(const Case& settings, const StageResults& results, const State<T, D>& state,
-                  double time_step, const std::vector<std::string>& remedies) {
+                  double time_step, Remedies remedies) {
   for (std::size_t b = 0; b < state.bodies.size(); ++b) {
     const double strain = time_step * results.strain_rate(b);
     if (strain <= largest_step_strain) continue;
     throw failed_step(
         settings, state.clock,
         fmt::format("body `{}` strained by {:.2g} in one step", state.bodies[b].name, strain),
-        remedies);
+        remedies(settings));
   }
 }
 
 template <class T, int D>
-void check_bodies(const Case& settings, const State<T, D>& state,
-                  const std::vector<std::string>& remedies) {
+void check_bodies(const Case& settings, const State<T, D>& state, Remedies remedies) {
   for (const Body<T, D>& body : state.bodies) {
     if (body.population.particles > 0) continue;
-    std::vector<std::string> all = remedies;
+    std::vector<std::string> all = remedies(settings);
     all.insert(all.begin(), "look at the last frames for where it broke");
     throw failed_step(settings, state.clock,
                       fmt::format("body `{}` has no particle left", body.name), all);
@@ -58,28 +57,24 @@ void check_bodies(const Case& settings, const State<T, D>& state,
 }
 
 template void check_finite<double, 2>(const Case&, const StageResults&, const State<double, 2>&,
-                                      const std::vector<std::string>&);
+                                      Remedies);
 template void check_strain<double, 2>(const Case&, const StageResults&, const State<double, 2>&,
-                                      double, const std::vector<std::string>&);
-template void check_bodies<double, 2>(const Case&, const State<double, 2>&,
-                                      const std::vector<std::string>&);
+                                      double, Remedies);
+template void check_bodies<double, 2>(const Case&, const State<double, 2>&, Remedies);
 template void check_finite<double, 3>(const Case&, const StageResults&, const State<double, 3>&,
-                                      const std::vector<std::string>&);
+                                      Remedies);
 template void check_strain<double, 3>(const Case&, const StageResults&, const State<double, 3>&,
-                                      double, const std::vector<std::string>&);
-template void check_bodies<double, 3>(const Case&, const State<double, 3>&,
-                                      const std::vector<std::string>&);
+                                      double, Remedies);
+template void check_bodies<double, 3>(const Case&, const State<double, 3>&, Remedies);
 template void check_finite<float, 2>(const Case&, const StageResults&, const State<float, 2>&,
-                                     const std::vector<std::string>&);
+                                     Remedies);
 template void check_strain<float, 2>(const Case&, const StageResults&, const State<float, 2>&,
-                                     double, const std::vector<std::string>&);
-template void check_bodies<float, 2>(const Case&, const State<float, 2>&,
-                                     const std::vector<std::string>&);
+                                     double, Remedies);
+template void check_bodies<float, 2>(const Case&, const State<float, 2>&, Remedies);
 template void check_finite<float, 3>(const Case&, const StageResults&, const State<float, 3>&,
-                                     const std::vector<std::string>&);
+                                     Remedies);
 template void check_strain<float, 3>(const Case&, const StageResults&, const State<float, 3>&,
-                                     double, const std::vector<std::string>&);
-template void check_bodies<float, 3>(const Case&, const State<float, 3>&,
-                                     const std::vector<std::string>&);
+                                     double, Remedies);
+template void check_bodies<float, 3>(const Case&, const State<float, 3>&, Remedies);
 
 }  // namespace pliant::remeshed

@@ -16,6 +16,19 @@
 
 namespace pliant::remeshed {
 
+namespace {
+
+std::vector<std::string> remedies(const Case& settings) {
+  using Policy = decltype(Case{}.remeshing)::Policy;
+  const bool adaptive = settings.remeshing.policy == Policy::adaptive;
+  return {smaller_step(settings),
+          adaptive ? "remesh more often (remeshing.strain_threshold)"
+                   : "remesh more often (remeshing.every)",
+          "use a finer spacing"};
+}
+
+}  // namespace
+
 template <class T, int D>
 Solver<T, D>::Solver(const Case& a_case, const SolverOptions& options)
     : pliant::Solver(a_case, options),
@@ -50,8 +63,8 @@ void Solver<T, D>::take_step(double dt) {
   find_neighbours(dt);
   run(*present_graph_);
   step_.fold();
-  check_finite(settings(), step_.results(), state_, remedies());
-  check_strain(settings(), step_.results(), state_, dt, remedies());
+  check_finite(settings(), step_.results(), state_, remedies);
+  check_strain(settings(), step_.results(), state_, dt, remedies);
   for (Wall<D>& wall : state_.boundaries.walls) wall.move(clock.time, dt);
   clock.time += dt;
   ++clock.step;
@@ -112,11 +125,11 @@ std::vector<scheduler::Phase> Solver<T, D>::source_phases() {
 
 template <class T, int D>
 void Solver<T, D>::use_new_slots() {
-  check_bodies(settings(), state_, remedies());
+  check_bodies(settings(), state_, remedies);
   number_slots();
   run(stress_graph_.over(remeshings_.layouts(), [&] { return step_.stress_phases(); }));
   step_.fold();
-  check_finite(settings(), step_.results(), state_, remedies());
+  check_finite(settings(), step_.results(), state_, remedies);
   state_.clock.wave_speed = step_.results().total().wave_speed;
 }
 
@@ -151,18 +164,8 @@ void Solver<T, D>::check_layouts() {
                       fmt::format("the particles of body `{}` have flown too far apart for one "
                                   "lattice",
                                   state_.bodies[b].name),
-                      remedies());
+                      remedies(settings()));
   }
-}
-
-template <class T, int D>
-std::vector<std::string> Solver<T, D>::remedies() const {
-  using Policy = decltype(Case{}.remeshing)::Policy;
-  const bool adaptive = settings().remeshing.policy == Policy::adaptive;
-  return {smaller_step(settings()),
-          adaptive ? "remesh more often (remeshing.strain_threshold)"
-                   : "remesh more often (remeshing.every)",
-          "use a finer spacing"};
 }
 
 template <class T, int D>

@@ -64,7 +64,6 @@ class Solver final : public pliant::Solver {
   void number_slots();
   void find_neighbours(double time_step);
   void check_layouts();
-  std::vector<std::string> remedies() const;
 
   const kernels::RemeshedTable<T, D>& kernels_;
   State<T, D> state_;

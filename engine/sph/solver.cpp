@@ -33,13 +33,13 @@ Solver<T, D>::Solver(const Case& a_case, const SolverOptions& options)
       search_graph_(remeshed::resource::names()) {
   remeshings_.place_initial();
   number_slots();
-  remeshed::check_bodies(settings(), state_, remedies(settings()));
+  remeshed::check_bodies(settings(), state_, remedies);
   scheduler::StepGraph initial_stress(step_.stress_phases(),
                                       connect_blocks<D>(remeshings_.layouts(), 0),
                                       remeshed::resource::names());
   run(initial_stress);
   step_.fold();
-  remeshed::check_finite(settings(), step_.results(), state_, remedies(settings()));
+  remeshed::check_finite(settings(), step_.results(), state_, remedies);
   state_.clock.wave_speed = step_.results().total().wave_speed;
 }
 
@@ -64,8 +64,8 @@ void Solver<T, D>::take_step(double dt) {
   }
   run(*present_graph_);
   step_.fold();
-  remeshed::check_finite(settings(), step_.results(), state_, remedies(settings()));
-  remeshed::check_strain(settings(), step_.results(), state_, dt, remedies(settings()));
+  remeshed::check_finite(settings(), step_.results(), state_, remedies);
+  remeshed::check_strain(settings(), step_.results(), state_, dt, remedies);
   remeshed::Clock& clock = state_.clock;
   clock.time += dt;
   ++clock.step;

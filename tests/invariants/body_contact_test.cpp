@@ -1,6 +1,7 @@
 #include <gtest/gtest.h>
 
 #include "engine/remeshed/contact/momentum_correction.hpp"
+#include "engine/remeshed/observe/integrals.hpp"
 #include "engine/remeshed/solver.hpp"
 #include "tests/invariants/sample_runs.hpp"
 
@@ -81,7 +82,7 @@ TEST(body_contact, force_is_what_changes_the_momentum) {
                      {"discretisation.spacing=0.02", "periodic.upper=[inf, 0.16]",
                       std::string("contact.0.kind=") + kind, "body.left.velocity=[0.1, 0]",
                       is_first ? force("left", "right") : force("right", "left")}),
-          2, kernels::widest_supported());
+          {2, kernels::widest_supported()});
       const int body = is_first ? 0 : 1;
       const double before = momentum_of(solver, body, 0);
       EXPECT_EQ(solver.measure()[0], 0);
@@ -114,7 +115,7 @@ TEST(body_contact, pulls_only_where_bodies_are_tied) {
 TEST(body_contact, does_not_mix_tied_materials) {
   Solver solver(small_case("bimaterial_bar", {"discretisation.spacing=0.02", "remeshing.every=2",
                                               "periodic.upper=[inf, 0.16]", "measurement=[]"}),
-                2, kernels::widest_supported());
+                {2, kernels::widest_supported()});
   advance_until(solver, 0.06);
   EXPECT_GT(solver.clock().remeshings, 30);
   for (const Body& body : solver.state().bodies) {

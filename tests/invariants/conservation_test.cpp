@@ -15,7 +15,7 @@ struct Conservation : testing::TestWithParam<const char*> {
                              "body.medium.velocity=[\"0.4 + 0.8*sin(2*pi*x)*sin(2*pi*y)\", "
                              "\"0.7*sin(2*pi*(x + y))\"]",
                              GetParam()};
-    return {small_case("periodic_square", lively + more), 1, kernels::widest_supported()};
+    return {small_case("periodic_square", lively + more), {1, kernels::widest_supported()}};
   }
 };
 INSTANTIATE_TEST_SUITE_P(

@@ -22,7 +22,7 @@ TEST_P(InstructionSets, agree_within_rounding) {
   if (!is_supported(Isa::avx2)) GTEST_SKIP() << "this processor has no AVX2";
   const Snapshot narrow = end_with(Isa::sse2), wide = end_with(Isa::avx2);
   EXPECT_EQ(narrow.at("cell"), wide.at("cell"));
-  for (const FieldDeclaration& field : fields) {
+  for (const remeshed::Declaration& field : remeshed::state_fields) {
     // SSE2 has no fused multiply-add: each operation differs by 1e-16 of its terms, which are up to
     // 1e4 times the differences they leave, and 80 stages add theirs.
     EXPECT_LT(relative_difference(narrow, wide, std::string(field.name)), 1e-10) << field.name;

@@ -29,7 +29,7 @@ void expect_same_particles(const Solver& a, const Solver& b) {
   EXPECT_GE(a.clock().remeshings, 2);
   const Snapshot x = snapshot_of(a, Slots::particles), y = snapshot_of(b, Slots::particles);
   EXPECT_EQ(x.at("cell"), y.at("cell")) << "cells count from the middle of the body";
-  for (const FieldDeclaration& field : fields) {
+  for (const remeshed::Declaration& field : remeshed::state_fields) {
     EXPECT_LT(relative_difference(x, y, std::string(field.name)), rounding) << field.name;
   }
 }
@@ -78,7 +78,7 @@ std::vector<double> values(const Body& body, Field field, std::int64_t slot) {
 void expect_turned_particles(const Solver& a, const Solver& b, double tolerance) {
   const Body &body = a.state().bodies[0], &other = b.state().bodies[0];
   EXPECT_EQ(body.population.particles, other.population.particles);
-  for (const FieldDeclaration& field : fields) {
+  for (const remeshed::Declaration& field : remeshed::state_fields) {
     double size = 0, difference = 0;
     for_each(body.population, Kind::interior, [&](std::int64_t slot, const Cell<2>& cell) {
       const std::int64_t there = other.population.layout.slot(turned(cell));

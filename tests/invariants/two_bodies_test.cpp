@@ -19,7 +19,7 @@ std::map<std::string, Snapshot> after_20_steps(const std::string& bodies) {
   Solver solver(small_case("rotating_cylinder",
                            {"discretisation.spacing=0.1", "remeshing.every=6", "measurement=[]",
                             "time.step=5e-4", "body=[" + bodies + "]"}),
-                2, kernels::widest_supported());
+                {2, kernels::widest_supported()});
   advance(solver, 20);
   std::map<std::string, Snapshot> snapshots;
   for (const Body& body : solver.state().bodies) {

@@ -51,13 +51,6 @@ std::string_view text(Remeshed remeshed) {
   return "";
 }
 
-/// Text for a cell of a table, which `|` would end.
-std::string cell(std::string_view text) {
-  std::string escaped;
-  for (const char c : text) escaped += c == '|' ? std::string("\\|") : std::string(1, c);
-  return escaped;
-}
-
 template <class Spaces, class Fields>
 std::string tables(const Spaces& spaces, const Fields& fields) {
   std::string text_of = "| index space | an item is |\n| --- | --- |\n";

@@ -34,7 +34,7 @@ void displace(Body& body, F&& place) {
 void search(Solver& solver, std::uint64_t seed = 0) {
   Body& body = solver.state().bodies[0];
   Search search(solver.state(), solver.settings().discretisation.kernel);
-  search.forget();
+  search.clear();
   body.neighbours.strain = never_so_much;
   ASSERT_TRUE(search.is_due(0));
   scheduler::StepGraph graph(search.phases(),
@@ -81,7 +81,7 @@ TEST(neighbours, are_all_those_within_the_radius_of_irregular_strained_particles
     Solver solver(
         small_case("rotating_cylinder", {"discretisation.spacing=0.1",
                                          std::string("discretisation.kernel=\"") + weight + "\""}),
-        1, kernels::widest_supported());
+        {1, kernels::widest_supported()});
     Body& body = solver.state().bodies[0];
     displace(body, compressed);
     search(solver);

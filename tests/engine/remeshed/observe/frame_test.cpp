@@ -10,8 +10,8 @@ namespace {
 
 struct Frames : testing::Test {
   Solver solver{
-      small_case("rotating_cylinder", {"discretisation.spacing=0.1", "remeshing.every=4"}), 1,
-      kernels::widest_supported()};
+      small_case("rotating_cylinder", {"discretisation.spacing=0.1", "remeshing.every=4"}),
+      {1, kernels::widest_supported()}};
   Frames() { advance(solver, 6); }
 
   static const std::vector<double>& values(const Frame& frame, const std::string& name) {

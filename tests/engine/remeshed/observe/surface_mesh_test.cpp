@@ -66,7 +66,7 @@ TEST(surface_mesh, of_a_ball_is_closed_and_holds_its_volume) {
   for (const int fine : {0, 1}) {
     Solver3 solver(tests::read_text(
                        ball, {fine ? "discretisation.spacing=0.1" : "discretisation.spacing=0.2"}),
-                   1, kernels::Isa::sse2);
+                   {1, kernels::Isa::sse2});
     const auto surface = surface_of(solver);
     expect_sphere(surface);
     error[fine] = 1 - enclosed_volume(surface) / (4 * pi / 3);

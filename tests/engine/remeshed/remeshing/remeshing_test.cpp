@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 
+#include "engine/method/step_failure.hpp"
 #include "engine/remeshed/observe/integrals.hpp"
 #include "engine/remeshed/observe/surface.hpp"
 #include "tests/engine/remeshed/spinning_disc.hpp"
@@ -77,7 +78,7 @@ TEST(remeshing, of_half_shifted_particles_loses_nothing_at_third_order) {
 TEST(remeshing, that_leaves_a_body_without_particles_says_which_and_when) {
   Solver solver(small_case("rotating_cylinder",
                            {"discretisation.spacing=0.2", "remeshing.every=1", "measurement=[]"}),
-                1, kernels::Isa::sse2);
+                {1, kernels::Isa::sse2});
   Body& body = solver.state().bodies[0];
   std::fill_n(body.stage[0].get(Field::level_set), body.population.layout.slots(), 1.0);
   try {
