@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <limits>
 #include <random>
-#include <set>
 #include <stdexcept>
 
 #include "engine/blocks/numbering.hpp"
@@ -49,7 +48,8 @@ std::vector<std::vector<int>> neighbours_by_trying_all(const Cloud<T, D>& cloud,
       block_of[found.order[s]] = b;
     }
   }
-  std::vector<std::set<int>> near(found.blocks.count());
+  const int count = found.blocks.count();
+  std::vector<char> are_near(count * count);
   for (std::size_t p = 0; p < cloud.size(); ++p) {
     for (std::size_t q = 0; q < cloud.size(); ++q) {
       double squared_distance = 0;
@@ -58,12 +58,14 @@ std::vector<std::vector<int>> neighbours_by_trying_all(const Cloud<T, D>& cloud,
         squared_distance += d * d;
       }
       if (block_of[p] != block_of[q] && squared_distance <= radius * radius) {
-        near[block_of[p]].insert(block_of[q]);
+        are_near[block_of[p] * count + block_of[q]] = 1;
       }
     }
   }
-  std::vector<std::vector<int>> lists;
-  for (const auto& blocks : near) lists.emplace_back(blocks.begin(), blocks.end());
+  std::vector<std::vector<int>> lists(count);
+  for (int b = 0; b < count * count; ++b) {
+    if (are_near[b]) lists[b / count].push_back(b % count);
+  }
   return lists;
 }
 
@@ -100,9 +102,9 @@ TYPED_TEST_SUITE(PointBlocksOf, Kinds);
 TYPED_TEST(PointBlocksOf, irregular_clouds_are_neighbours_exactly_where_points_are_near) {
   using T = typename TypeParam::T;
   constexpr int D = TypeParam::D;
-  const auto cloud = graded_cloud<T, D>(2000);
-  for (const double radius : {0.0, 0.01, 0.1, 0.6, 2.0}) {
-    for (const int block_size : {1, 7, 64, 900, 5000}) {
+  const auto cloud = graded_cloud<T, D>(600);
+  for (const double radius : {0.0, 0.02, 0.2, 2.0}) {
+    for (const int block_size : {1, 7, 64, 900}) {
       expect_blocks_of_every_point<T, D>(cloud, radius, block_size);
     }
   }
