@@ -1,0 +1,142 @@
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+
+#include "engine/remeshed/regions.hpp"
+#include "engine/remeshed/resources.hpp"
+#include "engine/sph/solver.hpp"
+#include "engine/total_lagrangian/regions.hpp"
+#include "engine/total_lagrangian/solver.hpp"
+#include "scheduler/access_check.hpp"
+#include "tests/invariants/sample_runs.hpp"
+
+// Phases declare all that they read and write: the graph orders them by that, and in several
+// processes it would tell what to send.
+namespace pliant::test {
+namespace {
+
+using remeshed::Group;
+using scheduler::AccessProbe;
+using scheduler::BlockId;
+using scheduler::FieldId;
+using scheduler::FieldMemory;
+using scheduler::StepGraph;
+using scheduler::undeclared_accesses;
+using Region = std::span<std::byte>;
+
+/// Groups whose memory holds integers, which cannot be disturbed.
+constexpr std::array integers = {
+    Group::kinds,           Group::image_sources, Group::fits,     Group::contact_points,
+    Group::neighbour_lists, Group::new_kinds,     Group::new_fits, Group::used,
+    Group::surface_packs,   Group::record_numbers};
+
+void add(Region region, bool are_numbers, FieldMemory& memory) {
+  if (are_numbers) {
+    memory.add(reinterpret_cast<double*>(region.data()), region.size() / sizeof(double));
+  } else {
+    memory.add_fixed(region.data(), region.size());
+  }
+}
+
+void add(const std::vector<Region>& regions, Group group, FieldMemory& memory) {
+  for (const Region region : regions) {
+    if (group == Group::contact) {
+      memory.add_flags(reinterpret_cast<std::uint8_t*>(region.data()), region.size());
+    } else {
+      add(region, std::ranges::find(integers, group) == integers.end(), memory);
+    }
+  }
+}
+
+/// A remeshing has two lattices. A graph numbers the blocks of one of them; what lies on the other
+/// can only be accessed as a whole, which stands for block 0.
+template <int D>
+void add_memory(remeshed::State<double, D>& state, const StepGraph& graph, FieldId field,
+                BlockId block, FieldMemory& memory) {
+  const auto has_phase = [&](const char* name) {
+    return std::ranges::any_of(graph.phases(), [&](const auto& p) { return p.name == name; });
+  };
+  const Group group = remeshed::resource_numbers[field].group;
+  const bool is_target = has_phase("remesh: kinds"), is_source = has_phase("remesh: layout");
+  const bool is_new = group >= Group::new_state && group != Group::particle_counts;
+  if (is_new && !is_target && !is_source) return;
+  if (is_new == is_target) return add(remeshed::regions(state, field, block), group, memory);
+  if (block > 0) return;
+  for (int b = 0;; ++b) {
+    const auto regions = remeshed::regions(state, field, b);
+    if (regions.empty()) return;
+    add(regions, group, memory);
+  }
+}
+
+std::string text(const std::vector<scheduler::UndeclaredAccess>& accesses) {
+  std::string lines;
+  for (const auto& access : accesses) lines += text(access) + '\n';
+  return lines;
+}
+
+/// What is undeclared in the last of some steps.
+template <class Method>
+std::string undeclared(const Case& settings, int steps) {
+  return text(undeclared_accesses([&](AccessProbe& probe) {
+    Method solver(settings, {.threads = 1});
+    for (int step = 1; step < steps; ++step) solver.step(HUGE_VAL);
+    probe.watch(solver.workers(),
+                [&](const StepGraph& graph, FieldId field, BlockId block, FieldMemory& memory) {
+                  add_memory(solver.state(), graph, field, block, memory);
+                });
+    solver.step(HUGE_VAL);
+  }));
+}
+
+struct Accesses : OfSampleRuns {};
+INSTANTIATE_TEST_SUITE_P(runs, Accesses, testing::ValuesIn(sample_runs()), name_of);
+INSTANTIATE_TEST_SUITE_P(listed_runs, Accesses, testing::ValuesIn(listed_runs()), name_of);
+
+TEST_P(Accesses, of_a_step_are_declared) {
+  EXPECT_EQ(undeclared<Solver>(GetParam().settled(), GetParam().middle), "");
+}
+
+TEST_P(Accesses, of_a_remeshing_are_declared) {
+  const Case settings =
+      small_case(GetParam().of, GetParam().settings + Settings{"remeshing.every=2"});
+  EXPECT_EQ(undeclared<Solver>(settings, 2), "");
+}
+
+TEST(accesses, of_three_dimensions_and_contact_between_bodies_are_declared) {
+  const Case settings =
+      small_case("ball_on_block", {"discretisation.spacing=0.12", "measurement=[]",
+                                   "body.ball.velocity=[0.1, -0.5, 0]", "remeshing.every=3"});
+  EXPECT_EQ((undeclared<remeshed::Solver<double, 3>>(settings, 3)), "");
+}
+
+TEST(accesses, of_plain_sph_are_declared) {
+  const Settings coarse = {"discretisation.spacing=0.1", "time.step=1e-3",
+                           "sph.artificial_stress=0.3"};
+  const Case settings = small_case("tensile_instability", coarse);
+  EXPECT_EQ((undeclared<sph::Solver<double, 2>>(settings, 3)), "");
+}
+
+TEST(accesses, of_the_total_lagrangian_method_are_declared) {
+  const Case settings = small_case("liver_aspiration", {"discretisation.spacing=4e-3"});
+  const auto accesses = undeclared_accesses([&](AccessProbe& probe) {
+    total_lagrangian::Solver<double, 3> solver(settings, {.threads = 1});
+    for (int step = 0; step < 3; ++step) solver.step(HUGE_VAL);
+    probe.watch(solver.workers(),
+                [&](const StepGraph&, FieldId field, BlockId block, FieldMemory& memory) {
+                  using total_lagrangian::Group;
+                  const bool are_integers =
+                      total_lagrangian::resource_numbers[field].group == Group::surface;
+                  for (const Region region :
+                       total_lagrangian::regions(solver.state(), field, block)) {
+                    add(region, !are_integers, memory);
+                  }
+                });
+    solver.step(HUGE_VAL);
+  });
+  EXPECT_EQ(text(accesses), "");
+}
+
+}  // namespace
+}  // namespace pliant::test
