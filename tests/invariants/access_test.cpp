@@ -26,10 +26,8 @@ using scheduler::undeclared_accesses;
 using Region = std::span<std::byte>;
 
 /// Groups whose memory holds integers, which cannot be disturbed.
-constexpr std::array integers = {
-    Group::kinds,           Group::image_sources, Group::fits,     Group::contact_points,
-    Group::neighbour_lists, Group::new_kinds,     Group::new_fits, Group::used,
-    Group::surface_packs,   Group::record_numbers};
+constexpr std::array integers = {Group::kinds, Group::image_sources, Group::fits,
+                                 Group::contact_points, Group::neighbour_lists};
 
 void add(Region region, bool are_numbers, FieldMemory& memory) {
   if (are_numbers) {
@@ -49,25 +47,15 @@ void add(const std::vector<Region>& regions, Group group, FieldMemory& memory) {
   }
 }
 
-/// A remeshing has two lattices. A graph numbers the blocks of one of them; what lies on the other
-/// can only be accessed as a whole, which stands for block 0.
+/// The graphs of a remeshing number the blocks of two lattices: they are left out.
 template <int D>
 void add_memory(remeshed::State<double, D>& state, const StepGraph& graph, FieldId field,
                 BlockId block, FieldMemory& memory) {
-  const auto has_phase = [&](const char* name) {
-    return std::ranges::any_of(graph.phases(), [&](const auto& p) { return p.name == name; });
-  };
+  const bool is_of_remeshing = std::ranges::any_of(
+      graph.phases(), [](const auto& phase) { return phase.name.starts_with("remesh: "); });
   const Group group = remeshed::resource_numbers[field].group;
-  const bool is_target = has_phase("remesh: kinds"), is_source = has_phase("remesh: layout");
   const bool is_new = group >= Group::new_state && group != Group::particle_counts;
-  if (is_new && !is_target && !is_source) return;
-  if (is_new == is_target) return add(remeshed::regions(state, field, block), group, memory);
-  if (block > 0) return;
-  for (int b = 0;; ++b) {
-    const auto regions = remeshed::regions(state, field, b);
-    if (regions.empty()) return;
-    add(regions, group, memory);
-  }
+  if (!is_of_remeshing && !is_new) add(remeshed::regions(state, field, block), group, memory);
 }
 
 std::string text(const std::vector<scheduler::UndeclaredAccess>& accesses) {
@@ -98,19 +86,6 @@ TEST_P(Accesses, of_a_step_are_declared) {
   EXPECT_EQ(undeclared<Solver>(GetParam().settled(), GetParam().middle), "");
 }
 
-TEST_P(Accesses, of_a_remeshing_are_declared) {
-  const Case settings =
-      small_case(GetParam().of, GetParam().settings + Settings{"remeshing.every=2"});
-  EXPECT_EQ(undeclared<Solver>(settings, 2), "");
-}
-
-TEST(accesses, of_three_dimensions_and_contact_between_bodies_are_declared) {
-  const Case settings =
-      small_case("ball_on_block", {"discretisation.spacing=0.12", "measurement=[]",
-                                   "body.ball.velocity=[0.1, -0.5, 0]", "remeshing.every=3"});
-  EXPECT_EQ((undeclared<remeshed::Solver<double, 3>>(settings, 3)), "");
-}
-
 TEST(accesses, of_plain_sph_are_declared) {
   const Settings coarse = {"discretisation.spacing=0.1", "time.step=1e-3",
                            "sph.artificial_stress=0.3"};
@@ -123,14 +98,16 @@ TEST(accesses, of_the_total_lagrangian_method_are_declared) {
   const auto accesses = undeclared_accesses([&](AccessProbe& probe) {
     total_lagrangian::Solver<double, 3> solver(settings, {.threads = 1});
     for (int step = 0; step < 3; ++step) solver.step(HUGE_VAL);
-    probe.watch(solver.workers(), [&](const StepGraph&, FieldId field, BlockId block,
-                                      FieldMemory& memory) {
-      using total_lagrangian::Group;
-      const bool are_integers = total_lagrangian::resource_numbers[field].group == Group::surface;
-      for (const Region region : total_lagrangian::regions(solver.state(), field, block)) {
-        add(region, !are_integers, memory);
-      }
-    });
+    probe.watch(solver.workers(),
+                [&](const StepGraph&, FieldId field, BlockId block, FieldMemory& memory) {
+                  using total_lagrangian::Group;
+                  const bool are_integers =
+                      total_lagrangian::resource_numbers[field].group == Group::surface;
+                  for (const Region region :
+                       total_lagrangian::regions(solver.state(), field, block)) {
+                    add(region, !are_integers, memory);
+                  }
+                });
     solver.step(HUGE_VAL);
   });
   EXPECT_EQ(text(accesses), "");
