@@ -9,7 +9,7 @@ namespace pliant::test {
 namespace {
 
 std::unique_ptr<Solver> after(const Case& settings, int steps) {
-  auto solver = std::make_unique<Solver>(settings, {1, kernels::widest_supported()});
+  auto solver = std::make_unique<Solver>(settings, SolverOptions{1, kernels::widest_supported()});
   advance(*solver, steps);
   return solver;
 }
