@@ -18,9 +18,8 @@ constexpr double enough_seconds = 0.3;
 /// where there is none.
 int coarsening(const Case& a_case, double particles) {
   const double h = a_case.discretisation.spacing;
-  const int least =
-      std::max(1, static_cast<int>(std::ceil(
-                      std::pow(particles / most_particles, 1.0 / a_case.dimension))));
+  const int least = std::max(
+      1, static_cast<int>(std::ceil(std::pow(particles / most_particles, 1.0 / a_case.dimension))));
   const auto divides = [&](int factor) {
     for (int a = 0; a < a_case.dimension; ++a) {
       if (!a_case.periodic.axis[a]) continue;

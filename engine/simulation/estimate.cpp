@@ -184,10 +184,10 @@ std::string Estimate::text() const {
 
 void refuse_what_does_not_fit(const Case& a_case, const Estimate& size, std::size_t available) {
   if (size.bytes <= available) return;
-  throw InputError(
-      fmt::format("{}: the run needs about {} of memory for {} particles, and {} are available; use "
-                  "a coarser discretisation.spacing, or --force to try",
-                  a_case.name, memory_text(size.bytes), size.particles, memory_text(available)));
+  throw InputError(fmt::format(
+      "{}: the run needs about {} of memory for {} particles, and {} are available; use "
+      "a coarser discretisation.spacing, or --force to try",
+      a_case.name, memory_text(size.bytes), size.particles, memory_text(available)));
 }
 
 std::string memory_text(std::size_t bytes) {

@@ -18,13 +18,13 @@ struct Estimate {
   std::string text() const;
 };
 
-/// Counts particles and slots on the lattice of each body, on a coarser one where that has more than
-/// a million cells, and steps with the wave speed at rest.
+/// Counts particles and slots on the lattice of each body, on a coarser one where that has more
+/// than a million cells, and steps with the wave speed at rest.
 Estimate estimate(const Case& a_case);
 
-/// Wall time of the steps of a run [s], within a factor of two: that of a few steps of the same case,
-/// on a lattice of a few thousand particles where its own has more. None where such a lattice does
-/// not hold the case.
+/// Wall time of the steps of a run [s], within a factor of two: that of a few steps of the same
+/// case, on a lattice of a few thousand particles where its own has more. None where such a lattice
+/// does not hold the case.
 std::optional<double> estimated_seconds(const Case& a_case, const Estimate& size,
                                         const SolverOptions& options,
                                         const MethodRegistry& methods);

@@ -22,8 +22,8 @@ TEST(bench_cases, have_the_spacing_of_the_particles_asked_for) {
 TEST(bench_cases, keep_the_settings_that_rates_depend_on) {
   using Policy = decltype(Case::remeshing)::Policy;
   for (const Case& a_case :
-       {bench::rotating_cylinder(2000, Weight::compact), bench::spinning_ball(2000, Weight::compact),
-        bench::compression(64, Weight::compact)}) {
+       {bench::rotating_cylinder(2000, Weight::compact),
+        bench::spinning_ball(2000, Weight::compact), bench::compression(64, Weight::compact)}) {
     EXPECT_EQ(a_case.discretisation.kernel, Weight::compact) << a_case.name;
     EXPECT_EQ(a_case.discretisation.dissipation, 0.25) << a_case.name;
     EXPECT_FALSE(a_case.time.step) << a_case.name;

@@ -33,8 +33,8 @@ const Sample samples[] = {
 
 class Estimates : public testing::TestWithParam<Sample> {
  protected:
-  Case a_case_ = read_case(
-      std::filesystem::path(PLIANT_SOURCE_DIR) / "cases" / GetParam().name, GetParam().settings);
+  Case a_case_ = read_case(std::filesystem::path(PLIANT_SOURCE_DIR) / "cases" / GetParam().name,
+                           GetParam().settings);
 };
 
 /// Largest resident memory of a process that runs a case [bytes].
@@ -79,8 +79,9 @@ INSTANTIATE_TEST_SUITE_P(cases, Estimates, testing::ValuesIn(samples),
 
 // A disc of 10^8 particles: one slot for each, and a rim.
 TEST(estimate, large_bodies_are_counted_on_a_coarse_lattice) {
-  const Case a_case = read_case(std::filesystem::path(PLIANT_SOURCE_DIR) / "cases/rotating_cylinder",
-                                std::vector<std::string>{"discretisation.spacing=sqrt(pi)*1e-4"});
+  const Case a_case =
+      read_case(std::filesystem::path(PLIANT_SOURCE_DIR) / "cases/rotating_cylinder",
+                std::vector<std::string>{"discretisation.spacing=sqrt(pi)*1e-4"});
   const Estimate size = estimate(a_case);
   EXPECT_NEAR(static_cast<double>(size.particles), 1e8, 1e6);
   EXPECT_NEAR(static_cast<double>(size.slots), 1e8, 2e6);
