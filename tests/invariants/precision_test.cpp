@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstring>
 #include <fstream>
 #include <limits>
 #include <nlohmann/json.hpp>
@@ -53,12 +54,10 @@ struct Precisions : testing::TestWithParam<PrecisionRun> {
     return methods().make(GetParam().settled(more), {threads, kernels::widest_supported()});
   }
 
-  /// All that a checkpoint holds of a solver.
-  FileContent state_of(const pliant::Solver& solver) const {
+  void save(const pliant::Solver& solver) const {
     ArchiveWriter writer(folder / "state.h5");
     solver.save(writer);
     writer.commit();
-    return content_of(folder / "state.h5");
   }
 };
 INSTANTIATE_TEST_SUITE_P(runs, Precisions, testing::ValuesIn(precision_runs()),
@@ -71,6 +70,23 @@ void take_steps(pliant::Solver& solver, int count) {
 const std::vector<double>& velocity(const Frame& frame) {
   const auto at = std::ranges::find(frame.fields, "velocity", &FrameField::name);
   return std::get<std::vector<double>>(at->values);
+}
+
+/// What particles and ghosts hold, and what the case measures. It renews the ghosts.
+std::vector<double> content(pliant::Solver& solver) {
+  const Frame frame = solver.frame({.ghosts = true});
+  std::vector<double> values = frame.position;
+  for (const FrameField& field : frame.fields) {
+    std::visit([&](const auto& of) { values.insert(values.end(), of.begin(), of.end()); },
+               field.values);
+  }
+  const BodyIntegrals sum = solver.integrals();
+  values.insert(values.end(), {sum.mass, sum.kinetic_energy, sum.strain_energy});
+  return values;
+}
+
+bool have_the_same_bits(const std::vector<double>& a, const std::vector<double>& b) {
+  return a.size() == b.size() && std::memcmp(a.data(), b.data(), a.size() * sizeof(double)) == 0;
 }
 
 /// Of pressure waves in the stiffest body [m/s].
@@ -105,30 +121,29 @@ TEST_P(Precisions, velocities_differ_by_the_rounding_of_stress) {
 TEST_P(Precisions, bits_of_single_precision_do_not_depend_on_the_number_of_threads) {
   const auto one = solver(single);
   take_steps(*one, GetParam().steps);
+  const std::vector<double> expected = content(*one);
+  EXPECT_GT(expected.size(), 1000u);
   for (const int threads : {2, 7}) {
     const auto several = solver(single, threads);
     take_steps(*several, GetParam().steps);
-    EXPECT_EQ(differences(state_of(*one), state_of(*several)), std::vector<std::string>());
-    EXPECT_EQ(one->integrals().strain_energy, several->integrals().strain_energy);
+    EXPECT_TRUE(have_the_same_bits(expected, content(*several))) << threads << " threads";
   }
 }
 
 TEST_P(Precisions, a_restored_solver_of_single_precision_continues_to_the_same_bits) {
   const auto whole = solver(single);
   take_steps(*whole, GetParam().steps / 2);
-  ArchiveWriter writer(folder / "half.h5");
-  whole->save(writer);
-  writer.commit();
+  save(*whole);
   const auto restored = solver(single, 2);
-  restored->restore(ArchiveReader(folder / "half.h5"));
+  restored->restore(ArchiveReader(folder / "state.h5"));
   take_steps(*whole, GetParam().steps - GetParam().steps / 2);
   take_steps(*restored, GetParam().steps - GetParam().steps / 2);
-  EXPECT_EQ(differences(state_of(*whole), state_of(*restored)), std::vector<std::string>());
+  EXPECT_TRUE(have_the_same_bits(content(*whole), content(*restored)));
 }
 
 TEST_P(Precisions, a_solver_refuses_the_fields_of_the_other_precision) {
   const auto in_double = solver({}), in_single = solver(single);
-  state_of(*in_double);
+  save(*in_double);
   EXPECT_THROW(in_single->restore(ArchiveReader(folder / "state.h5")), OutputError);
 }
 
