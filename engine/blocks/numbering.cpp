@@ -2,11 +2,8 @@
 
 namespace pliant {
 
-void number_blocks(std::span<const int> counts, std::vector<BlockOwner>& owners) {
-  owners.clear();
-  for (std::size_t body = 0; body < counts.size(); ++body) {
-    for (int b = 0; b < counts[body]; ++b) owners.push_back({static_cast<int>(body), b});
-  }
+void number_blocks(int body, int count, std::vector<BlockOwner>& owners) {
+  for (int block = 0; block < count; ++block) owners.push_back({body, block});
 }
 
 scheduler::Blocks join_blocks(std::span<const scheduler::Blocks> bodies) {

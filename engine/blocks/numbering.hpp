@@ -14,8 +14,8 @@ struct BlockOwner {
   int body, block;
 };
 
-/// Sets the owner of each block of the step graph, from the number of blocks of each body.
-void number_blocks(std::span<const int> counts, std::vector<BlockOwner>& owners);
+/// Appends the owners of the blocks of a body, which follow those of the bodies before it.
+void number_blocks(int body, int count, std::vector<BlockOwner>& owners);
 
 /// The blocks of all bodies in one numbering; blocks of different bodies are no neighbours.
 scheduler::Blocks join_blocks(std::span<const scheduler::Blocks> bodies);

@@ -4,11 +4,10 @@ namespace pliant {
 
 template <int D>
 void number_blocks(const Layouts<D>& layouts, std::vector<BlockOwner>& owners) {
-  std::vector<int> counts;
-  for (const Layout<D>* layout : layouts) {
-    counts.push_back(static_cast<int>(layout->blocks().size()));
+  owners.clear();
+  for (std::size_t body = 0; body < layouts.size(); ++body) {
+    number_blocks(static_cast<int>(body), static_cast<int>(layouts[body]->blocks().size()), owners);
   }
-  number_blocks(counts, owners);
 }
 
 template <int D>

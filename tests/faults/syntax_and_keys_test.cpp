@@ -22,7 +22,8 @@ const Fault faults[] = {
      "block.toml:11: unknown key `colour` in [ghosts]; its keys are treatment"},
     {"an_unknown_table", extended("[output_files]\nevery = 3\n"),
      "block.toml:10: unknown key `output_files` in the case; its keys are title, name, dimension, "
-     "method, discretisation, time, remeshing, level_set, ghosts, total_lagrangian, sph, "
+     "method, precision, discretisation, time, remeshing, level_set, ghosts, total_lagrangian, "
+     "sph, "
      "periodic, material, body, boundary, contact, output, measurement"},
     {"the_beginning_of_a_table", extended("[remesh]\nevery = 3\n"),
      "block.toml:10: unknown key `remesh` in the case; did you mean `remeshing`?"},

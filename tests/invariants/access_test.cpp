@@ -98,16 +98,14 @@ TEST(accesses, of_the_total_lagrangian_method_are_declared) {
   const auto accesses = undeclared_accesses([&](AccessProbe& probe) {
     total_lagrangian::Solver<double, 3> solver(settings, {.threads = 1});
     for (int step = 0; step < 3; ++step) solver.step(HUGE_VAL);
-    probe.watch(solver.workers(),
-                [&](const StepGraph&, FieldId field, BlockId block, FieldMemory& memory) {
-                  using total_lagrangian::Group;
-                  const bool are_integers =
-                      total_lagrangian::resource_numbers[field].group == Group::surface;
-                  for (const Region region :
-                       total_lagrangian::regions(solver.state(), field, block)) {
-                    add(region, !are_integers, memory);
-                  }
-                });
+    probe.watch(solver.workers(), [&](const StepGraph&, FieldId field, BlockId block,
+                                      FieldMemory& memory) {
+      using total_lagrangian::Group;
+      const bool are_integers = total_lagrangian::resource_numbers[field].group == Group::surface;
+      for (const Region region : total_lagrangian::regions(solver.state(), field, block)) {
+        add(region, !are_integers, memory);
+      }
+    });
     solver.step(HUGE_VAL);
   });
   EXPECT_EQ(text(accesses), "");

@@ -206,9 +206,9 @@ TEST_F(Files, state_the_precision) {
 
 TEST_F(Files, a_checkpoint_of_the_other_precision_is_refused) {
   run({});
-  EXPECT_THROW(run(single, true), std::invalid_argument);
+  EXPECT_THROW(run(single, true), InputError);
   run(single);
-  EXPECT_THROW(run({}, true), std::invalid_argument);
+  EXPECT_THROW(run({}, true), InputError);
 }
 
 }  // namespace

@@ -58,7 +58,8 @@ void ContactSearch<T, D>::add_phases(std::vector<Phase>& phases) {
   rows.each("contact search: points",
             all(whole(surface_cells)) + near(particles(drift) + whole(fits)) +
                 own(ghosts(drift) + ghosts(constants)),
-            own(whole(contact_points) + whole(tractions)), [this](int block) { find_contact_points(block); });
+            own(whole(contact_points) + whole(tractions)),
+            [this](int block) { find_contact_points(block); });
 }
 
 template <class T, int D>

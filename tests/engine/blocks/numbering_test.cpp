@@ -7,7 +7,9 @@ namespace {
 
 TEST(numbering, blocks_follow_each_other_body_after_body) {
   std::vector<BlockOwner> owners = {{7, 7}};
-  number_blocks(std::vector{2, 0, 3}, owners);
+  number_blocks(0, 2, owners);
+  number_blocks(1, 0, owners);
+  number_blocks(2, 3, owners);
   const std::vector<std::pair<int, int>> expected = {{0, 0}, {0, 1}, {2, 0}, {2, 1}, {2, 2}};
   ASSERT_EQ(owners.size(), expected.size());
   for (std::size_t b = 0; b < owners.size(); ++b) {

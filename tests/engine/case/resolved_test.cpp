@@ -102,6 +102,7 @@ TEST(resolved, it_holds_every_default) {
 name = "block"
 dimension = 2
 method = "remeshed"
+precision = "double"
 
 [discretisation]
 spacing = 0.1

@@ -51,6 +51,13 @@ std::string_view text(Remeshed remeshed) {
   return "";
 }
 
+/// Text for a cell of a table, which `|` would end.
+std::string cell(std::string_view text) {
+  std::string escaped;
+  for (const char c : text) escaped += c == '|' ? std::string("\\|") : std::string(1, c);
+  return escaped;
+}
+
 template <class Spaces, class Fields>
 std::string tables(const Spaces& spaces, const Fields& fields) {
   std::string text_of = "| index space | an item is |\n| --- | --- |\n";
@@ -61,10 +68,11 @@ std::string tables(const Spaces& spaces, const Fields& fields) {
       "\n| field | symbol | unit | components | index space | remeshing | copies | saved | shown | "
       "shares storage with |\n| --- | --- | --- | --- | --- | --- | --- | --- | --- | --- |\n";
   for (const auto& f : fields) {
-    text_of += fmt::format(
-        "| `{}` | {} | {} | {} | {} | {} | {} | {} | {} | {} |\n", f.name, f.symbol, f.unit,
-        text(f.rank), spaces[static_cast<std::size_t>(f.space)].name, text(f.remeshed), f.copies,
-        f.is_saved ? "yes" : "", f.is_shown ? "yes" : "", f.shares_storage);
+    text_of +=
+        fmt::format("| `{}` | {} | {} | {} | {} | {} | {} | {} | {} | {} |\n", f.name,
+                    cell(f.symbol), cell(f.unit), text(f.rank),
+                    spaces[static_cast<std::size_t>(f.space)].name, text(f.remeshed), f.copies,
+                    f.is_saved ? "yes" : "", f.is_shown ? "yes" : "", f.shares_storage);
   }
   return text_of;
 }

@@ -76,7 +76,7 @@ TEST(summary, a_report_names_folder_and_file_and_aligns_the_measurements) {
   EXPECT_EQ(report_of("results/disc", sample()),
             "results in results/disc; open result.xdmf in ParaView\n"
             "  radius  0.1 m\n"
-            "  broken  not measured\n");
+            "  broken  no value: it broke\n");
 }
 
 TEST(summary, a_name_that_is_not_utf8_is_written_all_the_same) {

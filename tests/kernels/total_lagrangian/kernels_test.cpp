@@ -155,12 +155,13 @@ TYPED_TEST(total_lagrangian_kernels, instruction_sets_agree_with_the_baseline_wi
     wide.step(isa);
     narrow.step(Isa::sse2);
     EXPECT_NEAR(wide.result.wave_speed / narrow.result.wave_speed, 1, exact<T>);
-    for (int i = 0; i < D; ++i) {
-      for (std::int64_t p = 0; p < baseline.patch.slots; ++p) {
-        ASSERT_NEAR(wide.velocity[i][p], narrow.velocity[i][p], exact<T>) << name(isa);
-        ASSERT_NEAR(wide.displacement[i][p], narrow.displacement[i][p], exact<T>) << name(isa);
+    // A wide register may reach beyond a segment into slots that belong to nobody.
+    baseline.patch.for_each_interior([&](std::int64_t p, const auto&) {
+      for (int i = 0; i < D; ++i) {
+        EXPECT_NEAR(wide.velocity[i][p], narrow.velocity[i][p], exact<T>) << name(isa);
+        EXPECT_NEAR(wide.displacement[i][p], narrow.displacement[i][p], exact<T>) << name(isa);
       }
-    }
+    });
   }
 }
 

@@ -86,29 +86,6 @@ TYPED_TEST(BehindWalls, plane_surfaces_run_on_exactly) {
   EXPECT_GT(behind, 20);
 }
 
-TYPED_TEST(BehindWalls, phi_far_from_a_surface_keeps_its_value) {
-  constexpr int D = TypeParam::dimension;
-  const double height = 3.1;
-  Extension<D> nodes(floor_at(height, BoundaryCase::Kind::fixed),
-                     [&](const Point<D>& x) { return x[1] < height ? 1e3 : -10 + 0.5 * x[1]; });
-  nodes.for_each_extended([&](const Point<D>& x, double value) {
-    if (x[1] >= height) return;
-    EXPECT_NEAR(value, -10 + 0.5 * (height + 1.5 * spacing), 1e-12);
-  });
-}
-
-TYPED_TEST(BehindWalls, slopes_steeper_than_a_surface_at_45_degrees_are_cut) {
-  constexpr int D = TypeParam::dimension;
-  const double height = 3.1;
-  Extension<D> nodes(floor_at(height, BoundaryCase::Kind::fixed), [&](const Point<D>& x) {
-    return x[1] < height ? 1e3 : height + 1.5 * spacing - x[1];
-  });
-  nodes.for_each_extended([&](const Point<D>& x, double value) {
-    if (x[1] >= height) return;
-    EXPECT_NEAR(value, 0.7 * (height + 1.5 * spacing - x[1]), 1e-12);
-  });
-}
-
 // (RP.54)
 TYPED_TEST(BehindWalls, bodies_end_at_contact_walls) {
   constexpr int D = TypeParam::dimension;
