@@ -6,7 +6,7 @@ namespace pliant {
 namespace {
 
 TEST(numbering, blocks_follow_each_other_body_after_body) {
-  std::vector<BlockOwner> owners = {{7, 7}};
+  std::vector<BlockOwner> owners;
   number_blocks(0, 2, owners);
   number_blocks(1, 0, owners);
   number_blocks(2, 3, owners);
