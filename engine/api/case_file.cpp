@@ -16,10 +16,10 @@ CaseFile CaseFile::read(const std::filesystem::path& path) {
   return file;
 }
 
-CaseFile CaseFile::parse(std::string toml, std::filesystem::path folder) {
+CaseFile CaseFile::parse(std::string toml, const std::filesystem::path& folder) {
   CaseFile file;
   file.text_ = std::move(toml);
-  file.file_ = std::move(folder) / "case";
+  file.file_ = folder / "case";
   return file;
 }
 

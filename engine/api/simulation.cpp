@@ -45,6 +45,7 @@ std::size_t find(const List& list, std::string_view name, std::string_view what)
       std::ranges::find(list, name, [](const auto& element) { return element.name; });
   if (found != list.end()) return found - list.begin();
   std::vector<std::string_view> known;
+  known.reserve(list.size());
   for (const auto& element : list) known.push_back(element.name);
   throw InputError(fmt::format("the case has no {} `{}`; {}", what, name,
                                known.empty() ? "it has none" : suggestion(name, known, "it has")));

@@ -6,6 +6,7 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
+#include <iterator>
 #include <memory>
 
 #include "engine/case/problems.hpp"
@@ -104,10 +105,10 @@ std::vector<const CLI::App*> all_commands(const CLI::App& app) {
 }
 
 InputError unknown_command(const CLI::App& app, const std::string& given) {
-  std::vector<std::string_view> names;
   std::vector<std::string> kept;
-  for (const CLI::App* command : all_commands(app)) kept.push_back(command->get_name());
-  for (const std::string& name : kept) names.push_back(name);
+  std::ranges::transform(all_commands(app), std::back_inserter(kept),
+                         [](const CLI::App* command) { return command->get_name(); });
+  const std::vector<std::string_view> names(kept.begin(), kept.end());
   return InputError(fmt::format("pliant {}: no such command; {}", given,
                                 suggestion(given, names, "the commands are")));
 }

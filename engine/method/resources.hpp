@@ -63,6 +63,7 @@ class ResourceNumbers {
 
   std::vector<std::string> names() const {
     std::vector<std::string> names;
+    names.reserve(count());
     for (scheduler::FieldId id = 0; id < count(); ++id) names.push_back(name((*this)[id]));
     return names;
   }

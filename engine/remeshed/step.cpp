@@ -144,7 +144,7 @@ Accesses Step<T, D>::read_by_ghosts(int stage, bool all_of_them) const {
 
 template <class T, int D>
 Accesses Step<T, D>::written_by_ghosts(int stage) const {
-  const Accesses writes = own(ghosts(velocity, buffer_of(stage)) + ghosts(stress, stage % 2));
+  Accesses writes = own(ghosts(velocity, buffer_of(stage)) + ghosts(stress, stage % 2));
   if (!state_.boundaries.have_contact()) return writes;
   return writes + own(whole(contact) + whole(kinds) + whole(wall_impulse));
 }

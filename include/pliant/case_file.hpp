@@ -27,7 +27,7 @@ class CaseFile {
   static CaseFile read(const std::filesystem::path& path);
 
   /// TOML text; names of files in it are relative to `folder`.
-  static CaseFile parse(std::string toml, std::filesystem::path folder = ".");
+  static CaseFile parse(std::string toml, const std::filesystem::path& folder = ".");
 
   /// Sets the value of a key, as `--set` does: lists and tables are TOML text, and elements of
   /// lists are addressed by name or by position ("boundary.upper.velocity", "body.0.material").
