@@ -16,11 +16,11 @@ constexpr double flop_per_stage(kernels::Weight weight, kernels::Model model, in
   // omega of (RP.15): s^2 1, 1/s 20, s 1, two cubes 12, the polynomial near zero 1; (RP.16): t 3,
   // series 4, powers 3; (RP.17): t 3, powers 2.
   const int omega = weight == Weight::quartic ? 35 : weight == Weight::compact ? 5 : 10;
-  // In the plane d 4, r^2 3, omega d 2, A 6, five differences 5, five times omega d (f_q - f_p) 20.
-  // In space d 6, r^2 5, omega d 3, A 12, nine differences 9, three times omega d (u_q - u_p) 18,
+  // In 2D d 4, r^2 3, omega d 2, A 6, five differences 5, five times omega d (f_q - f_p) 20.
+  // In 3D d 6, r^2 5, omega d 3, A 12, nine differences 9, three times omega d (u_q - u_p) 18,
   // A^-1 omega d 15, div sigma 18.
   const int pair = (plane ? 40 : 86) + omega;
-  // In the plane A^-1 8, five gradients 30, div sigma 2; in space A^-1 30, three gradients 45.
+  // In 2D A^-1 8, five gradients 30, div sigma 2; in 3D A^-1 30, three gradients 45.
   const int gradients = plane ? 40 : 75;
   const int dissipation = plane ? 70 : 230;                              // (RP.23)
   const int law = plane ? (deforms ? 120 : 45) : (deforms ? 300 : 120);  // rates and stress

@@ -22,8 +22,8 @@
 //
 // Each side finds the traction at its own foot points, and what each of them does to its particles
 // is right to the order of the method, not to rounding. The momentum that crosses is therefore
-// booked once for each pair, as the mean of what the two sides say, (RP.68), and each body holds to
-// its book: body_momentum.hpp.
+// counted once for each pair, as the mean of the two sides, (RP.68), and each body is brought to
+// its momentum budget: momentum_correction.hpp.
 namespace pliant::remeshed {
 
 template <class T, int D>

@@ -25,7 +25,7 @@
 // that of the worst place and the worst direction all along, so that it mostly comes true much too
 // early. Then the closest pair among those n + 1 slots apart is measured, from which (RP.24) goes
 // on; those n + 2 apart are still bounded by r(0). Where a pair has come too near, neighbours are
-// searched for in space, within R + s: what is found is complete while
+// searched for by position, within R + s: what is found is complete while
 // (R + s) exp(-(E - E_search)) >= R.
 //
 // All this must hold to the end of the step to come, whose strain rate is not known yet: it is

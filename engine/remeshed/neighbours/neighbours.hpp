@@ -17,7 +17,7 @@ double stencil_strain(kernels::Weight weight);
 /// much are far from the state that they started from, and lists of neighbours for them endless.
 inline constexpr double largest_step_strain = 0.5;
 
-/// Finds the neighbours of particles in space once slots from outside the stencil come into the
+/// Finds the neighbours of particles by position once slots from outside the stencil come into the
 /// support, and again before what was found may miss some.
 ///
 ///     stencil reach   how near such slots are, once the strain since the last remeshing might have
