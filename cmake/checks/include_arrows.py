@@ -36,7 +36,8 @@ ENGINE = {
     "remeshed": METHOD,
     "total_lagrangian": METHOD,
     "sph": METHOD | {"remeshed"},
-    "simulation": METHOD | {"remeshed", "total_lagrangian", "sph"},
+    "point_based": METHOD,
+    "simulation": METHOD | {"remeshed", "total_lagrangian", "sph", "point_based"},
     "api": METHOD | {"simulation"},
     "bench": METHOD | {"simulation", "remeshed"},  # bytes of a stage, from the list of fields
     "cli": METHOD | {"simulation", "bench"},

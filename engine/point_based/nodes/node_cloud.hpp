@@ -1,0 +1,19 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+namespace pliant::point_based {
+
+/// The nodes of a body in its undeformed state, in SI units; D is the dimension.
+template <int D>
+struct NodeCloud {
+  std::vector<std::array<double, D>> positions;  ///< [node][axis] [m]; no two at the same place
+  std::vector<double> volumes;  ///< [node] positive, [m^3], in 2D [m^2]; their sum is the body's
+  /// [element] nodes of the triangles (2D, counter-clockwise) or tetrahedra (3D, positive volume)
+  /// that fill the body; empty where the nodes do not come from a mesh.
+  std::vector<std::array<std::int32_t, D + 1>> elements;
+};
+
+}  // namespace pliant::point_based
