@@ -94,10 +94,12 @@ void half_space_keys(Visitor& visit, Shape& shape) {
 
 template <class Visitor>
 void mesh_keys(Visitor& visit, Shape& shape) {
-  visit("file", shape.file,
-        {.meaning = "STL, OBJ or PLY file; a relative path starts from the folder of the case file",
-         .example = R"("organ.stl")",
-         .required = true});
+  visit(
+      "file", shape.file,
+      {.meaning = "STL, OBJ or PLY file of a closed surface, or Gmsh (.msh) or VTK (.vtk) file of "
+                  "tetrahedra; a relative path starts from the folder of the case file",
+       .example = R"("organ.stl")",
+       .required = true});
   visit("scale", shape.scale,
         {.meaning = "length of one unit of the file; 0.001 for millimetres",
          .unit = "m",

@@ -33,13 +33,13 @@ void MeshFile::refuse_end(std::size_t offset, const std::string& missing) const 
 }
 
 bool MeshText::next_line() {
-  const std::size_t end = file_.content.find('\n', at_);
-  at_ = end == std::string::npos ? file_.content.size() : end + 1;
-  return at_ < file_.content.size();
+  const std::size_t end = file_->content.find('\n', at_);
+  at_ = end == std::string::npos ? file_->content.size() : end + 1;
+  return at_ < file_->content.size();
 }
 
 std::string_view MeshText::word_of_line() {
-  const std::string& text = file_.content;
+  const std::string& text = file_->content;
   while (at_ < text.size() && is_space(text[at_])) ++at_;
   word_start_ = at_;
   while (at_ < text.size() && text[at_] != '\n' && !is_space(text[at_])) ++at_;
@@ -82,7 +82,7 @@ void add_fan(SurfaceMesh& mesh, const std::vector<std::int32_t>& corners) {
   }
 }
 
-SurfaceMesh read_mesh(const std::filesystem::path& file) {
+MeshFile load_mesh_file(const std::filesystem::path& file) {
   // Neither a folder nor a pipe, which may never end.
   std::error_code ignored;
   const bool is_file = std::filesystem::is_regular_file(file, ignored);
@@ -92,23 +92,13 @@ SurfaceMesh read_mesh(const std::filesystem::path& file) {
     throw MeshError(fmt::format("{}: cannot be read", file.string()),
                     "give the path of the mesh from the folder of the case file");
   }
-  const MeshFile loaded{file.string(), {std::istreambuf_iterator<char>(stream), {}}};
+  return {file.string(), {std::istreambuf_iterator<char>(stream), {}}};
+}
+
+std::string lower_ending(const std::filesystem::path& file) {
   std::string ending = file.extension().string();
   for (char& c : ending) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
-  SurfaceMesh mesh;
-  if (ending == ".stl") {
-    mesh = read_stl(loaded);
-  } else if (ending == ".obj") {
-    mesh = read_obj(loaded);
-  } else if (ending == ".ply") {
-    mesh = read_ply(loaded);
-  } else {
-    throw MeshError(fmt::format("{}: no format is known by the ending \"{}\"", loaded.name, ending),
-                    "give an STL, OBJ or PLY file that ends in .stl, .obj or .ply");
-  }
-  if (!mesh.triangles.empty()) return mesh;
-  throw MeshError(fmt::format("{}: holds no triangle", loaded.name),
-                  "export the surface with its faces");
+  return ending;
 }
 
 }  // namespace pliant

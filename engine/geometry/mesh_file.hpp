@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <cstring>
+#include <filesystem>
 #include <string>
 #include <string_view>
 
@@ -25,10 +26,16 @@ struct MeshFile {
   [[noreturn]] void refuse_end(std::size_t offset, const std::string& missing) const;
 };
 
+/// Throws MeshError when `file` is no regular file or cannot be read.
+MeshFile load_mesh_file(const std::filesystem::path& file);
+
+/// The ending of a file's name in lower case, as ".stl".
+std::string lower_ending(const std::filesystem::path& file);
+
 /// Words of a text file, one after the other.
 class MeshText {
  public:
-  explicit MeshText(const MeshFile& file, std::size_t start = 0) : file_(file), at_(start) {}
+  explicit MeshText(const MeshFile& file, std::size_t start = 0) : file_(&file), at_(start) {}
 
   /// The next word of the file, empty at its end.
   std::string_view word();
@@ -41,12 +48,14 @@ class MeshText {
   std::int64_t integer(std::string_view word, std::string_view what) const;
   /// Where the next word is sought.
   std::size_t offset() const { return at_; }
+  /// Where the word that was read last begins.
+  std::size_t word_start() const { return word_start_; }
   [[noreturn]] void refuse(const std::string& what, const std::string& remedy) const {
-    file_.refuse_line(word_start_, what, remedy);
+    file_->refuse_line(word_start_, what, remedy);
   }
 
  private:
-  const MeshFile& file_;
+  const MeshFile* file_;
   std::size_t at_;
   std::size_t word_start_ = 0;
 };

@@ -31,7 +31,8 @@ struct SurfaceMesh {
 };
 
 /// Reads a file whose name ends in .stl (ASCII or binary), .obj (polygons become fans of triangles)
-/// or .ply (ASCII or binary little endian). Throws MeshError.
+/// or .ply (ASCII or binary little endian), or takes the boundary of the tetrahedra of a .msh or
+/// .vtk file. Throws MeshError.
 SurfaceMesh read_mesh(const std::filesystem::path& file);
 
 }  // namespace pliant

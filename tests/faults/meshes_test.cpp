@@ -61,9 +61,9 @@ const MeshFault faults[] = {
     {"no_file", "no.stl", "",
      "no.stl: cannot be read; give the path of the mesh from the folder "
      "of the case file"},
-    {"an_unknown_ending", "organ.vtk", "x",
-     "organ.vtk: no format is known by the ending \".vtk\"; give an STL, OBJ or PLY file that ends "
-     "in .stl, .obj or .ply"},
+    {"an_unknown_ending", "organ.gts", "x",
+     "organ.gts: no format is known by the ending \".gts\"; give a surface that ends in .stl, .obj "
+     "or .ply, or tetrahedra that end in .msh or .vtk"},
     {"a_truncated_binary_stl", "organ.stl", cut(binary_stl(), 200),
      "organ.stl: byte 200: the file ends before triangle 3 of the 4 that it announces; save it "
      "again from the program that made it"},
