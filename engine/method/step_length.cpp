@@ -13,12 +13,13 @@ double asked_step(const Case& settings, double wave_speed) {
 
 double step_length(const Case& settings, const StepClock& clock, double asked, double longest) {
   constexpr double rounding = 1e-9, shortest = 1e-12;  // of the step; of the run
-  const double length = asked > longest * (1 - rounding) ? longest : asked;
-  if (length > shortest * settings.time.end) return length;
+  if (asked > shortest * settings.time.end) {
+    return asked > longest * (1 - rounding) ? longest : asked;
+  }
   throw StepFailure(
       fmt::format("t = {:.6g}: the time step has collapsed to {:.3g} s (largest wave speed {:.3g} "
                   "m/s); check the material constants and the loading",
-                  clock.time, length, clock.wave_speed));
+                  clock.time, asked, clock.wave_speed));
 }
 
 }  // namespace pliant

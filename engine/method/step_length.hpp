@@ -9,7 +9,7 @@ namespace pliant {
 double asked_step(const Case& settings, double wave_speed);
 
 /// Length of the next step [s]: `asked`, or `longest` where that is shorter but for rounding.
-/// Throws StepFailure when it is next to nothing, or not a number.
+/// Throws StepFailure when `asked` is next to nothing, or not a number.
 double step_length(const Case& settings, const StepClock& clock, double asked, double longest);
 
 }  // namespace pliant

@@ -122,8 +122,8 @@ double values_of_slot(const BodyCase& body) {
 template <int D>
 Cost cost_of(const Case& a_case, const BodyCase& body) {
   if (a_case.method == "total_lagrangian") {
-    // phi, fraction, mass and its inverse; four vectors; the modes of the forces
-    return {value * (4.0 + 4 * D + D * kernels::cell_modes<D>), 0, D == 2 ? 150. : 400.};
+    // phi, fraction, mass and its inverse; five vectors; the modes of the forces
+    return {value * (4.0 + 5 * D + D * kernels::cell_modes<D>), 0, D == 2 ? 150. : 400.};
   }
   return {value * (values_of_slot<D>(body) + 1), D == 2 ? 2500. : 1300., D == 2 ? 180. : 320.};
 }

@@ -73,6 +73,8 @@ struct Body {
   Buffer<T> mass;          ///< [kg], 0 where there is no particle
   Buffer<T> inverse_mass;  ///< [1/kg], 0 where there is no particle
   std::array<Buffer<T>, D> displacement, velocity, internal, traction;
+  /// At the end of a step that an output time divides [m]; of no meaning at other times.
+  std::array<Buffer<T>, D> end_displacement;
   std::array<std::array<Buffer<T>, kernels::cell_modes<D>>, D> force;
   std::vector<Facet<D>> facets;
   std::vector<FacetLoad> loads;
@@ -125,6 +127,7 @@ struct Body {
   static void visit_arrays(Self& body, F&& f) {
     using std::span;
     f(Field::displacement, span(body.displacement));
+    f(Field::end_displacement, span(body.end_displacement));
     f(Field::velocity, span(body.velocity));
     f(Field::internal_force, span(body.internal));
     f(Field::traction, span(body.traction));

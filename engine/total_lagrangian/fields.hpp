@@ -10,6 +10,7 @@ namespace pliant::total_lagrangian {
 
 enum class Field {
   displacement,
+  end_displacement,
   velocity,
   internal_force,
   traction,
@@ -66,9 +67,10 @@ inline constexpr auto field_list = [] {
   constexpr bool saved = true, shown = true, made_again = false;
   return std::to_array<Declaration>({
       {F::displacement, "d", "displacement", "m", vector, S::particle, G::displacement, not_at_all, 1, saved, shown},
+      {F::end_displacement, "", "end_displacement", "m", vector, S::particle, G::displacement, not_at_all, 1, saved},
       {F::velocity, "u", "velocity", "m/s", vector, S::particle, G::velocity, not_at_all, 1, saved, shown},
       {F::internal_force, "", "internal", "N", vector, S::particle, G::internal_forces, not_at_all, 1, saved},
-      {F::traction, "", "traction", "N", vector, S::particle, G::tractions},
+      {F::traction, "", "traction", "N", vector, S::particle, G::tractions, not_at_all, 1, saved},
       {F::mass, "m", "mass", "kg", scalar, S::particle, G::constants},
       {F::inverse_mass, "1/m", "inverse_mass", "1/kg", scalar, S::particle, G::constants},
       {F::level_set, "phi", "level_set", "m", scalar, S::particle, G::constants, not_at_all, 1, made_again, shown},

@@ -78,25 +78,67 @@ double Solver<T, D>::time_step() const {
          std::sqrt(state_.clock.mass_scaling) / state_.clock.wave_speed;
 }
 
+// A step always has its full length, so that no output time alters a run: a short step now and then
+// would feed vibrations. Where an output time lies inside a step, particles are shown on their
+// straight way through it.
 template <class T, int D>
 void Solver<T, D>::take_step(double dt) {
   Clock& clock = state_.clock;
+  const double rest = clock.rest();
+  const bool begins = rest == 0;
+  if (begins) begin_step();
+  clock.time += begins || dt < rest + clock.rounding() ? dt : rest;
+  if (begins && clock.rest() > 0) store_end();
+  if (!begins || clock.rest() > 0) move_to_output();
+}
+
+template <class T, int D>
+void Solver<T, D>::begin_step() {
+  Clock& clock = state_.clock;
+  const double start = clock.step_end, previous = clock.step_length, length = time_step();
   const bool examine = clock.step % examine_every == 0;
-  step_.prepare(dt, examine);
+  step_.prepare({start, (previous + length) / 2, length, examine});
   run(*graph_);
   const StepResult result = step_.fold();
   check(result);
-  for (Wall<D>& wall : state_.boundaries.walls) wall.move(clock.time, dt);
-  clock.time += dt;
+  for (Wall<D>& wall : state_.boundaries.walls) wall.move(start, length);
+  clock.step_length = length;
+  clock.step_end = start + length;
   ++clock.step;
   if (!settings().total_lagrangian.damping) {
-    clock.damping = std::min(2 * std::sqrt(result.frequency2 / clock.mass_scaling), 1 / dt);
+    const double frequency2 = previous > 0 ? result.rayleigh / (previous * clock.mass_scaling) : 0;
+    clock.damping = std::min(2 * std::sqrt(frequency2), 1 / length);
   }
   if (examine) {
     clock.wave_speed = result.wave_speed;
     scale_mass();
   }
   add_particle_stages(particles());
+}
+
+// Kept apart, as the way back from an output time would be rounded.
+template <class T, int D>
+void Solver<T, D>::store_end() {
+  for (Body<T, D>& body : state_.bodies) {
+    for (int a = 0; a < D; ++a) {
+      std::copy_n(body.displacement[a].get(), body.layout.slots(), body.end_displacement[a].get());
+    }
+  }
+}
+
+template <class T, int D>
+void Solver<T, D>::move_to_output() {
+  const T back = static_cast<T>(state_.clock.rest());
+  for (Body<T, D>& body : state_.bodies) {
+    for (int a = 0; a < D; ++a) {
+      const T* const end = body.end_displacement[a].get();
+      const T* const velocity = body.velocity[a].get();
+      T* const displacement = body.displacement[a].get();
+      for (std::int64_t p = 0; p < body.layout.slots(); ++p) {
+        displacement[p] = end[p] - back * velocity[p];
+      }
+    }
+  }
 }
 
 template <class T, int D>
@@ -132,7 +174,8 @@ std::size_t Solver<T, D>::bytes() const {
     for (const auto* field : {&body.level_set, &body.fraction, &body.mass, &body.inverse_mass}) {
       sum += field->bytes();
     }
-    for (const auto* field : {&body.displacement, &body.velocity, &body.internal, &body.traction}) {
+    for (const auto* field : {&body.displacement, &body.end_displacement, &body.velocity,
+                              &body.internal, &body.traction}) {
       for (const Buffer<T>& component : *field) sum += component.bytes();
     }
     for (const auto& component : body.force) {

@@ -34,6 +34,9 @@ class Solver final : public pliant::Solver {
 
  private:
   void take_step(double time_step) override;
+  void begin_step();
+  void store_end();
+  void move_to_output();
   std::vector<double> measure_each(std::span<const MeasurementCase> measurements) override;
   void save_state(ArchiveWriter& archive) const override;
   void restore_state(const ArchiveReader& archive) override;

@@ -15,6 +15,15 @@ namespace pliant::total_lagrangian {
 struct Clock : StepClock {
   double mass_scaling = 1;  ///< inertia over mass in the next step
   double damping = 0;       ///< alpha of (TL.8) in the next step [1/s]
+  double step_length = 0;   ///< of the last step that began [s]; 0 before the first
+  double step_end = 0;      ///< when that step ends [s]
+
+  /// What is left of that step after an output time inside it [s]; 0 where it has ended.
+  double rest() const { return step_end - time > rounding() ? step_end - time : 0; }
+  /// From the middle of that step, where the velocities are, to `time` [s].
+  double lag() const { return time - (step_end - step_length / 2); }
+  /// Times nearer to each other than this are the same [s].
+  double rounding() const { return 1e-9 * step_length; }
 };
 
 template <class T, int D>

@@ -26,6 +26,8 @@ void put_state(ArchiveWriter& archive, const State<T, D>& state) {
   put_clock(archive, state.clock);
   archive.put("clock/mass_scaling", state.clock.mass_scaling);
   archive.put("clock/damping", state.clock.damping);
+  archive.put("clock/step_length", state.clock.step_length);
+  archive.put("clock/step_end", state.clock.step_end);
   put_boundaries<D>(archive, state.boundaries);
   for (std::size_t b = 0; b < state.bodies.size(); ++b) {
     for_each_saved_array(state.bodies[b], [&](const std::string& name, const Buffer<T>& values) {
@@ -40,6 +42,8 @@ void get_state(const ArchiveReader& archive, State<T, D>& state) {
   get_clock(archive, state.clock);
   state.clock.mass_scaling = archive.scalar<double>("clock/mass_scaling");
   state.clock.damping = archive.scalar<double>("clock/damping");
+  state.clock.step_length = archive.scalar<double>("clock/step_length");
+  state.clock.step_end = archive.scalar<double>("clock/step_end");
   get_boundaries<D>(archive, state.boundaries);
   for (std::size_t b = 0; b < state.bodies.size(); ++b) {
     for_each_saved_array(state.bodies[b], [&](const std::string& name, Buffer<T>& values) {

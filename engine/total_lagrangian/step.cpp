@@ -52,15 +52,15 @@ std::vector<Phase> Step<T, D>::phases() {
 }
 
 template <class T, int D>
-void Step<T, D>::prepare(double time_step, bool examine) {
-  time_step_ = time_step;
-  examine_ = examine;
-  const double t = state_.clock.time;
+void Step<T, D>::prepare(const Advance& advance) {
+  advance_ = advance;
   pressure_.clear();
-  for (const auto& pressure : state_.boundaries.pressures) pressure_.push_back(pressure.value(t));
+  for (const auto& pressure : state_.boundaries.pressures) {
+    pressure_.push_back(pressure.value(advance.time));
+  }
   wall_velocity_.clear();
   for (const Wall<D>& wall : state_.boundaries.walls) {
-    wall_velocity_.push_back(wall.velocity(t + time_step / 2));
+    wall_velocity_.push_back(wall.velocity(advance.time + advance.length / 2));
   }
 }
 
@@ -77,7 +77,7 @@ StepResult Step<T, D>::fold() const {
       result.failed_block = static_cast<int>(b);
     }
   }
-  if (stiffness > 0 && inertia > 0) result.frequency2 = stiffness / (time_step_ * inertia);
+  if (stiffness > 0 && inertia > 0) result.rayleigh = stiffness / inertia;
   return result;
 }
 
@@ -118,7 +118,7 @@ void Step<T, D>::evaluate_stress(int block) {
   work.segment_count = range.segment_count;
   work.spacing = static_cast<T>(body.lattice.spacing);
   work.hourglass = static_cast<T>(settings_.total_lagrangian.hourglass_stiffness);
-  work.examine = examine_;
+  work.examine = advance_.examine;
   work.material = body.material;
   work.fraction = body.fraction.get();
   work.displacement = body.displacement_view();
@@ -135,10 +135,10 @@ void Step<T, D>::move(int block) {
   kernels::Motion<T, D> work = {};
   work.segments = body.layout.segments_of(range);
   work.segment_count = range.segment_count;
-  const double half = state_.clock.damping * time_step_ / 2;
+  const double half = state_.clock.damping * advance_.kick / 2;
   work.kept = static_cast<T>((1 - half) / (1 + half));
-  work.gained = static_cast<T>(time_step_ / ((1 + half) * state_.clock.mass_scaling));
-  work.time_step = static_cast<T>(time_step_);
+  work.gained = static_cast<T>(advance_.kick / ((1 + half) * state_.clock.mass_scaling));
+  work.time_step = static_cast<T>(advance_.length);
   work.inverse_mass = body.inverse_mass.get();
   for (int a = 0; a < D; ++a) {
     for (int m = 0; m < kernels::cell_modes<D>; ++m) work.force[a][m] = body.force[a][m].get();
@@ -166,7 +166,7 @@ void Step<T, D>::apply_walls(Body<T, D>& body, int local) {
     for (int a = 0; a < D; ++a) {
       const double undone = slips > 0 ? along * held.normal[a] : excess[a];
       body.velocity[a][held.slot] -= undone;
-      body.displacement[a][held.slot] -= time_step_ * undone;
+      body.displacement[a][held.slot] -= advance_.length * undone;
     }
   }
 }

@@ -9,10 +9,18 @@
 
 namespace pliant::total_lagrangian {
 
+/// How a step advances.
+struct Advance {
+  double time;    ///< at its start [s]
+  double kick;    ///< for how long forces act: the mean of the last step and this one [s]
+  double length;  ///< for how long particles move [s]
+  bool examine;   ///< whether to look for the wave speed and for states that are not possible
+};
+
 /// What a step finds about the state that it leaves behind.
 struct StepResult {
   double wave_speed = 0;         ///< of (TL.9) [m/s]; 0 unless the step examined it
-  double frequency2 = 0;         ///< omega^2 of (TL.10), without scaling of the mass [1/s^2]
+  double rayleigh = 0;           ///< dt omega^2 of (TL.10), without scaling of the mass [1/s]
   std::int64_t non_finite = -1;  ///< a slot, or -1
   int failed_block = -1;         ///< that the slot belongs to
 };
@@ -29,8 +37,8 @@ class Step {
   /// Names of what phases read and write.
   static std::vector<std::string> resources() { return resource_numbers.names(); }
 
-  /// Sets the length of the next step, and the loads at its time.
-  void prepare(double time_step, bool examine);
+  /// Sets how the next step advances, and the loads at its time.
+  void prepare(const Advance& advance);
 
   /// Folds the results of all blocks, in their order.
   StepResult fold() const;
@@ -54,8 +62,7 @@ class Step {
   State<T, D>& state_;
   const Case& settings_;
   const kernels::TotalLagrangianTable<T, D>& kernels_;
-  double time_step_ = 0;
-  bool examine_ = true;
+  Advance advance_ = {};
   std::vector<double> pressure_;                             ///< [pressure] [Pa]
   std::vector<Point<D>> wall_velocity_;                      ///< [wall] [m/s]
   std::vector<kernels::StressPointsResult> stress_results_;  ///< [block]

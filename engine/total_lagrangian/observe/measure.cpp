@@ -129,16 +129,49 @@ double Measurer<T, D>::surface_area(const MeasurementCase& m) const {
   return sum;
 }
 
+// From the middle of the step to the present time, by the acceleration of that step (TL.8):
+// energies of velocity and displacement then belong to one instant.
+template <class T, int D>
+std::vector<Point<D>> Measurer<T, D>::present_velocity(const Body<T, D>& body) const {
+  const Clock& clock = state_.clock;
+  const double lag = clock.lag();
+  std::vector<Point<D>> velocity(body.layout.slots()), change(body.layout.slots());
+  for_each_particle(body, [&](std::int64_t p, const Cell<D>&) {
+    for (int a = 0; a < D; ++a) {
+      const double force = static_cast<double>(body.internal[a][p]) + body.traction[a][p];
+      const double u = velocity[p][a] = body.velocity[a][p];
+      change[p][a] = lag * (force / (clock.mass_scaling * body.mass[p]) - clock.damping * u);
+    }
+  });
+  for (const auto& of_block : body.held) {
+    for (const ConstrainedParticle<D>& held : of_block) {
+      double along = 0, slips = 0;
+      for (int a = 0; a < D; ++a) {
+        along += change[held.slot][a] * held.normal[a];
+        slips += held.normal[a] * held.normal[a];
+      }
+      for (int a = 0; a < D; ++a) {
+        change[held.slot][a] = slips > 0 ? change[held.slot][a] - along * held.normal[a] : 0;
+      }
+    }
+  }
+  for (std::size_t p = 0; p < velocity.size(); ++p) {
+    for (int a = 0; a < D; ++a) velocity[p][a] += change[p][a];
+  }
+  return velocity;
+}
+
 template <class T, int D>
 BodyIntegrals Measurer<T, D>::integrals(int index, const Vector& about) const {
   const Body<T, D>& body = state_.bodies[index];
   const double scaling = state_.clock.mass_scaling;
+  const std::vector<Point<D>> velocity = present_velocity(body);
   BodyIntegrals sum;
   for_each_particle(body, [&](std::int64_t p, const Cell<D>& cell) {
     Vector r = {}, u = {};
     for (int a = 0; a < D; ++a) {
       r[a] = body.lattice.node(a, cell[a]) + body.displacement[a][p] - about[a];
-      u[a] = body.velocity[a][p];
+      u[a] = velocity[p][a];
     }
     sum.mass += body.mass[p];
     add_motion(sum, scaling * body.mass[p], r, u);

@@ -32,6 +32,7 @@ class Measurer {
   double point_displacement(const MeasurementCase& m) const;
   double surface_area(const MeasurementCase& m) const;
   double integral(const MeasurementCase& m) const;
+  std::vector<Point<D>> present_velocity(const Body<T, D>& body) const;
   BodyIntegrals integrals(int body, const Vector& about) const;
 
   const Case& settings_;

@@ -1,0 +1,118 @@
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "tests/engine/total_lagrangian/blocks.hpp"
+
+// Steps keep their length, whenever a run is looked at.
+namespace pliant::test {
+namespace {
+
+/// A plate of rubber, 1 m long and 5 particles across, swings in its first bending mode.
+std::string plate(const std::string& velocity, const std::string& more = {}) {
+  return R"(
+method = "total_lagrangian"
+dimension = 2
+discretisation = { spacing = 0.02 }
+time = { end = 30, step = "cfl" }
+[material.rubber]
+model = "reduced_polynomial"
+density = 1
+coefficients = [19.23]
+compressibility = 0.024
+[[body]]
+name = "plate"
+material = "rubber"
+geometry = { shape = "box", lower = [0, -0.05], upper = [1, 0.05] }
+velocity = [0, ")" +
+         velocity + "\"]\n" + more;
+}
+
+/// Free at both ends, with an amplitude of about 0.1 m.
+std::string free_plate() {
+  return plate(
+      "0.35*(cos(4.73004*x) + cosh(4.73004*x) - 0.98250221*(sin(4.73004*x) + sinh(4.73004*x)))");
+}
+
+/// Clamped on the left, with an amplitude of about 0.17 m.
+std::string clamped_plate() {
+  return plate(
+      "0.03*(3.0377857*(cosh(1.8751041*x) - cos(1.8751041*x)) - "
+      "2.2300249*(sinh(1.8751041*x) - sin(1.8751041*x)))",
+      R"([[boundary]]
+name = "clamp"
+kind = "fixed"
+geometry = { shape = "half_space", point = [0, 0], normal = [1, 0] }
+)");
+}
+
+std::vector<double> state_of(const LagrangianSolver<2>& solver) {
+  std::vector<double> values = {solver.clock().time};
+  const auto& body = solver.state().bodies[0];
+  for (int a = 0; a < 2; ++a) {
+    for_each_particle<2>(body, [&](std::int64_t p, const Point<2>&) {
+      values.push_back(body.displacement[a][p]);
+      values.push_back(body.velocity[a][p]);
+    });
+  }
+  return values;
+}
+
+TEST(total_lagrangian, output_times_do_not_alter_a_run) {
+  const Case settings = tests::read_text(clamped_plate());
+  LagrangianSolver<2> through(settings, {1, kernels::widest_supported()});
+  through.advance(0.5);
+  for (const int samples : {7, 900, 3000}) {
+    LagrangianSolver<2> sampled(settings, {1, kernels::widest_supported()});
+    for (int s = 1; s <= samples; ++s) sampled.advance(0.5 * s / samples);
+    EXPECT_EQ(sampled.clock().step, through.clock().step) << samples;
+    EXPECT_EQ(state_of(sampled), state_of(through)) << samples;
+  }
+}
+
+TEST(total_lagrangian, between_steps_particles_are_on_their_straight_way) {
+  const Case settings = tests::read_text(free_plate());
+  LagrangianSolver<2> solver(settings, {1, kernels::widest_supported()});
+  solver.advance(0.3);
+  solver.step(HUGE_VAL);
+  const std::vector<double> start = state_of(solver);
+  const double step = solver.time_step();
+  solver.step(0.25 * step);
+  const std::vector<double> quarter = state_of(solver);
+  solver.step(HUGE_VAL);
+  const std::vector<double> end = state_of(solver);
+  for (std::size_t i = 0; i < start.size(); i += 1) {
+    const bool is_velocity = i > 0 && i % 2 == 0;
+    EXPECT_NEAR(quarter[i], is_velocity ? end[i] : 0.75 * start[i] + 0.25 * end[i], 1e-14);
+  }
+}
+
+/// Least and largest energy over that at the start, in a run that is sampled every 3.2 ms.
+std::pair<double, double> energy_range(const std::string& text, double end) {
+  LagrangianSolver<2> solver(tests::read_text(text), {1, kernels::widest_supported()});
+  const auto energy = [&] {
+    const BodyIntegrals sum = solver.integrals();
+    return sum.kinetic_energy + sum.strain_energy;
+  };
+  const double start = energy();
+  std::pair<double, double> range = {1, 1};
+  for (int sample = 1; 0.0032 * sample < end; ++sample) {
+    solver.advance(0.0032 * sample);
+    const double ratio = energy() / start;
+    range = {std::min(range.first, ratio), std::max(range.second, ratio)};
+  }
+  return range;
+}
+
+// Steps that are cut short at the samples multiply the energy by thousands on the way.
+TEST(total_lagrangian, undamped_plates_keep_their_energy_at_finite_amplitude) {
+  for (const std::string& text : {free_plate(), clamped_plate()}) {
+    const auto [least, largest] = energy_range(text, 15);
+    EXPECT_GT(least, 0.995);
+    EXPECT_LT(largest, 1.005);
+  }
+}
+
+}  // namespace
+}  // namespace pliant::test
