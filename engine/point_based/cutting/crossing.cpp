@@ -1,0 +1,124 @@
+#include "engine/point_based/cutting/crossing.hpp"
+
+#include <Eigen/Dense>
+#include <algorithm>
+#include <cmath>
+
+namespace pliant::point_based {
+namespace {
+
+template <int D>
+using Column = Eigen::Matrix<double, D, 1>;
+
+template <int D>
+Column<D> column(const MaterialPoint<D>& x) {
+  return Eigen::Map<const Column<D>>(x.data());
+}
+
+/// Products of lengths below this share of their size are zero up to rounding.
+constexpr double rounding = 1e-11;
+
+double cross(const Column<2>& a, const Column<2>& b) { return a[0] * b[1] - a[1] * b[0]; }
+
+/// The normal of a piece, as long as the segment or as twice the triangle's area.
+Column<2> normal(const std::array<MaterialPoint<2>, 2>& piece) {
+  const Column<2> along = column<2>(piece[1]) - column<2>(piece[0]);
+  return {-along[1], along[0]};
+}
+Column<3> normal(const std::array<MaterialPoint<3>, 3>& piece) {
+  const Column<3> a = column<3>(piece[0]);
+  return (column<3>(piece[1]) - a).cross(column<3>(piece[2]) - a);
+}
+
+/// Whether the line from `p` along `d` meets the piece, its boundary included.
+bool meets(const Column<2>& p, const Column<2>& d, const std::array<MaterialPoint<2>, 2>& piece) {
+  const Column<2> a = column<2>(piece[0]) - p, b = column<2>(piece[1]) - p;
+  const double slack = rounding * d.norm() * (b - a).norm();
+  const double left = cross(d, a), right = cross(d, b);
+  return (left >= -slack && right <= slack) || (left <= slack && right >= -slack);
+}
+bool meets(const Column<3>& p, const Column<3>& d, const std::array<MaterialPoint<3>, 3>& piece) {
+  const Column<3> corners[] = {column<3>(piece[0]) - p, column<3>(piece[1]) - p,
+                               column<3>(piece[2]) - p};
+  double least = 0, largest = 0;
+  for (int k = 0; k < 3; ++k) {
+    const Column<3>&a = corners[k], &b = corners[(k + 1) % 3];
+    const double slack = rounding * d.norm() * (b - a).norm() * std::max(a.norm(), b.norm());
+    const double volume = d.dot(a.cross(b));
+    if (volume > slack) largest = std::max(largest, volume);
+    if (volume < -slack) least = std::min(least, volume);
+  }
+  return least == 0 || largest == 0;
+}
+
+/// The point of a segment nearest to the origin.
+template <int D>
+Column<D> nearest_on_segment(const Column<D>& a, const Column<D>& b) {
+  const Column<D> along = b - a;
+  const double square = along.squaredNorm();
+  if (square == 0) return a;
+  return a + std::clamp(-a.dot(along) / square, 0., 1.) * along;
+}
+
+}  // namespace
+
+template <int D>
+std::optional<MaterialPoint<D>> crossing(const MaterialPoint<D>& p, const MaterialPoint<D>& q,
+                                         const std::array<MaterialPoint<D>, D>& piece) {
+  const Column<D> n = normal(piece), start = column<D>(p), along = column<D>(q) - start;
+  const Column<D> to_start = start - column<D>(piece[0]), to_end = to_start + along;
+  const double slack = rounding * n.norm() * (along.norm() + to_start.norm());
+  const double from = n.dot(to_start), to = n.dot(to_end);
+  const bool starts_above = from >= -slack, ends_above = to >= -slack;
+  if (starts_above == ends_above || from == to || !meets(start, along, piece)) return {};
+  MaterialPoint<D> found;
+  Eigen::Map<Column<D>>(found.data()) = start + std::clamp(from / (from - to), 0., 1.) * along;
+  return found;
+}
+
+template <int D>
+double distance_to_segment(const MaterialPoint<D>& x, const MaterialPoint<D>& a,
+                           const MaterialPoint<D>& b) {
+  const Column<D> origin = column<D>(x);
+  return nearest_on_segment<D>(column<D>(a) - origin, column<D>(b) - origin).norm();
+}
+
+template <int D>
+PieceDistance<D> distance_to_piece(const MaterialPoint<D>& x,
+                                   const std::array<MaterialPoint<D>, D>& piece) {
+  const Column<D> n = normal(piece).normalized(), origin = column<D>(x);
+  PieceDistance<D> found{0, n.dot(origin - column<D>(piece[0]))};
+  if constexpr (D == 2) {
+    found.distance = distance_to_segment<2>(x, piece[0], piece[1]);
+  } else {
+    bool is_over = true;  // the foot lies inside the triangle
+    for (int k = 0; k < 3; ++k) {
+      const Column<3> a = column<3>(piece[k]), b = column<3>(piece[(k + 1) % 3]);
+      is_over = is_over && n.dot((b - a).cross(origin - a)) >= 0;
+    }
+    found.distance = std::abs(found.across);
+    if (!is_over) {
+      found.distance = distance_to_segment<3>(x, piece[0], piece[1]);
+      found.distance = std::min(found.distance, distance_to_segment<3>(x, piece[1], piece[2]));
+      found.distance = std::min(found.distance, distance_to_segment<3>(x, piece[2], piece[0]));
+    }
+  }
+  return found;
+}
+
+template std::optional<MaterialPoint<2>> crossing<2>(const MaterialPoint<2>&,
+                                                     const MaterialPoint<2>&,
+                                                     const std::array<MaterialPoint<2>, 2>&);
+template std::optional<MaterialPoint<3>> crossing<3>(const MaterialPoint<3>&,
+                                                     const MaterialPoint<3>&,
+                                                     const std::array<MaterialPoint<3>, 3>&);
+template double distance_to_segment<2>(const MaterialPoint<2>&, const MaterialPoint<2>&,
+                                       const MaterialPoint<2>&);
+template double distance_to_segment<3>(const MaterialPoint<3>&, const MaterialPoint<3>&,
+                                       const MaterialPoint<3>&);
+template PieceDistance<2> distance_to_piece<2>(const MaterialPoint<2>&,
+                                               const std::array<MaterialPoint<2>, 2>&);
+template PieceDistance<3> distance_to_piece<3>(const MaterialPoint<3>&,
+                                               const std::array<MaterialPoint<3>, 3>&);
+
+}  // namespace pliant::point_based

@@ -1,0 +1,33 @@
+#pragma once
+
+#include <optional>
+
+#include "engine/point_based/cutting/cut_surface.hpp"
+
+namespace pliant::point_based {
+
+/// Where the bond from `p` to `q` crosses a piece of a cut, if it does.
+///
+/// Nodes lie on one of two sides of the plane of the piece; those on the plane, up to rounding,
+/// count as the positive side, so that a cut through nodes separates them too. The boundary of the
+/// piece belongs to it, so that no bond slips through between two pieces.
+template <int D>
+std::optional<MaterialPoint<D>> crossing(const MaterialPoint<D>& p, const MaterialPoint<D>& q,
+                                         const std::array<MaterialPoint<D>, D>& piece);
+
+/// Distance [m] from `x` to a segment, which may have no length.
+template <int D>
+double distance_to_segment(const MaterialPoint<D>& x, const MaterialPoint<D>& a,
+                           const MaterialPoint<D>& b);
+
+/// Distance [m] from `x` to a piece, a segment in 2D and a triangle in 3D, and on which side it is.
+template <int D>
+struct PieceDistance {
+  double distance = 0;
+  double across = 0;  ///< signed distance to the line or plane of the piece
+};
+template <int D>
+PieceDistance<D> distance_to_piece(const MaterialPoint<D>& x,
+                                   const std::array<MaterialPoint<D>, D>& piece);
+
+}  // namespace pliant::point_based

@@ -1,0 +1,89 @@
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <span>
+
+#include "engine/blocks/box_tree.hpp"
+#include "engine/point_based/cutting/cut_front.hpp"
+#include "engine/point_based/cutting/enrichment.hpp"
+
+namespace pliant::point_based {
+
+/// How a cut changes the weights of bonds.
+enum class CutRule {
+  visibility,      ///< a crossed bond has no weight
+  transparency,    ///< (CU.1): a crossed bond loses its weight as the front moves away from it
+  product,         ///< (CU.3) and (CU.4) for each piece, multiplied
+  enrichment_grid  ///< (CU.3) and (CU.5) for each cut
+};
+
+/// The bonds of each node to others, by rows: node i has the bonds first[i] .. first[i + 1] - 1.
+struct BondRows {
+  std::vector<std::int64_t> first;
+  std::vector<std::int32_t> neighbour;  ///< [bond]
+};
+
+/// What cuts leave of the weights of bonds: a factor in [0, 1] for each bond, which never grows
+/// under `visibility` and `transparency`.
+///
+/// Each bond is tested once against each new piece of a cut, in the undeformed body. The rows may
+/// hold more bonds than are in use, so that a node can replace bonds that a cut has taken by bonds
+/// to nodes farther away on its own side.
+template <int D>
+class CutBonds {
+ public:
+  using Point = MaterialPoint<D>;
+
+  /// `sizes` are the nodes' spacings [m], such as V^(1/D). Neighbours in the list of nodes should be
+  /// neighbours in the body, or searches are slow.
+  CutBonds(std::vector<Point> positions, std::vector<double> sizes, BondRows bonds, CutRule rule,
+           InsideTest<D> is_inside);
+
+  /// A new cut; returns its number.
+  std::int32_t add_cut();
+  /// Moves the blade of a cut on to `station` (see CutSurface) and returns, in ascending order, the
+  /// nodes with bonds whose factors have changed. Throws std::invalid_argument for what the
+  /// enrichment grid cannot follow.
+  const std::vector<std::int32_t>& advance(std::int32_t cut, const std::vector<Point>& station);
+
+  std::span<const double> factors() const { return factors_; }  ///< [bond]
+  const BondRows& bonds() const { return bonds_; }
+  std::span<const CutSurface<D>> cuts() const { return cuts_; }
+  CutRule rule() const { return rule_; }
+
+ private:
+  struct Crossing {
+    std::int64_t bond;
+    std::int32_t node, cut;
+    Point place;
+    double size;  ///< of the two nodes [m]
+  };
+
+  template <class F>
+  void for_each_crossed(std::int32_t cut, std::size_t first_piece, F&& f);
+  void set(std::int32_t node, std::int64_t bond, double factor);
+  void cut_visible(std::int32_t cut, std::size_t first_piece);
+  void cut_transparent(std::int32_t cut, std::size_t first_piece);
+  void cut_product(std::int32_t cut, std::size_t first_piece);
+  void cut_grid(std::int32_t cut);
+
+  std::vector<Point> positions_;
+  std::vector<double> sizes_;
+  BondRows bonds_;
+  CutRule rule_;
+  InsideTest<D> is_inside_;
+  double least_size_;
+  BoxTree<D> boxes_;  ///< [node] of its bonds
+  std::vector<double> factors_;
+  std::vector<CutSurface<D>> cuts_;
+  std::vector<CutFront<D>> fronts_;                      ///< [cut], transparency
+  std::vector<std::optional<EnrichmentGrid<D>>> grids_;  ///< [cut], enrichment grid
+  std::vector<Crossing> open_;                           ///< of bonds that still have weight
+  std::vector<std::int32_t> changed_;
+};
+
+extern template class CutBonds<2>;
+extern template class CutBonds<3>;
+
+}  // namespace pliant::point_based

@@ -1,0 +1,53 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+namespace pliant::point_based {
+
+/// A place in the undeformed body [m].
+template <int D>
+using MaterialPoint = std::array<double, D>;
+
+/// A cut: the surface that a blade has swept, stored as material points, so that it moves with the
+/// tissue. It has been swept from one station to the next: a station is a point in 2D, and a
+/// polyline of a fixed number of points along the blade's edge in 3D.
+///
+///     2D    o----o----o        3D    o----o----o     the pieces between two stations are
+///           0    1    2              |  / |  / |     segments (2D) or pairs of triangles (3D)
+///          stations                  | /  | /  |
+///                                    o----o----o
+template <int D>
+class CutSurface {
+ public:
+  using Point = MaterialPoint<D>;
+  using Piece = std::array<std::int32_t, D>;  ///< corners: numbers of points
+
+  /// Sweeps from the last station to a new one. Each station has the same number of points: one in
+  /// 2D, two or more in 3D.
+  void add_station(const std::vector<Point>& station);
+
+  const std::vector<Point>& points() const { return points_; }
+  const std::vector<Piece>& pieces() const { return pieces_; }
+  std::int32_t stations() const;
+  std::int32_t points_per_station() const { return points_per_station_; }
+  const Point& point(std::int32_t station, std::int32_t k) const {
+    return points_[station * points_per_station_ + k];
+  }
+  std::array<Point, D> corners(std::size_t piece) const;
+
+  /// The boundary of the surface: end points in 2D (the second number is the first again), the
+  /// edges of the first and the last station and the paths of the blade's ends in 3D.
+  std::vector<std::array<std::int32_t, 2>> boundary() const;
+
+ private:
+  std::vector<Point> points_;  ///< [station][point along the edge]
+  std::vector<Piece> pieces_;
+  std::int32_t points_per_station_ = 0;
+};
+
+extern template class CutSurface<2>;
+extern template class CutSurface<3>;
+
+}  // namespace pliant::point_based

@@ -1,0 +1,176 @@
+#include "engine/point_based/cutting/cut_bonds.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <map>
+
+#include "engine/point_based/cutting/connected_parts.hpp"
+#include "tests/engine/point_based/cutting/bonds.hpp"
+
+namespace pliant::point_based {
+namespace {
+
+using namespace tests;
+
+const CutRule all_rules[] = {CutRule::visibility, CutRule::transparency, CutRule::product,
+                             CutRule::enrichment_grid};
+
+std::vector<double> part_volumes(const CutBonds<2>& cut, const std::vector<double>& volumes) {
+  return connected_parts(cut.bonds().first, cut.bonds().neighbour, cut.factors(), volumes).volumes;
+}
+std::vector<double> part_volumes(const CutBonds<3>& cut, const std::vector<double>& volumes) {
+  return connected_parts(cut.bonds().first, cut.bonds().neighbour, cut.factors(), volumes).volumes;
+}
+
+TEST(cut_bonds, a_complete_cut_in_2d_leaves_no_bond_across) {
+  const LatticeBonds<2> lattice({20, 10}, 0.1);
+  for (const CutRule rule : all_rules) {
+    CutBonds<2> cut = lattice.cut_by(rule, {2, 1});
+    cut.add_cut();
+    for (double y = -0.05; y < 1.2; y += 0.11) cut.advance(0, {{0.8, y}});
+    for_each_bond(cut, [&](std::size_t i, std::size_t j, double factor) {
+      const bool is_across = (lattice.positions[i][0] < 0.8) != (lattice.positions[j][0] < 0.8);
+      if (rule == CutRule::product) {
+        // The rule leaks where pieces meet.
+        EXPECT_LE(factor, is_across ? 0.01 : 1);
+      } else {
+        EXPECT_EQ(factor, is_across ? 0 : 1) << static_cast<int>(rule);
+      }
+    });
+    const std::vector<double> volumes = part_volumes(cut, lattice.volumes);
+    if (rule == CutRule::product) continue;
+    ASSERT_EQ(volumes.size(), 2u);
+    EXPECT_NEAR(volumes[0], 0.8, 1e-12);
+    EXPECT_NEAR(volumes[1], 1.2, 1e-12);
+  }
+}
+
+TEST(cut_bonds, a_complete_cut_in_3d_leaves_no_bond_across) {
+  const LatticeBonds<3> lattice({8, 8, 8}, 0.125);
+  for (const CutRule rule : {CutRule::visibility, CutRule::transparency, CutRule::enrichment_grid}) {
+    CutBonds<3> cut = lattice.cut_by(rule, {1, 1, 1});
+    cut.add_cut();
+    // The plane x + z = 0.9, swept along y by a blade that is longer than the body.
+    for (double y = -0.1; y < 1.2; y += 0.17) cut.advance(0, {{1.4, y, -0.5}, {-0.5, y, 1.4}});
+    int across = 0;
+    for_each_bond(cut, [&](std::size_t i, std::size_t j, double factor) {
+      const auto side = [&](std::size_t n) {
+        return lattice.positions[n][0] + lattice.positions[n][2] < 0.9;
+      };
+      if (side(i) != side(j)) ++across;
+      EXPECT_EQ(factor, side(i) == side(j) ? 1 : 0) << static_cast<int>(rule);
+    });
+    EXPECT_GT(across, 1000);
+    EXPECT_EQ(part_volumes(cut, lattice.volumes).size(), 2u);
+  }
+}
+
+// Cell centres lie on the plane of the cut: they go with one side, and none is left alone.
+TEST(cut_bonds, a_cut_through_nodes_separates_the_body_too) {
+  const LatticeBonds<2> lattice({11, 11}, 0.1);
+  CutBonds<2> cut = lattice.cut_by(CutRule::transparency, {1.1, 1.1});
+  cut.add_cut();
+  for (int k = 0; k <= 13; ++k) cut.advance(0, {{0.1 * k - 0.1, 0.55}});
+  const std::vector<double> volumes = part_volumes(cut, lattice.volumes);
+  ASSERT_EQ(volumes.size(), 2u);
+  EXPECT_NEAR(volumes[0], 0.55, 1e-12);
+  EXPECT_NEAR(volumes[1], 0.66, 1e-12);
+}
+
+TEST(cut_bonds, crossing_and_branching_cuts_make_four_parts_and_three) {
+  const LatticeBonds<2> lattice({20, 20}, 0.1);
+  for (const CutRule rule : {CutRule::visibility, CutRule::transparency, CutRule::enrichment_grid}) {
+    CutBonds<2> crossing = lattice.cut_by(rule, {2, 2});
+    CutBonds<2> branching = lattice.cut_by(rule, {2, 2});
+    for (int k = 0; k < 2; ++k) crossing.add_cut(), branching.add_cut();
+    for (int k = 0; k <= 11; ++k) {
+      const double s = 0.2 * k - 0.1;
+      crossing.advance(0, {{s, 1.02}});
+      crossing.advance(1, {{0.6, s}});
+      branching.advance(0, {{s, 1.02}});
+    }
+    for (int k = 0; k <= 6; ++k) branching.advance(1, {{0.6, 1.02 + 0.2 * k}});
+    EXPECT_EQ(part_volumes(crossing, lattice.volumes).size(), 4u) << static_cast<int>(rule);
+    EXPECT_EQ(part_volumes(branching, lattice.volumes).size(), 3u) << static_cast<int>(rule);
+  }
+}
+
+TEST(cut_bonds, both_directions_of_a_bond_keep_the_same_share) {
+  const LatticeBonds<2> lattice({20, 20}, 0.1);
+  for (const CutRule rule : {CutRule::visibility, CutRule::transparency}) {
+    CutBonds<2> cut = lattice.cut_by(rule, {2, 2});
+    cut.add_cut();
+    for (int k = 0; k <= 5; ++k) cut.advance(0, {{0.21 * k - 0.1, 1 + 0.03 * k}});
+    std::map<std::pair<std::size_t, std::size_t>, double> of;
+    for_each_bond(cut, [&](std::size_t i, std::size_t j, double f) { of[{i, j}] = f; });
+    for (const auto& [bond, factor] : of) {
+      EXPECT_EQ(factor, (of[{bond.second, bond.first}]));
+      EXPECT_TRUE(factor >= 0 && factor <= 1);
+    }
+  }
+}
+
+/// Sum of the factors of all bonds when the front of a straight cut is at x.
+double sum_of_factors(CutRule rule, double front) {
+  const LatticeBonds<2> lattice({20, 20}, 0.1);
+  CutBonds<2> cut = lattice.cut_by(rule, {2, 2});
+  cut.add_cut();
+  cut.advance(0, {{-0.2, 1}});
+  cut.advance(0, {{front, 1}});
+  double sum = 0;
+  for (const double factor : cut.factors()) sum += factor;
+  return sum;
+}
+
+// (CU.1): the front moves by an eighth of the spacing at a time.
+TEST(cut_bonds, transparency_releases_bonds_smoothly_and_visibility_in_jumps) {
+  const auto largest_share_of_a_step = [](CutRule rule) {
+    double largest = 0;
+    for (int k = 0; k < 8; ++k) {
+      largest = std::max(largest, sum_of_factors(rule, 1 + 0.0125 * k) -
+                                      sum_of_factors(rule, 1 + 0.0125 * (k + 1)));
+    }
+    return largest / (sum_of_factors(rule, 1) - sum_of_factors(rule, 1.1));
+  };
+  EXPECT_LT(largest_share_of_a_step(CutRule::transparency), 0.2);
+  EXPECT_GT(largest_share_of_a_step(CutRule::visibility), 0.35);
+}
+
+TEST(cut_bonds, a_cut_that_advances_in_small_steps_is_the_same_as_one_in_large_steps) {
+  const LatticeBonds<2> lattice({20, 20}, 0.1);
+  CutBonds<2> fine = lattice.cut_by(CutRule::transparency, {2, 2});
+  CutBonds<2> coarse = lattice.cut_by(CutRule::transparency, {2, 2});
+  fine.add_cut();
+  coarse.add_cut();
+  for (int k = 0; k <= 64; ++k) fine.advance(0, {{-0.2 + 0.025 * k, 1}});
+  coarse.advance(0, {{-0.2, 1}});
+  coarse.advance(0, {{1.4, 1}});
+  for (std::size_t b = 0; b < fine.factors().size(); ++b) {
+    EXPECT_NEAR(fine.factors()[b], coarse.factors()[b], 1e-12);
+  }
+}
+
+TEST(cut_bonds, an_advance_names_the_nodes_near_it_only) {
+  const LatticeBonds<2> lattice({40, 20}, 0.1);
+  CutBonds<2> cut = lattice.cut_by(CutRule::transparency, {4, 2});
+  cut.add_cut();
+  cut.advance(0, {{-0.2, 1}});
+  cut.advance(0, {{2, 1}});
+  const std::vector<double> before(cut.factors().begin(), cut.factors().end());
+  const std::vector<std::int32_t> changed = cut.advance(0, {{2.05, 1}});
+  EXPECT_GT(changed.size(), 4u);
+  EXPECT_LT(changed.size(), 40u);
+  EXPECT_TRUE(std::is_sorted(changed.begin(), changed.end()));
+  for (std::size_t i = 0; i < lattice.positions.size(); ++i) {
+    bool has_changed = false;
+    for (std::int64_t b = cut.bonds().first[i]; b < cut.bonds().first[i + 1]; ++b) {
+      has_changed = has_changed || before[b] != cut.factors()[b];
+    }
+    EXPECT_EQ(has_changed, std::binary_search(changed.begin(), changed.end(),
+                                              static_cast<std::int32_t>(i)));
+  }
+}
+
+}  // namespace
+}  // namespace pliant::point_based
