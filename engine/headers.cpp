@@ -1,0 +1,1 @@
+// Its precompiled headers serve the libraries of the engine.
