@@ -25,6 +25,7 @@ void write_records(benchmark::State& state, Isa isa) {
                                             body.material,
                                             body.mass.data(),
                                             body.mass.data(),
+                                            body.patch.interior.data(),
                                             current.evolving(),
                                             current.stress_fields(),
                                             records.data()};

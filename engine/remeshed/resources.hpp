@@ -24,6 +24,7 @@ inline constexpr auto group_list = [] {
       {G::pair_stress, "pair stress"},
       {G::fits, "ghost fits"},
       {G::contact, "active ghosts"},
+      {G::corrections, "ghost corrections"},
       {G::records, "surface records"},
       {G::surface_samples, "surface samples"},
       {G::surface_cells, "surface cells"},

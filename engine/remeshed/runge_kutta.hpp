@@ -11,6 +11,10 @@ inline constexpr std::array<double, 4> stage_end = {0.5, 0.5, 1, 1};
 /// What the rates of a stage count for in the step.
 inline constexpr std::array<double, 4> stage_weight = {1. / 6, 1. / 3, 1. / 3, 1. / 6};
 
+/// Time steps by which a stage advances with its rates, from the state before the step or, in the
+/// last stage, from what the others have left.
+inline constexpr std::array<double, 4> stage_share = {0.5, 0.5, 1, 1. / 6};
+
 /// The buffer that holds the state of a stage, and of the one that it leaves behind: Q4 takes the
 /// place of Q2.
 constexpr int buffer_of(int stage) { return stage == 3 ? 1 : stage; }

@@ -33,7 +33,7 @@ void StageWork<T, D>::copy_image_states(int block, int stage) {
 template <class T, int D>
 void StageWork<T, D>::write_records(int block, int stage) {
   const auto [body, local] = state_.owner(block);
-  write_surface_records(body, local, stage, kernels_);
+  write_surface_records(body, local, stage, time_step_ / 2, kernels_);
 }
 
 template <class T, int D>
@@ -64,6 +64,13 @@ void StageWork<T, D>::fill_reached_ghosts(int block, int stage) {
   Point<D>* impulse = impulse_.data() + block * state_.boundaries.walls.size();
   add_impulse<T, D>(body, local, state_.boundaries, boundary_values_[stage],
                     stage_weight[stage] * time_step_, kernels_, impulse);
+}
+
+template <class T, int D>
+void StageWork<T, D>::advance(int block, int stage) {
+  results_[block] = particles_.advance(block, stage);
+  const auto [body, local] = state_.owner(block);
+  keep_on_fits(body, local, stage, time_step_);
 }
 
 template <class T, int D>

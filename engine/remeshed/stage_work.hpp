@@ -34,7 +34,7 @@ class StageWork {
   /// Ghosts that particles read at a stage; the others only drift.
   void fill_reached_ghosts(int block, int stage);
   void fill_all_ghosts(int block, int stage);
-  void advance(int block, int stage) { results_[block] = particles_.advance(block, stage); }
+  void advance(int block, int stage);
   void evaluate_stress(int block) { results_[block] = particles_.evaluate_stress(block); }
 
   /// Folds what a step found over the blocks in their order, the impulse of contact walls into the

@@ -122,6 +122,7 @@ void get_ghosts(const ArchiveReader& archive, const std::string& group,
   for (std::size_t b = 0; b < population.ghosts.size(); ++b) {
     BlockGhosts<T, D>& ghosts = population.ghosts[b];
     ghosts.contact_points.clear();
+    ghosts.correction.assign(ghosts.slot.size(), {});
     ghosts.reached_count = reached[b];
     ghosts.packs.resize(*pack++);
     ghosts.first_record = next();

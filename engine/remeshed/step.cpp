@@ -11,8 +11,8 @@
 // (Q0, Q2, Q3, and Q4, which lies where Q2 was) to the `next` one:
 //
 //     image positions   periodic bodies: drift of the slots beyond a period
-//     surface           grad phi of the particles near the surface (RP.61); their u, sigma,
-//                       grad phi and p go side by side into surface records
+//     surface           first stage: grad phi of the particles near the surface (RP.61); in all,
+//                       their u, sigma and p go beside it into surface records
 //     contact           contact walls, first stage: which ghosts beyond the wall the body
 //                       presses on, (RP.52)
 //     contact search: samples   contact between bodies, first stage: surface particles and
@@ -24,7 +24,7 @@
 //     ghosts            velocity and stress of each ghost from the surface records: free
 //                       surfaces with their present normal (RP.48), (RP.45), walls (RP.46),
 //                       (RP.47), as the paper (RP.49); contact walls release the ghosts that
-//                       they would pull
+//                       they would pull. Ghosts of free surfaces move with their fits (RP.60)
 //     images            periodic bodies: velocity and stress of the slots beyond a period
 //     advance           grad u and div sigma of every particle by the moment matrix (RP.20),
 //                       its rates (RP.13), the next state and the stress that belongs to it
@@ -102,11 +102,8 @@ void Step<T, D>::add_ghosts(std::vector<Phase>& phases, int stage, bool all_of_t
     rows.each("image positions", near(repeated(drift, current)) + own(whole(image_sources)),
               own(images(drift, current)), at(stage, &Work::copy_image_positions));
   }
-  rows.each("surface",
-            near(slots(drift, current) + slots(constants)) +
-                own(particles(velocity, current) + particles(stress, parity) +
-                    particles(material, current) + whole(fits)),
-            own(whole(records)), at(stage, &Work::write_records));
+  rows.each("surface", read_by_surface(stage), own(whole(records)),
+            at(stage, &Work::write_records));
   if (stage == 0 && state_.boundaries.have_contact()) {
     rows.each("contact", near(whole(records) + whole(fits)) + own(ghosts(drift) + whole(contact)),
               own(whole(contact) + whole(kinds)), at(stage, &Work::decide_wall_contact));
@@ -124,6 +121,15 @@ void Step<T, D>::add_ghosts(std::vector<Phase>& phases, int stage, bool all_of_t
         own(images(velocity, current) + images(stress, parity)),
         at(stage, &Work::copy_image_states));
   }
+}
+
+template <class T, int D>
+Accesses Step<T, D>::read_by_surface(int stage) {
+  const int current = buffer_of(stage), parity = stage % 2;
+  const Accesses reads = own(particles(velocity, current) + particles(stress, parity) +
+                             particles(material, current) + particles(constants) + whole(fits));
+  if (stage > 0) return reads + own(whole(records));
+  return reads + near(particles(drift) + particles(velocity) + slots(constants) + whole(interior));
 }
 
 // Rigid ghosts (RP.59) read the particles themselves. Ghosts that no particle reads drift with the
@@ -144,7 +150,8 @@ Accesses Step<T, D>::read_by_ghosts(int stage, bool all_of_them) const {
 
 template <class T, int D>
 Accesses Step<T, D>::written_by_ghosts(int stage) const {
-  Accesses writes = own(ghosts(velocity, buffer_of(stage)) + ghosts(stress, stage % 2));
+  Accesses writes =
+      own(ghosts(velocity, buffer_of(stage)) + ghosts(stress, stage % 2) + whole(corrections));
   if (!state_.boundaries.have_contact()) return writes;
   return writes + own(whole(contact) + whole(kinds) + whole(wall_impulse));
 }
@@ -171,6 +178,7 @@ Accesses Step<T, D>::read_by_advance(int stage, Reach reach) {
   const Resources listed =
       repeated(drift, current) + repeated(velocity, current) + repeated(stress, parity);
   return Accesses(listed, reach) + read_by_update(stage) +
+         own(whole(corrections) + whole(contact) + whole(fits)) +
          near(images(drift, current) + images(velocity, current) + images(stress, parity) +
               whole(interior));
 }

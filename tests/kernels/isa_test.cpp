@@ -67,8 +67,8 @@ Values<T> surface(const RemeshedTable<T, D>& kernels, Model model, Weight) {
   Values<T> records(packs.size() * chosen * record_width<D>);
   kernels.write_surface_records({segments.data(), packs.data(), static_cast<int>(packs.size()),
                                  body.patch.spacing, body.material, body.mass.data(),
-                                 state.drift[0].data(), state.evolving(), state.stress_fields(),
-                                 records.data()});
+                                 state.drift[0].data(), body.patch.interior.data(),
+                                 state.evolving(), state.stress_fields(), records.data()});
   const RandomGhosts<T, D> ghosts;
   Values<T> sums(ghosts.ghosts * 3 * record_width<D>);
   kernels.sum_ghosts(ghosts.sums(0, ghosts.ghosts, sums.data()));

@@ -79,6 +79,7 @@ struct GhostFill {
     work.shear_impedance = impedance.shear_wave;
     for (int a = 0; a < D; ++a) work.velocity[a] = state.get(Field::velocity, a);
     work.stress = stress;
+    work.correction = ghosts.correction.empty() ? nullptr : ghosts.correction.front().data();
     table.fill_free_surfaces(work);
   }
 
@@ -97,6 +98,7 @@ struct GhostFill {
       if (ghosts.wall[g] >= 0 || ghosts.active[g] == 0) continue;
       const auto u = rigid_velocity<T, D>(body, state, ghosts, g);
       for (int a = 0; a < D; ++a) state.get(Field::velocity, a)[ghosts.slot[g]] = u[a];
+      ghosts.correction[g] = {};
     }
   }
 
@@ -111,7 +113,11 @@ struct GhostFill {
       kernels::SurfaceLoad<T, D> load{n, 0, ghosts.contact_points.traction[k]};
       for (int a = 0; a < D; ++a) load.normal += load.shear[a] * n[a];
       for (int a = 0; a < D; ++a) load.shear[a] -= load.normal * n[a];
-      set(g, kernels::loaded_surface_ghost<T, D>(fits, load, impedance));
+      const auto ghost = kernels::loaded_surface_ghost<T, D>(fits, load, impedance);
+      set(g, ghost);
+      for (int a = 0; a < D; ++a) {
+        ghosts.correction[g][a] = ghost.velocity[a] - fits.linear.velocity(a);
+      }
     }
   }
 
@@ -208,6 +214,21 @@ void drift_ghosts(Body<T, D>& body, int block, int stage, GhostTreatment treatme
 }
 
 template <class T, int D>
+void keep_on_fits(Body<T, D>& body, int block, int stage, double time_step) {
+  const BlockGhosts<T, D>& ghosts = body.population.ghosts[block];
+  FieldStore<T, D>& next = body.stage[buffer_after(stage)];
+  const T duration = static_cast<T>(stage_share[stage] * time_step);
+  for (std::size_t g = 0; g < ghosts.reached_count; ++g) {
+    const bool may_be_in_contact =
+        g + 1 < ghosts.reached_count && ghosts.slot[g + 1] == ghosts.slot[g];
+    if (ghosts.wall[g] >= 0 || may_be_in_contact) continue;
+    for (int a = 0; a < D; ++a) {
+      next.get(Field::drift, a)[ghosts.slot[g]] -= duration * ghosts.correction[g][a];
+    }
+  }
+}
+
+template <class T, int D>
 void fill_conserved(Body<T, D>& body, int block) {
   const BlockGhosts<T, D>& ghosts = body.population.ghosts[block];
   const std::vector<std::int32_t>& slot_of_record = body.population.slot_of_record;
@@ -251,24 +272,28 @@ template void fill_ghosts<double, 2>(Body<double, 2>&, int, int, int, WhichGhost
                                      const kernels::RemeshedTable<double, 2>&);
 template void drift_ghosts<double, 2>(Body<double, 2>&, int, int, GhostTreatment,
                                       const kernels::RemeshedTable<double, 2>&);
+template void keep_on_fits<double, 2>(Body<double, 2>&, int, int, double);
 template void fill_conserved<double, 2>(Body<double, 2>&, int);
 template void fill_ghosts<float, 2>(Body<float, 2>&, int, int, int, WhichGhosts,
                                     const Boundaries<2>&, const BoundaryValues<2>&, GhostTreatment,
                                     const kernels::RemeshedTable<float, 2>&);
 template void drift_ghosts<float, 2>(Body<float, 2>&, int, int, GhostTreatment,
                                      const kernels::RemeshedTable<float, 2>&);
+template void keep_on_fits<float, 2>(Body<float, 2>&, int, int, double);
 template void fill_conserved<float, 2>(Body<float, 2>&, int);
 template void fill_ghosts<double, 3>(Body<double, 3>&, int, int, int, WhichGhosts,
                                      const Boundaries<3>&, const BoundaryValues<3>&, GhostTreatment,
                                      const kernels::RemeshedTable<double, 3>&);
 template void drift_ghosts<double, 3>(Body<double, 3>&, int, int, GhostTreatment,
                                       const kernels::RemeshedTable<double, 3>&);
+template void keep_on_fits<double, 3>(Body<double, 3>&, int, int, double);
 template void fill_conserved<double, 3>(Body<double, 3>&, int);
 template void fill_ghosts<float, 3>(Body<float, 3>&, int, int, int, WhichGhosts,
                                     const Boundaries<3>&, const BoundaryValues<3>&, GhostTreatment,
                                     const kernels::RemeshedTable<float, 3>&);
 template void drift_ghosts<float, 3>(Body<float, 3>&, int, int, GhostTreatment,
                                      const kernels::RemeshedTable<float, 3>&);
+template void keep_on_fits<float, 3>(Body<float, 3>&, int, int, double);
 template void fill_conserved<float, 3>(Body<float, 3>&, int);
 
 }  // namespace pliant::remeshed

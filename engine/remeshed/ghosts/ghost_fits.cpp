@@ -156,6 +156,7 @@ class GhostFinder {
     push_tightly(ghosts_.pressure, pressure);
     push_tightly(ghosts_.normal, normal);
     push_tightly(ghosts_.foot, foot);
+    push_tightly(ghosts_.correction, std::array<T, D>{});
   }
 
   void fit(const FitSite<D>& site, const Cell<D>& cell, const Point<D>& foot, const Wall<D>* wall) {

@@ -43,9 +43,12 @@ struct SurfaceRecords {
   Material<T> material;
   const T* mass;
   const T* level_set;
+  const T* interior;  ///< 1 for interior particles, else 0
   Evolving<const T, D> state;
   std::array<const T*, symmetric_components<D>> stress;
-  T* records;            ///< [record][record_width]
+  T* records;                 ///< [record][record_width]
+  bool renews_slopes = true;  ///< whether grad phi is found, not kept
+  T lead = 0;            ///< how far ahead of the state grad phi is taken, with its velocity [s]
   bool relaxes = false;  ///< whether the stress holds the p_i of (RP.10) too
 };
 
@@ -66,8 +69,8 @@ struct GhostSums {
   T* sums;                         ///< [ghost - first][3][record_width]
 };
 
-/// Velocity and stress of ghosts by (RP.45), (RP.50); those of walls and inactive ones are left
-/// out.
+/// Velocity and stress of ghosts by (RP.45), (RP.50), and the part of their velocity with which
+/// they do not move, (RP.60); those of walls and inactive ones are left out.
 template <class T, int D>
 struct FreeSurfaceGhosts {
   GhostSums<T, D> lists;        ///< of the ghosts 0..count-1; its sums are not kept
@@ -82,6 +85,7 @@ struct FreeSurfaceGhosts {
   T shear_impedance;            ///< rho c_s
   std::array<T*, D> velocity;   ///< [slot]
   std::array<T*, symmetric_components<D>> stress;
+  T* correction;  ///< [ghost][D] the part (RP.50) of the velocity
 };
 
 /// Pivots of a fit's normal matrix, relative to its largest, below which it counts as singular.

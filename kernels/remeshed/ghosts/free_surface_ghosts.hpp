@@ -63,24 +63,32 @@ class GhostLanes {
     surface_sum_[count_] = ghosts_.surface_sum[g];
     const int p = ghosts_.pressure[g];
     pressure_[count_] = p < 0 ? T(0) : static_cast<T>(ghosts_.pressures[p]);
+    ghost_[count_] = g;
     slot_[count_++] = ghosts_.slot[g];
   }
 
   void write() {
     columns_.load();
-    const GhostState<P, D> ghost = free_surface_ghost<P, D>({{columns_.linear},
-                                                             {columns_.constrained},
-                                                             {columns_.surface},
-                                                             P::load_aligned(constrained_sum_),
-                                                             P::load_aligned(surface_sum_)},
-                                                            P::load_aligned(pressure_), impedance_);
-    alignas(64) T velocity[D][lanes<P>], stress[components][lanes<P>];
+    const GhostFits<P, D> fits{{columns_.linear},
+                               {columns_.constrained},
+                               {columns_.surface},
+                               P::load_aligned(constrained_sum_),
+                               P::load_aligned(surface_sum_)};
+    const GhostState<P, D> ghost =
+        free_surface_ghost<P, D>(fits, P::load_aligned(pressure_), impedance_);
+    alignas(64) T velocity[D][lanes<P>], correction[D][lanes<P>], stress[components][lanes<P>];
 #pragma GCC unroll 3
-    for (int a = 0; a < D; ++a) ghost.velocity[a].store_aligned(velocity[a]);
+    for (int a = 0; a < D; ++a) {
+      ghost.velocity[a].store_aligned(velocity[a]);
+      (ghost.velocity[a] - fits.linear.velocity(a)).store_aligned(correction[a]);
+    }
 #pragma GCC unroll 6
     for (int c = 0; c < components; ++c) ghost.stress[c].store_aligned(stress[c]);
     for (int l = 0; l < count_; ++l) {
-      for (int a = 0; a < D; ++a) ghosts_.velocity[a][slot_[l]] = velocity[a][l];
+      for (int a = 0; a < D; ++a) {
+        ghosts_.velocity[a][slot_[l]] = velocity[a][l];
+        ghosts_.correction[ghost_[l] * D + a] = correction[a][l];
+      }
       for (int c = 0; c < components; ++c) ghosts_.stress[c][slot_[l]] = stress[c][l];
     }
     count_ = 0;
@@ -92,6 +100,7 @@ class GhostLanes {
   SumColumns<P, D> columns_;
   alignas(64) T constrained_sum_[lanes<P>] = {}, surface_sum_[lanes<P>] = {};
   alignas(64) T pressure_[lanes<P>] = {};
+  std::int64_t ghost_[lanes<P>];
   std::int32_t slot_[lanes<P>];
   int count_ = 0;
 };

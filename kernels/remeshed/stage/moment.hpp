@@ -4,6 +4,20 @@
 
 namespace pliant::kernels {
 
+/// Of a symmetric D x D matrix, in the order of symmetric_index.
+template <class P>
+inline P symmetric_determinant(const P (&a)[3]) {
+  return fused_minus(a[1], a[1], a[0] * a[2]);
+}
+
+template <class P>
+inline P symmetric_determinant(const P (&a)[6]) {
+  const P xx = fused_minus(a[4], a[4], a[3] * a[5]);
+  const P xy = fused_minus(a[1], a[5], a[2] * a[4]);
+  const P xz = fused_minus(a[2], a[3], a[1] * a[4]);
+  return fused(a[2], xz, fused(a[1], xy, a[0] * xx));
+}
+
 /// Inverse of a symmetric D x D matrix, both in the order of symmetric_index. A singular matrix
 /// gives values that are not finite.
 template <class P>

@@ -2,6 +2,7 @@
 
 #include <functional>
 
+#include "engine/remeshed/ghosts/fit_coefficient.hpp"
 #include "tests/engine/remeshed/spinning_disc.hpp"
 
 // What ghosts make of fields that satisfy the boundary conditions already.
@@ -128,6 +129,31 @@ TEST(ghosts, that_average_continue_uniform_motions) {
   Solver solver(settings, {1, kernels::Isa::sse2});
   const auto field = [](const Point<2>&) -> Values { return {{1, -2}, {}}; };
   EXPECT_GE(expect_ghosts_follow(solver, field, everywhere), 200);
+}
+
+// Where else they were, the velocity that a lasting traction corrects would carry them away.
+TEST(ghosts, of_free_surfaces_stay_where_the_fit_of_positions_is) {
+  Case settings = spinning_disc(0.1);
+  settings.remeshing.policy = decltype(settings.remeshing)::Policy::never;
+  Solver solver(settings, {1, kernels::Isa::sse2});
+  for (int step = 0; step < 20; ++step) solver.step(HUGE_VAL);
+  const Body& body = solver.state().bodies[0];
+  int count = 0;
+  for (const auto& ghosts : body.population.ghosts) {
+    for (std::size_t g = 0; g < ghosts.reached_count; ++g) {
+      std::array<double, 2> fit = {};
+      for (std::int64_t k = ghosts.begin[g]; k < ghosts.begin[g + 1]; ++k) {
+        const double c = remeshed::fit_coefficient<double, 2>(ghosts, g, k, ghosts.terms[g].linear);
+        const auto i = body.population.slot_of_record[kernels::record_of(ghosts.pairs[k])];
+        for (int a = 0; a < 2; ++a) fit[a] += c * body.stage[0].get(Field::drift, a)[i];
+      }
+      for (int a = 0; a < 2; ++a) {
+        EXPECT_NEAR(body.stage[0].get(Field::drift, a)[ghosts.slot[g]], fit[a], 1e-13);
+      }
+      ++count;
+    }
+  }
+  EXPECT_GT(count, 100);
 }
 
 }  // namespace
