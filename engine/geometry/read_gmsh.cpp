@@ -18,9 +18,10 @@ struct Kind {
   int code, dimension, corners;
 };
 
-constexpr Kind kinds[] = {{1, 1, 2},   {2, 2, 3},   {3, 2, 4},  {4, 3, 4},  {5, 3, 8},  {6, 3, 6},
-                          {7, 3, 5},   {8, 1, 3},   {9, 2, 6},  {10, 2, 9}, {11, 3, 10}, {12, 3, 27},
-                          {13, 3, 18}, {14, 3, 14}, {15, 0, 1}, {16, 2, 8}, {17, 3, 20}};
+constexpr Kind kinds[] = {{1, 1, 2},   {2, 2, 3},   {3, 2, 4},   {4, 3, 4},   {5, 3, 8},
+                          {6, 3, 6},   {7, 3, 5},   {8, 1, 3},   {9, 2, 6},   {10, 2, 9},
+                          {11, 3, 10}, {12, 3, 27}, {13, 3, 18}, {14, 3, 14}, {15, 0, 1},
+                          {16, 2, 8},  {17, 3, 20}};
 
 const Kind& kind_of(const MeshValues& values, std::int64_t code) {
   for (const Kind& kind : kinds) {
@@ -70,7 +71,8 @@ class Gmsh {
       text.refuse(fmt::format("version {} of the format is not read", version),
                   "save it as version 2.2 or 4.1 (in Gmsh: -format msh41)");
     }
-    if (text.integer(text.word_of_line(), "the file type") != 0) encoding_ = Encoding::little_endian;
+    if (text.integer(text.word_of_line(), "the file type") != 0)
+      encoding_ = Encoding::little_endian;
     if (text.integer(text.word_of_line(), "the size of a number") != 8) {
       text.refuse("numbers have other than 8 bytes", std::string(save_again));
     }
@@ -87,7 +89,8 @@ class Gmsh {
   void require_end(const MeshValues& values, const std::string& name) const {
     MeshText text(file_, values.offset());
     if (text.word() == "$End" + name) return;
-    rows_.refuse(text.word_start(), fmt::format("the section ${} has more rows than it announces", name),
+    rows_.refuse(text.word_start(),
+                 fmt::format("the section ${} has more rows than it announces", name),
                  std::string(save_again));
   }
 
@@ -150,7 +153,8 @@ class Gmsh {
   void add_element(MeshValues& values, const Kind& kind, int bytes) {
     const std::size_t row = values.start();
     std::int64_t corners[27];
-    for (int k = 0; k < kind.corners; ++k) corners[k] = values.integer(bytes, "a node of an element");
+    for (int k = 0; k < kind.corners; ++k)
+      corners[k] = values.integer(bytes, "a node of an element");
     if (rows_.takes(row, kind.dimension, kind.corners, std::to_string(kind.code))) {
       rows_.add_element(row, corners);
     }

@@ -30,10 +30,9 @@ VolumeMesh read_volume_mesh(const std::filesystem::path& file, int dimension) {
   const MeshFile loaded = load_mesh_file(file);
   if (ending == ".msh") return read_gmsh(loaded, dimension);
   if (ending == ".vtk") return read_vtk(loaded, dimension);
-  throw MeshError(
-      fmt::format("{}: no format of volume meshes is known by the ending \"{}\"", loaded.name,
-                  ending),
-      "give a Gmsh or a legacy VTK file that ends in .msh or .vtk");
+  throw MeshError(fmt::format("{}: no format of volume meshes is known by the ending \"{}\"",
+                              loaded.name, ending),
+                  "give a Gmsh or a legacy VTK file that ends in .msh or .vtk");
 }
 
 }  // namespace pliant

@@ -3,10 +3,10 @@
 #include "engine/geometry/mesh_values.hpp"
 #include "engine/geometry/volume_mesh_file.hpp"
 
-// Legacy VTK: four lines (version, title, ASCII or BINARY, DATASET UNSTRUCTURED_GRID), then sections
-// that a keyword begins. POINTS, CELLS and CELL_TYPES are read, in this order. Up to version 4, a
-// cell is a row of its number of corners and the corners; from 5.1 on, there are two lists, OFFSETS
-// and CONNECTIVITY. Binary numbers are big endian.
+// Legacy VTK: four lines (version, title, ASCII or BINARY, DATASET UNSTRUCTURED_GRID), then
+// sections that a keyword begins. POINTS, CELLS and CELL_TYPES are read, in this order. Up to
+// version 4, a cell is a row of its number of corners and the corners; from 5.1 on, there are two
+// lists, OFFSETS and CONNECTIVITY. Binary numbers are big endian.
 namespace pliant {
 namespace {
 
@@ -24,7 +24,10 @@ int dimension_of(const MeshValues& values, std::int64_t kind) {
 class Vtk {
  public:
   Vtk(const MeshFile& file, int dimension)
-      : file_(file), dimension_(dimension), text_(file), is_text_(read_header()),
+      : file_(file),
+        dimension_(dimension),
+        text_(file),
+        is_text_(read_header()),
         rows_(file, dimension, is_text_) {}
 
   VolumeMesh operator()() {
@@ -101,7 +104,8 @@ class Vtk {
   }
 
   void read_cells() {
-    const std::int64_t first = count("the number of cells"), second = count("the number of corners");
+    const std::int64_t first = count("the number of cells"),
+                       second = count("the number of corners");
     const std::size_t here = text_.offset();
     text_.next_line();
     MeshText ahead(file_, text_.offset());
@@ -161,8 +165,10 @@ class Vtk {
       const int cell_dimension = dimension_of(from, kind);
       const std::size_t row = corners == 0 ? from.start() : corner_at_[start];
       const int simplex = dimension_ == 3 ? 10 : 5;
-      const bool is_simplex = kind == simplex && corners == static_cast<std::size_t>(dimension_) + 1;
-      if (rows_.takes(row, cell_dimension, is_simplex ? dimension_ + 1 : -1, std::to_string(kind))) {
+      const bool is_simplex =
+          kind == simplex && corners == static_cast<std::size_t>(dimension_) + 1;
+      if (rows_.takes(row, cell_dimension, is_simplex ? dimension_ + 1 : -1,
+                      std::to_string(kind))) {
         rows_.add_element(row, &corners_[start]);
       }
     }
@@ -173,10 +179,10 @@ class Vtk {
   MeshText text_;
   bool is_text_;
   VolumeMeshRows rows_;
-  int bytes_ = 4;                        ///< of an offset
-  std::vector<std::size_t> starts_;      ///< [cell] first of its corners; one more than cells
-  std::vector<std::int64_t> corners_;    ///< of all cells
-  std::vector<std::size_t> corner_at_;   ///< their places in the file
+  int bytes_ = 4;                       ///< of an offset
+  std::vector<std::size_t> starts_;     ///< [cell] first of its corners; one more than cells
+  std::vector<std::int64_t> corners_;   ///< of all cells
+  std::vector<std::size_t> corner_at_;  ///< their places in the file
 };
 
 }  // namespace

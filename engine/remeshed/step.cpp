@@ -126,13 +126,14 @@ void Step<T, D>::add_ghosts(std::vector<Phase>& phases, int stage, bool all_of_t
   }
 }
 
-// Rigid ghosts (RP.59) read the particles themselves. Ghosts that no particle reads drift with the
-// velocities of earlier stages, instead of with a fit of their own.
+// The work of loads and walls asks for phi. Rigid ghosts (RP.59) read the particles themselves.
+// Ghosts that no particle reads drift with the velocities of earlier stages, instead of with a fit
+// of their own.
 template <class T, int D>
 Accesses Step<T, D>::read_by_ghosts(int stage, bool all_of_them) const {
   const int current = buffer_of(stage);
-  Accesses reads = near(whole(records) + whole(fits)) +
-                   own(whole(contact) + whole(contact_points) + whole(tractions));
+  Accesses reads = near(whole(records) + whole(fits)) + own(whole(contact) + whole(contact_points) +
+                                                            whole(tractions) + slots(constants));
   if (settings_.ghosts == GhostTreatment::rigid) {
     reads = reads + near(particles(drift, current) + particles(velocity, current)) +
             own(ghosts(drift, current));

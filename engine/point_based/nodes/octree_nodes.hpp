@@ -15,8 +15,9 @@ struct OctreeSizes {
 
 /// Nodes of the leaves of an octree over the bounded shape `body`: dense at its surface, coarse
 /// inside. A node lies at the centroid of the part of its leaf inside the body and has the volume
-/// of that part. Parts smaller than 0.3 of a leaf join the largest neighbouring leaf at the surface,
-/// because the smallest volume limits the time step. Equal sizes give a lattice of cell centres.
+/// of that part. Parts smaller than 0.3 of a leaf join the largest neighbouring leaf at the
+/// surface, because the smallest volume limits the time step. Equal sizes give a lattice of cell
+/// centres.
 template <int D>
 NodeCloud<D> octree_nodes(const Shape& body, const OctreeSizes& sizes);
 

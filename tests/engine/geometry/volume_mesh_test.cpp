@@ -37,8 +37,8 @@ std::string changed(std::string content, const std::string& from, const std::str
 }
 
 const std::vector<std::pair<const char*, std::string>> cubes = {
-    {"a.msh", gmsh_2_text()}, {"b.msh", gmsh_2_binary()}, {"c.msh", gmsh_4_text()},
-    {"d.MSH", gmsh_4_binary()}, {"e.vtk", vtk_text()}, {"f.vtk", vtk_binary()},
+    {"a.msh", gmsh_2_text()},   {"b.msh", gmsh_2_binary()}, {"c.msh", gmsh_4_text()},
+    {"d.MSH", gmsh_4_binary()}, {"e.vtk", vtk_text()},      {"f.vtk", vtk_binary()},
     {"g.vtk", vtk_5_text()}};
 
 TEST(volume_mesh, every_format_gives_the_same_cube) {
@@ -92,9 +92,9 @@ TEST(volume_mesh, wrong_meshes_are_refused_with_their_line) {
             "a.msh:13: a coordinate is not finite, found \"nan\"");
   EXPECT_EQ(answer("a.msh", changed(gmsh_2_text(), "0 1 10 20 40 80", "0 1 10 20 40 90")),
             "a.msh:18: a tetrahedron has the node 90, which the file does not hold");
-  EXPECT_EQ(answer("a.msh", changed(gmsh_2_text(), "3 4 2 0 1 10 40 30 80",
-                                    "3 4 2 0 1 10 20 40 80")),
-            "a.msh:23: this tetrahedron shares a facet with two others");
+  EXPECT_EQ(
+      answer("a.msh", changed(gmsh_2_text(), "3 4 2 0 1 10 40 30 80", "3 4 2 0 1 10 20 40 80")),
+      "a.msh:23: this tetrahedron shares a facet with two others");
   EXPECT_EQ(answer("a.msh", changed(gmsh_2_text(), "2.2 0 8", "4 0 8")),
             "a.msh:2: version 4 of the format is not read");
   EXPECT_EQ(answer("a.msh", changed(gmsh_2_text(), "2 4 2 0 1 10", "2 11 2 0 1 1 2 3 4 5 6 10")),
@@ -112,9 +112,9 @@ TEST(volume_mesh, numbers_of_rows_are_those_of_the_file) {
   EXPECT_THROW(read("a.msh", changed(gmsh_2_text(), "$Elements\n7", "$Elements\n" + huge)),
                MeshError);
   EXPECT_THROW(read("a.msh", changed(gmsh_2_binary(), "$Nodes\n8", "$Nodes\n" + huge)), MeshError);
-  EXPECT_THROW(read("a.msh", changed(gmsh_4_binary(), bytes(std::int64_t{8}),
-                                     bytes(std::int64_t{1} << 60))),
-               MeshError);
+  EXPECT_THROW(
+      read("a.msh", changed(gmsh_4_binary(), bytes(std::int64_t{8}), bytes(std::int64_t{1} << 60))),
+      MeshError);
   EXPECT_THROW(read("a.vtk", changed(vtk_text(), "POINTS 8", "POINTS " + huge)), MeshError);
   EXPECT_THROW(read("a.vtk", changed(vtk_5_text(), "CELLS 7 24", "CELLS 7 " + huge)), MeshError);
 }

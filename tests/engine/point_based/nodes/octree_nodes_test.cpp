@@ -50,7 +50,8 @@ TEST(octree_nodes, nodes_are_inside_dense_at_the_surface_and_coarse_within) {
   const NodeCloud<3> cloud = octree_nodes<3>(ball, {0.05, 0.4});
   double largest = 0, smallest = 1;
   for (std::size_t i = 0; i < cloud.volumes.size(); ++i) {
-    const double d = signed_distance(ball, position(cloud, i), 3), side = std::cbrt(cloud.volumes[i]);
+    const double d = signed_distance(ball, position(cloud, i), 3),
+                 side = std::cbrt(cloud.volumes[i]);
     EXPECT_LT(d, 0);
     EXPECT_LE(side, 0.05 - 0.5 * d + 0.04);  // and what joined the leaf
     largest = std::max(largest, side);
