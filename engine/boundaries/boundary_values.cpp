@@ -7,7 +7,11 @@ void BoundaryValues<D>::evaluate(const Boundaries<D>& boundaries, double t) {
   wall_velocity.clear();
   pressure.clear();
   for (const Wall<D>& wall : boundaries.walls) wall_velocity.push_back(wall.velocity(t));
-  for (const SurfacePressure<D>& load : boundaries.pressures) pressure.push_back(load.value(t));
+  traction.clear();
+  for (const SurfacePressure<D>& load : boundaries.pressures) {
+    pressure.push_back(load.value(t));
+    traction.push_back(load.traction({}, t));
+  }
 }
 
 template struct BoundaryValues<2>;

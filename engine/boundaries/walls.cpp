@@ -15,6 +15,8 @@ template <int D>
 Wall<D>::Wall(const BoundaryCase& boundary)
     : shape_(boundary.geometry),
       velocity_(boundary.velocity),
+      displacement_(boundary.displacement),
+      time_increment_(boundary.time_increment),
       slips_(
           boundary.kind == BoundaryCase::Kind::slip_wall ||
           (boundary.kind == BoundaryCase::Kind::contact_wall && row_of(boundary.friction).slides)),
@@ -44,6 +46,13 @@ template <int D>
 Point<D> Wall<D>::velocity(double t) const {
   if (set_velocity_) return *set_velocity_;
   Point<D> u;
+  if (displacement_) {
+    const double before = std::max(t - time_increment_, 0.0), after = t + time_increment_;
+    for (int a = 0; a < D; ++a) {
+      u[a] = ((*displacement_)[a](after) - (*displacement_)[a](before)) / (after - before);
+    }
+    return u;
+  }
   for (int a = 0; a < D; ++a) u[a] = velocity_[a](t);
   return u;
 }
@@ -56,7 +65,22 @@ void Wall<D>::move(double t, double time_step) {
 
 template <int D>
 SurfacePressure<D>::SurfacePressure(const BoundaryCase& boundary)
-    : region_(boundary.geometry), pressure_(boundary.pressure) {}
+    : region_(boundary.geometry),
+      pressure_(boundary.pressure),
+      traction_(boundary.traction),
+      area_(boundary.area),
+      is_traction_(boundary.kind == BoundaryCase::Kind::traction),
+      is_uniform_(std::none_of(traction_.begin(), traction_.end(), [](const Expression& f) {
+        return f.uses('x') || f.uses('y') || f.uses('z');
+      })) {}
+
+template <int D>
+Point<D> SurfacePressure<D>::traction(const Point<D>& x, double t) const {
+  const Vector at = padded<D>(x);
+  Point<D> value;
+  for (int a = 0; a < D; ++a) value[a] = traction_[a](at[0], at[1], at[2], t);
+  return value;
+}
 
 template <int D>
 bool SurfacePressure<D>::acts_at(const Point<D>& x) const {
@@ -68,7 +92,8 @@ Boundaries<D>::Boundaries(const std::vector<BoundaryCase>& cases) {
   for (const BoundaryCase& boundary : cases) {
     const bool is_wall = row_of(boundary.kind).is_wall;
     wall_of.push_back(is_wall ? static_cast<int>(walls.size()) : -1);
-    pressure_of.push_back(is_wall ? -1 : static_cast<int>(pressures.size()));
+    const bool is_pressure = boundary.kind == BoundaryCase::Kind::pressure;
+    pressure_of.push_back(is_pressure ? static_cast<int>(pressures.size()) : -1);
     if (!is_wall) {
       pressures.emplace_back(boundary);
     } else {
@@ -80,14 +105,14 @@ Boundaries<D>::Boundaries(const std::vector<BoundaryCase>& cases) {
 template <int D>
 void Boundaries<D>::set_pressure(std::size_t boundary, double pressure) {
   const int place = pressure_of.at(boundary);
-  if (place < 0) throw std::invalid_argument("a wall has no pressure to set; set its velocity");
+  if (place < 0) throw std::invalid_argument("only boundaries of kind pressure have one to set");
   pressures[place].set_value(pressure);
 }
 
 template <int D>
 void Boundaries<D>::set_wall_velocity(std::size_t boundary, const std::array<double, 3>& velocity) {
   const int place = wall_of.at(boundary);
-  if (place < 0) throw std::invalid_argument("a pressure has no velocity to set; set its value");
+  if (place < 0) throw std::invalid_argument("a load has no velocity to set");
   Point<D> u;
   for (int a = 0; a < D; ++a) u[a] = velocity[a];
   walls[place].set_velocity(u);

@@ -40,12 +40,14 @@ class Wall {
 
   Shape shape_;
   VectorExpression velocity_;
+  std::optional<VectorExpression> displacement_;
+  double time_increment_;
   bool slips_, bonded_;
   std::optional<Point<D>> set_velocity_;
   Point<D> offset_ = {};
 };
 
-/// Pressure on the free surface inside a region, (RP.45).
+/// Pressure or traction on the free surface inside a region, (RP.45).
 template <int D>
 class SurfacePressure {
  public:
@@ -56,9 +58,20 @@ class SurfacePressure {
   const std::optional<double>& set_value() const { return set_value_; }
   void set_value(const std::optional<double>& value) { set_value_ = value; }
 
+  /// A traction has no pressure.
+  bool is_traction() const { return is_traction_; }
+  BoundaryCase::LoadedArea area() const { return area_; }
+  /// Whether the traction depends on the time alone.
+  bool is_uniform() const { return is_uniform_; }
+  /// [Pa]; one thread at a time may ask.
+  Point<D> traction(const Point<D>& x, double t) const;
+
  private:
   Shape region_;
   Expression pressure_;
+  VectorExpression traction_;
+  BoundaryCase::LoadedArea area_;
+  bool is_traction_, is_uniform_;
   std::optional<double> set_value_;
 };
 
@@ -80,9 +93,9 @@ struct Boundaries final : Loads {
   double distance_to_sticking(const Point<D>& x) const;
 
   std::vector<Wall<D>> walls;
-  std::vector<SurfacePressure<D>> pressures;
+  std::vector<SurfacePressure<D>> pressures;  ///< and tractions
   std::vector<int> wall_of;      ///< [boundary of the case] its place in `walls`, or -1
-  std::vector<int> pressure_of;  ///< [boundary of the case] its place in `pressures`, or -1
+  std::vector<int> pressure_of;  ///< [boundary of the case] place of its pressure, or -1
 
  private:
   std::pair<int, double> nearest(const Point<D>& x, bool bonded) const {

@@ -98,7 +98,7 @@ void body_keys(Visitor& visit, BodyCase& body) {
         {.meaning = "name of a [material.NAME] table, or an inline table with the keys of one",
          .example = R"("tissue")",
          .required = true});
-  visit("velocity", VelocityFormulas{body.velocity},
+  visit("velocity", body.velocity.translation,
         {.meaning = "initial velocity; without it and without rotation the body starts at rest",
          .unit = "m/s",
          .example = R"([0, "-25*y"])",
@@ -108,8 +108,8 @@ void body_keys(Visitor& visit, BodyCase& body) {
                     "(reduced_polynomial only)",
          .example = "[1, 0.95]",
          .limits = positive});
-  visit("rotation", Rotation{body.velocity},
-        {.meaning = "initial rigid rotation instead of velocity, see rotation",
+  visit("rotation", body.velocity.rotation,
+        {.meaning = "initial rigid rotation, added to velocity, see rotation",
          .example = "{ centre = [0, 0], angular_velocity = 1 }"});
 }
 
@@ -130,21 +130,28 @@ void boundary_keys(Visitor& visit, BoundaryCase& boundary) {
       "kind", boundary.kind,
       {.meaning = "kind of boundary", .example = R"("fixed")", .required = true, .decides = true});
   visit("geometry", boundary.geometry,
-        {.meaning = "solid of the wall at t = 0, or region in which the pressure acts",
+        {.meaning = "solid of the wall at t = 0, or region in which the load acts",
          .example = R"({ shape = "half_space", point = [0, 0], normal = [0, 1] })",
          .required = true});
   if (!known) return;
   const BoundaryKind& row = row_of(boundary.kind);
   if (row.friction != Use::no) {
-    visit("friction", WallFriction{boundary.friction},
-          {.meaning = "friction between wall and bodies", .example = R"("no_slip")"});
+    visit("friction", WallFriction{boundary},
+          {.meaning = "friction between wall and bodies: a word, or the coefficient of Coulomb "
+                      "friction (TL.11)",
+           .example = R"("no_slip")",
+           .limits = not_negative});
   }
-  if (row.velocity != Use::no) {
+  if (row.motion != Use::no) {
     visit("velocity", boundary.velocity,
           {.meaning = "velocity of the wall, numbers or formulas of t",
            .unit = "m/s",
            .example = "[0, -25]",
-           .required = row.velocity == Use::required,
+           .variables = "t"});
+    visit("displacement", boundary.displacement,
+          {.meaning = "displacement of the wall since t = 0, instead of its velocity",
+           .unit = "m",
+           .example = R"toml([0, "-0.1*t"])toml",
            .variables = "t"});
   }
   if (row.pressure != Use::no) {
@@ -154,6 +161,15 @@ void boundary_keys(Visitor& visit, BoundaryCase& boundary) {
            .example = R"toml("3000*(1 - exp(-t))")toml",
            .required = row.pressure == Use::required,
            .variables = "t"});
+  }
+  if (row.traction != Use::no) {
+    visit("traction", boundary.traction,
+          {.meaning = "force per area in fixed directions, numbers or formulas of x, y, z, t",
+           .unit = "Pa",
+           .example = R"toml(["1000*t", 0])toml",
+           .required = row.traction == Use::required});
+    visit("area", boundary.area,
+          {.meaning = "the area of the force per area", .example = R"("present")"});
   }
 }
 

@@ -4,7 +4,6 @@
 #include <cstdint>
 #include <optional>
 #include <string>
-#include <variant>
 #include <vector>
 
 #include "engine/case/expression.hpp"
@@ -20,7 +19,11 @@ struct RigidRotation {
   Vector centre = {};
   Vector angular_velocity = {};  ///< [1/s]; about z in 2D
 };
-using InitialVelocity = std::variant<VectorExpression, RigidRotation>;
+/// A velocity and a rotation, which add up.
+struct InitialVelocity {
+  VectorExpression translation;  ///< of x, y, z [m/s]
+  std::optional<RigidRotation> rotation;
+};
 
 /// Prony series of the bulk modulus, (RP.10).
 struct PronyCase {
@@ -63,14 +66,22 @@ struct BoundaryCase {
     moving_wall,
     slip_wall,
     contact_wall,
-    pressure
+    pressure,
+    traction
   };  ///< boundary_kinds.hpp
+  /// The area that a traction is a force per.
+  enum class LoadedArea { present, undeformed };
   std::string name;
   Kind kind = Kind::fixed;
-  Shape geometry;             ///< the wall's solid at t = 0, or the region that pressure acts in
+  Shape geometry;             ///< the wall's solid at t = 0, or the region that a load acts in
   VectorExpression velocity;  ///< of t, walls [m/s]
+  std::optional<VectorExpression> displacement;  ///< of t, walls, in the place of `velocity` [m]
+  double time_increment = 0;  ///< over which the velocity of a displacement is a difference [s]
   ContactLaw friction = ContactLaw::frictionless;  ///< contact walls
+  std::optional<double> friction_coefficient;      ///< of Coulomb; none: `friction` has no limit
   Expression pressure;                             ///< of t, positive pushes on the body [Pa]
+  VectorExpression traction;                       ///< of x, y, z, t [Pa]
+  LoadedArea area = LoadedArea::present;           ///< of a traction
 };
 
 /// How two bodies act on each other where they meet. Bodies without a contact pass through each
@@ -88,7 +99,10 @@ struct MeasurementCase {
     mean_radius,
     point_displacement,
     point_value,
+    material_value,
+    mean_value,
     mass,
+    centre_of_mass,
     momentum,
     angular_momentum,
     kinetic_energy,
@@ -105,6 +119,10 @@ struct MeasurementCase {
     amplitude_ratio,
     peak_moving_average,
     last_time_above,
+    smallest,
+    largest,
+    value_at_time,
+    weighted_sum,
   };
   enum class Norm { maximum, root_mean_square };
   std::string name;
@@ -125,14 +143,19 @@ struct MeasurementCase {
   int of = -1;        ///< position of the measurement whose history the last four kinds read
   double window = 0;  ///< peak_moving_average [s]
 
-  double fraction = 0.001;  ///< last_time_above
+  double fraction = 0.001;      ///< last_time_above
+  double time = 0;              ///< value_at_time [s]
+  std::vector<int> terms;       ///< weighted_sum: positions of other measurements
+  std::vector<double> factors;  ///< weighted_sum: of the terms; empty: all 1
 
-  bool reads_history() const { return of >= 0; }
+  bool reads_history() const { return of >= 0 || !terms.empty(); }
 };
 
 enum class GhostTreatment { linear, averaged, rigid };
 /// Volume of remeshed particles: that of a cell (RP.34), or conserved (RP.35).
 enum class VolumeRule { reset, conserved };
+/// What a run does when a check of it fails.
+enum class CheckResponse { off, warn, stop };
 /// Scalar type of the fields.
 enum class Precision { binary64, binary32 };
 
@@ -147,6 +170,7 @@ struct Case {
     double spacing = 0;  ///< h [m]
     kernels::Weight kernel = kernels::Weight::quartic_polynomial;
     double dissipation = 0.25;  ///< gamma_d of (RP.23)
+    double damping = 0;         ///< alpha of (RP.71) [1/s]
   } discretisation;
 
   struct {
@@ -187,6 +211,7 @@ struct Case {
     Vector lower = {}, upper = {};  ///< of the periodic cell
   } periodic;
 
+  VectorExpression gravity;  ///< acceleration of all bodies by a body force, of x, y, z, t [m/s^2]
   std::vector<BodyCase> bodies;
   std::vector<BoundaryCase> boundaries;
   std::vector<ContactCase> contacts;
@@ -199,6 +224,12 @@ struct Case {
     bool surface = false;         ///< frames hold the free surface
     double measure_every = 0;     ///< [s]; 0: at every remeshing and at the end
   } output;
+
+  struct {
+    CheckResponse energy = CheckResponse::warn;
+    CheckResponse mass = CheckResponse::warn;
+    CheckResponse momentum = CheckResponse::warn;
+  } checks;
 };
 
 }  // namespace pliant

@@ -63,12 +63,6 @@ void check_extent(const Check& check, std::size_t index, int axis, const Box& bo
 
 void check_start(const Check& check, std::size_t index) {
   const BodyCase& body = check.a_case.bodies[index];
-  const toml::table& table = *check.root["body"][index].as_table();
-  if (table.contains("velocity") && table.contains("rotation")) {
-    check.problems.add(check.place("body", index, "rotation"),
-                       fmt::format("body \"{}\" has both velocity and rotation", body.name),
-                       "keep one of them");
-  }
   if (body.stretch != Vector{1, 1, 1} &&
       body.material_as_given.model == MaterialCase::Model::linear) {
     check.problems.add(

@@ -54,17 +54,23 @@ void check_times(const Check& check) {
   }
 }
 
-void check_contact_walls(const Check& check) {
+void check_wall_motion(const Check& check) {
   const auto& boundaries = check.a_case.boundaries;
   for (std::size_t i = 0; i < boundaries.size(); ++i) {
-    if (boundaries[i].kind != BoundaryCase::Kind::contact_wall) continue;
-    if (boundaries[i].geometry.kind == Shape::Kind::half_space ||
-        !is_whole(boundaries[i].geometry, check.a_case.dimension)) {
-      continue;
+    const toml::table& table = *check.root["boundary"][i].as_table();
+    const bool has_velocity = table.contains("velocity");
+    const bool has_displacement = table.contains("displacement");
+    if (has_velocity && has_displacement) {
+      check.problems.add(
+          check.place("boundary", i, "displacement"),
+          fmt::format("wall \"{}\" has both velocity and displacement", boundaries[i].name),
+          "keep one of them");
+    } else if (row_of(boundaries[i].kind).motion == Use::required && !has_velocity &&
+               !has_displacement) {
+      check.problems.add(check.place("boundary", i, "kind"),
+                         fmt::format("wall \"{}\" has no motion", boundaries[i].name),
+                         "give its velocity, as in velocity = [0, -25], or its displacement");
     }
-    check.problems.add(check.place("boundary", i, "geometry"),
-                       fmt::format("contact wall \"{}\" is not a half_space", boundaries[i].name),
-                       "use a half_space: contact needs a plane wall");
   }
 }
 
@@ -78,7 +84,7 @@ void check_case(const Check& check) {
   check_bodies(check);
   check_periodic_cell(check);
   check_times(check);
-  check_contact_walls(check);
+  check_wall_motion(check);
   check_contacts(check);
   check_measurements(check);
 }

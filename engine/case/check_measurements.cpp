@@ -31,15 +31,15 @@ void check_contact_force(const Check& check, std::size_t i) {
 void check_wall_force(const Check& check, std::size_t i) {
   const auto& boundaries = check.a_case.boundaries;
   const auto boundary = static_cast<std::size_t>(check.a_case.measurements[i].boundary);
-  if (boundary >= boundaries.size() ||
-      boundaries[boundary].kind == BoundaryCase::Kind::contact_wall) {
+  if (boundary >= boundaries.size() || row_of(boundaries[boundary].kind).is_wall) {
     return;
   }
   check.problems.add(
       check.place("measurement", i, "boundary"),
-      fmt::format("boundary \"{}\" is not a contact wall, so that its force is not known",
-                  boundaries[boundary].name),
-      "name a boundary of kind contact_wall");
+      fmt::format(
+          "boundary \"{}\" is not a wall, so that its force is the load that the case gives",
+          boundaries[boundary].name),
+      "name a wall");
 }
 
 void check_source(const Check& check, std::size_t i) {
@@ -52,6 +52,54 @@ void check_source(const Check& check, std::size_t i) {
       fmt::format(R"(measurement "{}" evaluates "{}", which itself evaluates another measurement)",
                   measurements[i].name, source.name),
       "name a measurement that does not evaluate another one");
+}
+
+void check_terms(const Check& check, std::size_t i) {
+  const Case& a_case = check.a_case;
+  const MeasurementCase& m = a_case.measurements[i];
+  if (!m.factors.empty() && m.factors.size() != m.terms.size()) {
+    check.problems.add(check.place("measurement", i, "factors"),
+                       fmt::format("measurement \"{}\" has {} terms and {} factors", m.name,
+                                   m.terms.size(), m.factors.size()),
+                       "give one factor for each term");
+  }
+  for (const int term : m.terms) {
+    const MeasurementCase& source = a_case.measurements[term];
+    if (row_of(source.kind).sampling == Sampling::from_history) {
+      check.problems.add(
+          check.place("measurement", i, "terms"),
+          fmt::format(R"(measurement "{}" adds "{}", which itself evaluates another measurement)",
+                      m.name, source.name),
+          "name measurements that do not evaluate another one");
+    } else if (unit_of(a_case, source) != unit_of(a_case, a_case.measurements[m.terms.front()])) {
+      check.problems.add(check.place("measurement", i, "terms"),
+                         fmt::format("measurement \"{}\" adds different units, {} and {}", m.name,
+                                     unit_of(a_case, a_case.measurements[m.terms.front()]),
+                                     unit_of(a_case, source)),
+                         "name measurements of one unit");
+    }
+  }
+}
+
+void check_time(const Check& check, std::size_t i) {
+  const MeasurementCase& m = check.a_case.measurements[i];
+  if (m.time <= check.a_case.time.end) return;
+  check.problems.add(
+      check.place("measurement", i, "time"),
+      fmt::format("measurement \"{}\" is of t = {}, after the end of the run", m.name, m.time),
+      "give a time up to time.end");
+}
+
+/// Strains need the displacements around a point, which only material points remember in every
+/// method.
+void check_strain(const Check& check, std::size_t i) {
+  const MeasurementCase& m = check.a_case.measurements[i];
+  if (m.kind == Kind::material_value || m.field.rfind("strain", 0) != 0) return;
+  check.problems.add(check.place("measurement", i, "field"),
+                     fmt::format("measurement \"{}\" asks for a strain, which is only known at "
+                                 "material points",
+                                 m.name),
+                     "write kind = \"material_value\"");
 }
 
 /// Half a spacing is what a lattice may leave between its outermost particle and the surface.
@@ -79,7 +127,11 @@ void check_measurements(const Check& check) {
     const Kind kind = check.a_case.measurements[i].kind;
     if (kind == Kind::wall_force) check_wall_force(check, i);
     if (kind == Kind::contact_force) check_contact_force(check, i);
-    if (kind == Kind::point_displacement) check_material_point(check, i);
+    check_strain(check, i);
+    if (kind == Kind::weighted_sum) check_terms(check, i);
+    if (kind == Kind::value_at_time) check_time(check, i);
+    if (kind == Kind::point_displacement || kind == Kind::material_value)
+      check_material_point(check, i);
   }
 }
 

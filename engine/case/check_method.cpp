@@ -18,6 +18,24 @@ void refuse_tables(const Check& check, std::initializer_list<std::string_view> t
   }
 }
 
+void refuse_boundaries(const Check& check, BoundaryCase::Kind kind) {
+  for (std::size_t i = 0; i < check.a_case.boundaries.size(); ++i) {
+    if (check.a_case.boundaries[i].kind != kind) continue;
+    check.problems.add(check.place("boundary", i, "kind"),
+                       fmt::format("method \"{}\" has no boundaries of kind \"{}\"",
+                                   check.a_case.method, row_of(kind).word),
+                       "use another kind, or choose another method");
+  }
+}
+
+void refuse_key(const Check& check, std::string_view key) {
+  const toml::node* node = check.root.get(key);
+  if (!node) return;
+  check.problems.add(place_of(*node),
+                     fmt::format("method \"{}\" has no {}", check.a_case.method, key),
+                     "leave the key out, or choose another method");
+}
+
 void refuse_measurements(const Check& check, bool (*is_measured)(MeasurementCase::Kind kind)) {
   std::vector<std::string_view> measured;
   for (const MeasurementKind& row : measurement_kinds) {

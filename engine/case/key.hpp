@@ -85,18 +85,14 @@ struct BoundaryName {
 struct MeasurementName {
   int& index;
 };
-struct WallFriction {  ///< a contact law that lets bodies separate
-  ContactLaw& law;
+struct WallFriction {  ///< a contact law that lets bodies separate, or a coefficient
+  BoundaryCase& boundary;
+};
+struct MeasurementNames {
+  std::vector<int>& indices;
 };
 struct FieldName {
   std::string& field;
-};
-/// `velocity` and `rotation` are two ways to give one value: each is there when the other is not.
-struct VelocityFormulas {
-  InitialVelocity& velocity;
-};
-struct Rotation {
-  InitialVelocity& velocity;
 };
 
 }  // namespace pliant

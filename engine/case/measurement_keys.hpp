@@ -31,7 +31,7 @@ void object_key(Visitor& visit, MeasurementCase& m, const KeyUse& use) {
       return;
     case MeasurementKey::boundary:
       visit("boundary", BoundaryName{m.boundary},
-            {.meaning = "name of the contact wall", .example = R"("floor")", .required = true});
+            {.meaning = "name of the wall", .example = R"("floor")", .required = true});
       return;
     case MeasurementKey::bodies:
       visit("bodies", BodyPair{m.bodies},
@@ -58,6 +58,12 @@ void object_key(Visitor& visit, MeasurementCase& m, const KeyUse& use) {
              .example = R"("tip_displacement")",
              .required = true});
       return;
+    case MeasurementKey::terms:
+      visit("terms", MeasurementNames{m.terms},
+            {.meaning = "names of the measurements, which have the same unit",
+             .example = R"(["left_force", "right_force"])",
+             .required = true});
+      return;
     default:
       return;
   }
@@ -76,7 +82,7 @@ void place_key(Visitor& visit, MeasurementCase& m, const KeyUse& use) {
       return side_key(visit, m);
     case MeasurementKey::where:
       visit("where", m.where,
-            {.meaning = "formula of x, y, z, t; only surface points where it is not zero count",
+            {.meaning = "formula of x, y, z, t; only points where it is not zero count",
              .example = R"("abs(y) < 0.5")"});
       return;
     case MeasurementKey::point:
@@ -138,6 +144,18 @@ void evaluation_key(Visitor& visit, MeasurementCase& m, const KeyUse& use) {
             {.meaning = "fraction of the peak that must be exceeded",
              .example = "0.01",
              .limits = {0, 1, false, false, "above 0 and below 1"}});
+      return;
+    case MeasurementKey::time:
+      visit("time", m.time,
+            {.meaning = "time of the value",
+             .unit = "s",
+             .example = "0.01",
+             .limits = not_negative,
+             .required = true});
+      return;
+    case MeasurementKey::factors:
+      visit("factors", m.factors,
+            {.meaning = "one factor for each term; by default all are 1", .example = "[1, -1]"});
       return;
     default:
       return;

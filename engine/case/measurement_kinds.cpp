@@ -14,6 +14,10 @@ std::string_view unit_of_source(const Case& a_case, const MeasurementCase& m) {
   return unit_of(a_case, a_case.measurements[m.of]);
 }
 
+std::string_view unit_of_terms(const Case& a_case, const MeasurementCase& m) {
+  return m.terms.empty() ? "1" : unit_of(a_case, a_case.measurements[m.terms.front()]);
+}
+
 std::string_view unit_of(const Case& a_case, const MeasurementCase& m) {
   const KindUnit& unit = row_of(m.kind).unit;
   if (m.relative) return "1";

@@ -33,6 +33,9 @@ enum class MeasurementKey {
   of,
   window,
   fraction,
+  time,
+  terms,
+  factors,
 };
 
 /// A key as one kind uses it.
@@ -67,12 +70,14 @@ struct MeasurementKind {
 
 std::string_view unit_of_field(const Case& a_case, const MeasurementCase& m);
 std::string_view unit_of_source(const Case& a_case, const MeasurementCase& m);
+std::string_view unit_of_terms(const Case& a_case, const MeasurementCase& m);
 
 namespace units {
 inline constexpr KindUnit one{"1", "1"}, second{"s", "s"}, metre{"m", "m"}, area{"m", "m^2"},
     volume{"m^2", "m^3"}, mass{"kg/m", "kg"}, momentum{"kg m/s/m", "kg m/s"},
     angular_momentum{"kg m^2/s/m", "kg m^2/s"}, energy{"J/m", "J"}, force{"N/m", "N"},
-    of_field{{}, {}, unit_of_field}, of_source{{}, {}, unit_of_source};
+    of_field{{}, {}, unit_of_field}, of_source{{}, {}, unit_of_source},
+    of_terms{{}, {}, unit_of_terms};
 }  // namespace units
 
 namespace key_uses {
@@ -123,7 +128,28 @@ inline constexpr auto measurement_kinds = [] {
        {body, point("fixed position"), {Key::field, "", true}},
        "value of a field at a fixed point",
        "the point is outside the body"},
+      {Kind::material_value,
+       "material_value",
+       units::of_field,
+       Sampling::value,
+       {body, point("position of the material point at t = 0"), {Key::field, "", true}},
+       "value of a field at a material point",
+       "no particles that started around the point remain"},
+      {Kind::mean_value,
+       "mean_value",
+       units::of_field,
+       Sampling::value,
+       {body, {Key::field, "", true}, {Key::where, "present positions in the body"}},
+       "mean of a field over the volume of a body, or over a part of it",
+       "no particle lies where the formula is not zero"},
       {Kind::mass, "mass", units::mass, Sampling::value, {body, relative}, "mass of a body", ""},
+      {Kind::centre_of_mass,
+       "centre_of_mass",
+       units::metre,
+       Sampling::value,
+       {body, component, length},
+       "coordinate of the centre of mass of a body",
+       "the body has no mass"},
       {Kind::momentum,
        "momentum",
        units::momentum,
@@ -174,7 +200,7 @@ inline constexpr auto measurement_kinds = [] {
        units::force,
        Sampling::rate,
        {{{Key::boundary, "", true}, component}},
-       "force of a contact wall on all bodies, averaged since the last sample (RP.65)",
+       "force of a wall on all bodies, averaged since the last sample (RP.65)",
        ""},
       {Kind::contact_force,
        "contact_force",
@@ -240,6 +266,34 @@ inline constexpr auto measurement_kinds = [] {
        "last time at which another measurement exceeds a fraction of its peak, in magnitude "
        "(RP.67)",
        "the measurement is zero throughout"},
+      {Kind::smallest,
+       "smallest",
+       units::of_source,
+       Sampling::from_history,
+       {of},
+       "smallest value of another measurement so far",
+       "the measurement has no value at any time"},
+      {Kind::largest,
+       "largest",
+       units::of_source,
+       Sampling::from_history,
+       {of},
+       "largest value of another measurement so far",
+       "the measurement has no value at any time"},
+      {Kind::value_at_time,
+       "value_at_time",
+       units::of_source,
+       Sampling::from_history,
+       {of, {Key::time, "", true}},
+       "value of another measurement at a given time, linear between samples",
+       "the samples do not reach the time"},
+      {Kind::weighted_sum,
+       "weighted_sum",
+       units::of_terms,
+       Sampling::from_history,
+       {{{Key::terms, "", true}, {Key::factors}}},
+       "sum of other measurements, each times a factor",
+       "one of the measurements has no value"},
   });
 }();
 static_assert(is_in_order(measurement_kinds));
@@ -252,30 +306,24 @@ template <>
 inline constexpr auto words<MeasurementCase::Kind> =
     words_of<MeasurementCase::Kind>(measurement_kinds);
 
-/// A field that `point_value` reads; those with a z exist only in 3D.
+/// A field that measurements read; those with a z exist only in 3D, but for the stress out of the
+/// plane.
 struct MeasurableField {
   std::string_view name, unit;
 };
 inline constexpr auto measurable_fields = std::to_array<MeasurableField>({
-    {"density", "kg/m^3"},
-    {"pressure", "Pa"},
-    {"velocity_x", "m/s"},
-    {"velocity_y", "m/s"},
-    {"velocity_z", "m/s"},
-    {"displacement_x", "m"},
-    {"displacement_y", "m"},
-    {"displacement_z", "m"},
-    {"stress_xx", "Pa"},
-    {"stress_xy", "Pa"},
-    {"stress_xz", "Pa"},
-    {"stress_yy", "Pa"},
-    {"stress_yz", "Pa"},
-    {"stress_zz", "Pa"},
+    {"density", "kg/m^3"},   {"pressure", "Pa"},      {"velocity_x", "m/s"},
+    {"velocity_y", "m/s"},   {"velocity_z", "m/s"},   {"displacement_x", "m"},
+    {"displacement_y", "m"}, {"displacement_z", "m"}, {"stress_xx", "Pa"},
+    {"stress_xy", "Pa"},     {"stress_xz", "Pa"},     {"stress_yy", "Pa"},
+    {"stress_yz", "Pa"},     {"stress_zz", "Pa"},     {"von_mises_stress", "Pa"},
+    {"strain_xx", "1"},      {"strain_xy", "1"},      {"strain_xz", "1"},
+    {"strain_yy", "1"},      {"strain_yz", "1"},      {"strain_zz", "1"},
 });
 
 constexpr bool exists_in(const MeasurableField& field, int dimension) {
   const std::string_view name = field.name;
-  return dimension == 3 || name.find('z', name.size() - 2) == name.npos;
+  return dimension == 3 || name == "stress_zz" || name.find('z', name.size() - 2) == name.npos;
 }
 
 /// SI unit of the values of a measurement, "1" for ratios.

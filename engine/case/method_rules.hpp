@@ -26,6 +26,12 @@ using MethodList = std::span<const MethodRules>;
 /// the history of another one.
 void refuse_measurements(const Check& check, bool (*is_measured)(MeasurementCase::Kind kind));
 
+/// Adds a problem for each boundary of this kind.
+void refuse_boundaries(const Check& check, BoundaryCase::Kind kind);
+
+/// Adds a problem for a key at the top level of the case.
+void refuse_key(const Check& check, std::string_view key);
+
 /// Adds a problem for each of these tables that the case contains.
 void refuse_tables(const Check& check, std::initializer_list<std::string_view> tables);
 

@@ -218,11 +218,19 @@ bool read(const Entry& entry, AngularVelocity value) {
   return read(entry, value.vector[2]);
 }
 
-bool read(const Entry& entry, VelocityFormulas value) {
-  VectorExpression velocity;
-  if (!read(entry, velocity)) return false;
-  value.velocity = velocity;
-  return true;
+bool read(const Entry& entry, std::optional<VectorExpression>& value) {
+  return read(entry, value.emplace());
+}
+
+bool read(const Entry& entry, WallFriction value) {
+  BoundaryCase& boundary = value.boundary;
+  if (!entry.node.is_number()) {
+    const int word = read_word(entry, wall_frictions());
+    if (word >= 0) boundary.friction = static_cast<ContactLaw>(word);
+    return word >= 0;
+  }
+  boundary.friction = ContactLaw::no_slip;
+  return read(entry, boundary.friction_coefficient.emplace());
 }
 
 }  // namespace pliant

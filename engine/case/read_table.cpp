@@ -117,12 +117,8 @@ bool read(const Entry& entry, PronyCase& value) {
                       "their sum must be below 1");
 }
 
-bool read(const Entry& entry, Rotation value) {
-  RigidRotation rotation;
-  if (!read_keys(entry, entry.key, [&](auto& keys) { rotation_keys(keys, rotation); }))
-    return false;
-  value.velocity = rotation;
-  return true;
+bool read(const Entry& entry, std::optional<RigidRotation>& value) {
+  return read_keys(entry, entry.key, [&](auto& keys) { rotation_keys(keys, value.emplace()); });
 }
 
 void TableReader::materials(std::string_view key, std::string_view) {

@@ -124,10 +124,17 @@ bool read(const Entry& entry, MeasurementName value) {
   return read_reference(entry, entry.reading.measurement_names, "measurement", value.index);
 }
 
-bool read(const Entry& entry, WallFriction value) {
-  const int word = read_word(entry, wall_frictions());
-  if (word >= 0) value.law = static_cast<ContactLaw>(word);
-  return word >= 0;
+bool read(const Entry& entry, MeasurementNames value) {
+  const toml::array* list = entry.node.as_array();
+  if (!list || list->empty()) {
+    return entry.refuse("must be a list of names of measurements, found " + describe(entry.node));
+  }
+  value.indices.resize(list->size());
+  for (std::size_t i = 0; i < list->size(); ++i) {
+    const Entry element{entry.key, *list->get(i), entry.notes, entry.reading};
+    if (!read(element, MeasurementName{value.indices[i]})) return false;
+  }
+  return true;
 }
 
 bool read(const Entry& entry, FieldName value) {

@@ -71,6 +71,7 @@ std::string toml_text(const Vector& value, const Writing& writing) {
 }
 
 std::string toml_text(const std::vector<double>& value, const Writing&) {
+  if (value.empty()) return "";
   std::string text;
   for (const double number : value) text += fmt::format("{}{}", text.empty() ? "" : ", ", number);
   return "[" + text + "]";
@@ -97,6 +98,10 @@ std::string toml_text(const VectorExpression& value, const Writing& writing) {
   return list_text(value, writing);
 }
 
+std::string toml_text(const std::optional<VectorExpression>& value, const Writing& writing) {
+  return value ? list_text(*value, writing) : "";
+}
+
 std::string toml_text(Name value, const Writing& writing) {
   return value.text.empty() ? "" : toml_text(value.text, writing);
 }
@@ -110,7 +115,7 @@ std::string toml_text(StepRule value, const Writing& writing) {
 }
 
 std::string toml_text(MassScaling value, const Writing& writing) {
-  return value.method.match_time_step ? "\"to_step\""
+  return value.method.match_time_step ? "\"match_time_step\""
                                       : toml_text(value.method.mass_scaling, writing);
 }
 
@@ -160,23 +165,27 @@ std::string toml_text(MeasurementName value, const Writing& writing) {
   return name_at(writing.a_case.measurements, value.index, writing);
 }
 
+std::string toml_text(const MeasurementNames& value, const Writing& writing) {
+  std::string text;
+  for (const int index : value.indices) {
+    text += (text.empty() ? "" : ", ") + name_at(writing.a_case.measurements, index, writing);
+  }
+  return "[" + text + "]";
+}
+
 std::string toml_text(WallFriction value, const Writing& writing) {
-  return toml_text(value.law, writing);
+  const BoundaryCase& boundary = value.boundary;
+  return boundary.friction_coefficient ? toml_text(*boundary.friction_coefficient, writing)
+                                       : toml_text(boundary.friction, writing);
 }
 
 std::string toml_text(FieldName value, const Writing& writing) {
   return toml_text(value.field, writing);
 }
 
-std::string toml_text(VelocityFormulas value, const Writing& writing) {
-  const auto* velocity = std::get_if<VectorExpression>(&value.velocity);
-  return velocity ? list_text(*velocity, writing) : "";
-}
-
-std::string toml_text(Rotation value, const Writing& writing) {
-  auto* rotation = std::get_if<RigidRotation>(&value.velocity);
-  if (!rotation) return "";
-  return inline_table(writing, [&](auto& keys) { rotation_keys(keys, *rotation); });
+std::string toml_text(std::optional<RigidRotation>& value, const Writing& writing) {
+  if (!value) return "";
+  return inline_table(writing, [&](auto& keys) { rotation_keys(keys, *value); });
 }
 
 std::string toml_text(Shape& value, const Writing& writing) {

@@ -35,6 +35,9 @@ inline std::string type_of(const PronyCase&) { return "table"; }
 inline std::string type_of(const Expression&) { return "number or formula"; }
 inline std::string type_of(const std::optional<Expression>&) { return "formula"; }
 inline std::string type_of(const VectorExpression&) { return "vector of numbers or formulas"; }
+inline std::string type_of(const std::optional<VectorExpression>&) {
+  return "vector of numbers or formulas";
+}
 inline std::string type_of(const Name&) { return "name"; }
 inline std::string type_of(const MethodWord& value) { return joined_words(words_of(value.known)); }
 inline std::string type_of(const StepRule&) { return "number or `\"cfl\"`"; }
@@ -50,10 +53,10 @@ inline std::string type_of(const BodyName&) { return "name of a body"; }
 inline std::string type_of(const BodyPair&) { return "list of two names of bodies"; }
 inline std::string type_of(const BoundaryName&) { return "name of a boundary"; }
 inline std::string type_of(const MeasurementName&) { return "name of a measurement"; }
+inline std::string type_of(const MeasurementNames&) { return "list of names of measurements"; }
 std::string type_of(const WallFriction&);
 inline std::string type_of(const FieldName&) { return "name of a field"; }
-inline std::string type_of(const VelocityFormulas&) { return "vector of numbers or formulas"; }
-inline std::string type_of(const Rotation&) { return "table"; }
+inline std::string type_of(const std::optional<RigidRotation>&) { return "table"; }
 inline std::string type_of(const Shape&) { return "table"; }
 inline std::string type_of(const std::vector<Shape>&) { return "list of tables"; }
 inline std::string type_of(const MaterialCase&) { return "name or table"; }

@@ -122,6 +122,11 @@ void discretisation_keys(Visitor& visit, decltype(Case::discretisation)& discret
              "surfaces need it in long runs",
          .example = "0.5",
          .limits = {0, 2, true, true, "from 0 to 2"}});
+  visit("damping", discretisation.damping,
+        {.meaning = "mass-proportional damping rate (RP.71), for bodies that come to rest",
+         .unit = "1/s",
+         .example = "0.5",
+         .limits = not_negative});
 }
 
 template <class Visitor>
@@ -158,6 +163,17 @@ void total_lagrangian_keys(Visitor& visit, decltype(Case::total_lagrangian)& met
 }
 
 template <class Visitor>
+void check_keys(Visitor& visit, decltype(Case::checks)& checks) {
+  visit("energy", checks.energy,
+        {.meaning = "response to energy that is created without work", .example = R"("stop")"});
+  visit("mass", checks.mass,
+        {.meaning = "response to mass that is created or lost", .example = R"("stop")"});
+  visit("momentum", checks.momentum,
+        {.meaning = "response to momentum that is created where nothing acts on the bodies",
+         .example = R"("stop")"});
+}
+
+template <class Visitor>
 void case_keys(Visitor& visit, Case& a_case) {
   visit("title", a_case.title,
         {.meaning = "title of the case, one line", .example = R"("A case")"});
@@ -174,6 +190,10 @@ void case_keys(Visitor& visit, Case& a_case) {
   visit("precision", a_case.precision,
         {.meaning = "precision of the fields; clocks, sums and measurements are double",
          .example = R"("double")"});
+  visit("gravity", a_case.gravity,
+        {.meaning = "acceleration of all bodies by a body force, numbers or formulas of x, y, z, t",
+         .unit = "m/s^2",
+         .example = "[0, -9.81]"});
   visit.table("discretisation", "Resolution and spatial operators.",
               [&](auto& keys) { discretisation_keys(keys, a_case.discretisation, a_case.method); });
   visit.table("time", "Simulated time and time step.",
@@ -209,13 +229,15 @@ void case_keys(Visitor& visit, Case& a_case) {
   visit.materials("material", "Material, to which bodies refer by NAME.");
   visit.list("body", "Elastic body. Its surface is free except where a boundary acts on it.",
              a_case.bodies, [](auto& keys, BodyCase& body) { body_keys(keys, body); });
-  visit.list("boundary", "Wall, or pressure on a part of the free surface.", a_case.boundaries,
+  visit.list("boundary", "Wall, or load on a part of the free surface.", a_case.boundaries,
              [](auto& keys, BoundaryCase& boundary) { boundary_keys(keys, boundary); });
   visit.list(
       "contact", "Contact between two bodies. Bodies without a contact pass through each other.",
       a_case.contacts, [](auto& keys, ContactCase& contact) { contact_keys(keys, contact); });
   visit.table("output", "Output files and intervals.",
               [&](auto& keys) { output_keys(keys, a_case.output); });
+  visit.table("checks", "What is watched in a run, see checks in the user guide.",
+              [&](auto& keys) { check_keys(keys, a_case.checks); });
   visit.list("measurement",
              "Quantity with its final value in `summary.json` and its history in `result.h5`.",
              a_case.measurements,

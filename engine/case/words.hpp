@@ -20,6 +20,18 @@ inline constexpr std::array words<Precision>{
     word(Precision::binary32, "single", "32 bits, about 7 digits; faster, and half of the memory")};
 
 template <>
+inline constexpr std::array words<CheckResponse>{
+    word(CheckResponse::warn, "warn", "a message while the run goes on"),
+    word(CheckResponse::stop, "stop", "the run ends with exit status 3"),
+    word(CheckResponse::off, "off", "nothing")};
+
+template <>
+inline constexpr std::array words<BoundaryCase::LoadedArea>{
+    word(BoundaryCase::LoadedArea::present, "present", "per area of the deformed surface"),
+    word(BoundaryCase::LoadedArea::undeformed, "undeformed",
+         "per area of the undeformed surface, a dead load (total_lagrangian only)")};
+
+template <>
 inline constexpr std::array words<kernels::Weight>{
     word(kernels::Weight::quartic, "quartic_spline", "quartic B-spline, 5 x 5 particles (RP.15)"),
     word(kernels::Weight::quartic_polynomial, "quartic_spline_fit",

@@ -1,9 +1,12 @@
 #pragma once
 
+#include <string>
+
+#include "engine/method/energy_budget.hpp"
 #include "engine/method/step_clock.hpp"
 #include "engine/output/archive.hpp"
 
-/// What the clocks of all methods have in common, in an archive.
+/// What the clocks and the energy budgets of all methods have in common, in an archive.
 namespace pliant {
 
 inline void put_clock(ArchiveWriter& archive, const StepClock& clock) {
@@ -16,6 +19,22 @@ inline void get_clock(const ArchiveReader& archive, StepClock& clock) {
   clock.step = archive.scalar<std::int64_t>("clock/step");
   clock.time = archive.scalar<double>("clock/time");
   clock.wave_speed = archive.scalar<double>("clock/wave_speed");
+}
+
+inline void put_energy(ArchiveWriter& archive, const std::string& group,
+                       const EnergyBudget& energy) {
+  archive.put(group + "/wall_work", energy.wall_work);
+  archive.put(group + "/load_work", energy.load_work);
+  archive.put(group + "/body_force_work", energy.body_force_work);
+  archive.put(group + "/damping", energy.damping);
+}
+
+inline void get_energy(const ArchiveReader& archive, const std::string& group,
+                       EnergyBudget& energy) {
+  energy.wall_work = archive.scalar<double>(group + "/wall_work");
+  energy.load_work = archive.scalar<double>(group + "/load_work");
+  energy.body_force_work = archive.scalar<double>(group + "/body_force_work");
+  energy.damping = archive.scalar<double>(group + "/damping");
 }
 
 }  // namespace pliant

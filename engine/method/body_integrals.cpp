@@ -7,6 +7,9 @@ double value_of(const MeasurementCase& measurement, const BodyIntegrals& sum, in
   switch (measurement.kind) {
     case Quantity::mass:
       return sum.mass;
+    case Quantity::centre_of_mass:
+      return measurement.point[measurement.axis] + sum.first_moment[measurement.axis] / sum.mass -
+             measurement.reference;
     case Quantity::momentum:
       return sum.momentum[measurement.axis];
     case Quantity::angular_momentum:
@@ -29,6 +32,7 @@ void add_motion(BodyIntegrals& sum, double mass, const Vector& r, const Vector& 
   for (int c = 0; c < 3; ++c) {
     const int a = (c + 1) % 3, b = (c + 2) % 3;
     square += u[c] * u[c];
+    sum.first_moment[c] += mass * r[c];
     sum.momentum[c] += mass * u[c];
     sum.angular_momentum[c] += mass * (r[a] * u[b] - r[b] * u[a]);
   }
@@ -41,6 +45,7 @@ void add(BodyIntegrals& sum, const BodyIntegrals& other) {
   sum.kinetic_energy += other.kinetic_energy;
   sum.strain_energy += other.strain_energy;
   for (int c = 0; c < 3; ++c) {
+    sum.first_moment[c] += other.first_moment[c];
     sum.momentum[c] += other.momentum[c];
     sum.angular_momentum[c] += other.angular_momentum[c];
   }

@@ -8,6 +8,7 @@ namespace pliant {
 struct BodyIntegrals {
   double volume = 0;
   double mass = 0;
+  Vector first_moment = {};  ///< of the mass, from `about`
   Vector momentum = {};
   Vector angular_momentum = {};  ///< about `about`; z alone in 2D
   double kinetic_energy = 0;

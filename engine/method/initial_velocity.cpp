@@ -3,15 +3,18 @@
 namespace pliant {
 
 Vector initial_velocity(const BodyCase& body, const Vector& x) {
-  if (const auto* formula = std::get_if<VectorExpression>(&body.velocity)) {
-    return {(*formula)[0](x[0], x[1], x[2], 0), (*formula)[1](x[0], x[1], x[2], 0),
-            (*formula)[2](x[0], x[1], x[2], 0)};
+  const VectorExpression& formula = body.velocity.translation;
+  Vector u = {formula[0](x[0], x[1], x[2], 0), formula[1](x[0], x[1], x[2], 0),
+              formula[2](x[0], x[1], x[2], 0)};
+  if (!body.velocity.rotation) return u;
+  const Vector& w = body.velocity.rotation->angular_velocity;
+  const Vector& centre = body.velocity.rotation->centre;
+  const Vector r = {x[0] - centre[0], x[1] - centre[1], x[2] - centre[2]};
+  for (int a = 0; a < 3; ++a) {
+    const int b = (a + 1) % 3, c = (a + 2) % 3;
+    u[a] += w[b] * r[c] - w[c] * r[b];
   }
-  const auto& rotation = std::get<RigidRotation>(body.velocity);
-  const Vector& w = rotation.angular_velocity;
-  const Vector r = {x[0] - rotation.centre[0], x[1] - rotation.centre[1],
-                    x[2] - rotation.centre[2]};
-  return {w[1] * r[2] - w[2] * r[1], w[2] * r[0] - w[0] * r[2], w[0] * r[1] - w[1] * r[0]};
+  return u;
 }
 
 }  // namespace pliant

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <chrono>
 
 #include "engine/geometry/load_meshes.hpp"
@@ -26,6 +27,16 @@ void Solver::step(double longest) {
 void Solver::advance(double until) {
   constexpr double rounding = 1e-12;
   while (clock().time < until * (1 - rounding)) step(until - clock().time);
+}
+
+std::optional<EnergyBudget> Solver::energy_budget() const {
+  return bodies_are_free() ? std::optional(EnergyBudget{}) : std::nullopt;
+}
+
+bool Solver::bodies_are_free() const {
+  return settings_.boundaries.empty() &&
+         std::all_of(settings_.gravity.begin(), settings_.gravity.end(),
+                     [](const Expression& g) { return g.is_constant() && g(0) == 0; });
 }
 
 void Solver::save(ArchiveWriter& archive) const {

@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cstdint>
+#include <optional>
 #include <pliant/field.hpp>
 #include <span>
 #include <vector>
@@ -9,6 +10,7 @@
 #include "engine/boundaries/loads.hpp"
 #include "engine/case/case.hpp"
 #include "engine/method/body_integrals.hpp"
+#include "engine/method/energy_budget.hpp"
 #include "engine/method/step_clock.hpp"
 #include "engine/output/archive.hpp"
 #include "engine/output/frame.hpp"
@@ -62,6 +64,11 @@ class Solver {
   virtual bool is_measuring_due() const { return false; }
   /// Conserved quantities of all bodies together.
   virtual BodyIntegrals integrals() = 0;
+  /// Work and losses since t = 0. A method that does not account for them knows them only where
+  /// nothing acts on the bodies; else there is no value.
+  virtual std::optional<EnergyBudget> energy_budget() const;
+  /// Whether the case has neither walls nor loads nor gravity.
+  bool bodies_are_free() const;
   /// The particles at the present time, in SI units.
   virtual Frame frame(const FrameParts& parts) = 0;
 

@@ -22,6 +22,25 @@ Json json(const ConservedQuantities& quantities) {
           {"total_energy", quantities.total_energy}};
 }
 
+Json json(const SummaryChecks::Largest& largest) {
+  return {{"largest_share", largest.share}, {"time", largest.time}};
+}
+
+Json json(const SummaryChecks& checks) {
+  Json energy = nullptr;
+  if (checks.energy_is_known) {
+    energy = {{"work_of_walls", checks.wall_work},
+              {"work_of_loads", checks.load_work},
+              {"work_of_gravity", checks.body_force_work},
+              {"lost_by_damping", checks.damping},
+              {"created", checks.created},
+              {"largest_energy_or_work", checks.largest_energy},
+              {"largest_share", checks.energy.share},
+              {"time", checks.energy.time}};
+  }
+  return {{"energy", energy}, {"mass", json(checks.mass)}, {"momentum", json(checks.momentum)}};
+}
+
 Json json(const Summary& summary) {
   auto versions = Json::object(), phases = Json::object(), measurements = Json::object();
   for (const auto& [name, version] : summary.versions) versions[name] = version;
@@ -52,6 +71,7 @@ Json json(const Summary& summary) {
             {"isa", speed.isa}}},
           {"conserved",
            {{"start", json(summary.conserved.start)}, {"end", json(summary.conserved.end)}}},
+          {"checks", json(summary.checks)},
           {"measurements", measurements}};
 }
 
@@ -63,6 +83,21 @@ std::string json_of(const Summary& summary) {
   return json(summary).dump(2, ' ', false, errors) + "\n";
 }
 
+namespace {
+
+std::string checks_of(const SummaryChecks& checks) {
+  const double energy =
+      checks.largest_energy > 0 ? 100 * checks.created / checks.largest_energy : 0;
+  std::string text = "checks: ";
+  if (checks.energy_is_known) {
+    text += fmt::format("energy {:+.2g} % without work (at most {:+.2g} %), ", energy,
+                        100 * checks.energy.share);
+  }
+  return text + fmt::format("mass changed by at most {:.2g} %\n", 100 * checks.mass.share);
+}
+
+}  // namespace
+
 std::string report_of(const std::filesystem::path& folder, const Summary& summary) {
   std::string text = fmt::format("results in {}; open result.xdmf in ParaView\n", folder.string());
   std::size_t width = 0;
@@ -72,7 +107,7 @@ std::string report_of(const std::filesystem::path& folder, const Summary& summar
     text += std::isfinite(value) ? fmt::format("  {:<{}}  {:.6g}{}\n", name, width, value,
                                                unit == "1" ? "" : " " + unit)
                                  : fmt::format("  {:<{}}  no value: {}\n", name, width, reason);
-  return text;
+  return text + checks_of(summary.checks);
 }
 
 void write_summary(const std::filesystem::path& folder, const Summary& summary) {

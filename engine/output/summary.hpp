@@ -17,6 +17,19 @@ struct ConservedQuantities {
   double kinetic_energy = 0, strain_energy = 0, total_energy = 0;
 };
 
+/// What was watched in a run: shares are of the largest energy or work, of the mass at the start
+/// and of the largest momentum. SI units.
+struct SummaryChecks {
+  struct Largest {
+    double share = 0, time = 0;
+  };
+  bool energy_is_known = false;  ///< whether the method accounts for work
+  double wall_work = 0, load_work = 0, body_force_work = 0, damping = 0;
+  double created = 0;  ///< without work; negative where the method has lost energy
+  double largest_energy = 0;
+  Largest energy, mass, momentum;
+};
+
 /// A run in one page: the content of summary.json. SI units throughout.
 struct Summary {
   struct Phase {
@@ -48,6 +61,7 @@ struct Summary {
   struct {
     ConservedQuantities start, end;
   } conserved;
+  SummaryChecks checks;
   std::vector<Measurement> measurements;
 };
 

@@ -1,5 +1,7 @@
 #include "engine/remeshed/method.hpp"
 
+#include <fmt/format.h>
+
 #include "engine/case/check.hpp"
 #include "engine/remeshed/observe/measure.hpp"
 #include "engine/remeshed/solver.hpp"
@@ -10,7 +12,7 @@ namespace {
 
 // Between two remeshings a ghost stays on the side of a wall on which it started. The adaptive rule
 // remeshes strained bodies only, so that an undeformed body would fly through a wall.
-void check_contact_walls(const Check& check) {
+void check_contact_steps(const Check& check) {
   using Policy = decltype(Case::remeshing)::Policy;
   if (check.a_case.remeshing.policy == Policy::every) return;
   for (const BoundaryCase& boundary : check.a_case.boundaries) {
@@ -22,8 +24,53 @@ void check_contact_walls(const Check& check) {
   }
 }
 
+void check_contact_walls(const Check& check) {
+  const auto& boundaries = check.a_case.boundaries;
+  for (std::size_t i = 0; i < boundaries.size(); ++i) {
+    if (boundaries[i].kind != BoundaryCase::Kind::contact_wall) continue;
+    if (boundaries[i].friction_coefficient) {
+      check.problems.add(check.place("boundary", i, "friction"),
+                         "method \"remeshed\" has no friction coefficient",
+                         "write friction = \"frictionless\" or \"no_slip\"");
+    }
+    if (boundaries[i].geometry.kind == Shape::Kind::half_space ||
+        !is_whole(boundaries[i].geometry, check.a_case.dimension)) {
+      continue;
+    }
+    check.problems.add(check.place("boundary", i, "geometry"),
+                       fmt::format("contact wall \"{}\" is not a half_space", boundaries[i].name),
+                       "use a half_space: contact needs a plane wall in method remeshed");
+  }
+}
+
+void check_tractions(const Check& check) {
+  const Case& a_case = check.a_case;
+  for (std::size_t i = 0; i < a_case.boundaries.size(); ++i) {
+    const BoundaryCase& boundary = a_case.boundaries[i];
+    if (boundary.kind != BoundaryCase::Kind::traction) continue;
+    if (boundary.area != BoundaryCase::LoadedArea::present) {
+      check.problems.add(check.place("boundary", i, "area"),
+                         "method \"remeshed\" does not know the undeformed surface",
+                         "write area = \"present\", or take method = \"total_lagrangian\"");
+    }
+    for (const Expression& component : boundary.traction) {
+      if (!component.uses('x') && !component.uses('y') && !component.uses('z')) continue;
+      check.problems.add(check.place("boundary", i, "traction"),
+                         "method \"remeshed\" takes tractions that depend on t alone",
+                         "leave out x, y and z, or take method = \"total_lagrangian\"");
+      break;
+    }
+    if (a_case.ghosts == GhostTreatment::averaged) {
+      check.problems.add(check.place("ghosts", "treatment"), "averaged ghosts carry no tractions",
+                         "write treatment = \"linear\", or remove the key");
+    }
+  }
+}
+
 void check(const Check& check) {
+  check_contact_steps(check);
   check_contact_walls(check);
+  check_tractions(check);
   refuse_measurements(check, Measurer<double, 2>::is_measured);
 }
 

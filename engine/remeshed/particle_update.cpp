@@ -50,12 +50,13 @@ Accesses written_by_evaluate_stress() {
 template <class T, int D>
 ParticleUpdate<T, D>::ParticleUpdate(State<T, D>& state, const Case& settings,
                                      const kernels::RemeshedTable<T, D>& kernels)
-    : state_(state), settings_(settings), kernels_(kernels) {}
+    : state_(state), settings_(settings), kernels_(kernels), body_forces_(state, settings) {}
 
 // (RP.22), to the time of the state that each stage leaves behind.
 template <class T, int D>
 void ParticleUpdate<T, D>::prepare(double time_step) {
   time_step_ = time_step;
+  body_forces_.prepare(time_step);
   for (int stage = 0; stage < 4; ++stage) {
     relaxation_[stage].resize(state_.bodies.size());
     for (std::size_t b = 0; b < state_.bodies.size(); ++b) {
@@ -110,7 +111,9 @@ kernels::StageResult ParticleUpdate<T, D>::advance(int block, int stage,
     work.neighbours = &lists;
   }
   work.pairs = pairs;
-  return kernels_.advance_stage(work);
+  const kernels::StageResult result = kernels_.advance_stage(work);
+  body_forces_.advance(block, stage);
+  return result;
 }
 
 template <class T, int D>

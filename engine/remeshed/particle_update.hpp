@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "engine/method/resources.hpp"
+#include "engine/remeshed/body_forces.hpp"
 #include "engine/remeshed/state.hpp"
 #include "kernels/remeshed/table.hpp"
 
@@ -33,6 +34,8 @@ class ParticleUpdate {
   /// With `pairs`, the sums of plain SPH over lists of neighbours.
   kernels::StageResult advance(int block, int stage,
                                const kernels::SymmetricPairs<T, D>* pairs = nullptr);
+  /// Adds the work of body forces in the step to the state.
+  void fold() { body_forces_.fold(); }
   /// Stress of a state that no stage has left behind.
   kernels::StageResult evaluate_stress(int block);
 
@@ -43,6 +46,7 @@ class ParticleUpdate {
   State<T, D>& state_;
   const Case& settings_;
   const kernels::RemeshedTable<T, D>& kernels_;
+  BodyForces<T, D> body_forces_;
   double time_step_ = 0;
   std::array<std::vector<std::vector<kernels::Relaxation<T>>>, 4> relaxation_;  ///< [stage][body]
 };

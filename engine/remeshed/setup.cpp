@@ -47,7 +47,7 @@ void set_up(const Case& settings, const BodyCase& source, Body<T, D>& body) {
 
 template <class T, int D>
 State<T, D> make_state(const Case& settings) {
-  State<T, D> state{{}, Boundaries<D>(settings.boundaries), {}, {}, {}, {}, {}};
+  State<T, D> state{{}, Boundaries<D>(settings.boundaries), {}, {}, {}, {}, {}, {}};
   state.wall_impulse.resize(state.boundaries.walls.size());
   state.contact_impulse.resize(settings.contacts.size());
   state.bodies.resize(settings.bodies.size());

@@ -19,7 +19,7 @@ namespace pliant::remeshed {
 namespace {
 
 std::vector<std::string> remedies(const Case& settings) {
-  using Policy = decltype(Case{}.remeshing)::Policy;
+  using Policy = decltype(Case::remeshing)::Policy;
   const bool adaptive = settings.remeshing.policy == Policy::adaptive;
   return {smaller_step(settings),
           adaptive ? "remesh more often (remeshing.strain_threshold)"
@@ -79,7 +79,7 @@ void Solver<T, D>::take_step(double dt) {
 
 template <class T, int D>
 bool Solver<T, D>::remeshing_due() const {
-  using Policy = decltype(Case{}.remeshing)::Policy;
+  using Policy = decltype(Case::remeshing)::Policy;
   switch (settings().remeshing.policy) {
     case Policy::every:
       return state_.clock.steps_since_remeshing >= settings().remeshing.every;

@@ -30,6 +30,7 @@ class Solver final : public pliant::Solver {
   /// After a remeshing particles lie on nodes.
   bool is_measuring_due() const override { return lies_on_nodes(); }
   BodyIntegrals integrals() override;
+  std::optional<EnergyBudget> energy_budget() const override { return state_.energy; }
   Frame frame(const FrameParts& parts) override;
 
   Loads& loads() override { return state_.boundaries; }

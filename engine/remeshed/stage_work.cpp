@@ -1,5 +1,6 @@
 #include "engine/remeshed/stage_work.hpp"
 
+#include "engine/remeshed/boundary_work.hpp"
 #include "engine/remeshed/contact/wall_contact.hpp"
 #include "engine/remeshed/ghosts/surface_records.hpp"
 #include "engine/remeshed/images.hpp"
@@ -11,11 +12,32 @@ template <class T, int D>
 void StageWork<T, D>::prepare(double time_step) {
   time_step_ = time_step;
   impulse_.assign(state_.blocks.size() * state_.boundaries.walls.size(), {});
+  work_.assign(state_.blocks.size(), {});
   for (int stage = 0; stage < 4; ++stage) {
     boundary_values_[stage].evaluate(state_.boundaries,
                                      state_.clock.time + stage_time[stage] * time_step);
   }
   particles_.prepare(time_step);
+  // Walls that rest do no work, and their ghosts are many.
+  is_watched_ = is_measured_;
+  for (const BoundaryValues<D>& values : boundary_values_) {
+    for (std::size_t w = 0; w < is_watched_.size(); ++w) {
+      if (values.wall_velocity[w] != Point<D>{}) is_watched_[w] = 1;
+    }
+  }
+  for (std::size_t w = 0; w < is_watched_.size(); ++w) {
+    if (!state_.boundaries.walls[w].bonded()) is_watched_[w] = 0;
+  }
+}
+
+template <class T, int D>
+std::vector<char> StageWork<T, D>::measured_walls(const Case& settings) {
+  const Boundaries<D> boundaries(settings.boundaries);
+  std::vector<char> measured(boundaries.walls.size(), 0);
+  for (const MeasurementCase& m : settings.measurements) {
+    if (m.kind == MeasurementCase::Kind::wall_force) measured[boundaries.wall_of[m.boundary]] = 1;
+  }
+  return measured;
 }
 
 template <class T, int D>
@@ -63,7 +85,9 @@ void StageWork<T, D>::fill_reached_ghosts(int block, int stage) {
   drift_ghosts<T, D>(body, local, stage, settings_.ghosts, kernels_);
   Point<D>* impulse = impulse_.data() + block * state_.boundaries.walls.size();
   add_impulse<T, D>(body, local, state_.boundaries, boundary_values_[stage],
-                    stage_weight[stage] * time_step_, kernels_, impulse);
+                    stage_weight[stage] * time_step_, kernels_, impulse, work_[block].wall_work);
+  add_boundary_work<T, D>(body, local, state_.boundaries, boundary_values_[stage], is_watched_,
+                          stage_weight[stage] * time_step_, kernels_, impulse, work_[block]);
 }
 
 template <class T, int D>
@@ -79,6 +103,8 @@ void StageWork<T, D>::fold() {
   for (std::size_t i = 0; i < impulse_.size(); ++i) {
     for (int a = 0; a < D; ++a) state_.wall_impulse[i % walls][a] += impulse_[i][a];
   }
+  for (const EnergyBudget& work : work_) add(state_.energy, work);
+  particles_.fold();
   results_.fold(state_.blocks);
 }
 

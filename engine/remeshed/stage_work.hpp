@@ -20,7 +20,8 @@ class StageWork {
       : state_(state),
         settings_(settings),
         kernels_(kernels),
-        particles_(state, settings, kernels) {}
+        particles_(state, settings, kernels),
+        is_measured_(measured_walls(settings)) {}
 
   /// Makes room for the results of the present blocks.
   void prepare_blocks() { results_.reset(state_.blocks, state_.bodies.size()); }
@@ -37,13 +38,13 @@ class StageWork {
   void advance(int block, int stage);
   void evaluate_stress(int block) { results_[block] = particles_.evaluate_stress(block); }
 
-  /// Folds what a step found over the blocks in their order, the impulse of contact walls into the
-  /// state.
+  /// Folds what a step found over the blocks in their order, impulses and work into the state.
   void fold();
   const StageResults& results() const { return results_; }
 
  private:
   void fill(int block, int stage, WhichGhosts which);
+  static std::vector<char> measured_walls(const Case& settings);
 
   State<T, D>& state_;
   const Case& settings_;
@@ -52,7 +53,10 @@ class StageWork {
   double time_step_ = 0;
   std::array<BoundaryValues<D>, 4> boundary_values_;  ///< [stage]
   StageResults results_;
-  std::vector<Point<D>> impulse_;  ///< [block][wall] of contact walls on the bodies, of this step
+  std::vector<Point<D>> impulse_;   ///< [block][wall] on the bodies, of this step
+  std::vector<EnergyBudget> work_;  ///< [block] of walls and loads in this step
+  std::vector<char> is_measured_;   ///< [wall] whether a measurement asks for its force
+  std::vector<char> is_watched_;    ///< [wall] whether its push is added up in this step
 };
 
 extern template class StageWork<double, 2>;

@@ -6,6 +6,7 @@
 #include "engine/blocks/numbering.hpp"
 #include "engine/boundaries/walls.hpp"
 #include "engine/case/case.hpp"
+#include "engine/method/energy_budget.hpp"
 #include "engine/method/step_clock.hpp"
 #include "engine/remeshed/body.hpp"
 
@@ -30,7 +31,8 @@ template <class T, int D>
 struct State {
   Clock clock;
   Boundaries<D> boundaries;
-  std::vector<Point<D>> wall_impulse;  ///< [wall] of contact walls on the bodies, since t = 0 [N s]
+  EnergyBudget energy;
+  std::vector<Point<D>> wall_impulse;     ///< [wall] on the bodies, since t = 0 [N s]
   std::vector<Point<D>> contact_impulse;  ///< [contact] on its second body, since t = 0 [N s]
   std::vector<Body<T, D>> bodies;
   std::vector<MomentumBudget<D>>

@@ -147,6 +147,7 @@ void put_state(ArchiveWriter& archive, const State<T, D>& state) {
     archive.put(std::string("clock/") + name, value);
   });
   archive.put("clock/accumulated_strain", state.clock.accumulated_strain);
+  put_energy(archive, "energy", state.energy);
   put_boundaries<D>(archive, state.boundaries);
   put_points<D>(archive, "walls/impulse", state.wall_impulse);
   put_points<D>(archive, "contacts/impulse", state.contact_impulse);
@@ -181,6 +182,7 @@ void get_state(const ArchiveReader& archive, State<T, D>& state, Remeshings<T, D
     value = archive.scalar<std::int64_t>(std::string("clock/") + name);
   });
   state.clock.accumulated_strain = archive.scalar<double>("clock/accumulated_strain");
+  get_energy(archive, "energy", state.energy);
   get_boundaries<D>(archive, state.boundaries);
   get_points<D>(archive, "walls/impulse", state.wall_impulse);
   get_points<D>(archive, "contacts/impulse", state.contact_impulse);

@@ -132,13 +132,14 @@ Accesses Step<T, D>::read_by_surface(int stage) {
   return reads + near(particles(drift) + particles(velocity) + slots(constants) + whole(interior));
 }
 
-// Rigid ghosts (RP.59) read the particles themselves. Ghosts that no particle reads drift with the
-// velocities of earlier stages, instead of with a fit of their own.
+// The work of loads and walls asks for phi. Rigid ghosts (RP.59) read the particles themselves.
+// Ghosts that no particle reads drift with the velocities of earlier stages, instead of with a fit
+// of their own.
 template <class T, int D>
 Accesses Step<T, D>::read_by_ghosts(int stage, bool all_of_them) const {
   const int current = buffer_of(stage);
-  Accesses reads = near(whole(records) + whole(fits)) +
-                   own(whole(contact) + whole(contact_points) + whole(tractions));
+  Accesses reads = near(whole(records) + whole(fits)) + own(whole(contact) + whole(contact_points) +
+                                                            whole(tractions) + slots(constants));
   if (settings_.ghosts == GhostTreatment::rigid) {
     reads = reads + near(particles(drift, current) + particles(velocity, current)) +
             own(ghosts(drift, current));

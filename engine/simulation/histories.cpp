@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cassert>
 #include <cmath>
 #include <limits>
@@ -17,6 +18,30 @@ namespace pliant {
 namespace {
 
 using Samples = std::span<const double>;
+
+double smallest(Samples values) {
+  double least = std::numeric_limits<double>::quiet_NaN();
+  for (const double value : values) least = std::fmin(least, value);
+  return least;
+}
+
+double largest(Samples values) {
+  double most = std::numeric_limits<double>::quiet_NaN();
+  for (const double value : values) most = std::fmax(most, value);
+  return most;
+}
+
+/// Linear between two samples.
+double value_at(double time, Samples times, Samples values) {
+  constexpr double rounding = 1e-12;
+  for (std::size_t i = 0; i < times.size(); ++i) {
+    if (times[i] < time * (1 - rounding)) continue;
+    if (i == 0 || times[i] == times[i - 1]) return values[i];
+    const double part = std::min((time - times[i - 1]) / (times[i] - times[i - 1]), 1.0);
+    return values[i - 1] + part * (values[i] - values[i - 1]);
+  }
+  return std::numeric_limits<double>::quiet_NaN();
+}
 
 /// Functions of the kinds that evaluate the history of another measurement.
 struct HistoryFunction {
@@ -37,6 +62,12 @@ constexpr HistoryFunction functions[] = {
      [](const MeasurementCase& m, Samples t, Samples f) {
        return last_time_above(t, f, m.fraction);
      }},
+    {MeasurementCase::Kind::smallest,
+     [](const MeasurementCase&, Samples, Samples f) { return smallest(f); }},
+    {MeasurementCase::Kind::largest,
+     [](const MeasurementCase&, Samples, Samples f) { return largest(f); }},
+    {MeasurementCase::Kind::value_at_time,
+     [](const MeasurementCase& m, Samples t, Samples f) { return value_at(m.time, t, f); }},
 };
 
 double evaluate_history(const MeasurementCase& m, Samples times, Samples values) {
@@ -67,8 +98,18 @@ void Histories::add(double time, std::vector<double> values) {
   for (std::size_t m = 0; m < values.size(); ++m) {
     const MeasurementCase& measurement = settings_->measurements[m];
     if (sampling(m) != Sampling::from_history) continue;
-    rows_[m].back() = evaluate_history(measurement, times_, rows_[measurement.of]);
+    rows_[m].back() = measurement.kind == MeasurementCase::Kind::weighted_sum
+                          ? weighted_sum(measurement)
+                          : evaluate_history(measurement, times_, rows_[measurement.of]);
   }
+}
+
+double Histories::weighted_sum(const MeasurementCase& m) const {
+  double sum = 0;
+  for (std::size_t i = 0; i < m.terms.size(); ++i) {
+    sum += (m.factors.empty() ? 1 : m.factors[i]) * rows_[m.terms[i]].back();
+  }
+  return sum;
 }
 
 std::string_view Histories::why_missing(std::size_t m) const {

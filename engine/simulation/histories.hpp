@@ -29,6 +29,8 @@ class Histories {
   void get(const ArchiveReader& archive);
 
  private:
+  double weighted_sum(const MeasurementCase& m) const;
+
   const Case* settings_;
   std::vector<double> times_;
   std::vector<std::vector<double>> rows_;  ///< [measurement][time]

@@ -21,6 +21,7 @@
 #include "engine/output/summary.hpp"
 #include "engine/simulation/histories.hpp"
 #include "engine/simulation/run_identity.hpp"
+#include "engine/simulation/watch.hpp"
 
 namespace pliant {
 
@@ -47,11 +48,6 @@ class Schedule {
   std::int64_t count_ = 0;
 };
 
-ConservedQuantities conserved(const BodyIntegrals& sum) {
-  return {sum.mass,           sum.momentum,      sum.angular_momentum,
-          sum.kinetic_energy, sum.strain_energy, sum.kinetic_energy + sum.strain_energy};
-}
-
 class Run {
  public:
   Run(const Case& settings, const RunOptions& options, const MethodRegistry& methods)
@@ -59,6 +55,7 @@ class Run {
         options_(options),
         solver_(methods.make(settings, {options.threads, options.isa})),
         histories_(settings_),
+        watch_(settings),
         frames_(settings.output.every),
         samples_(settings.output.measure_every),
         checkpoints_(settings.output.checkpoint_every),
@@ -73,6 +70,7 @@ class Run {
       solver_->step(std::min({end, frames_.next(), samples_.next(), checkpoints_.next()}) -
                     solver_->clock().time);
       observe();
+      warn(watch_.observe(*solver_, at_end()));
       if (interrupt.requested() && !at_end()) {
         save();
         progress_.message(fmt::format("interrupted at t = {:.6g} s; continue with --resume",
@@ -99,9 +97,14 @@ class Run {
     return description;
   }
 
+  void warn(const std::string& warning) {
+    if (!warning.empty()) progress_.message(warning);
+  }
+
   void begin() {
     result_.emplace(ResultFile::create(options_.folder, describe()));
     start_ = conserved(solver_->integrals());
+    watch_.begin(*solver_);
     particles_at_start_ = solver_->particles();
     sample();
     result_->append(solver_->frame(parts()));
@@ -112,6 +115,7 @@ class Run {
     require_same_run(archive, settings_);
     solver_->restore(archive);
     histories_.get(archive);
+    watch_.get(archive);
     frames_.restore(archive.scalar<std::int64_t>("schedule/frames"));
     samples_.restore(archive.scalar<std::int64_t>("schedule/samples"));
     checkpoints_.restore(archive.scalar<std::int64_t>("schedule/checkpoints"));
@@ -160,6 +164,7 @@ class Run {
       put_identity(archive, settings_);
       solver_->save(archive);
       histories_.put(archive);
+      watch_.put(archive);
       archive.put("schedule/frames", frames_.count());
       archive.put("schedule/samples", samples_.count());
       archive.put("schedule/checkpoints", checkpoints_.count());
@@ -211,6 +216,7 @@ class Run {
     summary.performance.isa = std::string(kernels::name(options_.isa));
     summary.conserved.start = start_;
     summary.conserved.end = conserved(solver_->integrals());
+    summary.checks = watch_.report();
     for (std::size_t m = 0; m < settings_.measurements.size(); ++m) {
       const MeasurementCase& measurement = settings_.measurements[m];
       summary.measurements.push_back({measurement.name,
@@ -239,6 +245,7 @@ class Run {
   const RunOptions& options_;
   std::unique_ptr<Solver> solver_;
   Histories histories_;
+  Watch watch_;
   Schedule frames_, samples_, checkpoints_;
   Progress progress_;
   std::optional<ResultFile> result_;

@@ -24,6 +24,7 @@ class Solver final : public pliant::Solver {
   std::size_t bytes() const override { return state_.bytes() + step_.bytes(); }
 
   BodyIntegrals integrals() override;
+  std::optional<EnergyBudget> energy_budget() const override { return state_.energy; }
   Frame frame(const FrameParts& parts) override;
 
   Loads& loads() override { return state_.boundaries; }

@@ -28,7 +28,10 @@ class Step {
   /// Fixes the time step [s].
   void prepare(double time_step) { particles_.prepare(time_step); }
   /// Folds what the blocks found, in their order.
-  void fold() { results_.fold(state_.blocks); }
+  void fold() {
+    results_.fold(state_.blocks);
+    particles_.fold();
+  }
   const remeshed::StageResults& results() const { return results_; }
   std::size_t bytes() const;
 

@@ -139,11 +139,9 @@ struct Body {
   }
 };
 
-/// Normal of the present facet, its length the facet's area [m^(D-1)].
-template <class T, int D>
-Point<D> area_vector(const Body<T, D>& body, const Facet<D>& facet) {
-  std::array<Point<D>, D> x;
-  for (int v = 0; v < D; ++v) x[v] = body.position(facet.vertex[v]);
+/// Normal of a segment or a triangle, its length the area [m^(D-1)].
+template <int D>
+Point<D> area_vector(const std::array<Point<D>, D>& x) {
   if constexpr (D == 2) {
     return {x[1][1] - x[0][1], x[0][0] - x[1][0]};
   } else {
@@ -158,6 +156,14 @@ Point<D> area_vector(const Body<T, D>& body, const Facet<D>& facet) {
     }
     return n;
   }
+}
+
+/// The same of a facet as it is at present.
+template <class T, int D>
+Point<D> area_vector(const Body<T, D>& body, const Facet<D>& facet) {
+  std::array<Point<D>, D> x;
+  for (int v = 0; v < D; ++v) x[v] = body.position(facet.vertex[v]);
+  return area_vector<D>(x);
 }
 
 }  // namespace pliant::total_lagrangian

@@ -32,11 +32,6 @@ void check(const Check& check) {
   const Case& a_case = check.a_case;
   refuse_tables(check, {"remeshing", "level_set", "ghosts", "periodic", "contact"});
   for (std::size_t i = 0; i < a_case.bodies.size(); ++i) check_body(check, i);
-  for (std::size_t i = 0; i < a_case.boundaries.size(); ++i) {
-    if (a_case.boundaries[i].kind != BoundaryCase::Kind::contact_wall) continue;
-    check.problems.add(check.place("boundary", i, "kind"), "method total_lagrangian has no contact",
-                       "take method = \"remeshed\", or a wall to which the body sticks");
-  }
   refuse_measurements(check, Measurer<double, 2>::is_measured);
   if (a_case.total_lagrangian.match_time_step && !a_case.time.step) {
     check.problems.add(check.place("total_lagrangian", "mass_scaling"),

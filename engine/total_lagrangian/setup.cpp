@@ -168,7 +168,7 @@ void hold(const Boundaries<D>& boundaries, Body<T, D>& body) {
       const Point<D> x = body.lattice.node(cell);
       for (int w = 0; w < static_cast<int>(boundaries.walls.size()); ++w) {
         const Wall<D>& wall = boundaries.walls[w];
-        if (wall.distance(x) >= reach) continue;
+        if (!wall.bonded() || wall.distance(x) >= reach) continue;
         body.held[b].push_back(
             {static_cast<std::int32_t>(p), w, wall.slips() ? wall.normal(x) : Point<D>{}});
       }

@@ -40,8 +40,10 @@ bool is_held(const Body<T, D>& body, std::int64_t slot) {
 template <class T, int D>
 Solver<T, D>::Solver(const Case& a_case, const SolverOptions& options)
     : pliant::Solver(a_case, options),
-      state_{{}, Boundaries<D>(settings().boundaries), {}, {}},
+      state_{{}, {}, {}, Boundaries<D>(settings().boundaries), {}, {}, {}, {}},
       step_(state_, settings(), kernels::TotalLagrangianTable<T, D>::of(options.isa)) {
+  state_.wall_impulse.resize(state_.boundaries.walls.size());
+  state_.wall_force.resize(state_.boundaries.walls.size());
   state_.bodies.resize(settings().bodies.size());
   Layouts<D> layouts;
   for (std::size_t b = 0; b < state_.bodies.size(); ++b) {
@@ -188,6 +190,13 @@ std::size_t Solver<T, D>::bytes() const {
 template <class T, int D>
 std::vector<double> Solver<T, D>::measure_each(std::span<const MeasurementCase> measurements) {
   return Measurer<T, D>(settings(), state_)(measurements);
+}
+
+template <class T, int D>
+std::optional<EnergyBudget> Solver<T, D>::energy_budget() const {
+  EnergyBudget present = state_.energy;
+  add(present, state_.power, state_.clock.lag());
+  return present;
 }
 
 template <class T, int D>

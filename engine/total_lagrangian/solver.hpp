@@ -20,6 +20,7 @@ class Solver final : public pliant::Solver {
   std::size_t bytes() const override;
 
   BodyIntegrals integrals() override;
+  std::optional<EnergyBudget> energy_budget() const override;
   Frame frame(const FrameParts& parts) override;
 
   Loads& loads() override { return state_.boundaries; }

@@ -5,6 +5,7 @@
 
 #include "engine/blocks/numbering.hpp"
 #include "engine/boundaries/walls.hpp"
+#include "engine/method/energy_budget.hpp"
 #include "engine/method/step_clock.hpp"
 #include "engine/total_lagrangian/body.hpp"
 
@@ -29,7 +30,11 @@ struct Clock : StepClock {
 template <class T, int D>
 struct State {
   Clock clock;
+  EnergyBudget energy;  ///< up to the middle of the last step, where velocities are
+  EnergyBudget power;   ///< its rates there [W]
   Boundaries<D> boundaries;
+  std::vector<Point<D>> wall_impulse;  ///< [wall] on the bodies, up to there [N s]
+  std::vector<Point<D>> wall_force;    ///< [wall] on the bodies, in the last step [N]
   std::vector<Body<T, D>> bodies;
   std::vector<BlockOwner> blocks;
 };

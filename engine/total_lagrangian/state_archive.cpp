@@ -28,7 +28,11 @@ void put_state(ArchiveWriter& archive, const State<T, D>& state) {
   archive.put("clock/damping", state.clock.damping);
   archive.put("clock/step_length", state.clock.step_length);
   archive.put("clock/step_end", state.clock.step_end);
+  put_energy(archive, "energy", state.energy);
+  put_energy(archive, "power", state.power);
   put_boundaries<D>(archive, state.boundaries);
+  put_points<D>(archive, "walls/impulse", state.wall_impulse);
+  put_points<D>(archive, "walls/force", state.wall_force);
   for (std::size_t b = 0; b < state.bodies.size(); ++b) {
     for_each_saved_array(state.bodies[b], [&](const std::string& name, const Buffer<T>& values) {
       archive.put(fmt::format("body/{}/{}", b, name),
@@ -44,7 +48,11 @@ void get_state(const ArchiveReader& archive, State<T, D>& state) {
   state.clock.damping = archive.scalar<double>("clock/damping");
   state.clock.step_length = archive.scalar<double>("clock/step_length");
   state.clock.step_end = archive.scalar<double>("clock/step_end");
+  get_energy(archive, "energy", state.energy);
+  get_energy(archive, "power", state.power);
   get_boundaries<D>(archive, state.boundaries);
+  get_points<D>(archive, "walls/impulse", state.wall_impulse);
+  get_points<D>(archive, "walls/force", state.wall_force);
   for (std::size_t b = 0; b < state.bodies.size(); ++b) {
     for_each_saved_array(state.bodies[b], [&](const std::string& name, Buffer<T>& values) {
       archive.read(fmt::format("body/{}/{}", b, name),

@@ -7,8 +7,8 @@
 // A step of the total Lagrangian method. Everything happens on the lattice of the undeformed body,
 // where particles always have the same neighbours.
 //
-//     pressure          the force on the surface inside each cell where a pressure acts (TL.7)
-//     traction          the share of each particle in that force (TL.7)
+//     pressure          the force on the surface inside each cell where a load acts (TL.7)
+//     traction          the force of gravity on each particle, and its share in the former
 //     stress            F at each stress point from the particles at its cell's corners, the
 //                       stress, and its force on those corners (TL.2)-(TL.6)
 //     motion            the force on each particle (TL.5); velocity and displacement by central
@@ -24,12 +24,18 @@ using enum Group;
 template <class T, int D>
 Step<T, D>::Step(State<T, D>& state, const Case& settings,
                  const kernels::TotalLagrangianTable<T, D>& kernels)
-    : state_(state), settings_(settings), kernels_(kernels) {}
+    : state_(state),
+      settings_(settings),
+      kernels_(kernels),
+      boundary_forces_(state, settings),
+      contact_(state, settings) {}
 
 template <class T, int D>
 std::vector<Phase> Step<T, D>::phases() {
   stress_results_.assign(state_.blocks.size(), {0, -1});
   motion_results_.assign(state_.blocks.size(), {});
+  boundary_forces_.prepare_blocks();
+  contact_.prepare_surfaces();
   const auto run = [this](auto function) {
     return [this, function](int block) { (this->*function)(block); };
   };
@@ -37,15 +43,19 @@ std::vector<Phase> Step<T, D>::phases() {
   PhaseRows rows(phases);
   if (!state_.boundaries.pressures.empty()) {
     rows.each("pressure", near(of(displacement)) + own(of(surface)), own(of(patch_forces)),
-              run(&Step::sum_patch_loads));
-    rows.each("traction", near(of(patch_forces)) + own(of(surface)), own(of(tractions)),
-              run(&Step::distribute_patch_loads));
+              [this](int block) { boundary_forces_.sum_patch_loads(block); });
+  }
+  if (boundary_forces_.act_on_particles()) {
+    rows.each("traction",
+              near(of(patch_forces)) + own(of(surface) + of(constants) + of(displacement)),
+              own(of(tractions)), [this](int block) { boundary_forces_.distribute(block); });
   }
   rows.each("stress", near(of(displacement)) + own(of(constants)),
             own(of(corner_forces) + of(results)), run(&Step::evaluate_stress));
   rows.each("motion",
-            near(of(corner_forces)) + own(of(tractions) + of(constants) + of(surface) +
-                                          of(internal_forces) + of(velocity) + of(displacement)),
+            near(of(corner_forces) + of(patch_forces)) +
+                own(of(tractions) + of(constants) + of(surface) + of(internal_forces) +
+                    of(velocity) + of(displacement)),
             own(of(internal_forces) + of(velocity) + of(displacement) + of(results)),
             run(&Step::move));
   return phases;
@@ -54,18 +64,11 @@ std::vector<Phase> Step<T, D>::phases() {
 template <class T, int D>
 void Step<T, D>::prepare(const Advance& advance) {
   advance_ = advance;
-  pressure_.clear();
-  for (const auto& pressure : state_.boundaries.pressures) {
-    pressure_.push_back(pressure.value(advance.time));
-  }
-  wall_velocity_.clear();
-  for (const Wall<D>& wall : state_.boundaries.walls) {
-    wall_velocity_.push_back(wall.velocity(advance.time + advance.length / 2));
-  }
+  boundary_forces_.prepare(advance.time, advance.kick, advance.length);
 }
 
 template <class T, int D>
-StepResult Step<T, D>::fold() const {
+StepResult Step<T, D>::fold() {
   StepResult result;
   double stiffness = 0, inertia = 0;
   for (std::size_t b = 0; b < stress_results_.size(); ++b) {
@@ -78,35 +81,9 @@ StepResult Step<T, D>::fold() const {
     }
   }
   if (stiffness > 0 && inertia > 0) result.rayleigh = stiffness / inertia;
+  boundary_forces_.fold(inertia);
+  contact_.apply(advance_.time, advance_.kick, advance_.length);
   return result;
-}
-
-template <class T, int D>
-void Step<T, D>::sum_patch_loads(int block) {
-  const auto [body, local] = owner(block);
-  for (int i = body.first_patch[local]; i < body.first_patch[local + 1]; ++i) {
-    const SurfacePatch& patch = body.patches[i];
-    Point<D> area = {};
-    for (int k = patch.first_load; k < patch.first_load + patch.load_count; ++k) {
-      const Point<D> whole = area_vector(body, body.facets[body.loads[k].facet]);
-      for (int a = 0; a < D; ++a) area[a] += body.loads[k].share * whole[a];
-    }
-    for (int a = 0; a < D; ++a) body.patch_force[i][a] = -pressure_[patch.pressure] * area[a];
-  }
-}
-
-template <class T, int D>
-void Step<T, D>::distribute_patch_loads(int block) {
-  const auto [body, local] = owner(block);
-  const NodalLoads& nodal_loads = body.nodal_loads[local];
-  for (std::size_t i = 0; i < nodal_loads.slot.size(); ++i) {
-    Point<D> sum = {};
-    for (std::int32_t k = nodal_loads.begin[i]; k < nodal_loads.begin[i + 1]; ++k) {
-      for (int a = 0; a < D; ++a)
-        sum[a] += nodal_loads.weight[k] * body.patch_force[nodal_loads.patch[k]][a];
-    }
-    for (int a = 0; a < D; ++a) body.traction[a][nodal_loads.slot[i]] = sum[a];
-  }
 }
 
 template <class T, int D>
@@ -147,28 +124,9 @@ void Step<T, D>::move(int block) {
     work.velocity[a] = body.velocity[a].get();
     work.displacement[a] = body.displacement[a].get();
   }
+  boundary_forces_.begin_motion(block);
   motion_results_[block] = kernels_.advance_motion(work);
-  apply_walls(body, local);
-}
-
-// Undoes what a constrained particle has moved against its walls, in their order: where two walls
-// meet, the last one counts.
-template <class T, int D>
-void Step<T, D>::apply_walls(Body<T, D>& body, int local) {
-  for (const ConstrainedParticle<D>& held : body.held[local]) {
-    Point<D> excess;
-    double along = 0, slips = 0;
-    for (int a = 0; a < D; ++a) {
-      excess[a] = body.velocity[a][held.slot] - wall_velocity_[held.wall][a];
-      along += excess[a] * held.normal[a];
-      slips += held.normal[a] * held.normal[a];
-    }
-    for (int a = 0; a < D; ++a) {
-      const double undone = slips > 0 ? along * held.normal[a] : excess[a];
-      body.velocity[a][held.slot] -= undone;
-      body.displacement[a][held.slot] -= advance_.length * undone;
-    }
-  }
+  boundary_forces_.end_motion(block);
 }
 
 template class Step<double, 2>;

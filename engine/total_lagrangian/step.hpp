@@ -3,6 +3,8 @@
 #include <string>
 #include <vector>
 
+#include "engine/total_lagrangian/boundary_forces.hpp"
+#include "engine/total_lagrangian/contact.hpp"
 #include "engine/total_lagrangian/state.hpp"
 #include "kernels/total_lagrangian/table.hpp"
 #include "scheduler/phase.hpp"
@@ -40,15 +42,13 @@ class Step {
   /// Sets how the next step advances, and the loads at its time.
   void prepare(const Advance& advance);
 
-  /// Folds the results of all blocks, in their order.
-  StepResult fold() const;
+  /// Lets contact walls push the particles; folds the results of all blocks, in their order,
+  /// impulses and work into the state.
+  StepResult fold();
 
  private:
-  void sum_patch_loads(int block);
-  void distribute_patch_loads(int block);
   void evaluate_stress(int block);
   void move(int block);
-  void apply_walls(Body<T, D>& body, int local);
 
   struct Owned {
     Body<T, D>& body;
@@ -63,8 +63,8 @@ class Step {
   const Case& settings_;
   const kernels::TotalLagrangianTable<T, D>& kernels_;
   Advance advance_ = {};
-  std::vector<double> pressure_;                             ///< [pressure] [Pa]
-  std::vector<Point<D>> wall_velocity_;                      ///< [wall] [m/s]
+  BoundaryForces<T, D> boundary_forces_;
+  WallContact<T, D> contact_;
   std::vector<kernels::StressPointsResult> stress_results_;  ///< [block]
   std::vector<kernels::MotionResult> motion_results_;        ///< [block]
 };

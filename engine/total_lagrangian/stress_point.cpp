@@ -37,15 +37,16 @@ StressPoint<D> stress_point(const Body<T, D>& body, std::int64_t slot, const Cel
   const auto mode = modes<T, D>(body, cell);
   const double h = body.lattice.spacing;
   const auto material = kernels::with_scalar<double>(body.material);
+  StressPoint<D> point;
   std::array<double, D * D> f;
   Pack packed[D * D];
   for (int i = 0; i < D; ++i) {
     for (int j = 0; j < D; ++j) {
       f[D * i + j] = (i == j ? 1 : 0) + mode[i][1 << j] * 2 / ((1 << D) * h);
       packed[D * i + j] = Pack(f[D * i + j]);
+      point.deformation_gradient[i][j] = f[D * i + j];
     }
   }
-  StressPoint<D> point;
   Pack sigma[Law::symmetric];
   Law::stress(material, packed, Pack(1.0), sigma);
   for (int c = 0; c < Law::symmetric; ++c) point.stress[c] = sigma[c].get(0);

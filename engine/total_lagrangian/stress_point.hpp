@@ -9,6 +9,7 @@ namespace pliant::total_lagrangian {
 /// One stress point in plain numbers, for measurements and output.
 template <int D>
 struct StressPoint {
+  std::array<Point<D>, D> deformation_gradient = {};                 ///< F
   double volume_ratio = 1;                                           ///< J
   double pressure = 0;                                               ///< [Pa]
   std::array<double, kernels::symmetric_components<D>> stress = {};  ///< sigma [Pa]

@@ -52,9 +52,9 @@ const Fault faults[] = {
     {"a_moving_wall_at_rest",
      extended("[[boundary]]\nname = \"floor\"\nkind = \"moving_wall\"\ngeometry = { shape = "
               "\"half_space\", point = [0, 0], normal = [0, 1] }\n"),
-     "block.toml:10: [[boundary]] lacks `velocity`, velocity of the wall, numbers or formulas of "
-     "t; "
-     "add velocity = [0, -25]"},
+     "block.toml:12: wall \"floor\" has no motion; give its velocity, as in velocity = [0, -25], "
+     "or "
+     "its displacement"},
     {"a_formula_with_an_unknown_name", extended("velocity = [0, \"-25*yy\"]\n"),
      "block.toml:10: velocity has the formula \"-25*yy\": unknown name `yy` at position 5; "
      "formulas consist of numbers, x, y, z, pi, + - * / ^, comparisons, ?:, &&, || and functions "
@@ -65,9 +65,6 @@ const Fault faults[] = {
      "such as sin, exp, sqrt, abs, min, max"},
     {"a_velocity_of_one_component", extended("velocity = [1]\n"),
      "block.toml:10: velocity needs 2 components for dimension = 2, got 1; give [x, y]"},
-    {"velocity_and_rotation",
-     extended("velocity = [0, 1]\nrotation = { centre = [0, 0], angular_velocity = 1 }\n"),
-     "block.toml:11: body \"block\" has both velocity and rotation; keep one of them"},
     {"an_initial_velocity_that_depends_on_time", extended("velocity = [0, \"t\"]\n"),
      "block.toml:10: velocity has the formula \"t\", which uses t; here formulas may use x, y, z "
      "only"},

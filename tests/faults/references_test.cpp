@@ -43,17 +43,56 @@ const Fault faults[] = {
      measuring("kind = \"wall_force\"\nboundary = \"floor\"\naxis = \"y\"\n"),
      "block.toml:13: boundary names the boundary \"floor\", which does not exist; add a "
      "[[boundary]] of that name"},
-    {"a_force_on_a_fixed_wall",
-     measuring("kind = \"wall_force\"\nboundary = \"floor\"\n[[boundary]]\nname = \"floor\"\n"
-               "kind = \"fixed\"\ngeometry = { shape = \"half_space\", point = [0, 0], normal = "
-               "[0, 1] }\n"),
-     "block.toml:13: boundary \"floor\" is not a contact wall, so that its force is not known; "
-     "name a boundary of kind contact_wall"},
+    {"a_force_on_a_load",
+     measuring(
+         "kind = \"wall_force\"\nboundary = \"floor\"\n[[boundary]]\nname = \"floor\"\n"
+         "kind = \"pressure\"\npressure = 1\ngeometry = { shape = \"half_space\", point = [0, "
+         "0], normal = [0, 1] }\n"),
+     "block.toml:13: boundary \"floor\" is not a wall, so that its force is the load that the case "
+     "gives; name a wall"},
+    {"a_sum_of_different_units",
+     measuring("kind = \"weighted_sum\"\nterms = [\"a\", \"b\"]\n[[measurement]]\nname = \"a\"\n"
+               "kind = \"mass\"\n[[measurement]]\nname = \"b\"\nkind = \"volume\"\n"),
+     "block.toml:13: measurement \"m\" adds different units, kg/m and m^2; name measurements of "
+     "one "
+     "unit"},
+    {"a_sum_with_too_few_factors",
+     measuring(
+         "kind = \"weighted_sum\"\nterms = [\"a\"]\nfactors = [1, 2]\n[[measurement]]\nname = "
+         "\"a\"\nkind = \"mass\"\n"),
+     "block.toml:14: measurement \"m\" has 1 terms and 2 factors; give one factor for each term"},
+    {"a_value_after_the_end",
+     measuring("kind = \"value_at_time\"\nof = \"a\"\ntime = 2\n[[measurement]]\nname = \"a\"\n"
+               "kind = \"mass\"\n"),
+     "block.toml:14: measurement \"m\" is of t = 2, after the end of the run; give a time up to "
+     "time.end"},
+    {"a_strain_at_a_fixed_point",
+     measuring("kind = \"point_value\"\npoint = [0.5, 0.5]\nfield = \"strain_xx\"\n"),
+     "block.toml:14: measurement \"m\" asks for a strain, which is only known at material points; "
+     "write kind = \"material_value\""},
+    {"a_wall_without_a_motion",
+     extended("[[boundary]]\nname = \"piston\"\nkind = \"moving_wall\"\ngeometry = { shape = "
+              "\"half_space\", point = [0, 0], normal = [0, 1] }\n"),
+     "block.toml:12: wall \"piston\" has no motion; give its velocity, as in velocity = [0, -25], "
+     "or "
+     "its displacement"},
+    {"a_wall_with_two_motions",
+     extended("[[boundary]]\nname = \"piston\"\nkind = \"moving_wall\"\nvelocity = [0, "
+              "1]\ndisplacement = [0, \"t\"]\ngeometry = { shape = \"half_space\", point = [0, 0], "
+              "normal = [0, 1] }\n"),
+     "block.toml:14: wall \"piston\" has both velocity and displacement; keep one of them"},
+    {"coulomb_friction_where_there_is_none",
+     extended(
+         "[remeshing]\nevery = 10\n[[boundary]]\nname = \"floor\"\nkind = \"contact_wall\"\n"
+         "friction = 0.3\ngeometry = { shape = \"half_space\", point = [0, 0], normal = [0, 1] "
+         "}\n"),
+     "block.toml:15: method \"remeshed\" has no friction coefficient; write friction = "
+     "\"frictionless\" or \"no_slip\""},
     {"contact_with_a_box",
      extended("[remeshing]\nevery = 10\n[[boundary]]\nname = \"step\"\nkind = \"contact_wall\"\n"
               "geometry = { shape = \"box\", lower = [0, -1], upper = [1, 0] }\n"),
      "block.toml:15: contact wall \"step\" is not a half_space; use a half_space: contact "
-     "needs a plane wall"},
+     "needs a plane wall in method remeshed"},
     {"contact_with_adaptive_remeshing",
      extended("[remeshing]\nevery = \"adaptive\"\n[[boundary]]\nname = \"floor\"\nkind = "
               "\"contact_wall\"\ngeometry = { shape = \"half_space\", point = [0, 0], normal = [0, "
@@ -62,12 +101,13 @@ const Fault faults[] = {
      "10 in [remeshing]"},
     {"an_unknown_kind_of_measurement", measuring("kind = \"momentun\"\n"),
      R"(block.toml:12: kind must be one of "extent", "surface_distance", "mean_radius", )"
-     R"("point_displacement", "point_value", "mass", "momentum", "angular_momentum", )"
+     R"("point_displacement", "point_value", "material_value", "mean_value", "mass", )"
+     R"("centre_of_mass", "momentum", "angular_momentum", )"
      R"("kinetic_energy", "strain_energy", "total_energy", "energy_ratio", "wall_force", )"
      R"("contact_force", "volume", )"
      R"("surface_area", )"
      R"("minimum_particle_distance", "velocity_error", "period", )"
-     R"("amplitude_ratio", "peak_moving_average", "last_time_above", got "momentun"; did you mean "momentum"?)"},
+     R"("amplitude_ratio", "peak_moving_average", "last_time_above", "smallest", "largest", "value_at_time", "weighted_sum", got "momentun"; did you mean "momentum"?)"},
     {"a_key_of_another_measurement", measuring("kind = \"mass\"\naxis = \"x\"\n"),
      "block.toml:13: unknown key `axis` in [[measurement]]; its keys are name, kind, body, "
      "relative"},

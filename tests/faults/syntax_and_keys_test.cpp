@@ -22,9 +22,10 @@ const Fault faults[] = {
      "block.toml:11: unknown key `colour` in [ghosts]; its keys are treatment"},
     {"an_unknown_table", extended("[output_files]\nevery = 3\n"),
      "block.toml:10: unknown key `output_files` in the case; its keys are title, name, dimension, "
-     "method, precision, discretisation, time, remeshing, level_set, ghosts, total_lagrangian, "
+     "method, precision, gravity, discretisation, time, remeshing, level_set, ghosts, "
+     "total_lagrangian, "
      "sph, "
-     "periodic, material, body, boundary, contact, output, measurement"},
+     "periodic, material, body, boundary, contact, output, checks, measurement"},
     {"the_beginning_of_a_table", extended("[remesh]\nevery = 3\n"),
      "block.toml:10: unknown key `remesh` in the case; did you mean `remeshing`?"},
     {"a_missing_key", broken("spacing = 0.1", ""),

@@ -106,13 +106,13 @@ const Fault faults[] = {
      rubber_block + "[[measurement]]\nname = \"p\"\nkind = \"point_value\"\npoint = [0, 0]\nfield "
                     "= \"pressure\"\n",
      "block.toml:15: method \"total_lagrangian\" does not measure \"point_value\"; measure one of "
-     "extent, point_displacement, mass, momentum, angular_momentum, kinetic_energy, strain_energy, "
-     "total_energy, energy_ratio, volume, surface_area, or choose another method"},
-    {"contact_of_undeformed_bodies",
-     rubber_block + "[[boundary]]\nname = \"w\"\nkind = \"contact_wall\"\ngeometry = { shape = "
-                    "\"half_space\", point = [0, -1], normal = [0, 1] }\n",
-     "block.toml:15: method total_lagrangian has no contact; take method = \"remeshed\", or a "
-     "wall to which the body sticks"},
+     "extent, point_displacement, material_value, mean_value, mass, centre_of_mass, momentum, "
+     "angular_momentum, kinetic_energy, strain_energy, total_energy, energy_ratio, wall_force, "
+     "volume, surface_area, or choose another method"},
+    {"a_negative_friction_coefficient",
+     rubber_block + "[[boundary]]\nname = \"w\"\nkind = \"contact_wall\"\nfriction = -0.3\n"
+                    "geometry = { shape = \"half_space\", point = [0, -1], normal = [0, 1] }\n",
+     "block.toml:16: friction must be 0 or more, got -0.3; write it as in friction = \"no_slip\""},
     {"a_misspelt_kernel", broken("spacing = 0.1", "spacing = 0.1\nkernel = \"compct\""),
      R"(block.toml:4: kernel must be one of "quartic_spline", "quartic_spline_fit", "compact", )"
      R"("fourth_order", got "compct"; did you mean "compact"?)"},
@@ -121,7 +121,7 @@ const Fault faults[] = {
      R"("fourth_order", got "quartic"; did you mean "quartic_spline"?)"},
     {"a_key_of_an_earlier_version", broken("spacing = 0.1", "spacing = 0.1\nweight = \"compact\""),
      "block.toml:4: unknown key `weight` in [discretisation]; its keys are spacing, kernel, "
-     "dissipation"},
+     "dissipation, damping"},
     {"an_unknown_kernel", broken("spacing = 0.1", "spacing = 0.1\nkernel = \"gauss\""),
      R"(block.toml:4: kernel must be one of "quartic_spline", "quartic_spline_fit", "compact", )"
      R"("fourth_order", got "gauss"; use one of these)"},
@@ -145,8 +145,9 @@ const Fault faults[] = {
      with(measuring("kind = \"surface_area\"\n") + "[output]\nsurface = true\n",
           "title = \"a block\"", "method = \"sph\""),
      "block.toml:12: method \"sph\" does not measure \"surface_area\"; measure one of "
-     "point_displacement, mass, momentum, angular_momentum, kinetic_energy, strain_energy, "
-     "total_energy, energy_ratio, wall_force, contact_force, volume, minimum_particle_distance, "
+     "point_displacement, material_value, mean_value, mass, centre_of_mass, momentum, "
+     "angular_momentum, kinetic_energy, strain_energy, total_energy, energy_ratio, wall_force, "
+     "contact_force, volume, minimum_particle_distance, "
      "velocity_error, or choose another method\n"
      "block.toml:14: surfaces need a level set, which method sph does not have; write surface = "
      "false"},

@@ -24,7 +24,7 @@ TEST_P(Allocation, a_warm_remeshing_of_an_unchanged_set_allocates_nothing) {
     settings.remeshing.policy = decltype(settings.remeshing)::Policy::every;
     settings.remeshing.every = 2;
     // At rest nothing moves: the set of particles is the same after each remeshing.
-    for (BodyCase& body : settings.bodies) body.velocity = VectorExpression{};
+    for (BodyCase& body : settings.bodies) body.velocity = {};
     for (BoundaryCase& wall : settings.boundaries) wall.velocity = VectorExpression{};
     Solver solver(settings, {threads, kernels::widest_supported()});
     EXPECT_EQ(least_allocations([&] { advance(solver, 8); }), 0) << threads << " threads";

@@ -79,7 +79,7 @@ void release_contact(Body<T, D>& body, int block, const Boundaries<D>& boundarie
 template <class T, int D>
 void add_impulse(const Body<T, D>& body, int block, const Boundaries<D>& boundaries,
                  const BoundaryValues<D>& values, double duration,
-                 const kernels::RemeshedTable<T, D>& table, Point<D>* impulse) {
+                 const kernels::RemeshedTable<T, D>& table, Point<D>* impulse, double& work) {
   const BlockGhosts<T, D>& ghosts = body.population.ghosts[block];
   FitEvaluator<T, D> fits(body, ghosts, table);
   const kernels::Impedance<T> impedance(body.material);
@@ -90,7 +90,11 @@ void add_impulse(const Body<T, D>& body, int block, const Boundaries<D>& boundar
     const std::array<T, D> push = kernels::wall_force_density<T, D>(
         fits.of(g), converted<T, D>(values.wall_velocity[wall]), converted<T, D>(ghosts.normal[g]),
         boundaries.walls[wall].slips(), impedance);
-    for (int a = 0; a < D; ++a) impulse[wall][a] += duration * ghosts.contact_area[k] * push[a];
+    for (int a = 0; a < D; ++a) {
+      const double given = duration * ghosts.contact_area[k] * push[a];
+      impulse[wall][a] += given;
+      work += given * values.wall_velocity[wall][a];
+    }
   }
 }
 
@@ -122,7 +126,7 @@ template void release_contact<double, 2>(Body<double, 2>&, int, const Boundaries
                                          const kernels::RemeshedTable<double, 2>&);
 template void add_impulse<double, 2>(const Body<double, 2>&, int, const Boundaries<2>&,
                                      const BoundaryValues<2>&, double,
-                                     const kernels::RemeshedTable<double, 2>&, Point<2>*);
+                                     const kernels::RemeshedTable<double, 2>&, Point<2>*, double&);
 template std::vector<double> wall_pressure(const Body<double, 2>&, const Boundaries<2>&,
                                            const BoundaryValues<2>&,
                                            const kernels::RemeshedTable<double, 2>&);
@@ -134,7 +138,7 @@ template void release_contact<double, 3>(Body<double, 3>&, int, const Boundaries
                                          const kernels::RemeshedTable<double, 3>&);
 template void add_impulse<double, 3>(const Body<double, 3>&, int, const Boundaries<3>&,
                                      const BoundaryValues<3>&, double,
-                                     const kernels::RemeshedTable<double, 3>&, Point<3>*);
+                                     const kernels::RemeshedTable<double, 3>&, Point<3>*, double&);
 template std::vector<double> wall_pressure(const Body<double, 3>&, const Boundaries<3>&,
                                            const BoundaryValues<3>&,
                                            const kernels::RemeshedTable<double, 3>&);
@@ -146,7 +150,7 @@ template void release_contact<float, 2>(Body<float, 2>&, int, const Boundaries<2
                                         const kernels::RemeshedTable<float, 2>&);
 template void add_impulse<float, 2>(const Body<float, 2>&, int, const Boundaries<2>&,
                                     const BoundaryValues<2>&, double,
-                                    const kernels::RemeshedTable<float, 2>&, Point<2>*);
+                                    const kernels::RemeshedTable<float, 2>&, Point<2>*, double&);
 template std::vector<double> wall_pressure(const Body<float, 2>&, const Boundaries<2>&,
                                            const BoundaryValues<2>&,
                                            const kernels::RemeshedTable<float, 2>&);
@@ -158,7 +162,7 @@ template void release_contact<float, 3>(Body<float, 3>&, int, const Boundaries<3
                                         const kernels::RemeshedTable<float, 3>&);
 template void add_impulse<float, 3>(const Body<float, 3>&, int, const Boundaries<3>&,
                                     const BoundaryValues<3>&, double,
-                                    const kernels::RemeshedTable<float, 3>&, Point<3>*);
+                                    const kernels::RemeshedTable<float, 3>&, Point<3>*, double&);
 template std::vector<double> wall_pressure(const Body<float, 3>&, const Boundaries<3>&,
                                            const BoundaryValues<3>&,
                                            const kernels::RemeshedTable<float, 3>&);

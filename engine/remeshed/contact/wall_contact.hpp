@@ -34,11 +34,11 @@ void release_contact(Body<T, D>& body, int block, const Boundaries<D>& boundarie
                      const BoundaryValues<D>& values, const kernels::RemeshedTable<T, D>& kernels);
 
 /// (RP.65): adds the push of each contact wall on the ghosts of a block during `duration` [s] to
-/// impulse[wall], from the records of the surface particles.
+/// impulse[wall], and its work to `work` [J], from the records of the surface particles.
 template <class T, int D>
 void add_impulse(const Body<T, D>& body, int block, const Boundaries<D>& boundaries,
                  const BoundaryValues<D>& values, double duration,
-                 const kernels::RemeshedTable<T, D>& kernels, Point<D>* impulse);
+                 const kernels::RemeshedTable<T, D>& kernels, Point<D>* impulse, double& work);
 
 /// (RP.55): [slot] of the contact ghosts nearest to the wall, the pressure of the wall on the body
 /// at their feet [Pa], from the records that filling the ghosts has left; 0 of all other slots.

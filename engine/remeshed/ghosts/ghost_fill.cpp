@@ -93,6 +93,18 @@ struct GhostFill {
     }
   }
 
+  void fill_tractions(const BoundaryValues<D>& values) const {
+    const kernels::Impedance<T> impedance(body.material);
+    FitEvaluator<T, D> present(body, ghosts, table);
+    for (std::size_t g = 0; g < count; ++g) {
+      const int p = ghosts.pressure[g];
+      if (p < 0 || values.traction[p] == Point<D>{}) continue;
+      std::array<T, D> force;
+      for (int a = 0; a < D; ++a) force[a] = static_cast<T>(values.traction[p][a]);
+      fill_loaded(g, present.of(g), force, impedance);
+    }
+  }
+
   void turn_rigidly() const {
     for (std::size_t g = 0; g < count; ++g) {
       if (ghosts.wall[g] >= 0 || ghosts.active[g] == 0) continue;
@@ -108,16 +120,7 @@ struct GhostFill {
     for (std::size_t k = 0; k < ghosts.contact_points.ghost.size(); ++k) {
       const std::size_t g = ghosts.contact_points.ghost[k];
       if (g >= count) continue;
-      const kernels::GhostFits<T, D> fits = present.of(g);
-      const auto n = kernels::unit_normal<T, D>(fits.linear);
-      kernels::SurfaceLoad<T, D> load{n, 0, ghosts.contact_points.traction[k]};
-      for (int a = 0; a < D; ++a) load.normal += load.shear[a] * n[a];
-      for (int a = 0; a < D; ++a) load.shear[a] -= load.normal * n[a];
-      const auto ghost = kernels::loaded_surface_ghost<T, D>(fits, load, impedance);
-      set(g, ghost);
-      for (int a = 0; a < D; ++a) {
-        ghosts.correction[g][a] = ghost.velocity[a] - fits.linear.velocity(a);
-      }
+      fill_loaded(g, present.of(g), ghosts.contact_points.traction[k], impedance);
     }
   }
 
@@ -142,6 +145,19 @@ struct GhostFill {
   }
 
  private:
+  void fill_loaded(std::size_t g, const kernels::GhostFits<T, D>& fits,
+                   const std::array<T, D>& traction, const kernels::Impedance<T>& impedance) const {
+    const auto n = kernels::unit_normal<T, D>(fits.linear);
+    kernels::SurfaceLoad<T, D> load{n, 0, traction};
+    for (int a = 0; a < D; ++a) load.normal += load.shear[a] * n[a];
+    for (int a = 0; a < D; ++a) load.shear[a] -= load.normal * n[a];
+    const auto ghost = kernels::loaded_surface_ghost<T, D>(fits, load, impedance);
+    set(g, ghost);
+    for (int a = 0; a < D; ++a) {
+      ghosts.correction[g][a] = ghost.velocity[a] - fits.linear.velocity(a);
+    }
+  }
+
   // Of a slot with two ghosts one alone is active.
   void set(std::size_t g, const kernels::GhostState<T, D>& ghost) const {
     if (ghosts.active[g] == 0) return;
@@ -187,6 +203,7 @@ void fill_ghosts(Body<T, D>& body, int block, int stage, int parity, WhichGhosts
     fill.average_surfaces(values);
   } else {
     fill.fill_surfaces(values);
+    fill.fill_tractions(values);
     if (treatment == GhostTreatment::rigid) fill.turn_rigidly();
     fill.fill_in_contact();
   }

@@ -9,8 +9,7 @@
 #include "engine/remeshed/contact/momentum_correction.hpp"
 #include "engine/remeshed/level_set/interpolant.hpp"
 #include "engine/remeshed/neighbours/closest_pair.hpp"
-#include "engine/remeshed/observe/material_displacement.hpp"
-#include "engine/remeshed/observe/point_state.hpp"
+#include "engine/remeshed/observe/particle_values.hpp"
 #include "engine/remeshed/observe/surface.hpp"
 #include "engine/remeshed/observe/surface_area.hpp"
 
@@ -46,7 +45,10 @@ auto Measurer<T, D>::function_of(MeasurementCase::Kind kind) -> Function {
       {Quantity::mean_radius, &Measurer::mean_radius, Reads::nodes},
       {Quantity::point_displacement, &Measurer::point_displacement, Reads::particles},
       {Quantity::point_value, &Measurer::point_value, Reads::nodes},
+      {Quantity::material_value, &Measurer::material_value, Reads::particles},
+      {Quantity::mean_value, &Measurer::mean_value, Reads::particles},
       {Quantity::mass, &Measurer::integral, Reads::particles},
+      {Quantity::centre_of_mass, &Measurer::integral, Reads::particles},
       {Quantity::momentum, &Measurer::integral, Reads::particles},
       {Quantity::angular_momentum, &Measurer::integral, Reads::particles},
       {Quantity::kinetic_energy, &Measurer::integral, Reads::particles},
@@ -123,7 +125,32 @@ double Measurer<T, D>::mean_radius(const MeasurementCase& m) {
 
 template <class T, int D>
 double Measurer<T, D>::point_displacement(const MeasurementCase& m) {
-  return material_displacement<T, D>(state_.bodies[m.body], m.point)[m.axis];
+  const std::string component(1, static_cast<char>('x' + m.axis));
+  return remeshed::material_value<T, D>(state_.bodies[m.body], m.point,
+                                        "displacement_" + component);
+}
+
+template <class T, int D>
+double Measurer<T, D>::material_value(const MeasurementCase& m) {
+  return remeshed::material_value<T, D>(state_.bodies[m.body], m.point, m.field);
+}
+
+template <class T, int D>
+double Measurer<T, D>::mean_value(const MeasurementCase& m) {
+  const Body<T, D>& body = state_.bodies[m.body];
+  const double t = state_.clock.time;
+  double sum = 0, volume = 0;
+  for (const Block<D>& block : body.population.layout.blocks()) {
+    body.population.layout.for_each_slot(block, [&](std::int64_t p, const Cell<D>& cell) {
+      if (body.population.kind[p] != pliant::remeshed::Kind::interior) return;
+      const Vector x = padded<D>(body.position(p, cell));
+      if (m.where && (*m.where)(x[0], x[1], x[2], t) == 0) return;
+      const double v = body.stage[0].get(Field::volume)[p];
+      sum += v * field_value<T, D>(body, body.stage[0], m.field, p);
+      volume += v;
+    });
+  }
+  return volume > 0 ? sum / volume : nothing;
 }
 
 template <class T, int D>
@@ -159,7 +186,7 @@ const BodyIntegrals& Measurer<T, D>::integrals(int body, const Vector& about) {
 
 template <class T, int D>
 BodyIntegrals Measurer<T, D>::integrate_body(int body, const Vector& about) {
-  using Policy = decltype(Case{}.remeshing)::Policy;
+  using Policy = decltype(Case::remeshing)::Policy;
   const Body<T, D>& particles = state_.bodies[body];
   if (!find_nodes_ || settings_.remeshing.policy == Policy::never || !particles.has_surface) {
     return sum_particles<T, D>(particles, about);
@@ -206,20 +233,6 @@ double Measurer<T, D>::velocity_error(const MeasurementCase& m) {
   return error / m.reference;
 }
 
-// A field by the name that case files give it; vectors and stress end in their axes.
-template <class T, int D>
-double node_value(const LatticeView<T, D>& view, const std::string& field, std::int64_t p) {
-  if (field == "pressure") return pressure<T, D>(view.body, view.fields, p);
-  if (field == "density") return density<T, D>(view.fields, p);
-  const int last = field.back() - 'x';
-  if (field.starts_with("stress")) {
-    const int first = field[field.size() - 2] - 'x';
-    return stress<T, D>(view.body, view.fields, p)[kernels::symmetric_index<D>(first, last)];
-  }
-  return view.fields.get(field.starts_with("velocity") ? Field::velocity : Field::displacement,
-                         last)[p];
-}
-
 // Linear in the cell around the point; the field is evaluated at its corner nodes.
 template <class T, int D>
 double Measurer<T, D>::point_value(const MeasurementCase& m) {
@@ -238,7 +251,7 @@ double Measurer<T, D>::point_value(const MeasurementCase& m) {
     }
     const std::int64_t p = view.population.layout.slot(lattice.wrapped(cell));
     if (p < 0 || view.population.kind[p] == remeshed::Kind::vacant) return nothing;
-    value += weight * node_value<T, D>(view, m.field, p);
+    value += weight * field_value<T, D>(view.body, view.fields, m.field, p);
     phi += weight * view.fields.get(Field::level_set)[p];
   }
   const bool is_outside = (view.body.has_surface && phi > 0) || is_in_wall(m.point);

@@ -50,6 +50,8 @@ class Measurer {
   double mean_radius(const MeasurementCase& m);
   double point_displacement(const MeasurementCase& m);
   double point_value(const MeasurementCase& m);
+  double material_value(const MeasurementCase& m);
+  double mean_value(const MeasurementCase& m);
   double integral(const MeasurementCase& m);
   double wall_impulse(const MeasurementCase& m);
   double contact_impulse(const MeasurementCase& m);

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "engine/geometry/padded.hpp"
+#include "engine/total_lagrangian/observe/cell_values.hpp"
 #include "engine/total_lagrangian/stress_point.hpp"
 
 namespace pliant::total_lagrangian {
@@ -48,13 +49,17 @@ auto Measurer<T, D>::function_of(MeasurementCase::Kind kind) -> Function {
   static constexpr std::pair<Quantity, Function> functions[] = {
       {Quantity::extent, &Measurer::extent},
       {Quantity::point_displacement, &Measurer::point_displacement},
+      {Quantity::material_value, &Measurer::material_value},
+      {Quantity::mean_value, &Measurer::mean_value},
       {Quantity::mass, &Measurer::integral},
+      {Quantity::centre_of_mass, &Measurer::integral},
       {Quantity::momentum, &Measurer::integral},
       {Quantity::angular_momentum, &Measurer::integral},
       {Quantity::kinetic_energy, &Measurer::integral},
       {Quantity::strain_energy, &Measurer::integral},
       {Quantity::total_energy, &Measurer::integral},
       {Quantity::energy_ratio, &Measurer::integral},
+      {Quantity::wall_force, &Measurer::wall_impulse},
       {Quantity::volume, &Measurer::integral},
       {Quantity::surface_area, &Measurer::surface_area},
   };
@@ -114,6 +119,24 @@ double Measurer<T, D>::point_displacement(const MeasurementCase& m) const {
     weights += weight;
   }
   return weights > 0.5 ? sum / weights : nothing;
+}
+
+template <class T, int D>
+double Measurer<T, D>::wall_impulse(const MeasurementCase& m) const {
+  const int wall = state_.boundaries.wall_of[m.boundary];
+  return state_.wall_impulse[wall][m.axis] + state_.clock.lag() * state_.wall_force[wall][m.axis];
+}
+
+template <class T, int D>
+double Measurer<T, D>::material_value(const MeasurementCase& m) const {
+  return total_lagrangian::material_value<T, D>(state_.bodies[m.body], m,
+                                                settings_.total_lagrangian.hourglass_stiffness);
+}
+
+template <class T, int D>
+double Measurer<T, D>::mean_value(const MeasurementCase& m) const {
+  return total_lagrangian::mean_value<T, D>(
+      state_.bodies[m.body], m, settings_.total_lagrangian.hourglass_stiffness, state_.clock.time);
 }
 
 template <class T, int D>

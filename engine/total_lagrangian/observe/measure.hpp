@@ -30,6 +30,9 @@ class Measurer {
   double value(const MeasurementCase& m) const;
   double extent(const MeasurementCase& m) const;
   double point_displacement(const MeasurementCase& m) const;
+  double wall_impulse(const MeasurementCase& m) const;
+  double material_value(const MeasurementCase& m) const;
+  double mean_value(const MeasurementCase& m) const;
   double surface_area(const MeasurementCase& m) const;
   double integral(const MeasurementCase& m) const;
   std::vector<Point<D>> present_velocity(const Body<T, D>& body) const;

@@ -42,7 +42,7 @@ TEST(bench_cases, a_ball_spins_about_z) {
   EXPECT_EQ(ball.dimension, 3);
   EXPECT_EQ(ball.bodies[0].name, "ball");
   EXPECT_EQ(ball.bodies[0].geometry.kind, Shape::Kind::ball);
-  const auto& rotation = std::get<RigidRotation>(ball.bodies[0].velocity);
+  const auto& rotation = *ball.bodies[0].velocity.rotation;
   EXPECT_EQ(rotation.angular_velocity, (Vector{0, 0, 2 * std::acos(-1.0)}));
 }
 

@@ -43,7 +43,7 @@ TEST(read_case, what_a_file_does_not_say_has_its_default) {
   EXPECT_FALSE(a_case.time.step.has_value());
   EXPECT_EQ(a_case.remeshing.policy, decltype(a_case.remeshing)::Policy::adaptive);
   EXPECT_EQ(a_case.ghosts, GhostTreatment::linear);
-  const auto& velocity = std::get<VectorExpression>(a_case.bodies.at(0).velocity);
+  const auto& velocity = a_case.bodies.at(0).velocity.translation;
   EXPECT_EQ(velocity[0](1, 2, 3, 4), 0);
   EXPECT_TRUE(a_case.boundaries.empty());
 }
@@ -175,7 +175,7 @@ geometry = { shape = "cylinder", centre = [2, 0, 0], radius = 0.1, axis = [0, 0,
 )");
   EXPECT_EQ(a_case.dimension, 3);
   EXPECT_EQ(a_case.bodies.at(0).geometry.centre, (Vector{0, 0, 1}));
-  const auto& rotation = std::get<RigidRotation>(a_case.bodies.at(0).velocity);
+  const auto& rotation = *a_case.bodies.at(0).velocity.rotation;
   EXPECT_EQ(rotation.angular_velocity, (Vector{0, 1, 0}));
   EXPECT_EQ(a_case.boundaries.at(0).geometry.axis, (Vector{0, 0, 1}));
 }
@@ -183,7 +183,7 @@ geometry = { shape = "cylinder", centre = [2, 0, 0], radius = 0.1, axis = [0, 0,
 TEST(read_case, rotation_in_two_dimensions_is_about_z) {
   const Case a_case =
       read_text(block_case + "rotation = { centre = [0.5, 1], angular_velocity = \"2*pi\" }\n");
-  const auto& rotation = std::get<RigidRotation>(a_case.bodies.at(0).velocity);
+  const auto& rotation = *a_case.bodies.at(0).velocity.rotation;
   EXPECT_DOUBLE_EQ(rotation.angular_velocity[2], 6.283185307179586);
   EXPECT_EQ(rotation.angular_velocity[0], 0);
 }

@@ -34,7 +34,7 @@ TEST(setup, periodic_lattices_begin_at_the_cell_and_repeat_with_it) {
 
 TEST(setup, a_rigid_rotation_turns_about_its_centre) {
   BodyCase body;
-  body.velocity = RigidRotation{{1, 2, 0}, {0, 0, 3}};
+  body.velocity.rotation = RigidRotation{{1, 2, 0}, {0, 0, 3}};
   const Vector u = initial_velocity(body, {1.5, 2.25, 0});
   EXPECT_EQ(u, (Vector{-0.75, 1.5, 0}));
 }

@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "engine/remeshed/observe/material_displacement.hpp"
+#include "engine/remeshed/observe/particle_values.hpp"
 #include "tests/engine/case/written_case.hpp"
 #include "tests/engine/remeshed/small_case.hpp"
 
@@ -77,8 +77,8 @@ TEST(measuring, fields_have_no_value_outside_the_body) {
 TEST(measuring, displacements_have_no_value_where_no_particles_started) {
   Solver solver(tests::read_text(collared_block), {1, kernels::Isa::sse2});
   const Body& body = solver.state().bodies[0];
-  EXPECT_EQ((remeshed::material_displacement<double, 2>(body, {0.1, 0.5, 0})[0]), 0);
-  EXPECT_TRUE(std::isnan(remeshed::material_displacement<double, 2>(body, {5, 5, 0})[0]));
+  EXPECT_EQ((remeshed::material_value<double, 2>(body, {0.1, 0.5, 0}, "displacement_x")), 0);
+  EXPECT_TRUE(std::isnan(remeshed::material_value<double, 2>(body, {5, 5, 0}, "displacement_x")));
 }
 
 }  // namespace

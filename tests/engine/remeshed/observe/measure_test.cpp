@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "engine/remeshed/observe/material_displacement.hpp"
+#include "engine/remeshed/observe/particle_values.hpp"
 #include "engine/remeshed/observe/surface.hpp"
 #include "tests/engine/remeshed/spinning_disc.hpp"
 
@@ -68,7 +68,8 @@ TEST(measuring, linear_displacements_are_traced_to_their_starting_points) {
     }
   });
   const Vector start = {0.31, -0.42, 0};
-  const Vector d = remeshed::material_displacement<double, 2>(body, start);
+  const Vector d = {remeshed::material_value<double, 2>(body, start, "displacement_x"),
+                    remeshed::material_value<double, 2>(body, start, "displacement_y"), 0};
   EXPECT_NEAR(d[0], 0.02 * start[0], 1e-13);
   EXPECT_NEAR(d[1], -0.03 * start[1], 1e-13);
 }

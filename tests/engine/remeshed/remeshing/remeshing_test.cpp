@@ -114,7 +114,7 @@ struct Surface {
   explicit Surface(double spacing) {
     const Point<2> shift = {0.29 * spacing, -0.37 * spacing};
     Case settings = spinning_disc(spacing);
-    settings.bodies[0].velocity = VectorExpression{};
+    settings.bodies[0].velocity = {};
     Solver solver(settings, {1, kernels::Isa::sse2});
     const double before = area(solver);
     displace(solver, [&](const Point<2>&) { return shift; });
@@ -146,7 +146,7 @@ TEST(remeshing, of_a_translated_disc_moves_its_surface_by_the_third_power_of_the
 /// Largest change of an exact distance within 1.8 h of the surface by reinitialisation.
 double reinitialisation_error(double spacing) {
   Case settings = spinning_disc(spacing);
-  settings.bodies[0].velocity = VectorExpression{};
+  settings.bodies[0].velocity = {};
   settings.remeshing.policy = decltype(settings.remeshing)::Policy::every;
   settings.remeshing.every = 1;
   settings.level_set.reinitialise_every = 1;

@@ -1,0 +1,24 @@
+#pragma once
+
+namespace pliant {
+
+/// What has added energy to the bodies since t = 0 and what damping has taken from them [J], per
+/// unit thickness in 2D: with the kinetic and the strain energy it closes the balance (RP.72).
+struct EnergyBudget {
+  double wall_work = 0;        ///< of walls that move, on the bodies
+  double load_work = 0;        ///< of pressures and tractions
+  double body_force_work = 0;  ///< of gravity
+  double damping = 0;          ///< lost to damping rates
+
+  double work() const { return wall_work + load_work + body_force_work; }
+};
+
+/// Adds `factor` times another budget.
+inline void add(EnergyBudget& sum, const EnergyBudget& other, double factor = 1) {
+  sum.wall_work += factor * other.wall_work;
+  sum.load_work += factor * other.load_work;
+  sum.body_force_work += factor * other.body_force_work;
+  sum.damping += factor * other.damping;
+}
+
+}  // namespace pliant

@@ -1,0 +1,61 @@
+#pragma once
+
+#include <vector>
+
+#include "engine/case/case.hpp"
+#include "engine/geometry/padded.hpp"
+#include "engine/lattice/lattice.hpp"
+
+namespace pliant {
+
+/// The acceleration by the body force of a case (RP.71), for phases that run on several blocks at
+/// a time: each block has formulas of its own, as their parsers keep variables.
+template <int D>
+class Gravity {
+ public:
+  explicit Gravity(const Case& settings) : formula_(settings.gravity) {
+    for (int a = 0; a < D; ++a) {
+      const Expression& g = formula_[a];
+      acts_ = acts_ || !g.is_constant() || g(0) != 0;
+      is_uniform_ = is_uniform_ && !g.uses('x') && !g.uses('y') && !g.uses('z');
+    }
+  }
+
+  /// Whether it is anything but zero.
+  bool acts() const { return acts_; }
+
+  /// Makes room for `blocks` blocks.
+  void reserve(std::size_t blocks) {
+    if (acts_ && of_block_.size() < blocks) of_block_.resize(blocks, formula_);
+  }
+
+  /// At one time, for one block [m/s^2].
+  class Now {
+   public:
+    Now(const Gravity& gravity, int block, double t)
+        : formula_(gravity.of_block_[block]), t_(t), is_uniform_(gravity.is_uniform_) {
+      if (is_uniform_) uniform_ = evaluate({});
+    }
+    Point<D> operator()(const Point<D>& x) const { return is_uniform_ ? uniform_ : evaluate(x); }
+
+   private:
+    Point<D> evaluate(const Point<D>& x) const {
+      const Vector at = padded<D>(x);
+      Point<D> g;
+      for (int a = 0; a < D; ++a) g[a] = formula_[a](at[0], at[1], at[2], t_);
+      return g;
+    }
+
+    const VectorExpression& formula_;
+    double t_;
+    bool is_uniform_;
+    Point<D> uniform_ = {};
+  };
+
+ private:
+  VectorExpression formula_;
+  std::vector<VectorExpression> of_block_;
+  bool acts_ = false, is_uniform_ = true;
+};
+
+}  // namespace pliant

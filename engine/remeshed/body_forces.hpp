@@ -1,0 +1,39 @@
+#pragma once
+
+#include <vector>
+
+#include "engine/method/energy_budget.hpp"
+#include "engine/method/gravity.hpp"
+#include "engine/remeshed/state.hpp"
+
+namespace pliant::remeshed {
+
+/// Gravity and damping (RP.71). A stage leaves a state behind that depends on its rates linearly,
+/// so that these rates can be added to it afterwards.
+template <class T, int D>
+class BodyForces {
+ public:
+  BodyForces(State<T, D>& state, const Case& settings);
+
+  /// Fixes the time step [s].
+  void prepare(double time_step);
+  /// Adds the rates of the particles of a block at a stage to the state that the stage has left
+  /// behind.
+  void advance(int block, int stage);
+  /// Adds the work of the step to the state, block by block.
+  void fold();
+
+ private:
+  State<T, D>& state_;
+  Gravity<D> gravity_;
+  double damping_;
+  double time_step_ = 0;
+  std::vector<EnergyBudget> of_block_;  ///< [block], of the present step
+};
+
+extern template class BodyForces<double, 2>;
+extern template class BodyForces<double, 3>;
+extern template class BodyForces<float, 2>;
+extern template class BodyForces<float, 3>;
+
+}  // namespace pliant::remeshed

@@ -1,0 +1,101 @@
+#include "engine/remeshed/observe/particle_values.hpp"
+
+#include <algorithm>
+#include <limits>
+
+#include "engine/method/field_components.hpp"
+#include "engine/method/linear_fit.hpp"
+#include "engine/remeshed/observe/point_state.hpp"
+
+namespace pliant::remeshed {
+
+namespace {
+
+constexpr double radius = 2.6;  // [h] of a fit
+
+// Calls f(slot, cell, r, weight) for the particles that started around a point; r [h] from it. d +
+// xi is the displacement; node - d is where the particle started.
+template <class T, int D, class F>
+void for_each_near(const Body<T, D>& body, const Vector& start, F&& f) {
+  const FieldStore<T, D>& fields = body.stage[0];
+  const Layout<D>& layout = body.population.layout;
+  for (const Block<D>& block : layout.blocks()) {
+    layout.for_each_slot(block, [&](std::int64_t p, const Cell<D>& cell) {
+      if (body.population.kind[p] != Kind::interior) return;
+      Point<D> r;
+      double square = 0;
+      for (int a = 0; a < D; ++a) {
+        const double began = body.lattice.node(a, cell[a]) - fields.get(Field::displacement, a)[p];
+        r[a] = (began - start[a]) / body.lattice.spacing;
+        square += r[a] * r[a];
+      }
+      const double fraction = square / (radius * radius);
+      if (fraction < 1) f(p, r, (1 - fraction) * (1 - fraction));
+    });
+  }
+}
+
+// F at the point: how displacements change with where particles started.
+template <class T, int D>
+double material_strain(const Body<T, D>& body, const Vector& start, const std::string& field) {
+  LinearFit<D, D> fit;
+  for_each_near(body, start, [&](std::int64_t p, const Point<D>& r, double weight) {
+    std::array<double, D> d;
+    for (int a = 0; a < D; ++a) {
+      d[a] = static_cast<double>(body.stage[0].get(Field::displacement, a)[p]) +
+             body.stage[0].get(Field::drift, a)[p];
+    }
+    fit.add(r, weight, d);
+  });
+  if (!fit.solve()) return std::numeric_limits<double>::quiet_NaN();
+  std::array<Point<D>, D> gradient;
+  for (int i = 0; i < D; ++i) {
+    for (int j = 0; j < D; ++j) {
+      gradient[i][j] = (i == j ? 1 : 0) + fit.slope(i, j) / body.lattice.spacing;
+    }
+  }
+  return strain_value<D>(gradient, field);
+}
+
+}  // namespace
+
+template <class T, int D>
+double field_value(const Body<T, D>& body, const FieldStore<T, D>& fields, const std::string& field,
+                   std::int64_t slot) {
+  if (field == "pressure") return pressure<T, D>(body, fields, slot);
+  if (field == "density") return density<T, D>(fields, slot);
+  if (field.find("stress") != field.npos) {
+    std::array<double, kernels::symmetric_components<D>> known;
+    std::ranges::copy(stress<T, D>(body, fields, slot), known.begin());
+    return stress_value(full_stress<D>(known, pressure<T, D>(body, fields, slot)), field);
+  }
+  const int axis = last_axis(field);
+  if (field.starts_with("velocity")) return fields.get(Field::velocity, axis)[slot];
+  return static_cast<double>(fields.get(Field::displacement, axis)[slot]) +
+         fields.get(Field::drift, axis)[slot];
+}
+
+template <class T, int D>
+double material_value(const Body<T, D>& body, const Vector& start, const std::string& field) {
+  if (field.starts_with("strain")) return material_strain(body, start, field);
+  LinearFit<D, 1> fit;
+  for_each_near(body, start, [&](std::int64_t p, const Point<D>& r, double weight) {
+    fit.add(r, weight, {field_value<T, D>(body, body.stage[0], field, p)});
+  });
+  return fit.solve() ? fit.value(0) : std::numeric_limits<double>::quiet_NaN();
+}
+
+template double field_value(const Body<double, 2>&, const FieldStore<double, 2>&,
+                            const std::string&, std::int64_t);
+template double field_value(const Body<double, 3>&, const FieldStore<double, 3>&,
+                            const std::string&, std::int64_t);
+template double field_value(const Body<float, 2>&, const FieldStore<float, 2>&, const std::string&,
+                            std::int64_t);
+template double field_value(const Body<float, 3>&, const FieldStore<float, 3>&, const std::string&,
+                            std::int64_t);
+template double material_value(const Body<double, 2>&, const Vector&, const std::string&);
+template double material_value(const Body<double, 3>&, const Vector&, const std::string&);
+template double material_value(const Body<float, 2>&, const Vector&, const std::string&);
+template double material_value(const Body<float, 3>&, const Vector&, const std::string&);
+
+}  // namespace pliant::remeshed

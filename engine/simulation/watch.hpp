@@ -1,0 +1,53 @@
+#pragma once
+
+#include <array>
+#include <string>
+
+#include "engine/case/case.hpp"
+#include "engine/method/solver.hpp"
+#include "engine/output/archive.hpp"
+#include "engine/output/summary.hpp"
+
+namespace pliant {
+
+/// Watches over a run what its bodies should conserve: energy but for work and damping (RP.72),
+/// mass, and momentum where nothing acts on them. It looks at the same steps whatever the output
+/// times are, and changes nothing.
+class Watch {
+ public:
+  explicit Watch(const Case& settings) : settings_(settings) {}
+
+  /// Takes the state at t = 0 for the start.
+  void begin(Solver& solver);
+
+  /// Looks when it is time to, or at the `last` step: a warning to show, empty where there is none.
+  /// Throws StepFailure where the case says so, and where the energy is no longer credible.
+  std::string observe(Solver& solver, bool last);
+
+  SummaryChecks report() const;
+
+  void put(ArchiveWriter& archive) const;
+  void get(const ArchiveReader& archive);
+
+ private:
+  /// Largest share so far of what should not change, and when it was.
+  struct Excess {
+    double share = 0, time = 0, warned = 0;
+  };
+  void look(Solver& solver);
+  std::string judge(Excess Watch::*excess, CheckResponse response, const Solver& solver,
+                    const std::string& what, const std::string& remedy);
+  std::array<double*, 21> numbers();
+
+  const Case& settings_;
+  ConservedQuantities start_, present_;
+  EnergyBudget budget_;
+  double created_ = 0, scale_ = 0, momentum_scale_ = 0;
+  double is_known_ = 0;  ///< whether the method accounts for work
+  Excess energy_, mass_, momentum_;
+};
+
+/// Conserved quantities as the summary shows them.
+ConservedQuantities conserved(const BodyIntegrals& sum);
+
+}  // namespace pliant

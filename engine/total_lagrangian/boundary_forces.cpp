@@ -1,0 +1,243 @@
+#include "engine/total_lagrangian/boundary_forces.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace pliant::total_lagrangian {
+
+namespace {
+
+template <class T, int D>
+std::array<Point<D>, D> corners(const Body<T, D>& body, const Facet<D>& facet,
+                                BoundaryCase::LoadedArea area) {
+  std::array<Point<D>, D> x;
+  for (int v = 0; v < D; ++v) {
+    const Vertex<D>& vertex = facet.vertex[v];
+    x[v] = area == BoundaryCase::LoadedArea::undeformed ? vertex.start : body.position(vertex);
+  }
+  return x;
+}
+
+template <int D>
+double length(const Point<D>& x) {
+  double square = 0;
+  for (const double value : x) square += value * value;
+  return std::sqrt(square);
+}
+
+template <class T, int D>
+double along(const std::array<Buffer<T>, D>& velocity, std::int64_t p, const Point<D>& force) {
+  double power = 0;
+  for (int a = 0; a < D; ++a) power += force[a] * velocity[a][p];
+  return power;
+}
+
+}  // namespace
+
+template <class T, int D>
+BoundaryForces<T, D>::BoundaryForces(State<T, D>& state, const Case& settings)
+    : state_(state), gravity_(settings) {}
+
+template <class T, int D>
+void BoundaryForces<T, D>::prepare_blocks() {
+  gravity_.reserve(state_.blocks.size());
+  work_.resize(state_.blocks.size());
+  for (std::size_t b = 0; b < work_.size(); ++b) {
+    const Owned owned = owner(static_cast<int>(b));
+    work_[b].impulse.resize(state_.boundaries.walls.size());
+    work_[b].before.resize(owned.body.held[owned.local].size());
+  }
+}
+
+template <class T, int D>
+void BoundaryForces<T, D>::prepare(double time, double kick, double length) {
+  time_ = time;
+  kick_ = kick;
+  length_ = length;
+  at_start_.evaluate(state_.boundaries, time);
+  in_middle_.evaluate(state_.boundaries, time + length / 2);
+  for (BlockWork& work : work_) {
+    work.energy = work.power = {};
+    std::fill(work.impulse.begin(), work.impulse.end(), Point<D>{});
+  }
+  for (Body<T, D>& body : state_.bodies) find_tractions(body);
+}
+
+// One thread evaluates formulas of the place; (TL.7) of all other loads is left to the blocks.
+template <class T, int D>
+void BoundaryForces<T, D>::find_tractions(Body<T, D>& body) {
+  for (std::size_t i = 0; i < body.patches.size(); ++i) {
+    const SurfacePatch& patch = body.patches[i];
+    const SurfacePressure<D>& load = state_.boundaries.pressures[patch.pressure];
+    if (!load.is_traction()) continue;
+    body.patch_force[i] = at_start_.traction[patch.pressure];
+    if (load.is_uniform()) continue;
+    Point<D> middle = {};
+    const auto x = corners(body, body.facets[body.loads[patch.first_load].facet], load.area());
+    for (const Point<D>& corner : x) {
+      for (int a = 0; a < D; ++a) middle[a] += corner[a] / D;
+    }
+    body.patch_force[i] = load.traction(middle, time_);
+  }
+}
+
+template <class T, int D>
+void BoundaryForces<T, D>::sum_patch_loads(int block) {
+  const Owned owned = owner(block);
+  Body<T, D>& body = owned.body;
+  for (int i = body.first_patch[owned.local]; i < body.first_patch[owned.local + 1]; ++i) {
+    body.patch_force[i] = force_on(body, i);
+  }
+}
+
+// The force of a pressure turns with the surface; that of a traction, which stands in the place of
+// the force until then, does not.
+template <class T, int D>
+Point<D> BoundaryForces<T, D>::force_on(const Body<T, D>& body, std::size_t index) const {
+  const SurfacePatch& patch = body.patches[index];
+  const SurfacePressure<D>& pressure = state_.boundaries.pressures[patch.pressure];
+  Point<D> sum = {};
+  double size = 0;
+  for (int k = patch.first_load; k < patch.first_load + patch.load_count; ++k) {
+    const FacetLoad& load = body.loads[k];
+    const Point<D> whole = area_vector<D>(corners(body, body.facets[load.facet], pressure.area()));
+    for (int a = 0; a < D; ++a) sum[a] += load.share * whole[a];
+    size += load.share * length<D>(whole);
+  }
+  Point<D> force;
+  for (int a = 0; a < D; ++a) {
+    force[a] = pressure.is_traction() ? size * body.patch_force[index][a]
+                                      : -at_start_.pressure[patch.pressure] * sum[a];
+  }
+  return force;
+}
+
+template <class T, int D>
+void BoundaryForces<T, D>::distribute(int block) {
+  if (gravity_.acts()) set_gravity(block);
+  const Owned owned = owner(block);
+  Body<T, D>& body = owned.body;
+  const NodalLoads& nodal_loads = body.nodal_loads[owned.local];
+  for (std::size_t i = 0; i < nodal_loads.slot.size(); ++i) {
+    Point<D> sum = {};
+    for (std::int32_t k = nodal_loads.begin[i]; k < nodal_loads.begin[i + 1]; ++k) {
+      for (int a = 0; a < D; ++a)
+        sum[a] += nodal_loads.weight[k] * body.patch_force[nodal_loads.patch[k]][a];
+    }
+    for (int a = 0; a < D; ++a) {
+      T& traction = body.traction[a][nodal_loads.slot[i]];
+      traction = static_cast<T>(gravity_.acts() ? traction + sum[a] : sum[a]);
+    }
+  }
+}
+
+template <class T, int D>
+void BoundaryForces<T, D>::set_gravity(int block) {
+  const Owned owned = owner(block);
+  Body<T, D>& body = owned.body;
+  const typename Gravity<D>::Now gravity(gravity_, block, time_);
+  const Block<D>& range = body.layout.blocks()[owned.local];
+  body.layout.for_each_slot(range, [&](std::int64_t p, const Cell<D>& cell) {
+    if (!body.is_particle(p)) return;
+    Point<D> x = body.lattice.node(cell);
+    for (int a = 0; a < D; ++a) x[a] += body.displacement[a][p];
+    const Point<D> g = gravity(x);
+    for (int a = 0; a < D; ++a) body.traction[a][p] = static_cast<T>(body.mass[p] * g[a]);
+  });
+}
+
+// Of loads and gravity, with the present velocities.
+template <class T, int D>
+EnergyBudget BoundaryForces<T, D>::power_of(int block) {
+  EnergyBudget power;
+  if (!act_on_particles()) return power;
+  const Owned owned = owner(block);
+  const Body<T, D>& body = owned.body;
+  const NodalLoads& nodal_loads = body.nodal_loads[owned.local];
+  for (std::size_t i = 0; i < nodal_loads.slot.size(); ++i) {
+    for (std::int32_t k = nodal_loads.begin[i]; k < nodal_loads.begin[i + 1]; ++k) {
+      power.load_work +=
+          nodal_loads.weight[k] *
+          along<T, D>(body.velocity, nodal_loads.slot[i], body.patch_force[nodal_loads.patch[k]]);
+    }
+  }
+  if (!gravity_.acts()) return power;
+  double of_all = 0;
+  const Block<D>& range = body.layout.blocks()[owned.local];
+  body.layout.for_each_slot(range, [&](std::int64_t p, const Cell<D>&) {
+    Point<D> force;
+    for (int a = 0; a < D; ++a) force[a] = body.traction[a][p];
+    if (body.is_particle(p)) of_all += along<T, D>(body.velocity, p, force);
+  });
+  power.body_force_work = of_all - power.load_work;
+  return power;
+}
+
+template <class T, int D>
+void BoundaryForces<T, D>::begin_motion(int block) {
+  const Owned owned = owner(block);
+  add(work_[block].energy, power_of(block), kick_ / 2);
+  const auto& held = owned.body.held[owned.local];
+  for (std::size_t i = 0; i < held.size(); ++i) {
+    for (int a = 0; a < D; ++a) work_[block].before[i][a] = owned.body.velocity[a][held[i].slot];
+  }
+}
+
+// Undoes what a constrained particle has moved against its walls, in their order: where two walls
+// meet, the last one counts. What is undone is the impulse of the wall, by (TL.8).
+template <class T, int D>
+void BoundaryForces<T, D>::end_motion(int block) {
+  const Owned owned = owner(block);
+  Body<T, D>& body = owned.body;
+  BlockWork& work = work_[block];
+  const double inertia = state_.clock.mass_scaling * (1 + state_.clock.damping * kick_ / 2);
+  const auto& particles = body.held[owned.local];
+  for (std::size_t i = 0; i < particles.size(); ++i) {
+    const ConstrainedParticle<D>& held = particles[i];
+    Point<D> excess;
+    double along = 0, slips = 0;
+    for (int a = 0; a < D; ++a) {
+      excess[a] = body.velocity[a][held.slot] - in_middle_.wall_velocity[held.wall][a];
+      along += excess[a] * held.normal[a];
+      slips += held.normal[a] * held.normal[a];
+    }
+    for (int a = 0; a < D; ++a) {
+      const double undone = slips > 0 ? along * held.normal[a] : excess[a];
+      body.velocity[a][held.slot] -= undone;
+      body.displacement[a][held.slot] -= length_ * undone;
+      const double impulse = -inertia * body.mass[held.slot] * undone;
+      work.impulse[held.wall][a] += impulse;
+      const double speed = body.velocity[a][held.slot];
+      work.energy.wall_work += impulse * (work.before[i][a] + speed) / 2;
+      work.power.wall_work += impulse / kick_ * speed;
+    }
+  }
+  const EnergyBudget power = power_of(block);
+  add(work.energy, power, kick_ / 2);
+  add(work.power, power);
+}
+
+template <class T, int D>
+void BoundaryForces<T, D>::fold(double inertia) {
+  state_.power = {};
+  std::fill(state_.wall_force.begin(), state_.wall_force.end(), Point<D>{});
+  for (const BlockWork& work : work_) {
+    add(state_.energy, work.energy);
+    add(state_.power, work.power);
+    for (std::size_t w = 0; w < work.impulse.size(); ++w) {
+      for (int a = 0; a < D; ++a) {
+        state_.wall_impulse[w][a] += work.impulse[w][a];
+        state_.wall_force[w][a] += work.impulse[w][a] / kick_;
+      }
+    }
+  }
+  state_.power.damping = state_.clock.damping * state_.clock.mass_scaling * inertia;
+  state_.energy.damping += kick_ * state_.power.damping;
+}
+
+template class BoundaryForces<double, 2>;
+template class BoundaryForces<double, 3>;
+template class BoundaryForces<float, 2>;
+template class BoundaryForces<float, 3>;
+
+}  // namespace pliant::total_lagrangian

@@ -1,0 +1,72 @@
+#pragma once
+
+#include <vector>
+
+#include "engine/boundaries/boundary_values.hpp"
+#include "engine/method/gravity.hpp"
+#include "engine/total_lagrangian/state.hpp"
+
+namespace pliant::total_lagrangian {
+
+/// What walls, loads and gravity do to the particles in a step, with their impulses and their work
+/// (RP.72). Velocities before and after a step count alike: so the work of a force is exactly what
+/// it adds to the kinetic energy.
+template <class T, int D>
+class BoundaryForces {
+ public:
+  BoundaryForces(State<T, D>& state, const Case& settings);
+
+  /// Whether loads or gravity push particles.
+  bool act_on_particles() const { return gravity_.acts() || !state_.boundaries.pressures.empty(); }
+
+  /// Makes room for the results of the present blocks.
+  void prepare_blocks();
+  /// Fixes when the next step begins, for how long forces act and for how long particles move [s].
+  void prepare(double time, double kick, double length);
+
+  /// (TL.7): the force on each patch of a block.
+  void sum_patch_loads(int block);
+  /// The force on the particles of a block from its patches and by gravity.
+  void distribute(int block);
+  /// Before the particles of a block move.
+  void begin_motion(int block);
+  /// After that: constrained particles follow their walls.
+  void end_motion(int block);
+
+  /// Adds impulses and work of the step to the state, in the order of the blocks; `inertia` is the
+  /// sum of m u^2 before the step [J].
+  void fold(double inertia);
+
+ private:
+  struct BlockWork {
+    EnergyBudget energy;            ///< of the step [J]
+    EnergyBudget power;             ///< of the velocities that it leaves behind [W]
+    std::vector<Point<D>> impulse;  ///< [wall] on the block [N s]
+    std::vector<Point<D>> before;   ///< [constrained particle] velocity before the step [m/s]
+  };
+  struct Owned {
+    Body<T, D>& body;
+    int local;
+  };
+  Owned owner(int block) {
+    const BlockOwner& owner = state_.blocks[block];
+    return {state_.bodies[owner.body], owner.block};
+  }
+  void find_tractions(Body<T, D>& body);
+  Point<D> force_on(const Body<T, D>& body, std::size_t patch) const;
+  void set_gravity(int block);
+  EnergyBudget power_of(int block);
+
+  State<T, D>& state_;
+  Gravity<D> gravity_;
+  BoundaryValues<D> at_start_, in_middle_;  ///< of the step: loads of the one, walls of the other
+  double time_ = 0, kick_ = 0, length_ = 0;
+  std::vector<BlockWork> work_;  ///< [block]
+};
+
+extern template class BoundaryForces<double, 2>;
+extern template class BoundaryForces<double, 3>;
+extern template class BoundaryForces<float, 2>;
+extern template class BoundaryForces<float, 3>;
+
+}  // namespace pliant::total_lagrangian

@@ -1,0 +1,98 @@
+#include "engine/total_lagrangian/observe/cell_values.hpp"
+
+#include <cmath>
+#include <limits>
+
+#include "engine/geometry/padded.hpp"
+#include "engine/method/field_components.hpp"
+#include "engine/method/linear_fit.hpp"
+#include "engine/total_lagrangian/stress_point.hpp"
+
+namespace pliant::total_lagrangian {
+
+namespace {
+
+constexpr double nothing = std::numeric_limits<double>::quiet_NaN();
+constexpr double radius = 2.6;  // [h] of a fit
+
+// Of the corners of a cell.
+template <class T, int D>
+double mean_of_corners(const Body<T, D>& body, const Buffer<T>& values, const Cell<D>& cell) {
+  double sum = 0;
+  for (const std::int64_t p : body.corners(cell)) sum += values[p];
+  return sum / (1 << D);
+}
+
+// A field of measurements, by its name, at a stress point.
+template <class T, int D>
+double cell_value(const Body<T, D>& body, std::int64_t slot, const Cell<D>& cell, double hourglass,
+                  const std::string& field) {
+  const int axis = last_axis(field);
+  if (field.starts_with("velocity")) return mean_of_corners<T, D>(body, body.velocity[axis], cell);
+  if (field.starts_with("displacement")) {
+    return mean_of_corners<T, D>(body, body.displacement[axis], cell);
+  }
+  const StressPoint<D> point = stress_point<T, D>(body, slot, cell, hourglass);
+  if (field == "pressure") return point.pressure;
+  if (field == "density") return body.material.density / point.volume_ratio;
+  if (field.starts_with("strain")) return strain_value<D>(point.deformation_gradient, field);
+  return stress_value(full_stress<D>(point.stress, point.pressure), field);
+}
+
+template <class T, int D, class F>
+void for_each_cell(const Body<T, D>& body, F&& f) {
+  for (const Block<D>& block : body.layout.blocks()) {
+    body.layout.for_each_slot(block, [&](std::int64_t p, const Cell<D>& cell) {
+      if (body.fraction[p] > 0) f(p, cell);
+    });
+  }
+}
+
+}  // namespace
+
+template <class T, int D>
+double material_value(const Body<T, D>& body, const MeasurementCase& m, double hourglass) {
+  LinearFit<D, 1> fit;
+  for_each_cell(body, [&](std::int64_t p, const Cell<D>& cell) {
+    Point<D> r;
+    double square = 0;
+    for (int a = 0; a < D; ++a) {
+      r[a] = (body.lattice.node(a, cell[a]) - m.point[a]) / body.lattice.spacing + 0.5;
+      square += r[a] * r[a];
+    }
+    const double fraction = square / (radius * radius);
+    if (fraction >= 1) return;
+    fit.add(r, (1 - fraction) * (1 - fraction),
+            {cell_value<T, D>(body, p, cell, hourglass, m.field)});
+  });
+  return fit.solve() ? fit.value(0) : nothing;
+}
+
+template <class T, int D>
+double mean_value(const Body<T, D>& body, const MeasurementCase& m, double hourglass, double t) {
+  double sum = 0, volume = 0;
+  for_each_cell(body, [&](std::int64_t p, const Cell<D>& cell) {
+    Point<D> x;
+    for (int a = 0; a < D; ++a) {
+      x[a] = body.lattice.node(a, cell[a]) + body.lattice.spacing / 2 +
+             mean_of_corners<T, D>(body, body.displacement[a], cell);
+    }
+    const Vector at = padded<D>(x);
+    if (m.where && (*m.where)(at[0], at[1], at[2], t) == 0) return;
+    const double v = body.fraction[p] * stress_point<T, D>(body, p, cell, hourglass).volume_ratio;
+    sum += v * cell_value<T, D>(body, p, cell, hourglass, m.field);
+    volume += v;
+  });
+  return volume > 0 ? sum / volume : nothing;
+}
+
+template double material_value(const Body<double, 2>&, const MeasurementCase&, double);
+template double material_value(const Body<double, 3>&, const MeasurementCase&, double);
+template double material_value(const Body<float, 2>&, const MeasurementCase&, double);
+template double material_value(const Body<float, 3>&, const MeasurementCase&, double);
+template double mean_value(const Body<double, 2>&, const MeasurementCase&, double, double);
+template double mean_value(const Body<double, 3>&, const MeasurementCase&, double, double);
+template double mean_value(const Body<float, 2>&, const MeasurementCase&, double, double);
+template double mean_value(const Body<float, 3>&, const MeasurementCase&, double, double);
+
+}  // namespace pliant::total_lagrangian

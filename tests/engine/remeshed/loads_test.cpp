@@ -1,0 +1,187 @@
+#include <gtest/gtest.h>
+
+#include <map>
+
+#include "tests/engine/case/written_case.hpp"
+#include "tests/engine/remeshed/small_case.hpp"
+
+// Gravity, damping, tractions, reactions and the energy balance, against solutions in closed form.
+namespace pliant::test {
+namespace {
+
+// A block [0, 1] x [0, 1] whose waves travel 1 in 0.086 s.
+constexpr double youngs_modulus = 200, poissons_ratio = 0.3, density = 2;
+constexpr double uniaxial =
+    youngs_modulus * (1 - poissons_ratio) / ((1 + poissons_ratio) * (1 - 2 * poissons_ratio));
+
+const std::string block = R"([discretisation]
+spacing = 0.1
+[time]
+end = 10
+[[body]]
+name = "block"
+geometry = { shape = "box", lower = [0, 0], upper = [1, 1] }
+material = { model = "linear", youngs_modulus = 200, poissons_ratio = 0.3, density = 2 }
+)";
+
+std::string half_space(const std::string& name, const std::string& kind, const std::string& point,
+                       const std::string& normal) {
+  return "[[boundary]]\nname = \"" + name + "\"\n" + kind +
+         "geometry = { shape = \"half_space\", point = " + point + ", normal = " + normal + " }\n";
+}
+
+std::string measurement(const std::string& name, const std::string& rest) {
+  return "[[measurement]]\nname = \"" + name + "\"\n" + rest;
+}
+
+std::map<std::string, double> values(Solver& solver) {
+  std::map<std::string, double> named;
+  const std::vector<double> measured = solver.measure();
+  for (std::size_t m = 0; m < measured.size(); ++m) {
+    named[solver.settings().measurements[m].name] = measured[m];
+  }
+  return named;
+}
+
+double balance(Solver& solver) {
+  const BodyIntegrals sum = solver.integrals();
+  const EnergyBudget budget = *solver.energy_budget();
+  return sum.kinetic_energy + sum.strain_energy - budget.work() + budget.damping;
+}
+
+TEST(body_forces, free_fall_is_exact) {
+  const Case settings =
+      tests::read_text("gravity = [0.5, \"-9.81*t\"]\n" + block, {"remeshing.every=5"});
+  Solver solver(settings, {1, kernels::widest_supported()});
+  advance_until(solver, 0.1);
+  const double t = solver.clock().time;
+  const auto& body = solver.state().bodies[0];
+  for_each(body.population, Kind::interior, [&](std::int64_t p, const Cell<2>&) {
+    EXPECT_NEAR(body.stage[0].get(Field::velocity, 0)[p], 0.5 * t, 1e-9);
+    EXPECT_NEAR(body.stage[0].get(Field::velocity, 1)[p], -9.81 * t * t / 2, 1e-9);
+  });
+  const EnergyBudget budget = *solver.energy_budget();
+  const double speed2 = 0.25 * t * t + std::pow(9.81 * t * t / 2, 2);
+  EXPECT_NEAR(budget.body_force_work, density * speed2 / 2, 1e-3 * density * speed2);
+}
+
+TEST(body_forces, damping_slows_a_body_exponentially) {
+  const Case settings = tests::read_text(block + "velocity = [1, 0]\n",
+                                         {"remeshing.every=5", "discretisation.damping=4"});
+  Solver solver(settings, {1, kernels::widest_supported()});
+  advance_until(solver, 0.2);
+  const auto& body = solver.state().bodies[0];
+  for_each(body.population, Kind::interior, [&](std::int64_t p, const Cell<2>&) {
+    EXPECT_NEAR(body.stage[0].get(Field::velocity, 0)[p], std::exp(-0.8), 1e-6);
+  });
+  // The energy is an integral over cells of which the surface cuts some, the loss a sum over
+  // particles.
+  EXPECT_NEAR(balance(solver), density / 2, 3e-3 * density);
+}
+
+// Uniaxial strain: the stress is rho g (L - y).
+TEST(body_forces, a_column_carries_its_weight_and_rests_on_its_floor) {
+  const std::string walls = half_space("left", "kind = \"slip_wall\"\n", "[0, 0]", "[1, 0]") +
+                            half_space("right", "kind = \"slip_wall\"\n", "[1, 0]", "[-1, 0]") +
+                            half_space("floor", "kind = \"fixed\"\n", "[0, 0]", "[0, 1]");
+  const Case settings = tests::read_text(
+      "gravity = [0, -0.1]\n" + block + walls +
+          measurement("force", "kind = \"wall_force\"\nboundary = \"floor\"\naxis = \"y\"\n") +
+          measurement("stress",
+                      "kind = \"material_value\"\npoint = [0.5, 0.5]\nfield = "
+                      "\"stress_yy\"\n") +
+          measurement("top", "kind = \"point_displacement\"\npoint = [0.5, 1]\naxis = \"y\"\n"),
+      {"discretisation.damping=30"});
+  Solver solver(settings, {1, kernels::widest_supported()});
+  advance_until(solver, 1);
+  const double weight = 0.1 * density, before = values(solver)["force"],
+               start = solver.clock().time;
+  advance(solver, 20);
+  const double force = (values(solver)["force"] - before) / (solver.clock().time - start);
+  EXPECT_NEAR(force, weight, 0.03 * weight);
+  EXPECT_NEAR(values(solver)["stress"], -weight / 2, 0.03 * weight);
+  EXPECT_NEAR(values(solver)["top"], -weight / 2 / uniaxial, 0.03 * weight / uniaxial);
+}
+
+TEST(tractions, a_pulled_bar_has_the_stress_of_the_traction_and_pulls_at_its_wall) {
+  const std::string walls = half_space("left", "kind = \"slip_wall\"\n", "[0, 0]", "[1, 0]") +
+                            half_space("below", "kind = \"slip_wall\"\n", "[0, 0]", "[0, 1]");
+  const Case settings = tests::read_text(
+      block + walls + R"([[boundary]]
+name = "pull"
+kind = "traction"
+geometry = { shape = "box", lower = [0.99, -9], upper = [9, 9] }
+traction = [1, 0]
+)" + measurement("reaction", "kind = \"wall_force\"\nboundary = \"left\"\naxis = \"x\"\n") +
+          measurement("stress",
+                      "kind = \"material_value\"\npoint = [0.5, 0.4]\nfield = "
+                      "\"stress_xx\"\n") +
+          measurement("mean",
+                      "kind = \"mean_value\"\nfield = \"stress_xx\"\nwhere = \"x > 0.3\"\n") +
+          measurement("out",
+                      "kind = \"material_value\"\npoint = [0.5, 0.4]\nfield = "
+                      "\"stress_zz\"\n") +
+          measurement("mises",
+                      "kind = \"material_value\"\npoint = [0.5, 0.4]\nfield = "
+                      "\"von_mises_stress\"\n") +
+          measurement("strain",
+                      "kind = \"material_value\"\npoint = [0.5, 0.4]\nfield = "
+                      "\"strain_xx\"\n") +
+          measurement("centre", "kind = \"centre_of_mass\"\naxis = \"x\"\nreference = 0.5\n"),
+      {"discretisation.damping=20"});
+  Solver solver(settings, {1, kernels::widest_supported()});
+  advance_until(solver, 1);
+  const double before = values(solver)["reaction"], start = solver.clock().time;
+  advance(solver, 20);
+  auto at_end = values(solver);
+  const double reaction = (at_end["reaction"] - before) / (solver.clock().time - start);
+  const double strain = (1 - poissons_ratio * poissons_ratio) / youngs_modulus;
+  EXPECT_NEAR(reaction, -1, 0.03);
+  EXPECT_NEAR(at_end["stress"], 1, 0.02);
+  EXPECT_NEAR(at_end["mean"], 1, 0.02);
+  EXPECT_NEAR(at_end["out"], poissons_ratio, 0.02);
+  EXPECT_NEAR(at_end["mises"], std::sqrt(1 - 0.3 + 0.09), 0.02);
+  EXPECT_NEAR(at_end["strain"], strain, 0.03 * strain);
+  EXPECT_NEAR(at_end["centre"], strain / 2, 0.003 * 0.1);  // [h], of a surface in a cell
+}
+
+TEST(tractions, shear_on_the_top_of_a_block_is_the_reaction_of_its_floor) {
+  const Case settings = tests::read_text(
+      block + half_space("floor", "kind = \"fixed\"\n", "[0, 0]", "[0, 1]") + R"([[boundary]]
+name = "drag"
+kind = "traction"
+geometry = { shape = "box", lower = [-9, 0.99], upper = [9, 9] }
+traction = [0.5, 0]
+)" + measurement("reaction", "kind = \"wall_force\"\nboundary = \"floor\"\naxis = \"x\"\n"),
+      {"discretisation.damping=10"});
+  Solver solver(settings, {1, kernels::widest_supported()});
+  advance_until(solver, 1.5);
+  const double before = values(solver)["reaction"], start = solver.clock().time;
+  advance(solver, 20);
+  const double reaction = (values(solver)["reaction"] - before) / (solver.clock().time - start);
+  EXPECT_NEAR(reaction, -0.5, 0.05);
+}
+
+// Walls that pull for a while and stand, and loads: what they have done is in the bar.
+TEST(energy_budget_of_the_remeshed_method, work_is_in_the_bar) {
+  const std::string walls =
+      half_space("left", "kind = \"fixed\"\n", "[0, 0]", "[1, 0]") +
+      half_space("right", "kind = \"moving_wall\"\nvelocity = [\"0.2*(1 - cos(20*pi*t))\", 0]\n",
+                 "[1, 0]", "[-1, 0]") +
+      R"([[boundary]]
+name = "push"
+kind = "pressure"
+geometry = { shape = "box", lower = [-9, 0.99], upper = [9, 9] }
+pressure = 4
+)";
+  const Case settings = tests::read_text(block + walls, {"discretisation.spacing=0.05"});
+  Solver solver(settings, {1, kernels::widest_supported()});
+  advance_until(solver, 0.1);
+  const EnergyBudget budget = *solver.energy_budget();
+  EXPECT_GT(budget.wall_work, 0.01);
+  EXPECT_GT(budget.load_work, 0.005);
+  EXPECT_NEAR(balance(solver), 0, 0.05 * budget.work());
+}
+
+}  // namespace
+}  // namespace pliant::test

@@ -1,0 +1,99 @@
+#include "engine/simulation/watch.hpp"
+
+#include <gtest/gtest.h>
+
+#include "engine/method/step_failure.hpp"
+#include "tests/engine/case/written_case.hpp"
+#include "tests/engine/method/free_flight.hpp"
+#include "tests/engine/output/temporary_folder.hpp"
+
+namespace pliant::test {
+namespace {
+
+// A watch that looks at bodies of other speeds sees their energy and momentum change by themselves.
+struct Watching : testing::Test {
+  Case flying(double speed, const std::string& checks = "", double density = 2) const {
+    Case settings = tests::read_text(tests::block_case + "velocity = [" + std::to_string(speed) +
+                                     ", 0]\n[checks]\n" + checks);
+    settings.time.step = 0.1;
+    settings.bodies[0].material.density = density;
+    return settings;
+  }
+
+  std::string seen(double speed, const std::string& checks = "", double density = 2) {
+    const Case settings = flying(1, checks), other = flying(speed, checks, density);
+    FreeFlight before(settings, {}), after(other, {});
+    Watch watch(settings);
+    watch.begin(before);
+    const std::string warning = watch.observe(after, true);
+    report = watch.report();
+    return warning;
+  }
+
+  SummaryChecks report;
+};
+
+TEST_F(Watching, says_nothing_where_nothing_changes) {
+  EXPECT_EQ(seen(1), "");
+  EXPECT_TRUE(report.energy_is_known);
+  EXPECT_EQ(report.created, 0);
+  EXPECT_EQ(report.mass.share, 0);
+}
+
+TEST_F(Watching, warns_of_energy_that_no_work_explains) {
+  EXPECT_EQ(seen(1.02), "");
+  EXPECT_NEAR(report.energy.share, 1 - 1 / (1.02 * 1.02), 1e-12);
+  const std::string warning = seen(1.2);
+  EXPECT_NE(warning.find("energy was created without work: 0.306"), warning.npos) << warning;
+  EXPECT_NE(warning.find("the momentum has changed"), warning.npos) << warning;
+  EXPECT_EQ(seen(0.5, "momentum = \"off\""), "");  // losses are the method's own
+  EXPECT_LT(report.created, 0);
+}
+
+TEST_F(Watching, ends_a_run_that_is_no_longer_credible) {
+  EXPECT_THROW(seen(3), StepFailure);
+  EXPECT_THROW(seen(1.2, "energy = \"stop\""), StepFailure);
+  EXPECT_EQ(seen(3, "energy = \"off\"\nmomentum = \"off\""), "");
+}
+
+TEST_F(Watching, watches_the_mass) {
+  const std::string off = "energy = \"off\"\nmomentum = \"off\"\n";
+  const std::string warning = seen(1, off, 1.8);
+  EXPECT_NE(warning.find("the mass has changed by a share of 0.1"), warning.npos) << warning;
+  EXPECT_THROW(seen(1, off + "mass = \"stop\"", 1.8), StepFailure);
+}
+
+TEST_F(Watching, warns_again_only_when_it_has_become_twice_as_bad) {
+  const Case settings = flying(1, "momentum = \"off\"");
+  FreeFlight at_start(settings, {});
+  Watch watch(settings);
+  watch.begin(at_start);
+  std::vector<bool> warned;
+  for (const double speed : {1.04, 1.05, 1.1}) {
+    const Case other = flying(speed);
+    FreeFlight later(other, {});
+    warned.push_back(!watch.observe(later, true).empty());
+  }
+  EXPECT_EQ(warned, (std::vector<bool>{true, false, true}));
+}
+
+TEST_F(Watching, continues_from_a_checkpoint) {
+  const Case settings = flying(1), other = flying(1.02);
+  FreeFlight before(settings, {}), after(other, {});
+  Watch watch(settings), restored(settings);
+  watch.begin(before);
+  watch.observe(after, true);
+  const TemporaryFolder folder;
+  {
+    ArchiveWriter archive(folder / "watch.h5");
+    watch.put(archive);
+    archive.commit();
+  }
+  restored.get(ArchiveReader(folder / "watch.h5"));
+  restored.observe(after, true);
+  EXPECT_EQ(restored.report().energy.share, watch.report().energy.share);
+  EXPECT_EQ(restored.report().created, watch.report().created);
+}
+
+}  // namespace
+}  // namespace pliant::test
