@@ -43,6 +43,8 @@ void material_keys(Visitor& visit, MaterialCase& material) {
   if (material.model == MaterialCase::Model::linear) {
     visit("equation_of_state", material.equation_of_state,
           {.meaning = "pressure as a function of the density", .example = R"("linear")"});
+  }
+  if (material.model != MaterialCase::Model::reduced_polynomial) {
     visit("youngs_modulus", material.youngs_modulus,
           {.meaning = "Young's modulus E",
            .unit = "Pa",

@@ -32,13 +32,13 @@ struct PronyCase {
 
 /// A material in the words of case files; `elastic_constants` gives what the kernels read.
 struct MaterialCase {
-  enum class Model { linear, reduced_polynomial };
+  enum class Model { linear, reduced_polynomial, neo_hookean, st_venant_kirchhoff };
   enum class EquationOfState { linear, logarithmic };
   Model model = Model::linear;
   double density = 0;                                           ///< [kg/m^3]
   EquationOfState equation_of_state = EquationOfState::linear;  ///< linear: (RP.5) or (RP.6)
-  double youngs_modulus = 0;                                    ///< linear: E [Pa]
-  double poissons_ratio = 0;                                    ///< linear: nu
+  double youngs_modulus = 0;                                    ///< all but the polynomial: E [Pa]
+  double poissons_ratio = 0;                                    ///< the same: nu
   std::vector<double> coefficients;  ///< reduced polynomial: C_10, C_20, ... [Pa]
   double compressibility = 0;        ///< reduced polynomial: D [1/Pa]
   PronyCase prony;                   ///< reduced polynomial
@@ -133,6 +133,8 @@ struct MeasurementCase {
 enum class GhostTreatment { linear, averaged, rigid };
 /// Volume of remeshed particles: that of a cell (RP.34), or conserved (RP.35).
 enum class VolumeRule { reset, conserved };
+/// When the forces of a step act: at its start or in its middle (PB.10).
+enum class Integrator { leapfrog, kick_drift };
 /// Scalar type of the fields.
 enum class Precision { binary64, binary32 };
 
@@ -161,6 +163,14 @@ struct Case {
     bool match_time_step = false;         ///< scale the mass as `time.step` needs it instead
     std::optional<double> damping = 0.0;  ///< alpha of (TL.8) [1/s]; none: adaptive, (TL.10)
   } total_lagrangian;
+
+  struct {
+    int neighbours = 0;                   ///< of each node; 0: 26 in 3D, 12 in 2D
+    std::optional<double> stabilisation;  ///< alpha of (PB.5); none: as the nodes need it
+    Integrator integrator = Integrator::leapfrog;
+    double damping = 0;            ///< mass-proportional, (PB.10) [1/s]
+    double stiffness_damping = 0;  ///< beta of (PB.9) [s]
+  } point_based;
 
   struct {
     double artificial_viscosity = 1;  ///< alpha of (RP.27)

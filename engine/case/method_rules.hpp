@@ -26,6 +26,9 @@ using MethodList = std::span<const MethodRules>;
 /// the history of another one.
 void refuse_measurements(const Check& check, bool (*is_measured)(MeasurementCase::Kind kind));
 
+/// Adds a problem for each body whose material is for the point-based method alone.
+void refuse_models_of_points(const Check& check);
+
 /// Adds a problem for each of these tables that the case contains.
 void refuse_tables(const Check& check, std::initializer_list<std::string_view> tables);
 

@@ -158,6 +158,30 @@ void total_lagrangian_keys(Visitor& visit, decltype(Case::total_lagrangian)& met
 }
 
 template <class Visitor>
+void point_based_keys(Visitor& visit, decltype(Case::point_based)& method) {
+  visit("neighbours", method.neighbours,
+        {.meaning = "neighbours of each node (PB.2); 0 takes 26 in 3D and 12 in 2D",
+         .example = "26",
+         .limits = {0, 64, true, true, "from 0 to 64"}});
+  visit("stabilisation", Stabilisation{method.stabilisation},
+        {.meaning = R"(alpha of (PB.5), or "automatic": 0.1 on lattices, 0.3 on other nodes)",
+         .example = "0.1",
+         .limits = {0, 2, true, true, "from 0 to 2"}});
+  visit("integrator", method.integrator,
+        {.meaning = "when the forces of a step act", .example = R"("leapfrog")"});
+  visit("damping", method.damping,
+        {.meaning = "mass-proportional damping rate (PB.10)",
+         .unit = "1/s",
+         .example = "0.5",
+         .limits = not_negative});
+  visit("stiffness_damping", method.stiffness_damping,
+        {.meaning = "stiffness-proportional damping time (PB.9), which damps fast motion most",
+         .unit = "s",
+         .example = "1e-4",
+         .limits = not_negative});
+}
+
+template <class Visitor>
 void case_keys(Visitor& visit, Case& a_case) {
   visit("title", a_case.title,
         {.meaning = "title of the case, one line", .example = R"("A case")"});
@@ -199,6 +223,9 @@ void case_keys(Visitor& visit, Case& a_case) {
   visit.optional_table("total_lagrangian", "Parameters of method = \"total_lagrangian\".",
                        a_case.method == "total_lagrangian",
                        [&](auto& keys) { total_lagrangian_keys(keys, a_case.total_lagrangian); });
+  visit.optional_table("point_based", "Parameters of method = \"point_based\".",
+                       a_case.method == "point_based",
+                       [&](auto& keys) { point_based_keys(keys, a_case.point_based); });
   visit.optional_table("sph", "Parameters of method = \"sph\".", a_case.method == "sph",
                        [&](auto& keys) { sph_keys(keys, a_case.sph); });
   const auto& periodic = a_case.periodic.axis;

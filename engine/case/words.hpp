@@ -57,7 +57,19 @@ template <>
 inline constexpr std::array words<MaterialCase::Model>{
     word(MaterialCase::Model::linear, "linear", "Hooke's law with the Jaumann rate (RP.3)"),
     word(MaterialCase::Model::reduced_polynomial, "reduced_polynomial",
-         "hyperelastic reduced polynomial with up to five coefficients (RP.9)")};
+         "hyperelastic reduced polynomial with up to five coefficients (RP.9)"),
+    word(MaterialCase::Model::neo_hookean, "neo_hookean",
+         "hyperelastic, stable in compression (PB.6), for point_based only"),
+    word(MaterialCase::Model::st_venant_kirchhoff, "st_venant_kirchhoff",
+         "Hooke's law of the Green strain (PB.7), for point_based only; loses stiffness below a "
+         "stretch of 0.58")};
+
+template <>
+inline constexpr std::array words<Integrator>{
+    word(Integrator::leapfrog, "leapfrog", "forces act in the middle of a step; second order"),
+    word(Integrator::kick_drift, "kick_drift",
+         "forces act at its start (symplectic Euler); positions of second order, velocities half a "
+         "step late")};
 
 template <>
 inline constexpr std::array words<MaterialCase::EquationOfState>{

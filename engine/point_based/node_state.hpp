@@ -1,0 +1,23 @@
+#pragma once
+
+#include <array>
+
+#include "engine/point_based/body.hpp"
+
+namespace pliant::point_based {
+
+/// One node in plain numbers, for measurements and output.
+template <int D>
+struct NodeState {
+  std::array<double, D * D> gradient = {};  ///< F, row by row
+  double volume_ratio = 1;                  ///< J
+  double pressure = 0;                      ///< [Pa]
+  std::array<double, kernels::symmetric_components<D>> stress = {};  ///< sigma [Pa]
+  double energy = 0;  ///< strain energy and stabilisation (PB.5) of the node [J]
+};
+
+/// The elastic state of the node at `slot` of a block, (PB.4)-(PB.7). Viscous stress is left out.
+template <class T, int D>
+NodeState<D> node_state(const Body<T, D>& body, const NodeBlock& block, std::int64_t slot);
+
+}  // namespace pliant::point_based
