@@ -80,6 +80,15 @@ struct ContactCase {
   ContactLaw law = ContactLaw::frictionless;
 };
 
+/// A blade that cuts a body: its edge sweeps a surface of the undeformed body.
+struct CutCase {
+  std::string name;
+  int body = 0;
+  Vector from = {}, to = {};  ///< ends of the edge at `start` (in 2D the edge is `from`) [m]
+  VectorExpression path;      ///< displacement of the edge since `start`, of t [m]
+  double start = 0, end = 0;  ///< when it cuts [s]
+};
+
 struct MeasurementCase {
   /// measurement_kinds.hpp says what they are.
   enum class Kind {
@@ -99,6 +108,8 @@ struct MeasurementCase {
     contact_force,
     volume,
     surface_area,
+    connected_parts,
+    largest_part_volume,
     minimum_particle_distance,
     velocity_error,
     period,
@@ -133,6 +144,10 @@ struct MeasurementCase {
 enum class GhostTreatment { linear, averaged, rigid };
 /// Volume of remeshed particles: that of a cell (RP.34), or conserved (RP.35).
 enum class VolumeRule { reset, conserved };
+/// Where nodes of the point-based method lie that come from no mesh of tetrahedra.
+enum class NodePlacement { lattice, octree };
+/// How cuts change the weights of bonds, (CU.1)-(CU.5).
+enum class CutRule { visibility, transparency, product, enrichment_grid };
 /// When the forces of a step act: at its start or in its middle (PB.10).
 enum class Integrator { leapfrog, kick_drift };
 /// Scalar type of the fields.
@@ -165,6 +180,9 @@ struct Case {
   } total_lagrangian;
 
   struct {
+    NodePlacement nodes = NodePlacement::lattice;
+    double coarsest_spacing = 0;          ///< of an octree [m]; 0: four times the spacing
+    CutRule cut_rule = CutRule::transparency;
     int neighbours = 0;                   ///< of each node; 0: 26 in 3D, 12 in 2D
     std::optional<double> stabilisation;  ///< alpha of (PB.5); none: as the nodes need it
     Integrator integrator = Integrator::leapfrog;
@@ -200,6 +218,7 @@ struct Case {
   std::vector<BodyCase> bodies;
   std::vector<BoundaryCase> boundaries;
   std::vector<ContactCase> contacts;
+  std::vector<CutCase> cuts;
   std::vector<MeasurementCase> measurements;
 
   struct {

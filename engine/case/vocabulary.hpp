@@ -159,6 +159,16 @@ void total_lagrangian_keys(Visitor& visit, decltype(Case::total_lagrangian)& met
 
 template <class Visitor>
 void point_based_keys(Visitor& visit, decltype(Case::point_based)& method) {
+  visit("nodes", method.nodes,
+        {.meaning = "places of the nodes of a body whose geometry is no mesh of tetrahedra",
+         .example = R"("lattice")"});
+  visit("coarsest_spacing", method.coarsest_spacing,
+        {.meaning = "largest distance between the nodes of an octree; 0 takes four times the spacing",
+         .unit = "m",
+         .example = "0.01",
+         .limits = not_negative});
+  visit("cut_rule", method.cut_rule,
+        {.meaning = "what a cut leaves of the bonds that it crosses", .example = R"("visibility")"});
   visit("neighbours", method.neighbours,
         {.meaning = "neighbours of each node (PB.2); 0 takes 26 in 3D and 12 in 2D",
          .example = "26",
@@ -241,6 +251,8 @@ void case_keys(Visitor& visit, Case& a_case) {
   visit.list(
       "contact", "Contact between two bodies. Bodies without a contact pass through each other.",
       a_case.contacts, [](auto& keys, ContactCase& contact) { contact_keys(keys, contact); });
+  visit.list("cut", "Blade that cuts a body (point_based only).", a_case.cuts,
+             [](auto& keys, CutCase& cut) { cut_keys(keys, cut); });
   visit.table("output", "Output files and intervals.",
               [&](auto& keys) { output_keys(keys, a_case.output); });
   visit.list("measurement",

@@ -65,6 +65,22 @@ inline constexpr std::array words<MaterialCase::Model>{
          "stretch of 0.58")};
 
 template <>
+inline constexpr std::array words<NodePlacement>{
+    word(NodePlacement::lattice, "lattice", "on a lattice of the given spacing"),
+    word(NodePlacement::octree, "octree",
+         "in the leaves of an octree: at the spacing on the surface, coarser inside")};
+
+template <>
+inline constexpr std::array words<CutRule>{
+    word(CutRule::transparency, "transparency",
+         "a crossed bond loses its weight as the front of the cut moves away from it (CU.1)"),
+    word(CutRule::visibility, "visibility", "a crossed bond has no weight"),
+    word(CutRule::product, "product",
+         "distance enrichment of each piece, multiplied (CU.3), (CU.4); for comparison"),
+    word(CutRule::enrichment_grid, "enrichment_grid",
+         "distance enrichment of the whole cut (CU.3), (CU.5)")};
+
+template <>
 inline constexpr std::array words<Integrator>{
     word(Integrator::leapfrog, "leapfrog", "forces act in the middle of a step; second order"),
     word(Integrator::kick_drift, "kick_drift",
