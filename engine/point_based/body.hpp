@@ -43,6 +43,16 @@ struct PressedNode {
   Point<D> area;  ///< share of the undeformed surface, outwards [m^(D-1)]
 };
 
+/// The undeformed surface of a body, in segments (2D) or triangles (3D) whose corners move with the
+/// nodes nearest to them.
+template <int D>
+struct BodySurface {
+  std::vector<Point<D>> start;                       ///< [corner] [m]
+  std::vector<std::int32_t> node;                    ///< [corner] slot
+  std::vector<std::array<std::int32_t, D>> facet;    ///< corners, seen from outside
+  std::vector<bool> is_free;                         ///< [facet] not on a wall
+};
+
 /// One body: nodes of its undeformed shape, and the bonds between them.
 template <class T, int D>
 struct Body {
@@ -63,7 +73,8 @@ struct Body {
   Buffer<T> inverse_mass;        ///< [1/kg], 0 where there is no node
   Buffer<T> volume, stiffness;   ///< [m^D], [N/m]
   std::array<Buffer<T>, symmetric> moment, strain;
-  std::array<Buffer<T>, D> displacement, velocity, pressure_load;
+  std::array<Buffer<T>, D> displacement, velocity;
+  std::array<Buffer<T>, D> pressure_load, traction;  ///< [N], where loads act
   /// At the end of a step that an output time divides [m]; of no meaning at other times.
   std::array<Buffer<T>, D> end_displacement;
   Buffer<std::uint16_t> neighbour;  ///< [pack][bond][lane] local numbers
@@ -73,7 +84,9 @@ struct Body {
   std::vector<std::vector<kernels::CollectedForces<T>>> collected;  ///< [block]
   std::vector<std::vector<ConstrainedNode<D>>> held;                ///< [block]
   std::vector<std::vector<PressedNode<D>>> pressed;                 ///< [block]
+  BodySurface<D> surface;
 
+  bool is_loaded() const { return traction[0].bytes() > 0; }
   bool is_viscous() const { return strain[0].bytes() > 0; }
   bool is_particle(std::int64_t slot) const { return inverse_mass[slot] > 0; }
 
@@ -136,7 +149,8 @@ struct Body {
     f(Field::volume, span(&body.volume, 1));
     f(Field::stiffness, span(&body.stiffness, 1));
     f(Field::moment, span(body.moment));
-    f(Field::pressure_load, span(body.pressure_load));
+    if (body.is_loaded()) f(Field::pressure_load, span(body.pressure_load));
+    if (body.is_loaded()) f(Field::traction, span(body.traction));
   }
 };
 

@@ -12,6 +12,9 @@
 #include "engine/method/initial_velocity.hpp"
 #include "engine/point_based/bonds.hpp"
 #include "engine/point_based/lattice_nodes.hpp"
+#include "engine/point_based/nodes/mesh_nodes.hpp"
+#include "engine/point_based/nodes/octree_nodes.hpp"
+#include "engine/point_based/surface.hpp"
 #include "kernels/with_scalar.hpp"
 
 namespace pliant::point_based {
@@ -31,6 +34,11 @@ kernels::ElasticLaw law_of(MaterialCase::Model model) {
     default:
       return kernels::ElasticLaw::neo_hookean;
   }
+}
+
+bool has_tetrahedra(const Shape& shape) {
+  return shape.kind == Shape::Kind::mesh &&
+         (shape.file.ends_with(".msh") || shape.file.ends_with(".vtk"));
 }
 
 template <class T, int D>
@@ -61,8 +69,9 @@ void lay_out(const NodeCloud<D>& cloud, Body<T, D>& body) {
 }
 
 template <class T, int D>
-void make_room(const Case& settings, Body<T, D>& body) {
+void make_room(const Case& settings, bool has_loads, Body<T, D>& body) {
   if (settings.point_based.stiffness_damping > 0) body.strain[0].grow(body.slots, T(0));
+  if (has_loads) body.traction[0].grow(body.slots, T(0));
   body.for_each_array([&](Field, auto components) {
     for (Buffer<T>& component : components) component.grow(body.slots, T(0));
   });
@@ -116,17 +125,40 @@ kernels::PointMaterial<T> point_material(const BodyCase& source) {
   return material;
 }
 
+template <int D>
+PlacedNodes<D> place_nodes(const Case& settings, const BodyCase& source) {
+  constexpr double on_lattice = 0.1, elsewhere = 0.3;  // alpha
+  const Shape& shape = source.geometry;
+  const double spacing = settings.discretisation.spacing;
+  PlacedNodes<D> nodes;
+  if (has_tetrahedra(shape)) {
+    // Vertices lie on the surface.
+    nodes = {nodes_of_mesh<D>(read_volume_mesh(shape.file, D), shape.scale, shape.translate), 0.25,
+             elsewhere};
+  } else if (settings.point_based.nodes == NodePlacement::octree) {
+    const double coarsest = settings.point_based.coarsest_spacing;
+    // Those next to the surface lie half a cell from it.
+    nodes = {octree_nodes<D>(shape, {spacing, coarsest > 0 ? coarsest : 4 * spacing}), 0.75,
+             elsewhere};
+  } else {
+    nodes = {lattice_nodes<D>(shape, spacing), 0.5, on_lattice};
+  }
+  if (!nodes.cloud.positions.empty()) return nodes;
+  throw InputError(fmt::format("body `{}` holds no node; use a finer discretisation.spacing",
+                               source.name));
+}
+
 template <class T, int D>
-void make_body(const Case& settings, const BodyCase& source, const NodeCloud<D>& cloud,
-               const Boundaries<D>& boundaries, double reach, double alpha, Body<T, D>& body) {
+void make_body(const Case& settings, const BodyCase& source, const PlacedNodes<D>& nodes,
+               const Boundaries<D>& boundaries, Body<T, D>& body) {
   body.name = source.name;
   body.source = &source;
   body.material = point_material<T>(source);
-  lay_out(cloud, body);
-  make_room(settings, body);
+  lay_out(nodes.cloud, body);
+  make_room(settings, !boundaries.pressures.empty(), body);
   body.resolution = std::numeric_limits<double>::infinity();
   body.for_each_node([&](std::int64_t slot) {
-    const double volume = cloud.volumes[body.number[slot]];
+    const double volume = nodes.cloud.volumes[body.number[slot]];
     body.volume_at_rest += volume;
     body.resolution = std::min(body.resolution, std::pow(volume, 1. / D));
     body.volume[slot] = static_cast<T>(volume);
@@ -134,37 +166,26 @@ void make_body(const Case& settings, const BodyCase& source, const NodeCloud<D>&
     body.inverse_mass[slot] = static_cast<T>(1 / (source.material.density * volume));
   });
   constexpr int default_neighbours = D == 2 ? 12 : 26;
-  const int asked = settings.point_based.neighbours;
-  const int count = asked > 0 ? asked : default_neighbours;
-  make_bonds(find_neighbours(cloud, count, body.name), settings.point_based.stabilisation.value_or(alpha),
-             body);
-  hold(boundaries, reach, body);
+  const auto& method = settings.point_based;
+  const int count = method.neighbours > 0 ? method.neighbours : default_neighbours;
+  make_bonds(find_neighbours(nodes.cloud, count, body.name),
+             method.stabilisation.value_or(nodes.alpha), body);
+  hold(boundaries, nodes.reach, body);
+  make_surface(nodes.cloud, source.geometry, settings.discretisation.spacing, boundaries, body);
   set_in_motion(source, boundaries, body);
-}
-
-template <class T, int D>
-void make_lattice_body(const Case& settings, const BodyCase& source,
-                       const Boundaries<D>& boundaries, Body<T, D>& body) {
-  const double spacing = settings.discretisation.spacing;
-  const NodeCloud<D> cloud = lattice_nodes<D>(source.geometry, spacing);
-  if (cloud.positions.empty()) {
-    throw InputError(fmt::format(
-        "body `{}` holds no point of its lattice; use a finer discretisation.spacing",
-        source.name));
-  }
-  constexpr double alpha = 0.1, reach = 0.5;
-  make_body(settings, source, cloud, boundaries, reach, alpha, body);
 }
 
 template kernels::PointMaterial<double> point_material<double>(const BodyCase&);
 template kernels::PointMaterial<float> point_material<float>(const BodyCase&);
-template void make_lattice_body<double, 2>(const Case&, const BodyCase&, const Boundaries<2>&,
-                                           Body<double, 2>&);
-template void make_lattice_body<double, 3>(const Case&, const BodyCase&, const Boundaries<3>&,
-                                           Body<double, 3>&);
-template void make_lattice_body<float, 2>(const Case&, const BodyCase&, const Boundaries<2>&,
-                                          Body<float, 2>&);
-template void make_lattice_body<float, 3>(const Case&, const BodyCase&, const Boundaries<3>&,
-                                          Body<float, 3>&);
+template PlacedNodes<2> place_nodes<2>(const Case&, const BodyCase&);
+template PlacedNodes<3> place_nodes<3>(const Case&, const BodyCase&);
+template void make_body<double, 2>(const Case&, const BodyCase&, const PlacedNodes<2>&,
+                                   const Boundaries<2>&, Body<double, 2>&);
+template void make_body<double, 3>(const Case&, const BodyCase&, const PlacedNodes<3>&,
+                                   const Boundaries<3>&, Body<double, 3>&);
+template void make_body<float, 2>(const Case&, const BodyCase&, const PlacedNodes<2>&,
+                                   const Boundaries<2>&, Body<float, 2>&);
+template void make_body<float, 3>(const Case&, const BodyCase&, const PlacedNodes<3>&,
+                                   const Boundaries<3>&, Body<float, 3>&);
 
 }  // namespace pliant::point_based

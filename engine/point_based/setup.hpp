@@ -9,16 +9,23 @@ namespace pliant::point_based {
 template <class T>
 kernels::PointMaterial<T> point_material(const BodyCase& source);
 
-/// Makes a body of a case from the nodes of its cloud, at rest or with the case's initial velocity.
-/// `reach` is the distance within which a wall holds a node, over the node's V^(1/D). Throws
-/// InputError for a cloud that is no body.
-template <class T, int D>
-void make_body(const Case& settings, const BodyCase& source, const NodeCloud<D>& cloud,
-               const Boundaries<D>& boundaries, double reach, double alpha, Body<T, D>& body);
+/// The nodes of a body of a case.
+template <int D>
+struct PlacedNodes {
+  NodeCloud<D> cloud;
+  double reach;  ///< distance within which a wall holds a node, over the node's V^(1/D)
+  double alpha;  ///< strength of the stabilisation (PB.5) that they need
+};
 
-/// Nodes of a body of a case on a lattice, and all that follows from them.
+/// Places nodes: those of the tetrahedra of a mesh, on a lattice, or in an octree. Throws InputError
+/// for a body that holds none.
+template <int D>
+PlacedNodes<D> place_nodes(const Case& settings, const BodyCase& source);
+
+/// Makes a body of a case from its nodes, at rest or with the case's initial velocity. Throws
+/// InputError for nodes that are no body.
 template <class T, int D>
-void make_lattice_body(const Case& settings, const BodyCase& source,
-                       const Boundaries<D>& boundaries, Body<T, D>& body);
+void make_body(const Case& settings, const BodyCase& source, const PlacedNodes<D>& nodes,
+               const Boundaries<D>& boundaries, Body<T, D>& body);
 
 }  // namespace pliant::point_based

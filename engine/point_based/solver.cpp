@@ -33,7 +33,7 @@ Solver<T, D>::Solver(const Case& a_case, const SolverOptions& options)
   for (std::size_t b = 0; b < state_.bodies.size(); ++b) {
     Body<T, D>& body = state_.bodies[b];
     const BodyCase& source = settings().bodies[b];
-    make_lattice_body<T, D>(settings(), source, state_.boundaries, body);
+    make_body(settings(), source, place_nodes<D>(settings(), source), state_.boundaries, body);
     blocks.push_back(body.adjacency);
     number_blocks(static_cast<int>(b), body.adjacency.count(), state_.blocks);
     resolution_ = std::min(resolution_, body.resolution);

@@ -48,7 +48,7 @@ std::vector<Phase> Step<T, D>::phases() {
             run(&Step::evaluate_forces));
   rows.each("motion",
             near(of(halo_forces)) +
-                own(of(own_forces) + of(constants) + of(velocity) + of(displacement)),
+                own(of(own_forces) + of(constants) + of(loads) + of(velocity) + of(displacement)),
             own(of(own_forces) + of(velocity) + of(displacement)), run(&Step::move));
   return phases;
 }
@@ -150,6 +150,7 @@ void Step<T, D>::move(int block) {
   work.drift = static_cast<T>(is_leapfrog() ? advance_.length / 2 : advance_.length);
   work.inverse_mass = body.inverse_mass.get();
   for (int a = 0; a < D; ++a) {
+    if (body.is_loaded()) work.external[a] = body.traction[a].get();
     work.velocity[a] = body.velocity[a].get();
     work.displacement[a] = body.displacement[a].get();
   }
