@@ -181,7 +181,7 @@ struct Case {
 
   struct {
     NodePlacement nodes = NodePlacement::lattice;
-    double coarsest_spacing = 0;          ///< of an octree [m]; 0: four times the spacing
+    double coarsest_spacing = 0;  ///< of an octree [m]; 0: four times the spacing
     CutRule cut_rule = CutRule::transparency;
     int neighbours = 0;                   ///< of each node; 0: 26 in 3D, 12 in 2D
     std::optional<double> stabilisation;  ///< alpha of (PB.5); none: as the nodes need it

@@ -162,13 +162,15 @@ void point_based_keys(Visitor& visit, decltype(Case::point_based)& method) {
   visit("nodes", method.nodes,
         {.meaning = "places of the nodes of a body whose geometry is no mesh of tetrahedra",
          .example = R"("lattice")"});
-  visit("coarsest_spacing", method.coarsest_spacing,
-        {.meaning = "largest distance between the nodes of an octree; 0 takes four times the spacing",
-         .unit = "m",
-         .example = "0.01",
-         .limits = not_negative});
-  visit("cut_rule", method.cut_rule,
-        {.meaning = "what a cut leaves of the bonds that it crosses", .example = R"("visibility")"});
+  visit(
+      "coarsest_spacing", method.coarsest_spacing,
+      {.meaning = "largest distance between the nodes of an octree; 0 takes four times the spacing",
+       .unit = "m",
+       .example = "0.01",
+       .limits = not_negative});
+  visit(
+      "cut_rule", method.cut_rule,
+      {.meaning = "what a cut leaves of the bonds that it crosses", .example = R"("visibility")"});
   visit("neighbours", method.neighbours,
         {.meaning = "neighbours of each node (PB.2); 0 takes 26 in 3D and 12 in 2D",
          .example = "26",

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <span>
@@ -17,10 +18,10 @@ namespace pliant::point_based {
 
 /// A run of nodes along the Hilbert curve, filled up to whole packs with slots without mass.
 struct NodeBlock {
-  std::int64_t first;      ///< slot
-  int count;               ///< slots
-  int nodes;               ///< of them
-  std::int64_t first_halo; ///< of the block in `Body::halo`
+  std::int64_t first;       ///< slot
+  int count;                ///< slots
+  int nodes;                ///< of them
+  std::int64_t first_halo;  ///< of the block in `Body::halo`
   int halo_count;
 
   /// Of the block in arrays of points, which hold own slots and halo of one block after another.
@@ -47,10 +48,10 @@ struct PressedNode {
 /// nodes nearest to them.
 template <int D>
 struct BodySurface {
-  std::vector<Point<D>> start;                       ///< [corner] [m]
-  std::vector<std::int32_t> node;                    ///< [corner] slot
-  std::vector<std::array<std::int32_t, D>> facet;    ///< corners, seen from outside
-  std::vector<bool> is_free;                         ///< [facet] not on a wall
+  std::vector<Point<D>> start;                     ///< [corner] [m]
+  std::vector<std::int32_t> node;                  ///< [corner] slot
+  std::vector<std::array<std::int32_t, D>> facet;  ///< corners, seen from outside
+  std::vector<bool> is_free;                       ///< [facet] not on a wall
 };
 
 /// One body: nodes of its undeformed shape, and the bonds between them.
@@ -62,16 +63,16 @@ struct Body {
   const BodyCase* source = nullptr;
   kernels::PointMaterial<T> material;
   std::int64_t particles = 0, slots = 0;
-  int bonds = 0;  ///< of each node, those of no weight included
-  double resolution = 0;         ///< H, the least V^(1/D) [m]
-  double volume_at_rest = 0;     ///< [m^D]
+  int bonds = 0;              ///< of each node, those of no weight included
+  double resolution = 0;      ///< H, the least V^(1/D) [m]
+  double volume_at_rest = 0;  ///< [m^D]
   std::vector<NodeBlock> blocks;
-  scheduler::Blocks adjacency;   ///< blocks whose nodes have bonds
-  std::vector<Point<D>> start;   ///< [slot] undeformed positions [m]
+  scheduler::Blocks adjacency;       ///< blocks whose nodes have bonds
+  std::vector<Point<D>> start;       ///< [slot] undeformed positions [m]
   std::vector<std::int64_t> number;  ///< [slot] of the node in its cloud; -1: none
-  Buffer<T> mass;                ///< [kg]
-  Buffer<T> inverse_mass;        ///< [1/kg], 0 where there is no node
-  Buffer<T> volume, stiffness;   ///< [m^D], [N/m]
+  Buffer<T> mass;                    ///< [kg]
+  Buffer<T> inverse_mass;            ///< [1/kg], 0 where there is no node
+  Buffer<T> volume, stiffness;       ///< [m^D], [N/m]
   std::array<Buffer<T>, symmetric> moment, strain;
   std::array<Buffer<T>, D> displacement, velocity;
   std::array<Buffer<T>, D> pressure_load, traction;  ///< [N], where loads act
@@ -106,6 +107,14 @@ struct Body {
     for (const NodeBlock& block : blocks) {
       for (int i = 0; i < block.nodes; ++i) f(block.first + i);
     }
+  }
+
+  /// The block that a slot belongs to.
+  const NodeBlock& block_of(std::int64_t slot) const {
+    const auto after =
+        std::upper_bound(blocks.begin(), blocks.end(), slot,
+                         [](std::int64_t s, const NodeBlock& block) { return s < block.first; });
+    return *(after - 1);
   }
 
   /// Slot of a local number of a block.

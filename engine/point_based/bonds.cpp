@@ -4,6 +4,7 @@
 #include <pliant/error.hpp>
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 
 #include "engine/point_based/nearest_nodes.hpp"
@@ -95,10 +96,7 @@ void make_bonds_of(const NodeBlock& block, std::int64_t slot, const Neighbours& 
 template <class T, int D>
 void connect_blocks(Body<T, D>& body) {
   const auto block_of = [&](std::int64_t slot) {
-    const auto after = std::upper_bound(
-        body.blocks.begin(), body.blocks.end(), slot,
-        [](std::int64_t s, const NodeBlock& block) { return s < block.first; });
-    return static_cast<int>(after - body.blocks.begin()) - 1;
+    return static_cast<int>(&body.block_of(slot) - body.blocks.data());
   };
   body.collected.assign(body.blocks.size(), {});
   auto& near = body.adjacency.neighbours;
@@ -127,13 +125,31 @@ void connect_blocks(Body<T, D>& body) {
 }  // namespace
 
 template <int D>
-Neighbours find_neighbours(const NodeCloud<D>& cloud, int count, const std::string& body) {
+double lattice_support(int count) {
+  std::vector<double> distance;
+  constexpr int reach = 4;
+  Cell<D> first, last;
+  first.fill(-reach);
+  last.fill(reach);
+  for_each_cell<D>(first, last, [&](const Cell<D>& cell) {
+    double square = 0;
+    for (const double x : cell) square += x * x;
+    distance.push_back(std::sqrt(square));
+  });
+  std::nth_element(distance.begin(), distance.begin() + count + 1, distance.end());
+  return support_over_distance * distance[count + 1];
+}
+
+template <int D>
+Neighbours find_neighbours(const NodeCloud<D>& cloud, int count, double largest_support,
+                           const std::string& body) {
   const NearestNodes<D> tree(cloud.positions);
   const auto nodes = static_cast<std::int32_t>(cloud.positions.size());
   if (nodes < 2) {
-    throw InputError(fmt::format("body `{}` has {} node; use a finer discretisation.spacing, or a "
-                                 "cloud of more nodes",
-                                 body, nodes));
+    throw InputError(
+        fmt::format("body `{}` has {} node; use a finer discretisation.spacing, or a "
+                    "cloud of more nodes",
+                    body, nodes));
   }
   Neighbours neighbours;
   neighbours.node.resize(nodes);
@@ -145,8 +161,11 @@ Neighbours find_neighbours(const NodeCloud<D>& cloud, int count, const std::stri
                                    body, found[0].node, found[1].node));
     }
     const auto last = std::min(found.size() - 1, static_cast<std::size_t>(count));
-    for (std::size_t k = 1; k <= last; ++k) neighbours.node[node].push_back(found[k].node);
-    neighbours.support[node] = support_over_distance * found.back().distance;
+    const double support = std::min(support_over_distance * found.back().distance, largest_support);
+    for (std::size_t k = 1; k <= last && found[k].distance < support; ++k) {
+      neighbours.node[node].push_back(found[k].node);
+    }
+    neighbours.support[node] = support;
   }
   return neighbours;
 }
@@ -165,9 +184,10 @@ void make_bonds(const Neighbours& neighbours, double alpha, Body<T, D>& body) {
   body.neighbour.grow(body.slots * body.bonds, 0);
   for (const NodeBlock& block : body.blocks) {
     if (block.count + block.halo_count > std::numeric_limits<std::uint16_t>::max()) {
-      throw InputError(fmt::format("the nodes of body `{}` are too uneven: a block of {} nodes has "
-                                   "{} neighbours",
-                                   body.name, block.nodes, block.halo_count));
+      throw InputError(
+          fmt::format("the nodes of body `{}` are too uneven: a block of {} nodes has "
+                      "{} neighbours",
+                      body.name, block.nodes, block.halo_count));
     }
     for (int i = 0; i < block.count; ++i) {
       const std::int64_t slot = block.first + i;
@@ -182,8 +202,10 @@ void make_bonds(const Neighbours& neighbours, double alpha, Body<T, D>& body) {
   connect_blocks(body);
 }
 
-template Neighbours find_neighbours<2>(const NodeCloud<2>&, int, const std::string&);
-template Neighbours find_neighbours<3>(const NodeCloud<3>&, int, const std::string&);
+template double lattice_support<2>(int);
+template double lattice_support<3>(int);
+template Neighbours find_neighbours<2>(const NodeCloud<2>&, int, double, const std::string&);
+template Neighbours find_neighbours<3>(const NodeCloud<3>&, int, double, const std::string&);
 template void make_bonds<double, 2>(const Neighbours&, double, Body<double, 2>&);
 template void make_bonds<double, 3>(const Neighbours&, double, Body<double, 3>&);
 template void make_bonds<float, 2>(const Neighbours&, double, Body<float, 2>&);

@@ -13,10 +13,17 @@ struct Neighbours {
   std::vector<double> support;                  ///< [node] h of (PB.2) [m]
 };
 
-/// The `count` nodes nearest to each, or all others where there are fewer. Throws InputError, in the
-/// name of `body`, for two nodes at one place and for a cloud of one node.
+/// The support radius over the spacing that gives a node inside a lattice `count` neighbours,
+/// (PB.2).
 template <int D>
-Neighbours find_neighbours(const NodeCloud<D>& cloud, int count, const std::string& body);
+double lattice_support(int count);
+
+/// The `count` nodes nearest to each, or all others where there are fewer, no farther away than the
+/// largest support radius [m]. Throws InputError, in the name of `body`, for two nodes at one place
+/// and for a cloud of one node.
+template <int D>
+Neighbours find_neighbours(const NodeCloud<D>& cloud, int count, double largest_support,
+                           const std::string& body);
 
 /// Bonds between the nodes of a body whose blocks, places and volumes are known, (PB.2)-(PB.3):
 /// neighbours, gradients, moments, halos, and which blocks are near each other. `alpha` is the

@@ -16,16 +16,22 @@ namespace pliant::point_based {
 
 namespace {
 
-constexpr int sub_cells = 10;               // to a side, of a cell that the surface cuts
-constexpr double on_surface = 1e-9;         // [h] distances that rounding may leave
-constexpr double smallest_volume = 0.02;    // [h^D] of a node of its own
+constexpr int sub_cells = 10;             // to a side, of a cell that the surface cuts
+constexpr double on_surface = 1e-9;       // [h] distances that rounding may leave
+constexpr double smallest_volume = 0.02;  // [h^D] of a node of its own
+
+bool contains_mesh(const Shape& shape) {
+  return shape.kind == Shape::Kind::mesh ||
+         std::any_of(shape.operands.begin(), shape.operands.end(), contains_mesh);
+}
 
 template <int D>
 class Sampling {
  public:
   static constexpr int corners = 1 << D;
 
-  Sampling(const Shape& shape, double spacing) : spacing_(spacing) {
+  Sampling(const Shape& shape, double spacing)
+      : shape_(shape), spacing_(spacing), has_mesh_(contains_mesh(shape)) {
     const Box box = bounding_box(shape);
     std::int64_t count = 1;
     for (int a = 0; a < D; ++a) {
@@ -42,7 +48,7 @@ class Sampling {
     for_each_cell<D>({}, last(0), [&](const Cell<D>& cell) {
       const double phi = distance(padded<D>(at(cell))) / spacing;
       // Points on the surface count as inside, always: edges of the body stay sharp.
-      phi_.push_back(std::abs(phi) < on_surface ? -on_surface : phi);
+      phi_.push_back(std::abs(phi) < on_surface ? 0 : phi);
     });
     volume_.assign(count, 0);
   }
@@ -100,20 +106,34 @@ class Sampling {
     }
     const int count = kernels::power(sub_cells, D);
     for (int k = 0; k < count; ++k) {
-      double value = 0;
+      Point<D> s;
       int nearest = 0;
-      for (int c = 0; c < corners; ++c) {
-        double weight = 1;
-        for (int a = 0, rest = k; a < D; ++a, rest /= sub_cells) {
-          const double s = (rest % sub_cells + 0.5) / sub_cells;
-          weight *= c >> a & 1 ? s : 1 - s;
-          if (2 * s > 1) nearest |= 1 << a;
-        }
-        value += weight * phi[c];
+      for (int a = 0, rest = k; a < D; ++a, rest /= sub_cells) {
+        s[a] = (rest % sub_cells + 0.5) / sub_cells;
+        if (2 * s[a] > 1) nearest |= 1 << a;
       }
+      const double value = has_mesh_ ? between(phi, s) : distance(cell, s);
       part[nearest] += std::clamp(0.5 - sub_cells * value, 0.0, 1.0) / count;
     }
     return part;
+  }
+
+  /// phi at the place `s` in [0, 1]^D of a cell [h]: of the shape itself, which is exact at
+  /// edges...
+  double distance(const Cell<D>& cell, const Point<D>& s) const {
+    Point<D> x = at(cell);
+    for (int a = 0; a < D; ++a) x[a] += s[a] * spacing_;
+    return signed_distance(shape_, padded<D>(x), D) / spacing_;
+  }
+  /// ... or linear between the corners, for meshes, whose distances take long.
+  double between(const std::array<double, corners>& phi, const Point<D>& s) const {
+    double value = 0;
+    for (int c = 0; c < corners; ++c) {
+      double weight = 1;
+      for (int a = 0; a < D; ++a) weight *= c >> a & 1 ? s[a] : 1 - s[a];
+      value += weight * phi[c];
+    }
+    return value;
   }
 
   void share_out(const Cell<D>& cell) {
@@ -122,24 +142,26 @@ class Sampling {
       if (part[c] == 0) continue;
       int distance = D + 1, takers = 0;
       for (int other = 0; other < corners; ++other) {
-        if (phi_[corner(cell, other)] >= 0) continue;
+        if (phi_[corner(cell, other)] > 0) continue;
         const int away = std::popcount(static_cast<unsigned>(c ^ other));
         takers = away < distance ? 1 : takers + (away == distance ? 1 : 0);
         distance = std::min(distance, away);
       }
       for (int other = 0; other < corners; ++other) {
-        if (phi_[corner(cell, other)] >= 0) continue;
+        if (phi_[corner(cell, other)] > 0) continue;
         if (std::popcount(static_cast<unsigned>(c ^ other)) != distance) continue;
         volume_[corner(cell, other)] += part[c] / takers;
       }
     }
   }
 
+  const Shape& shape_;
   double spacing_;
+  bool has_mesh_;
   Point<D> start_;
   Cell<D> extent_;
   std::array<std::int64_t, D> stride_;
-  std::vector<double> phi_, volume_;                  ///< [lattice point] [h], [h^D]
+  std::vector<double> phi_, volume_;                 ///< [lattice point] [h], [h^D]
   std::vector<std::pair<Point<D>, double>> strays_;  ///< volumes without a node of their own
 };
 

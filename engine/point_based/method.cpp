@@ -23,15 +23,15 @@ void check_body(const Check& check, std::size_t i) {
                        "method point_based takes materials without prony");
   }
   if (body.stretch != Vector{1, 1, 1}) {
-    check.problems.add(
-        check.place("body", i, "stretch"), fmt::format("body \"{}\" starts stretched", body.name),
-        "method point_based starts from rest: let walls stretch it");
+    check.problems.add(check.place("body", i, "stretch"),
+                       fmt::format("body \"{}\" starts stretched", body.name),
+                       "method point_based starts from rest: let walls stretch it");
   }
 }
 
 void check(const Check& check) {
   const Case& a_case = check.a_case;
-  refuse_tables(check, {"remeshing", "level_set", "ghosts", "periodic", "contact"});
+  refuse_tables(check, {"remeshing", "level_set", "ghosts", "periodic", "contact", "cut"});
   for (std::size_t i = 0; i < a_case.bodies.size(); ++i) check_body(check, i);
   for (std::size_t i = 0; i < a_case.boundaries.size(); ++i) {
     const BoundaryCase::Kind kind = a_case.boundaries[i].kind;
@@ -42,11 +42,6 @@ void check(const Check& check) {
         "take method = \"remeshed\", or a wall that the body is attached to");
   }
   refuse_measurements(check, Measurer<double, 2>::is_measured);
-  if (a_case.output.surface) {
-    check.problems.add(check.place("output", "surface"),
-                       "method point_based has no surface to write",
-                       "leave output.surface out");
-  }
 }
 
 }  // namespace

@@ -19,9 +19,8 @@ struct NearestNodes<D>::Tree {
       return false;
     }
   };
-  using Index =
-      nanoflann::KDTreeSingleIndexAdaptor<nanoflann::L2_Simple_Adaptor<double, Points>, Points, D,
-                                          std::int32_t>;
+  using Index = nanoflann::KDTreeSingleIndexAdaptor<nanoflann::L2_Simple_Adaptor<double, Points>,
+                                                    Points, D, std::int32_t>;
 
   explicit Tree(const std::vector<Point<D>>& positions) : points{positions}, index(D, points) {
     index.buildIndex();

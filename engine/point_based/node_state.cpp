@@ -75,11 +75,12 @@ double energy_density(const kernels::PointMaterial<double>& material, const Tens
 template <class T, int D>
 NodeState<D> node_state(const Body<T, D>& body, const NodeBlock& block, std::int64_t slot) {
   NodeState<D> state;
-  std::array<double, D * D> h = {};
+  std::array<double, D* D> h = {};
   double apart = 0;  // sum of w u_ij . u_ij
   body.for_each_bond(block, slot, [&](int, std::int64_t other, const Point<D>& g, double w) {
     for (int i = 0; i < D; ++i) {
-      const double d = static_cast<double>(body.displacement[i][other]) - body.displacement[i][slot];
+      const double d =
+          static_cast<double>(body.displacement[i][other]) - body.displacement[i][slot];
       apart += w * d * d;
       for (int j = 0; j < D; ++j) h[D * i + j] += d * g[j];
     }
@@ -91,8 +92,7 @@ NodeState<D> node_state(const Body<T, D>& body, const NodeBlock& block, std::int
       state.gradient[D * i + j] = f[3 * i + j];
       // The least-squares fit leaves this of it out: tr(H A H^T).
       for (int k = 0; k < D; ++k) {
-        apart -= h[D * i + j] * h[D * i + k] *
-                 body.moment[kernels::symmetric_index<D>(j, k)][slot];
+        apart -= h[D * i + j] * h[D * i + k] * body.moment[kernels::symmetric_index<D>(j, k)][slot];
       }
     }
   }
@@ -109,11 +109,32 @@ NodeState<D> node_state(const Body<T, D>& body, const NodeBlock& block, std::int
     }
   }
   state.pressure = -trace / 3;
-  state.energy =
-      body.volume[slot] * energy_density(material, f) + body.stiffness[slot] * apart / 2;
+  state.energy = body.volume[slot] * energy_density(material, f) + body.stiffness[slot] * apart / 2;
   return state;
 }
 
+template <class T, int D>
+std::vector<Point<D>> present_corners(const Body<T, D>& body) {
+  const BodySurface<D>& surface = body.surface;
+  std::vector<Point<D>> place(surface.start.size());
+  for (std::size_t c = 0; c < place.size(); ++c) {
+    const std::int32_t slot = surface.node[c];
+    Point<D> from;
+    for (int a = 0; a < D; ++a) from[a] = surface.start[c][a] - body.start[slot][a];
+    place[c] = body.position(slot);
+    if (from == Point<D>{}) continue;
+    const NodeState<D> node = node_state(body, body.block_of(slot), slot);
+    for (int i = 0; i < D; ++i) {
+      for (int j = 0; j < D; ++j) place[c][i] += node.gradient[D * i + j] * from[j];
+    }
+  }
+  return place;
+}
+
+template std::vector<Point<2>> present_corners<double, 2>(const Body<double, 2>&);
+template std::vector<Point<3>> present_corners<double, 3>(const Body<double, 3>&);
+template std::vector<Point<2>> present_corners<float, 2>(const Body<float, 2>&);
+template std::vector<Point<3>> present_corners<float, 3>(const Body<float, 3>&);
 template NodeState<2> node_state(const Body<double, 2>&, const NodeBlock&, std::int64_t);
 template NodeState<3> node_state(const Body<double, 3>&, const NodeBlock&, std::int64_t);
 template NodeState<2> node_state(const Body<float, 2>&, const NodeBlock&, std::int64_t);

@@ -36,6 +36,13 @@ kernels::ElasticLaw law_of(MaterialCase::Model model) {
   }
 }
 
+template <int D>
+int neighbour_count(const Case& settings) {
+  constexpr int by_default = D == 2 ? 12 : 26;
+  const int asked = settings.point_based.neighbours;
+  return asked > 0 ? asked : by_default;
+}
+
 bool has_tetrahedra(const Shape& shape) {
   return shape.kind == Shape::Kind::mesh &&
          (shape.file.ends_with(".msh") || shape.file.ends_with(".vtk"));
@@ -128,24 +135,27 @@ kernels::PointMaterial<T> point_material(const BodyCase& source) {
 template <int D>
 PlacedNodes<D> place_nodes(const Case& settings, const BodyCase& source) {
   constexpr double on_lattice = 0.1, elsewhere = 0.3;  // alpha
+  constexpr double unlimited = std::numeric_limits<double>::infinity();
   const Shape& shape = source.geometry;
   const double spacing = settings.discretisation.spacing;
   PlacedNodes<D> nodes;
   if (has_tetrahedra(shape)) {
     // Vertices lie on the surface.
     nodes = {nodes_of_mesh<D>(read_volume_mesh(shape.file, D), shape.scale, shape.translate), 0.25,
-             elsewhere};
+             unlimited, elsewhere};
   } else if (settings.point_based.nodes == NodePlacement::octree) {
     const double coarsest = settings.point_based.coarsest_spacing;
     // Those next to the surface lie half a cell from it.
     nodes = {octree_nodes<D>(shape, {spacing, coarsest > 0 ? coarsest : 4 * spacing}), 0.75,
-             elsewhere};
+             unlimited, elsewhere};
   } else {
-    nodes = {lattice_nodes<D>(shape, spacing), 0.5, on_lattice};
+    // Nodes at the surface have fewer neighbours, not farther ones: that would soften bending.
+    nodes = {lattice_nodes<D>(shape, spacing), 0.5,
+             spacing * lattice_support<D>(neighbour_count<D>(settings)), on_lattice};
   }
   if (!nodes.cloud.positions.empty()) return nodes;
-  throw InputError(fmt::format("body `{}` holds no node; use a finer discretisation.spacing",
-                               source.name));
+  throw InputError(
+      fmt::format("body `{}` holds no node; use a finer discretisation.spacing", source.name));
 }
 
 template <class T, int D>
@@ -165,11 +175,9 @@ void make_body(const Case& settings, const BodyCase& source, const PlacedNodes<D
     body.mass[slot] = static_cast<T>(source.material.density * volume);
     body.inverse_mass[slot] = static_cast<T>(1 / (source.material.density * volume));
   });
-  constexpr int default_neighbours = D == 2 ? 12 : 26;
-  const auto& method = settings.point_based;
-  const int count = method.neighbours > 0 ? method.neighbours : default_neighbours;
-  make_bonds(find_neighbours(nodes.cloud, count, body.name),
-             method.stabilisation.value_or(nodes.alpha), body);
+  make_bonds(
+      find_neighbours(nodes.cloud, neighbour_count<D>(settings), nodes.largest_support, body.name),
+      settings.point_based.stabilisation.value_or(nodes.alpha), body);
   hold(boundaries, nodes.reach, body);
   make_surface(nodes.cloud, source.geometry, settings.discretisation.spacing, boundaries, body);
   set_in_motion(source, boundaries, body);
@@ -184,8 +192,8 @@ template void make_body<double, 2>(const Case&, const BodyCase&, const PlacedNod
 template void make_body<double, 3>(const Case&, const BodyCase&, const PlacedNodes<3>&,
                                    const Boundaries<3>&, Body<double, 3>&);
 template void make_body<float, 2>(const Case&, const BodyCase&, const PlacedNodes<2>&,
-                                   const Boundaries<2>&, Body<float, 2>&);
+                                  const Boundaries<2>&, Body<float, 2>&);
 template void make_body<float, 3>(const Case&, const BodyCase&, const PlacedNodes<3>&,
-                                   const Boundaries<3>&, Body<float, 3>&);
+                                  const Boundaries<3>&, Body<float, 3>&);
 
 }  // namespace pliant::point_based

@@ -13,12 +13,13 @@ kernels::PointMaterial<T> point_material(const BodyCase& source);
 template <int D>
 struct PlacedNodes {
   NodeCloud<D> cloud;
-  double reach;  ///< distance within which a wall holds a node, over the node's V^(1/D)
-  double alpha;  ///< strength of the stabilisation (PB.5) that they need
+  double reach;            ///< distance within which a wall holds a node, over the node's V^(1/D)
+  double largest_support;  ///< [m]
+  double alpha;            ///< strength of the stabilisation (PB.5) that they need
 };
 
-/// Places nodes: those of the tetrahedra of a mesh, on a lattice, or in an octree. Throws InputError
-/// for a body that holds none.
+/// Places nodes: those of the tetrahedra of a mesh, on a lattice, or in an octree. Throws
+/// InputError for a body that holds none.
 template <int D>
 PlacedNodes<D> place_nodes(const Case& settings, const BodyCase& source);
 

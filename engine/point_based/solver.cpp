@@ -17,7 +17,7 @@ namespace pliant::point_based {
 
 namespace {
 
-constexpr int examine_every = 8;     // steps
+constexpr int examine_every = 8;      // steps
 constexpr double stable_steps = 1.4;  // H/c, (PB.12)
 
 }  // namespace
@@ -94,8 +94,7 @@ void Solver<T, D>::move_to_output() {
   for (Body<T, D>& body : state_.bodies) {
     for (int a = 0; a < D; ++a) {
       for (std::int64_t slot = 0; slot < body.slots; ++slot) {
-        body.displacement[a][slot] =
-            body.end_displacement[a][slot] - back * body.velocity[a][slot];
+        body.displacement[a][slot] = body.end_displacement[a][slot] - back * body.velocity[a][slot];
       }
     }
   }
@@ -110,8 +109,7 @@ void Solver<T, D>::check(const StepResult& result) const {
                                 "turned inside out",
                                 body.name, coordinates<D>(body.start[result.non_finite])),
                     {smaller_step(settings()), "load more slowly",
-                     "raise the stabilisation (point_based.stabilisation)",
-                     "use a finer spacing"});
+                     "raise the stabilisation (point_based.stabilisation)", "use a finer spacing"});
 }
 
 template <class T, int D>
@@ -145,8 +143,8 @@ BodyIntegrals Solver<T, D>::integrals() {
 }
 
 template <class T, int D>
-Frame Solver<T, D>::frame(const FrameParts&) {
-  return take_frame(state_);
+Frame Solver<T, D>::frame(const FrameParts& parts) {
+  return take_frame(state_, parts);
 }
 
 template <class T, int D>

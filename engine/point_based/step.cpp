@@ -7,7 +7,8 @@
 //     drift     displacement at the time of the kick: half a step on for the leapfrog (PB.10)
 //     pressure  what pressures exert on the undeformed surface around each node (PB.11)
 //     forces    F at each node from the nodes that it has bonds with, the stress, and its force
-//               along the bonds (PB.4)-(PB.9), collected for own nodes and for those of other blocks
+//               along the bonds (PB.4)-(PB.9), collected for own nodes and for those of other
+//               blocks
 //     motion    the force on each node; velocity and displacement (PB.10); the velocity that walls
 //               set
 //

@@ -125,9 +125,9 @@ class SurfaceFinder {
       for (int v = 0; v < D; ++v) {
         // At a point on the surface all lines from it end alike.
         const bool at_point = piece[v].fraction() < 1e-6;
-        corner[v] = add({piece[v].inside->slot,
-                         at_point ? piece[v].inside->slot : piece[v].outside->slot},
-                        x[v], -1);
+        corner[v] =
+            add({piece[v].inside->slot, at_point ? piece[v].inside->slot : piece[v].outside->slot},
+                x[v], -1);
       }
       surface_.facet.push_back(corner);
     });
@@ -189,8 +189,8 @@ void find_loads(const Boundaries<D>& boundaries, Body<T, D>& body) {
       if (!surface.is_free[f]) continue;
       std::array<Point<D>, D> x;
       for (int v = 0; v < D; ++v) x[v] = surface.start[surface.facet[f][v]];
-      const double share = share_of<D>(
-          x, [&](const Point<D>& at) { return boundaries.pressures[k].acts_at(at); });
+      const double share =
+          share_of<D>(x, [&](const Point<D>& at) { return boundaries.pressures[k].acts_at(at); });
       if (share == 0) continue;
       const Point<D> whole = area_vector<D>(x);
       for (const std::int32_t corner : surface.facet[f]) {
@@ -216,9 +216,9 @@ Point<D> area_vector(const std::array<Point<D>, D>& x) {
     Point<3> n;
     for (int i = 0; i < 3; ++i) {
       const int j = (i + 1) % 3, k = (i + 2) % 3;
-      n[i] = ((x[1][j] - x[0][j]) * (x[2][k] - x[0][k]) -
-              (x[1][k] - x[0][k]) * (x[2][j] - x[0][j])) /
-             2;
+      n[i] =
+          ((x[1][j] - x[0][j]) * (x[2][k] - x[0][k]) - (x[1][k] - x[0][k]) * (x[2][j] - x[0][j])) /
+          2;
     }
     return n;
   }

@@ -24,6 +24,7 @@ void check_contact_walls(const Check& check) {
 
 void check(const Check& check) {
   check_contact_walls(check);
+  refuse_tables(check, {"cut"});
   refuse_models_of_points(check);
   refuse_measurements(check, Measurer<double, 2>::is_measured);
 }

@@ -25,9 +25,9 @@ enum class ElasticLaw : std::uint8_t { neo_hookean, st_venant_kirchhoff, reduced
 template <class T>
 struct PointMaterial {
   ElasticLaw law = ElasticLaw::neo_hookean;
-  T density = 1;         ///< rho0 [kg/m^3]
-  T shear_modulus = 0;   ///< mu [Pa]
-  T lame_modulus = 0;    ///< lambda [Pa]
+  T density = 1;           ///< rho0 [kg/m^3]
+  T shear_modulus = 0;     ///< mu [Pa]
+  T lame_modulus = 0;      ///< lambda [Pa]
   Material<T> polynomial;  ///< reduced polynomial
 };
 
@@ -40,16 +40,16 @@ inline constexpr int most_bonds = 64;
 /// Forces of the nodes of a block on themselves and on their neighbours, (PB.4)-(PB.8).
 template <class T, int D>
 struct PointForces {
-  std::int64_t first;  ///< slot
-  int count;           ///< slots, a multiple of slots_per_pack
-  int bonds;           ///< of each node
+  std::int64_t first;              ///< slot
+  int count;                       ///< slots, a multiple of slots_per_pack
+  int bonds;                       ///< of each node
   const std::uint16_t* neighbour;  ///< [pack][bond][lane] local numbers
   const T* bond;                   ///< [pack][bond][D + 1][lane] g_ij [1/m], w_ij
   int halo_count;
   const std::int32_t* halo;  ///< [halo_count] slots
   std::array<const T*, D> displacement;
-  const T* volume;     ///< [slot] V [m^D]
-  const T* stiffness;  ///< [slot] V kappa [N/m]
+  const T* volume;                                       ///< [slot] V [m^D]
+  const T* stiffness;                                    ///< [slot] V kappa [N/m]
   std::array<const T*, symmetric_components<D>> moment;  ///< [slot] A [m^2]
   std::array<const T*, D> load;  ///< [slot] pressure times undeformed area [N]; null: none
   /// E of the last step, read and written; null without viscosity.
@@ -80,13 +80,13 @@ struct PointMotion {
   int count;
   const CollectedForces<T>* collected;
   int collected_count;
-  T* force;  ///< [count][point_stride] of the block itself; the sum in the end [N]
-  T kept;    ///< share of the velocity that damping leaves
-  T gained;  ///< velocity per force over mass [s]
-  T drift;   ///< for how long nodes move after the kick [s]
-  const T* inverse_mass;               ///< [slot], 0 where there is no node [1/kg]
-  std::array<T, D> gravity;            ///< acceleration of all nodes [m/s^2]
-  std::array<const T*, D> external;    ///< [slot] force from outside [N]; null: none
+  T* force;                  ///< [count][point_stride] of the block itself; the sum in the end [N]
+  T kept;                    ///< share of the velocity that damping leaves
+  T gained;                  ///< velocity per force over mass [s]
+  T drift;                   ///< for how long nodes move after the kick [s]
+  const T* inverse_mass;     ///< [slot], 0 where there is no node [1/kg]
+  std::array<T, D> gravity;  ///< acceleration of all nodes [m/s^2]
+  std::array<const T*, D> external;  ///< [slot] force from outside [N]; null: none
   std::array<T*, D> velocity, displacement;
 };
 

@@ -28,8 +28,8 @@ void advance_points(const PointMotion<Scalar<P>, D>& block) {
       for (int a = 0; a < D; ++a) {
         P force = P::load_aligned(&lane[a][l]);
         if (block.external[a] != nullptr) force = force + load<P>(block.external[a] + slot);
-        const P pull = xsimd::select(exists, fused(force, inverse_mass, P(block.gravity[a])),
-                                     P(T(0)));
+        const P pull =
+            xsimd::select(exists, fused(force, inverse_mass, P(block.gravity[a])), P(T(0)));
         const P u = load<P>(block.velocity[a] + slot);
         const P next = fused(P(block.gained), pull, P(block.kept) * u);
         next.store_unaligned(block.velocity[a] + slot);

@@ -6,7 +6,8 @@
 #include "kernels/point_based/arguments.hpp"
 
 /// Points whose numbers lie in the lanes of a register: from an array of points to components, and
-/// back. Here for any register; point_lanes_avx2.hpp has those of AVX2, which transpose in registers.
+/// back. Here for any register; point_lanes_avx2.hpp has those of AVX2, which transpose in
+/// registers.
 namespace pliant::kernels {
 
 template <class P, int D>

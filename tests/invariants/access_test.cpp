@@ -131,7 +131,8 @@ velocity = ["sin(3*y)", 0, "x"]
 [[boundary]]
 name = "floor"
 kind = "fixed"
-geometry = { shape = "half_space", point = [0, 0, 0], normal = [0, 0, 1] }
+geometry = {
+    shape = "half_space", point = [ 0, 0, 0 ], normal = [ 0, 0, 1 ] }
 [[boundary]]
 name = "air"
 kind = "pressure"
@@ -141,12 +142,12 @@ pressure = 1
   const auto accesses = undeclared_accesses([&](AccessProbe& probe) {
     point_based::Solver<double, 3> solver(settings, {.threads = 1});
     for (int step = 0; step < 3; ++step) solver.step(HUGE_VAL);
-    probe.watch(solver.workers(), [&](const StepGraph&, FieldId field, BlockId block,
-                                      FieldMemory& memory) {
-      for (const auto& region : point_based::regions(solver.state(), field, block)) {
-        add(region.bytes, region.are_numbers, memory);
-      }
-    });
+    probe.watch(solver.workers(),
+                [&](const StepGraph&, FieldId field, BlockId block, FieldMemory& memory) {
+                  for (const auto& region : point_based::regions(solver.state(), field, block)) {
+                    add(region.bytes, region.are_numbers, memory);
+                  }
+                });
     solver.step(HUGE_VAL);
   });
   EXPECT_EQ(text(accesses), "");

@@ -9,7 +9,8 @@ template <class T, int D>
 std::vector<SlotRun> particle_runs(const Body<T, D>& body) {
   std::vector<SlotRun> runs;
   runs.reserve(body.blocks.size());
-  for (const NodeBlock& block : body.blocks) runs.push_back({block.first, block.first + block.nodes});
+  for (const NodeBlock& block : body.blocks)
+    runs.push_back({block.first, block.first + block.nodes});
   return runs;
 }
 
@@ -24,8 +25,7 @@ template <class T, int D>
 std::vector<std::array<double, 3>> positions(const Body<T, D>& body) {
   std::vector<std::array<double, 3>> list;
   list.reserve(body.particles);
-  body.for_each_node(
-      [&](std::int64_t slot) { list.push_back(padded<D>(body.position(slot))); });
+  body.for_each_node([&](std::int64_t slot) { list.push_back(padded<D>(body.position(slot))); });
   return list;
 }
 

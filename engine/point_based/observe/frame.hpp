@@ -7,6 +7,6 @@ namespace pliant::point_based {
 
 /// The nodes of a state as viewers see them, in SI units. There are no ghosts to show.
 template <class T, int D>
-Frame take_frame(const State<T, D>& state);
+Frame take_frame(const State<T, D>& state, const FrameParts& parts);
 
 }  // namespace pliant::point_based

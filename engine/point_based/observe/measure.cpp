@@ -6,7 +6,9 @@
 #include <utility>
 
 #include "engine/geometry/padded.hpp"
+#include "engine/point_based/cutting/connected_parts.hpp"
 #include "engine/point_based/node_state.hpp"
+#include "engine/point_based/surface.hpp"
 
 namespace pliant::point_based {
 
@@ -39,6 +41,9 @@ auto Measurer<T, D>::function_of(MeasurementCase::Kind kind) -> Function {
       {Quantity::total_energy, &Measurer::integral},
       {Quantity::energy_ratio, &Measurer::integral},
       {Quantity::volume, &Measurer::integral},
+      {Quantity::surface_area, &Measurer::surface_area},
+      {Quantity::connected_parts, &Measurer::parts},
+      {Quantity::largest_part_volume, &Measurer::parts},
   };
   for (const auto& [known, function] : functions) {
     if (known == kind) return function;
@@ -62,11 +67,15 @@ double Measurer<T, D>::extent(const MeasurementCase& m) const {
   const Body<T, D>& body = state_.bodies[m.body];
   const double t = state_.clock.time, sign = m.lower_side ? -1 : 1;
   double farthest = -std::numeric_limits<double>::infinity();
-  body.for_each_node([&](std::int64_t slot) {
-    const Vector at = padded<D>(body.position(slot));
-    if (m.where && (*m.where)(at[0], at[1], at[2], t) == 0) return;
-    farthest = std::max(farthest, sign * at[m.axis]);
-  });
+  const std::vector<Point<D>> place = present_corners(body);
+  for (std::size_t f = 0; f < body.surface.facet.size(); ++f) {
+    if (!body.surface.is_free[f]) continue;
+    for (const std::int32_t corner : body.surface.facet[f]) {
+      const Vector at = padded<D>(place[corner]);
+      if (m.where && (*m.where)(at[0], at[1], at[2], t) == 0) continue;
+      farthest = std::max(farthest, sign * at[m.axis]);
+    }
+  }
   return std::isfinite(farthest) ? farthest - sign * m.reference : nothing;
 }
 
@@ -98,6 +107,49 @@ double Measurer<T, D>::point_displacement(const MeasurementCase& m) const {
     displacement += slope * (m.point[a] - body.start[nearest][a]);
   }
   return displacement;
+}
+
+template <class T, int D>
+double Measurer<T, D>::surface_area(const MeasurementCase& m) const {
+  const Body<T, D>& body = state_.bodies[m.body];
+  const std::vector<Point<D>> place = present_corners(body);
+  double sum = 0;
+  for (std::size_t f = 0; f < body.surface.facet.size(); ++f) {
+    if (!body.surface.is_free[f]) continue;
+    std::array<Point<D>, D> corner;
+    for (int v = 0; v < D; ++v) corner[v] = place[body.surface.facet[f][v]];
+    double square = 0;
+    for (const double a : area_vector<D>(corner)) square += a * a;
+    sum += std::sqrt(square);
+  }
+  return sum;
+}
+
+template <class T, int D>
+double Measurer<T, D>::parts(const MeasurementCase& m) const {
+  const Body<T, D>& body = state_.bodies[m.body];
+  std::vector<std::int32_t> node(body.slots, -1), neighbour;
+  std::vector<std::int64_t> first = {0};
+  std::vector<double> volumes;
+  body.for_each_node([&](std::int64_t slot) {
+    node[slot] = static_cast<std::int32_t>(volumes.size());
+    volumes.push_back(body.mass[slot] / body.material.density);
+  });
+  for (const NodeBlock& block : body.blocks) {
+    for (int i = 0; i < block.nodes; ++i) {
+      body.for_each_bond(block, block.first + i,
+                         [&](int, std::int64_t other, const Point<D>&, double) {
+                           neighbour.push_back(node[other]);
+                         });
+      first.push_back(static_cast<std::int64_t>(neighbour.size()));
+    }
+  }
+  const std::vector<double> factors(neighbour.size(), 1);
+  const ConnectedParts found = connected_parts(first, neighbour, factors, volumes);
+  if (m.kind == MeasurementCase::Kind::connected_parts) {
+    return static_cast<double>(found.volumes.size());
+  }
+  return *std::max_element(found.volumes.begin(), found.volumes.end());
 }
 
 template <class T, int D>

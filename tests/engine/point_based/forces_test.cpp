@@ -15,29 +15,31 @@ using point_based::NodeBlock;
 
 template <class Dimension>
 struct PointForces : testing::Test {
-  static constexpr int D = Dimension::value;
-  using Matrix = Eigen::Matrix<double, D, D>;
+  static constexpr int dimension = Dimension::value;
+  using Matrix = Eigen::Matrix<double, dimension, dimension>;
 
   static std::string model(const std::string& word) {
     if (word != "reduced_polynomial") {
-      return tests::with(free_points(D), "neo_hookean", word);
+      return tests::with(free_points(dimension), "neo_hookean", word);
     }
-    return tests::with(tests::with(free_points(D), "model = \"neo_hookean\"",
+    return tests::with(tests::with(free_points(dimension), "model = \"neo_hookean\"",
                                    "model = \"reduced_polynomial\"\ncoefficients = [20, 5]\n"
                                    "compressibility = 0.02"),
                        "youngs_modulus = 100\npoissons_ratio = 0.3\n", "");
   }
 
-  PointSolver<D> solver(const std::string& word, const std::vector<std::string>& more = {}) const {
-    return PointSolver<D>(tests::read_text(model(word), more), {1, kernels::widest_supported()});
+  PointSolver<dimension> solver(const std::string& word,
+                                const std::vector<std::string>& more = {}) const {
+    return PointSolver<dimension>(tests::read_text(model(word), more),
+                                  {1, kernels::widest_supported()});
   }
 
   /// x = F X + a wave, so that all parts of the energy count.
-  static void deform(Body<double, D>& body, const Matrix& f, double wave) {
+  static void deform(Body<double, dimension>& body, const Matrix& f, double wave) {
     body.for_each_node([&](std::int64_t slot) {
-      for (int i = 0; i < D; ++i) {
+      for (int i = 0; i < dimension; ++i) {
         double d = -body.start[slot][i] + wave * std::sin(37. * slot + 5 * i);
-        for (int j = 0; j < D; ++j) d += f(i, j) * body.start[slot][j];
+        for (int j = 0; j < dimension; ++j) d += f(i, j) * body.start[slot][j];
         body.displacement[i][slot] = d;
       }
     });
@@ -46,18 +48,18 @@ struct PointForces : testing::Test {
   static Matrix some_deformation() {
     Eigen::Matrix3d f;
     f << 1.2, 0.3, -0.1, -0.2, 0.9, 0.15, 0.05, -0.25, 1.1;
-    return f.topLeftCorner<D, D>();
+    return f.topLeftCorner<dimension, dimension>();
   }
 
   /// [slot][axis] forces from the change of velocity in a step so short that nothing moves.
-  static std::vector<Point<D>> forces(PointSolver<D>& solver) {
+  static std::vector<Point<dimension>> forces(PointSolver<dimension>& solver) {
     constexpr double dt = 1e-9;
     auto& body = solver.state().bodies[0];
     for (auto& component : body.velocity) std::fill_n(component.get(), body.slots, 0);
     solver.step(dt);
-    std::vector<Point<D>> force(body.slots);
+    std::vector<Point<dimension>> force(body.slots);
     for (std::int64_t s = 0; s < body.slots; ++s) {
-      for (int a = 0; a < D; ++a) force[s][a] = body.velocity[a][s] * body.mass[s] / dt;
+      for (int a = 0; a < dimension; ++a) force[s][a] = body.velocity[a][s] * body.mass[s] / dt;
     }
     return force;
   }

@@ -13,12 +13,12 @@ namespace pliant::test {
 namespace {
 
 const std::string tumbling = "velocity = [\"3*y + sin(4*x)\", \"1 - 3*x\", \"2*cos(3*y)\"]\n";
-const std::string clamp = R"([[boundary]]
+const std::string clamp = R"toml([[boundary]]
 name = "clamp"
 kind = "moving_wall"
 geometry = { shape = "half_space", point = [0, 0, 0], normal = [1, 0, 0] }
 velocity = [0, "0.4*cos(3*t)", 0]
-)";
+)toml";
 
 TEST(point_based, a_tumbling_block_keeps_momenta_to_rounding_and_its_energy) {
   PointSolver<3> solver(tests::read_text(free_points(3) + tumbling),
@@ -52,8 +52,7 @@ geometry = { shape = "half_space", point = [0, 0.25], normal = [0, -1] }
                                              "velocity = [\"1e-4*cos(pi*x)\", 0]\n" + walls,
                                          {"discretisation.spacing=" + spacing});
   PointSolver<2> solver(settings, {1, kernels::widest_supported()});
-  const double frequency =
-      std::numbers::pi * std::sqrt(100 * 0.3 / (1.3 * 0.4) + 2 * 100 / 2.6);
+  const double frequency = std::numbers::pi * std::sqrt(100 * 0.3 / (1.3 * 0.4) + 2 * 100 / 2.6);
   const double time = 2.2 * std::numbers::pi / frequency;
   advance_until(solver, time);
   double error = 0;
