@@ -35,9 +35,9 @@ ENGINE = {
     "method": DATA | {"output"},
     "remeshed": METHOD,
     "total_lagrangian": METHOD,
-    "sph": METHOD | {"remeshed"},
     "point_based": METHOD,
-    "simulation": METHOD | {"remeshed", "total_lagrangian", "sph", "point_based"},
+    "sph": METHOD | {"remeshed"},
+    "simulation": METHOD | {"remeshed", "total_lagrangian", "point_based", "sph"},
     "api": METHOD | {"simulation"},
     "bench": METHOD | {"simulation", "remeshed"},  # bytes of a stage, from the list of fields
     "cli": METHOD | {"simulation", "bench"},

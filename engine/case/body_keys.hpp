@@ -43,6 +43,8 @@ void material_keys(Visitor& visit, MaterialCase& material) {
   if (material.model == MaterialCase::Model::linear) {
     visit("equation_of_state", material.equation_of_state,
           {.meaning = "pressure as a function of the density", .example = R"("linear")"});
+  }
+  if (material.model != MaterialCase::Model::reduced_polynomial) {
     visit("youngs_modulus", material.youngs_modulus,
           {.meaning = "Young's modulus E",
            .unit = "Pa",
@@ -111,6 +113,41 @@ void body_keys(Visitor& visit, BodyCase& body) {
   visit("rotation", body.velocity.rotation,
         {.meaning = "initial rigid rotation, added to velocity, see rotation",
          .example = "{ centre = [0, 0], angular_velocity = 1 }"});
+}
+
+template <class Visitor>
+void cut_keys(Visitor& visit, CutCase& cut) {
+  visit("name", Name{cut.name},
+        {.meaning = "name, to which --set refers", .example = R"("scalpel")", .required = true});
+  visit("body", BodyName{cut.body}, {.meaning = "name of the body; by default the first one"});
+  visit("from", cut.from,
+        {.meaning = "start of the blade's edge at time start, in the undeformed body; in 2D the "
+                    "edge is this point",
+         .unit = "m",
+         .example = "[0, 0, 1]",
+         .required = true});
+  visit("to", cut.to,
+        {.meaning = "end of the edge, in 3D; edges that end inside the body leave it whole there",
+         .unit = "m",
+         .example = "[0, 0, 0.5]"});
+  visit("path", cut.path,
+        {.meaning = "displacement of the edge since time start, in the undeformed body, numbers or "
+                    "formulas of t",
+         .unit = "m",
+         .example = R"toml(["0.1*t", 0, 0])toml",
+         .required = true,
+         .variables = "t"});
+  visit("start", cut.start,
+        {.meaning = "time at which the blade starts to cut",
+         .unit = "s",
+         .example = "0.5",
+         .limits = not_negative});
+  visit("end", cut.end,
+        {.meaning = "time at which the blade has cut",
+         .unit = "s",
+         .example = "1",
+         .limits = not_negative,
+         .required = true});
 }
 
 template <class Visitor>

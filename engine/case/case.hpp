@@ -35,13 +35,13 @@ struct PronyCase {
 
 /// A material in the words of case files; `elastic_constants` gives what the kernels read.
 struct MaterialCase {
-  enum class Model { linear, reduced_polynomial };
+  enum class Model { linear, reduced_polynomial, neo_hookean, st_venant_kirchhoff };
   enum class EquationOfState { linear, logarithmic };
   Model model = Model::linear;
   double density = 0;                                           ///< [kg/m^3]
   EquationOfState equation_of_state = EquationOfState::linear;  ///< linear: (RP.5) or (RP.6)
-  double youngs_modulus = 0;                                    ///< linear: E [Pa]
-  double poissons_ratio = 0;                                    ///< linear: nu
+  double youngs_modulus = 0;                                    ///< all but the polynomial: E [Pa]
+  double poissons_ratio = 0;                                    ///< the same: nu
   std::vector<double> coefficients;  ///< reduced polynomial: C_10, C_20, ... [Pa]
   double compressibility = 0;        ///< reduced polynomial: D [1/Pa]
   PronyCase prony;                   ///< reduced polynomial
@@ -91,6 +91,15 @@ struct ContactCase {
   ContactLaw law = ContactLaw::frictionless;
 };
 
+/// A blade that cuts a body: its edge sweeps a surface of the undeformed body.
+struct CutCase {
+  std::string name;
+  int body = 0;
+  Vector from = {}, to = {};  ///< ends of the edge at `start` (in 2D the edge is `from`) [m]
+  VectorExpression path;      ///< displacement of the edge since `start`, of t [m]
+  double start = 0, end = 0;  ///< when it cuts [s]
+};
+
 struct MeasurementCase {
   /// measurement_kinds.hpp says what they are.
   enum class Kind {
@@ -113,6 +122,8 @@ struct MeasurementCase {
     contact_force,
     volume,
     surface_area,
+    connected_parts,
+    largest_part_volume,
     minimum_particle_distance,
     velocity_error,
     period,
@@ -156,6 +167,12 @@ enum class GhostTreatment { linear, averaged, rigid };
 enum class VolumeRule { reset, conserved };
 /// What a run does when a check of it fails.
 enum class CheckResponse { off, warn, stop };
+/// Where nodes of the point-based method lie that come from no mesh of tetrahedra.
+enum class NodePlacement { lattice, octree };
+/// How cuts change the weights of bonds, (CU.1)-(CU.5).
+enum class CutRule { visibility, transparency, product, enrichment_grid };
+/// When the forces of a step act: at its start or in its middle (PB.10).
+enum class Integrator { leapfrog, kick_drift };
 /// Scalar type of the fields.
 enum class Precision { binary64, binary32 };
 
@@ -187,6 +204,17 @@ struct Case {
   } total_lagrangian;
 
   struct {
+    NodePlacement nodes = NodePlacement::lattice;
+    double coarsest_spacing = 0;  ///< of an octree [m]; 0: four times the spacing
+    CutRule cut_rule = CutRule::transparency;
+    int neighbours = 0;                   ///< of each node; 0: 26 in 3D, 12 in 2D
+    std::optional<double> stabilisation;  ///< alpha of (PB.5); none: as the nodes need it
+    Integrator integrator = Integrator::leapfrog;
+    double damping = 0;            ///< mass-proportional, (PB.10) [1/s]
+    double stiffness_damping = 0;  ///< beta of (PB.9) [s]
+  } point_based;
+
+  struct {
     double artificial_viscosity = 1;  ///< alpha of (RP.27)
     double artificial_stress = 0.3;   ///< epsilon of (RP.28)
   } sph;
@@ -215,6 +243,7 @@ struct Case {
   std::vector<BodyCase> bodies;
   std::vector<BoundaryCase> boundaries;
   std::vector<ContactCase> contacts;
+  std::vector<CutCase> cuts;
   std::vector<MeasurementCase> measurements;
 
   struct {

@@ -79,6 +79,7 @@ void check_wall_motion(const Check& check) {
 void check_case(const Check& check) {
   check_names(check, "body", check.a_case.bodies);
   check_names(check, "boundary", check.a_case.boundaries);
+  check_names(check, "cut", check.a_case.cuts);
   check_names(check, "measurement", check.a_case.measurements);
   check_method(check);
   check_bodies(check);

@@ -51,6 +51,19 @@ void refuse_measurements(const Check& check, bool (*is_measured)(MeasurementCase
   }
 }
 
+void refuse_models_of_points(const Check& check) {
+  using Model = MaterialCase::Model;
+  for (std::size_t i = 0; i < check.a_case.bodies.size(); ++i) {
+    const Model model = check.a_case.bodies[i].material_as_given.model;
+    if (model == Model::linear || model == Model::reduced_polynomial) continue;
+    check.problems.add(
+        check.place("body", i, "material"),
+        fmt::format("method \"{}\" has no material with model = \"{}\"", check.a_case.method,
+                    text_of(model)),
+        "take model = \"linear\" or \"reduced_polynomial\", or method = \"point_based\"");
+  }
+}
+
 void check_method(const Check& check) {
   for (const MethodRules& method : check.methods) {
     if (method.word == check.a_case.method) {

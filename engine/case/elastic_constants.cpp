@@ -8,7 +8,7 @@ namespace pliant {
 kernels::Material<double> elastic_constants(const MaterialCase& given) {
   kernels::Material<double> material;
   material.density = given.density;
-  if (given.model == MaterialCase::Model::linear) {
+  if (given.model != MaterialCase::Model::reduced_polynomial) {
     material.model = given.equation_of_state == MaterialCase::EquationOfState::linear
                          ? kernels::Model::linear_rho
                          : kernels::Model::linear_log;

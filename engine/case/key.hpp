@@ -61,6 +61,9 @@ struct MassScaling {  ///< a number or "match_time_step"
 struct Damping {  ///< a number or "adaptive"
   std::optional<double>& damping;
 };
+struct Stabilisation {  ///< a number or "automatic"
+  std::optional<double>& strength;
+};
 struct RemeshRule {  ///< a number of steps, "adaptive" or "never"
   decltype(Case::remeshing)& remeshing;
 };

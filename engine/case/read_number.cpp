@@ -186,6 +186,10 @@ bool read(const Entry& entry, Damping value) {
   return read_number_or(entry, "adaptive", value.damping, "a rate as in damping = 0.5");
 }
 
+bool read(const Entry& entry, Stabilisation value) {
+  return read_number_or(entry, "automatic", value.strength, "a number as in stabilisation = 0.1");
+}
+
 bool read(const Entry& entry, RemeshRule value) {
   using Policy = decltype(Case::remeshing)::Policy;
   const auto text = entry.node.value<std::string_view>();

@@ -123,6 +123,10 @@ std::string toml_text(Damping value, const Writing& writing) {
   return value.damping ? toml_text(*value.damping, writing) : "\"adaptive\"";
 }
 
+std::string toml_text(Stabilisation value, const Writing& writing) {
+  return value.strength ? toml_text(*value.strength, writing) : "\"automatic\"";
+}
+
 std::string toml_text(RemeshRule value, const Writing& writing) {
   using Policy = decltype(Case::remeshing)::Policy;
   if (value.remeshing.policy == Policy::adaptive) return "\"adaptive\"";

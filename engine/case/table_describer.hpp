@@ -42,6 +42,7 @@ inline std::string type_of(const Name&) { return "name"; }
 inline std::string type_of(const MethodWord& value) { return joined_words(words_of(value.known)); }
 inline std::string type_of(const StepRule&) { return "number or `\"cfl\"`"; }
 inline std::string type_of(const MassScaling&) { return "number or `\"match_time_step\"`"; }
+inline std::string type_of(const Stabilisation&) { return "number or `\"automatic\"`"; }
 inline std::string type_of(const Damping&) { return "number or `\"adaptive\"`"; }
 inline std::string type_of(const RemeshRule&) {
   return R"(whole number, `"adaptive"` or `"never"`)";

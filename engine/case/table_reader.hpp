@@ -59,6 +59,7 @@ bool read(const Entry& entry, MethodWord value);
 bool read(const Entry& entry, StepRule value);
 bool read(const Entry& entry, MassScaling value);
 bool read(const Entry& entry, Damping value);
+bool read(const Entry& entry, Stabilisation value);
 bool read(const Entry& entry, RemeshRule value);
 bool read(const Entry& entry, AxisSet value);
 bool read(const Entry& entry, Direction value);

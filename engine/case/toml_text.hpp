@@ -37,6 +37,7 @@ std::string toml_text(MethodWord value, const Writing&);
 std::string toml_text(StepRule value, const Writing&);
 std::string toml_text(MassScaling value, const Writing&);
 std::string toml_text(Damping value, const Writing&);
+std::string toml_text(Stabilisation value, const Writing&);
 std::string toml_text(RemeshRule value, const Writing&);
 std::string toml_text(AxisSet value, const Writing&);
 std::string toml_text(Direction value, const Writing&);

@@ -73,6 +73,8 @@ std::string model_name(const BodyCase& body) {
     if (terms == 0) return text;
     return text + fmt::format(" with {} Prony term{}", terms, terms == 1 ? "" : "s");
   }
+  if (material.model == MaterialCase::Model::neo_hookean) return "neo-Hookean";
+  if (material.model == MaterialCase::Model::st_venant_kirchhoff) return "St. Venant-Kirchhoff";
   return fmt::format("linear elastic, {} equation of state", text_of(material.equation_of_state));
 }
 

@@ -174,6 +174,42 @@ void check_keys(Visitor& visit, decltype(Case::checks)& checks) {
 }
 
 template <class Visitor>
+void point_based_keys(Visitor& visit, decltype(Case::point_based)& method) {
+  visit("nodes", method.nodes,
+        {.meaning = "places of the nodes of a body whose geometry is no mesh of tetrahedra",
+         .example = R"("lattice")"});
+  visit(
+      "coarsest_spacing", method.coarsest_spacing,
+      {.meaning = "largest distance between the nodes of an octree; 0 takes four times the spacing",
+       .unit = "m",
+       .example = "0.01",
+       .limits = not_negative});
+  visit(
+      "cut_rule", method.cut_rule,
+      {.meaning = "what a cut leaves of the bonds that it crosses", .example = R"("visibility")"});
+  visit("neighbours", method.neighbours,
+        {.meaning = "neighbours of each node (PB.2); 0 takes 26 in 3D and 12 in 2D",
+         .example = "26",
+         .limits = {0, 64, true, true, "from 0 to 64"}});
+  visit("stabilisation", Stabilisation{method.stabilisation},
+        {.meaning = R"(alpha of (PB.5), or "automatic": 0.1 on lattices, 0.3 on other nodes)",
+         .example = "0.1",
+         .limits = {0, 2, true, true, "from 0 to 2"}});
+  visit("integrator", method.integrator,
+        {.meaning = "when the forces of a step act", .example = R"("leapfrog")"});
+  visit("damping", method.damping,
+        {.meaning = "mass-proportional damping rate (PB.10)",
+         .unit = "1/s",
+         .example = "0.5",
+         .limits = not_negative});
+  visit("stiffness_damping", method.stiffness_damping,
+        {.meaning = "stiffness-proportional damping time (PB.9), which damps fast motion most",
+         .unit = "s",
+         .example = "1e-4",
+         .limits = not_negative});
+}
+
+template <class Visitor>
 void case_keys(Visitor& visit, Case& a_case) {
   visit("title", a_case.title,
         {.meaning = "title of the case, one line", .example = R"("A case")"});
@@ -219,6 +255,9 @@ void case_keys(Visitor& visit, Case& a_case) {
   visit.optional_table("total_lagrangian", "Parameters of method = \"total_lagrangian\".",
                        a_case.method == "total_lagrangian",
                        [&](auto& keys) { total_lagrangian_keys(keys, a_case.total_lagrangian); });
+  visit.optional_table("point_based", "Parameters of method = \"point_based\".",
+                       a_case.method == "point_based",
+                       [&](auto& keys) { point_based_keys(keys, a_case.point_based); });
   visit.optional_table("sph", "Parameters of method = \"sph\".", a_case.method == "sph",
                        [&](auto& keys) { sph_keys(keys, a_case.sph); });
   const auto& periodic = a_case.periodic.axis;
@@ -234,6 +273,8 @@ void case_keys(Visitor& visit, Case& a_case) {
   visit.list(
       "contact", "Contact between two bodies. Bodies without a contact pass through each other.",
       a_case.contacts, [](auto& keys, ContactCase& contact) { contact_keys(keys, contact); });
+  visit.list("cut", "Blade that cuts a body (point_based only).", a_case.cuts,
+             [](auto& keys, CutCase& cut) { cut_keys(keys, cut); });
   visit.table("output", "Output files and intervals.",
               [&](auto& keys) { output_keys(keys, a_case.output); });
   visit.table("checks", "What is watched in a run, see checks in the user guide.",

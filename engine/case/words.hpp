@@ -69,7 +69,35 @@ template <>
 inline constexpr std::array words<MaterialCase::Model>{
     word(MaterialCase::Model::linear, "linear", "Hooke's law with the Jaumann rate (RP.3)"),
     word(MaterialCase::Model::reduced_polynomial, "reduced_polynomial",
-         "hyperelastic reduced polynomial with up to five coefficients (RP.9)")};
+         "hyperelastic reduced polynomial with up to five coefficients (RP.9)"),
+    word(MaterialCase::Model::neo_hookean, "neo_hookean",
+         "hyperelastic, stable in compression (PB.6), for point_based only"),
+    word(MaterialCase::Model::st_venant_kirchhoff, "st_venant_kirchhoff",
+         "Hooke's law of the Green strain (PB.7), for point_based only; loses stiffness below a "
+         "stretch of 0.58")};
+
+template <>
+inline constexpr std::array words<NodePlacement>{
+    word(NodePlacement::lattice, "lattice", "on a lattice of the given spacing"),
+    word(NodePlacement::octree, "octree",
+         "in the leaves of an octree: at the spacing on the surface, coarser inside")};
+
+template <>
+inline constexpr std::array words<CutRule>{
+    word(CutRule::transparency, "transparency",
+         "a crossed bond loses its weight as the front of the cut moves away from it (CU.1)"),
+    word(CutRule::visibility, "visibility", "a crossed bond has no weight"),
+    word(CutRule::product, "product",
+         "distance enrichment of each piece, multiplied (CU.3), (CU.4); for comparison"),
+    word(CutRule::enrichment_grid, "enrichment_grid",
+         "distance enrichment of the whole cut (CU.3), (CU.5)")};
+
+template <>
+inline constexpr std::array words<Integrator>{
+    word(Integrator::leapfrog, "leapfrog", "forces act in the middle of a step; second order"),
+    word(Integrator::kick_drift, "kick_drift",
+         "forces act at its start (symplectic Euler); positions of second order, velocities half a "
+         "step late")};
 
 template <>
 inline constexpr std::array words<MaterialCase::EquationOfState>{

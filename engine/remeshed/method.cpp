@@ -71,6 +71,8 @@ void check(const Check& check) {
   check_contact_steps(check);
   check_contact_walls(check);
   check_tractions(check);
+  refuse_tables(check, {"cut"});
+  refuse_models_of_points(check);
   refuse_measurements(check, Measurer<double, 2>::is_measured);
 }
 

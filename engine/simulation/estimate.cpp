@@ -59,8 +59,11 @@ struct Count {
 template <int D>
 Count count_on(const Case& a_case, const BodyCase& body, const Box& box, double spacing) {
   // Total Lagrangian particles lie on the corners of all cells that the body fills in part.
-  const bool on_corners = a_case.method == "total_lagrangian";
-  const double margin = on_corners ? spacing / 2 : 0, centre = on_corners ? 0 : 0.5;
+  const bool of_points = a_case.method == "point_based";
+  const bool on_corners = a_case.method == "total_lagrangian" || of_points;
+  // Those of the point-based method lie on the lattice points inside.
+  const double margin = of_points ? 1e-9 * spacing : on_corners ? spacing / 2 : 0;
+  const double centre = on_corners ? 0 : 0.5;
   Cell<D> lower = {}, upper = {};
   for (int a = 0; a < D; ++a) {
     lower[a] = on_corners ? -1 : 0;
@@ -124,6 +127,12 @@ Cost cost_of(const Case& a_case, const BodyCase& body) {
   if (a_case.method == "total_lagrangian") {
     // phi, fraction, mass and its inverse; five vectors; the modes of the forces
     return {value * (4.0 + 5 * D + D * kernels::cell_modes<D>), 0, D == 2 ? 150. : 400.};
+  }
+  if (a_case.method == "point_based") {
+    // Bonds, and about as many points of halos as of nodes; particles: search, frames and totals
+    const int asked = a_case.point_based.neighbours;
+    const double bonds = asked > 0 ? asked : D == 2 ? 12 : 26;
+    return {0, 0, bonds * (value * (D + 1.0) + 2) + value * (6.0 * D + 30) + 700};
   }
   return {value * (values_of_slot<D>(body) + 1), D == 2 ? 2500. : 1300., D == 2 ? 180. : 320.};
 }

@@ -1,5 +1,6 @@
 #include "engine/simulation/methods.hpp"
 
+#include "engine/point_based/method.hpp"
 #include "engine/remeshed/method.hpp"
 #include "engine/sph/method.hpp"
 #include "engine/total_lagrangian/method.hpp"
@@ -8,7 +9,7 @@ namespace pliant {
 
 const MethodRegistry& methods() {
   static const MethodRegistry registry(
-      {remeshed::method(), total_lagrangian::method(), sph::method()});
+      {remeshed::method(), total_lagrangian::method(), point_based::method(), sph::method()});
   return registry;
 }
 

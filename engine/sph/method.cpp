@@ -11,12 +11,13 @@ namespace {
 // Plain SPH has neither ghosts nor a level set, and no nodes to which its particles return.
 void check(const Check& check) {
   const Case& a_case = check.a_case;
-  refuse_tables(check, {"remeshing", "level_set", "ghosts", "contact"});
+  refuse_tables(check, {"remeshing", "level_set", "ghosts", "contact", "cut"});
   if (!a_case.boundaries.empty()) {
     check.problems.add(check.place("boundary", 0, "kind"),
                        "method sph has free surfaces and periodic cells only",
                        "take the boundaries out, or method = \"remeshed\"");
   }
+  refuse_models_of_points(check);
   refuse_measurements(check, remeshed::Measurer<double, 2>::is_measured_on_particles);
   if (a_case.output.surface) {
     check.problems.add(check.place("output", "surface"),

@@ -30,7 +30,7 @@ void check_body(const Check& check, std::size_t i) {
 
 void check(const Check& check) {
   const Case& a_case = check.a_case;
-  refuse_tables(check, {"remeshing", "level_set", "ghosts", "periodic", "contact"});
+  refuse_tables(check, {"remeshing", "level_set", "ghosts", "periodic", "contact", "cut"});
   for (std::size_t i = 0; i < a_case.bodies.size(); ++i) check_body(check, i);
   refuse_measurements(check, Measurer<double, 2>::is_measured);
   if (a_case.total_lagrangian.match_time_step && !a_case.time.step) {

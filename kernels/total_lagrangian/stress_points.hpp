@@ -1,32 +1,12 @@
 #pragma once
 
+#include "kernels/cofactor.hpp"
 #include "kernels/law.hpp"
 #include "kernels/total_lagrangian/corner_modes.hpp"
 
 /// Stress points: corner displacements -> modes -> F -> Cauchy stress -> first Piola-Kirchhoff
 /// stress -> forces, mode by mode.
 namespace pliant::kernels {
-
-/// cof F = J F^-T, row by row.
-template <class P>
-inline void cofactor(const P (&f)[4], P (&cof)[4]) {
-  const P zero(Scalar<P>(0));
-  cof[0] = f[3];
-  cof[1] = zero - f[2];
-  cof[2] = zero - f[1];
-  cof[3] = f[0];
-}
-
-template <class P>
-inline void cofactor(const P (&f)[9], P (&cof)[9]) {
-  for (int i = 0; i < 3; ++i) {
-    const int i1 = 3 * ((i + 1) % 3), i2 = 3 * ((i + 2) % 3);
-    for (int j = 0; j < 3; ++j) {
-      const int j1 = (j + 1) % 3, j2 = (j + 2) % 3;
-      cof[3 * i + j] = fused_minus(f[i1 + j2], f[i2 + j1], f[i1 + j1] * f[i2 + j2]);
-    }
-  }
-}
 
 /// Bound of the largest singular value: sqrt(largest row sum * largest column sum), squared.
 template <class P, int D>

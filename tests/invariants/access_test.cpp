@@ -3,12 +3,15 @@
 #include <algorithm>
 #include <array>
 
+#include "engine/point_based/regions.hpp"
+#include "engine/point_based/solver.hpp"
 #include "engine/remeshed/regions.hpp"
 #include "engine/remeshed/resources.hpp"
 #include "engine/sph/solver.hpp"
 #include "engine/total_lagrangian/regions.hpp"
 #include "engine/total_lagrangian/solver.hpp"
 #include "scheduler/access_check.hpp"
+#include "tests/engine/case/written_case.hpp"
 #include "tests/invariants/sample_runs.hpp"
 
 // Phases declare all that they read and write: the graph orders them by that, and in several
@@ -106,6 +109,45 @@ TEST(accesses, of_the_total_lagrangian_method_are_declared) {
         add(region, !are_integers, memory);
       }
     });
+    solver.step(HUGE_VAL);
+  });
+  EXPECT_EQ(text(accesses), "");
+}
+
+TEST(accesses, of_the_point_based_method_are_declared) {
+  const Case settings = tests::read_text(R"(dimension = 3
+method = "point_based"
+[discretisation]
+spacing = 0.1
+[time]
+end = 1
+[point_based]
+stiffness_damping = 1e-4
+[[body]]
+name = "block"
+geometry = { shape = "box", lower = [0, 0, 0], upper = [1, 1, 1] }
+material = { model = "neo_hookean", youngs_modulus = 100, poissons_ratio = 0.3, density = 2 }
+velocity = ["sin(3*y)", 0, "x"]
+[[boundary]]
+name = "floor"
+kind = "fixed"
+geometry = {
+    shape = "half_space", point = [ 0, 0, 0 ], normal = [ 0, 0, 1 ] }
+[[boundary]]
+name = "air"
+kind = "pressure"
+geometry = { shape = "half_space", point = [0, 0, 0.5], normal = [0, 0, -1] }
+pressure = 1
+)");
+  const auto accesses = undeclared_accesses([&](AccessProbe& probe) {
+    point_based::Solver<double, 3> solver(settings, {.threads = 1});
+    for (int step = 0; step < 3; ++step) solver.step(HUGE_VAL);
+    probe.watch(solver.workers(),
+                [&](const StepGraph&, FieldId field, BlockId block, FieldMemory& memory) {
+                  for (const auto& region : point_based::regions(solver.state(), field, block)) {
+                    add(region.bytes, region.are_numbers, memory);
+                  }
+                });
     solver.step(HUGE_VAL);
   });
   EXPECT_EQ(text(accesses), "");

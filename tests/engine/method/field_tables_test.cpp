@@ -4,6 +4,7 @@
 #include <fstream>
 #include <sstream>
 
+#include "engine/point_based/fields.hpp"
 #include "engine/remeshed/fields.hpp"
 #include "engine/total_lagrangian/fields.hpp"
 
@@ -91,6 +92,11 @@ TEST(fields, of_the_remeshed_method_are_on_their_page) {
 
 TEST(fields, of_the_total_lagrangian_method_are_on_their_page) {
   const std::string expected = tables(total_lagrangian::index_spaces, total_lagrangian::field_list);
+  EXPECT_NE(page().find(expected), std::string::npos) << "docs/fields.md should hold\n" << expected;
+}
+
+TEST(fields, of_the_point_based_method_are_on_their_page) {
+  const std::string expected = tables(point_based::index_spaces, point_based::field_list);
   EXPECT_NE(page().find(expected), std::string::npos) << "docs/fields.md should hold\n" << expected;
 }
 

@@ -12,7 +12,8 @@ TEST(crossing, is_where_the_bond_meets_the_piece) {
   const auto in_2d = crossing<2>({0, 0}, {1, 1}, {{{0, 0.5}, {1, 0.5}}});
   ASSERT_TRUE(in_2d);
   EXPECT_DOUBLE_EQ((*in_2d)[0], 0.5);
-  const auto in_3d = crossing<3>({0.2, 0.2, -1}, {0.2, 0.2, 3}, {{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}});
+  const auto in_3d =
+      crossing<3>({0.2, 0.2, -1}, {0.2, 0.2, 3}, {{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}});
   ASSERT_TRUE(in_3d);
   EXPECT_NEAR((*in_3d)[2], 0, 1e-15);
   EXPECT_FALSE(crossing<2>({0, 0}, {1, 0.4}, {{{0, 0.5}, {1, 0.5}}}));
@@ -44,8 +45,8 @@ TEST(crossing, no_bond_slips_through_between_the_triangles_of_a_strip) {
     return MaterialPoint<3>{c * x - s * z, y, s * x + c * z};
   };
   for (int k = 0; k <= 6; ++k) {
-    strip.add_station({turned(k / 3. - 1, -1, 0), turned(k / 3. - 1, 0.1, 0),
-                       turned(k / 3. - 1, 1, 0)});
+    strip.add_station(
+        {turned(k / 3. - 1, -1, 0), turned(k / 3. - 1, 0.1, 0), turned(k / 3. - 1, 1, 0)});
   }
   ASSERT_EQ(strip.pieces().size(), 24u);
   for (int trial = 0; trial < 3000; ++trial) {

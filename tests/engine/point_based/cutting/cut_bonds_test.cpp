@@ -48,7 +48,8 @@ TEST(cut_bonds, a_complete_cut_in_2d_leaves_no_bond_across) {
 
 TEST(cut_bonds, a_complete_cut_in_3d_leaves_no_bond_across) {
   const LatticeBonds<3> lattice({8, 8, 8}, 0.125);
-  for (const CutRule rule : {CutRule::visibility, CutRule::transparency, CutRule::enrichment_grid}) {
+  for (const CutRule rule :
+       {CutRule::visibility, CutRule::transparency, CutRule::enrichment_grid}) {
     CutBonds<3> cut = lattice.cut_by(rule, {1, 1, 1});
     cut.add_cut();
     // The plane x + z = 0.9, swept along y by a blade that is longer than the body.
@@ -80,7 +81,8 @@ TEST(cut_bonds, a_cut_through_nodes_separates_the_body_too) {
 
 TEST(cut_bonds, crossing_and_branching_cuts_make_four_parts_and_three) {
   const LatticeBonds<2> lattice({20, 20}, 0.1);
-  for (const CutRule rule : {CutRule::visibility, CutRule::transparency, CutRule::enrichment_grid}) {
+  for (const CutRule rule :
+       {CutRule::visibility, CutRule::transparency, CutRule::enrichment_grid}) {
     CutBonds<2> crossing = lattice.cut_by(rule, {2, 2});
     CutBonds<2> branching = lattice.cut_by(rule, {2, 2});
     for (int k = 0; k < 2; ++k) crossing.add_cut(), branching.add_cut();
@@ -167,8 +169,8 @@ TEST(cut_bonds, an_advance_names_the_nodes_near_it_only) {
     for (std::int64_t b = cut.bonds().first[i]; b < cut.bonds().first[i + 1]; ++b) {
       has_changed = has_changed || before[b] != cut.factors()[b];
     }
-    EXPECT_EQ(has_changed, std::binary_search(changed.begin(), changed.end(),
-                                              static_cast<std::int32_t>(i)));
+    EXPECT_EQ(has_changed,
+              std::binary_search(changed.begin(), changed.end(), static_cast<std::int32_t>(i)));
   }
 }
 

@@ -1,0 +1,166 @@
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cstdint>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "engine/case/case.hpp"
+#include "engine/lattice/lattice.hpp"
+#include "engine/point_based/fields.hpp"
+#include "engine/storage/buffer.hpp"
+#include "kernels/point_based/table.hpp"
+#include "scheduler/blocks.hpp"
+
+namespace pliant::point_based {
+
+/// A run of nodes along the Hilbert curve, filled up to whole packs with slots without mass.
+struct NodeBlock {
+  std::int64_t first;       ///< slot
+  int count;                ///< slots
+  int nodes;                ///< of them
+  std::int64_t first_halo;  ///< of the block in `Body::halo`
+  int halo_count;
+
+  /// Of the block in arrays of points, which hold own slots and halo of one block after another.
+  std::int64_t first_point() const { return first + first_halo; }
+};
+
+/// A node whose velocity a wall sets.
+template <int D>
+struct ConstrainedNode {
+  std::int32_t slot;
+  std::int32_t wall;
+  Point<D> normal;  ///< of a slip wall, out of it; zero at a no-slip wall
+};
+
+/// Nodes of a block that one pressure acts on.
+template <int D>
+struct PressedNode {
+  std::int32_t slot;
+  std::int32_t pressure;
+  Point<D> area;  ///< share of the undeformed surface, outwards [m^(D-1)]
+};
+
+/// The undeformed surface of a body, in segments (2D) or triangles (3D) whose corners move with the
+/// nodes nearest to them.
+template <int D>
+struct BodySurface {
+  std::vector<Point<D>> start;                     ///< [corner] [m]
+  std::vector<std::int32_t> node;                  ///< [corner] slot
+  std::vector<std::array<std::int32_t, D>> facet;  ///< corners, seen from outside
+  std::vector<bool> is_free;                       ///< [facet] not on a wall
+};
+
+/// One body: nodes of its undeformed shape, and the bonds between them.
+template <class T, int D>
+struct Body {
+  static constexpr int symmetric = kernels::symmetric_components<D>;
+
+  std::string name;
+  const BodyCase* source = nullptr;
+  kernels::PointMaterial<T> material;
+  std::int64_t particles = 0, slots = 0;
+  int bonds = 0;              ///< of each node, those of no weight included
+  double resolution = 0;      ///< H, the least V^(1/D) [m]
+  double volume_at_rest = 0;  ///< [m^D]
+  std::vector<NodeBlock> blocks;
+  scheduler::Blocks adjacency;       ///< blocks whose nodes have bonds
+  std::vector<Point<D>> start;       ///< [slot] undeformed positions [m]
+  std::vector<std::int64_t> number;  ///< [slot] of the node in its cloud; -1: none
+  Buffer<T> mass;                    ///< [kg]
+  Buffer<T> inverse_mass;            ///< [1/kg], 0 where there is no node
+  Buffer<T> volume, stiffness;       ///< [m^D], [N/m]
+  std::array<Buffer<T>, symmetric> moment, strain;
+  std::array<Buffer<T>, D> displacement, velocity;
+  std::array<Buffer<T>, D> pressure_load, traction;  ///< [N], where loads act
+  /// At the end of a step that an output time divides [m]; of no meaning at other times.
+  std::array<Buffer<T>, D> end_displacement;
+  Buffer<std::uint16_t> neighbour;  ///< [pack][bond][lane] local numbers
+  Buffer<T> bond;                   ///< [pack][bond][D + 1][lane] g, w
+  std::vector<std::int32_t> halo;   ///< slots, ascending in each block
+  Buffer<T> point, force;           ///< [slots and halos][point_stride]
+  std::vector<std::vector<kernels::CollectedForces<T>>> collected;  ///< [block]
+  std::vector<std::vector<ConstrainedNode<D>>> held;                ///< [block]
+  std::vector<std::vector<PressedNode<D>>> pressed;                 ///< [block]
+  BodySurface<D> surface;
+
+  bool is_loaded() const { return traction[0].bytes() > 0; }
+  bool is_viscous() const { return strain[0].bytes() > 0; }
+  bool is_particle(std::int64_t slot) const { return inverse_mass[slot] > 0; }
+
+  /// Calls f(field, buffers) for every array of slots.
+  template <class F>
+  void for_each_array(F&& f) {
+    visit_arrays(*this, f);
+  }
+  template <class F>
+  void for_each_array(F&& f) const {
+    visit_arrays(*this, f);
+  }
+
+  /// Calls f(slot) for every node, in the order of the slots.
+  template <class F>
+  void for_each_node(F&& f) const {
+    for (const NodeBlock& block : blocks) {
+      for (int i = 0; i < block.nodes; ++i) f(block.first + i);
+    }
+  }
+
+  /// The block that a slot belongs to.
+  const NodeBlock& block_of(std::int64_t slot) const {
+    const auto after =
+        std::upper_bound(blocks.begin(), blocks.end(), slot,
+                         [](std::int64_t s, const NodeBlock& block) { return s < block.first; });
+    return *(after - 1);
+  }
+
+  /// Slot of a local number of a block.
+  std::int64_t slot_of(const NodeBlock& block, int local) const {
+    return local < block.count ? block.first + local
+                               : halo[block.first_halo + (local - block.count)];
+  }
+
+  /// Calls f(k, slot of the neighbour, g, w) for the bonds of a node; g and w as the kernels have
+  /// them.
+  template <class F>
+  void for_each_bond(const NodeBlock& block, std::int64_t slot, F&& f) const {
+    constexpr int lanes = kernels::slots_per_pack;
+    const std::int64_t pack = slot / lanes, lane = slot % lanes;
+    for (int k = 0; k < bonds; ++k) {
+      const std::int64_t at = pack * bonds + k;
+      Point<D> g;
+      for (int a = 0; a < D; ++a) g[a] = bond[(at * (D + 1) + a) * lanes + lane];
+      const double w = bond[(at * (D + 1) + D) * lanes + lane];
+      if (w > 0) f(k, slot_of(block, neighbour[at * lanes + lane]), g, w);
+    }
+  }
+
+  /// Where a node is at present [m].
+  Point<D> position(std::int64_t slot) const {
+    Point<D> x = start[slot];
+    for (int a = 0; a < D; ++a) x[a] += displacement[a][slot];
+    return x;
+  }
+
+ private:
+  template <class Self, class F>
+  static void visit_arrays(Self& body, F&& f) {
+    using std::span;
+    f(Field::displacement, span(body.displacement));
+    f(Field::end_displacement, span(body.end_displacement));
+    f(Field::velocity, span(body.velocity));
+    if (body.is_viscous()) f(Field::strain, span(body.strain));
+    f(Field::mass, span(&body.mass, 1));
+    f(Field::inverse_mass, span(&body.inverse_mass, 1));
+    f(Field::volume, span(&body.volume, 1));
+    f(Field::stiffness, span(&body.stiffness, 1));
+    f(Field::moment, span(body.moment));
+    if (body.is_loaded()) f(Field::pressure_load, span(body.pressure_load));
+    if (body.is_loaded()) f(Field::traction, span(body.traction));
+  }
+};
+
+}  // namespace pliant::point_based

@@ -1,0 +1,117 @@
+#pragma once
+
+#include <array>
+
+#include "engine/method/field.hpp"
+#include "engine/method/resources.hpp"
+
+/// The fields of the point-based method, declared once; docs/fields.md shows them as a table.
+namespace pliant::point_based {
+
+enum class Field {
+  displacement,
+  end_displacement,
+  velocity,
+  strain,
+  mass,
+  inverse_mass,
+  volume,
+  stiffness,
+  moment,
+  pressure_load,
+  traction,
+  neighbour,
+  bond,
+  halo,
+  constrained_node,
+  point,
+  own_force,
+  halo_force,
+  result
+};
+
+enum class IndexSpace { node, bond, halo, constrained_node, block };
+
+inline constexpr auto index_spaces = std::to_array<IndexSpaceDeclaration<IndexSpace>>({
+    {IndexSpace::node, "node", "a point of the undeformed body with a share of its volume"},
+    {IndexSpace::bond, "bond", "a node and one of its neighbours"},
+    {IndexSpace::halo, "halo", "a node of another block that a node of the block has as neighbour"},
+    {IndexSpace::constrained_node, "constrained node", "a node whose velocity a wall sets"},
+    {IndexSpace::block, "block", "the nodes that one worker takes at a time"},
+});
+
+/// Fields that phases always read or write together.
+enum class Group {
+  displacement,
+  velocity,
+  strain,
+  constants,
+  loads,
+  points,
+  own_forces,
+  halo_forces,
+  results
+};
+
+using Declaration = FieldDeclaration<Field, IndexSpace, Group>;
+
+// clang-format off
+inline constexpr auto field_list = [] {
+  using enum Rank;
+  using enum Remeshed;
+  using F = Field;
+  using S = IndexSpace;
+  using G = Group;
+  constexpr bool saved = true, shown = true;
+  return std::to_array<Declaration>({
+      {F::displacement, "d", "displacement", "m", vector, S::node, G::displacement, not_at_all, 1, saved, shown},
+      {F::end_displacement, "", "end_displacement", "m", vector, S::node, G::displacement, not_at_all, 1, saved},
+      {F::velocity, "u", "velocity", "m/s", vector, S::node, G::velocity, not_at_all, 1, saved, shown},
+      {F::strain, "E", "strain", "1", symmetric_tensor, S::node, G::strain, not_at_all, 1, saved},
+      {F::mass, "m", "mass", "kg", scalar, S::node, G::constants},
+      {F::inverse_mass, "1/m", "inverse_mass", "1/kg", scalar, S::node, G::constants},
+      {F::volume, "V", "volume", "m^D", scalar, S::node, G::constants},
+      {F::stiffness, "V kappa", "stiffness", "N/m", scalar, S::node, G::constants},
+      {F::moment, "A", "moment", "m^2", symmetric_tensor, S::node, G::constants},
+      {F::pressure_load, "p a", "pressure_load", "N", vector, S::node, G::loads},
+      {F::traction, "", "traction", "N", vector, S::node, G::loads},
+      {F::neighbour, "", "neighbour", "1", scalar, S::bond, G::constants},
+      {F::bond, "g, w", "bond", "1/m, 1", list, S::bond, G::constants},
+      {F::halo, "", "halo", "1", scalar, S::halo, G::constants},
+      {F::constrained_node, "n", "constrained_node", "1", list, S::constrained_node, G::constants},
+      {F::point, "d", "point", "m", list, S::node, G::points},
+      {F::own_force, "f", "own_force", "N", vector, S::node, G::own_forces},
+      {F::halo_force, "f", "halo_force", "N", vector, S::halo, G::halo_forces},
+      {F::result, "", "result", "1", list, S::block, G::results},
+  });
+}();
+// clang-format on
+
+constexpr const Declaration& declaration(Field field) {
+  return field_list[static_cast<int>(field)];
+}
+
+/// In the order of Group.
+inline constexpr auto group_list = std::to_array<GroupDeclaration<Group>>({
+    {Group::displacement, "d"},
+    {Group::velocity, "u"},
+    {Group::strain, "E"},
+    {Group::constants, "constants"},
+    {Group::loads, "loads"},
+    {Group::points, "points"},
+    {Group::own_forces, "own forces"},
+    {Group::halo_forces, "halo forces"},
+    {Group::results, "results"},
+});
+
+inline constexpr ResourceNumbers<Group, group_list.size()> resource_numbers(group_list);
+
+static_assert(is_in_order(index_spaces, &IndexSpaceDeclaration<IndexSpace>::space,
+                          IndexSpace::block));
+static_assert(is_in_order(field_list, &Declaration::field, Field::result));
+static_assert(is_in_order(group_list, &GroupDeclaration<Group>::group, Group::results));
+
+/// The resource of a group.
+inline Resources of(Group group) { return {resource_numbers({group})}; }
+
+}  // namespace pliant::point_based

@@ -1,0 +1,42 @@
+#pragma once
+
+#include <array>
+#include <span>
+#include <vector>
+
+#include "engine/lattice/lattice.hpp"
+#include "kernels/layout.hpp"
+
+/// The moving-least-squares gradient of a node.
+namespace pliant::point_based {
+
+/// w of (PB.2) at a distance over the support radius.
+double bond_weight(double relative_distance);
+
+/// What (PB.3) makes of the bonds of a node.
+template <int D>
+struct NodeOperator {
+  std::array<double, kernels::symmetric_components<D>> moment = {};  ///< A [m^2]
+  std::vector<Point<D>> gradient;  ///< [bond] g_ij [1/m], within the space that the bonds span
+  /// Directions that the bonds span: eigenvectors of A, those of the largest eigenvalues first.
+  std::array<Point<D>, D> direction = {};
+  int rank = 0;  ///< of them: D unless the neighbours are nearly on a plane or a line
+
+  double trace() const {
+    double sum = 0;
+    for (int a = 0; a < D; ++a) sum += moment[kernels::symmetric_index<D>(a, a)];
+    return sum;
+  }
+};
+
+/// Of bonds X_ij [m] with weights w_ij, (PB.3). Directions whose eigenvalue is below 1e-4 of the
+/// largest do not count: A is never regularised, which would exert forces on a turning body.
+template <int D>
+NodeOperator<D> node_operator(std::span<const Point<D>> bonds, std::span<const double> weights);
+
+extern template NodeOperator<2> node_operator<2>(std::span<const Point<2>>,
+                                                 std::span<const double>);
+extern template NodeOperator<3> node_operator<3>(std::span<const Point<3>>,
+                                                 std::span<const double>);
+
+}  // namespace pliant::point_based

@@ -1,0 +1,24 @@
+#pragma once
+
+#include <array>
+#include <pliant/field.hpp>
+#include <vector>
+
+#include "engine/point_based/body.hpp"
+
+/// The arrays of a body as callers of the library see them.
+namespace pliant::point_based {
+
+/// Where the nodes are, in ascending order of the slots.
+template <class T, int D>
+std::vector<SlotRun> particle_runs(const Body<T, D>& body);
+
+/// The fields as they lie in memory.
+template <class T, int D>
+std::vector<FieldView> field_views(const Body<T, D>& body);
+
+/// Positions of the nodes [m], in the order of the slots, z = 0 in 2D.
+template <class T, int D>
+std::vector<std::array<double, 3>> positions(const Body<T, D>& body);
+
+}  // namespace pliant::point_based

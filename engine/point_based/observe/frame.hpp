@@ -1,0 +1,12 @@
+#pragma once
+
+#include "engine/output/frame.hpp"
+#include "engine/point_based/state.hpp"
+
+namespace pliant::point_based {
+
+/// The nodes of a state as viewers see them, in SI units. There are no ghosts to show.
+template <class T, int D>
+Frame take_frame(const State<T, D>& state, const FrameParts& parts);
+
+}  // namespace pliant::point_based

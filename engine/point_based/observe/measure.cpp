@@ -1,0 +1,191 @@
+#include "engine/point_based/observe/measure.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+#include "engine/geometry/padded.hpp"
+#include "engine/point_based/cutting/connected_parts.hpp"
+#include "engine/point_based/node_state.hpp"
+#include "engine/point_based/surface.hpp"
+
+namespace pliant::point_based {
+
+namespace {
+
+constexpr double nothing = std::numeric_limits<double>::quiet_NaN();
+
+}  // namespace
+
+template <class T, int D>
+std::vector<double> Measurer<T, D>::operator()(
+    std::span<const MeasurementCase> measurements) const {
+  std::vector<double> values;
+  values.reserve(measurements.size());
+  for (const MeasurementCase& m : measurements) values.push_back(value(m));
+  return values;
+}
+
+template <class T, int D>
+auto Measurer<T, D>::function_of(MeasurementCase::Kind kind) -> Function {
+  using Quantity = MeasurementCase::Kind;
+  static constexpr std::pair<Quantity, Function> functions[] = {
+      {Quantity::extent, &Measurer::extent},
+      {Quantity::point_displacement, &Measurer::point_displacement},
+      {Quantity::mass, &Measurer::integral},
+      {Quantity::momentum, &Measurer::integral},
+      {Quantity::angular_momentum, &Measurer::integral},
+      {Quantity::kinetic_energy, &Measurer::integral},
+      {Quantity::strain_energy, &Measurer::integral},
+      {Quantity::total_energy, &Measurer::integral},
+      {Quantity::energy_ratio, &Measurer::integral},
+      {Quantity::volume, &Measurer::integral},
+      {Quantity::surface_area, &Measurer::surface_area},
+      {Quantity::connected_parts, &Measurer::parts},
+      {Quantity::largest_part_volume, &Measurer::parts},
+  };
+  for (const auto& [known, function] : functions) {
+    if (known == kind) return function;
+  }
+  return nullptr;
+}
+
+template <class T, int D>
+double Measurer<T, D>::value(const MeasurementCase& m) const {
+  const Function function = function_of(m.kind);
+  return function ? (this->*function)(m) : nothing;
+}
+
+template <class T, int D>
+double Measurer<T, D>::integral(const MeasurementCase& m) const {
+  return value_of(m, integrals(m.body, m.point), D);
+}
+
+template <class T, int D>
+double Measurer<T, D>::extent(const MeasurementCase& m) const {
+  const Body<T, D>& body = state_.bodies[m.body];
+  const double t = state_.clock.time, sign = m.lower_side ? -1 : 1;
+  double farthest = -std::numeric_limits<double>::infinity();
+  const std::vector<Point<D>> place = present_corners(body);
+  for (std::size_t f = 0; f < body.surface.facet.size(); ++f) {
+    if (!body.surface.is_free[f]) continue;
+    for (const std::int32_t corner : body.surface.facet[f]) {
+      const Vector at = padded<D>(place[corner]);
+      if (m.where && (*m.where)(at[0], at[1], at[2], t) == 0) continue;
+      farthest = std::max(farthest, sign * at[m.axis]);
+    }
+  }
+  return std::isfinite(farthest) ? farthest - sign * m.reference : nothing;
+}
+
+// Linear around the nearest node, as the gradient there says.
+template <class T, int D>
+double Measurer<T, D>::point_displacement(const MeasurementCase& m) const {
+  const Body<T, D>& body = state_.bodies[m.body];
+  double least = std::numeric_limits<double>::infinity();
+  std::int64_t nearest = 0;
+  const NodeBlock* owner = nullptr;
+  for (const NodeBlock& block : body.blocks) {
+    for (std::int64_t slot = block.first; slot < block.first + block.nodes; ++slot) {
+      double square = 0;
+      for (int a = 0; a < D; ++a) {
+        square += (m.point[a] - body.start[slot][a]) * (m.point[a] - body.start[slot][a]);
+      }
+      if (square >= least) continue;
+      least = square;
+      nearest = slot;
+      owner = &block;
+    }
+  }
+  const double size = std::pow(body.mass[nearest] / body.material.density, 1. / D);
+  if (std::sqrt(least) > size * std::sqrt(D)) return nothing;
+  const NodeState<D> node = node_state(body, *owner, nearest);
+  double displacement = body.displacement[m.axis][nearest];
+  for (int a = 0; a < D; ++a) {
+    const double slope = node.gradient[D * m.axis + a] - (a == m.axis ? 1 : 0);
+    displacement += slope * (m.point[a] - body.start[nearest][a]);
+  }
+  return displacement;
+}
+
+template <class T, int D>
+double Measurer<T, D>::surface_area(const MeasurementCase& m) const {
+  const Body<T, D>& body = state_.bodies[m.body];
+  const std::vector<Point<D>> place = present_corners(body);
+  double sum = 0;
+  for (std::size_t f = 0; f < body.surface.facet.size(); ++f) {
+    if (!body.surface.is_free[f]) continue;
+    std::array<Point<D>, D> corner;
+    for (int v = 0; v < D; ++v) corner[v] = place[body.surface.facet[f][v]];
+    double square = 0;
+    for (const double a : area_vector<D>(corner)) square += a * a;
+    sum += std::sqrt(square);
+  }
+  return sum;
+}
+
+template <class T, int D>
+double Measurer<T, D>::parts(const MeasurementCase& m) const {
+  const Body<T, D>& body = state_.bodies[m.body];
+  std::vector<std::int32_t> node(body.slots, -1), neighbour;
+  std::vector<std::int64_t> first = {0};
+  std::vector<double> volumes;
+  body.for_each_node([&](std::int64_t slot) {
+    node[slot] = static_cast<std::int32_t>(volumes.size());
+    volumes.push_back(body.mass[slot] / body.material.density);
+  });
+  for (const NodeBlock& block : body.blocks) {
+    for (int i = 0; i < block.nodes; ++i) {
+      body.for_each_bond(block, block.first + i,
+                         [&](int, std::int64_t other, const Point<D>&, double) {
+                           neighbour.push_back(node[other]);
+                         });
+      first.push_back(static_cast<std::int64_t>(neighbour.size()));
+    }
+  }
+  const std::vector<double> factors(neighbour.size(), 1);
+  const ConnectedParts found = connected_parts(first, neighbour, factors, volumes);
+  if (m.kind == MeasurementCase::Kind::connected_parts) {
+    return static_cast<double>(found.volumes.size());
+  }
+  return *std::max_element(found.volumes.begin(), found.volumes.end());
+}
+
+template <class T, int D>
+BodyIntegrals Measurer<T, D>::integrals(int index, const Vector& about) const {
+  const Body<T, D>& body = state_.bodies[index];
+  BodyIntegrals sum;
+  for (const NodeBlock& block : body.blocks) {
+    for (std::int64_t slot = block.first; slot < block.first + block.nodes; ++slot) {
+      const Point<D> x = body.position(slot);
+      Vector r = {}, u = {};
+      for (int a = 0; a < D; ++a) {
+        r[a] = x[a] - about[a];
+        u[a] = body.velocity[a][slot];
+      }
+      sum.mass += body.mass[slot];
+      add_motion(sum, body.mass[slot], r, u);
+      const NodeState<D> node = node_state(body, block, slot);
+      sum.strain_energy += node.energy;
+      sum.volume += body.mass[slot] / body.material.density * node.volume_ratio;
+    }
+  }
+  return sum;
+}
+
+template <class T, int D>
+BodyIntegrals Measurer<T, D>::totals() const {
+  BodyIntegrals sum;
+  for (int b = 0; b < static_cast<int>(state_.bodies.size()); ++b) {
+    add(sum, integrals(b, {}));
+  }
+  return sum;
+}
+
+template class Measurer<double, 2>;
+template class Measurer<double, 3>;
+template class Measurer<float, 2>;
+template class Measurer<float, 3>;
+
+}  // namespace pliant::point_based

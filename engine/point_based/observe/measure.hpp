@@ -1,0 +1,40 @@
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "engine/method/body_integrals.hpp"
+#include "engine/point_based/state.hpp"
+
+namespace pliant::point_based {
+
+/// Evaluates measurements of a state at one instant.
+template <class T, int D>
+class Measurer {
+ public:
+  explicit Measurer(const State<T, D>& state) : state_(state) {}
+
+  /// One value for each measurement; NaN where it has none (those which read histories).
+  std::vector<double> operator()(std::span<const MeasurementCase> measurements) const;
+
+  /// Of all bodies together.
+  BodyIntegrals totals() const;
+
+  static bool is_measured(MeasurementCase::Kind kind) { return function_of(kind) != nullptr; }
+
+ private:
+  using Function = double (Measurer::*)(const MeasurementCase&) const;
+  /// The function that evaluates a kind of measurement; null where there is none.
+  static Function function_of(MeasurementCase::Kind kind);
+  double value(const MeasurementCase& m) const;
+  double extent(const MeasurementCase& m) const;
+  double point_displacement(const MeasurementCase& m) const;
+  double surface_area(const MeasurementCase& m) const;
+  double parts(const MeasurementCase& m) const;
+  double integral(const MeasurementCase& m) const;
+  BodyIntegrals integrals(int body, const Vector& about) const;
+
+  const State<T, D>& state_;
+};
+
+}  // namespace pliant::point_based

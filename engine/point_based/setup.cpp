@@ -1,0 +1,199 @@
+#include "engine/point_based/setup.hpp"
+
+#include <fmt/format.h>
+#include <pliant/error.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "engine/blocks/point_blocks.hpp"
+#include "engine/geometry/padded.hpp"
+#include "engine/method/initial_velocity.hpp"
+#include "engine/point_based/bonds.hpp"
+#include "engine/point_based/lattice_nodes.hpp"
+#include "engine/point_based/nodes/mesh_nodes.hpp"
+#include "engine/point_based/nodes/octree_nodes.hpp"
+#include "engine/point_based/surface.hpp"
+#include "kernels/with_scalar.hpp"
+
+namespace pliant::point_based {
+
+namespace {
+
+// Positions and forces of a block and its halo stay in the first cache.
+constexpr int nodes_of_block = 512;
+constexpr double on_wall = 1e-9;
+
+kernels::ElasticLaw law_of(MaterialCase::Model model) {
+  switch (model) {
+    case MaterialCase::Model::st_venant_kirchhoff:
+      return kernels::ElasticLaw::st_venant_kirchhoff;
+    case MaterialCase::Model::reduced_polynomial:
+      return kernels::ElasticLaw::reduced_polynomial;
+    default:
+      return kernels::ElasticLaw::neo_hookean;
+  }
+}
+
+template <int D>
+int neighbour_count(const Case& settings) {
+  constexpr int by_default = D == 2 ? 12 : 26;
+  const int asked = settings.point_based.neighbours;
+  return asked > 0 ? asked : by_default;
+}
+
+bool has_tetrahedra(const Shape& shape) {
+  return shape.kind == Shape::Kind::mesh &&
+         (shape.file.ends_with(".msh") || shape.file.ends_with(".vtk"));
+}
+
+template <class T, int D>
+void lay_out(const NodeCloud<D>& cloud, Body<T, D>& body) {
+  std::array<std::vector<double>, D> coordinate;
+  std::array<std::span<const double>, D> view;
+  for (int a = 0; a < D; ++a) {
+    coordinate[a].reserve(cloud.positions.size());
+    for (const Point<D>& x : cloud.positions) coordinate[a].push_back(x[a]);
+    view[a] = coordinate[a];
+  }
+  // Which blocks are near each other follows from the bonds.
+  const PointBlocks points = blocks_of_points<double, D>(view, 0, nodes_of_block);
+  body.particles = static_cast<std::int64_t>(cloud.positions.size());
+  for (std::size_t b = 0; b + 1 < points.first_slot.size(); ++b) {
+    const std::int64_t begin = points.first_slot[b];
+    const auto nodes = static_cast<int>(points.first_slot[b + 1] - begin);
+    constexpr int lanes = kernels::slots_per_pack;
+    const int count = (nodes + lanes - 1) / lanes * lanes;
+    body.blocks.push_back({body.slots, count, nodes, 0, 0});
+    for (int i = 0; i < count; ++i) {
+      const std::int64_t node = i < nodes ? points.order[begin + i] : -1;
+      body.number.push_back(node);
+      body.start.push_back(cloud.positions[std::max<std::int64_t>(node, 0)]);
+    }
+    body.slots += count;
+  }
+}
+
+template <class T, int D>
+void make_room(const Case& settings, bool has_loads, Body<T, D>& body) {
+  if (settings.point_based.stiffness_damping > 0) body.strain[0].grow(body.slots, T(0));
+  if (has_loads) body.traction[0].grow(body.slots, T(0));
+  body.for_each_array([&](Field, auto components) {
+    for (Buffer<T>& component : components) component.grow(body.slots, T(0));
+  });
+}
+
+template <class T, int D>
+void hold(const Boundaries<D>& boundaries, double reach, Body<T, D>& body) {
+  body.held.assign(body.blocks.size(), {});
+  for (std::size_t b = 0; b < body.blocks.size(); ++b) {
+    const NodeBlock& block = body.blocks[b];
+    for (std::int64_t slot = block.first; slot < block.first + block.nodes; ++slot) {
+      const Point<D>& x = body.start[slot];
+      const double size = std::pow(body.mass[slot] / body.material.density, 1. / D);
+      for (int w = 0; w < static_cast<int>(boundaries.walls.size()); ++w) {
+        const Wall<D>& wall = boundaries.walls[w];
+        if (wall.distance(x) >= reach * size + on_wall * body.resolution) continue;
+        const auto place = static_cast<std::int32_t>(slot);
+        body.held[b].push_back({place, w, wall.slips() ? wall.normal(x) : Point<D>{}});
+      }
+    }
+  }
+}
+
+// Nodes that a wall holds start with its velocity.
+template <class T, int D>
+void set_in_motion(const BodyCase& source, const Boundaries<D>& boundaries, Body<T, D>& body) {
+  body.for_each_node([&](std::int64_t slot) {
+    const Vector u = initial_velocity(source, padded<D>(body.start[slot]));
+    for (int a = 0; a < D; ++a) body.velocity[a][slot] = static_cast<T>(u[a]);
+  });
+  for (const auto& of_block : body.held) {
+    for (const ConstrainedNode<D>& held : of_block) {
+      if (held.normal != Point<D>{}) continue;
+      const Point<D> u = boundaries.walls[held.wall].velocity(0);
+      for (int a = 0; a < D; ++a) body.velocity[a][held.slot] = static_cast<T>(u[a]);
+    }
+  }
+}
+
+}  // namespace
+
+template <class T>
+kernels::PointMaterial<T> point_material(const BodyCase& source) {
+  const kernels::Material<double>& m = source.material;
+  kernels::PointMaterial<T> material;
+  material.law = law_of(source.material_as_given.model);
+  material.density = static_cast<T>(m.density);
+  material.shear_modulus = static_cast<T>(m.shear_modulus);
+  material.lame_modulus = static_cast<T>(m.bulk_modulus - 2. / 3 * m.shear_modulus);
+  material.polynomial = kernels::with_scalar<T>(m);
+  return material;
+}
+
+template <int D>
+PlacedNodes<D> place_nodes(const Case& settings, const BodyCase& source) {
+  constexpr double on_lattice = 0.1, elsewhere = 0.3;  // alpha
+  constexpr double unlimited = std::numeric_limits<double>::infinity();
+  const Shape& shape = source.geometry;
+  const double spacing = settings.discretisation.spacing;
+  PlacedNodes<D> nodes;
+  if (has_tetrahedra(shape)) {
+    // Vertices lie on the surface.
+    nodes = {nodes_of_mesh<D>(read_volume_mesh(shape.file, D), shape.scale, shape.translate), 0.25,
+             unlimited, elsewhere};
+  } else if (settings.point_based.nodes == NodePlacement::octree) {
+    const double coarsest = settings.point_based.coarsest_spacing;
+    // Those next to the surface lie half a cell from it.
+    nodes = {octree_nodes<D>(shape, {spacing, coarsest > 0 ? coarsest : 4 * spacing}), 0.75,
+             unlimited, elsewhere};
+  } else {
+    // Nodes at the surface have fewer neighbours, not farther ones: that would soften bending.
+    nodes = {lattice_nodes<D>(shape, spacing), 0.5,
+             spacing * lattice_support<D>(neighbour_count<D>(settings)), on_lattice};
+  }
+  if (!nodes.cloud.positions.empty()) return nodes;
+  throw InputError(
+      fmt::format("body `{}` holds no node; use a finer discretisation.spacing", source.name));
+}
+
+template <class T, int D>
+void make_body(const Case& settings, const BodyCase& source, const PlacedNodes<D>& nodes,
+               const Boundaries<D>& boundaries, Body<T, D>& body) {
+  body.name = source.name;
+  body.source = &source;
+  body.material = point_material<T>(source);
+  lay_out(nodes.cloud, body);
+  make_room(settings, !boundaries.pressures.empty(), body);
+  body.resolution = std::numeric_limits<double>::infinity();
+  body.for_each_node([&](std::int64_t slot) {
+    const double volume = nodes.cloud.volumes[body.number[slot]];
+    body.volume_at_rest += volume;
+    body.resolution = std::min(body.resolution, std::pow(volume, 1. / D));
+    body.volume[slot] = static_cast<T>(volume);
+    body.mass[slot] = static_cast<T>(source.material.density * volume);
+    body.inverse_mass[slot] = static_cast<T>(1 / (source.material.density * volume));
+  });
+  make_bonds(
+      find_neighbours(nodes.cloud, neighbour_count<D>(settings), nodes.largest_support, body.name),
+      settings.point_based.stabilisation.value_or(nodes.alpha), body);
+  hold(boundaries, nodes.reach, body);
+  make_surface(nodes.cloud, source.geometry, settings.discretisation.spacing, boundaries, body);
+  set_in_motion(source, boundaries, body);
+}
+
+template kernels::PointMaterial<double> point_material<double>(const BodyCase&);
+template kernels::PointMaterial<float> point_material<float>(const BodyCase&);
+template PlacedNodes<2> place_nodes<2>(const Case&, const BodyCase&);
+template PlacedNodes<3> place_nodes<3>(const Case&, const BodyCase&);
+template void make_body<double, 2>(const Case&, const BodyCase&, const PlacedNodes<2>&,
+                                   const Boundaries<2>&, Body<double, 2>&);
+template void make_body<double, 3>(const Case&, const BodyCase&, const PlacedNodes<3>&,
+                                   const Boundaries<3>&, Body<double, 3>&);
+template void make_body<float, 2>(const Case&, const BodyCase&, const PlacedNodes<2>&,
+                                  const Boundaries<2>&, Body<float, 2>&);
+template void make_body<float, 3>(const Case&, const BodyCase&, const PlacedNodes<3>&,
+                                  const Boundaries<3>&, Body<float, 3>&);
+
+}  // namespace pliant::point_based

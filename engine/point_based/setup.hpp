@@ -1,0 +1,32 @@
+#pragma once
+
+#include "engine/point_based/nodes/node_cloud.hpp"
+#include "engine/point_based/state.hpp"
+
+namespace pliant::point_based {
+
+/// The constants that the kernels read.
+template <class T>
+kernels::PointMaterial<T> point_material(const BodyCase& source);
+
+/// The nodes of a body of a case.
+template <int D>
+struct PlacedNodes {
+  NodeCloud<D> cloud;
+  double reach;            ///< distance within which a wall holds a node, over the node's V^(1/D)
+  double largest_support;  ///< [m]
+  double alpha;            ///< strength of the stabilisation (PB.5) that they need
+};
+
+/// Places nodes: those of the tetrahedra of a mesh, on a lattice, or in an octree. Throws
+/// InputError for a body that holds none.
+template <int D>
+PlacedNodes<D> place_nodes(const Case& settings, const BodyCase& source);
+
+/// Makes a body of a case from its nodes, at rest or with the case's initial velocity. Throws
+/// InputError for nodes that are no body.
+template <class T, int D>
+void make_body(const Case& settings, const BodyCase& source, const PlacedNodes<D>& nodes,
+               const Boundaries<D>& boundaries, Body<T, D>& body);
+
+}  // namespace pliant::point_based

@@ -1,0 +1,180 @@
+#include "engine/point_based/solver.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "engine/method/step_failure.hpp"
+#include "engine/point_based/observe/field_views.hpp"
+#include "engine/point_based/observe/frame.hpp"
+#include "engine/point_based/observe/measure.hpp"
+#include "engine/point_based/setup.hpp"
+#include "engine/point_based/state_archive.hpp"
+
+namespace pliant::point_based {
+
+namespace {
+
+constexpr int examine_every = 8;      // steps
+constexpr double stable_steps = 1.4;  // H/c, (PB.12)
+
+}  // namespace
+
+template <class T, int D>
+Solver<T, D>::Solver(const Case& a_case, const SolverOptions& options)
+    : pliant::Solver(a_case, options),
+      state_{{}, Boundaries<D>(settings().boundaries), {}, {}},
+      step_(state_, settings(), kernels::PointBasedTable<T, D>::of(options.isa)),
+      resolution_(std::numeric_limits<double>::infinity()) {
+  state_.bodies.resize(settings().bodies.size());
+  std::vector<scheduler::Blocks> blocks;
+  for (std::size_t b = 0; b < state_.bodies.size(); ++b) {
+    Body<T, D>& body = state_.bodies[b];
+    const BodyCase& source = settings().bodies[b];
+    make_body(settings(), source, place_nodes<D>(settings(), source), state_.boundaries, body);
+    blocks.push_back(body.adjacency);
+    number_blocks(static_cast<int>(b), body.adjacency.count(), state_.blocks);
+    resolution_ = std::min(resolution_, body.resolution);
+    state_.clock.wave_speed =
+        std::max(state_.clock.wave_speed, kernels::wave_speed_at_rest(source.material));
+  }
+  graph_ = std::make_unique<scheduler::StepGraph>(step_.phases(), join_blocks(blocks),
+                                                  Step<T, D>::resources());
+}
+
+template <class T, int D>
+double Solver<T, D>::time_step() const {
+  if (const double rest = state_.clock.rest(); rest > 0) return rest;
+  if (settings().time.step) return *settings().time.step;
+  return settings().time.cfl * stable_steps * resolution_ / state_.clock.wave_speed;
+}
+
+// A step always has its full length, so that no output time alters a run. Where an output time lies
+// inside a step, nodes are shown on their straight way through it.
+template <class T, int D>
+void Solver<T, D>::take_step(double dt) {
+  Clock& clock = state_.clock;
+  const double rest = clock.rest();
+  const bool begins = rest == 0;
+  if (begins) begin_step();
+  clock.time = begins || dt < rest - clock.rounding() ? clock.time + dt : clock.step_end;
+  if (begins && clock.rest() > 0) store_end();
+  if (!begins || clock.rest() > 0) move_to_output();
+}
+
+template <class T, int D>
+void Solver<T, D>::begin_step() {
+  Clock& clock = state_.clock;
+  const double start = clock.step == 0 ? clock.time : clock.step_end, length = time_step();
+  step_.prepare({start, length, clock.step % examine_every == 0});
+  run(*graph_);
+  check(step_.fold());
+  for (Wall<D>& wall : state_.boundaries.walls) wall.move(start, length);
+  clock.step_length = length;
+  clock.step_end = start + length;
+  ++clock.step;
+  add_particle_stages(particles());
+}
+
+// Kept apart, as the way back from an output time would be rounded.
+template <class T, int D>
+void Solver<T, D>::store_end() {
+  for (Body<T, D>& body : state_.bodies) {
+    for (int a = 0; a < D; ++a) {
+      std::copy_n(body.displacement[a].get(), body.slots, body.end_displacement[a].get());
+    }
+  }
+}
+
+template <class T, int D>
+void Solver<T, D>::move_to_output() {
+  const T back = static_cast<T>(state_.clock.rest());
+  for (Body<T, D>& body : state_.bodies) {
+    for (int a = 0; a < D; ++a) {
+      for (std::int64_t slot = 0; slot < body.slots; ++slot) {
+        body.displacement[a][slot] = body.end_displacement[a][slot] - back * body.velocity[a][slot];
+      }
+    }
+  }
+}
+
+template <class T, int D>
+void Solver<T, D>::check(const StepResult& result) const {
+  if (result.non_finite < 0) return;
+  const Body<T, D>& body = state_.bodies[state_.blocks[result.failed_block].body];
+  throw failed_step(settings(), state_.clock,
+                    fmt::format("the node of body `{}` that began at {} is no longer finite or has "
+                                "turned inside out",
+                                body.name, coordinates<D>(body.start[result.non_finite])),
+                    {smaller_step(settings()), "load more slowly",
+                     "raise the stabilisation (point_based.stabilisation)", "use a finer spacing"});
+}
+
+template <class T, int D>
+std::int64_t Solver<T, D>::particles() const {
+  std::int64_t sum = 0;
+  for (const Body<T, D>& body : state_.bodies) sum += body.particles;
+  return sum;
+}
+
+template <class T, int D>
+std::size_t Solver<T, D>::bytes() const {
+  std::size_t sum = 0;
+  for (const Body<T, D>& body : state_.bodies) {
+    body.for_each_array([&sum](Field, auto components) {
+      for (const Buffer<T>& component : components) sum += component.bytes();
+    });
+    sum += body.neighbour.bytes() + body.bond.bytes() + body.point.bytes() + body.force.bytes() +
+           body.halo.size() * sizeof(body.halo[0]);
+  }
+  return sum;
+}
+
+template <class T, int D>
+std::vector<double> Solver<T, D>::measure_each(std::span<const MeasurementCase> measurements) {
+  return Measurer<T, D>(state_)(measurements);
+}
+
+template <class T, int D>
+BodyIntegrals Solver<T, D>::integrals() {
+  return Measurer<T, D>(state_).totals();
+}
+
+template <class T, int D>
+Frame Solver<T, D>::frame(const FrameParts& parts) {
+  return take_frame(state_, parts);
+}
+
+template <class T, int D>
+std::vector<SlotRun> Solver<T, D>::particle_runs(int body) const {
+  return point_based::particle_runs(state_.bodies.at(body));
+}
+
+template <class T, int D>
+std::vector<FieldView> Solver<T, D>::fields(int body) const {
+  return field_views(state_.bodies.at(body));
+}
+
+template <class T, int D>
+std::vector<std::array<double, 3>> Solver<T, D>::positions(int body) const {
+  return point_based::positions(state_.bodies.at(body));
+}
+
+template <class T, int D>
+void Solver<T, D>::save_state(ArchiveWriter& archive) const {
+  put_state(archive, state_);
+}
+
+template <class T, int D>
+void Solver<T, D>::restore_state(const ArchiveReader& archive) {
+  get_state(archive, state_);
+}
+
+template class Solver<double, 2>;
+template class Solver<double, 3>;
+template class Solver<float, 2>;
+template class Solver<float, 3>;
+
+}  // namespace pliant::point_based

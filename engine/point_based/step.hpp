@@ -1,0 +1,73 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "engine/point_based/state.hpp"
+#include "kernels/point_based/table.hpp"
+#include "scheduler/phase.hpp"
+
+namespace pliant::point_based {
+
+/// How a step advances.
+struct Advance {
+  double time;    ///< at its start [s]
+  double length;  ///< [s]
+  bool examine;   ///< whether to look for states that are not possible
+};
+
+/// What a step finds about the state that it leaves behind.
+struct StepResult {
+  std::int64_t non_finite = -1;  ///< a slot, or -1
+  int failed_block = -1;         ///< that the slot belongs to
+};
+
+/// The phases of one time step: the method in the order of its equations.
+template <class T, int D>
+class Step {
+ public:
+  Step(State<T, D>& state, const Case& settings, const kernels::PointBasedTable<T, D>& kernels);
+
+  std::vector<scheduler::Phase> phases();
+
+  /// Names of what phases read and write.
+  static std::vector<std::string> resources() { return resource_numbers.names(); }
+
+  /// Sets how the next step advances, and the loads at the time of its kick.
+  void prepare(const Advance& advance);
+
+  /// Folds the results of all blocks, in their order.
+  StepResult fold() const;
+
+ private:
+  void drift(int block);
+  void load_pressures(int block);
+  void evaluate_forces(int block);
+  void move(int block);
+  void apply_walls(Body<T, D>& body, int local);
+
+  struct Owned {
+    Body<T, D>& body;
+    int local;
+  };
+  Owned owner(int block) {
+    const BlockOwner& owner = state_.blocks[block];
+    return {state_.bodies[owner.body], owner.block};
+  }
+  bool is_leapfrog() const;
+
+  State<T, D>& state_;
+  const Case& settings_;
+  const kernels::PointBasedTable<T, D>& kernels_;
+  Advance advance_ = {};
+  std::vector<double> pressure_;                     ///< [pressure] [Pa]
+  std::vector<Point<D>> wall_velocity_;              ///< [wall] [m/s]
+  std::vector<kernels::PointForcesResult> results_;  ///< [block]
+};
+
+extern template class Step<double, 2>;
+extern template class Step<double, 3>;
+extern template class Step<float, 2>;
+extern template class Step<float, 3>;
+
+}  // namespace pliant::point_based

@@ -1,0 +1,263 @@
+#include "engine/point_based/surface.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+#include "engine/geometry/distance_walk.hpp"
+#include "engine/geometry/padded.hpp"
+#include "engine/geometry/signed_distance.hpp"
+#include "engine/lattice/surface_pieces.hpp"
+#include "engine/point_based/nearest_nodes.hpp"
+
+namespace pliant::point_based {
+
+namespace {
+
+constexpr int samples = 8;              // to a side of a facet that the rim of a region cuts
+constexpr double on_surface = 1e-9;     // [h]
+constexpr double on_wall = 1e-6;        // [h]
+constexpr double smallest_area = 1e-9;  // [h^(D-1)]
+
+/// A surface whose corners name nodes of the cloud.
+template <int D>
+class SurfaceFinder {
+ public:
+  SurfaceFinder(const NodeCloud<D>& cloud, double spacing)
+      : cloud_(cloud), nearest_(cloud.positions), spacing_(spacing) {}
+
+  /// Facets of one element alone.
+  BodySurface<D> of_elements() {
+    std::map<std::array<std::int32_t, D>, std::array<std::int32_t, D>> alone;
+    for (const auto& element : cloud_.elements) {
+      for (int left_out = 0; left_out <= D; ++left_out) {
+        std::array<std::int32_t, D> facet;
+        for (int i = 0, to = 0; i <= D; ++i) {
+          if (i != left_out) facet[to++] = element[i];
+        }
+        if (is_in_front(facet, element[left_out])) std::swap(facet[0], facet[1]);
+        std::array<std::int32_t, D> key = facet;
+        std::sort(key.begin(), key.end());
+        const auto [at, is_new] = alone.insert({key, facet});
+        if (!is_new) alone.erase(at);
+      }
+    }
+    for (const auto& [key, facet] : alone) {
+      std::array<std::int32_t, D> corner;
+      for (int v = 0; v < D; ++v) {
+        corner[v] = add({facet[v], facet[v]}, cloud_.positions[facet[v]], facet[v]);
+      }
+      surface_.facet.push_back(corner);
+    }
+    return std::move(surface_);
+  }
+
+  BodySurface<D> of_shape(const Shape& shape) {
+    lay_lattice(shape);
+    Cell<D> last;
+    for (int a = 0; a < D; ++a) last[a] = extent_[a] - 2;
+    for_each_cell<D>({}, last, [&](const Cell<D>& cell) { march(cell); });
+    return std::move(surface_);
+  }
+
+ private:
+  bool is_in_front(const std::array<std::int32_t, D>& facet, std::int32_t node) const {
+    std::array<Point<D>, D> corner;
+    for (int v = 0; v < D; ++v) corner[v] = cloud_.positions[facet[v]];
+    const Point<D> normal = area_vector<D>(corner);
+    double along = 0;
+    for (int a = 0; a < D; ++a) along += normal[a] * (cloud_.positions[node][a] - corner[0][a]);
+    return along > 0;
+  }
+
+  // As the nodes of a lattice: points lie on both faces of a box.
+  void lay_lattice(const Shape& shape) {
+    const Box box = bounding_box(shape);
+    std::int64_t count = 1;
+    Cell<D> last;
+    for (int a = 0; a < D; ++a) {
+      const double cells = std::max(1.0, std::round((box.upper[a] - box.lower[a]) / spacing_));
+      lower_[a] = (box.lower[a] + box.upper[a] - (cells + 2) * spacing_) / 2;
+      extent_[a] = static_cast<std::int32_t>(cells) + 3;
+      last[a] = extent_[a] - 1;
+      count *= extent_[a];
+    }
+    phi_.reserve(count);
+    DistanceWalk distance(shape, D, 2 * spacing_);
+    for_each_cell<D>({}, last, [&](const Cell<D>& cell) {
+      const double phi = distance(padded<D>(place(cell))) / spacing_;
+      phi_.push_back(std::abs(phi) < on_surface ? -on_surface : phi);
+    });
+  }
+
+  Point<D> place(const Cell<D>& cell) const {
+    Point<D> x;
+    for (int a = 0; a < D; ++a) x[a] = lower_[a] + cell[a] * spacing_;
+    return x;
+  }
+
+  void march(const Cell<D>& cell) {
+    std::array<SurfaceNode<D>, (1 << D)> cube;
+    int inside = 0;
+    for (int c = 0; c < (1 << D); ++c) {
+      SurfaceNode<D>& node = cube[c];
+      node.cell = cell;
+      std::int64_t slot = 0;
+      for (int a = 0; a < D; ++a) node.cell[a] += c >> a & 1;
+      for (int a = D - 1; a >= 0; --a) slot = slot * extent_[a] + node.cell[a];
+      node.slot = slot;
+      node.phi = phi_[slot];
+      inside += node.phi < 0 ? 1 : 0;
+      const Point<D> x = place(node.cell);
+      for (int a = 0; a < D; ++a) node.place[a] = x[a];
+    }
+    if (inside == 0 || inside == (1 << D)) return;
+    for_each_piece<D>(cube, [&](const SurfacePiece<D>& piece) {
+      std::array<Point<D>, D> x;
+      for (int v = 0; v < D; ++v) {
+        const Place<D> at = piece[v].place();
+        for (int a = 0; a < D; ++a) x[v][a] = at[a];
+      }
+      double square = 0;
+      for (const double component : area_vector<D>(x)) square += component * component;
+      if (std::sqrt(square) < smallest_area * std::pow(spacing_, D - 1)) return;
+      std::array<std::int32_t, D> corner;
+      for (int v = 0; v < D; ++v) {
+        // At a point on the surface all lines from it end alike.
+        const bool at_point = piece[v].fraction() < 1e-6;
+        corner[v] =
+            add({piece[v].inside->slot, at_point ? piece[v].inside->slot : piece[v].outside->slot},
+                x[v], -1);
+      }
+      surface_.facet.push_back(corner);
+    });
+  }
+
+  /// The corner with this name; `node` -1 takes the nearest.
+  std::int32_t add(const std::pair<std::int64_t, std::int64_t>& name, const Point<D>& x,
+                   std::int32_t node) {
+    const auto number = static_cast<std::int32_t>(surface_.start.size());
+    const auto [at, is_new] = known_.insert({name, number});
+    if (!is_new) return at->second;
+    surface_.start.push_back(x);
+    surface_.node.push_back(node >= 0 ? node : nearest_.nearest(x));
+    return number;
+  }
+
+  const NodeCloud<D>& cloud_;
+  NearestNodes<D> nearest_;
+  double spacing_;
+  Point<D> lower_ = {};
+  Cell<D> extent_ = {};
+  std::vector<double> phi_;  ///< [lattice point] [h]
+  std::map<std::pair<std::int64_t, std::int64_t>, std::int32_t> known_;
+  BodySurface<D> surface_;
+};
+
+/// Share of a facet for which `is_inside(x)`.
+template <int D, class F>
+double share_of(const std::array<Point<D>, D>& corner, F&& is_inside) {
+  int inside = 0, all = 0;
+  const auto at = [&](double u, double v) {
+    Point<D> x;
+    for (int a = 0; a < D; ++a) {
+      x[a] = corner[0][a] + u * (corner[1][a] - corner[0][a]);
+      if (D == 3) x[a] += v * (corner[D - 1][a] - corner[0][a]);
+    }
+    ++all;
+    if (is_inside(x)) ++inside;
+  };
+  for (int i = 0; i < samples; ++i) {
+    if (D == 2) {
+      at((i + 0.5) / samples, 0);
+      continue;
+    }
+    for (int j = 0; i + j < samples; ++j) {
+      at((i + 1. / 3) / samples, (j + 1. / 3) / samples);
+      if (i + j < samples - 1) at((i + 2. / 3) / samples, (j + 2. / 3) / samples);
+    }
+  }
+  return static_cast<double>(inside) / all;
+}
+
+template <class T, int D>
+void find_loads(const Boundaries<D>& boundaries, Body<T, D>& body) {
+  const BodySurface<D>& surface = body.surface;
+  for (int k = 0; k < static_cast<int>(boundaries.pressures.size()); ++k) {
+    std::map<std::int32_t, Point<D>> area;  // [slot]
+    for (std::size_t f = 0; f < surface.facet.size(); ++f) {
+      if (!surface.is_free[f]) continue;
+      std::array<Point<D>, D> x;
+      for (int v = 0; v < D; ++v) x[v] = surface.start[surface.facet[f][v]];
+      const double share =
+          share_of<D>(x, [&](const Point<D>& at) { return boundaries.pressures[k].acts_at(at); });
+      if (share == 0) continue;
+      const Point<D> whole = area_vector<D>(x);
+      for (const std::int32_t corner : surface.facet[f]) {
+        Point<D>& sum = area[surface.node[corner]];
+        for (int a = 0; a < D; ++a) sum[a] += share / D * whole[a];
+      }
+    }
+    std::size_t b = 0;
+    for (const auto& [slot, vector] : area) {
+      while (slot >= body.blocks[b].first + body.blocks[b].count) ++b;
+      body.pressed[b].push_back({slot, k, vector});
+    }
+  }
+}
+
+}  // namespace
+
+template <int D>
+Point<D> area_vector(const std::array<Point<D>, D>& x) {
+  if constexpr (D == 2) {
+    return {x[1][1] - x[0][1], x[0][0] - x[1][0]};
+  } else {
+    Point<3> n;
+    for (int i = 0; i < 3; ++i) {
+      const int j = (i + 1) % 3, k = (i + 2) % 3;
+      n[i] =
+          ((x[1][j] - x[0][j]) * (x[2][k] - x[0][k]) - (x[1][k] - x[0][k]) * (x[2][j] - x[0][j])) /
+          2;
+    }
+    return n;
+  }
+}
+
+template <class T, int D>
+void make_surface(const NodeCloud<D>& cloud, const Shape& shape, double spacing,
+                  const Boundaries<D>& boundaries, Body<T, D>& body) {
+  SurfaceFinder<D> finder(cloud, spacing);
+  body.surface = cloud.elements.empty() ? finder.of_shape(shape) : finder.of_elements();
+  std::vector<std::int32_t> slot_of(cloud.positions.size());
+  for (std::int64_t s = 0; s < body.slots; ++s) {
+    if (body.number[s] >= 0) slot_of[body.number[s]] = static_cast<std::int32_t>(s);
+  }
+  for (std::int32_t& node : body.surface.node) node = slot_of[node];
+  for (const auto& facet : body.surface.facet) {
+    Point<D> middle = {};
+    for (const std::int32_t corner : facet) {
+      for (int a = 0; a < D; ++a) middle[a] += body.surface.start[corner][a] / D;
+    }
+    const auto holds = [&](const Wall<D>& wall) {
+      return wall.distance(middle) < on_wall * spacing;
+    };
+    body.surface.is_free.push_back(
+        std::none_of(boundaries.walls.begin(), boundaries.walls.end(), holds));
+  }
+  body.pressed.assign(body.blocks.size(), {});
+  find_loads(boundaries, body);
+}
+
+template Point<2> area_vector<2>(const std::array<Point<2>, 2>&);
+template Point<3> area_vector<3>(const std::array<Point<3>, 3>&);
+template void make_surface<double, 2>(const NodeCloud<2>&, const Shape&, double,
+                                      const Boundaries<2>&, Body<double, 2>&);
+template void make_surface<double, 3>(const NodeCloud<3>&, const Shape&, double,
+                                      const Boundaries<3>&, Body<double, 3>&);
+template void make_surface<float, 2>(const NodeCloud<2>&, const Shape&, double,
+                                     const Boundaries<2>&, Body<float, 2>&);
+template void make_surface<float, 3>(const NodeCloud<3>&, const Shape&, double,
+                                     const Boundaries<3>&, Body<float, 3>&);
+
+}  // namespace pliant::point_based

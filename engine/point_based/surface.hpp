@@ -1,0 +1,19 @@
+#pragma once
+
+#include "engine/point_based/nodes/node_cloud.hpp"
+#include "engine/point_based/state.hpp"
+
+namespace pliant::point_based {
+
+/// Finds the undeformed surface of a body whose nodes are in their slots, which parts of it are
+/// free, and what pressures act on: the boundary of the elements of the cloud, else the surface of
+/// `shape` between the points of a lattice of that spacing [m].
+template <class T, int D>
+void make_surface(const NodeCloud<D>& cloud, const Shape& shape, double spacing,
+                  const Boundaries<D>& boundaries, Body<T, D>& body);
+
+/// Normal of a facet with these corners, its length the facet's area [m^(D-1)].
+template <int D>
+Point<D> area_vector(const std::array<Point<D>, D>& corner);
+
+}  // namespace pliant::point_based

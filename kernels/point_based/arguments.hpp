@@ -1,0 +1,103 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+
+#include "kernels/layout.hpp"
+#include "kernels/material.hpp"
+
+/// What the kernels of the point-based method work on. Nodes are slots; those of a block follow one
+/// another, filled up to whole packs with slots without mass.
+///
+///     local numbers of a block:   0 ........ count | count ........ count + halo_count
+///                                  its own slots   |   neighbours in other blocks (halo)
+///
+/// Displacements of both are copied into an array of points of `point_stride` values, where any
+/// neighbour is one load away. Forces are collected in another such array: those on the halo are
+/// added to the nodes of other blocks in a later phase, in the order of the blocks, so that sums do
+/// not depend on the number of threads.
+namespace pliant::kernels {
+
+/// Strain energy of a node: (PB.6), (PB.7), or (RP.9).
+enum class ElasticLaw : std::uint8_t { neo_hookean, st_venant_kirchhoff, reduced_polynomial };
+
+/// Constants of a material of the point-based method.
+template <class T>
+struct PointMaterial {
+  ElasticLaw law = ElasticLaw::neo_hookean;
+  T density = 1;           ///< rho0 [kg/m^3]
+  T shear_modulus = 0;     ///< mu [Pa]
+  T lame_modulus = 0;      ///< lambda [Pa]
+  Material<T> polynomial;  ///< reduced polynomial
+};
+
+/// Values that a point takes in arrays of points.
+inline constexpr int point_stride = 4;
+
+/// Bonds that a node can have.
+inline constexpr int most_bonds = 64;
+
+/// Forces of the nodes of a block on themselves and on their neighbours, (PB.4)-(PB.8).
+template <class T, int D>
+struct PointForces {
+  std::int64_t first;              ///< slot
+  int count;                       ///< slots, a multiple of slots_per_pack
+  int bonds;                       ///< of each node
+  const std::uint16_t* neighbour;  ///< [pack][bond][lane] local numbers
+  const T* bond;                   ///< [pack][bond][D + 1][lane] g_ij [1/m], w_ij
+  int halo_count;
+  const std::int32_t* halo;  ///< [halo_count] slots
+  std::array<const T*, D> displacement;
+  const T* volume;                                       ///< [slot] V [m^D]
+  const T* stiffness;                                    ///< [slot] V kappa [N/m]
+  std::array<const T*, symmetric_components<D>> moment;  ///< [slot] A [m^2]
+  std::array<const T*, D> load;  ///< [slot] pressure times undeformed area [N]; null: none
+  /// E of the last step, read and written; null without viscosity.
+  std::array<T*, symmetric_components<D>> strain;
+  T viscosity;   ///< beta over the time step, (PB.9)
+  bool examine;  ///< whether to look for states that are not possible
+  PointMaterial<T> material;
+  T* point;  ///< [count + halo_count][point_stride] room for displacements
+  T* force;  ///< [count + halo_count][point_stride] [N]
+};
+
+struct PointForcesResult {
+  std::int64_t non_finite;  ///< a slot whose F is not finite or whose J <= 0, or -1
+};
+
+/// Forces that another block has collected for nodes of this one.
+template <class T>
+struct CollectedForces {
+  const T* force;            ///< [count][point_stride] [N]
+  const std::int32_t* slot;  ///< [count]
+  int count;
+};
+
+/// Moves the nodes of a block, (PB.10): reads forces that other blocks have collected for it.
+template <class T, int D>
+struct PointMotion {
+  std::int64_t first;
+  int count;
+  const CollectedForces<T>* collected;
+  int collected_count;
+  T* force;                  ///< [count][point_stride] of the block itself; the sum in the end [N]
+  T kept;                    ///< share of the velocity that damping leaves
+  T gained;                  ///< velocity per force over mass [s]
+  T drift;                   ///< for how long nodes move after the kick [s]
+  const T* inverse_mass;     ///< [slot], 0 where there is no node [1/kg]
+  std::array<T, D> gravity;  ///< acceleration of all nodes [m/s^2]
+  std::array<const T*, D> external;  ///< [slot] force from outside [N]; null: none
+  std::array<T*, D> velocity, displacement;
+};
+
+/// Moves the nodes of a block at their velocities.
+template <class T, int D>
+struct PointDrift {
+  std::int64_t first;
+  int count;
+  T drift;  ///< [s]
+  std::array<const T*, D> velocity;
+  std::array<T*, D> displacement;
+};
+
+}  // namespace pliant::kernels

@@ -1,0 +1,55 @@
+#pragma once
+
+#include "kernels/pack.hpp"
+#include "kernels/point_based/arguments.hpp"
+
+namespace pliant::kernels {
+
+/// See PointMotion.
+template <class P, int D>
+void advance_points(const PointMotion<Scalar<P>, D>& block) {
+  using T = Scalar<P>;
+  for (int c = 0; c < block.collected_count; ++c) {
+    const CollectedForces<T>& from = block.collected[c];
+    for (int i = 0; i < from.count; ++i) {
+      T* to = block.force + point_stride * (from.slot[i] - block.first);
+      for (int a = 0; a < point_stride; ++a) to[a] += from.force[point_stride * i + a];
+    }
+  }
+  alignas(64) T lane[D][slots_per_pack];
+  for (int local = 0; local < block.count; local += slots_per_pack) {
+    for (int l = 0; l < slots_per_pack; ++l) {
+      for (int a = 0; a < D; ++a) lane[a][l] = block.force[point_stride * (local + l) + a];
+    }
+    for (int l = 0; l < slots_per_pack; l += lanes<P>) {
+      const std::int64_t slot = block.first + local + l;
+      const P inverse_mass = load<P>(block.inverse_mass + slot);
+      const auto exists = inverse_mass > P(T(0));
+      for (int a = 0; a < D; ++a) {
+        P force = P::load_aligned(&lane[a][l]);
+        if (block.external[a] != nullptr) force = force + load<P>(block.external[a] + slot);
+        const P pull =
+            xsimd::select(exists, fused(force, inverse_mass, P(block.gravity[a])), P(T(0)));
+        const P u = load<P>(block.velocity[a] + slot);
+        const P next = fused(P(block.gained), pull, P(block.kept) * u);
+        next.store_unaligned(block.velocity[a] + slot);
+        fused(P(block.drift), next, load<P>(block.displacement[a] + slot))
+            .store_unaligned(block.displacement[a] + slot);
+      }
+    }
+  }
+}
+
+/// See PointDrift.
+template <class P, int D>
+void drift_points(const PointDrift<Scalar<P>, D>& block) {
+  for (int a = 0; a < D; ++a) {
+    for (std::int64_t slot = block.first; slot < block.first + block.count; slot += lanes<P>) {
+      fused(P(block.drift), load<P>(block.velocity[a] + slot),
+            load<P>(block.displacement[a] + slot))
+          .store_unaligned(block.displacement[a] + slot);
+    }
+  }
+}
+
+}  // namespace pliant::kernels

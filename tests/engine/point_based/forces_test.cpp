@@ -1,0 +1,182 @@
+#include <gtest/gtest.h>
+
+#include <Eigen/Dense>
+#include <numeric>
+
+#include "engine/point_based/node_state.hpp"
+#include "tests/engine/point_based/blocks.hpp"
+
+// Forces of the point-based method against its energy and its invariants.
+namespace pliant::test {
+namespace {
+
+using point_based::Body;
+using point_based::NodeBlock;
+
+template <class Dimension>
+struct PointForces : testing::Test {
+  static constexpr int dimension = Dimension::value;
+  using Matrix = Eigen::Matrix<double, dimension, dimension>;
+
+  static std::string model(const std::string& word) {
+    if (word != "reduced_polynomial") {
+      return tests::with(free_points(dimension), "neo_hookean", word);
+    }
+    return tests::with(tests::with(free_points(dimension), "model = \"neo_hookean\"",
+                                   "model = \"reduced_polynomial\"\ncoefficients = [20, 5]\n"
+                                   "compressibility = 0.02"),
+                       "youngs_modulus = 100\npoissons_ratio = 0.3\n", "");
+  }
+
+  PointSolver<dimension> solver(const std::string& word,
+                                const std::vector<std::string>& more = {}) const {
+    return PointSolver<dimension>(tests::read_text(model(word), more),
+                                  {1, kernels::widest_supported()});
+  }
+
+  /// x = F X + a wave, so that all parts of the energy count.
+  static void deform(Body<double, dimension>& body, const Matrix& f, double wave) {
+    body.for_each_node([&](std::int64_t slot) {
+      for (int i = 0; i < dimension; ++i) {
+        double d = -body.start[slot][i] + wave * std::sin(37. * slot + 5 * i);
+        for (int j = 0; j < dimension; ++j) d += f(i, j) * body.start[slot][j];
+        body.displacement[i][slot] = d;
+      }
+    });
+  }
+
+  static Matrix some_deformation() {
+    Eigen::Matrix3d f;
+    f << 1.2, 0.3, -0.1, -0.2, 0.9, 0.15, 0.05, -0.25, 1.1;
+    return f.topLeftCorner<dimension, dimension>();
+  }
+
+  /// [slot][axis] forces from the change of velocity in a step so short that nothing moves.
+  static std::vector<Point<dimension>> forces(PointSolver<dimension>& solver) {
+    constexpr double dt = 1e-9;
+    auto& body = solver.state().bodies[0];
+    for (auto& component : body.velocity) std::fill_n(component.get(), body.slots, 0);
+    solver.step(dt);
+    std::vector<Point<dimension>> force(body.slots);
+    for (std::int64_t s = 0; s < body.slots; ++s) {
+      for (int a = 0; a < dimension; ++a) force[s][a] = body.velocity[a][s] * body.mass[s] / dt;
+    }
+    return force;
+  }
+
+  static std::vector<std::string> short_step() { return {"time.step=1e-9"}; }
+};
+
+using Dimensions = testing::Types<std::integral_constant<int, 2>, std::integral_constant<int, 3>>;
+TYPED_TEST_SUITE(PointForces, Dimensions);
+
+TYPED_TEST(PointForces, are_the_slope_of_the_energy) {
+  constexpr int D = TypeParam::value;
+  for (const char* word : {"neo_hookean", "st_venant_kirchhoff", "reduced_polynomial"}) {
+    auto solver = this->solver(word, this->short_step());
+    auto& body = solver.state().bodies[0];
+    this->deform(body, this->some_deformation(), 0.01);
+    const auto force = this->forces(solver);
+    double largest = 0;
+    for (const auto& f : force) largest = std::max(largest, std::abs(f[0]));
+    for (const std::int64_t slot : {std::int64_t{0}, body.blocks[0].nodes / 2l}) {
+      for (int a = 0; a < D; ++a) {
+        double& d = body.displacement[a][slot];
+        const double here = d, step = 1e-5;
+        d = here + step;
+        const double above = solver.integrals().strain_energy;
+        d = here - step;
+        const double below = solver.integrals().strain_energy;
+        d = here;
+        EXPECT_NEAR(force[slot][a], -(above - below) / (2 * step), 1e-7 * largest) << word;
+      }
+    }
+  }
+}
+
+TYPED_TEST(PointForces, of_a_turned_body_vanish) {
+  constexpr int D = TypeParam::value;
+  typename TestFixture::Matrix turn;
+  if constexpr (D == 2) {
+    turn = Eigen::Rotation2Dd(2).toRotationMatrix();
+  } else {
+    turn = Eigen::AngleAxisd(2, Eigen::Vector3d(1, 2, 3).normalized()).toRotationMatrix();
+  }
+  auto solver = this->solver("neo_hookean", this->short_step());
+  this->deform(solver.state().bodies[0], turn, 0);
+  for (const auto& force : this->forces(solver)) {
+    for (const double component : force) EXPECT_NEAR(component, 0, 1e-11);
+  }
+}
+
+TYPED_TEST(PointForces, neither_push_nor_turn_a_free_body) {
+  constexpr int D = TypeParam::value;
+  auto solver = this->solver("neo_hookean", this->short_step());
+  auto& body = solver.state().bodies[0];
+  this->deform(body, this->some_deformation(), 0.02);
+  const auto force = this->forces(solver);
+  Eigen::Matrix<double, D, 1> sum = Eigen::Matrix<double, D, 1>::Zero();
+  Eigen::Matrix<double, D, D> torque = Eigen::Matrix<double, D, D>::Zero();
+  double size = 0;
+  for (std::int64_t s = 0; s < body.slots; ++s) {
+    const Point<D> at = body.position(s);
+    const Eigen::Map<const Eigen::Matrix<double, D, 1>> f(force[s].data()), x(at.data());
+    sum += f;
+    torque += x * f.transpose() - f * x.transpose();
+    size += f.norm();
+  }
+  EXPECT_LT(sum.norm(), 1e-14 * size);
+  EXPECT_LT(torque.norm(), 2e-14 * size);
+}
+
+// On nodes inside and at the surface alike, and with the stabilisation.
+TYPED_TEST(PointForces, see_affine_fields_exactly) {
+  constexpr int D = TypeParam::value;
+  auto solver = this->solver("neo_hookean");
+  auto& body = solver.state().bodies[0];
+  const auto f = this->some_deformation();
+  this->deform(body, f, 0);
+  double energy = 0;
+  for (const NodeBlock& block : body.blocks) {
+    for (int i = 0; i < block.nodes; ++i) {
+      const auto node = point_based::node_state(body, block, block.first + i);
+      for (int r = 0; r < D; ++r) {
+        for (int c = 0; c < D; ++c) EXPECT_NEAR(node.gradient[D * r + c], f(r, c), 1e-13);
+      }
+      energy += node.energy;
+    }
+  }
+  // (PB.6) written out anew.
+  Eigen::Matrix3d full = Eigen::Matrix3d::Identity();
+  full.topLeftCorner<D, D>() = f;
+  const double j = full.determinant(), mu = 100 / 2.6, lambda = 100 * 0.3 / (1.3 * 0.4);
+  const double expected = mu / 2 * ((full.transpose() * full).trace() - 3) - mu * std::log(j) +
+                          lambda / 2 * (j - 1) * (j - 1);
+  EXPECT_NEAR(energy, expected, 1e-11 * expected);
+}
+
+// The stress on the face x = 1 of a block in homogeneous stretch adds up to P N.
+TYPED_TEST(PointForces, hold_an_affine_deformation_with_forces_near_the_surface_alone) {
+  constexpr int D = TypeParam::value;
+  auto solver = this->solver("neo_hookean", {"time.step=1e-9", "discretisation.spacing=0.0625"});
+  auto& body = solver.state().bodies[0];
+  this->deform(body, this->some_deformation(), 0);
+  const auto force = this->forces(solver);
+  double largest = 0;
+  for (std::int64_t s = 0; s < body.slots; ++s) {
+    bool inside = true;
+    for (int a = 0; a < D; ++a) {
+      inside = inside && body.start[s][a] > 0.3 && body.start[s][a] < 0.7;
+    }
+    for (const double component : force[s]) {
+      if (inside) {
+        EXPECT_NEAR(component, 0, 1e-11);
+      }
+      largest = std::max(largest, std::abs(component));
+    }
+  }
+  EXPECT_GT(largest, 0.01);
+}
+
+}  // namespace
+}  // namespace pliant::test

@@ -1,0 +1,130 @@
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+
+#include "engine/simulation/run.hpp"
+#include "tests/engine/output/file_content.hpp"
+#include "tests/engine/output/temporary_folder.hpp"
+#include "tests/engine/point_based/blocks.hpp"
+
+// Whole runs of the point-based method.
+namespace pliant::test {
+namespace {
+
+const std::string tumbling = "velocity = [\"3*y + sin(4*x)\", \"1 - 3*x\", \"2*cos(3*y)\"]\n";
+const std::string clamp = R"toml([[boundary]]
+name = "clamp"
+kind = "moving_wall"
+geometry = { shape = "half_space", point = [0, 0, 0], normal = [1, 0, 0] }
+velocity = [0, "0.4*cos(3*t)", 0]
+)toml";
+
+TEST(point_based, a_tumbling_block_keeps_momenta_to_rounding_and_its_energy) {
+  PointSolver<3> solver(tests::read_text(free_points(3) + tumbling),
+                        {2, kernels::widest_supported()});
+  const BodyIntegrals start = solver.integrals();
+  EXPECT_NEAR(start.mass, 1, 1e-12);
+  advance_until(solver, 1);
+  const BodyIntegrals end = solver.integrals();
+  const double momentum = 5;  // a bound of the integral of rho abs(u)
+  for (int axis = 0; axis < 3; ++axis) {
+    EXPECT_NEAR(end.momentum[axis], start.momentum[axis], 1e-14 * momentum);
+    EXPECT_NEAR(end.angular_momentum[axis], start.angular_momentum[axis], 1e-13 * momentum);
+  }
+  EXPECT_GT(end.strain_energy, 1e-3);
+  const double energy = start.kinetic_energy + start.strain_energy;
+  EXPECT_NEAR(end.kinetic_energy + end.strain_energy, energy, 5e-3 * energy);
+}
+
+// A bar between frictionless walls rings along its length: u = A cos(pi x) cos(pi c t).
+double error_of_standing_wave(const std::string& spacing) {
+  const std::string walls = R"([[boundary]]
+name = "below"
+kind = "slip_wall"
+geometry = { shape = "half_space", point = [0, 0], normal = [0, 1] }
+[[boundary]]
+name = "above"
+kind = "slip_wall"
+geometry = { shape = "half_space", point = [0, 0.25], normal = [0, -1] }
+)";
+  const Case settings = tests::read_text(tests::with(free_points(2), "[1, 1]", "[1, 0.25]") +
+                                             "velocity = [\"1e-4*cos(pi*x)\", 0]\n" + walls,
+                                         {"discretisation.spacing=" + spacing});
+  PointSolver<2> solver(settings, {1, kernels::widest_supported()});
+  const double frequency = std::numbers::pi * std::sqrt(100 * 0.3 / (1.3 * 0.4) + 2 * 100 / 2.6);
+  const double time = 2.2 * std::numbers::pi / frequency;
+  advance_until(solver, time);
+  double error = 0;
+  const auto& body = solver.state().bodies[0];
+  body.for_each_node([&](std::int64_t slot) {
+    const double exact = 1e-4 / frequency * std::cos(std::numbers::pi * body.start[slot][0]) *
+                         std::sin(frequency * time);
+    error = std::max(error, std::abs(body.displacement[0][slot] - exact));
+  });
+  return error * frequency / 1e-4;
+}
+
+TEST(point_based, a_standing_wave_converges) {
+  const double coarse = error_of_standing_wave("0.0625"), fine = error_of_standing_wave("0.03125");
+  EXPECT_LT(fine, 0.03);
+  EXPECT_GT(std::log2(coarse / fine), 1);
+}
+
+FileContent result_of(const Case& settings, const std::filesystem::path& folder, int threads,
+                      bool resume = false) {
+  RunOptions options;
+  options.folder = folder;
+  options.quiet = true;
+  options.isa = kernels::widest_supported();
+  options.threads = threads;
+  options.resume = resume;
+  EXPECT_EQ(run_case(settings, options), RunEnd::done);
+  return content_of(folder / "result.h5");
+}
+
+Case driven(const std::vector<std::string>& more = {}) {
+  std::vector<std::string> settings = {"time.end=0.2", "output.every=0.0501",
+                                       "point_based.stiffness_damping=1e-4",
+                                       "discretisation.spacing=0.1"};
+  settings.insert(settings.end(), more.begin(), more.end());
+  return tests::read_text(free_points(3) + tumbling + clamp, settings);
+}
+
+TEST(point_based, bytes_do_not_depend_on_the_number_of_threads) {
+  const TemporaryFolder folder;
+  const FileContent one = result_of(driven(), folder / "1", 1);
+  for (const int threads : {2, 7}) {
+    EXPECT_EQ(result_of(driven(), folder / std::to_string(threads), threads), one) << threads;
+  }
+}
+
+TEST(point_based, bytes_do_not_depend_on_a_restart) {
+  const TemporaryFolder folder;
+  for (const char* precision : {"double", "single"}) {
+    const Case settings = driven({std::string("precision=") + precision});
+    const FileContent through = result_of(settings, folder / precision, 1);
+    // The last checkpoint lies before the end: going on from it writes the end once more.
+    EXPECT_EQ(result_of(settings, folder / precision, 2, true), through);
+  }
+}
+
+TEST(point_based, output_times_do_not_alter_a_run) {
+  PointSolver<3> through(driven(), {1, kernels::widest_supported()});
+  PointSolver<3> watched(driven(), {1, kernels::widest_supported()});
+  while (through.clock().step < 40) through.step(HUGE_VAL);
+  int stops = 0;
+  while (watched.clock().step < 40 || watched.clock().rest() > 0) {
+    watched.step(stops++ % 3 == 0 ? 0.3 * watched.time_step() : HUGE_VAL);
+  }
+  EXPECT_GT(stops, 50);
+  for (int a = 0; a < 3; ++a) {
+    for (std::int64_t s = 0; s < through.state().bodies[0].slots; ++s) {
+      ASSERT_EQ(watched.state().bodies[0].displacement[a][s],
+                through.state().bodies[0].displacement[a][s]);
+    }
+  }
+}
+
+}  // namespace
+}  // namespace pliant::test
