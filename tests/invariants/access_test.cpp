@@ -115,7 +115,7 @@ TEST(accesses, of_the_total_lagrangian_method_are_declared) {
 }
 
 TEST(accesses, of_the_point_based_method_are_declared) {
-  const Case settings = tests::read_text(R"(dimension = 3
+  const Case settings = tests::read_text(R"toml(dimension = 3
 method = "point_based"
 [discretisation]
 spacing = 0.1
@@ -138,7 +138,7 @@ name = "air"
 kind = "pressure"
 geometry = { shape = "half_space", point = [0, 0, 0.5], normal = [0, 0, -1] }
 pressure = 1
-)");
+)toml");
   const auto accesses = undeclared_accesses([&](AccessProbe& probe) {
     point_based::Solver<double, 3> solver(settings, {.threads = 1});
     for (int step = 0; step < 3; ++step) solver.step(HUGE_VAL);
