@@ -34,6 +34,8 @@ std::string toml_text(const VectorExpression& value, const Writing&);
 std::string toml_text(Name value, const Writing&);
 std::string toml_text(MethodWord value, const Writing&);
 std::string toml_text(StepRule value, const Writing&);
+std::string toml_text(CflRule value, const Writing&);
+std::string toml_text(Dissipation value, const Writing&);
 std::string toml_text(MassScaling value, const Writing&);
 std::string toml_text(Damping value, const Writing&);
 std::string toml_text(RemeshRule value, const Writing&);
