@@ -25,7 +25,8 @@ struct SampleRun {
 };
 
 inline std::vector<SampleRun> sample_runs() {
-  const Settings disc = {"discretisation.spacing=0.06", "time.step=1e-3", "remeshing.every=5"};
+  const Settings disc = {"discretisation.spacing=0.06", "time.step=1e-3", "remeshing.every=5",
+                         "remeshing.filter=0.2"};
   const Settings block = {"discretisation.spacing=1/16", "time.step=5e-5",
                           "remeshing.strain_threshold=0.02"};
   const Settings cell = {"discretisation.spacing=1/24", "remeshing.every=6",

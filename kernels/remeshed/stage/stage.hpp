@@ -107,7 +107,7 @@ StageResult advance_stage_at(const Stage<Scalar<P>, D>& stage) {
         case Slots::particles:
           gradients_of(stage, segment, chunk, gradients);
           update(stage, gradients, chunk, extremes);
-          if constexpr (place == StagePlace::last) {
+          if (place == StagePlace::last && stage.pairs == nullptr) {
             extremes.deformation2 = largest_gradient2<P, D>(stage.current.drift, stage.interior,
                                                             segment, chunk, extremes.deformation2);
           }
