@@ -9,7 +9,7 @@
 namespace pliant::bench {
 
 /// cases/rotating_cylinder with about `particles` interior particles, remeshed every 10 steps, with
-/// the time step of (RP.29) and the default dissipation.
+/// the time step of (RP.29) and a dissipation of 0.25.
 Case rotating_cylinder(std::int64_t particles, kernels::Weight kernel);
 
 /// A ball that spins about the z axis, with the material and the settings of the cylinder.

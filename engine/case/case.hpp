@@ -176,6 +176,12 @@ enum class Integrator { leapfrog, kick_drift };
 /// Scalar type of the fields.
 enum class Precision { binary64, binary32 };
 
+/// Strengths of the dissipation (RP.23).
+struct DissipationCase {
+  double velocity = 0.5;  ///< gamma_u
+  double stress = 0.025;  ///< gamma_sigma
+};
+
 struct Case {
   std::string name;  ///< of the folder or the file, unless the file says
   std::string title;
@@ -185,15 +191,16 @@ struct Case {
 
   struct {
     double spacing = 0;  ///< h [m]
-    kernels::Weight kernel = kernels::Weight::quartic_polynomial;
-    double dissipation = 0.25;  ///< gamma_d of (RP.23)
-    double damping = 0;         ///< alpha of (RP.71) [1/s]
+    kernels::Weight kernel = kernels::Weight::compact;
+    DissipationCase dissipation;
+    double damping = 0;  ///< alpha of (RP.71) [1/s]
   } discretisation;
 
   struct {
     double end = 0;
     std::optional<double> step;  ///< none: "cfl"
-    double cfl = 0.5;
+    std::optional<double> cfl;   ///< none: that of stability.hpp
+    double strain = 0.02;        ///< of a step, (RP.29)
   } time;
 
   struct {
@@ -222,9 +229,10 @@ struct Case {
   struct {
     enum class Policy { every, adaptive, never };
     Policy policy = Policy::adaptive;
-    int every = 10;                  ///< steps
-    double strain_threshold = 0.18;  ///< of (RP.39)
-    double filter = 0.2;             ///< gamma of (RP.37)
+    int every = 10;                      ///< steps
+    double strain_threshold = 0.18;      ///< of (RP.39)
+    double deformation_threshold = 0.2;  ///< of (RP.39)
+    double filter = 0;                   ///< gamma of (RP.37)
     VolumeRule volume = VolumeRule::reset;
   } remeshing;
 

@@ -55,6 +55,12 @@ struct Coefficients {  ///< C_10, C_20, ...
 struct StepRule {  ///< a number or "cfl"
   std::optional<double>& step;
 };
+struct CflRule {  ///< a number; without one that of the method
+  std::optional<double>& cfl;
+};
+struct Dissipation {  ///< a table, or a number for both strengths
+  DissipationCase& strengths;
+};
 struct MassScaling {  ///< a number or "match_time_step"
   decltype(Case::total_lagrangian)& method;
 };

@@ -173,6 +173,8 @@ bool read(const Entry& entry, StepRule value) {
   return read_number_or(entry, "cfl", value.step, "a time step as in step = 5e-5");
 }
 
+bool read(const Entry& entry, CflRule value) { return read(entry, value.cfl.emplace()); }
+
 bool read(const Entry& entry, MassScaling value) {
   std::optional<double> factor;
   if (!read_number_or(entry, "match_time_step", factor, "a factor as in mass_scaling = 1e4"))

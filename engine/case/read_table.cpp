@@ -117,6 +117,15 @@ bool read(const Entry& entry, PronyCase& value) {
                       "their sum must be below 1");
 }
 
+bool read(const Entry& entry, Dissipation value) {
+  if (!entry.node.is_table()) {
+    if (!read(entry, value.strengths.velocity)) return false;
+    value.strengths.stress = value.strengths.velocity;
+    return true;
+  }
+  return read_keys(entry, entry.key, [&](auto& keys) { dissipation_keys(keys, value.strengths); });
+}
+
 bool read(const Entry& entry, std::optional<RigidRotation>& value) {
   return read_keys(entry, entry.key, [&](auto& keys) { rotation_keys(keys, value.emplace()); });
 }

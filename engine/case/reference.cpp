@@ -98,6 +98,11 @@ std::string case_reference_markdown(MethodList methods) {
                       PronyCase prony;
                       prony_keys(visit, prony);
                     }));
+  describer.section("dissipation", "Strengths of the dissipation (RP.23).",
+                    describe_table([](auto& visit) {
+                      DissipationCase dissipation;
+                      dissipation_keys(visit, dissipation);
+                    }));
   describer.section("rotation", "An initial rigid rotation of a body.",
                     describe_table([](auto& visit) {
                       RigidRotation rotation;

@@ -4,6 +4,7 @@
 
 #include <utility>
 
+#include "engine/case/stability.hpp"
 #include "engine/case/toml_text.hpp"
 #include "engine/case/vocabulary.hpp"
 
@@ -112,6 +113,14 @@ std::string toml_text(MethodWord value, const Writing& writing) {
 
 std::string toml_text(StepRule value, const Writing& writing) {
   return value.step ? toml_text(*value.step, writing) : "\"cfl\"";
+}
+
+std::string toml_text(CflRule, const Writing& writing) {
+  return toml_text(cfl_number(writing.a_case), writing);
+}
+
+std::string toml_text(Dissipation value, const Writing& writing) {
+  return inline_table(writing, [&](auto& keys) { dissipation_keys(keys, value.strengths); });
 }
 
 std::string toml_text(MassScaling value, const Writing& writing) {

@@ -48,31 +48,44 @@ double stable_cfl(const Case& a_case) {
   const double waves =
       on_imaginary_axis / largest_response(discretisation.kernel, a_case.dimension);
   // delta^4 is at most 16 along each direction, and 16 is what kappa has in its denominator.
-  const double dissipation = discretisation.dissipation * a_case.dimension;
+  const double dissipation =
+      std::max(discretisation.dissipation.velocity, discretisation.dissipation.stress) *
+      a_case.dimension;
   return near_surfaces * (dissipation > 0 ? std::min(waves, on_real_axis / dissipation) : waves);
 }
 
-std::optional<double> stable_step(const Case& a_case) {
+double cfl_number(const Case& a_case) {
+  const bool long_steps = a_case.method == "remeshed" && a_case.contacts.empty();
+  return a_case.time.cfl.value_or(std::min(long_steps ? 1 : 0.5, stable_cfl(a_case)));
+}
+
+std::optional<double> stable_step(const Case& a_case, double wave_speed) {
   const bool has_limit =
       a_case.method == "remeshed" || a_case.method == "sph" ||
       (a_case.method == "total_lagrangian" && !a_case.total_lagrangian.match_time_step);
   if (!has_limit) return std::nullopt;
-  return stable_cfl(a_case) * a_case.discretisation.spacing / fastest_wave(a_case);
+  const double present = wave_speed / std::sqrt(a_case.total_lagrangian.mass_scaling);
+  return stable_cfl(a_case) * a_case.discretisation.spacing /
+         std::max(present, fastest_wave(a_case));
 }
 
-std::string stability_warning(const Case& a_case) {
-  const std::optional<double> limit = stable_step(a_case);
+std::string stability_warning(const Case& a_case, double wave_speed) {
+  const std::optional<double> limit = stable_step(a_case, wave_speed);
   if (a_case.time.step && limit && *a_case.time.step > *limit) {
     return fmt::format(
-        "the time step {:.4g} s is above the stability limit of {:.3g} s (CFL number {:.2g}); set "
+        "the time step {:.4g} s is above the stability limit of {:.3g} s (CFL number {:.2g}){}; "
+        "set "
         "time.step = \"cfl\", or to less than the limit",
-        *a_case.time.step, *limit, stable_cfl(a_case));
+        *a_case.time.step, *limit, stable_cfl(a_case),
+        *limit < *stable_step(a_case)
+            ? fmt::format(" at the present wave speed of {:.4g} m/s", wave_speed)
+            : "");
   }
-  if (!a_case.time.step && a_case.time.cfl > stable_cfl(a_case)) {
+  if (!a_case.time.step && cfl_number(a_case) > stable_cfl(a_case)) {
     return fmt::format(
         "the CFL number {:.3g} is above the stability limit of {:.2g}; set time.cfl "
         "to less than the limit",
-        a_case.time.cfl, stable_cfl(a_case));
+        cfl_number(a_case), stable_cfl(a_case));
   }
   return "";
 }

@@ -41,6 +41,8 @@ inline std::string type_of(const std::optional<VectorExpression>&) {
 inline std::string type_of(const Name&) { return "name"; }
 inline std::string type_of(const MethodWord& value) { return joined_words(words_of(value.known)); }
 inline std::string type_of(const StepRule&) { return "number or `\"cfl\"`"; }
+inline std::string type_of(const CflRule&) { return "number"; }
+inline std::string type_of(const Dissipation&) { return "table or number"; }
 inline std::string type_of(const MassScaling&) { return "number or `\"match_time_step\"`"; }
 inline std::string type_of(const Stabilisation&) { return "number or `\"automatic\"`"; }
 inline std::string type_of(const Damping&) { return "number or `\"adaptive\"`"; }

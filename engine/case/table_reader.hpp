@@ -57,6 +57,8 @@ bool read(const Entry& entry, std::optional<VectorExpression>& value);
 bool read(const Entry& entry, Name value);
 bool read(const Entry& entry, MethodWord value);
 bool read(const Entry& entry, StepRule value);
+bool read(const Entry& entry, CflRule value);
+bool read(const Entry& entry, Dissipation value);
 bool read(const Entry& entry, MassScaling value);
 bool read(const Entry& entry, Damping value);
 bool read(const Entry& entry, Stabilisation value);

@@ -35,6 +35,8 @@ std::string toml_text(const std::optional<VectorExpression>& value, const Writin
 std::string toml_text(Name value, const Writing&);
 std::string toml_text(MethodWord value, const Writing&);
 std::string toml_text(StepRule value, const Writing&);
+std::string toml_text(CflRule value, const Writing&);
+std::string toml_text(Dissipation value, const Writing&);
 std::string toml_text(MassScaling value, const Writing&);
 std::string toml_text(Damping value, const Writing&);
 std::string toml_text(Stabilisation value, const Writing&);

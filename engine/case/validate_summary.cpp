@@ -7,6 +7,7 @@
 #include <cmath>
 #include <filesystem>
 
+#include "engine/case/stability.hpp"
 #include "engine/case/vocabulary.hpp"
 #include "engine/geometry/closed_mesh.hpp"
 #include "engine/geometry/distance_walk.hpp"
@@ -88,7 +89,8 @@ std::string method_text(const Case& a_case) {
   using Policy = decltype(Case::remeshing)::Policy;
   if (a_case.remeshing.policy == Policy::never) return "never remeshed";
   if (a_case.remeshing.policy == Policy::adaptive) {
-    return fmt::format("remeshed at a strain of {}", a_case.remeshing.strain_threshold);
+    return fmt::format("remeshed at a strain of {} or a deformation of {}",
+                       a_case.remeshing.strain_threshold, a_case.remeshing.deformation_threshold);
   }
   return fmt::format("remeshed every {} steps", a_case.remeshing.every);
 }
@@ -113,7 +115,7 @@ std::string validate_summary(const Case& a_case) {
     text += mesh_lines(boundary.geometry);
   }
   // (RP.29) at rest
-  const double cfl_step = a_case.time.cfl * a_case.discretisation.spacing / fastest;
+  const double cfl_step = cfl_number(a_case) * a_case.discretisation.spacing / fastest;
   const double step = a_case.time.step.value_or(cfl_step);
   text += fmt::format("  time: {} s in about {:.0f} steps of {:.3g} s (CFL number {:.2g}), {}\n",
                       a_case.time.end, std::ceil(a_case.time.end / step), step,

@@ -20,15 +20,23 @@ namespace pliant {
 
 template <class Visitor>
 void remeshing_keys(Visitor& visit, decltype(Case::remeshing)& remeshing) {
-  visit("every", RemeshRule{remeshing},
-        {.meaning = R"(number of time steps between two remeshings, "adaptive" (RP.39) or "never")",
-         .unit = "steps",
-         .example = "10",
-         .limits = at_least_one});
+  visit(
+      "every", RemeshRule{remeshing},
+      {.meaning = R"(number of time steps between two remeshings, "adaptive" (RP.39; with contact )"
+                  R"(after ten steps at the latest) or "never")",
+       .unit = "steps",
+       .example = "10",
+       .limits = at_least_one});
   visit("strain_threshold", remeshing.strain_threshold,
         {.meaning = R"(strain since the last remeshing at which every = "adaptive" remeshes)",
          .example = "0.2",
          .limits = {0, 1, false, true, "above 0 and at most 1"}});
+  visit(
+      "deformation_threshold", remeshing.deformation_threshold,
+      {.meaning = R"(deformation abs(F - I) since the last remeshing, rotation included, at which )"
+                  R"(every = "adaptive" remeshes)",
+       .example = "0.2",
+       .limits = {0, 1, false, true, "above 0 and at most 1"}});
   visit("filter", remeshing.filter,
         {.meaning = "strength of the high-order filter (RP.37); 0 switches it off",
          .example = "0.2",
@@ -86,7 +94,7 @@ void output_keys(Visitor& visit, decltype(Case::output)& output) {
 }
 
 template <class Visitor>
-void time_keys(Visitor& visit, decltype(Case::time)& time) {
+void time_keys(Visitor& visit, decltype(Case::time)& time, std::string_view method) {
   visit("end", time.end,
         {.meaning = "time at which the run ends",
          .unit = "s",
@@ -98,10 +106,30 @@ void time_keys(Visitor& visit, decltype(Case::time)& time) {
          .unit = "s",
          .example = "5e-5",
          .limits = positive});
-  visit("cfl", time.cfl,
-        {.meaning = R"(CFL number for step = "cfl")",
-         .example = "0.5",
-         .limits = {0, 2, false, true, "above 0 and at most 2"}});
+  visit(
+      "cfl", CflRule{time.cfl},
+      {.meaning = R"(CFL number for step = "cfl"; by default 1 in the remeshed method, 0.5 there )"
+                  "with contact between bodies and in other methods",
+       .example = "0.5",
+       .limits = {0, 2, false, true, "above 0 and at most 2"}});
+  if (method != "remeshed") return;
+  visit("strain", time.strain,
+        {.meaning = R"(largest strain in one step, dt max abs(eps), for step = "cfl" (RP.29))",
+         .example = "0.02",
+         .limits = {0, 1, false, true, "above 0 and at most 1"}});
+}
+
+inline constexpr Limits strength_of_dissipation{0, 2, true, true, "from 0 to 2"};
+
+template <class Visitor>
+void dissipation_keys(Visitor& visit, DissipationCase& dissipation) {
+  visit(
+      "velocity", dissipation.velocity,
+      {.meaning = "strength in the velocity", .example = "0.5", .limits = strength_of_dissipation});
+  visit("stress", dissipation.stress,
+        {.meaning = "strength in the stress; it costs more energy than that in the velocity",
+         .example = "0.025",
+         .limits = strength_of_dissipation});
 }
 
 template <class Visitor>
@@ -116,12 +144,12 @@ void discretisation_keys(Visitor& visit, decltype(Case::discretisation)& discret
   if (method != "remeshed") return;
   visit("kernel", discretisation.kernel,
         {.meaning = "smoothing kernel of the gradients", .example = R"("compact")"});
-  visit("dissipation", discretisation.dissipation,
-        {.meaning =
-             "strength of the damping of modes that the lattice does not resolve (RP.23); free "
-             "surfaces need it in long runs",
-         .example = "0.5",
-         .limits = {0, 2, true, true, "from 0 to 2"}});
+  visit(
+      "dissipation", Dissipation{discretisation.dissipation},
+      {.meaning = "damping of modes that the lattice does not resolve (RP.23), see dissipation; a "
+                  "number stands for both strengths; free surfaces need it in long runs",
+       .example = "{ velocity = 0.5, stress = 0.025 }",
+       .limits = strength_of_dissipation});
   visit("damping", discretisation.damping,
         {.meaning = "mass-proportional damping rate (RP.71), for bodies that come to rest",
          .unit = "1/s",
@@ -233,7 +261,7 @@ void case_keys(Visitor& visit, Case& a_case) {
   visit.table("discretisation", "Resolution and spatial operators.",
               [&](auto& keys) { discretisation_keys(keys, a_case.discretisation, a_case.method); });
   visit.table("time", "Simulated time and time step.",
-              [&](auto& keys) { time_keys(keys, a_case.time); });
+              [&](auto& keys) { time_keys(keys, a_case.time, a_case.method); });
   const bool remeshed = a_case.method == "remeshed";
   visit.optional_table("remeshing", "Remeshing of the particles onto their lattice.", remeshed,
                        [&](auto& keys) { remeshing_keys(keys, a_case.remeshing); });

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <stdexcept>
 
 #include "engine/geometry/load_meshes.hpp"
 #include "engine/method/step_length.hpp"
@@ -17,10 +18,18 @@ Solver::Solver(const Case& settings, const SolverOptions& options)
   for (BoundaryCase& boundary : settings_.boundaries) load_meshes(boundary.geometry);
 }
 
+double Solver::next_step(double longest) const {
+  return step_length(settings_, clock(), time_step(), longest);
+}
+
+void Solver::look_ahead(double, const std::function<void()>&) {
+  throw std::logic_error("this method does not look ahead");
+}
+
 void Solver::step(double longest) {
   using Clock = std::chrono::steady_clock;
   const auto start = Clock::now();
-  take_step(step_length(settings_, clock(), time_step(), longest));
+  take_step(next_step(longest));
   step_seconds_ += std::chrono::duration<double>(Clock::now() - start).count();
 }
 

@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cstdint>
+#include <functional>
 #include <optional>
 #include <pliant/field.hpp>
 #include <span>
@@ -39,13 +40,22 @@ class Solver {
 
   const Case& settings() const { return settings_; }
   virtual const StepClock& clock() const = 0;
-  /// Step length that the case asks for [s], before it is fitted to an output time.
+  /// Step length that the case asks for [s], before it is fitted to the end of the run.
   virtual double time_step() const = 0;
+
+  /// Length of the next step, of at most `longest` [s]. Throws StepFailure.
+  double next_step(double longest) const;
 
   /// Takes one time step of at most `longest` [s]. Throws StepFailure.
   void step(double longest);
   /// Steps to the time `until` [s] and ends exactly there. Throws StepFailure.
   void advance(double until);
+
+  /// Whether the state at an output time is seen by look_ahead, so that no step ends for it.
+  virtual bool looks_ahead() const { return false; }
+  /// Calls `look` with the state at `time` [s], which lies within the next step: that of a shorter
+  /// step from here. Then the state is the present one again, bit by bit. Throws StepFailure.
+  virtual void look_ahead(double time, const std::function<void()>& look);
 
   virtual std::int64_t particles() const = 0;
   virtual std::int64_t ghosts() const { return 0; }

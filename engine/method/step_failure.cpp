@@ -9,7 +9,7 @@ namespace pliant {
 
 StepFailure failed_step(const Case& settings, const StepClock& clock, const std::string& what,
                         const std::vector<std::string>& remedies) {
-  const std::string cause = stability_warning(settings);
+  const std::string cause = stability_warning(settings, clock.wave_speed);
   if (!cause.empty()) {
     return StepFailure(
         fmt::format("t = {:.6g}, step {}: {}; {}", clock.time, clock.step, what, cause));

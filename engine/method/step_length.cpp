@@ -2,13 +2,17 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
+#include "engine/case/stability.hpp"
 #include "engine/method/step_failure.hpp"
 
 namespace pliant {
 
-double asked_step(const Case& settings, double wave_speed) {
+double asked_step(const Case& settings, double wave_speed, double strain_rate) {
   if (settings.time.step) return *settings.time.step;
-  return settings.time.cfl * settings.discretisation.spacing / wave_speed;
+  const double of_waves = cfl_number(settings) * settings.discretisation.spacing / wave_speed;
+  return strain_rate > 0 ? std::min(of_waves, settings.time.strain / strain_rate) : of_waves;
 }
 
 double step_length(const Case& settings, const StepClock& clock, double asked, double longest) {

@@ -10,16 +10,14 @@ namespace pliant::remeshed {
 
 namespace {
 
-// Between two remeshings a ghost stays on the side of a wall on which it started. The adaptive rule
-// remeshes strained bodies only, so that an undeformed body would fly through a wall.
+// Between two remeshings a ghost stays on the side of a wall on which it started.
 void check_contact_steps(const Check& check) {
   using Policy = decltype(Case::remeshing)::Policy;
-  if (check.a_case.remeshing.policy == Policy::every) return;
+  if (check.a_case.remeshing.policy != Policy::never) return;
   for (const BoundaryCase& boundary : check.a_case.boundaries) {
     if (boundary.kind != BoundaryCase::Kind::contact_wall) continue;
-    check.problems.add(check.place("remeshing", "every"),
-                       "contact walls need a fixed number of steps between remeshings",
-                       "write every = 10 in [remeshing]");
+    check.problems.add(check.place("remeshing", "every"), "contact walls need remeshings",
+                       "write every = \"adaptive\"");
     return;
   }
 }

@@ -81,8 +81,10 @@ kernels::Stage<T, D> ParticleUpdate<T, D>::stage_of(Body<T, D>& body, int block,
   work.spacing = static_cast<T>(body.lattice.spacing);
   work.time_step = static_cast<T>(time_step_);
   // At rest: a speed that followed the state would be one step late, or another body's.
-  work.dissipation = static_cast<T>(settings_.discretisation.dissipation) *
-                     kernels::wave_speed_at_rest(body.material) / (16 * work.spacing);
+  const DissipationCase& dissipation = settings_.discretisation.dissipation;
+  const T rate = kernels::wave_speed_at_rest(body.material) / (16 * work.spacing);
+  work.velocity_dissipation = static_cast<T>(dissipation.velocity) * rate;
+  work.stress_dissipation = static_cast<T>(dissipation.stress) * rate;
   work.stage = stage;
   work.weight = settings_.discretisation.kernel;
   work.material = body.material;

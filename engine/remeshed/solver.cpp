@@ -22,9 +22,22 @@ std::vector<std::string> remedies(const Case& settings) {
   using Policy = decltype(Case::remeshing)::Policy;
   const bool adaptive = settings.remeshing.policy == Policy::adaptive;
   return {smaller_step(settings),
-          adaptive ? "remesh more often (remeshing.strain_threshold)"
-                   : "remesh more often (remeshing.every)",
+          adaptive
+              ? "remesh more often (remeshing.strain_threshold, remeshing.deformation_threshold)"
+              : "remesh more often (remeshing.every)",
           "use a finer spacing"};
+}
+
+// Ghosts between bodies, or between a body and a contact wall, belong to where the bodies were at
+// the last remeshing. Bodies that fly towards each other do not deform, and the edge of a contact
+// moves along.
+constexpr std::int64_t most_steps_in_contact = 10;
+
+bool has_contact(const Case& settings) {
+  return !settings.contacts.empty() ||
+         std::ranges::any_of(settings.boundaries, [](const BoundaryCase& boundary) {
+           return boundary.kind == BoundaryCase::Kind::contact_wall;
+         });
 }
 
 }  // namespace
@@ -44,20 +57,54 @@ Solver<T, D>::Solver(const Case& a_case, const SolverOptions& options)
       source_graph_(resource::names()),
       target_graph_(resource::names()),
       stress_graph_(resource::names()),
-      listed_(state_.bodies.size()) {
+      listed_(state_.bodies.size()),
+      has_contact_(has_contact(settings())) {
   remeshings_.place_initial();
   number_blocks<D>(remeshings_.layouts(), state_.blocks);
   step_.momentum().open();
   use_new_slots();
+  state_.clock.strain_rate = bound_of_initial_strain_rate();
+}
+
+// max abs(grad u)_F, by differences along the lattice lines.
+template <class T, int D>
+double Solver<T, D>::bound_of_initial_strain_rate() {
+  double largest = 0;
+  for (Body<T, D>& body : state_.bodies) {
+    const Layout<D>& layout = body.population.layout;
+    for (const Block<D>& block : layout.blocks()) {
+      largest = std::max(
+          largest, kernels_.lattice_gradient(
+                       {layout.segments_of(block), block.segment_count,
+                        static_cast<T>(body.lattice.spacing), body.population.pack_state.get(),
+                        body.interior.get(), body.stage[0].template evolving<const T>().velocity}));
+    }
+  }
+  return largest;
 }
 
 template <class T, int D>
 double Solver<T, D>::time_step() const {
-  return asked_step(settings(), state_.clock.wave_speed);
+  return asked_step(settings(), state_.clock.wave_speed, state_.clock.strain_rate);
 }
 
 template <class T, int D>
 void Solver<T, D>::take_step(double dt) {
+  move(dt);
+  add_particle_stages(4 * particles());
+  if (remeshing_due()) remesh();
+}
+
+template <class T, int D>
+void Solver<T, D>::look_ahead(double time, const std::function<void()>& look) {
+  before_look_.keep(state_);
+  move(time - state_.clock.time);
+  look();
+  before_look_.put_back(state_);
+}
+
+template <class T, int D>
+void Solver<T, D>::move(double dt) {
   Clock& clock = state_.clock;
   step_.prepare(dt);
   find_neighbours(dt);
@@ -71,10 +118,10 @@ void Solver<T, D>::take_step(double dt) {
   ++clock.steps_since_remeshing;
   ++clock.steps_since_reinitialisation;
   clock.accumulated_strain += dt * step_.results().total().strain_rate;
+  clock.deformation = step_.results().total().deformation;
+  clock.strain_rate = step_.results().total().strain_rate;
   clock.wave_speed = step_.results().total().wave_speed;
   search_.add_strain(step_.results(), dt);
-  add_particle_stages(4 * particles());
-  if (remeshing_due()) remesh();
 }
 
 template <class T, int D>
@@ -84,7 +131,9 @@ bool Solver<T, D>::remeshing_due() const {
     case Policy::every:
       return state_.clock.steps_since_remeshing >= settings().remeshing.every;
     case Policy::adaptive:
-      return state_.clock.accumulated_strain > settings().remeshing.strain_threshold;
+      return state_.clock.accumulated_strain > settings().remeshing.strain_threshold ||
+             state_.clock.deformation > settings().remeshing.deformation_threshold ||
+             (has_contact_ && state_.clock.steps_since_remeshing >= most_steps_in_contact);
     case Policy::never:
       return false;
   }
@@ -101,6 +150,7 @@ void Solver<T, D>::remesh() {
   ++clock.remeshings;
   clock.steps_since_remeshing = 0;
   clock.accumulated_strain = 0;
+  clock.deformation = 0;
   for (Body<T, D>& body : state_.bodies) body.neighbours.strain = 0;
   remeshings_.commit();
   use_new_slots();

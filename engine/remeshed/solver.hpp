@@ -8,6 +8,7 @@
 #include "engine/remeshed/neighbours/neighbours.hpp"
 #include "engine/remeshed/remeshing/remeshings.hpp"
 #include "engine/remeshed/state.hpp"
+#include "engine/remeshed/state_copy.hpp"
 #include "engine/remeshed/step.hpp"
 #include "kernels/remeshed/table.hpp"
 
@@ -25,7 +26,9 @@ class Solver final : public pliant::Solver {
   std::int64_t particles() const override { return state_.particles(); }
   std::int64_t ghosts() const override;
   std::int64_t remeshings() const override { return state_.clock.remeshings; }
-  std::size_t bytes() const override { return state_.bytes(); }
+  std::size_t bytes() const override { return state_.bytes() + before_look_.bytes(); }
+  bool looks_ahead() const override { return true; }
+  void look_ahead(double time, const std::function<void()>& look) override;
 
   /// After a remeshing particles lie on nodes.
   bool is_measuring_due() const override { return lies_on_nodes(); }
@@ -53,6 +56,8 @@ class Solver final : public pliant::Solver {
 
  private:
   void take_step(double time_step) override;
+  void move(double time_step);
+  double bound_of_initial_strain_rate();
   std::vector<double> measure_each(std::span<const MeasurementCase> measurements) override;
   void save_state(ArchiveWriter& archive) const override;
   void restore_state(const ArchiveReader& archive) override;
@@ -68,6 +73,7 @@ class Solver final : public pliant::Solver {
 
   const kernels::RemeshedTable<T, D>& kernels_;
   State<T, D> state_;
+  StateCopy<T, D> before_look_;
   Step<T, D> step_;
   Remeshings<T, D> remeshings_;
   NeighbourSearch<T, D> search_;
@@ -75,6 +81,7 @@ class Solver final : public pliant::Solver {
   CachedGraph<D> ghost_graph_, source_graph_, target_graph_, stress_graph_;
   scheduler::StepGraph* present_graph_ = nullptr;  ///< one of the first two
   std::vector<bool> listed_;                       ///< [body] as the second was made for
+  bool has_contact_;                               ///< with walls or between bodies
 };
 
 extern template class Solver<double, 2>;

@@ -24,7 +24,7 @@ class StageResults {
 
  private:
   std::vector<kernels::StageResult> of_block_;
-  kernels::StageResult total_ = {0, 0, -1};
+  kernels::StageResult total_;
   std::vector<double> strain_rates_;  ///< [body]
   int failed_block_ = -1;
 };

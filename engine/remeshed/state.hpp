@@ -18,6 +18,8 @@ struct Clock : StepClock {
   std::int64_t steps_since_remeshing = 0;
   std::int64_t steps_since_reinitialisation = 0;
   double accumulated_strain = 0;  ///< of (RP.39), since the last remeshing
+  double deformation = 0;         ///< max abs(F - I) of (RP.39), since the last remeshing
+  double strain_rate = 0;         ///< max abs(eps)_F of (RP.29) in the last step [1/s]
 };
 
 /// Of a body in contact, see momentum_correction.hpp.

@@ -15,6 +15,13 @@ namespace pliant::remeshed {
 namespace {
 
 template <class C, class F>
+void for_each_rate(C& clock, F&& f) {
+  f("accumulated_strain", clock.accumulated_strain);
+  f("deformation", clock.deformation);
+  f("strain_rate", clock.strain_rate);
+}
+
+template <class C, class F>
 void for_each_counter(C& clock, F&& f) {
   f("remeshings", clock.remeshings);
   f("steps_since_remeshing", clock.steps_since_remeshing);
@@ -146,7 +153,9 @@ void put_state(ArchiveWriter& archive, const State<T, D>& state) {
   for_each_counter(state.clock, [&](const char* name, std::int64_t value) {
     archive.put(std::string("clock/") + name, value);
   });
-  archive.put("clock/accumulated_strain", state.clock.accumulated_strain);
+  for_each_rate(state.clock, [&](const char* name, double value) {
+    archive.put(std::string("clock/") + name, value);
+  });
   put_energy(archive, "energy", state.energy);
   put_boundaries<D>(archive, state.boundaries);
   put_points<D>(archive, "walls/impulse", state.wall_impulse);
@@ -181,7 +190,9 @@ void get_state(const ArchiveReader& archive, State<T, D>& state, Remeshings<T, D
   for_each_counter(state.clock, [&](const char* name, std::int64_t& value) {
     value = archive.scalar<std::int64_t>(std::string("clock/") + name);
   });
-  state.clock.accumulated_strain = archive.scalar<double>("clock/accumulated_strain");
+  for_each_rate(state.clock, [&](const char* name, double& value) {
+    value = archive.scalar<double>(std::string("clock/") + name);
+  });
   get_energy(archive, "energy", state.energy);
   get_boundaries<D>(archive, state.boundaries);
   get_points<D>(archive, "walls/impulse", state.wall_impulse);

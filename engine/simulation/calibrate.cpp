@@ -56,7 +56,7 @@ std::optional<double> estimated_seconds(const Case& a_case, const Estimate& size
   Case coarse = a_case;
   coarse.discretisation.spacing *= factor;
   try {
-    return static_cast<double>(size.steps) * particles *
+    return static_cast<double>(size.steps + size.looks) * particles *
            seconds_per_particle_step(*methods.make(coarse, options));
   } catch (const std::exception&) {  // too coarse for the case: then nothing is known
     return std::nullopt;

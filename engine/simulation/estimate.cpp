@@ -121,6 +121,18 @@ double values_of_slot(const BodyCase& body) {
   return state + stress + interior + (D == 3 ? 1 : 0) + memory;
 }
 
+/// Values of a slot in the copy of the state that looks ahead need.
+template <int D>
+double values_of_copy(const BodyCase& body) {
+  int state = 0;
+  const int terms = static_cast<int>(body.prony.size());
+  const int material = kernels::material_component_count<D>(body.material.model);
+  for (const remeshed::Declaration& f : remeshed::state_fields) {
+    if (is_evolving(f)) state += remeshed::components<D>(f.rank, material);
+  }
+  return state + terms + kernels::symmetric_components<D>;
+}
+
 // Ghosts have fits; particles are in frames, and in the cells over which totals are integrated.
 template <int D>
 Cost cost_of(const Case& a_case, const BodyCase& body) {
@@ -134,7 +146,10 @@ Cost cost_of(const Case& a_case, const BodyCase& body) {
     const double bonds = asked > 0 ? asked : D == 2 ? 12 : 26;
     return {0, 0, bonds * (value * (D + 1.0) + 2) + value * (6.0 * D + 30) + 700};
   }
-  return {value * (values_of_slot<D>(body) + 1), D == 2 ? 2500. : 1300., D == 2 ? 180. : 320.};
+  const bool looks = a_case.output.every > 0 || a_case.output.measure_every > 0;
+  const double copy = looks ? values_of_copy<D>(body) : 0;
+  return {value * (values_of_slot<D>(body) + copy + 1), D == 2 ? 2500. : 1300.,
+          D == 2 ? 180. : 320.};
 }
 
 template <int D>
@@ -153,10 +168,27 @@ Estimate estimate_in(const Case& a_case) {
   return sum;
 }
 
-/// Steps between outputs end at them.
+double step_of(const Case& a_case) {
+  return a_case.time.step.value_or(cfl_number(a_case) * a_case.discretisation.spacing /
+                                   fastest_wave(a_case));
+}
+
+/// Whether outputs between two steps are looks ahead, for which no step ends.
+bool looks_ahead(const Case& a_case) {
+  return a_case.method == "remeshed" || a_case.method == "sph";
+}
+
+std::int64_t looks_of(const Case& a_case) {
+  double looks = 0;
+  for (const double every : {a_case.output.every, a_case.output.measure_every}) {
+    if (every > 0) looks += a_case.time.end / every;
+  }
+  return looks_ahead(a_case) ? std::llround(looks) : 0;
+}
+
 std::int64_t steps_of(const Case& a_case) {
-  const double step = a_case.time.step.value_or(a_case.time.cfl * a_case.discretisation.spacing /
-                                                fastest_wave(a_case));
+  const double step = step_of(a_case);
+  if (looks_ahead(a_case)) return std::llround(std::ceil(a_case.time.end / step * (1 - 1e-9)));
   std::int64_t steps = 0;
   double time = 0;
   const double end = a_case.time.end;
@@ -183,6 +215,7 @@ std::int64_t steps_of(const Case& a_case) {
 Estimate estimate(const Case& a_case) {
   Estimate size = a_case.dimension == 2 ? estimate_in<2>(a_case) : estimate_in<3>(a_case);
   size.steps = steps_of(a_case);
+  size.looks = looks_of(a_case);
   return size;
 }
 

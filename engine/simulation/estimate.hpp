@@ -12,7 +12,8 @@ namespace pliant {
 
 struct Estimate {
   std::int64_t particles = 0, slots = 0, steps = 0;
-  std::size_t bytes = 0;  ///< largest resident memory of `pliant run`, within a fifth
+  std::int64_t looks = 0;  ///< outputs that cost as much as a step each
+  std::size_t bytes = 0;   ///< largest resident memory of `pliant run`, within a fifth
 
   /// One line for people.
   std::string text() const;

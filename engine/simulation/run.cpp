@@ -13,6 +13,7 @@
 
 #include "engine/case/measurement_kinds.hpp"
 #include "engine/case/resolved.hpp"
+#include "engine/case/stability.hpp"
 #include "engine/case/words.hpp"
 #include "engine/output/checkpoint.hpp"
 #include "engine/output/interrupt.hpp"
@@ -65,10 +66,8 @@ class Run {
     const auto start = Clock::now();
     options_.resume ? resume() : begin();
     const Interrupt interrupt;
-    const double end = settings_.time.end;
     while (!at_end()) {
-      solver_->step(std::min({end, frames_.next(), samples_.next(), checkpoints_.next()}) -
-                    solver_->clock().time);
+      step();
       observe();
       warn(watch_.observe(*solver_, at_end()));
       if (interrupt.requested() && !at_end()) {
@@ -83,6 +82,23 @@ class Run {
   }
 
  private:
+  // A method that looks ahead takes its own steps whatever the output times are; only the end of
+  // the run cuts the last one.
+  void step() {
+    const double end = settings_.time.end, now = solver_->clock().time;
+    if (!solver_->looks_ahead()) {
+      solver_->step(std::min({end, frames_.next(), samples_.next(), checkpoints_.next()}) - now);
+      return;
+    }
+    const double after = now + solver_->next_step(end - now);
+    for (;;) {
+      const double next = std::min(frames_.next(), samples_.next());
+      if (next >= after * (1 - 1e-12)) break;
+      solver_->look_ahead(next, [this] { put_out(false); });
+    }
+    solver_->step(end - now);
+  }
+
   bool at_end() const { return solver_->clock().time >= settings_.time.end * (1 - 1e-12); }
 
   RunDescription describe() const {
@@ -130,21 +146,39 @@ class Run {
     result_.emplace(ResultFile::resume(options_.folder, describe(), get_extent(archive, "result")));
   }
 
+  void put_out(bool everything) {
+    const double t = solver_->clock().time;
+    if (samples_.reached(t) || everything) sample();
+    if (!frames_.reached(t) && !everything) return;
+    result_->append(solver_->frame(parts()));
+    has_new_frame_ = true;
+  }
+
   void observe() {
     const double t = solver_->clock().time;
     const bool last = at_end();
     const bool due = solver_->is_measuring_due();
-    if (samples_.reached(t) || last || (settings_.output.measure_every == 0 && due)) sample();
-    const bool frame = frames_.reached(t) || last;
-    if (frame) result_->append(solver_->frame(parts()));
+    if (settings_.output.measure_every == 0 && due && !last) sample();
+    put_out(last);
     // Without an interval of their own, checkpoints go with the frames. There is none at the end: a
     // run that continues to a later end must not keep what only the end called for, the last frame
     // and measurements, and a last step that was cut short.
     const bool save_now =
-        checkpoints_.reached(t) || (frame && settings_.output.checkpoint_every == 0);
+        checkpoints_.reached(t) || (has_new_frame_ && settings_.output.checkpoint_every == 0);
+    has_new_frame_ = false;
     if (save_now && !last) save();
+    warn_of_instability();
     progress_.update({t, settings_.time.end, solver_->clock().step, solver_->time_step(),
                       solver_->particle_stages()});
+  }
+
+  // A step that the case gives may be stable at rest and too long for what the material has become.
+  void warn_of_instability() {
+    if (is_unstable_) return;
+    const std::string warning = stability_warning(settings_, solver_->clock().wave_speed);
+    is_unstable_ = !warning.empty();
+    if (!is_unstable_ || !stability_warning(settings_).empty()) return;
+    progress_.message(fmt::format("warning: t = {:.6g} s: {}", solver_->clock().time, warning));
   }
 
   FrameParts parts() const { return {settings_.output.ghosts, settings_.output.surface}; }
@@ -251,6 +285,8 @@ class Run {
   std::optional<ResultFile> result_;
   ConservedQuantities start_;
   std::int64_t particles_at_start_ = 0;
+  bool has_new_frame_ = false;  ///< since the last checkpoint was considered
+  bool is_unstable_ = false;    ///< the step is above the stability limit
 };
 
 }  // namespace

@@ -58,6 +58,20 @@ double Solver<T, D>::time_step() const {
 
 template <class T, int D>
 void Solver<T, D>::take_step(double dt) {
+  move(dt);
+  add_particle_stages(4 * particles());
+}
+
+template <class T, int D>
+void Solver<T, D>::look_ahead(double time, const std::function<void()>& look) {
+  before_look_.keep(state_);
+  move(time - state_.clock.time);
+  look();
+  before_look_.put_back(state_);
+}
+
+template <class T, int D>
+void Solver<T, D>::move(double dt) {
   step_.prepare(dt);
   if (search_.is_due(dt)) {
     run(search_graph_.over(remeshings_.layouts(), [&] { return search_.phases(); }));
@@ -71,7 +85,6 @@ void Solver<T, D>::take_step(double dt) {
   ++clock.step;
   clock.wave_speed = step_.results().total().wave_speed;
   search_.add_strain(step_.results(), dt);
-  add_particle_stages(4 * particles());
 }
 
 template <class T, int D>

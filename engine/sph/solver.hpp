@@ -5,6 +5,7 @@
 #include "engine/remeshed/neighbours/neighbours.hpp"
 #include "engine/remeshed/remeshing/remeshings.hpp"
 #include "engine/remeshed/state.hpp"
+#include "engine/remeshed/state_copy.hpp"
 #include "engine/sph/step.hpp"
 #include "kernels/remeshed/table.hpp"
 
@@ -21,7 +22,11 @@ class Solver final : public pliant::Solver {
   const StepClock& clock() const override { return state_.clock; }
   double time_step() const override;
   std::int64_t particles() const override { return state_.particles(); }
-  std::size_t bytes() const override { return state_.bytes() + step_.bytes(); }
+  std::size_t bytes() const override {
+    return state_.bytes() + step_.bytes() + before_look_.bytes();
+  }
+  bool looks_ahead() const override { return true; }
+  void look_ahead(double time, const std::function<void()>& look) override;
 
   BodyIntegrals integrals() override;
   std::optional<EnergyBudget> energy_budget() const override { return state_.energy; }
@@ -39,6 +44,7 @@ class Solver final : public pliant::Solver {
 
  private:
   void take_step(double time_step) override;
+  void move(double time_step);
   std::vector<double> measure_each(std::span<const MeasurementCase> measurements) override;
   void save_state(ArchiveWriter& archive) const override;
   void restore_state(const ArchiveReader& archive) override;
@@ -46,6 +52,7 @@ class Solver final : public pliant::Solver {
 
   const kernels::RemeshedTable<T, D>& kernels_;
   remeshed::State<T, D> state_;
+  remeshed::StateCopy<T, D> before_look_;
   Step<T, D> step_;
   remeshed::Remeshings<T, D> remeshings_;  ///< puts the initial particles on their lattices
   remeshed::NeighbourSearch<T, D> search_;

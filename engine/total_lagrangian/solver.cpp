@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "engine/case/stability.hpp"
 #include "engine/lattice/layout_blocks.hpp"
 #include "engine/method/step_failure.hpp"
 #include "engine/total_lagrangian/observe/field_views.hpp"
@@ -69,14 +70,14 @@ void Solver<T, D>::scale_mass() {
   double& scaling = state_.clock.mass_scaling = method.mass_scaling;
   if (!method.match_time_step) return;
   const double cells = state_.clock.wave_speed * *settings().time.step /
-                       (settings().time.cfl * settings().discretisation.spacing);
+                       (cfl_number(settings()) * settings().discretisation.spacing);
   scaling = std::max(1.0, cells * cells);
 }
 
 template <class T, int D>
 double Solver<T, D>::time_step() const {
   if (settings().time.step) return *settings().time.step;
-  return settings().time.cfl * settings().discretisation.spacing *
+  return cfl_number(settings()) * settings().discretisation.spacing *
          std::sqrt(state_.clock.mass_scaling) / state_.clock.wave_speed;
 }
 

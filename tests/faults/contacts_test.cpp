@@ -57,9 +57,8 @@ const Fault faults[] = {
     {"tied_bodies_that_do_not_meet", meeting("1.5", pair + "kind = \"tied\"\n"),
      "block.toml:17: bodies \"block\" and \"other\" are tied but do not meet; let their surfaces "
      "touch at the start"},
-    {"contact_of_bodies_with_adaptive_remeshing", meeting("1.1", pair, "every = \"adaptive\""),
-     "block.toml:15: bodies in contact need a fixed number of steps between remeshings; write "
-     "every = 10 in [remeshing]"},
+    {"contact_of_bodies_without_remeshing", meeting("1.1", pair, "every = \"never\""),
+     "block.toml:15: bodies in contact need remeshings; write every = \"adaptive\""},
     {"a_force_between_bodies_that_do_not_touch",
      meeting("1.1",
              "[[measurement]]\nname = \"push\"\nkind = \"contact_force\"\nbodies = [\"other\", "

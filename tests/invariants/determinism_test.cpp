@@ -45,6 +45,37 @@ TEST_P(Determinism, measuring_changes_nothing_in_the_trajectory) {
       none);
 }
 
+// Looks at times within a step, two of them in each.
+TEST_P(Determinism, looking_ahead_changes_nothing_in_the_trajectory) {
+  Solver solver(GetParam().settled(), {1, kernels::widest_supported()});
+  Solver watched(GetParam().settled(), {1, kernels::widest_supported()});
+  for (int i = 0; i < GetParam().steps; ++i) {
+    const double now = watched.clock().time, length = watched.next_step(HUGE_VAL);
+    for (const double part : {0.3, 0.8}) {
+      watched.look_ahead(now + part * length, [&] {
+        EXPECT_NEAR(watched.clock().time, now + part * length, 1e-15);
+        watched.measure();
+        if (i % 3 == 0) watched.refresh_ghosts();
+      });
+    }
+    advance(solver, 1);
+    advance(watched, 1);
+  }
+  EXPECT_EQ(
+      differences(snapshot_of(solver, Slots::particles), snapshot_of(watched, Slots::particles)),
+      none);
+}
+
+TEST_P(Determinism, a_look_ahead_shows_what_a_step_until_then_leads_to) {
+  Solver solver(GetParam().settled(), {1, kernels::widest_supported()});
+  Solver other(GetParam().settled(), {1, kernels::widest_supported()});
+  const double time = 0.4 * solver.next_step(HUGE_VAL);
+  other.step(time);
+  const std::vector<double> expected = other.measure();
+  solver.look_ahead(time, [&] { EXPECT_EQ(solver.measure(), expected); });
+  EXPECT_EQ(solver.clock().time, 0);
+}
+
 /// Runs a graph in the order of its list, or in another legal one.
 void run(scheduler::StepGraph& graph, Solver& solver, std::uint64_t seed) {
   solver.workers().execute([&] { graph.run_serially(seed); });

@@ -25,8 +25,10 @@ struct SampleRun {
 };
 
 inline std::vector<SampleRun> sample_runs() {
-  const Settings disc = {"discretisation.spacing=0.06", "remeshing.every=5"};
-  const Settings block = {"discretisation.spacing=1/16", "remeshing.strain_threshold=0.02"};
+  const Settings disc = {"discretisation.spacing=0.06", "time.step=1e-3", "remeshing.every=5",
+                         "remeshing.filter=0.2"};
+  const Settings block = {"discretisation.spacing=1/16", "time.step=5e-5",
+                          "remeshing.strain_threshold=0.02"};
   const Settings cell = {"discretisation.spacing=1/24", "remeshing.every=6",
                          "body.medium.velocity=[\"2*sin(2*pi*x)*sin(2*pi*y)\", \"1\"]"};
   // The ball as a disc on its way into the wall.
@@ -69,7 +71,7 @@ inline std::vector<SampleRun> sample_runs() {
 /// Runs that strain so much between remeshings that neighbours come from lists, from `middle` on.
 inline std::vector<SampleRun> listed_runs() {
   const Settings block = {"discretisation.spacing=1/16", "remeshing.strain_threshold=0.3",
-                          "time.step=1.5e-4"};
+                          "remeshing.deformation_threshold=1", "time.step=1.5e-4"};
   const Settings cell = {"discretisation.spacing=1/24", "remeshing.every=20",
                          "body.medium.velocity=[\"4*sin(2*pi*x)*sin(2*pi*y)\", \"1\"]"};
   return {

@@ -22,8 +22,9 @@ constexpr double rounding = 1e-11;
 // point. Near corners that is 2e-6 spacings, and stresses feel ten times as much.
 constexpr double closest_points = 2e-5;
 
-const Settings disc = {"discretisation.spacing=1/16", "remeshing.every=6"};
-const Settings block = {"discretisation.spacing=1/16", "remeshing.strain_threshold=0.015"};
+const Settings disc = {"discretisation.spacing=1/16", "time.step=1e-3", "remeshing.every=6"};
+const Settings block = {"discretisation.spacing=1/16", "time.step=5e-5",
+                        "remeshing.strain_threshold=0.015"};
 
 void expect_same_particles(const Solver& a, const Solver& b) {
   EXPECT_GE(a.clock().remeshings, 2);

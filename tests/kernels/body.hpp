@@ -43,7 +43,8 @@ struct Body {
     arguments.segment_count = static_cast<int>(patch.segments.size());
     arguments.spacing = patch.spacing;
     arguments.time_step = time_step;
-    arguments.dissipation = dissipation;
+    arguments.velocity_dissipation = velocity_dissipation;
+    arguments.stress_dissipation = stress_dissipation;
     arguments.stage = number;
     arguments.weight = weight;
     arguments.material = material;
@@ -91,7 +92,7 @@ struct Body {
   Patch<T, D> patch;
   Material<T> material;
   Weight weight = Weight::quartic_polynomial;
-  T dissipation = T(0.7);
+  T velocity_dissipation = T(0.7), stress_dissipation = T(0.3);
   const NeighbourLists<D>* neighbours = nullptr;
   Field<T> mass;
   std::vector<State<T, D>> states;  ///< Q0, Q2, Q3, Q4 of (RP.21)

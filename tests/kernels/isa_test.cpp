@@ -38,6 +38,7 @@ Values<T> steps(const RemeshedTable<T, D>& kernels, Model model, Weight weight) 
     body.neighbours = neighbours;
     const StageResult result = body.step(kernels, T(1e-3));
     values.push_back(static_cast<T>(result.strain_rate));
+    values.push_back(static_cast<T>(result.deformation));
     values.push_back(static_cast<T>(result.wave_speed));
   }
   for (const auto& state : body.states) {

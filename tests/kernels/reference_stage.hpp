@@ -121,7 +121,8 @@ Rates<D> reference_rates(const Body<T, D>& body, const State<T, D>& q, const Seg
   for (int i = 0; i < D; ++i) {
     for (int j = 0; j < D; ++j) {
       const Field<T>& stress = q.stress[symmetric_index<D>(i, j)];
-      relaxation(i, j) = -body.dissipation * fourth_difference_at(stress, body.patch, segment, p);
+      relaxation(i, j) =
+          -body.stress_dissipation * fourth_difference_at(stress, body.patch, segment, p);
     }
   }
   if (body.material.model == Model::reduced_polynomial) {
@@ -135,7 +136,7 @@ Rates<D> reference_rates(const Body<T, D>& body, const State<T, D>& q, const Seg
     const Matrix<D> gradient_of_row = stress_sum[i] * inverse;  // (j, k): d sigma_ij / dx_k
     rates.velocity[i] =
         gradient_of_row.trace() * q.volume[p] / body.mass[p] -
-        body.dissipation * fourth_difference_at(q.velocity[i], body.patch, segment, p);
+        body.velocity_dissipation * fourth_difference_at(q.velocity[i], body.patch, segment, p);
   }
   rates.volume = q.volume[p] * gradient.trace();
   const Matrix<D> strain = (gradient + gradient.transpose()) / 2;

@@ -63,8 +63,9 @@ struct Stage {
   int segment_count;
   T spacing;
   T time_step;
-  T dissipation;  ///< kappa of (RP.23) [1/s]; 0: none
-  int stage;      ///< 0..3
+  T velocity_dissipation;  ///< kappa_u of (RP.23) [1/s]; 0: none
+  T stress_dissipation;    ///< kappa_sigma of (RP.23) [1/s]; 0: none
+  int stage;               ///< 0..3
   Weight weight;
   Material<T> material;
   const PackState* pack_state;          ///< [slot / slots_per_pack]
@@ -86,9 +87,10 @@ struct Stage {
 
 /// Largest values over the interior particles of a block.
 struct StageResult {
-  double strain_rate;       ///< max abs(eps)_F of (RP.39) [1/s], at the stage's state
-  double wave_speed;        ///< max c of (RP.12) [m/s], at the new state
-  std::int64_t non_finite;  ///< a slot whose new state is not finite or has v <= 0, or -1
+  double strain_rate = 0;        ///< max abs(eps)_F of (RP.39) [1/s], at the stage's state
+  double deformation = 0;        ///< max abs(F - I)_F of (RP.39), at the stage's state
+  double wave_speed = 0;         ///< max c of (RP.12) [m/s], at the new state
+  std::int64_t non_finite = -1;  ///< a slot whose new state is not finite or has v <= 0, or -1
 };
 
 /// sigma of (RP.2) from a state, in every slot of a block; the wave speed in the result.
@@ -105,10 +107,23 @@ struct StressOfState {
   BulkViscosity<T> viscosity = {};
 };
 
+/// A vector field on the lattice, of which lattice_gradient finds the largest abs(grad f)_F over
+/// the interior particles of a block, by differences between interior particles.
+template <class T, int D>
+struct LatticeField {
+  const Segment<D>* segments;
+  int segment_count;
+  T spacing;
+  const PackState* pack_state;
+  const T* interior;
+  std::array<const T*, D> field;
+};
+
 template <class T, int D>
 struct StageKernels {
   StageResult (*advance_stage)(const Stage<T, D>&);
   StageResult (*evaluate_stress)(const StressOfState<T, D>&);
+  double (*lattice_gradient)(const LatticeField<T, D>&);
 };
 
 /// Those compiled for `isa`.

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "kernels/remeshed/stage/lattice_gradient.hpp"
 #include "kernels/remeshed/stage/stage_gradients.hpp"
 #include "kernels/remeshed/stage/stage_update.hpp"
 #include "kernels/remeshed/stage/symmetric_pairs.hpp"
@@ -106,10 +107,15 @@ StageResult advance_stage_at(const Stage<Scalar<P>, D>& stage) {
         case Slots::particles:
           gradients_of(stage, segment, chunk, gradients);
           update(stage, gradients, chunk, extremes);
+          if (place == StagePlace::last && stage.pairs == nullptr) {
+            extremes.deformation2 = largest_gradient2<P, D>(stage.current.drift, stage.interior,
+                                                            segment, chunk, extremes.deformation2);
+          }
       }
     }
   }
   return {square_root<P>(largest(extremes.strain_rate2)),
+          square_root<P>(largest(extremes.deformation2)) / stage.spacing,
           square_root<P>(largest(extremes.wave_speed2)), extremes.non_finite};
 }
 

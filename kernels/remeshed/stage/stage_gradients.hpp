@@ -132,8 +132,8 @@ template <class P, int D>
   for (int c = 0; c < symmetric_components<D>; ++c) {
     difference[c] = P::load_aligned(&fourth[D + c][at]);
   }
-  relaxing_strain_rate<P, D>(stage.material, stage.dissipation, difference, relaxation);
-  const P drag(-stage.dissipation);
+  relaxing_strain_rate<P, D>(stage.material, stage.stress_dissipation, difference, relaxation);
+  const P drag(-stage.velocity_dissipation);
 #pragma GCC unroll 3
   for (int i = 0; i < D; ++i) {
     result.drag[i] = drag * P::load_aligned(&fourth[i][at]);
@@ -179,7 +179,7 @@ void stage_gradients(const Stage<Scalar<P>, D>& stage, const Segment<D>& segment
   constexpr int fields_swept = D + symmetric_components<D>;
   const StageSweepFields<T, D> fields = stage_sweep_fields<T, D, typename P::arch_type>(stage);
   alignas(64) T fourth[fields_swept][chunk_slots];
-  const bool dissipates = stage.dissipation != 0;
+  const bool dissipates = stage.velocity_dissipation != 0 || stage.stress_dissipation != 0;
   if (dissipates) {
     fourth_differences<P>(fields, segment, stage.interior, chunk, fourth);
   }

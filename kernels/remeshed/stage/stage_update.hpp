@@ -11,6 +11,7 @@ namespace pliant::kernels {
 template <class P>
 struct StageExtremes {
   P strain_rate2 = P(Scalar<P>(0));
+  P deformation2 = P(Scalar<P>(0));  // [h^2]
   P wave_speed2 = P(Scalar<P>(0));
   std::int64_t non_finite = -1;
 };
@@ -120,7 +121,8 @@ void stress_of_next(const Stage<Scalar<P>, D>& stage, const Chunk& chunk) {
   }
 }
 
-/// abs(eps)_F^2 from the gradients, which are zero where there is no interior particle.
+/// abs(eps)_F^2 from the gradients, which are zero where there is no interior
+/// particle.
 template <class P, int D>
 void strain_rate_of(const ChunkGradients<Scalar<P>, D>& gradients, const Chunk& chunk,
                     StageExtremes<P>& extremes) {

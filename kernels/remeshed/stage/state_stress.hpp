@@ -47,7 +47,9 @@ StageResult evaluate_stress(const StressOfState<Scalar<P>, D>& block) {
       wave_speed2 = stress_of_block<Model::reduced_polynomial, P, D>(block);
       break;
   }
-  return {0, square_root<P>(wave_speed2), -1};
+  StageResult result;
+  result.wave_speed = square_root<P>(wave_speed2);
+  return result;
 }
 
 }  // namespace pliant::kernels

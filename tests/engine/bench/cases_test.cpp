@@ -25,7 +25,9 @@ TEST(bench_cases, keep_the_settings_that_rates_depend_on) {
        {bench::rotating_cylinder(2000, Weight::compact),
         bench::spinning_ball(2000, Weight::compact), bench::compression(64, Weight::compact)}) {
     EXPECT_EQ(a_case.discretisation.kernel, Weight::compact) << a_case.name;
-    EXPECT_EQ(a_case.discretisation.dissipation, 0.25) << a_case.name;
+    EXPECT_EQ(a_case.discretisation.dissipation.velocity, 0.25) << a_case.name;
+    EXPECT_EQ(a_case.discretisation.dissipation.stress, 0.25) << a_case.name;
+    EXPECT_EQ(a_case.remeshing.filter, 0.2) << a_case.name;
     EXPECT_FALSE(a_case.time.step) << a_case.name;
     EXPECT_EQ(a_case.time.cfl, 0.5) << a_case.name;
     EXPECT_TRUE(a_case.measurements.empty()) << a_case.name;

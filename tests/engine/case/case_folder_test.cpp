@@ -42,7 +42,7 @@ TEST(cases, compression_measures_the_bulge) {
     EXPECT_TRUE(names.contains("mid_height_displacement"));
     EXPECT_TRUE(names.contains("surface_max_displacement"));
     EXPECT_EQ(a_case.discretisation.spacing, 1.0 / 32);
-    EXPECT_EQ(*a_case.time.step, 5e-5);
+    EXPECT_FALSE(a_case.time.step);
     EXPECT_EQ(a_case.bodies.at(0).velocity.translation[1](0, -1, 0, 0), 25);
   }
 }

@@ -15,14 +15,17 @@ title = "quotes \" and \\ and\ttabs"
 name = "rich"
 [discretisation]
 spacing = "1/30"
-kernel = "compact"
+kernel = "quartic_spline"
+dissipation = { velocity = 0.3, stress = 0.1 }
 [time]
 end = 0.3
 step = 1e-4
 cfl = 0.3
+strain = 0.05
 [remeshing]
 every = 7
 strain_threshold = 0.1
+deformation_threshold = 0.15
 filter = 0.05
 volume = "conserved"
 [level_set]
@@ -107,19 +110,21 @@ gravity = [0, 0]
 
 [discretisation]
 spacing = 0.1
-kernel = "quartic_spline_fit"
-dissipation = 0.25
+kernel = "compact"
+dissipation = { velocity = 0.5, stress = 0.025 }
 damping = 0
 
 [time]
 end = 1
 step = "cfl"
-cfl = 0.5
+cfl = 1
+strain = 0.02
 
 [remeshing]
 every = "adaptive"
 strain_threshold = 0.18
-filter = 0.2
+deformation_threshold = 0.2
+filter = 0
 volume = "reset"
 
 [level_set]
@@ -217,12 +222,16 @@ TEST(resolved, no_setting_is_lost) {
   for (const char* setting : {"title=b",
                               "name=b",
                               "discretisation.spacing=0.05",
-                              "discretisation.kernel=quartic_spline",
+                              "discretisation.kernel=compact",
+                              "discretisation.dissipation.velocity=1",
+                              "discretisation.dissipation.stress=1",
                               "time.end=4",
                               "time.step=cfl",
                               "time.cfl=0.1",
+                              "time.strain=0.1",
                               "remeshing.every=never",
                               "remeshing.strain_threshold=0.3",
+                              "remeshing.deformation_threshold=0.3",
                               "remeshing.filter=0",
                               "remeshing.volume=reset",
                               "level_set.reinitialise_every=5",

@@ -38,7 +38,7 @@ bool is_stable(std::complex<double> z) {
 
 /// Largest CFL number at which no plane wave in an endless lattice grows, from (RP.20), (RP.21) and
 /// (RP.23).
-double lattice_limit(kernels::Weight kind, int dimension, double dissipation) {
+double lattice_limit(kernels::Weight kind, int dimension, double of_velocity, double of_stress) {
   std::vector<std::complex<double>> rates;  // times h/c
   for (int n = 0; n < std::pow(nodes + 1, dimension); ++n) {
     const int index[3] = {n % (nodes + 1), n / (nodes + 1) % (nodes + 1),
@@ -59,8 +59,13 @@ double lattice_limit(kernels::Weight kind, int dimension, double dissipation) {
     for (int a = 0; a < dimension; ++a) {
       differences += std::pow(2 * std::sin(M_PI / nodes * index[a] / 2), 4);
     }
-    rates.emplace_back(-dissipation / 16 * differences,
-                       std::hypot(response[0], response[1], response[2]) / moment);
+    // du/dt = -a u + i g s, ds/dt = -b s + i g u in units of c/h
+    const double a = of_velocity / 16 * differences, b = of_stress / 16 * differences;
+    const double g = std::hypot(response[0], response[1], response[2]) / moment;
+    const std::complex<double> root =
+        std::sqrt(std::complex<double>((a - b) * (a - b) / 4 - g * g));
+    rates.push_back(-(a + b) / 2 + root);
+    rates.push_back(-(a + b) / 2 - root);
   }
   double cfl = 0;
   const auto stands = [&](double at) {
@@ -76,14 +81,17 @@ TEST(stability, limits_are_three_quarters_of_those_of_plane_waves) {
   for (const int dimension : {2, 3}) {
     for (const auto kind : {kernels::Weight::quartic, kernels::Weight::quartic_polynomial,
                             kernels::Weight::compact, kernels::Weight::fourth_order}) {
-      for (const double dissipation : {0., 0.1, 0.25, 1.}) {
+      for (const auto& [of_velocity, of_stress] :
+           {std::pair(0., 0.), std::pair(0.25, 0.25), std::pair(1., 1.), std::pair(1., 0.),
+            std::pair(0.5, 0.025), std::pair(0.025, 1.)}) {
         a_case.dimension = dimension;
         a_case.discretisation.kernel = kind;
-        a_case.discretisation.dissipation = dissipation;
-        const double of_waves = lattice_limit(kind, dimension, dissipation);
+        a_case.discretisation.dissipation = {of_velocity, of_stress};
+        const double of_waves = lattice_limit(kind, dimension, of_velocity, of_stress);
         // Damping shifts the limit of the waves by up to 4 %.
         EXPECT_NEAR(stable_cfl(a_case) / (0.75 * of_waves), 1, 0.04)
-            << dimension << "D, weight " << static_cast<int>(kind) << ", " << dissipation;
+            << dimension << "D, weight " << static_cast<int>(kind) << ", " << of_velocity << ", "
+            << of_stress;
       }
     }
   }
@@ -101,12 +109,38 @@ TEST(stability, steps_above_the_limit_are_warned_of_with_the_key_that_sets_them)
   EXPECT_EQ(stability_warning(read_text(block_case)), "");
   EXPECT_EQ(stability_warning(read_text(block_case, {"time.step=0.02"})), "");
   EXPECT_EQ(stability_warning(read_text(block_case, {"time.step=0.05"})),
-            "the time step 0.05 s is above the stability limit of 0.0281 s (CFL number 2.3); set "
+            "the time step 0.05 s is above the stability limit of 0.0207 s (CFL number 1.7); set "
             "time.step = \"cfl\", or to less than the limit");
   EXPECT_EQ(stability_warning(
                 read_text(block_case, {"time.cfl=1.5", "discretisation.kernel=fourth_order"})),
             "the CFL number 1.5 is above the stability limit of 1.2; set time.cfl to less than the "
             "limit");
+}
+
+// At twice the wave speed at rest, half the limit.
+TEST(stability, steps_above_the_limit_of_the_present_state_are_warned_of) {
+  const Case a_case = read_text(block_case, {"time.step=0.02"});
+  EXPECT_EQ(stability_warning(a_case, 8), "");
+  EXPECT_EQ(stability_warning(a_case, 16.408),
+            "the time step 0.02 s is above the stability limit of 0.0103 s (CFL number 1.7) at the "
+            "present wave speed of 16.41 m/s; set time.step = \"cfl\", or to less than the limit");
+}
+
+TEST(stability, the_default_cfl_number_is_stable_and_smaller_with_contact_between_bodies) {
+  Case a_case = read_text(block_case);
+  EXPECT_EQ(cfl_number(a_case), 1);
+  a_case.discretisation.dissipation = {2, 0};
+  EXPECT_EQ(cfl_number(a_case), stable_cfl(a_case));
+  a_case.discretisation.dissipation = {};
+  a_case.contacts.emplace_back();
+  EXPECT_EQ(cfl_number(a_case), 0.5);
+  a_case.time.cfl = 1.5;
+  EXPECT_EQ(cfl_number(a_case), 1.5);
+  for (const char* method : {"total_lagrangian", "sph"}) {
+    a_case = {};
+    a_case.method = method;
+    EXPECT_EQ(cfl_number(a_case), 0.5);
+  }
 }
 
 TEST(stability, a_mass_that_is_scaled_to_the_step_has_no_limit) {

@@ -25,7 +25,7 @@ TEST(failed_step, names_the_key_that_sets_the_step_of_the_case) {
 TEST(failed_step, names_a_step_above_the_stability_limit_as_the_cause) {
   EXPECT_EQ(failure({"time.step=0.05"}),
             "t = 0.5, step 7: the block broke; the time step 0.05 s is above the stability limit "
-            "of 0.0281 s (CFL number 2.3); set time.step = \"cfl\", or to less than the limit");
+            "of 0.0207 s (CFL number 1.7); set time.step = \"cfl\", or to less than the limit");
 }
 
 TEST(failed_step, names_the_mass_scaling_where_that_follows_the_step) {

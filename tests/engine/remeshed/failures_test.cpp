@@ -33,8 +33,8 @@ TEST(failures, of_an_unstable_step_name_the_limit_before_memory_is_full) {
   const std::string message = failure_of(solver);
   EXPECT_TRUE(holds(message, "body `cylinder` strained by "));
   EXPECT_TRUE(holds(message,
-                    "; the time step 0.005 s is above the stability limit of 0.00397 s (CFL number "
-                    "2.3); set time.step = \"cfl\", or to less than the limit"));
+                    "; the time step 0.005 s is above the stability limit of 0.00292 s (CFL number "
+                    "1.7); set time.step = \"cfl\", or to less than the limit"));
   // Lists of all neighbours within exp(0.56) of the support: 75 of them, 12 bytes each, beside the
   // 400 bytes of a slot.
   EXPECT_LT(solver.bytes(), 4 * bytes);

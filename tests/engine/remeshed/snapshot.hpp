@@ -75,6 +75,8 @@ inline Snapshot snapshot_of(const Solver& solver, Slots which = Slots::all) {
                        static_cast<double>(clock.steps_since_remeshing),
                        static_cast<double>(clock.steps_since_reinitialisation),
                        clock.accumulated_strain,
+                       clock.deformation,
+                       clock.strain_rate,
                        clock.wave_speed};
   for (const auto& wall : solver.state().boundaries.walls) {
     snapshot["walls"].insert(snapshot["walls"].end(), wall.offset().begin(), wall.offset().end());

@@ -85,6 +85,17 @@ TEST_F(Sph, has_the_same_bits_for_any_number_of_threads_and_from_a_checkpoint) {
   EXPECT_EQ(differences(state_of(one), state_of(restored)), std::vector<std::string>());
 }
 
+TEST_F(Sph, looking_ahead_changes_nothing) {
+  sph::Solver<double, 2> solver(disc(coarse), {.threads = 1});
+  sph::Solver<double, 2> watched(disc(coarse), {.threads = 1});
+  for (int i = 0; i < 10; ++i) {
+    watched.look_ahead(watched.clock().time + 4e-4, [&] { watched.measure(); });
+    solver.step(HUGE_VAL);
+    watched.step(HUGE_VAL);
+  }
+  EXPECT_EQ(differences(state_of(solver), state_of(watched)), std::vector<std::string>());
+}
+
 TEST_F(Sph, any_legal_order_of_a_step_gives_the_same_bits) {
   const auto state_after = [&](std::uint64_t seed) {
     sph::Solver<double, 2> solver(disc(gently), {.threads = 1});

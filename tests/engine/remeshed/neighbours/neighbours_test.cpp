@@ -103,7 +103,8 @@ TEST(neighbours, are_all_those_within_the_radius_where_only_some_blocks_have_str
 }
 
 TEST(neighbours, are_found_across_periods_wherever_particles_have_wandered) {
-  Solver solver(small_case("periodic_square", {"discretisation.spacing=1/16"}),
+  Solver solver(small_case("periodic_square", {"discretisation.spacing=1/16",
+                                               "discretisation.kernel=quartic_spline_fit"}),
                 {1, kernels::widest_supported()});
   Body& body = solver.state().bodies[0];
   std::mt19937 random(5);
@@ -118,7 +119,8 @@ TEST(neighbours, are_found_across_periods_wherever_particles_have_wandered) {
 }
 
 TEST(neighbours, do_not_depend_on_the_order_of_the_search) {
-  Solver solver(small_case("rotating_cylinder", {"discretisation.spacing=0.08"}),
+  Solver solver(small_case("rotating_cylinder", {"discretisation.spacing=0.08",
+                                                 "discretisation.kernel=quartic_spline_fit"}),
                 {1, kernels::widest_supported()});
   Body& body = solver.state().bodies[0];
   displace(body, compressed);
@@ -135,7 +137,8 @@ TEST(neighbours, do_not_depend_on_the_order_of_the_search) {
 }
 
 TEST(neighbours, just_outside_the_stencil_are_measured) {
-  Solver solver(small_case("rotating_cylinder", {"discretisation.spacing=0.1"}),
+  Solver solver(small_case("rotating_cylinder", {"discretisation.spacing=0.1",
+                                                 "discretisation.kernel=quartic_spline_fit"}),
                 {1, kernels::widest_supported()});
   Body& body = solver.state().bodies[0];
   displace(body, compressed);
@@ -157,7 +160,10 @@ TEST(neighbours, just_outside_the_stencil_are_measured) {
 }
 
 const Settings spinning_rubber = {
-    "discretisation.spacing=0.1", "discretisation.dissipation=0", "remeshing.every=\"never\"",
+    "discretisation.spacing=0.1",
+    "discretisation.kernel=quartic_spline_fit",
+    "discretisation.dissipation=0",
+    "remeshing.every=\"never\"",
     "time.step=1e-4",
     R"(body.cylinder.material={ model = "reduced_polynomial", coefficients = [40], compressibility = 0.002, density = 2 })"};
 
@@ -242,7 +248,9 @@ TEST(neighbours, from_lists_give_the_bits_of_the_stencil) {
   const Settings wave = {R"--(body.medium.velocity=["sin(2*pi*x)*sin(2*pi*y)", "1"])--"};
   for (const char* name : {"rotating_cylinder", "compression_linear", "periodic_square"}) {
     const bool periodic = std::string(name) == "periodic_square";
-    const Settings coarse = {"discretisation.spacing=1/16", "remeshing.every=8"};
+    const Settings coarse = {"discretisation.spacing=1/16",
+                             "discretisation.kernel=quartic_spline_fit", "time.step=5e-5",
+                             "remeshing.every=8"};
     const Case settings = small_case(name, periodic ? coarse + wave : coarse);
     Solver stencil(settings, {1, kernels::widest_supported()});
     Solver lists(settings, {2, kernels::widest_supported()});

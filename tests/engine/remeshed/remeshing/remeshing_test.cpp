@@ -3,6 +3,7 @@
 #include "engine/method/step_failure.hpp"
 #include "engine/remeshed/observe/integrals.hpp"
 #include "engine/remeshed/observe/surface.hpp"
+#include "tests/engine/case/written_case.hpp"
 #include "tests/engine/remeshed/spinning_disc.hpp"
 
 // What one remeshing does to fields and to the surface.
@@ -89,6 +90,34 @@ TEST(remeshing, that_leaves_a_body_without_particles_says_which_and_when) {
               std::string::npos)
         << failure.what();
   }
+}
+
+// (RP.39): abs(F - I)_F of a rotation by alpha is sqrt(8) sin(alpha/2) and reaches 0.2 at 0.141.
+TEST(remeshing, is_due_when_a_body_has_turned) {
+  Solver solver(small_case("rotating_cylinder",
+                           {"discretisation.spacing=0.1", "time.step=1e-3", "measurement=[]",
+                            "remeshing.every=adaptive", "remeshing.strain_threshold=1",
+                            "remeshing.deformation_threshold=0.2"}),
+                {1, kernels::Isa::sse2});
+  const double steps = 0.1415 / (2 * pi * 1e-3);
+  advance(solver, static_cast<int>(0.9 * steps));
+  EXPECT_EQ(solver.clock().remeshings, 0);
+  advance(solver, static_cast<int>(0.2 * steps) + 1);
+  EXPECT_EQ(solver.clock().remeshings, 1);
+}
+
+// (RP.29), for grad u = diag(5, -5): abs(eps)_F is sqrt(50).
+TEST(step_length, is_limited_by_the_strain_rate) {
+  Solver solver(small_case("rotating_cylinder",
+                           {"discretisation.spacing=0.1", "measurement=[]",
+                            "body.cylinder.rotation={ centre = [0, 0], angular_velocity = 0 }"}),
+                {1, kernels::Isa::sse2});
+  EXPECT_NEAR(solver.time_step(), 0.1 / 11.602, 1e-5);
+  Solver stretched(tests::read_text(tests::block_case, {"body.block.velocity=[\"5*x\", \"-5*y\"]"}),
+                   {1, kernels::Isa::sse2});
+  EXPECT_NEAR(stretched.time_step(), 0.02 / std::sqrt(50), 1e-9);
+  stretched.step(HUGE_VAL);
+  EXPECT_NEAR(stretched.time_step(), 0.02 / std::sqrt(50), 0.1 * 0.02 / std::sqrt(50));
 }
 
 TEST(remeshing, of_particles_on_their_nodes_changes_nothing) {

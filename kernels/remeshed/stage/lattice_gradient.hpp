@@ -1,0 +1,63 @@
+#pragma once
+
+#include "kernels/remeshed/stage/chunk.hpp"
+#include "kernels/remeshed/stage/fourth_difference.hpp"
+
+/// Gradients of a field by differences along the lattice lines: of the drift, they are F - I since
+/// the last remeshing, (RP.39).
+namespace pliant::kernels {
+
+/// df/da at a register of slots [1/h]: the mean of the differences to those of the two neighbours
+/// along the line that are interior particles.
+template <class P>
+inline P line_derivative(const Scalar<P>* field, const Scalar<P>* interior,
+                         const LineOffsets& line) {
+  const P one(Scalar<P>(1));
+  const P before = load<P>(interior + line.away[1]), after = load<P>(interior + line.away[2]);
+  const P value = load<P>(field);
+  const P sum = fused(after, load<P>(field + line.away[2]) - value,
+                      before * (value - load<P>(field + line.away[1])));
+  return sum / xsimd::max(before + after, one);
+}
+
+/// Largest abs(grad f)_F^2 of a chunk's interior particles, lane by lane [1/h^2].
+template <class P, int D>
+P largest_gradient2(const std::array<const Scalar<P>*, D>& field, const Scalar<P>* interior,
+                    const Segment<D>& segment, const Chunk& chunk, P largest2) {
+  LineOffsets line[D];
+  for (int axis = 0; axis < D; ++axis) {
+    line[axis] = line_offsets<typename P::arch_type>(segment, axis);
+  }
+  const P zero(Scalar<P>(0));
+  for (int at = 0; at < chunk.count; at += lanes<P>) {
+    const std::int64_t slot = chunk.first + at;
+    P norm2 = zero;
+#pragma GCC unroll 3
+    for (int i = 0; i < D; ++i) {
+#pragma GCC unroll 3
+      for (int j = 0; j < D; ++j) {
+        const P slope = line_derivative<P>(field[i] + slot, interior + slot, line[j]);
+        norm2 = fused(slope, slope, norm2);
+      }
+    }
+    largest2 = xsimd::max(largest2, xsimd::select(interior_lanes<P>(interior, slot), norm2, zero));
+  }
+  return largest2;
+}
+
+/// See LatticeField.
+template <class P, int D>
+double lattice_gradient(const LatticeField<Scalar<P>, D>& block) {
+  P largest2(Scalar<P>(0));
+  for (int s = 0; s < block.segment_count; ++s) {
+    const Segment<D>& segment = block.segments[s];
+    for (int begin = 0; begin < segment.count; begin += slots_per_pack) {
+      const Chunk chunk{segment.first + begin, slots_per_pack};
+      if (!holds_interior(block.pack_state[chunk.first / slots_per_pack])) continue;
+      largest2 = largest_gradient2<P, D>(block.field, block.interior, segment, chunk, largest2);
+    }
+  }
+  return square_root<P>(largest(largest2)) / block.spacing;
+}
+
+}  // namespace pliant::kernels

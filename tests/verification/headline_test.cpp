@@ -1,0 +1,54 @@
+#include <gtest/gtest.h>
+
+#include "engine/remeshed/solver.hpp"
+#include "tests/engine/remeshed/small_case.hpp"
+
+// The headline figures of docs/validation, with the settings that a case file does not write. Each
+// bar is the deviation that the page states, and what a change may add to it before somebody looks.
+namespace pliant::test {
+namespace {
+
+/// The value of a measurement at the end of a run.
+template <int D = 2>
+double at_end(const Case& settings, const std::string& measurement) {
+  std::size_t m = 0;
+  while (settings.measurements.at(m).name != measurement) ++m;
+  remeshed::Solver<double, D> solver(settings, {2, kernels::widest_supported()});
+  std::vector<double> start = solver.measure();
+  advance_until(solver, settings.time.end);
+  const double value = solver.measure()[m];
+  return settings.measurements[m].relative ? value / start[m] : value;
+}
+
+// Flank at t = 0.02 s, from converged finite elements [m].
+TEST(headline, the_flank_of_512_particles_bulges_as_finite_elements_do) {
+  const Settings coarse = {"discretisation.spacing=1/16"};
+  const Settings logarithmic = {"material.block.equation_of_state=logarithmic"};
+  const std::string flank = "flank_max_displacement";
+  EXPECT_NEAR(at_end(small_case("compression_linear", coarse), flank) / 0.2440, 1, 0.01);
+  EXPECT_NEAR(at_end(small_case("compression_linear", coarse + logarithmic), flank) / 0.2326, 1,
+              0.01);
+  EXPECT_NEAR(at_end(small_case("compression_hyperelastic", coarse), flank) / 0.2508, 1, 0.01);
+}
+
+TEST(headline, the_flank_of_2048_particles_bulges_as_finite_elements_do) {
+  const Settings logarithmic = {"material.block.equation_of_state=logarithmic"};
+  const std::string flank = "flank_max_displacement";
+  EXPECT_NEAR(at_end(small_case("compression_linear", {}), flank) / 0.2440, 1, 0.004);
+  EXPECT_NEAR(at_end(small_case("compression_linear", logarithmic), flank) / 0.2326, 1, 0.004);
+  EXPECT_NEAR(at_end(small_case("compression_hyperelastic", {}), flank) / 0.2508, 1, 0.004);
+}
+
+TEST(headline, five_turns_keep_the_angular_momentum_and_the_energy) {
+  const Case five_turns = small_case("rotating_cylinder", {"time.end=5"});
+  EXPECT_NEAR(at_end(five_turns, "angular_momentum_ratio"), 1, 2e-3);
+  EXPECT_NEAR(at_end(five_turns, "energy_ratio"), 1, 0.01);
+}
+
+// 0.987 from finite elements.
+TEST(headline, a_ball_of_8000_particles_leaves_the_wall_with_its_momentum) {
+  EXPECT_NEAR(at_end<3>(small_case("bouncing_ball", {}), "momentum_ratio"), -0.987, 0.02);
+}
+
+}  // namespace
+}  // namespace pliant::test
