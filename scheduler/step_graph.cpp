@@ -172,6 +172,7 @@ void StepGraph::run_serially(std::uint64_t seed) {
 
 void StepGraph::finish_record(Clock::time_point start, int workers) {
   record_.wall_seconds = seconds(Clock::now() - start);
+  record_.start = start;
   std::fill(record_.phase_seconds.begin(), record_.phase_seconds.end(), 0.0);
   std::fill(record_.block_seconds.begin(), record_.block_seconds.end(), 0.0);
   record_.worker_busy_seconds.assign(static_cast<std::size_t>(workers), 0.0);

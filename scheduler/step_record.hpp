@@ -1,5 +1,6 @@
 #pragma once
 
+#include <chrono>
 #include <cstdint>
 #include <span>
 #include <string>
@@ -20,6 +21,7 @@ struct Span {
 /// A timer is shared by all phases of one name.
 struct StepRecord {
   double simulated_time = 0;  ///< at the end of the step; for the caller to fill in [s]
+  std::chrono::steady_clock::time_point start;
   double wall_seconds = 0;
   std::vector<double> phase_seconds;        ///< [timer] summed over blocks and stages
   std::vector<double> block_seconds;        ///< [timer][block] summed over stages

@@ -40,7 +40,8 @@ ENGINE = {
     "simulation": METHOD | {"remeshed", "total_lagrangian", "point_based", "sph"},
     "api": METHOD | {"simulation"},
     "bench": METHOD | {"simulation", "remeshed"},  # bytes of a stage, from the list of fields
-    "cli": METHOD | {"simulation", "bench"},
+    "profile": METHOD | {"simulation", "bench"},
+    "cli": METHOD | {"simulation", "bench", "profile"},
 }
 # First component of <...>; the standard library needs no entry. Folders not named may use any.
 LIBRARIES = {

@@ -8,7 +8,8 @@
 /// What each command of the program does. Throws InputError for what the user gave wrong.
 namespace pliant::cli {
 
-enum class ExitStatus { done = 0, bad_input = 2, run_failed = 3, interrupted = 4 };
+/// `missed`: what was measured does not reach what was asked for.
+enum class ExitStatus { done = 0, missed = 1, bad_input = 2, run_failed = 3, interrupted = 4 };
 
 struct CaseArguments {
   std::filesystem::path path;         ///< a case file or its folder
@@ -51,6 +52,20 @@ struct BenchArguments {
 
 /// Measures the machine and the standard set of cases on it.
 ExitStatus bench(const BenchArguments& arguments);
+
+struct ProfileArguments {
+  CaseArguments source;
+  std::string budget, frame_time;  ///< with units; empty: the defaults
+  std::optional<int> frames, warm_up;
+  double percentile = 99;
+  int threads = 0;  ///< these two as in RunArguments
+  std::string isa;
+  std::filesystem::path trace, report;  ///< empty: none
+  bool fit = false, json = false, quiet = false;
+};
+
+/// Measures whether a case holds a budget of wall time for each frame of simulated time.
+ExitStatus profile(const ProfileArguments& arguments);
 
 struct NoArguments {};
 

@@ -68,6 +68,7 @@ void Solver::run(scheduler::StepGraph& graph) {
   graph.run(workers_);
   graph.record().simulated_time = clock().time;
   step_totals_.add(graph.record(), graph.timer_names());
+  if (observe_graph_) observe_graph_(graph);
 }
 
 }  // namespace pliant

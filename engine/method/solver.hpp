@@ -6,6 +6,7 @@
 #include <optional>
 #include <pliant/field.hpp>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "engine/boundaries/loads.hpp"
@@ -107,6 +108,11 @@ class Solver {
   double step_seconds() const { return step_seconds_; }
   scheduler::Workers& workers() { return workers_; }
 
+  using GraphObserver = std::function<void(const scheduler::StepGraph& graph)>;
+  /// From now on calls `observer` after each graph that the solver has run, within the step, to
+  /// read the record of the graph; an empty one ends that.
+  void observe_graphs(GraphObserver observer) { observe_graph_ = std::move(observer); }
+
  protected:
   /// Runs a graph and adds its record to the totals.
   void run(scheduler::StepGraph& graph);
@@ -122,6 +128,7 @@ class Solver {
   Case settings_;
   scheduler::Workers workers_;
   scheduler::StepTotals step_totals_;
+  GraphObserver observe_graph_;
   std::int64_t particle_stages_ = 0;
   double step_seconds_ = 0;
 };

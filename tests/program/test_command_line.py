@@ -30,13 +30,11 @@ class CommandLine(ProgramTest):
                           self.refused("run", CASE, "--threads", threads))
         self.assertIn("--threads", self.refused("run", CASE, "--threads", "99999999999999"))
 
-    def test_the_last_of_an_option_given_twice_counts(self):
-        first, last = self.folder / "first", self.folder / "last"
-        status, _, err = self.pliant("run", CASE, *SMALL, "--set", "time.end=0.005", "--quiet", "--quiet",
-                                     "--threads", "1", "--out", first, "--out", last)
-        self.assertEqual((0, ""), (status, err))
-        self.assertFalse(first.exists())
-        self.assertTrue((last / "result.h5").exists())
+    def test_an_option_given_twice_is_refused(self):
+        self.assertIn("pliant run: --threads is given 2 times; give it once",
+                      self.refused("run", CASE, "--threads", "1", "--threads", "2"))
+        self.assertIn("pliant run: --quiet is given 3 times", self.refused("run", CASE, *["--quiet"] * 3))
+        self.assertEqual(0, self.pliant("check", CASE, "--set", "time.end=0.1", "--set", "time.cfl=0.4")[0])
 
     def test_the_case_in_the_working_directory_has_the_name_of_its_folder(self):
         here = self.folder / "disc"
@@ -57,7 +55,7 @@ class CommandLine(ProgramTest):
 
     def test_help_speaks_of_commands_and_fits_a_terminal(self):
         texts = [self.pliant("--help")[1], self.pliant("help")[1]]
-        texts += [self.pliant("help", command)[1] for command in ("run", "check", "bench", "graph", "help")]
+        texts += [self.pliant("help", command)[1] for command in ("run", "check", "bench", "profile", "graph", "help")]
         for text in texts:
             self.assertNotRegex(text.lower(), "verb|subcommand")
             self.assertLessEqual(max(map(len, text.splitlines())), 100, text)

@@ -1,0 +1,81 @@
+#include "engine/cli/commands.hpp"
+
+namespace pliant::cli {
+
+namespace {
+
+void add_bench(Commands& commands) {
+  const auto arguments = std::make_shared<BenchArguments>();
+  CLI::App& command =
+      commands.add("bench", "Measure this machine and the speed of the program on it",
+                   "bench --quick --csv speed.csv", arguments, &bench);
+  command.add_flag("--quick", arguments->quick,
+                   "fewer repetitions, and no more than 131 072 particles");
+  command
+      .add_option("--ball", arguments->ball, "measure only spinning balls of this many particles")
+      ->check(CLI::Range(1000, 100'000'000))
+      ->type_name("N");
+  command.add_option("--csv", arguments->csv, "write all figures to this file")->type_name("FILE");
+  command
+      .add_option("--threads", arguments->threads,
+                  "threads to compare with one (default: one per processor)")
+      ->type_name("N");
+}
+
+void add_machine(CLI::App& command, ProfileArguments& arguments) {
+  command.add_option("--threads", arguments.threads, "worker threads (default: one per processor)")
+      ->type_name("N");
+  command
+      .add_option("--isa", arguments.isa,
+                  "instruction set: sse2, avx2 or avx512 (default: widest supported)")
+      ->type_name("NAME");
+}
+
+void add_profile(Commands& commands) {
+  const auto arguments = std::make_shared<ProfileArguments>();
+  CLI::App& command = commands.add(
+      "profile", "Measure whether a case holds a budget of time for each frame",
+      "profile cases/rotating_cylinder --budget 16.7ms --trace trace.json", arguments, &profile);
+  add_case(command, arguments->source);
+  const auto add = [&](const char* name, auto& value, const char* meaning, const char* type) {
+    command.add_option(name, value, meaning)->type_name(type);
+  };
+  add("--budget", arguments->budget, "wall time for a frame (default: the frame time)", "TIME");
+  add("--frame-time", arguments->frame_time,
+      "simulated time of a frame (default: 1/60 s), as in 10ms", "TIME");
+  command
+      .add_option("--frames", arguments->frames,
+                  "frames to measure, also beyond the end of the case\n"
+                  "(default: all that the case has, at most 600)")
+      ->check(CLI::Range(1, 10'000'000))
+      ->type_name("N");
+  command
+      .add_option("--warm-up", arguments->warm_up,
+                  "frames before them that do not count (default: 10)")
+      ->check(CLI::Range(0, 1'000'000))
+      ->type_name("N");
+  command
+      .add_option("--at", arguments->percentile,
+                  "share of the frames that must hold the budget [%]; 100: all")
+      ->check(CLI::Range(1.0, 100.0))
+      ->type_name("PERCENT")
+      ->capture_default_str();
+  command.add_flag("--fit", arguments->fit, "find the finest spacing that holds the budget");
+  add("--trace", arguments->trace, "write what each thread ran, for Perfetto", "FILE");
+  add("--report", arguments->report, "write all figures as JSON", "FILE");
+  command.add_flag("--json", arguments->json, "print all figures as JSON");
+  command.add_flag("--quiet", arguments->quiet, "show no progress");
+  add_machine(command, *arguments);
+  command.footer(
+      "Exit status: 0 the budget is held, 1 it is missed; else as for other commands.\n\n" +
+      command.get_footer());
+}
+
+}  // namespace
+
+void add_measuring_commands(Commands& commands) {
+  add_bench(commands);
+  add_profile(commands);
+}
+
+}  // namespace pliant::cli

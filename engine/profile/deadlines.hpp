@@ -1,0 +1,45 @@
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "engine/profile/percentiles.hpp"
+#include "engine/profile/profile.hpp"
+
+/// What the times of frames say about a budget.
+namespace pliant::profile {
+
+struct Distribution {
+  double mean = 0, p50 = 0, p95 = 0, p99 = 0, p999 = 0, most = 0;
+};
+
+/// A part of a frame: a phase, or "scheduling", "waiting" or "serial part".
+struct Part {
+  std::string name;
+  double share = 0;     ///< of the time of all frames
+  double median = 0;    ///< over the frames [s]
+  double in_worst = 0;  ///< mean of the worst frames [s]
+  double excess() const { return in_worst - median; }
+};
+
+struct Verdict {
+  bool held = false;
+  double at_percentile = 0;  ///< frame time [s]
+  std::int64_t missed = 0, longest_streak = 0;
+  double real_time_factor = 0;     ///< simulated time over wall time
+  Distribution frames, steps;      ///< [s]
+  std::vector<std::size_t> worst;  ///< at most ten frames, the longest first
+  std::vector<Part> parts;         ///< the largest share first
+  std::size_t to_blame = 0;        ///< the part with the largest excess
+};
+
+/// The parts of a frame in the order of the step, with scheduling, waiting and serial part last
+/// [s].
+std::vector<double> parts_of(const FrameRecord& frame);
+std::vector<std::string> names_of_parts(const std::vector<std::string>& phases);
+
+/// Of at least one frame.
+Verdict judge(const Profile& profile);
+
+}  // namespace pliant::profile
