@@ -43,7 +43,7 @@ double fastest_wave(const Case& a_case) {
 }
 
 double stable_cfl(const Case& a_case) {
-  if (a_case.method == "total_lagrangian") return 1;
+  if (a_case.method == "total_lagrangian" || a_case.method == "point_based") return 1;
   const auto& discretisation = a_case.discretisation;
   const double waves =
       on_imaginary_axis / largest_response(discretisation.kernel, a_case.dimension);

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <limits>
 
+#include "engine/case/stability.hpp"
 #include "engine/method/step_failure.hpp"
 #include "engine/point_based/observe/field_views.hpp"
 #include "engine/point_based/observe/frame.hpp"
@@ -48,7 +49,7 @@ template <class T, int D>
 double Solver<T, D>::time_step() const {
   if (const double rest = state_.clock.rest(); rest > 0) return rest;
   if (settings().time.step) return *settings().time.step;
-  return settings().time.cfl * stable_steps * resolution_ / state_.clock.wave_speed;
+  return cfl_number(settings()) * stable_steps * resolution_ / state_.clock.wave_speed;
 }
 
 // A step always has its full length, so that no output time alters a run. Where an output time lies

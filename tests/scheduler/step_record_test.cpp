@@ -78,12 +78,14 @@ TEST(step_record, a_step_begins_from_zero) {
 }
 
 TEST(step_totals, keep_their_sums_when_graphs_change) {
-  const StepRecord first{.wall_seconds = 3,
+  const StepRecord first{.start = {},
+                         .wall_seconds = 3,
                          .phase_seconds = {1, 2},
                          .block_seconds = {},
                          .worker_busy_seconds = {3},
                          .spans = {}};
-  const StepRecord second{.wall_seconds = 4,
+  const StepRecord second{.start = {},
+                          .wall_seconds = 4,
                           .phase_seconds = {10, 20},
                           .block_seconds = {},
                           .worker_busy_seconds = {1, 3},
