@@ -1,5 +1,7 @@
 #include "engine/method/body_integrals.hpp"
 
+#include <limits>
+
 namespace pliant {
 
 double value_of(const MeasurementCase& measurement, const BodyIntegrals& sum, int dimension) {
@@ -19,7 +21,8 @@ double value_of(const MeasurementCase& measurement, const BodyIntegrals& sum, in
     case Quantity::strain_energy:
       return sum.strain_energy;
     case Quantity::energy_ratio:
-      return sum.strain_energy > 0 ? sum.kinetic_energy / sum.strain_energy : 0;
+      return sum.strain_energy > 0 ? sum.kinetic_energy / sum.strain_energy
+                                   : std::numeric_limits<double>::quiet_NaN();
     case Quantity::volume:
       return sum.volume;
     default:

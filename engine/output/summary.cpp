@@ -86,14 +86,13 @@ std::string json_of(const Summary& summary) {
 namespace {
 
 std::string checks_of(const SummaryChecks& checks) {
+  const std::string mass = fmt::format("by at most {:.2g} %\n", 100 * checks.mass.share);
+  if (!checks.energy_is_known) return "checks: mass changed " + mass;
   const double energy =
       checks.largest_energy > 0 ? 100 * checks.created / checks.largest_energy : 0;
-  std::string text = "checks: ";
-  if (checks.energy_is_known) {
-    text += fmt::format("energy {:+.2g} % without work (at most {:+.2g} %), ", energy,
-                        100 * checks.energy.share);
-  }
-  return text + fmt::format("mass changed by at most {:.2g} %\n", 100 * checks.mass.share);
+  return fmt::format(
+      "checks: energy changed by {:+.2g} % without work (gained at most {:.2g} %), mass {}", energy,
+      100 * checks.energy.share, mass);
 }
 
 }  // namespace

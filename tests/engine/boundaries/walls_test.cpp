@@ -29,6 +29,21 @@ TEST(walls, motion_of_cubic_velocity_is_followed_exactly) {
   }
 }
 
+TEST(walls, a_displacement_is_followed_with_its_own_velocity) {
+  BoundaryCase boundary = floor(0);
+  boundary.displacement = {Expression("sin(3*t)"), Expression("-t^2"), Expression(0.0)};
+  boundary.time_increment = 1e-6;
+  Wall<2> wall(boundary);
+  for (int i = 0; i < 100; ++i) {
+    const double t = 0.01 * i;
+    wall.move(t, 0.01);
+    EXPECT_NEAR(wall.velocity(t)[0], 3 * std::cos(3 * t), i == 0 ? 1e-5 : 1e-9);
+    EXPECT_NEAR(wall.velocity(t)[1], -2 * t, i == 0 ? 1e-5 : 1e-9);
+    EXPECT_NEAR(wall.offset()[0], std::sin(3 * (t + 0.01)), 1e-7);
+    EXPECT_NEAR(wall.offset()[1], -(t + 0.01) * (t + 0.01), 1e-7);
+  }
+}
+
 TEST(walls, distance_and_normal_move_with_the_wall) {
   Wall<2> wall(floor(0.5, "0", "-2"));
   EXPECT_DOUBLE_EQ(wall.distance({7, 0.75}), 0.25);

@@ -64,7 +64,7 @@ TEST(summary, keys_keep_their_order) {
   for (const auto& entry : json.items()) keys.push_back(entry.key());
   EXPECT_EQ(keys, (std::vector<std::string>{"case", "versions", "method", "precision", "particles",
                                             "steps", "physical_time", "wall_time", "phases",
-                                            "performance", "conserved", "measurements"}));
+                                            "performance", "conserved", "checks", "measurements"}));
   EXPECT_EQ(json["phases"].begin().key(), "stress");  // not alphabetical: the order of the step
 }
 
@@ -76,7 +76,26 @@ TEST(summary, a_report_names_folder_and_file_and_aligns_the_measurements) {
   EXPECT_EQ(report_of("results/disc", sample()),
             "results in results/disc; open result.xdmf in ParaView\n"
             "  radius  0.1 m\n"
-            "  broken  no value: it broke\n");
+            "  broken  no value: it broke\n"
+            "checks: mass changed by at most 0 %\n");
+}
+
+TEST(summary, energy_without_work_is_told_where_the_method_accounts_for_work) {
+  Summary summary = sample();
+  EXPECT_TRUE(nlohmann::json::parse(json_of(summary))["checks"]["energy"].is_null());
+  summary.checks.energy_is_known = true;
+  summary.checks.wall_work = 4;
+  summary.checks.created = -0.5;
+  summary.checks.largest_energy = 5;
+  summary.checks.energy = {0.02, 0.3};
+  summary.checks.mass = {0.001, 0.4};
+  const auto energy = nlohmann::json::parse(json_of(summary))["checks"]["energy"];
+  EXPECT_EQ(energy["work_of_walls"], 4);
+  EXPECT_EQ(energy["largest_share"], 0.02);
+  EXPECT_NE(report_of("out", summary)
+                .find("checks: energy changed by -10 % without work (gained at most 2 %), mass by "
+                      "at most 0.1 %"),
+            std::string::npos);
 }
 
 TEST(summary, a_name_that_is_not_utf8_is_written_all_the_same) {

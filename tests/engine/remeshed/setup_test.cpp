@@ -39,6 +39,13 @@ TEST(setup, a_rigid_rotation_turns_about_its_centre) {
   EXPECT_EQ(u, (Vector{-0.75, 1.5, 0}));
 }
 
+TEST(setup, velocity_and_rotation_add_up) {
+  BodyCase body;
+  body.velocity.rotation = RigidRotation{{1, 2, 0}, {0, 0, 3}};
+  body.velocity.translation = {Expression("2*x"), Expression(-1.0), Expression(0.0)};
+  EXPECT_EQ(initial_velocity(body, {1.5, 2.25, 0}), (Vector{2.25, 0.5, 0}));
+}
+
 TEST(setup, a_fresh_solver_fills_the_body_with_particles_at_its_density) {
   const Solver solver(small_case("compression_linear", {"discretisation.spacing=1/16"}),
                       {1, kernels::Isa::sse2});

@@ -53,6 +53,36 @@ TEST_F(MeasuredHistories, complete_what_depends_on_the_past) {
   EXPECT_NEAR(record.last(2), period, 1e-4);  // a chord's error: 0.07 w^2 dt^3
 }
 
+TEST_F(MeasuredHistories, know_extremes_values_at_times_and_sums) {
+  const auto add = [&](const char* name, Quantity kind) -> MeasurementCase& {
+    MeasurementCase& m = settings.measurements.emplace_back();
+    m.name = name;
+    m.kind = kind;
+    m.of = 3;
+    return m;
+  };
+  add("lowest", Quantity::smallest);
+  add("highest", Quantity::largest);
+  add("then", Quantity::value_at_time).time = 0.105;
+  add("late", Quantity::value_at_time).time = 9;
+  MeasurementCase& sum = add("sum", Quantity::weighted_sum);
+  sum.of = -1;
+  sum.terms = {0, 3};
+  sum.factors = {2, -3};
+  Histories record(settings);
+  for (int i = 0; i <= 20; ++i) {
+    const double x = i - 8;  // a parabola, and values that do not exist
+    const double tip = i == 3 ? nothing : x * x;
+    record.add(0.01 * i, {5, 5, nothing, tip, nothing, nothing, nothing, nothing, nothing});
+  }
+  EXPECT_EQ(record.last(4), 0);
+  EXPECT_EQ(record.last(5), 144);
+  EXPECT_NEAR(record.last(6), (4 + 9) / 2., 1e-12);
+  EXPECT_TRUE(std::isnan(record.last(7)));
+  EXPECT_EQ(record.why_missing(7), "the samples do not reach the time");
+  EXPECT_EQ(record.last(8), 2 * 5 - 3 * 144);
+}
+
 TEST_F(MeasuredHistories, go_on_alike_after_a_checkpoint) {
   const TemporaryFolder folder;
   Histories whole(settings), restored(settings);
