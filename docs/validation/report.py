@@ -34,7 +34,7 @@ paper = {
 }
 compression_cells = [16, 32, 64, 128, 256]
 paper_ghosts = ["ghosts.treatment=averaged", "remeshing.every=1", "remeshing.filter=0",
-                "discretisation.dissipation=0", "discretisation.kernel=quartic_spline_fit"]
+                "discretisation.dissipation=0", "discretisation.kernel=quartic_spline_fit", "time.step=5e-5"]
 
 
 class Runs:
