@@ -175,7 +175,7 @@ void boundary_keys(Visitor& visit, BoundaryCase& boundary) {
   if (row.friction != Use::no) {
     visit("friction", WallFriction{boundary},
           {.meaning = "friction between wall and bodies: a word, or the coefficient of Coulomb "
-                      "friction (TL.11)",
+                      "friction (TL.12)",
            .example = R"("no_slip")",
            .limits = not_negative});
   }

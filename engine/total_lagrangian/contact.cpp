@@ -11,7 +11,7 @@ namespace pliant::total_lagrangian {
 
 namespace {
 
-// Corners share particles, so that one push may press a neighbour in again: (TL.11) of all of them
+// Corners share particles, so that one push may press a neighbour in again: (TL.12) of all of them
 // is solved by Gauss-Seidel sweeps. What these leave is a small share of one step's motion.
 constexpr int sweeps = 4;
 

@@ -6,7 +6,7 @@
 
 // Contact walls: rigid solids of any shape that bodies can meet and leave.
 //
-// The corners of the facets of the present surface must not lie inside a wall, (TL.11). One that
+// The corners of the facets of the present surface must not lie inside a wall, (TL.12). One that
 // does after a step is put back onto the wall along the normal, by moving the two particles between
 // which it lies: the least change of velocity that does it. Friction takes as much of the sliding
 // velocity as Coulomb's law allows for the impulse along the normal. Velocities follow: a corner
