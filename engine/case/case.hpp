@@ -204,7 +204,7 @@ struct Case {
   } time;
 
   struct {
-    double hourglass_stiffness = 0.8;     ///< kappa of (TL.6)
+    double hourglass_stiffness = 1.5;     ///< kappa of (TL.6)
     double mass_scaling = 1;              ///< inertia over mass
     bool match_time_step = false;         ///< scale the mass as `time.step` needs it instead
     std::optional<double> damping = 0.0;  ///< alpha of (TL.8) [1/s]; none: adaptive, (TL.10)

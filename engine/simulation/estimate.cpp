@@ -137,8 +137,11 @@ double values_of_copy(const BodyCase& body) {
 template <int D>
 Cost cost_of(const Case& a_case, const BodyCase& body) {
   if (a_case.method == "total_lagrangian") {
-    // phi, fraction, mass and its inverse; five vectors; the modes of the forces
-    return {value * (4.0 + 5 * D + D * kernels::cell_modes<D>), 0, D == 2 ? 150. : 400.};
+    // phi, fraction, that of regular cells, mass and its inverse; five vectors; the modes of the
+    // forces; p_i and J - 1
+    const std::size_t terms = body.prony.size();
+    const double memory = terms > 0 ? terms + 1.0 : 0.0;
+    return {value * (5.0 + memory + 5 * D + D * kernels::cell_modes<D>), 0, D == 2 ? 150. : 400.};
   }
   if (a_case.method == "point_based") {
     // Bonds, and about as many points of halos as of nodes; particles: search, frames and totals

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <span>
@@ -51,6 +52,13 @@ struct ConstrainedParticle {
   Point<D> normal;  ///< of a slip wall, out of it; zero at a no-slip wall
 };
 
+/// A particle that has left its lattice node to lie on the rim of a wall, (TL.11).
+template <int D>
+struct FittedNode {
+  std::int32_t slot;
+  Point<D> shift;  ///< from the node [m]
+};
+
 /// Loads of patches on the particles of a block: particle `slot[i]` takes `weight[k]` of the force
 /// on patch `patch[k]` for k from begin[i] to begin[i + 1].
 struct NodalLoads {
@@ -68,14 +76,22 @@ struct Body {
   Lattice<D> lattice;
   Layout<D> layout;
   std::int64_t particles = 0;
-  Buffer<T> level_set;     ///< phi of the undeformed body [m]
-  Buffer<T> fraction;      ///< share of the cell above the slot that the body fills, (TL.1)
-  Buffer<T> mass;          ///< [kg], 0 where there is no particle
-  Buffer<T> inverse_mass;  ///< [1/kg], 0 where there is no particle
+  Buffer<T> level_set;         ///< phi of the undeformed body [m]
+  Buffer<T> fraction;          ///< share of the cell above the slot that the body fills, (TL.1)
+  Buffer<T> regular_fraction;  ///< the same, 0 in fitted cells
+  Buffer<T> mass;              ///< [kg], 0 where there is no particle
+  Buffer<T> inverse_mass;      ///< [1/kg], 0 where there is no particle
   std::array<Buffer<T>, D> displacement, velocity, internal, traction;
   /// At the end of a step that an output time divides [m]; of no meaning at other times.
   std::array<Buffer<T>, D> end_displacement;
   std::array<std::array<Buffer<T>, kernels::cell_modes<D>>, D> force;
+  std::vector<kernels::PronyTerm<double>> prony;
+  std::vector<Buffer<T>> memory_pressure;         ///< [term] p_i of (RP.10) at the last stress [Pa]
+  Buffer<T> volume_change;                        ///< J - 1 there; only with Prony terms
+  double memory_age = 0;                          ///< time since the last stress [s]
+  std::vector<FittedNode<D>> fitted_nodes;        ///< in the order of the slots
+  std::vector<kernels::FittedCell<T, D>> fitted;  ///< block by block
+  std::vector<int> first_fitted;                  ///< [block + 1]
   std::vector<Facet<D>> facets;
   std::vector<FacetLoad> loads;
   std::vector<SurfacePatch> patches;
@@ -101,6 +117,28 @@ struct Body {
   }
 
   bool is_particle(std::int64_t slot) const { return mass[slot] > 0; }
+
+  /// How far a particle starts from its node [m].
+  Point<D> shift(std::int64_t slot) const {
+    const auto at =
+        std::lower_bound(fitted_nodes.begin(), fitted_nodes.end(), slot,
+                         [](const FittedNode<D>& node, std::int64_t s) { return node.slot < s; });
+    return at != fitted_nodes.end() && at->slot == slot ? at->shift : Point<D>{};
+  }
+  /// Where a particle starts [m].
+  Point<D> place(std::int64_t slot, const Cell<D>& cell) const {
+    Point<D> x = lattice.node(cell);
+    const Point<D> from_node = shift(slot);
+    for (int a = 0; a < D; ++a) x[a] += from_node[a];
+    return x;
+  }
+  /// Whether a corner of a slot's cell has left its node.
+  bool is_fitted(const Cell<D>& cell) const {
+    if (fitted_nodes.empty()) return false;
+    const auto slots = corners(cell);
+    return std::any_of(slots.begin(), slots.end(),
+                       [this](std::int64_t slot) { return shift(slot) != Point<D>{}; });
+  }
 
   /// Slots of the corners of a slot's cell, which all exist where the body fills some of it.
   std::array<std::int64_t, (1 << D)> corners(const Cell<D>& cell) const {
@@ -135,6 +173,9 @@ struct Body {
     f(Field::inverse_mass, span(&body.inverse_mass, 1));
     f(Field::level_set, span(&body.level_set, 1));
     f(Field::fraction, span(&body.fraction, 1));
+    f(Field::regular_fraction, span(&body.regular_fraction, 1));
+    f(Field::memory_pressure, span(body.memory_pressure));
+    f(Field::volume_change, span(&body.volume_change, body.prony.empty() ? 0 : 1));
     for (auto& modes : body.force) f(Field::corner_force, span(modes));
   }
 };

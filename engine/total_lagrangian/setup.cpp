@@ -1,14 +1,17 @@
 #include "engine/total_lagrangian/setup.hpp"
 
 #include <pliant/error.hpp>
-#include "engine/method/initial_velocity.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
 
+#include "engine/geometry/padded.hpp"
 #include "engine/geometry/signed_distance.hpp"
+#include "engine/method/initial_velocity.hpp"
+#include "engine/total_lagrangian/fit.hpp"
+#include "kernels/with_scalar.hpp"
 
 namespace pliant::total_lagrangian {
 
@@ -44,14 +47,12 @@ class Nodes {
       count *= extent_[a];
     }
     phi_.reserve(count);
-    for_each([&](const Cell<D>& cell) {
-      const Point<D> x = lattice.node(cell);
-      Vector at = {};
-      for (int a = 0; a < D; ++a) at[a] = x[a];
-      const double phi = signed_distance(shape, at, D);
-      // Nodes on the surface count as inside, always: edges of the body stay sharp.
-      phi_.push_back(std::abs(phi) < on_surface * h ? -on_surface : phi / h);
-    });
+    for_each([&](const Cell<D>& cell) { phi_.push_back(phi_at(shape, lattice.node(cell), h)); });
+  }
+
+  /// Moves the node of a cell to `x`.
+  void move(const Cell<D>& cell, const Shape& shape, const Point<D>& x, double h) {
+    phi_[index(cell)] = phi_at(shape, x, h);
   }
 
   template <class F>
@@ -77,11 +78,7 @@ class Nodes {
   }
 
   /// [h]
-  double phi(const Cell<D>& cell) const {
-    std::int64_t at = 0;
-    for (int a = D - 1; a >= 0; --a) at = at * extent_[a] + (cell[a] - lower_[a]);
-    return phi_[at];
-  }
+  double phi(const Cell<D>& cell) const { return phi_[index(cell)]; }
 
   /// (TL.1)
   double fraction(const Cell<D>& cell) const {
@@ -120,6 +117,18 @@ class Nodes {
   }
 
  private:
+  // Nodes on the surface count as inside, always: edges of the body stay sharp.
+  static double phi_at(const Shape& shape, const Point<D>& x, double h) {
+    const double phi = signed_distance(shape, padded<D>(x), D);
+    return std::abs(phi) < on_surface * h ? -on_surface : phi / h;
+  }
+
+  std::int64_t index(const Cell<D>& cell) const {
+    std::int64_t at = 0;
+    for (int a = D - 1; a >= 0; --a) at = at * extent_[a] + (cell[a] - lower_[a]);
+    return at;
+  }
+
   Cell<D> lower_, extent_;
   std::vector<double> phi_;
 };
@@ -146,6 +155,20 @@ void lay_out(const Nodes<D>& nodes, Body<T, D>& body) {
   occupancy.dilate(1.8);  // also the neighbours across edges and corners
   const int blocks = static_cast<int>(std::max<std::int64_t>(marked / slots_of_block, 2));
   body.layout.build(occupancy, {}, blocks, 1);
+}
+
+// The constants that the kernels read: those of a linear material's hyperelastic form.
+template <class T, int D>
+void take_material(const BodyCase& source, Body<T, D>& body) {
+  kernels::Material<double> material = source.material;
+  if (material.model != kernels::Model::reduced_polynomial) {
+    material.order = 1;
+    material.coefficient[0] = material.shear_modulus / 2;
+    material.compressibility = 2 / material.bulk_modulus;
+  }
+  body.material = kernels::with_scalar<T>(material);
+  body.prony = source.prony;
+  body.memory_pressure.resize(body.prony.size());
 }
 
 template <class T, int D>
@@ -176,6 +199,39 @@ void hold(const Boundaries<D>& boundaries, Body<T, D>& body) {
   }
 }
 
+// Level set, cells and masses. A cell stays one that the body fills when its corners move.
+template <class T, int D>
+void fill(const Nodes<D>& nodes, Body<T, D>& body) {
+  const double h = body.lattice.spacing;
+  const double corner_mass = body.material.density * std::pow(h, D) / (1 << D);
+  const Layout<D>& layout = body.layout;
+  std::fill_n(body.mass.get(), layout.slots(), T(0));
+  for (const Block<D>& block : layout.blocks()) {
+    layout.for_each_slot(block, [&](std::int64_t p, const Cell<D>& cell) {
+      if (!nodes.has_cell(cell)) return;
+      body.level_set[p] = h * nodes.phi(cell);
+      body.fraction[p] = body.fraction[p] > 0 ? std::max(nodes.fraction(cell), smallest_fraction)
+                                              : nodes.fraction(cell);
+      if (body.fraction[p] == 0) return;
+      const double det = body.is_fitted(cell) ? shape_of<T, D>(body, cell).determinant() : 1;
+      for (const std::int64_t q : body.corners(cell)) {
+        body.mass[q] += corner_mass * det * body.fraction[p];
+      }
+    });
+  }
+}
+
+template <class T, int D>
+void fit(const Boundaries<D>& boundaries, const Shape& shape, Nodes<D>& nodes, Body<T, D>& body) {
+  body.fitted_nodes = fit_to_rims(boundaries, body);
+  if (body.fitted_nodes.empty()) return;
+  for (const FittedNode<D>& node : body.fitted_nodes) {
+    const Cell<D> cell = body.layout.cell(node.slot);
+    nodes.move(cell, shape, body.place(node.slot, cell), body.lattice.spacing);
+  }
+  fill(nodes, body);
+}
+
 }  // namespace
 
 template <class T, int D>
@@ -183,36 +239,26 @@ void make_body(const Case& settings, const BodyCase& source, const Boundaries<D>
                Body<T, D>& body) {
   body.name = source.name;
   body.source = &source;
+  take_material(source, body);
   const Box box = bounding_box(source.geometry);
   body.lattice = nodes_on_faces<D>(settings, box);
-  const double h = body.lattice.spacing;
-  const Nodes<D> nodes(body.lattice, source.geometry, box);
+  Nodes<D> nodes(body.lattice, source.geometry, box);
   lay_out<T, D>(nodes, body);
   make_room<T, D>(body);
-  const double corner_mass = body.material.density * std::pow(h, D) / (1 << D);
+  fill(nodes, body);
+  hold<T, D>(boundaries, body);
+  fit(boundaries, source.geometry, nodes, body);
+  make_fitted_cells(body);
   const Layout<D>& layout = body.layout;
-  for (const Block<D>& block : layout.blocks()) {
-    layout.for_each_slot(block, [&](std::int64_t p, const Cell<D>& cell) {
-      if (!nodes.has_cell(cell)) return;
-      body.level_set[p] = h * nodes.phi(cell);
-      body.fraction[p] = nodes.fraction(cell);
-      if (body.fraction[p] == 0) return;
-      for (const std::int64_t q : body.corners(cell))
-        body.mass[q] += corner_mass * body.fraction[p];
-    });
-  }
   for (const Block<D>& block : layout.blocks()) {
     layout.for_each_slot(block, [&](std::int64_t p, const Cell<D>& cell) {
       if (!body.is_particle(p)) return;
       ++body.particles;
       body.inverse_mass[p] = 1 / body.mass[p];
-      Vector x = {};
-      for (int a = 0; a < D; ++a) x[a] = body.lattice.node(a, cell[a]);
-      const Vector u = initial_velocity(source, x);
+      const Vector u = initial_velocity(source, padded<D>(body.place(p, cell)));
       for (int a = 0; a < D; ++a) body.velocity[a][p] = u[a];
     });
   }
-  hold<T, D>(boundaries, body);
   make_surface<T, D>(boundaries, body);
 }
 

@@ -49,11 +49,10 @@ Solver<T, D>::Solver(const Case& a_case, const SolverOptions& options)
   Layouts<D> layouts;
   for (std::size_t b = 0; b < state_.bodies.size(); ++b) {
     Body<T, D>& body = state_.bodies[b];
-    body.material = kernels::with_scalar<T>(settings().bodies[b].material);
     make_body<T, D>(settings(), settings().bodies[b], state_.boundaries, body);
     layouts.push_back(&body.layout);
-    state_.clock.wave_speed = std::max(
-        state_.clock.wave_speed, static_cast<double>(kernels::wave_speed_at_rest(body.material)));
+    state_.clock.wave_speed = std::max(state_.clock.wave_speed,
+                                       kernels::wave_speed_at_rest(settings().bodies[b].material));
   }
   number_blocks<D>(layouts, state_.blocks);
   state_.clock.damping = settings().total_lagrangian.damping.value_or(0);
@@ -93,6 +92,7 @@ void Solver<T, D>::take_step(double dt) {
   clock.time += begins || dt < rest + clock.rounding() ? dt : rest;
   if (begins && clock.rest() > 0) store_end();
   if (!begins || clock.rest() > 0) move_to_output();
+  state_.age_memory();
 }
 
 template <class T, int D>
@@ -100,7 +100,7 @@ void Solver<T, D>::begin_step() {
   Clock& clock = state_.clock;
   const double start = clock.step_end, previous = clock.step_length, length = time_step();
   const bool examine = clock.step % examine_every == 0;
-  step_.prepare({start, (previous + length) / 2, length, examine});
+  step_.prepare({start, previous, length, examine});
   run(*graph_);
   const StepResult result = step_.fold();
   check(result);
@@ -174,13 +174,15 @@ template <class T, int D>
 std::size_t Solver<T, D>::bytes() const {
   std::size_t sum = 0;
   for (const Body<T, D>& body : state_.bodies) {
-    for (const auto* field : {&body.level_set, &body.fraction, &body.mass, &body.inverse_mass}) {
+    for (const auto* field : {&body.level_set, &body.fraction, &body.regular_fraction, &body.mass,
+                              &body.inverse_mass, &body.volume_change}) {
       sum += field->bytes();
     }
     for (const auto* field : {&body.displacement, &body.end_displacement, &body.velocity,
                               &body.internal, &body.traction}) {
       for (const Buffer<T>& component : *field) sum += component.bytes();
     }
+    for (const Buffer<T>& pressure : body.memory_pressure) sum += pressure.bytes();
     for (const auto& component : body.force) {
       for (const Buffer<T>& mode : component) sum += mode.bytes();
     }

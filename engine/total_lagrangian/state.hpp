@@ -37,6 +37,13 @@ struct State {
   std::vector<Point<D>> wall_force;    ///< [wall] on the bodies, in the last step [N]
   std::vector<Body<T, D>> bodies;
   std::vector<BlockOwner> blocks;
+
+  /// Tells the bodies how long ago their stress was evaluated.
+  void age_memory() {
+    for (Body<T, D>& body : bodies) {
+      body.memory_age = clock.time - (clock.step_end - clock.step_length);
+    }
+  }
 };
 
 }  // namespace pliant::total_lagrangian

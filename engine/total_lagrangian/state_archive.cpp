@@ -59,6 +59,7 @@ void get_state(const ArchiveReader& archive, State<T, D>& state) {
                    std::span<T>(values.get(), state.bodies[b].layout.slots()));
     });
   }
+  state.age_memory();
 }
 
 template void put_state<double, 2>(ArchiveWriter&, const State<double, 2>&);

@@ -36,6 +36,15 @@ std::vector<Phase> Step<T, D>::phases() {
   motion_results_.assign(state_.blocks.size(), {});
   boundary_forces_.prepare_blocks();
   contact_.prepare_surfaces();
+  relaxation_.resize(state_.bodies.size());
+  memory_.resize(state_.bodies.size());
+  for (std::size_t b = 0; b < state_.bodies.size(); ++b) {
+    relaxation_[b].resize(state_.bodies[b].prony.size());
+    memory_[b].clear();
+    for (Buffer<T>& pressure : state_.bodies[b].memory_pressure) {
+      memory_[b].push_back(pressure.get());
+    }
+  }
   const auto run = [this](auto function) {
     return [this, function](int block) { (this->*function)(block); };
   };
@@ -50,8 +59,8 @@ std::vector<Phase> Step<T, D>::phases() {
               near(of(patch_forces)) + own(of(surface) + of(constants) + of(displacement)),
               own(of(tractions)), [this](int block) { boundary_forces_.distribute(block); });
   }
-  rows.each("stress", near(of(displacement)) + own(of(constants)),
-            own(of(corner_forces) + of(results)), run(&Step::evaluate_stress));
+  rows.each("stress", near(of(displacement)) + own(of(constants) + of(memory)),
+            own(of(corner_forces) + of(memory) + of(results)), run(&Step::evaluate_stress));
   rows.each("motion",
             near(of(corner_forces) + of(patch_forces)) +
                 own(of(tractions) + of(constants) + of(surface) + of(internal_forces) +
@@ -65,6 +74,15 @@ template <class T, int D>
 void Step<T, D>::prepare(const Advance& advance) {
   advance_ = advance;
   boundary_forces_.prepare(advance.time, advance.kick, advance.length);
+  for (std::size_t b = 0; b < state_.bodies.size(); ++b) {
+    const Body<T, D>& body = state_.bodies[b];
+    for (std::size_t i = 0; i < body.prony.size(); ++i) {
+      const kernels::PronyTerm<T> term = {static_cast<T>(body.prony[i].ratio),
+                                          static_cast<T>(body.prony[i].time)};
+      relaxation_[b][i] =
+          kernels::relaxation<T>(term, body.material.bulk_modulus, advance.previous);
+    }
+  }
 }
 
 template <class T, int D>
@@ -87,6 +105,15 @@ StepResult Step<T, D>::fold() {
 }
 
 template <class T, int D>
+template <class T, int D>
+kernels::CellViscosity<T> Step<T, D>::viscosity(int block) const {
+  const int b = state_.blocks[block].body;
+  Body<T, D>& body = state_.bodies[b];
+  return {static_cast<int>(body.prony.size()), relaxation_[b].data(), memory_[b].data(),
+          body.volume_change.get()};
+}
+
+template <class T, int D>
 void Step<T, D>::evaluate_stress(int block) {
   const auto [body, local] = owner(block);
   const Block<D>& range = body.layout.blocks()[local];
@@ -97,7 +124,10 @@ void Step<T, D>::evaluate_stress(int block) {
   work.hourglass = static_cast<T>(settings_.total_lagrangian.hourglass_stiffness);
   work.examine = advance_.examine;
   work.material = body.material;
-  work.fraction = body.fraction.get();
+  work.viscosity = viscosity(block);
+  work.fitted = body.fitted.data() + body.first_fitted[local];
+  work.fitted_count = body.first_fitted[local + 1] - body.first_fitted[local];
+  work.fraction = body.regular_fraction.get();
   work.displacement = body.displacement_view();
   for (int a = 0; a < D; ++a) {
     for (int m = 0; m < kernels::cell_modes<D>; ++m) work.force[a][m] = body.force[a][m].get();
@@ -112,9 +142,9 @@ void Step<T, D>::move(int block) {
   kernels::Motion<T, D> work = {};
   work.segments = body.layout.segments_of(range);
   work.segment_count = range.segment_count;
-  const double half = state_.clock.damping * advance_.kick / 2;
+  const double half = state_.clock.damping * advance_.kick() / 2;
   work.kept = static_cast<T>((1 - half) / (1 + half));
-  work.gained = static_cast<T>(advance_.kick / ((1 + half) * state_.clock.mass_scaling));
+  work.gained = static_cast<T>(advance_.kick() / ((1 + half) * state_.clock.mass_scaling));
   work.time_step = static_cast<T>(advance_.length);
   work.inverse_mass = body.inverse_mass.get();
   for (int a = 0; a < D; ++a) {

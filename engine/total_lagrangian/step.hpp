@@ -13,10 +13,13 @@ namespace pliant::total_lagrangian {
 
 /// How a step advances.
 struct Advance {
-  double time;    ///< at its start [s]
-  double kick;    ///< for how long forces act: the mean of the last step and this one [s]
-  double length;  ///< for how long particles move [s]
-  bool examine;   ///< whether to look for the wave speed and for states that are not possible
+  double time;      ///< at its start [s]
+  double previous;  ///< length of the step before, 0 at the start of a run [s]
+  double length;    ///< for how long particles move [s]
+  bool examine;     ///< whether to look for the wave speed and for states that are not possible
+
+  /// For how long forces act, (TL.8) [s].
+  double kick() const { return (previous + length) / 2; }
 };
 
 /// What a step finds about the state that it leaves behind.
@@ -47,6 +50,7 @@ class Step {
   StepResult fold();
 
  private:
+  kernels::CellViscosity<T> viscosity(int block) const;
   void evaluate_stress(int block);
   void move(int block);
 
@@ -65,6 +69,9 @@ class Step {
   Advance advance_ = {};
   BoundaryForces<T, D> boundary_forces_;
   WallContact<T, D> contact_;
+  std::vector<std::vector<kernels::Relaxation<T>>>
+      relaxation_;                                           ///< [body][term], since the last step
+  std::vector<std::vector<T*>> memory_;                      ///< [body][term]
   std::vector<kernels::StressPointsResult> stress_results_;  ///< [block]
   std::vector<kernels::MotionResult> motion_results_;        ///< [block]
 };

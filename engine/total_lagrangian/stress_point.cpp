@@ -1,9 +1,10 @@
 #include "engine/total_lagrangian/stress_point.hpp"
 
+#include <algorithm>
 #include <cmath>
 
-#include "kernels/energy.hpp"
-#include "kernels/law.hpp"
+#include "engine/total_lagrangian/fit.hpp"
+#include "kernels/total_lagrangian/cell_energy.hpp"
 #include "kernels/with_scalar.hpp"
 
 namespace pliant::total_lagrangian {
@@ -27,46 +28,117 @@ std::array<std::array<double, (1 << D)>, D> modes(const Body<T, D>& body, const 
   return mode;
 }
 
+// U(J) of (TL.3).
+double volumetric_energy(const kernels::Material<double>& material, double j) {
+  const double modulus = 2 / material.compressibility;
+  switch (material.model) {
+    case kernels::Model::linear_rho:
+      return modulus * (j - 1 - std::log(j));
+    case kernels::Model::linear_log:
+      return modulus * (j * std::log(j) - j + 1);
+    case kernels::Model::reduced_polynomial:
+      break;
+  }
+  return modulus / 2 * (j - 1) * (j - 1);
+}
+
+/// What Prony terms add at present to the pressure, and to the energy per volume (RP.64).
+struct Memory {
+  double pressure = 0, energy = 0;
+};
+
+// The p_i are those of the last stress; (RP.22) takes them to the present time.
+template <class T, int D>
+Memory memory(const Body<T, D>& body, std::int64_t slot, double volume_change) {
+  Memory sum;
+  for (std::size_t i = 0; i < body.prony.size(); ++i) {
+    const double modulus = body.material.bulk_modulus;
+    const auto term = kernels::relaxation<double>(body.prony[i], modulus, body.memory_age);
+    const double p = term.decay * body.memory_pressure[i][slot] +
+                     term.start * body.volume_change[slot] + term.end * volume_change;
+    sum.pressure += p;
+    sum.energy += kernels::relaxed_energy<double>(body.prony[i], modulus, p, volume_change);
+  }
+  return sum;
+}
+
+/// A cell in plain numbers: F and the hourglass modes, (TL.2) and (TL.11).
+template <int D>
+struct CellShape {
+  Eigen::Matrix<double, D, D> f;
+  double squares = 0;  ///< sum_b c_b q_b.q_b of (TL.6)
+  double volume = 0;   ///< of the body at rest
+};
+
+template <class T, int D>
+CellShape<D> cell_shape(const Body<T, D>& body, std::int64_t slot, const Cell<D>& cell) {
+  using Matrix = Eigen::Matrix<double, D, D>;
+  const auto mode = modes<T, D>(body, cell);
+  const double h = body.lattice.spacing;
+  const bool is_fitted = body.fraction[slot] != body.regular_fraction[slot];
+  const auto fitted = std::lower_bound(
+      body.fitted.begin(), body.fitted.end(), is_fitted ? slot : 0,
+      [](const auto& fitted_cell, std::int64_t s) { return fitted_cell.slot < s; });
+  const Matrix a = is_fitted ? shape_of<T, D>(body, cell) : Matrix::Identity();
+  Matrix gradient;
+  for (int i = 0; i < D; ++i) {
+    for (int j = 0; j < D; ++j) gradient(i, j) = mode[i][1 << j] * 2 / ((1 << D) * h);
+  }
+  gradient *= a.inverse();
+  CellShape<D> shape;
+  shape.f = Matrix::Identity() + gradient;
+  shape.volume = body.fraction[slot] * std::pow(h, D) * a.determinant();
+  for (int m = 1; m < (1 << D); ++m) {
+    const int directions = kernels::directions_of[m];
+    if (directions < 2) continue;
+    for (int i = 0; i < D; ++i) {
+      double q = mode[i][m];
+      for (int j = 0; j < D && is_fitted; ++j) q -= gradient(i, j) * fitted->start[j][m];
+      shape.squares += kernels::mode_weights<D>[directions] / (h * h) * q * q;
+    }
+  }
+  return shape;
+}
+
 }  // namespace
 
 template <class T, int D>
 StressPoint<D> stress_point(const Body<T, D>& body, std::int64_t slot, const Cell<D>& cell,
                             double hourglass) {
   using Pack = xsimd::batch<double, xsimd::sse2>;
-  using Law = kernels::Law<kernels::Model::reduced_polynomial, Pack, D>;
-  const auto mode = modes<T, D>(body, cell);
-  const double h = body.lattice.spacing;
+  const CellShape<D> shape = cell_shape<T, D>(body, slot, cell);
   const auto material = kernels::with_scalar<double>(body.material);
   StressPoint<D> point;
-  std::array<double, D * D> f;
-  Pack packed[D * D];
+  kernels::CellState<Pack, D> state;
   for (int i = 0; i < D; ++i) {
     for (int j = 0; j < D; ++j) {
-      f[D * i + j] = (i == j ? 1 : 0) + mode[i][1 << j] * 2 / ((1 << D) * h);
-      packed[D * i + j] = Pack(f[D * i + j]);
-      point.deformation_gradient[i][j] = f[D * i + j];
+      state.f[D * i + j] = Pack(shape.f(i, j));
+      point.deformation_gradient[i][j] = shape.f(i, j);
     }
   }
-  Pack sigma[Law::symmetric];
-  Law::stress(material, packed, Pack(1.0), sigma);
-  for (int c = 0; c < Law::symmetric; ++c) point.stress[c] = sigma[c].get(0);
-  point.pressure = Law::pressure(material, packed, Pack(1.0)).get(0);
-  point.volume_ratio = kernels::determinant(packed).get(0);
+  state.hourglass = Pack(hourglass * shape.squares);
+  state.complete();
+  const auto stress = kernels::cell_stress<Pack, D>(material, state, Pack(0.0));
 
-  const Pack excess = kernels::isochoric_strain<Pack, D>(packed).excess;
-  const double modulus = 2 * kernels::half_tangent_modulus(material, excess).get(0);
-  double squares = 0;
+  point.volume = shape.volume;
+  const double j = point.volume_ratio = state.volume_ratio.get(0);
+  const Memory relaxed = memory(body, slot, j - 1);
+  point.pressure =
+      relaxed.pressure - kernels::volumetric_slope(material, state.volume_ratio).get(0);
+  const Eigen::Matrix<double, D, D> b = shape.f * shape.f.transpose();
+  const double mean = (b.trace() + (D == 2 ? 1 : 0)) / 3, factor = stress.shear.get(0) / j;
   for (int i = 0; i < D; ++i) {
-    for (int m = 1; m < (1 << D); ++m) {
-      if (m & (m - 1)) squares += mode[i][m] * mode[i][m];
+    for (int k = i; k < D; ++k) {
+      point.stress[kernels::symmetric_index<D>(i, k)] =
+          factor * (b(i, k) - (i == k ? mean : 0)) - (i == k ? point.pressure : 0);
     }
   }
-  const double volume = body.fraction[slot] * std::pow(h, D);
-  const double resistance = hourglass * modulus * volume * 8 / (3.0 * (1 << 2 * D) * h * h);
-  // The energy of (RP.63) is per current volume.
-  point.energy =
-      volume * point.volume_ratio * kernels::polynomial_energy<double, D>(material, f.data()) +
-      resistance * squares / 2;
+  double energy = volumetric_energy(material, j) + relaxed.energy, power = 1;
+  for (int n = 1; n <= material.order; ++n) {
+    power *= stress.excess.get(0);
+    energy += material.coefficient[n - 1] * power;
+  }
+  point.energy = shape.volume * energy;
   return point;
 }
 

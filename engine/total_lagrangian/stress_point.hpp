@@ -10,10 +10,11 @@ namespace pliant::total_lagrangian {
 template <int D>
 struct StressPoint {
   std::array<Point<D>, D> deformation_gradient = {};                 ///< F
+  double volume = 0;                                                 ///< of the body, at rest [m^D]
   double volume_ratio = 1;                                           ///< J
   double pressure = 0;                                               ///< [Pa]
   std::array<double, kernels::symmetric_components<D>> stress = {};  ///< sigma [Pa]
-  double energy = 0;  ///< strain and hourglass energy of the cell [J]
+  double energy = 0;  ///< of the cell, with that of hourglass modes and Prony terms [J]
 };
 
 /// The stress point above `slot`, whose cell the body must fill in part; (TL.2)-(TL.6).

@@ -81,8 +81,9 @@ class SurfaceMaker {
       if (node.phi < 0 && !body_.is_particle(node.slot)) return;
       for (int a = 0; a < D; ++a) {
         node.cell[a] = cell[a] + (c >> a & 1);
-        node.place[a] = body_.lattice.node(a, node.cell[a]);
       }
+      Eigen::Map<Place<D>>(node.place.data()) =
+          Eigen::Map<const Place<D>>(body_.place(node.slot, node.cell).data());
     }
     const int first = static_cast<int>(body_.facets.size());
     for_each_piece<D>(cube, [&](const SurfacePiece<D>& piece) {

@@ -87,11 +87,6 @@ const Fault faults[] = {
     {"total_lagrangian_keys_of_the_remeshed_method", extended("[total_lagrangian]\ndamping = 1\n"),
      "block.toml:10: method \"remeshed\" has no [total_lagrangian]; leave the table out, or choose "
      "another method"},
-    {"a_linear_material_without_a_reference_state",
-     with(rubber_block, "\"reduced_polynomial\", coefficients = [10], compressibility = 0.1",
-          "\"linear\", youngs_modulus = 100, poissons_ratio = 0.3"),
-     "block.toml:10: body \"block\" is not hyperelastic; method total_lagrangian takes model = "
-     "\"reduced_polynomial\""},
     {"mass_scaled_to_no_step",
      with(rubber_block, "damping = 1", "mass_scaling = \"match_time_step\""),
      "block.toml:12: the mass can only be scaled to a given time step; give time.step in seconds, "

@@ -30,7 +30,7 @@ template <class T, int D>
 std::vector<std::array<double, 3>> positions(const Body<T, D>& body) {
   return positions_of_particles<D>(body.layout, has_mass(body),
                                    [&body](std::int64_t slot, const Cell<D>& cell) {
-                                     Point<D> x = body.lattice.node(cell);
+                                     Point<D> x = body.place(slot, cell);
                                      for (int a = 0; a < D; ++a) x[a] += body.displacement[a][slot];
                                      return x;
                                    });

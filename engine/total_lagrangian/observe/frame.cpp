@@ -105,10 +105,10 @@ Frame take_frame(const State<T, D>& state, const FrameParts& parts) {
     for (const Block<D>& block : body.layout.blocks()) {
       body.layout.for_each_slot(block, [&](std::int64_t p, const Cell<D>& cell) {
         if (!body.is_particle(p)) return;
+        const Point<D> start = body.place(p, cell);
         for (int a = 0; a < 3; ++a) {
           const bool exists = a < D;
-          frame.position.push_back(exists ? body.lattice.node(a, cell[a]) + body.displacement[a][p]
-                                          : 0);
+          frame.position.push_back(exists ? start[a] + body.displacement[a][p] : 0);
           if (!exists) continue;
           velocity.push_back(body.velocity[a][p]);
           displacement.push_back(body.displacement[a][p]);

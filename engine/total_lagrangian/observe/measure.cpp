@@ -192,18 +192,18 @@ BodyIntegrals Measurer<T, D>::integrals(int index, const Vector& about) const {
   BodyIntegrals sum;
   for_each_particle(body, [&](std::int64_t p, const Cell<D>& cell) {
     Vector r = {}, u = {};
+    const Point<D> start = body.place(p, cell);
     for (int a = 0; a < D; ++a) {
-      r[a] = body.lattice.node(a, cell[a]) + body.displacement[a][p] - about[a];
+      r[a] = start[a] + body.displacement[a][p] - about[a];
       u[a] = velocity[p][a];
     }
     sum.mass += body.mass[p];
     add_motion(sum, scaling * body.mass[p], r, u);
   });
   for_each_stress_point(body, settings_.total_lagrangian.hourglass_stiffness,
-                        [&](std::int64_t p, const StressPoint<D>& point) {
+                        [&](std::int64_t, const StressPoint<D>& point) {
                           sum.strain_energy += point.energy;
-                          sum.volume += body.fraction[p] * std::pow(body.lattice.spacing, D) *
-                                        point.volume_ratio;
+                          sum.volume += point.volume * point.volume_ratio;
                         });
   return sum;
 }

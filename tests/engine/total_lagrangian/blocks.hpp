@@ -42,7 +42,7 @@ template <int D, class F>
 void for_each_particle(const total_lagrangian::Body<double, D>& body, F&& f) {
   for (const Block<D>& block : body.layout.blocks()) {
     body.layout.for_each_slot(block, [&](std::int64_t p, const Cell<D>& cell) {
-      if (body.is_particle(p)) f(p, body.lattice.node(cell));
+      if (body.is_particle(p)) f(p, body.place(p, cell));
     });
   }
 }

@@ -1,0 +1,273 @@
+#include "engine/total_lagrangian/fit.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <optional>
+#include <set>
+
+#include "engine/geometry/padded.hpp"
+#include "engine/geometry/signed_distance.hpp"
+
+// A wall holds the particles within half a spacing of it. Where it ends on a free surface, the line
+// between held and free particles would be a staircase around the true rim:
+//
+//       x x x x x          x held     particles of the surface, seen from above;
+//       o o x x x          o free     the rim runs through them at a slant
+//       o o o o x
+//
+// Held particles near the rim therefore move onto it, within the surface. What lies below them
+// follows, less and less with depth.
+namespace pliant::total_lagrangian {
+
+namespace {
+
+constexpr double on_surface = 1e-9;    // [h] distances that rounding may leave
+constexpr double layers = 3;           // over which a shift fades
+constexpr double smallest_det = 0.25;  // of a cell, of A of (TL.11)
+constexpr int most_halvings = 8;
+
+template <int D>
+using Vec = Eigen::Matrix<double, D, 1>;
+
+template <int D>
+Vec<D> vec(const Point<D>& x) {
+  return Eigen::Map<const Vec<D>>(x.data());
+}
+
+template <int D>
+Point<D> point(const Vec<D>& x) {
+  Point<D> p;
+  Eigen::Map<Vec<D>>(p.data()) = x;
+  return p;
+}
+
+template <class T, int D>
+class RimFitter {
+ public:
+  RimFitter(const Boundaries<D>& boundaries, const Body<T, D>& body)
+      : boundaries_(boundaries),
+        body_(body),
+        shape_(body.source->geometry),
+        h_(body.lattice.spacing),
+        held_(body.layout.slots(), false) {
+    for (const auto& of_block : body.held) {
+      for (const ConstrainedParticle<D>& held : of_block) held_[held.slot] = true;
+    }
+  }
+
+  std::vector<FittedNode<D>> operator()() {
+    for_each_particle([&](std::int64_t p, const Cell<D>& cell) {
+      if (!is_on_surface(p) || !is_near_a_wall(cell)) return;
+      const std::optional<Vec<D>> shift = shift_of_surface(p, cell);
+      if (shift && shift->norm() > on_surface * h_) spread(cell, *shift);
+    });
+    keep_cells_open();
+    std::vector<FittedNode<D>> nodes;
+    nodes.reserve(shift_.size());
+    for (const auto& [slot, shift] : shift_) nodes.push_back({slot, point<D>(shift)});
+    return nodes;
+  }
+
+ private:
+  template <class F>
+  void for_each_particle(F&& f) const {
+    for (const Block<D>& block : body_.layout.blocks()) {
+      body_.layout.for_each_slot(block, [&](std::int64_t p, const Cell<D>& cell) {
+        if (body_.is_particle(p)) f(p, cell);
+      });
+    }
+  }
+
+  double phi(const Vec<D>& x) const {
+    return signed_distance(shape_, padded<D>(point<D>(x)), D);
+  }
+  bool is_on_surface(std::int64_t p) const { return std::abs(body_.level_set[p]) < h_ / 2; }
+  bool is_near_a_wall(const Cell<D>& cell) const {
+    return boundaries_.nearest_wall(body_.lattice.node(cell)).second < 2 * h_;
+  }
+
+  // Held particles within half a spacing of the rim move onto it, and in 3D those that a cell has
+  // opposite to a free one.
+  std::optional<Vec<D>> shift_of_surface(std::int64_t p, const Cell<D>& cell) const {
+    if (!held_[p]) return std::nullopt;
+    const Vec<D> x = vec<D>(body_.lattice.node(cell));
+    const Vec<D> n = normal(x), foot = x - phi(x) * n;
+    std::optional<Vec<D>> nearest;
+    for (const Wall<D>& wall : boundaries_.walls) {
+      const std::optional<Vec<D>> rim = rim_near(foot, n, wall);
+      if (!rim) continue;
+      const Vec<D> shift = *rim - foot;
+      if (!nearest || shift.norm() < nearest->norm()) nearest = shift;
+    }
+    if (!nearest) return std::nullopt;
+    const double distance = nearest->norm() / h_;
+    const bool fits = distance < 0.5 || (distance < 1.5 && has_free_opposite(cell, n, *nearest));
+    return fits ? nearest : std::nullopt;
+  }
+
+  Vec<D> normal(const Vec<D>& x) const {
+    const Vector n = outward_direction(shape_, padded<D>(point<D>(x)), D);
+    return Eigen::Map<const Vec<D>>(n.data());
+  }
+
+  // Newton's method on the surface. There the distance to a wall that lies on it is 0, so it is
+  // taken inside the wall, less and less deep, and from there along its side to the surface.
+  std::optional<Vec<D>> rim_near(const Vec<D>& foot, const Vec<D>& n, const Wall<D>& wall) const {
+    Vec<D> rim = foot, out;
+    double depth = 2 * h_;
+    for (int k = 0; k < 4; ++k, depth /= 4) {
+      const Point<D> at = point<D>(rim + depth * n);
+      const Vec<D> direction = vec<D>(wall.normal(at));
+      const double slant = direction.dot(n);
+      const Vec<D> along = direction - slant * n;
+      const double square = along.squaredNorm();
+      if (square < 0.25) return std::nullopt;  // that is the face on the body
+      rim -= (wall.distance(at) - depth * slant) / square * along;
+      out = along / std::sqrt(square);
+    }
+    // The surface goes on at both sides, and is free at one.
+    const Vec<D> free = rim + 0.5 * h_ * out, covered = rim - 0.5 * h_ * out;
+    if (std::abs(phi(free)) > 0.1 * h_ || std::abs(phi(covered)) > 0.1 * h_) return std::nullopt;
+    if (boundaries_.nearest_wall(point<D>(free)).second < 0.25 * h_) return std::nullopt;
+    return rim;
+  }
+
+  // Within the surface, towards the rim.
+  bool has_free_opposite(const Cell<D>& cell, const Vec<D>& n, const Vec<D>& shift) const {
+    bool found = false;
+    Cell<D> lower = cell, upper = cell;
+    for (int a = 0; a < D; ++a) {
+      --lower[a];
+      ++upper[a];
+    }
+    for_each_cell<D>(lower, upper, [&](const Cell<D>& other) {
+      Vec<D> offset;
+      for (int a = 0; a < D; ++a) offset[a] = other[a] - cell[a];
+      if (offset.squaredNorm() != 2 || std::abs(offset.dot(n)) > 0.5 || offset.dot(shift) <= 0) {
+        return;
+      }
+      const std::int64_t q = body_.layout.slot(other);
+      found = found || (q >= 0 && body_.is_particle(q) && is_on_surface(q) && !held_[q]);
+    });
+    return found;
+  }
+
+  // To the particles above and below along the lattice line that is nearest to the normal.
+  void spread(const Cell<D>& cell, const Vec<D>& shift) {
+    const Vec<D> n = normal(vec<D>(body_.lattice.node(cell)));
+    int axis = 0;
+    n.cwiseAbs().maxCoeff(&axis);
+    for (int k = -1; k < layers; ++k) {
+      Cell<D> at = cell;
+      at[axis] -= n[axis] > 0 ? k : -k;
+      const std::int64_t p = body_.layout.slot(at);
+      if (p < 0 || !body_.is_particle(p) || (k != 0 && is_on_surface(p))) continue;
+      const Vec<D> faded = (1 - std::abs(k) / layers) * shift;
+      Vec<D>& known = shift_.try_emplace(static_cast<std::int32_t>(p), Vec<D>::Zero()).first->second;
+      if (faded.norm() > known.norm()) known = faded;
+    }
+  }
+
+  // Where a cell would close, its corners go back half the way.
+  void keep_cells_open() {
+    for (int k = 0; k < most_halvings; ++k) {
+      std::set<std::int32_t> closing;
+      for_each_particle([&](std::int64_t p, const Cell<D>& cell) {
+        if (!(body_.fraction[p] > 0)) return;
+        const auto corners = body_.corners(cell);
+        const auto moves = [&](std::int64_t q) { return shift_.contains(static_cast<int>(q)); };
+        if (std::none_of(corners.begin(), corners.end(), moves)) return;
+        Eigen::Matrix<double, D, D> a = Eigen::Matrix<double, D, D>::Identity();
+        for (int c = 0; c < (1 << D); ++c) {
+          const auto found = shift_.find(static_cast<std::int32_t>(corners[c]));
+          if (found == shift_.end()) continue;
+          for (int j = 0; j < D; ++j) {
+            a.col(j) += (c >> j & 1 ? 2 : -2) / ((1 << D) * h_) * found->second;
+          }
+        }
+        if (a.determinant() > smallest_det) return;
+        for (const std::int64_t q : corners) {
+          if (moves(q)) closing.insert(static_cast<std::int32_t>(q));
+        }
+      });
+      if (closing.empty()) return;
+      for (const std::int32_t q : closing) shift_[q] /= 2;
+    }
+  }
+
+  const Boundaries<D>& boundaries_;
+  const Body<T, D>& body_;
+  const Shape& shape_;
+  double h_;
+  std::vector<bool> held_;  // [slot]
+  std::map<std::int32_t, Vec<D>> shift_;
+};
+
+}  // namespace
+
+template <class T, int D>
+std::vector<FittedNode<D>> fit_to_rims(const Boundaries<D>& boundaries, const Body<T, D>& body) {
+  return RimFitter<T, D>(boundaries, body)();
+}
+
+template <class T, int D>
+Eigen::Matrix<double, D, D> shape_of(const Body<T, D>& body, const Cell<D>& cell) {
+  const auto corners = body.corners(cell);
+  Eigen::Matrix<double, D, D> a = Eigen::Matrix<double, D, D>::Identity();
+  for (int c = 0; c < (1 << D); ++c) {
+    const Vec<D> shift = vec<D>(body.shift(corners[c]));
+    for (int j = 0; j < D; ++j) {
+      a.col(j) += (c >> j & 1 ? 2 : -2) / ((1 << D) * body.lattice.spacing) * shift;
+    }
+  }
+  return a;
+}
+
+template <class T, int D>
+void make_fitted_cells(Body<T, D>& body) {
+  body.first_fitted = {0};
+  for (const Block<D>& block : body.layout.blocks()) {
+    body.layout.for_each_slot(block, [&](std::int64_t p, const Cell<D>& cell) {
+      body.regular_fraction[p] = body.fraction[p];
+      if (!(body.fraction[p] > 0) || !body.is_fitted(cell)) return;
+      body.regular_fraction[p] = 0;
+      const Eigen::Matrix<double, D, D> a = shape_of<T, D>(body, cell), inverse = a.inverse();
+      kernels::FittedCell<T, D> fitted = {};
+      fitted.slot = p;
+      fitted.volume = static_cast<T>(body.fraction[p] * a.determinant());
+      for (int i = 0; i < D; ++i) {
+        for (int j = 0; j < D; ++j) fitted.inverse[D * i + j] = static_cast<T>(inverse(i, j));
+      }
+      const auto corners = body.corners(cell);
+      for (int m = 1; m < (1 << D); ++m) {
+        if (kernels::directions_of[m] < 2) continue;
+        for (int c = 0; c < (1 << D); ++c) {
+          // The signs of (TL.2); those of the regular nodes add up to nothing.
+          const int lower = kernels::directions_of[m & ~c];
+          const Point<D> shift = body.shift(corners[c]);
+          for (int i = 0; i < D; ++i) {
+            fitted.start[i][m] += static_cast<T>(lower % 2 == 0 ? shift[i] : -shift[i]);
+          }
+        }
+      }
+      body.fitted.push_back(fitted);
+    });
+    body.first_fitted.push_back(static_cast<int>(body.fitted.size()));
+  }
+}
+
+template std::vector<FittedNode<2>> fit_to_rims<double, 2>(const Boundaries<2>&, const Body<double, 2>&);
+template std::vector<FittedNode<3>> fit_to_rims<double, 3>(const Boundaries<3>&, const Body<double, 3>&);
+template std::vector<FittedNode<2>> fit_to_rims<float, 2>(const Boundaries<2>&, const Body<float, 2>&);
+template std::vector<FittedNode<3>> fit_to_rims<float, 3>(const Boundaries<3>&, const Body<float, 3>&);
+template Eigen::Matrix2d shape_of<double, 2>(const Body<double, 2>&, const Cell<2>&);
+template Eigen::Matrix3d shape_of<double, 3>(const Body<double, 3>&, const Cell<3>&);
+template Eigen::Matrix2d shape_of<float, 2>(const Body<float, 2>&, const Cell<2>&);
+template Eigen::Matrix3d shape_of<float, 3>(const Body<float, 3>&, const Cell<3>&);
+template void make_fitted_cells<double, 2>(Body<double, 2>&);
+template void make_fitted_cells<double, 3>(Body<double, 3>&);
+template void make_fitted_cells<float, 2>(Body<float, 2>&);
+template void make_fitted_cells<float, 3>(Body<float, 3>&);
+
+}  // namespace pliant::total_lagrangian

@@ -1,0 +1,95 @@
+#pragma once
+
+#include "kernels/cofactor.hpp"
+#include "kernels/reduced_polynomial.hpp"
+#include "kernels/total_lagrangian/arguments.hpp"
+
+/// The strain energy of a cell, (TL.3) and (TL.6), and its derivatives. The constants of a linear
+/// material are those of its hyperelastic form: N = 1, C10 = mu/2, 2/D = K.
+namespace pliant::kernels {
+
+/// dU/dJ of the volumetric part, (TL.3).
+template <class P>
+inline P volumetric_slope(const Material<Scalar<P>>& material, const P& volume_ratio) {
+  using T = Scalar<P>;
+  const P modulus(T(2) / material.compressibility), one(T(1));
+  if (material.model == Model::linear_rho) return modulus * (one - one / volume_ratio);
+  if (material.model == Model::linear_log) return modulus * logarithm(volume_ratio);
+  return modulus * (volume_ratio - one);
+}
+
+/// J d^2U/dJ^2 of the volumetric part, (TL.3).
+template <class P>
+inline P volumetric_stiffness(const Material<Scalar<P>>& material, const P& volume_ratio) {
+  using T = Scalar<P>;
+  const P modulus(T(2) / material.compressibility);
+  if (material.model == Model::linear_rho) return modulus / volume_ratio;
+  if (material.model == Model::linear_log) return modulus;
+  return modulus * volume_ratio;
+}
+
+/// c_b h^2 of (TL.6) by the number of directions.
+template <int D>
+inline constexpr double mode_weights[] = {0, 0, 8. / 3 / (1 << 2 * D), 4. / 3 / (1 << 2 * D)};
+
+/// What the energy of cells depends on.
+template <class P, int D>
+struct CellState {
+  P f[D * D], cof[D * D], volume_ratio;
+  P hourglass;  ///< kappa sum_b c_b q_b.q_b of (TL.6)
+
+  /// From `f` and `hourglass`.
+  void complete() {
+    cofactor(f, cof);
+    volume_ratio = f[0] * cof[0];
+#pragma GCC unroll 3
+    for (int j = 1; j < D; ++j) volume_ratio = fused(f[j], cof[j], volume_ratio);
+  }
+};
+
+/// Derivatives of the energy per volume of the undeformed cell.
+template <class P, int D>
+struct CellStress {
+  P excess;        ///< I1* - 3
+  P shear;         ///< 2 W1 J^(-2/3): by kappa c_b q_b the force of a mode [Pa]
+  P piola[D * D];  ///< P [Pa]
+};
+
+/// (TL.4) and (TL.6); `relaxed` is the sum of the p_i of (RP.10).
+template <class P, int D>
+inline CellStress<P, D> cell_stress(const Material<Scalar<P>>& material,
+                                    const CellState<P, D>& state, const P& relaxed) {
+  using T = Scalar<P>;
+  CellStress<P, D> stress;
+  P squares = D == 2 ? state.hourglass + P(T(1)) : state.hourglass;
+#pragma GCC unroll 9
+  for (int c = 0; c < D * D; ++c) squares = fused(state.f[c], state.f[c], squares);
+  const P root = inverse_cube_root(state.volume_ratio);
+  const P scale = root * root;
+  stress.excess = fused(scale, squares, P(T(-3)));
+  P first, second;
+  energy_derivatives(material, stress.excess, first, second);
+  stress.shear = (first + first) * scale;
+  const P mean = stress.shear * squares * P(T(1) / T(3)) / state.volume_ratio;
+  const P spherical = volumetric_slope(material, state.volume_ratio) - relaxed - mean;
+#pragma GCC unroll 9
+  for (int c = 0; c < D * D; ++c) {
+    stress.piola[c] = fused(stress.shear, state.f[c], spherical * state.cof[c]);
+  }
+  return stress;
+}
+
+/// Bound of c^2 as (RP.12), with the I1* of the cell.
+template <class P, int D>
+inline P cell_wave_speed2(const Material<Scalar<P>>& material, const CellState<P, D>& state,
+                          const P& excess) {
+  using T = Scalar<P>;
+  IsochoricStrain<P, D> strain = isochoric_strain<P, D>(state.f);
+  strain.excess = excess;
+  const P density = P(material.density) / state.volume_ratio;
+  const P by_polynomial = P(T(2) / material.compressibility) * state.volume_ratio;
+  return polynomial_wave_speed2<P, D>(material, strain, density) +
+         (volumetric_stiffness(material, state.volume_ratio) - by_polynomial) / density;
+}
+
+}  // namespace pliant::kernels

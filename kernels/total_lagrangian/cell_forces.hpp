@@ -1,0 +1,97 @@
+#pragma once
+
+#include "kernels/total_lagrangian/cell_energy.hpp"
+#include "kernels/total_lagrangian/corner_modes.hpp"
+
+/// Parts that stress points on the lattice and in fitted cells share.
+namespace pliant::kernels {
+
+/// Bound of the largest singular value: sqrt(largest row sum * largest column sum), squared.
+template <class P, int D>
+inline P norm2_bound(const P (&matrix)[D * D]) {
+  P row(Scalar<P>(0)), column(Scalar<P>(0));
+  for (int i = 0; i < D; ++i) {
+    P of_row = xsimd::abs(matrix[D * i]), of_column = xsimd::abs(matrix[i]);
+    for (int j = 1; j < D; ++j) {
+      of_row = of_row + xsimd::abs(matrix[D * i + j]);
+      of_column = of_column + xsimd::abs(matrix[D * j + i]);
+    }
+    row = xsimd::max(row, of_row);
+    column = xsimd::max(column, of_column);
+  }
+  return row * column;
+}
+
+/// Displacement modes of the cells of a register, [component][mode].
+template <class P, int D>
+inline void displacement_modes(const StressPoints<Scalar<P>, D>& block,
+                               const std::int64_t (&row)[1 << (D - 1)], std::int64_t slot,
+                               P (&mode)[D][1 << D]) {
+  for (int i = 0; i < D; ++i) {
+    const Scalar<P>* d = block.displacement[i] + slot;
+    for (int c = 0; c < (1 << D); ++c) mode[i][c] = load<P>(d + row[c >> 1] + (c & 1));
+    to_modes<P, D>(mode[i]);
+  }
+}
+
+/// kappa c_b of (TL.6) by the number of directions of b [1/m^2].
+template <class P, int D>
+struct HourglassWeights {
+  Scalar<P> of[D + 1];
+
+  explicit HourglassWeights(const StressPoints<Scalar<P>, D>& block) {
+    for (int n = 0; n <= D; ++n) {
+      of[n] = block.hourglass * Scalar<P>(mode_weights<D>[n]) / (block.spacing * block.spacing);
+    }
+  }
+};
+
+/// kappa sum_b c_b q_b.q_b of (TL.6).
+template <class P, int D>
+inline P hourglass_squares(const HourglassWeights<P, D>& weights,
+                           const P (&mode)[D][1 << D]) {
+  using T = Scalar<P>;
+  P sum(T(0));
+  for (int n = 2; n <= D; ++n) {
+    P squares(T(0));
+    for (int i = 0; i < D; ++i) {
+      for (int m = 1; m < (1 << D); ++m) {
+        if (directions_of[m] == n) squares = fused(mode[i][m], mode[i][m], squares);
+      }
+    }
+    sum = fused(P(weights.of[n]), squares, sum);
+  }
+  return sum;
+}
+
+/// What a register of stress points adds to the block's result.
+template <class P>
+struct StressPointExtremes {
+  P wave_speed2 = P(Scalar<P>(0));
+  std::int64_t non_finite = -1;
+};
+
+/// Whether the stress of some lanes is no number or their J <= 0, and their wave speed in units of
+/// the lattice: by |A^-1 F^-1| of (TL.9), given as `reverse` = A^-1 cof F^T.
+template <class P, int D>
+inline auto examine(const Material<Scalar<P>>& material, const CellState<P, D>& state,
+                    const CellStress<P, D>& stress, const P (&reverse)[D * D],
+                    const typename P::batch_bool_type& inside, StressPointExtremes<P>& extremes) {
+  const P zero(Scalar<P>(0)), jacobian = state.volume_ratio;
+  P finite = zero;
+  for (const P& component : stress.piola) finite = fused(component, zero, finite);
+  const auto sound = (finite == zero) && (jacobian > zero);
+  const P c2 = cell_wave_speed2<P, D>(material, state, stress.excess) *
+               norm2_bound<P, D>(reverse) / (jacobian * jacobian);
+  extremes.wave_speed2 = xsimd::max(extremes.wave_speed2, xsimd::select(inside && sound, c2, zero));
+  return inside && !sound;
+}
+
+/// One term of (RP.22) in a register of cells.
+template <class P>
+inline P relax_term(const Relaxation<Scalar<P>>& term, const P& before, const P& start, const P& end) {
+  const P driven = fused(P(term.start), start, P(term.end) * end);
+  return fused(P(term.decay), before, driven);
+}
+
+}  // namespace pliant::kernels
