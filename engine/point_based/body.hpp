@@ -44,6 +44,15 @@ struct PressedNode {
   Point<D> area;  ///< share of the undeformed surface, outwards [m^(D-1)]
 };
 
+/// A node whose bonds span a plane or a line only.
+template <int D>
+struct DegenerateNode {
+  std::int64_t slot;
+  int rank;                           ///< directions that they span
+  std::array<Point<D>, D> direction;  ///< Q of (PB.13)
+  double volume;                      ///< [m^D]
+};
+
 /// The undeformed surface of a body, in segments (2D) or triangles (3D) whose corners move with the
 /// nodes nearest to them.
 template <int D>
@@ -67,12 +76,14 @@ struct Body {
   double resolution = 0;      ///< H, the least V^(1/D) [m]
   double volume_at_rest = 0;  ///< [m^D]
   std::vector<NodeBlock> blocks;
-  scheduler::Blocks adjacency;       ///< blocks whose nodes have bonds
-  std::vector<Point<D>> start;       ///< [slot] undeformed positions [m]
-  std::vector<std::int64_t> number;  ///< [slot] of the node in its cloud; -1: none
-  Buffer<T> mass;                    ///< [kg]
-  Buffer<T> inverse_mass;            ///< [1/kg], 0 where there is no node
-  Buffer<T> volume, stiffness;       ///< [m^D], [N/m]
+  scheduler::Blocks adjacency;                 ///< blocks whose nodes have bonds
+  std::vector<Point<D>> start;                 ///< [slot] undeformed positions [m]
+  std::vector<std::int64_t> number;            ///< [slot] of the node in its cloud; -1: none
+  Buffer<T> mass;                              ///< [kg]
+  Buffer<T> inverse_mass;                      ///< [1/kg], 0 where there is no node
+  Buffer<T> volume;                            ///< [m^D], 0 at degenerate nodes
+  Buffer<T> stiffness;                         ///< [N/m]
+  std::array<Buffer<T>, D * D> kept_gradient;  ///< D of (PB.14), where there are cuts
   std::array<Buffer<T>, symmetric> moment, strain;
   std::array<Buffer<T>, D> displacement, velocity;
   std::array<Buffer<T>, D> pressure_load, traction;  ///< [N], where loads act
@@ -85,9 +96,11 @@ struct Body {
   std::vector<std::vector<kernels::CollectedForces<T>>> collected;  ///< [block]
   std::vector<std::vector<ConstrainedNode<D>>> held;                ///< [block]
   std::vector<std::vector<PressedNode<D>>> pressed;                 ///< [block]
+  std::vector<std::vector<DegenerateNode<D>>> degenerate;           ///< [block]
   BodySurface<D> surface;
 
   bool is_loaded() const { return traction[0].bytes() > 0; }
+  bool has_cuts() const { return kept_gradient[0].bytes() > 0; }
   bool is_viscous() const { return strain[0].bytes() > 0; }
   bool is_particle(std::int64_t slot) const { return inverse_mass[slot] > 0; }
 
@@ -121,6 +134,12 @@ struct Body {
   std::int64_t slot_of(const NodeBlock& block, int local) const {
     return local < block.count ? block.first + local
                                : halo[block.first_halo + (local - block.count)];
+  }
+
+  /// Local number of a neighbour in the block of the node.
+  int local_neighbour(std::int64_t slot, int k) const {
+    constexpr int lanes = kernels::slots_per_pack;
+    return neighbour[(slot / lanes * bonds + k) * lanes + slot % lanes];
   }
 
   /// Calls f(k, slot of the neighbour, g, w) for the bonds of a node; g and w as the kernels have
@@ -158,6 +177,7 @@ struct Body {
     f(Field::volume, span(&body.volume, 1));
     f(Field::stiffness, span(&body.stiffness, 1));
     f(Field::moment, span(body.moment));
+    if (body.has_cuts()) f(Field::kept_gradient, span(body.kept_gradient));
     if (body.is_loaded()) f(Field::pressure_load, span(body.pressure_load));
     if (body.is_loaded()) f(Field::traction, span(body.traction));
   }

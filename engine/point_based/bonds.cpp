@@ -17,26 +17,19 @@ namespace {
 constexpr double support_over_distance = 1.05;  // of the nearest node that is no neighbour
 constexpr int lanes = kernels::slots_per_pack;
 
-/// [node] its slot.
-template <class T, int D>
-std::vector<std::int64_t> slots_of_nodes(const Body<T, D>& body) {
-  std::vector<std::int64_t> slot(body.particles);
-  for (std::int64_t s = 0; s < body.slots; ++s) {
-    if (body.number[s] >= 0) slot[body.number[s]] = s;
-  }
-  return slot;
-}
-
 // A block's halo in ascending order: what it collects for one other block lies together.
 template <class T, int D>
-void find_halos(const Neighbours& neighbours, const std::vector<std::int64_t>& slot_of,
-                Body<T, D>& body) {
+void find_halos(const BondChoice<D>& choice, Body<T, D>& body) {
   body.halo.clear();
   for (NodeBlock& block : body.blocks) {
     std::vector<std::int32_t> halo;
     for (int i = 0; i < block.nodes; ++i) {
-      for (const std::int32_t node : neighbours.node[body.number[block.first + i]]) {
-        const std::int64_t slot = slot_of[node];
+      const auto& candidates = choice.candidates[body.number[block.first + i]];
+      const std::size_t count = choice.may_change
+                                    ? candidates.size()
+                                    : std::min<std::size_t>(candidates.size(), choice.neighbours);
+      for (std::size_t k = 0; k < count; ++k) {
+        const std::int64_t slot = choice.slot_of[candidates[k].node];
         const bool is_own = slot >= block.first && slot < block.first + block.count;
         if (!is_own) halo.push_back(static_cast<std::int32_t>(slot));
       }
@@ -59,38 +52,42 @@ std::uint16_t local_number(const Body<T, D>& body, const NodeBlock& block, std::
   return static_cast<std::uint16_t>(block.count + (at - first));
 }
 
-/// The bonds of one node.
+/// Neighbours of a node, and their weights.
+struct Chosen {
+  std::vector<std::int64_t> slot;
+  std::vector<double> weight;
+};
+
+template <int D>
+Chosen choose(const BondChoice<D>& choice, std::span<const double> factors, std::int64_t node) {
+  const auto& candidates = choice.candidates[node];
+  const auto factor = [&](std::size_t k) { return factors.empty() ? 1 : factors[k]; };
+  std::vector<std::size_t> taken;
+  double next = 0;
+  for (std::size_t k = 0; k < candidates.size(); ++k) {
+    if (factor(k) == 0) continue;
+    next = candidates[k].distance;
+    if (static_cast<int>(taken.size()) == choice.neighbours) break;
+    taken.push_back(k);
+  }
+  const double support = std::isinf(choice.support) ? support_over_distance * next : choice.support;
+  Chosen chosen;
+  for (const std::size_t k : taken) {
+    if (candidates[k].distance >= support) continue;
+    chosen.slot.push_back(choice.slot_of[candidates[k].node]);
+    chosen.weight.push_back(factor(k) * bond_weight(candidates[k].distance / support));
+  }
+  return chosen;
+}
+
+/// Enters a node in the list of degenerate ones, or takes it out.
 template <class T, int D>
-void make_bonds_of(const NodeBlock& block, std::int64_t slot, const Neighbours& neighbours,
-                   const std::vector<std::int64_t>& slot_of, double alpha, Body<T, D>& body) {
-  const std::int64_t node = body.number[slot];
-  std::vector<Point<D>> bonds;
-  std::vector<double> weights;
-  for (const std::int32_t other : neighbours.node[node]) {
-    Point<D> x;
-    double square = 0;
-    for (int a = 0; a < D; ++a) {
-      x[a] = body.start[slot_of[other]][a] - body.start[slot][a];
-      square += x[a] * x[a];
-    }
-    bonds.push_back(x);
-    weights.push_back(bond_weight(std::sqrt(square) / neighbours.support[node]));
-  }
-  const NodeOperator<D> made = node_operator<D>(bonds, weights);
-  const double modulus = body.material.lame_modulus + 2 * body.material.shear_modulus;
-  body.stiffness[slot] = static_cast<T>(alpha * modulus / made.trace() * body.volume[slot]);
-  for (int c = 0; c < Body<T, D>::symmetric; ++c) {
-    body.moment[c][slot] = static_cast<T>(made.moment[c]);
-  }
-  const std::int64_t pack = slot / lanes, lane = slot % lanes;
-  for (std::size_t k = 0; k < bonds.size(); ++k) {
-    const std::int64_t at = pack * body.bonds + static_cast<std::int64_t>(k);
-    body.neighbour[at * lanes + lane] =
-        local_number(body, block, slot_of[neighbours.node[node][k]]);
-    T* const to = &body.bond[at * (D + 1) * lanes + lane];
-    for (int a = 0; a < D; ++a) to[a * lanes] = static_cast<T>(made.gradient[k][a]);
-    to[D * lanes] = static_cast<T>(weights[k]);
-  }
+void set_rank(const NodeOperator<D>& made, int block, std::int64_t slot, Body<T, D>& body) {
+  std::erase_if(body.degenerate[block],
+                [slot](const DegenerateNode<D>& node) { return node.slot == slot; });
+  const double volume = body.mass[slot] / body.material.density;
+  body.volume[slot] = made.rank == D ? static_cast<T>(volume) : T(0);
+  if (made.rank < D) body.degenerate[block].push_back({slot, made.rank, made.direction, volume});
 }
 
 template <class T, int D>
@@ -141,47 +138,74 @@ double lattice_support(int count) {
 }
 
 template <int D>
-Neighbours find_neighbours(const NodeCloud<D>& cloud, int count, double largest_support,
-                           const std::string& body) {
+std::vector<std::vector<typename NearestNodes<D>::Found>> find_candidates(const NodeCloud<D>& cloud,
+                                                                          int count,
+                                                                          const std::string& body) {
   const NearestNodes<D> tree(cloud.positions);
-  const auto nodes = static_cast<std::int32_t>(cloud.positions.size());
+  const std::size_t nodes = cloud.positions.size();
   if (nodes < 2) {
     throw InputError(
         fmt::format("body `{}` has {} node; use a finer discretisation.spacing, or a "
                     "cloud of more nodes",
                     body, nodes));
   }
-  Neighbours neighbours;
-  neighbours.node.resize(nodes);
-  neighbours.support.resize(nodes);
-  for (std::int32_t node = 0; node < nodes; ++node) {
-    const auto found = tree.nearest(cloud.positions[node], static_cast<std::size_t>(count) + 2);
+  std::vector<std::vector<typename NearestNodes<D>::Found>> candidates(nodes);
+  for (std::size_t node = 0; node < nodes; ++node) {
+    auto found = tree.nearest(cloud.positions[node], static_cast<std::size_t>(count) + 1);
     if (found[1].distance == 0) {
       throw InputError(fmt::format("body `{}` has two nodes, {} and {}, at one place; remove one",
                                    body, found[0].node, found[1].node));
     }
-    const auto last = std::min(found.size() - 1, static_cast<std::size_t>(count));
-    const double support = std::min(support_over_distance * found.back().distance, largest_support);
-    for (std::size_t k = 1; k <= last && found[k].distance < support; ++k) {
-      neighbours.node[node].push_back(found[k].node);
-    }
-    neighbours.support[node] = support;
+    found.erase(found.begin());  // the node itself
+    candidates[node] = std::move(found);
   }
-  return neighbours;
+  return candidates;
 }
 
 template <class T, int D>
-void make_bonds(const Neighbours& neighbours, double alpha, Body<T, D>& body) {
+void set_bonds(const BondChoice<D>& choice, std::span<const double> factors, std::int64_t slot,
+               Body<T, D>& body) {
+  const NodeBlock& block = body.block_of(slot);
+  const Chosen chosen = choose(choice, factors, body.number[slot]);
+  std::vector<Point<D>> bonds;
+  bonds.reserve(chosen.slot.size());
+  for (const std::int64_t other : chosen.slot) {
+    Point<D>& x = bonds.emplace_back();
+    for (int a = 0; a < D; ++a) x[a] = body.start[other][a] - body.start[slot][a];
+  }
+  const NodeOperator<D> made = node_operator<D>(bonds, chosen.weight);
+  set_rank(made, static_cast<int>(&block - body.blocks.data()), slot, body);
+  const double modulus = body.material.lame_modulus + 2 * body.material.shear_modulus;
+  const double volume = body.mass[slot] / body.material.density;
+  body.stiffness[slot] =
+      made.rank == D ? static_cast<T>(choice.alpha * modulus / made.trace() * volume) : T(0);
+  for (int c = 0; c < Body<T, D>::symmetric; ++c) {
+    body.moment[c][slot] = static_cast<T>(made.moment[c]);
+  }
+  const std::int64_t pack = slot / lanes, lane = slot % lanes;
+  for (int k = 0; k < body.bonds; ++k) {
+    const std::int64_t at = pack * body.bonds + k;
+    // Bonds of no weight lead back to the node itself.
+    const bool exists = k < static_cast<int>(bonds.size());
+    body.neighbour[at * lanes + lane] = local_number(body, block, exists ? chosen.slot[k] : slot);
+    T* const to = &body.bond[at * (D + 1) * lanes + lane];
+    for (int a = 0; a < D; ++a) to[a * lanes] = exists ? static_cast<T>(made.gradient[k][a]) : T(0);
+    to[D * lanes] = exists ? static_cast<T>(chosen.weight[k]) : T(0);
+  }
+}
+
+template <class T, int D>
+void make_bonds(const BondChoice<D>& choice, Body<T, D>& body) {
   std::size_t most = 0;
-  for (const auto& list : neighbours.node) most = std::max(most, list.size());
-  body.bonds = static_cast<int>(most);
-  const std::vector<std::int64_t> slot_of = slots_of_nodes(body);
-  find_halos(neighbours, slot_of, body);
+  for (const auto& list : choice.candidates) most = std::max(most, list.size());
+  body.bonds = std::min(static_cast<int>(most), choice.neighbours);
+  find_halos(choice, body);
   const auto points = body.slots + static_cast<std::int64_t>(body.halo.size());
   body.point.grow(points * kernels::point_stride, T(0));
   body.force.grow(points * kernels::point_stride, T(0));
   body.bond.grow(body.slots * body.bonds * (D + 1), T(0));
   body.neighbour.grow(body.slots * body.bonds, 0);
+  body.degenerate.assign(body.blocks.size(), {});
   for (const NodeBlock& block : body.blocks) {
     if (block.count + block.halo_count > std::numeric_limits<std::uint16_t>::max()) {
       throw InputError(
@@ -189,26 +213,30 @@ void make_bonds(const Neighbours& neighbours, double alpha, Body<T, D>& body) {
                       "{} neighbours",
                       body.name, block.nodes, block.halo_count));
     }
-    for (int i = 0; i < block.count; ++i) {
-      const std::int64_t slot = block.first + i;
-      // Bonds of no weight lead back to the node itself.
-      for (int k = 0; k < body.bonds; ++k) {
-        body.neighbour[(slot / lanes * body.bonds + k) * lanes + slot % lanes] =
-            static_cast<std::uint16_t>(i);
-      }
-      if (i < block.nodes) make_bonds_of(block, slot, neighbours, slot_of, alpha, body);
-    }
+    for (int i = 0; i < block.nodes; ++i) set_bonds<T, D>(choice, {}, block.first + i, body);
   }
   connect_blocks(body);
 }
 
 template double lattice_support<2>(int);
 template double lattice_support<3>(int);
-template Neighbours find_neighbours<2>(const NodeCloud<2>&, int, double, const std::string&);
-template Neighbours find_neighbours<3>(const NodeCloud<3>&, int, double, const std::string&);
-template void make_bonds<double, 2>(const Neighbours&, double, Body<double, 2>&);
-template void make_bonds<double, 3>(const Neighbours&, double, Body<double, 3>&);
-template void make_bonds<float, 2>(const Neighbours&, double, Body<float, 2>&);
-template void make_bonds<float, 3>(const Neighbours&, double, Body<float, 3>&);
+template std::vector<std::vector<NearestNodes<2>::Found>> find_candidates<2>(const NodeCloud<2>&,
+                                                                             int,
+                                                                             const std::string&);
+template std::vector<std::vector<NearestNodes<3>::Found>> find_candidates<3>(const NodeCloud<3>&,
+                                                                             int,
+                                                                             const std::string&);
+template void make_bonds(const BondChoice<2>&, Body<double, 2>&);
+template void set_bonds(const BondChoice<2>&, std::span<const double>, std::int64_t,
+                        Body<double, 2>&);
+template void make_bonds(const BondChoice<3>&, Body<double, 3>&);
+template void set_bonds(const BondChoice<3>&, std::span<const double>, std::int64_t,
+                        Body<double, 3>&);
+template void make_bonds(const BondChoice<2>&, Body<float, 2>&);
+template void set_bonds(const BondChoice<2>&, std::span<const double>, std::int64_t,
+                        Body<float, 2>&);
+template void make_bonds(const BondChoice<3>&, Body<float, 3>&);
+template void set_bonds(const BondChoice<3>&, std::span<const double>, std::int64_t,
+                        Body<float, 3>&);
 
 }  // namespace pliant::point_based

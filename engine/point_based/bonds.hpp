@@ -1,16 +1,25 @@
 #pragma once
 
+#include <span>
+#include <string>
 #include <vector>
 
 #include "engine/point_based/body.hpp"
+#include "engine/point_based/nearest_nodes.hpp"
 #include "engine/point_based/nodes/node_cloud.hpp"
 
 namespace pliant::point_based {
 
-/// Neighbours of every node of a cloud.
-struct Neighbours {
-  std::vector<std::vector<std::int32_t>> node;  ///< [node] nearest first
-  std::vector<double> support;                  ///< [node] h of (PB.2) [m]
+/// From which nodes a node takes its neighbours, and how.
+template <int D>
+struct BondChoice {
+  using Found = typename NearestNodes<D>::Found;
+  std::vector<std::vector<Found>> candidates;  ///< [node of the cloud] nearest first
+  std::vector<std::int64_t> slot_of;           ///< [node of the cloud]
+  int neighbours = 0;                          ///< of each node, at most
+  double support = 0;       ///< h of (PB.2) [m]; infinite: from the next candidate
+  double alpha = 0;         ///< strength of the stabilisation (PB.5)
+  bool may_change = false;  ///< any candidate may become a neighbour when others are cut off
 };
 
 /// The support radius over the spacing that gives a node inside a lattice `count` neighbours,
@@ -18,17 +27,22 @@ struct Neighbours {
 template <int D>
 double lattice_support(int count);
 
-/// The `count` nodes nearest to each, or all others where there are fewer, no farther away than the
-/// largest support radius [m]. Throws InputError, in the name of `body`, for two nodes at one place
-/// and for a cloud of one node.
+/// The `count` nodes nearest to each, or all others where there are fewer. Throws InputError, in
+/// the name of `body`, for two nodes at one place and for a cloud of one node.
 template <int D>
-Neighbours find_neighbours(const NodeCloud<D>& cloud, int count, double largest_support,
-                           const std::string& body);
+std::vector<std::vector<typename NearestNodes<D>::Found>> find_candidates(const NodeCloud<D>& cloud,
+                                                                          int count,
+                                                                          const std::string& body);
 
 /// Bonds between the nodes of a body whose blocks, places and volumes are known, (PB.2)-(PB.3):
-/// neighbours, gradients, moments, halos, and which blocks are near each other. `alpha` is the
-/// strength of the stabilisation (PB.5).
+/// neighbours, gradients, moments, halos, and which blocks are near each other.
 template <class T, int D>
-void make_bonds(const Neighbours& neighbours, double alpha, Body<T, D>& body);
+void make_bonds(const BondChoice<D>& choice, Body<T, D>& body);
+
+/// Bonds of one node: to the nearest of its candidates whose factor is not 0. `factors`, one for
+/// each candidate, multiply weights; none: all are 1.
+template <class T, int D>
+void set_bonds(const BondChoice<D>& choice, std::span<const double> factors, std::int64_t slot,
+               Body<T, D>& body);
 
 }  // namespace pliant::point_based

@@ -29,10 +29,26 @@ void check_body(const Check& check, std::size_t i) {
   }
 }
 
+void check_cut(const Check& check, std::size_t i) {
+  const CutCase& cut = check.a_case.cuts[i];
+  if (!(cut.end > cut.start)) {
+    check.problems.add(
+        check.place("cut", i, "end"),
+        fmt::format("cut \"{}\" ends at {}, and starts at {}", cut.name, cut.end, cut.start),
+        "give an end after the start");
+  }
+  if (check.a_case.dimension == 3 && cut.from == cut.to) {
+    check.problems.add(check.place("cut", i, "to"),
+                       fmt::format("the edge of cut \"{}\" has no length", cut.name),
+                       "give two different ends, from and to");
+  }
+}
+
 void check(const Check& check) {
   const Case& a_case = check.a_case;
-  refuse_tables(check, {"remeshing", "level_set", "ghosts", "periodic", "contact", "cut"});
+  refuse_tables(check, {"remeshing", "level_set", "ghosts", "periodic", "contact"});
   refuse_key(check, "gravity");
+  for (std::size_t i = 0; i < a_case.cuts.size(); ++i) check_cut(check, i);
   for (std::size_t i = 0; i < a_case.bodies.size(); ++i) check_body(check, i);
   for (std::size_t i = 0; i < a_case.boundaries.size(); ++i) {
     const BoundaryCase::Kind kind = a_case.boundaries[i].kind;

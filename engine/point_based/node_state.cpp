@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "engine/point_based/degenerate_nodes.hpp"
 #include "kernels/energy.hpp"
 #include "kernels/point_based/first_piola.hpp"
 #include "kernels/with_scalar.hpp"
@@ -70,6 +71,32 @@ double energy_density(const kernels::PointMaterial<double>& material, const Tens
   return lambda / 2 * trace * trace + mu * square;
 }
 
+/// With F_33 = 1 in plane strain.
+template <int D>
+Tensor in_3d(const std::array<double, D * D>& f) {
+  Tensor full = {1, 0, 0, 0, 1, 0, 0, 0, 1};
+  for (int i = 0; i < D; ++i) {
+    for (int j = 0; j < D; ++j) full[3 * i + j] = f[D * i + j];
+  }
+  return full;
+}
+
+/// F_fit D of (PB.14).
+template <class T, int D>
+std::array<double, D * D> with_kept(const Body<T, D>& body, std::int64_t slot,
+                                    const std::array<double, D * D>& fit) {
+  if (!body.has_cuts()) return fit;
+  std::array<double, D* D> f = {};
+  for (int i = 0; i < D; ++i) {
+    for (int j = 0; j < D; ++j) {
+      for (int k = 0; k < D; ++k) {
+        f[D * i + j] += fit[D * i + k] * body.kept_gradient[D * k + j][slot];
+      }
+    }
+  }
+  return f;
+}
+
 }  // namespace
 
 template <class T, int D>
@@ -85,17 +112,24 @@ NodeState<D> node_state(const Body<T, D>& body, const NodeBlock& block, std::int
       for (int j = 0; j < D; ++j) h[D * i + j] += d * g[j];
     }
   });
-  Tensor f = {1, 0, 0, 0, 1, 0, 0, 0, 1};
+  std::array<double, D* D> fit = h;
   for (int i = 0; i < D; ++i) {
+    fit[D * i + i] += 1;
     for (int j = 0; j < D; ++j) {
-      f[3 * i + j] += h[D * i + j];
-      state.gradient[D * i + j] = f[3 * i + j];
       // The least-squares fit leaves this of it out: tr(H A H^T).
       for (int k = 0; k < D; ++k) {
         apart -= h[D * i + j] * h[D * i + k] * body.moment[kernels::symmetric_index<D>(j, k)][slot];
       }
     }
   }
+  state.gradient = with_kept(body, slot, fit);
+  state.energy = body.stiffness[slot] * apart / 2;
+  for (const DegenerateNode<D>& node : body.degenerate[&block - body.blocks.data()]) {
+    if (node.slot != slot) continue;
+    state.energy += degenerate_state(body, block, node).energy;
+    return state;
+  }
+  const Tensor f = in_3d<D>(state.gradient);
   const auto material = in_double(body.material);
   const Tensor p = piola(material, f);
   const double jacobian = state.volume_ratio = determinant(f);
@@ -109,8 +143,13 @@ NodeState<D> node_state(const Body<T, D>& body, const NodeBlock& block, std::int
     }
   }
   state.pressure = -trace / 3;
-  state.energy = body.volume[slot] * energy_density(material, f) + body.stiffness[slot] * apart / 2;
+  state.energy += body.volume[slot] * energy_density(material, f);
   return state;
+}
+
+template <class T, int D>
+double strain_energy_density(const Body<T, D>& body, const std::array<double, D * D>& f) {
+  return energy_density(in_double(body.material), in_3d<D>(f));
 }
 
 template <class T, int D>
@@ -135,6 +174,14 @@ template std::vector<Point<2>> present_corners<double, 2>(const Body<double, 2>&
 template std::vector<Point<3>> present_corners<double, 3>(const Body<double, 3>&);
 template std::vector<Point<2>> present_corners<float, 2>(const Body<float, 2>&);
 template std::vector<Point<3>> present_corners<float, 3>(const Body<float, 3>&);
+template double strain_energy_density<double, 2>(const Body<double, 2>&,
+                                                 const std::array<double, 4>&);
+template double strain_energy_density<double, 3>(const Body<double, 3>&,
+                                                 const std::array<double, 9>&);
+template double strain_energy_density<float, 2>(const Body<float, 2>&,
+                                                const std::array<double, 4>&);
+template double strain_energy_density<float, 3>(const Body<float, 3>&,
+                                                const std::array<double, 9>&);
 template NodeState<2> node_state(const Body<double, 2>&, const NodeBlock&, std::int64_t);
 template NodeState<3> node_state(const Body<double, 3>&, const NodeBlock&, std::int64_t);
 template NodeState<2> node_state(const Body<float, 2>&, const NodeBlock&, std::int64_t);

@@ -21,6 +21,11 @@ struct NodeState {
 template <class T, int D>
 NodeState<D> node_state(const Body<T, D>& body, const NodeBlock& block, std::int64_t slot);
 
+/// psi of (PB.6), (PB.7), or (RP.63), of the material of a body at the gradient `f`, per undeformed
+/// volume [Pa].
+template <class T, int D>
+double strain_energy_density(const Body<T, D>& body, const std::array<double, D * D>& f);
+
 /// Where the corners of the surface of a body are at present [m]: each moves with the node nearest
 /// to it, as the gradient there says.
 template <class T, int D>

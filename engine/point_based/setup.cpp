@@ -10,7 +10,6 @@
 #include "engine/blocks/point_blocks.hpp"
 #include "engine/geometry/padded.hpp"
 #include "engine/method/initial_velocity.hpp"
-#include "engine/point_based/bonds.hpp"
 #include "engine/point_based/lattice_nodes.hpp"
 #include "engine/point_based/nodes/mesh_nodes.hpp"
 #include "engine/point_based/nodes/octree_nodes.hpp"
@@ -75,10 +74,40 @@ void lay_out(const NodeCloud<D>& cloud, Body<T, D>& body) {
   }
 }
 
+bool has_cuts(const Case& settings, const BodyCase& source) {
+  const auto body = &source - settings.bodies.data();
+  return std::any_of(settings.cuts.begin(), settings.cuts.end(),
+                     [body](const CutCase& cut) { return cut.body == body; });
+}
+
+// Where cuts take neighbours away, nodes that are no lattice replace them by nodes farther away.
+template <class T, int D>
+BondChoice<D> choice_of(const Case& settings, const PlacedNodes<D>& nodes, const Body<T, D>& body) {
+  constexpr int candidates_per_neighbour = 3;
+  BondChoice<D> choice;
+  choice.neighbours = neighbour_count<D>(settings);
+  choice.support = nodes.support;
+  choice.may_change = has_cuts(settings, *body.source);
+  const bool is_lattice = !std::isinf(nodes.support);
+  int count = choice.neighbours;
+  if (!is_lattice) count = (choice.may_change ? candidates_per_neighbour : 1) * count + 1;
+  choice.candidates = find_candidates(nodes.cloud, count, body.name);
+  choice.slot_of.resize(nodes.cloud.positions.size());
+  for (std::int64_t slot = 0; slot < body.slots; ++slot) {
+    if (body.number[slot] >= 0) choice.slot_of[body.number[slot]] = slot;
+  }
+  return choice;
+}
+
 template <class T, int D>
 void make_room(const Case& settings, bool has_loads, Body<T, D>& body) {
   if (settings.point_based.stiffness_damping > 0) body.strain[0].grow(body.slots, T(0));
   if (has_loads) body.traction[0].grow(body.slots, T(0));
+  if (has_cuts(settings, *body.source)) {
+    for (int c = 0; c < D * D; ++c) {
+      body.kept_gradient[c].grow(body.slots, c % (D + 1) == 0 ? T(1) : T(0));
+    }
+  }
   body.for_each_array([&](Field, auto components) {
     for (Buffer<T>& component : components) component.grow(body.slots, T(0));
   });
@@ -159,8 +188,8 @@ PlacedNodes<D> place_nodes(const Case& settings, const BodyCase& source) {
 }
 
 template <class T, int D>
-void make_body(const Case& settings, const BodyCase& source, const PlacedNodes<D>& nodes,
-               const Boundaries<D>& boundaries, Body<T, D>& body) {
+BondChoice<D> make_body(const Case& settings, const BodyCase& source, const PlacedNodes<D>& nodes,
+                        const Boundaries<D>& boundaries, Body<T, D>& body) {
   body.name = source.name;
   body.source = &source;
   body.material = point_material<T>(source);
@@ -175,25 +204,25 @@ void make_body(const Case& settings, const BodyCase& source, const PlacedNodes<D
     body.mass[slot] = static_cast<T>(source.material.density * volume);
     body.inverse_mass[slot] = static_cast<T>(1 / (source.material.density * volume));
   });
-  make_bonds(
-      find_neighbours(nodes.cloud, neighbour_count<D>(settings), nodes.largest_support, body.name),
-      settings.point_based.stabilisation.value_or(nodes.alpha), body);
+  BondChoice<D> choice = choice_of(settings, nodes, body);
+  make_bonds(choice, body);
   hold(boundaries, nodes.reach, body);
   make_surface(nodes.cloud, source.geometry, settings.discretisation.spacing, boundaries, body);
   set_in_motion(source, boundaries, body);
+  return choice;
 }
 
 template kernels::PointMaterial<double> point_material<double>(const BodyCase&);
 template kernels::PointMaterial<float> point_material<float>(const BodyCase&);
 template PlacedNodes<2> place_nodes<2>(const Case&, const BodyCase&);
 template PlacedNodes<3> place_nodes<3>(const Case&, const BodyCase&);
-template void make_body<double, 2>(const Case&, const BodyCase&, const PlacedNodes<2>&,
-                                   const Boundaries<2>&, Body<double, 2>&);
-template void make_body<double, 3>(const Case&, const BodyCase&, const PlacedNodes<3>&,
-                                   const Boundaries<3>&, Body<double, 3>&);
-template void make_body<float, 2>(const Case&, const BodyCase&, const PlacedNodes<2>&,
-                                  const Boundaries<2>&, Body<float, 2>&);
-template void make_body<float, 3>(const Case&, const BodyCase&, const PlacedNodes<3>&,
-                                  const Boundaries<3>&, Body<float, 3>&);
+template BondChoice<2> make_body<double, 2>(const Case&, const BodyCase&, const PlacedNodes<2>&,
+                                            const Boundaries<2>&, Body<double, 2>&);
+template BondChoice<3> make_body<double, 3>(const Case&, const BodyCase&, const PlacedNodes<3>&,
+                                            const Boundaries<3>&, Body<double, 3>&);
+template BondChoice<2> make_body<float, 2>(const Case&, const BodyCase&, const PlacedNodes<2>&,
+                                           const Boundaries<2>&, Body<float, 2>&);
+template BondChoice<3> make_body<float, 3>(const Case&, const BodyCase&, const PlacedNodes<3>&,
+                                           const Boundaries<3>&, Body<float, 3>&);
 
 }  // namespace pliant::point_based

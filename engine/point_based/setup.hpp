@@ -1,5 +1,6 @@
 #pragma once
 
+#include "engine/point_based/bonds.hpp"
 #include "engine/point_based/nodes/node_cloud.hpp"
 #include "engine/point_based/state.hpp"
 
@@ -13,9 +14,9 @@ kernels::PointMaterial<T> point_material(const BodyCase& source);
 template <int D>
 struct PlacedNodes {
   NodeCloud<D> cloud;
-  double reach;            ///< distance within which a wall holds a node, over the node's V^(1/D)
-  double largest_support;  ///< [m]
-  double alpha;            ///< strength of the stabilisation (PB.5) that they need
+  double reach;    ///< distance within which a wall holds a node, over the node's V^(1/D)
+  double support;  ///< h of (PB.2) [m]; infinite: from the distances of the nodes
+  double alpha;    ///< strength of the stabilisation (PB.5) that they need
 };
 
 /// Places nodes: those of the tetrahedra of a mesh, on a lattice, or in an octree. Throws
@@ -24,9 +25,9 @@ template <int D>
 PlacedNodes<D> place_nodes(const Case& settings, const BodyCase& source);
 
 /// Makes a body of a case from its nodes, at rest or with the case's initial velocity. Throws
-/// InputError for nodes that are no body.
+/// InputError for nodes that are no body. Returns how nodes have taken their neighbours.
 template <class T, int D>
-void make_body(const Case& settings, const BodyCase& source, const PlacedNodes<D>& nodes,
-               const Boundaries<D>& boundaries, Body<T, D>& body);
+BondChoice<D> make_body(const Case& settings, const BodyCase& source, const PlacedNodes<D>& nodes,
+                        const Boundaries<D>& boundaries, Body<T, D>& body);
 
 }  // namespace pliant::point_based

@@ -34,7 +34,11 @@ Solver<T, D>::Solver(const Case& a_case, const SolverOptions& options)
   for (std::size_t b = 0; b < state_.bodies.size(); ++b) {
     Body<T, D>& body = state_.bodies[b];
     const BodyCase& source = settings().bodies[b];
-    make_body(settings(), source, place_nodes<D>(settings(), source), state_.boundaries, body);
+    BondChoice<D> choice =
+        make_body(settings(), source, place_nodes<D>(settings(), source), state_.boundaries, body);
+    cuts_.push_back(body.has_cuts() ? std::make_unique<BodyCuts<T, D>>(
+                                          settings(), static_cast<int>(b), std::move(choice), body)
+                                    : nullptr);
     blocks.push_back(body.adjacency);
     number_blocks(static_cast<int>(b), body.adjacency.count(), state_.blocks);
     resolution_ = std::min(resolution_, body.resolution);
@@ -69,6 +73,7 @@ template <class T, int D>
 void Solver<T, D>::begin_step() {
   Clock& clock = state_.clock;
   const double start = clock.step == 0 ? clock.time : clock.step_end, length = time_step();
+  cut(start);
   step_.prepare({start, length, clock.step % examine_every == 0});
   run(*graph_);
   check(step_.fold());
@@ -77,6 +82,15 @@ void Solver<T, D>::begin_step() {
   clock.step_end = start + length;
   ++clock.step;
   add_particle_stages(particles());
+}
+
+template <class T, int D>
+void Solver<T, D>::cut(double time) {
+  for (std::size_t b = 0; b < cuts_.size(); ++b) {
+    if (!cuts_[b]) continue;
+    cuts_[b]->relax(state_.bodies[b]);
+    cuts_[b]->advance(time, state_.bodies[b]);
+  }
 }
 
 // Kept apart, as the way back from an output time would be rounded.
@@ -166,11 +180,17 @@ std::vector<std::array<double, 3>> Solver<T, D>::positions(int body) const {
 template <class T, int D>
 void Solver<T, D>::save_state(ArchiveWriter& archive) const {
   put_state(archive, state_);
+  for (std::size_t b = 0; b < cuts_.size(); ++b) {
+    if (cuts_[b]) cuts_[b]->put(archive, fmt::format("body/{}/cuts", b));
+  }
 }
 
 template <class T, int D>
 void Solver<T, D>::restore_state(const ArchiveReader& archive) {
   get_state(archive, state_);
+  for (std::size_t b = 0; b < cuts_.size(); ++b) {
+    if (cuts_[b]) cuts_[b]->get(archive, fmt::format("body/{}/cuts", b), state_.bodies[b]);
+  }
 }
 
 template class Solver<double, 2>;

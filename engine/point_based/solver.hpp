@@ -3,6 +3,7 @@
 #include <memory>
 
 #include "engine/method/solver.hpp"
+#include "engine/point_based/body_cuts.hpp"
 #include "engine/point_based/step.hpp"
 
 namespace pliant::point_based {
@@ -36,6 +37,7 @@ class Solver final : public pliant::Solver {
  private:
   void take_step(double time_step) override;
   void begin_step();
+  void cut(double time);
   void store_end();
   void move_to_output();
   std::vector<double> measure_each(std::span<const MeasurementCase> measurements) override;
@@ -45,6 +47,7 @@ class Solver final : public pliant::Solver {
 
   State<T, D> state_;
   Step<T, D> step_;
+  std::vector<std::unique_ptr<BodyCuts<T, D>>> cuts_;  ///< [body] null: none
   std::unique_ptr<scheduler::StepGraph> graph_;
   double resolution_;  ///< the least H of all bodies [m]
 };

@@ -1,6 +1,7 @@
 #include "engine/point_based/step.hpp"
 
 #include "engine/method/phase_rows.hpp"
+#include "engine/point_based/degenerate_nodes.hpp"
 
 // A step of the point-based method. Everything happens on the bonds of the undeformed body.
 //
@@ -132,7 +133,9 @@ void Step<T, D>::evaluate_forces(int block) {
   work.material = body.material;
   work.point = body.point.get() + kernels::point_stride * range.first_point();
   work.force = body.force.get() + kernels::point_stride * range.first_point();
+  for (int c = 0; c < D * D; ++c) work.kept[c] = body.kept_gradient[c].get();
   results_[block] = kernels_.evaluate_forces(work);
+  if (!body.degenerate[local].empty()) add_degenerate_forces(body, local);
 }
 
 template <class T, int D>

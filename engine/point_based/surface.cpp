@@ -249,6 +249,14 @@ void make_surface(const NodeCloud<D>& cloud, const Shape& shape, double spacing,
   find_loads(boundaries, body);
 }
 
+template <int D>
+std::function<bool(const Point<D>&)> inside_of(const Shape& shape, double edge) {
+  return
+      [shape, edge](const Point<D>& x) { return signed_distance(shape, padded<D>(x), D) < -edge; };
+}
+
+template std::function<bool(const Point<2>&)> inside_of<2>(const Shape&, double);
+template std::function<bool(const Point<3>&)> inside_of<3>(const Shape&, double);
 template Point<2> area_vector<2>(const std::array<Point<2>, 2>&);
 template Point<3> area_vector<3>(const std::array<Point<3>, 3>&);
 template void make_surface<double, 2>(const NodeCloud<2>&, const Shape&, double,

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <functional>
+
 #include "engine/point_based/nodes/node_cloud.hpp"
 #include "engine/point_based/state.hpp"
 
@@ -15,5 +17,9 @@ void make_surface(const NodeCloud<D>& cloud, const Shape& shape, double spacing,
 /// Normal of a facet with these corners, its length the facet's area [m^(D-1)].
 template <int D>
 Point<D> area_vector(const std::array<Point<D>, D>& corner);
+
+/// Tells whether a place is inside `shape` and farther than `edge` [m] from its surface.
+template <int D>
+std::function<bool(const Point<D>&)> inside_of(const Shape& shape, double edge);
 
 }  // namespace pliant::point_based

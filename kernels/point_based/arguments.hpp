@@ -54,8 +54,9 @@ struct PointForces {
   std::array<const T*, D> load;  ///< [slot] pressure times undeformed area [N]; null: none
   /// E of the last step, read and written; null without viscosity.
   std::array<T*, symmetric_components<D>> strain;
-  T viscosity;   ///< beta over the time step, (PB.9)
-  bool examine;  ///< whether to look for states that are not possible
+  std::array<const T*, D * D> kept;  ///< [slot] D of (PB.14); null: I
+  T viscosity;                       ///< beta over the time step, (PB.9)
+  bool examine;                      ///< whether to look for states that are not possible
   PointMaterial<T> material;
   T* point;  ///< [count + halo_count][point_stride] room for displacements
   T* force;  ///< [count + halo_count][point_stride] [N]

@@ -38,6 +38,16 @@ struct PackBonds {
   }
 };
 
+/// c += a b.
+template <class P, int D>
+inline void add_product(const P (&a)[D * D], const P (&b)[D * D], P (&c)[D * D]) {
+  for (int i = 0; i < D; ++i) {
+    for (int j = 0; j < D; ++j) {
+      for (int k = 0; k < D; ++k) c[D * i + j] = fused(a[D * i + k], b[D * k + j], c[D * i + j]);
+    }
+  }
+}
+
 /// B = V (P - kappa (F - I) A) of (PB.5), plus the viscous stress (PB.9); adds pressure, (PB.11).
 template <ElasticLaw law, class P, int D>
 inline void stress_of_nodes(const PointForces<Scalar<P>, D>& block, std::int64_t slot,
@@ -46,6 +56,15 @@ inline void stress_of_nodes(const PointForces<Scalar<P>, D>& block, std::int64_t
   constexpr int symmetric = symmetric_components<D>;
   P f[D * D], cof[D * D];
   for (int c = 0; c < D * D; ++c) f[c] = c % (D + 1) == 0 ? h[c] + P(T(1)) : h[c];
+  if (block.kept[0] != nullptr) {
+    P fit[D * D], kept[D * D];
+    for (int c = 0; c < D * D; ++c) {
+      kept[c] = load<P>(block.kept[c] + slot);
+      fit[c] = f[c];
+      f[c] = P(T(0));
+    }
+    add_product<P, D>(fit, kept, f);
+  }
   cofactor(f, cof);
   first_piola<law, P, D>(block.material, f, cof, b);
   if (block.strain[0] != nullptr) {
@@ -57,6 +76,15 @@ inline void stress_of_nodes(const PointForces<Scalar<P>, D>& block, std::int64_t
     }
     hooke<P, D>(P(block.material.lame_modulus), P(block.material.shear_modulus), rate, s);
     add_pulled_back<P, D>(f, s, b);
+  }
+  if (block.kept[0] != nullptr) {
+    P p[D * D], transposed[D * D];
+    for (int c = 0; c < D * D; ++c) {
+      p[c] = b[c];
+      b[c] = P(T(0));
+      transposed[c] = load<P>(block.kept[c % D * D + c / D] + slot);
+    }
+    add_product<P, D>(p, transposed, b);
   }
   const P volume = load<P>(block.volume + slot), stiffness = load<P>(block.stiffness + slot);
   P moment[symmetric];

@@ -1,0 +1,176 @@
+#include <gtest/gtest.h>
+
+#include <Eigen/Dense>
+
+#include "engine/simulation/run.hpp"
+#include "tests/engine/output/file_content.hpp"
+#include "tests/engine/output/temporary_folder.hpp"
+#include "tests/engine/point_based/blocks.hpp"
+
+// Blades in the point-based method.
+namespace pliant::test {
+namespace {
+
+const std::string parts = R"([[measurement]]
+name = "parts"
+kind = "connected_parts"
+[[measurement]]
+name = "largest"
+kind = "largest_part_volume"
+)";
+
+/// A blade that sweeps the plane z = `height` in two steps of 1e-9 s.
+std::string sudden_cut(const std::string& height) {
+  return R"toml([[cut]]
+name = "blade"
+from = [-0.1, -0.1, )toml" +
+         height + "]\nto = [-0.1, 1.1, " + height + "]\npath = [\"6e8*t\", 0, 0]\nend = 2e-9\n";
+}
+
+const std::vector<std::string> tiny_steps = {"time.step=1e-9"};
+
+template <int D>
+PointSolver<D> solver_of(const std::string& text, const std::vector<std::string>& more = {}) {
+  return PointSolver<D>(tests::read_text(text, more), {1, kernels::widest_supported()});
+}
+
+TEST(cuts, through_a_body_leave_two_parts_with_its_volume) {
+  auto solver = solver_of<3>(free_points(3) + sudden_cut("0.3125") + parts, tiny_steps);
+  EXPECT_EQ(solver.measure(0), 1);
+  for (int step = 0; step < 4; ++step) solver.step(HUGE_VAL);
+  EXPECT_EQ(solver.measure(0), 2);
+  EXPECT_NEAR(solver.measure(1), 1 - 0.3125, 1e-9);
+}
+
+TEST(cuts, in_a_plane_body_work_alike) {
+  const std::string blade = R"toml([[cut]]
+name = "blade"
+from = [0.4375, -0.1]
+path = [0, "6e8*t"]
+end = 2e-9
+)toml";
+  auto solver = solver_of<2>(free_points(2) + blade + parts, tiny_steps);
+  for (int step = 0; step < 4; ++step) solver.step(HUGE_VAL);
+  EXPECT_EQ(solver.measure(0), 2);
+  EXPECT_NEAR(solver.measure(1), 1 - 0.4375, 1e-9);
+}
+
+/// Affine and a little more.
+void deform(point_based::Body<double, 3>& body) {
+  Eigen::Matrix3d f;
+  f << 1.3, 0.2, 0, 0, 0.9, 0.1, 0, 0, 0.95;
+  body.for_each_node([&](std::int64_t slot) {
+    for (int i = 0; i < 3; ++i) {
+      double d = -body.start[slot][i] + 0.01 * std::sin(9 * body.start[slot][(i + 1) % 3]);
+      for (int j = 0; j < 3; ++j) d += f(i, j) * body.start[slot][j];
+      body.displacement[i][slot] = d;
+    }
+  });
+}
+
+// The part of the energy that the stabilisation has may still change.
+TEST(cuts, do_not_inject_energy) {
+  auto solver = solver_of<3>(free_points(3) + sudden_cut("0.4375"), tiny_steps);
+  deform(solver.state().bodies[0]);
+  const double before = solver.integrals().strain_energy;
+  for (int step = 0; step < 3; ++step) solver.step(HUGE_VAL);
+  EXPECT_NEAR(solver.integrals().strain_energy, before, 1e-3 * before);
+  double last = solver.integrals().strain_energy;
+  for (int step = 0; step < 100; ++step) solver.step(HUGE_VAL);
+  EXPECT_LE(solver.integrals().strain_energy, last * (1 + 1e-9));
+}
+
+std::string slow_cut(const std::string& velocity) {
+  return free_points(3) + "velocity = " + velocity + "\n" + R"toml([[cut]]
+name = "blade"
+from = [-0.1, -0.1, 0.45]
+to = [-0.1, 1.1, 0.45]
+path = ["2.5*(t - 0.05)", 0, 0]
+start = 0.05
+end = 0.55
+)toml" + parts;
+}
+
+TEST(cuts, in_a_moving_body_keep_its_momenta) {
+  auto solver = solver_of<3>(slow_cut(R"toml(["3*y + sin(4*x)", "1 - 3*x", "2*cos(3*y)"])toml"));
+  const BodyIntegrals start = solver.integrals();
+  advance_until(solver, 0.7);
+  const BodyIntegrals end = solver.integrals();
+  EXPECT_EQ(solver.measure(0), 2);
+  const double momentum = 5;  // a bound of the integral of rho abs(u)
+  for (int axis = 0; axis < 3; ++axis) {
+    EXPECT_NEAR(end.momentum[axis], start.momentum[axis], 1e-14 * momentum);
+    EXPECT_NEAR(end.angular_momentum[axis], start.angular_momentum[axis], 1e-13 * momentum);
+  }
+  const double energy = start.kinetic_energy + start.strain_energy;
+  // Relaxation takes some energy, and nothing gives any.
+  EXPECT_LT(end.kinetic_energy + end.strain_energy, energy * (1 + 1e-3));
+  EXPECT_GT(end.kinetic_energy + end.strain_energy, energy * (1 - 0.05));
+}
+
+TEST(cuts, continue_after_a_restart_to_the_same_bytes) {
+  const TemporaryFolder folder;
+  const Case settings =
+      tests::read_text(slow_cut(R"(["2*z", 0, 0])"), {"time.end=0.6", "output.every=0.25"});
+  const auto result = [&](bool resume) {
+    RunOptions options;
+    options.folder = folder / "run";
+    options.quiet = true;
+    options.isa = kernels::widest_supported();
+    options.threads = resume ? 2 : 1;
+    options.resume = resume;
+    EXPECT_EQ(run_case(settings, options), RunEnd::done);
+    return content_of(folder / "run" / "result.h5");
+  };
+  const FileContent through = result(false);
+  EXPECT_EQ(result(true), through);
+}
+
+// A cut above the lowest layer leaves nodes whose neighbours lie in a plane.
+TEST(cuts, that_leave_a_single_layer_leave_a_sheet_that_feels_no_rotation) {
+  auto solver = solver_of<3>(free_points(3) + sudden_cut("0.0625"), tiny_steps);
+  for (int step = 0; step < 4; ++step) solver.step(HUGE_VAL);
+  auto& body = solver.state().bodies[0];
+  std::size_t degenerate = 0;
+  for (const auto& list : body.degenerate) degenerate += list.size();
+  EXPECT_EQ(degenerate, 9 * 9);
+  const Eigen::Matrix3d turn =
+      Eigen::AngleAxisd(2, Eigen::Vector3d(1, 2, 3).normalized()).toRotationMatrix();
+  for (const double stretch : {1., 1.1}) {
+    body.for_each_node([&](std::int64_t slot) {
+      for (int i = 0; i < 3; ++i) {
+        body.displacement[i][slot] = -body.start[slot][i];
+        for (int j = 0; j < 3; ++j) {
+          body.displacement[i][slot] += stretch * turn(i, j) * body.start[slot][j];
+        }
+        body.velocity[i][slot] = 0;
+      }
+    });
+    solver.step(HUGE_VAL);
+    double largest = 0;
+    body.for_each_node([&](std::int64_t slot) {
+      if (body.start[slot][2] > 0.01) return;
+      for (int i = 0; i < 3; ++i) {
+        largest = std::max(largest, std::abs(body.velocity[i][slot]) * body.mass[slot] / 1e-9);
+      }
+    });
+    if (stretch == 1) {
+      EXPECT_LT(largest, 1e-11);
+    } else {
+      EXPECT_GT(largest, 1e-3);
+    }
+  }
+}
+
+TEST(cuts, of_no_length_or_no_time_are_refused) {
+  const std::string start = free_points(3) + "[[cut]]\nname = \"blade\"\npath = [1, 0, 0]\n";
+  EXPECT_NE(tests::complaint(start + "from = [0, 0, 1]\nto = [0, 0, 1]\nend = 1\n")
+                .find("the edge of cut \"blade\" has no length"),
+            std::string::npos);
+  EXPECT_NE(tests::complaint(start + "from = [0, 0, 1]\nto = [0, 1, 1]\nstart = 2\nend = 1\n")
+                .find("cut \"blade\" ends at 1, and starts at 2"),
+            std::string::npos);
+}
+
+}  // namespace
+}  // namespace pliant::test
