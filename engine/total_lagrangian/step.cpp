@@ -73,7 +73,7 @@ std::vector<Phase> Step<T, D>::phases() {
 template <class T, int D>
 void Step<T, D>::prepare(const Advance& advance) {
   advance_ = advance;
-  boundary_forces_.prepare(advance.time, advance.kick, advance.length);
+  boundary_forces_.prepare(advance.time, advance.kick(), advance.length);
   for (std::size_t b = 0; b < state_.bodies.size(); ++b) {
     const Body<T, D>& body = state_.bodies[b];
     for (std::size_t i = 0; i < body.prony.size(); ++i) {
@@ -100,11 +100,10 @@ StepResult Step<T, D>::fold() {
   }
   if (stiffness > 0 && inertia > 0) result.rayleigh = stiffness / inertia;
   boundary_forces_.fold(inertia);
-  contact_.apply(advance_.time, advance_.kick, advance_.length);
+  contact_.apply(advance_.time, advance_.kick(), advance_.length);
   return result;
 }
 
-template <class T, int D>
 template <class T, int D>
 kernels::CellViscosity<T> Step<T, D>::viscosity(int block) const {
   const int b = state_.blocks[block].body;
