@@ -87,6 +87,7 @@ BondChoice<D> choice_of(const Case& settings, const PlacedNodes<D>& nodes, const
   BondChoice<D> choice;
   choice.neighbours = neighbour_count<D>(settings);
   choice.support = nodes.support;
+  choice.alpha = settings.point_based.stabilisation.value_or(nodes.alpha);
   choice.may_change = has_cuts(settings, *body.source);
   const bool is_lattice = !std::isinf(nodes.support);
   int count = choice.neighbours;

@@ -155,6 +155,24 @@ TYPED_TEST(PointForces, see_affine_fields_exactly) {
   EXPECT_NEAR(energy, expected, 1e-11 * expected);
 }
 
+// A mode that the gradient does not see inside a lattice.
+TYPED_TEST(PointForces, resist_a_checkerboard_as_far_as_the_stabilisation_says) {
+  constexpr int D = TypeParam::value;
+  const auto energy = [&](const std::string& stabilisation) {
+    auto solver = this->solver("neo_hookean", {"point_based.stabilisation=" + stabilisation});
+    auto& body = solver.state().bodies[0];
+    body.for_each_node([&](std::int64_t slot) {
+      double sum = 0;
+      for (int a = 0; a < D; ++a) sum += body.start[slot][a] / 0.125;
+      body.displacement[0][slot] = std::lround(sum) % 2 == 0 ? 1e-4 : -1e-4;
+    });
+    return solver.integrals().strain_energy;
+  };
+  const double none = energy("0"), automatic = energy("automatic"), half = energy("0.05");
+  EXPECT_GT(automatic, 2 * none);
+  EXPECT_NEAR(automatic - none, 2 * (half - none), 1e-9 * automatic);
+}
+
 // The stress on the face x = 1 of a block in homogeneous stretch adds up to P N.
 TYPED_TEST(PointForces, hold_an_affine_deformation_with_forces_near_the_surface_alone) {
   constexpr int D = TypeParam::value;
