@@ -200,8 +200,7 @@ inline void fit_deformation(const SlopeSums<P, D>& sums, Scalar<P> spacing, P (&
     P product[D];
 #pragma GCC unroll 3
     for (int k = 0; k < D; ++k) {
-      const P about_mean =
-          fused_minus(share * sums.motion[i], sums.offset[k], sums.product[i][k]);
+      const P about_mean = fused_minus(share * sums.motion[i], sums.offset[k], sums.product[i][k]);
       product[k] = scale * about_mean;
     }
 #pragma GCC unroll 3
@@ -230,8 +229,8 @@ inline void level_set_gradient(const SurfaceRecords<Scalar<P>, D>& block, const 
       up = segment.neighbour_row[j == 1 ? row_index<D>(1) : row_index<D>(0, 1)];
       down = segment.neighbour_row[j == 1 ? row_index<D>(-1) : row_index<D>(0, -1)];
     }
-    rise[j] = scale * (load<P>(block.level_set + slot + up) -
-                       load<P>(block.level_set + slot + down));
+    rise[j] =
+        scale * (load<P>(block.level_set + slot + up) - load<P>(block.level_set + slot + down));
 #pragma GCC unroll 3
     for (int i = 0; i < D; ++i) row[j][i] = f[i][j];
   }
