@@ -79,9 +79,7 @@ class RimFitter {
     }
   }
 
-  double phi(const Vec<D>& x) const {
-    return signed_distance(shape_, padded<D>(point<D>(x)), D);
-  }
+  double phi(const Vec<D>& x) const { return signed_distance(shape_, padded<D>(point<D>(x)), D); }
   bool is_on_surface(std::int64_t p) const { return std::abs(body_.level_set[p]) < h_ / 2; }
   bool is_near_a_wall(const Cell<D>& cell) const {
     return boundaries_.nearest_wall(body_.lattice.node(cell)).second < 2 * h_;
@@ -164,7 +162,8 @@ class RimFitter {
       const std::int64_t p = body_.layout.slot(at);
       if (p < 0 || !body_.is_particle(p) || (k != 0 && is_on_surface(p))) continue;
       const Vec<D> faded = (1 - std::abs(k) / layers) * shift;
-      Vec<D>& known = shift_.try_emplace(static_cast<std::int32_t>(p), Vec<D>::Zero()).first->second;
+      Vec<D>& known =
+          shift_.try_emplace(static_cast<std::int32_t>(p), Vec<D>::Zero()).first->second;
       if (faded.norm() > known.norm()) known = faded;
     }
   }
@@ -257,10 +256,14 @@ void make_fitted_cells(Body<T, D>& body) {
   }
 }
 
-template std::vector<FittedNode<2>> fit_to_rims<double, 2>(const Boundaries<2>&, const Body<double, 2>&);
-template std::vector<FittedNode<3>> fit_to_rims<double, 3>(const Boundaries<3>&, const Body<double, 3>&);
-template std::vector<FittedNode<2>> fit_to_rims<float, 2>(const Boundaries<2>&, const Body<float, 2>&);
-template std::vector<FittedNode<3>> fit_to_rims<float, 3>(const Boundaries<3>&, const Body<float, 3>&);
+template std::vector<FittedNode<2>> fit_to_rims<double, 2>(const Boundaries<2>&,
+                                                           const Body<double, 2>&);
+template std::vector<FittedNode<3>> fit_to_rims<double, 3>(const Boundaries<3>&,
+                                                           const Body<double, 3>&);
+template std::vector<FittedNode<2>> fit_to_rims<float, 2>(const Boundaries<2>&,
+                                                          const Body<float, 2>&);
+template std::vector<FittedNode<3>> fit_to_rims<float, 3>(const Boundaries<3>&,
+                                                          const Body<float, 3>&);
 template Eigen::Matrix2d shape_of<double, 2>(const Body<double, 2>&, const Cell<2>&);
 template Eigen::Matrix3d shape_of<double, 3>(const Body<double, 3>&, const Cell<3>&);
 template Eigen::Matrix2d shape_of<float, 2>(const Body<float, 2>&, const Cell<2>&);

@@ -9,8 +9,8 @@
 /// Fits particles to the rims at which walls end on a free surface, (TL.11).
 namespace pliant::total_lagrangian {
 
-/// The particles of a body that leave their nodes, in the order of their slots. Reads the level set,
-/// the particles and what walls hold of them.
+/// The particles of a body that leave their nodes, in the order of their slots. Reads the level
+/// set, the particles and what walls hold of them.
 template <class T, int D>
 std::vector<FittedNode<D>> fit_to_rims(const Boundaries<D>& boundaries, const Body<T, D>& body);
 

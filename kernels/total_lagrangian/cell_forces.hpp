@@ -48,8 +48,7 @@ struct HourglassWeights {
 
 /// kappa sum_b c_b q_b.q_b of (TL.6).
 template <class P, int D>
-inline P hourglass_squares(const HourglassWeights<P, D>& weights,
-                           const P (&mode)[D][1 << D]) {
+inline P hourglass_squares(const HourglassWeights<P, D>& weights, const P (&mode)[D][1 << D]) {
   using T = Scalar<P>;
   P sum(T(0));
   for (int n = 2; n <= D; ++n) {
@@ -81,15 +80,16 @@ inline auto examine(const Material<Scalar<P>>& material, const CellState<P, D>& 
   P finite = zero;
   for (const P& component : stress.piola) finite = fused(component, zero, finite);
   const auto sound = (finite == zero) && (jacobian > zero);
-  const P c2 = cell_wave_speed2<P, D>(material, state, stress.excess) *
-               norm2_bound<P, D>(reverse) / (jacobian * jacobian);
+  const P c2 = cell_wave_speed2<P, D>(material, state, stress.excess) * norm2_bound<P, D>(reverse) /
+               (jacobian * jacobian);
   extremes.wave_speed2 = xsimd::max(extremes.wave_speed2, xsimd::select(inside && sound, c2, zero));
   return inside && !sound;
 }
 
 /// One term of (RP.22) in a register of cells.
 template <class P>
-inline P relax_term(const Relaxation<Scalar<P>>& term, const P& before, const P& start, const P& end) {
+inline P relax_term(const Relaxation<Scalar<P>>& term, const P& before, const P& start,
+                    const P& end) {
   const P driven = fused(P(term.start), start, P(term.end) * end);
   return fused(P(term.decay), before, driven);
 }

@@ -66,9 +66,8 @@ inline void gather_modes(const StressPoints<Scalar<P>, D>& block, const CellGrou
 
 /// F and what is left of the hourglass modes, so that linear fields have none.
 template <class P, int D>
-inline void fitted_state(const CellGroup<P, D>& group,
-                         const HourglassWeights<P, D>& weights, const P& slope,
-                         const P (&inverse)[D * D], P (&mode)[D][1 << D],
+inline void fitted_state(const CellGroup<P, D>& group, const HourglassWeights<P, D>& weights,
+                         const P& slope, const P (&inverse)[D * D], P (&mode)[D][1 << D],
                          P (&start)[D][1 << D], CellState<P, D>& state) {
   using T = Scalar<P>;
   P gradient[D * D];
@@ -83,8 +82,8 @@ inline void fitted_state(const CellGroup<P, D>& group,
   for (int m = 1; m < (1 << D); ++m) {
     if (directions_of[m] < 2) continue;
     for (int j = 0; j < D; ++j) {
-      start[j][m] = group.of_each(
-          [j, m](const FittedCell<T, D>& cell) { return cell.start[j][m]; });
+      start[j][m] =
+          group.of_each([j, m](const FittedCell<T, D>& cell) { return cell.start[j][m]; });
     }
     for (int i = 0; i < D; ++i) {
       for (int j = 0; j < D; ++j) {
@@ -116,7 +115,8 @@ inline P relax_fitted(const StressPoints<Scalar<P>, D>& block, const CellGroup<P
 }
 
 template <class P, int D>
-void evaluate_fitted_cells(const StressPoints<Scalar<P>, D>& block, StressPointExtremes<P>& extremes) {
+void evaluate_fitted_cells(const StressPoints<Scalar<P>, D>& block,
+                           StressPointExtremes<P>& extremes) {
   using T = Scalar<P>;
   constexpr int corners = 1 << D;
   T cell_volume = 1;
@@ -162,8 +162,8 @@ void evaluate_fitted_cells(const StressPoints<Scalar<P>, D>& block, StressPointE
         reverse[D * a + i] = sum;
       }
     }
-    const auto broken = examine<P, D>(block.material, state, stress, reverse,
-                                      slope == slope, extremes);
+    const auto broken =
+        examine<P, D>(block.material, state, stress, reverse, slope == slope, extremes);
     if (extremes.non_finite < 0 && xsimd::any(broken)) {
       extremes.non_finite = group.cell[first_lane<P>(broken)]->slot;
     }

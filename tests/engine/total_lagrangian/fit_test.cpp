@@ -12,8 +12,9 @@ namespace {
 /// The block with a fixed wall of the given shape.
 LagrangianSolver<3> block_below(const std::string& wall) {
   return LagrangianSolver<3>(
-      tests::read_text(free_block(3) + "[[boundary]]\nname = \"wall\"\nkind = \"fixed\"\ngeometry = " +
-                       wall + "\n"),
+      tests::read_text(free_block(3) +
+                       "[[boundary]]\nname = \"wall\"\nkind = \"fixed\"\ngeometry = " + wall +
+                       "\n"),
       {1, kernels::widest_supported()});
 }
 

@@ -14,7 +14,8 @@ constexpr double modulus = 2 / 0.05, ratios[] = {0.3, 0.2}, times[] = {0.5, 2};
 /// A block that a wall holds everywhere, so that it keeps the shape that it is given.
 std::string held_block(const std::string& moduli) {
   return tests::with(free_block(2), "compressibility = 0.05\n",
-                     "compressibility = 0.05\nprony = { ratios = [0.3, 0.2], times = [0.5, 2], moduli = \"" +
+                     "compressibility = 0.05\nprony = { ratios = [0.3, 0.2], times = [0.5, 2], "
+                     "moduli = \"" +
                          moduli + "\" }\n") +
          R"([[boundary]]
 name = "grip"
@@ -59,9 +60,8 @@ TEST(viscosity, a_relaxed_block_has_the_energy_of_its_long_term_modulus) {
   LagrangianSolver<2> solver(tests::read_text(held_block("instantaneous")),
                              {1, kernels::widest_supported()});
   auto& body = solver.state().bodies[0];
-  for_each_particle<2>(body, [&](std::int64_t p, const Point<2>& x) {
-    body.displacement[0][p] = -0.05 * x[0];
-  });
+  for_each_particle<2>(
+      body, [&](std::int64_t p, const Point<2>& x) { body.displacement[0][p] = -0.05 * x[0]; });
   const double start = solver.integrals().strain_energy;
   solver.advance(20);  // ten times the longest relaxation time
   const double relaxed = modulus / 2 * 0.05 * 0.05 * (0.3 + 0.2);
