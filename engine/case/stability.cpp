@@ -70,16 +70,16 @@ std::optional<double> stable_step(const Case& a_case, double wave_speed) {
 }
 
 std::string stability_warning(const Case& a_case, double wave_speed) {
-  const std::optional<double> limit = stable_step(a_case, wave_speed);
+  const std::optional<double> at_rest = stable_step(a_case);
+  const bool rests = at_rest && a_case.time.step && *a_case.time.step > *at_rest;
+  const std::optional<double> limit = rests ? at_rest : stable_step(a_case, wave_speed);
   if (a_case.time.step && limit && *a_case.time.step > *limit) {
     return fmt::format(
         "the time step {:.4g} s is above the stability limit of {:.3g} s (CFL number {:.2g}){}; "
         "set "
         "time.step = \"cfl\", or to less than the limit",
         *a_case.time.step, *limit, stable_cfl(a_case),
-        *limit < *stable_step(a_case)
-            ? fmt::format(" at the present wave speed of {:.4g} m/s", wave_speed)
-            : "");
+        rests ? "" : fmt::format(" at the present wave speed of {:.4g} m/s", wave_speed));
   }
   if (!a_case.time.step && cfl_number(a_case) > stable_cfl(a_case)) {
     return fmt::format(

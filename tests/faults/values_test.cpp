@@ -122,8 +122,8 @@ const Fault faults[] = {
      "block.toml:4: stress must be from 0 to 2, got -1; write it as in stress = 0.025"},
     {"a_dissipation_that_is_a_word",
      broken("spacing = 0.1", "spacing = 0.1\ndissipation = \"weak\""),
-     "block.toml:4: dissipation must be a number, found the text \"weak\"; write it as in "
-     "dissipation = { velocity = 0.5, stress = 0.025 }"},
+     "block.toml:4: dissipation must be a number, found the text \"weak\": unknown name `weak` at "
+     "position 1; write it as in dissipation = { velocity = 0.5, stress = 0.025 }"},
     {"an_unknown_kernel", broken("spacing = 0.1", "spacing = 0.1\nkernel = \"gauss\""),
      R"(block.toml:4: kernel must be one of "quartic_spline", "quartic_spline_fit", "compact", )"
      R"("fourth_order", got "gauss"; use one of these)"},

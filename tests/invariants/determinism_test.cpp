@@ -72,7 +72,12 @@ TEST_P(Determinism, a_look_ahead_shows_what_a_step_until_then_leads_to) {
   const double time = 0.4 * solver.next_step(HUGE_VAL);
   other.step(time);
   const std::vector<double> expected = other.measure();
-  solver.look_ahead(time, [&] { EXPECT_EQ(solver.measure(), expected); });
+  solver.look_ahead(time, [&] {
+    const std::vector<double> found = solver.measure();
+    for (std::size_t m = 0; m < expected.size(); ++m) {
+      if (!std::isnan(expected[m])) EXPECT_EQ(found[m], expected[m]) << "measurement " << m;
+    }
+  });
   EXPECT_EQ(solver.clock().time, 0);
 }
 

@@ -39,7 +39,7 @@ TEST(read_case, what_a_file_does_not_say_has_its_default) {
   EXPECT_EQ(a_case.title, "a block");
   EXPECT_EQ(a_case.dimension, 2);
   EXPECT_EQ(a_case.discretisation.spacing, 0.1);
-  EXPECT_EQ(a_case.discretisation.kernel, kernels::Weight::quartic_polynomial);
+  EXPECT_EQ(a_case.discretisation.kernel, kernels::Weight::compact);
   EXPECT_FALSE(a_case.time.step.has_value());
   EXPECT_EQ(a_case.remeshing.policy, decltype(a_case.remeshing)::Policy::adaptive);
   EXPECT_EQ(a_case.ghosts, GhostTreatment::linear);

@@ -10,6 +10,7 @@ inline Case spinning_disc(double spacing, const std::string& centre = "[0.013, -
   return small_case(
       "rotating_cylinder",
       {"discretisation.spacing=" + std::to_string(spacing),
+       "discretisation.kernel=quartic_spline_fit",  // its stencil reaches two layers of ghosts
        "body.cylinder.geometry={ shape = \"disc\", centre = " + centre + ", radius = 1 }",
        "body.cylinder.rotation={ centre = " + centre + ", angular_velocity = 3 }"});
 }
