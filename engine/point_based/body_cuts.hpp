@@ -1,5 +1,6 @@
 #pragma once
 
+#include <span>
 #include <vector>
 
 #include "engine/output/archive.hpp"
@@ -24,6 +25,9 @@ class BodyCuts {
   void advance(double time, Body<T, D>& body);
   /// Relaxes the gradients that nodes have kept, by one step.
   void relax(Body<T, D>& body);
+
+  /// What the blades have cut so far.
+  std::span<const CutSurface<D>> surfaces() const { return bonds_.cuts(); }
 
   void put(ArchiveWriter& archive, const std::string& name) const;
   /// Repeats the cuts of an archive; the fields of the body are those of the archive.

@@ -159,7 +159,11 @@ BodyIntegrals Solver<T, D>::integrals() {
 
 template <class T, int D>
 Frame Solver<T, D>::frame(const FrameParts& parts) {
-  return take_frame(state_, parts);
+  std::vector<std::span<const CutSurface<D>>> surfaces(state_.bodies.size());
+  for (std::size_t b = 0; b < surfaces.size(); ++b) {
+    if (cuts_[b]) surfaces[b] = cuts_[b]->surfaces();
+  }
+  return take_frame<T, D>(state_, parts, surfaces);
 }
 
 template <class T, int D>

@@ -115,11 +115,10 @@ void CutBonds<D>::cut_visible(std::int32_t cut, std::size_t first_piece) {
 
 template <int D>
 void CutBonds<D>::cut_transparent(std::int32_t cut, std::size_t first_piece) {
-  for_each_crossed(
-      cut, first_piece, [&](std::int32_t node, std::int64_t bond, const Point& place) {
-        const double size = (sizes_[node] + sizes_[bonds_.neighbour[bond]]) / 2;
-        open_.push_back({bond, node, cut, place, size});
-      });
+  for_each_crossed(cut, first_piece, [&](std::int32_t node, std::int64_t bond, const Point& place) {
+    const double size = (sizes_[node] + sizes_[bonds_.neighbour[bond]]) / 2;
+    open_.push_back({bond, node, cut, place, size});
+  });
   // A new piece can move the front of its own cut, and take away that of another that it meets.
   for (std::size_t c = 0; c < cuts_.size(); ++c) fronts_[c].update(cuts_, c);
   std::erase_if(open_, [&](const Crossing& open) {
@@ -149,7 +148,8 @@ void CutBonds<D>::cut_grid(std::int32_t cut) {
   grids_[cut].emplace(cuts_[cut]);
   std::vector<bool> is_near(positions_.size());
   for (std::size_t piece = 0; piece < cuts_[cut].pieces().size(); ++piece) {
-    boxes_.for_each_near(box_of(cuts_[cut], piece), 0, 0, [&](std::size_t i) { is_near[i] = true; });
+    boxes_.for_each_near(box_of(cuts_[cut], piece), 0, 0,
+                         [&](std::size_t i) { is_near[i] = true; });
   }
   for (std::size_t i = 0; i < positions_.size(); ++i) {
     if (!is_near[i]) continue;

@@ -35,8 +35,8 @@ class CutBonds {
  public:
   using Point = MaterialPoint<D>;
 
-  /// `sizes` are the nodes' spacings [m], such as V^(1/D). Neighbours in the list of nodes should be
-  /// neighbours in the body, or searches are slow.
+  /// `sizes` are the nodes' spacings [m], such as V^(1/D). Neighbours in the list of nodes should
+  /// be neighbours in the body, or searches are slow.
   CutBonds(std::vector<Point> positions, std::vector<double> sizes, BondRows bonds, CutRule rule,
            InsideTest<D> is_inside);
 

@@ -28,7 +28,7 @@ class EnrichmentGrid {
 
  private:
   struct Region {
-    MaterialPoint<D> origin, normal;  ///< unit normal of the region's part of the cut
+    MaterialPoint<D> origin, normal;          ///< unit normal of the region's part of the cut
     MaterialPoint<D> across_from, across_to;  ///< 3D: ends of the blade halfway, projected
   };
   MaterialPoint<D> chord_ = {};   ///< unit vector

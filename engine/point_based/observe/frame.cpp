@@ -3,6 +3,7 @@
 #include "engine/geometry/padded.hpp"
 #include "engine/method/full_stress.hpp"
 #include "engine/point_based/node_state.hpp"
+#include "engine/point_based/observe/opened_surface.hpp"
 
 namespace pliant::point_based {
 
@@ -15,41 +16,53 @@ FrameField shown(Field field, int components, std::vector<double> values) {
 }
 
 template <class T, int D>
-FrameSurface take_surface(const State<T, D>& state) {
-  FrameSurface surface;
-  surface.corners = D;
-  std::vector<double> velocity, displacement;
-  std::vector<std::int32_t> owners;
-  for (std::size_t b = 0; b < state.bodies.size(); ++b) {
-    const Body<T, D>& body = state.bodies[b];
-    const auto first = static_cast<std::int64_t>(owners.size());
-    const std::vector<Point<D>> place = present_corners(body);
-    for (std::size_t c = 0; c < place.size(); ++c) {
-      const Vector x = padded<D>(place[c]);
-      surface.position.insert(surface.position.end(), x.begin(), x.end());
-      for (int a = 0; a < D; ++a) {
-        displacement.push_back(place[c][a] - body.surface.start[c][a]);
-        velocity.push_back(body.velocity[a][body.surface.node[c]]);
-      }
-      owners.push_back(static_cast<std::int32_t>(b));
+void add_closed_surface(const Body<T, D>& body, int owner, SurfaceVertices& vertices) {
+  const auto first = static_cast<std::int64_t>(vertices.owner.size());
+  const std::vector<Point<D>> place = present_corners(body);
+  for (std::size_t c = 0; c < place.size(); ++c) {
+    const Vector x = padded<D>(place[c]);
+    vertices.position.insert(vertices.position.end(), x.begin(), x.end());
+    for (int a = 0; a < D; ++a) {
+      vertices.displacement.push_back(place[c][a] - body.surface.start[c][a]);
+      vertices.velocity.push_back(body.velocity[a][body.surface.node[c]]);
     }
-    for (std::size_t f = 0; f < body.surface.facet.size(); ++f) {
-      if (!body.surface.is_free[f]) continue;
-      for (const std::int32_t corner : body.surface.facet[f]) {
-        surface.vertex.push_back(first + corner);
-      }
+    vertices.owner.push_back(owner);
+  }
+  for (std::size_t f = 0; f < body.surface.facet.size(); ++f) {
+    if (!body.surface.is_free[f]) continue;
+    for (const std::int32_t corner : body.surface.facet[f]) {
+      vertices.vertex.push_back(first + corner);
     }
   }
-  surface.fields = {shown(Field::velocity, D, std::move(velocity)),
-                    shown(Field::displacement, D, std::move(displacement)),
-                    {"body", "1", 1, std::move(owners)}};
+}
+
+template <class T, int D>
+FrameSurface take_surface(const State<T, D>& state,
+                          std::span<const std::span<const CutSurface<D>>> cuts) {
+  SurfaceVertices vertices;
+  for (std::size_t b = 0; b < state.bodies.size(); ++b) {
+    const auto owner = static_cast<int>(b);
+    if (cuts[b].empty()) {
+      add_closed_surface(state.bodies[b], owner, vertices);
+    } else {
+      add_opened_surface(state.bodies[b], cuts[b], owner, vertices);
+    }
+  }
+  FrameSurface surface;
+  surface.corners = D;
+  surface.position = std::move(vertices.position);
+  surface.vertex = std::move(vertices.vertex);
+  surface.fields = {shown(Field::velocity, D, std::move(vertices.velocity)),
+                    shown(Field::displacement, D, std::move(vertices.displacement)),
+                    {"body", "1", 1, std::move(vertices.owner)}};
   return surface;
 }
 
 }  // namespace
 
 template <class T, int D>
-Frame take_frame(const State<T, D>& state, const FrameParts& parts) {
+Frame take_frame(const State<T, D>& state, const FrameParts& parts,
+                 std::span<const std::span<const CutSurface<D>>> cuts) {
   Frame frame;
   frame.real_bytes = sizeof(T);
   frame.time = state.clock.time;
@@ -85,13 +98,17 @@ Frame take_frame(const State<T, D>& state, const FrameParts& parts) {
                   {"dilatation", "1", 1, std::move(dilatation)},
                   {"kind", "1", 1, std::move(kinds)},
                   {"body", "1", 1, std::move(owners)}};
-  if (parts.surface) frame.surface = take_surface(state);
+  if (parts.surface) frame.surface = take_surface<T, D>(state, cuts);
   return frame;
 }
 
-template Frame take_frame<double, 2>(const State<double, 2>&, const FrameParts&);
-template Frame take_frame<double, 3>(const State<double, 3>&, const FrameParts&);
-template Frame take_frame<float, 2>(const State<float, 2>&, const FrameParts&);
-template Frame take_frame<float, 3>(const State<float, 3>&, const FrameParts&);
+template Frame take_frame<double, 2>(const State<double, 2>&, const FrameParts&,
+                                     std::span<const std::span<const CutSurface<2>>>);
+template Frame take_frame<double, 3>(const State<double, 3>&, const FrameParts&,
+                                     std::span<const std::span<const CutSurface<3>>>);
+template Frame take_frame<float, 2>(const State<float, 2>&, const FrameParts&,
+                                    std::span<const std::span<const CutSurface<2>>>);
+template Frame take_frame<float, 3>(const State<float, 3>&, const FrameParts&,
+                                    std::span<const std::span<const CutSurface<3>>>);
 
 }  // namespace pliant::point_based

@@ -1,0 +1,191 @@
+#include "engine/point_based/observe/opened_surface.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+#include "engine/blocks/box_tree.hpp"
+#include "engine/geometry/padded.hpp"
+#include "engine/point_based/cutting/crossing.hpp"
+#include "engine/point_based/nearest_nodes.hpp"
+#include "engine/point_based/node_state.hpp"
+#include "engine/point_based/surface.hpp"
+
+namespace pliant::point_based {
+namespace {
+
+constexpr std::size_t carriers = 8;  // nodes that a place moves with
+constexpr double beside = 0.3;       // from a piece to where its side is looked at [H]
+
+template <int D>
+using Corners = std::array<Point<D>, D>;
+
+template <int D>
+Point<D> between(const Point<D>& a, const Point<D>& b, double share) {
+  Point<D> x;
+  for (int i = 0; i < D; ++i) x[i] = a[i] + share * (b[i] - a[i]);
+  return x;
+}
+
+template <int D>
+Point<D> centre(const Corners<D>& piece) {
+  Point<D> x = {};
+  for (const Point<D>& corner : piece) {
+    for (int a = 0; a < D; ++a) x[a] += corner[a] / D;
+  }
+  return x;
+}
+
+/// Calls f(piece) for parts of a piece whose edges are no longer than `length`.
+template <int D, class F>
+void subdivide(const Corners<D>& piece, double length, F&& f) {
+  int from = 0;
+  double longest = 0;
+  for (int k = 0; k < D; ++k) {
+    double square = 0;
+    for (int a = 0; a < D; ++a) square += std::pow(piece[(k + 1) % D][a] - piece[k][a], 2);
+    if (square <= longest) continue;
+    longest = square;
+    from = k;
+  }
+  if (longest <= length * length) return f(piece);
+  const int to = (from + 1) % D;
+  Corners<D> first = piece, second = piece;
+  first[to] = second[from] = between<D>(piece[from], piece[to], 0.5);
+  subdivide<D>(first, length, f);
+  subdivide<D>(second, length, f);
+}
+
+template <class T, int D>
+class SurfaceWriter {
+ public:
+  SurfaceWriter(const Body<T, D>& body, std::span<const CutSurface<D>> cuts, int owner,
+                SurfaceVertices& vertices)
+      : body_(body), owner_(owner), vertices_(vertices) {
+    body.for_each_node([&](std::int64_t slot) {
+      slots_.push_back(slot);
+      places_.push_back(body.start[slot]);
+      states_.push_back(node_state(body, body.block_of(slot), slot));
+    });
+    tree_.emplace(places_);
+    for (const CutSurface<D>& cut : cuts) {
+      for (std::size_t p = 0; p < cut.pieces().size(); ++p) {
+        Piece& piece = pieces_.emplace_back(Piece{cut.corners(p), {}});
+        for (const Point<D>& corner : piece.corners) piece.box.grow(corner);
+      }
+    }
+  }
+
+  void write() {
+    const BodySurface<D>& surface = body_.surface;
+    for (std::size_t f = 0; f < surface.facet.size(); ++f) {
+      if (!surface.is_free[f]) continue;
+      Corners<D> corners;
+      for (int v = 0; v < D; ++v) corners[v] = surface.start[surface.facet[f][v]];
+      add(corners);
+    }
+    const auto is_inside = inside_of<D>(body_.source->geometry, 0);
+    for (const Piece& cut : pieces_) {
+      subdivide<D>(cut.corners, body_.resolution, [&](Corners<D> piece) {
+        if (!is_inside(centre<D>(piece))) return;
+        add(piece);
+        std::swap(piece[0], piece[1]);
+        add(piece);
+      });
+    }
+  }
+
+ private:
+  /// A piece whose body lies behind it; nothing for a piece without area.
+  void add(const Corners<D>& piece) {
+    Point<D> side = centre<D>(piece);
+    const Point<D> area = area_vector<D>(piece);
+    double square = 0;
+    for (const double component : area) square += component * component;
+    if (square == 0) return;
+    for (int a = 0; a < D; ++a) {
+      side[a] -= beside * body_.resolution * area[a] / std::sqrt(square);
+    }
+    const std::int64_t slot = slots_[tree_->nearest(side)];
+    for (const Point<D>& corner : piece) {
+      const Point<D> now = present(corner, side);
+      const Vector x = padded<D>(now);
+      vertices_.vertex.push_back(static_cast<std::int64_t>(vertices_.owner.size()));
+      vertices_.position.insert(vertices_.position.end(), x.begin(), x.end());
+      for (int a = 0; a < D; ++a) {
+        vertices_.displacement.push_back(now[a] - corner[a]);
+        vertices_.velocity.push_back(body_.velocity[a][slot]);
+      }
+      vertices_.owner.push_back(owner_);
+    }
+  }
+
+  bool is_cut_off(const Point<D>& node, const Point<D>& side) const {
+    Box<D> way;
+    way.grow(node);
+    way.grow(side);
+    for (const Piece& piece : pieces_) {
+      if (squared_gap(piece.box, way) == 0 && crossing<D>(node, side, piece.corners)) return true;
+    }
+    return false;
+  }
+
+  /// Where `x` is now: a mean over the nearest nodes on its side of x_i + F_i (X - X_i), with
+  /// weights that vanish at the farthest.
+  Point<D> present(const Point<D>& x, const Point<D>& side) const {
+    const auto near = tree_->nearest(x, carriers + 1);
+    const double farthest = near.back().distance;
+    Point<D> sum = {};
+    double weights = 0;
+    for (const auto& [distance, node] : near) {
+      if (is_cut_off(places_[node], side)) continue;
+      const double weight = 1e-6 + 1 - distance * distance / (farthest * farthest);
+      const Point<D> at = body_.position(slots_[node]);
+      for (int a = 0; a < D; ++a) {
+        double moved = at[a];
+        for (int b = 0; b < D; ++b) {
+          moved += states_[node].gradient[D * a + b] * (x[b] - places_[node][b]);
+        }
+        sum[a] += weight * moved;
+      }
+      weights += weight;
+    }
+    // A sliver without nodes of its own stays where it was.
+    if (weights == 0) return x;
+    for (double& component : sum) component /= weights;
+    return sum;
+  }
+
+  struct Piece {
+    std::array<Point<D>, D> corners;
+    Box<D> box;
+  };
+
+  const Body<T, D>& body_;
+  int owner_;
+  SurfaceVertices& vertices_;
+  std::vector<std::int64_t> slots_;  ///< [node]
+  std::vector<Point<D>> places_;     ///< [node] undeformed
+  std::vector<NodeState<D>> states_;
+  std::optional<NearestNodes<D>> tree_;
+  std::vector<Piece> pieces_;  ///< of all cuts
+};
+
+}  // namespace
+
+template <class T, int D>
+void add_opened_surface(const Body<T, D>& body, std::span<const CutSurface<D>> cuts, int owner,
+                        SurfaceVertices& vertices) {
+  SurfaceWriter<T, D>(body, cuts, owner, vertices).write();
+}
+
+template void add_opened_surface<double, 2>(const Body<double, 2>&, std::span<const CutSurface<2>>,
+                                            int, SurfaceVertices&);
+template void add_opened_surface<double, 3>(const Body<double, 3>&, std::span<const CutSurface<3>>,
+                                            int, SurfaceVertices&);
+template void add_opened_surface<float, 2>(const Body<float, 2>&, std::span<const CutSurface<2>>,
+                                           int, SurfaceVertices&);
+template void add_opened_surface<float, 3>(const Body<float, 3>&, std::span<const CutSurface<3>>,
+                                           int, SurfaceVertices&);
+
+}  // namespace pliant::point_based
