@@ -169,7 +169,8 @@ TYPED_TEST(PointForces, resist_a_checkerboard_as_far_as_the_stabilisation_says) 
     return solver.integrals().strain_energy;
   };
   const double none = energy("0"), automatic = energy("automatic"), half = energy("0.05");
-  EXPECT_GT(automatic, 2 * none);
+  // Nodes at the surface see the mode without it, too.
+  EXPECT_GT(automatic, 1.1 * none);
   EXPECT_NEAR(automatic - none, 2 * (half - none), 1e-9 * automatic);
 }
 
