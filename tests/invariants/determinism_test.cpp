@@ -75,7 +75,8 @@ TEST_P(Determinism, a_look_ahead_shows_what_a_step_until_then_leads_to) {
   solver.look_ahead(time, [&] {
     const std::vector<double> found = solver.measure();
     for (std::size_t m = 0; m < expected.size(); ++m) {
-      if (!std::isnan(expected[m])) EXPECT_EQ(found[m], expected[m]) << "measurement " << m;
+      if (std::isnan(expected[m])) continue;
+      EXPECT_EQ(found[m], expected[m]) << "measurement " << m;
     }
   });
   EXPECT_EQ(solver.clock().time, 0);
