@@ -104,7 +104,7 @@ const Fault faults[] = {
      R"("centre_of_mass", "momentum", "angular_momentum", )"
      R"("kinetic_energy", "strain_energy", "total_energy", "energy_ratio", "wall_force", )"
      R"("contact_force", "volume", )"
-     R"("surface_area", )"
+     R"("surface_area", "connected_parts", "largest_part_volume", )"
      R"("minimum_particle_distance", "velocity_error", "period", )"
      R"("amplitude_ratio", "peak_moving_average", "last_time_above", "smallest", "largest", "value_at_time", "weighted_sum", got "momentun"; did you mean "momentum"?)"},
     {"a_key_of_another_measurement", measuring("kind = \"mass\"\naxis = \"x\"\n"),

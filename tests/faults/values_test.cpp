@@ -77,7 +77,7 @@ const Fault faults[] = {
     {"a_dimension_of_one", broken("title = \"a block\"", "dimension = 1"),
      "block.toml:1: dimension must be 2 or 3, got 1; write it as in dimension = 2"},
     {"an_unknown_method", broken("title = \"a block\"", "method = \"peridynamics\""),
-     R"(block.toml:1: method must be one of "remeshed", "total_lagrangian", "sph", got )"
+     R"(block.toml:1: method must be one of "remeshed", "total_lagrangian", "point_based", "sph", got )"
      "\"peridynamics\"; use one of these"},
     {"remeshing_of_what_is_not_remeshed",
      with(rubber_block, "[total_lagrangian]\n", "[remeshing]\nevery = 3\n[total_lagrangian]\n"),
@@ -192,8 +192,8 @@ const Fault faults[] = {
     {"a_stretch_of_zero", extended("stretch = [1, 0]\n"),
      "block.toml:10: stretch must be positive, got 0; write it as in stretch = [1, 0.95]"},
     {"an_unknown_model", broken("model = \"linear\"", "model = \"neo_hooke\""),
-     R"(block.toml:9: model must be one of "linear", "reduced_polynomial", got "neo_hooke"; )"
-     "use one of these"},
+     R"(block.toml:9: model must be one of "linear", "reduced_polynomial", "neo_hookean", )"
+     R"("st_venant_kirchhoff", got "neo_hooke"; did you mean "neo_hookean"?)"},
     {"a_material_that_is_not_defined", broken(material, "\"rubber\""),
      "block.toml:9: material names the material \"rubber\", which does not exist; add a table "
      "[material.rubber]"},

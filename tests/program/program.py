@@ -25,11 +25,11 @@ class ProgramTest(unittest.TestCase):
         done = subprocess.run([PROGRAM, *arguments], **how)
         return done.returncode, done.stdout, done.stderr
 
-    def arguments_of_run(self, *more, end=0.02):
-        return ["run", CASE, *SMALL, "--out", self.out, "--set", f"time.end={end}", *more]
+    def arguments_of_run(self, *more, end=0.02, out=None):
+        return ["run", CASE, *SMALL, "--out", out or self.out, "--set", f"time.end={end}", *more]
 
-    def run_case(self, *more, end=0.02, **how):
-        return self.pliant(*self.arguments_of_run(*more, end=end), **how)
+    def run_case(self, *more, end=0.02, out=None, **how):
+        return self.pliant(*self.arguments_of_run(*more, end=end, out=out), **how)
 
     def start(self, *more, end=1000, **how):
         """A run that continues until it is stopped."""

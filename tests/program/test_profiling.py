@@ -2,7 +2,7 @@ import json
 
 from program import CASE, ProgramTest, main
 
-SMALL = ["--set", "discretisation.spacing=0.1", "--threads", "2", "--frame-time", "5ms"]
+SMALL = ["--set", "discretisation.spacing=0.1", "--set", "time.step=0.001", "--threads", "2", "--frame-time", "5ms"]
 
 
 class Profiling(ProgramTest):

@@ -10,8 +10,9 @@ namespace pliant::test {
 namespace {
 
 struct Oscillation {
-  std::vector<double> zeros, peaks;  ///< times where the tip passes its rest, and largest deflections
-  double energy = 0;                 ///< at the end, of that at the start
+  std::vector<double> zeros,
+      peaks;          ///< times where the tip passes its rest, and largest deflections
+  double energy = 0;  ///< at the end, of that at the start
 };
 
 /// Plate theory for the first mode, see the case's README.
@@ -21,9 +22,10 @@ Oscillation swing(double spacing, double amplitude, double end) {
   const Case settings = small_case(
       "oscillating_plate",
       {fmt::format("discretisation.spacing={}", spacing),
-       fmt::format("body.plate.velocity=[0, \"{}*(3.0377857*(cosh(1.8751041*x) - cos(1.8751041*x)) - "
-                   "2.2300249*(sinh(1.8751041*x) - sin(1.8751041*x)))\"]",
-                   0.00751263 * amplitude)});
+       fmt::format(
+           "body.plate.velocity=[0, \"{}*(3.0377857*(cosh(1.8751041*x) - cos(1.8751041*x)) - "
+           "2.2300249*(sinh(1.8751041*x) - sin(1.8751041*x)))\"]",
+           0.00751263 * amplitude)});
   std::size_t tip = 0, energy = 0;
   for (std::size_t m = 0; m < settings.measurements.size(); ++m) {
     if (settings.measurements[m].name == "tip_displacement") tip = m;

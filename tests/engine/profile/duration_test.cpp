@@ -23,8 +23,8 @@ TEST(durations, without_unit_or_sense_are_refused_with_an_example) {
       seconds_of(text, "--budget");
       ADD_FAILURE() << text;
     } catch (const InputError& error) {
-      EXPECT_EQ(std::string(error.what()).find(std::string("--budget ") + text + ": not a duration"),
-                0u);
+      EXPECT_EQ(
+          std::string(error.what()).find(std::string("--budget ") + text + ": not a duration"), 0u);
       EXPECT_NE(std::string(error.what()).find("16.7ms"), std::string::npos);
     }
   }

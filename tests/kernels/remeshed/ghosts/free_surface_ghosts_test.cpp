@@ -27,6 +27,7 @@ struct FilledGhosts : RandomGhosts<T, D> {
     }
     for (auto& field : velocity) field.assign(Base::ghosts, T(-7));
     for (auto& field : stress) field.assign(Base::ghosts, T(-7));
+    correction.assign(Base::ghosts * D, T(-7));
   }
 
   void fill(const RemeshedTable<T, D>& kernels) {
@@ -43,6 +44,7 @@ struct FilledGhosts : RandomGhosts<T, D> {
     work.shear_impedance = impedance.shear_wave;
     for (int a = 0; a < D; ++a) work.velocity[a] = velocity[a].data();
     for (int c = 0; c < components; ++c) work.stress[c] = stress[c].data();
+    work.correction = correction.data();
     kernels.fill_free_surfaces(work);
   }
 
@@ -60,7 +62,7 @@ struct FilledGhosts : RandomGhosts<T, D> {
   std::vector<std::int32_t> slot;
   std::vector<std::int8_t> wall, pressure;
   std::vector<std::uint8_t> active;
-  Field<T> constrained_sum, surface_sum;
+  Field<T> constrained_sum, surface_sum, correction;
   std::array<Field<T>, D> velocity;
   std::array<Field<T>, components> stress;
 };
@@ -76,7 +78,10 @@ TYPED_TEST(free_surface_ghosts, are_as_one_by_one_but_for_walls_and_the_inactive
     const std::int32_t slot = filled.slot[g];
     const bool is_free = filled.wall[g] < 0 && filled.active[g] != 0;
     const GhostState<T, D> expected = filled.state(g, &sums[g * 3 * width]);
+    const RecordSum<T, D> linear{&sums[g * 3 * width]};
     for (int a = 0; a < D; ++a) {
+      EXPECT_NEAR(filled.correction[g * D + a],
+                  is_free ? expected.velocity[a] - linear.velocity(a) : T(-7), exact<T>);
       EXPECT_NEAR(filled.velocity[a][slot], is_free ? expected.velocity[a] : T(-7), exact<T>);
     }
     for (int c = 0; c < symmetric_components<D>; ++c) {
