@@ -131,8 +131,9 @@ velocity = ["sin(3*y)", 0, "x"]
 [[boundary]]
 name = "floor"
 kind = "fixed"
-geometry = {
-    shape = "half_space", point = [ 0, 0, 0 ], normal = [ 0, 0, 1 ] }
+geometry.shape = "half_space"
+geometry.point = [0, 0, 0]
+geometry.normal = [0, 0, 1]
 [[boundary]]
 name = "air"
 kind = "pressure"
