@@ -41,7 +41,8 @@ ENGINE = {
     "api": METHOD | {"simulation"},
     "bench": METHOD | {"simulation", "remeshed"},  # bytes of a stage, from the list of fields
     "profile": METHOD | {"simulation", "bench"},
-    "cli": METHOD | {"simulation", "bench", "profile"},
+    "batch": METHOD | {"simulation"},
+    "cli": METHOD | {"simulation", "bench", "profile", "batch"},
 }
 # First component of <...>; the standard library needs no entry. Folders not named may use any.
 LIBRARIES = {

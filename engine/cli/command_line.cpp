@@ -9,6 +9,7 @@
 #include <memory>
 
 #include "engine/case/problems.hpp"
+#include "engine/cli/batch_commands.hpp"
 #include "engine/cli/commands.hpp"
 
 namespace pliant::cli {
@@ -63,6 +64,7 @@ void add_commands(Commands& commands) {
 
   add_case_commands(commands);
   add_measuring_commands(commands);
+  add_batch_commands(commands);
   add_help(commands);
 }
 

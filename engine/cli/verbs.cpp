@@ -9,6 +9,7 @@
 #include <memory>
 #include <system_error>
 
+#include "engine/batch/child.hpp"
 #include "engine/bench/standard_set.hpp"
 #include "engine/case/reference.hpp"
 #include "engine/case/stability.hpp"
@@ -33,6 +34,7 @@ void warn_of_instability(const Case& settings) {
 ExitStatus run(const RunArguments& arguments) {
   // A reader of the progress that ends, as `head` does, must not end the run.
   std::signal(SIGPIPE, SIG_IGN);
+  batch::end_with_parent();
   const Case settings = read_case(arguments.source.path, arguments.source.settings);
   if (!arguments.quiet) warn_of_instability(settings);
   if (!arguments.force) {

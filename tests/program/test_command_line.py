@@ -55,7 +55,7 @@ class CommandLine(ProgramTest):
 
     def test_help_speaks_of_commands_and_fits_a_terminal(self):
         texts = [self.pliant("--help")[1], self.pliant("help")[1]]
-        texts += [self.pliant("help", command)[1] for command in ("run", "check", "bench", "profile", "graph", "help")]
+        texts += [self.pliant("help", command)[1] for command in ("run", "check", "bench", "profile", "batch", "graph", "help")]
         for text in texts:
             self.assertNotRegex(text.lower(), "verb|subcommand")
             self.assertLessEqual(max(map(len, text.splitlines())), 100, text)

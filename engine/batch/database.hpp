@@ -1,0 +1,78 @@
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <string>
+#include <string_view>
+
+struct sqlite3;
+struct sqlite3_stmt;
+
+/// What this program needs of SQLite.
+namespace pliant::batch {
+
+class Statement;
+
+/// An open database file. Every function throws OutputError, which names the file.
+class Database {
+ public:
+  enum class Mode { create, write, read };
+
+  Database(const std::filesystem::path& path, Mode mode);
+
+  void execute(const char* sql);
+  Statement prepare(std::string_view sql);
+  [[noreturn]] void fail() const;
+
+ private:
+  std::filesystem::path path_;
+  std::unique_ptr<sqlite3, int (*)(sqlite3*)> handle_;
+};
+
+/// A prepared statement; `?` stand for values, which are bound in their order.
+class Statement {
+ public:
+  Statement(Database& database, sqlite3_stmt* statement);
+
+  Statement& bind(std::string_view text);
+  Statement& bind(std::int64_t number);
+  Statement& bind(double number);  ///< NaN is no value
+  Statement& bind(std::optional<std::int64_t> number);
+
+  /// Goes to the next row; false where there is none.
+  bool next();
+  /// Runs to the end.
+  void run();
+
+  std::string text(int column) const;
+  std::int64_t integer(int column) const;
+  double number(int column) const;  ///< NaN without a value
+  bool is_null(int column) const;
+
+ private:
+  void check(int result);
+
+  Database& database_;
+  std::unique_ptr<sqlite3_stmt, int (*)(sqlite3_stmt*)> statement_;
+  int bound_ = 0;
+};
+
+/// All that happens to the database during its life happens at once, at `commit`, or not at all.
+class Transaction {
+ public:
+  /// `begin`: of SQL; "BEGIN" is enough to read.
+  explicit Transaction(Database& database, const char* begin = "BEGIN IMMEDIATE");
+  Transaction(const Transaction&) = delete;
+  Transaction& operator=(const Transaction&) = delete;
+  ~Transaction();
+
+  void commit();
+
+ private:
+  Database& database_;
+  bool is_open_ = true;
+};
+
+}  // namespace pliant::batch

@@ -1,0 +1,39 @@
+#pragma once
+
+#include <toml++/toml.h>
+
+#include <filesystem>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "engine/batch/designs.hpp"
+#include "engine/case/problems.hpp"
+
+/// Reading of one `[[design]]` of a sweep file, and what reading of all its parts shares.
+namespace pliant::batch {
+
+/// The runs of a design; tables are files of `folder`. Throws InputError.
+std::vector<Assignment> read_design(const toml::table& design, const std::filesystem::path& folder);
+
+/// Throws InputError with the line of the node.
+[[noreturn]] void refuse(const toml::node& node, const std::string& what,
+                         const std::string& remedy);
+
+void refuse_other_keys(const toml::table& table, const std::vector<std::string_view>& known);
+
+/// The value of a key, or `otherwise` where there is none. Throws InputError unless it is what is
+/// `wanted`.
+template <class T>
+T value_of(const toml::table& table, std::string_view key, const T& otherwise,
+           std::string_view wanted) {
+  const toml::node* node = table.get(key);
+  if (node == nullptr) return otherwise;
+  const std::optional<T> value = node->value<T>();
+  if (!value)
+    refuse(*node, "`" + std::string(key) + "` is " + describe(*node),
+           "give " + std::string(wanted));
+  return *value;
+}
+
+}  // namespace pliant::batch

@@ -1,0 +1,55 @@
+#include "engine/cli/batch_commands.hpp"
+
+#include "engine/cli/batch.hpp"
+
+namespace pliant::cli {
+
+namespace {
+
+void add_ledger_command(Commands& commands, CLI::App& parent, const char* name,
+                        const char* description, bool has_json,
+                        ExitStatus (*action)(const LedgerArguments&)) {
+  const auto arguments = std::make_shared<LedgerArguments>();
+  CLI::App& command = *parent.add_subcommand(name, description);
+  command.add_option("FOLDER", arguments->folder, "folder of the batch")->required()->type_name("");
+  if (has_json) command.add_flag("--json", arguments->json, "print all runs as JSON");
+  command.footer(std::string("Example:\n  pliant batch ") + name + " results/sweep");
+  command.callback([&commands, arguments, action] {
+    commands.chosen = [arguments, action] { return action(*arguments); };
+  });
+}
+
+}  // namespace
+
+void add_batch_commands(Commands& commands) {
+  const auto arguments = std::make_shared<BatchArguments>();
+  CLI::App& command = *commands.app.add_subcommand("batch", "Run a case with many parameters");
+  command.group("Commands");
+  command.footer(
+      "Exit status: 0 all runs are done, 3 some have failed; else as for other commands."
+      "\n\nExamples:\n  pliant batch sweep.toml --out results/sweep --workers 2\n"
+      "  pliant batch status results/sweep\n"
+      "  pliant batch export results/sweep > runs.csv");
+  command.add_option("SWEEP", arguments->sweep, "file that says which parameters to take")
+      ->type_name("");
+  command.add_option("--out", arguments->folder, "folder for the runs (default: results/<sweep>)")
+      ->type_name("FOLDER");
+  command
+      .add_option("--workers", arguments->workers,
+                  "runs at once, at most processors / threads (default: that many)")
+      ->type_name("N");
+  command.add_option("--threads", arguments->threads, "threads of each run")
+      ->type_name("N")
+      ->capture_default_str();
+  command.add_flag("--resume", arguments->resume, "do only what is missing or has failed");
+  command.add_flag("--quiet", arguments->quiet, "show no progress");
+  add_ledger_command(commands, command, "status", "Say how far a batch is", true, &batch_status);
+  add_ledger_command(commands, command, "export", "Print all runs as CSV", false, &batch_export);
+  command.callback([&commands, &command, arguments] {
+    if (!command.get_subcommands().empty()) return;  // those have chosen
+    if (arguments->sweep.empty()) throw CLI::RequiredError("SWEEP");
+    commands.chosen = [arguments] { return batch(*arguments); };
+  });
+}
+
+}  // namespace pliant::cli
