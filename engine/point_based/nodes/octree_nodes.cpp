@@ -135,7 +135,9 @@ class Octree {
 
   /// The largest of the finest leaves around a fragment takes it; a fragment alone becomes a node.
   void join_fragments() {
-    for (const auto& [corner, part] : fragments_) {
+    for (const auto& fragment : fragments_) {
+      const Corner<D>& corner = fragment.first;
+      const Part<D>& part = fragment.second;
       std::size_t best = cloud_.volumes.size();
       for_each_index<D>(3, [&](const std::array<int, D>& index) {
         Corner<D> beside = corner;
