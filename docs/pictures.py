@@ -32,6 +32,10 @@ rendered = {
         "cases/ball_on_block", ["discretisation.spacing=0.05"],
         ["--cut", "z", "--up", "y", "--view", "28", "20", "--field", "velocity_y",
          "--label", "upward velocity [m/s]", "--times", "0", "0.16", "0.5", "--size", "1500", "600"]),
+    "cases/block_cut/result": (
+        "cases/block_cut", [],
+        ["--times", "0.08", "0.14", "0.24", "--view", "-70", "45", "--zoom", "0.95",
+         "--size", "1500", "600", *mm]),
     "cases/organ/result": (
         "cases/organ", [],
         ["--field", "velocity", "--label", "speed [m/s]", "--times", "0", "0.08", "0.16",

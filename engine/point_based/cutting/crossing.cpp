@@ -30,6 +30,17 @@ Column<3> normal(const std::array<MaterialPoint<3>, 3>& piece) {
   return (column<3>(piece[1]) - a).cross(column<3>(piece[2]) - a);
 }
 
+/// The normal whose first component that is not zero is positive, whichever way the piece runs.
+template <int D>
+Column<D> upward_normal(const std::array<MaterialPoint<D>, D>& piece) {
+  const Column<D> n = normal(piece);
+  const double slack = rounding * n.norm();
+  for (int a = 0; a < D; ++a) {
+    if (std::abs(n[a]) > slack) return n[a] > 0 ? n : Column<D>(-n);
+  }
+  return n;
+}
+
 /// Whether the line from `p` along `d` meets the piece, its boundary included.
 bool meets(const Column<2>& p, const Column<2>& d, const std::array<MaterialPoint<2>, 2>& piece) {
   const Column<2> a = column<2>(piece[0]) - p, b = column<2>(piece[1]) - p;
@@ -65,7 +76,8 @@ Column<D> nearest_on_segment(const Column<D>& a, const Column<D>& b) {
 template <int D>
 std::optional<MaterialPoint<D>> crossing(const MaterialPoint<D>& p, const MaterialPoint<D>& q,
                                          const std::array<MaterialPoint<D>, D>& piece) {
-  const Column<D> n = normal(piece), start = column<D>(p), along = column<D>(q) - start;
+  const Column<D> n = upward_normal<D>(piece);
+  const Column<D> start = column<D>(p), along = column<D>(q) - start;
   const Column<D> to_start = start - column<D>(piece[0]), to_end = to_start + along;
   const double slack = rounding * n.norm() * (along.norm() + to_start.norm());
   const double from = n.dot(to_start), to = n.dot(to_end);

@@ -9,8 +9,9 @@ namespace pliant::point_based {
 /// Where the bond from `p` to `q` crosses a piece of a cut, if it does.
 ///
 /// Nodes lie on one of two sides of the plane of the piece; those on the plane, up to rounding,
-/// count as the positive side, so that a cut through nodes separates them too. The boundary of the
-/// piece belongs to it, so that no bond slips through between two pieces.
+/// count as the side that the normal with a positive first component points to, whichever way the
+/// blade went: two cuts of one plane take them to the same side. The boundary of the piece belongs
+/// to it, so that no bond slips through between two pieces.
 template <int D>
 std::optional<MaterialPoint<D>> crossing(const MaterialPoint<D>& p, const MaterialPoint<D>& q,
                                          const std::array<MaterialPoint<D>, D>& piece);

@@ -28,6 +28,9 @@ Box<D> box_of(const CutSurface<D>& cut, std::size_t piece) {
   return box;
 }
 
+/// Bonds that end on a piece up to rounding are tested in both directions.
+double squared_slack(double least_size) { return 1e-18 * least_size * least_size; }
+
 double smoothstep(double x) {
   const double s = std::clamp(x, 0., 1.);
   return s * s * (3 - 2 * s);
@@ -95,15 +98,16 @@ template <class F>
 void CutBonds<D>::for_each_crossed(std::int32_t cut, std::size_t first_piece, F&& f) {
   for (std::size_t piece = first_piece; piece < cuts_[cut].pieces().size(); ++piece) {
     const auto corners = cuts_[cut].corners(piece);
-    boxes_.for_each_near(box_of(cuts_[cut], piece), 0, 0, [&](std::size_t i) {
-      for (std::int64_t b = bonds_.first[i]; b < bonds_.first[i + 1]; ++b) {
-        if (factors_[b] == 0) continue;
-        const auto j = static_cast<std::size_t>(bonds_.neighbour[b]);
-        const auto place =
-            crossing<D>(positions_[std::min(i, j)], positions_[std::max(i, j)], corners);
-        if (place) f(static_cast<std::int32_t>(i), b, *place);
-      }
-    });
+    boxes_.for_each_near(
+        box_of(cuts_[cut], piece), squared_slack(least_size_), 0, [&](std::size_t i) {
+          for (std::int64_t b = bonds_.first[i]; b < bonds_.first[i + 1]; ++b) {
+            if (factors_[b] == 0) continue;
+            const auto j = static_cast<std::size_t>(bonds_.neighbour[b]);
+            const auto place =
+                crossing<D>(positions_[std::min(i, j)], positions_[std::max(i, j)], corners);
+            if (place) f(static_cast<std::int32_t>(i), b, *place);
+          }
+        });
   }
 }
 
@@ -133,13 +137,14 @@ template <int D>
 void CutBonds<D>::cut_product(std::int32_t cut, std::size_t first_piece) {
   for (std::size_t piece = first_piece; piece < cuts_[cut].pieces().size(); ++piece) {
     const auto corners = cuts_[cut].corners(piece);
-    boxes_.for_each_near(box_of(cuts_[cut], piece), 0, 0, [&](std::size_t i) {
-      const double e_i = piece_enrichment<D>(positions_[i], corners);
-      for (std::int64_t b = bonds_.first[i]; b < bonds_.first[i + 1]; ++b) {
-        const double e_j = piece_enrichment<D>(positions_[bonds_.neighbour[b]], corners);
-        set(static_cast<std::int32_t>(i), b, factors_[b] * (1 + e_i * e_j) / 2);  // (CU.3)
-      }
-    });
+    boxes_.for_each_near(
+        box_of(cuts_[cut], piece), squared_slack(least_size_), 0, [&](std::size_t i) {
+          const double e_i = piece_enrichment<D>(positions_[i], corners);
+          for (std::int64_t b = bonds_.first[i]; b < bonds_.first[i + 1]; ++b) {
+            const double e_j = piece_enrichment<D>(positions_[bonds_.neighbour[b]], corners);
+            set(static_cast<std::int32_t>(i), b, factors_[b] * (1 + e_i * e_j) / 2);  // (CU.3)
+          }
+        });
   }
 }
 
@@ -148,7 +153,7 @@ void CutBonds<D>::cut_grid(std::int32_t cut) {
   grids_[cut].emplace(cuts_[cut]);
   std::vector<bool> is_near(positions_.size());
   for (std::size_t piece = 0; piece < cuts_[cut].pieces().size(); ++piece) {
-    boxes_.for_each_near(box_of(cuts_[cut], piece), 0, 0,
+    boxes_.for_each_near(box_of(cuts_[cut], piece), squared_slack(least_size_), 0,
                          [&](std::size_t i) { is_near[i] = true; });
   }
   for (std::size_t i = 0; i < positions_.size(); ++i) {

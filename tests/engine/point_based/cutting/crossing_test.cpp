@@ -27,11 +27,21 @@ TEST(crossing, the_boundary_of_a_piece_belongs_to_it) {
   EXPECT_TRUE(crossing<3>({0.5, 0.5, -1}, {0.5, 0.5, 1}, {{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}}));
 }
 
-TEST(crossing, a_node_on_a_piece_is_on_its_positive_side) {
-  const std::array<MaterialPoint<2>, 2> along_x = {{{0, 0}, {1, 0}}};
-  EXPECT_FALSE(crossing<2>({0.5, 0}, {0.5, 1}, along_x));
-  EXPECT_TRUE(crossing<2>({0.5, 0}, {0.5, -1}, along_x));
-  EXPECT_FALSE(crossing<2>({0.2, 0}, {0.5, 0}, along_x));
+// Two blades that cut one plane in opposite directions would otherwise isolate the nodes on it.
+TEST(crossing, a_node_on_a_piece_is_on_one_side_whichever_way_the_blade_went) {
+  using Segment = std::array<MaterialPoint<2>, 2>;
+  for (const Segment& along_x : {Segment{{{0, 0}, {1, 0}}}, Segment{{{1, 0}, {0, 0}}}}) {
+    EXPECT_FALSE(crossing<2>({0.5, 0}, {0.5, 1}, along_x));
+    EXPECT_TRUE(crossing<2>({0.5, 0}, {0.5, -1}, along_x));
+    EXPECT_FALSE(crossing<2>({0.2, 0}, {0.5, 0}, along_x));
+  }
+  using Triangle = std::array<MaterialPoint<3>, 3>;
+  const Triangle upward = {{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}},
+                 downward = {{{0, 0, 0}, {0, 1, 0}, {1, 0, 0}}};
+  for (const Triangle& triangle : {upward, downward}) {
+    EXPECT_FALSE(crossing<3>({0.2, 0.2, 0}, {0.2, 0.2, 1}, triangle));
+    EXPECT_TRUE(crossing<3>({0.2, 0.2, 0}, {0.2, 0.2, -1}, triangle));
+  }
 }
 
 // A turned and shifted strip of triangles through the origin: every bond across it is found, also
