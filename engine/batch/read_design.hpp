@@ -1,5 +1,7 @@
 #pragma once
 
+#include <fmt/format.h>
+
 #include <toml++/toml.h>
 
 #include <filesystem>
@@ -30,9 +32,9 @@ T value_of(const toml::table& table, std::string_view key, const T& otherwise,
   const toml::node* node = table.get(key);
   if (node == nullptr) return otherwise;
   const std::optional<T> value = node->value<T>();
-  if (!value)
-    refuse(*node, "`" + std::string(key) + "` is " + describe(*node),
-           "give " + std::string(wanted));
+  if (!value) {
+    refuse(*node, fmt::format("`{}` is {}", key, describe(*node)), fmt::format("give {}", wanted));
+  }
   return *value;
 }
 
