@@ -33,10 +33,12 @@ Column<3> normal(const std::array<MaterialPoint<3>, 3>& piece) {
 /// The normal whose first component that is not zero is positive, whichever way the piece runs.
 template <int D>
 Column<D> upward_normal(const std::array<MaterialPoint<D>, D>& piece) {
-  const Column<D> n = normal(piece);
+  Column<D> n = normal(piece);
   const double slack = rounding * n.norm();
   for (int a = 0; a < D; ++a) {
-    if (std::abs(n[a]) > slack) return n[a] > 0 ? n : Column<D>(-n);
+    if (std::abs(n[a]) <= slack) continue;
+    if (n[a] < 0) n = -n;
+    break;
   }
   return n;
 }
