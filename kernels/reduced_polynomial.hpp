@@ -86,14 +86,6 @@ inline void energy_derivatives(const Material<Scalar<P>>& material, const P& exc
   }
 }
 
-/// mu_t/2 = W1 + 2 W2 (I1 - 3) of (TL.6).
-template <class P>
-inline P half_tangent_modulus(const Material<Scalar<P>>& material, const P& excess) {
-  P first, second;
-  energy_derivatives(material, excess, first, second);
-  return fused(second + second, excess, first);
-}
-
 /// p of (RP.9).
 template <class P>
 inline P polynomial_pressure(const Material<Scalar<P>>& material, const P& volume_ratio) {

@@ -62,7 +62,7 @@ template <Weight weight, class P, class Visit>
   }
 }
 
-/// The same in space, in two sweeps; see gradient_sweep.hpp. The weights of a stencil are kept for
+/// The same in 3D, in two sweeps; see gradient_sweep.hpp. The weights of a stencil are kept for
 /// the second one, those of a list, which may be any length, made again.
 template <Weight weight, class P, class Visit>
 [[gnu::always_inline]] inline void sweep(const StageSweepFields<Scalar<P>, 3>& fields,

@@ -49,7 +49,7 @@ TEST(surface_area, of_a_disc_is_its_perimeter_to_second_order) {
   }
 }
 
-// In space l <= sqrt(3) h, twice as radii go squared; both errors fall to a quarter with h/2.
+// In 3D l <= sqrt(3) h, twice as radii go squared; both errors fall to a quarter with h/2.
 TEST(surface_area, of_a_ball_converges_to_second_order) {
   const double coarse = 1 - of_a_ball(0.2)[1], fine = 1 - of_a_ball(0.1)[1];
   EXPECT_GT(coarse, 0);
