@@ -21,10 +21,10 @@ static_assert(largest_slope_square < slope_radius_squared &&
 /// away extends to each side.
 template <class T>
 struct SlopeStencil {
-  T weight[largest_slope_square + 1];
-  int half_width[largest_slope_square + 1];
+  T weight[largest_slope_square + 1] = {};
+  int half_width[largest_slope_square + 1] = {};
 
-  constexpr SlopeStencil() : weight(), half_width() {
+  constexpr SlopeStencil() {
     for (int square = 0; square <= largest_slope_square; ++square) {
       const double t = 1 - square / slope_radius_squared;
       weight[square] = static_cast<T>(t * t);
