@@ -20,6 +20,11 @@ target_compile_options(
   pliant_options INTERFACE -Wall -Wextra -Wpedantic -Wshadow -ffp-contract=off
                            -fmacro-prefix-map=${PROJECT_SOURCE_DIR}/=)
 
+# Sources compiled together see each other's names, and their types belong to an included file.
+if(CMAKE_UNITY_BUILD)
+  target_compile_options(pliant_options INTERFACE -Wno-shadow -Wshadow=local -Wno-subobject-linkage)
+endif()
+
 # Assertions follow the build type: off in Release (NDEBUG), on in the sanitize preset. Warnings are
 # the business of the release build: instrumented code makes GCC 12 see uninitialised members and
 # mismatched deallocation where there are none. The vptr check is off because oneTBB's flow graph

@@ -32,7 +32,7 @@ const char* name(Phase::Kind kind) {
   return "";
 }
 
-Json list(const std::vector<Access>& accesses, const std::vector<std::string>& names) {
+Json json_list(const std::vector<Access>& accesses, const std::vector<std::string>& names) {
   Json result = Json::array();
   for (const Access& access : accesses)
     result.push_back(
@@ -41,7 +41,7 @@ Json list(const std::vector<Access>& accesses, const std::vector<std::string>& n
 }
 
 // One entry for edges of equal ends, with all their fields.
-Json list(const std::vector<Edge>& edges, const std::vector<std::string>& names) {
+Json json_list(const std::vector<Edge>& edges, const std::vector<std::string>& names) {
   Json result = Json::array();
   for (std::size_t e = 0; e < edges.size(); ++e) {
     if (e == 0 || !edges[e].has_ends_of(edges[e - 1]))
@@ -59,8 +59,8 @@ std::string StepGraph::json() const {
     phases.push_back({{"name", phase.name},
                       {"stage", phase.stage},
                       {"kind", name(phase.kind)},
-                      {"reads", list(phase.reads, field_names_)},
-                      {"writes", list(phase.writes, field_names_)}});
+                      {"reads", json_list(phase.reads, field_names_)},
+                      {"writes", json_list(phase.writes, field_names_)}});
   for (const Node& node : nodes()) {
     Json entry = {{"phase", node.phase}};
     if (node.is_junction())
@@ -73,8 +73,8 @@ std::string StepGraph::json() const {
                       {"blocks", blocks_.count()},
                       {"phases", std::move(phases)},
                       {"nodes", std::move(nodes_list)},
-                      {"edges", list(edges(), field_names_)},
-                      {"phase_edges", list(phase_edges(), field_names_)}};
+                      {"edges", json_list(edges(), field_names_)},
+                      {"phase_edges", json_list(phase_edges(), field_names_)}};
   return graph.dump(1) + "\n";
 }
 

@@ -29,7 +29,7 @@ ENGINE = {
     "blocks": {"storage"},
     "lattice": {"storage", "blocks"},
     "case": {"geometry"},
-    "geometry": {"storage", "lattice"},
+    "geometry": {"storage", "blocks", "lattice"},
     "boundaries": {"case", "geometry", "lattice"},
     "output": {"storage"},
     "method": DATA | {"output"},

@@ -31,7 +31,7 @@ bool is_whole(const Shape& shape, int dimension) {
 
 namespace {
 
-void check_extent(const Check& check, std::size_t index, int axis, const Box& box) {
+void check_extent(const Check& check, std::size_t index, int axis, const Box<3>& box) {
   const Case& a_case = check.a_case;
   const std::string& name = a_case.bodies[index].name;
   const Place place = check.place("body", index, "geometry");
@@ -77,7 +77,7 @@ void check_start(const Check& check, std::size_t index) {
 void check_extents(const Check& check, std::size_t index) {
   const Shape& geometry = check.a_case.bodies[index].geometry;
   if (!is_whole(geometry, check.a_case.dimension)) return;
-  const Box box = bounding_box(geometry);
+  const Box<3> box = bounding_box(geometry);
   const std::size_t before = check.problems.count();
   for (int axis = 0; axis < check.a_case.dimension && check.problems.count() == before; ++axis) {
     check_extent(check, index, axis, box);

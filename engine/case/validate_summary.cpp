@@ -18,7 +18,7 @@ namespace {
 
 /// Area or volume of a body inside the periodic cell, from midpoints of a grid: exact for boxes.
 double measure(const BodyCase& body, const Case& a_case) {
-  Box box = bounding_box(body.geometry);
+  Box<3> box = bounding_box(body.geometry);
   const int cells = a_case.dimension == 2 ? 1024 : 96;
   double cell = 1;
   for (int i = 0; i < a_case.dimension; ++i) {
@@ -50,7 +50,7 @@ std::string mesh_lines(const Shape& shape) {
   std::string text;
   for (const Shape& part : shape.operands) text += mesh_lines(part);
   if (shape.kind != Shape::Kind::mesh) return text;
-  const Box& box = shape.mesh->bounds();
+  const Box<3>& box = shape.mesh->bounds();
   return text + fmt::format(
                     "    mesh {}: closed, {} triangles ({} without area dropped), {:.6g} m^3, "
                     "from ({:.4g}, {:.4g}, {:.4g}) to ({:.4g}, {:.4g}, {:.4g})\n",

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "engine/geometry/box.hpp"
+#include "engine/blocks/box.hpp"
 #include "engine/geometry/surface_mesh.hpp"
 
 namespace pliant {
@@ -41,7 +41,7 @@ class ClosedMesh {
   const std::vector<Vector>& vertices() const { return mesh_.vertices; }
   const std::vector<Triangle>& triangles() const { return mesh_.triangles; }
   std::size_t dropped() const { return dropped_; }  ///< triangles without area, of the file
-  const Box& bounds() const { return bounds_; }
+  const Box<3>& bounds() const { return bounds_; }
   double volume() const { return volume_; }  ///< [m^3]
 
  private:
@@ -51,7 +51,7 @@ class ClosedMesh {
 
   SurfaceMesh mesh_;
   std::size_t dropped_ = 0;
-  Box bounds_ = {};
+  Box<3> bounds_ = {};
   double volume_ = 0;
   std::vector<std::array<Vector, 3>> edge_normals_;  ///< [triangle][edge after corner]
   std::vector<Vector> vertex_normals_;

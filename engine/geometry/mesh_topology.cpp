@@ -10,11 +10,11 @@
 namespace pliant {
 namespace {
 
-using Point = Eigen::Map<const Eigen::Vector3d>;
+using VertexMap = Eigen::Map<const Eigen::Vector3d>;
 
 bool has_area(const SurfaceMesh& mesh, const Triangle& t) {
   if (t[0] == t[1] || t[1] == t[2] || t[2] == t[0]) return false;
-  const Point a(mesh.vertices[t[0]].data()), b(mesh.vertices[t[1]].data()),
+  const VertexMap a(mesh.vertices[t[0]].data()), b(mesh.vertices[t[1]].data()),
       c(mesh.vertices[t[2]].data());
   const Eigen::Vector3d ab = b - a, ac = c - a;
   const double longest = std::max({ab.squaredNorm(), ac.squaredNorm(), (c - b).squaredNorm()});

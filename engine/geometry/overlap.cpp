@@ -10,7 +10,7 @@
 namespace pliant {
 
 double overlap(const Shape& a, const Shape& b, double spacing, int dimension) {
-  const Box first = bounding_box(a), second = bounding_box(b);
+  const Box<3> first = bounding_box(a), second = bounding_box(b);
   Vector lower = {};
   std::array<std::int64_t, 3> count = {1, 1, 1};
   for (int i = 0; i < dimension; ++i) {

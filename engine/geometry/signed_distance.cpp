@@ -116,10 +116,10 @@ Nearest nearest(const Shape& shape, const Vector& x, int dimension) {
   }
 }
 
-Box everywhere() { return {{-infinity, -infinity, -infinity}, {infinity, infinity, infinity}}; }
+Box<3> everywhere() { return {{-infinity, -infinity, -infinity}, {infinity, infinity, infinity}}; }
 
-Box around(const Vector& centre, const Vector& reach) {
-  Box box{};
+Box<3> around(const Vector& centre, const Vector& reach) {
+  Box<3> box{};
   for (int i = 0; i < 3; ++i) {
     box.lower[i] = centre[i] - reach[i];
     box.upper[i] = centre[i] + reach[i];
@@ -128,8 +128,8 @@ Box around(const Vector& centre, const Vector& reach) {
 }
 
 /// Only a half-space whose surface lies across an axis is bounded along it.
-Box half_space_bounds(const Shape& shape) {
-  Box box = everywhere();
+Box<3> half_space_bounds(const Shape& shape) {
+  Box<3> box = everywhere();
   for (int i = 0; i < 3; ++i) {
     if (shape.normal[i] == 1) box.upper[i] = shape.point[i];
     if (shape.normal[i] == -1) box.lower[i] = shape.point[i];
@@ -147,7 +147,7 @@ Vector outward_direction(const Shape& shape, const Vector& x, int dimension) {
   return nearest(shape, x, dimension).direction;
 }
 
-Box bounding_box(const Shape& shape) {
+Box<3> bounding_box(const Shape& shape) {
   switch (shape.kind) {
     case Shape::Kind::box:
       return {shape.lower, shape.upper};
@@ -168,9 +168,9 @@ Box bounding_box(const Shape& shape) {
       break;
   }
   const bool unite = shape.kind == Shape::Kind::unite;
-  Box box = bounding_box(shape.operands.front());
+  Box<3> box = bounding_box(shape.operands.front());
   for (std::size_t k = 1; k < shape.operands.size(); ++k) {
-    const Box other = bounding_box(shape.operands[k]);
+    const Box<3> other = bounding_box(shape.operands[k]);
     for (int i = 0; i < 3; ++i) {
       box.lower[i] =
           unite ? std::min(box.lower[i], other.lower[i]) : std::max(box.lower[i], other.lower[i]);

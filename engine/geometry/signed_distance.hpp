@@ -1,6 +1,6 @@
 #pragma once
 
-#include "engine/geometry/box.hpp"
+#include "engine/blocks/box.hpp"
 #include "engine/geometry/shape.hpp"
 
 /// Signed distances to shapes: negative inside. In 2D the z components are ignored.
@@ -16,6 +16,6 @@ double signed_distance(const Shape& shape, const Vector& x, int dimension);
 Vector outward_direction(const Shape& shape, const Vector& x, int dimension);
 
 /// A box that holds `shape`; infinite along directions in which it has no end.
-Box bounding_box(const Shape& shape);
+Box<3> bounding_box(const Shape& shape);
 
 }  // namespace pliant

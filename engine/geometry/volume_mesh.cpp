@@ -6,7 +6,7 @@
 namespace pliant {
 namespace {
 
-using Point = Eigen::Map<const Eigen::Vector3d>;
+using VertexMap = Eigen::Map<const Eigen::Vector3d>;
 
 /// The facets of a tetrahedron, seen from outside.
 constexpr int facets[4][3] = {{1, 2, 3}, {0, 3, 2}, {0, 1, 3}, {0, 2, 1}};
@@ -15,11 +15,11 @@ constexpr int facets[4][3] = {{1, 2, 3}, {0, 3, 2}, {0, 1, 3}, {0, 2, 1}};
 
 double element_volume(const VolumeMesh& mesh, std::size_t e) {
   const auto& corners = mesh.elements[e];
-  const Eigen::Vector3d a = Point(mesh.vertices[corners[0]].data());
-  const Eigen::Vector3d ab = Point(mesh.vertices[corners[1]].data()) - a;
-  const Eigen::Vector3d ac = Point(mesh.vertices[corners[2]].data()) - a;
+  const Eigen::Vector3d a = VertexMap(mesh.vertices[corners[0]].data());
+  const Eigen::Vector3d ab = VertexMap(mesh.vertices[corners[1]].data()) - a;
+  const Eigen::Vector3d ac = VertexMap(mesh.vertices[corners[2]].data()) - a;
   if (mesh.dimension == 2) return ab.cross(ac).z() / 2;
-  return ab.cross(ac).dot(Point(mesh.vertices[corners[3]].data()) - a) / 6;
+  return ab.cross(ac).dot(VertexMap(mesh.vertices[corners[3]].data()) - a) / 6;
 }
 
 SurfaceMesh boundary_of(const VolumeMesh& mesh) {

@@ -32,7 +32,7 @@ class Sampling {
 
   Sampling(const Shape& shape, double spacing)
       : shape_(shape), spacing_(spacing), has_mesh_(contains_mesh(shape)) {
-    const Box box = bounding_box(shape);
+    const Box<3> box = bounding_box(shape);
     std::int64_t count = 1;
     for (int a = 0; a < D; ++a) {
       const auto cells = static_cast<std::int32_t>(

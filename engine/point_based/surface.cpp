@@ -16,7 +16,7 @@ namespace {
 
 constexpr int samples = 8;              // to a side of a facet that the rim of a region cuts
 constexpr double on_surface = 1e-9;     // [h]
-constexpr double on_wall = 1e-6;        // [h]
+constexpr double on_face = 1e-6;        // [h]
 constexpr double smallest_area = 1e-9;  // [h^(D-1)]
 
 /// A surface whose corners name nodes of the cloud.
@@ -72,7 +72,7 @@ class SurfaceFinder {
 
   // As the nodes of a lattice: points lie on both faces of a box.
   void lay_lattice(const Shape& shape) {
-    const Box box = bounding_box(shape);
+    const Box<3> box = bounding_box(shape);
     std::int64_t count = 1;
     Cell<D> last;
     for (int a = 0; a < D; ++a) {
@@ -240,7 +240,7 @@ void make_surface(const NodeCloud<D>& cloud, const Shape& shape, double spacing,
       for (int a = 0; a < D; ++a) middle[a] += body.surface.start[corner][a] / D;
     }
     const auto holds = [&](const Wall<D>& wall) {
-      return wall.distance(middle) < on_wall * spacing;
+      return wall.distance(middle) < on_face * spacing;
     };
     body.surface.is_free.push_back(
         std::none_of(boundaries.walls.begin(), boundaries.walls.end(), holds));

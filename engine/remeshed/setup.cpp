@@ -11,7 +11,7 @@ template <int D>
 Lattice<D> body_lattice(const Case& settings, const BodyCase& body) {
   Lattice<D> lattice;
   const double h = lattice.spacing = settings.discretisation.spacing;
-  const Box box = bounding_box(body.geometry);
+  const Box<3> box = bounding_box(body.geometry);
   for (int a = 0; a < D; ++a) {
     if (settings.periodic.axis[a]) {
       lattice.origin[a] = settings.periodic.lower[a];

@@ -33,8 +33,8 @@ struct Cost {
 /// Cells around particles that have slots.
 double reach_of(const Case& a_case) { return a_case.method == "total_lagrangian" ? 1.8 : 6; }
 
-Box clipped_box(const Case& a_case, const BodyCase& body) {
-  Box box = bounding_box(body.geometry);
+Box<3> clipped_box(const Case& a_case, const BodyCase& body) {
+  Box<3> box = bounding_box(body.geometry);
   for (int a = 0; a < a_case.dimension; ++a) {
     if (!a_case.periodic.axis[a]) continue;
     box.lower[a] = std::max(box.lower[a], a_case.periodic.lower[a]);
@@ -43,7 +43,7 @@ Box clipped_box(const Case& a_case, const BodyCase& body) {
   return box;
 }
 
-double cells_of(const Case& a_case, const Box& box, double spacing) {
+double cells_of(const Case& a_case, const Box<3>& box, double spacing) {
   double cells = 1;
   for (int a = 0; a < a_case.dimension; ++a) {
     cells *= (box.upper[a] - box.lower[a]) / spacing + 2 * reach_of(a_case);
@@ -57,7 +57,7 @@ struct Count {
 };
 
 template <int D>
-Count count_on(const Case& a_case, const BodyCase& body, const Box& box, double spacing) {
+Count count_on(const Case& a_case, const BodyCase& body, const Box<3>& box, double spacing) {
   // Total Lagrangian particles lie on the corners of all cells that the body fills in part.
   const bool of_points = a_case.method == "point_based";
   const bool on_corners = a_case.method == "total_lagrangian" || of_points;
@@ -92,7 +92,7 @@ Count count_on(const Case& a_case, const BodyCase& body, const Box& box, double 
 
 template <int D>
 Count count_of(const Case& a_case, const BodyCase& body) {
-  const Box box = clipped_box(a_case, body);
+  const Box<3> box = clipped_box(a_case, body);
   const double h = a_case.discretisation.spacing;
   double coarse = h;
   while (cells_of(a_case, box, coarse) > most_cells) coarse *= 1.05;

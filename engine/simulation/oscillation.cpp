@@ -2,14 +2,13 @@
 
 #include <cmath>
 #include <cstddef>
-#include <limits>
 #include <vector>
+
+#include "engine/method/no_value.hpp"
 
 namespace pliant {
 
 namespace {
-
-constexpr double nothing = std::numeric_limits<double>::quiet_NaN();
 
 struct Crossing {
   double time;
@@ -46,7 +45,7 @@ double extremum(std::span<const double> time, std::span<const double> value, std
 
 double oscillation_period(std::span<const double> time, std::span<const double> value) {
   const std::vector<Crossing> zero = crossings(time, value);
-  if (zero.size() < 2) return nothing;
+  if (zero.size() < 2) return no_value;
   return 2 * (zero.back().time - zero.front().time) / static_cast<double>(zero.size() - 1);
 }
 
@@ -61,7 +60,7 @@ double amplitude_ratio(std::span<const double> time, std::span<const double> val
   double sum = 0;
   std::size_t count = 0;
   for (std::size_t k = 2; k < extrema.size(); ++k, ++count) sum += extrema[k] / extrema[k - 2];
-  return count == 0 ? nothing : sum / static_cast<double>(count);
+  return count == 0 ? no_value : sum / static_cast<double>(count);
 }
 
 }  // namespace pliant

@@ -3,13 +3,13 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <limits>
+
+#include "engine/method/no_value.hpp"
 
 namespace pliant {
 
 namespace {
 
-constexpr double nothing = std::numeric_limits<double>::quiet_NaN();
 constexpr double rounding = 1e-9;  // of the duration: sample times are sums of many steps
 
 // Integral over the samples (first, last], of the first of them only the part behind `from`.
@@ -24,7 +24,7 @@ double integral(std::span<const double> time, std::span<const double> value, std
 
 double peak_moving_average(std::span<const double> time, std::span<const double> value,
                            double duration) {
-  double largest = nothing;
+  double largest = no_value;
   std::size_t first = 0;
   for (std::size_t last = 1; last < time.size(); ++last) {
     const double from = std::max(time[last] - duration, time[0]);
@@ -38,7 +38,7 @@ double peak_moving_average(std::span<const double> time, std::span<const double>
 
 double last_time_above(std::span<const double> time, std::span<const double> value,
                        double fraction) {
-  double largest = 0, last = nothing;
+  double largest = 0, last = no_value;
   for (const double v : value) largest = std::max(largest, std::abs(v));
   for (std::size_t i = 0; i < time.size(); ++i) {
     if (std::abs(value[i]) > fraction * largest) last = time[i];

@@ -24,7 +24,7 @@ constexpr std::int64_t slots_of_block = 2048;
 
 // Nodes lie on both faces of a box whose sides are whole multiples of the spacing.
 template <int D>
-Lattice<D> nodes_on_faces(const Case& settings, const Box& box) {
+Lattice<D> nodes_on_faces(const Case& settings, const Box<3>& box) {
   Lattice<D> lattice;
   const double h = lattice.spacing = settings.discretisation.spacing;
   for (int a = 0; a < D; ++a) {
@@ -38,7 +38,7 @@ Lattice<D> nodes_on_faces(const Case& settings, const Box& box) {
 template <int D>
 class Nodes {
  public:
-  Nodes(const Lattice<D>& lattice, const Shape& shape, const Box& box) {
+  Nodes(const Lattice<D>& lattice, const Shape& shape, const Box<3>& box) {
     const double h = lattice.spacing;
     std::int64_t count = 1;
     for (int a = 0; a < D; ++a) {
@@ -240,7 +240,7 @@ void make_body(const Case& settings, const BodyCase& source, const Boundaries<D>
   body.name = source.name;
   body.source = &source;
   take_material(source, body);
-  const Box box = bounding_box(source.geometry);
+  const Box<3> box = bounding_box(source.geometry);
   body.lattice = nodes_on_faces<D>(settings, box);
   Nodes<D> nodes(body.lattice, source.geometry, box);
   lay_out<T, D>(nodes, body);

@@ -49,7 +49,7 @@ struct Memory {
 
 // The p_i are those of the last stress; (RP.22) takes them to the present time.
 template <class T, int D>
-Memory memory(const Body<T, D>& body, std::int64_t slot, double volume_change) {
+Memory relaxed_memory(const Body<T, D>& body, std::int64_t slot, double volume_change) {
   Memory sum;
   for (std::size_t i = 0; i < body.prony.size(); ++i) {
     const double modulus = body.material.bulk_modulus;
@@ -122,7 +122,7 @@ StressPoint<D> stress_point(const Body<T, D>& body, std::int64_t slot, const Cel
 
   point.volume = shape.volume;
   const double j = point.volume_ratio = state.volume_ratio.get(0);
-  const Memory relaxed = memory(body, slot, j - 1);
+  const Memory relaxed = relaxed_memory(body, slot, j - 1);
   point.pressure =
       relaxed.pressure - kernels::volumetric_slope(material, state.volume_ratio).get(0);
   const Eigen::Matrix<double, D, D> b = shape.f * shape.f.transpose();

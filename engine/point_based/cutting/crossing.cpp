@@ -4,16 +4,10 @@
 #include <algorithm>
 #include <cmath>
 
+#include "engine/point_based/cutting/column.hpp"
+
 namespace pliant::point_based {
 namespace {
-
-template <int D>
-using Column = Eigen::Matrix<double, D, 1>;
-
-template <int D>
-Column<D> column(const MaterialPoint<D>& x) {
-  return Eigen::Map<const Column<D>>(x.data());
-}
 
 /// Products of lengths below this share of their size are zero up to rounding.
 constexpr double rounding = 1e-11;

@@ -5,18 +5,11 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "engine/point_based/cutting/column.hpp"
 #include "engine/point_based/cutting/crossing.hpp"
 
 namespace pliant::point_based {
 namespace {
-
-template <int D>
-using Column = Eigen::Matrix<double, D, 1>;
-
-template <int D>
-Column<D> column(const MaterialPoint<D>& x) {
-  return Eigen::Map<const Column<D>>(x.data());
-}
 
 template <int D>
 MaterialPoint<D> place(const Column<D>& x) {

@@ -160,7 +160,7 @@ class Octree {
 
   const Shape& body_;
   OctreeSizes sizes_;
-  pliant::Box bounds_;
+  pliant::Box<3> bounds_;
   int levels_ = 0;  ///< of the roots; 0 is the finest
   NodeCloud<D> cloud_;
   std::map<Corner<D>, std::size_t> node_of_;  ///< nodes of the finest leaves

@@ -6,17 +6,12 @@
 #include <utility>
 
 #include "engine/geometry/padded.hpp"
+#include "engine/method/no_value.hpp"
 #include "engine/point_based/cutting/connected_parts.hpp"
 #include "engine/point_based/node_state.hpp"
 #include "engine/point_based/surface.hpp"
 
 namespace pliant::point_based {
-
-namespace {
-
-constexpr double nothing = std::numeric_limits<double>::quiet_NaN();
-
-}  // namespace
 
 template <class T, int D>
 std::vector<double> Measurer<T, D>::operator()(
@@ -54,7 +49,7 @@ auto Measurer<T, D>::function_of(MeasurementCase::Kind kind) -> Function {
 template <class T, int D>
 double Measurer<T, D>::value(const MeasurementCase& m) const {
   const Function function = function_of(m.kind);
-  return function ? (this->*function)(m) : nothing;
+  return function ? (this->*function)(m) : no_value;
 }
 
 template <class T, int D>
@@ -76,7 +71,7 @@ double Measurer<T, D>::extent(const MeasurementCase& m) const {
       farthest = std::max(farthest, sign * at[m.axis]);
     }
   }
-  return std::isfinite(farthest) ? farthest - sign * m.reference : nothing;
+  return std::isfinite(farthest) ? farthest - sign * m.reference : no_value;
 }
 
 // Linear around the nearest node, as the gradient there says.
@@ -99,7 +94,7 @@ double Measurer<T, D>::point_displacement(const MeasurementCase& m) const {
     }
   }
   const double size = std::pow(body.mass[nearest] / body.material.density, 1. / D);
-  if (std::sqrt(least) > size * std::sqrt(D)) return nothing;
+  if (std::sqrt(least) > size * std::sqrt(D)) return no_value;
   const NodeState<D> node = node_state(body, *owner, nearest);
   double displacement = body.displacement[m.axis][nearest];
   for (int a = 0; a < D; ++a) {

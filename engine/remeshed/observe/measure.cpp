@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
-#include <limits>
 
 #include "engine/geometry/padded.hpp"
+#include "engine/method/no_value.hpp"
 #include "engine/remeshed/contact/momentum_correction.hpp"
 #include "engine/remeshed/level_set/interpolant.hpp"
 #include "engine/remeshed/neighbours/closest_pair.hpp"
@@ -19,8 +19,6 @@ namespace {
 
 constexpr double pi = 3.14159265358979323846;
 constexpr double on_wall = 1e-9;  // [h] distances that rounding may leave
-constexpr double nothing = std::numeric_limits<double>::quiet_NaN();
-
 }  // namespace
 
 template <class T, int D>
@@ -69,7 +67,7 @@ auto Measurer<T, D>::function_of(MeasurementCase::Kind kind) -> Function {
 template <class T, int D>
 double Measurer<T, D>::value(const MeasurementCase& m) {
   const Function function = function_of(m.kind);
-  return function.evaluate ? (this->*function.evaluate)(m) : nothing;
+  return function.evaluate ? (this->*function.evaluate)(m) : no_value;
 }
 
 template <class T, int D>
@@ -100,14 +98,14 @@ std::function<bool(const Vector&)> Measurer<T, D>::free_points(const Measurement
 template <class T, int D>
 double Measurer<T, D>::extent(const MeasurementCase& m) {
   const auto farthest = remeshed::extent<T, D>(nodes(m.body), m.axis, m.lower_side, free_points(m));
-  if (!farthest) return nothing;
+  if (!farthest) return no_value;
   return m.lower_side ? m.reference - *farthest : *farthest - m.reference;
 }
 
 template <class T, int D>
 double Measurer<T, D>::surface_distance(const MeasurementCase& m) {
   const auto distance = ray_to_surface(nodes(m.body), m.point, m.direction, free_points(m));
-  return distance ? *distance - m.reference : nothing;
+  return distance ? *distance - m.reference : no_value;
 }
 
 template <class T, int D>
@@ -117,7 +115,7 @@ double Measurer<T, D>::mean_radius(const MeasurementCase& m) {
     const double angle = 2 * pi * (k + 0.5) / m.directions;
     const auto r = ray_to_surface(nodes(m.body), m.point, {std::cos(angle), std::sin(angle), 0},
                                   free_points(m));
-    if (!r) return nothing;
+    if (!r) return no_value;
     sum += *r;
   }
   return sum / m.directions;
@@ -150,7 +148,7 @@ double Measurer<T, D>::mean_value(const MeasurementCase& m) {
       volume += v;
     });
   }
-  return volume > 0 ? sum / volume : nothing;
+  return volume > 0 ? sum / volume : no_value;
 }
 
 template <class T, int D>
@@ -250,12 +248,12 @@ double Measurer<T, D>::point_value(const MeasurementCase& m) {
       weight *= up ? at - below : 1 - (at - below);
     }
     const std::int64_t p = view.population.layout.slot(lattice.wrapped(cell));
-    if (p < 0 || view.population.kind[p] == remeshed::Kind::vacant) return nothing;
+    if (p < 0 || view.population.kind[p] == remeshed::Kind::vacant) return no_value;
     value += weight * field_value<T, D>(view.body, view.fields, m.field, p);
     phi += weight * view.fields.get(Field::level_set)[p];
   }
   const bool is_outside = (view.body.has_surface && phi > 0) || is_in_wall(m.point);
-  return is_outside ? nothing : value;
+  return is_outside ? no_value : value;
 }
 
 template class Measurer<double, 2>;

@@ -104,7 +104,7 @@ template <class T, int D>
 void LayoutSearch<T, D>::mark_geometry() {
   const Lattice<D>& lattice = body_.lattice;
   const Shape& geometry = body_.source->geometry;
-  const Box box = bounding_box(geometry);
+  const Box<3> box = bounding_box(geometry);
   Cell<D> lower, upper;
   for (int a = 0; a < D; ++a) {
     // Along a period the body may have no ends.

@@ -1,18 +1,17 @@
 #include "engine/total_lagrangian/observe/cell_values.hpp"
 
 #include <cmath>
-#include <limits>
 
 #include "engine/geometry/padded.hpp"
 #include "engine/method/field_components.hpp"
 #include "engine/method/linear_fit.hpp"
+#include "engine/method/no_value.hpp"
 #include "engine/total_lagrangian/stress_point.hpp"
 
 namespace pliant::total_lagrangian {
 
 namespace {
 
-constexpr double nothing = std::numeric_limits<double>::quiet_NaN();
 constexpr double radius = 2.6;  // [h] of a fit
 
 // Of the corners of a cell.
@@ -65,7 +64,7 @@ double material_value(const Body<T, D>& body, const MeasurementCase& m, double h
     fit.add(r, (1 - fraction) * (1 - fraction),
             {cell_value<T, D>(body, p, cell, hourglass, m.field)});
   });
-  return fit.solve() ? fit.value(0) : nothing;
+  return fit.solve() ? fit.value(0) : no_value;
 }
 
 template <class T, int D>
@@ -83,7 +82,7 @@ double mean_value(const Body<T, D>& body, const MeasurementCase& m, double hourg
     sum += v * cell_value<T, D>(body, p, cell, hourglass, m.field);
     volume += v;
   });
-  return volume > 0 ? sum / volume : nothing;
+  return volume > 0 ? sum / volume : no_value;
 }
 
 template double material_value(const Body<double, 2>&, const MeasurementCase&, double);

@@ -6,14 +6,13 @@
 #include <utility>
 
 #include "engine/geometry/padded.hpp"
+#include "engine/method/no_value.hpp"
 #include "engine/total_lagrangian/observe/cell_values.hpp"
 #include "engine/total_lagrangian/stress_point.hpp"
 
 namespace pliant::total_lagrangian {
 
 namespace {
-
-constexpr double nothing = std::numeric_limits<double>::quiet_NaN();
 
 template <class T, int D, class F>
 void for_each_particle(const Body<T, D>& body, F&& f) {
@@ -72,7 +71,7 @@ auto Measurer<T, D>::function_of(MeasurementCase::Kind kind) -> Function {
 template <class T, int D>
 double Measurer<T, D>::value(const MeasurementCase& m) const {
   const Function function = function_of(m.kind);
-  return function ? (this->*function)(m) : nothing;
+  return function ? (this->*function)(m) : no_value;
 }
 
 template <class T, int D>
@@ -94,7 +93,7 @@ double Measurer<T, D>::extent(const MeasurementCase& m) const {
       farthest = std::max(farthest, sign * x[m.axis]);
     }
   }
-  return std::isfinite(farthest) ? farthest - sign * m.reference : nothing;
+  return std::isfinite(farthest) ? farthest - sign * m.reference : no_value;
 }
 
 // Linear in each direction within the cell in which the point started.
@@ -118,7 +117,7 @@ double Measurer<T, D>::point_displacement(const MeasurementCase& m) const {
     sum += weight * body.displacement[m.axis][p];
     weights += weight;
   }
-  return weights > 0.5 ? sum / weights : nothing;
+  return weights > 0.5 ? sum / weights : no_value;
 }
 
 template <class T, int D>

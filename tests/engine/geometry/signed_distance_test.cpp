@@ -94,25 +94,25 @@ TEST(signed_distance, the_outward_direction_is_a_unit_vector_even_at_a_centre) {
 }
 
 TEST(bounding_box, holds_the_shape) {
-  const Box round = bounding_box(ball({1, 2, 3}, 0.5));
+  const Box<3> round = bounding_box(ball({1, 2, 3}, 0.5));
   EXPECT_EQ(round.lower, (Vector{0.5, 1.5, 2.5}));
   EXPECT_EQ(round.upper, (Vector{1.5, 2.5, 3.5}));
-  const Box tube = bounding_box(cylinder({0, 0, 0}, 2, {0, 0, 1}));
+  const Box<3> tube = bounding_box(cylinder({0, 0, 0}, 2, {0, 0, 1}));
   EXPECT_EQ(tube.lower, (Vector{-2, -2, -infinity}));
-  const Box floor = bounding_box(half_space({0, 1, 0}, {0, 1, 0}));
+  const Box<3> floor = bounding_box(half_space({0, 1, 0}, {0, 1, 0}));
   EXPECT_EQ(floor.upper, (Vector{infinity, 1, infinity}));
   EXPECT_EQ(floor.lower[1], -infinity);
 }
 
 TEST(bounding_box, of_combinations_follows_their_parts) {
   const std::vector<Shape> parts{box({0, 0, 0}, {2, 2, 2}), box({1, -1, 0}, {3, 1, 1})};
-  const Box united = bounding_box(combine(Shape::Kind::unite, parts));
+  const Box<3> united = bounding_box(combine(Shape::Kind::unite, parts));
   EXPECT_EQ(united.lower, (Vector{0, -1, 0}));
   EXPECT_EQ(united.upper, (Vector{3, 2, 2}));
-  const Box shared = bounding_box(combine(Shape::Kind::intersect, parts));
+  const Box<3> shared = bounding_box(combine(Shape::Kind::intersect, parts));
   EXPECT_EQ(shared.lower, (Vector{1, 0, 0}));
   EXPECT_EQ(shared.upper, (Vector{2, 1, 1}));
-  const Box cut = bounding_box(combine(Shape::Kind::subtract, parts));
+  const Box<3> cut = bounding_box(combine(Shape::Kind::subtract, parts));
   EXPECT_EQ(cut.upper, (Vector{2, 2, 2}));
 }
 

@@ -17,7 +17,7 @@ class FreeFlight final : public Solver {
       : Solver(a_case, options), graph_(phases(), scheduler::Blocks{{{}}}, {"position"}) {
     const double h = settings().discretisation.spacing;
     for (const BodyCase& body : settings().bodies) {
-      const Box box = bounding_box(body.geometry);
+      const Box<3> box = bounding_box(body.geometry);
       for (double x = box.lower[0] + h / 2; x < box.upper[0]; x += h) {
         for (double y = box.lower[1] + h / 2; y < box.upper[1]; y += h) {
           position_.push_back({x, y, 0});

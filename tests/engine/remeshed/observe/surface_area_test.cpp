@@ -9,7 +9,7 @@
 namespace pliant::test {
 namespace {
 
-constexpr const char* ball = R"(
+constexpr const char* measured_ball = R"(
 dimension = 3
 discretisation = { spacing = 0.2 }
 time = { end = 1 }
@@ -30,10 +30,10 @@ double perimeter(double spacing) {
   return remeshed::surface_area<double, 2>(solver.on_nodes()[0], solver.state().boundaries);
 }
 
-/// Volume and area over those of the ball.
+/// Volume and area over those of the measured_ball.
 std::array<double, 2> of_a_ball(double spacing) {
   const Case settings =
-      tests::read_text(ball, {"discretisation.spacing=" + std::to_string(spacing)});
+      tests::read_text(measured_ball, {"discretisation.spacing=" + std::to_string(spacing)});
   remeshed::Solver<double, 3> solver(settings, {1, kernels::Isa::sse2});
   const std::vector<double> values = solver.measure();
   return {values[0] / (4 * pi / 3), values[1] / (4 * pi)};
