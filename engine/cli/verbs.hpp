@@ -28,11 +28,21 @@ struct RunArguments {
 
 ExitStatus run(const RunArguments& arguments);
 
+struct CheckArguments {
+  CaseArguments source;
+  bool json = false;
+};
+
 /// Says what a case would run.
-ExitStatus check(const CaseArguments& arguments);
+ExitStatus check(const CheckArguments& arguments);
+
+struct ListArguments {
+  std::filesystem::path folder = "cases";
+  bool json = false;
+};
 
 /// Lists the cases below a folder, with their titles.
-ExitStatus list(const std::filesystem::path& folder);
+ExitStatus list(const ListArguments& arguments);
 
 struct GraphArguments {
   CaseArguments source;
@@ -71,5 +81,8 @@ struct NoArguments {};
 
 /// Prints the reference of case files, docs/case-reference.md.
 ExitStatus reference(const NoArguments&);
+
+/// Prints the JSON Schema of case files.
+ExitStatus schema(const NoArguments&);
 
 }  // namespace pliant::cli
