@@ -85,8 +85,10 @@ class TableSchema {
     Schema branches = Schema::array();
     for (std::size_t i = 0; i < choices_.size(); ++i) {
       for (const auto& [key, schema] : keys_[i].properties.items()) {
-        if (!all.properties.contains(key)) all.properties[key] = schema;
-        else if (all.properties[key] != schema) all.properties[key] = true;
+        if (!all.properties.contains(key))
+          all.properties[key] = schema;
+        else if (all.properties[key] != schema)
+          all.properties[key] = true;
       }
       const Schema taken = {{"properties", {{deciding_key_, {{"const", choices_[i].text}}}}},
                             {"required", Schema::array({deciding_key_})}};
@@ -163,17 +165,15 @@ class CaseSchema {
 };
 
 Schema definitions() {
-  return {
-      {"geometry", schema_of_table<Shape>([](auto& visit, Shape& e) { shape_keys(visit, e); })},
-      {"material", schema_of_table<MaterialCase>(
-                       [](auto& visit, MaterialCase& e) { material_keys(visit, e); })},
-      {"prony",
-       schema_of_table<PronyCase>([](auto& visit, PronyCase& e) { prony_keys(visit, e); })},
-      {"dissipation", schema_of_table<DissipationCase>([](auto& visit, DissipationCase& e) {
-         dissipation_keys(visit, e);
-       })},
-      {"rotation", schema_of_table<RigidRotation>(
-                       [](auto& visit, RigidRotation& e) { rotation_keys(visit, e); })}};
+  return {{"geometry", schema_of_table<Shape>([](auto& visit, Shape& e) { shape_keys(visit, e); })},
+          {"material", schema_of_table<MaterialCase>(
+                           [](auto& visit, MaterialCase& e) { material_keys(visit, e); })},
+          {"prony",
+           schema_of_table<PronyCase>([](auto& visit, PronyCase& e) { prony_keys(visit, e); })},
+          {"dissipation", schema_of_table<DissipationCase>(
+                              [](auto& visit, DissipationCase& e) { dissipation_keys(visit, e); })},
+          {"rotation", schema_of_table<RigidRotation>(
+                           [](auto& visit, RigidRotation& e) { rotation_keys(visit, e); })}};
 }
 
 }  // namespace

@@ -81,8 +81,7 @@ ExitStatus check(const CheckArguments& arguments) {
   if (!checked.warning.empty() && !arguments.json) {
     fmt::print(stderr, "{} {}\n", coloured("warning:", Colour::yellow, stderr), checked.warning);
   }
-  checked.seconds =
-      estimated_seconds(checked.settings, checked.size, checked.machine, methods());
+  checked.seconds = estimated_seconds(checked.settings, checked.size, checked.machine, methods());
   if (arguments.json) {
     fmt::print("{}", text_of(json_of(checked)));
     return ExitStatus::done;

@@ -26,7 +26,8 @@ Completion completion_of(const OptionModel& option) {
   if (!option.words.empty()) return Completion::words;
   if (option.value == "FOLDER" || option.argument == "FOLDER") return Completion::folders;
   const bool is_name = option.argument == "COMMAND" || option.argument == "NAME";
-  const bool is_file = option.value == "FILE" || option.value == "CASE" || option.value == "PROGRAM";
+  const bool is_file =
+      option.value == "FILE" || option.value == "CASE" || option.value == "PROGRAM";
   return is_file || (option.names.empty() && !is_name) ? Completion::files : Completion::none;
 }
 

@@ -52,16 +52,17 @@ std::string bash_command(const CommandModel& command, int place, const std::stri
   if (!command.commands.empty()) {
     text += fmt::format("{}case \"${{COMP_WORDS[{}]}}\" in\n", indent, place);
     for (const CommandModel& one : command.commands) {
-      text += fmt::format("{0}  {1})\n{0}    if ((COMP_CWORD > {2})); then\n{3}{0}    fi\n{0}    ;;\n",
-                          indent, one.name, place, bash_command(one, place + 1, indent + "      "));
+      text +=
+          fmt::format("{0}  {1})\n{0}    if ((COMP_CWORD > {2})); then\n{3}{0}    fi\n{0}    ;;\n",
+                      indent, one.name, place, bash_command(one, place + 1, indent + "      "));
     }
     text += indent + "esac\n";
   }
   std::string values;
   for (const OptionModel& option : command.options) {
     if (option.value.empty()) continue;
-    values += fmt::format("{}  {}) {} ;;\n", indent, fmt::join(option.names, "|"),
-                          bash_values(option));
+    values +=
+        fmt::format("{}  {}) {} ;;\n", indent, fmt::join(option.names, "|"), bash_values(option));
   }
   if (!values.empty()) {
     text += fmt::format("{0}case \"$previous\" in\n{1}{0}esac\n", indent, values);
@@ -74,15 +75,15 @@ std::string bash_command(const CommandModel& command, int place, const std::stri
     return argument.completion == Completion::files || argument.completion == Completion::folders;
   });
   text += fmt::format(
-      "{0}if [[ $word == -* ]]; then mapfile -t COMPREPLY < <(compgen -W '{1}' -- \"$word\"); return; fi\n",
+      "{0}if [[ $word == -* ]]; then mapfile -t COMPREPLY < <(compgen -W '{1}' -- \"$word\"); "
+      "return; fi\n",
       indent, fmt::join(names_of(command.options), " "));
   if (!words.empty()) {
     text += fmt::format("{}mapfile -t COMPREPLY < <(compgen -W '{}' -- \"$word\")\n", indent,
                         fmt::join(words, " "));
   }
   if (has_files) {
-    text += indent +
-            "compopt -o filenames\n" + indent +
+    text += indent + "compopt -o filenames\n" + indent +
             "mapfile -t -O \"${#COMPREPLY[@]}\" COMPREPLY < <(compgen -f -- \"$word\")\n";
   }
   return text + indent + "return\n";
@@ -128,9 +129,10 @@ std::string zsh_command(const CommandModel& command, const std::string& indent) 
     text += fmt::format("{0}local -a commands_{1}=({2})\n{0}case $words[2] in\n", indent,
                         command.name, zsh_described(command.commands));
     for (const CommandModel& one : command.commands) {
-      text += fmt::format("{0}  {1})\n{0}    if ((CURRENT > 2)); then\n{0}      shift words; ((CURRENT--))\n"
-                          "{2}{0}      return\n{0}    fi ;;\n",
-                          indent, one.name, zsh_command(one, indent + "      "));
+      text += fmt::format(
+          "{0}  {1})\n{0}    if ((CURRENT > 2)); then\n{0}      shift words; ((CURRENT--))\n"
+          "{2}{0}      return\n{0}    fi ;;\n",
+          indent, one.name, zsh_command(one, indent + "      "));
     }
     text += fmt::format("{0}esac\n{0}((CURRENT == 2)) && _describe command commands_{1}\n", indent,
                         command.name);
@@ -202,9 +204,10 @@ std::string zsh_completion(const CommandModel& program) {
 }
 
 std::string fish_completion(const CommandModel& program) {
-  std::string text = "# Completion of pliant for fish. Written by `pliant completion fish`.\n"
-                     "complete -c pliant -f\n" +
-                     fish_command(program, "__fish_use_subcommand");
+  std::string text =
+      "# Completion of pliant for fish. Written by `pliant completion fish`.\n"
+      "complete -c pliant -f\n" +
+      fish_command(program, "__fish_use_subcommand");
   for (const CommandModel& command : program.commands) {
     text += fmt::format("complete -c pliant -n __fish_use_subcommand -f -a {} -d '{}'\n",
                         command.name, fish_described(command.description));

@@ -14,9 +14,12 @@ std::string literal(std::string_view text) {
   for (const char letter : text) {
     const bool begins_line = result.empty() || result.back() == '\n';
     if (begins_line && (letter == '.' || letter == '\'')) result += "\\&";
-    if (letter == '\\') result += "\\e";
-    else if (letter == '-') result += "\\-";
-    else result += letter;
+    if (letter == '\\')
+      result += "\\e";
+    else if (letter == '-')
+      result += "\\-";
+    else
+      result += letter;
   }
   return result;
 }
@@ -50,8 +53,8 @@ std::string synopsis_of(const std::string& name, const CommandModel& command) {
 }
 
 std::string section_of(const std::string& name, const CommandModel& command) {
-  std::string text = fmt::format(".SS {}\n{}.\n", synopsis_of(name, command),
-                                 literal(command.description));
+  std::string text =
+      fmt::format(".SS {}\n{}.\n", synopsis_of(name, command), literal(command.description));
   text += options_of(command.arguments) + options_of(command.options);
   if (!command.footer.empty()) {
     text += fmt::format(".PP\n.nf\n{}\n.fi\n", literal(command.footer));

@@ -39,9 +39,11 @@ std::vector<std::filesystem::path> mesh_files(const Case& settings,
   for (const std::filesystem::path& file : files) {
     const auto relative = std::filesystem::absolute(file).lexically_normal().lexically_relative(
         std::filesystem::absolute(folder).lexically_normal());
-    if (!relative.empty() && *relative.begin() != "..") inside.push_back(relative);
-    else throw InputError(fmt::format("{}: is outside the folder of the case; copy it there first",
-                                      file.string()));
+    if (!relative.empty() && *relative.begin() != "..")
+      inside.push_back(relative);
+    else
+      throw InputError(
+          fmt::format("{}: is outside the folder of the case; copy it there first", file.string()));
   }
   return inside;
 }
@@ -58,7 +60,8 @@ void copy_case(const std::filesystem::path& from, const std::filesystem::path& f
     std::filesystem::copy_file(source / mesh, folder / mesh);
   }
   const std::string heading = fmt::format(
-      "# Copied from {0}.\n#\n#   pliant check {1}   says what it would run\n#   pliant run {1}     "
+      "# Copied from {0}.\n#\n#   pliant check {1}   says what it would run\n#   pliant run {1}    "
+      " "
       "writes results/{1}\n\n",
       file.string(), name);
   write_atomically(folder / "case.toml", heading + case_text(file), Durable::no);

@@ -9,7 +9,6 @@
 #include <memory>
 
 #include "engine/batch/child.hpp"
-#include "engine/bench/standard_set.hpp"
 #include "engine/case/reference.hpp"
 #include "engine/case/schema.hpp"
 #include "engine/case/stability.hpp"
@@ -67,12 +66,6 @@ ExitStatus graph(const GraphArguments& arguments) {
   const scheduler::StepGraph& graph = solver->step_graph();
   const auto detail = arguments.blocks ? scheduler::Detail::blocks : scheduler::Detail::phases;
   fmt::print("{}", arguments.format == "json" ? graph.json() : graph.dot(detail));
-  return ExitStatus::done;
-}
-
-ExitStatus bench(const BenchArguments& arguments) {
-  bench::run_standard_set({arguments.quick, arguments.ball, arguments.csv,
-                           solver_options(arguments.threads, "").threads});
   return ExitStatus::done;
 }
 

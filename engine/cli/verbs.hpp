@@ -58,6 +58,11 @@ struct BenchArguments {
   std::optional<std::int64_t> ball;
   std::optional<std::filesystem::path> csv;
   int threads = 0;  ///< as in RunArguments
+  std::string rows;
+  std::optional<int> repetitions;
+  std::optional<std::filesystem::path> save, compare, against, markdown;
+  std::string tolerance;  ///< empty: the default
+  bool json = false;
 };
 
 /// Measures the machine and the standard set of cases on it.
