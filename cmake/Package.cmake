@@ -9,15 +9,15 @@ install(
   TARGETS pliant_library pliant_engine pliant_output pliant_case pliant_geometry pliant_scheduler
           pliant_kernels
   EXPORT pliant_targets
-  ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR}
+  ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR} COMPONENT development
   INCLUDES DESTINATION ${CMAKE_INSTALL_INCLUDEDIR})
 install(
   EXPORT pliant_targets
   NAMESPACE pliant::
   FILE pliantTargets.cmake
-  DESTINATION ${package_folder})
+  DESTINATION ${package_folder} COMPONENT development)
 install(DIRECTORY include/pliant ${PROJECT_BINARY_DIR}/include/pliant
-        DESTINATION ${CMAKE_INSTALL_INCLUDEDIR} FILES_MATCHING PATTERN "*.hpp")
+        DESTINATION ${CMAKE_INSTALL_INCLUDEDIR} COMPONENT development FILES_MATCHING PATTERN "*.hpp")
 
 configure_package_config_file(
   cmake/pliantConfig.cmake.in ${PROJECT_BINARY_DIR}/pliantConfig.cmake
@@ -26,4 +26,5 @@ configure_package_config_file(
 write_basic_package_version_file(
   ${PROJECT_BINARY_DIR}/pliantConfigVersion.cmake COMPATIBILITY SameMinorVersion)
 install(FILES ${PROJECT_BINARY_DIR}/pliantConfig.cmake
-              ${PROJECT_BINARY_DIR}/pliantConfigVersion.cmake DESTINATION ${package_folder})
+              ${PROJECT_BINARY_DIR}/pliantConfigVersion.cmake DESTINATION ${package_folder}
+        COMPONENT development)

@@ -2,6 +2,7 @@
 over the installed library build and run."""
 
 import os
+import shutil
 import subprocess
 import sys
 import tempfile
@@ -51,6 +52,30 @@ class Installed(unittest.TestCase):
         moved = [float(line.split()[-2]) for line in loads.stdout.splitlines()]
         self.assertEqual(30, len(moved))
         self.assertLess(min(moved), -1e-3)
+
+    def test_what_shells_and_editors_read_is_what_it_prints(self):
+        for file, command in (("bash-completion/completions/pliant", ["completion", "bash"]),
+                              ("zsh/vendor-completions/_pliant", ["completion", "zsh"]),
+                              ("fish/vendor_completions.d/pliant.fish", ["completion", "fish"]),
+                              ("man/man1/pliant.1", ["manual"]), ("pliant/case.schema.json", ["schema"])):
+            out = subprocess.run([self.program, *command], capture_output=True, text=True, check=True).stdout
+            self.assertEqual(out, (self.prefix / "share" / file).read_text(), file)
+
+    @unittest.skipUnless(shutil.which("dpkg-shlibdeps"), "dpkg-dev is not installed")
+    def test_the_debian_package_holds_the_program_and_depends_on_its_libraries(self):
+        folder = self.prefix / "packages"
+        subprocess.run(["cpack", "-G", "DEB", "--config", Path(BUILD) / "CPackConfig.cmake", "-B", folder],
+                       check=True, stdout=subprocess.DEVNULL)
+        package, = folder.glob("pliant_*.deb")
+        depends = subprocess.run(["dpkg-deb", "--field", package, "Depends"], capture_output=True, text=True,
+                                 check=True).stdout
+        listed = (Path(SOURCE) / "cmake/debian-packages.txt").read_text().splitlines()
+        for library in (line.split()[1] for line in listed if line.startswith("run ")):
+            self.assertIn(library, depends)
+        subprocess.run(["dpkg-deb", "--extract", package, folder / "root"], check=True)
+        out = subprocess.run([folder / "root/usr/bin/pliant", "check",
+                              folder / "root/usr/share/pliant/cases/rotating_cylinder"], capture_output=True, text=True)
+        self.assertEqual((0, ""), (out.returncode, out.stderr))
 
     def test_it_holds_no_path_of_the_source_tree(self):
         self.assertNotIn(SOURCE.encode(), self.program.read_bytes())

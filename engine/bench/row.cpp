@@ -1,5 +1,7 @@
 #include "engine/bench/row.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 
 #include "engine/bench/stage_cost.hpp"
@@ -21,6 +23,11 @@ bool same_case_and_weight(const Row& a, const Row& b) {
 }
 
 }  // namespace
+
+std::string Row::name() const {
+  return fmt::format("{}/{}/{:.4g}/{}", settings.name, weight(), settings.discretisation.spacing,
+                     threads);
+}
 
 std::string Row::weight() const { return std::string(text_of(settings.discretisation.kernel)); }
 

@@ -21,6 +21,8 @@ struct Row {
   int threads;
   std::vector<Sample> samples;  ///< in the order of the repetitions
 
+  /// Case, weight, spacing and threads, as in rotating_cylinder/compact/0.03963/1.
+  std::string name() const;
   std::string weight() const;  ///< as case files spell it
   kernels::Model model() const { return settings.bodies[0].material.model; }
 

@@ -1,14 +1,18 @@
 #include "engine/bench/sample.hpp"
 
+#include <chrono>
 #include <ctime>
 #include <memory>
 #include <numeric>
 
+#include "engine/bench/handicap.hpp"
 #include "engine/simulation/methods.hpp"
 
 namespace pliant::bench {
 
 namespace {
+
+using Clock = std::chrono::steady_clock;
 
 double processor_time() {
   timespec time;
@@ -19,7 +23,10 @@ double processor_time() {
 void advance(Solver& solver, std::int64_t steps) {
   const double end = solver.settings().time.end;
   for (std::int64_t i = 0; i < steps && solver.clock().time < end * (1 - 1e-9); ++i) {
+    const auto start = Clock::now();
     solver.step(end - solver.clock().time);
+    const auto until = Clock::now() + handicap() * (Clock::now() - start);
+    while (Clock::now() < until) continue;
   }
 }
 
@@ -52,10 +59,11 @@ Sample measure(const Case& settings, const Window& window, int threads, kernels:
   const scheduler::StepTotals before = solver.step_totals();
   const std::int64_t steps = solver.clock().step, remeshings = solver.remeshings();
   const std::int64_t stages = solver.particle_stages();
-  const double loop = solver.step_seconds(), processor = processor_time();
+  const double processor = processor_time();
+  const auto start = Clock::now();
   advance(solver, window.steps);
+  sample.wall_seconds = std::chrono::duration<double>(Clock::now() - start).count();
   sample.processor_seconds = processor_time() - processor;
-  sample.wall_seconds = solver.step_seconds() - loop;
   add_calibration(sample, threads, isa, triad);
   sample.particle_stages = solver.particle_stages() - stages;
   sample.steps = solver.clock().step - steps;

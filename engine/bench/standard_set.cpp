@@ -1,6 +1,7 @@
 #include "engine/bench/standard_set.hpp"
 
 #include <fmt/format.h>
+#include <pliant/error.hpp>
 
 #include <algorithm>
 #include <cstdio>
@@ -28,7 +29,7 @@ Window window_for(std::int64_t particles) {
 }
 
 // Rows in pairs: one thread, then all.
-std::vector<Row> standard_set(const StandardSetOptions& options) {
+std::vector<Row> all_rows(const StandardSetOptions& options) {
   std::vector<Row> rows;
   const auto add = [&](const Case& settings, const Window& window) {
     rows.push_back({settings, window, 1, {}});
@@ -55,6 +56,17 @@ std::vector<Row> standard_set(const StandardSetOptions& options) {
   add(compression(options.quick ? quick_compression_columns : compression_columns, Weight::quartic),
       {0, whole_run});
   return rows;
+}
+
+std::vector<Row> standard_set(const StandardSetOptions& options) {
+  std::vector<Row> rows = all_rows(options);
+  std::erase_if(rows,
+                [&](const Row& row) { return row.name().find(options.rows) == row.name().npos; });
+  if (!rows.empty()) return rows;
+  throw InputError(
+      fmt::format("--rows {}: no row of the set has this in its name; give for example "
+                  "rotating_cylinder or {}",
+                  options.rows, all_rows(options).front().name()));
 }
 
 void print_machine(const std::vector<std::string>& machine, int threads, Triad& triad) {
@@ -100,13 +112,19 @@ constexpr const char* legend =
 
 }  // namespace
 
-void run_standard_set(const StandardSetOptions& options) {
+std::vector<std::string> names_of_rows(const StandardSetOptions& options) {
+  std::vector<std::string> names;
+  for (const Row& row : standard_set(options)) names.push_back(row.name());
+  return names;
+}
+
+Record run_standard_set(const StandardSetOptions& options) {
   const kernels::Isa isa = kernels::widest_supported();
   const std::vector<std::string> machine = machine_description();
-  Triad triad;
-  print_machine(machine, options.threads, triad);
   std::vector<Row> rows = standard_set(options);
-  const int repetitions = options.quick ? 3 : 5;
+  Triad triad;
+  if (options.tables) print_machine(machine, options.threads, triad);
+  const int repetitions = options.repetitions.value_or(options.quick ? 3 : 5);
   for (int repetition = 1; repetition <= repetitions; ++repetition) {
     for (Row& row : rows) {
       row.samples.push_back(measure(row.settings, row.window, row.threads, isa, triad));
@@ -115,10 +133,13 @@ void run_standard_set(const StandardSetOptions& options) {
                  1e-6 * row.samples.back().rate());
     }
   }
-  print_assumptions();
-  fmt::print("\n{}\n{}\nThread time per particle-stage [ns]:\n\n{}", speed_table(rows), legend,
-             phase_table(rows));
+  if (options.tables) {
+    print_assumptions();
+    fmt::print("\n{}\n{}\nThread time per particle-stage [ns]:\n\n{}", speed_table(rows), legend,
+               phase_table(rows));
+  }
   if (options.csv) write_atomically(*options.csv, csv(machine, rows), Durable::no);
+  return record_of(machine, rows);
 }
 
 }  // namespace pliant::bench

@@ -2,6 +2,10 @@
 
 #include <filesystem>
 #include <optional>
+#include <string>
+#include <vector>
+
+#include "engine/bench/record.hpp"
 
 namespace pliant::bench {
 
@@ -9,11 +13,18 @@ struct StandardSetOptions {
   bool quick = false;                ///< fewer repetitions, no more than 131 072 particles
   std::optional<std::int64_t> ball;  ///< nothing but balls of so many particles
   std::optional<std::filesystem::path> csv;
-  int threads = 2;  ///< compared with one thread
+  int threads = 2;                 ///< compared with one thread
+  std::string rows;                ///< only those whose name contains it
+  std::optional<int> repetitions;  ///< default: 5, of the quick set 3
+  bool tables = true;              ///< print them to stdout
 };
 
 /// Measures the machine, then the standard set: cases x weights x {1, threads} threads, in turns,
-/// several times. Prints tables to stdout and progress to stderr. Throws OutputError.
-void run_standard_set(const StandardSetOptions& options);
+/// several times. Prints tables to stdout and progress to stderr. Throws OutputError, and
+/// InputError where no row has the name.
+Record run_standard_set(const StandardSetOptions& options);
+
+/// Names of the rows that it measures.
+std::vector<std::string> names_of_rows(const StandardSetOptions& options);
 
 }  // namespace pliant::bench

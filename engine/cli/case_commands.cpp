@@ -1,4 +1,5 @@
 #include "engine/cli/commands.hpp"
+#include "engine/cli/new_case.hpp"
 
 namespace pliant::cli {
 
@@ -53,19 +54,42 @@ void add_graph(Commands& commands) {
   command.add_flag("--blocks", arguments->blocks, "one node for each phase and block (dot only)");
 }
 
+void add_check(Commands& commands) {
+  const auto arguments = std::make_shared<CheckArguments>();
+  CLI::App& command = commands.add("check", "Check a case and say what it would run",
+                                   "check cases/rotating_cylinder", arguments, &check);
+  add_case(command, arguments->source);
+  command.add_flag("--json", arguments->json, "print it as JSON");
+}
+
+void add_list(Commands& commands) {
+  const auto arguments = std::make_shared<ListArguments>();
+  CLI::App& command =
+      commands.add("list", "List the cases of a folder", "list cases", arguments, &list);
+  command.add_option("FOLDER", arguments->folder, "folder with one folder per case")
+      ->type_name("")
+      ->capture_default_str();
+  command.add_flag("--json", arguments->json, "print it as JSON");
+}
+
+void add_new(Commands& commands) {
+  const auto arguments = std::make_shared<NewArguments>();
+  CLI::App& command = commands.add("new", "Write a commented case to begin with", "new my_case",
+                                   arguments, &new_case);
+  command.add_option("NAME", arguments->folder, "name of the case: a folder that is made for it")
+      ->required()
+      ->type_name("");
+  command.add_option("--from", arguments->from, "copy this case, with its mesh files")
+      ->type_name("CASE");
+}
+
 }  // namespace
 
 void add_case_commands(Commands& commands) {
   add_run(commands);
-  const auto checked = std::make_shared<CaseArguments>();
-  add_case(commands.add("check", "Check a case and say what it would run",
-                        "check cases/rotating_cylinder", checked, &check),
-           *checked);
-  const auto folder = std::make_shared<std::filesystem::path>("cases");
-  commands.add("list", "List the cases of a folder", "list cases", folder, &list)
-      .add_option("FOLDER", *folder, "folder with one folder per case")
-      ->type_name("")
-      ->capture_default_str();
+  add_check(commands);
+  add_list(commands);
+  add_new(commands);
   add_graph(commands);
   commands.add("reference", "Print the reference of case files", "reference > case-reference.md",
                std::make_shared<NoArguments>(), &reference);

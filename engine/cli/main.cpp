@@ -8,11 +8,13 @@
 #include <filesystem>
 #include <new>
 #include <stdexcept>
+#include <string>
 #include <string_view>
 #include <system_error>
 
 #include "engine/cli/command_line.hpp"
 #include "engine/method/step_failure.hpp"
+#include "engine/output/colour.hpp"
 #include "engine/output/error.hpp"
 
 // The program: what a process needs before it opens files, and exit statuses for exceptions.
@@ -35,7 +37,8 @@ void open_standard_streams() {
 }
 
 ExitStatus fail(ExitStatus status, std::string_view message) {
-  std::fwrite(message.data(), 1, message.size(), stderr);
+  const std::string text = pliant::coloured(message, pliant::Colour::red, stderr);
+  std::fwrite(text.data(), 1, text.size(), stderr);
   std::fputc('\n', stderr);
   return status;
 }

@@ -4,6 +4,35 @@ namespace pliant::cli {
 
 namespace {
 
+void add_comparison(CLI::App& command, BenchArguments& arguments) {
+  command
+      .add_option("--rows", arguments.rows,
+                  "measure only rows with this in their name, as in\n"
+                  "rotating_cylinder/compact (case/kernel/spacing/threads)")
+      ->type_name("TEXT");
+  command.add_option("--repetitions", arguments.repetitions, "measure each row so many times")
+      ->check(CLI::Range(1, 1000))
+      ->type_name("N");
+  command.add_option("--save", arguments.save, "write the figures for --compare to this file")
+      ->type_name("FILE");
+  command
+      .add_option("--compare", arguments.compare,
+                  "compare with the figures in this file; exit status 1 where a row is slower")
+      ->type_name("FILE");
+  command
+      .add_option("--against", arguments.against,
+                  "compare with another build of pliant, in turns; exit status 1 where a row is\n"
+                  "slower; by default the rows of --quick with the compact kernel")
+      ->type_name("PROGRAM");
+  command
+      .add_option("--tolerance", arguments.tolerance,
+                  "by how much a row may be slower (default: 10%, with --against 1%)")
+      ->type_name("SHARE");
+  command.add_option("--markdown", arguments.markdown, "write the comparison as a Markdown table")
+      ->type_name("FILE");
+  command.add_flag("--json", arguments.json, "print what --save writes, and no tables");
+}
+
 void add_bench(Commands& commands) {
   const auto arguments = std::make_shared<BenchArguments>();
   CLI::App& command =
@@ -20,6 +49,7 @@ void add_bench(Commands& commands) {
       .add_option("--threads", arguments->threads,
                   "threads to compare with one (default: one per processor)")
       ->type_name("N");
+  add_comparison(command, *arguments);
 }
 
 void add_machine(CLI::App& command, ProfileArguments& arguments) {

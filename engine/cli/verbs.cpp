@@ -1,19 +1,18 @@
 #include "engine/cli/verbs.hpp"
 
 #include <fmt/format.h>
+#include <unistd.h>
 #include <pliant/error.hpp>
 
-#include <algorithm>
 #include <csignal>
 #include <cstdio>
 #include <memory>
-#include <system_error>
 
 #include "engine/batch/child.hpp"
-#include "engine/bench/standard_set.hpp"
 #include "engine/case/reference.hpp"
+#include "engine/case/schema.hpp"
 #include "engine/case/stability.hpp"
-#include "engine/case/validate_summary.hpp"
+#include "engine/output/colour.hpp"
 #include "engine/simulation/estimate.hpp"
 #include "engine/simulation/methods.hpp"
 #include "engine/simulation/run.hpp"
@@ -26,7 +25,18 @@ namespace {
 void warn_of_instability(const Case& settings) {
   const std::string warning = stability_warning(settings);
   // A stderr that cannot be written must not end the run.
-  if (!warning.empty()) std::fputs(fmt::format("warning: {}\n", warning).c_str(), stderr);
+  if (warning.empty()) return;
+  const std::string text =
+      fmt::format("{} {}\n", coloured("warning:", Colour::yellow, stderr), warning);
+  std::fputs(text.c_str(), stderr);
+}
+
+/// Setting up may take longer than a person waits without a word.
+void announce(const Case& settings, const Estimate& size, const SolverOptions& machine) {
+  if (::isatty(STDERR_FILENO) == 0) return;
+  const std::string text = fmt::format("{}: setting up {}; {} threads, {}\n", settings.name,
+                                       size.text(), machine.threads, kernels::name(machine.isa));
+  std::fputs(text.c_str(), stderr);
 }
 
 }  // namespace
@@ -37,9 +47,8 @@ ExitStatus run(const RunArguments& arguments) {
   batch::end_with_parent();
   const Case settings = read_case(arguments.source.path, arguments.source.settings);
   if (!arguments.quiet) warn_of_instability(settings);
-  if (!arguments.force) {
-    refuse_what_does_not_fit(settings, estimate(settings), available_memory());
-  }
+  const Estimate size = estimate(settings);
+  if (!arguments.force) refuse_what_does_not_fit(settings, size, available_memory());
   RunOptions options;
   options.folder = arguments.folder.value_or(std::filesystem::path("results") / settings.name);
   const SolverOptions machine = solver_options(arguments.threads, arguments.isa);
@@ -47,40 +56,8 @@ ExitStatus run(const RunArguments& arguments) {
   options.isa = machine.isa;
   options.resume = arguments.resume;
   options.quiet = arguments.quiet;
+  if (!arguments.quiet) announce(settings, size, machine);
   return run_case(settings, options) == RunEnd::done ? ExitStatus::done : ExitStatus::interrupted;
-}
-
-ExitStatus check(const CaseArguments& arguments) {
-  const Case settings = read_case(arguments.path, arguments.settings);
-  warn_of_instability(settings);
-  fmt::print("{}", validate_summary(settings));
-  const Estimate size = estimate(settings);
-  fmt::print("  cost: {}", size.text());
-  const SolverOptions machine = solver_options(0, "");
-  const std::optional<double> seconds = estimated_seconds(settings, size, machine, methods());
-  if (seconds) {
-    fmt::print(", {} on {} threads (within a factor of two)", duration_text(*seconds),
-               machine.threads);
-  }
-  fmt::print("\n");
-  return ExitStatus::done;
-}
-
-ExitStatus list(const std::filesystem::path& folder) {
-  std::error_code error;
-  std::vector<std::filesystem::path> files;
-  for (const auto& entry : std::filesystem::directory_iterator(folder, error)) {
-    std::error_code unreadable;
-    const auto file = entry.path() / "case.toml";
-    if (std::filesystem::exists(file, unreadable)) files.push_back(file);
-  }
-  if (error) {
-    throw InputError(fmt::format("{}: cannot be listed: {}; give a folder that holds cases",
-                                 folder.string(), error.message()));
-  }
-  std::sort(files.begin(), files.end());
-  for (const auto& file : files) fmt::print("{:40} {}\n", file.string(), read_case(file).title);
-  return ExitStatus::done;
 }
 
 ExitStatus graph(const GraphArguments& arguments) {
@@ -92,14 +69,13 @@ ExitStatus graph(const GraphArguments& arguments) {
   return ExitStatus::done;
 }
 
-ExitStatus bench(const BenchArguments& arguments) {
-  bench::run_standard_set({arguments.quick, arguments.ball, arguments.csv,
-                           solver_options(arguments.threads, "").threads});
+ExitStatus reference(const NoArguments&) {
+  fmt::print("{}", case_reference_markdown(methods().rules()));
   return ExitStatus::done;
 }
 
-ExitStatus reference(const NoArguments&) {
-  fmt::print("{}", case_reference_markdown(methods().rules()));
+ExitStatus schema(const NoArguments&) {
+  fmt::print("{}", case_schema_json(methods().rules()));
   return ExitStatus::done;
 }
 

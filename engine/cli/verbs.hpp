@@ -28,11 +28,21 @@ struct RunArguments {
 
 ExitStatus run(const RunArguments& arguments);
 
+struct CheckArguments {
+  CaseArguments source;
+  bool json = false;
+};
+
 /// Says what a case would run.
-ExitStatus check(const CaseArguments& arguments);
+ExitStatus check(const CheckArguments& arguments);
+
+struct ListArguments {
+  std::filesystem::path folder = "cases";
+  bool json = false;
+};
 
 /// Lists the cases below a folder, with their titles.
-ExitStatus list(const std::filesystem::path& folder);
+ExitStatus list(const ListArguments& arguments);
 
 struct GraphArguments {
   CaseArguments source;
@@ -48,6 +58,11 @@ struct BenchArguments {
   std::optional<std::int64_t> ball;
   std::optional<std::filesystem::path> csv;
   int threads = 0;  ///< as in RunArguments
+  std::string rows;
+  std::optional<int> repetitions;
+  std::optional<std::filesystem::path> save, compare, against, markdown;
+  std::string tolerance;  ///< empty: the default
+  bool json = false;
 };
 
 /// Measures the machine and the standard set of cases on it.
@@ -71,5 +86,8 @@ struct NoArguments {};
 
 /// Prints the reference of case files, docs/case-reference.md.
 ExitStatus reference(const NoArguments&);
+
+/// Prints the JSON Schema of case files.
+ExitStatus schema(const NoArguments&);
 
 }  // namespace pliant::cli

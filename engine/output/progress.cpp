@@ -69,6 +69,7 @@ Progress::~Progress() { finish(); }
 void Progress::update(const ProgressState& state) {
   if (style_ == Style::silent) return;
   const auto now = now_();
+  const bool is_first = !started_ && style_ == Style::redrawn;
   if (!started_) {
     started_ = true;
     first_ = written_ = state;
@@ -78,7 +79,7 @@ void Progress::update(const ProgressState& state) {
   last_is_written_ = false;
   const auto interval =
       style_ == Style::redrawn ? Clock::duration(redraw_interval) : Clock::duration(line_interval);
-  if (now - written_at_ >= interval) write(state, now);
+  if (now - written_at_ >= interval || is_first) write(state, now);
 }
 
 void Progress::finish() {

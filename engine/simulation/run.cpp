@@ -65,6 +65,7 @@ class Run {
   RunEnd operator()() {
     const auto start = Clock::now();
     options_.resume ? resume() : begin();
+    show();
     const Interrupt interrupt;
     while (!at_end()) {
       step();
@@ -168,8 +169,12 @@ class Run {
     has_new_frame_ = false;
     if (save_now && !last) save();
     warn_of_instability();
-    progress_.update({t, settings_.time.end, solver_->clock().step, solver_->time_step(),
-                      solver_->particle_stages()});
+    show();
+  }
+
+  void show() {
+    progress_.update({solver_->clock().time, settings_.time.end, solver_->clock().step,
+                      solver_->time_step(), solver_->particle_stages()});
   }
 
   // A step that the case gives may be stable at rest and too long for what the material has become.

@@ -65,12 +65,20 @@ TEST(progress, lines_come_every_few_seconds_and_at_the_end) {
       << text;
 }
 
+TEST(progress, a_terminal_shows_the_start_at_once) {
+  Recorded progress(Progress::Style::redrawn), lines(Progress::Style::lines);
+  progress().update(state(0));
+  lines().update(state(0));
+  EXPECT_NE(progress.text().find("  0 %  t = 0 s  step 0"), std::string::npos) << progress.text();
+  EXPECT_EQ(lines.text(), "");
+}
+
 TEST(progress, a_terminal_gets_one_line_redrawn) {
   Recorded progress(Progress::Style::redrawn);
   run(progress, 20);
   const auto before = progress.text();
   EXPECT_EQ(std::ranges::count(before, '\n'), 0);
-  EXPECT_EQ(std::ranges::count(before, '\r'), 20);
+  EXPECT_EQ(std::ranges::count(before, '\r'), 21);
   progress().finish();
   EXPECT_EQ(progress.text().back(), '\n');
 }

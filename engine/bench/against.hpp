@@ -1,0 +1,38 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "engine/bench/comparison.hpp"
+
+namespace pliant::bench {
+
+struct AgainstOptions {
+  std::filesystem::path other;                      ///< the program to compare with
+  std::filesystem::path program = "/proc/self/exe"; ///< this one
+  std::vector<std::string> rows;                    ///< names
+  int threads = 0;
+  double tolerance = 0.01;
+  double width = 0.01;   ///< pairs are measured until the interval reaches no further than this
+  int most_pairs = 200;
+  bool quiet = false;
+};
+
+/// Speed of this program over that of the other one.
+struct Against {
+  std::string name;
+  int pairs = 0;
+  Interval ratio;
+  Verdict verdict = Verdict::same;
+};
+
+/// Lets both programs measure each row in turns, each time in a process of its own, one after the
+/// other and the other way round, until the ratio of their speeds is known. Throws InputError where
+/// the other one cannot be run or does not know the row.
+std::vector<Against> compare_programs(const AgainstOptions& options);
+
+std::string text_of(const std::vector<Against>& found);
+std::string markdown_of(const std::vector<Against>& found);
+
+}  // namespace pliant::bench

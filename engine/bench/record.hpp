@@ -1,0 +1,38 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "engine/bench/row.hpp"
+
+/// What `pliant bench --save` keeps: the figures of a program, and those of the machine beside each.
+namespace pliant::bench {
+
+struct RecordedSample {
+  double rate = 0;      ///< [particle-stages/s]
+  double fma_peak = 0;  ///< [flop/s]
+  double triad = 0;     ///< [bytes/s]
+};
+
+struct RecordedRow {
+  std::string name;  ///< as `Row::name` gives it
+  std::int64_t particles = 0;
+  int threads = 1;
+  std::vector<RecordedSample> samples;
+};
+
+struct Record {
+  std::vector<std::string> machine;  ///< lines that describe it
+  std::vector<RecordedRow> rows;
+};
+
+Record record_of(const std::vector<std::string>& machine, const std::vector<Row>& rows);
+
+std::string json_of(const Record& record);
+
+/// `source` names the text in messages. Throws InputError.
+Record parse_record(const std::string& text, const std::string& source);
+Record read_record(const std::filesystem::path& file);
+
+}  // namespace pliant::bench

@@ -1,0 +1,116 @@
+#include <fmt/format.h>
+#include <pliant/error.hpp>
+
+#include <algorithm>
+#include <cstdio>
+#include <nlohmann/json.hpp>
+#include <system_error>
+
+#include "engine/case/stability.hpp"
+#include "engine/case/validate_summary.hpp"
+#include "engine/cli/verbs.hpp"
+#include "engine/output/colour.hpp"
+#include "engine/simulation/estimate.hpp"
+#include "engine/simulation/methods.hpp"
+#include "engine/simulation/solver_options.hpp"
+
+namespace pliant::cli {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+/// What a case would run, and what that costs.
+struct Checked {
+  Case settings;
+  Estimate size;
+  SolverOptions machine;
+  std::optional<double> seconds;  ///< none where no small lattice holds the case
+  std::string warning;
+};
+
+Json json_of(const Checked& checked) {
+  const Case& settings = checked.settings;
+  Json measurements = Json::array();
+  for (const MeasurementCase& m : settings.measurements) measurements.push_back(m.name);
+  return {{"name", settings.name},
+          {"title", settings.title},
+          {"method", settings.method},
+          {"dimension", settings.dimension},
+          {"spacing", settings.discretisation.spacing},
+          {"end", settings.time.end},
+          {"particles", checked.size.particles},
+          {"slots", checked.size.slots},
+          {"steps", checked.size.steps},
+          {"memory_bytes", checked.size.bytes},
+          {"threads", checked.machine.threads},
+          {"seconds", checked.seconds ? Json(*checked.seconds) : Json()},
+          {"measurements", measurements},
+          {"warnings", checked.warning.empty() ? Json::array() : Json::array({checked.warning})}};
+}
+
+std::vector<std::filesystem::path> case_files(const std::filesystem::path& folder) {
+  std::error_code error;
+  std::vector<std::filesystem::path> files;
+  for (const auto& entry : std::filesystem::directory_iterator(folder, error)) {
+    std::error_code unreadable;
+    const auto file = entry.path() / "case.toml";
+    if (std::filesystem::exists(file, unreadable)) files.push_back(file);
+  }
+  if (error) {
+    throw InputError(fmt::format("{}: cannot be listed: {}; give a folder that holds cases",
+                                 folder.string(), error.message()));
+  }
+  std::sort(files.begin(), files.end());
+  return files;
+}
+
+/// Names of files need not be UTF-8, which JSON is.
+std::string text_of(const Json& json) {
+  return json.dump(1, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+
+}  // namespace
+
+ExitStatus check(const CheckArguments& arguments) {
+  Checked checked;
+  checked.settings = read_case(arguments.source.path, arguments.source.settings);
+  checked.warning = stability_warning(checked.settings);
+  checked.size = estimate(checked.settings);
+  checked.machine = solver_options(0, "");
+  if (!checked.warning.empty() && !arguments.json) {
+    fmt::print(stderr, "{} {}\n", coloured("warning:", Colour::yellow, stderr), checked.warning);
+  }
+  checked.seconds = estimated_seconds(checked.settings, checked.size, checked.machine, methods());
+  if (arguments.json) {
+    fmt::print("{}", text_of(json_of(checked)));
+    return ExitStatus::done;
+  }
+  fmt::print("{}  cost: {}", validate_summary(checked.settings), checked.size.text());
+  if (checked.seconds) {
+    fmt::print(", {} on {} threads (within a factor of two)", duration_text(*checked.seconds),
+               checked.machine.threads);
+  }
+  fmt::print("\n");
+  return ExitStatus::done;
+}
+
+ExitStatus list(const ListArguments& arguments) {
+  Json rows = Json::array();
+  for (const auto& file : case_files(arguments.folder)) {
+    const Case settings = read_case(file);
+    if (arguments.json) {
+      rows.push_back({{"file", file.string()},
+                      {"name", settings.name},
+                      {"title", settings.title},
+                      {"method", settings.method},
+                      {"dimension", settings.dimension}});
+    } else {
+      fmt::print("{:40} {}\n", file.string(), settings.title);
+    }
+  }
+  if (arguments.json) fmt::print("{}", text_of(rows));
+  return ExitStatus::done;
+}
+
+}  // namespace pliant::cli
