@@ -16,8 +16,10 @@ inline void cofactor(const P (&f)[4], P (&cof)[4]) {
 
 template <class P>
 inline void cofactor(const P (&f)[9], P (&cof)[9]) {
+#pragma GCC unroll 3
   for (int i = 0; i < 3; ++i) {
     const int i1 = 3 * ((i + 1) % 3), i2 = 3 * ((i + 2) % 3);
+#pragma GCC unroll 3
     for (int j = 0; j < 3; ++j) {
       const int j1 = (j + 1) % 3, j2 = (j + 2) % 3;
       cof[3 * i + j] = fused_minus(f[i1 + j2], f[i2 + j1], f[i1 + j1] * f[i2 + j2]);

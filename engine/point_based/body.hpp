@@ -89,7 +89,7 @@ struct Body {
   std::array<Buffer<T>, D> pressure_load, traction;  ///< [N], where loads act
   /// At the end of a step that an output time divides [m]; of no meaning at other times.
   std::array<Buffer<T>, D> end_displacement;
-  Buffer<std::uint16_t> neighbour;  ///< [pack][bond][lane] local numbers
+  Buffer<std::uint16_t> neighbour;  ///< [pack][bond][lane] local numbers times point_stride
   Buffer<T> bond;                   ///< [pack][bond][D + 1][lane] g, w
   std::vector<std::int32_t> halo;   ///< slots, ascending in each block
   Buffer<T> point, force;           ///< [slots and halos][point_stride]
@@ -139,7 +139,7 @@ struct Body {
   /// Local number of a neighbour in the block of the node.
   int local_neighbour(std::int64_t slot, int k) const {
     constexpr int lanes = kernels::slots_per_pack;
-    return neighbour[(slot / lanes * bonds + k) * lanes + slot % lanes];
+    return neighbour[(slot / lanes * bonds + k) * lanes + slot % lanes] / kernels::point_stride;
   }
 
   /// Calls f(k, slot of the neighbour, g, w) for the bonds of a node; g and w as the kernels have
@@ -153,7 +153,7 @@ struct Body {
       Point<D> g;
       for (int a = 0; a < D; ++a) g[a] = bond[(at * (D + 1) + a) * lanes + lane];
       const double w = bond[(at * (D + 1) + D) * lanes + lane];
-      if (w > 0) f(k, slot_of(block, neighbour[at * lanes + lane]), g, w);
+      if (w > 0) f(k, slot_of(block, local_neighbour(slot, k)), g, w);
     }
   }
 

@@ -43,13 +43,11 @@ void find_halos(const BondChoice<D>& choice, Body<T, D>& body) {
 }
 
 template <class T, int D>
-std::uint16_t local_number(const Body<T, D>& body, const NodeBlock& block, std::int64_t slot) {
-  if (slot >= block.first && slot < block.first + block.count) {
-    return static_cast<std::uint16_t>(slot - block.first);
-  }
+std::int64_t local_number(const Body<T, D>& body, const NodeBlock& block, std::int64_t slot) {
+  if (slot >= block.first && slot < block.first + block.count) return slot - block.first;
   const auto first = body.halo.begin() + block.first_halo;
   const auto at = std::lower_bound(first, first + block.halo_count, slot);
-  return static_cast<std::uint16_t>(block.count + (at - first));
+  return block.count + (at - first);
 }
 
 /// Neighbours of a node, and their weights.
@@ -187,7 +185,8 @@ void set_bonds(const BondChoice<D>& choice, std::span<const double> factors, std
     const std::int64_t at = pack * body.bonds + k;
     // Bonds of no weight lead back to the node itself.
     const bool exists = k < static_cast<int>(bonds.size());
-    body.neighbour[at * lanes + lane] = local_number(body, block, exists ? chosen.slot[k] : slot);
+    const std::int64_t number = local_number(body, block, exists ? chosen.slot[k] : slot);
+    body.neighbour[at * lanes + lane] = static_cast<std::uint16_t>(kernels::point_stride * number);
     T* const to = &body.bond[at * (D + 1) * lanes + lane];
     for (int a = 0; a < D; ++a) to[a * lanes] = exists ? static_cast<T>(made.gradient[k][a]) : T(0);
     to[D * lanes] = exists ? static_cast<T>(chosen.weight[k]) : T(0);
@@ -207,7 +206,8 @@ void make_bonds(const BondChoice<D>& choice, Body<T, D>& body) {
   body.neighbour.grow(body.slots * body.bonds, 0);
   body.degenerate.assign(body.blocks.size(), {});
   for (const NodeBlock& block : body.blocks) {
-    if (block.count + block.halo_count > std::numeric_limits<std::uint16_t>::max()) {
+    constexpr int most_points = std::numeric_limits<std::uint16_t>::max() / kernels::point_stride;
+    if (block.count + block.halo_count > most_points) {
       throw InputError(
           fmt::format("the nodes of body `{}` are too uneven: a block of {} nodes has "
                       "{} neighbours",

@@ -13,7 +13,8 @@
 ///                                  its own slots   |   neighbours in other blocks (halo)
 ///
 /// Displacements of both are copied into an array of points of `point_stride` values, where any
-/// neighbour is one load away. Forces are collected in another such array: those on the halo are
+/// neighbour is one load away: bonds store the place of the neighbour in such arrays, its local
+/// number times `point_stride`. Forces are collected in another such array: those on the halo are
 /// added to the nodes of other blocks in a later phase, in the order of the blocks, so that sums do
 /// not depend on the number of threads.
 namespace pliant::kernels {
@@ -43,7 +44,7 @@ struct PointForces {
   std::int64_t first;              ///< slot
   int count;                       ///< slots, a multiple of slots_per_pack
   int bonds;                       ///< of each node
-  const std::uint16_t* neighbour;  ///< [pack][bond][lane] local numbers
+  const std::uint16_t* neighbour;  ///< [pack][bond][lane] local numbers times point_stride
   const T* bond;                   ///< [pack][bond][D + 1][lane] g_ij [1/m], w_ij
   int halo_count;
   const std::int32_t* halo;  ///< [halo_count] slots

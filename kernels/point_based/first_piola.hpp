@@ -12,9 +12,12 @@ template <class P, int D>
 inline void green_strain(const P (&f)[D * D], P (&e)[symmetric_components<D>]) {
   using T = Scalar<P>;
   const P half(T(0.5));
+#pragma GCC unroll 3
   for (int i = 0; i < D; ++i) {
+#pragma GCC unroll 3
     for (int j = i; j < D; ++j) {
       P c = f[i] * f[j];
+#pragma GCC unroll 3
       for (int k = 1; k < D; ++k) c = fused(f[D * k + i], f[D * k + j], c);
       e[symmetric_index<D>(i, j)] = half * (i == j ? c - P(T(1)) : c);
     }
@@ -26,9 +29,12 @@ template <class P, int D>
 inline void hooke(const P& lame_modulus, const P& shear_modulus,
                   const P (&e)[symmetric_components<D>], P (&s)[symmetric_components<D>]) {
   P trace = e[symmetric_index<D>(0, 0)];
+#pragma GCC unroll 3
   for (int i = 1; i < D; ++i) trace = trace + e[symmetric_index<D>(i, i)];
   const P twice = shear_modulus + shear_modulus;
+#pragma GCC unroll 6
   for (int c = 0; c < symmetric_components<D>; ++c) s[c] = twice * e[c];
+#pragma GCC unroll 3
   for (int i = 0; i < D; ++i) {
     P& diagonal = s[symmetric_index<D>(i, i)];
     diagonal = fused(lame_modulus, trace, diagonal);
@@ -39,8 +45,11 @@ inline void hooke(const P& lame_modulus, const P& shear_modulus,
 template <class P, int D>
 inline void add_pulled_back(const P (&f)[D * D], const P (&s)[symmetric_components<D>],
                             P (&p)[D * D]) {
+#pragma GCC unroll 3
   for (int i = 0; i < D; ++i) {
+#pragma GCC unroll 3
     for (int j = 0; j < D; ++j) {
+#pragma GCC unroll 3
       for (int k = 0; k < D; ++k) {
         p[D * i + j] = fused(f[D * i + k], s[symmetric_index<D>(k, j)], p[D * i + j]);
       }
@@ -56,6 +65,7 @@ inline void first_piola(const PointMaterial<Scalar<P>>& material, const P (&f)[D
   if constexpr (law == ElasticLaw::neo_hookean) {
     const P mu(material.shear_modulus), j = determinant(f);
     const P factor = fused(P(material.lame_modulus), j - P(T(1)), P(T(0)) - mu / j);
+#pragma GCC unroll 9
     for (int c = 0; c < D * D; ++c) p[c] = fused(mu, f[c], factor * cof[c]);
   } else if constexpr (law == ElasticLaw::st_venant_kirchhoff) {
     P e[symmetric_components<D>], s[symmetric_components<D>];
@@ -66,9 +76,12 @@ inline void first_piola(const PointMaterial<Scalar<P>>& material, const P (&f)[D
   } else {
     P sigma[symmetric_components<D>];
     Law<Model::reduced_polynomial, P, D>::stress(material.polynomial, f, P(T(1)), sigma);
+#pragma GCC unroll 3
     for (int i = 0; i < D; ++i) {
+#pragma GCC unroll 3
       for (int j = 0; j < D; ++j) {
         P stress = sigma[symmetric_index<D>(i, 0)] * cof[j];
+#pragma GCC unroll 3
         for (int k = 1; k < D; ++k) {
           stress = fused(sigma[symmetric_index<D>(i, k)], cof[D * k + j], stress);
         }

@@ -3,7 +3,7 @@
 #include "kernels/point_based/first_piola.hpp"
 #include "kernels/point_based/point_lanes.hpp"
 
-/// Forces of a block of nodes, a pack of nodes at a time with one node in each lane:
+/// Forces of a block of nodes, a register of nodes at a time with one node in each lane:
 /// neighbours' displacements -> F -> P -> forces along the bonds.
 namespace pliant::kernels {
 
@@ -23,26 +23,14 @@ inline void collect_points(const PointForces<Scalar<P>, D>& block) {
   for (int i = 0; i < values; ++i) block.force[i] = T(0);
 }
 
-/// What the bonds of a pack of nodes need: numbers and coefficients of bond k in lane l.
-template <class T, int D>
-struct PackBonds {
-  const std::uint16_t* neighbour;
-  const T* bond;
-
-  const std::uint16_t* numbers(int k, int lane) const {
-    return neighbour + k * slots_per_pack + lane;
-  }
-  /// g for c < D, w for c = D.
-  const T* coefficient(int k, int c, int lane) const {
-    return bond + (k * (D + 1) + c) * slots_per_pack + lane;
-  }
-};
-
 /// c += a b.
 template <class P, int D>
 inline void add_product(const P (&a)[D * D], const P (&b)[D * D], P (&c)[D * D]) {
+#pragma GCC unroll 3
   for (int i = 0; i < D; ++i) {
+#pragma GCC unroll 3
     for (int j = 0; j < D; ++j) {
+#pragma GCC unroll 3
       for (int k = 0; k < D; ++k) c[D * i + j] = fused(a[D * i + k], b[D * k + j], c[D * i + j]);
     }
   }
@@ -55,9 +43,11 @@ inline void stress_of_nodes(const PointForces<Scalar<P>, D>& block, std::int64_t
   using T = Scalar<P>;
   constexpr int symmetric = symmetric_components<D>;
   P f[D * D], cof[D * D];
+#pragma GCC unroll 9
   for (int c = 0; c < D * D; ++c) f[c] = c % (D + 1) == 0 ? h[c] + P(T(1)) : h[c];
   if (block.kept[0] != nullptr) {
     P fit[D * D], kept[D * D];
+#pragma GCC unroll 9
     for (int c = 0; c < D * D; ++c) {
       kept[c] = load<P>(block.kept[c] + slot);
       fit[c] = f[c];
@@ -70,6 +60,7 @@ inline void stress_of_nodes(const PointForces<Scalar<P>, D>& block, std::int64_t
   if (block.strain[0] != nullptr) {
     P e[symmetric], rate[symmetric], s[symmetric];
     green_strain<P, D>(f, e);
+#pragma GCC unroll 6
     for (int c = 0; c < symmetric; ++c) {
       rate[c] = P(block.viscosity) * (e[c] - load<P>(block.strain[c] + slot));
       e[c].store_unaligned(block.strain[c] + slot);
@@ -79,6 +70,7 @@ inline void stress_of_nodes(const PointForces<Scalar<P>, D>& block, std::int64_t
   }
   if (block.kept[0] != nullptr) {
     P p[D * D], transposed[D * D];
+#pragma GCC unroll 9
     for (int c = 0; c < D * D; ++c) {
       p[c] = b[c];
       b[c] = P(T(0));
@@ -88,10 +80,14 @@ inline void stress_of_nodes(const PointForces<Scalar<P>, D>& block, std::int64_t
   }
   const P volume = load<P>(block.volume + slot), stiffness = load<P>(block.stiffness + slot);
   P moment[symmetric];
+#pragma GCC unroll 6
   for (int c = 0; c < symmetric; ++c) moment[c] = stiffness * load<P>(block.moment[c] + slot);
+#pragma GCC unroll 3
   for (int i = 0; i < D; ++i) {
+#pragma GCC unroll 3
     for (int j = 0; j < D; ++j) {
       P value = volume * b[D * i + j];
+#pragma GCC unroll 3
       for (int k = 0; k < D; ++k) {
         value = fused_minus(h[D * i + k], moment[symmetric_index<D>(k, j)], value);
       }
@@ -100,7 +96,9 @@ inline void stress_of_nodes(const PointForces<Scalar<P>, D>& block, std::int64_t
   }
   for (P& component : pressure) component = P(T(0));
   if (block.load[0] == nullptr) return;
+#pragma GCC unroll 3
   for (int i = 0; i < D; ++i) {
+#pragma GCC unroll 3
     for (int j = 0; j < D; ++j) {
       pressure[i] = fused_minus(cof[D * i + j], load<P>(block.load[j] + slot), pressure[i]);
     }
@@ -112,6 +110,7 @@ template <class P, int D>
 inline int impossible_lane(const P (&h)[D * D]) {
   using T = Scalar<P>;
   P f[D * D], finite(T(0));
+#pragma GCC unroll 9
   for (int c = 0; c < D * D; ++c) {
     f[c] = c % (D + 1) == 0 ? h[c] + P(T(1)) : h[c];
     finite = fused(f[c], P(T(0)), finite);
@@ -120,71 +119,111 @@ inline int impossible_lane(const P (&h)[D * D]) {
   return xsimd::all(sound) ? -1 : first_lane<P>(!sound);
 }
 
-/// Forces of the pack of nodes that starts at local number `local`.
-template <ElasticLaw law, class P, int D>
-inline void add_forces_of_pack(const PointForces<Scalar<P>, D>& block, int local,
-                               std::int64_t& non_finite) {
+/// Bonds of a register of nodes: neighbours and coefficients of bond k begin at
+/// k * slots_per_pack and at k * (D + 1) * slots_per_pack.
+template <class T, int D>
+struct RegisterBonds {
+  const std::uint16_t* neighbour;
+  const T* coefficient;
+
+  const std::uint16_t* neighbours(int k) const { return neighbour + k * slots_per_pack; }
+  /// g for c < D, w for c = D.
+  const T* coefficients(int k, int c) const {
+    return coefficient + (k * (D + 1) + c) * slots_per_pack;
+  }
+};
+
+/// F - I of (PB.4); keeps d of every bond.
+template <class P, int D>
+[[gnu::always_inline]] inline void displacement_gradient(const PointForces<Scalar<P>, D>& block,
+                                                         const RegisterBonds<Scalar<P>, D>& bonds,
+                                                         std::int64_t slot,
+                                                         P (&difference)[most_bonds][D],
+                                                         P (&h)[D * D]) {
   using T = Scalar<P>;
-  using Points = PointLanes<P, D>;
-  constexpr int registers = registers_per_pack<P>;
-  const std::int64_t slot = block.first + local;
-  const PackBonds<T, D> bonds = {
-      block.neighbour + static_cast<std::int64_t>(local) * block.bonds,
-      block.bond + static_cast<std::int64_t>(local) * block.bonds * (D + 1)};
-  alignas(64) T difference[most_bonds][D][slots_per_pack];
-  P b[registers][D * D], sum[registers][D], stiffness[registers];
-  for (int r = 0; r < registers; ++r) {
-    const int lane = r * lanes<P>;
-    P here[D], h[D * D];
-    for (int a = 0; a < D; ++a) here[a] = load<P>(block.displacement[a] + slot + lane);
-    for (P& component : h) component = P(T(0));
-    for (int k = 0; k < block.bonds; ++k) {
-      P d[D], g[D];
-      Points::gather(block.point, bonds.numbers(k, lane), d);
-      for (int a = 0; a < D; ++a) {
-        g[a] = load<P>(bonds.coefficient(k, a, lane));
-        d[a] = d[a] - here[a];
-        d[a].store_aligned(&difference[k][a][lane]);
-      }
-      for (int i = 0; i < D; ++i) {
-        for (int j = 0; j < D; ++j) h[D * i + j] = fused(d[i], g[j], h[D * i + j]);
-      }
-    }
-    if (block.examine && non_finite < 0) {
-      const int bad = impossible_lane<P, D>(h);
-      if (bad >= 0) non_finite = slot + lane + bad;
-    }
-    stress_of_nodes<law, P, D>(block, slot + lane, h, b[r], sum[r]);
-    stiffness[r] = load<P>(block.stiffness + slot + lane);
-  }
+  P here[D], sum[D * D];
+#pragma GCC unroll 3
+  for (int a = 0; a < D; ++a) here[a] = load<P>(block.displacement[a] + slot);
+#pragma GCC unroll 9
+  for (int c = 0; c < D * D; ++c) sum[c] = P(T(0));
   for (int k = 0; k < block.bonds; ++k) {
-    for (int r = 0; r < registers; ++r) {
-      const int lane = r * lanes<P>;
-      const P weight = stiffness[r] * load<P>(bonds.coefficient(k, D, lane));
-      P t[D];
-      for (int i = 0; i < D; ++i) t[i] = weight * P::load_aligned(&difference[k][i][lane]);
-      for (int j = 0; j < D; ++j) {
-        const P g = load<P>(bonds.coefficient(k, j, lane));
-        for (int i = 0; i < D; ++i) t[i] = fused(b[r][D * i + j], g, t[i]);
-      }
-      for (int i = 0; i < D; ++i) sum[r][i] = sum[r][i] + t[i];
-      Points::subtract(t, bonds.numbers(k, lane), block.force);
+    P d[D];
+    PointLanes<P, D>::gather(block.point, bonds.neighbours(k), d);
+#pragma GCC unroll 3
+    for (int a = 0; a < D; ++a) {
+      d[a] = d[a] - here[a];
+      difference[k][a] = d[a];
+    }
+#pragma GCC unroll 3
+    for (int j = 0; j < D; ++j) {
+      const P g = load<P>(bonds.coefficients(k, j));
+#pragma GCC unroll 3
+      for (int i = 0; i < D; ++i) sum[D * i + j] = fused(d[i], g, sum[D * i + j]);
     }
   }
-  std::uint16_t own[slots_per_pack];
-  for (int l = 0; l < slots_per_pack; ++l) own[l] = static_cast<std::uint16_t>(local + l);
-  for (int r = 0; r < registers; ++r) {
-    for (int i = 0; i < D; ++i) sum[r][i] = P(T(0)) - sum[r][i];
-    Points::subtract(sum[r], own + r * lanes<P>, block.force);
+#pragma GCC unroll 9
+  for (int c = 0; c < D * D; ++c) h[c] = sum[c];
+}
+
+/// Adds T_ij of (PB.8) of all bonds to the nodes and takes it from their neighbours.
+template <class P, int D>
+[[gnu::always_inline]] inline void add_bond_forces(const PointForces<Scalar<P>, D>& block,
+                                                   const RegisterBonds<Scalar<P>, D>& bonds,
+                                                   const P& stiffness,
+                                                   const P (&difference)[most_bonds][D],
+                                                   const P (&b)[D * D], P (&sum)[D]) {
+  for (int k = 0; k < block.bonds; ++k) {
+    const P weight = stiffness * load<P>(bonds.coefficients(k, D));
+    P t[D];
+#pragma GCC unroll 3
+    for (int i = 0; i < D; ++i) t[i] = weight * difference[k][i];
+#pragma GCC unroll 3
+    for (int j = 0; j < D; ++j) {
+      const P g = load<P>(bonds.coefficients(k, j));
+#pragma GCC unroll 3
+      for (int i = 0; i < D; ++i) t[i] = fused(b[D * i + j], g, t[i]);
+    }
+#pragma GCC unroll 3
+    for (int i = 0; i < D; ++i) sum[i] = sum[i] + t[i];
+    PointLanes<P, D>::subtract(t, bonds.neighbours(k), block.force);
   }
+}
+
+/// Forces of the register of nodes that starts at local number `local`. Every sum stays in
+/// registers: the loops over components must be unrolled, and everything inlined.
+template <ElasticLaw law, class P, int D>
+inline void add_forces_of_register(const PointForces<Scalar<P>, D>& block, int local,
+                                   std::int64_t& non_finite) {
+  using T = Scalar<P>;
+  const std::int64_t slot = block.first + local;
+  const int lane = local % slots_per_pack;
+  const auto pack = static_cast<std::int64_t>(local - lane) * block.bonds;
+  const RegisterBonds<T, D> bonds = {block.neighbour + pack + lane,
+                                     block.bond + pack * (D + 1) + lane};
+  P difference[most_bonds][D];
+  P h[D * D], b[D * D], sum[D];
+  displacement_gradient(block, bonds, slot, difference, h);
+  if (block.examine && non_finite < 0) {
+    const int bad = impossible_lane<P, D>(h);
+    if (bad >= 0) non_finite = slot + bad;
+  }
+  stress_of_nodes<law, P, D>(block, slot, h, b, sum);
+  add_bond_forces(block, bonds, load<P>(block.stiffness + slot), difference, b, sum);
+  std::uint16_t own[lanes<P>];
+  for (int l = 0; l < lanes<P>; ++l) {
+    own[l] = static_cast<std::uint16_t>(point_stride * (local + l));
+  }
+#pragma GCC unroll 3
+  for (int i = 0; i < D; ++i) sum[i] = P(T(0)) - sum[i];
+  PointLanes<P, D>::subtract(sum, own, block.force);
 }
 
 template <ElasticLaw law, class P, int D>
 inline PointForcesResult evaluate_forces_of(const PointForces<Scalar<P>, D>& block) {
   collect_points<P, D>(block);
   PointForcesResult result = {-1};
-  for (int local = 0; local < block.count; local += slots_per_pack) {
-    add_forces_of_pack<law, P, D>(block, local, result.non_finite);
+  for (int local = 0; local < block.count; local += lanes<P>) {
+    add_forces_of_register<law, P, D>(block, local, result.non_finite);
   }
   return result;
 }

@@ -7,9 +7,8 @@ namespace pliant::kernels {
 template <class T, int D>
 const PointBasedTable<T, D>& PointBasedTable<T, D>::of(Isa isa) {
   static const PointBasedTable sse2 = point_based_kernels<Isa::sse2, T, D>(),
-                               avx2 = point_based_kernels<Isa::avx2, T, D>(),
-                               widest = point_based_kernels<widest_of<T>, T, D>();
-  return isa == Isa::sse2 ? sse2 : isa == Isa::avx2 ? avx2 : widest;
+                               avx2 = point_based_kernels<Isa::avx2, T, D>();
+  return isa == Isa::sse2 ? sse2 : avx2;
 }
 
 template struct PointBasedTable<double, 2>;

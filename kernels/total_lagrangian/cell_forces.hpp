@@ -10,8 +10,10 @@ namespace pliant::kernels {
 template <class P, int D>
 inline P norm2_bound(const P (&matrix)[D * D]) {
   P row(Scalar<P>(0)), column(Scalar<P>(0));
+#pragma GCC unroll 3
   for (int i = 0; i < D; ++i) {
     P of_row = xsimd::abs(matrix[D * i]), of_column = xsimd::abs(matrix[i]);
+#pragma GCC unroll 3
     for (int j = 1; j < D; ++j) {
       of_row = of_row + xsimd::abs(matrix[D * i + j]);
       of_column = of_column + xsimd::abs(matrix[D * j + i]);
@@ -27,8 +29,10 @@ template <class P, int D>
 inline void displacement_modes(const StressPoints<Scalar<P>, D>& block,
                                const std::int64_t (&row)[1 << (D - 1)], std::int64_t slot,
                                P (&mode)[D][1 << D]) {
+#pragma GCC unroll 3
   for (int i = 0; i < D; ++i) {
     const Scalar<P>* d = block.displacement[i] + slot;
+#pragma GCC unroll 8
     for (int c = 0; c < (1 << D); ++c) mode[i][c] = load<P>(d + row[c >> 1] + (c & 1));
     to_modes<P, D>(mode[i]);
   }
@@ -40,6 +44,7 @@ struct HourglassWeights {
   Scalar<P> of[D + 1];
 
   explicit HourglassWeights(const StressPoints<Scalar<P>, D>& block) {
+#pragma GCC unroll 3
     for (int n = 0; n <= D; ++n) {
       of[n] = block.hourglass * Scalar<P>(mode_weights<D>[n]) / (block.spacing * block.spacing);
     }
@@ -51,9 +56,12 @@ template <class P, int D>
 inline P hourglass_squares(const HourglassWeights<P, D>& weights, const P (&mode)[D][1 << D]) {
   using T = Scalar<P>;
   P sum(T(0));
+#pragma GCC unroll 3
   for (int n = 2; n <= D; ++n) {
     P squares(T(0));
+#pragma GCC unroll 3
     for (int i = 0; i < D; ++i) {
+#pragma GCC unroll 8
       for (int m = 1; m < (1 << D); ++m) {
         if (directions_of[m] == n) squares = fused(mode[i][m], mode[i][m], squares);
       }

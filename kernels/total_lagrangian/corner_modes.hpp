@@ -18,7 +18,9 @@ inline std::int64_t corner_row(const Segment<D>& segment, int row, int side) {
 /// The corner values' modes in place, (TL.2): a fast Walsh transform. Number 0 becomes their sum.
 template <class P, int D>
 inline void to_modes(P (&value)[1 << D]) {
+#pragma GCC unroll 3
   for (int bit = 1; bit < (1 << D); bit <<= 1) {
+#pragma GCC unroll 8
     for (int c = 0; c < (1 << D); ++c) {
       if (c & bit) continue;
       const P lower = value[c], upper = value[c | bit];
@@ -35,6 +37,7 @@ template <class P, int D>
 inline P force_of_mode(const Scalar<P>* force, const std::int64_t (&row)[1 << (D - 1)],
                        std::int64_t slot, int mode) {
   P sum(Scalar<P>(0));
+#pragma GCC unroll 4
   for (int r = 0; r < (1 << (D - 1)); ++r) {
     const Scalar<P>* at = force + slot + row[r];
     const P before = load<P>(at - 1), here = load<P>(at);

@@ -20,10 +20,12 @@ MotionResult advance_motion(const Motion<Scalar<P>, D>& block) {
   constexpr int rows = 1 << (D - 1), registers = registers_per_pack<P>;
   const P zero(T(0));
   P stiffness[registers], inertia[registers];
+#pragma GCC unroll 4
   for (int k = 0; k < registers; ++k) stiffness[k] = inertia[k] = zero;
   for (int s = 0; s < block.segment_count; ++s) {
     const Segment<D>& segment = block.segments[s];
     std::int64_t row[rows];
+#pragma GCC unroll 4
     for (int r = 0; r < rows; ++r) row[r] = corner_row<typename P::arch_type>(segment, r, -1);
     for (std::int64_t slot = segment.first; slot < segment.first + segment.count;
          slot += lanes<P>) {
@@ -32,8 +34,10 @@ MotionResult advance_motion(const Motion<Scalar<P>, D>& block) {
       if (!xsimd::any(inside)) continue;
       const int k = static_cast<int>(slot % slots_per_pack) / lanes<P>;
       const P mass = xsimd::select(inside, P(T(1)) / inverse_mass, zero);
+#pragma GCC unroll 3
       for (int i = 0; i < D; ++i) {
         P force = zero;
+#pragma GCC unroll 7
         for (int m = 1; m <= cell_modes<D>; ++m) {
           force = force - force_of_mode<P, D>(block.force[i][m - 1], row, slot, m);
         }
@@ -52,6 +56,7 @@ MotionResult advance_motion(const Motion<Scalar<P>, D>& block) {
     }
   }
   MotionResult result;
+#pragma GCC unroll 4
   for (int k = 0; k < registers; ++k) {
     add_lanes(stiffness[k], result.stiffness);
     add_lanes(inertia[k], result.inertia);

@@ -31,6 +31,7 @@ StressPointsResult evaluate_stress_points(const StressPoints<Scalar<P>, D>& bloc
   using T = Scalar<P>;
   constexpr int corners = 1 << D;
   T volume = 1;
+#pragma GCC unroll 3
   for (int a = 0; a < D; ++a) volume *= block.spacing;
   // Half the corners pull each way, so that a difference over h is 2/2^D of a gradient mode.
   const T slope = T(2) / (corners * block.spacing);
@@ -40,12 +41,14 @@ StressPointsResult evaluate_stress_points(const StressPoints<Scalar<P>, D>& bloc
   for (int s = 0; s < block.segment_count; ++s) {
     const Segment<D>& segment = block.segments[s];
     std::int64_t row[corners / 2];
+#pragma GCC unroll 4
     for (int r = 0; r < corners / 2; ++r) row[r] = corner_row<typename P::arch_type>(segment, r, 1);
     for (std::int64_t slot = segment.first; slot < segment.first + segment.count;
          slot += lanes<P>) {
       const P fraction = load<P>(block.fraction + slot);
       const auto inside = fraction > zero;
       if (!xsimd::any(inside)) {
+#pragma GCC unroll 3
         for (int i = 0; i < D; ++i) {
           for (T* force : block.force[i]) zero.store_unaligned(force + slot);
         }
@@ -54,7 +57,9 @@ StressPointsResult evaluate_stress_points(const StressPoints<Scalar<P>, D>& bloc
       P mode[D][corners];
       displacement_modes<P, D>(block, row, slot, mode);
       CellState<P, D> state;
+#pragma GCC unroll 3
       for (int i = 0; i < D; ++i) {
+#pragma GCC unroll 3
         for (int j = 0; j < D; ++j) {
           // Corners of cells outside the body are nothing in particular.
           state.f[D * i + j] = xsimd::select(inside, mode[i][1 << j] * P(slope), zero);
@@ -66,12 +71,15 @@ StressPointsResult evaluate_stress_points(const StressPoints<Scalar<P>, D>& bloc
       const P filled = P(volume) * fraction;
       const P pressure = relax_cells<P, D>(block.viscosity, state, inside, slot);
       const CellStress<P, D> stress = cell_stress<P, D>(block.material, state, pressure);
+#pragma GCC unroll 3
       for (int i = 0; i < D; ++i) {
+#pragma GCC unroll 8
         for (int m = 1; m < corners; ++m) {
           if (directions_of[m] < 2) continue;
           const P force = filled * stress.shear * P(weights.of[directions_of[m]]) * mode[i][m];
           xsimd::select(inside, force, zero).store_unaligned(block.force[i][m - 1] + slot);
         }
+#pragma GCC unroll 3
         for (int j = 0; j < D; ++j) {
           (filled * P(slope) * stress.piola[D * i + j])
               .store_unaligned(block.force[i][(1 << j) - 1] + slot);

@@ -68,12 +68,15 @@ class SurfaceWriter {
       states_.push_back(node_state(body, body.block_of(slot), slot));
     });
     tree_.emplace(places_);
+    std::vector<Box<D>> boxes;
     for (const CutSurface<D>& cut : cuts) {
       for (std::size_t p = 0; p < cut.pieces().size(); ++p) {
-        Piece& piece = pieces_.emplace_back(Piece{cut.corners(p), {}});
-        for (const Point<D>& corner : piece.corners) piece.box.grow(corner);
+        pieces_.push_back(cut.corners(p));
+        Box<D>& box = boxes.emplace_back();
+        for (const Point<D>& corner : pieces_.back()) box.grow(corner);
       }
     }
+    boxes_.emplace(std::move(boxes));
   }
 
   void write() {
@@ -85,8 +88,8 @@ class SurfaceWriter {
       add(corners);
     }
     const auto is_inside = inside_of<D>(body_.source->geometry, 0);
-    for (const Piece& cut : pieces_) {
-      subdivide<D>(cut.corners, body_.resolution, [&](Corners<D> piece) {
+    for (const Corners<D>& cut : pieces_) {
+      subdivide<D>(cut, body_.resolution, [&](Corners<D> piece) {
         if (!is_inside(centre<D>(piece))) return;
         add(piece);
         std::swap(piece[0], piece[1]);
@@ -124,10 +127,11 @@ class SurfaceWriter {
     Box<D> way;
     way.grow(node);
     way.grow(side);
-    for (const Piece& piece : pieces_) {
-      if (squared_gap(piece.box, way) == 0 && crossing<D>(node, side, piece.corners)) return true;
-    }
-    return false;
+    bool is_crossed = false;
+    boxes_->for_each_near(way, 0, 0, [&](std::size_t piece) {
+      is_crossed = is_crossed || crossing<D>(node, side, pieces_[piece]);
+    });
+    return is_crossed;
   }
 
   /// Where `x` is now: a mean over the nearest nodes on its side of x_i + F_i (X - X_i), with
@@ -156,11 +160,6 @@ class SurfaceWriter {
     return sum;
   }
 
-  struct Piece {
-    std::array<Point<D>, D> corners;
-    Box<D> box;
-  };
-
   const Body<T, D>& body_;
   int owner_;
   SurfaceVertices& vertices_;
@@ -168,7 +167,8 @@ class SurfaceWriter {
   std::vector<Point<D>> places_;     ///< [node] undeformed
   std::vector<NodeState<D>> states_;
   std::optional<NearestNodes<D>> tree_;
-  std::vector<Piece> pieces_;  ///< of all cuts
+  std::vector<Corners<D>> pieces_;   ///< of all cuts, along the way of each blade
+  std::optional<BoxTree<D>> boxes_;  ///< [piece]
 };
 
 }  // namespace
