@@ -8,9 +8,10 @@ struct EnergyBudget {
   double wall_work = 0;        ///< of walls that move, on the bodies
   double load_work = 0;        ///< of pressures and tractions
   double body_force_work = 0;  ///< of gravity
+  double cut_work = 0;         ///< of cuts: what the strain energy changes by as bonds change
   double damping = 0;          ///< lost to damping rates
 
-  double work() const { return wall_work + load_work + body_force_work; }
+  double work() const { return wall_work + load_work + body_force_work + cut_work; }
 };
 
 /// Adds `factor` times another budget.
@@ -18,6 +19,7 @@ inline void add(EnergyBudget& sum, const EnergyBudget& other, double factor = 1)
   sum.wall_work += factor * other.wall_work;
   sum.load_work += factor * other.load_work;
   sum.body_force_work += factor * other.body_force_work;
+  sum.cut_work += factor * other.cut_work;
   sum.damping += factor * other.damping;
 }
 

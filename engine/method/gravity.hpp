@@ -23,6 +23,8 @@ class Gravity {
 
   /// Whether it is anything but zero.
   bool acts() const { return acts_; }
+  /// Whether it is the same everywhere.
+  bool is_uniform() const { return is_uniform_; }
 
   /// Makes room for `blocks` blocks.
   void reserve(std::size_t blocks) {

@@ -11,6 +11,7 @@
 #include "engine/lattice/lattice.hpp"
 #include "engine/point_based/fields.hpp"
 #include "engine/storage/buffer.hpp"
+#include "engine/undeformed/body.hpp"
 #include "kernels/point_based/table.hpp"
 #include "scheduler/blocks.hpp"
 
@@ -28,20 +29,18 @@ struct NodeBlock {
   std::int64_t first_point() const { return first + first_halo; }
 };
 
-/// A node whose velocity a wall sets.
-template <int D>
-struct ConstrainedNode {
-  std::int32_t slot;
-  std::int32_t wall;
-  Point<D> normal;  ///< of a slip wall, out of it; zero at a no-slip wall
-};
+using undeformed::ConstrainedParticle;
 
-/// Nodes of a block that one pressure acts on.
+/// A node with the share of the undeformed surface on which one pressure or traction acts.
 template <int D>
 struct PressedNode {
   std::int32_t slot;
   std::int32_t pressure;
-  Point<D> area;  ///< share of the undeformed surface, outwards [m^(D-1)]
+  Point<D> area;           ///< outwards [m^(D-1)]
+  double size;             ///< the same without direction [m^(D-1)]
+  Point<D> middle;         ///< of the share [m]
+  Point<D> traction = {};  ///< at present [Pa]; 0 of a pressure
+  Point<D> force = {};     ///< at present [N]
 };
 
 /// A node whose bonds span a plane or a line only.
@@ -65,13 +64,11 @@ struct BodySurface {
 
 /// One body: nodes of its undeformed shape, and the bonds between them.
 template <class T, int D>
-struct Body {
+struct Body : undeformed::Body<T, D> {
+  using undeformed::Body<T, D>::position;
   static constexpr int symmetric = kernels::symmetric_components<D>;
 
-  std::string name;
-  const BodyCase* source = nullptr;
   kernels::PointMaterial<T> material;
-  std::int64_t particles = 0, slots = 0;
   int bonds = 0;              ///< of each node, those of no weight included
   double resolution = 0;      ///< H, the least V^(1/D) [m]
   double volume_at_rest = 0;  ///< [m^D]
@@ -79,30 +76,24 @@ struct Body {
   scheduler::Blocks adjacency;                 ///< blocks whose nodes have bonds
   std::vector<Point<D>> start;                 ///< [slot] undeformed positions [m]
   std::vector<std::int64_t> number;            ///< [slot] of the node in its cloud; -1: none
-  Buffer<T> mass;                              ///< [kg]
-  Buffer<T> inverse_mass;                      ///< [1/kg], 0 where there is no node
   Buffer<T> volume;                            ///< [m^D], 0 at degenerate nodes
   Buffer<T> stiffness;                         ///< [N/m]
   std::array<Buffer<T>, D * D> kept_gradient;  ///< D of (PB.14), where there are cuts
   std::array<Buffer<T>, symmetric> moment, strain;
-  std::array<Buffer<T>, D> displacement, velocity;
-  std::array<Buffer<T>, D> pressure_load, traction;  ///< [N], where loads act
-  /// At the end of a step that an output time divides [m]; of no meaning at other times.
-  std::array<Buffer<T>, D> end_displacement;
-  Buffer<std::uint16_t> neighbour;  ///< [pack][bond][lane] local numbers times point_stride
-  Buffer<T> bond;                   ///< [pack][bond][D + 1][lane] g, w
-  std::vector<std::int32_t> halo;   ///< slots, ascending in each block
-  Buffer<T> point, force;           ///< [slots and halos][point_stride]
+  std::array<Buffer<T>, D> pressure_load;  ///< [N], where pressures act
+  Buffer<std::uint16_t> neighbour;         ///< [pack][bond][lane] local numbers times point_stride
+  Buffer<T> bond;                          ///< [pack][bond][D + 1][lane] g, w
+  std::vector<std::int32_t> halo;          ///< slots, ascending in each block
+  Buffer<T> point, force;                  ///< [slots and halos][point_stride]
   std::vector<std::vector<kernels::CollectedForces<T>>> collected;  ///< [block]
-  std::vector<std::vector<ConstrainedNode<D>>> held;                ///< [block]
   std::vector<std::vector<PressedNode<D>>> pressed;                 ///< [block]
   std::vector<std::vector<DegenerateNode<D>>> degenerate;           ///< [block]
   BodySurface<D> surface;
 
-  bool is_loaded() const { return traction[0].bytes() > 0; }
+  bool is_pressed() const { return pressure_load[0].bytes() > 0; }
+  bool is_loaded() const { return this->traction[0].bytes() > 0; }
   bool has_cuts() const { return kept_gradient[0].bytes() > 0; }
   bool is_viscous() const { return strain[0].bytes() > 0; }
-  bool is_particle(std::int64_t slot) const { return inverse_mass[slot] > 0; }
 
   /// Calls f(field, buffers) for every array of slots.
   template <class F>
@@ -160,7 +151,7 @@ struct Body {
   /// Where a node is at present [m].
   Point<D> position(std::int64_t slot) const {
     Point<D> x = start[slot];
-    for (int a = 0; a < D; ++a) x[a] += displacement[a][slot];
+    for (int a = 0; a < D; ++a) x[a] += this->displacement[a][slot];
     return x;
   }
 
@@ -178,7 +169,7 @@ struct Body {
     f(Field::stiffness, span(&body.stiffness, 1));
     f(Field::moment, span(body.moment));
     if (body.has_cuts()) f(Field::kept_gradient, span(body.kept_gradient));
-    if (body.is_loaded()) f(Field::pressure_load, span(body.pressure_load));
+    if (body.is_pressed()) f(Field::pressure_load, span(body.pressure_load));
     if (body.is_loaded()) f(Field::traction, span(body.traction));
   }
 };

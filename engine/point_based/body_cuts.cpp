@@ -113,7 +113,8 @@ const std::vector<std::int32_t>& BodyCuts<T, D>::move(std::size_t b, double time
 }
 
 template <class T, int D>
-void BodyCuts<T, D>::advance(double time, Body<T, D>& body) {
+double BodyCuts<T, D>::advance(double time, Body<T, D>& body) {
+  double added = 0;
   for (std::size_t b = 0; b < blades_.size(); ++b) {
     const Blade& blade = blades_[b];
     if (blade.is_done || time < blade.source.start) continue;
@@ -131,19 +132,27 @@ void BodyCuts<T, D>::advance(double time, Body<T, D>& body) {
       if (farthest < least_advance_) continue;
     }
     for (const std::int32_t slot : move(b, at)) {
-      const Matrix<D> before = matrix<D>(node_state(body, body.block_of(slot), slot).gradient);
-      set_bonds_of(slot, body);
-      keep<T, D>(Matrix<D>::Identity(), slot, body);
-      const Matrix<D> fit = matrix<D>(node_state(body, body.block_of(slot), slot).gradient);
-      constexpr double least_volume_ratio = 0.05;
-      if (body.volume[slot] > 0 && fit.determinant() > least_volume_ratio) {
-        keep<T, D>(fit.inverse() * before, slot, body);
-      }
+      added += change_bonds_of(slot, body);
       if (is_relaxing(body, slot)) relaxing_.push_back(slot);
     }
   }
   std::sort(relaxing_.begin(), relaxing_.end());
   relaxing_.erase(std::unique(relaxing_.begin(), relaxing_.end()), relaxing_.end());
+  return added;
+}
+
+template <class T, int D>
+double BodyCuts<T, D>::change_bonds_of(std::int32_t slot, Body<T, D>& body) {
+  constexpr double least_volume_ratio = 0.05;
+  const NodeBlock& block = body.block_of(slot);
+  const NodeState<D> before = node_state(body, block, slot);
+  set_bonds_of(slot, body);
+  keep<T, D>(Matrix<D>::Identity(), slot, body);
+  const Matrix<D> fit = matrix<D>(present_gradient(body, block, slot));
+  if (body.volume[slot] > 0 && fit.determinant() > least_volume_ratio) {
+    keep<T, D>(fit.inverse() * matrix<D>(before.gradient), slot, body);
+  }
+  return node_state(body, block, slot).energy - before.energy;
 }
 
 template <class T, int D>
@@ -154,22 +163,26 @@ void BodyCuts<T, D>::set_bonds_of(std::int32_t slot, Body<T, D>& body) {
 
 // Of the way to I, as much as does not raise the energy now.
 template <class T, int D>
-void BodyCuts<T, D>::relax(Body<T, D>& body) {
+double BodyCuts<T, D>::relax(Body<T, D>& body) {
+  double added = 0;
   const Matrix<D> identity = Matrix<D>::Identity();
   for (const std::int32_t slot : relaxing_) {
     const Matrix<D> kept = kept_gradient(body, slot);
-    const Matrix<D> present = matrix<D>(node_state(body, body.block_of(slot), slot).gradient);
+    const Matrix<D> present = matrix<D>(present_gradient(body, body.block_of(slot), slot));
     const Matrix<D> fit = present * kept.inverse();
     const double energy = energy_of<T, D>(body, present);
     double step = (kept - identity).cwiseAbs().maxCoeff() < relaxed ? 1 : longest_step;
     for (int i = 0; i < halvings; ++i, step /= 2) {
       const Matrix<D> next = kept + step * (identity - kept);
-      if (energy_of<T, D>(body, fit * next) > energy) continue;
+      const double relaxed_energy = energy_of<T, D>(body, fit * next);
+      if (relaxed_energy > energy) continue;
+      added += body.volume[slot] * (relaxed_energy - energy);
       keep<T, D>(next, slot, body);
       break;
     }
   }
   std::erase_if(relaxing_, [&](std::int32_t slot) { return !is_relaxing(body, slot); });
+  return added;
 }
 
 template <class T, int D>

@@ -21,10 +21,12 @@ class BodyCuts {
   /// Of the cuts whose body has this number. Keeps `choice`.
   BodyCuts(const Case& settings, int body_number, BondChoice<D> choice, const Body<T, D>& body);
 
-  /// Moves the blades on to where they are at `time` [s].
-  void advance(double time, Body<T, D>& body);
-  /// Relaxes the gradients that nodes have kept, by one step.
-  void relax(Body<T, D>& body);
+  /// Moves the blades on to where they are at `time` [s]; returns how much strain energy that adds
+  /// [J].
+  double advance(double time, Body<T, D>& body);
+  /// Relaxes the gradients that nodes have kept, by one step; returns the same, which is never
+  /// positive.
+  double relax(Body<T, D>& body);
 
   /// What the blades have cut so far.
   std::span<const CutSurface<D>> surfaces() const { return bonds_.cuts(); }
@@ -44,6 +46,8 @@ class BodyCuts {
   std::vector<MaterialPoint<D>> edge_at(const CutCase& source, double time) const;
   /// Returns the nodes whose bonds have changed.
   const std::vector<std::int32_t>& move(std::size_t blade, double time);
+  /// Gives a node its bonds anew; returns how much strain energy that adds [J].
+  double change_bonds_of(std::int32_t slot, Body<T, D>& body);
   void set_bonds_of(std::int32_t slot, Body<T, D>& body);
 
   BondChoice<D> choice_;

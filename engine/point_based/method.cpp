@@ -47,17 +47,8 @@ void check_cut(const Check& check, std::size_t i) {
 void check(const Check& check) {
   const Case& a_case = check.a_case;
   refuse_tables(check, {"remeshing", "level_set", "ghosts", "periodic", "contact"});
-  refuse_key(check, "gravity");
   for (std::size_t i = 0; i < a_case.cuts.size(); ++i) check_cut(check, i);
   for (std::size_t i = 0; i < a_case.bodies.size(); ++i) check_body(check, i);
-  for (std::size_t i = 0; i < a_case.boundaries.size(); ++i) {
-    const BoundaryCase::Kind kind = a_case.boundaries[i].kind;
-    if (row_of(kind).is_attached || kind == BoundaryCase::Kind::pressure) continue;
-    check.problems.add(
-        check.place("boundary", i, "kind"),
-        fmt::format("method point_based has no boundary of kind \"{}\"", row_of(kind).word),
-        "take method = \"remeshed\", or a wall that the body is attached to");
-  }
   refuse_measurements(check, Measurer<double, 2>::is_measured);
 }
 

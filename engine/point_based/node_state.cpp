@@ -148,6 +148,21 @@ NodeState<D> node_state(const Body<T, D>& body, const NodeBlock& block, std::int
 }
 
 template <class T, int D>
+std::array<double, D * D> present_gradient(const Body<T, D>& body, const NodeBlock& block,
+                                           std::int64_t slot) {
+  std::array<double, D* D> fit = {};
+  for (int i = 0; i < D; ++i) fit[(D + 1) * i] = 1;
+  body.for_each_bond(block, slot, [&](int, std::int64_t other, const Point<D>& g, double) {
+    for (int i = 0; i < D; ++i) {
+      const double d =
+          static_cast<double>(body.displacement[i][other]) - body.displacement[i][slot];
+      for (int j = 0; j < D; ++j) fit[D * i + j] += d * g[j];
+    }
+  });
+  return with_kept(body, slot, fit);
+}
+
+template <class T, int D>
 double strain_energy_density(const Body<T, D>& body, const std::array<double, D * D>& f) {
   return energy_density(in_double(body.material), in_3d<D>(f));
 }
@@ -170,6 +185,14 @@ std::vector<Point<D>> present_corners(const Body<T, D>& body) {
   return place;
 }
 
+template std::array<double, 4> present_gradient(const Body<double, 2>&, const NodeBlock&,
+                                                std::int64_t);
+template std::array<double, 9> present_gradient(const Body<double, 3>&, const NodeBlock&,
+                                                std::int64_t);
+template std::array<double, 4> present_gradient(const Body<float, 2>&, const NodeBlock&,
+                                                std::int64_t);
+template std::array<double, 9> present_gradient(const Body<float, 3>&, const NodeBlock&,
+                                                std::int64_t);
 template std::vector<Point<2>> present_corners<double, 2>(const Body<double, 2>&);
 template std::vector<Point<3>> present_corners<double, 3>(const Body<double, 3>&);
 template std::vector<Point<2>> present_corners<float, 2>(const Body<float, 2>&);

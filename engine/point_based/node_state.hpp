@@ -21,6 +21,11 @@ struct NodeState {
 template <class T, int D>
 NodeState<D> node_state(const Body<T, D>& body, const NodeBlock& block, std::int64_t slot);
 
+/// F of (PB.4) at that node, row by row, with what it has kept at cuts (PB.14).
+template <class T, int D>
+std::array<double, D * D> present_gradient(const Body<T, D>& body, const NodeBlock& block,
+                                           std::int64_t slot);
+
 /// psi of (PB.6), (PB.7), or (RP.63), of the material of a body at the gradient `f`, per undeformed
 /// volume [Pa].
 template <class T, int D>

@@ -33,6 +33,7 @@ std::vector<Region> regions(State<T, D>& state, scheduler::FieldId resource, int
     add(body.neighbour.get() + range.first * body.bonds, bonds);
     add(body.halo.data() + range.first_halo, range.halo_count);
     add(body.held[local].data(), static_cast<std::int64_t>(body.held[local].size()));
+  } else if (group == Group::loads) {
     add(body.pressed[local].data(), static_cast<std::int64_t>(body.pressed[local].size()));
   }
   return found;

@@ -9,6 +9,7 @@
 
 #include "engine/blocks/point_blocks.hpp"
 #include "engine/geometry/padded.hpp"
+#include "engine/method/gravity.hpp"
 #include "engine/method/initial_velocity.hpp"
 #include "engine/point_based/lattice_nodes.hpp"
 #include "engine/point_based/nodes/mesh_nodes.hpp"
@@ -101,9 +102,13 @@ BondChoice<D> choice_of(const Case& settings, const PlacedNodes<D>& nodes, const
 }
 
 template <class T, int D>
-void make_room(const Case& settings, bool has_loads, Body<T, D>& body) {
+void make_room(const Case& settings, const Boundaries<D>& boundaries, Body<T, D>& body) {
   if (settings.point_based.stiffness_damping > 0) body.strain[0].grow(body.slots, T(0));
-  if (has_loads) body.traction[0].grow(body.slots, T(0));
+  for (const SurfacePressure<D>& load : boundaries.pressures) {
+    (load.is_traction() ? body.traction : body.pressure_load)[0].grow(body.slots, T(0));
+  }
+  const Gravity<D> gravity(settings);
+  if (gravity.acts() && !gravity.is_uniform()) body.traction[0].grow(body.slots, T(0));
   if (has_cuts(settings, *body.source)) {
     for (int c = 0; c < D * D; ++c) {
       body.kept_gradient[c].grow(body.slots, c % (D + 1) == 0 ? T(1) : T(0));
@@ -124,7 +129,8 @@ void hold(const Boundaries<D>& boundaries, double reach, Body<T, D>& body) {
       const double size = std::pow(body.mass[slot] / body.material.density, 1. / D);
       for (int w = 0; w < static_cast<int>(boundaries.walls.size()); ++w) {
         const Wall<D>& wall = boundaries.walls[w];
-        if (wall.distance(x) >= reach * size + on_wall * body.resolution) continue;
+        if (!wall.bonded() || wall.distance(x) >= reach * size + on_wall * body.resolution)
+          continue;
         const auto place = static_cast<std::int32_t>(slot);
         body.held[b].push_back({place, w, wall.slips() ? wall.normal(x) : Point<D>{}});
       }
@@ -140,7 +146,7 @@ void set_in_motion(const BodyCase& source, const Boundaries<D>& boundaries, Body
     for (int a = 0; a < D; ++a) body.velocity[a][slot] = static_cast<T>(u[a]);
   });
   for (const auto& of_block : body.held) {
-    for (const ConstrainedNode<D>& held : of_block) {
+    for (const ConstrainedParticle<D>& held : of_block) {
       if (held.normal != Point<D>{}) continue;
       const Point<D> u = boundaries.walls[held.wall].velocity(0);
       for (int a = 0; a < D; ++a) body.velocity[a][held.slot] = static_cast<T>(u[a]);
@@ -195,7 +201,7 @@ BondChoice<D> make_body(const Case& settings, const BodyCase& source, const Plac
   body.source = &source;
   body.material = point_material<T>(source);
   lay_out(nodes.cloud, body);
-  make_room(settings, !boundaries.pressures.empty(), body);
+  make_room(settings, boundaries, body);
   body.resolution = std::numeric_limits<double>::infinity();
   body.for_each_node([&](std::int64_t slot) {
     const double volume = nodes.cloud.volumes[body.number[slot]];

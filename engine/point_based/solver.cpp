@@ -25,93 +25,63 @@ constexpr double stable_steps = 1.4;  // H/c, (PB.12)
 
 template <class T, int D>
 Solver<T, D>::Solver(const Case& a_case, const SolverOptions& options)
-    : pliant::Solver(a_case, options),
-      state_{{}, Boundaries<D>(settings().boundaries), {}, {}},
-      step_(state_, settings(), kernels::PointBasedTable<T, D>::of(options.isa)),
+    : Base(a_case, options),
+      state_(this->settings().boundaries),
+      step_(state_, this->settings(), kernels::PointBasedTable<T, D>::of(options.isa)),
       resolution_(std::numeric_limits<double>::infinity()) {
-  state_.bodies.resize(settings().bodies.size());
+  state_.bodies.resize(this->settings().bodies.size());
   std::vector<scheduler::Blocks> blocks;
   for (std::size_t b = 0; b < state_.bodies.size(); ++b) {
     Body<T, D>& body = state_.bodies[b];
-    const BodyCase& source = settings().bodies[b];
+    const BodyCase& source = this->settings().bodies[b];
     BondChoice<D> choice =
-        make_body(settings(), source, place_nodes<D>(settings(), source), state_.boundaries, body);
-    cuts_.push_back(body.has_cuts() ? std::make_unique<BodyCuts<T, D>>(
-                                          settings(), static_cast<int>(b), std::move(choice), body)
-                                    : nullptr);
+        make_body(this->settings(), source, place_nodes<D>(this->settings(), source),
+                  state_.boundaries, body);
+    cuts_.push_back(body.has_cuts()
+                        ? std::make_unique<BodyCuts<T, D>>(this->settings(), static_cast<int>(b),
+                                                           std::move(choice), body)
+                        : nullptr);
     blocks.push_back(body.adjacency);
     number_blocks(static_cast<int>(b), body.adjacency.count(), state_.blocks);
     resolution_ = std::min(resolution_, body.resolution);
     state_.clock.wave_speed =
         std::max(state_.clock.wave_speed, kernels::wave_speed_at_rest(source.material));
   }
-  graph_ = std::make_unique<scheduler::StepGraph>(step_.phases(), join_blocks(blocks),
-                                                  Step<T, D>::resources());
+  state_.clock.damping = this->settings().point_based.damping;
+  this->graph_ = std::make_unique<scheduler::StepGraph>(step_.phases(), join_blocks(blocks),
+                                                        Step<T, D>::resources());
 }
 
 template <class T, int D>
 double Solver<T, D>::time_step() const {
   if (const double rest = state_.clock.rest(); rest > 0) return rest;
-  if (settings().time.step) return *settings().time.step;
-  return cfl_number(settings()) * stable_steps * resolution_ / state_.clock.wave_speed;
-}
-
-// A step always has its full length, so that no output time alters a run. Where an output time lies
-// inside a step, nodes are shown on their straight way through it.
-template <class T, int D>
-void Solver<T, D>::take_step(double dt) {
-  Clock& clock = state_.clock;
-  const double rest = clock.rest();
-  const bool begins = rest == 0;
-  if (begins) begin_step();
-  clock.time = begins || dt < rest - clock.rounding() ? clock.time + dt : clock.step_end;
-  if (begins && clock.rest() > 0) store_end();
-  if (!begins || clock.rest() > 0) move_to_output();
+  if (this->settings().time.step) return *this->settings().time.step;
+  return cfl_number(this->settings()) * stable_steps * resolution_ / state_.clock.wave_speed;
 }
 
 template <class T, int D>
 void Solver<T, D>::begin_step() {
   Clock& clock = state_.clock;
-  const double start = clock.step == 0 ? clock.time : clock.step_end, length = time_step();
+  const double start = clock.step_end, length = time_step();
   cut(start);
   step_.prepare({start, length, clock.step % examine_every == 0});
-  run(*graph_);
+  this->run(*this->graph_);
   check(step_.fold());
   for (Wall<D>& wall : state_.boundaries.walls) wall.move(start, length);
   clock.step_length = length;
   clock.step_end = start + length;
+  const bool is_leapfrog = this->settings().point_based.integrator == Integrator::leapfrog;
+  clock.velocity_time = is_leapfrog ? clock.step_end : clock.step_end - length / 2;
   ++clock.step;
-  add_particle_stages(particles());
+  this->add_particle_stages(this->particles());
 }
 
 template <class T, int D>
 void Solver<T, D>::cut(double time) {
   for (std::size_t b = 0; b < cuts_.size(); ++b) {
     if (!cuts_[b]) continue;
-    cuts_[b]->relax(state_.bodies[b]);
-    cuts_[b]->advance(time, state_.bodies[b]);
-  }
-}
-
-// Kept apart, as the way back from an output time would be rounded.
-template <class T, int D>
-void Solver<T, D>::store_end() {
-  for (Body<T, D>& body : state_.bodies) {
-    for (int a = 0; a < D; ++a) {
-      std::copy_n(body.displacement[a].get(), body.slots, body.end_displacement[a].get());
-    }
-  }
-}
-
-template <class T, int D>
-void Solver<T, D>::move_to_output() {
-  const T back = static_cast<T>(state_.clock.rest());
-  for (Body<T, D>& body : state_.bodies) {
-    for (int a = 0; a < D; ++a) {
-      for (std::int64_t slot = 0; slot < body.slots; ++slot) {
-        body.displacement[a][slot] = body.end_displacement[a][slot] - back * body.velocity[a][slot];
-      }
-    }
+    state_.energy.cut_work += cuts_[b]->relax(state_.bodies[b]);
+    state_.energy.cut_work += cuts_[b]->advance(time, state_.bodies[b]);
   }
 }
 
@@ -119,19 +89,12 @@ template <class T, int D>
 void Solver<T, D>::check(const StepResult& result) const {
   if (result.non_finite < 0) return;
   const Body<T, D>& body = state_.bodies[state_.blocks[result.failed_block].body];
-  throw failed_step(settings(), state_.clock,
+  throw failed_step(this->settings(), state_.clock,
                     fmt::format("the node of body `{}` that began at {} is no longer finite or has "
                                 "turned inside out",
                                 body.name, coordinates<D>(body.start[result.non_finite])),
-                    {smaller_step(settings()), "load more slowly",
+                    {smaller_step(this->settings()), "load more slowly",
                      "raise the stabilisation (point_based.stabilisation)", "use a finer spacing"});
-}
-
-template <class T, int D>
-std::int64_t Solver<T, D>::particles() const {
-  std::int64_t sum = 0;
-  for (const Body<T, D>& body : state_.bodies) sum += body.particles;
-  return sum;
 }
 
 template <class T, int D>
@@ -153,6 +116,15 @@ std::vector<double> Solver<T, D>::measure_each(std::span<const MeasurementCase> 
 }
 
 template <class T, int D>
+std::optional<EnergyBudget> Solver<T, D>::energy_budget() const {
+  const auto& method = this->settings().point_based;
+  if (method.integrator != Integrator::leapfrog || method.stiffness_damping > 0) {
+    return std::nullopt;
+  }
+  return Base::energy_budget();
+}
+
+template <class T, int D>
 BodyIntegrals Solver<T, D>::integrals() {
   return Measurer<T, D>(state_).totals();
 }
@@ -169,11 +141,6 @@ Frame Solver<T, D>::frame(const FrameParts& parts) {
 template <class T, int D>
 std::vector<SlotRun> Solver<T, D>::particle_runs(int body) const {
   return point_based::particle_runs(state_.bodies.at(body));
-}
-
-template <class T, int D>
-std::vector<FieldView> Solver<T, D>::fields(int body) const {
-  return field_views(state_.bodies.at(body));
 }
 
 template <class T, int D>

@@ -1,51 +1,22 @@
 #include "engine/point_based/state_archive.hpp"
 
-#include <fmt/format.h>
-
-#include "engine/method/archived_clock.hpp"
-#include "engine/method/archived_points.hpp"
+#include "engine/undeformed/state_archive.hpp"
 
 namespace pliant::point_based {
 
-namespace {
-
-/// Calls f(name, buffer) for every array that a checkpoint holds.
-void for_each_saved_array(auto& body, auto&& f) {
-  body.for_each_array([&f](Field field, auto components) {
-    if (!declaration(field).is_saved) return;
-    for (std::size_t c = 0; c < components.size(); ++c) {
-      f(fmt::format("{}/{}", declaration(field).name, c), components[c]);
-    }
-  });
-}
-
-}  // namespace
-
 template <class T, int D>
 void put_state(ArchiveWriter& archive, const State<T, D>& state) {
-  put_clock(archive, state.clock);
-  archive.put("clock/step_length", state.clock.step_length);
-  archive.put("clock/step_end", state.clock.step_end);
-  put_boundaries<D>(archive, state.boundaries);
+  undeformed::put_state<D>(archive, state);
   for (std::size_t b = 0; b < state.bodies.size(); ++b) {
-    for_each_saved_array(state.bodies[b], [&](const std::string& name, const Buffer<T>& values) {
-      archive.put(fmt::format("body/{}/{}", b, name),
-                  std::span<const T>(values.get(), state.bodies[b].slots));
-    });
+    undeformed::put_arrays(archive, b, state.bodies[b]);
   }
 }
 
 template <class T, int D>
 void get_state(const ArchiveReader& archive, State<T, D>& state) {
-  get_clock(archive, state.clock);
-  state.clock.step_length = archive.scalar<double>("clock/step_length");
-  state.clock.step_end = archive.scalar<double>("clock/step_end");
-  get_boundaries<D>(archive, state.boundaries);
+  undeformed::get_state<D>(archive, state);
   for (std::size_t b = 0; b < state.bodies.size(); ++b) {
-    for_each_saved_array(state.bodies[b], [&](const std::string& name, Buffer<T>& values) {
-      archive.read(fmt::format("body/{}/{}", b, name),
-                   std::span<T>(values.get(), state.bodies[b].slots));
-    });
+    undeformed::get_arrays(archive, b, state.bodies[b]);
   }
 }
 

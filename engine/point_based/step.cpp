@@ -6,12 +6,12 @@
 // A step of the point-based method. Everything happens on the bonds of the undeformed body.
 //
 //     drift     displacement at the time of the kick: half a step on for the leapfrog (PB.10)
-//     pressure  what pressures exert on the undeformed surface around each node (PB.11)
+//     loads     what pressures (PB.11), tractions and gravity (PB.15) exert on each node
 //     forces    F at each node from the nodes that it has bonds with, the stress, and its force
 //               along the bonds (PB.4)-(PB.9), collected for own nodes and for those of other
 //               blocks
 //     motion    the force on each node; velocity and displacement (PB.10); the velocity that walls
-//               set
+//               set, and the work of walls and loads
 //
 // A block adds up the forces on its nodes in the order of the blocks that collected them, so that
 // the sums do not depend on the number of threads.
@@ -23,7 +23,12 @@ using enum Group;
 template <class T, int D>
 Step<T, D>::Step(State<T, D>& state, const Case& settings,
                  const kernels::PointBasedTable<T, D>& kernels)
-    : state_(state), settings_(settings), kernels_(kernels) {}
+    : state_(state),
+      settings_(settings),
+      kernels_(kernels),
+      loads_(state, settings),
+      work_(state),
+      contact_(state, settings) {}
 
 template <class T, int D>
 bool Step<T, D>::is_leapfrog() const {
@@ -31,8 +36,18 @@ bool Step<T, D>::is_leapfrog() const {
 }
 
 template <class T, int D>
+double Step<T, D>::drift_length() const {
+  return is_leapfrog() ? advance_.length / 2 : advance_.length;
+}
+
+template <class T, int D>
 std::vector<Phase> Step<T, D>::phases() {
   results_.assign(state_.blocks.size(), {-1});
+  inertia_.assign(state_.blocks.size(), 0);
+  loads_.prepare_blocks();
+  work_.clear_blocks();
+  for (const Body<T, D>& body : state_.bodies) work_.add_blocks(body);
+  prepare_contact();
   const auto run = [this](auto function) {
     return [this, function](int block) { (this->*function)(block); };
   };
@@ -42,8 +57,9 @@ std::vector<Phase> Step<T, D>::phases() {
     rows.each("drift", own(of(velocity) + of(displacement)), own(of(displacement)),
               run(&Step::drift));
   }
-  if (!state_.boundaries.pressures.empty()) {
-    rows.each("pressure", own(of(constants)), own(of(loads)), run(&Step::load_pressures));
+  if (loads_.act_on_blocks()) {
+    rows.each("loads", near(of(displacement)) + own(of(constants)), own(of(loads)),
+              [this](int block) { loads_.load(block); });
   }
   rows.each("forces", near(of(displacement)) + own(of(constants) + of(loads) + of(strain)),
             own(of(points) + of(own_forces) + of(halo_forces) + of(strain) + of(results)),
@@ -51,7 +67,7 @@ std::vector<Phase> Step<T, D>::phases() {
   rows.each("motion",
             near(of(halo_forces)) +
                 own(of(own_forces) + of(constants) + of(loads) + of(velocity) + of(displacement)),
-            own(of(own_forces) + of(velocity) + of(displacement)), run(&Step::move));
+            own(of(own_forces) + of(velocity) + of(displacement) + of(results)), run(&Step::move));
   return phases;
 }
 
@@ -59,23 +75,42 @@ template <class T, int D>
 void Step<T, D>::prepare(const Advance& advance) {
   advance_ = advance;
   const double middle = advance.time + advance.length / 2;
-  const double kick = is_leapfrog() ? middle : advance.time;
-  pressure_.clear();
-  for (const auto& pressure : state_.boundaries.pressures) {
-    pressure_.push_back(pressure.value(kick));
-  }
-  wall_velocity_.clear();
-  for (const Wall<D>& wall : state_.boundaries.walls) {
-    wall_velocity_.push_back(wall.velocity(middle));
+  loads_.prepare(is_leapfrog() ? middle : advance.time);
+  work_.prepare(middle, advance.length, drift_length());
+}
+
+// Where cuts open a body, any of its nodes may come to lie on its surface.
+template <class T, int D>
+void Step<T, D>::prepare_contact() {
+  contact_.clear_surfaces();
+  if (!contact_.exists()) return;
+  for (Body<T, D>& body : state_.bodies) {
+    std::vector<undeformed::Vertex<D>> corners;
+    corners.reserve(body.surface.start.size() + body.start.size());
+    for (std::size_t c = 0; c < body.surface.start.size(); ++c) {
+      const std::int32_t slot = body.surface.node[c];
+      corners.push_back({slot, slot, 0, body.surface.start[c]});
+    }
+    if (body.has_cuts()) {
+      body.for_each_node([&](std::int64_t slot) {
+        const auto place = static_cast<std::int32_t>(slot);
+        corners.push_back({place, place, 0, body.start[slot]});
+      });
+    }
+    contact_.add_surface(body, corners);
   }
 }
 
 template <class T, int D>
-StepResult Step<T, D>::fold() const {
+StepResult Step<T, D>::fold() {
   StepResult result;
+  double inertia = 0;
   for (std::size_t b = 0; b < results_.size() && result.non_finite < 0; ++b) {
     result = {results_[b].non_finite, static_cast<int>(b)};
   }
+  for (const double of_block : inertia_) inertia += of_block;
+  work_.fold(inertia);
+  contact_.apply(advance_.time, advance_.length, advance_.length, drift_length());
   return result;
 }
 
@@ -94,19 +129,6 @@ void Step<T, D>::drift(int block) {
 }
 
 template <class T, int D>
-void Step<T, D>::load_pressures(int block) {
-  const auto [body, local] = owner(block);
-  for (const PressedNode<D>& node : body.pressed[local]) {
-    for (int a = 0; a < D; ++a) body.pressure_load[a][node.slot] = T(0);
-  }
-  for (const PressedNode<D>& node : body.pressed[local]) {
-    for (int a = 0; a < D; ++a) {
-      body.pressure_load[a][node.slot] += static_cast<T>(pressure_[node.pressure] * node.area[a]);
-    }
-  }
-}
-
-template <class T, int D>
 void Step<T, D>::evaluate_forces(int block) {
   const auto [body, local] = owner(block);
   const NodeBlock& range = body.blocks[local];
@@ -122,7 +144,8 @@ void Step<T, D>::evaluate_forces(int block) {
   work.stiffness = body.stiffness.get();
   for (int a = 0; a < D; ++a) {
     work.displacement[a] = body.displacement[a].get();
-    if (!body.pressed[local].empty()) work.load[a] = body.pressure_load[a].get();
+    if (body.is_pressed() && !body.pressed[local].empty())
+      work.load[a] = body.pressure_load[a].get();
   }
   for (int c = 0; c < Body<T, D>::symmetric; ++c) {
     work.moment[c] = body.moment[c].get();
@@ -148,39 +171,40 @@ void Step<T, D>::move(int block) {
   work.collected = body.collected[local].data();
   work.collected_count = static_cast<int>(body.collected[local].size());
   work.force = body.force.get() + kernels::point_stride * range.first_point();
-  const double half = settings_.point_based.damping * advance_.length / 2;
+  const double half = state_.clock.damping * advance_.length / 2;
   work.kept = static_cast<T>((1 - half) / (1 + half));
   work.gained = static_cast<T>(advance_.length / (1 + half));
-  work.drift = static_cast<T>(is_leapfrog() ? advance_.length / 2 : advance_.length);
+  work.drift = static_cast<T>(drift_length());
   work.inverse_mass = body.inverse_mass.get();
   for (int a = 0; a < D; ++a) {
+    work.gravity[a] = static_cast<T>(loads_.uniform_gravity()[a]);
     if (body.is_loaded()) work.external[a] = body.traction[a].get();
     work.velocity[a] = body.velocity[a].get();
     work.displacement[a] = body.displacement[a].get();
   }
+  work_.begin_motion(block, body, local, loads_.power(block));
+  inertia_[block] = inertia(block) / 2;
   kernels_.advance(work);
-  apply_walls(body, local);
+  work_.hold(block, body, local);
+  work_.end_motion(block, loads_.power(block));
+  inertia_[block] += inertia(block) / 2;
 }
 
-// Undoes what a constrained node has moved against its walls, in their order: where two walls meet,
-// the last one counts.
 template <class T, int D>
-void Step<T, D>::apply_walls(Body<T, D>& body, int local) {
-  const double moved = is_leapfrog() ? advance_.length / 2 : advance_.length;
-  for (const ConstrainedNode<D>& held : body.held[local]) {
-    Point<D> excess;
-    double along = 0, slips = 0;
+double Step<T, D>::inertia(int block) {
+  if (state_.clock.damping == 0) return 0;
+  const auto [body, local] = owner(block);
+  const NodeBlock& range = body.blocks[local];
+  double sum = 0;
+  for (std::int64_t slot = range.first; slot < range.first + range.nodes; ++slot) {
+    double square = 0;
     for (int a = 0; a < D; ++a) {
-      excess[a] = body.velocity[a][held.slot] - wall_velocity_[held.wall][a];
-      along += excess[a] * held.normal[a];
-      slips += held.normal[a] * held.normal[a];
+      const double u = body.velocity[a][slot];
+      square += u * u;
     }
-    for (int a = 0; a < D; ++a) {
-      const double undone = slips > 0 ? along * held.normal[a] : excess[a];
-      body.velocity[a][held.slot] -= static_cast<T>(undone);
-      body.displacement[a][held.slot] -= static_cast<T>(moved * undone);
-    }
+    sum += body.mass[slot] * square;
   }
+  return sum;
 }
 
 template class Step<double, 2>;

@@ -3,7 +3,10 @@
 #include <string>
 #include <vector>
 
+#include "engine/point_based/node_loads.hpp"
 #include "engine/point_based/state.hpp"
+#include "engine/undeformed/boundary_work.hpp"
+#include "engine/undeformed/wall_contact.hpp"
 #include "kernels/point_based/table.hpp"
 #include "scheduler/phase.hpp"
 
@@ -36,15 +39,17 @@ class Step {
   /// Sets how the next step advances, and the loads at the time of its kick.
   void prepare(const Advance& advance);
 
-  /// Folds the results of all blocks, in their order.
-  StepResult fold() const;
+  /// Lets contact walls push the nodes; folds the results of all blocks, in their order, impulses
+  /// and work into the state.
+  StepResult fold();
 
  private:
   void drift(int block);
-  void load_pressures(int block);
   void evaluate_forces(int block);
   void move(int block);
-  void apply_walls(Body<T, D>& body, int local);
+  void prepare_contact();
+  /// Sum of m u^2 of a block, where damping needs it [J].
+  double inertia(int block);
 
   struct Owned {
     Body<T, D>& body;
@@ -55,14 +60,18 @@ class Step {
     return {state_.bodies[owner.body], owner.block};
   }
   bool is_leapfrog() const;
+  /// For how long nodes move at the velocities that a kick leaves behind [s].
+  double drift_length() const;
 
   State<T, D>& state_;
   const Case& settings_;
   const kernels::PointBasedTable<T, D>& kernels_;
   Advance advance_ = {};
-  std::vector<double> pressure_;                     ///< [pressure] [Pa]
-  std::vector<Point<D>> wall_velocity_;              ///< [wall] [m/s]
+  NodeLoads<T, D> loads_;
+  undeformed::BoundaryWork<T, D> work_;
+  undeformed::WallContact<T, D> contact_;
   std::vector<kernels::PointForcesResult> results_;  ///< [block]
+  std::vector<double> inertia_;                      ///< [block] mean over the step [J]
 };
 
 extern template class Step<double, 2>;

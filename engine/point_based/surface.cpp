@@ -14,6 +14,8 @@ namespace pliant::point_based {
 
 namespace {
 
+using undeformed::area_vector;
+
 constexpr int samples = 8;              // to a side of a facet that the rim of a region cuts
 constexpr double on_surface = 1e-9;     // [h]
 constexpr double on_face = 1e-6;        // [h]
@@ -180,49 +182,48 @@ double share_of(const std::array<Point<D>, D>& corner, F&& is_inside) {
   return static_cast<double>(inside) / all;
 }
 
+/// The share of each node in the facets that one load acts on: areas count as the corners do,
+/// middles as far as they are loaded.
+template <int D>
+std::map<std::int32_t, PressedNode<D>> pressed_nodes(const SurfacePressure<D>& load, int number,
+                                                     const BodySurface<D>& surface) {
+  std::map<std::int32_t, PressedNode<D>> nodes;
+  for (std::size_t f = 0; f < surface.facet.size(); ++f) {
+    if (!surface.is_free[f]) continue;
+    std::array<Point<D>, D> x;
+    for (int v = 0; v < D; ++v) x[v] = surface.start[surface.facet[f][v]];
+    const double share = share_of<D>(x, [&](const Point<D>& at) { return load.acts_at(at); });
+    if (share == 0) continue;
+    const Point<D> whole = area_vector<D>(x);
+    double square = 0;
+    for (const double component : whole) square += component * component;
+    for (const std::int32_t corner : surface.facet[f]) {
+      const std::int32_t slot = surface.node[corner];
+      PressedNode<D>& node = nodes.insert({slot, {slot, number, {}, 0, {}}}).first->second;
+      const double size = share / D * std::sqrt(square);
+      for (int a = 0; a < D; ++a) {
+        node.area[a] += share / D * whole[a];
+        node.middle[a] += size * surface.start[corner][a];
+      }
+      node.size += size;
+    }
+  }
+  return nodes;
+}
+
 template <class T, int D>
 void find_loads(const Boundaries<D>& boundaries, Body<T, D>& body) {
-  const BodySurface<D>& surface = body.surface;
   for (int k = 0; k < static_cast<int>(boundaries.pressures.size()); ++k) {
-    std::map<std::int32_t, Point<D>> area;  // [slot]
-    for (std::size_t f = 0; f < surface.facet.size(); ++f) {
-      if (!surface.is_free[f]) continue;
-      std::array<Point<D>, D> x;
-      for (int v = 0; v < D; ++v) x[v] = surface.start[surface.facet[f][v]];
-      const double share =
-          share_of<D>(x, [&](const Point<D>& at) { return boundaries.pressures[k].acts_at(at); });
-      if (share == 0) continue;
-      const Point<D> whole = area_vector<D>(x);
-      for (const std::int32_t corner : surface.facet[f]) {
-        Point<D>& sum = area[surface.node[corner]];
-        for (int a = 0; a < D; ++a) sum[a] += share / D * whole[a];
-      }
-    }
     std::size_t b = 0;
-    for (const auto& [slot, vector] : area) {
+    for (auto& [slot, node] : pressed_nodes(boundaries.pressures[k], k, body.surface)) {
       while (slot >= body.blocks[b].first + body.blocks[b].count) ++b;
-      body.pressed[b].push_back({slot, k, vector});
+      for (double& x : node.middle) x /= node.size;
+      body.pressed[b].push_back(node);
     }
   }
 }
 
 }  // namespace
-
-template <int D>
-Point<D> area_vector(const std::array<Point<D>, D>& x) {
-  if constexpr (D == 2) {
-    return {x[1][1] - x[0][1], x[0][0] - x[1][0]};
-  } else {
-    Point<3> n;
-    for (int i = 0; i < 3; ++i) {
-      const int j = (i + 1) % 3, k = (i + 2) % 3;
-      n[i] =
-          ((x[1][j] - x[0][j]) * (x[2][k] - x[0][k]) - (x[1][k] - x[0][k]) * (x[2][j] - x[0][j])) /
-          2;
-    }
-    return n;
-  }
-}
 
 template <class T, int D>
 void make_surface(const NodeCloud<D>& cloud, const Shape& shape, double spacing,
@@ -240,7 +241,7 @@ void make_surface(const NodeCloud<D>& cloud, const Shape& shape, double spacing,
       for (int a = 0; a < D; ++a) middle[a] += body.surface.start[corner][a] / D;
     }
     const auto holds = [&](const Wall<D>& wall) {
-      return wall.distance(middle) < on_face * spacing;
+      return wall.bonded() && wall.distance(middle) < on_face * spacing;
     };
     body.surface.is_free.push_back(
         std::none_of(boundaries.walls.begin(), boundaries.walls.end(), holds));
@@ -257,8 +258,6 @@ std::function<bool(const Point<D>&)> inside_of(const Shape& shape, double edge) 
 
 template std::function<bool(const Point<2>&)> inside_of<2>(const Shape&, double);
 template std::function<bool(const Point<3>&)> inside_of<3>(const Shape&, double);
-template Point<2> area_vector<2>(const std::array<Point<2>, 2>&);
-template Point<3> area_vector<3>(const std::array<Point<3>, 3>&);
 template void make_surface<double, 2>(const NodeCloud<2>&, const Shape&, double,
                                       const Boundaries<2>&, Body<double, 2>&);
 template void make_surface<double, 3>(const NodeCloud<3>&, const Shape&, double,

@@ -14,10 +14,6 @@ template <class T, int D>
 void make_surface(const NodeCloud<D>& cloud, const Shape& shape, double spacing,
                   const Boundaries<D>& boundaries, Body<T, D>& body);
 
-/// Normal of a facet with these corners, its length the facet's area [m^(D-1)].
-template <int D>
-Point<D> area_vector(const std::array<Point<D>, D>& corner);
-
 /// Tells whether a place is inside `shape` and farther than `edge` [m] from its surface.
 template <int D>
 std::function<bool(const Point<D>&)> inside_of(const Shape& shape, double edge);

@@ -18,7 +18,7 @@ constexpr double credible = 0.5;        // of the largest energy or work: it has
 
 double largest_of(const EnergyBudget& budget, double energy) {
   return std::max({energy, std::abs(budget.wall_work), std::abs(budget.load_work),
-                   std::abs(budget.body_force_work)});
+                   std::abs(budget.body_force_work), std::abs(budget.cut_work)});
 }
 
 }  // namespace
@@ -103,6 +103,7 @@ SummaryChecks Watch::report() const {
   checks.wall_work = budget_.wall_work;
   checks.load_work = budget_.load_work;
   checks.body_force_work = budget_.body_force_work;
+  checks.cut_work = budget_.cut_work;
   checks.damping = budget_.damping;
   checks.created = created_;
   checks.largest_energy = scale_;

@@ -11,18 +11,14 @@
 #include "engine/lattice/layout.hpp"
 #include "engine/storage/buffer.hpp"
 #include "engine/total_lagrangian/fields.hpp"
+#include "engine/undeformed/body.hpp"
 #include "kernels/total_lagrangian/table.hpp"
 
 namespace pliant::total_lagrangian {
 
-/// A corner of a facet: a point of the undeformed surface on the line between two particles, with
-/// which it moves.
-template <int D>
-struct Vertex {
-  std::int32_t first, second;  ///< slots
-  double along;                ///< 0 at the first, 1 at the second
-  Point<D> start;              ///< where it is in the undeformed body [m]
-};
+using undeformed::area_vector;
+using undeformed::ConstrainedParticle;
+using undeformed::Vertex;
 
 /// A piece of the surface {phi = 0} inside one cell, its corners ordered so that its normal points
 /// out of the body.
@@ -44,14 +40,6 @@ struct SurfacePatch {
   int pressure;
 };
 
-/// A particle whose velocity a wall sets.
-template <int D>
-struct ConstrainedParticle {
-  std::int32_t slot;
-  std::int32_t wall;
-  Point<D> normal;  ///< of a slip wall, out of it; zero at a no-slip wall
-};
-
 /// A particle that has left its lattice node to lie on the rim of a wall, (TL.11).
 template <int D>
 struct FittedNode {
@@ -69,21 +57,17 @@ struct NodalLoads {
 /// One body, in its undeformed shape: particles on the nodes of a lattice, stress points in the
 /// middle of its cells.
 template <class T, int D>
-struct Body {
-  std::string name;
-  const BodyCase* source = nullptr;
+struct Body : undeformed::Body<T, D> {
+  using Points = undeformed::Body<T, D>;
+  using Points::position;
+
   kernels::Material<T> material;
   Lattice<D> lattice;
   Layout<D> layout;
-  std::int64_t particles = 0;
   Buffer<T> level_set;         ///< phi of the undeformed body [m]
   Buffer<T> fraction;          ///< share of the cell above the slot that the body fills, (TL.1)
   Buffer<T> regular_fraction;  ///< the same, 0 in fitted cells
-  Buffer<T> mass;              ///< [kg], 0 where there is no particle
-  Buffer<T> inverse_mass;      ///< [1/kg], 0 where there is no particle
-  std::array<Buffer<T>, D> displacement, velocity, internal, traction;
-  /// At the end of a step that an output time divides [m]; of no meaning at other times.
-  std::array<Buffer<T>, D> end_displacement;
+  std::array<Buffer<T>, D> internal;
   std::array<std::array<Buffer<T>, kernels::cell_modes<D>>, D> force;
   std::vector<kernels::PronyTerm<double>> prony;
   std::vector<Buffer<T>> memory_pressure;         ///< [term] p_i of (RP.10) at the last stress [Pa]
@@ -95,10 +79,9 @@ struct Body {
   std::vector<Facet<D>> facets;
   std::vector<FacetLoad> loads;
   std::vector<SurfacePatch> patches;
-  std::vector<int> first_patch;                           ///< [block + 1]
-  std::vector<Point<D>> patch_force;                      ///< [patch] [N]
-  std::vector<std::vector<ConstrainedParticle<D>>> held;  ///< [block]
-  std::vector<NodalLoads> nodal_loads;                    ///< [block]
+  std::vector<int> first_patch;         ///< [block + 1]
+  std::vector<Point<D>> patch_force;    ///< [patch] [N]
+  std::vector<NodalLoads> nodal_loads;  ///< [block]
 
   /// Calls f(field, buffers) for every array of slots.
   template <class F>
@@ -112,11 +95,9 @@ struct Body {
 
   std::array<const T*, D> displacement_view() const {
     std::array<const T*, D> view;
-    for (int a = 0; a < D; ++a) view[a] = displacement[a].get();
+    for (int a = 0; a < D; ++a) view[a] = this->displacement[a].get();
     return view;
   }
-
-  bool is_particle(std::int64_t slot) const { return mass[slot] > 0; }
 
   /// How far a particle starts from its node [m].
   Point<D> shift(std::int64_t slot) const {
@@ -135,29 +116,20 @@ struct Body {
   /// Whether a corner of a slot's cell has left its node.
   bool is_fitted(const Cell<D>& cell) const {
     if (fitted_nodes.empty()) return false;
-    const auto slots = corners(cell);
-    return std::any_of(slots.begin(), slots.end(),
+    const auto around = corners(cell);
+    return std::any_of(around.begin(), around.end(),
                        [this](std::int64_t slot) { return shift(slot) != Point<D>{}; });
   }
 
   /// Slots of the corners of a slot's cell, which all exist where the body fills some of it.
   std::array<std::int64_t, (1 << D)> corners(const Cell<D>& cell) const {
-    std::array<std::int64_t, (1 << D)> slots;
+    std::array<std::int64_t, (1 << D)> found;
     for (int c = 0; c < (1 << D); ++c) {
       Cell<D> at = cell;
       for (int a = 0; a < D; ++a) at[a] += c >> a & 1;
-      slots[c] = layout.slot(at);
+      found[c] = layout.slot(at);
     }
-    return slots;
-  }
-
-  /// Where a facet's corner is at present [m].
-  Point<D> position(const Vertex<D>& v) const {
-    Point<D> x = v.start;
-    for (int a = 0; a < D; ++a) {
-      x[a] += (1 - v.along) * displacement[a][v.first] + v.along * displacement[a][v.second];
-    }
-    return x;
+    return found;
   }
 
  private:
@@ -180,26 +152,7 @@ struct Body {
   }
 };
 
-/// Normal of a segment or a triangle, its length the area [m^(D-1)].
-template <int D>
-Point<D> area_vector(const std::array<Point<D>, D>& x) {
-  if constexpr (D == 2) {
-    return {x[1][1] - x[0][1], x[0][0] - x[1][0]};
-  } else {
-    Point<3> n, a, b;
-    for (int i = 0; i < 3; ++i) {
-      a[i] = x[1][i] - x[0][i];
-      b[i] = x[2][i] - x[0][i];
-    }
-    for (int i = 0; i < 3; ++i) {
-      const int j = (i + 1) % 3, k = (i + 2) % 3;
-      n[i] = (a[j] * b[k] - a[k] * b[j]) / 2;
-    }
-    return n;
-  }
-}
-
-/// The same of a facet as it is at present.
+/// Normal of a facet as it is at present, its length the area [m^(D-1)].
 template <class T, int D>
 Point<D> area_vector(const Body<T, D>& body, const Facet<D>& facet) {
   std::array<Point<D>, D> x;

@@ -36,30 +36,20 @@ double along(const std::array<Buffer<T>, D>& velocity, std::int64_t p, const Poi
 
 template <class T, int D>
 BoundaryForces<T, D>::BoundaryForces(State<T, D>& state, const Case& settings)
-    : state_(state), gravity_(settings) {}
+    : state_(state), gravity_(settings), work_(state) {}
 
 template <class T, int D>
 void BoundaryForces<T, D>::prepare_blocks() {
   gravity_.reserve(state_.blocks.size());
-  work_.resize(state_.blocks.size());
-  for (std::size_t b = 0; b < work_.size(); ++b) {
-    const Owned owned = owner(static_cast<int>(b));
-    work_[b].impulse.resize(state_.boundaries.walls.size());
-    work_[b].before.resize(owned.body.held[owned.local].size());
-  }
+  work_.clear_blocks();
+  for (const Body<T, D>& body : state_.bodies) work_.add_blocks(body);
 }
 
 template <class T, int D>
 void BoundaryForces<T, D>::prepare(double time, double kick, double length) {
   time_ = time;
-  kick_ = kick;
-  length_ = length;
   at_start_.evaluate(state_.boundaries, time);
-  in_middle_.evaluate(state_.boundaries, time + length / 2);
-  for (BlockWork& work : work_) {
-    work.energy = work.power = {};
-    std::fill(work.impulse.begin(), work.impulse.end(), Point<D>{});
-  }
+  work_.prepare(time + length / 2, kick, length);
   for (Body<T, D>& body : state_.bodies) find_tractions(body);
 }
 
@@ -176,63 +166,14 @@ EnergyBudget BoundaryForces<T, D>::power_of(int block) {
 template <class T, int D>
 void BoundaryForces<T, D>::begin_motion(int block) {
   const Owned owned = owner(block);
-  add(work_[block].energy, power_of(block), kick_ / 2);
-  const auto& held = owned.body.held[owned.local];
-  for (std::size_t i = 0; i < held.size(); ++i) {
-    for (int a = 0; a < D; ++a) work_[block].before[i][a] = owned.body.velocity[a][held[i].slot];
-  }
+  work_.begin_motion(block, owned.body, owned.local, power_of(block));
 }
 
-// Undoes what a constrained particle has moved against its walls, in their order: where two walls
-// meet, the last one counts. What is undone is the impulse of the wall, by (TL.8).
 template <class T, int D>
 void BoundaryForces<T, D>::end_motion(int block) {
   const Owned owned = owner(block);
-  Body<T, D>& body = owned.body;
-  BlockWork& work = work_[block];
-  const double inertia = state_.clock.mass_scaling * (1 + state_.clock.damping * kick_ / 2);
-  const auto& particles = body.held[owned.local];
-  for (std::size_t i = 0; i < particles.size(); ++i) {
-    const ConstrainedParticle<D>& held = particles[i];
-    Point<D> excess;
-    double along = 0, slips = 0;
-    for (int a = 0; a < D; ++a) {
-      excess[a] = body.velocity[a][held.slot] - in_middle_.wall_velocity[held.wall][a];
-      along += excess[a] * held.normal[a];
-      slips += held.normal[a] * held.normal[a];
-    }
-    for (int a = 0; a < D; ++a) {
-      const double undone = slips > 0 ? along * held.normal[a] : excess[a];
-      body.velocity[a][held.slot] -= undone;
-      body.displacement[a][held.slot] -= length_ * undone;
-      const double impulse = -inertia * body.mass[held.slot] * undone;
-      work.impulse[held.wall][a] += impulse;
-      const double speed = body.velocity[a][held.slot];
-      work.energy.wall_work += impulse * (work.before[i][a] + speed) / 2;
-      work.power.wall_work += impulse / kick_ * speed;
-    }
-  }
-  const EnergyBudget power = power_of(block);
-  add(work.energy, power, kick_ / 2);
-  add(work.power, power);
-}
-
-template <class T, int D>
-void BoundaryForces<T, D>::fold(double inertia) {
-  state_.power = {};
-  std::fill(state_.wall_force.begin(), state_.wall_force.end(), Point<D>{});
-  for (const BlockWork& work : work_) {
-    add(state_.energy, work.energy);
-    add(state_.power, work.power);
-    for (std::size_t w = 0; w < work.impulse.size(); ++w) {
-      for (int a = 0; a < D; ++a) {
-        state_.wall_impulse[w][a] += work.impulse[w][a];
-        state_.wall_force[w][a] += work.impulse[w][a] / kick_;
-      }
-    }
-  }
-  state_.power.damping = state_.clock.damping * state_.clock.mass_scaling * inertia;
-  state_.energy.damping += kick_ * state_.power.damping;
+  work_.hold(block, owned.body, owned.local);
+  work_.end_motion(block, power_of(block));
 }
 
 template class BoundaryForces<double, 2>;

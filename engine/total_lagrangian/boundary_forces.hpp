@@ -5,12 +5,12 @@
 #include "engine/boundaries/boundary_values.hpp"
 #include "engine/method/gravity.hpp"
 #include "engine/total_lagrangian/state.hpp"
+#include "engine/undeformed/boundary_work.hpp"
 
 namespace pliant::total_lagrangian {
 
 /// What walls, loads and gravity do to the particles in a step, with their impulses and their work
-/// (RP.72). Velocities before and after a step count alike: so the work of a force is exactly what
-/// it adds to the kinetic energy.
+/// (RP.72).
 template <class T, int D>
 class BoundaryForces {
  public:
@@ -35,15 +35,9 @@ class BoundaryForces {
 
   /// Adds impulses and work of the step to the state, in the order of the blocks; `inertia` is the
   /// sum of m u^2 before the step [J].
-  void fold(double inertia);
+  void fold(double inertia) { work_.fold(inertia); }
 
  private:
-  struct BlockWork {
-    EnergyBudget energy;            ///< of the step [J]
-    EnergyBudget power;             ///< of the velocities that it leaves behind [W]
-    std::vector<Point<D>> impulse;  ///< [wall] on the block [N s]
-    std::vector<Point<D>> before;   ///< [constrained particle] velocity before the step [m/s]
-  };
   struct Owned {
     Body<T, D>& body;
     int local;
@@ -59,9 +53,9 @@ class BoundaryForces {
 
   State<T, D>& state_;
   Gravity<D> gravity_;
-  BoundaryValues<D> at_start_, in_middle_;  ///< of the step: loads of the one, walls of the other
-  double time_ = 0, kick_ = 0, length_ = 0;
-  std::vector<BlockWork> work_;  ///< [block]
+  BoundaryValues<D> at_start_;  ///< of the step
+  double time_ = 0;
+  undeformed::BoundaryWork<T, D> work_;
 };
 
 extern template class BoundaryForces<double, 2>;

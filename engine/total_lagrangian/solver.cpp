@@ -40,59 +40,42 @@ bool is_held(const Body<T, D>& body, std::int64_t slot) {
 
 template <class T, int D>
 Solver<T, D>::Solver(const Case& a_case, const SolverOptions& options)
-    : pliant::Solver(a_case, options),
-      state_{{}, {}, {}, Boundaries<D>(settings().boundaries), {}, {}, {}, {}},
-      step_(state_, settings(), kernels::TotalLagrangianTable<T, D>::of(options.isa)) {
-  state_.wall_impulse.resize(state_.boundaries.walls.size());
-  state_.wall_force.resize(state_.boundaries.walls.size());
-  state_.bodies.resize(settings().bodies.size());
+    : Base(a_case, options),
+      state_(this->settings().boundaries),
+      step_(state_, this->settings(), kernels::TotalLagrangianTable<T, D>::of(options.isa)) {
+  state_.bodies.resize(this->settings().bodies.size());
   Layouts<D> layouts;
   for (std::size_t b = 0; b < state_.bodies.size(); ++b) {
     Body<T, D>& body = state_.bodies[b];
-    make_body<T, D>(settings(), settings().bodies[b], state_.boundaries, body);
+    make_body<T, D>(this->settings(), this->settings().bodies[b], state_.boundaries, body);
     layouts.push_back(&body.layout);
-    state_.clock.wave_speed = std::max(state_.clock.wave_speed,
-                                       kernels::wave_speed_at_rest(settings().bodies[b].material));
+    state_.clock.wave_speed = std::max(
+        state_.clock.wave_speed, kernels::wave_speed_at_rest(this->settings().bodies[b].material));
   }
   number_blocks<D>(layouts, state_.blocks);
-  state_.clock.damping = settings().total_lagrangian.damping.value_or(0);
+  state_.clock.damping = this->settings().total_lagrangian.damping.value_or(0);
   scale_mass();
-  graph_ = std::make_unique<scheduler::StepGraph>(step_.phases(), connect_blocks<D>(layouts, 0),
-                                                  Step<T, D>::resources());
+  this->graph_ = std::make_unique<scheduler::StepGraph>(
+      step_.phases(), connect_blocks<D>(layouts, 0), Step<T, D>::resources());
 }
 
 // Waves are slower by the square root of the scaling; "match_time_step" makes them as slow as the
 // step needs at present.
 template <class T, int D>
 void Solver<T, D>::scale_mass() {
-  const auto& method = settings().total_lagrangian;
+  const auto& method = this->settings().total_lagrangian;
   double& scaling = state_.clock.mass_scaling = method.mass_scaling;
   if (!method.match_time_step) return;
-  const double cells = state_.clock.wave_speed * *settings().time.step /
-                       (cfl_number(settings()) * settings().discretisation.spacing);
+  const double cells = state_.clock.wave_speed * *this->settings().time.step /
+                       (cfl_number(this->settings()) * this->settings().discretisation.spacing);
   scaling = std::max(1.0, cells * cells);
 }
 
 template <class T, int D>
 double Solver<T, D>::time_step() const {
-  if (settings().time.step) return *settings().time.step;
-  return cfl_number(settings()) * settings().discretisation.spacing *
+  if (this->settings().time.step) return *this->settings().time.step;
+  return cfl_number(this->settings()) * this->settings().discretisation.spacing *
          std::sqrt(state_.clock.mass_scaling) / state_.clock.wave_speed;
-}
-
-// A step always has its full length, so that no output time alters a run: a short step now and then
-// would feed vibrations. Where an output time lies inside a step, particles are shown on their
-// straight way through it.
-template <class T, int D>
-void Solver<T, D>::take_step(double dt) {
-  Clock& clock = state_.clock;
-  const double rest = clock.rest();
-  const bool begins = rest == 0;
-  if (begins) begin_step();
-  clock.time += begins || dt < rest + clock.rounding() ? dt : rest;
-  if (begins && clock.rest() > 0) store_end();
-  if (!begins || clock.rest() > 0) move_to_output();
-  state_.age_memory();
 }
 
 template <class T, int D>
@@ -101,14 +84,15 @@ void Solver<T, D>::begin_step() {
   const double start = clock.step_end, previous = clock.step_length, length = time_step();
   const bool examine = clock.step % examine_every == 0;
   step_.prepare({start, previous, length, examine});
-  run(*graph_);
+  this->run(*this->graph_);
   const StepResult result = step_.fold();
   check(result);
   for (Wall<D>& wall : state_.boundaries.walls) wall.move(start, length);
   clock.step_length = length;
   clock.step_end = start + length;
+  clock.velocity_time = clock.step_end - length / 2;
   ++clock.step;
-  if (!settings().total_lagrangian.damping) {
+  if (!this->settings().total_lagrangian.damping) {
     const double frequency2 = previous > 0 ? result.rayleigh / (previous * clock.mass_scaling) : 0;
     clock.damping = std::min(2 * std::sqrt(frequency2), 1 / length);
   }
@@ -116,32 +100,7 @@ void Solver<T, D>::begin_step() {
     clock.wave_speed = result.wave_speed;
     scale_mass();
   }
-  add_particle_stages(particles());
-}
-
-// Kept apart, as the way back from an output time would be rounded.
-template <class T, int D>
-void Solver<T, D>::store_end() {
-  for (Body<T, D>& body : state_.bodies) {
-    for (int a = 0; a < D; ++a) {
-      std::copy_n(body.displacement[a].get(), body.layout.slots(), body.end_displacement[a].get());
-    }
-  }
-}
-
-template <class T, int D>
-void Solver<T, D>::move_to_output() {
-  const T back = static_cast<T>(state_.clock.rest());
-  for (Body<T, D>& body : state_.bodies) {
-    for (int a = 0; a < D; ++a) {
-      const T* const end = body.end_displacement[a].get();
-      const T* const velocity = body.velocity[a].get();
-      T* const displacement = body.displacement[a].get();
-      for (std::int64_t p = 0; p < body.layout.slots(); ++p) {
-        displacement[p] = end[p] - back * velocity[p];
-      }
-    }
-  }
+  this->add_particle_stages(this->particles());
 }
 
 template <class T, int D>
@@ -154,20 +113,13 @@ void Solver<T, D>::check(const StepResult& result) const {
       "raise the hourglass stiffness (total_lagrangian.hourglass_stiffness)", "load more slowly",
       "use a finer spacing"};
   if (!is_held(body, result.non_finite)) {
-    remedies.insert(remedies.begin(), smaller_step(settings()));
+    remedies.insert(remedies.begin(), smaller_step(this->settings()));
   }
-  throw failed_step(settings(), state_.clock,
+  throw failed_step(this->settings(), state_.clock,
                     fmt::format("the cell of body `{}` that began at {} is no longer finite or has "
                                 "turned inside out",
                                 body.name, coordinates<D>(x)),
                     remedies);
-}
-
-template <class T, int D>
-std::int64_t Solver<T, D>::particles() const {
-  std::int64_t sum = 0;
-  for (const Body<T, D>& body : state_.bodies) sum += body.particles;
-  return sum;
 }
 
 template <class T, int D>
@@ -192,19 +144,12 @@ std::size_t Solver<T, D>::bytes() const {
 
 template <class T, int D>
 std::vector<double> Solver<T, D>::measure_each(std::span<const MeasurementCase> measurements) {
-  return Measurer<T, D>(settings(), state_)(measurements);
-}
-
-template <class T, int D>
-std::optional<EnergyBudget> Solver<T, D>::energy_budget() const {
-  EnergyBudget present = state_.energy;
-  add(present, state_.power, state_.clock.lag());
-  return present;
+  return Measurer<T, D>(this->settings(), state_)(measurements);
 }
 
 template <class T, int D>
 BodyIntegrals Solver<T, D>::integrals() {
-  return Measurer<T, D>(settings(), state_).totals();
+  return Measurer<T, D>(this->settings(), state_).totals();
 }
 
 template <class T, int D>
@@ -215,11 +160,6 @@ Frame Solver<T, D>::frame(const FrameParts& parts) {
 template <class T, int D>
 std::vector<SlotRun> Solver<T, D>::particle_runs(int body) const {
   return total_lagrangian::particle_runs(state_.bodies.at(body));
-}
-
-template <class T, int D>
-std::vector<FieldView> Solver<T, D>::fields(int body) const {
-  return field_views(state_.bodies.at(body));
 }
 
 template <class T, int D>

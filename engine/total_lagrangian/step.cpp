@@ -35,7 +35,7 @@ std::vector<Phase> Step<T, D>::phases() {
   stress_results_.assign(state_.blocks.size(), {0, -1});
   motion_results_.assign(state_.blocks.size(), {});
   boundary_forces_.prepare_blocks();
-  contact_.prepare_surfaces();
+  prepare_contact();
   relaxation_.resize(state_.bodies.size());
   memory_.resize(state_.bodies.size());
   for (std::size_t b = 0; b < state_.bodies.size(); ++b) {
@@ -71,6 +71,20 @@ std::vector<Phase> Step<T, D>::phases() {
 }
 
 template <class T, int D>
+void Step<T, D>::prepare_contact() {
+  contact_.clear_surfaces();
+  if (!contact_.exists()) return;
+  for (Body<T, D>& body : state_.bodies) {
+    std::vector<Vertex<D>> corners;
+    corners.reserve(D * body.facets.size());
+    for (const Facet<D>& facet : body.facets) {
+      corners.insert(corners.end(), facet.vertex.begin(), facet.vertex.end());
+    }
+    contact_.add_surface(body, corners);
+  }
+}
+
+template <class T, int D>
 void Step<T, D>::prepare(const Advance& advance) {
   advance_ = advance;
   boundary_forces_.prepare(advance.time, advance.kick(), advance.length);
@@ -100,7 +114,7 @@ StepResult Step<T, D>::fold() {
   }
   if (stiffness > 0 && inertia > 0) result.rayleigh = stiffness / inertia;
   boundary_forces_.fold(inertia);
-  contact_.apply(advance_.time, advance_.kick(), advance_.length);
+  contact_.apply(advance_.time, advance_.kick(), advance_.length, advance_.length);
   return result;
 }
 

@@ -4,8 +4,8 @@
 #include <vector>
 
 #include "engine/total_lagrangian/boundary_forces.hpp"
-#include "engine/total_lagrangian/contact.hpp"
 #include "engine/total_lagrangian/state.hpp"
+#include "engine/undeformed/wall_contact.hpp"
 #include "kernels/total_lagrangian/table.hpp"
 #include "scheduler/phase.hpp"
 
@@ -50,6 +50,7 @@ class Step {
   StepResult fold();
 
  private:
+  void prepare_contact();
   kernels::CellViscosity<T> viscosity(int block) const;
   void evaluate_stress(int block);
   void move(int block);
@@ -68,7 +69,7 @@ class Step {
   const kernels::TotalLagrangianTable<T, D>& kernels_;
   Advance advance_ = {};
   BoundaryForces<T, D> boundary_forces_;
-  WallContact<T, D> contact_;
+  undeformed::WallContact<T, D> contact_;
   std::vector<std::vector<kernels::Relaxation<T>>>
       relaxation_;                                           ///< [body][term], since the last step
   std::vector<std::vector<T*>> memory_;                      ///< [body][term]

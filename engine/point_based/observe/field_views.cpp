@@ -1,7 +1,6 @@
 #include "engine/point_based/observe/field_views.hpp"
 
 #include "engine/geometry/padded.hpp"
-#include "engine/method/field_views.hpp"
 
 namespace pliant::point_based {
 
@@ -15,13 +14,6 @@ std::vector<SlotRun> particle_runs(const Body<T, D>& body) {
 }
 
 template <class T, int D>
-std::vector<FieldView> field_views(const Body<T, D>& body) {
-  return {field_view<T>("displacement", "m", body.displacement, body.slots),
-          field_view<T>("velocity", "m/s", body.velocity, body.slots),
-          field_view<T>("mass", "kg", std::span(&body.mass, 1), body.slots)};
-}
-
-template <class T, int D>
 std::vector<std::array<double, 3>> positions(const Body<T, D>& body) {
   std::vector<std::array<double, 3>> list;
   list.reserve(body.particles);
@@ -30,16 +22,12 @@ std::vector<std::array<double, 3>> positions(const Body<T, D>& body) {
 }
 
 template std::vector<SlotRun> particle_runs<double, 2>(const Body<double, 2>&);
-template std::vector<FieldView> field_views<double, 2>(const Body<double, 2>&);
 template std::vector<std::array<double, 3>> positions<double, 2>(const Body<double, 2>&);
 template std::vector<SlotRun> particle_runs<double, 3>(const Body<double, 3>&);
-template std::vector<FieldView> field_views<double, 3>(const Body<double, 3>&);
 template std::vector<std::array<double, 3>> positions<double, 3>(const Body<double, 3>&);
 template std::vector<SlotRun> particle_runs<float, 2>(const Body<float, 2>&);
-template std::vector<FieldView> field_views<float, 2>(const Body<float, 2>&);
 template std::vector<std::array<double, 3>> positions<float, 2>(const Body<float, 2>&);
 template std::vector<SlotRun> particle_runs<float, 3>(const Body<float, 3>&);
-template std::vector<FieldView> field_views<float, 3>(const Body<float, 3>&);
 template std::vector<std::array<double, 3>> positions<float, 3>(const Body<float, 3>&);
 
 }  // namespace pliant::point_based

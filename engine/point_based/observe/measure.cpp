@@ -29,12 +29,14 @@ auto Measurer<T, D>::function_of(MeasurementCase::Kind kind) -> Function {
       {Quantity::extent, &Measurer::extent},
       {Quantity::point_displacement, &Measurer::point_displacement},
       {Quantity::mass, &Measurer::integral},
+      {Quantity::centre_of_mass, &Measurer::integral},
       {Quantity::momentum, &Measurer::integral},
       {Quantity::angular_momentum, &Measurer::integral},
       {Quantity::kinetic_energy, &Measurer::integral},
       {Quantity::strain_energy, &Measurer::integral},
       {Quantity::total_energy, &Measurer::integral},
       {Quantity::energy_ratio, &Measurer::integral},
+      {Quantity::wall_force, &Measurer::wall_impulse},
       {Quantity::volume, &Measurer::integral},
       {Quantity::surface_area, &Measurer::surface_area},
       {Quantity::connected_parts, &Measurer::parts},
@@ -105,6 +107,11 @@ double Measurer<T, D>::point_displacement(const MeasurementCase& m) const {
 }
 
 template <class T, int D>
+double Measurer<T, D>::wall_impulse(const MeasurementCase& m) const {
+  return state_.impulse(m);
+}
+
+template <class T, int D>
 double Measurer<T, D>::surface_area(const MeasurementCase& m) const {
   const Body<T, D>& body = state_.bodies[m.body];
   const std::vector<Point<D>> place = present_corners(body);
@@ -114,7 +121,7 @@ double Measurer<T, D>::surface_area(const MeasurementCase& m) const {
     std::array<Point<D>, D> corner;
     for (int v = 0; v < D; ++v) corner[v] = place[body.surface.facet[f][v]];
     double square = 0;
-    for (const double a : area_vector<D>(corner)) square += a * a;
+    for (const double a : undeformed::area_vector<D>(corner)) square += a * a;
     sum += std::sqrt(square);
   }
   return sum;

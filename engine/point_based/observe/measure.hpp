@@ -29,6 +29,7 @@ class Measurer {
   double value(const MeasurementCase& m) const;
   double extent(const MeasurementCase& m) const;
   double point_displacement(const MeasurementCase& m) const;
+  double wall_impulse(const MeasurementCase& m) const;
   double surface_area(const MeasurementCase& m) const;
   double parts(const MeasurementCase& m) const;
   double integral(const MeasurementCase& m) const;

@@ -102,7 +102,7 @@ class SurfaceWriter {
   /// A piece whose body lies behind it; nothing for a piece without area.
   void add(const Corners<D>& piece) {
     Point<D> side = centre<D>(piece);
-    const Point<D> area = area_vector<D>(piece);
+    const Point<D> area = undeformed::area_vector<D>(piece);
     double square = 0;
     for (const double component : area) square += component * component;
     if (square == 0) return;

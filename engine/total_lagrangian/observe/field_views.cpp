@@ -19,14 +19,6 @@ std::vector<SlotRun> particle_runs(const Body<T, D>& body) {
 }
 
 template <class T, int D>
-std::vector<FieldView> field_views(const Body<T, D>& body) {
-  const std::int64_t slots = body.layout.slots();
-  return {field_view<T>("displacement", "m", body.displacement, slots),
-          field_view<T>("velocity", "m/s", body.velocity, slots),
-          field_view<T>("mass", "kg", std::span(&body.mass, 1), slots)};
-}
-
-template <class T, int D>
 std::vector<std::array<double, 3>> positions(const Body<T, D>& body) {
   return positions_of_particles<D>(body.layout, has_mass(body),
                                    [&body](std::int64_t slot, const Cell<D>& cell) {
@@ -37,16 +29,12 @@ std::vector<std::array<double, 3>> positions(const Body<T, D>& body) {
 }
 
 template std::vector<SlotRun> particle_runs<double, 2>(const Body<double, 2>&);
-template std::vector<FieldView> field_views<double, 2>(const Body<double, 2>&);
 template std::vector<std::array<double, 3>> positions<double, 2>(const Body<double, 2>&);
 template std::vector<SlotRun> particle_runs<double, 3>(const Body<double, 3>&);
-template std::vector<FieldView> field_views<double, 3>(const Body<double, 3>&);
 template std::vector<std::array<double, 3>> positions<double, 3>(const Body<double, 3>&);
 template std::vector<SlotRun> particle_runs<float, 2>(const Body<float, 2>&);
-template std::vector<FieldView> field_views<float, 2>(const Body<float, 2>&);
 template std::vector<std::array<double, 3>> positions<float, 2>(const Body<float, 2>&);
 template std::vector<SlotRun> particle_runs<float, 3>(const Body<float, 3>&);
-template std::vector<FieldView> field_views<float, 3>(const Body<float, 3>&);
 template std::vector<std::array<double, 3>> positions<float, 3>(const Body<float, 3>&);
 
 }  // namespace pliant::total_lagrangian

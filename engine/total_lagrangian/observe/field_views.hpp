@@ -13,10 +13,6 @@ namespace pliant::total_lagrangian {
 template <class T, int D>
 std::vector<SlotRun> particle_runs(const Body<T, D>& body);
 
-/// The fields as they lie in memory.
-template <class T, int D>
-std::vector<FieldView> field_views(const Body<T, D>& body);
-
 /// Positions of the particles [m], in the order of the slots, z = 0 in 2D.
 template <class T, int D>
 std::vector<std::array<double, 3>> positions(const Body<T, D>& body);

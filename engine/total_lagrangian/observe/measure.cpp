@@ -122,8 +122,7 @@ double Measurer<T, D>::point_displacement(const MeasurementCase& m) const {
 
 template <class T, int D>
 double Measurer<T, D>::wall_impulse(const MeasurementCase& m) const {
-  const int wall = state_.boundaries.wall_of[m.boundary];
-  return state_.wall_impulse[wall][m.axis] + state_.clock.lag() * state_.wall_force[wall][m.axis];
+  return state_.impulse(m);
 }
 
 template <class T, int D>

@@ -1,13 +1,14 @@
-#include "engine/total_lagrangian/contact.hpp"
+#include "engine/undeformed/wall_contact.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
 #include <set>
+#include <tuple>
 
 #include "engine/case/contact_laws.hpp"
 
-namespace pliant::total_lagrangian {
+namespace pliant::undeformed {
 
 namespace {
 
@@ -23,64 +24,58 @@ double coefficient(const BoundaryCase& boundary) {
 }  // namespace
 
 template <class T, int D>
-WallContact<T, D>::WallContact(State<T, D>& state, const Case& settings)
-    : state_(state), settings_(settings) {}
-
-template <class T, int D>
-void WallContact<T, D>::prepare_surfaces() {
-  walls_.clear();
-  corners_.assign(state_.bodies.size(), {});
-  for (std::size_t b = 0; b < settings_.boundaries.size(); ++b) {
-    const BoundaryCase& boundary = settings_.boundaries[b];
+WallContact<T, D>::WallContact(State<D>& state, const Case& settings) : state_(state) {
+  for (std::size_t b = 0; b < settings.boundaries.size(); ++b) {
+    const BoundaryCase& boundary = settings.boundaries[b];
     if (boundary.kind != BoundaryCase::Kind::contact_wall) continue;
     const double friction = coefficient(boundary);
-    walls_.push_back({state_.boundaries.wall_of[b], friction == 0, friction, {}, {}, 1, 1});
-  }
-  for (std::size_t b = 0; b < corners_.size() && !walls_.empty(); ++b) {
-    const Body<T, D>& body = state_.bodies[b];
-    std::set<std::int32_t> held;
-    for (const auto& of_block : body.held) {
-      for (const ConstrainedParticle<D>& particle : of_block) held.insert(particle.slot);
-    }
-    const auto inverse_mass = [&](std::int32_t slot) {
-      return held.contains(slot) ? 0. : static_cast<double>(body.inverse_mass[slot]);
-    };
-    std::set<std::pair<std::int32_t, std::int32_t>> known;
-    for (const Facet<D>& facet : body.facets) {
-      for (const Vertex<D>& v : facet.vertex) {
-        if (!known.insert({v.first, v.second}).second) continue;
-        Corner corner{v, 0, (1 - v.along) * inverse_mass(v.first),
-                      v.along * inverse_mass(v.second)};
-        if (v.first == v.second) corner = {v, 0, inverse_mass(v.first), 0};
-        corner.compliance = v.first == v.second ? corner.first_response
-                                                : (1 - v.along) * corner.first_response +
-                                                      v.along * corner.second_response;
-        if (corner.compliance > 0) corners_[b].push_back(corner);
-      }
-    }
+    walls_.push_back({state_.boundaries.wall_of[b], friction == 0, friction, {}, {}, 1, 1, 1, 1});
   }
 }
 
 template <class T, int D>
-void WallContact<T, D>::apply(double time, double kick, double length) {
+void WallContact<T, D>::add_surface(Body<T, D>& body, const std::vector<Vertex<D>>& corners) {
+  Surface& surface = surfaces_.emplace_back(Surface{&body, {}});
+  std::set<std::int32_t> held;
+  for (const auto& of_block : body.held) {
+    for (const ConstrainedParticle<D>& particle : of_block) held.insert(particle.slot);
+  }
+  const auto inverse_mass = [&](std::int32_t slot) {
+    return held.contains(slot) ? 0. : static_cast<double>(body.inverse_mass[slot]);
+  };
+  std::set<std::tuple<std::int32_t, std::int32_t, Point<D>>> known;
+  for (const Vertex<D>& v : corners) {
+    if (!known.insert({v.first, v.second, v.start}).second) continue;
+    Corner corner{v, 0, (1 - v.along) * inverse_mass(v.first), v.along * inverse_mass(v.second)};
+    if (v.first == v.second) corner = {v, 0, inverse_mass(v.first), 0};
+    corner.compliance = v.first == v.second ? corner.first_response
+                                            : (1 - v.along) * corner.first_response +
+                                                  v.along * corner.second_response;
+    if (corner.compliance > 0) surface.corners.push_back(corner);
+  }
+}
+
+template <class T, int D>
+void WallContact<T, D>::apply(double time, double kick, double length, double drift) {
   for (ContactWall& wall : walls_) {
     wall.velocity = state_.boundaries.walls[wall.wall].velocity(time + length / 2);
     for (int a = 0; a < D; ++a) wall.shift[a] = length * wall.velocity[a];
     wall.inertia = state_.clock.mass_scaling * (1 + state_.clock.damping * kick / 2);
     wall.kick = kick;
+    wall.length = length;
+    wall.drift = drift;
   }
-  for (std::size_t b = 0; b < state_.bodies.size(); ++b) {
+  for (Surface& surface : surfaces_) {
     for (int sweep = 0; sweep < sweeps; ++sweep) {
       for (const ContactWall& wall : walls_) {
-        for (const Corner& corner : corners_[b]) push(state_.bodies[b], corner, wall, length);
+        for (const Corner& corner : surface.corners) push(*surface.body, corner, wall);
       }
     }
   }
 }
 
 template <class T, int D>
-void WallContact<T, D>::push(Body<T, D>& body, const Corner& corner, const ContactWall& contact,
-                             double length) {
+void WallContact<T, D>::push(Body<T, D>& body, const Corner& corner, const ContactWall& contact) {
   const Wall<D>& wall = state_.boundaries.walls[contact.wall];
   const Vertex<D>& v = corner.vertex;
   // The wall is where it was at the start of the step.
@@ -100,16 +95,19 @@ void WallContact<T, D>::push(Body<T, D>& body, const Corner& corner, const Conta
     slip[a] -= normal_speed * n[a];
     square += slip[a] * slip[a];
   }
-  const double pushed = -gap / length, speed = std::sqrt(square);
+  const bool in_middle = contact.drift == contact.length;
+  const double pushed = in_middle ? -gap / contact.length : std::max(-normal_speed, 0.);
+  const double speed = std::sqrt(square);
   const double most = contact.slides ? 0 : contact.friction * pushed;
   const double taken = speed > most ? most / speed : 1;  // of the slip, by friction
   for (int a = 0; a < D; ++a) {
     const double impulse = (pushed * n[a] - taken * slip[a]) / corner.compliance;
     body.velocity[a][v.first] += static_cast<T>(corner.first_response * impulse);
-    body.displacement[a][v.first] += static_cast<T>(length * corner.first_response * impulse);
+    const double moved = (-gap * n[a] - contact.drift * taken * slip[a]) / corner.compliance;
+    body.displacement[a][v.first] += static_cast<T>(corner.first_response * moved);
     if (v.second != v.first) {
       body.velocity[a][v.second] += static_cast<T>(corner.second_response * impulse);
-      body.displacement[a][v.second] += static_cast<T>(length * corner.second_response * impulse);
+      body.displacement[a][v.second] += static_cast<T>(corner.second_response * moved);
     }
     const double given = contact.inertia * impulse, force = given / contact.kick;
     state_.wall_impulse[contact.wall][a] += given;
@@ -124,4 +122,4 @@ template class WallContact<double, 3>;
 template class WallContact<float, 2>;
 template class WallContact<float, 3>;
 
-}  // namespace pliant::total_lagrangian
+}  // namespace pliant::undeformed

@@ -1,0 +1,76 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "engine/case/case.hpp"
+#include "engine/lattice/lattice.hpp"
+#include "engine/storage/buffer.hpp"
+
+namespace pliant::undeformed {
+
+/// A point of the undeformed surface on the line between two particles, with which it moves; they
+/// are the same particle where it moves with that one alone.
+template <int D>
+struct Vertex {
+  std::int32_t first, second;  ///< slots
+  double along;                ///< 0 at the first, 1 at the second
+  Point<D> start;              ///< where it is in the undeformed body [m]
+};
+
+/// A particle whose velocity a wall sets.
+template <int D>
+struct ConstrainedParticle {
+  std::int32_t slot;
+  std::int32_t wall;
+  Point<D> normal;  ///< of a slip wall, out of it; zero at a no-slip wall
+};
+
+/// What the bodies of all methods on the undeformed body have: particles that move.
+template <class T, int D>
+struct Body {
+  std::string name;
+  const BodyCase* source = nullptr;
+  std::int64_t particles = 0, slots = 0;
+  Buffer<T> mass;          ///< [kg], 0 where there is no particle
+  Buffer<T> inverse_mass;  ///< [1/kg], 0 where there is no particle
+  std::array<Buffer<T>, D> displacement, velocity;
+  std::array<Buffer<T>, D> traction;  ///< of loads and gravity on each particle [N]
+  /// At the end of a step that an output time divides [m]; of no meaning at other times.
+  std::array<Buffer<T>, D> end_displacement;
+  std::vector<std::vector<ConstrainedParticle<D>>> held;  ///< [block]
+
+  bool is_particle(std::int64_t slot) const { return mass[slot] > 0; }
+
+  /// Where a point of the surface is at present [m].
+  Point<D> position(const Vertex<D>& v) const {
+    Point<D> x = v.start;
+    for (int a = 0; a < D; ++a) {
+      x[a] += (1 - v.along) * displacement[a][v.first] + v.along * displacement[a][v.second];
+    }
+    return x;
+  }
+};
+
+/// Normal of a segment or a triangle, its length the area [m^(D-1)].
+template <int D>
+Point<D> area_vector(const std::array<Point<D>, D>& x) {
+  if constexpr (D == 2) {
+    return {x[1][1] - x[0][1], x[0][0] - x[1][0]};
+  } else {
+    Point<3> n, a, b;
+    for (int i = 0; i < 3; ++i) {
+      a[i] = x[1][i] - x[0][i];
+      b[i] = x[2][i] - x[0][i];
+    }
+    for (int i = 0; i < 3; ++i) {
+      const int j = (i + 1) % 3, k = (i + 2) % 3;
+      n[i] = (a[j] * b[k] - a[k] * b[j]) / 2;
+    }
+    return n;
+  }
+}
+
+}  // namespace pliant::undeformed

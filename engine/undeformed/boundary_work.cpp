@@ -1,0 +1,94 @@
+#include "engine/undeformed/boundary_work.hpp"
+
+#include <algorithm>
+
+namespace pliant::undeformed {
+
+template <class T, int D>
+void BoundaryWork<T, D>::add_blocks(const Body<T, D>& body) {
+  for (const auto& held : body.held) {
+    BlockWork& work = work_.emplace_back();
+    work.impulse.resize(state_.boundaries.walls.size());
+    work.before.resize(held.size());
+  }
+}
+
+template <class T, int D>
+void BoundaryWork<T, D>::prepare(double time, double kick, double moved) {
+  kick_ = kick;
+  moved_ = moved;
+  wall_velocity_.clear();
+  for (const Wall<D>& wall : state_.boundaries.walls) wall_velocity_.push_back(wall.velocity(time));
+  for (BlockWork& work : work_) {
+    work.energy = work.power = {};
+    std::fill(work.impulse.begin(), work.impulse.end(), Point<D>{});
+  }
+}
+
+template <class T, int D>
+void BoundaryWork<T, D>::begin_motion(int block, const Body<T, D>& body, int local,
+                                      const EnergyBudget& power) {
+  add(work_[block].energy, power, kick_ / 2);
+  const auto& held = body.held[local];
+  for (std::size_t i = 0; i < held.size(); ++i) {
+    for (int a = 0; a < D; ++a) work_[block].before[i][a] = body.velocity[a][held[i].slot];
+  }
+}
+
+template <class T, int D>
+void BoundaryWork<T, D>::hold(int block, Body<T, D>& body, int local) {
+  BlockWork& work = work_[block];
+  const double inertia = state_.clock.mass_scaling * (1 + state_.clock.damping * kick_ / 2);
+  const auto& particles = body.held[local];
+  for (std::size_t i = 0; i < particles.size(); ++i) {
+    const ConstrainedParticle<D>& held = particles[i];
+    Point<D> excess;
+    double along = 0, slips = 0;
+    for (int a = 0; a < D; ++a) {
+      excess[a] = body.velocity[a][held.slot] - wall_velocity_[held.wall][a];
+      along += excess[a] * held.normal[a];
+      slips += held.normal[a] * held.normal[a];
+    }
+    for (int a = 0; a < D; ++a) {
+      const double undone = slips > 0 ? along * held.normal[a] : excess[a];
+      body.velocity[a][held.slot] -= undone;
+      body.displacement[a][held.slot] -= moved_ * undone;
+      const double impulse = -inertia * body.mass[held.slot] * undone;
+      work.impulse[held.wall][a] += impulse;
+      const double speed = body.velocity[a][held.slot];
+      work.energy.wall_work += impulse * (work.before[i][a] + speed) / 2;
+      work.power.wall_work += impulse / kick_ * speed;
+    }
+  }
+}
+
+template <class T, int D>
+void BoundaryWork<T, D>::end_motion(int block, const EnergyBudget& power) {
+  add(work_[block].energy, power, kick_ / 2);
+  add(work_[block].power, power);
+}
+
+template <class T, int D>
+void BoundaryWork<T, D>::fold(double inertia) {
+  state_.power = {};
+  std::fill(state_.wall_force.begin(), state_.wall_force.end(), Point<D>{});
+  for (const BlockWork& work : work_) {
+    add(state_.energy, work.energy);
+    add(state_.power, work.power);
+    for (std::size_t w = 0; w < work.impulse.size(); ++w) {
+      for (int a = 0; a < D; ++a) {
+        state_.wall_impulse[w][a] += work.impulse[w][a];
+        state_.wall_force[w][a] += work.impulse[w][a] / kick_;
+      }
+    }
+  }
+  state_.power.damping = state_.clock.damping * state_.clock.mass_scaling * inertia;
+  state_.energy.damping += kick_ * state_.power.damping;
+}
+
+template class BoundaryWork<double, 2>;
+template class BoundaryWork<double, 3>;
+template class BoundaryWork<float, 2>;
+template class BoundaryWork<float, 3>;
+
+}  // namespace pliant::undeformed

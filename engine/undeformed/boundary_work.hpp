@@ -1,0 +1,57 @@
+#pragma once
+
+#include <vector>
+
+#include "engine/undeformed/body.hpp"
+#include "engine/undeformed/state.hpp"
+
+namespace pliant::undeformed {
+
+/// What boundaries do to the particles in a step: walls hold their constrained particles; impulses
+/// of walls and the work of walls, loads and gravity (RP.72) are added up. Velocities before and
+/// after a step count alike: so the work of a force is exactly what it adds to the kinetic energy.
+template <class T, int D>
+class BoundaryWork {
+ public:
+  explicit BoundaryWork(State<D>& state) : state_(state) {}
+
+  /// Makes room for blocks with these constrained particles, body after body.
+  void clear_blocks() { work_.clear(); }
+  void add_blocks(const Body<T, D>& body);
+
+  /// Fixes when walls have the velocity that they give to particles, for how long forces act, and
+  /// for how long particles move at the velocity that these leave behind [s].
+  void prepare(double time, double kick, double moved);
+
+  /// Before the particles of a block move; `power` is that of loads and gravity there [W].
+  void begin_motion(int block, const Body<T, D>& body, int local, const EnergyBudget& power);
+  /// After that: constrained particles follow their walls, in the order of these: where two walls
+  /// meet, the last one counts. What is undone is the impulse of the wall, by (TL.8), (PB.10).
+  void hold(int block, Body<T, D>& body, int local);
+  /// In the end, with the power of loads and gravity then.
+  void end_motion(int block, const EnergyBudget& power);
+
+  /// Adds impulses and work of the step to the state, in the order of the blocks; `inertia` is the
+  /// sum of m u^2 that damping acts on [J].
+  void fold(double inertia);
+
+ private:
+  struct BlockWork {
+    EnergyBudget energy;            ///< of the step [J]
+    EnergyBudget power;             ///< of the velocities that it leaves behind [W]
+    std::vector<Point<D>> impulse;  ///< [wall] on the block [N s]
+    std::vector<Point<D>> before;   ///< [constrained particle] velocity before the step [m/s]
+  };
+
+  State<D>& state_;
+  double kick_ = 0, moved_ = 0;
+  std::vector<Point<D>> wall_velocity_;  ///< [wall] [m/s]
+  std::vector<BlockWork> work_;          ///< [block]
+};
+
+extern template class BoundaryWork<double, 2>;
+extern template class BoundaryWork<double, 3>;
+extern template class BoundaryWork<float, 2>;
+extern template class BoundaryWork<float, 3>;
+
+}  // namespace pliant::undeformed

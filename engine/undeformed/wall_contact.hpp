@@ -1,0 +1,72 @@
+#pragma once
+
+#include <vector>
+
+#include "engine/undeformed/body.hpp"
+#include "engine/undeformed/state.hpp"
+
+// Contact walls: rigid solids of any shape that bodies can meet and leave.
+//
+// The corners of the present surface must not lie inside a wall, (TL.12). One that does after a
+// step is put back onto it along the normal, by moving the two particles between which it lies: the
+// least change that does it. Friction takes as much of the sliding velocity as Coulomb's law allows
+// for the impulse along the normal.
+//
+// Where velocities belong to the middle of a step, as with central differences, they change by what
+// moves the corner back within the step. Where they belong to its end, as with the leapfrog, a
+// corner loses the velocity at which it approaches the wall, so that one at rest on the wall has
+// none. No force ever pulls a corner back.
+//
+// No penalty stiffness, so no number to choose and no shorter time step.
+namespace pliant::undeformed {
+
+template <class T, int D>
+class WallContact {
+ public:
+  WallContact(State<D>& state, const Case& settings);
+
+  /// Whether the case has contact walls.
+  bool exists() const { return !walls_.empty(); }
+  /// Forgets the surfaces of all bodies.
+  void clear_surfaces() { surfaces_.clear(); }
+  /// Lists the corners of the surface of a body, which must stay where it is.
+  void add_surface(Body<T, D>& body, const std::vector<Vertex<D>>& corners);
+  /// Lets the walls push the particles that have moved for `length` [s] from `time` on, for `drift`
+  /// [s] of it at the velocities that they have now, with forces that acted on them for `kick` [s];
+  /// adds impulses and work of the walls to the state.
+  void apply(double time, double kick, double length, double drift);
+
+ private:
+  /// A corner, on the line between two particles; those that a wall holds do not move.
+  struct Corner {
+    Vertex<D> vertex;
+    double compliance;                       ///< velocity along a force per impulse [1/kg]
+    double first_response, second_response;  ///< velocities of the particles per impulse [1/kg]
+  };
+  struct ContactWall {
+    int wall;                  ///< its place in the boundaries
+    bool slides;               ///< without friction
+    double friction;           ///< coefficient; infinite without sliding
+    Point<D> velocity, shift;  ///< of the wall in the step [m/s], [m]
+    double inertia;            ///< impulse over what moves the unscaled mass
+    double kick;               ///< for how long it acts [s]
+    double length, drift;      ///< for how long particles move, at the present velocities [s]
+  };
+  void push(Body<T, D>& body, const Corner& corner, const ContactWall& wall);
+
+  struct Surface {
+    Body<T, D>* body;
+    std::vector<Corner> corners;
+  };
+
+  State<D>& state_;
+  std::vector<ContactWall> walls_;
+  std::vector<Surface> surfaces_;
+};
+
+extern template class WallContact<double, 2>;
+extern template class WallContact<double, 3>;
+extern template class WallContact<float, 2>;
+extern template class WallContact<float, 3>;
+
+}  // namespace pliant::undeformed

@@ -1,0 +1,218 @@
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <map>
+
+#include "tests/engine/point_based/blocks.hpp"
+
+// Gravity, tractions, reactions, contact walls, friction and the energy balance of the point-based
+// method, against solutions in closed form.
+namespace pliant::test {
+namespace {
+
+constexpr double youngs_modulus = 100;  // of free_points
+
+std::string half_space(const std::string& name, const std::string& rest, const std::string& point,
+                       const std::string& normal) {
+  return "[[boundary]]\nname = \"" + name + "\"\n" + rest +
+         "\ngeometry = { shape = \"half_space\", point = " + point + ", normal = " + normal +
+         " }\n";
+}
+
+std::string measurement(const std::string& name, const std::string& rest) {
+  return "[[measurement]]\nname = \"" + name + "\"\n" + rest + "\n";
+}
+
+template <int D>
+std::map<std::string, double> values(PointSolver<D>& solver) {
+  std::map<std::string, double> named;
+  const std::vector<double> measured = solver.measure();
+  for (std::size_t m = 0; m < measured.size(); ++m) {
+    named[solver.settings().measurements[m].name] = measured[m];
+  }
+  return named;
+}
+
+/// Kinetic and strain energy, less the work, plus what damping took.
+template <int D>
+double balance(PointSolver<D>& solver) {
+  const BodyIntegrals sum = solver.integrals();
+  const EnergyBudget budget = *solver.energy_budget();
+  return sum.kinetic_energy + sum.strain_energy - budget.work() + budget.damping;
+}
+
+TEST(point_loads, free_fall_is_exact) {
+  for (const std::string gravity : {"[0.5, -9.81]", "[\"0.5 + 0*x\", -9.81]"}) {
+    const Case settings = tests::read_text("gravity = " + gravity + "\n" + free_points(2));
+    PointSolver<2> solver(settings, {1, kernels::widest_supported()});
+    for (int i = 0; i < 50; ++i) solver.step(HUGE_VAL);
+    const double t = solver.clock().time;
+    const auto& body = solver.state().bodies[0];
+    body.for_each_node([&](std::int64_t slot) {
+      EXPECT_NEAR(body.displacement[0][slot], 0.5 * t * t / 2, 1e-11);
+      EXPECT_NEAR(body.displacement[1][slot], -9.81 * t * t / 2, 1e-11);
+    });
+    EXPECT_NEAR(balance(solver), 0, 1e-11 * solver.integrals().kinetic_energy);
+  }
+}
+
+// F = sigma/E in a bar that slides along its floor; 1 % is what the stretch of 2 % makes of it.
+TEST(point_loads, a_traction_stretches_a_bar_by_its_modulus) {
+  const std::string text =
+      free_points(3) + half_space("floor", "kind = \"slip_wall\"", "[0, 0, 0]", "[0, 0, 1]") +
+      R"toml([[boundary]]
+name = "pull"
+kind = "traction"
+geometry = { shape = "box", lower = [-9, -9, 0.999], upper = [9, 9, 9] }
+traction = [0, 0, "2*(1 + 0*x)"]
+area = "undeformed"
+)toml" + measurement("top", "kind = \"point_displacement\"\npoint = [0.5, 0.5, 1]\naxis = \"z\"") +
+      measurement("held", "kind = \"wall_force\"\nboundary = \"floor\"\naxis = \"z\"");
+  const Case settings =
+      tests::read_text(text, {"discretisation.spacing=0.25", "point_based.damping=8"});
+  PointSolver<3> solver(settings, {1, kernels::widest_supported()});
+  advance_until(solver, 3);
+  const double impulse = values(solver)["held"], from = solver.clock().time;
+  advance_until(solver, 3.5);
+  EXPECT_NEAR(values(solver)["top"], 2 / youngs_modulus, 0.015 * 2 / youngs_modulus);
+  const double force = (values(solver)["held"] - impulse) / (solver.clock().time - from);
+  EXPECT_NEAR(force, -2, 1e-3);
+}
+
+// A dead load does not follow the surface, and one per present area grows with it.
+TEST(point_loads, a_traction_acts_on_the_undeformed_or_on_the_present_area) {
+  for (const bool present : {false, true}) {
+    const std::string text = free_points(2) + R"toml([[boundary]]
+name = "pull"
+kind = "traction"
+geometry = { shape = "box", lower = [-9, 0.999], upper = [9, 9] }
+traction = [0, 3]
+area = ")toml" + std::string(present ? "present" : "undeformed") +
+                             "\"\n";
+    const Case settings = tests::read_text(text);
+    PointSolver<2> solver(settings, {1, kernels::widest_supported()});
+    auto& body = solver.state().bodies[0];
+    body.for_each_node([&](std::int64_t slot) {
+      body.displacement[0][slot] = 0.5 * body.start[slot][0];
+    });
+    solver.step(HUGE_VAL);
+    const double momentum = 3 * (present ? 1.5 : 1) * solver.clock().time;
+    EXPECT_NEAR(solver.integrals().momentum[1], momentum, 1e-9 * momentum);
+  }
+}
+
+TEST(point_loads, a_floor_carries_the_weight_of_the_body_on_it) {
+  for (const std::string kind :
+       {"kind = \"fixed\"", "kind = \"contact_wall\"\nfriction = \"frictionless\""}) {
+    const std::string text = "gravity = [0, -5]\n" + free_points(2) +
+                             half_space("floor", kind, "[0, 0]", "[0, 1]") +
+                             measurement("force",
+                                         "kind = \"wall_force\"\nboundary = \"floor\"\naxis = \"y\"");
+    const Case settings = tests::read_text(text, {"point_based.damping=10"});
+    PointSolver<2> solver(settings, {1, kernels::widest_supported()});
+    advance_until(solver, 2);
+    const double impulse = values(solver)["force"], from = solver.clock().time;
+    advance_until(solver, 2.5);
+    EXPECT_NEAR((values(solver)["force"] - impulse) / (solver.clock().time - from), 5, 0.01);
+  }
+}
+
+// Coulomb's law on a slope: friction is mu times the normal impulse. The stiff block shears a little
+// before it slides.
+TEST(point_contact, a_block_slides_down_a_slope_by_coulombs_law) {
+  const double mu = 0.3, g = 5, angle = 0.5;
+  const std::string text =
+      "gravity = [" + std::to_string(g * std::sin(angle)) + ", " +
+      std::to_string(-g * std::cos(angle)) + "]\n" + free_points(2) +
+      half_space("floor", "kind = \"contact_wall\"\nfriction = 0.3", "[0, 0]", "[0, 1]") +
+      measurement("normal", "kind = \"wall_force\"\nboundary = \"floor\"\naxis = \"y\"");
+  const Case settings = tests::read_text(
+      text, {"material.rubber.youngs_modulus=1e4", "discretisation.spacing=0.25"});
+  PointSolver<2> solver(settings, {1, kernels::widest_supported()});
+  advance_until(solver, 1);
+  const double pushed = values(solver)["normal"];
+  EXPECT_NEAR(pushed, g * std::cos(angle), 0.3);
+  const double sliding = g * std::sin(angle) - mu * pushed;
+  EXPECT_NEAR(solver.integrals().momentum[0], sliding, 0.02 * sliding);
+}
+
+TEST(point_contact, a_tool_dents_a_block_and_its_work_is_in_the_block) {
+  const std::string text = free_points(2) +
+                           half_space("floor", "kind = \"fixed\"", "[0, 0]", "[0, 1]") +
+                           R"toml([[boundary]]
+name = "tool"
+kind = "contact_wall"
+friction = "frictionless"
+geometry = { shape = "disc", centre = [0.5, 1.5], radius = 0.5 }
+displacement = [0, "-0.1*min(t, 1)"]
+)toml";
+  const Case settings = tests::read_text(text, {"discretisation.spacing=0.0625"});
+  PointSolver<2> solver(settings, {1, kernels::widest_supported()});
+  advance_until(solver, 1.2);
+  const auto& body = solver.state().bodies[0];
+  for (std::size_t c = 0; c < body.surface.start.size(); ++c) {
+    const Point<2> x = body.position(body.surface.node[c]);
+    EXPECT_GT(std::hypot(x[0] - 0.5, x[1] - 1.4), 0.5 - 1e-3);
+  }
+  const double work = solver.energy_budget()->wall_work;
+  EXPECT_GT(work, 0);
+  EXPECT_LT(std::abs(balance(solver)), 0.03 * work);
+}
+
+// The loads start at once: steps are short for the waves that they make, whose energy the leapfrog
+// sees to second order.
+TEST(point_energy_budget, work_of_walls_loads_and_gravity_is_in_the_bar_or_was_damped) {
+  const std::string text = "gravity = [\"sin(2*t)\", -3]\n" + free_points(2) +
+                           half_space("floor", "kind = \"moving_wall\"\nvelocity = [\"t < 0.4 ? 1 - cos(15.7079633*t) : 0\", 0]",
+                                      "[0, 0]", "[0, 1]") +
+                           R"toml([[boundary]]
+name = "pull"
+kind = "traction"
+geometry = { shape = "box", lower = [-9, 0.999], upper = [9, 9] }
+traction = ["5*sin(3*t)", 4]
+[[boundary]]
+name = "push"
+kind = "pressure"
+geometry = { shape = "box", lower = [0.999, 0.3], upper = [9, 9] }
+pressure = 3
+)toml";
+  for (const char* damping : {"0", "3"}) {
+    const Case settings =
+        tests::read_text(text, {std::string("point_based.damping=") + damping, "time.step=1e-3"});
+    PointSolver<2> solver(settings, {1, kernels::widest_supported()});
+    advance_until(solver, 0.8);
+    const EnergyBudget budget = *solver.energy_budget();
+    EXPECT_GT(std::abs(budget.load_work), 0.05);
+    EXPECT_GT(budget.wall_work, 0.1);
+    EXPECT_NEAR(balance(solver), 0, 0.01 * budget.wall_work);
+    if (damping[0] != '0') {
+      EXPECT_GT(budget.damping, 0.01 * budget.wall_work);
+    }
+  }
+}
+
+// What changed bonds and relaxing gradients do to the strain energy is in the budget, so that the
+// balance closes through a cut.
+TEST(point_energy_budget, closes_through_a_cut) {
+  const std::string text =
+      free_points(2) + half_space("left", "kind = \"fixed\"", "[0, 0]", "[1, 0]") +
+      half_space("right", "kind = \"moving_wall\"\nvelocity = [\"t < 0.2 ? 0.5 : 0\", 0]", "[1, 0]",
+                 "[-1, 0]") +
+      R"toml([[cut]]
+name = "blade"
+from = [0.53, 1.1]
+to = [0.53, 1.2]
+path = [0, "-2*(t - 0.4)"]
+start = 0.4
+end = 0.8
+)toml";
+  const Case settings = tests::read_text(text, {"discretisation.spacing=0.0625"});
+  PointSolver<2> solver(settings, {1, kernels::widest_supported()});
+  advance_until(solver, 1);
+  const EnergyBudget budget = *solver.energy_budget();
+  EXPECT_NE(budget.cut_work, 0);
+  EXPECT_NEAR(balance(solver), 0, 0.02 * budget.wall_work);
+}
+
+}  // namespace
+}  // namespace pliant::test
