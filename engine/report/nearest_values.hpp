@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "engine/report/run_reader.hpp"
+#include "engine/report/frame_points.hpp"
 
 namespace pliant::report {
 

@@ -7,18 +7,10 @@
 #include <vector>
 
 #include "engine/output/frame_store.hpp"
+#include "engine/report/frame_points.hpp"
 #include "engine/report/scalars.hpp"
 
 namespace pliant::report {
-
-/// Points of one frame, with numbers on them.
-struct FramePoints {
-  std::vector<float> position;             ///< [point][3] [m]
-  std::vector<std::vector<float>> values;  ///< [scalar][point]
-  std::vector<std::uint32_t> vertex;       ///< [piece][corner]; of surfaces only
-
-  std::size_t count() const { return position.size() / 3; }
-};
 
 struct History {
   std::string name, unit;

@@ -46,7 +46,8 @@ class Controls {
     const on = (id, event, action) => by_id(id).addEventListener(event, action.bind(this));
     on("frame", "input", this.show);
     on("field", "change", this.choose_field);
-    for (const id of ["cut", "place", "flip", "particles"]) on(id, "input", this.show);
+    on("place", "input", this.show);
+    for (const id of ["cut", "flip", "particles"]) on(id, "change", this.show);
     for (const id of ["lowest", "highest"]) on(id, "change", this.choose_range);
     on("up", "change", () => this.view.look_from({ up: by_id("up").value }));
     on("reset", "click", () => this.view.look_from({}));
@@ -144,6 +145,16 @@ function add_tables(run) {
   add_settings(tables, run.settings);
 }
 
+/** None where the browser cannot draw in 3D; plots and tables are shown all the same. */
+function view_of(run) {
+  try {
+    return new View(by_id("canvas"), run);
+  } catch (error) {
+    by_id("state").textContent = `The view needs WebGL 2 and a browser of 2023 or later (${error.message}).`;
+    return null;
+  }
+}
+
 export async function show_run(run, wishes) {
   add_text(run);
   let controls = null;
@@ -161,7 +172,11 @@ export async function show_run(run, wishes) {
   }
   by_id("view").hidden = false;
   const frames = new Frames(run);
-  const view = new View(by_id("canvas"), run);
+  const view = view_of(run);
+  if (!view) {
+    add_plots();
+    return;
+  }
   view.up = run.up;
   view.look_from({});
   const count = frames.count;
