@@ -43,7 +43,8 @@ ENGINE = {
     "bench": METHOD | {"simulation", "remeshed"},  # bytes of a stage, from the list of fields
     "profile": METHOD | {"simulation", "bench"},
     "batch": METHOD | {"simulation"},
-    "cli": METHOD | {"simulation", "bench", "profile", "batch"},
+    "report": METHOD | {"batch"},
+    "cli": METHOD | {"simulation", "bench", "profile", "batch", "report"},
 }
 # First component of <...>; the standard library needs no entry. Folders not named may use any.
 LIBRARIES = {

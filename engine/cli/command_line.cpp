@@ -11,6 +11,7 @@
 #include "engine/case/problems.hpp"
 #include "engine/cli/batch_commands.hpp"
 #include "engine/cli/commands.hpp"
+#include "engine/cli/report_command.hpp"
 #include "engine/cli/shell_commands.hpp"
 
 namespace pliant::cli {
@@ -66,6 +67,7 @@ void add_commands(Commands& commands) {
   add_case_commands(commands);
   add_measuring_commands(commands);
   add_batch_commands(commands);
+  add_report_command(commands);
   add_shell_commands(commands);
   add_help(commands);
 }

@@ -232,4 +232,21 @@ void GrowingArray::read(void* values) const {
   checked(H5Dread(dataset_, type(), H5S_ALL, H5S_ALL, H5P_DEFAULT, values), "read " + name_);
 }
 
+void GrowingArray::read(void* values, hid_t type, hsize_t first, hsize_t count) const {
+  const auto doing = "read " + name_;
+  auto size = shape();
+  if (first > size[0] || count > size[0] - first)
+    throw Failure{.doing = doing, .reason = "it has too few rows", .error_number = 0};
+  if (count == 0) return;
+  std::vector<hsize_t> start(size.size(), 0);
+  start[0] = first;
+  size[0] = count;
+  const Handle in_file(H5Dget_space(dataset_), H5Sclose, doing);
+  checked(H5Sselect_hyperslab(in_file, H5S_SELECT_SET, start.data(), nullptr, size.data(), nullptr),
+          doing);
+  const Handle in_memory(H5Screate_simple(static_cast<int>(size.size()), size.data(), nullptr),
+                         H5Sclose, doing);
+  checked(H5Dread(dataset_, type, in_memory, in_file, H5P_DEFAULT, values), doing);
+}
+
 }  // namespace pliant::hdf5

@@ -124,12 +124,18 @@ class GrowingArray {
   }
   void truncate(hsize_t rows);
   void read(void* values) const;  ///< all rows
+  /// Rows [first, first + count), converted. Throws Failure where there are not so many.
+  template <class T>
+  void read(T* values, hsize_t first, hsize_t count) const {
+    read(values, type_of<T>(), first, count);
+  }
 
  private:
   explicit GrowingArray(std::string name, Handle dataset)
       : name_(std::move(name)), dataset_(std::move(dataset)) {}
   std::vector<hsize_t> shape() const;
   void append(const void* values, hid_t type, hsize_t count);
+  void read(void* values, hid_t type, hsize_t first, hsize_t count) const;
 
   std::string name_;
   Handle dataset_;

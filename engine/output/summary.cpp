@@ -99,7 +99,9 @@ std::string checks_of(const SummaryChecks& checks) {
 }  // namespace
 
 std::string report_of(const std::filesystem::path& folder, const Summary& summary) {
-  std::string text = fmt::format("results in {}; open result.xdmf in ParaView\n", folder.string());
+  std::string text = fmt::format(
+      "results in {0}; `pliant report {0}` shows them in a browser, result.xdmf in ParaView\n",
+      folder.string());
   std::size_t width = 0;
   for (const auto& measurement : summary.measurements)
     width = std::max(width, measurement.name.size());

@@ -48,7 +48,7 @@ class CommandLine(ProgramTest):
     def test_a_run_ends_with_where_its_results_are_and_what_was_measured(self):
         status, out, err = self.run_case()
         self.assertEqual((0, ""), (status, out))
-        self.assertIn(f"results in {self.out}; open result.xdmf in ParaView\n", err)
+        self.assertIn(f"results in {self.out}; `pliant report {self.out}` shows them in a browser, result.xdmf in ParaView\n", err)
         self.assertRegex(err, r"\n  energy_ratio +(0\.99|1\.00)\d*\n")
         self.assertRegex(err, r"\n  boundary_radius +[0-9.]+ m\n")
         self.assertEqual((0, "", ""), self.run_case("--quiet"))

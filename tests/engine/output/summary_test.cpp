@@ -74,7 +74,8 @@ TEST(summary, without_measurements_has_an_empty_object) {
 
 TEST(summary, a_report_names_folder_and_file_and_aligns_the_measurements) {
   EXPECT_EQ(report_of("results/disc", sample()),
-            "results in results/disc; open result.xdmf in ParaView\n"
+            "results in results/disc; `pliant report results/disc` shows them in a browser, "
+            "result.xdmf in ParaView\n"
             "  radius  0.1 m\n"
             "  broken  no value: it broke\n"
             "checks: mass changed by at most 0 %\n");

@@ -1,0 +1,17 @@
+#pragma once
+
+#include "engine/cli/verbs.hpp"
+
+namespace pliant::cli {
+
+struct ReportArguments {
+  std::filesystem::path folder;               ///< of a run or a batch
+  std::optional<std::filesystem::path> page;  ///< default: report.html in the folder
+  std::vector<std::string> fields;
+  std::optional<std::filesystem::path> reference;
+};
+
+/// Writes one file that shows a run or a batch in a browser.
+ExitStatus report(const ReportArguments& arguments);
+
+}  // namespace pliant::cli

@@ -1,0 +1,10 @@
+#pragma once
+
+#include <filesystem>
+
+namespace pliant::report {
+
+/// Writes a page that shows the runs of a batch: measurements over parameters. Throws OutputError.
+void write_batch_report(const std::filesystem::path& folder, const std::filesystem::path& page);
+
+}  // namespace pliant::report

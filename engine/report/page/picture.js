@@ -1,0 +1,74 @@
+// Only the view, for pictures: some times side by side over one bar of colours. The part of the
+// address behind # says what is shown, as docs/pictures.py writes it.
+import { paint_bar } from "./colours.js";
+import { Frames } from "./decode.js";
+import { range_of } from "./run.js";
+import { View } from "./scene.js";
+import { element, number_text, words_of } from "./text.js";
+
+const TITLE = 30, BAR = 62, GAP = 10;
+
+function nearest(times, time) {
+  return times.reduce((best, t, i) => (Math.abs(t - time) < Math.abs(times[best] - time) ? i : best), 0);
+}
+
+function draw_bar(context, width, top, [low, high], label) {
+  const bar = element("canvas", { width: 1, height: 256 });
+  paint_bar(bar, low, high);
+  const length = Math.min(420, 0.6 * width), left = (width - length) / 2;
+  context.save();
+  context.translate(left, top + 12);
+  context.rotate(-Math.PI / 2);
+  context.scale(1, -1);
+  context.drawImage(bar, -12, -length, 12, length);
+  context.restore();
+  context.fillStyle = "#22262b";
+  context.textAlign = "center";
+  for (let i = 0; i <= 4; ++i) {
+    context.fillText(number_text(low + (i / 4) * (high - low)), left + (i / 4) * length, top + 27);
+  }
+  context.fillText(label, width / 2, top + 47);
+}
+
+export async function show_picture(run, wishes) {
+  const [width, height] = (wishes.get("size") ?? "1100,700").split(",").map(Number);
+  const numbers = (name, fallback) => (wishes.has(name) ? wishes.get(name).split(",").map(Number) : fallback);
+  const wanted = numbers("times", [run.times.at(-1)]).map((time) => nearest(run.times, time));
+  const field = Math.max(0, run.fields.findIndex(({ name }) => name === wishes.get("field")));
+  const scale = Number(wishes.get("scale") ?? 1);
+  const [azimuth, elevation] = numbers("view", [-60, 25]);
+  const range = numbers("range", range_of(run.fields[field]));
+
+  document.body.classList.add("picture");
+  const sheet = element("canvas", { id: "picture", width, height });
+  const drawing = element("canvas");
+  document.body.append(sheet);
+  const frames = new Frames(run);
+  await frames.load(() => {});
+
+  const view = new View(drawing, run);
+  view.renderer.setClearColor(0xffffff, 1);
+  view.colour(field, ...range);
+  const part = Math.floor((width - GAP * (wanted.length - 1)) / wanted.length);
+  const tall = height - TITLE - BAR;
+  const cut = wishes.get("cut") && { axis: wishes.get("cut"), place: Number(wishes.get("place") ?? 0.5), flip: wishes.has("flip") };
+  const context = sheet.getContext("2d");
+  context.fillStyle = "#fff";
+  context.fillRect(0, 0, width, height);
+  context.font = "14px 'DejaVu Sans', sans-serif";
+  context.textAlign = "center";
+  wanted.forEach((frame, i) => {
+    view.look_from({ azimuth, elevation, zoom: Number(wishes.get("zoom") ?? 1), up: wishes.get("up") ?? run.up });
+    view.resize(part, tall, 1);
+    view.show(frames.at(frame), { field, cut: cut || null, particles: wishes.has("particles") });
+    view.draw();
+    const left = i * (part + GAP);
+    context.drawImage(drawing, left, TITLE, part, tall);
+    context.fillStyle = "#22262b";
+    if (wanted.length > 1) context.fillText(`t = ${number_text(run.times[frame])} s`, left + part / 2, 20);
+  });
+  const { label, unit } = run.fields[field];
+  const fallback = unit === "1" ? words_of(label) : `${words_of(label)} [${unit}]`;
+  draw_bar(context, width, height - BAR, range.map((value) => value * scale), wishes.get("label") ?? fallback);
+  document.body.dataset.ready = "yes";
+}
