@@ -42,7 +42,8 @@ ENGINE = {
     "bench": METHOD | {"simulation", "remeshed"},  # bytes of a stage, from the list of fields
     "profile": METHOD | {"simulation", "bench"},
     "batch": METHOD | {"simulation"},
-    "cli": METHOD | {"simulation", "bench", "profile", "batch"},
+    "calibrate": METHOD | {"simulation", "batch"},
+    "cli": METHOD | {"simulation", "bench", "profile", "batch", "calibrate"},
 }
 # First component of <...>; the standard library needs no entry. Folders not named may use any.
 LIBRARIES = {
