@@ -43,8 +43,9 @@ ENGINE = {
     "bench": METHOD | {"simulation", "remeshed"},  # bytes of a stage, from the list of fields
     "profile": METHOD | {"simulation", "bench"},
     "batch": METHOD | {"simulation"},
+    "calibrate": METHOD | {"simulation", "batch"},
     "report": METHOD | {"batch"},
-    "cli": METHOD | {"simulation", "bench", "profile", "batch", "report"},
+    "cli": METHOD | {"simulation", "bench", "profile", "batch", "calibrate", "report"},
 }
 # First component of <...>; the standard library needs no entry. Folders not named may use any.
 LIBRARIES = {

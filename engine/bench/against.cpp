@@ -29,8 +29,7 @@ std::string output_of(std::vector<std::string> command) {
   for (std::string& argument : command) arguments.push_back(argument.data());
   arguments.push_back(nullptr);
   pid_t child = 0;
-  const int error =
-      posix_spawn(&child, arguments[0], &actions, nullptr, arguments.data(), environ);
+  const int error = posix_spawn(&child, arguments[0], &actions, nullptr, arguments.data(), environ);
   posix_spawn_file_actions_destroy(&actions);
   ::close(pipe[1]);
   std::string text;
@@ -43,14 +42,14 @@ std::string output_of(std::vector<std::string> command) {
   int status = -1;
   if (error == 0) ::waitpid(child, &status, 0);
   if (status == 0) return text;
-  throw InputError(fmt::format("{}: cannot measure a row; give a pliant that has `bench --rows`",
-                               command[0]));
+  throw InputError(
+      fmt::format("{}: cannot measure a row; give a pliant that has `bench --rows`", command[0]));
 }
 
 /// What one program measures of a row [particle-stages/s].
 double rate_of(const std::filesystem::path& program, const std::string& row, int threads) {
-  const std::string text = output_of({program.string(), "bench", "--rows", row, "--repetitions", "1",
-                                      "--threads", fmt::format("{}", threads), "--json"});
+  const std::string text = output_of({program.string(), "bench", "--rows", row, "--repetitions",
+                                      "1", "--threads", fmt::format("{}", threads), "--json"});
   const Record record = parse_record(text, program.string());
   for (const RecordedRow& found : record.rows) {
     if (found.name == row) return found.samples[0].rate;

@@ -9,12 +9,12 @@
 namespace pliant::bench {
 
 struct AgainstOptions {
-  std::filesystem::path other;                      ///< the program to compare with
-  std::filesystem::path program = "/proc/self/exe"; ///< this one
-  std::vector<std::string> rows;                    ///< names
+  std::filesystem::path other;                       ///< the program to compare with
+  std::filesystem::path program = "/proc/self/exe";  ///< this one
+  std::vector<std::string> rows;                     ///< names
   int threads = 0;
   double tolerance = 0.01;
-  double width = 0.01;   ///< pairs are measured until the interval reaches no further than this
+  double width = 0.01;  ///< pairs are measured until the interval reaches no further than this
   int most_pairs = 200;
   bool quiet = false;
 };

@@ -72,25 +72,27 @@ std::string text_of(const std::vector<Change>& changes, double tolerance) {
                         1e-6 * change.before, 1e-6 * change.after, change.over_peak,
                         change.over_triad, text_of(change.verdict));
   }
-  return text + fmt::format("M/s before and now; ratio of the shares of the FMA peak and of the "
-                            "triad. Slower: both below {:.3g}.\n",
-                            1 - tolerance);
+  return text + fmt::format(
+                    "M/s before and now; ratio of the shares of the FMA peak and of the "
+                    "triad. Slower: both below {:.3g}.\n",
+                    1 - tolerance);
 }
 
 std::string markdown_of(const std::vector<Change>& changes, double tolerance) {
   std::string text =
-      "| row | particles | threads | before [M/s] | now [M/s] | over FMA peak | over triad | verdict |\n"
+      "| row | particles | threads | before [M/s] | now [M/s] | over FMA peak | over triad | "
+      "verdict |\n"
       "| --- | --- | --- | --- | --- | --- | --- | --- |\n";
   for (const Change& change : changes) {
     text += fmt::format("| {} | {} | {} | {:.2f} | {:.2f} | {:.3f} | {:.3f} | {} |\n", change.name,
-                        change.particles, change.threads, 1e-6 * change.before,
-                        1e-6 * change.after, change.over_peak, change.over_triad,
-                        text_of(change.verdict));
+                        change.particles, change.threads, 1e-6 * change.before, 1e-6 * change.after,
+                        change.over_peak, change.over_triad, text_of(change.verdict));
   }
-  return text + fmt::format("\nMillion particle-stages a second, and ratios now/before of their "
-                            "shares of what the machine gave beside them. Slower: both ratios "
-                            "are below {:.3g}.\n",
-                            1 - tolerance);
+  return text + fmt::format(
+                    "\nMillion particle-stages a second, and ratios now/before of their "
+                    "shares of what the machine gave beside them. Slower: both ratios "
+                    "are below {:.3g}.\n",
+                    1 - tolerance);
 }
 
 Interval paired_ratio(std::span<const double> before, std::span<const double> after) {
@@ -105,8 +107,8 @@ Interval paired_ratio(std::span<const double> before, std::span<const double> af
   const double value = std::exp(median(means));
   constexpr double quantile = 3.2905;  // of the normal distribution, 0.05 % in each tail
   const double pairs = static_cast<double>(n);
-  const double rank = pairs * (pairs + 1) / 4 -
-                      quantile * std::sqrt(pairs * (pairs + 1) * (2 * pairs + 1) / 24);
+  const double rank =
+      pairs * (pairs + 1) / 4 - quantile * std::sqrt(pairs * (pairs + 1) * (2 * pairs + 1) / 24);
   if (rank < 1) return {value, 0, std::numeric_limits<double>::infinity()};
   const auto outside = static_cast<std::size_t>(rank);
   return {value, std::exp(means[outside - 1]), std::exp(means[means.size() - outside])};

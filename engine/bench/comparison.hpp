@@ -25,8 +25,8 @@ struct Change {
 };
 
 /// Rows that both records have. A row is slower where both ratios are below 1 - tolerance, and
-/// faster where both are above 1 + tolerance: on another machine, or on one that is busy, what a row
-/// is bound by may have changed by another factor than either figure of the machine.
+/// faster where both are above 1 + tolerance: on another machine, or on one that is busy, what a
+/// row is bound by may have changed by another factor than either figure of the machine.
 std::vector<Change> changes(const Record& before, const Record& after, double tolerance);
 
 std::string text_of(const std::vector<Change>& changes, double tolerance);

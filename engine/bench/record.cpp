@@ -24,7 +24,8 @@ double rate_of(const Row& row, const Sample& sample) {
 RecordedRow row_of(const Json& json) {
   RecordedRow row{json.at("name"), json.at("particles"), json.at("threads"), {}};
   for (const Json& sample : json.at("samples")) {
-    row.samples.push_back({sample.at("particle_stages_per_second"), sample.at("fma_peak_flop_per_second"),
+    row.samples.push_back({sample.at("particle_stages_per_second"),
+                           sample.at("fma_peak_flop_per_second"),
                            sample.at("triad_bytes_per_second")});
   }
   return row;

@@ -6,7 +6,8 @@
 
 #include "engine/bench/row.hpp"
 
-/// What `pliant bench --save` keeps: the figures of a program, and those of the machine beside each.
+/// What `pliant bench --save` keeps: the figures of a program, and those of the machine beside
+/// each.
 namespace pliant::bench {
 
 struct RecordedSample {

@@ -15,16 +15,6 @@ namespace pliant::cli {
 
 namespace {
 
-/// Workers that the processors of this machine suffice for.
-int workers_of(const BatchArguments& arguments, int threads) {
-  const int processors = solver_options(0, "").threads;
-  const int most = std::max(1, processors / threads);
-  if (arguments.workers < 0) {
-    throw InputError(fmt::format("--workers {}: give a positive number", arguments.workers));
-  }
-  return arguments.workers == 0 ? most : std::min(arguments.workers, most);
-}
-
 std::vector<batch::RunRow> rows_of(const std::filesystem::path& folder) {
   if (!batch::Ledger::exists(folder)) {
     throw InputError(fmt::format("{}: holds no batch; give the folder that `pliant batch` wrote to",
@@ -35,13 +25,21 @@ std::vector<batch::RunRow> rows_of(const std::filesystem::path& folder) {
 
 }  // namespace
 
+int workers_of(int workers, int threads) {
+  const int most = std::max(1, solver_options(0, "").threads / threads);
+  if (workers < 0) {
+    throw InputError(fmt::format("--workers {}: give a positive number", workers));
+  }
+  return workers == 0 ? most : std::min(workers, most);
+}
+
 ExitStatus batch(const BatchArguments& arguments) {
   std::signal(SIGPIPE, SIG_IGN);
   const batch::Sweep sweep = batch::read_sweep(arguments.sweep);
   batch::BatchOptions options;
   options.folder = arguments.folder.value_or(std::filesystem::path("results") / sweep.name);
   options.threads = solver_options(arguments.threads, "").threads;
-  options.workers = workers_of(arguments, options.threads);
+  options.workers = workers_of(arguments.workers, options.threads);
   options.resume = arguments.resume;
   options.quiet = arguments.quiet;
   const batch::BatchEnd end = run_batch(sweep, options);

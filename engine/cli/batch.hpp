@@ -12,6 +12,10 @@ struct BatchArguments {
   bool resume = false, quiet = false;
 };
 
+/// Runs at once, of so many threads each, where the user asks for `workers`; 0: as many as there
+/// are processors for. Throws InputError.
+int workers_of(int workers, int threads);
+
 /// Runs a case with many values of its parameters.
 ExitStatus batch(const BatchArguments& arguments);
 

@@ -1,6 +1,7 @@
 #include "engine/cli/batch_commands.hpp"
 
 #include "engine/cli/batch.hpp"
+#include "engine/cli/calibrate.hpp"
 
 namespace pliant::cli {
 
@@ -19,9 +20,7 @@ void add_ledger_command(Commands& commands, CLI::App& parent, const char* name,
   });
 }
 
-}  // namespace
-
-void add_batch_commands(Commands& commands) {
+void add_batch(Commands& commands) {
   const auto arguments = std::make_shared<BatchArguments>();
   CLI::App& command = *commands.app.add_subcommand("batch", "Run a case with many parameters");
   command.group("Commands");
@@ -50,6 +49,36 @@ void add_batch_commands(Commands& commands) {
     if (arguments->sweep.empty()) throw CLI::RequiredError("SWEEP");
     commands.chosen = [arguments] { return batch(*arguments); };
   });
+}
+
+void add_calibrate(Commands& commands) {
+  const auto arguments = std::make_shared<CalibrateArguments>();
+  CLI::App& command = commands.add(
+      "calibrate", "Find values with which a case follows measured curves",
+      "calibrate fit.toml --out results/fit\n\nExit status: 1 where it has not converged.",
+      arguments, &calibrate);
+  command.add_option("FIT", arguments->fit, "file that names the case, parameters and curves")
+      ->required()
+      ->type_name("");
+  command.add_option("--out", arguments->folder, "folder for the runs (default: results/<fit>)")
+      ->type_name("FOLDER");
+  command
+      .add_option("--workers", arguments->workers,
+                  "runs at once, at most processors / threads (default: that many)")
+      ->type_name("N");
+  command.add_option("--threads", arguments->threads, "threads of each run")
+      ->type_name("N")
+      ->capture_default_str();
+  command.add_flag("--resume", arguments->resume, "keep the runs that the folder has");
+  command.add_flag("--quiet", arguments->quiet, "show no progress");
+  command.add_flag("--json", arguments->json, "print the result as JSON");
+}
+
+}  // namespace
+
+void add_batch_commands(Commands& commands) {
+  add_batch(commands);
+  add_calibrate(commands);
 }
 
 }  // namespace pliant::cli

@@ -17,8 +17,7 @@ namespace {
 using bench::Verdict;
 
 double tolerance_of(const BenchArguments& arguments, double usual) {
-  return arguments.tolerance.empty() ? usual
-                                     : bench::share_of(arguments.tolerance, "--tolerance");
+  return arguments.tolerance.empty() ? usual : bench::share_of(arguments.tolerance, "--tolerance");
 }
 
 /// Shows a comparison. `Row` is one of its rows.
@@ -51,9 +50,10 @@ ExitStatus compare_with_record(const BenchArguments& arguments, const bench::Rec
   const double tolerance = tolerance_of(arguments, 0.1);
   const auto found = changes(before, now, tolerance);
   if (found.empty()) {
-    throw InputError(fmt::format("{}: has none of the rows that were measured; give the same "
-                                 "--rows, --quick and --threads as for --save",
-                                 arguments.compare->string()));
+    throw InputError(
+        fmt::format("{}: has none of the rows that were measured; give the same "
+                    "--rows, --quick and --threads as for --save",
+                    arguments.compare->string()));
   }
   return end_with(found, arguments, text_of(found, tolerance), markdown_of(found, tolerance));
 }

@@ -17,12 +17,13 @@ void add_comparison(CLI::App& command, BenchArguments& arguments) {
       ->type_name("FILE");
   command
       .add_option("--compare", arguments.compare,
-                  "compare with the figures in this file; exit status 1 where a row is slower")
+                  "compare with the figures in this file; exit status 1\n"
+                  "where a row is slower")
       ->type_name("FILE");
   command
       .add_option("--against", arguments.against,
-                  "compare with another build of pliant, in turns; exit status 1 where a row is\n"
-                  "slower; by default the rows of --quick with the compact kernel")
+                  "compare with another build of pliant, in turns; exit status 1\n"
+                  "where a row is slower; default rows: --quick, compact kernel")
       ->type_name("PROGRAM");
   command
       .add_option("--tolerance", arguments.tolerance,

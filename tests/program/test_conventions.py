@@ -14,7 +14,7 @@ try:
 except ImportError:
     jsonschema = None
 
-COMMANDS = ("run", "check", "list", "new", "graph", "reference", "bench", "profile", "batch", "schema", "completion",
+COMMANDS = ("run", "check", "list", "new", "graph", "reference", "bench", "profile", "batch", "calibrate", "report", "schema", "completion",
             "manual", "help")
 
 

@@ -1,0 +1,47 @@
+#pragma once
+
+#include <functional>
+#include <optional>
+#include <vector>
+
+#include "engine/calibrate/parameter.hpp"
+
+namespace pliant::calibrate {
+
+/// Residuals (model less data, over the standard deviation of the data) at each of several points,
+/// which may be evaluated at the same time; none where the model has no values.
+using Residuals = std::vector<double>;
+using Evaluate = std::function<std::vector<std::optional<Residuals>>(
+    const std::vector<std::vector<double>>& points)>;
+
+enum class Determination { well, poorly, not_at_all };
+
+struct Estimated {
+  double value = 0;
+  double error = 0;  ///< standard error; infinite where nothing is known
+  /// Well: the standard error is below 5 %; not at all: above 50 %, or the value is at a bound.
+  Determination determination = Determination::not_at_all;
+};
+
+struct Calibration {
+  std::vector<Estimated> parameters;
+  std::vector<std::vector<double>> correlation;
+  Residuals residuals;
+  int runs = 0;
+  bool has_converged = false;  ///< else the runs were spent
+};
+
+struct OptimiserOptions {
+  int most_runs = 60;
+  double difference = 0.02;  ///< step of the finite differences [radian]
+  double tolerance = 1e-3;   ///< relative change of the sum of squares at which the search ends
+};
+
+/// Least squares by Levenberg-Marquardt (MINPACK's, of Eigen), with finite differences whose points
+/// are evaluated together. Standard errors and correlations are those of the linear model at the
+/// result, with the variance that the residuals have. Throws InputError where the model has no
+/// values at the start or beside a point that it has reached.
+Calibration optimise(const std::vector<Parameter>& parameters, const Evaluate& evaluate,
+                     const OptimiserOptions& options);
+
+}  // namespace pliant::calibrate
