@@ -9,6 +9,11 @@ if(PLIANT_CCACHE)
   set(CMAKE_CXX_COMPILER_LAUNCHER ${ccache})
 endif()
 
+# A Python module is a shared library, and so must be all that it links.
+if(PLIANT_PYTHON)
+  set(CMAKE_POSITION_INDEPENDENT_CODE ON)
+endif()
+
 add_library(pliant_options INTERFACE)
 target_compile_features(pliant_options INTERFACE cxx_std_20)
 target_include_directories(pliant_options INTERFACE ${PROJECT_SOURCE_DIR} ${PROJECT_SOURCE_DIR}/include

@@ -94,8 +94,7 @@ class Model {
 
 /// What Eigen's optimiser calls.
 struct Functor : Eigen::DenseFunctor<double> {
-  Functor(Model& a_model, int inputs, int values)
-      : DenseFunctor(inputs, values), model(a_model) {}
+  Functor(Model& a_model, int inputs, int values) : DenseFunctor(inputs, values), model(a_model) {}
 
   int operator()(const VectorXd& point, VectorXd& residuals) const {
     if (!model.provide({point})) return runs_are_spent;
@@ -132,8 +131,7 @@ void add_errors(Calibration& result, const std::vector<Parameter>& parameters, M
     scale[i] = std::max(std::abs(result.parameters[i].value), 1e-300);
     slopes.col(i) *= scale[i];  // relative changes of the values
   }
-  const VectorXd residuals =
-      Eigen::Map<const VectorXd>(result.residuals.data(), slopes.rows());
+  const VectorXd residuals = Eigen::Map<const VectorXd>(result.residuals.data(), slopes.rows());
   const double freedom = std::max<double>(1, static_cast<double>(slopes.rows() - count));
   const Eigen::SelfAdjointEigenSolver<MatrixXd> solver(slopes.transpose() * slopes);
   const double floor = std::max(1e-14 * solver.eigenvalues().maxCoeff(), 1e-300);

@@ -60,7 +60,7 @@ class Conventions(ProgramTest):
 
     def test_bash_completes_commands_options_and_files(self):
         self.assertEqual(set(COMMANDS), self.bash_completes(""))
-        self.assertEqual({"run", "reference"}, self.bash_completes("r"))
+        self.assertEqual({"run", "reference", "report"}, self.bash_completes("r"))
         for command in COMMANDS:
             self.assertEqual(self.options_of(command) | {"-h"}, self.bash_completes(command, "-") | {"-h"}, command)
         (self.folder / "a case").mkdir()
