@@ -73,8 +73,7 @@ void NodeLoads<T, D>::load(int block) {
 // The kernels evaluate the force of a pressure from its product with the undeformed area; the same
 // force is kept for its power.
 template <class T, int D>
-void NodeLoads<T, D>::press(Body<T, D>& body, const NodeBlock& block,
-                            PressedNode<D>& node) const {
+void NodeLoads<T, D>::press(Body<T, D>& body, const NodeBlock& block, PressedNode<D>& node) const {
   const SurfacePressure<D>& load = state_.boundaries.pressures[node.pressure];
   if (!load.is_traction()) {
     const double pressure = values_.pressure[node.pressure];

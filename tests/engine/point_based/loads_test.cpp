@@ -66,7 +66,8 @@ kind = "traction"
 geometry = { shape = "box", lower = [-9, -9, 0.999], upper = [9, 9, 9] }
 traction = [0, 0, "2*(1 + 0*x)"]
 area = "undeformed"
-)toml" + measurement("top", "kind = \"point_displacement\"\npoint = [0.5, 0.5, 1]\naxis = \"z\"") +
+)toml" +
+      measurement("top", "kind = \"point_displacement\"\npoint = [0.5, 0.5, 1]\naxis = \"z\"") +
       measurement("held", "kind = \"wall_force\"\nboundary = \"floor\"\naxis = \"z\"");
   const Case settings =
       tests::read_text(text, {"discretisation.spacing=0.25", "point_based.damping=8"});
@@ -92,9 +93,8 @@ area = ")toml" + std::string(present ? "present" : "undeformed") +
     const Case settings = tests::read_text(text);
     PointSolver<2> solver(settings, {1, kernels::widest_supported()});
     auto& body = solver.state().bodies[0];
-    body.for_each_node([&](std::int64_t slot) {
-      body.displacement[0][slot] = 0.5 * body.start[slot][0];
-    });
+    body.for_each_node(
+        [&](std::int64_t slot) { body.displacement[0][slot] = 0.5 * body.start[slot][0]; });
     solver.step(HUGE_VAL);
     const double momentum = 3 * (present ? 1.5 : 1) * solver.clock().time;
     EXPECT_NEAR(solver.integrals().momentum[1], momentum, 1e-9 * momentum);
@@ -104,10 +104,9 @@ area = ")toml" + std::string(present ? "present" : "undeformed") +
 TEST(point_loads, a_floor_carries_the_weight_of_the_body_on_it) {
   for (const std::string kind :
        {"kind = \"fixed\"", "kind = \"contact_wall\"\nfriction = \"frictionless\""}) {
-    const std::string text = "gravity = [0, -5]\n" + free_points(2) +
-                             half_space("floor", kind, "[0, 0]", "[0, 1]") +
-                             measurement("force",
-                                         "kind = \"wall_force\"\nboundary = \"floor\"\naxis = \"y\"");
+    const std::string text =
+        "gravity = [0, -5]\n" + free_points(2) + half_space("floor", kind, "[0, 0]", "[0, 1]") +
+        measurement("force", "kind = \"wall_force\"\nboundary = \"floor\"\naxis = \"y\"");
     const Case settings = tests::read_text(text, {"point_based.damping=10"});
     PointSolver<2> solver(settings, {1, kernels::widest_supported()});
     advance_until(solver, 2);
@@ -117,8 +116,8 @@ TEST(point_loads, a_floor_carries_the_weight_of_the_body_on_it) {
   }
 }
 
-// Coulomb's law on a slope: friction is mu times the normal impulse. The stiff block shears a little
-// before it slides.
+// Coulomb's law on a slope: friction is mu times the normal impulse. The stiff block shears a
+// little before it slides.
 TEST(point_contact, a_block_slides_down_a_slope_by_coulombs_law) {
   const double mu = 0.3, g = 5, angle = 0.5;
   const std::string text =
@@ -126,8 +125,8 @@ TEST(point_contact, a_block_slides_down_a_slope_by_coulombs_law) {
       std::to_string(-g * std::cos(angle)) + "]\n" + free_points(2) +
       half_space("floor", "kind = \"contact_wall\"\nfriction = 0.3", "[0, 0]", "[0, 1]") +
       measurement("normal", "kind = \"wall_force\"\nboundary = \"floor\"\naxis = \"y\"");
-  const Case settings = tests::read_text(
-      text, {"material.rubber.youngs_modulus=1e4", "discretisation.spacing=0.25"});
+  const Case settings =
+      tests::read_text(text, {"material.rubber.youngs_modulus=1e4", "discretisation.spacing=0.25"});
   PointSolver<2> solver(settings, {1, kernels::widest_supported()});
   advance_until(solver, 1);
   const double pushed = values(solver)["normal"];
@@ -162,10 +161,12 @@ displacement = [0, "-0.1*min(t, 1)"]
 // The loads start at once: steps are short for the waves that they make, whose energy the leapfrog
 // sees to second order.
 TEST(point_energy_budget, work_of_walls_loads_and_gravity_is_in_the_bar_or_was_damped) {
-  const std::string text = "gravity = [\"sin(2*t)\", -3]\n" + free_points(2) +
-                           half_space("floor", "kind = \"moving_wall\"\nvelocity = [\"t < 0.4 ? 1 - cos(15.7079633*t) : 0\", 0]",
-                                      "[0, 0]", "[0, 1]") +
-                           R"toml([[boundary]]
+  const std::string text =
+      "gravity = [\"sin(2*t)\", -3]\n" + free_points(2) +
+      half_space("floor",
+                 "kind = \"moving_wall\"\nvelocity = [\"t < 0.4 ? 1 - cos(15.7079633*t) : 0\", 0]",
+                 "[0, 0]", "[0, 1]") +
+      R"toml([[boundary]]
 name = "pull"
 kind = "traction"
 geometry = { shape = "box", lower = [-9, 0.999], upper = [9, 9] }
@@ -193,6 +194,36 @@ pressure = 3
 
 // What changed bonds and relaxing gradients do to the strain energy is in the budget, so that the
 // balance closes through a cut.
+// A plane of symmetry halves the force on a tool and nothing else: nodes that slide along it are
+// pushed too.
+TEST(point_contact, a_plane_of_symmetry_halves_the_force) {
+  double force[2];
+  for (const bool half : {false, true}) {
+    const std::string text =
+        free_points(2) + half_space("floor", "kind = \"fixed\"", "[0, 0]", "[0, 1]") +
+        (half ? half_space("symmetry", "kind = \"slip_wall\"", "[0.5, 0]", "[1, 0]") : "") +
+        R"toml([[boundary]]
+name = "tool"
+kind = "contact_wall"
+friction = "frictionless"
+geometry = { shape = "disc", centre = [0.5, 2.0], radius = 1 }
+displacement = [0, "-0.1*min(t/0.5, 1)"]
+)toml" + measurement("force", "kind = \"wall_force\"\nboundary = \"tool\"\naxis = \"y\"");
+    std::vector<std::string> settings = {"point_based.damping=20"};
+    if (half) {
+      settings.push_back(
+          "body.block.geometry={ shape = \"box\", lower = [0.5, 0], upper = [1, 1] }");
+    }
+    PointSolver<2> solver(tests::read_text(text, settings), {1, kernels::widest_supported()});
+    advance_until(solver, 0.8);
+    const double impulse = values(solver)["force"];
+    advance_until(solver, 1);
+    force[half ? 1 : 0] = values(solver)["force"] - impulse;
+    EXPECT_NEAR(balance(solver), 0, 0.02 * solver.energy_budget()->wall_work);
+  }
+  EXPECT_NEAR(force[0] / 2, force[1], 0.01 * std::abs(force[1]));
+}
+
 TEST(point_energy_budget, closes_through_a_cut) {
   const std::string text =
       free_points(2) + half_space("left", "kind = \"fixed\"", "[0, 0]", "[1, 0]") +
