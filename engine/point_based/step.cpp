@@ -183,11 +183,10 @@ void Step<T, D>::move(int block) {
     work.displacement[a] = body.displacement[a].get();
   }
   work_.begin_motion(block, body, local, loads_.power(block));
-  inertia_[block] = inertia(block) / 2;
+  inertia_[block] = inertia(block);
   kernels_.advance(work);
   work_.hold(block, body, local);
   work_.end_motion(block, loads_.power(block));
-  inertia_[block] += inertia(block) / 2;
 }
 
 template <class T, int D>

@@ -71,7 +71,7 @@ class Step {
   undeformed::BoundaryWork<T, D> work_;
   undeformed::WallContact<T, D> contact_;
   std::vector<kernels::PointForcesResult> results_;  ///< [block]
-  std::vector<double> inertia_;                      ///< [block] mean over the step [J]
+  std::vector<double> inertia_;                      ///< [block] before the step [J]
 };
 
 extern template class Step<double, 2>;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <map>
 #include <set>
 #include <tuple>
 
@@ -15,10 +16,32 @@ namespace {
 // Corners share particles, so that one push may press a neighbour in again: (TL.12) of all of them
 // is solved by Gauss-Seidel sweeps. What these leave is a small share of one step's motion.
 constexpr int sweeps = 4;
+constexpr double least_compliance = 1e-3;  // along the normal, of what a corner has elsewhere
 
 double coefficient(const BoundaryCase& boundary) {
   if (row_of(boundary.friction).slides) return 0;
   return boundary.friction_coefficient.value_or(std::numeric_limits<double>::infinity());
+}
+
+template <int D>
+std::array<double, D * D> identity() {
+  std::array<double, D* D> tensor = {};
+  for (int a = 0; a < D; ++a) tensor[(D + 1) * a] = 1;
+  return tensor;
+}
+
+/// What a tensor leaves free and is normal to `n` too: of walls at right angles, exactly.
+template <int D>
+std::array<double, D * D> without(const std::array<double, D * D>& free, const Point<D>& n) {
+  Point<D> along = {};
+  for (int i = 0; i < D; ++i) {
+    for (int j = 0; j < D; ++j) along[j] += n[i] * free[D * i + j];
+  }
+  std::array<double, D* D> rest = free;
+  for (int i = 0; i < D; ++i) {
+    for (int j = 0; j < D; ++j) rest[D * i + j] -= n[i] * along[j];
+  }
+  return rest;
 }
 
 }  // namespace
@@ -36,22 +59,33 @@ WallContact<T, D>::WallContact(State<D>& state, const Case& settings) : state_(s
 template <class T, int D>
 void WallContact<T, D>::add_surface(Body<T, D>& body, const std::vector<Vertex<D>>& corners) {
   Surface& surface = surfaces_.emplace_back(Surface{&body, {}});
-  std::set<std::int32_t> held;
+  std::map<std::int32_t, std::array<double, D * D>> held;
   for (const auto& of_block : body.held) {
-    for (const ConstrainedParticle<D>& particle : of_block) held.insert(particle.slot);
+    for (const ConstrainedParticle<D>& particle : of_block) {
+      auto& free = held.insert({particle.slot, identity<D>()}).first->second;
+      free = particle.normal == Point<D>{} ? Tensor{} : without<D>(free, particle.normal);
+    }
   }
-  const auto inverse_mass = [&](std::int32_t slot) {
-    return held.contains(slot) ? 0. : static_cast<double>(body.inverse_mass[slot]);
+  const auto response = [&](std::int32_t slot, double weight) {
+    const auto at = held.find(slot);
+    Tensor tensor = at == held.end() ? identity<D>() : at->second;
+    for (double& component : tensor) component *= weight * body.inverse_mass[slot];
+    return tensor;
   };
   std::set<std::tuple<std::int32_t, std::int32_t, Point<D>>> known;
   for (const Vertex<D>& v : corners) {
     if (!known.insert({v.first, v.second, v.start}).second) continue;
-    Corner corner{v, 0, (1 - v.along) * inverse_mass(v.first), v.along * inverse_mass(v.second)};
-    if (v.first == v.second) corner = {v, 0, inverse_mass(v.first), 0};
-    corner.compliance = v.first == v.second ? corner.first_response
-                                            : (1 - v.along) * corner.first_response +
-                                                  v.along * corner.second_response;
-    if (corner.compliance > 0) surface.corners.push_back(corner);
+    Corner corner{v, response(v.first, 1), {}, {}};
+    corner.compliance = corner.first_response;
+    if (v.first != v.second) {
+      corner.first_response = response(v.first, 1 - v.along);
+      corner.second_response = response(v.second, v.along);
+      for (int c = 0; c < D * D; ++c) {
+        corner.compliance[c] =
+            (1 - v.along) * corner.first_response[c] + v.along * corner.second_response[c];
+      }
+    }
+    if (corner.compliance != Tensor{}) surface.corners.push_back(corner);
   }
 }
 
@@ -84,6 +118,12 @@ void WallContact<T, D>::push(Body<T, D>& body, const Corner& corner, const Conta
   const double gap = wall.distance(x);
   if (gap >= 0) return;
   const Point<D> n = wall.normal(x);
+  double compliance = 0, largest = 0;
+  for (int i = 0; i < D; ++i) {
+    for (int j = 0; j < D; ++j) compliance += n[i] * corner.compliance[D * i + j] * n[j];
+    largest = std::max(largest, corner.compliance[(D + 1) * i]);
+  }
+  if (compliance < least_compliance * largest) return;
   Point<D> slip;
   double normal_speed = 0, square = 0;
   for (int a = 0; a < D; ++a) {
@@ -100,20 +140,31 @@ void WallContact<T, D>::push(Body<T, D>& body, const Corner& corner, const Conta
   const double speed = std::sqrt(square);
   const double most = contact.slides ? 0 : contact.friction * pushed;
   const double taken = speed > most ? most / speed : 1;  // of the slip, by friction
+  Point<D> impulse, moved;
   for (int a = 0; a < D; ++a) {
-    const double impulse = (pushed * n[a] - taken * slip[a]) / corner.compliance;
-    body.velocity[a][v.first] += static_cast<T>(corner.first_response * impulse);
-    const double moved = (-gap * n[a] - contact.drift * taken * slip[a]) / corner.compliance;
-    body.displacement[a][v.first] += static_cast<T>(corner.first_response * moved);
-    if (v.second != v.first) {
-      body.velocity[a][v.second] += static_cast<T>(corner.second_response * impulse);
-      body.displacement[a][v.second] += static_cast<T>(corner.second_response * moved);
-    }
-    const double given = contact.inertia * impulse, force = given / contact.kick;
+    impulse[a] = (pushed * n[a] - taken * slip[a]) / compliance;
+    moved[a] = (-gap * n[a] - contact.drift * taken * slip[a]) / compliance;
+    const double given = contact.inertia * impulse[a], force = given / contact.kick;
     state_.wall_impulse[contact.wall][a] += given;
     state_.wall_force[contact.wall][a] += force;
     state_.energy.wall_work += given * contact.velocity[a];
     state_.power.wall_work += force * contact.velocity[a];
+  }
+  move(body, v.first, corner.first_response, impulse, moved);
+  if (v.second != v.first) move(body, v.second, corner.second_response, impulse, moved);
+}
+
+template <class T, int D>
+void WallContact<T, D>::move(Body<T, D>& body, std::int32_t slot, const Tensor& response,
+                             const Point<D>& impulse, const Point<D>& moved) {
+  for (int i = 0; i < D; ++i) {
+    double velocity = 0, displacement = 0;
+    for (int j = 0; j < D; ++j) {
+      velocity += response[D * i + j] * impulse[j];
+      displacement += response[D * i + j] * moved[j];
+    }
+    body.velocity[i][slot] += static_cast<T>(velocity);
+    body.displacement[i][slot] += static_cast<T>(displacement);
   }
 }
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <vector>
 
 #include "engine/undeformed/body.hpp"
@@ -37,11 +38,14 @@ class WallContact {
   void apply(double time, double kick, double length, double drift);
 
  private:
-  /// A corner, on the line between two particles; those that a wall holds do not move.
+  /// A tensor of D x D, row by row.
+  using Tensor = std::array<double, D * D>;
+  /// A corner, on the line between two particles; those that a wall holds move along it, or not at
+  /// all.
   struct Corner {
     Vertex<D> vertex;
-    double compliance;                       ///< velocity along a force per impulse [1/kg]
-    double first_response, second_response;  ///< velocities of the particles per impulse [1/kg]
+    Tensor first_response, second_response;  ///< velocities of the particles per impulse [1/kg]
+    Tensor compliance;                       ///< velocity of the corner per impulse [1/kg]
   };
   struct ContactWall {
     int wall;                  ///< its place in the boundaries
@@ -53,6 +57,8 @@ class WallContact {
     double length, drift;      ///< for how long particles move, at the present velocities [s]
   };
   void push(Body<T, D>& body, const Corner& corner, const ContactWall& wall);
+  static void move(Body<T, D>& body, std::int32_t slot, const Tensor& response,
+                   const Point<D>& impulse, const Point<D>& moved);
 
   struct Surface {
     Body<T, D>* body;

@@ -194,6 +194,36 @@ pressure = 3
 
 // What changed bonds and relaxing gradients do to the strain energy is in the budget, so that the
 // balance closes through a cut.
+// A plane of symmetry halves the force on a tool and nothing else: nodes that slide along it are
+// pushed too.
+TEST(point_contact, a_plane_of_symmetry_halves_the_force) {
+  double force[2];
+  for (const bool half : {false, true}) {
+    const std::string text =
+        free_points(2) + half_space("floor", "kind = \"fixed\"", "[0, 0]", "[0, 1]") +
+        (half ? half_space("symmetry", "kind = \"slip_wall\"", "[0.5, 0]", "[1, 0]") : "") +
+        R"toml([[boundary]]
+name = "tool"
+kind = "contact_wall"
+friction = "frictionless"
+geometry = { shape = "disc", centre = [0.5, 2.0], radius = 1 }
+displacement = [0, "-0.1*min(t/0.5, 1)"]
+)toml" + measurement("force", "kind = \"wall_force\"\nboundary = \"tool\"\naxis = \"y\"");
+    std::vector<std::string> settings = {"point_based.damping=20"};
+    if (half) {
+      settings.push_back(
+          "body.block.geometry={ shape = \"box\", lower = [0.5, 0], upper = [1, 1] }");
+    }
+    PointSolver<2> solver(tests::read_text(text, settings), {1, kernels::widest_supported()});
+    advance_until(solver, 0.8);
+    const double impulse = values(solver)["force"];
+    advance_until(solver, 1);
+    force[half ? 1 : 0] = values(solver)["force"] - impulse;
+    EXPECT_NEAR(balance(solver), 0, 0.02 * solver.energy_budget()->wall_work);
+  }
+  EXPECT_NEAR(force[0] / 2, force[1], 0.01 * std::abs(force[1]));
+}
+
 TEST(point_energy_budget, closes_through_a_cut) {
   const std::string text =
       free_points(2) + half_space("left", "kind = \"fixed\"", "[0, 0]", "[1, 0]") +
