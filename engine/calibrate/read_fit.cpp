@@ -41,8 +41,8 @@ Parameter parameter_of(const toml::table& table) {
     return value_of(table, key, std::nan(""), "a number");
   };
   const auto scale = value_of<std::string>(table, "scale", "linear", "\"linear\" or \"log\"");
-  Parameter parameter{value_of<std::string>(table, "key", "", "a key of the case"),
-                      number("start"), number("lower"), number("upper"), scale == "log"};
+  Parameter parameter{value_of<std::string>(table, "key", "", "a key of the case"), number("start"),
+                      number("lower"), number("upper"), scale == "log"};
   if (parameter.key.empty()) refuse(table, "a parameter has no `key`", "name a key of the case");
   const bool in_order = parameter.lower < parameter.start && parameter.start < parameter.upper;
   if (!in_order || !std::isfinite(parameter.upper - parameter.lower)) {
@@ -61,8 +61,9 @@ double number_of(const std::string& text, const std::filesystem::path& file, std
   const char* end = text.data() + text.size();
   const auto [rest, error] = std::from_chars(text.data(), end, value);
   if (error == std::errc() && rest == end && std::isfinite(value)) return value;
-  throw InputError(fmt::format("{}: `{}` in row {} is no number; give numbers below one row of names",
-                               file.string(), text, row));
+  throw InputError(
+      fmt::format("{}: `{}` in row {} is no number; give numbers below one row of names",
+                  file.string(), text, row));
 }
 
 /// The first two columns of a CSV file below its row of names.
@@ -84,8 +85,8 @@ void read_columns(Curve& curve, const std::filesystem::path& file) {
     curve.value.push_back(number_of(rows[row][1], file, row + 1));
   }
   if (curve.time.empty()) {
-    throw InputError(fmt::format("{}: has no rows; give a row of names, then time and value",
-                                 file.string()));
+    throw InputError(
+        fmt::format("{}: has no rows; give a row of names, then time and value", file.string()));
   }
 }
 

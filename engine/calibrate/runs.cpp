@@ -30,8 +30,8 @@ std::vector<double> history_at(const std::filesystem::path& result, const std::s
                           "open it");
   const std::string group = "measurements/" + measurement;
   if (!hdf5::exists(file, "measurements") || !hdf5::exists(file, group)) {
-    throw InputError(fmt::format("the case has no measurement `{}`; name one that it has",
-                                 measurement));
+    throw InputError(
+        fmt::format("the case has no measurement `{}`; name one that it has", measurement));
   }
   const std::vector<double> time = values_of(file, group + "/time");
   const std::vector<double> value = values_of(file, group + "/value");
@@ -87,9 +87,10 @@ std::vector<std::optional<Residuals>> Runs::operator()(
     found.push_back(done ? residuals_of(options.folder / "runs" / row.name) : std::nullopt);
     if (options_.quiet) continue;
     double sum = 0;
-    if (found.back()) for (const double r : *found.back()) sum += r * r;
-    const std::string result = done ? fmt::format("sum of squares {:.6g}", sum)
-                                    : "failed: " + row.outcome.message;
+    if (found.back())
+      for (const double r : *found.back()) sum += r * r;
+    const std::string result =
+        done ? fmt::format("sum of squares {:.6g}", sum) : "failed: " + row.outcome.message;
     std::fputs(fmt::format("round {}, {}: {}\n", round_, row.name, result).c_str(), stderr);
   }
   return found;

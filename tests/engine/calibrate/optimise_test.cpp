@@ -47,8 +47,8 @@ TEST(optimise, parameters_are_recovered_within_their_errors) {
   }
 }
 
-// For y = a + b t at t = i/200, i = 1..200, with noise s: var b = s^2/sum (t - mean)^2, var a = var b
-// times the mean of t^2, and their correlation is -mean t/sqrt(mean of t^2).
+// For y = a + b t at t = i/200, i = 1..200, with noise s: var b = s^2/sum (t - mean)^2, var a = var
+// b times the mean of t^2, and their correlation is -mean t/sqrt(mean of t^2).
 TEST(optimise, errors_and_correlation_of_a_straight_line_are_those_of_linear_regression) {
   const double noise = 0.1;
   const Calibration found = optimise(
@@ -76,9 +76,8 @@ TEST(optimise, what_the_data_do_not_tell_is_said) {
   const auto formula = [](const std::vector<double>& p, double t) {
     return p[0] * t + (p[1] - p[2]) * t * t;  // only the difference matters
   };
-  const Calibration found =
-      optimise({{"a", 1, 0, 5}, {"b", 1, 0, 9}, {"c", 1, 0, 9}},
-               evaluate(formula, {2, 4, 3}, 1e-3), {});
+  const Calibration found = optimise({{"a", 1, 0, 5}, {"b", 1, 0, 9}, {"c", 1, 0, 9}},
+                                     evaluate(formula, {2, 4, 3}, 1e-3), {});
   EXPECT_EQ(Determination::well, found.parameters[0].determination);
   EXPECT_EQ(Determination::not_at_all, found.parameters[1].determination);
   EXPECT_EQ(Determination::not_at_all, found.parameters[2].determination);
@@ -115,8 +114,7 @@ TEST(optimise, failing_runs_shorten_the_step_or_name_the_parameter) {
       return found;
     };
   };
-  const Calibration found =
-      optimise({{"a", 1, 0.1, 10}, {"b", 1, 0, 20}}, failing_above(3.5), {});
+  const Calibration found = optimise({{"a", 1, 0.1, 10}, {"b", 1, 0, 20}}, failing_above(3.5), {});
   EXPECT_NEAR(found.parameters[0].value, 3, 0.1);
   EXPECT_THROW(optimise({{"a", 1, 0.1, 10}, {"b", 1, 0, 20}}, failing_above(0.5), {}), InputError);
 }
@@ -127,7 +125,8 @@ TEST(parameters, angles_and_values_are_inverse_and_slopes_are_derivatives) {
     const double angle = parameter.angle(1);
     EXPECT_NEAR(parameter.value(angle), 1, 1e-12);
     const double step = 1e-6;
-    const double slope = (parameter.value(angle + step) - parameter.value(angle - step)) / (2 * step);
+    const double slope =
+        (parameter.value(angle + step) - parameter.value(angle - step)) / (2 * step);
     EXPECT_NEAR(parameter.slope(angle) / slope, 1, 1e-8);
   }
 }
