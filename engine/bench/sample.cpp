@@ -14,20 +14,26 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-double processor_time() {
+double time_of(clockid_t clock) {
   timespec time;
-  clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &time);
+  clock_gettime(clock, &time);
   return static_cast<double>(time.tv_sec) + 1e-9 * static_cast<double>(time.tv_nsec);
+}
+
+double processor_time() { return time_of(CLOCK_PROCESS_CPUTIME_ID); }
+
+// A handicap is a share of the time that the step had of the processor: an interruption by another
+// program does not count.
+void step(Solver& solver) {
+  const double start = time_of(CLOCK_THREAD_CPUTIME_ID);
+  solver.step(solver.settings().time.end - solver.clock().time);
+  const double now = time_of(CLOCK_THREAD_CPUTIME_ID), until = now + handicap() * (now - start);
+  while (time_of(CLOCK_THREAD_CPUTIME_ID) < until) continue;
 }
 
 void advance(Solver& solver, std::int64_t steps) {
   const double end = solver.settings().time.end;
-  for (std::int64_t i = 0; i < steps && solver.clock().time < end * (1 - 1e-9); ++i) {
-    const auto start = Clock::now();
-    solver.step(end - solver.clock().time);
-    const auto until = Clock::now() + handicap() * (Clock::now() - start);
-    while (Clock::now() < until) continue;
-  }
+  for (std::int64_t i = 0; i < steps && solver.clock().time < end * (1 - 1e-9); ++i) step(solver);
 }
 
 // Names are those of `after`, in its order.
