@@ -8,5 +8,6 @@ namespace pliant::bench {
 
 extern const std::string_view rotating_cylinder_text;
 extern const std::string_view compression_hyperelastic_text;
+extern const std::string_view block_cut_text;
 
 }  // namespace pliant::bench

@@ -60,4 +60,17 @@ Case compression(int n, kernels::Weight kernel) {
   return read(compression_hyperelastic_text, "compression_hyperelastic", 1.0 / n, kernel, {});
 }
 
+Case point_block(std::int64_t nodes, Precision precision) {
+  constexpr double volume = 0.08 * 0.06 * 0.03;
+  const std::string spacing =
+      fmt::format("discretisation.spacing={:.17g}", std::cbrt(volume / static_cast<double>(nodes)));
+  const Settings settings = {spacing,         fmt::format("precision={}", text_of(precision)),
+                             "time.end=1000", "time.step=cfl",
+                             "cut=[]",        "measurement=[]",
+                             "output={}"};
+  Case a_case = parse_case(std::string(block_cut_text), "case.toml", settings, methods().rules());
+  a_case.name = "point_block";
+  return a_case;
+}
+
 }  // namespace pliant::bench

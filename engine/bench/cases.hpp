@@ -19,4 +19,8 @@ Case spinning_ball(std::int64_t particles, kernels::Weight kernel);
 /// enough, to t = 0.02 with the time step of (RP.29).
 Case compression(int n, kernels::Weight kernel);
 
+/// The stretched block of cases/block_cut, uncut, with about `nodes` nodes of the point-based
+/// method, each of which has 26 neighbours in no particular order of memory.
+Case point_block(std::int64_t nodes, Precision precision);
+
 }  // namespace pliant::bench

@@ -6,8 +6,6 @@
 #include <array>
 #include <string_view>
 
-#include "engine/bench/stage_cost.hpp"
-
 namespace pliant::bench {
 
 namespace {
@@ -81,7 +79,7 @@ std::string speed_table(const std::vector<Row>& rows) {
         speed_up(rows, row, [](const Sample& s) { return s.rate(); }),
         speed_up(rows, row, [](const Sample& s) { return s.fma_peak; }),
         1e-9 * row.median([&](const Sample& s) { return row.flop_rate(s); }),
-        100 * row.median([&](const Sample& s) { return row.flop_rate(s) / s.fma_peak; }),
+        100 * row.median([&](const Sample& s) { return row.flop_rate(s) / row.fma_peak(s); }),
         1e-9 * row.median([&](const Sample& s) { return row.byte_rate(s); }),
         100 * row.median([&](const Sample& s) { return row.byte_rate(s) / s.triad; }),
         row.median([](const Sample& s) { return s.bytes_per_particle; }),
@@ -134,12 +132,10 @@ std::string csv(const std::vector<std::string>& machine, const std::vector<Row>&
         row.settings.name, row.samples[0].particles, row.weight(), row.threads, row.samples.size(),
         row.samples[0].steps, row.median(steps_per_remeshing), rate.median, rate.least, rate.most,
         speed_up(rows, row, [](const Sample& s) { return s.rate(); }),
-        speed_up(rows, row, [](const Sample& s) { return s.fma_peak; }),
-        flop_per_stage(row.settings.discretisation.kernel, row.model(), row.settings.dimension),
-        row.median([](const Sample& s) { return s.fma_peak; }),
-        row.median([&](const Sample& s) { return row.flop_rate(s) / s.fma_peak; }),
-        bytes_per_stage(row.model(), row.settings.dimension),
-        row.median([](const Sample& s) { return s.triad; }),
+        speed_up(rows, row, [](const Sample& s) { return s.fma_peak; }), row.flop(),
+        row.median([&](const Sample& s) { return row.fma_peak(s); }),
+        row.median([&](const Sample& s) { return row.flop_rate(s) / row.fma_peak(s); }),
+        row.bytes(), row.median([](const Sample& s) { return s.triad; }),
         row.median([&](const Sample& s) { return row.byte_rate(s) / s.triad; }),
         row.median([](const Sample& s) { return s.bytes_per_particle; }),
         row.median([&](const Sample& s) { return row.idle_share(s); }), extra_idle_share(rows, row),

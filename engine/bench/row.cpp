@@ -18,9 +18,18 @@ double middle(std::vector<double> values) {
 }
 
 bool same_case_and_weight(const Row& a, const Row& b) {
-  return a.settings.name == b.settings.name &&
-         a.settings.discretisation.kernel == b.settings.discretisation.kernel;
+  return a.settings.name == b.settings.name && a.weight() == b.weight();
 }
+
+bool is_point_based(const Case& settings) { return settings.method == "point_based"; }
+
+NodeCost cost_of_nodes(const Case& settings) {
+  const int by_default = settings.dimension == 2 ? 12 : 26, given = settings.point_based.neighbours;
+  return point_based_cost(settings.dimension, given > 0 ? given : by_default,
+                          settings.precision == Precision::binary32 ? 4 : 8);
+}
+
+kernels::Model model_of(const Case& settings) { return settings.bodies[0].material.model; }
 
 }  // namespace
 
@@ -29,7 +38,20 @@ std::string Row::name() const {
                      threads);
 }
 
-std::string Row::weight() const { return std::string(text_of(settings.discretisation.kernel)); }
+std::string Row::weight() const {
+  return std::string(is_point_based(settings) ? text_of(settings.precision)
+                                              : text_of(settings.discretisation.kernel));
+}
+
+double Row::flop() const {
+  if (is_point_based(settings)) return cost_of_nodes(settings).flop;
+  return flop_per_stage(settings.discretisation.kernel, model_of(settings), settings.dimension);
+}
+
+double Row::bytes() const {
+  if (is_point_based(settings)) return cost_of_nodes(settings).bytes;
+  return bytes_per_stage(model_of(settings), settings.dimension);
+}
 
 Spread Row::spread(const Figure& figure) const {
   std::vector<double> values;
@@ -38,13 +60,12 @@ Spread Row::spread(const Figure& figure) const {
   return {middle(values), *least, *most};
 }
 
-double Row::flop_rate(const Sample& sample) const {
-  return sample.rate() *
-         flop_per_stage(settings.discretisation.kernel, model(), settings.dimension);
-}
+double Row::flop_rate(const Sample& sample) const { return sample.rate() * flop(); }
 
-double Row::byte_rate(const Sample& sample) const {
-  return sample.rate() * bytes_per_stage(model(), settings.dimension);
+double Row::byte_rate(const Sample& sample) const { return sample.rate() * bytes(); }
+
+double Row::fma_peak(const Sample& sample) const {
+  return settings.precision == Precision::binary32 ? 2 * sample.fma_peak : sample.fma_peak;
 }
 
 double Row::idle_share(const Sample& sample) const {

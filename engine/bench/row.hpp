@@ -23,14 +23,17 @@ struct Row {
 
   /// Case, weight, spacing and threads, as in rotating_cylinder/compact/0.03963/1.
   std::string name() const;
-  std::string weight() const;  ///< as case files spell it
-  kernels::Model model() const { return settings.bodies[0].material.model; }
+  /// Kernel, or precision of the point-based method, as case files spell them.
+  std::string weight() const;
+  double flop() const;   ///< of a particle-stage
+  double bytes() const;  ///< that a particle-stage must read and write
 
   Spread spread(const Figure& figure) const;
   double median(const Figure& figure) const { return spread(figure).median; }
 
   double flop_rate(const Sample& sample) const;  ///< [flop/s]
   double byte_rate(const Sample& sample) const;  ///< [bytes/s]
+  double fma_peak(const Sample& sample) const;   ///< in the precision of the row [flop/s]
   /// 1 - (seconds inside phases)/(threads x wall seconds).
   double idle_share(const Sample& sample) const;
 };

@@ -47,4 +47,23 @@ constexpr double bytes_per_stage(kernels::Model model, int dimension = 2) {
   return dimension == 2 ? bytes_per_stage_in<2>(model) : bytes_per_stage_in<3>(model);
 }
 
+/// What a node of the point-based method costs in one step.
+struct NodeCost {
+  double flop, bytes;
+};
+
+/// For a neo-Hookean material without viscosity, loads and cuts.
+constexpr NodeCost point_based_cost(int dimension, int neighbours, int value_size) {
+  const bool plane = dimension == 2;
+  // d 3, d g^T 18, (V kappa w) d 4, B g 18, two sums 6; in 2D 2, 8, 3, 8, 4.
+  const int bond = plane ? 25 : 49;
+  // cof F 27, J 5, factor 4, P 27, V kappa A 6, B 63; the update 20.
+  const int node = plane ? 65 : 152;
+  // g, w and the neighbour's place; V, V kappa, A, 1/m, and five times a vector.
+  const int bond_bytes = (dimension + 1) * value_size + 2;
+  const int values = 3 + dimension * (dimension + 1) / 2 + 5 * dimension;
+  return {static_cast<double>(neighbours * bond + node),
+          static_cast<double>(neighbours * bond_bytes + values * value_size)};
+}
+
 }  // namespace pliant::bench

@@ -28,6 +28,12 @@ Window window_for(std::int64_t particles) {
   return {10, std::clamp(periods * period, period, most_steps)};
 }
 
+// About as much work, in steps of one evaluation each.
+Window window_of_points(std::int64_t nodes) {
+  constexpr std::int64_t least_steps = 5, node_steps = 5'000'000;
+  return {5, std::max(node_steps / nodes, least_steps)};
+}
+
 // Rows in pairs: one thread, then all.
 std::vector<Row> all_rows(const StandardSetOptions& options) {
   std::vector<Row> rows;
@@ -52,6 +58,12 @@ std::vector<Row> all_rows(const StandardSetOptions& options) {
   }
   add_balls(100'000);
   if (!options.quick) add_balls(1'000'000);
+  for (const std::int64_t nodes : {8'000, 64'000, 1'000'000}) {
+    if (options.quick && nodes > 64'000) continue;
+    for (const Precision precision : {Precision::binary64, Precision::binary32}) {
+      add(point_block(nodes, precision), window_of_points(nodes));
+    }
+  }
   constexpr std::int64_t whole_run = 1'000'000;
   add(compression(options.quick ? quick_compression_columns : compression_columns, Weight::quartic),
       {0, whole_run});
@@ -107,6 +119,8 @@ constexpr const char* legend =
     "speed, FMA's: rate over that on one thread, and what the FMA peak itself gained beside it.\n"
     "% peak, % triad: of what the machine gave beside each repetition.  B/part: all fields.\n"
     "idle %: of the threads' time outside phases; extra: less that of the largest body.\n"
+    "point_block: steps of nodes with 26 neighbours, by precision, with the peak of that "
+    "precision.\n"
     "CPU %: processor time over threads x wall time; well below 100 the machine was busy "
     "otherwise.\n";
 

@@ -126,7 +126,7 @@ void CutBonds<D>::cut_transparent(std::int32_t cut, std::size_t first_piece) {
   // A new piece can move the front of its own cut, and take away that of another that it meets.
   for (std::size_t c = 0; c < cuts_.size(); ++c) fronts_[c].update(cuts_, c);
   std::erase_if(open_, [&](const Crossing& open) {
-    const double ahead = fronts_[open.cut].distance(open.place);
+    const double ahead = fronts_[open.cut].distance(open.place, open.size);
     const double left = 1 - smoothstep(ahead / open.size);  // (CU.1)
     set(open.node, open.bond, std::min(factors_[open.bond], left));
     return left == 0;

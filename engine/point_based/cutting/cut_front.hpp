@@ -25,8 +25,9 @@ class CutFront {
   /// Finds the front of `cuts[which]` anew.
   void update(std::span<const CutSurface<D>> cuts, std::size_t which);
 
-  /// Distance [m] from `x` to the front, infinite when there is none any more.
-  double distance(const MaterialPoint<D>& x) const;
+  /// Distance [m] from `x` to the front; `most` where it is farther away, or where there is none
+  /// any more.
+  double distance(const MaterialPoint<D>& x, double most) const;
 
  private:
   struct Part {

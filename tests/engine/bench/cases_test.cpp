@@ -39,6 +39,16 @@ TEST(bench_cases, keep_the_settings_that_rates_depend_on) {
   }
 }
 
+TEST(bench_cases, a_block_of_points_has_the_nodes_asked_for_and_no_cut) {
+  for (const Precision precision : {Precision::binary64, Precision::binary32}) {
+    const Case block = bench::point_block(8000, precision);
+    EXPECT_EQ(block.method, "point_based");
+    EXPECT_EQ(block.precision, precision);
+    EXPECT_TRUE(block.cuts.empty());
+    EXPECT_NEAR(std::pow(block.discretisation.spacing, 3) * 8000, 1.44e-4, 1e-12);
+  }
+}
+
 TEST(bench_cases, a_ball_spins_about_z) {
   const Case ball = bench::spinning_ball(2000, Weight::quartic);
   EXPECT_EQ(ball.dimension, 3);
