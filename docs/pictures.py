@@ -54,7 +54,7 @@ rendered = {
          "--times", "0", "0.015", "0.06", "--size", "1500", "600"]),
     "docs/boundaries/free": (
         "docs/boundaries/free.toml", [],
-        ["--times", "0", "0.01", "0.02", "--size", "1500", "600", "--field", "velocity", "--label",
+        ["--times", "0", "0.01", "0.02", "--zoom", "1.4", "--size", "1500", "480", "--field", "velocity", "--label",
          "speed [m/s]"]),
     "docs/boundaries/fixed": (
         "docs/boundaries/fixed.toml", [],
@@ -70,11 +70,11 @@ rendered = {
         ["--cut", "y", "--walls", *mm]),
     "docs/contacts/frictionless": (
         "docs/contacts/two_balls.toml", [],
-        ["--times", "0", "0.02", "0.05", "--view", "-80", "12", "--size", "1500", "600",
+        ["--times", "0", "0.02", "0.05", "--view", "-80", "12", "--zoom", "1.4", "--size", "1500", "500",
          "--field", "velocity", "--label", "speed [m/s]"]),
     "docs/contacts/no_slip": (
         "docs/contacts/two_balls.toml", ["contact.0.kind=no_slip"],
-        ["--times", "0", "0.02", "0.05", "--view", "-80", "12", "--size", "1500", "600",
+        ["--times", "0", "0.02", "0.05", "--view", "-80", "12", "--zoom", "1.4", "--size", "1500", "500",
          "--field", "velocity", "--label", "speed [m/s]"]),
     "docs/materials/linear": (
         "docs/materials/linear.toml", [],
