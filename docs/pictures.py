@@ -5,8 +5,9 @@
 
 NAME is a picture without its ending, or the beginning of one, as in `cases/organ` or `boundaries`.
 Without a name all are drawn, which takes about half an hour on two cores. Runs that are in the
-results folder already are not repeated. Needs python3-h5py, python3-matplotlib, python3-scipy,
-python3-vtk9 and xvfb.
+results folder already are not repeated. Pictures come from the 3D view of reports (docs/picture.py), which
+needs the packages of the section `browser` of cmake/debian-packages.txt. Those with walls come from
+docs/render.py, which needs python3-h5py, python3-matplotlib, python3-scipy, python3-vtk9 and xvfb.
 """
 import argparse
 import pathlib
@@ -34,18 +35,12 @@ rendered = {
          "--label", "upward velocity [m/s]", "--times", "0", "0.16", "0.5", "--size", "1500", "600"]),
     "cases/block_cut/result": (
         "cases/block_cut", [],
-        ["--times", "0.08", "0.14", "0.24", "--view", "-70", "45", "--zoom", "0.95",
-         "--size", "1500", "600", *mm]),
-    "cases/cantilever/result": (
-        "cases/cantilever", [],
-        ["--times", "80", "--view", "-60", "20", "--size", "1300", "500", *mm]),
-    "cases/indentation/result": (
-        "cases/indentation", [],
-        ["--times", "0.15", "--view", "-120", "35", "--size", "1300", "600", *mm]),
+        ["--times", "0.08", "0.14", "0.24", "--view", "-70", "45", "--zoom", "1.2",
+         "--size", "1500", "500", *mm]),
     "cases/organ/result": (
         "cases/organ", [],
-        ["--field", "velocity", "--label", "speed [m/s]", "--times", "0", "0.08", "0.16",
-         "--size", "1500", "600"]),
+        ["--field", "velocity", "--label", "speed [m/s]", "--times", "0", "0.08", "0.16", "--zoom", "1.4",
+         "--size", "1500", "480"]),
     "docs/tutorial/jelly": (
         "docs/tutorial", [],
         ["--cut", "y", "--walls", "--field", "velocity_z", "--label", "upward velocity [m/s]",
@@ -59,7 +54,7 @@ rendered = {
          "--times", "0", "0.015", "0.06", "--size", "1500", "600"]),
     "docs/boundaries/free": (
         "docs/boundaries/free.toml", [],
-        ["--times", "0", "0.01", "0.02", "--size", "1500", "600", "--field", "velocity", "--label",
+        ["--times", "0", "0.01", "0.02", "--zoom", "1.4", "--size", "1500", "480", "--field", "velocity", "--label",
          "speed [m/s]"]),
     "docs/boundaries/fixed": (
         "docs/boundaries/fixed.toml", [],
@@ -75,11 +70,11 @@ rendered = {
         ["--cut", "y", "--walls", *mm]),
     "docs/contacts/frictionless": (
         "docs/contacts/two_balls.toml", [],
-        ["--times", "0", "0.02", "0.05", "--view", "-80", "12", "--size", "1500", "600",
+        ["--times", "0", "0.02", "0.05", "--view", "-80", "12", "--zoom", "1.4", "--size", "1500", "500",
          "--field", "velocity", "--label", "speed [m/s]"]),
     "docs/contacts/no_slip": (
         "docs/contacts/two_balls.toml", ["contact.0.kind=no_slip"],
-        ["--times", "0", "0.02", "0.05", "--view", "-80", "12", "--size", "1500", "600",
+        ["--times", "0", "0.02", "0.05", "--view", "-80", "12", "--zoom", "1.4", "--size", "1500", "500",
          "--field", "velocity", "--label", "speed [m/s]"]),
     "docs/materials/linear": (
         "docs/materials/linear.toml", [],
@@ -108,8 +103,11 @@ def main():
             sets = [part for s in [*settings, "output.surface=true"] for part in ("--set", s)]
             subprocess.run([arguments.program, "run", root / case, "--quiet", "--out", folder, *sets],
                            check=True)
-        subprocess.run(["xvfb-run", "-a", sys.executable, here / "render.py", folder,
-                        root / f"{name}.png", *look], check=True)
+        if "--walls" in look:
+            draw = ["xvfb-run", "-a", sys.executable, here / "render.py"]
+        else:
+            draw = [sys.executable, here / "picture.py", "--program", arguments.program]
+        subprocess.run([*draw, folder, root / f"{name}.png", *look], check=True)
 
 
 if __name__ == "__main__":

@@ -38,6 +38,29 @@ image.onload = () => {
 image.src = "data:image/png;base64," + png;
 """
 
+# Counts the connected spots of one colour in a canvas.
+COUNT_SPOTS = """
+const [canvas, colour] = arguments;
+const { width, height } = canvas;
+const { data } = canvas.getContext("2d").getImageData(0, 0, width, height);
+const is_spot = (i) => colour.every((part, c) => Math.abs(data[4 * i + c] - part) < 40) && data[4 * i + 3] > 200;
+const seen = new Uint8Array(width * height);
+let spots = 0;
+for (let first = 0; first < width * height; ++first) {
+  if (seen[first] || !is_spot(first)) continue;
+  let size = 0;
+  for (const todo = [first]; todo.length > 0;) {
+    const i = todo.pop();
+    if (seen[i] || !is_spot(i)) continue;
+    seen[i] = 1;
+    ++size;
+    todo.push(i - 1, i + 1, i - width, i + width);
+  }
+  if (size > 10) ++spots;
+}
+return spots;
+"""
+
 
 def open_browser():
     options = Options()
@@ -170,6 +193,22 @@ class Report(unittest.TestCase):
             self.assertIn(name, text)
         plots = self.browser.find_elements(By.CSS_SELECTOR, ".plot")
         self.assertEqual(len(summary["measurements"]), len(plots))
+
+    def test_a_batch_has_a_point_for_each_run(self):
+        sweep = self.folder / "sweep.toml"
+        sweep.write_text(f'''case = "{SOURCE}/cases/rotating_cylinder"
+set = ["discretisation.spacing=0.1", "time.step=0.001", "time.end=0.02", "output.every=0.01"]
+[[design]]
+parameters."body.cylinder.material.poissons_ratio" = [0.2, 0.4]
+parameters."remeshing.every" = [5, 10]
+''')
+        out = self.folder / "sweep"
+        subprocess.run([PROGRAM, "batch", sweep, "--quiet", "--out", out], check=True)
+        subprocess.run([PROGRAM, "report", out], check=True, stdout=subprocess.DEVNULL)
+        self.browser.get((out / "report.html").as_uri())
+        self.wait(lambda: len(self.browser.find_elements(By.CSS_SELECTOR, "tbody tr")) == 4)
+        canvas = self.browser.find_elements(By.CSS_SELECTOR, ".plot canvas")[0]
+        self.wait(lambda: self.browser.execute_script(COUNT_SPOTS, canvas, [31, 111, 159]) == 4)
 
     def test_a_picture_says_when_it_is_ready(self):
         self.browser.get("about:blank")

@@ -6,7 +6,7 @@ import { range_of } from "./run.js";
 import { View } from "./scene.js";
 import { element, number_text, words_of } from "./text.js";
 
-const TITLE = 30, BAR = 62, GAP = 10;
+const TITLE = 30, BAR = 70, GAP = 10;
 
 function nearest(times, time) {
   return times.reduce((best, t, i) => (Math.abs(t - time) < Math.abs(times[best] - time) ? i : best), 0);
@@ -25,9 +25,9 @@ function draw_bar(context, width, top, [low, high], label) {
   context.fillStyle = "#22262b";
   context.textAlign = "center";
   for (let i = 0; i <= 4; ++i) {
-    context.fillText(number_text(low + (i / 4) * (high - low)), left + (i / 4) * length, top + 27);
+    context.fillText(number_text(low + (i / 4) * (high - low)), left + (i / 4) * length, top + 39);
   }
-  context.fillText(label, width / 2, top + 47);
+  context.fillText(label, width / 2, top + 57);
 }
 
 export async function show_picture(run, wishes) {

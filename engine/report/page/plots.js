@@ -100,6 +100,12 @@ export function add_history(parent, history, at, choose) {
   return () => one.plot.redraw(false);
 }
 
+/** Points at the very end of an axis would be left out where several have the same place. */
+function padded(_, least, most) {
+  const margin = 0.06 * (most - least) || 0.1 * Math.abs(least) || 1;
+  return [least - margin, most + margin];
+}
+
 /** A card with one point for each run: a measurement over a parameter. */
 export function add_points(parent, { name, unit, over, x, y }) {
   const card = element("article", { class: "card plot" }, element("h2", {}, words_of(name)));
@@ -109,6 +115,6 @@ export function add_points(parent, { name, unit, over, x, y }) {
   add(card, () => {
     const colour = style_of("--accent");
     const series = [{ label: name, paths: () => null, stroke: colour, points: { show: true, size: 7, fill: colour, stroke: colour } }];
-    return new uPlot(options(card, over, unit_text(unit), series, {}), data, card);
+    return new uPlot(options(card, over, unit_text(unit), series, { scales: { x: { time: false, range: padded } } }), data, card);
   });
 }
