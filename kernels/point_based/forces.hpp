@@ -165,7 +165,8 @@ template <class P, int D>
   for (int c = 0; c < D * D; ++c) h[c] = sum[c];
 }
 
-/// Adds T_ij of (PB.8) of all bonds to the nodes and takes it from their neighbours.
+/// Adds T_ij of (PB.8) of all bonds to the nodes and takes it from their neighbours. Prefetches the
+/// bonds of the next pack: no bond is read again before the next step.
 template <class P, int D>
 [[gnu::always_inline]] inline void add_bond_forces(const PointForces<Scalar<P>, D>& block,
                                                    const RegisterBonds<Scalar<P>, D>& bonds,
@@ -173,6 +174,8 @@ template <class P, int D>
                                                    const P (&difference)[most_bonds][D],
                                                    const P (&b)[D * D], P (&sum)[D]) {
   for (int k = 0; k < block.bonds; ++k) {
+#pragma GCC unroll 4
+    for (int c = 0; c <= D; ++c) __builtin_prefetch(bonds.coefficients(block.bonds + k, c));
     const P weight = stiffness * load<P>(bonds.coefficients(k, D));
     P t[D];
 #pragma GCC unroll 3
