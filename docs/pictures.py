@@ -37,6 +37,12 @@ rendered = {
         "cases/block_cut", [],
         ["--times", "0.08", "0.14", "0.24", "--view", "-70", "45", "--zoom", "1.2",
          "--size", "1500", "500", *mm]),
+    "cases/cantilever/result": (
+        "cases/cantilever", [],
+        ["--times", "80", "--view", "-60", "20", "--size", "1300", "500", *mm]),
+    "cases/indentation/result": (
+        "cases/indentation", [],
+        ["--times", "0.15", "--view", "-120", "35", "--size", "1300", "600", *mm]),
     "cases/organ/result": (
         "cases/organ", [],
         ["--field", "velocity", "--label", "speed [m/s]", "--times", "0", "0.08", "0.16", "--zoom", "1.4",
