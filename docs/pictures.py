@@ -47,6 +47,9 @@ rendered = {
         "cases/organ", [],
         ["--field", "velocity", "--label", "speed [m/s]", "--times", "0", "0.08", "0.16", "--zoom", "1.4",
          "--size", "1500", "480"]),
+    "cases/organ_cut/result": (
+        "cases/organ_cut", [],
+        ["--times", "0.45", "1.2", "--view", "-70", "-15", "--size", "1500", "600", *mm]),
     "docs/tutorial/jelly": (
         "docs/tutorial", [],
         ["--cut", "y", "--walls", "--field", "velocity_z", "--label", "upward velocity [m/s]",
