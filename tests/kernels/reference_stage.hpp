@@ -77,6 +77,35 @@ double fourth_difference_at(const Field<T>& f, const Patch<T, D>& patch, const S
   return sum;
 }
 
+/// Half the derivative by f_p of the sum of the squared second differences of f along the lattice
+/// lines, of those between interior slots; by differences of the sum itself.
+template <class T, int D>
+double bending_force_at(const Field<T>& f, const Patch<T, D>& patch, const Segment<D>& segment,
+                        std::int64_t p) {
+  double slope = 0;
+  for (int axis = 0; axis < D; ++axis) {
+    const auto along = [&](int k) {
+      const int dy = axis == 1 ? k : 0, dz = axis == 2 ? k : 0;
+      return p + segment.neighbour_row[row_index<D>(dy, dz)] + (axis == 0 ? k : 0);
+    };
+    const auto squares = [&](double moved) {
+      double sum = 0;
+      for (int k = -1; k <= 1; ++k) {
+        double second = 0;
+        bool inside = true;
+        for (int j = -1; j <= 1; ++j) {
+          inside = inside && patch.interior[along(k + j)] != 0;
+          second += (j == 0 ? -2 : 1) * (f[along(k + j)] + (k + j == 0 ? moved : 0.));
+        }
+        if (inside) sum += second * second;
+      }
+      return sum;
+    };
+    slope += (squares(0.5) - squares(-0.5)) / 2;  // exact for squares
+  }
+  return slope;
+}
+
 /// The strain rate that stands in Hooke's law for a stress rate, found by solving its equations.
 template <class T, int D>
 Matrix<D> hooke_inverse(const Material<T>& material, const Matrix<D>& stress) {
@@ -132,11 +161,16 @@ Rates<D> reference_rates(const Body<T, D>& body, const State<T, D>& q, const Seg
       velocity_sum * inverse + hooke_inverse<T, D>(body.material, relaxation);
   Rates<D> rates;
   rates.drift = vector_at<T, D>(q.velocity, p);
+  const double return_rate =  // in 2D alone
+      (D == 2 ? 0.1 : 0.) / h *
+      std::sqrt((body.material.bulk_modulus + 4. / 3 * body.material.shear_modulus) /
+                body.material.density);
   for (int i = 0; i < D; ++i) {
     const Matrix<D> gradient_of_row = stress_sum[i] * inverse;  // (j, k): d sigma_ij / dx_k
-    rates.velocity[i] =
-        gradient_of_row.trace() * q.volume[p] / body.mass[p] -
-        body.velocity_dissipation * fourth_difference_at(q.velocity[i], body.patch, segment, p);
+    rates.velocity[i] = gradient_of_row.trace() * q.volume[p] / body.mass[p] -
+                        body.velocity_dissipation *
+                            (fourth_difference_at(q.velocity[i], body.patch, segment, p) +
+                             return_rate * bending_force_at(q.drift[i], body.patch, segment, p));
   }
   rates.volume = q.volume[p] * gradient.trace();
   const Matrix<D> strain = (gradient + gradient.transpose()) / 2;

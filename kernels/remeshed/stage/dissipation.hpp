@@ -5,8 +5,10 @@
 #include "kernels/remeshed/stage/gradient_sweep.hpp"
 #include "kernels/remeshed/stage/prefetch.hpp"
 
-/// The dissipation of (RP.23): fourth differences of velocity and stress along the lattice lines,
-/// which only see what the lattice does not resolve.
+/// The dissipation of (RP.23): fourth differences of velocity, place and stress along the lattice
+/// lines, which only see what the lattice does not resolve. Those of the place are a force: they
+/// are the gradient of an energy, the sum of squares of second differences, so that they cannot
+/// feed anything.
 namespace pliant::kernels {
 
 /// Whether every flux flows between the interior particles of a pack and their neighbours.
@@ -25,10 +27,10 @@ inline bool flow_everywhere(const Scalar<P>* interior, const LineOffsets (&line)
   return flow;
 }
 
-/// Sums over the directions of delta^4 of the sweep's fields in a chunk, field by field, between
-/// interior particles; anything finite in other slots.
+/// Sums over the directions of delta^4 of fields in a chunk, field by field, between interior
+/// particles; anything finite in other slots.
 template <class P, int D, int F>
-void fourth_differences(const SweepFields<Scalar<P>, D, F>& fields, const Segment<D>& segment,
+void fourth_differences(const Scalar<P>* const (&field)[F], const Segment<D>& segment,
                         const Scalar<P>* interior, const Chunk& chunk,
                         Scalar<P> (&result)[F][chunk_slots]) {
   constexpr int pack = slots_per_pack;
@@ -37,14 +39,14 @@ void fourth_differences(const SweepFields<Scalar<P>, D, F>& fields, const Segmen
     line[axis] = line_offsets<typename P::arch_type>(segment, axis);
   }
   for (int begin = 0; begin < chunk.count; begin += pack) {
-    prefetch_ahead<P>(fields.field, chunk.first + begin + line[D - 1].away[3]);
+    prefetch_ahead<P>(field, chunk.first + begin + line[D - 1].away[3]);
     const bool flow = flow_everywhere<P>(interior + chunk.first + begin, line);
     for (int at = begin; at < begin + pack; at += lanes<P>) {
       const std::int64_t slot = chunk.first + at;
       if (flow) {
 #pragma GCC unroll 9
         for (int f = 0; f < F; ++f) {
-          fourth_differences_inside<P>(fields.field[f] + slot, line).store_aligned(&result[f][at]);
+          fourth_differences_inside<P>(field[f] + slot, line).store_aligned(&result[f][at]);
         }
         continue;
       }
@@ -55,10 +57,75 @@ void fourth_differences(const SweepFields<Scalar<P>, D, F>& fields, const Segmen
       }
 #pragma GCC unroll 9
       for (int f = 0; f < F; ++f) {
-        fourth_differences(fields.field[f] + slot, line, fluxes).store_aligned(&result[f][at]);
+        fourth_differences(field[f] + slot, line, fluxes).store_aligned(&result[f][at]);
       }
     }
   }
+}
+
+/// Whether particles are pulled back to their places, (RP.23). In 3D the force of Delta xi makes
+/// bars that are held bent fail earlier, for a reason not found
+/// (docs/decisions/0014-bodies-held-bent.md).
+template <int D>
+inline constexpr bool restores_places = D == 2;
+
+/// Which second differences along a line count in the force on a slot: its own and those of the
+/// slots before and after. 1 or 0.
+template <class P>
+struct SecondDifferences {
+  P before, own, after;
+
+  SecondDifferences(const Scalar<P>* interior, const LineOffsets& line) {
+    const P pair_before = load<P>(interior) * load<P>(interior + line.away[1]);
+    const P pair_after = load<P>(interior) * load<P>(interior + line.away[2]);
+    before = pair_before * load<P>(interior + line.away[0]);
+    own = pair_before * pair_after;
+    after = pair_after * load<P>(interior + line.away[3]);
+  }
+
+  /// Half the derivative of the sum of their squares by the value at `centre`.
+  P force(const Scalar<P>* centre, const LineOffsets& line) const {
+    const P here = load<P>(centre);
+    const P last = load<P>(centre + line.away[1]), next = load<P>(centre + line.away[2]);
+    const P bend_before = (here - last) + (load<P>(centre + line.away[0]) - last);
+    const P bend = (last - here) + (next - here);
+    const P bend_after = (here - next) + (load<P>(centre + line.away[3]) - next);
+    return fused(before, bend_before, fused_minus(P(Scalar<P>(2)) * own, bend, after * bend_after));
+  }
+};
+
+/// Delta xi of (RP.23) of the particles of a chunk; anything finite in other slots.
+template <class P, int D>
+void place_differences(const Scalar<P>* const (&drift)[D], const Segment<D>& segment,
+                       const Scalar<P>* interior, const Chunk& chunk,
+                       Scalar<P> (&result)[D][chunk_slots]) {
+  LineOffsets line[D];
+  for (int axis = 0; axis < D; ++axis) {
+    line[axis] = line_offsets<typename P::arch_type>(segment, axis);
+  }
+  for (int at = 0; at < chunk.count; at += lanes<P>) {
+    const std::int64_t slot = chunk.first + at;
+    P sum[D];
+#pragma GCC unroll 3
+    for (P& s : sum) s = P(Scalar<P>(0));
+#pragma GCC unroll 3
+    for (const LineOffsets& l : line) {
+      const SecondDifferences<P> differences(interior + slot, l);
+#pragma GCC unroll 3
+      for (int i = 0; i < D; ++i) sum[i] = sum[i] + differences.force(drift[i] + slot, l);
+    }
+#pragma GCC unroll 3
+    for (int i = 0; i < D; ++i) sum[i].store_aligned(&result[i][at]);
+  }
+}
+
+/// r of (RP.23), the rate at which particles return to their places on the lattice [1/s].
+template <class P>
+inline P restoring_rate(const Material<Scalar<P>>& material, Scalar<P> spacing) {
+  using T = Scalar<P>;
+  constexpr T share = T(0.1);  // of c/h
+  const T modulus = material.bulk_modulus + material.shear_modulus * T(4) / T(3);
+  return P(share / spacing) * xsimd::sqrt(P(modulus / material.density));
 }
 
 /// The strain rate that relaxes the stress at the rate -kappa delta^4 sigma: Hooke's law inverted.

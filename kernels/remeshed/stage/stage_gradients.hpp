@@ -120,23 +120,34 @@ template <Weight weight, class P, class Visit>
   });
 }
 
-/// Adds the dissipation of (RP.23): a drag on the velocity, and a strain rate that relaxes the
-/// stress, from the fourth differences of both.
+/// Fourth differences of a chunk: of velocity and stress, as they are swept, and Delta xi.
 template <class P, int D>
-[[gnu::always_inline]] inline void dissipate(
-    const Stage<Scalar<P>, D>& stage,
-    const Scalar<P> (&fourth)[D + symmetric_components<D>][chunk_slots], int at,
-    StageGradients<P, D>& result) {
+struct ChunkDifferences {
+  alignas(64) Scalar<P> swept[D + symmetric_components<D>][chunk_slots];
+  alignas(64) Scalar<P> place[D][chunk_slots];
+};
+
+/// Adds the dissipation of (RP.23): a drag on the velocity, in 2D with a force that restores the
+/// places on the lattice, and a strain rate that relaxes the stress.
+template <class P, int D>
+[[gnu::always_inline]] inline void dissipate(const Stage<Scalar<P>, D>& stage,
+                                             const ChunkDifferences<P, D>& fourth, int at,
+                                             StageGradients<P, D>& result) {
   P difference[symmetric_components<D>], relaxation[symmetric_components<D>];
 #pragma GCC unroll 6
   for (int c = 0; c < symmetric_components<D>; ++c) {
-    difference[c] = P::load_aligned(&fourth[D + c][at]);
+    difference[c] = P::load_aligned(&fourth.swept[D + c][at]);
   }
   relaxing_strain_rate<P, D>(stage.material, stage.stress_dissipation, difference, relaxation);
   const P drag(-stage.velocity_dissipation);
 #pragma GCC unroll 3
   for (int i = 0; i < D; ++i) {
-    result.drag[i] = drag * P::load_aligned(&fourth[i][at]);
+    P rate = P::load_aligned(&fourth.swept[i][at]);
+    if constexpr (restores_places<D>) {
+      const P restoring = restoring_rate<P>(stage.material, stage.spacing);
+      rate = fused(restoring, P::load_aligned(&fourth.place[i][at]), rate);
+    }
+    result.drag[i] = drag * rate;
 #pragma GCC unroll 3
     for (int j = 0; j < D; ++j) {
       result.velocity[i][j] = result.velocity[i][j] + relaxation[symmetric_index<D>(i, j)];
@@ -176,12 +187,14 @@ template <Weight weight, bool listed, class P, int D>
 void stage_gradients(const Stage<Scalar<P>, D>& stage, const Segment<D>& segment,
                      const Chunk& chunk, ChunkGradients<Scalar<P>, D>& gradients) {
   using T = Scalar<P>;
-  constexpr int fields_swept = D + symmetric_components<D>;
   const StageSweepFields<T, D> fields = stage_sweep_fields<T, D, typename P::arch_type>(stage);
-  alignas(64) T fourth[fields_swept][chunk_slots];
+  ChunkDifferences<P, D> fourth;
   const bool dissipates = stage.velocity_dissipation != 0 || stage.stress_dissipation != 0;
   if (dissipates) {
-    fourth_differences<P>(fields, segment, stage.interior, chunk, fourth);
+    fourth_differences<P>(fields.field, segment, stage.interior, chunk, fourth.swept);
+    if constexpr (restores_places<D>) {
+      place_differences<P>(fields.drift, segment, stage.interior, chunk, fourth.place);
+    }
   }
   for (int at = 0; at < chunk.count; at += lanes<P>) {
     const std::int64_t slot = chunk.first + at;

@@ -113,6 +113,7 @@ TYPED_TEST(stage, uniform_motion_changes_nothing_but_positions) {
     const auto level = [&](auto& fields) {
       for (auto& field : fields) std::fill(field.begin(), field.end(), field[100]);
     };
+    level(state.drift);
     level(state.velocity);
     level(state.material);
     std::fill(state.volume.begin(), state.volume.end(), state.volume[100]);
