@@ -105,6 +105,19 @@ void place_differences(const Scalar<P>* const (&drift)[D], const Segment<D>& seg
   }
   for (int at = 0; at < chunk.count; at += lanes<P>) {
     const std::int64_t slot = chunk.first + at;
+    P inside(Scalar<P>(1));
+#pragma GCC unroll 3
+    for (const LineOffsets& l : line) {
+      const SecondDifferences<P> differences(interior + slot, l);
+      inside = inside * differences.before * differences.after;
+    }
+    if (xsimd::all(inside > P(Scalar<P>(0.5)))) {
+#pragma GCC unroll 3
+      for (int i = 0; i < D; ++i) {
+        fourth_differences_inside<P>(drift[i] + slot, line).store_aligned(&result[i][at]);
+      }
+      continue;
+    }
     P sum[D];
 #pragma GCC unroll 3
     for (P& s : sum) s = P(Scalar<P>(0));

@@ -131,7 +131,8 @@ struct ChunkDifferences {
 /// places on the lattice, and a strain rate that relaxes the stress.
 template <class P, int D>
 [[gnu::always_inline]] inline void dissipate(const Stage<Scalar<P>, D>& stage,
-                                             const ChunkDifferences<P, D>& fourth, int at,
+                                             const ChunkDifferences<P, D>& fourth,
+                                             const P& restoring, int at,
                                              StageGradients<P, D>& result) {
   P difference[symmetric_components<D>], relaxation[symmetric_components<D>];
 #pragma GCC unroll 6
@@ -144,7 +145,6 @@ template <class P, int D>
   for (int i = 0; i < D; ++i) {
     P rate = P::load_aligned(&fourth.swept[i][at]);
     if constexpr (restores_places<D>) {
-      const P restoring = restoring_rate<P>(stage.material, stage.spacing);
       rate = fused(restoring, P::load_aligned(&fourth.place[i][at]), rate);
     }
     result.drag[i] = drag * rate;
@@ -189,6 +189,7 @@ void stage_gradients(const Stage<Scalar<P>, D>& stage, const Segment<D>& segment
   using T = Scalar<P>;
   const StageSweepFields<T, D> fields = stage_sweep_fields<T, D, typename P::arch_type>(stage);
   ChunkDifferences<P, D> fourth;
+  const P restoring = restoring_rate<P>(stage.material, stage.spacing);
   const bool dissipates = stage.velocity_dissipation != 0 || stage.stress_dissipation != 0;
   if (dissipates) {
     fourth_differences<P>(fields.field, segment, stage.interior, chunk, fourth.swept);
@@ -211,7 +212,7 @@ void stage_gradients(const Stage<Scalar<P>, D>& stage, const Segment<D>& segment
           }
         },
         result);
-    if (dissipates) dissipate(stage, fourth, at, result);
+    if (dissipates) dissipate(stage, fourth, restoring, at, result);
     store_gradients(result, state, stage.interior, slot, at, gradients);
   }
 }
