@@ -14,6 +14,7 @@ PROGRAM, SOURCE = Path(sys.argv[1]).resolve(), Path(sys.argv[2]).resolve()
 
 try:
     from selenium import webdriver
+    from selenium.common.exceptions import WebDriverException
     from selenium.webdriver.chrome.options import Options
     from selenium.webdriver.chrome.service import Service
     from selenium.webdriver.common.by import By
@@ -66,7 +67,7 @@ def open_browser():
     options = Options()
     options.binary_location = shutil.which("chromium")
     for argument in ("--headless=new", "--no-sandbox", "--use-gl=angle", "--use-angle=swiftshader",
-                     "--enable-unsafe-swiftshader", "--window-size=900,800", "--hide-scrollbars"):
+                     "--enable-unsafe-swiftshader", "--disable-dev-shm-usage", "--window-size=900,800", "--hide-scrollbars"):
         options.add_argument(argument)
     options.set_capability("goog:loggingPrefs", {"browser": "ALL"})
     browser = webdriver.Chrome(options=options, service=Service(shutil.which("chromedriver")))
@@ -84,7 +85,7 @@ class Report(unittest.TestCase):
                                 'measurement=[{ name = "tip", kind = "extent", body = "ball", axis = "y" }]')
         cls.plane = cls.page_of("cases/rotating_cylinder", "discretisation.spacing=0.1", "time.step=0.001",
                                 "time.end=0.04")
-        cls.browser = open_browser()
+        cls.browser = BROWSER
         cls.addClassCleanup(cls.browser.quit)
 
     @classmethod
@@ -222,6 +223,12 @@ parameters."remeshing.every" = [5, 10]
 def main():
     if not (webdriver and shutil.which("chromium") and shutil.which("chromedriver")):
         print("Chromium, its driver or Selenium are missing")
+        return SKIPPED
+    global BROWSER
+    try:
+        BROWSER = open_browser()
+    except WebDriverException as error:
+        print("Chromium does not start here:", error)
         return SKIPPED
     del sys.argv[1:3]
     unittest.main()
