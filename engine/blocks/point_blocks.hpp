@@ -9,7 +9,7 @@
 
 namespace pliant {
 
-/// An order of points in which neighbours in space are mostly neighbours in memory, cut into
+/// An order of points in which points that are close are mostly neighbours in memory, cut into
 /// blocks.
 struct PointBlocks {
   /// [slot] number of the point in the input. Points are to be stored in this order.

@@ -21,7 +21,7 @@ struct Block {
 /// Where the slots of a body lie in memory.
 ///
 /// Only occupied packs exist. Those of a lattice row form runs; runs follow each other row by row
-/// (in 3D in tiles of rows, so that neighbours in space stay neighbours in memory), and segments
+/// (in 3D in tiles of rows, so that slots that are close stay neighbours in memory), and segments
 /// cut them where a neighbouring row changes its run. `padding` slots lie before the first and
 /// behind the last run, so that every load of a segment's neighbours is legal. What lies beside the
 /// ends of a run belongs to other rows.

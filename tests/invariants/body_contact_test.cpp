@@ -51,8 +51,9 @@ TEST(body_contact, keeps_the_momentum_of_all_bodies_to_rounding) {
   }
 }
 
-// The integral over the body and the book are two sums that share nothing but the particles.
-TEST(body_contact, books_what_the_bodies_have) {
+// The integral over the body and the momentum budget are two sums that share nothing but the
+// particles.
+TEST(body_contact, has_a_budget_of_what_the_bodies_have) {
   Solver solver(small_case("two_discs", coarse), {2, kernels::widest_supported()});
   for (const double time : {0.1, 0.3, 0.5}) {
     advance_until(solver, time);

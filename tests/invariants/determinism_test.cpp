@@ -123,12 +123,12 @@ TEST_P(Determinism, any_legal_order_of_a_remeshing_gives_the_same_bits) {
   Snapshot first;
   add_body(first, {body, body.spare, body.stage[1]}, Slots::all);
   for (std::uint64_t seed = 0; seed < 5; ++seed) {
-    auto departure = graph_over(body.population.layout,
-                                [&](auto& phases) { remeshing.source_phases(phases, 0); });
-    run(departure, solver, seed);
-    auto arrival = graph_over(body.spare.layout,
-                              [&](auto& phases) { remeshing.target_phases(phases, 0, true); });
-    run(arrival, solver, seed);
+    auto source = graph_over(body.population.layout,
+                             [&](auto& phases) { remeshing.source_phases(phases, 0); });
+    run(source, solver, seed);
+    auto target = graph_over(body.spare.layout,
+                             [&](auto& phases) { remeshing.target_phases(phases, 0, true); });
+    run(target, solver, seed);
     Snapshot end;
     add_body(end, {body, body.spare, body.stage[1]}, Slots::all);
     EXPECT_EQ(differences(first, end), none) << "seed " << seed;

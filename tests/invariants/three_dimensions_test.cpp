@@ -12,7 +12,7 @@
 #include "tests/engine/output/temporary_folder.hpp"
 #include "tests/engine/remeshed/small_case.hpp"
 
-// A small body in space: all of the method at once, in three dimensions.
+// A small body in 3D: all of the method at once.
 namespace pliant::test {
 namespace {
 

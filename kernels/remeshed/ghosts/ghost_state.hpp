@@ -189,8 +189,8 @@ GhostState<T, D> averaged_wall_ghost(RecordSum<T, D> mean, const VectorOf<T, D>&
 
 /// w.n, how fast the body leaves the wall; n the normal of the wall, into the body.
 template <class T, int D>
-T departure(const GhostFits<T, D>& fits, const VectorOf<T, D>& wall_velocity,
-            const VectorOf<T, D>& n) {
+T separation_speed(const GhostFits<T, D>& fits, const VectorOf<T, D>& wall_velocity,
+                   const VectorOf<T, D>& n) {
   T speed = 0;
 #pragma GCC unroll 3
   for (int i = 0; i < D; ++i) speed += n[i] * (fits.surface.velocity(i) - wall_velocity[i]);
@@ -201,7 +201,7 @@ T departure(const GhostFits<T, D>& fits, const VectorOf<T, D>& wall_velocity,
 template <class T, int D>
 GhostState<T, D> wall_ghost(const GhostFits<T, D>& fits, const VectorOf<T, D>& wall_velocity,
                             const VectorOf<T, D>& n, const Impedance<T>& impedance) {
-  const T away = departure<T, D>(fits, wall_velocity, n);
+  const T away = separation_speed<T, D>(fits, wall_velocity, n);
   GhostState<T, D> ghost;
   VectorOf<T, D> slip;
 #pragma GCC unroll 3
@@ -242,7 +242,7 @@ GhostState<T, D> slip_wall_ghost(const GhostFits<T, D>& fits, const VectorOf<T, 
   }
   VectorOf<T, D> s_n;
   const T s_nn = traction<T, D>(at_wall, n, s_n) +
-                 impedance.pressure_wave * departure<T, D>(fits, wall_velocity, n);
+                 impedance.pressure_wave * separation_speed<T, D>(fits, wall_velocity, n);
   ghost.stress = with_traction<T, D>(at_wall, n, s_nn, shear<T, D>(fits.constrained, n));
   return ghost;
 }
@@ -256,7 +256,7 @@ T wall_pressure(const GhostFits<T, D>& fits, const VectorOf<T, D>& wall_velocity
   T s_nn = traction<T, D>(fits.surface, n, s_n);
   // The mean of the ghost and of the body as far before the wall, 2 f(x_f) - f(x_g).
   if (slips) s_nn += (s_nn - traction<T, D>(fits.linear, n, s_n)) / 2;
-  return -(s_nn + impedance.pressure_wave * departure<T, D>(fits, wall_velocity, n));
+  return -(s_nn + impedance.pressure_wave * separation_speed<T, D>(fits, wall_velocity, n));
 }
 
 /// (RP.53): force of a wall on the body over the area [Pa]; n the normal of the wall, into the
@@ -271,7 +271,7 @@ VectorOf<T, D> wall_force_density(const GhostFits<T, D>& fits, const VectorOf<T,
   for (int i = 0; i < D; ++i) push[i] = pressure * n[i];
   if (slips) return push;
   const VectorOf<T, D> tau = shear<T, D>(fits.surface, n);
-  const T away = departure<T, D>(fits, wall_velocity, n);
+  const T away = separation_speed<T, D>(fits, wall_velocity, n);
 #pragma GCC unroll 3
   for (int i = 0; i < D; ++i) {
     const T slip = fits.surface.velocity(i) - wall_velocity[i] - away * n[i];
