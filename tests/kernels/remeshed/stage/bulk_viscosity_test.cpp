@@ -90,6 +90,8 @@ struct RelaxingBox : Body<T, D> {
       }
       Stage<T, D> stage = this->stage(number, number, (number + 1) % 4, dt);
       stage.viscosity = {terms, relaxation.data(), kept_view.data(), change.data()};
+      // Its force would pull particles that lie anywhere back to the lattice.
+      stage.velocity_dissipation = 0;
       baseline_table<T, D>().advance_stage(stage);
       fill_ghosts((number + 1) % 4);
     }
