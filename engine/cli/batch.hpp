@@ -4,12 +4,16 @@
 
 namespace pliant::cli {
 
-struct BatchArguments {
-  std::filesystem::path sweep;
-  std::optional<std::filesystem::path> folder;  ///< default: results/<sweep>
+/// What commands that make many runs have in common.
+struct RunsArguments {
+  std::optional<std::filesystem::path> folder;  ///< default: results/<name of the input file>
   int workers = 0;                              ///< 0: as many as there are processors for
   int threads = 1;                              ///< of each run
   bool resume = false, quiet = false;
+};
+
+struct BatchArguments : RunsArguments {
+  std::filesystem::path sweep;
 };
 
 /// Runs at once, of so many threads each, where the user asks for `workers`; 0: as many as there

@@ -7,6 +7,20 @@ namespace pliant::cli {
 
 namespace {
 
+void add_options_of_runs(CLI::App& command, RunsArguments& arguments, const char* out,
+                         const char* resume) {
+  command.add_option("--out", arguments.folder, out)->type_name("FOLDER");
+  command
+      .add_option("--workers", arguments.workers,
+                  "runs at once, at most processors / threads (default: that many)")
+      ->type_name("N");
+  command.add_option("--threads", arguments.threads, "threads of each run")
+      ->type_name("N")
+      ->capture_default_str();
+  command.add_flag("--resume", arguments.resume, resume);
+  command.add_flag("--quiet", arguments.quiet, "show no progress");
+}
+
 void add_ledger_command(Commands& commands, CLI::App& parent, const char* name,
                         const char* description, bool has_json,
                         ExitStatus (*action)(const LedgerArguments&)) {
@@ -31,17 +45,8 @@ void add_batch(Commands& commands) {
       "  pliant batch export results/sweep > runs.csv");
   command.add_option("SWEEP", arguments->sweep, "file that says which parameters to take")
       ->type_name("");
-  command.add_option("--out", arguments->folder, "folder for the runs (default: results/<sweep>)")
-      ->type_name("FOLDER");
-  command
-      .add_option("--workers", arguments->workers,
-                  "runs at once, at most processors / threads (default: that many)")
-      ->type_name("N");
-  command.add_option("--threads", arguments->threads, "threads of each run")
-      ->type_name("N")
-      ->capture_default_str();
-  command.add_flag("--resume", arguments->resume, "do only what is missing or has failed");
-  command.add_flag("--quiet", arguments->quiet, "show no progress");
+  add_options_of_runs(command, *arguments, "folder for the runs (default: results/<sweep>)",
+                      "do only what is missing or has failed");
   add_ledger_command(commands, command, "status", "Say how far a batch is", true, &batch_status);
   add_ledger_command(commands, command, "export", "Print all runs as CSV", false, &batch_export);
   command.callback([&commands, &command, arguments] {
@@ -60,17 +65,8 @@ void add_calibrate(Commands& commands) {
   command.add_option("FIT", arguments->fit, "file that names the case, parameters and curves")
       ->required()
       ->type_name("");
-  command.add_option("--out", arguments->folder, "folder for the runs (default: results/<fit>)")
-      ->type_name("FOLDER");
-  command
-      .add_option("--workers", arguments->workers,
-                  "runs at once, at most processors / threads (default: that many)")
-      ->type_name("N");
-  command.add_option("--threads", arguments->threads, "threads of each run")
-      ->type_name("N")
-      ->capture_default_str();
-  command.add_flag("--resume", arguments->resume, "keep the runs that the folder has");
-  command.add_flag("--quiet", arguments->quiet, "show no progress");
+  add_options_of_runs(command, *arguments, "folder for the runs (default: results/<fit>)",
+                      "keep the runs that the folder has");
   command.add_flag("--json", arguments->json, "print the result as JSON");
 }
 

@@ -4,11 +4,9 @@
 
 namespace pliant::cli {
 
-struct CalibrateArguments {
+struct CalibrateArguments : RunsArguments {
   std::filesystem::path fit;
-  std::optional<std::filesystem::path> folder;  ///< default: results/<fit>
-  int workers = 0, threads = 1;                 ///< as in BatchArguments
-  bool resume = false, quiet = false, json = false;
+  bool json = false;
 };
 
 /// Finds values of a case with which its measurements follow measured curves.
