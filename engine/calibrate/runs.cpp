@@ -12,17 +12,6 @@
 
 namespace pliant::calibrate {
 
-namespace {
-
-std::vector<double> values_of(hid_t file, const std::string& name) {
-  const auto array = hdf5::GrowingArray::open(file, name);
-  std::vector<double> values(array.rows());
-  array.read(values.data());
-  return values;
-}
-
-}  // namespace
-
 std::vector<double> history_at(const std::filesystem::path& result, const std::string& measurement,
                                const std::vector<double>& times) {
   hdf5::silence();
@@ -33,8 +22,8 @@ std::vector<double> history_at(const std::filesystem::path& result, const std::s
     throw InputError(
         fmt::format("the case has no measurement `{}`; name one that it has", measurement));
   }
-  const std::vector<double> time = values_of(file, group + "/time");
-  const std::vector<double> value = values_of(file, group + "/value");
+  const std::vector<double> time = hdf5::read_column(file, group + "/time");
+  const std::vector<double> value = hdf5::read_column(file, group + "/value");
   std::vector<double> found;
   found.reserve(times.size());
   for (const double t : times) {

@@ -249,4 +249,11 @@ void GrowingArray::read(void* values, hid_t type, hsize_t first, hsize_t count) 
   checked(H5Dread(dataset_, type, in_memory, in_file, H5P_DEFAULT, values), doing);
 }
 
+std::vector<double> read_column(hid_t parent, const std::string& name) {
+  const auto array = GrowingArray::open(parent, name);
+  std::vector<double> values(array.rows());
+  array.read(values.data(), 0, values.size());
+  return values;
+}
+
 }  // namespace pliant::hdf5

@@ -141,4 +141,7 @@ class GrowingArray {
   Handle dataset_;
 };
 
+/// All values of a plain [row]. Throws Failure.
+std::vector<double> read_column(hid_t parent, const std::string& name);
+
 }  // namespace pliant::hdf5

@@ -49,13 +49,6 @@ std::vector<float> rows_of(const std::vector<float>& values, std::size_t width,
   return chosen;
 }
 
-std::vector<double> column(hid_t group, const std::string& name) {
-  const auto array = GrowingArray::open(group, name);
-  std::vector<double> values(array.rows());
-  array.read(values.data(), 0, values.size());
-  return values;
-}
-
 }  // namespace
 
 struct RunReader::File {
@@ -187,8 +180,8 @@ std::vector<History> RunReader::histories() const {
       History history{
           .name = name,
           .unit = hdf5::read_text_attribute(GrowingArray::open(one, "value").id(), "unit"),
-          .time = column(one, "time"),
-          .value = column(one, "value")};
+          .time = hdf5::read_column(one, "time"),
+          .value = hdf5::read_column(one, "value")};
       // A killed run may leave one column longer than the other.
       const auto rows = std::min(history.time.size(), history.value.size());
       history.time.resize(rows);
