@@ -33,11 +33,11 @@ endif()
 # Assertions follow the build type: off in Release (NDEBUG), on in the sanitize preset. Warnings are
 # the business of the release build: instrumented code makes GCC 12 see uninitialised members and
 # mismatched deallocation where there are none. The vptr check is off because oneTBB's flow graph
-# casts to a task that it has just destroyed; those of every pointer for null, alignment and size, a
-# quarter of the time to compile, because the address sanitizer and the processor find the same.
+# casts to a task that it has just destroyed; those of every pointer for null, alignment, size and
+# overflow, a quarter of the time to compile, because the address sanitizer and the processor find the same.
 # Targets with the property PLIANT_NOT_INSTRUMENTED are left out: instrumenting doubles their time to compile.
 if(PLIANT_SANITIZE)
-  set(sanitizers -fsanitize=address,undefined -fno-sanitize=vptr,null,alignment,object-size)
+  set(sanitizers -fsanitize=address,undefined -fno-sanitize=vptr,null,alignment,object-size,pointer-overflow)
   set(instrumented $<NOT:$<BOOL:$<TARGET_PROPERTY:PLIANT_NOT_INSTRUMENTED>>>)
   target_compile_definitions(pliant_options INTERFACE _GLIBCXX_ASSERTIONS)
   target_compile_options(pliant_options INTERFACE "$<${instrumented}:${sanitizers};-fno-sanitize-recover=all>"

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Makes a picture of a run with the 3D view of its report, in headless Chromium.
+"""Makes a picture of a run with the view of its report, in headless Chromium.
 
     docs/picture.py results/organ picture.png --times 0 0.08 0.16 --field velocity
     docs/picture.py results/block_cut picture.png --view -70 45 --cut y
@@ -34,8 +34,10 @@ def arguments_of():
     parser.add_argument("--scale", type=float, default=1, help="factor of the numbers at that bar")
     parser.add_argument("--range", type=float, nargs=2, help="ends of the colours")
     parser.add_argument("--times", type=float, nargs="+", help="frames nearest to them (default: the last)")
-    parser.add_argument("--cut", choices="xyz", help="open the bodies in the middle, across this axis")
-    parser.add_argument("--flip", action="store_true", help="keep the other side of the cut")
+    parser.add_argument("--stack", action="store_true", help="times below each other, not side by side")
+    parser.add_argument("--cut", choices="xyz", help="open the bodies in the middle, across this axis, on the side of the camera")
+    parser.add_argument("--particles", action="store_true", help="show particles instead of bodies")
+    parser.add_argument("--walls", action="store_true", help="show the walls of the case")
     parser.add_argument("--up", choices="xyz", help="(default: against gravity, else z)")
     parser.add_argument("--view", type=float, nargs=2, default=[-60, 25], metavar=("AZIMUTH", "ELEVATION"),
                         help="of the camera, degrees")
@@ -48,7 +50,8 @@ def wishes_of(arguments):
     """What the page reads behind the # of its address (engine/report/page/picture.js)."""
     wishes = {"picture": "", "view": arguments.view, "zoom": arguments.zoom, "scale": arguments.scale,
               "size": arguments.size, "times": arguments.times, "range": arguments.range, "field": arguments.field,
-              "label": arguments.label, "cut": arguments.cut, "up": arguments.up, "flip": arguments.flip or None}
+              "label": arguments.label, "cut": arguments.cut, "up": arguments.up,
+              "walls": arguments.walls or None, "stack": arguments.stack or None, "particles": arguments.particles or None}
     texts = {key: ",".join(map(str, value)) if isinstance(value, list) else str(value)
              for key, value in wishes.items() if value is not None}
     return urllib.parse.urlencode(texts)

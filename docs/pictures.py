@@ -5,9 +5,8 @@
 
 NAME is a picture without its ending, or the beginning of one, as in `cases/organ` or `boundaries`.
 Without a name all are drawn, which takes about half an hour on two cores. Runs that are in the
-results folder already are not repeated. Pictures come from the 3D view of reports (docs/picture.py), which
-needs the packages of the section `browser` of cmake/debian-packages.txt. Those with walls come from
-docs/render.py, which needs python3-h5py, python3-matplotlib, python3-scipy, python3-vtk9 and xvfb.
+results folder already are not repeated. Pictures come from the view of reports (docs/picture.py), which
+needs the packages of the section `browser` of cmake/debian-packages.txt.
 """
 import argparse
 import pathlib
@@ -22,11 +21,11 @@ mm = ["--scale", "1000", "--label", "displacement [mm]"]
 rendered = {
     "cases/liver_aspiration/result": (
         "cases/liver_aspiration", ["discretisation.spacing=0.025/28", "time.step=8e-4", "output.every=5"],
-        ["--cut", "y", "--walls", "--margin", "0.05", "--view", "-65", "35", "--times", "0", "15",
+        ["--cut", "y", "--walls", "--view", "-65", "35", "--times", "0", "15",
          "--zoom", "1.1", "--size", "1500", "850", *mm]),
     "cases/bouncing_ball/result": (
         "cases/bouncing_ball", [],
-        ["--cut", "x", "--walls", "--up", "y", "--view", "-50", "20", "--margin", "0.12",
+        ["--cut", "x", "--walls", "--up", "y", "--view", "-50", "20", 
          "--field", "pressure", "--label", "pressure [Pa]", "--times", "0.02", "0.08", "0.2",
          "--size", "1500", "600"]),
     "cases/ball_on_block/result": (
@@ -43,6 +42,41 @@ rendered = {
     "cases/indentation/result": (
         "cases/indentation", [],
         ["--times", "0.15", "--view", "-120", "35", "--size", "1300", "600", *mm]),
+    "cases/bimaterial_bar/result": (
+        "cases/bimaterial_bar", [],
+        ["--stack", "--times", "0", "0.024", "0.044", "0.0646", "--field", "pressure", "--size", "1100", "420"]),
+    "cases/compression_hyperelastic/result": (
+        "cases/compression_hyperelastic", ["time.end=0.03"],
+        ["--walls", "--times", "0", "0.01", "0.02", "0.03", "--field", "pressure", "--size", "1500", "480"]),
+    "cases/compression_linear/result": (
+        "cases/compression_linear", ["time.end=0.03"],
+        ["--walls", "--times", "0", "0.01", "0.02", "0.03", "--field", "pressure", "--size", "1500", "480"]),
+    "cases/edge_cut/result": (
+        "cases/edge_cut", ["boundary.top.traction=[0, '0.03*min(max(t - 2, 0)/20, 1)']",
+                           "boundary.bottom.traction=[0, '-0.03*min(max(t - 2, 0)/20, 1)']", "time.end=50"],
+        ["--times", "50", "--field", "pressure", "--size", "700", "640"]),
+    "cases/oscillating_plate/result": (
+        "cases/oscillating_plate", ["time.end=6"],
+        ["--walls", "--stack", "--times", "0", "2", "4", "6", "--field", "velocity", "--label", "speed [m/s]",
+         "--size", "900", "760"]),
+    "cases/periodic_square/result": (
+        "cases/periodic_square", [],
+        ["--times", "0", "0.038", "0.078", "0.114", "--field", "pressure", "--size", "1500", "440"]),
+    "cases/rotating_cylinder/result": (
+        "cases/rotating_cylinder", [],
+        ["--times", "0", "0.17", "0.33", "0.5", "--field", "pressure", "--size", "1500", "440"]),
+    "cases/tensile_instability/result": (
+        "cases/tensile_instability", ["output.surface=false"],
+        ["--particles", "--times", "0", "0.15", "0.35", "0.5", "--field", "pressure", "--size", "1500", "440"]),
+    "cases/tensile_instability/artificial_stress": (
+        "cases/tensile_instability", ["output.surface=false", "sph.artificial_stress=0.3"],
+        ["--particles", "--times", "0", "0.15", "0.35", "0.5", "--field", "pressure", "--size", "1500", "440"]),
+    "cases/two_discs/result": (
+        "cases/two_discs", [],
+        ["--times", "0", "0.2", "0.4", "0.6", "--field", "pressure", "--size", "1500", "400"]),
+    "cases/two_rings/result": (
+        "cases/two_rings", [],
+        ["--times", "0", "0.004", "0.008", "0.012", "--field", "pressure", "--size", "1500", "440"]),
     "cases/organ/result": (
         "cases/organ", [],
         ["--field", "velocity", "--label", "speed [m/s]", "--times", "0", "0.08", "0.16", "--zoom", "1.4",
@@ -109,13 +143,10 @@ def main():
         folder = arguments.results / name
         print(name, flush=True)
         if not (folder / "summary.json").exists():
-            sets = [part for s in [*settings, "output.surface=true"] for part in ("--set", s)]
+            sets = [part for s in ["output.surface=true", *settings] for part in ("--set", s)]
             subprocess.run([arguments.program, "run", root / case, "--quiet", "--out", folder, *sets],
                            check=True)
-        if "--walls" in look:
-            draw = ["xvfb-run", "-a", sys.executable, here / "render.py"]
-        else:
-            draw = [sys.executable, here / "picture.py", "--program", arguments.program]
+        draw = [sys.executable, here / "picture.py", "--program", arguments.program]
         subprocess.run([*draw, folder, root / f"{name}.png", *look], check=True)
 
 

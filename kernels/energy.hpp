@@ -13,7 +13,7 @@ template <class T, int D>
 T linear_energy(const Material<T>& material, const T* s, T density) {
   const T j = material.density / density;
   const T volumetric =
-      material.model == Model::linear_rho ? j - 1 - std::log(j) : j * std::log(j) - j + 1;
+      material.model == Model::linear ? j - 1 - std::log(j) : j * std::log(j) - j + 1;
   T square = 0, trace = 0;
   for (int i = 0; i < D; ++i) {
     trace += s[symmetric_index<D>(i, i)];

@@ -42,7 +42,7 @@ inline void jaumann_rate(const P& shear_modulus, const P (&s)[symmetric_componen
 /// p of (RP.5) or (RP.6) for a bulk modulus and the relative density rho/rho0.
 template <Model model, class P>
 inline P linear_pressure(const P& bulk_modulus, const P& relative_density) {
-  if constexpr (model == Model::linear_rho) {
+  if constexpr (model == Model::linear) {
     return bulk_modulus * (relative_density - P(Scalar<P>(1)));
   } else {
     return bulk_modulus * logarithm(relative_density);
@@ -54,7 +54,7 @@ template <Model model, class P>
 inline P linear_wave_speed2(const Material<Scalar<P>>& material, const P& density) {
   using T = Scalar<P>;
   const T shear = material.shear_modulus * (T(4) / T(3));
-  if constexpr (model == Model::linear_rho) {
+  if constexpr (model == Model::linear) {
     return P(material.bulk_modulus / material.density) + P(shear) / density;
   } else {
     return P(material.bulk_modulus + shear) / density;

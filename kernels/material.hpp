@@ -7,21 +7,21 @@
 namespace pliant::kernels {
 
 /// Constitutive law: (RP.3) with (RP.5) or (RP.6), or (RP.9).
-enum class Model : std::uint8_t { linear_rho, linear_log, reduced_polynomial };
+enum class Model : std::uint8_t { linear, linear_logarithmic, reduced_polynomial };
 
-/// Pair weight of the moment-matrix gradient: (RP.15), (RP.16), (RP.17).
-enum class Weight : std::uint8_t { quartic, quartic_polynomial, compact, fourth_order };
+/// Smoothing kernel of the moment-matrix gradient: (RP.15) to (RP.18).
+enum class Kernel : std::uint8_t { quartic_spline, quartic_spline_fit, compact, fourth_order };
 
-/// Slots to each side that a weight reaches on an undeformed lattice: 5 x 5 or 3 x 3 stencils.
-constexpr int stencil_reach(Weight weight) { return weight == Weight::compact ? 1 : 2; }
+/// Slots to each side that a kernel reaches on an undeformed lattice: 5 x 5 or 3 x 3 stencils.
+constexpr int stencil_reach(Kernel kernel) { return kernel == Kernel::compact ? 1 : 2; }
 
 /// Support radius over the spacing.
-constexpr double support(Weight weight) { return weight == Weight::compact ? 1.75 : 2.5; }
+constexpr double support(Kernel kernel) { return kernel == Kernel::compact ? 1.75 : 2.5; }
 
 /// Constants of one material, in SI units.
 template <class T>
 struct Material {
-  Model model = Model::linear_rho;
+  Model model = Model::linear;
   T density = 1;  ///< rho0 [kg/m^3]
   T bulk_modulus =
       0;  ///< K = rho0 c0^2 [Pa], (RP.7); 2/D for the reduced polynomial, or K0 of (RP.10)

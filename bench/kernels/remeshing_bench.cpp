@@ -7,7 +7,7 @@ namespace {
 /// All interior particles of a body onto one buffer of nodes.
 void scatter(benchmark::State& state, Isa isa) {
   const auto cells = box<2>(state.range(0));
-  test::Body<double, 2> body(cells, 0.01, Model::linear_rho);
+  test::Body<double, 2> body(cells, 0.01, Model::linear);
   std::int64_t particles = 0;
   body.patch.for_each_interior([&](std::int64_t, const auto&) { ++particles; });
   test::Field<double> nodes(std::size_t(cells[0] + 6) * (cells[1] + 6) * node_width<2>, 0.);
@@ -34,7 +34,7 @@ void scatter(benchmark::State& state, Isa isa) {
 
 /// One field.
 void filter(benchmark::State& state, Isa isa) {
-  test::Body<double, 2> body(box<2>(state.range(0)), 0.01, Model::linear_rho);
+  test::Body<double, 2> body(box<2>(state.range(0)), 0.01, Model::linear);
   std::int64_t particles = 0;
   body.patch.for_each_interior([&](std::int64_t, const auto&) { ++particles; });
   test::Field<double> filtered(body.patch.slots);

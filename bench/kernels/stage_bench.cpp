@@ -11,9 +11,9 @@ using test::Body;
 
 /// Four stages of a step on one block.
 template <int D>
-void advance(benchmark::State& state, Isa isa, Model model, Weight weight) {
+void advance(benchmark::State& state, Isa isa, Model model, Kernel kernel) {
   Body<double, D> body(box<D>(state.range(0)), 0.01, model);
-  body.weight = weight;
+  body.kernel = kernel;
   std::int64_t particles = 0;
   body.patch.for_each_interior([&](std::int64_t, const auto&) { ++particles; });
   const RemeshedTable<double, D>& kernels = RemeshedTable<double, D>::of(isa);
@@ -25,12 +25,12 @@ void advance(benchmark::State& state, Isa isa, Model model, Weight weight) {
           kernels.advance_stage(body.stage(number, number, (number + 1) % 4, time_step)));
     }
   }
-  report(state, 4 * particles, {flop_per_stage(weight, model, D), bytes_per_stage(model, D)});
+  report(state, 4 * particles, {flop_per_stage(kernel, model, D), bytes_per_stage(model, D)});
 }
 
 /// The gradients over lists of the stencil's neighbours.
 void advance_listed(benchmark::State& state, Isa isa) {
-  Body<double, 2> body(box<2>(state.range(0)), 0.01, Model::linear_rho);
+  Body<double, 2> body(box<2>(state.range(0)), 0.01, Model::linear);
   const test::BoxLists<2> lists(body.patch, 2);
   const NeighbourLists<2> view = lists.view();
   std::int64_t particles = 0;
@@ -40,8 +40,8 @@ void advance_listed(benchmark::State& state, Isa isa) {
   for (auto _ : state) {
     benchmark::DoNotOptimize(RemeshedTable<double, 2>::of(isa).advance_stage(stage));
   }
-  const double flop = flop_per_stage(body.weight, Model::linear_rho);
-  report(state, particles, {flop, bytes_per_stage(Model::linear_rho) + 25 * 6});
+  const double flop = flop_per_stage(body.kernel, Model::linear);
+  report(state, particles, {flop, bytes_per_stage(Model::linear) + 25 * 6});
 }
 
 void evaluate(benchmark::State& state, Isa isa, Model model) {
@@ -56,30 +56,32 @@ void evaluate(benchmark::State& state, Isa isa, Model model) {
 }
 
 std::string name_of(Model model) {
-  return model == Model::linear_rho ? "rho" : model == Model::linear_log ? "log" : "polynomial";
+  return model == Model::linear ? "rho" : model == Model::linear_logarithmic ? "log" : "polynomial";
 }
 
-std::string name_of(Weight weight) {
-  return weight == Weight::quartic              ? "quartic"
-         : weight == Weight::quartic_polynomial ? "quartic_polynomial"
+std::string name_of(Kernel kernel) {
+  return kernel == Kernel::quartic_spline       ? "quartic"
+         : kernel == Kernel::quartic_spline_fit ? "quartic_spline_fit"
                                                 : "compact";
 }
 
 const bool registered = [] {
-  for (const Weight weight : {Weight::quartic, Weight::quartic_polynomial, Weight::compact}) {
-    for (const Model model : {Model::linear_rho, Model::linear_log, Model::reduced_polynomial}) {
-      if (weight != Weight::quartic_polynomial && model != Model::linear_rho) continue;
-      const std::string what = name_of(weight) + "/" + name_of(model);
+  for (const Kernel kernel :
+       {Kernel::quartic_spline, Kernel::quartic_spline_fit, Kernel::compact}) {
+    for (const Model model :
+         {Model::linear, Model::linear_logarithmic, Model::reduced_polynomial}) {
+      if (kernel != Kernel::quartic_spline_fit && model != Model::linear) continue;
+      const std::string what = name_of(kernel) + "/" + name_of(model);
       register_sizes("advance_stage/" + what, [=](benchmark::State& state, Isa isa) {
-        advance<2>(state, isa, model, weight);
+        advance<2>(state, isa, model, kernel);
       });
       register_sizes("advance_stage/space/" + what, [=](benchmark::State& state, Isa isa) {
-        advance<3>(state, isa, model, weight);
+        advance<3>(state, isa, model, kernel);
       });
     }
   }
   register_sizes("advance_stage/lists", advance_listed);
-  for (const Model model : {Model::linear_rho, Model::linear_log, Model::reduced_polynomial}) {
+  for (const Model model : {Model::linear, Model::linear_logarithmic, Model::reduced_polynomial}) {
     register_sizes("evaluate_stress/" + name_of(model),
                    [=](benchmark::State& state, Isa isa) { evaluate(state, isa, model); });
   }

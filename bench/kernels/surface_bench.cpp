@@ -6,7 +6,7 @@ namespace {
 
 /// Records of three in every eight particles of a pack, as along a surface of slope 1/2.
 void write_records(benchmark::State& state, Isa isa) {
-  test::Body<double, 2> body(box<2>(state.range(0)), 0.01, Model::linear_rho);
+  test::Body<double, 2> body(box<2>(state.range(0)), 0.01, Model::linear);
   std::vector<SurfacePack> packs;
   for (std::size_t s = 0; s < body.patch.segments.size(); ++s) {
     const Segment<2>& segment = body.patch.segments[s];

@@ -7,19 +7,19 @@
 // makes the lists.
 //
 // The cylinder of the lists is a fifth smaller in both directions than the lattice that it was
-// remeshed onto: its particles have 33 neighbours within the support of the quartic weight and its
-// skin, against 24 slots of the stencil (16 and 8 with the compact weight). Items are interior
+// remeshed onto: its particles have 33 neighbours within the support of the quartic kernel and its
+// skin, against 24 slots of the stencil (16 and 8 with the compact kernel). Items are interior
 // particle-stages, or the particles that a search looks at.
 namespace pliant::bench {
 namespace {
 
-using kernels::Weight;
+using kernels::Kernel;
 using Solver = remeshed::Solver<double, 2>;
 
 constexpr double size = 0.8;
 
-Case without_remeshing(std::int64_t particles, Weight weight) {
-  Case settings = rotating_cylinder(particles, weight);
+Case without_remeshing(std::int64_t particles, Kernel kernel) {
+  Case settings = rotating_cylinder(particles, kernel);
   settings.remeshing.policy = decltype(settings.remeshing)::Policy::never;
   settings.time.end = 1;
   settings.time.step = 1e-9;  // nothing moves while it is timed
@@ -41,8 +41,8 @@ void compress(Solver& solver) {
   body.neighbours.strain = 1;  // more than any stencil bears
 }
 
-void step(benchmark::State& state, Weight weight, bool over_lists) {
-  Solver solver(without_remeshing(state.range(0), weight),
+void step(benchmark::State& state, Kernel kernel, bool over_lists) {
+  Solver solver(without_remeshing(state.range(0), kernel),
                 {static_cast<int>(state.range(1)), kernels::widest_supported()});
   if (over_lists) compress(solver);
   solver.step(1);
@@ -53,8 +53,8 @@ void step(benchmark::State& state, Weight weight, bool over_lists) {
   state.SetItemsProcessed(4 * solver.particles() * static_cast<std::int64_t>(state.iterations()));
 }
 
-void search(benchmark::State& state, Weight weight) {
-  Solver solver(without_remeshing(state.range(0), weight),
+void search(benchmark::State& state, Kernel kernel) {
+  Solver solver(without_remeshing(state.range(0), kernel),
                 {static_cast<int>(state.range(1)), kernels::widest_supported()});
   compress(solver);
   solver.step(1);
@@ -79,21 +79,21 @@ void sizes_and_threads(benchmark::internal::Benchmark* benchmark) {
       ->ArgsProduct({{10'000, 100'000}, {1, 2}})
       ->Unit(benchmark::kMillisecond);
 }
-void over_stencil(benchmark::State& state, Weight weight) { step(state, weight, false); }
-void over_lists(benchmark::State& state, Weight weight) { step(state, weight, true); }
+void over_stencil(benchmark::State& state, Kernel kernel) { step(state, kernel, false); }
+void over_lists(benchmark::State& state, Kernel kernel) { step(state, kernel, true); }
 
-BENCHMARK_CAPTURE(over_stencil, quartic_polynomial, Weight::quartic_polynomial)
+BENCHMARK_CAPTURE(over_stencil, quartic_spline_fit, Kernel::quartic_spline_fit)
     ->Apply(sizes_and_threads)
     ->UseRealTime();
-BENCHMARK_CAPTURE(over_lists, quartic_polynomial, Weight::quartic_polynomial)
+BENCHMARK_CAPTURE(over_lists, quartic_spline_fit, Kernel::quartic_spline_fit)
     ->Apply(sizes_and_threads)
     ->UseRealTime();
-BENCHMARK_CAPTURE(search, quartic_polynomial, Weight::quartic_polynomial)
+BENCHMARK_CAPTURE(search, quartic_spline_fit, Kernel::quartic_spline_fit)
     ->Apply(sizes_and_threads)
     ->UseManualTime();
-BENCHMARK_CAPTURE(over_stencil, compact, Weight::compact)->Apply(sizes_and_threads)->UseRealTime();
-BENCHMARK_CAPTURE(over_lists, compact, Weight::compact)->Apply(sizes_and_threads)->UseRealTime();
-BENCHMARK_CAPTURE(search, compact, Weight::compact)->Apply(sizes_and_threads)->UseManualTime();
+BENCHMARK_CAPTURE(over_stencil, compact, Kernel::compact)->Apply(sizes_and_threads)->UseRealTime();
+BENCHMARK_CAPTURE(over_lists, compact, Kernel::compact)->Apply(sizes_and_threads)->UseRealTime();
+BENCHMARK_CAPTURE(search, compact, Kernel::compact)->Apply(sizes_and_threads)->UseManualTime();
 
 }  // namespace
 }  // namespace pliant::bench

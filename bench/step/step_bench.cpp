@@ -14,7 +14,7 @@
 namespace pliant::bench {
 namespace {
 
-using kernels::Weight;
+using kernels::Kernel;
 using Solver = remeshed::Solver<double, 2>;
 
 constexpr int steps_per_remeshing = 10;
@@ -33,9 +33,9 @@ double seconds_of(const scheduler::StepTotals& totals, const std::string& phase)
 }
 
 // Arguments: particles, threads.
-void rotating_cylinder_steps(benchmark::State& state, Weight weight) {
+void rotating_cylinder_steps(benchmark::State& state, Kernel kernel) {
   const auto threads = static_cast<int>(state.range(1));
-  Solver solver(rotating_cylinder(state.range(0), weight), {threads, kernels::widest_supported()});
+  Solver solver(rotating_cylinder(state.range(0), kernel), {threads, kernels::widest_supported()});
   advance(solver);
   const scheduler::StepTotals before = solver.step_totals();
   const std::int64_t stages = solver.particle_stages();
@@ -57,8 +57,8 @@ void rotating_cylinder_steps(benchmark::State& state, Weight weight) {
   const double stages_per_second =
       static_cast<double>(solver.particle_stages() - stages) / (solver.step_seconds() - loop);
   state.counters["GFLOP/s"] =
-      1e-9 * stages_per_second * flop_per_stage(weight, kernels::Model::linear_rho);
-  state.counters["GB/s"] = 1e-9 * stages_per_second * bytes_per_stage(kernels::Model::linear_rho);
+      1e-9 * stages_per_second * flop_per_stage(kernel, kernels::Model::linear);
+  state.counters["GB/s"] = 1e-9 * stages_per_second * bytes_per_stage(kernels::Model::linear);
 }
 
 void sizes_and_threads(benchmark::internal::Benchmark* benchmark) {
@@ -67,10 +67,11 @@ void sizes_and_threads(benchmark::internal::Benchmark* benchmark) {
       ->UseRealTime()
       ->Unit(benchmark::kMillisecond);
 }
-BENCHMARK_CAPTURE(rotating_cylinder_steps, quartic, Weight::quartic)->Apply(sizes_and_threads);
-BENCHMARK_CAPTURE(rotating_cylinder_steps, quartic_polynomial, Weight::quartic_polynomial)
+BENCHMARK_CAPTURE(rotating_cylinder_steps, quartic, Kernel::quartic_spline)
     ->Apply(sizes_and_threads);
-BENCHMARK_CAPTURE(rotating_cylinder_steps, compact, Weight::compact)->Apply(sizes_and_threads);
+BENCHMARK_CAPTURE(rotating_cylinder_steps, quartic_spline_fit, Kernel::quartic_spline_fit)
+    ->Apply(sizes_and_threads);
+BENCHMARK_CAPTURE(rotating_cylinder_steps, compact, Kernel::compact)->Apply(sizes_and_threads);
 
 }  // namespace
 }  // namespace pliant::bench

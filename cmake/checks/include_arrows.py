@@ -37,14 +37,15 @@ ENGINE = {
     "undeformed": METHOD,
     "total_lagrangian": METHOD | {"undeformed"},
     "point_based": METHOD | {"undeformed"},
+    "finite_elements": METHOD | {"undeformed", "point_based"},
     "sph": METHOD | {"remeshed"},
-    "simulation": METHOD | {"remeshed", "total_lagrangian", "point_based", "sph"},
+    "simulation": METHOD | {"remeshed", "total_lagrangian", "point_based", "finite_elements", "sph"},
     "api": METHOD | {"simulation"},
-    "bench": METHOD | {"simulation", "remeshed"},  # bytes of a stage, from the list of fields
+    "bench": METHOD | {"simulation", "remeshed", "point_based"},  # bytes of stages and of nodes
     "profile": METHOD | {"simulation", "bench"},
     "batch": METHOD | {"simulation"},
     "calibrate": METHOD | {"simulation", "batch"},
-    "report": METHOD | {"batch"},
+    "report": METHOD | {"batch", "simulation"},
     "cli": METHOD | {"simulation", "bench", "profile", "batch", "calibrate", "report"},
 }
 # First component of <...>; the standard library needs no entry. Folders not named may use any.

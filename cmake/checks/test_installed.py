@@ -52,6 +52,10 @@ class Installed(unittest.TestCase):
         moved = [float(line.split()[-2]) for line in loads.stdout.splitlines()]
         self.assertEqual(30, len(moved))
         self.assertLess(min(moved), -1e-3)
+        session = Path(SOURCE) / "examples/scalpel/session.csv"
+        scalpel = subprocess.run([build / "scalpel", session, "0.009"], capture_output=True, text=True, check=True)
+        self.assertRegex(scalpel.stdout, r"missed deadlines: \d+ of \d+; simulated time was late by")
+        self.assertIn("played again: the same bits", scalpel.stdout)
 
     def test_what_shells_and_editors_read_is_what_it_prints(self):
         for file, command in (("bash-completion/completions/pliant", ["completion", "bash"]),

@@ -32,8 +32,12 @@ echo "$*" >> ../builds
 sleep 0.2
 mkdir -p engine/cli && cp ../../program engine/cli/pliant
 """
-CTEST = """#!/bin/bash
+LONG = "runs/Precisions.a_restored_solver_of_single_precision_continues_to_the_same_bits/compression_hyperelastic"
+CTEST = f"""#!/bin/bash
 echo "ctest $*"
+echo "        Start  999: {LONG}_twice"
+echo " 999/1200 Test  #999: {LONG} {'.' * 30}   Passed    0.14 sec"
+echo "1000/1200 Test #1000: hdf5.is_short {'.' * 110}***Failed    0.01 sec"
 exit 8
 """
 
@@ -141,7 +145,19 @@ class Launcher(unittest.TestCase):
     def test_the_verb_test_is_ctest_with_its_arguments_and_status(self):
         status, out, _ = self.launch("test", "-R", "a b")
         self.assertEqual(8, status)
-        self.assertRegex(out, r"^ctest --preset release --parallel \d+ -R a b$")
+        self.assertRegex(out.splitlines()[0], r"^ctest --preset release --parallel \d+ -R a b$")
+
+    def test_without_a_terminal_lines_about_tests_have_at_most_120_columns(self):
+        lines = self.launch("test")[1].splitlines()[1:]
+        self.assertEqual(3, len(lines))
+        for line in lines:
+            self.assertLessEqual(len(line), 120)
+        self.assertRegex(lines[1], r"a_restored_solver_of_single_precision.*~ \.\.   Passed    0\.14 sec$")
+        self.assertTrue(lines[2].endswith("Test #1000: hdf5.is_short ..***Failed    0.01 sec"))
+
+    def test_nightly_tests_have_a_preset_of_their_own(self):
+        status, out, _ = self.launch("test", "--nightly", "-R", "ball")
+        self.assertEqual((8, "ctest --preset nightly -R ball"), (status, out.splitlines()[0]))
 
 
 APT = """#!/bin/bash

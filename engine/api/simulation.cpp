@@ -5,56 +5,24 @@
 
 #include <algorithm>
 #include <cmath>
-#include <new>
+#include <optional>
 
+#include "engine/api/find.hpp"
+#include "engine/api/session.hpp"
+#include "engine/api/translated.hpp"
 #include "engine/case/measurement_kinds.hpp"
-#include "engine/case/problems.hpp"
 #include "engine/case/read_case.hpp"
 #include "engine/case/resolved.hpp"
 #include "engine/method/registry.hpp"
-#include "engine/method/step_failure.hpp"
 #include "engine/output/archive.hpp"
-#include "engine/output/error.hpp"
 #include "engine/simulation/methods.hpp"
 #include "engine/simulation/solver_options.hpp"
 
 namespace pliant {
 
-namespace {
-
-/// Calls `f` and gives its exceptions the public types.
-template <class F>
-auto translated(F&& f) {
-  try {
-    return f();
-  } catch (const std::invalid_argument& error) {
-    throw InputError(error.what());
-  } catch (const StepFailure& error) {
-    throw RunError(error.what());
-  } catch (const OutputError& error) {
-    throw RunError(error.what());
-  } catch (const std::bad_alloc&) {
-    throw RunError("out of memory; use a coarser spacing (discretisation.spacing)");
-  }
-}
-
-/// The position of the element called `name` in a list of the case.
-template <class List>
-std::size_t find(const List& list, std::string_view name, std::string_view what) {
-  const auto found =
-      std::ranges::find(list, name, [](const auto& element) { return element.name; });
-  if (found != list.end()) return found - list.begin();
-  std::vector<std::string_view> known;
-  known.reserve(list.size());
-  for (const auto& element : list) known.push_back(element.name);
-  throw InputError(fmt::format("the case has no {} `{}`; {}", what, name,
-                               known.empty() ? "it has none" : suggestion(name, known, "it has")));
-}
-
-}  // namespace
-
 struct Simulation::State {
   std::unique_ptr<Solver> solver;
+  std::optional<Session> session;
   std::vector<std::string> bodies;
   std::vector<double> start;   ///< [measurement] value at t = 0 of those that are relative to it
   std::vector<double> latest;  ///< [measurement] impulse of forces when they were last asked for
@@ -69,6 +37,7 @@ Simulation::Simulation(const CaseFile& case_file, const SimulationOptions& optio
     const Case settings =
         parse_case(case_file.text(), case_file.file(), case_file.settings(), methods().rules());
     state_->solver = methods().make(settings, solver_options(options.threads, options.isa));
+    state_->session.emplace(*state_->solver);
   });
   for (const BodyCase& body : state_->settings().bodies) state_->bodies.push_back(body.name);
   const std::size_t count = state_->settings().measurements.size();
@@ -85,11 +54,13 @@ Simulation& Simulation::operator=(Simulation&&) noexcept = default;
 Simulation::~Simulation() = default;
 
 void Simulation::step() {
-  translated([&] { state_->solver->step(HUGE_VAL); });
+  translated([&] { state_->session->step(); });
 }
 
-void Simulation::advance(double until) {
-  translated([&] { state_->solver->advance(until); });
+void Simulation::advance(double until) { advance(until, HUGE_VAL); }
+
+Progress Simulation::advance(double until, double budget) {
+  return translated([&] { return state_->session->advance(until, budget); });
 }
 
 double Simulation::time() const { return state_->solver->clock().time; }
@@ -144,15 +115,42 @@ double Simulation::measurement(std::string_view name) {
 }
 
 void Simulation::set_pressure(std::string_view boundary, double pressure) {
-  const std::size_t b = find(state_->settings().boundaries, boundary, "boundary");
-  translated([&] { state_->solver->loads().set_pressure(b, pressure); });
+  enter({.kind = Input::Kind::pressure,
+         .time = time(),
+         .name = std::string(boundary),
+         .value = pressure});
 }
 
 void Simulation::set_wall_velocity(std::string_view boundary,
                                    const std::array<double, 3>& velocity) {
-  const std::size_t b = find(state_->settings().boundaries, boundary, "boundary");
-  translated([&] { state_->solver->loads().set_wall_velocity(b, velocity); });
+  enter({.kind = Input::Kind::wall_velocity,
+         .time = time(),
+         .name = std::string(boundary),
+         .first = velocity});
 }
+
+void Simulation::move_blade(std::string_view cut, const std::array<double, 3>& from,
+                            const std::array<double, 3>& to) {
+  enter({.kind = Input::Kind::blade,
+         .time = time(),
+         .name = std::string(cut),
+         .first = from,
+         .second = to});
+}
+
+void Simulation::lift_blade(std::string_view cut) {
+  enter({.kind = Input::Kind::lift, .time = time(), .name = std::string(cut)});
+}
+
+void Simulation::enter(const Input& input) {
+  translated([&] { state_->session->enter(input); });
+}
+
+void Simulation::play(const std::vector<Input>& session) {
+  translated([&] { state_->session->play(session); });
+}
+
+const std::vector<Input>& Simulation::session() const { return state_->session->record(); }
 
 void Simulation::save(const std::filesystem::path& file) const {
   translated([&] {
@@ -174,6 +172,7 @@ void Simulation::restore(const std::filesystem::path& file) {
     }
     state_->solver->restore(archive);
   });
+  state_->session->forget();
   std::ranges::fill(state_->latest_time, time());
 }
 

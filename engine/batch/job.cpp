@@ -5,6 +5,7 @@
 #include <sys/resource.h>
 #include <sys/wait.h>
 
+#include <algorithm>
 #include <array>
 #include <cstring>
 
@@ -30,20 +31,19 @@ double seconds(const timeval& time) {
 
 }  // namespace
 
-Job::Job(const Assignment& parameters, int attempts_left, std::size_t bytes,
-         const std::filesystem::path& folder, std::vector<std::string> command)
-    : parameters_(parameters),
-      name_(folder.filename().string()),
-      attempts_left_(attempts_left),
-      bytes_(bytes),
-      folder_(folder) {
-  std::error_code unreadable;
-  for (const char* file : checkpoints) {
-    was_resumed_ = was_resumed_ || std::filesystem::exists(folder / file, unreadable);
-  }
+Job::Job(const Waiting& run, const std::filesystem::path& folder, std::vector<std::string> command)
+    : run_(run), folder_(folder), was_resumed_(has_checkpoint(folder)) {
+  ++run_.attempts;
   command.insert(command.end(), {"--out", folder.string()});
   if (was_resumed_) command.emplace_back("--resume");
   process_ = spawn(command, beside(folder, ".log"), lock_of(folder));
+}
+
+bool Job::has_checkpoint(const std::filesystem::path& folder) {
+  std::error_code unreadable;
+  return std::ranges::any_of(checkpoints, [&](const char* file) {
+    return std::filesystem::exists(folder / file, unreadable);
+  });
 }
 
 std::filesystem::path Job::lock_of(const std::filesystem::path& folder) {
@@ -55,7 +55,8 @@ double Job::seconds() const {
 }
 
 void Job::stop() {
-  if (!is_stopped_) ::kill(process_, SIGTERM);
+  // A second SIGTERM would end it at once, and Slurm sends one to all processes of a task.
+  if (!is_stopped_) ::kill(process_, SIGHUP);
   is_stopped_ = true;
 }
 
@@ -89,12 +90,17 @@ std::optional<Outcome> Job::outcome() {
   return outcome;
 }
 
-bool Job::failed_by_itself(const Outcome& outcome) const {
-  return !is_stopped_ && (outcome.exit_status == 2 || outcome.exit_status == 3);
-}
-
-void Job::remove_checkpoints() const {
-  for (const char* file : checkpoints) std::filesystem::remove(folder_ / file);
+RunStatus Job::settle(const Outcome& outcome, bool interrupted) {
+  if (outcome.exit_status == 0) return RunStatus::done;
+  const bool by_itself = !is_stopped_ && (outcome.exit_status == 2 || outcome.exit_status == 3);
+  if (was_resumed_ && by_itself) {  // it might do better from the beginning
+    for (const char* file : checkpoints) std::filesystem::remove(folder_ / file);
+    return RunStatus::pending;
+  }
+  if (interrupted) return RunStatus::pending;
+  if (run_.attempts_left <= 1 || outcome.exit_status == 2) return RunStatus::failed;
+  --run_.attempts_left;
+  return RunStatus::pending;
 }
 
 }  // namespace pliant::batch

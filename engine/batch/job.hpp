@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "engine/batch/ledger.hpp"
+#include "engine/batch/waiting.hpp"
 
 namespace pliant::batch {
 
@@ -17,11 +18,11 @@ class Job {
  public:
   /// Starts it; `folder` is for its results. It continues from a checkpoint where there is one.
   /// Throws OutputError.
-  Job(const Assignment& parameters, int attempts_left, std::size_t bytes,
-      const std::filesystem::path& folder, std::vector<std::string> command);
+  Job(const Waiting& run, const std::filesystem::path& folder, std::vector<std::string> command);
 
   /// The file that is locked while a process works in the folder of a run.
   static std::filesystem::path lock_of(const std::filesystem::path& folder);
+  static bool has_checkpoint(const std::filesystem::path& folder);
 
   /// Asks the process to end with a checkpoint, once.
   void stop();
@@ -29,23 +30,16 @@ class Job {
   void keep_limit(double seconds);
   /// When the process has ended: how.
   std::optional<Outcome> outcome();
+  /// What follows from it; a run that is pending again has its attempts left in `run`. One that
+  /// failed by itself from a checkpoint loses its checkpoints.
+  RunStatus settle(const Outcome& outcome, bool interrupted);
 
-  const Assignment& parameters() const { return parameters_; }
-  const std::string& name() const { return name_; }
-  int attempts_left() const { return attempts_left_; }
-  std::size_t bytes() const { return bytes_; }
-  bool was_resumed() const { return was_resumed_; }
-  /// Whether it ended without a signal from outside: it might do better without its checkpoint.
-  bool failed_by_itself(const Outcome& outcome) const;
-  void remove_checkpoints() const;
+  const Waiting& run() const { return run_; }
 
  private:
   double seconds() const;
 
-  Assignment parameters_;
-  std::string name_;
-  int attempts_left_;
-  std::size_t bytes_;
+  Waiting run_;
   std::filesystem::path folder_;
   bool was_resumed_ = false, is_stopped_ = false, is_late_ = false;
   pid_t process_ = 0;

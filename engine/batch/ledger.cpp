@@ -31,6 +31,8 @@ CREATE TABLE IF NOT EXISTS version (
 COMMIT;
 )";
 
+}  // namespace
+
 double now() {
   return std::chrono::duration<double>(std::chrono::system_clock::now().time_since_epoch()).count();
 }
@@ -41,8 +43,6 @@ RunStatus status_of(std::string_view word) {
   }
   return RunStatus::pending;
 }
-
-}  // namespace
 
 std::string_view word_of(RunStatus status) { return words[static_cast<std::size_t>(status)]; }
 
@@ -98,6 +98,23 @@ void Ledger::start(const std::string& run) {
 
 void Ledger::end(const std::string& run, RunStatus status, const Outcome& outcome) {
   Transaction transaction(database_);
+  put_end(run, status, now(), outcome);
+  transaction.commit();
+}
+
+void Ledger::put(const RunRow& row) {
+  Transaction transaction(database_);
+  database_.prepare("UPDATE run SET attempts = ?, started = ? WHERE name = ?")
+      .bind(row.attempts)
+      .bind(row.started)
+      .bind(row.name)
+      .run();
+  put_end(row.name, row.status, row.ended, row.outcome);
+  transaction.commit();
+}
+
+void Ledger::put_end(const std::string& run, RunStatus status, double ended,
+                     const Outcome& outcome) {
   database_
       .prepare(
           "UPDATE run SET status = ?, exit_status = ?, message = ?, ended = ?, "
@@ -105,14 +122,13 @@ void Ledger::end(const std::string& run, RunStatus status, const Outcome& outcom
       .bind(word_of(status))
       .bind(outcome.exit_status)
       .bind(outcome.message)
-      .bind(now())
+      .bind(ended)
       .bind(outcome.wall_seconds)
       .bind(outcome.processor_seconds)
       .bind(outcome.peak_memory)
       .bind(run)
       .run();
   put_details(run, outcome);
-  transaction.commit();
 }
 
 void Ledger::put_details(const std::string& run, const Outcome& outcome) {

@@ -16,6 +16,10 @@ namespace pliant::batch {
 enum class RunStatus { pending, running, done, failed };
 
 std::string_view word_of(RunStatus status);
+RunStatus status_of(std::string_view word);  ///< pending for any other word
+
+/// [s since 1970]
+double now();
 
 /// What a run left when it ended, from its process and its summary.json.
 struct Outcome {
@@ -60,11 +64,14 @@ class Ledger {
   void reset_running();
   void start(const std::string& run);
   void end(const std::string& run, RunStatus status, const Outcome& outcome);
+  /// All that a row says of its last attempt, where another process has made it.
+  void put(const RunRow& row);
 
   /// All runs, in the order in which they were added.
   std::vector<RunRow> rows();
 
  private:
+  void put_end(const std::string& run, RunStatus status, double ended, const Outcome& outcome);
   void put_details(const std::string& run, const Outcome& outcome);
   void get_details(std::map<std::string, RunRow*>& by_name);
 

@@ -27,24 +27,50 @@ toml::table parsed(const std::filesystem::path& file) {
   }
 }
 
+/// The texts of a list; none where there is no such key.
+std::vector<std::string> texts_of(const toml::table& table, std::string_view key,
+                                  const std::string& example) {
+  std::vector<std::string> texts;
+  const toml::node* node = table.get(key);
+  if (node == nullptr) return texts;
+  const toml::array* list = node->as_array();
+  if (list == nullptr) refuse(*node, fmt::format("`{}` is no list", key), "write " + example);
+  for (const toml::node& one : *list) {
+    const auto text = one.value<std::string>();
+    if (!text) refuse(one, fmt::format("an entry of `{}` is no text", key), "write " + example);
+    texts.push_back(*text);
+  }
+  return texts;
+}
+
+Sweep::Slurm slurm_of(const toml::table& root) {
+  Sweep::Slurm slurm;
+  const toml::node* node = root.get("slurm");
+  if (node == nullptr) return slurm;
+  const toml::table* table = node->as_table();
+  if (table == nullptr) refuse(*node, "`slurm` is no table", "write [slurm] with `options`");
+  refuse_other_keys(*table, {"options", "runs_per_task"});
+  slurm.options = texts_of(*table, "options", "options = [\"--partition=short\"]");
+  const auto runs = value_of<std::int64_t>(*table, "runs_per_task", 0, "a whole number");
+  if (runs < 0 || runs > 1'000'000) {
+    refuse(*table, "runs_per_task is out of range", "give a number from 1, or leave it out");
+  }
+  slurm.runs_per_task = static_cast<int>(runs);
+  return slurm;
+}
+
 }  // namespace
 
 Sweep read_sweep(const std::filesystem::path& file) {
   const toml::table root = parsed(file);
-  refuse_other_keys(root, {"case", "set", "time_limit", "retries", "design"});
+  refuse_other_keys(root, {"case", "set", "time_limit", "retries", "slurm", "design"});
   const std::filesystem::path folder = std::filesystem::absolute(file).parent_path();
   Sweep sweep;
   sweep.name = file.stem().string();
   const auto base = value_of<std::string>(root, "case", "", "the path of a case");
   if (base.empty()) refuse(root, "there is no base case", "write case = \"PATH\"");
   sweep.case_file = case_path(folder / base).lexically_normal();
-  if (const toml::array* settings = root["set"].as_array()) {
-    for (const toml::node& setting : *settings) {
-      const auto text = setting.value<std::string>();
-      if (!text) refuse(setting, "a setting is no text", "write set = [\"time.end=0.1\"]");
-      sweep.settings.push_back(*text);
-    }
-  }
+  sweep.settings = texts_of(root, "set", "set = [\"time.end=0.1\"]");
   sweep.time_limit = value_of(root, "time_limit", 0.0, "a number of seconds");
   const auto retries = value_of<std::int64_t>(root, "retries", 0, "a whole number");
   if (sweep.time_limit < 0 || retries < 0 || retries > 100) {
@@ -52,6 +78,7 @@ Sweep read_sweep(const std::filesystem::path& file) {
            "give a positive time_limit [s], and retries from 0 to 100");
   }
   sweep.retries = static_cast<int>(retries);
+  sweep.slurm = slurm_of(root);
   const toml::array* designs = root["design"].as_array();
   if (designs == nullptr || !designs->is_array_of_tables()) {
     refuse(root, "there is no design", "write [[design]] with parameters.\"KEY\" = [VALUE, ...]");

@@ -16,6 +16,10 @@ struct Sweep {
   double time_limit = 0;              ///< of an attempt [s]; 0: none
   int retries = 0;                    ///< further attempts of a run that fails
   std::vector<Assignment> runs;       ///< no two with one name
+  struct Slurm {
+    std::vector<std::string> options;  ///< of sbatch
+    int runs_per_task = 0;             ///< 0: by their estimated times
+  } slurm;
 };
 
 /// Throws InputError, which names file, line and remedy.

@@ -22,11 +22,11 @@ using Settings = std::vector<std::string>;
 const Settings as_ever = {"time.cfl=0.5", "time.strain=1", "discretisation.dissipation=0.25",
                           "remeshing.filter=0.2", "remeshing.deformation_threshold=1"};
 
-Case read(std::string_view text, const char* name, double spacing, kernels::Weight kernel,
+Case read(std::string_view text, const char* name, double spacing, kernels::Kernel kernel,
           const Settings& more) {
   Settings settings = {fmt::format("discretisation.spacing={:.17g}", spacing),
                        fmt::format("discretisation.kernel={}",
-                                   words<kernels::Weight>[static_cast<int>(kernel)].text),
+                                   words<kernels::Kernel>[static_cast<int>(kernel)].text),
                        "time.step=cfl", "measurement=[]", "output={}"};
   settings.insert(settings.end(), as_ever.begin(), as_ever.end());
   settings.insert(settings.end(), more.begin(), more.end());
@@ -38,14 +38,26 @@ Case read(std::string_view text, const char* name, double spacing, kernels::Weig
 // No sample may end before its steps are done.
 const Settings spinning = {"time.end=1000", "remeshing.every=10"};
 
+constexpr std::string_view elastic_block_text = R"(method = "total_lagrangian"
+[total_lagrangian]
+damping = 0
+[time]
+end = 1000
+step = "cfl"
+cfl = 0.5
+[[body]]
+name = "block"
+material = { model = "neo_hookean", youngs_modulus = 1e5, poissons_ratio = 0.4, density = 1000 }
+)";
+
 }  // namespace
 
-Case rotating_cylinder(std::int64_t particles, kernels::Weight kernel) {
+Case rotating_cylinder(std::int64_t particles, kernels::Kernel kernel) {
   const double spacing = std::sqrt(std::numbers::pi / static_cast<double>(particles));
   return read(rotating_cylinder_text, "rotating_cylinder", spacing, kernel, spinning);
 }
 
-Case spinning_ball(std::int64_t particles, kernels::Weight kernel) {
+Case spinning_ball(std::int64_t particles, kernels::Kernel kernel) {
   const double spacing = std::cbrt(4 * std::numbers::pi / 3 / static_cast<double>(particles));
   Settings settings = spinning;
   settings.insert(
@@ -56,7 +68,7 @@ Case spinning_ball(std::int64_t particles, kernels::Weight kernel) {
   return read(rotating_cylinder_text, "spinning_ball", spacing, kernel, settings);
 }
 
-Case compression(int n, kernels::Weight kernel) {
+Case compression(int n, kernels::Kernel kernel) {
   return read(compression_hyperelastic_text, "compression_hyperelastic", 1.0 / n, kernel, {});
 }
 
@@ -70,6 +82,22 @@ Case point_block(std::int64_t nodes, Precision precision) {
                              "output={}"};
   Case a_case = parse_case(std::string(block_cut_text), "case.toml", settings, methods().rules());
   a_case.name = "point_block";
+  return a_case;
+}
+
+Case elastic_block(int dimension, std::int64_t particles, Precision precision) {
+  const double to_a_side = std::round(std::pow(particles, 1.0 / dimension));
+  const bool plane = dimension == 2;
+  const Settings settings = {
+      fmt::format("dimension={}", dimension), fmt::format("precision={}", text_of(precision)),
+      fmt::format("discretisation.spacing={:.17g}", 1 / (to_a_side - 1)),
+      fmt::format("body.0.geometry={{ shape = \"box\", lower = {}, upper = {} }}",
+                  plane ? "[0, 0]" : "[0, 0, 0]", plane ? "[1, 1]" : "[1, 1, 1]"),
+      fmt::format("body.0.velocity=[\"0.5*sin(3*y)\", \"0.5*x\"{}]",
+                  plane ? "" : ", \"0.5*cos(3*y)\"")};
+  Case a_case =
+      parse_case(std::string(elastic_block_text), "case.toml", settings, methods().rules());
+  a_case.name = plane ? "elastic_block_2d" : "elastic_block_3d";
   return a_case;
 }
 

@@ -10,17 +10,21 @@ namespace pliant::bench {
 
 /// cases/rotating_cylinder with about `particles` interior particles, remeshed every 10 steps, with
 /// the time step of (RP.29) and a dissipation of 0.25.
-Case rotating_cylinder(std::int64_t particles, kernels::Weight kernel);
+Case rotating_cylinder(std::int64_t particles, kernels::Kernel kernel);
 
 /// A ball that spins about the z axis, with the material and the settings of the cylinder.
-Case spinning_ball(std::int64_t particles, kernels::Weight kernel);
+Case spinning_ball(std::int64_t particles, kernels::Kernel kernel);
 
 /// cases/compression_hyperelastic with n x 2n particles, remeshed when the particles have strained
 /// enough, to t = 0.02 with the time step of (RP.29).
-Case compression(int n, kernels::Weight kernel);
+Case compression(int n, kernels::Kernel kernel);
 
 /// The stretched block of cases/block_cut, uncut, with about `nodes` nodes of the point-based
 /// method, each of which has 26 neighbours in no particular order of memory.
 Case point_block(std::int64_t nodes, Precision precision);
+
+/// A free block of rubber, a unit square or cube that vibrates, with about `particles` particles of
+/// the total Lagrangian method.
+Case elastic_block(int dimension, std::int64_t particles, Precision precision);
 
 }  // namespace pliant::bench

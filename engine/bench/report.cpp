@@ -55,11 +55,11 @@ double time_of_phase(const Sample& sample, std::string_view name) {
 
 std::string heading_of(const Row& row) {
   return fmt::format("{:<25}{:>8} {:<19}{:>3}", row.settings.name, row.samples[0].particles,
-                     row.weight(), row.threads);
+                     row.kernel(), row.threads);
 }
 
 std::string row_heading() {
-  return fmt::format("{:<25}{:>8} {:<19}{:>3}", "case", "N", "weight", "thr");
+  return fmt::format("{:<25}{:>8} {:<19}{:>3}", "case", "N", "kernel", "thr");
 }
 
 }  // namespace
@@ -118,7 +118,7 @@ std::string csv(const std::vector<std::string>& machine, const std::vector<Row>&
     }
   }
   text +=
-      "case,particles,weight,threads,samples,steps,steps per remeshing,"
+      "case,particles,kernel,threads,samples,steps,steps per remeshing,"
       "particle-stages/s,least,most,speed-up,FMA speed-up,flop per particle-stage,FMA peak flop/s,"
       "share of FMA peak,bytes per particle-stage,triad bytes/s,share of triad,bytes per particle,"
       "idle share,extra idle share,processor share,idle ns per particle-stage";
@@ -129,7 +129,7 @@ std::string csv(const std::vector<std::string>& machine, const std::vector<Row>&
     text += fmt::format(
         "{},{},{},{},{},{},{:.4g},{:.4g},{:.4g},{:.4g},{:.4g},{:.4g},{},{:.4g},{:.4g},{},{:.4g},"
         "{:.4g},{:.0f},{:.4f},{:.4f},{:.4f},{:.4g}",
-        row.settings.name, row.samples[0].particles, row.weight(), row.threads, row.samples.size(),
+        row.settings.name, row.samples[0].particles, row.kernel(), row.threads, row.samples.size(),
         row.samples[0].steps, row.median(steps_per_remeshing), rate.median, rate.least, rate.most,
         speed_up(rows, row, [](const Sample& s) { return s.rate(); }),
         speed_up(rows, row, [](const Sample& s) { return s.fma_peak; }), row.flop(),

@@ -6,6 +6,7 @@
 
 #include "engine/bench/stage_cost.hpp"
 #include "engine/case/words.hpp"
+#include "engine/point_based/parameters.hpp"
 
 namespace pliant::bench {
 
@@ -17,16 +18,19 @@ double middle(std::vector<double> values) {
   return n == 0 ? 0 : (values[(n - 1) / 2] + values[n / 2]) / 2;
 }
 
-bool same_case_and_weight(const Row& a, const Row& b) {
-  return a.settings.name == b.settings.name && a.weight() == b.weight();
+bool same_case_and_kernel(const Row& a, const Row& b) {
+  return a.settings.name == b.settings.name && a.kernel() == b.kernel();
 }
 
 bool is_point_based(const Case& settings) { return settings.method == "point_based"; }
 
+bool is_total_lagrangian(const Case& settings) { return settings.method == "total_lagrangian"; }
+
+int value_size(const Case& settings) { return settings.precision == Precision::binary32 ? 4 : 8; }
+
 NodeCost cost_of_nodes(const Case& settings) {
-  const int by_default = settings.dimension == 2 ? 12 : 26, given = settings.point_based.neighbours;
-  return point_based_cost(settings.dimension, given > 0 ? given : by_default,
-                          settings.precision == Precision::binary32 ? 4 : 8);
+  return point_based_cost(settings.dimension, point_based::neighbour_count(settings),
+                          value_size(settings));
 }
 
 kernels::Model model_of(const Case& settings) { return settings.bodies[0].material.model; }
@@ -34,21 +38,26 @@ kernels::Model model_of(const Case& settings) { return settings.bodies[0].materi
 }  // namespace
 
 std::string Row::name() const {
-  return fmt::format("{}/{}/{:.4g}/{}", settings.name, weight(), settings.discretisation.spacing,
+  return fmt::format("{}/{}/{:.4g}/{}", settings.name, kernel(), settings.discretisation.spacing,
                      threads);
 }
 
-std::string Row::weight() const {
-  return std::string(is_point_based(settings) ? text_of(settings.precision)
-                                              : text_of(settings.discretisation.kernel));
+std::string Row::kernel() const {
+  const bool is_by_precision = is_point_based(settings) || is_total_lagrangian(settings);
+  return std::string(is_by_precision ? text_of(settings.precision)
+                                     : text_of(settings.discretisation.kernel));
 }
 
 double Row::flop() const {
+  if (is_total_lagrangian(settings)) return total_lagrangian_cost(settings.dimension, 8).flop;
   if (is_point_based(settings)) return cost_of_nodes(settings).flop;
   return flop_per_stage(settings.discretisation.kernel, model_of(settings), settings.dimension);
 }
 
 double Row::bytes() const {
+  if (is_total_lagrangian(settings)) {
+    return total_lagrangian_cost(settings.dimension, value_size(settings)).bytes;
+  }
   if (is_point_based(settings)) return cost_of_nodes(settings).bytes;
   return bytes_per_stage(model_of(settings), settings.dimension);
 }
@@ -74,7 +83,7 @@ double Row::idle_share(const Sample& sample) const {
 
 double speed_up(const std::vector<Row>& rows, const Row& row, const Figure& rate) {
   const auto alone = std::find_if(rows.begin(), rows.end(), [&](const Row& other) {
-    return other.threads == 1 && same_case_and_weight(row, other) &&
+    return other.threads == 1 && same_case_and_kernel(row, other) &&
            row.settings.discretisation.spacing == other.settings.discretisation.spacing;
   });
   if (alone == rows.end()) return 0;
@@ -91,7 +100,7 @@ double extra_idle_share(const std::vector<Row>& rows, const Row& row) {
   };
   const Row* largest = &row;
   for (const Row& other : rows) {
-    if (other.threads == row.threads && same_case_and_weight(row, other) &&
+    if (other.threads == row.threads && same_case_and_kernel(row, other) &&
         other.samples[0].particles > largest->samples[0].particles) {
       largest = &other;
     }

@@ -21,10 +21,10 @@ struct Row {
   int threads;
   std::vector<Sample> samples;  ///< in the order of the repetitions
 
-  /// Case, weight, spacing and threads, as in rotating_cylinder/compact/0.03963/1.
+  /// Case, kernel, spacing and threads, as in rotating_cylinder/compact/0.03963/1.
   std::string name() const;
-  /// Kernel, or precision of the point-based method, as case files spell them.
-  std::string weight() const;
+  /// Kernel, or precision where the method has no choice of kernels, as case files spell them.
+  std::string kernel() const;
   double flop() const;   ///< of a particle-stage
   double bytes() const;  ///< that a particle-stage must read and write
 
@@ -42,7 +42,7 @@ struct Row {
 /// 0 where there is none.
 double speed_up(const std::vector<Row>& rows, const Row& row, const Figure& rate);
 
-/// Idle share of a row less that of the largest body of the same case, weight and threads.
+/// Idle share of a row less that of the largest body of the same case, kernel and threads.
 double extra_idle_share(const std::vector<Row>& rows, const Row& row);
 
 }  // namespace pliant::bench

@@ -16,7 +16,7 @@ namespace pliant::bench {
 
 namespace {
 
-using kernels::Weight;
+using kernels::Kernel;
 
 constexpr std::int64_t compression_columns = 256, quick_compression_columns = 64;
 
@@ -42,8 +42,8 @@ std::vector<Row> all_rows(const StandardSetOptions& options) {
     if (options.threads > 1) rows.push_back({settings, window, options.threads, {}});
   };
   const auto add_balls = [&](std::int64_t particles) {
-    for (const Weight weight : {Weight::quartic_polynomial, Weight::compact}) {
-      add(spinning_ball(particles, weight), window_for(particles));
+    for (const Kernel kernel : {Kernel::quartic_spline_fit, Kernel::compact}) {
+      add(spinning_ball(particles, kernel), window_for(particles));
     }
   };
   if (options.ball) {
@@ -52,8 +52,9 @@ std::vector<Row> all_rows(const StandardSetOptions& options) {
   }
   for (const std::int64_t particles : {2'000, 10'000, 131'072, 1'000'000}) {
     if (options.quick && particles > 131'072) continue;
-    for (const Weight weight : {Weight::quartic, Weight::quartic_polynomial, Weight::compact}) {
-      add(rotating_cylinder(particles, weight), window_for(particles));
+    for (const Kernel kernel :
+         {Kernel::quartic_spline, Kernel::quartic_spline_fit, Kernel::compact}) {
+      add(rotating_cylinder(particles, kernel), window_for(particles));
     }
   }
   add_balls(100'000);
@@ -64,8 +65,17 @@ std::vector<Row> all_rows(const StandardSetOptions& options) {
       add(point_block(nodes, precision), window_of_points(nodes));
     }
   }
+  for (const int dimension : {3, 2}) {
+    for (const std::int64_t particles : {10'000, 100'000, 1'000'000}) {
+      if (options.quick && particles > 100'000) continue;
+      for (const Precision precision : {Precision::binary64, Precision::binary32}) {
+        add(elastic_block(dimension, particles, precision), window_of_points(particles));
+      }
+    }
+  }
   constexpr std::int64_t whole_run = 1'000'000;
-  add(compression(options.quick ? quick_compression_columns : compression_columns, Weight::quartic),
+  add(compression(options.quick ? quick_compression_columns : compression_columns,
+                  Kernel::quartic_spline),
       {0, whole_run});
   return rows;
 }
@@ -100,17 +110,18 @@ void print_machine(const std::vector<std::string>& machine, int threads, Triad& 
 
 void print_assumptions() {
   fmt::print("Assumed for each particle and stage, in the plane:");
-  for (const Weight weight : {Weight::quartic, Weight::quartic_polynomial, Weight::compact}) {
-    fmt::print(" {} flop ({}),", flop_per_stage(weight, kernels::Model::linear_rho),
-               weight == Weight::quartic   ? "quartic"
-               : weight == Weight::compact ? "compact"
-                                           : "quartic_polynomial");
+  for (const Kernel kernel :
+       {Kernel::quartic_spline, Kernel::quartic_spline_fit, Kernel::compact}) {
+    fmt::print(" {} flop ({}),", flop_per_stage(kernel, kernels::Model::linear),
+               kernel == Kernel::quartic_spline ? "quartic"
+               : kernel == Kernel::compact      ? "compact"
+                                                : "quartic_spline_fit");
   }
   fmt::print(" {} bytes; {} bytes and {} flop more for a hyperelastic material.\n",
-             bytes_per_stage(kernels::Model::linear_rho),
+             bytes_per_stage(kernels::Model::linear),
              bytes_per_stage(kernels::Model::reduced_polynomial),
-             flop_per_stage(Weight::compact, kernels::Model::reduced_polynomial) -
-                 flop_per_stage(Weight::compact, kernels::Model::linear_rho));
+             flop_per_stage(Kernel::compact, kernels::Model::reduced_polynomial) -
+                 flop_per_stage(Kernel::compact, kernels::Model::linear));
 }
 
 constexpr const char* legend =
@@ -121,6 +132,7 @@ constexpr const char* legend =
     "idle %: of the threads' time outside phases; extra: less that of the largest body.\n"
     "point_block: steps of nodes with 26 neighbours, by precision, with the peak of that "
     "precision.\n"
+    "elastic_block: steps of particles of the total Lagrangian method, by precision.\n"
     "CPU %: processor time over threads x wall time; well below 100 the machine was busy "
     "otherwise.\n";
 
@@ -143,7 +155,7 @@ Record run_standard_set(const StandardSetOptions& options) {
     for (Row& row : rows) {
       row.samples.push_back(measure(row.settings, row.window, row.threads, isa, triad));
       fmt::print(stderr, "{}/{} {} {} {}, {} threads: {:.2f} M/s\n", repetition, repetitions,
-                 row.settings.name, row.samples.back().particles, row.weight(), row.threads,
+                 row.settings.name, row.samples.back().particles, row.kernel(), row.threads,
                  1e-6 * row.samples.back().rate());
     }
   }

@@ -19,7 +19,7 @@ struct StandardSetOptions {
   bool tables = true;              ///< print them to stdout
 };
 
-/// Measures the machine, then the standard set: cases x weights x {1, threads} threads, in turns,
+/// Measures the machine, then the standard set: cases x kernels x {1, threads} threads, in turns,
 /// several times. Prints tables to stdout and progress to stderr. Throws OutputError, and
 /// InputError where no row has the name.
 Record run_standard_set(const StandardSetOptions& options);

@@ -1,5 +1,6 @@
 #include "engine/boundaries/walls.hpp"
 
+#include <Eigen/Dense>
 #include <algorithm>
 #include <limits>
 #include <stdexcept>
@@ -11,16 +12,26 @@
 
 namespace pliant {
 
+namespace {
+
+double friction_of(const BoundaryCase& boundary) {
+  const bool slides = boundary.kind == BoundaryCase::Kind::contact_wall
+                          ? row_of(boundary.friction).slides
+                          : boundary.kind == BoundaryCase::Kind::slip_wall;
+  if (slides) return 0;
+  return boundary.friction_coefficient.value_or(std::numeric_limits<double>::infinity());
+}
+
+}  // namespace
+
 template <int D>
 Wall<D>::Wall(const BoundaryCase& boundary)
     : shape_(boundary.geometry),
       velocity_(boundary.velocity),
       displacement_(boundary.displacement),
       time_increment_(boundary.time_increment),
-      slips_(
-          boundary.kind == BoundaryCase::Kind::slip_wall ||
-          (boundary.kind == BoundaryCase::Kind::contact_wall && row_of(boundary.friction).slides)),
-      bonded_(row_of(boundary.kind).is_attached) {}
+      friction_(friction_of(boundary)),
+      is_attached_(row_of(boundary.kind).is_attached) {}
 
 template <int D>
 Vector Wall<D>::at_rest(const Point<D>& x) const {
@@ -40,6 +51,24 @@ Point<D> Wall<D>::normal(const Point<D>& x) const {
   Point<D> n;
   for (int a = 0; a < D; ++a) n[a] = out[a];
   return n;
+}
+
+// det(I + depth grad n): the normals of a ball diverge, so that its surface is larger than the
+// parallel one inside. Where normals jump, behind edges, no surface lies that such a slot stands
+// for.
+template <int D>
+double Wall<D>::spread(const Point<D>& x, double depth) const {
+  if (shape_.kind == Shape::Kind::half_space || depth == 0) return 1;
+  constexpr double widest = 3, step = 0.25;  // of the depth
+  Eigen::Matrix<double, D, D> stretch = Eigen::Matrix<double, D, D>::Identity();
+  for (int j = 0; j < D; ++j) {
+    Point<D> before = x, after = x;
+    before[j] -= step * depth;
+    after[j] += step * depth;
+    const Point<D> n0 = normal(before), n1 = normal(after);
+    for (int i = 0; i < D; ++i) stretch(i, j) += (n1[i] - n0[i]) / (2 * step);
+  }
+  return std::clamp(stretch.determinant(), 0., widest);
 }
 
 template <int D>
@@ -121,14 +150,14 @@ void Boundaries<D>::set_wall_velocity(std::size_t boundary, const std::array<dou
 template <int D>
 bool Boundaries<D>::have_contact() const {
   return std::any_of(walls.begin(), walls.end(),
-                     [](const Wall<D>& wall) { return !wall.bonded(); });
+                     [](const Wall<D>& wall) { return !wall.is_attached(); });
 }
 
 template <int D>
-double Boundaries<D>::distance_to_sticking(const Point<D>& x) const {
+double Boundaries<D>::distance_to_no_slip(const Point<D>& x) const {
   double least = std::numeric_limits<double>::infinity();
   for (const Wall<D>& wall : walls) {
-    if (wall.bonded() && !wall.slips()) least = std::min(least, wall.distance(x));
+    if (wall.is_attached() && !wall.slips()) least = std::min(least, wall.distance(x));
   }
   return least;
 }

@@ -12,8 +12,8 @@
 
 namespace pliant {
 
-/// A rigid solid that moves with a prescribed velocity. A body is bonded to it, or slides along it,
-/// or is only in contact with it as long as it presses.
+/// A rigid solid that moves with a prescribed velocity. A body is attached to it, or slides along
+/// it, or is only in contact with it as long as it presses.
 template <int D>
 class Wall {
  public:
@@ -23,8 +23,13 @@ class Wall {
   double distance(const Point<D>& x) const;
   /// Unit normal out of the solid, towards the tissue.
   Point<D> normal(const Point<D>& x) const;
-  bool slips() const { return slips_; }
-  bool bonded() const { return bonded_; }
+  /// Area of the wall's surface over that of the parallel surface through x, which lies at `depth`
+  /// behind it [m]; 1 of plane walls.
+  double spread(const Point<D>& x, double depth) const;
+  /// Coefficient of Coulomb friction; infinite for walls on which nothing slides.
+  double friction() const { return friction_; }
+  bool slips() const { return friction_ == 0; }
+  bool is_attached() const { return is_attached_; }
 
   /// As prescribed, or as set since.
   Point<D> velocity(double t) const;
@@ -42,7 +47,8 @@ class Wall {
   VectorExpression velocity_;
   std::optional<VectorExpression> displacement_;
   double time_increment_;
-  bool slips_, bonded_;
+  double friction_;
+  bool is_attached_;
   std::optional<Point<D>> set_velocity_;
   Point<D> offset_ = {};
 };
@@ -85,12 +91,12 @@ struct Boundaries final : Loads {
 
   bool have_contact() const;
 
-  /// The bonded wall nearest to `x` and the distance to it; {-1, infinity} without such walls.
+  /// The attached wall nearest to `x` and the distance to it; {-1, infinity} without such walls.
   std::pair<int, double> nearest_wall(const Point<D>& x) const { return nearest(x, true); }
   /// The same of contact walls.
   std::pair<int, double> nearest_contact(const Point<D>& x) const { return nearest(x, false); }
   /// Distance to the nearest wall that material sticks to for good; infinity without such walls.
-  double distance_to_sticking(const Point<D>& x) const;
+  double distance_to_no_slip(const Point<D>& x) const;
 
   std::vector<Wall<D>> walls;
   std::vector<SurfacePressure<D>> pressures;  ///< and tractions
@@ -98,10 +104,10 @@ struct Boundaries final : Loads {
   std::vector<int> pressure_of;  ///< [boundary of the case] place of its pressure, or -1
 
  private:
-  std::pair<int, double> nearest(const Point<D>& x, bool bonded) const {
+  std::pair<int, double> nearest(const Point<D>& x, bool is_attached) const {
     std::pair<int, double> nearest{-1, std::numeric_limits<double>::infinity()};
     for (int w = 0; w < static_cast<int>(walls.size()); ++w) {
-      if (walls[w].bonded() != bonded) continue;
+      if (walls[w].is_attached() != is_attached) continue;
       const double d = walls[w].distance(x);
       if (d < nearest.second) nearest = {w, d};
     }

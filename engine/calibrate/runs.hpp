@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "engine/batch/executor.hpp"
+#include "engine/batch/ledger.hpp"
 #include "engine/calibrate/fit.hpp"
 
 namespace pliant::calibrate {

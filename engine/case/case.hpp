@@ -7,11 +7,14 @@
 #include <vector>
 
 #include "engine/case/expression.hpp"
+#include "engine/case/method_parameters.hpp"
 #include "engine/geometry/shape.hpp"
 #include "kernels/material.hpp"
 
 /// A case as plain values, in SI units: what a case file says after every check of user input.
 namespace pliant {
+
+struct MethodRules;
 
 using VectorExpression = std::array<Expression, 3>;
 
@@ -167,12 +170,6 @@ enum class GhostTreatment { linear, averaged, rigid };
 enum class VolumeRule { reset, conserved };
 /// What a run does when a check of it fails.
 enum class CheckResponse { off, warn, stop };
-/// Where nodes of the point-based method lie that come from no mesh of tetrahedra.
-enum class NodePlacement { lattice, octree };
-/// How cuts change the weights of bonds, (CU.1)-(CU.5).
-enum class CutRule { visibility, transparency, product, enrichment_grid };
-/// When the forces of a step act: at its start or in its middle (PB.10).
-enum class Integrator { leapfrog, kick_drift };
 /// Scalar type of the fields.
 enum class Precision { binary64, binary32 };
 
@@ -187,11 +184,14 @@ struct Case {
   std::string title;
   int dimension = 2;
   std::string method = "remeshed";  ///< the word of a registered method
+  const MethodRules* rules =
+      nullptr;                  ///< of the method, of the registry that the case was read for
+  MethodParameters parameters;  ///< of the method
   Precision precision = Precision::binary64;
 
   struct {
     double spacing = 0;  ///< h [m]
-    kernels::Weight kernel = kernels::Weight::compact;
+    kernels::Kernel kernel = kernels::Kernel::compact;
     DissipationCase dissipation;
     double damping = 0;  ///< alpha of (RP.71) [1/s]
   } discretisation;
@@ -202,29 +202,6 @@ struct Case {
     std::optional<double> cfl;   ///< none: that of stability.hpp
     double strain = 0.02;        ///< of a step, (RP.29)
   } time;
-
-  struct {
-    double hourglass_stiffness = 1.5;     ///< kappa of (TL.6)
-    double mass_scaling = 1;              ///< inertia over mass
-    bool match_time_step = false;         ///< scale the mass as `time.step` needs it instead
-    std::optional<double> damping = 0.0;  ///< alpha of (TL.8) [1/s]; none: adaptive, (TL.10)
-  } total_lagrangian;
-
-  struct {
-    NodePlacement nodes = NodePlacement::lattice;
-    double coarsest_spacing = 0;  ///< of an octree [m]; 0: four times the spacing
-    CutRule cut_rule = CutRule::transparency;
-    int neighbours = 0;                   ///< of each node; 0: 26 in 3D, 12 in 2D
-    std::optional<double> stabilisation;  ///< alpha of (PB.5); none: as the nodes need it
-    Integrator integrator = Integrator::leapfrog;
-    double damping = 0;            ///< mass-proportional, (PB.10) [1/s]
-    double stiffness_damping = 0;  ///< beta of (PB.9) [s]
-  } point_based;
-
-  struct {
-    double artificial_viscosity = 1;  ///< alpha of (RP.27)
-    double artificial_stress = 0.3;   ///< epsilon of (RP.28)
-  } sph;
 
   struct {
     enum class Policy { every, adaptive, never };

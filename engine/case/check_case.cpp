@@ -60,7 +60,10 @@ void check_wall_motion(const Check& check) {
     const toml::table& table = *check.root["boundary"][i].as_table();
     const bool has_velocity = table.contains("velocity");
     const bool has_displacement = table.contains("displacement");
-    if (has_velocity && has_displacement) {
+    // The default velocity, which a resolved case states, is no second motion.
+    const bool rests = std::ranges::all_of(
+        boundaries[i].velocity, [](const Expression& u) { return u.is_constant() && u(0) == 0; });
+    if (has_velocity && has_displacement && !rests) {
       check.problems.add(
           check.place("boundary", i, "displacement"),
           fmt::format("wall \"{}\" has both velocity and displacement", boundaries[i].name),

@@ -64,11 +64,21 @@ void refuse_models_of_points(const Check& check) {
   }
 }
 
+const MethodRules* rules_of(MethodList methods, std::string_view word) {
+  for (const MethodRules& method : methods) {
+    if (method.word == word) return &method;
+  }
+  return nullptr;
+}
+
+// Tables for several methods, that of the case among them, prepare a comparison by --set method=.
 void check_method(const Check& check) {
+  const bool compares = check.root.contains(check.a_case.method);
   for (const MethodRules& method : check.methods) {
     if (method.word == check.a_case.method) {
+      if (!method.remeshes) refuse_tables(check, {"remeshing", "level_set", "ghosts"});
       method.check(check);
-    } else {
+    } else if (!compares) {
       refuse_tables(check, {method.word});
     }
   }

@@ -10,8 +10,8 @@ kernels::Material<double> elastic_constants(const MaterialCase& given) {
   material.density = given.density;
   if (given.model != MaterialCase::Model::reduced_polynomial) {
     material.model = given.equation_of_state == MaterialCase::EquationOfState::linear
-                         ? kernels::Model::linear_rho
-                         : kernels::Model::linear_log;
+                         ? kernels::Model::linear
+                         : kernels::Model::linear_logarithmic;
     // (RP.7)
     material.bulk_modulus = given.youngs_modulus / (3 * (1 - 2 * given.poissons_ratio));
     material.shear_modulus = given.youngs_modulus / (2 * (1 + given.poissons_ratio));

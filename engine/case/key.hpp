@@ -1,9 +1,12 @@
 #pragma once
 
 #include <limits>
+#include <optional>
+#include <span>
 #include <string_view>
 
 #include "engine/case/method_rules.hpp"
+#include "engine/case/word.hpp"
 
 /// What the vocabulary says about a key, and the values whose spelling in a file differs from their
 /// place in `Case`.
@@ -52,23 +55,20 @@ struct MethodWord {  ///< the word of one of the methods
 struct Coefficients {  ///< C_10, C_20, ...
   std::vector<double>& list;
 };
-struct StepRule {  ///< a number or "cfl"
-  std::optional<double>& step;
+struct NumberOrWord {
+  std::optional<double>& number;  ///< none: the word
+  std::string_view word;
+  std::string_view noun;  ///< what the number is, as in "a time step"
+};
+struct Choice {  ///< one of some words
+  int& value;
+  std::span<const Word> known;
 };
 struct CflRule {  ///< a number; without one that of the method
   std::optional<double>& cfl;
 };
 struct Dissipation {  ///< a table, or a number for both strengths
   DissipationCase& strengths;
-};
-struct MassScaling {  ///< a number or "match_time_step"
-  decltype(Case::total_lagrangian)& method;
-};
-struct Damping {  ///< a number or "adaptive"
-  std::optional<double>& damping;
-};
-struct Stabilisation {  ///< a number or "automatic"
-  std::optional<double>& strength;
 };
 struct RemeshRule {  ///< a number of steps, "adaptive" or "never"
   decltype(Case::remeshing)& remeshing;

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <initializer_list>
+#include <limits>
 #include <span>
 #include <string>
 #include <string_view>
@@ -10,17 +11,54 @@
 namespace pliant {
 
 struct Check;
+class MethodKeys;
 
-/// What reading a case needs to know of a method.
+/// How long the steps of a method may be, by the waves of the material, (RP.29) and (RP.30).
+struct StepLimits {
+  double stable_cfl = std::numeric_limits<double>::infinity();  ///< up to which steps are stable
+  double default_cfl = 1;           ///< CFL number where the case gives none
+  bool bounds_given_steps = false;  ///< whether `stable_cfl` holds for steps in seconds, too
+  bool mass_follows_step = false;   ///< the mass is scaled until the given step is stable
+  double mass_scaling = 1;          ///< inertia over mass
+};
+
+/// Where particles lie in a body and the memory that they take, for estimates.
+struct Footprint {
+  bool on_corners = false;  ///< on the corners of the cells of a lattice, not in their middles
+  double margin = 0;        ///< largest signed distance of particles from the surface [spacing]
+  double reach = 0;         ///< distance up to which there are slots around particles [spacing]
+  double bytes_per_slot = 0, bytes_per_ghost = 0, bytes_per_particle = 0;
+};
+
+/// What programs know of a method from a case, before there is a solver. Functions that are null
+/// have the meaning that they give.
 struct MethodRules {
   std::string_view word;     ///< as case files write it
   std::string_view meaning;  ///< for the reference of case files
   /// Adds what the case asks for and the method cannot do.
   void (*check)(const Check& check);
+  /// Visits the keys of the table [NAME], whose values are a struct of the method. Null: none.
+  void (*keys)(MethodKeys& visit, MethodParameters& parameters) = nullptr;
+  /// Null: `StepLimits{}`.
+  StepLimits (*step_limits)(const Case& a_case) = nullptr;
+  /// What `pliant check` says of the method and its parameters, a few words. Null: its word.
+  std::string (*summary)(const Case& a_case) = nullptr;
+  /// What a run of the case should warn of before it starts; empty for nothing. Null: nothing.
+  std::string (*warning)(const Case& a_case) = nullptr;
+  /// Null: estimates leave the bodies out.
+  Footprint (*footprint)(const Case& a_case, const BodyCase& body) = nullptr;
+  /// Whether particles are remeshed: the case has a kernel, dissipation and damping of the lattice,
+  /// `time.strain`, and the tables [remeshing], [level_set] and [ghosts].
+  bool remeshes = false;
+  /// Whether the state at output times is seen without a step that ends there.
+  bool looks_ahead = false;
 };
 
 /// The methods that a case may name.
 using MethodList = std::span<const MethodRules>;
+
+/// The rules for a word; null for a word of no method.
+const MethodRules* rules_of(MethodList methods, std::string_view word);
 
 /// Adds a problem for each measurement that the method cannot evaluate, and that does not evaluate
 /// the history of another one.

@@ -149,48 +149,22 @@ bool read(const Entry& entry, VectorExpression& value) {
   return good;
 }
 
-namespace {
-
-/// Takes the word that stands for no number, else reads the number. `example` names the two.
-bool read_number_or(const Entry& entry, std::string_view word, std::optional<double>& value,
-                    std::string_view example) {
-  if (entry.node.value<std::string_view>() == word) {
-    value.reset();
+bool read(const Entry& entry, NumberOrWord value) {
+  if (entry.node.value<std::string_view>() == value.word) {
+    value.number.reset();
     return true;
   }
   std::string why;
   if (!number_in(entry.node, why)) {
     return entry.refuse(
-        fmt::format("must be a number or \"{}\", found {}", word, describe(entry.node)),
-        fmt::format("write {} = \"{}\", or {}", entry.key, word, example));
+        fmt::format("must be a number or \"{}\", found {}", value.word, describe(entry.node)),
+        fmt::format("write {0} = \"{1}\", or {2} as in {0} = {3}", entry.key, value.word,
+                    value.noun, entry.notes.example));
   }
-  return read(entry, value.emplace());
-}
-
-}  // namespace
-
-bool read(const Entry& entry, StepRule value) {
-  return read_number_or(entry, "cfl", value.step, "a time step as in step = 5e-5");
+  return read(entry, value.number.emplace());
 }
 
 bool read(const Entry& entry, CflRule value) { return read(entry, value.cfl.emplace()); }
-
-bool read(const Entry& entry, MassScaling value) {
-  std::optional<double> factor;
-  if (!read_number_or(entry, "match_time_step", factor, "a factor as in mass_scaling = 1e4"))
-    return false;
-  value.method.match_time_step = !factor;
-  value.method.mass_scaling = factor.value_or(1);
-  return true;
-}
-
-bool read(const Entry& entry, Damping value) {
-  return read_number_or(entry, "adaptive", value.damping, "a rate as in damping = 0.5");
-}
-
-bool read(const Entry& entry, Stabilisation value) {
-  return read_number_or(entry, "automatic", value.strength, "a number as in stabilisation = 0.1");
-}
 
 bool read(const Entry& entry, RemeshRule value) {
   using Policy = decltype(Case::remeshing)::Policy;

@@ -71,6 +71,12 @@ bool read(const Entry& entry, Name value) {
       fmt::format("must consist of letters, digits, _ and -, got \"{}\"", value.text));
 }
 
+bool read(const Entry& entry, Choice value) {
+  const int word = read_word(entry, value.known);
+  if (word >= 0) value.value = word;
+  return word >= 0;
+}
+
 bool read(const Entry& entry, MethodWord value) {
   const std::vector<Word> known = words_of(value.known);
   const int word = read_word(entry, known);

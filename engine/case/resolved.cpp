@@ -111,8 +111,12 @@ std::string toml_text(MethodWord value, const Writing& writing) {
   return toml_text(std::as_const(value.word), writing);
 }
 
-std::string toml_text(StepRule value, const Writing& writing) {
-  return value.step ? toml_text(*value.step, writing) : "\"cfl\"";
+std::string toml_text(NumberOrWord value, const Writing& writing) {
+  return value.number ? toml_text(*value.number, writing) : fmt::format("\"{}\"", value.word);
+}
+
+std::string toml_text(Choice value, const Writing&) {
+  return fmt::format("\"{}\"", text_of(value.known, value.value));
 }
 
 std::string toml_text(CflRule, const Writing& writing) {
@@ -121,19 +125,6 @@ std::string toml_text(CflRule, const Writing& writing) {
 
 std::string toml_text(Dissipation value, const Writing& writing) {
   return inline_table(writing, [&](auto& keys) { dissipation_keys(keys, value.strengths); });
-}
-
-std::string toml_text(MassScaling value, const Writing& writing) {
-  return value.method.match_time_step ? "\"match_time_step\""
-                                      : toml_text(value.method.mass_scaling, writing);
-}
-
-std::string toml_text(Damping value, const Writing& writing) {
-  return value.damping ? toml_text(*value.damping, writing) : "\"adaptive\"";
-}
-
-std::string toml_text(Stabilisation value, const Writing& writing) {
-  return value.strength ? toml_text(*value.strength, writing) : "\"automatic\"";
 }
 
 std::string toml_text(RemeshRule value, const Writing& writing) {

@@ -56,6 +56,7 @@ class TableSchema {
         value = static_cast<Plain>(choices_[choice_].value);
       }
     }
+    if constexpr (std::is_same_v<Plain, Choice>) description += word_meanings(value.known);
     if constexpr (std::is_same_v<Plain, MethodWord>) {
       description += word_meanings(words_of(value.known));
     }

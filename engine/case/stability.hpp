@@ -3,20 +3,25 @@
 #include <optional>
 #include <string>
 
-#include "engine/case/case.hpp"
+#include "engine/case/method_rules.hpp"
 
 /// How long a time step may be: waves of the material at rest, and the operators that carry them.
 namespace pliant {
 
-/// Speed of the fastest waves of the material at rest, (RP.12), in scaled mass [m/s].
+/// What the method of the case says of its steps.
+StepLimits step_limits(const Case& a_case);
+
+/// Speed of waves in a body at rest, (RP.12), in scaled mass [m/s].
+double scaled_wave_speed(const Case& a_case, const BodyCase& body);
+
+/// The fastest of all bodies [m/s].
 double fastest_wave(const Case& a_case);
 
-/// CFL number up to which steps of the case's method are stable, (RP.30) and (TL.9).
+/// CFL number up to which steps of the case's method are stable.
 double stable_cfl(const Case& a_case);
 
-/// CFL number of steps whose length follows from it: the one that the case gives, else 1 in the
-/// remeshed method, 0.5 there with contact between bodies and in other methods, and never more than
-/// stable_cfl.
+/// CFL number of steps whose length follows from it: the one that the case gives, else that of the
+/// method, and never more than stable_cfl.
 double cfl_number(const Case& a_case);
 
 /// Longest stable time step [s], by the fastest body at rest, or by `wave_speed` [m/s] where that

@@ -40,12 +40,12 @@ inline std::string type_of(const std::optional<VectorExpression>&) {
 }
 inline std::string type_of(const Name&) { return "name"; }
 inline std::string type_of(const MethodWord& value) { return joined_words(words_of(value.known)); }
-inline std::string type_of(const StepRule&) { return "number or `\"cfl\"`"; }
+inline std::string type_of(const NumberOrWord& value) {
+  return fmt::format("number or `\"{}\"`", value.word);
+}
+inline std::string type_of(const Choice& value) { return joined_words(value.known); }
 inline std::string type_of(const CflRule&) { return "number"; }
 inline std::string type_of(const Dissipation&) { return "table or number"; }
-inline std::string type_of(const MassScaling&) { return "number or `\"match_time_step\"`"; }
-inline std::string type_of(const Stabilisation&) { return "number or `\"automatic\"`"; }
-inline std::string type_of(const Damping&) { return "number or `\"adaptive\"`"; }
 inline std::string type_of(const RemeshRule&) {
   return R"(whole number, `"adaptive"` or `"never"`)";
 }
@@ -87,6 +87,7 @@ class TableDescriber {
         list_words(key, words<Plain>);
       }
     }
+    if constexpr (std::is_same_v<Plain, Choice>) list_words(key, value.known);
     if constexpr (std::is_same_v<Plain, MethodWord>) list_words(key, words_of(value.known));
     std::string fallback = "required";
     if (!notes.required) {

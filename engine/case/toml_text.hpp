@@ -34,12 +34,10 @@ std::string toml_text(const VectorExpression& value, const Writing&);
 std::string toml_text(const std::optional<VectorExpression>& value, const Writing&);
 std::string toml_text(Name value, const Writing&);
 std::string toml_text(MethodWord value, const Writing&);
-std::string toml_text(StepRule value, const Writing&);
+std::string toml_text(NumberOrWord value, const Writing&);
+std::string toml_text(Choice value, const Writing&);
 std::string toml_text(CflRule value, const Writing&);
 std::string toml_text(Dissipation value, const Writing&);
-std::string toml_text(MassScaling value, const Writing&);
-std::string toml_text(Damping value, const Writing&);
-std::string toml_text(Stabilisation value, const Writing&);
 std::string toml_text(RemeshRule value, const Writing&);
 std::string toml_text(AxisSet value, const Writing&);
 std::string toml_text(Direction value, const Writing&);
@@ -100,7 +98,10 @@ class TableWriter {
   void materials(std::string_view, std::string_view) {}
 
   int dimension() const { return writing_.dimension; }
-  MethodList methods() const { return {}; }
+  MethodList methods() const {
+    const MethodRules* rules = writing_.a_case.rules;
+    return rules != nullptr ? MethodList(rules, 1) : MethodList();
+  }
 
   std::string joined(std::string_view separator) const;
 

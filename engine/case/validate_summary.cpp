@@ -60,12 +60,6 @@ std::string mesh_lines(const Shape& shape) {
                     box.upper[2]);
 }
 
-/// (RP.12) at rest.
-double wave_speed(const BodyCase& body, const Case& a_case) {
-  return kernels::wave_speed_at_rest(body.material) /
-         std::sqrt(a_case.total_lagrangian.mass_scaling);
-}
-
 std::string model_name(const BodyCase& body) {
   const MaterialCase& material = body.material_as_given;
   if (material.model == MaterialCase::Model::reduced_polynomial) {
@@ -80,19 +74,8 @@ std::string model_name(const BodyCase& body) {
 }
 
 std::string method_text(const Case& a_case) {
-  if (a_case.method == "total_lagrangian") {
-    const auto& method = a_case.total_lagrangian;
-    return method.match_time_step ? "the mass scaled to the step"
-                                  : fmt::format("the mass times {}", method.mass_scaling);
-  }
-  if (a_case.method != "remeshed") return a_case.method;
-  using Policy = decltype(Case::remeshing)::Policy;
-  if (a_case.remeshing.policy == Policy::never) return "never remeshed";
-  if (a_case.remeshing.policy == Policy::adaptive) {
-    return fmt::format("remeshed at a strain of {} or a deformation of {}",
-                       a_case.remeshing.strain_threshold, a_case.remeshing.deformation_threshold);
-  }
-  return fmt::format("remeshed every {} steps", a_case.remeshing.every);
+  const bool has_summary = a_case.rules != nullptr && a_case.rules->summary != nullptr;
+  return has_summary ? a_case.rules->summary(a_case) : a_case.method;
 }
 
 }  // namespace
@@ -104,7 +87,7 @@ std::string validate_summary(const Case& a_case) {
   const double cell = std::pow(a_case.discretisation.spacing, a_case.dimension);
   double fastest = 0;
   for (const BodyCase& body : a_case.bodies) {
-    const double waves = wave_speed(body, a_case);
+    const double waves = scaled_wave_speed(a_case, body);
     fastest = std::max(fastest, waves);
     text += fmt::format("  body {}: about {:.0f} particles, {}, waves at {:.4g} m/s\n", body.name,
                         measure(body, a_case) / cell, model_name(body), waves);

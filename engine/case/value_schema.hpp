@@ -90,21 +90,15 @@ inline Schema schema_of(const Name&, const Limits&) { return name_schema(); }
 inline Schema schema_of(const MethodWord& value, const Limits&) {
   return one_of(words_of(value.known));
 }
-inline Schema schema_of(const StepRule&, const Limits& limits) { return number_or("cfl", limits); }
+inline Schema schema_of(const NumberOrWord& value, const Limits& limits) {
+  return number_or(value.word, limits);
+}
+inline Schema schema_of(const Choice& value, const Limits&) { return one_of(value.known); }
 inline Schema schema_of(const CflRule&, const Limits& limits) { return number_schema(limits); }
 inline Schema schema_of(const Dissipation&, const Limits& limits) {
   Schema schema = number_schema(limits);
   schema["anyOf"].push_back(defined("dissipation"));
   return schema;
-}
-inline Schema schema_of(const MassScaling&, const Limits& limits) {
-  return number_or("match_time_step", limits);
-}
-inline Schema schema_of(const Stabilisation&, const Limits& limits) {
-  return number_or("automatic", limits);
-}
-inline Schema schema_of(const Damping&, const Limits& limits) {
-  return number_or("adaptive", limits);
 }
 inline Schema schema_of(const RemeshRule&, const Limits& limits) {
   Schema schema = number_or("adaptive", limits, "integer");

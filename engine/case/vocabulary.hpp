@@ -1,8 +1,11 @@
 #pragma once
 
+#include <fmt/format.h>
+
 #include "engine/case/body_keys.hpp"
 #include "engine/case/key.hpp"
 #include "engine/case/measurement_keys.hpp"
+#include "engine/case/method_keys.hpp"
 #include "engine/case/words.hpp"
 
 /// The vocabulary of case files: every key with its place in `Case`, unit, limits and meaning,
@@ -16,6 +19,8 @@
 ///     void visit.materials(key, meaning)              [key.NAME]
 ///     int visit.dimension()
 ///     MethodList visit.methods()
+///
+/// A method declares the keys of its own table itself, see method_rules.hpp.
 namespace pliant {
 
 template <class Visitor>
@@ -94,14 +99,14 @@ void output_keys(Visitor& visit, decltype(Case::output)& output) {
 }
 
 template <class Visitor>
-void time_keys(Visitor& visit, decltype(Case::time)& time, std::string_view method) {
+void time_keys(Visitor& visit, decltype(Case::time)& time, bool remeshes) {
   visit("end", time.end,
         {.meaning = "time at which the run ends",
          .unit = "s",
          .example = "0.02",
          .limits = positive,
          .required = true});
-  visit("step", StepRule{time.step},
+  visit("step", NumberOrWord{time.step, "cfl", "a time step"},
         {.meaning = R"(time step, or "cfl" to derive it from the wave speed (RP.29))",
          .unit = "s",
          .example = "5e-5",
@@ -109,10 +114,10 @@ void time_keys(Visitor& visit, decltype(Case::time)& time, std::string_view meth
   visit(
       "cfl", CflRule{time.cfl},
       {.meaning = R"(CFL number for step = "cfl"; by default 1 in the remeshed method, 0.5 there )"
-                  "with contact between bodies and in other methods",
+                  "with contact between bodies, 0.9 with finite elements, 0.5 in other methods",
        .example = "0.5",
        .limits = {0, 2, false, true, "above 0 and at most 2"}});
-  if (method != "remeshed") return;
+  if (!remeshes) return;
   visit("strain", time.strain,
         {.meaning = R"(largest strain in one step, dt max abs(eps), for step = "cfl" (RP.29))",
          .example = "0.02",
@@ -134,14 +139,14 @@ void dissipation_keys(Visitor& visit, DissipationCase& dissipation) {
 
 template <class Visitor>
 void discretisation_keys(Visitor& visit, decltype(Case::discretisation)& discretisation,
-                         std::string_view method) {
+                         bool remeshes) {
   visit("spacing", discretisation.spacing,
         {.meaning = "initial distance h between particles, the resolution",
          .unit = "m",
          .example = "0.03125",
          .limits = positive,
          .required = true});
-  if (method != "remeshed") return;
+  if (!remeshes) return;
   visit("kernel", discretisation.kernel,
         {.meaning = "smoothing kernel of the gradients", .example = R"("compact")"});
   visit(
@@ -158,39 +163,6 @@ void discretisation_keys(Visitor& visit, decltype(Case::discretisation)& discret
 }
 
 template <class Visitor>
-void sph_keys(Visitor& visit, decltype(Case::sph)& sph) {
-  visit("artificial_viscosity", sph.artificial_viscosity,
-        {.meaning = "alpha of the artificial viscosity (RP.27)",
-         .example = "1",
-         .limits = not_negative});
-  visit("artificial_stress", sph.artificial_stress,
-        {.meaning = "epsilon of the artificial stress (RP.28), which prevents the tensile "
-                    "instability; 0 switches it off",
-         .example = "0.3",
-         .limits = not_negative});
-}
-
-template <class Visitor>
-void total_lagrangian_keys(Visitor& visit, decltype(Case::total_lagrangian)& method) {
-  visit("hourglass_stiffness", method.hourglass_stiffness,
-        {.meaning = "hourglass stiffness relative to the shear stiffness (TL.6)",
-         .example = "0.8",
-         .limits = {0, 2, true, true, "from 0 to 2"}});
-  visit("mass_scaling", MassScaling{method},
-        {.meaning = R"(factor of the inertial mass, or "match_time_step" for the smallest factor )"
-                    "that makes time.step stable",
-         .example = "1e4",
-         .limits = at_least_one});
-  visit(
-      "damping", Damping{method.damping},
-      {.meaning = R"(mass-proportional damping rate (TL.8), or "adaptive" for critical damping of )"
-                  "the present motion (TL.10)",
-       .unit = "1/s",
-       .example = "0.5",
-       .limits = not_negative});
-}
-
-template <class Visitor>
 void check_keys(Visitor& visit, decltype(Case::checks)& checks) {
   visit("energy", checks.energy,
         {.meaning = "response to energy that is created without work", .example = R"("stop")"});
@@ -201,40 +173,17 @@ void check_keys(Visitor& visit, decltype(Case::checks)& checks) {
          .example = R"("stop")"});
 }
 
+/// The tables of the methods. A case that has those of other methods is read, and refused later.
 template <class Visitor>
-void point_based_keys(Visitor& visit, decltype(Case::point_based)& method) {
-  visit("nodes", method.nodes,
-        {.meaning = "places of the nodes of a body whose geometry is no mesh of tetrahedra",
-         .example = R"("lattice")"});
-  visit(
-      "coarsest_spacing", method.coarsest_spacing,
-      {.meaning = "largest distance between the nodes of an octree; 0 takes four times the spacing",
-       .unit = "m",
-       .example = "0.01",
-       .limits = not_negative});
-  visit(
-      "cut_rule", method.cut_rule,
-      {.meaning = "what a cut leaves of the bonds that it crosses", .example = R"("visibility")"});
-  visit("neighbours", method.neighbours,
-        {.meaning = "neighbours of each node (PB.2); 0 takes 26 in 3D and 12 in 2D",
-         .example = "26",
-         .limits = {0, 64, true, true, "from 0 to 64"}});
-  visit("stabilisation", Stabilisation{method.stabilisation},
-        {.meaning = R"(alpha of (PB.5), or "automatic": 0.1 on lattices, 0.3 on other nodes)",
-         .example = "0.1",
-         .limits = {0, 2, true, true, "from 0 to 2"}});
-  visit("integrator", method.integrator,
-        {.meaning = "when the forces of a step act", .example = R"("leapfrog")"});
-  visit("damping", method.damping,
-        {.meaning = "mass-proportional damping rate (PB.10)",
-         .unit = "1/s",
-         .example = "0.5",
-         .limits = not_negative});
-  visit("stiffness_damping", method.stiffness_damping,
-        {.meaning = "stiffness-proportional damping time (PB.9), which damps fast motion most",
-         .unit = "s",
-         .example = "1e-4",
-         .limits = not_negative});
+void method_tables(Visitor& visit, Case& a_case) {
+  for (const MethodRules& method : visit.methods()) {
+    if (method.keys == nullptr) continue;
+    visit.optional_table(method.word, fmt::format("Parameters of method = \"{}\".", method.word),
+                         &method == a_case.rules, [&](auto& keys) {
+                           MethodKeysFor for_method(keys);
+                           method.keys(for_method, a_case.parameters);
+                         });
+  }
 }
 
 template <class Visitor>
@@ -251,6 +200,8 @@ void case_keys(Visitor& visit, Case& a_case) {
          .limits = {2, 3, true, true, "2 or 3"}});
   visit("method", MethodWord{a_case.method, visit.methods()},
         {.meaning = "numerical method", .example = R"("remeshed")"});
+  a_case.rules = rules_of(visit.methods(), a_case.method);
+  const bool remeshes = a_case.rules != nullptr && a_case.rules->remeshes;
   visit("precision", a_case.precision,
         {.meaning = "precision of the fields; clocks, sums and measurements are double",
          .example = R"("double")"});
@@ -259,14 +210,13 @@ void case_keys(Visitor& visit, Case& a_case) {
          .unit = "m/s^2",
          .example = "[0, -9.81]"});
   visit.table("discretisation", "Resolution and spatial operators.",
-              [&](auto& keys) { discretisation_keys(keys, a_case.discretisation, a_case.method); });
+              [&](auto& keys) { discretisation_keys(keys, a_case.discretisation, remeshes); });
   visit.table("time", "Simulated time and time step.",
-              [&](auto& keys) { time_keys(keys, a_case.time, a_case.method); });
-  const bool remeshed = a_case.method == "remeshed";
-  visit.optional_table("remeshing", "Remeshing of the particles onto their lattice.", remeshed,
+              [&](auto& keys) { time_keys(keys, a_case.time, remeshes); });
+  visit.optional_table("remeshing", "Remeshing of the particles onto their lattice.", remeshes,
                        [&](auto& keys) { remeshing_keys(keys, a_case.remeshing); });
   visit.optional_table(
-      "level_set", "Level set that represents the free surface.", remeshed, [&](auto& keys) {
+      "level_set", "Level set that represents the free surface.", remeshes, [&](auto& keys) {
         keys(
             "reinitialise_every", a_case.level_set.reinitialise_every,
             {.meaning = "number of time steps between two reinitialisations of the signed distance",
@@ -276,18 +226,11 @@ void case_keys(Visitor& visit, Case& a_case) {
       });
   visit.optional_table(
       "ghosts", "Ghost particles, which impose the boundary conditions from outside the body.",
-      remeshed, [&](auto& keys) {
+      remeshes, [&](auto& keys) {
         keys("treatment", a_case.ghosts,
              {.meaning = "extrapolation of their values", .example = R"("linear")"});
       });
-  visit.optional_table("total_lagrangian", "Parameters of method = \"total_lagrangian\".",
-                       a_case.method == "total_lagrangian",
-                       [&](auto& keys) { total_lagrangian_keys(keys, a_case.total_lagrangian); });
-  visit.optional_table("point_based", "Parameters of method = \"point_based\".",
-                       a_case.method == "point_based",
-                       [&](auto& keys) { point_based_keys(keys, a_case.point_based); });
-  visit.optional_table("sph", "Parameters of method = \"sph\".", a_case.method == "sph",
-                       [&](auto& keys) { sph_keys(keys, a_case.sph); });
+  method_tables(visit, a_case);
   const auto& periodic = a_case.periodic.axis;
   visit.optional_table("periodic",
                        "Periodic cell. Leave the table out if no direction is periodic.",

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <span>
 #include <string_view>
 
 namespace pliant {
@@ -21,13 +22,18 @@ constexpr Word word(E value, std::string_view text, std::string_view meaning) {
   return {static_cast<int>(value), text, meaning};
 }
 
+/// The word for a value among those of `known`.
+constexpr std::string_view text_of(std::span<const Word> known, int value) {
+  for (const Word& word : known) {
+    if (word.value == value) return word.text;
+  }
+  return {};
+}
+
 /// The word for `value`.
 template <class E>
 constexpr std::string_view text_of(E value) {
-  for (const Word& word : words<E>) {
-    if (word.value == static_cast<int>(value)) return word.text;
-  }
-  return {};
+  return text_of(words<E>, static_cast<int>(value));
 }
 
 /// The words of a table whose rows are declared in the order of their enumerators.

@@ -32,15 +32,16 @@ inline constexpr std::array words<BoundaryCase::LoadedArea>{
          "per area of the undeformed surface, a dead load (total_lagrangian only)")};
 
 template <>
-inline constexpr std::array words<kernels::Weight>{
-    word(kernels::Weight::quartic, "quartic_spline", "quartic B-spline, 5 x 5 particles (RP.15)"),
-    word(kernels::Weight::quartic_polynomial, "quartic_spline_fit",
+inline constexpr std::array words<kernels::Kernel>{
+    word(kernels::Kernel::quartic_spline, "quartic_spline",
+         "quartic B-spline, 5 x 5 particles (RP.15)"),
+    word(kernels::Kernel::quartic_spline_fit, "quartic_spline_fit",
          "polynomial fit to the quartic spline within 0.7 %, 5 x 5 particles, about twice as fast "
          "(RP.16)"),
-    word(kernels::Weight::compact, "compact",
+    word(kernels::Kernel::compact, "compact",
          "polynomial over the compact stencil of 3 x 3 particles, the "
          "fastest (RP.17)"),
-    word(kernels::Weight::fourth_order, "fourth_order",
+    word(kernels::Kernel::fourth_order, "fourth_order",
          "gradients of fourth order on a nearly undeformed lattice, for waves, 5 x 5 particles "
          "(RP.18)")};
 
@@ -71,33 +72,10 @@ inline constexpr std::array words<MaterialCase::Model>{
     word(MaterialCase::Model::reduced_polynomial, "reduced_polynomial",
          "hyperelastic reduced polynomial with up to five coefficients (RP.9)"),
     word(MaterialCase::Model::neo_hookean, "neo_hookean",
-         "hyperelastic, stable in compression (PB.6), for point_based only"),
+         "hyperelastic, stable in compression (PB.6), for point_based and finite_elements only"),
     word(MaterialCase::Model::st_venant_kirchhoff, "st_venant_kirchhoff",
-         "Hooke's law of the Green strain (PB.7), for point_based only; loses stiffness below a "
-         "stretch of 0.58")};
-
-template <>
-inline constexpr std::array words<NodePlacement>{
-    word(NodePlacement::lattice, "lattice", "on a lattice of the given spacing"),
-    word(NodePlacement::octree, "octree",
-         "in the leaves of an octree: at the spacing on the surface, coarser inside")};
-
-template <>
-inline constexpr std::array words<CutRule>{
-    word(CutRule::transparency, "transparency",
-         "a crossed bond loses its weight as the front of the cut moves away from it (CU.1)"),
-    word(CutRule::visibility, "visibility", "a crossed bond has no weight"),
-    word(CutRule::product, "product",
-         "distance enrichment of each piece, multiplied (CU.3), (CU.4); for comparison"),
-    word(CutRule::enrichment_grid, "enrichment_grid",
-         "distance enrichment of the whole cut (CU.3), (CU.5)")};
-
-template <>
-inline constexpr std::array words<Integrator>{
-    word(Integrator::leapfrog, "leapfrog", "forces act in the middle of a step; second order"),
-    word(Integrator::kick_drift, "kick_drift",
-         "forces act at its start (symplectic Euler); positions of second order, velocities half a "
-         "step late")};
+         "Hooke's law of the Green strain (PB.7), for point_based and finite_elements only; loses "
+         "stiffness below a stretch of 0.58")};
 
 template <>
 inline constexpr std::array words<MaterialCase::EquationOfState>{

@@ -9,6 +9,7 @@
 
 #include "engine/batch/executor.hpp"
 #include "engine/batch/listing.hpp"
+#include "engine/batch/slurm/worker.hpp"
 #include "engine/simulation/solver_options.hpp"
 
 namespace pliant::cli {
@@ -25,23 +26,29 @@ std::vector<batch::RunRow> rows_of(const std::filesystem::path& folder) {
 
 }  // namespace
 
-int workers_of(int workers, int threads) {
-  const int most = std::max(1, solver_options(0, "").threads / threads);
-  if (workers < 0) {
-    throw InputError(fmt::format("--workers {}: give a positive number", workers));
+batch::BatchOptions options_of(const RunsArguments& arguments, const std::string& name) {
+  if (arguments.workers < 0) {
+    throw InputError(fmt::format("--workers {}: give a positive number", arguments.workers));
   }
-  return workers == 0 ? most : std::min(workers, most);
+  batch::BatchOptions options;
+  options.folder = arguments.folder.value_or(std::filesystem::path("results") / name);
+  options.executor =
+      arguments.executor == "slurm" ? batch::Executor::slurm : batch::Executor::local;
+  options.threads = solver_options(arguments.threads, "").threads;
+  options.workers = arguments.workers;
+  if (options.executor == batch::Executor::local) {
+    const int most = std::max(1, solver_options(0, "").threads / options.threads);
+    options.workers = arguments.workers == 0 ? most : std::min(arguments.workers, most);
+  }
+  options.resume = arguments.resume;
+  options.quiet = arguments.quiet;
+  return options;
 }
 
 ExitStatus batch(const BatchArguments& arguments) {
   std::signal(SIGPIPE, SIG_IGN);
   const batch::Sweep sweep = batch::read_sweep(arguments.sweep);
-  batch::BatchOptions options;
-  options.folder = arguments.folder.value_or(std::filesystem::path("results") / sweep.name);
-  options.threads = solver_options(arguments.threads, "").threads;
-  options.workers = workers_of(arguments.workers, options.threads);
-  options.resume = arguments.resume;
-  options.quiet = arguments.quiet;
+  const batch::BatchOptions options = options_of(arguments, sweep.name);
   const batch::BatchEnd end = run_batch(sweep, options);
   if (!options.quiet) {
     std::fputs(status_text(rows_of(options.folder)).c_str(), stderr);
@@ -55,6 +62,12 @@ ExitStatus batch(const BatchArguments& arguments) {
       break;
   }
   return ExitStatus::interrupted;
+}
+
+ExitStatus batch_task(const TaskArguments& arguments) {
+  std::signal(SIGPIPE, SIG_IGN);
+  return batch::slurm::work_on(arguments.array, arguments.index) ? ExitStatus::done
+                                                                 : ExitStatus::interrupted;
 }
 
 ExitStatus batch_status(const LedgerArguments& arguments) {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "engine/batch/executor.hpp"
 #include "engine/cli/verbs.hpp"
 
 namespace pliant::cli {
@@ -7,6 +8,7 @@ namespace pliant::cli {
 /// What commands that make many runs have in common.
 struct RunsArguments {
   std::optional<std::filesystem::path> folder;  ///< default: results/<name of the input file>
+  std::string executor = "local";               ///< or "slurm"
   int workers = 0;                              ///< 0: as many as there are processors for
   int threads = 1;                              ///< of each run
   bool resume = false, quiet = false;
@@ -16,12 +18,20 @@ struct BatchArguments : RunsArguments {
   std::filesystem::path sweep;
 };
 
-/// Runs at once, of so many threads each, where the user asks for `workers`; 0: as many as there
-/// are processors for. Throws InputError.
-int workers_of(int workers, int threads);
+/// Throws InputError. On this machine, runs at once are as many as there are processors for at
+/// most.
+batch::BatchOptions options_of(const RunsArguments& arguments, const std::string& name);
 
 /// Runs a case with many values of its parameters.
 ExitStatus batch(const BatchArguments& arguments);
+
+struct TaskArguments {
+  std::filesystem::path array;
+  int index = 0;
+};
+
+/// Does the runs of one task of a job array. Slurm calls it.
+ExitStatus batch_task(const TaskArguments& arguments);
 
 struct LedgerArguments {
   std::filesystem::path folder;  ///< of a batch

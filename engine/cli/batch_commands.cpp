@@ -11,8 +11,13 @@ void add_options_of_runs(CLI::App& command, RunsArguments& arguments, const char
                          const char* resume) {
   command.add_option("--out", arguments.folder, out)->type_name("FOLDER");
   command
+      .add_option("--executor", arguments.executor,
+                  "where runs are made: on this machine, or as job arrays of Slurm")
+      ->check(CLI::IsMember({"local", "slurm"}))
+      ->capture_default_str();
+  command
       .add_option("--workers", arguments.workers,
-                  "runs at once, at most processors / threads (default: that many)")
+                  "runs at once (default, and most, here: processors / threads)")
       ->type_name("N");
   command.add_option("--threads", arguments.threads, "threads of each run")
       ->type_name("N")
@@ -34,6 +39,17 @@ void add_ledger_command(Commands& commands, CLI::App& parent, const char* name,
   });
 }
 
+/// What job scripts call; people do not.
+void add_task_command(Commands& commands, CLI::App& parent) {
+  const auto arguments = std::make_shared<TaskArguments>();
+  CLI::App& command = *parent.add_subcommand("task", "Do the runs of a task of a job array");
+  command.group("");
+  command.add_option("FOLDER", arguments->array, "folder of the array")->required();
+  command.add_option("INDEX", arguments->index, "number of the task")->required();
+  command.callback(
+      [&commands, arguments] { commands.chosen = [arguments] { return batch_task(*arguments); }; });
+}
+
 void add_batch(Commands& commands) {
   const auto arguments = std::make_shared<BatchArguments>();
   CLI::App& command = *commands.app.add_subcommand("batch", "Run a case with many parameters");
@@ -41,6 +57,7 @@ void add_batch(Commands& commands) {
   command.footer(
       "Exit status: 0 all runs are done, 3 some have failed; else as for other commands."
       "\n\nExamples:\n  pliant batch sweep.toml --out results/sweep --workers 2\n"
+      "  pliant batch sweep.toml --executor slurm --resume\n"
       "  pliant batch status results/sweep\n"
       "  pliant batch export results/sweep > runs.csv");
   command.add_option("SWEEP", arguments->sweep, "file that says which parameters to take")
@@ -49,6 +66,7 @@ void add_batch(Commands& commands) {
                       "do only what is missing or has failed");
   add_ledger_command(commands, command, "status", "Say how far a batch is", true, &batch_status);
   add_ledger_command(commands, command, "export", "Print all runs as CSV", false, &batch_export);
+  add_task_command(commands, command);
   command.callback([&commands, &command, arguments] {
     if (!command.get_subcommands().empty()) return;  // those have chosen
     if (arguments->sweep.empty()) throw CLI::RequiredError("SWEEP");

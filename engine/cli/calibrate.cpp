@@ -10,7 +10,6 @@
 #include "engine/calibrate/runs.hpp"
 #include "engine/output/atomic_file.hpp"
 #include "engine/simulation/methods.hpp"
-#include "engine/simulation/solver_options.hpp"
 
 namespace pliant::cli {
 
@@ -47,12 +46,7 @@ ExitStatus calibrate(const CalibrateArguments& arguments) {
   std::signal(SIGPIPE, SIG_IGN);
   const calibrate::Fit fit = calibrate::read_fit(arguments.fit);
   check_case(fit);
-  batch::BatchOptions options;
-  options.folder = arguments.folder.value_or(std::filesystem::path("results") / fit.name);
-  options.threads = solver_options(arguments.threads, "").threads;
-  options.workers = workers_of(arguments.workers, options.threads);
-  options.resume = arguments.resume;
-  options.quiet = arguments.quiet;
+  const batch::BatchOptions options = options_of(arguments, fit.name);
   try {
     calibrate::Runs runs(fit, options);
     const calibrate::Calibration found = calibrate::optimise(

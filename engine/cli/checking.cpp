@@ -2,6 +2,7 @@
 #include <pliant/error.hpp>
 
 #include <algorithm>
+#include <cmath>
 #include <cstdio>
 #include <nlohmann/json.hpp>
 #include <system_error>
@@ -11,6 +12,7 @@
 #include "engine/cli/verbs.hpp"
 #include "engine/output/colour.hpp"
 #include "engine/simulation/estimate.hpp"
+#include "engine/simulation/examine.hpp"
 #include "engine/simulation/methods.hpp"
 #include "engine/simulation/solver_options.hpp"
 
@@ -24,10 +26,36 @@ using Json = nlohmann::ordered_json;
 struct Checked {
   Case settings;
   Estimate size;
+  std::optional<Examined> nodes;  ///< of methods of nodes
   SolverOptions machine;
   std::optional<double> seconds;  ///< none where no small lattice holds the case
   std::string warning;
 };
+
+Json json_of(const ExaminedBody& body) {
+  return {{"name", body.name},
+          {"nodes", body.nodes},
+          {"volume", body.volume},
+          {"volume_error", body.volume_error()},
+          {"worst_condition", body.condition},
+          {"worst_place", body.worst},
+          {"degenerate_nodes", body.degenerate}};
+}
+
+Json bodies_of(const Checked& checked) {
+  Json bodies = Json::array();
+  if (checked.nodes) {
+    for (const ExaminedBody& body : checked.nodes->bodies) bodies.push_back(json_of(body));
+  }
+  return bodies;
+}
+
+/// Counts nodes and steps in the place of estimates.
+void count_nodes(const Examined& nodes, double end, Estimate& size) {
+  size.steps = std::llround(std::ceil(end / nodes.time_step));
+  size.particles = 0;
+  for (const ExaminedBody& body : nodes.bodies) size.particles += body.nodes;
+}
 
 Json json_of(const Checked& checked) {
   const Case& settings = checked.settings;
@@ -42,6 +70,8 @@ Json json_of(const Checked& checked) {
           {"particles", checked.size.particles},
           {"slots", checked.size.slots},
           {"steps", checked.size.steps},
+          {"time_step", checked.nodes ? Json(checked.nodes->time_step) : Json()},
+          {"bodies", bodies_of(checked)},
           {"memory_bytes", checked.size.bytes},
           {"threads", checked.machine.threads},
           {"seconds", checked.seconds ? Json(*checked.seconds) : Json()},
@@ -77,6 +107,8 @@ ExitStatus check(const CheckArguments& arguments) {
   checked.settings = read_case(arguments.source.path, arguments.source.settings);
   checked.warning = stability_warning(checked.settings);
   checked.size = estimate(checked.settings);
+  checked.nodes = examine(checked.settings);
+  if (checked.nodes) count_nodes(*checked.nodes, checked.settings.time.end, checked.size);
   checked.machine = solver_options(0, "");
   if (!checked.warning.empty() && !arguments.json) {
     fmt::print(stderr, "{} {}\n", coloured("warning:", Colour::yellow, stderr), checked.warning);
@@ -92,6 +124,10 @@ ExitStatus check(const CheckArguments& arguments) {
                checked.machine.threads);
   }
   fmt::print("\n");
+  if (checked.nodes) {
+    for (const ExaminedBody& body : checked.nodes->bodies) fmt::print("  {}\n", body.text());
+    fmt::print("  time step: {:.4g} s\n", checked.nodes->time_step);
+  }
   return ExitStatus::done;
 }
 

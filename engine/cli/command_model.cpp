@@ -52,7 +52,8 @@ CommandModel model_of_command(const CLI::App& app) {
     const OptionModel one = model_of(*option);
     (one.names.empty() ? model.arguments : model.options).push_back(one);
   }
-  for (const CLI::App* command : app.get_subcommands([](const CLI::App*) { return true; })) {
+  const auto is_for_people = [](const CLI::App* command) { return !command->get_group().empty(); };
+  for (const CLI::App* command : app.get_subcommands(is_for_people)) {
     model.commands.push_back(model_of_command(*command));
   }
   return model;

@@ -7,12 +7,15 @@
 #include <csignal>
 #include <cstdio>
 #include <memory>
+#include <optional>
 
 #include "engine/batch/child.hpp"
 #include "engine/case/reference.hpp"
 #include "engine/case/schema.hpp"
 #include "engine/case/stability.hpp"
+#include "engine/cli/setup_progress.hpp"
 #include "engine/output/colour.hpp"
+#include "engine/output/interrupt.hpp"
 #include "engine/simulation/estimate.hpp"
 #include "engine/simulation/methods.hpp"
 #include "engine/simulation/run.hpp"
@@ -45,6 +48,8 @@ ExitStatus run(const RunArguments& arguments) {
   // A reader of the progress that ends, as `head` does, must not end the run.
   std::signal(SIGPIPE, SIG_IGN);
   batch::end_with_parent();
+  const ExitOnInterrupt in_set_up(static_cast<int>(ExitStatus::interrupted),
+                                  "interrupted before the first step; run it again\n");
   const Case settings = read_case(arguments.source.path, arguments.source.settings);
   if (!arguments.quiet) warn_of_instability(settings);
   const Estimate size = estimate(settings);
@@ -56,7 +61,12 @@ ExitStatus run(const RunArguments& arguments) {
   options.isa = machine.isa;
   options.resume = arguments.resume;
   options.quiet = arguments.quiet;
-  if (!arguments.quiet) announce(settings, size, machine);
+  std::optional<SetupProgress> progress;
+  if (!arguments.quiet) {
+    announce(settings, size, machine);
+    progress.emplace(size.bytes);
+    options.when_set_up = [&] { progress->finish(); };
+  }
   return run_case(settings, options) == RunEnd::done ? ExitStatus::done : ExitStatus::interrupted;
 }
 

@@ -8,7 +8,7 @@
 /// How the triangles of a mesh hang together.
 namespace pliant {
 
-/// Joins vertices at equal places and forgets those that no triangle has.
+/// Joins vertices at equal places and drops those that no triangle has.
 void join_vertices(SurfaceMesh& mesh);
 
 /// Removes triangles whose corners coincide or lie on a line; says how many.

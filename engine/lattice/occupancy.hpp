@@ -16,7 +16,7 @@ class Occupancy {
   /// Cells in a pack.
   static constexpr int pack = kernels::slots_per_pack;
 
-  /// Forgets all marks and covers the cells lower..upper (inclusive) and `reach` cells around them.
+  /// Clears all marks and covers the cells lower..upper (inclusive) and `reach` cells around them.
   void reset(Cell<D> lower, Cell<D> upper, int reach);
 
   void mark(const Cell<D>& cell) {

@@ -26,7 +26,10 @@ const RegisteredMethod& MethodRegistry::find(std::string_view word) const {
 
 std::unique_ptr<Solver> MethodRegistry::make(const Case& settings,
                                              const SolverOptions& options) const {
-  return find(settings.method).make(settings, options);
+  const RegisteredMethod& method = find(settings.method);
+  Case with_rules = settings;
+  with_rules.rules = &method.rules;
+  return method.make(with_rules, options);
 }
 
 }  // namespace pliant

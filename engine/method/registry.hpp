@@ -16,10 +16,14 @@ struct RegisteredMethod {
   std::unique_ptr<Solver> (*make)(const Case& settings, const SolverOptions& options);
 };
 
-/// The methods that a program can run, by the words of case files.
+/// The methods that a program can run, by the words of case files. It outlives the cases that are
+/// read for it.
 class MethodRegistry {
  public:
   explicit MethodRegistry(std::vector<RegisteredMethod> methods);
+  // Cases keep pointers to the rules.
+  MethodRegistry(const MethodRegistry&) = delete;
+  MethodRegistry& operator=(const MethodRegistry&) = delete;
 
   /// Throws std::invalid_argument for a word of no method.
   const RegisteredMethod& find(std::string_view word) const;

@@ -23,10 +23,7 @@ StepFailure failed_step(const Case& settings, const StepClock& clock, const std:
 }
 
 std::string smaller_step(const Case& settings) {
-  const auto& method = settings.total_lagrangian;
-  if (settings.method == "total_lagrangian" && method.match_time_step) {
-    return "scale the mass more (a smaller time.cfl)";
-  }
+  if (step_limits(settings).mass_follows_step) return "scale the mass more (a smaller time.cfl)";
   return settings.time.step ? "use a smaller time step (time.step)"
                             : "use a smaller time step (time.cfl)";
 }

@@ -1,13 +1,19 @@
 #include "engine/output/interrupt.hpp"
 
+#include <unistd.h>
+
 #include <atomic>
+#include <cstring>
 
 namespace pliant {
 namespace {
 
-// A signal handler may use nothing but lock-free atomics and sigaction.
+// A signal handler may use nothing but lock-free atomics, sigaction, write and _exit.
 std::atomic<int> received = 0;
+std::atomic<int> exit_status = 0;  // 0: the process goes on
+std::atomic<const char*> exit_message = nullptr;
 static_assert(std::atomic<int>::is_always_lock_free);
+static_assert(std::atomic<const char*>::is_always_lock_free);
 
 void restore_default(int number) {
   struct sigaction action = {};
@@ -16,6 +22,11 @@ void restore_default(int number) {
 }
 
 extern "C" void note_signal(int number) {
+  if (const int status = exit_status; status != 0) {
+    const char* message = exit_message;
+    [[maybe_unused]] const auto written = ::write(STDERR_FILENO, message, std::strlen(message));
+    ::_exit(status);
+  }
   int none = 0;
   received.compare_exchange_strong(none, number);
   if (number == SIGHUP) return;
@@ -23,25 +34,45 @@ extern "C" void note_signal(int number) {
   restore_default(SIGTERM);
 }
 
+SignalActions install() {
+  SignalActions earlier;
+  struct sigaction action = {};
+  action.sa_handler = note_signal;
+  action.sa_flags = SA_RESTART;
+  sigaction(SIGINT, &action, &earlier.interrupt);
+  sigaction(SIGTERM, &action, &earlier.terminate);
+  sigaction(SIGHUP, nullptr, &earlier.hangup);
+  if (earlier.hangup.sa_handler != SIG_IGN) sigaction(SIGHUP, &action, nullptr);
+  return earlier;
+}
+
+void restore(const SignalActions& earlier) {
+  sigaction(SIGINT, &earlier.interrupt, nullptr);
+  sigaction(SIGTERM, &earlier.terminate, nullptr);
+  sigaction(SIGHUP, &earlier.hangup, nullptr);
+}
+
 }  // namespace
 
 Interrupt::Interrupt() {
   received = 0;
-  struct sigaction action = {};
-  action.sa_handler = note_signal;
-  action.sa_flags = SA_RESTART;
-  sigaction(SIGINT, &action, &earlier_interrupt_);
-  sigaction(SIGTERM, &action, &earlier_terminate_);
-  sigaction(SIGHUP, nullptr, &earlier_hangup_);
-  if (earlier_hangup_.sa_handler != SIG_IGN) sigaction(SIGHUP, &action, nullptr);
+  exit_status = 0;
+  earlier_ = install();
 }
 
-Interrupt::~Interrupt() {
-  sigaction(SIGINT, &earlier_interrupt_, nullptr);
-  sigaction(SIGTERM, &earlier_terminate_, nullptr);
-  sigaction(SIGHUP, &earlier_hangup_, nullptr);
-}
+Interrupt::~Interrupt() { restore(earlier_); }
 
 int Interrupt::signal() const { return received; }
+
+ExitOnInterrupt::ExitOnInterrupt(int status, const char* message) {
+  exit_message = message;
+  exit_status = status;
+  earlier_ = install();
+}
+
+ExitOnInterrupt::~ExitOnInterrupt() {
+  exit_status = 0;
+  restore(earlier_);
+}
 
 }  // namespace pliant

@@ -39,7 +39,10 @@ Json json(const SummaryChecks& checks) {
               {"largest_share", checks.energy.share},
               {"time", checks.energy.time}};
   }
-  return {{"energy", energy}, {"mass", json(checks.mass)}, {"momentum", json(checks.momentum)}};
+  return {{"energy", energy},
+          {"mass", json(checks.mass)},
+          {"momentum", json(checks.momentum)},
+          {"angular_momentum", json(checks.angular_momentum)}};
 }
 
 Json json(const Summary& summary) {

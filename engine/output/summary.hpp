@@ -18,7 +18,7 @@ struct ConservedQuantities {
 };
 
 /// What was watched in a run: shares are of the largest energy or work, of the mass at the start
-/// and of the largest momentum. SI units.
+/// and of the largest momentum or angular momentum. SI units.
 struct SummaryChecks {
   struct Largest {
     double share = 0, time = 0;
@@ -28,7 +28,7 @@ struct SummaryChecks {
   double damping = 0;
   double created = 0;  ///< without work; negative where the method has lost energy
   double largest_energy = 0;
-  Largest energy, mass, momentum;
+  Largest energy, mass, momentum, angular_momentum;
 };
 
 /// A run in one page: the content of summary.json. SI units throughout.

@@ -105,6 +105,16 @@ struct Body : undeformed::Body<T, D> {
     visit_arrays(*this, f);
   }
 
+  /// Of its arrays [B].
+  std::size_t bytes() const {
+    std::size_t sum = neighbour.bytes() + bond.bytes() + point.bytes() + force.bytes() +
+                      halo.size() * sizeof(halo[0]);
+    for_each_array([&sum](Field, auto components) {
+      for (const Buffer<T>& component : components) sum += component.bytes();
+    });
+    return sum;
+  }
+
   /// Calls f(slot) for every node, in the order of the slots.
   template <class F>
   void for_each_node(F&& f) const {
@@ -125,6 +135,13 @@ struct Body : undeformed::Body<T, D> {
   std::int64_t slot_of(const NodeBlock& block, int local) const {
     return local < block.count ? block.first + local
                                : halo[block.first_halo + (local - block.count)];
+  }
+
+  /// Local number in a block of one of its slots or of a slot of its halo.
+  std::int64_t local_number(const NodeBlock& block, std::int64_t slot) const {
+    if (slot >= block.first && slot < block.first + block.count) return slot - block.first;
+    const auto begin = halo.begin() + block.first_halo;
+    return block.count + (std::lower_bound(begin, begin + block.halo_count, slot) - begin);
   }
 
   /// Local number of a neighbour in the block of the node.

@@ -3,8 +3,10 @@
 #include <Eigen/Dense>
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "engine/point_based/node_state.hpp"
+#include "engine/point_based/parameters.hpp"
 #include "engine/point_based/surface.hpp"
 
 namespace pliant::point_based {
@@ -30,11 +32,6 @@ Matrix<D> kept_gradient(const Body<T, D>& body, std::int64_t slot) {
 template <class T, int D>
 void keep(const Matrix<D>& kept, std::int64_t slot, Body<T, D>& body) {
   for (int c = 0; c < D * D; ++c) body.kept_gradient[c][slot] = static_cast<T>(kept(c / D, c % D));
-}
-
-template <class T, int D>
-bool is_relaxing(const Body<T, D>& body, std::int64_t slot) {
-  return kept_gradient(body, slot) != Matrix<D>::Identity();
 }
 
 template <int D>
@@ -66,6 +63,15 @@ BondRows rows_of(const BondChoice<D>& choice, const Body<T, D>& body) {
 }
 
 template <class T, int D>
+std::vector<std::int32_t> first_slots(const Body<T, D>& body) {
+  std::vector<std::int32_t> first;
+  first.reserve(body.blocks.size());
+  for (const NodeBlock& block : body.blocks)
+    first.push_back(static_cast<std::int32_t>(block.first));
+  return first;
+}
+
+template <class T, int D>
 std::vector<double> sizes_of(const Body<T, D>& body) {
   std::vector<double> sizes(body.slots, body.resolution);
   body.for_each_node([&](std::int64_t slot) {
@@ -81,78 +87,175 @@ BodyCuts<T, D>::BodyCuts(const Case& settings, int body_number, BondChoice<D> ch
                          const Body<T, D>& body)
     : choice_(std::move(choice)),
       least_advance_(advance_over_resolution * body.resolution),
-      bonds_(body.start, sizes_of(body), rows_of(choice_, body),
-             static_cast<CutRule>(settings.point_based.cut_rule),
-             inside_of<D>(body.source->geometry, inside_over_resolution * body.resolution)) {
-  for (const CutCase& cut : settings.cuts) {
-    if (cut.body == body_number) blades_.push_back({cut, -1, {}, false});
+      bonds_(body.start, sizes_of(body), rows_of(choice_, body), parameters_of(settings).cut_rule,
+             inside_of<D>(body.source->geometry, inside_over_resolution * body.resolution),
+             first_slots(body)),
+      blocks_(body.blocks.size()) {
+  for (std::size_t c = 0; c < settings.cuts.size(); ++c) {
+    if (settings.cuts[c].body == body_number) {
+      blades_.push_back({.number = c, .source = settings.cuts[c], .station = {}, .target = {}});
+    }
   }
 }
 
 template <class T, int D>
-std::vector<MaterialPoint<D>> BodyCuts<T, D>::edge_at(const CutCase& source, double time) const {
-  MaterialPoint<D> from, to;
+bool BodyCuts<T, D>::is_relaxing(const Body<T, D>& body, std::int64_t slot) {
+  return kept_gradient(body, slot) != Matrix<D>::Identity();
+}
+
+template <class T, int D>
+auto BodyCuts<T, D>::edge_at(const CutCase& source, double time) -> const Station& {
+  edge_.resize(D - 1);
   for (int a = 0; a < D; ++a) {
     const double moved = source.path[a](time);
-    from[a] = source.from[a] + moved;
-    to[a] = source.to[a] + moved;
+    edge_.front()[a] = source.from[a] + moved;
+    if constexpr (D == 3) edge_.back()[a] = source.to[a] + moved;
   }
-  if constexpr (D == 2) return {from};
-  return {from, to};
+  return edge_;
 }
 
 template <class T, int D>
-const std::vector<std::int32_t>& BodyCuts<T, D>::move(std::size_t b, double time) {
+auto BodyCuts<T, D>::blade_of(std::size_t cut) -> Blade& {
+  return *std::find_if(blades_.begin(), blades_.end(),
+                       [cut](const Blade& blade) { return blade.number == cut; });
+}
+
+template <class T, int D>
+void BodyCuts<T, D>::put_blade(std::size_t cut, const Point<D>& from, const Point<D>& to,
+                               const Body<T, D>& body) {
+  Blade& blade = blade_of(cut);
+  if (!std::exchange(blade.is_put, true)) end_cut(blade);
+  std::size_t points = blade.cut < 0 ? 0 : blade.station.size();
+  if (points == 0 && D == 2) points = 1;
+  if (points == 0) {
+    double square = 0;
+    for (int a = 0; a < D; ++a) square += (to[a] - from[a]) * (to[a] - from[a]);
+    points =
+        1 + static_cast<std::size_t>(std::max(1., std::ceil(std::sqrt(square) / body.resolution)));
+  }
+  blade.target.clear();
+  for (std::size_t k = 0; k < points; ++k) {
+    Point<D> x = from;
+    const double share = points > 1 ? static_cast<double>(k) / static_cast<double>(points - 1) : 0;
+    for (int a = 0; a < D; ++a) x[a] += share * (to[a] - from[a]);
+    blade.target.push_back(tissue_at<T, D>(body, bonds_.cuts(), x));
+  }
+}
+
+template <class T, int D>
+void BodyCuts<T, D>::lift_blade(std::size_t cut) {
+  Blade& blade = blade_of(cut);
+  blade.is_put = true;
+  blade.target.clear();
+  end_cut(blade);
+}
+
+template <class T, int D>
+void BodyCuts<T, D>::end_cut(Blade& blade) {
+  if (blade.cut < 0) return;
+  blade.cut = -1;
+  moves_.blade.push_back(&blade - blades_.data());
+  moves_.points.push_back(0);
+  moves_.time.push_back(moves_.time.back());
+}
+
+template <class T, int D>
+void BodyCuts<T, D>::move_blade(std::size_t b, const Station& station, double time) {
   Blade& blade = blades_[b];
   if (blade.cut < 0) blade.cut = bonds_.add_cut();
-  blade.station = edge_at(blade.source, time);
-  blade.is_done = time >= blade.source.end;
-  moved_blade_.push_back(static_cast<std::int64_t>(b));
-  moved_time_.push_back(time);
-  return bonds_.advance(blade.cut, blade.station);
+  blade.station = station;
+  moves_.blade.push_back(static_cast<std::int64_t>(b));
+  moves_.points.push_back(static_cast<std::int64_t>(station.size()));
+  for (const MaterialPoint<D>& x : station) {
+    moves_.place.insert(moves_.place.end(), x.begin(), x.end());
+  }
+  moves_.time.push_back(time);
+  if (!has_moved_) bonds_.begin_moves();
+  has_moved_ = true;
+  bonds_.move(blade.cut, blade.station);
 }
 
 template <class T, int D>
-double BodyCuts<T, D>::advance(double time, Body<T, D>& body) {
-  double added = 0;
-  for (std::size_t b = 0; b < blades_.size(); ++b) {
-    const Blade& blade = blades_[b];
-    if (blade.is_done || time < blade.source.start) continue;
-    const double at = std::min(time, blade.source.end);
-    if (blade.cut >= 0 && at < blade.source.end) {
-      const auto edge = edge_at(blade.source, at);
-      double farthest = 0;
-      for (std::size_t k = 0; k < edge.size(); ++k) {
-        double square = 0;
-        for (int a = 0; a < D; ++a) {
-          square += (edge[k][a] - blade.station[k][a]) * (edge[k][a] - blade.station[k][a]);
-        }
-        farthest = std::max(farthest, std::sqrt(square));
-      }
-      if (farthest < least_advance_) continue;
+bool BodyCuts<T, D>::is_far(const Blade& blade, const Station& edge) const {
+  double farthest = 0;
+  for (std::size_t k = 0; k < edge.size(); ++k) {
+    double square = 0;
+    for (int a = 0; a < D; ++a) {
+      square += (edge[k][a] - blade.station[k][a]) * (edge[k][a] - blade.station[k][a]);
     }
-    for (const std::int32_t slot : move(b, at)) {
-      added += change_bonds_of(slot, body);
-      if (is_relaxing(body, slot)) relaxing_.push_back(slot);
+    farthest = std::max(farthest, std::sqrt(square));
+  }
+  return farthest >= least_advance_;
+}
+
+template <class T, int D>
+void BodyCuts<T, D>::move_by_case(std::size_t b, double time) {
+  Blade& blade = blades_[b];
+  if (blade.is_done || time < blade.source.start) return;
+  const bool ends = time >= blade.source.end;
+  const Station& edge = edge_at(blade.source, std::min(time, blade.source.end));
+  if (blade.cut >= 0 && !ends && !is_far(blade, edge)) return;
+  move_blade(b, edge, time);
+  blade.is_done = ends;
+}
+
+template <class T, int D>
+void BodyCuts<T, D>::move_by_caller(std::size_t b, double time) {
+  Blade& blade = blades_[b];
+  if (blade.target.empty() || (blade.cut >= 0 && !is_far(blade, blade.target))) return;
+  move_blade(b, blade.target, time);
+  blade.target.clear();
+}
+
+template <class T, int D>
+void BodyCuts<T, D>::move(double time) {
+  has_moved_ = false;
+  for (std::size_t b = 0; b < blades_.size(); ++b) {
+    if (blades_[b].is_put) {
+      move_by_caller(b, time);
+    } else {
+      move_by_case(b, time);
     }
   }
-  std::sort(relaxing_.begin(), relaxing_.end());
-  relaxing_.erase(std::unique(relaxing_.begin(), relaxing_.end()), relaxing_.end());
+}
+
+template <class T, int D>
+void BodyCuts<T, D>::update(int block, Body<T, D>& body) {
+  BlockCuts& cuts = blocks_[block];
+  relax(cuts, body);
+  if (!has_moved_) return;
+  const std::vector<std::int32_t>& changed = bonds_.update(static_cast<std::size_t>(block));
+  for (const std::int32_t slot : changed) {
+    change_bonds_of(slot, cuts, body);
+    if (is_relaxing(body, slot)) cuts.relaxing.push_back(slot);
+  }
+  std::sort(cuts.relaxing.begin(), cuts.relaxing.end());
+  cuts.relaxing.erase(std::unique(cuts.relaxing.begin(), cuts.relaxing.end()), cuts.relaxing.end());
+}
+
+template <class T, int D>
+double BodyCuts<T, D>::fold() {
+  double added = 0;
+  for (BlockCuts& cuts : blocks_) added += std::exchange(cuts.added, 0);
   return added;
 }
 
 template <class T, int D>
-double BodyCuts<T, D>::change_bonds_of(std::int32_t slot, Body<T, D>& body) {
+void BodyCuts<T, D>::change_bonds_of(std::int32_t slot, BlockCuts& cuts, Body<T, D>& body) {
   constexpr double least_volume_ratio = 0.05;
   const NodeBlock& block = body.block_of(slot);
-  const NodeState<D> before = node_state(body, block, slot);
+  const NodeFit<D> before = node_fit(body, block, slot);
+  const auto gradient = with_kept(body, slot, before.gradient);
+  cuts.added -= before.stabilisation + strain_energy(body, block, slot, gradient);
   set_bonds_of(slot, body);
   keep<T, D>(Matrix<D>::Identity(), slot, body);
-  const Matrix<D> fit = matrix<D>(present_gradient(body, block, slot));
+  const NodeFit<D> after = node_fit(body, block, slot);
+  const Matrix<D> fit = matrix<D>(after.gradient);
   if (body.volume[slot] > 0 && fit.determinant() > least_volume_ratio) {
-    keep<T, D>(fit.inverse() * matrix<D>(before.gradient), slot, body);
+    keep<T, D>(fit.inverse() * matrix<D>(gradient), slot, body);
   }
-  return node_state(body, block, slot).energy - before.energy;
+  cuts.added +=
+      after.stabilisation + strain_energy(body, block, slot, with_kept(body, slot, after.gradient));
 }
 
 template <class T, int D>
@@ -163,49 +266,23 @@ void BodyCuts<T, D>::set_bonds_of(std::int32_t slot, Body<T, D>& body) {
 
 // Of the way to I, as much as does not raise the energy now.
 template <class T, int D>
-double BodyCuts<T, D>::relax(Body<T, D>& body) {
-  double added = 0;
+void BodyCuts<T, D>::relax(BlockCuts& cuts, Body<T, D>& body) {
   const Matrix<D> identity = Matrix<D>::Identity();
-  for (const std::int32_t slot : relaxing_) {
+  for (const std::int32_t slot : cuts.relaxing) {
     const Matrix<D> kept = kept_gradient(body, slot);
-    const Matrix<D> present = matrix<D>(present_gradient(body, body.block_of(slot), slot));
-    const Matrix<D> fit = present * kept.inverse();
-    const double energy = energy_of<T, D>(body, present);
+    const Matrix<D> fit = matrix<D>(fitted_gradient(body, body.block_of(slot), slot));
+    const double energy = energy_of<T, D>(body, fit * kept);
     double step = (kept - identity).cwiseAbs().maxCoeff() < relaxed ? 1 : longest_step;
     for (int i = 0; i < halvings; ++i, step /= 2) {
       const Matrix<D> next = kept + step * (identity - kept);
       const double relaxed_energy = energy_of<T, D>(body, fit * next);
       if (relaxed_energy > energy) continue;
-      added += body.volume[slot] * (relaxed_energy - energy);
+      cuts.added += body.volume[slot] * (relaxed_energy - energy);
       keep<T, D>(next, slot, body);
       break;
     }
   }
-  std::erase_if(relaxing_, [&](std::int32_t slot) { return !is_relaxing(body, slot); });
-  return added;
-}
-
-template <class T, int D>
-void BodyCuts<T, D>::put(ArchiveWriter& archive, const std::string& name) const {
-  archive.put(name + "/blade", std::span<const std::int64_t>(moved_blade_));
-  archive.put(name + "/time", std::span<const double>(moved_time_));
-}
-
-template <class T, int D>
-void BodyCuts<T, D>::get(const ArchiveReader& archive, const std::string& name, Body<T, D>& body) {
-  const auto blade = archive.get<std::int64_t>(name + "/blade");
-  const auto time = archive.get<double>(name + "/time");
-  std::vector<std::int32_t> changed;
-  for (std::size_t i = 0; i < blade.size(); ++i) {
-    const auto& nodes = move(static_cast<std::size_t>(blade[i]), time[i]);
-    changed.insert(changed.end(), nodes.begin(), nodes.end());
-  }
-  std::sort(changed.begin(), changed.end());
-  changed.erase(std::unique(changed.begin(), changed.end()), changed.end());
-  for (const std::int32_t slot : changed) {
-    set_bonds_of(slot, body);
-    if (is_relaxing(body, slot)) relaxing_.push_back(slot);
-  }
+  std::erase_if(cuts.relaxing, [&](std::int32_t slot) { return !is_relaxing(body, slot); });
 }
 
 template class BodyCuts<double, 2>;

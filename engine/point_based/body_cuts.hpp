@@ -6,11 +6,12 @@
 #include "engine/output/archive.hpp"
 #include "engine/point_based/bonds.hpp"
 #include "engine/point_based/cutting/cut_bonds.hpp"
+#include "engine/point_based/cutting/tissue_at.hpp"
 
 namespace pliant::point_based {
 
-/// The cuts of a case in one body. A blade moves between steps; the nodes whose bonds it changes
-/// get their bonds anew, and only those.
+/// The cuts of a case in one body. Blades move between steps; in a step, the nodes whose bonds they
+/// change get their bonds anew, and only those, block by block.
 ///
 /// New bonds would see another deformation than the old ones, and so change the strain energy at
 /// once. A node therefore keeps the gradient that it had, F_fit D with D = F_fit^-1 F_old, and D
@@ -21,12 +22,20 @@ class BodyCuts {
   /// Of the cuts whose body has this number. Keeps `choice`.
   BodyCuts(const Case& settings, int body_number, BondChoice<D> choice, const Body<T, D>& body);
 
-  /// Moves the blades on to where they are at `time` [s]; returns how much strain energy that adds
-  /// [J].
-  double advance(double time, Body<T, D>& body);
-  /// Relaxes the gradients that nodes have kept, by one step; returns the same, which is never
-  /// positive.
-  double relax(Body<T, D>& body);
+  /// Moves the blades on to where they are at `time` [s], or to where callers have put them.
+  void move(double time);
+  /// Puts the edge of a cut of the case from `from` to `to`, present places [m], in 2D the first of
+  /// them; in the place of what the case says, from the next `move` on. The edge is followed in the
+  /// undeformed body by points no farther apart than the nodes. `cut` is one of this body.
+  void put_blade(std::size_t cut, const Point<D>& from, const Point<D>& to, const Body<T, D>& body);
+  /// The blade leaves the body from where it was in the last step: where it comes back, a new cut
+  /// begins.
+  void lift_blade(std::size_t cut);
+  /// Relaxes the gradients that nodes of a block have kept, by one step, and lets its bonds follow
+  /// the blades. Blocks do not depend on each other.
+  void update(int block, Body<T, D>& body);
+  /// By how much all blocks together have changed the strain energy since the last call [J].
+  double fold();
 
   /// What the blades have cut so far.
   std::span<const CutSurface<D>> surfaces() const { return bonds_.cuts(); }
@@ -36,27 +45,52 @@ class BodyCuts {
   void get(const ArchiveReader& archive, const std::string& name, Body<T, D>& body);
 
  private:
+  using Station = std::vector<MaterialPoint<D>>;
   struct Blade {
+    std::size_t number;  ///< in the case
     CutCase source;
     std::int32_t cut = -1;  ///< -1 before it cuts
-    std::vector<MaterialPoint<D>> station;
+    Station station;
     bool is_done = false;
+    bool is_put = false;  ///< by callers: the case moves it no more
+    Station target;       ///< where callers have put it; empty: nowhere new
+  };
+  struct BlockCuts {
+    std::vector<std::int32_t> relaxing;  ///< slots, ascending
+    double added = 0;                    ///< strain energy [J]
+  };
+  /// What blades have done, move by move, for restarts.
+  struct Moves {
+    std::vector<std::int64_t> blade;
+    std::vector<std::int64_t> points;  ///< of the station; 0: the blade leaves
+    std::vector<double> place;         ///< of these points, one after another [m]
+    std::vector<double> time;          ///< [s]; moves of one time are followed together
   };
 
-  std::vector<MaterialPoint<D>> edge_at(const CutCase& source, double time) const;
-  /// Returns the nodes whose bonds have changed.
-  const std::vector<std::int32_t>& move(std::size_t blade, double time);
-  /// Gives a node its bonds anew; returns how much strain energy that adds [J].
-  double change_bonds_of(std::int32_t slot, Body<T, D>& body);
+  static bool is_relaxing(const Body<T, D>& body, std::int64_t slot);
+  /// Good until the next call.
+  const Station& edge_at(const CutCase& source, double time);
+  Blade& blade_of(std::size_t cut);
+  bool is_far(const Blade& blade, const Station& edge) const;
+  void move_by_case(std::size_t blade, double time);
+  void move_by_caller(std::size_t blade, double time);
+  void move_blade(std::size_t blade, const Station& station, double time);
+  void end_cut(Blade& blade);
+  /// Returns the slots of each block whose bonds have changed.
+  std::vector<std::vector<std::int32_t>> repeat(const Moves& moves);
+  void relax(BlockCuts& cuts, Body<T, D>& body);
+  /// Gives a node its bonds anew.
+  void change_bonds_of(std::int32_t slot, BlockCuts& cuts, Body<T, D>& body);
   void set_bonds_of(std::int32_t slot, Body<T, D>& body);
 
   BondChoice<D> choice_;
   double least_advance_;  ///< [m]
   CutBonds<D> bonds_;
   std::vector<Blade> blades_;
-  std::vector<std::int64_t> moved_blade_;  ///< blades in the order of their moves, and when [s]
-  std::vector<double> moved_time_;
-  std::vector<std::int32_t> relaxing_, none_;  ///< slots
+  Moves moves_;
+  Station edge_;            ///< room for edge_at
+  bool has_moved_ = false;  ///< in this step
+  std::vector<BlockCuts> blocks_;
 };
 
 extern template class BodyCuts<double, 2>;

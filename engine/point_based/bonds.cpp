@@ -18,36 +18,43 @@ constexpr double support_over_distance = 1.05;  // of the nearest node that is n
 constexpr int lanes = kernels::slots_per_pack;
 
 // A block's halo in ascending order: what it collects for one other block lies together.
-template <class T, int D>
-void find_halos(const BondChoice<D>& choice, Body<T, D>& body) {
+// `for_each_neighbour(slot, f)` calls f(slot) for all that may become neighbours of a node.
+template <class T, int D, class F>
+void find_halos(Body<T, D>& body, F&& for_each_neighbour) {
   body.halo.clear();
   for (NodeBlock& block : body.blocks) {
     std::vector<std::int32_t> halo;
     for (int i = 0; i < block.nodes; ++i) {
-      const auto& candidates = choice.candidates[body.number[block.first + i]];
-      const std::size_t count = choice.may_change
-                                    ? candidates.size()
-                                    : std::min<std::size_t>(candidates.size(), choice.neighbours);
-      for (std::size_t k = 0; k < count; ++k) {
-        const std::int64_t slot = choice.slot_of[candidates[k].node];
+      for_each_neighbour(block.first + i, [&](std::int64_t slot) {
         const bool is_own = slot >= block.first && slot < block.first + block.count;
         if (!is_own) halo.push_back(static_cast<std::int32_t>(slot));
-      }
+      });
     }
     std::sort(halo.begin(), halo.end());
     halo.erase(std::unique(halo.begin(), halo.end()), halo.end());
     block.first_halo = static_cast<std::int64_t>(body.halo.size());
     block.halo_count = static_cast<int>(halo.size());
     body.halo.insert(body.halo.end(), halo.begin(), halo.end());
+    constexpr int most_points = std::numeric_limits<std::uint16_t>::max() / kernels::point_stride;
+    if (block.count + block.halo_count > most_points) {
+      throw InputError(
+          fmt::format("the nodes of body `{}` are too uneven: a block of {} nodes has "
+                      "{} neighbours",
+                      body.name, block.nodes, block.halo_count));
+    }
   }
 }
 
+// Once halos are known.
 template <class T, int D>
-std::int64_t local_number(const Body<T, D>& body, const NodeBlock& block, std::int64_t slot) {
-  if (slot >= block.first && slot < block.first + block.count) return slot - block.first;
-  const auto first = body.halo.begin() + block.first_halo;
-  const auto at = std::lower_bound(first, first + block.halo_count, slot);
-  return block.count + (at - first);
+void make_room_for_bonds(int bonds, Body<T, D>& body) {
+  body.bonds = bonds;
+  const auto points = body.slots + static_cast<std::int64_t>(body.halo.size());
+  body.point.grow(points * kernels::point_stride, T(0));
+  body.force.grow(points * kernels::point_stride, T(0));
+  body.bond.grow(body.slots * body.bonds * (D + 1), T(0));
+  body.neighbour.grow(body.slots * body.bonds, 0);
+  body.degenerate.assign(body.blocks.size(), {});
 }
 
 /// Neighbours of a node, and their weights.
@@ -73,7 +80,8 @@ Chosen choose(const BondChoice<D>& choice, std::span<const double> factors, std:
   for (const std::size_t k : taken) {
     if (candidates[k].distance >= support) continue;
     chosen.slot.push_back(choice.slot_of[candidates[k].node]);
-    chosen.weight.push_back(factor(k) * bond_weight(candidates[k].distance / support));
+    const double correction = choice.correction.empty() ? 1 : choice.correction[node][k];
+    chosen.weight.push_back(correction * factor(k) * bond_weight(candidates[k].distance / support));
   }
   return chosen;
 }
@@ -114,6 +122,23 @@ void connect_blocks(Body<T, D>& body) {
   for (auto& list : near) {
     std::sort(list.begin(), list.end());
     list.erase(std::unique(list.begin(), list.end()), list.end());
+  }
+}
+
+template <class T, int D>
+void write_bonds(const NodeBlock& block, std::int64_t slot, const GivenBonds<D>& bonds,
+                 std::span<const double> weights, Body<T, D>& body) {
+  const std::int64_t pack = slot / lanes, lane = slot % lanes;
+  for (int k = 0; k < body.bonds; ++k) {
+    const std::int64_t at = pack * body.bonds + k;
+    // Bonds of no weight lead back to the node itself.
+    const bool exists = k < static_cast<int>(bonds.slot.size());
+    const std::int64_t number = body.local_number(block, exists ? bonds.slot[k] : slot);
+    body.neighbour[at * lanes + lane] = static_cast<std::uint16_t>(kernels::point_stride * number);
+    T* const to = &body.bond[at * (D + 1) * lanes + lane];
+    for (int a = 0; a < D; ++a)
+      to[a * lanes] = exists ? static_cast<T>(bonds.gradient[k][a]) : T(0);
+    to[D * lanes] = exists ? static_cast<T>(weights[k]) : T(0);
   }
 }
 
@@ -160,6 +185,11 @@ std::vector<std::vector<typename NearestNodes<D>::Found>> find_candidates(const 
   return candidates;
 }
 
+template <int D>
+std::vector<double> weights_of(const BondChoice<D>& choice, std::int64_t node) {
+  return choose(choice, {}, node).weight;
+}
+
 template <class T, int D>
 void set_bonds(const BondChoice<D>& choice, std::span<const double> factors, std::int64_t slot,
                Body<T, D>& body) {
@@ -180,40 +210,40 @@ void set_bonds(const BondChoice<D>& choice, std::span<const double> factors, std
   for (int c = 0; c < Body<T, D>::symmetric; ++c) {
     body.moment[c][slot] = static_cast<T>(made.moment[c]);
   }
-  const std::int64_t pack = slot / lanes, lane = slot % lanes;
-  for (int k = 0; k < body.bonds; ++k) {
-    const std::int64_t at = pack * body.bonds + k;
-    // Bonds of no weight lead back to the node itself.
-    const bool exists = k < static_cast<int>(bonds.size());
-    const std::int64_t number = local_number(body, block, exists ? chosen.slot[k] : slot);
-    body.neighbour[at * lanes + lane] = static_cast<std::uint16_t>(kernels::point_stride * number);
-    T* const to = &body.bond[at * (D + 1) * lanes + lane];
-    for (int a = 0; a < D; ++a) to[a * lanes] = exists ? static_cast<T>(made.gradient[k][a]) : T(0);
-    to[D * lanes] = exists ? static_cast<T>(chosen.weight[k]) : T(0);
-  }
+  write_bonds<T, D>(block, slot, {chosen.slot, made.gradient}, chosen.weight, body);
 }
 
 template <class T, int D>
 void make_bonds(const BondChoice<D>& choice, Body<T, D>& body) {
   std::size_t most = 0;
   for (const auto& list : choice.candidates) most = std::max(most, list.size());
-  body.bonds = std::min(static_cast<int>(most), choice.neighbours);
-  find_halos(choice, body);
-  const auto points = body.slots + static_cast<std::int64_t>(body.halo.size());
-  body.point.grow(points * kernels::point_stride, T(0));
-  body.force.grow(points * kernels::point_stride, T(0));
-  body.bond.grow(body.slots * body.bonds * (D + 1), T(0));
-  body.neighbour.grow(body.slots * body.bonds, 0);
-  body.degenerate.assign(body.blocks.size(), {});
+  find_halos(body, [&](std::int64_t slot, auto&& f) {
+    const auto& candidates = choice.candidates[body.number[slot]];
+    const std::size_t count = choice.may_change
+                                  ? candidates.size()
+                                  : std::min<std::size_t>(candidates.size(), choice.neighbours);
+    for (std::size_t k = 0; k < count; ++k) f(choice.slot_of[candidates[k].node]);
+  });
+  make_room_for_bonds(std::min(static_cast<int>(most), choice.neighbours), body);
   for (const NodeBlock& block : body.blocks) {
-    constexpr int most_points = std::numeric_limits<std::uint16_t>::max() / kernels::point_stride;
-    if (block.count + block.halo_count > most_points) {
-      throw InputError(
-          fmt::format("the nodes of body `{}` are too uneven: a block of {} nodes has "
-                      "{} neighbours",
-                      body.name, block.nodes, block.halo_count));
-    }
     for (int i = 0; i < block.nodes; ++i) set_bonds<T, D>(choice, {}, block.first + i, body);
+  }
+  connect_blocks(body);
+}
+
+template <class T, int D>
+void make_bonds(const std::vector<GivenBonds<D>>& bonds, Body<T, D>& body) {
+  std::size_t most = 0;
+  for (const GivenBonds<D>& of_node : bonds) most = std::max(most, of_node.slot.size());
+  find_halos(body, [&](std::int64_t slot, auto&& f) {
+    for (const std::int64_t neighbour : bonds[slot].slot) f(neighbour);
+  });
+  make_room_for_bonds(static_cast<int>(most), body);
+  const std::vector<double> weights(most, 1);
+  for (const NodeBlock& block : body.blocks) {
+    for (int i = 0; i < block.nodes; ++i) {
+      write_bonds<T, D>(block, block.first + i, bonds[block.first + i], weights, body);
+    }
   }
   connect_blocks(body);
 }
@@ -226,16 +256,22 @@ template std::vector<std::vector<NearestNodes<2>::Found>> find_candidates<2>(con
 template std::vector<std::vector<NearestNodes<3>::Found>> find_candidates<3>(const NodeCloud<3>&,
                                                                              int,
                                                                              const std::string&);
+template std::vector<double> weights_of(const BondChoice<2>&, std::int64_t);
+template std::vector<double> weights_of(const BondChoice<3>&, std::int64_t);
 template void make_bonds(const BondChoice<2>&, Body<double, 2>&);
+template void make_bonds(const std::vector<GivenBonds<2>>&, Body<double, 2>&);
 template void set_bonds(const BondChoice<2>&, std::span<const double>, std::int64_t,
                         Body<double, 2>&);
 template void make_bonds(const BondChoice<3>&, Body<double, 3>&);
+template void make_bonds(const std::vector<GivenBonds<3>>&, Body<double, 3>&);
 template void set_bonds(const BondChoice<3>&, std::span<const double>, std::int64_t,
                         Body<double, 3>&);
 template void make_bonds(const BondChoice<2>&, Body<float, 2>&);
+template void make_bonds(const std::vector<GivenBonds<2>>&, Body<float, 2>&);
 template void set_bonds(const BondChoice<2>&, std::span<const double>, std::int64_t,
                         Body<float, 2>&);
 template void make_bonds(const BondChoice<3>&, Body<float, 3>&);
+template void make_bonds(const std::vector<GivenBonds<3>>&, Body<float, 3>&);
 template void set_bonds(const BondChoice<3>&, std::span<const double>, std::int64_t,
                         Body<float, 3>&);
 

@@ -17,8 +17,10 @@ struct BondChoice {
   std::vector<std::vector<Found>> candidates;  ///< [node of the cloud] nearest first
   std::vector<std::int64_t> slot_of;           ///< [node of the cloud]
   int neighbours = 0;                          ///< of each node, at most
-  double support = 0;       ///< h of (PB.2) [m]; infinite: from the next candidate
-  double alpha = 0;         ///< strength of the stabilisation (PB.5)
+  double support = 0;  ///< h of (PB.2) [m]; infinite: from the next candidate
+  double alpha = 0;    ///< strength of the stabilisation (PB.5)
+  /// [node of the cloud][candidate] factors of the weights, (PB.17); none: all are 1.
+  std::vector<std::vector<double>> correction;
   bool may_change = false;  ///< any candidate may become a neighbour when others are cut off
 };
 
@@ -34,10 +36,25 @@ std::vector<std::vector<typename NearestNodes<D>::Found>> find_candidates(const 
                                                                           int count,
                                                                           const std::string& body);
 
+/// Weights of the bonds of a node to its first candidates, (PB.2).
+template <int D>
+std::vector<double> weights_of(const BondChoice<D>& choice, std::int64_t node);
+
 /// Bonds between the nodes of a body whose blocks, places and volumes are known, (PB.2)-(PB.3):
 /// neighbours, gradients, moments, halos, and which blocks are near each other.
 template <class T, int D>
 void make_bonds(const BondChoice<D>& choice, Body<T, D>& body);
+
+/// Bonds of a node that do not follow from (PB.2)-(PB.3).
+template <int D>
+struct GivenBonds {
+  std::vector<std::int64_t> slot;  ///< of the neighbours
+  std::vector<Point<D>> gradient;  ///< g_ij [1/m]
+};
+
+/// The same with given bonds, [slot], all of weight 1, and without stabilisation.
+template <class T, int D>
+void make_bonds(const std::vector<GivenBonds<D>>& bonds, Body<T, D>& body);
 
 /// Bonds of one node: to the nearest of its candidates whose factor is not 0. `factors`, one for
 /// each candidate, multiply weights; none: all are 1.

@@ -2,32 +2,15 @@
 
 #include <fmt/format.h>
 
-#include "engine/case/check.hpp"
+#include "engine/point_based/cut_resolution.hpp"
+#include "engine/point_based/footprint.hpp"
 #include "engine/point_based/observe/measure.hpp"
+#include "engine/point_based/parameters.hpp"
 #include "engine/point_based/solver.hpp"
 
 namespace pliant::point_based {
 
 namespace {
-
-void check_body(const Check& check, std::size_t i) {
-  const BodyCase& body = check.a_case.bodies[i];
-  if (body.material_as_given.model == MaterialCase::Model::linear) {
-    check.problems.add(check.place("body", i, "material"),
-                       fmt::format("body \"{}\" is not hyperelastic", body.name),
-                       "method point_based takes model = \"neo_hookean\", \"st_venant_kirchhoff\" "
-                       "or \"reduced_polynomial\"");
-  } else if (!body.material_as_given.prony.ratios.empty()) {
-    check.problems.add(check.place("body", i, "material"),
-                       fmt::format("body \"{}\" relaxes in time", body.name),
-                       "method point_based takes materials without prony");
-  }
-  if (body.stretch != Vector{1, 1, 1}) {
-    check.problems.add(check.place("body", i, "stretch"),
-                       fmt::format("body \"{}\" starts stretched", body.name),
-                       "method point_based starts from rest: let walls stretch it");
-  }
-}
 
 void check_cut(const Check& check, std::size_t i) {
   const CutCase& cut = check.a_case.cuts[i];
@@ -44,22 +27,73 @@ void check_cut(const Check& check, std::size_t i) {
   }
 }
 
+void check_nodes(const Check& check) {
+  const Case& a_case = check.a_case;
+  const Parameters& given = parameters_of(a_case);
+  const int asked = given.neighbours, least = a_case.dimension + 1;
+  if (asked > 0 && asked < least) {
+    check.problems.add(
+        check.place("point_based", "neighbours"),
+        fmt::format("{} neighbours are too few for a gradient in {}D", asked, a_case.dimension),
+        fmt::format("give {} or more, or 0 for the default", least));
+  }
+  if (given.gradient == NodeGradient::patch_exact && !a_case.cuts.empty()) {
+    check.problems.add(check.place("point_based", "gradient"),
+                       "gradient = \"patch_exact\" needs all bonds of a body, and cuts take some",
+                       "take the cuts out, or gradient = \"moving_least_squares\"");
+  }
+}
+
 void check(const Check& check) {
   const Case& a_case = check.a_case;
-  refuse_tables(check, {"remeshing", "level_set", "ghosts", "periodic", "contact"});
+  check_nodes(check);
+  refuse_tables(check, {"periodic", "contact"});
   for (std::size_t i = 0; i < a_case.cuts.size(); ++i) check_cut(check, i);
   for (std::size_t i = 0; i < a_case.bodies.size(); ++i) check_body(check, i);
   refuse_measurements(check, Measurer<double, 2>::is_measured);
 }
 
+// The limit of (PB.12) needs the nodes, which only the solver knows.
+StepLimits step_limits(const Case&) {
+  StepLimits limits;
+  limits.stable_cfl = 1;
+  limits.default_cfl = 0.5;
+  return limits;
+}
+
 }  // namespace
 
+void check_body(const Check& check, std::size_t i) {
+  const BodyCase& body = check.a_case.bodies[i];
+  if (body.material_as_given.model == MaterialCase::Model::linear) {
+    check.problems.add(check.place("body", i, "material"),
+                       fmt::format("body \"{}\" is not hyperelastic", body.name),
+                       fmt::format("method {} takes model = \"neo_hookean\", "
+                                   "\"st_venant_kirchhoff\" or \"reduced_polynomial\"",
+                                   check.a_case.method));
+  } else if (!body.material_as_given.prony.ratios.empty()) {
+    check.problems.add(check.place("body", i, "material"),
+                       fmt::format("body \"{}\" relaxes in time", body.name),
+                       fmt::format("method {} takes materials without prony", check.a_case.method));
+  }
+  if (body.stretch != Vector{1, 1, 1}) {
+    check.problems.add(
+        check.place("body", i, "stretch"), fmt::format("body \"{}\" starts stretched", body.name),
+        fmt::format("method {} starts from rest: let walls stretch it", check.a_case.method));
+  }
+}
+
 RegisteredMethod method() {
-  return {{"point_based",
-           "nodes of the undeformed body with moving least squares (PB.3), in real time; "
-           "hyperelastic materials only",
-           check},
-          make_solver<Solver>};
+  return {
+      {.word = "point_based",
+       .meaning = "nodes of the undeformed body with moving least squares (PB.3), in real time; "
+                  "hyperelastic materials only",
+       .check = check,
+       .keys = visit_keys,
+       .step_limits = step_limits,
+       .warning = resolution_warning,
+       .footprint = footprint},
+      make_solver<Solver>};
 }
 
 }  // namespace pliant::point_based

@@ -70,8 +70,8 @@ void NodeLoads<T, D>::load(int block) {
   for (PressedNode<D>& node : body.pressed[local]) press(body, range, node);
 }
 
-// The kernels evaluate the force of a pressure from its product with the undeformed area; the same
-// force is kept for its power.
+// Where there are bonds, their kernel evaluates the force of a pressure from its product with the
+// undeformed area; the same force is kept for its power.
 template <class T, int D>
 void NodeLoads<T, D>::press(Body<T, D>& body, const NodeBlock& block, PressedNode<D>& node) const {
   const SurfacePressure<D>& load = state_.boundaries.pressures[node.pressure];
@@ -79,8 +79,12 @@ void NodeLoads<T, D>::press(Body<T, D>& body, const NodeBlock& block, PressedNod
     const double pressure = values_.pressure[node.pressure];
     const auto area = present_area(body, block, node);
     for (int a = 0; a < D; ++a) {
-      body.pressure_load[a][node.slot] += static_cast<T>(pressure * node.area[a]);
       node.force[a] = -pressure * area[a];
+      if (body.is_pressed()) {
+        body.pressure_load[a][node.slot] += static_cast<T>(pressure * node.area[a]);
+      } else {
+        body.traction[a][node.slot] += static_cast<T>(node.force[a]);
+      }
     }
     return;
   }
@@ -105,7 +109,8 @@ EnergyBudget NodeLoads<T, D>::power(int block) const {
     double value = 0;
     for (int a = 0; a < D; ++a) value += node.force[a] * body.velocity[a][node.slot];
     power.load_work += value;
-    if (state_.boundaries.pressures[node.pressure].is_traction()) of_tractions += value;
+    const bool is_pressure = !state_.boundaries.pressures[node.pressure].is_traction();
+    if (!is_pressure || !body.is_pressed()) of_tractions += value;
   }
   if (!gravity_.acts()) return power;
   const NodeBlock& range = body.blocks[local];

@@ -81,7 +81,17 @@ Tensor in_3d(const std::array<double, D * D>& f) {
   return full;
 }
 
-/// F_fit D of (PB.14).
+template <class T, int D>
+const DegenerateNode<D>* degenerate_node(const Body<T, D>& body, const NodeBlock& block,
+                                         std::int64_t slot) {
+  for (const DegenerateNode<D>& node : body.degenerate[&block - body.blocks.data()]) {
+    if (node.slot == slot) return &node;
+  }
+  return nullptr;
+}
+
+}  // namespace
+
 template <class T, int D>
 std::array<double, D * D> with_kept(const Body<T, D>& body, std::int64_t slot,
                                     const std::array<double, D * D>& fit) {
@@ -97,11 +107,8 @@ std::array<double, D * D> with_kept(const Body<T, D>& body, std::int64_t slot,
   return f;
 }
 
-}  // namespace
-
 template <class T, int D>
-NodeState<D> node_state(const Body<T, D>& body, const NodeBlock& block, std::int64_t slot) {
-  NodeState<D> state;
+NodeFit<D> node_fit(const Body<T, D>& body, const NodeBlock& block, std::int64_t slot) {
   std::array<double, D* D> h = {};
   double apart = 0;  // sum of w u_ij . u_ij
   body.for_each_bond(block, slot, [&](int, std::int64_t other, const Point<D>& g, double w) {
@@ -112,9 +119,9 @@ NodeState<D> node_state(const Body<T, D>& body, const NodeBlock& block, std::int
       for (int j = 0; j < D; ++j) h[D * i + j] += d * g[j];
     }
   });
-  std::array<double, D* D> fit = h;
+  NodeFit<D> found{h, 0};
   for (int i = 0; i < D; ++i) {
-    fit[D * i + i] += 1;
+    found.gradient[D * i + i] += 1;
     for (int j = 0; j < D; ++j) {
       // The least-squares fit leaves this of it out: tr(H A H^T).
       for (int k = 0; k < D; ++k) {
@@ -122,13 +129,25 @@ NodeState<D> node_state(const Body<T, D>& body, const NodeBlock& block, std::int
       }
     }
   }
-  state.gradient = with_kept(body, slot, fit);
-  state.energy = body.stiffness[slot] * apart / 2;
-  for (const DegenerateNode<D>& node : body.degenerate[&block - body.blocks.data()]) {
-    if (node.slot != slot) continue;
-    state.energy += degenerate_state(body, block, node).energy;
-    return state;
-  }
+  found.stabilisation = body.stiffness[slot] * apart / 2;
+  return found;
+}
+
+template <class T, int D>
+double strain_energy(const Body<T, D>& body, const NodeBlock& block, std::int64_t slot,
+                     const std::array<double, D * D>& f) {
+  const DegenerateNode<D>* const node = degenerate_node(body, block, slot);
+  if (node != nullptr) return degenerate_state(body, block, *node).energy;
+  return body.volume[slot] * strain_energy_density(body, f);
+}
+
+template <class T, int D>
+NodeState<D> node_state(const Body<T, D>& body, const NodeBlock& block, std::int64_t slot) {
+  NodeState<D> state;
+  const NodeFit<D> found = node_fit(body, block, slot);
+  state.gradient = with_kept(body, slot, found.gradient);
+  state.energy = found.stabilisation + strain_energy(body, block, slot, state.gradient);
+  if (degenerate_node(body, block, slot) != nullptr) return state;
   const Tensor f = in_3d<D>(state.gradient);
   const auto material = in_double(body.material);
   const Tensor p = piola(material, f);
@@ -143,13 +162,12 @@ NodeState<D> node_state(const Body<T, D>& body, const NodeBlock& block, std::int
     }
   }
   state.pressure = -trace / 3;
-  state.energy += body.volume[slot] * energy_density(material, f);
   return state;
 }
 
 template <class T, int D>
-std::array<double, D * D> present_gradient(const Body<T, D>& body, const NodeBlock& block,
-                                           std::int64_t slot) {
+std::array<double, D * D> fitted_gradient(const Body<T, D>& body, const NodeBlock& block,
+                                          std::int64_t slot) {
   std::array<double, D* D> fit = {};
   for (int i = 0; i < D; ++i) fit[(D + 1) * i] = 1;
   body.for_each_bond(block, slot, [&](int, std::int64_t other, const Point<D>& g, double) {
@@ -159,7 +177,13 @@ std::array<double, D * D> present_gradient(const Body<T, D>& body, const NodeBlo
       for (int j = 0; j < D; ++j) fit[D * i + j] += d * g[j];
     }
   });
-  return with_kept(body, slot, fit);
+  return fit;
+}
+
+template <class T, int D>
+std::array<double, D * D> present_gradient(const Body<T, D>& body, const NodeBlock& block,
+                                           std::int64_t slot) {
+  return with_kept(body, slot, fitted_gradient(body, block, slot));
 }
 
 template <class T, int D>
@@ -185,6 +209,34 @@ std::vector<Point<D>> present_corners(const Body<T, D>& body) {
   return place;
 }
 
+template NodeFit<2> node_fit(const Body<double, 2>&, const NodeBlock&, std::int64_t);
+template std::array<double, 4> fitted_gradient(const Body<double, 2>&, const NodeBlock&,
+                                               std::int64_t);
+template std::array<double, 4> with_kept(const Body<double, 2>&, std::int64_t,
+                                         const std::array<double, 4>&);
+template double strain_energy(const Body<double, 2>&, const NodeBlock&, std::int64_t,
+                              const std::array<double, 4>&);
+template NodeFit<3> node_fit(const Body<double, 3>&, const NodeBlock&, std::int64_t);
+template std::array<double, 9> fitted_gradient(const Body<double, 3>&, const NodeBlock&,
+                                               std::int64_t);
+template std::array<double, 9> with_kept(const Body<double, 3>&, std::int64_t,
+                                         const std::array<double, 9>&);
+template double strain_energy(const Body<double, 3>&, const NodeBlock&, std::int64_t,
+                              const std::array<double, 9>&);
+template NodeFit<2> node_fit(const Body<float, 2>&, const NodeBlock&, std::int64_t);
+template std::array<double, 4> fitted_gradient(const Body<float, 2>&, const NodeBlock&,
+                                               std::int64_t);
+template std::array<double, 4> with_kept(const Body<float, 2>&, std::int64_t,
+                                         const std::array<double, 4>&);
+template double strain_energy(const Body<float, 2>&, const NodeBlock&, std::int64_t,
+                              const std::array<double, 4>&);
+template NodeFit<3> node_fit(const Body<float, 3>&, const NodeBlock&, std::int64_t);
+template std::array<double, 9> fitted_gradient(const Body<float, 3>&, const NodeBlock&,
+                                               std::int64_t);
+template std::array<double, 9> with_kept(const Body<float, 3>&, std::int64_t,
+                                         const std::array<double, 9>&);
+template double strain_energy(const Body<float, 3>&, const NodeBlock&, std::int64_t,
+                              const std::array<double, 9>&);
 template std::array<double, 4> present_gradient(const Body<double, 2>&, const NodeBlock&,
                                                 std::int64_t);
 template std::array<double, 9> present_gradient(const Body<double, 3>&, const NodeBlock&,

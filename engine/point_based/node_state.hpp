@@ -21,6 +21,30 @@ struct NodeState {
 template <class T, int D>
 NodeState<D> node_state(const Body<T, D>& body, const NodeBlock& block, std::int64_t slot);
 
+/// What the bonds of a node make of the displacements around it.
+template <int D>
+struct NodeFit {
+  std::array<double, D* D> gradient = {};  ///< F_i of (PB.4), row by row
+  double stabilisation = 0;                ///< energy (PB.5) [J]
+};
+template <class T, int D>
+NodeFit<D> node_fit(const Body<T, D>& body, const NodeBlock& block, std::int64_t slot);
+
+/// F_i of (PB.4) alone, row by row.
+template <class T, int D>
+std::array<double, D * D> fitted_gradient(const Body<T, D>& body, const NodeBlock& block,
+                                          std::int64_t slot);
+
+/// F_i D of (PB.14): the gradient that has the strain energy of a node, from that of its bonds.
+template <class T, int D>
+std::array<double, D * D> with_kept(const Body<T, D>& body, std::int64_t slot,
+                                    const std::array<double, D * D>& fit);
+
+/// Strain energy [J] of a node at the gradient `f`.
+template <class T, int D>
+double strain_energy(const Body<T, D>& body, const NodeBlock& block, std::int64_t slot,
+                     const std::array<double, D * D>& f);
+
 /// F of (PB.4) at that node, row by row, with what it has kept at cuts (PB.14).
 template <class T, int D>
 std::array<double, D * D> present_gradient(const Body<T, D>& body, const NodeBlock& block,

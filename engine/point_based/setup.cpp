@@ -14,6 +14,8 @@
 #include "engine/point_based/lattice_nodes.hpp"
 #include "engine/point_based/nodes/mesh_nodes.hpp"
 #include "engine/point_based/nodes/octree_nodes.hpp"
+#include "engine/point_based/parameters.hpp"
+#include "engine/point_based/patch_bonds.hpp"
 #include "engine/point_based/surface.hpp"
 #include "kernels/with_scalar.hpp"
 
@@ -34,18 +36,6 @@ kernels::ElasticLaw law_of(MaterialCase::Model model) {
     default:
       return kernels::ElasticLaw::neo_hookean;
   }
-}
-
-template <int D>
-int neighbour_count(const Case& settings) {
-  constexpr int by_default = D == 2 ? 12 : 26;
-  const int asked = settings.point_based.neighbours;
-  return asked > 0 ? asked : by_default;
-}
-
-bool has_tetrahedra(const Shape& shape) {
-  return shape.kind == Shape::Kind::mesh &&
-         (shape.file.ends_with(".msh") || shape.file.ends_with(".vtk"));
 }
 
 template <class T, int D>
@@ -86,9 +76,9 @@ template <class T, int D>
 BondChoice<D> choice_of(const Case& settings, const PlacedNodes<D>& nodes, const Body<T, D>& body) {
   constexpr int candidates_per_neighbour = 3;
   BondChoice<D> choice;
-  choice.neighbours = neighbour_count<D>(settings);
+  choice.neighbours = neighbour_count(settings);
   choice.support = nodes.support;
-  choice.alpha = settings.point_based.stabilisation.value_or(nodes.alpha);
+  choice.alpha = parameters_of(settings).stabilisation.value_or(nodes.alpha);
   choice.may_change = has_cuts(settings, *body.source);
   const bool is_lattice = !std::isinf(nodes.support);
   int count = choice.neighbours;
@@ -102,10 +92,12 @@ BondChoice<D> choice_of(const Case& settings, const PlacedNodes<D>& nodes, const
 }
 
 template <class T, int D>
-void make_room(const Case& settings, const Boundaries<D>& boundaries, Body<T, D>& body) {
-  if (settings.point_based.stiffness_damping > 0) body.strain[0].grow(body.slots, T(0));
+void make_room(const Case& settings, const Boundaries<D>& boundaries, PressureForces pressures,
+               Body<T, D>& body) {
+  if (parameters_of(settings).stiffness_damping > 0) body.strain[0].grow(body.slots, T(0));
   for (const SurfacePressure<D>& load : boundaries.pressures) {
-    (load.is_traction() ? body.traction : body.pressure_load)[0].grow(body.slots, T(0));
+    const bool is_force = load.is_traction() || pressures == PressureForces::of_loads;
+    (is_force ? body.traction : body.pressure_load)[0].grow(body.slots, T(0));
   }
   const Gravity<D> gravity(settings);
   if (gravity.acts() && !gravity.is_uniform()) body.traction[0].grow(body.slots, T(0));
@@ -129,7 +121,7 @@ void hold(const Boundaries<D>& boundaries, double reach, Body<T, D>& body) {
       const double size = std::pow(body.mass[slot] / body.material.density, 1. / D);
       for (int w = 0; w < static_cast<int>(boundaries.walls.size()); ++w) {
         const Wall<D>& wall = boundaries.walls[w];
-        if (!wall.bonded() || wall.distance(x) >= reach * size + on_wall * body.resolution)
+        if (!wall.is_attached() || wall.distance(x) >= reach * size + on_wall * body.resolution)
           continue;
         const auto place = static_cast<std::int32_t>(slot);
         body.held[b].push_back({place, w, wall.slips() ? wall.normal(x) : Point<D>{}});
@@ -156,6 +148,11 @@ void set_in_motion(const BodyCase& source, const Boundaries<D>& boundaries, Body
 
 }  // namespace
 
+bool has_elements(const Shape& shape) {
+  return shape.kind == Shape::Kind::mesh &&
+         (shape.file.ends_with(".msh") || shape.file.ends_with(".vtk"));
+}
+
 template <class T>
 kernels::PointMaterial<T> point_material(const BodyCase& source) {
   const kernels::Material<double>& m = source.material;
@@ -175,19 +172,19 @@ PlacedNodes<D> place_nodes(const Case& settings, const BodyCase& source) {
   const Shape& shape = source.geometry;
   const double spacing = settings.discretisation.spacing;
   PlacedNodes<D> nodes;
-  if (has_tetrahedra(shape)) {
+  if (has_elements(shape)) {
     // Vertices lie on the surface.
     nodes = {nodes_of_mesh<D>(read_volume_mesh(shape.file, D), shape.scale, shape.translate), 0.25,
              unlimited, elsewhere};
-  } else if (settings.point_based.nodes == NodePlacement::octree) {
-    const double coarsest = settings.point_based.coarsest_spacing;
+  } else if (parameters_of(settings).nodes == NodePlacement::octree) {
+    const double coarsest = parameters_of(settings).coarsest_spacing;
     // Those next to the surface lie half a cell from it.
     nodes = {octree_nodes<D>(shape, {spacing, coarsest > 0 ? coarsest : 4 * spacing}), 0.75,
              unlimited, elsewhere};
   } else {
     // Nodes at the surface have fewer neighbours, not farther ones: that would soften bending.
     nodes = {lattice_nodes<D>(shape, spacing), 0.5,
-             spacing * lattice_support<D>(neighbour_count<D>(settings)), on_lattice};
+             spacing * lattice_support<D>(neighbour_count(settings)), on_lattice};
   }
   if (!nodes.cloud.positions.empty()) return nodes;
   throw InputError(
@@ -195,13 +192,13 @@ PlacedNodes<D> place_nodes(const Case& settings, const BodyCase& source) {
 }
 
 template <class T, int D>
-BondChoice<D> make_body(const Case& settings, const BodyCase& source, const PlacedNodes<D>& nodes,
-                        const Boundaries<D>& boundaries, Body<T, D>& body) {
+void make_nodes(const Case& settings, const BodyCase& source, const PlacedNodes<D>& nodes,
+                const Boundaries<D>& boundaries, PressureForces pressures, Body<T, D>& body) {
   body.name = source.name;
   body.source = &source;
   body.material = point_material<T>(source);
   lay_out(nodes.cloud, body);
-  make_room(settings, boundaries, body);
+  make_room(settings, boundaries, pressures, body);
   body.resolution = std::numeric_limits<double>::infinity();
   body.for_each_node([&](std::int64_t slot) {
     const double volume = nodes.cloud.volumes[body.number[slot]];
@@ -211,11 +208,20 @@ BondChoice<D> make_body(const Case& settings, const BodyCase& source, const Plac
     body.mass[slot] = static_cast<T>(source.material.density * volume);
     body.inverse_mass[slot] = static_cast<T>(1 / (source.material.density * volume));
   });
-  BondChoice<D> choice = choice_of(settings, nodes, body);
-  make_bonds(choice, body);
   hold(boundaries, nodes.reach, body);
   make_surface(nodes.cloud, source.geometry, settings.discretisation.spacing, boundaries, body);
   set_in_motion(source, boundaries, body);
+}
+
+template <class T, int D>
+BondChoice<D> make_body(const Case& settings, const BodyCase& source, const PlacedNodes<D>& nodes,
+                        const Boundaries<D>& boundaries, Body<T, D>& body) {
+  make_nodes(settings, source, nodes, boundaries, PressureForces::of_bonds, body);
+  BondChoice<D> choice = choice_of(settings, nodes, body);
+  if (parameters_of(settings).gradient == NodeGradient::patch_exact) {
+    correct_weights(nodes.cloud, body, choice);
+  }
+  make_bonds(choice, body);
   return choice;
 }
 
@@ -223,12 +229,20 @@ template kernels::PointMaterial<double> point_material<double>(const BodyCase&);
 template kernels::PointMaterial<float> point_material<float>(const BodyCase&);
 template PlacedNodes<2> place_nodes<2>(const Case&, const BodyCase&);
 template PlacedNodes<3> place_nodes<3>(const Case&, const BodyCase&);
+template void make_nodes(const Case&, const BodyCase&, const PlacedNodes<2>&, const Boundaries<2>&,
+                         PressureForces, Body<double, 2>&);
 template BondChoice<2> make_body<double, 2>(const Case&, const BodyCase&, const PlacedNodes<2>&,
                                             const Boundaries<2>&, Body<double, 2>&);
+template void make_nodes(const Case&, const BodyCase&, const PlacedNodes<3>&, const Boundaries<3>&,
+                         PressureForces, Body<double, 3>&);
 template BondChoice<3> make_body<double, 3>(const Case&, const BodyCase&, const PlacedNodes<3>&,
                                             const Boundaries<3>&, Body<double, 3>&);
+template void make_nodes(const Case&, const BodyCase&, const PlacedNodes<2>&, const Boundaries<2>&,
+                         PressureForces, Body<float, 2>&);
 template BondChoice<2> make_body<float, 2>(const Case&, const BodyCase&, const PlacedNodes<2>&,
                                            const Boundaries<2>&, Body<float, 2>&);
+template void make_nodes(const Case&, const BodyCase&, const PlacedNodes<3>&, const Boundaries<3>&,
+                         PressureForces, Body<float, 3>&);
 template BondChoice<3> make_body<float, 3>(const Case&, const BodyCase&, const PlacedNodes<3>&,
                                            const Boundaries<3>&, Body<float, 3>&);
 

@@ -10,6 +10,9 @@ namespace pliant::point_based {
 template <class T>
 kernels::PointMaterial<T> point_material(const BodyCase& source);
 
+/// Whether a shape is a mesh of tetrahedra, in 2D of triangles.
+bool has_elements(const Shape& shape);
+
 /// The nodes of a body of a case.
 template <int D>
 struct PlacedNodes {
@@ -23,6 +26,14 @@ struct PlacedNodes {
 /// InputError for a body that holds none.
 template <int D>
 PlacedNodes<D> place_nodes(const Case& settings, const BodyCase& source);
+
+/// What turns pressures into forces: the kernel that evaluates the bonds, or NodeLoads.
+enum class PressureForces { of_bonds, of_loads };
+
+/// Everything of make_body but the bonds.
+template <class T, int D>
+void make_nodes(const Case& settings, const BodyCase& source, const PlacedNodes<D>& nodes,
+                const Boundaries<D>& boundaries, PressureForces pressures, Body<T, D>& body);
 
 /// Makes a body of a case from its nodes, at rest or with the case's initial velocity. Throws
 /// InputError for nodes that are no body. Returns how nodes have taken their neighbours.

@@ -11,6 +11,7 @@
 #include "engine/point_based/observe/field_views.hpp"
 #include "engine/point_based/observe/frame.hpp"
 #include "engine/point_based/observe/measure.hpp"
+#include "engine/point_based/parameters.hpp"
 #include "engine/point_based/setup.hpp"
 #include "engine/point_based/state_archive.hpp"
 
@@ -27,7 +28,7 @@ template <class T, int D>
 Solver<T, D>::Solver(const Case& a_case, const SolverOptions& options)
     : Base(a_case, options),
       state_(this->settings().boundaries),
-      step_(state_, this->settings(), kernels::PointBasedTable<T, D>::of(options.isa)),
+      step_(state_, cuts_, this->settings(), kernels::PointBasedTable<T, D>::of(options.isa)),
       resolution_(std::numeric_limits<double>::infinity()) {
   state_.bodies.resize(this->settings().bodies.size());
   std::vector<scheduler::Blocks> blocks;
@@ -47,7 +48,7 @@ Solver<T, D>::Solver(const Case& a_case, const SolverOptions& options)
     state_.clock.wave_speed =
         std::max(state_.clock.wave_speed, kernels::wave_speed_at_rest(source.material));
   }
-  state_.clock.damping = this->settings().point_based.damping;
+  state_.clock.damping = parameters_of(this->settings()).damping;
   this->graph_ = std::make_unique<scheduler::StepGraph>(step_.phases(), join_blocks(blocks),
                                                         Step<T, D>::resources());
 }
@@ -63,26 +64,16 @@ template <class T, int D>
 void Solver<T, D>::begin_step() {
   Clock& clock = state_.clock;
   const double start = clock.step_end, length = time_step();
-  cut(start);
   step_.prepare({start, length, clock.step % examine_every == 0});
   this->run(*this->graph_);
   check(step_.fold());
   for (Wall<D>& wall : state_.boundaries.walls) wall.move(start, length);
   clock.step_length = length;
   clock.step_end = start + length;
-  const bool is_leapfrog = this->settings().point_based.integrator == Integrator::leapfrog;
+  const bool is_leapfrog = parameters_of(this->settings()).integrator == Integrator::leapfrog;
   clock.velocity_time = is_leapfrog ? clock.step_end : clock.step_end - length / 2;
   ++clock.step;
   this->add_particle_stages(this->particles());
-}
-
-template <class T, int D>
-void Solver<T, D>::cut(double time) {
-  for (std::size_t b = 0; b < cuts_.size(); ++b) {
-    if (!cuts_[b]) continue;
-    state_.energy.cut_work += cuts_[b]->relax(state_.bodies[b]);
-    state_.energy.cut_work += cuts_[b]->advance(time, state_.bodies[b]);
-  }
 }
 
 template <class T, int D>
@@ -100,13 +91,7 @@ void Solver<T, D>::check(const StepResult& result) const {
 template <class T, int D>
 std::size_t Solver<T, D>::bytes() const {
   std::size_t sum = 0;
-  for (const Body<T, D>& body : state_.bodies) {
-    body.for_each_array([&sum](Field, auto components) {
-      for (const Buffer<T>& component : components) sum += component.bytes();
-    });
-    sum += body.neighbour.bytes() + body.bond.bytes() + body.point.bytes() + body.force.bytes() +
-           body.halo.size() * sizeof(body.halo[0]);
-  }
+  for (const Body<T, D>& body : state_.bodies) sum += body.bytes();
   return sum;
 }
 
@@ -117,7 +102,7 @@ std::vector<double> Solver<T, D>::measure_each(std::span<const MeasurementCase> 
 
 template <class T, int D>
 std::optional<EnergyBudget> Solver<T, D>::energy_budget() const {
-  const auto& method = this->settings().point_based;
+  const auto& method = parameters_of(this->settings());
   if (method.integrator != Integrator::leapfrog || method.stiffness_damping > 0) {
     return std::nullopt;
   }
@@ -136,6 +121,21 @@ Frame Solver<T, D>::frame(const FrameParts& parts) {
     if (cuts_[b]) surfaces[b] = cuts_[b]->surfaces();
   }
   return take_frame<T, D>(state_, parts, surfaces);
+}
+
+template <class T, int D>
+void Solver<T, D>::put_blade(std::size_t cut, const std::array<double, 3>& from,
+                             const std::array<double, 3>& to) {
+  Point<D> begin, end;
+  std::copy_n(from.begin(), D, begin.begin());
+  std::copy_n(to.begin(), D, end.begin());
+  const int owner = this->settings().cuts.at(cut).body;
+  cuts_[owner]->put_blade(cut, begin, end, state_.bodies[owner]);
+}
+
+template <class T, int D>
+void Solver<T, D>::lift_blade(std::size_t cut) {
+  cuts_[this->settings().cuts.at(cut).body]->lift_blade(cut);
 }
 
 template <class T, int D>

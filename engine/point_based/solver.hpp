@@ -2,6 +2,7 @@
 
 #include <memory>
 
+#include "engine/method/blades.hpp"
 #include "engine/point_based/body_cuts.hpp"
 #include "engine/point_based/step.hpp"
 #include "engine/undeformed/solver.hpp"
@@ -10,7 +11,7 @@ namespace pliant::point_based {
 
 /// Advances a case by the point-based method.
 template <class T, int D>
-class Solver final : public undeformed::Solver<T, D> {
+class Solver final : public undeformed::Solver<T, D>, public Blades {
  public:
   /// Throws InputError for bodies that hold no nodes.
   Solver(const Case& settings, const SolverOptions& options);
@@ -24,6 +25,10 @@ class Solver final : public undeformed::Solver<T, D> {
   /// the displacements and whose losses are known.
   std::optional<EnergyBudget> energy_budget() const override;
   Frame frame(const FrameParts& parts) override;
+
+  void put_blade(std::size_t cut, const std::array<double, 3>& from,
+                 const std::array<double, 3>& to) override;
+  void lift_blade(std::size_t cut) override;
 
   std::vector<SlotRun> particle_runs(int body) const override;
   std::vector<std::array<double, 3>> positions(int body) const override;
@@ -40,16 +45,15 @@ class Solver final : public undeformed::Solver<T, D> {
   Body<T, D>& body(int number) override { return state_.bodies.at(number); }
   const Body<T, D>& body(int number) const override { return state_.bodies.at(number); }
   void begin_step() override;
-  void cut(double time);
   std::vector<double> measure_each(std::span<const MeasurementCase> measurements) override;
   void save_state(ArchiveWriter& archive) const override;
   void restore_state(const ArchiveReader& archive) override;
   void check(const StepResult& result) const;
 
   State<T, D> state_;
+  typename Step<T, D>::Cuts cuts_;
   Step<T, D> step_;
-  std::vector<std::unique_ptr<BodyCuts<T, D>>> cuts_;  ///< [body] null: none
-  double resolution_;                                  ///< the least H of all bodies [m]
+  double resolution_;  ///< the least H of all bodies [m]
 };
 
 extern template class Solver<double, 2>;

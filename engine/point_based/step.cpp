@@ -1,10 +1,14 @@
 #include "engine/point_based/step.hpp"
 
+#include <algorithm>
+
 #include "engine/method/phase_rows.hpp"
 #include "engine/point_based/degenerate_nodes.hpp"
+#include "engine/point_based/parameters.hpp"
 
 // A step of the point-based method. Everything happens on the bonds of the undeformed body.
 //
+//     cuts      bonds that blades have changed, and gradients that nodes have kept (PB.14)
 //     drift     displacement at the time of the kick: half a step on for the leapfrog (PB.10)
 //     loads     what pressures (PB.11), tractions and gravity (PB.15) exert on each node
 //     forces    F at each node from the nodes that it has bonds with, the stress, and its force
@@ -21,9 +25,10 @@ using scheduler::Phase;
 using enum Group;
 
 template <class T, int D>
-Step<T, D>::Step(State<T, D>& state, const Case& settings,
+Step<T, D>::Step(State<T, D>& state, Cuts& cuts, const Case& settings,
                  const kernels::PointBasedTable<T, D>& kernels)
     : state_(state),
+      cuts_(cuts),
       settings_(settings),
       kernels_(kernels),
       loads_(state, settings),
@@ -32,7 +37,7 @@ Step<T, D>::Step(State<T, D>& state, const Case& settings,
 
 template <class T, int D>
 bool Step<T, D>::is_leapfrog() const {
-  return settings_.point_based.integrator == Integrator::leapfrog;
+  return parameters_of(settings_).integrator == Integrator::leapfrog;
 }
 
 template <class T, int D>
@@ -41,25 +46,34 @@ double Step<T, D>::drift_length() const {
 }
 
 template <class T, int D>
-std::vector<Phase> Step<T, D>::phases() {
+void Step<T, D>::prepare_blocks() {
   results_.assign(state_.blocks.size(), {-1});
   inertia_.assign(state_.blocks.size(), 0);
   loads_.prepare_blocks();
   work_.clear_blocks();
   for (const Body<T, D>& body : state_.bodies) work_.add_blocks(body);
   prepare_contact();
+}
+
+template <class T, int D>
+std::vector<Phase> Step<T, D>::phases() {
+  prepare_blocks();
   const auto run = [this](auto function) {
     return [this, function](int block) { (this->*function)(block); };
   };
   std::vector<Phase> phases;
   PhaseRows rows(phases);
+  if (std::any_of(cuts_.begin(), cuts_.end(), [](const auto& of_body) { return !!of_body; })) {
+    rows.each("cuts", near(of(displacement)) + own(of(constants)), own(of(constants) + of(results)),
+              run(&Step::cut));
+  }
   if (is_leapfrog()) {
     rows.each("drift", own(of(velocity) + of(displacement)), own(of(displacement)),
               run(&Step::drift));
   }
   if (loads_.act_on_blocks()) {
     rows.each("loads", near(of(displacement)) + own(of(constants)), own(of(loads)),
-              [this](int block) { loads_.load(block); });
+              run(&Step::load));
   }
   rows.each("forces", near(of(displacement)) + own(of(constants) + of(loads) + of(strain)),
             own(of(points) + of(own_forces) + of(halo_forces) + of(strain) + of(results)),
@@ -74,6 +88,9 @@ std::vector<Phase> Step<T, D>::phases() {
 template <class T, int D>
 void Step<T, D>::prepare(const Advance& advance) {
   advance_ = advance;
+  for (const auto& of_body : cuts_) {
+    if (of_body) of_body->move(advance.time);
+  }
   const double middle = advance.time + advance.length / 2;
   loads_.prepare(is_leapfrog() ? middle : advance.time);
   work_.prepare(middle, advance.length, drift_length());
@@ -109,9 +126,18 @@ StepResult Step<T, D>::fold() {
     result = {results_[b].non_finite, static_cast<int>(b)};
   }
   for (const double of_block : inertia_) inertia += of_block;
+  for (const auto& of_body : cuts_) {
+    if (of_body) state_.energy.cut_work += of_body->fold();
+  }
   work_.fold(inertia);
   contact_.apply(advance_.time, advance_.length, advance_.length, drift_length());
   return result;
+}
+
+template <class T, int D>
+void Step<T, D>::cut(int block) {
+  const BlockOwner& owner = state_.blocks[block];
+  if (cuts_[owner.body]) cuts_[owner.body]->update(owner.block, state_.bodies[owner.body]);
 }
 
 template <class T, int D>
@@ -151,7 +177,7 @@ void Step<T, D>::evaluate_forces(int block) {
     work.moment[c] = body.moment[c].get();
     work.strain[c] = body.strain[c].get();
   }
-  work.viscosity = static_cast<T>(settings_.point_based.stiffness_damping / advance_.length);
+  work.viscosity = static_cast<T>(parameters_of(settings_).stiffness_damping / advance_.length);
   work.examine = advance_.examine;
   work.material = body.material;
   work.point = body.point.get() + kernels::point_stride * range.first_point();

@@ -1,8 +1,10 @@
 #pragma once
 
+#include <memory>
 #include <string>
 #include <vector>
 
+#include "engine/point_based/body_cuts.hpp"
 #include "engine/point_based/node_loads.hpp"
 #include "engine/point_based/state.hpp"
 #include "engine/undeformed/boundary_work.hpp"
@@ -29,24 +31,38 @@ struct StepResult {
 template <class T, int D>
 class Step {
  public:
-  Step(State<T, D>& state, const Case& settings, const kernels::PointBasedTable<T, D>& kernels);
+  /// The cuts of each body, null where it has none.
+  using Cuts = std::vector<std::unique_ptr<BodyCuts<T, D>>>;
+
+  Step(State<T, D>& state, Cuts& cuts, const Case& settings,
+       const kernels::PointBasedTable<T, D>& kernels);
 
   std::vector<scheduler::Phase> phases();
+
+  /// Makes room for the present blocks; phases() has done so.
+  void prepare_blocks();
 
   /// Names of what phases read and write.
   static std::vector<std::string> resources() { return resource_numbers.names(); }
 
-  /// Sets how the next step advances, and the loads at the time of its kick.
+  /// Sets how the next step advances, and the loads at the time of its kick; moves the blades on.
   void prepare(const Advance& advance);
 
   /// Lets contact walls push the nodes; folds the results of all blocks, in their order, impulses
   /// and work into the state.
   StepResult fold();
 
- private:
+  // What phases do to a block.
   void drift(int block);
-  void evaluate_forces(int block);
+  void load(int block) { loads_.load(block); }
   void move(int block);
+
+  bool is_leapfrog() const;
+  bool loads_act() const { return loads_.act_on_blocks(); }
+
+ private:
+  void cut(int block);
+  void evaluate_forces(int block);
   void prepare_contact();
   /// Sum of m u^2 of a block, where damping needs it [J].
   double inertia(int block);
@@ -59,11 +75,11 @@ class Step {
     const BlockOwner& owner = state_.blocks[block];
     return {state_.bodies[owner.body], owner.block};
   }
-  bool is_leapfrog() const;
   /// For how long nodes move at the velocities that a kick leaves behind [s].
   double drift_length() const;
 
   State<T, D>& state_;
+  Cuts& cuts_;
   const Case& settings_;
   const kernels::PointBasedTable<T, D>& kernels_;
   Advance advance_ = {};

@@ -241,7 +241,7 @@ void make_surface(const NodeCloud<D>& cloud, const Shape& shape, double spacing,
       for (int a = 0; a < D; ++a) middle[a] += body.surface.start[corner][a] / D;
     }
     const auto holds = [&](const Wall<D>& wall) {
-      return wall.bonded() && wall.distance(middle) < on_face * spacing;
+      return wall.is_attached() && wall.distance(middle) < on_face * spacing;
     };
     body.surface.is_free.push_back(
         std::none_of(boundaries.walls.begin(), boundaries.walls.end(), holds));

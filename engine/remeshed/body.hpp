@@ -71,6 +71,7 @@ struct BlockGhosts {
   std::vector<T> constrained_sum;              ///< sum of the coefficients b
   std::vector<T> surface_sum;                  ///< of a: 1, or 0 where the surface ends at a wall
   std::vector<std::array<T, D>> correction;    ///< (RP.50) of the present stage [m/s]
+  std::vector<std::array<T, D>> lasting;       ///< part of it that lasts, (RP.50) [m/s]
   std::vector<std::int64_t> begin;             ///< [ghost + 1] into the next
   std::vector<kernels::FitPair> pairs;         ///< with interior particles
   std::vector<std::int64_t> wall_begin;        ///< into the next; -1: free surface
@@ -99,6 +100,7 @@ struct BlockGhosts {
     f(Field::constrained_sum, &G::constrained_sum);
     f(Field::surface_sum, &G::surface_sum);
     f(Field::correction, &G::correction);
+    f(Field::lasting_correction, &G::lasting);
     f(Field::pairs_begin, &G::begin);
     f(Field::pairs, &G::pairs);
     f(Field::wall_begin, &G::wall_begin);

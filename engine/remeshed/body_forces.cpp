@@ -20,6 +20,7 @@ void BodyForces<T, D>::prepare(double time_step) {
   time_step_ = time_step;
   gravity_.reserve(state_.blocks.size());
   of_block_.assign(state_.blocks.size(), {});
+  impulse_.assign(state_.blocks.size(), {});
 }
 
 template <class T, int D>
@@ -33,13 +34,16 @@ void BodyForces<T, D>::advance(int block, int stage) {
   const double t = state_.clock.time + stage_time[stage] * time_step_;
   const double share = share_of_rate[stage] * time_step_;
   double power = 0, lost = 0;
+  Point<D> force = {};
   const auto add_to = [&](std::int64_t p, const Point<D>& g) {
     double along = 0, square = 0;
     for (int a = 0; a < D; ++a) {
       const double u = current.get(Field::velocity, a)[p];
       along += g[a] * u;
       square += u * u;
-      next.get(Field::velocity, a)[p] += static_cast<T>(share * (g[a] - damping_ * u));
+      const double rate = g[a] - damping_ * u;
+      next.get(Field::velocity, a)[p] += static_cast<T>(share * rate);
+      force[a] += mass[p] * rate;
     }
     power += mass[p] * along;
     lost += mass[p] * damping_ * square;
@@ -60,8 +64,10 @@ void BodyForces<T, D>::advance(int block, int stage) {
   } else {
     for_each_particle([&](std::int64_t p, const Cell<D>&) { add_to(p, {}); });
   }
-  of_block_[block].body_force_work += stage_weight[stage] * time_step_ * power;
-  of_block_[block].damping += stage_weight[stage] * time_step_ * lost;
+  const double duration = stage_weight[stage] * time_step_;
+  for (int a = 0; a < D; ++a) impulse_[block][a] += duration * force[a];
+  of_block_[block].body_force_work += duration * power;
+  of_block_[block].damping += duration * lost;
 }
 
 template <class T, int D>

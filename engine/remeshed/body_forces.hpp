@@ -22,6 +22,8 @@ class BodyForces {
   void advance(int block, int stage);
   /// Adds the work of the step to the state, block by block.
   void fold();
+  /// [block] impulse of the step [N s].
+  const std::vector<Point<D>>& impulse() const { return impulse_; }
 
  private:
   State<T, D>& state_;
@@ -29,6 +31,7 @@ class BodyForces {
   double damping_;
   double time_step_ = 0;
   std::vector<EnergyBudget> of_block_;  ///< [block], of the present step
+  std::vector<Point<D>> impulse_;       ///< likewise
 };
 
 extern template class BodyForces<double, 2>;

@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "engine/remeshed/ghosts/fit_evaluator.hpp"
-#include "kernels/remeshed/ghosts/ghost_state.hpp"
+#include "kernels/remeshed/ghosts/wall_friction.hpp"
 
 namespace pliant::remeshed {
 
@@ -52,7 +52,7 @@ template <int D>
 bool is_covered(const Boundaries<D>& boundaries, int wall, const Point<D>& foot) {
   for (int w = 0; w < static_cast<int>(boundaries.walls.size()); ++w) {
     const Wall<D>& other = boundaries.walls[w];
-    if (w != wall && other.bonded() && other.distance(foot) < 0) return true;
+    if (w != wall && other.is_attached() && other.distance(foot) < 0) return true;
   }
   return false;
 }
@@ -96,8 +96,8 @@ void add_boundary_work(const Body<T, D>& body, int block, const Boundaries<D>& b
       velocity[a] = static_cast<T>(values.wall_velocity[wall][a]);
       normal[a] = static_cast<T>(ghosts.normal[g][a]);
     }
-    const auto push = kernels::wall_force_density<T, D>(fit, velocity, normal,
-                                                        boundaries.walls[wall].slips(), impedance);
+    const auto push = kernels::wall_force_density<T, D>(
+        fit, velocity, normal, static_cast<T>(boundaries.walls[wall].friction()), impedance);
     for (int a = 0; a < D; ++a) {
       const double given = duration * area * push[a];
       impulse[wall][a] += given;

@@ -3,8 +3,10 @@
 #include <fmt/format.h>
 
 #include "engine/case/check.hpp"
+#include "engine/remeshed/footprint.hpp"
 #include "engine/remeshed/observe/measure.hpp"
 #include "engine/remeshed/solver.hpp"
+#include "engine/remeshed/step_limits.hpp"
 
 namespace pliant::remeshed {
 
@@ -19,25 +21,6 @@ void check_contact_steps(const Check& check) {
     check.problems.add(check.place("remeshing", "every"), "contact walls need remeshings",
                        "write every = \"adaptive\"");
     return;
-  }
-}
-
-void check_contact_walls(const Check& check) {
-  const auto& boundaries = check.a_case.boundaries;
-  for (std::size_t i = 0; i < boundaries.size(); ++i) {
-    if (boundaries[i].kind != BoundaryCase::Kind::contact_wall) continue;
-    if (boundaries[i].friction_coefficient) {
-      check.problems.add(check.place("boundary", i, "friction"),
-                         "method \"remeshed\" has no friction coefficient",
-                         "write friction = \"frictionless\" or \"no_slip\"");
-    }
-    if (boundaries[i].geometry.kind == Shape::Kind::half_space ||
-        !is_whole(boundaries[i].geometry, check.a_case.dimension)) {
-      continue;
-    }
-    check.problems.add(check.place("boundary", i, "geometry"),
-                       fmt::format("contact wall \"{}\" is not a half_space", boundaries[i].name),
-                       "use a half_space: contact needs a plane wall in method remeshed");
   }
 }
 
@@ -67,19 +50,40 @@ void check_tractions(const Check& check) {
 
 void check(const Check& check) {
   check_contact_steps(check);
-  check_contact_walls(check);
   check_tractions(check);
   refuse_tables(check, {"cut"});
   refuse_models_of_points(check);
   refuse_measurements(check, Measurer<double, 2>::is_measured);
 }
 
+// Contact between bodies asks for shorter steps, as measured.
+StepLimits limits_of_steps(const Case& a_case) {
+  return step_limits(a_case, a_case.contacts.empty() ? 1 : 0.5);
+}
+
+std::string summary(const Case& a_case) {
+  using Policy = decltype(Case::remeshing)::Policy;
+  if (a_case.remeshing.policy == Policy::never) return "never remeshed";
+  if (a_case.remeshing.policy == Policy::adaptive) {
+    return fmt::format("remeshed at a strain of {} or a deformation of {}",
+                       a_case.remeshing.strain_threshold, a_case.remeshing.deformation_threshold);
+  }
+  return fmt::format("remeshed every {} steps", a_case.remeshing.every);
+}
+
 }  // namespace
 
 RegisteredMethod method() {
-  return {{"remeshed",
-           "Lagrangian particles that are remeshed; a level set follows the free surface", check},
-          make_solver<Solver>};
+  return {
+      {.word = "remeshed",
+       .meaning = "Lagrangian particles that are remeshed; a level set follows the free surface",
+       .check = check,
+       .step_limits = limits_of_steps,
+       .summary = summary,
+       .footprint = footprint,
+       .remeshes = true,
+       .looks_ahead = true},
+      make_solver<Solver>};
 }
 
 }  // namespace pliant::remeshed

@@ -86,7 +86,7 @@ kernels::Stage<T, D> ParticleUpdate<T, D>::stage_of(Body<T, D>& body, int block,
   work.velocity_dissipation = static_cast<T>(dissipation.velocity) * rate;
   work.stress_dissipation = static_cast<T>(dissipation.stress) * rate;
   work.stage = stage;
-  work.weight = settings_.discretisation.kernel;
+  work.kernel = settings_.discretisation.kernel;
   work.material = body.material;
   work.pack_state = population.pack_state.get();
   work.interior = body.interior.get();

@@ -36,6 +36,8 @@ class ParticleUpdate {
                                const kernels::SymmetricPairs<T, D>* pairs = nullptr);
   /// Adds the work of body forces in the step to the state.
   void fold() { body_forces_.fold(); }
+  /// [block] impulse of body forces in the step [N s].
+  const std::vector<Point<D>>& body_force_impulse() const { return body_forces_.impulse(); }
   /// Stress of a state that no stage has left behind.
   kernels::StageResult evaluate_stress(int block);
 

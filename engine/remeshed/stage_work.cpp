@@ -26,7 +26,7 @@ void StageWork<T, D>::prepare(double time_step) {
     }
   }
   for (std::size_t w = 0; w < is_watched_.size(); ++w) {
-    if (!state_.boundaries.walls[w].bonded()) is_watched_[w] = 0;
+    if (!state_.boundaries.walls[w].is_attached()) is_watched_[w] = 0;
   }
 }
 

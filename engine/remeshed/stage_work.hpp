@@ -40,6 +40,10 @@ class StageWork {
 
   /// Folds what a step found over the blocks in their order, impulses and work into the state.
   void fold();
+  /// [block] impulse of body forces in the step [N s].
+  const std::vector<Point<D>>& body_force_impulse() const {
+    return particles_.body_force_impulse();
+  }
   const StageResults& results() const { return results_; }
 
  private:

@@ -22,6 +22,7 @@ void for_each_changed(B& body, F&& f) {
 template <class T, int D>
 void StateCopy<T, D>::keep(const State<T, D>& state) {
   clock_ = state.clock;
+  energy_ = state.energy;
   wall_offset_.clear();
   for (const Wall<D>& wall : state.boundaries.walls) wall_offset_.push_back(wall.offset());
   wall_impulse_ = state.wall_impulse;
@@ -41,8 +42,10 @@ void StateCopy<T, D>::keep(const State<T, D>& state) {
     copy.pack_state.assign(population.pack_state.get(),
                            population.pack_state.get() + slots / Layout<D>::pack);
     copy.active.resize(population.ghosts.size());
+    copy.lasting.resize(population.ghosts.size());
     for (std::size_t k = 0; k < copy.active.size(); ++k) {
       copy.active[k] = population.ghosts[k].active;
+      copy.lasting[k] = population.ghosts[k].lasting;
     }
     copy.strain = body.neighbours.strain;
     copy.strain_rate = body.neighbours.strain_rate;
@@ -52,6 +55,7 @@ void StateCopy<T, D>::keep(const State<T, D>& state) {
 template <class T, int D>
 void StateCopy<T, D>::put_back(State<T, D>& state) const {
   state.clock = clock_;
+  state.energy = energy_;
   for (std::size_t w = 0; w < wall_offset_.size(); ++w) {
     state.boundaries.walls[w].restore(wall_offset_[w]);
   }
@@ -69,6 +73,7 @@ void StateCopy<T, D>::put_back(State<T, D>& state) const {
     std::copy(copy.pack_state.begin(), copy.pack_state.end(), population.pack_state.get());
     for (std::size_t k = 0; k < copy.active.size(); ++k) {
       population.ghosts[k].active = copy.active[k];
+      population.ghosts[k].lasting = copy.lasting[k];
     }
     body.neighbours.strain = copy.strain;
     body.neighbours.strain_rate = copy.strain_rate;

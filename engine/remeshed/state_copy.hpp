@@ -24,11 +24,13 @@ class StateCopy {
     std::vector<std::vector<T>> arrays;  ///< of the state and the stress, [array][slot]
     std::vector<Kind> kind;
     std::vector<PackState> pack_state;
-    std::vector<std::vector<std::uint8_t>> active;  ///< [block][ghost]
+    std::vector<std::vector<std::uint8_t>> active;       ///< [block][ghost]
+    std::vector<std::vector<std::array<T, D>>> lasting;  ///< the same
     double strain, strain_rate;
   };
 
   Clock clock_;
+  EnergyBudget energy_;
   std::vector<Point<D>> wall_offset_, wall_impulse_, contact_impulse_;
   std::vector<MomentumBudget<D>> momentum_budgets_;
   std::vector<OfBody> bodies_;

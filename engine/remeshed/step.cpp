@@ -32,7 +32,7 @@
 //
 // After the last stage:
 //
-//     momentum          contact between bodies: the momentum of each body, its momentum budget
+//     momentum          contact with bodies or walls: the momentum of each body, its budget
 //                       (RP.68), and the small velocity that makes the two equal (RP.69)
 //
 // A step only follows particles. remesh.cpp moves them back onto the lattice; solver.cpp decides
@@ -70,8 +70,9 @@ std::vector<Phase> Step<T, D>::phases() {
     add_advance(phases, stage);
   }
   if (momentum_.is_needed()) {
-    momentum_.add_phases(
-        phases, [this]() -> const auto& { return contact_.fold(); });
+    momentum_.add_phases(phases, [this]() -> typename MomentumCorrection<T, D>::Impulses {
+      return {contact_.fold(), work_.body_force_impulse()};
+    });
   }
   return phases;
 }
@@ -166,9 +167,11 @@ void Step<T, D>::add_advance(std::vector<Phase>& phases, int stage) {
     const std::vector<int> blocks = blocks_where(are_listed);
     if (blocks.empty()) continue;
     const Reach reach = are_listed ? Reach::all : Reach::neighbours;
+    Accesses writes = written_by_update(stage);
+    if (stage == 0) writes = writes + own(whole(corrections));  // what lasts of them, (RP.50)
     PhaseRows(phases, blocks)
         .at_stage(stage)
-        .each("advance", read_by_advance(stage, reach), written_by_update(stage),
+        .each("advance", read_by_advance(stage, reach), writes,
               at(stage, &StageWork<T, D>::advance));
   }
 }

@@ -5,6 +5,7 @@
 
 #include <toml++/toml.h>
 #include <algorithm>
+#include <cmath>
 #include <fstream>
 #include <iterator>
 #include <nlohmann/json.hpp>
@@ -17,6 +18,8 @@
 #include "engine/report/page.hpp"
 #include "engine/report/references.hpp"
 #include "engine/report/run_reader.hpp"
+#include "engine/report/walls.hpp"
+#include "engine/simulation/methods.hpp"
 
 namespace pliant::report {
 namespace {
@@ -66,6 +69,54 @@ Json json_of(const PackedFrames& packed) {
       {"sets", sets}};
 }
 
+/// The box of the bodies over the run, and a margin in which walls are shown.
+Box<3> box_around(const PackedFrames& packed, int dimension) {
+  constexpr double margin = 0.12;
+  const double size = std::max({packed.sides[0], packed.sides[1], packed.sides[2]});
+  Box<3> box;
+  for (int a = 0; a < 3; ++a) {
+    const double more = a < dimension ? margin * size : 0;
+    box.lower[a] = packed.origin[a] - more;
+    box.upper[a] = packed.origin[a] + packed.sides[a] + more;
+  }
+  return box;
+}
+
+/// Walls in the units of the page: the longest side of the bodies' box is 1.
+Json walls_of(const std::string& settings, const PackedFrames& packed, int dimension, Json& notes) {
+  Json walls = Json::array();
+  const double size = std::max({packed.sides[0], packed.sides[1], packed.sides[2], 1e-300});
+  const auto rounded = [](double x) { return std::round(1e5 * x) / 1e5; };
+  const auto place = [&](const Vector& x) {
+    Json json = Json::array();
+    for (int a = 0; a < 3; ++a) json.push_back(rounded((x[a] - packed.origin[a]) / size));
+    return json;
+  };
+  try {
+    const Case a_case = parse_case(settings, "case.toml", {}, methods().rules());
+    for (const WallPicture& wall :
+         picture_walls(a_case, box_around(packed, dimension), packed.times)) {
+      Json position = Json::array(), shift = Json::array();
+      for (const Vector& x : wall.vertex) {
+        for (const Json& one : place(x)) position.push_back(one);
+      }
+      for (const Vector& x : wall.shift) {
+        shift.push_back({rounded(x[0] / size), rounded(x[1] / size), rounded(x[2] / size)});
+      }
+      Json one = {{"name", wall.name},
+                  {"holds", wall.holds},
+                  {"position", position},
+                  {"triangles", wall.triangle}};
+      if (wall.is_plane) one["plane"] = {{"point", place(wall.point)}, {"normal", wall.normal}};
+      if (!shift.empty()) one["shift"] = shift;
+      walls.push_back(one);
+    }
+  } catch (const InputError&) {  // as when a mesh file is gone
+    notes.push_back("The walls of the case cannot be read, and are not shown.");
+  }
+  return walls;
+}
+
 /// What the page should say about itself.
 Json notes_of(const RunReader& run, const PackedFrames& packed, std::size_t scalars,
               bool has_summary, std::size_t stride) {
@@ -105,6 +156,7 @@ Json read_summary(const std::filesystem::path& folder) {
 struct Layout {
   double spacing = 0;
   std::string up = "z";
+  bool has_boundaries = false;
 };
 
 Layout layout_of(const std::string& settings) {
@@ -112,6 +164,7 @@ Layout layout_of(const std::string& settings) {
   try {
     const toml::table table = toml::parse(settings);
     layout.spacing = table.at_path("discretisation.spacing").value_or(0.0);
+    layout.has_boundaries = table.contains("boundary");
     const toml::node_view gravity = table["gravity"];
     for (std::size_t axis = 0; axis < 3; ++axis) {
       if (gravity[axis].value_or(0.0) < 0) layout.up = std::string(1, "xyz"[axis]);
@@ -171,14 +224,18 @@ void write_run_report(const std::filesystem::path& folder, const std::filesystem
   const std::size_t taken = empty_page().size() + 2 * rest.size() + 100'000;
   const auto packed = pack(run, scalars, options.limit > taken ? options.limit - taken : 0);
   const Layout layout = layout_of(settings);
+  const double kept = 1 / static_cast<double>(packed.thinning.every_particle);
   Json json = {{"kind", "run"},
                {"case", name},
                {"title", title},
                {"method", run.text("method")},
                {"dimension", run.dimension()},
                {"up", layout.up},
-               {"spacing", layout.spacing},
-               {"notes", notes_of(run, packed, scalars.size(), !summary.is_null(), stride)}};
+               {"spacing", layout.spacing * std::pow(kept, -1.0 / run.dimension())}};
+  Json notes = notes_of(run, packed, scalars.size(), !summary.is_null(), stride);
+  json["walls"] =
+      layout.has_boundaries ? walls_of(settings, packed, run.dimension(), notes) : Json::array();
+  json["notes"] = notes;
   json.update(json_of(packed));
   json["histories"] = histories;
   json["summary"] = summary;

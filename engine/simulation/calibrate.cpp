@@ -56,8 +56,12 @@ std::optional<double> estimated_seconds(const Case& a_case, const Estimate& size
   Case coarse = a_case;
   coarse.discretisation.spacing *= factor;
   try {
-    return static_cast<double>(size.steps + size.looks) * particles *
-           seconds_per_particle_step(*methods.make(coarse, options));
+    const std::unique_ptr<Solver> solver = methods.make(coarse, options);
+    const double seconds = seconds_per_particle_step(*solver);
+    // Steps that the strain limits (time.strain) are as long on any lattice.
+    const double steps =
+        std::max(static_cast<double>(size.steps), a_case.time.end / solver->time_step());
+    return (steps + static_cast<double>(size.looks)) * particles * seconds;
   } catch (const std::exception&) {  // too coarse for the case: then nothing is known
     return std::nullopt;
   }

@@ -10,28 +10,15 @@
 #include "engine/geometry/distance_walk.hpp"
 #include "engine/geometry/signed_distance.hpp"
 #include "engine/lattice/occupancy.hpp"
-#include "engine/remeshed/field_store.hpp"
-#include "kernels/total_lagrangian/arguments.hpp"
 
 // The number of slots times h^d is V + S h for small h, V the volume and S proportional to the
-// surface: two coarse lattices give both. The bytes of a slot follow from the list of fields; those
-// of a ghost and of a particle were measured.
+// surface: two coarse lattices give both. Methods know the bytes of slots, ghosts and particles.
 namespace pliant {
 
 namespace {
 
 constexpr double most_cells = 1e6;  // of a lattice on which slots are counted
-constexpr std::size_t value = sizeof(double);
-
 constexpr double program_bytes = 2.4e7;
-
-/// Bytes for each part of a body.
-struct Cost {
-  double slot, ghost, particle;
-};
-
-/// Cells around particles that have slots.
-double reach_of(const Case& a_case) { return a_case.method == "total_lagrangian" ? 1.8 : 6; }
 
 Box<3> clipped_box(const Case& a_case, const BodyCase& body) {
   Box<3> box = bounding_box(body.geometry);
@@ -43,10 +30,10 @@ Box<3> clipped_box(const Case& a_case, const BodyCase& body) {
   return box;
 }
 
-double cells_of(const Case& a_case, const Box<3>& box, double spacing) {
+double cells_of(const Case& a_case, const Footprint& footprint, const Box<3>& box, double spacing) {
   double cells = 1;
   for (int a = 0; a < a_case.dimension; ++a) {
-    cells *= (box.upper[a] - box.lower[a]) / spacing + 2 * reach_of(a_case);
+    cells *= (box.upper[a] - box.lower[a]) / spacing + 2 * footprint.reach;
   }
   return cells;
 }
@@ -57,19 +44,16 @@ struct Count {
 };
 
 template <int D>
-Count count_on(const Case& a_case, const BodyCase& body, const Box<3>& box, double spacing) {
-  // Total Lagrangian particles lie on the corners of all cells that the body fills in part.
-  const bool of_points = a_case.method == "point_based";
-  const bool on_corners = a_case.method == "total_lagrangian" || of_points;
-  // Those of the point-based method lie on the lattice points inside.
-  const double margin = of_points ? 1e-9 * spacing : on_corners ? spacing / 2 : 0;
+Count count_on(const Footprint& footprint, const BodyCase& body, const Box<3>& box,
+               double spacing) {
+  const bool on_corners = footprint.on_corners;
+  const double margin = footprint.margin * spacing, reach = footprint.reach;
   const double centre = on_corners ? 0 : 0.5;
   Cell<D> lower = {}, upper = {};
   for (int a = 0; a < D; ++a) {
     lower[a] = on_corners ? -1 : 0;
     upper[a] = cell_below((box.upper[a] - box.lower[a]) / spacing) - lower[a];
   }
-  const double reach = reach_of(a_case);
   Occupancy<D> occupancy;
   occupancy.reset(lower, upper, static_cast<int>(std::ceil(reach)));
   DistanceWalk distance(body.geometry, D, 2 * margin);
@@ -91,15 +75,15 @@ Count count_on(const Case& a_case, const BodyCase& body, const Box<3>& box, doub
 }
 
 template <int D>
-Count count_of(const Case& a_case, const BodyCase& body) {
+Count count_of(const Case& a_case, const Footprint& footprint, const BodyCase& body) {
   const Box<3> box = clipped_box(a_case, body);
   const double h = a_case.discretisation.spacing;
   double coarse = h;
-  while (cells_of(a_case, box, coarse) > most_cells) coarse *= 1.05;
-  const Count fine = count_on<D>(a_case, body, box, coarse);
+  while (cells_of(a_case, footprint, box, coarse) > most_cells) coarse *= 1.05;
+  const Count fine = count_on<D>(footprint, body, box, coarse);
   if (coarse == h) return fine;
   constexpr double ratio = 1.5;
-  const Count coarser = count_on<D>(a_case, body, box, ratio * coarse);
+  const Count coarser = count_on<D>(footprint, body, box, ratio * coarse);
   const double volume = fine.slots * std::pow(coarse, D);
   const double slope =
       (coarser.slots * std::pow(ratio * coarse, D) - volume) / ((ratio - 1) * coarse);
@@ -107,65 +91,20 @@ Count count_of(const Case& a_case, const BodyCase& body) {
           (volume - slope * (coarse - h)) / std::pow(h, D)};
 }
 
-/// Values of a slot in the three copies of the state, the stress, and what is kept beside them.
-template <int D>
-double values_of_slot(const BodyCase& body) {
-  int state = 0;
-  const int terms = static_cast<int>(body.prony.size());
-  const int material = kernels::material_component_count<D>(body.material.model);
-  for (const remeshed::Declaration& f : remeshed::state_fields) {
-    state += f.copies * remeshed::components<D>(f.rank, material, terms);
-  }
-  constexpr int stress = kernels::symmetric_components<D>, interior = 1;
-  const int memory = terms > 0 ? terms + 1 : 0;  // filtered p_i, J - 1
-  return state + stress + interior + (D == 3 ? 1 : 0) + memory;
-}
-
-/// Values of a slot in the copy of the state that looks ahead need.
-template <int D>
-double values_of_copy(const BodyCase& body) {
-  int state = 0;
-  const int terms = static_cast<int>(body.prony.size());
-  const int material = kernels::material_component_count<D>(body.material.model);
-  for (const remeshed::Declaration& f : remeshed::state_fields) {
-    if (is_evolving(f)) state += remeshed::components<D>(f.rank, material);
-  }
-  return state + terms + kernels::symmetric_components<D>;
-}
-
-// Ghosts have fits; particles are in frames, and in the cells over which totals are integrated.
-template <int D>
-Cost cost_of(const Case& a_case, const BodyCase& body) {
-  if (a_case.method == "total_lagrangian") {
-    // phi, fraction, that of regular cells, mass and its inverse; five vectors; the modes of the
-    // forces; p_i and J - 1
-    const std::size_t terms = body.prony.size();
-    const double memory = terms > 0 ? terms + 1.0 : 0.0;
-    return {value * (5.0 + memory + 5 * D + D * kernels::cell_modes<D>), 0, D == 2 ? 150. : 400.};
-  }
-  if (a_case.method == "point_based") {
-    // Bonds, and about as many points of halos as of nodes; particles: search, frames and totals
-    const int asked = a_case.point_based.neighbours;
-    const double bonds = asked > 0 ? asked : D == 2 ? 12 : 26;
-    return {0, 0, bonds * (value * (D + 1.0) + 2) + value * (6.0 * D + 30) + 700};
-  }
-  const bool looks = a_case.output.every > 0 || a_case.output.measure_every > 0;
-  const double copy = looks ? values_of_copy<D>(body) : 0;
-  return {value * (values_of_slot<D>(body) + copy + 1), D == 2 ? 2500. : 1300.,
-          D == 2 ? 180. : 320.};
-}
-
 template <int D>
 Estimate estimate_in(const Case& a_case) {
   Estimate sum;
   double bytes = program_bytes;
+  sum.bytes = static_cast<std::size_t>(bytes);
+  if (a_case.rules == nullptr || a_case.rules->footprint == nullptr) return sum;
   for (const BodyCase& body : a_case.bodies) {
-    const Count count = count_of<D>(a_case, body);
-    const Cost cost = cost_of<D>(a_case, body);
+    const Footprint footprint = a_case.rules->footprint(a_case, body);
+    const Count count = count_of<D>(a_case, footprint, body);
     const double ghosts = (count.slots - count.particles) / 2;
     sum.particles += std::llround(count.particles);
     sum.slots += std::llround(count.slots);
-    bytes += count.slots * cost.slot + ghosts * cost.ghost + count.particles * cost.particle;
+    bytes += count.slots * footprint.bytes_per_slot + ghosts * footprint.bytes_per_ghost +
+             count.particles * footprint.bytes_per_particle;
   }
   sum.bytes = static_cast<std::size_t>(bytes);
   return sum;
@@ -178,7 +117,7 @@ double step_of(const Case& a_case) {
 
 /// Whether outputs between two steps are looks ahead, for which no step ends.
 bool looks_ahead(const Case& a_case) {
-  return a_case.method == "remeshed" || a_case.method == "sph";
+  return a_case.rules != nullptr && a_case.rules->looks_ahead;
 }
 
 std::int64_t looks_of(const Case& a_case) {

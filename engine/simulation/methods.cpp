@@ -1,5 +1,6 @@
 #include "engine/simulation/methods.hpp"
 
+#include "engine/finite_elements/method.hpp"
 #include "engine/point_based/method.hpp"
 #include "engine/remeshed/method.hpp"
 #include "engine/sph/method.hpp"
@@ -8,8 +9,9 @@
 namespace pliant {
 
 const MethodRegistry& methods() {
-  static const MethodRegistry registry(
-      {remeshed::method(), total_lagrangian::method(), point_based::method(), sph::method()});
+  static const MethodRegistry registry({remeshed::method(), total_lagrangian::method(),
+                                        point_based::method(), finite_elements::method(),
+                                        sph::method()});
   return registry;
 }
 

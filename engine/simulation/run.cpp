@@ -22,6 +22,7 @@
 #include "engine/output/summary.hpp"
 #include "engine/simulation/histories.hpp"
 #include "engine/simulation/run_identity.hpp"
+#include "engine/simulation/schedule.hpp"
 #include "engine/simulation/watch.hpp"
 
 namespace pliant {
@@ -29,25 +30,6 @@ namespace pliant {
 namespace {
 
 using Clock = std::chrono::steady_clock;
-
-/// The k-th of the instants `every` apart; `every` = 0 means never.
-class Schedule {
- public:
-  explicit Schedule(double every) : every_(every) {}
-  double next() const { return every_ > 0 ? every_ * static_cast<double>(count_ + 1) : HUGE_VAL; }
-  /// True when `time` has reached the next instant, which then lies behind.
-  bool reached(double time) {
-    if (time < next() * (1 - 1e-12)) return false;
-    ++count_;
-    return true;
-  }
-  std::int64_t count() const { return count_; }
-  void restore(std::int64_t count) { count_ = count; }
-
- private:
-  double every_;
-  std::int64_t count_ = 0;
-};
 
 class Run {
  public:
@@ -64,9 +46,10 @@ class Run {
 
   RunEnd operator()() {
     const auto start = Clock::now();
+    const Interrupt interrupt;
+    options_.when_set_up();
     options_.resume ? resume() : begin();
     show();
-    const Interrupt interrupt;
     while (!at_end()) {
       step();
       observe();
@@ -119,6 +102,8 @@ class Run {
   }
 
   void begin() {
+    const MethodRules* rules = settings_.rules;
+    if (rules != nullptr && rules->warning != nullptr) warn(rules->warning(settings_));
     result_.emplace(ResultFile::create(options_.folder, describe()));
     start_ = conserved(solver_->integrals());
     watch_.begin(*solver_);
@@ -269,15 +254,15 @@ class Run {
 
   // Scaled mass is no mass that anyone meant: where it matters, the answer is not the static one.
   void warn_of_inertia(const ConservedQuantities& end) {
-    const auto& method = settings_.total_lagrangian;
+    const StepLimits limits = step_limits(settings_);
     constexpr double small = 0.01;
-    if (!method.match_time_step && method.mass_scaling == 1) return;
+    if (!limits.mass_follows_step && limits.mass_scaling == 1) return;
     if (!(end.kinetic_energy > small * end.strain_energy)) return;
     progress_.message(fmt::format(
         "warning: the kinetic energy of the scaled mass is {:.2g} of the strain energy in the end: "
         "not the static answer; load more slowly (time.end), scale the mass less, or add "
-        "total_lagrangian.damping",
-        end.kinetic_energy / end.strain_energy));
+        "{}.damping",
+        end.kinetic_energy / end.strain_energy, settings_.method));
   }
 
   const Case& settings_;

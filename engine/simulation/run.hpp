@@ -1,6 +1,7 @@
 #pragma once
 
 #include <filesystem>
+#include <functional>
 #include <string>
 
 #include "engine/simulation/methods.hpp"
@@ -14,6 +15,7 @@ struct RunOptions {
   kernels::Isa isa = kernels::Isa::sse2;
   bool resume = false;
   bool quiet = false;
+  std::function<void()> when_set_up = [] {};  ///< called once, before anything is written
 };
 
 enum class RunEnd { done, interrupted };

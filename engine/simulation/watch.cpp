@@ -4,21 +4,64 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <vector>
 
+#include "engine/case/stability.hpp"
+#include "engine/geometry/signed_distance.hpp"
 #include "engine/method/step_failure.hpp"
 
 namespace pliant {
 
 namespace {
 
-constexpr std::int64_t interval = 256;  // steps between two looks: they cost a few steps each
-constexpr double tolerated = 0.05;      // of the largest energy or work, of the mass, of momentum
-constexpr double credible = 0.5;        // of the largest energy or work: it has doubled by itself
+constexpr std::int64_t interval = 256;    // steps between two looks: they cost a few steps each
+constexpr double tolerated = 0.05;        // of the largest energy or work, of the mass, of momentum
+constexpr double credible = 0.5;          // of the largest energy or work: it has doubled by itself
+constexpr double tolerated_turn = 0.015;  // of the angular momentum
 
 double largest_of(const EnergyBudget& budget, double energy) {
   return std::max({energy, std::abs(budget.wall_work), std::abs(budget.load_work),
                    std::abs(budget.body_force_work), std::abs(budget.cut_work)});
+}
+
+/// Where all bodies are at t = 0: the centre of their bounding box, and the radius of gyration of
+/// a box that is evenly filled.
+struct Middle {
+  Vector centre = {};
+  double radius = 0;
+};
+
+Middle middle_of(const Case& settings) {
+  Box<3> all = bounding_box(settings.bodies.front().geometry);
+  for (const BodyCase& body : settings.bodies) {
+    const Box<3> box = bounding_box(body.geometry);
+    for (int a = 0; a < settings.dimension; ++a) {
+      all.lower[a] = std::min(all.lower[a], box.lower[a]);
+      all.upper[a] = std::max(all.upper[a], box.upper[a]);
+    }
+  }
+  Middle middle;
+  double square = 0;
+  for (int a = 0; a < settings.dimension; ++a) {
+    middle.centre[a] = (all.lower[a] + all.upper[a]) / 2;
+    square += std::pow((all.upper[a] - all.lower[a]) / 2, 2) / 3;
+  }
+  middle.radius = std::sqrt(square);
+  return middle;
+}
+
+/// A strain that rounding alone can bring about.
+double rounding_strain(const Case& settings) {
+  constexpr double steps_of_rounding = 100;
+  return steps_of_rounding * (settings.precision == Precision::binary32
+                                  ? std::numeric_limits<float>::epsilon()
+                                  : std::numeric_limits<double>::epsilon());
+}
+
+bool is_periodic(const Case& settings) {
+  const auto& axis = settings.periodic.axis;
+  return std::any_of(axis.begin(), axis.end(), [](bool periodic) { return periodic; });
 }
 
 }  // namespace
@@ -33,6 +76,10 @@ void Watch::begin(Solver& solver) {
   look(solver);
 }
 
+double Watch::rounding_energy() const {
+  return start_.mass * std::pow(rounding_strain(settings_) * fastest_wave(settings_), 2);
+}
+
 // A change is seen against the largest value so far: what a body had, or what was done to it.
 void Watch::look(Solver& solver) {
   const double t = solver.clock().time;
@@ -45,21 +92,40 @@ void Watch::look(Solver& solver) {
     budget_ = *budget;
     created_ = present_.total_energy - start_.total_energy - budget_.work() + budget_.damping;
     scale_ = std::max(scale_, largest_of(budget_, present_.total_energy));
-    if (scale_ > 0) keep(energy_, created_ / scale_);
+    if (scale_ > rounding_energy()) keep(energy_, created_ / scale_);
   }
   keep(mass_, std::abs(present_.mass / start_.mass - 1));
-  if (!solver.bodies_are_free()) return;
-  momentum_scale_ =
-      std::max(momentum_scale_, std::sqrt(2 * present_.mass * present_.kinetic_energy));
-  double square = 0;
-  for (int a = 0; a < 3; ++a) square += std::pow(present_.momentum[a] - start_.momentum[a], 2);
-  if (momentum_scale_ > 0) keep(momentum_, std::sqrt(square) / momentum_scale_);
+  if (solver.bodies_are_free()) look_at_momentum(solver);
+}
+
+// The angular momentum is taken about the middle of the bodies at the start. A periodic cell does
+// not conserve it.
+void Watch::look_at_momentum(const Solver& solver) {
+  const double t = solver.clock().time;
+  const double speed_and_mass = std::sqrt(2 * present_.mass * present_.kinetic_energy);
+  const auto keep = [t](Excess& excess, double& scale, double present, const Vector& change) {
+    scale = std::max(scale, present);
+    const double share = scale > 0 ? std::hypot(change[0], change[1], change[2]) / scale : 0;
+    if (share > excess.share) excess = {share, t, excess.warned};
+  };
+  Vector linear = {}, angular = {};
+  for (int a = 0; a < 3; ++a) linear[a] = present_.momentum[a] - start_.momentum[a];
+  keep(momentum_, momentum_scale_, speed_and_mass, linear);
+  if (is_periodic(settings_)) return;
+  const Middle middle = middle_of(solver.settings());
+  for (int a = 0; a < 3; ++a) {
+    const int b = (a + 1) % 3, c = (a + 2) % 3;
+    angular[a] = present_.angular_momentum[a] - start_.angular_momentum[a] -
+                 (middle.centre[b] * linear[c] - middle.centre[c] * linear[b]);
+  }
+  keep(angular_momentum_, angular_scale_, middle.radius * speed_and_mass, angular);
 }
 
 std::string Watch::judge(Excess Watch::*of, CheckResponse response, const Solver& solver,
                          const std::string& what, const std::string& remedy) {
   Excess& excess = this->*of;
-  if (response == CheckResponse::off || !(excess.share > tolerated)) return "";
+  const double bar = of == &Watch::angular_momentum_ ? tolerated_turn : tolerated;
+  if (response == CheckResponse::off || !(excess.share > bar)) return "";
   const bool is_over = of == &Watch::energy_ && excess.share > credible;
   if (response == CheckResponse::stop || is_over) {
     throw failed_step(settings_, solver.clock(), what, {remedy});
@@ -89,12 +155,31 @@ std::string Watch::observe(Solver& solver, bool last) {
             fmt::format("the momentum has changed by a share of {:.3g}, though nothing acts on "
                         "the bodies",
                         momentum_.share),
-            "use a finer spacing (or set checks.momentum)")};
+            "use a finer spacing (or set checks.momentum)"),
+      judge(&Watch::angular_momentum_, checks.momentum, solver,
+            fmt::format("the angular momentum has changed by a share of {:.3g}, though nothing "
+                        "acts on the bodies",
+                        angular_momentum_.share),
+            "use a finer spacing (or set checks.momentum)"),
+      last && checks.energy != CheckResponse::off ? judge_loss() : ""};
   std::string text;
   for (const std::string& warning : warnings) {
     if (!warning.empty()) text += (text.empty() ? "" : "\n") + warning;
   }
   return text;
+}
+
+// Only at the end: what a body that is flat in contact seems to have lost comes back. What viscous
+// bodies lose, they should.
+std::string Watch::judge_loss() const {
+  const bool is_viscous = std::any_of(settings_.bodies.begin(), settings_.bodies.end(),
+                                      [](const BodyCase& body) { return !body.prony.empty(); });
+  if (is_viscous || !(scale_ > rounding_energy()) || !(-created_ > tolerated * scale_)) return "";
+  return fmt::format(
+      "warning: in the end {:.3g} of the largest energy or work is lost without damping, to "
+      "numerical dissipation, contact and remeshing; use a finer spacing where the motion matters "
+      "(or set checks.energy)",
+      -created_ / scale_);
 }
 
 SummaryChecks Watch::report() const {
@@ -110,10 +195,11 @@ SummaryChecks Watch::report() const {
   checks.energy = {energy_.share, energy_.time};
   checks.mass = {mass_.share, mass_.time};
   checks.momentum = {momentum_.share, momentum_.time};
+  checks.angular_momentum = {angular_momentum_.share, angular_momentum_.time};
   return checks;
 }
 
-std::array<double*, 21> Watch::numbers() {
+std::array<double*, 25> Watch::numbers() {
   return {&start_.mass,
           &start_.momentum[0],
           &start_.momentum[1],
@@ -134,7 +220,11 @@ std::array<double*, 21> Watch::numbers() {
           &mass_.warned,
           &momentum_.share,
           &momentum_.time,
-          &momentum_.warned};
+          &momentum_.warned,
+          &angular_scale_,
+          &angular_momentum_.share,
+          &angular_momentum_.time,
+          &angular_momentum_.warned};
 }
 
 void Watch::put(ArchiveWriter& archive) const {

@@ -11,8 +11,8 @@
 namespace pliant {
 
 /// Watches over a run what its bodies should conserve: energy but for work and damping (RP.72),
-/// mass, and momentum where nothing acts on them. It looks at the same steps whatever the output
-/// times are, and changes nothing.
+/// mass, and momentum and angular momentum where nothing acts on them. It looks at the same steps
+/// whatever the output times are, and changes nothing.
 class Watch {
  public:
   explicit Watch(const Case& settings) : settings_(settings) {}
@@ -37,14 +37,18 @@ class Watch {
   void look(Solver& solver);
   std::string judge(Excess Watch::*excess, CheckResponse response, const Solver& solver,
                     const std::string& what, const std::string& remedy);
-  std::array<double*, 21> numbers();
+  std::string judge_loss() const;
+  /// Energy that bodies at rest may seem to have [J].
+  double rounding_energy() const;
+  void look_at_momentum(const Solver& solver);
+  std::array<double*, 25> numbers();
 
   const Case& settings_;
   ConservedQuantities start_, present_;
   EnergyBudget budget_;
-  double created_ = 0, scale_ = 0, momentum_scale_ = 0;
+  double created_ = 0, scale_ = 0, momentum_scale_ = 0, angular_scale_ = 0;
   double is_known_ = 0;  ///< whether the method accounts for work
-  Excess energy_, mass_, momentum_;
+  Excess energy_, mass_, momentum_, angular_momentum_;
 };
 
 /// Conserved quantities as the summary shows them.

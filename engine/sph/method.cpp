@@ -1,7 +1,10 @@
 #include "engine/sph/method.hpp"
 
 #include "engine/case/check.hpp"
+#include "engine/remeshed/footprint.hpp"
 #include "engine/remeshed/observe/measure.hpp"
+#include "engine/remeshed/step_limits.hpp"
+#include "engine/sph/parameters.hpp"
 #include "engine/sph/solver.hpp"
 
 namespace pliant::sph {
@@ -11,7 +14,7 @@ namespace {
 // Plain SPH has neither ghosts nor a level set, and no nodes to which its particles return.
 void check(const Check& check) {
   const Case& a_case = check.a_case;
-  refuse_tables(check, {"remeshing", "level_set", "ghosts", "contact", "cut"});
+  refuse_tables(check, {"contact", "cut"});
   if (!a_case.boundaries.empty()) {
     check.problems.add(check.place("boundary", 0, "kind"),
                        "method sph has free surfaces and periodic cells only",
@@ -26,13 +29,22 @@ void check(const Check& check) {
   }
 }
 
+constexpr double default_cfl = 0.5;
+
+StepLimits step_limits(const Case& a_case) { return remeshed::step_limits(a_case, default_cfl); }
+
 }  // namespace
 
 RegisteredMethod method() {
-  return {
-      {"sph", "plain SPH without ghosts or remeshing, the baseline of the paper (RP.25), (RP.26)",
-       check},
-      make_solver<Solver>};
+  return {{.word = "sph",
+           .meaning =
+               "plain SPH without ghosts or remeshing, the baseline of the paper (RP.25), (RP.26)",
+           .check = check,
+           .keys = visit_keys,
+           .step_limits = step_limits,
+           .footprint = remeshed::footprint,
+           .looks_ahead = true},
+          make_solver<Solver>};
 }
 
 }  // namespace pliant::sph

@@ -28,7 +28,7 @@ Solver<T, D>::Solver(const Case& a_case, const SolverOptions& options)
       state_(remeshed::make_state<T, D>(settings())),
       step_(state_, settings(), kernels_),
       remeshings_(settings(), state_, kernels_, workers(), remeshed::Outside::vacant),
-      search_(state_, kernels::Weight::quartic, true),
+      search_(state_, kernels::Kernel::quartic_spline, true),
       step_graph_(remeshed::resource::names()),
       search_graph_(remeshed::resource::names()) {
   remeshings_.place_initial();

@@ -2,6 +2,7 @@
 
 #include "engine/method/phase_rows.hpp"
 #include "engine/remeshed/resources.hpp"
+#include "engine/sph/parameters.hpp"
 
 // A step of plain SPH, the baseline of H&K. For each of the four stages of the Runge-Kutta method
 // (RP.21):
@@ -67,14 +68,14 @@ template <class T, int D>
 void Step<T, D>::find_stress_of_pairs(int block, int stage) {
   const BlockOwner owner = state_.blocks[block];
   find_pair_stress<T, D>(state_.bodies[owner.body], owner.block, stage,
-                         settings_.sph.artificial_stress, pair_stress_[owner.body]);
+                         parameters_of(settings_).artificial_stress, pair_stress_[owner.body]);
 }
 
 template <class T, int D>
 void Step<T, D>::advance(int block, int stage) {
   const int body = state_.blocks[block].body;
   const kernels::SymmetricPairs<T, D> pairs = symmetric_pairs<T, D>(
-      state_.bodies[body], pair_stress_[body], settings_.sph.artificial_viscosity);
+      state_.bodies[body], pair_stress_[body], parameters_of(settings_).artificial_viscosity);
   results_[block] = particles_.advance(block, stage, &pairs);
 }
 

@@ -3,8 +3,10 @@
 #include <algorithm>
 #include <array>
 #include <cstdint>
+#include <iterator>
 #include <span>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "engine/case/case.hpp"
@@ -54,6 +56,13 @@ struct NodalLoads {
   std::vector<double> weight;
 };
 
+/// The cells around the particles of a block.
+template <int D>
+struct BlockCells {
+  std::vector<kernels::CellRun<D>> runs;  ///< of regular cells, in the order of their slots
+  std::vector<std::int32_t> fitted;       ///< numbers of fitted cells
+};
+
 /// One body, in its undeformed shape: particles on the nodes of a lattice, stress points in the
 /// middle of its cells.
 template <class T, int D>
@@ -68,14 +77,17 @@ struct Body : undeformed::Body<T, D> {
   Buffer<T> fraction;          ///< share of the cell above the slot that the body fills, (TL.1)
   Buffer<T> regular_fraction;  ///< the same, 0 in fitted cells
   std::array<Buffer<T>, D> internal;
-  std::array<std::array<Buffer<T>, kernels::cell_modes<D>>, D> force;
   std::vector<kernels::PronyTerm<double>> prony;
-  std::vector<Buffer<T>> memory_pressure;         ///< [term] p_i of (RP.10) at the last stress [Pa]
-  Buffer<T> volume_change;                        ///< J - 1 there; only with Prony terms
+  std::vector<Buffer<T>> memory_pressure;  ///< [term] p_i of (RP.10) at the last stress [Pa]
+  Buffer<T> volume_change;                 ///< J - 1 there; only with Prony terms
+  /// The same for the next stress, as long as blocks evaluate it; then they change places.
+  std::vector<Buffer<T>> next_memory_pressure;
+  Buffer<T> next_volume_change;
   double memory_age = 0;                          ///< time since the last stress [s]
   std::vector<FittedNode<D>> fitted_nodes;        ///< in the order of the slots
   std::vector<kernels::FittedCell<T, D>> fitted;  ///< block by block
   std::vector<int> first_fitted;                  ///< [block + 1]
+  std::vector<BlockCells<D>> cells;               ///< [block]
   std::vector<Facet<D>> facets;
   std::vector<FacetLoad> loads;
   std::vector<SurfacePatch> patches;
@@ -97,6 +109,13 @@ struct Body : undeformed::Body<T, D> {
     std::array<const T*, D> view;
     for (int a = 0; a < D; ++a) view[a] = this->displacement[a].get();
     return view;
+  }
+
+  /// Makes what a step has written the present state.
+  void take_next() {
+    std::swap(this->displacement, this->end_displacement);
+    std::swap(memory_pressure, next_memory_pressure);
+    std::swap(volume_change, next_volume_change);
   }
 
   /// How far a particle starts from its node [m].
@@ -132,6 +151,19 @@ struct Body : undeformed::Body<T, D> {
     return found;
   }
 
+  /// Slots from a slot's cell to its rows of corners.
+  std::array<std::int64_t, kernels::corner_rows<D>> corner_rows(std::int64_t slot) const {
+    const auto& segments = layout.segments();
+    const auto& segment = *std::prev(std::upper_bound(
+        segments.begin(), segments.end(), slot,
+        [](std::int64_t s, const kernels::Segment<D>& other) { return s < other.first; }));
+    std::array<std::int64_t, kernels::corner_rows<D>> rows;
+    for (int r = 0; r < kernels::corner_rows<D>; ++r) {
+      rows[r] = segment.neighbour_row[kernels::row_index<D>(r & 1, r >> 1)];
+    }
+    return rows;
+  }
+
  private:
   template <class Self, class F>
   static void visit_arrays(Self& body, F&& f) {
@@ -148,7 +180,8 @@ struct Body : undeformed::Body<T, D> {
     f(Field::regular_fraction, span(&body.regular_fraction, 1));
     f(Field::memory_pressure, span(body.memory_pressure));
     f(Field::volume_change, span(&body.volume_change, body.prony.empty() ? 0 : 1));
-    for (auto& modes : body.force) f(Field::corner_force, span(modes));
+    f(Field::next_memory_pressure, span(body.next_memory_pressure));
+    f(Field::next_volume_change, span(&body.next_volume_change, body.prony.empty() ? 0 : 1));
   }
 };
 

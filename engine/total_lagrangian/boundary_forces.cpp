@@ -172,7 +172,7 @@ void BoundaryForces<T, D>::begin_motion(int block) {
 template <class T, int D>
 void BoundaryForces<T, D>::end_motion(int block) {
   const Owned owned = owner(block);
-  work_.hold(block, owned.body, owned.local);
+  work_.hold(block, owned.body, owned.local, owned.body.end_displacement);
   work_.end_motion(block, power_of(block));
 }
 

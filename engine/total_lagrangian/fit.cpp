@@ -234,6 +234,7 @@ void make_fitted_cells(Body<T, D>& body) {
       const Eigen::Matrix<double, D, D> a = shape_of<T, D>(body, cell), inverse = a.inverse();
       kernels::FittedCell<T, D> fitted = {};
       fitted.slot = p;
+      fitted.row = body.corner_rows(p);
       fitted.volume = static_cast<T>(body.fraction[p] * a.determinant());
       for (int i = 0; i < D; ++i) {
         for (int j = 0; j < D; ++j) fitted.inverse[D * i + j] = static_cast<T>(inverse(i, j));

@@ -4,7 +4,9 @@
 
 #include "engine/case/check.hpp"
 #include "engine/total_lagrangian/observe/measure.hpp"
+#include "engine/total_lagrangian/parameters.hpp"
 #include "engine/total_lagrangian/solver.hpp"
+#include "kernels/total_lagrangian/arguments.hpp"
 
 namespace pliant::total_lagrangian {
 
@@ -21,21 +23,59 @@ void check_body(const Check& check, std::size_t i) {
 
 void check(const Check& check) {
   const Case& a_case = check.a_case;
-  refuse_tables(check, {"remeshing", "level_set", "ghosts", "periodic", "contact", "cut"});
+  refuse_tables(check, {"periodic", "contact", "cut"});
   for (std::size_t i = 0; i < a_case.bodies.size(); ++i) check_body(check, i);
   refuse_measurements(check, Measurer<double, 2>::is_measured);
-  if (a_case.total_lagrangian.match_time_step && !a_case.time.step) {
+  if (!parameters_of(a_case).mass_scaling && !a_case.time.step) {
     check.problems.add(check.place("total_lagrangian", "mass_scaling"),
                        "the mass can only be scaled to a given time step",
                        "give time.step in seconds, or mass_scaling as a number");
   }
 }
 
+// (TL.9)
+StepLimits step_limits(const Case& a_case) {
+  const std::optional<double>& scaling = parameters_of(a_case).mass_scaling;
+  StepLimits limits;
+  limits.stable_cfl = 1;
+  limits.default_cfl = 0.5;
+  limits.bounds_given_steps = true;
+  limits.mass_follows_step = !scaling;
+  limits.mass_scaling = scaling.value_or(1);
+  return limits;
+}
+
+std::string summary(const Case& a_case) {
+  const std::optional<double>& scaling = parameters_of(a_case).mass_scaling;
+  return scaling ? fmt::format("the mass times {}", *scaling) : "the mass scaled to the step";
+}
+
+// Particles lie on the corners of all cells that the body fills in part.
+Footprint footprint(const Case& a_case, const BodyCase& body) {
+  // phi, fraction, that of regular cells, mass and its inverse; five vectors; p_i and J - 1,
+  // twice
+  const int dimension = a_case.dimension;
+  const std::size_t terms = body.prony.size();
+  const double memory = terms > 0 ? terms + 1.0 : 0.0;
+  Footprint footprint;
+  footprint.on_corners = true;
+  footprint.margin = 0.5;
+  footprint.reach = 1.8;
+  footprint.bytes_per_slot = sizeof(double) * (5.0 + 2 * memory + 5 * dimension);
+  footprint.bytes_per_particle = dimension == 2 ? 150 : 400;
+  return footprint;
+}
+
 }  // namespace
 
 RegisteredMethod method() {
-  return {{"total_lagrangian",
-           "nodes and stress points of the undeformed body (TL.1), for slow loads", check},
+  return {{.word = "total_lagrangian",
+           .meaning = "nodes and stress points of the undeformed body (TL.1), for slow loads",
+           .check = check,
+           .keys = visit_keys,
+           .step_limits = step_limits,
+           .summary = summary,
+           .footprint = footprint},
           make_solver<Solver>};
 }
 

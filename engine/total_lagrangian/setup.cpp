@@ -10,6 +10,7 @@
 #include "engine/geometry/padded.hpp"
 #include "engine/geometry/signed_distance.hpp"
 #include "engine/method/initial_velocity.hpp"
+#include "engine/total_lagrangian/block_cells.hpp"
 #include "engine/total_lagrangian/fit.hpp"
 #include "kernels/with_scalar.hpp"
 
@@ -20,7 +21,9 @@ namespace {
 constexpr int sub_cells = 10;                // to a side, of a cell that the surface cuts
 constexpr double smallest_fraction = 0.001;  // of a cell that is worth a stress point
 constexpr double on_surface = 1e-9;          // [h] distances that rounding may leave
-constexpr std::int64_t slots_of_block = 2048;
+// Cells of a block: large blocks evaluate few cells of others, but small bodies need enough blocks
+// for all threads. What a block uses again, two planes of rows, stays in the second-level cache.
+constexpr std::int64_t least_cells = 1024, most_cells = 16384, wanted_blocks = 12;
 
 // Nodes lie on both faces of a box whose sides are whole multiples of the spacing.
 template <int D>
@@ -153,7 +156,8 @@ void lay_out(const Nodes<D>& nodes, Body<T, D>& body) {
         "body `{}` fills no cell of its lattice; use a finer discretisation.spacing", body.name));
   }
   occupancy.dilate(1.8);  // also the neighbours across edges and corners
-  const int blocks = static_cast<int>(std::max<std::int64_t>(marked / slots_of_block, 2));
+  const std::int64_t cells = std::clamp(marked / wanted_blocks, least_cells, most_cells);
+  const int blocks = static_cast<int>(std::max<std::int64_t>(marked / cells, 2));
   body.layout.build(occupancy, {}, blocks, 1);
 }
 
@@ -169,6 +173,7 @@ void take_material(const BodyCase& source, Body<T, D>& body) {
   body.material = kernels::with_scalar<T>(material);
   body.prony = source.prony;
   body.memory_pressure.resize(body.prony.size());
+  body.next_memory_pressure.resize(body.prony.size());
 }
 
 template <class T, int D>
@@ -191,7 +196,7 @@ void hold(const Boundaries<D>& boundaries, Body<T, D>& body) {
       const Point<D> x = body.lattice.node(cell);
       for (int w = 0; w < static_cast<int>(boundaries.walls.size()); ++w) {
         const Wall<D>& wall = boundaries.walls[w];
-        if (!wall.bonded() || wall.distance(x) >= reach) continue;
+        if (!wall.is_attached() || wall.distance(x) >= reach) continue;
         body.held[b].push_back(
             {static_cast<std::int32_t>(p), w, wall.slips() ? wall.normal(x) : Point<D>{}});
       }
@@ -249,6 +254,7 @@ void make_body(const Case& settings, const BodyCase& source, const Boundaries<D>
   hold<T, D>(boundaries, body);
   fit(boundaries, source.geometry, nodes, body);
   make_fitted_cells(body);
+  find_block_cells(body);
   const Layout<D>& layout = body.layout;
   for (const Block<D>& block : layout.blocks()) {
     layout.for_each_slot(block, [&](std::int64_t p, const Cell<D>& cell) {

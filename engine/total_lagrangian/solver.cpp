@@ -11,6 +11,7 @@
 #include "engine/total_lagrangian/observe/field_views.hpp"
 #include "engine/total_lagrangian/observe/frame.hpp"
 #include "engine/total_lagrangian/observe/measure.hpp"
+#include "engine/total_lagrangian/parameters.hpp"
 #include "engine/total_lagrangian/setup.hpp"
 #include "engine/total_lagrangian/state_archive.hpp"
 #include "kernels/with_scalar.hpp"
@@ -42,7 +43,8 @@ template <class T, int D>
 Solver<T, D>::Solver(const Case& a_case, const SolverOptions& options)
     : Base(a_case, options),
       state_(this->settings().boundaries),
-      step_(state_, this->settings(), kernels::TotalLagrangianTable<T, D>::of(options.isa)) {
+      step_(state_, this->settings(), kernels::TotalLagrangianTable<T, D>::of(options.isa),
+            this->workers()) {
   state_.bodies.resize(this->settings().bodies.size());
   Layouts<D> layouts;
   for (std::size_t b = 0; b < state_.bodies.size(); ++b) {
@@ -53,7 +55,7 @@ Solver<T, D>::Solver(const Case& a_case, const SolverOptions& options)
         state_.clock.wave_speed, kernels::wave_speed_at_rest(this->settings().bodies[b].material));
   }
   number_blocks<D>(layouts, state_.blocks);
-  state_.clock.damping = this->settings().total_lagrangian.damping.value_or(0);
+  state_.clock.damping = parameters_of(this->settings()).damping.value_or(0);
   scale_mass();
   this->graph_ = std::make_unique<scheduler::StepGraph>(
       step_.phases(), connect_blocks<D>(layouts, 0), Step<T, D>::resources());
@@ -63,9 +65,9 @@ Solver<T, D>::Solver(const Case& a_case, const SolverOptions& options)
 // step needs at present.
 template <class T, int D>
 void Solver<T, D>::scale_mass() {
-  const auto& method = this->settings().total_lagrangian;
-  double& scaling = state_.clock.mass_scaling = method.mass_scaling;
-  if (!method.match_time_step) return;
+  const std::optional<double>& given = parameters_of(this->settings()).mass_scaling;
+  double& scaling = state_.clock.mass_scaling = given.value_or(1);
+  if (given) return;
   const double cells = state_.clock.wave_speed * *this->settings().time.step /
                        (cfl_number(this->settings()) * this->settings().discretisation.spacing);
   scaling = std::max(1.0, cells * cells);
@@ -92,7 +94,7 @@ void Solver<T, D>::begin_step() {
   clock.step_end = start + length;
   clock.velocity_time = clock.step_end - length / 2;
   ++clock.step;
-  if (!this->settings().total_lagrangian.damping) {
+  if (!parameters_of(this->settings()).damping) {
     const double frequency2 = previous > 0 ? result.rayleigh / (previous * clock.mass_scaling) : 0;
     clock.damping = std::min(2 * std::sqrt(frequency2), 1 / length);
   }
@@ -126,18 +128,9 @@ template <class T, int D>
 std::size_t Solver<T, D>::bytes() const {
   std::size_t sum = 0;
   for (const Body<T, D>& body : state_.bodies) {
-    for (const auto* field : {&body.level_set, &body.fraction, &body.regular_fraction, &body.mass,
-                              &body.inverse_mass, &body.volume_change}) {
-      sum += field->bytes();
-    }
-    for (const auto* field : {&body.displacement, &body.end_displacement, &body.velocity,
-                              &body.internal, &body.traction}) {
-      for (const Buffer<T>& component : *field) sum += component.bytes();
-    }
-    for (const Buffer<T>& pressure : body.memory_pressure) sum += pressure.bytes();
-    for (const auto& component : body.force) {
-      for (const Buffer<T>& mode : component) sum += mode.bytes();
-    }
+    body.for_each_array([&sum](Field, const auto components) {
+      for (const Buffer<T>& component : components) sum += component.bytes();
+    });
   }
   return sum;
 }

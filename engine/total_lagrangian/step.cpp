@@ -3,16 +3,22 @@
 #include <algorithm>
 
 #include "engine/method/phase_rows.hpp"
+#include "engine/total_lagrangian/parameters.hpp"
 
 // A step of the total Lagrangian method. Everything happens on the lattice of the undeformed body,
 // where particles always have the same neighbours.
 //
 //     pressure          the force on the surface inside each cell where a load acts (TL.7)
 //     traction          the force of gravity on each particle, and its share in the former
-//     stress            F at each stress point from the particles at its cell's corners, the
-//                       stress, and its force on those corners (TL.2)-(TL.6)
-//     motion            the force on each particle (TL.5); velocity and displacement by central
-//                       differences with damping (TL.8); the velocity that walls set
+//     motion            F at the stress points around the particles, from the particles at the
+//                       corners of their cells, the stress, and its force on those corners
+//                       (TL.2)-(TL.6); velocity and displacement by central differences with
+//                       damping (TL.8); the velocity that walls set
+//
+// Forces never leave the cache: a block evaluates every cell of which one of its particles is a
+// corner, so that cells between blocks are evaluated several times. As they read where particles
+// were, displacements of the end of the step are written apart, and so is the memory of a viscous
+// material; these arrays then change places.
 //
 // There is one evaluation of the stress in each step, and the state is displacement and velocity
 // alone: F is a function of where the particles are, so that nothing creeps under a constant load.
@@ -23,31 +29,27 @@ using enum Group;
 
 template <class T, int D>
 Step<T, D>::Step(State<T, D>& state, const Case& settings,
-                 const kernels::TotalLagrangianTable<T, D>& kernels)
+                 const kernels::TotalLagrangianTable<T, D>& kernels, scheduler::Workers& workers)
     : state_(state),
       settings_(settings),
       kernels_(kernels),
       boundary_forces_(state, settings),
-      contact_(state, settings) {}
+      contact_(state, settings),
+      workers_(workers) {}
 
 template <class T, int D>
 std::vector<Phase> Step<T, D>::phases() {
-  stress_results_.assign(state_.blocks.size(), {0, -1});
-  motion_results_.assign(state_.blocks.size(), {});
+  results_.assign(state_.blocks.size(), {});
   boundary_forces_.prepare_blocks();
   prepare_contact();
+  reserve_forces();
   relaxation_.resize(state_.bodies.size());
   memory_.resize(state_.bodies.size());
+  next_memory_.resize(state_.bodies.size());
   for (std::size_t b = 0; b < state_.bodies.size(); ++b) {
     relaxation_[b].resize(state_.bodies[b].prony.size());
-    memory_[b].clear();
-    for (Buffer<T>& pressure : state_.bodies[b].memory_pressure) {
-      memory_[b].push_back(pressure.get());
-    }
+    list_memory(b);
   }
-  const auto run = [this](auto function) {
-    return [this, function](int block) { (this->*function)(block); };
-  };
   std::vector<Phase> phases;
   PhaseRows rows(phases);
   if (!state_.boundaries.pressures.empty()) {
@@ -59,15 +61,25 @@ std::vector<Phase> Step<T, D>::phases() {
               near(of(patch_forces)) + own(of(surface) + of(constants) + of(displacement)),
               own(of(tractions)), [this](int block) { boundary_forces_.distribute(block); });
   }
-  rows.each("stress", near(of(displacement)) + own(of(constants) + of(memory)),
-            own(of(corner_forces) + of(memory) + of(results)), run(&Step::evaluate_stress));
   rows.each("motion",
-            near(of(corner_forces) + of(patch_forces)) +
-                own(of(tractions) + of(constants) + of(surface) + of(internal_forces) +
-                    of(velocity) + of(displacement)),
-            own(of(internal_forces) + of(velocity) + of(displacement) + of(results)),
-            run(&Step::move));
+            near(of(displacement) + of(memory) + of(constants) + of(patch_forces)) +
+                own(of(tractions) + of(surface) + of(internal_forces) + of(velocity) + of(next)),
+            own(of(internal_forces) + of(velocity) + of(next) + of(results)),
+            [this](int block) { move(block); });
   return phases;
+}
+
+// One block at a time for each worker.
+template <class T, int D>
+void Step<T, D>::reserve_forces() {
+  std::int64_t slots = 0;
+  for (const Body<T, D>& body : state_.bodies) {
+    for (const Block<D>& block : body.layout.blocks()) slots = std::max(slots, block.slot_count);
+  }
+  force_.resize(workers_.threads());
+  for (std::array<Buffer<T>, D>& force : force_) {
+    for (Buffer<T>& component : force) component.grow(slots, T(0));
+  }
 }
 
 template <class T, int D>
@@ -90,6 +102,7 @@ void Step<T, D>::prepare(const Advance& advance) {
   boundary_forces_.prepare(advance.time, advance.kick(), advance.length);
   for (std::size_t b = 0; b < state_.bodies.size(); ++b) {
     const Body<T, D>& body = state_.bodies[b];
+    list_memory(b);
     for (std::size_t i = 0; i < body.prony.size(); ++i) {
       const kernels::PronyTerm<T> term = {static_cast<T>(body.prony[i].ratio),
                                           static_cast<T>(body.prony[i].time)};
@@ -101,14 +114,15 @@ void Step<T, D>::prepare(const Advance& advance) {
 
 template <class T, int D>
 StepResult Step<T, D>::fold() {
+  for (Body<T, D>& body : state_.bodies) body.take_next();
   StepResult result;
   double stiffness = 0, inertia = 0;
-  for (std::size_t b = 0; b < stress_results_.size(); ++b) {
-    result.wave_speed = std::max(result.wave_speed, stress_results_[b].wave_speed);
-    stiffness += motion_results_[b].stiffness;
-    inertia += motion_results_[b].inertia;
-    if (stress_results_[b].non_finite >= 0 && result.non_finite < 0) {
-      result.non_finite = stress_results_[b].non_finite;
+  for (std::size_t b = 0; b < results_.size(); ++b) {
+    result.wave_speed = std::max(result.wave_speed, results_[b].wave_speed);
+    stiffness += results_[b].stiffness;
+    inertia += results_[b].inertia;
+    if (results_[b].non_finite >= 0 && result.non_finite < 0) {
+      result.non_finite = results_[b].non_finite;
       result.failed_block = static_cast<int>(b);
     }
   }
@@ -118,34 +132,60 @@ StepResult Step<T, D>::fold() {
   return result;
 }
 
+// The arrays of the terms change places after every step.
 template <class T, int D>
-kernels::CellViscosity<T> Step<T, D>::viscosity(int block) const {
-  const int b = state_.blocks[block].body;
+void Step<T, D>::list_memory(std::size_t b) {
   Body<T, D>& body = state_.bodies[b];
-  return {static_cast<int>(body.prony.size()), relaxation_[b].data(), memory_[b].data(),
-          body.volume_change.get()};
+  memory_[b].resize(body.prony.size());
+  next_memory_[b].resize(body.prony.size());
+  for (std::size_t i = 0; i < body.prony.size(); ++i) {
+    memory_[b][i] = body.memory_pressure[i].get();
+    next_memory_[b][i] = body.next_memory_pressure[i].get();
+  }
 }
 
 template <class T, int D>
-void Step<T, D>::evaluate_stress(int block) {
-  const auto [body, local] = owner(block);
-  const Block<D>& range = body.layout.blocks()[local];
-  kernels::StressPoints<T, D> work = {};
-  work.segments = body.layout.segments_of(range);
-  work.segment_count = range.segment_count;
+kernels::CellViscosity<T> Step<T, D>::viscosity(int b) {
+  Body<T, D>& body = state_.bodies[b];
+  kernels::CellViscosity<T> viscosity;
+  viscosity.terms = static_cast<int>(body.prony.size());
+  viscosity.relaxation = relaxation_[b].data();
+  viscosity.pressure = memory_[b].data();
+  viscosity.next_pressure = next_memory_[b].data();
+  viscosity.volume_change = body.volume_change.get();
+  viscosity.next_volume_change = body.next_volume_change.get();
+  return viscosity;
+}
+
+template <class T, int D>
+void Step<T, D>::set_cells(const Body<T, D>& body, int local, kernels::Motion<T, D>& work) const {
+  const BlockCells<D>& cells = body.cells[local];
+  work.runs = cells.runs.data();
+  work.run_count = static_cast<int>(cells.runs.size());
+  work.fitted = body.fitted.data();
+  work.fitted_numbers = cells.fitted.data();
+  work.fitted_count = static_cast<int>(cells.fitted.size());
   work.spacing = static_cast<T>(body.lattice.spacing);
-  work.hourglass = static_cast<T>(settings_.total_lagrangian.hourglass_stiffness);
+  work.hourglass = static_cast<T>(parameters_of(settings_).hourglass_stiffness);
   work.examine = advance_.examine;
   work.material = body.material;
-  work.viscosity = viscosity(block);
-  work.fitted = body.fitted.data() + body.first_fitted[local];
-  work.fitted_count = body.first_fitted[local + 1] - body.first_fitted[local];
   work.fraction = body.regular_fraction.get();
-  work.displacement = body.displacement_view();
+}
+
+template <class T, int D>
+void Step<T, D>::set_particles(Body<T, D>& body, kernels::Motion<T, D>& work) const {
+  const double half = state_.clock.damping * advance_.kick() / 2;
+  work.kept = static_cast<T>((1 - half) / (1 + half));
+  work.gained = static_cast<T>(advance_.kick() / ((1 + half) * state_.clock.mass_scaling));
+  work.time_step = static_cast<T>(advance_.length);
+  work.inverse_mass = body.inverse_mass.get();
   for (int a = 0; a < D; ++a) {
-    for (int m = 0; m < kernels::cell_modes<D>; ++m) work.force[a][m] = body.force[a][m].get();
+    work.displacement[a] = body.displacement[a].get();
+    work.next_displacement[a] = body.end_displacement[a].get();
+    if (boundary_forces_.act_on_particles()) work.traction[a] = body.traction[a].get();
+    work.internal[a] = body.internal[a].get();
+    work.velocity[a] = body.velocity[a].get();
   }
-  stress_results_[block] = kernels_.evaluate_stress_points(work);
 }
 
 template <class T, int D>
@@ -153,22 +193,15 @@ void Step<T, D>::move(int block) {
   const auto [body, local] = owner(block);
   const Block<D>& range = body.layout.blocks()[local];
   kernels::Motion<T, D> work = {};
-  work.segments = body.layout.segments_of(range);
-  work.segment_count = range.segment_count;
-  const double half = state_.clock.damping * advance_.kick() / 2;
-  work.kept = static_cast<T>((1 - half) / (1 + half));
-  work.gained = static_cast<T>(advance_.kick() / ((1 + half) * state_.clock.mass_scaling));
-  work.time_step = static_cast<T>(advance_.length);
-  work.inverse_mass = body.inverse_mass.get();
-  for (int a = 0; a < D; ++a) {
-    for (int m = 0; m < kernels::cell_modes<D>; ++m) work.force[a][m] = body.force[a][m].get();
-    work.traction[a] = body.traction[a].get();
-    work.internal[a] = body.internal[a].get();
-    work.velocity[a] = body.velocity[a].get();
-    work.displacement[a] = body.displacement[a].get();
-  }
+  work.first_slot = range.first_slot;
+  work.slot_count = range.slot_count;
+  set_cells(body, local, work);
+  work.viscosity = viscosity(state_.blocks[block].body);
+  set_particles(body, work);
+  std::array<Buffer<T>, D>& force = force_[std::max(workers_.index(), 0)];
+  for (int a = 0; a < D; ++a) work.force[a] = force[a].get();
   boundary_forces_.begin_motion(block);
-  motion_results_[block] = kernels_.advance_motion(work);
+  results_[block] = kernels_.advance_motion(work);
   boundary_forces_.end_motion(block);
 }
 

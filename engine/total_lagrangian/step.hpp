@@ -8,6 +8,7 @@
 #include "engine/undeformed/wall_contact.hpp"
 #include "kernels/total_lagrangian/table.hpp"
 #include "scheduler/phase.hpp"
+#include "scheduler/workers.hpp"
 
 namespace pliant::total_lagrangian {
 
@@ -34,8 +35,8 @@ struct StepResult {
 template <class T, int D>
 class Step {
  public:
-  Step(State<T, D>& state, const Case& settings,
-       const kernels::TotalLagrangianTable<T, D>& kernels);
+  Step(State<T, D>& state, const Case& settings, const kernels::TotalLagrangianTable<T, D>& kernels,
+       scheduler::Workers& workers);
 
   std::vector<scheduler::Phase> phases();
 
@@ -51,8 +52,11 @@ class Step {
 
  private:
   void prepare_contact();
-  kernels::CellViscosity<T> viscosity(int block) const;
-  void evaluate_stress(int block);
+  void list_memory(std::size_t body);
+  kernels::CellViscosity<T> viscosity(int body);
+  void set_cells(const Body<T, D>& body, int local, kernels::Motion<T, D>& work) const;
+  void set_particles(Body<T, D>& body, kernels::Motion<T, D>& work) const;
+  void reserve_forces();
   void move(int block);
 
   struct Owned {
@@ -70,11 +74,12 @@ class Step {
   Advance advance_ = {};
   BoundaryForces<T, D> boundary_forces_;
   undeformed::WallContact<T, D> contact_;
+  scheduler::Workers& workers_;
   std::vector<std::vector<kernels::Relaxation<T>>>
-      relaxation_;                                           ///< [body][term], since the last step
-  std::vector<std::vector<T*>> memory_;                      ///< [body][term]
-  std::vector<kernels::StressPointsResult> stress_results_;  ///< [block]
-  std::vector<kernels::MotionResult> motion_results_;        ///< [block]
+      relaxation_;                                     ///< [body][term], since the last step
+  std::vector<std::vector<T*>> memory_, next_memory_;  ///< [body][term]
+  std::vector<std::array<Buffer<T>, D>> force_;        ///< [worker], for one block at a time [N]
+  std::vector<kernels::MotionResult> results_;         ///< [block]
 };
 
 extern template class Step<double, 2>;

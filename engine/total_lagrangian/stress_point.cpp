@@ -32,9 +32,9 @@ std::array<std::array<double, (1 << D)>, D> modes(const Body<T, D>& body, const 
 double volumetric_energy(const kernels::Material<double>& material, double j) {
   const double modulus = 2 / material.compressibility;
   switch (material.model) {
-    case kernels::Model::linear_rho:
+    case kernels::Model::linear:
       return modulus * (j - 1 - std::log(j));
-    case kernels::Model::linear_log:
+    case kernels::Model::linear_logarithmic:
       return modulus * (j * std::log(j) - j + 1);
     case kernels::Model::reduced_polynomial:
       break;

@@ -38,7 +38,7 @@ struct Body {
   Buffer<T> inverse_mass;  ///< [1/kg], 0 where there is no particle
   std::array<Buffer<T>, D> displacement, velocity;
   std::array<Buffer<T>, D> traction;  ///< of loads and gravity on each particle [N]
-  /// At the end of a step that an output time divides [m]; of no meaning at other times.
+  /// At the end of a step that an output time divides [m]; of no meaning between other steps.
   std::array<Buffer<T>, D> end_displacement;
   std::vector<std::vector<ConstrainedParticle<D>>> held;  ///< [block]
 

@@ -36,7 +36,8 @@ void BoundaryWork<T, D>::begin_motion(int block, const Body<T, D>& body, int loc
 }
 
 template <class T, int D>
-void BoundaryWork<T, D>::hold(int block, Body<T, D>& body, int local) {
+void BoundaryWork<T, D>::hold(int block, Body<T, D>& body, int local,
+                              std::array<Buffer<T>, D>& displacement) {
   BlockWork& work = work_[block];
   const double inertia = state_.clock.mass_scaling * (1 + state_.clock.damping * kick_ / 2);
   const auto& particles = body.held[local];
@@ -52,7 +53,7 @@ void BoundaryWork<T, D>::hold(int block, Body<T, D>& body, int local) {
     for (int a = 0; a < D; ++a) {
       const double undone = slips > 0 ? along * held.normal[a] : excess[a];
       body.velocity[a][held.slot] -= undone;
-      body.displacement[a][held.slot] -= moved_ * undone;
+      displacement[a][held.slot] -= moved_ * undone;
       const double impulse = -inertia * body.mass[held.slot] * undone;
       work.impulse[held.wall][a] += impulse;
       const double speed = body.velocity[a][held.slot];

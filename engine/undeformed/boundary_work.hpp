@@ -27,7 +27,9 @@ class BoundaryWork {
   void begin_motion(int block, const Body<T, D>& body, int local, const EnergyBudget& power);
   /// After that: constrained particles follow their walls, in the order of these: where two walls
   /// meet, the last one counts. What is undone is the impulse of the wall, by (TL.8), (PB.10).
-  void hold(int block, Body<T, D>& body, int local);
+  void hold(int block, Body<T, D>& body, int local) { hold(block, body, local, body.displacement); }
+  /// The same with displacements that are not yet those of the body.
+  void hold(int block, Body<T, D>& body, int local, std::array<Buffer<T>, D>& displacement);
   /// In the end, with the power of loads and gravity then.
   void end_motion(int block, const EnergyBudget& power);
 

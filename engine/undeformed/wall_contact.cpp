@@ -7,8 +7,6 @@
 #include <set>
 #include <tuple>
 
-#include "engine/case/contact_laws.hpp"
-
 namespace pliant::undeformed {
 
 namespace {
@@ -17,11 +15,6 @@ namespace {
 // is solved by Gauss-Seidel sweeps. What these leave is a small share of one step's motion.
 constexpr int sweeps = 4;
 constexpr double least_compliance = 1e-3;  // along the normal, of what a corner has elsewhere
-
-double coefficient(const BoundaryCase& boundary) {
-  if (row_of(boundary.friction).slides) return 0;
-  return boundary.friction_coefficient.value_or(std::numeric_limits<double>::infinity());
-}
 
 template <int D>
 std::array<double, D * D> identity() {
@@ -51,8 +44,9 @@ WallContact<T, D>::WallContact(State<D>& state, const Case& settings) : state_(s
   for (std::size_t b = 0; b < settings.boundaries.size(); ++b) {
     const BoundaryCase& boundary = settings.boundaries[b];
     if (boundary.kind != BoundaryCase::Kind::contact_wall) continue;
-    const double friction = coefficient(boundary);
-    walls_.push_back({state_.boundaries.wall_of[b], friction == 0, friction, {}, {}, 1, 1, 1, 1});
+    const int wall = state_.boundaries.wall_of[b];
+    const double friction = state_.boundaries.walls[wall].friction();
+    walls_.push_back({wall, friction == 0, friction, {}, {}, 1, 1, 1, 1});
   }
 }
 

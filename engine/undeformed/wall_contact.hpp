@@ -28,7 +28,7 @@ class WallContact {
 
   /// Whether the case has contact walls.
   bool exists() const { return !walls_.empty(); }
-  /// Forgets the surfaces of all bodies.
+  /// Clears the surfaces of all bodies.
   void clear_surfaces() { surfaces_.clear(); }
   /// Lists the corners of the surface of a body, which must stay where it is.
   void add_surface(Body<T, D>& body, const std::vector<Vertex<D>>& corners);

@@ -10,6 +10,7 @@
 
 #include <pliant/case_file.hpp>
 #include <pliant/field.hpp>
+#include <pliant/input.hpp>
 
 namespace pliant {
 
@@ -24,6 +25,13 @@ struct Totals {
   double mass;
   std::array<double, 3> momentum, angular_momentum;  ///< about the origin
   double kinetic_energy, strain_energy;
+};
+
+/// How far an advance on a budget has come.
+struct Progress {
+  std::int64_t steps = 0;
+  double lag = 0;        ///< simulated time that was put off: what was asked for less `time` [s]
+  double wall_time = 0;  ///< that it took [s]
 };
 
 /// A case that is being simulated, step by step, under the control of the caller.
@@ -50,6 +58,10 @@ class Simulation {
   void step();
   /// Steps until `time` [s] is reached; the last step is shortened to end there. Throws RunError.
   void advance(double until);
+  /// The same within `budget` seconds of wall time: steps of which it must be expected that they
+  /// would not end in time are put off, and how much simulated time that is, is returned. One step
+  /// is always taken. Throws RunError.
+  Progress advance(double until, double budget);
 
   double time() const;              ///< [s]
   double time_step() const;         ///< length of the next step [s]
@@ -81,7 +93,26 @@ class Simulation {
   /// From now on a wall moves with this velocity [m/s], whatever the case says.
   void set_wall_velocity(std::string_view boundary, const std::array<double, 3>& velocity);
 
-  /// Writes everything that the next step reads, loads that were set included. Throws RunError.
+  /// From now on the blade of a cut of the case is where the caller puts it, whatever the case
+  /// says: its edge is between two places [m] where the tissue is at present, in 2D at the first.
+  /// What it sweeps between two calls is cut, and moves with the tissue. Throws InputError for
+  /// methods without cuts.
+  void move_blade(std::string_view cut, const std::array<double, 3>& from,
+                  const std::array<double, 3>& to);
+  /// Takes a blade out, from where it was in the last step: where it is put next, a new cut begins.
+  void lift_blade(std::string_view cut);
+
+  /// Takes an input at its time: at once if that has come, else when an advance gets there, which
+  /// then makes a stop. Throws InputError for names that the case does not have.
+  void enter(const Input& input);
+  /// Takes the inputs of a session one after another, and advances to the time of each. From the
+  /// state in which it was recorded, the session of another simulation gives the same bits.
+  void play(const std::vector<Input>& session);
+  /// All that has been done to this simulation since it was made or restored.
+  const std::vector<Input>& session() const;
+
+  /// Writes everything that the next step reads, loads that were set included, but no input whose
+  /// time has not come. Throws RunError.
   void save(const std::filesystem::path& file) const;
   /// Continues from a file that a simulation of the same case has saved, to the same bits. Throws
   /// InputError when it is that of another case, RunError when it cannot be read.

@@ -1,27 +1,12 @@
 #pragma once
 
+#include "kernels/point_based/collect_points.hpp"
 #include "kernels/point_based/first_piola.hpp"
 #include "kernels/point_based/point_lanes.hpp"
 
 /// Forces of a block of nodes, a register of nodes at a time with one node in each lane:
 /// neighbours' displacements -> F -> P -> forces along the bonds.
 namespace pliant::kernels {
-
-/// Copies displacements of own slots and of the halo into the array of points, and clears forces.
-template <class P, int D>
-inline void collect_points(const PointForces<Scalar<P>, D>& block) {
-  using T = Scalar<P>;
-  T* to = block.point;
-  const auto put = [&](std::int64_t slot) {
-    for (int a = 0; a < D; ++a) to[a] = block.displacement[a][slot];
-    for (int a = D; a < point_stride; ++a) to[a] = T(0);
-    to += point_stride;
-  };
-  for (int i = 0; i < block.count; ++i) put(block.first + i);
-  for (int i = 0; i < block.halo_count; ++i) put(block.halo[i]);
-  const int values = (block.count + block.halo_count) * point_stride;
-  for (int i = 0; i < values; ++i) block.force[i] = T(0);
-}
 
 /// c += a b.
 template <class P, int D>
@@ -223,7 +208,7 @@ inline void add_forces_of_register(const PointForces<Scalar<P>, D>& block, int l
 
 template <ElasticLaw law, class P, int D>
 inline PointForcesResult evaluate_forces_of(const PointForces<Scalar<P>, D>& block) {
-  collect_points<P, D>(block);
+  collect_points<P, D>(block, nullptr);
   PointForcesResult result = {-1};
   for (int local = 0; local < block.count; local += lanes<P>) {
     add_forces_of_register<law, P, D>(block, local, result.non_finite);

@@ -11,27 +11,37 @@
 /// the undeformed body; a stress point is the middle of the cell whose lowest corner is its slot.
 namespace pliant::kernels {
 
-/// Modes of a cell's 2^D corner values apart from their mean, numbered 1 .. 2^D - 1 by a bit for
-/// each direction in which they change sign, (TL.2). Those of one bit are gradients, the others
-/// hourglass modes. Arrays over modes leave out number 0.
-template <int D>
-inline constexpr int cell_modes = (1 << D) - 1;
-
-/// The number of directions in which a mode changes sign: one in gradients, more in hourglass
-/// modes.
+/// The number of directions in which a mode of a cell's 2^D corner values changes sign, (TL.2): a
+/// mode has a bit for each. One direction: a gradient mode; more: an hourglass mode.
 inline constexpr int directions_of[] = {0, 1, 1, 2, 1, 2, 2, 3};
 
-/// [component][mode - 1][slot]
-template <class T, int D>
-using ModeArrays = std::array<std::array<T*, cell_modes<D>>, D>;
+/// Rows of corners of a cell: row r holds corners 2 r and 2 r + 1. Corner c lies one slot up in
+/// every direction whose bit of c is set.
+template <int D>
+inline constexpr int corner_rows = 1 << (D - 1);
+
+/// A run of cells along x that a block evaluates for its particles. Each cell at the rim of a block
+/// is evaluated by every block with particles at its corners, so that its forces stay in the
+/// block's scratch memory.
+template <int D>
+struct CellRun {
+  std::int64_t first;  ///< slot, a multiple of slots_per_pack
+  std::int32_t count;  ///< slots, a multiple of slots_per_pack
+  bool follows;        ///< whether the cell before the first has corners in the run's first pack
+  bool own;            ///< whether the cells belong to the block
+  std::array<std::int64_t, corner_rows<D>> row;     ///< slots from a cell to its rows of corners
+  std::array<std::int64_t, corner_rows<D>> target;  ///< those corners of the first cell, counted
+                                                    ///< from the block's first slot; -1: not in it
+};
 
 /// A cell of which a corner has left its lattice node X0 for another place X of the undeformed
 /// body, (TL.11).
 template <class T, int D>
 struct FittedCell {
   std::int64_t slot;
-  T volume;            ///< f det A: that of the body in the cell over h^D
-  T inverse[D * D];    ///< A^-1, row by row
+  std::array<std::int64_t, corner_rows<D>> row;  ///< slots from it to its rows of corners
+  T volume;                                      ///< f det A: that of the body in the cell over h^D
+  T inverse[D * D];                              ///< A^-1, row by row
   T start[D][1 << D];  ///< [component][mode] q_b(X) of the hourglass modes [m]
 };
 
@@ -40,52 +50,50 @@ template <class T>
 struct CellViscosity {
   int terms = 0;
   const Relaxation<T>* relaxation = nullptr;  ///< [term], since the last stress
-  T* const* pressure = nullptr;               ///< [term][slot] p_i [Pa]
-  T* volume_change = nullptr;                 ///< [slot] J - 1 at the last stress
+  const T* const* pressure = nullptr;         ///< [term][slot] p_i at the last stress [Pa]
+  T* const* next_pressure = nullptr;          ///< [term][slot] p_i at this stress [Pa]
+  const T* volume_change = nullptr;           ///< [slot] J - 1 at the last stress
+  T* next_volume_change = nullptr;            ///< [slot] J - 1 at this stress
 };
 
-/// Stress at the stress points of a block, (TL.3)-(TL.6): reads displacement also in neighbouring
-/// blocks, writes `force` in every slot of the block, zero where the body is not.
+/// The stress at the cells around the particles of a block, (TL.3)-(TL.6), and the motion of these
+/// particles, (TL.5), (TL.8). Reads `displacement`, `fraction` and the viscosity also in
+/// neighbouring blocks, and writes where no block reads.
 template <class T, int D>
-struct StressPoints {
-  const Segment<D>* segments;
-  int segment_count;
-  const FittedCell<T, D>* fitted;
+struct Motion {
+  const CellRun<D>* runs;
+  int run_count;
+  const FittedCell<T, D>* fitted;      ///< of the body
+  const std::int32_t* fitted_numbers;  ///< those with corners in the block
   int fitted_count;
+  std::int64_t first_slot, slot_count;  ///< of the block, multiples of slots_per_pack
   T spacing;
   T hourglass;   ///< kappa of (TL.6)
   bool examine;  ///< whether to look for the wave speed and for states that are not possible
+  T kept;        ///< share of the velocity that damping leaves, (TL.8)
+  T gained;      ///< velocity per force over mass [s], (TL.8)
+  T time_step;
   Material<T> material;
   CellViscosity<T> viscosity;
-  const T* fraction;  ///< [slot] share of the cell that the body fills; 0 in fitted cells
+  const T* fraction;      ///< [slot] share of the cell that the body fills; 0 in fitted cells
+  const T* inverse_mass;  ///< [slot], 0 where there is no particle [1/kg]
   std::array<const T*, D> displacement;  ///< d
-  ModeArrays<T, D> force;                ///< [N]
+  std::array<const T*, D> traction;      ///< force on the particle from outside [N], or nullptr
+  std::array<T*, D> internal;            ///< force from the stress points, of this step [N]
+  std::array<T*, D> velocity;
+  std::array<T*, D> next_displacement;  ///< d at the end of the step
+  /// [slot - first_slot] scratch memory for forces from the stress points: zero before and after.
+  std::array<T*, D> force;
+
+  bool has(std::int64_t slot) const { return slot >= first_slot && slot < first_slot + slot_count; }
 };
 
-struct StressPointsResult {
-  double wave_speed;        ///< largest c of (TL.9) [m/s]; 0 unless examined
-  std::int64_t non_finite;  ///< a slot whose stress is not finite or whose J <= 0, or -1
-};
-
-/// Moves the particles of a block, (TL.5), (TL.8): reads `force` also in neighbouring blocks.
-template <class T, int D>
-struct Motion {
-  const Segment<D>* segments;
-  int segment_count;
-  T kept;    ///< share of the velocity that damping leaves, (TL.8)
-  T gained;  ///< velocity per force over mass [s], (TL.8)
-  T time_step;
-  const T* inverse_mass;             ///< [slot], 0 where there is no particle [1/kg]
-  ModeArrays<const T, D> force;      ///< of the stress points
-  std::array<const T*, D> traction;  ///< force on the particle from outside [N]
-  std::array<T*, D> internal;        ///< force from the stress points, of this step [N]
-  std::array<T*, D> velocity, displacement;
-};
-
-/// Sums over the particles of a block, for adaptive damping (TL.10).
 struct MotionResult {
-  double stiffness = 0;  ///< sum of v . (F_before - F) [W]
-  double inertia = 0;    ///< sum of v . m v, without scaling of the mass [J]
+  double wave_speed = 0;         ///< largest c of (TL.9) [m/s]; 0 unless examined
+  std::int64_t non_finite = -1;  ///< a slot whose stress is not finite or whose J <= 0, or -1
+  /// Sums over the particles, for adaptive damping (TL.10).
+  double stiffness = 0;  ///< of v . (F_before - F) [W]
+  double inertia = 0;    ///< of v . m v, without scaling of the mass [J]
 };
 
 }  // namespace pliant::kernels

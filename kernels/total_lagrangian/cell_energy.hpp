@@ -13,8 +13,8 @@ template <class P>
 inline P volumetric_slope(const Material<Scalar<P>>& material, const P& volume_ratio) {
   using T = Scalar<P>;
   const P modulus(T(2) / material.compressibility), one(T(1));
-  if (material.model == Model::linear_rho) return modulus * (one - one / volume_ratio);
-  if (material.model == Model::linear_log) return modulus * logarithm(volume_ratio);
+  if (material.model == Model::linear) return modulus * (one - one / volume_ratio);
+  if (material.model == Model::linear_logarithmic) return modulus * logarithm(volume_ratio);
   return modulus * (volume_ratio - one);
 }
 
@@ -23,8 +23,8 @@ template <class P>
 inline P volumetric_stiffness(const Material<Scalar<P>>& material, const P& volume_ratio) {
   using T = Scalar<P>;
   const P modulus(T(2) / material.compressibility);
-  if (material.model == Model::linear_rho) return modulus / volume_ratio;
-  if (material.model == Model::linear_log) return modulus;
+  if (material.model == Model::linear) return modulus / volume_ratio;
+  if (material.model == Model::linear_logarithmic) return modulus;
   return modulus * volume_ratio;
 }
 

@@ -3,7 +3,7 @@
 #include "kernels/total_lagrangian/cell_energy.hpp"
 #include "kernels/total_lagrangian/corner_modes.hpp"
 
-/// Parts that stress points on the lattice and in fitted cells share.
+/// Parts that stress points of regular and of fitted cells share.
 namespace pliant::kernels {
 
 /// Bound of the largest singular value: sqrt(largest row sum * largest column sum), squared.
@@ -26,14 +26,13 @@ inline P norm2_bound(const P (&matrix)[D * D]) {
 
 /// Displacement modes of the cells of a register, [component][mode].
 template <class P, int D>
-inline void displacement_modes(const StressPoints<Scalar<P>, D>& block,
-                               const std::int64_t (&row)[1 << (D - 1)], std::int64_t slot,
-                               P (&mode)[D][1 << D]) {
+inline void displacement_modes(const Motion<Scalar<P>, D>& block, const CellRun<D>& run,
+                               std::int64_t slot, P (&mode)[D][1 << D]) {
 #pragma GCC unroll 3
   for (int i = 0; i < D; ++i) {
     const Scalar<P>* d = block.displacement[i] + slot;
 #pragma GCC unroll 8
-    for (int c = 0; c < (1 << D); ++c) mode[i][c] = load<P>(d + row[c >> 1] + (c & 1));
+    for (int c = 0; c < (1 << D); ++c) mode[i][c] = load<P>(d + run.row[c >> 1] + (c & 1));
     to_modes<P, D>(mode[i]);
   }
 }
@@ -43,7 +42,7 @@ template <class P, int D>
 struct HourglassWeights {
   Scalar<P> of[D + 1];
 
-  explicit HourglassWeights(const StressPoints<Scalar<P>, D>& block) {
+  explicit HourglassWeights(const Motion<Scalar<P>, D>& block) {
 #pragma GCC unroll 3
     for (int n = 0; n <= D; ++n) {
       of[n] = block.hourglass * Scalar<P>(mode_weights<D>[n]) / (block.spacing * block.spacing);

@@ -12,10 +12,10 @@ struct CellGroup {
   const FittedCell<T, D>* cell[lanes<P>];
   int count;
 
-  CellGroup(const StressPoints<T, D>& block, int first)
+  CellGroup(const Motion<T, D>& block, int first)
       : count(block.fitted_count - first < lanes<P> ? block.fitted_count - first : lanes<P>) {
     for (int l = 0; l < lanes<P>; ++l) {
-      cell[l] = block.fitted + first + (l < count ? l : count - 1);
+      cell[l] = block.fitted + block.fitted_numbers[first + (l < count ? l : count - 1)];
     }
   }
 
@@ -29,37 +29,35 @@ struct CellGroup {
   P gather(const T* from) const {
     return of_each([from](const FittedCell<T, D>& c) { return from[c.slot]; });
   }
-  void scatter(const P& pack, T* to) const {
+  /// Writes the lanes of the cells that belong to the block.
+  void scatter(const Motion<T, D>& block, const P& pack, T* to) const {
     alignas(64) T value[lanes<P>];
     pack.store_aligned(value);
-    for (int l = 0; l < count; ++l) to[cell[l]->slot] = value[l];
+    for (int l = 0; l < count; ++l) {
+      if (block.has(cell[l]->slot)) to[cell[l]->slot] = value[l];
+    }
+  }
+  /// Subtracts a value of each cell at its corner `c`, where that belongs to the block.
+  void subtract_at_corner(const Motion<T, D>& block, const P& pack, int c, T* from) const {
+    alignas(64) T value[lanes<P>];
+    pack.store_aligned(value);
+    for (int l = 0; l < count; ++l) {
+      const std::int64_t corner = cell[l]->slot + cell[l]->row[c >> 1] + (c & 1);
+      if (block.has(corner)) from[corner - block.first_slot] -= value[l];
+    }
   }
 };
 
-/// Corner rows of a slot; fitted cells are few, so that looking for their segment costs nothing.
-template <class Arch, class T, int D>
-inline const Segment<D>& segment_of(const StressPoints<T, D>& block, std::int64_t slot) {
-  const Segment<D>* segment = block.segments;
-  while (slot < segment->first || slot >= segment->first + segment->count) ++segment;
-  return *segment;
-}
-
 template <class P, int D>
-inline void gather_modes(const StressPoints<Scalar<P>, D>& block, const CellGroup<P, D>& group,
+inline void gather_modes(const Motion<Scalar<P>, D>& block, const CellGroup<P, D>& group,
                          P (&mode)[D][1 << D]) {
-  using T = Scalar<P>;
-  alignas(64) T value[D][1 << D][lanes<P>];
-  for (int l = 0; l < lanes<P>; ++l) {
-    const std::int64_t slot = group.cell[l]->slot;
-    const Segment<D>& segment = segment_of<typename P::arch_type>(block, slot);
-    for (int c = 0; c < (1 << D); ++c) {
-      const std::int64_t corner =
-          slot + corner_row<typename P::arch_type>(segment, c >> 1, 1) + (c & 1);
-      for (int i = 0; i < D; ++i) value[i][c][l] = block.displacement[i][corner];
-    }
-  }
   for (int i = 0; i < D; ++i) {
-    for (int c = 0; c < (1 << D); ++c) mode[i][c] = P::load_aligned(value[i][c]);
+    const Scalar<P>* d = block.displacement[i];
+    for (int c = 0; c < (1 << D); ++c) {
+      mode[i][c] = group.of_each([d, c](const FittedCell<Scalar<P>, D>& cell) {
+        return d[cell.slot + cell.row[c >> 1] + (c & 1)];
+      });
+    }
     to_modes<P, D>(mode[i]);
   }
 }
@@ -97,7 +95,7 @@ inline void fitted_state(const CellGroup<P, D>& group, const HourglassWeights<P,
 
 /// (RP.22) for the cells of a group.
 template <class P, int D>
-inline P relax_fitted(const StressPoints<Scalar<P>, D>& block, const CellGroup<P, D>& group,
+inline P relax_fitted(const Motion<Scalar<P>, D>& block, const CellGroup<P, D>& group,
                       const CellState<P, D>& state) {
   using T = Scalar<P>;
   const CellViscosity<T>& viscosity = block.viscosity;
@@ -107,20 +105,51 @@ inline P relax_fitted(const StressPoints<Scalar<P>, D>& block, const CellGroup<P
   for (int i = 0; i < viscosity.terms; ++i) {
     const P before = group.gather(viscosity.pressure[i]);
     const P after = relax_term(viscosity.relaxation[i], before, start, end);
-    group.scatter(after, viscosity.pressure[i]);
+    group.scatter(block, after, viscosity.next_pressure[i]);
     sum = sum + after;
   }
-  group.scatter(end, viscosity.volume_change);
+  group.scatter(block, end, viscosity.next_volume_change);
   return sum;
 }
 
+/// (TL.5) and (TL.6) with the corrections of (TL.11), from the modes `mode` that F leaves.
 template <class P, int D>
-void evaluate_fitted_cells(const StressPoints<Scalar<P>, D>& block,
-                           StressPointExtremes<P>& extremes) {
+inline void add_fitted_forces(const Motion<Scalar<P>, D>& block, const CellGroup<P, D>& group,
+                              const HourglassWeights<P, D>& weights, const P& slope,
+                              const P (&inverse)[D * D], const P (&mode)[D][1 << D],
+                              const P (&start)[D][1 << D], const CellStress<P, D>& stress) {
   using T = Scalar<P>;
   constexpr int corners = 1 << D;
   T cell_volume = 1;
   for (int a = 0; a < D; ++a) cell_volume *= block.spacing;
+  const P volume =
+      P(cell_volume) * group.of_each([](const FittedCell<T, D>& cell) { return cell.volume; });
+  for (int i = 0; i < D; ++i) {
+    P pull[corners], effective[D];  // P less the part of the hourglass forces that follows F
+    for (int j = 0; j < D; ++j) effective[j] = stress.piola[D * i + j];
+    for (int m = 1; m < corners; ++m) {
+      if (directions_of[m] < 2) continue;
+      const P force = stress.shear * P(weights.of[directions_of[m]]) * mode[i][m];
+      for (int j = 0; j < D; ++j) effective[j] = fused_minus(force, start[j][m], effective[j]);
+      pull[m] = volume * force;
+    }
+    for (int a = 0; a < D; ++a) {
+      P sum = effective[0] * inverse[D * a];
+      for (int j = 1; j < D; ++j) sum = fused(effective[j], inverse[D * a + j], sum);
+      pull[1 << a] = volume * slope * sum;
+    }
+    to_corners<P, D>(pull);
+    for (int c = 0; c < corners; ++c) {
+      group.subtract_at_corner(block, pull[c], c, block.force[i]);
+    }
+  }
+}
+
+/// Takes the forces of the fitted cells from `block.force`.
+template <class P, int D>
+void evaluate_fitted_cells(const Motion<Scalar<P>, D>& block, StressPointExtremes<P>& extremes) {
+  using T = Scalar<P>;
+  constexpr int corners = 1 << D;
   const P slope(T(2) / (corners * block.spacing));
   const HourglassWeights<P, D> weights(block);
   for (int first = 0; first < block.fitted_count; first += lanes<P>) {
@@ -129,30 +158,12 @@ void evaluate_fitted_cells(const StressPoints<Scalar<P>, D>& block,
     for (int c = 0; c < D * D; ++c) {
       inverse[c] = group.of_each([c](const FittedCell<T, D>& cell) { return cell.inverse[c]; });
     }
-    const P volume =
-        P(cell_volume) * group.of_each([](const FittedCell<T, D>& cell) { return cell.volume; });
     gather_modes<P, D>(block, group, mode);
     CellState<P, D> state;
     fitted_state<P, D>(group, weights, slope, inverse, mode, start, state);
     const P pressure = relax_fitted<P, D>(block, group, state);
     const CellStress<P, D> stress = cell_stress<P, D>(block.material, state, pressure);
-    for (int i = 0; i < D; ++i) {
-      P effective[D];  // P less the part of the hourglass forces that follows F
-      for (int j = 0; j < D; ++j) effective[j] = stress.piola[D * i + j];
-      for (int m = 1; m < corners; ++m) {
-        if (directions_of[m] < 2) continue;
-        const P force = stress.shear * P(weights.of[directions_of[m]]) * mode[i][m];
-        for (int j = 0; j < D; ++j) {
-          effective[j] = fused_minus(force, start[j][m], effective[j]);
-        }
-        group.scatter(volume * force, block.force[i][m - 1]);
-      }
-      for (int a = 0; a < D; ++a) {
-        P sum = effective[0] * inverse[D * a];
-        for (int j = 1; j < D; ++j) sum = fused(effective[j], inverse[D * a + j], sum);
-        group.scatter(volume * slope * sum, block.force[i][(1 << a) - 1]);
-      }
-    }
+    add_fitted_forces<P, D>(block, group, weights, slope, inverse, mode, start, stress);
     if (!block.examine) continue;
     P reverse[D * D];
     for (int a = 0; a < D; ++a) {

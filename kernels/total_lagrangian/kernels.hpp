@@ -2,7 +2,6 @@
 
 #include "kernels/compiled_for.hpp"
 #include "kernels/total_lagrangian/motion.hpp"
-#include "kernels/total_lagrangian/stress_points.hpp"
 #include "kernels/total_lagrangian/table.hpp"
 
 namespace pliant::kernels {
@@ -10,7 +9,7 @@ namespace pliant::kernels {
 template <Isa isa, class T, int D>
 TotalLagrangianTable<T, D> total_lagrangian_kernels() {
   using P = PackOf<isa, T>;
-  return {evaluate_stress_points<P, D>, advance_motion<P, D>};
+  return {advance_motion<P, D>};
 }
 
 }  // namespace pliant::kernels

@@ -1,6 +1,7 @@
 #pragma once
 
-#include "kernels/total_lagrangian/corner_modes.hpp"
+#include "kernels/total_lagrangian/fitted_cells.hpp"
+#include "kernels/total_lagrangian/regular_cells.hpp"
 
 namespace pliant::kernels {
 
@@ -12,55 +13,86 @@ inline void add_lanes(const P& pack, double& sum) {
   for (int l = 0; l < lanes<P>; ++l) sum += lane[l];
 }
 
-/// See Motion. Lanes of eight whatever the register, so that the sums are those of any instruction
-/// set with fused multiply-add.
+/// Moves the particles of a block from its first slot on, as far as their forces are known, (TL.8).
+/// Lanes of eight whatever the register, so that the sums are those of any instruction set with
+/// fused multiply-add.
 template <class P, int D>
-MotionResult advance_motion(const Motion<Scalar<P>, D>& block) {
+class Mover {
+ public:
   using T = Scalar<P>;
-  constexpr int rows = 1 << (D - 1), registers = registers_per_pack<P>;
-  const P zero(T(0));
-  P stiffness[registers], inertia[registers];
+
+  explicit Mover(const Motion<T, D>& block) : block_(block) {
 #pragma GCC unroll 4
-  for (int k = 0; k < registers; ++k) stiffness[k] = inertia[k] = zero;
-  for (int s = 0; s < block.segment_count; ++s) {
-    const Segment<D>& segment = block.segments[s];
-    std::int64_t row[rows];
-#pragma GCC unroll 4
-    for (int r = 0; r < rows; ++r) row[r] = corner_row<typename P::arch_type>(segment, r, -1);
-    for (std::int64_t slot = segment.first; slot < segment.first + segment.count;
-         slot += lanes<P>) {
-      const P inverse_mass = load<P>(block.inverse_mass + slot);
+    for (int k = 0; k < registers; ++k) stiffness_[k] = inertia_[k] = P(T(0));
+  }
+
+  /// Up to the slot that lies `end` behind the first.
+  void move_until(std::int64_t end) {
+    const P zero(T(0));
+    for (; moved_ < end; moved_ += lanes<P>) {
+      const std::int64_t slot = block_.first_slot + moved_;
+      const P inverse_mass = load<P>(block_.inverse_mass + slot);
       const auto inside = inverse_mass > zero;
-      if (!xsimd::any(inside)) continue;
-      const int k = static_cast<int>(slot % slots_per_pack) / lanes<P>;
-      const P mass = xsimd::select(inside, P(T(1)) / inverse_mass, zero);
-#pragma GCC unroll 3
-      for (int i = 0; i < D; ++i) {
-        P force = zero;
-#pragma GCC unroll 7
-        for (int m = 1; m <= cell_modes<D>; ++m) {
-          force = force - force_of_mode<P, D>(block.force[i][m - 1], row, slot, m);
-        }
-        force = xsimd::select(inside, force, zero);
-        const P before = load<P>(block.internal[i] + slot);
-        const P u = load<P>(block.velocity[i] + slot);
-        stiffness[k] = fused(u, before - force, stiffness[k]);
-        inertia[k] = fused(u * u, mass, inertia[k]);
-        force.store_unaligned(block.internal[i] + slot);
-        const P pull = force + load<P>(block.traction[i] + slot);
-        const P next = fused(P(block.gained) * inverse_mass, pull, P(block.kept) * u);
-        next.store_unaligned(block.velocity[i] + slot);
-        fused(P(block.time_step), next, load<P>(block.displacement[i] + slot))
-            .store_unaligned(block.displacement[i] + slot);
-      }
+      if (xsimd::any(inside)) move(slot, inverse_mass, inside);
     }
   }
-  MotionResult result;
+
+  void add_to(MotionResult& result) const {
 #pragma GCC unroll 4
-  for (int k = 0; k < registers; ++k) {
-    add_lanes(stiffness[k], result.stiffness);
-    add_lanes(inertia[k], result.inertia);
+    for (int k = 0; k < registers; ++k) {
+      add_lanes(stiffness_[k], result.stiffness);
+      add_lanes(inertia_[k], result.inertia);
+    }
   }
+
+ private:
+  static constexpr int registers = registers_per_pack<P>;
+
+  void move(std::int64_t slot, const P& inverse_mass, const typename P::batch_bool_type& inside) {
+    const P zero(T(0));
+    const int k = static_cast<int>(moved_ % slots_per_pack) / lanes<P>;
+    const P mass = xsimd::select(inside, P(T(1)) / inverse_mass, zero);
+#pragma GCC unroll 3
+    for (int i = 0; i < D; ++i) {
+      T* const sum = block_.force[i] + moved_;
+      const P force = xsimd::select(inside, load<P>(sum), zero);
+      zero.store_unaligned(sum);
+      const P before = load<P>(block_.internal[i] + slot);
+      const P u = load<P>(block_.velocity[i] + slot);
+      stiffness_[k] = fused(u, before - force, stiffness_[k]);
+      inertia_[k] = fused(u * u, mass, inertia_[k]);
+      force.store_unaligned(block_.internal[i] + slot);
+      const T* const traction = block_.traction[i];
+      const P pull = traction == nullptr ? force : force + load<P>(traction + slot);
+      const P next = fused(P(block_.gained) * inverse_mass, pull, P(block_.kept) * u);
+      next.store_unaligned(block_.velocity[i] + slot);
+      fused(P(block_.time_step), next, load<P>(block_.displacement[i] + slot))
+          .store_unaligned(block_.next_displacement[i] + slot);
+    }
+  }
+
+  const Motion<T, D>& block_;
+  std::int64_t moved_ = 0;
+  P stiffness_[registers], inertia_[registers];
+};
+
+/// See Motion. A particle moves as soon as the cells around it are done, while its displacement and
+/// its force are still in the cache: these cells have no higher slots than itself.
+template <class P, int D>
+MotionResult advance_motion(const Motion<Scalar<P>, D>& block) {
+  StressPointExtremes<P> extremes;
+  evaluate_fitted_cells<P, D>(block, extremes);
+  Mover<P, D> mover(block);
+  for (int k = 0; k < block.run_count; ++k) {
+    const CellRun<D>& run = block.runs[k];
+    evaluate_run<P, D>(block, run, extremes);
+    if (run.own) mover.move_until(run.first + run.count - block.first_slot);
+  }
+  mover.move_until(block.slot_count);
+  MotionResult result;
+  result.wave_speed = square_root<P>(largest(extremes.wave_speed2));
+  result.non_finite = extremes.non_finite;
+  mover.add_to(result);
   return result;
 }
 

@@ -10,7 +10,6 @@ namespace pliant::kernels {
 /// throw, print, or keep state. Instantiated for double and float in 2D and 3D.
 template <class T, int D>
 struct TotalLagrangianTable {
-  StressPointsResult (*evaluate_stress_points)(const StressPoints<T, D>&);
   MotionResult (*advance_motion)(const Motion<T, D>&);
 
   /// Kernels compiled for `isa`.

@@ -81,18 +81,6 @@ const Fault faults[] = {
               "1]\ndisplacement = [0, \"t\"]\ngeometry = { shape = \"half_space\", point = [0, 0], "
               "normal = [0, 1] }\n"),
      "block.toml:14: wall \"piston\" has both velocity and displacement; keep one of them"},
-    {"coulomb_friction_where_there_is_none",
-     extended(
-         "[remeshing]\nevery = 10\n[[boundary]]\nname = \"floor\"\nkind = \"contact_wall\"\n"
-         "friction = 0.3\ngeometry = { shape = \"half_space\", point = [0, 0], normal = [0, 1] "
-         "}\n"),
-     "block.toml:15: method \"remeshed\" has no friction coefficient; write friction = "
-     "\"frictionless\" or \"no_slip\""},
-    {"contact_with_a_box",
-     extended("[remeshing]\nevery = 10\n[[boundary]]\nname = \"step\"\nkind = \"contact_wall\"\n"
-              "geometry = { shape = \"box\", lower = [0, -1], upper = [1, 0] }\n"),
-     "block.toml:15: contact wall \"step\" is not a half_space; use a half_space: contact "
-     "needs a plane wall in method remeshed"},
     {"contact_without_remeshing",
      extended("[remeshing]\nevery = \"never\"\n[[boundary]]\nname = \"floor\"\nkind = "
               "\"contact_wall\"\ngeometry = { shape = \"half_space\", point = [0, 0], normal = [0, "

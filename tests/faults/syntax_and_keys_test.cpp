@@ -23,7 +23,8 @@ const Fault faults[] = {
     {"an_unknown_table", extended("[output_files]\nevery = 3\n"),
      "block.toml:10: unknown key `output_files` in the case; its keys are title, name, dimension, "
      "method, precision, gravity, discretisation, time, remeshing, level_set, ghosts, "
-     "total_lagrangian, point_based, sph, periodic, material, body, boundary, contact, cut, "
+     "total_lagrangian, point_based, finite_elements, sph, periodic, material, body, boundary, "
+     "contact, cut, "
      "output, "
      "checks, measurement"},
     {"the_beginning_of_a_table", extended("[remesh]\nevery = 3\n"),

@@ -77,7 +77,7 @@ const Fault faults[] = {
     {"a_dimension_of_one", broken("title = \"a block\"", "dimension = 1"),
      "block.toml:1: dimension must be 2 or 3, got 1; write it as in dimension = 2"},
     {"an_unknown_method", broken("title = \"a block\"", "method = \"peridynamics\""),
-     R"(block.toml:1: method must be one of "remeshed", "total_lagrangian", "point_based", "sph", got )"
+     R"(block.toml:1: method must be one of "remeshed", "total_lagrangian", "point_based", "finite_elements", "sph", got )"
      "\"peridynamics\"; use one of these"},
     {"remeshing_of_what_is_not_remeshed",
      with(rubber_block, "[total_lagrangian]\n", "[remeshing]\nevery = 3\n[total_lagrangian]\n"),

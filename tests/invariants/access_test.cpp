@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <array>
 
+#include "engine/finite_elements/regions.hpp"
+#include "engine/finite_elements/solver.hpp"
 #include "engine/point_based/regions.hpp"
 #include "engine/point_based/solver.hpp"
 #include "engine/remeshed/regions.hpp"
@@ -89,6 +91,24 @@ TEST_P(Accesses, of_a_step_are_declared) {
   EXPECT_EQ(undeclared<Solver>(GetParam().settled(), GetParam().middle), "");
 }
 
+// A ball of a dozen particles that falls onto a contact wall.
+TEST(accesses, of_a_step_in_3D_are_declared) {
+  const Case settings = tests::read_text(R"toml(dimension = 3
+discretisation = { spacing = 0.2 }
+time = { end = 1 }
+[[body]]
+name = "ball"
+geometry = { shape = "ball", centre = [0, 0, 0.32], radius = 0.3 }
+material = { model = "linear", youngs_modulus = 100, poissons_ratio = 0.3, density = 2 }
+velocity = [0, 0, -1]
+[[boundary]]
+name = "floor"
+kind = "contact_wall"
+geometry = { shape = "half_space", point = [0, 0, 0], normal = [0, 0, 1] }
+)toml");
+  EXPECT_EQ((undeclared<remeshed::Solver<double, 3>>(settings, 3)), "");
+}
+
 TEST(accesses, of_plain_sph_are_declared) {
   const Settings coarse = {"discretisation.spacing=0.1", "time.step=1e-3",
                            "sph.artificial_stress=0.3"};
@@ -139,6 +159,12 @@ name = "air"
 kind = "pressure"
 geometry = { shape = "half_space", point = [0, 0, 0.5], normal = [0, 0, -1] }
 pressure = 1
+[[cut]]
+name = "blade"
+from = [0.1, -0.1, 0.45]
+to = [0.1, 1.1, 0.45]
+path = ["20*t", 0, 0]
+end = 1
 )toml");
   const auto accesses = undeclared_accesses([&](AccessProbe& probe) {
     point_based::Solver<double, 3> solver(settings, {.threads = 1});
@@ -149,6 +175,24 @@ pressure = 1
                     add(region.bytes, region.are_numbers, memory);
                   }
                 });
+    solver.step(HUGE_VAL);
+  });
+  EXPECT_EQ(text(accesses), "");
+}
+
+TEST(accesses, of_finite_elements_are_declared) {
+  const Settings on_mesh = {"method=finite_elements",
+                            "body.beam.geometry={ shape = \"mesh\", file = \"beam.msh\" }"};
+  const Case settings = small_case("cantilever", on_mesh);
+  const auto accesses = undeclared_accesses([&](AccessProbe& probe) {
+    finite_elements::Solver<double, 3> solver(settings, {.threads = 1});
+    for (int step = 0; step < 3; ++step) solver.step(HUGE_VAL);
+    probe.watch(
+        solver.workers(), [&](const StepGraph&, FieldId field, BlockId block, FieldMemory& memory) {
+          for (const auto& region : finite_elements::regions(solver.state(), field, block)) {
+            add(region.bytes, region.are_numbers, memory);
+          }
+        });
     solver.step(HUGE_VAL);
   });
   EXPECT_EQ(text(accesses), "");

@@ -1,6 +1,8 @@
 #include <gtest/gtest.h>
 
+#include "engine/point_based/solver.hpp"
 #include "tests/allocation_counter.hpp"
+#include "tests/engine/case/written_case.hpp"
 #include "tests/invariants/sample_runs.hpp"
 
 namespace pliant::test {
@@ -47,6 +49,43 @@ TEST(allocation, a_warm_search_for_neighbours_allocates_nothing) {
       };
       EXPECT_EQ(least_allocations(step_with_search), 0) << run << ", " << threads << " threads";
     }
+  }
+}
+
+// Moves of a blade lengthen the lists of its cut, and make room while they give nodes new bonds.
+// In the steps between them, gradients that nodes have kept relax.
+TEST(allocation, a_step_allocates_nothing_between_two_moves_of_a_blade) {
+  const Case settings = tests::read_text(R"toml(dimension = 3
+method = "point_based"
+[discretisation]
+spacing = 0.1
+[time]
+end = 10
+step = 1e-3
+[[body]]
+name = "block"
+geometry = { shape = "box", lower = [0, 0, 0], upper = [1, 1, 1] }
+material = { model = "neo_hookean", youngs_modulus = 100, poissons_ratio = 0.3, density = 2 }
+velocity = ["sin(3*y)", 0, "x"]
+[[cut]]
+name = "blade"
+from = [0.55, -0.1, 0.4]
+to = [0.55, -0.1, 1.1]
+path = [0, "min(20*t, 0.7)", 0]
+end = 10
+)toml");
+  for (const int threads : {1, 2}) {
+    point_based::Solver<double, 3> solver(settings, {threads, kernels::widest_supported()});
+    const int before = allocations();
+    for (int step = 0; step < 40; ++step) solver.step(HUGE_VAL);
+    EXPECT_GT(allocations() - before, 40);
+    const double work = solver.energy_budget()->cut_work;
+    EXPECT_EQ(least_allocations([&] {
+                for (int step = 0; step < 4; ++step) solver.step(HUGE_VAL);
+              }),
+              0)
+        << threads << " threads";
+    EXPECT_LT(solver.energy_budget()->cut_work, work);
   }
 }
 

@@ -1,5 +1,7 @@
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 #include "engine/remeshed/contact/momentum_correction.hpp"
 #include "engine/remeshed/observe/integrals.hpp"
 #include "engine/remeshed/solver.hpp"
@@ -49,6 +51,20 @@ TEST(body_contact, keeps_the_momentum_of_all_bodies_to_rounding) {
     EXPECT_EQ(last, 0);
     EXPECT_GT(momentum_of(solver, 2, 0), 0.3 * x) << "the blow has gone through the box";
   }
+}
+
+// Contact is internal to the two, so that gravity moves them as if there were none. Damping acts on
+// the velocities within a step, before they are corrected.
+TEST(body_contact, leaves_gravity_and_damping_their_momentum) {
+  Solver solver(
+      small_case("two_discs", coarse + Settings{"gravity=[0.5, -2]", "discretisation.damping=1.5",
+                                                "body.left.velocity=[1, 0]"}),
+      {2, kernels::widest_supported()});
+  const double mass = solver.integrals().mass, x = momentum(solver, 0);
+  advance_until(solver, 0.3);
+  const double kept = std::exp(-1.5 * 0.3), gained = mass * (1 - kept) / 1.5;
+  EXPECT_NEAR(momentum(solver, 0), x * kept + 0.5 * gained, 1e-4 * mass);
+  EXPECT_NEAR(momentum(solver, 1), -2 * gained, 1e-4 * mass);
 }
 
 // The integral over the body and the momentum budget are two sums that share nothing but the

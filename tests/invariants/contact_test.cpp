@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numeric>
 
+#include "engine/remeshed/contact/momentum_correction.hpp"
 #include "engine/remeshed/solver.hpp"
 #include "tests/invariants/sample_runs.hpp"
 
@@ -28,6 +29,10 @@ int touching(Solver& solver) {
 }
 
 double momentum(Solver& solver) { return solver.integrals().momentum[1]; }
+
+double total(Solver& solver, int axis) {
+  return remeshed::budget_momentum<double, 2>(solver.state(), 0)[axis];
+}
 
 // The impulse is the traction on the wall, the momentum an integral over the body: two independent
 // sums. A patch of contact grows by whole slots of h, one tenth of it when it is largest.
@@ -121,6 +126,66 @@ TEST(contact, fits_at_the_wall_look_farther_into_the_body_than_along_it) {
   }
   EXPECT_LT(widest, 1.74 * h);
   EXPECT_GT(highest, 1.5 * h);
+}
+
+// Nothing acts along a wall without friction, whichever way it is turned: here by 30 degrees.
+TEST(contact, an_oblique_impact_without_friction_keeps_the_momentum_along_the_wall) {
+  const double sine = 0.5, cosine = std::sqrt(0.75);
+  const std::string wall =
+      "boundary.wall.geometry={ shape = \"half_space\", point = [-0.14, 0.0375129], normal = "
+      "[0.5, 0.8660254037844386] }";
+  Solver solver(bouncing_disc({wall, "discretisation.spacing=0.036", "remeshing.every=10",
+                               "time.step=2e-3", "body.ball.velocity=[-0.1, -1]"}),
+                {1, kernels::widest_supported()});
+  const auto along = [&] { return cosine * total(solver, 0) - sine * total(solver, 1); };
+  const auto towards = [&] { return -sine * total(solver, 0) - cosine * total(solver, 1); };
+  const double start = along(), speed = towards();
+  advance_until(solver, 0.3);
+  EXPECT_EQ(touching(solver), 0) << "it has left the wall";
+  EXPECT_LT(towards(), -0.7 * speed);
+  EXPECT_NEAR(along(), start, 1e-12 * start);
+}
+
+// Coulomb's law on an incline of 30 degrees: a = g (sin - mu cos), or rest.
+TEST(contact, a_block_slides_down_an_incline_as_friction_lets_it) {
+  const double sine = 0.5, cosine = std::sqrt(0.75);
+  for (const double friction : {0., 0.3, 0.8}) {
+    Solver solver(
+        bouncing_disc({"gravity=[0.5, -0.8660254037844386]", "discretisation.spacing=0.05",
+                       "time.step=1e-3", "remeshing.every=10", "body.ball.velocity=[0, 0]",
+                       "body.ball.geometry={ shape = \"box\", lower = [0, 0], upper = [0.8, 0.3] }",
+                       "measurement=[]", "boundary.wall.friction=" + std::to_string(friction)}),
+        {1, kernels::widest_supported()});
+    advance_until(solver, 0.6);
+    const double mass = 0.24, weight = mass * cosine;
+    const double expected = std::max(0., sine - friction * cosine) * 0.6;
+    EXPECT_NEAR(total(solver, 0) / mass, expected, 0.02) << friction;
+    const auto& impulse = solver.state().wall_impulse[0];
+    EXPECT_NEAR(impulse[1], 0.6 * weight, 0.05 * weight) << friction;
+    EXPECT_LE(-impulse[0], (friction + 1e-12) * impulse[1]) << "within the cone of friction";
+  }
+}
+
+// A disc that hits a rigid one head-on, at rest or coming with half the speed: what counts
+// is how fast they meet.
+TEST(contact, a_round_wall_that_moves_gives_the_momentum_that_it_counts) {
+  for (const double speed : {0., 0.5}) {
+    const std::string up = std::to_string(speed);
+    Solver solver(
+        bouncing_disc(
+            {"discretisation.spacing=0.036", "time.step=1e-3", "remeshing.every=10",
+             "boundary.wall.velocity=[0, " + up + "]",
+             "body.ball.velocity=[0, " + std::to_string(speed - 1) + "]",
+             "boundary.wall.geometry={ shape = \"disc\", centre = [0, -0.51], radius = 0.5 }"}),
+        {1, kernels::widest_supported()});
+    const double start = total(solver, 1), mass = start / (speed - 1);
+    advance_until(solver, 0.4);
+    EXPECT_EQ(touching(solver), 0) << "it has left the wall";
+    const double gained = total(solver, 1) - start;
+    EXPECT_GT(gained, 1.7 * mass);
+    EXPECT_LT(gained, 2 * mass) << "a rigid wall gives no energy";
+    EXPECT_NEAR(solver.state().wall_impulse[0][1] / gained, 1, 0.06);
+  }
 }
 
 TEST(contact, no_particle_lies_beyond_the_wall) {

@@ -12,9 +12,9 @@ INSTANTIATE_TEST_SUITE_P(runs, NeighboursOfRuns, testing::ValuesIn(sample_runs()
 INSTANTIATE_TEST_SUITE_P(listed_runs, NeighboursOfRuns, testing::ValuesIn(listed_runs()), name_of);
 
 /// Particles of a block within a support of each other that its particles do not meet.
-int lost(const Body& body, int block, const std::vector<Site>& sites, kernels::Weight weight) {
+int lost(const Body& body, int block, const std::vector<Site>& sites, kernels::Kernel kernel) {
   const bool has_lists = body.neighbours.are_listed && body.neighbours.blocks[block].are_listed;
-  const int reach = kernels::stencil_reach(weight);
+  const int reach = kernels::stencil_reach(kernel);
   const int periods = body.lattice.period == Cell<2>{} ? 0 : 1;
   int count = 0;
   const Layout<2>& layout = body.population.layout;
@@ -22,7 +22,7 @@ int lost(const Body& body, int block, const std::vector<Site>& sites, kernels::W
     if (body.population.kind[p] != Kind::interior) return;
     const Neighbours met = has_lists ? listed(body, block, p) : Neighbours();
     for (const auto& neighbour :
-         found_by_trying_all(body, sites, {p, cell}, kernels::support(weight), periods)) {
+         found_by_trying_all(body, sites, {p, cell}, kernels::support(kernel), periods)) {
       const Offset& offset = neighbour.first;
       count += has_lists ? !met.contains(neighbour)
                          : std::max(std::abs(offset[0]), std::abs(offset[1])) > reach;

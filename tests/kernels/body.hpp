@@ -46,7 +46,7 @@ struct Body {
     arguments.velocity_dissipation = velocity_dissipation;
     arguments.stress_dissipation = stress_dissipation;
     arguments.stage = number;
-    arguments.weight = weight;
+    arguments.kernel = kernel;
     arguments.material = material;
     arguments.pack_state = patch.pack_state.data();
     arguments.interior = patch.interior.data();
@@ -91,7 +91,7 @@ struct Body {
 
   Patch<T, D> patch;
   Material<T> material;
-  Weight weight = Weight::quartic_polynomial;
+  Kernel kernel = Kernel::quartic_spline_fit;
   T velocity_dissipation = T(0.7), stress_dissipation = T(0.3);
   const NeighbourLists<D>* neighbours = nullptr;
   Field<T> mass;

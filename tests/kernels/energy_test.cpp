@@ -26,8 +26,8 @@ double volumetric_energy(const Material<double>& material, double j) {
 }
 
 TEST(energy, pressure_is_the_slope_of_the_volumetric_part) {
-  const Material<double> rho = material_of(Model::linear_rho);
-  const Material<double> log = material_of(Model::linear_log);
+  const Material<double> rho = material_of(Model::linear);
+  const Material<double> log = material_of(Model::linear_logarithmic);
   const double step = 1e-5;
   for (double j = 0.6; j < 1.6; j += 0.05) {
     const auto slope = [&](const Material<double>& m) {
@@ -41,7 +41,7 @@ TEST(energy, pressure_is_the_slope_of_the_volumetric_part) {
 
 TEST(energy, shear_part_is_the_work_of_hookes_law) {
   // S = 2 mu e, so that the work is e : S/2 = S : S/(4 mu), S_zz = -(S_xx + S_yy) in plane strain.
-  const Material<double> material = material_of(Model::linear_rho);
+  const Material<double> material = material_of(Model::linear);
   const double plane[3] = {3, -2, 5}, space[6] = {3, -2, 0, 5, 0, -8};
   const double square = 9 + 2 * 4 + 25 + 64;
   EXPECT_DOUBLE_EQ((linear_energy<double, 2>(material, plane, material.density)), square / 120);

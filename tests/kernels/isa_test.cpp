@@ -27,10 +27,10 @@ void append(Values<T>& values, const std::array<Field<T>, N>& fields) {
 
 /// All that two steps compute, the first with lists.
 template <class T, int D>
-Values<T> steps(const RemeshedTable<T, D>& kernels, Model model, Weight weight) {
+Values<T> steps(const RemeshedTable<T, D>& kernels, Model model, Kernel kernel) {
   Body<T, D> body(small_box<T, D>(), T(0.1), model);
-  body.weight = weight;
-  const BoxLists<D> lists(body.patch, stencil_reach(weight));
+  body.kernel = kernel;
+  const BoxLists<D> lists(body.patch, stencil_reach(kernel));
   const NeighbourLists<D> view = lists.view();
   Values<T> values;
   for (const NeighbourLists<D>* neighbours :
@@ -53,7 +53,7 @@ Values<T> steps(const RemeshedTable<T, D>& kernels, Model model, Weight weight) 
 
 /// Surface records of a row's particles, and ghost sums.
 template <class T, int D>
-Values<T> surface(const RemeshedTable<T, D>& kernels, Model model, Weight) {
+Values<T> surface(const RemeshedTable<T, D>& kernels, Model model, Kernel) {
   Body<T, D> body(small_box<T, D>(), T(0.1), model);
   const auto& segments = body.patch.segments;
   constexpr int pack = slots_per_pack, chosen = 5;
@@ -78,7 +78,7 @@ Values<T> surface(const RemeshedTable<T, D>& kernels, Model model, Weight) {
 }
 
 template <class T, int D>
-Values<T> remeshing(const RemeshedTable<T, D>& kernels, Model model, Weight) {
+Values<T> remeshing(const RemeshedTable<T, D>& kernels, Model model, Kernel) {
   Body<T, D> body(small_box<T, D>(), T(0.1), model);
   const auto& state = std::as_const(body.states[0]);
   const int segment_count = static_cast<int>(body.patch.segments.size());
@@ -111,7 +111,7 @@ Values<T> remeshing(const RemeshedTable<T, D>& kernels, Model model, Weight) {
 
 /// Closest points, and the fits of ghosts.
 template <class T, int D>
-Values<T> free_surface(const RemeshedTable<T, D>& kernels, Model, Weight) {
+Values<T> free_surface(const RemeshedTable<T, D>& kernels, Model, Kernel) {
   NodesOfABall<T, D> ball(6.3);
   kernels.find_closest_points(ball.arguments());
   Values<T> values(ball.converged.begin(), ball.converged.begin() + ball.count);
@@ -126,14 +126,16 @@ Values<T> free_surface(const RemeshedTable<T, D>& kernels, Model, Weight) {
   return values;
 }
 
-/// Calls `compare(compute)` for every kernel, law and weight, where `compute(isa)` are its values.
+/// Calls `compare(compute)` for every function, law and kernel, where `compute(isa)` are its
+/// values.
 template <class T, int D, class Compare>
 void for_each_combination(const Compare& compare) {
-  for (const auto& kernel : {steps<T, D>, surface<T, D>, remeshing<T, D>, free_surface<T, D>}) {
-    for (const Model model : {Model::linear_rho, Model::linear_log, Model::reduced_polynomial}) {
-      for (const Weight weight :
-           {Weight::quartic, Weight::quartic_polynomial, Weight::compact, Weight::fourth_order}) {
-        compare([&](Isa isa) { return kernel(RemeshedTable<T, D>::of(isa), model, weight); });
+  for (const auto& function : {steps<T, D>, surface<T, D>, remeshing<T, D>, free_surface<T, D>}) {
+    for (const Model model :
+         {Model::linear, Model::linear_logarithmic, Model::reduced_polynomial}) {
+      for (const Kernel kernel : {Kernel::quartic_spline, Kernel::quartic_spline_fit,
+                                  Kernel::compact, Kernel::fourth_order}) {
+        compare([&](Isa isa) { return function(RemeshedTable<T, D>::of(isa), model, kernel); });
       }
     }
   }

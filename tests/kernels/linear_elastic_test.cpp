@@ -90,8 +90,9 @@ TEST(linear_elastic, stress_of_a_rigidly_rotating_particle_rotates_with_it) {
 
 TEST(linear_elastic, pressures_follow_their_laws) {
   for (double x = 0.5; x < 2; x += 0.01) {
-    EXPECT_DOUBLE_EQ(linear_pressure<Model::linear_rho>(P(5.), P(x)).get(0), 5 * (x - 1));
-    EXPECT_NEAR(linear_pressure<Model::linear_log>(P(5.), P(x)).get(0), 5 * std::log(x), 1e-14);
+    EXPECT_DOUBLE_EQ(linear_pressure<Model::linear>(P(5.), P(x)).get(0), 5 * (x - 1));
+    EXPECT_NEAR(linear_pressure<Model::linear_logarithmic>(P(5.), P(x)).get(0), 5 * std::log(x),
+                1e-14);
   }
 }
 
@@ -102,12 +103,11 @@ TEST(linear_elastic, wave_speed_is_that_of_plane_pressure_waves) {
   material.shear_modulus = mu;
   // At rest both laws are Hooke's: rho0 c^2 = K + 4 mu/3.
   const double at_rest = (5 + 4 * mu / 3) / 2;
-  EXPECT_DOUBLE_EQ(linear_wave_speed2<Model::linear_rho>(material, P(2.)).get(0), at_rest);
-  EXPECT_DOUBLE_EQ(linear_wave_speed2<Model::linear_log>(material, P(2.)).get(0), at_rest);
+  EXPECT_DOUBLE_EQ(linear_wave_speed2<Model::linear>(material, P(2.)).get(0), at_rest);
+  EXPECT_DOUBLE_EQ(linear_wave_speed2<Model::linear_logarithmic>(material, P(2.)).get(0), at_rest);
   // Compressed, c^2 = dp/drho + 4 mu/(3 rho), with dp/drho = K/rho0 or K/rho.
-  EXPECT_DOUBLE_EQ(linear_wave_speed2<Model::linear_rho>(material, P(3.)).get(0),
-                   5. / 2 + 4 * mu / 9);
-  EXPECT_DOUBLE_EQ(linear_wave_speed2<Model::linear_log>(material, P(3.)).get(0),
+  EXPECT_DOUBLE_EQ(linear_wave_speed2<Model::linear>(material, P(3.)).get(0), 5. / 2 + 4 * mu / 9);
+  EXPECT_DOUBLE_EQ(linear_wave_speed2<Model::linear_logarithmic>(material, P(3.)).get(0),
                    5. / 3 + 4 * mu / 9);
 }
 

@@ -12,18 +12,18 @@ using Matrix = Eigen::Matrix<double, D, D>;
 template <int D>
 using Column = Eigen::Matrix<double, D, 1>;
 
-inline double reference_weight(Weight weight, double s) {
+inline double reference_weight(Kernel kernel, double s) {
   const auto cube = [](double x) { return x > 0 ? x * x * x : 0; };
-  switch (weight) {
-    case Weight::quartic:
+  switch (kernel) {
+    case Kernel::quartic_spline:
       return s == 0 ? 1.25 : (cube(2.5 - s) - 5 * cube(1.5 - s) + 10 * cube(0.5 - s)) / (6 * s);
-    case Weight::quartic_polynomial: {
+    case Kernel::quartic_spline_fit: {
       const double t = std::max(0., 1 - s * s / 6.25);
       return t * t * t * (0.76443 - 2.31468 * t + 2.5554 * t * t);
     }
-    case Weight::compact:
+    case Kernel::compact:
       return s < 1.75 ? std::pow(1 - s * s / (1.75 * 1.75), 4) : 0;
-    case Weight::fourth_order: {
+    case Kernel::fourth_order: {
       const double t = std::max(0., 1 - s * s / 6.25);
       return t * t *
              (0.6355763142948405 - 6.642571385553331 * t + 21.979141703042178 * t * t -
@@ -123,7 +123,7 @@ template <class T, int D>
 Rates<D> reference_rates(const Body<T, D>& body, const State<T, D>& q, const Segment<D>& segment,
                          std::int64_t p) {
   const double h = body.patch.spacing;
-  const int reach = stencil_reach(body.weight);
+  const int reach = stencil_reach(body.kernel);
   Matrix<D> moment = Matrix<D>::Zero(), velocity_sum = Matrix<D>::Zero();
   std::array<Matrix<D>, D> stress_sum;
   stress_sum.fill(Matrix<D>::Zero());
@@ -135,7 +135,7 @@ Rates<D> reference_rates(const Body<T, D>& body, const State<T, D>& q, const Seg
         const std::int64_t n = p + segment.neighbour_row[row_index<D>(dy, dz)] + dx;
         Column<D> d = vector_at<T, D>(q.drift, n) - vector_at<T, D>(q.drift, p);
         for (int i = 0; i < D; ++i) d[i] += cells[i] * h;
-        const double w = reference_weight(body.weight, d.norm() / h);
+        const double w = reference_weight(body.kernel, d.norm() / h);
         moment += w * d * d.transpose();
         velocity_sum +=
             w * (vector_at<T, D>(q.velocity, n) - vector_at<T, D>(q.velocity, p)) * d.transpose();
@@ -196,7 +196,7 @@ Matrix<D> reference_stress(const Body<T, D>& body, const State<T, D>& q, std::in
   const double ratio = body.mass[p] / q.volume[p] / m.density;
   if (m.model != Model::reduced_polynomial) {
     const double pressure =
-        m.bulk_modulus * (m.model == Model::linear_rho ? ratio - 1 : std::log(ratio));
+        m.bulk_modulus * (m.model == Model::linear ? ratio - 1 : std::log(ratio));
     return symmetric_at<T, D>(q.material.data(), p) - pressure * Matrix<D>::Identity();
   }
   Eigen::Matrix3d f = Eigen::Matrix3d::Identity();

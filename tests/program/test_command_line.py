@@ -1,6 +1,6 @@
 import shutil
 
-from program import CASE, SMALL, ProgramTest, main
+from program import CASE, SMALL, SOURCE, ProgramTest, main
 
 
 class CommandLine(ProgramTest):
@@ -9,6 +9,12 @@ class CommandLine(ProgramTest):
         self.assertEqual((2, ""), (status, out), err)
         self.assertEqual(1, err.count("\n"), err)
         return err
+
+    def test_the_resolved_case_of_a_wall_with_a_displacement_is_a_case(self):
+        status, _, err = self.pliant("run", SOURCE / "cases/indentation", "--set", "discretisation.spacing=0.005",
+                                     "--set", "time.end=0.001", "--quiet", "--threads", "1", "--out", self.out)
+        self.assertEqual(0, status, err)
+        self.assertEqual(0, self.pliant("check", self.out / "case.resolved.toml")[0])
 
     def test_a_misspelt_command_is_answered_with_the_nearest(self):
         self.assertIn("pliant rnu: no such command; did you mean `run`?", self.refused("rnu", CASE))

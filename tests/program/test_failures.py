@@ -41,6 +41,22 @@ class Failures(ProgramTest):
         process.send_signal(signal.SIGTERM)
         self.assertEqual(4, process.wait())
 
+    def test_a_signal_before_the_first_step_ends_with_4_and_leaves_nothing(self):
+        for number in (signal.SIGINT, signal.SIGTERM):
+            process = self.start("--set", "discretisation.spacing=0.004", "--force", stderr=subprocess.PIPE, text=True)
+            self.wait_for(lambda: self.catches(process, number), process)
+            process.send_signal(number)
+            _, err = process.communicate()
+            self.assertEqual(4, process.returncode, err)
+            self.assertIn("interrupted before the first step", err)
+            self.assertFalse(self.out.exists())
+
+    def catches(self, process, number):
+        """Whether the process has a handler for the signal."""
+        with open(f"/proc/{process.pid}/status") as status:
+            caught = next(line for line in status if line.startswith("SigCgt"))
+        return int(caught.split()[1], 16) >> number - 1 & 1 == 1
+
     def test_a_limit_on_the_size_of_files_is_a_full_disk(self):
         limit = lambda: resource.setrlimit(resource.RLIMIT_FSIZE, (100_000, 100_000))
         status, _, err = self.run_case(preexec_fn=limit)

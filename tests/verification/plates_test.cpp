@@ -78,30 +78,50 @@ double hanging_tip(double thickness, double gravity) {
   return gravity * (12 / (8 * modulus * thickness * thickness) + 1 / (2 * share * shear_modulus));
 }
 
-// A plate with five particles across that hangs from its clamp for three periods after the load has
-// come. Particles that are nowhere pulled back to the lattice leave it in a zigzag that the
-// gradient does not see: the tip had sunk by 15 % at 12 s, and the mass had grown by 0.8 %.
-TEST(plates, that_hang_from_their_clamp_stay_where_they_are) {
+/// Deflection of the tip over that of plate theory, and mass over that at the start, of a plate
+/// with five particles across that hangs from its clamp.
+struct Hanging {
+  double tip, mass;
+};
+
+Hanging hang(const std::string& material, double end) {
   const double thickness = 0.2, gravity = 0.224;
   const Case settings = small_case(
       "oscillating_plate",
       {"discretisation.spacing=0.04", "discretisation.damping=1", "body.plate.velocity=[0, 0]",
        "body.plate.geometry={shape=\"box\", lower=[0, -0.1], upper=[1, 0.1]}",
+       "body.plate.material=" + material,
        fmt::format("gravity=[0, \"-{}*min(t/3, 1)\"]", gravity)});
   remeshed::Solver<double, 2> solver(settings, {1, kernels::widest_supported()});
-  const auto measured = [&](const char* name) {
-    const std::vector<double> values = solver.measure();
-    for (std::size_t m = 0; m < values.size(); ++m) {
-      if (settings.measurements[m].name == name) return values[m];
-    }
-    return 0.;
-  };
   const double mass = solver.integrals().mass;
-  advance_until(solver, 12.);
-  // What is asked with five across.
-  EXPECT_NEAR(measured("tip_displacement"), -hanging_tip(thickness, gravity),
-              0.05 * hanging_tip(thickness, gravity));
-  EXPECT_NEAR(solver.integrals().mass, mass, 0.003 * mass);
+  advance_until(solver, end);
+  const std::vector<double> values = solver.measure();
+  double tip = 0;
+  for (std::size_t m = 0; m < values.size(); ++m) {
+    if (settings.measurements[m].name == "tip_displacement") tip = values[m];
+  }
+  return {-tip / hanging_tip(thickness, gravity), solver.integrals().mass / mass};
+}
+
+// Three periods after the load has come, at what is asked with five across. Particles that are
+// nowhere pulled back to the lattice leave it in a zigzag that the gradient does not see: the tip
+// had sunk by 15 % at 12 s, and the mass had grown by 0.8 %.
+TEST(plates, that_hang_from_their_clamp_stay_where_they_are) {
+  const Hanging plate =
+      hang("{model=\"linear\", youngs_modulus=100, poissons_ratio=0.3, density=1}", 12);
+  EXPECT_NEAR(plate.tip, 1, 0.05);
+  EXPECT_NEAR(plate.mass, 1, 0.003);
+}
+
+// The same material as a law of F, whose shear stress nothing relaxes. Ghosts of the free surface
+// that moved with the lasting part of (RP.50) fed a checkerboard of stress: the plate became
+// unstable within 3 s.
+TEST(plates, of_materials_that_carry_f_hang_still) {
+  const Hanging plate = hang(
+      "{model=\"reduced_polynomial\", coefficients=[19.2308], compressibility=0.024, density=1}",
+      12);
+  EXPECT_NEAR(plate.tip, 1, 0.05);
+  EXPECT_NEAR(plate.mass, 1, 0.003);
 }
 
 }  // namespace

@@ -70,15 +70,25 @@ Column<D> nearest_on_segment(const Column<D>& a, const Column<D>& b) {
 }  // namespace
 
 template <int D>
-std::optional<MaterialPoint<D>> crossing(const MaterialPoint<D>& p, const MaterialPoint<D>& q,
-                                         const std::array<MaterialPoint<D>, D>& piece) {
+PieceCrossing<D>::PieceCrossing(const std::array<MaterialPoint<D>, D>& piece) : piece_(piece) {
   const Column<D> n = upward_normal<D>(piece);
+  Eigen::Map<Column<D>>(normal_.data()) = n;
+  slack_ = rounding * n.norm();
+}
+
+template <int D>
+std::optional<MaterialPoint<D>> PieceCrossing<D>::operator()(const MaterialPoint<D>& p,
+                                                             const MaterialPoint<D>& q) const {
   const Column<D> start = column<D>(p), along = column<D>(q) - start;
-  const Column<D> to_start = start - column<D>(piece[0]), to_end = to_start + along;
-  const double slack = rounding * n.norm() * (along.norm() + to_start.norm());
+  const Column<D> to_start = start - column<D>(piece_[0]), to_end = to_start + along;
+  const Column<D> n = column<D>(normal_);
   const double from = n.dot(to_start), to = n.dot(to_end);
+  // Most bonds lie on one side by far. The sum of components is never less than the length.
+  const double ample = 2 * slack_ * (along.template lpNorm<1>() + to_start.template lpNorm<1>());
+  if ((from > ample && to > ample) || (from < -ample && to < -ample)) return {};
+  const double slack = slack_ * (along.norm() + to_start.norm());
   const bool starts_above = from >= -slack, ends_above = to >= -slack;
-  if (starts_above == ends_above || from == to || !meets(start, along, piece)) return {};
+  if (starts_above == ends_above || from == to || !meets(start, along, piece_)) return {};
   MaterialPoint<D> found;
   Eigen::Map<Column<D>>(found.data()) = start + std::clamp(from / (from - to), 0., 1.) * along;
   return found;
@@ -114,12 +124,8 @@ PieceDistance<D> distance_to_piece(const MaterialPoint<D>& x,
   return found;
 }
 
-template std::optional<MaterialPoint<2>> crossing<2>(const MaterialPoint<2>&,
-                                                     const MaterialPoint<2>&,
-                                                     const std::array<MaterialPoint<2>, 2>&);
-template std::optional<MaterialPoint<3>> crossing<3>(const MaterialPoint<3>&,
-                                                     const MaterialPoint<3>&,
-                                                     const std::array<MaterialPoint<3>, 3>&);
+template class PieceCrossing<2>;
+template class PieceCrossing<3>;
 template double distance_to_segment<2>(const MaterialPoint<2>&, const MaterialPoint<2>&,
                                        const MaterialPoint<2>&);
 template double distance_to_segment<3>(const MaterialPoint<3>&, const MaterialPoint<3>&,

@@ -6,15 +6,31 @@
 
 namespace pliant::point_based {
 
-/// Where the bond from `p` to `q` crosses a piece of a cut, if it does.
-///
-/// Nodes lie on one of two sides of the plane of the piece; those on the plane, up to rounding,
-/// count as the side that the normal with a positive first component points to, whichever way the
-/// blade went: two cuts of one plane take them to the same side. The boundary of the piece belongs
-/// to it, so that no bond slips through between two pieces.
+/// Where bonds cross one piece of a cut. Nodes lie on one of two sides of the plane of the piece;
+/// those on the plane, up to rounding, count as the side that the normal with a positive first
+/// component points to, whichever way the blade went: two cuts of one plane take them to the same
+/// side. The boundary of the piece belongs to it, so that no bond slips through between two pieces.
+template <int D>
+class PieceCrossing {
+ public:
+  explicit PieceCrossing(const std::array<MaterialPoint<D>, D>& piece);
+
+  /// Where the bond from `p` to `q` crosses the piece, if it does.
+  std::optional<MaterialPoint<D>> operator()(const MaterialPoint<D>& p,
+                                             const MaterialPoint<D>& q) const;
+
+ private:
+  std::array<MaterialPoint<D>, D> piece_;
+  MaterialPoint<D> normal_;  ///< its first component that is not zero is positive
+  double slack_;  ///< of distances along the normal, over the lengths that they are made of
+};
+
+/// The same of one bond.
 template <int D>
 std::optional<MaterialPoint<D>> crossing(const MaterialPoint<D>& p, const MaterialPoint<D>& q,
-                                         const std::array<MaterialPoint<D>, D>& piece);
+                                         const std::array<MaterialPoint<D>, D>& piece) {
+  return PieceCrossing<D>(piece)(p, q);
+}
 
 /// Distance [m] from `x` to a segment, which may have no length.
 template <int D>
@@ -30,5 +46,8 @@ struct PieceDistance {
 template <int D>
 PieceDistance<D> distance_to_piece(const MaterialPoint<D>& x,
                                    const std::array<MaterialPoint<D>, D>& piece);
+
+extern template class PieceCrossing<2>;
+extern template class PieceCrossing<3>;
 
 }  // namespace pliant::point_based

@@ -30,21 +30,31 @@ struct BondRows {
 /// Each bond is tested once against each new piece of a cut, in the undeformed body. The rows may
 /// hold more bonds than are in use, so that a node can replace bonds that a cut has taken by bonds
 /// to nodes farther away on its own side.
+///
+/// Blades move first, all of them; then the nodes follow, part by part. Parts are runs of nodes,
+/// which several threads may update at once: what they share only moves change.
 template <int D>
 class CutBonds {
  public:
   using Point = MaterialPoint<D>;
 
   /// `sizes` are the nodes' spacings [m], such as V^(1/D). Neighbours in the list of nodes should
-  /// be neighbours in the body, or searches are slow.
+  /// be neighbours in the body, or searches are slow. A part begins at each of `first_nodes`, which
+  /// ascend from 0.
   CutBonds(std::vector<Point> positions, std::vector<double> sizes, BondRows bonds, CutRule rule,
-           InsideTest<D> is_inside);
+           InsideTest<D> is_inside, const std::vector<std::int32_t>& first_nodes = {0});
 
   /// A new cut; returns its number.
   std::int32_t add_cut();
-  /// Moves the blade of a cut on to `station` (see CutSurface) and returns, in ascending order, the
-  /// nodes with bonds whose factors have changed. Throws std::invalid_argument for what the
-  /// enrichment grid cannot follow.
+  /// From now on, moves are new: all parts have followed those before.
+  void begin_moves();
+  /// Moves the blade of a cut on to `station` (see CutSurface). Throws std::invalid_argument for
+  /// what the enrichment grid cannot follow.
+  void move(std::int32_t cut, const std::vector<Point>& station);
+  /// Follows the moves; returns, in ascending order, the nodes of the part with bonds whose factors
+  /// have changed.
+  const std::vector<std::int32_t>& update(std::size_t part);
+  /// One move, and the nodes of all parts.
   const std::vector<std::int32_t>& advance(std::int32_t cut, const std::vector<Point>& station);
 
   std::span<const double> factors() const { return factors_; }  ///< [bond]
@@ -58,15 +68,24 @@ class CutBonds {
     std::int32_t node, cut;
     Point place;
     double size;  ///< of the two nodes [m]
+    bool is_new = true;
+  };
+  struct Part {
+    std::int32_t first, last;           ///< nodes
+    BoxTree<D> boxes;                   ///< [node of the part] of its bonds
+    std::vector<Crossing> open;         ///< of bonds that still have weight
+    std::vector<std::int32_t> changed;  ///< nodes
   };
 
   template <class F>
-  void for_each_crossed(std::int32_t cut, std::size_t first_piece, F&& f);
-  void set(std::int32_t node, std::int64_t bond, double factor);
-  void cut_visible(std::int32_t cut, std::size_t first_piece);
-  void cut_transparent(std::int32_t cut, std::size_t first_piece);
-  void cut_product(std::int32_t cut, std::size_t first_piece);
-  void cut_grid(std::int32_t cut);
+  void for_each_near(const Part& part, std::int32_t cut, std::size_t first_piece, F&& f) const;
+  template <class F>
+  void for_each_crossed(const Part& part, F&& f);
+  void set(Part& part, std::int32_t node, std::int64_t bond, double factor);
+  void cut_visible(Part& part);
+  void cut_transparent(Part& part);
+  void cut_product(Part& part);
+  void cut_grid(Part& part);
 
   std::vector<Point> positions_;
   std::vector<double> sizes_;
@@ -74,12 +93,12 @@ class CutBonds {
   CutRule rule_;
   InsideTest<D> is_inside_;
   double least_size_;
-  BoxTree<D> boxes_;  ///< [node] of its bonds
   std::vector<double> factors_;
+  std::vector<Part> parts_;
   std::vector<CutSurface<D>> cuts_;
+  std::vector<std::size_t> first_new_;                   ///< [cut] pieces that moves have added
   std::vector<CutFront<D>> fronts_;                      ///< [cut], transparency
   std::vector<std::optional<EnrichmentGrid<D>>> grids_;  ///< [cut], enrichment grid
-  std::vector<Crossing> open_;                           ///< of bonds that still have weight
   std::vector<std::int32_t> changed_;
 };
 

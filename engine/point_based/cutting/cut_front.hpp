@@ -1,9 +1,9 @@
 #pragma once
 
 #include <functional>
-#include <map>
 #include <span>
 
+#include "engine/blocks/box.hpp"
 #include "engine/point_based/cutting/cut_surface.hpp"
 
 namespace pliant::point_based {
@@ -22,26 +22,39 @@ class CutFront {
   CutFront(InsideTest<D> is_inside, double length)
       : is_inside_(std::move(is_inside)), length_(length) {}
 
-  /// Finds the front of `cuts[which]` anew.
+  /// Follows `cuts[which]`, which may have grown, and others that may have reached it.
   void update(std::span<const CutSurface<D>> cuts, std::size_t which);
 
   /// Distance [m] from `x` to the front; `most` where it is farther away, or where there is none
   /// any more.
   double distance(const MaterialPoint<D>& x, double most) const;
 
+  /// Holds all parts of the front that have come or gone since forget_changes.
+  const Box<D>& changed() const { return changed_; }
+  void forget_changes() { changed_ = {}; }
+
  private:
   struct Part {
     MaterialPoint<D> from, to, middle;
   };
+  using Cuts = std::span<const CutSurface<D>>;
 
-  const std::vector<Part>& parts_inside(const CutSurface<D>& cut,
-                                        const std::array<std::int32_t, 2>& edge);
-  bool has_joined(std::span<const CutSurface<D>> cuts, std::size_t which, const Part& part) const;
+  /// Adds the parts of an edge that are inside the body.
+  void add_parts(const CutSurface<D>& cut, const typename CutSurface<D>::Edge& edge,
+                 std::vector<Part>& parts) const;
+  /// Takes away the parts that have come to another cut, with its pieces from `from`[cut] on.
+  void remove_joined(Cuts cuts, std::size_t which, std::span<const std::size_t> from,
+                     std::vector<Part>& parts);
+  bool has_joined(Cuts cuts, std::size_t which, std::span<const std::size_t> from,
+                  const Part& part) const;
+  void add_to_changed(const std::vector<Part>& parts);
 
   InsideTest<D> is_inside_;
   double length_;
-  std::map<std::array<std::int32_t, 2>, std::vector<Part>> inside_;  ///< by edge; edges never move
-  std::vector<Part> front_;
+  std::vector<Part> rim_, leading_;  ///< rims stay, leading edges move
+  std::int32_t stations_ = 0;        ///< that the front has followed
+  std::vector<std::size_t> tested_;  ///< [cut] pieces that rims have been compared with
+  Box<D> changed_;
 };
 
 extern template class CutFront<2>;

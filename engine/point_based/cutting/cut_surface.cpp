@@ -38,22 +38,35 @@ std::array<MaterialPoint<D>, D> CutSurface<D>::corners(std::size_t piece) const 
 }
 
 template <int D>
-std::vector<std::array<std::int32_t, 2>> CutSurface<D>::boundary() const {
-  std::vector<std::array<std::int32_t, 2>> edges;
-  if (pieces_.empty()) return edges;
-  const std::int32_t count = points_per_station_;
-  const std::int32_t last = static_cast<std::int32_t>(points_.size()) - count;
-  if constexpr (D == 2) {
-    edges = {{0, 0}, {last, last}};
-  } else {
-    edges.reserve(2 * (points_.size() / count + count));
-    for (std::int32_t k = 0; k + 1 < count; ++k) {
-      edges.push_back({k, k + 1});
-      edges.push_back({last + k, last + k + 1});
-    }
-    for (std::int32_t start = 0; start < last; start += count) {
-      edges.push_back({start, start + count});
-      edges.push_back({start + count - 1, start + 2 * count - 1});
+auto CutSurface<D>::edge_of(std::int32_t station) const -> std::vector<Edge> {
+  const std::int32_t first = station * points_per_station_;
+  if constexpr (D == 2) return {{first, first}};
+  std::vector<Edge> edges;
+  edges.reserve(points_per_station_);
+  for (std::int32_t k = 0; k + 1 < points_per_station_; ++k) {
+    edges.push_back({first + k, first + k + 1});
+  }
+  return edges;
+}
+
+template <int D>
+auto CutSurface<D>::leading_edge() const -> std::vector<Edge> {
+  if (stations() == 0) return {};
+  return edge_of(stations() - 1);
+}
+
+template <int D>
+auto CutSurface<D>::rim(std::int32_t station) const -> std::vector<Edge> {
+  std::vector<Edge> edges;
+  if (stations() < 2) return edges;
+  if (station == 0) edges = edge_of(0);
+  if constexpr (D == 3) {
+    const std::int32_t count = points_per_station_;
+    edges.reserve(edges.size() + 2 * static_cast<std::size_t>(stations() - 1 - station));
+    for (std::int32_t s = station; s + 1 < stations(); ++s) {
+      const std::int32_t start = s * count, end = start + count;
+      edges.push_back({start, end});
+      edges.push_back({start + count - 1, end + count - 1});
     }
   }
   return edges;

@@ -37,11 +37,16 @@ class CutSurface {
   }
   std::array<Point, D> corners(std::size_t piece) const;
 
-  /// The boundary of the surface: end points in 2D (the second number is the first again), the
-  /// edges of the first and the last station and the paths of the blade's ends in 3D.
-  std::vector<std::array<std::int32_t, 2>> boundary() const;
+  using Edge = std::array<std::int32_t, 2>;  ///< numbers of points; in 2D twice the same
+  /// The edge of the last station, from where the cut grows.
+  std::vector<Edge> leading_edge() const;
+  /// The rest of the boundary from `station` on: the paths of the blade's ends (3D), and the edge
+  /// of the first station if that is station 0.
+  std::vector<Edge> rim(std::int32_t station) const;
 
  private:
+  std::vector<Edge> edge_of(std::int32_t station) const;
+
   std::vector<Point> points_;  ///< [station][point along the edge]
   std::vector<Piece> pieces_;
   std::int32_t points_per_station_ = 0;

@@ -168,12 +168,20 @@ BodyIntegrals Measurer<T, D>::integrals(int index, const Vector& about) const {
       }
       sum.mass += body.mass[slot];
       add_motion(sum, body.mass[slot], r, u);
-      const NodeState<D> node = node_state(body, block, slot);
-      sum.strain_energy += node.energy;
-      sum.volume += body.mass[slot] / body.material.density * node.volume_ratio;
     }
   }
+  add_strain(index, sum);
   return sum;
+}
+
+template <class T, int D>
+void Measurer<T, D>::add_strain(int index, BodyIntegrals& sum) const {
+  const Body<T, D>& body = state_.bodies[index];
+  body.for_each_node([&](std::int64_t slot) {
+    const NodeState<D> node = node_state(body, body.block_of(slot), slot);
+    sum.strain_energy += node.energy;
+    sum.volume += body.mass[slot] / body.material.density * node.volume_ratio;
+  });
 }
 
 template <class T, int D>

@@ -13,6 +13,7 @@ template <class T, int D>
 class Measurer {
  public:
   explicit Measurer(const State<T, D>& state) : state_(state) {}
+  virtual ~Measurer() = default;
 
   /// One value for each measurement; NaN where it has none (those which read histories).
   std::vector<double> operator()(std::span<const MeasurementCase> measurements) const;
@@ -23,6 +24,9 @@ class Measurer {
   static bool is_measured(MeasurementCase::Kind kind) { return function_of(kind) != nullptr; }
 
  private:
+  /// Adds the present volume and the strain energy of a body.
+  virtual void add_strain(int body, BodyIntegrals& sum) const;
+
   using Function = double (Measurer::*)(const MeasurementCase&) const;
   /// The function that evaluates a kind of measurement; null where there is none.
   static Function function_of(MeasurementCase::Kind kind);

@@ -23,11 +23,11 @@ kernels::InterfaceKind converted(ContactLaw law) {
     case ContactLaw::frictionless:
       return kernels::InterfaceKind::frictionless;
     case ContactLaw::no_slip:
-      return kernels::InterfaceKind::sticking;
+      return kernels::InterfaceKind::no_slip;
     case ContactLaw::tied:
       break;
   }
-  return kernels::InterfaceKind::bonded;
+  return kernels::InterfaceKind::tied;
 }
 
 }  // namespace

@@ -17,8 +17,8 @@
 //          body b        the ghost is that of a loaded surface, (RP.57).
 //
 // Nothing is shared but that traction: each body keeps its lattice, its level set and its
-// particles, remeshes by itself, and materials never mix. A bonded interface is the same without
-// the question whether the bodies press: ghosts that lie nearer to the other body are bonded to it.
+// particles, remeshes by itself, and materials never mix. A tied interface is the same without
+// the question whether the bodies press: ghosts that lie nearer to the other body are tied to it.
 //
 // Each side finds the traction at its own foot points, and what each of them does to its particles
 // is right to the order of the method, not to rounding. The momentum that crosses is therefore

@@ -192,7 +192,7 @@ bool ContactSearch<T, D>::may_be_in_contact(int owner, const BlockGhosts<T, D>& 
 }
 
 // The gap that counts, [h]; `apart` where the ghost feels nothing of the contact's other body. What
-// a level set tells of a gap is wrong where it has a corner, as at the end of a bonded interface:
+// a level set tells of a gap is wrong where it has a corner, as at the end of a tied interface:
 // there it counts which body is nearer.
 template <class T, int D>
 double ContactSearch<T, D>::contact_gap(int contact, int owner, const GhostPlace& ghost,

@@ -1,5 +1,6 @@
 #include "engine/remeshed/contact/momentum_correction.hpp"
 
+#include <Eigen/Eigenvalues>
 #include <algorithm>
 
 #include "engine/method/phase_rows.hpp"
@@ -11,6 +12,8 @@ namespace pliant::remeshed {
 namespace {
 
 using scheduler::Phase;
+
+constexpr double no_wall = 1e-9;  ///< of sums of n n: along this direction no wall pushes
 
 /// Adds m and m u of a block's interior particles.
 template <class T, int D>
@@ -30,6 +33,23 @@ void add_particles(const Body<T, D>& body, int block, double& mass, Point<D>& mo
       for (int a = 0; a < D; ++a) momentum[a] += double(m[p]) * u[a][p];
     }
   }
+}
+
+/// The part of a vector in the directions in which walls push, from the sum of their n n.
+template <int D>
+Point<D> along_normals(const std::array<double, D * D>& normals, const Point<D>& vector) {
+  using Tensor = Eigen::Matrix<double, D, D>;
+  const Tensor sum = Eigen::Map<const Tensor>(normals.data());
+  const Eigen::Map<const Eigen::Matrix<double, D, 1>> whole(vector.data());
+  Point<D> part = {};
+  if (sum.trace() == 0) return part;
+  const Eigen::SelfAdjointEigenSolver<Tensor> walls(sum);
+  for (int i = 0; i < D; ++i) {
+    if (walls.eigenvalues()[i] < no_wall * sum.trace()) continue;
+    const double along = walls.eigenvectors().col(i).dot(whole);
+    for (int a = 0; a < D; ++a) part[a] += along * walls.eigenvectors()(a, i);
+  }
+  return part;
 }
 
 /// sum m u/sum m over the interior particles.
@@ -59,8 +79,13 @@ Point<D> budget_momentum(const State<T, D>& state, int body) {
 
 template <class T, int D>
 MomentumCorrection<T, D>::MomentumCorrection(State<T, D>& state, const Case& settings)
-    : state_(state), contacts_(settings.contacts), shift_(settings.bodies.size()) {
-  if (!contacts_.empty()) state_.momentum_budgets.resize(settings.bodies.size());
+    : state_(state),
+      contacts_(settings.contacts),
+      of_body_(settings.bodies.size()),
+      shift_(settings.bodies.size()) {
+  if (!contacts_.empty() || state_.boundaries.have_contact()) {
+    state_.momentum_budgets.resize(settings.bodies.size());
+  }
 }
 
 template <class T, int D>
@@ -75,7 +100,8 @@ void MomentumCorrection<T, D>::open() {
 }
 
 template <class T, int D>
-void MomentumCorrection<T, D>::add_phases(std::vector<Phase>& phases, Impulses impulses) {
+void MomentumCorrection<T, D>::add_phases(std::vector<Phase>& phases,
+                                          std::function<Impulses()> impulses) {
   sums_.resize(state_.blocks.size());
   using namespace resource;
   using enum Group;
@@ -85,6 +111,7 @@ void MomentumCorrection<T, D>::add_phases(std::vector<Phase>& phases, Impulses i
             own(whole(momentum)), [this](int block) { sum(block); });
   rows.reduce("momentum", all(whole(momentum) + whole(contact_impulse) + whole(momentum_budgets)),
               all(whole(momentum_budgets)), [this, impulses = std::move(impulses)] {
+                fold_blocks();
                 if (impulses) add_impulses(impulses());
                 balance();
               });
@@ -96,39 +123,62 @@ template <class T, int D>
 void MomentumCorrection<T, D>::sum(int block) {
   const auto [body, local] = state_.blocks[block];
   const BlockGhosts<T, D>& ghosts = state_.bodies[body].population.ghosts[local];
-  const auto is_set = [](std::int8_t i) { return i >= 0; };
-  sums_[block] = {0, {}, false};
-  sums_[block].is_held = std::any_of(ghosts.wall.begin(), ghosts.wall.end(), is_set) ||
-                         std::any_of(ghosts.pressure.begin(), ghosts.pressure.end(), is_set);
-  add_particles<T, D>(state_.bodies[body], local, sums_[block].mass, sums_[block].momentum);
+  Sum& sum = sums_[block] = {};
+  sum.is_held = std::ranges::any_of(ghosts.pressure, [](std::int8_t load) { return load >= 0; });
+  for (std::size_t g = 0; g < ghosts.wall.size(); ++g) {
+    if (ghosts.wall[g] < 0) continue;
+    const Wall<D>& wall = state_.boundaries.walls[ghosts.wall[g]];
+    sum.is_held = sum.is_held || wall.is_attached() || !wall.slips();
+    const Point<D>& n = ghosts.normal[g];
+    for (int i = 0; i < D * D; ++i) sum.normals[i] += n[i / D] * n[i % D];
+  }
+  add_particles<T, D>(state_.bodies[body], local, sum.mass, sum.momentum);
 }
 
 template <class T, int D>
-void MomentumCorrection<T, D>::add_impulses(const std::vector<Point<D>>& impulses) {
-  for (std::size_t c = 0; c < impulses.size(); ++c) {
+void MomentumCorrection<T, D>::fold_blocks() {
+  of_body_.assign(of_body_.size(), {});
+  for (std::size_t b = 0; b < sums_.size(); ++b) {
+    Sum& sum = of_body_[state_.blocks[b].body];
+    sum.mass += sums_[b].mass;
+    sum.is_held = sum.is_held || sums_[b].is_held;
+    for (int i = 0; i < D * D; ++i) sum.normals[i] += sums_[b].normals[i];
+    for (int a = 0; a < D; ++a) sum.momentum[a] += sums_[b].momentum[a];
+  }
+}
+
+template <class T, int D>
+void MomentumCorrection<T, D>::add_impulses(const Impulses& impulses) {
+  for (std::size_t c = 0; c < impulses.of_contacts.size(); ++c) {
     for (int a = 0; a < D; ++a) {
-      state_.contact_impulse[c][a] += impulses[c][a];
-      state_.momentum_budgets[contacts_[c].bodies[0]].momentum[a] -= impulses[c][a];
-      state_.momentum_budgets[contacts_[c].bodies[1]].momentum[a] += impulses[c][a];
+      const double impulse = impulses.of_contacts[c][a];
+      state_.contact_impulse[c][a] += impulse;
+      state_.momentum_budgets[contacts_[c].bodies[0]].momentum[a] -= impulse;
+      state_.momentum_budgets[contacts_[c].bodies[1]].momentum[a] += impulse;
+    }
+  }
+  for (std::size_t b = 0; b < impulses.of_body_forces.size(); ++b) {
+    const int body = state_.blocks[b].body;
+    MomentumBudget<D>& budget = state_.momentum_budgets[body];
+    for (int a = 0; a < D; ++a) {
+      budget.momentum[a] += budget.mass / of_body_[body].mass * impulses.of_body_forces[b][a];
     }
   }
 }
 
 template <class T, int D>
 void MomentumCorrection<T, D>::balance() {
-  of_body_.assign(state_.momentum_budgets.size(), {0, {}, false});
-  for (std::size_t b = 0; b < sums_.size(); ++b) {
-    Sum& sum = of_body_[state_.blocks[b].body];
-    sum.mass += sums_[b].mass;
-    sum.is_held = sum.is_held || sums_[b].is_held;
-    for (int a = 0; a < D; ++a) sum.momentum[a] += sums_[b].momentum[a];
-  }
   for (std::size_t b = 0; b < of_body_.size(); ++b) {
+    const Sum& sum = of_body_[b];
     MomentumBudget<D>& budget = state_.momentum_budgets[b];
+    Point<D> shift;
     for (int a = 0; a < D; ++a) {
-      const double mean = of_body_[b].momentum[a] / of_body_[b].mass;
-      if (of_body_[b].is_held) budget.momentum[a] = budget.mass * mean;
-      shift_[b][a] = budget.momentum[a] / budget.mass - mean;
+      shift[a] = budget.momentum[a] / budget.mass - sum.momentum[a] / sum.mass;
+    }
+    const Point<D> unknown = sum.is_held ? shift : along_normals<D>(sum.normals, shift);
+    for (int a = 0; a < D; ++a) {
+      shift_[b][a] = shift[a] - unknown[a];
+      budget.momentum[a] -= budget.mass * unknown[a];
     }
   }
 }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <functional>
 #include <vector>
 
@@ -12,11 +13,16 @@
 // fitted ghosts adds up to the surface traction only as far as the method is accurate, and a
 // remeshing changes which nodes are inside and what they weigh. Both errors are those of the
 // method, some tenths of a percent of what the body is doing, and vanish with h; but nothing makes
-// those of two bodies cancel. Each body in contact therefore has a momentum budget, which changes
-// by the impulses of contacts alone, (RP.68): one number, added to one body and taken from the
-// other. After each step and each remeshing one small velocity is added to all particles of a body,
-// so that their mean velocity is that of the budget, (RP.69). This changes no strain, no stress and
-// no relative motion.
+// those of two bodies cancel, nor those on the two sides of a contact that moves along a wall. Each
+// body of a case with contact therefore has a momentum budget, which changes by the impulses of
+// contacts, (RP.68), and of body forces, (RP.71), alone: the first is one number, added to one body
+// and taken from the other. After each step and each remeshing one small velocity is added to all
+// particles of a body, so that their mean velocity is that of the budget, (RP.69). This changes no
+// strain, no stress and no relative motion.
+//
+// What walls and loads push is known to the order of the method only. The budget takes that part
+// from the particles: all of it where a wall holds the body or a load acts on it, the part along
+// the normal where the body may press on a contact wall without friction.
 //
 // The mass of a body in its budget is that at t = 0, whatever the masses of its particles add up
 // to: the method reads densities, which a common factor of masses does not change.
@@ -32,19 +38,25 @@ class MomentumCorrection {
   /// Sets the momentum budgets at t = 0.
   void open();
 
-  /// Phases that give the particles of each body the momentum of its budget; `impulses` are those
-  /// of contacts on their second bodies in the step, if there was one.
-  using Impulses = std::function<const std::vector<Point<D>>&()>;
-  void add_phases(std::vector<scheduler::Phase>& phases, Impulses impulses);
+  /// Impulses of one step [N s].
+  struct Impulses {
+    const std::vector<Point<D>>& of_contacts;     ///< [contact] on its second body
+    const std::vector<Point<D>>& of_body_forces;  ///< [block]
+  };
+  /// Phases that give the particles of each body the momentum of its budget; `impulses` finds those
+  /// of the step, if there was one.
+  void add_phases(std::vector<scheduler::Phase>& phases, std::function<Impulses()> impulses);
 
  private:
   struct Sum {
-    double mass;
-    Point<D> momentum;
-    bool is_held;  ///< by a wall or a pressure, whose impulse no budget contains
+    double mass = 0;
+    Point<D> momentum = {};
+    bool is_held = false;  ///< by a wall or a load, whose impulse no budget contains
+    std::array<double, D* D> normals = {};  ///< sum of n n of contact walls without friction
   };
   void sum(int block);
-  void add_impulses(const std::vector<Point<D>>& impulses);
+  void add_impulses(const Impulses& impulses);
+  void fold_blocks();
   void balance();
   void shift(int block);
 

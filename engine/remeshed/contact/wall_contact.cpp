@@ -1,7 +1,7 @@
 #include "engine/remeshed/contact/wall_contact.hpp"
 
 #include "engine/remeshed/ghosts/fit_evaluator.hpp"
-#include "kernels/remeshed/ghosts/ghost_state.hpp"
+#include "kernels/remeshed/ghosts/wall_friction.hpp"
 
 namespace pliant::remeshed {
 
@@ -28,9 +28,11 @@ T pressure_on(const Body<T, D>& body, const BlockGhosts<T, D>& ghosts, std::int3
               const Boundaries<D>& boundaries, const BoundaryValues<D>& values,
               FitEvaluator<T, D>& fits) {
   const int wall = ghosts.wall[g];
-  return kernels::wall_pressure<T, D>(
-      fits.of(g), converted<T, D>(values.wall_velocity[wall]), converted<T, D>(ghosts.normal[g]),
-      boundaries.walls[wall].slips(), kernels::Impedance<T>(body.material));
+  return kernels::WallTraction<T, D>(fits.of(g), converted<T, D>(values.wall_velocity[wall]),
+                                     converted<T, D>(ghosts.normal[g]),
+                                     static_cast<T>(boundaries.walls[wall].friction()),
+                                     kernels::Impedance<T>(body.material))
+      .pressure;
 }
 
 // Of the two ghosts of a slot the wall's comes second.
@@ -89,7 +91,7 @@ void add_impulse(const Body<T, D>& body, int block, const Boundaries<D>& boundar
     const int wall = ghosts.wall[g];
     const std::array<T, D> push = kernels::wall_force_density<T, D>(
         fits.of(g), converted<T, D>(values.wall_velocity[wall]), converted<T, D>(ghosts.normal[g]),
-        boundaries.walls[wall].slips(), impedance);
+        static_cast<T>(boundaries.walls[wall].friction()), impedance);
     for (int a = 0; a < D; ++a) {
       const double given = duration * ghosts.contact_area[k] * push[a];
       impulse[wall][a] += given;

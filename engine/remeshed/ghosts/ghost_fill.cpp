@@ -7,7 +7,8 @@
 #include "engine/remeshed/contact/wall_contact.hpp"
 #include "engine/remeshed/ghosts/fit_coefficient.hpp"
 #include "engine/remeshed/ghosts/fit_evaluator.hpp"
-#include "kernels/remeshed/ghosts/ghost_state.hpp"
+#include "engine/remeshed/ghosts/lasting_correction.hpp"
+#include "kernels/remeshed/ghosts/wall_friction.hpp"
 
 namespace pliant::remeshed {
 
@@ -138,9 +139,9 @@ struct GhostFill {
         normal[a] = static_cast<T>(ghosts.normal[g][a]);
       }
       set(g, averaged ? kernels::averaged_wall_ghost<T, D>(fits.linear, velocity)
-             : boundaries.walls[w].slips()
-                 ? kernels::slip_wall_ghost<T, D>(fits, velocity, normal, impedance)
-                 : kernels::wall_ghost<T, D>(fits, velocity, normal, impedance));
+                      : kernels::friction_wall_ghost<T, D>(
+                            fits, velocity, normal, static_cast<T>(boundaries.walls[w].friction()),
+                            impedance));
     }
   }
 
@@ -204,6 +205,7 @@ void fill_ghosts(Body<T, D>& body, int block, int stage, int parity, WhichGhosts
   } else {
     fill.fill_surfaces(values);
     fill.fill_tractions(values);
+    if (lets_waves_out_alone(body)) let_waves_out_alone(ghosts, count, fill.state);
     if (treatment == GhostTreatment::rigid) fill.turn_rigidly();
     fill.fill_in_contact();
   }
@@ -232,7 +234,8 @@ void drift_ghosts(Body<T, D>& body, int block, int stage, GhostTreatment treatme
 
 template <class T, int D>
 void keep_on_fits(Body<T, D>& body, int block, int stage, double time_step) {
-  const BlockGhosts<T, D>& ghosts = body.population.ghosts[block];
+  BlockGhosts<T, D>& ghosts = body.population.ghosts[block];
+  if (stage == 0 && lets_waves_out_alone(body)) follow_lasting(body, ghosts, time_step);
   FieldStore<T, D>& next = body.stage[buffer_after(stage)];
   const T duration = static_cast<T>(stage_share[stage] * time_step);
   for (std::size_t g = 0; g < ghosts.reached_count; ++g) {

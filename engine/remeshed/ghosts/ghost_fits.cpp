@@ -4,6 +4,7 @@
 #include <cmath>
 #include <vector>
 
+#include "engine/remeshed/ghosts/fit_coefficient.hpp"
 #include "engine/remeshed/ghosts/ghost_fitter.hpp"
 #include "engine/storage/push_tightly.hpp"
 
@@ -60,6 +61,7 @@ class GhostFinder {
     ghosts_.reached_count = ghosts_.slot.size();
     for (const auto& [slot, cell] : drifting_) add_free(slot, cell);
     fitter_.finish();
+    if (!boundaries_.pressures.empty()) find_loads();
   }
 
  private:
@@ -90,16 +92,18 @@ class GhostFinder {
     const double distance = boundaries_.walls[wall].distance(body_.lattice.node(cell));
     ghosts_.contact.push_back(static_cast<std::int32_t>(ghosts_.slot.size()));
     add_wall(slot, cell, wall, distance);
-    ghosts_.active.back() = touched(cell);
+    ghosts_.active.back() = was_in_contact(cell);
     const Point<D>& normal = ghosts_.normal.back();
     for (int a = 0; a < D; ++a) height += normal[a] * boundaries_.walls[wall].offset()[a];
     ghosts_.contact_height.push_back(height);
-    ghosts_.contact_area.push_back(std::pow(h, D - 1) *
-                                   std::max(0., 1 - std::abs(distance / h + 1)));
+    const double layer = std::max(0., 1 - std::abs(distance / h + 1));
+    const double spread =
+        layer > 0 ? boundaries_.walls[wall].spread(body_.lattice.node(cell), -distance) : 1;
+    ghosts_.contact_area.push_back(std::pow(h, D - 1) * layer * spread);
   }
 
   // What was decided for a slot before this remeshing, (RP.52).
-  bool touched(const Cell<D>& cell) const {
+  bool was_in_contact(const Cell<D>& cell) const {
     const Population<T, D>& before = body_.population;
     if (before.layout.blocks().empty()) return false;
     const std::int64_t slot = before.layout.slot(cell);
@@ -112,7 +116,7 @@ class GhostFinder {
     for (int a = 0; a < D; ++a) foot[a] -= distance * normal[a];
     FitSite<D> site = site_of(x, foot, distance);
     for (int a = 0; a < D; ++a) site.normal[a] = normal[a];
-    list(slot, wall, -1, normal, foot);
+    list(slot, wall, normal, foot);
     fit(site, cell, foot, &boundaries_.walls[wall]);
   }
 
@@ -129,7 +133,7 @@ class GhostFinder {
     }
     FitSite<D> site = site_of(x, foot, level_set_.surface_distance(slot));
     site.normal = site.ghost.norm() > 1e-9 ? site.ghost.normalized() : site.ghost;
-    list(slot, -1, pressure_at(foot), {}, foot);
+    list(slot, -1, {}, foot);
     fit(site, cell, foot, nullptr);
   }
 
@@ -141,6 +145,26 @@ class GhostFinder {
     return site;
   }
 
+  // A load acts on the material that lay in its region at the start, so that it stays on the
+  // surface that moves out of it. Where fits at the foot point are not asked for a traction, those
+  // at the ghost tell where the material was.
+  void find_loads() {
+    for (std::size_t g = 0; g < ghosts_.slot.size(); ++g) {
+      if (ghosts_.wall[g] >= 0) continue;
+      const kernels::FitTerms<T, D>& terms = ghosts_.terms[g];
+      const auto& at = ghosts_.surface_sum[g] > T(0.5) ? terms.surface : terms.linear;
+      Point<D> start = ghosts_.foot[g];
+      for (std::int64_t k = ghosts_.begin[g]; k < ghosts_.begin[g + 1]; ++k) {
+        const T c = fit_coefficient<T, D>(ghosts_, g, k, at);
+        const std::int32_t slot = kernels::record_of(ghosts_.pairs[k]);
+        for (int a = 0; a < D; ++a) {
+          start[a] -= c * body_.stage[1].get(Field::displacement, a)[slot];
+        }
+      }
+      ghosts_.pressure[g] = pressure_at(start);
+    }
+  }
+
   std::int8_t pressure_at(const Point<D>& foot) const {
     for (std::size_t i = 0; i < boundaries_.pressures.size(); ++i) {
       if (boundaries_.pressures[i].acts_at(foot)) return static_cast<std::int8_t>(i);
@@ -148,15 +172,15 @@ class GhostFinder {
     return -1;
   }
 
-  void list(std::int64_t slot, int wall, std::int8_t pressure, const Point<D>& normal,
-            const Point<D>& foot) {
+  void list(std::int64_t slot, int wall, const Point<D>& normal, const Point<D>& foot) {
     push_tightly(ghosts_.slot, static_cast<std::int32_t>(slot));
     push_tightly(ghosts_.wall, static_cast<std::int8_t>(wall));
     push_tightly(ghosts_.active, std::uint8_t{1});
-    push_tightly(ghosts_.pressure, pressure);
+    push_tightly(ghosts_.pressure, std::int8_t{-1});
     push_tightly(ghosts_.normal, normal);
     push_tightly(ghosts_.foot, foot);
     push_tightly(ghosts_.correction, std::array<T, D>{});
+    push_tightly(ghosts_.lasting, std::array<T, D>{});
   }
 
   void fit(const FitSite<D>& site, const Cell<D>& cell, const Point<D>& foot, const Wall<D>* wall) {

@@ -43,7 +43,7 @@ typename GhostFitter<T, D>::Scratch& GhostFitter<T, D>::scratch() {
 template <class T, int D>
 void GhostFitter<T, D>::fit(const FitSite<D>& site, const Point<D>& foot, const Wall<D>* wall) {
   const double h = body_.lattice.spacing;
-  const double corner_distance = boundaries_.distance_to_sticking(foot) / h;
+  const double corner_distance = boundaries_.distance_to_no_slip(foot) / h;
   Waiting& ghost = scratch_.waiting[waiting_++];
   ghost.site = site;
   ghost.wall = wall;

@@ -62,7 +62,7 @@ constexpr double search_limit = 2.5;  // cells from a near node to its closest p
 
 /// Takes the polished closest point unless it has left the neighbourhood.
 template <int D>
-void adopt(const Point<D>& polished, Point<D>& foot) {
+void take_if_near(const Point<D>& polished, Point<D>& foot) {
   const Point<D> moved = difference<D>(polished, foot);
   if (dot<D>(moved, moved) < 2) foot = polished;
 }
@@ -226,7 +226,7 @@ void LevelSet<T, D>::polish(Border& border, const kernels::RemeshedTable<T, D>& 
   border.polished.run(*lattice_, *layout_, extended_, farthest_move, iterations, kernels);
   for (std::size_t i = 0; i < border.polished.size(); ++i) {
     if (border.polished.has_converged(i)) {
-      adopt<D>(border.polished.point(i), border.foot[i]);
+      take_if_near<D>(border.polished.point(i), border.foot[i]);
     } else {
       border.failed.push_back(i);
       border.again.add(border.polished.slot(i), border.polished.cell(i), border.foot[i]);
@@ -235,7 +235,7 @@ void LevelSet<T, D>::polish(Border& border, const kernels::RemeshedTable<T, D>& 
   border.again.run(*lattice_, *layout_, extended_, farthest_move, iterations, kernels);
   for (std::size_t k = 0; k < border.failed.size(); ++k) {
     if (border.again.has_converged(k))
-      adopt<D>(border.again.point(k), border.foot[border.failed[k]]);
+      take_if_near<D>(border.again.point(k), border.foot[border.failed[k]]);
   }
 }
 

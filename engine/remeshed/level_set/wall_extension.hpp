@@ -5,8 +5,8 @@
 
 namespace pliant::remeshed {
 
-/// phi continued linearly behind walls that a body is bonded to: there it describes where the free
-/// surface would run on. At contact walls the body ends, (RP.54).
+/// phi continued linearly behind walls that a body is attached to: there it describes where the
+/// free surface would run on. At contact walls the body ends, (RP.54).
 template <class T, int D>
 class WallExtension {
  public:

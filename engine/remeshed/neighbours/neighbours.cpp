@@ -11,7 +11,7 @@
 // When the neighbourhood widens.
 //
 // Between remeshings particles keep their slots, and the stencil of n slots to each side (2; with
-// the compact weight 1) shows a particle all its neighbours as long as none from farther away comes
+// the compact kernel 1) shows a particle all its neighbours as long as none from farther away comes
 // into the support R. Two particles at distance r, with velocities that vary smoothly between them,
 // obey
 //
@@ -40,7 +40,7 @@ namespace pliant::remeshed {
 
 namespace {
 
-using kernels::Weight;
+using kernels::Kernel;
 using scheduler::Phase;
 
 constexpr double usable = 0.9;
@@ -52,21 +52,21 @@ constexpr double least_skin = 0.04;
 constexpr double steps_of_skin = 3;
 constexpr double largest_skin = largest_step_strain / usable;
 
-double strain_between(double distance, Weight weight) {
-  return usable * std::log(distance / kernels::support(weight));
+double strain_between(double distance, Kernel kernel) {
+  return usable * std::log(distance / kernels::support(kernel));
 }
 
 }  // namespace
 
-double stencil_strain(Weight weight) {
-  return strain_between(kernels::stencil_reach(weight) + 1, weight);
+double stencil_strain(Kernel kernel) {
+  return strain_between(kernels::stencil_reach(kernel) + 1, kernel);
 }
 
 template <class T, int D>
 void NeighbourSearch<T, D>::clear() {
   for (Body<T, D>& body : state_.bodies) {
     body.neighbours.are_listed = false;
-    body.neighbours.complete_until = stencil_strain(weight_);
+    body.neighbours.complete_until = stencil_strain(kernel_);
   }
 }
 
@@ -121,7 +121,7 @@ std::vector<Phase> NeighbourSearch<T, D>::phases() {
             own(whole(neighbour_lists)), [this](int block) {
               const auto [body, local] = state_.owner(block);
               if (!body.neighbours.is_search_due) return;
-              list_neighbours<T, D>(body, local, kernels::stencil_reach(weight_), in_every_step_);
+              list_neighbours<T, D>(body, local, kernels::stencil_reach(kernel_), in_every_step_);
             });
   return phases;
 }
@@ -131,7 +131,7 @@ void NeighbourSearch<T, D>::measure(int block) {
   const auto [body, local] = state_.owner(block);
   if (!body.neighbours.is_measuring_due) return;
   body.neighbours.blocks[local].closest =
-      closest_outside<T, D>(body, local, kernels::stencil_reach(weight_));
+      closest_outside<T, D>(body, local, kernels::stencil_reach(kernel_));
 }
 
 template <class T, int D>
@@ -150,8 +150,8 @@ void NeighbourSearch<T, D>::decide_after_measuring(BodyNeighbours<D>& neighbours
     closest = std::min(closest, block.closest);
   }
   neighbours.complete_until =
-      std::min(neighbours.strain + strain_between(closest, weight_),
-               strain_between(kernels::stencil_reach(weight_) + 2, weight_));
+      std::min(neighbours.strain + strain_between(closest, kernel_),
+               strain_between(kernels::stencil_reach(kernel_) + 2, kernel_));
   neighbours.is_search_due =
       neighbours.strain + neighbours.coming_strain > neighbours.complete_until;
 }
@@ -161,8 +161,8 @@ void NeighbourSearch<T, D>::prepare_search(Body<T, D>& body) const {
   BodyNeighbours<D>& neighbours = body.neighbours;
   const double skin =
       std::clamp(steps_of_skin * neighbours.coming_strain, least_skin, largest_skin);
-  neighbours.radius = kernels::support(weight_) * std::exp(skin);
-  neighbours.complete_until = neighbours.strain + strain_between(neighbours.radius, weight_);
+  neighbours.radius = kernels::support(kernel_) * std::exp(skin);
+  neighbours.complete_until = neighbours.strain + strain_between(neighbours.radius, kernel_);
   neighbours.are_listed = true;
   const std::size_t packs = body.population.layout.slots() / Layout<D>::pack;
   neighbours.start.resize(packs);

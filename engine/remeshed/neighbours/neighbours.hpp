@@ -10,8 +10,8 @@
 namespace pliant::remeshed {
 
 /// Strain of (RP.24) up to which no slot from outside the stencil can be within the support: 0.16,
-/// with the compact weight 0.12.
-double stencil_strain(kernels::Weight weight);
+/// with the compact kernel 0.12.
+double stencil_strain(kernels::Kernel kernel);
 
 /// Strain of one step, dt max abs(eps)_F, at which a step fails: Runge-Kutta stages that strain so
 /// much are far from the state that they started from, and lists of neighbours for them endless.
@@ -32,8 +32,8 @@ template <class T, int D>
 class NeighbourSearch {
  public:
   /// `in_every_step`: the stencil never serves, and no bound on the strain is relied upon.
-  NeighbourSearch(State<T, D>& state, kernels::Weight weight, bool in_every_step = false)
-      : state_(state), weight_(weight), in_every_step_(in_every_step) {}
+  NeighbourSearch(State<T, D>& state, kernels::Kernel kernel, bool in_every_step = false)
+      : state_(state), kernel_(kernel), in_every_step_(in_every_step) {}
 
   /// The stencil serves until stencil_strain: the slots are new, or what was found is not known.
   void clear();
@@ -54,7 +54,7 @@ class NeighbourSearch {
   void prepare_search(Body<T, D>& body) const;
 
   State<T, D>& state_;
-  kernels::Weight weight_;
+  kernels::Kernel kernel_;
   bool in_every_step_;
 };
 

@@ -43,10 +43,10 @@ auto by_law(const kernels::Material<T>& material, const FieldStore<T, D>& fields
     return f.template operator()<Law>(carried, Pack(density<T, D>(fields, slot)));
   };
   switch (material.model) {
-    case kernels::Model::linear_rho:
-      return call.template operator()<kernels::Model::linear_rho>();
-    case kernels::Model::linear_log:
-      return call.template operator()<kernels::Model::linear_log>();
+    case kernels::Model::linear:
+      return call.template operator()<kernels::Model::linear>();
+    case kernels::Model::linear_logarithmic:
+      return call.template operator()<kernels::Model::linear_logarithmic>();
     default:
       return call.template operator()<kernels::Model::reduced_polynomial>();
   }

@@ -112,7 +112,7 @@ void Remeshing<T, D>::prepare_spare() {
   share_with_level_set();
 }
 
-// Where the filter has left its fields, once they are adopted.
+// Where the filter has left its fields, once they are swapped in.
 template <class T, int D>
 void Remeshing<T, D>::share_with_level_set() {
   FieldStore<T, D>& dead = body_.stage[2];
@@ -190,12 +190,12 @@ void Remeshing<T, D>::add_level_set(PhaseRows& rows) {
 // particles.
 template <class T, int D>
 void Remeshing<T, D>::add_ghosts(PhaseRows& rows) {
-  rows.each(
-      "ghosts: fits",
-      near(with_images(new_kinds) + whole(extended)) + own(whole(closest, 1)) + all(whole(kinds)),
-      own(whole(new_fits) + whole(used)), [this](int b) {
-        if (is_final_) fit_block(b);
-      });
+  rows.each("ghosts: fits",
+            near(with_images(new_kinds) + with_images(new_state) + whole(extended)) +
+                own(whole(closest, 1)) + all(whole(kinds)),
+            own(whole(new_fits) + whole(used)), [this](int b) {
+              if (is_final_) fit_block(b);
+            });
   rows.each("ghosts: surface", near(whole(used)), own(whole(surface_packs)), [this](int b) {
     if (is_final_) list_surface_particles(body_.spare, b, body_.record_of_slot.get());
   });

@@ -31,7 +31,7 @@ void RemeshedFields<T, D>::prepare() {
 }
 
 // What is needed only now lies in stage[2] beside the filtered fields, and in their place once they
-// are adopted.
+// are swapped in.
 template <class T, int D>
 void RemeshedFields<T, D>::borrow_marks() {
   inside_ = body_.stage[2].get(Field::drift, 0);

@@ -9,7 +9,7 @@ namespace pliant::remeshed {
 /// Fields of the old lattice that take the place of S or F in the sums of (RP.32).
 template <class T, int D>
 struct TransportedFields {
-  int count;
+  int count;  ///< at least 1
   std::array<const T*, kernels::material_components<D>> field;
 };
 

@@ -64,11 +64,14 @@ export class Surface {
     this.is_solid = corners === 3;
     this.material = this.is_solid
       ? coloured(new MeshLambertMaterial({ side: DoubleSide }), uniforms)
-      : new LineBasicMaterial({ color: 0x555b63 });
+      : new LineBasicMaterial({ color: 0x555b63, depthTest: false, transparent: true });
     const Shape = this.is_solid ? Mesh : LineSegments;
     this.object = new Group();
     this.object.add(new Shape(this.geometry, this.material));
-    for (const child of this.object.children) child.frustumCulled = false;
+    for (const child of this.object.children) {
+      child.frustumCulled = false;
+      child.renderOrder = this.is_solid ? 0 : 3;
+    }
   }
 
   show(points, field) {

@@ -49,9 +49,10 @@ export async function show_picture(run, wishes) {
   const view = new View(drawing, run);
   view.renderer.setClearColor(0xffffff, 1);
   view.colour(field, ...range);
-  const part = Math.floor((width - GAP * (wanted.length - 1)) / wanted.length);
-  const tall = height - TITLE - BAR;
-  const cut = wishes.get("cut") && { axis: wishes.get("cut"), place: Number(wishes.get("place") ?? 0.5), flip: wishes.has("flip") };
+  const rows = wishes.has("stack") ? wanted.length : 1, columns = wanted.length / rows;
+  const part = Math.floor((width - GAP * (columns - 1)) / columns);
+  const tall = Math.floor((height - BAR) / rows) - TITLE;
+  const cut = wishes.get("cut") && { axis: wishes.get("cut"), place: Number(wishes.get("place") ?? 0.5), flip: false };
   const context = sheet.getContext("2d");
   context.fillStyle = "#fff";
   context.fillRect(0, 0, width, height);
@@ -59,13 +60,16 @@ export async function show_picture(run, wishes) {
   context.textAlign = "center";
   wanted.forEach((frame, i) => {
     view.look_from({ azimuth, elevation, zoom: Number(wishes.get("zoom") ?? 1), up: wishes.get("up") ?? run.up });
+    if (cut) cut.flip = view.camera.position[cut.axis] < view.middle[cut.axis]; // what is cut off lies in front
     view.resize(part, tall, 1);
-    view.show(frames.at(frame), { field, cut: cut || null, particles: wishes.has("particles") });
+    view.show(frames.at(frame), {
+      frame, field, cut: cut || null, particles: wishes.has("particles"), walls: wishes.has("walls"),
+    });
     view.draw();
-    const left = i * (part + GAP);
-    context.drawImage(drawing, left, TITLE, part, tall);
+    const left = (i % columns) * (part + GAP), top = Math.floor(i / columns) * (tall + TITLE);
+    context.drawImage(drawing, left, top + TITLE, part, tall);
     context.fillStyle = "#22262b";
-    if (wanted.length > 1) context.fillText(`t = ${number_text(run.times[frame])} s`, left + part / 2, 20);
+    if (wanted.length > 1) context.fillText(`t = ${number_text(run.times[frame])} s`, left + part / 2, top + 20);
   });
   const { label, unit } = run.fields[field];
   const fallback = unit === "1" ? words_of(label) : `${words_of(label)} [${unit}]`;

@@ -32,7 +32,8 @@ class Controls {
     for (const field of run.fields) by_id("field").append(new Option(label_of(field.label, field.unit)));
     by_id("up").value = run.up;
     by_id("cut-choice").hidden = by_id("up-choice").hidden = run.dimension === 2;
-    by_id("shape-choice").hidden = !(view.face && view.particles_at >= 0);
+    by_id("shape-choice").hidden = !((view.face || view.filling) && view.particles_at >= 0);
+    by_id("wall-choice").hidden = run.walls.length === 0;
     this.listen();
     this.choose_field();
     this.show();
@@ -47,7 +48,7 @@ class Controls {
     on("frame", "input", this.show);
     on("field", "change", this.choose_field);
     on("place", "input", this.show);
-    for (const id of ["cut", "flip", "particles"]) on(id, "change", this.show);
+    for (const id of ["cut", "flip", "particles", "walls"]) on(id, "change", this.show);
     for (const id of ["lowest", "highest"]) on(id, "change", this.choose_range);
     on("up", "change", () => this.view.look_from({ up: by_id("up").value }));
     on("reset", "click", () => this.view.look_from({}));
@@ -96,7 +97,12 @@ class Controls {
     by_id("time").textContent = text;
     this.slider.setAttribute("aria-valuetext", text);
     const sets = this.frames.at(this.frame);
-    if (sets) this.view.show(sets, { field: this.field, cut: cut || null, particles: by_id("particles").checked });
+    if (sets) {
+      this.view.show(sets, {
+        frame: Math.min(this.frame, this.frames.loaded.length - 1), field: this.field, cut: cut || null,
+        particles: by_id("particles").checked, walls: by_id("walls").checked,
+      });
+    }
     this.marks.forEach((mark) => mark());
   }
 

@@ -5,7 +5,8 @@ import {
 import { OrbitControls } from "three/addons/controls/OrbitControls.js";
 import { Particles, Surface, colour_uniforms } from "./body.js";
 import { colour_texture } from "./colours.js";
-import { Cut, Face, visible_particles } from "./section.js";
+import { Cut, Face, Filling, edge_of, visible_particles } from "./section.js";
+import { Walls } from "./walls.js";
 
 const AXES = "xyz";
 const RADIANS = Math.PI / 180;
@@ -28,7 +29,8 @@ export class View {
   }
 
   make_bodies() {
-    const { sets } = this.run;
+    const { sets, method } = this.run;
+    const edge = edge_of(method);
     const find = (kind) => sets.findIndex((set) => set.kind === kind);
     this.surface_at = find("surface");
     this.particles_at = find("particles");
@@ -38,8 +40,14 @@ export class View {
       this.scene.add(this.surface.object);
     }
     if (corners === 3) {
-      this.face = new Face(this.surface.geometry, this.uniforms);
+      this.face = new Face(this.surface.geometry, this.uniforms, edge);
       this.scene.add(this.face.object);
+    }
+    this.walls = new Walls(this.run, this.uniforms, edge);
+    this.scene.add(this.walls.solids, this.walls.contacts);
+    if (this.is_flat) {
+      this.filling = new Filling(this.uniforms, edge);
+      this.scene.add(this.filling.object);
     }
     const diameter = this.spacing * (this.is_flat ? 1.45 : 1.3);
     this.particles = new Particles(this.uniforms, diameter, this.is_flat);
@@ -139,7 +147,7 @@ export class View {
     this.request();
   }
 
-  /** `choice`: { field, cut: { axis: "x", place: 0 ... 1, flip } or null, particles }. */
+  /** `choice`: { frame, field, cut: { axis: "x", place: 0 ... 1, flip } or null, particles, walls }. */
   show(sets, choice) {
     const cut = choice.cut && this.cut_of(choice.cut);
     const is_solid = this.surface?.is_solid && !choice.particles;
@@ -150,7 +158,15 @@ export class View {
       this.surface.material.clippingPlanes = cut ? [cut.plane] : [];
     }
     this.face?.show(is_solid ? particles : null, choice.field, cut, this.spacing, this.box);
-    this.particles.object.visible = Boolean(particles) && !is_solid;
+    this.walls.solids.visible = Boolean(choice.walls);
+    this.walls.show(choice.frame, cut, is_solid ? particles : null, choice.field, this.spacing, this.box);
+    const is_filled = this.is_flat && !choice.particles;
+    if (this.filling) this.filling.object.visible = is_filled;
+    if (is_filled) {
+      const outline = this.surface && { points: sets[this.surface_at], position: this.surface.geometry.getAttribute("position") };
+      this.filling.show(particles, choice.field, this.spacing, this.box, outline);
+    }
+    this.particles.object.visible = Boolean(particles) && !is_solid && !is_filled;
     if (this.particles.object.visible) {
       const chosen = this.is_flat ? null : visible_particles(particles, 1.26 * this.spacing, cut);
       this.particles.show(particles, choice.field, chosen);

@@ -8,6 +8,7 @@
 #include "engine/geometry/padded.hpp"
 #include "engine/method/no_value.hpp"
 #include "engine/total_lagrangian/observe/cell_values.hpp"
+#include "engine/total_lagrangian/parameters.hpp"
 #include "engine/total_lagrangian/stress_point.hpp"
 
 namespace pliant::total_lagrangian {
@@ -128,13 +129,13 @@ double Measurer<T, D>::wall_impulse(const MeasurementCase& m) const {
 template <class T, int D>
 double Measurer<T, D>::material_value(const MeasurementCase& m) const {
   return total_lagrangian::material_value<T, D>(state_.bodies[m.body], m,
-                                                settings_.total_lagrangian.hourglass_stiffness);
+                                                parameters_of(settings_).hourglass_stiffness);
 }
 
 template <class T, int D>
 double Measurer<T, D>::mean_value(const MeasurementCase& m) const {
   return total_lagrangian::mean_value<T, D>(
-      state_.bodies[m.body], m, settings_.total_lagrangian.hourglass_stiffness, state_.clock.time);
+      state_.bodies[m.body], m, parameters_of(settings_).hourglass_stiffness, state_.clock.time);
 }
 
 template <class T, int D>
@@ -198,7 +199,7 @@ BodyIntegrals Measurer<T, D>::integrals(int index, const Vector& about) const {
     sum.mass += body.mass[p];
     add_motion(sum, scaling * body.mass[p], r, u);
   });
-  for_each_stress_point(body, settings_.total_lagrangian.hourglass_stiffness,
+  for_each_stress_point(body, parameters_of(settings_).hourglass_stiffness,
                         [&](std::int64_t, const StressPoint<D>& point) {
                           sum.strain_energy += point.energy;
                           sum.volume += point.volume * point.volume_ratio;

@@ -222,10 +222,12 @@ GhostState<T, D> wall_ghost(const GhostFits<T, D>& fits, const VectorOf<T, D>& w
   return ghost;
 }
 
-/// (RP.47), (RP.50), (RP.51); n the normal of the wall, into the body.
+/// (RP.47), (RP.50), (RP.51); n the normal of the wall, into the body; `shear_load` is sigma_nt on
+/// the wall, that of friction.
 template <class T, int D>
 GhostState<T, D> slip_wall_ghost(const GhostFits<T, D>& fits, const VectorOf<T, D>& wall_velocity,
-                                 const VectorOf<T, D>& n, const Impedance<T>& impedance) {
+                                 const VectorOf<T, D>& n, const Impedance<T>& impedance,
+                                 const VectorOf<T, D>& shear_load = {}) {
   const RecordSum<T, D>& at_wall = fits.surface;
   T jump = 0;  // of the normal velocity, from the wall to the ghost
 #pragma GCC unroll 3
@@ -235,15 +237,18 @@ GhostState<T, D> slip_wall_ghost(const GhostFits<T, D>& fits, const VectorOf<T, 
     jump += n[i] * (constrained - at_wall.velocity(i));
   }
   const VectorOf<T, D> tau = shear<T, D>(at_wall, n);
+  VectorOf<T, D> ghost_tau = shear<T, D>(fits.constrained, n);
   GhostState<T, D> ghost;
 #pragma GCC unroll 3
   for (int i = 0; i < D; ++i) {
-    ghost.velocity[i] = at_wall.velocity(i) + jump * n[i] + tau[i] / impedance.shear_wave;
+    ghost.velocity[i] =
+        at_wall.velocity(i) + jump * n[i] + (tau[i] - shear_load[i]) / impedance.shear_wave;
+    ghost_tau[i] += shear_load[i] * (1 - fits.constrained_sum);
   }
   VectorOf<T, D> s_n;
   const T s_nn = traction<T, D>(at_wall, n, s_n) +
                  impedance.pressure_wave * separation_speed<T, D>(fits, wall_velocity, n);
-  ghost.stress = with_traction<T, D>(at_wall, n, s_nn, shear<T, D>(fits.constrained, n));
+  ghost.stress = with_traction<T, D>(at_wall, n, s_nn, ghost_tau);
   return ghost;
 }
 
@@ -257,27 +262,6 @@ T wall_pressure(const GhostFits<T, D>& fits, const VectorOf<T, D>& wall_velocity
   // The mean of the ghost and of the body as far before the wall, 2 f(x_f) - f(x_g).
   if (slips) s_nn += (s_nn - traction<T, D>(fits.linear, n, s_n)) / 2;
   return -(s_nn + impedance.pressure_wave * separation_speed<T, D>(fits, wall_velocity, n));
-}
-
-/// (RP.53): force of a wall on the body over the area [Pa]; n the normal of the wall, into the
-/// body.
-template <class T, int D>
-VectorOf<T, D> wall_force_density(const GhostFits<T, D>& fits, const VectorOf<T, D>& wall_velocity,
-                                  const VectorOf<T, D>& n, bool slips,
-                                  const Impedance<T>& impedance) {
-  const T pressure = wall_pressure<T, D>(fits, wall_velocity, n, slips, impedance);
-  VectorOf<T, D> push;
-#pragma GCC unroll 3
-  for (int i = 0; i < D; ++i) push[i] = pressure * n[i];
-  if (slips) return push;
-  const VectorOf<T, D> tau = shear<T, D>(fits.surface, n);
-  const T away = separation_speed<T, D>(fits, wall_velocity, n);
-#pragma GCC unroll 3
-  for (int i = 0; i < D; ++i) {
-    const T slip = fits.surface.velocity(i) - wall_velocity[i] - away * n[i];
-    push[i] -= tau[i] + impedance.shear_wave * slip;
-  }
-  return push;
 }
 
 }  // namespace pliant::kernels

@@ -6,7 +6,7 @@
 namespace pliant::kernels {
 
 /// How an interface answers; the words of case files.
-enum class InterfaceKind { frictionless, sticking, bonded };
+enum class InterfaceKind { frictionless, no_slip, tied };
 
 /// One side of an interface: what the linear fit of a body finds at the point.
 template <class T, int D>
@@ -17,7 +17,7 @@ struct InterfaceSide {
 
 /// (RP.56): the traction on `own`, n its normal, out of it. `closing` is the velocity [m/s] at
 /// which the gap between the surfaces is to vanish, negative where they overlap. None between
-/// surfaces that do not face each other, as those beside the edge of a contact, unless bonded.
+/// surfaces that do not face each other, as those beside the edge of a contact, unless tied.
 template <class T, int D>
 SurfaceLoad<T, D> interface_traction(const InterfaceSide<T, D>& own,
                                      const InterfaceSide<T, D>& other, const VectorOf<T, D>& n,
@@ -34,13 +34,13 @@ SurfaceLoad<T, D> interface_traction(const InterfaceSide<T, D>& own,
     opening += jump[i] * n[i];
     facing -= other_n[i] * n[i];
   }
-  if (kind != InterfaceKind::bonded && facing < T(0.5)) return load;
+  if (kind != InterfaceKind::tied && facing < T(0.5)) return load;
   const auto resolve = [](T z, T z_other, T s, T s_other, T u) {
     return (z_other * s + z * s_other + z * z_other * u) / (z + z_other);
   };
   load.normal = resolve(own.impedance.pressure_wave, other.impedance.pressure_wave, own_nn,
                         other_nn, opening + closing);
-  if (kind != InterfaceKind::bonded && !(load.normal < 0)) {
+  if (kind != InterfaceKind::tied && !(load.normal < 0)) {
     load.normal = 0;
     return load;
   }

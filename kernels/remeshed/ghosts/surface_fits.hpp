@@ -76,7 +76,7 @@ class FitLanes {
     term[D] = distance * distance;
   }
 
-  /// Weight and place of the particle at `entry`.
+  /// Kernel and place of the particle at `entry`.
   P weight(std::int64_t entry, P (&position)[D]) const {
     load_point(work_.position, entry, position);
     P square = position[0] * position[0];

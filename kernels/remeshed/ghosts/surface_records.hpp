@@ -77,10 +77,10 @@ void write_records(const SurfaceRecords<Scalar<P>, D>& block) {
 template <class P, int D>
 void write_surface_records(const SurfaceRecords<Scalar<P>, D>& block) {
   switch (block.material.model) {
-    case Model::linear_rho:
-      return write_records<Model::linear_rho, P, D>(block);
-    case Model::linear_log:
-      return write_records<Model::linear_log, P, D>(block);
+    case Model::linear:
+      return write_records<Model::linear, P, D>(block);
+    case Model::linear_logarithmic:
+      return write_records<Model::linear_logarithmic, P, D>(block);
     case Model::reduced_polynomial:
       return write_records<Model::reduced_polynomial, P, D>(block);
   }

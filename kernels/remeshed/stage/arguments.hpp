@@ -66,7 +66,7 @@ struct Stage {
   T velocity_dissipation;  ///< kappa_u of (RP.23) [1/s]; 0: none
   T stress_dissipation;    ///< kappa_sigma of (RP.23) [1/s]; 0: none
   int stage;               ///< 0..3
-  Weight weight;
+  Kernel kernel;
   Material<T> material;
   const PackState* pack_state;          ///< [slot / slots_per_pack]
   const T* interior;                    ///< [slot], 1 for interior particles, else 0

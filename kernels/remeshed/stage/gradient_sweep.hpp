@@ -106,7 +106,7 @@ struct SweepFields {
 };
 
 /// Where the neighbours of a pack of particles p are, and what they weigh.
-template <Weight weight, class P, int D>
+template <Kernel kernel, class P, int D>
 class Separation {
   using T = Scalar<P>;
 
@@ -138,7 +138,7 @@ class Separation {
   }
 
  private:
-  PairWeight<weight, P> weight_;
+  PairWeight<kernel, P> weight_;
   T spacing_;
   const T* drift_[D];
   P position_[D];
@@ -187,8 +187,8 @@ struct RowWidths {
 };
 
 /// Pairs of the stencil at most.
-template <Weight weight, int D>
-inline constexpr int stencil_bound = power(2 * stencil_reach(weight) + 1, D) - 1;
+template <Kernel kernel, int D>
+inline constexpr int stencil_bound = power(2 * stencil_reach(kernel) + 1, D) - 1;
 
 /// Calls `visit(offset, load)` for the neighbours in a row, `width` to each side.
 template <int width, bool centre, class P, int D, class Visit>
@@ -207,10 +207,10 @@ template <int width, bool centre, class P, int D, class Visit>
 
 /// The same for all rows. Rows of the plane are known when this is compiled; those of space would
 /// not fit the instruction cache, so that only their widths are.
-template <Weight weight, class P, int D, class Visit>
+template <Kernel kernel, class P, int D, class Visit>
 [[gnu::always_inline]] inline void visit_stencil(const std::int64_t* neighbour_row,
                                                  std::int64_t slot, const Visit& visit) {
-  constexpr int reach = stencil_reach(weight);
+  constexpr int reach = stencil_reach(kernel);
   static_assert(reach <= 2);
   static constexpr RowWidths<typename P::arch_type, reach> widths;
   if constexpr (D == 2) {

@@ -26,29 +26,29 @@ using UpdateOfChunk = void (*)(const Stage<Scalar<P>, D>&, const ChunkGradients<
                                const Chunk&, StageExtremes<P>&);
 
 template <bool listed, class P, int D>
-GradientsOfChunk<P, D> gradients_for(Weight weight) {
-  switch (weight) {
-    case Weight::quartic:
-      return stage_gradients<Weight::quartic, listed, P, D>;
-    case Weight::quartic_polynomial:
-      return stage_gradients<Weight::quartic_polynomial, listed, P, D>;
-    case Weight::compact:
-      return stage_gradients<Weight::compact, listed, P, D>;
-    case Weight::fourth_order:
+GradientsOfChunk<P, D> gradients_for(Kernel kernel) {
+  switch (kernel) {
+    case Kernel::quartic_spline:
+      return stage_gradients<Kernel::quartic_spline, listed, P, D>;
+    case Kernel::quartic_spline_fit:
+      return stage_gradients<Kernel::quartic_spline_fit, listed, P, D>;
+    case Kernel::compact:
+      return stage_gradients<Kernel::compact, listed, P, D>;
+    case Kernel::fourth_order:
       break;
   }
   // Its moments vanish on the lattice alone.
-  constexpr Weight present = listed ? Weight::quartic_polynomial : Weight::fourth_order;
+  constexpr Kernel present = listed ? Kernel::quartic_spline_fit : Kernel::fourth_order;
   return stage_gradients<present, listed, P, D>;
 }
 
 template <StagePlace place, class P, int D>
 UpdateOfChunk<P, D> update_for(Model model) {
   switch (model) {
-    case Model::linear_rho:
-      return stage_update<Model::linear_rho, place, P, D>;
-    case Model::linear_log:
-      return stage_update<Model::linear_log, place, P, D>;
+    case Model::linear:
+      return stage_update<Model::linear, place, P, D>;
+    case Model::linear_logarithmic:
+      return stage_update<Model::linear_logarithmic, place, P, D>;
     case Model::reduced_polynomial:
       break;
   }
@@ -88,8 +88,8 @@ template <StagePlace place, class P, int D>
 StageResult advance_stage_at(const Stage<Scalar<P>, D>& stage) {
   const auto gradients_of = stage.pairs != nullptr ? symmetric_gradients<P, D>
                             : stage.neighbours != nullptr
-                                ? gradients_for<true, P, D>(stage.weight)
-                                : gradients_for<false, P, D>(stage.weight);
+                                ? gradients_for<true, P, D>(stage.kernel)
+                                : gradients_for<false, P, D>(stage.kernel);
   const auto update = update_for<place, P, D>(stage.material.model);
   ChunkGradients<Scalar<P>, D> gradients;
   StageExtremes<P> extremes;

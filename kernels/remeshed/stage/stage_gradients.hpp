@@ -34,12 +34,12 @@ struct StageGradients {
 };
 
 /// grad u and div sigma of the plane, in one sweep; `visit(f)` visits the neighbours.
-template <Weight weight, class P, class Visit>
+template <Kernel kernel, class P, class Visit>
 [[gnu::always_inline]] inline void sweep(const StageSweepFields<Scalar<P>, 2>& fields,
                                          std::int64_t slot, Scalar<P> spacing, bool,
                                          const Visit& visit, StageGradients<P, 2>& result) {
   constexpr int D = 2, F = D + symmetric_components<D>;
-  const Separation<weight, P, D> separation(fields.drift, slot, spacing);
+  const Separation<kernel, P, D> separation(fields.drift, slot, spacing);
   const Differences<P, F> differences(fields.field, slot);
   GradientSums<P, D, F> sums;
   visit([&](const P(&offset)[D], const auto& neighbour) __attribute__((always_inline)) {
@@ -64,14 +64,14 @@ template <Weight weight, class P, class Visit>
 
 /// The same in 3D, in two sweeps; see gradient_sweep.hpp. The weights of a stencil are kept for
 /// the second one, those of a list, which may be any length, made again.
-template <Weight weight, class P, class Visit>
+template <Kernel kernel, class P, class Visit>
 [[gnu::always_inline]] inline void sweep(const StageSweepFields<Scalar<P>, 3>& fields,
                                          std::int64_t slot, Scalar<P> spacing, bool listed,
                                          const Visit& visit, StageGradients<P, 3>& result) {
   constexpr int D = 3, F = symmetric_components<D>;
   using T = Scalar<P>;
-  const Separation<weight, P, D> separation(fields.drift, slot, spacing);
-  alignas(64) T kept[stencil_bound<weight, D>][D][lanes<P>];
+  const Separation<kernel, P, D> separation(fields.drift, slot, spacing);
+  alignas(64) T kept[stencil_bound<kernel, D>][D][lanes<P>];
   P inverse[symmetric_components<D>];
   {
     const Differences<P, D> differences(fields.field, slot);
@@ -183,7 +183,7 @@ template <class P, int D>
 }
 
 /// Gradients of a chunk of a segment, over the stencil or the lists.
-template <Weight weight, bool listed, class P, int D>
+template <Kernel kernel, bool listed, class P, int D>
 void stage_gradients(const Stage<Scalar<P>, D>& stage, const Segment<D>& segment,
                      const Chunk& chunk, ChunkGradients<Scalar<P>, D>& gradients) {
   using T = Scalar<P>;
@@ -202,13 +202,13 @@ void stage_gradients(const Stage<Scalar<P>, D>& stage, const Segment<D>& segment
     const PackState state = stage.pack_state[slot / slots_per_pack];
     if (at % slots_per_pack == 0) prefetch_update<P>(stage, slot);
     StageGradients<P, D> result;
-    sweep<weight, P>(
+    sweep<kernel, P>(
         fields, slot, stage.spacing, listed,
         [&](const auto& visit) __attribute__((always_inline)) {
           if constexpr (listed) {
             visit_list<P, D>(*stage.neighbours, slot, visit);
           } else {
-            visit_stencil<weight, P, D>(segment.neighbour_row.data(), slot, visit);
+            visit_stencil<kernel, P, D>(segment.neighbour_row.data(), slot, visit);
           }
         },
         result);

@@ -37,11 +37,11 @@ template <class P, int D>
 StageResult evaluate_stress(const StressOfState<Scalar<P>, D>& block) {
   Scalar<P> wave_speed2 = 0;
   switch (block.material.model) {
-    case Model::linear_rho:
-      wave_speed2 = stress_of_block<Model::linear_rho, P, D>(block);
+    case Model::linear:
+      wave_speed2 = stress_of_block<Model::linear, P, D>(block);
       break;
-    case Model::linear_log:
-      wave_speed2 = stress_of_block<Model::linear_log, P, D>(block);
+    case Model::linear_logarithmic:
+      wave_speed2 = stress_of_block<Model::linear_logarithmic, P, D>(block);
       break;
     case Model::reduced_polynomial:
       wave_speed2 = stress_of_block<Model::reduced_polynomial, P, D>(block);

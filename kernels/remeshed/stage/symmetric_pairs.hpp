@@ -91,7 +91,7 @@ class PairForces {
 
   const Stage<T, D>& stage_;
   const SymmetricPairs<T, D>& pairs_;
-  PairWeight<Weight::quartic, P> omega_;
+  PairWeight<Kernel::quartic_spline, P> omega_;
   P slope_, per_w_;
   Particle own_state_;
 };

@@ -7,7 +7,7 @@ namespace pliant::kernels {
 
 /// Pair weight omega of (RP.20) as a function of the squared distance [m^2]; zero outside the
 /// support and finite at zero distance.
-template <Weight weight, class P>
+template <Kernel kernel, class P>
 class PairWeight;
 
 /// t = max(0, 1 - r^2/R^2) of (RP.16), (RP.17) and (RP.18), R the support.
@@ -29,7 +29,7 @@ class WithinSupport {
 
 /// (RP.15). Costs about two thirds more than its polynomial.
 template <class P>
-class PairWeight<Weight::quartic, P> {
+class PairWeight<Kernel::quartic_spline, P> {
   using T = Scalar<P>;
 
  public:
@@ -52,7 +52,7 @@ class PairWeight<Weight::quartic, P> {
 
 /// (RP.16), which follows (RP.15) divided by its value at zero.
 template <class P>
-class PairWeight<Weight::quartic_polynomial, P> {
+class PairWeight<Kernel::quartic_spline_fit, P> {
   using T = Scalar<P>;
 
  public:
@@ -70,7 +70,7 @@ class PairWeight<Weight::quartic_polynomial, P> {
 
 /// (RP.17)
 template <class P>
-class PairWeight<Weight::compact, P> {
+class PairWeight<Kernel::compact, P> {
   using T = Scalar<P>;
 
  public:
@@ -89,7 +89,7 @@ class PairWeight<Weight::compact, P> {
 /// neighbours along the axes and those between them, so that its moment matrix asks for particles
 /// that are still near their slots.
 template <class P>
-class PairWeight<Weight::fourth_order, P> {
+class PairWeight<Kernel::fourth_order, P> {
   using T = Scalar<P>;
 
  public:

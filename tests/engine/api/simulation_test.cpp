@@ -4,6 +4,7 @@
 #include <pliant/pliant.hpp>
 #include <string>
 
+#include "tests/engine/api/one_thread.hpp"
 #include "tests/engine/output/temporary_folder.hpp"
 
 namespace pliant {
@@ -27,12 +28,6 @@ CaseFile pressed_block(const std::string& method, const std::string& pressure) {
   block.add("measurement", "foot").set("measurement.foot.kind", "point_displacement");
   block.set("measurement.foot.point", {0.5, 0.05}).set("measurement.foot.axis", "x");
   return block;
-}
-
-SimulationOptions one_thread() {
-  SimulationOptions options;
-  options.threads = 1;
-  return options;
 }
 
 std::vector<std::array<double, 3>> positions_after(Simulation& simulation, double time) {

@@ -75,6 +75,27 @@ TEST(ledger, takes_runs_that_were_at_work_as_pending_again) {
   EXPECT_EQ(ledger.rows()[0].status, RunStatus::pending);
 }
 
+TEST(ledger, takes_what_other_processes_say_of_an_attempt) {
+  const TemporaryFolder folder;
+  Ledger ledger(folder.path(), Ledger::Use::write);
+  ledger.add({first});
+  RunRow row = ledger.rows()[0];
+  row.status = RunStatus::failed;
+  row.attempts = 3;
+  row.started = 10;
+  row.ended = 20;
+  row.outcome.exit_status = 137;
+  row.outcome.message = "ended by signal 9";
+  ledger.put(row);
+  const RunRow found = ledger.rows()[0];
+  EXPECT_EQ(found.status, RunStatus::failed);
+  EXPECT_EQ(found.attempts, 3);
+  EXPECT_EQ(found.started, 10);
+  EXPECT_EQ(found.ended, 20);
+  EXPECT_EQ(found.outcome.exit_status, 137);
+  EXPECT_EQ(found.outcome.message, "ended by signal 9");
+}
+
 TEST(ledger, that_is_no_database_is_refused_with_its_path) {
   const TemporaryFolder folder;
   std::ofstream(folder / "batch.sqlite") << std::string(5000, 'x');

@@ -56,6 +56,18 @@ parameters.a = [2.0, 3]
   EXPECT_EQ(sweep.runs, (std::vector<Assignment>{{{"a", "1"}}, {{"a", "2"}}, {{"a", "3"}}}));
 }
 
+TEST_F(SweepFile, says_what_a_cluster_needs_to_know) {
+  const Sweep sweep = read(R"(
+[slurm]
+options = ["--partition=short", "--account=a b"]
+runs_per_task = 20
+[[design]]
+parameters.a = [1]
+)");
+  EXPECT_EQ(sweep.slurm.options, (std::vector<std::string>{"--partition=short", "--account=a b"}));
+  EXPECT_EQ(sweep.slurm.runs_per_task, 20);
+}
+
 TEST_F(SweepFile, takes_values_of_all_types) {
   const Sweep sweep = read(R"(
 [[design]]
@@ -100,7 +112,7 @@ TEST_F(SweepFile, that_is_wrong_is_refused_with_its_line_and_a_remedy) {
                  "`a` is a list; write { from = 1, to = 2 }");
   expect_refused("[[design]]\nkind = \"table\"\nfile = \"none.csv\"\n",
                  "\"none.csv\" cannot be read");
-  expect_refused("set = [1]\n", "a setting is no text");
+  expect_refused("set = [1]\n", "an entry of `set` is no text");
   expect_refused("a = \n", "sweep.toml:2: ");
 }
 

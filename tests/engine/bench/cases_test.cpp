@@ -7,24 +7,24 @@
 namespace pliant::test {
 namespace {
 
-using kernels::Weight;
+using kernels::Kernel;
 
 TEST(bench_cases, have_the_spacing_of_the_particles_asked_for) {
   const double pi = std::acos(-1.0);
-  EXPECT_DOUBLE_EQ(bench::rotating_cylinder(2000, Weight::compact).discretisation.spacing,
+  EXPECT_DOUBLE_EQ(bench::rotating_cylinder(2000, Kernel::compact).discretisation.spacing,
                    std::sqrt(pi / 2000));
-  EXPECT_DOUBLE_EQ(bench::spinning_ball(100'000, Weight::compact).discretisation.spacing,
+  EXPECT_DOUBLE_EQ(bench::spinning_ball(100'000, Kernel::compact).discretisation.spacing,
                    std::cbrt(4 * pi / 3 / 100'000));
-  EXPECT_DOUBLE_EQ(bench::compression(64, Weight::compact).discretisation.spacing, 1. / 64);
+  EXPECT_DOUBLE_EQ(bench::compression(64, Kernel::compact).discretisation.spacing, 1. / 64);
 }
 
 // What rates of earlier versions were measured with.
 TEST(bench_cases, keep_the_settings_that_rates_depend_on) {
   using Policy = decltype(Case::remeshing)::Policy;
   for (const Case& a_case :
-       {bench::rotating_cylinder(2000, Weight::compact),
-        bench::spinning_ball(2000, Weight::compact), bench::compression(64, Weight::compact)}) {
-    EXPECT_EQ(a_case.discretisation.kernel, Weight::compact) << a_case.name;
+       {bench::rotating_cylinder(2000, Kernel::compact),
+        bench::spinning_ball(2000, Kernel::compact), bench::compression(64, Kernel::compact)}) {
+    EXPECT_EQ(a_case.discretisation.kernel, Kernel::compact) << a_case.name;
     EXPECT_EQ(a_case.discretisation.dissipation.velocity, 0.25) << a_case.name;
     EXPECT_EQ(a_case.discretisation.dissipation.stress, 0.25) << a_case.name;
     EXPECT_EQ(a_case.remeshing.filter, 0.2) << a_case.name;
@@ -49,8 +49,19 @@ TEST(bench_cases, a_block_of_points_has_the_nodes_asked_for_and_no_cut) {
   }
 }
 
+TEST(bench_cases, an_elastic_block_has_about_the_particles_asked_for) {
+  for (const int dimension : {2, 3}) {
+    const Case block = bench::elastic_block(dimension, 100'000, Precision::binary32);
+    EXPECT_EQ(block.method, "total_lagrangian");
+    EXPECT_EQ(block.dimension, dimension);
+    EXPECT_EQ(block.precision, Precision::binary32);
+    const double to_a_side = 1 / block.discretisation.spacing + 1;
+    EXPECT_NEAR(std::pow(to_a_side, dimension), 100'000, 5'000);
+  }
+}
+
 TEST(bench_cases, a_ball_spins_about_z) {
-  const Case ball = bench::spinning_ball(2000, Weight::quartic);
+  const Case ball = bench::spinning_ball(2000, Kernel::quartic_spline);
   EXPECT_EQ(ball.dimension, 3);
   EXPECT_EQ(ball.bodies[0].name, "ball");
   EXPECT_EQ(ball.bodies[0].geometry.kind, Shape::Kind::ball);

@@ -54,6 +54,18 @@ TEST(walls, distance_and_normal_move_with_the_wall) {
   EXPECT_EQ(wall.velocity(3), (Point<2>{0, -2}));
 }
 
+// The area of a sphere goes with the square of its radius.
+TEST(walls, a_ball_is_larger_than_the_parallel_surface_inside_it) {
+  BoundaryCase boundary = floor(0);
+  EXPECT_EQ(Wall<3>(boundary).spread({0, -0.1, 0}, 0.1), 1);
+  boundary.geometry.kind = Shape::Kind::ball;
+  boundary.geometry.centre = {0, 0, 0};
+  boundary.geometry.radius = 1;
+  const Wall<3> ball(boundary);
+  EXPECT_NEAR(ball.spread({0.54, 0, 0.72}, 0.1), 1 / 0.81, 1e-3);
+  EXPECT_NEAR(Wall<2>(boundary).spread({0, 0.8}, 0.2), 1 / 0.8, 3e-3);
+}
+
 TEST(walls, a_restored_wall_stands_where_it_stood) {
   Wall<2> wall(floor(0, "t", "sin(t)")), restored = wall;
   for (int i = 0; i < 5; ++i) wall.move(0.1 * i, 0.1);
@@ -73,7 +85,7 @@ TEST(walls, the_nearest_of_several_is_found_and_pressures_are_none_of_them) {
   EXPECT_FALSE(boundaries.walls[0].slips());
   EXPECT_TRUE(boundaries.walls[1].slips());
   EXPECT_EQ(boundaries.nearest_wall({0, 0}), (std::pair<int, double>{1, 1}));
-  EXPECT_EQ(boundaries.distance_to_sticking({0, 0}), 2);
+  EXPECT_EQ(boundaries.distance_to_no_slip({0, 0}), 2);
   EXPECT_EQ(boundaries.pressures[0].value(2), 6);
   EXPECT_TRUE(boundaries.pressures[0].acts_at({0, 0.1}));
   EXPECT_FALSE(boundaries.pressures[0].acts_at({0, 0.3}));

@@ -39,7 +39,7 @@ TEST(read_case, what_a_file_does_not_say_has_its_default) {
   EXPECT_EQ(a_case.title, "a block");
   EXPECT_EQ(a_case.dimension, 2);
   EXPECT_EQ(a_case.discretisation.spacing, 0.1);
-  EXPECT_EQ(a_case.discretisation.kernel, kernels::Weight::compact);
+  EXPECT_EQ(a_case.discretisation.kernel, kernels::Kernel::compact);
   EXPECT_FALSE(a_case.time.step.has_value());
   EXPECT_EQ(a_case.remeshing.policy, decltype(a_case.remeshing)::Policy::adaptive);
   EXPECT_EQ(a_case.ghosts, GhostTreatment::linear);
@@ -51,7 +51,7 @@ TEST(read_case, what_a_file_does_not_say_has_its_default) {
 // K = E/(3 (1 - 2 nu)) = 100/1.2, mu = E/(2 (1 + nu)) = 100/2.6, to rounding.
 TEST(read_case, linear_moduli_follow_from_youngs_modulus) {
   const kernels::Material<double> material = read_text(block_case).bodies.at(0).material;
-  EXPECT_EQ(material.model, kernels::Model::linear_rho);
+  EXPECT_EQ(material.model, kernels::Model::linear);
   EXPECT_EQ(material.density, 2);
   EXPECT_NEAR(material.bulk_modulus, 83.333333333333333, 1e-12);
   EXPECT_NEAR(material.shear_modulus, 38.461538461538462, 1e-12);

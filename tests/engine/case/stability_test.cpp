@@ -6,6 +6,8 @@
 #include <cmath>
 #include <complex>
 
+#include "engine/simulation/methods.hpp"
+#include "engine/total_lagrangian/parameters.hpp"
 #include "tests/engine/case/written_case.hpp"
 
 namespace pliant::tests {
@@ -14,15 +16,15 @@ namespace {
 constexpr int nodes = 16;  // wave numbers to a side of the zone
 
 /// (RP.15)-(RP.17) and (RP.18), of the square of the distance over h.
-double weight(kernels::Weight kind, double s2) {
+double weight(kernels::Kernel kind, double s2) {
   const double s = std::sqrt(s2), t = std::max(0., 1 - s2 / 6.25);
   const auto cube = [](double a) { return a > 0 ? a * a * a : 0; };
   switch (kind) {
-    case kernels::Weight::quartic:
+    case kernels::Kernel::quartic_spline:
       return (cube(2.5 - s) - 5 * cube(1.5 - s) + 10 * cube(0.5 - s)) / (6 * s);
-    case kernels::Weight::quartic_polynomial:
+    case kernels::Kernel::quartic_spline_fit:
       return t * t * t * (0.76443 - 2.31468 * t + 2.5554 * t * t);
-    case kernels::Weight::compact:
+    case kernels::Kernel::compact:
       return std::pow(std::max(0., 1 - s2 / 3.0625), 4);
     default:
       return t * t *
@@ -38,7 +40,7 @@ bool is_stable(std::complex<double> z) {
 
 /// Largest CFL number at which no plane wave in an endless lattice grows, from (RP.20), (RP.21) and
 /// (RP.23).
-double lattice_limit(kernels::Weight kind, int dimension, double of_velocity, double of_stress) {
+double lattice_limit(kernels::Kernel kind, int dimension, double of_velocity, double of_stress) {
   std::vector<std::complex<double>> rates;  // times h/c
   for (int n = 0; n < std::pow(nodes + 1, dimension); ++n) {
     const int index[3] = {n % (nodes + 1), n / (nodes + 1) % (nodes + 1),
@@ -79,8 +81,8 @@ double lattice_limit(kernels::Weight kind, int dimension, double of_velocity, do
 TEST(stability, limits_are_three_quarters_of_those_of_plane_waves) {
   Case a_case = read_text(block_case);
   for (const int dimension : {2, 3}) {
-    for (const auto kind : {kernels::Weight::quartic, kernels::Weight::quartic_polynomial,
-                            kernels::Weight::compact, kernels::Weight::fourth_order}) {
+    for (const auto kind : {kernels::Kernel::quartic_spline, kernels::Kernel::quartic_spline_fit,
+                            kernels::Kernel::compact, kernels::Kernel::fourth_order}) {
       for (const auto& [of_velocity, of_stress] :
            {std::pair(0., 0.), std::pair(0.25, 0.25), std::pair(1., 1.), std::pair(1., 0.),
             std::pair(0.5, 0.025), std::pair(0.025, 1.)}) {
@@ -90,7 +92,7 @@ TEST(stability, limits_are_three_quarters_of_those_of_plane_waves) {
         const double of_waves = lattice_limit(kind, dimension, of_velocity, of_stress);
         // Damping shifts the limit of the waves by up to 4 %.
         EXPECT_NEAR(stable_cfl(a_case) / (0.75 * of_waves), 1, 0.04)
-            << dimension << "D, weight " << static_cast<int>(kind) << ", " << of_velocity << ", "
+            << dimension << "D, kernel " << static_cast<int>(kind) << ", " << of_velocity << ", "
             << of_stress;
       }
     }
@@ -136,19 +138,19 @@ TEST(stability, the_default_cfl_number_is_stable_and_smaller_with_contact_betwee
   EXPECT_EQ(cfl_number(a_case), 0.5);
   a_case.time.cfl = 1.5;
   EXPECT_EQ(cfl_number(a_case), 1.5);
-  for (const char* method : {"total_lagrangian", "sph"}) {
-    a_case = {};
-    a_case.method = method;
-    EXPECT_EQ(cfl_number(a_case), 0.5);
+  for (const char* method : {"total_lagrangian", "sph", "point_based"}) {
+    a_case.rules = &methods().find(method).rules;
+    a_case.time.cfl.reset();
+    EXPECT_EQ(cfl_number(a_case), 0.5) << method;
   }
 }
 
 TEST(stability, a_mass_that_is_scaled_to_the_step_has_no_limit) {
   Case a_case = read_text(block_case);
-  a_case.method = "total_lagrangian";
+  a_case.rules = &methods().find("total_lagrangian").rules;
   a_case.time.step = 1;
   EXPECT_NE(stability_warning(a_case), "");
-  a_case.total_lagrangian.match_time_step = true;
+  a_case.parameters.as<total_lagrangian::Parameters>().mass_scaling.reset();
   EXPECT_EQ(stability_warning(a_case), "");
 }
 

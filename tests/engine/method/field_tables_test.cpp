@@ -2,13 +2,20 @@
 #include <gtest/gtest.h>
 
 #include <fstream>
+#include <set>
 #include <sstream>
+#include <string>
+#include <vector>
 
+#include "engine/finite_elements/fields.hpp"
 #include "engine/point_based/fields.hpp"
 #include "engine/remeshed/fields.hpp"
+#include "engine/simulation/methods.hpp"
 #include "engine/total_lagrangian/fields.hpp"
+#include "tests/engine/case/written_case.hpp"
+#include "tests/engine/output/temporary_folder.hpp"
 
-// docs/fields.md shows the lists of fields as they are.
+// docs/fields.md, frames and checkpoints show the lists of fields as they are.
 namespace pliant::test {
 namespace {
 
@@ -95,9 +102,121 @@ TEST(fields, of_the_total_lagrangian_method_are_on_their_page) {
   EXPECT_NE(page().find(expected), std::string::npos) << "docs/fields.md should hold\n" << expected;
 }
 
+TEST(fields, of_finite_elements_are_on_their_page) {
+  const std::string expected = tables(finite_elements::index_spaces, finite_elements::field_list);
+  EXPECT_NE(page().find(expected), std::string::npos) << "docs/fields.md should hold\n" << expected;
+}
+
 TEST(fields, of_the_point_based_method_are_on_their_page) {
   const std::string expected = tables(point_based::index_spaces, point_based::field_list);
   EXPECT_NE(page().find(expected), std::string::npos) << "docs/fields.md should hold\n" << expected;
+}
+
+using Names = std::set<std::string>;
+
+/// A block of rubber after a step of a method.
+std::unique_ptr<Solver> stepped(const std::string& method, const std::string& of_method,
+                                const std::string& rest) {
+  const Case settings = tests::read_text("method = \"" + method + R"toml("
+discretisation = { spacing = 0.125 }
+time = { end = 1 }
+)toml" + of_method + R"toml(
+[[body]]
+name = "block"
+geometry = { shape = "box", lower = [0, 0], upper = [1, 1] }
+velocity = ["y", "0"]
+[body.material]
+model = "reduced_polynomial"
+coefficients = [10]
+compressibility = 0.05
+density = 1
+)toml" + rest);
+  auto solver = methods().make(settings, {});
+  solver->step(HUGE_VAL);
+  return solver;
+}
+
+constexpr auto relaxing = "prony = { ratios = [0.5], times = [0.1] }\n";
+
+std::unique_ptr<Solver> stepped_remeshed() { return stepped("remeshed", "", relaxing); }
+std::unique_ptr<Solver> stepped_total_lagrangian() {
+  return stepped("total_lagrangian", "", relaxing);
+}
+// With all that there are fields for.
+std::unique_ptr<Solver> stepped_point_based() {
+  return stepped("point_based", "point_based = { stiffness_damping = 1e-4 }", R"toml([[cut]]
+name = "slit"
+from = [0.5, 1.1]
+path = [0, "-t"]
+end = 0.5
+)toml");
+}
+
+/// Names with their units.
+template <class Fields>
+Names shown(const Fields& fields) {
+  Names names;
+  for (const auto& f : fields) {
+    if (f.is_shown) names.insert(fmt::format("{} [{}]", f.name, f.unit));
+  }
+  return names;
+}
+
+/// Those of a frame that do not follow from other fields.
+Names fields_of_frame(Solver& solver, const Names& derived) {
+  Names names;
+  for (const FrameField& f : solver.frame({}).fields) {
+    if (!derived.contains(f.name)) names.insert(fmt::format("{} [{}]", f.name, f.unit));
+  }
+  return names;
+}
+
+TEST(frames, show_exactly_the_shown_fields) {
+  EXPECT_EQ(fields_of_frame(*stepped_remeshed(), {"pressure", "density", "body"}),
+            shown(remeshed::field_list));
+  const Names derived = {"pressure", "density", "stress", "dilatation", "kind", "body"};
+  EXPECT_EQ(fields_of_frame(*stepped_total_lagrangian(), derived),
+            shown(total_lagrangian::field_list));
+  EXPECT_EQ(fields_of_frame(*stepped_point_based(), derived), shown(point_based::field_list));
+}
+
+template <class Fields>
+Names saved(const Fields& fields) {
+  Names names;
+  for (const auto& f : fields) {
+    if (f.is_saved) names.insert(std::string(f.name));
+  }
+  return names;
+}
+
+/// Names of what a checkpoint holds of groups, but for those that are no fields.
+Names fields_of_checkpoint(const Solver& solver, const std::vector<std::string>& groups,
+                           const Names& others) {
+  const TemporaryFolder folder;
+  ArchiveWriter writer(folder / "state.h5");
+  solver.save(writer);
+  writer.commit();
+  const ArchiveReader reader(folder / "state.h5");
+  Names names;
+  for (const std::string& group : groups) {
+    for (const std::string& name : reader.names(group)) {
+      if (!others.contains(name)) names.insert(name);
+    }
+  }
+  return names;
+}
+
+TEST(checkpoints, hold_exactly_the_saved_fields) {
+  Names of_bodies = saved(remeshed::field_list);
+  ASSERT_EQ(of_bodies.erase("momentum_budget"), 1u);  // of each body, but one array
+  EXPECT_EQ(fields_of_checkpoint(
+                *stepped_remeshed(), {"body/0", "body/0/ghosts"},
+                {"occupied_packs", "particles", "strain", "strain_rate", "ghosts", "reached"}),
+            of_bodies);
+  EXPECT_EQ(fields_of_checkpoint(*stepped_total_lagrangian(), {"body/0"}, {}),
+            saved(total_lagrangian::field_list));
+  EXPECT_EQ(fields_of_checkpoint(*stepped_point_based(), {"body/0"}, {"cuts"}),
+            saved(point_based::field_list));
 }
 
 }  // namespace

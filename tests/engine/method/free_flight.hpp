@@ -3,6 +3,8 @@
 #include <vector>
 
 #include "engine/boundaries/walls.hpp"
+#include "engine/case/check.hpp"
+#include "engine/case/method_keys.hpp"
 #include "engine/geometry/signed_distance.hpp"
 #include "engine/method/archived_clock.hpp"
 #include "engine/method/initial_velocity.hpp"
@@ -10,7 +12,41 @@
 
 namespace pliant::test {
 
-/// The smallest method: particles on a grid in every body, which keep their initial velocity.
+/// The table [free_flight] of a case.
+struct FreeFlightParameters {
+  double drag = 0;  ///< rate at which the velocity decays [1/s]
+};
+
+inline double drag_of(const Case& a_case) {
+  return a_case.parameters.as<FreeFlightParameters>().drag;
+}
+
+inline void visit_keys(MethodKeys& visit, MethodParameters& parameters) {
+  visit("drag", parameters.as<FreeFlightParameters>().drag,
+        {.meaning = "rate at which the velocity decays",
+         .unit = "1/s",
+         .example = "0.5",
+         .limits = not_negative});
+}
+
+inline void check_flight(const Check& check) {
+  refuse_tables(check, {"contact"});
+  if (check.a_case.time.step) return;
+  check.problems.add(check.place("time", "step"), "free flight has no CFL number",
+                     "give time.step in seconds");
+}
+
+/// The decay of a step, 1 - drag dt, grows above drag dt = 2.
+inline StepLimits limits_of_flight(const Case& a_case) {
+  StepLimits limits;
+  const double waves = kernels::wave_speed_at_rest(a_case.bodies.at(0).material);
+  limits.stable_cfl = 2 / drag_of(a_case) * waves / a_case.discretisation.spacing;
+  limits.bounds_given_steps = true;
+  return limits;
+}
+
+/// The smallest method: particles on a grid in every body, which keep their initial velocity but
+/// for drag.
 class FreeFlight final : public Solver {
  public:
   FreeFlight(const Case& a_case, const SolverOptions& options)
@@ -68,8 +104,12 @@ class FreeFlight final : public Solver {
  private:
   std::vector<scheduler::Phase> phases() {
     return {{.name = "fly", .writes = {{0}}, .run = [this](int) {
+               const double decay = 1 - drag_of(settings()) * time_step_;
                for (std::size_t p = 0; p < mass_.size(); ++p) {
-                 for (int a = 0; a < 3; ++a) position_[p][a] += time_step_ * velocity_[p][a];
+                 for (int a = 0; a < 3; ++a) {
+                   position_[p][a] += time_step_ * velocity_[p][a];
+                   velocity_[p][a] *= decay;
+                 }
                }
              }}};
   }
@@ -92,15 +132,24 @@ class FreeFlight final : public Solver {
 
   void save_state(ArchiveWriter& archive) const override {
     put_clock(archive, clock_);
-    std::vector<double> numbers;
-    for (const Vector& x : position_) numbers.insert(numbers.end(), x.begin(), x.end());
-    archive.put("position", std::span<const double>(numbers));
+    put(archive, "position", position_);
+    put(archive, "velocity", velocity_);
   }
 
   void restore_state(const ArchiveReader& archive) override {
     get_clock(archive, clock_);
-    const std::vector<double> numbers = archive.get<double>("position");
-    for (std::size_t i = 0; i < numbers.size(); ++i) position_.at(i / 3)[i % 3] = numbers[i];
+    get(archive, "position", position_);
+    get(archive, "velocity", velocity_);
+  }
+
+  static void put(ArchiveWriter& archive, const char* name, const std::vector<Vector>& field) {
+    std::vector<double> numbers;
+    for (const Vector& x : field) numbers.insert(numbers.end(), x.begin(), x.end());
+    archive.put(name, std::span<const double>(numbers));
+  }
+  static void get(const ArchiveReader& archive, const char* name, std::vector<Vector>& field) {
+    const std::vector<double> numbers = archive.get<double>(name);
+    for (std::size_t i = 0; i < numbers.size(); ++i) field.at(i / 3)[i % 3] = numbers[i];
   }
 
   StepClock clock_;

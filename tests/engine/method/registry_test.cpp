@@ -1,9 +1,15 @@
 #include "engine/method/registry.hpp"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <fstream>
 
+#include "engine/case/reference.hpp"
+#include "engine/case/resolved.hpp"
+#include "engine/case/stability.hpp"
+#include "engine/case/validate_summary.hpp"
 #include "engine/output/error.hpp"
 #include "engine/simulation/methods.hpp"
 #include "engine/simulation/run.hpp"
@@ -16,11 +22,14 @@ namespace {
 
 // What the guide to contributors lists: a solver, rules for case files, and a place in a registry.
 
-void refuse_contacts(const Check& check) { refuse_tables(check, {"contact"}); }
-
 const MethodRegistry& test_methods() {
   static const MethodRegistry registry({{
-      {"free_flight", "particles keep their initial velocity", refuse_contacts},
+      {.word = "free_flight",
+       .meaning = "particles keep their initial velocity",
+       .check = check_flight,
+       .keys = visit_keys,
+       .step_limits = limits_of_flight,
+       .summary = [](const Case& a_case) { return fmt::format("drag {}/s", drag_of(a_case)); }},
       [](const Case& settings, const SolverOptions& options) -> std::unique_ptr<Solver> {
         return std::make_unique<FreeFlight>(settings, options);
       },
@@ -46,9 +55,17 @@ axis = "x"
 struct OtherMethod : testing::Test {
   TemporaryFolder folder;
 
-  Case read(const std::string& text = flight) const {
+  Case read(const std::string& text = flight, const std::vector<std::string>& set = {}) const {
     std::ofstream(folder / "flight.toml") << text;
-    return read_case(folder / "flight.toml", {}, test_methods().rules());
+    return read_case(folder / "flight.toml", set, test_methods().rules());
+  }
+  std::string refusal(const std::vector<std::string>& set) const {
+    try {
+      read(flight, set);
+      return "";
+    } catch (const CaseError& error) {
+      return error.what();
+    }
   }
   RunEnd run(bool resume = false) const {
     RunOptions options;
@@ -100,6 +117,37 @@ TEST_F(OtherMethod, refuses_what_it_cannot_do_at_its_line) {
               std::string::npos)
         << error.what();
   }
+}
+
+// u (1 - c dt)^n after n = 16 steps.
+TEST_F(OtherMethod, has_keys_of_its_own) {
+  const auto solver = test_methods().make(read(flight, {"free_flight.drag=2"}), {});
+  solver->advance(1);
+  EXPECT_NEAR(solver->measure(0), 6 * std::pow(1 - 2 * 0.0625, 16), 1e-12);
+  EXPECT_NE(resolved_toml(solver->settings()).find("[free_flight]\ndrag = 2\n"), std::string::npos);
+  EXPECT_NE(case_reference_markdown(test_methods().rules())
+                .find("| `drag` | number, 0 or more | 1/s | `0` | rate at which"),
+            std::string::npos);
+  EXPECT_NE(refusal({"free_flight.drag=-1"}).find("drag must be 0 or more, got -1"),
+            std::string::npos);
+  EXPECT_NE(refusal({"free_flight.drug=1"}).find("did you mean `drag`?"), std::string::npos);
+}
+
+TEST_F(OtherMethod, has_a_check_a_stability_limit_and_a_summary_of_its_own) {
+  EXPECT_NE(refusal({"time.step=\"cfl\""}).find("free flight has no CFL number"),
+            std::string::npos);
+  EXPECT_EQ(stability_warning(read(flight, {"free_flight.drag=30"})), "");
+  EXPECT_NE(stability_warning(read(flight, {"free_flight.drag=40"}))
+                .find("the time step 0.0625 s is above the stability limit of 0.05 s"),
+            std::string::npos);
+  EXPECT_NE(validate_summary(read(flight, {"free_flight.drag=2"})).find("drag 2/s"),
+            std::string::npos);
+}
+
+TEST_F(OtherMethod, does_not_take_the_keys_of_others) {
+  EXPECT_NE(refusal({"sph.artificial_stress=1"}), "");
+  EXPECT_NE(refusal({"remeshing.every=10"}), "");
+  EXPECT_NE(refusal({"discretisation.kernel=compact"}), "");
 }
 
 TEST_F(OtherMethod, is_unknown_to_the_program_and_does_not_run_as_another) {

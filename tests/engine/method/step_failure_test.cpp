@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include "engine/simulation/methods.hpp"
+#include "engine/total_lagrangian/parameters.hpp"
 #include "tests/engine/case/written_case.hpp"
 
 namespace pliant::test {
@@ -30,8 +32,8 @@ TEST(failed_step, names_a_step_above_the_stability_limit_as_the_cause) {
 
 TEST(failed_step, names_the_mass_scaling_where_that_follows_the_step) {
   Case a_case = tests::read_text(tests::block_case, {"time.step=1"});
-  a_case.method = "total_lagrangian";
-  a_case.total_lagrangian.match_time_step = true;
+  a_case.rules = &methods().find("total_lagrangian").rules;
+  a_case.parameters.as<total_lagrangian::Parameters>().mass_scaling.reset();
   EXPECT_EQ(smaller_step(a_case), "scale the mass more (a smaller time.cfl)");
 }
 

@@ -53,6 +53,29 @@ TEST(interrupt, a_hangup_that_was_ignored_stays_ignored) {
   EXPECT_EQ(::signal(SIGHUP, SIG_DFL), SIG_IGN);
 }
 
+// Without an Interrupt there is nothing to save.
+TEST(interrupt, before_a_run_begins_a_signal_ends_the_process_with_its_status) {
+  for (const int number : {SIGINT, SIGTERM, SIGHUP}) {
+    const auto child = ::fork();
+    if (child == 0) {
+      const ExitOnInterrupt in_set_up(4, "");
+      ::raise(number);
+      ::_exit(0);
+    }
+    int status = 0;
+    ::waitpid(child, &status, 0);
+    EXPECT_TRUE(WIFEXITED(status));
+    EXPECT_EQ(WEXITSTATUS(status), 4);
+  }
+}
+
+TEST(interrupt, from_then_on_a_signal_raises_the_flag) {
+  const ExitOnInterrupt in_set_up(4, "");
+  const Interrupt interrupt;
+  ::raise(SIGTERM);
+  EXPECT_TRUE(interrupt.requested());
+}
+
 TEST(interrupt, earlier_handlers_come_back) {
   struct sigaction before = {}, after = {};
   ::sigaction(SIGINT, nullptr, &before);

@@ -5,6 +5,7 @@
 
 #include "engine/point_based/node_state.hpp"
 #include "tests/engine/point_based/blocks.hpp"
+#include "tests/engine/point_based/deformations.hpp"
 
 // Forces of the point-based method against its energy and its invariants.
 namespace pliant::test {
@@ -34,23 +35,6 @@ struct PointForces : testing::Test {
                                   {1, kernels::widest_supported()});
   }
 
-  /// x = F X + a wave, so that all parts of the energy count.
-  static void deform(Body<double, dimension>& body, const Matrix& f, double wave) {
-    body.for_each_node([&](std::int64_t slot) {
-      for (int i = 0; i < dimension; ++i) {
-        double d = -body.start[slot][i] + wave * std::sin(37. * slot + 5 * i);
-        for (int j = 0; j < dimension; ++j) d += f(i, j) * body.start[slot][j];
-        body.displacement[i][slot] = d;
-      }
-    });
-  }
-
-  static Matrix some_deformation() {
-    Eigen::Matrix3d f;
-    f << 1.2, 0.3, -0.1, -0.2, 0.9, 0.15, 0.05, -0.25, 1.1;
-    return f.topLeftCorner<dimension, dimension>();
-  }
-
   /// [slot][axis] forces from the change of velocity in a step so short that nothing moves.
   static std::vector<Point<dimension>> forces(PointSolver<dimension>& solver) {
     constexpr double dt = 1e-9;
@@ -75,7 +59,7 @@ TYPED_TEST(PointForces, are_the_slope_of_the_energy) {
   for (const char* word : {"neo_hookean", "st_venant_kirchhoff", "reduced_polynomial"}) {
     auto solver = this->solver(word, this->short_step());
     auto& body = solver.state().bodies[0];
-    this->deform(body, this->some_deformation(), 0.01);
+    deform(body, some_deformation<TypeParam::value>(), 0.01);
     const auto force = this->forces(solver);
     double largest = 0;
     for (const auto& f : force) largest = std::max(largest, std::abs(f[0]));
@@ -103,7 +87,7 @@ TYPED_TEST(PointForces, of_a_turned_body_vanish) {
     turn = Eigen::AngleAxisd(2, Eigen::Vector3d(1, 2, 3).normalized()).toRotationMatrix();
   }
   auto solver = this->solver("neo_hookean", this->short_step());
-  this->deform(solver.state().bodies[0], turn, 0);
+  deform(solver.state().bodies[0], turn, 0);
   for (const auto& force : this->forces(solver)) {
     for (const double component : force) EXPECT_NEAR(component, 0, 1e-11);
   }
@@ -113,7 +97,7 @@ TYPED_TEST(PointForces, neither_push_nor_turn_a_free_body) {
   constexpr int D = TypeParam::value;
   auto solver = this->solver("neo_hookean", this->short_step());
   auto& body = solver.state().bodies[0];
-  this->deform(body, this->some_deformation(), 0.02);
+  deform(body, some_deformation<TypeParam::value>(), 0.02);
   const auto force = this->forces(solver);
   Eigen::Matrix<double, D, 1> sum = Eigen::Matrix<double, D, 1>::Zero();
   Eigen::Matrix<double, D, D> torque = Eigen::Matrix<double, D, D>::Zero();
@@ -134,8 +118,8 @@ TYPED_TEST(PointForces, see_affine_fields_exactly) {
   constexpr int D = TypeParam::value;
   auto solver = this->solver("neo_hookean");
   auto& body = solver.state().bodies[0];
-  const auto f = this->some_deformation();
-  this->deform(body, f, 0);
+  const auto f = some_deformation<TypeParam::value>();
+  deform(body, f, 0);
   double energy = 0;
   for (const NodeBlock& block : body.blocks) {
     for (int i = 0; i < block.nodes; ++i) {
@@ -179,7 +163,7 @@ TYPED_TEST(PointForces, hold_an_affine_deformation_with_forces_near_the_surface_
   constexpr int D = TypeParam::value;
   auto solver = this->solver("neo_hookean", {"time.step=1e-9", "discretisation.spacing=0.0625"});
   auto& body = solver.state().bodies[0];
-  this->deform(body, this->some_deformation(), 0);
+  deform(body, some_deformation<TypeParam::value>(), 0);
   const auto force = this->forces(solver);
   double largest = 0;
   for (std::int64_t s = 0; s < body.slots; ++s) {

@@ -1,9 +1,9 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <map>
 
 #include "tests/engine/point_based/blocks.hpp"
+#include "tests/engine/undeformed/loads.hpp"
 
 // Gravity, tractions, reactions, contact walls, friction and the energy balance of the point-based
 // method, against solutions in closed form.
@@ -11,35 +11,6 @@ namespace pliant::test {
 namespace {
 
 constexpr double youngs_modulus = 100;  // of free_points
-
-std::string half_space(const std::string& name, const std::string& rest, const std::string& point,
-                       const std::string& normal) {
-  return "[[boundary]]\nname = \"" + name + "\"\n" + rest +
-         "\ngeometry = { shape = \"half_space\", point = " + point + ", normal = " + normal +
-         " }\n";
-}
-
-std::string measurement(const std::string& name, const std::string& rest) {
-  return "[[measurement]]\nname = \"" + name + "\"\n" + rest + "\n";
-}
-
-template <int D>
-std::map<std::string, double> values(PointSolver<D>& solver) {
-  std::map<std::string, double> named;
-  const std::vector<double> measured = solver.measure();
-  for (std::size_t m = 0; m < measured.size(); ++m) {
-    named[solver.settings().measurements[m].name] = measured[m];
-  }
-  return named;
-}
-
-/// Kinetic and strain energy, less the work, plus what damping took.
-template <int D>
-double balance(PointSolver<D>& solver) {
-  const BodyIntegrals sum = solver.integrals();
-  const EnergyBudget budget = *solver.energy_budget();
-  return sum.kinetic_energy + sum.strain_energy - budget.work() + budget.damping;
-}
 
 TEST(point_loads, free_fall_is_exact) {
   for (const std::string gravity : {"[0.5, -9.81]", "[\"0.5 + 0*x\", -9.81]"}) {

@@ -3,22 +3,13 @@
 #include <cmath>
 #include <numbers>
 
-#include "engine/simulation/run.hpp"
-#include "tests/engine/output/file_content.hpp"
 #include "tests/engine/output/temporary_folder.hpp"
 #include "tests/engine/point_based/blocks.hpp"
+#include "tests/engine/point_based/whole_runs.hpp"
 
 // Whole runs of the point-based method.
 namespace pliant::test {
 namespace {
-
-const std::string tumbling = "velocity = [\"3*y + sin(4*x)\", \"1 - 3*x\", \"2*cos(3*y)\"]\n";
-const std::string clamp = R"toml([[boundary]]
-name = "clamp"
-kind = "moving_wall"
-geometry = { shape = "half_space", point = [0, 0, 0], normal = [1, 0, 0] }
-velocity = [0, "0.4*cos(3*t)", 0]
-)toml";
 
 TEST(point_based, a_tumbling_block_keeps_momenta_to_rounding_and_its_energy) {
   PointSolver<3> solver(tests::read_text(free_points(3) + tumbling),
@@ -69,18 +60,6 @@ TEST(point_based, a_standing_wave_converges) {
   const double coarse = error_of_standing_wave("0.0625"), fine = error_of_standing_wave("0.03125");
   EXPECT_LT(fine, 0.03);
   EXPECT_GT(std::log2(coarse / fine), 1);
-}
-
-FileContent result_of(const Case& settings, const std::filesystem::path& folder, int threads,
-                      bool resume = false) {
-  RunOptions options;
-  options.folder = folder;
-  options.quiet = true;
-  options.isa = kernels::widest_supported();
-  options.threads = threads;
-  options.resume = resume;
-  EXPECT_EQ(run_case(settings, options), RunEnd::done);
-  return content_of(folder / "result.h5");
 }
 
 Case driven(const std::vector<std::string>& more = {}) {

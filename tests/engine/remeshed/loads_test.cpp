@@ -145,6 +145,21 @@ traction = [1, 0]
   EXPECT_NEAR(at_end["centre"], strain / 2, 0.003 * 0.1);  // [h], of a surface in a cell
 }
 
+// The region stays behind, the load does not: it goes on pushing the block down.
+TEST(pressures, follow_the_surface_out_of_their_region) {
+  const Case settings = tests::read_text(block + R"(velocity = [4, 0]
+[[boundary]]
+name = "load"
+kind = "pressure"
+geometry = { shape = "box", lower = [-0.5, 0.9], upper = [1.5, 2] }
+pressure = 1
+)",
+                                         {"remeshing.every=5"});
+  Solver solver(settings, {1, kernels::widest_supported()});
+  advance_until(solver, 0.5);
+  EXPECT_NEAR(solver.integrals().momentum[1], -0.5, 0.02);
+}
+
 TEST(tractions, shear_on_the_top_of_a_block_is_the_reaction_of_its_floor) {
   const Case settings = tests::read_text(
       block + half_space("floor", "kind = \"fixed\"\n", "[0, 0]", "[0, 1]") + R"([[boundary]]

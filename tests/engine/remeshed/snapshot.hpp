@@ -84,6 +84,9 @@ inline Snapshot snapshot_of(const Solver& solver, Slots which = Slots::all) {
   for (const auto& impulse : solver.state().wall_impulse) {
     snapshot["impulse"].insert(snapshot["impulse"].end(), impulse.begin(), impulse.end());
   }
+  const EnergyBudget energy = *solver.energy_budget();
+  snapshot["energy budget"] = {energy.wall_work, energy.load_work, energy.body_force_work,
+                               energy.damping};
   return snapshot;
 }
 

@@ -46,8 +46,33 @@ TEST_F(Watching, warns_of_energy_that_no_work_explains) {
   const std::string warning = seen(1.2);
   EXPECT_NE(warning.find("energy was created without work: 0.306"), warning.npos) << warning;
   EXPECT_NE(warning.find("the momentum has changed"), warning.npos) << warning;
-  EXPECT_EQ(seen(0.5, "momentum = \"off\""), "");  // losses are the method's own
+}
+
+TEST_F(Watching, says_at_the_end_how_much_energy_was_lost) {
+  const std::string off = "momentum = \"off\"";
+  EXPECT_EQ(seen(0.98, off), "");
   EXPECT_LT(report.created, 0);
+  const std::string warning = seen(0.5, off);
+  EXPECT_NE(warning.find("0.75 of the largest energy or work is lost"), warning.npos) << warning;
+  EXPECT_EQ(seen(0.5, off + "\nenergy = \"off\""), "");
+}
+
+TEST_F(Watching, watches_the_angular_momentum_of_a_body_that_turns) {
+  const auto turning = [](const std::string& speed) {
+    Case settings = tests::read_text(tests::block_case + "rotation = { centre = [0.5, 1], " +
+                                     "angular_velocity = " + speed + " }\n");
+    settings.time.step = 0.1;
+    return settings;
+  };
+  const Case fast = turning("1"), slow = turning("0.9");
+  FreeFlight before(fast, {}), after(slow, {});
+  Watch watch(fast);
+  watch.begin(before);
+  const std::string warning = watch.observe(after, true);
+  EXPECT_NE(warning.find("the angular momentum has changed"), warning.npos) << warning;
+  // The box is 10 x 20 particles: a share of 1/200 less turns than if it were filled evenly.
+  EXPECT_NEAR(watch.report().angular_momentum.share, 0.1, 0.001);
+  EXPECT_LT(watch.report().momentum.share, 1e-12);
 }
 
 TEST_F(Watching, ends_a_run_that_is_no_longer_credible) {

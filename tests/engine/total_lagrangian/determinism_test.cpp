@@ -74,8 +74,8 @@ TEST(total_lagrangian, any_legal_order_of_a_step_gives_the_same_bits) {
     for (int step = 0; step < 3; ++step) solver.step(HUGE_VAL);
     solver.workers().execute([&] { solver.step_graph().run_serially(seed); });
     const auto& body = solver.state().bodies[0];
-    const std::vector<double> end(body.displacement[2].get(),
-                                  body.displacement[2].get() + body.layout.slots());
+    const std::vector<double> end(body.end_displacement[2].get(),
+                                  body.end_displacement[2].get() + body.layout.slots());
     if (seed == 0) first = end;
     EXPECT_EQ(end, first) << seed;
   }

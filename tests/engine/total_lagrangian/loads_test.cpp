@@ -1,10 +1,10 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <map>
 #include <numbers>
 
 #include "tests/engine/total_lagrangian/blocks.hpp"
+#include "tests/engine/undeformed/loads.hpp"
 
 // Gravity, tractions, reactions, contact and the energy balance, against solutions in closed form.
 namespace pliant::test {
@@ -12,35 +12,9 @@ namespace {
 
 constexpr double shear_modulus = 20, bulk_modulus = 2 / 0.05;  // of free_block
 
-std::string half_space(const std::string& name, const std::string& kind, const std::string& point,
-                       const std::string& normal) {
-  return "[[boundary]]\nname = \"" + name + "\"\n" + kind +
-         "geometry = { shape = \"half_space\", point = " + point + ", normal = " + normal + " }\n";
-}
-
-std::string measurement(const std::string& name, const std::string& rest) {
-  return "[[measurement]]\nname = \"" + name + "\"\n" + rest;
-}
-
-std::map<std::string, double> values(LagrangianSolver<2>& solver) {
-  std::map<std::string, double> named;
-  const std::vector<double> measured = solver.measure();
-  for (std::size_t m = 0; m < measured.size(); ++m) {
-    named[solver.settings().measurements[m].name] = measured[m];
-  }
-  return named;
-}
-
 /// Steps with their full lengths, so that walls have pushed for known times.
 void take_steps(LagrangianSolver<2>& solver, int count) {
   for (int i = 0; i < count; ++i) solver.step(HUGE_VAL);
-}
-
-/// Kinetic and strain energy, less the work, plus what damping took.
-double balance(LagrangianSolver<2>& solver) {
-  const BodyIntegrals sum = solver.integrals();
-  const EnergyBudget budget = *solver.energy_budget();
-  return sum.kinetic_energy + sum.strain_energy - budget.work() + budget.damping;
 }
 
 TEST(loads, free_fall_is_exact) {

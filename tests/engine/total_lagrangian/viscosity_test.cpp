@@ -68,5 +68,30 @@ TEST(viscosity, a_relaxed_block_has_the_energy_of_its_long_term_modulus) {
   EXPECT_NEAR(start - solver.integrals().strain_energy, relaxed, 1e-4 * relaxed);
 }
 
+// Blocks evaluate the cells between them each for itself, from the same memory.
+TEST(viscosity, forces_of_cells_between_blocks_are_in_balance) {
+  const std::string text = tests::with(
+      tests::with(free_block(3), "spacing = 0.125", "spacing = 0.0625"), "compressibility = 0.05\n",
+      "compressibility = 0.05\nprony = { ratios = [0.3, 0.2], times = [0.05, 2], "
+      "moduli = \"instantaneous\" }\n");
+  LagrangianSolver<3> solver(tests::read_text(text), {1, kernels::widest_supported()});
+  auto& body = solver.state().bodies[0];
+  ASSERT_GT(body.layout.blocks().size(), 1);
+  for_each_particle<3>(body, [&](std::int64_t p, const Point<3>& x) {
+    body.velocity[0][p] = std::sin(3 * x[2]);
+    body.velocity[2][p] = x[2] * x[2] + x[1];
+  });
+  for (int step = 0; step < 10; ++step) solver.step(HUGE_VAL);
+  Point<3> sum = {};
+  double size = 0;
+  for_each_particle<3>(body, [&](std::int64_t p, const Point<3>&) {
+    for (int a = 0; a < 3; ++a) {
+      sum[a] += body.internal[a][p];
+      size += std::abs(body.internal[a][p]);
+    }
+  });
+  for (const double component : sum) EXPECT_NEAR(component, 0, 1e-13 * size);
+}
+
 }  // namespace
 }  // namespace pliant::test

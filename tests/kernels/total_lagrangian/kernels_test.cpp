@@ -21,9 +21,6 @@ struct Block {
     for (auto* fields : {&displacement, &velocity, &internal, &traction}) {
       for (Field<T>& field : *fields) field.assign(patch.slots, T(0));
     }
-    for (auto& modes : force) {
-      for (Field<T>& mode : modes) mode.assign(patch.slots, T(0));
-    }
     patch.for_each_interior([&](std::int64_t p, const auto&) {
       fraction[p] = 1;
       inverse_mass[p] = 2;
@@ -49,33 +46,54 @@ struct Block {
     });
   }
 
+  /// Cells around the particles, a run for each row of cells.
+  std::vector<CellRun<D>> runs() const {
+    std::vector<CellRun<D>> found;
+    for (const Segment<D>& segment : patch.segments) {
+      if (segment.neighbour_row[row_index<D>(1)] == 0) continue;
+      CellRun<D> run = {};
+      run.first = segment.first;
+      run.count = segment.count;
+      run.own = true;
+      for (int r = 0; r < corner_rows<D>; ++r) {
+        run.row[r] = segment.neighbour_row[row_index<D>(r & 1, r >> 1)];
+        run.target[r] = segment.first + run.row[r] - patch.segments.front().first;
+      }
+      found.push_back(run);
+    }
+    return found;
+  }
+
   MotionResult step(Isa isa) {
-    const auto& table = TotalLagrangianTable<T, D>::of(isa);
-    StressPoints<T, D> stress{};
+    const std::vector<CellRun<D>> cells = runs();
     Motion<T, D> motion{};
-    stress.segments = motion.segments = patch.segments.data();
-    stress.segment_count = motion.segment_count = static_cast<int>(patch.segments.size());
-    stress.spacing = patch.spacing;
-    stress.hourglass = T(0.8);
-    stress.examine = true;
-    stress.material = material;
-    stress.fraction = fraction.data();
+    motion.runs = cells.data();
+    motion.run_count = static_cast<int>(cells.size());
+    motion.first_slot = patch.segments.front().first;
+    motion.slot_count =
+        patch.segments.back().first + patch.segments.back().count - motion.first_slot;
+    motion.spacing = patch.spacing;
+    motion.hourglass = T(0.8);
+    motion.examine = true;
+    motion.material = material;
+    motion.fraction = fraction.data();
     motion.kept = T(kept);
     motion.gained = T(gained);
     motion.time_step = T(time_step);
     motion.inverse_mass = inverse_mass.data();
+    std::array<Field<T>, D> next = displacement, force;
     for (int i = 0; i < D; ++i) {
-      stress.displacement[i] = motion.displacement[i] = displacement[i].data();
+      force[i].assign(motion.slot_count, T(0));
+      motion.displacement[i] = displacement[i].data();
+      motion.next_displacement[i] = next[i].data();
       motion.velocity[i] = velocity[i].data();
       motion.internal[i] = internal[i].data();
       motion.traction[i] = traction[i].data();
-      for (int m = 0; m < cell_modes<D>; ++m) {
-        stress.force[i][m] = force[i][m].data();
-        motion.force[i][m] = force[i][m].data();
-      }
+      motion.force[i] = force[i].data();
     }
-    result = table.evaluate_stress_points(stress);
-    return table.advance_motion(motion);
+    result = TotalLagrangianTable<T, D>::of(isa).advance_motion(motion);
+    displacement = next;
+    return result;
   }
 
   static constexpr double slope[3][3] = {{0.2, 0.1, -0.05}, {-0.1, 0.1, 0.05}, {0.05, -0.1, 0.1}};
@@ -83,9 +101,8 @@ struct Block {
   Material<T> material;
   Field<T> fraction, inverse_mass;
   std::array<Field<T>, D> displacement, velocity, internal, traction;
-  std::array<std::array<Field<T>, cell_modes<D>>, D> force;
   double largest = 0;  ///< component of the displacement
-  StressPointsResult result{};
+  MotionResult result{};
 };
 
 /// What rounding displacements to units makes of the force on a particle: strains off by so many

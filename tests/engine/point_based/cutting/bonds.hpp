@@ -40,14 +40,15 @@ struct LatticeBonds {
     }
   }
 
-  CutBonds<D> cut_by(CutRule rule, const MaterialPoint<D>& upper) const {
+  CutBonds<D> cut_by(CutRule rule, const MaterialPoint<D>& upper,
+                     const std::vector<std::int32_t>& first_nodes = {0}) const {
     const auto is_inside = [upper](const MaterialPoint<D>& x) {
       for (int a = 0; a < D; ++a) {
         if (!(x[a] > 0 && x[a] < upper[a])) return false;
       }
       return true;
     };
-    return CutBonds<D>(positions, sizes, bonds, rule, is_inside);
+    return CutBonds<D>(positions, sizes, bonds, rule, is_inside, first_nodes);
   }
 };
 

@@ -153,6 +153,50 @@ TEST(cut_bonds, a_cut_that_advances_in_small_steps_is_the_same_as_one_in_large_s
   }
 }
 
+// Two cuts that meet, one of which ends inside the body. The front that one large step finds
+// anew is that which small steps have followed.
+TEST(cut_bonds, a_front_that_is_followed_is_that_of_the_whole_cut) {
+  const LatticeBonds<3> lattice({8, 8, 8}, 0.125);
+  const auto cut_in = [&](int steps) {
+    CutBonds<3> cut = lattice.cut_by(CutRule::transparency, {1, 1, 1});
+    for (int blade = 0; blade < 2; ++blade) cut.add_cut();
+    const auto share = [steps](int k) { return k / static_cast<double>(steps); };
+    for (int k = 0; k <= steps; ++k) {
+      const double y = -0.125 + 1.25 * share(k);
+      cut.advance(0, {{0.5, y, 0.375}, {0.5, y, 1.125}});
+    }
+    for (int k = 0; k <= steps; ++k) {
+      const double x = 1.125 - 0.625 * share(k);
+      cut.advance(1, {{x, -0.125, 0.7}, {x, 1.125, 0.7}});
+    }
+    return cut;
+  };
+  const CutBonds<3> whole = cut_in(1), followed = cut_in(10);
+  int released = 0, retained = 0;
+  for (std::size_t b = 0; b < whole.factors().size(); ++b) {
+    ASSERT_NEAR(followed.factors()[b], whole.factors()[b], 1e-12);
+    released += whole.factors()[b] == 0;
+    retained += whole.factors()[b] > 0 && whole.factors()[b] < 1;
+  }
+  EXPECT_GT(released, 500);
+  EXPECT_GT(retained, 50);
+}
+
+TEST(cut_bonds, the_parts_of_a_body_follow_a_blade_as_the_whole_body_does) {
+  const LatticeBonds<2> lattice({20, 10}, 0.1);
+  for (const CutRule rule : all_rules) {
+    CutBonds<2> whole = lattice.cut_by(rule, {2, 1});
+    CutBonds<2> parts = lattice.cut_by(rule, {2, 1}, {0, 50, 64, 130});
+    whole.add_cut();
+    parts.add_cut();
+    for (double y = -0.05; y < 0.8; y += 0.11) {
+      const std::vector<std::int32_t> changed = whole.advance(0, {{0.8, y}});
+      EXPECT_EQ(parts.advance(0, {{0.8, y}}), changed);
+    }
+    EXPECT_TRUE(std::ranges::equal(parts.factors(), whole.factors()));
+  }
+}
+
 TEST(cut_bonds, an_advance_names_the_nodes_near_it_only) {
   const LatticeBonds<2> lattice({40, 20}, 0.1);
   CutBonds<2> cut = lattice.cut_by(CutRule::transparency, {4, 2});

@@ -127,8 +127,9 @@ TYPED_TEST(LevelSets, of_round_bodies_are_distances_to_the_error_of_cubic_interp
   int layered = 0;
   passes.inside(upper, 2, [&](const Point<D>& x, std::int64_t slot) {
     const double exact = round_body<D>(x);
-    // Ghosts are no farther away than this.
-    if (std::abs(exact) > 4.2) return;
+    // Deep inside, where nothing reads them, closest points of neighbouring nodes lie more than a
+    // cell apart, and a node may keep that of its neighbour: 0.2 too far at half of the radius.
+    if (exact < -4.2 || exact > 6) return;
     layered += std::abs(exact) > 1.8;
     // 3/128 of the fourth derivative, up to 3/R^3 in each direction, at the surface.
     EXPECT_NEAR(passes.nodes.values[slot], exact, D * 9. / 128 / std::pow(8.3 - 2, 3));

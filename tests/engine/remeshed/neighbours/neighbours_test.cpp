@@ -12,7 +12,7 @@
 namespace pliant::test {
 namespace {
 
-using kernels::Weight;
+using kernels::Kernel;
 using Search = remeshed::NeighbourSearch<double, 2>;
 
 constexpr double never_so_much = 1;  // strain at which no stencil is trusted
@@ -45,9 +45,9 @@ void search(Solver& solver, std::uint64_t seed = 0) {
 
 /// Compares all neighbours of a body with what trying all pairs finds; how many particles had
 /// lists.
-int compare_with_trying_all(const Body& body, Weight weight, int periods) {
+int compare_with_trying_all(const Body& body, Kernel kernel, int periods) {
   const auto sites = sites_of(body);
-  const int reach = kernels::stencil_reach(weight);
+  const int reach = kernels::stencil_reach(kernel);
   int count = 0;
   const auto& blocks = body.population.layout.blocks();
   for (std::size_t b = 0; b < blocks.size(); ++b) {
@@ -77,10 +77,10 @@ Point<2> compressed(const Point<2>& x) {
 }
 
 TEST(neighbours, are_all_those_within_the_radius_of_irregular_strained_particles) {
-  for (const char* weight : {"quartic_spline", "compact"}) {
+  for (const char* kernel : {"quartic_spline", "compact"}) {
     Solver solver(
         small_case("rotating_cylinder", {"discretisation.spacing=0.1",
-                                         std::string("discretisation.kernel=\"") + weight + "\""}),
+                                         std::string("discretisation.kernel=\"") + kernel + "\""}),
         {1, kernels::widest_supported()});
     Body& body = solver.state().bodies[0];
     displace(body, compressed);
@@ -97,7 +97,7 @@ TEST(neighbours, are_all_those_within_the_radius_where_only_some_blocks_have_str
     return Point<2>{x[0], x[1] > 0.5 ? 0.5 + 0.6 * (x[1] - 0.5) : x[1]};
   });
   search(solver);
-  const int count = compare_with_trying_all(body, Weight::compact, 0);
+  const int count = compare_with_trying_all(body, Kernel::compact, 0);
   EXPECT_GT(count, 50);
   EXPECT_LT(count, body.population.particles - 50);
 }
@@ -115,7 +115,7 @@ TEST(neighbours, are_found_across_periods_wherever_particles_have_wandered) {
                     x[1] + 0.1 * std::sin(2 * pi * (x[0] + x[1])) + periods(random)};
   });
   search(solver);
-  EXPECT_EQ(compare_with_trying_all(body, Weight::quartic_polynomial, 6), 256);
+  EXPECT_EQ(compare_with_trying_all(body, Kernel::quartic_spline_fit, 6), 256);
 }
 
 TEST(neighbours, do_not_depend_on_the_order_of_the_search) {

@@ -11,11 +11,12 @@ namespace pliant::test {
 namespace {
 
 constexpr double omega = 3;
-const Vector centre = {0.013, -0.021, 0};
+const Vector reference_point = {0.013, -0.021, 0};
 
 BodyIntegrals integrals_at(double spacing) {
   Solver solver(spinning_disc(spacing), {1, kernels::Isa::sse2});
-  return remeshed::integrate<double, 2>(solver.on_nodes()[0], solver.state().boundaries, centre);
+  return remeshed::integrate<double, 2>(solver.on_nodes()[0], solver.state().boundaries,
+                                        reference_point);
 }
 
 /// Relative errors; r^4 pi/2 is the second moment of a disc. Root mean squares over lattices that
@@ -63,8 +64,8 @@ TEST(integrals, of_uniform_fields_are_area_times_value) {
   for (int c = 0; c < 3; ++c) {
     std::fill_n(body.stage[0].get(Field::material, c), body.population.layout.slots(), s[c]);
   }
-  const BodyIntegrals sum =
-      remeshed::integrate<double, 2>(solver.on_nodes()[0], solver.state().boundaries, centre);
+  const BodyIntegrals sum = remeshed::integrate<double, 2>(
+      solver.on_nodes()[0], solver.state().boundaries, reference_point);
   const double mu = 100 / 2.6, zz = -(s[0] + s[2]);
   const double density = (s[0] * s[0] + 2 * s[1] * s[1] + s[2] * s[2] + zz * zz) / (4 * mu);
   EXPECT_NEAR(sum.strain_energy, sum.mass * density, 1e-12);
@@ -86,7 +87,7 @@ TEST(integrals, count_only_what_lies_in_front_of_walls) {
 TEST(integrals, sums_over_particles_are_those_of_their_masses) {
   const Solver solver(spinning_disc(0.1), {1, kernels::Isa::sse2});
   const Body& body = solver.state().bodies[0];
-  const BodyIntegrals sum = remeshed::sum_particles<double, 2>(body, centre);
+  const BodyIntegrals sum = remeshed::sum_particles<double, 2>(body, reference_point);
   EXPECT_NEAR(sum.mass, 0.01 * static_cast<double>(solver.particles()), 1e-13);
   EXPECT_NEAR(2 * sum.kinetic_energy, omega * sum.angular_momentum[2], 1e-12);
 }

@@ -65,7 +65,7 @@ TEST(volume, of_a_ball_is_met_to_the_sampling_of_sub_cells) {
 TEST(surface_area, counts_only_what_lies_in_front_of_walls) {
   Solver solver(small_case("compression_linear", {"discretisation.spacing=1/16"}),
                 {1, kernels::Isa::sse2});
-  // The flanks of the block of height 2; its ends are bonded to the pistons.
+  // The flanks of the block of height 2; its ends are attached to the pistons.
   EXPECT_NEAR((remeshed::surface_area<double, 2>(solver.on_nodes()[0], solver.state().boundaries)),
               4, 1e-12);
 }

@@ -2,12 +2,18 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <limits>
 #include <random>
+
+#include "kernels/remeshed/ghosts/wall_friction.hpp"
 
 namespace pliant::kernels {
 namespace {
 
 using Place = RecordPlace<2>;
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
 
 /// Sums of random records with a unit normal among them.
 template <int D>
@@ -138,25 +144,42 @@ TEST(ghost_state, the_pressure_of_a_wall_is_that_of_the_wave_it_sends_back) {
   EXPECT_DOUBLE_EQ(pressure(1, 0.5, 1), wave - 1) << "the wall comes nearer";
 }
 
-TEST(ghost_state, a_wall_pushes_against_the_traction_and_only_a_sticking_one_along_itself) {
+TEST(ghost_state, a_wall_pushes_against_the_traction_and_only_a_no_slip_one_along_itself) {
   Material<double> material;
   material.bulk_modulus = 80;
   material.shear_modulus = 30;
   const Impedance<double> impedance(material);
   const VectorOf<double, 2> floor = {0, 1};
   const UniformFits at_rest(-3, 0.5, 0);
-  const auto sliding =
-      wall_force_density<double, 2>(at_rest.fits(), {0, 0}, floor, true, impedance);
+  const auto sliding = wall_force_density<double, 2>(at_rest.fits(), {0, 0}, floor, 0., impedance);
   EXPECT_DOUBLE_EQ(sliding[0], 0);
   EXPECT_DOUBLE_EQ(sliding[1], 3);
-  const auto sticking =
-      wall_force_density<double, 2>(at_rest.fits(), {0, 0}, floor, false, impedance);
-  EXPECT_DOUBLE_EQ(sticking[0], -0.5);
-  EXPECT_DOUBLE_EQ(sticking[1], 3);
+  const auto no_slip =
+      wall_force_density<double, 2>(at_rest.fits(), {0, 0}, floor, infinity, impedance);
+  EXPECT_DOUBLE_EQ(no_slip[0], -0.5);
+  EXPECT_DOUBLE_EQ(no_slip[1], 3);
   // Stress-free material that meets a wall at speed w answers with rho c w.
   const auto hit =
-      wall_force_density<double, 2>(UniformFits(0, 0, -2).fits(), {0, 0}, floor, true, impedance);
+      wall_force_density<double, 2>(UniformFits(0, 0, -2).fits(), {0, 0}, floor, 0., impedance);
   EXPECT_DOUBLE_EQ(hit[1], 2 * impedance.pressure_wave);
+}
+
+// Uniform stress: both kinds of ghosts find the same pressure.
+TEST(ghost_state, friction_holds_up_to_its_coefficient_times_the_pressure) {
+  Material<double> material;
+  material.bulk_modulus = 80;
+  material.shear_modulus = 30;
+  const Impedance<double> impedance(material);
+  const UniformFits pressed(-3, 0.5, 0);
+  for (const double friction : {0.1, 0.16, 0.17, 0.5}) {
+    const auto push =
+        wall_force_density<double, 2>(pressed.fits(), {0, 0}, {0, 1}, friction, impedance);
+    EXPECT_DOUBLE_EQ(push[0], -std::min(0.5, 3 * friction));
+    EXPECT_DOUBLE_EQ(push[1], 3);
+    const auto ghost =
+        friction_wall_ghost<double, 2>(pressed.fits(), {0, 0}, {0, 1}, friction, impedance);
+    EXPECT_EQ(ghost.velocity[0] == 0, 3 * friction > 0.5) << "it slides otherwise";
+  }
 }
 
 // Sums at the foot point, of the fits that are linear and constrained one spacing behind it.

@@ -52,7 +52,7 @@ void expect_opposite_tractions() {
   for (int trial = 0; trial < 20; ++trial) {
     const Side<D> a(n, 3, 2), b(negative<D>(n), 5, 1);
     for (const auto kind :
-         {InterfaceKind::frictionless, InterfaceKind::sticking, InterfaceKind::bonded}) {
+         {InterfaceKind::frictionless, InterfaceKind::no_slip, InterfaceKind::tied}) {
       const auto on_a = interface_traction<double, D>(a.view(), b.view(), n, -0.1, kind);
       const auto on_b =
           interface_traction<double, D>(b.view(), a.view(), negative<D>(n), -0.1, kind);
@@ -60,7 +60,7 @@ void expect_opposite_tractions() {
         EXPECT_NEAR(on_a.normal * on_a.n[i] + on_a.shear[i],
                     -(on_b.normal * on_b.n[i] + on_b.shear[i]), 1e-14);
       }
-      EXPECT_TRUE(on_a.normal <= 0 || kind == InterfaceKind::bonded);
+      EXPECT_TRUE(on_a.normal <= 0 || kind == InterfaceKind::tied);
     }
   }
 }
@@ -78,26 +78,25 @@ TEST(interface_traction, solves_the_riemann_problem_of_two_half_spaces) {
     const Side<2> a(n, 3, 2), b(negative<2>(n), 5, 1);
     const double z_a = a.impedance.pressure_wave, z_b = b.impedance.pressure_wave;
     const double t =
-        interface_traction<double, 2>(a.view(), b.view(), n, 0., InterfaceKind::bonded).normal;
+        interface_traction<double, 2>(a.view(), b.view(), n, 0., InterfaceKind::tied).normal;
     const double u_below = a.velocity(n) + (t - a.stress(n)) / z_a;
     const double u_above = b.velocity(n) - (t - b.stress(n)) / z_b;
     EXPECT_NEAR(u_below, u_above, 1e-14);
   }
 }
 
-// Normals of bonded surfaces lean at the ends of the interface, and say nothing about the bond.
+// Normals of tied surfaces lean at the ends of the interface, and say nothing about the bond.
 TEST(interface_traction, is_none_between_surfaces_that_do_not_face_each_other_unless_bonded) {
   const VectorOf<double, 2> n = oblique<2>(), t = {-n[1], n[0]};
   for (const VectorOf<double, 2>& other : {n, t}) {
     const Side<2> a(n, 3, 2), b(other, 5, 1);
-    for (const InterfaceKind kind : {InterfaceKind::frictionless, InterfaceKind::sticking}) {
+    for (const InterfaceKind kind : {InterfaceKind::frictionless, InterfaceKind::no_slip}) {
       const auto load = interface_traction<double, 2>(a.view(), b.view(), n, -9., kind);
       EXPECT_EQ(load.normal, 0);
       EXPECT_EQ(load.shear[0], 0);
     }
     EXPECT_LT(
-        (interface_traction<double, 2>(a.view(), b.view(), n, -9., InterfaceKind::bonded).normal),
-        0);
+        (interface_traction<double, 2>(a.view(), b.view(), n, -9., InterfaceKind::tied).normal), 0);
   }
 }
 

@@ -52,7 +52,7 @@ Field<T> records_of(const Body<T, D>& body, const std::vector<SurfacePack>& pack
 TYPED_TEST(surface, records_hold_velocity_stress_and_pressure) {
   using T = typename TypeParam::Scalar;
   constexpr int D = TypeParam::dimension;
-  for (const Model model : {Model::linear_rho, Model::linear_log, Model::reduced_polynomial}) {
+  for (const Model model : {Model::linear, Model::linear_logarithmic, Model::reduced_polynomial}) {
     Body<T, D> body(small_box<T, D>(), T(0.1), model);
     const State<T, D>& state = body.states[0];
     std::vector<std::int64_t> slots;

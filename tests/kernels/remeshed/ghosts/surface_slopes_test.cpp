@@ -13,7 +13,7 @@ TYPED_TEST_SUITE(slopes, Dimensions);
 /// A particle amid others, whose surface record is written.
 template <class T, int D>
 struct SurfaceParticle {
-  SurfaceParticle() : body(small_box<T, D>(), T(0.1), Model::linear_rho) {
+  SurfaceParticle() : body(small_box<T, D>(), T(0.1), Model::linear) {
     cell.fill(5);
     cell[0] = 13;
     for (auto& field : state().drift) std::fill(field.begin(), field.end(), T(0));

@@ -106,7 +106,7 @@ TYPED_TEST_SUITE(scatter, Dimensions);
 TYPED_TEST(scatter, conserves_what_it_carries) {
   using T = typename TypeParam::Scalar;
   constexpr int D = TypeParam::dimension;
-  Tile<T, D> tile(Model::linear_rho);
+  Tile<T, D> tile(Model::linear);
   tile.scatter();
   const int fields = NodeField<D>::material + tile.components;
   std::vector<double> particles(fields, 0.), nodes(fields, 0.);
@@ -127,7 +127,7 @@ TYPED_TEST(scatter, conserves_what_it_carries) {
 TYPED_TEST(scatter, agrees_with_a_plain_sum_over_particles) {
   using T = typename TypeParam::Scalar;
   constexpr int D = TypeParam::dimension;
-  for (const Model model : {Model::linear_rho, Model::reduced_polynomial}) {
+  for (const Model model : {Model::linear, Model::reduced_polynomial}) {
     Tile<T, D> tile(model);
     for (int i = 0; i < D; ++i) {
       tile.shift[i] = i == 0 ? -5 : 4;  // as if a periodic image; particles leave the buffer
@@ -160,7 +160,7 @@ TYPED_TEST(scatter, agrees_with_a_plain_sum_over_particles) {
 TYPED_TEST(scatter, onto_rows_of_different_lengths_finds_the_same_sums) {
   using T = typename TypeParam::Scalar;
   constexpr int D = TypeParam::dimension;
-  Tile<T, D> box(Model::linear_rho), ragged(Model::linear_rho);
+  Tile<T, D> box(Model::linear), ragged(Model::linear);
   box.scatter();
   std::int64_t first = 0;
   int at = 0;
@@ -187,7 +187,7 @@ TYPED_TEST(scatter, onto_rows_of_different_lengths_finds_the_same_sums) {
 }
 
 TEST(scatter, leaves_out_vacant_slots_and_images) {
-  Tile<double, 2> tile(Model::linear_rho);
+  Tile<double, 2> tile(Model::linear);
   for (Kind& kind : tile.body.patch.kind) {
     kind = kind == Kind::interior ? Kind::image : Kind::vacant;
   }

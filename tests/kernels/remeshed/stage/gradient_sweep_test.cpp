@@ -7,14 +7,14 @@ namespace pliant::kernels::test {
 namespace {
 
 /// Sums over the lattice neighbours of the pack at `slot`.
-template <Weight weight, template <class, int, int> class Sums, class P, int D, int F>
+template <Kernel kernel, template <class, int, int> class Sums, class P, int D, int F>
 [[gnu::always_inline]] inline void sweep_stencil(const SweepFields<Scalar<P>, D, F>& fields,
                                                  const std::int64_t* neighbour_row,
                                                  std::int64_t slot, Scalar<P> spacing,
                                                  Sums<P, D, F>& sums) {
-  const Separation<weight, P, D> separation(fields.drift, slot, spacing);
+  const Separation<kernel, P, D> separation(fields.drift, slot, spacing);
   const Differences<P, F> differences(fields.field, slot);
-  visit_stencil<weight, P, D>(
+  visit_stencil<kernel, P, D>(
       neighbour_row,
       slot, [&](const P(&offset)[D], const auto& neighbour) __attribute__((always_inline)) {
         P d[D], weighted[D], difference[F];
@@ -25,11 +25,11 @@ template <Weight weight, template <class, int, int> class Sums, class P, int D, 
 }
 
 /// Sums over the listed neighbours of the register of particles at `slot`.
-template <Weight weight, template <class, int, int> class Sums, class P, int D, int F>
+template <Kernel kernel, template <class, int, int> class Sums, class P, int D, int F>
 [[gnu::always_inline]] inline void sweep_list(const SweepFields<Scalar<P>, D, F>& fields,
                                               const NeighbourLists<D>& lists, std::int64_t slot,
                                               Scalar<P> spacing, Sums<P, D, F>& sums) {
-  const Separation<weight, P, D> separation(fields.drift, slot, spacing);
+  const Separation<kernel, P, D> separation(fields.drift, slot, spacing);
   const Differences<P, F> differences(fields.field, slot);
   visit_list<P, D>(
       lists, slot, [&](const P(&offset)[D], const auto& neighbour) __attribute__((always_inline)) {
@@ -56,22 +56,22 @@ class LinearField {
     });
   }
 
-  template <Weight weight>
+  template <Kernel kernel>
   double stencil_error() {
     return error([&](const auto& fields, const Segment<D>& segment, std::int64_t slot) {
       GradientSums<P, D, 1> sums;
-      sweep_stencil<weight>(fields, segment.neighbour_row.data(), slot, patch_.spacing, sums);
+      sweep_stencil<kernel>(fields, segment.neighbour_row.data(), slot, patch_.spacing, sums);
       return sums;
     });
   }
 
-  template <Weight weight>
+  template <Kernel kernel>
   double list_error(int reach) {
     const BoxLists<D> lists(patch_, reach);
     const NeighbourLists<D> view = lists.view();
     return error([&](const auto& fields, const Segment<D>&, std::int64_t slot) {
       GradientSums<P, D, 1> sums;
-      sweep_list<weight>(fields, view, slot, patch_.spacing, sums);
+      sweep_list<kernel>(fields, view, slot, patch_.spacing, sums);
       return sums;
     });
   }
@@ -120,18 +120,18 @@ TYPED_TEST_SUITE(gradient_sweep, Dimensions);
 TYPED_TEST(gradient_sweep, linear_fields_are_reproduced_exactly_over_the_stencil) {
   LinearField<typename TypeParam::Scalar, TypeParam::dimension> field;
   const double tolerance = exact<typename TypeParam::Scalar>;
-  EXPECT_LT(field.template stencil_error<Weight::quartic>(), tolerance);
-  EXPECT_LT(field.template stencil_error<Weight::quartic_polynomial>(), tolerance);
-  EXPECT_LT(field.template stencil_error<Weight::compact>(), tolerance);
-  EXPECT_LT(field.template stencil_error<Weight::fourth_order>(), tolerance);
+  EXPECT_LT(field.template stencil_error<Kernel::quartic_spline>(), tolerance);
+  EXPECT_LT(field.template stencil_error<Kernel::quartic_spline_fit>(), tolerance);
+  EXPECT_LT(field.template stencil_error<Kernel::compact>(), tolerance);
+  EXPECT_LT(field.template stencil_error<Kernel::fourth_order>(), tolerance);
 }
 
 TYPED_TEST(gradient_sweep, linear_fields_are_reproduced_exactly_over_lists) {
   LinearField<typename TypeParam::Scalar, TypeParam::dimension> field;
   const double tolerance = exact<typename TypeParam::Scalar>;
-  EXPECT_LT(field.template list_error<Weight::quartic>(3), tolerance);
-  EXPECT_LT(field.template list_error<Weight::quartic_polynomial>(3), tolerance);
-  EXPECT_LT(field.template list_error<Weight::compact>(2), tolerance);
+  EXPECT_LT(field.template list_error<Kernel::quartic_spline>(3), tolerance);
+  EXPECT_LT(field.template list_error<Kernel::quartic_spline_fit>(3), tolerance);
+  EXPECT_LT(field.template list_error<Kernel::compact>(2), tolerance);
 }
 
 }  // namespace

@@ -6,9 +6,10 @@
 namespace pliant::kernels::test {
 namespace {
 
-constexpr Weight every_weight[] = {Weight::quartic, Weight::quartic_polynomial, Weight::compact,
-                                   Weight::fourth_order};
-constexpr Model every_model[] = {Model::linear_rho, Model::linear_log, Model::reduced_polynomial};
+constexpr Kernel every_kernel[] = {Kernel::quartic_spline, Kernel::quartic_spline_fit,
+                                   Kernel::compact, Kernel::fourth_order};
+constexpr Model every_model[] = {Model::linear, Model::linear_logarithmic,
+                                 Model::reduced_polynomial};
 
 template <class T>
 class stage : public testing::Test {};
@@ -61,8 +62,8 @@ TYPED_TEST(stage, rates_agree_with_the_equations_written_with_matrices) {
   constexpr int D = TypeParam::dimension;
   for (const Model model : every_model) {
     Body<T, D> body(small_box<T, D>(), T(0.1), model);
-    for (const Weight weight : every_weight) {
-      body.weight = weight;
+    for (const Kernel kernel : every_kernel) {
+      body.kernel = kernel;
       for (const auto& [of_velocity, of_stress] :
            {std::pair(T(0), T(0)), std::pair(T(0.7), T(0)), std::pair(T(0), T(0.3)),
             std::pair(T(0.7), T(0.3))}) {
@@ -77,11 +78,12 @@ TYPED_TEST(stage, rates_agree_with_the_equations_written_with_matrices) {
 TYPED_TEST(stage, lists_give_what_the_stencil_gives) {
   using T = typename TypeParam::Scalar;
   constexpr int D = TypeParam::dimension;
-  Body<T, D> body(small_box<T, D>(), T(0.1), Model::linear_rho);
-  // Over lists the quartic takes the place of Weight::fourth_order.
-  for (const Weight weight : {Weight::quartic, Weight::quartic_polynomial, Weight::compact}) {
-    body.weight = weight;
-    const BoxLists<D> lists(body.patch, stencil_reach(weight));
+  Body<T, D> body(small_box<T, D>(), T(0.1), Model::linear);
+  // Over lists the quartic takes the place of Kernel::fourth_order.
+  for (const Kernel kernel :
+       {Kernel::quartic_spline, Kernel::quartic_spline_fit, Kernel::compact}) {
+    body.kernel = kernel;
+    const BoxLists<D> lists(body.patch, stencil_reach(kernel));
     const NeighbourLists<D> view = lists.view();
     EXPECT_LT((worst_rate_error<T, D>(body, &view)), rate_tolerance<T>);
   }
@@ -181,7 +183,7 @@ TYPED_TEST(stage, vacant_and_padding_slots_stay_finite) {
 TYPED_TEST(stage, result_holds_the_extremes_of_interior_particles) {
   using T = typename TypeParam::Scalar;
   constexpr int D = TypeParam::dimension;
-  Body<T, D> body(small_box<T, D>(), T(0.1), Model::linear_rho);
+  Body<T, D> body(small_box<T, D>(), T(0.1), Model::linear);
   // Outside the body everything is faster and lighter, and must not count.
   body.patch.for_each([&](std::int64_t p, const auto&) {
     if (body.patch.interior[p] == 0) body.mass[p] /= 10;
@@ -206,7 +208,7 @@ TYPED_TEST(stage, result_holds_the_extremes_of_interior_particles) {
 TYPED_TEST(stage, the_deformation_of_a_linear_drift_is_its_gradient) {
   using T = typename TypeParam::Scalar;
   constexpr int D = TypeParam::dimension;
-  Body<T, D> body(small_box<T, D>(), T(0.1), Model::linear_rho);
+  Body<T, D> body(small_box<T, D>(), T(0.1), Model::linear);
   Matrix<D> gradient = Matrix<D>::Zero();
   gradient(0, 0) = std::cos(0.3) * 1.1 - 1;
   gradient(0, 1) = -std::sin(0.3);
@@ -233,7 +235,7 @@ TYPED_TEST(stage, first_impossible_particle_is_named) {
   cell.fill(5);
   const T nan = std::numeric_limits<T>::quiet_NaN();
   for (const bool negative_volume : {false, true}) {
-    Body<T, D> body(small_box<T, D>(), T(0.1), Model::linear_log);
+    Body<T, D> body(small_box<T, D>(), T(0.1), Model::linear_logarithmic);
     const std::int64_t slot = body.patch.slot(cell);
     if (negative_volume) {
       for (State<T, D>& q : body.states) q.volume[slot] = -q.volume[slot];

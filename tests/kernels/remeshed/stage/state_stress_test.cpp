@@ -13,7 +13,7 @@ TYPED_TEST_SUITE(state_stress, Dimensions);
 TYPED_TEST(state_stress, follows_the_law_in_every_slot) {
   using T = typename TypeParam::Scalar;
   constexpr int D = TypeParam::dimension;
-  for (const Model model : {Model::linear_rho, Model::linear_log, Model::reduced_polynomial}) {
+  for (const Model model : {Model::linear, Model::linear_logarithmic, Model::reduced_polynomial}) {
     Body<T, D> body(small_box<T, D>(), T(0.1), model);
     const StageResult result = baseline_table<T, D>().evaluate_stress(body.stress_of(0));
     EXPECT_GT(result.wave_speed, 0);
@@ -31,7 +31,7 @@ TYPED_TEST(state_stress, follows_the_law_in_every_slot) {
 TYPED_TEST(state_stress, wave_speed_is_the_largest_of_interior_particles) {
   using T = typename TypeParam::Scalar;
   constexpr int D = TypeParam::dimension;
-  Body<T, D> body(small_box<T, D>(), T(0.1), Model::linear_log);
+  Body<T, D> body(small_box<T, D>(), T(0.1), Model::linear_logarithmic);
   double largest2 = 0;
   body.patch.for_each([&](std::int64_t p, const auto&) {
     if (body.patch.interior[p] == 0) body.mass[p] /= 10;

@@ -18,7 +18,7 @@ struct SphBody : Body<T, D> {
   std::array<Field<T>, symmetric_components<D>> scaled, artificial;
   SymmetricPairs<T, D> pairs{};
 
-  SphBody() : Body<T, D>(small_box<T, D>(), T(0.1), Model::linear_rho) {
+  SphBody() : Body<T, D>(small_box<T, D>(), T(0.1), Model::linear) {
     for (int c = 0; c < symmetric_components<D>; ++c) {
       scaled[c].assign(this->patch.slots, 0);
       artificial[c].assign(this->patch.slots, 0);
@@ -56,7 +56,8 @@ struct SphBody : Body<T, D> {
       const Column<D> r = place(p, cell) - place(q, other);
       const Column<D> u = vector_at<T, D>(state.velocity, p) - vector_at<T, D>(state.velocity, q);
       const double s = r.norm() / h;
-      const Column<D> slope = -n / std::pow(h, D + 2) * reference_weight(Weight::quartic, s) * r;
+      const Column<D> slope =
+          -n / std::pow(h, D + 2) * reference_weight(Kernel::quartic_spline, s) * r;
       const double rho_p = this->mass[p] / state.volume[p], rho_q = this->mass[q] / state.volume[q];
       const double mu = h * u.dot(r) / (r.squaredNorm() + 0.01 * h * h);
       const double viscous =

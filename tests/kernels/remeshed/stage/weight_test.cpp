@@ -12,30 +12,31 @@ namespace {
 using P = xsimd::batch<double, xsimd::sse2>;
 constexpr double spacing = 0.02;
 
-template <Weight weight>
+template <Kernel kernel>
 double omega(double s) {
-  return PairWeight<weight, P>(spacing)(P(s * s * spacing * spacing)).get(0);
+  return PairWeight<kernel, P>(spacing)(P(s * s * spacing * spacing)).get(0);
 }
 
 TEST(weights, quartic_is_the_slope_of_the_spline_over_the_distance) {
   for (double s = 0.01; s < 3; s += 0.007) {
     // Cancellation in the oracle costs 1e-16/s.
-    EXPECT_NEAR(omega<Weight::quartic>(s), -bspline_slope(P(s)).get(0) / s, 5e-14) << s;
+    EXPECT_NEAR(omega<Kernel::quartic_spline>(s), -bspline_slope(P(s)).get(0) / s, 5e-14) << s;
   }
-  EXPECT_NEAR(omega<Weight::quartic>(0), 1.25, 1e-15);
+  EXPECT_NEAR(omega<Kernel::quartic_spline>(0), 1.25, 1e-15);
 }
 
 TEST(weights, polynomial_lies_within_seven_thousandths_of_the_scaled_quartic) {
-  // A constant factor of the weight drops out of the gradient. The largest difference is 0.00709.
-  const double at_zero = omega<Weight::quartic>(0);
+  // A constant factor of the kernel drops out of the gradient. The largest difference is 0.00709.
+  const double at_zero = omega<Kernel::quartic_spline>(0);
   for (double s = 0; s < 2.6; s += 0.003) {
-    EXPECT_NEAR(omega<Weight::quartic_polynomial>(s), omega<Weight::quartic>(s) / at_zero, 0.0071);
+    EXPECT_NEAR(omega<Kernel::quartic_spline_fit>(s), omega<Kernel::quartic_spline>(s) / at_zero,
+                0.0071);
   }
 }
 
 TEST(weights, compact_is_the_fourth_power) {
   for (double s = 0; s < 1.75; s += 0.01) {
-    EXPECT_NEAR(omega<Weight::compact>(s), std::pow(1 - s * s / (1.75 * 1.75), 4), 1e-14);
+    EXPECT_NEAR(omega<Kernel::compact>(s), std::pow(1 - s * s / (1.75 * 1.75), 4), 1e-14);
   }
 }
 
@@ -47,7 +48,7 @@ double fourth_moment(int dimension, bool mixed) {
     for (int y = -2; y <= 2; ++y) {
       for (int x = -2; x <= 2; ++x) {
         const double s = std::sqrt(x * x + y * y + z * z);
-        sum += omega<Weight::fourth_order>(s) * (mixed ? x * x * y * y : x * x * x * x);
+        sum += omega<Kernel::fourth_order>(s) * (mixed ? x * x * y * y : x * x * x * x);
       }
     }
   }
@@ -55,7 +56,7 @@ double fourth_moment(int dimension, bool mixed) {
 }
 
 TEST(weights, fourth_order_has_no_fourth_moments_on_square_and_cubic_lattices) {
-  EXPECT_NEAR(omega<Weight::fourth_order>(0), 1, 1e-12);
+  EXPECT_NEAR(omega<Kernel::fourth_order>(0), 1, 1e-12);
   for (const int dimension : {2, 3}) {
     for (const bool mixed : {false, true}) {
       EXPECT_NEAR(fourth_moment(dimension, mixed), 0, 1e-13) << dimension << mixed;
@@ -65,15 +66,15 @@ TEST(weights, fourth_order_has_no_fourth_moments_on_square_and_cubic_lattices) {
 
 TEST(weights, are_positive_inside_their_support_and_zero_outside) {
   for (double s = 0; s < 2.45; s += 0.01) {
-    EXPECT_GT(omega<Weight::quartic>(s), 0);
-    EXPECT_GT(omega<Weight::quartic_polynomial>(s), 0);
-    EXPECT_GT(omega<Weight::compact>(0.7 * s), 0);
+    EXPECT_GT(omega<Kernel::quartic_spline>(s), 0);
+    EXPECT_GT(omega<Kernel::quartic_spline_fit>(s), 0);
+    EXPECT_GT(omega<Kernel::compact>(0.7 * s), 0);
   }
   for (double s = 2.5; s < 10; s += 0.1) {
-    EXPECT_EQ(omega<Weight::quartic>(s), 0);
-    EXPECT_EQ(omega<Weight::quartic_polynomial>(s), 0);
-    EXPECT_EQ(omega<Weight::compact>(s), 0);
-    EXPECT_EQ(omega<Weight::fourth_order>(s), 0);
+    EXPECT_EQ(omega<Kernel::quartic_spline>(s), 0);
+    EXPECT_EQ(omega<Kernel::quartic_spline_fit>(s), 0);
+    EXPECT_EQ(omega<Kernel::compact>(s), 0);
+    EXPECT_EQ(omega<Kernel::fourth_order>(s), 0);
   }
 }
 

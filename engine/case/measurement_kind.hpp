@@ -1,0 +1,68 @@
+#pragma once
+
+#include <array>
+#include <string_view>
+
+#include "engine/case/case.hpp"
+
+/// What the table of measurement_kinds.hpp says of each kind of measurement.
+namespace pliant {
+
+/// Keys of [[measurement]] besides `name` and `kind`; measurement_keys.hpp says what each reads.
+enum class MeasurementKey {
+  none,
+  body,
+  boundary,
+  bodies,
+  axis,
+  rotation_axis,  ///< `axis`, in 3D only
+  side,
+  where,
+  length,     ///< `reference`, a length to subtract
+  amplitude,  ///< `reference`, a velocity to divide by
+  relative,
+  point,
+  direction,
+  directions,
+  field,
+  exact,
+  norm,
+  of,
+  window,
+  fraction,
+  time,
+  terms,
+  factors,
+};
+
+/// A key as one kind uses it.
+struct KeyUse {
+  MeasurementKey key = MeasurementKey::none;
+  std::string_view meaning = {};
+  bool required = false;
+};
+
+/// SI units of a kind; where they depend on more than the dimension, `other` gives them.
+struct KindUnit {
+  std::string_view in_2d, in_3d;
+  std::string_view (*other)(const Case&, const MeasurementCase&) = nullptr;
+};
+
+/// How samples follow from the values that a method gives.
+enum class Sampling {
+  value,         ///< the value itself
+  rate,          ///< the change since the last sample over the time since then: force of an impulse
+  from_history,  ///< not given by the method, but by the history of another measurement
+};
+
+struct MeasurementKind {
+  MeasurementCase::Kind kind;
+  std::string_view word;
+  KindUnit unit;
+  Sampling sampling;
+  std::array<KeyUse, 5> keys;
+  std::string_view meaning;
+  std::string_view missing;  ///< what it means that there is no value
+};
+
+}  // namespace pliant

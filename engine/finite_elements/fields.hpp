@@ -1,0 +1,111 @@
+#pragma once
+
+#include <array>
+
+#include "engine/method/field.hpp"
+#include "engine/method/resources.hpp"
+
+/// The fields of finite elements, declared once; docs/fields.md shows them as a table.
+namespace pliant::finite_elements {
+
+enum class Field {
+  displacement,
+  end_displacement,
+  velocity,
+  mass,
+  inverse_mass,
+  volume,
+  traction,
+  corner,
+  shape,
+  halo,
+  constrained_node,
+  point,
+  own_sum,
+  halo_sum,
+  pressure,
+  result
+};
+
+enum class IndexSpace { node, element, halo, constrained_node, block };
+
+inline constexpr auto index_spaces = std::to_array<IndexSpaceDeclaration<IndexSpace>>({
+    {IndexSpace::node, "node", "a corner of elements, with its share of their volume"},
+    {IndexSpace::element, "element", "a tetrahedron, in 2D a triangle, of the undeformed body"},
+    {IndexSpace::halo, "halo", "a node of another block at a corner of an element of the block"},
+    {IndexSpace::constrained_node, "constrained node", "a node whose velocity a wall sets"},
+    {IndexSpace::block, "block", "the nodes that one worker takes at a time"},
+});
+
+/// Fields that phases always read or write together.
+enum class Group {
+  displacement,
+  velocity,
+  constants,
+  loads,
+  points,
+  own_sums,
+  halo_sums,
+  pressures,
+  results
+};
+
+using Declaration = FieldDeclaration<Field, IndexSpace, Group>;
+
+// clang-format off
+inline constexpr auto field_list = [] {
+  using enum Rank;
+  using enum Remeshed;
+  using F = Field;
+  using S = IndexSpace;
+  using G = Group;
+  constexpr bool saved = true, shown = true;
+  return std::to_array<Declaration>({
+      {F::displacement, "d", "displacement", "m", vector, S::node, G::displacement, not_at_all, 1, saved, shown},
+      {F::end_displacement, "", "end_displacement", "m", vector, S::node, G::displacement, not_at_all, 1, saved},
+      {F::velocity, "u", "velocity", "m/s", vector, S::node, G::velocity, not_at_all, 1, saved, shown},
+      {F::mass, "m", "mass", "kg", scalar, S::node, G::constants},
+      {F::inverse_mass, "1/m", "inverse_mass", "1/kg", scalar, S::node, G::constants},
+      {F::volume, "V", "volume", "m^D", scalar, S::node, G::constants},
+      {F::traction, "", "traction", "N", vector, S::node, G::loads},
+      {F::corner, "", "corner", "1", list, S::element, G::constants},
+      {F::shape, "grad N, V", "shape", "1/m, m^D", list, S::element, G::constants},
+      {F::halo, "", "halo", "1", scalar, S::halo, G::constants},
+      {F::constrained_node, "n", "constrained_node", "1", list, S::constrained_node, G::constants},
+      {F::point, "d, p", "point", "m, Pa", list, S::node, G::points},
+      {F::own_sum, "f", "own_sum", "N", vector, S::node, G::own_sums},
+      {F::halo_sum, "f", "halo_sum", "N", vector, S::halo, G::halo_sums},
+      {F::pressure, "p", "pressure", "Pa", scalar, S::node, G::pressures},
+      {F::result, "", "result", "1", list, S::block, G::results},
+  });
+}();
+// clang-format on
+
+constexpr const Declaration& declaration(Field field) {
+  return field_list[static_cast<int>(field)];
+}
+
+/// In the order of Group.
+inline constexpr auto group_list = std::to_array<GroupDeclaration<Group>>({
+    {Group::displacement, "d"},
+    {Group::velocity, "u"},
+    {Group::constants, "constants"},
+    {Group::loads, "loads"},
+    {Group::points, "points"},
+    {Group::own_sums, "own sums"},
+    {Group::halo_sums, "halo sums"},
+    {Group::pressures, "pressures"},
+    {Group::results, "results"},
+});
+
+inline constexpr ResourceNumbers<Group, group_list.size()> resource_numbers(group_list);
+
+static_assert(is_in_order(index_spaces, &IndexSpaceDeclaration<IndexSpace>::space,
+                          IndexSpace::block));
+static_assert(is_in_order(field_list, &Declaration::field, Field::result));
+static_assert(is_in_order(group_list, &GroupDeclaration<Group>::group, Group::results));
+
+/// The resource of a group.
+inline Resources of(Group group) { return {resource_numbers({group})}; }
+
+}  // namespace pliant::finite_elements

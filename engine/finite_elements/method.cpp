@@ -1,0 +1,53 @@
+#include "engine/finite_elements/method.hpp"
+
+#include <fmt/format.h>
+
+#include "engine/case/check.hpp"
+#include "engine/finite_elements/measure.hpp"
+#include "engine/finite_elements/parameters.hpp"
+#include "engine/finite_elements/solver.hpp"
+#include "engine/point_based/footprint.hpp"
+#include "engine/point_based/method.hpp"
+#include "engine/point_based/setup.hpp"
+
+namespace pliant::finite_elements {
+
+namespace {
+
+void check(const Check& check) {
+  const Case& a_case = check.a_case;
+  refuse_tables(check, {"periodic", "contact", "cut"});
+  for (std::size_t i = 0; i < a_case.bodies.size(); ++i) {
+    point_based::check_body(check, i);
+    if (point_based::has_elements(a_case.bodies[i].geometry)) continue;
+    check.problems.add(check.place("body", i, "geometry"),
+                       fmt::format("body \"{}\" has no elements", a_case.bodies[i].name),
+                       "method finite_elements takes shape = \"mesh\" with a .msh or .vtk file of "
+                       "tetrahedra");
+  }
+  refuse_measurements(check, Measurer<double, 2>::is_measured);
+}
+
+// The limit of elements is a bound of their highest frequency, (FE.6).
+StepLimits step_limits(const Case&) {
+  StepLimits limits;
+  limits.stable_cfl = 1;
+  limits.default_cfl = 0.9;
+  return limits;
+}
+
+}  // namespace
+
+RegisteredMethod method() {
+  return {
+      {.word = "finite_elements",
+       .meaning = "tetrahedra of a mesh, total Lagrangian explicit dynamics (FE.1); hyperelastic "
+                  "materials only",
+       .check = check,
+       .keys = visit_keys,
+       .step_limits = step_limits,
+       .footprint = point_based::footprint},
+      make_solver<Solver>};
+}
+
+}  // namespace pliant::finite_elements

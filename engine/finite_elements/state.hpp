@@ -1,0 +1,58 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include "engine/point_based/state.hpp"
+#include "engine/storage/buffer.hpp"
+#include "kernels/finite_elements/table.hpp"
+
+namespace pliant::finite_elements {
+
+using undeformed::Clock;
+
+/// Elements of a block of nodes, filled up to whole packs with elements without volume.
+struct ElementRange {
+  std::int64_t first;
+  int count;
+};
+
+/// The elements of a body, in the order of the blocks that they belong to.
+template <class T, int D>
+struct Elements {
+  kernels::PointMaterial<T> material;  ///< whose volumetric modulus is 0
+  T volumetric_modulus = 0;            ///< Lambda of (FE.3) [Pa]
+  double highest_frequency = 0;        ///< a bound, (FE.6) [1/s]
+  std::vector<ElementRange> blocks;
+  Buffer<std::uint16_t> corner;  ///< [pack][D + 1][lane] local numbers times point_stride
+  Buffer<T> shape;               ///< [pack][element_values][lane]
+  Buffer<T> pressure;            ///< [slot] of (FE.4) [Pa]; none: (FE.3)
+  std::vector<std::array<std::int32_t, D + 1>> slots;  ///< [element] of the corners
+
+  bool averages() const { return pressure.bytes() > 0; }
+
+  /// Component j of the gradient of corner a = 1 .. D [1/m].
+  double gradient(std::int64_t element, int a, int j) const {
+    return value(element, (a - 1) * D + j);
+  }
+  double volume(std::int64_t element) const { return value(element, D * D); }
+
+ private:
+  double value(std::int64_t element, int which) const {
+    constexpr int lanes = kernels::slots_per_pack;
+    const std::int64_t pack = element / lanes, lane = element % lanes;
+    return shape[(pack * kernels::element_values<D> + which) * lanes + lane];
+  }
+};
+
+/// Nodes are those of the point-based method: they move, are held and loaded alike. Their bonds
+/// give the gradients that frames show, (FE.7).
+template <class T, int D>
+struct State : point_based::State<T, D> {
+  using point_based::State<T, D>::State;
+
+  std::vector<Elements<T, D>> elements;  ///< [body]
+};
+
+}  // namespace pliant::finite_elements

@@ -1,0 +1,106 @@
+#include <algorithm>
+
+#include "engine/point_based/body_cuts.hpp"
+
+// A restart repeats the moves of the blades: cuts, and what they leave of the bonds, follow.
+namespace pliant::point_based {
+
+namespace {
+
+template <int D>
+std::vector<MaterialPoint<D>> take_points(std::span<const double>& values, std::int64_t count) {
+  std::vector<MaterialPoint<D>> points(static_cast<std::size_t>(count));
+  for (MaterialPoint<D>& x : points) {
+    std::copy_n(values.begin(), D, x.begin());
+    values = values.subspan(D);
+  }
+  return points;
+}
+
+}  // namespace
+
+template <class T, int D>
+void BodyCuts<T, D>::put(ArchiveWriter& archive, const std::string& name) const {
+  archive.put(name + "/blade", std::span<const std::int64_t>(moves_.blade));
+  archive.put(name + "/points", std::span<const std::int64_t>(moves_.points));
+  archive.put(name + "/place", std::span<const double>(moves_.place));
+  archive.put(name + "/time", std::span<const double>(moves_.time));
+  std::vector<std::int64_t> done, put, waiting;
+  std::vector<double> target;
+  for (const Blade& blade : blades_) {
+    done.push_back(blade.is_done ? 1 : 0);
+    put.push_back(blade.is_put ? 1 : 0);
+    waiting.push_back(static_cast<std::int64_t>(blade.target.size()));
+    for (const MaterialPoint<D>& x : blade.target) target.insert(target.end(), x.begin(), x.end());
+  }
+  archive.put(name + "/is_done", std::span<const std::int64_t>(done));
+  archive.put(name + "/is_put", std::span<const std::int64_t>(put));
+  archive.put(name + "/waiting", std::span<const std::int64_t>(waiting));
+  archive.put(name + "/target", std::span<const double>(target));
+}
+
+template <class T, int D>
+std::vector<std::vector<std::int32_t>> BodyCuts<T, D>::repeat(const Moves& moves) {
+  std::vector<std::vector<std::int32_t>> changed(blocks_.size());
+  std::span<const double> places = moves.place;
+  for (std::size_t i = 0; i < moves.blade.size();) {
+    has_moved_ = false;
+    const double now = moves.time[i];
+    for (; i < moves.blade.size() && moves.time[i] == now; ++i) {
+      const auto blade = static_cast<std::size_t>(moves.blade[i]);
+      if (moves.points[i] == 0) {
+        end_cut(blades_[blade]);
+      } else {
+        move_blade(blade, take_points<D>(places, moves.points[i]), now);
+      }
+    }
+    for (std::size_t b = 0; b < blocks_.size(); ++b) {
+      const std::vector<std::int32_t>& nodes = bonds_.update(b);
+      changed[b].insert(changed[b].end(), nodes.begin(), nodes.end());
+    }
+  }
+  return changed;
+}
+
+template <class T, int D>
+void BodyCuts<T, D>::get(const ArchiveReader& archive, const std::string& name, Body<T, D>& body) {
+  Moves moves;
+  moves.blade = archive.get<std::int64_t>(name + "/blade");
+  moves.points = archive.get<std::int64_t>(name + "/points");
+  moves.place = archive.get<double>(name + "/place");
+  moves.time = archive.get<double>(name + "/time");
+  const std::vector<std::vector<std::int32_t>> changed = repeat(moves);
+  for (std::size_t b = 0; b < blocks_.size(); ++b) {
+    std::vector<std::int32_t> slots = changed[b];
+    std::sort(slots.begin(), slots.end());
+    slots.erase(std::unique(slots.begin(), slots.end()), slots.end());
+    for (const std::int32_t slot : slots) set_bonds_of(slot, body);
+    std::erase_if(slots, [&](std::int32_t slot) { return !is_relaxing(body, slot); });
+    blocks_[b].relaxing = slots;
+  }
+  const auto done = archive.get<std::int64_t>(name + "/is_done");
+  const auto put = archive.get<std::int64_t>(name + "/is_put");
+  const auto waiting = archive.get<std::int64_t>(name + "/waiting");
+  const auto target = archive.get<double>(name + "/target");
+  std::span<const double> places = target;
+  for (std::size_t b = 0; b < blades_.size(); ++b) {
+    blades_[b].is_done = done.at(b) != 0;
+    blades_[b].is_put = put.at(b) != 0;
+    blades_[b].target = take_points<D>(places, waiting.at(b));
+  }
+}
+
+template std::vector<std::vector<std::int32_t>> BodyCuts<double, 2>::repeat(const Moves&);
+template std::vector<std::vector<std::int32_t>> BodyCuts<double, 3>::repeat(const Moves&);
+template std::vector<std::vector<std::int32_t>> BodyCuts<float, 2>::repeat(const Moves&);
+template std::vector<std::vector<std::int32_t>> BodyCuts<float, 3>::repeat(const Moves&);
+template void BodyCuts<double, 2>::put(ArchiveWriter&, const std::string&) const;
+template void BodyCuts<double, 3>::put(ArchiveWriter&, const std::string&) const;
+template void BodyCuts<float, 2>::put(ArchiveWriter&, const std::string&) const;
+template void BodyCuts<float, 3>::put(ArchiveWriter&, const std::string&) const;
+template void BodyCuts<double, 2>::get(const ArchiveReader&, const std::string&, Body<double, 2>&);
+template void BodyCuts<double, 3>::get(const ArchiveReader&, const std::string&, Body<double, 3>&);
+template void BodyCuts<float, 2>::get(const ArchiveReader&, const std::string&, Body<float, 2>&);
+template void BodyCuts<float, 3>::get(const ArchiveReader&, const std::string&, Body<float, 3>&);
+
+}  // namespace pliant::point_based

@@ -1,0 +1,42 @@
+#include "engine/point_based/cut_resolution.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "engine/point_based/parameters.hpp"
+
+namespace pliant::point_based {
+
+namespace {
+
+// What docs/validation/robustness.py finds on cut plates: with 10 spacings the mouth is 5 % too
+// narrow, with 8 by 10 %. Without the bonds that a cut crosses it is 25 % too wide with 10, and 9 %
+// with 14.
+double least_spacings(CutRule rule) { return rule == CutRule::visibility ? 20 : 10; }
+
+double length_of(const CutCase& cut) {
+  double square = 0;
+  for (const Expression& component : cut.path) {
+    square += std::pow(component(cut.end) - component(cut.start), 2);
+  }
+  return std::sqrt(square);
+}
+
+}  // namespace
+
+std::string resolution_warning(const Case& settings) {
+  const CutRule rule = parameters_of(settings).cut_rule;
+  for (const CutCase& cut : settings.cuts) {
+    const double spacings = length_of(cut) / settings.discretisation.spacing;
+    if (!(spacings < least_spacings(rule))) continue;
+    return fmt::format(
+        "warning: the cut `{}` advances by {:.2g} spacings only, so that it opens by 5 to 25 % too "
+        "little or too much; use a finer spacing (discretisation.spacing below {:.3g}){}",
+        cut.name, spacings, length_of(cut) / least_spacings(rule),
+        rule == CutRule::visibility ? ", or point_based.cut_rule = \"transparency\"" : "");
+  }
+  return "";
+}
+
+}  // namespace pliant::point_based

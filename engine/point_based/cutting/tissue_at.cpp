@@ -1,0 +1,86 @@
+#include "engine/point_based/cutting/tissue_at.hpp"
+
+#include <Eigen/Dense>
+#include <limits>
+
+#include "engine/blocks/box.hpp"
+#include "engine/point_based/cutting/column.hpp"
+#include "engine/point_based/cutting/crossing.hpp"
+#include "engine/point_based/node_state.hpp"
+
+namespace pliant::point_based {
+
+namespace {
+
+constexpr double least_volume_ratio = 0.05;
+
+template <class T, int D>
+std::int64_t nearest_node(const Body<T, D>& body, const Point<D>& x) {
+  std::int64_t nearest = 0;
+  double least = std::numeric_limits<double>::infinity();
+  body.for_each_node([&](std::int64_t slot) {
+    double square = 0;
+    for (int a = 0; a < D; ++a) {
+      const double d = body.start[slot][a] + body.displacement[a][slot] - x[a];
+      square += d * d;
+    }
+    if (square >= least) return;
+    least = square;
+    nearest = slot;
+  });
+  return nearest;
+}
+
+/// The crossing of the way from `from` to `to` with a cut that is nearest to `from`; `to` where
+/// there is none.
+template <int D>
+MaterialPoint<D> up_to_a_cut(const MaterialPoint<D>& from, const MaterialPoint<D>& to,
+                             std::span<const CutSurface<D>> cuts) {
+  Box<D> way;
+  way.grow(from);
+  way.grow(to);
+  MaterialPoint<D> end = to;
+  double least = (column<D>(to) - column<D>(from)).squaredNorm();
+  for (const CutSurface<D>& cut : cuts) {
+    for (std::size_t p = 0; p < cut.pieces().size(); ++p) {
+      const auto corners = cut.corners(p);
+      Box<D> box;
+      for (const MaterialPoint<D>& corner : corners) box.grow(corner);
+      if (squared_gap(box, way) > 0) continue;
+      const auto place = crossing<D>(from, to, corners);
+      if (!place) continue;
+      const double square = (column<D>(*place) - column<D>(from)).squaredNorm();
+      if (square >= least) continue;
+      least = square;
+      end = *place;
+    }
+  }
+  return end;
+}
+
+}  // namespace
+
+template <class T, int D>
+MaterialPoint<D> tissue_at(const Body<T, D>& body, std::span<const CutSurface<D>> cuts,
+                           const Point<D>& x) {
+  using Matrix = Eigen::Matrix<double, D, D, Eigen::RowMajor>;
+  const std::int64_t slot = nearest_node<T, D>(body, x);
+  const auto f = fitted_gradient(body, body.block_of(slot), slot);
+  const Eigen::Map<const Matrix> gradient(f.data());
+  Column<D> away = column<D>(x) - column<D>(body.position(slot));
+  if (gradient.determinant() > least_volume_ratio) away = gradient.inverse() * away;
+  MaterialPoint<D> place;
+  Eigen::Map<Column<D>>(place.data()) = column<D>(body.start[slot]) + away;
+  return up_to_a_cut<D>(body.start[slot], place, cuts);
+}
+
+template MaterialPoint<2> tissue_at<double, 2>(const Body<double, 2>&,
+                                               std::span<const CutSurface<2>>, const Point<2>&);
+template MaterialPoint<3> tissue_at<double, 3>(const Body<double, 3>&,
+                                               std::span<const CutSurface<3>>, const Point<3>&);
+template MaterialPoint<2> tissue_at<float, 2>(const Body<float, 2>&, std::span<const CutSurface<2>>,
+                                              const Point<2>&);
+template MaterialPoint<3> tissue_at<float, 3>(const Body<float, 3>&, std::span<const CutSurface<3>>,
+                                              const Point<3>&);
+
+}  // namespace pliant::point_based

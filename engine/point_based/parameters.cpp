@@ -1,0 +1,48 @@
+#include "engine/point_based/parameters.hpp"
+
+namespace pliant::point_based {
+
+int neighbour_count(const Case& settings) {
+  const int given = parameters_of(settings).neighbours;
+  return given > 0 ? given : settings.dimension == 2 ? 12 : 26;
+}
+
+void visit_keys(MethodKeys& visit, MethodParameters& parameters) {
+  auto& method = parameters.as<Parameters>();
+  visit("nodes", method.nodes,
+        {.meaning = "places of the nodes of a body whose geometry is no mesh of tetrahedra",
+         .example = R"("lattice")"});
+  visit(
+      "coarsest_spacing", method.coarsest_spacing,
+      {.meaning = "largest distance between the nodes of an octree; 0 takes four times the spacing",
+       .unit = "m",
+       .example = "0.01",
+       .limits = not_negative});
+  visit(
+      "cut_rule", method.cut_rule,
+      {.meaning = "what a cut leaves of the bonds that it crosses", .example = R"("visibility")"});
+  visit("gradient", method.gradient,
+        {.meaning = "how a node finds its gradient", .example = R"("moving_least_squares")"});
+  visit("neighbours", method.neighbours,
+        {.meaning = "neighbours of each node (PB.2); 0 takes 26 in 3D and 12 in 2D",
+         .example = "26",
+         .limits = {0, 64, true, true, "from 0 to 64"}});
+  visit("stabilisation", NumberOrWord{method.stabilisation, "automatic", "a number"},
+        {.meaning = R"(alpha of (PB.5), or "automatic": 0.1 on lattices, 0.3 on other nodes)",
+         .example = "0.1",
+         .limits = {0, 2, true, true, "from 0 to 2"}});
+  visit("integrator", method.integrator,
+        {.meaning = "when the forces of a step act", .example = R"("leapfrog")"});
+  visit("damping", method.damping,
+        {.meaning = "mass-proportional damping rate (PB.10)",
+         .unit = "1/s",
+         .example = "0.5",
+         .limits = not_negative});
+  visit("stiffness_damping", method.stiffness_damping,
+        {.meaning = "stiffness-proportional damping time (PB.9), which damps fast motion most",
+         .unit = "s",
+         .example = "1e-4",
+         .limits = not_negative});
+}
+
+}  // namespace pliant::point_based

@@ -1,0 +1,77 @@
+#pragma once
+
+#include <optional>
+
+#include "engine/case/case.hpp"
+#include "engine/case/method_keys.hpp"
+#include "engine/case/word.hpp"
+#include "engine/point_based/cutting/cut_bonds.hpp"
+
+namespace pliant::point_based {
+
+/// Where nodes lie that come from no mesh of tetrahedra.
+enum class NodePlacement { lattice, octree };
+/// How a node finds its gradient.
+enum class NodeGradient { moving_least_squares, patch_exact };
+/// When the forces of a step act: in its middle or at its start (PB.10).
+enum class Integrator { leapfrog, kick_drift };
+
+/// The table [point_based] of a case.
+struct Parameters {
+  NodePlacement nodes = NodePlacement::lattice;
+  double coarsest_spacing = 0;  ///< of an octree [m]; 0: four times the spacing
+  CutRule cut_rule = CutRule::transparency;
+  NodeGradient gradient = NodeGradient::moving_least_squares;
+  int neighbours = 0;                   ///< of each node; 0: those of `neighbour_count`
+  std::optional<double> stabilisation;  ///< alpha of (PB.5); none: as the nodes need it
+  Integrator integrator = Integrator::leapfrog;
+  double damping = 0;            ///< mass-proportional, (PB.10) [1/s]
+  double stiffness_damping = 0;  ///< beta of (PB.9) [s]
+};
+
+inline const Parameters& parameters_of(const Case& settings) {
+  return settings.parameters.as<Parameters>();
+}
+
+/// Neighbours of each node of a case: 26 in 3D and 12 in 2D where it gives none.
+int neighbour_count(const Case& settings);
+
+/// Visits the keys of the table.
+void visit_keys(MethodKeys& visit, MethodParameters& parameters);
+
+}  // namespace pliant::point_based
+
+namespace pliant {
+
+template <>
+inline constexpr std::array words<point_based::NodePlacement>{
+    word(point_based::NodePlacement::lattice, "lattice", "on a lattice of the given spacing"),
+    word(point_based::NodePlacement::octree, "octree",
+         "in the leaves of an octree: at the spacing on the surface, coarser inside")};
+
+template <>
+inline constexpr std::array words<point_based::CutRule>{
+    word(point_based::CutRule::transparency, "transparency",
+         "a crossed bond loses its weight as the front of the cut moves away from it (CU.1)"),
+    word(point_based::CutRule::visibility, "visibility", "a crossed bond has no weight"),
+    word(point_based::CutRule::product, "product",
+         "distance enrichment of each piece, multiplied (CU.3), (CU.4); for comparison"),
+    word(point_based::CutRule::enrichment_grid, "enrichment_grid",
+         "distance enrichment of the whole cut (CU.3), (CU.5)")};
+
+template <>
+inline constexpr std::array words<point_based::NodeGradient>{
+    word(point_based::NodeGradient::moving_least_squares, "moving_least_squares",
+         "moving least squares (PB.3); nodes with cuts need it"),
+    word(point_based::NodeGradient::patch_exact, "patch_exact",
+         "the nearest gradient with which the forces of a uniform stress are exact (PB.17)")};
+
+template <>
+inline constexpr std::array words<point_based::Integrator>{
+    word(point_based::Integrator::leapfrog, "leapfrog",
+         "forces act in the middle of a step; second order"),
+    word(point_based::Integrator::kick_drift, "kick_drift",
+         "forces act at its start (symplectic Euler); positions of second order, velocities half a "
+         "step late")};
+
+}  // namespace pliant

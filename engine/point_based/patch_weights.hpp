@@ -1,0 +1,29 @@
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "engine/lattice/lattice.hpp"
+
+namespace pliant::point_based {
+
+/// Nodes with weighted bonds, and their shares of the surface of the body.
+template <int D>
+struct WeightedNodes {
+  std::vector<Point<D>> positions;                   ///< [node] [m]
+  std::vector<double> volumes;                       ///< [node] V [m^D]
+  std::vector<Point<D>> areas;                       ///< [node] a, outwards [m^(D-1)]
+  std::vector<std::vector<std::int32_t>> neighbour;  ///< [node][bond]
+  std::vector<std::vector<double>> weight;           ///< [node][bond] positive
+};
+
+/// Changes the weights as little as makes the gradients of (PB.3) exact for uniform stress,
+/// (PB.17). The sums of V I and of a_i X_i^T must be equal. Returns what is left: the largest force
+/// on a node, in units of the stress times V^((D-1)/D).
+template <int D>
+double make_patch_exact(WeightedNodes<D>& nodes);
+
+extern template double make_patch_exact<2>(WeightedNodes<2>&);
+extern template double make_patch_exact<3>(WeightedNodes<3>&);
+
+}  // namespace pliant::point_based

@@ -1,0 +1,46 @@
+#pragma once
+
+#include <cmath>
+
+#include "engine/remeshed/body.hpp"
+
+/// The velocity of (RP.50) lets waves out of a body, within some h/c. Of bodies that are held bent
+/// a part of it lasts, and feeds a checkerboard of stress.
+namespace pliant::remeshed {
+
+/// Whether ghosts of free surfaces move without the part of (RP.50) that lasts. Bodies whose shear
+/// stress nothing relaxes are unstable with it where they are held bent; linear ones are stable,
+/// and lose less energy with all of (RP.50).
+template <class T, int D>
+bool lets_waves_out_alone(const Body<T, D>& body) {
+  return body.material.model == kernels::Model::reduced_polynomial;
+}
+
+constexpr double lasting_time = 20;  ///< over which (RP.50) takes its mean [h/c]
+
+/// Takes what lasts of (RP.50) from the velocity of the first `count` ghosts of a block.
+template <class T, int D>
+void let_waves_out_alone(BlockGhosts<T, D>& ghosts, std::size_t count, FieldStore<T, D>& state) {
+  for (std::size_t g = 0; g < count; ++g) {
+    if (ghosts.wall[g] >= 0 || ghosts.active[g] == 0) continue;
+    for (int a = 0; a < D; ++a) {
+      ghosts.correction[g][a] -= ghosts.lasting[g][a];
+      state.get(Field::velocity, a)[ghosts.slot[g]] -= ghosts.lasting[g][a];
+    }
+  }
+}
+
+/// Follows what lasts of (RP.50) for a time step [s], but on ghosts that another body answers.
+template <class T, int D>
+void follow_lasting(const Body<T, D>& body, BlockGhosts<T, D>& ghosts, double time_step) {
+  const double speed = kernels::wave_speed_at_rest(body.material);
+  const auto share =
+      static_cast<T>(1 - std::exp(-time_step * speed / (lasting_time * body.lattice.spacing)));
+  for (std::size_t g = 0; g < ghosts.reached_count; ++g) {
+    if (ghosts.wall[g] >= 0 || ghosts.active[g] == 0) continue;
+    for (int a = 0; a < D; ++a) ghosts.lasting[g][a] += share * ghosts.correction[g][a];
+  }
+  for (const std::int32_t g : ghosts.contact_points.ghost) ghosts.lasting[g] = {};
+}
+
+}  // namespace pliant::remeshed

@@ -1,0 +1,30 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "engine/blocks/box.hpp"
+#include "engine/case/case.hpp"
+
+namespace pliant::report {
+
+/// A wall as a picture shows it, where it is at t = 0.
+struct WallPicture {
+  std::string name;
+  bool holds = false;                        ///< bodies, so that their surface is open there
+  std::vector<Vector> vertex = {};           ///< [m]
+  std::vector<std::uint32_t> triangle = {};  ///< three vertices each, anticlockwise from outside
+  /// Of a half-space: a point of its face, and the normal out of it.
+  bool is_plane = false;
+  Vector point = {}, normal = {};
+  std::vector<Vector> shift = {};  ///< [frame] displacement since t = 0 [m]; empty: it never moves
+};
+
+/// The walls of a case inside a box, at the times of its frames. Half-spaces are their faces in 3D;
+/// all other solids are whole, and closed where the box ends. Walls outside the box are left out.
+std::vector<WallPicture> picture_walls(const Case& a_case, const Box<3>& box,
+                                       const std::vector<double>& times);
+
+}  // namespace pliant::report

@@ -1,0 +1,27 @@
+#pragma once
+
+#include <cmath>
+#include <cstdint>
+
+namespace pliant {
+
+/// The k-th of the instants `every` apart; `every` = 0 means never.
+class Schedule {
+ public:
+  explicit Schedule(double every) : every_(every) {}
+  double next() const { return every_ > 0 ? every_ * static_cast<double>(count_ + 1) : HUGE_VAL; }
+  /// True when `time` has reached the next instant, which then lies behind.
+  bool reached(double time) {
+    if (time < next() * (1 - 1e-12)) return false;
+    ++count_;
+    return true;
+  }
+  std::int64_t count() const { return count_; }
+  void restore(std::int64_t count) { count_ = count; }
+
+ private:
+  double every_;
+  std::int64_t count_ = 0;
+};
+
+}  // namespace pliant

@@ -1,0 +1,147 @@
+#include "engine/total_lagrangian/block_cells.hpp"
+
+#include <algorithm>
+#include <tuple>
+
+// A block evaluates every cell of which one of its particles is a corner, also those that belong to
+// other blocks. The cells of a pack lie at up to four rows of particles; a block on the rim has
+// some of them.
+namespace pliant::total_lagrangian {
+
+namespace {
+
+constexpr int pack = kernels::slots_per_pack;
+
+/// A pack of cells and one row of corners of it that belongs to the block.
+struct PackAndRow {
+  std::int64_t slot;
+  int row;
+  bool follows;  // whether the cell before it has corners in it
+};
+
+template <class T, int D>
+class BlockCellsFinder {
+ public:
+  BlockCellsFinder(const Body<T, D>& body, const Block<D>& block) : body_(body), block_(block) {}
+
+  BlockCells<D> operator()() {
+    collect();
+    for (std::size_t i = 0; i < found_.size();) {
+      kernels::CellRun<D> run = run_of(found_[i]);
+      for (const std::int64_t slot = found_[i].slot; i < found_.size() && found_[i].slot == slot;
+           ++i) {
+        const int r = found_[i].row;
+        run.target[r] = slot + run.row[r] - block_.first_slot;
+      }
+      append(run);
+    }
+    add_fitted();
+    return std::move(cells_);
+  }
+
+ private:
+  void collect() {
+    const Layout<D>& layout = body_.layout;
+    for (int s = 0; s < block_.segment_count; ++s) {
+      const kernels::Segment<D>& segment = layout.segments_of(block_)[s];
+      for (std::int32_t along = 0; along < segment.count; along += pack) {
+        if (!holds_particle(segment.first + along)) continue;
+        Cell<D> cell = segment.cell;
+        cell[0] += along;
+        collect_around(cell);
+      }
+    }
+    std::sort(found_.begin(), found_.end(), [](const PackAndRow& a, const PackAndRow& b) {
+      return std::tie(a.slot, a.row) < std::tie(b.slot, b.row);
+    });
+  }
+
+  // The packs of cells with corners in the pack of particles at `cell`.
+  void collect_around(const Cell<D>& cell) {
+    for (int r = 0; r < kernels::corner_rows<D>; ++r) {
+      Cell<D> at = cell;
+      for (int a = 1; a < D; ++a) at[a] -= r >> (a - 1) & 1;
+      const std::int64_t slot = body_.layout.slot(at);
+      if (slot < 0) continue;
+      --at[0];
+      const std::int64_t before = body_.layout.slot(at);
+      const bool follows = before >= 0 && body_.regular_fraction[before] > 0;
+      if (follows || holds_cell(slot)) found_.push_back({slot, r, follows});
+    }
+  }
+
+  bool holds_particle(std::int64_t slot) const {
+    return std::any_of(&body_.mass[slot], &body_.mass[slot] + pack, [](T m) { return m > 0; });
+  }
+  bool holds_cell(std::int64_t slot) const {
+    const T* const fraction = &body_.regular_fraction[slot];
+    return std::any_of(fraction, fraction + pack, [](T f) { return f > 0; });
+  }
+
+  kernels::CellRun<D> run_of(const PackAndRow& found) const {
+    kernels::CellRun<D> run = {};
+    run.first = found.slot;
+    run.count = pack;
+    run.follows = found.follows;
+    run.own = found.slot >= block_.first_slot && found.slot < block_.first_slot + block_.slot_count;
+    run.row = body_.corner_rows(found.slot);
+    run.target.fill(-1);
+    return run;
+  }
+
+  // A pack continues the run before it where its rows of corners do. No cell of the body is the
+  // last of a lattice row, so that a run may continue in the next row.
+  void append(const kernels::CellRun<D>& next) {
+    if (!cells_.runs.empty()) {
+      kernels::CellRun<D>& last = cells_.runs.back();
+      bool continues =
+          last.first + last.count == next.first && last.own == next.own && last.row == next.row;
+      for (int r = 0; r < kernels::corner_rows<D>; ++r) {
+        continues = continues && (last.target[r] < 0) == (next.target[r] < 0);
+      }
+      if (continues) {
+        last.count += pack;
+        return;
+      }
+    }
+    cells_.runs.push_back(next);
+  }
+
+  void add_fitted() {
+    const auto has = [this](std::int64_t slot) {
+      return slot >= block_.first_slot && slot < block_.first_slot + block_.slot_count;
+    };
+    for (std::size_t i = 0; i < body_.fitted.size(); ++i) {
+      const kernels::FittedCell<T, D>& cell = body_.fitted[i];
+      const auto& rows = cell.row;
+      if (std::any_of(rows.begin(), rows.end(), [&](std::int64_t row) {
+            return has(cell.slot + row) || has(cell.slot + row + 1);
+          })) {
+        cells_.fitted.push_back(static_cast<std::int32_t>(i));
+      }
+    }
+  }
+
+  const Body<T, D>& body_;
+  const Block<D>& block_;
+  std::vector<PackAndRow> found_;
+  BlockCells<D> cells_;
+};
+
+}  // namespace
+
+template <class T, int D>
+void find_block_cells(Body<T, D>& body) {
+  body.cells.clear();
+  body.cells.reserve(body.layout.blocks().size());
+  for (const Block<D>& block : body.layout.blocks()) {
+    body.cells.push_back(BlockCellsFinder<T, D>(body, block)());
+  }
+}
+
+template void find_block_cells<double, 2>(Body<double, 2>&);
+template void find_block_cells<double, 3>(Body<double, 3>&);
+template void find_block_cells<float, 2>(Body<float, 2>&);
+template void find_block_cells<float, 3>(Body<float, 3>&);
+
+}  // namespace pliant::total_lagrangian

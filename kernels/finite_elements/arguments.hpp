@@ -1,0 +1,51 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+
+#include "kernels/layout.hpp"
+#include "kernels/point_based/arguments.hpp"
+
+/// What the kernels of finite elements work on: tetrahedra in 3D, triangles in 2D, whose gradient
+/// is the same everywhere inside. Nodes lie in blocks, and displacements and forces in arrays of
+/// points, as those of the point-based method do. An element belongs to one block; its corners are
+/// own nodes or nodes of the halo. Packs are filled up with elements without volume.
+namespace pliant::kernels {
+
+/// Values that an element has in arrays of shapes: gradients of corners 1 to D, and the volume.
+template <int D>
+inline constexpr int element_values = D* D + 1;
+
+/// The elements of a block and the nodes at their corners.
+template <class T, int D>
+struct ElementBlock {
+  std::int64_t first;  ///< slot
+  int count;           ///< slots, a multiple of slots_per_pack
+  int halo_count;
+  const std::int32_t* halo;     ///< [halo_count] slots
+  int elements;                 ///< a multiple of slots_per_pack
+  const std::uint16_t* corner;  ///< [pack][D + 1][lane] local numbers times point_stride
+  const T* shape;               ///< [pack][element_values][lane] [1/m], [m^D]
+  std::array<const T*, D> displacement;
+  PointMaterial<T> material;  ///< whose volumetric modulus counts apart
+  T volumetric_modulus;       ///< Lambda of (FE.3) [Pa]
+  bool examine;               ///< whether to look for states that are not possible
+  const T* pressure;          ///< [slot] p of (FE.4) [Pa]; null: (FE.3) in each element
+  T* point;                   ///< [count + halo_count][point_stride] room for displacements
+  T* force;                   ///< [count + halo_count][point_stride] what corners collect
+};
+
+/// Pressures of the nodes of a block, (FE.4), from what elements have collected there.
+template <class T>
+struct NodalPressures {
+  std::int64_t first;
+  int count;
+  const CollectedForces<T>* collected;  ///< by other blocks
+  int collected_count;
+  T* force;         ///< [count][point_stride] by the block itself; the sum in the end [m^D]
+  T modulus;        ///< Lambda of (FE.3) [Pa]
+  const T* volume;  ///< [slot] V [m^D], 0 where there is no node
+  T* pressure;      ///< [slot] [Pa]
+};
+
+}  // namespace pliant::kernels

@@ -1,0 +1,52 @@
+#pragma once
+
+#include "kernels/finite_elements/element_forces.hpp"
+
+/// Pressures at the nodes, (FE.4), in two passes: elements give their corners a share of their
+/// change of volume, and nodes add up what blocks have collected for them.
+namespace pliant::kernels {
+
+template <ElasticLaw law, class P, int D>
+inline void collect_dilatation_of(const ElementBlock<Scalar<P>, D>& block) {
+  using T = Scalar<P>;
+  collect_points<P, D>(block, block.pressure);
+  for (int element = 0; element < block.elements; element += lanes<P>) {
+    const ElementLanes<P, D> at(block, element);
+    P f[D * D], share[D];
+    element_gradient<P, D>(block, at, f);
+    for (P& component : share) component = P(T(0));
+    // Subtracted: the sum is negative.
+    share[0] = load<P>(at.volume()) * dilatation<law, P, D>(f) * P(T(1. / (D + 1)));
+    for (int a = 0; a <= D; ++a) PointLanes<P, D>::subtract(share, at.corners(a), block.force);
+  }
+}
+
+/// V_e theta_e/(D + 1) of the elements of a block, at the first component of their corners.
+template <class P, int D>
+void collect_dilatation(const ElementBlock<Scalar<P>, D>& block) {
+  if (block.material.law == ElasticLaw::st_venant_kirchhoff) {
+    collect_dilatation_of<ElasticLaw::st_venant_kirchhoff, P, D>(block);
+  } else {
+    collect_dilatation_of<ElasticLaw::neo_hookean, P, D>(block);
+  }
+}
+
+/// See NodalPressures. `P` makes it one function for each instruction set.
+template <class P>
+void evaluate_nodal_pressures(const NodalPressures<Scalar<P>>& block) {
+  using T = Scalar<P>;
+  for (int c = 0; c < block.collected_count; ++c) {
+    const CollectedForces<T>& from = block.collected[c];
+    for (int i = 0; i < from.count; ++i) {
+      block.force[point_stride * (from.slot[i] - block.first)] += from.force[point_stride * i];
+    }
+  }
+  for (int i = 0; i < block.count; ++i) {
+    const std::int64_t slot = block.first + i;
+    const T volume = block.volume[slot];
+    block.pressure[slot] =
+        volume > 0 ? -block.modulus * block.force[point_stride * i] / volume : T(0);
+  }
+}
+
+}  // namespace pliant::kernels

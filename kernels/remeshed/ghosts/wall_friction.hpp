@@ -1,0 +1,76 @@
+#pragma once
+
+#include <array>
+#include <cmath>
+
+#include "kernels/remeshed/ghosts/ghost_state.hpp"
+
+/// What a wall does to a body that may slide along it, and the ghost that goes with it.
+namespace pliant::kernels {
+
+/// The shear of (RP.53) that keeps the body from sliding along the wall [Pa].
+template <class T, int D>
+VectorOf<T, D> holding_shear(const GhostFits<T, D>& fits, const VectorOf<T, D>& wall_velocity,
+                             const VectorOf<T, D>& n, const Impedance<T>& impedance) {
+  const T away = separation_speed<T, D>(fits, wall_velocity, n);
+  VectorOf<T, D> holding = shear<T, D>(fits.surface, n);
+#pragma GCC unroll 3
+  for (int i = 0; i < D; ++i) {
+    const T slip = fits.surface.velocity(i) - wall_velocity[i] - away * n[i];
+    holding[i] = -holding[i] - impedance.shear_wave * slip;
+  }
+  return holding;
+}
+
+/// (RP.73): what a wall does to the body. `friction` is the coefficient of Coulomb's law; 0 slides
+/// freely, infinity never slides.
+template <class T, int D>
+struct WallTraction {
+  T pressure;                 ///< n.(RP.53), negative where the wall would pull [Pa]
+  VectorOf<T, D> shear = {};  ///< along the wall [Pa]
+  bool slides;
+
+  WallTraction(const GhostFits<T, D>& fits, const VectorOf<T, D>& wall_velocity,
+               const VectorOf<T, D>& n, T friction, const Impedance<T>& impedance)
+      : pressure(wall_pressure<T, D>(fits, wall_velocity, n, friction == 0, impedance)),
+        slides(friction == 0) {
+    if (slides) return;
+    shear = holding_shear<T, D>(fits, wall_velocity, n, impedance);
+    T square = 0;
+    for (const T component : shear) square += component * component;
+    const T held = std::sqrt(square);
+    slides = std::isfinite(friction) && !(held <= friction * pressure);
+    if (!slides) return;
+    pressure = wall_pressure<T, D>(fits, wall_velocity, n, true, impedance);
+    const T share = held > 0 && pressure > 0 ? friction * pressure / held : T(0);
+    for (T& component : shear) component *= share;
+  }
+};
+
+/// (RP.53), (RP.73): force of a wall on the body over the area [Pa]; n the normal of the wall, into
+/// the body.
+template <class T, int D>
+VectorOf<T, D> wall_force_density(const GhostFits<T, D>& fits, const VectorOf<T, D>& wall_velocity,
+                                  const VectorOf<T, D>& n, T friction,
+                                  const Impedance<T>& impedance) {
+  const WallTraction<T, D> traction(fits, wall_velocity, n, friction, impedance);
+  VectorOf<T, D> push;
+#pragma GCC unroll 3
+  for (int i = 0; i < D; ++i) push[i] = traction.pressure * n[i] + traction.shear[i];
+  return push;
+}
+
+/// (RP.46) or (RP.47), as (RP.73) tells; n the normal of the wall, into the body.
+template <class T, int D>
+GhostState<T, D> friction_wall_ghost(const GhostFits<T, D>& fits,
+                                     const VectorOf<T, D>& wall_velocity, const VectorOf<T, D>& n,
+                                     T friction, const Impedance<T>& impedance) {
+  const WallTraction<T, D> traction(fits, wall_velocity, n, friction, impedance);
+  if (!traction.slides) return wall_ghost<T, D>(fits, wall_velocity, n, impedance);
+  VectorOf<T, D> shear_load;
+#pragma GCC unroll 3
+  for (int i = 0; i < D; ++i) shear_load[i] = -traction.shear[i];
+  return slip_wall_ghost<T, D>(fits, wall_velocity, n, impedance, shear_load);
+}
+
+}  // namespace pliant::kernels

@@ -1,0 +1,177 @@
+#pragma once
+
+#include "kernels/shifted_lanes.hpp"
+#include "kernels/total_lagrangian/cell_forces.hpp"
+
+/// Stress points of cells whose corners lie on the lattice: corner displacements -> modes -> F ->
+/// first Piola-Kirchhoff stress -> forces, mode by mode -> corner forces -> sums over the cells
+/// around a particle.
+///
+///     cells of row y    | A | B | C | D |      a register of cells pulls at rows of corners: at
+///                       /\  /\  /\  /\         its own slots (lower corners in x) and at the slots
+///     corners, row r    a   b   c   d   e      behind each (upper corners). These are moved up by
+///     a
+///                                              lane, with the last cell of the register before.
+namespace pliant::kernels {
+
+/// (RP.22) for a register of cells, where the body is.
+template <class P, int D>
+inline P relax_cells(const CellViscosity<Scalar<P>>& viscosity, const CellState<P, D>& state,
+                     const typename P::batch_bool_type& inside, std::int64_t slot, bool keep) {
+  using T = Scalar<P>;
+  P sum(T(0));
+  if (viscosity.terms == 0) return sum;
+  const P start = load<P>(viscosity.volume_change + slot), end = state.volume_ratio - P(T(1));
+  for (int i = 0; i < viscosity.terms; ++i) {
+    const P before = load<P>(viscosity.pressure[i] + slot);
+    const P after = relax_term(viscosity.relaxation[i], before, start, end);
+    if (keep) {
+      xsimd::select(inside, after, before).store_unaligned(viscosity.next_pressure[i] + slot);
+    }
+    sum = sum + after;
+  }
+  if (keep) xsimd::select(inside, end, start).store_unaligned(viscosity.next_volume_change + slot);
+  return sum;
+}
+
+/// F and the energy's other arguments, (TL.2): F = I where the body is not, whose corners are
+/// nothing in particular.
+template <class P, int D>
+inline void regular_state(const HourglassWeights<P, D>& weights, const P& slope,
+                          const typename P::batch_bool_type& inside, const P (&mode)[D][1 << D],
+                          CellState<P, D>& state) {
+  using T = Scalar<P>;
+  const P zero(T(0));
+#pragma GCC unroll 3
+  for (int i = 0; i < D; ++i) {
+#pragma GCC unroll 3
+    for (int j = 0; j < D; ++j) {
+      state.f[D * i + j] = xsimd::select(inside, mode[i][1 << j] * slope, zero);
+    }
+    state.f[D * i + i] = state.f[D * i + i] + P(T(1));
+  }
+  state.hourglass = xsimd::select(inside, hourglass_squares<P, D>(weights, mode), zero);
+  state.complete();
+}
+
+/// Forces of the upper corners in x of the cells of a register, which the next register completes.
+template <class P, int D>
+struct UpperCorners {
+  P force[D][corner_rows<D>];
+  bool exist = false;
+
+  void clear() {
+#pragma GCC unroll 3
+    for (int i = 0; i < D; ++i) {
+#pragma GCC unroll 4
+      for (int r = 0; r < corner_rows<D>; ++r) force[i][r] = P(Scalar<P>(0));
+    }
+    exist = false;
+  }
+};
+
+/// Subtracts one component of what a register of cells pulls at its corners, `pull`, from the
+/// forces on the particles, `along` slots behind the first cell of the run.
+template <class P, int D>
+inline void subtract_forces(const CellRun<D>& run, std::int64_t along, const P (&pull)[1 << D],
+                            P (&upper)[corner_rows<D>], Scalar<P>* force) {
+#pragma GCC unroll 4
+  for (int r = 0; r < corner_rows<D>; ++r) {
+    const P both = pull[2 * r] + ShiftedLanes<P>::of(upper[r], pull[2 * r + 1]);
+    upper[r] = pull[2 * r + 1];
+    if (run.target[r] < 0 || along < 0) continue;
+    Scalar<P>* const at = force + run.target[r] + along;
+    (load<P>(at) - both).store_unaligned(at);
+  }
+}
+
+/// After the last cell of the body in a row.
+template <class P, int D>
+inline void finish_row(const Motion<Scalar<P>, D>& block, const CellRun<D>& run, std::int64_t along,
+                       UpperCorners<P, D>& upper) {
+  const P zero(Scalar<P>(0));
+  P nothing[1 << D];
+#pragma GCC unroll 8
+  for (P& pull : nothing) pull = zero;
+#pragma GCC unroll 3
+  for (int i = 0; i < D; ++i) {
+    subtract_forces<P, D>(run, along, nothing, upper.force[i], block.force[i]);
+  }
+  upper.exist = false;
+}
+
+/// Asks for what the particles of a pack need to move, and for what the next row of cells reads
+/// that no row before it has read: with so many arrays, and rows that end soon, the processor would
+/// not see it coming.
+template <class T, int D>
+[[gnu::always_inline]] inline void prefetch_pack(const Motion<T, D>& block, const CellRun<D>& run,
+                                                 std::int64_t slot) {
+  constexpr int ahead = 8 * slots_per_pack, last = corner_rows<D> - 1;
+  __builtin_prefetch(block.inverse_mass + slot);
+  __builtin_prefetch(block.fraction + slot + ahead);
+#pragma GCC unroll 3
+  for (int i = 0; i < D; ++i) {
+    __builtin_prefetch(block.displacement[i] + slot + run.row[last] + ahead);
+    if (block.traction[i] != nullptr) __builtin_prefetch(block.traction[i] + slot);
+    __builtin_prefetch(block.internal[i] + slot, 1);
+    __builtin_prefetch(block.velocity[i] + slot, 1);
+    __builtin_prefetch(block.next_displacement[i] + slot, 1);
+  }
+}
+
+/// Takes the forces of a run of cells from `block.force`, (TL.3)-(TL.6).
+template <class P, int D>
+void evaluate_run(const Motion<Scalar<P>, D>& block, const CellRun<D>& run,
+                  StressPointExtremes<P>& extremes) {
+  using T = Scalar<P>;
+  constexpr int corners = 1 << D;
+  T volume = 1;
+#pragma GCC unroll 3
+  for (int a = 0; a < D; ++a) volume *= block.spacing;
+  // Half the corners pull each way, so that a difference over h is 2/2^D of a gradient mode.
+  const P slope(T(2) / (corners * block.spacing)), zero(T(0));
+  const HourglassWeights<P, D> weights(block);
+  UpperCorners<P, D> upper;
+  upper.clear();
+  for (std::int64_t along = run.follows ? -lanes<P> : 0; along < run.count; along += lanes<P>) {
+    const std::int64_t slot = run.first + along;
+    if (run.own && along % slots_per_pack == 0) prefetch_pack(block, run, slot);
+    const P fraction = load<P>(block.fraction + slot);
+    const auto inside = fraction > zero;
+    if (!xsimd::any(inside)) {
+      if (upper.exist) finish_row<P, D>(block, run, along, upper);
+      continue;
+    }
+    P mode[D][corners];
+    displacement_modes<P, D>(block, run, slot, mode);
+    CellState<P, D> state;
+    regular_state<P, D>(weights, slope, inside, mode, state);
+    const P pressure =
+        relax_cells<P, D>(block.viscosity, state, inside, slot, run.own && along >= 0);
+    const CellStress<P, D> stress = cell_stress<P, D>(block.material, state, pressure);
+    const P filled = P(volume) * fraction, stiffness = filled * stress.shear;
+    const P area = filled * slope;
+#pragma GCC unroll 3
+    for (int i = 0; i < D; ++i) {
+      P pull[corners];
+#pragma GCC unroll 8
+      for (int m = 1; m < corners; ++m) {
+        if (directions_of[m] < 2) continue;
+        const P force = stiffness * P(weights.of[directions_of[m]]) * mode[i][m];
+        pull[m] = xsimd::select(inside, force, zero);
+      }
+#pragma GCC unroll 3
+      for (int j = 0; j < D; ++j) pull[1 << j] = area * stress.piola[D * i + j];
+      to_corners<P, D>(pull);
+      subtract_forces<P, D>(run, along, pull, upper.force[i], block.force[i]);
+    }
+    upper.exist = true;
+    if (!block.examine) continue;
+    const auto broken = examine<P, D>(block.material, state, stress, state.cof, inside, extremes);
+    if (extremes.non_finite < 0 && xsimd::any(broken)) {
+      extremes.non_finite = slot + first_lane<P>(broken);
+    }
+  }
+}
+
+}  // namespace pliant::kernels

@@ -1,0 +1,111 @@
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "tests/engine/finite_elements/meshed_block.hpp"
+#include "tests/engine/point_based/whole_runs.hpp"
+
+// Whole runs of finite elements.
+namespace pliant::test {
+namespace {
+
+struct ElementRuns : testing::Test {
+  TemporaryFolder folder;
+
+  std::string text(int cells) const {
+    write(unit_block<3>(cells), folder / "block.vtk");
+    return meshed_block(folder / "block.vtk") + tumbling;
+  }
+
+  Case driven(std::vector<std::string> more = {}) const {
+    more.insert(more.end(), {"time.end=0.025", "output.every=0.0101"});
+    return tests::read_text(text(8) + clamp, more);
+  }
+};
+
+TEST_F(ElementRuns, a_tumbling_block_keeps_momenta_to_rounding_and_its_energy) {
+  for (const char* pressure : {"averaged", "plain"}) {
+    const Case settings =
+        tests::read_text(text(4), {std::string("finite_elements.pressure=") + pressure});
+    ElementSolver<3> solver(settings, {2, kernels::widest_supported()});
+    const BodyIntegrals start = solver.integrals();
+    EXPECT_NEAR(start.mass, 1, 1e-12);
+    solver.advance(1);
+    const BodyIntegrals end = solver.integrals();
+    const double momentum = 5;  // a bound of the integral of rho abs(u)
+    for (int axis = 0; axis < 3; ++axis) {
+      EXPECT_NEAR(end.momentum[axis], start.momentum[axis], 1e-14 * momentum);
+      EXPECT_NEAR(end.angular_momentum[axis], start.angular_momentum[axis], 1e-13 * momentum);
+    }
+    EXPECT_GT(end.strain_energy, 1e-3);
+    const double energy = start.kinetic_energy + start.strain_energy;
+    EXPECT_NEAR(end.kinetic_energy + end.strain_energy, energy, 5e-3 * energy);
+  }
+}
+
+// (FE.6) is a bound: vibrations of the whole spectrum stay as they are at CFL number 1, which a
+// step of 1.5 times the bound does not survive.
+TEST_F(ElementRuns, steps_at_the_limit_are_stable) {
+  const std::string noise = tests::with(text(3), tumbling, "") +
+                            "velocity = [\"1e-4*sin(50*x + 70*y)\", \"1e-4*cos(90*z)\", 0]\n";
+  ElementSolver<3> solver(tests::read_text(noise, {"time.cfl=1"}),
+                          {1, kernels::widest_supported()});
+  const double start = solver.integrals().kinetic_energy;
+  for (int step = 0; step < 2000; ++step) solver.step(HUGE_VAL);
+  const BodyIntegrals end = solver.integrals();
+  EXPECT_LT(end.kinetic_energy + end.strain_energy, 1.5 * start);
+}
+
+TEST_F(ElementRuns, bytes_depend_on_neither_threads_nor_a_restart) {
+  for (const char* precision : {"double", "single"}) {
+    const Case settings = driven({std::string("precision=") + precision});
+    const FileContent one = result_of(settings, folder / precision, 1);
+    EXPECT_EQ(result_of(settings, folder / (std::string(precision) + "7"), 7), one);
+    // The last checkpoint lies before the end: going on from it writes the end once more.
+    EXPECT_EQ(result_of(settings, folder / precision, 2, true), one);
+  }
+}
+
+TEST_F(ElementRuns, a_pressure_all_around_compresses_by_the_bulk_modulus) {
+  const std::string pressed = tests::with(text(3), tumbling, "") + R"toml([[boundary]]
+name = "water"
+kind = "pressure"
+geometry = { shape = "box", lower = [-1, -1, -1], upper = [2, 2, 2] }
+pressure = "0.1*min(t/2, 1)"
+)toml";
+  const Case settings =
+      tests::read_text(pressed, {"time.end=4", "finite_elements.damping=5", "checks.energy=off"});
+  ElementSolver<3> solver(settings, {1, kernels::widest_supported()});
+  solver.advance(4);
+  const double bulk_modulus = 100 / (3 * (1 - 2 * 0.3));
+  EXPECT_NEAR(1 - solver.integrals().volume, 0.1 / bulk_modulus, 0.01 * 0.1 / bulk_modulus);
+  // Load, kinetic and strain energy, and damping.
+  const EnergyBudget budget = *solver.energy_budget();
+  const BodyIntegrals end = solver.integrals();
+  EXPECT_NEAR(budget.load_work, end.strain_energy + end.kinetic_energy + budget.damping,
+              1e-3 * budget.load_work);
+}
+
+TEST_F(ElementRuns, need_a_mesh_and_no_cuts) {
+  EXPECT_EQ(tests::complaint("method = \"finite_elements\"\n" + tests::block_case,
+                             {"body.block.material.model=neo_hookean"}),
+            "block.toml:9: body \"block\" has no elements; method finite_elements takes shape = "
+            "\"mesh\" with a .msh or .vtk file of tetrahedra");
+  EXPECT_NE(tests::complaint(text(2) + "[[cut]]\nname = \"blade\"\nfrom = [0, 0, 0]\nto = [1, 0, "
+                                       "0]\npath = [0, 0, \"t\"]\nstart = 0\nend = 1\n")
+                .find("method \"finite_elements\" has no [[cut]]"),
+            std::string::npos);
+}
+
+// A case may hold the tables of several methods, to be run with either.
+TEST_F(ElementRuns, compare_with_points_one_setting_apart) {
+  const std::string both = "[point_based]\ndamping = 1\n[finite_elements]\ndamping = 1\n";
+  const std::string block = meshed_block(folder / "block.vtk");
+  write(unit_block<3>(2), folder / "block.vtk");
+  EXPECT_EQ(tests::complaint(block + both), "");
+  EXPECT_EQ(tests::complaint(block + both, {"method=point_based"}), "");
+  EXPECT_NE(tests::complaint(block + "[point_based]\ndamping = 1\n"), "");
+}
+
+}  // namespace
+}  // namespace pliant::test

@@ -1,0 +1,73 @@
+#include "engine/remeshed/contact/contact_search.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <string>
+
+#include "tests/engine/case/written_case.hpp"
+#include "tests/engine/remeshed/small_case.hpp"
+
+namespace pliant::test {
+namespace {
+
+constexpr double spacing = 0.1;
+
+/// Two blocks of the width 1, the upper one `gap` above the lower one's top at y = 1, at rest.
+Solver blocks_apart(double gap) {
+  const auto block = [](const std::string& name, double bottom) {
+    return "[[body]]\nname = \"" + name + "\"\ngeometry = { shape = \"box\", lower = [0, " +
+           std::to_string(bottom) + "], upper = [1, " + std::to_string(bottom + 1) +
+           "] }\nmaterial = { model = \"linear\", youngs_modulus = 100, poissons_ratio = 0.3, "
+           "density = 2 }\n";
+  };
+  const Case settings = tests::read_text(
+      "discretisation = { spacing = 0.1 }\ntime = { end = 1 }\n" + block("lower", 0) +
+      block("upper", 1 + gap) + "[[contact]]\nbodies = [\"lower\", \"upper\"]\n");
+  return Solver(settings, {1, kernels::Isa::sse2});
+}
+
+/// Calls f(foot, gap, area) for each contact point of a body.
+template <class F>
+void for_each_contact_point(const Body& body, F&& f) {
+  for (const auto& ghosts : body.population.ghosts) {
+    const auto& points = ghosts.contact_points;
+    for (std::size_t i = 0; i < points.ghost.size(); ++i) {
+      f(ghosts.foot[points.ghost[i]], points.gap[i], points.area[i]);
+    }
+  }
+}
+
+// Gaps are linear in the level sets, which are exact distances from plane surfaces. Areas are
+// shares of one surface: away from corners they add up to its length.
+TEST(contact_search, finds_the_gap_and_the_length_of_plane_surfaces_that_face_each_other) {
+  for (const double gap : {0.0002, 0.0008}) {
+    Solver solver = blocks_apart(gap);
+    solver.step(1e-7);
+    for (int b = 0; b < 2; ++b) {
+      double length = 0;
+      for_each_contact_point(solver.state().bodies[b],
+                             [&](const Point<2>& foot, double found, double area) {
+                               if (std::abs(foot[0] - 0.5) > 0.2) return;
+                               EXPECT_NEAR(foot[1], b == 0 ? 1 : 1 + gap, 1e-6);
+                               EXPECT_NEAR(found, gap, 1e-6);
+                               length += area;
+                             });
+      // Columns of ghosts between 0.3 and 0.7.
+      EXPECT_NEAR(length, 0.4, spacing / 100) << "body " << b;
+    }
+  }
+}
+
+TEST(contact_search, finds_nothing_where_bodies_are_more_than_a_hundredth_of_a_cell_apart) {
+  for (const double gap : {0.002, 0.3, 3.}) {
+    Solver solver = blocks_apart(gap);
+    solver.step(1e-7);
+    for (const Body& body : solver.state().bodies) {
+      for_each_contact_point(body, [&](const Point<2>&, double, double) { ADD_FAILURE() << gap; });
+    }
+  }
+}
+
+}  // namespace
+}  // namespace pliant::test
