@@ -1,7 +1,5 @@
 #pragma once
 
-#include <array>
-
 #include "engine/method/field.hpp"
 #include "engine/method/resources.hpp"
 
@@ -29,13 +27,16 @@ enum class Field {
 
 enum class IndexSpace { node, element, halo, constrained_node, block };
 
-inline constexpr auto index_spaces = std::to_array<IndexSpaceDeclaration<IndexSpace>>({
-    {IndexSpace::node, "node", "a corner of elements, with its share of their volume"},
-    {IndexSpace::element, "element", "a tetrahedron, in 2D a triangle, of the undeformed body"},
-    {IndexSpace::halo, "halo", "a node of another block at a corner of an element of the block"},
-    {IndexSpace::constrained_node, "constrained node", "a node whose velocity a wall sets"},
-    {IndexSpace::block, "block", "the nodes that one worker takes at a time"},
-});
+inline constexpr Table index_spaces(
+    &IndexSpaceDeclaration<IndexSpace>::space, IndexSpace::block,
+    {
+        {IndexSpace::node, "node", "a corner of elements, with its share of their volume"},
+        {IndexSpace::element, "element", "a tetrahedron, in 2D a triangle, of the undeformed body"},
+        {IndexSpace::halo, "halo",
+         "a node of another block at a corner of an element of the block"},
+        {IndexSpace::constrained_node, "constrained node", "a node whose velocity a wall sets"},
+        {IndexSpace::block, "block", "the nodes that one worker takes at a time"},
+    });
 
 /// Fields that phases always read or write together.
 enum class Group {
@@ -53,14 +54,14 @@ enum class Group {
 using Declaration = FieldDeclaration<Field, IndexSpace, Group>;
 
 // clang-format off
-inline constexpr auto field_list = [] {
+inline constexpr Table field_list = [] {
   using enum Rank;
   using enum Remeshed;
   using F = Field;
   using S = IndexSpace;
   using G = Group;
   constexpr bool saved = true, shown = true;
-  return std::to_array<Declaration>({
+  return Table(&Declaration::field, F::result, {
       {F::displacement, "d", "displacement", "m", vector, S::node, G::displacement, not_at_all, 1, saved, shown},
       {F::end_displacement, "", "end_displacement", "m", vector, S::node, G::displacement, not_at_all, 1, saved},
       {F::velocity, "u", "velocity", "m/s", vector, S::node, G::velocity, not_at_all, 1, saved, shown},
@@ -81,29 +82,21 @@ inline constexpr auto field_list = [] {
 }();
 // clang-format on
 
-constexpr const Declaration& declaration(Field field) {
-  return field_list[static_cast<int>(field)];
-}
-
 /// In the order of Group.
-inline constexpr auto group_list = std::to_array<GroupDeclaration<Group>>({
-    {Group::displacement, "d"},
-    {Group::velocity, "u"},
-    {Group::constants, "constants"},
-    {Group::loads, "loads"},
-    {Group::points, "points"},
-    {Group::own_sums, "own sums"},
-    {Group::halo_sums, "halo sums"},
-    {Group::pressures, "pressures"},
-    {Group::results, "results"},
-});
+inline constexpr Table group_list(&GroupDeclaration<Group>::group, Group::results,
+                                  {
+                                      {Group::displacement, "d"},
+                                      {Group::velocity, "u"},
+                                      {Group::constants, "constants"},
+                                      {Group::loads, "loads"},
+                                      {Group::points, "points"},
+                                      {Group::own_sums, "own sums"},
+                                      {Group::halo_sums, "halo sums"},
+                                      {Group::pressures, "pressures"},
+                                      {Group::results, "results"},
+                                  });
 
-inline constexpr ResourceNumbers<Group, group_list.size()> resource_numbers(group_list);
-
-static_assert(is_in_order(index_spaces, &IndexSpaceDeclaration<IndexSpace>::space,
-                          IndexSpace::block));
-static_assert(is_in_order(field_list, &Declaration::field, Field::result));
-static_assert(is_in_order(group_list, &GroupDeclaration<Group>::group, Group::results));
+inline constexpr ResourceNumbers resource_numbers(group_list);
 
 /// The resource of a group.
 inline Resources of(Group group) { return {resource_numbers({group})}; }

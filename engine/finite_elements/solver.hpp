@@ -1,50 +1,33 @@
 #pragma once
 
+#include "engine/finite_elements/measure.hpp"
 #include "engine/finite_elements/step.hpp"
+#include "engine/point_based/observe/field_views.hpp"
+#include "engine/point_based/observe/frame.hpp"
+#include "engine/point_based/parameters.hpp"
 #include "engine/undeformed/solver.hpp"
 
 namespace pliant::finite_elements {
 
 /// Advances a case by total Lagrangian explicit dynamics.
 template <class T, int D>
-class Solver final : public undeformed::Solver<T, D> {
+class Solver final : public undeformed::Solver<State<T, D>, Step<T, D>, Measurer<T, D>> {
  public:
   /// Throws InputError for bodies whose mesh cannot be read.
   Solver(const Case& settings, const SolverOptions& options);
 
-  /// What is left of a step that an output time divides, else (FE.6).
-  double time_step() const override;
   std::size_t bytes() const override;
 
-  BodyIntegrals integrals() override;
-  /// Of the leapfrog, whose velocities belong to the time of the displacements.
-  std::optional<EnergyBudget> energy_budget() const override;
-  Frame frame(const FrameParts& parts) override;
-
-  std::vector<SlotRun> particle_runs(int body) const override;
-  std::vector<std::array<double, 3>> positions(int body) const override;
-
-  State<T, D>& state() { return state_; }
-  const State<T, D>& state() const { return state_; }
-
  private:
-  using Base = undeformed::Solver<T, D>;
+  using Base = undeformed::Solver<State<T, D>, Step<T, D>, Measurer<T, D>>;
 
-  State<T, D>& shared() override { return state_; }
-  const State<T, D>& shared() const override { return state_; }
-  int body_count() const override { return static_cast<int>(state_.bodies.size()); }
-  point_based::Body<T, D>& body(int number) override { return state_.bodies.at(number); }
-  const point_based::Body<T, D>& body(int number) const override {
-    return state_.bodies.at(number);
-  }
-  void begin_step() override;
-  std::vector<double> measure_each(std::span<const MeasurementCase> measurements) override;
-  void save_state(ArchiveWriter& archive) const override;
-  void restore_state(const ArchiveReader& archive) override;
-  void check(const point_based::StepResult& result) const;
+  /// (FE.6)
+  double automatic_step() const override;
+  Measurer<T, D> measurer() const override { return Measurer<T, D>(this->state()); }
+  bool velocities_lag() const override { return !point_based::is_leapfrog(this->settings()); }
+  bool knows_energy() const override { return point_based::knows_losses(this->settings()); }
+  StepFailure failure(const undeformed::StepResult& result) const override;
 
-  State<T, D> state_;
-  Step<T, D> step_;
   double highest_frequency_ = 0;  ///< of all bodies [1/s]
 };
 

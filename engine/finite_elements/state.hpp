@@ -32,6 +32,11 @@ struct Elements {
 
   bool averages() const { return pressure.bytes() > 0; }
 
+  /// Of its arrays [B].
+  std::size_t bytes() const {
+    return corner.bytes() + shape.bytes() + pressure.bytes() + slots.size() * sizeof(slots[0]);
+  }
+
   /// Component j of the gradient of corner a = 1 .. D [1/m].
   double gradient(std::int64_t element, int a, int j) const {
     return value(element, (a - 1) * D + j);

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "engine/method/phase_rows.hpp"
+#include "engine/point_based/parameters.hpp"
 
 // A step of total Lagrangian explicit dynamics (Miller et al. 2007). Everything happens in the
 // elements of the undeformed body.
@@ -25,8 +26,9 @@ using enum Group;
 template <class T, int D>
 Step<T, D>::Step(State<T, D>& state, const Case& settings, kernels::Isa isa)
     : state_(state),
+      settings_(settings),
       kernels_(kernels::FiniteElementsTable<T, D>::of(isa)),
-      nodes_(state, no_cuts_, settings, kernels::PointBasedTable<T, D>::of(isa)) {}
+      nodes_(state, settings, kernels::PointBasedTable<T, D>::of(isa)) {}
 
 template <class T, int D>
 std::vector<Phase> Step<T, D>::phases() {
@@ -37,7 +39,7 @@ std::vector<Phase> Step<T, D>::phases() {
                   [](const Elements<T, D>& elements) { return elements.averages(); });
   std::vector<Phase> phases;
   PhaseRows rows(phases);
-  if (nodes_.is_leapfrog()) {
+  if (point_based::is_leapfrog(settings_)) {
     rows.each("drift", own(of(velocity) + of(displacement)), own(of(displacement)),
               [this](int block) { nodes_.drift(block); });
   }
@@ -64,14 +66,14 @@ std::vector<Phase> Step<T, D>::phases() {
 }
 
 template <class T, int D>
-void Step<T, D>::prepare(const point_based::Advance& advance) {
+void Step<T, D>::prepare(const undeformed::Advance& advance) {
   examine_ = advance.examine;
   nodes_.prepare(advance);
 }
 
 template <class T, int D>
-point_based::StepResult Step<T, D>::fold() {
-  point_based::StepResult result;
+undeformed::StepResult Step<T, D>::fold() {
+  undeformed::StepResult result;
   for (std::size_t b = 0; b < results_.size() && result.non_finite < 0; ++b) {
     result = {results_[b].non_finite, static_cast<int>(b)};
   }

@@ -22,11 +22,11 @@ class Step {
   static std::vector<std::string> resources() { return resource_numbers.names(); }
 
   /// Sets how the next step advances, and the loads at the time of its kick.
-  void prepare(const point_based::Advance& advance);
+  void prepare(const undeformed::Advance& advance);
 
   /// Lets contact walls push the nodes; folds the results of all blocks, in their order, impulses
   /// and work into the state.
-  point_based::StepResult fold();
+  undeformed::StepResult fold();
 
  private:
   kernels::ElementBlock<T, D> elements_of(int block);
@@ -34,8 +34,8 @@ class Step {
   void evaluate_forces(int block);
 
   State<T, D>& state_;
+  const Case& settings_;
   const kernels::FiniteElementsTable<T, D>& kernels_;
-  typename point_based::Step<T, D>::Cuts no_cuts_;
   point_based::Step<T, D> nodes_;
   bool examine_ = false;
   std::vector<kernels::PointForcesResult> results_;  ///< [block]

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <string_view>
 
@@ -14,7 +15,6 @@ enum class Rank {
   symmetric_tensor,  ///< D (D + 1)/2
   material,          ///< S, a symmetric tensor, or F, D x D
   prony,             ///< one for each term of the material's Prony series
-  corner_modes,      ///< a vector for each mode of the corners of a cell
   fit_terms,         ///< coefficients of the three fits of a ghost
   record,            ///< values of a surface record
   list               ///< as many as the item has
@@ -46,13 +46,26 @@ struct FieldDeclaration {
   std::string_view shares_storage = "";  ///< what else lies in its memory at other times
 };
 
-/// Whether a list has one row for each of its enumerators, in their order.
-template <class List, class Row, class Name>
-constexpr bool is_in_order(const List& list, Name Row::*name, Name last) {
-  for (std::size_t i = 0; i < list.size(); ++i) {
-    if (list[i].*name != static_cast<Name>(i)) return false;
+/// A list with one row for each enumerator of Name, in their order.
+template <class Name, class Row, std::size_t rows>
+class Table {
+ public:
+  /// `name` is the member that says which enumerator a row is of; `last` is the last of them. Does
+  /// not compile where rows are missing, too many, or in another order.
+  consteval Table(Name Row::*name, Name last, const Row (&list)[rows])
+      : list_(std::to_array(list)) {
+    if (rows != static_cast<std::size_t>(last) + 1) throw "one row for each enumerator";
+    for (std::size_t i = 0; i < rows; ++i) {
+      if (list[i].*name != static_cast<Name>(i)) throw "rows in the order of the enumerators";
+    }
   }
-  return list.size() == static_cast<std::size_t>(last) + 1;
-}
+
+  constexpr const Row& operator[](Name name) const { return list_[static_cast<std::size_t>(name)]; }
+  constexpr const Row* begin() const { return list_.data(); }
+  constexpr const Row* end() const { return list_.data() + rows; }
+
+ private:
+  std::array<Row, rows> list_;
+};
 
 }  // namespace pliant

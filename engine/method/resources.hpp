@@ -7,6 +7,7 @@
 #include <string_view>
 #include <vector>
 
+#include "engine/method/field.hpp"
 #include "scheduler/phase.hpp"
 
 /// Resources: what the scheduler knows of a method's fields, numbered by the list of their groups.
@@ -39,24 +40,25 @@ template <class Group, std::size_t n>
 class ResourceNumbers {
  public:
   /// Keeps a reference to the list.
-  constexpr explicit ResourceNumbers(const std::array<GroupDeclaration<Group>, n>& groups)
+  constexpr explicit ResourceNumbers(const Table<Group, GroupDeclaration<Group>, n>& groups)
       : groups_(groups) {
     for (std::size_t g = 0; g < n; ++g) {
-      first_[g + 1] = first_[g] + copies(groups[g]) * parts(groups[g]);
+      const auto& group = groups[static_cast<Group>(g)];
+      first_[g + 1] = first_[g] + copies(group) * parts(group);
     }
   }
 
   constexpr scheduler::FieldId operator()(const Resource<Group>& resource) const {
-    const auto g = static_cast<std::size_t>(resource.group);
-    const int part = groups_[g].has_parts ? static_cast<int>(resource.part) : 0;
-    return first_[g] + resource.copy * parts(groups_[g]) + part;
+    const auto& group = groups_[resource.group];
+    const int part = group.has_parts ? static_cast<int>(resource.part) : 0;
+    return first_[static_cast<std::size_t>(resource.group)] + resource.copy * parts(group) + part;
   }
 
   constexpr Resource<Group> operator[](scheduler::FieldId id) const {
     const auto above = std::upper_bound(first_.begin(), first_.end(), id);
-    const auto g = static_cast<std::size_t>(above - first_.begin() - 1);
-    const int of_group = id - first_[g], of_copy = parts(groups_[g]);
-    return {groups_[g].group, of_group / of_copy, static_cast<Part>(of_group % of_copy)};
+    const auto group = static_cast<Group>(above - first_.begin() - 1);
+    const int of_group = id - *(above - 1), of_copy = parts(groups_[group]);
+    return {group, of_group / of_copy, static_cast<Part>(of_group % of_copy)};
   }
 
   constexpr int count() const { return first_[n]; }
@@ -79,7 +81,7 @@ class ResourceNumbers {
   }
 
   std::string name(const Resource<Group>& resource) const {
-    const auto& group = groups_[static_cast<std::size_t>(resource.group)];
+    const auto& group = groups_[resource.group];
     std::string name(group.name);
     if (resource.part == Part::ghosts) name += " of ghosts";
     if (resource.part == Part::images) name += " of images";
@@ -87,7 +89,7 @@ class ResourceNumbers {
     return copy == nullptr ? name : name + ", " + copy;
   }
 
-  const std::array<GroupDeclaration<Group>, n>& groups_;
+  const Table<Group, GroupDeclaration<Group>, n>& groups_;
   std::array<scheduler::FieldId, n + 1> first_ = {};
 };
 

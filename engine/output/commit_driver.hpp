@@ -8,7 +8,7 @@ namespace pliant::hdf5 {
 /// a later one.
 ///
 /// Each `flush` is a commit. A process that dies before, within or after one leaves a file that any
-/// HDF5 reader opens and that has all that was committed before; see commit_driver.cpp. Readers may
+/// HDF5 reader opens and that has all that was committed before; see commit_file.cpp. Readers may
 /// open the file at any time, since it is not locked. Throws Failure, as all here do.
 Handle create_committed(const std::filesystem::path& path, H5F_libver_t oldest);
 

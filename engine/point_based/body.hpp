@@ -95,7 +95,7 @@ struct Body : undeformed::Body<T, D> {
   bool has_cuts() const { return kept_gradient[0].bytes() > 0; }
   bool is_viscous() const { return strain[0].bytes() > 0; }
 
-  /// Calls f(field, buffers) for every array of slots.
+  /// Calls f(declaration, buffers) for every array of slots.
   template <class F>
   void for_each_array(F&& f) {
     visit_arrays(*this, f);
@@ -109,7 +109,7 @@ struct Body : undeformed::Body<T, D> {
   std::size_t bytes() const {
     std::size_t sum = neighbour.bytes() + bond.bytes() + point.bytes() + force.bytes() +
                       halo.size() * sizeof(halo[0]);
-    for_each_array([&sum](Field, auto components) {
+    for_each_array([&sum](const Declaration&, auto components) {
       for (const Buffer<T>& component : components) sum += component.bytes();
     });
     return sum;
@@ -176,18 +176,18 @@ struct Body : undeformed::Body<T, D> {
   template <class Self, class F>
   static void visit_arrays(Self& body, F&& f) {
     using std::span;
-    f(Field::displacement, span(body.displacement));
-    f(Field::end_displacement, span(body.end_displacement));
-    f(Field::velocity, span(body.velocity));
-    if (body.is_viscous()) f(Field::strain, span(body.strain));
-    f(Field::mass, span(&body.mass, 1));
-    f(Field::inverse_mass, span(&body.inverse_mass, 1));
-    f(Field::volume, span(&body.volume, 1));
-    f(Field::stiffness, span(&body.stiffness, 1));
-    f(Field::moment, span(body.moment));
-    if (body.has_cuts()) f(Field::kept_gradient, span(body.kept_gradient));
-    if (body.is_pressed()) f(Field::pressure_load, span(body.pressure_load));
-    if (body.is_loaded()) f(Field::traction, span(body.traction));
+    f(field_list[Field::displacement], span(body.displacement));
+    f(field_list[Field::end_displacement], span(body.end_displacement));
+    f(field_list[Field::velocity], span(body.velocity));
+    if (body.is_viscous()) f(field_list[Field::strain], span(body.strain));
+    f(field_list[Field::mass], span(&body.mass, 1));
+    f(field_list[Field::inverse_mass], span(&body.inverse_mass, 1));
+    f(field_list[Field::volume], span(&body.volume, 1));
+    f(field_list[Field::stiffness], span(&body.stiffness, 1));
+    f(field_list[Field::moment], span(body.moment));
+    if (body.has_cuts()) f(field_list[Field::kept_gradient], span(body.kept_gradient));
+    if (body.is_pressed()) f(field_list[Field::pressure_load], span(body.pressure_load));
+    if (body.is_loaded()) f(field_list[Field::traction], span(body.traction));
   }
 };
 

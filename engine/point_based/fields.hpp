@@ -1,7 +1,5 @@
 #pragma once
 
-#include <array>
-
 #include "engine/method/field.hpp"
 #include "engine/method/resources.hpp"
 
@@ -34,13 +32,16 @@ enum class Field {
 
 enum class IndexSpace { node, bond, halo, constrained_node, block };
 
-inline constexpr auto index_spaces = std::to_array<IndexSpaceDeclaration<IndexSpace>>({
-    {IndexSpace::node, "node", "a point of the undeformed body with a share of its volume"},
-    {IndexSpace::bond, "bond", "a node and one of its neighbours"},
-    {IndexSpace::halo, "halo", "a node of another block that a node of the block has as neighbour"},
-    {IndexSpace::constrained_node, "constrained node", "a node whose velocity a wall sets"},
-    {IndexSpace::block, "block", "the nodes that one worker takes at a time"},
-});
+inline constexpr Table index_spaces(
+    &IndexSpaceDeclaration<IndexSpace>::space, IndexSpace::block,
+    {
+        {IndexSpace::node, "node", "a point of the undeformed body with a share of its volume"},
+        {IndexSpace::bond, "bond", "a node and one of its neighbours"},
+        {IndexSpace::halo, "halo",
+         "a node of another block that a node of the block has as neighbour"},
+        {IndexSpace::constrained_node, "constrained node", "a node whose velocity a wall sets"},
+        {IndexSpace::block, "block", "the nodes that one worker takes at a time"},
+    });
 
 /// Fields that phases always read or write together.
 enum class Group {
@@ -58,14 +59,14 @@ enum class Group {
 using Declaration = FieldDeclaration<Field, IndexSpace, Group>;
 
 // clang-format off
-inline constexpr auto field_list = [] {
+inline constexpr Table field_list = [] {
   using enum Rank;
   using enum Remeshed;
   using F = Field;
   using S = IndexSpace;
   using G = Group;
   constexpr bool saved = true, shown = true;
-  return std::to_array<Declaration>({
+  return Table(&Declaration::field, F::result, {
       {F::displacement, "d", "displacement", "m", vector, S::node, G::displacement, not_at_all, 1, saved, shown},
       {F::end_displacement, "", "end_displacement", "m", vector, S::node, G::displacement, not_at_all, 1, saved},
       {F::velocity, "u", "velocity", "m/s", vector, S::node, G::velocity, not_at_all, 1, saved, shown},
@@ -91,29 +92,21 @@ inline constexpr auto field_list = [] {
 }();
 // clang-format on
 
-constexpr const Declaration& declaration(Field field) {
-  return field_list[static_cast<int>(field)];
-}
-
 /// In the order of Group.
-inline constexpr auto group_list = std::to_array<GroupDeclaration<Group>>({
-    {Group::displacement, "d"},
-    {Group::velocity, "u"},
-    {Group::strain, "E"},
-    {Group::constants, "constants"},
-    {Group::loads, "loads"},
-    {Group::points, "points"},
-    {Group::own_forces, "own forces"},
-    {Group::halo_forces, "halo forces"},
-    {Group::results, "results"},
-});
+inline constexpr Table group_list(&GroupDeclaration<Group>::group, Group::results,
+                                  {
+                                      {Group::displacement, "d"},
+                                      {Group::velocity, "u"},
+                                      {Group::strain, "E"},
+                                      {Group::constants, "constants"},
+                                      {Group::loads, "loads"},
+                                      {Group::points, "points"},
+                                      {Group::own_forces, "own forces"},
+                                      {Group::halo_forces, "halo forces"},
+                                      {Group::results, "results"},
+                                  });
 
-inline constexpr ResourceNumbers<Group, group_list.size()> resource_numbers(group_list);
-
-static_assert(is_in_order(index_spaces, &IndexSpaceDeclaration<IndexSpace>::space,
-                          IndexSpace::block));
-static_assert(is_in_order(field_list, &Declaration::field, Field::result));
-static_assert(is_in_order(group_list, &GroupDeclaration<Group>::group, Group::results));
+inline constexpr ResourceNumbers resource_numbers(group_list);
 
 /// The resource of a group.
 inline Resources of(Group group) { return {resource_numbers({group})}; }

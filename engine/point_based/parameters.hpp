@@ -33,6 +33,17 @@ inline const Parameters& parameters_of(const Case& settings) {
   return settings.parameters.as<Parameters>();
 }
 
+/// Whether forces act in the middle of a step, so that velocities belong to its end.
+inline bool is_leapfrog(const Case& settings) {
+  return parameters_of(settings).integrator == Integrator::leapfrog;
+}
+
+/// Whether a case knows the work of all forces and all losses: with the leapfrog, whose velocities
+/// belong to the time of the displacements, and without stiffness-proportional damping.
+inline bool knows_losses(const Case& settings) {
+  return is_leapfrog(settings) && parameters_of(settings).stiffness_damping == 0;
+}
+
 /// Neighbours of each node of a case: 26 in 3D and 12 in 2D where it gives none.
 int neighbour_count(const Case& settings);
 

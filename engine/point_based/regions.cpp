@@ -15,8 +15,8 @@ std::vector<Region> regions(State<T, D>& state, scheduler::FieldId resource, int
   Body<T, D>& body = state.bodies[owner];
   const Group group = resource_numbers[resource].group;
   const NodeBlock& range = body.blocks[local];
-  body.for_each_array([&](Field field, auto components) {
-    if (declaration(field).group != group) return;
+  body.for_each_array([&](const Declaration& field, auto components) {
+    if (field.group != group) return;
     for (Buffer<T>& component : components) add(component.get() + range.first, range.count);
   });
   constexpr int stride = kernels::point_stride;

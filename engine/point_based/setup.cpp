@@ -106,7 +106,7 @@ void make_room(const Case& settings, const Boundaries<D>& boundaries, PressureFo
       body.kept_gradient[c].grow(body.slots, c % (D + 1) == 0 ? T(1) : T(0));
     }
   }
-  body.for_each_array([&](Field, auto components) {
+  body.for_each_array([&](const Declaration&, auto components) {
     for (Buffer<T>& component : components) component.grow(body.slots, T(0));
   });
 }
@@ -225,6 +225,17 @@ BondChoice<D> make_body(const Case& settings, const BodyCase& source, const Plac
   return choice;
 }
 
+template <class T, int D>
+scheduler::Blocks number_blocks(State<T, D>& state) {
+  std::vector<scheduler::Blocks> blocks;
+  blocks.reserve(state.bodies.size());
+  for (const Body<T, D>& body : state.bodies) {
+    pliant::number_blocks(static_cast<int>(blocks.size()), body.adjacency.count(), state.blocks);
+    blocks.push_back(body.adjacency);
+  }
+  return join_blocks(blocks);
+}
+
 template kernels::PointMaterial<double> point_material<double>(const BodyCase&);
 template kernels::PointMaterial<float> point_material<float>(const BodyCase&);
 template PlacedNodes<2> place_nodes<2>(const Case&, const BodyCase&);
@@ -245,5 +256,9 @@ template void make_nodes(const Case&, const BodyCase&, const PlacedNodes<3>&, co
                          PressureForces, Body<float, 3>&);
 template BondChoice<3> make_body<float, 3>(const Case&, const BodyCase&, const PlacedNodes<3>&,
                                            const Boundaries<3>&, Body<float, 3>&);
+template scheduler::Blocks number_blocks(State<double, 2>&);
+template scheduler::Blocks number_blocks(State<double, 3>&);
+template scheduler::Blocks number_blocks(State<float, 2>&);
+template scheduler::Blocks number_blocks(State<float, 3>&);
 
 }  // namespace pliant::point_based

@@ -41,4 +41,8 @@ template <class T, int D>
 BondChoice<D> make_body(const Case& settings, const BodyCase& source, const PlacedNodes<D>& nodes,
                         const Boundaries<D>& boundaries, Body<T, D>& body);
 
+/// Numbers the blocks of all bodies, and returns which are near each other.
+template <class T, int D>
+scheduler::Blocks number_blocks(State<T, D>& state);
+
 }  // namespace pliant::point_based

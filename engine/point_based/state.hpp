@@ -1,8 +1,12 @@
 #pragma once
 
+#include <cstddef>
+#include <memory>
+#include <span>
 #include <vector>
 
 #include "engine/point_based/body.hpp"
+#include "engine/point_based/body_cuts.hpp"
 #include "engine/undeformed/state.hpp"
 
 namespace pliant::point_based {
@@ -14,6 +18,14 @@ struct State : undeformed::State<D> {
   using undeformed::State<D>::State;
 
   std::vector<Body<T, D>> bodies;
+  /// Of the first bodies, null where one has none; the bodies after them have none.
+  std::vector<std::unique_ptr<BodyCuts<T, D>>> cuts;
+
+  /// What blades have cut of a body so far.
+  std::span<const CutSurface<D>> cut_surfaces(std::size_t body) const {
+    if (body >= cuts.size() || !cuts[body]) return {};
+    return cuts[body]->surfaces();
+  }
 };
 
 }  // namespace pliant::point_based

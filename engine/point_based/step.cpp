@@ -25,10 +25,9 @@ using scheduler::Phase;
 using enum Group;
 
 template <class T, int D>
-Step<T, D>::Step(State<T, D>& state, Cuts& cuts, const Case& settings,
+Step<T, D>::Step(State<T, D>& state, const Case& settings,
                  const kernels::PointBasedTable<T, D>& kernels)
     : state_(state),
-      cuts_(cuts),
       settings_(settings),
       kernels_(kernels),
       loads_(state, settings),
@@ -36,13 +35,8 @@ Step<T, D>::Step(State<T, D>& state, Cuts& cuts, const Case& settings,
       contact_(state, settings) {}
 
 template <class T, int D>
-bool Step<T, D>::is_leapfrog() const {
-  return parameters_of(settings_).integrator == Integrator::leapfrog;
-}
-
-template <class T, int D>
 double Step<T, D>::drift_length() const {
-  return is_leapfrog() ? advance_.length / 2 : advance_.length;
+  return is_leapfrog(settings_) ? advance_.length / 2 : advance_.length;
 }
 
 template <class T, int D>
@@ -63,11 +57,12 @@ std::vector<Phase> Step<T, D>::phases() {
   };
   std::vector<Phase> phases;
   PhaseRows rows(phases);
-  if (std::any_of(cuts_.begin(), cuts_.end(), [](const auto& of_body) { return !!of_body; })) {
+  const auto& cuts = state_.cuts;
+  if (std::any_of(cuts.begin(), cuts.end(), [](const auto& of_body) { return !!of_body; })) {
     rows.each("cuts", near(of(displacement)) + own(of(constants)), own(of(constants) + of(results)),
               run(&Step::cut));
   }
-  if (is_leapfrog()) {
+  if (is_leapfrog(settings_)) {
     rows.each("drift", own(of(velocity) + of(displacement)), own(of(displacement)),
               run(&Step::drift));
   }
@@ -88,11 +83,11 @@ std::vector<Phase> Step<T, D>::phases() {
 template <class T, int D>
 void Step<T, D>::prepare(const Advance& advance) {
   advance_ = advance;
-  for (const auto& of_body : cuts_) {
+  for (const auto& of_body : state_.cuts) {
     if (of_body) of_body->move(advance.time);
   }
   const double middle = advance.time + advance.length / 2;
-  loads_.prepare(is_leapfrog() ? middle : advance.time);
+  loads_.prepare(is_leapfrog(settings_) ? middle : advance.time);
   work_.prepare(middle, advance.length, drift_length());
 }
 
@@ -126,7 +121,7 @@ StepResult Step<T, D>::fold() {
     result = {results_[b].non_finite, static_cast<int>(b)};
   }
   for (const double of_block : inertia_) inertia += of_block;
-  for (const auto& of_body : cuts_) {
+  for (const auto& of_body : state_.cuts) {
     if (of_body) state_.energy.cut_work += of_body->fold();
   }
   work_.fold(inertia);
@@ -137,7 +132,8 @@ StepResult Step<T, D>::fold() {
 template <class T, int D>
 void Step<T, D>::cut(int block) {
   const BlockOwner& owner = state_.blocks[block];
-  if (cuts_[owner.body]) cuts_[owner.body]->update(owner.block, state_.bodies[owner.body]);
+  const auto& cuts = state_.cuts[owner.body];
+  if (cuts) cuts->update(owner.block, state_.bodies[owner.body]);
 }
 
 template <class T, int D>

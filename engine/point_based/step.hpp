@@ -1,12 +1,11 @@
 #pragma once
 
-#include <memory>
 #include <string>
 #include <vector>
 
-#include "engine/point_based/body_cuts.hpp"
 #include "engine/point_based/node_loads.hpp"
 #include "engine/point_based/state.hpp"
+#include "engine/undeformed/advance.hpp"
 #include "engine/undeformed/boundary_work.hpp"
 #include "engine/undeformed/wall_contact.hpp"
 #include "kernels/point_based/table.hpp"
@@ -14,28 +13,14 @@
 
 namespace pliant::point_based {
 
-/// How a step advances.
-struct Advance {
-  double time;    ///< at its start [s]
-  double length;  ///< [s]
-  bool examine;   ///< whether to look for states that are not possible
-};
-
-/// What a step finds about the state that it leaves behind.
-struct StepResult {
-  std::int64_t non_finite = -1;  ///< a slot, or -1
-  int failed_block = -1;         ///< that the slot belongs to
-};
+using undeformed::Advance;
+using undeformed::StepResult;
 
 /// The phases of one time step: the method in the order of its equations.
 template <class T, int D>
 class Step {
  public:
-  /// The cuts of each body, null where it has none.
-  using Cuts = std::vector<std::unique_ptr<BodyCuts<T, D>>>;
-
-  Step(State<T, D>& state, Cuts& cuts, const Case& settings,
-       const kernels::PointBasedTable<T, D>& kernels);
+  Step(State<T, D>& state, const Case& settings, const kernels::PointBasedTable<T, D>& kernels);
 
   std::vector<scheduler::Phase> phases();
 
@@ -57,7 +42,6 @@ class Step {
   void load(int block) { loads_.load(block); }
   void move(int block);
 
-  bool is_leapfrog() const;
   bool loads_act() const { return loads_.act_on_blocks(); }
 
  private:
@@ -79,7 +63,6 @@ class Step {
   double drift_length() const;
 
   State<T, D>& state_;
-  Cuts& cuts_;
   const Case& settings_;
   const kernels::PointBasedTable<T, D>& kernels_;
   Advance advance_ = {};

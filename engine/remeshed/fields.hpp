@@ -1,6 +1,5 @@
 #pragma once
 
-#include <array>
 #include <span>
 
 #include "engine/method/field.hpp"
@@ -107,9 +106,9 @@ enum class IndexSpace {
 };
 
 // clang-format off
-inline constexpr auto index_spaces = [] {
+inline constexpr Table index_spaces = [] {
   using S = IndexSpace;
-  return std::to_array<IndexSpaceDeclaration<IndexSpace>>({
+  return Table(&IndexSpaceDeclaration<IndexSpace>::space, S::new_slot, {
       {S::slot, "slot", "a place in storage, which belongs to a lattice cell; vacant, or with a particle, ghost or image"},
       {S::pack, "pack", "as many neighbouring slots as fill a cache line"},
       {S::image, "image", "a slot beyond a period, with the slot that it repeats"},
@@ -173,14 +172,14 @@ enum class Group {
 using Declaration = FieldDeclaration<Field, IndexSpace, Group>;
 
 // clang-format off
-inline constexpr auto field_list = [] {
+inline constexpr Table field_list = [] {
   using enum Rank;
   using enum Remeshed;
   using F = Field;
   using S = IndexSpace;
   using G = Group;
   constexpr bool saved = true, shown = true, hidden = false, made_again = false;
-  return std::to_array<Declaration>({
+  return Table(&Declaration::field, F::record_number, {
       {F::drift, "xi", "drift", "m", vector, S::slot, G::drift, not_at_all, 3, saved},
       {F::velocity, "u", "velocity", "m/s", vector, S::slot, G::velocity, as_mass_mean, 3, saved, shown},
       {F::volume, "v", "volume", "m^D", scalar, S::slot, G::material, as_density_times_volume, 3, saved},
@@ -271,20 +270,12 @@ inline constexpr auto field_list = [] {
 }();
 // clang-format on
 
-constexpr const Declaration& declaration(Field field) {
-  return field_list[static_cast<int>(field)];
-}
-
 /// The fields of the state, which a FieldStore holds.
 inline constexpr int state_field_count = static_cast<int>(Field::memory_pressure) + 1;
-inline constexpr std::span<const Declaration> state_fields(field_list.data(), state_field_count);
+inline constexpr std::span<const Declaration> state_fields(field_list.begin(), state_field_count);
 
 /// Whether the Runge-Kutta method advances a field of the state: there is a copy for each of its
 /// three stage states, (RP.21).
 constexpr bool is_evolving(const Declaration& field) { return field.copies == 3; }
-
-static_assert(is_in_order(index_spaces, &IndexSpaceDeclaration<IndexSpace>::space,
-                          IndexSpace::new_slot));
-static_assert(is_in_order(field_list, &Declaration::field, Field::record_number));
 
 }  // namespace pliant::remeshed

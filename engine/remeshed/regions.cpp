@@ -72,7 +72,7 @@ class RegionSearch {
 
  private:
   bool is_wanted(Field field, int copy = 0, Part part = Part::particles) const {
-    return resource_numbers(stored({declaration(field).group, copy, part})) == resource_;
+    return resource_numbers(stored({field_list[field].group, copy, part})) == resource_;
   }
 
   template <class V>
@@ -110,7 +110,7 @@ class RegionSearch {
 
   void add_slots(Field field, int copy, std::span<Buffer<T>> components) {
     const Layout<D>& layout = body_.population.layout;
-    const bool has_parts = group_list[static_cast<std::size_t>(declaration(field).group)].has_parts;
+    const bool has_parts = group_list[field_list[field].group].has_parts;
     if (!is_wanted(field, copy, has_parts ? wanted_.part : Part::particles)) return;
     const auto part = [&](std::int64_t slot, const Cell<D>&) {
       return has_parts ? part_of(body_.population.kind[slot]) : Part::particles;
@@ -124,7 +124,7 @@ class RegionSearch {
 
   template <class V>
   void add_new(std::span<Buffer<V>> components) {
-    const bool has_parts = group_list[static_cast<std::size_t>(wanted_.group)].has_parts;
+    const bool has_parts = group_list[wanted_.group].has_parts;
     const auto part = [&](std::int64_t, const Cell<D>& cell) {
       return has_parts && !body_.lattice.is_wrapped(cell) ? Part::images : Part::particles;
     };

@@ -9,55 +9,54 @@ namespace pliant::remeshed {
 
 /// In the order of Group. Fields on the new lattice of a remeshing have groups of their own, since
 /// its blocks are others.
-inline constexpr auto group_list = [] {
+inline constexpr Table group_list = [] {
   using G = Group;
-  return std::to_array<GroupDeclaration<Group>>({
-      {G::drift, "xi", true, {"Q0", "Q2|Q4", "Q3"}},
-      {G::velocity, "u", true, {"Q0", "Q2|Q4", "Q3"}},
-      {G::material, "v, S|F", true, {"Q0", "Q2|Q4", "Q3"}},
-      {G::constants, "m, phi, d", true, {"Q0", "Q2: sigma of odd stages"}},
-      {G::memory, "p_i, J - 1", true, {"Q0", "Q2"}},
-      {G::stress, "sigma of even stages", true},
-      {G::interior, "interior slots"},
-      {G::kinds, "kinds"},
-      {G::image_sources, "image sources"},
-      {G::pair_stress, "pair stress"},
-      {G::fits, "ghost fits"},
-      {G::contact, "active ghosts"},
-      {G::corrections, "ghost corrections"},
-      {G::records, "surface records"},
-      {G::surface_samples, "surface samples"},
-      {G::surface_cells, "surface cells"},
-      {G::contact_points, "contact points"},
-      {G::tractions, "tractions"},
-      {G::contact_impulse, "contact impulse"},
-      {G::momentum, "momentum"},
-      {G::momentum_budgets, "momentum budgets"},
-      {G::closest_pairs, "closest pairs"},
-      {G::search_decisions, "search decisions"},
-      {G::sites, "sites"},
-      {G::cells, "cells"},
-      {G::neighbour_lists, "neighbour lists"},
-      {G::results, "results"},
-      {G::wall_impulse, "wall impulse"},
-      {G::bounds, "bounds"},
-      {G::new_state, "new state", true},
-      {G::new_kinds, "new kinds", true},
-      {G::particle_counts, "particle counts"},
-      {G::marks, "valid and inside marks", true},
-      {G::filtered, "filtered state"},
-      {G::extended, "extended phi"},
-      {G::closest, "closest points", false, {"even layers", "odd layers"}},
-      {G::new_fits, "new ghost fits"},
-      {G::used, "used particles"},
-      {G::surface_packs, "new surface packs"},
-      {G::record_numbers, "record numbers"},
-  });
+  return Table(&GroupDeclaration<Group>::group, G::record_numbers,
+               {
+                   {G::drift, "xi", true, {"Q0", "Q2|Q4", "Q3"}},
+                   {G::velocity, "u", true, {"Q0", "Q2|Q4", "Q3"}},
+                   {G::material, "v, S|F", true, {"Q0", "Q2|Q4", "Q3"}},
+                   {G::constants, "m, phi, d", true, {"Q0", "Q2: sigma of odd stages"}},
+                   {G::memory, "p_i, J - 1", true, {"Q0", "Q2"}},
+                   {G::stress, "sigma of even stages", true},
+                   {G::interior, "interior slots"},
+                   {G::kinds, "kinds"},
+                   {G::image_sources, "image sources"},
+                   {G::pair_stress, "pair stress"},
+                   {G::fits, "ghost fits"},
+                   {G::contact, "active ghosts"},
+                   {G::corrections, "ghost corrections"},
+                   {G::records, "surface records"},
+                   {G::surface_samples, "surface samples"},
+                   {G::surface_cells, "surface cells"},
+                   {G::contact_points, "contact points"},
+                   {G::tractions, "tractions"},
+                   {G::contact_impulse, "contact impulse"},
+                   {G::momentum, "momentum"},
+                   {G::momentum_budgets, "momentum budgets"},
+                   {G::closest_pairs, "closest pairs"},
+                   {G::search_decisions, "search decisions"},
+                   {G::sites, "sites"},
+                   {G::cells, "cells"},
+                   {G::neighbour_lists, "neighbour lists"},
+                   {G::results, "results"},
+                   {G::wall_impulse, "wall impulse"},
+                   {G::bounds, "bounds"},
+                   {G::new_state, "new state", true},
+                   {G::new_kinds, "new kinds", true},
+                   {G::particle_counts, "particle counts"},
+                   {G::marks, "valid and inside marks", true},
+                   {G::filtered, "filtered state"},
+                   {G::extended, "extended phi"},
+                   {G::closest, "closest points", false, {"even layers", "odd layers"}},
+                   {G::new_fits, "new ghost fits"},
+                   {G::used, "used particles"},
+                   {G::surface_packs, "new surface packs"},
+                   {G::record_numbers, "record numbers"},
+               });
 }();
 
-static_assert(is_in_order(group_list, &GroupDeclaration<Group>::group, Group::record_numbers));
-
-inline constexpr ResourceNumbers<Group, group_list.size()> resource_numbers(group_list);
+inline constexpr ResourceNumbers resource_numbers(group_list);
 
 /// The resource whose memory a field has: the odd stages keep sigma in constants of Q2, see
 /// odd_stress_storage.

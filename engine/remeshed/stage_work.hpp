@@ -5,6 +5,7 @@
 
 #include "engine/boundaries/boundary_values.hpp"
 #include "engine/remeshed/ghosts/ghost_fill.hpp"
+#include "engine/remeshed/ghosts/ghost_motion.hpp"
 #include "engine/remeshed/particle_update.hpp"
 #include "engine/remeshed/stage_results.hpp"
 #include "engine/remeshed/state.hpp"

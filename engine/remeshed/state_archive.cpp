@@ -40,7 +40,7 @@ void for_each_slot_array(B& body, F&& f) {
   for (const Declaration& field : state_fields) {
     visit(field, body.stage[0][field.field]);
   }
-  visit(declaration(Field::stress), body.stress);
+  visit(field_list[Field::stress], body.stress);
 }
 
 /// The number that values of a list consist of.
@@ -70,7 +70,7 @@ auto numbers_of(std::vector<V>& values) {
 }
 
 std::string list_name(const std::string& group, Field field) {
-  return fmt::format("{}/{}", group, declaration(field).name);
+  return fmt::format("{}/{}", group, field_list[field].name);
 }
 
 // A list of all blocks is one array; another says how long each block's is.
@@ -79,7 +79,7 @@ void put_ghosts(ArchiveWriter& archive, const std::string& group,
                 const Population<T, D>& population) {
   BlockGhosts<T, D>::for_each_list(
       [&]<class V>(Field field, std::vector<V> BlockGhosts<T, D>::*list) {
-        if (!declaration(field).is_saved) return;
+        if (!field_list[field].is_saved) return;
         const std::string name = list_name(group, field);
         std::vector<std::int64_t> lengths;
         std::vector<V> all;
@@ -112,7 +112,7 @@ void get_ghosts(const ArchiveReader& archive, const std::string& group,
                 Population<T, D>& population) {
   BlockGhosts<T, D>::for_each_list(
       [&]<class V>(Field field, std::vector<V> BlockGhosts<T, D>::*list) {
-        if (!declaration(field).is_saved) return;
+        if (!field_list[field].is_saved) return;
         const std::string name = list_name(group, field);
         const auto lengths = archive.get<std::int64_t>(name + "/lengths");
         std::vector<V> all(std::accumulate(lengths.begin(), lengths.end(), std::int64_t{0}));

@@ -104,7 +104,7 @@ Frame Solver<T, D>::frame(const FrameParts& parts) {
 
 template <class T, int D>
 std::vector<SlotRun> Solver<T, D>::particle_runs(int body) const {
-  return remeshed::particle_runs(state_.bodies.at(body));
+  return remeshed::slot_runs(state_.bodies.at(body));
 }
 
 template <class T, int D>
@@ -114,7 +114,7 @@ std::vector<FieldView> Solver<T, D>::fields(int body) const {
 
 template <class T, int D>
 std::vector<std::array<double, 3>> Solver<T, D>::positions(int body) const {
-  return remeshed::positions(state_.bodies.at(body));
+  return remeshed::present_positions(state_.bodies.at(body));
 }
 
 template <class T, int D>

@@ -95,7 +95,7 @@ struct Body : undeformed::Body<T, D> {
   std::vector<Point<D>> patch_force;    ///< [patch] [N]
   std::vector<NodalLoads> nodal_loads;  ///< [block]
 
-  /// Calls f(field, buffers) for every array of slots.
+  /// Calls f(declaration, buffers) for every array of slots.
   template <class F>
   void for_each_array(F&& f) {
     visit_arrays(*this, f);
@@ -103,6 +103,15 @@ struct Body : undeformed::Body<T, D> {
   template <class F>
   void for_each_array(F&& f) const {
     visit_arrays(*this, f);
+  }
+
+  /// Of its arrays of slots [B].
+  std::size_t bytes() const {
+    std::size_t sum = 0;
+    for_each_array([&sum](const Declaration&, auto components) {
+      for (const Buffer<T>& component : components) sum += component.bytes();
+    });
+    return sum;
   }
 
   std::array<const T*, D> displacement_view() const {
@@ -168,20 +177,21 @@ struct Body : undeformed::Body<T, D> {
   template <class Self, class F>
   static void visit_arrays(Self& body, F&& f) {
     using std::span;
-    f(Field::displacement, span(body.displacement));
-    f(Field::end_displacement, span(body.end_displacement));
-    f(Field::velocity, span(body.velocity));
-    f(Field::internal_force, span(body.internal));
-    f(Field::traction, span(body.traction));
-    f(Field::mass, span(&body.mass, 1));
-    f(Field::inverse_mass, span(&body.inverse_mass, 1));
-    f(Field::level_set, span(&body.level_set, 1));
-    f(Field::fraction, span(&body.fraction, 1));
-    f(Field::regular_fraction, span(&body.regular_fraction, 1));
-    f(Field::memory_pressure, span(body.memory_pressure));
-    f(Field::volume_change, span(&body.volume_change, body.prony.empty() ? 0 : 1));
-    f(Field::next_memory_pressure, span(body.next_memory_pressure));
-    f(Field::next_volume_change, span(&body.next_volume_change, body.prony.empty() ? 0 : 1));
+    f(field_list[Field::displacement], span(body.displacement));
+    f(field_list[Field::end_displacement], span(body.end_displacement));
+    f(field_list[Field::velocity], span(body.velocity));
+    f(field_list[Field::internal_force], span(body.internal));
+    f(field_list[Field::traction], span(body.traction));
+    f(field_list[Field::mass], span(&body.mass, 1));
+    f(field_list[Field::inverse_mass], span(&body.inverse_mass, 1));
+    f(field_list[Field::level_set], span(&body.level_set, 1));
+    f(field_list[Field::fraction], span(&body.fraction, 1));
+    f(field_list[Field::regular_fraction], span(&body.regular_fraction, 1));
+    f(field_list[Field::memory_pressure], span(body.memory_pressure));
+    f(field_list[Field::volume_change], span(&body.volume_change, body.prony.empty() ? 0 : 1));
+    f(field_list[Field::next_memory_pressure], span(body.next_memory_pressure));
+    f(field_list[Field::next_volume_change],
+      span(&body.next_volume_change, body.prony.empty() ? 0 : 1));
   }
 };
 

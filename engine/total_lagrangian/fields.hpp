@@ -1,7 +1,5 @@
 #pragma once
 
-#include <array>
-
 #include "engine/method/field.hpp"
 #include "engine/method/resources.hpp"
 
@@ -36,16 +34,18 @@ enum class Field {
 /// has the number of the slot at its lower corner.
 enum class IndexSpace { particle, cell, facet, patch, constrained_particle, nodal_load, block };
 
-inline constexpr auto index_spaces = std::to_array<IndexSpaceDeclaration<IndexSpace>>({
-    {IndexSpace::particle, "particle", "a node of the lattice of the undeformed body"},
-    {IndexSpace::cell, "cell", "a cell of that lattice, with one stress point"},
-    {IndexSpace::facet, "facet", "a piece of the surface inside one cell"},
-    {IndexSpace::patch, "patch", "the facets inside one cell on which a pressure acts"},
-    {IndexSpace::constrained_particle, "constrained particle",
-     "a particle whose velocity a wall sets"},
-    {IndexSpace::nodal_load, "nodal load", "a particle and the patches that load it"},
-    {IndexSpace::block, "block", "the slots that one worker takes at a time"},
-});
+inline constexpr Table index_spaces(
+    &IndexSpaceDeclaration<IndexSpace>::space, IndexSpace::block,
+    {
+        {IndexSpace::particle, "particle", "a node of the lattice of the undeformed body"},
+        {IndexSpace::cell, "cell", "a cell of that lattice, with one stress point"},
+        {IndexSpace::facet, "facet", "a piece of the surface inside one cell"},
+        {IndexSpace::patch, "patch", "the facets inside one cell on which a pressure acts"},
+        {IndexSpace::constrained_particle, "constrained particle",
+         "a particle whose velocity a wall sets"},
+        {IndexSpace::nodal_load, "nodal load", "a particle and the patches that load it"},
+        {IndexSpace::block, "block", "the slots that one worker takes at a time"},
+    });
 
 /// Fields that phases always read or write together.
 enum class Group {
@@ -64,14 +64,14 @@ enum class Group {
 using Declaration = FieldDeclaration<Field, IndexSpace, Group>;
 
 // clang-format off
-inline constexpr auto field_list = [] {
+inline constexpr Table field_list = [] {
   using enum Rank;
   using enum Remeshed;
   using F = Field;
   using S = IndexSpace;
   using G = Group;
   constexpr bool saved = true, shown = true, made_again = false;
-  return std::to_array<Declaration>({
+  return Table(&Declaration::field, F::result, {
       {F::displacement, "d", "displacement", "m", vector, S::particle, G::displacement, not_at_all, 1, saved, shown},
       {F::end_displacement, "", "end_displacement", "m", vector, S::particle, G::next, not_at_all, 1, saved},
       {F::velocity, "u", "velocity", "m/s", vector, S::particle, G::velocity, not_at_all, 1, saved, shown},
@@ -97,30 +97,22 @@ inline constexpr auto field_list = [] {
 }();
 // clang-format on
 
-constexpr const Declaration& declaration(Field field) {
-  return field_list[static_cast<int>(field)];
-}
-
 /// In the order of Group.
-inline constexpr auto group_list = std::to_array<GroupDeclaration<Group>>({
-    {Group::displacement, "d"},
-    {Group::velocity, "u"},
-    {Group::internal_forces, "internal forces"},
-    {Group::tractions, "tractions"},
-    {Group::constants, "m, phi, f"},
-    {Group::memory, "p_i, J"},
-    {Group::next, "next d, p_i, J"},
-    {Group::surface, "surface"},
-    {Group::patch_forces, "patch forces"},
-    {Group::results, "results"},
-});
+inline constexpr Table group_list(&GroupDeclaration<Group>::group, Group::results,
+                                  {
+                                      {Group::displacement, "d"},
+                                      {Group::velocity, "u"},
+                                      {Group::internal_forces, "internal forces"},
+                                      {Group::tractions, "tractions"},
+                                      {Group::constants, "m, phi, f"},
+                                      {Group::memory, "p_i, J"},
+                                      {Group::next, "next d, p_i, J"},
+                                      {Group::surface, "surface"},
+                                      {Group::patch_forces, "patch forces"},
+                                      {Group::results, "results"},
+                                  });
 
-inline constexpr ResourceNumbers<Group, group_list.size()> resource_numbers(group_list);
-
-static_assert(is_in_order(index_spaces, &IndexSpaceDeclaration<IndexSpace>::space,
-                          IndexSpace::block));
-static_assert(is_in_order(field_list, &Declaration::field, Field::result));
-static_assert(is_in_order(group_list, &GroupDeclaration<Group>::group, Group::results));
+inline constexpr ResourceNumbers resource_numbers(group_list);
 
 /// The resource of a group.
 inline Resources of(Group group) { return {resource_numbers({group})}; }

@@ -13,8 +13,8 @@ std::vector<std::span<std::byte>> regions(State<T, D>& state, scheduler::FieldId
   Body<T, D>& body = state.bodies[owner];
   const Group group = resource_numbers[resource].group;
   const Block<D>& range = body.layout.blocks()[local];
-  body.for_each_array([&](Field field, auto components) {
-    if (declaration(field).group != group) return;
+  body.for_each_array([&](const Declaration& field, auto components) {
+    if (field.group != group) return;
     for (Buffer<T>& component : components) {
       for (int s = 0; s < range.segment_count; ++s) {
         const kernels::Segment<D>& segment = body.layout.segments_of(range)[s];

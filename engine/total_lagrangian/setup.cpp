@@ -179,7 +179,7 @@ void take_material(const BodyCase& source, Body<T, D>& body) {
 template <class T, int D>
 void make_room(Body<T, D>& body) {
   const std::int64_t slots = body.slots = body.layout.slots();
-  body.for_each_array([slots](Field, auto components) {
+  body.for_each_array([slots](const Declaration&, auto components) {
     for (Buffer<T>& component : components) component.grow(slots, T(0));
   });
 }

@@ -1,5 +1,8 @@
 #pragma once
 
+#include "engine/total_lagrangian/observe/field_views.hpp"
+#include "engine/total_lagrangian/observe/frame.hpp"
+#include "engine/total_lagrangian/observe/measure.hpp"
 #include "engine/total_lagrangian/step.hpp"
 #include "engine/undeformed/solver.hpp"
 
@@ -7,41 +10,23 @@ namespace pliant::total_lagrangian {
 
 /// Advances a case by the total Lagrangian method.
 template <class T, int D>
-class Solver final : public undeformed::Solver<T, D> {
+class Solver final : public undeformed::Solver<State<T, D>, Step<T, D>, Measurer<T, D>> {
  public:
   /// Throws std::invalid_argument for what the method does not run.
   Solver(const Case& settings, const SolverOptions& options);
 
-  double time_step() const override;
-  std::size_t bytes() const override;
-
-  BodyIntegrals integrals() override;
-  Frame frame(const FrameParts& parts) override;
-
-  std::vector<SlotRun> particle_runs(int body) const override;
-  std::vector<std::array<double, 3>> positions(int body) const override;
-
-  State<T, D>& state() { return state_; }
-  const State<T, D>& state() const { return state_; }
-
  private:
-  using Base = undeformed::Solver<T, D>;
+  using Base = undeformed::Solver<State<T, D>, Step<T, D>, Measurer<T, D>>;
 
-  State<T, D>& shared() override { return state_; }
-  const State<T, D>& shared() const override { return state_; }
-  int body_count() const override { return static_cast<int>(state_.bodies.size()); }
-  Body<T, D>& body(int number) override { return state_.bodies.at(number); }
-  const Body<T, D>& body(int number) const override { return state_.bodies.at(number); }
-  void begin_step() override;
-  void show() override { state_.age_memory(); }
-  std::vector<double> measure_each(std::span<const MeasurementCase> measurements) override;
-  void save_state(ArchiveWriter& archive) const override;
-  void restore_state(const ArchiveReader& archive) override;
+  double automatic_step() const override;
+  Measurer<T, D> measurer() const override {
+    return Measurer<T, D>(this->settings(), this->state());
+  }
+  bool velocities_lag() const override { return true; }
+  StepFailure failure(const StepResult& result) const override;
+  void adapt(const Advance& advance, const StepResult& result) override;
+  void show() override { this->state().age_memory(); }
   void scale_mass();
-  void check(const StepResult& result) const;
-
-  State<T, D> state_;
-  Step<T, D> step_;
 };
 
 extern template class Solver<double, 2>;

@@ -5,6 +5,7 @@
 
 #include "engine/total_lagrangian/boundary_forces.hpp"
 #include "engine/total_lagrangian/state.hpp"
+#include "engine/undeformed/advance.hpp"
 #include "engine/undeformed/wall_contact.hpp"
 #include "kernels/total_lagrangian/table.hpp"
 #include "scheduler/phase.hpp"
@@ -12,23 +13,12 @@
 
 namespace pliant::total_lagrangian {
 
-/// How a step advances.
-struct Advance {
-  double time;      ///< at its start [s]
-  double previous;  ///< length of the step before, 0 at the start of a run [s]
-  double length;    ///< for how long particles move [s]
-  bool examine;     ///< whether to look for the wave speed and for states that are not possible
-
-  /// For how long forces act, (TL.8) [s].
-  double kick() const { return (previous + length) / 2; }
-};
+using undeformed::Advance;
 
 /// What a step finds about the state that it leaves behind.
-struct StepResult {
-  double wave_speed = 0;         ///< of (TL.9) [m/s]; 0 unless the step examined it
-  double rayleigh = 0;           ///< dt omega^2 of (TL.10), without scaling of the mass [1/s]
-  std::int64_t non_finite = -1;  ///< a slot, or -1
-  int failed_block = -1;         ///< that the slot belongs to
+struct StepResult : undeformed::StepResult {
+  double wave_speed = 0;  ///< of (TL.9) [m/s]; 0 unless the step examined it
+  double rayleigh = 0;    ///< dt omega^2 of (TL.10), without scaling of the mass [1/s]
 };
 
 /// The phases of one time step: the method in the order of its equations.

@@ -31,6 +31,9 @@ struct ConstrainedParticle {
 /// What the bodies of all methods on the undeformed body have: particles that move.
 template <class T, int D>
 struct Body {
+  using Scalar = T;
+  static constexpr int dimension = D;
+
   std::string name;
   const BodyCase* source = nullptr;
   std::int64_t particles = 0, slots = 0;

@@ -1,53 +1,212 @@
 #pragma once
 
+#include <algorithm>
 #include <memory>
 #include <optional>
+#include <span>
+#include <utility>
+#include <vector>
 
+#include "engine/method/field_views.hpp"
 #include "engine/method/solver.hpp"
+#include "engine/method/step_failure.hpp"
+#include "engine/undeformed/advance.hpp"
 #include "engine/undeformed/body.hpp"
 #include "engine/undeformed/state.hpp"
+#include "engine/undeformed/state_archive.hpp"
+#include "kernels/material.hpp"
 
 namespace pliant::undeformed {
 
-/// What the solvers of all methods on the undeformed body do alike. A step always has its full
-/// length, so that no output time alters a run: a short step now and then would feed vibrations.
-/// Where an output time lies inside a step, particles are shown on their straight way through it.
-template <class T, int D>
+/// The solver of a method on the undeformed body: what the method's state, the phases of its step
+/// and its measurer do together. The namespace of the state also has take_frame(state, parts), and
+/// slot_runs(body) and present_positions(body) of its bodies.
+///
+/// A step always has its full length, so that no output time alters a run: a short step now and
+/// then would feed vibrations. Where an output time lies inside a step, particles are shown on
+/// their straight way through it.
+template <class State, class Step, class Measurer>
 class Solver : public pliant::Solver {
- public:
-  using pliant::Solver::Solver;
+  using Body = typename decltype(State::bodies)::value_type;
+  using T = typename Body::Scalar;
+  static constexpr int D = Body::dimension;
 
-  const Clock& clock() const override { return shared().clock; }
+ public:
+  const Clock& clock() const override { return state_.clock; }
+  double time_step() const override;
   std::int64_t particles() const override;
+  std::size_t bytes() const override;
+
   std::optional<EnergyBudget> energy_budget() const override;
-  Loads& loads() override { return shared().boundaries; }
+  BodyIntegrals integrals() override { return measurer().totals(); }
+  Frame frame(const FrameParts& parts) override { return take_frame(state_, parts); }
+
+  Loads& loads() override { return state_.boundaries; }
   std::vector<FieldView> fields(int body) const override;
+  std::vector<SlotRun> particle_runs(int body) const override {
+    return slot_runs(state_.bodies.at(body));
+  }
+  std::vector<std::array<double, 3>> positions(int body) const override {
+    return present_positions(state_.bodies.at(body));
+  }
+
   const scheduler::StepGraph& step_graph() const override { return *graph_; }
   scheduler::StepGraph& step_graph() { return *graph_; }
+  State& state() { return state_; }
+  const State& state() const { return state_; }
 
  protected:
-  std::unique_ptr<scheduler::StepGraph> graph_;
+  using StepResult = decltype(std::declval<Step&>().fold());
+
+  /// Makes a state whose bodies are empty, with the wave speed of their materials.
+  Solver(const Case& a_case, const SolverOptions& options);
+
+  /// Takes the phases of a step of all bodies, which have been made; `blocks` are theirs.
+  void set_step(std::unique_ptr<Step> step, const scheduler::Blocks& blocks);
+
+  void save_state(ArchiveWriter& archive) const override { put_state(archive, state_); }
+  void restore_state(const ArchiveReader& archive) override;
 
  private:
-  virtual State<D>& shared() = 0;
-  virtual const State<D>& shared() const = 0;
-  virtual int body_count() const = 0;
-  virtual Body<T, D>& body(int number) = 0;
-  virtual const Body<T, D>& body(int number) const = 0;
-
-  /// Takes a whole step, and leaves its length and its end in the clock.
-  virtual void begin_step() = 0;
+  /// Length of the step by the CFL number of the case [s].
+  virtual double automatic_step() const = 0;
+  virtual Measurer measurer() const = 0;
+  /// Whether velocities belong to the middle of a step, else to its end.
+  virtual bool velocities_lag() const = 0;
+  /// Whether the work of all forces and all losses are known.
+  virtual bool knows_energy() const { return true; }
+  /// The failure of a step whose result is not finite.
+  virtual StepFailure failure(const StepResult& result) const = 0;
+  /// Adapts the next step to what this one has found.
+  virtual void adapt(const Advance&, const StepResult&) {}
   /// The time of the clock has changed.
   virtual void show() {}
 
+  std::vector<double> measure_each(std::span<const MeasurementCase> measurements) override {
+    return measurer()(measurements);
+  }
   void take_step(double time_step) override;
+  void begin_step();
   void store_end();
   void move_to_output();
+
+  State state_;
+  std::unique_ptr<Step> step_;
+  std::unique_ptr<scheduler::StepGraph> graph_;
 };
 
-extern template class Solver<double, 2>;
-extern template class Solver<double, 3>;
-extern template class Solver<float, 2>;
-extern template class Solver<float, 3>;
+template <class State, class Step, class Measurer>
+Solver<State, Step, Measurer>::Solver(const Case& a_case, const SolverOptions& options)
+    : pliant::Solver(a_case, options), state_(settings().boundaries) {
+  state_.bodies.resize(settings().bodies.size());
+  for (const BodyCase& body : settings().bodies) {
+    state_.clock.wave_speed =
+        std::max(state_.clock.wave_speed, kernels::wave_speed_at_rest(body.material));
+  }
+}
+
+template <class State, class Step, class Measurer>
+void Solver<State, Step, Measurer>::set_step(std::unique_ptr<Step> step,
+                                             const scheduler::Blocks& blocks) {
+  step_ = std::move(step);
+  graph_ = std::make_unique<scheduler::StepGraph>(step_->phases(), blocks, Step::resources());
+}
+
+template <class State, class Step, class Measurer>
+double Solver<State, Step, Measurer>::time_step() const {
+  return settings().time.step ? *settings().time.step : automatic_step();
+}
+
+template <class State, class Step, class Measurer>
+std::int64_t Solver<State, Step, Measurer>::particles() const {
+  std::int64_t sum = 0;
+  for (const auto& body : state_.bodies) sum += body.particles;
+  return sum;
+}
+
+template <class State, class Step, class Measurer>
+std::size_t Solver<State, Step, Measurer>::bytes() const {
+  std::size_t sum = 0;
+  for (const auto& body : state_.bodies) sum += body.bytes();
+  return sum;
+}
+
+template <class State, class Step, class Measurer>
+std::optional<EnergyBudget> Solver<State, Step, Measurer>::energy_budget() const {
+  if (!knows_energy()) return std::nullopt;
+  EnergyBudget present = state_.energy;
+  add(present, state_.power, state_.clock.lag());
+  return present;
+}
+
+template <class State, class Step, class Measurer>
+std::vector<FieldView> Solver<State, Step, Measurer>::fields(int body) const {
+  const auto& shown = state_.bodies.at(body);
+  return {field_view<T>("displacement", "m", shown.displacement, shown.slots),
+          field_view<T>("velocity", "m/s", shown.velocity, shown.slots),
+          field_view<T>("mass", "kg", std::span(&shown.mass, 1), shown.slots)};
+}
+
+template <class State, class Step, class Measurer>
+void Solver<State, Step, Measurer>::restore_state(const ArchiveReader& archive) {
+  get_state(archive, state_);
+  show();
+}
+
+template <class State, class Step, class Measurer>
+void Solver<State, Step, Measurer>::take_step(double dt) {
+  Clock& clock = state_.clock;
+  const double rest = clock.rest();
+  const bool begins = rest == 0;
+  if (begins) begin_step();
+  clock.time = begins || dt < rest - clock.rounding() ? clock.time + dt : clock.step_end;
+  if (begins && clock.rest() > 0) store_end();
+  if (!begins || clock.rest() > 0) move_to_output();
+  show();
+}
+
+/// Takes a whole step, and leaves its length and its end in the clock.
+template <class State, class Step, class Measurer>
+void Solver<State, Step, Measurer>::begin_step() {
+  // Waves go a few cells in that many steps, and the state hardly changes.
+  constexpr int examine_every = 8;
+  Clock& clock = state_.clock;
+  const Advance advance = {clock.step_end, clock.step_length, time_step(),
+                           clock.step % examine_every == 0};
+  step_->prepare(advance);
+  run(*graph_);
+  const StepResult result = step_->fold();
+  if (result.non_finite >= 0) throw failure(result);
+  for (Wall<D>& wall : state_.boundaries.walls) wall.move(advance.time, advance.length);
+  clock.step_length = advance.length;
+  clock.step_end = advance.time + advance.length;
+  clock.velocity_time = velocities_lag() ? clock.step_end - advance.length / 2 : clock.step_end;
+  ++clock.step;
+  adapt(advance, result);
+  add_particle_stages(particles());
+}
+
+// Kept apart, as the way back from an output time would be rounded.
+template <class State, class Step, class Measurer>
+void Solver<State, Step, Measurer>::store_end() {
+  for (auto& body : state_.bodies) {
+    for (int a = 0; a < D; ++a) {
+      std::copy_n(body.displacement[a].get(), body.slots, body.end_displacement[a].get());
+    }
+  }
+}
+
+template <class State, class Step, class Measurer>
+void Solver<State, Step, Measurer>::move_to_output() {
+  const T back = static_cast<T>(state_.clock.rest());
+  for (auto& body : state_.bodies) {
+    for (int a = 0; a < D; ++a) {
+      const T* const end = body.end_displacement[a].get();
+      const T* const velocity = body.velocity[a].get();
+      T* const displacement = body.displacement[a].get();
+      for (std::int64_t p = 0; p < body.slots; ++p) displacement[p] = end[p] - back * velocity[p];
+    }
+  }
+}
 
 }  // namespace pliant::undeformed

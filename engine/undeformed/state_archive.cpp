@@ -6,7 +6,7 @@
 namespace pliant::undeformed {
 
 template <int D>
-void put_state(ArchiveWriter& archive, const State<D>& state) {
+void put_totals(ArchiveWriter& archive, const State<D>& state) {
   put_clock(archive, state.clock);
   archive.put("clock/mass_scaling", state.clock.mass_scaling);
   archive.put("clock/damping", state.clock.damping);
@@ -21,7 +21,7 @@ void put_state(ArchiveWriter& archive, const State<D>& state) {
 }
 
 template <int D>
-void get_state(const ArchiveReader& archive, State<D>& state) {
+void get_totals(const ArchiveReader& archive, State<D>& state) {
   get_clock(archive, state.clock);
   state.clock.mass_scaling = archive.scalar<double>("clock/mass_scaling");
   state.clock.damping = archive.scalar<double>("clock/damping");
@@ -35,9 +35,9 @@ void get_state(const ArchiveReader& archive, State<D>& state) {
   get_points<D>(archive, "walls/force", state.wall_force);
 }
 
-template void put_state<2>(ArchiveWriter&, const State<2>&);
-template void put_state<3>(ArchiveWriter&, const State<3>&);
-template void get_state<2>(const ArchiveReader&, State<2>&);
-template void get_state<3>(const ArchiveReader&, State<3>&);
+template void put_totals<2>(ArchiveWriter&, const State<2>&);
+template void put_totals<3>(ArchiveWriter&, const State<3>&);
+template void get_totals<2>(const ArchiveReader&, State<2>&);
+template void get_totals<3>(const ArchiveReader&, State<3>&);
 
 }  // namespace pliant::undeformed

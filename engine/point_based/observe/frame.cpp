@@ -2,18 +2,13 @@
 
 #include "engine/geometry/padded.hpp"
 #include "engine/method/full_stress.hpp"
+#include "engine/method/shown_field.hpp"
 #include "engine/point_based/node_state.hpp"
 #include "engine/point_based/observe/opened_surface.hpp"
 
 namespace pliant::point_based {
 
 namespace {
-
-/// A field of the list under its name and unit.
-FrameField shown(Field field, int components, std::vector<double> values) {
-  const Declaration& declared = declaration(field);
-  return {std::string(declared.name), std::string(declared.unit), components, std::move(values)};
-}
 
 template <class T, int D>
 void add_closed_surface(const Body<T, D>& body, int owner, SurfaceVertices& vertices) {
@@ -37,23 +32,23 @@ void add_closed_surface(const Body<T, D>& body, int owner, SurfaceVertices& vert
 }
 
 template <class T, int D>
-FrameSurface take_surface(const State<T, D>& state,
-                          std::span<const std::span<const CutSurface<D>>> cuts) {
+FrameSurface take_surface(const State<T, D>& state) {
   SurfaceVertices vertices;
   for (std::size_t b = 0; b < state.bodies.size(); ++b) {
     const auto owner = static_cast<int>(b);
-    if (cuts[b].empty()) {
+    const std::span<const CutSurface<D>> cuts = state.cut_surfaces(b);
+    if (cuts.empty()) {
       add_closed_surface(state.bodies[b], owner, vertices);
     } else {
-      add_opened_surface(state.bodies[b], cuts[b], owner, vertices);
+      add_opened_surface(state.bodies[b], cuts, owner, vertices);
     }
   }
   FrameSurface surface;
   surface.corners = D;
   surface.position = std::move(vertices.position);
   surface.vertex = std::move(vertices.vertex);
-  surface.fields = {shown(Field::velocity, D, std::move(vertices.velocity)),
-                    shown(Field::displacement, D, std::move(vertices.displacement)),
+  surface.fields = {shown(field_list[Field::velocity], D, std::move(vertices.velocity)),
+                    shown(field_list[Field::displacement], D, std::move(vertices.displacement)),
                     {"body", "1", 1, std::move(vertices.owner)}};
   return surface;
 }
@@ -61,8 +56,7 @@ FrameSurface take_surface(const State<T, D>& state,
 }  // namespace
 
 template <class T, int D>
-Frame take_frame(const State<T, D>& state, const FrameParts& parts,
-                 std::span<const std::span<const CutSurface<D>>> cuts) {
+Frame take_frame(const State<T, D>& state, const FrameParts& parts) {
   Frame frame;
   frame.real_bytes = sizeof(T);
   frame.time = state.clock.time;
@@ -90,25 +84,21 @@ Frame take_frame(const State<T, D>& state, const FrameParts& parts,
       }
     }
   }
-  frame.fields = {shown(Field::velocity, D, std::move(velocity)),
-                  shown(Field::displacement, D, std::move(displacement)),
+  frame.fields = {shown(field_list[Field::velocity], D, std::move(velocity)),
+                  shown(field_list[Field::displacement], D, std::move(displacement)),
                   {"pressure", "Pa", 1, std::move(pressure)},
                   {"density", "kg/m^3", 1, std::move(density)},
                   {"stress", "Pa", 6, std::move(stress)},
                   {"dilatation", "1", 1, std::move(dilatation)},
                   {"kind", "1", 1, std::move(kinds)},
                   {"body", "1", 1, std::move(owners)}};
-  if (parts.surface) frame.surface = take_surface<T, D>(state, cuts);
+  if (parts.surface) frame.surface = take_surface(state);
   return frame;
 }
 
-template Frame take_frame<double, 2>(const State<double, 2>&, const FrameParts&,
-                                     std::span<const std::span<const CutSurface<2>>>);
-template Frame take_frame<double, 3>(const State<double, 3>&, const FrameParts&,
-                                     std::span<const std::span<const CutSurface<3>>>);
-template Frame take_frame<float, 2>(const State<float, 2>&, const FrameParts&,
-                                    std::span<const std::span<const CutSurface<2>>>);
-template Frame take_frame<float, 3>(const State<float, 3>&, const FrameParts&,
-                                    std::span<const std::span<const CutSurface<3>>>);
+template Frame take_frame<double, 2>(const State<double, 2>&, const FrameParts&);
+template Frame take_frame<double, 3>(const State<double, 3>&, const FrameParts&);
+template Frame take_frame<float, 2>(const State<float, 2>&, const FrameParts&);
+template Frame take_frame<float, 3>(const State<float, 3>&, const FrameParts&);
 
 }  // namespace pliant::point_based

@@ -1,6 +1,5 @@
 #include "engine/remeshed/ghosts/ghost_fill.hpp"
 
-#include <Eigen/Dense>
 #include <algorithm>
 #include <cmath>
 
@@ -8,52 +7,12 @@
 #include "engine/remeshed/ghosts/fit_coefficient.hpp"
 #include "engine/remeshed/ghosts/fit_evaluator.hpp"
 #include "engine/remeshed/ghosts/lasting_correction.hpp"
+#include "engine/remeshed/ghosts/rigid_velocity.hpp"
 #include "kernels/remeshed/ghosts/wall_friction.hpp"
 
 namespace pliant::remeshed {
 
 namespace {
-
-// (RP.59): the mean rigid motion of the neighbours, taken at the ghost.
-template <class T, int D>
-std::array<T, D> rigid_velocity(const Body<T, D>& body, const FieldStore<T, D>& state,
-                                const BlockGhosts<T, D>& ghosts, std::size_t g) {
-  using Vector3 = Eigen::Vector3d;
-  const std::int64_t begin = ghosts.begin[g], end = ghosts.begin[g + 1];
-  const Layout<D>& layout = body.population.layout;
-  const auto particle = [&](std::int64_t k) {
-    return body.population.slot_of_record[kernels::record_of(ghosts.pairs[k])];
-  };
-  const auto position = [&](std::int64_t slot) {
-    const Point<D> node = body.lattice.node(layout.cell(slot));
-    Vector3 x = Vector3::Zero();
-    for (int a = 0; a < D; ++a) x[a] = node[a] + state.get(Field::drift, a)[slot];
-    return x;
-  };
-  const auto velocity = [&](std::int64_t slot) {
-    Vector3 u = Vector3::Zero();
-    for (int a = 0; a < D; ++a) u[a] = state.get(Field::velocity, a)[slot];
-    return u;
-  };
-  Vector3 centre = Vector3::Zero(), mean = Vector3::Zero();
-  for (std::int64_t k = begin; k < end; ++k) {
-    centre += position(particle(k)) / (end - begin);
-    mean += velocity(particle(k)) / (end - begin);
-  }
-  Vector3 moment = Vector3::Zero();
-  Eigen::Matrix3d inertia = Eigen::Matrix3d::Zero();
-  for (std::int64_t k = begin; k < end; ++k) {
-    const Vector3 r = position(particle(k)) - centre;
-    moment += r.cross(velocity(particle(k)) - mean);
-    inertia += r.squaredNorm() * Eigen::Matrix3d::Identity() - r * r.transpose();
-  }
-  // Neighbours in a line leave the rotation about it open: the least one is taken.
-  const Vector3 omega = inertia.completeOrthogonalDecomposition().solve(moment);
-  const Vector3 u = mean + omega.cross(position(ghosts.slot[g]) - centre);
-  std::array<T, D> result;
-  for (int a = 0; a < D; ++a) result[a] = static_cast<T>(u[a]);
-  return result;
-}
 
 /// Sets the first `count` ghosts of a block from their fits to the present records.
 template <class T, int D>
@@ -168,27 +127,6 @@ struct GhostFill {
   }
 };
 
-// The sums are made for some ghosts at a time, and stay in the first cache.
-template <class T, int D>
-void find_drift_velocity(Body<T, D>& body, int block, int stage, GhostTreatment treatment,
-                         const kernels::RemeshedTable<T, D>& table) {
-  constexpr std::size_t at_once = 32, width = BlockGhosts<T, D>::sums_of_ghost;
-  alignas(64) std::array<T, at_once * width> sums;
-  const BlockGhosts<T, D>& ghosts = body.population.ghosts[block];
-  FieldStore<T, D>& state = body.stage[buffer_of(stage)];
-  for (std::size_t begin = ghosts.reached_count; begin < ghosts.slot.size(); begin += at_once) {
-    const std::size_t end = std::min(begin + at_once, ghosts.slot.size());
-    table.sum_velocities(ghosts.sums(begin, end - begin, body, sums.data()));
-    for (std::size_t g = begin; g < end; ++g) {
-      const auto fits = ghosts.fits(g, sums.data() + width * (g - begin));
-      std::array<T, D> u;
-      for (int a = 0; a < D; ++a) u[a] = fits.linear.velocity(a);
-      if (treatment == GhostTreatment::rigid) u = rigid_velocity<T, D>(body, state, ghosts, g);
-      for (int a = 0; a < D; ++a) state.get(Field::velocity, a)[ghosts.slot[g]] = u[a];
-    }
-  }
-}
-
 }  // namespace
 
 template <class T, int D>
@@ -210,42 +148,6 @@ void fill_ghosts(Body<T, D>& body, int block, int stage, int parity, WhichGhosts
     fill.fill_in_contact();
   }
   fill.fill_walls(boundaries, values, treatment == GhostTreatment::averaged);
-}
-
-template <class T, int D>
-void drift_ghosts(Body<T, D>& body, int block, int stage, GhostTreatment treatment,
-                  const kernels::RemeshedTable<T, D>& table) {
-  if (stage < 2) return find_drift_velocity(body, block, stage, treatment, table);
-  const BlockGhosts<T, D>& ghosts = body.population.ghosts[block];
-  for (int a = 0; a < D; ++a) {
-    const T* start = body.stage[0].get(Field::velocity, a);
-    T* second = body.stage[1].get(Field::velocity, a);
-    T* third = body.stage[2].get(Field::velocity, a);
-    for (std::size_t g = ghosts.reached_count; g < ghosts.slot.size(); ++g) {
-      const std::int64_t slot = ghosts.slot[g];
-      if (stage == 2) {
-        third[slot] = (4 * second[slot] - start[slot]) / 3;
-      } else {
-        second[slot] = third[slot];
-      }
-    }
-  }
-}
-
-template <class T, int D>
-void keep_on_fits(Body<T, D>& body, int block, int stage, double time_step) {
-  BlockGhosts<T, D>& ghosts = body.population.ghosts[block];
-  if (stage == 0 && lets_waves_out_alone(body)) follow_lasting(body, ghosts, time_step);
-  FieldStore<T, D>& next = body.stage[buffer_after(stage)];
-  const T duration = static_cast<T>(stage_share[stage] * time_step);
-  for (std::size_t g = 0; g < ghosts.reached_count; ++g) {
-    const bool may_be_in_contact =
-        g + 1 < ghosts.reached_count && ghosts.slot[g + 1] == ghosts.slot[g];
-    if (ghosts.wall[g] >= 0 || may_be_in_contact) continue;
-    for (int a = 0; a < D; ++a) {
-      next.get(Field::drift, a)[ghosts.slot[g]] -= duration * ghosts.correction[g][a];
-    }
-  }
 }
 
 template <class T, int D>
@@ -290,30 +192,18 @@ void fill_conserved(Body<T, D>& body, int block) {
 template void fill_ghosts<double, 2>(Body<double, 2>&, int, int, int, WhichGhosts,
                                      const Boundaries<2>&, const BoundaryValues<2>&, GhostTreatment,
                                      const kernels::RemeshedTable<double, 2>&);
-template void drift_ghosts<double, 2>(Body<double, 2>&, int, int, GhostTreatment,
-                                      const kernels::RemeshedTable<double, 2>&);
-template void keep_on_fits<double, 2>(Body<double, 2>&, int, int, double);
 template void fill_conserved<double, 2>(Body<double, 2>&, int);
 template void fill_ghosts<float, 2>(Body<float, 2>&, int, int, int, WhichGhosts,
                                     const Boundaries<2>&, const BoundaryValues<2>&, GhostTreatment,
                                     const kernels::RemeshedTable<float, 2>&);
-template void drift_ghosts<float, 2>(Body<float, 2>&, int, int, GhostTreatment,
-                                     const kernels::RemeshedTable<float, 2>&);
-template void keep_on_fits<float, 2>(Body<float, 2>&, int, int, double);
 template void fill_conserved<float, 2>(Body<float, 2>&, int);
 template void fill_ghosts<double, 3>(Body<double, 3>&, int, int, int, WhichGhosts,
                                      const Boundaries<3>&, const BoundaryValues<3>&, GhostTreatment,
                                      const kernels::RemeshedTable<double, 3>&);
-template void drift_ghosts<double, 3>(Body<double, 3>&, int, int, GhostTreatment,
-                                      const kernels::RemeshedTable<double, 3>&);
-template void keep_on_fits<double, 3>(Body<double, 3>&, int, int, double);
 template void fill_conserved<double, 3>(Body<double, 3>&, int);
 template void fill_ghosts<float, 3>(Body<float, 3>&, int, int, int, WhichGhosts,
                                     const Boundaries<3>&, const BoundaryValues<3>&, GhostTreatment,
                                     const kernels::RemeshedTable<float, 3>&);
-template void drift_ghosts<float, 3>(Body<float, 3>&, int, int, GhostTreatment,
-                                     const kernels::RemeshedTable<float, 3>&);
-template void keep_on_fits<float, 3>(Body<float, 3>&, int, int, double);
 template void fill_conserved<float, 3>(Body<float, 3>&, int);
 
 }  // namespace pliant::remeshed

@@ -14,19 +14,6 @@ void fill_ghosts(Body<T, D>& body, int block, int stage, int parity, WhichGhosts
                  const Boundaries<D>& boundaries, const BoundaryValues<D>& values,
                  GhostTreatment treatment, const kernels::RemeshedTable<T, D>& kernels);
 
-/// Velocity of the ghosts that no stencil reaches: by (RP.43) or (RP.59) u0 and u1 in the stages 0
-/// and 1, and (4 u1 - u0)/3 in both others, with which the Runge-Kutta method moves them by dt u1,
-/// (RP.60).
-template <class T, int D>
-void drift_ghosts(Body<T, D>& body, int block, int stage, GhostTreatment treatment,
-                  const kernels::RemeshedTable<T, D>& kernels);
-
-/// Takes the part (RP.50) out of the motion of the ghosts that a stage has advanced: they move with
-/// the fit alone, (RP.60), and so stay where the fit of positions is; not those of slots that may
-/// come into contact with a wall.
-template <class T, int D>
-void keep_on_fits(Body<T, D>& body, int block, int stage, double time_step);
-
 /// Density, material state and displacement of a block's ghosts by the linear fit (RP.43), and
 /// v = h^d: what remeshing scatters.
 template <class T, int D>

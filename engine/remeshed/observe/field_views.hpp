@@ -11,7 +11,7 @@ namespace pliant::remeshed {
 
 /// Where the particles are, in ascending order of the slots.
 template <class T, int D>
-std::vector<SlotRun> particle_runs(const Body<T, D>& body);
+std::vector<SlotRun> slot_runs(const Body<T, D>& body);
 
 /// The fields as they lie in memory.
 template <class T, int D>
@@ -19,6 +19,6 @@ std::vector<FieldView> field_views(const Body<T, D>& body);
 
 /// Positions of the particles [m], in the order of the slots, z = 0 in 2D.
 template <class T, int D>
-std::vector<std::array<double, 3>> positions(const Body<T, D>& body);
+std::vector<std::array<double, 3>> present_positions(const Body<T, D>& body);
 
 }  // namespace pliant::remeshed

@@ -1,6 +1,7 @@
 #include "engine/remeshed/observe/frame.hpp"
 
 #include "engine/method/full_stress.hpp"
+#include "engine/method/shown_field.hpp"
 #include "engine/remeshed/contact/wall_contact.hpp"
 #include "engine/remeshed/observe/point_state.hpp"
 #include "engine/remeshed/observe/surface_mesh.hpp"
@@ -34,13 +35,6 @@ std::vector<Selection> select(const State<T, D>& state, bool with_ghosts) {
   return chosen;
 }
 
-/// A field of the list under its name and unit.
-template <class V>
-FrameField shown(Field field, int components, std::vector<V> values) {
-  const Declaration& declared = declaration(field);
-  return {std::string(declared.name), std::string(declared.unit), components, std::move(values)};
-}
-
 template <class T, int D>
 std::array<double, 6> stress_of(const Body<T, D>& body, std::int64_t p) {
   std::array<double, kernels::symmetric_components<D>> stress;
@@ -71,8 +65,8 @@ FrameSurface take_surface(const Boundaries<D>& boundaries,
       owners.push_back(static_cast<std::int32_t>(b));
     }
   }
-  surface.fields.push_back(shown(Field::velocity, D, std::move(velocity)));
-  surface.fields.push_back(shown(Field::displacement, D, std::move(displacement)));
+  surface.fields.push_back(shown(field_list[Field::velocity], D, std::move(velocity)));
+  surface.fields.push_back(shown(field_list[Field::displacement], D, std::move(displacement)));
   surface.fields.push_back({"body", "1", 1, std::move(owners)});
   return surface;
 }
@@ -112,7 +106,7 @@ Frame take_frame(const State<T, D>& state, const kernels::RemeshedTable<T, D>& k
     return values;
   };
   const auto add = [&](Field field, int components, auto value) {
-    frame.fields.push_back(shown(field, components, values_of(components, value)));
+    frame.fields.push_back(shown(field_list[field], components, values_of(components, value)));
   };
   const auto add_derived = [&](const char* name, const char* unit, auto value) {
     frame.fields.push_back({name, unit, 1, values_of(1, value)});
@@ -144,7 +138,7 @@ Frame take_frame(const State<T, D>& state, const kernels::RemeshedTable<T, D>& k
     kinds.push_back(static_cast<std::int32_t>(bodies[s.body].population.kind[s.slot]));
     owners.push_back(s.body);
   }
-  frame.fields.push_back(shown(Field::kind, 1, std::move(kinds)));
+  frame.fields.push_back(shown(field_list[Field::kind], 1, std::move(kinds)));
   frame.fields.push_back({"body", "1", 1, std::move(owners)});
   if (parts.surface) frame.surface = take_surface<T, D>(state.boundaries, find_nodes());
   return frame;

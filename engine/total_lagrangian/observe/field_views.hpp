@@ -11,10 +11,10 @@ namespace pliant::total_lagrangian {
 
 /// Where the particles are, in ascending order of the slots.
 template <class T, int D>
-std::vector<SlotRun> particle_runs(const Body<T, D>& body);
+std::vector<SlotRun> slot_runs(const Body<T, D>& body);
 
 /// Positions of the particles [m], in the order of the slots, z = 0 in 2D.
 template <class T, int D>
-std::vector<std::array<double, 3>> positions(const Body<T, D>& body);
+std::vector<std::array<double, 3>> present_positions(const Body<T, D>& body);
 
 }  // namespace pliant::total_lagrangian

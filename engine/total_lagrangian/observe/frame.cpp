@@ -4,17 +4,12 @@
 #include <map>
 
 #include "engine/method/full_stress.hpp"
+#include "engine/method/shown_field.hpp"
 #include "engine/total_lagrangian/stress_point.hpp"
 
 namespace pliant::total_lagrangian {
 
 namespace {
-
-/// A field of the list under its name and unit.
-FrameField shown(Field field, int components, std::vector<double> values) {
-  const Declaration& declared = declaration(field);
-  return {std::string(declared.name), std::string(declared.unit), components, std::move(values)};
-}
 
 /// Stress as xx, yy, zz, xy, yz, xz, then pressure, density and dilatation.
 constexpr int stress = 0, pressure = 6, density = 7, dilatation = 8, mean_fields = 9;
@@ -83,8 +78,8 @@ FrameSurface take_surface(const State<T, D>& state) {
       }
     }
   }
-  surface.fields = {shown(Field::velocity, D, std::move(velocity)),
-                    shown(Field::displacement, D, std::move(displacement)),
+  surface.fields = {shown(field_list[Field::velocity], D, std::move(velocity)),
+                    shown(field_list[Field::displacement], D, std::move(displacement)),
                     {"body", "1", 1, std::move(owners)}};
   return surface;
 }
@@ -123,13 +118,13 @@ Frame take_frame(const State<T, D>& state, const FrameParts& parts) {
       });
     }
   }
-  frame.fields = {shown(Field::velocity, D, std::move(velocity)),
-                  shown(Field::displacement, D, std::move(displacement)),
+  frame.fields = {shown(field_list[Field::velocity], D, std::move(velocity)),
+                  shown(field_list[Field::displacement], D, std::move(displacement)),
                   {"pressure", "Pa", 1, std::move(p_field)},
                   {"density", "kg/m^3", 1, std::move(rho)},
                   {"stress", "Pa", 6, std::move(sigma)},
                   {"dilatation", "1", 1, std::move(volume_change)},
-                  shown(Field::level_set, 1, std::move(level_set)),
+                  shown(field_list[Field::level_set], 1, std::move(level_set)),
                   {"kind", "1", 1, std::move(kinds)},
                   {"body", "1", 1, std::move(owners)}};
   if (parts.surface) frame.surface = take_surface(state);

@@ -31,8 +31,6 @@ std::string_view text(Rank rank) {
       return "S: D (D + 1)/2, F: D^2";
     case Rank::prony:
       return "Prony terms";
-    case Rank::corner_modes:
-      return "D 2^D";
     case Rank::fit_terms:
       return "3 D + 4";
     case Rank::record:
@@ -76,11 +74,10 @@ std::string tables(const Spaces& spaces, const Fields& fields) {
       "\n| field | symbol | unit | components | index space | remeshing | copies | saved | shown | "
       "shares storage with |\n| --- | --- | --- | --- | --- | --- | --- | --- | --- | --- |\n";
   for (const auto& f : fields) {
-    text_of +=
-        fmt::format("| `{}` | {} | {} | {} | {} | {} | {} | {} | {} | {} |\n", f.name,
-                    cell(f.symbol), cell(f.unit), text(f.rank),
-                    spaces[static_cast<std::size_t>(f.space)].name, text(f.remeshed), f.copies,
-                    f.is_saved ? "yes" : "", f.is_shown ? "yes" : "", f.shares_storage);
+    text_of += fmt::format("| `{}` | {} | {} | {} | {} | {} | {} | {} | {} | {} |\n", f.name,
+                           cell(f.symbol), cell(f.unit), text(f.rank), spaces[f.space].name,
+                           text(f.remeshed), f.copies, f.is_saved ? "yes" : "",
+                           f.is_shown ? "yes" : "", f.shares_storage);
   }
   return text_of;
 }

@@ -1,0 +1,19 @@
+#pragma once
+
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "engine/method/field.hpp"
+#include "engine/output/frame.hpp"
+
+namespace pliant {
+
+/// A field of a frame under its name and unit in the list of its method.
+template <class Field, class IndexSpace, class Group, class V>
+FrameField shown(const FieldDeclaration<Field, IndexSpace, Group>& field, int components,
+                 std::vector<V> values) {
+  return {std::string(field.name), std::string(field.unit), components, std::move(values)};
+}
+
+}  // namespace pliant

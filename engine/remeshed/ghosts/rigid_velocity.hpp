@@ -1,0 +1,14 @@
+#pragma once
+
+#include <array>
+
+#include "engine/remeshed/state.hpp"
+
+namespace pliant::remeshed {
+
+/// (RP.59): the mean rigid motion of the neighbours of a ghost, taken at the ghost [m/s].
+template <class T, int D>
+std::array<T, D> rigid_velocity(const Body<T, D>& body, const FieldStore<T, D>& state,
+                                const BlockGhosts<T, D>& ghosts, std::size_t ghost);
+
+}  // namespace pliant::remeshed
