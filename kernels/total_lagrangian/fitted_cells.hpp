@@ -37,13 +37,16 @@ struct CellGroup {
       if (block.has(cell[l]->slot)) to[cell[l]->slot] = value[l];
     }
   }
-  /// Subtracts a value of each cell at its corner `c`, where that belongs to the block.
-  void subtract_at_corner(const Motion<T, D>& block, const P& pack, int c, T* from) const {
-    alignas(64) T value[lanes<P>];
-    pack.store_aligned(value);
+  /// Subtracts a value at each corner of each cell where the corner belongs to the block: cell
+  /// after cell, so that the sums do not depend on how many cells a register holds.
+  void subtract_at_corners(const Motion<T, D>& block, const P (&pull)[1 << D], T* from) const {
+    alignas(64) T value[1 << D][lanes<P>];
+    for (int c = 0; c < (1 << D); ++c) pull[c].store_aligned(value[c]);
     for (int l = 0; l < count; ++l) {
-      const std::int64_t corner = cell[l]->slot + cell[l]->row[c >> 1] + (c & 1);
-      if (block.has(corner)) from[corner - block.first_slot] -= value[l];
+      for (int c = 0; c < (1 << D); ++c) {
+        const std::int64_t corner = cell[l]->slot + cell[l]->row[c >> 1] + (c & 1);
+        if (block.has(corner)) from[corner - block.first_slot] -= value[c][l];
+      }
     }
   }
 };
@@ -139,9 +142,7 @@ inline void add_fitted_forces(const Motion<Scalar<P>, D>& block, const CellGroup
       pull[1 << a] = volume * slope * sum;
     }
     to_corners<P, D>(pull);
-    for (int c = 0; c < corners; ++c) {
-      group.subtract_at_corner(block, pull[c], c, block.force[i]);
-    }
+    group.subtract_at_corners(block, pull, block.force[i]);
   }
 }
 

@@ -97,13 +97,13 @@ const Fault faults[] = {
      "damping = \"adaptive\", or a rate as in damping = 0.5"},
     {"lighter_mass", with(rubber_block, "damping = 1", "mass_scaling = 0.5"),
      "block.toml:12: mass_scaling must be 1 or more, got 0.5; write it as in mass_scaling = 1e4"},
-    {"a_pressure_at_a_point_of_space",
-     rubber_block + "[[measurement]]\nname = \"p\"\nkind = \"point_value\"\npoint = [0, 0]\nfield "
-                    "= \"pressure\"\n",
-     "block.toml:15: method \"total_lagrangian\" does not measure \"point_value\"; measure one of "
-     "extent, point_displacement, material_value, mean_value, mass, centre_of_mass, momentum, "
-     "angular_momentum, kinetic_energy, strain_energy, total_energy, energy_ratio, wall_force, "
-     "volume, surface_area, or choose another method"},
+    {"parts_of_a_body_that_cannot_be_cut",
+     rubber_block + "[[measurement]]\nname = \"p\"\nkind = \"connected_parts\"\n",
+     "block.toml:15: method \"total_lagrangian\" does not measure \"connected_parts\"; measure one "
+     "of extent, surface_distance, mean_radius, point_displacement, point_value, material_value, "
+     "mean_value, mass, centre_of_mass, momentum, angular_momentum, kinetic_energy, strain_energy, "
+     "total_energy, energy_ratio, wall_force, volume, surface_area, velocity_error, or choose "
+     "another method"},
     {"a_negative_friction_coefficient",
      rubber_block + "[[boundary]]\nname = \"w\"\nkind = \"contact_wall\"\nfriction = -0.3\n"
                     "geometry = { shape = \"half_space\", point = [0, -1], normal = [0, 1] }\n",

@@ -7,8 +7,10 @@
 
 #include "engine/geometry/padded.hpp"
 #include "engine/method/no_value.hpp"
+#include "engine/method/velocity_error.hpp"
 #include "engine/point_based/cutting/connected_parts.hpp"
 #include "engine/point_based/node_state.hpp"
+#include "engine/point_based/observe/node_values.hpp"
 #include "engine/point_based/surface.hpp"
 
 namespace pliant::point_based {
@@ -27,7 +29,12 @@ auto Measurer<T, D>::function_of(MeasurementCase::Kind kind) -> Function {
   using Quantity = MeasurementCase::Kind;
   static constexpr std::pair<Quantity, Function> functions[] = {
       {Quantity::extent, &Measurer::extent},
+      {Quantity::surface_distance, &Measurer::surface_distance},
+      {Quantity::mean_radius, &Measurer::mean_radius},
       {Quantity::point_displacement, &Measurer::point_displacement},
+      {Quantity::point_value, &Measurer::point_value},
+      {Quantity::material_value, &Measurer::material_value},
+      {Quantity::mean_value, &Measurer::mean_value},
       {Quantity::mass, &Measurer::integral},
       {Quantity::centre_of_mass, &Measurer::integral},
       {Quantity::momentum, &Measurer::integral},
@@ -41,6 +48,7 @@ auto Measurer<T, D>::function_of(MeasurementCase::Kind kind) -> Function {
       {Quantity::surface_area, &Measurer::surface_area},
       {Quantity::connected_parts, &Measurer::parts},
       {Quantity::largest_part_volume, &Measurer::parts},
+      {Quantity::velocity_error, &Measurer::velocity_error},
   };
   for (const auto& [known, function] : functions) {
     if (known == kind) return function;
@@ -60,71 +68,109 @@ double Measurer<T, D>::integral(const MeasurementCase& m) const {
 }
 
 template <class T, int D>
-double Measurer<T, D>::extent(const MeasurementCase& m) const {
-  const Body<T, D>& body = state_.bodies[m.body];
-  const double t = state_.clock.time, sign = m.lower_side ? -1 : 1;
-  double farthest = -std::numeric_limits<double>::infinity();
+undeformed::FreeSurface<D> Measurer<T, D>::free_surface(int index) const {
+  const Body<T, D>& body = state_.bodies[index];
   const std::vector<Point<D>> place = present_corners(body);
+  undeformed::FreeSurface<D> surface;
   for (std::size_t f = 0; f < body.surface.facet.size(); ++f) {
     if (!body.surface.is_free[f]) continue;
-    for (const std::int32_t corner : body.surface.facet[f]) {
-      const Vector at = padded<D>(place[corner]);
-      if (m.where && (*m.where)(at[0], at[1], at[2], t) == 0) continue;
-      farthest = std::max(farthest, sign * at[m.axis]);
-    }
+    auto& corner = surface.emplace_back();
+    for (int v = 0; v < D; ++v) corner[v] = place[body.surface.facet[f][v]];
   }
-  return std::isfinite(farthest) ? farthest - sign * m.reference : no_value;
+  return surface;
+}
+
+template <class T, int D>
+double Measurer<T, D>::extent(const MeasurementCase& m) const {
+  return undeformed::extent<D>(free_surface(m.body), m, state_.clock.time);
+}
+
+template <class T, int D>
+double Measurer<T, D>::surface_distance(const MeasurementCase& m) const {
+  return undeformed::surface_distance<D>(free_surface(m.body), m);
+}
+
+template <class T, int D>
+double Measurer<T, D>::mean_radius(const MeasurementCase& m) const {
+  return undeformed::mean_radius<D>(free_surface(m.body), m);
+}
+
+template <class T, int D>
+double Measurer<T, D>::surface_area(const MeasurementCase& m) const {
+  return undeformed::surface_area<D>(free_surface(m.body));
+}
+
+template <class T, int D>
+std::optional<std::int64_t> Measurer<T, D>::nearest_node(int index, const Vector& point) const {
+  const Body<T, D>& body = state_.bodies[index];
+  double least = std::numeric_limits<double>::infinity();
+  std::int64_t nearest = 0;
+  body.for_each_node([&](std::int64_t slot) {
+    double square = 0;
+    for (int a = 0; a < D; ++a) {
+      square += (point[a] - body.start[slot][a]) * (point[a] - body.start[slot][a]);
+    }
+    if (square >= least) return;
+    least = square;
+    nearest = slot;
+  });
+  const double size = std::pow(body.mass[nearest] / body.material.density, 1. / D);
+  if (std::sqrt(least) > size * std::sqrt(D)) return std::nullopt;
+  return nearest;
 }
 
 // Linear around the nearest node, as the gradient there says.
 template <class T, int D>
 double Measurer<T, D>::point_displacement(const MeasurementCase& m) const {
   const Body<T, D>& body = state_.bodies[m.body];
-  double least = std::numeric_limits<double>::infinity();
-  std::int64_t nearest = 0;
-  const NodeBlock* owner = nullptr;
-  for (const NodeBlock& block : body.blocks) {
-    for (std::int64_t slot = block.first; slot < block.first + block.nodes; ++slot) {
-      double square = 0;
-      for (int a = 0; a < D; ++a) {
-        square += (m.point[a] - body.start[slot][a]) * (m.point[a] - body.start[slot][a]);
-      }
-      if (square >= least) continue;
-      least = square;
-      nearest = slot;
-      owner = &block;
-    }
-  }
-  const double size = std::pow(body.mass[nearest] / body.material.density, 1. / D);
-  if (std::sqrt(least) > size * std::sqrt(D)) return no_value;
-  const NodeState<D> node = node_state(body, *owner, nearest);
-  double displacement = body.displacement[m.axis][nearest];
+  const std::optional<std::int64_t> nearest = nearest_node(m.body, m.point);
+  if (!nearest) return no_value;
+  const NodeState<D> node = node_state(body, body.block_of(*nearest), *nearest);
+  double displacement = body.displacement[m.axis][*nearest];
   for (int a = 0; a < D; ++a) {
     const double slope = node.gradient[D * m.axis + a] - (a == m.axis ? 1 : 0);
-    displacement += slope * (m.point[a] - body.start[nearest][a]);
+    displacement += slope * (m.point[a] - body.start[*nearest][a]);
   }
   return displacement;
 }
 
 template <class T, int D>
-double Measurer<T, D>::wall_impulse(const MeasurementCase& m) const {
-  return state_.impulse(m);
+double Measurer<T, D>::value_at(const MeasurementCase& m, const Vector& start) const {
+  const std::optional<std::int64_t> nearest = nearest_node(m.body, start);
+  if (!nearest) return no_value;
+  return point_based::material_value(state_.bodies[m.body], start, *nearest, m.field);
 }
 
 template <class T, int D>
-double Measurer<T, D>::surface_area(const MeasurementCase& m) const {
+double Measurer<T, D>::point_value(const MeasurementCase& m) const {
+  return value_at(m, start_of(state_.bodies[m.body], m.point));
+}
+
+template <class T, int D>
+double Measurer<T, D>::material_value(const MeasurementCase& m) const {
+  return value_at(m, m.point);
+}
+
+template <class T, int D>
+double Measurer<T, D>::mean_value(const MeasurementCase& m) const {
+  return point_based::mean_value(state_.bodies[m.body], m, state_.clock.time);
+}
+
+template <class T, int D>
+double Measurer<T, D>::velocity_error(const MeasurementCase& m) const {
   const Body<T, D>& body = state_.bodies[m.body];
-  const std::vector<Point<D>> place = present_corners(body);
-  double sum = 0;
-  for (std::size_t f = 0; f < body.surface.facet.size(); ++f) {
-    if (!body.surface.is_free[f]) continue;
-    std::array<Point<D>, D> corner;
-    for (int v = 0; v < D; ++v) corner[v] = place[body.surface.facet[f][v]];
-    double square = 0;
-    for (const double a : undeformed::area_vector<D>(corner)) square += a * a;
-    sum += std::sqrt(square);
-  }
-  return sum;
+  VelocityError error(m, state_.clock.time);
+  body.for_each_node([&](std::int64_t slot) {
+    Point<D> u;
+    for (int a = 0; a < D; ++a) u[a] = body.velocity[a][slot];
+    error.add(padded<D>(body.position(slot)), padded<D>(u), D);
+  });
+  return error.value();
+}
+
+template <class T, int D>
+double Measurer<T, D>::wall_impulse(const MeasurementCase& m) const {
+  return state_.impulse(m);
 }
 
 template <class T, int D>

@@ -1,10 +1,13 @@
 #pragma once
 
+#include <cstdint>
+#include <optional>
 #include <span>
 #include <vector>
 
 #include "engine/method/body_integrals.hpp"
 #include "engine/point_based/state.hpp"
+#include "engine/undeformed/surface_measures.hpp"
 
 namespace pliant::point_based {
 
@@ -32,12 +35,26 @@ class Measurer {
   static Function function_of(MeasurementCase::Kind kind);
   double value(const MeasurementCase& m) const;
   double extent(const MeasurementCase& m) const;
+  double surface_distance(const MeasurementCase& m) const;
+  double mean_radius(const MeasurementCase& m) const;
   double point_displacement(const MeasurementCase& m) const;
+  double point_value(const MeasurementCase& m) const;
+  double material_value(const MeasurementCase& m) const;
+  double mean_value(const MeasurementCase& m) const;
   double wall_impulse(const MeasurementCase& m) const;
   double surface_area(const MeasurementCase& m) const;
   double parts(const MeasurementCase& m) const;
+  double velocity_error(const MeasurementCase& m) const;
   double integral(const MeasurementCase& m) const;
   BodyIntegrals integrals(int body, const Vector& about) const;
+
+  /// The present free surface of a body, cut faces left out.
+  undeformed::FreeSurface<D> free_surface(int body) const;
+  /// Slot of the node of the undeformed body that is nearest to a point; none where the point lies
+  /// outside.
+  std::optional<std::int64_t> nearest_node(int body, const Vector& point) const;
+  /// The field of a measurement at a place of the undeformed body.
+  double value_at(const MeasurementCase& m, const Vector& start) const;
 
   const State<T, D>& state_;
 };

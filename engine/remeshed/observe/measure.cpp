@@ -6,6 +6,7 @@
 
 #include "engine/geometry/padded.hpp"
 #include "engine/method/no_value.hpp"
+#include "engine/method/velocity_error.hpp"
 #include "engine/remeshed/contact/momentum_correction.hpp"
 #include "engine/remeshed/level_set/interpolant.hpp"
 #include "engine/remeshed/neighbours/closest_pair.hpp"
@@ -208,27 +209,16 @@ BodyIntegrals Measurer<T, D>::totals() {
 template <class T, int D>
 double Measurer<T, D>::velocity_error(const MeasurementCase& m) {
   const Body<T, D>& body = state_.bodies[m.body];
-  const double t = state_.clock.time;
-  double largest = 0, square = 0;
-  std::int64_t count = 0;
+  VelocityError error(m, state_.clock.time);
   for (const Block<D>& block : body.population.layout.blocks()) {
     body.population.layout.for_each_slot(block, [&](std::int64_t p, const Cell<D>& cell) {
       if (body.population.kind[p] != pliant::remeshed::Kind::interior) return;
-      const Vector x = padded<D>(body.position(p, cell));
-      for (int a = 0; a < D; ++a) {
-        const double error =
-            std::abs(body.stage[0].get(Field::velocity, a)[p] - m.exact[a](x[0], x[1], x[2], t));
-        largest = std::max(largest, error);
-        square += error * error;
-      }
-      ++count;
+      Point<D> u;
+      for (int a = 0; a < D; ++a) u[a] = body.stage[0].get(Field::velocity, a)[p];
+      error.add(padded<D>(body.position(p, cell)), padded<D>(u), D);
     });
   }
-  const double error =
-      m.norm == MeasurementCase::Norm::maximum
-          ? largest
-          : std::sqrt(square / static_cast<double>(std::max<std::int64_t>(count, 1)));
-  return error / m.reference;
+  return error.value();
 }
 
 // Linear in the cell around the point; the field is evaluated at its corner nodes.

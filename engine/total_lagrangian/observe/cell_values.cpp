@@ -1,6 +1,8 @@
 #include "engine/total_lagrangian/observe/cell_values.hpp"
 
+#include <Eigen/Dense>
 #include <cmath>
+#include <limits>
 
 #include "engine/geometry/padded.hpp"
 #include "engine/method/field_components.hpp"
@@ -20,6 +22,16 @@ double mean_of_corners(const Body<T, D>& body, const Buffer<T>& values, const Ce
   double sum = 0;
   for (const std::int64_t p : body.corners(cell)) sum += values[p];
   return sum / (1 << D);
+}
+
+template <class T, int D>
+Point<D> present_centre(const Body<T, D>& body, const Cell<D>& cell) {
+  Point<D> x;
+  for (int a = 0; a < D; ++a) {
+    x[a] = body.lattice.node(a, cell[a]) + body.lattice.spacing / 2 +
+           mean_of_corners<T, D>(body, body.displacement[a], cell);
+  }
+  return x;
 }
 
 // A field of measurements, by its name, at a stress point.
@@ -50,33 +62,60 @@ void for_each_cell(const Body<T, D>& body, F&& f) {
 }  // namespace
 
 template <class T, int D>
-double material_value(const Body<T, D>& body, const MeasurementCase& m, double hourglass) {
+double material_value(const Body<T, D>& body, const Vector& start, const std::string& field,
+                      double hourglass) {
   LinearFit<D, 1> fit;
   for_each_cell(body, [&](std::int64_t p, const Cell<D>& cell) {
     Point<D> r;
     double square = 0;
     for (int a = 0; a < D; ++a) {
-      r[a] = (body.lattice.node(a, cell[a]) - m.point[a]) / body.lattice.spacing + 0.5;
+      r[a] = (body.lattice.node(a, cell[a]) - start[a]) / body.lattice.spacing + 0.5;
       square += r[a] * r[a];
     }
     const double fraction = square / (radius * radius);
     if (fraction >= 1) return;
     fit.add(r, (1 - fraction) * (1 - fraction),
-            {cell_value<T, D>(body, p, cell, hourglass, m.field)});
+            {cell_value<T, D>(body, p, cell, hourglass, field)});
   });
   return fit.solve() ? fit.value(0) : no_value;
+}
+
+template <class T, int D>
+std::optional<Vector> start_of(const Body<T, D>& body, const Vector& x) {
+  using Row = Eigen::Matrix<double, D, 1>;
+  double least = std::numeric_limits<double>::infinity();
+  std::int64_t nearest = 0;
+  Cell<D> nearest_cell = {};
+  Row offset = Row::Zero();
+  for_each_cell(body, [&](std::int64_t p, const Cell<D>& cell) {
+    const Point<D> centre = present_centre<T, D>(body, cell);
+    Row r;
+    for (int a = 0; a < D; ++a) r[a] = x[a] - centre[a];
+    if (r.squaredNorm() >= least) return;
+    least = r.squaredNorm();
+    nearest = p;
+    nearest_cell = cell;
+    offset = r;
+  });
+  if (!std::isfinite(least)) return std::nullopt;
+  const auto f = stress_point<T, D>(body, nearest, nearest_cell, 0).deformation_gradient;
+  Eigen::Matrix<double, D, D> gradient;
+  for (int i = 0; i < D; ++i) {
+    for (int j = 0; j < D; ++j) gradient(i, j) = f[i][j];
+  }
+  const Row back = gradient.inverse() * offset;
+  const double h = body.lattice.spacing;
+  if (back.norm() > h * std::sqrt(D)) return std::nullopt;
+  Vector start = {};
+  for (int a = 0; a < D; ++a) start[a] = body.lattice.node(a, nearest_cell[a]) + h / 2 + back[a];
+  return start;
 }
 
 template <class T, int D>
 double mean_value(const Body<T, D>& body, const MeasurementCase& m, double hourglass, double t) {
   double sum = 0, volume = 0;
   for_each_cell(body, [&](std::int64_t p, const Cell<D>& cell) {
-    Point<D> x;
-    for (int a = 0; a < D; ++a) {
-      x[a] = body.lattice.node(a, cell[a]) + body.lattice.spacing / 2 +
-             mean_of_corners<T, D>(body, body.displacement[a], cell);
-    }
-    const Vector at = padded<D>(x);
+    const Vector at = padded<D>(present_centre<T, D>(body, cell));
     if (m.where && (*m.where)(at[0], at[1], at[2], t) == 0) return;
     const double v = body.fraction[p] * stress_point<T, D>(body, p, cell, hourglass).volume_ratio;
     sum += v * cell_value<T, D>(body, p, cell, hourglass, m.field);
@@ -85,10 +124,14 @@ double mean_value(const Body<T, D>& body, const MeasurementCase& m, double hourg
   return volume > 0 ? sum / volume : no_value;
 }
 
-template double material_value(const Body<double, 2>&, const MeasurementCase&, double);
-template double material_value(const Body<double, 3>&, const MeasurementCase&, double);
-template double material_value(const Body<float, 2>&, const MeasurementCase&, double);
-template double material_value(const Body<float, 3>&, const MeasurementCase&, double);
+template double material_value(const Body<double, 2>&, const Vector&, const std::string&, double);
+template std::optional<Vector> start_of(const Body<double, 2>&, const Vector&);
+template double material_value(const Body<double, 3>&, const Vector&, const std::string&, double);
+template std::optional<Vector> start_of(const Body<double, 3>&, const Vector&);
+template double material_value(const Body<float, 2>&, const Vector&, const std::string&, double);
+template std::optional<Vector> start_of(const Body<float, 2>&, const Vector&);
+template double material_value(const Body<float, 3>&, const Vector&, const std::string&, double);
+template std::optional<Vector> start_of(const Body<float, 3>&, const Vector&);
 template double mean_value(const Body<double, 2>&, const MeasurementCase&, double, double);
 template double mean_value(const Body<double, 3>&, const MeasurementCase&, double, double);
 template double mean_value(const Body<float, 2>&, const MeasurementCase&, double, double);

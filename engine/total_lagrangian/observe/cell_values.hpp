@@ -1,13 +1,21 @@
 #pragma once
 
+#include <optional>
+#include <string>
+
 #include "engine/total_lagrangian/body.hpp"
 
 namespace pliant::total_lagrangian {
 
-/// The field of a `material_value` at the material point that was at `m.point` at t = 0: a linear
-/// fit over the cells around it. NaN where there are none.
+/// The value of a field at the place `start` of the undeformed body [m]: a linear fit over the
+/// cells around it. NaN where there are none.
 template <class T, int D>
-double material_value(const Body<T, D>& body, const MeasurementCase& m, double hourglass);
+double material_value(const Body<T, D>& body, const Vector& start, const std::string& field,
+                      double hourglass);
+
+/// Where the material now at `x` [m] started, as the nearest cell says; none where no cell is near.
+template <class T, int D>
+std::optional<Vector> start_of(const Body<T, D>& body, const Vector& x);
 
 /// The mean of the field of a `mean_value` over the present volume of the cells that lie where the
 /// measurement says. NaN where there are none.

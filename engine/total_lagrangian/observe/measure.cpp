@@ -1,12 +1,11 @@
 #include "engine/total_lagrangian/observe/measure.hpp"
 
-#include <algorithm>
 #include <cmath>
-#include <limits>
 #include <utility>
 
 #include "engine/geometry/padded.hpp"
 #include "engine/method/no_value.hpp"
+#include "engine/method/velocity_error.hpp"
 #include "engine/total_lagrangian/observe/cell_values.hpp"
 #include "engine/total_lagrangian/parameters.hpp"
 #include "engine/total_lagrangian/stress_point.hpp"
@@ -48,7 +47,10 @@ auto Measurer<T, D>::function_of(MeasurementCase::Kind kind) -> Function {
   using Quantity = MeasurementCase::Kind;
   static constexpr std::pair<Quantity, Function> functions[] = {
       {Quantity::extent, &Measurer::extent},
+      {Quantity::surface_distance, &Measurer::surface_distance},
+      {Quantity::mean_radius, &Measurer::mean_radius},
       {Quantity::point_displacement, &Measurer::point_displacement},
+      {Quantity::point_value, &Measurer::point_value},
       {Quantity::material_value, &Measurer::material_value},
       {Quantity::mean_value, &Measurer::mean_value},
       {Quantity::mass, &Measurer::integral},
@@ -62,6 +64,7 @@ auto Measurer<T, D>::function_of(MeasurementCase::Kind kind) -> Function {
       {Quantity::wall_force, &Measurer::wall_impulse},
       {Quantity::volume, &Measurer::integral},
       {Quantity::surface_area, &Measurer::surface_area},
+      {Quantity::velocity_error, &Measurer::velocity_error},
   };
   for (const auto& [known, function] : functions) {
     if (known == kind) return function;
@@ -81,20 +84,35 @@ double Measurer<T, D>::integral(const MeasurementCase& m) const {
 }
 
 template <class T, int D>
-double Measurer<T, D>::extent(const MeasurementCase& m) const {
-  const Body<T, D>& body = state_.bodies[m.body];
-  const double t = state_.clock.time, sign = m.lower_side ? -1 : 1;
-  double farthest = -std::numeric_limits<double>::infinity();
+undeformed::FreeSurface<D> Measurer<T, D>::free_surface(int index) const {
+  const Body<T, D>& body = state_.bodies[index];
+  undeformed::FreeSurface<D> surface;
   for (const Facet<D>& facet : body.facets) {
     if (!facet.free) continue;
-    for (const Vertex<D>& v : facet.vertex) {
-      const Point<D> x = body.position(v);
-      const Vector at = padded<D>(x);
-      if (m.where && (*m.where)(at[0], at[1], at[2], t) == 0) continue;
-      farthest = std::max(farthest, sign * x[m.axis]);
-    }
+    auto& corner = surface.emplace_back();
+    for (int v = 0; v < D; ++v) corner[v] = body.position(facet.vertex[v]);
   }
-  return std::isfinite(farthest) ? farthest - sign * m.reference : no_value;
+  return surface;
+}
+
+template <class T, int D>
+double Measurer<T, D>::extent(const MeasurementCase& m) const {
+  return undeformed::extent<D>(free_surface(m.body), m, state_.clock.time);
+}
+
+template <class T, int D>
+double Measurer<T, D>::surface_distance(const MeasurementCase& m) const {
+  return undeformed::surface_distance<D>(free_surface(m.body), m);
+}
+
+template <class T, int D>
+double Measurer<T, D>::mean_radius(const MeasurementCase& m) const {
+  return undeformed::mean_radius<D>(free_surface(m.body), m);
+}
+
+template <class T, int D>
+double Measurer<T, D>::surface_area(const MeasurementCase& m) const {
+  return undeformed::surface_area<D>(free_surface(m.body));
 }
 
 // Linear in each direction within the cell in which the point started.
@@ -127,28 +145,26 @@ double Measurer<T, D>::wall_impulse(const MeasurementCase& m) const {
 }
 
 template <class T, int D>
-double Measurer<T, D>::material_value(const MeasurementCase& m) const {
-  return total_lagrangian::material_value<T, D>(state_.bodies[m.body], m,
+double Measurer<T, D>::value_at(const MeasurementCase& m, const Vector& start) const {
+  return total_lagrangian::material_value<T, D>(state_.bodies[m.body], start, m.field,
                                                 parameters_of(settings_).hourglass_stiffness);
+}
+
+template <class T, int D>
+double Measurer<T, D>::material_value(const MeasurementCase& m) const {
+  return value_at(m, m.point);
+}
+
+template <class T, int D>
+double Measurer<T, D>::point_value(const MeasurementCase& m) const {
+  const std::optional<Vector> start = start_of<T, D>(state_.bodies[m.body], m.point);
+  return start ? value_at(m, *start) : no_value;
 }
 
 template <class T, int D>
 double Measurer<T, D>::mean_value(const MeasurementCase& m) const {
   return total_lagrangian::mean_value<T, D>(
       state_.bodies[m.body], m, parameters_of(settings_).hourglass_stiffness, state_.clock.time);
-}
-
-template <class T, int D>
-double Measurer<T, D>::surface_area(const MeasurementCase& m) const {
-  const Body<T, D>& body = state_.bodies[m.body];
-  double sum = 0;
-  for (const Facet<D>& facet : body.facets) {
-    if (!facet.free) continue;
-    double square = 0;
-    for (const double a : area_vector(body, facet)) square += a * a;
-    sum += std::sqrt(square);
-  }
-  return sum;
 }
 
 // From the middle of the step to the present time, by the acceleration of that step (TL.8):
@@ -181,6 +197,19 @@ std::vector<Point<D>> Measurer<T, D>::present_velocity(const Body<T, D>& body) c
     for (int a = 0; a < D; ++a) velocity[p][a] += change[p][a];
   }
   return velocity;
+}
+
+template <class T, int D>
+double Measurer<T, D>::velocity_error(const MeasurementCase& m) const {
+  const Body<T, D>& body = state_.bodies[m.body];
+  const std::vector<Point<D>> velocity = present_velocity(body);
+  VelocityError error(m, state_.clock.time);
+  for_each_particle(body, [&](std::int64_t p, const Cell<D>& cell) {
+    Point<D> x = body.place(p, cell);
+    for (int a = 0; a < D; ++a) x[a] += body.displacement[a][p];
+    error.add(padded<D>(x), padded<D>(velocity[p]), D);
+  });
+  return error.value();
 }
 
 template <class T, int D>

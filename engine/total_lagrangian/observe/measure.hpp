@@ -5,6 +5,7 @@
 
 #include "engine/method/body_integrals.hpp"
 #include "engine/total_lagrangian/state.hpp"
+#include "engine/undeformed/surface_measures.hpp"
 
 namespace pliant::total_lagrangian {
 
@@ -29,12 +30,19 @@ class Measurer {
   static Function function_of(MeasurementCase::Kind kind);
   double value(const MeasurementCase& m) const;
   double extent(const MeasurementCase& m) const;
+  double surface_distance(const MeasurementCase& m) const;
+  double mean_radius(const MeasurementCase& m) const;
   double point_displacement(const MeasurementCase& m) const;
+  double point_value(const MeasurementCase& m) const;
   double wall_impulse(const MeasurementCase& m) const;
   double material_value(const MeasurementCase& m) const;
   double mean_value(const MeasurementCase& m) const;
   double surface_area(const MeasurementCase& m) const;
+  double velocity_error(const MeasurementCase& m) const;
   double integral(const MeasurementCase& m) const;
+  undeformed::FreeSurface<D> free_surface(int body) const;
+  /// The field of a measurement at a place of the undeformed body.
+  double value_at(const MeasurementCase& m, const Vector& start) const;
   std::vector<Point<D>> present_velocity(const Body<T, D>& body) const;
   BodyIntegrals integrals(int body, const Vector& about) const;
 
