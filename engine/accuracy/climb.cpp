@@ -86,8 +86,7 @@ class Climb {
     // A run that continued from a checkpoint would seem to take less time.
     std::filesystem::remove_all(run.folder);
     batch::Job job({}, run.folder, run.command);
-    const batch::Outcome outcome =
-        end_of(job, ladders_.time_limit, end_of_child_, interrupt_);
+    const batch::Outcome outcome = end_of(job, ladders_.time_limit, end_of_child_, interrupt_);
     if (outcome.exit_status == 0) keep(run, outcome);
     return outcome;
   }
@@ -112,9 +111,10 @@ class Climb {
 
 AccuracyRecord climb(const Ladders& ladders, const ClimbOptions& options) {
   if (!options.resume && std::filesystem::exists(options.folder / "1")) {
-    throw InputError(fmt::format("{}: holds runs of ladders; continue them with --resume, or give "
-                                 "another --out",
-                                 options.folder.string()));
+    throw InputError(
+        fmt::format("{}: holds runs of ladders; continue them with --resume, or give "
+                    "another --out",
+                    options.folder.string()));
   }
   return Climb(ladders, options)();
 }

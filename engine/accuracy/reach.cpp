@@ -36,13 +36,12 @@ Cost cost_of(double error, std::span<const Rated> rungs) {
   while (first < answers.size() && answers[first].error > error) ++first;
   if (first == answers.size()) return {};
   const Rated& good = answers[first];
-  const Certainty confirmed =
-      first == 0 ? Certainty::at_most : Certainty::interpolated;
+  const Certainty confirmed = first == 0 ? Certainty::at_most : Certainty::interpolated;
   const Certainty certainty = first + 1 == answers.size() ? Certainty::unconfirmed : confirmed;
   if (first == 0) return {certainty, good.particles, good.seconds};
   const Rated& poor = answers[first - 1];
-  const double share = std::log(error / poor.error) /
-                       std::log(std::max(good.error, least_error) / poor.error);
+  const double share =
+      std::log(error / poor.error) / std::log(std::max(good.error, least_error) / poor.error);
   return {certainty, straight_in_logarithms(share, poor.particles, good.particles),
           straight_in_logarithms(share, poor.seconds, good.seconds)};
 }

@@ -90,8 +90,7 @@ Series series_of(const toml::table& table, const Series& usual) {
   refuse_other_keys(table, {"name", "set", "rungs", "quick"});
   Series series;
   series.name = name_in(table);
-  series.settings =
-      batch::texts_of(table, "set", R"(set = ["discretisation.kernel=compact"])");
+  series.settings = batch::texts_of(table, "set", R"(set = ["discretisation.kernel=compact"])");
   series.rungs = rungs_of(table);
   if (series.rungs.empty()) series.rungs = usual.rungs;
   if (series.rungs.empty()) {

@@ -27,9 +27,10 @@ double value_of(const batch::Outcome& outcome, const std::string& measurement) {
   for (const auto& one : outcome.measurements) {
     if (one.name == measurement) return one.value;
   }
-  throw InputError(fmt::format("the case does not measure `{}`, which is a target; take one of its "
-                               "measurements, or add it with `set`",
-                               measurement));
+  throw InputError(
+      fmt::format("the case does not measure `{}`, which is a target; take one of its "
+                  "measurements, or add it with `set`",
+                  measurement));
 }
 
 /// The command without the program, which may be at another place.

@@ -2,7 +2,8 @@
 
 #include <optional>
 
-#include "engine/accuracy/climb.hpp"
+#include "engine/accuracy/ladders.hpp"
+#include "engine/accuracy/record.hpp"
 #include "engine/batch/job.hpp"
 
 namespace pliant::accuracy {

@@ -14,7 +14,8 @@ using Table = std::vector<Cells>;  ///< the first line is the heading
 
 constexpr const char* costs_legend =
     "Wall time and particles at which the largest error from there on to the finest run falls to\n"
-    "the given one, straight between runs in logarithms. <: the coarsest run is that good already;\n"
+    "the given one, straight between runs in logarithms. <: the coarsest run is that good "
+    "already;\n"
     "~: only the finest one is, and none confirms it; -: not reached.\n";
 
 std::string cost_cell(const Cost& cost) {

@@ -17,9 +17,9 @@ namespace {
 constexpr double quick_time_limit = 15;  ///< [s]
 
 accuracy::Ladders ladders_of(const BenchArguments& arguments) {
-  accuracy::Ladders ladders = selected(
-      accuracy::read_ladders(arguments.ladders.value_or("bench/accuracy.toml")), arguments.rows,
-      arguments.quick);
+  accuracy::Ladders ladders =
+      selected(accuracy::read_ladders(arguments.ladders.value_or("bench/accuracy.toml")),
+               arguments.rows, arguments.quick);
   if (arguments.quick) ladders.time_limit = quick_time_limit;
   if (arguments.time_limit) ladders.time_limit = *arguments.time_limit;
   return ladders;
