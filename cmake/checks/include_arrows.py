@@ -44,9 +44,10 @@ ENGINE = {
     "bench": METHOD | {"simulation", "remeshed", "point_based"},  # bytes of stages and of nodes
     "profile": METHOD | {"simulation", "bench"},
     "batch": METHOD | {"simulation"},
+    "accuracy": METHOD | {"simulation", "batch", "bench"},
     "calibrate": METHOD | {"simulation", "batch"},
     "report": METHOD | {"batch", "simulation"},
-    "cli": METHOD | {"simulation", "bench", "profile", "batch", "calibrate", "report"},
+    "cli": METHOD | {"simulation", "bench", "profile", "batch", "accuracy", "calibrate", "report"},
 }
 # First component of <...>; the standard library needs no entry. Folders not named may use any.
 LIBRARIES = {

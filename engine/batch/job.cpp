@@ -103,4 +103,14 @@ RunStatus Job::settle(const Outcome& outcome, bool interrupted) {
   return RunStatus::pending;
 }
 
+Outcome end_of(Job& job, double time_limit, const EndOfChild& end_of_child,
+               const Interrupt& interrupt) {
+  while (true) {
+    if (std::optional<Outcome> outcome = job.outcome()) return *outcome;
+    if (interrupt.requested()) job.stop();
+    end_of_child.wait();
+    job.keep_limit(time_limit);
+  }
+}
+
 }  // namespace pliant::batch

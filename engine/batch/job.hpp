@@ -8,8 +8,10 @@
 #include <string>
 #include <vector>
 
+#include "engine/batch/end_of_child.hpp"
 #include "engine/batch/ledger.hpp"
 #include "engine/batch/waiting.hpp"
+#include "engine/output/interrupt.hpp"
 
 namespace pliant::batch {
 
@@ -45,5 +47,9 @@ class Job {
   pid_t process_ = 0;
   std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
 };
+
+/// Waits for the end of a job, and stops it after `time_limit` [s], unless 0, or when interrupted.
+Outcome end_of(Job& job, double time_limit, const EndOfChild& end_of_child,
+               const Interrupt& interrupt);
 
 }  // namespace pliant::batch

@@ -33,6 +33,7 @@ struct Outcome {
   };
   std::vector<Measurement> measurements = {};
   std::vector<std::pair<std::string, std::string>> versions = {};  ///< program and libraries
+  std::int64_t particles = 0, steps = 0;  ///< of its summary, not kept in the ledger
 };
 
 struct RunRow {

@@ -11,6 +11,9 @@ bool read_summary(const std::filesystem::path& folder, Outcome& outcome) {
   const auto summary = nlohmann::ordered_json::parse(file, nullptr, false);
   if (summary.is_discarded()) return false;
   outcome.wall_seconds = summary.value("wall_time", 0.0);
+  using Pointer = nlohmann::ordered_json::json_pointer;
+  outcome.particles = summary.value(Pointer("/particles/start"), std::int64_t{0});
+  outcome.steps = summary.value("steps", std::int64_t{0});
   for (const auto& [name, measurement] : summary["measurements"].items()) {
     const auto& value = measurement["value"];
     outcome.measurements.push_back({name, measurement["unit"].get<std::string>(),

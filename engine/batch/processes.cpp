@@ -1,8 +1,7 @@
-#include <signal.h>
-
 #include <vector>
 
 #include "engine/batch/child.hpp"
+#include "engine/batch/end_of_child.hpp"
 #include "engine/batch/job.hpp"
 #include "engine/batch/work.hpp"
 #include "engine/output/interrupt.hpp"
@@ -12,18 +11,12 @@ namespace pliant::batch {
 
 namespace {
 
-constexpr timespec longest_sleep = {0, 100'000'000};
-
 class Processes {
  public:
   explicit Processes(Work& work) : work_(work), memory_(available_memory()) {}
 
   BatchEnd operator()() {
-    // Signals that come while none is waited for stay pending.
-    sigset_t ended;
-    sigemptyset(&ended);
-    sigaddset(&ended, SIGCHLD);
-    sigprocmask(SIG_BLOCK, &ended, nullptr);
+    const EndOfChild end_of_child;
     const Interrupt interrupt;
     while (!jobs_.empty() || (!work_.waiting.empty() && !interrupt.requested())) {
       if (interrupt.requested()) {
@@ -31,7 +24,7 @@ class Processes {
       } else {
         start_jobs();
       }
-      if (!jobs_.empty() || !work_.waiting.empty()) sigtimedwait(&ended, nullptr, &longest_sleep);
+      if (!jobs_.empty() || !work_.waiting.empty()) end_of_child.wait();
       for (Job& job : jobs_) job.keep_limit(work_.sweep().time_limit);
       collect(interrupt.requested());
       work_.progress.show(jobs_.size(), work_.options().workers);

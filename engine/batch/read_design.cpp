@@ -25,6 +25,34 @@ void refuse_other_keys(const toml::table& table, const std::vector<std::string_v
   }
 }
 
+toml::table read_toml(const std::filesystem::path& file, std::string_view kind) {
+  std::ifstream stream(file);
+  if (!stream) {
+    throw InputError(fmt::format("{}: cannot be read; give the path of {}", file.string(), kind));
+  }
+  try {
+    return toml::parse(stream, file.string());
+  } catch (const toml::parse_error& error) {
+    throw InputError(fmt::format("{}:{}: {}; correct the TOML", file.string(),
+                                 error.source().begin.line, error.description()));
+  }
+}
+
+std::vector<std::string> texts_of(const toml::table& table, std::string_view key,
+                                  const std::string& example) {
+  std::vector<std::string> texts;
+  const toml::node* node = table.get(key);
+  if (node == nullptr) return texts;
+  const toml::array* list = node->as_array();
+  if (list == nullptr) refuse(*node, fmt::format("`{}` is no list", key), "write " + example);
+  for (const toml::node& one : *list) {
+    const auto text = one.value<std::string>();
+    if (!text) refuse(one, fmt::format("an entry of `{}` is no text", key), "write " + example);
+    texts.push_back(*text);
+  }
+  return texts;
+}
+
 namespace {
 
 constexpr int most_runs = 1'000'000;

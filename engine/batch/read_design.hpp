@@ -23,6 +23,14 @@ std::vector<Assignment> read_design(const toml::table& design, const std::filesy
 
 void refuse_other_keys(const toml::table& table, const std::vector<std::string_view>& known);
 
+/// The text of a TOML file, `kind` of which is named in messages. Throws InputError.
+toml::table read_toml(const std::filesystem::path& file, std::string_view kind);
+
+/// The texts of a list; none where there is no such key. Throws InputError, which says what to
+/// write by an example.
+std::vector<std::string> texts_of(const toml::table& table, std::string_view key,
+                                  const std::string& example);
+
 /// The value of a key, or `otherwise` where there is none. Throws InputError unless it is what is
 /// `wanted`.
 template <class T>

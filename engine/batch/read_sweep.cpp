@@ -2,7 +2,6 @@
 #include <toml++/toml.h>
 #include <pliant/error.hpp>
 
-#include <fstream>
 #include <set>
 
 #include "engine/batch/read_design.hpp"
@@ -12,36 +11,6 @@
 namespace pliant::batch {
 
 namespace {
-
-toml::table parsed(const std::filesystem::path& file) {
-  std::ifstream stream(file);
-  if (!stream) {
-    throw InputError(
-        fmt::format("{}: cannot be read; give the path of a sweep file", file.string()));
-  }
-  try {
-    return toml::parse(stream, file.string());
-  } catch (const toml::parse_error& error) {
-    throw InputError(fmt::format("{}:{}: {}; correct the TOML", file.string(),
-                                 error.source().begin.line, error.description()));
-  }
-}
-
-/// The texts of a list; none where there is no such key.
-std::vector<std::string> texts_of(const toml::table& table, std::string_view key,
-                                  const std::string& example) {
-  std::vector<std::string> texts;
-  const toml::node* node = table.get(key);
-  if (node == nullptr) return texts;
-  const toml::array* list = node->as_array();
-  if (list == nullptr) refuse(*node, fmt::format("`{}` is no list", key), "write " + example);
-  for (const toml::node& one : *list) {
-    const auto text = one.value<std::string>();
-    if (!text) refuse(one, fmt::format("an entry of `{}` is no text", key), "write " + example);
-    texts.push_back(*text);
-  }
-  return texts;
-}
 
 Sweep::Slurm slurm_of(const toml::table& root) {
   Sweep::Slurm slurm;
@@ -62,7 +31,7 @@ Sweep::Slurm slurm_of(const toml::table& root) {
 }  // namespace
 
 Sweep read_sweep(const std::filesystem::path& file) {
-  const toml::table root = parsed(file);
+  const toml::table root = read_toml(file, "a sweep file");
   refuse_other_keys(root, {"case", "set", "time_limit", "retries", "slurm", "design"});
   const std::filesystem::path folder = std::filesystem::absolute(file).parent_path();
   Sweep sweep;

@@ -22,19 +22,6 @@ using batch::refuse;
 using batch::refuse_other_keys;
 using batch::value_of;
 
-toml::table parsed(const std::filesystem::path& file) {
-  std::ifstream stream(file);
-  if (!stream) {
-    throw InputError(fmt::format("{}: cannot be read; give the path of a fit file", file.string()));
-  }
-  try {
-    return toml::parse(stream, file.string());
-  } catch (const toml::parse_error& error) {
-    throw InputError(fmt::format("{}:{}: {}; correct the TOML", file.string(),
-                                 error.source().begin.line, error.description()));
-  }
-}
-
 Parameter parameter_of(const toml::table& table) {
   refuse_other_keys(table, {"key", "start", "lower", "upper", "scale"});
   const auto number = [&](std::string_view key) {
@@ -124,7 +111,7 @@ void read_tables(const toml::table& root, std::string_view key, const Read& read
 }  // namespace
 
 Fit read_fit(const std::filesystem::path& file) {
-  const toml::table root = parsed(file);
+  const toml::table root = batch::read_toml(file, "a fit file");
   refuse_other_keys(root, {"case", "set", "time_limit", "most_runs", "parameter", "curve"});
   const std::filesystem::path folder = std::filesystem::absolute(file).parent_path();
   Fit fit;

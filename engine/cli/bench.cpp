@@ -6,6 +6,7 @@
 #include "engine/bench/against.hpp"
 #include "engine/bench/comparison.hpp"
 #include "engine/bench/standard_set.hpp"
+#include "engine/cli/accuracy.hpp"
 #include "engine/cli/verbs.hpp"
 #include "engine/output/atomic_file.hpp"
 #include "engine/simulation/solver_options.hpp"
@@ -59,11 +60,14 @@ ExitStatus compare_with_record(const BenchArguments& arguments, const bench::Rec
 }
 
 void refuse_contradictions(const BenchArguments& arguments) {
+  refuse_options_without_accuracy(arguments);
   if (arguments.against && (arguments.compare || arguments.save || arguments.csv)) {
     throw InputError("--against: not with --compare, --save or --csv; take one of them");
   }
-  if (arguments.markdown && !arguments.against && !arguments.compare) {
-    throw InputError("--markdown: is for comparisons; give --compare or --against too");
+  if (arguments.markdown && !arguments.against && !arguments.compare && !arguments.accuracy) {
+    throw InputError(
+        "--markdown: is for comparisons and --accuracy; give --compare, --against or --accuracy "
+        "too");
   }
   if (!arguments.tolerance.empty()) tolerance_of(arguments, 0);
 }
@@ -72,6 +76,7 @@ void refuse_contradictions(const BenchArguments& arguments) {
 
 ExitStatus bench(const BenchArguments& arguments) {
   refuse_contradictions(arguments);
+  if (arguments.accuracy) return accuracy(arguments);
   bench::StandardSetOptions options;
   options.quick = arguments.quick;
   options.ball = arguments.ball;

@@ -34,6 +34,27 @@ void add_comparison(CLI::App& command, BenchArguments& arguments) {
   command.add_flag("--json", arguments.json, "print what --save writes, and no tables");
 }
 
+void add_accuracy(CLI::App& command, BenchArguments& arguments) {
+  command.add_flag("--accuracy", arguments.accuracy,
+                   "measure the time to a given error instead: problems with\n"
+                   "known answers over ladders of spacings");
+  command
+      .add_option("--ladders", arguments.ladders,
+                  "problems and ladders of --accuracy (default: bench/accuracy.toml)")
+      ->type_name("FILE");
+  command
+      .add_option("--out", arguments.folder,
+                  "folder for the runs of --accuracy (default: results/accuracy)")
+      ->type_name("FOLDER");
+  command
+      .add_option("--time-limit", arguments.time_limit,
+                  "wall time of a run of --accuracy [s]; 0: none (default: that\n"
+                  "of the ladders, with --quick 15)")
+      ->check(CLI::Range(0.0, 1e9))
+      ->type_name("SECONDS");
+  command.add_flag("--resume", arguments.resume, "keep the runs of --accuracy that --out holds");
+}
+
 void add_bench(Commands& commands) {
   const auto arguments = std::make_shared<BenchArguments>();
   CLI::App& command =
@@ -51,6 +72,7 @@ void add_bench(Commands& commands) {
                   "threads to compare with one (default: one per processor)")
       ->type_name("N");
   add_comparison(command, *arguments);
+  add_accuracy(command, *arguments);
 }
 
 void add_machine(CLI::App& command, ProfileArguments& arguments) {

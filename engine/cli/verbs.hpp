@@ -63,6 +63,10 @@ struct BenchArguments {
   std::optional<std::filesystem::path> save, compare, against, markdown;
   std::string tolerance;  ///< empty: the default
   bool json = false;
+  bool accuracy = false;  ///< time to a given error, which the next four are for
+  bool resume = false;
+  std::optional<std::filesystem::path> ladders, folder;
+  std::optional<double> time_limit;  ///< of a run [s]
 };
 
 /// Measures the machine and the standard set of cases on it.

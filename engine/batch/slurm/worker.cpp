@@ -1,11 +1,10 @@
 #include "engine/batch/slurm/worker.hpp"
 
-#include <signal.h>
-
 #include <algorithm>
 #include <cmath>
 
 #include "engine/batch/child.hpp"
+#include "engine/batch/end_of_child.hpp"
 #include "engine/batch/job.hpp"
 #include "engine/batch/outcome.hpp"
 #include "engine/batch/slurm/attempt.hpp"
@@ -16,23 +15,17 @@ namespace pliant::batch::slurm {
 
 namespace {
 
-constexpr timespec longest_sleep = {0, 100'000'000};
-
 class Worker {
  public:
   Worker(const std::filesystem::path& runs, double time_limit)
-      : runs_(runs), time_limit_(time_limit) {
-    sigemptyset(&ended_);
-    sigaddset(&ended_, SIGCHLD);
-    sigprocmask(SIG_BLOCK, &ended_, nullptr);
-  }
+      : runs_(runs), time_limit_(time_limit) {}
 
   bool is_interrupted() const { return interrupt_.requested(); }
 
   void operator()(const TaskRun& task) {
     const std::filesystem::path folder = runs_ / task.run.name;
     // After the loss of a node, its last process may still be at work.
-    while (is_locked(Job::lock_of(folder)) && !is_interrupted()) wait();
+    while (is_locked(Job::lock_of(folder)) && !is_interrupted()) end_of_child_.wait();
     if (is_interrupted()) return;
     Waiting run = task.run;
     if (const auto before = read_attempt(folder); before && before->row.attempts > run.attempts) {
@@ -48,8 +41,6 @@ class Worker {
   }
 
  private:
-  void wait() const { sigtimedwait(&ended_, nullptr, &longest_sleep); }
-
   static bool ended_unseen(const Waiting& run, const std::filesystem::path& folder) {
     Attempt done;
     if (!read_summary(folder, done.row.outcome)) return false;
@@ -72,14 +63,8 @@ class Worker {
     made.attempts_left = run.attempts_left;
     write_attempt(folder, made);
     Job job(run, folder, command);
-    std::optional<Outcome> outcome;
-    while (!(outcome = job.outcome())) {
-      if (is_interrupted()) job.stop();
-      wait();
-      job.keep_limit(time_limit_);
-    }
-    made.row.status = job.settle(*outcome, is_interrupted());
-    made.row.outcome = *outcome;
+    made.row.outcome = end_of(job, time_limit_, end_of_child_, interrupt_);
+    made.row.status = job.settle(made.row.outcome, is_interrupted());
     made.row.ended = now();
     run = job.run();
     made.attempts_left = run.attempts_left;
@@ -89,7 +74,7 @@ class Worker {
 
   std::filesystem::path runs_;
   double time_limit_;
-  sigset_t ended_ = {};
+  EndOfChild end_of_child_;
   Interrupt interrupt_;
 };
 
