@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "engine/case/stability.hpp"
 #include "engine/method/step_failure.hpp"
@@ -19,8 +18,9 @@ namespace pliant::point_based {
 
 namespace {
 
-constexpr int examine_every = 8;      // steps
-constexpr double stable_steps = 1.4;  // H/c, (PB.12)
+constexpr int examine_every = 8;               // steps
+constexpr double energies_of_node = 2;         // the factor of lambda in (PB.12)
+constexpr double least_frequency2_over = 0.8;  // of the present one before the step grows again
 
 }  // namespace
 
@@ -28,8 +28,7 @@ template <class T, int D>
 Solver<T, D>::Solver(const Case& a_case, const SolverOptions& options)
     : Base(a_case, options),
       state_(this->settings().boundaries),
-      step_(state_, cuts_, this->settings(), kernels::PointBasedTable<T, D>::of(options.isa)),
-      resolution_(std::numeric_limits<double>::infinity()) {
+      step_(state_, cuts_, this->settings(), kernels::PointBasedTable<T, D>::of(options.isa)) {
   state_.bodies.resize(this->settings().bodies.size());
   std::vector<scheduler::Blocks> blocks;
   for (std::size_t b = 0; b < state_.bodies.size(); ++b) {
@@ -44,7 +43,10 @@ Solver<T, D>::Solver(const Case& a_case, const SolverOptions& options)
                         : nullptr);
     blocks.push_back(body.adjacency);
     number_blocks(static_cast<int>(b), body.adjacency.count(), state_.blocks);
-    resolution_ = std::min(resolution_, body.resolution);
+    body.for_each_node([&](std::int64_t slot) {
+      state_.frequency2 = std::max<double>(state_.frequency2,
+                                           energies_of_node * double{body.frequency2[slot]});
+    });
     state_.clock.wave_speed =
         std::max(state_.clock.wave_speed, kernels::wave_speed_at_rest(source.material));
   }
@@ -57,7 +59,16 @@ template <class T, int D>
 double Solver<T, D>::time_step() const {
   if (const double rest = state_.clock.rest(); rest > 0) return rest;
   if (this->settings().time.step) return *this->settings().time.step;
-  return cfl_number(this->settings()) * stable_steps * resolution_ / state_.clock.wave_speed;
+  const double viscous = parameters_of(this->settings()).stiffness_damping;
+  const double longest = std::sqrt(viscous * viscous + 4 / state_.frequency2) - viscous;
+  return cfl_number(this->settings()) * longest;
+}
+
+// A step of ever new length would feed vibrations: it shrinks when it must, and seldom grows.
+template <class T, int D>
+void Solver<T, D>::follow_frequency(double largest) {
+  const double found = energies_of_node * largest, present = state_.frequency2;
+  if (found > present || found < least_frequency2_over * present) state_.frequency2 = found;
 }
 
 template <class T, int D>
@@ -66,7 +77,9 @@ void Solver<T, D>::begin_step() {
   const double start = clock.step_end, length = time_step();
   step_.prepare({start, length, clock.step % examine_every == 0});
   this->run(*this->graph_);
-  check(step_.fold());
+  const StepResult result = step_.fold();
+  check(result);
+  if (result.frequency2 > 0) follow_frequency(result.frequency2);
   for (Wall<D>& wall : state_.boundaries.walls) wall.move(start, length);
   clock.step_length = length;
   clock.step_end = start + length;

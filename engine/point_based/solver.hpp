@@ -49,11 +49,12 @@ class Solver final : public undeformed::Solver<T, D>, public Blades {
   void save_state(ArchiveWriter& archive) const override;
   void restore_state(const ArchiveReader& archive) override;
   void check(const StepResult& result) const;
+  /// `largest` is the largest lambda q^2 of any node [1/s^2].
+  void follow_frequency(double largest);
 
   State<T, D> state_;
   typename Step<T, D>::Cuts cuts_;
   Step<T, D> step_;
-  double resolution_;  ///< the least H of all bodies [m]
 };
 
 extern template class Solver<double, 2>;

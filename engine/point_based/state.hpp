@@ -14,6 +14,8 @@ struct State : undeformed::State<D> {
   using undeformed::State<D>::State;
 
   std::vector<Body<T, D>> bodies;
+  /// Bound of the squared frequencies of all bodies, (PB.12) [1/s^2].
+  double frequency2 = 0;
 };
 
 }  // namespace pliant::point_based

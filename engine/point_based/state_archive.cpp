@@ -7,6 +7,7 @@ namespace pliant::point_based {
 template <class T, int D>
 void put_state(ArchiveWriter& archive, const State<T, D>& state) {
   undeformed::put_state<D>(archive, state);
+  archive.put("clock/frequency2", state.frequency2);
   for (std::size_t b = 0; b < state.bodies.size(); ++b) {
     undeformed::put_arrays(archive, b, state.bodies[b]);
   }
@@ -15,6 +16,7 @@ void put_state(ArchiveWriter& archive, const State<T, D>& state) {
 template <class T, int D>
 void get_state(const ArchiveReader& archive, State<T, D>& state) {
   undeformed::get_state<D>(archive, state);
+  state.frequency2 = archive.scalar<double>("clock/frequency2");
   for (std::size_t b = 0; b < state.bodies.size(); ++b) {
     undeformed::get_arrays(archive, b, state.bodies[b]);
   }

@@ -25,6 +25,7 @@ struct Advance {
 struct StepResult {
   std::int64_t non_finite = -1;  ///< a slot, or -1
   int failed_block = -1;         ///< that the slot belongs to
+  double frequency2 = 0;         ///< largest lambda q^2 of (PB.12) [1/s^2]; 0 unless examined
 };
 
 /// The phases of one time step: the method in the order of its equations.
@@ -83,6 +84,7 @@ class Step {
   const Case& settings_;
   const kernels::PointBasedTable<T, D>& kernels_;
   Advance advance_ = {};
+  bool cuts_have_moved_ = false;  ///< in the present step
   NodeLoads<T, D> loads_;
   undeformed::BoundaryWork<T, D> work_;
   undeformed::WallContact<T, D> contact_;
