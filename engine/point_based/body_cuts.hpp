@@ -22,8 +22,8 @@ class BodyCuts {
   /// Of the cuts whose body has this number. Keeps `choice`.
   BodyCuts(const Case& settings, int body_number, BondChoice<D> choice, const Body<T, D>& body);
 
-  /// Moves the blades on to where they are at `time` [s], or to where callers have put them. Whether
-  /// any has moved.
+  /// Moves the blades on to where they are at `time` [s], or to where callers have put them.
+  /// Whether any has moved.
   bool move(double time);
   /// Puts the edge of a cut of the case from `from` to `to`, present places [m], in 2D the first of
   /// them; in the place of what the case says, from the next `move` on. The edge is followed in the

@@ -7,8 +7,8 @@
 namespace pliant::point_based {
 
 // With the masses at the node and its neighbours, squared frequencies are the eigenvalues of
-// H -> C : (H W), C of the material. In the axes of W, diagonal H and each pair H_ij, H_ji are apart
-// from one another, and the largest eigenvalue is one of diagonal H.
+// H -> C : (H W), C of the material. In the axes of W, diagonal H and each pair H_ij, H_ji are
+// apart from one another, and the largest eigenvalue is one of diagonal H.
 template <int D>
 double node_frequency2(const NodeMaterial& node, std::span<const SwingingBond<D>> bonds) {
   using Vector = Eigen::Matrix<double, D, 1>;

@@ -44,8 +44,8 @@ Solver<T, D>::Solver(const Case& a_case, const SolverOptions& options)
     blocks.push_back(body.adjacency);
     number_blocks(static_cast<int>(b), body.adjacency.count(), state_.blocks);
     body.for_each_node([&](std::int64_t slot) {
-      state_.frequency2 = std::max<double>(state_.frequency2,
-                                           energies_of_node * double{body.frequency2[slot]});
+      state_.frequency2 =
+          std::max<double>(state_.frequency2, energies_of_node * double{body.frequency2[slot]});
     });
     state_.clock.wave_speed =
         std::max(state_.clock.wave_speed, kernels::wave_speed_at_rest(source.material));

@@ -14,7 +14,7 @@ struct State : undeformed::State<D> {
   using undeformed::State<D>::State;
 
   std::vector<Body<T, D>> bodies;
-  /// Bound of the squared frequencies of all bodies, (PB.12) [1/s^2].
+  /// Estimate of the highest squared frequency of all bodies, (PB.12) [1/s^2].
   double frequency2 = 0;
 };
 
