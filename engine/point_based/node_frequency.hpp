@@ -23,8 +23,8 @@ struct SwingingBond {
   double mass;        ///< of the neighbour [kg]
 };
 
-/// lambda_i of (PB.12) [1/s^2]: the highest squared frequency of a node and its neighbours, at rest,
-/// under the energy of this node alone.
+/// lambda_i of (PB.12) [1/s^2]: the highest squared frequency of a node and its neighbours, at
+/// rest, under the energy of this node alone.
 template <int D>
 double node_frequency2(const NodeMaterial& node, std::span<const SwingingBond<D>> bonds);
 
