@@ -78,6 +78,7 @@ struct Body : undeformed::Body<T, D> {
   std::vector<std::int64_t> number;            ///< [slot] of the node in its cloud; -1: none
   Buffer<T> volume;                            ///< [m^D], 0 at degenerate nodes
   Buffer<T> stiffness;                         ///< [N/m]
+  Buffer<T> frequency2;                        ///< of (PB.12) [1/s^2]
   std::array<Buffer<T>, D * D> kept_gradient;  ///< D of (PB.14), where there are cuts
   std::array<Buffer<T>, symmetric> moment, strain;
   std::array<Buffer<T>, D> pressure_load;  ///< [N], where pressures act
@@ -184,6 +185,7 @@ struct Body : undeformed::Body<T, D> {
     f(field_list[Field::inverse_mass], span(&body.inverse_mass, 1));
     f(field_list[Field::volume], span(&body.volume, 1));
     f(field_list[Field::stiffness], span(&body.stiffness, 1));
+    f(field_list[Field::frequency2], span(&body.frequency2, 1));
     f(field_list[Field::moment], span(body.moment));
     if (body.has_cuts()) f(field_list[Field::kept_gradient], span(body.kept_gradient));
     if (body.is_pressed()) f(field_list[Field::pressure_load], span(body.pressure_load));

@@ -208,7 +208,7 @@ void BodyCuts<T, D>::move_by_caller(std::size_t b, double time) {
 }
 
 template <class T, int D>
-void BodyCuts<T, D>::move(double time) {
+bool BodyCuts<T, D>::move(double time) {
   has_moved_ = false;
   for (std::size_t b = 0; b < blades_.size(); ++b) {
     if (blades_[b].is_put) {
@@ -217,6 +217,7 @@ void BodyCuts<T, D>::move(double time) {
       move_by_case(b, time);
     }
   }
+  return has_moved_;
 }
 
 template <class T, int D>

@@ -23,7 +23,8 @@ class BodyCuts {
   BodyCuts(const Case& settings, int body_number, BondChoice<D> choice, const Body<T, D>& body);
 
   /// Moves the blades on to where they are at `time` [s], or to where callers have put them.
-  void move(double time);
+  /// Whether any has moved.
+  bool move(double time);
   /// Puts the edge of a cut of the case from `from` to `to`, present places [m], in 2D the first of
   /// them; in the place of what the case says, from the next `move` on. The edge is followed in the
   /// undeformed body by points no farther apart than the nodes. `cut` is one of this body.

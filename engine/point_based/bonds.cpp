@@ -8,6 +8,7 @@
 #include <limits>
 
 #include "engine/point_based/nearest_nodes.hpp"
+#include "engine/point_based/node_frequency.hpp"
 #include "engine/point_based/node_operator.hpp"
 
 namespace pliant::point_based {
@@ -94,6 +95,21 @@ void set_rank(const NodeOperator<D>& made, int block, std::int64_t slot, Body<T,
   const double volume = body.mass[slot] / body.material.density;
   body.volume[slot] = made.rank == D ? static_cast<T>(volume) : T(0);
   if (made.rank < D) body.degenerate[block].push_back({slot, made.rank, made.direction, volume});
+}
+
+/// What (PB.12) makes of the bonds of a node, with all of its volume.
+template <class T, int D>
+double frequency2_of(const Chosen& chosen, const NodeOperator<D>& made, std::int64_t slot,
+                     const Body<T, D>& body) {
+  std::vector<SwingingBond<D>> bonds;
+  bonds.reserve(chosen.slot.size());
+  for (std::size_t k = 0; k < chosen.slot.size(); ++k) {
+    bonds.push_back({made.gradient[k], chosen.weight[k], body.mass[chosen.slot[k]]});
+  }
+  const double mass = body.mass[slot];
+  return node_frequency2<D>({body.material.lame_modulus, body.material.shear_modulus,
+                             mass / body.material.density, body.stiffness[slot], mass},
+                            bonds);
 }
 
 template <class T, int D>
@@ -210,6 +226,7 @@ void set_bonds(const BondChoice<D>& choice, std::span<const double> factors, std
   for (int c = 0; c < Body<T, D>::symmetric; ++c) {
     body.moment[c][slot] = static_cast<T>(made.moment[c]);
   }
+  body.frequency2[slot] = static_cast<T>(frequency2_of(chosen, made, slot, body));
   write_bonds<T, D>(block, slot, {chosen.slot, made.gradient}, chosen.weight, body);
 }
 

@@ -53,11 +53,11 @@ void check(const Check& check) {
   refuse_measurements(check, Measurer<double, 2>::is_measured);
 }
 
-// The limit of (PB.12) needs the nodes, which only the solver knows.
+// The bound of (PB.12) needs the nodes, which only the solver knows.
 StepLimits step_limits(const Case&) {
   StepLimits limits;
   limits.stable_cfl = 1;
-  limits.default_cfl = 0.5;
+  limits.default_cfl = 0.9;
   return limits;
 }
 

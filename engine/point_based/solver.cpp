@@ -3,16 +3,23 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <limits>
+#include <cmath>
 
 #include "engine/case/stability.hpp"
 #include "engine/point_based/setup.hpp"
 
 namespace pliant::point_based {
 
+namespace {
+
+constexpr double energies_of_node = 2;         // the factor of lambda in (PB.12)
+constexpr double least_frequency2_over = 0.8;  // of the present one before the step grows again
+
+}  // namespace
+
 template <class T, int D>
 Solver<T, D>::Solver(const Case& a_case, const SolverOptions& options)
-    : Base(a_case, options), resolution_(std::numeric_limits<double>::infinity()) {
+    : Base(a_case, options) {
   State<T, D>& state = this->state();
   for (std::size_t b = 0; b < state.bodies.size(); ++b) {
     Body<T, D>& body = state.bodies[b];
@@ -23,7 +30,10 @@ Solver<T, D>::Solver(const Case& a_case, const SolverOptions& options)
                              ? std::make_unique<BodyCuts<T, D>>(
                                    this->settings(), static_cast<int>(b), std::move(choice), body)
                              : nullptr);
-    resolution_ = std::min(resolution_, body.resolution);
+    body.for_each_node([&](std::int64_t slot) {
+      state.frequency2 =
+          std::max<double>(state.frequency2, energies_of_node * double{body.frequency2[slot]});
+    });
   }
   state.clock.damping = parameters_of(this->settings()).damping;
   const scheduler::Blocks blocks = number_blocks(state);
@@ -34,8 +44,18 @@ Solver<T, D>::Solver(const Case& a_case, const SolverOptions& options)
 
 template <class T, int D>
 double Solver<T, D>::automatic_step() const {
-  constexpr double stable_steps = 1.4;  // H/c
-  return cfl_number(this->settings()) * stable_steps * resolution_ / this->clock().wave_speed;
+  const double viscous = parameters_of(this->settings()).stiffness_damping;
+  const double longest = std::sqrt(viscous * viscous + 4 / this->state().frequency2) - viscous;
+  return cfl_number(this->settings()) * longest;
+}
+
+// A step of ever new length would feed vibrations: it shrinks when it must, and seldom grows.
+template <class T, int D>
+void Solver<T, D>::adapt(const Advance&, const StepResult& result) {
+  if (result.frequency2 == 0) return;
+  double& present = this->state().frequency2;
+  const double found = energies_of_node * result.frequency2;
+  if (found > present || found < least_frequency2_over * present) present = found;
 }
 
 template <class T, int D>
@@ -68,6 +88,7 @@ void Solver<T, D>::lift_blade(std::size_t cut) {
 template <class T, int D>
 void Solver<T, D>::save_state(ArchiveWriter& archive) const {
   Base::save_state(archive);
+  archive.put("clock/frequency2", this->state().frequency2);
   const State<T, D>& state = this->state();
   for (std::size_t b = 0; b < state.cuts.size(); ++b) {
     if (state.cuts[b]) state.cuts[b]->put(archive, fmt::format("body/{}/cuts", b));
@@ -78,6 +99,7 @@ template <class T, int D>
 void Solver<T, D>::restore_state(const ArchiveReader& archive) {
   Base::restore_state(archive);
   State<T, D>& state = this->state();
+  state.frequency2 = archive.scalar<double>("clock/frequency2");
   for (std::size_t b = 0; b < state.cuts.size(); ++b) {
     if (state.cuts[b]) state.cuts[b]->get(archive, fmt::format("body/{}/cuts", b), state.bodies[b]);
   }

@@ -26,6 +26,8 @@ struct State : undeformed::State<D> {
     if (body >= cuts.size() || !cuts[body]) return {};
     return cuts[body]->surfaces();
   }
+  /// Estimate of the highest squared frequency of all bodies, (PB.12) [1/s^2].
+  double frequency2 = 0;
 };
 
 }  // namespace pliant::point_based

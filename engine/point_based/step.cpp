@@ -41,7 +41,7 @@ double Step<T, D>::drift_length() const {
 
 template <class T, int D>
 void Step<T, D>::prepare_blocks() {
-  results_.assign(state_.blocks.size(), {-1});
+  results_.assign(state_.blocks.size(), {});
   inertia_.assign(state_.blocks.size(), 0);
   loads_.prepare_blocks();
   work_.clear_blocks();
@@ -83,8 +83,9 @@ std::vector<Phase> Step<T, D>::phases() {
 template <class T, int D>
 void Step<T, D>::prepare(const Advance& advance) {
   advance_ = advance;
+  cuts_have_moved_ = false;
   for (const auto& of_body : state_.cuts) {
-    if (of_body) of_body->move(advance.time);
+    if (of_body) cuts_have_moved_ = of_body->move(advance.time) || cuts_have_moved_;
   }
   const double middle = advance.time + advance.length / 2;
   loads_.prepare(is_leapfrog(settings_) ? middle : advance.time);
@@ -118,7 +119,9 @@ StepResult Step<T, D>::fold() {
   StepResult result;
   double inertia = 0;
   for (std::size_t b = 0; b < results_.size() && result.non_finite < 0; ++b) {
-    result = {results_[b].non_finite, static_cast<int>(b)};
+    result.non_finite = results_[b].non_finite;
+    result.failed_block = static_cast<int>(b);
+    result.frequency2 = std::max(result.frequency2, results_[b].frequency2);
   }
   for (const double of_block : inertia_) inertia += of_block;
   for (const auto& of_body : state_.cuts) {
@@ -164,6 +167,7 @@ void Step<T, D>::evaluate_forces(int block) {
   work.halo = body.halo.data() + range.first_halo;
   work.volume = body.volume.get();
   work.stiffness = body.stiffness.get();
+  work.frequency2 = body.frequency2.get();
   for (int a = 0; a < D; ++a) {
     work.displacement[a] = body.displacement[a].get();
     if (body.is_pressed() && !body.pressed[local].empty())
@@ -174,7 +178,7 @@ void Step<T, D>::evaluate_forces(int block) {
     work.strain[c] = body.strain[c].get();
   }
   work.viscosity = static_cast<T>(parameters_of(settings_).stiffness_damping / advance_.length);
-  work.examine = advance_.examine;
+  work.examine = advance_.examine || cuts_have_moved_;
   work.material = body.material;
   work.point = body.point.get() + kernels::point_stride * range.first_point();
   work.force = body.force.get() + kernels::point_stride * range.first_point();

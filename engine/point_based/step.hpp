@@ -14,7 +14,10 @@
 namespace pliant::point_based {
 
 using undeformed::Advance;
-using undeformed::StepResult;
+
+struct StepResult : undeformed::StepResult {
+  double frequency2 = 0;  ///< largest lambda q^2 of (PB.12) [1/s^2]; 0 unless examined
+};
 
 /// The phases of one time step: the method in the order of its equations.
 template <class T, int D>
@@ -66,6 +69,7 @@ class Step {
   const Case& settings_;
   const kernels::PointBasedTable<T, D>& kernels_;
   Advance advance_ = {};
+  bool cuts_have_moved_ = false;  ///< in the present step
   NodeLoads<T, D> loads_;
   undeformed::BoundaryWork<T, D> work_;
   undeformed::WallContact<T, D> contact_;

@@ -112,7 +112,7 @@ template <ElasticLaw law, class P, int D>
 inline PointForcesResult element_forces_of(const ElementBlock<Scalar<P>, D>& block) {
   using T = Scalar<P>;
   collect_points<P, D>(block, block.pressure);
-  PointForcesResult result = {-1};
+  PointForcesResult result;
   for (int element = 0; element < block.elements; element += lanes<P>) {
     const ElementLanes<P, D> at(block, element);
     P f[D * D], piola[D * D], sum[D];

@@ -51,20 +51,22 @@ struct PointForces {
   std::array<const T*, D> displacement;
   const T* volume;                                       ///< [slot] V [m^D]
   const T* stiffness;                                    ///< [slot] V kappa [N/m]
+  const T* frequency2;                                   ///< [slot] lambda of (PB.12) [1/s^2]
   std::array<const T*, symmetric_components<D>> moment;  ///< [slot] A [m^2]
   std::array<const T*, D> load;  ///< [slot] pressure times undeformed area [N]; null: none
   /// E of the last step, read and written; null without viscosity.
   std::array<T*, symmetric_components<D>> strain;
   std::array<const T*, D * D> kept;  ///< [slot] D of (PB.14); null: I
   T viscosity;                       ///< beta over the time step, (PB.9)
-  bool examine;                      ///< whether to look for states that are not possible
+  bool examine;                      ///< whether to find what PointForcesResult holds
   PointMaterial<T> material;
   T* point;  ///< [count + halo_count][point_stride] room for displacements
   T* force;  ///< [count + halo_count][point_stride] [N]
 };
 
 struct PointForcesResult {
-  std::int64_t non_finite;  ///< a slot whose F is not finite or whose J <= 0, or -1
+  std::int64_t non_finite = -1;  ///< a slot whose F is not finite or whose J <= 0, or -1
+  double frequency2 = 0;         ///< largest lambda q^2 of (PB.12) [1/s^2]; 0 unless examined
 };
 
 /// Forces that another block has collected for nodes of this one.

@@ -3,6 +3,7 @@
 #include "kernels/point_based/collect_points.hpp"
 #include "kernels/point_based/first_piola.hpp"
 #include "kernels/point_based/point_lanes.hpp"
+#include "kernels/point_based/stiffening.hpp"
 
 /// Forces of a block of nodes, a register of nodes at a time with one node in each lane:
 /// neighbours' displacements -> F -> P -> forces along the bonds.
@@ -21,6 +22,21 @@ inline void add_product(const P (&a)[D * D], const P (&b)[D * D], P (&c)[D * D])
   }
 }
 
+/// F D of (PB.14) in the place of F, where nodes keep gradients.
+template <class P, int D>
+inline void apply_kept(const PointForces<Scalar<P>, D>& block, std::int64_t slot, P (&f)[D * D],
+                       P (&kept)[D * D]) {
+  using T = Scalar<P>;
+  P fit[D * D];
+#pragma GCC unroll 9
+  for (int c = 0; c < D * D; ++c) {
+    kept[c] = load<P>(block.kept[c] + slot);
+    fit[c] = f[c];
+    f[c] = P(T(0));
+  }
+  add_product<P, D>(fit, kept, f);
+}
+
 /// B = V (P - kappa (F - I) A) of (PB.5), plus the viscous stress (PB.9); adds pressure, (PB.11).
 template <ElasticLaw law, class P, int D>
 inline void stress_of_nodes(const PointForces<Scalar<P>, D>& block, std::int64_t slot,
@@ -31,14 +47,8 @@ inline void stress_of_nodes(const PointForces<Scalar<P>, D>& block, std::int64_t
 #pragma GCC unroll 9
   for (int c = 0; c < D * D; ++c) f[c] = c % (D + 1) == 0 ? h[c] + P(T(1)) : h[c];
   if (block.kept[0] != nullptr) {
-    P fit[D * D], kept[D * D];
-#pragma GCC unroll 9
-    for (int c = 0; c < D * D; ++c) {
-      kept[c] = load<P>(block.kept[c] + slot);
-      fit[c] = f[c];
-      f[c] = P(T(0));
-    }
-    add_product<P, D>(fit, kept, f);
+    P kept[D * D];
+    apply_kept<P, D>(block, slot, f, kept);
   }
   cofactor(f, cof);
   first_piola<law, P, D>(block.material, f, cof, b);
@@ -102,6 +112,29 @@ inline int impossible_lane(const P (&h)[D * D]) {
   }
   const auto sound = (finite == P(T(0))) && (determinant(f) > P(T(0)));
   return xsimd::all(sound) ? -1 : first_lane<P>(!sound);
+}
+
+/// Looks for states that are not possible, and for the stiffest node: lambda q^2 of (PB.12).
+template <ElasticLaw law, class P, int D>
+[[gnu::noinline]] void examine_register(const PointForces<Scalar<P>, D>& block, std::int64_t slot,
+                                        const P (&h)[D * D], PointForcesResult& result) {
+  using T = Scalar<P>;
+  const int bad = impossible_lane<P, D>(h);
+  if (bad >= 0) {
+    if (result.non_finite < 0) result.non_finite = slot + bad;
+    return;
+  }
+  P f[D * D], stretch(T(1));
+#pragma GCC unroll 9
+  for (int c = 0; c < D * D; ++c) f[c] = c % (D + 1) == 0 ? h[c] + P(T(1)) : h[c];
+  if (block.kept[0] != nullptr) {
+    P kept[D * D];
+    apply_kept<P, D>(block, slot, f, kept);
+    stretch = norm2_of<P, D>(kept);
+  }
+  const P frequency2 =
+      load<P>(block.frequency2 + slot) * stretch * stiffening2<law, P, D>(block.material, f);
+  result.frequency2 = std::max(result.frequency2, static_cast<double>(largest(frequency2)));
 }
 
 /// Bonds of a register of nodes: neighbours and coefficients of bond k begin at
@@ -181,7 +214,7 @@ template <class P, int D>
 /// registers: the loops over components must be unrolled, and everything inlined.
 template <ElasticLaw law, class P, int D>
 inline void add_forces_of_register(const PointForces<Scalar<P>, D>& block, int local,
-                                   std::int64_t& non_finite) {
+                                   PointForcesResult& result) {
   using T = Scalar<P>;
   const std::int64_t slot = block.first + local;
   const int lane = local % slots_per_pack;
@@ -191,10 +224,7 @@ inline void add_forces_of_register(const PointForces<Scalar<P>, D>& block, int l
   P difference[most_bonds][D];
   P h[D * D], b[D * D], sum[D];
   displacement_gradient(block, bonds, slot, difference, h);
-  if (block.examine && non_finite < 0) {
-    const int bad = impossible_lane<P, D>(h);
-    if (bad >= 0) non_finite = slot + bad;
-  }
+  if (block.examine) examine_register<law, P, D>(block, slot, h, result);
   stress_of_nodes<law, P, D>(block, slot, h, b, sum);
   add_bond_forces(block, bonds, load<P>(block.stiffness + slot), difference, b, sum);
   std::uint16_t own[lanes<P>];
@@ -209,9 +239,9 @@ inline void add_forces_of_register(const PointForces<Scalar<P>, D>& block, int l
 template <ElasticLaw law, class P, int D>
 inline PointForcesResult evaluate_forces_of(const PointForces<Scalar<P>, D>& block) {
   collect_points<P, D>(block, nullptr);
-  PointForcesResult result = {-1};
+  PointForcesResult result;
   for (int local = 0; local < block.count; local += lanes<P>) {
-    add_forces_of_register<law, P, D>(block, local, result.non_finite);
+    add_forces_of_register<law, P, D>(block, local, result);
   }
   return result;
 }

@@ -27,6 +27,7 @@ CaseFile flying_block(const std::string& method = "point_based") {
   block.set("boundary.top.geometry",
             R"({ shape = "half_space", point = [0, 0.6], normal = [0, -1] })");
   if (method != "point_based") return block;
+  block.set("time.cfl", 0.3);  // a step for each move of a blade, every 5 ms
   block.add("cut", "scalpel").set("cut.scalpel.from", {0, 0}).set("cut.scalpel.path", {0, 0});
   block.set("cut.scalpel.start", 9).set("cut.scalpel.end", 10);
   block.add("measurement", "parts").set("measurement.parts.kind", "connected_parts");

@@ -1,0 +1,62 @@
+#pragma once
+
+#include "kernels/point_based/first_piola.hpp"
+#include "kernels/roots.hpp"
+
+/// How much stiffer than at rest a deformed material is to plane waves.
+namespace pliant::kernels {
+
+/// Bound of the largest eigenvalue, met where the others are equal: mean + sqrt((D - 1)/D) of the
+/// norm of the deviator. It does not depend on the axes.
+template <class P, int D>
+inline P eigenvalue_bound(const P (&tensor)[symmetric_components<D>]) {
+  using T = Scalar<P>;
+  P mean = tensor[symmetric_index<D>(0, 0)], square(T(0));
+#pragma GCC unroll 3
+  for (int i = 1; i < D; ++i) mean = mean + tensor[symmetric_index<D>(i, i)];
+  mean = mean * P(T(1) / T(D));
+#pragma GCC unroll 3
+  for (int i = 0; i < D; ++i) {
+#pragma GCC unroll 3
+    for (int j = i; j < D; ++j) {
+      const P& component = tensor[symmetric_index<D>(i, j)];
+      const P part = i == j ? component - mean : component;
+      square = fused(i == j ? part : part + part, part, square);
+    }
+  }
+  return mean + xsimd::sqrt(P(T(D - 1) / T(D)) * square);
+}
+
+/// Bound of the largest singular value, squared.
+template <class P, int D>
+inline P norm2_of(const P (&f)[D * D]) {
+  using T = Scalar<P>;
+  P e[symmetric_components<D>];
+  green_strain<P, D>(f, e);
+  return fused(P(T(2)), eigenvalue_bound<P, D>(e), P(T(1)));
+}
+
+/// Bound of c_X^2/c^2 of (PB.12) at J > 0, c that of pressure waves at rest; 1 at least.
+template <ElasticLaw law, class P, int D>
+inline P stiffening2(const PointMaterial<Scalar<P>>& material, const P (&f)[D * D]) {
+  using T = Scalar<P>;
+  const P lambda(material.lame_modulus), mu(material.shear_modulus);
+  P cof[D * D], modulus;
+  cofactor(f, cof);
+  const P jacobian = determinant(f);
+  if constexpr (law == ElasticLaw::neo_hookean) {
+    modulus = fused(lambda + mu / (jacobian * jacobian), norm2_of<P, D>(cof), mu);
+  } else if constexpr (law == ElasticLaw::st_venant_kirchhoff) {
+    P e[symmetric_components<D>], s[symmetric_components<D>];
+    green_strain<P, D>(f, e);
+    hooke<P, D>(lambda, mu, e, s);
+    modulus = fused(lambda + mu + mu, norm2_of<P, D>(f), eigenvalue_bound<P, D>(s));
+  } else {
+    const P density = P(material.density) / jacobian;
+    const P c2 = Law<Model::reduced_polynomial, P, D>::wave_speed2(material.polynomial, f, density);
+    modulus = P(material.density) * c2 * norm2_of<P, D>(cof) / (jacobian * jacobian);
+  }
+  return xsimd::max(P(T(1)), modulus / (lambda + mu + mu));
+}
+
+}  // namespace pliant::kernels
