@@ -107,7 +107,8 @@ void add_inputs(py::module_& module) {
       .def_readonly("name", &Input::name, "Of a boundary or a cut of the case.")
       .def_readonly("until", &Input::until, "Of an advance: the time that was asked for [s].")
       .def_readonly("value", &Input::value, "Of a pressure [Pa].")
-      .def_readonly("first", &Input::first, "A velocity [m/s], or an end of the edge of a blade [m].")
+      .def_readonly("first", &Input::first,
+                    "A velocity [m/s], or an end of the edge of a blade [m].")
       .def_readonly("second", &Input::second, "The other end of the edge of a blade [m].");
   module.def("read_inputs", &pliant::read_inputs, py::arg("file"), "A session from a CSV file.");
   module.def("write_inputs", &pliant::write_inputs, py::arg("file"), py::arg("inputs"),
