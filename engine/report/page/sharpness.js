@@ -1,4 +1,5 @@
 // How sharp pictures are while the body turns: less where they would be slow, as without a graphics processor.
+// Such pictures have fewer pixels, and surfaces have fewer triangles.
 
 const LONGEST = 33; // [ms] that a picture may take
 const LEAST = 0.3;
