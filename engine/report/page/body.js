@@ -57,15 +57,13 @@ function fill(geometry, points, field, chosen) {
   return count;
 }
 
-const BITS_OF_CELL = 6; // of a place: 64 cells along the longest side of the box
-
-/** Fewer triangles of the same vertices: one vertex stands for all in its cell of a grid. */
-function rough_pieces({ position: [x, y, z], count, pieces }) {
-  const shift = 16 - BITS_OF_CELL;
-  const of_cell = new Int32Array(1 << (3 * BITS_OF_CELL)).fill(-1);
+/** Fewer triangles of the same vertices: one stands for all in its cell of a grid of 2^bits cells along a side. */
+function rough_pieces({ position: [x, y, z], count, pieces }, bits) {
+  const shift = 16 - bits;
+  const of_cell = new Int32Array(1 << (3 * bits)).fill(-1);
   const of_vertex = new Uint32Array(count);
   for (let i = 0; i < count; ++i) {
-    const cell = ((((x[i] >> shift) << BITS_OF_CELL) | (y[i] >> shift)) << BITS_OF_CELL) | (z[i] >> shift);
+    const cell = ((((x[i] >> shift) << bits) | (y[i] >> shift)) << bits) | (z[i] >> shift);
     if (of_cell[cell] < 0) of_cell[cell] = i;
     of_vertex[i] = of_cell[cell];
   }
@@ -86,7 +84,7 @@ export class Surface {
   constructor(corners, uniforms) {
     this.geometry = new BufferGeometry();
     this.is_solid = corners === 3;
-    this.is_rough = false;
+    this.bits = 0;
     this.material = this.is_solid
       ? coloured(new MeshLambertMaterial({ side: DoubleSide }), uniforms)
       : new LineBasicMaterial({ color: 0x555b63, depthTest: false, transparent: true });
@@ -103,17 +101,17 @@ export class Surface {
     fill(this.geometry, points, field, null);
     if (this.points?.pieces !== points.pieces) {
       this.geometry.setIndex(new BufferAttribute(points.pieces, 1));
-      this.is_rough = false;
+      this.bits = 0;
     }
     this.points = points;
     if (this.is_solid) this.smooth(points);
   }
 
-  /** Draws few triangles where that must be fast, or all of them. */
-  simplify(is_rough) {
-    if (!this.is_solid || is_rough === this.is_rough) return;
-    this.is_rough = is_rough;
-    const pieces = is_rough ? rough_pieces(this.points) : this.points.pieces;
+  /** Draws fewer triangles, those of a grid of 2^bits cells along a side, or with 0 bits all of them. */
+  simplify(bits) {
+    if (!this.is_solid || bits === this.bits) return;
+    this.bits = bits;
+    const pieces = bits > 0 ? rough_pieces(this.points, bits) : this.points.pieces;
     this.geometry.setIndex(new BufferAttribute(pieces, 1));
   }
 

@@ -202,7 +202,7 @@ export class View {
     if (this.pending) cancelAnimationFrame(this.pending);
     this.pending = null;
     if (this.share !== this.sharpness.share) this.sharpen();
-    this.surface?.simplify(this.sharpness.share < 1);
+    this.surface?.simplify(this.sharpness.bits);
     this.sharpness.around(() => this.renderer.render(this.scene, this.camera));
   }
 }

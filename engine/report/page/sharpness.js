@@ -16,6 +16,12 @@ export class Sharpness {
     this.is_turning = true;
   }
 
+  /** Of the places of vertices: 0 for all. */
+  get bits() {
+    if (this.share === 1) return 0;
+    return this.share > LEAST ? 6 : 5;
+  }
+
   /** Full sharpness again; true where it was less. */
   end() {
     const was_less = this.share < 1;
