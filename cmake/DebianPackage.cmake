@@ -1,5 +1,5 @@
-# `cpack -G DEB` in a build folder: the Debian packages pliant (program, cases, documentation) and
-# libpliant-dev (library and headers). What the program depends on is read from what it is linked to.
+# `cpack -G DEB` in a build folder: the Debian packages pliant (program, cases, documentation),
+# libpliant-dev (library and headers), and python3-pliant where the Python package is built. What the program depends on is read from what it is linked to.
 
 # What does not say otherwise belongs to the program.
 set(CPACK_COMPONENTS_ALL program development)
@@ -17,6 +17,16 @@ set(CPACK_DEBIAN_PROGRAM_PACKAGE_SHLIBDEPS ON)
 set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_SHLIBDEPS OFF)
 set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_DEPENDS
     "libtbb-dev, libhdf5-dev, libfmt-dev, libmuparser-dev, libtomlplusplus-dev")
+if(PLIANT_PYTHON)
+  math(EXPR next_minor "${Python_VERSION_MINOR} + 1")
+  list(APPEND CPACK_COMPONENTS_ALL python_of_debian)
+  set(CPACK_DEBIAN_PYTHON_OF_DEBIAN_PACKAGE_NAME python3-pliant)
+  set(CPACK_DEBIAN_PYTHON_OF_DEBIAN_PACKAGE_SECTION python)
+  set(CPACK_COMPONENT_PYTHON_OF_DEBIAN_DESCRIPTION "Python package to run pliant step by step and to read its results.")
+  set(CPACK_DEBIAN_PYTHON_OF_DEBIAN_PACKAGE_SHLIBDEPS ON)
+  set(CPACK_DEBIAN_PYTHON_OF_DEBIAN_PACKAGE_DEPENDS
+      "python3 (>= ${Python_VERSION_MAJOR}.${Python_VERSION_MINOR}), python3 (<< ${Python_VERSION_MAJOR}.${next_minor}), python3-numpy, python3-h5py")
+endif()
 set(CPACK_STRIP_FILES ON)
 set(CPACK_PACKAGING_INSTALL_PREFIX /usr)
 include(CPack)

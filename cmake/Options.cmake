@@ -9,20 +9,16 @@ if(PLIANT_CCACHE)
   set(CMAKE_CXX_COMPILER_LAUNCHER ${ccache})
 endif()
 
-# A Python module is a shared library, and so must be all that it links.
-if(PLIANT_PYTHON)
-  set(CMAKE_POSITION_INDEPENDENT_CODE ON)
-endif()
-
 add_library(pliant_options INTERFACE)
 target_compile_features(pliant_options INTERFACE cxx_std_20)
 target_include_directories(pliant_options INTERFACE ${PROJECT_SOURCE_DIR} ${PROJECT_SOURCE_DIR}/include
                                                     ${PROJECT_BINARY_DIR}/include)
 # Contraction is off so that a fused multiply-add happens where the source asks for one and nowhere
 # else: AVX2 and AVX-512 then agree to the bit. __FILE__ is relative, so that a program does not
-# depend on where it was built.
+# depend on where it was built. Nothing replaces functions of the library, so that those of
+# position-independent objects may be inlined too.
 target_compile_options(
-  pliant_options INTERFACE -Wall -Wextra -Wpedantic -Wshadow -ffp-contract=off
+  pliant_options INTERFACE -Wall -Wextra -Wpedantic -Wshadow -ffp-contract=off -fno-semantic-interposition
                            -fmacro-prefix-map=${PROJECT_SOURCE_DIR}/=)
 
 # Sources compiled together see each other's names, and their types belong to an included file.

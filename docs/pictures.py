@@ -38,10 +38,10 @@ rendered = {
          "--size", "1500", "500", *mm]),
     "cases/cantilever/result": (
         "cases/cantilever", [],
-        ["--times", "80", "--view", "-60", "20", "--size", "1300", "500", *mm]),
+        ["--times", "80", "--view", "-60", "20", "--zoom", "2", "--size", "900", "500", *mm]),
     "cases/indentation/result": (
         "cases/indentation", [],
-        ["--times", "0.15", "--view", "-120", "35", "--size", "1300", "600", *mm]),
+        ["--times", "0.15", "--view", "-120", "35", "--zoom", "1.6", "--size", "1000", "600", *mm]),
     "cases/bimaterial_bar/result": (
         "cases/bimaterial_bar", [],
         ["--stack", "--times", "0", "0.024", "0.044", "0.0646", "--field", "pressure", "--size", "1100", "420"]),

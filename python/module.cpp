@@ -86,6 +86,39 @@ void add_case_file(py::module_& module) {
       .def_property_readonly("text", &pliant::CaseFile::text);
 }
 
+void add_inputs(py::module_& module) {
+  using pliant::Input;
+  py::enum_<Input::Kind>(module, "InputKind")
+      .value("advance", Input::Kind::advance)
+      .value("pressure", Input::Kind::pressure)
+      .value("wall_velocity", Input::Kind::wall_velocity)
+      .value("blade", Input::Kind::blade)
+      .value("lift", Input::Kind::lift);
+  using Place = std::array<double, 3>;
+  py::class_<Input>(module, "Input", "What a caller does to a simulation, and when.")
+      .def(py::init([](Input::Kind kind, double time, std::string name, double until, double value,
+                       const Place& first, const Place& second) {
+             return Input{kind, time, std::move(name), until, value, first, second};
+           }),
+           py::arg("kind"), py::arg("time"), py::arg("name") = "", py::arg("until") = 0.0,
+           py::arg("value") = 0.0, py::arg("first") = Place{}, py::arg("second") = Place{})
+      .def_readonly("kind", &Input::kind)
+      .def_readonly("time", &Input::time, "[s]")
+      .def_readonly("name", &Input::name, "Of a boundary or a cut of the case.")
+      .def_readonly("until", &Input::until, "Of an advance: the time that was asked for [s].")
+      .def_readonly("value", &Input::value, "Of a pressure [Pa].")
+      .def_readonly("first", &Input::first,
+                    "A velocity [m/s], or an end of the edge of a blade [m].")
+      .def_readonly("second", &Input::second, "The other end of the edge of a blade [m].");
+  module.def("read_inputs", &pliant::read_inputs, py::arg("file"), "A session from a CSV file.");
+  module.def("write_inputs", &pliant::write_inputs, py::arg("file"), py::arg("inputs"),
+             "Writes a session that read_inputs reads, to the same bits.");
+  py::class_<pliant::Progress>(module, "Progress", "How far an advance on a budget has come.")
+      .def_readonly("steps", &pliant::Progress::steps)
+      .def_readonly("lag", &pliant::Progress::lag, "Simulated time that was put off [s].")
+      .def_readonly("wall_time", &pliant::Progress::wall_time, "[s]");
+}
+
 void add_simulation(py::module_& module) {
   using Release = py::call_guard<py::gil_scoped_release>;
   py::class_<Simulation>(module, "Simulation", "A case that is being simulated.")
@@ -94,8 +127,11 @@ void add_simulation(py::module_& module) {
            }),
            py::arg("case"), py::arg("threads") = 0, py::arg("isa") = "", Release())
       .def("step", &Simulation::step, Release(), "One time step.")
-      .def("advance", &Simulation::advance, py::arg("until"), Release(),
+      .def("advance", py::overload_cast<double>(&Simulation::advance), py::arg("until"), Release(),
            "Steps until this time [s] is reached.")
+      .def("advance", py::overload_cast<double, double>(&Simulation::advance), py::arg("until"),
+           py::arg("budget"), Release(),
+           "The same within `budget` seconds of wall time; returns a Progress.")
       .def_property_readonly("time", &Simulation::time, "[s]")
       .def_property_readonly("time_step", &Simulation::time_step, "Length of the next step [s].")
       .def_property_readonly("step_count", &Simulation::step_count)
@@ -118,6 +154,15 @@ void add_simulation(py::module_& module) {
            "From now on a boundary of kind \"pressure\" has this pressure [Pa].")
       .def("set_wall_velocity", &Simulation::set_wall_velocity, py::arg("boundary"),
            py::arg("velocity"), "From now on a wall moves with this velocity [m/s].")
+      .def("move_blade", &Simulation::move_blade, py::arg("cut"), py::arg("start"), py::arg("end"),
+           "The edge of the blade of a cut is between these places [m] from now on.")
+      .def("lift_blade", &Simulation::lift_blade, py::arg("cut"),
+           "Takes a blade out: where it is put next, a new cut begins.")
+      .def("enter", &Simulation::enter, py::arg("input"), "Takes an input at its time.")
+      .def("play", &Simulation::play, py::arg("session"), Release(),
+           "Takes the inputs of a session, and advances to the time of each.")
+      .def_property_readonly("session", &Simulation::session,
+                             "All that has been done since it was made or restored.")
       .def("save", &Simulation::save, py::arg("file"), Release(),
            "Writes everything that the next step reads.")
       .def("restore", &Simulation::restore, py::arg("file"), Release(),
@@ -131,5 +176,6 @@ PYBIND11_MODULE(_pliant, module) {
   py::register_exception<pliant::InputError>(module, "InputError", PyExc_ValueError);
   py::register_exception<pliant::RunError>(module, "RunError", PyExc_RuntimeError);
   add_case_file(module);
+  add_inputs(module);
   add_simulation(module);
 }

@@ -81,6 +81,19 @@ class Installed(unittest.TestCase):
                               folder / "root/usr/share/pliant/cases/rotating_cylinder"], capture_output=True, text=True)
         self.assertEqual((0, ""), (out.returncode, out.stderr))
 
+    @unittest.skipUnless(list(Path(BUILD).glob("python/pliant/_pliant*")), "the Python package is not built")
+    def test_the_python_package_is_installed_and_has_a_debian_package(self):
+        found, = self.prefix.glob("lib/python3.*/site-packages/pliant")
+        self.assertTrue(list(found.glob("_pliant*.so")))
+        folder = self.prefix / "python_package"
+        subprocess.run(["cpack", "-G", "DEB", "--config", Path(BUILD) / "CPackConfig.cmake", "-B", folder,
+                        "-D", "CPACK_COMPONENTS_ALL=python_of_debian", "-D", "CPACK_DEBIAN_PACKAGE_SHLIBDEPS=OFF",
+                        "-D", "CPACK_DEBIAN_PYTHON_OF_DEBIAN_PACKAGE_SHLIBDEPS=OFF"], check=True, stdout=subprocess.DEVNULL)
+        package, = folder.glob("python3-pliant_*.deb")
+        listed = subprocess.run(["dpkg-deb", "--contents", package], capture_output=True, text=True, check=True).stdout
+        self.assertIn("./usr/lib/python3/dist-packages/pliant/__init__.py", listed)
+        self.assertRegex(listed, r"dist-packages/pliant/_pliant\S*\.so\n")
+
     def test_it_holds_no_path_of_the_source_tree(self):
         self.assertNotIn(SOURCE.encode(), self.program.read_bytes())
 

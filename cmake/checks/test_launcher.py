@@ -183,23 +183,31 @@ class Packages(unittest.TestCase):
         write(self.root / "tools/apt-get", APT)
         write(self.root / "tools/sudo", '#!/bin/bash\n[[ $1 == -n ]] && shift\nexec "$@"\n')
 
-    def install(self, **variables):
+    def install(self, *sections, **variables):
         tools = f"{self.root}/tools:{os.environ['PATH']}"
         environment = dict(os.environ, PATH=tools, APT_LOG=str(self.root / "log"), **variables)
-        done = subprocess.run([self.root / "cmake/install-packages", "build"], env=environment,
+        done = subprocess.run([self.root / "cmake/install-packages", *sections], env=environment,
                               capture_output=True, text=True)
         return done.returncode, done.stdout, done.stderr
 
     def test_installing_says_what_and_how_far_it_is(self):
-        status, out, err = self.install()
+        status, out, err = self.install("build")
         self.assertEqual((0, ""), (status, out))
         self.assertEqual(["pliant: installing libx",
                           "pliant: [37 %] Unpacking libx (amd64)"], err.splitlines())
 
     def test_a_failed_installation_shows_the_messages_and_ends_with_2(self):
-        status, _, err = self.install(APT_FAILS="yes")
+        status, _, err = self.install("build", APT_FAILS="yes")
         self.assertEqual(2, status)
         self.assertIn("E: no such package", err)
+
+    def test_sections_that_do_not_exist_are_answered_with_those_that_do(self):
+        usage = "usage: cmake/install-packages SECTION..., with sections of build"
+        self.assertEqual((2, "", usage + "\n"), self.install())
+        status, _, err = self.install("build", "bild")
+        self.assertEqual(2, status)
+        self.assertIn("has no section `bild`\n" + usage, err)
+        self.assertFalse((self.root / "log").exists())
 
 
 if __name__ == "__main__":

@@ -15,6 +15,7 @@ PROGRAM, SOURCE = Path(sys.argv[1]).resolve(), Path(sys.argv[2]).resolve()
 try:
     from selenium import webdriver
     from selenium.common.exceptions import WebDriverException
+    from selenium.webdriver.common.action_chains import ActionChains
     from selenium.webdriver.chrome.options import Options
     from selenium.webdriver.chrome.service import Service
     from selenium.webdriver.common.by import By
@@ -169,6 +170,26 @@ class Report(unittest.TestCase):
         self.expect_change(before)
         self.element("reset").click()
         self.wait(lambda: self.picture() == before)
+
+    def test_a_body_that_turns_slowly_has_fewer_pixels_until_it_rests(self):
+        self.open(self.solid)
+
+        def width():
+            return int(self.element("canvas").get_attribute("width"))
+
+        full = width()
+        self.browser.execute_script("let now = 0; performance.now = () => (now += 100);")  # every picture takes long
+        ActionChains(self.browser).click_and_hold(self.element("canvas")).perform()
+
+        def is_less_sharp():
+            ActionChains(self.browser).move_by_offset(3, 1).perform()
+            return width() < full
+
+        self.wait(is_less_sharp)
+        turned = self.picture()
+        ActionChains(self.browser).release().perform()
+        self.wait(lambda: width() == full)
+        self.expect_change(turned)
 
     def test_a_click_on_a_plot_goes_to_its_time(self):
         self.open(self.solid)

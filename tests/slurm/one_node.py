@@ -9,6 +9,7 @@ import time
 from pathlib import Path
 
 PROGRAMS = ("munged", "slurmctld", "slurmd", "sbatch", "squeue", "scancel", "scontrol", "sinfo")
+BATCH_START_TIMEOUT, MESSAGE_TIMEOUT = 1, 5  # [s] after both, tasks that a node does not know are taken as lost
 PATH = os.environ["PATH"] + ":/usr/sbin:/sbin"
 
 
@@ -43,14 +44,14 @@ class OneNode:
         settings = {
             "ClusterName": "test", "SlurmctldHost": f"{host}(127.0.0.1)", "SlurmctldPort": control, "SlurmdPort": node,
             "SlurmUser": user, "SlurmdUser": user, "AuthType": "auth/munge", "AuthInfo": f"socket={folder}/munge.socket",
-            "BatchStartTimeout": 3,  # after which tasks that a node does not know are taken as lost
+            "BatchStartTimeout": BATCH_START_TIMEOUT, "MessageTimeout": MESSAGE_TIMEOUT,
             "StateSaveLocation": folder / "state", "SlurmdSpoolDir": folder / "spool",
             "SlurmctldPidFile": folder / "slurmctld.pid", "SlurmdPidFile": folder / "slurmd.pid",
             "SlurmctldLogFile": folder / "slurmctld.log", "SlurmdLogFile": folder / "slurmd.log",
             "ProctrackType": "proctrack/linuxproc", "TaskPlugin": "task/none", "JobAcctGatherType": "jobacct_gather/none",
             "SelectType": "select/cons_tres", "SelectTypeParameters": "CR_CPU_Memory", "MpiDefault": "none",
             "SchedulerParameters": "batch_sched_delay=0,sched_min_interval=0,bf_interval=1", "MailProg": "/bin/true",
-            "SlurmdParameters": "config_overrides", "SlurmdTimeout": 6, "ReturnToService": 2, "KillWait": 20,
+            "SlurmdParameters": "config_overrides", "SlurmdTimeout": 60, "ReturnToService": 2, "KillWait": 20,
         }
         lines = [f"{name}={value}" for name, value in settings.items()]
         lines += [f"NodeName=one NodeHostname={host} NodeAddr=127.0.0.1 CPUs={cpus} RealMemory={memory}",
@@ -97,12 +98,14 @@ class OneNode:
             except ProcessLookupError:
                 pass
 
-    def say_it_is_down(self):
-        """What Slurm finds out by itself after a while."""
-        self.run("scontrol", "update", "NodeName=one", "State=DOWN", "Reason=lost")
-
-    def start_requeued(self):
-        """Tasks that are requeued wait two minutes, until their credentials are no longer valid."""
+    def come_back(self):
+        """The node starts anew. Slurm sees that it does not know its tasks, and queues them again. The node must be up by then:
+        what Slurm tells a lost node about its lost tasks arrives when that is back, and stops those that have started again.
+        """
+        time.sleep(BATCH_START_TIMEOUT + MESSAGE_TIMEOUT + 1)
+        self.start_node()
+        self.wait_for(lambda: "RUNNING" not in self.queue() and "COMPLETING" not in self.queue(), "slurmctld")
+        # Tasks that are requeued wait two minutes, until their credentials are no longer valid.
         for job in set(self.run("squeue", "--noheader", "--format=%F").split()):
             self.run("scontrol", "update", f"JobId={job}", "StartTime=now")
 

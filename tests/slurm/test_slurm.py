@@ -74,9 +74,7 @@ class Slurm(ProgramTest):
         process = self.start(self.sweep(2, "[slurm]", "runs_per_task = 1", end=0.5))
         self.wait_for(lambda: any(self.out.glob("runs/*/checkpoint.h5")), process)
         NODE.lose()
-        NODE.say_it_is_down()
-        NODE.start_node()
-        NODE.start_requeued()
+        NODE.come_back()
         self.assertEqual(0, process.wait(120))
         self.assertEqual([1, 2], [self.arrays(), self.done()])
 

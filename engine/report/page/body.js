@@ -57,11 +57,34 @@ function fill(geometry, points, field, chosen) {
   return count;
 }
 
+/** Fewer triangles of the same vertices: one stands for all in its cell of a grid of 2^bits cells along a side. */
+function rough_pieces({ position: [x, y, z], count, pieces }, bits) {
+  const shift = 16 - bits;
+  const of_cell = new Int32Array(1 << (3 * bits)).fill(-1);
+  const of_vertex = new Uint32Array(count);
+  for (let i = 0; i < count; ++i) {
+    const cell = ((((x[i] >> shift) << bits) | (y[i] >> shift)) << bits) | (z[i] >> shift);
+    if (of_cell[cell] < 0) of_cell[cell] = i;
+    of_vertex[i] = of_cell[cell];
+  }
+  const rough = new Uint32Array(pieces.length);
+  let length = 0;
+  for (let t = 0; t < pieces.length; t += 3) {
+    const a = of_vertex[pieces[t]], b = of_vertex[pieces[t + 1]], c = of_vertex[pieces[t + 2]];
+    if (a === b || b === c || c === a) continue;
+    rough[length++] = a;
+    rough[length++] = b;
+    rough[length++] = c;
+  }
+  return rough.subarray(0, length);
+}
+
 /** Triangles in 3D, lines in 2D; `cap_layers` are for the stencil of the cut (section.js). */
 export class Surface {
   constructor(corners, uniforms) {
     this.geometry = new BufferGeometry();
     this.is_solid = corners === 3;
+    this.bits = 0;
     this.material = this.is_solid
       ? coloured(new MeshLambertMaterial({ side: DoubleSide }), uniforms)
       : new LineBasicMaterial({ color: 0x555b63, depthTest: false, transparent: true });
@@ -76,11 +99,20 @@ export class Surface {
 
   show(points, field) {
     fill(this.geometry, points, field, null);
-    if (this.pieces !== points.pieces) {
-      this.pieces = points.pieces;
+    if (this.points?.pieces !== points.pieces) {
       this.geometry.setIndex(new BufferAttribute(points.pieces, 1));
+      this.bits = 0;
     }
+    this.points = points;
     if (this.is_solid) this.smooth(points);
+  }
+
+  /** Draws fewer triangles, those of a grid of 2^bits cells along a side, or with 0 bits all of them. */
+  simplify(bits) {
+    if (!this.is_solid || bits === this.bits) return;
+    this.bits = bits;
+    const pieces = bits > 0 ? rough_pieces(this.points, bits) : this.points.pieces;
+    this.geometry.setIndex(new BufferAttribute(pieces, 1));
   }
 
   /** Normals at the vertices: sums of those of their triangles, weighted by area. */

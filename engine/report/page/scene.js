@@ -5,7 +5,9 @@ import {
 import { OrbitControls } from "three/addons/controls/OrbitControls.js";
 import { Particles, Surface, colour_uniforms } from "./body.js";
 import { colour_texture } from "./colours.js";
-import { Cut, Face, Filling, edge_of, visible_particles } from "./section.js";
+import { Cut, visible_particles } from "./cut.js";
+import { Face, Filling, edge_of } from "./section.js";
+import { Sharpness } from "./sharpness.js";
 import { Walls } from "./walls.js";
 
 const AXES = "xyz";
@@ -18,6 +20,7 @@ export class View {
     this.renderer = new WebGLRenderer({ canvas, antialias: true, stencil: true, alpha: true });
     this.renderer.localClippingEnabled = true;
     this.canvas = canvas;
+    this.sharpness = new Sharpness(this.renderer.getContext());
     this.scene = new Scene();
     this.uniforms = colour_uniforms();
     this.spacing = run.spacing / run.box.size;
@@ -90,6 +93,8 @@ export class View {
     this.controls.screenSpacePanning = true;
     if (this.is_flat) this.controls.mouseButtons.LEFT = this.controls.mouseButtons.RIGHT;
     this.controls.addEventListener("change", () => this.request());
+    this.controls.addEventListener("start", () => this.sharpness.start());
+    this.controls.addEventListener("end", () => this.sharpness.end() && this.resize());
     this.controls.update();
     this.resize();
   }
@@ -120,8 +125,9 @@ export class View {
 
   resize(width = this.canvas.clientWidth, height = this.canvas.clientHeight, ratio = Math.min(devicePixelRatio, 2)) {
     if (width === 0 || height === 0) return;
-    this.renderer.setPixelRatio(ratio);
-    this.renderer.setSize(width, height, false);
+    this.ratio = ratio;
+    this.size = { width, height };
+    this.sharpen();
     const aspect = width / height;
     if (this.is_flat) {
       const [w, h] = this.box.sides;
@@ -132,8 +138,16 @@ export class View {
       this.camera.fov = aspect > 1.1 ? 24 : 24 * Math.min(2.2, 1.1 / aspect);
     }
     this.camera.updateProjectionMatrix();
-    this.particles.material.uniforms.pixels.value = (height * ratio) / 2;
     this.request();
+  }
+
+  /** Draws with as many pixels as the sharpness says. */
+  sharpen() {
+    this.share = this.sharpness.share;
+    const ratio = this.ratio * this.share;
+    this.renderer.setPixelRatio(ratio);
+    this.renderer.setSize(this.size.width, this.size.height, false);
+    this.particles.material.uniforms.pixels.value = (this.size.height * ratio) / 2;
   }
 
   /** Colours from `low` to `high` of the field, whose stored numbers go from its lo to its hi. */
@@ -187,6 +201,8 @@ export class View {
   draw() {
     if (this.pending) cancelAnimationFrame(this.pending);
     this.pending = null;
-    this.renderer.render(this.scene, this.camera);
+    if (this.share !== this.sharpness.share) this.sharpen();
+    this.surface?.simplify(this.sharpness.bits);
+    this.sharpness.around(() => this.renderer.render(this.scene, this.camera));
   }
 }
