@@ -39,8 +39,6 @@ Case read(std::string_view text, const char* name, double spacing, kernels::Kern
 const Settings spinning = {"time.end=1000", "remeshing.every=10"};
 
 constexpr std::string_view elastic_block_text = R"(method = "total_lagrangian"
-[total_lagrangian]
-damping = 0
 [time]
 end = 1000
 step = "cfl"
@@ -85,11 +83,14 @@ Case point_block(std::int64_t nodes, Precision precision) {
   return a_case;
 }
 
-Case elastic_block(int dimension, std::int64_t particles, Precision precision) {
+Case elastic_block(int dimension, std::int64_t particles, Precision precision,
+                   std::string_view method) {
   const double to_a_side = std::round(std::pow(particles, 1.0 / dimension));
   const bool plane = dimension == 2;
   const Settings settings = {
-      fmt::format("dimension={}", dimension), fmt::format("precision={}", text_of(precision)),
+      fmt::format("dimension={}", dimension),
+      fmt::format("method={}", method),
+      fmt::format("precision={}", text_of(precision)),
       fmt::format("discretisation.spacing={:.17g}", 1 / (to_a_side - 1)),
       fmt::format("body.0.geometry={{ shape = \"box\", lower = {}, upper = {} }}",
                   plane ? "[0, 0]" : "[0, 0, 0]", plane ? "[1, 1]" : "[1, 1, 1]"),
@@ -97,7 +98,8 @@ Case elastic_block(int dimension, std::int64_t particles, Precision precision) {
                   plane ? "" : ", \"0.5*cos(3*y)\"")};
   Case a_case =
       parse_case(std::string(elastic_block_text), "case.toml", settings, methods().rules());
-  a_case.name = plane ? "elastic_block_2d" : "elastic_block_3d";
+  const std::string_view kind = method == "point_based" ? "point_based_block" : "elastic_block";
+  a_case.name = fmt::format("{}_{}d", kind, dimension);
   return a_case;
 }
 

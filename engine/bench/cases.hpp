@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <string_view>
 
 #include "engine/case/case.hpp"
 
@@ -24,7 +25,8 @@ Case compression(int n, kernels::Kernel kernel);
 Case point_block(std::int64_t nodes, Precision precision);
 
 /// A free block of rubber, a unit square or cube that vibrates, with about `particles` particles of
-/// the total Lagrangian method.
-Case elastic_block(int dimension, std::int64_t particles, Precision precision);
+/// a method on the undeformed body.
+Case elastic_block(int dimension, std::int64_t particles, Precision precision,
+                   std::string_view method = "total_lagrangian");
 
 }  // namespace pliant::bench

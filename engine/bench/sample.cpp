@@ -1,7 +1,11 @@
 #include "engine/bench/sample.hpp"
 
+#include <malloc.h>
+#include <unistd.h>
+
 #include <chrono>
 #include <ctime>
+#include <fstream>
 #include <memory>
 #include <numeric>
 
@@ -18,6 +22,13 @@ double time_of(clockid_t clock) {
   timespec time;
   clock_gettime(clock, &time);
   return static_cast<double>(time.tv_sec) + 1e-9 * static_cast<double>(time.tv_nsec);
+}
+
+double resident_bytes() {
+  std::ifstream file("/proc/self/statm");
+  double all_pages = 0, resident_pages = 0;
+  file >> all_pages >> resident_pages;
+  return resident_pages * static_cast<double>(::sysconf(_SC_PAGESIZE));
 }
 
 double processor_time() { return time_of(CLOCK_PROCESS_CPUTIME_ID); }
@@ -57,10 +68,14 @@ void add_calibration(Sample& sample, int threads, kernels::Isa isa, Triad& triad
 
 Sample measure(const Case& settings, const Window& window, int threads, kernels::Isa isa,
                Triad& triad) {
+  Sample sample;
+  ::malloc_trim(0);  // what earlier samples have left
+  const double resident = resident_bytes();
+  const auto before_setup = Clock::now();
   const std::unique_ptr<Solver> made = methods().make(settings, {threads, isa});
+  sample.setup_seconds = std::chrono::duration<double>(Clock::now() - before_setup).count();
   Solver& solver = *made;
   advance(solver, window.steps_before);
-  Sample sample;
   add_calibration(sample, threads, isa, triad);
   const scheduler::StepTotals before = solver.step_totals();
   const std::int64_t steps = solver.clock().step, remeshings = solver.remeshings();
@@ -77,6 +92,8 @@ Sample measure(const Case& settings, const Window& window, int threads, kernels:
   sample.particles = solver.particles();
   sample.bytes_per_particle =
       static_cast<double>(solver.bytes()) / static_cast<double>(solver.particles());
+  sample.resident_per_particle =
+      (resident_bytes() - resident) / static_cast<double>(solver.particles());
   sample.phases = difference(solver.step_totals(), before);
   sample.phase_seconds =
       std::accumulate(sample.phases.begin(), sample.phases.end(), 0.0,

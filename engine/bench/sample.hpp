@@ -20,12 +20,14 @@ struct Sample {
   std::int64_t particles = 0;        ///< interior, at the end
   std::int64_t particle_stages = 0;  ///< (interior particles) x 4 x steps
   std::int64_t steps = 0, remeshings = 0;
-  double bytes_per_particle = 0;  ///< of all fields
-  double wall_seconds = 0;        ///< of the step loop, remeshing included
-  double processor_seconds = 0;   ///< of all threads
-  double phase_seconds = 0;       ///< inside phases, of all threads
-  double fma_peak = 0;            ///< [flop/s], mean of before and after
-  double triad = 0;               ///< [bytes/s], likewise
+  double bytes_per_particle = 0;     ///< of all fields
+  double resident_per_particle = 0;  ///< memory that the process has taken for the solver [bytes]
+  double setup_seconds = 0;          ///< wall time until the solver can step
+  double wall_seconds = 0;           ///< of the step loop, remeshing included
+  double processor_seconds = 0;      ///< of all threads
+  double phase_seconds = 0;          ///< inside phases, of all threads
+  double fma_peak = 0;               ///< [flop/s], mean of before and after
+  double triad = 0;                  ///< [bytes/s], likewise
   std::vector<scheduler::StepTotals::Timer> phases;
 
   double rate() const { return static_cast<double>(particle_stages) / wall_seconds; }

@@ -7,9 +7,11 @@
 #include <cstdio>
 
 #include "engine/bench/cases.hpp"
+#include "engine/bench/growth.hpp"
 #include "engine/bench/machine.hpp"
 #include "engine/bench/report.hpp"
 #include "engine/bench/stage_cost.hpp"
+#include "engine/bench/windows.hpp"
 #include "engine/output/atomic_file.hpp"
 
 namespace pliant::bench {
@@ -20,22 +22,9 @@ using kernels::Kernel;
 
 constexpr std::int64_t compression_columns = 256, quick_compression_columns = 64;
 
-// Whole periods of 20 steps (two remeshings, one reinitialisation of the level set) that take about
-// half a second, after one remeshing that leaves everything warm.
-Window window_for(std::int64_t particles) {
-  constexpr std::int64_t period = 20, most_steps = 1000, stages = 10'000'000;
-  const std::int64_t periods = stages / (4 * period * particles);
-  return {10, std::clamp(periods * period, period, most_steps)};
-}
-
-// About as much work, in steps of one evaluation each.
-Window window_of_points(std::int64_t nodes) {
-  constexpr std::int64_t least_steps = 5, node_steps = 5'000'000;
-  return {5, std::max(node_steps / nodes, least_steps)};
-}
-
 // Rows in pairs: one thread, then all.
 std::vector<Row> all_rows(const StandardSetOptions& options) {
+  if (options.largest) return growth_rows(*options.largest, options.threads);
   std::vector<Row> rows;
   const auto add = [&](const Case& settings, const Window& window) {
     rows.push_back({settings, window, 1, {}});
@@ -159,7 +148,12 @@ Record run_standard_set(const StandardSetOptions& options) {
                  1e-6 * row.samples.back().rate());
     }
   }
-  if (options.tables) {
+  if (options.growth_markdown) {
+    write_atomically(*options.growth_markdown, growth_markdown(rows), Durable::no);
+  }
+  if (options.tables && options.largest) {
+    fmt::print("{}", growth_text(rows));
+  } else if (options.tables) {
     print_assumptions();
     fmt::print("\n{}\n{}\nThread time per particle-stage [ns]:\n\n{}", speed_table(rows), legend,
                phase_table(rows));

@@ -10,9 +10,10 @@
 namespace pliant::bench {
 
 struct StandardSetOptions {
-  bool quick = false;                ///< fewer repetitions, no more than 131 072 particles
-  std::optional<std::int64_t> ball;  ///< nothing but balls of so many particles
-  std::optional<std::filesystem::path> csv;
+  bool quick = false;                   ///< fewer repetitions, no more than 131 072 particles
+  std::optional<std::int64_t> ball;     ///< nothing but balls of so many particles
+  std::optional<std::int64_t> largest;  ///< the growth table up to so many particles instead
+  std::optional<std::filesystem::path> csv, growth_markdown;
   int threads = 2;                 ///< compared with one thread
   std::string rows;                ///< only those whose name contains it
   std::optional<int> repetitions;  ///< default: 5, of the quick set 3

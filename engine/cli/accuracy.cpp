@@ -34,9 +34,10 @@ void refuse_options_without_accuracy(const BenchArguments& arguments) {
         "--ladders, --out, --resume and --time-limit: are for --accuracy; give it too");
   }
   if (arguments.accuracy && (arguments.against || arguments.compare || arguments.csv ||
-                             arguments.ball || !arguments.tolerance.empty())) {
+                             arguments.ball || arguments.growth || !arguments.tolerance.empty())) {
     throw InputError(
-        "--accuracy: not with --against, --compare, --csv, --ball or --tolerance; leave them out");
+        "--accuracy: not with --against, --compare, --csv, --ball, --growth or --tolerance; leave "
+        "them out");
   }
 }
 

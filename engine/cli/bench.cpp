@@ -64,10 +64,13 @@ void refuse_contradictions(const BenchArguments& arguments) {
   if (arguments.against && (arguments.compare || arguments.save || arguments.csv)) {
     throw InputError("--against: not with --compare, --save or --csv; take one of them");
   }
-  if (arguments.markdown && !arguments.against && !arguments.compare && !arguments.accuracy) {
+  if (arguments.growth && (arguments.ball || arguments.against || arguments.compare)) {
+    throw InputError("--growth: not with --ball, --against or --compare; leave them out");
+  }
+  if (arguments.markdown && !arguments.against && !arguments.compare && !arguments.accuracy &&
+      !arguments.growth) {
     throw InputError(
-        "--markdown: is for comparisons and --accuracy; give --compare, --against or --accuracy "
-        "too");
+        "--markdown: is for tables of --compare, --against, --accuracy and --growth; give one too");
   }
   if (!arguments.tolerance.empty()) tolerance_of(arguments, 0);
 }
@@ -80,6 +83,8 @@ ExitStatus bench(const BenchArguments& arguments) {
   bench::StandardSetOptions options;
   options.quick = arguments.quick;
   options.ball = arguments.ball;
+  options.largest = arguments.growth;
+  if (arguments.growth) options.growth_markdown = arguments.markdown;
   options.csv = arguments.csv;
   options.threads = solver_options(arguments.threads, "").threads;
   options.rows = arguments.rows;

@@ -66,6 +66,12 @@ void add_bench(Commands& commands) {
       .add_option("--ball", arguments->ball, "measure only spinning balls of this many particles")
       ->check(CLI::Range(1000, 100'000'000))
       ->type_name("N");
+  command
+      .add_option("--growth", arguments->growth,
+                  "measure set-up, memory and speed of free bodies of 10^4,\n"
+                  "10^5, ... up to N particles, for each method")
+      ->check(CLI::Range(10'000, 100'000'000))
+      ->type_name("N");
   command.add_option("--csv", arguments->csv, "write all figures to this file")->type_name("FILE");
   command
       .add_option("--threads", arguments->threads,

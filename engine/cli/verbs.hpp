@@ -66,7 +66,8 @@ struct BenchArguments {
   bool accuracy = false;  ///< time to a given error, which the next four are for
   bool resume = false;
   std::optional<std::filesystem::path> ladders, folder;
-  std::optional<double> time_limit;  ///< of a run [s]
+  std::optional<double> time_limit;    ///< of a run [s]
+  std::optional<std::int64_t> growth;  ///< a table up to so many particles
 };
 
 /// Measures the machine and the standard set of cases on it.

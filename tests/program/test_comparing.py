@@ -48,6 +48,17 @@ class Comparing(ProgramTest):
         self.assertEqual(2, (self.folder / "order").read_text().count("other"))
         self.assertRegex(out, f"{ROW} +2 +0\\.0")
 
+    def test_growth_is_a_line_for_each_method_and_size(self):
+        table = self.folder / "table.md"
+        status, out, err = self.pliant("bench", "--growth", "10000", "--rows", "block_2d/double", "--threads", "1",
+                                       "--repetitions", "1", "--markdown", table)
+        self.assertEqual(0, status, err)
+        for method in ("total_lagrangian", "point_based"):
+            self.assertRegex(out, rf"{method} +2 +double +1 +10000 +")
+            line = next(line for line in table.read_text().splitlines() if method in line).split(" | ")
+            self.assertGreater(float(line[5]), 0)  # set-up
+            self.assertGreater(float(line[7]), 40)  # at least displacement, velocity and mass
+
     def test_wrong_arguments_are_refused_with_a_remedy(self):
         (self.folder / "text").write_text("no record")
         silent = self.folder / "silent"
@@ -56,7 +67,7 @@ class Comparing(ProgramTest):
         for arguments, text in ((["--compare", "text"], "text: is no record of a benchmark; give a file"),
                                 (["--compare", "missing"], "missing: cannot be read; give a file"),
                                 (["--rows", "cube"], "--rows cube: no row of the set has this in its name"),
-                                (["--markdown", "x"], "--markdown: is for comparisons"),
+                                (["--markdown", "x"], "--markdown: is for tables of"),
                                 (["--against", "/bin/true", "--save", "x"], "--against: not with"),
                                 (["--compare", "text", "--tolerance", "ten"], "--tolerance ten: give a share"),
                                 (["--against", silent, "--rows", ROW], "silent: cannot measure a row")):
