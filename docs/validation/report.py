@@ -1,10 +1,10 @@
 #!/usr/bin/env python3
 """Reruns the figures and tables of Hieber & Koumoutsakos (2008) and writes their pages beside this file.
 
-    docs/validation/report.py [--program ./pliant] [--quick] [SECTION ...]
+    docs/validation/report.py [--program ./pliant] [--quick | --largest] [SECTION ...]
 
 Each section is a page of its own, which README.md lists; without a name all are rerun. `--quick` leaves
-out the finest sizes. Needs python3-h5py and python3-matplotlib.
+out the finest sizes, `--largest` adds the 131 072 particles of tables 1 and 2 (an hour). Needs python3-h5py and python3-matplotlib.
 """
 import argparse
 import csv
@@ -43,8 +43,9 @@ paper_cylinder = [*paper_scheme, "time.step=1e-3", "output.every=0", "output.mea
 
 
 class Runs:
-    def __init__(self, program, folder):
+    def __init__(self, program, folder, largest=False):
         self.program, self.folder, self.count = program, pathlib.Path(folder), 0
+        self.largest = largest
 
     def __call__(self, case, *settings):
         """Runs a case; its folder, or None when the run failed."""
@@ -184,7 +185,7 @@ def compression_rows(run, kind, cells):
 
 def compression(run, quick):
     """Tables 1 and 2: the largest horizontal displacement under compression."""
-    cells = compression_cells[:3] if quick else compression_cells
+    cells = compression_cells[:3 if quick else 5 if run.largest else 4]
     part, lines, curves = compression_head, [], []
     for number, (kind, (printed, elements)) in enumerate(paper.items(), 1):
         found = compression_rows(run, kind, cells)
@@ -411,6 +412,7 @@ def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawTextHelpFormatter)
     parser.add_argument("--program", default=str(root / "pliant"))
     parser.add_argument("--quick", action="store_true")
+    parser.add_argument("--largest", action="store_true")
     parser.add_argument("sections", nargs="*", metavar="SECTION")
     arguments = parser.parse_args()
     unknown = set(arguments.sections) - set(sections)
@@ -418,7 +420,7 @@ def main():
         parser.error(f"no section {', '.join(sorted(unknown))}; there are {', '.join(sections)}")
     for name in arguments.sections or sections:
         with tempfile.TemporaryDirectory() as folder:
-            page = sections[name](Runs(arguments.program, folder), arguments.quick)
+            page = sections[name](Runs(arguments.program, folder, arguments.largest), arguments.quick)
         (here / f"{name}.md").write_text(page[1:])
 
 
