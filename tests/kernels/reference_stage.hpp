@@ -137,7 +137,7 @@ Rates<D> reference_rates(const Body<T, D>& body, const State<T, D>& q, const Seg
         Column<D> d = vector_at<T, D>(q.drift, n) - vector_at<T, D>(q.drift, p);
         for (int i = 0; i < D; ++i) d[i] += cells[i] * h;
         double w = reference_weight(body.kernel, d.norm() / h);
-        if (body.gradient == Gradient::normalised) w *= q.volume[n];
+        if (body.gradient_kind == Gradient::normalised) w *= q.volume[n];
         moment += w * d * d.transpose();
         velocity_sum +=
             w * (vector_at<T, D>(q.velocity, n) - vector_at<T, D>(q.velocity, p)) * d.transpose();
@@ -147,7 +147,7 @@ Rates<D> reference_rates(const Body<T, D>& body, const State<T, D>& q, const Seg
       }
     }
   }
-  if (body.gradient == Gradient::normalised) moment = moment.diagonal().asDiagonal();
+  if (body.gradient_kind == Gradient::normalised) moment = moment.diagonal().asDiagonal();
   const Matrix<D> inverse = moment.inverse();
   Matrix<D> relaxation;  // (RP.23)
   for (int i = 0; i < D; ++i) {

@@ -81,7 +81,7 @@ TYPED_TEST(stage, rates_by_the_gradient_of_the_paper_agree_with_its_sums) {
   for (const Model model : every_model) {
     Body<T, D> body(small_box<T, D>(), T(0.1), model);
     body.kernel = Kernel::quartic_spline;
-    body.gradient = Gradient::normalised;
+    body.gradient_kind = Gradient::normalised;
     EXPECT_LT((worst_rate_error<T, D>(body, nullptr)), rate_tolerance<T>);
     const BoxLists<D> lists(body.patch, stencil_reach(body.kernel));
     const NeighbourLists<D> view = lists.view();
