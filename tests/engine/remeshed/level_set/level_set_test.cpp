@@ -188,7 +188,8 @@ TYPED_TEST(LevelSets, of_first_order_keep_what_remeshing_gave_until_they_are_rei
       upper, [](const Point<D>& x) { return 0.8 * plane<D>(x); }, false,
       Reinitialisation::first_order);
   passes.inside(upper, 9, [&](const Point<D>& x, std::int64_t slot) {
-    if (std::abs(plane<D>(x)) < 4.2) EXPECT_EQ(passes.nodes.values[slot], passes.before[slot]);
+    if (std::abs(plane<D>(x)) > 4.2) return;
+    EXPECT_EQ(passes.nodes.values[slot], passes.before[slot]);
   });
 }
 
