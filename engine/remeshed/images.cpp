@@ -27,10 +27,15 @@ void copy_image_drift(Body<T, D>& body, int block, int stage) {
 }
 
 template <class T, int D>
-void copy_images(Body<T, D>& body, int block, int stage) {
+void copy_images(Body<T, D>& body, int block, int stage, bool with_volume) {
   const auto& images = body.population.images[block];
-  for (auto& component : body.stage[buffer_of(stage)][Field::velocity]) {
+  FieldStore<T, D>& state = body.stage[buffer_of(stage)];
+  for (auto& component : state[Field::velocity]) {
     for (const auto& [image, source] : images) component[image] = component[source];
+  }
+  if (with_volume) {
+    T* volume = state.get(Field::volume);
+    for (const auto& [image, source] : images) volume[image] = volume[source];
   }
   for (T* component : body.stress_view(stage % 2)) {
     for (const auto& [image, source] : images) component[image] = component[source];
@@ -39,15 +44,15 @@ void copy_images(Body<T, D>& body, int block, int stage) {
 
 template void list_images<double, 2>(const Lattice<2>&, Population<double, 2>&, int);
 template void copy_image_drift<double, 2>(Body<double, 2>&, int, int);
-template void copy_images<double, 2>(Body<double, 2>&, int, int);
+template void copy_images<double, 2>(Body<double, 2>&, int, int, bool);
 template void list_images<double, 3>(const Lattice<3>&, Population<double, 3>&, int);
 template void copy_image_drift<double, 3>(Body<double, 3>&, int, int);
-template void copy_images<double, 3>(Body<double, 3>&, int, int);
+template void copy_images<double, 3>(Body<double, 3>&, int, int, bool);
 template void list_images<float, 2>(const Lattice<2>&, Population<float, 2>&, int);
 template void copy_image_drift<float, 2>(Body<float, 2>&, int, int);
-template void copy_images<float, 2>(Body<float, 2>&, int, int);
+template void copy_images<float, 2>(Body<float, 2>&, int, int, bool);
 template void list_images<float, 3>(const Lattice<3>&, Population<float, 3>&, int);
 template void copy_image_drift<float, 3>(Body<float, 3>&, int, int);
-template void copy_images<float, 3>(Body<float, 3>&, int, int);
+template void copy_images<float, 3>(Body<float, 3>&, int, int, bool);
 
 }  // namespace pliant::remeshed

@@ -14,8 +14,8 @@ void list_images(const Lattice<D>& lattice, Population<T, D>& population, int bl
 template <class T, int D>
 void copy_image_drift(Body<T, D>& body, int block, int stage);
 
-/// Velocity and stress of a block's images in a stage.
+/// Velocity and stress of a block's images in a stage, and the volume if the gradient reads it.
 template <class T, int D>
-void copy_images(Body<T, D>& body, int block, int stage);
+void copy_images(Body<T, D>& body, int block, int stage, bool with_volume);
 
 }  // namespace pliant::remeshed

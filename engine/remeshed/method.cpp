@@ -5,6 +5,7 @@
 #include "engine/case/check.hpp"
 #include "engine/remeshed/footprint.hpp"
 #include "engine/remeshed/observe/measure.hpp"
+#include "engine/remeshed/parameters.hpp"
 #include "engine/remeshed/solver.hpp"
 #include "engine/remeshed/step_limits.hpp"
 
@@ -48,7 +49,18 @@ void check_tractions(const Check& check) {
   }
 }
 
+// Gradients are compiled for every kernel, but those of H&K for its own alone.
+void check_gradient(const Check& check) {
+  if (parameters_of(check.a_case).gradient == kernels::Gradient::moment_matrix) return;
+  if (check.a_case.discretisation.kernel == kernels::Kernel::quartic_spline) return;
+  check.problems.add(check.place("remeshed", "gradient"),
+                     "gradient = \"normalised\" needs the kernel of the paper",
+                     "write kernel = \"quartic_spline\" in [discretisation], or gradient = "
+                     "\"moment_matrix\"");
+}
+
 void check(const Check& check) {
+  check_gradient(check);
   check_contact_steps(check);
   check_tractions(check);
   refuse_tables(check, {"cut"});
@@ -78,6 +90,7 @@ RegisteredMethod method() {
       {.word = "remeshed",
        .meaning = "Lagrangian particles that are remeshed; a level set follows the free surface",
        .check = check,
+       .keys = visit_keys,
        .step_limits = limits_of_steps,
        .summary = summary,
        .footprint = footprint,

@@ -1,5 +1,6 @@
 #include "engine/remeshed/particle_update.hpp"
 
+#include "engine/remeshed/parameters.hpp"
 #include "engine/remeshed/particle_kinds.hpp"
 #include "engine/remeshed/resources.hpp"
 #include "engine/remeshed/runge_kutta.hpp"
@@ -44,7 +45,8 @@ Accesses read_by_evaluate_stress() {
 Accesses written_by_evaluate_stress() {
   return own(slots(Group::stress, 0) + slots(Group::stress, 1) + slots(Group::drift, 1) +
              slots(Group::velocity, 1) + slots(Group::drift, 2) + slots(Group::velocity, 2) +
-             whole(Group::interior) + whole(Group::results));
+             ghosts(Group::material, 1) + ghosts(Group::material, 2) + whole(Group::interior) +
+             whole(Group::results));
 }
 
 template <class T, int D>
@@ -87,6 +89,7 @@ kernels::Stage<T, D> ParticleUpdate<T, D>::stage_of(Body<T, D>& body, int block,
   work.stress_dissipation = static_cast<T>(dissipation.stress) * rate;
   work.stage = stage;
   work.kernel = settings_.discretisation.kernel;
+  work.gradient = parameters_of(settings_).gradient;
   work.material = body.material;
   work.pack_state = population.pack_state.get();
   work.interior = body.interior.get();

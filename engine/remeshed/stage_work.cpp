@@ -4,6 +4,7 @@
 #include "engine/remeshed/contact/wall_contact.hpp"
 #include "engine/remeshed/ghosts/surface_records.hpp"
 #include "engine/remeshed/images.hpp"
+#include "engine/remeshed/parameters.hpp"
 #include "engine/remeshed/runge_kutta.hpp"
 
 namespace pliant::remeshed {
@@ -49,7 +50,7 @@ void StageWork<T, D>::copy_image_positions(int block, int stage) {
 template <class T, int D>
 void StageWork<T, D>::copy_image_states(int block, int stage) {
   const auto [body, local] = state_.owner(block);
-  copy_images(body, local, stage);
+  copy_images(body, local, stage, reads_volumes(settings_));
 }
 
 template <class T, int D>

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "engine/remeshed/parameters.hpp"
 #include "engine/remeshed/resources.hpp"
 #include "engine/remeshed/runge_kutta.hpp"
 
@@ -27,8 +28,8 @@
 //                       they would pull. Ghosts of free surfaces move with their fits (RP.60)
 //     images            periodic bodies: velocity and stress of the slots beyond a period
 //     advance           grad u and div sigma of every particle by the moment matrix (RP.20),
-//                       its rates (RP.13), the next state and the stress that belongs to it
-//                       (RP.3)-(RP.9)
+//                       or as the paper (RP.19), its rates (RP.13), the next state and the stress
+//                       that belongs to it (RP.3)-(RP.9)
 //
 // After the last stage:
 //
@@ -116,11 +117,14 @@ void Step<T, D>::add_ghosts(std::vector<Phase>& phases, int stage, bool all_of_t
   rows.each("ghosts", read_by_ghosts(stage, all_of_them), written_by_ghosts(stage),
             at(stage, all_of_them ? &Work::fill_all_ghosts : &Work::fill_reached_ghosts));
   if (is_periodic()) {
-    rows.each(
-        "images",
-        near(repeated(velocity, current) + repeated(stress, parity)) + own(whole(image_sources)),
-        own(images(velocity, current) + images(stress, parity)),
-        at(stage, &Work::copy_image_states));
+    Resources read = repeated(velocity, current) + repeated(stress, parity);
+    Resources written = images(velocity, current) + images(stress, parity);
+    if (reads_volumes(settings_)) {
+      read = read + repeated(material, current);
+      written = written + images(material, current);
+    }
+    rows.each("images", near(read) + own(whole(image_sources)), own(written),
+              at(stage, &Work::copy_image_states));
   }
 }
 
@@ -177,14 +181,18 @@ void Step<T, D>::add_advance(std::vector<Phase>& phases, int stage) {
 }
 
 template <class T, int D>
-Accesses Step<T, D>::read_by_advance(int stage, Reach reach) {
+Accesses Step<T, D>::read_by_advance(int stage, Reach reach) const {
   const int current = buffer_of(stage), parity = stage % 2;
-  const Resources listed =
+  Resources listed =
       repeated(drift, current) + repeated(velocity, current) + repeated(stress, parity);
+  Resources adjacent =
+      images(drift, current) + images(velocity, current) + images(stress, parity) + whole(interior);
+  if (reads_volumes(settings_)) {
+    listed = listed + repeated(material, current);
+    adjacent = adjacent + images(material, current);
+  }
   return Accesses(listed, reach) + read_by_update(stage) +
-         own(whole(corrections) + whole(contact) + whole(fits)) +
-         near(images(drift, current) + images(velocity, current) + images(stress, parity) +
-              whole(interior));
+         own(whole(corrections) + whole(contact) + whole(fits)) + near(adjacent);
 }
 
 template <class T, int D>

@@ -45,7 +45,7 @@ class Step {
   static Accesses read_by_surface(int stage);
   Accesses read_by_ghosts(int stage, bool all_of_them) const;
   Accesses written_by_ghosts(int stage) const;
-  static Accesses read_by_advance(int stage, scheduler::Reach reach);
+  Accesses read_by_advance(int stage, scheduler::Reach reach) const;
 
   bool is_periodic() const;
   std::vector<int> blocks_where(bool listed) const;

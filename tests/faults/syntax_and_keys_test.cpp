@@ -22,13 +22,13 @@ const Fault faults[] = {
      "block.toml:11: unknown key `colour` in [ghosts]; its keys are treatment"},
     {"an_unknown_table", extended("[output_files]\nevery = 3\n"),
      "block.toml:10: unknown key `output_files` in the case; its keys are title, name, dimension, "
-     "method, precision, gravity, discretisation, time, remeshing, level_set, ghosts, "
+     "method, precision, gravity, discretisation, time, remeshing, level_set, ghosts, remeshed, "
      "total_lagrangian, point_based, finite_elements, sph, periodic, material, body, boundary, "
      "contact, cut, "
      "output, "
      "checks, measurement"},
     {"the_beginning_of_a_table", extended("[remesh]\nevery = 3\n"),
-     "block.toml:10: unknown key `remesh` in the case; did you mean `remeshing`?"},
+     "block.toml:10: unknown key `remesh` in the case; did you mean `remeshed`?"},
     {"a_missing_key", broken("spacing = 0.1", ""),
      "block.toml:2: [discretisation] lacks `spacing`, initial distance h between particles, the "
      "resolution; add spacing = 0.03125"},

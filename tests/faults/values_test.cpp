@@ -74,6 +74,9 @@ const Fault faults[] = {
      "\"often\"; write it as in every = 10"},
     {"a_remeshing_interval_of_zero", extended("[remeshing]\nevery = 0\n"),
      "block.toml:11: every must be 1 or more, got 0; write it as in every = 10"},
+    {"a_gradient_without_its_kernel", extended("[remeshed]\ngradient = \"normalised\"\n"),
+     "block.toml:11: gradient = \"normalised\" needs the kernel of the paper; write kernel = "
+     "\"quartic_spline\" in [discretisation], or gradient = \"moment_matrix\""},
     {"a_dimension_of_one", broken("title = \"a block\"", "dimension = 1"),
      "block.toml:1: dimension must be 2 or 3, got 1; write it as in dimension = 2"},
     {"an_unknown_method", broken("title = \"a block\"", "method = \"peridynamics\""),

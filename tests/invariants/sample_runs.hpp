@@ -57,6 +57,16 @@ inline std::vector<SampleRun> sample_runs() {
       "body.right.geometry.centre=[0.503, 0]",
       "body.right.material={ model = \"reduced_polynomial\", coefficients = [10], "
       "compressibility = 0.02, density = 2 }"};
+  // Not every step, so that there are steps between remeshings to look at.
+  const Settings scheme_of_the_paper = {"discretisation.kernel=quartic_spline",
+                                        "discretisation.dissipation=0",
+                                        "remeshing.every=3",
+                                        "remeshing.volume=conserved",
+                                        "level_set.reinitialise_every=5",
+                                        "ghosts.treatment=averaged",
+                                        "remeshed.gradient=normalised",
+                                        "remeshed.reinitialisation=first_order",
+                                        "remeshed.determinant=remeshed"};
   return {
       {"disc", "rotating_cylinder", disc, 22},
       {"compression_linear", "compression_linear", block, 60},
@@ -65,6 +75,8 @@ inline std::vector<SampleRun> sample_runs() {
       {"periodic", "periodic_square", cell, 20},
       {"contact", "bouncing_ball", ball, 20},
       {"two_discs", "two_discs", discs, 20, 12},
+      {"paper", "compression_hyperelastic", block + scheme_of_the_paper, 12},
+      {"paper_periodic", "periodic_square", cell + scheme_of_the_paper, 16},
   };
 }
 

@@ -47,6 +47,7 @@ struct Body {
     arguments.stress_dissipation = stress_dissipation;
     arguments.stage = number;
     arguments.kernel = kernel;
+    arguments.gradient = gradient_kind;
     arguments.material = material;
     arguments.pack_state = patch.pack_state.data();
     arguments.interior = patch.interior.data();
@@ -92,6 +93,7 @@ struct Body {
   Patch<T, D> patch;
   Material<T> material;
   Kernel kernel = Kernel::quartic_spline_fit;
+  Gradient gradient_kind = Gradient::moment_matrix;
   T velocity_dissipation = T(0.7), stress_dissipation = T(0.3);
   const NeighbourLists<D>* neighbours = nullptr;
   Field<T> mass;

@@ -118,7 +118,8 @@ Matrix<D> hooke_inverse(const Material<T>& material, const Matrix<D>& stress) {
   return strain;
 }
 
-/// Rates of an interior particle of a body in state `q`: (RP.13), (RP.3) or (RP.8), and (RP.23).
+/// Rates of an interior particle of a body in state `q`: (RP.13) by (RP.20) or (RP.19), (RP.3) or
+/// (RP.8), and (RP.23).
 template <class T, int D>
 Rates<D> reference_rates(const Body<T, D>& body, const State<T, D>& q, const Segment<D>& segment,
                          std::int64_t p) {
@@ -135,7 +136,8 @@ Rates<D> reference_rates(const Body<T, D>& body, const State<T, D>& q, const Seg
         const std::int64_t n = p + segment.neighbour_row[row_index<D>(dy, dz)] + dx;
         Column<D> d = vector_at<T, D>(q.drift, n) - vector_at<T, D>(q.drift, p);
         for (int i = 0; i < D; ++i) d[i] += cells[i] * h;
-        const double w = reference_weight(body.kernel, d.norm() / h);
+        double w = reference_weight(body.kernel, d.norm() / h);
+        if (body.gradient_kind == Gradient::normalised) w *= q.volume[n];
         moment += w * d * d.transpose();
         velocity_sum +=
             w * (vector_at<T, D>(q.velocity, n) - vector_at<T, D>(q.velocity, p)) * d.transpose();
@@ -145,6 +147,7 @@ Rates<D> reference_rates(const Body<T, D>& body, const State<T, D>& q, const Seg
       }
     }
   }
+  if (body.gradient_kind == Gradient::normalised) moment = moment.diagonal().asDiagonal();
   const Matrix<D> inverse = moment.inverse();
   Matrix<D> relaxation;  // (RP.23)
   for (int i = 0; i < D; ++i) {

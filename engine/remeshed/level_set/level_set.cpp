@@ -94,6 +94,17 @@ bool LevelSet<T, D>::gradient(const Cell<D>& cell, Point<D>& g) const {
   return dot<D>(g, g) > 0.05;
 }
 
+// What phi was before the first pass lies in the place of closest points, which come later.
+template <class T, int D>
+void LevelSet<T, D>::advance(const Block<D>& block, int pass) {
+  T* start = foot_[0];
+  if (pass == 0) {
+    layout_->for_each_slot(block, [&](std::int64_t p, const Cell<D>&) { start[p] = extended_[p]; });
+  }
+  T* const phi[] = {extended_, phi_};
+  advance_to_distance<T, D>(*lattice_, *layout_, block, start, phi[pass % 2], phi[1 - pass % 2]);
+}
+
 template <class T, int D>
 void LevelSet<T, D>::find_closest_points(const Block<D>& block, bool reinitialise,
                                          const kernels::RemeshedTable<T, D>& kernels) {
@@ -107,7 +118,8 @@ void LevelSet<T, D>::find_closest_points(const Block<D>& block, bool reinitialis
     near.add(p, cell, as_point<D>(cell));
   });
   near.run(*lattice_, *layout_, extended_, 3, 12, kernels);
-  for (std::size_t i = 0; i < near.size(); ++i) place_near(near, i, reinitialise);
+  const bool replaces = reinitialise && !is_first_order_;
+  for (std::size_t i = 0; i < near.size(); ++i) place_near(near, i, replaces);
 }
 
 template <class T, int D>
@@ -178,10 +190,11 @@ void LevelSet<T, D>::add_layer(const Block<D>& block, int layer,
     const std::int64_t slot = border.polished.slot(i);
     const Point<D> offset = difference<D>(border.foot[i], border.polished.node(i));
     for (int a = 0; a < D; ++a) foot_[a][slot] = offset[a];
+    after[slot] = static_cast<std::uint8_t>(layer);
+    if (is_first_order_) continue;
     // Far from the surface the sign that remeshing left is sure.
     phi_[slot] = std::copysign(
         static_cast<T>(std::sqrt(dot<D>(offset, offset)) * lattice_->spacing), extended_[slot]);
-    after[slot] = static_cast<std::uint8_t>(layer);
   }
 }
 

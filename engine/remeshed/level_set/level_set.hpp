@@ -3,8 +3,10 @@
 #include <array>
 #include <cstdint>
 
+#include "engine/remeshed/level_set/first_order.hpp"
 #include "engine/remeshed/level_set/projections.hpp"
 #include "engine/remeshed/level_set/wall_extension.hpp"
+#include "engine/remeshed/parameters.hpp"
 #include "engine/storage/buffer.hpp"
 
 /// The level set of a body on a fresh lattice: phi < 0 inside, (RP.40).
@@ -14,6 +16,9 @@
 ///     layers   further out, rebuilt at every remeshing: each layer takes the closest point of a
 ///              neighbour nearer to the surface and polishes it (RP.41)
 ///     beyond   the sign alone, times `far`
+///
+/// As in the paper (RP.74), the layers too keep what remeshing gave, and reinitialisation advances
+/// phi towards a distance; closest points serve ghosts alone.
 ///
 /// All of it for phi continued behind walls, see wall_extension.hpp.
 namespace pliant::remeshed {
@@ -25,6 +30,10 @@ class LevelSet {
   static constexpr double trusted = 2.5;    ///< closest points farther away do not correct phi [h]
   static constexpr int layers = 6;          ///< the near nodes are layer 1
   static constexpr double far = 6.5;        ///< [h]
+
+  explicit LevelSet(Reinitialisation reinitialisation = Reinitialisation::closest_point)
+      : is_first_order_(reinitialisation == Reinitialisation::first_order) {}
+  bool is_first_order() const { return is_first_order_; }
 
   void prepare(const Lattice<D>& lattice, const Layout<D>& layout, T* phi);
   /// Where to keep phi continued through walls, and closest points, from the first pass to the last
@@ -41,6 +50,7 @@ class LevelSet {
     const WallExtension<T, D> extension(*lattice_, *layout_, phi_, valid, far * lattice_->spacing);
     extension.extend(block, boundaries, extended_);
   }
+  void advance(const Block<D>& block, int pass);  ///< (RP.74), 0..first_order_passes - 1
   void find_closest_points(const Block<D>& block, bool reinitialise,
                            const kernels::RemeshedTable<T, D>& kernels);
   void add_layer(const Block<D>& block, int layer,
@@ -75,6 +85,7 @@ class LevelSet {
   bool gradient(const Cell<D>& cell, Point<D>& g) const;
   bool borders_a_layer(const kernels::Segment<D>& segment, std::int64_t slot, int layer) const;
 
+  bool is_first_order_;
   const Lattice<D>* lattice_ = nullptr;
   const Layout<D>* layout_ = nullptr;
   T* phi_ = nullptr;

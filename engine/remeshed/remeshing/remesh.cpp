@@ -21,6 +21,7 @@
 //     remesh: images    periodic bodies: slots beyond a period repeat the nodes one period away
 //     remesh: filter    high-order filter (RP.37)
 //     level set: walls  phi continued through walls
+//     level set: first order   the paper's reinitialisation, where the case asks for it (RP.74)
 //     level set: closest points   on the surface, of the nodes near it; if due, phi becomes the
 //                       distance to them (RP.41)
 //     level set: layers           the same layer by layer further out (RP.40)
@@ -64,11 +65,13 @@ Remeshing<T, D>::Remeshing(const Case& settings, Body<T, D>& body, const Boundar
     : body_(body),
       boundaries_(boundaries),
       kernels_(kernels),
+      parameters_(parameters_of(settings)),
       treatment_(settings.ghosts),
       stencil_reach_(kernels::stencil_reach(settings.discretisation.kernel)),
       outside_(outside),
       layout_search_(body),
-      fields_(settings, body, kernels, workers) {}
+      fields_(settings, body, kernels, workers),
+      level_set_(parameters_.reinitialisation) {}
 
 template <class T, int D>
 void Remeshing<T, D>::place_initial(const Case& settings) {
@@ -173,6 +176,7 @@ void Remeshing<T, D>::add_level_set(PhaseRows& rows) {
             own(whole(extended)), [this, block](int b) {
               level_set_.extend_through_walls(block(b), boundaries_, fields_.valid());
             });
+  if (level_set_.is_first_order()) add_first_order_passes(rows);
   rows.each("level set: closest points", near(whole(extended)),
             own(whole(closest, 0) + with_images(new_state)), [this, block](int b) {
               level_set_.find_closest_points(block(b), reinitialise_, kernels_);
@@ -182,6 +186,20 @@ void Remeshing<T, D>::add_level_set(PhaseRows& rows) {
         "level set: layers", near(whole(extended) + whole(closest, layer % 2)),
         own(whole(closest, (layer + 1) % 2) + with_images(new_state)),
         [this, block, layer](int b) { level_set_.add_layer(block(b), layer, kernels_); });
+  }
+  rows.at_stage(-1);
+}
+
+// phi goes to and fro between its two arrays; what it was before lies where closest points will.
+template <class T, int D>
+void Remeshing<T, D>::add_first_order_passes(PhaseRows& rows) {
+  const Resources phi[] = {whole(extended), with_images(new_state)};
+  for (int pass = 0; pass < first_order_passes; ++pass) {
+    rows.at_stage(pass).each("level set: first order", near(phi[pass % 2]) + own(whole(closest, 0)),
+                             own(phi[1 - pass % 2] + whole(closest, 0)), [this, pass](int b) {
+                               if (!reinitialise_) return;
+                               level_set_.advance(body_.spare.layout.blocks()[b], pass);
+                             });
   }
   rows.at_stage(-1);
 }
@@ -214,7 +232,10 @@ void Remeshing<T, D>::add_ghosts(PhaseRows& rows) {
 template <class T, int D>
 void Remeshing<T, D>::find_kinds(int block) {
   if (body_.has_surface) level_set_.finish(body_.spare.layout.blocks()[block]);
-  if (body_.material.model == kernels::Model::reduced_polynomial) fields_.match_volumes(block);
+  if (body_.material.model == kernels::Model::reduced_polynomial &&
+      parameters_.determinant == Determinant::from_density) {
+    fields_.match_volumes(block);
+  }
   particles_[block] = classify<T, D>(body_, body_.spare, body_.stage[1], block, boundaries_,
                                      fields_.valid(), outside_);
 }

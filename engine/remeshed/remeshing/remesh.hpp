@@ -48,6 +48,7 @@ class Remeshing {
  private:
   void add_fields(PhaseRows& rows);
   void add_level_set(PhaseRows& rows);
+  void add_first_order_passes(PhaseRows& rows);
   void add_ghosts(PhaseRows& rows);
 
   void prepare_spare();
@@ -59,6 +60,7 @@ class Remeshing {
   Body<T, D>& body_;
   const Boundaries<D>& boundaries_;
   const kernels::RemeshedTable<T, D>& kernels_;
+  Parameters parameters_;
   GhostTreatment treatment_;
   int stencil_reach_;
   Outside outside_;

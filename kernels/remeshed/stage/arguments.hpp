@@ -7,6 +7,7 @@
 #include "kernels/layout.hpp"
 #include "kernels/material.hpp"
 #include "kernels/remeshed/evolving.hpp"
+#include "kernels/remeshed/stage/gradient.hpp"
 
 /// What the kernels of a Runge-Kutta stage work on.
 namespace pliant::kernels {
@@ -49,10 +50,11 @@ struct SymmetricPairs {
   T linear, quadratic;  ///< alpha c [m/s] and beta [1] of (RP.27)
 };
 
-/// One Runge-Kutta stage of one block, (RP.13) by (RP.20) and (RP.21): gradients of velocity and
-/// stress, rates, update, and the stress of the new state.
+/// One Runge-Kutta stage of one block, (RP.13) by (RP.20) or (RP.19) and (RP.21): gradients of
+/// velocity and stress, rates, update, and the stress of the new state.
 ///
-/// Reads drift, velocity and stress of `current` also in neighbouring blocks. Writes `next`
+/// Reads drift, velocity and stress of `current` also in neighbouring blocks, and for (RP.19) the
+/// volume. Writes `next`
 /// and `next_stress` in packs with interior particles; their other slots get zero rates but for the
 /// drift, which follows their velocity. In packs of ghosts the displacement alone is
 /// written, in vacant ones nothing. Three copies of the state serve all stages: in stage 2 `next`
@@ -67,6 +69,7 @@ struct Stage {
   T stress_dissipation;    ///< kappa_sigma of (RP.23) [1/s]; 0: none
   int stage;               ///< 0..3
   Kernel kernel;
+  Gradient gradient;
   Material<T> material;
   const PackState* pack_state;          ///< [slot / slots_per_pack]
   const T* interior;                    ///< [slot], 1 for interior particles, else 0
@@ -80,7 +83,7 @@ struct Stage {
   Evolving<T, D> next;
   std::array<T*, symmetric_components<D>> next_stress;
   BulkViscosity<T> viscosity = {};  ///< the last stage writes its pressures
-  /// nullptr: the moment-matrix gradient; else plain SPH, whose neighbours are listed and which
+  /// nullptr: `gradient`; else plain SPH, whose neighbours are listed and which
   /// reads stress from here.
   const SymmetricPairs<T, D>* pairs = nullptr;
 };

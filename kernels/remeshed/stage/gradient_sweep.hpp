@@ -4,7 +4,8 @@
 #include "kernels/remeshed/stage/moment.hpp"
 #include "kernels/remeshed/stage/weight.hpp"
 
-/// The moment-matrix gradient (RP.20) of several fields in one sweep over the neighbours.
+/// The moment-matrix gradient (RP.20) of several fields in one sweep over the neighbours, or that
+/// of H&K (RP.19), whose weights hold v_q and which takes the diagonal of A for the whole.
 ///
 /// For every neighbour q of a pack of particles p: d = x_q - x_p, omega(|d|), and
 ///
@@ -72,6 +73,16 @@ struct GradientSums : MomentSums<P, D>, SlopeSums<P, D, F> {
   }
 };
 
+/// A^-1, or n_p of (RP.19) on the diagonal of a matrix.
+template <Gradient gradient, class P, int components>
+inline void invert_moment(const P (&moment)[components], P (&inverse)[components]) {
+  if constexpr (gradient == Gradient::normalised) {
+    invert_diagonal(moment, inverse);
+  } else {
+    invert_symmetric(moment, inverse);
+  }
+}
+
 /// Gradients of F fields from their sums and the inverse of A.
 template <class P, int D, int F>
 inline void solve(const P (&inverse)[symmetric_components<D>], const SlopeSums<P, D, F>& sums,
@@ -91,10 +102,10 @@ inline void solve(const P (&inverse)[symmetric_components<D>], const SlopeSums<P
 }
 
 /// The same with A; not finite where the neighbours do not span the space.
-template <class P, int D, int F>
+template <Gradient of = Gradient::moment_matrix, class P, int D, int F>
 inline void solve(const GradientSums<P, D, F>& sums, P (&gradient)[F][D]) {
   P inverse[symmetric_components<D>];
-  invert_symmetric(sums.moment, inverse);
+  invert_moment<of>(sums.moment, inverse);
   solve<P, D, F>(inverse, sums, gradient);
 }
 
@@ -142,6 +153,25 @@ class Separation {
   T spacing_;
   const T* drift_[D];
   P position_[D];
+};
+
+/// The volume v_q in the weights of (RP.19); those of (RP.20) have none.
+template <Gradient gradient, class P, int D>
+class VolumeWeight {
+ public:
+  explicit VolumeWeight(const Scalar<P>* volume) : volume_(volume) {}
+
+  template <class Load>
+  [[gnu::always_inline]] void operator()(const Load& neighbour, P (&weighted)[D]) const {
+    if constexpr (gradient == Gradient::normalised) {
+      const P volume = neighbour(volume_);
+#pragma GCC unroll 3
+      for (int i = 0; i < D; ++i) weighted[i] = volume * weighted[i];
+    }
+  }
+
+ private:
+  const Scalar<P>* volume_;
 };
 
 /// What some fields of a neighbour differ from those of a pack of particles.

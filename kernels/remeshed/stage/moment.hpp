@@ -44,4 +44,19 @@ inline void invert_symmetric(const P (&a)[6], P (&inverse)[6]) {
   inverse[5] = fused_minus(a[1], a[1], a[0] * a[3]) * factor;
 }
 
+/// Inverse of the diagonal of such a matrix, with zeros beside it: 1/n_p of (RP.19) is the diagonal
+/// of a moment matrix whose weights hold v_q.
+template <class P, int components>
+inline void invert_diagonal(const P (&a)[components], P (&inverse)[components]) {
+  constexpr int D = components == 3 ? 2 : 3;
+#pragma GCC unroll 3
+  for (int i = 0; i < D; ++i) {
+#pragma GCC unroll 3
+    for (int j = i; j < D; ++j) {
+      const int c = symmetric_index<D>(i, j);
+      inverse[c] = i == j ? P(Scalar<P>(1)) / a[c] : P(Scalar<P>(0));
+    }
+  }
+}
+
 }  // namespace pliant::kernels

@@ -26,20 +26,24 @@ using UpdateOfChunk = void (*)(const Stage<Scalar<P>, D>&, const ChunkGradients<
                                const Chunk&, StageExtremes<P>&);
 
 template <bool listed, class P, int D>
-GradientsOfChunk<P, D> gradients_for(Kernel kernel) {
+GradientsOfChunk<P, D> gradients_for(Kernel kernel, Gradient gradient) {
+  constexpr Gradient exact = Gradient::moment_matrix;
+  if (gradient == Gradient::normalised) {
+    return stage_gradients<Kernel::quartic_spline, Gradient::normalised, listed, P, D>;
+  }
   switch (kernel) {
     case Kernel::quartic_spline:
-      return stage_gradients<Kernel::quartic_spline, listed, P, D>;
+      return stage_gradients<Kernel::quartic_spline, exact, listed, P, D>;
     case Kernel::quartic_spline_fit:
-      return stage_gradients<Kernel::quartic_spline_fit, listed, P, D>;
+      return stage_gradients<Kernel::quartic_spline_fit, exact, listed, P, D>;
     case Kernel::compact:
-      return stage_gradients<Kernel::compact, listed, P, D>;
+      return stage_gradients<Kernel::compact, exact, listed, P, D>;
     case Kernel::fourth_order:
       break;
   }
   // Its moments vanish on the lattice alone.
   constexpr Kernel present = listed ? Kernel::quartic_spline_fit : Kernel::fourth_order;
-  return stage_gradients<present, listed, P, D>;
+  return stage_gradients<present, exact, listed, P, D>;
 }
 
 template <StagePlace place, class P, int D>
@@ -88,8 +92,8 @@ template <StagePlace place, class P, int D>
 StageResult advance_stage_at(const Stage<Scalar<P>, D>& stage) {
   const auto gradients_of = stage.pairs != nullptr ? symmetric_gradients<P, D>
                             : stage.neighbours != nullptr
-                                ? gradients_for<true, P, D>(stage.kernel)
-                                : gradients_for<false, P, D>(stage.kernel);
+                                ? gradients_for<true, P, D>(stage.kernel, stage.gradient)
+                                : gradients_for<false, P, D>(stage.kernel, stage.gradient);
   const auto update = update_for<place, P, D>(stage.material.model);
   ChunkGradients<Scalar<P>, D> gradients;
   StageExtremes<P> extremes;

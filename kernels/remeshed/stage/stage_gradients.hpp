@@ -34,43 +34,48 @@ struct StageGradients {
 };
 
 /// grad u and div sigma of the plane, in one sweep; `visit(f)` visits the neighbours.
-template <Kernel kernel, class P, class Visit>
+template <Kernel kernel, Gradient gradient, class P, class Visit>
 [[gnu::always_inline]] inline void sweep(const StageSweepFields<Scalar<P>, 2>& fields,
-                                         std::int64_t slot, Scalar<P> spacing, bool,
-                                         const Visit& visit, StageGradients<P, 2>& result) {
+                                         const Scalar<P>* volume, std::int64_t slot,
+                                         Scalar<P> spacing, bool, const Visit& visit,
+                                         StageGradients<P, 2>& result) {
   constexpr int D = 2, F = D + symmetric_components<D>;
   const Separation<kernel, P, D> separation(fields.drift, slot, spacing);
+  const VolumeWeight<gradient, P, D> times_volume(volume);
   const Differences<P, F> differences(fields.field, slot);
   GradientSums<P, D, F> sums;
   visit([&](const P(&offset)[D], const auto& neighbour) __attribute__((always_inline)) {
     P d[D], weighted[D], difference[F];
     separation(offset, neighbour, d, weighted);
+    times_volume(neighbour, weighted);
     differences(neighbour, difference);
     sums.add(weighted, d, difference);
   });
-  P gradient[F][D];
-  solve(sums, gradient);
+  P slope[F][D];
+  solve<gradient>(sums, slope);
 #pragma GCC unroll 3
   for (int i = 0; i < D; ++i) {
-    result.force[i] = gradient[D + symmetric_index<D>(i, 0)][0];
+    result.force[i] = slope[D + symmetric_index<D>(i, 0)][0];
 #pragma GCC unroll 3
     for (int j = 1; j < D; ++j) {
-      result.force[i] = result.force[i] + gradient[D + symmetric_index<D>(i, j)][j];
+      result.force[i] = result.force[i] + slope[D + symmetric_index<D>(i, j)][j];
     }
 #pragma GCC unroll 3
-    for (int j = 0; j < D; ++j) result.velocity[i][j] = gradient[i][j];
+    for (int j = 0; j < D; ++j) result.velocity[i][j] = slope[i][j];
   }
 }
 
 /// The same in 3D, in two sweeps; see gradient_sweep.hpp. The weights of a stencil are kept for
 /// the second one, those of a list, which may be any length, made again.
-template <Kernel kernel, class P, class Visit>
+template <Kernel kernel, Gradient gradient, class P, class Visit>
 [[gnu::always_inline]] inline void sweep(const StageSweepFields<Scalar<P>, 3>& fields,
-                                         std::int64_t slot, Scalar<P> spacing, bool listed,
-                                         const Visit& visit, StageGradients<P, 3>& result) {
+                                         const Scalar<P>* volume, std::int64_t slot,
+                                         Scalar<P> spacing, bool listed, const Visit& visit,
+                                         StageGradients<P, 3>& result) {
   constexpr int D = 3, F = symmetric_components<D>;
   using T = Scalar<P>;
   const Separation<kernel, P, D> separation(fields.drift, slot, spacing);
+  const VolumeWeight<gradient, P, D> times_volume(volume);
   alignas(64) T kept[stencil_bound<kernel, D>][D][lanes<P>];
   P inverse[symmetric_components<D>];
   {
@@ -80,6 +85,7 @@ template <Kernel kernel, class P, class Visit>
     visit([&](const P(&offset)[D], const auto& neighbour) __attribute__((always_inline)) {
       P d[D], weighted[D], difference[D];
       separation(offset, neighbour, d, weighted);
+      times_volume(neighbour, weighted);
       if (!listed) {
 #pragma GCC unroll 3
         for (int i = 0; i < D; ++i) weighted[i].store_aligned(kept[pair][i]);
@@ -88,7 +94,7 @@ template <Kernel kernel, class P, class Visit>
       differences(neighbour, difference);
       sums.add(weighted, d, difference);
     });
-    invert_symmetric(sums.moment, inverse);
+    invert_moment<gradient>(sums.moment, inverse);
     solve<P, D, D>(inverse, sums, result.velocity);
   }
   const Differences<P, F> differences(fields.field + D, slot);
@@ -99,6 +105,7 @@ template <Kernel kernel, class P, class Visit>
     if (listed) {
       P d[D];
       separation(offset, neighbour, d, weighted);
+      times_volume(neighbour, weighted);
     } else {
 #pragma GCC unroll 3
       for (int i = 0; i < D; ++i) weighted[i] = P::load_aligned(kept[pair][i]);
@@ -183,7 +190,7 @@ template <class P, int D>
 }
 
 /// Gradients of a chunk of a segment, over the stencil or the lists.
-template <Kernel kernel, bool listed, class P, int D>
+template <Kernel kernel, Gradient gradient, bool listed, class P, int D>
 void stage_gradients(const Stage<Scalar<P>, D>& stage, const Segment<D>& segment,
                      const Chunk& chunk, ChunkGradients<Scalar<P>, D>& gradients) {
   using T = Scalar<P>;
@@ -202,8 +209,8 @@ void stage_gradients(const Stage<Scalar<P>, D>& stage, const Segment<D>& segment
     const PackState state = stage.pack_state[slot / slots_per_pack];
     if (at % slots_per_pack == 0) prefetch_update<P>(stage, slot);
     StageGradients<P, D> result;
-    sweep<kernel, P>(
-        fields, slot, stage.spacing, listed,
+    sweep<kernel, gradient, P>(
+        fields, stage.current.volume, slot, stage.spacing, listed,
         [&](const auto& visit) __attribute__((always_inline)) {
           if constexpr (listed) {
             visit_list<P, D>(*stage.neighbours, slot, visit);

@@ -9,17 +9,21 @@
 namespace pliant::test {
 namespace {
 
+using remeshed::first_order_passes;
+using remeshed::Reinitialisation;
+
 /// All passes over values on nodes, without walls. Distances in cells, as the spacing is 1.
 template <int D>
 struct Passes {
   using LevelSet = remeshed::LevelSet<double, D>;
 
   template <class F>
-  Passes(int upper, F&& f, bool reinitialise)
+  Passes(int upper, F&& f, bool reinitialise, Reinitialisation by = Reinitialisation::closest_point)
       : nodes(diagonal<D>(upper), {}, f),
         before(nodes.values),
         extended(nodes.values.size()),
-        valid(nodes.values.size(), 0) {
+        valid(nodes.values.size(), 0),
+        level_set(by) {
     std::array<double*, D> foot_of;
     for (int a = 0; a < D; ++a) {
       foot[a].resize(nodes.values.size());
@@ -32,6 +36,10 @@ struct Passes {
     const auto& table = kernels::RemeshedTable<double, D>::of(kernels::Isa::sse2);
     const Boundaries<D> none(std::vector<BoundaryCase>{});
     each([&](const Block<D>& b) { level_set.extend_through_walls(b, none, valid.data()); });
+    for (int pass = 0; reinitialise && level_set.is_first_order() && pass < first_order_passes;
+         ++pass) {
+      each([&](const Block<D>& b) { level_set.advance(b, pass); });
+    }
     each([&](const Block<D>& b) { level_set.find_closest_points(b, reinitialise, table); });
     for (int layer = 2; layer <= LevelSet::layers; ++layer) {
       each([&](const Block<D>& b) { level_set.add_layer(b, layer, table); });
@@ -135,6 +143,54 @@ TYPED_TEST(LevelSets, of_round_bodies_are_distances_to_the_error_of_cubic_interp
     EXPECT_NEAR(passes.nodes.values[slot], exact, D * 9. / 128 / std::pow(8.3 - 2, 3));
   });
   EXPECT_GT(layered, 100);
+}
+
+/// Largest error of phi in the ghost band around a round body of this radius, from `slope` times
+/// its distance [cells].
+template <int D>
+double first_order_error(double radius, double slope) {
+  const int upper = static_cast<int>(2 * radius + 16);
+  const auto distance = [&](const Point<D>& x) {
+    double square = 0;
+    for (int a = 0; a < D; ++a) square += std::pow(x[a] - upper / 2. - 0.1 * a, 2);
+    return std::sqrt(square) - radius;
+  };
+  const Passes<D> passes(
+      upper, [&](const Point<D>& x) { return slope * distance(x); }, true,
+      Reinitialisation::first_order);
+  double worst = 0;
+  passes.inside(upper, 1, [&](const Point<D>& x, std::int64_t slot) {
+    const double right = distance(x);
+    if (std::abs(right) < 4.2) {
+      worst = std::max(worst, std::abs(passes.nodes.values[slot] - right));
+    }
+  });
+  return worst;
+}
+
+// Differences over a cell see the slope of phi half a cell away, where it is off by 1/(2 R): over
+// the band that adds up to some tenths of a cell over the radius in cells.
+TYPED_TEST(LevelSets, of_round_bodies_become_distances_at_first_order_as_in_the_paper) {
+  constexpr int D = TypeParam::dimension;
+  for (const double slope : {0.7, 1., 1.5}) {
+    const double coarse = first_order_error<D>(6.3, slope),
+                 fine = first_order_error<D>(12.6, slope);
+    EXPECT_LT(coarse, 0.6) << slope;
+    EXPECT_LT(fine, 0.6 * coarse) << slope;
+    EXPECT_GT(fine, 0.01) << "of closest points it is 1e-4";
+  }
+}
+
+TYPED_TEST(LevelSets, of_first_order_keep_what_remeshing_gave_until_they_are_reinitialised) {
+  constexpr int D = TypeParam::dimension;
+  constexpr int upper = 27;
+  const Passes<D> passes(
+      upper, [](const Point<D>& x) { return 0.8 * plane<D>(x); }, false,
+      Reinitialisation::first_order);
+  passes.inside(upper, 9, [&](const Point<D>& x, std::int64_t slot) {
+    if (std::abs(plane<D>(x)) > 4.2) return;
+    EXPECT_EQ(passes.nodes.values[slot], passes.before[slot]);
+  });
 }
 
 TYPED_TEST(LevelSets, keep_their_sign_everywhere) {

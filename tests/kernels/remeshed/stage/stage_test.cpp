@@ -75,6 +75,20 @@ TYPED_TEST(stage, rates_agree_with_the_equations_written_with_matrices) {
   }
 }
 
+TYPED_TEST(stage, rates_by_the_gradient_of_the_paper_agree_with_its_sums) {
+  using T = typename TypeParam::Scalar;
+  constexpr int D = TypeParam::dimension;
+  for (const Model model : every_model) {
+    Body<T, D> body(small_box<T, D>(), T(0.1), model);
+    body.kernel = Kernel::quartic_spline;
+    body.gradient_kind = Gradient::normalised;
+    EXPECT_LT((worst_rate_error<T, D>(body, nullptr)), rate_tolerance<T>);
+    const BoxLists<D> lists(body.patch, stencil_reach(body.kernel));
+    const NeighbourLists<D> view = lists.view();
+    EXPECT_LT((worst_rate_error<T, D>(body, &view)), rate_tolerance<T>);
+  }
+}
+
 TYPED_TEST(stage, lists_give_what_the_stencil_gives) {
   using T = typename TypeParam::Scalar;
   constexpr int D = TypeParam::dimension;

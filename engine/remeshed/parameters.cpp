@@ -1,0 +1,18 @@
+#include "engine/remeshed/parameters.hpp"
+
+namespace pliant::remeshed {
+
+void visit_keys(MethodKeys& visit, MethodParameters& parameters) {
+  auto& remeshed = parameters.as<Parameters>();
+  visit("gradient", remeshed.gradient,
+        {.meaning = "gradients of velocity and stress", .example = R"("moment_matrix")"});
+  visit("reinitialisation", remeshed.reinitialisation,
+        {.meaning = "how the level set becomes a signed distance again, every "
+                    "level_set.reinitialise_every steps",
+         .example = R"("closest_point")"});
+  visit("determinant", remeshed.determinant,
+        {.meaning = "det F of remeshed particles, for materials that carry F",
+         .example = R"("from_density")"});
+}
+
+}  // namespace pliant::remeshed
