@@ -2,8 +2,9 @@
 
 #include <functional>
 
+#include "engine/boundaries/walls.hpp"
+#include "engine/point_based/body.hpp"
 #include "engine/point_based/nodes/node_cloud.hpp"
-#include "engine/point_based/state.hpp"
 
 namespace pliant::point_based {
 
