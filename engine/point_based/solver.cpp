@@ -31,6 +31,7 @@ Solver<T, D>::Solver(const Case& a_case, const SolverOptions& options)
       step_(state_, cuts_, this->settings(), kernels::PointBasedTable<T, D>::of(options.isa)),
       resolution_(std::numeric_limits<double>::infinity()) {
   state_.bodies.resize(this->settings().bodies.size());
+  state_.blades.resize(this->settings().cuts.size());
   std::vector<scheduler::Blocks> blocks;
   for (std::size_t b = 0; b < state_.bodies.size(); ++b) {
     Body<T, D>& body = state_.bodies[b];
@@ -97,7 +98,7 @@ std::size_t Solver<T, D>::bytes() const {
 
 template <class T, int D>
 std::vector<double> Solver<T, D>::measure_each(std::span<const MeasurementCase> measurements) {
-  return Measurer<T, D>(state_)(measurements);
+  return Measurer<T, D>(state_, cut_surfaces())(measurements);
 }
 
 template <class T, int D>
@@ -115,12 +116,17 @@ BodyIntegrals Solver<T, D>::integrals() {
 }
 
 template <class T, int D>
-Frame Solver<T, D>::frame(const FrameParts& parts) {
+std::vector<std::span<const CutSurface<D>>> Solver<T, D>::cut_surfaces() const {
   std::vector<std::span<const CutSurface<D>>> surfaces(state_.bodies.size());
   for (std::size_t b = 0; b < surfaces.size(); ++b) {
     if (cuts_[b]) surfaces[b] = cuts_[b]->surfaces();
   }
-  return take_frame<T, D>(state_, parts, surfaces);
+  return surfaces;
+}
+
+template <class T, int D>
+Frame Solver<T, D>::frame(const FrameParts& parts) {
+  return take_frame<T, D>(state_, parts, cut_surfaces());
 }
 
 template <class T, int D>
@@ -136,6 +142,13 @@ void Solver<T, D>::put_blade(std::size_t cut, const std::array<double, 3>& from,
 template <class T, int D>
 void Solver<T, D>::lift_blade(std::size_t cut) {
   cuts_[this->settings().cuts.at(cut).body]->lift_blade(cut);
+}
+
+template <class T, int D>
+std::array<double, 3> Solver<T, D>::blade_force(std::size_t cut) const {
+  std::array<double, 3> force = {};
+  std::copy_n(state_.blades.at(cut).force.begin(), D, force.begin());
+  return force;
 }
 
 template <class T, int D>

@@ -29,6 +29,7 @@ class Solver final : public undeformed::Solver<T, D>, public Blades {
   void put_blade(std::size_t cut, const std::array<double, 3>& from,
                  const std::array<double, 3>& to) override;
   void lift_blade(std::size_t cut) override;
+  std::array<double, 3> blade_force(std::size_t cut) const override;
 
   std::vector<SlotRun> particle_runs(int body) const override;
   std::vector<std::array<double, 3>> positions(int body) const override;
@@ -49,6 +50,8 @@ class Solver final : public undeformed::Solver<T, D>, public Blades {
   void save_state(ArchiveWriter& archive) const override;
   void restore_state(const ArchiveReader& archive) override;
   void check(const StepResult& result) const;
+  /// What blades have cut so far, of each body.
+  std::vector<std::span<const CutSurface<D>>> cut_surfaces() const;
 
   State<T, D> state_;
   typename Step<T, D>::Cuts cuts_;

@@ -8,6 +8,7 @@
 #include "engine/geometry/padded.hpp"
 #include "engine/method/no_value.hpp"
 #include "engine/point_based/cutting/connected_parts.hpp"
+#include "engine/point_based/cutting/crossing.hpp"
 #include "engine/point_based/node_state.hpp"
 #include "engine/point_based/surface.hpp"
 
@@ -37,6 +38,8 @@ auto Measurer<T, D>::function_of(MeasurementCase::Kind kind) -> Function {
       {Quantity::total_energy, &Measurer::integral},
       {Quantity::energy_ratio, &Measurer::integral},
       {Quantity::wall_force, &Measurer::wall_impulse},
+      {Quantity::blade_force, &Measurer::blade_impulse},
+      {Quantity::cutting_work, &Measurer::cutting_work},
       {Quantity::volume, &Measurer::integral},
       {Quantity::surface_area, &Measurer::surface_area},
       {Quantity::connected_parts, &Measurer::parts},
@@ -76,25 +79,34 @@ double Measurer<T, D>::extent(const MeasurementCase& m) const {
   return std::isfinite(farthest) ? farthest - sign * m.reference : no_value;
 }
 
-// Linear around the nearest node, as the gradient there says.
+template <class T, int D>
+bool Measurer<T, D>::is_cut_off(int body, const Point<D>& node, const Point<D>& x) const {
+  if (cuts_.empty()) return false;
+  return first_crossing<D>(node, x, cuts_[body]).has_value();
+}
+
+// Linear around the nearest node on its side of all cuts, as the gradient there says.
 template <class T, int D>
 double Measurer<T, D>::point_displacement(const MeasurementCase& m) const {
   const Body<T, D>& body = state_.bodies[m.body];
   double least = std::numeric_limits<double>::infinity();
   std::int64_t nearest = 0;
   const NodeBlock* owner = nullptr;
+  Point<D> point;
+  std::copy_n(m.point.begin(), D, point.begin());
   for (const NodeBlock& block : body.blocks) {
     for (std::int64_t slot = block.first; slot < block.first + block.nodes; ++slot) {
       double square = 0;
       for (int a = 0; a < D; ++a) {
         square += (m.point[a] - body.start[slot][a]) * (m.point[a] - body.start[slot][a]);
       }
-      if (square >= least) continue;
+      if (square >= least || is_cut_off(m.body, body.start[slot], point)) continue;
       least = square;
       nearest = slot;
       owner = &block;
     }
   }
+  if (owner == nullptr) return no_value;
   const double size = std::pow(body.mass[nearest] / body.material.density, 1. / D);
   if (std::sqrt(least) > size * std::sqrt(D)) return no_value;
   const NodeState<D> node = node_state(body, *owner, nearest);
@@ -109,6 +121,18 @@ double Measurer<T, D>::point_displacement(const MeasurementCase& m) const {
 template <class T, int D>
 double Measurer<T, D>::wall_impulse(const MeasurementCase& m) const {
   return state_.impulse(m);
+}
+
+template <class T, int D>
+double Measurer<T, D>::blade_impulse(const MeasurementCase& m) const {
+  const BladeLoad<D>& blade = state_.blades.at(m.cut);
+  return blade.impulse[m.axis] + state_.clock.lag() * blade.force[m.axis];
+}
+
+template <class T, int D>
+double Measurer<T, D>::cutting_work(const MeasurementCase& m) const {
+  const BladeLoad<D>& blade = state_.blades.at(m.cut);
+  return blade.work + state_.clock.lag() * blade.power;
 }
 
 template <class T, int D>
