@@ -95,6 +95,9 @@ rendered = {
          "{ shape = 'ball', centre = [0, 0, 0.031], radius = 0.016 }] }"],
         ["--cut", "y", "--walls", "--field", "velocity_z", "--label", "upward velocity [m/s]",
          "--times", "0", "0.015", "0.06", "--size", "1500", "600"]),
+    "docs/tutorial/organ": (
+        "docs/tutorial/organ.toml", [],
+        ["--times", "0", "0.4", "0.8", "--view", "-70", "-15", "--size", "1500", "500", *mm]),
     "docs/boundaries/free": (
         "docs/boundaries/free.toml", [],
         ["--times", "0", "0.01", "0.02", "--zoom", "1.4", "--size", "1500", "480", "--field", "velocity", "--label",

@@ -8,9 +8,14 @@
 #include <cmath>
 
 #include "engine/api/find.hpp"
-#include "engine/method/blades.hpp"
 
 namespace pliant {
+
+Blades& blades_of(Solver& solver) {
+  if (auto* const blades = dynamic_cast<Blades*>(&solver)) return *blades;
+  throw InputError(
+      fmt::format("method \"{}\" does not cut; use point_based", solver.settings().method));
+}
 
 namespace {
 
@@ -19,12 +24,6 @@ constexpr double rounding = 1e-12;
 double now() {
   using Clock = std::chrono::steady_clock;
   return std::chrono::duration<double>(Clock::now().time_since_epoch()).count();
-}
-
-Blades& blades_of(Solver& solver) {
-  if (auto* const blades = dynamic_cast<Blades*>(&solver)) return *blades;
-  throw InputError(
-      fmt::format("method \"{}\" does not cut; use point_based", solver.settings().method));
 }
 
 }  // namespace

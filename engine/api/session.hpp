@@ -6,6 +6,7 @@
 #include <array>
 #include <vector>
 
+#include "engine/method/blades.hpp"
 #include "engine/method/solver.hpp"
 
 namespace pliant {
@@ -54,6 +55,9 @@ class Session {
   std::vector<Input> record_;
   StepCosts costs_;
 };
+
+/// The blades of a solver. Throws InputError for methods without cuts.
+Blades& blades_of(Solver& solver);
 
 /// The position of the boundary or cut that an input names. Throws InputError.
 std::size_t target_of(const Case& settings, const Input& input);

@@ -142,6 +142,15 @@ void Simulation::lift_blade(std::string_view cut) {
   enter({.kind = Input::Kind::lift, .time = time(), .name = std::string(cut)});
 }
 
+std::array<double, 3> Simulation::blade_force(std::string_view cut) const {
+  std::array<double, 3> force;
+  translated([&] {
+    const Solver& solver = *state_->solver;
+    force = blades_of(*state_->solver).blade_force(find(solver.settings().cuts, cut, "cut"));
+  });
+  return force;
+}
+
 void Simulation::enter(const Input& input) {
   translated([&] { state_->session->enter(input); });
 }

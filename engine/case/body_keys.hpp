@@ -115,17 +115,27 @@ void body_keys(Visitor& visit, BodyCase& body) {
          .example = "{ centre = [0, 0], angular_velocity = 1 }"});
 }
 
+/// Where a blade is.
 template <class Visitor>
-void cut_keys(Visitor& visit, CutCase& cut) {
-  visit("name", Name{cut.name},
-        {.meaning = "name, to which --set refers", .example = R"("scalpel")", .required = true});
-  visit("body", BodyName{cut.body}, {.meaning = "name of the body; by default the first one"});
+void blade_keys(Visitor& visit, CutCase& cut) {
+  visit("track", FilePath{cut.track.file},
+        {.meaning = "recorded path of the edge in the undeformed body, in the place of from, to, "
+                    "path, start and end: CSV with the header time,x,y in 2D; "
+                    "time,x1,y1,z1,x2,y2,z2 (both ends) or time,x,y,z,qw,qx,qy,qz (start, and a "
+                    "quaternion that turns edge) in 3D; linear between its rows",
+         .example = R"("scalpel.csv")"});
+  visit("edge", cut.edge,
+        {.meaning = "vector from the start of the edge to its end, in 3D, in the place of to: "
+                    "numbers or formulas of t",
+         .unit = "m",
+         .example = R"toml([0, "0.01*sin(t)", "-0.01*cos(t)"])toml",
+         .variables = "t"});
+  if (!cut.track.file.empty()) return;
   visit("from", cut.from,
         {.meaning = "start of the blade's edge at time start, in the undeformed body; in 2D the "
-                    "edge is this point",
+                    "edge is this point; needed without a track, like path and end",
          .unit = "m",
-         .example = "[0, 0, 1]",
-         .required = true});
+         .example = "[0, 0, 1]"});
   visit("to", cut.to,
         {.meaning = "end of the edge, in 3D; edges that end inside the body leave it whole there",
          .unit = "m",
@@ -135,7 +145,6 @@ void cut_keys(Visitor& visit, CutCase& cut) {
                     "formulas of t",
          .unit = "m",
          .example = R"toml(["0.1*t", 0, 0])toml",
-         .required = true,
          .variables = "t"});
   visit("start", cut.start,
         {.meaning = "time at which the blade starts to cut",
@@ -146,8 +155,33 @@ void cut_keys(Visitor& visit, CutCase& cut) {
         {.meaning = "time at which the blade has cut",
          .unit = "s",
          .example = "1",
-         .limits = not_negative,
+         .limits = not_negative});
+}
+
+template <class Visitor>
+void cut_keys(Visitor& visit, CutCase& cut) {
+  visit("name", Name{cut.name},
+        {.meaning = "name, to which measurements and --set refer",
+         .example = R"("scalpel")",
          .required = true});
+  visit("body", BodyName{cut.body}, {.meaning = "name of the body; by default the first one"});
+  blade_keys(visit, cut);
+  visit("resistance", cut.resistance,
+        {.meaning = "energy that new cut faces take from the blade, per undeformed area (PB.18)",
+         .unit = "J/m^2",
+         .example = "200",
+         .limits = not_negative});
+  visit("friction", cut.friction,
+        {.meaning = "friction of the moving blade, a force per length of its edge in the body "
+                    "(PB.18)",
+         .unit = "N/m",
+         .example = "5",
+         .limits = not_negative});
+  visit("drag", cut.drag,
+        {.meaning = "the same, per velocity of the blade relative to the tissue (PB.18)",
+         .unit = "Pa s",
+         .example = "20",
+         .limits = not_negative});
 }
 
 template <class Visitor>

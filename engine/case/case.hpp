@@ -94,13 +94,27 @@ struct ContactCase {
   ContactLaw law = ContactLaw::frictionless;
 };
 
+/// Where a blade has been recorded to be, in the undeformed body; linear in between.
+struct BladeTrack {
+  std::string file;
+  std::vector<double> time;      ///< [s], ascending, two or more
+  std::vector<Vector> from, to;  ///< ends of the edge [m]; in 2D the edge is `from`
+};
+
 /// A blade that cuts a body: its edge sweeps a surface of the undeformed body.
 struct CutCase {
   std::string name;
   int body = 0;
   Vector from = {}, to = {};  ///< ends of the edge at `start` (in 2D the edge is `from`) [m]
   VectorExpression path;      ///< displacement of the edge since `start`, of t [m]
-  double start = 0, end = 0;  ///< when it cuts [s]
+  std::optional<VectorExpression> edge;  ///< from the start of the edge to its end, of t [m]
+  BladeTrack track;                      ///< in the place of all of these, where it has a file
+  double start = 0, end = 0;             ///< when it cuts [s]
+  double resistance = 0;                 ///< G_c of (PB.18) [J/m^2]
+  double friction = 0;                   ///< f_0 of (PB.18) [N/m]
+  double drag = 0;                       ///< b of (PB.18) [Pa s]
+
+  bool resists() const { return resistance > 0 || friction > 0 || drag > 0; }
 };
 
 struct MeasurementCase {
@@ -123,6 +137,8 @@ struct MeasurementCase {
     energy_ratio,
     wall_force,
     contact_force,
+    blade_force,
+    cutting_work,
     volume,
     surface_area,
     connected_parts,
@@ -143,6 +159,7 @@ struct MeasurementCase {
   Kind kind = Kind::mass;
   int body = 0;
   int boundary = -1;
+  int cut = -1;
   std::array<int, 2> bodies = {-1, -1};  ///< contact_force
   int axis = 0;
   bool lower_side = false;          ///< extent: towards -axis

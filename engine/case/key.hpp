@@ -52,6 +52,9 @@ struct MethodWord {  ///< the word of one of the methods
   std::string& word;
   MethodList known;
 };
+struct FilePath {  ///< a relative one starts from the folder of the case file
+  std::string& text;
+};
 struct Coefficients {  ///< C_10, C_20, ...
   std::vector<double>& list;
 };
@@ -89,6 +92,9 @@ struct BodyPair {  ///< the names of two bodies
   std::array<int, 2>& indices;
 };
 struct BoundaryName {
+  int& index;
+};
+struct CutName {
   int& index;
 };
 struct MeasurementName {

@@ -39,6 +39,10 @@ void object_key(Visitor& visit, MeasurementCase& m, const KeyUse& use) {
              .example = R"(["left", "right"])",
              .required = true});
       return;
+    case MeasurementKey::cut:
+      visit("cut", CutName{m.cut},
+            {.meaning = "name of the [[cut]]", .example = R"("scalpel")", .required = true});
+      return;
     case MeasurementKey::field:
       visit("field", FieldName{m.field},
             {.meaning = "field: density, pressure, velocity_x, displacement_x, stress_xx, ...",

@@ -14,6 +14,7 @@ enum class MeasurementKey {
   body,
   boundary,
   bodies,
+  cut,
   axis,
   rotation_axis,  ///< `axis`, in 3D only
   side,

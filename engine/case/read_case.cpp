@@ -7,6 +7,7 @@
 #include <iterator>
 #include <system_error>
 
+#include "engine/case/blade_track.hpp"
 #include "engine/case/check.hpp"
 #include "engine/case/elastic_constants.hpp"
 #include "engine/case/settings.hpp"
@@ -65,6 +66,20 @@ void load_meshes_of(std::vector<Element>& elements, std::string_view list, const
   }
 }
 
+/// Reads the tracks of blades.
+void load_tracks(Case& a_case, const Check& check) {
+  for (std::size_t i = 0; i < a_case.cuts.size(); ++i) {
+    if (a_case.cuts[i].track.file.empty()) continue;
+    try {
+      load_track(a_case.cuts[i], a_case.dimension);
+    } catch (const std::runtime_error& error) {
+      check.problems.add(check.place("cut", i, "track"),
+                         fmt::format("cut \"{}\" has a faulty track", a_case.cuts[i].name),
+                         error.what());
+    }
+  }
+}
+
 std::string default_name(const std::filesystem::path& file) {
   if (file.filename() == "case.toml") {
     // "." and ".." are not names of folders.
@@ -110,6 +125,7 @@ Case parse_case(const std::string& text, const std::filesystem::path& file,
                   2,
                   names_in(root, "body"),
                   names_in(root, "boundary"),
+                  names_in(root, "cut"),
                   names_in(root, "measurement"),
                   methods};
   if (root["dimension"].value<int>() == 3) reading.dimension = 3;
@@ -122,6 +138,7 @@ Case parse_case(const std::string& text, const std::filesystem::path& file,
   const Check check{a_case, root, start, methods, problems};
   load_meshes_of(a_case.bodies, "body", check);
   load_meshes_of(a_case.boundaries, "boundary", check);
+  load_tracks(a_case, check);
   check_case(check);
   if (!problems.empty()) throw CaseError(problems.text());
 

@@ -71,6 +71,13 @@ bool read(const Entry& entry, Name value) {
       fmt::format("must consist of letters, digits, _ and -, got \"{}\"", value.text));
 }
 
+bool read(const Entry& entry, FilePath value) {
+  if (!read(entry, value.text)) return false;
+  if (value.text.empty()) return entry.refuse("must name a file, and is empty");
+  value.text = (entry.reading.folder / value.text).lexically_normal().string();
+  return true;
+}
+
 bool read(const Entry& entry, Choice value) {
   const int word = read_word(entry, value.known);
   if (word >= 0) value.value = word;
@@ -124,6 +131,10 @@ bool read(const Entry& entry, BodyPair value) {
 
 bool read(const Entry& entry, BoundaryName value) {
   return read_reference(entry, entry.reading.boundary_names, "boundary", value.index);
+}
+
+bool read(const Entry& entry, CutName value) {
+  return read_reference(entry, entry.reading.cut_names, "cut", value.index);
 }
 
 bool read(const Entry& entry, MeasurementName value) {

@@ -107,6 +107,10 @@ std::string toml_text(Name value, const Writing& writing) {
   return value.text.empty() ? "" : toml_text(value.text, writing);
 }
 
+std::string toml_text(FilePath value, const Writing& writing) {
+  return value.text.empty() ? "" : toml_text(value.text, writing);
+}
+
 std::string toml_text(MethodWord value, const Writing& writing) {
   return toml_text(std::as_const(value.word), writing);
 }
@@ -163,6 +167,10 @@ std::string toml_text(BodyPair value, const Writing& writing) {
 
 std::string toml_text(BoundaryName value, const Writing& writing) {
   return name_at(writing.a_case.boundaries, value.index, writing);
+}
+
+std::string toml_text(CutName value, const Writing& writing) {
+  return name_at(writing.a_case.cuts, value.index, writing);
 }
 
 std::string toml_text(MeasurementName value, const Writing& writing) {

@@ -39,6 +39,7 @@ inline std::string type_of(const std::optional<VectorExpression>&) {
   return "vector of numbers or formulas";
 }
 inline std::string type_of(const Name&) { return "name"; }
+inline std::string type_of(const FilePath&) { return "path of a file"; }
 inline std::string type_of(const MethodWord& value) { return joined_words(words_of(value.known)); }
 inline std::string type_of(const NumberOrWord& value) {
   return fmt::format("number or `\"{}\"`", value.word);
@@ -55,6 +56,7 @@ inline std::string type_of(const AngularVelocity&) { return "number or vector"; 
 inline std::string type_of(const BodyName&) { return "name of a body"; }
 inline std::string type_of(const BodyPair&) { return "list of two names of bodies"; }
 inline std::string type_of(const BoundaryName&) { return "name of a boundary"; }
+inline std::string type_of(const CutName&) { return "name of a cut"; }
 inline std::string type_of(const MeasurementName&) { return "name of a measurement"; }
 inline std::string type_of(const MeasurementNames&) { return "list of names of measurements"; }
 std::string type_of(const WallFriction&);

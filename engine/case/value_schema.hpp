@@ -87,6 +87,7 @@ inline Schema schema_of(const std::optional<VectorExpression>&, const Limits&) {
   return vector_of(number_schema(finite));
 }
 inline Schema schema_of(const Name&, const Limits&) { return name_schema(); }
+inline Schema schema_of(const FilePath&, const Limits&) { return text_schema(); }
 inline Schema schema_of(const MethodWord& value, const Limits&) {
   return one_of(words_of(value.known));
 }
@@ -121,6 +122,7 @@ inline Schema schema_of(const BodyPair&, const Limits&) {
   return pair;
 }
 inline Schema schema_of(const BoundaryName&, const Limits&) { return name_schema(); }
+inline Schema schema_of(const CutName&, const Limits&) { return name_schema(); }
 inline Schema schema_of(const MeasurementName&, const Limits&) { return name_schema(); }
 inline Schema schema_of(const MeasurementNames&, const Limits&) {
   return list_of(name_schema(), 1);

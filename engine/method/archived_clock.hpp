@@ -27,6 +27,7 @@ inline void put_energy(ArchiveWriter& archive, const std::string& group,
   archive.put(group + "/load_work", energy.load_work);
   archive.put(group + "/body_force_work", energy.body_force_work);
   archive.put(group + "/cut_work", energy.cut_work);
+  archive.put(group + "/blade_work", energy.blade_work);
   archive.put(group + "/damping", energy.damping);
 }
 
@@ -36,6 +37,7 @@ inline void get_energy(const ArchiveReader& archive, const std::string& group,
   energy.load_work = archive.scalar<double>(group + "/load_work");
   energy.body_force_work = archive.scalar<double>(group + "/body_force_work");
   energy.cut_work = archive.scalar<double>(group + "/cut_work");
+  energy.blade_work = archive.scalar<double>(group + "/blade_work");
   energy.damping = archive.scalar<double>(group + "/damping");
 }
 

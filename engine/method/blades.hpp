@@ -17,6 +17,8 @@ class Blades {
                          const std::array<double, 3>& to) = 0;
   /// Takes a blade out from where it was in the last step. Where it is put next, a new cut begins.
   virtual void lift_blade(std::size_t cut) = 0;
+  /// Of a blade on its body in the last step [N], per unit thickness in 2D.
+  virtual std::array<double, 3> blade_force(std::size_t cut) const = 0;
 };
 
 }  // namespace pliant

@@ -9,9 +9,10 @@ struct EnergyBudget {
   double load_work = 0;        ///< of pressures and tractions
   double body_force_work = 0;  ///< of gravity
   double cut_work = 0;         ///< of cuts: what the strain energy changes by as bonds change
+  double blade_work = 0;       ///< of the forces of blades, on the bodies
   double damping = 0;          ///< lost to damping rates
 
-  double work() const { return wall_work + load_work + body_force_work + cut_work; }
+  double work() const { return wall_work + load_work + body_force_work + cut_work + blade_work; }
 };
 
 /// Adds `factor` times another budget.
@@ -20,6 +21,7 @@ inline void add(EnergyBudget& sum, const EnergyBudget& other, double factor = 1)
   sum.load_work += factor * other.load_work;
   sum.body_force_work += factor * other.body_force_work;
   sum.cut_work += factor * other.cut_work;
+  sum.blade_work += factor * other.blade_work;
   sum.damping += factor * other.damping;
 }
 

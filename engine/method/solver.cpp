@@ -44,6 +44,8 @@ std::optional<EnergyBudget> Solver::energy_budget() const {
 
 bool Solver::bodies_are_free() const {
   return settings_.boundaries.empty() &&
+         std::none_of(settings_.cuts.begin(), settings_.cuts.end(),
+                      [](const CutCase& cut) { return cut.resists(); }) &&
          std::all_of(settings_.gravity.begin(), settings_.gravity.end(),
                      [](const Expression& g) { return g.is_constant() && g(0) == 0; });
 }

@@ -33,6 +33,7 @@ Json json(const SummaryChecks& checks) {
               {"work_of_loads", checks.load_work},
               {"work_of_gravity", checks.body_force_work},
               {"work_of_cuts", checks.cut_work},
+              {"work_of_blades", checks.blade_work},
               {"lost_by_damping", checks.damping},
               {"created", checks.created},
               {"largest_energy_or_work", checks.largest_energy},

@@ -43,6 +43,13 @@ struct PressedNode {
   Point<D> force = {};     ///< at present [N]
 };
 
+/// A node that a blade pushes.
+template <int D>
+struct BladedNode {
+  std::int32_t slot;
+  Point<D> force;  ///< in this step [N]
+};
+
 /// A node whose bonds span a plane or a line only.
 template <int D>
 struct DegenerateNode {
@@ -88,7 +95,8 @@ struct Body : undeformed::Body<T, D> {
   Buffer<T> point, force;                  ///< [slots and halos][point_stride]
   std::vector<std::vector<kernels::CollectedForces<T>>> collected;  ///< [block]
   std::vector<std::vector<PressedNode<D>>> pressed;                 ///< [block]
-  std::vector<std::vector<DegenerateNode<D>>> degenerate;           ///< [block]
+  std::vector<std::vector<BladedNode<D>>> bladed;  ///< [block], none where blades exert no force
+  std::vector<std::vector<DegenerateNode<D>>> degenerate;  ///< [block]
   BodySurface<D> surface;
 
   bool is_pressed() const { return pressure_load[0].bytes() > 0; }

@@ -5,16 +5,13 @@
 #include <cmath>
 #include <utility>
 
+#include "engine/case/blade_track.hpp"
 #include "engine/point_based/node_state.hpp"
-#include "engine/point_based/parameters.hpp"
-#include "engine/point_based/surface.hpp"
 
 namespace pliant::point_based {
 
 namespace {
 
-constexpr double advance_over_resolution = 0.125;  // a blade moves on by this at a time
-constexpr double inside_over_resolution = 1e-6;
 constexpr double relaxed = 1e-6;      // of D - I
 constexpr double longest_step = 0.1;  // of the way from D to I
 constexpr int halvings = 6;           // of that step before a node waits for the next
@@ -46,57 +43,7 @@ double energy_of(const Body<T, D>& body, const Matrix<D>& gradient) {
   return strain_energy_density<T, D>(body, f);
 }
 
-/// Bonds to all candidates, in the numbers of slots.
-template <class T, int D>
-BondRows rows_of(const BondChoice<D>& choice, const Body<T, D>& body) {
-  BondRows rows;
-  rows.first = {0};
-  for (std::int64_t slot = 0; slot < body.slots; ++slot) {
-    if (body.number[slot] >= 0) {
-      for (const auto& candidate : choice.candidates[body.number[slot]]) {
-        rows.neighbour.push_back(static_cast<std::int32_t>(choice.slot_of[candidate.node]));
-      }
-    }
-    rows.first.push_back(static_cast<std::int64_t>(rows.neighbour.size()));
-  }
-  return rows;
-}
-
-template <class T, int D>
-std::vector<std::int32_t> first_slots(const Body<T, D>& body) {
-  std::vector<std::int32_t> first;
-  first.reserve(body.blocks.size());
-  for (const NodeBlock& block : body.blocks)
-    first.push_back(static_cast<std::int32_t>(block.first));
-  return first;
-}
-
-template <class T, int D>
-std::vector<double> sizes_of(const Body<T, D>& body) {
-  std::vector<double> sizes(body.slots, body.resolution);
-  body.for_each_node([&](std::int64_t slot) {
-    sizes[slot] = std::pow(body.mass[slot] / body.material.density, 1. / D);
-  });
-  return sizes;
-}
-
 }  // namespace
-
-template <class T, int D>
-BodyCuts<T, D>::BodyCuts(const Case& settings, int body_number, BondChoice<D> choice,
-                         const Body<T, D>& body)
-    : choice_(std::move(choice)),
-      least_advance_(advance_over_resolution * body.resolution),
-      bonds_(body.start, sizes_of(body), rows_of(choice_, body), parameters_of(settings).cut_rule,
-             inside_of<D>(body.source->geometry, inside_over_resolution * body.resolution),
-             first_slots(body)),
-      blocks_(body.blocks.size()) {
-  for (std::size_t c = 0; c < settings.cuts.size(); ++c) {
-    if (settings.cuts[c].body == body_number) {
-      blades_.push_back({.number = c, .source = settings.cuts[c], .station = {}, .target = {}});
-    }
-  }
-}
 
 template <class T, int D>
 bool BodyCuts<T, D>::is_relaxing(const Body<T, D>& body, std::int64_t slot) {
@@ -104,14 +51,11 @@ bool BodyCuts<T, D>::is_relaxing(const Body<T, D>& body, std::int64_t slot) {
 }
 
 template <class T, int D>
-auto BodyCuts<T, D>::edge_at(const CutCase& source, double time) -> const Station& {
-  edge_.resize(D - 1);
-  for (int a = 0; a < D; ++a) {
-    const double moved = source.path[a](time);
-    edge_.front()[a] = source.from[a] + moved;
-    if constexpr (D == 3) edge_.back()[a] = source.to[a] + moved;
-  }
-  return edge_;
+void BodyCuts<T, D>::find_edge(const CutCase& source, double time, Station& edge) {
+  const BladeEdge place = edge_of(source, time);
+  edge.resize(D - 1);
+  std::copy_n(place.from.begin(), D, edge.front().begin());
+  if constexpr (D == 3) edge.back() = place.to;
 }
 
 template <class T, int D>
@@ -162,6 +106,7 @@ void BodyCuts<T, D>::end_cut(Blade& blade) {
 template <class T, int D>
 void BodyCuts<T, D>::move_blade(std::size_t b, const Station& station, double time) {
   Blade& blade = blades_[b];
+  if (tissue_) resist(blade, station, time);
   if (blade.cut < 0) blade.cut = bonds_.add_cut();
   blade.station = station;
   moves_.blade.push_back(static_cast<std::int64_t>(b));
@@ -173,6 +118,7 @@ void BodyCuts<T, D>::move_blade(std::size_t b, const Station& station, double ti
   if (!has_moved_) bonds_.begin_moves();
   has_moved_ = true;
   bonds_.move(blade.cut, blade.station);
+  if (faces_) faces_->add(bonds_.cuts()[blade.cut], blade.cut);
 }
 
 template <class T, int D>
@@ -193,9 +139,9 @@ void BodyCuts<T, D>::move_by_case(std::size_t b, double time) {
   Blade& blade = blades_[b];
   if (blade.is_done || time < blade.source.start) return;
   const bool ends = time >= blade.source.end;
-  const Station& edge = edge_at(blade.source, std::min(time, blade.source.end));
-  if (blade.cut >= 0 && !ends && !is_far(blade, edge)) return;
-  move_blade(b, edge, time);
+  find_edge(blade.source, std::min(time, blade.source.end), edge_);
+  if (blade.cut >= 0 && !ends && !is_far(blade, edge_)) return;
+  move_blade(b, edge_, time);
   blade.is_done = ends;
 }
 
@@ -217,6 +163,7 @@ bool BodyCuts<T, D>::move(double time) {
       move_by_case(b, time);
     }
   }
+  if (faces_ && has_moved_) faces_->follow(bonds_);
   return has_moved_;
 }
 

@@ -1,12 +1,15 @@
 #pragma once
 
+#include <optional>
 #include <span>
 #include <vector>
 
 #include "engine/output/archive.hpp"
+#include "engine/point_based/blade_resistance.hpp"
 #include "engine/point_based/bonds.hpp"
 #include "engine/point_based/cutting/cut_bonds.hpp"
 #include "engine/point_based/cutting/tissue_at.hpp"
+#include "engine/point_based/face_contact.hpp"
 
 namespace pliant::point_based {
 
@@ -32,6 +35,12 @@ class BodyCuts {
   /// The blade leaves the body from where it was in the last step: where it comes back, a new cut
   /// begins.
   void lift_blade(std::size_t cut);
+  /// Pushes the nodes of `body` with the forces of the blades in the step from `time` on, of
+  /// `length` [s], and adds these up for each cut of the case.
+  void load(double time, double length, Body<T, D>& body, std::span<BladeLoad<D>> sums);
+  /// Pushes the faces of cuts apart where they have moved into each other in a step of `length`
+  /// [s], for `drift` [s] of it at the velocities that the nodes have now.
+  void meet(Body<T, D>& body, double length, double drift);
   /// Relaxes the gradients that nodes of a block have kept, by one step, and lets its bonds follow
   /// the blades. Blocks do not depend on each other.
   void update(int block, Body<T, D>& body);
@@ -52,6 +61,10 @@ class BodyCuts {
     CutCase source;
     std::int32_t cut = -1;  ///< -1 before it cuts
     Station station;
+    BladeResistance<T, D> resistance;
+    Station velocity = {};   ///< of the last move, in the undeformed body [m/s]
+    double moved = 0;        ///< when that was [s]
+    double moves_until = 0;  ///< [s]
     bool is_done = false;
     bool is_put = false;  ///< by callers: the case moves it no more
     Station target;       ///< where callers have put it; empty: nowhere new
@@ -69,14 +82,15 @@ class BodyCuts {
   };
 
   static bool is_relaxing(const Body<T, D>& body, std::int64_t slot);
-  /// Good until the next call.
-  const Station& edge_at(const CutCase& source, double time);
+  static void find_edge(const CutCase& source, double time, Station& edge);
   Blade& blade_of(std::size_t cut);
   bool is_far(const Blade& blade, const Station& edge) const;
   void move_by_case(std::size_t blade, double time);
   void move_by_caller(std::size_t blade, double time);
   void move_blade(std::size_t blade, const Station& station, double time);
   void end_cut(Blade& blade);
+  /// The force of a blade that moves from the last station to a new one.
+  void resist(Blade& blade, const Station& station, double time);
   /// Returns the slots of each block whose bonds have changed.
   std::vector<std::vector<std::int32_t>> repeat(const Moves& moves);
   void relax(BlockCuts& cuts, Body<T, D>& body);
@@ -89,7 +103,9 @@ class BodyCuts {
   CutBonds<D> bonds_;
   std::vector<Blade> blades_;
   Moves moves_;
-  Station edge_;            ///< room for edge_at
+  Station edge_, next_edge_;            ///< room for those of a step
+  std::optional<TissueMap<D>> tissue_;  ///< where blades exert forces, or faces meet
+  std::optional<FaceContact<T, D>> faces_;
   bool has_moved_ = false;  ///< in this step
   std::vector<BlockCuts> blocks_;
 };

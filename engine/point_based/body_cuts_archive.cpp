@@ -54,6 +54,7 @@ std::vector<std::vector<std::int32_t>> BodyCuts<T, D>::repeat(const Moves& moves
         move_blade(blade, take_points<D>(places, moves.points[i]), now);
       }
     }
+    if (faces_ && has_moved_) faces_->follow(bonds_);
     for (std::size_t b = 0; b < blocks_.size(); ++b) {
       const std::vector<std::int32_t>& nodes = bonds_.update(b);
       changed[b].insert(changed[b].end(), nodes.begin(), nodes.end());
@@ -78,6 +79,7 @@ void BodyCuts<T, D>::get(const ArchiveReader& archive, const std::string& name, 
     std::erase_if(slots, [&](std::int32_t slot) { return !is_relaxing(body, slot); });
     blocks_[b].relaxing = slots;
   }
+  if (faces_) faces_->find_nodes(body, *tissue_);
   const auto done = archive.get<std::int64_t>(name + "/is_done");
   const auto put = archive.get<std::int64_t>(name + "/is_put");
   const auto waiting = archive.get<std::int64_t>(name + "/waiting");

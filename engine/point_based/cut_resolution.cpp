@@ -4,6 +4,7 @@
 
 #include <cmath>
 
+#include "engine/case/blade_track.hpp"
 #include "engine/point_based/parameters.hpp"
 
 namespace pliant::point_based {
@@ -16,11 +17,8 @@ namespace {
 double least_spacings(CutRule rule) { return rule == CutRule::visibility ? 20 : 10; }
 
 double length_of(const CutCase& cut) {
-  double square = 0;
-  for (const Expression& component : cut.path) {
-    square += std::pow(component(cut.end) - component(cut.start), 2);
-  }
-  return std::sqrt(square);
+  const Vector start = edge_of(cut, cut.start).from, end = edge_of(cut, cut.end).from;
+  return std::hypot(end[0] - start[0], end[1] - start[1], end[2] - start[2]);
 }
 
 }  // namespace

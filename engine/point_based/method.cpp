@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include "engine/case/blade_track.hpp"
 #include "engine/point_based/cut_resolution.hpp"
 #include "engine/point_based/footprint.hpp"
 #include "engine/point_based/observe/measure.hpp"
@@ -14,13 +15,22 @@ namespace {
 
 void check_cut(const Check& check, std::size_t i) {
   const CutCase& cut = check.a_case.cuts[i];
+  if (!cut.track.file.empty()) return;
+  for (const std::string_view key : {"from", "path", "end"}) {
+    if (check.root["cut"][i][key]) continue;
+    check.problems.add(check.place("cut", i, key),
+                       fmt::format("cut \"{}\" lacks the key `{}`", cut.name, key),
+                       "give from, path and end, or a track");
+    return;
+  }
   if (!(cut.end > cut.start)) {
     check.problems.add(
         check.place("cut", i, "end"),
         fmt::format("cut \"{}\" ends at {}, and starts at {}", cut.name, cut.end, cut.start),
         "give an end after the start");
   }
-  if (check.a_case.dimension == 3 && cut.from == cut.to) {
+  const BladeEdge start = edge_of(cut, cut.start);
+  if (check.a_case.dimension == 3 && start.from == start.to) {
     check.problems.add(check.place("cut", i, "to"),
                        fmt::format("the edge of cut \"{}\" has no length", cut.name),
                        "give two different ends, from and to");

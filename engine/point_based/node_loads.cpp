@@ -26,6 +26,13 @@ NodeLoads<T, D>::NodeLoads(State<T, D>& state, const Case& settings)
     : state_(state), gravity_(settings) {}
 
 template <class T, int D>
+bool NodeLoads<T, D>::act_on_blocks() const {
+  return gravity_varies() || !state_.boundaries.pressures.empty() ||
+         std::any_of(state_.bodies.begin(), state_.bodies.end(),
+                     [](const Body<T, D>& body) { return !body.bladed.empty(); });
+}
+
+template <class T, int D>
 void NodeLoads<T, D>::prepare(double time) {
   time_ = time;
   values_.evaluate(state_.boundaries, time);
@@ -54,6 +61,9 @@ void NodeLoads<T, D>::load(int block) {
   const auto [owner, local] = state_.blocks[block];
   Body<T, D>& body = state_.bodies[owner];
   const NodeBlock& range = body.blocks[local];
+  for (int a = 0; a < D && !body.bladed.empty(); ++a) {
+    std::fill_n(body.traction[a].get() + range.first, range.count, T(0));
+  }
   for (const PressedNode<D>& node : body.pressed[local]) {
     for (int a = 0; a < D; ++a) {
       if (body.is_pressed()) body.pressure_load[a][node.slot] = T(0);
@@ -68,6 +78,10 @@ void NodeLoads<T, D>::load(int block) {
     }
   }
   for (PressedNode<D>& node : body.pressed[local]) press(body, range, node);
+  if (body.bladed.empty()) return;
+  for (const BladedNode<D>& node : body.bladed[local]) {
+    for (int a = 0; a < D; ++a) body.traction[a][node.slot] += static_cast<T>(node.force[a]);
+  }
 }
 
 // Where there are bonds, their kernel evaluates the force of a pressure from its product with the
@@ -112,6 +126,11 @@ EnergyBudget NodeLoads<T, D>::power(int block) const {
     const bool is_pressure = !state_.boundaries.pressures[node.pressure].is_traction();
     if (!is_pressure || !body.is_pressed()) of_tractions += value;
   }
+  for (std::size_t i = 0; !body.bladed.empty() && i < body.bladed[local].size(); ++i) {
+    const BladedNode<D>& node = body.bladed[local][i];
+    for (int a = 0; a < D; ++a) power.blade_work += node.force[a] * body.velocity[a][node.slot];
+  }
+  of_tractions += power.blade_work;
   if (!gravity_.acts()) return power;
   const NodeBlock& range = body.blocks[local];
   for (int a = 0; a < D; ++a) {

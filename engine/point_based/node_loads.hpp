@@ -16,7 +16,7 @@ class NodeLoads {
   NodeLoads(State<T, D>& state, const Case& settings);
 
   /// Whether blocks must be loaded in a step.
-  bool act_on_blocks() const { return gravity_varies() || !state_.boundaries.pressures.empty(); }
+  bool act_on_blocks() const;
   /// Makes room for the present blocks.
   void prepare_blocks() { gravity_.reserve(state_.blocks.size()); }
   /// Sets the loads at `time` [s].

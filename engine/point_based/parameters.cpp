@@ -21,6 +21,12 @@ void visit_keys(MethodKeys& visit, MethodParameters& parameters) {
   visit(
       "cut_rule", method.cut_rule,
       {.meaning = "what a cut leaves of the bonds that it crosses", .example = R"("visibility")"});
+  visit("cut_contact", NumberOrWord{method.cut_contact, "off", "a coefficient of friction"},
+        {.meaning =
+             R"(coefficient of friction with which the faces of a cut meet (PB.20), or "off": )"
+             "they pass through each other",
+         .example = "0.1",
+         .limits = not_negative});
   visit("gradient", method.gradient,
         {.meaning = "how a node finds its gradient", .example = R"("moving_least_squares")"});
   visit("neighbours", method.neighbours,

@@ -21,6 +21,7 @@ struct Parameters {
   NodePlacement nodes = NodePlacement::lattice;
   double coarsest_spacing = 0;  ///< of an octree [m]; 0: four times the spacing
   CutRule cut_rule = CutRule::transparency;
+  std::optional<double> cut_contact;  ///< coefficient of friction of cut faces; none: no contact
   NodeGradient gradient = NodeGradient::moving_least_squares;
   int neighbours = 0;                   ///< of each node; 0: those of `neighbour_count`
   std::optional<double> stabilisation;  ///< alpha of (PB.5); none: as the nodes need it

@@ -71,6 +71,12 @@ bool has_cuts(const Case& settings, const BodyCase& source) {
                      [body](const CutCase& cut) { return cut.body == body; });
 }
 
+bool has_resisted_cuts(const Case& settings, const BodyCase& source) {
+  const auto body = &source - settings.bodies.data();
+  return std::any_of(settings.cuts.begin(), settings.cuts.end(),
+                     [body](const CutCase& cut) { return cut.body == body && cut.resists(); });
+}
+
 // Where cuts take neighbours away, nodes that are no lattice replace them by nodes farther away.
 template <class T, int D>
 BondChoice<D> choice_of(const Case& settings, const PlacedNodes<D>& nodes, const Body<T, D>& body) {
@@ -101,6 +107,10 @@ void make_room(const Case& settings, const Boundaries<D>& boundaries, PressureFo
   }
   const Gravity<D> gravity(settings);
   if (gravity.acts() && !gravity.is_uniform()) body.traction[0].grow(body.slots, T(0));
+  if (has_resisted_cuts(settings, *body.source)) {
+    body.traction[0].grow(body.slots, T(0));
+    body.bladed.resize(body.blocks.size());
+  }
   if (has_cuts(settings, *body.source)) {
     for (int c = 0; c < D * D; ++c) {
       body.kept_gradient[c].grow(body.slots, c % (D + 1) == 0 ? T(1) : T(0));

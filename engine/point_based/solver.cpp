@@ -15,12 +15,38 @@ namespace {
 constexpr double energies_of_node = 2;         // the factor of lambda in (PB.12)
 constexpr double least_frequency2_over = 0.8;  // of the present one before the step grows again
 
+template <int D>
+void put_blades(ArchiveWriter& archive, const std::vector<BladeLoad<D>>& blades) {
+  std::vector<double> values;
+  for (const BladeLoad<D>& blade : blades) {
+    values.insert(values.end(), blade.impulse.begin(), blade.impulse.end());
+    values.insert(values.end(), blade.force.begin(), blade.force.end());
+    values.insert(values.end(), {blade.work, blade.power});
+  }
+  archive.put("blades", std::span<const double>(values));
+}
+
+template <int D>
+void get_blades(const ArchiveReader& archive, std::vector<BladeLoad<D>>& blades) {
+  const auto values = archive.get<double>("blades");
+  for (std::size_t b = 0; b < blades.size(); ++b) {
+    const std::size_t first = b * (2 * D + 2);
+    for (int a = 0; a < D; ++a) {
+      blades[b].impulse[a] = values.at(first + a);
+      blades[b].force[a] = values.at(first + D + a);
+    }
+    blades[b].work = values.at(first + 2 * D);
+    blades[b].power = values.at(first + 2 * D + 1);
+  }
+}
+
 }  // namespace
 
 template <class T, int D>
 Solver<T, D>::Solver(const Case& a_case, const SolverOptions& options)
     : Base(a_case, options) {
   State<T, D>& state = this->state();
+  state.blades.resize(this->settings().cuts.size());
   for (std::size_t b = 0; b < state.bodies.size(); ++b) {
     Body<T, D>& body = state.bodies[b];
     const BodyCase& source = this->settings().bodies[b];
@@ -86,9 +112,17 @@ void Solver<T, D>::lift_blade(std::size_t cut) {
 }
 
 template <class T, int D>
+std::array<double, 3> Solver<T, D>::blade_force(std::size_t cut) const {
+  std::array<double, 3> force = {};
+  std::copy_n(this->state().blades.at(cut).force.begin(), D, force.begin());
+  return force;
+}
+
+template <class T, int D>
 void Solver<T, D>::save_state(ArchiveWriter& archive) const {
   Base::save_state(archive);
   archive.put("clock/frequency2", this->state().frequency2);
+  put_blades<D>(archive, this->state().blades);
   const State<T, D>& state = this->state();
   for (std::size_t b = 0; b < state.cuts.size(); ++b) {
     if (state.cuts[b]) state.cuts[b]->put(archive, fmt::format("body/{}/cuts", b));
@@ -100,6 +134,7 @@ void Solver<T, D>::restore_state(const ArchiveReader& archive) {
   Base::restore_state(archive);
   State<T, D>& state = this->state();
   state.frequency2 = archive.scalar<double>("clock/frequency2");
+  get_blades<D>(archive, state.blades);
   for (std::size_t b = 0; b < state.cuts.size(); ++b) {
     if (state.cuts[b]) state.cuts[b]->get(archive, fmt::format("body/{}/cuts", b), state.bodies[b]);
   }

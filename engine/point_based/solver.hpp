@@ -21,6 +21,7 @@ class Solver final : public undeformed::Solver<State<T, D>, Step<T, D>, Measurer
   void put_blade(std::size_t cut, const std::array<double, 3>& from,
                  const std::array<double, 3>& to) override;
   void lift_blade(std::size_t cut) override;
+  std::array<double, 3> blade_force(std::size_t cut) const override;
 
  private:
   using Base = undeformed::Solver<State<T, D>, Step<T, D>, Measurer<T, D>>;

@@ -28,6 +28,7 @@ struct State : undeformed::State<D> {
   }
   /// Estimate of the highest squared frequency of all bodies, (PB.12) [1/s^2].
   double frequency2 = 0;
+  std::vector<BladeLoad<D>> blades;  ///< [cut of the case]
 };
 
 }  // namespace pliant::point_based

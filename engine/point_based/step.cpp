@@ -87,6 +87,11 @@ void Step<T, D>::prepare(const Advance& advance) {
   for (const auto& of_body : state_.cuts) {
     if (of_body) cuts_have_moved_ = of_body->move(advance.time) || cuts_have_moved_;
   }
+  for (BladeLoad<D>& blade : state_.blades) blade.force = {}, blade.power = 0;
+  for (std::size_t b = 0; b < state_.cuts.size(); ++b) {
+    if (!state_.cuts[b]) continue;
+    state_.cuts[b]->load(advance.time, advance.length, state_.bodies[b], state_.blades);
+  }
   const double middle = advance.time + advance.length / 2;
   loads_.prepare(is_leapfrog(settings_) ? middle : advance.time);
   work_.prepare(middle, advance.length, drift_length());
@@ -127,7 +132,15 @@ StepResult Step<T, D>::fold() {
   for (const auto& of_body : state_.cuts) {
     if (of_body) state_.energy.cut_work += of_body->fold();
   }
+  for (BladeLoad<D>& blade : state_.blades) {
+    for (int a = 0; a < D; ++a) blade.impulse[a] += advance_.length * blade.force[a];
+    blade.work += advance_.length * blade.power;
+  }
   work_.fold(inertia);
+  for (std::size_t b = 0; b < state_.cuts.size(); ++b) {
+    if (!state_.cuts[b]) continue;
+    state_.cuts[b]->meet(state_.bodies[b], advance_.length, drift_length());
+  }
   contact_.apply(advance_.time, advance_.length, advance_.length, drift_length());
   return result;
 }

@@ -26,8 +26,7 @@ std::string hash_of(std::string_view bytes) {
 
 std::string content_hash(const std::string& file) {
   std::ifstream stream(file, std::ios::binary);
-  if (!stream)
-    throw InputError(fmt::format("{}: cannot be read; check the path of this mesh", file));
+  if (!stream) throw InputError(fmt::format("{}: cannot be read; check its path", file));
   return hash_of(std::string{std::istreambuf_iterator<char>(stream), {}});
 }
 
@@ -37,11 +36,15 @@ void add_meshes(const Shape& shape, std::string& lines) {
   for (const Shape& operand : shape.operands) add_meshes(operand, lines);
 }
 
-/// One line "hash path" for each mesh of the case.
-std::string mesh_hashes(const Case& settings) {
+/// One line "hash path" for each mesh and each track of the case.
+std::string file_hashes(const Case& settings) {
   std::string lines;
   for (const BodyCase& body : settings.bodies) add_meshes(body.geometry, lines);
   for (const BoundaryCase& boundary : settings.boundaries) add_meshes(boundary.geometry, lines);
+  for (const CutCase& cut : settings.cuts) {
+    if (cut.track.file.empty()) continue;
+    lines += fmt::format("{} {}\n", content_hash(cut.track.file), cut.track.file);
+  }
   return lines;
 }
 
@@ -66,7 +69,7 @@ std::string first_difference(const std::string& earlier, const std::string& pres
 }
 
 /// The path in the first line "hash path" that differs.
-std::string changed_mesh(const std::string& earlier, const std::string& present) {
+std::string changed_file(const std::string& earlier, const std::string& present) {
   std::istringstream earlier_lines(earlier), present_lines(present);
   std::string was, is;
   while (std::getline(present_lines, is) && std::getline(earlier_lines, was) && was == is) {
@@ -77,13 +80,13 @@ std::string changed_mesh(const std::string& earlier, const std::string& present)
 }  // namespace
 
 std::string identity_of(const Case& settings) {
-  return hash_of(with_end(settings, 0) + mesh_hashes(settings));
+  return hash_of(with_end(settings, 0) + file_hashes(settings));
 }
 
 void put_identity(ArchiveWriter& archive, const Case& settings) {
   archive.put("case", resolved_toml(settings));
   archive.put("end", settings.time.end);
-  archive.put("mesh_hashes", mesh_hashes(settings));
+  archive.put("mesh_hashes", file_hashes(settings));
 }
 
 void require_same_run(const ArchiveReader& archive, const Case& settings) {
@@ -103,12 +106,12 @@ void require_same_run(const ArchiveReader& archive, const Case& settings) {
                     "give that or a later one, or {}",
                     archive.path().string(), settings.time.end, end, remedy));
   }
-  const std::string hashes = archive.text("mesh_hashes"), present_hashes = mesh_hashes(settings);
+  const std::string hashes = archive.text("mesh_hashes"), present_hashes = file_hashes(settings);
   if (hashes != present_hashes) {
     throw InputError(
-        fmt::format("{}: this mesh file has changed since the checkpoint {}; put back "
+        fmt::format("{}: this file has changed since the checkpoint {}; put back "
                     "the earlier file, or {}",
-                    changed_mesh(hashes, present_hashes), archive.path().string(), remedy));
+                    changed_file(hashes, present_hashes), archive.path().string(), remedy));
   }
 }
 

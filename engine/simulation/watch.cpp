@@ -22,7 +22,8 @@ constexpr double tolerated_turn = 0.015;  // of the angular momentum
 
 double largest_of(const EnergyBudget& budget, double energy) {
   return std::max({energy, std::abs(budget.wall_work), std::abs(budget.load_work),
-                   std::abs(budget.body_force_work), std::abs(budget.cut_work)});
+                   std::abs(budget.body_force_work), std::abs(budget.cut_work),
+                   std::abs(budget.blade_work)});
 }
 
 /// Where all bodies are at t = 0: the centre of their bounding box, and the radius of gyration of
@@ -189,6 +190,7 @@ SummaryChecks Watch::report() const {
   checks.load_work = budget_.load_work;
   checks.body_force_work = budget_.body_force_work;
   checks.cut_work = budget_.cut_work;
+  checks.blade_work = budget_.blade_work;
   checks.damping = budget_.damping;
   checks.created = created_;
   checks.largest_energy = scale_;

@@ -3,9 +3,10 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <map>
 #include <set>
 #include <tuple>
+
+#include "engine/undeformed/held_directions.hpp"
 
 namespace pliant::undeformed {
 
@@ -15,27 +16,6 @@ namespace {
 // is solved by Gauss-Seidel sweeps. What these leave is a small share of one step's motion.
 constexpr int sweeps = 4;
 constexpr double least_compliance = 1e-3;  // along the normal, of what a corner has elsewhere
-
-template <int D>
-std::array<double, D * D> identity() {
-  std::array<double, D* D> tensor = {};
-  for (int a = 0; a < D; ++a) tensor[(D + 1) * a] = 1;
-  return tensor;
-}
-
-/// What a tensor leaves free and is normal to `n` too: of walls at right angles, exactly.
-template <int D>
-std::array<double, D * D> without(const std::array<double, D * D>& free, const Point<D>& n) {
-  Point<D> along = {};
-  for (int i = 0; i < D; ++i) {
-    for (int j = 0; j < D; ++j) along[j] += n[i] * free[D * i + j];
-  }
-  std::array<double, D* D> rest = free;
-  for (int i = 0; i < D; ++i) {
-    for (int j = 0; j < D; ++j) rest[D * i + j] -= n[i] * along[j];
-  }
-  return rest;
-}
 
 }  // namespace
 
@@ -53,16 +33,10 @@ WallContact<T, D>::WallContact(State<D>& state, const Case& settings) : state_(s
 template <class T, int D>
 void WallContact<T, D>::add_surface(Body<T, D>& body, const std::vector<Vertex<D>>& corners) {
   Surface& surface = surfaces_.emplace_back(Surface{&body, {}});
-  std::map<std::int32_t, std::array<double, D * D>> held;
-  for (const auto& of_block : body.held) {
-    for (const ConstrainedParticle<D>& particle : of_block) {
-      auto& free = held.insert({particle.slot, identity<D>()}).first->second;
-      free = particle.normal == Point<D>{} ? Tensor{} : without<D>(free, particle.normal);
-    }
-  }
+  const HeldDirections<D> held = held_directions(body);
   const auto response = [&](std::int32_t slot, double weight) {
     const auto at = held.find(slot);
-    Tensor tensor = at == held.end() ? identity<D>() : at->second;
+    Tensor tensor = at == held.end() ? all_directions<D>() : at->second;
     for (double& component : tensor) component *= weight * body.inverse_mass[slot];
     return tensor;
   };

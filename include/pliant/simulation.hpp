@@ -101,6 +101,9 @@ class Simulation {
                   const std::array<double, 3>& to);
   /// Takes a blade out, from where it was in the last step: where it is put next, a new cut begins.
   void lift_blade(std::string_view cut);
+  /// Of the blade of a cut on its body in the last step [N], per unit thickness in 2D: what a hand
+  /// that holds it feels, reversed. Zero where the cut has no resistance, friction or drag.
+  std::array<double, 3> blade_force(std::string_view cut) const;
 
   /// Takes an input at its time: at once if that has come, else when an advance gets there, which
   /// then makes a stop. Throws InputError for names that the case does not have.

@@ -75,7 +75,7 @@ material = { model = "linear", youngs_modulus = 100, poissons_ratio = 0.3, densi
         write_mesh(1.001)
         status, _, err = self.pliant(*arguments, "--resume")
         self.assertEqual(2, status)
-        self.assertIn("cube.obj: this mesh file has changed since the checkpoint", err)
+        self.assertIn("cube.obj: this file has changed since the checkpoint", err)
 
     def test_a_finished_run_continues_to_a_later_end_with_the_values_of_one_long_run(self):
         long = self.folder / "long"

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "engine/blocks/box.hpp"
 #include "engine/point_based/cutting/column.hpp"
 
 namespace pliant::point_based {
@@ -124,12 +125,44 @@ PieceDistance<D> distance_to_piece(const MaterialPoint<D>& x,
   return found;
 }
 
+template <int D>
+std::optional<MaterialPoint<D>> first_crossing(const MaterialPoint<D>& from,
+                                               const MaterialPoint<D>& to,
+                                               std::span<const CutSurface<D>> cuts) {
+  Box<D> way;
+  way.grow(from);
+  way.grow(to);
+  std::optional<MaterialPoint<D>> first;
+  double least = (column<D>(to) - column<D>(from)).squaredNorm();
+  for (const CutSurface<D>& cut : cuts) {
+    for (std::size_t p = 0; p < cut.pieces().size(); ++p) {
+      const auto corners = cut.corners(p);
+      Box<D> box;
+      for (const MaterialPoint<D>& corner : corners) box.grow(corner);
+      if (squared_gap(box, way) > 0) continue;
+      const auto place = crossing<D>(from, to, corners);
+      if (!place) continue;
+      const double square = (column<D>(*place) - column<D>(from)).squaredNorm();
+      if (square >= least) continue;
+      least = square;
+      first = place;
+    }
+  }
+  return first;
+}
+
 template class PieceCrossing<2>;
 template class PieceCrossing<3>;
 template double distance_to_segment<2>(const MaterialPoint<2>&, const MaterialPoint<2>&,
                                        const MaterialPoint<2>&);
 template double distance_to_segment<3>(const MaterialPoint<3>&, const MaterialPoint<3>&,
                                        const MaterialPoint<3>&);
+template std::optional<MaterialPoint<2>> first_crossing<2>(const MaterialPoint<2>&,
+                                                           const MaterialPoint<2>&,
+                                                           std::span<const CutSurface<2>>);
+template std::optional<MaterialPoint<3>> first_crossing<3>(const MaterialPoint<3>&,
+                                                           const MaterialPoint<3>&,
+                                                           std::span<const CutSurface<3>>);
 template PieceDistance<2> distance_to_piece<2>(const MaterialPoint<2>&,
                                                const std::array<MaterialPoint<2>, 2>&);
 template PieceDistance<3> distance_to_piece<3>(const MaterialPoint<3>&,

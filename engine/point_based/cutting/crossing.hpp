@@ -1,6 +1,7 @@
 #pragma once
 
 #include <optional>
+#include <span>
 
 #include "engine/point_based/cutting/cut_surface.hpp"
 
@@ -31,6 +32,13 @@ std::optional<MaterialPoint<D>> crossing(const MaterialPoint<D>& p, const Materi
                                          const std::array<MaterialPoint<D>, D>& piece) {
   return PieceCrossing<D>(piece)(p, q);
 }
+
+/// The crossing of the way from `from` to `to` with cuts that is nearest to `from`, if there is
+/// one.
+template <int D>
+std::optional<MaterialPoint<D>> first_crossing(const MaterialPoint<D>& from,
+                                               const MaterialPoint<D>& to,
+                                               std::span<const CutSurface<D>> cuts);
 
 /// Distance [m] from `x` to a segment, which may have no length.
 template <int D>

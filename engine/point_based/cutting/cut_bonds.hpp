@@ -57,10 +57,19 @@ class CutBonds {
   /// One move, and the nodes of all parts.
   const std::vector<std::int32_t>& advance(std::int32_t cut, const std::vector<Point>& station);
 
+  /// What the last update of a part returned.
+  const std::vector<std::int32_t>& changed(std::size_t part) const { return parts_[part].changed; }
+
   std::span<const double> factors() const { return factors_; }  ///< [bond]
   const BondRows& bonds() const { return bonds_; }
   std::span<const CutSurface<D>> cuts() const { return cuts_; }
   CutRule rule() const { return rule_; }
+  /// Distance [m] from a place to the front of a cut, at most `most`; the other rules have no
+  /// front.
+  double front_distance(std::int32_t cut, const Point& place, double most) const {
+    return rule_ == CutRule::transparency ? fronts_[cut].distance(place, most) : most;
+  }
+  bool is_inside(const Point& place) const { return is_inside_(place); }
 
  private:
   struct Crossing {

@@ -4,18 +4,12 @@
 #include <cmath>
 
 #include "engine/point_based/cutting/crossing.hpp"
+#include "engine/point_based/cutting/subdivide.hpp"
 
 namespace pliant::point_based {
 namespace {
 
 constexpr double slack = 1 + 1e-6;  // of squared distances that are compared with a bound
-
-template <int D>
-MaterialPoint<D> between(const MaterialPoint<D>& a, const MaterialPoint<D>& b, double share) {
-  MaterialPoint<D> x;
-  for (int i = 0; i < D; ++i) x[i] = a[i] + share * (b[i] - a[i]);
-  return x;
-}
 
 template <int D>
 double squared_distance(const MaterialPoint<D>& a, const MaterialPoint<D>& b) {

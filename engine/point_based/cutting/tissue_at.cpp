@@ -3,7 +3,6 @@
 #include <Eigen/Dense>
 #include <limits>
 
-#include "engine/blocks/box.hpp"
 #include "engine/point_based/cutting/column.hpp"
 #include "engine/point_based/cutting/crossing.hpp"
 #include "engine/point_based/node_state.hpp"
@@ -31,33 +30,6 @@ std::int64_t nearest_node(const Body<T, D>& body, const Point<D>& x) {
   return nearest;
 }
 
-/// The crossing of the way from `from` to `to` with a cut that is nearest to `from`; `to` where
-/// there is none.
-template <int D>
-MaterialPoint<D> up_to_a_cut(const MaterialPoint<D>& from, const MaterialPoint<D>& to,
-                             std::span<const CutSurface<D>> cuts) {
-  Box<D> way;
-  way.grow(from);
-  way.grow(to);
-  MaterialPoint<D> end = to;
-  double least = (column<D>(to) - column<D>(from)).squaredNorm();
-  for (const CutSurface<D>& cut : cuts) {
-    for (std::size_t p = 0; p < cut.pieces().size(); ++p) {
-      const auto corners = cut.corners(p);
-      Box<D> box;
-      for (const MaterialPoint<D>& corner : corners) box.grow(corner);
-      if (squared_gap(box, way) > 0) continue;
-      const auto place = crossing<D>(from, to, corners);
-      if (!place) continue;
-      const double square = (column<D>(*place) - column<D>(from)).squaredNorm();
-      if (square >= least) continue;
-      least = square;
-      end = *place;
-    }
-  }
-  return end;
-}
-
 }  // namespace
 
 template <class T, int D>
@@ -71,7 +43,7 @@ MaterialPoint<D> tissue_at(const Body<T, D>& body, std::span<const CutSurface<D>
   if (gradient.determinant() > least_volume_ratio) away = gradient.inverse() * away;
   MaterialPoint<D> place;
   Eigen::Map<Column<D>>(place.data()) = column<D>(body.start[slot]) + away;
-  return up_to_a_cut<D>(body.start[slot], place, cuts);
+  return first_crossing<D>(body.start[slot], place, cuts).value_or(place);
 }
 
 template MaterialPoint<2> tissue_at<double, 2>(const Body<double, 2>&,

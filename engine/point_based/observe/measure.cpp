@@ -9,6 +9,7 @@
 #include "engine/method/no_value.hpp"
 #include "engine/method/velocity_error.hpp"
 #include "engine/point_based/cutting/connected_parts.hpp"
+#include "engine/point_based/cutting/crossing.hpp"
 #include "engine/point_based/node_state.hpp"
 #include "engine/point_based/observe/node_values.hpp"
 #include "engine/point_based/surface.hpp"
@@ -44,6 +45,8 @@ auto Measurer<T, D>::function_of(MeasurementCase::Kind kind) -> Function {
       {Quantity::total_energy, &Measurer::integral},
       {Quantity::energy_ratio, &Measurer::integral},
       {Quantity::wall_force, &Measurer::wall_impulse},
+      {Quantity::blade_force, &Measurer::blade_impulse},
+      {Quantity::cutting_work, &Measurer::cutting_work},
       {Quantity::volume, &Measurer::integral},
       {Quantity::surface_area, &Measurer::surface_area},
       {Quantity::connected_parts, &Measurer::parts},
@@ -103,17 +106,21 @@ double Measurer<T, D>::surface_area(const MeasurementCase& m) const {
 template <class T, int D>
 std::optional<std::int64_t> Measurer<T, D>::nearest_node(int index, const Vector& point) const {
   const Body<T, D>& body = state_.bodies[index];
+  const std::span<const CutSurface<D>> cuts = state_.cut_surfaces(index);
+  Point<D> place;
+  std::copy_n(point.begin(), D, place.begin());
   double least = std::numeric_limits<double>::infinity();
-  std::int64_t nearest = 0;
+  std::int64_t nearest = -1;
   body.for_each_node([&](std::int64_t slot) {
     double square = 0;
     for (int a = 0; a < D; ++a) {
       square += (point[a] - body.start[slot][a]) * (point[a] - body.start[slot][a]);
     }
-    if (square >= least) return;
+    if (square >= least || first_crossing<D>(body.start[slot], place, cuts)) return;
     least = square;
     nearest = slot;
   });
+  if (nearest < 0) return std::nullopt;
   const double size = std::pow(body.mass[nearest] / body.material.density, 1. / D);
   if (std::sqrt(least) > size * std::sqrt(D)) return std::nullopt;
   return nearest;
@@ -171,6 +178,18 @@ double Measurer<T, D>::velocity_error(const MeasurementCase& m) const {
 template <class T, int D>
 double Measurer<T, D>::wall_impulse(const MeasurementCase& m) const {
   return state_.impulse(m);
+}
+
+template <class T, int D>
+double Measurer<T, D>::blade_impulse(const MeasurementCase& m) const {
+  const BladeLoad<D>& blade = state_.blades.at(m.cut);
+  return blade.impulse[m.axis] + state_.clock.lag() * blade.force[m.axis];
+}
+
+template <class T, int D>
+double Measurer<T, D>::cutting_work(const MeasurementCase& m) const {
+  const BladeLoad<D>& blade = state_.blades.at(m.cut);
+  return blade.work + state_.clock.lag() * blade.power;
 }
 
 template <class T, int D>

@@ -15,7 +15,9 @@ namespace pliant::point_based {
 template <class T, int D>
 class Measurer {
  public:
-  explicit Measurer(const State<T, D>& state) : state_(state) {}
+  /// `cuts` are those of each body, empty where there are none.
+  explicit Measurer(const State<T, D>& state, std::vector<std::span<const CutSurface<D>>> cuts = {})
+      : state_(state), cuts_(std::move(cuts)) {}
   virtual ~Measurer() = default;
 
   /// One value for each measurement; NaN where it has none (those which read histories).
@@ -42,6 +44,8 @@ class Measurer {
   double material_value(const MeasurementCase& m) const;
   double mean_value(const MeasurementCase& m) const;
   double wall_impulse(const MeasurementCase& m) const;
+  double blade_impulse(const MeasurementCase& m) const;
+  double cutting_work(const MeasurementCase& m) const;
   double surface_area(const MeasurementCase& m) const;
   double parts(const MeasurementCase& m) const;
   double velocity_error(const MeasurementCase& m) const;
@@ -50,8 +54,8 @@ class Measurer {
 
   /// The present free surface of a body, cut faces left out.
   undeformed::FreeSurface<D> free_surface(int body) const;
-  /// Slot of the node of the undeformed body that is nearest to a point; none where the point lies
-  /// outside.
+  /// Slot of the node of the undeformed body that is nearest to a point on its side of all cuts; none
+  /// where the point lies outside.
   std::optional<std::int64_t> nearest_node(int body, const Vector& point) const;
   /// The field of a measurement at a place of the undeformed body.
   double value_at(const MeasurementCase& m, const Vector& start) const;

@@ -7,6 +7,7 @@
 #include "engine/blocks/box_tree.hpp"
 #include "engine/geometry/padded.hpp"
 #include "engine/point_based/cutting/crossing.hpp"
+#include "engine/point_based/cutting/subdivide.hpp"
 #include "engine/point_based/nearest_nodes.hpp"
 #include "engine/point_based/node_state.hpp"
 #include "engine/point_based/surface.hpp"
@@ -19,42 +20,6 @@ constexpr double beside = 0.3;       // from a piece to where its side is looked
 
 template <int D>
 using Corners = std::array<Point<D>, D>;
-
-template <int D>
-Point<D> between(const Point<D>& a, const Point<D>& b, double share) {
-  Point<D> x;
-  for (int i = 0; i < D; ++i) x[i] = a[i] + share * (b[i] - a[i]);
-  return x;
-}
-
-template <int D>
-Point<D> centre(const Corners<D>& piece) {
-  Point<D> x = {};
-  for (const Point<D>& corner : piece) {
-    for (int a = 0; a < D; ++a) x[a] += corner[a] / D;
-  }
-  return x;
-}
-
-/// Calls f(piece) for parts of a piece whose edges are no longer than `length`.
-template <int D, class F>
-void subdivide(const Corners<D>& piece, double length, F&& f) {
-  int from = 0;
-  double longest = 0;
-  for (int k = 0; k < D; ++k) {
-    double square = 0;
-    for (int a = 0; a < D; ++a) square += std::pow(piece[(k + 1) % D][a] - piece[k][a], 2);
-    if (square <= longest) continue;
-    longest = square;
-    from = k;
-  }
-  if (longest <= length * length) return f(piece);
-  const int to = (from + 1) % D;
-  Corners<D> first = piece, second = piece;
-  first[to] = second[from] = between<D>(piece[from], piece[to], 0.5);
-  subdivide<D>(first, length, f);
-  subdivide<D>(second, length, f);
-}
 
 template <class T, int D>
 class SurfaceWriter {

@@ -55,6 +55,29 @@ end = 2e-9
   EXPECT_NEAR(solver.measure(1), 1 - 0.4375, 1e-9);
 }
 
+// The node nearest to a point beside a cut may lie across it.
+TEST(cuts, between_a_point_and_its_nearest_node_do_not_move_the_point_with_that_node) {
+  const std::string blade = R"toml([[cut]]
+name = "blade"
+from = [0.47, -0.1]
+path = [0, "6e8*t"]
+end = 2e-9
+)toml";
+  const auto point = [](const std::string& name, const std::string& x) {
+    return "[[measurement]]\nname = \"" + name + "\"\nkind = \"point_displacement\"\npoint = [" +
+           x + ", 0.5]\naxis = \"x\"\n";
+  };
+  auto solver = solver_of<2>(
+      free_points(2) + blade + point("left", "0.46") + point("right", "0.48"), tiny_steps);
+  for (int step = 0; step < 4; ++step) solver.step(HUGE_VAL);
+  auto& body = solver.state().bodies[0];
+  body.for_each_node([&](std::int64_t slot) {
+    body.displacement[0][slot] = body.start[slot][0] < 0.47 ? -0.1 : 0.2;
+  });
+  EXPECT_NEAR(solver.measure(0), -0.1, 1e-12);
+  EXPECT_NEAR(solver.measure(1), 0.2, 1e-12);
+}
+
 /// Affine and a little more.
 void deform(point_based::Body<double, 3>& body) {
   Eigen::Matrix3d f;

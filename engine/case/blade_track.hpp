@@ -1,0 +1,24 @@
+#pragma once
+
+#include <stdexcept>
+#include <string>
+
+#include "engine/case/case.hpp"
+
+namespace pliant {
+
+/// The edge of a blade, in the undeformed body [m]; in 2D it is `from`.
+struct BladeEdge {
+  Vector from = {}, to = {};
+};
+
+/// Where the edge of a blade is at `time` [s]; before and after its track, at the ends of that.
+BladeEdge edge_of(const CutCase& cut, double time);
+
+/// Reads the track of a cut from its file (CSV, a header and one row for each time), and the times
+/// at which it starts and ends. The header is `time,x,y` in 2D; in 3D `time,x1,y1,z1,x2,y2,z2`, the
+/// ends of the edge, or `time,x,y,z,qw,qx,qy,qz`, its start and a quaternion that turns the edge of
+/// the case. Throws std::runtime_error with file, line and remedy.
+void load_track(CutCase& cut, int dimension);
+
+}  // namespace pliant

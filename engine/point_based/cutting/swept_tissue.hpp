@@ -1,0 +1,37 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <unordered_map>
+#include <vector>
+
+#include "engine/point_based/cutting/cut_surface.hpp"
+
+namespace pliant::point_based {
+
+/// The tissue that blades have been through, as marks in cells of a grid, so that a question costs
+/// the same however much has been cut.
+template <int D>
+class SweptTissue {
+ public:
+  /// Tissue within `reach` [m] of a mark has been cut.
+  explicit SweptTissue(double reach) : reach_(reach) {}
+
+  void mark(const MaterialPoint<D>& x);
+  bool is_cut(const MaterialPoint<D>& x) const;
+
+ private:
+  using Cell = std::array<std::int64_t, D>;
+  struct Hash {
+    std::size_t operator()(const Cell& cell) const;
+  };
+  Cell cell_of(const MaterialPoint<D>& x) const;
+
+  double reach_;
+  std::unordered_map<Cell, std::vector<MaterialPoint<D>>, Hash> marks_;
+};
+
+extern template class SweptTissue<2>;
+extern template class SweptTissue<3>;
+
+}  // namespace pliant::point_based

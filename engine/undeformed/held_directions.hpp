@@ -1,0 +1,49 @@
+#pragma once
+
+#include <array>
+#include <map>
+
+#include "engine/undeformed/body.hpp"
+
+namespace pliant::undeformed {
+
+/// [slot] the directions in which walls leave a particle free, as a projection, row by row; those
+/// that no wall holds are left out.
+template <int D>
+using HeldDirections = std::map<std::int32_t, std::array<double, D * D>>;
+
+template <int D>
+std::array<double, D * D> all_directions() {
+  std::array<double, D* D> tensor = {};
+  for (int a = 0; a < D; ++a) tensor[(D + 1) * a] = 1;
+  return tensor;
+}
+
+/// What a projection leaves free and is normal to `n` too: of walls at right angles, exactly.
+template <int D>
+std::array<double, D * D> without(const std::array<double, D * D>& free, const Point<D>& n) {
+  Point<D> along = {};
+  for (int i = 0; i < D; ++i) {
+    for (int j = 0; j < D; ++j) along[j] += n[i] * free[D * i + j];
+  }
+  std::array<double, D* D> rest = free;
+  for (int i = 0; i < D; ++i) {
+    for (int j = 0; j < D; ++j) rest[D * i + j] -= n[i] * along[j];
+  }
+  return rest;
+}
+
+template <class T, int D>
+HeldDirections<D> held_directions(const Body<T, D>& body) {
+  HeldDirections<D> held;
+  for (const auto& of_block : body.held) {
+    for (const ConstrainedParticle<D>& particle : of_block) {
+      auto& free = held.insert({particle.slot, all_directions<D>()}).first->second;
+      free = particle.normal == Point<D>{} ? std::array<double, D * D>{}
+                                           : without<D>(free, particle.normal);
+    }
+  }
+  return held;
+}
+
+}  // namespace pliant::undeformed
