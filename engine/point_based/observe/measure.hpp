@@ -15,9 +15,7 @@ namespace pliant::point_based {
 template <class T, int D>
 class Measurer {
  public:
-  /// `cuts` are those of each body, empty where there are none.
-  explicit Measurer(const State<T, D>& state, std::vector<std::span<const CutSurface<D>>> cuts = {})
-      : state_(state), cuts_(std::move(cuts)) {}
+  explicit Measurer(const State<T, D>& state) : state_(state) {}
   virtual ~Measurer() = default;
 
   /// One value for each measurement; NaN where it has none (those which read histories).
