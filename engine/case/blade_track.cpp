@@ -24,8 +24,9 @@ TrackRow track_row(const std::string& text, std::size_t columns, const std::stri
     double value = 0;
     const auto [last, error] = std::from_chars(text.data() + begin, text.data() + end, value);
     if (error != std::errc() || last != text.data() + end || !std::isfinite(value)) {
-      throw std::runtime_error(fmt::format("{}: column {} must be a finite number, got `{}`", place,
-                                           row.size() + 1, text.substr(begin, end - begin)));
+      throw std::runtime_error(
+          fmt::format("{}: column {} must be a finite number, got `{}`; give a number", place,
+                      row.size() + 1, text.substr(begin, end - begin)));
     }
     row.push_back(value);
     begin = end + 1;
@@ -59,7 +60,7 @@ void add_track_row(const TrackRow& row, bool turns, const std::string& place, Cu
   if (turns) {
     if (row[4] == 0 && row[5] == 0 && row[6] == 0 && row[7] == 0) {
       throw std::runtime_error(fmt::format(
-          "{}: a quaternion of zeros turns nothing; 1,0,0,0 leaves the edge as it is", place));
+          "{}: a quaternion of zeros has no direction; 1,0,0,0 leaves the edge as it is", place));
     }
     Vector edge;
     for (int a = 0; a < 3; ++a) edge[a] = cut.edge.value_or(VectorExpression{})[a](0);

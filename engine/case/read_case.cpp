@@ -73,9 +73,12 @@ void load_tracks(Case& a_case, const Check& check) {
     try {
       load_track(a_case.cuts[i], a_case.dimension);
     } catch (const std::runtime_error& error) {
+      const std::string fault = error.what();
+      const std::size_t remedy = fault.rfind("; ");
       check.problems.add(check.place("cut", i, "track"),
-                         fmt::format("cut \"{}\" has a faulty track", a_case.cuts[i].name),
-                         error.what());
+                         fmt::format("cut \"{}\" has a faulty track: {}", a_case.cuts[i].name,
+                                     fault.substr(0, remedy)),
+                         fault.substr(remedy + 2));
     }
   }
 }

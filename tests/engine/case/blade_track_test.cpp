@@ -78,7 +78,8 @@ TEST(blade_track, that_cannot_be_followed_is_refused_with_its_line) {
             "track.csv:1: not the track of a blade in 2D; its first line must be `time,x,y`");
   EXPECT_EQ(fault("time,x,y\n0,1,2\n1,1\n"),
             "track.csv:3: 2 columns, where the header has 3; give a value for each column");
-  EXPECT_EQ(fault("time,x,y\n0,1,a\n"), "track.csv:2: column 3 must be a finite number, got `a`");
+  EXPECT_EQ(fault("time,x,y\n0,1,a\n"),
+            "track.csv:2: column 3 must be a finite number, got `a`; give a number");
   EXPECT_EQ(fault("time,x,y\n1,1,2\n1,1,3\n"),
             "track.csv:3: t = 1 comes after t = 1; sort the rows by time");
   EXPECT_EQ(fault("time,x,y\n1,1,2\n"),
@@ -110,9 +111,9 @@ name = "blade"
   EXPECT_NE(tests::complaint(body).find("cut \"blade\" lacks the key `from`; give from, path and "
                                         "end, or a track"),
             std::string::npos);
-  EXPECT_NE(
-      tests::complaint(body + "track = \"nowhere.csv\"\n").find("nowhere.csv: cannot be read"),
-      std::string::npos);
+  EXPECT_NE(tests::complaint(body + "track = \"nowhere.csv\"\n")
+                .find("nowhere.csv: cannot be read; check the path"),
+            std::string::npos);
 }
 
 }  // namespace
