@@ -100,7 +100,7 @@ std::size_t Solver<T, D>::bytes() const {
   for (const point_based::Body<T, D>& body : state_.bodies) sum += body.bytes();
   for (const Elements<T, D>& elements : state_.elements) {
     sum += elements.corner.bytes() + elements.shape.bytes() + elements.pressure.bytes() +
-           elements.slots.size() * sizeof(elements.slots[0]);
+           elements.initial_stress.bytes() + elements.slots.size() * sizeof(elements.slots[0]);
   }
   return sum;
 }

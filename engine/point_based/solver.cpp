@@ -7,6 +7,7 @@
 #include <limits>
 
 #include "engine/case/stability.hpp"
+#include "engine/method/initial_stress.hpp"
 #include "engine/method/step_failure.hpp"
 #include "engine/point_based/observe/field_views.hpp"
 #include "engine/point_based/observe/frame.hpp"
@@ -45,8 +46,9 @@ Solver<T, D>::Solver(const Case& a_case, const SolverOptions& options)
     blocks.push_back(body.adjacency);
     number_blocks(static_cast<int>(b), body.adjacency.count(), state_.blocks);
     resolution_ = std::min(resolution_, body.resolution);
-    state_.clock.wave_speed =
-        std::max(state_.clock.wave_speed, kernels::wave_speed_at_rest(source.material));
+    const std::int64_t stressed = body.is_prestressed() ? body.slots : 0;
+    state_.clock.wave_speed = std::max(state_.clock.wave_speed,
+                                       wave_speed_under<D>(source, body.initial_stress, stressed));
   }
   state_.clock.damping = parameters_of(this->settings()).damping;
   this->graph_ = std::make_unique<scheduler::StepGraph>(step_.phases(), join_blocks(blocks),

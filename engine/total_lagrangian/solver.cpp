@@ -7,6 +7,7 @@
 
 #include "engine/case/stability.hpp"
 #include "engine/lattice/layout_blocks.hpp"
+#include "engine/method/initial_stress.hpp"
 #include "engine/method/step_failure.hpp"
 #include "engine/total_lagrangian/observe/field_views.hpp"
 #include "engine/total_lagrangian/observe/frame.hpp"
@@ -51,8 +52,13 @@ Solver<T, D>::Solver(const Case& a_case, const SolverOptions& options)
     Body<T, D>& body = state_.bodies[b];
     make_body<T, D>(this->settings(), this->settings().bodies[b], state_.boundaries, body);
     layouts.push_back(&body.layout);
-    state_.clock.wave_speed = std::max(
-        state_.clock.wave_speed, kernels::wave_speed_at_rest(this->settings().bodies[b].material));
+    const BodyCase& source = this->settings().bodies[b];
+    const double taut =
+        wave_speed_under<D>(source, body.initial_stress, body.is_prestressed() ? body.slots : 0);
+    state_.clock.wave_speed = std::max(state_.clock.wave_speed, taut);
+    const double slack = kernels::wave_speed_at_rest(source.material);
+    stress_wave_speed_ =
+        std::max(stress_wave_speed_, std::sqrt(std::max(taut * taut - slack * slack, 0.)));
   }
   number_blocks<D>(layouts, state_.blocks);
   state_.clock.damping = parameters_of(this->settings()).damping.value_or(0);
@@ -99,7 +105,8 @@ void Solver<T, D>::begin_step() {
     clock.damping = std::min(2 * std::sqrt(frequency2), 1 / length);
   }
   if (examine) {
-    clock.wave_speed = result.wave_speed;
+    clock.wave_speed = stress_wave_speed_ > 0 ? std::hypot(result.wave_speed, stress_wave_speed_)
+                                              : result.wave_speed;
     scale_mass();
   }
   this->add_particle_stages(this->particles());

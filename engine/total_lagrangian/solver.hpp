@@ -41,6 +41,7 @@ class Solver final : public undeformed::Solver<T, D> {
   void check(const StepResult& result) const;
 
   State<T, D> state_;
+  double stress_wave_speed_ = 0;  ///< what initial stresses add in squares to that of waves [m/s]
   Step<T, D> step_;
 };
 

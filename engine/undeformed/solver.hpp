@@ -20,6 +20,7 @@ class Solver : public pliant::Solver {
   const Clock& clock() const override { return shared().clock; }
   std::int64_t particles() const override;
   std::optional<EnergyBudget> energy_budget() const override;
+  Balance balance() override;
   Loads& loads() override { return shared().boundaries; }
   std::vector<FieldView> fields(int body) const override;
   const scheduler::StepGraph& step_graph() const override { return *graph_; }
