@@ -87,6 +87,25 @@ void rotation_keys(Visitor& visit, RigidRotation& rotation) {
 }
 
 template <class Visitor>
+void stress_keys(Visitor& visit, StressExpression& stress) {
+  const auto component = [&visit](std::string_view key, Expression& value,
+                                  std::string_view meaning) {
+    visit(key, value,
+          {.meaning = meaning,
+           .unit = "Pa",
+           .example = R"toml("-9810*(1 - y)")toml",
+           .variables = "xyz"});
+  };
+  component("xx", stress.xx, "sigma_xx, positive in tension");
+  component("yy", stress.yy, "sigma_yy");
+  component("xy", stress.xy, "sigma_xy");
+  if (visit.dimension() == 2) return;
+  component("zz", stress.zz, "sigma_zz, in 3D; plane strain has nu (sigma_xx + sigma_yy)");
+  component("yz", stress.yz, "sigma_yz, in 3D");
+  component("xz", stress.xz, "sigma_xz, in 3D");
+}
+
+template <class Visitor>
 void body_keys(Visitor& visit, BodyCase& body) {
   visit("name", Name{body.name},
         {.meaning = "name, to which contacts, measurements and --set refer",
@@ -110,6 +129,10 @@ void body_keys(Visitor& visit, BodyCase& body) {
                     "(reduced_polynomial only)",
          .example = "[1, 0.95]",
          .limits = positive});
+  visit("stress", body.stress,
+        {.meaning = "initial stress, see stress; without it the body starts free of stress",
+         .unit = "Pa",
+         .example = R"toml({ yy = "-9810*(1 - y)" })toml"});
   visit("rotation", body.velocity.rotation,
         {.meaning = "initial rigid rotation, added to velocity, see rotation",
          .example = "{ centre = [0, 0], angular_velocity = 1 }"});
@@ -188,7 +211,15 @@ template <class Visitor>
 void contact_keys(Visitor& visit, ContactCase& contact) {
   visit("bodies", BodyPair{contact.bodies},
         {.meaning = "the two bodies", .example = R"(["left", "right"])", .required = true});
-  visit("kind", contact.law, {.meaning = "contact law", .example = R"("frictionless")"});
+  const bool known =
+      visit("kind", contact.law,
+            {.meaning = "contact law", .example = R"("frictionless")", .decides = true});
+  if (!known || contact.law != ContactLaw::coulomb) return;
+  visit("friction", contact.friction,
+        {.meaning = "coefficient of Coulomb friction (RP.75)",
+         .example = "0.3",
+         .limits = not_negative,
+         .required = true});
 }
 
 template <class Visitor>

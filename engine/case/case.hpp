@@ -28,6 +28,11 @@ struct InitialVelocity {
   std::optional<RigidRotation> rotation;
 };
 
+/// Components of a stress, of x, y, z [Pa].
+struct StressExpression {
+  Expression xx, yy, zz, xy, yz, xz;
+};
+
 /// Prony series of the bulk modulus, (RP.10).
 struct PronyCase {
   enum class Moduli { long_term, instantaneous };
@@ -56,12 +61,13 @@ struct BodyCase {
   kernels::Material<double> material;
   std::vector<kernels::PronyTerm<double>> prony;
   InitialVelocity velocity;
-  Vector stretch = {1, 1, 1};      ///< along the axes, at t = 0 from rest
-  MaterialCase material_as_given;  ///< what `material` and `prony` were computed from
+  Vector stretch = {1, 1, 1};              ///< along the axes, at t = 0 from rest
+  std::optional<StressExpression> stress;  ///< at t = 0
+  MaterialCase material_as_given;          ///< what `material` and `prony` were computed from
 };
 
 /// How surfaces in contact act on each other; see contact_laws.hpp.
-enum class ContactLaw { frictionless, no_slip, tied };
+enum class ContactLaw { frictionless, no_slip, tied, coulomb };
 
 struct BoundaryCase {
   enum class Kind {
@@ -92,6 +98,7 @@ struct BoundaryCase {
 struct ContactCase {
   std::array<int, 2> bodies = {-1, -1};
   ContactLaw law = ContactLaw::frictionless;
+  double friction = 0;  ///< coefficient of Coulomb friction
 };
 
 /// Where a blade has been recorded to be, in the undeformed body; linear in between.

@@ -72,6 +72,12 @@ void check_start(const Check& check, std::size_t index) {
                     body.name),
         "use a material with model = \"reduced_polynomial\"");
   }
+  if (body.stretch != Vector{1, 1, 1} && body.stress) {
+    check.problems.add(
+        check.place("body", index, "stress"),
+        fmt::format("body \"{}\" has an initial stretch, which gives it a stress", body.name),
+        "remove stress or stretch");
+  }
 }
 
 void check_extents(const Check& check, std::size_t index) {

@@ -14,17 +14,20 @@ namespace pliant {
 struct ContactLawRow {
   ContactLaw kind;
   std::string_view word;
-  bool separates;  ///< bodies can move apart; walls accept these laws as `friction`
+  bool separates;  ///< bodies can move apart
+  bool of_walls;   ///< walls accept this word as `friction`
   bool slides;     ///< without friction
   std::string_view meaning;
 };
 
 inline constexpr auto contact_laws = std::to_array<ContactLawRow>({
-    {ContactLaw::frictionless, "frictionless", true, true,
+    {ContactLaw::frictionless, "frictionless", true, true, true,
      "unilateral contact without friction (RP.47), (RP.56)"},
-    {ContactLaw::no_slip, "no_slip", true, false,
+    {ContactLaw::no_slip, "no_slip", true, true, false,
      "unilateral contact without sliding (RP.46), (RP.56)"},
-    {ContactLaw::tied, "tied", false, false, "permanent bond without sliding or separation"},
+    {ContactLaw::tied, "tied", false, false, false, "permanent bond without sliding or separation"},
+    {ContactLaw::coulomb, "coulomb", true, false, false,
+     "unilateral contact with Coulomb friction (RP.75)"},
 });
 static_assert(is_in_order(contact_laws));
 
@@ -39,7 +42,7 @@ inline constexpr auto words<ContactLaw> = words_of<ContactLaw>(contact_laws);
 inline std::vector<Word> wall_frictions() {
   std::vector<Word> list;
   for (const ContactLawRow& row : contact_laws) {
-    if (row.separates) list.push_back(word(row.kind, row.word, row.meaning));
+    if (row.of_walls) list.push_back(word(row.kind, row.word, row.meaning));
   }
   return list;
 }

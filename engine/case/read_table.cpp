@@ -130,6 +130,10 @@ bool read(const Entry& entry, std::optional<RigidRotation>& value) {
   return read_keys(entry, entry.key, [&](auto& keys) { rotation_keys(keys, value.emplace()); });
 }
 
+bool read(const Entry& entry, std::optional<StressExpression>& value) {
+  return read_keys(entry, entry.key, [&](auto& keys) { stress_keys(keys, value.emplace()); });
+}
+
 void TableReader::materials(std::string_view key, std::string_view) {
   const toml::node* materials = find_table(key);
   if (!materials || !materials->is_table()) return;

@@ -108,6 +108,11 @@ std::string case_reference_markdown(MethodList methods) {
                       RigidRotation rotation;
                       rotation_keys(visit, rotation);
                     }));
+  describer.section("stress", "The stress of a body at t = 0, see [materials](materials.md).",
+                    describe_table([](auto& visit) {
+                      StressExpression stress;
+                      stress_keys(visit, stress);
+                    }));
   return std::string(introduction) + describer.text();
 }
 

@@ -174,7 +174,9 @@ Schema definitions() {
           {"dissipation", schema_of_table<DissipationCase>(
                               [](auto& visit, DissipationCase& e) { dissipation_keys(visit, e); })},
           {"rotation", schema_of_table<RigidRotation>(
-                           [](auto& visit, RigidRotation& e) { rotation_keys(visit, e); })}};
+                           [](auto& visit, RigidRotation& e) { rotation_keys(visit, e); })},
+          {"stress", schema_of_table<StressExpression>(
+                         [](auto& visit, StressExpression& e) { stress_keys(visit, e); })}};
 }
 
 }  // namespace

@@ -18,7 +18,7 @@ const toml::node* TableReader::find(std::string_view key, const Notes& notes) {
   const toml::node* node = table_.get(key);
   if (node || !notes.required) return node;
   if (notes.decides) keys_are_known_ = false;
-  missing_.emplace_back(key, notes);
+  missing_.push_back({key, notes.meaning, std::string(notes.example)});
   return nullptr;
 }
 
@@ -58,10 +58,10 @@ void TableReader::finish() const {
     reading_.problems.add(place, fmt::format("unknown key `{}` in {}", key.str(), title_),
                           suggestion(key.str(), known_, "its keys are"));
   }
-  for (const auto& [key, notes] : missing_) {
+  for (const auto& [key, meaning, example] : missing_) {
     if (std::find(meant.begin(), meant.end(), key) != meant.end()) continue;
-    reading_.problems.add(place_, fmt::format("{} lacks `{}`, {}", title_, key, notes.meaning),
-                          fmt::format("add {} = {}", key, notes.example));
+    reading_.problems.add(place_, fmt::format("{} lacks `{}`, {}", title_, key, meaning),
+                          fmt::format("add {} = {}", key, example));
   }
 }
 

@@ -11,6 +11,7 @@
 #include <utility>
 #include <vector>
 
+#include "engine/case/example.hpp"
 #include "engine/case/key.hpp"
 #include "engine/case/problems.hpp"
 #include "engine/case/words.hpp"
@@ -75,6 +76,7 @@ bool read(const Entry& entry, MeasurementNames value);
 bool read(const Entry& entry, WallFriction value);
 bool read(const Entry& entry, FieldName value);
 bool read(const Entry& entry, std::optional<RigidRotation>& value);
+bool read(const Entry& entry, std::optional<StressExpression>& value);
 bool read(const Entry& entry, Axis& value);
 bool read(const Entry& entry, ShapeWord& value);
 bool read(const Entry& entry, Shape& value);
@@ -101,9 +103,12 @@ class TableReader {
 
   template <class Value>
   bool operator()(std::string_view key, Value&& value, const Notes& notes) {
-    const toml::node* node = find(key, notes);
+    const std::string example = example_in<Value>(notes.example, reading_.dimension);
+    Notes here = notes;
+    here.example = example;
+    const toml::node* node = find(key, here);
     if (!node) return !notes.required;
-    const bool good = read(Entry{key, *node, notes, reading_}, value);
+    const bool good = read(Entry{key, *node, here, reading_}, value);
     if (!good && notes.decides) keys_are_known_ = false;
     return good;
   }
@@ -159,7 +164,11 @@ class TableReader {
   Place place_;
   Reading& reading_;
   std::vector<std::string_view> known_;
-  std::vector<std::pair<std::string_view, const Notes>> missing_;
+  struct Missing {
+    std::string_view key, meaning;
+    std::string example;
+  };
+  std::vector<Missing> missing_;
   bool keys_are_known_ = true;
 };
 

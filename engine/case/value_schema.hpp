@@ -141,6 +141,9 @@ inline Schema schema_of(const FieldName&, const Limits&) {
 inline Schema schema_of(const std::optional<RigidRotation>&, const Limits&) {
   return defined("rotation");
 }
+inline Schema schema_of(const std::optional<StressExpression>&, const Limits&) {
+  return defined("stress");
+}
 inline Schema schema_of(const Shape&, const Limits&) { return defined("geometry"); }
 inline Schema schema_of(const std::vector<Shape>&, const Limits&) {
   return list_of(defined("geometry"), 2);

@@ -2,6 +2,7 @@
 
 #include <Eigen/Dense>
 
+#include "engine/method/initial_stress.hpp"
 #include "engine/point_based/node_state.hpp"
 
 namespace pliant::finite_elements {
@@ -54,6 +55,9 @@ void Measurer<T, D>::add_strain(int index, BodyIntegrals& sum) const {
     std::copy_n(f.data(), D * D, row_by_row.begin());
     sum.volume += volume * f.determinant();
     sum.strain_energy += volume * point_based::strain_energy_density(body, row_by_row);
+    if (elements.is_prestressed()) {
+      sum.strain_energy += volume * LastingStress<D>(elements.prestress(e), row_by_row, 1).energy;
+    }
     if (!elements.averages()) continue;
     sum.strain_energy -= volume * modulus / 2 * theta * theta;
     for (const std::int32_t slot : elements.slots[e]) collected[slot] += volume * theta / (D + 1);

@@ -7,6 +7,7 @@
 #include <map>
 
 #include "engine/finite_elements/parameters.hpp"
+#include "engine/method/initial_stress.hpp"
 #include "engine/point_based/bonds.hpp"
 #include "engine/point_based/setup.hpp"
 
@@ -27,6 +28,7 @@ struct Element {
   std::array<std::int32_t, D + 1> slots;
   Gradients<D> gradient;  ///< of the corners [1/m]
   double volume;          ///< [m^D]
+  Eigen::Matrix<double, D, D> stress = Eigen::Matrix<double, D, D>::Zero();  ///< S0 [Pa]
 };
 
 template <class T, int D>
@@ -44,6 +46,24 @@ Element<D> make_element(const std::array<std::int32_t, D + 1>& slots, const Body
   element.gradient.row(0) = -element.gradient.template bottomRows<D>().colwise().sum();
   element.volume = std::abs(edges.determinant()) / (D == 2 ? 2 : 6);
   return element;
+}
+
+// A stress that is linear in x has its mean in the middle of an element.
+template <class T, int D>
+void prestress(const BodyCase& source, const Body<T, D>& body, std::vector<Element<D>>& elements) {
+  if (!source.stress) return;
+  for (Element<D>& element : elements) {
+    Vector middle = {};
+    for (const std::int32_t slot : element.slots) {
+      for (int a = 0; a < D; ++a) middle[a] += body.start[slot][a] / (D + 1);
+    }
+    const auto stress = initial_stress_in<D>(source, middle);
+    for (int i = 0; i < D; ++i) {
+      for (int j = 0; j < D; ++j) {
+        element.stress(i, j) = stress[kernels::symmetric_index<D>(i, j)];
+      }
+    }
+  }
 }
 
 /// Those of the mesh, in the order of the slots of their corners: by blocks.
@@ -100,10 +120,12 @@ double highest_square(const Element<D>& element, const kernels::Material<double>
   for (int a = 0; a <= D; ++a) {
     for (int b = 0; b <= D; ++b) {
       const double dot = g.row(a).dot(g.row(b));
+      const double taut = g.row(a) * element.stress * g.row(b).transpose();
       for (int i = 0; i < D; ++i) {
         for (int j = 0; j < D; ++j) {
-          stiffness(D * a + i, D * b + j) =
-              lambda * g(a, i) * g(b, j) + mu * (g(a, j) * g(b, i) + (i == j ? dot : 0));
+          stiffness(D * a + i, D * b + j) = lambda * g(a, i) * g(b, j) +
+                                            mu * (g(a, j) * g(b, i) + (i == j ? dot : 0)) +
+                                            (i == j ? taut : 0);
         }
       }
     }
@@ -130,6 +152,15 @@ void store(const Element<D>& element, std::int64_t number, const Body<T, D>& bod
     }
   }
   shape[D * D * lanes] = static_cast<T>(element.volume);
+  if (elements.is_prestressed()) {
+    for (int i = 0; i < D; ++i) {
+      for (int j = i; j < D; ++j) {
+        const int component = kernels::symmetric_index<D>(i, j);
+        elements.initial_stress[elements.stress_place(number, component)] =
+            static_cast<T>(element.stress(i, j));
+      }
+    }
+  }
   elements.slots[number] = element.slots;
 }
 
@@ -150,6 +181,9 @@ void store_in_blocks(const std::vector<Element<D>>& all, const Body<T, D>& body,
   }
   elements.corner.grow(count * (D + 1), 0);
   elements.shape.grow(count * kernels::element_values<D>, T(0));
+  if (body.is_prestressed()) {
+    elements.initial_stress.grow(count * kernels::symmetric_components<D>, T(0));
+  }
   elements.slots.resize(count);
   for (std::size_t b = 0; b < body.blocks.size(); ++b) {
     for (std::size_t e = begin[b]; e < begin[b + 1]; ++e) {
@@ -178,7 +212,8 @@ void make_body(const Case& settings, const BodyCase& source, const Boundaries<D>
   const point_based::PlacedNodes<D> nodes = point_based::place_nodes<D>(settings, source);
   point_based::make_nodes(settings, source, nodes, boundaries,
                           point_based::PressureForces::of_loads, body);
-  const std::vector<Element<D>> all = elements_of(nodes.cloud, body);
+  std::vector<Element<D>> all = elements_of(nodes.cloud, body);
+  prestress(source, body, all);
   point_based::make_bonds(bonds_along_edges(all, body), body);
   store_in_blocks(all, body, elements);
   set_material(body, elements);

@@ -27,14 +27,30 @@ struct Elements {
   std::vector<ElementRange> blocks;
   Buffer<std::uint16_t> corner;  ///< [pack][D + 1][lane] local numbers times point_stride
   Buffer<T> shape;               ///< [pack][element_values][lane]
+  Buffer<T> initial_stress;      ///< [pack][component][lane] S0 of (TL.14) [Pa]; none: 0
   Buffer<T> pressure;            ///< [slot] of (FE.4) [Pa]; none: (FE.3)
   std::vector<std::array<std::int32_t, D + 1>> slots;  ///< [element] of the corners
 
   bool averages() const { return pressure.bytes() > 0; }
+  bool is_prestressed() const { return initial_stress.bytes() > 0; }
+
+  /// Of the initial stress [Pa], in the order of symmetric_index.
+  std::array<double, kernels::symmetric_components<D>> prestress(std::int64_t element) const {
+    std::array<double, kernels::symmetric_components<D>> stress;
+    for (std::size_t c = 0; c < stress.size(); ++c) {
+      stress[c] = initial_stress[stress_place(element, static_cast<int>(c))];
+    }
+    return stress;
+  }
+  static std::int64_t stress_place(std::int64_t element, int component) {
+    constexpr int lanes = kernels::slots_per_pack, count = kernels::symmetric_components<D>;
+    return (element / lanes * count + component) * lanes + element % lanes;
+  }
 
   /// Of its arrays [B].
   std::size_t bytes() const {
-    return corner.bytes() + shape.bytes() + pressure.bytes() + slots.size() * sizeof(slots[0]);
+    return corner.bytes() + shape.bytes() + initial_stress.bytes() + pressure.bytes() +
+           slots.size() * sizeof(slots[0]);
   }
 
   /// Component j of the gradient of corner a = 1 .. D [1/m].

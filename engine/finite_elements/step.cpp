@@ -96,6 +96,10 @@ kernels::ElementBlock<T, D> Step<T, D>::elements_of(int block) {
   work.elements = own.count;
   work.corner = elements.corner.get() + own.first * (D + 1);
   work.shape = elements.shape.get() + own.first * kernels::element_values<D>;
+  if (elements.is_prestressed()) {
+    work.initial_stress =
+        elements.initial_stress.get() + own.first * kernels::symmetric_components<D>;
+  }
   for (int a = 0; a < D; ++a) work.displacement[a] = body.displacement[a].get();
   work.material = elements.material;
   work.volumetric_modulus = elements.volumetric_modulus;

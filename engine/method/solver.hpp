@@ -29,6 +29,12 @@ struct SolverOptions {
   kernels::Isa isa = kernels::widest_supported();
 };
 
+/// What the balance of energy (RP.72) compares.
+struct Balance {
+  BodyIntegrals integrals;
+  std::optional<EnergyBudget> budget;
+};
+
 /// A case and the method that advances it: the one interface between methods and the programs that
 /// run them. The scalar type and the dimension of the method are hidden behind it.
 class Solver {
@@ -78,6 +84,10 @@ class Solver {
   /// Work and losses since t = 0. A method that does not account for them knows them only where
   /// nothing acts on the bodies; else there is no value.
   virtual std::optional<EnergyBudget> energy_budget() const;
+  /// Both of them at one time: a method whose velocities are those of another time than its
+  /// positions takes them when the velocities are, so that the balance (RP.72) closes in every
+  /// step.
+  virtual Balance balance() { return {integrals(), energy_budget()}; }
   /// Whether the case has neither walls nor loads nor gravity.
   bool bodies_are_free() const;
   /// The particles at the present time, in SI units.

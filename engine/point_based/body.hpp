@@ -88,11 +88,12 @@ struct Body : undeformed::Body<T, D> {
   Buffer<T> frequency2;                        ///< of (PB.12) [1/s^2]
   std::array<Buffer<T>, D * D> kept_gradient;  ///< D of (PB.14), where there are cuts
   std::array<Buffer<T>, symmetric> moment, strain;
-  std::array<Buffer<T>, D> pressure_load;  ///< [N], where pressures act
-  Buffer<std::uint16_t> neighbour;         ///< [pack][bond][lane] local numbers times point_stride
-  Buffer<T> bond;                          ///< [pack][bond][D + 1][lane] g, w
-  std::vector<std::int32_t> halo;          ///< slots, ascending in each block
-  Buffer<T> point, force;                  ///< [slots and halos][point_stride]
+  std::array<Buffer<T>, symmetric> initial_stress;  ///< S0 of (TL.14), where there is one [Pa]
+  std::array<Buffer<T>, D> pressure_load;           ///< [N], where pressures act
+  Buffer<std::uint16_t> neighbour;  ///< [pack][bond][lane] local numbers times point_stride
+  Buffer<T> bond;                   ///< [pack][bond][D + 1][lane] g, w
+  std::vector<std::int32_t> halo;   ///< slots, ascending in each block
+  Buffer<T> point, force;           ///< [slots and halos][point_stride]
   std::vector<std::vector<kernels::CollectedForces<T>>> collected;  ///< [block]
   std::vector<std::vector<PressedNode<D>>> pressed;                 ///< [block]
   std::vector<std::vector<BladedNode<D>>> bladed;  ///< [block], none where blades exert no force
@@ -102,6 +103,7 @@ struct Body : undeformed::Body<T, D> {
   bool is_pressed() const { return pressure_load[0].bytes() > 0; }
   bool is_loaded() const { return this->traction[0].bytes() > 0; }
   bool has_cuts() const { return kept_gradient[0].bytes() > 0; }
+  bool is_prestressed() const { return initial_stress[0].bytes() > 0; }
   bool is_viscous() const { return strain[0].bytes() > 0; }
 
   /// Calls f(declaration, buffers) for every array of slots.
@@ -195,6 +197,9 @@ struct Body : undeformed::Body<T, D> {
     f(field_list[Field::stiffness], span(&body.stiffness, 1));
     f(field_list[Field::frequency2], span(&body.frequency2, 1));
     f(field_list[Field::moment], span(body.moment));
+    if (body.is_prestressed()) {
+      f(field_list[Field::initial_stress], span(body.initial_stress));
+    }
     if (body.has_cuts()) f(field_list[Field::kept_gradient], span(body.kept_gradient));
     if (body.is_pressed()) f(field_list[Field::pressure_load], span(body.pressure_load));
     if (body.is_loaded()) f(field_list[Field::traction], span(body.traction));

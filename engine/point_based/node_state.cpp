@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "engine/method/initial_stress.hpp"
 #include "engine/point_based/degenerate_nodes.hpp"
 #include "kernels/energy.hpp"
 #include "kernels/point_based/first_piola.hpp"
@@ -82,6 +83,14 @@ Tensor in_3d(const std::array<double, D * D>& f) {
 }
 
 template <class T, int D>
+LastingStress<D> lasting_stress(const Body<T, D>& body, std::int64_t slot,
+                                const std::array<double, D * D>& f, double volume_ratio) {
+  std::array<double, Body<T, D>::symmetric> stress;
+  for (std::size_t c = 0; c < stress.size(); ++c) stress[c] = body.initial_stress[c][slot];
+  return {stress, f, volume_ratio};
+}
+
+template <class T, int D>
 const DegenerateNode<D>* degenerate_node(const Body<T, D>& body, const NodeBlock& block,
                                          std::int64_t slot) {
   for (const DegenerateNode<D>& node : body.degenerate[&block - body.blocks.data()]) {
@@ -138,7 +147,9 @@ double strain_energy(const Body<T, D>& body, const NodeBlock& block, std::int64_
                      const std::array<double, D * D>& f) {
   const DegenerateNode<D>* const node = degenerate_node(body, block, slot);
   if (node != nullptr) return degenerate_state(body, block, *node).energy;
-  return body.volume[slot] * strain_energy_density(body, f);
+  double energy = strain_energy_density(body, f);
+  if (body.is_prestressed()) energy += lasting_stress(body, slot, f, 1).energy;
+  return body.volume[slot] * energy;
 }
 
 template <class T, int D>
@@ -162,6 +173,11 @@ NodeState<D> node_state(const Body<T, D>& body, const NodeBlock& block, std::int
     }
   }
   state.pressure = -trace / 3;
+  if (body.is_prestressed()) {
+    const LastingStress<D> lasting = lasting_stress(body, slot, state.gradient, jacobian);
+    for (std::size_t c = 0; c < state.stress.size(); ++c) state.stress[c] += lasting.stress[c];
+    state.pressure += lasting.pressure(*body.source);
+  }
   return state;
 }
 

@@ -10,6 +10,7 @@
 #include "engine/blocks/point_blocks.hpp"
 #include "engine/geometry/padded.hpp"
 #include "engine/method/gravity.hpp"
+#include "engine/method/initial_stress.hpp"
 #include "engine/method/initial_velocity.hpp"
 #include "engine/point_based/lattice_nodes.hpp"
 #include "engine/point_based/nodes/mesh_nodes.hpp"
@@ -100,6 +101,7 @@ BondChoice<D> choice_of(const Case& settings, const PlacedNodes<D>& nodes, const
 template <class T, int D>
 void make_room(const Case& settings, const Boundaries<D>& boundaries, PressureForces pressures,
                Body<T, D>& body) {
+  if (body.source->stress) body.initial_stress[0].grow(body.slots, T(0));
   if (parameters_of(settings).stiffness_damping > 0) body.strain[0].grow(body.slots, T(0));
   for (const SurfacePressure<D>& load : boundaries.pressures) {
     const bool is_force = load.is_traction() || pressures == PressureForces::of_loads;
@@ -138,6 +140,17 @@ void hold(const Boundaries<D>& boundaries, double reach, Body<T, D>& body) {
       }
     }
   }
+}
+
+template <class T, int D>
+void prestress(const BodyCase& source, Body<T, D>& body) {
+  if (!body.is_prestressed()) return;
+  body.for_each_node([&](std::int64_t slot) {
+    const auto stress = initial_stress_in<D>(source, padded<D>(body.start[slot]));
+    for (std::size_t c = 0; c < stress.size(); ++c) {
+      body.initial_stress[c][slot] = static_cast<T>(stress[c]);
+    }
+  });
 }
 
 // Nodes that a wall holds start with its velocity.
@@ -221,6 +234,7 @@ void make_nodes(const Case& settings, const BodyCase& source, const PlacedNodes<
   hold(boundaries, nodes.reach, body);
   make_surface(nodes.cloud, source.geometry, settings.discretisation.spacing, boundaries, body);
   set_in_motion(source, boundaries, body);
+  prestress(source, body);
 }
 
 template <class T, int D>

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "engine/case/stability.hpp"
+#include "engine/method/initial_stress.hpp"
 #include "engine/point_based/setup.hpp"
 
 namespace pliant::point_based {
@@ -43,8 +44,7 @@ void get_blades(const ArchiveReader& archive, std::vector<BladeLoad<D>>& blades)
 }  // namespace
 
 template <class T, int D>
-Solver<T, D>::Solver(const Case& a_case, const SolverOptions& options)
-    : Base(a_case, options) {
+Solver<T, D>::Solver(const Case& a_case, const SolverOptions& options) : Base(a_case, options) {
   State<T, D>& state = this->state();
   state.blades.resize(this->settings().cuts.size());
   for (std::size_t b = 0; b < state.bodies.size(); ++b) {
@@ -60,6 +60,11 @@ Solver<T, D>::Solver(const Case& a_case, const SolverOptions& options)
       state.frequency2 =
           std::max<double>(state.frequency2, energies_of_node * double{body.frequency2[slot]});
     });
+    const double slack = kernels::wave_speed_at_rest(source.material);
+    const double taut =
+        wave_speed_under<D>(source, body.initial_stress, body.is_prestressed() ? body.slots : 0);
+    state.clock.wave_speed = std::max(state.clock.wave_speed, taut);
+    stiffening_ = std::max(stiffening_, taut * taut / (slack * slack));
   }
   state.clock.damping = parameters_of(this->settings()).damping;
   const scheduler::Blocks blocks = number_blocks(state);
@@ -71,7 +76,8 @@ Solver<T, D>::Solver(const Case& a_case, const SolverOptions& options)
 template <class T, int D>
 double Solver<T, D>::automatic_step() const {
   const double viscous = parameters_of(this->settings()).stiffness_damping;
-  const double longest = std::sqrt(viscous * viscous + 4 / this->state().frequency2) - viscous;
+  const double frequency2 = stiffening_ * this->state().frequency2;
+  const double longest = std::sqrt(viscous * viscous + 4 / frequency2) - viscous;
   return cfl_number(this->settings()) * longest;
 }
 

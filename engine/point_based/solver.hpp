@@ -35,6 +35,9 @@ class Solver final : public undeformed::Solver<State<T, D>, Step<T, D>, Measurer
   void adapt(const Advance& advance, const StepResult& result) override;
   void save_state(ArchiveWriter& archive) const override;
   void restore_state(const ArchiveReader& archive) override;
+
+  /// Squared frequencies under the initial stress over those without, at most.
+  double stiffening_ = 1;
 };
 
 extern template class Solver<double, 2>;

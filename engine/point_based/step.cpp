@@ -189,6 +189,7 @@ void Step<T, D>::evaluate_forces(int block) {
   for (int c = 0; c < Body<T, D>::symmetric; ++c) {
     work.moment[c] = body.moment[c].get();
     work.strain[c] = body.strain[c].get();
+    work.initial_stress[c] = body.initial_stress[c].get();
   }
   work.viscosity = static_cast<T>(parameters_of(settings_).stiffness_damping / advance_.length);
   work.examine = advance_.examine || cuts_have_moved_;

@@ -8,6 +8,7 @@
 #include "engine/geometry/free_surface.hpp"
 #include "engine/geometry/padded.hpp"
 #include "engine/method/initial_velocity.hpp"
+#include "engine/remeshed/initial_state.hpp"
 #include "engine/remeshed/level_set/level_set.hpp"
 #include "engine/remeshed/particle_kinds.hpp"
 
@@ -43,6 +44,13 @@ bool set_initial_fields(const Case& settings, Body<T, D>& body, T* valid) {
             deforms && c % (D + 1) == 0 ? static_cast<T>(source.stretch[c / (D + 1)]) : T(0);
       }
       for (Buffer<T>& pressure : state[Field::memory_pressure]) pressure[p] = 0;
+      if (source.stress && valid[p] > 0) {
+        const InitialState<D> stressed = state_under_stress<D>(source, x);
+        state.get(Field::mass)[p] = static_cast<T>(stressed.density) * volume;
+        for (int c = 0; c < state.material_components(); ++c) {
+          state.get(Field::material, c)[p] = static_cast<T>(stressed.material[c]);
+        }
+      }
     });
   }
   return has_surface;

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <iterator>
 
+#include "engine/method/archived_points.hpp"
 #include "engine/method/step_length.hpp"
 #include "engine/remeshed/check_state.hpp"
 #include "engine/remeshed/observe/field_views.hpp"
@@ -145,6 +146,7 @@ void Solver<T, D>::remesh() {
   Clock& clock = state_.clock;
   const bool reinitialise =
       clock.steps_since_reinitialisation >= settings().level_set.reinitialise_every;
+  remeshings_.move_lattices(state_);
   remesh_onto_spare(reinitialise, true);
   if (reinitialise) clock.steps_since_reinitialisation = 0;
   ++clock.remeshings;
@@ -281,11 +283,13 @@ std::vector<std::array<double, 3>> Solver<T, D>::positions(int body) const {
 template <class T, int D>
 void Solver<T, D>::save_state(ArchiveWriter& archive) const {
   put_state(archive, state_);
+  put_points<D>(archive, "walls/remeshed_offset", remeshings_.wall_offset());
 }
 
 template <class T, int D>
 void Solver<T, D>::restore_state(const ArchiveReader& archive) {
   get_state(archive, state_, remeshings_);
+  get_points<D>(archive, "walls/remeshed_offset", remeshings_.wall_offset());
   number_slots();
 }
 

@@ -172,6 +172,7 @@ void put_state(ArchiveWriter& archive, const State<T, D>& state) {
     const std::size_t slots = body.population.layout.slots();
     const std::vector<std::int32_t> packs = body.population.layout.occupancy().save();
     archive.put(group + "/occupied_packs", std::span<const std::int32_t>(packs));
+    archive.put(group + "/lattice_origin", std::span<const double>(body.lattice.origin));
     archive.put(group + "/particles", body.population.particles);
     archive.put(group + "/strain", body.neighbours.strain);
     archive.put(group + "/strain_rate", body.neighbours.strain_rate);
@@ -206,6 +207,7 @@ void get_state(const ArchiveReader& archive, State<T, D>& state, Remeshings<T, D
   for (std::size_t b = 0; b < state.bodies.size(); ++b) {
     Body<T, D>& body = state.bodies[b];
     const std::string group = fmt::format("body/{}", b);
+    archive.read(group + "/lattice_origin", std::span<double>(body.lattice.origin));
     remeshings[b].lay_out_again(archive.get<std::int32_t>(group + "/occupied_packs"));
     Population<T, D>& population = body.population;
     const std::size_t slots = population.layout.slots();

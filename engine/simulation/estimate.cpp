@@ -10,6 +10,8 @@
 #include "engine/geometry/distance_walk.hpp"
 #include "engine/geometry/signed_distance.hpp"
 #include "engine/lattice/occupancy.hpp"
+#include "engine/method/initial_velocity.hpp"
+#include "engine/method/step_length.hpp"
 
 // The number of slots times h^d is V + S h for small h, V the volume and S proportional to the
 // surface: two coarse lattices give both. Methods know the bytes of slots, ghosts and particles.
@@ -110,9 +112,48 @@ Estimate estimate_in(const Case& a_case) {
   return sum;
 }
 
+/// abs(eps) of the initial velocity at `x` [1/s].
+double initial_strain_rate(const BodyCase& body, const Vector& x, double h, int dimension) {
+  std::array<Vector, 3> slope = {};  // [along]
+  for (int a = 0; a < dimension; ++a) {
+    Vector before = x, after = x;
+    before[a] -= h / 2;
+    after[a] += h / 2;
+    const Vector u0 = initial_velocity(body, before), u1 = initial_velocity(body, after);
+    for (int i = 0; i < dimension; ++i) slope[a][i] = (u1[i] - u0[i]) / h;
+  }
+  double square = 0;
+  for (int i = 0; i < dimension; ++i) {
+    for (int j = 0; j < dimension; ++j) square += std::pow((slope[i][j] + slope[j][i]) / 2, 2);
+  }
+  return std::sqrt(square);
+}
+
+/// The largest one of all bodies, at points of a grid.
+double largest_strain_rate(const Case& a_case) {
+  constexpr int across = 24;
+  double largest = 0;
+  for (const BodyCase& body : a_case.bodies) {
+    const Box<3> box = clipped_box(a_case, body);
+    const int count = static_cast<int>(std::pow(across, a_case.dimension));
+    for (int k = 0; k < count; ++k) {
+      Vector x = {};
+      for (int a = 0, rest = k; a < a_case.dimension; ++a, rest /= across) {
+        x[a] = box.lower[a] + (box.upper[a] - box.lower[a]) * (rest % across + 0.5) / across;
+      }
+      if (signed_distance(body.geometry, x, a_case.dimension) >= 0) continue;
+      largest = std::max(
+          largest, initial_strain_rate(body, x, a_case.discretisation.spacing, a_case.dimension));
+    }
+  }
+  return largest;
+}
+
+/// With `time.strain` and the strain rate at the start; impacts may ask for shorter steps.
 double step_of(const Case& a_case) {
-  return a_case.time.step.value_or(cfl_number(a_case) * a_case.discretisation.spacing /
-                                   fastest_wave(a_case));
+  const bool bounds_strain = a_case.rules != nullptr && a_case.rules->remeshes;
+  const double rate = bounds_strain && !a_case.time.step ? largest_strain_rate(a_case) : 0;
+  return asked_step(a_case, fastest_wave(a_case), rate);
 }
 
 /// Whether outputs between two steps are looks ahead, for which no step ends.

@@ -20,7 +20,8 @@ struct Estimate {
 };
 
 /// Counts particles and slots on the lattice of each body, on a coarser one where that has more
-/// than a million cells, and steps with the wave speed at rest.
+/// than a million cells, and steps with the wave speed at rest
+/// and the strain rate at the start.
 Estimate estimate(const Case& a_case);
 
 /// Wall time of the steps of a run [s], within a factor of two: that of a few steps of the same

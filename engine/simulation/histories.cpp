@@ -7,6 +7,7 @@
 #include <cmath>
 #include <limits>
 #include <span>
+#include <string>
 #include <utility>
 
 #include "engine/case/measurement_kinds.hpp"
@@ -112,12 +113,20 @@ double Histories::weighted_sum(const MeasurementCase& m) const {
   return sum;
 }
 
-std::string_view Histories::why_missing(std::size_t m) const {
+// What is wrong with a history is wrong with what reads it.
+std::string Histories::why_missing(std::size_t m) const {
   const MeasurementCase& measurement = settings_->measurements[m];
   if (std::isfinite(rows_[m].back())) return "";
+  std::vector<int> sources = measurement.terms;
+  if (measurement.of >= 0) sources.push_back(measurement.of);
+  for (const int source : sources) {
+    const std::string why = why_missing(static_cast<std::size_t>(source));
+    if (why.empty()) continue;
+    return fmt::format("measurement `{}` has none: {}", settings_->measurements[source].name, why);
+  }
   if (measurement.relative && !(start_[m] != 0)) return "the value at the start is zero";
   const std::string_view reason = row_of(measurement.kind).missing;
-  return reason.empty() ? "the value is not finite" : reason;
+  return std::string(reason.empty() ? "the value is not finite" : reason);
 }
 
 void Histories::put(ArchiveWriter& archive) const {

@@ -1,6 +1,6 @@
 #pragma once
 
-#include <string_view>
+#include <string>
 #include <vector>
 
 #include "engine/case/case.hpp"
@@ -23,7 +23,7 @@ class Histories {
   /// Of measurement `m`, at the last time.
   double last(std::size_t m) const { return rows_[m].back(); }
   /// Why measurement `m` has no value at the last time; empty where it has one.
-  std::string_view why_missing(std::size_t m) const;
+  std::string why_missing(std::size_t m) const;
 
   void put(ArchiveWriter& archive) const;
   void get(const ArchiveReader& archive);

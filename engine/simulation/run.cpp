@@ -245,7 +245,7 @@ class Run {
       const MeasurementCase& measurement = settings_.measurements[m];
       summary.measurements.push_back({measurement.name,
                                       std::string(unit_of(settings_, measurement)),
-                                      histories_.last(m), std::string(histories_.why_missing(m))});
+                                      histories_.last(m), histories_.why_missing(m)});
     }
     write_summary(options_.folder, summary);
     progress_.report(report_of(options_.folder, summary));

@@ -65,6 +65,13 @@ bool is_periodic(const Case& settings) {
   return std::any_of(axis.begin(), axis.end(), [](bool periodic) { return periodic; });
 }
 
+bool has_friction(const Case& settings) {
+  return std::any_of(settings.boundaries.begin(), settings.boundaries.end(),
+                     [](const BoundaryCase& wall) { return !!wall.friction_coefficient; }) ||
+         std::any_of(settings.contacts.begin(), settings.contacts.end(),
+                     [](const ContactCase& c) { return c.law == ContactLaw::coulomb; });
+}
+
 }  // namespace
 
 ConservedQuantities conserved(const BodyIntegrals& sum) {
@@ -73,24 +80,29 @@ ConservedQuantities conserved(const BodyIntegrals& sum) {
 }
 
 void Watch::begin(Solver& solver) {
-  start_ = conserved(solver.integrals());
+  start_ = conserved(solver.balance().integrals);
   look(solver);
 }
 
+// The strain energy is a difference of numbers of the size of the moduli, such as F:F - 3 and ln J:
+// strains below the root of its rounding leave nothing of it.
 double Watch::rounding_energy() const {
-  return start_.mass * std::pow(rounding_strain(settings_) * fastest_wave(settings_), 2);
+  constexpr double of_differences = 4 * std::numeric_limits<double>::epsilon();
+  const double share = std::max(std::pow(rounding_strain(settings_), 2), of_differences);
+  return start_.mass * share * std::pow(fastest_wave(settings_), 2);
 }
 
 // A change is seen against the largest value so far: what a body had, or what was done to it.
 void Watch::look(Solver& solver) {
   const double t = solver.clock().time;
-  present_ = conserved(solver.integrals());
+  const Balance balance = solver.balance();
+  present_ = conserved(balance.integrals);
   const auto keep = [t](Excess& excess, double share) {
     if (share > excess.share) excess = {share, t, excess.warned};
   };
-  if (const auto budget = solver.energy_budget()) {
+  if (balance.budget) {
     is_known_ = 1;
-    budget_ = *budget;
+    budget_ = *balance.budget;
     created_ = present_.total_energy - start_.total_energy - budget_.work() + budget_.damping;
     scale_ = std::max(scale_, largest_of(budget_, present_.total_energy));
     if (scale_ > rounding_energy()) keep(energy_, created_ / scale_);
@@ -171,11 +183,13 @@ std::string Watch::observe(Solver& solver, bool last) {
 }
 
 // Only at the end: what a body that is flat in contact seems to have lost comes back. What viscous
-// bodies lose, they should.
+// bodies lose, they should, and what friction takes.
 std::string Watch::judge_loss() const {
   const bool is_viscous = std::any_of(settings_.bodies.begin(), settings_.bodies.end(),
                                       [](const BodyCase& body) { return !body.prony.empty(); });
-  if (is_viscous || !(scale_ > rounding_energy()) || !(-created_ > tolerated * scale_)) return "";
+  if (is_viscous || has_friction(settings_) || !(scale_ > rounding_energy()) ||
+      !(-created_ > tolerated * scale_))
+    return "";
   return fmt::format(
       "warning: in the end {:.3g} of the largest energy or work is lost without damping, to "
       "numerical dissipation, contact and remeshing; use a finer spacing where the motion matters "

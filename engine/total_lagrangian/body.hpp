@@ -76,6 +76,8 @@ struct Body : undeformed::Body<T, D> {
   Buffer<T> level_set;         ///< phi of the undeformed body [m]
   Buffer<T> fraction;          ///< share of the cell above the slot that the body fills, (TL.1)
   Buffer<T> regular_fraction;  ///< the same, 0 in fitted cells
+  /// S0 of (TL.14) at the stress points, where there is one [Pa].
+  std::array<Buffer<T>, kernels::symmetric_components<D>> initial_stress;
   std::array<Buffer<T>, D> internal;
   std::vector<kernels::PronyTerm<double>> prony;
   std::vector<Buffer<T>> memory_pressure;  ///< [term] p_i of (RP.10) at the last stress [Pa]
@@ -94,6 +96,8 @@ struct Body : undeformed::Body<T, D> {
   std::vector<int> first_patch;         ///< [block + 1]
   std::vector<Point<D>> patch_force;    ///< [patch] [N]
   std::vector<NodalLoads> nodal_loads;  ///< [block]
+
+  bool is_prestressed() const { return this->source != nullptr && this->source->stress; }
 
   /// Calls f(declaration, buffers) for every array of slots.
   template <class F>
@@ -187,6 +191,9 @@ struct Body : undeformed::Body<T, D> {
     f(field_list[Field::level_set], span(&body.level_set, 1));
     f(field_list[Field::fraction], span(&body.fraction, 1));
     f(field_list[Field::regular_fraction], span(&body.regular_fraction, 1));
+    if (body.is_prestressed()) {
+      f(field_list[Field::initial_stress], span(body.initial_stress));
+    }
     f(field_list[Field::memory_pressure], span(body.memory_pressure));
     f(field_list[Field::volume_change], span(&body.volume_change, body.prony.empty() ? 0 : 1));
     f(field_list[Field::next_memory_pressure], span(body.next_memory_pressure));

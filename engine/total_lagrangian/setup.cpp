@@ -12,6 +12,7 @@
 #include "engine/method/initial_velocity.hpp"
 #include "engine/total_lagrangian/block_cells.hpp"
 #include "engine/total_lagrangian/fit.hpp"
+#include "engine/total_lagrangian/prestress.hpp"
 #include "kernels/with_scalar.hpp"
 
 namespace pliant::total_lagrangian {
@@ -265,6 +266,7 @@ void make_body(const Case& settings, const BodyCase& source, const Boundaries<D>
       for (int a = 0; a < D; ++a) body.velocity[a][p] = u[a];
     });
   }
+  prestress(source, body);
   make_surface<T, D>(boundaries, body);
 }
 

@@ -7,6 +7,7 @@
 
 #include "engine/case/stability.hpp"
 #include "engine/lattice/layout_blocks.hpp"
+#include "engine/method/initial_stress.hpp"
 #include "engine/total_lagrangian/parameters.hpp"
 #include "engine/total_lagrangian/setup.hpp"
 
@@ -34,9 +35,16 @@ Solver<T, D>::Solver(const Case& a_case, const SolverOptions& options) : Base(a_
   State<T, D>& state = this->state();
   Layouts<D> layouts;
   for (std::size_t b = 0; b < state.bodies.size(); ++b) {
-    make_body<T, D>(this->settings(), this->settings().bodies[b], state.boundaries,
-                    state.bodies[b]);
-    layouts.push_back(&state.bodies[b].layout);
+    Body<T, D>& body = state.bodies[b];
+    const BodyCase& source = this->settings().bodies[b];
+    make_body<T, D>(this->settings(), source, state.boundaries, body);
+    layouts.push_back(&body.layout);
+    const double taut =
+        wave_speed_under<D>(source, body.initial_stress, body.is_prestressed() ? body.slots : 0);
+    state.clock.wave_speed = std::max(state.clock.wave_speed, taut);
+    const double slack = kernels::wave_speed_at_rest(source.material);
+    stress_wave_speed_ =
+        std::max(stress_wave_speed_, std::sqrt(std::max(taut * taut - slack * slack, 0.)));
   }
   number_blocks<D>(layouts, state.blocks);
   state.clock.damping = parameters_of(this->settings()).damping.value_or(0);
@@ -76,7 +84,8 @@ void Solver<T, D>::adapt(const Advance& advance, const StepResult& result) {
     clock.damping = std::min(2 * std::sqrt(frequency2), 1 / advance.length);
   }
   if (advance.examine) {
-    clock.wave_speed = result.wave_speed;
+    clock.wave_speed = stress_wave_speed_ > 0 ? std::hypot(result.wave_speed, stress_wave_speed_)
+                                              : result.wave_speed;
     scale_mass();
   }
 }

@@ -27,6 +27,8 @@ class Solver final : public undeformed::Solver<State<T, D>, Step<T, D>, Measurer
   void adapt(const Advance& advance, const StepResult& result) override;
   void show() override { this->state().age_memory(); }
   void scale_mass();
+
+  double stress_wave_speed_ = 0;  ///< what initial stresses add in squares to that of waves [m/s]
 };
 
 extern template class Solver<double, 2>;

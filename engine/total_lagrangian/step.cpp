@@ -170,6 +170,9 @@ void Step<T, D>::set_cells(const Body<T, D>& body, int local, kernels::Motion<T,
   work.examine = advance_.examine;
   work.material = body.material;
   work.fraction = body.regular_fraction.get();
+  for (std::size_t c = 0; c < work.initial_stress.size(); ++c) {
+    work.initial_stress[c] = body.initial_stress[c].get();
+  }
 }
 
 template <class T, int D>

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "engine/method/initial_stress.hpp"
 #include "engine/total_lagrangian/fit.hpp"
 #include "kernels/total_lagrangian/cell_energy.hpp"
 #include "kernels/with_scalar.hpp"
@@ -100,6 +101,19 @@ CellShape<D> cell_shape(const Body<T, D>& body, std::int64_t slot, const Cell<D>
   return shape;
 }
 
+/// Adds the initial stress to the point; its energy per volume at rest.
+template <class T, int D>
+double add_prestress(const Body<T, D>& body, std::int64_t slot, StressPoint<D>& point) {
+  std::array<double, kernels::symmetric_components<D>> s0;
+  for (std::size_t c = 0; c < s0.size(); ++c) s0[c] = body.initial_stress[c][slot];
+  std::array<double, D * D> f;
+  for (int c = 0; c < D * D; ++c) f[c] = point.deformation_gradient[c / D][c % D];
+  const LastingStress<D> lasting(s0, f, point.volume_ratio);
+  for (std::size_t c = 0; c < s0.size(); ++c) point.stress[c] += lasting.stress[c];
+  point.pressure += lasting.pressure(*body.source);
+  return lasting.energy;
+}
+
 }  // namespace
 
 template <class T, int D>
@@ -138,6 +152,7 @@ StressPoint<D> stress_point(const Body<T, D>& body, std::int64_t slot, const Cel
     power *= stress.excess.get(0);
     energy += material.coefficient[n - 1] * power;
   }
+  if (body.is_prestressed()) energy += add_prestress(body, slot, point);
   point.energy = shape.volume * energy;
   return point;
 }

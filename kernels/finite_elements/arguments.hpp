@@ -26,6 +26,7 @@ struct ElementBlock {
   int elements;                 ///< a multiple of slots_per_pack
   const std::uint16_t* corner;  ///< [pack][D + 1][lane] local numbers times point_stride
   const T* shape;               ///< [pack][element_values][lane] [1/m], [m^D]
+  const T* initial_stress;      ///< [pack][component][lane] S0 of (TL.14) [Pa]; null: none
   std::array<const T*, D> displacement;
   PointMaterial<T> material;  ///< whose volumetric modulus counts apart
   T volumetric_modulus;       ///< Lambda of (FE.3) [Pa]

@@ -67,6 +67,18 @@ inline P dilatation(const P (&f)[D * D]) {
   }
 }
 
+/// p += F S0, (TL.14).
+template <class P, int D>
+inline void add_element_prestress(const ElementBlock<Scalar<P>, D>& block, int element,
+                                  const P (&f)[D * D], P (&piola)[D * D]) {
+  constexpr int components = symmetric_components<D>;
+  const int lane = element % slots_per_pack;
+  const Scalar<P>* const first = block.initial_stress + (element - lane) * components + lane;
+  std::array<const Scalar<P>*, components> stress;
+  for (int c = 0; c < components; ++c) stress[c] = first + c * slots_per_pack;
+  add_initial_stress<P, D>(stress, 0, f, piola);
+}
+
 /// The mean of the pressures at the corners.
 template <class P, int D>
 inline P mean_pressure(const ElementBlock<Scalar<P>, D>& block, const ElementLanes<P, D>& at) {
@@ -126,6 +138,7 @@ inline PointForcesResult element_forces_of(const ElementBlock<Scalar<P>, D>& blo
       }
     }
     element_stress<law, P, D>(block, at, f, piola);
+    if (block.initial_stress != nullptr) add_element_prestress<P, D>(block, element, f, piola);
     const P volume = load<P>(at.volume());
 #pragma GCC unroll 9
     for (int c = 0; c < D * D; ++c) piola[c] = volume * piola[c];

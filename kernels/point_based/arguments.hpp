@@ -56,6 +56,8 @@ struct PointForces {
   std::array<const T*, D> load;  ///< [slot] pressure times undeformed area [N]; null: none
   /// E of the last step, read and written; null without viscosity.
   std::array<T*, symmetric_components<D>> strain;
+  /// [slot] S0 of (TL.14) [Pa]; null: none.
+  std::array<const T*, symmetric_components<D>> initial_stress;
   std::array<const T*, D * D> kept;  ///< [slot] D of (PB.14); null: I
   T viscosity;                       ///< beta over the time step, (PB.9)
   bool examine;                      ///< whether to find what PointForcesResult holds

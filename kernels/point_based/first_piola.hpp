@@ -3,6 +3,7 @@
 #include "kernels/cofactor.hpp"
 #include "kernels/law.hpp"
 #include "kernels/point_based/arguments.hpp"
+#include "kernels/second_piola.hpp"
 
 /// First Piola-Kirchhoff stresses of the point-based method, row by row.
 namespace pliant::kernels {
@@ -38,22 +39,6 @@ inline void hooke(const P& lame_modulus, const P& shear_modulus,
   for (int i = 0; i < D; ++i) {
     P& diagonal = s[symmetric_index<D>(i, i)];
     diagonal = fused(lame_modulus, trace, diagonal);
-  }
-}
-
-/// p += F S.
-template <class P, int D>
-inline void add_pulled_back(const P (&f)[D * D], const P (&s)[symmetric_components<D>],
-                            P (&p)[D * D]) {
-#pragma GCC unroll 3
-  for (int i = 0; i < D; ++i) {
-#pragma GCC unroll 3
-    for (int j = 0; j < D; ++j) {
-#pragma GCC unroll 3
-      for (int k = 0; k < D; ++k) {
-        p[D * i + j] = fused(f[D * i + k], s[symmetric_index<D>(k, j)], p[D * i + j]);
-      }
-    }
   }
 }
 

@@ -63,6 +63,9 @@ inline void stress_of_nodes(const PointForces<Scalar<P>, D>& block, std::int64_t
     hooke<P, D>(P(block.material.lame_modulus), P(block.material.shear_modulus), rate, s);
     add_pulled_back<P, D>(f, s, b);
   }
+  if (block.initial_stress[0] != nullptr) {
+    add_initial_stress<P, D>(block.initial_stress, slot, f, b);
+  }
   if (block.kept[0] != nullptr) {
     P p[D * D], transposed[D * D];
 #pragma GCC unroll 9

@@ -75,8 +75,10 @@ struct Motion {
   T time_step;
   Material<T> material;
   CellViscosity<T> viscosity;
-  const T* fraction;      ///< [slot] share of the cell that the body fills; 0 in fitted cells
-  const T* inverse_mass;  ///< [slot], 0 where there is no particle [1/kg]
+  const T* fraction;  ///< [slot] share of the cell that the body fills; 0 in fitted cells
+  /// [slot] S0 of (TL.14) at the stress points [Pa]; null: none.
+  std::array<const T*, symmetric_components<D>> initial_stress;
+  const T* inverse_mass;                 ///< [slot], 0 where there is no particle [1/kg]
   std::array<const T*, D> displacement;  ///< d
   std::array<const T*, D> traction;      ///< force on the particle from outside [N], or nullptr
   std::array<T*, D> internal;            ///< force from the stress points, of this step [N]

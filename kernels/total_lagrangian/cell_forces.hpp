@@ -1,5 +1,6 @@
 #pragma once
 
+#include "kernels/second_piola.hpp"
 #include "kernels/total_lagrangian/cell_energy.hpp"
 #include "kernels/total_lagrangian/corner_modes.hpp"
 

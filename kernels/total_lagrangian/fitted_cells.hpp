@@ -96,6 +96,16 @@ inline void fitted_state(const CellGroup<P, D>& group, const HourglassWeights<P,
   state.complete();
 }
 
+/// (TL.14)
+template <class P, int D>
+inline void add_fitted_prestress(const Motion<Scalar<P>, D>& block, const CellGroup<P, D>& group,
+                                 const CellState<P, D>& state, CellStress<P, D>& stress) {
+  if (block.initial_stress[0] == nullptr) return;
+  P s[symmetric_components<D>];
+  for (int c = 0; c < symmetric_components<D>; ++c) s[c] = group.gather(block.initial_stress[c]);
+  add_pulled_back<P, D>(state.f, s, stress.piola);
+}
+
 /// (RP.22) for the cells of a group.
 template <class P, int D>
 inline P relax_fitted(const Motion<Scalar<P>, D>& block, const CellGroup<P, D>& group,
@@ -163,7 +173,8 @@ void evaluate_fitted_cells(const Motion<Scalar<P>, D>& block, StressPointExtreme
     CellState<P, D> state;
     fitted_state<P, D>(group, weights, slope, inverse, mode, start, state);
     const P pressure = relax_fitted<P, D>(block, group, state);
-    const CellStress<P, D> stress = cell_stress<P, D>(block.material, state, pressure);
+    CellStress<P, D> stress = cell_stress<P, D>(block.material, state, pressure);
+    add_fitted_prestress<P, D>(block, group, state, stress);
     add_fitted_forces<P, D>(block, group, weights, slope, inverse, mode, start, stress);
     if (!block.examine) continue;
     P reverse[D * D];

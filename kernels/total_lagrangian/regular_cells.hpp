@@ -148,7 +148,10 @@ void evaluate_run(const Motion<Scalar<P>, D>& block, const CellRun<D>& run,
     regular_state<P, D>(weights, slope, inside, mode, state);
     const P pressure =
         relax_cells<P, D>(block.viscosity, state, inside, slot, run.own && along >= 0);
-    const CellStress<P, D> stress = cell_stress<P, D>(block.material, state, pressure);
+    CellStress<P, D> stress = cell_stress<P, D>(block.material, state, pressure);
+    if (block.initial_stress[0] != nullptr) {
+      add_initial_stress<P, D>(block.initial_stress, slot, state.f, stress.piola);
+    }
     const P filled = P(volume) * fraction, stiffness = filled * stress.shear;
     const P area = filled * slope;
 #pragma GCC unroll 3

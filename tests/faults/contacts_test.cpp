@@ -45,8 +45,11 @@ const Fault faults[] = {
      "block.toml:16: [[contact]] lacks `bodies`, the two bodies; add bodies = [\"left\", "
      "\"right\"]"},
     {"an_unknown_kind_of_contact", meeting("1.1", pair + "kind = \"sticky\"\n"),
-     R"(block.toml:18: kind must be one of "frictionless", "no_slip", "tied", got "sticky"; )"
+     R"(block.toml:18: kind must be one of "frictionless", "no_slip", "tied", "coulomb", got "sticky"; )"
      "use one of these"},
+    {"coulomb_contact_without_a_coefficient", meeting("1.1", pair + "kind = \"coulomb\"\n"),
+     "block.toml:16: [[contact]] lacks `friction`, coefficient of Coulomb friction (RP.75); add "
+     "friction = 0.3"},
     {"two_contacts_of_one_pair",
      meeting("1.1", pair + "[[contact]]\nbodies = [\"other\", \"block\"]\n"),
      "block.toml:19: bodies \"block\" and \"other\" are in two [[contact]] tables; keep one of "

@@ -5,6 +5,7 @@
 #include "engine/remeshed/contact/momentum_correction.hpp"
 #include "engine/remeshed/observe/integrals.hpp"
 #include "engine/remeshed/solver.hpp"
+#include "tests/engine/case/written_case.hpp"
 #include "tests/invariants/sample_runs.hpp"
 
 // Bodies that meet: what crosses between them, and what does not.
@@ -35,9 +36,11 @@ double momentum_of(Solver& solver, int body, int axis) {
 }
 
 TEST(body_contact, keeps_the_momentum_of_all_bodies_to_rounding) {
-  for (const char* kind : {"frictionless", "no_slip"}) {
+  for (const char* kind : {"frictionless", "no_slip", "coulomb"}) {
     const std::string contacts = std::string("contact=[{ bodies = [\"disc\", \"box\"], kind = \"") +
-                                 kind + "\" }, { bodies = [\"last\", \"box\"] }]";
+                                 kind + "\"" +
+                                 (std::string(kind) == "coulomb" ? ", friction = 0.3" : "") +
+                                 " }, { bodies = [\"last\", \"box\"] }]";
     Solver solver(small_case("two_discs", coarse + Settings{bodies, contacts}),
                   {2, kernels::widest_supported()});
     const double x = momentum(solver, 0), y = momentum(solver, 1);
@@ -108,6 +111,68 @@ TEST(body_contact, force_is_what_changes_the_momentum) {
       EXPECT_NEAR(solver.measure()[0], momentum_of(solver, body, 0) - before, 1e-12) << kind;
     }
   }
+}
+
+/// A block on a block that stands on the ground, both under the stress of their weight, so that
+/// they begin at rest; the upper one starts to the right. mu = 0.2.
+Case block_on_block(const std::string& speed) {
+  const std::string text = R"toml(
+[discretisation]
+spacing = 0.05
+[time]
+end = 1
+[[body]]
+name = "lower"
+geometry = { shape = "box", lower = [0, 0], upper = [2, 0.4] }
+stress = { yy = "-10*(0.4 - y) - (abs(x - 0.9) < 0.3 ? 4 : 0)" }
+material = { model = "linear", youngs_modulus = 1000, poissons_ratio = 0, density = 1 }
+[[body]]
+name = "upper"
+geometry = { shape = "box", lower = [0.6, 0.4], upper = [1.2, 0.8] }
+stress = { yy = "-10*(0.8 - y)" }
+velocity = [)toml" + speed +
+                           R"toml(, 0]
+material = { model = "linear", youngs_modulus = 1000, poissons_ratio = 0, density = 1 }
+[[boundary]]
+name = "ground"
+kind = "fixed"
+geometry = { shape = "half_space", point = [0, 0], normal = [0, 1] }
+[[contact]]
+bodies = ["upper", "lower"]
+kind = "coulomb"
+friction = 0.2
+)toml";
+  return tests::read_text("gravity = [0, -10]\n" + text);
+}
+
+// v = v0 - mu g t: 0.2 m/s are left of 0.4 after 0.1 s (0.21 here, 0.200 with half the spacing). At
+// 0.3 s it stands still, but for what swings in it.
+TEST(body_contact, slows_a_block_that_slides_by_its_friction) {
+  Solver solver(block_on_block("0.4"), {2, kernels::widest_supported()});
+  const double mass = 0.24;
+  advance_until(solver, 0.1);
+  EXPECT_NEAR(momentum_of(solver, 1, 0) / mass, 0.2, 0.03);
+  advance_until(solver, 0.3);
+  EXPECT_NEAR(momentum_of(solver, 1, 0) / mass, 0, 0.03);
+}
+
+// What bounds the shear is the only difference between the three laws.
+TEST(body_contact, with_friction_has_the_other_two_laws_as_limits) {
+  const auto speed_of = [](const std::string& law) {
+    Solver solver(small_case("two_discs", coarse + Settings{bodies,
+                                                            "contact=[{ bodies = [\"disc\", "
+                                                            "\"box\"], " +
+                                                                law + " }]"}),
+                  {2, kernels::widest_supported()});
+    advance_until(solver, 0.2);
+    return momentum_of(solver, 0, 1);
+  };
+  const double slides = speed_of("kind = \"frictionless\""), holds = speed_of("kind = \"no_slip\"");
+  EXPECT_EQ(speed_of("kind = \"coulomb\", friction = 0"), slides);
+  EXPECT_EQ(speed_of("kind = \"coulomb\", friction = 1e6"), holds);
+  const double between = speed_of("kind = \"coulomb\", friction = 0.1");
+  EXPECT_LT(std::min(slides, holds), between);
+  EXPECT_GT(std::max(slides, holds), between);
 }
 
 // Pulled apart: contact lets go, a bond does not.

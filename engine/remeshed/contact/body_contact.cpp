@@ -24,6 +24,8 @@ kernels::InterfaceKind converted(ContactLaw law) {
       return kernels::InterfaceKind::frictionless;
     case ContactLaw::no_slip:
       return kernels::InterfaceKind::no_slip;
+    case ContactLaw::coulomb:
+      return kernels::InterfaceKind::coulomb;
     case ContactLaw::tied:
       break;
   }
@@ -76,7 +78,7 @@ void BodyContact<T, D>::find_tractions(int block, int stage) {
     const int c = contact_points.contact[k];
     const bool is_first = contacts_[c].bodies[0] == owner;
     const Body<T, D>& other = state_.bodies[contacts_[c].bodies[is_first ? 1 : 0]];
-    contact_points.traction[k] = traction(own, other, ghosts, k, contacts_[c].law);
+    contact_points.traction[k] = traction(own, other, ghosts, k, contacts_[c]);
     // On the second body, the mean of what the two sides say.
     const double share = (is_first ? -0.5 : 0.5) * stage_weight[stage] * time_step_;
     Point<D>& impulse = block_impulse_[block * contacts_.size() + c];
@@ -88,7 +90,7 @@ void BodyContact<T, D>::find_tractions(int block, int stage) {
 template <class T, int D>
 std::array<T, D> BodyContact<T, D>::traction(const Body<T, D>& own, const Body<T, D>& other,
                                              const BlockGhosts<T, D>& ghosts, std::size_t point,
-                                             ContactLaw law) const {
+                                             const ContactCase& contact) const {
   constexpr int width = kernels::record_width<D>;
   const ContactPoints<T, D>& contact_points = ghosts.contact_points;
   const std::int32_t g = contact_points.ghost[point];
@@ -100,7 +102,7 @@ std::array<T, D> BodyContact<T, D>::traction(const Body<T, D>& own, const Body<T
     for (int f = 0; f < width; ++f) sum[f] += contact_points.coefficient[i] * record[f];
   }
   // A bond asks nothing of the level sets: what they say at its ends would shake it.
-  const double speed = law == ContactLaw::tied
+  const double speed = contact.law == ContactLaw::tied
                            ? 0
                            : std::min<double>(kernels::wave_speed_at_rest(own.material),
                                               kernels::wave_speed_at_rest(other.material));
@@ -110,7 +112,7 @@ std::array<T, D> BodyContact<T, D>::traction(const Body<T, D>& own, const Body<T
       {{sum.data()}, kernels::Impedance<T>(other.material)},
       kernels::unit_normal<T, D>(fits.linear),
       static_cast<T>(contact_points.gap[point] * speed / (closing_time * own.lattice.spacing)),
-      converted(law));
+      converted(contact.law), static_cast<T>(contact.friction));
   std::array<T, D> result;
   for (int a = 0; a < D; ++a) result[a] = load.normal * load.n[a] + load.shear[a];
   return result;

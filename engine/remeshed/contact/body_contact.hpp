@@ -48,7 +48,7 @@ class BodyContact {
   void find_tractions(int block, int stage);
   std::array<T, D> traction(const Body<T, D>& own, const Body<T, D>& other,
                             const BlockGhosts<T, D>& ghosts, std::size_t point,
-                            ContactLaw law) const;
+                            const ContactCase& contact) const;
 
   State<T, D>& state_;
   const std::vector<ContactCase>& contacts_;

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "engine/lattice/layout_blocks.hpp"
+#include "engine/remeshed/remeshing/moving_lattice.hpp"
 #include "engine/remeshed/remeshing/remesh.hpp"
 #include "engine/remeshed/state.hpp"
 #include "scheduler/workers.hpp"
@@ -26,6 +27,12 @@ class Remeshings {
   void prepare_target(bool reinitialise, bool is_final);
   void commit();
 
+  /// Moves lattices along with contact walls, before the particles move onto them.
+  void move_lattices(State<T, D>& state) { remeshed::move_lattices<T, D>(state, wall_offset_); }
+  /// [wall] where walls were at the last remeshing, less where they were at t = 0 [m].
+  std::vector<Point<D>>& wall_offset() { return wall_offset_; }
+  const std::vector<Point<D>>& wall_offset() const { return wall_offset_; }
+
   /// Of the present slots, and of the new lattices.
   const Layouts<D>& layouts() const { return layouts_; }
   const Layouts<D>& new_layouts() const { return new_layouts_; }
@@ -35,6 +42,7 @@ class Remeshings {
   const Case& settings_;
   scheduler::Workers& workers_;
   Layouts<D> layouts_, new_layouts_;
+  std::vector<Point<D>> wall_offset_;
   std::vector<std::unique_ptr<Remeshing<T, D>>> of_body_;
 };
 

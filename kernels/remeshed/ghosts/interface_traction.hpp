@@ -6,7 +6,17 @@
 namespace pliant::kernels {
 
 /// How an interface answers; the words of case files.
-enum class InterfaceKind { frictionless, no_slip, tied };
+enum class InterfaceKind { frictionless, no_slip, tied, coulomb };
+
+/// (RP.75): a shear of at most `most` [Pa] in the direction of the one that lets nothing slide.
+template <class T, int D>
+void limit_shear(T most, VectorOf<T, D>& shear) {
+  T square = 0;
+  for (const T component : shear) square += component * component;
+  const T held = std::sqrt(square);
+  if (held <= most) return;
+  for (T& component : shear) component *= most / held;
+}
 
 /// One side of an interface: what the linear fit of a body finds at the point.
 template <class T, int D>
@@ -18,10 +28,11 @@ struct InterfaceSide {
 /// (RP.56): the traction on `own`, n its normal, out of it. `closing` is the velocity [m/s] at
 /// which the gap between the surfaces is to vanish, negative where they overlap. None between
 /// surfaces that do not face each other, as those beside the edge of a contact, unless tied.
+/// `friction` is the coefficient of Coulomb's law, read where that is the kind.
 template <class T, int D>
 SurfaceLoad<T, D> interface_traction(const InterfaceSide<T, D>& own,
                                      const InterfaceSide<T, D>& other, const VectorOf<T, D>& n,
-                                     T closing, InterfaceKind kind) {
+                                     T closing, InterfaceKind kind, T friction = 0) {
   VectorOf<T, D> s_n, jump;
   const T own_nn = traction<T, D>(own.surface, n, s_n);
   const T other_nn = traction<T, D>(other.surface, n, s_n);
@@ -52,6 +63,7 @@ SurfaceLoad<T, D> interface_traction(const InterfaceSide<T, D>& own,
     load.shear[i] = resolve(own.impedance.shear_wave, other.impedance.shear_wave, own_tau[i],
                             other_tau[i], jump[i] - opening * n[i]);
   }
+  if (kind == InterfaceKind::coulomb) limit_shear<T, D>(-friction * load.normal, load.shear);
   return load;
 }
 

@@ -5,12 +5,16 @@
 #include <cmath>
 #include <limits>
 
+#include "engine/case/example.hpp"
+#include "engine/case/resolved.hpp"
+#include "engine/method/initial_stress.hpp"
 #include "tests/engine/case/written_case.hpp"
 
 namespace pliant {
 namespace {
 
 using tests::block_case;
+using tests::complaint;
 using tests::read_text;
 using tests::with;
 
@@ -178,6 +182,40 @@ geometry = { shape = "cylinder", centre = [2, 0, 0], radius = 0.1, axis = [0, 0,
   const auto& rotation = *a_case.bodies.at(0).velocity.rotation;
   EXPECT_EQ(rotation.angular_velocity, (Vector{0, 1, 0}));
   EXPECT_EQ(a_case.boundaries.at(0).geometry.axis, (Vector{0, 0, 1}));
+}
+
+TEST(read_case, advice_has_as_many_components_as_the_case) {
+  const std::string box = R"({ shape = "box", lower = [0, 0], upper = [1, 2] })";
+  const std::string solid = "dimension = 3\n" + block_case;
+  const std::string without = with(block_case, ", lower = [0, 0]", "");
+  EXPECT_NE(complaint(without).find("add lower = [0, 0]"), std::string::npos);
+  EXPECT_NE(complaint("dimension = 3\n" + without).find("add lower = [0, 0, 0]"),
+            std::string::npos);
+  EXPECT_NE(complaint(with(solid, box, "1")).find("lower = [0, 0, 0], upper = [1, 1, 1]"),
+            std::string::npos);
+  EXPECT_NE(complaint(with(solid, box, R"({ shape = "union" })")).find(R"(shape = "ball")"),
+            std::string::npos);
+}
+
+TEST(read_case, examples_keep_their_meaning_in_other_dimensions) {
+  EXPECT_EQ(with_components("[0, 1]", 3), "[0, 0, 1]");
+  EXPECT_EQ(with_components("[1, 0.95]", 3), "[1, 1, 0.95]");
+  EXPECT_EQ(with_components(R"([0, "-25*y"])", 3), R"([0, 0, "-25*y"])");
+  EXPECT_EQ(with_components("[0, 0, 1]", 2), "[0, 1]");
+  EXPECT_EQ(with_components(R"({ shape = "half_space", point = [0, 0], normal = [0, 1] })", 3),
+            R"({ shape = "half_space", point = [0, 0, 0], normal = [0, 0, 1] })");
+}
+
+TEST(read_case, a_stress_at_the_start_has_components) {
+  const Case a_case = read_text(block_case + R"toml(stress = { yy = "-4*(2 - y)", xy = 0.5 })toml");
+  const auto stress = initial_stress(a_case.bodies.at(0), {0, 0.5, 0}, 2);
+  EXPECT_EQ(stress[kernels::symmetric_index<3>(1, 1)], -6);
+  EXPECT_EQ(stress[kernels::symmetric_index<3>(0, 1)], 0.5);
+  EXPECT_NEAR(stress[kernels::symmetric_index<3>(2, 2)], -0.3 * 6, 1e-12) << "plane strain";
+  EXPECT_NE(resolved_toml(a_case).find("stress = { xx = 0, yy = \"-4*(2 - y)\", xy = 0.5 }"),
+            std::string::npos);
+  EXPECT_NE(complaint(block_case + "stress = { zz = 1 }").find("unknown key `zz`"),
+            std::string::npos);
 }
 
 TEST(read_case, rotation_in_two_dimensions_is_about_z) {

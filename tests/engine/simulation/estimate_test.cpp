@@ -9,6 +9,7 @@
 
 #include "engine/case/read_case.hpp"
 #include "engine/simulation/methods.hpp"
+#include "tests/engine/case/written_case.hpp"
 
 namespace pliant::test {
 namespace {
@@ -43,6 +44,20 @@ TEST_P(Estimates, of_particles_and_steps_are_within_a_fifth) {
   solver->advance(a_case_.time.end);
   const auto steps = static_cast<double>(solver->clock().step);
   EXPECT_NEAR(static_cast<double>(size.steps), steps, 1 + 0.2 * steps);
+}
+
+// 40/s in a run that is too short for waves to change it: ten steps of at most 2 % strain, where
+// waves ask for one.
+TEST(estimate, knows_the_steps_that_strain_asks_for) {
+  const std::string text = tests::with(tests::block_case, "end = 1", "end = 0.005");
+  const Case slow = tests::read_text(text),
+             fast = tests::read_text(text + R"(velocity = ["-40*x", 0]
+)");
+  const auto solver = methods().make(fast, {});
+  solver->advance(fast.time.end);
+  const auto steps = static_cast<double>(solver->clock().step);
+  EXPECT_GT(steps, 2 * static_cast<double>(estimate(slow).steps));
+  EXPECT_NEAR(static_cast<double>(estimate(fast).steps), steps, 1 + 0.1 * steps);
 }
 
 TEST_P(Estimates, of_time_exist) {

@@ -75,6 +75,26 @@ TEST_F(Watching, watches_the_angular_momentum_of_a_body_that_turns) {
   EXPECT_LT(watch.report().momentum.share, 1e-12);
 }
 
+// Such a run ends inside its first step or after a few, from rest.
+TEST_F(Watching, sees_no_energy_created_in_a_run_of_a_step) {
+  for (const std::string method : {"point_based", "total_lagrangian"}) {
+    const std::string model = method == "point_based" ? "neo_hookean" : "linear";
+    const Case settings =
+        tests::read_text("method = \"" + method + "\"\ngravity = [0, -10]\n" +
+                         tests::with(tests::block_case, "\"linear\"", "\"" + model + "\""));
+    for (const double steps : {0.1, 0.5, 1., 1.5, 2.5, 20.3}) {
+      const auto solver = methods().make(settings, {});
+      Watch short_watch(settings);
+      short_watch.begin(*solver);
+      solver->advance(steps * solver->time_step());
+      const auto after = solver->positions(0);
+      EXPECT_EQ(short_watch.observe(*solver, true), "") << method << " after " << steps;
+      EXPECT_LT(short_watch.report().energy.share, 0.01) << method << " after " << steps;
+      EXPECT_EQ(solver->positions(0), after);
+    }
+  }
+}
+
 TEST_F(Watching, ends_a_run_that_is_no_longer_credible) {
   EXPECT_THROW(seen(3), StepFailure);
   EXPECT_THROW(seen(1.2, "energy = \"stop\""), StepFailure);

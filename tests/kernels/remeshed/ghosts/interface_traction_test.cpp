@@ -85,6 +85,31 @@ TEST(interface_traction, solves_the_riemann_problem_of_two_half_spaces) {
   }
 }
 
+// Coulomb's law is between the two limits: what lets nothing slide, as far as the pressure bears
+// it.
+TEST(interface_traction, has_a_shear_of_at_most_the_friction) {
+  const VectorOf<double, 3> n = oblique<3>();
+  int sliding = 0;
+  for (int trial = 0; trial < 20; ++trial) {
+    const Side<3> a(n, 3, 2), b(negative<3>(n), 5, 1);
+    const auto held =
+        interface_traction<double, 3>(a.view(), b.view(), n, -0.5, InterfaceKind::no_slip);
+    const auto load =
+        interface_traction<double, 3>(a.view(), b.view(), n, -0.5, InterfaceKind::coulomb, 0.3);
+    double shear = 0, holding = 0, along = 0;
+    for (int i = 0; i < 3; ++i) {
+      shear += load.shear[i] * load.shear[i];
+      holding += held.shear[i] * held.shear[i];
+      along += load.shear[i] * held.shear[i];
+    }
+    EXPECT_EQ(load.normal, held.normal);
+    EXPECT_NEAR(std::sqrt(shear), std::min(std::sqrt(holding), -0.3 * held.normal), 1e-14);
+    EXPECT_NEAR(along, std::sqrt(shear * holding), 1e-13);
+    sliding += shear < holding ? 1 : 0;
+  }
+  EXPECT_GT(sliding, 3);
+}
+
 // Normals of tied surfaces lean at the ends of the interface, and say nothing about the bond.
 TEST(interface_traction, is_none_between_surfaces_that_do_not_face_each_other_unless_bonded) {
   const VectorOf<double, 2> n = oblique<2>(), t = {-n[1], n[0]};

@@ -1,0 +1,121 @@
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "engine/simulation/methods.hpp"
+#include "engine/simulation/watch.hpp"
+#include "tests/engine/case/written_case.hpp"
+
+// Bodies that start under stress.
+namespace pliant::test {
+namespace {
+
+/// A hanging bar, 10 x 2 (x 2), fixed at x = 0; its weight asks for sigma_xx = rho g (10 - x).
+Case hanging_bar(const std::string& method, int dimension, const std::string& stress) {
+  const bool is_solid = dimension == 3, has_mesh = method == "finite_elements";
+  const std::string box =
+      is_solid ? "lower = [0, -1, -1], upper = [10, 1, 1]" : "lower = [0, -1], upper = [10, 1]";
+  const std::string mesh = PLIANT_SOURCE_DIR "/cases/cantilever/beam.msh";
+  const std::string shape =
+      has_mesh ? "shape = \"mesh\", file = \"" + mesh + "\"" : "shape = \"box\", " + box;
+  const std::string zero = is_solid ? ", 0, 0]" : ", 0]";
+  return tests::read_text(
+      "dimension = " + std::to_string(dimension) + "\nmethod = \"" + method + "\"\ngravity = [0.1" +
+      zero + "\n[discretisation]\nspacing = 0.5\n[time]\nend = 2\n" +
+      (method == "total_lagrangian" ? "[total_lagrangian]\ndamping = 0\n" : "") +
+      "[[body]]\nname = \"bar\"\ngeometry = { " + shape + " }\nmaterial = { model = \"" +
+      (method == "point_based" || has_mesh ? "neo_hookean" : "linear") +
+      "\", youngs_modulus = 1e5, poissons_ratio = 0.3, density = 1000 }\n" + stress +
+      "[[boundary]]\nname = \"ceiling\"\nkind = \"fixed\"\ngeometry = { shape = "
+      "\"half_space\", point = [0" +
+      zero + ", normal = [1" + zero +
+      " }\n"
+      "[[measurement]]\nname = \"end\"\nkind = \"point_displacement\"\naxis = \"x\"\npoint = [9.5, "
+      "0.25" +
+      (is_solid ? ", 0.25]\n" : "]\n"));
+}
+
+struct Weights : testing::TestWithParam<std::pair<const char*, int>> {};
+
+// The free bar swings by rho g L^2/E = 0.1 m, with a period of 4 s.
+TEST_P(Weights, are_borne_by_a_stress_that_balances_them) {
+  const auto [method, dimension] = GetParam();
+  double moved[2], energy[2];
+  for (const bool is_stressed : {false, true}) {
+    const Case settings =
+        hanging_bar(method, dimension, is_stressed ? "stress = { xx = \"100*(10 - x)\" }\n" : "");
+    const auto solver = methods().make(settings, {});
+    Watch watch(settings);
+    watch.begin(*solver);
+    solver->advance(2);
+    moved[is_stressed] = solver->measure()[0];
+    energy[is_stressed] = solver->integrals().kinetic_energy;
+    EXPECT_EQ(watch.observe(*solver, true), "");
+  }
+  EXPECT_NEAR(moved[0], 0.1, 0.025);
+  EXPECT_LT(std::abs(moved[1]), 0.03 * moved[0]);
+  EXPECT_LT(energy[1], 0.1) << "of 50 J that gravity can give";
+}
+
+INSTANTIATE_TEST_SUITE_P(methods, Weights,
+                         testing::Values(std::pair("remeshed", 2), std::pair("total_lagrangian", 2),
+                                         std::pair("total_lagrangian", 3),
+                                         std::pair("point_based", 2), std::pair("point_based", 3),
+                                         std::pair("finite_elements", 3)),
+                         [](const auto& sample) {
+                           return std::string(sample.param.first) + "_" +
+                                  std::to_string(sample.param.second);
+                         });
+
+// A stiff string with clamped ends swings at sqrt(sigma/rho)/(2 L) (1 + 2 e + (4 + pi^2/2) e^2),
+// e = H/L sqrt(E/((1 - nu^2) 12 sigma)) (Fletcher & Rossing 1998, 2.18.1). Without tension the same
+// bar takes three times as long.
+TEST(initial_stress, of_tension_makes_a_bar_a_string) {
+  for (const std::string method : {"total_lagrangian", "point_based"}) {
+    const Case settings = tests::read_text(
+        "method = \"" + method + "\"\n[discretisation]\nspacing = 0.0125\n[time]\nend = 1\n" +
+        (method == "total_lagrangian" ? "[total_lagrangian]\ndamping = 0\n" : "") +
+        R"toml([[body]]
+name = "bar"
+geometry = { shape = "box", lower = [0, -0.025], upper = [1, 0.025] }
+velocity = [0, "0.01*sin(pi*x)"]
+stress = { xx = 10 }
+material = { model = ")toml" +
+        (method == "point_based" ? "neo_hookean" : "linear") +
+        R"toml(", youngs_modulus = 100, poissons_ratio = 0.3, density = 1 }
+[[boundary]]
+name = "left"
+kind = "fixed"
+geometry = { shape = "half_space", point = [0, 0], normal = [1, 0] }
+[[boundary]]
+name = "right"
+kind = "fixed"
+geometry = { shape = "half_space", point = [1, 0], normal = [-1, 0] }
+[[measurement]]
+name = "middle"
+kind = "point_displacement"
+point = [0.5, 0]
+axis = "y"
+)toml");
+    const auto solver = methods().make(settings, {});
+    const double start = solver->integrals().kinetic_energy;
+    double before = 0, crossing = 0;
+    while (crossing == 0 && solver->clock().time < 1) {
+      const double time = solver->clock().time;
+      solver->step(1);
+      const double now = solver->measure(0);
+      if (before > 0 && now <= 0) {
+        crossing = time + (solver->clock().time - time) * before / (before - now);
+      }
+      before = now;
+    }
+    const double e = 0.05 * std::sqrt(100 / 0.91 / (12 * 10));
+    const double frequency = std::sqrt(10.) / 2 * (1 + 2 * e + (4 + M_PI * M_PI / 2) * e * e);
+    EXPECT_NEAR(1 / (2 * crossing), frequency, 0.02 * frequency) << method;
+    const BodyIntegrals end = solver->integrals();
+    EXPECT_NEAR(end.kinetic_energy + end.strain_energy, start, 0.02 * start) << method;
+  }
+}
+
+}  // namespace
+}  // namespace pliant::test
