@@ -83,18 +83,18 @@ rendered = {
          "--size", "1500", "480"]),
     "cases/organ_cut/result": (
         "cases/organ_cut", [],
-        ["--times", "0.45", "1.2", "--view", "-70", "-15", "--size", "1500", "600", *mm]),
+        ["--times", "0.45", "1.2", "--view", "-70", "-15", "--zoom", "1.8", "--size", "1500", "600", *mm]),
     "docs/tutorial/jelly": (
         "docs/tutorial", [],
         ["--cut", "y", "--walls", "--field", "velocity_z", "--label", "upward velocity [m/s]",
-         "--times", "0", "0.015", "0.06", "--size", "1500", "600"]),
+         "--times", "0", "0.015", "0.06", "--zoom", "1.5", "--size", "1500", "600"]),
     "docs/tutorial/hollow": (
         "docs/tutorial",
         ["body.ball.geometry={ shape = 'difference', of = ["
          "{ shape = 'ball', centre = [0, 0, 0.031], radius = 0.03 }, "
          "{ shape = 'ball', centre = [0, 0, 0.031], radius = 0.016 }] }"],
         ["--cut", "y", "--walls", "--field", "velocity_z", "--label", "upward velocity [m/s]",
-         "--times", "0", "0.015", "0.06", "--size", "1500", "600"]),
+         "--times", "0", "0.015", "0.06", "--zoom", "1.5", "--size", "1500", "600"]),
     "docs/tutorial/organ": (
         "docs/tutorial/organ.toml", [],
         ["--times", "0", "0.4", "0.8", "--view", "-70", "-15", "--size", "1500", "500", *mm]),
