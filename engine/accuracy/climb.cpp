@@ -53,7 +53,7 @@ class Climb {
         continue;
       }
       const RungRun run{folder / fmt::format("{}", r), command_of(problem, series, rung)};
-      const batch::Outcome outcome = outcome_of(run);
+      batch::Outcome outcome = outcome_of(run);
       if (interrupt_.requested()) return;
       if (outcome.exit_status == 2) {
         throw InputError(fmt::format("{}: {}", row.name(), outcome.message));
@@ -86,7 +86,7 @@ class Climb {
     // A run that continued from a checkpoint would seem to take less time.
     std::filesystem::remove_all(run.folder);
     batch::Job job({}, run.folder, run.command);
-    const batch::Outcome outcome = end_of(job, ladders_.time_limit, end_of_child_, interrupt_);
+    batch::Outcome outcome = end_of(job, ladders_.time_limit, end_of_child_, interrupt_);
     if (outcome.exit_status == 0) keep(run, outcome);
     return outcome;
   }

@@ -30,7 +30,7 @@ std::vector<const toml::table*> tables_of(const toml::table& parent, std::string
 }
 
 std::string name_in(const toml::table& table) {
-  const auto name = value_of<std::string>(table, "name", "", "a name");
+  auto name = value_of<std::string>(table, "name", "", "a name");
   if (name.empty()) refuse(table, "there is no `name`", "write name = \"compact\"");
   return name;
 }

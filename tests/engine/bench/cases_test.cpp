@@ -3,6 +3,10 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <map>
+#include <set>
+
+#include "engine/bench/growth.hpp"
 
 namespace pliant::test {
 namespace {
@@ -57,6 +61,22 @@ TEST(bench_cases, an_elastic_block_has_about_the_particles_asked_for) {
     EXPECT_EQ(block.precision, Precision::binary32);
     const double to_a_side = 1 / block.discretisation.spacing + 1;
     EXPECT_NEAR(std::pow(to_a_side, dimension), 100'000, 5'000);
+  }
+}
+
+TEST(bench_growth, has_each_method_in_both_dimensions_up_to_the_largest_size) {
+  const std::vector<bench::Row> rows = bench::growth_rows(100'000, 2);
+  std::map<std::pair<std::string, int>, int> sizes;
+  std::set<std::string> names;
+  for (const bench::Row& row : rows) {
+    ++sizes[{row.settings.method, row.settings.dimension}];
+    names.insert(row.name());
+  }
+  EXPECT_EQ(names.size(), rows.size());
+  for (const int dimension : {2, 3}) {
+    EXPECT_EQ((sizes[{"remeshed", dimension}]), 2) << dimension;
+    EXPECT_EQ((sizes[{"total_lagrangian", dimension}]), 4) << dimension;  // in both precisions
+    EXPECT_EQ((sizes[{"point_based", dimension}]), 4) << dimension;
   }
 }
 
