@@ -1,6 +1,8 @@
 #include "engine/point_based/step.hpp"
 
 #include <algorithm>
+#include <array>
+#include <numeric>
 
 #include "engine/method/phase_rows.hpp"
 #include "engine/point_based/degenerate_nodes.hpp"
@@ -234,16 +236,20 @@ double Step<T, D>::inertia(int block) {
   if (state_.clock.damping == 0) return 0;
   const auto [body, local] = owner(block);
   const NodeBlock& range = body.blocks[local];
-  double sum = 0;
-  for (std::int64_t slot = range.first; slot < range.first + range.nodes; ++slot) {
-    double square = 0;
-    for (int a = 0; a < D; ++a) {
-      const double u = body.velocity[a][slot];
-      square += u * u;
+  // One sum would wait for itself.
+  constexpr int lanes = kernels::slots_per_pack;
+  std::array<double, lanes> sum = {};
+  for (std::int64_t slot = range.first; slot < range.first + range.count; slot += lanes) {
+    for (int l = 0; l < lanes; ++l) {
+      double square = 0;
+      for (int a = 0; a < D; ++a) {
+        const double u = body.velocity[a][slot + l];
+        square += u * u;
+      }
+      sum[l] += body.mass[slot + l] * square;
     }
-    sum += body.mass[slot] * square;
   }
-  return sum;
+  return std::accumulate(sum.begin(), sum.end(), 0.);
 }
 
 template class Step<double, 2>;

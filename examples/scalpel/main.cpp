@@ -14,8 +14,8 @@ namespace {
 
 constexpr double frame_time = 1. / 60;  // [s]
 
-/// 25 x 22 x 22 nodes at the spacing of 4.5 mm, stretched by walls left and right, so that cuts
-/// open.
+/// 24 x 23 x 22 nodes at the spacing of 4.5 mm, stretched by walls left and right, so that cuts
+/// open. Sides are whole numbers of spacings: nodes lie on the surface, where walls hold them.
 pliant::CaseFile tissue(double spacing) {
   pliant::CaseFile tissue;
   tissue.set("dimension", 3).set("method", "point_based").set("precision", "single");
@@ -23,14 +23,17 @@ pliant::CaseFile tissue(double spacing) {
   tissue.set("material.tissue", R"({ model = "neo_hookean", density = 1000,
                                      youngs_modulus = 10e3, poissons_ratio = 0.45 })");
   tissue.add("body", "tissue").set("body.tissue.material", "tissue");
-  tissue.set("body.tissue.geometry", R"({ shape = "box", lower = [0, 0, 0],
-                                          upper = [0.1149, 0.1014, 0.1014] })");
-  for (const std::string side : {"left", "right"}) {
-    const std::string key = "boundary." + side, sign = side == "left" ? "-" : "";
-    tissue.add("boundary", side).set(key + ".kind", "moving_wall");
-    const std::string plane =
-        side == "left" ? "0.002, 0, 0], normal = [1" : "0.1129, 0, 0], normal = [-1";
-    tissue.set(key + ".geometry", "{ shape = \"half_space\", point = [" + plane + ", 0, 0] }");
+  const auto side = [spacing](double length) { return spacing * std::round(length / spacing); };
+  const double width = side(0.1035);
+  tissue.set("body.tissue.geometry", R"({ shape = "box", lower = [0, 0, 0] })");
+  tissue.set("body.tissue.geometry.upper", {width, side(0.099), side(0.0945)});
+  for (const std::string wall : {"left", "right"}) {
+    const bool is_left = wall == "left";
+    const std::string key = "boundary." + wall, sign = is_left ? "-" : "";
+    tissue.add("boundary", wall).set(key + ".kind", "moving_wall");
+    tissue.set(key + ".geometry", R"({ shape = "half_space" })");
+    tissue.set(key + ".geometry.point", {is_left ? 0. : width, 0, 0});
+    tissue.set(key + ".geometry.normal", {is_left ? 1. : -1., 0, 0});
     tissue.set(key + ".displacement", "[\"" + sign + "0.005*min(t/0.3, 1)\", 0, 0]");
   }
   // The session moves the blade; it says from where to where.

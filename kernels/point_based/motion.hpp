@@ -1,7 +1,7 @@
 #pragma once
 
 #include "kernels/pack.hpp"
-#include "kernels/point_based/arguments.hpp"
+#include "kernels/point_based/point_lanes.hpp"
 
 namespace pliant::kernels {
 
@@ -13,29 +13,29 @@ void advance_points(const PointMotion<Scalar<P>, D>& block) {
     const CollectedForces<T>& from = block.collected[c];
     for (int i = 0; i < from.count; ++i) {
       T* to = block.force + point_stride * (from.slot[i] - block.first);
-      for (int a = 0; a < point_stride; ++a) to[a] += from.force[point_stride * i + a];
+      T sum[point_stride];  // so that the compiler takes all of them at once
+      for (int a = 0; a < point_stride; ++a) sum[a] = to[a] + from.force[point_stride * i + a];
+      for (int a = 0; a < point_stride; ++a) to[a] = sum[a];
     }
   }
-  alignas(64) T lane[D][slots_per_pack];
-  for (int local = 0; local < block.count; local += slots_per_pack) {
-    for (int l = 0; l < slots_per_pack; ++l) {
-      for (int a = 0; a < D; ++a) lane[a][l] = block.force[point_stride * (local + l) + a];
-    }
-    for (int l = 0; l < slots_per_pack; l += lanes<P>) {
-      const std::int64_t slot = block.first + local + l;
-      const P inverse_mass = load<P>(block.inverse_mass + slot);
-      const auto exists = inverse_mass > P(T(0));
-      for (int a = 0; a < D; ++a) {
-        P force = P::load_aligned(&lane[a][l]);
-        if (block.external[a] != nullptr) force = force + load<P>(block.external[a] + slot);
-        const P pull =
-            xsimd::select(exists, fused(force, inverse_mass, P(block.gravity[a])), P(T(0)));
-        const P u = load<P>(block.velocity[a] + slot);
-        const P next = fused(P(block.gained), pull, P(block.kept) * u);
-        next.store_unaligned(block.velocity[a] + slot);
-        fused(P(block.drift), next, load<P>(block.displacement[a] + slot))
-            .store_unaligned(block.displacement[a] + slot);
-      }
+  std::uint16_t place[lanes<P>];
+  for (int l = 0; l < lanes<P>; ++l) place[l] = static_cast<std::uint16_t>(point_stride * l);
+  for (int local = 0; local < block.count; local += lanes<P>) {
+    const std::int64_t slot = block.first + local;
+    P force[D];
+    PointLanes<P, D>::gather(block.force + point_stride * local, place, force);
+    const P inverse_mass = load<P>(block.inverse_mass + slot);
+    const auto exists = inverse_mass > P(T(0));
+#pragma GCC unroll 3
+    for (int a = 0; a < D; ++a) {
+      if (block.external[a] != nullptr) force[a] = force[a] + load<P>(block.external[a] + slot);
+      const P pull =
+          xsimd::select(exists, fused(force[a], inverse_mass, P(block.gravity[a])), P(T(0)));
+      const P u = load<P>(block.velocity[a] + slot);
+      const P next = fused(P(block.gained), pull, P(block.kept) * u);
+      next.store_unaligned(block.velocity[a] + slot);
+      fused(P(block.drift), next, load<P>(block.displacement[a] + slot))
+          .store_unaligned(block.displacement[a] + slot);
     }
   }
 }
