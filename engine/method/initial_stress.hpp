@@ -36,11 +36,11 @@ double poissons_ratio(const BodyCase& body);
 /// and what it adds to the Cauchy stress, F S0 F^T/J (TL.14). `f` row by row.
 template <int D>
 struct LastingStress {
-  double energy = 0;                                            ///< [Pa]
-  std::array<double, kernels::symmetric_components<D>> stress;  ///< [Pa]
+  double energy = 0;                                                 ///< [Pa]
+  std::array<double, kernels::symmetric_components<D>> stress = {};  ///< [Pa]
 
   template <class S>
-  LastingStress(const S& s0, const std::array<double, D * D>& f, double volume_ratio) : stress{} {
+  LastingStress(const S& s0, const std::array<double, D * D>& f, double volume_ratio) {
     const auto s = [&s0](int i, int j) -> double { return s0[kernels::symmetric_index<D>(i, j)]; };
     for (int i = 0; i < D; ++i) {
       for (int j = 0; j < D; ++j) {
