@@ -62,6 +62,16 @@ TEST(Session, a_blade_that_was_lifted_leaves_what_lies_between_two_cuts_whole) {
   EXPECT_EQ(2, simulation.measurement("parts"));
 }
 
+TEST(Session, tells_the_force_of_a_blade) {
+  CaseFile block = flying_block();
+  block.set("cut.scalpel.resistance", 10);
+  Simulation simulation(block, one_thread());
+  EXPECT_EQ(0, simulation.blade_force("scalpel")[1]);
+  cut(simulation, 0, 6);
+  EXPECT_GT(simulation.blade_force("scalpel")[1], 0);
+  EXPECT_THROW(simulation.blade_force("knife"), InputError);
+}
+
 TEST(Session, that_is_played_again_gives_the_same_bits) {
   for (const std::string method : {"point_based", "remeshed"}) {
     Simulation simulation(flying_block(method), one_thread());
