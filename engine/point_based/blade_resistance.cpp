@@ -11,8 +11,9 @@ namespace pliant::point_based {
 namespace {
 
 // Marks are no farther apart than half of H along the edge and a quarter of H on its way, so that
-// each place between them is within 0.3 H of one; what lies `ahead` of the edge is not.
-constexpr double longest_segment = 0.5, longest_way = 0.25, mark_reach = 0.3, ahead = 0.4;  // [H]
+// each place between them is within 0.3 H of one; what lies `way_ahead` before the edge is not.
+constexpr double longest_segment = 0.5, longest_way = 0.25, mark_reach = 0.3,
+                 way_ahead = 0.4;  // [H]
 
 template <std::size_t N>
 double vector_length(const std::array<double, N>& v) {
@@ -110,7 +111,7 @@ void BladeResistance<T, D>::follow(const Station& before, const Station& now,
     for (int a = 0; a < D; ++a) way[a] -= sliding * segment.along[a];
     const double length = vector_length(way);
     if (length == 0) continue;
-    for (int a = 0; a < D; ++a) next[a] += ahead * tissue.size / length * way[a];
+    for (int a = 0; a < D; ++a) next[a] += way_ahead * tissue.size / length * way[a];
     segment.is_new = !tissue.swept.is_cut(next);
   }
   for (const Segment& segment : segments) {

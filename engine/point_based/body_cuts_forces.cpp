@@ -1,19 +1,24 @@
+#include <algorithm>
+
 #include "engine/case/blade_track.hpp"
 #include "engine/point_based/body_cuts.hpp"
 
 // The forces of blades, (PB.18), and of cut faces on each other, (PB.20). The case says how fast
 // its blades move in a step. A caller says only where a blade is: it moves on for as long as it
-// took to come there, at the mean velocity of that time.
+// took to come there, at the mean velocity of that time. What it has still to go when it is put
+// elsewhere is added to its next way.
 namespace pliant::point_based {
 
 template <class T, int D>
 void BodyCuts<T, D>::resist(Blade& blade, const Station& station, double time) {
   const bool begins = blade.cut < 0;
   const double taken = time - blade.moved;
-  blade.velocity.assign(station.size(), {});
+  const double left = std::max(0., blade.moves_until - time);
+  if (begins) blade.velocity.assign(station.size(), {});
   for (std::size_t k = 0; !begins && taken > 0 && k < station.size(); ++k) {
     for (int a = 0; a < D; ++a) {
-      blade.velocity[k][a] = (station[k][a] - blade.station[k][a]) / taken;
+      double& velocity = blade.velocity[k][a];
+      velocity = (station[k][a] - blade.station[k][a] + left * velocity) / taken;
     }
   }
   blade.moves_until = time + taken;

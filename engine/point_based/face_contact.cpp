@@ -14,9 +14,10 @@ namespace {
 constexpr int contact_sweeps = 4;  // of Gauss-Seidel, as nodes belong to several points
 constexpr int most_tries = 32;     // moves after which a point belongs to a rim
 constexpr double far_apart = 4;    // faces that do not meet [H]
-constexpr double deepest = 1;      // of a point behind a face; beyond it there is another place [H]
-constexpr double far_slid = 0.5;   // faces whose lower nodes are found anew [H]
-constexpr int attempts = 3;        // to find them
+constexpr double deepest_overlap =
+    1;                            // of a point behind a face; beyond it there is another place [H]
+constexpr double far_slid = 0.5;  // faces whose lower nodes are found anew [H]
+constexpr int attempts = 3;       // to find them
 
 /// Unit vectors normal to each other and to `n`.
 std::array<Point<2>, 1> tangents_of(const Point<2>& n) { return {Point<2>{-n[1], n[0]}}; }
@@ -103,7 +104,7 @@ auto FaceContact<T, D>::opposite(const Body<T, D>& body, const Point<D>& upper,
   Opposite found{normal_of(tangent), 0, {}};
   if (to_unit_length<D>(found.normal) == 0) return std::nullopt;
   found.gap = column<D>(found.normal).dot(apart);
-  if (found.gap >= 0 || found.gap < -deepest * size_) return std::nullopt;
+  if (found.gap >= 0 || found.gap < -deepest_overlap * size_) return std::nullopt;
   Eigen::Map<Eigen::Matrix<double, D - 1, 1>>(found.slid.data()) =
       (frame.transpose() * frame).ldlt().solve(frame.transpose() * apart);
   return found;

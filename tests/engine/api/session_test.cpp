@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <fstream>
 #include <pliant/pliant.hpp>
 #include <string>
@@ -61,6 +62,20 @@ TEST(Session, a_blade_that_was_lifted_leaves_what_lies_between_two_cuts_whole) {
   simulation.lift_blade("scalpel");
   cut(simulation, 3, 8);
   EXPECT_EQ(2, simulation.measurement("parts"));
+}
+
+TEST(Session, tells_the_force_of_a_blade) {
+  CaseFile block = flying_block();
+  block.set("cut.scalpel.resistance", 10);
+  Simulation simulation(block, one_thread());
+  EXPECT_EQ(0, simulation.blade_force("scalpel")[1]);
+  double largest = 0;
+  for (int frame = 0; frame < 10; ++frame) {
+    cut(simulation, frame, frame + 1);
+    largest = std::max(largest, simulation.blade_force("scalpel")[1]);
+  }
+  EXPECT_NEAR(10, largest, 0.1);
+  EXPECT_THROW(simulation.blade_force("knife"), InputError);
 }
 
 TEST(Session, that_is_played_again_gives_the_same_bits) {

@@ -103,10 +103,11 @@ TEST(face_contact, changes_no_momentum_and_adds_no_energy) {
 
 TEST(face_contact, gives_the_same_bytes_over_threads_and_after_a_restart) {
   const TemporaryFolder folder;
-  const Case settings = tests::read_text(
-      free_points(3) + colliding_halves + ", 0]\n" + "[point_based]\ncut_contact = 0.2\n" +
-          dividing_blade(3),
-      {"time.end=0.2", "output.every=0.06", "cut.blade.end=0.1", "cut.blade.path=[\"16*t\", 0, 0]"});
+  const Case settings =
+      tests::read_text(free_points(3) + colliding_halves + ", 0]\n" +
+                           "[point_based]\ncut_contact = 0.2\n" + dividing_blade(3),
+                       {"time.end=0.2", "output.every=0.06", "cut.blade.end=0.1",
+                        "cut.blade.path=[\"16*t\", 0, 0]"});
   const FileContent one = result_of(settings, folder / "one", 1);
   EXPECT_EQ(result_of(settings, folder / "two", 2), one);
   EXPECT_EQ(result_of(settings, folder / "one", 2, true), one);
