@@ -23,7 +23,7 @@ std::filesystem::path kept_file(const RungRun& run) {
   return file;
 }
 
-double value_of(const batch::Outcome& outcome, const std::string& measurement) {
+double measured_value(const batch::Outcome& outcome, const std::string& measurement) {
   for (const auto& one : outcome.measurements) {
     if (one.name == measurement) return one.value;
   }
@@ -75,7 +75,7 @@ void add(RungRecord& record, const batch::Outcome& outcome, const std::vector<Ta
   record.values.clear();
   record.error = 0;
   for (const Target& target : targets) {
-    const double value = value_of(outcome, target.measurement);
+    const double value = measured_value(outcome, target.measurement);
     record.values.emplace_back(target.measurement, value);
     const double error = std::abs(value - target.reference) / target.scale;
     if (std::isnan(error)) {
