@@ -75,8 +75,6 @@ void prepare_slots(Body<T, D>& body, int block) {
       for (std::size_t buffer = 1; buffer < body.stage.size(); ++buffer) {
         for (Buffer<T>& component : body.stage[buffer][Field::drift]) clear(component);
         for (Buffer<T>& component : body.stage[buffer][Field::velocity]) clear(component);
-        std::copy_n(body.stage[0].get(Field::volume) + p, pack,
-                    body.stage[buffer].get(Field::volume) + p);
       }
       for (int c = 0; c < kernels::symmetric_components<D>; ++c) clear(body.stress_component(1, c));
     }

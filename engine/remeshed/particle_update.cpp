@@ -1,5 +1,7 @@
 #include "engine/remeshed/particle_update.hpp"
 
+#include <cmath>
+
 #include "engine/remeshed/parameters.hpp"
 #include "engine/remeshed/particle_kinds.hpp"
 #include "engine/remeshed/resources.hpp"
@@ -15,6 +17,14 @@ namespace {
 /// A copy of the state, Q of (RP.21), in all slots.
 Resources state(int copy) {
   return slots(Group::drift, copy) + slots(Group::velocity, copy) + slots(Group::material, copy);
+}
+
+/// Ghosts have v = h^d whenever a gradient reads it, as when they are remeshed.
+template <class T, int D>
+void give_ghosts_a_cell(Body<T, D>& body, int block) {
+  const T volume = static_cast<T>(std::pow(body.lattice.spacing, D));
+  T* v = body.stage[0].get(Field::volume);
+  for (const std::int32_t slot : body.population.ghosts[block].slot) v[slot] = volume;
 }
 
 }  // namespace
@@ -45,8 +55,7 @@ Accesses read_by_evaluate_stress() {
 Accesses written_by_evaluate_stress() {
   return own(slots(Group::stress, 0) + slots(Group::stress, 1) + slots(Group::drift, 1) +
              slots(Group::velocity, 1) + slots(Group::drift, 2) + slots(Group::velocity, 2) +
-             ghosts(Group::material, 1) + ghosts(Group::material, 2) + whole(Group::interior) +
-             whole(Group::results));
+             ghosts(Group::material) + whole(Group::interior) + whole(Group::results));
 }
 
 template <class T, int D>
@@ -135,6 +144,7 @@ kernels::StageResult ParticleUpdate<T, D>::evaluate_stress(int block) {
   work.state = body.stage[0].template evolving<const T>();
   work.stress = body.stress_view(0);
   prepare_slots(body, local);
+  if (reads_volumes(settings_)) give_ghosts_a_cell(body, local);
   work.viscosity = body.viscosity();
   return kernels_.evaluate_stress(work);
 }

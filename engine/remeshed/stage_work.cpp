@@ -9,6 +9,18 @@
 
 namespace pliant::remeshed {
 
+namespace {
+
+/// Ghosts keep their volume within a step; the gradients of the next stage read it there, (RP.19).
+template <class T, int D>
+void hand_volumes_on(Body<T, D>& body, int block, int stage) {
+  const T* volume = body.stage[buffer_of(stage)].get(Field::volume);
+  T* next = body.stage[buffer_after(stage)].get(Field::volume);
+  for (const std::int32_t slot : body.population.ghosts[block].slot) next[slot] = volume[slot];
+}
+
+}  // namespace
+
 template <class T, int D>
 void StageWork<T, D>::prepare(double time_step) {
   time_step_ = time_step;
@@ -96,6 +108,7 @@ void StageWork<T, D>::advance(int block, int stage) {
   results_[block] = particles_.advance(block, stage);
   const auto [body, local] = state_.owner(block);
   keep_on_fits(body, local, stage, time_step_);
+  if (reads_volumes(settings_)) hand_volumes_on(body, local, stage);
 }
 
 template <class T, int D>

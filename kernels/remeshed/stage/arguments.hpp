@@ -53,12 +53,11 @@ struct SymmetricPairs {
 /// One Runge-Kutta stage of one block, (RP.13) by (RP.20) or (RP.19) and (RP.21): gradients of
 /// velocity and stress, rates, update, and the stress of the new state.
 ///
-/// Reads drift, velocity and stress of `current` also in neighbouring blocks, and for (RP.19) the
-/// volume. Writes `next`
-/// and `next_stress` in packs with interior particles; their other slots get zero rates but for the
-/// drift, which follows their velocity. In packs of ghosts the displacement alone is
-/// written, in vacant ones nothing. Three copies of the state serve all stages: in stage 2 `next`
-/// may be `second`, in stage 3 (the last) `start`.
+/// Reads drift, velocity and stress of `current` also in neighbouring blocks, for (RP.19) the
+/// volume. Writes `next` and `next_stress` in packs with interior particles; their other slots get
+/// zero rates but for the drift, which follows their velocity. In packs of ghosts the displacement
+/// alone is written, in vacant ones nothing. Three copies of the state
+/// serve all stages: in stage 2 `next` may be `second`, in stage 3 (the last) `start`.
 template <class T, int D>
 struct Stage {
   const Segment<D>* segments;

@@ -133,6 +133,11 @@ reinitialise_every = 20
 [ghosts]
 treatment = "linear"
 
+[remeshed]
+gradient = "moment_matrix"
+reinitialisation = "closest_point"
+determinant = "from_density"
+
 [[body]]
 name = "block"
 geometry = { shape = "box", lower = [0, 0], upper = [1, 2] }
