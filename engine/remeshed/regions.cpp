@@ -1,5 +1,7 @@
 #include "engine/remeshed/regions.hpp"
 
+#include <cstddef>
+
 #include "engine/remeshed/resources.hpp"
 
 namespace pliant::remeshed {
@@ -29,7 +31,8 @@ class RegionSearch {
     Population<T, D>& population = body_.population;
     if (wanted_.group == Group::kinds) add_kinds(population);
     if (wanted_.group == Group::image_sources) add(population.images[block_]);
-    add_ghosts(population);
+    // In the second graph of a remeshing the lists of ghosts are those of the new lattice already.
+    if (block_ < std::ssize(population.ghosts)) add_ghosts(population);
     add_neighbours();
   }
 
@@ -60,7 +63,7 @@ class RegionSearch {
         add(body_.record_of_slot.get(), population.layout.slots());
         break;
       case Group::surface_packs:
-        add(population.ghosts[block_].packs);
+        add_packs(population.ghosts[block_]);
         break;
       case Group::new_fits:
         add_lists(population.ghosts[block_]);
@@ -151,6 +154,12 @@ class RegionSearch {
     BlockGhosts<T, D>::for_each_list([&](Field, auto list) { add(ghosts.*list); });
   }
 
+  // Their padding may hold anything.
+  void add_packs(BlockGhosts<T, D>& ghosts) {
+    constexpr std::size_t size = offsetof(kernels::SurfacePack, lanes) + sizeof(std::uint16_t);
+    for (kernels::SurfacePack& pack : ghosts.packs) add(reinterpret_cast<std::byte*>(&pack), size);
+  }
+
   void add_ghosts(Population<T, D>& population) {
     BlockGhosts<T, D>& ghosts = population.ghosts[block_];
     BlockGhosts<T, D>::for_each_list([&](Field field, auto list) {
@@ -159,7 +168,7 @@ class RegionSearch {
     ContactPoints<T, D>::for_each_list([&](Field field, auto list) {
       if (is_wanted(field)) add(ghosts.contact_points.*list);
     });
-    if (is_wanted(Field::surface_pack)) add(ghosts.packs);
+    if (is_wanted(Field::surface_pack)) add_packs(ghosts);
     const std::size_t first = ghosts.first_record, count = ghosts.record_count;
     if (is_wanted(Field::record_slot)) add(population.slot_of_record.data() + first, count);
     if (is_wanted(Field::surface_distance)) add(population.surface_distance.data() + first, count);

@@ -31,8 +31,10 @@ using scheduler::undeclared_accesses;
 using Region = std::span<std::byte>;
 
 /// Groups whose memory holds integers, which cannot be disturbed.
-constexpr std::array integers = {Group::kinds, Group::image_sources, Group::fits,
-                                 Group::contact_points, Group::neighbour_lists};
+constexpr std::array integers = {
+    Group::kinds,           Group::image_sources, Group::fits,     Group::contact_points,
+    Group::neighbour_lists, Group::new_kinds,     Group::new_fits, Group::used,
+    Group::surface_packs,   Group::record_numbers};
 
 void add(Region region, bool are_numbers, FieldMemory& memory) {
   if (are_numbers) {
@@ -52,15 +54,50 @@ void add(const std::vector<Region>& regions, Group group, FieldMemory& memory) {
   }
 }
 
-/// The graphs of a remeshing number the blocks of two lattices: they are left out.
+bool has_phase(const StepGraph& graph, std::string_view name) {
+  return std::ranges::any_of(graph.phases(),
+                             [name](const auto& phase) { return phase.name == name; });
+}
+
+/// Whether a group belongs to the new lattice of a remeshing.
+bool is_new(Group group) { return group >= Group::new_state && group != Group::particle_counts; }
+
+/// Of the graphs of steps, whose blocks are those of the present lattice.
 template <int D>
 void add_memory(remeshed::State<double, D>& state, const StepGraph& graph, FieldId field,
                 BlockId block, FieldMemory& memory) {
-  const bool is_of_remeshing = std::ranges::any_of(
-      graph.phases(), [](const auto& phase) { return phase.name.starts_with("remesh: "); });
+  const bool is_of_remeshing =
+      has_phase(graph, "remesh: layout") || has_phase(graph, "remesh: kinds");
   const Group group = remeshed::resource_numbers[field].group;
-  const bool is_new = group >= Group::new_state && group != Group::particle_counts;
-  if (!is_of_remeshing && !is_new) add(remeshed::regions(state, field, block), group, memory);
+  if (!is_of_remeshing && !is_new(group)) {
+    add(remeshed::regions(state, field, block), group, memory);
+  }
+}
+
+/// Of the two graphs of a remeshing. The blocks of the second are those of the new lattice: each
+/// gets the old ones that have its number, counted round and round. The stages of a step are of no
+/// meaning then, and the second graph has taken the lists of ghosts.
+template <int D>
+void add_memory_of_remeshing(remeshed::State<double, D>& state, const StepGraph& graph,
+                             FieldId field, BlockId block, FieldMemory& memory) {
+  const auto [group, copy, part] = remeshed::resource_numbers[field];
+  const bool is_second = has_phase(graph, "remesh: kinds");
+  if (!is_second && !has_phase(graph, "remesh: layout")) return;
+  if (is_new(group)) {
+    if (is_second) add(remeshed::regions(state, field, block), group, memory);
+    return;
+  }
+  constexpr std::array old_state = {Group::kinds,    Group::drift,     Group::velocity,
+                                    Group::material, Group::constants, Group::memory};
+  const bool is_gone = is_second && std::ranges::find(old_state, group) == old_state.end();
+  if (copy != 0 || is_gone) return;
+  int old_blocks = 0;
+  for (const auto& body : state.bodies) {
+    old_blocks += static_cast<int>(body.population.layout.blocks().size());
+  }
+  for (int b = block; b < old_blocks; b += graph.blocks().count()) {
+    add(remeshed::regions(state, field, b), group, memory);
+  }
 }
 
 std::string text(const std::vector<scheduler::UndeclaredAccess>& accesses) {
@@ -83,12 +120,65 @@ std::string undeclared(const Case& settings, int steps) {
   }));
 }
 
+/// Steps to the end of the first remeshing after the start.
+int steps_to_remeshing(const Case& settings) {
+  Solver solver(settings, {.threads = 1});
+  int steps = 0;
+  for (const auto start = solver.remeshings(); solver.remeshings() == start; ++steps) {
+    solver.step(HUGE_VAL);
+  }
+  return steps;
+}
+
 struct Accesses : OfSampleRuns {};
 INSTANTIATE_TEST_SUITE_P(runs, Accesses, testing::ValuesIn(sample_runs()), name_of);
 INSTANTIATE_TEST_SUITE_P(listed_runs, Accesses, testing::ValuesIn(listed_runs()), name_of);
 
 TEST_P(Accesses, of_a_step_are_declared) {
   EXPECT_EQ(undeclared<Solver>(GetParam().settled(), GetParam().middle), "");
+}
+
+/// Free surfaces, walls, periods and contact, with a few blocks each and remeshed in the second
+/// step.
+std::vector<SampleRun> remeshed_runs() {
+  const Settings disc = {"discretisation.spacing=0.1", "time.step=1e-3", "remeshing.every=2",
+                         "remeshing.filter=0.2"};
+  const Settings block = {"discretisation.spacing=1/8", "time.step=1e-4", "remeshing.every=2"};
+  const Settings cell = {"discretisation.spacing=1/16", "remeshing.every=2"};
+  const Settings ball = {
+      "dimension=2",
+      "discretisation.spacing=0.05",
+      "time.step=5e-4",
+      "remeshing.every=2",
+      "body.ball.geometry={ shape = \"disc\", centre = [0, 0.28], radius = 0.28 }",
+      "body.ball.velocity=[0, -1]",
+      "boundary.wall.geometry={ shape = \"half_space\", point = [0, 0], normal = [0, 1] }",
+      "measurement.height.point=[0, 0.25]",
+      "measurement.height.direction=[0, 1]"};
+  const Settings discs = {"discretisation.spacing=0.1", "time.step=2e-3", "remeshing.every=2"};
+  return {{"disc", "rotating_cylinder", disc, 0},
+          {"compression", "compression_hyperelastic", block, 0},
+          {"periodic", "periodic_square", cell, 0},
+          {"contact_wall", "bouncing_ball", ball, 0},
+          {"two_discs", "two_discs", discs, 0}};
+}
+
+struct RemeshingAccesses : OfSampleRuns {};
+INSTANTIATE_TEST_SUITE_P(runs, RemeshingAccesses, testing::ValuesIn(remeshed_runs()), name_of);
+
+TEST_P(RemeshingAccesses, are_declared) {
+  const Case settings = GetParam().settled();
+  const int steps = steps_to_remeshing(settings);
+  const auto accesses = undeclared_accesses([&](AccessProbe& probe) {
+    Solver solver(settings, {.threads = 1});
+    for (int step = 1; step < steps; ++step) solver.step(HUGE_VAL);
+    probe.watch(solver.workers(),
+                [&](const StepGraph& graph, FieldId field, BlockId block, FieldMemory& memory) {
+                  add_memory_of_remeshing(solver.state(), graph, field, block, memory);
+                });
+    solver.step(HUGE_VAL);
+  });
+  EXPECT_EQ(text(accesses), "");
 }
 
 // A ball of a dozen particles that falls onto a contact wall.
