@@ -12,28 +12,13 @@
 #include <cstdlib>
 #include <string_view>
 
-#include "engine/output/error.hpp"
+#include "engine/output/descriptor.hpp"
 
 namespace pliant::batch {
 
 namespace {
 
 constexpr std::string_view parent_variable = "PLIANT_PARENT=";
-
-class Descriptor {
- public:
-  Descriptor(const std::filesystem::path& path, int flags)
-      : number_(::open(path.c_str(), flags | O_CLOEXEC, 0666)) {
-    if (number_ < 0) throw OutputError::system(path, "open it", errno);
-  }
-  Descriptor(const Descriptor&) = delete;
-  Descriptor& operator=(const Descriptor&) = delete;
-  ~Descriptor() { ::close(number_); }
-  int number() const { return number_; }
-
- private:
-  int number_;
-};
 
 /// What a child does before it becomes another program.
 class SpawnSettings {

@@ -6,26 +6,10 @@
 #include <cerrno>
 #include <system_error>
 
-#include "engine/output/error.hpp"
+#include "engine/output/descriptor.hpp"
 
 namespace pliant {
 namespace {
-
-class Descriptor {
- public:
-  Descriptor(const std::filesystem::path& path, int flags)
-      : number_(::open(path.c_str(), flags | O_CLOEXEC, 0666)) {
-    if (number_ < 0) throw OutputError::system(path, "open it", errno);
-  }
-  Descriptor(const Descriptor&) = delete;
-  Descriptor& operator=(const Descriptor&) = delete;
-  ~Descriptor() { ::close(number_); }
-
-  int number() const { return number_; }
-
- private:
-  int number_;
-};
 
 void write_all(const std::filesystem::path& path, std::string_view text) {
   const Descriptor file(path, O_WRONLY | O_CREAT | O_TRUNC);

@@ -17,41 +17,18 @@
 namespace pliant::point_based {
 
 template <class T, int D>
-std::vector<double> Measurer<T, D>::operator()(
-    std::span<const MeasurementCase> measurements) const {
-  std::vector<double> values;
-  values.reserve(measurements.size());
-  for (const MeasurementCase& m : measurements) values.push_back(value(m));
-  return values;
-}
-
-template <class T, int D>
 auto Measurer<T, D>::function_of(MeasurementCase::Kind kind) -> Function {
   using Quantity = MeasurementCase::Kind;
   static constexpr std::pair<Quantity, Function> functions[] = {
-      {Quantity::extent, &Measurer::extent},
-      {Quantity::surface_distance, &Measurer::surface_distance},
-      {Quantity::mean_radius, &Measurer::mean_radius},
       {Quantity::point_displacement, &Measurer::point_displacement},
       {Quantity::point_value, &Measurer::point_value},
       {Quantity::material_value, &Measurer::material_value},
       {Quantity::mean_value, &Measurer::mean_value},
-      {Quantity::mass, &Measurer::integral},
-      {Quantity::centre_of_mass, &Measurer::integral},
-      {Quantity::momentum, &Measurer::integral},
-      {Quantity::angular_momentum, &Measurer::integral},
-      {Quantity::kinetic_energy, &Measurer::integral},
-      {Quantity::strain_energy, &Measurer::integral},
-      {Quantity::total_energy, &Measurer::integral},
-      {Quantity::energy_ratio, &Measurer::integral},
-      {Quantity::wall_force, &Measurer::wall_impulse},
+      {Quantity::velocity_error, &Measurer::velocity_error},
       {Quantity::blade_force, &Measurer::blade_impulse},
       {Quantity::cutting_work, &Measurer::cutting_work},
-      {Quantity::volume, &Measurer::integral},
-      {Quantity::surface_area, &Measurer::surface_area},
       {Quantity::connected_parts, &Measurer::parts},
       {Quantity::largest_part_volume, &Measurer::parts},
-      {Quantity::velocity_error, &Measurer::velocity_error},
   };
   for (const auto& [known, function] : functions) {
     if (known == kind) return function;
@@ -60,14 +37,9 @@ auto Measurer<T, D>::function_of(MeasurementCase::Kind kind) -> Function {
 }
 
 template <class T, int D>
-double Measurer<T, D>::value(const MeasurementCase& m) const {
+double Measurer<T, D>::own_value(const MeasurementCase& m) const {
   const Function function = function_of(m.kind);
   return function ? (this->*function)(m) : no_value;
-}
-
-template <class T, int D>
-double Measurer<T, D>::integral(const MeasurementCase& m) const {
-  return value_of(m, integrals(m.body, m.point), D);
 }
 
 template <class T, int D>
@@ -81,26 +53,6 @@ undeformed::FreeSurface<D> Measurer<T, D>::free_surface(int index) const {
     for (int v = 0; v < D; ++v) corner[v] = place[body.surface.facet[f][v]];
   }
   return surface;
-}
-
-template <class T, int D>
-double Measurer<T, D>::extent(const MeasurementCase& m) const {
-  return undeformed::extent<D>(free_surface(m.body), m, state_.clock.time);
-}
-
-template <class T, int D>
-double Measurer<T, D>::surface_distance(const MeasurementCase& m) const {
-  return undeformed::surface_distance<D>(free_surface(m.body), m);
-}
-
-template <class T, int D>
-double Measurer<T, D>::mean_radius(const MeasurementCase& m) const {
-  return undeformed::mean_radius<D>(free_surface(m.body), m);
-}
-
-template <class T, int D>
-double Measurer<T, D>::surface_area(const MeasurementCase& m) const {
-  return undeformed::surface_area<D>(free_surface(m.body));
 }
 
 template <class T, int D>
@@ -154,8 +106,10 @@ double Measurer<T, D>::point_value(const MeasurementCase& m) const {
 }
 
 template <class T, int D>
-double Measurer<T, D>::material_value(const MeasurementCase& m) const {
-  return value_at(m, m.point);
+double Measurer<T, D>::value_at(const MeasurementCase& m, const Vector& start) const {
+  const std::optional<std::int64_t> nearest = nearest_node(m.body, start);
+  if (!nearest) return no_value;
+  return point_based::material_value(state_.bodies[m.body], start, *nearest, m.field);
 }
 
 template <class T, int D>
@@ -173,11 +127,6 @@ double Measurer<T, D>::velocity_error(const MeasurementCase& m) const {
     error.add(padded<D>(body.position(slot)), padded<D>(u), D);
   });
   return error.value();
-}
-
-template <class T, int D>
-double Measurer<T, D>::wall_impulse(const MeasurementCase& m) const {
-  return state_.impulse(m);
 }
 
 template <class T, int D>
@@ -247,15 +196,6 @@ void Measurer<T, D>::add_strain(int index, BodyIntegrals& sum) const {
     sum.strain_energy += node.energy;
     sum.volume += body.mass[slot] / body.material.density * node.volume_ratio;
   });
-}
-
-template <class T, int D>
-BodyIntegrals Measurer<T, D>::totals() const {
-  BodyIntegrals sum;
-  for (int b = 0; b < static_cast<int>(state_.bodies.size()); ++b) {
-    add(sum, integrals(b, {}));
-  }
-  return sum;
 }
 
 template class Measurer<double, 2>;

@@ -2,58 +2,46 @@
 
 #include <cstdint>
 #include <optional>
-#include <span>
-#include <vector>
 
-#include "engine/method/body_integrals.hpp"
 #include "engine/point_based/state.hpp"
-#include "engine/undeformed/surface_measures.hpp"
+#include "engine/undeformed/measurer.hpp"
 
 namespace pliant::point_based {
 
 /// Evaluates measurements of a state at one instant.
 template <class T, int D>
-class Measurer {
+class Measurer : public undeformed::Measurer<State<T, D>> {
  public:
-  explicit Measurer(const State<T, D>& state) : state_(state) {}
-  virtual ~Measurer() = default;
+  explicit Measurer(const State<T, D>& state) : Base(state), state_(state) {}
 
-  /// One value for each measurement; NaN where it has none (those which read histories).
-  std::vector<double> operator()(std::span<const MeasurementCase> measurements) const;
-
-  /// Of all bodies together.
-  BodyIntegrals totals() const;
-
-  static bool is_measured(MeasurementCase::Kind kind) { return function_of(kind) != nullptr; }
+  static bool is_measured(MeasurementCase::Kind kind) {
+    return Base::is_common(kind) || function_of(kind) != nullptr;
+  }
 
  private:
+  using Base = undeformed::Measurer<State<T, D>>;
+
   /// Adds the present volume and the strain energy of a body.
   virtual void add_strain(int body, BodyIntegrals& sum) const;
 
+  double own_value(const MeasurementCase& m) const override;
+  undeformed::FreeSurface<D> free_surface(int body) const override;
+  BodyIntegrals integrals(int body, const Vector& about) const override;
+
   using Function = double (Measurer::*)(const MeasurementCase&) const;
-  /// The function that evaluates a kind of measurement; null where there is none.
+  /// The function that evaluates a kind that not all methods find alike; null where there is none.
   static Function function_of(MeasurementCase::Kind kind);
-  double value(const MeasurementCase& m) const;
-  double extent(const MeasurementCase& m) const;
-  double surface_distance(const MeasurementCase& m) const;
-  double mean_radius(const MeasurementCase& m) const;
   double point_displacement(const MeasurementCase& m) const;
   double point_value(const MeasurementCase& m) const;
   double material_value(const MeasurementCase& m) const;
   double mean_value(const MeasurementCase& m) const;
-  double wall_impulse(const MeasurementCase& m) const;
+  double velocity_error(const MeasurementCase& m) const;
   double blade_impulse(const MeasurementCase& m) const;
   double cutting_work(const MeasurementCase& m) const;
-  double surface_area(const MeasurementCase& m) const;
   double parts(const MeasurementCase& m) const;
-  double velocity_error(const MeasurementCase& m) const;
-  double integral(const MeasurementCase& m) const;
-  BodyIntegrals integrals(int body, const Vector& about) const;
 
-  /// The present free surface of a body, cut faces left out.
-  undeformed::FreeSurface<D> free_surface(int body) const;
-  /// Slot of the node of the undeformed body that is nearest to a point on its side of all cuts; none
-  /// where the point lies outside.
+  /// Slot of the node of the undeformed body that is nearest to a point on its side of all cuts;
+  /// none where the point lies outside.
   std::optional<std::int64_t> nearest_node(int body, const Vector& point) const;
   /// The field of a measurement at a place of the undeformed body.
   double value_at(const MeasurementCase& m, const Vector& start) const;

@@ -1,6 +1,7 @@
 #include "engine/total_lagrangian/observe/measure.hpp"
 
 #include <cmath>
+#include <optional>
 #include <utility>
 
 #include "engine/geometry/padded.hpp"
@@ -35,35 +36,13 @@ void for_each_stress_point(const Body<T, D>& body, double hourglass, F&& f) {
 }  // namespace
 
 template <class T, int D>
-std::vector<double> Measurer<T, D>::operator()(
-    std::span<const MeasurementCase> measurements) const {
-  std::vector<double> values;
-  for (const MeasurementCase& m : measurements) values.push_back(value(m));
-  return values;
-}
-
-template <class T, int D>
 auto Measurer<T, D>::function_of(MeasurementCase::Kind kind) -> Function {
   using Quantity = MeasurementCase::Kind;
   static constexpr std::pair<Quantity, Function> functions[] = {
-      {Quantity::extent, &Measurer::extent},
-      {Quantity::surface_distance, &Measurer::surface_distance},
-      {Quantity::mean_radius, &Measurer::mean_radius},
       {Quantity::point_displacement, &Measurer::point_displacement},
       {Quantity::point_value, &Measurer::point_value},
       {Quantity::material_value, &Measurer::material_value},
       {Quantity::mean_value, &Measurer::mean_value},
-      {Quantity::mass, &Measurer::integral},
-      {Quantity::centre_of_mass, &Measurer::integral},
-      {Quantity::momentum, &Measurer::integral},
-      {Quantity::angular_momentum, &Measurer::integral},
-      {Quantity::kinetic_energy, &Measurer::integral},
-      {Quantity::strain_energy, &Measurer::integral},
-      {Quantity::total_energy, &Measurer::integral},
-      {Quantity::energy_ratio, &Measurer::integral},
-      {Quantity::wall_force, &Measurer::wall_impulse},
-      {Quantity::volume, &Measurer::integral},
-      {Quantity::surface_area, &Measurer::surface_area},
       {Quantity::velocity_error, &Measurer::velocity_error},
   };
   for (const auto& [known, function] : functions) {
@@ -73,14 +52,9 @@ auto Measurer<T, D>::function_of(MeasurementCase::Kind kind) -> Function {
 }
 
 template <class T, int D>
-double Measurer<T, D>::value(const MeasurementCase& m) const {
+double Measurer<T, D>::own_value(const MeasurementCase& m) const {
   const Function function = function_of(m.kind);
   return function ? (this->*function)(m) : no_value;
-}
-
-template <class T, int D>
-double Measurer<T, D>::integral(const MeasurementCase& m) const {
-  return value_of(m, integrals(m.body, m.point), D);
 }
 
 template <class T, int D>
@@ -93,26 +67,6 @@ undeformed::FreeSurface<D> Measurer<T, D>::free_surface(int index) const {
     for (int v = 0; v < D; ++v) corner[v] = body.position(facet.vertex[v]);
   }
   return surface;
-}
-
-template <class T, int D>
-double Measurer<T, D>::extent(const MeasurementCase& m) const {
-  return undeformed::extent<D>(free_surface(m.body), m, state_.clock.time);
-}
-
-template <class T, int D>
-double Measurer<T, D>::surface_distance(const MeasurementCase& m) const {
-  return undeformed::surface_distance<D>(free_surface(m.body), m);
-}
-
-template <class T, int D>
-double Measurer<T, D>::mean_radius(const MeasurementCase& m) const {
-  return undeformed::mean_radius<D>(free_surface(m.body), m);
-}
-
-template <class T, int D>
-double Measurer<T, D>::surface_area(const MeasurementCase& m) const {
-  return undeformed::surface_area<D>(free_surface(m.body));
 }
 
 // Linear in each direction within the cell in which the point started.
@@ -140,11 +94,6 @@ double Measurer<T, D>::point_displacement(const MeasurementCase& m) const {
 }
 
 template <class T, int D>
-double Measurer<T, D>::wall_impulse(const MeasurementCase& m) const {
-  return state_.impulse(m);
-}
-
-template <class T, int D>
 double Measurer<T, D>::value_at(const MeasurementCase& m, const Vector& start) const {
   return total_lagrangian::material_value<T, D>(state_.bodies[m.body], start, m.field,
                                                 parameters_of(settings_).hourglass_stiffness);
@@ -165,6 +114,19 @@ template <class T, int D>
 double Measurer<T, D>::mean_value(const MeasurementCase& m) const {
   return total_lagrangian::mean_value<T, D>(
       state_.bodies[m.body], m, parameters_of(settings_).hourglass_stiffness, state_.clock.time);
+}
+
+template <class T, int D>
+double Measurer<T, D>::velocity_error(const MeasurementCase& m) const {
+  const Body<T, D>& body = state_.bodies[m.body];
+  const std::vector<Point<D>> velocity = present_velocity(body);
+  VelocityError error(m, state_.clock.time);
+  for_each_particle(body, [&](std::int64_t p, const Cell<D>& cell) {
+    Point<D> x = body.place(p, cell);
+    for (int a = 0; a < D; ++a) x[a] += body.displacement[a][p];
+    error.add(padded<D>(x), padded<D>(velocity[p]), D);
+  });
+  return error.value();
 }
 
 // From the middle of the step to the present time, by the acceleration of that step (TL.8):
@@ -200,19 +162,6 @@ std::vector<Point<D>> Measurer<T, D>::present_velocity(const Body<T, D>& body) c
 }
 
 template <class T, int D>
-double Measurer<T, D>::velocity_error(const MeasurementCase& m) const {
-  const Body<T, D>& body = state_.bodies[m.body];
-  const std::vector<Point<D>> velocity = present_velocity(body);
-  VelocityError error(m, state_.clock.time);
-  for_each_particle(body, [&](std::int64_t p, const Cell<D>& cell) {
-    Point<D> x = body.place(p, cell);
-    for (int a = 0; a < D; ++a) x[a] += body.displacement[a][p];
-    error.add(padded<D>(x), padded<D>(velocity[p]), D);
-  });
-  return error.value();
-}
-
-template <class T, int D>
 BodyIntegrals Measurer<T, D>::integrals(int index, const Vector& about) const {
   const Body<T, D>& body = state_.bodies[index];
   const double scaling = state_.clock.mass_scaling;
@@ -233,15 +182,6 @@ BodyIntegrals Measurer<T, D>::integrals(int index, const Vector& about) const {
                           sum.strain_energy += point.energy;
                           sum.volume += point.volume * point.volume_ratio;
                         });
-  return sum;
-}
-
-template <class T, int D>
-BodyIntegrals Measurer<T, D>::totals() const {
-  BodyIntegrals sum;
-  for (int b = 0; b < static_cast<int>(state_.bodies.size()); ++b) {
-    add(sum, integrals(b, {}));
-  }
   return sum;
 }
 

@@ -1,50 +1,42 @@
 #pragma once
 
-#include <span>
 #include <vector>
 
-#include "engine/method/body_integrals.hpp"
 #include "engine/total_lagrangian/state.hpp"
-#include "engine/undeformed/surface_measures.hpp"
+#include "engine/undeformed/measurer.hpp"
 
 namespace pliant::total_lagrangian {
 
-/// Evaluates measurements of a state at one instant.
+/// Evaluates measurements of a state at one instant. Momentum and kinetic energy are those of the
+/// scaled mass, as the particles have them.
 template <class T, int D>
-class Measurer {
+class Measurer final : public undeformed::Measurer<State<T, D>> {
  public:
-  Measurer(const Case& settings, const State<T, D>& state) : settings_(settings), state_(state) {}
+  Measurer(const Case& settings, const State<T, D>& state)
+      : Base(state), settings_(settings), state_(state) {}
 
-  /// One value for each measurement; NaN where it has none (those which read histories).
-  std::vector<double> operator()(std::span<const MeasurementCase> measurements) const;
-
-  /// Of all bodies together. Momentum and kinetic energy are those of the scaled mass, as the
-  /// particles have them.
-  BodyIntegrals totals() const;
-
-  static bool is_measured(MeasurementCase::Kind kind) { return function_of(kind) != nullptr; }
+  static bool is_measured(MeasurementCase::Kind kind) {
+    return Base::is_common(kind) || function_of(kind) != nullptr;
+  }
 
  private:
+  using Base = undeformed::Measurer<State<T, D>>;
+
+  double own_value(const MeasurementCase& m) const override;
+  undeformed::FreeSurface<D> free_surface(int body) const override;
+  BodyIntegrals integrals(int body, const Vector& about) const override;
+
   using Function = double (Measurer::*)(const MeasurementCase&) const;
-  /// The function that evaluates a kind of measurement; null where there is none.
+  /// The function that evaluates a kind that not all methods find alike; null where there is none.
   static Function function_of(MeasurementCase::Kind kind);
-  double value(const MeasurementCase& m) const;
-  double extent(const MeasurementCase& m) const;
-  double surface_distance(const MeasurementCase& m) const;
-  double mean_radius(const MeasurementCase& m) const;
   double point_displacement(const MeasurementCase& m) const;
   double point_value(const MeasurementCase& m) const;
-  double wall_impulse(const MeasurementCase& m) const;
   double material_value(const MeasurementCase& m) const;
   double mean_value(const MeasurementCase& m) const;
-  double surface_area(const MeasurementCase& m) const;
   double velocity_error(const MeasurementCase& m) const;
-  double integral(const MeasurementCase& m) const;
-  undeformed::FreeSurface<D> free_surface(int body) const;
   /// The field of a measurement at a place of the undeformed body.
   double value_at(const MeasurementCase& m, const Vector& start) const;
   std::vector<Point<D>> present_velocity(const Body<T, D>& body) const;
-  BodyIntegrals integrals(int body, const Vector& about) const;
 
   const Case& settings_;
   const State<T, D>& state_;

@@ -1,0 +1,107 @@
+#pragma once
+
+#include <span>
+#include <utility>
+#include <vector>
+
+#include "engine/method/body_integrals.hpp"
+#include "engine/undeformed/state.hpp"
+#include "engine/undeformed/surface_measures.hpp"
+
+namespace pliant::undeformed {
+
+/// Evaluates measurements of a state at one instant: those that all methods on the undeformed body
+/// find alike from the free surface and from integrals. A method adds its own.
+template <class State>
+class Measurer {
+ public:
+  explicit Measurer(const State& state) : state_(state) {}
+  virtual ~Measurer() = default;
+
+  /// One value for each measurement; NaN where it has none (those which read histories).
+  std::vector<double> operator()(std::span<const MeasurementCase> measurements) const;
+
+  /// Of all bodies together.
+  BodyIntegrals totals() const;
+
+ protected:
+  static constexpr int D = decltype(State::bodies)::value_type::dimension;
+
+  /// Whether a kind of measurement is one of those that all methods find alike.
+  static bool is_common(MeasurementCase::Kind kind) { return function_of(kind) != nullptr; }
+
+ private:
+  /// The value of another kind, or `no_value`.
+  virtual double own_value(const MeasurementCase& m) const = 0;
+  /// The present free surface of a body, without cut faces.
+  virtual FreeSurface<D> free_surface(int body) const = 0;
+  /// Integrals of a body; its angular momentum is about `about`.
+  virtual BodyIntegrals integrals(int body, const Vector& about) const = 0;
+
+  using Function = double (Measurer::*)(const MeasurementCase&) const;
+  static Function function_of(MeasurementCase::Kind kind);
+  double extent(const MeasurementCase& m) const {
+    return undeformed::extent<D>(free_surface(m.body), m, state_.clock.time);
+  }
+  double surface_distance(const MeasurementCase& m) const {
+    return undeformed::surface_distance<D>(free_surface(m.body), m);
+  }
+  double mean_radius(const MeasurementCase& m) const {
+    return undeformed::mean_radius<D>(free_surface(m.body), m);
+  }
+  double surface_area(const MeasurementCase& m) const {
+    return undeformed::surface_area<D>(free_surface(m.body));
+  }
+  double wall_impulse(const MeasurementCase& m) const { return state_.impulse(m); }
+  double integral(const MeasurementCase& m) const {
+    return value_of(m, integrals(m.body, m.point), D);
+  }
+
+  const State& state_;
+};
+
+template <class State>
+std::vector<double> Measurer<State>::operator()(
+    std::span<const MeasurementCase> measurements) const {
+  std::vector<double> values;
+  values.reserve(measurements.size());
+  for (const MeasurementCase& m : measurements) {
+    const Function function = function_of(m.kind);
+    values.push_back(function ? (this->*function)(m) : own_value(m));
+  }
+  return values;
+}
+
+template <class State>
+auto Measurer<State>::function_of(MeasurementCase::Kind kind) -> Function {
+  using Quantity = MeasurementCase::Kind;
+  static constexpr std::pair<Quantity, Function> functions[] = {
+      {Quantity::extent, &Measurer::extent},
+      {Quantity::surface_distance, &Measurer::surface_distance},
+      {Quantity::mean_radius, &Measurer::mean_radius},
+      {Quantity::surface_area, &Measurer::surface_area},
+      {Quantity::wall_force, &Measurer::wall_impulse},
+      {Quantity::mass, &Measurer::integral},
+      {Quantity::centre_of_mass, &Measurer::integral},
+      {Quantity::momentum, &Measurer::integral},
+      {Quantity::angular_momentum, &Measurer::integral},
+      {Quantity::kinetic_energy, &Measurer::integral},
+      {Quantity::strain_energy, &Measurer::integral},
+      {Quantity::total_energy, &Measurer::integral},
+      {Quantity::energy_ratio, &Measurer::integral},
+      {Quantity::volume, &Measurer::integral},
+  };
+  for (const auto& [known, function] : functions) {
+    if (known == kind) return function;
+  }
+  return nullptr;
+}
+
+template <class State>
+BodyIntegrals Measurer<State>::totals() const {
+  BodyIntegrals sum;
+  for (int b = 0; b < static_cast<int>(state_.bodies.size()); ++b) add(sum, integrals(b, {}));
+  return sum;
+}
+
+}  // namespace pliant::undeformed
