@@ -1,4 +1,4 @@
-#include "engine/cli/verbs.hpp"
+#include "engine/cli/actions.hpp"
 
 #include <fmt/format.h>
 #include <unistd.h>

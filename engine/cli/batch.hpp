@@ -1,7 +1,7 @@
 #pragma once
 
 #include "engine/batch/executor.hpp"
-#include "engine/cli/verbs.hpp"
+#include "engine/cli/actions.hpp"
 
 namespace pliant::cli {
 

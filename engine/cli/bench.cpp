@@ -7,7 +7,7 @@
 #include "engine/bench/comparison.hpp"
 #include "engine/bench/standard_set.hpp"
 #include "engine/cli/accuracy.hpp"
-#include "engine/cli/verbs.hpp"
+#include "engine/cli/actions.hpp"
 #include "engine/output/atomic_file.hpp"
 #include "engine/simulation/solver_options.hpp"
 

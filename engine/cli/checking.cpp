@@ -9,7 +9,7 @@
 
 #include "engine/case/stability.hpp"
 #include "engine/case/validate_summary.hpp"
-#include "engine/cli/verbs.hpp"
+#include "engine/cli/actions.hpp"
 #include "engine/output/colour.hpp"
 #include "engine/simulation/estimate.hpp"
 #include "engine/simulation/examine.hpp"

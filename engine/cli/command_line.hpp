@@ -2,7 +2,7 @@
 
 #include <functional>
 
-#include "engine/cli/verbs.hpp"
+#include "engine/cli/actions.hpp"
 
 namespace pliant::cli {
 

@@ -5,7 +5,7 @@
 #include <memory>
 #include <string>
 
-#include "engine/cli/verbs.hpp"
+#include "engine/cli/actions.hpp"
 
 /// The commands of the program as CLI11 knows them.
 namespace pliant::cli {

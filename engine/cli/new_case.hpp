@@ -4,7 +4,7 @@
 #include <optional>
 #include <string_view>
 
-#include "engine/cli/verbs.hpp"
+#include "engine/cli/actions.hpp"
 
 namespace pliant::cli {
 

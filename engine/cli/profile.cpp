@@ -6,7 +6,7 @@
 #include <optional>
 
 #include "engine/case/stability.hpp"
-#include "engine/cli/verbs.hpp"
+#include "engine/cli/actions.hpp"
 #include "engine/method/step_failure.hpp"
 #include "engine/output/atomic_file.hpp"
 #include "engine/profile/duration.hpp"

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "engine/cli/verbs.hpp"
+#include "engine/cli/actions.hpp"
 
 namespace pliant::cli {
 

@@ -61,7 +61,7 @@ TEST_F(ElementRuns, bytes_depend_on_neither_threads_nor_a_restart) {
     const Case settings = driven({std::string("precision=") + precision});
     const FileContent one = result_of(settings, folder / precision, 1);
     EXPECT_EQ(result_of(settings, folder / (std::string(precision) + "7"), 7), one);
-    // The last checkpoint lies before the end: going on from it writes the end once more.
+    // The last checkpoint lies before the end: continuing from it writes the end once more.
     EXPECT_EQ(result_of(settings, folder / precision, 2, true), one);
   }
 }

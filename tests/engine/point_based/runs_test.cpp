@@ -83,7 +83,7 @@ TEST(point_based, bytes_do_not_depend_on_a_restart) {
   for (const char* precision : {"double", "single"}) {
     const Case settings = driven({std::string("precision=") + precision});
     const FileContent through = result_of(settings, folder / precision, 1);
-    // The last checkpoint lies before the end: going on from it writes the end once more.
+    // The last checkpoint lies before the end: continuing from it writes the end once more.
     EXPECT_EQ(result_of(settings, folder / precision, 2, true), through);
   }
 }

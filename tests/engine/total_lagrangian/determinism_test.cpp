@@ -44,7 +44,7 @@ TEST(total_lagrangian, bytes_do_not_depend_on_a_restart) {
   const TemporaryFolder folder;
   const Case settings = aspiration({"total_lagrangian.damping=adaptive"});
   const FileContent through = result_of(settings, folder / "through", 1);
-  // The last checkpoint lies before the end: going on from it writes the end once more.
+  // The last checkpoint lies before the end: continuing from it writes the end once more.
   EXPECT_EQ(result_of(settings, folder / "through", 2, true), through);
 }
 
