@@ -106,10 +106,8 @@ double Measurer<T, D>::point_value(const MeasurementCase& m) const {
 }
 
 template <class T, int D>
-double Measurer<T, D>::value_at(const MeasurementCase& m, const Vector& start) const {
-  const std::optional<std::int64_t> nearest = nearest_node(m.body, start);
-  if (!nearest) return no_value;
-  return point_based::material_value(state_.bodies[m.body], start, *nearest, m.field);
+double Measurer<T, D>::material_value(const MeasurementCase& m) const {
+  return value_at(m, m.point);
 }
 
 template <class T, int D>
