@@ -47,10 +47,10 @@ inline StepLimits limits_of_flight(const Case& a_case) {
 
 /// The smallest method: particles on a grid in every body, which keep their initial velocity but
 /// for drag.
-class FreeFlight final : public Solver {
+class FreeFlight final : public pliant::Solver {
  public:
   FreeFlight(const Case& a_case, const SolverOptions& options)
-      : Solver(a_case, options), graph_(phases(), scheduler::Blocks{{{}}}, {"position"}) {
+      : pliant::Solver(a_case, options), graph_(phases(), scheduler::Blocks{{{}}}, {"position"}) {
     const double h = settings().discretisation.spacing;
     for (const BodyCase& body : settings().bodies) {
       const Box<3> box = bounding_box(body.geometry);

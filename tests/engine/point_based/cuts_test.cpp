@@ -79,7 +79,7 @@ end = 2e-9
 }
 
 /// Affine and a little more.
-void deform(point_based::Body<double, 3>& body) {
+void shear_and_bend(point_based::Body<double, 3>& body) {
   Eigen::Matrix3d f;
   f << 1.3, 0.2, 0, 0, 0.9, 0.1, 0, 0, 0.95;
   body.for_each_node([&](std::int64_t slot) {
@@ -94,7 +94,7 @@ void deform(point_based::Body<double, 3>& body) {
 // The part of the energy that the stabilisation has may still change.
 TEST(cuts, do_not_inject_energy) {
   auto solver = solver_of<3>(free_points(3) + sudden_cut("0.4375"), tiny_steps);
-  deform(solver.state().bodies[0]);
+  shear_and_bend(solver.state().bodies[0]);
   const double before = solver.integrals().strain_energy;
   for (int step = 0; step < 3; ++step) solver.step(HUGE_VAL);
   EXPECT_NEAR(solver.integrals().strain_energy, before, 1e-3 * before);
