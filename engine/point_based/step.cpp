@@ -61,23 +61,24 @@ std::vector<Phase> Step<T, D>::phases() {
   PhaseRows rows(phases);
   const auto& cuts = state_.cuts;
   if (std::any_of(cuts.begin(), cuts.end(), [](const auto& of_body) { return !!of_body; })) {
-    rows.each("cuts", near(of(displacement)) + own(of(constants)), own(of(constants) + of(results)),
-              run(&Step::cut));
+    rows.each("cuts", near(of(displacement) + of(mass)) + own(of(constants)),
+              own(of(constants) + of(results)), run(&Step::cut));
   }
   if (is_leapfrog(settings_)) {
     rows.each("drift", own(of(velocity) + of(displacement)), own(of(displacement)),
               run(&Step::drift));
   }
   if (loads_.act_on_blocks()) {
-    rows.each("loads", near(of(displacement)) + own(of(constants)), own(of(loads)),
+    rows.each("loads", near(of(displacement)) + own(of(mass) + of(constants)), own(of(loads)),
               run(&Step::load));
   }
-  rows.each("forces", near(of(displacement)) + own(of(constants) + of(loads) + of(strain)),
+  rows.each("forces",
+            near(of(displacement)) + own(of(mass) + of(constants) + of(loads) + of(strain)),
             own(of(points) + of(own_forces) + of(halo_forces) + of(strain) + of(results)),
             run(&Step::evaluate_forces));
   rows.each("motion",
-            near(of(halo_forces)) +
-                own(of(own_forces) + of(constants) + of(loads) + of(velocity) + of(displacement)),
+            near(of(halo_forces)) + own(of(own_forces) + of(mass) + of(constants) + of(loads) +
+                                        of(velocity) + of(displacement)),
             own(of(own_forces) + of(velocity) + of(displacement) + of(results)), run(&Step::move));
   return phases;
 }

@@ -14,7 +14,7 @@ struct InitialState {
 };
 
 /// The state at `x` of a body that starts with an initial stress: S and the density of its pressure
-/// (linear), or the stretch whose stress it is (reduced polynomial), (RP.74). Throws InputError
+/// (linear), or the stretch whose stress it is (reduced polynomial), (RP.77). Throws InputError
 /// where there is none.
 template <int D>
 InitialState<D> state_under_stress(const BodyCase& body, const Vector& x);

@@ -91,7 +91,7 @@ const Fault faults[] = {
      R"("point_displacement", "point_value", "material_value", "mean_value", "mass", )"
      R"("centre_of_mass", "momentum", "angular_momentum", )"
      R"("kinetic_energy", "strain_energy", "total_energy", "energy_ratio", "wall_force", )"
-     R"("contact_force", "volume", )"
+     R"("contact_force", "blade_force", "cutting_work", "volume", )"
      R"("surface_area", "connected_parts", "largest_part_volume", )"
      R"("minimum_particle_distance", "velocity_error", "period", )"
      R"("amplitude_ratio", "peak_moving_average", "last_time_above", "smallest", "largest", "value_at_time", "weighted_sum", got "momentun"; did you mean "momentum"?)"},

@@ -94,41 +94,56 @@ struct SecondDifferences {
   }
 };
 
-/// Delta xi of (RP.23) of the particles of a chunk; anything finite in other slots.
+/// Whether all second differences in the force on every slot of a pack count.
+template <class P, int D>
+inline bool pull_everywhere(const Scalar<P>* interior, const LineOffsets (&line)[D]) {
+  bool pull = true;
+  for (int at = 0; at < slots_per_pack; at += lanes<P>) {
+    P inside(Scalar<P>(1));
+#pragma GCC unroll 3
+    for (const LineOffsets& l : line) {
+      const SecondDifferences<P> differences(interior + at, l);
+      inside = inside * differences.before * differences.after;
+    }
+    pull = pull && xsimd::all(inside > P(Scalar<P>(0.5)));
+  }
+  return pull;
+}
+
+/// Delta xi of (RP.23) of the particles of a chunk; anything finite in other slots. Which sum a
+/// slot gets depends on its pack, not on its register: all instruction sets round alike.
 template <class P, int D>
 void place_differences(const Scalar<P>* const (&drift)[D], const Segment<D>& segment,
                        const Scalar<P>* interior, const Chunk& chunk,
                        Scalar<P> (&result)[D][chunk_slots]) {
+  constexpr int pack = slots_per_pack;
   LineOffsets line[D];
   for (int axis = 0; axis < D; ++axis) {
     line[axis] = line_offsets<typename P::arch_type>(segment, axis);
   }
-  for (int at = 0; at < chunk.count; at += lanes<P>) {
-    const std::int64_t slot = chunk.first + at;
-    P inside(Scalar<P>(1));
+  for (int begin = 0; begin < chunk.count; begin += pack) {
+    const bool pull = pull_everywhere<P>(interior + chunk.first + begin, line);
+    for (int at = begin; at < begin + pack; at += lanes<P>) {
+      const std::int64_t slot = chunk.first + at;
+      if (pull) {
 #pragma GCC unroll 3
-    for (const LineOffsets& l : line) {
-      const SecondDifferences<P> differences(interior + slot, l);
-      inside = inside * differences.before * differences.after;
-    }
-    if (xsimd::all(inside > P(Scalar<P>(0.5)))) {
-#pragma GCC unroll 3
-      for (int i = 0; i < D; ++i) {
-        fourth_differences_inside<P>(drift[i] + slot, line).store_aligned(&result[i][at]);
+        for (int i = 0; i < D; ++i) {
+          fourth_differences_inside<P>(drift[i] + slot, line).store_aligned(&result[i][at]);
+        }
+        continue;
       }
-      continue;
+      P sum[D];
+#pragma GCC unroll 3
+      for (P& s : sum) s = P(Scalar<P>(0));
+#pragma GCC unroll 3
+      for (const LineOffsets& l : line) {
+        const SecondDifferences<P> differences(interior + slot, l);
+#pragma GCC unroll 3
+        for (int i = 0; i < D; ++i) sum[i] = sum[i] + differences.force(drift[i] + slot, l);
+      }
+#pragma GCC unroll 3
+      for (int i = 0; i < D; ++i) sum[i].store_aligned(&result[i][at]);
     }
-    P sum[D];
-#pragma GCC unroll 3
-    for (P& s : sum) s = P(Scalar<P>(0));
-#pragma GCC unroll 3
-    for (const LineOffsets& l : line) {
-      const SecondDifferences<P> differences(interior + slot, l);
-#pragma GCC unroll 3
-      for (int i = 0; i < D; ++i) sum[i] = sum[i] + differences.force(drift[i] + slot, l);
-    }
-#pragma GCC unroll 3
-    for (int i = 0; i < D; ++i) sum[i].store_aligned(&result[i][at]);
   }
 }
 
