@@ -6,6 +6,7 @@
 #include <cmath>
 #include <complex>
 
+#include "engine/point_based/parameters.hpp"
 #include "engine/simulation/methods.hpp"
 #include "engine/total_lagrangian/parameters.hpp"
 #include "tests/engine/case/written_case.hpp"
@@ -144,6 +145,8 @@ TEST(stability, the_default_cfl_number_is_stable_and_smaller_with_contact_betwee
     a_case.time.cfl.reset();
     EXPECT_EQ(cfl_number(a_case), cfl) << method;
   }
+  a_case.parameters.as<point_based::Parameters>().cut_contact = 0;
+  EXPECT_EQ(cfl_number(a_case), 0.3);
 }
 
 TEST(stability, a_mass_that_is_scaled_to_the_step_has_no_limit) {
