@@ -161,8 +161,8 @@ Rates<D> reference_rates(const Body<T, D>& body, const State<T, D>& q, const Seg
       velocity_sum * inverse + hooke_inverse<T, D>(body.material, relaxation);
   Rates<D> rates;
   rates.drift = vector_at<T, D>(q.velocity, p);
-  const double return_rate =
-      0.1 / h *
+  const double return_rate =  // in 2D alone
+      (D == 2 ? 0.1 : 0.) / h *
       std::sqrt((body.material.bulk_modulus + 4. / 3 * body.material.shear_modulus) /
                 body.material.density);
   for (int i = 0; i < D; ++i) {

@@ -63,6 +63,11 @@ void fourth_differences(const Scalar<P>* const (&field)[F], const Segment<D>& se
   }
 }
 
+/// Whether particles are pulled back to their places, (RP.23). Bars in 3D that are held bent need
+/// no such force (docs/decisions/0014-bodies-held-bent.md).
+template <int D>
+inline constexpr bool restores_places = D == 2;
+
 /// Which second differences along a line count in the force on a slot: its own and those of the
 /// slots before and after. 1 or 0.
 template <class P>

@@ -127,8 +127,8 @@ struct ChunkDifferences {
   alignas(64) Scalar<P> place[D][chunk_slots];
 };
 
-/// Adds the dissipation of (RP.23): a drag on the velocity, with a force that restores the places
-/// on the lattice, and a strain rate that relaxes the stress.
+/// Adds the dissipation of (RP.23): a drag on the velocity, in 2D with a force that restores the
+/// places on the lattice, and a strain rate that relaxes the stress.
 template <class P, int D>
 [[gnu::always_inline]] inline void dissipate(const Stage<Scalar<P>, D>& stage,
                                              const ChunkDifferences<P, D>& fourth,
@@ -143,8 +143,11 @@ template <class P, int D>
   const P drag(-stage.velocity_dissipation);
 #pragma GCC unroll 3
   for (int i = 0; i < D; ++i) {
-    result.drag[i] = drag * fused(restoring, P::load_aligned(&fourth.place[i][at]),
-                                  P::load_aligned(&fourth.swept[i][at]));
+    P rate = P::load_aligned(&fourth.swept[i][at]);
+    if constexpr (restores_places<D>) {
+      rate = fused(restoring, P::load_aligned(&fourth.place[i][at]), rate);
+    }
+    result.drag[i] = drag * rate;
 #pragma GCC unroll 3
     for (int j = 0; j < D; ++j) {
       result.velocity[i][j] = result.velocity[i][j] + relaxation[symmetric_index<D>(i, j)];
@@ -190,7 +193,9 @@ void stage_gradients(const Stage<Scalar<P>, D>& stage, const Segment<D>& segment
   const bool dissipates = stage.velocity_dissipation != 0 || stage.stress_dissipation != 0;
   if (dissipates) {
     fourth_differences<P>(fields.field, segment, stage.interior, chunk, fourth.swept);
-    place_differences<P>(fields.drift, segment, stage.interior, chunk, fourth.place);
+    if constexpr (restores_places<D>) {
+      place_differences<P>(fields.drift, segment, stage.interior, chunk, fourth.place);
+    }
   }
   for (int at = 0; at < chunk.count; at += lanes<P>) {
     const std::int64_t slot = chunk.first + at;
