@@ -8,12 +8,12 @@
 /// a part of it lasts, and feeds a checkerboard of stress.
 namespace pliant::remeshed {
 
-/// Whether ghosts of free surfaces move without the part of (RP.50) that lasts. Bodies whose shear
-/// stress nothing relaxes are unstable with it where they are held bent; linear ones are stable,
-/// and lose less energy with all of (RP.50).
+/// Whether ghosts of free surfaces move without the part of (RP.50) that lasts. Where they are held
+/// bent, bodies in 3D and those whose shear stress nothing relaxes are unstable with it; linear
+/// ones in 2D are stable, and lose less energy with all of (RP.50).
 template <class T, int D>
 bool lets_waves_out_alone(const Body<T, D>& body) {
-  return body.material.model == kernels::Model::reduced_polynomial;
+  return D == 3 || body.material.model == kernels::Model::reduced_polynomial;
 }
 
 constexpr double lasting_time = 20;  ///< over which (RP.50) takes its mean [h/c]

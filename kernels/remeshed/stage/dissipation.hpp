@@ -63,9 +63,8 @@ void fourth_differences(const Scalar<P>* const (&field)[F], const Segment<D>& se
   }
 }
 
-/// Whether particles are pulled back to their places, (RP.23). In 3D the force of Delta xi makes
-/// bars that are held bent fail earlier, for a reason not found
-/// (docs/decisions/0014-bodies-held-bent.md).
+/// Whether particles are pulled back to their places, (RP.23). Bars in 3D that are held bent need
+/// no such force (docs/decisions/0014-bodies-held-bent.md).
 template <int D>
 inline constexpr bool restores_places = D == 2;
 
@@ -156,9 +155,16 @@ inline P restoring_rate(const Material<Scalar<P>>& material, Scalar<P> spacing) 
   return P(share / spacing) * xsimd::sqrt(P(modulus / material.density));
 }
 
+/// Whether the dissipation of (RP.23) relaxes shear stress too. Materials that remember their
+/// deformation (F) and bodies in 3D relax the pressure alone, since relaxing shear is creep. Plane
+/// linear bodies need it: their ghosts move with all of (RP.50), which feeds what it damps
+/// (docs/decisions/0014-bodies-held-bent.md).
+template <int D>
+constexpr bool relaxes_shear(Model model) {
+  return D == 2 && model != Model::reduced_polynomial;
+}
+
 /// The strain rate that relaxes the stress at the rate -kappa delta^4 sigma: Hooke's law inverted.
-/// A material that remembers its deformation (F) relaxes the pressure alone: relaxing its shear
-/// would be creep.
 template <class P, int D>
 inline void relaxing_strain_rate(const Material<Scalar<P>>& material, Scalar<P> kappa,
                                  const P (&difference)[symmetric_components<D>],
@@ -171,7 +177,7 @@ inline void relaxing_strain_rate(const Material<Scalar<P>>& material, Scalar<P> 
   for (int i = 1; i < D; ++i) trace = trace + difference[symmetric_index<D>(i, i)];
   const P mean = trace * P(T(1) / T(D));
   const P volumetric = mean * P(-kappa / (T(D) * lame + 2 * shear));
-  const P scale(material.model == Model::reduced_polynomial ? T(0) : -kappa / (2 * shear));
+  const P scale(relaxes_shear<D>(material.model) ? -kappa / (2 * shear) : T(0));
 #pragma GCC unroll 3
   for (int i = 0; i < D; ++i) {
 #pragma GCC unroll 3
