@@ -49,6 +49,28 @@ struct KindUnit {
   std::string_view (*other)(const Case&, const MeasurementCase&) = nullptr;
 };
 
+/// Units that depend on what a measurement names.
+std::string_view unit_of_field(const Case& a_case, const MeasurementCase& m);
+std::string_view unit_of_source(const Case& a_case, const MeasurementCase& m);
+std::string_view unit_of_terms(const Case& a_case, const MeasurementCase& m);
+
+namespace units {
+inline constexpr KindUnit one{"1", "1"}, second{"s", "s"}, metre{"m", "m"}, area{"m", "m^2"},
+    volume{"m^2", "m^3"}, mass{"kg/m", "kg"}, momentum{"kg m/s/m", "kg m/s"},
+    angular_momentum{"kg m^2/s/m", "kg m^2/s"}, energy{"J/m", "J"}, force{"N/m", "N"},
+    of_field{{}, {}, unit_of_field}, of_source{{}, {}, unit_of_source},
+    of_terms{{}, {}, unit_of_terms};
+}  // namespace units
+
+/// Uses of keys that several kinds share.
+namespace key_uses {
+inline constexpr KeyUse body{MeasurementKey::body}, side{MeasurementKey::side},
+    where{MeasurementKey::where}, length{MeasurementKey::length},
+    relative{MeasurementKey::relative}, of{MeasurementKey::of, "", true},
+    component{MeasurementKey::axis, "component"};
+constexpr KeyUse point(std::string_view meaning) { return {MeasurementKey::point, meaning, true}; }
+}  // namespace key_uses
+
 /// How samples follow from the values that a method gives.
 enum class Sampling {
   value,         ///< the value itself
