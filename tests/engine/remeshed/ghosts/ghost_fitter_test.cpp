@@ -167,7 +167,7 @@ TEST(ghost_fitter, gives_all_particles_the_same_share_of_an_average) {
   const Solver solver = block_from(0);
   const Body& body = solver.state().bodies[0];
   const Fitted fitted = fitted_above(solver, 0.55, [&](auto& fitter, const Place&) {
-    Cell<2> above = body.population.layout.cell(0);
+    Cell<2> above = {};
     for_each(body.population, Kind::free_ghost, [&](std::int64_t, const Cell<2>& cell) {
       const Place x = body.lattice.node(cell);
       if (std::abs(x[0] - 0.55) < cell_size / 2 && x[1] > 1 && x[1] < 1 + cell_size) above = cell;
