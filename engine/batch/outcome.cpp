@@ -11,6 +11,8 @@ bool read_summary(const std::filesystem::path& folder, Outcome& outcome) {
   const auto summary = nlohmann::ordered_json::parse(file, nullptr, false);
   if (summary.is_discarded()) return false;
   outcome.wall_seconds = summary.value("wall_time", 0.0);
+  outcome.processor_seconds = summary.value("processor_time", 0.0);
+  outcome.peak_memory = summary.value("peak_memory", std::int64_t{0});
   using Pointer = nlohmann::ordered_json::json_pointer;
   outcome.particles = summary.value(Pointer("/particles/start"), std::int64_t{0});
   outcome.steps = summary.value("steps", std::int64_t{0});

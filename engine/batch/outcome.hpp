@@ -6,8 +6,8 @@
 
 namespace pliant::batch {
 
-/// Puts measurements and versions of folder/summary.json into the outcome; false where there is no
-/// such file, which runs write last.
+/// Puts what folder/summary.json says into the outcome, so that a run whose process nobody waited
+/// for has a whole row; false where there is no such file, which runs write last.
 bool read_summary(const std::filesystem::path& folder, Outcome& outcome);
 
 /// The last line of a file that is not empty.

@@ -67,6 +67,8 @@ Json json(const Summary& summary) {
           {"steps", summary.steps},
           {"physical_time", summary.physical_time},
           {"wall_time", summary.wall_time},
+          {"processor_time", summary.processor_time},
+          {"peak_memory", summary.peak_memory},
           {"phases", phases},
           {"performance",
            {{"particle_stages_per_second", speed.particle_stages_per_second},

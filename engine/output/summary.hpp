@@ -51,7 +51,9 @@ struct Summary {
   } particles;
   std::int64_t steps = 0;
   double physical_time = 0, wall_time = 0;
-  std::vector<Phase> phases;  ///< in the order of the step
+  double processor_time = 0;     ///< of all threads
+  std::int64_t peak_memory = 0;  ///< of the process [bytes]
+  std::vector<Phase> phases;     ///< in the order of the step
   struct {
     double particle_stages_per_second = 0;
     std::int64_t particle_stages = 0;

@@ -2,12 +2,14 @@
 
 #include <fmt/format.h>
 #include <hdf5.h>
+#include <sys/resource.h>
 #include <tbb/version.h>
 #include <pliant/version.hpp>
 #include <xsimd/xsimd.hpp>
 
 #include <chrono>
 #include <cmath>
+#include <ctime>
 #include <memory>
 #include <optional>
 
@@ -30,6 +32,12 @@ namespace pliant {
 namespace {
 
 using Clock = std::chrono::steady_clock;
+
+std::int64_t peak_memory() {
+  rusage usage = {};
+  ::getrusage(RUSAGE_SELF, &usage);
+  return std::int64_t{1024} * usage.ru_maxrss;
+}
 
 class Run {
  public:
@@ -227,6 +235,8 @@ class Run {
     summary.steps = solver_->clock().step;
     summary.physical_time = solver_->clock().time;
     summary.wall_time = wall_seconds;
+    summary.processor_time = static_cast<double>(std::clock()) / CLOCKS_PER_SEC;
+    summary.peak_memory = peak_memory();
     for (const auto& timer : solver_->step_totals().timers()) {
       summary.phases.push_back({timer.name, timer.seconds});
     }

@@ -90,13 +90,14 @@ class OneNode:
             daemon.wait()
 
     def lose(self):
-        """The node goes down with all that runs there."""
+        """The node goes down with all that runs there, at once: a task that is stopped does not see its run end before it."""
         self.stop("slurmd", signal.SIGKILL)
-        for process in self.processes_of_tasks():
-            try:
-                os.kill(process, signal.SIGKILL)
-            except ProcessLookupError:
-                pass
+        for how in (signal.SIGSTOP, signal.SIGKILL):
+            for process in self.processes_of_tasks():
+                try:
+                    os.kill(process, how)
+                except ProcessLookupError:
+                    pass
 
     def come_back(self):
         """The node starts anew. Slurm sees that it does not know its tasks, and queues them again. The node must be up by then:

@@ -4,8 +4,10 @@
 #include <cmath>
 #include <numeric>
 
+#include "engine/batch/outcome.hpp"
 #include "engine/batch/slurm/attempt.hpp"
 #include "engine/batch/slurm/tasks.hpp"
+#include "engine/output/summary.hpp"
 #include "tests/engine/output/temporary_folder.hpp"
 
 namespace pliant::test {
@@ -55,6 +57,21 @@ TEST(slurm_task_file, holds_what_was_put_into_it) {
   EXPECT_EQ(task.runs[0].run.attempts_left, 3);
   EXPECT_EQ(task.runs[0].command, (std::vector<std::string>{"pliant", "run", "a b"}));
   EXPECT_THROW(read_task(folder.path(), 8), InputError);
+}
+
+// As where the node is lost after a run is done, before its task has written what came of it.
+TEST(run_outcome, of_a_process_that_nobody_waited_for_is_whole) {
+  const TemporaryFolder folder;
+  Summary summary;
+  summary.wall_time = 2.5;
+  summary.processor_time = 4.75;
+  summary.peak_memory = 123456789012;
+  write_summary(folder.path(), summary);
+  Outcome outcome;
+  ASSERT_TRUE(read_summary(folder.path(), outcome));
+  EXPECT_EQ(outcome.wall_seconds, 2.5);
+  EXPECT_EQ(outcome.processor_seconds, 4.75);
+  EXPECT_EQ(outcome.peak_memory, 123456789012);
 }
 
 TEST(slurm_attempt_file, holds_what_was_put_into_it) {

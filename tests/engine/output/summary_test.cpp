@@ -63,8 +63,9 @@ TEST(summary, keys_keep_their_order) {
   std::vector<std::string> keys;
   for (const auto& entry : json.items()) keys.push_back(entry.key());
   EXPECT_EQ(keys, (std::vector<std::string>{"case", "versions", "method", "precision", "particles",
-                                            "steps", "physical_time", "wall_time", "phases",
-                                            "performance", "conserved", "checks", "measurements"}));
+                                            "steps", "physical_time", "wall_time", "processor_time",
+                                            "peak_memory", "phases", "performance", "conserved",
+                                            "checks", "measurements"}));
   EXPECT_EQ(json["phases"].begin().key(), "stress");  // not alphabetical: the order of the step
 }
 

@@ -4,6 +4,7 @@
 #include <pliant/error.hpp>
 
 #include <algorithm>
+#include <nlohmann/json.hpp>
 
 #include "tests/engine/output/file_content.hpp"
 #include "tests/engine/output/temporary_folder.hpp"
@@ -35,6 +36,13 @@ TEST_F(Running, leaves_all_its_files) {
   for (const char* file : {"result.h5", "result.xdmf", "summary.json", "case.resolved.toml"}) {
     EXPECT_TRUE(std::filesystem::exists(folder / "out" / file)) << file;
   }
+}
+
+TEST_F(Running, says_what_it_took_of_the_machine) {
+  run({});
+  const auto summary = nlohmann::json::parse(text_of(folder / "out" / "summary.json"));
+  EXPECT_GT(summary["processor_time"], 0);
+  EXPECT_GT(summary["peak_memory"], 1'000'000);
 }
 
 TEST_F(Running, frames_come_at_their_times_and_at_both_ends) {
