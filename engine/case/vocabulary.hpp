@@ -86,7 +86,7 @@ void output_keys(Visitor& visit, decltype(Case::output)& output) {
   visit("ghosts", output.ghosts,
         {.meaning = "whether frames contain the ghost particles", .example = "false"});
   visit("surface", output.surface,
-        {.meaning = "whether frames contain the free surface of every body as a mesh "
+        {.meaning = "whether frames contain the closed surface of every body as a mesh "
                     "(surface.xdmf)",
          .example = "false"});
   visit("measure_every", output.measure_every,

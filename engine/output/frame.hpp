@@ -30,7 +30,7 @@ struct FrameSurface {
 /// What a frame holds besides the particles.
 struct FrameParts {
   bool ghosts = false;
-  bool surface = false;  ///< the free surface of every body
+  bool surface = false;  ///< the closed surface of every body
 };
 
 /// The particles at one instant. Every frame of a run has the same fields; the number of particles

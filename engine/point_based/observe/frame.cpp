@@ -23,11 +23,8 @@ void add_closed_surface(const Body<T, D>& body, int owner, SurfaceVertices& vert
     }
     vertices.owner.push_back(owner);
   }
-  for (std::size_t f = 0; f < body.surface.facet.size(); ++f) {
-    if (!body.surface.is_free[f]) continue;
-    for (const std::int32_t corner : body.surface.facet[f]) {
-      vertices.vertex.push_back(first + corner);
-    }
+  for (const auto& facet : body.surface.facet) {
+    for (const std::int32_t corner : facet) vertices.vertex.push_back(first + corner);
   }
 }
 

@@ -45,11 +45,9 @@ class SurfaceWriter {
   }
 
   void write() {
-    const BodySurface<D>& surface = body_.surface;
-    for (std::size_t f = 0; f < surface.facet.size(); ++f) {
-      if (!surface.is_free[f]) continue;
+    for (const auto& facet : body_.surface.facet) {
       Corners<D> corners;
-      for (int v = 0; v < D; ++v) corners[v] = surface.start[surface.facet[f][v]];
+      for (int v = 0; v < D; ++v) corners[v] = body_.surface.start[facet[v]];
       add(corners);
     }
     const auto is_inside = inside_of<D>(body_.source->geometry, 0);

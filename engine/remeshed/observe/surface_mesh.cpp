@@ -1,5 +1,7 @@
 #include "engine/remeshed/observe/surface_mesh.hpp"
 
+#include <algorithm>
+#include <limits>
 #include <unordered_map>
 
 #include "engine/remeshed/observe/surface_pieces.hpp"
@@ -40,10 +42,32 @@ struct LineHash {
 };
 
 template <int D>
-SurfaceVertex<D> vertex_of(const Crossing<D>& crossing, const Place<D>& place) {
+SurfaceVertex<D> vertex_of(const Crossing<D>& crossing) {
   SurfaceVertex<D> vertex{{}, crossing.inside->slot, crossing.outside->slot, crossing.fraction()};
+  const Place<D> place = crossing.place();
   for (int a = 0; a < D; ++a) vertex.place[a] = place[a];
   return vertex;
+}
+
+/// Distance beyond the nearest end of the period [m], negative within it.
+template <int D>
+double beyond_period(const Lattice<D>& lattice, const Point<D>& x) {
+  double beyond = -std::numeric_limits<double>::infinity();
+  for (int a = 0; a < D; ++a) {
+    if (lattice.period[a] == 0) continue;
+    const double from_start = x[a] - lattice.origin[a];
+    beyond = std::max({beyond, -from_start, from_start - lattice.period[a] * lattice.spacing});
+  }
+  return beyond;
+}
+
+/// Calls f for the cube that starts at a node, and, at the start of the period, for those that
+/// reach it from beyond.
+template <int D, class F>
+void for_each_cube_of(const Lattice<D>& lattice, const Cell<D>& cell, F&& f) {
+  Cell<D> first = cell;
+  for (int a = 0; a < D; ++a) first[a] -= lattice.period[a] != 0 && cell[a] == 0 ? 1 : 0;
+  for_each_cell<D>(first, cell, f);
 }
 
 }  // namespace
@@ -52,16 +76,32 @@ template <class T, int D>
 ExtractedSurface<D> surface_mesh(const LatticeView<T, D>& view, const Boundaries<D>& boundaries) {
   ExtractedSurface<D> surface;
   std::unordered_map<Line<D>, std::int64_t, LineHash<D>> vertex_on;
-  for_each_surface_piece(
-      view, boundaries, [&](const SurfacePiece<D>& piece, const std::array<Place<D>, D>& places) {
-        auto& corners = surface.pieces.emplace_back();
-        for (int i = 0; i < D; ++i) {
-          const auto next = static_cast<std::int64_t>(surface.vertices.size());
-          const auto [entry, is_new] = vertex_on.try_emplace(line_of(piece[i]), next);
-          if (is_new) surface.vertices.push_back(vertex_of(piece[i], places[i]));
-          corners[i] = entry->second;
-        }
+  const auto add = [&](const SurfacePiece<D>& piece) {
+    auto& corners = surface.pieces.emplace_back();
+    for (int i = 0; i < D; ++i) {
+      const auto next = static_cast<std::int64_t>(surface.vertices.size());
+      const auto [entry, is_new] = vertex_on.try_emplace(line_of(piece[i]), next);
+      if (is_new) surface.vertices.push_back(vertex_of(piece[i]));
+      corners[i] = entry->second;
+    }
+  };
+  const Lattice<D>& lattice = view.body.lattice;
+  const Layout<D>& layout = view.population.layout;
+  const T* phi = view.fields.get(Field::level_set);
+  const auto level = [&](std::int64_t slot, const Point<D>& x) {
+    const double depth =
+        std::min(boundaries.nearest_wall(x).second, boundaries.nearest_contact(x).second);
+    return std::max({static_cast<double>(phi[slot]), -depth, beyond_period<D>(lattice, x)});
+  };
+  SurfaceCube<T, D> cube(view);
+  for (const Block<D>& block : layout.blocks()) {
+    layout.for_each_slot(block, [&](std::int64_t, const Cell<D>& cell) {
+      if (!lattice.is_wrapped(cell)) return;
+      for_each_cube_of<D>(lattice, cell, [&](const Cell<D>& first) {
+        if (cube.read(first, level)) cube.for_each_piece(add);
       });
+    });
+  }
   return surface;
 }
 

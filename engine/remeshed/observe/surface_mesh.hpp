@@ -9,7 +9,7 @@
 
 namespace pliant::remeshed {
 
-/// A vertex of the free surface, on a line between two nodes.
+/// A vertex of the surface, on a line between two nodes.
 template <int D>
 struct SurfaceVertex {
   Point<D> place;        ///< [m]
@@ -31,10 +31,10 @@ struct ExtractedSurface {
   std::vector<std::array<std::int64_t, D>> pieces;  ///< of vertices
 };
 
-/// The free surface {phi = 0} of a body in front of every wall, each vertex once.
+/// The closed surface of a body, each vertex once: where it is free, where walls hold it or are in
+/// contact with it, and at the ends of its period.
 ///
-/// Vertices and pieces come in the order of the slots. The surface of a body that neither meets a
-/// wall nor repeats itself is closed.
+/// Vertices and pieces come in the order of the slots.
 template <class T, int D>
 ExtractedSurface<D> surface_mesh(const LatticeView<T, D>& view, const Boundaries<D>& boundaries);
 

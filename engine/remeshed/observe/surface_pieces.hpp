@@ -4,7 +4,7 @@
 #include "engine/lattice/surface_pieces.hpp"
 #include "engine/remeshed/lattice_view.hpp"
 
-/// The free surface {phi = 0} of a body in front of every wall, in pieces.
+/// The surface of a body, in pieces.
 namespace pliant::remeshed {
 
 /// The cubes of a body's nodes, one after another.
@@ -13,10 +13,10 @@ class SurfaceCube {
  public:
   explicit SurfaceCube(const LatticeView<T, D>& view) : view_(view) {}
 
-  /// Takes the cube between the node of `cell` and its neighbours; false where the surface does not
-  /// cross it, or one of them is no particle.
-  bool read(const Cell<D>& cell) {
-    const T* phi = view_.fields.get(Field::level_set);
+  /// Takes the cube between the node of `cell` and its neighbours, with level(slot, place) [m] on
+  /// them; false where {level = 0} does not cross it, or one of them is no particle.
+  template <class Level>
+  bool read(const Cell<D>& cell, Level&& level) {
     int inside = 0;
     for (int c = 0; c < corners; ++c) {
       SurfaceNode<D>& node = corner_[c];
@@ -24,9 +24,10 @@ class SurfaceCube {
       for (int a = 0; a < D; ++a) node.cell[a] += c >> a & 1;
       node.slot = view_.population.layout.slot(view_.body.lattice.wrapped(node.cell));
       if (node.slot < 0 || view_.population.kind[node.slot] == Kind::vacant) return false;
-      node.phi = phi[node.slot];
+      const Point<D> place = view_.body.lattice.node(node.cell);
+      for (int a = 0; a < D; ++a) node.place[a] = place[a];
+      node.phi = level(node.slot, place);
       inside += node.phi < 0 ? 1 : 0;
-      for (int a = 0; a < D; ++a) node.place[a] = view_.body.lattice.node(a, node.cell[a]);
     }
     return inside > 0 && inside < corners;
   }
@@ -43,15 +44,17 @@ class SurfaceCube {
   std::array<SurfaceNode<D>, corners> corner_;
 };
 
-/// Calls f(piece, corners' places) for every piece whose centre lies in front of all walls, in the
-/// order of the slots; nodes last as long as the call.
+/// Calls f(piece, corners' places) for every piece of the free surface {phi = 0} whose centre lies
+/// in front of all walls, in the order of the slots; nodes last as long as the call.
 template <class T, int D, class F>
 void for_each_surface_piece(const LatticeView<T, D>& view, const Boundaries<D>& boundaries, F&& f) {
   SurfaceCube<T, D> cube(view);
   const Layout<D>& layout = view.population.layout;
+  const auto phi = [values = view.fields.get(Field::level_set)](
+                       std::int64_t slot, const Point<D>&) -> double { return values[slot]; };
   for (const Block<D>& block : layout.blocks()) {
     layout.for_each_slot(block, [&](std::int64_t, const Cell<D>& cell) {
-      if (!view.body.lattice.is_wrapped(cell) || !cube.read(cell)) return;
+      if (!view.body.lattice.is_wrapped(cell) || !cube.read(cell, phi)) return;
       cube.for_each_piece([&](const SurfacePiece<D>& piece) {
         std::array<Place<D>, D> places;
         Point<D> centre = {};

@@ -59,7 +59,6 @@ FrameSurface take_surface(const State<T, D>& state) {
     const Body<T, D>& body = state.bodies[b];
     std::map<std::pair<std::int32_t, std::int32_t>, std::int64_t> known;
     for (const auto& facet : body.facets) {
-      if (!facet.free) continue;
       for (const Vertex<D>& v : facet.vertex) {
         const auto number = static_cast<std::int64_t>(owners.size());
         // At a node on the surface all lines from it end alike.

@@ -1,5 +1,6 @@
 #include "engine/remeshed/observe/surface_mesh.hpp"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <Eigen/Dense>
@@ -87,6 +88,59 @@ TEST(surface_mesh, stays_closed_while_the_ball_turns_and_breathes) {
   const double volume =
       remeshed::integrate<double, 3>(views[0], solver.state().boundaries, {}).volume;
   EXPECT_NEAR(enclosed_volume(surface) / volume, 1, 3 * 0.75 * 0.2 * 0.2);
+}
+
+TEST(surface_mesh, of_a_block_between_walls_is_closed_and_holds_its_volume) {
+  for (const char* kind : {"fixed", "contact_wall"}) {
+    const std::string walls = fmt::format(R"(
+dimension = 3
+discretisation = {{ spacing = 0.1 }}
+time = {{ end = 1 }}
+[[body]]
+name = "block"
+geometry = {{ shape = "box", lower = [0, 0, 0], upper = [1, 1, 0.6] }}
+material = {{ model = "linear", youngs_modulus = 100, poissons_ratio = 0.3, density = 1 }}
+[[boundary]]
+name = "floor"
+kind = "{0}"
+geometry = {{ shape = "half_space", point = [0, 0, 0], normal = [0, 0, 1] }}
+[[boundary]]
+name = "side"
+kind = "{0}"
+geometry = {{ shape = "half_space", point = [0, 0, 0], normal = [1, 0, 0] }}
+)",
+                                          kind);
+    Solver3 solver(tests::read_text(walls), {1, kernels::Isa::sse2});
+    const auto surface = surface_of(solver);
+    expect_sphere(surface);
+    // Marching tetrahedra cut off the edges, whose length is 10.4, at half a spacing.
+    EXPECT_NEAR(enclosed_volume(surface), 0.6, 10.4 * 0.1 * 0.1 / 2) << kind;
+  }
+}
+
+TEST(surface_mesh, of_a_periodic_body_ends_with_the_period) {
+  Solver3 solver(tests::read_text(R"(
+dimension = 3
+discretisation = { spacing = 0.1 }
+time = { end = 1 }
+[periodic]
+axes = ["x", "y", "z"]
+lower = [0, 0, 0]
+upper = [1, 1, 1]
+[[body]]
+name = "medium"
+geometry = { shape = "box", lower = [0, 0, 0], upper = [1, 1, 1] }
+material = { model = "linear", youngs_modulus = 100, poissons_ratio = 0.3, density = 1 }
+)"),
+                 {1, kernels::Isa::sse2});
+  const auto surface = surface_of(solver);
+  expect_sphere(surface);
+  EXPECT_NEAR(enclosed_volume(surface), 1, 12 * 0.1 * 0.1 / 2);
+  for (const auto& v : surface.vertices) {
+    const double farthest = std::max(
+        {std::abs(v.place[0] - 0.5), std::abs(v.place[1] - 0.5), std::abs(v.place[2] - 0.5)});
+    EXPECT_NEAR(farthest, 0.5, 0.06);
+  }
 }
 
 TEST(surface_mesh, carries_linear_fields_exactly) {
