@@ -35,7 +35,8 @@ def arguments_of():
     parser.add_argument("--range", type=float, nargs=2, help="ends of the colours")
     parser.add_argument("--times", type=float, nargs="+", help="frames nearest to them (default: the last)")
     parser.add_argument("--stack", action="store_true", help="times below each other, not side by side")
-    parser.add_argument("--cut", choices="xyz", help="open the bodies in the middle, across this axis, on the side of the camera")
+    parser.add_argument("--cut", choices="xyz", help="open the bodies across this axis, on the side of the camera")
+    parser.add_argument("--place", type=float, default=0.5, help="of the cut, from 0 to 1 (default: 0.5, the middle)")
     parser.add_argument("--particles", action="store_true", help="show particles instead of bodies")
     parser.add_argument("--walls", action="store_true", help="show the walls of the case")
     parser.add_argument("--up", choices="xyz", help="(default: against gravity, else z)")
@@ -50,7 +51,7 @@ def wishes_of(arguments):
     """What the page reads behind the # of its address (engine/report/page/picture.js)."""
     wishes = {"picture": "", "view": arguments.view, "zoom": arguments.zoom, "scale": arguments.scale,
               "size": arguments.size, "times": arguments.times, "range": arguments.range, "field": arguments.field,
-              "label": arguments.label, "cut": arguments.cut, "up": arguments.up,
+              "label": arguments.label, "cut": arguments.cut, "place": arguments.place, "up": arguments.up,
               "walls": arguments.walls or None, "stack": arguments.stack or None, "particles": arguments.particles or None}
     texts = {key: ",".join(map(str, value)) if isinstance(value, list) else str(value)
              for key, value in wishes.items() if value is not None}
@@ -60,21 +61,25 @@ def wishes_of(arguments):
 def open_browser(width, height):
     options = Options()
     options.binary_location = shutil.which("chromium")
-    for argument in ("--headless=new", "--no-sandbox", "--use-gl=angle", "--use-angle=swiftshader",
-                     "--enable-unsafe-swiftshader", "--hide-scrollbars", f"--window-size={width + 50},{height + 250}"):
+    for argument in ("--headless=new", "--no-sandbox", "--enable-unsafe-swiftshader", "--hide-scrollbars",
+                     f"--window-size={width + 50},{height + 250}"):
         options.add_argument(argument)
     return webdriver.Chrome(options=options, service=Service(shutil.which("chromedriver")))
+
+
+def wait_for(is_ready):
+    end = time.monotonic() + PATIENCE
+    while not is_ready():
+        if time.monotonic() > end:
+            raise SystemExit("the page does not become ready")
+        time.sleep(0.1)
 
 
 def take(page, arguments):
     browser = open_browser(*arguments.size)
     try:
         browser.get(f"{page.as_uri()}#{wishes_of(arguments)}")
-        end = time.monotonic() + PATIENCE
-        while browser.find_element(By.TAG_NAME, "body").get_attribute("data-ready") != "yes":
-            if time.monotonic() > end:
-                raise SystemExit("the page does not become ready")
-            time.sleep(0.1)
+        wait_for(lambda: browser.find_element(By.TAG_NAME, "body").get_attribute("data-ready") == "yes")
         browser.find_element(By.ID, "picture").screenshot(str(arguments.picture))
     finally:
         browser.quit()

@@ -104,10 +104,9 @@ Json walls_of(const std::string& settings, const PackedFrames& packed, int dimen
         shift.push_back({rounded(x[0] / size), rounded(x[1] / size), rounded(x[2] / size)});
       }
       Json one = {{"name", wall.name},
-                  {"holds", wall.holds},
+                  {"is_plane", wall.is_plane},
                   {"position", position},
                   {"triangles", wall.triangle}};
-      if (wall.is_plane) one["plane"] = {{"point", place(wall.point)}, {"normal", wall.normal}};
       if (!shift.empty()) one["shift"] = shift;
       walls.push_back(one);
     }
@@ -123,7 +122,10 @@ Json notes_of(const RunReader& run, const PackedFrames& packed, std::size_t scal
   Json notes = Json::array();
   const auto& [shift, kept, every_frame, every_particle] = packed.thinning;
   if (!has_summary)
-    notes.push_back("The run has not reached its end, or its summary.json is gone.");
+    notes.push_back(
+        "The run has not reached its end: it is at work, or was interrupted. The same `pliant run` "
+        "with --resume continues it.");
+  if (run.frames().empty()) notes.push_back("It has no frame yet that could be shown.");
   if (every_frame > 1)
     notes.push_back(
         fmt::format("This page shows {} of {} frames.", packed.times.size(), run.frames().size()));

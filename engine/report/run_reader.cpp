@@ -77,10 +77,9 @@ auto RunReader::guarded(Read read) const {
 RunReader::RunReader(const std::filesystem::path& folder) : path_(folder / "result.h5") {
   std::error_code error;
   if (!std::filesystem::exists(path_, error))
-    throw InputError(
-        fmt::format("{}: holds no result.h5; give the folder that `pliant run` wrote to, or the "
-                    "folder of a batch",
-                    folder.string()));
+    throw InputError(fmt::format(
+        "{}: {}; give the folder that `pliant run` or `pliant batch` wrote to", folder.string(),
+        std::filesystem::exists(folder, error) ? "holds no result.h5" : "does not exist"));
   hdf5::silence();
   file_ = guarded([&] { return std::make_unique<File>(path_); });
 }

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <numbers>
 
 #include "engine/geometry/signed_distance.hpp"
@@ -11,7 +12,7 @@ namespace pliant::report {
 
 namespace {
 
-constexpr int cells_3d = 40, cells_2d = 240;  // along the longest side of what is sampled
+constexpr int cells_3d = 80, cells_2d = 240;  // along the longest side of what is sampled
 
 double dot(const Vector& a, const Vector& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
 
@@ -170,14 +171,20 @@ class Surface {
           slot, {}, Place<3>(place.data()), depth_[static_cast<std::size_t>(slot)]};
     }
     for_each_piece<3>(cube, [&](const SurfacePiece<3>& piece) {
-      std::vector<Vector> corners;
-      corners.reserve(3);
-      for (const Crossing<3>& crossing : piece) {
-        const Place<3> place = crossing.place();
-        corners.push_back({place[0], place[1], place[2]});
-      }
-      add_polygon(corners, wall_);
+      for (const Crossing<3>& crossing : piece) wall_.triangle.push_back(vertex_on(crossing));
     });
+  }
+
+  /// Pieces that meet on a line between two nodes share the vertex there.
+  std::uint32_t vertex_on(const Crossing<3>& crossing) {
+    const auto next = static_cast<std::uint32_t>(wall_.vertex.size());
+    const auto [at, is_new] =
+        known_.insert({{crossing.inside->slot, crossing.outside->slot}, next});
+    if (is_new) {
+      const Place<3> place = crossing.place();
+      wall_.vertex.push_back({place[0], place[1], place[2]});
+    }
+    return at->second;
   }
 
   const Shape& shape_;
@@ -186,6 +193,7 @@ class Surface {
   double step_;
   std::array<int, 3> nodes_ = {};
   std::vector<double> depth_;
+  std::map<std::pair<std::int64_t, std::int64_t>, std::uint32_t> known_;
 };
 
 /// The six faces of a box.
@@ -205,8 +213,6 @@ void add_solid(const Shape& shape, const Box<3>& box, int dimension, WallPicture
     const auto corners = dimension == 3 ? face_in(box, shape) : part_of_rectangle(box, shape);
     if (corners.size() >= 3) add_polygon(corners, wall);
     wall.is_plane = true;
-    wall.point = shape.point;
-    wall.normal = shape.normal;
     return;
   }
   const Box<3> part = intersection(bounding_box(shape), box);
@@ -266,8 +272,7 @@ std::vector<WallPicture> picture_walls(const Case& a_case, const Box<3>& box,
   std::vector<WallPicture> walls;
   for (const BoundaryCase& boundary : a_case.boundaries) {
     if (!is_wall(boundary.kind)) continue;
-    WallPicture wall{.name = boundary.name,
-                     .holds = boundary.kind != BoundaryCase::Kind::contact_wall};
+    WallPicture wall{.name = boundary.name};
     add_solid(boundary.geometry, box, a_case.dimension, wall);
     if (wall.triangle.empty()) continue;
     wall.shift = shifts_of(boundary, times);

@@ -13,12 +13,9 @@ namespace pliant::report {
 /// A wall as a picture shows it, where it is at t = 0.
 struct WallPicture {
   std::string name;
-  bool holds = false;                        ///< bodies, so that their surface is open there
   std::vector<Vector> vertex = {};           ///< [m]
   std::vector<std::uint32_t> triangle = {};  ///< three vertices each, anticlockwise from outside
-  /// Of a half-space: a point of its face, and the normal out of it.
-  bool is_plane = false;
-  Vector point = {}, normal = {};
+  bool is_plane = false;                     ///< the face of a half-space
   std::vector<Vector> shift = {};  ///< [frame] displacement since t = 0 [m]; empty: it never moves
 };
 

@@ -1,10 +1,11 @@
 // A body of one frame as three.js draws it: its surface, or its particles.
 import {
-  BufferAttribute, BufferGeometry, DoubleSide, GLSL3, Group, LineBasicMaterial, LineSegments, Mesh,
+  BufferAttribute, BufferGeometry, DoubleSide, FrontSide, GLSL3, Group, LineBasicMaterial, LineSegments, Mesh,
   MeshLambertMaterial, Points, ShaderMaterial,
 } from "three";
 
 const LEVELS = 65535;
+const LEAST_GAP = 1e-5; // of a surface, in the units of the box: its area, in 2D its width
 
 /** Uniforms of everything that shows a field: its colours, and the ends of their scale in 0 ... 1. */
 export const colour_uniforms = () => ({ colours: { value: null }, low: { value: 0 }, high: { value: 1 } });
@@ -79,12 +80,35 @@ function rough_pieces({ position: [x, y, z], count, pieces }, bits) {
   return rough.subarray(0, length);
 }
 
-/** Triangles in 3D, lines in 2D; `cap_layers` are for the stencil of the cut (section.js). */
+/**
+ * Whether a surface has no gaps. The line integral of a field along all edges is that around the gaps, hence the flux of
+ * the field's curl through them (Stokes). In 2D it is the difference of a function between the ends of the outline.
+ */
+function is_closed({ pieces, count, position }, corners) {
+  const field = position.map(() => new Float64Array(count));
+  for (let axis = 0; axis < 3; ++axis) {
+    const u = position[(axis + 1) % 3], v = position[(axis + 2) % 3];
+    for (let i = 0; i < count; ++i) field[axis][i] = Math.sin((5 * u[i] + 3 * v[i]) / LEVELS + axis); // has no symmetry
+  }
+  let sum = 0;
+  for (let i = 0; i < pieces.length; i += corners) {
+    if (corners === 2) sum += field[2][pieces[i + 1]] - field[2][pieces[i]];
+    for (let c = 0; corners === 3 && c < 3; ++c) {
+      const a = pieces[i + c], b = pieces[i + (c + 1) % 3];
+      for (let axis = 0; axis < 3; ++axis) {
+        sum += ((field[axis][a] + field[axis][b]) * (position[axis][b] - position[axis][a])) / (2 * LEVELS);
+      }
+    }
+  }
+  return pieces.length > 0 && Math.abs(sum) < LEAST_GAP;
+}
+
+/** Triangles in 3D, lines in 2D. */
 export class Surface {
   constructor(corners, uniforms) {
     this.geometry = new BufferGeometry();
+    this.corners = corners;
     this.is_solid = corners === 3;
-    this.bits = 0;
     this.material = this.is_solid
       ? coloured(new MeshLambertMaterial({ side: DoubleSide }), uniforms)
       : new LineBasicMaterial({ color: 0x555b63, depthTest: false, transparent: true });
@@ -100,19 +124,27 @@ export class Surface {
   show(points, field) {
     fill(this.geometry, points, field, null);
     if (this.points?.pieces !== points.pieces) {
-      this.geometry.setIndex(new BufferAttribute(points.pieces, 1));
-      this.bits = 0;
+      this.indices = []; // [bits]
+      this.is_closed = is_closed(points, this.corners);
+      this.show_sides(this.is_closed ? FrontSide : DoubleSide);
     }
     this.points = points;
     if (this.is_solid) this.smooth(points);
   }
 
+  /** The insides of closed surfaces cannot be seen: drawing them takes half of the time. */
+  show_sides(side) {
+    if (!this.is_solid || side === this.material.side) return;
+    this.material.side = side;
+    this.material.needsUpdate = true;
+  }
+
   /** Draws fewer triangles, those of a grid of 2^bits cells along a side, or with 0 bits all of them. */
   simplify(bits) {
-    if (!this.is_solid || bits === this.bits) return;
-    this.bits = bits;
-    const pieces = bits > 0 ? rough_pieces(this.points, bits) : this.points.pieces;
-    this.geometry.setIndex(new BufferAttribute(pieces, 1));
+    if (!this.points) return; // nothing is shown yet
+    const kept = this.is_solid ? bits : 0;
+    this.indices[kept] ??= new BufferAttribute(kept > 0 ? rough_pieces(this.points, kept) : this.points.pieces, 1);
+    if (this.geometry.index !== this.indices[kept]) this.geometry.setIndex(this.indices[kept]);
   }
 
   /** Normals at the vertices: sums of those of their triangles, weighted by area. */

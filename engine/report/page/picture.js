@@ -4,12 +4,22 @@ import { paint_bar } from "./colours.js";
 import { Frames } from "./decode.js";
 import { range_of } from "./run.js";
 import { View } from "./scene.js";
-import { element, number_text, words_of } from "./text.js";
+import { element, number_text, tick_texts, words_of } from "./text.js";
 
 const TITLE = 30, BAR = 70, GAP = 10;
 
 function nearest(times, time) {
   return times.reduce((best, t, i) => (Math.abs(t - time) < Math.abs(times[best] - time) ? i : best), 0);
+}
+
+/** Round numbers from `low` to `high`, about five. */
+function marks_between(low, high) {
+  const least = (high - low) / 6;
+  const power = 10 ** Math.floor(Math.log10(least));
+  const step = power * [1, 2, 2.5, 5, 10].find((factor) => factor * power >= least);
+  const first = Math.ceil(low / step - 1e-6);
+  const count = Math.floor(high / step + 1e-6) - first + 1;
+  return Array.from({ length: count }, (_, i) => Number(((first + i) * step).toPrecision(9)));
 }
 
 function draw_bar(context, width, top, [low, high], label) {
@@ -24,10 +34,13 @@ function draw_bar(context, width, top, [low, high], label) {
   context.restore();
   context.fillStyle = "#22262b";
   context.textAlign = "center";
-  for (let i = 0; i <= 4; ++i) {
-    context.fillText(number_text(low + (i / 4) * (high - low)), left + (i / 4) * length, top + 39);
-  }
-  context.fillText(label, width / 2, top + 57);
+  const marks = marks_between(low, high), texts = tick_texts(marks);
+  marks.forEach((mark, i) => {
+    const at = left + ((mark - low) / (high - low)) * length;
+    context.fillRect(at - 0.5, top + 24, 1, 4);
+    context.fillText(texts[i], at, top + 42);
+  });
+  context.fillText(label, width / 2, top + 61);
 }
 
 export async function show_picture(run, wishes) {

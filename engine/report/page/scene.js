@@ -12,6 +12,7 @@ import { Walls } from "./walls.js";
 
 const AXES = "xyz";
 const RADIANS = Math.PI / 180;
+const REST = 200; // [ms] without a turn until the picture is a full one again
 
 export class View {
   constructor(canvas, run) {
@@ -43,11 +44,11 @@ export class View {
       this.scene.add(this.surface.object);
     }
     if (corners === 3) {
-      this.face = new Face(this.surface.geometry, this.uniforms, edge);
+      this.face = new Face(this.surface, this.uniforms, edge);
       this.scene.add(this.face.object);
     }
-    this.walls = new Walls(this.run, this.uniforms, edge);
-    this.scene.add(this.walls.solids, this.walls.contacts);
+    this.walls = new Walls(this.run);
+    this.scene.add(this.walls.object);
     if (this.is_flat) {
       this.filling = new Filling(this.uniforms, edge);
       this.scene.add(this.filling.object);
@@ -92,10 +93,8 @@ export class View {
     this.controls.enableRotate = !this.is_flat;
     this.controls.screenSpacePanning = true;
     if (this.is_flat) this.controls.mouseButtons.LEFT = this.controls.mouseButtons.RIGHT;
-    this.controls.addEventListener("change", () => this.request());
-    this.controls.addEventListener("start", () => this.sharpness.start());
-    this.controls.addEventListener("end", () => this.sharpness.end() && this.resize());
     this.controls.update();
+    this.controls.addEventListener("change", () => this.turned());
     this.resize();
   }
 
@@ -114,12 +113,22 @@ export class View {
       camera.position.copy(controls.target).add(away.applyAxisAngle(camera.up, right * RADIANS));
     }
     controls.update();
-    this.request();
   }
 
   zoom_by(factor) {
     this.camera.zoom *= factor;
     this.camera.updateProjectionMatrix();
+    this.turned();
+  }
+
+  /** Pictures are those of a body that turns until it has rested for a while. */
+  turned() {
+    this.sharpness.is_turning = true;
+    clearTimeout(this.resting);
+    this.resting = setTimeout(() => {
+      this.sharpness.is_turning = false;
+      this.request();
+    }, REST);
     this.request();
   }
 
@@ -127,7 +136,7 @@ export class View {
     if (width === 0 || height === 0) return;
     this.ratio = ratio;
     this.size = { width, height };
-    this.sharpen();
+    this.share = null; // the next picture makes the canvas as large as it needs
     const aspect = width / height;
     if (this.is_flat) {
       const [w, h] = this.box.sides;
@@ -141,10 +150,10 @@ export class View {
     this.request();
   }
 
-  /** Draws with as many pixels as the sharpness says. */
-  sharpen() {
-    this.share = this.sharpness.share;
-    const ratio = this.ratio * this.share;
+  /** Draws with a share of the pixels along each side from now on. */
+  sharpen(share) {
+    this.share = share;
+    const ratio = this.ratio * share;
     this.renderer.setPixelRatio(ratio);
     this.renderer.setSize(this.size.width, this.size.height, false);
     this.particles.material.uniforms.pixels.value = (this.size.height * ratio) / 2;
@@ -172,13 +181,12 @@ export class View {
       this.surface.material.clippingPlanes = cut ? [cut.plane] : [];
     }
     this.face?.show(is_solid ? particles : null, choice.field, cut, this.spacing, this.box);
-    this.walls.solids.visible = Boolean(choice.walls);
-    this.walls.show(choice.frame, cut, is_solid ? particles : null, choice.field, this.spacing, this.box);
+    this.walls.object.visible = Boolean(choice.walls);
+    this.walls.show(choice.frame, cut);
     const is_filled = this.is_flat && !choice.particles;
     if (this.filling) this.filling.object.visible = is_filled;
     if (is_filled) {
-      const outline = this.surface && { points: sets[this.surface_at], position: this.surface.geometry.getAttribute("position") };
-      this.filling.show(particles, choice.field, this.spacing, this.box, outline);
+      this.filling.show(particles, choice.field, this.spacing, this.box, this.surface);
     }
     this.particles.object.visible = Boolean(particles) && !is_solid && !is_filled;
     if (this.particles.object.visible) {
@@ -201,8 +209,9 @@ export class View {
   draw() {
     if (this.pending) cancelAnimationFrame(this.pending);
     this.pending = null;
-    if (this.share !== this.sharpness.share) this.sharpen();
-    this.surface?.simplify(this.sharpness.bits);
+    const { share, bits } = this.sharpness.level;
+    if (this.share !== share) this.sharpen(share);
+    this.surface?.simplify(bits);
     this.sharpness.around(() => this.renderer.render(this.scene, this.camera));
   }
 }

@@ -1,43 +1,34 @@
 // How sharp pictures are while the body turns: less where they would be slow, as without a graphics processor.
-// Such pictures have fewer pixels, and surfaces have fewer triangles.
 
-const LONGEST = 33; // [ms] that a picture may take
-const LEAST = 0.3;
+const LONGEST = 20; // [ms] that such a picture may take; the browser needs time, too, to put it on the screen
+
+/** Share of the pixels along each side, and bits of the places of vertices (0: all), see `Surface.simplify`. */
+const LEVELS = [
+  { share: 1, bits: 0 }, { share: 1, bits: 6 }, { share: 0.6, bits: 6 }, { share: 0.6, bits: 5 }, { share: 0.35, bits: 5 },
+];
 
 export class Sharpness {
   constructor(gl) {
     this.gl = gl;
-    this.share = 1; // of the pixels along each side of the full picture
     this.is_turning = false;
+    this.level_of_turns = 0;
     this.pixel = new Uint8Array(4);
   }
 
-  start() {
-    this.is_turning = true;
+  /** Of the next picture. */
+  get level() {
+    return LEVELS[this.is_turning ? this.level_of_turns : 0];
   }
 
-  /** Of the places of vertices: 0 for all. */
-  get bits() {
-    if (this.share === 1) return 0;
-    return this.share > LEAST ? 6 : 5;
-  }
-
-  /** Full sharpness again; true where it was less. */
-  end() {
-    const was_less = this.share < 1;
-    this.is_turning = false;
-    this.share = 1;
-    return was_less;
-  }
-
-  /** Draws a picture, and lowers the share of pixels for the next one where this one takes too long. */
+  /** Draws a picture. The time that one takes while the body turns decides how sharp the next such picture is. */
   around(draw) {
     const start = performance.now();
     draw();
-    if (!this.is_turning || this.share <= LEAST) return;
+    if (!this.is_turning) return;
     // Waits for the picture: browsers draw in another process.
     this.gl.readPixels(0, 0, 1, 1, this.gl.RGBA, this.gl.UNSIGNED_BYTE, this.pixel);
     const taken = performance.now() - start;
-    if (taken > LONGEST) this.share = Math.max(LEAST, this.share * Math.max(0.5, Math.sqrt(LONGEST / taken)));
+    const change = taken > 4 * LONGEST ? 2 : taken > LONGEST ? 1 : taken < LONGEST / 4 ? -1 : 0;
+    this.level_of_turns = Math.min(Math.max(this.level_of_turns + change, 0), LEVELS.length - 1);
   }
 }

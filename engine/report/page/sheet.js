@@ -1,5 +1,5 @@
 // A rectangle that shows the particles near it: their colours, and where the place is full of them.
-import { DataTexture, DoubleSide, FloatType, GLSL3, Mesh, PlaneGeometry, RGFormat, ShaderMaterial, Vector3, Vector4 } from "three";
+import { DataTexture, DoubleSide, FloatType, GLSL3, Mesh, PlaneGeometry, RGFormat, ShaderMaterial } from "three";
 
 const LEVELS = 65535;
 
@@ -53,22 +53,17 @@ function values_on(points, field, place, cell, depth, most_cells) {
 const FACE = {
   vertex: `
     out vec2 at;
-    out vec3 here;
     void main() {
       at = uv;
-      here = (modelMatrix * vec4(position, 1.0)).xyz;
       gl_Position = projectionMatrix * modelViewMatrix * vec4(position, 1.0);
     }`,
   fragment: `
     precision highp float;
     in vec2 at;
-    in vec3 here;
     out vec4 result;
     uniform sampler2D colours, values;
     uniform float low, high, least;
-    uniform vec4 cut;
     void main() {
-      if (dot(cut.xyz, here) + cut.w < 0.0) discard;
       ivec2 size = textureSize(values, 0);
       vec2 place = at * vec2(size - 1);
       ivec2 first = ivec2(place);
@@ -90,17 +85,30 @@ const FACE = {
     }`,
 };
 
+/** A rectangle without a place yet. */
+export function rectangle(material) {
+  const quad = new Mesh(new PlaneGeometry(1, 1), material);
+  quad.frustumCulled = false;
+  quad.matrixAutoUpdate = false;
+  return quad;
+}
+
+/** Puts a rectangle in its place: { corner, u, v, normal }. */
+export function lay(quad, { corner, u, v, normal }) {
+  const middle = corner.clone().addScaledVector(u, 0.5).addScaledVector(v, 0.5);
+  quad.matrix.makeBasis(u, v, normal).setPosition(middle);
+  quad.matrixWorldNeedsUpdate = true;
+}
+
 /** A rectangle with the colours of the particles near it, where at least the part `least` of it is full of them. */
 export class Sheet {
   constructor(uniforms, least, settings) {
     const material = new ShaderMaterial({
       glslVersion: GLSL3, vertexShader: FACE.vertex, fragmentShader: FACE.fragment, side: DoubleSide, transparent: true,
-      uniforms: { ...uniforms, values: { value: null }, least: { value: least }, cut: { value: new Vector4(0, 0, 0, 1) } },
+      uniforms: { ...uniforms, values: { value: null }, least: { value: least } },
       ...settings,
     });
-    this.quad = new Mesh(new PlaneGeometry(1, 1), material);
-    this.quad.frustumCulled = false;
-    this.quad.matrixAutoUpdate = false;
+    this.quad = rectangle(material);
   }
 
   show(points, field, place, cell, depth, most_cells) {
@@ -109,14 +117,6 @@ export class Sheet {
     this.texture = new DataTexture(pairs, columns, rows, RGFormat, FloatType);
     this.texture.needsUpdate = true;
     this.quad.material.uniforms.values.value = this.texture;
-    const middle = place.corner.clone().addScaledVector(place.u, 0.5).addScaledVector(place.v, 0.5);
-    this.quad.matrix.makeBasis(place.u, place.v, place.normal).setPosition(middle);
-    this.quad.matrixWorldNeedsUpdate = true;
-  }
-
-  /** Shows only what a cut leaves. */
-  open(cut) {
-    const { normal, constant } = cut ? cut.plane : { normal: new Vector3(), constant: 1 };
-    this.quad.material.uniforms.cut.value.set(normal.x, normal.y, normal.z, constant);
+    lay(this.quad, place);
   }
 }
