@@ -22,16 +22,16 @@ rendered = {
     "cases/liver_aspiration/result": (
         "cases/liver_aspiration", ["discretisation.spacing=0.025/28", "time.step=8e-4", "output.every=5"],
         ["--cut", "y", "--walls", "--view", "-65", "35", "--times", "0", "15",
-         "--zoom", "1.1", "--size", "1500", "850", *mm]),
+         "--zoom", "1.05", "--size", "1500", "760", *mm]),
     "cases/bouncing_ball/result": (
         "cases/bouncing_ball", [],
         ["--cut", "x", "--walls", "--up", "y", "--view", "-50", "20", 
          "--field", "pressure", "--label", "pressure [Pa]", "--times", "0.02", "0.08", "0.2",
-         "--size", "1500", "600"]),
+         "--zoom", "1.3", "--size", "1500", "540"]),
     "cases/ball_on_block/result": (
         "cases/ball_on_block", ["discretisation.spacing=0.05"],
         ["--cut", "z", "--up", "y", "--view", "28", "20", "--field", "velocity_y",
-         "--label", "upward velocity [m/s]", "--times", "0", "0.16", "0.5", "--size", "1500", "600"]),
+         "--label", "upward velocity [m/s]", "--times", "0", "0.16", "0.5", "--zoom", "1.5", "--size", "1500", "560"]),
     "cases/block_cut/result": (
         "cases/block_cut", [],
         ["--times", "0.08", "0.14", "0.24", "--view", "-70", "45", "--zoom", "1.2",
@@ -41,7 +41,7 @@ rendered = {
         ["--times", "80", "--view", "-60", "20", "--zoom", "2", "--size", "900", "500", *mm]),
     "cases/indentation/result": (
         "cases/indentation", [],
-        ["--times", "0.15", "--view", "-120", "35", "--zoom", "1.6", "--size", "1000", "600", *mm]),
+        ["--times", "0.15", "--view", "-120", "35", "--zoom", "1.2", "--size", "900", "600", *mm]),
     "cases/bimaterial_bar/result": (
         "cases/bimaterial_bar", [],
         ["--stack", "--times", "0", "0.024", "0.044", "0.0646", "--field", "pressure", "--size", "1100", "420"]),
@@ -59,6 +59,12 @@ rendered = {
         "cases/oscillating_plate", ["time.end=6"],
         ["--walls", "--stack", "--times", "0", "2", "4", "6", "--field", "velocity", "--label", "speed [m/s]",
          "--size", "900", "760"]),
+    **{f"cases/{case}/result": (
+        f"cases/{case}", [],
+        ["--cut", "y", "--place", "0.25", "--times", *times, "--field", "velocity_x", "--scale", "1000",
+         "--label", "velocity along x [mm/s]", "--zoom", "1.1", "--size", "1500", "440"])
+       for case, times in {"periodic_cube": ["0", "0.03", "0.06", "0.0931"],
+                           "periodic_cube_hyperelastic": ["0", "0.04", "0.09", "0.1291"]}.items()},
     "cases/periodic_square/result": (
         "cases/periodic_square", [],
         ["--times", "0", "0.038", "0.078", "0.114", "--field", "pressure", "--size", "1500", "440"]),
@@ -104,16 +110,16 @@ rendered = {
          "speed [m/s]"]),
     "docs/boundaries/fixed": (
         "docs/boundaries/fixed.toml", [],
-        ["--walls", "--view", "-70", "20", *mm]),
+        ["--walls", "--view", "-70", "20", "--zoom", "1.4", "--size", "900", "560", *mm]),
     "docs/boundaries/moving_wall": (
-        "docs/boundaries/moving_wall.toml", [],
-        ["--cut", "y", "--walls", "--times", "0", "2", "--size", "1400", "700", *mm]),
+        "docs/boundaries/moving_wall.toml", ["discretisation.spacing=0.00125", "time.step=5e-4"],
+        ["--cut", "y", "--walls", "--times", "0", "2", "--zoom", "1.5", "--size", "1200", "480", *mm]),
     "docs/boundaries/slip_wall": (
-        "docs/boundaries/slip_wall.toml", [],
-        ["--cut", "y", "--walls", "--times", "0", "2", "--size", "1400", "700", *mm]),
+        "docs/boundaries/slip_wall.toml", ["discretisation.spacing=0.00125", "time.step=5e-4"],
+        ["--cut", "y", "--walls", "--times", "0", "2", "--zoom", "1.5", "--size", "1200", "480", *mm]),
     "docs/boundaries/pressure": (
-        "docs/boundaries/pressure.toml", [],
-        ["--cut", "y", "--walls", *mm]),
+        "docs/boundaries/pressure.toml", ["discretisation.spacing=0.00125", "time.step=5e-4"],
+        ["--cut", "y", "--walls", "--zoom", "1.5", "--size", "800", "520", *mm]),
     "docs/contacts/frictionless": (
         "docs/contacts/two_balls.toml", [],
         ["--times", "0", "0.02", "0.05", "--view", "-80", "12", "--zoom", "1.4", "--size", "1500", "500",

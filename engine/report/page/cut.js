@@ -1,7 +1,13 @@
 // Where the bodies are cut, and which of their particles can be seen then.
-import { Plane, Vector3 } from "three";
+import { Plane, ShaderChunk, Vector3 } from "three";
 
 const LEVELS = 65535;
+
+// three.js compares the middle of a pixel with the plane, also where it lies outside of the triangle: then edges of what
+// is cut off would show as dots. A centroid lies inside.
+for (const chunk of ["clipping_planes_pars_vertex", "clipping_planes_pars_fragment"]) {
+  ShaderChunk[chunk] = ShaderChunk[chunk].replace("varying", "centroid varying");
+}
 
 /** Where the bodies are cut: axis 0 ... 2, place in the units of the box, and the side that stays. */
 export class Cut {

@@ -95,7 +95,7 @@ export class Face {
     this.layers = stencil_layers(surface.geometry, 1);
     // Rays count wrong where the surface has gaps, as along cuts. Then what is full of particles shows too.
     this.filling = new Sheet(uniforms, edge, { polygonOffset: true, polygonOffsetFactor: 1, polygonOffsetUnits: 1 });
-    this.face = new Sheet(uniforms, 0.05, COUNTED);
+    this.face = new Sheet(uniforms, 0.2, COUNTED);
     this.face.quad.renderOrder = 2;
     this.object = new Group();
     this.object.add(...this.layers, this.filling.quad, this.face.quad);
