@@ -12,7 +12,7 @@ namespace pliant::report {
 
 namespace {
 
-constexpr int cells_3d = 80, cells_2d = 240;  // along the longest side of what is sampled
+constexpr int cells_3d = 48, cells_2d = 240;  // along the longest side of what is sampled
 
 double dot(const Vector& a, const Vector& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
 
