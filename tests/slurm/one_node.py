@@ -106,9 +106,10 @@ class OneNode:
         time.sleep(BATCH_START_TIMEOUT + MESSAGE_TIMEOUT + 1)
         self.start_node()
         self.wait_for(lambda: "RUNNING" not in self.queue() and "COMPLETING" not in self.queue(), "slurmctld")
-        # Tasks that are requeued wait two minutes, until their credentials are no longer valid.
+        # Tasks that are requeued wait two minutes. The node refuses those that start in the second in which it was told that they
+        # are lost ("credential revoked"), which ends them as failed.
         for job in set(self.run("squeue", "--noheader", "--format=%F").split()):
-            self.run("scontrol", "update", f"JobId={job}", "StartTime=now")
+            self.run("scontrol", "update", f"JobId={job}", "StartTime=now+3")
 
     def processes_of_tasks(self):
         """Slurm's step daemons of this node, and what has this Slurm's tasks in its environment."""

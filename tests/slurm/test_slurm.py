@@ -75,7 +75,7 @@ class Slurm(ProgramTest):
         self.wait_for(lambda: any(self.out.glob("runs/*/checkpoint.h5")), process)
         NODE.lose()
         NODE.come_back()
-        self.assertEqual(0, process.wait(120))
+        self.assertEqual(0, process.wait(120), self.rows())
         self.assertEqual([1, 2], [self.arrays(), self.done()])
 
     def test_an_interrupt_removes_the_tasks_and_leaves_checkpoints(self):
