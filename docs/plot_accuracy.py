@@ -41,7 +41,7 @@ def draw(axis, problem, rows, key):
         axis.axhline(error, color="0.8", linewidth=0.8, zorder=0)
     axis.set_title(problem, fontsize=9)
     axis.tick_params(labelsize=7)
-    axis.legend(fontsize=6)
+    axis.legend(fontsize=6 if len(rows) < 8 else 5, framealpha=0.6)
 
 
 def main():
