@@ -27,10 +27,15 @@ const char* word_of(Certainty certainty) {
 Json json_of(const RungRecord& rung) {
   Json values = Json::object();
   for (const auto& [name, value] : rung.values) values[name] = value;
-  return {{"settings", rung.settings},   {"particles", rung.particles},
-          {"steps", rung.steps},         {"seconds", rung.seconds},
-          {"error", rung.error},         {"peak_memory", rung.peak_memory},
-          {"values", std::move(values)}, {"message", rung.message}};
+  return {{"settings", rung.settings},
+          {"particles", rung.particles},
+          {"steps", rung.steps},
+          {"seconds", rung.seconds},
+          {"processor_seconds", rung.processor_seconds},
+          {"error", rung.error},
+          {"peak_memory", rung.peak_memory},
+          {"values", std::move(values)},
+          {"message", rung.message}};
 }
 
 Json json_of(const SeriesRecord& row) {

@@ -16,7 +16,8 @@ inline constexpr std::array errors_of_interest = {0.03, 0.01, 0.003};
 struct RungRecord {
   std::vector<std::string> settings = {};  ///< of this rung, key=value
   std::int64_t particles = 0, steps = 0, peak_memory = 0;
-  std::vector<double> seconds = {};  ///< wall time of the whole process, each repetition
+  std::vector<double> seconds = {};            ///< wall time of the whole process, each repetition
+  std::vector<double> processor_seconds = {};  ///< of all its threads, each repetition
   std::vector<std::pair<std::string, double>> values = {};  ///< of the targets
   double error = 0;                                         ///< of the worst target; NaN: none
   std::string message = {};                                 ///< why there is none

@@ -43,6 +43,7 @@ std::vector<std::string> arguments_of(const RungRun& run) {
 void keep(const RungRun& run, const batch::Outcome& outcome) {
   const Json json = {{"command", arguments_of(run)},
                      {"wall_seconds", outcome.wall_seconds},
+                     {"processor_seconds", outcome.processor_seconds},
                      {"peak_memory", outcome.peak_memory}};
   write_atomically(kept_file(run), json.dump(1, ' ', false, Json::error_handler_t::replace) + "\n",
                    Durable::no);
@@ -58,6 +59,7 @@ std::optional<batch::Outcome> kept(const RungRun& run) {
   outcome.exit_status = 0;
   if (!batch::read_summary(run.folder, outcome)) return std::nullopt;
   outcome.wall_seconds = json.value("wall_seconds", std::nan(""));
+  outcome.processor_seconds = json.value("processor_seconds", std::nan(""));
   outcome.peak_memory = json.value("peak_memory", std::int64_t{0});
   return outcome;
 }
@@ -69,6 +71,7 @@ void add(RungRecord& record, const batch::Outcome& outcome, const std::vector<Ta
     return;
   }
   record.seconds.push_back(outcome.wall_seconds);
+  record.processor_seconds.push_back(outcome.processor_seconds);
   record.particles = outcome.particles;
   record.steps = outcome.steps;
   record.peak_memory = std::max(record.peak_memory, outcome.peak_memory);

@@ -36,6 +36,7 @@ class Accuracy(ProgramTest):
             self.assertLess(coarse["particles"], fine["particles"])
             self.assertEqual(20, fine["steps"])
             self.assertEqual(1, len(fine["seconds"]))
+            self.assertGreater(fine["processor_seconds"][0], 0)
             self.assertAlmostEqual(abs(fine["values"]["angular_momentum_ratio"] - 1), fine["error"])
             self.assertEqual("at_most", row["costs"][0]["certainty"])
         self.assertIn("| cylinder | single | < ", table.read_text())

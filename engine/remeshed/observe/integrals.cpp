@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 #include "engine/remeshed/observe/point_state.hpp"
 
@@ -11,7 +12,50 @@ namespace {
 
 constexpr int sub_cells = 10;          // to a side, of a cell that the surface may cut
 constexpr double coverage_slope = 10;  // (RP.42)
-const double gauss = 0.5 / std::sqrt(3.0);
+
+using Row = std::array<double, sub_cells>;
+
+// Place of a sub-cell along an axis, in [-1/2, 1/2] cells.
+constexpr double centre(int i) { return (i + 0.5) / sub_cells - 0.5; }
+
+// Integrals of a weight, and of it times s_a, s_a s_b and s_a s_b s_c, with s in [-1/2, 1/2]^D.
+template <int D>
+struct Moments {
+  double zeroth = 0;
+  Point<D> first = {};
+  std::array<Point<D>, D> second = {};
+  std::array<std::array<Point<D>, D>, D> third = {};
+
+  static Moments of_whole_cell() {
+    Moments whole;
+    whole.zeroth = 1;
+    for (int a = 0; a < D; ++a) whole.second[a][a] = 1.0 / 12;
+    return whole;
+  }
+
+  // The sub-cells of a row along the first axis; t is its place, with 1 for the first component.
+  void add_row(const Row& weights, const Point<D>& t) {
+    std::array<double, 4> sums = {};  // times powers of s_0
+    for (int i = 0; i < sub_cells; ++i) {
+      const double s = centre(i);
+      sums[0] += weights[i];
+      sums[1] += weights[i] * s;
+      sums[2] += weights[i] * s * s;
+      sums[3] += weights[i] * s * s * s;
+    }
+    for (double& sum : sums) sum /= kernels::power(sub_cells, D);
+    zeroth += sums[0];
+    for (int a = 0; a < D; ++a) {
+      first[a] += t[a] * sums[a == 0];
+      for (int b = 0; b < D; ++b) {
+        second[a][b] += t[a] * t[b] * sums[(a == 0) + (b == 0)];
+        for (int c = 0; c < D; ++c) {
+          third[a][b][c] += t[a] * t[b] * t[c] * sums[(a == 0) + (b == 0) + (c == 0)];
+        }
+      }
+    }
+  }
+};
 
 // Values of one node and their central differences [per cell].
 template <int D>
@@ -24,6 +68,12 @@ struct Expansion {
   Point<D> phi_slope = {};
   std::array<Point<D>, D> phi_curvature = {};
 };
+
+// Of a linear field times what the moments are of.
+template <int D>
+double integral(double value, const Point<D>& slope, double zeroth, const Point<D>& first) {
+  return std::inner_product(slope.begin(), slope.end(), first.begin(), value * zeroth);
+}
 
 template <class T, int D>
 class Integrator {
@@ -45,11 +95,8 @@ class Integrator {
         const double wall = distance_to_walls(x) / h_;
         if (wall < -reach) return;
         const Expansion<D> e = expand(p, cell);
-        if (distance < -reach && wall > reach) {
-          add_whole(x, e);
-        } else {
-          add_cut(x, e, wall < reach);
-        }
+        const bool is_whole = distance < -reach && wall > reach;
+        add(x, e, is_whole ? whole_ : covered(x, e, wall < reach));
       });
     }
     return sum_;
@@ -116,60 +163,87 @@ class Integrator {
     return sum / (4 * h_);
   }
 
-  // Gauss points: products of linear fields are integrated exactly.
-  void add_whole(const Point<D>& x, const Expansion<D>& e) {
-    const double volume = std::pow(h_, D) / (1 << D);
-    for (int corner = 0; corner < (1 << D); ++corner) {
-      Point<D> s;
-      for (int a = 0; a < D; ++a) s[a] = corner >> a & 1 ? gauss : -gauss;
-      add(x, s, e, volume);
+  Moments<D> covered(const Point<D>& x, const Expansion<D>& e, bool is_near_wall) const {
+    Moments<D> moments;
+    for (int k = 0; k < kernels::power(sub_cells, D - 1); ++k) {
+      Point<D> t = {1};
+      for (int a = 1, rest = k; a < D; ++a, rest /= sub_cells) t[a] = centre(rest % sub_cells);
+      Row row = coverage(e, t);
+      if (is_near_wall) leave_out_walls(x, t, row);
+      moments.add_row(row, t);
+    }
+    return moments;
+  }
+
+  static Row coverage(const Expansion<D>& e, const Point<D>& t) {
+    double phi = e.phi, slope = e.phi_slope[0];  // at the middle of the row
+    for (int a = 1; a < D; ++a) {
+      phi += e.phi_slope[a] * t[a];
+      slope += e.phi_curvature[0][a] * t[a];
+      for (int b = 1; b < D; ++b) phi += 0.5 * e.phi_curvature[a][b] * t[a] * t[b];
+    }
+    Row row;
+    for (int i = 0; i < sub_cells; ++i) {
+      const double s = centre(i);
+      const double at = phi + s * (slope + 0.5 * e.phi_curvature[0][0] * s);
+      row[i] = std::clamp(0.5 - coverage_slope * at, 0.0, 1.0);
+    }
+    return row;
+  }
+
+  void leave_out_walls(const Point<D>& x, const Point<D>& t, Row& row) const {
+    Point<D> at;
+    for (int a = 1; a < D; ++a) at[a] = x[a] + h_ * t[a];
+    for (int i = 0; i < sub_cells; ++i) {
+      if (row[i] == 0) continue;
+      at[0] = x[0] + h_ * centre(i);
+      row[i] *= std::clamp(0.5 + coverage_slope * distance_to_walls(at) / h_, 0.0, 1.0);
     }
   }
 
-  void add_cut(const Point<D>& x, const Expansion<D>& e, bool is_near_wall) {
-    const double volume = std::pow(h_ / sub_cells, D);
-    const int count = kernels::power(sub_cells, D);
-    for (int k = 0; k < count; ++k) {
-      Point<D> s, at = x;
-      for (int a = 0, rest = k; a < D; ++a, rest /= sub_cells) {
-        s[a] = (rest % sub_cells + 0.5) / sub_cells - 0.5;
-        at[a] += h_ * s[a];
-      }
-      double phi = e.phi;
-      for (int a = 0; a < D; ++a) {
-        phi += e.phi_slope[a] * s[a];
-        for (int b = 0; b < D; ++b) phi += 0.5 * e.phi_curvature[a][b] * s[a] * s[b];
-      }
-      double covered = std::clamp(0.5 - coverage_slope * phi, 0.0, 1.0);
-      if (is_near_wall) {
-        const double wall = distance_to_walls(at) / h_;
-        covered *= std::clamp(0.5 + coverage_slope * wall, 0.0, 1.0);
-      }
-      if (covered > 0) add(x, s, e, volume * covered);
-    }
-  }
-
-  void add(const Point<D>& x, const Point<D>& s, const Expansion<D>& e, double volume) {
-    double density = e.density, energy = e.energy;
-    Point<D> u = e.velocity;
-    Vector r = {}, velocity = {};
+  // Density, energy and velocity are linear in the cell, so that moments integrate them exactly.
+  void add(const Point<D>& x, const Expansion<D>& e, const Moments<D>& m) {
+    const double volume = std::pow(h_, D);
+    const double mass = integral<D>(e.density, e.density_slope, m.zeroth, m.first);
+    double kinetic_energy = 0;
+    Vector r = {}, first_moment = {}, momentum = {};
+    std::array<Vector, 3> spread = {};  // of s_a times the momentum c: [a][c]
     for (int a = 0; a < D; ++a) {
-      density += e.density_slope[a] * s[a];
-      energy += e.energy_slope[a] * s[a];
-      for (int c = 0; c < D; ++c) u[c] += e.velocity_slope[a][c] * s[a];
-      r[a] = x[a] + h_ * s[a] - about_[a];
+      r[a] = x[a] - about_[a];
+      first_moment[a] = integral<D>(e.density, e.density_slope, m.first[a], m.second[a]);
     }
-    std::copy(u.begin(), u.end(), velocity.begin());
-    sum_.volume += volume;
-    sum_.mass += density * volume;
-    sum_.strain_energy += energy * volume;
-    add_motion(sum_, density * volume, r, velocity);
+    for (int c = 0; c < D; ++c) {
+      momentum[c] = mass * e.velocity[c];
+      for (int a = 0; a < D; ++a) {
+        momentum[c] += e.velocity_slope[a][c] * first_moment[a];
+        spread[a][c] = first_moment[a] * e.velocity[c];
+        for (int b = 0; b < D; ++b) {
+          const double second_moment =
+              integral<D>(e.density, e.density_slope, m.second[a][b], m.third[a][b]);
+          spread[a][c] += e.velocity_slope[b][c] * second_moment;
+        }
+        kinetic_energy += 0.5 * e.velocity_slope[a][c] * spread[a][c];
+      }
+      kinetic_energy += 0.5 * e.velocity[c] * momentum[c];
+    }
+    sum_.volume += volume * m.zeroth;
+    sum_.mass += volume * mass;
+    sum_.strain_energy += volume * integral<D>(e.energy, e.energy_slope, m.zeroth, m.first);
+    sum_.kinetic_energy += volume * kinetic_energy;
+    for (int c = 0; c < 3; ++c) {
+      const int a = (c + 1) % 3, b = (c + 2) % 3;
+      sum_.first_moment[c] += volume * (mass * r[c] + h_ * first_moment[c]);
+      sum_.momentum[c] += volume * momentum[c];
+      sum_.angular_momentum[c] +=
+          volume * (r[a] * momentum[b] - r[b] * momentum[a] + h_ * (spread[a][b] - spread[b][a]));
+    }
   }
 
   const LatticeView<T, D>& view_;
   const Boundaries<D>& boundaries_;
   Vector about_;
   double h_;
+  Moments<D> whole_ = Moments<D>::of_whole_cell();
   BodyIntegrals sum_;
 };
 

@@ -1,8 +1,10 @@
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <numbers>
 
+#include "engine/simulation/oscillation.hpp"
 #include "tests/engine/total_lagrangian/blocks.hpp"
 
 // Against solutions in closed form.
@@ -105,6 +107,30 @@ TEST(total_lagrangian, scaled_mass_rings_slower_by_the_root_of_the_scaling) {
     // The same path on a clock four times slower, so displacements are four times larger.
     EXPECT_NEAR(slow_body.displacement[0][p], 4 * fast_body.displacement[0][p], 1e-7);
   });
+}
+
+/// Period of a clamped plate, ten times as long as thick, on two cells across.
+double period_of_coarse_plate(double hourglass_stiffness) {
+  const std::vector<std::string> changes = {
+      "method=total_lagrangian", "discretisation.spacing=0.05",
+      "body.plate.material={model=\"reduced_polynomial\",density=1,coefficients=[19.230769],"
+      "compressibility=0.024}",
+      fmt::format("total_lagrangian.hourglass_stiffness={}", hourglass_stiffness)};
+  const Case settings = read_case(PLIANT_SOURCE_DIR "/cases/oscillating_plate", changes);
+  LagrangianSolver<2> solver(settings, {1, kernels::widest_supported()});
+  std::vector<double> times, tips;
+  while (solver.clock().time < 13 * (1 - 1e-12)) {
+    solver.advance(solver.clock().time + 0.05);
+    times.push_back(solver.clock().time);
+    tips.push_back(solver.measure()[0]);
+  }
+  return oscillation_period(times, tips);
+}
+
+// (TL.6) in plane strain: 1/(1 - nu), nu = 0.3.
+TEST(total_lagrangian, two_cells_across_bend_as_a_plate_with_the_hourglass_stiffness_of_bending) {
+  EXPECT_NEAR(period_of_coarse_plate(1 / 0.7) / 5.94, 1, 0.002);
+  EXPECT_GT(std::abs(period_of_coarse_plate(1) / 5.94 - 1), 0.03);
 }
 
 }  // namespace
