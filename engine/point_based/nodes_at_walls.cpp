@@ -12,10 +12,11 @@ namespace pliant::point_based {
 
 namespace {
 
-constexpr int points_to_a_side = 8;   // of a node's cell
+constexpr int points_to_a_side = 8;         // of a node's cell
 constexpr double nearly_half = 0.5 + 1e-9;  // of the pitch, with what rounding may add
 
-// Of what the body fills of the cell around a node, the share outside walls that material sticks to.
+// Of what the body fills of the cell around a node, the share outside walls that material sticks
+// to.
 template <int D>
 double elastic_share(const Boundaries<D>& boundaries, const Shape& shape, const Point<D>& node,
                      const Point<D>& cell) {
@@ -32,7 +33,8 @@ double elastic_share(const Boundaries<D>& boundaries, const Shape& shape, const 
   return inside == 0 ? 1 : static_cast<double>(elastic) / inside;
 }
 
-/// A node that has moved by -`distance` along the normal of a wall, over the pitch in that direction.
+/// A node that has moved by -`distance` along the normal of a wall, over the pitch in that
+/// direction.
 template <int D>
 struct MovedNode {
   std::size_t node;
@@ -100,8 +102,8 @@ std::vector<double> fit_to_walls(const Boundaries<D>& boundaries, const Shape& s
 }
 
 template std::vector<double> fit_to_walls<2>(const Boundaries<2>&, const Shape&,
-                                          const std::optional<Point<2>>&, NodeCloud<2>&);
+                                             const std::optional<Point<2>>&, NodeCloud<2>&);
 template std::vector<double> fit_to_walls<3>(const Boundaries<3>&, const Shape&,
-                                          const std::optional<Point<3>>&, NodeCloud<3>&);
+                                             const std::optional<Point<3>>&, NodeCloud<3>&);
 
 }  // namespace pliant::point_based

@@ -16,8 +16,8 @@ std::vector<double> fit_to_walls(const Boundaries<D>& boundaries, const Shape& s
                                  const std::optional<Point<D>>& pitch, NodeCloud<D>& cloud);
 
 extern template std::vector<double> fit_to_walls<2>(const Boundaries<2>&, const Shape&,
-                                                 const std::optional<Point<2>>&, NodeCloud<2>&);
+                                                    const std::optional<Point<2>>&, NodeCloud<2>&);
 extern template std::vector<double> fit_to_walls<3>(const Boundaries<3>&, const Shape&,
-                                                 const std::optional<Point<3>>&, NodeCloud<3>&);
+                                                    const std::optional<Point<3>>&, NodeCloud<3>&);
 
 }  // namespace pliant::point_based

@@ -214,7 +214,8 @@ PlacedNodes<D> place_nodes(const Case& settings, const BodyCase& source,
     nodes.cloud = lattice_nodes<D>(shape, spacing);
     nodes.reach = 0.5;
     // Nodes at the surface have fewer neighbours, not farther ones: that would soften bending.
-    nodes.support = spacing * lattice_support<D>(neighbour_count(settings));
+    nodes.support = *std::max_element(pitch->begin(), pitch->end()) *
+                    lattice_support<D>(neighbour_count(settings));
     nodes.alpha = 0.1;
   }
   if (nodes.cloud.positions.empty()) {

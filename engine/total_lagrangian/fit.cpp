@@ -62,10 +62,10 @@ class WallFitter {
   std::vector<FittedNode<D>> operator()() {
     for_each_particle([&](std::int64_t p, const Cell<D>& cell) {
       if (!is_near_a_wall(cell)) return;
-      shift_onto_walls(p, cell);
-      if (!is_on_surface(p)) return;
-      const std::optional<Vec<D>> shift = shift_of_surface(p, cell);
+      const std::optional<Vec<D>> shift =
+          is_on_surface(p) ? shift_of_surface(p, cell) : std::nullopt;
       if (shift && shift->norm() > on_surface * h_) spread_below(cell, *shift);
+      if (!shift || is_held_below(cell)) shift_onto_walls(p, cell);
     });
     keep_cells_open();
     std::vector<FittedNode<D>> nodes;
@@ -130,6 +130,15 @@ class WallFitter {
     const double distance = nearest->norm() / h_;
     const bool fits = distance < 0.5 || (distance < 1.5 && has_free_opposite(cell, n, *nearest));
     return fits ? nearest : std::nullopt;
+  }
+
+  // The wall does not end on the surface: it goes on in the body.
+  bool is_held_below(const Cell<D>& cell) const {
+    const auto [axis, up] = line_along(normal(vec<D>(body_.lattice.node(cell))));
+    Cell<D> below = cell;
+    below[axis] -= up ? 1 : -1;
+    const std::int64_t p = body_.layout.slot(below);
+    return p >= 0 && held_[p];
   }
 
   Vec<D> normal(const Vec<D>& x) const {

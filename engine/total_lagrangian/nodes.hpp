@@ -71,7 +71,6 @@ class Nodes {
     const auto [least, most] = std::minmax_element(corner.begin(), corner.end());
     if (*most <= 0) return 1;
     if (*least >= 0) return 0;
-    const bool is_linear = is_nearly_linear(cell, corner);
     double sum = 0;
     const int count = kernels::power(sub_cells, D);
     for (int k = 0; k < count; ++k) {
@@ -79,13 +78,7 @@ class Nodes {
       for (int a = 0, rest = k; a < D; ++a, rest /= sub_cells) {
         s[a] = (rest % sub_cells + 0.5) / sub_cells;
       }
-      double value = 0;
-      if (is_linear) {
-        for (int c = 0; c < corners; ++c) value += weight(s, c) * corner[c];
-      } else {
-        value = phi_at(within(cell, s));
-      }
-      sum += std::clamp(0.5 - sub_cells * value, 0.0, 1.0);
+      sum += std::clamp(0.5 - sub_cells * phi_in(cell, s, corner), 0.0, 1.0);
     }
     const double fraction = sum / count;
     return fraction < smallest ? 0 : fraction;
@@ -100,9 +93,8 @@ class Nodes {
 
  private:
   static constexpr int corners = 1 << D;
-  static constexpr int sub_cells = 10;             // to a side, of a cell that the surface cuts
-  static constexpr double on_surface = 1e-9;       // [h] distances that rounding may leave
-  static constexpr double nearly_linear = 0.02;    // [h] of phi over a cell, from its corners
+  static constexpr int sub_cells = 10;        // to a side, of a cell that the surface cuts
+  static constexpr double on_surface = 1e-9;  // [h] distances that rounding may leave
 
   double phi_at(const Point<D>& x) const {
     return signed_distance(shape_, padded<D>(x), D) / lattice_.spacing;
@@ -137,15 +129,14 @@ class Nodes {
     return x;
   }
 
-  // Not at the edges of a body, where the corners of a cell do not tell what it fills of it.
-  // Distances to meshes take long.
-  bool is_nearly_linear(const Cell<D>& cell, const std::array<double, corners>& corner) const {
-    if (has_mesh_) return true;
-    double mean = 0;
-    for (const double phi : corner) mean += phi / corners;
-    Point<D> middle;
-    middle.fill(0.5);
-    return std::abs(phi_at(within(cell, middle)) - mean) < nearly_linear;
+  // phi at a place in a cell [h]: of the shape itself, or between the corners for meshes, whose
+  // distances take long.
+  double phi_in(const Cell<D>& cell, const Point<D>& s,
+                const std::array<double, corners>& corner) const {
+    if (!has_mesh_) return phi_at(within(cell, s));
+    double value = 0;
+    for (int c = 0; c < corners; ++c) value += weight(s, c) * corner[c];
+    return value;
   }
 
   std::int64_t index(const Cell<D>& cell) const {
