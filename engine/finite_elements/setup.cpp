@@ -209,7 +209,8 @@ void set_material(const Body<T, D>& body, Elements<T, D>& elements) {
 template <class T, int D>
 void make_body(const Case& settings, const BodyCase& source, const Boundaries<D>& boundaries,
                Body<T, D>& body, Elements<T, D>& elements) {
-  const point_based::PlacedNodes<D> nodes = point_based::place_nodes<D>(settings, source);
+  const point_based::PlacedNodes<D> nodes =
+      point_based::place_nodes<D>(settings, source, boundaries);
   point_based::make_nodes(settings, source, nodes, boundaries,
                           point_based::PressureForces::of_loads, body);
   std::vector<Element<D>> all = elements_of(nodes.cloud, body);

@@ -181,4 +181,9 @@ Box<3> bounding_box(const Shape& shape) {
   return box;
 }
 
+bool contains_mesh(const Shape& shape) {
+  return shape.kind == Shape::Kind::mesh ||
+         std::any_of(shape.operands.begin(), shape.operands.end(), contains_mesh);
+}
+
 }  // namespace pliant

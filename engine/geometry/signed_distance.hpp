@@ -15,6 +15,9 @@ double signed_distance(const Shape& shape, const Vector& x, int dimension);
 /// normal. At a point with no single nearest surface point, one of those it could be.
 Vector outward_direction(const Shape& shape, const Vector& x, int dimension);
 
+/// Whether a part of `shape` is a mesh, whose distances take long.
+bool contains_mesh(const Shape& shape);
+
 /// A box that holds `shape`; infinite along directions in which it has no end.
 Box<3> bounding_box(const Shape& shape);
 

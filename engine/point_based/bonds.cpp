@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <optional>
 
 #include "engine/point_based/nearest_nodes.hpp"
 #include "engine/point_based/node_frequency.hpp"
@@ -89,10 +90,10 @@ Chosen choose(const BondChoice<D>& choice, std::span<const double> factors, std:
 
 /// Enters a node in the list of degenerate ones, or takes it out.
 template <class T, int D>
-void set_rank(const NodeOperator<D>& made, int block, std::int64_t slot, Body<T, D>& body) {
+void set_rank(const NodeOperator<D>& made, int block, std::int64_t slot, double volume,
+              Body<T, D>& body) {
   std::erase_if(body.degenerate[block],
                 [slot](const DegenerateNode<D>& node) { return node.slot == slot; });
-  const double volume = body.mass[slot] / body.material.density;
   body.volume[slot] = made.rank == D ? static_cast<T>(volume) : T(0);
   if (made.rank < D) body.degenerate[block].push_back({slot, made.rank, made.direction, volume});
 }
@@ -100,15 +101,14 @@ void set_rank(const NodeOperator<D>& made, int block, std::int64_t slot, Body<T,
 /// What (PB.12) makes of the bonds of a node, with all of its volume.
 template <class T, int D>
 double frequency2_of(const Chosen& chosen, const NodeOperator<D>& made, std::int64_t slot,
-                     const Body<T, D>& body) {
+                     double volume, const Body<T, D>& body) {
   std::vector<SwingingBond<D>> bonds;
   bonds.reserve(chosen.slot.size());
   for (std::size_t k = 0; k < chosen.slot.size(); ++k) {
     bonds.push_back({made.gradient[k], chosen.weight[k], body.mass[chosen.slot[k]]});
   }
-  const double mass = body.mass[slot];
-  return node_frequency2<D>({body.material.lame_modulus, body.material.shear_modulus,
-                             mass / body.material.density, body.stiffness[slot], mass},
+  return node_frequency2<D>({body.material.lame_modulus, body.material.shear_modulus, volume,
+                             body.stiffness[slot], body.mass[slot]},
                             bonds);
 }
 
@@ -177,10 +177,9 @@ double lattice_support(int count) {
 }
 
 template <int D>
-std::vector<std::vector<typename NearestNodes<D>::Found>> find_candidates(const NodeCloud<D>& cloud,
-                                                                          int count,
-                                                                          const std::string& body) {
-  const NearestNodes<D> tree(cloud.positions);
+std::vector<std::vector<typename NearestNodes<D>::Found>> find_candidates(
+    const NodeCloud<D>& cloud, const std::vector<double>& elastic_volumes, int count,
+    const std::string& body) {
   const std::size_t nodes = cloud.positions.size();
   if (nodes < 2) {
     throw InputError(
@@ -188,10 +187,24 @@ std::vector<std::vector<typename NearestNodes<D>::Found>> find_candidates(const 
                     "cloud of more nodes",
                     body, nodes));
   }
+  std::vector<Point<D>> elastic;
+  std::vector<std::int32_t> number;  // of the elastic nodes
+  for (std::size_t node = 0; node < nodes; ++node) {
+    if (elastic_volumes[node] == 0) continue;
+    number.push_back(static_cast<std::int32_t>(node));
+    elastic.push_back(cloud.positions[node]);
+  }
+  const NearestNodes<D> elastic_nodes(elastic);
+  std::optional<NearestNodes<D>> all_nodes;
+  if (elastic.size() < nodes) all_nodes.emplace(cloud.positions);
+  const std::size_t wanted = static_cast<std::size_t>(count) + 1;
   std::vector<std::vector<typename NearestNodes<D>::Found>> candidates(nodes);
   for (std::size_t node = 0; node < nodes; ++node) {
-    auto found = tree.nearest(cloud.positions[node], static_cast<std::size_t>(count) + 1);
-    if (found[1].distance == 0) {
+    const Point<D>& x = cloud.positions[node];
+    const bool is_elastic = elastic_volumes[node] > 0;
+    auto found = is_elastic ? elastic_nodes.nearest(x, wanted) : all_nodes->nearest(x, wanted);
+    for (auto& one : found) one.node = is_elastic ? number[one.node] : one.node;
+    if (found.size() > 1 && found[1].distance == 0) {
       throw InputError(fmt::format("body `{}` has two nodes, {} and {}, at one place; remove one",
                                    body, found[0].node, found[1].node));
     }
@@ -218,15 +231,15 @@ void set_bonds(const BondChoice<D>& choice, std::span<const double> factors, std
     for (int a = 0; a < D; ++a) x[a] = body.start[other][a] - body.start[slot][a];
   }
   const NodeOperator<D> made = node_operator<D>(bonds, chosen.weight);
-  set_rank(made, static_cast<int>(&block - body.blocks.data()), slot, body);
+  const double volume = choice.elastic_volumes[body.number[slot]];
+  set_rank(made, static_cast<int>(&block - body.blocks.data()), slot, volume, body);
   const double modulus = body.material.lame_modulus + 2 * body.material.shear_modulus;
-  const double volume = body.mass[slot] / body.material.density;
   body.stiffness[slot] =
       made.rank == D ? static_cast<T>(choice.alpha * modulus / made.trace() * volume) : T(0);
   for (int c = 0; c < Body<T, D>::symmetric; ++c) {
     body.moment[c][slot] = static_cast<T>(made.moment[c]);
   }
-  body.frequency2[slot] = static_cast<T>(frequency2_of(chosen, made, slot, body));
+  body.frequency2[slot] = static_cast<T>(frequency2_of(chosen, made, slot, volume, body));
   write_bonds<T, D>(block, slot, {chosen.slot, made.gradient}, chosen.weight, body);
 }
 
@@ -267,12 +280,10 @@ void make_bonds(const std::vector<GivenBonds<D>>& bonds, Body<T, D>& body) {
 
 template double lattice_support<2>(int);
 template double lattice_support<3>(int);
-template std::vector<std::vector<NearestNodes<2>::Found>> find_candidates<2>(const NodeCloud<2>&,
-                                                                             int,
-                                                                             const std::string&);
-template std::vector<std::vector<NearestNodes<3>::Found>> find_candidates<3>(const NodeCloud<3>&,
-                                                                             int,
-                                                                             const std::string&);
+template std::vector<std::vector<NearestNodes<2>::Found>> find_candidates<2>(
+    const NodeCloud<2>&, const std::vector<double>&, int, const std::string&);
+template std::vector<std::vector<NearestNodes<3>::Found>> find_candidates<3>(
+    const NodeCloud<3>&, const std::vector<double>&, int, const std::string&);
 template std::vector<double> weights_of(const BondChoice<2>&, std::int64_t);
 template std::vector<double> weights_of(const BondChoice<3>&, std::int64_t);
 template void make_bonds(const BondChoice<2>&, Body<double, 2>&);

@@ -16,6 +16,7 @@ struct BondChoice {
   using Found = typename NearestNodes<D>::Found;
   std::vector<std::vector<Found>> candidates;  ///< [node of the cloud] nearest first
   std::vector<std::int64_t> slot_of;           ///< [node of the cloud]
+  std::vector<double> elastic_volumes;         ///< [node of the cloud] of (PB.21) [m^D]
   int neighbours = 0;                          ///< of each node, at most
   double support = 0;  ///< h of (PB.2) [m]; infinite: from the next candidate
   double alpha = 0;    ///< strength of the stabilisation (PB.5)
@@ -29,12 +30,13 @@ struct BondChoice {
 template <int D>
 double lattice_support(int count);
 
-/// The `count` nodes nearest to each, or all others where there are fewer. Throws InputError, in
-/// the name of `body`, for two nodes at one place and for a cloud of one node.
+/// The `count` nodes nearest to each, or all others where there are fewer; of a node with an
+/// elastic volume, those with one too, (PB.21). Throws InputError, in the name of `body`, for two
+/// nodes at one place and for a cloud of one node.
 template <int D>
-std::vector<std::vector<typename NearestNodes<D>::Found>> find_candidates(const NodeCloud<D>& cloud,
-                                                                          int count,
-                                                                          const std::string& body);
+std::vector<std::vector<typename NearestNodes<D>::Found>> find_candidates(
+    const NodeCloud<D>& cloud, const std::vector<double>& elastic_volumes, int count,
+    const std::string& body);
 
 /// Weights of the bonds of a node to its first candidates, (PB.2).
 template <int D>

@@ -18,12 +18,7 @@ namespace {
 
 constexpr int sub_cells = 10;             // to a side, of a cell that the surface cuts
 constexpr double on_surface = 1e-9;       // [h] distances that rounding may leave
-constexpr double smallest_volume = 0.02;  // [h^D] of a node of its own
-
-bool contains_mesh(const Shape& shape) {
-  return shape.kind == Shape::Kind::mesh ||
-         std::any_of(shape.operands.begin(), shape.operands.end(), contains_mesh);
-}
+constexpr double smallest_volume = 0.02;  // of a cell, of a node of its own
 
 template <int D>
 class Sampling {
@@ -31,14 +26,17 @@ class Sampling {
   static constexpr int corners = 1 << D;
 
   Sampling(const Shape& shape, double spacing)
-      : shape_(shape), spacing_(spacing), has_mesh_(contains_mesh(shape)) {
+      : shape_(shape),
+        spacing_(spacing),
+        has_mesh_(contains_mesh(shape)),
+        pitch_(lattice_pitch<D>(shape, spacing)) {
     const Box<3> box = bounding_box(shape);
     std::int64_t count = 1;
     for (int a = 0; a < D; ++a) {
-      const auto cells = static_cast<std::int32_t>(
-          std::max(1.0, std::round((box.upper[a] - box.lower[a]) / spacing)));
-      // One more layer on each side, where the shape may reach beyond the nodes.
-      start_[a] = (box.lower[a] + box.upper[a] - (cells + 2) * spacing) / 2;
+      const auto cells =
+          static_cast<std::int32_t>(std::round((box.upper[a] - box.lower[a]) / pitch_[a]));
+      // One more layer on each side, where volumes find no lattice point inside.
+      start_[a] = box.lower[a] - pitch_[a];
       extent_[a] = cells + 3;
       stride_[a] = count;
       count *= extent_[a];
@@ -68,7 +66,9 @@ class Sampling {
     if (cloud.positions.empty()) return {};
     const NearestNodes<D> nearest(cloud.positions);
     for (const auto& [x, volume] : strays_) cloud.volumes[nearest.nearest(x)] += volume;
-    for (double& volume : cloud.volumes) volume *= std::pow(spacing_, D);
+    for (double& volume : cloud.volumes) {
+      for (const double pitch : pitch_) volume *= pitch;
+    }
     return cloud;
   }
 
@@ -85,7 +85,7 @@ class Sampling {
   }
   Point<D> at(const Cell<D>& cell) const {
     Point<D> x;
-    for (int a = 0; a < D; ++a) x[a] = start_[a] + cell[a] * spacing_;
+    for (int a = 0; a < D; ++a) x[a] = start_[a] + cell[a] * pitch_[a];
     return x;
   }
   std::int64_t corner(const Cell<D>& cell, int c) const {
@@ -94,7 +94,8 @@ class Sampling {
     return sum;
   }
 
-  /// [corner] what the body fills of the part of a cell that is nearest to each corner [h^D].
+  /// [corner] what the body fills of the part of a cell that is nearest to each corner, as a share
+  /// of it.
   std::array<double, corners> parts(const Cell<D>& cell) const {
     std::array<double, corners> phi, part = {};
     for (int c = 0; c < corners; ++c) phi[c] = phi_[corner(cell, c)];
@@ -122,7 +123,7 @@ class Sampling {
   /// edges...
   double distance(const Cell<D>& cell, const Point<D>& s) const {
     Point<D> x = at(cell);
-    for (int a = 0; a < D; ++a) x[a] += s[a] * spacing_;
+    for (int a = 0; a < D; ++a) x[a] += s[a] * pitch_[a];
     return signed_distance(shape_, padded<D>(x), D) / spacing_;
   }
   /// ... or linear between the corners, for meshes, whose distances take long.
@@ -156,22 +157,35 @@ class Sampling {
   }
 
   const Shape& shape_;
-  double spacing_;
+  double spacing_;  ///< h, as asked for
   bool has_mesh_;
-  Point<D> start_;
+  Point<D> pitch_, start_;
   Cell<D> extent_;
   std::array<std::int64_t, D> stride_;
-  std::vector<double> phi_, volume_;                 ///< [lattice point] [h], [h^D]
+  std::vector<double> phi_, volume_;                 ///< [lattice point] [h], [cell]
   std::vector<std::pair<Point<D>, double>> strays_;  ///< volumes without a node of their own
 };
 
 }  // namespace
 
 template <int D>
+Point<D> lattice_pitch(const Shape& shape, double spacing) {
+  const Box<3> box = bounding_box(shape);
+  Point<D> pitch;
+  for (int a = 0; a < D; ++a) {
+    const double side = box.upper[a] - box.lower[a];
+    pitch[a] = side / std::max(1.0, std::round(side / spacing));
+  }
+  return pitch;
+}
+
+template <int D>
 NodeCloud<D> lattice_nodes(const Shape& shape, double spacing) {
   return Sampling<D>(shape, spacing).cloud();
 }
 
+template Point<2> lattice_pitch<2>(const Shape&, double);
+template Point<3> lattice_pitch<3>(const Shape&, double);
 template NodeCloud<2> lattice_nodes<2>(const Shape&, double);
 template NodeCloud<3> lattice_nodes<3>(const Shape&, double);
 

@@ -15,6 +15,7 @@
 #include "engine/point_based/lattice_nodes.hpp"
 #include "engine/point_based/nodes/mesh_nodes.hpp"
 #include "engine/point_based/nodes/octree_nodes.hpp"
+#include "engine/point_based/nodes_at_walls.hpp"
 #include "engine/point_based/parameters.hpp"
 #include "engine/point_based/patch_bonds.hpp"
 #include "engine/point_based/surface.hpp"
@@ -90,7 +91,11 @@ BondChoice<D> choice_of(const Case& settings, const PlacedNodes<D>& nodes, const
   const bool is_lattice = !std::isinf(nodes.support);
   int count = choice.neighbours;
   if (!is_lattice) count = (choice.may_change ? candidates_per_neighbour : 1) * count + 1;
-  choice.candidates = find_candidates(nodes.cloud, count, body.name);
+  // The patch test balances the forces of the whole body, what walls hold included.
+  choice.elastic_volumes = parameters_of(settings).gradient == NodeGradient::patch_exact
+                               ? nodes.cloud.volumes
+                               : nodes.elastic_volumes;
+  choice.candidates = find_candidates(nodes.cloud, choice.elastic_volumes, count, body.name);
   choice.slot_of.resize(nodes.cloud.positions.size());
   for (std::int64_t slot = 0; slot < body.slots; ++slot) {
     if (body.number[slot] >= 0) choice.slot_of[body.number[slot]] = slot;
@@ -189,29 +194,36 @@ kernels::PointMaterial<T> point_material(const BodyCase& source) {
 }
 
 template <int D>
-PlacedNodes<D> place_nodes(const Case& settings, const BodyCase& source) {
-  constexpr double on_lattice = 0.1, elsewhere = 0.3;  // alpha
-  constexpr double unlimited = std::numeric_limits<double>::infinity();
+PlacedNodes<D> place_nodes(const Case& settings, const BodyCase& source,
+                           const Boundaries<D>& boundaries) {
   const Shape& shape = source.geometry;
   const double spacing = settings.discretisation.spacing;
   PlacedNodes<D> nodes;
+  std::optional<Point<D>> pitch;
+  nodes.support = std::numeric_limits<double>::infinity();
+  nodes.alpha = 0.3;
   if (has_elements(shape)) {
-    // Vertices lie on the surface.
-    nodes = {nodes_of_mesh<D>(read_volume_mesh(shape.file, D), shape.scale, shape.translate), 0.25,
-             unlimited, elsewhere};
+    nodes.cloud = nodes_of_mesh<D>(read_volume_mesh(shape.file, D), shape.scale, shape.translate);
+    nodes.reach = 0.25;  // vertices lie on the surface
   } else if (parameters_of(settings).nodes == NodePlacement::octree) {
     const double coarsest = parameters_of(settings).coarsest_spacing;
-    // Those next to the surface lie half a cell from it.
-    nodes = {octree_nodes<D>(shape, {spacing, coarsest > 0 ? coarsest : 4 * spacing}), 0.75,
-             unlimited, elsewhere};
+    nodes.cloud = octree_nodes<D>(shape, {spacing, coarsest > 0 ? coarsest : 4 * spacing});
+    nodes.reach = 0.75;  // nodes next to the surface lie half a cell from it
   } else {
+    pitch = lattice_pitch<D>(shape, spacing);
+    nodes.cloud = lattice_nodes<D>(shape, spacing);
+    nodes.reach = 0.5;
     // Nodes at the surface have fewer neighbours, not farther ones: that would soften bending.
-    nodes = {lattice_nodes<D>(shape, spacing), 0.5,
-             spacing * lattice_support<D>(neighbour_count(settings)), on_lattice};
+    nodes.support = *std::max_element(pitch->begin(), pitch->end()) *
+                    lattice_support<D>(neighbour_count(settings));
+    nodes.alpha = 0.1;
   }
-  if (!nodes.cloud.positions.empty()) return nodes;
-  throw InputError(
-      fmt::format("body `{}` holds no node; use a finer discretisation.spacing", source.name));
+  if (nodes.cloud.positions.empty()) {
+    throw InputError(
+        fmt::format("body `{}` holds no node; use a finer discretisation.spacing", source.name));
+  }
+  nodes.elastic_volumes = fit_to_walls<D>(boundaries, shape, pitch, nodes.cloud);
+  return nodes;
 }
 
 template <class T, int D>
@@ -262,8 +274,8 @@ scheduler::Blocks number_blocks(State<T, D>& state) {
 
 template kernels::PointMaterial<double> point_material<double>(const BodyCase&);
 template kernels::PointMaterial<float> point_material<float>(const BodyCase&);
-template PlacedNodes<2> place_nodes<2>(const Case&, const BodyCase&);
-template PlacedNodes<3> place_nodes<3>(const Case&, const BodyCase&);
+template PlacedNodes<2> place_nodes<2>(const Case&, const BodyCase&, const Boundaries<2>&);
+template PlacedNodes<3> place_nodes<3>(const Case&, const BodyCase&, const Boundaries<3>&);
 template void make_nodes(const Case&, const BodyCase&, const PlacedNodes<2>&, const Boundaries<2>&,
                          PressureForces, Body<double, 2>&);
 template BondChoice<2> make_body<double, 2>(const Case&, const BodyCase&, const PlacedNodes<2>&,

@@ -17,15 +17,17 @@ bool has_elements(const Shape& shape);
 template <int D>
 struct PlacedNodes {
   NodeCloud<D> cloud;
+  std::vector<double> elastic_volumes;  ///< [node] of (PB.21) [m^D]
   double reach;    ///< distance within which a wall holds a node, over the node's V^(1/D)
   double support;  ///< h of (PB.2) [m]; infinite: from the distances of the nodes
   double alpha;    ///< strength of the stabilisation (PB.5) that they need
 };
 
-/// Places nodes: those of the tetrahedra of a mesh, on a lattice, or in an octree. Throws
-/// InputError for a body that holds none.
+/// Places nodes: those of the tetrahedra of a mesh, on a lattice whose nodes move onto walls within
+/// half a spacing, or in an octree. Throws InputError for a body that holds none.
 template <int D>
-PlacedNodes<D> place_nodes(const Case& settings, const BodyCase& source);
+PlacedNodes<D> place_nodes(const Case& settings, const BodyCase& source,
+                           const Boundaries<D>& boundaries);
 
 /// What turns pressures into forces: the kernel that evaluates the bonds, or NodeLoads.
 enum class PressureForces { of_bonds, of_loads };

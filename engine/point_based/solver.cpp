@@ -50,8 +50,9 @@ Solver<T, D>::Solver(const Case& a_case, const SolverOptions& options) : Base(a_
   for (std::size_t b = 0; b < state.bodies.size(); ++b) {
     Body<T, D>& body = state.bodies[b];
     const BodyCase& source = this->settings().bodies[b];
-    BondChoice<D> choice = make_body(
-        this->settings(), source, place_nodes<D>(this->settings(), source), state.boundaries, body);
+    BondChoice<D> choice = make_body(this->settings(), source,
+                                     place_nodes<D>(this->settings(), source, state.boundaries),
+                                     state.boundaries, body);
     state.cuts.push_back(body.has_cuts()
                              ? std::make_unique<BodyCuts<T, D>>(
                                    this->settings(), static_cast<int>(b), std::move(choice), body)

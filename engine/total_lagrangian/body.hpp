@@ -42,7 +42,7 @@ struct SurfacePatch {
   int pressure;
 };
 
-/// A particle that has left its lattice node to lie on the rim of a wall, (TL.11).
+/// A particle that has left its lattice node to lie on a wall or its rim, (TL.11).
 template <int D>
 struct FittedNode {
   std::int32_t slot;

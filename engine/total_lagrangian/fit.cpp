@@ -1,23 +1,26 @@
 #include "engine/total_lagrangian/fit.hpp"
 
+#include <Eigen/Dense>
 #include <algorithm>
 #include <cmath>
 #include <map>
 #include <optional>
 #include <set>
+#include <utility>
 
 #include "engine/geometry/padded.hpp"
 #include "engine/geometry/signed_distance.hpp"
 
-// A wall holds the particles within half a spacing of it. Where it ends on a free surface, the line
-// between held and free particles would be a staircase around the true rim:
+// A wall holds the particles within half a spacing of it. They move onto its surface: the body is
+// held where the wall is. Where a wall ends on a free surface, the line between held and free
+// particles would be a staircase around the true rim:
 //
 //       x x x x x          x held     particles of the surface, seen from above;
 //       o o x x x          o free     the rim runs through them at a slant
 //       o o o o x
 //
-// Held particles near the rim therefore move onto it, within the surface. What lies below them
-// follows, less and less with depth.
+// Held particles near the rim therefore move onto it, within the surface. What lies beside moved
+// particles follows, less and less with the distance.
 namespace pliant::total_lagrangian {
 
 namespace {
@@ -43,9 +46,9 @@ Point<D> point(const Vec<D>& x) {
 }
 
 template <class T, int D>
-class RimFitter {
+class WallFitter {
  public:
-  RimFitter(const Boundaries<D>& boundaries, const Body<T, D>& body)
+  WallFitter(const Boundaries<D>& boundaries, const Body<T, D>& body)
       : boundaries_(boundaries),
         body_(body),
         shape_(body.source->geometry),
@@ -58,9 +61,11 @@ class RimFitter {
 
   std::vector<FittedNode<D>> operator()() {
     for_each_particle([&](std::int64_t p, const Cell<D>& cell) {
-      if (!is_on_surface(p) || !is_near_a_wall(cell)) return;
-      const std::optional<Vec<D>> shift = shift_of_surface(p, cell);
-      if (shift && shift->norm() > on_surface * h_) spread(cell, *shift);
+      if (!is_near_a_wall(cell)) return;
+      const std::optional<Vec<D>> shift =
+          is_on_surface(p) ? shift_of_surface(p, cell) : std::nullopt;
+      if (shift && shift->norm() > on_surface * h_) spread_below(cell, *shift);
+      if (!shift || is_held_below(cell)) shift_onto_walls(p, cell);
     });
     keep_cells_open();
     std::vector<FittedNode<D>> nodes;
@@ -85,6 +90,29 @@ class RimFitter {
     return boundaries_.nearest_wall(body_.lattice.node(cell)).second < 2 * h_;
   }
 
+  // One wall after the other: where two meet, a particle moves onto both.
+  void shift_onto_walls(std::int64_t p, const Cell<D>& cell) {
+    if (!held_[p]) return;
+    const Vec<D> x = vec<D>(body_.lattice.node(cell));
+    Vec<D> shift = Vec<D>::Zero();
+    for (const Wall<D>& wall : boundaries_.walls) {
+      if (!wall.is_attached()) continue;
+      const Point<D> at = point<D>(x + shift);
+      const double distance = wall.distance(at);
+      if (std::abs(distance) > h_ / 2 || std::abs(distance) < on_surface * h_) continue;
+      const Vec<D> normal = vec<D>(wall.normal(at)), onto = -distance * normal;
+      shift += onto;
+      const auto [axis, up] = line_along(normal);
+      for (int k = 1; k < layers; ++k) {
+        Cell<D> beside = cell;
+        beside[axis] += up ? k : -k;
+        const std::int64_t q = body_.layout.slot(beside);
+        if (q >= 0 && body_.is_particle(q) && !held_[q]) take(q, (1 - k / layers) * onto);
+      }
+    }
+    if (shift.norm() > on_surface * h_) take(p, shift);
+  }
+
   // Held particles within half a spacing of the rim move onto it, and in 3D those that a cell has
   // opposite to a free one.
   std::optional<Vec<D>> shift_of_surface(std::int64_t p, const Cell<D>& cell) const {
@@ -102,6 +130,15 @@ class RimFitter {
     const double distance = nearest->norm() / h_;
     const bool fits = distance < 0.5 || (distance < 1.5 && has_free_opposite(cell, n, *nearest));
     return fits ? nearest : std::nullopt;
+  }
+
+  // The wall does not end on the surface: it goes on in the body.
+  bool is_held_below(const Cell<D>& cell) const {
+    const auto [axis, up] = line_along(normal(vec<D>(body_.lattice.node(cell))));
+    Cell<D> below = cell;
+    below[axis] -= up ? 1 : -1;
+    const std::int64_t p = body_.layout.slot(below);
+    return p >= 0 && held_[p];
   }
 
   Vec<D> normal(const Vec<D>& x) const {
@@ -152,20 +189,28 @@ class RimFitter {
   }
 
   // To the particles above and below along the lattice line that is nearest to the normal.
-  void spread(const Cell<D>& cell, const Vec<D>& shift) {
-    const Vec<D> n = normal(vec<D>(body_.lattice.node(cell)));
-    int axis = 0;
-    n.cwiseAbs().maxCoeff(&axis);
+  void spread_below(const Cell<D>& cell, const Vec<D>& shift) {
+    const auto [axis, up] = line_along(normal(vec<D>(body_.lattice.node(cell))));
     for (int k = -1; k < layers; ++k) {
       Cell<D> at = cell;
-      at[axis] -= n[axis] > 0 ? k : -k;
+      at[axis] -= up ? k : -k;
       const std::int64_t p = body_.layout.slot(at);
       if (p < 0 || !body_.is_particle(p) || (k != 0 && is_on_surface(p))) continue;
-      const Vec<D> faded = (1 - std::abs(k) / layers) * shift;
-      Vec<D>& known =
-          shift_.try_emplace(static_cast<std::int32_t>(p), Vec<D>::Zero()).first->second;
-      if (faded.norm() > known.norm()) known = faded;
+      take(p, (1 - std::abs(k) / layers) * shift);
     }
+  }
+
+  // The axis of the lattice line nearest to `n`, and whether it runs along or against it.
+  static std::pair<int, bool> line_along(const Vec<D>& n) {
+    int axis = 0;
+    n.cwiseAbs().maxCoeff(&axis);
+    return {axis, n[axis] > 0};
+  }
+
+  // The longest of several shifts.
+  void take(std::int64_t p, const Vec<D>& shift) {
+    Vec<D>& known = shift_.try_emplace(static_cast<std::int32_t>(p), Vec<D>::Zero()).first->second;
+    if (shift.norm() > known.norm()) known = shift;
   }
 
   // Where a cell would close, its corners go back half the way.
@@ -206,72 +251,17 @@ class RimFitter {
 }  // namespace
 
 template <class T, int D>
-std::vector<FittedNode<D>> fit_to_rims(const Boundaries<D>& boundaries, const Body<T, D>& body) {
-  return RimFitter<T, D>(boundaries, body)();
+std::vector<FittedNode<D>> fit_to_walls(const Boundaries<D>& boundaries, const Body<T, D>& body) {
+  return WallFitter<T, D>(boundaries, body)();
 }
 
-template <class T, int D>
-Eigen::Matrix<double, D, D> shape_of(const Body<T, D>& body, const Cell<D>& cell) {
-  const auto corners = body.corners(cell);
-  Eigen::Matrix<double, D, D> a = Eigen::Matrix<double, D, D>::Identity();
-  for (int c = 0; c < (1 << D); ++c) {
-    const Vec<D> shift = vec<D>(body.shift(corners[c]));
-    for (int j = 0; j < D; ++j) {
-      a.col(j) += (c >> j & 1 ? 2 : -2) / ((1 << D) * body.lattice.spacing) * shift;
-    }
-  }
-  return a;
-}
-
-template <class T, int D>
-void make_fitted_cells(Body<T, D>& body) {
-  body.first_fitted = {0};
-  for (const Block<D>& block : body.layout.blocks()) {
-    body.layout.for_each_slot(block, [&](std::int64_t p, const Cell<D>& cell) {
-      body.regular_fraction[p] = body.fraction[p];
-      if (!(body.fraction[p] > 0) || !body.is_fitted(cell)) return;
-      body.regular_fraction[p] = 0;
-      const Eigen::Matrix<double, D, D> a = shape_of<T, D>(body, cell), inverse = a.inverse();
-      kernels::FittedCell<T, D> fitted = {};
-      fitted.slot = p;
-      fitted.row = body.corner_rows(p);
-      fitted.volume = static_cast<T>(body.fraction[p] * a.determinant());
-      for (int i = 0; i < D; ++i) {
-        for (int j = 0; j < D; ++j) fitted.inverse[D * i + j] = static_cast<T>(inverse(i, j));
-      }
-      const auto corners = body.corners(cell);
-      for (int m = 1; m < (1 << D); ++m) {
-        if (kernels::directions_of[m] < 2) continue;
-        for (int c = 0; c < (1 << D); ++c) {
-          // The signs of (TL.2); those of the regular nodes add up to nothing.
-          const int lower = kernels::directions_of[m & ~c];
-          const Point<D> shift = body.shift(corners[c]);
-          for (int i = 0; i < D; ++i) {
-            fitted.start[i][m] += static_cast<T>(lower % 2 == 0 ? shift[i] : -shift[i]);
-          }
-        }
-      }
-      body.fitted.push_back(fitted);
-    });
-    body.first_fitted.push_back(static_cast<int>(body.fitted.size()));
-  }
-}
-
-template std::vector<FittedNode<2>> fit_to_rims<double, 2>(const Boundaries<2>&,
-                                                           const Body<double, 2>&);
-template std::vector<FittedNode<3>> fit_to_rims<double, 3>(const Boundaries<3>&,
-                                                           const Body<double, 3>&);
-template std::vector<FittedNode<2>> fit_to_rims<float, 2>(const Boundaries<2>&,
-                                                          const Body<float, 2>&);
-template std::vector<FittedNode<3>> fit_to_rims<float, 3>(const Boundaries<3>&,
-                                                          const Body<float, 3>&);
-template Eigen::Matrix2d shape_of<double, 2>(const Body<double, 2>&, const Cell<2>&);
-template Eigen::Matrix3d shape_of<double, 3>(const Body<double, 3>&, const Cell<3>&);
-template Eigen::Matrix2d shape_of<float, 2>(const Body<float, 2>&, const Cell<2>&);
-template Eigen::Matrix3d shape_of<float, 3>(const Body<float, 3>&, const Cell<3>&);
-template void make_fitted_cells<double, 2>(Body<double, 2>&);
-template void make_fitted_cells<double, 3>(Body<double, 3>&);
-template void make_fitted_cells<float, 2>(Body<float, 2>&);
-template void make_fitted_cells<float, 3>(Body<float, 3>&);
+template std::vector<FittedNode<2>> fit_to_walls<double, 2>(const Boundaries<2>&,
+                                                            const Body<double, 2>&);
+template std::vector<FittedNode<3>> fit_to_walls<double, 3>(const Boundaries<3>&,
+                                                            const Body<double, 3>&);
+template std::vector<FittedNode<2>> fit_to_walls<float, 2>(const Boundaries<2>&,
+                                                           const Body<float, 2>&);
+template std::vector<FittedNode<3>> fit_to_walls<float, 3>(const Boundaries<3>&,
+                                                           const Body<float, 3>&);
 
 }  // namespace pliant::total_lagrangian

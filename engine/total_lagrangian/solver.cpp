@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "engine/case/stability.hpp"
 #include "engine/lattice/layout_blocks.hpp"
@@ -55,6 +56,15 @@ Solver<T, D>::Solver(const Case& a_case, const SolverOptions& options) : Base(a_
                  connect_blocks<D>(layouts, 0));
 }
 
+template <class T, int D>
+double Solver<T, D>::smallest_spacing() const {
+  double least = std::numeric_limits<double>::infinity();
+  for (const Body<T, D>& body : this->state().bodies) {
+    least = std::min(least, body.lattice.spacing);
+  }
+  return least;
+}
+
 // Waves are slower by the square root of the scaling; "match_time_step" makes them as slow as the
 // step needs at present.
 template <class T, int D>
@@ -64,15 +74,15 @@ void Solver<T, D>::scale_mass() {
   double& scaling = clock.mass_scaling = given.value_or(1);
   if (given) return;
   const double cells = clock.wave_speed * *this->settings().time.step /
-                       (cfl_number(this->settings()) * this->settings().discretisation.spacing);
+                       (cfl_number(this->settings()) * smallest_spacing());
   scaling = std::max(1.0, cells * cells);
 }
 
 template <class T, int D>
 double Solver<T, D>::automatic_step() const {
   const Clock& clock = this->clock();
-  return cfl_number(this->settings()) * this->settings().discretisation.spacing *
-         std::sqrt(clock.mass_scaling) / clock.wave_speed;
+  return cfl_number(this->settings()) * smallest_spacing() * std::sqrt(clock.mass_scaling) /
+         clock.wave_speed;
 }
 
 template <class T, int D>

@@ -26,6 +26,7 @@ class Solver final : public undeformed::Solver<State<T, D>, Step<T, D>, Measurer
   StepFailure failure(const StepResult& result) const override;
   void adapt(const Advance& advance, const StepResult& result) override;
   void show() override { this->state().age_memory(); }
+  double smallest_spacing() const;  ///< of all bodies [m]
   void scale_mass();
 
   double stress_wave_speed_ = 0;  ///< what initial stresses add in squares to that of waves [m/s]

@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "engine/method/initial_stress.hpp"
-#include "engine/total_lagrangian/fit.hpp"
+#include "engine/total_lagrangian/fitted_cells.hpp"
 #include "kernels/total_lagrangian/cell_energy.hpp"
 #include "kernels/with_scalar.hpp"
 

@@ -1,0 +1,63 @@
+#include "engine/total_lagrangian/fitted_cells.hpp"
+
+namespace pliant::total_lagrangian {
+
+template <class T, int D>
+Eigen::Matrix<double, D, D> shape_of(const Body<T, D>& body, const Cell<D>& cell) {
+  const auto corners = body.corners(cell);
+  Eigen::Matrix<double, D, D> a = Eigen::Matrix<double, D, D>::Identity();
+  for (int c = 0; c < (1 << D); ++c) {
+    const Point<D> from_node = body.shift(corners[c]);
+    const Eigen::Matrix<double, D, 1> shift =
+        Eigen::Map<const Eigen::Matrix<double, D, 1>>(from_node.data());
+    for (int j = 0; j < D; ++j) {
+      a.col(j) += (c >> j & 1 ? 2 : -2) / ((1 << D) * body.lattice.spacing) * shift;
+    }
+  }
+  return a;
+}
+
+template <class T, int D>
+void make_fitted_cells(Body<T, D>& body) {
+  body.first_fitted = {0};
+  for (const Block<D>& block : body.layout.blocks()) {
+    body.layout.for_each_slot(block, [&](std::int64_t p, const Cell<D>& cell) {
+      body.regular_fraction[p] = body.fraction[p];
+      if (!(body.fraction[p] > 0) || !body.is_fitted(cell)) return;
+      body.regular_fraction[p] = 0;
+      const Eigen::Matrix<double, D, D> a = shape_of<T, D>(body, cell), inverse = a.inverse();
+      kernels::FittedCell<T, D> fitted = {};
+      fitted.slot = p;
+      fitted.row = body.corner_rows(p);
+      fitted.volume = static_cast<T>(body.fraction[p] * a.determinant());
+      for (int i = 0; i < D; ++i) {
+        for (int j = 0; j < D; ++j) fitted.inverse[D * i + j] = static_cast<T>(inverse(i, j));
+      }
+      const auto corners = body.corners(cell);
+      for (int m = 1; m < (1 << D); ++m) {
+        if (kernels::directions_of[m] < 2) continue;
+        for (int c = 0; c < (1 << D); ++c) {
+          // The signs of (TL.2); those of the regular nodes add up to nothing.
+          const int lower = kernels::directions_of[m & ~c];
+          const Point<D> shift = body.shift(corners[c]);
+          for (int i = 0; i < D; ++i) {
+            fitted.start[i][m] += static_cast<T>(lower % 2 == 0 ? shift[i] : -shift[i]);
+          }
+        }
+      }
+      body.fitted.push_back(fitted);
+    });
+    body.first_fitted.push_back(static_cast<int>(body.fitted.size()));
+  }
+}
+
+template Eigen::Matrix2d shape_of<double, 2>(const Body<double, 2>&, const Cell<2>&);
+template Eigen::Matrix3d shape_of<double, 3>(const Body<double, 3>&, const Cell<3>&);
+template Eigen::Matrix2d shape_of<float, 2>(const Body<float, 2>&, const Cell<2>&);
+template Eigen::Matrix3d shape_of<float, 3>(const Body<float, 3>&, const Cell<3>&);
+template void make_fitted_cells<double, 2>(Body<double, 2>&);
+template void make_fitted_cells<double, 3>(Body<double, 3>&);
+template void make_fitted_cells<float, 2>(Body<float, 2>&);
+template void make_fitted_cells<float, 3>(Body<float, 3>&);
+
+}  // namespace pliant::total_lagrangian

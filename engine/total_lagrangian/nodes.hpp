@@ -1,0 +1,156 @@
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <map>
+#include <vector>
+
+#include "engine/blocks/box.hpp"
+#include "engine/geometry/padded.hpp"
+#include "engine/geometry/signed_distance.hpp"
+#include "engine/lattice/lattice.hpp"
+#include "kernels/layout.hpp"
+
+namespace pliant::total_lagrangian {
+
+/// phi on every node of a box of cells, and what follows from it. Keeps references to the lattice
+/// and the shape.
+template <int D>
+class Nodes {
+ public:
+  static constexpr double smallest = 0.001;  ///< fraction of a cell that is worth a stress point
+
+  Nodes(const Lattice<D>& lattice, const Shape& shape, const Box<3>& box)
+      : lattice_(lattice), shape_(shape), has_mesh_(contains_mesh(shape)) {
+    std::int64_t count = 1;
+    for (int a = 0; a < D; ++a) {
+      lower_[a] = lattice.cell(a, box.lower[a]) - 2;
+      extent_[a] = lattice.cell(a, box.upper[a]) + 3 - lower_[a];
+      count *= extent_[a];
+    }
+    phi_.reserve(count);
+    for_each([&](const Cell<D>& cell) { phi_.push_back(on_node(lattice.node(cell))); });
+  }
+
+  /// Moves the node of a cell to `x`.
+  void move(const Cell<D>& cell, const Point<D>& x) {
+    phi_[index(cell)] = on_node(x);
+    moved_[index(cell)] = x;
+  }
+
+  template <class F>
+  void for_each(F&& f) const {
+    Cell<D> cell;
+    for (int z = 0; z < (D == 3 ? extent_[D - 1] : 1); ++z) {
+      for (int y = 0; y < extent_[1]; ++y) {
+        for (int x = 0; x < extent_[0]; ++x) {
+          cell[D - 1] = lower_[D - 1] + z;
+          cell[1] = lower_[1] + y;
+          cell[0] = lower_[0] + x;
+          f(cell);
+        }
+      }
+    }
+  }
+
+  bool has_cell(const Cell<D>& cell) const {
+    for (int a = 0; a < D; ++a) {
+      if (cell[a] < lower_[a] || cell[a] >= lower_[a] + extent_[a] - 1) return false;
+    }
+    return true;
+  }
+
+  /// [h]
+  double phi(const Cell<D>& cell) const { return phi_[index(cell)]; }
+
+  /// Share of a cell inside the shape, (TL.1); 0 where it is not worth a stress point.
+  double fraction(const Cell<D>& cell) const {
+    std::array<double, corners> corner;
+    for (int c = 0; c < corners; ++c) corner[c] = phi(at_corner(cell, c));
+    const auto [least, most] = std::minmax_element(corner.begin(), corner.end());
+    if (*most <= 0) return 1;
+    if (*least >= 0) return 0;
+    double sum = 0;
+    const int count = kernels::power(sub_cells, D);
+    for (int k = 0; k < count; ++k) {
+      Point<D> s;
+      for (int a = 0, rest = k; a < D; ++a, rest /= sub_cells) {
+        s[a] = (rest % sub_cells + 0.5) / sub_cells;
+      }
+      sum += std::clamp(0.5 - sub_cells * phi_in(cell, s, corner), 0.0, 1.0);
+    }
+    const double fraction = sum / count;
+    return fraction < smallest ? 0 : fraction;
+  }
+
+  const Cell<D>& lower() const { return lower_; }
+  Cell<D> upper() const {
+    Cell<D> cell = lower_;
+    for (int a = 0; a < D; ++a) cell[a] += extent_[a] - 1;
+    return cell;
+  }
+
+ private:
+  static constexpr int corners = 1 << D;
+  static constexpr int sub_cells = 10;        // to a side, of a cell that the surface cuts
+  static constexpr double on_surface = 1e-9;  // [h] distances that rounding may leave
+
+  double phi_at(const Point<D>& x) const {
+    return signed_distance(shape_, padded<D>(x), D) / lattice_.spacing;
+  }
+
+  // Nodes on the surface count as inside, always: edges of the body stay sharp.
+  double on_node(const Point<D>& x) const {
+    const double phi = phi_at(x);
+    return std::abs(phi) < on_surface ? -on_surface : phi;
+  }
+
+  static Cell<D> at_corner(Cell<D> cell, int c) {
+    for (int a = 0; a < D; ++a) cell[a] += c >> a & 1;
+    return cell;
+  }
+
+  // Of a corner, at the place `s` in [0, 1]^D of a cell.
+  static double weight(const Point<D>& s, int c) {
+    double weight = 1;
+    for (int a = 0; a < D; ++a) weight *= c >> a & 1 ? s[a] : 1 - s[a];
+    return weight;
+  }
+
+  Point<D> within(const Cell<D>& cell, const Point<D>& s) const {
+    Point<D> x = {};
+    for (int c = 0; c < corners; ++c) {
+      const Cell<D> at = at_corner(cell, c);
+      const auto moved = moved_.find(index(at));
+      const Point<D> corner = moved == moved_.end() ? lattice_.node(at) : moved->second;
+      for (int a = 0; a < D; ++a) x[a] += weight(s, c) * corner[a];
+    }
+    return x;
+  }
+
+  // phi at a place in a cell [h]: of the shape itself, or between the corners for meshes, whose
+  // distances take long.
+  double phi_in(const Cell<D>& cell, const Point<D>& s,
+                const std::array<double, corners>& corner) const {
+    if (!has_mesh_) return phi_at(within(cell, s));
+    double value = 0;
+    for (int c = 0; c < corners; ++c) value += weight(s, c) * corner[c];
+    return value;
+  }
+
+  std::int64_t index(const Cell<D>& cell) const {
+    std::int64_t at = 0;
+    for (int a = D - 1; a >= 0; --a) at = at * extent_[a] + (cell[a] - lower_[a]);
+    return at;
+  }
+
+  const Lattice<D>& lattice_;
+  const Shape& shape_;
+  bool has_mesh_;
+  Cell<D> lower_, extent_;
+  std::vector<double> phi_;
+  std::map<std::int64_t, Point<D>> moved_;  ///< [index]
+};
+
+}  // namespace pliant::total_lagrangian
