@@ -19,7 +19,7 @@ namespace pliant::total_lagrangian {
 template <int D>
 class Nodes {
  public:
-  static constexpr double smallest = 0.001;  ///< fraction of a cell that is worth a stress point
+  static constexpr double smallest = 0.01;  ///< fraction of a cell that is worth a stress point
 
   Nodes(const Lattice<D>& lattice, const Shape& shape, const Box<3>& box)
       : lattice_(lattice), shape_(shape), has_mesh_(contains_mesh(shape)) {

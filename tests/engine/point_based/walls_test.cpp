@@ -8,9 +8,8 @@ namespace pliant::test {
 namespace {
 
 double pull_of_points(const std::string& walls, const std::string& spacing) {
-  const Case settings =
-      tests::read_text(free_points(2) + walls,
-                       {"discretisation.spacing=" + spacing, "point_based.damping=8"});
+  const Case settings = tests::read_text(
+      free_points(2) + walls, {"discretisation.spacing=" + spacing, "point_based.damping=8"});
   PointSolver<2> solver(settings, {1, kernels::widest_supported()});
   return pull_of(solver);
 }
@@ -28,16 +27,15 @@ TEST(points_at_walls, hold_what_they_cover) {
   const std::string clamps = stretching_walls(false, "0.3");
   const double right = pull_of_points(clamps, "0.02");
   for (const std::string spacing : {"0.05", "0.06", "0.07"}) {
-    EXPECT_NEAR(pull_of_points(clamps, spacing), right,
-                0.02 * right)
-        << spacing;
+    EXPECT_NEAR(pull_of_points(clamps, spacing), right, 0.02 * right) << spacing;
   }
 }
 
 TEST(points_at_walls, share_the_volume_outside) {
   for (const std::string wall : {"0.25", "0.3", "0.41"}) {
-    const Case settings = tests::read_text(
-        free_points(3) + half_space("clamp", "kind = \"fixed\"", "[" + wall + ", 0, 0]", "[1, 0, 0]"));
+    const Case settings =
+        tests::read_text(free_points(3) + half_space("clamp", "kind = \"fixed\"",
+                                                     "[" + wall + ", 0, 0]", "[1, 0, 0]"));
     PointSolver<3> solver(settings, {1, kernels::widest_supported()});
     const auto& body = solver.state().bodies[0];
     double elastic = 0, least = 1;

@@ -9,9 +9,8 @@ namespace {
 
 double pull_of_cells(const std::string& walls, const std::string& spacing) {
   const Case settings = tests::read_text(
-      free_block(2) + walls,
-      {"discretisation.spacing=" + spacing, "total_lagrangian.damping=8",
-       "body.block.geometry.lower=[0, -0.1]"});
+      free_block(2) + walls, {"discretisation.spacing=" + spacing, "total_lagrangian.damping=8",
+                              "body.block.geometry.lower=[0, -0.1]"});
   LagrangianSolver<2> solver(settings, {1, kernels::widest_supported()});
   return pull_of(solver);
 }

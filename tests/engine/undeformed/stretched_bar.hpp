@@ -9,7 +9,8 @@ namespace pliant::test {
 
 /// The walls let the block slide, or hold it in all directions; where the left one ends.
 inline std::string stretching_walls(bool slip, const std::string& left) {
-  return half_space("left", slip ? "kind = \"slip_wall\"" : "kind = \"fixed\"", "[" + left + ", 0]", "[1, 0]") +
+  return half_space("left", slip ? "kind = \"slip_wall\"" : "kind = \"fixed\"", "[" + left + ", 0]",
+                    "[1, 0]") +
          half_space("right",
                     std::string("kind = ") + (slip ? "\"slip_wall\"" : "\"moving_wall\"") +
                         "\ndisplacement = [\"0.02*min(t, 1)\", 0]",
