@@ -46,10 +46,14 @@ using SurfacePiece = std::array<Crossing<D>, D>;
 
 /// Calls f(piece) for the pieces in one simplex.
 template <int D, class F>
-void for_each_piece_of(std::array<const SurfaceNode<D>*, D + 1> simplex, F&& f) {
-  const auto is_inside = [](const SurfaceNode<D>* node) { return node->phi < 0; };
-  const auto middle = std::stable_partition(simplex.begin(), simplex.end(), is_inside);
-  const auto inside = middle - simplex.begin();
+void for_each_piece_of(const std::array<const SurfaceNode<D>*, D + 1>& corners, F&& f) {
+  // Those inside first; std::stable_partition would allocate.
+  std::array<const SurfaceNode<D>*, D + 1> simplex;
+  int inside = 0, outside = D + 1;
+  for (int i = 0; i <= D; ++i) {
+    if (corners[i]->phi < 0) simplex[inside++] = corners[i];
+    if (!(corners[D - i]->phi < 0)) simplex[--outside] = corners[D - i];
+  }
   if (inside == 0 || inside == D + 1) return;
   Eigen::Matrix<double, D, D> edges;
   for (int i = 0; i < D; ++i) edges.col(i) = simplex[i + 1]->place - simplex[0]->place;

@@ -64,7 +64,7 @@ struct BlockGhosts {
   std::size_t reached_count = 0;               ///< of the ghosts that come first
   std::vector<std::int8_t> wall;               ///< of a wall or contact ghost; -1: free surface
   std::vector<std::uint8_t> active;            ///< whether the ghost sets its slot; see `contact`
-  std::vector<std::int8_t> pressure;           ///< acting at the foot point; -1: none
+  std::vector<std::int8_t> pressure;           ///< acting on it; see record_loads.hpp
   std::vector<Point<D>> normal;                ///< of the wall
   std::vector<Point<D>> foot;                  ///< foot point at xi = 0 [m]
   std::vector<kernels::FitTerms<T, D>> terms;  ///< of the fits (RP.43), (RP.44)
@@ -143,6 +143,22 @@ struct BlockGhosts {
   }
 };
 
+/// A corner of a facet, which moves with the two slots between which it lies.
+template <int D>
+struct FacetCorner {
+  std::int32_t inside, outside;  ///< slots
+  double fraction;               ///< of the way from the one inside to the other
+  Point<D> place;                ///< at xi = 0 [m]
+};
+
+/// A facet of {phi = 0} on which a load acts; its normal points out of the body.
+template <int D>
+struct LoadedFacet {
+  std::array<FacetCorner<D>, D> corners;
+  double share;                     ///< of it in front of attached walls
+  std::array<std::int8_t, D> load;  ///< on each component of its area
+};
+
 /// Slots of a body after a remeshing: where they lie, what they hold, how ghosts read them.
 template <class T, int D>
 struct Population {
@@ -153,8 +169,10 @@ struct Population {
   std::vector<std::vector<std::pair<std::int32_t, std::int32_t>>>
       images;  ///< [block] (image, source)
   std::vector<std::int32_t> slot_of_record;
-  std::vector<T> surface_distance;  ///< [record] phi over h at the remeshing
-  std::int64_t particles = 0;       ///< interior
+  std::vector<T> surface_distance;     ///< [record] phi over h at the remeshing
+  std::vector<std::int8_t> load;       ///< [record] on the face nearest to it
+  std::vector<std::array<T, D>> face;  ///< [record] the face's normal less grad phi, (RP.78)
+  std::int64_t particles = 0;          ///< interior
 };
 
 /// One body: its lattice, material, particles and surface. Nothing of it is shared with other
@@ -181,6 +199,7 @@ struct Body {
   Buffer<T> volume_change;  ///< J - 1 at the start of the step; empty without p_i
   Buffer<T> records;        ///< [record][record_width] of surface particles
   Buffer<std::int32_t> record_of_slot;
+  std::vector<std::vector<LoadedFacet<D>>> loaded;  ///< [block]
   BodyNeighbours<D> neighbours;
 
   /// Calls f(field, copy, buffers) for every array of the body's slots that is not in `stage`:

@@ -49,6 +49,8 @@ enum class Field {
   surface_pack,
   record_slot,
   surface_distance,
+  record_load,
+  record_face,
   record,
   // Contact between bodies.
   surface_sample,
@@ -64,6 +66,7 @@ enum class Field {
   contact_impulse,
   block_momentum,
   momentum_budget,
+  loaded_facet,
   // Neighbour search.
   closest_pair,
   search_decision,
@@ -87,6 +90,7 @@ enum class Field {
   new_ghosts,
   used,
   new_surface_pack,
+  new_record_load,
   record_number
 };
 
@@ -148,6 +152,7 @@ enum class Group {
   contact_impulse,
   momentum,
   momentum_budgets,
+  loaded_facets,
   closest_pairs,
   search_decisions,
   sites,
@@ -166,6 +171,7 @@ enum class Group {
   new_fits,
   used,
   surface_packs,
+  new_loads,
   record_numbers
 };
 
@@ -220,6 +226,8 @@ inline constexpr Table field_list = [] {
       {F::surface_pack, "", "packs", "1", list, S::block, G::fits, not_at_all, 1, saved},
       {F::record_slot, "", "slot_of_record", "1", scalar, S::record, G::fits},
       {F::surface_distance, "phi/h", "surface_distance", "1", scalar, S::record, G::fits, not_at_all, 1, saved},
+      {F::record_load, "", "load", "1", scalar, S::record, G::fits, not_at_all, 1, saved},
+      {F::record_face, "", "face", "1", vector, S::record, G::fits, not_at_all, 1, saved},
       {F::record, "sigma, p, u, grad phi", "record", "Pa, m/s, 1", Rank::record, S::record, G::records},
 
       {F::surface_sample, "", "surface_sample", "h", list, S::block, G::surface_samples},
@@ -236,6 +244,7 @@ inline constexpr Table field_list = [] {
       {F::block_momentum, "", "block_momentum", "kg, N s", vector, S::block, G::momentum},
       {F::momentum_budget, "M, P", "momentum_budget", "kg, N s", vector, S::body, G::momentum_budgets, not_at_all, 1, saved},
 
+      {F::loaded_facet, "", "loaded_facet", "m", list, S::block, G::loaded_facets},
       {F::closest_pair, "r/h", "closest_pair", "1", scalar, S::block, G::closest_pairs},
       {F::search_decision, "", "search_decision", "1", scalar, S::body, G::search_decisions},
       {F::site, "x/h", "site", "1", list, S::block, G::sites},
@@ -264,6 +273,7 @@ inline constexpr Table field_list = [] {
       {F::new_ghosts, "", "new_ghosts", "", list, S::block, G::new_fits},
       {F::used, "", "used", "1", scalar, S::new_slot, G::used},
       {F::new_surface_pack, "", "new_surface_pack", "1", list, S::block, G::surface_packs},
+      {F::new_record_load, "", "new_load", "1", scalar, S::record, G::new_loads},
       {F::record_number, "", "record_number", "1", scalar, S::new_slot, G::record_numbers, not_at_all, 1, made_again, hidden,
        "used"},
   });

@@ -34,6 +34,7 @@ inline constexpr Table group_list = [] {
                    {G::contact_impulse, "contact impulse"},
                    {G::momentum, "momentum"},
                    {G::momentum_budgets, "momentum budgets"},
+                   {G::loaded_facets, "loaded facets"},
                    {G::closest_pairs, "closest pairs"},
                    {G::search_decisions, "search decisions"},
                    {G::sites, "sites"},
@@ -52,6 +53,7 @@ inline constexpr Table group_list = [] {
                    {G::new_fits, "new ghost fits"},
                    {G::used, "used particles"},
                    {G::surface_packs, "new surface packs"},
+                   {G::new_loads, "new loads"},
                    {G::record_numbers, "record numbers"},
                });
 }();

@@ -1,11 +1,12 @@
 #include "engine/remeshed/stage_work.hpp"
 
-#include "engine/remeshed/boundary_work.hpp"
 #include "engine/remeshed/contact/wall_contact.hpp"
 #include "engine/remeshed/ghosts/surface_records.hpp"
 #include "engine/remeshed/images.hpp"
+#include "engine/remeshed/loaded_surface.hpp"
 #include "engine/remeshed/parameters.hpp"
 #include "engine/remeshed/runge_kutta.hpp"
+#include "engine/remeshed/wall_work.hpp"
 
 namespace pliant::remeshed {
 
@@ -99,14 +100,17 @@ void StageWork<T, D>::fill_reached_ghosts(int block, int stage) {
   Point<D>* impulse = impulse_.data() + block * state_.boundaries.walls.size();
   add_impulse<T, D>(body, local, state_.boundaries, boundary_values_[stage],
                     stage_weight[stage] * time_step_, kernels_, impulse, work_[block].wall_work);
-  add_boundary_work<T, D>(body, local, state_.boundaries, boundary_values_[stage], is_watched_,
-                          stage_weight[stage] * time_step_, kernels_, impulse, work_[block]);
+  add_wall_work<T, D>(body, local, state_.boundaries, boundary_values_[stage], is_watched_,
+                      stage_weight[stage] * time_step_, kernels_, impulse, work_[block]);
 }
 
 template <class T, int D>
 void StageWork<T, D>::advance(int block, int stage) {
-  results_[block] = particles_.advance(block, stage);
   const auto [body, local] = state_.owner(block);
+  work_[block].load_work +=
+      stage_weight[stage] * time_step_ *
+      power_of_loads<T, D>(body, local, buffer_of(stage), boundary_values_[stage]);
+  results_[block] = particles_.advance(block, stage);
   keep_on_fits(body, local, stage, time_step_);
   if (reads_volumes(settings_)) hand_volumes_on(body, local, stage);
 }

@@ -105,6 +105,15 @@ void put_ghosts(ArchiveWriter& archive, const std::string& group,
   archive.put(list_name(group, Field::surface_pack), std::span<const std::int64_t>(packs));
   archive.put(list_name(group, Field::surface_distance),
               std::span<const T>(population.surface_distance));
+  archive.put(
+      list_name(group, Field::record_load),
+      std::span<const std::uint8_t>(reinterpret_cast<const std::uint8_t*>(population.load.data()),
+                                    population.load.size()));
+  std::vector<T> face;
+  for (const std::array<T, D>& offset : population.face) {
+    face.insert(face.end(), offset.begin(), offset.end());
+  }
+  archive.put(list_name(group, Field::record_face), std::span<const T>(face));
 }
 
 template <class T, int D>
@@ -143,6 +152,10 @@ void get_ghosts(const ArchiveReader& archive, const std::string& group,
   }
   population.surface_distance = archive.get<T>(list_name(group, Field::surface_distance));
   list_slots_of_records(population);
+  population.load.resize(population.slot_of_record.size());
+  archive.read(list_name(group, Field::record_load), numbers_of(population.load));
+  population.face.resize(population.slot_of_record.size());
+  archive.read(list_name(group, Field::record_face), numbers_of(population.face));
 }
 
 }  // namespace

@@ -192,7 +192,8 @@ Accesses Step<T, D>::read_by_advance(int stage, Reach reach) const {
     adjacent = adjacent + images(material, current);
   }
   return Accesses(listed, reach) + read_by_update(stage) +
-         own(whole(corrections) + whole(contact) + whole(fits)) + near(adjacent);
+         own(whole(corrections) + whole(contact) + whole(fits) + whole(loaded_facets)) +
+         near(adjacent);
 }
 
 template <class T, int D>

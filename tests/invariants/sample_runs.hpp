@@ -47,6 +47,12 @@ inline std::vector<SampleRun> sample_runs() {
       "= "
       "1, compressibility = 0.02, prony = { ratios = [0.1, 0.2, 0.05, 0.1, 0.15], times = [1e-5, "
       "1e-3, 0.01, 0.1, 10] } }"};
+  const Settings loaded = {
+      "time.step=1e-3", "remeshing.every=7", "body.block.velocity=[0, 0]",
+      "boundary=[{ name = \"push\", kind = \"pressure\", pressure = 5, geometry = "
+      "{ shape = \"box\", lower = [-2, 0.9], upper = [2, 2] } }, { name = \"pull\", "
+      "kind = \"traction\", traction = [9, 1], geometry = "
+      "{ shape = \"box\", lower = [0.4, -0.5], upper = [2, 2] } }]"};
   // Unlike discs on their way into each other, off their axis.
   const Settings discs = {
       "discretisation.spacing=0.05",
@@ -72,6 +78,7 @@ inline std::vector<SampleRun> sample_runs() {
       {"compression_linear", "compression_linear", block, 60},
       {"compression_hyperelastic", "compression_hyperelastic", block, 60},
       {"compression_viscous", "compression_hyperelastic", block + viscous, 60},
+      {"loaded", "compression_linear", block + loaded, 22},
       {"periodic", "periodic_square", cell, 20},
       {"contact", "bouncing_ball", ball, 20},
       {"two_discs", "two_discs", discs, 20, 12},

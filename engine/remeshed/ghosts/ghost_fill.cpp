@@ -7,6 +7,7 @@
 #include "engine/remeshed/ghosts/fit_coefficient.hpp"
 #include "engine/remeshed/ghosts/fit_evaluator.hpp"
 #include "engine/remeshed/ghosts/lasting_correction.hpp"
+#include "engine/remeshed/ghosts/record_loads.hpp"
 #include "engine/remeshed/ghosts/rigid_velocity.hpp"
 #include "kernels/remeshed/ghosts/wall_friction.hpp"
 
@@ -48,8 +49,10 @@ struct GhostFill {
     for (std::size_t g = 0; g < count; ++g) {
       if (ghosts.wall[g] >= 0) continue;
       const int p = ghosts.pressure[g];
-      set(g, kernels::averaged_surface_ghost<T, D>(
-                 fits.of(g).linear, p < 0 ? T(0) : static_cast<T>(values.pressure[p])));
+      const T pressure = p == several_loads ? -mixed_load<T, D>(body, ghosts, g, values).normal
+                         : p < 0            ? T(0)
+                                            : static_cast<T>(values.pressure[p]);
+      set(g, kernels::averaged_surface_ghost<T, D>(fits.of(g).linear, pressure));
     }
   }
 
@@ -58,10 +61,14 @@ struct GhostFill {
     FitEvaluator<T, D> present(body, ghosts, table);
     for (std::size_t g = 0; g < count; ++g) {
       const int p = ghosts.pressure[g];
+      if (p == several_loads) {
+        fill_loaded(g, present.of(g), mixed_load<T, D>(body, ghosts, g, values), impedance);
+      }
       if (p < 0 || values.traction[p] == Point<D>{}) continue;
       std::array<T, D> force;
       for (int a = 0; a < D; ++a) force[a] = static_cast<T>(values.traction[p][a]);
-      fill_loaded(g, present.of(g), force, impedance);
+      const kernels::GhostFits<T, D> fits = present.of(g);
+      fill_loaded(g, fits, load_of(fits, force), impedance);
     }
   }
 
@@ -80,7 +87,8 @@ struct GhostFill {
     for (std::size_t k = 0; k < ghosts.contact_points.ghost.size(); ++k) {
       const std::size_t g = ghosts.contact_points.ghost[k];
       if (g >= count) continue;
-      fill_loaded(g, present.of(g), ghosts.contact_points.traction[k], impedance);
+      const kernels::GhostFits<T, D> fits = present.of(g);
+      fill_loaded(g, fits, load_of(fits, ghosts.contact_points.traction[k]), impedance);
     }
   }
 
@@ -105,12 +113,18 @@ struct GhostFill {
   }
 
  private:
-  void fill_loaded(std::size_t g, const kernels::GhostFits<T, D>& fits,
-                   const std::array<T, D>& traction, const kernels::Impedance<T>& impedance) const {
+  static kernels::SurfaceLoad<T, D> load_of(const kernels::GhostFits<T, D>& fits,
+                                            const std::array<T, D>& traction) {
     const auto n = kernels::unit_normal<T, D>(fits.linear);
     kernels::SurfaceLoad<T, D> load{n, 0, traction};
     for (int a = 0; a < D; ++a) load.normal += load.shear[a] * n[a];
     for (int a = 0; a < D; ++a) load.shear[a] -= load.normal * n[a];
+    return load;
+  }
+
+  void fill_loaded(std::size_t g, const kernels::GhostFits<T, D>& fits,
+                   const kernels::SurfaceLoad<T, D>& load,
+                   const kernels::Impedance<T>& impedance) const {
     const auto ghost = kernels::loaded_surface_ghost<T, D>(fits, load, impedance);
     set(g, ghost);
     for (int a = 0; a < D; ++a) {

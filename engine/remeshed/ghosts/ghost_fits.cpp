@@ -4,8 +4,8 @@
 #include <cmath>
 #include <vector>
 
-#include "engine/remeshed/ghosts/fit_coefficient.hpp"
 #include "engine/remeshed/ghosts/ghost_fitter.hpp"
+#include "engine/remeshed/ghosts/record_loads.hpp"
 #include "engine/storage/push_tightly.hpp"
 
 namespace pliant::remeshed {
@@ -61,7 +61,6 @@ class GhostFinder {
     ghosts_.reached_count = ghosts_.slot.size();
     for (const auto& [slot, cell] : drifting_) add_free(slot, cell);
     fitter_.finish();
-    if (!boundaries_.pressures.empty()) find_loads();
   }
 
  private:
@@ -145,38 +144,11 @@ class GhostFinder {
     return site;
   }
 
-  // A load acts on the material that lay in its region at the start, so that it stays on the
-  // surface that moves out of it. Where fits at the foot point are not asked for a traction, those
-  // at the ghost tell where the material was.
-  void find_loads() {
-    for (std::size_t g = 0; g < ghosts_.slot.size(); ++g) {
-      if (ghosts_.wall[g] >= 0) continue;
-      const kernels::FitTerms<T, D>& terms = ghosts_.terms[g];
-      const auto& at = ghosts_.surface_sum[g] > T(0.5) ? terms.surface : terms.linear;
-      Point<D> start = ghosts_.foot[g];
-      for (std::int64_t k = ghosts_.begin[g]; k < ghosts_.begin[g + 1]; ++k) {
-        const T c = fit_coefficient<T, D>(ghosts_, g, k, at);
-        const std::int32_t slot = kernels::record_of(ghosts_.pairs[k]);
-        for (int a = 0; a < D; ++a) {
-          start[a] -= c * body_.stage[1].get(Field::displacement, a)[slot];
-        }
-      }
-      ghosts_.pressure[g] = pressure_at(start);
-    }
-  }
-
-  std::int8_t pressure_at(const Point<D>& foot) const {
-    for (std::size_t i = 0; i < boundaries_.pressures.size(); ++i) {
-      if (boundaries_.pressures[i].acts_at(foot)) return static_cast<std::int8_t>(i);
-    }
-    return -1;
-  }
-
   void list(std::int64_t slot, int wall, const Point<D>& normal, const Point<D>& foot) {
     push_tightly(ghosts_.slot, static_cast<std::int32_t>(slot));
     push_tightly(ghosts_.wall, static_cast<std::int8_t>(wall));
     push_tightly(ghosts_.active, std::uint8_t{1});
-    push_tightly(ghosts_.pressure, std::int8_t{-1});
+    push_tightly(ghosts_.pressure, no_load);
     push_tightly(ghosts_.normal, normal);
     push_tightly(ghosts_.foot, foot);
     push_tightly(ghosts_.correction, std::array<T, D>{});

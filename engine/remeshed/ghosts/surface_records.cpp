@@ -1,6 +1,7 @@
 #include "engine/remeshed/ghosts/surface_records.hpp"
 
 #include "engine/remeshed/ghosts/ghost_fits.hpp"
+#include "engine/remeshed/ghosts/record_loads.hpp"
 
 // Which particles the fits read, and where their records lie: side by side, block after block.
 namespace pliant::remeshed {
@@ -39,6 +40,8 @@ void number_records(Population<T, D>& population, const LevelSet<T, D>& level_se
   }
   list_slots_of_records(population);
   population.surface_distance.clear();
+  population.load.assign(population.slot_of_record.size(), no_load);
+  population.face.assign(population.slot_of_record.size(), {});
   for (const std::int32_t slot : population.slot_of_record) {
     record_of_slot[slot] = static_cast<std::int32_t>(population.surface_distance.size());
     population.surface_distance.push_back(

@@ -3,9 +3,13 @@
 #include <algorithm>
 #include <span>
 
+#include "engine/boundaries/attached_walls.hpp"
+#include "engine/geometry/free_surface.hpp"
 #include "engine/method/phase_rows.hpp"
+#include "engine/remeshed/ghosts/record_loads.hpp"
 #include "engine/remeshed/images.hpp"
 #include "engine/remeshed/initial_fields.hpp"
+#include "engine/remeshed/loaded_surface.hpp"
 #include "engine/remeshed/resources.hpp"
 
 // The remeshing of H&K, section 2.3, in two graphs, since the blocks of the new lattice are known
@@ -28,6 +32,8 @@
 //     remesh: kinds     which slots hold particles and ghosts; det F = rho0/rho (RP.38)
 //     ghosts: fits      the coefficients of the ghosts (RP.43), (RP.44)
 //     ghosts: surface   the particles that fits read get surface records
+//     ghosts: loads     the loads on the faces nearest to those particles, and on ghosts (RP.78)
+//     loaded facets     the facets of {phi = 0} on which loads do work (RP.72)
 namespace pliant::remeshed {
 
 using namespace resource;
@@ -63,6 +69,7 @@ Remeshing<T, D>::Remeshing(const Case& settings, Body<T, D>& body, const Boundar
                            const kernels::RemeshedTable<T, D>& kernels, scheduler::Workers& workers,
                            Outside outside)
     : body_(body),
+      initial_surface_(free_surface(body.source->geometry, attached_walls(settings), D)),
       boundaries_(boundaries),
       kernels_(kernels),
       parameters_(parameters_of(settings)),
@@ -131,6 +138,7 @@ void Remeshing<T, D>::prepare_target(bool reinitialise, bool is_final) {
   if (!is_final) return;
   body_.spare.ghosts.swap(body_.population.ghosts);
   body_.spare.ghosts.resize(body_.spare.layout.blocks().size());
+  body_.loaded.resize(body_.spare.layout.blocks().size());
 }
 
 template <class T, int D>
@@ -227,6 +235,28 @@ void Remeshing<T, D>::add_ghosts(PhaseRows& rows) {
             own(whole(new_fits)), [this](int b) {
               if (is_final_) resolve_records(body_.spare, b, body_.record_of_slot.get());
             });
+  if (!boundaries_.pressures.empty()) add_loads(rows);
+}
+
+template <class T, int D>
+void Remeshing<T, D>::add_loads(PhaseRows& rows) {
+  rows.each("ghosts: loads",
+            near(with_images(new_state)) + own(whole(surface_packs) + whole(record_numbers)),
+            own(whole(new_loads)), [this](int b) {
+              if (!is_final_) return;
+              find_record_loads(body_.lattice, body_.stage[1], initial_surface_, boundaries_, b,
+                                body_.spare);
+            });
+  rows.each("ghosts: loads", near(whole(new_loads)) + own(whole(new_fits)), own(whole(new_fits)),
+            [this](int b) {
+              if (is_final_) find_ghost_loads(body_.spare, b);
+            });
+  rows.each("loaded facets", near(with_images(new_state) + with_images(new_kinds)),
+            own(whole(loaded_facets)), [this](int b) {
+              if (!is_final_) return;
+              find_loaded_facets<T, D>({body_, body_.spare, body_.stage[1]}, b, initial_surface_,
+                                       boundaries_, body_.loaded[b]);
+            });
 }
 
 template <class T, int D>
@@ -285,6 +315,8 @@ void Remeshing<T, D>::swap_in_restored() {
   for (std::size_t b = 0; b < body_.population.images.size(); ++b) {
     list_images(body_.lattice, body_.population, static_cast<int>(b));
     prepare_slots<T, D>(body_, static_cast<int>(b));
+    find_loaded_facets<T, D>({body_, body_.population, body_.stage[0]}, static_cast<int>(b),
+                             initial_surface_, boundaries_, body_.loaded[b]);
   }
 }
 

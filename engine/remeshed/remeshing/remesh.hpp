@@ -50,6 +50,7 @@ class Remeshing {
   void add_level_set(PhaseRows& rows);
   void add_first_order_passes(PhaseRows& rows);
   void add_ghosts(PhaseRows& rows);
+  void add_loads(PhaseRows& rows);
 
   void prepare_spare();
   void share_with_level_set();
@@ -58,6 +59,7 @@ class Remeshing {
   void grow_stages();
 
   Body<T, D>& body_;
+  Shape initial_surface_;
   const Boundaries<D>& boundaries_;
   const kernels::RemeshedTable<T, D>& kernels_;
   Parameters parameters_;

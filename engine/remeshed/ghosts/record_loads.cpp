@@ -1,0 +1,190 @@
+#include "engine/remeshed/ghosts/record_loads.hpp"
+
+#include <cmath>
+
+#include "engine/geometry/padded.hpp"
+#include "engine/geometry/signed_distance.hpp"
+#include "engine/remeshed/ghosts/fit_coefficient.hpp"
+
+namespace pliant::remeshed {
+
+namespace {
+
+/// What the particles of a block know of the surface.
+template <class T, int D>
+class LoadFinder {
+ public:
+  LoadFinder(const Lattice<D>& lattice, const Layout<D>& layout, const FieldStore<T, D>& fields,
+             const Shape& surface, const Boundaries<D>& boundaries)
+      : surface_(surface),
+        lattice_(lattice),
+        layout_(layout),
+        fields_(fields),
+        boundaries_(boundaries) {}
+
+  /// The load of the particle in `slot`, and its face.
+  std::int8_t find(std::int64_t slot, std::array<T, D>& face) const {
+    const Cell<D> cell = layout_.cell(slot);
+    const Point<D> moved = displacement(slot);
+    Point<D> x = lattice_.node(cell);
+    for (int a = 0; a < D; ++a) x[a] -= moved[a];
+    const InitialFace<D> initial = face_at<D>(boundaries_, surface_, x);
+    Point<D> normal, slope;
+    turn(cell, initial.normal, normal, slope);
+    for (int a = 0; a < D; ++a) face[a] = static_cast<T>(normal[a] - slope[a]);
+    return initial.load;
+  }
+
+ private:
+  // The present direction of a normal, F^-T N with F^-1 = I - grad d, and grad phi.
+  void turn(const Cell<D>& cell, const Point<D>& initial, Point<D>& normal, Point<D>& slope) const {
+    const T* phi = fields_.get(Field::level_set);
+    normal = initial;
+    slope = initial;
+    double square = 0;
+    for (int a = 0; a < D; ++a) {
+      Cell<D> up = cell, down = cell;
+      ++up[a];
+      --down[a];
+      const std::int64_t q = layout_.slot(lattice_.wrapped(up));
+      const std::int64_t r = layout_.slot(lattice_.wrapped(down));
+      if (q >= 0 && r >= 0) {
+        const double scale = 1 / (2 * lattice_.spacing);
+        const Point<D> above = displacement(q), below = displacement(r);
+        for (int i = 0; i < D; ++i) normal[a] -= scale * (above[i] - below[i]) * initial[i];
+        slope[a] = scale * (phi[q] - phi[r]);
+      }
+      square += normal[a] * normal[a];
+    }
+    for (double& component : normal) component /= std::sqrt(square);
+  }
+
+  Point<D> displacement(std::int64_t slot) const {
+    Point<D> value;
+    for (int a = 0; a < D; ++a) value[a] = fields_.get(Field::displacement, a)[slot];
+    return value;
+  }
+
+  const Shape& surface_;
+  const Lattice<D>& lattice_;
+  const Layout<D>& layout_;
+  const FieldStore<T, D>& fields_;
+  const Boundaries<D>& boundaries_;
+};
+
+}  // namespace
+
+template <int D>
+InitialFace<D> face_at(const Boundaries<D>& boundaries, const Shape& surface,
+                       const Point<D>& start) {
+  const Vector near = padded<D>(start), n = outward_direction(surface, near, D);
+  const double distance = signed_distance(surface, near, D);
+  InitialFace<D> face{{}, no_load};
+  Point<D> x = start;
+  for (int a = 0; a < D; ++a) {
+    face.normal[a] = n[a];
+    x[a] -= distance * n[a];
+  }
+  for (std::size_t i = 0; i < boundaries.pressures.size() && face.load == no_load; ++i) {
+    if (boundaries.pressures[i].acts_at(x)) face.load = static_cast<std::int8_t>(i);
+  }
+  return face;
+}
+
+template <class T, int D>
+void find_record_loads(const Lattice<D>& lattice, const FieldStore<T, D>& fields,
+                       const Shape& surface, const Boundaries<D>& boundaries, int block,
+                       Population<T, D>& population) {
+  const LoadFinder<T, D> finder(lattice, population.layout, fields, surface, boundaries);
+  const BlockGhosts<T, D>& ghosts = population.ghosts[block];
+  for (std::int32_t r = ghosts.first_record; r < ghosts.first_record + ghosts.record_count; ++r) {
+    population.load[r] = finder.find(population.slot_of_record[r], population.face[r]);
+  }
+}
+
+template <class T, int D>
+void find_ghost_loads(Population<T, D>& population, int block) {
+  BlockGhosts<T, D>& ghosts = population.ghosts[block];
+  for (std::size_t g = 0; g < ghosts.slot.size(); ++g) {
+    if (ghosts.wall[g] >= 0) continue;
+    const auto load = [&](std::int64_t k) {
+      return population.load[kernels::record_of(ghosts.pairs[k])];
+    };
+    const std::int64_t first = ghosts.begin[g];
+    if (first == ghosts.begin[g + 1]) continue;
+    ghosts.pressure[g] = load(first);
+    for (std::int64_t k = first; k < ghosts.begin[g + 1]; ++k) {
+      if (load(k) != load(first)) ghosts.pressure[g] = several_loads;
+    }
+  }
+}
+
+template <class T, int D>
+kernels::SurfaceLoad<T, D> mixed_load(const Body<T, D>& body, const BlockGhosts<T, D>& ghosts,
+                                      std::size_t ghost, const BoundaryValues<D>& values) {
+  std::array<T, D> slope = {}, force = {};
+  for (std::int64_t k = ghosts.begin[ghost]; k < ghosts.begin[ghost + 1]; ++k) {
+    const std::int64_t record = kernels::record_of(ghosts.pairs[k]);
+    const std::int8_t load = body.population.load[record];
+    const kernels::RecordSum<T, D> particle{body.records.get() + record * kernels::record_width<D>};
+    const T w = FittedParticle<T, D>(ghosts, ghost, k).weight();
+    std::array<T, D> normal;
+    T square = 0;
+    for (int a = 0; a < D; ++a) {
+      normal[a] = particle.level_set_gradient(a) + body.population.face[record][a];
+      slope[a] += w * normal[a];
+      square += normal[a] * normal[a];
+    }
+    if (load < 0) continue;
+    const T pressure = static_cast<T>(values.pressure[load]), length = std::sqrt(square);
+    for (int a = 0; a < D; ++a) {
+      force[a] += w * (static_cast<T>(values.traction[load][a]) * length - pressure * normal[a]);
+    }
+  }
+  T square = 0;
+  for (const T component : slope) square += component * component;
+  const T scale = kernels::InverseRoot<T>::of(square);
+  kernels::SurfaceLoad<T, D> traction = {};
+  for (int a = 0; a < D; ++a) {
+    traction.n[a] = scale * slope[a];
+    traction.shear[a] = scale * force[a];
+    traction.normal += traction.n[a] * traction.shear[a];
+  }
+  for (int a = 0; a < D; ++a) traction.shear[a] -= traction.normal * traction.n[a];
+  return traction;
+}
+
+template InitialFace<2> face_at<2>(const Boundaries<2>&, const Shape&, const Point<2>&);
+template InitialFace<3> face_at<3>(const Boundaries<3>&, const Shape&, const Point<3>&);
+template void find_record_loads<double, 2>(const Lattice<2>&, const FieldStore<double, 2>&,
+                                           const Shape&, const Boundaries<2>&, int,
+                                           Population<double, 2>&);
+template void find_ghost_loads<double, 2>(Population<double, 2>&, int);
+template kernels::SurfaceLoad<double, 2> mixed_load<double, 2>(const Body<double, 2>&,
+                                                               const BlockGhosts<double, 2>&,
+                                                               std::size_t,
+                                                               const BoundaryValues<2>&);
+template void find_record_loads<double, 3>(const Lattice<3>&, const FieldStore<double, 3>&,
+                                           const Shape&, const Boundaries<3>&, int,
+                                           Population<double, 3>&);
+template void find_ghost_loads<double, 3>(Population<double, 3>&, int);
+template kernels::SurfaceLoad<double, 3> mixed_load<double, 3>(const Body<double, 3>&,
+                                                               const BlockGhosts<double, 3>&,
+                                                               std::size_t,
+                                                               const BoundaryValues<3>&);
+template void find_record_loads<float, 2>(const Lattice<2>&, const FieldStore<float, 2>&,
+                                          const Shape&, const Boundaries<2>&, int,
+                                          Population<float, 2>&);
+template void find_ghost_loads<float, 2>(Population<float, 2>&, int);
+template kernels::SurfaceLoad<float, 2> mixed_load<float, 2>(const Body<float, 2>&,
+                                                             const BlockGhosts<float, 2>&,
+                                                             std::size_t, const BoundaryValues<2>&);
+template void find_record_loads<float, 3>(const Lattice<3>&, const FieldStore<float, 3>&,
+                                          const Shape&, const Boundaries<3>&, int,
+                                          Population<float, 3>&);
+template void find_ghost_loads<float, 3>(Population<float, 3>&, int);
+template kernels::SurfaceLoad<float, 3> mixed_load<float, 3>(const Body<float, 3>&,
+                                                             const BlockGhosts<float, 3>&,
+                                                             std::size_t, const BoundaryValues<3>&);
+
+}  // namespace pliant::remeshed
