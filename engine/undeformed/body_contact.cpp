@@ -53,24 +53,37 @@ void BodyContact<T, D>::face_each_other() {
     sides_.push_back(std::make_unique<Side>(*surfaces_[a], *surfaces_[b], c, 1));
     if (a != b) sides_.push_back(std::make_unique<Side>(*surfaces_[b], *surfaces_[a], c, -1));
   }
-  moved_.resize(surfaces_.size());
   has_lists_ = false;
 }
 
+// Distances are seen from the frame in which the bodies moved at the last look: bodies that fly
+// together keep their lists.
 template <class T, int D>
 bool BodyContact<T, D>::lists_last() {
   if (!has_lists_) return false;
-  for (std::size_t b = 0; b < surfaces_.size(); ++b) moved_[b] = surfaces_[b]->moved();
-  return std::all_of(sides_.begin(), sides_.end(), [this](const auto& side) {
-    const auto [first, second] = settings_.contacts[side->contact].bodies;
-    return moved_[first] + moved_[second] <= side->free;
-  });
+  bool last = true;
+  for (std::size_t c = 0; c < approaches_.size(); ++c) {
+    const auto [a, b] = settings_.contacts[c].bodies;
+    Approach& approach = approaches_[c];
+    const auto first = surfaces_[a]->motion(approach.frame);
+    const auto second = a == b ? first : surfaces_[b]->motion(approach.frame);
+    approach.moved = first.most + second.most;
+    for (int i = 0; i < D; ++i) approach.frame[i] = (first.drift[i] + second.drift[i]) / 2;
+    last = last && approach.moved <= approach.free;
+  }
+  return last;
 }
 
 template <class T, int D>
 void BodyContact<T, D>::list() {
   for (const auto& surface : surfaces_) surface->mark();
-  for (const auto& side : sides_) side->free = side->search.list();
+  Approach fresh;
+  fresh.free = std::numeric_limits<double>::infinity();
+  approaches_.assign(settings_.contacts.size(), fresh);
+  for (const auto& side : sides_) {
+    double& free = approaches_[side->contact].free;
+    free = std::min(free, side->search.list());
+  }
   has_lists_ = true;
 }
 
@@ -80,7 +93,7 @@ std::optional<Overlap> BodyContact<T, D>::apply(double kick, double length, doub
   if (!lists_last()) list();
   meetings_.clear();
   shares_.clear();
-  for (const auto& side : sides_) meet(*side, length, drift == length);
+  for (const auto& side : sides_) meet(*side, length, drift);
   for (int sweep = 0; sweep < meeting_sweeps; ++sweep) {
     for (Meeting& meeting : meetings_) push(meeting, drift);
   }
@@ -89,13 +102,13 @@ std::optional<Overlap> BodyContact<T, D>::apply(double kick, double length, doub
 }
 
 template <class T, int D>
-void BodyContact<T, D>::meet(const Side& side, double length, bool in_middle) {
+void BodyContact<T, D>::meet(const Side& side, double length, double drift) {
   touches_.clear();
-  side.search.find(touches_);
+  side.search.find(approaches_[side.contact].moved, touches_);
   for (const Touch<D>& touch : touches_) {
     Meeting meeting{&side, touch, shares_.size(), 0, 0, 0, 0, {}};
-    append_shares<D>(side.facets.surface(), touch, shares_);
-    meeting.end_share = shares_.size();
+    find_point(meeting);
+    meet_before(meeting, drift);
     const auto sum = [&](const HeldDirections<D>& of_corners, const HeldDirections<D>& of_facets) {
       return compliance<T, D>(side.corners.body(), of_corners, corner_shares(meeting),
                               touch.normal) +
@@ -108,9 +121,34 @@ void BodyContact<T, D>::meet(const Side& side, double length, bool in_middle) {
         relative(meeting, side.corners.body().displacement, side.facets.body().displacement);
     // Velocities of the middle of a step may close what was open at its start.
     const double speed = dot<D>(slip(meeting), touch.normal);
+    const bool in_middle = drift == length;
     meeting.approach = in_middle ? std::max(touch.gap / length - speed, 0.) : 0;
     meetings_.push_back(meeting);
   }
+}
+
+template <class T, int D>
+void BodyContact<T, D>::find_point(Meeting& meeting) {
+  shares_.resize(meeting.first_share);
+  append_shares<D>(meeting.side->facets.surface(), meeting.touch, shares_);
+  meeting.end_share = shares_.size();
+}
+
+// The corner pushes the point that it faced when the forces of the step acted: without slip the two
+// are one, and with it the pair exerts no torque.
+template <class T, int D>
+void BodyContact<T, D>::meet_before(Meeting& meeting, double drift) {
+  Touch<D>& touch = meeting.touch;
+  const std::array<Point<D>, D> c = meeting.side->facets.places(touch.facet);
+  const Point<D> w = slip(meeting);
+  const double speed = dot<D>(w, touch.normal);
+  Point<D> before;
+  for (int a = 0; a < D; ++a) {
+    before[a] = -drift * (w[a] - speed * touch.normal[a]);
+    for (int v = 0; v < D; ++v) before[a] += touch.weight[v] * c[v][a];
+  }
+  touch.weight = nearest_weights(c, before);
+  find_point(meeting);
 }
 
 template <class T, int D>

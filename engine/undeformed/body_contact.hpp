@@ -15,9 +15,9 @@
 // The corners of a surface must not lie inside another body, and the other way round, (TL.15).
 // Those that do after a step are put back onto the nearest point of the surface that they have
 // entered. Impulses act between a corner and that point, equal and opposite along the line that
-// joins them: momentum is exact, and angular momentum but for the product of the slip and the
-// overlap that is taken back. A corner loses what it approaches by, and friction takes of the slip
-// what Coulomb's law allows for that impulse, (TL.16).
+// joined them when the forces of the step acted: momentum is exact, and angular momentum nearly so.
+// A corner loses what it approaches by, and friction takes of the slip what Coulomb's law allows
+// for that impulse, (TL.16).
 //
 // Contact has no memory: what acts is a function of the state that a step leaves. No stiffness, so
 // no number to choose and no shorter time step.
@@ -55,8 +55,7 @@ class BodyContact {
     const Surface &corners, &facets;
     CornerSearch<T, D> search;
     int contact;
-    double sign;      ///< 1 where the corners are those of the first body of the contact, else -1
-    double free = 0;  ///< how far both may move before the next list [m]
+    double sign;  ///< 1 where the corners are those of the first body of the contact, else -1
   };
   /// A corner and what it touches.
   struct Meeting {
@@ -71,10 +70,19 @@ class BodyContact {
     Point<D> rubbed = {};                ///< along the surface [N s]
   };
 
+  /// How the bodies of a contact have moved since the lists were made.
+  struct Approach {
+    double free = 0;      ///< how far they may, both together, before the next lists [m]
+    double moved = 0;     ///< how far they have [m]
+    Point<D> frame = {};  ///< what they have moved by together [m]
+  };
+
   void face_each_other();
   void list();
   bool lists_last();
-  void meet(const Side& side, double length, bool in_middle);
+  void meet(const Side& side, double length, double drift);
+  void find_point(Meeting& meeting);
+  void meet_before(Meeting& meeting, double drift);
   void push(Meeting& meeting, double drift);
   Point<D> relative(const Meeting& meeting, const std::array<Buffer<T>, D>& of_corner,
                     const std::array<Buffer<T>, D>& of_facet) const;
@@ -92,8 +100,8 @@ class BodyContact {
   const Case& settings_;
   std::vector<std::unique_ptr<Surface>> surfaces_;  ///< [body]
   std::vector<std::unique_ptr<Side>> sides_;
+  std::vector<Approach> approaches_;  ///< [contact]
   bool has_lists_ = false;
-  std::vector<double> moved_;      ///< [body] since the lists were made [m]
   std::vector<Touch<D>> touches_;  ///< room
   std::vector<Meeting> meetings_;  ///< of the present step
   std::vector<Share> shares_;      ///< of its points of facets

@@ -15,9 +15,19 @@ namespace {
 constexpr double deepest_of_two = 1;    // of a corner in another body [spacing]
 constexpr double deepest_of_one = 0.5;  // in the same one
 constexpr double apart_at_rest = 3;     // parts of one body that can meet [spacing]
-constexpr double list_margin = 0.5;     // that surfaces move between two lists [spacing]
+constexpr double least_ahead = 0.5;     // cosine to the normal, of what lies across a slot
+constexpr double without_rounding = 1 - 1e-6;
+constexpr double list_margin = 0.5;  // that surfaces move between two lists [spacing]
 
-/// Weights of the corners of a segment or a triangle at its point nearest to `x`.
+template <int D>
+Box<D> box_around(const std::vector<Point<D>>& places) {
+  Box<D> box;
+  for (const Point<D>& x : places) box.grow(x);
+  return box;
+}
+
+}  // namespace
+
 std::array<double, 2> nearest_weights(const std::array<Point<2>, 2>& c, const Point<2>& x) {
   const Point<2> along = difference<2>(c[1], c[0]);
   const double square = dot<2>(along, along);
@@ -31,36 +41,35 @@ std::array<double, 3> nearest_weights(const std::array<Point<3>, 3>& c, const Po
 }
 
 template <class T, int D>
-std::vector<Point<D>> all_places(const MovingSurface<T, D>& surface) {
-  std::vector<Point<D>> places(surface.surface().corners());
-  for (std::int32_t c = 0; c < surface.surface().corners(); ++c) places[c] = surface.place(c);
-  return places;
-}
-
-template <int D>
-Box<D> box_around(const std::vector<Point<D>>& places) {
-  Box<D> box;
-  for (const Point<D>& x : places) box.grow(x);
-  return box;
-}
-
-}  // namespace
-
-template <class T, int D>
 CornerSearch<T, D>::CornerSearch(const MovingSurface<T, D>& corners,
                                  const MovingSurface<T, D>& facets)
     : corners_(corners),
       facets_(facets),
       same_(&corners == &facets),
-      deepest_((same_ ? deepest_of_one : deepest_of_two) * facets.spacing()) {}
+      deepest_((same_ ? deepest_of_one : deepest_of_two) * facets.spacing()) {
+  if (!same_) return;
+  const ContactSurface<D>& surface = facets.surface();
+  start_normal_.resize(surface.corners());
+  for (const auto& facet : surface.facet) {
+    std::array<Point<D>, D> start;
+    for (int v = 0; v < D; ++v) start[v] = surface.start[facet[v]];
+    const Point<D> n = area_vector<D>(start);
+    for (const std::int32_t corner : facet) {
+      for (int a = 0; a < D; ++a) start_normal_[corner][a] += n[a];
+    }
+  }
+  for (Point<D>& n : start_normal_) normalise<D>(n);
+}
 
 template <class T, int D>
 double CornerSearch<T, D>::list() {
   corner_.clear();
   begin_.assign(1, 0);
   near_.clear();
+  clearance_.clear();
   const double margin = list_margin * facets_.spacing(), reach = deepest_ + margin;
-  const std::vector<Point<D>> place = all_places(corners_), other_place = all_places(facets_);
+  const std::vector<Point<D>>& place = corners_.marked_places();
+  const std::vector<Point<D>>& other_place = facets_.marked_places();
   const Box<D> box = box_around<D>(place), other_box = box_around<D>(other_place);
   const double gap = std::sqrt(squared_gap(box, other_box));
   if (gap > reach) return gap - deepest_;
@@ -78,31 +87,42 @@ double CornerSearch<T, D>::list() {
   for (std::int32_t c = 0; c < corners_.surface().corners(); ++c) {
     const Box<D> point{place[c], place[c]};
     if (squared_gap(point, other_box) > reach * reach) continue;
+    double clearance = reach;
     tree.for_each_near(point, reach * reach, 0, [&](std::size_t i) {
-      if (!same_ || !are_neighbours(c, facets[number[i]])) near_.push_back(number[i]);
+      const std::int32_t f = number[i];
+      if (same_ && are_neighbours(c, facets[f])) return;
+      near_.push_back(f);
+      const double height = facets_.height(f, place[c]);
+      clearance = std::min(clearance, std::max(height, std::sqrt(squared_gap(point, tree[i]))));
+      if (height <= 0) clearance = 0;
     });
     if (near_.size() == begin_.back()) continue;
     corner_.push_back(c);
     begin_.push_back(near_.size());
+    clearance_.push_back(without_rounding * clearance);
   }
   return margin;
 }
 
+// Across a slot a facet lies in front of the corner; across a layer behind it, and on the same face
+// beside it.
 template <class T, int D>
 bool CornerSearch<T, D>::are_neighbours(std::int32_t corner,
                                         const std::array<std::int32_t, D>& facet) const {
   const auto& start = facets_.surface().start;
   const double apart = apart_at_rest * facets_.spacing();
   return std::any_of(facet.begin(), facet.end(), [&](std::int32_t other) {
-    const Point<D> r = difference<D>(start[corner], start[other]);
-    return dot<D>(r, r) < apart * apart;
+    const Point<D> r = difference<D>(start[other], start[corner]);
+    const double square = dot<D>(r, r), ahead = dot<D>(r, start_normal_[corner]);
+    return square < apart * apart && ahead < least_ahead * std::sqrt(square);
   });
 }
 
 template <class T, int D>
-void CornerSearch<T, D>::find(std::vector<Touch<D>>& touches) const {
+void CornerSearch<T, D>::find(double moved, std::vector<Touch<D>>& touches) const {
   Touch<D> touch;
   for (std::size_t i = 0; i < corner_.size(); ++i) {
+    if (clearance_[i] > moved) continue;
     const auto facets = std::span(near_).subspan(begin_[i], begin_[i + 1] - begin_[i]);
     if (finds(corner_[i], facets, touch)) touches.push_back(touch);
   }
@@ -114,13 +134,8 @@ template <class T, int D>
 bool CornerSearch<T, D>::finds(std::int32_t corner, std::span<const std::int32_t> facets,
                                Touch<D>& touch) const {
   const Point<D> x = corners_.place(corner);
-  const auto height = [&x](const std::array<Point<D>, D>& c, const Point<D>& normal) {
-    return dot<D>(difference<D>(x, c[0]), normal);
-  };
-  const bool is_before_all = std::none_of(facets.begin(), facets.end(), [&](std::int32_t f) {
-    const std::array<Point<D>, D> c = facets_.places(f);
-    return height(c, area_vector<D>(c)) < 0;
-  });
+  const bool is_before_all = std::all_of(facets.begin(), facets.end(),
+                                         [&](std::int32_t f) { return facets_.height(f, x) >= 0; });
   if (is_before_all) return false;
   double nearest = deepest_, at_height = 0;
   Point<D> inwards = {};
@@ -128,16 +143,17 @@ bool CornerSearch<T, D>::finds(std::int32_t corner, std::span<const std::int32_t
     const std::array<Point<D>, D> c = facets_.places(f);
     Point<D> normal = area_vector<D>(c);
     normalise<D>(normal);
-    if (!corners_.opposes(corner, normal)) continue;
+    const double height = dot<D>(difference<D>(x, c[0]), normal);
+    if (std::abs(height) >= nearest) continue;
     const std::array<double, D> weight = nearest_weights(c, x);
     Point<D> from_facet = x;
     for (int v = 0; v < D; ++v) {
       for (int a = 0; a < D; ++a) from_facet[a] -= weight[v] * c[v][a];
     }
     const double distance = std::sqrt(dot<D>(from_facet, from_facet));
-    if (distance >= nearest) continue;
+    if (distance >= nearest || !corners_.opposes(corner, normal)) continue;
     nearest = distance;
-    at_height = height(c, normal);
+    at_height = height;
     inwards = from_facet;
     touch = {corner, f, weight, normal, -distance};
   }

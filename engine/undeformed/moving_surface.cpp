@@ -73,6 +73,14 @@ std::array<Point<D>, D> MovingSurface<T, D>::places(std::int32_t facet) const {
 }
 
 template <class T, int D>
+double MovingSurface<T, D>::height(std::int32_t facet, const Point<D>& x) const {
+  const std::array<Point<D>, D> c = places(facet);
+  Point<D> normal = area_vector<D>(c);
+  normalise<D>(normal);
+  return dot<D>(difference<D>(x, c[0]), normal);
+}
+
+template <class T, int D>
 Point<D> MovingSurface<T, D>::normal(std::int32_t corner) const {
   Point<D> sum = {};
   for (std::int32_t i = first_around_[corner]; i < first_around_[corner + 1]; ++i) {
@@ -99,20 +107,25 @@ void MovingSurface<T, D>::mark() {
   for (std::size_t i = 0; i < carriers_.size(); ++i) {
     for (int a = 0; a < D; ++a) marked_[i][a] = body_->displacement[a][carriers_[i]];
   }
+  marked_place_.resize(surface_.corners());
+  for (std::int32_t c = 0; c < surface_.corners(); ++c) marked_place_[c] = place(c);
 }
 
 template <class T, int D>
-double MovingSurface<T, D>::moved() const {
+auto MovingSurface<T, D>::motion(const Point<D>& frame) const -> Motion {
   double most = 0;
+  Point<D> sum = {};
   for (std::size_t i = 0; i < carriers_.size(); ++i) {
     double square = 0;
     for (int a = 0; a < D; ++a) {
       const double d = body_->displacement[a][carriers_[i]] - marked_[i][a];
-      square += d * d;
+      sum[a] += d;
+      square += (d - frame[a]) * (d - frame[a]);
     }
     most = std::max(most, square);
   }
-  return lever_ * std::sqrt(most);
+  for (double& component : sum) component /= static_cast<double>(carriers_.size());
+  return {lever_ * std::sqrt(most), sum};
 }
 
 template class MovingSurface<double, 2>;

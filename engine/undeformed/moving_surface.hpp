@@ -23,6 +23,8 @@ class MovingSurface {
   /// Where a corner is [m].
   Point<D> place(std::int32_t corner) const;
   std::array<Point<D>, D> places(std::int32_t facet) const;
+  /// Of a place over the plane of a facet [m].
+  double height(std::int32_t facet, const Point<D>& x) const;
   /// Out of the body at a corner: the mean over the facets around it, by area; a unit vector.
   Point<D> normal(std::int32_t corner) const;
 
@@ -32,8 +34,15 @@ class MovingSurface {
 
   /// Keeps where the surface is.
   void mark();
-  /// Never less than the distance by which any corner has moved since then [m].
-  double moved() const;
+  /// Where the corners were then [m].
+  const std::vector<Point<D>>& marked_places() const { return marked_place_; }
+  /// How it has moved since then.
+  struct Motion {
+    double most;     ///< never less than the distance of any corner, seen from a frame [m]
+    Point<D> drift;  ///< mean displacement [m]
+  };
+  /// Seen from a frame that has moved by `frame` [m].
+  Motion motion(const Point<D>& frame) const;
 
  private:
   Body<T, D>* body_;
@@ -44,6 +53,7 @@ class MovingSurface {
   std::vector<std::int32_t> carriers_;               ///< slots that carry corners, ascending
   double lever_ = 0;                                 ///< most that shares of a corner add up to
   std::vector<Point<D>> marked_;                     ///< [carrier] displacement [m]
+  std::vector<Point<D>> marked_place_;               ///< [corner] [m]
 };
 
 extern template class MovingSurface<double, 2>;
