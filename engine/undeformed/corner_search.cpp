@@ -46,20 +46,7 @@ CornerSearch<T, D>::CornerSearch(const MovingSurface<T, D>& corners,
     : corners_(corners),
       facets_(facets),
       same_(&corners == &facets),
-      deepest_((same_ ? deepest_of_one : deepest_of_two) * facets.spacing()) {
-  if (!same_) return;
-  const ContactSurface<D>& surface = facets.surface();
-  start_normal_.resize(surface.corners());
-  for (const auto& facet : surface.facet) {
-    std::array<Point<D>, D> start;
-    for (int v = 0; v < D; ++v) start[v] = surface.start[facet[v]];
-    const Point<D> n = area_vector<D>(start);
-    for (const std::int32_t corner : facet) {
-      for (int a = 0; a < D; ++a) start_normal_[corner][a] += n[a];
-    }
-  }
-  for (Point<D>& n : start_normal_) normalise<D>(n);
-}
+      deepest_((same_ ? deepest_of_one : deepest_of_two) * facets.spacing()) {}
 
 template <class T, int D>
 double CornerSearch<T, D>::list() {
@@ -104,17 +91,21 @@ double CornerSearch<T, D>::list() {
   return margin;
 }
 
-// Across a slot a facet lies in front of the corner; across a layer behind it, and on the same face
+// Across a slot a corner lies in front of a facet; across a layer behind it, and on the same face
 // beside it.
 template <class T, int D>
 bool CornerSearch<T, D>::are_neighbours(std::int32_t corner,
                                         const std::array<std::int32_t, D>& facet) const {
   const auto& start = facets_.surface().start;
   const double apart = apart_at_rest * facets_.spacing();
-  return std::any_of(facet.begin(), facet.end(), [&](std::int32_t other) {
-    const Point<D> r = difference<D>(start[other], start[corner]);
-    const double square = dot<D>(r, r), ahead = dot<D>(r, start_normal_[corner]);
-    return square < apart * apart && ahead < least_ahead * std::sqrt(square);
+  std::array<Point<D>, D> c;
+  for (int v = 0; v < D; ++v) c[v] = start[facet[v]];
+  Point<D> normal = area_vector<D>(c);
+  normalise<D>(normal);
+  return std::any_of(c.begin(), c.end(), [&](const Point<D>& other) {
+    const Point<D> r = difference<D>(start[corner], other);
+    const double square = dot<D>(r, r);
+    return square < apart * apart && dot<D>(r, normal) < least_ahead * std::sqrt(square);
   });
 }
 

@@ -43,13 +43,12 @@ class CornerSearch {
 
   const MovingSurface<T, D>& corners_;
   const MovingSurface<T, D>& facets_;
-  bool same_;                           ///< whether both are one surface
-  double deepest_;                      ///< of a corner behind a facet [m]
-  std::vector<Point<D>> start_normal_;  ///< [corner] in the undeformed body, where both are one
-  std::vector<std::int32_t> corner_;    ///< those that have facets near them
-  std::vector<std::size_t> begin_;      ///< [corner_ + 1] into near_
-  std::vector<double> clearance_;       ///< [corner_] what surfaces must move before it touches [m]
-  std::vector<std::int32_t> near_;      ///< facets
+  bool same_;                         ///< whether both are one surface
+  double deepest_;                    ///< of a corner behind a facet [m]
+  std::vector<std::int32_t> corner_;  ///< those that have facets near them
+  std::vector<std::size_t> begin_;    ///< [corner_ + 1] into near_
+  std::vector<double> clearance_;     ///< [corner_] what surfaces must move before it touches [m]
+  std::vector<std::int32_t> near_;    ///< facets
 };
 
 extern template class CornerSearch<double, 2>;
