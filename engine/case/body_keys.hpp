@@ -210,7 +210,10 @@ void cut_keys(Visitor& visit, CutCase& cut) {
 template <class Visitor>
 void contact_keys(Visitor& visit, ContactCase& contact) {
   visit("bodies", BodyPair{contact.bodies},
-        {.meaning = "the two bodies", .example = R"(["left", "right"])", .required = true});
+        {.meaning = "the two bodies; one of them twice meets itself, in the methods on the "
+                    "undeformed body",
+         .example = R"(["left", "right"])",
+         .required = true});
   const bool known =
       visit("kind", contact.law,
             {.meaning = "contact law", .example = R"("frictionless")", .decides = true});

@@ -71,7 +71,7 @@ void check_contacts(const Check& check) {
   bool any_separates = false;
   for (std::size_t i = 0; i < contacts.size(); ++i) {
     std::array<int, 2> pair = contacts[i].bodies;
-    if (pair[0] < 0 || pair[1] < 0 || pair[0] == pair[1]) continue;
+    if (pair[0] < 0 || pair[1] < 0) continue;
     any_separates = any_separates || row_of(contacts[i].law).separates;
     std::sort(pair.begin(), pair.end());
     if (!taken.insert(pair).second) {
@@ -81,7 +81,12 @@ void check_contacts(const Check& check) {
                       check.a_case.bodies[pair[0]].name, check.a_case.bodies[pair[1]].name),
           "keep one of them");
     }
-    check_places(check, i);
+    if (pair[0] != pair[1]) {
+      check_places(check, i);
+    } else if (check.a_case.rules == nullptr || !check.a_case.rules->meets_itself) {
+      check.problems.add(check.place("contact", i, "bodies"), "bodies names the same body twice",
+                         "name two different bodies, or choose another method");
+    }
   }
   if (any_separates && check.a_case.remeshing.policy == decltype(Case::remeshing)::Policy::never) {
     check.problems.add(check.place("remeshing", "every"), "bodies in contact need remeshings",

@@ -20,7 +20,13 @@ bool have_contact(const Case& a_case, std::array<int, 2> bodies) {
 void check_contact_force(const Check& check, std::size_t i) {
   const Case& a_case = check.a_case;
   const MeasurementCase& m = a_case.measurements[i];
-  if (m.bodies[0] < 0 || m.bodies[1] < 0 || have_contact(a_case, m.bodies)) return;
+  if (m.bodies[0] < 0 || m.bodies[1] < 0) return;
+  if (m.bodies[0] == m.bodies[1]) {
+    check.problems.add(check.place("measurement", i, "bodies"), "bodies names the same body twice",
+                       "name two different bodies");
+    return;
+  }
+  if (have_contact(a_case, m.bodies)) return;
   check.problems.add(
       check.place("measurement", i, "bodies"),
       fmt::format("bodies \"{}\" and \"{}\" have no [[contact]], so that they exert no force",

@@ -22,12 +22,13 @@ struct ContactLawRow {
 
 inline constexpr auto contact_laws = std::to_array<ContactLawRow>({
     {ContactLaw::frictionless, "frictionless", true, true, true,
-     "unilateral contact without friction (RP.47), (RP.56)"},
+     "unilateral contact without friction (RP.47), (RP.56), (TL.16)"},
     {ContactLaw::no_slip, "no_slip", true, true, false,
-     "unilateral contact without sliding (RP.46), (RP.56)"},
-    {ContactLaw::tied, "tied", false, false, false, "permanent bond without sliding or separation"},
+     "unilateral contact without sliding (RP.46), (RP.56), (TL.16)"},
+    {ContactLaw::tied, "tied", false, false, false,
+     "permanent bond without sliding or separation; remeshed method alone"},
     {ContactLaw::coulomb, "coulomb", true, false, false,
-     "unilateral contact with Coulomb friction (RP.75)"},
+     "unilateral contact with Coulomb friction (RP.75), (TL.16)"},
 });
 static_assert(is_in_order(contact_laws));
 

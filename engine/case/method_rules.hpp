@@ -50,6 +50,8 @@ struct MethodRules {
   /// Whether particles are remeshed: the case has a kernel, dissipation and damping of the lattice,
   /// `time.strain`, and the tables [remeshing], [level_set] and [ghosts].
   bool remeshes = false;
+  /// Whether parts of one body can be in contact with each other.
+  bool meets_itself = false;
   /// Whether the state at output times is seen without a step that ends there.
   bool looks_ahead = false;
 };
@@ -66,6 +68,9 @@ void refuse_measurements(const Check& check, bool (*is_measured)(MeasurementCase
 
 /// Adds a problem for each boundary of this kind.
 void refuse_boundaries(const Check& check, BoundaryCase::Kind kind);
+
+/// Adds a problem for each contact that never opens.
+void refuse_ties(const Check& check);
 
 /// Adds a problem for a key at the top level of the case.
 void refuse_key(const Check& check, std::string_view key);

@@ -125,8 +125,7 @@ bool read(const Entry& entry, BodyPair value) {
     const Entry element{entry.key, *list->get(i), entry.notes, entry.reading};
     if (!read(element, BodyName{value.indices[i]})) return false;
   }
-  if (value.indices[0] != value.indices[1]) return true;
-  return entry.refuse("names the same body twice", "name two different bodies");
+  return true;
 }
 
 bool read(const Entry& entry, BoundaryName value) {

@@ -115,8 +115,9 @@ void time_keys(Visitor& visit, decltype(Case::time)& time, bool remeshes) {
       "cfl", CflRule{time.cfl},
       {.meaning =
            R"(CFL number for step = "cfl"; by default 1 in the remeshed method, 0.5 there )"
-           "with contact between bodies, 0.9 with finite elements and point-based nodes (0.3 where "
-           "blades, faces of cuts or initial stresses push them), 0.5 in "
+           "with contact between bodies, 0.9 with finite elements and point-based nodes (0.6 with "
+           "contact between bodies; 0.3 where blades, faces of cuts or initial stresses push "
+           "nodes), 0.5 in "
            "other methods",
        .example = "0.5",
        .limits = {0, 2, false, true, "above 0 and at most 2"}});

@@ -16,7 +16,8 @@ namespace {
 
 void check(const Check& check) {
   const Case& a_case = check.a_case;
-  refuse_tables(check, {"periodic", "contact", "cut"});
+  refuse_tables(check, {"periodic", "cut"});
+  refuse_ties(check);
   for (std::size_t i = 0; i < a_case.bodies.size(); ++i) {
     point_based::check_body(check, i);
     if (point_based::has_elements(a_case.bodies[i].geometry)) continue;
@@ -29,10 +30,10 @@ void check(const Check& check) {
 }
 
 // The limit of elements is a bound of their highest frequency, (FE.6).
-StepLimits step_limits(const Case&) {
+StepLimits step_limits(const Case& a_case) {
   StepLimits limits;
   limits.stable_cfl = 1;
-  limits.default_cfl = 0.9;
+  limits.default_cfl = point_based::cfl_of_nodes(a_case);
   return limits;
 }
 
@@ -46,7 +47,8 @@ RegisteredMethod method() {
        .check = check,
        .keys = visit_keys,
        .step_limits = step_limits,
-       .footprint = point_based::footprint},
+       .footprint = point_based::footprint,
+       .meets_itself = true},
       make_solver<Solver>};
 }
 

@@ -75,9 +75,10 @@ template <class T, int D>
 undeformed::StepResult Step<T, D>::fold() {
   undeformed::StepResult result;
   for (std::size_t b = 0; b < results_.size() && result.non_finite < 0; ++b) {
-    result = {results_[b].non_finite, static_cast<int>(b)};
+    result.non_finite = results_[b].non_finite;
+    result.failed_block = static_cast<int>(b);
   }
-  nodes_.fold();
+  result.overlap = nodes_.fold().overlap;
   return result;
 }
 

@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "engine/geometry/mesh_topology.hpp"
+#include "engine/geometry/triangle_foot.hpp"
 
 namespace pliant {
 namespace {
@@ -28,42 +29,6 @@ Corners corners_of(const SurfaceMesh& mesh, std::size_t triangle) {
 
 Point unit_normal(const Corners& c) { return (c[1] - c[0]).cross(c[2] - c[0]).normalized(); }
 
-/// Where on a triangle a point is: inside, on the edge that starts at a corner, or on a corner.
-struct Foot {
-  enum class Part { face, edge, corner };
-  Part part = Part::face;
-  int corner = 0;
-  Point place = Point::Zero();
-};
-
-/// The point of a triangle nearest to `x`, by the regions in which it can lie.
-///
-/// C. Ericson, Real-Time Collision Detection (2005), section 5.1.5.
-Foot foot_of(const Corners& c, const Point& x) {
-  const Point ab = c[1] - c[0], ac = c[2] - c[0];
-  const double ab_a = ab.dot(x - c[0]), ac_a = ac.dot(x - c[0]);
-  if (ab_a <= 0 && ac_a <= 0) return {Foot::Part::corner, 0, c[0]};
-  const double ab_b = ab.dot(x - c[1]), ac_b = ac.dot(x - c[1]);
-  if (ab_b >= 0 && ac_b <= ab_b) return {Foot::Part::corner, 1, c[1]};
-  const double ab_c = ab.dot(x - c[2]), ac_c = ac.dot(x - c[2]);
-  if (ac_c >= 0 && ab_c <= ac_c) return {Foot::Part::corner, 2, c[2]};
-  const double over_c = ab_a * ac_b - ab_b * ac_a;
-  if (over_c <= 0 && ab_a >= 0 && ab_b <= 0) {
-    return {Foot::Part::edge, 0, c[0] + ab_a / (ab_a - ab_b) * ab};
-  }
-  const double over_b = ab_c * ac_a - ab_a * ac_c;
-  if (over_b <= 0 && ac_a >= 0 && ac_c <= 0) {
-    return {Foot::Part::edge, 2, c[0] + ac_a / (ac_a - ac_c) * ac};
-  }
-  const double over_a = ab_b * ac_c - ab_c * ac_b;
-  const double from_b = ac_b - ab_b, from_c = ab_c - ac_c;
-  if (over_a <= 0 && from_b >= 0 && from_c >= 0) {
-    return {Foot::Part::edge, 1, c[1] + from_b / (from_b + from_c) * (c[2] - c[1])};
-  }
-  const double all = over_a + over_b + over_c;
-  return {Foot::Part::face, 0, c[0] + over_b / all * ab + over_c / all * ac};
-}
-
 using BoxTree = Eigen::KdBVH<double, 3, int>;
 
 /// The triangle nearest to `x`, sought in the nearer boxes first.
@@ -73,10 +38,10 @@ struct Search {
   Point x;
   double best = std::numeric_limits<double>::infinity();  // square of the distance
   int triangle = -1;
-  Foot foot = {};
+  TriangleFoot foot = {};
 
   void compare(int candidate) {
-    const Foot there = foot_of(corners_of(mesh, candidate), x);
+    const TriangleFoot there = foot_on_triangle(corners_of(mesh, candidate), x);
     const double square = (there.place - x).squaredNorm();
     if (square >= best) return;
     best = square;
@@ -173,13 +138,13 @@ ClosedMesh::Nearest ClosedMesh::nearest(const Vector& x) const {
   search.descend(tree_->boxes.getRootIndex());
   Point normal;
   switch (search.foot.part) {
-    case Foot::Part::face:
+    case TriangleFoot::Part::face:
       normal = unit_normal(corners_of(mesh_, search.triangle));
       break;
-    case Foot::Part::edge:
+    case TriangleFoot::Part::edge:
       normal = point(edge_normals_[search.triangle][search.foot.corner]);
       break;
-    case Foot::Part::corner:
+    case TriangleFoot::Part::corner:
       normal = point(vertex_normals_[mesh_.triangles[search.triangle][search.foot.corner]]);
   }
   const Point offset = search.x - search.foot.place;

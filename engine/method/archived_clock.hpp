@@ -29,6 +29,7 @@ inline void put_energy(ArchiveWriter& archive, const std::string& group,
   archive.put(group + "/cut_work", energy.cut_work);
   archive.put(group + "/blade_work", energy.blade_work);
   archive.put(group + "/damping", energy.damping);
+  archive.put(group + "/friction", energy.friction);
 }
 
 inline void get_energy(const ArchiveReader& archive, const std::string& group,
@@ -39,6 +40,7 @@ inline void get_energy(const ArchiveReader& archive, const std::string& group,
   energy.cut_work = archive.scalar<double>(group + "/cut_work");
   energy.blade_work = archive.scalar<double>(group + "/blade_work");
   energy.damping = archive.scalar<double>(group + "/damping");
+  energy.friction = archive.scalar<double>(group + "/friction");
 }
 
 }  // namespace pliant

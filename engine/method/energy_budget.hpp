@@ -11,8 +11,10 @@ struct EnergyBudget {
   double cut_work = 0;         ///< of cuts: what the strain energy changes by as bonds change
   double blade_work = 0;       ///< of the forces of blades, on the bodies
   double damping = 0;          ///< lost to damping rates
+  double friction = 0;         ///< lost to friction between bodies on the undeformed body
 
   double work() const { return wall_work + load_work + body_force_work + cut_work + blade_work; }
+  double losses() const { return damping + friction; }
 };
 
 /// Adds `factor` times another budget.
@@ -23,6 +25,7 @@ inline void add(EnergyBudget& sum, const EnergyBudget& other, double factor = 1)
   sum.cut_work += factor * other.cut_work;
   sum.blade_work += factor * other.blade_work;
   sum.damping += factor * other.damping;
+  sum.friction += factor * other.friction;
 }
 
 }  // namespace pliant

@@ -35,6 +35,7 @@ Json json(const SummaryChecks& checks) {
               {"work_of_cuts", checks.cut_work},
               {"work_of_blades", checks.blade_work},
               {"lost_by_damping", checks.damping},
+              {"lost_by_friction", checks.friction},
               {"created", checks.created},
               {"largest_energy_or_work", checks.largest_energy},
               {"largest_share", checks.energy.share},

@@ -26,6 +26,7 @@ struct SummaryChecks {
   bool energy_is_known = false;  ///< whether the method accounts for work
   double wall_work = 0, load_work = 0, body_force_work = 0, cut_work = 0, blade_work = 0;
   double damping = 0;
+  double friction = 0;
   double created = 0;  ///< without work; negative where the method has lost energy
   double largest_energy = 0;
   Largest energy, mass, momentum, angular_momentum;

@@ -34,15 +34,20 @@ Point<3> normal_of(const std::array<Point<3>, 2>& t) {
   return {n[0], n[1], n[2]};
 }
 
-/// Sum of weights times the values of a side's nodes; value(k) is a Point.
-template <int D, class Weights, class Value>
-Point<D> weighted_sum_of(int count, const Weights& weights, Value&& value) {
+/// Sum over a side's nodes of weight(k) times their present places [m].
+template <class T, int D, class Side, class Weight>
+Point<D> weighted_place(const Body<T, D>& body, const Side& side, Weight&& weight) {
   Point<D> sum = {};
-  for (int k = 0; k < count; ++k) {
-    const Point<D> of_node = value(k);
-    for (int a = 0; a < D; ++a) sum[a] += weights[k] * of_node[a];
+  for (int k = 0; k < side.count; ++k) {
+    const Point<D> x = body.position(side.share[k].slot);
+    for (int a = 0; a < D; ++a) sum[a] += weight(k) * x[a];
   }
   return sum;
+}
+
+template <class T, int D, class Side>
+Point<D> place_of(const Body<T, D>& body, const Side& side) {
+  return weighted_place(body, side, [&side](int k) { return side.share[k].weight; });
 }
 
 /// Gives `v` the length 1; returns the length that it had.
@@ -91,14 +96,12 @@ void FaceContact<T, D>::follow(const CutBonds<D>& bonds) {
 template <class T, int D>
 auto FaceContact<T, D>::opposite(const Body<T, D>& body, const Point<D>& upper,
                                  const Side& below) const -> std::optional<Opposite> {
-  const auto places = [&](int k) { return body.position(below.slot[k]); };
-  Column<D> apart = column<D>(upper);
-  apart -= column<D>(weighted_sum_of<D>(below.count, below.weight, places));
+  const Column<D> apart = column<D>(upper) - column<D>(place_of(body, below));
   if (apart.norm() > far_apart * size_) return std::nullopt;
   std::array<Point<D>, D - 1> tangent;
   Eigen::Matrix<double, D, D - 1> frame;
   for (int t = 0; t < D - 1; ++t) {
-    tangent[t] = weighted_sum_of<D>(below.count, below.slope[t], places);
+    tangent[t] = weighted_place(body, below, [&](int k) { return below.slope[t][k]; });
     frame.col(t) = column<D>(tangent[t]);
   }
   Opposite found{normal_of(tangent), 0, {}};
@@ -114,9 +117,7 @@ template <class T, int D>
 auto FaceContact<T, D>::faces_of(const Body<T, D>& body, const TissueMap<D>& tissue,
                                  const Pair& pair) const -> std::optional<Faces> {
   if (pair.above.count == 0 || pair.below.count == 0) return std::nullopt;
-  const Point<D> upper = weighted_sum_of<D>(pair.above.count, pair.above.weight, [&](int k) {
-    return body.position(pair.above.slot[k]);
-  });
+  const Point<D> upper = place_of(body, pair.above);
   auto found = opposite(body, upper, pair.below);
   if (!found) return std::nullopt;
   Faces faces{pair.below, {}, 0};
@@ -138,67 +139,23 @@ auto FaceContact<T, D>::faces_of(const Body<T, D>& body, const TissueMap<D>& tis
   faces.gap = found->gap;
   for (int t = 0; t < D - 1; ++t) {
     for (int k = 0; k < faces.below.count; ++k) {
-      faces.below.weight[k] += found->slid[t] * faces.below.slope[t][k];
+      faces.below.share[k].weight += found->slid[t] * faces.below.slope[t][k];
     }
   }
   return faces;
 }
 
 template <class T, int D>
-double FaceContact<T, D>::compliance(const Body<T, D>& body, const Side& side,
-                                     const Point<D>& n) const {
-  double sum = 0;
-  for (int k = 0; k < side.count; ++k) {
-    double share = 1;
-    if (const auto held = held_.find(side.slot[k]); held != held_.end()) {
-      share = 0;
-      for (int i = 0; i < D; ++i) {
-        for (int j = 0; j < D; ++j) share += n[i] * held->second[D * i + j] * n[j];
-      }
-    }
-    sum += share * side.weight[k] * side.weight[k] * body.inverse_mass[side.slot[k]];
-  }
-  return sum;
-}
-
-template <class T, int D>
-void FaceContact<T, D>::move(Body<T, D>& body, const Side& side, const Point<D>& impulse,
-                             const Point<D>& moved) const {
-  for (int k = 0; k < side.count; ++k) {
-    const std::int32_t slot = side.slot[k];
-    const double response = side.weight[k] * body.inverse_mass[slot];
-    const auto held = held_.find(slot);
-    for (int i = 0; i < D; ++i) {
-      double velocity = impulse[i], displacement = moved[i];
-      if (held != held_.end()) {
-        velocity = displacement = 0;
-        for (int j = 0; j < D; ++j) {
-          velocity += held->second[D * i + j] * impulse[j];
-          displacement += held->second[D * i + j] * moved[j];
-        }
-      }
-      body.velocity[i][slot] += static_cast<T>(response * velocity);
-      body.displacement[i][slot] += static_cast<T>(response * displacement);
-    }
-  }
-}
-
-template <class T, int D>
 void FaceContact<T, D>::push(Body<T, D>& body, const Side& above, const Faces& faces, double length,
                              double drift) {
   const Point<D>& n = faces.normal;
-  const double soft = compliance(body, above, n) + compliance(body, faces.below, n);
-  if (soft == 0) return;
-  const auto velocity = [&body](const Side& side) {
-    return [&body, &side](int k) {
-      Point<D> u;
-      for (int a = 0; a < D; ++a) u[a] = body.velocity[a][side.slot[k]];
-      return u;
-    };
+  const auto soft_side = [&](const Side& side) {
+    return undeformed::compliance<T, D>(body, held_, side.shares(), n);
   };
-  Point<D> slip = weighted_sum_of<D>(above.count, above.weight, velocity(above));
-  const Point<D> lower =
-      weighted_sum_of<D>(faces.below.count, faces.below.weight, velocity(faces.below));
+  const double soft = soft_side(above) + soft_side(faces.below);
+  if (soft == 0) return;
+  Point<D> slip = undeformed::carried<T, D>(body.velocity, above.shares());
+  const Point<D> lower = undeformed::carried<T, D>(body.velocity, faces.below.shares());
   for (int a = 0; a < D; ++a) slip[a] -= lower[a];
   const double approach = -column<D>(slip).dot(column<D>(n));
   for (int a = 0; a < D; ++a) slip[a] += approach * n[a];
@@ -211,9 +168,9 @@ void FaceContact<T, D>::push(Body<T, D>& body, const Side& above, const Faces& f
     impulse[a] = (pushed * n[a] - taken * slip[a]) / soft;
     moved[a] = (-faces.gap * n[a] - drift * taken * slip[a]) / soft;
   }
-  move(body, above, impulse, moved);
+  undeformed::push<T, D>(body, held_, above.shares(), impulse, moved);
   for (int a = 0; a < D; ++a) impulse[a] = -impulse[a], moved[a] = -moved[a];
-  move(body, faces.below, impulse, moved);
+  undeformed::push<T, D>(body, held_, faces.below.shares(), impulse, moved);
 }
 
 template <class T, int D>

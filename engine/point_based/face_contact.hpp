@@ -7,7 +7,7 @@
 
 #include "engine/point_based/blade_resistance.hpp"
 #include "engine/point_based/cutting/cut_bonds.hpp"
-#include "engine/undeformed/held_directions.hpp"
+#include "engine/undeformed/carried_points.hpp"
 
 // Contact of the two faces of a cut, (PB.20).
 //
@@ -46,9 +46,10 @@ class FaceContact {
   struct Side {
     int count = 0;  ///< 0 where there is no node
     std::int32_t seed = -1;
-    std::array<std::int32_t, most> slot;
-    std::array<double, most> weight;
+    std::array<undeformed::Share, most> share;
     std::array<std::array<double, most>, D - 1> slope;  ///< of the weights along the tangents
+
+    std::span<const undeformed::Share> shares() const { return std::span(share).first(count); }
   };
   struct Pair {
     MaterialPoint<D> place;
@@ -85,9 +86,6 @@ class FaceContact {
   std::optional<Faces> faces_of(const Body<T, D>& body, const TissueMap<D>& tissue,
                                 const Pair& pair) const;
   void push(Body<T, D>& body, const Side& above, const Faces& faces, double length, double drift);
-  double compliance(const Body<T, D>& body, const Side& side, const Point<D>& n) const;
-  void move(Body<T, D>& body, const Side& side, const Point<D>& impulse,
-            const Point<D>& moved) const;
 
   double size_;  ///< H [m]
   double friction_;

@@ -24,7 +24,7 @@ void FaceContact<T, D>::fit(const Body<T, D>& body, const Pair& pair, const Mate
   std::array<double, most> weight;
   double farthest = 0;
   for (int k = 0; k < side.count; ++k) {
-    const Column<D> away = (column<D>(body.start[side.slot[k]]) - column<D>(place)) / size;
+    const Column<D> away = (column<D>(body.start[side.share[k].slot]) - column<D>(place)) / size;
     weight[k] = away.squaredNorm();
     farthest = std::max(farthest, weight[k]);
     basis[k] << 1, away;
@@ -43,7 +43,7 @@ void FaceContact<T, D>::fit(const Body<T, D>& body, const Pair& pair, const Mate
     const Vector along = solver.solve(direction);
     for (int k = 0; k < side.count; ++k) side.slope[t][k] = weight[k] * basis[k].dot(along);
   }
-  for (int k = 0; k < side.count; ++k) side.weight[k] = weight[k] * basis[k].dot(value);
+  for (int k = 0; k < side.count; ++k) side.share[k].weight = weight[k] * basis[k].dot(value);
 }
 
 // A node is on the side of the seed if they have a bond.
@@ -75,7 +75,7 @@ auto FaceContact<T, D>::side_of(const Body<T, D>& body, const TissueMap<D>& tiss
     const bool is_beyond =
         sign * column<D>(pair.normal).dot(column<D>(tissue.start[node]) - column<D>(place)) > 0;
     if (is_beyond && std::find(bonded.begin(), bonded.end(), slot) != bonded.end()) {
-      side.slot[side.count++] = slot;
+      side.share[side.count++].slot = slot;
     }
   }
   if (side.count <= D) side.count = 0;

@@ -59,7 +59,8 @@ void check_nodes(const Check& check) {
 void check(const Check& check) {
   const Case& a_case = check.a_case;
   check_nodes(check);
-  refuse_tables(check, {"periodic", "contact"});
+  refuse_tables(check, {"periodic"});
+  refuse_ties(check);
   for (std::size_t i = 0; i < a_case.cuts.size(); ++i) check_cut(check, i);
   for (std::size_t i = 0; i < a_case.bodies.size(); ++i) check_body(check, i);
   refuse_measurements(check, Measurer<double, 2>::is_measured);
@@ -78,11 +79,13 @@ bool is_pushed_node_by_node(const Case& a_case) {
 StepLimits step_limits(const Case& a_case) {
   StepLimits limits;
   limits.stable_cfl = 1;
-  limits.default_cfl = is_pushed_node_by_node(a_case) ? 0.3 : 0.9;
+  limits.default_cfl = is_pushed_node_by_node(a_case) ? 0.3 : cfl_of_nodes(a_case);
   return limits;
 }
 
 }  // namespace
+
+double cfl_of_nodes(const Case& a_case) { return a_case.contacts.empty() ? 0.9 : 0.6; }
 
 void check_body(const Check& check, std::size_t i) {
   const BodyCase& body = check.a_case.bodies[i];
@@ -113,7 +116,8 @@ RegisteredMethod method() {
        .keys = visit_keys,
        .step_limits = step_limits,
        .warning = resolution_warning,
-       .footprint = footprint},
+       .footprint = footprint,
+       .meets_itself = true},
       make_solver<Solver>};
 }
 

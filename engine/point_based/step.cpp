@@ -5,6 +5,7 @@
 #include <numeric>
 
 #include "engine/method/phase_rows.hpp"
+#include "engine/point_based/contact_surface.hpp"
 #include "engine/point_based/degenerate_nodes.hpp"
 #include "engine/point_based/parameters.hpp"
 
@@ -34,7 +35,8 @@ Step<T, D>::Step(State<T, D>& state, const Case& settings,
       kernels_(kernels),
       loads_(state, settings),
       work_(state),
-      contact_(state, settings) {}
+      contact_(state, settings),
+      body_contact_(state, settings) {}
 
 template <class T, int D>
 double Step<T, D>::drift_length() const {
@@ -103,6 +105,7 @@ void Step<T, D>::prepare(const Advance& advance) {
 // Where cuts open a body, any of its nodes may come to lie on its surface.
 template <class T, int D>
 void Step<T, D>::prepare_contact() {
+  body_contact_.take_surfaces(state_.bodies);
   contact_.clear_surfaces();
   if (!contact_.exists()) return;
   for (Body<T, D>& body : state_.bodies) {
@@ -145,6 +148,7 @@ StepResult Step<T, D>::fold() {
     state_.cuts[b]->meet(state_.bodies[b], advance_.length, drift_length());
   }
   contact_.apply(advance_.time, advance_.length, advance_.length, drift_length());
+  result.overlap = body_contact_.apply(advance_.length, advance_.length, drift_length());
   return result;
 }
 

@@ -6,6 +6,7 @@
 #include "engine/point_based/node_loads.hpp"
 #include "engine/point_based/state.hpp"
 #include "engine/undeformed/advance.hpp"
+#include "engine/undeformed/body_contact.hpp"
 #include "engine/undeformed/boundary_work.hpp"
 #include "engine/undeformed/wall_contact.hpp"
 #include "kernels/point_based/table.hpp"
@@ -36,8 +37,8 @@ class Step {
   /// Sets how the next step advances, and the loads at the time of its kick; moves the blades on.
   void prepare(const Advance& advance);
 
-  /// Lets contact walls push the nodes; folds the results of all blocks, in their order, impulses
-  /// and work into the state.
+  /// Lets contact walls and other bodies push the nodes; folds the results of all blocks, in their
+  /// order, impulses and work into the state.
   StepResult fold();
 
   // What phases do to a block.
@@ -73,6 +74,7 @@ class Step {
   NodeLoads<T, D> loads_;
   undeformed::BoundaryWork<T, D> work_;
   undeformed::WallContact<T, D> contact_;
+  undeformed::BodyContact<T, D> body_contact_;
   std::vector<kernels::PointForcesResult> results_;  ///< [block]
   std::vector<double> inertia_;                      ///< [block] before the step [J]
 };

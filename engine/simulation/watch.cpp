@@ -103,7 +103,7 @@ void Watch::look(Solver& solver) {
   if (balance.budget) {
     is_known_ = 1;
     budget_ = *balance.budget;
-    created_ = present_.total_energy - start_.total_energy - budget_.work() + budget_.damping;
+    created_ = present_.total_energy - start_.total_energy - budget_.work() + budget_.losses();
     scale_ = std::max(scale_, largest_of(budget_, present_.total_energy));
     if (scale_ > rounding_energy()) keep(energy_, created_ / scale_);
   }
@@ -206,6 +206,7 @@ SummaryChecks Watch::report() const {
   checks.cut_work = budget_.cut_work;
   checks.blade_work = budget_.blade_work;
   checks.damping = budget_.damping;
+  checks.friction = budget_.friction;
   checks.created = created_;
   checks.largest_energy = scale_;
   checks.energy = {energy_.share, energy_.time};

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "engine/method/phase_rows.hpp"
+#include "engine/total_lagrangian/contact_surface.hpp"
 #include "engine/total_lagrangian/parameters.hpp"
 
 // A step of the total Lagrangian method. Everything happens on the lattice of the undeformed body,
@@ -35,6 +36,7 @@ Step<T, D>::Step(State<T, D>& state, const Case& settings,
       kernels_(kernels),
       boundary_forces_(state, settings),
       contact_(state, settings),
+      body_contact_(state, settings),
       workers_(workers) {}
 
 template <class T, int D>
@@ -84,6 +86,7 @@ void Step<T, D>::reserve_forces() {
 
 template <class T, int D>
 void Step<T, D>::prepare_contact() {
+  body_contact_.take_surfaces(state_.bodies);
   contact_.clear_surfaces();
   if (!contact_.exists()) return;
   for (Body<T, D>& body : state_.bodies) {
@@ -129,6 +132,7 @@ StepResult Step<T, D>::fold() {
   if (stiffness > 0 && inertia > 0) result.rayleigh = stiffness / inertia;
   boundary_forces_.fold(inertia);
   contact_.apply(advance_.time, advance_.kick(), advance_.length, advance_.length);
+  result.overlap = body_contact_.apply(advance_.kick(), advance_.length, advance_.length);
   return result;
 }
 

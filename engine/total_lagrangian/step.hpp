@@ -6,6 +6,7 @@
 #include "engine/total_lagrangian/boundary_forces.hpp"
 #include "engine/total_lagrangian/state.hpp"
 #include "engine/undeformed/advance.hpp"
+#include "engine/undeformed/body_contact.hpp"
 #include "engine/undeformed/wall_contact.hpp"
 #include "kernels/total_lagrangian/table.hpp"
 #include "scheduler/phase.hpp"
@@ -36,8 +37,8 @@ class Step {
   /// Sets how the next step advances, and the loads at its time.
   void prepare(const Advance& advance);
 
-  /// Lets contact walls push the particles; folds the results of all blocks, in their order,
-  /// impulses and work into the state.
+  /// Lets contact walls and other bodies push the particles; folds the results of all blocks, in
+  /// their order, impulses and work into the state.
   StepResult fold();
 
  private:
@@ -64,6 +65,7 @@ class Step {
   Advance advance_ = {};
   BoundaryForces<T, D> boundary_forces_;
   undeformed::WallContact<T, D> contact_;
+  undeformed::BodyContact<T, D> body_contact_;
   scheduler::Workers& workers_;
   std::vector<std::vector<kernels::Relaxation<T>>>
       relaxation_;                                     ///< [body][term], since the last step

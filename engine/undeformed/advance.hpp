@@ -1,8 +1,17 @@
 #pragma once
 
+#include <array>
 #include <cstdint>
+#include <optional>
 
 namespace pliant::undeformed {
+
+/// A corner of a surface that lies too deep in another body.
+struct Overlap {
+  int contact;                  ///< of the case
+  double depth;                 ///< [m]
+  std::array<double, 3> place;  ///< [m], z = 0 in 2D
+};
 
 /// How a step advances.
 struct Advance {
@@ -19,6 +28,7 @@ struct Advance {
 struct StepResult {
   std::int64_t non_finite = -1;  ///< a slot, or -1
   int failed_block = -1;         ///< that the slot belongs to
+  std::optional<Overlap> overlap;
 };
 
 }  // namespace pliant::undeformed

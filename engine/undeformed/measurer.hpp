@@ -53,6 +53,9 @@ class Measurer {
     return undeformed::surface_area<D>(free_surface(m.body));
   }
   double wall_impulse(const MeasurementCase& m) const { return state_.impulse(m); }
+  double contact_impulse(const MeasurementCase& m) const {
+    return state_.contact_impulse_on_first(m);
+  }
   double integral(const MeasurementCase& m) const {
     return value_of(m, integrals(m.body, m.point), D);
   }
@@ -81,6 +84,7 @@ auto Measurer<State>::function_of(MeasurementCase::Kind kind) -> Function {
       {Quantity::mean_radius, &Measurer::mean_radius},
       {Quantity::surface_area, &Measurer::surface_area},
       {Quantity::wall_force, &Measurer::wall_impulse},
+      {Quantity::contact_force, &Measurer::contact_impulse},
       {Quantity::mass, &Measurer::integral},
       {Quantity::centre_of_mass, &Measurer::integral},
       {Quantity::momentum, &Measurer::integral},

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <memory>
 #include <optional>
@@ -78,6 +80,7 @@ class Solver : public pliant::Solver {
   virtual bool knows_energy() const { return true; }
   /// The failure of a step whose result is not finite.
   virtual StepFailure failure(const StepResult& result) const = 0;
+  StepFailure failure(const Overlap& overlap) const;
   /// Adapts the next step to what this one has found.
   virtual void adapt(const Advance&, const StepResult&) {}
   /// The time of the clock has changed.
@@ -98,7 +101,7 @@ class Solver : public pliant::Solver {
 
 template <class State, class Step, class Measurer>
 Solver<State, Step, Measurer>::Solver(const Case& a_case, const SolverOptions& options)
-    : pliant::Solver(a_case, options), state_(settings().boundaries) {
+    : pliant::Solver(a_case, options), state_(settings()) {
   state_.bodies.resize(settings().bodies.size());
   for (const BodyCase& body : settings().bodies) {
     state_.clock.wave_speed =
@@ -194,6 +197,18 @@ void Solver<State, Step, Measurer>::take_step(double dt) {
   show();
 }
 
+template <class State, class Step, class Measurer>
+StepFailure Solver<State, Step, Measurer>::failure(const Overlap& overlap) const {
+  const auto& bodies = settings().contacts[overlap.contact].bodies;
+  Point<D> place;
+  std::copy_n(overlap.place.begin(), D, place.begin());
+  return failed_step(
+      settings(), clock(),
+      fmt::format("bodies `{}` and `{}` overlap by {:.3g} at {}", settings().bodies[bodies[0]].name,
+                  settings().bodies[bodies[1]].name, overlap.depth, coordinates<D>(place)),
+      {smaller_step(settings()), "let them meet more slowly", "use a finer spacing"});
+}
+
 /// Takes a whole step, and leaves its length and its end in the clock.
 template <class State, class Step, class Measurer>
 void Solver<State, Step, Measurer>::begin_step() {
@@ -206,6 +221,7 @@ void Solver<State, Step, Measurer>::begin_step() {
   run(*graph_);
   const StepResult result = step_->fold();
   if (result.non_finite >= 0) throw failure(result);
+  if (result.overlap) throw failure(*result.overlap);
   for (Wall<D>& wall : state_.boundaries.walls) wall.move(advance.time, advance.length);
   clock.step_length = advance.length;
   clock.step_end = advance.time + advance.length;

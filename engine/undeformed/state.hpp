@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <vector>
 
 #include "engine/blocks/numbering.hpp"
@@ -12,10 +13,14 @@ namespace pliant::undeformed {
 /// What the states of all methods on the undeformed body have, apart from the bodies.
 template <int D>
 struct State {
-  explicit State(const std::vector<BoundaryCase>& cases)
-      : boundaries(cases),
+  explicit State(const Case& settings)
+      : boundaries(settings.boundaries),
         wall_impulse(boundaries.walls.size()),
-        wall_force(boundaries.walls.size()) {}
+        wall_force(boundaries.walls.size()),
+        contact_impulse(settings.contacts.size()),
+        contact_force(settings.contacts.size()) {
+    for (const ContactCase& contact : settings.contacts) contact_bodies.push_back(contact.bodies);
+  }
 
   Clock clock;
   EnergyBudget energy;  ///< up to when the velocities are
@@ -23,12 +28,25 @@ struct State {
   Boundaries<D> boundaries;
   std::vector<Point<D>> wall_impulse;  ///< [wall] on the bodies, up to there [N s]
   std::vector<Point<D>> wall_force;    ///< [wall] on the bodies, in the last step [N]
+  std::vector<std::array<int, 2>> contact_bodies;
+  std::vector<Point<D>> contact_impulse;  ///< [contact] on its first body, up to there [N s]
+  std::vector<Point<D>> contact_force;    ///< [contact] the same, in the last step [N]
   std::vector<BlockOwner> blocks;
 
   /// Impulse of a wall on the bodies up to the present time [N s].
   double impulse(const MeasurementCase& m) const {
     const int wall = boundaries.wall_of[m.boundary];
     return wall_impulse[wall][m.axis] + clock.lag() * wall_force[wall][m.axis];
+  }
+  /// Impulse of a contact on the first body of the measurement up to the present time [N s].
+  double contact_impulse_on_first(const MeasurementCase& m) const {
+    double sum = 0;
+    for (std::size_t c = 0; c < contact_bodies.size(); ++c) {
+      const double on_first = contact_impulse[c][m.axis] + clock.lag() * contact_force[c][m.axis];
+      if (contact_bodies[c] == m.bodies) sum += on_first;
+      if (contact_bodies[c] == std::array{m.bodies[1], m.bodies[0]}) sum -= on_first;
+    }
+    return sum;
   }
 };
 

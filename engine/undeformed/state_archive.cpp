@@ -18,6 +18,8 @@ void put_totals(ArchiveWriter& archive, const State<D>& state) {
   put_boundaries<D>(archive, state.boundaries);
   put_points<D>(archive, "walls/impulse", state.wall_impulse);
   put_points<D>(archive, "walls/force", state.wall_force);
+  put_points<D>(archive, "contacts/impulse", state.contact_impulse);
+  put_points<D>(archive, "contacts/force", state.contact_force);
 }
 
 template <int D>
@@ -33,6 +35,8 @@ void get_totals(const ArchiveReader& archive, State<D>& state) {
   get_boundaries<D>(archive, state.boundaries);
   get_points<D>(archive, "walls/impulse", state.wall_impulse);
   get_points<D>(archive, "walls/force", state.wall_force);
+  get_points<D>(archive, "contacts/impulse", state.contact_impulse);
+  get_points<D>(archive, "contacts/force", state.contact_force);
 }
 
 template void put_totals<2>(ArchiveWriter&, const State<2>&);

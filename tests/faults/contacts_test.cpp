@@ -36,7 +36,18 @@ const Fault faults[] = {
      "block.toml:17: bodies names the body \"othr\", which does not exist; did you mean `other`?"},
     {"contact_of_a_body_with_itself",
      meeting("1.1", "[[contact]]\nbodies = [\"other\", \"other\"]\n"),
-     "block.toml:17: bodies names the same body twice; name two different bodies"},
+     "block.toml:17: bodies names the same body twice; name two different bodies, or choose "
+     "another method"},
+    {"a_force_of_a_body_on_itself",
+     meeting("1.1",
+             "[[measurement]]\nname = \"push\"\nkind = \"contact_force\"\nbodies = "
+             "[\"other\", \"other\"]\n"),
+     "block.toml:19: bodies names the same body twice; name two different bodies"},
+    {"ties_on_the_undeformed_body",
+     "method = \"total_lagrangian\"\n" +
+         with(meeting("1", pair + "kind = \"tied\"\n"), "[remeshing]\nevery = 10\n", ""),
+     "block.toml:17: method \"total_lagrangian\" has no contact of kind \"tied\"; make one body of "
+     "both, or choose another method"},
     {"contact_of_three_bodies",
      meeting("1.1", "[[contact]]\nbodies = [\"block\", \"other\", \"block\"]\n"),
      "block.toml:17: bodies must be a list of two names of bodies, found a list; write it as in "

@@ -34,7 +34,7 @@ inline std::map<std::string, double> values(pliant::Solver& solver) {
 inline double balance(pliant::Solver& solver) {
   const BodyIntegrals sum = solver.integrals();
   const EnergyBudget budget = *solver.energy_budget();
-  return sum.kinetic_energy + sum.strain_energy - budget.work() + budget.damping;
+  return sum.kinetic_energy + sum.strain_energy - budget.work() + budget.losses();
 }
 
 }  // namespace pliant::test

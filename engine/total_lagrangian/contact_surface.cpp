@@ -1,0 +1,51 @@
+#include "engine/total_lagrangian/contact_surface.hpp"
+
+#include <map>
+#include <set>
+#include <tuple>
+
+namespace pliant::total_lagrangian {
+
+namespace {
+
+constexpr double at_particle = 1e-6;  // of the way from one particle to the next
+
+/// What tells corners apart. One that lies on a particle is the same on all lines from it.
+template <int D>
+std::tuple<std::int32_t, std::int32_t, Point<D>> name_of(const Vertex<D>& v) {
+  if (v.along < at_particle) return {v.first, v.first, {}};
+  return {v.first, v.second, v.start};
+}
+
+}  // namespace
+
+template <class T, int D>
+undeformed::ContactSurface<D> contact_surface(const Body<T, D>& body) {
+  using undeformed::Share;
+  undeformed::ContactSurface<D> surface;
+  std::map<std::tuple<std::int32_t, std::int32_t, Point<D>>, std::int32_t> known;
+  for (const Facet<D>& facet : body.facets) {
+    auto& corners = surface.facet.emplace_back();
+    for (int i = 0; i < D; ++i) {
+      const Vertex<D>& v = facet.vertex[i];
+      const auto [at, is_new] = known.insert({name_of(v), surface.corners()});
+      corners[i] = at->second;
+      if (!is_new) continue;
+      if (v.first == v.second) {
+        surface.add(v.start, std::array{Share{v.first, 1}});
+      } else {
+        surface.add(v.start, std::array{Share{v.first, 1 - v.along}, Share{v.second, v.along}});
+      }
+    }
+    const std::set<std::int32_t> different(corners.begin(), corners.end());
+    if (different.size() < D) surface.facet.pop_back();
+  }
+  return surface;
+}
+
+template undeformed::ContactSurface<2> contact_surface(const Body<double, 2>&);
+template undeformed::ContactSurface<3> contact_surface(const Body<double, 3>&);
+template undeformed::ContactSurface<2> contact_surface(const Body<float, 2>&);
+template undeformed::ContactSurface<3> contact_surface(const Body<float, 3>&);
+
+}  // namespace pliant::total_lagrangian

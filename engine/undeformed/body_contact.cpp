@@ -1,0 +1,245 @@
+#include "engine/undeformed/body_contact.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+#include "engine/geometry/padded.hpp"
+
+namespace pliant::undeformed {
+
+namespace {
+
+constexpr int meeting_sweeps = 4;  // of Gauss-Seidel, as particles carry several corners
+constexpr double least_meeting_compliance = 1e-3;  // along the normal, of that without walls
+constexpr double too_deep = 0.45;                  // of a corner in a body [spacing]
+
+/// What the point of a facet moves with, each particle once, in the order of the slots.
+template <int D>
+void append_shares(const ContactSurface<D>& surface, const Touch<D>& touch,
+                   std::vector<Share>& shares) {
+  const auto first = static_cast<std::ptrdiff_t>(shares.size());
+  for (int v = 0; v < D; ++v) {
+    if (touch.weight[v] == 0) continue;
+    for (const Share& share : surface.shares(surface.facet[touch.facet][v])) {
+      shares.push_back({share.slot, touch.weight[v] * share.weight});
+    }
+  }
+  std::sort(shares.begin() + first, shares.end(),
+            [](const Share& a, const Share& b) { return a.slot < b.slot; });
+  auto last = shares.begin() + first;
+  for (auto next = last + 1; next < shares.end(); ++next) {
+    if (next->slot == last->slot) {
+      last->weight += next->weight;
+    } else {
+      *++last = *next;
+    }
+  }
+  shares.erase(last + 1, shares.end());
+}
+
+}  // namespace
+
+template <class T, int D>
+BodyContact<T, D>::BodyContact(State<D>& state, const Case& settings)
+    : state_(state), settings_(settings) {}
+
+template <class T, int D>
+void BodyContact<T, D>::face_each_other() {
+  sides_.clear();
+  for (int c = 0; c < static_cast<int>(settings_.contacts.size()); ++c) {
+    const auto [a, b] = settings_.contacts[c].bodies;
+    sides_.push_back(std::make_unique<Side>(*surfaces_[a], *surfaces_[b], c, 1));
+    if (a != b) sides_.push_back(std::make_unique<Side>(*surfaces_[b], *surfaces_[a], c, -1));
+  }
+  has_lists_ = false;
+}
+
+// Distances are seen from the frame in which the bodies moved at the last look: bodies that fly
+// together keep their lists.
+template <class T, int D>
+bool BodyContact<T, D>::lists_last() {
+  if (!has_lists_) return false;
+  bool last = true;
+  for (std::size_t c = 0; c < approaches_.size(); ++c) {
+    const auto [a, b] = settings_.contacts[c].bodies;
+    Approach& approach = approaches_[c];
+    const auto first = surfaces_[a]->motion(approach.frame);
+    const auto second = a == b ? first : surfaces_[b]->motion(approach.frame);
+    approach.moved = first.most + second.most;
+    for (int i = 0; i < D; ++i) approach.frame[i] = (first.drift[i] + second.drift[i]) / 2;
+    last = last && approach.moved <= approach.free;
+  }
+  return last;
+}
+
+template <class T, int D>
+void BodyContact<T, D>::list() {
+  for (const auto& surface : surfaces_) surface->mark();
+  Approach fresh;
+  fresh.free = std::numeric_limits<double>::infinity();
+  approaches_.assign(settings_.contacts.size(), fresh);
+  for (const auto& side : sides_) {
+    double& free = approaches_[side->contact].free;
+    free = std::min(free, side->search.list());
+  }
+  has_lists_ = true;
+}
+
+template <class T, int D>
+std::optional<Overlap> BodyContact<T, D>::apply(double kick, double length, double drift) {
+  if (sides_.empty()) return std::nullopt;
+  if (!lists_last()) list();
+  meetings_.clear();
+  shares_.clear();
+  for (const auto& side : sides_) meet(*side, length, drift);
+  for (int sweep = 0; sweep < meeting_sweeps; ++sweep) {
+    for (Meeting& meeting : meetings_) push(meeting, drift);
+  }
+  add_totals(kick);
+  return deepest();
+}
+
+template <class T, int D>
+void BodyContact<T, D>::meet(const Side& side, double length, double drift) {
+  touches_.clear();
+  side.search.find(approaches_[side.contact].moved, touches_);
+  for (const Touch<D>& touch : touches_) {
+    Meeting meeting{&side, touch, shares_.size(), 0, 0, 0, 0, {}};
+    find_point(meeting);
+    meet_before(meeting, drift);
+    const auto sum = [&](const HeldDirections<D>& of_corners, const HeldDirections<D>& of_facets) {
+      return compliance<T, D>(side.corners.body(), of_corners, corner_shares(meeting),
+                              touch.normal) +
+             compliance<T, D>(side.facets.body(), of_facets, facet_shares(meeting), touch.normal);
+    };
+    meeting.largest_compliance = sum({}, {});
+    meeting.compliance = sum(side.corners.held(), side.facets.held());
+    if (meeting.compliance < least_meeting_compliance * meeting.largest_compliance) continue;
+    meeting.apart =
+        relative(meeting, side.corners.body().displacement, side.facets.body().displacement);
+    // Velocities of the middle of a step may close what was open at its start.
+    const double speed = dot<D>(slip(meeting), touch.normal);
+    const bool in_middle = drift == length;
+    meeting.approach = in_middle ? std::max(touch.gap / length - speed, 0.) : 0;
+    meetings_.push_back(meeting);
+  }
+}
+
+template <class T, int D>
+void BodyContact<T, D>::find_point(Meeting& meeting) {
+  shares_.resize(meeting.first_share);
+  append_shares<D>(meeting.side->facets.surface(), meeting.touch, shares_);
+  meeting.end_share = shares_.size();
+}
+
+// The corner pushes the point that it faced when the forces of the step acted: without slip the two
+// are one, and with it the pair exerts no torque.
+template <class T, int D>
+void BodyContact<T, D>::meet_before(Meeting& meeting, double drift) {
+  Touch<D>& touch = meeting.touch;
+  const std::array<Point<D>, D> c = meeting.side->facets.places(touch.facet);
+  const Point<D> w = slip(meeting);
+  const double speed = dot<D>(w, touch.normal);
+  Point<D> before;
+  for (int a = 0; a < D; ++a) {
+    before[a] = -drift * (w[a] - speed * touch.normal[a]);
+    for (int v = 0; v < D; ++v) before[a] += touch.weight[v] * c[v][a];
+  }
+  touch.weight = nearest_weights(c, before);
+  find_point(meeting);
+}
+
+template <class T, int D>
+Point<D> BodyContact<T, D>::relative(const Meeting& meeting,
+                                     const std::array<Buffer<T>, D>& of_corner,
+                                     const std::array<Buffer<T>, D>& of_facet) const {
+  return difference<D>(carried<T, D>(of_corner, corner_shares(meeting)),
+                       carried<T, D>(of_facet, facet_shares(meeting)));
+}
+
+template <class T, int D>
+Point<D> BodyContact<T, D>::slip(const Meeting& meeting) const {
+  return relative(meeting, meeting.side->corners.body().velocity,
+                  meeting.side->facets.body().velocity);
+}
+
+// Sums of impulses never pull, and friction is bounded by the sum of those along the normal: what
+// one sweep has pushed too far the next one takes back.
+template <class T, int D>
+void BodyContact<T, D>::push(Meeting& meeting, double drift) {
+  const Side& side = *meeting.side;
+  const Point<D>& n = meeting.touch.normal;
+  const ContactCase& law = settings_.contacts[side.contact];
+  const Point<D> apart = difference<D>(
+      relative(meeting, side.corners.body().displacement, side.facets.body().displacement),
+      meeting.apart);
+  Point<D> w = slip(meeting);
+  const double gap = meeting.touch.gap + dot<D>(apart, n), speed = dot<D>(w, n);
+  const double pushed = std::max(-(speed + meeting.approach) / meeting.compliance, -meeting.pushed);
+  const double moved = std::max(-gap / meeting.compliance, -meeting.moved);
+  meeting.pushed += pushed;
+  meeting.moved += moved;
+  Point<D> rubbed = meeting.rubbed;
+  if (law.law != ContactLaw::frictionless) {
+    for (int a = 0; a < D; ++a) rubbed[a] -= (w[a] - speed * n[a]) / meeting.largest_compliance;
+    const double size = std::sqrt(dot<D>(rubbed, rubbed));
+    const double most = law.law == ContactLaw::coulomb ? law.friction * meeting.pushed
+                        : meeting.pushed > 0           ? std::numeric_limits<double>::infinity()
+                                                       : 0;
+    if (size > most) {
+      for (double& component : rubbed) component *= most / size;
+    }
+  }
+  Point<D> impulse, shift;
+  for (int a = 0; a < D; ++a) {
+    const double along = rubbed[a] - meeting.rubbed[a];
+    impulse[a] = pushed * n[a] + along;
+    shift[a] = moved * n[a] + drift * along;
+  }
+  meeting.rubbed = rubbed;
+  undeformed::push<T, D>(side.corners.body(), side.corners.held(), corner_shares(meeting), impulse,
+                         shift);
+  for (int a = 0; a < D; ++a) impulse[a] = -impulse[a], shift[a] = -shift[a];
+  undeformed::push<T, D>(side.facets.body(), side.facets.held(), facet_shares(meeting), impulse,
+                         shift);
+}
+
+template <class T, int D>
+void BodyContact<T, D>::add_totals(double kick) {
+  const double inertia = state_.clock.mass_scaling * (1 + state_.clock.damping * kick / 2);
+  std::fill(state_.contact_force.begin(), state_.contact_force.end(), Point<D>{});
+  for (const Meeting& meeting : meetings_) {
+    const int contact = meeting.side->contact;
+    for (int a = 0; a < D; ++a) {
+      const double on_first = inertia * meeting.side->sign *
+                              (meeting.pushed * meeting.touch.normal[a] + meeting.rubbed[a]);
+      state_.contact_impulse[contact][a] += on_first;
+      state_.contact_force[contact][a] += on_first / kick;
+    }
+    const double lost = -inertia * dot<D>(meeting.rubbed, slip(meeting));
+    state_.energy.friction += lost;
+    state_.power.friction += lost / kick;
+  }
+}
+
+template <class T, int D>
+std::optional<Overlap> BodyContact<T, D>::deepest() const {
+  std::optional<Overlap> found;
+  for (const Meeting& meeting : meetings_) {
+    const Side& side = *meeting.side;
+    const double depth = -meeting.touch.gap;
+    if (depth <= too_deep * side.facets.spacing()) continue;
+    if (found && depth <= found->depth) continue;
+    found = {side.contact, depth, padded<D>(side.corners.place(meeting.touch.corner))};
+  }
+  return found;
+}
+
+template class BodyContact<double, 2>;
+template class BodyContact<double, 3>;
+template class BodyContact<float, 2>;
+template class BodyContact<float, 3>;
+
+}  // namespace pliant::undeformed

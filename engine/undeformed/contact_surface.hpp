@@ -1,0 +1,56 @@
+#pragma once
+
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "engine/undeformed/carried_points.hpp"
+
+namespace pliant::undeformed {
+
+/// The surface of a body as contact with other bodies sees it: segments (2D) or triangles (3D)
+/// between corners that move with the particles.
+template <int D>
+struct ContactSurface {
+  std::vector<Point<D>> start;                     ///< [corner] in the undeformed body [m]
+  std::vector<std::int32_t> first_share = {0};     ///< [corner + 1]
+  std::vector<Share> share;                        ///< what corners move with
+  std::vector<std::array<std::int32_t, D>> facet;  ///< corners, seen from outside
+
+  std::int32_t corners() const { return static_cast<std::int32_t>(start.size()); }
+  std::span<const Share> shares(std::int32_t corner) const {
+    return {share.data() + first_share[corner], share.data() + first_share[corner + 1]};
+  }
+  /// Adds a corner that moves with these particles.
+  void add(const Point<D>& at, std::span<const Share> shares) {
+    start.push_back(at);
+    share.insert(share.end(), shares.begin(), shares.end());
+    first_share.push_back(static_cast<std::int32_t>(share.size()));
+  }
+};
+
+template <int D>
+double dot(const Point<D>& a, const Point<D>& b) {
+  double sum = 0;
+  for (int i = 0; i < D; ++i) sum += a[i] * b[i];
+  return sum;
+}
+
+template <int D>
+Point<D> difference(const Point<D>& a, const Point<D>& b) {
+  Point<D> c;
+  for (int i = 0; i < D; ++i) c[i] = a[i] - b[i];
+  return c;
+}
+
+/// Gives `v` the length 1, where it has any; returns the length that it had.
+template <int D>
+double normalise(Point<D>& v) {
+  const double length = std::sqrt(dot<D>(v, v));
+  for (double& component : v) component /= length > 0 ? length : 1;
+  return length;
+}
+
+}  // namespace pliant::undeformed

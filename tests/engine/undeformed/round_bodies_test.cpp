@@ -1,0 +1,102 @@
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "tests/engine/case/written_case.hpp"
+#include "tests/engine/undeformed/loads.hpp"
+
+// Contact of discs and spheres, (TL.15) and (TL.16), against other solutions.
+namespace pliant::test {
+namespace {
+
+// Neo-Hookean here; finite elements with a linear material give 0.9717, see cases/two_discs.
+TEST(bodies_in_contact, leave_an_impact_with_the_restitution_of_finite_elements) {
+  for (const std::string method : {"total_lagrangian", "point_based"}) {
+    std::string discs = "method = \"" + method + R"("
+dimension = 2
+discretisation = { spacing = 0.05 }
+time = { end = 0.6 }
+[material.rubber]
+model = "reduced_polynomial"
+density = 1
+coefficients = [19.2307692307692]
+compressibility = 0.024
+[[contact]]
+bodies = ["left", "right"]
+)";
+    for (const std::string name : {"left", "right"}) {
+      const std::string sign = name == "left" ? "-" : "", other = name == "left" ? "" : "-";
+      discs += "[[body]]\nname = \"" + name +
+               "\"\nmaterial = \"rubber\"\ngeometry = { shape = \"disc\", centre = [" + sign +
+               "0.525, 0], radius = 0.5 }\nvelocity = [" + other + "0.5, 0]\n" +
+               measurement(name, "kind = \"momentum\"\naxis = \"x\"\nbody = \"" + name +
+                                     "\"\nrelative = true\n");
+    }
+    const auto run = methods().make(tests::read_text(discs), {});
+    const BodyIntegrals before = run->integrals();
+    const double momentum = values(*run)["left"];
+    run->advance(0.6);
+    EXPECT_NEAR(values(*run)["left"] / momentum, -0.9717, 0.003) << method;
+    const BodyIntegrals after = run->integrals();
+    EXPECT_NEAR(after.momentum[0], 0, 1e-14);
+    EXPECT_NEAR(after.kinetic_energy + after.strain_energy, before.kinetic_energy,
+                0.01 * before.kinetic_energy);
+  }
+}
+
+/// What brings the middles of two equal spheres of radius R together by this force: Hertz, less
+/// what the other end of each sphere, which is pressed alike, takes of it (Tatara 1989).
+double approach_of_spheres(double force, double radius) {
+  constexpr double young = 100, nu = 0.3, pi = 3.14159265358979;
+  const double a = std::cbrt(3 * force * (radius / 2) * (1 - nu * nu) / (2 * young));
+  const double across = std::hypot(a, 2 * radius);
+  return 2 * (3 * (1 - nu * nu) * force / (4 * a * young) -
+              force / (pi * young) *
+                  (2 * (1 + nu) * radius * radius / std::pow(across, 3) + (1 - nu * nu) / across));
+}
+
+// A quarter of two halves between planes of symmetry; the radius of contact is five spacings.
+TEST(bodies_in_contact, push_as_the_spheres_of_hertz) {
+  const auto half = [](const std::string& name, const std::string& centre, const std::string& lower,
+                       const std::string& upper) {
+    return "[[body]]\nname = \"" + name +
+           "\"\nmaterial = \"rubber\"\ngeometry = { shape = \"intersection\", of = [{ shape = "
+           "\"ball\", centre = [" +
+           centre + ", 0, 0], radius = 0.5 }, { shape = \"box\", lower = [" + lower +
+           ", 0, 0], upper = [" + upper + ", 1, 1] }] }\n";
+  };
+  const std::string spheres = R"(method = "total_lagrangian"
+dimension = 3
+discretisation = { spacing = 0.02 }
+time = { end = 0.6 }
+[total_lagrangian]
+damping = 8
+[material.rubber]
+model = "reduced_polynomial"
+density = 1
+coefficients = [19.2307692307692]
+compressibility = 0.024
+[[contact]]
+bodies = ["left", "right"]
+)" + half("left", "-0.5", "-0.5", "1") +
+                              half("right", "0.5", "-1", "0.5") +
+                              half_space("x", "kind = \"slip_wall\"", "[-0.5, 0, 0]", "[1, 0, 0]") +
+                              half_space("y", "kind = \"slip_wall\"", "[0, 0, 0]", "[0, 1, 0]") +
+                              half_space("z", "kind = \"slip_wall\"", "[0, 0, 0]", "[0, 0, 1]") +
+                              half_space("press",
+                                         "kind = \"slip_wall\"\ndisplacement = "
+                                         "[\"-0.04*min(t/0.36, 1)\", 0, 0]",
+                                         "[0.5, 0, 0]", "[-1, 0, 0]") +
+                              measurement("force",
+                                          "kind = \"contact_force\"\nbodies = [\"right\", "
+                                          "\"left\"]\naxis = \"x\"\n");
+  const auto run = methods().make(tests::read_text(spheres), {});
+  run->advance(0.5);
+  const double before = values(*run)["force"];
+  run->advance(0.6);
+  const double force = 4 * (values(*run)["force"] - before) / 0.1;
+  EXPECT_NEAR(approach_of_spheres(force, 0.5), 0.04, 0.05 * 0.04);
+}
+
+}  // namespace
+}  // namespace pliant::test
