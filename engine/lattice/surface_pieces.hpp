@@ -18,14 +18,14 @@
 namespace pliant {
 
 template <int D>
-using Place = Eigen::Matrix<double, D, 1>;
+using PlaceVector = Eigen::Matrix<double, D, 1>;
 
 /// A node of a lattice: a corner of cubes.
 template <int D>
 struct SurfaceNode {
   std::int64_t slot;
   Cell<D> cell;  ///< without the wrapping of periods
-  Place<D> place;
+  PlaceVector<D> place;
   double phi;
 };
 
@@ -36,7 +36,9 @@ struct Crossing {
   const SurfaceNode<D>* outside;
 
   double fraction() const { return inside->phi / (inside->phi - outside->phi); }
-  Place<D> place() const { return inside->place + fraction() * (outside->place - inside->place); }
+  PlaceVector<D> place() const {
+    return inside->place + fraction() * (outside->place - inside->place);
+  }
 };
 
 /// Corners of a piece, in the order in which its normal points out of the body: anticlockwise from

@@ -30,14 +30,6 @@ struct BondChoice {
 template <int D>
 double lattice_support(int count);
 
-/// The `count` nodes nearest to each, or all others where there are fewer; of a node with an
-/// elastic volume, those with one too, (PB.21). Throws InputError, in the name of `body`, for two
-/// nodes at one place and for a cloud of one node.
-template <int D>
-std::vector<std::vector<typename NearestNodes<D>::Found>> find_candidates(
-    const NodeCloud<D>& cloud, const std::vector<double>& elastic_volumes, int count,
-    const std::string& body);
-
 /// Weights of the bonds of a node to its first candidates, (PB.2).
 template <int D>
 std::vector<double> weights_of(const BondChoice<D>& choice, std::int64_t node);

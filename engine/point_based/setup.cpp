@@ -12,6 +12,7 @@
 #include "engine/method/gravity.hpp"
 #include "engine/method/initial_stress.hpp"
 #include "engine/method/initial_velocity.hpp"
+#include "engine/point_based/candidates.hpp"
 #include "engine/point_based/lattice_nodes.hpp"
 #include "engine/point_based/nodes/mesh_nodes.hpp"
 #include "engine/point_based/nodes/octree_nodes.hpp"

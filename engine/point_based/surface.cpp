@@ -117,7 +117,7 @@ class SurfaceFinder {
     for_each_piece<D>(cube, [&](const SurfacePiece<D>& piece) {
       std::array<Point<D>, D> x;
       for (int v = 0; v < D; ++v) {
-        const Place<D> at = piece[v].place();
+        const PlaceVector<D> at = piece[v].place();
         for (int a = 0; a < D; ++a) x[v][a] = at[a];
       }
       double square = 0;

@@ -30,15 +30,17 @@ double positive_share(const std::array<double, D>& values) {
 }
 
 /// Area times the unit normal, out of the body.
-Place<2> area_of(const std::array<Place<2>, 2>& x) {
+PlaceVector<2> area_of(const std::array<PlaceVector<2>, 2>& x) {
   return {x[1][1] - x[0][1], x[0][0] - x[1][0]};
 }
-Place<3> area_of(const std::array<Place<3>, 3>& x) { return (x[1] - x[0]).cross(x[2] - x[0]) / 2; }
+PlaceVector<3> area_of(const std::array<PlaceVector<3>, 3>& x) {
+  return (x[1] - x[0]).cross(x[2] - x[0]) / 2;
+}
 
 /// A vector field between two slots.
 template <class T, int D>
-Place<D> between(const FieldStore<T, D>& fields, Field field, const FacetCorner<D>& corner) {
-  Place<D> value;
+PlaceVector<D> between(const FieldStore<T, D>& fields, Field field, const FacetCorner<D>& corner) {
+  PlaceVector<D> value;
   for (int a = 0; a < D; ++a) {
     const T* of = fields.get(field, a);
     value[a] = (1 - corner.fraction) * of[corner.inside] + corner.fraction * of[corner.outside];
@@ -85,7 +87,7 @@ class FacetLoads {
 
   std::int8_t at(const Crossing<D>& crossing) const {
     const double fraction = crossing.fraction();
-    const Place<D> place = crossing.place();
+    const PlaceVector<D> place = crossing.place();
     Point<D> start;
     for (int a = 0; a < D; ++a) {
       const T* moved = view_.fields.get(Field::displacement, a);
@@ -102,14 +104,14 @@ class FacetLoads {
 
 /// Force of the loads on the components of an area [N, in 2D N/m].
 template <int D>
-Place<D> force_of(const std::array<std::int8_t, D>& load, const Place<D>& area,
-                  const BoundaryValues<D>& values) {
-  Place<D> force = Place<D>::Zero();
+PlaceVector<D> force_of(const std::array<std::int8_t, D>& load, const PlaceVector<D>& area,
+                        const BoundaryValues<D>& values) {
+  PlaceVector<D> force = PlaceVector<D>::Zero();
   for (int i = 0; i < D; ++i) {
     if (load[i] < 0 || std::find(load.begin(), load.begin() + i, load[i]) != load.begin() + i) {
       continue;
     }
-    Place<D> part = Place<D>::Zero();
+    PlaceVector<D> part = PlaceVector<D>::Zero();
     for (int a = i; a < D; ++a) part[a] = load[a] == load[i] ? area[a] : 0;
     force -= values.pressure[load[i]] * part;
     for (int a = 0; a < D; ++a) force[a] += part.norm() * values.traction[load[i]][a];
@@ -135,7 +137,7 @@ void find_loaded_facets(const LatticeView<T, D>& view, int block, const Shape& s
                 static_cast<std::int32_t>(piece[i].outside->slot),
                 piece[i].fraction(),
                 {}};
-      const Place<D> place = piece[i].place();
+      const PlaceVector<D> place = piece[i].place();
       for (int a = 0; a < D; ++a) {
         corner.place[a] = place[a];
       }
@@ -146,9 +148,10 @@ void find_loaded_facets(const LatticeView<T, D>& view, int block, const Shape& s
     facet.load = loads.of(piece);
     if (facet.load != nothing_loaded<D>()) facets.push_back(facet);
   };
+  const auto phi = level_set_of<T, D>(view);
   const Layout<D>& layout = view.population.layout;
   layout.for_each_slot(layout.blocks()[block], [&](std::int64_t, const Cell<D>& cell) {
-    if (view.body.lattice.is_wrapped(cell) && cube.read(cell)) cube.for_each_piece(add);
+    if (view.body.lattice.is_wrapped(cell) && cube.read(cell, phi)) cube.for_each_piece(add);
   });
 }
 
@@ -158,15 +161,15 @@ double power_of_loads(const Body<T, D>& body, int block, int buffer,
   const FieldStore<T, D>& state = body.stage[buffer];
   double power = 0;
   for (const LoadedFacet<D>& facet : body.loaded[block]) {
-    std::array<Place<D>, D> places;
-    Place<D> velocity = Place<D>::Zero();
+    std::array<PlaceVector<D>, D> places;
+    PlaceVector<D> velocity = PlaceVector<D>::Zero();
     for (int i = 0; i < D; ++i) {
       const FacetCorner<D>& corner = facet.corners[i];
       places[i] = between<T, D>(state, Field::drift, corner);
       for (int a = 0; a < D; ++a) places[i][a] += corner.place[a];
       velocity += between<T, D>(state, Field::velocity, corner) / D;
     }
-    const Place<D> area = area_of(places);
+    const PlaceVector<D> area = area_of(places);
     power += facet.share * force_of<D>(facet.load, area, values).dot(velocity);
   }
   return power;

@@ -77,6 +77,7 @@ inline Resources of(Group group, int copy, Part part) {
 inline Resources particles(Group group, int copy = 0) { return of(group, copy, Part::particles); }
 inline Resources ghosts(Group group, int copy = 0) { return of(group, copy, Part::ghosts); }
 inline Resources images(Group group, int copy = 0) { return of(group, copy, Part::images); }
+inline Resources with_images(Group group) { return particles(group) + images(group); }
 inline Resources slots(Group group, int copy = 0) {
   return particles(group, copy) + ghosts(group, copy) + images(group, copy);
 }

@@ -168,7 +168,7 @@ class Surface {
       const auto slot = (std::int64_t{z} * nodes_[1] + y) * nodes_[0] + x;
       const Vector place = place_of(x, y, z);
       cube[static_cast<std::size_t>(corner)] = {
-          slot, {}, Place<3>(place.data()), depth_[static_cast<std::size_t>(slot)]};
+          slot, {}, PlaceVector<3>(place.data()), depth_[static_cast<std::size_t>(slot)]};
     }
     for_each_piece<3>(cube, [&](const SurfacePiece<3>& piece) {
       for (const Crossing<3>& crossing : piece) wall_.triangle.push_back(vertex_on(crossing));
@@ -181,7 +181,7 @@ class Surface {
     const auto [at, is_new] =
         known_.insert({{crossing.inside->slot, crossing.outside->slot}, next});
     if (is_new) {
-      const Place<3> place = crossing.place();
+      const PlaceVector<3> place = crossing.place();
       wall_.vertex.push_back({place[0], place[1], place[2]});
     }
     return at->second;

@@ -24,7 +24,7 @@ Vertex<D> vertex(const Crossing<D>& crossing) {
               static_cast<std::int32_t>(crossing.outside->slot),
               crossing.fraction(),
               {}};
-  Eigen::Map<Place<D>>(v.start.data()) = crossing.place();
+  Eigen::Map<PlaceVector<D>>(v.start.data()) = crossing.place();
   return v;
 }
 
@@ -82,8 +82,8 @@ class SurfaceMaker {
       for (int a = 0; a < D; ++a) {
         node.cell[a] = cell[a] + (c >> a & 1);
       }
-      Eigen::Map<Place<D>>(node.place.data()) =
-          Eigen::Map<const Place<D>>(body_.place(node.slot, node.cell).data());
+      Eigen::Map<PlaceVector<D>>(node.place.data()) =
+          Eigen::Map<const PlaceVector<D>>(body_.place(node.slot, node.cell).data());
     }
     const int first = static_cast<int>(body_.facets.size());
     for_each_piece<D>(cube, [&](const SurfacePiece<D>& piece) {
@@ -162,8 +162,8 @@ class SurfaceMaker {
   // all weights that put the force in the middle of the loaded area, the smallest. They are linear
   // in the corners' places: weights of another kind would feed the hourglass modes.
   void push(const Cube<D>& cube, const Point<D>& middle, int patch) {
-    std::vector<std::pair<std::int64_t, Place<D>>> corners;
-    Place<D> mean = Place<D>::Zero();
+    std::vector<std::pair<std::int64_t, PlaceVector<D>>> corners;
+    PlaceVector<D> mean = PlaceVector<D>::Zero();
     for (const SurfaceNode<D>& corner : cube) {
       if (corner.phi >= 0) continue;
       corners.emplace_back(corner.slot, corner.place);
@@ -172,8 +172,8 @@ class SurfaceMaker {
     mean /= static_cast<double>(corners.size());
     Eigen::Matrix<double, D, D> spread = Eigen::Matrix<double, D, D>::Zero();
     for (const auto& [slot, x] : corners) spread += (x - mean) * (x - mean).transpose();
-    const Place<D> lever = spread.completeOrthogonalDecomposition().solve(
-        Eigen::Map<const Place<D>>(middle.data()) - mean);
+    const PlaceVector<D> lever = spread.completeOrthogonalDecomposition().solve(
+        Eigen::Map<const PlaceVector<D>>(middle.data()) - mean);
     for (const auto& [slot, x] : corners) {
       const double weight = 1 / static_cast<double>(corners.size()) + (x - mean).dot(lever);
       pushes_[slot].push_back({patch, weight});

@@ -6,9 +6,11 @@ namespace pliant::remeshed {
 
 namespace {
 
-double size_of(const std::array<Place<2>, 2>& segment) { return (segment[1] - segment[0]).norm(); }
+double size_of(const std::array<PlaceVector<2>, 2>& segment) {
+  return (segment[1] - segment[0]).norm();
+}
 
-double size_of(const std::array<Place<3>, 3>& triangle) {
+double size_of(const std::array<PlaceVector<3>, 3>& triangle) {
   return (triangle[1] - triangle[0]).cross(triangle[2] - triangle[0]).norm() / 2;
 }
 
@@ -18,7 +20,7 @@ template <class T, int D>
 double surface_area(const LatticeView<T, D>& view, const Boundaries<D>& boundaries) {
   double sum = 0;
   for_each_surface_piece(view, boundaries,
-                         [&](const SurfacePiece<D>&, const std::array<Place<D>, D>& places) {
+                         [&](const SurfacePiece<D>&, const std::array<PlaceVector<D>, D>& places) {
                            sum += size_of(places);
                          });
   return sum;

@@ -44,7 +44,7 @@ struct LineHash {
 template <int D>
 SurfaceVertex<D> vertex_of(const Crossing<D>& crossing) {
   SurfaceVertex<D> vertex{{}, crossing.inside->slot, crossing.outside->slot, crossing.fraction()};
-  const Place<D> place = crossing.place();
+  const PlaceVector<D> place = crossing.place();
   for (int a = 0; a < D; ++a) vertex.place[a] = place[a];
   return vertex;
 }

@@ -44,19 +44,25 @@ class SurfaceCube {
   std::array<SurfaceNode<D>, corners> corner_;
 };
 
+/// The level set of the body, as SurfaceCube::read takes it.
+template <class T, int D>
+auto level_set_of(const LatticeView<T, D>& view) {
+  return [values = view.fields.get(Field::level_set)](
+             std::int64_t slot, const Point<D>&) -> double { return values[slot]; };
+}
+
 /// Calls f(piece, corners' places) for every piece of the free surface {phi = 0} whose centre lies
 /// in front of all walls, in the order of the slots; nodes last as long as the call.
 template <class T, int D, class F>
 void for_each_surface_piece(const LatticeView<T, D>& view, const Boundaries<D>& boundaries, F&& f) {
   SurfaceCube<T, D> cube(view);
   const Layout<D>& layout = view.population.layout;
-  const auto phi = [values = view.fields.get(Field::level_set)](
-                       std::int64_t slot, const Point<D>&) -> double { return values[slot]; };
+  const auto phi = level_set_of<T, D>(view);
   for (const Block<D>& block : layout.blocks()) {
     layout.for_each_slot(block, [&](std::int64_t, const Cell<D>& cell) {
       if (!view.body.lattice.is_wrapped(cell) || !cube.read(cell, phi)) return;
       cube.for_each_piece([&](const SurfacePiece<D>& piece) {
-        std::array<Place<D>, D> places;
+        std::array<PlaceVector<D>, D> places;
         Point<D> centre = {};
         for (int i = 0; i < D; ++i) {
           places[i] = piece[i].place();
