@@ -169,10 +169,11 @@ struct Population {
   std::vector<std::vector<std::pair<std::int32_t, std::int32_t>>>
       images;  ///< [block] (image, source)
   std::vector<std::int32_t> slot_of_record;
-  std::vector<T> surface_distance;     ///< [record] phi over h at the remeshing
-  std::vector<std::int8_t> load;       ///< [record] on the face nearest to it
-  std::vector<std::array<T, D>> face;  ///< [record] the face's normal less grad phi, (RP.78)
-  std::int64_t particles = 0;          ///< interior
+  std::vector<T> surface_distance;      ///< [record] phi over h at the remeshing
+  std::vector<std::int8_t> load;        ///< [record] on the face nearest to it
+  std::vector<std::array<T, D>> face;   ///< [record] its normal at the remeshing, (RP.78)
+  std::vector<std::array<T, D>> slope;  ///< [record] grad phi there
+  std::int64_t particles = 0;           ///< interior
 };
 
 /// One body: its lattice, material, particles and surface. Nothing of it is shared with other

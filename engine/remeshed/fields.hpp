@@ -51,6 +51,7 @@ enum class Field {
   surface_distance,
   record_load,
   record_face,
+  record_slope,
   record,
   // Contact between bodies.
   surface_sample,
@@ -227,7 +228,8 @@ inline constexpr Table field_list = [] {
       {F::record_slot, "", "slot_of_record", "1", scalar, S::record, G::fits},
       {F::surface_distance, "phi/h", "surface_distance", "1", scalar, S::record, G::fits, not_at_all, 1, saved},
       {F::record_load, "", "load", "1", scalar, S::record, G::fits, not_at_all, 1, saved},
-      {F::record_face, "", "face", "1", vector, S::record, G::fits, not_at_all, 1, saved},
+      {F::record_face, "N", "face", "1", vector, S::record, G::fits, not_at_all, 1, saved},
+      {F::record_slope, "grad phi", "slope", "1", vector, S::record, G::fits, not_at_all, 1, saved},
       {F::record, "sigma, p, u, grad phi", "record", "Pa, m/s, 1", Rank::record, S::record, G::records},
 
       {F::surface_sample, "", "surface_sample", "h", list, S::block, G::surface_samples},

@@ -109,11 +109,14 @@ void put_ghosts(ArchiveWriter& archive, const std::string& group,
       list_name(group, Field::record_load),
       std::span<const std::uint8_t>(reinterpret_cast<const std::uint8_t*>(population.load.data()),
                                     population.load.size()));
-  std::vector<T> face;
-  for (const std::array<T, D>& offset : population.face) {
-    face.insert(face.end(), offset.begin(), offset.end());
-  }
-  archive.put(list_name(group, Field::record_face), std::span<const T>(face));
+  const auto put_vectors = [&](Field field, const std::vector<std::array<T, D>>& vectors) {
+    std::vector<T> values;
+    values.reserve(D * vectors.size());
+    for (const std::array<T, D>& x : vectors) values.insert(values.end(), x.begin(), x.end());
+    archive.put(list_name(group, field), std::span<const T>(values));
+  };
+  put_vectors(Field::record_face, population.face);
+  put_vectors(Field::record_slope, population.slope);
 }
 
 template <class T, int D>
@@ -156,6 +159,8 @@ void get_ghosts(const ArchiveReader& archive, const std::string& group,
   archive.read(list_name(group, Field::record_load), numbers_of(population.load));
   population.face.resize(population.slot_of_record.size());
   archive.read(list_name(group, Field::record_face), numbers_of(population.face));
+  population.slope.resize(population.slot_of_record.size());
+  archive.read(list_name(group, Field::record_slope), numbers_of(population.slope));
 }
 
 }  // namespace

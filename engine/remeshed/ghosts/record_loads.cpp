@@ -1,5 +1,6 @@
 #include "engine/remeshed/ghosts/record_loads.hpp"
 
+#include <Eigen/Dense>
 #include <cmath>
 
 #include "engine/geometry/padded.hpp"
@@ -9,6 +10,8 @@
 namespace pliant::remeshed {
 
 namespace {
+
+constexpr double unseen = 1e-3;  // of the squares of grad phi, where they have no direction
 
 /// What the particles of a block know of the surface.
 template <class T, int D>
@@ -22,16 +25,19 @@ class LoadFinder {
         fields_(fields),
         boundaries_(boundaries) {}
 
-  /// The load of the particle in `slot`, and its face.
-  std::int8_t find(std::int64_t slot, std::array<T, D>& face) const {
+  /// The load of the particle in `slot`, the normal of its face, and grad phi.
+  std::int8_t find(std::int64_t slot, std::array<T, D>& face, std::array<T, D>& slope) const {
     const Cell<D> cell = layout_.cell(slot);
     const Point<D> moved = displacement(slot);
     Point<D> x = lattice_.node(cell);
     for (int a = 0; a < D; ++a) x[a] -= moved[a];
     const InitialFace<D> initial = face_at<D>(boundaries_, surface_, x);
-    Point<D> normal, slope;
-    turn(cell, initial.normal, normal, slope);
-    for (int a = 0; a < D; ++a) face[a] = static_cast<T>(normal[a] - slope[a]);
+    Point<D> normal, gradient;
+    turn(cell, initial.normal, normal, gradient);
+    for (int a = 0; a < D; ++a) {
+      face[a] = static_cast<T>(normal[a]);
+      slope[a] = static_cast<T>(gradient[a]);
+    }
     return initial.load;
   }
 
@@ -98,7 +104,8 @@ void find_record_loads(const Lattice<D>& lattice, const FieldStore<T, D>& fields
   const LoadFinder<T, D> finder(lattice, population.layout, fields, surface, boundaries);
   const BlockGhosts<T, D>& ghosts = population.ghosts[block];
   for (std::int32_t r = ghosts.first_record; r < ghosts.first_record + ghosts.record_count; ++r) {
-    population.load[r] = finder.find(population.slot_of_record[r], population.face[r]);
+    population.load[r] =
+        finder.find(population.slot_of_record[r], population.face[r], population.slope[r]);
   }
 }
 
@@ -119,19 +126,46 @@ void find_ghost_loads(Population<T, D>& population, int block) {
   }
 }
 
+namespace {
+
+/// B of (RP.78): how normals near a ghost have turned since the remeshing, from how grad phi has.
+template <class T, int D>
+Eigen::Matrix<T, D, D> turn_of_normals(const Body<T, D>& body, const BlockGhosts<T, D>& ghosts,
+                                       std::size_t ghost) {
+  using Matrix = Eigen::Matrix<T, D, D>;
+  using Vector = Eigen::Matrix<T, D, 1>;
+  Matrix squares = Matrix::Zero(), changes = Matrix::Zero();
+  for (std::int64_t k = ghosts.begin[ghost]; k < ghosts.begin[ghost + 1]; ++k) {
+    const std::int64_t record = kernels::record_of(ghosts.pairs[k]);
+    const kernels::RecordSum<T, D> particle{body.records.get() + record * kernels::record_width<D>};
+    const T w = FittedParticle<T, D>(ghosts, ghost, k).weight();
+    const Vector before = Eigen::Map<const Vector>(body.population.slope[record].data());
+    Vector now;
+    for (int a = 0; a < D; ++a) now[a] = particle.level_set_gradient(a);
+    squares += w * before * before.transpose();
+    changes += w * (now - before) * before.transpose();
+  }
+  // What no particle sees does not turn.
+  squares.diagonal().array() += T(unseen) * squares.trace();
+  return changes * squares.inverse();
+}
+
+}  // namespace
+
 template <class T, int D>
 kernels::SurfaceLoad<T, D> mixed_load(const Body<T, D>& body, const BlockGhosts<T, D>& ghosts,
                                       std::size_t ghost, const BoundaryValues<D>& values) {
+  const Eigen::Matrix<T, D, D> turn = turn_of_normals(body, ghosts, ghost);
   std::array<T, D> slope = {}, force = {};
   for (std::int64_t k = ghosts.begin[ghost]; k < ghosts.begin[ghost + 1]; ++k) {
     const std::int64_t record = kernels::record_of(ghosts.pairs[k]);
     const std::int8_t load = body.population.load[record];
-    const kernels::RecordSum<T, D> particle{body.records.get() + record * kernels::record_width<D>};
+    const std::array<T, D>& face = body.population.face[record];
     const T w = FittedParticle<T, D>(ghosts, ghost, k).weight();
-    std::array<T, D> normal;
+    std::array<T, D> normal = face;
     T square = 0;
     for (int a = 0; a < D; ++a) {
-      normal[a] = particle.level_set_gradient(a) + body.population.face[record][a];
+      for (int b = 0; b < D; ++b) normal[a] += turn(a, b) * face[b];
       slope[a] += w * normal[a];
       square += normal[a] * normal[a];
     }

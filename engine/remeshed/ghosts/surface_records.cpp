@@ -42,6 +42,7 @@ void number_records(Population<T, D>& population, const LevelSet<T, D>& level_se
   population.surface_distance.clear();
   population.load.assign(population.slot_of_record.size(), no_load);
   population.face.assign(population.slot_of_record.size(), {});
+  population.slope.assign(population.slot_of_record.size(), {});
   for (const std::int32_t slot : population.slot_of_record) {
     record_of_slot[slot] = static_cast<std::int32_t>(population.surface_distance.size());
     population.surface_distance.push_back(
