@@ -81,6 +81,14 @@ class LoadFinder {
 }  // namespace
 
 template <int D>
+std::int8_t load_at(const Boundaries<D>& boundaries, const Point<D>& start) {
+  for (std::size_t i = 0; i < boundaries.pressures.size(); ++i) {
+    if (boundaries.pressures[i].acts_at(start)) return static_cast<std::int8_t>(i);
+  }
+  return no_load;
+}
+
+template <int D>
 InitialFace<D> face_at(const Boundaries<D>& boundaries, const Shape& surface,
                        const Point<D>& start) {
   const Vector near = padded<D>(start), n = outward_direction(surface, near, D);
@@ -91,9 +99,7 @@ InitialFace<D> face_at(const Boundaries<D>& boundaries, const Shape& surface,
     face.normal[a] = n[a];
     x[a] -= distance * n[a];
   }
-  for (std::size_t i = 0; i < boundaries.pressures.size() && face.load == no_load; ++i) {
-    if (boundaries.pressures[i].acts_at(x)) face.load = static_cast<std::int8_t>(i);
-  }
+  face.load = load_at<D>(boundaries, x);
   return face;
 }
 
@@ -109,19 +115,49 @@ void find_record_loads(const Lattice<D>& lattice, const FieldStore<T, D>& fields
   }
 }
 
+namespace {
+
+// In 3D a ghost has the load of one place: where the material at its foot point was. Where fits at
+// the foot point are not asked for a traction, those at the ghost tell that.
 template <class T, int D>
-void find_ghost_loads(Population<T, D>& population, int block) {
-  BlockGhosts<T, D>& ghosts = population.ghosts[block];
+std::int8_t load_at_foot(const Body<T, D>& body, const Boundaries<D>& boundaries,
+                         const BlockGhosts<T, D>& ghosts, std::size_t g) {
+  const kernels::FitTerms<T, D>& terms = ghosts.terms[g];
+  const auto& at = ghosts.surface_sum[g] > T(0.5) ? terms.surface : terms.linear;
+  Point<D> start = ghosts.foot[g];
+  for (std::int64_t k = ghosts.begin[g]; k < ghosts.begin[g + 1]; ++k) {
+    const T c = fit_coefficient<T, D>(ghosts, g, k, at);
+    const std::int32_t slot = body.spare.slot_of_record[kernels::record_of(ghosts.pairs[k])];
+    for (int a = 0; a < D; ++a) start[a] -= c * body.stage[1].get(Field::displacement, a)[slot];
+  }
+  return load_at<D>(boundaries, start);
+}
+
+// In 2D, that of the faces of all particles of its fit.
+template <class T, int D>
+std::int8_t load_of_faces(const Population<T, D>& population, const BlockGhosts<T, D>& ghosts,
+                          std::size_t g) {
+  const auto load = [&](std::int64_t k) {
+    return population.load[kernels::record_of(ghosts.pairs[k])];
+  };
+  const std::int64_t first = ghosts.begin[g];
+  for (std::int64_t k = first; k < ghosts.begin[g + 1]; ++k) {
+    if (load(k) != load(first)) return several_loads;
+  }
+  return first == ghosts.begin[g + 1] ? no_load : load(first);
+}
+
+}  // namespace
+
+template <class T, int D>
+void find_ghost_loads(Body<T, D>& body, const Boundaries<D>& boundaries, int block) {
+  BlockGhosts<T, D>& ghosts = body.spare.ghosts[block];
   for (std::size_t g = 0; g < ghosts.slot.size(); ++g) {
     if (ghosts.wall[g] >= 0) continue;
-    const auto load = [&](std::int64_t k) {
-      return population.load[kernels::record_of(ghosts.pairs[k])];
-    };
-    const std::int64_t first = ghosts.begin[g];
-    if (first == ghosts.begin[g + 1]) continue;
-    ghosts.pressure[g] = load(first);
-    for (std::int64_t k = first; k < ghosts.begin[g + 1]; ++k) {
-      if (load(k) != load(first)) ghosts.pressure[g] = several_loads;
+    if constexpr (D == 3) {
+      ghosts.pressure[g] = load_at_foot(body, boundaries, ghosts, g);
+    } else {
+      ghosts.pressure[g] = load_of_faces(body.spare, ghosts, g);
     }
   }
 }
@@ -188,12 +224,14 @@ kernels::SurfaceLoad<T, D> mixed_load(const Body<T, D>& body, const BlockGhosts<
   return traction;
 }
 
+template std::int8_t load_at<2>(const Boundaries<2>&, const Point<2>&);
+template std::int8_t load_at<3>(const Boundaries<3>&, const Point<3>&);
 template InitialFace<2> face_at<2>(const Boundaries<2>&, const Shape&, const Point<2>&);
 template InitialFace<3> face_at<3>(const Boundaries<3>&, const Shape&, const Point<3>&);
 template void find_record_loads<double, 2>(const Lattice<2>&, const FieldStore<double, 2>&,
                                            const Shape&, const Boundaries<2>&, int,
                                            Population<double, 2>&);
-template void find_ghost_loads<double, 2>(Population<double, 2>&, int);
+template void find_ghost_loads<double, 2>(Body<double, 2>&, const Boundaries<2>&, int);
 template kernels::SurfaceLoad<double, 2> mixed_load<double, 2>(const Body<double, 2>&,
                                                                const BlockGhosts<double, 2>&,
                                                                std::size_t,
@@ -201,7 +239,7 @@ template kernels::SurfaceLoad<double, 2> mixed_load<double, 2>(const Body<double
 template void find_record_loads<double, 3>(const Lattice<3>&, const FieldStore<double, 3>&,
                                            const Shape&, const Boundaries<3>&, int,
                                            Population<double, 3>&);
-template void find_ghost_loads<double, 3>(Population<double, 3>&, int);
+template void find_ghost_loads<double, 3>(Body<double, 3>&, const Boundaries<3>&, int);
 template kernels::SurfaceLoad<double, 3> mixed_load<double, 3>(const Body<double, 3>&,
                                                                const BlockGhosts<double, 3>&,
                                                                std::size_t,
@@ -209,14 +247,14 @@ template kernels::SurfaceLoad<double, 3> mixed_load<double, 3>(const Body<double
 template void find_record_loads<float, 2>(const Lattice<2>&, const FieldStore<float, 2>&,
                                           const Shape&, const Boundaries<2>&, int,
                                           Population<float, 2>&);
-template void find_ghost_loads<float, 2>(Population<float, 2>&, int);
+template void find_ghost_loads<float, 2>(Body<float, 2>&, const Boundaries<2>&, int);
 template kernels::SurfaceLoad<float, 2> mixed_load<float, 2>(const Body<float, 2>&,
                                                              const BlockGhosts<float, 2>&,
                                                              std::size_t, const BoundaryValues<2>&);
 template void find_record_loads<float, 3>(const Lattice<3>&, const FieldStore<float, 3>&,
                                           const Shape&, const Boundaries<3>&, int,
                                           Population<float, 3>&);
-template void find_ghost_loads<float, 3>(Population<float, 3>&, int);
+template void find_ghost_loads<float, 3>(Body<float, 3>&, const Boundaries<3>&, int);
 template kernels::SurfaceLoad<float, 3> mixed_load<float, 3>(const Body<float, 3>&,
                                                              const BlockGhosts<float, 3>&,
                                                              std::size_t, const BoundaryValues<3>&);

@@ -45,9 +45,11 @@ void Remeshing<T, D>::add_loads(PhaseRows& rows) {
               find_record_loads(body_.lattice, body_.stage[1], initial_surface_, boundaries_, b,
                                 body_.spare);
             });
-  rows.each("ghosts: loads", near(whole(new_loads)) + own(whole(new_fits)), own(whole(new_fits)),
-            [this](int b) {
-              if (is_final_) find_ghost_loads(body_.spare, b);
+  rows.each("ghosts: loads",
+            near(with_images(new_state) + whole(new_loads) + whole(record_numbers)) +
+                own(whole(new_fits)),
+            own(whole(new_fits)), [this](int b) {
+              if (is_final_) find_ghost_loads(body_, boundaries_, b);
             });
   rows.each("loaded facets", near(with_images(new_state) + with_images(new_kinds)),
             own(whole(loaded_facets)), [this](int b) {

@@ -41,37 +41,6 @@ field = "stress_xx"
 where = "(y > 0.06)*(y < 0.14)"
 )toml";
 
-const std::string cube = R"toml(dimension = 3
-[discretisation]
-spacing = 0.04
-damping = 50
-[time]
-end = 10
-[[body]]
-name = "block"
-geometry = { shape = "box", lower = [-0.1, -0.1, 0], upper = [0.1, 0.1, 0.2] }
-material = { model = "linear", youngs_modulus = 100, poissons_ratio = 0.3, density = 1 }
-[[boundary]]
-name = "floor"
-kind = "slip_wall"
-geometry = { shape = "half_space", point = [0, 0, 0], normal = [0, 0, 1] }
-[[measurement]]
-name = "reaction"
-kind = "wall_force"
-boundary = "floor"
-axis = "z"
-[[measurement]]
-name = "along"
-kind = "mean_value"
-field = "stress_zz"
-where = "(z > 0.06)*(z < 0.14)"
-[[measurement]]
-name = "across"
-kind = "mean_value"
-field = "stress_xx"
-where = "(z > 0.06)*(z < 0.14)"
-)toml";
-
 const std::string pressure = R"toml([[boundary]]
 name = "load"
 kind = "pressure"
@@ -85,8 +54,6 @@ traction = [0, "2*min(t/0.2, 1)"]
 )toml";
 
 const std::string top = "geometry = { shape = \"box\", lower = [-9, 0.195], upper = [9, 9] }\n";
-const std::string top_of_cube =
-    "geometry = { shape = \"box\", lower = [-9, -9, 0.195], upper = [9, 9, 9] }\n";
 
 /// What a block carries at rest, over what it should, and its energy balance over the work.
 struct Found {
@@ -131,10 +98,6 @@ TEST(slow_loads, a_block_between_the_nodes_has_it_too) {
 
 TEST(slow_loads, a_pulled_block_has_the_stress_of_the_traction) {
   expect_uniform(held<2>(plane_block + pull + top), -1, 0.01, 0.01);
-}
-
-TEST(slow_loads, a_pressed_cube_has_the_stress_of_the_pressure) {
-  expect_uniform(held<3>(cube + pressure + top_of_cube), 1, 0.015, 0.04);
 }
 
 }  // namespace
