@@ -10,12 +10,12 @@ undeformed::ContactSurface<D> contact_surface(const Body<T, D>& body) {
   surface.facet = body.surface.facet;
   for (std::size_t c = 0; c < body.surface.start.size(); ++c) {
     const std::int32_t slot = body.surface.node[c];
-    const Point<D> from = undeformed::difference<D>(body.surface.start[c], body.start[slot]);
+    const Point<D> from = difference<D>(body.surface.start[c], body.start[slot]);
     std::vector<Share> shares = {{slot, 1}};
     if (from != Point<D>{} && !body.has_cuts()) {
       body.for_each_bond(body.block_of(slot), slot,
                          [&](int, std::int64_t other, const Point<D>& g, double) {
-                           const double weight = undeformed::dot<D>(g, from);
+                           const double weight = dot<D>(g, from);
                            shares.push_back({static_cast<std::int32_t>(other), weight});
                            shares.front().weight -= weight;
                          });

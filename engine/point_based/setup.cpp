@@ -199,10 +199,8 @@ PlacedNodes<D> place_nodes(const Case& settings, const BodyCase& source,
                            const Boundaries<D>& boundaries) {
   const Shape& shape = source.geometry;
   const double spacing = settings.discretisation.spacing;
-  PlacedNodes<D> nodes;
   std::optional<Point<D>> pitch;
-  nodes.support = std::numeric_limits<double>::infinity();
-  nodes.alpha = 0.3;
+  PlacedNodes<D> nodes;
   if (has_elements(shape)) {
     nodes.cloud = nodes_of_mesh<D>(read_volume_mesh(shape.file, D), shape.scale, shape.translate);
     nodes.reach = 0.25;  // vertices lie on the surface

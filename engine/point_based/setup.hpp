@@ -1,5 +1,8 @@
 #pragma once
 
+#include <limits>
+#include <vector>
+
 #include "engine/point_based/bonds.hpp"
 #include "engine/point_based/nodes/node_cloud.hpp"
 #include "engine/point_based/state.hpp"
@@ -18,9 +21,10 @@ template <int D>
 struct PlacedNodes {
   NodeCloud<D> cloud;
   std::vector<double> elastic_volumes;  ///< [node] of (PB.21) [m^D]
-  double reach;    ///< distance within which a wall holds a node, over the node's V^(1/D)
-  double support;  ///< h of (PB.2) [m]; infinite: from the distances of the nodes
-  double alpha;    ///< strength of the stabilisation (PB.5) that they need
+  double reach = 0;  ///< distance within which a wall holds a node, over the node's V^(1/D)
+  /// h of (PB.2) [m]; infinite: from the distances of the nodes
+  double support = std::numeric_limits<double>::infinity();
+  double alpha = 0.3;  ///< strength of the stabilisation (PB.5) that they need
 };
 
 /// Places nodes: those of the tetrahedra of a mesh, on a lattice whose nodes move onto walls within

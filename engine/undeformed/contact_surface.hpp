@@ -6,6 +6,7 @@
 #include <span>
 #include <vector>
 
+#include "engine/lattice/point_algebra.hpp"
 #include "engine/undeformed/carried_points.hpp"
 
 namespace pliant::undeformed {
@@ -30,20 +31,6 @@ struct ContactSurface {
     first_share.push_back(static_cast<std::int32_t>(share.size()));
   }
 };
-
-template <int D>
-double dot(const Point<D>& a, const Point<D>& b) {
-  double sum = 0;
-  for (int i = 0; i < D; ++i) sum += a[i] * b[i];
-  return sum;
-}
-
-template <int D>
-Point<D> difference(const Point<D>& a, const Point<D>& b) {
-  Point<D> c;
-  for (int i = 0; i < D; ++i) c[i] = a[i] - b[i];
-  return c;
-}
 
 /// Gives `v` the length 1, where it has any; returns the length that it had.
 template <int D>

@@ -4,23 +4,11 @@
 #include <cmath>
 #include <cstring>
 
+#include "engine/lattice/point_algebra.hpp"
+
 namespace pliant::remeshed {
 
 namespace {
-
-template <int D>
-double dot(const Point<D>& a, const Point<D>& b) {
-  double sum = 0;
-  for (int i = 0; i < D; ++i) sum += a[i] * b[i];
-  return sum;
-}
-
-template <int D>
-Point<D> difference(const Point<D>& a, const Point<D>& b) {
-  Point<D> c;
-  for (int i = 0; i < D; ++i) c[i] = a[i] - b[i];
-  return c;
-}
 
 template <int D>
 Point<D> as_point(const Cell<D>& cell) {

@@ -8,6 +8,7 @@
 #include "engine/method/phase_rows.hpp"
 #include "engine/remeshed/images.hpp"
 #include "engine/remeshed/initial_fields.hpp"
+#include "engine/remeshed/loaded_surface.hpp"
 #include "engine/remeshed/resources.hpp"
 
 // The remeshing of H&K, section 2.3, in two graphs, since the blocks of the new lattice are known
