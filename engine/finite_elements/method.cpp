@@ -9,6 +9,7 @@
 #include "engine/point_based/footprint.hpp"
 #include "engine/point_based/method.hpp"
 #include "engine/point_based/setup.hpp"
+#include "engine/undeformed/default_cfl.hpp"
 
 namespace pliant::finite_elements {
 
@@ -33,7 +34,7 @@ void check(const Check& check) {
 StepLimits step_limits(const Case& a_case) {
   StepLimits limits;
   limits.stable_cfl = 1;
-  limits.default_cfl = point_based::cfl_of_nodes(a_case);
+  limits.default_cfl = undeformed::default_cfl(a_case);
   return limits;
 }
 

@@ -10,6 +10,7 @@
 #include "engine/point_based/observe/measure.hpp"
 #include "engine/point_based/parameters.hpp"
 #include "engine/point_based/solver.hpp"
+#include "engine/undeformed/default_cfl.hpp"
 
 namespace pliant::point_based {
 
@@ -79,13 +80,11 @@ bool is_pushed_node_by_node(const Case& a_case) {
 StepLimits step_limits(const Case& a_case) {
   StepLimits limits;
   limits.stable_cfl = 1;
-  limits.default_cfl = is_pushed_node_by_node(a_case) ? 0.3 : cfl_of_nodes(a_case);
+  limits.default_cfl = is_pushed_node_by_node(a_case) ? 0.3 : undeformed::default_cfl(a_case);
   return limits;
 }
 
 }  // namespace
-
-double cfl_of_nodes(const Case& a_case) { return a_case.contacts.empty() ? 0.9 : 0.6; }
 
 void check_body(const Check& check, std::size_t i) {
   const BodyCase& body = check.a_case.bodies[i];

@@ -6,6 +6,7 @@
 #include "engine/total_lagrangian/observe/measure.hpp"
 #include "engine/total_lagrangian/parameters.hpp"
 #include "engine/total_lagrangian/solver.hpp"
+#include "engine/undeformed/default_cfl.hpp"
 #include "kernels/total_lagrangian/arguments.hpp"
 
 namespace pliant::total_lagrangian {
@@ -39,7 +40,7 @@ StepLimits step_limits(const Case& a_case) {
   const std::optional<double>& scaling = parameters_of(a_case).mass_scaling;
   StepLimits limits;
   limits.stable_cfl = 1;
-  limits.default_cfl = 0.5;
+  limits.default_cfl = undeformed::default_cfl(a_case);
   limits.bounds_given_steps = true;
   limits.mass_follows_step = !scaling;
   limits.mass_scaling = scaling.value_or(1);
