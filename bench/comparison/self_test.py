@@ -1,5 +1,5 @@
 """self_test.py BUILD [TIMES]: shows that `pliant bench --against` finds a build that is 5 % slower, and does not
-report two equal builds, each 20 times out of 20. Takes half an hour on an idle machine.
+report two equal builds, each 20 times out of 20. Takes some twenty minutes.
 """
 
 import re

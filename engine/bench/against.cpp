@@ -1,14 +1,11 @@
 #include "engine/bench/against.hpp"
 
-#include <fcntl.h>
 #include <fmt/format.h>
-#include <spawn.h>
-#include <sys/wait.h>
-#include <unistd.h>
-#include <pliant/error.hpp>
 
-#include <array>
+#include <chrono>
 #include <cstdio>
+
+#include "engine/bench/measured_program.hpp"
 
 namespace pliant::bench {
 
@@ -16,48 +13,25 @@ namespace {
 
 constexpr int least_pairs = 16;
 
-/// Standard output of a program that ends with status 0; what it says on stderr is dropped.
-std::string output_of(std::vector<std::string> command) {
-  std::array<int, 2> pipe;
-  if (::pipe2(pipe.data(), O_CLOEXEC) != 0) throw InputError("no pipe can be made; close files");
-  posix_spawn_file_actions_t actions;
-  posix_spawn_file_actions_init(&actions);
-  posix_spawn_file_actions_adddup2(&actions, pipe[1], 1);
-  posix_spawn_file_actions_addopen(&actions, 2, "/dev/null", O_WRONLY, 0);
-  std::vector<char*> arguments;
-  arguments.reserve(command.size() + 1);
-  for (std::string& argument : command) arguments.push_back(argument.data());
-  arguments.push_back(nullptr);
-  pid_t child = 0;
-  const int error = posix_spawn(&child, arguments[0], &actions, nullptr, arguments.data(), environ);
-  posix_spawn_file_actions_destroy(&actions);
-  ::close(pipe[1]);
-  std::string text;
-  std::array<char, 4096> part;
-  ssize_t size = 0;
-  while (error == 0 && (size = ::read(pipe[0], part.data(), part.size())) > 0) {
-    text.append(part.data(), static_cast<std::size_t>(size));
+/// Speed of one process over that of another, from turns one right after the other. The order
+/// alternates, so that a machine that becomes slower wrongs neither.
+double ratio_of(MeasuredProgram& own, MeasuredProgram& other) {
+  using Clock = std::chrono::steady_clock;
+  constexpr std::size_t least_turns = 6, most_turns = 40;
+  constexpr std::chrono::seconds enough(1);
+  std::vector<double> ratios;
+  const auto start = Clock::now();
+  while (ratios.size() < least_turns ||
+         (ratios.size() < most_turns && Clock::now() - start < enough)) {
+    const bool own_first = ratios.size() % 2 == 0;
+    const double first = (own_first ? own : other).turn();
+    const double second = (own_first ? other : own).turn();
+    ratios.push_back(own_first ? first / second : second / first);
   }
-  ::close(pipe[0]);
-  int status = -1;
-  if (error == 0) ::waitpid(child, &status, 0);
-  if (status == 0) return text;
-  throw InputError(
-      fmt::format("{}: cannot measure a row; give a pliant that has `bench --rows`", command[0]));
+  return typical_ratio(ratios).value;
 }
 
-/// What one program measures of a row [particle-stages/s].
-double rate_of(const std::filesystem::path& program, const std::string& row, int threads) {
-  const std::string text = output_of({program.string(), "bench", "--rows", row, "--repetitions",
-                                      "1", "--threads", fmt::format("{}", threads), "--json"});
-  const Record record = parse_record(text, program.string());
-  for (const RecordedRow& found : record.rows) {
-    if (found.name == row) return found.samples[0].rate;
-  }
-  throw InputError(fmt::format("{}: does not know the row {}; give --rows that both programs have",
-                               program.string(), row));
-}
-
+/// Pairs of processes that measure one row.
 class Pairs {
  public:
   Pairs(const AgainstOptions& options, std::string row) : options_(options), row_(std::move(row)) {}
@@ -66,32 +40,28 @@ class Pairs {
     const int pairs = count();
     if (pairs >= options_.most_pairs) return true;
     if (pairs < least_pairs) return false;
-    const Interval ratio = paired_ratio(other_, own_);
+    const Interval ratio = typical_ratio(ratios_);
     return ratio.upper - ratio.lower < 2 * options_.width * ratio.value;
   }
 
-  // The order alternates, so that a machine that becomes slower wrongs neither.
   void measure() {
-    const bool own_first = count() % 2 == 0;
-    if (own_first) own_.push_back(rate_of(options_.program, row_, options_.threads));
-    other_.push_back(rate_of(options_.other, row_, options_.threads));
-    if (!own_first) own_.push_back(rate_of(options_.program, row_, options_.threads));
-    if (options_.quiet) return;
-    fmt::print(stderr, "{}, pair {}: {:.2f} and {:.2f} M/s\n", row_, count(), 1e-6 * own_.back(),
-               1e-6 * other_.back());
+    MeasuredProgram own(options_.program, row_, options_.threads);
+    MeasuredProgram other(options_.other, row_, options_.threads);
+    ratios_.push_back(ratio_of(own, other));
+    if (!options_.quiet) fmt::print(stderr, "{}, pair {}: {:.4f}\n", row_, count(), ratios_.back());
   }
 
   Against result() const {
-    const Interval ratio = paired_ratio(other_, own_);
+    const Interval ratio = typical_ratio(ratios_);
     return {row_, count(), ratio, judge(ratio, options_.tolerance)};
   }
 
  private:
-  int count() const { return static_cast<int>(other_.size()); }
+  int count() const { return static_cast<int>(ratios_.size()); }
 
   const AgainstOptions& options_;
   std::string row_;
-  std::vector<double> own_, other_;
+  std::vector<double> ratios_;
 };
 
 }  // namespace

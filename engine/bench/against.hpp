@@ -14,7 +14,7 @@ struct AgainstOptions {
   std::vector<std::string> rows;                     ///< names
   int threads = 0;
   double tolerance = 0.01;
-  double width = 0.01;  ///< pairs are measured until the interval reaches no further than this
+  double width = 0.01;  ///< pairs follow until the interval reaches no further than this
   int most_pairs = 200;
   bool quiet = false;
 };
@@ -27,9 +27,11 @@ struct Against {
   Verdict verdict = Verdict::same;
 };
 
-/// Lets both programs measure each row in turns, each time in a process of its own, one after the
-/// other and the other way round, until the ratio of their speeds is known. Throws InputError where
-/// the other one cannot be run or does not know the row.
+/// Starts pairs of processes, one of each program, which measure a row in short turns, one waiting
+/// for the other, until the ratio of their speeds is known. Where the pages of a process lie in
+/// memory decides some per cent of its speed: hence many pairs. Other programs come and go within
+/// seconds: hence short turns. Throws InputError where the other one cannot be run or does not know
+/// the row.
 std::vector<Against> compare_programs(const AgainstOptions& options);
 
 std::string text_of(const std::vector<Against>& found);

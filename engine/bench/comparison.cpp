@@ -95,20 +95,19 @@ std::string markdown_of(const std::vector<Change>& changes, double tolerance) {
                     1 - tolerance);
 }
 
-Interval paired_ratio(std::span<const double> before, std::span<const double> after) {
-  const std::size_t n = std::min(before.size(), after.size());
+Interval typical_ratio(std::span<const double> ratios) {
+  const std::size_t n = ratios.size();
   std::vector<double> means;  // Walsh averages
   means.reserve(n * (n + 1) / 2);
-  const auto logarithm = [&](std::size_t i) { return std::log(after[i] / before[i]); };
   for (std::size_t i = 0; i < n; ++i) {
-    for (std::size_t j = 0; j <= i; ++j) means.push_back((logarithm(i) + logarithm(j)) / 2);
+    for (std::size_t j = 0; j <= i; ++j) means.push_back(std::log(ratios[i] * ratios[j]) / 2);
   }
   std::sort(means.begin(), means.end());
   const double value = std::exp(median(means));
   constexpr double quantile = 3.2905;  // of the normal distribution, 0.05 % in each tail
-  const double pairs = static_cast<double>(n);
+  const double count = static_cast<double>(n);
   const double rank =
-      pairs * (pairs + 1) / 4 - quantile * std::sqrt(pairs * (pairs + 1) * (2 * pairs + 1) / 24);
+      count * (count + 1) / 4 - quantile * std::sqrt(count * (count + 1) * (2 * count + 1) / 24);
   if (rank < 1) return {value, 0, std::numeric_limits<double>::infinity()};
   const auto outside = static_cast<std::size_t>(rank);
   return {value, std::exp(means[outside - 1]), std::exp(means[means.size() - outside])};

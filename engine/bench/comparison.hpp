@@ -37,11 +37,11 @@ struct Interval {
   double value, lower, upper;
 };
 
-/// Ratio after/before of figures measured in pairs, one right after the other: the Hodges-Lehmann
-/// estimate of the logarithms with the interval of Wilcoxon's signed-rank test at a confidence of
-/// 99.9 %, from its normal approximation. Outliers hardly move it. Fewer than 15 pairs determine no
-/// interval; it then has no bounds. There must be a pair.
-Interval paired_ratio(std::span<const double> before, std::span<const double> after);
+/// What a ratio typically is that was measured several times: the Hodges-Lehmann estimate of the
+/// logarithms with the interval of Wilcoxon's signed-rank test at a confidence of 99.9 %, from its
+/// normal approximation. Outliers hardly move it. Fewer than 15 ratios determine no interval; it
+/// then has no bounds. There must be a ratio.
+Interval typical_ratio(std::span<const double> ratios);
 
 /// Slower where the whole interval is below 1 - tolerance, faster where it is above 1 + tolerance.
 Verdict judge(const Interval& ratio, double tolerance);

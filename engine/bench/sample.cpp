@@ -4,12 +4,11 @@
 #include <unistd.h>
 
 #include <chrono>
-#include <ctime>
 #include <fstream>
 #include <memory>
 #include <numeric>
 
-#include "engine/bench/handicap.hpp"
+#include "engine/bench/steps.hpp"
 #include "engine/simulation/methods.hpp"
 
 namespace pliant::bench {
@@ -18,33 +17,11 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-double time_of(clockid_t clock) {
-  timespec time;
-  clock_gettime(clock, &time);
-  return static_cast<double>(time.tv_sec) + 1e-9 * static_cast<double>(time.tv_nsec);
-}
-
 double resident_bytes() {
   std::ifstream file("/proc/self/statm");
   double all_pages = 0, resident_pages = 0;
   file >> all_pages >> resident_pages;
   return resident_pages * static_cast<double>(::sysconf(_SC_PAGESIZE));
-}
-
-double processor_time() { return time_of(CLOCK_PROCESS_CPUTIME_ID); }
-
-// A handicap is a share of the time that the step had of the processor: an interruption by another
-// program does not count.
-void step(Solver& solver) {
-  const double start = time_of(CLOCK_THREAD_CPUTIME_ID);
-  solver.step(solver.settings().time.end - solver.clock().time);
-  const double now = time_of(CLOCK_THREAD_CPUTIME_ID), until = now + handicap() * (now - start);
-  while (time_of(CLOCK_THREAD_CPUTIME_ID) < until) continue;
-}
-
-void advance(Solver& solver, std::int64_t steps) {
-  const double end = solver.settings().time.end;
-  for (std::int64_t i = 0; i < steps && solver.clock().time < end * (1 - 1e-9); ++i) step(solver);
 }
 
 // Names are those of `after`, in its order.

@@ -13,6 +13,7 @@ namespace pliant::bench {
 struct Window {
   std::int64_t steps_before;  ///< not measured
   std::int64_t steps;         ///< at most; the run ends at the case's end too
+  std::int64_t turn;          ///< steps of a turn (turns.hpp), likewise
 };
 
 /// A case run for a while, and the machine as it was just then.

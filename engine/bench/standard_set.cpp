@@ -65,19 +65,8 @@ std::vector<Row> all_rows(const StandardSetOptions& options) {
   constexpr std::int64_t whole_run = 1'000'000;
   add(compression(options.quick ? quick_compression_columns : compression_columns,
                   Kernel::quartic_spline),
-      {0, whole_run});
+      {0, whole_run, whole_run});
   return rows;
-}
-
-std::vector<Row> standard_set(const StandardSetOptions& options) {
-  std::vector<Row> rows = all_rows(options);
-  std::erase_if(rows,
-                [&](const Row& row) { return row.name().find(options.rows) == row.name().npos; });
-  if (!rows.empty()) return rows;
-  throw InputError(
-      fmt::format("--rows {}: no row of the set has this in its name; give for example "
-                  "rotating_cylinder or {}",
-                  options.rows, all_rows(options).front().name()));
 }
 
 void print_machine(const std::vector<std::string>& machine, int threads, Triad& triad) {
@@ -126,6 +115,17 @@ constexpr const char* legend =
     "otherwise.\n";
 
 }  // namespace
+
+std::vector<Row> standard_set(const StandardSetOptions& options) {
+  std::vector<Row> rows = all_rows(options);
+  std::erase_if(rows,
+                [&](const Row& row) { return row.name().find(options.rows) == row.name().npos; });
+  if (!rows.empty()) return rows;
+  throw InputError(
+      fmt::format("--rows {}: no row of the set has this in its name; give for example "
+                  "rotating_cylinder or {}",
+                  options.rows, all_rows(options).front().name()));
+}
 
 std::vector<std::string> names_of_rows(const StandardSetOptions& options) {
   std::vector<std::string> names;

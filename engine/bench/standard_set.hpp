@@ -25,7 +25,10 @@ struct StandardSetOptions {
 /// InputError where no row has the name.
 Record run_standard_set(const StandardSetOptions& options);
 
-/// Names of the rows that it measures.
+/// The rows that it measures, without samples. Throws InputError where no row has the name.
+std::vector<Row> standard_set(const StandardSetOptions& options);
+
+/// Their names.
 std::vector<std::string> names_of_rows(const StandardSetOptions& options);
 
 }  // namespace pliant::bench

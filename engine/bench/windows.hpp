@@ -12,13 +12,14 @@ namespace pliant::bench {
 inline Window window_for(std::int64_t particles) {
   constexpr std::int64_t period = 20, most_steps = 1000, stages = 10'000'000;
   const std::int64_t periods = stages / (4 * period * particles);
-  return {10, std::clamp(periods * period, period, most_steps)};
+  return {10, std::clamp(periods * period, period, most_steps), period};
 }
 
 /// About as much work, in steps of one evaluation each.
 inline Window window_of_points(std::int64_t nodes) {
   constexpr std::int64_t least_steps = 5, node_steps = 5'000'000;
-  return {5, std::max(node_steps / nodes, least_steps)};
+  const std::int64_t steps = std::max(node_steps / nodes, least_steps);
+  return {5, steps, std::max(steps / 25, least_steps)};
 }
 
 }  // namespace pliant::bench

@@ -62,6 +62,7 @@ struct BenchArguments {
   std::optional<int> repetitions;
   std::optional<std::filesystem::path> save, compare, against, markdown;
   std::string tolerance;  ///< empty: the default
+  bool turns = false;     ///< answer another program that compares
   bool json = false;
   bool accuracy = false;  ///< time to a given error, which the next four are for
   bool resume = false;

@@ -6,6 +6,7 @@
 #include "engine/bench/against.hpp"
 #include "engine/bench/comparison.hpp"
 #include "engine/bench/standard_set.hpp"
+#include "engine/bench/turns.hpp"
 #include "engine/cli/accuracy.hpp"
 #include "engine/cli/actions.hpp"
 #include "engine/output/atomic_file.hpp"
@@ -91,6 +92,10 @@ ExitStatus bench(const BenchArguments& arguments) {
   options.repetitions = arguments.repetitions;
   options.tables = !arguments.json;
   if (arguments.against) return compare_with_program(arguments, options);
+  if (arguments.turns) {
+    answer_turns(options);
+    return ExitStatus::done;
+  }
   // Read first, so that a wrong name costs nothing.
   std::optional<bench::Record> before;
   if (arguments.compare) before = bench::read_record(*arguments.compare);

@@ -29,6 +29,9 @@ void add_comparison(CLI::App& command, BenchArguments& arguments) {
       .add_option("--tolerance", arguments.tolerance,
                   "by how much a row may be slower (default: 10%, with --against 1%)")
       ->type_name("SHARE");
+  command.add_flag("--turns", arguments.turns,
+                   "measure a piece of the row --rows for each byte on standard\n"
+                   "input; the other side of --against");
   command.add_option("--markdown", arguments.markdown, "write the comparison as a Markdown table")
       ->type_name("FILE");
   command.add_flag("--json", arguments.json, "print what --save writes, and no tables");

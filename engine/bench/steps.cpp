@@ -1,0 +1,38 @@
+#include "engine/bench/steps.hpp"
+
+#include <ctime>
+
+#include "engine/bench/handicap.hpp"
+
+namespace pliant::bench {
+
+namespace {
+
+double time_of(clockid_t clock) {
+  timespec time;
+  clock_gettime(clock, &time);
+  return static_cast<double>(time.tv_sec) + 1e-9 * static_cast<double>(time.tv_nsec);
+}
+
+// A handicap is a share of the time that the step had of the processor: an interruption by another
+// program does not count.
+void step(Solver& solver) {
+  const double start = time_of(CLOCK_THREAD_CPUTIME_ID);
+  solver.step(solver.settings().time.end - solver.clock().time);
+  const double now = time_of(CLOCK_THREAD_CPUTIME_ID), until = now + handicap() * (now - start);
+  while (time_of(CLOCK_THREAD_CPUTIME_ID) < until) continue;
+}
+
+}  // namespace
+
+double processor_time() { return time_of(CLOCK_PROCESS_CPUTIME_ID); }
+
+bool is_over(const Solver& solver) {
+  return solver.clock().time >= solver.settings().time.end * (1 - 1e-9);
+}
+
+void advance(Solver& solver, std::int64_t steps) {
+  for (std::int64_t i = 0; i < steps && !is_over(solver); ++i) step(solver);
+}
+
+}  // namespace pliant::bench
