@@ -1,7 +1,7 @@
 #include "engine/bench/measured_program.hpp"
 
-#include <fmt/format.h>
 #include <fcntl.h>
+#include <fmt/format.h>
 #include <signal.h>
 #include <spawn.h>
 #include <sys/socket.h>
@@ -23,8 +23,9 @@ MeasuredProgram::MeasuredProgram(std::filesystem::path program, std::string row,
     throw InputError("no socket can be made; close files");
   }
   connection_ = ends[0];
-  std::vector<std::string> command = {program_.string(), "bench", "--quick", "--rows", row_, "--threads",
-                                      fmt::format("{}", threads), "--turns"};
+  std::vector<std::string> command = {
+      program_.string(),          "bench",  "--quick", "--rows", row_, "--threads",
+      fmt::format("{}", threads), "--turns"};
   std::vector<char*> arguments;
   arguments.reserve(command.size() + 1);
   for (std::string& argument : command) arguments.push_back(argument.data());
@@ -57,8 +58,9 @@ double MeasuredProgram::turn() {
   double rate = 0;
   std::from_chars(line.data(), line.data() + line.size(), rate);
   if (rate > 0) return rate;
-  throw InputError(fmt::format("{}: cannot measure the row {}; give a pliant that has it, and `bench --turns`",
-                               program_.string(), row_));
+  throw InputError(
+      fmt::format("{}: cannot measure the row {}; give a pliant that has it, and `bench --turns`",
+                  program_.string(), row_));
 }
 
 }  // namespace pliant::bench

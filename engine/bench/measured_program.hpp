@@ -10,7 +10,8 @@ namespace pliant::bench {
 /// A pliant in a process of its own that measures one row, a turn at a time (turns.hpp).
 class MeasuredProgram {
  public:
-  /// Starts it; the set-up goes on beside the caller. Throws InputError where no process can be made.
+  /// Starts it; the set-up goes on beside the caller. Throws InputError where no process can be
+  /// made.
   MeasuredProgram(std::filesystem::path program, std::string row, int threads);
   MeasuredProgram(const MeasuredProgram&) = delete;
   MeasuredProgram& operator=(const MeasuredProgram&) = delete;

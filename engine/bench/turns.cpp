@@ -41,7 +41,8 @@ void answer_turns(const StandardSetOptions& options) {
     }
     return;
   }
-  throw InputError(fmt::format("--turns: the set has no row of the name {}; give the whole name", options.rows));
+  throw InputError(
+      fmt::format("--turns: the set has no row of the name {}; give the whole name", options.rows));
 }
 
 }  // namespace pliant::bench

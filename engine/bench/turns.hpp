@@ -26,8 +26,8 @@ class Turns {
   std::unique_ptr<Solver> solver_;
 };
 
-/// Measures the row of this name: for each byte on standard input a turn, whose rate becomes a line on
-/// standard output. Ends when the input does. Throws InputError where the set has no such row.
+/// Measures the row of this name: for each byte on standard input a turn, whose rate becomes a line
+/// on standard output. Ends when the input does. Throws InputError where the set has no such row.
 void answer_turns(const StandardSetOptions& options);
 
 }  // namespace pliant::bench

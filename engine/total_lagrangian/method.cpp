@@ -40,7 +40,9 @@ StepLimits step_limits(const Case& a_case) {
   const std::optional<double>& scaling = parameters_of(a_case).mass_scaling;
   StepLimits limits;
   limits.stable_cfl = 1;
-  limits.default_cfl = undeformed::default_cfl(a_case);
+  // The energy of free plates with an amplitude of 0.2 of their length swings by 0.17, 0.35 and
+  // 0.66 % at 0.5, 0.7 and 0.9 (a tenth as thick as long, 5 particles across).
+  limits.default_cfl = undeformed::default_cfl(a_case, 0.7);
   limits.bounds_given_steps = true;
   limits.mass_follows_step = !scaling;
   limits.mass_scaling = scaling.value_or(1);
