@@ -3,12 +3,12 @@
 #include <array>
 #include <vector>
 
-#include "engine/boundaries/boundary_values.hpp"
 #include "engine/remeshed/ghosts/ghost_fill.hpp"
 #include "engine/remeshed/ghosts/ghost_motion.hpp"
 #include "engine/remeshed/particle_update.hpp"
 #include "engine/remeshed/stage_results.hpp"
 #include "engine/remeshed/state.hpp"
+#include "engine/remeshed/surroundings.hpp"
 #include "kernels/remeshed/table.hpp"
 
 namespace pliant::remeshed {
@@ -46,6 +46,9 @@ class StageWork {
     return particles_.body_force_impulse();
   }
   const StageResults& results() const { return results_; }
+  Surroundings<D> around(int block, int stage) const {
+    return {state_.boundaries, boundary_values_[stage], particles_.body_force(block, stage)};
+  }
 
  private:
   void fill(int block, int stage, WhichGhosts which);

@@ -137,9 +137,9 @@ Accesses Step<T, D>::read_by_surface(int stage) {
   return reads + near(particles(drift) + particles(velocity) + slots(constants) + whole(interior));
 }
 
-// The work of loads and walls asks for phi. Rigid ghosts (RP.59) read the particles themselves.
-// Ghosts that no particle reads drift with the velocities of earlier stages, instead of with a fit
-// of their own.
+// The work of loads and walls asks for phi, that of slip walls for how much they have spread. Rigid
+// ghosts (RP.59) read the particles themselves. Ghosts that no particle reads drift with the
+// velocities of earlier stages, instead of with a fit of their own.
 template <class T, int D>
 Accesses Step<T, D>::read_by_ghosts(int stage, bool all_of_them) const {
   const int current = buffer_of(stage);
@@ -148,6 +148,9 @@ Accesses Step<T, D>::read_by_ghosts(int stage, bool all_of_them) const {
   if (settings_.ghosts == GhostTreatment::rigid) {
     reads = reads + near(particles(drift, current) + particles(velocity, current)) +
             own(ghosts(drift, current));
+  }
+  if (state_.boundaries.have_attached_slip_walls()) {
+    reads = reads + near(particles(drift, current) + ghosts(drift, current));
   }
   if (all_of_them || stage < 2) return reads;
   return reads +

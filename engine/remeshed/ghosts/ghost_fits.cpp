@@ -4,6 +4,7 @@
 #include <cmath>
 #include <vector>
 
+#include "engine/remeshed/contact/wall_cover.hpp"
 #include "engine/remeshed/ghosts/ghost_fitter.hpp"
 #include "engine/remeshed/ghosts/record_loads.hpp"
 #include "engine/storage/push_tightly.hpp"
@@ -96,9 +97,12 @@ class GhostFinder {
     for (int a = 0; a < D; ++a) height += normal[a] * boundaries_.walls[wall].offset()[a];
     ghosts_.contact_height.push_back(height);
     const double layer = std::max(0., 1 - std::abs(distance / h + 1));
-    const double spread =
-        layer > 0 ? boundaries_.walls[wall].spread(body_.lattice.node(cell), -distance) : 1;
-    ghosts_.contact_area.push_back(std::pow(h, D - 1) * layer * spread);
+    const auto share = [&] {
+      const Point<D>& foot = ghosts_.foot.back();
+      return boundaries_.walls[wall].spread(body_.lattice.node(cell), -distance) *
+             WallCover<T, D>(body_.lattice, level_set_).share(foot, normal);
+    };
+    ghosts_.contact_area.push_back(layer > 0 ? std::pow(h, D - 1) * layer * share() : 0);
   }
 
   // What was decided for a slot before this remeshing, (RP.52).

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstring>
 
+#include "engine/lattice/corner_weights.hpp"
 #include "engine/lattice/point_algebra.hpp"
 
 namespace pliant::remeshed {
@@ -251,6 +252,17 @@ void LevelSet<T, D>::finish(const Block<D>& block) {
       extended_[p] = phi_[p] = phi_[p] < 0 ? -limit : limit;
     }
   });
+}
+
+template <class T, int D>
+double LevelSet<T, D>::surface_distance_at(const Point<D>& x) const {
+  double distance = 0;
+  const auto add = [&](const Cell<D>& cell, double weight) {
+    const std::int64_t p = layout_->slot(lattice_->wrapped(cell));
+    if (p >= 0) distance += weight * extended_[p];
+    return p >= 0;
+  };
+  return for_each_corner<D>(*lattice_, x, add) ? distance : far * lattice_->spacing;
 }
 
 template <class T, int D>
