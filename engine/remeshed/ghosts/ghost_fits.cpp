@@ -75,7 +75,7 @@ class GhostFinder {
       return add_wall(slot, cell, wall, distance);
     }
     const auto [wall, distance] = boundaries_.nearest_contact(x);
-    const double height = distance < 0 ? level_set_.surface_distance(slot) + distance : h;
+    const double height = distance < 0 ? height_of_surface(slot, x, wall) : h;
     // The body comes no nearer than this before the next remeshing.
     if (height < h) {
       add_free(slot, cell);
@@ -85,6 +85,14 @@ class GhostFinder {
     } else {
       drifting_.push_back({slot, cell});
     }
+  }
+
+  // Of the point of the surface next to a slot above a wall.
+  double height_of_surface(std::int64_t slot, Point<D> x, int wall) const {
+    Point<D> offset = {};
+    level_set_.closest_point(slot, offset);
+    for (int a = 0; a < D; ++a) x[a] += offset[a];
+    return boundaries_.walls[wall].distance(x);
   }
 
   void add_contact(std::int64_t slot, const Cell<D>& cell, int wall, double height) {

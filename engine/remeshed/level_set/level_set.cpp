@@ -120,7 +120,8 @@ void LevelSet<T, D>::place_near(const Projections<T, D>& near, std::size_t i, bo
   if (near.has_converged(i) && distance <= search_limit) {
     for (int a = 0; a < D; ++a) foot_[a][slot] = offset[a];
     layer_[0][slot] = 1;
-    if (reinitialise && distance <= trusted) {
+    const double was = std::abs(extended_[slot]) / h;
+    if (reinitialise && distance <= trusted && std::abs(distance - was) > 0.25 * (1 + was)) {
       phi_[slot] = std::copysign(T(distance * h), extended_[slot]);
     }
     return;
