@@ -79,6 +79,12 @@ void StageWork<T, D>::decide_wall_contact(int block, int stage) {
 }
 
 template <class T, int D>
+void StageWork<T, D>::release_wall_contact(int block, int stage) {
+  const auto [body, local] = state_.owner(block);
+  release_contact(body, local, around(block, stage), kernels_);
+}
+
+template <class T, int D>
 void StageWork<T, D>::fill(int block, int stage, WhichGhosts which) {
   const auto [body, local] = state_.owner(block);
   fill_ghosts<T, D>(body, local, stage, stage % 2, which, around(block, stage), settings_.ghosts,

@@ -33,6 +33,7 @@ class StageWork {
   void copy_image_states(int block, int stage);
   void write_records(int block, int stage);
   void decide_wall_contact(int block, int stage);
+  void release_wall_contact(int block, int stage);
   /// Ghosts that particles read at a stage; the others only drift.
   void fill_reached_ghosts(int block, int stage);
   void fill_all_ghosts(int block, int stage);

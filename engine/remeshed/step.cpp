@@ -106,9 +106,10 @@ void Step<T, D>::add_ghosts(std::vector<Phase>& phases, int stage, bool all_of_t
   }
   rows.each("surface", read_by_surface(stage), own(whole(records)),
             at(stage, &Work::write_records));
-  if (stage == 0 && state_.boundaries.have_contact()) {
+  if (state_.boundaries.have_contact()) {
     rows.each("contact", near(whole(records) + whole(fits)) + own(ghosts(drift) + whole(contact)),
-              own(whole(contact) + whole(kinds)), at(stage, &Work::decide_wall_contact));
+              own(whole(contact) + whole(kinds)),
+              at(stage, stage == 0 ? &Work::decide_wall_contact : &Work::release_wall_contact));
   }
   if (contact_.is_needed()) {
     if (stage == 0) contact_.add_search(phases);
@@ -149,6 +150,7 @@ Accesses Step<T, D>::read_by_ghosts(int stage, bool all_of_them) const {
     reads = reads + near(particles(drift, current) + particles(velocity, current)) +
             own(ghosts(drift, current));
   }
+  if (state_.boundaries.have_contact()) reads = reads + near(whole(kinds));
   if (state_.boundaries.have_attached_slip_walls()) {
     reads = reads + near(particles(drift, current) + ghosts(drift, current));
   }
@@ -162,7 +164,7 @@ Accesses Step<T, D>::written_by_ghosts(int stage) const {
   Accesses writes =
       own(ghosts(velocity, buffer_of(stage)) + ghosts(stress, stage % 2) + whole(corrections));
   if (!state_.boundaries.have_contact()) return writes;
-  return writes + own(whole(contact) + whole(kinds) + whole(wall_impulse));
+  return writes + own(whole(contact) + whole(wall_impulse));
 }
 
 // Neighbours that a search has found may belong to any block: particles far apart on the lattice

@@ -1,5 +1,6 @@
 #include "engine/remeshed/contact/wall_contact.hpp"
 
+#include "engine/remeshed/contact/contact_edges.hpp"
 #include "engine/remeshed/ghosts/fit_evaluator.hpp"
 #include "engine/remeshed/ghosts/wall_site.hpp"
 #include "kernels/remeshed/ghosts/wall_friction.hpp"
@@ -43,6 +44,7 @@ void decide_contact(Body<T, D>& body, int block, const Surroundings<D>& around,
   FitEvaluator<T, D> fits(body, ghosts, table);
   for (std::size_t k = 0; k < ghosts.contact.size(); ++k) {
     const std::int32_t g = ghosts.contact[k];
+    if (ghosts.edge[g] != no_edge) continue;
     const Point<D>& n = ghosts.normal[g];
     double height = ghosts.contact_height[k];
     for (int a = 0; a < D; ++a) {
@@ -61,7 +63,8 @@ void release_contact(Body<T, D>& body, int block, const Surroundings<D>& around,
   BlockGhosts<T, D>& ghosts = body.population.ghosts[block];
   FitEvaluator<T, D> fits(body, ghosts, table);
   for (const std::int32_t g : ghosts.contact) {
-    if (ghosts.active[g] != 0 && !(pressure_on(body, ghosts, g, around, fits) > 0)) {
+    if (ghosts.edge[g] != no_edge || ghosts.active[g] == 0) continue;
+    if (!(pressure_on(body, ghosts, g, around, fits) > 0)) {
       choose(body.population, ghosts, g, false);
     }
   }

@@ -5,7 +5,7 @@
 // How much of a contact wall a body covers.
 //
 //      |    body    |
-//      |  x x x x x |            sides, seen at heights of h and 2 h
+//      |  x x x x x |            sides, seen at heights of 1.5 h and 2.5 h
 //      |____________|
 //     ----g--g--g--g--g----wall
 //
@@ -17,15 +17,21 @@ namespace pliant::remeshed {
 template <class T, int D>
 class WallCover {
  public:
+  /// Cosine of the angle between surface and wall from which on the surface is no side: it faces
+  /// the wall and comes down on it, and where the body presses it is in contact.
+  static constexpr double facing = 0.7;
+
   WallCover(const Lattice<D>& lattice, const LevelSet<T, D>& level_set)
       : spacing_(lattice.spacing), level_set_(level_set) {}
 
-  /// (RP.80): the share of the h^(d-1) of a wall about a foot point that the body covers; `normal`
+  /// (RP.80): the share of the h^(d-1) of a wall about its point x that the body covers; `normal`
   /// of the wall, into the body.
-  double share(const Point<D>& foot, const Point<D>& normal) const;
+  double share(const Point<D>& x, const Point<D>& normal) const;
+  /// The part along `normal` of the unit normal of the side above x.
+  double slope(const Point<D>& x, const Point<D>& normal) const;
 
  private:
-  double side_distance(const Point<D>& x, const Point<D>& normal) const;
+  double phi_above(Point<D> x, const Point<D>& normal, double height) const;
 
   double spacing_;
   const LevelSet<T, D>& level_set_;

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "engine/remeshed/contact/wall_contact.hpp"
+#include "engine/remeshed/contact/contact_edges.hpp"
 #include "engine/remeshed/ghosts/fit_coefficient.hpp"
 #include "engine/remeshed/ghosts/fit_evaluator.hpp"
 #include "engine/remeshed/ghosts/lasting_correction.hpp"
@@ -70,6 +70,18 @@ struct GhostFill {
       for (int a = 0; a < D; ++a) force[a] = static_cast<T>(values.traction[p][a]);
       const kernels::GhostFits<T, D> fits = present.of(g);
       fill_loaded(g, fits, load_of(fits, force), impedance);
+    }
+  }
+
+  void fill_beside_edges(const Surroundings<D>& around) const {
+    const kernels::Impedance<T> impedance(body.material);
+    FitEvaluator<T, D> present(body, ghosts, table);
+    for (std::size_t g = 0; g < count; ++g) {
+      const std::int32_t edge = ghosts.edge[g];
+      if (ghosts.wall[g] >= 0 || edge == no_edge) continue;
+      if (body.population.kind[edge] != Kind::wall_ghost) continue;
+      fill_loaded(g, present.of(g), load_beside_edge<T, D>(body, ghosts, g, around.values),
+                  impedance);
     }
   }
 
@@ -140,8 +152,8 @@ template <class T, int D>
 void fill_ghosts(Body<T, D>& body, int block, int stage, int parity, WhichGhosts which,
                  const Surroundings<D>& around, GhostTreatment treatment,
                  const kernels::RemeshedTable<T, D>& table) {
-  release_contact(body, block, around, table);
   const BoundaryValues<D>& values = around.values;
+  follow_edges(body, block);
   BlockGhosts<T, D>& ghosts = body.population.ghosts[block];
   const std::size_t count = which == WhichGhosts::all ? ghosts.slot.size() : ghosts.reached_count;
   const GhostFill<T, D> fill{
@@ -151,6 +163,7 @@ void fill_ghosts(Body<T, D>& body, int block, int stage, int parity, WhichGhosts
   } else {
     fill.fill_surfaces(values);
     fill.fill_tractions(values);
+    fill.fill_beside_edges(around);
     if (lets_waves_out_alone(body)) let_waves_out_alone(ghosts, count, fill.state);
     if (treatment == GhostTreatment::rigid) fill.turn_rigidly();
     fill.fill_in_contact();

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <vector>
 
-#include "engine/remeshed/contact/wall_cover.hpp"
+#include "engine/remeshed/contact/contact_edges.hpp"
 #include "engine/remeshed/ghosts/ghost_fitter.hpp"
 #include "engine/remeshed/ghosts/record_loads.hpp"
 #include "engine/storage/push_tightly.hpp"
@@ -49,6 +49,7 @@ class GhostFinder {
         boundaries_(search.boundaries),
         treatment_(search.treatment),
         stencil_reach_(search.stencil_reach),
+        edges_(body_, population_, level_set_, boundaries_),
         fitter_(body_, population_, ghosts_, level_set_, boundaries_, search.kernels, used) {}
 
   void add_all(const Block<D>& block) {
@@ -75,9 +76,10 @@ class GhostFinder {
       return add_wall(slot, cell, wall, distance);
     }
     const auto [wall, distance] = boundaries_.nearest_contact(x);
-    const double height = distance < 0 ? height_of_surface(slot, x, wall) : h;
+    const double height = distance < 0 ? level_set_.surface_distance(slot) + distance : h;
+    edge_ = distance < 0 ? edges_.beyond(slot, x, wall) : no_edge;
     // The body comes no nearer than this before the next remeshing.
-    if (height < h) {
+    if (height < h || edge_ != no_edge) {
       add_free(slot, cell);
       add_contact(slot, cell, wall, height);
     } else if (is_reached<T, D>(population_, segment, slot, cell, stencil_reach_)) {
@@ -87,20 +89,13 @@ class GhostFinder {
     }
   }
 
-  // Of the point of the surface next to a slot above a wall.
-  double height_of_surface(std::int64_t slot, Point<D> x, int wall) const {
-    Point<D> offset = {};
-    level_set_.closest_point(slot, offset);
-    for (int a = 0; a < D; ++a) x[a] += offset[a];
-    return boundaries_.walls[wall].distance(x);
-  }
-
   void add_contact(std::int64_t slot, const Cell<D>& cell, int wall, double height) {
     const double h = body_.lattice.spacing;
     const double distance = boundaries_.walls[wall].distance(body_.lattice.node(cell));
     ghosts_.contact.push_back(static_cast<std::int32_t>(ghosts_.slot.size()));
     add_wall(slot, cell, wall, distance);
     ghosts_.active.back() = was_in_contact(cell);
+    ghosts_.edge.back() = edge_;
     const Point<D>& normal = ghosts_.normal.back();
     for (int a = 0; a < D; ++a) height += normal[a] * boundaries_.walls[wall].offset()[a];
     ghosts_.contact_height.push_back(height);
@@ -145,6 +140,7 @@ class GhostFinder {
     FitSite<D> site = site_of(x, foot, level_set_.surface_distance(slot));
     site.normal = site.ghost.norm() > 1e-9 ? site.ghost.normalized() : site.ghost;
     list(slot, -1, {}, foot);
+    if (edge_ == no_edge) ghosts_.edge.back() = edges_.beside(x, foot, ghosts_.normal.back());
     fit(site, cell, foot, nullptr);
   }
 
@@ -161,6 +157,7 @@ class GhostFinder {
     push_tightly(ghosts_.wall, static_cast<std::int8_t>(wall));
     push_tightly(ghosts_.active, std::uint8_t{1});
     push_tightly(ghosts_.pressure, no_load);
+    push_tightly(ghosts_.edge, no_edge);
     push_tightly(ghosts_.normal, normal);
     push_tightly(ghosts_.foot, foot);
     push_tightly(ghosts_.correction, std::array<T, D>{});
@@ -190,6 +187,8 @@ class GhostFinder {
   const Boundaries<D>& boundaries_;
   GhostTreatment treatment_;
   int stencil_reach_;
+  ContactEdges<T, D> edges_;
+  std::int32_t edge_ = no_edge;  // of the present slot, behind a contact wall
   GhostFitter<T, D> fitter_;
   Ghosts& drifting_ = scratch();
 };

@@ -256,14 +256,14 @@ void LevelSet<T, D>::finish(const Block<D>& block) {
 }
 
 template <class T, int D>
-double LevelSet<T, D>::surface_distance_at(const Point<D>& x) const {
-  double distance = 0;
+double LevelSet<T, D>::phi_at(const Point<D>& x) const {
+  double phi = 0;
   const auto add = [&](const Cell<D>& cell, double weight) {
     const std::int64_t p = layout_->slot(lattice_->wrapped(cell));
-    if (p >= 0) distance += weight * extended_[p];
+    if (p >= 0) phi += weight * phi_[p];
     return p >= 0;
   };
-  return for_each_corner<D>(*lattice_, x, add) ? distance : far * lattice_->spacing;
+  return for_each_corner<D>(*lattice_, x, add) ? phi : far * lattice_->spacing;
 }
 
 template <class T, int D>

@@ -60,8 +60,8 @@ class LevelSet {
   /// Distance of a finished node from the surface, negative inside [m]. phi itself is one only
   /// after a reinitialisation; the closest point always tells.
   T surface_distance(std::int64_t slot) const { return extended_[slot]; }
-  /// The same at any place, linear between nodes; `far` h where one of them is none [m].
-  double surface_distance_at(const Point<D>& x) const;
+  /// phi at any place, linear between nodes; `far` h where one of them has no slot [m].
+  double phi_at(const Point<D>& x) const;
 
   /// Closest point of the surface minus the node [m]; false where none was found.
   bool closest_point(std::int64_t slot, Point<D>& offset) const;
