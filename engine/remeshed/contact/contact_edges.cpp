@@ -14,7 +14,7 @@ constexpr double edge_height = 0.3;  // [h], above which an edge does not touch 
 constexpr double edge_reach = 2.6;   // [h], of fits, (RP.43)
 // Slots of which the body covers less follow the next one within: phi rounds edges, so that near
 // them the surface seems to stand above the wall.
-constexpr double covered = 0.9;
+constexpr double covered = 0.95;
 
 /// A vector without its part along the unit vector n.
 template <int D>
@@ -29,21 +29,21 @@ Point<D> along_plane(Point<D> vector, const Point<D>& n) {
 template <class T, int D>
 std::int32_t ContactEdges<T, D>::beyond(std::int64_t slot, const Point<D>& x, int wall) const {
   const Wall<D>& of = boundaries_.walls[wall];
+  const double h = body_.lattice.spacing, depth = -of.distance(x);
   const Point<D> n = of.normal(x);
-  Point<D> offset = {}, edge = x, foot = x;
+  Point<D> offset = {}, surface = x, edge = x;
   if (!level_set_.closest_point(slot, offset)) return no_edge;
-  const double depth = -of.distance(x);
   for (int a = 0; a < D; ++a) {
-    edge[a] += offset[a];
-    foot[a] += depth * n[a];
+    surface[a] += offset[a];
+    edge[a] += depth * n[a];
   }
-  const Point<D> inward = along_plane<D>(offset, n);
-  const double h = body_.lattice.spacing;
-  if (of.distance(edge) > edge_height * h || dot<D>(inward, inward) > std::pow(edge_reach * h, 2)) {
-    return no_edge;
-  }
-  if (WallCover<T, D>(body_.lattice, level_set_).share(foot, n) >= covered) return no_edge;
-  return under(edge, inward, wall);
+  const WallCover<T, D> cover(body_.lattice, level_set_);
+  if (of.distance(surface) > edge_height * h || cover.share(edge, n) >= covered) return no_edge;
+  const double distance = cover.side(edge, n);
+  const Point<D> outward = cover.outward(edge, n);
+  if (distance > edge_reach) return no_edge;
+  for (int a = 0; a < D; ++a) edge[a] -= distance * h * outward[a];
+  return under(edge, outward, wall);
 }
 
 template <class T, int D>
@@ -57,27 +57,29 @@ std::int32_t ContactEdges<T, D>::beside(const Point<D>& x, const Point<D>& foot,
   const Point<D> lateral = along_plane<D>(inward, n);
   Point<D> below = foot;
   for (int a = 0; a < D; ++a) below[a] -= height * n[a];
-  const double slope = WallCover<T, D>(body_.lattice, level_set_).slope(below, n);
   const double length = std::sqrt(dot<D>(lateral, lateral));
+  if (length == 0) return no_edge;
+  const double slope = WallCover<T, D>(body_.lattice, level_set_).slope(below, n);
   for (int a = 0; a < D; ++a) {
     up[a] = std::sqrt(1 - slope * slope) * n[a] + slope * lateral[a] / length;
   }
-  return under(foot, lateral, wall);
+  Point<D> outward;
+  for (int a = 0; a < D; ++a) outward[a] = -lateral[a] / length;
+  return under(foot, outward, wall);
 }
 
-// So far from the edge that the body covers as much of the slot, in the row nearest to the wall.
+// One h inside, so that the body covers the cell of the slot, in the row nearest to the wall.
 template <class T, int D>
-std::int32_t ContactEdges<T, D>::under(const Point<D>& edge, const Point<D>& inward,
+std::int32_t ContactEdges<T, D>::under(const Point<D>& edge, const Point<D>& outward,
                                        int wall) const {
-  const double h = body_.lattice.spacing, length = std::sqrt(dot<D>(inward, inward));
+  const double h = body_.lattice.spacing;
   const Wall<D>& of = boundaries_.walls[wall];
   const Point<D> n = of.normal(edge);
   const double height = of.distance(edge);
-  if (length < 1e-9 * h) return no_edge;
   for (const double depth : {0.5, 1., 1.5}) {
     Cell<D> cell;
     for (int a = 0; a < D; ++a) {
-      const double at = edge[a] + covered * h * inward[a] / length - (height + depth * h) * n[a];
+      const double at = edge[a] - h * outward[a] - (height + depth * h) * n[a];
       cell[a] = body_.lattice.cell(a, at);
     }
     const std::int64_t slot = population_.layout.slot(body_.lattice.wrapped(cell));

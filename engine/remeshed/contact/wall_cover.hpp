@@ -27,6 +27,10 @@ class WallCover {
   /// (RP.80): the share of the h^(d-1) of a wall about its point x that the body covers; `normal`
   /// of the wall, into the body.
   double share(const Point<D>& x, const Point<D>& normal) const;
+  /// How far beyond the edge x lies, over h, along `outward`, a unit vector along the wall, or 0
+  /// where the body has no side.
+  double side(const Point<D>& x, const Point<D>& normal) const;
+  Point<D> outward(const Point<D>& x, const Point<D>& normal) const;
   /// The part along `normal` of the unit normal of the side above x.
   double slope(const Point<D>& x, const Point<D>& normal) const;
 
