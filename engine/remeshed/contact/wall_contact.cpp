@@ -82,6 +82,10 @@ void add_impulse(const Body<T, D>& body, int block, const Surroundings<D>& aroun
     const int wall = ghosts.wall[g];
     const std::array<T, D> push = kernels::wall_force_density<T, D>(
         fits.of(g), wall_site<T, D>(body, ghosts, g, around), impedance);
+    // What a fit extrapolates to beyond an edge may pull; the wall does not.
+    T pressure = 0;
+    for (int a = 0; a < D; ++a) pressure += push[a] * static_cast<T>(ghosts.normal[g][a]);
+    if (!(pressure > 0)) continue;
     for (int a = 0; a < D; ++a) {
       const double given = duration * ghosts.contact_area[k] * push[a];
       impulse[wall][a] += given;
