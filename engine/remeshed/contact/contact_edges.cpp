@@ -68,7 +68,7 @@ std::int32_t ContactEdges<T, D>::beside(const Point<D>& x, const Point<D>& foot,
   return under(foot, outward, wall);
 }
 
-// One h inside, so that the body covers the cell of the slot, in the row nearest to the wall.
+// The nearest slot inside of which the body covers the cell, in the row nearest to the wall.
 template <class T, int D>
 std::int32_t ContactEdges<T, D>::under(const Point<D>& edge, const Point<D>& outward,
                                        int wall) const {
@@ -76,15 +76,21 @@ std::int32_t ContactEdges<T, D>::under(const Point<D>& edge, const Point<D>& out
   const Wall<D>& of = boundaries_.walls[wall];
   const Point<D> n = of.normal(edge);
   const double height = of.distance(edge);
-  for (const double depth : {0.5, 1., 1.5}) {
-    Cell<D> cell;
-    for (int a = 0; a < D; ++a) {
-      const double at = edge[a] - h * outward[a] - (height + depth * h) * n[a];
-      cell[a] = body_.lattice.cell(a, at);
+  const WallCover<T, D> cover(body_.lattice, level_set_);
+  for (const double inside : {1., 1.5, 2.}) {
+    for (const double depth : {0.5, 1., 1.5}) {
+      Cell<D> cell;
+      for (int a = 0; a < D; ++a) {
+        const double at = edge[a] - inside * h * outward[a] - (height + depth * h) * n[a];
+        cell[a] = body_.lattice.cell(a, at);
+      }
+      const std::int64_t slot = population_.layout.slot(body_.lattice.wrapped(cell));
+      if (slot < 0 || population_.kind[slot] != Kind::free_ghost) continue;
+      Point<D> x = body_.lattice.node(cell);
+      const double beyond = of.distance(x);
+      for (int a = 0; a < D; ++a) x[a] -= beyond * n[a];
+      if (beyond < 0 && cover.share(x, n) >= covered) return static_cast<std::int32_t>(slot);
     }
-    const std::int64_t slot = population_.layout.slot(body_.lattice.wrapped(cell));
-    if (slot < 0 || population_.kind[slot] != Kind::free_ghost) continue;
-    if (of.distance(body_.lattice.node(cell)) < 0) return static_cast<std::int32_t>(slot);
   }
   return no_edge;
 }

@@ -61,12 +61,14 @@ class GhostFinder {
       for (int i = 0; i < segment.count; ++i, ++cell[0]) add(segment, segment.first + i, cell);
     }
     ghosts_.reached_count = ghosts_.slot.size();
+    edge_ = no_edge;
     for (const auto& [slot, cell] : drifting_) add_free(slot, cell);
     fitter_.finish();
   }
 
  private:
   void add(const kernels::Segment<D>& segment, std::int64_t slot, const Cell<D>& cell) {
+    edge_ = no_edge;
     const Kind kind = population_.kind[slot];
     if (kind != Kind::free_ghost && kind != Kind::wall_ghost) return;
     const double h = body_.lattice.spacing;
@@ -77,7 +79,7 @@ class GhostFinder {
     }
     const auto [wall, distance] = boundaries_.nearest_contact(x);
     const double height = distance < 0 ? level_set_.surface_distance(slot) + distance : h;
-    edge_ = distance < 0 ? edges_.beyond(slot, x, wall) : no_edge;
+    if (distance < 0) edge_ = edges_.beyond(slot, x, wall);
     // The body comes no nearer than this before the next remeshing.
     if (height < h || edge_ != no_edge) {
       add_free(slot, cell);
@@ -95,7 +97,6 @@ class GhostFinder {
     ghosts_.contact.push_back(static_cast<std::int32_t>(ghosts_.slot.size()));
     add_wall(slot, cell, wall, distance);
     ghosts_.active.back() = was_in_contact(cell);
-    ghosts_.edge.back() = edge_;
     const Point<D>& normal = ghosts_.normal.back();
     for (int a = 0; a < D; ++a) height += normal[a] * boundaries_.walls[wall].offset()[a];
     ghosts_.contact_height.push_back(height);
@@ -123,6 +124,7 @@ class GhostFinder {
     FitSite<D> site = site_of(x, foot, distance);
     for (int a = 0; a < D; ++a) site.normal[a] = normal[a];
     list(slot, wall, normal, foot);
+    ghosts_.edge.back() = edge_;
     fit(site, cell, foot, &boundaries_.walls[wall]);
   }
 
@@ -168,7 +170,7 @@ class GhostFinder {
     if (treatment_ == GhostTreatment::averaged) {
       fitter_.average(cell);
     } else {
-      fitter_.fit(site, foot, wall);
+      fitter_.fit(site, foot, wall, ghosts_.edge.back() != no_edge);
     }
   }
 
