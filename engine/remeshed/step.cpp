@@ -15,7 +15,7 @@
 //     surface           first stage: grad phi of the particles near the surface (RP.61); in all,
 //                       their u, sigma and p go beside it into surface records
 //     contact           contact walls, first stage: which ghosts beyond the wall the body
-//                       presses on, (RP.52)
+//                       presses on; in the others, which of them the wall would pull, (RP.52)
 //     contact search: samples   contact between bodies, first stage: surface particles and
 //                       ghosts of each block, with their positions
 //     contact search: cells     those of a body in a cell list, if its box meets another one
@@ -24,8 +24,8 @@
 //     tractions         contact between bodies: tractions at the contact points, (RP.56)
 //     ghosts            velocity and stress of each ghost from the surface records: free
 //                       surfaces with their present normal (RP.48), (RP.45), walls (RP.46),
-//                       (RP.47), as the paper (RP.49); contact walls release the ghosts that
-//                       they would pull. Ghosts of free surfaces move with their fits (RP.60)
+//                       (RP.47), as the paper (RP.49); beyond edges on contact walls as at the
+//                       edge, (RP.81). Ghosts of free surfaces move with their fits (RP.60)
 //     images            periodic bodies: velocity and stress of the slots beyond a period
 //     advance           grad u and div sigma of every particle by the moment matrix (RP.20),
 //                       or as the paper (RP.19), its rates (RP.13), the next state and the stress
