@@ -49,14 +49,6 @@ Point<D> tangent_point(const Point<D>& node, const Point<D>& foot, const Point<D
 
 constexpr double search_limit = 2.5;  // cells from a near node to its closest point
 
-// What layer_[0] says of near nodes.
-enum Mark : std::uint8_t { none, closest_point_found, closest_point_guessed };
-
-// (RP.82)
-constexpr double seen_from_edge = 2;   // [cells] between closest points
-constexpr double edge_cosine = 0.7;    // of the angle between the normals there
-constexpr double least_offset = 0.05;  // [cells] that tells a normal
-
 /// Takes the polished closest point unless it has left the neighbourhood.
 template <int D>
 void take_if_near(const Point<D>& polished, Point<D>& foot) {
@@ -125,7 +117,7 @@ void LevelSet<T, D>::place_near(const Projections<T, D>& near, std::size_t i) {
   const double distance = std::sqrt(dot<D>(offset, offset));
   if (near.has_converged(i) && distance <= search_limit) {
     for (int a = 0; a < D; ++a) foot_[a][slot] = offset[a];
-    layer_[0][slot] = closest_point_found;
+    layer_[0][slot] = found;
     return;
   }
   Point<D> g;
@@ -134,63 +126,7 @@ void LevelSet<T, D>::place_near(const Projections<T, D>& near, std::size_t i) {
   for (int a = 0; a < D; ++a) {
     foot_[a][slot] = -extended_[slot] / lattice_->spacing * g[a] / square;
   }
-  layer_[0][slot] = closest_point_guessed;
-}
-
-template <class T, int D>
-void LevelSet<T, D>::take_distances(const Block<D>& block) {
-  for (int s = block.first_segment; s < block.first_segment + block.segment_count; ++s) {
-    const kernels::Segment<D>& segment = layout_->segments()[s];
-    Cell<D> cell = segment.cell;
-    for (std::int64_t p = segment.first; p < segment.first + segment.count; ++p, ++cell[0]) {
-      if (layer_[0][p] != closest_point_found) continue;
-      double square = 0;
-      for (int a = 0; a < D; ++a) square += double(foot_[a][p]) * foot_[a][p];
-      if (square > trusted * trusted || lies_near_edge(segment, p, cell)) continue;
-      phi_[p] = std::copysign(static_cast<T>(std::sqrt(square) * lattice_->spacing), extended_[p]);
-    }
-  }
-}
-
-// (RP.82): whether the normal at a closest point near that of a node is quite another one.
-template <class T, int D>
-bool LevelSet<T, D>::lies_near_edge(const kernels::Segment<D>& segment, std::int64_t slot,
-                                    const Cell<D>& cell) const {
-  constexpr int reach = 2;
-  const auto offset_of = [this](std::int64_t p) {
-    Point<D> offset;
-    for (int a = 0; a < D; ++a) offset[a] = foot_[a][p];
-    return offset;
-  };
-  const Point<D> own = offset_of(slot);
-  const double square = dot<D>(own, own);
-  if (square < least_offset * least_offset) return false;
-  const bool periodic = lattice_->is_periodic();
-  const int depth = D == 3 ? reach : 0;
-  for (int k = -depth; k <= depth; ++k) {
-    for (int j = -reach; j <= reach; ++j) {
-      for (int i = -reach; i <= reach; ++i) {
-        Cell<D> step = {i, j}, other = cell;
-        if constexpr (D == 3) step[2] = k;
-        for (int a = 0; a < D; ++a) other[a] += step[a];
-        std::int64_t q = slot + segment.neighbour_row[kernels::row_index<D>(j, k)] + i;
-        if (periodic) q = layout_->slot(lattice_->wrapped(other));
-        if (q < 0 || layer_[0][q] == none) continue;
-        const Point<D> offset = offset_of(q);
-        const double length = dot<D>(offset, offset);
-        Point<D> between = difference<D>(offset, own);
-        for (int a = 0; a < D; ++a) between[a] += step[a];
-        if (length < least_offset * least_offset ||
-            dot<D>(between, between) > seen_from_edge * seen_from_edge) {
-          continue;
-        }
-        const double sign = (extended_[q] < 0) == (extended_[slot] < 0) ? 1 : -1;
-        if (sign * dot<D>(offset, own) > edge_cosine * std::sqrt(length * square)) continue;
-        if (periodic || layout_->slot(other) == q) return true;
-      }
-    }
-  }
-  return false;
+  layer_[0][slot] = guessed;
 }
 
 // Whether a slot of the pack at `slot` may border a marked one. Where a neighbouring row has no

@@ -68,6 +68,9 @@ class LevelSet {
   bool closest_point(std::int64_t slot, Point<D>& offset) const;
 
  private:
+  /// What layer_[0] says of near nodes that have a closest point: whether (RP.41) found it.
+  enum : std::uint8_t { found = 1, guessed = 2 };
+
   /// Nodes that get a closest point in a layer.
   struct Border {
     Projections<T, D> polished, again;
