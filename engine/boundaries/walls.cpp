@@ -154,6 +154,12 @@ bool Boundaries<D>::have_contact() const {
 }
 
 template <int D>
+bool Boundaries<D>::have_attached_slip_walls() const {
+  return std::any_of(walls.begin(), walls.end(),
+                     [](const Wall<D>& wall) { return wall.is_attached() && wall.slips(); });
+}
+
+template <int D>
 double Boundaries<D>::distance_to_no_slip(const Point<D>& x) const {
   double least = std::numeric_limits<double>::infinity();
   for (const Wall<D>& wall : walls) {

@@ -35,8 +35,10 @@ class Gravity {
   class Now {
    public:
     Now(const Gravity& gravity, int block, double t)
-        : formula_(gravity.of_block_[block]), t_(t), is_uniform_(gravity.is_uniform_) {
-      if (is_uniform_) uniform_ = evaluate({});
+        : formula_(gravity.acts_ ? gravity.of_block_[block] : gravity.formula_),
+          t_(t),
+          is_uniform_(gravity.is_uniform_) {
+      if (is_uniform_ && gravity.acts_) uniform_ = evaluate({});
     }
     Point<D> operator()(const Point<D>& x) const { return is_uniform_ ? uniform_ : evaluate(x); }
 

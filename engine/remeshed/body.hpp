@@ -65,7 +65,8 @@ struct BlockGhosts {
   std::vector<std::int8_t> wall;               ///< of a wall or contact ghost; -1: free surface
   std::vector<std::uint8_t> active;            ///< whether the ghost sets its slot; see `contact`
   std::vector<std::int8_t> pressure;           ///< acting on it; see record_loads.hpp
-  std::vector<Point<D>> normal;                ///< of the wall
+  std::vector<std::int32_t> edge;              ///< slot at the edge of contact beside it, (RP.81)
+  std::vector<Point<D>> normal;                ///< of the wall; beside an edge, up its side
   std::vector<Point<D>> foot;                  ///< foot point at xi = 0 [m]
   std::vector<kernels::FitTerms<T, D>> terms;  ///< of the fits (RP.43), (RP.44)
   std::vector<T> constrained_sum;              ///< sum of the coefficients b
@@ -94,6 +95,7 @@ struct BlockGhosts {
     f(Field::wall, &G::wall);
     f(Field::active, &G::active);
     f(Field::pressure, &G::pressure);
+    f(Field::edge, &G::edge);
     f(Field::normal, &G::normal);
     f(Field::foot, &G::foot);
     f(Field::terms, &G::terms);

@@ -24,6 +24,12 @@ void BodyForces<T, D>::prepare(double time_step) {
 }
 
 template <class T, int D>
+BodyForce<D> BodyForces<T, D>::of(int block, int stage) const {
+  const double t = state_.clock.time + stage_time[stage] * time_step_;
+  return {typename Gravity<D>::Now(gravity_, block, t), damping_, gravity_.acts() || damping_ != 0};
+}
+
+template <class T, int D>
 void BodyForces<T, D>::advance(int block, int stage) {
   if (!gravity_.acts() && damping_ == 0) return;
   const auto owner = state_.owner(block);

@@ -36,6 +36,8 @@ class ParticleUpdate {
                                const kernels::SymmetricPairs<T, D>* pairs = nullptr);
   /// Adds the work of body forces in the step to the state.
   void fold() { body_forces_.fold(); }
+  /// What acts on the material of a block at a stage.
+  BodyForce<D> body_force(int block, int stage) const { return body_forces_.of(block, stage); }
   /// [block] impulse of body forces in the step [N s].
   const std::vector<Point<D>>& body_force_impulse() const { return body_forces_.impulse(); }
   /// Stress of a state that no stage has left behind.

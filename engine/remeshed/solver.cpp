@@ -262,7 +262,8 @@ template <class T, int D>
 Frame Solver<T, D>::frame(const FrameParts& parts) {
   if (parts.ghosts) refresh_ghosts();
   return take_frame<T, D>(
-      state_, kernels_, [this] { return on_nodes(); }, parts);
+      state_, kernels_, [this] { return on_nodes(); }, [this] { return step_.surroundings(); },
+      parts);
 }
 
 template <class T, int D>

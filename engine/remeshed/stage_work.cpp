@@ -75,14 +75,20 @@ void StageWork<T, D>::write_records(int block, int stage) {
 template <class T, int D>
 void StageWork<T, D>::decide_wall_contact(int block, int stage) {
   const auto [body, local] = state_.owner(block);
-  decide_contact(body, local, state_.boundaries, boundary_values_[stage], kernels_);
+  decide_contact(body, local, around(block, stage), kernels_);
+}
+
+template <class T, int D>
+void StageWork<T, D>::release_wall_contact(int block, int stage) {
+  const auto [body, local] = state_.owner(block);
+  release_contact(body, local, around(block, stage), kernels_);
 }
 
 template <class T, int D>
 void StageWork<T, D>::fill(int block, int stage, WhichGhosts which) {
   const auto [body, local] = state_.owner(block);
-  fill_ghosts<T, D>(body, local, stage, stage % 2, which, state_.boundaries,
-                    boundary_values_[stage], settings_.ghosts, kernels_);
+  fill_ghosts<T, D>(body, local, stage, stage % 2, which, around(block, stage), settings_.ghosts,
+                    kernels_);
 }
 
 template <class T, int D>
@@ -98,9 +104,10 @@ void StageWork<T, D>::fill_reached_ghosts(int block, int stage) {
   fill(block, stage, body.neighbours.are_listed ? WhichGhosts::all : WhichGhosts::reached);
   drift_ghosts<T, D>(body, local, stage, settings_.ghosts, kernels_);
   Point<D>* impulse = impulse_.data() + block * state_.boundaries.walls.size();
-  add_impulse<T, D>(body, local, state_.boundaries, boundary_values_[stage],
-                    stage_weight[stage] * time_step_, kernels_, impulse, work_[block].wall_work);
-  add_wall_work<T, D>(body, local, state_.boundaries, boundary_values_[stage], is_watched_,
+  const Surroundings<D> now = around(block, stage);
+  add_impulse<T, D>(body, local, now, stage_weight[stage] * time_step_, kernels_, impulse,
+                    work_[block].wall_work);
+  add_wall_work<T, D>(body, local, buffer_of(stage), now, is_watched_,
                       stage_weight[stage] * time_step_, kernels_, impulse, work_[block]);
 }
 

@@ -3,12 +3,12 @@
 #include <array>
 #include <vector>
 
-#include "engine/boundaries/boundary_values.hpp"
 #include "engine/remeshed/ghosts/ghost_fill.hpp"
 #include "engine/remeshed/ghosts/ghost_motion.hpp"
 #include "engine/remeshed/particle_update.hpp"
 #include "engine/remeshed/stage_results.hpp"
 #include "engine/remeshed/state.hpp"
+#include "engine/remeshed/surroundings.hpp"
 #include "kernels/remeshed/table.hpp"
 
 namespace pliant::remeshed {
@@ -33,6 +33,7 @@ class StageWork {
   void copy_image_states(int block, int stage);
   void write_records(int block, int stage);
   void decide_wall_contact(int block, int stage);
+  void release_wall_contact(int block, int stage);
   /// Ghosts that particles read at a stage; the others only drift.
   void fill_reached_ghosts(int block, int stage);
   void fill_all_ghosts(int block, int stage);
@@ -46,6 +47,9 @@ class StageWork {
     return particles_.body_force_impulse();
   }
   const StageResults& results() const { return results_; }
+  Surroundings<D> around(int block, int stage) const {
+    return {state_.boundaries, boundary_values_[stage], particles_.body_force(block, stage)};
+  }
 
  private:
   void fill(int block, int stage, WhichGhosts which);

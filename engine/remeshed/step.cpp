@@ -15,7 +15,7 @@
 //     surface           first stage: grad phi of the particles near the surface (RP.61); in all,
 //                       their u, sigma and p go beside it into surface records
 //     contact           contact walls, first stage: which ghosts beyond the wall the body
-//                       presses on, (RP.52)
+//                       presses on; in the others, which of them the wall would pull, (RP.52)
 //     contact search: samples   contact between bodies, first stage: surface particles and
 //                       ghosts of each block, with their positions
 //     contact search: cells     those of a body in a cell list, if its box meets another one
@@ -24,8 +24,8 @@
 //     tractions         contact between bodies: tractions at the contact points, (RP.56)
 //     ghosts            velocity and stress of each ghost from the surface records: free
 //                       surfaces with their present normal (RP.48), (RP.45), walls (RP.46),
-//                       (RP.47), as the paper (RP.49); contact walls release the ghosts that
-//                       they would pull. Ghosts of free surfaces move with their fits (RP.60)
+//                       (RP.47), as the paper (RP.49); beyond edges on contact walls as at the
+//                       edge, (RP.81). Ghosts of free surfaces move with their fits (RP.60)
 //     images            periodic bodies: velocity and stress of the slots beyond a period
 //     advance           grad u and div sigma of every particle by the moment matrix (RP.20),
 //                       or as the paper (RP.19), its rates (RP.13), the next state and the stress
@@ -106,9 +106,10 @@ void Step<T, D>::add_ghosts(std::vector<Phase>& phases, int stage, bool all_of_t
   }
   rows.each("surface", read_by_surface(stage), own(whole(records)),
             at(stage, &Work::write_records));
-  if (stage == 0 && state_.boundaries.have_contact()) {
+  if (state_.boundaries.have_contact()) {
     rows.each("contact", near(whole(records) + whole(fits)) + own(ghosts(drift) + whole(contact)),
-              own(whole(contact) + whole(kinds)), at(stage, &Work::decide_wall_contact));
+              own(whole(contact) + whole(kinds)),
+              at(stage, stage == 0 ? &Work::decide_wall_contact : &Work::release_wall_contact));
   }
   if (contact_.is_needed()) {
     if (stage == 0) contact_.add_search(phases);
@@ -137,9 +138,9 @@ Accesses Step<T, D>::read_by_surface(int stage) {
   return reads + near(particles(drift) + particles(velocity) + slots(constants) + whole(interior));
 }
 
-// The work of loads and walls asks for phi. Rigid ghosts (RP.59) read the particles themselves.
-// Ghosts that no particle reads drift with the velocities of earlier stages, instead of with a fit
-// of their own.
+// The work of loads and walls asks for phi, that of slip walls for how much they have spread. Rigid
+// ghosts (RP.59) read the particles themselves. Ghosts that no particle reads drift with the
+// velocities of earlier stages, instead of with a fit of their own.
 template <class T, int D>
 Accesses Step<T, D>::read_by_ghosts(int stage, bool all_of_them) const {
   const int current = buffer_of(stage);
@@ -148,6 +149,10 @@ Accesses Step<T, D>::read_by_ghosts(int stage, bool all_of_them) const {
   if (settings_.ghosts == GhostTreatment::rigid) {
     reads = reads + near(particles(drift, current) + particles(velocity, current)) +
             own(ghosts(drift, current));
+  }
+  if (state_.boundaries.have_contact()) reads = reads + near(whole(kinds));
+  if (state_.boundaries.have_attached_slip_walls()) {
+    reads = reads + near(particles(drift, current) + ghosts(drift, current));
   }
   if (all_of_them || stage < 2) return reads;
   return reads +
@@ -159,7 +164,7 @@ Accesses Step<T, D>::written_by_ghosts(int stage) const {
   Accesses writes =
       own(ghosts(velocity, buffer_of(stage)) + ghosts(stress, stage % 2) + whole(corrections));
   if (!state_.boundaries.have_contact()) return writes;
-  return writes + own(whole(contact) + whole(kinds) + whole(wall_impulse));
+  return writes + own(whole(contact) + whole(wall_impulse));
 }
 
 // Neighbours that a search has found may belong to any block: particles far apart on the lattice

@@ -29,6 +29,8 @@ class Step {
 
   /// Fixes the time step [s] and what the boundaries impose at each stage.
   void prepare(double time_step);
+  /// What acts on the bodies at the start of the step, for one thread.
+  Surroundings<D> surroundings() const { return work_.around(0, 0); }
   /// What a step found over all blocks.
   void fold() { work_.fold(); }
   const StageResults& results() const { return work_.results(); }

@@ -1,9 +1,11 @@
 #include "engine/remeshed/wall_work.hpp"
 
+#include <Eigen/Dense>
 #include <algorithm>
 #include <cmath>
 
 #include "engine/remeshed/ghosts/fit_evaluator.hpp"
+#include "engine/remeshed/ghosts/wall_site.hpp"
 #include "kernels/remeshed/ghosts/wall_friction.hpp"
 
 namespace pliant::remeshed {
@@ -15,12 +17,34 @@ template <class T, int D>
 double area_on_wall(const Body<T, D>& body, const BlockGhosts<T, D>& ghosts, std::size_t g) {
   const double h = body.lattice.spacing;
   const std::int64_t slot = ghosts.slot[g];
-  const Point<D> x = body.lattice.node(body.population.layout.cell(slot));
-  double depth = 0;
-  for (int a = 0; a < D; ++a) depth -= (x[a] - ghosts.foot[g][a]) * ghosts.normal[g][a];
+  const double depth = depth_behind_wall<T, D>(body, ghosts, g);
   const double layer = std::max(0., 1 - std::abs(depth / h - 1));
   const double covered = std::clamp(0.5 - body.stage[0].get(Field::level_set)[slot] / h, 0., 1.);
   return std::pow(h, D - 1) * layer * covered;
+}
+
+// How much larger than at the remeshing that part is now: abs(cof F n), F of the slots around.
+template <class T, int D>
+double growth_on_wall(const Body<T, D>& body, const BlockGhosts<T, D>& ghosts, std::size_t g,
+                      int buffer) {
+  using Matrix = Eigen::Matrix<double, D, D>;
+  const Layout<D>& layout = body.population.layout;
+  const Cell<D> cell = layout.cell(ghosts.slot[g]);
+  Matrix f = Matrix::Identity();
+  for (int j = 0; j < D; ++j) {
+    Cell<D> up = cell, down = cell;
+    ++up[j];
+    --down[j];
+    const std::int64_t q = layout.slot(body.lattice.wrapped(up));
+    const std::int64_t r = layout.slot(body.lattice.wrapped(down));
+    if (q < 0 || r < 0) continue;
+    for (int i = 0; i < D; ++i) {
+      const T* drift = body.stage[buffer].get(Field::drift, i);
+      f(i, j) += (drift[q] - drift[r]) / (2 * body.lattice.spacing);
+    }
+  }
+  const Eigen::Map<const Eigen::Matrix<double, D, 1>> normal(ghosts.normal[g].data());
+  return f.determinant() * (f.transpose().inverse() * normal).norm();
 }
 
 // Whether another wall lies before a foot point: the body ends there.
@@ -36,48 +60,44 @@ bool is_covered(const Boundaries<D>& boundaries, int wall, const Point<D>& foot)
 }  // namespace
 
 template <class T, int D>
-void add_wall_work(const Body<T, D>& body, int block, const Boundaries<D>& boundaries,
-                   const BoundaryValues<D>& values, const std::vector<char>& watched,
-                   double duration, const kernels::RemeshedTable<T, D>& kernels, Point<D>* impulse,
+void add_wall_work(const Body<T, D>& body, int block, int buffer, const Surroundings<D>& around,
+                   const std::vector<char>& watched, double duration,
+                   const kernels::RemeshedTable<T, D>& kernels, Point<D>* impulse,
                    EnergyBudget& budget) {
   const BlockGhosts<T, D>& ghosts = body.population.ghosts[block];
   const kernels::Impedance<T> impedance(body.material);
   FitEvaluator<T, D> fits(body, ghosts, kernels);
   for (std::size_t g = 0; g < ghosts.slot.size(); ++g) {
     const int wall = ghosts.wall[g];
-    if (wall < 0 || watched[wall] == 0 || is_covered<D>(boundaries, wall, ghosts.foot[g])) continue;
-    const double area = area_on_wall(body, ghosts, g);
+    if (wall < 0 || watched[wall] == 0 || is_covered<D>(around.boundaries, wall, ghosts.foot[g]))
+      continue;
+    double area = area_on_wall(body, ghosts, g);
     if (area == 0) continue;
-    const kernels::GhostFits<T, D> fit = fits.of(g);
-    std::array<T, D> velocity, normal;
-    for (int a = 0; a < D; ++a) {
-      velocity[a] = static_cast<T>(values.wall_velocity[wall][a]);
-      normal[a] = static_cast<T>(ghosts.normal[g][a]);
-    }
+    if (around.boundaries.walls[wall].slips()) area *= growth_on_wall(body, ghosts, g, buffer);
     const auto push = kernels::wall_force_density<T, D>(
-        fit, velocity, normal, static_cast<T>(boundaries.walls[wall].friction()), impedance);
+        fits.of(g), wall_site<T, D>(body, ghosts, g, around), impedance);
     for (int a = 0; a < D; ++a) {
       const double given = duration * area * push[a];
       impulse[wall][a] += given;
-      budget.wall_work += given * values.wall_velocity[wall][a];
+      budget.wall_work += given * around.values.wall_velocity[wall][a];
     }
   }
 }
 
-template void add_wall_work<double, 2>(const Body<double, 2>&, int, const Boundaries<2>&,
-                                       const BoundaryValues<2>&, const std::vector<char>&, double,
+template void add_wall_work<double, 2>(const Body<double, 2>&, int, int, const Surroundings<2>&,
+                                       const std::vector<char>&, double,
                                        const kernels::RemeshedTable<double, 2>&, Point<2>*,
                                        EnergyBudget&);
-template void add_wall_work<double, 3>(const Body<double, 3>&, int, const Boundaries<3>&,
-                                       const BoundaryValues<3>&, const std::vector<char>&, double,
+template void add_wall_work<double, 3>(const Body<double, 3>&, int, int, const Surroundings<3>&,
+                                       const std::vector<char>&, double,
                                        const kernels::RemeshedTable<double, 3>&, Point<3>*,
                                        EnergyBudget&);
-template void add_wall_work<float, 2>(const Body<float, 2>&, int, const Boundaries<2>&,
-                                      const BoundaryValues<2>&, const std::vector<char>&, double,
+template void add_wall_work<float, 2>(const Body<float, 2>&, int, int, const Surroundings<2>&,
+                                      const std::vector<char>&, double,
                                       const kernels::RemeshedTable<float, 2>&, Point<2>*,
                                       EnergyBudget&);
-template void add_wall_work<float, 3>(const Body<float, 3>&, int, const Boundaries<3>&,
-                                      const BoundaryValues<3>&, const std::vector<char>&, double,
+template void add_wall_work<float, 3>(const Body<float, 3>&, int, int, const Surroundings<3>&,
+                                      const std::vector<char>&, double,
                                       const kernels::RemeshedTable<float, 3>&, Point<3>*,
                                       EnergyBudget&);
 

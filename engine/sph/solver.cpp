@@ -99,7 +99,7 @@ BodyIntegrals Solver<T, D>::integrals() {
 
 template <class T, int D>
 Frame Solver<T, D>::frame(const FrameParts& parts) {
-  return remeshed::take_frame<T, D>(state_, kernels_, {}, parts);
+  return remeshed::take_frame<T, D>(state_, kernels_, {}, {}, parts);
 }
 
 template <class T, int D>

@@ -1,6 +1,8 @@
 #include "engine/remeshed/contact/wall_contact.hpp"
 
+#include "engine/remeshed/contact/contact_edges.hpp"
 #include "engine/remeshed/ghosts/fit_evaluator.hpp"
+#include "engine/remeshed/ghosts/wall_site.hpp"
 #include "kernels/remeshed/ghosts/wall_friction.hpp"
 
 namespace pliant::remeshed {
@@ -17,20 +19,9 @@ constexpr double leaving_height = 0.3;
 constexpr double rounding = 1e-9;  // [h], of where a slot lies
 
 template <class T, int D>
-std::array<T, D> converted(const Point<D>& vector) {
-  std::array<T, D> result;
-  for (int a = 0; a < D; ++a) result[a] = static_cast<T>(vector[a]);
-  return result;
-}
-
-template <class T, int D>
 T pressure_on(const Body<T, D>& body, const BlockGhosts<T, D>& ghosts, std::int32_t g,
-              const Boundaries<D>& boundaries, const BoundaryValues<D>& values,
-              FitEvaluator<T, D>& fits) {
-  const int wall = ghosts.wall[g];
-  return kernels::WallTraction<T, D>(fits.of(g), converted<T, D>(values.wall_velocity[wall]),
-                                     converted<T, D>(ghosts.normal[g]),
-                                     static_cast<T>(boundaries.walls[wall].friction()),
+              const Surroundings<D>& around, FitEvaluator<T, D>& fits) {
+  return kernels::WallTraction<T, D>(fits.of(g), wall_site<T, D>(body, ghosts, g, around),
                                      kernels::Impedance<T>(body.material))
       .pressure;
 }
@@ -47,40 +38,40 @@ void choose(Population<T, D>& population, BlockGhosts<T, D>& ghosts, std::int32_
 }  // namespace
 
 template <class T, int D>
-void decide_contact(Body<T, D>& body, int block, const Boundaries<D>& boundaries,
-                    const BoundaryValues<D>& values, const kernels::RemeshedTable<T, D>& table) {
+void decide_contact(Body<T, D>& body, int block, const Surroundings<D>& around,
+                    const kernels::RemeshedTable<T, D>& table) {
   BlockGhosts<T, D>& ghosts = body.population.ghosts[block];
   FitEvaluator<T, D> fits(body, ghosts, table);
   for (std::size_t k = 0; k < ghosts.contact.size(); ++k) {
     const std::int32_t g = ghosts.contact[k];
+    if (ghosts.edge[g] != no_edge) continue;
     const Point<D>& n = ghosts.normal[g];
     double height = ghosts.contact_height[k];
     for (int a = 0; a < D; ++a) {
       height += n[a] * (body.stage[0].get(Field::drift, a)[ghosts.slot[g]] -
-                        boundaries.walls[ghosts.wall[g]].offset()[a]);
+                        around.boundaries.walls[ghosts.wall[g]].offset()[a]);
     }
     const double reach = ghosts.active[g] != 0 ? leaving_height : contact_onset_height;
     choose(body.population, ghosts, g,
-           height < reach * body.lattice.spacing &&
-               pressure_on(body, ghosts, g, boundaries, values, fits) > 0);
+           height < reach * body.lattice.spacing && pressure_on(body, ghosts, g, around, fits) > 0);
   }
 }
 
 template <class T, int D>
-void release_contact(Body<T, D>& body, int block, const Boundaries<D>& boundaries,
-                     const BoundaryValues<D>& values, const kernels::RemeshedTable<T, D>& table) {
+void release_contact(Body<T, D>& body, int block, const Surroundings<D>& around,
+                     const kernels::RemeshedTable<T, D>& table) {
   BlockGhosts<T, D>& ghosts = body.population.ghosts[block];
   FitEvaluator<T, D> fits(body, ghosts, table);
   for (const std::int32_t g : ghosts.contact) {
-    if (ghosts.active[g] != 0 && !(pressure_on(body, ghosts, g, boundaries, values, fits) > 0)) {
+    if (ghosts.edge[g] != no_edge || ghosts.active[g] == 0) continue;
+    if (!(pressure_on(body, ghosts, g, around, fits) > 0)) {
       choose(body.population, ghosts, g, false);
     }
   }
 }
 
 template <class T, int D>
-void add_impulse(const Body<T, D>& body, int block, const Boundaries<D>& boundaries,
-                 const BoundaryValues<D>& values, double duration,
+void add_impulse(const Body<T, D>& body, int block, const Surroundings<D>& around, double duration,
                  const kernels::RemeshedTable<T, D>& table, Point<D>* impulse, double& work) {
   const BlockGhosts<T, D>& ghosts = body.population.ghosts[block];
   FitEvaluator<T, D> fits(body, ghosts, table);
@@ -90,19 +81,21 @@ void add_impulse(const Body<T, D>& body, int block, const Boundaries<D>& boundar
     if (ghosts.active[g] == 0) continue;
     const int wall = ghosts.wall[g];
     const std::array<T, D> push = kernels::wall_force_density<T, D>(
-        fits.of(g), converted<T, D>(values.wall_velocity[wall]), converted<T, D>(ghosts.normal[g]),
-        static_cast<T>(boundaries.walls[wall].friction()), impedance);
+        fits.of(g), wall_site<T, D>(body, ghosts, g, around), impedance);
+    // What a fit extrapolates to beyond an edge may pull; the wall does not.
+    T pressure = 0;
+    for (int a = 0; a < D; ++a) pressure += push[a] * static_cast<T>(ghosts.normal[g][a]);
+    if (!(pressure > 0)) continue;
     for (int a = 0; a < D; ++a) {
       const double given = duration * ghosts.contact_area[k] * push[a];
       impulse[wall][a] += given;
-      work += given * values.wall_velocity[wall][a];
+      work += given * around.values.wall_velocity[wall][a];
     }
   }
 }
 
 template <class T, int D>
-std::vector<double> wall_pressure(const Body<T, D>& body, const Boundaries<D>& boundaries,
-                                  const BoundaryValues<D>& values,
+std::vector<double> wall_pressure(const Body<T, D>& body, const Surroundings<D>& around,
                                   const kernels::RemeshedTable<T, D>& table) {
   const Layout<D>& layout = body.population.layout;
   const double h = body.lattice.spacing;
@@ -112,61 +105,45 @@ std::vector<double> wall_pressure(const Body<T, D>& body, const Boundaries<D>& b
     for (const std::int32_t g : ghosts.contact) {
       if (ghosts.active[g] == 0) continue;
       const std::int64_t slot = ghosts.slot[g];
-      const Wall<D>& wall = boundaries.walls[ghosts.wall[g]];
+      const Wall<D>& wall = around.boundaries.walls[ghosts.wall[g]];
       if (wall.distance(body.lattice.node(layout.cell(slot))) < -(1 + rounding) * h) continue;
-      pressure[slot] += pressure_on(body, ghosts, g, boundaries, values, fits);
+      pressure[slot] += pressure_on(body, ghosts, g, around, fits);
     }
   }
   return pressure;
 }
 
-template void decide_contact<double, 2>(Body<double, 2>&, int, const Boundaries<2>&,
-                                        const BoundaryValues<2>&,
+template void decide_contact<double, 2>(Body<double, 2>&, int, const Surroundings<2>&,
                                         const kernels::RemeshedTable<double, 2>&);
-template void release_contact<double, 2>(Body<double, 2>&, int, const Boundaries<2>&,
-                                         const BoundaryValues<2>&,
+template void release_contact<double, 2>(Body<double, 2>&, int, const Surroundings<2>&,
                                          const kernels::RemeshedTable<double, 2>&);
-template void add_impulse<double, 2>(const Body<double, 2>&, int, const Boundaries<2>&,
-                                     const BoundaryValues<2>&, double,
+template void add_impulse<double, 2>(const Body<double, 2>&, int, const Surroundings<2>&, double,
                                      const kernels::RemeshedTable<double, 2>&, Point<2>*, double&);
-template std::vector<double> wall_pressure(const Body<double, 2>&, const Boundaries<2>&,
-                                           const BoundaryValues<2>&,
+template std::vector<double> wall_pressure(const Body<double, 2>&, const Surroundings<2>&,
                                            const kernels::RemeshedTable<double, 2>&);
-template void decide_contact<double, 3>(Body<double, 3>&, int, const Boundaries<3>&,
-                                        const BoundaryValues<3>&,
+template void decide_contact<double, 3>(Body<double, 3>&, int, const Surroundings<3>&,
                                         const kernels::RemeshedTable<double, 3>&);
-template void release_contact<double, 3>(Body<double, 3>&, int, const Boundaries<3>&,
-                                         const BoundaryValues<3>&,
+template void release_contact<double, 3>(Body<double, 3>&, int, const Surroundings<3>&,
                                          const kernels::RemeshedTable<double, 3>&);
-template void add_impulse<double, 3>(const Body<double, 3>&, int, const Boundaries<3>&,
-                                     const BoundaryValues<3>&, double,
+template void add_impulse<double, 3>(const Body<double, 3>&, int, const Surroundings<3>&, double,
                                      const kernels::RemeshedTable<double, 3>&, Point<3>*, double&);
-template std::vector<double> wall_pressure(const Body<double, 3>&, const Boundaries<3>&,
-                                           const BoundaryValues<3>&,
+template std::vector<double> wall_pressure(const Body<double, 3>&, const Surroundings<3>&,
                                            const kernels::RemeshedTable<double, 3>&);
-template void decide_contact<float, 2>(Body<float, 2>&, int, const Boundaries<2>&,
-                                       const BoundaryValues<2>&,
+template void decide_contact<float, 2>(Body<float, 2>&, int, const Surroundings<2>&,
                                        const kernels::RemeshedTable<float, 2>&);
-template void release_contact<float, 2>(Body<float, 2>&, int, const Boundaries<2>&,
-                                        const BoundaryValues<2>&,
+template void release_contact<float, 2>(Body<float, 2>&, int, const Surroundings<2>&,
                                         const kernels::RemeshedTable<float, 2>&);
-template void add_impulse<float, 2>(const Body<float, 2>&, int, const Boundaries<2>&,
-                                    const BoundaryValues<2>&, double,
+template void add_impulse<float, 2>(const Body<float, 2>&, int, const Surroundings<2>&, double,
                                     const kernels::RemeshedTable<float, 2>&, Point<2>*, double&);
-template std::vector<double> wall_pressure(const Body<float, 2>&, const Boundaries<2>&,
-                                           const BoundaryValues<2>&,
+template std::vector<double> wall_pressure(const Body<float, 2>&, const Surroundings<2>&,
                                            const kernels::RemeshedTable<float, 2>&);
-template void decide_contact<float, 3>(Body<float, 3>&, int, const Boundaries<3>&,
-                                       const BoundaryValues<3>&,
+template void decide_contact<float, 3>(Body<float, 3>&, int, const Surroundings<3>&,
                                        const kernels::RemeshedTable<float, 3>&);
-template void release_contact<float, 3>(Body<float, 3>&, int, const Boundaries<3>&,
-                                        const BoundaryValues<3>&,
+template void release_contact<float, 3>(Body<float, 3>&, int, const Surroundings<3>&,
                                         const kernels::RemeshedTable<float, 3>&);
-template void add_impulse<float, 3>(const Body<float, 3>&, int, const Boundaries<3>&,
-                                    const BoundaryValues<3>&, double,
+template void add_impulse<float, 3>(const Body<float, 3>&, int, const Surroundings<3>&, double,
                                     const kernels::RemeshedTable<float, 3>&, Point<3>*, double&);
-template std::vector<double> wall_pressure(const Body<float, 3>&, const Boundaries<3>&,
-                                           const BoundaryValues<3>&,
+template std::vector<double> wall_pressure(const Body<float, 3>&, const Surroundings<3>&,
                                            const kernels::RemeshedTable<float, 3>&);
 
 }  // namespace pliant::remeshed

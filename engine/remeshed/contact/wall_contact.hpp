@@ -1,7 +1,7 @@
 #pragma once
 
-#include "engine/boundaries/boundary_values.hpp"
 #include "engine/remeshed/state.hpp"
+#include "engine/remeshed/surroundings.hpp"
 
 // A body contact_points a contact wall, presses against it and leaves it; nothing bonds them.
 //
@@ -25,26 +25,24 @@ namespace pliant::remeshed {
 /// step, from the records of the surface particles and from which one was active before. The kinds
 /// of the slots tell it to the next remeshing. Deciding twice decides the same.
 template <class T, int D>
-void decide_contact(Body<T, D>& body, int block, const Boundaries<D>& boundaries,
-                    const BoundaryValues<D>& values, const kernels::RemeshedTable<T, D>& kernels);
+void decide_contact(Body<T, D>& body, int block, const Surroundings<D>& around,
+                    const kernels::RemeshedTable<T, D>& kernels);
 
 /// (RP.52): lets go of the slots of a block where the wall would pull in the present stage.
 template <class T, int D>
-void release_contact(Body<T, D>& body, int block, const Boundaries<D>& boundaries,
-                     const BoundaryValues<D>& values, const kernels::RemeshedTable<T, D>& kernels);
+void release_contact(Body<T, D>& body, int block, const Surroundings<D>& around,
+                     const kernels::RemeshedTable<T, D>& kernels);
 
 /// (RP.65): adds the push of each contact wall on the ghosts of a block during `duration` [s] to
 /// impulse[wall], and its work to `work` [J], from the records of the surface particles.
 template <class T, int D>
-void add_impulse(const Body<T, D>& body, int block, const Boundaries<D>& boundaries,
-                 const BoundaryValues<D>& values, double duration,
+void add_impulse(const Body<T, D>& body, int block, const Surroundings<D>& around, double duration,
                  const kernels::RemeshedTable<T, D>& kernels, Point<D>* impulse, double& work);
 
 /// (RP.55): [slot] of the contact ghosts nearest to the wall, the pressure of the wall on the body
 /// at their feet [Pa], from the records that filling the ghosts has left; 0 of all other slots.
 template <class T, int D>
-std::vector<double> wall_pressure(const Body<T, D>& body, const Boundaries<D>& boundaries,
-                                  const BoundaryValues<D>& values,
+std::vector<double> wall_pressure(const Body<T, D>& body, const Surroundings<D>& around,
                                   const kernels::RemeshedTable<T, D>& kernels);
 
 }  // namespace pliant::remeshed

@@ -3,12 +3,13 @@
 #include <algorithm>
 #include <cmath>
 
-#include "engine/remeshed/contact/wall_contact.hpp"
+#include "engine/remeshed/contact/contact_edges.hpp"
 #include "engine/remeshed/ghosts/fit_coefficient.hpp"
 #include "engine/remeshed/ghosts/fit_evaluator.hpp"
 #include "engine/remeshed/ghosts/lasting_correction.hpp"
 #include "engine/remeshed/ghosts/record_loads.hpp"
 #include "engine/remeshed/ghosts/rigid_velocity.hpp"
+#include "engine/remeshed/ghosts/wall_site.hpp"
 #include "kernels/remeshed/ghosts/wall_friction.hpp"
 
 namespace pliant::remeshed {
@@ -72,6 +73,18 @@ struct GhostFill {
     }
   }
 
+  void fill_beside_edges(const Surroundings<D>& around) const {
+    const kernels::Impedance<T> impedance(body.material);
+    FitEvaluator<T, D> present(body, ghosts, table);
+    for (std::size_t g = 0; g < count; ++g) {
+      const std::int32_t edge = ghosts.edge[g];
+      if (ghosts.wall[g] >= 0 || edge == no_edge) continue;
+      if (body.population.kind[edge] != Kind::wall_ghost) continue;
+      fill_loaded(g, present.of(g), load_beside_edge<T, D>(body, ghosts, g, around.values),
+                  impedance);
+    }
+  }
+
   void turn_rigidly() const {
     for (std::size_t g = 0; g < count; ++g) {
       if (ghosts.wall[g] >= 0 || ghosts.active[g] == 0) continue;
@@ -92,23 +105,15 @@ struct GhostFill {
     }
   }
 
-  void fill_walls(const Boundaries<D>& boundaries, const BoundaryValues<D>& values,
-                  bool averaged) const {
+  void fill_walls(const Surroundings<D>& around, bool averaged) const {
     const kernels::Impedance<T> impedance(body.material);
     FitEvaluator<T, D> present(body, ghosts, table);
     for (std::size_t g = 0; g < count; ++g) {
-      const int w = ghosts.wall[g];
-      if (w < 0 || ghosts.active[g] == 0) continue;
+      if (ghosts.wall[g] < 0 || ghosts.active[g] == 0) continue;
       const kernels::GhostFits<T, D> fits = present.of(g);
-      std::array<T, D> velocity, normal;
-      for (int a = 0; a < D; ++a) {
-        velocity[a] = static_cast<T>(values.wall_velocity[w][a]);
-        normal[a] = static_cast<T>(ghosts.normal[g][a]);
-      }
-      set(g, averaged ? kernels::averaged_wall_ghost<T, D>(fits.linear, velocity)
-                      : kernels::friction_wall_ghost<T, D>(
-                            fits, velocity, normal, static_cast<T>(boundaries.walls[w].friction()),
-                            impedance));
+      const kernels::WallSite<T, D> site = wall_site<T, D>(body, ghosts, g, around);
+      set(g, averaged ? kernels::averaged_wall_ghost<T, D>(fits.linear, site.velocity)
+                      : kernels::friction_wall_ghost<T, D>(fits, site, impedance));
     }
   }
 
@@ -145,9 +150,10 @@ struct GhostFill {
 
 template <class T, int D>
 void fill_ghosts(Body<T, D>& body, int block, int stage, int parity, WhichGhosts which,
-                 const Boundaries<D>& boundaries, const BoundaryValues<D>& values,
-                 GhostTreatment treatment, const kernels::RemeshedTable<T, D>& table) {
-  release_contact(body, block, boundaries, values, table);
+                 const Surroundings<D>& around, GhostTreatment treatment,
+                 const kernels::RemeshedTable<T, D>& table) {
+  const BoundaryValues<D>& values = around.values;
+  follow_edges(body, block);
   BlockGhosts<T, D>& ghosts = body.population.ghosts[block];
   const std::size_t count = which == WhichGhosts::all ? ghosts.slot.size() : ghosts.reached_count;
   const GhostFill<T, D> fill{
@@ -157,11 +163,12 @@ void fill_ghosts(Body<T, D>& body, int block, int stage, int parity, WhichGhosts
   } else {
     fill.fill_surfaces(values);
     fill.fill_tractions(values);
+    fill.fill_beside_edges(around);
     if (lets_waves_out_alone(body)) let_waves_out_alone(ghosts, count, fill.state);
     if (treatment == GhostTreatment::rigid) fill.turn_rigidly();
     fill.fill_in_contact();
   }
-  fill.fill_walls(boundaries, values, treatment == GhostTreatment::averaged);
+  fill.fill_walls(around, treatment == GhostTreatment::averaged);
 }
 
 template <class T, int D>
@@ -204,19 +211,19 @@ void fill_conserved(Body<T, D>& body, int block) {
 }
 
 template void fill_ghosts<double, 2>(Body<double, 2>&, int, int, int, WhichGhosts,
-                                     const Boundaries<2>&, const BoundaryValues<2>&, GhostTreatment,
+                                     const Surroundings<2>&, GhostTreatment,
                                      const kernels::RemeshedTable<double, 2>&);
 template void fill_conserved<double, 2>(Body<double, 2>&, int);
 template void fill_ghosts<float, 2>(Body<float, 2>&, int, int, int, WhichGhosts,
-                                    const Boundaries<2>&, const BoundaryValues<2>&, GhostTreatment,
+                                    const Surroundings<2>&, GhostTreatment,
                                     const kernels::RemeshedTable<float, 2>&);
 template void fill_conserved<float, 2>(Body<float, 2>&, int);
 template void fill_ghosts<double, 3>(Body<double, 3>&, int, int, int, WhichGhosts,
-                                     const Boundaries<3>&, const BoundaryValues<3>&, GhostTreatment,
+                                     const Surroundings<3>&, GhostTreatment,
                                      const kernels::RemeshedTable<double, 3>&);
 template void fill_conserved<double, 3>(Body<double, 3>&, int);
 template void fill_ghosts<float, 3>(Body<float, 3>&, int, int, int, WhichGhosts,
-                                    const Boundaries<3>&, const BoundaryValues<3>&, GhostTreatment,
+                                    const Surroundings<3>&, GhostTreatment,
                                     const kernels::RemeshedTable<float, 3>&);
 template void fill_conserved<float, 3>(Body<float, 3>&, int);
 

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <vector>
 
+#include "engine/remeshed/contact/contact_edges.hpp"
 #include "engine/remeshed/ghosts/ghost_fitter.hpp"
 #include "engine/remeshed/ghosts/record_loads.hpp"
 #include "engine/storage/push_tightly.hpp"
@@ -48,6 +49,7 @@ class GhostFinder {
         boundaries_(search.boundaries),
         treatment_(search.treatment),
         stencil_reach_(search.stencil_reach),
+        edges_(body_, population_, level_set_, boundaries_),
         fitter_(body_, population_, ghosts_, level_set_, boundaries_, search.kernels, used) {}
 
   void add_all(const Block<D>& block) {
@@ -59,12 +61,14 @@ class GhostFinder {
       for (int i = 0; i < segment.count; ++i, ++cell[0]) add(segment, segment.first + i, cell);
     }
     ghosts_.reached_count = ghosts_.slot.size();
+    edge_ = no_edge;
     for (const auto& [slot, cell] : drifting_) add_free(slot, cell);
     fitter_.finish();
   }
 
  private:
   void add(const kernels::Segment<D>& segment, std::int64_t slot, const Cell<D>& cell) {
+    edge_ = no_edge;
     const Kind kind = population_.kind[slot];
     if (kind != Kind::free_ghost && kind != Kind::wall_ghost) return;
     const double h = body_.lattice.spacing;
@@ -75,8 +79,9 @@ class GhostFinder {
     }
     const auto [wall, distance] = boundaries_.nearest_contact(x);
     const double height = distance < 0 ? level_set_.surface_distance(slot) + distance : h;
+    if (distance < 0) edge_ = edges_.beyond(slot, x, wall);
     // The body comes no nearer than this before the next remeshing.
-    if (height < h) {
+    if (height < h || edge_ != no_edge) {
       add_free(slot, cell);
       add_contact(slot, cell, wall, height);
     } else if (is_reached<T, D>(population_, segment, slot, cell, stencil_reach_)) {
@@ -96,9 +101,12 @@ class GhostFinder {
     for (int a = 0; a < D; ++a) height += normal[a] * boundaries_.walls[wall].offset()[a];
     ghosts_.contact_height.push_back(height);
     const double layer = std::max(0., 1 - std::abs(distance / h + 1));
-    const double spread =
-        layer > 0 ? boundaries_.walls[wall].spread(body_.lattice.node(cell), -distance) : 1;
-    ghosts_.contact_area.push_back(std::pow(h, D - 1) * layer * spread);
+    const auto share = [&] {
+      const Point<D>& foot = ghosts_.foot.back();
+      return boundaries_.walls[wall].spread(body_.lattice.node(cell), -distance) *
+             WallCover<T, D>(body_.lattice, level_set_).share(foot, normal);
+    };
+    ghosts_.contact_area.push_back(layer > 0 ? std::pow(h, D - 1) * layer * share() : 0);
   }
 
   // What was decided for a slot before this remeshing, (RP.52).
@@ -116,6 +124,7 @@ class GhostFinder {
     FitSite<D> site = site_of(x, foot, distance);
     for (int a = 0; a < D; ++a) site.normal[a] = normal[a];
     list(slot, wall, normal, foot);
+    ghosts_.edge.back() = edge_;
     fit(site, cell, foot, &boundaries_.walls[wall]);
   }
 
@@ -133,6 +142,7 @@ class GhostFinder {
     FitSite<D> site = site_of(x, foot, level_set_.surface_distance(slot));
     site.normal = site.ghost.norm() > 1e-9 ? site.ghost.normalized() : site.ghost;
     list(slot, -1, {}, foot);
+    if (edge_ == no_edge) ghosts_.edge.back() = edges_.beside(x, foot, ghosts_.normal.back());
     fit(site, cell, foot, nullptr);
   }
 
@@ -149,6 +159,7 @@ class GhostFinder {
     push_tightly(ghosts_.wall, static_cast<std::int8_t>(wall));
     push_tightly(ghosts_.active, std::uint8_t{1});
     push_tightly(ghosts_.pressure, no_load);
+    push_tightly(ghosts_.edge, no_edge);
     push_tightly(ghosts_.normal, normal);
     push_tightly(ghosts_.foot, foot);
     push_tightly(ghosts_.correction, std::array<T, D>{});
@@ -159,7 +170,7 @@ class GhostFinder {
     if (treatment_ == GhostTreatment::averaged) {
       fitter_.average(cell);
     } else {
-      fitter_.fit(site, foot, wall);
+      fitter_.fit(site, foot, wall, ghosts_.edge.back() != no_edge);
     }
   }
 
@@ -178,6 +189,8 @@ class GhostFinder {
   const Boundaries<D>& boundaries_;
   GhostTreatment treatment_;
   int stencil_reach_;
+  ContactEdges<T, D> edges_;
+  std::int32_t edge_ = no_edge;  // of the present slot, behind a contact wall
   GhostFitter<T, D> fitter_;
   Ghosts& drifting_ = scratch();
 };

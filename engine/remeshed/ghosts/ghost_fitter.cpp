@@ -41,7 +41,8 @@ typename GhostFitter<T, D>::Scratch& GhostFitter<T, D>::scratch() {
 }
 
 template <class T, int D>
-void GhostFitter<T, D>::fit(const FitSite<D>& site, const Point<D>& foot, const Wall<D>* wall) {
+void GhostFitter<T, D>::fit(const FitSite<D>& site, const Point<D>& foot, const Wall<D>* wall,
+                            bool at_edge) {
   const double h = body_.lattice.spacing;
   const double corner_distance = boundaries_.distance_to_no_slip(foot) / h;
   Waiting& ghost = scratch_.waiting[waiting_++];
@@ -55,7 +56,7 @@ void GhostFitter<T, D>::fit(const FitSite<D>& site, const Point<D>& foot, const 
     ghost.centre[a] = (foot[a] - body_.lattice.origin[a]) / h - 0.5;
   }
   ghost.reach = {fit_radius, site.normal};
-  ghost.near_contact = boundaries_.nearest_contact(foot).second < fit_radius * h;
+  ghost.near_contact = !at_edge && boundaries_.nearest_contact(foot).second < fit_radius * h;
   if (ghost.near_contact) ghost.reach.narrowing = narrowing;
   search_.find(ghost.centre, ghost.reach, wall, ghost.particles);
   if (waiting_ == pack) finish();

@@ -19,8 +19,9 @@ class GhostFitter {
               const LevelSet<T, D>& level_set, const Boundaries<D>& boundaries,
               const kernels::RemeshedTable<T, D>& kernels, std::int32_t* used);
 
-  /// (RP.43) and (RP.44) about a foot point; `wall` is nullptr at a free surface.
-  void fit(const FitSite<D>& site, const Point<D>& foot, const Wall<D>* wall);
+  /// (RP.43) and (RP.44) about a foot point; `wall` is nullptr at a free surface. `at_edge`: where
+  /// a side of the body meets a contact wall, (RP.81).
+  void fit(const FitSite<D>& site, const Point<D>& foot, const Wall<D>* wall, bool at_edge);
   /// (RP.49)
   void average(const Cell<D>& cell);
   /// Fits the ghosts that still wait.

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstring>
 
+#include "engine/lattice/corner_weights.hpp"
 #include "engine/lattice/point_algebra.hpp"
 
 namespace pliant::remeshed {
@@ -94,7 +95,7 @@ void LevelSet<T, D>::advance(const Block<D>& block, int pass) {
 }
 
 template <class T, int D>
-void LevelSet<T, D>::find_closest_points(const Block<D>& block, bool reinitialise,
+void LevelSet<T, D>::find_closest_points(const Block<D>& block,
                                          const kernels::RemeshedTable<T, D>& kernels) {
   thread_local Projections<T, D> near;
   near.clear(block.lower);
@@ -106,29 +107,26 @@ void LevelSet<T, D>::find_closest_points(const Block<D>& block, bool reinitialis
     near.add(p, cell, as_point<D>(cell));
   });
   near.run(*lattice_, *layout_, extended_, 3, 12, kernels);
-  const bool replaces = reinitialise && !is_first_order_;
-  for (std::size_t i = 0; i < near.size(); ++i) place_near(near, i, replaces);
+  for (std::size_t i = 0; i < near.size(); ++i) place_near(near, i);
 }
 
 template <class T, int D>
-void LevelSet<T, D>::place_near(const Projections<T, D>& near, std::size_t i, bool reinitialise) {
-  const double h = lattice_->spacing;
+void LevelSet<T, D>::place_near(const Projections<T, D>& near, std::size_t i) {
   const std::int64_t slot = near.slot(i);
   const Point<D> offset = difference<D>(near.point(i), near.node(i));
   const double distance = std::sqrt(dot<D>(offset, offset));
   if (near.has_converged(i) && distance <= search_limit) {
     for (int a = 0; a < D; ++a) foot_[a][slot] = offset[a];
-    layer_[0][slot] = 1;
-    if (reinitialise && distance <= trusted) {
-      phi_[slot] = std::copysign(T(distance * h), extended_[slot]);
-    }
+    layer_[0][slot] = found;
     return;
   }
   Point<D> g;
   if (!gradient(near.cell(i), g)) return;
   const double square = dot<D>(g, g);
-  for (int a = 0; a < D; ++a) foot_[a][slot] = -extended_[slot] / h * g[a] / square;
-  layer_[0][slot] = 1;
+  for (int a = 0; a < D; ++a) {
+    foot_[a][slot] = -extended_[slot] / lattice_->spacing * g[a] / square;
+  }
+  layer_[0][slot] = guessed;
 }
 
 // Whether a slot of the pack at `slot` may border a marked one. Where a neighbouring row has no
@@ -251,6 +249,17 @@ void LevelSet<T, D>::finish(const Block<D>& block) {
       extended_[p] = phi_[p] = phi_[p] < 0 ? -limit : limit;
     }
   });
+}
+
+template <class T, int D>
+double LevelSet<T, D>::phi_at(const Point<D>& x) const {
+  double phi = 0;
+  const auto add = [&](const Cell<D>& cell, double weight) {
+    const std::int64_t p = layout_->slot(lattice_->wrapped(cell));
+    if (p >= 0) phi += weight * phi_[p];
+    return p >= 0;
+  };
+  return for_each_corner<D>(*lattice_, x, add) ? phi : far * lattice_->spacing;
 }
 
 template <class T, int D>

@@ -12,7 +12,8 @@
 /// The level set of a body on a fresh lattice: phi < 0 inside, (RP.40).
 ///
 ///     near     abs(phi) <= 1.8 h: what remeshing gave is kept, or, when reinitialisation is due,
-///              replaced by the distance to the closest point of the zero set (RP.41)
+///              replaced by the distance to the closest point of the zero set (RP.41), but not
+///              near edges of the body (RP.82)
 ///     layers   further out, rebuilt at every remeshing: each layer takes the closest point of a
 ///              neighbour nearer to the surface and polishes it (RP.41)
 ///     beyond   the sign alone, times `far`
@@ -51,8 +52,8 @@ class LevelSet {
     extension.extend(block, boundaries, extended_);
   }
   void advance(const Block<D>& block, int pass);  ///< (RP.74), 0..first_order_passes - 1
-  void find_closest_points(const Block<D>& block, bool reinitialise,
-                           const kernels::RemeshedTable<T, D>& kernels);
+  void find_closest_points(const Block<D>& block, const kernels::RemeshedTable<T, D>& kernels);
+  void take_distances(const Block<D>& block);  ///< reinitialises (RP.82)
   void add_layer(const Block<D>& block, int layer,
                  const kernels::RemeshedTable<T, D>& kernels);  ///< 2..layers
   void finish(const Block<D>& block);
@@ -60,11 +61,16 @@ class LevelSet {
   /// Distance of a finished node from the surface, negative inside [m]. phi itself is one only
   /// after a reinitialisation; the closest point always tells.
   T surface_distance(std::int64_t slot) const { return extended_[slot]; }
+  /// phi at any place, linear between nodes; `far` h where one of them has no slot [m].
+  double phi_at(const Point<D>& x) const;
 
   /// Closest point of the surface minus the node [m]; false where none was found.
   bool closest_point(std::int64_t slot, Point<D>& offset) const;
 
  private:
+  /// What layer_[0] says of near nodes that have a closest point: whether (RP.41) found it.
+  enum : std::uint8_t { found = 1, guessed = 2 };
+
   /// Nodes that get a closest point in a layer.
   struct Border {
     Projections<T, D> polished, again;
@@ -78,7 +84,9 @@ class LevelSet {
       failed.clear();
     }
   };
-  void place_near(const Projections<T, D>& near, std::size_t i, bool reinitialise);
+  void place_near(const Projections<T, D>& near, std::size_t i);
+  bool lies_near_edge(const kernels::Segment<D>& segment, std::int64_t slot,
+                      const Cell<D>& cell) const;
   void find_nearest(const kernels::Segment<D>& segment, std::int64_t slot, const Cell<D>& cell,
                     int layer, Border& border) const;
   void polish(Border& border, const kernels::RemeshedTable<T, D>& kernels) const;

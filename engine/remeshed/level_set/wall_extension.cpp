@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "engine/lattice/corner_weights.hpp"
+
 namespace pliant::remeshed {
 
 template <class T, int D>
@@ -53,27 +55,13 @@ double WallExtension<T, D>::behind_wall(const Point<D>& x, const Point<D>& norma
 
 template <class T, int D>
 bool WallExtension<T, D>::interpolate(const Point<D>& x, double& value) const {
-  Cell<D> base;
-  Point<D> s;
-  for (int a = 0; a < D; ++a) {
-    const double at = (x[a] - lattice_.origin[a]) / lattice_.spacing - 0.5;
-    base[a] = cell_below(at);
-    s[a] = at - base[a];
-  }
   value = 0;
-  for (int corner = 0; corner < (1 << D); ++corner) {
-    Cell<D> cell = base;
-    double weight = 1;
-    for (int a = 0; a < D; ++a) {
-      const int up = corner >> a & 1;
-      cell[a] += up;
-      weight *= up ? s[a] : 1 - s[a];
-    }
+  return for_each_corner<D>(lattice_, x, [&](const Cell<D>& cell, double weight) {
     const std::int64_t p = layout_.slot(lattice_.wrapped(cell));
     if (p < 0 || valid_[p] == 0) return false;
     value += weight * phi_[p];
-  }
-  return true;
+    return true;
+  });
 }
 
 template class WallExtension<double, 2>;

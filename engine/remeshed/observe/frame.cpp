@@ -73,12 +73,11 @@ FrameSurface take_surface(const Boundaries<D>& boundaries,
 
 template <class T, int D>
 std::vector<std::vector<double>> wall_pressures(const State<T, D>& state,
+                                                const Surroundings<D>& around,
                                                 const kernels::RemeshedTable<T, D>& kernels) {
-  BoundaryValues<D> now;
-  now.evaluate(state.boundaries, state.clock.time);
   std::vector<std::vector<double>> pressures;
   for (const Body<T, D>& body : state.bodies) {
-    pressures.push_back(wall_pressure<T, D>(body, state.boundaries, now, kernels));
+    pressures.push_back(wall_pressure<T, D>(body, around, kernels));
   }
   return pressures;
 }
@@ -87,7 +86,9 @@ std::vector<std::vector<double>> wall_pressures(const State<T, D>& state,
 
 template <class T, int D>
 Frame take_frame(const State<T, D>& state, const kernels::RemeshedTable<T, D>& kernels,
-                 const NodeSource<T, D>& find_nodes, const FrameParts& parts) {
+                 const NodeSource<T, D>& find_nodes,
+                 const std::function<Surroundings<D>()>& find_surroundings,
+                 const FrameParts& parts) {
   const auto& bodies = state.bodies;
   const std::vector<Selection> chosen = select(state, parts.ghosts);
   Frame frame;
@@ -127,7 +128,8 @@ Frame take_frame(const State<T, D>& state, const kernels::RemeshedTable<T, D>& k
   add(Field::level_set, 1,
       [](const B& body, std::int64_t p, int) { return body.stage[0].get(Field::level_set)[p]; });
   if (parts.ghosts && state.boundaries.have_contact()) {
-    const std::vector<std::vector<double>> pressures = wall_pressures(state, kernels);
+    const std::vector<std::vector<double>> pressures =
+        wall_pressures<T, D>(state, find_surroundings(), kernels);
     std::vector<double> values;
     values.reserve(chosen.size());
     for (const Selection& s : chosen) values.push_back(pressures[s.body][s.slot]);
@@ -146,13 +148,17 @@ Frame take_frame(const State<T, D>& state, const kernels::RemeshedTable<T, D>& k
 
 template Frame take_frame<double, 2>(const State<double, 2>&,
                                      const kernels::RemeshedTable<double, 2>&,
-                                     const NodeSource<double, 2>&, const FrameParts&);
+                                     const NodeSource<double, 2>&,
+                                     const std::function<Surroundings<2>()>&, const FrameParts&);
 template Frame take_frame<double, 3>(const State<double, 3>&,
                                      const kernels::RemeshedTable<double, 3>&,
-                                     const NodeSource<double, 3>&, const FrameParts&);
+                                     const NodeSource<double, 3>&,
+                                     const std::function<Surroundings<3>()>&, const FrameParts&);
 template Frame take_frame<float, 2>(const State<float, 2>&, const kernels::RemeshedTable<float, 2>&,
-                                    const NodeSource<float, 2>&, const FrameParts&);
+                                    const NodeSource<float, 2>&,
+                                    const std::function<Surroundings<2>()>&, const FrameParts&);
 template Frame take_frame<float, 3>(const State<float, 3>&, const kernels::RemeshedTable<float, 3>&,
-                                    const NodeSource<float, 3>&, const FrameParts&);
+                                    const NodeSource<float, 3>&,
+                                    const std::function<Surroundings<3>()>&, const FrameParts&);
 
 }  // namespace pliant::remeshed

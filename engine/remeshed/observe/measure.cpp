@@ -5,6 +5,7 @@
 #include <functional>
 
 #include "engine/geometry/padded.hpp"
+#include "engine/lattice/corner_weights.hpp"
 #include "engine/method/no_value.hpp"
 #include "engine/method/velocity_error.hpp"
 #include "engine/remeshed/contact/momentum_correction.hpp"
@@ -225,23 +226,17 @@ double Measurer<T, D>::velocity_error(const MeasurementCase& m) {
 template <class T, int D>
 double Measurer<T, D>::point_value(const MeasurementCase& m) {
   const LatticeView<T, D>& view = nodes(m.body);
-  const Lattice<D>& lattice = view.body.lattice;
+  Point<D> x;
+  std::copy_n(m.point.begin(), D, x.begin());
   double value = 0, phi = 0;
-  for (int corner = 0; corner < (1 << D); ++corner) {
-    Cell<D> cell;
-    double weight = 1;
-    for (int a = 0; a < D; ++a) {
-      const double at = (m.point[a] - lattice.origin[a]) / lattice.spacing - 0.5;
-      const std::int32_t below = cell_below(at);
-      const int up = corner >> a & 1;
-      cell[a] = below + up;
-      weight *= up ? at - below : 1 - (at - below);
-    }
-    const std::int64_t p = view.population.layout.slot(lattice.wrapped(cell));
-    if (p < 0 || view.population.kind[p] == remeshed::Kind::vacant) return no_value;
+  const auto add = [&](const Cell<D>& cell, double weight) {
+    const std::int64_t p = view.population.layout.slot(view.body.lattice.wrapped(cell));
+    if (p < 0 || view.population.kind[p] == remeshed::Kind::vacant) return false;
     value += weight * field_value<T, D>(view.body, view.fields, m.field, p);
     phi += weight * view.fields.get(Field::level_set)[p];
-  }
+    return true;
+  };
+  if (!for_each_corner<D>(view.body.lattice, x, add)) return no_value;
   const bool is_outside = (view.body.has_surface && phi > 0) || is_in_wall(m.point);
   return is_outside ? no_value : value;
 }

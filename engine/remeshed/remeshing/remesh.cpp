@@ -25,8 +25,8 @@
 //     remesh: filter    high-order filter (RP.37)
 //     level set: walls  phi continued through walls
 //     level set: first order   the paper's reinitialisation, where the case asks for it (RP.74)
-//     level set: closest points   on the surface, of the nodes near it; if due, phi becomes the
-//                       distance to them (RP.41)
+//     level set: closest points   on the surface, of the nodes near it (RP.41)
+//     level set: distances   if due, phi becomes the distance to them, but near edges (RP.82)
 //     level set: layers           the same layer by layer further out (RP.40)
 //     remesh: kinds     which slots hold particles and ghosts; det F = rho0/rho (RP.38)
 //     ghosts: fits      the coefficients of the ghosts (RP.43), (RP.44)
@@ -182,9 +182,14 @@ void Remeshing<T, D>::add_level_set(PhaseRows& rows) {
             });
   if (level_set_.is_first_order()) add_first_order_passes(rows);
   rows.each("level set: closest points", near(whole(extended)),
-            own(whole(closest, 0) + with_images(new_state)), [this, block](int b) {
-              level_set_.find_closest_points(block(b), reinitialise_, kernels_);
-            });
+            own(whole(closest, 0) + with_images(new_state)),
+            [this, block](int b) { level_set_.find_closest_points(block(b), kernels_); });
+  if (!level_set_.is_first_order()) {
+    rows.each("level set: distances", near(whole(extended) + whole(closest, 0)),
+              own(with_images(new_state)), [this, block](int b) {
+                if (reinitialise_) level_set_.take_distances(block(b));
+              });
+  }
   for (int layer = 2; layer <= LevelSet<T, D>::layers; ++layer) {
     rows.at_stage(layer).each(
         "level set: layers", near(whole(extended) + whole(closest, layer % 2)),

@@ -187,28 +187,37 @@ GhostState<T, D> averaged_wall_ghost(RecordSum<T, D> mean, const VectorOf<T, D>&
   return ghost;
 }
 
-/// w.n, how fast the body leaves the wall; n the normal of the wall, into the body.
+/// What a wall is to one of its ghosts.
 template <class T, int D>
-T separation_speed(const GhostFits<T, D>& fits, const VectorOf<T, D>& wall_velocity,
-                   const VectorOf<T, D>& n) {
+struct WallSite {
+  VectorOf<T, D> velocity;  ///< of the wall [m/s]
+  VectorOf<T, D> n;         ///< its unit normal, into the body
+  T friction;  ///< coefficient of Coulomb's law; 0 slides freely, infinity never slides
+  T rise = 0;  ///< sigma_nn of the ghost less that on a wall that slides, (RP.79) [Pa]
+};
+
+/// w.n, how fast the body leaves the wall.
+template <class T, int D>
+T separation_speed(const GhostFits<T, D>& fits, const WallSite<T, D>& wall) {
   T speed = 0;
 #pragma GCC unroll 3
-  for (int i = 0; i < D; ++i) speed += n[i] * (fits.surface.velocity(i) - wall_velocity[i]);
+  for (int i = 0; i < D; ++i) speed += wall.n[i] * (fits.surface.velocity(i) - wall.velocity[i]);
   return speed;
 }
 
-/// (RP.46), (RP.51); n the normal of the wall, into the body.
+/// (RP.46), (RP.51).
 template <class T, int D>
-GhostState<T, D> wall_ghost(const GhostFits<T, D>& fits, const VectorOf<T, D>& wall_velocity,
-                            const VectorOf<T, D>& n, const Impedance<T>& impedance) {
-  const T away = separation_speed<T, D>(fits, wall_velocity, n);
+GhostState<T, D> wall_ghost(const GhostFits<T, D>& fits, const WallSite<T, D>& wall,
+                            const Impedance<T>& impedance) {
+  const VectorOf<T, D>& n = wall.n;
+  const T away = separation_speed<T, D>(fits, wall);
   GhostState<T, D> ghost;
   VectorOf<T, D> slip;
 #pragma GCC unroll 3
   for (int i = 0; i < D; ++i) {
     ghost.velocity[i] =
-        fits.constrained.velocity(i) + wall_velocity[i] * (1 - fits.constrained_sum);
-    slip[i] = fits.surface.velocity(i) - wall_velocity[i] - away * n[i];
+        fits.constrained.velocity(i) + wall.velocity[i] * (1 - fits.constrained_sum);
+    slip[i] = fits.surface.velocity(i) - wall.velocity[i] - away * n[i];
   }
 #pragma GCC unroll 3
   for (int i = 0; i < D; ++i) {
@@ -222,18 +231,18 @@ GhostState<T, D> wall_ghost(const GhostFits<T, D>& fits, const VectorOf<T, D>& w
   return ghost;
 }
 
-/// (RP.47), (RP.50), (RP.51); n the normal of the wall, into the body; `shear_load` is sigma_nt on
-/// the wall, that of friction.
+/// (RP.47), (RP.50), (RP.51); `shear_load` is sigma_nt on the wall, that of friction.
 template <class T, int D>
-GhostState<T, D> slip_wall_ghost(const GhostFits<T, D>& fits, const VectorOf<T, D>& wall_velocity,
-                                 const VectorOf<T, D>& n, const Impedance<T>& impedance,
+GhostState<T, D> slip_wall_ghost(const GhostFits<T, D>& fits, const WallSite<T, D>& wall,
+                                 const Impedance<T>& impedance,
                                  const VectorOf<T, D>& shear_load = {}) {
+  const VectorOf<T, D>& n = wall.n;
   const RecordSum<T, D>& at_wall = fits.surface;
   T jump = 0;  // of the normal velocity, from the wall to the ghost
 #pragma GCC unroll 3
   for (int i = 0; i < D; ++i) {
     const T constrained =
-        fits.constrained.velocity(i) + wall_velocity[i] * (1 - fits.constrained_sum);
+        fits.constrained.velocity(i) + wall.velocity[i] * (1 - fits.constrained_sum);
     jump += n[i] * (constrained - at_wall.velocity(i));
   }
   const VectorOf<T, D> tau = shear<T, D>(at_wall, n);
@@ -246,22 +255,21 @@ GhostState<T, D> slip_wall_ghost(const GhostFits<T, D>& fits, const VectorOf<T, 
     ghost_tau[i] += shear_load[i] * (1 - fits.constrained_sum);
   }
   VectorOf<T, D> s_n;
-  const T s_nn = traction<T, D>(at_wall, n, s_n) +
-                 impedance.pressure_wave * separation_speed<T, D>(fits, wall_velocity, n);
+  const T s_nn = traction<T, D>(at_wall, n, s_n) + wall.rise +
+                 impedance.pressure_wave * separation_speed<T, D>(fits, wall);
   ghost.stress = with_traction<T, D>(at_wall, n, s_nn, ghost_tau);
   return ghost;
 }
 
-/// n.(RP.53): pressure of a wall on the body, negative where it pulls [Pa]; n the normal of the
-/// wall, into the body.
+/// n.(RP.53): pressure of a wall on the body, negative where it pulls [Pa].
 template <class T, int D>
-T wall_pressure(const GhostFits<T, D>& fits, const VectorOf<T, D>& wall_velocity,
-                const VectorOf<T, D>& n, bool slips, const Impedance<T>& impedance) {
+T wall_pressure(const GhostFits<T, D>& fits, const WallSite<T, D>& wall, bool slips,
+                const Impedance<T>& impedance) {
   VectorOf<T, D> s_n;
-  T s_nn = traction<T, D>(fits.surface, n, s_n);
+  T s_nn = traction<T, D>(fits.surface, wall.n, s_n);
   // The mean of the ghost and of the body as far before the wall, 2 f(x_f) - f(x_g).
-  if (slips) s_nn += (s_nn - traction<T, D>(fits.linear, n, s_n)) / 2;
-  return -(s_nn + impedance.pressure_wave * separation_speed<T, D>(fits, wall_velocity, n));
+  if (slips) s_nn += (s_nn + wall.rise - traction<T, D>(fits.linear, wall.n, s_n)) / 2;
+  return -(s_nn + impedance.pressure_wave * separation_speed<T, D>(fits, wall));
 }
 
 }  // namespace pliant::kernels

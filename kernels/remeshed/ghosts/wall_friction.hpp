@@ -10,67 +10,63 @@ namespace pliant::kernels {
 
 /// The shear of (RP.53) that keeps the body from sliding along the wall [Pa].
 template <class T, int D>
-VectorOf<T, D> holding_shear(const GhostFits<T, D>& fits, const VectorOf<T, D>& wall_velocity,
-                             const VectorOf<T, D>& n, const Impedance<T>& impedance) {
-  const T away = separation_speed<T, D>(fits, wall_velocity, n);
-  VectorOf<T, D> holding = shear<T, D>(fits.surface, n);
+VectorOf<T, D> holding_shear(const GhostFits<T, D>& fits, const WallSite<T, D>& wall,
+                             const Impedance<T>& impedance) {
+  const T away = separation_speed<T, D>(fits, wall);
+  VectorOf<T, D> holding = shear<T, D>(fits.surface, wall.n);
 #pragma GCC unroll 3
   for (int i = 0; i < D; ++i) {
-    const T slip = fits.surface.velocity(i) - wall_velocity[i] - away * n[i];
+    const T slip = fits.surface.velocity(i) - wall.velocity[i] - away * wall.n[i];
     holding[i] = -holding[i] - impedance.shear_wave * slip;
   }
   return holding;
 }
 
-/// (RP.73): what a wall does to the body. `friction` is the coefficient of Coulomb's law; 0 slides
-/// freely, infinity never slides.
+/// (RP.73): what a wall does to the body.
 template <class T, int D>
 struct WallTraction {
   T pressure;                 ///< n.(RP.53), negative where the wall would pull [Pa]
   VectorOf<T, D> shear = {};  ///< along the wall [Pa]
   bool slides;
 
-  WallTraction(const GhostFits<T, D>& fits, const VectorOf<T, D>& wall_velocity,
-               const VectorOf<T, D>& n, T friction, const Impedance<T>& impedance)
-      : pressure(wall_pressure<T, D>(fits, wall_velocity, n, friction == 0, impedance)),
-        slides(friction == 0) {
+  WallTraction(const GhostFits<T, D>& fits, const WallSite<T, D>& wall,
+               const Impedance<T>& impedance)
+      : pressure(wall_pressure<T, D>(fits, wall, wall.friction == 0, impedance)),
+        slides(wall.friction == 0) {
     if (slides) return;
-    shear = holding_shear<T, D>(fits, wall_velocity, n, impedance);
+    shear = holding_shear<T, D>(fits, wall, impedance);
     T square = 0;
     for (const T component : shear) square += component * component;
     const T held = std::sqrt(square);
-    slides = std::isfinite(friction) && !(held <= friction * pressure);
+    slides = std::isfinite(wall.friction) && !(held <= wall.friction * pressure);
     if (!slides) return;
-    pressure = wall_pressure<T, D>(fits, wall_velocity, n, true, impedance);
-    const T share = held > 0 && pressure > 0 ? friction * pressure / held : T(0);
+    pressure = wall_pressure<T, D>(fits, wall, true, impedance);
+    const T share = held > 0 && pressure > 0 ? wall.friction * pressure / held : T(0);
     for (T& component : shear) component *= share;
   }
 };
 
-/// (RP.53), (RP.73): force of a wall on the body over the area [Pa]; n the normal of the wall, into
-/// the body.
+/// (RP.53), (RP.73): force of a wall on the body over the area [Pa].
 template <class T, int D>
-VectorOf<T, D> wall_force_density(const GhostFits<T, D>& fits, const VectorOf<T, D>& wall_velocity,
-                                  const VectorOf<T, D>& n, T friction,
+VectorOf<T, D> wall_force_density(const GhostFits<T, D>& fits, const WallSite<T, D>& wall,
                                   const Impedance<T>& impedance) {
-  const WallTraction<T, D> traction(fits, wall_velocity, n, friction, impedance);
+  const WallTraction<T, D> traction(fits, wall, impedance);
   VectorOf<T, D> push;
 #pragma GCC unroll 3
-  for (int i = 0; i < D; ++i) push[i] = traction.pressure * n[i] + traction.shear[i];
+  for (int i = 0; i < D; ++i) push[i] = traction.pressure * wall.n[i] + traction.shear[i];
   return push;
 }
 
-/// (RP.46) or (RP.47), as (RP.73) tells; n the normal of the wall, into the body.
+/// (RP.46) or (RP.47), as (RP.73) tells.
 template <class T, int D>
-GhostState<T, D> friction_wall_ghost(const GhostFits<T, D>& fits,
-                                     const VectorOf<T, D>& wall_velocity, const VectorOf<T, D>& n,
-                                     T friction, const Impedance<T>& impedance) {
-  const WallTraction<T, D> traction(fits, wall_velocity, n, friction, impedance);
-  if (!traction.slides) return wall_ghost<T, D>(fits, wall_velocity, n, impedance);
+GhostState<T, D> friction_wall_ghost(const GhostFits<T, D>& fits, const WallSite<T, D>& wall,
+                                     const Impedance<T>& impedance) {
+  const WallTraction<T, D> traction(fits, wall, impedance);
+  if (!traction.slides) return wall_ghost<T, D>(fits, wall, impedance);
   VectorOf<T, D> shear_load;
 #pragma GCC unroll 3
   for (int i = 0; i < D; ++i) shear_load[i] = -traction.shear[i];
-  return slip_wall_ghost<T, D>(fits, wall_velocity, n, impedance, shear_load);
+  return slip_wall_ghost<T, D>(fits, wall, impedance, shear_load);
 }
 
 }  // namespace pliant::kernels

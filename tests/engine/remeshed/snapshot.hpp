@@ -51,6 +51,7 @@ inline void add_body(Snapshot& snapshot, const LatticeView& view, Slots which) {
       add("surface fit", terms.surface);
     }
     add("contact", ghosts.contact);
+    add("edges of contact", ghosts.edge);
     add("contact height", ghosts.contact_height);
     add("contact area", ghosts.contact_area);
   }

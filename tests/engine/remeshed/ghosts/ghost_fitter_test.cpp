@@ -76,7 +76,7 @@ Fitted fitted_above(const Solver& solver, double x) {
     site.ghost = {0, ghost_height / cell_size};
     site.normal = {0, 1};
     site.surface_distance = ghost_height / cell_size;
-    fitter.fit(site, foot, nullptr);
+    fitter.fit(site, foot, nullptr, false);
   });
 }
 

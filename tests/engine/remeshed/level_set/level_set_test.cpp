@@ -40,7 +40,8 @@ struct Passes {
          ++pass) {
       each([&](const Block<D>& b) { level_set.advance(b, pass); });
     }
-    each([&](const Block<D>& b) { level_set.find_closest_points(b, reinitialise, table); });
+    each([&](const Block<D>& b) { level_set.find_closest_points(b, table); });
+    if (reinitialise) each([&](const Block<D>& b) { level_set.take_distances(b); });
     for (int layer = 2; layer <= LevelSet::layers; ++layer) {
       each([&](const Block<D>& b) { level_set.add_layer(b, layer, table); });
     }

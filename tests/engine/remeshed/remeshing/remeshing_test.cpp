@@ -195,6 +195,21 @@ double reinitialisation_error(double spacing) {
   return largest;
 }
 
+// Cubic interpolation of phi bulges beside edges: distances to its zero set made these blocks
+// grow by 2 to 8 %. A few nodes that see one face only still move by some thousandths of h.
+TEST(remeshing, that_reinitialises_leaves_the_edges_of_a_block_where_they_are) {
+  for (const char* spacing : {"0.2", "0.16", "0.11"}) {
+    Solver solver(small_case("compression_linear",
+                             {std::string("discretisation.spacing=") + spacing, "boundary=[]",
+                              "measurement=[]", "body.block.velocity=[0, 0]", "remeshing.every=1",
+                              "level_set.reinitialise_every=1"}),
+                  {1, kernels::Isa::sse2});
+    const double mass = solver.integrals().mass;
+    advance(solver, 50);
+    EXPECT_NEAR(solver.integrals().mass, mass, 5e-4 * mass) << spacing;
+  }
+}
+
 TEST(remeshing, that_reinitialises_leaves_an_exact_distance_alone_to_fourth_order) {
   const double coarse = reinitialisation_error(0.1), fine = reinitialisation_error(0.025);
   EXPECT_GT(std::log2(coarse / fine) / 2, 3.8);
