@@ -37,8 +37,7 @@ class Step {
   /// Sets how the next step advances, and the loads at its time.
   void prepare(const Advance& advance);
 
-  /// Lets contact walls and other bodies push the particles; folds the results of all blocks, in
-  /// their order, impulses and work into the state.
+  /// Folds the results of all blocks, in their order, impulses and work into the state.
   StepResult fold();
 
  private:
