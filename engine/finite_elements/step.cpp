@@ -65,6 +65,10 @@ std::vector<Phase> Step<T, D>::phases() {
             [this](int block) { nodes_.move(block); });
   nodes_.add_contact(rows, {of(displacement) + of(velocity), of(constants), of(contact_lists),
                             of(contact_places), of(contact_normals), of(touches)});
+  if (nodes_.bodies_touch()) {
+    rows.each("work", own(of(velocity) + of(constants) + of(loads)), own(of(results)),
+              [this](int block) { nodes_.end_motion(block); });
+  }
   return phases;
 }
 

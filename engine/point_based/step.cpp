@@ -26,6 +26,8 @@
 //               facets near corners, now and then; where these corners and facets are; corners
 //               that have entered another body (TL.15); impulses between the bodies, in sweeps on
 //               one thread (TL.16)
+//     work      that of loads and gravity, after contact has changed velocities: without contact,
+//               part of `motion`
 //
 // A block adds up the forces on its nodes in the order of the blocks that collected them, so that
 // the sums do not depend on the number of threads.
@@ -95,6 +97,10 @@ std::vector<Phase> Step<T, D>::phases() {
   }
   add_contact(rows, {motion, held, of(contact_lists), of(contact_places), of(contact_normals),
                      of(touches)});
+  if (bodies_touch()) {
+    rows.each("work", own(of(velocity) + of(mass) + of(constants) + of(loads)), own(of(results)),
+              run(&Step::end_motion));
+  }
   return phases;
 }
 
@@ -266,6 +272,11 @@ void Step<T, D>::move(int block) {
   inertia_[block] = inertia(block);
   kernels_.advance(work);
   work_.hold(block, body, local);
+  if (!bodies_touch()) end_motion(block);
+}
+
+template <class T, int D>
+void Step<T, D>::end_motion(int block) {
   work_.end_motion(block, loads_.power(block));
 }
 

@@ -44,8 +44,12 @@ class Step {
   void drift(int block);
   void load(int block) { loads_.load(block); }
   void move(int block);
+  /// When nothing changes velocities any more.
+  void end_motion(int block);
 
   bool loads_act() const { return loads_.act_on_blocks(); }
+  /// Whether velocities change after the motion.
+  bool bodies_touch() const { return contact_.exists() || body_contact_.exists() || has_faces(); }
   /// Adds what lets contact walls and other bodies push the nodes.
   void add_contact(PhaseRows& rows, const undeformed::ContactFields& fields);
 

@@ -19,6 +19,8 @@
 //     contact: ...      facets near corners, now and then; where these corners and facets are;
 //                       corners that have entered another body (TL.15); impulses between the
 //                       bodies, in sweeps on one thread (TL.16)
+//     work              that of loads and gravity, after contact has changed velocities: without
+//                       contact, part of `motion`
 //
 // Forces never leave the cache: a block evaluates every cell of which one of its particles is a
 // corner, so that cells between blocks are evaluated several times. As they read where particles
@@ -80,6 +82,10 @@ std::vector<Phase> Step<T, D>::phases() {
   }
   body_contact_.add_phases(rows, {motion, held, of(contact_lists), of(contact_places),
                                   of(contact_normals), of(touches)});
+  if (bodies_touch()) {
+    rows.each("work", near(of(patch_forces)) + own(of(velocity) + of(tractions) + held),
+              own(of(results)), [this](int block) { boundary_forces_.end_motion(block); });
+  }
   return phases;
 }
 
@@ -221,7 +227,8 @@ void Step<T, D>::move(int block) {
   for (int a = 0; a < D; ++a) work.force[a] = force[a].get();
   boundary_forces_.begin_motion(block);
   results_[block] = kernels_.advance_motion(work);
-  boundary_forces_.end_motion(block);
+  boundary_forces_.hold(block);
+  if (!bodies_touch()) boundary_forces_.end_motion(block);
 }
 
 template class Step<double, 2>;

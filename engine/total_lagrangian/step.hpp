@@ -42,6 +42,7 @@ class Step {
 
  private:
   void prepare_contact();
+  bool bodies_touch() const { return contact_.exists() || body_contact_.exists(); }
   void list_memory(std::size_t body);
   kernels::CellViscosity<T> viscosity(int body);
   void set_cells(const Body<T, D>& body, int local, kernels::Motion<T, D>& work) const;

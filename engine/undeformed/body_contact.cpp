@@ -188,7 +188,6 @@ template <class T, int D>
 void BodyContact<T, D>::meet(const Side& side, Found& found) {
   for (const Touch<D>& touch : found.touches) {
     Meeting meeting{&side, &found.shares, touch, found.shares.size(), 0, 0, 0, 0, {}};
-    find_point(meeting, found.shares);
     meet_before(meeting, found.shares);
     const auto sum = [&](const HeldDirections<D>& of_corners, const HeldDirections<D>& of_facets) {
       return compliance<T, D>(side.corners.body(), of_corners, corner_shares(meeting),
@@ -207,20 +206,20 @@ void BodyContact<T, D>::meet(const Side& side, Found& found) {
   }
 }
 
-template <class T, int D>
-void BodyContact<T, D>::find_point(Meeting& meeting, std::vector<Share>& shares) {
-  shares.resize(meeting.first_share);
-  append_shares<D>(meeting.side->facets.surface(), meeting.touch, shares);
-  meeting.end_share = shares.size();
-}
-
 // The corner pushes the point that it faced when the forces of the step acted: without slip the two
 // are one, and with it the pair exerts no torque.
 template <class T, int D>
 void BodyContact<T, D>::meet_before(Meeting& meeting, std::vector<Share>& shares) {
   Touch<D>& touch = meeting.touch;
-  const std::array<Point<D>, D> c = meeting.side->facets.places(touch.facet);
-  const Point<D> w = slip(meeting);
+  const Surface& facets = meeting.side->facets;
+  const std::array<Point<D>, D> c = facets.places(touch.facet);
+  Point<D> w = carried<T, D>(meeting.side->corners.body().velocity, corner_shares(meeting));
+  for (int v = 0; v < D; ++v) {
+    if (touch.weight[v] == 0) continue;
+    const Point<D> u = carried<T, D>(
+        facets.body().velocity, facets.surface().shares(facets.surface().facet[touch.facet][v]));
+    for (int a = 0; a < D; ++a) w[a] -= touch.weight[v] * u[a];
+  }
   const double speed = dot<D>(w, touch.normal);
   Point<D> before;
   for (int a = 0; a < D; ++a) {
@@ -228,7 +227,9 @@ void BodyContact<T, D>::meet_before(Meeting& meeting, std::vector<Share>& shares
     for (int v = 0; v < D; ++v) before[a] += touch.weight[v] * c[v][a];
   }
   touch.weight = nearest_weights(c, before);
-  find_point(meeting, shares);
+  shares.resize(meeting.first_share);
+  append_shares<D>(facets.surface(), touch, shares);
+  meeting.end_share = shares.size();
 }
 
 template <class T, int D>

@@ -58,6 +58,9 @@ class BodyContact {
   /// by friction to the state.
   void add_phases(PhaseRows& rows, const ContactFields& fields);
 
+  /// Whether the case has contacts.
+  bool exists() const { return !sides_.empty(); }
+
   /// A corner that lies deeper than the way out is known for.
   std::optional<Overlap> deepest() const;
 
@@ -109,7 +112,6 @@ class BodyContact {
   void search(int block);
   void sweep();
   void meet(const Side& side, Found& found);
-  void find_point(Meeting& meeting, std::vector<Share>& shares);
   void meet_before(Meeting& meeting, std::vector<Share>& shares);
   void push(Meeting& meeting);
   Point<D> relative(const Meeting& meeting, const std::array<Buffer<T>, D>& of_corner,

@@ -26,6 +26,19 @@ Box<D> box_around(const std::vector<Point<D>>& places) {
   return box;
 }
 
+/// Whether all of a facet is farther away than `distance`, by its first corner.
+template <int D>
+bool is_beyond(const std::array<Point<D>, D>& c, const Point<D>& x, double distance) {
+  double size = 0;
+  for (int v = 1; v < D; ++v) {
+    const Point<D> side = difference<D>(c[v], c[0]);
+    size = std::max(size, dot<D>(side, side));
+  }
+  const double reach = (distance + std::sqrt(size)) / without_rounding;
+  const Point<D> r = difference<D>(x, c[0]);
+  return dot<D>(r, r) > reach * reach;
+}
+
 }  // namespace
 
 std::array<double, 2> nearest_weights(const std::array<Point<2>, 2>& c, const Point<2>& x) {
@@ -145,6 +158,7 @@ bool CornerSearch<T, D>::finds(std::int32_t corner, std::span<const std::int32_t
     const double height = facets_.height(f, x);
     if (std::abs(height) >= nearest) continue;
     const std::array<Point<D>, D> c = facets_.places(f);
+    if (is_beyond<D>(c, x, nearest)) continue;
     const Point<D>& normal = facets_.facet_normal(f);
     const std::array<double, D> weight = nearest_weights(c, x);
     Point<D> from_facet = x;

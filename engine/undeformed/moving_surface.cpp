@@ -61,12 +61,15 @@ MovingSurface<T, D>::MovingSurface(Body<T, D>& body, Displacements<T, D> moved,
   place_.resize(surface_.corners());
   normal_.resize(surface_.facet.size());
   is_corner_watched_.resize(place_.size());
+  is_ring_watched_.resize(place_.size());
   is_facet_watched_.resize(normal_.size());
 }
 
 template <class T, int D>
 void MovingSurface<T, D>::watch_none() {
-  for (const std::int32_t corner : watched_corners_) is_corner_watched_[corner] = false;
+  for (const std::int32_t corner : watched_corners_) {
+    is_corner_watched_[corner] = is_ring_watched_[corner] = false;
+  }
   for (const std::int32_t facet : watched_facets_) is_facet_watched_[facet] = false;
   watched_corners_.clear();
   watched_facets_.clear();
@@ -74,6 +77,8 @@ void MovingSurface<T, D>::watch_none() {
 
 template <class T, int D>
 void MovingSurface<T, D>::watch(std::int32_t corner) {
+  if (is_ring_watched_[corner]) return;
+  is_ring_watched_[corner] = true;
   watch_corner(corner);
   for (std::int32_t i = first_around_[corner]; i < first_around_[corner + 1]; ++i) {
     const std::int32_t facet = around_[i];

@@ -80,6 +80,7 @@ class MovingSurface {
   std::vector<Point<D>> normal_;                     ///< [facet]
   std::vector<std::int32_t> watched_corners_, watched_facets_;
   std::vector<bool> is_corner_watched_, is_facet_watched_;
+  std::vector<bool> is_ring_watched_;  ///< [corner] all facets around it
 };
 
 extern template class MovingSurface<double, 2>;
