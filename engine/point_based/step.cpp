@@ -93,7 +93,7 @@ std::vector<Phase> Step<T, D>::phases() {
             own(of(own_forces) + of(velocity) + of(displacement) + of(results)), run(&Step::move));
   const Resources motion = of(displacement) + of(velocity), held = of(constants) + of(mass);
   if (has_faces()) {
-    rows.reduce("cut faces", all(held), all(motion), [this] { meet_faces(); });
+    rows.reduce("cut faces", all(motion + held), all(motion), [this] { meet_faces(); });
   }
   add_contact(rows, {motion, held, of(contact_lists), of(contact_places), of(contact_normals),
                      of(touches)});
@@ -107,7 +107,7 @@ std::vector<Phase> Step<T, D>::phases() {
 template <class T, int D>
 void Step<T, D>::add_contact(PhaseRows& rows, const undeformed::ContactFields& fields) {
   if (contact_.exists()) {
-    rows.reduce("contact walls", all(fields.constants), all(fields.motion), [this] {
+    rows.reduce("contact walls", all(fields.motion + fields.constants), all(fields.motion), [this] {
       contact_.apply(advance_.time, advance_.length, advance_.length, drift_length());
     });
   }

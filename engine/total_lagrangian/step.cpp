@@ -76,7 +76,7 @@ std::vector<Phase> Step<T, D>::phases() {
             [this](int block) { move(block); });
   const Resources motion = of(next) + of(velocity), held = of(constants) + of(surface);
   if (contact_.exists()) {
-    rows.reduce("contact walls", all(held), all(motion), [this] {
+    rows.reduce("contact walls", all(motion + held), all(motion), [this] {
       contact_.apply(advance_.time, advance_.kick(), advance_.length, advance_.length);
     });
   }

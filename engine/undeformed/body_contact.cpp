@@ -81,7 +81,7 @@ void BodyContact<T, D>::add_phases(PhaseRows& rows, const ContactFields& fields)
   rows.each("contact: search",
             all(fields.motion + fields.constants + fields.lists + fields.places + fields.normals),
             own(fields.touches), [this](int block) { search(block); });
-  rows.reduce("contact: sweeps", all(fields.constants + fields.touches),
+  rows.reduce("contact: sweeps", all(fields.motion + fields.constants + fields.touches),
               all(fields.motion + fields.touches), [this] { sweep(); });
 }
 
