@@ -23,10 +23,23 @@ enum class Field {
   own_sum,
   halo_sum,
   pressure,
+  contact_list,
+  contact_place,
+  contact_normal,
+  touch,
   result
 };
 
-enum class IndexSpace { node, element, halo, constrained_node, block };
+enum class IndexSpace {
+  node,
+  element,
+  halo,
+  constrained_node,
+  contact,
+  contact_corner,
+  contact_facet,
+  block
+};
 
 inline constexpr Table index_spaces(
     &IndexSpaceDeclaration<IndexSpace>::space, IndexSpace::block,
@@ -36,6 +49,10 @@ inline constexpr Table index_spaces(
         {IndexSpace::halo, "halo",
          "a node of another block at a corner of an element of the block"},
         {IndexSpace::constrained_node, "constrained node", "a node whose velocity a wall sets"},
+        {IndexSpace::contact, "contact", "two bodies that a contact names"},
+        {IndexSpace::contact_corner, "contact corner",
+         "a corner of a surface that another one may touch"},
+        {IndexSpace::contact_facet, "contact facet", "a piece of such a surface"},
         {IndexSpace::block, "block", "the nodes that one worker takes at a time"},
     });
 
@@ -49,6 +66,10 @@ enum class Group {
   own_sums,
   halo_sums,
   pressures,
+  contact_lists,
+  contact_places,
+  contact_normals,
+  touches,
   results
 };
 
@@ -79,6 +100,10 @@ inline constexpr Table field_list = [] {
       {F::own_sum, "f", "own_sum", "N", vector, S::node, G::own_sums},
       {F::halo_sum, "f", "halo_sum", "N", vector, S::halo, G::halo_sums},
       {F::pressure, "p", "pressure", "Pa", scalar, S::node, G::pressures},
+      {F::contact_list, "", "contact_list", "1", list, S::contact, G::contact_lists},
+      {F::contact_place, "x_v", "contact_place", "m", list, S::contact_corner, G::contact_places},
+      {F::contact_normal, "n", "contact_normal", "1", list, S::contact_facet, G::contact_normals},
+      {F::touch, "g, n, J", "touch", "m, 1, N s", list, S::block, G::touches},
       {F::result, "", "result", "1", list, S::block, G::results},
   });
 }();
@@ -95,6 +120,10 @@ inline constexpr Table group_list(&GroupDeclaration<Group>::group, Group::result
                                       {Group::own_sums, "own sums"},
                                       {Group::halo_sums, "halo sums"},
                                       {Group::pressures, "pressures"},
+                                      {Group::contact_lists, "contact lists"},
+                                      {Group::contact_places, "contact places"},
+                                      {Group::contact_normals, "contact normals"},
+                                      {Group::touches, "touches"},
                                       {Group::results, "results"},
                                   });
 

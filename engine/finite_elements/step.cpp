@@ -15,6 +15,7 @@
 //     forces      F of each element, the stress, and the forces on its corners (FE.1)-(FE.5)
 //     motion      the force on each node; velocity and displacement (PB.10); the velocity that
 //                 walls set, and the work of walls and loads
+//     contact ...     as in the point-based method (TL.12), (TL.15), (TL.16)
 //
 // With plain elements there is no phase for the dilatation and none for the pressure. Nodes add up
 // what several blocks have collected for them in the order of the blocks.
@@ -62,6 +63,12 @@ std::vector<Phase> Step<T, D>::phases() {
                 own(of(own_sums) + of(constants) + of(loads) + of(velocity) + of(displacement)),
             own(of(own_sums) + of(velocity) + of(displacement) + of(results)),
             [this](int block) { nodes_.move(block); });
+  nodes_.add_contact(rows, {of(displacement) + of(velocity), of(constants), of(contact_lists),
+                            of(contact_places), of(contact_normals), of(touches)});
+  if (nodes_.bodies_touch()) {
+    rows.each("work", own(of(velocity) + of(constants) + of(loads)), own(of(results)),
+              [this](int block) { nodes_.end_motion(block); });
+  }
   return phases;
 }
 

@@ -24,8 +24,7 @@ class Step {
   /// Sets how the next step advances, and the loads at the time of its kick.
   void prepare(const undeformed::Advance& advance);
 
-  /// Lets contact walls push the nodes; folds the results of all blocks, in their order, impulses
-  /// and work into the state.
+  /// Folds the results of all blocks, in their order, impulses and work into the state.
   undeformed::StepResult fold();
 
  private:

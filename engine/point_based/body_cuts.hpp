@@ -41,6 +41,8 @@ class BodyCuts {
   /// Pushes the faces of cuts apart where they have moved into each other in a step of `length`
   /// [s], for `drift` [s] of it at the velocities that the nodes have now.
   void meet(Body<T, D>& body, double length, double drift);
+  /// Whether they can.
+  bool faces_meet() const { return !!faces_; }
   /// Relaxes the gradients that nodes of a block have kept, by one step, and lets its bonds follow
   /// the blades. Blocks do not depend on each other.
   void update(int block, Body<T, D>& body);

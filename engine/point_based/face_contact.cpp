@@ -168,9 +168,9 @@ void FaceContact<T, D>::push(Body<T, D>& body, const Side& above, const Faces& f
     impulse[a] = (pushed * n[a] - taken * slip[a]) / soft;
     moved[a] = (-faces.gap * n[a] - drift * taken * slip[a]) / soft;
   }
-  undeformed::push<T, D>(body, held_, above.shares(), impulse, moved);
+  undeformed::push<T, D>(body, body.displacement, held_, above.shares(), impulse, moved);
   for (int a = 0; a < D; ++a) impulse[a] = -impulse[a], moved[a] = -moved[a];
-  undeformed::push<T, D>(body, held_, faces.below.shares(), impulse, moved);
+  undeformed::push<T, D>(body, body.displacement, held_, faces.below.shares(), impulse, moved);
 }
 
 template <class T, int D>

@@ -29,10 +29,23 @@ enum class Field {
   point,
   own_force,
   halo_force,
+  contact_list,
+  contact_place,
+  contact_normal,
+  touch,
   result
 };
 
-enum class IndexSpace { node, bond, halo, constrained_node, block };
+enum class IndexSpace {
+  node,
+  bond,
+  halo,
+  constrained_node,
+  contact,
+  contact_corner,
+  contact_facet,
+  block
+};
 
 inline constexpr Table index_spaces(
     &IndexSpaceDeclaration<IndexSpace>::space, IndexSpace::block,
@@ -42,6 +55,10 @@ inline constexpr Table index_spaces(
         {IndexSpace::halo, "halo",
          "a node of another block that a node of the block has as neighbour"},
         {IndexSpace::constrained_node, "constrained node", "a node whose velocity a wall sets"},
+        {IndexSpace::contact, "contact", "two bodies that a contact names"},
+        {IndexSpace::contact_corner, "contact corner",
+         "a corner of a surface that another one may touch"},
+        {IndexSpace::contact_facet, "contact facet", "a piece of such a surface"},
         {IndexSpace::block, "block", "the nodes that one worker takes at a time"},
     });
 
@@ -56,6 +73,10 @@ enum class Group {
   points,
   own_forces,
   halo_forces,
+  contact_lists,
+  contact_places,
+  contact_normals,
+  touches,
   results
 };
 
@@ -92,6 +113,10 @@ inline constexpr Table field_list = [] {
       {F::point, "d", "point", "m", list, S::node, G::points},
       {F::own_force, "f", "own_force", "N", vector, S::node, G::own_forces},
       {F::halo_force, "f", "halo_force", "N", vector, S::halo, G::halo_forces},
+      {F::contact_list, "", "contact_list", "1", list, S::contact, G::contact_lists},
+      {F::contact_place, "x_v", "contact_place", "m", list, S::contact_corner, G::contact_places},
+      {F::contact_normal, "n", "contact_normal", "1", list, S::contact_facet, G::contact_normals},
+      {F::touch, "g, n, J", "touch", "m, 1, N s", list, S::block, G::touches},
       {F::result, "", "result", "1", list, S::block, G::results},
   });
 }();
@@ -109,6 +134,10 @@ inline constexpr Table group_list(&GroupDeclaration<Group>::group, Group::result
                                       {Group::points, "points"},
                                       {Group::own_forces, "own forces"},
                                       {Group::halo_forces, "halo forces"},
+                                      {Group::contact_lists, "contact lists"},
+                                      {Group::contact_places, "contact places"},
+                                      {Group::contact_normals, "contact normals"},
+                                      {Group::touches, "touches"},
                                       {Group::results, "results"},
                                   });
 

@@ -19,6 +19,15 @@
 //               blocks
 //     motion    the force on each node; velocity and displacement (PB.10); the velocity that walls
 //               set, and the work of walls and loads
+//     cut faces, contact walls
+//               nodes that have passed a face of a cut or entered a wall are pushed back (PB.20),
+//               (TL.12)
+//     contact: ...
+//               facets near corners, now and then; where these corners and facets are; corners
+//               that have entered another body (TL.15); impulses between the bodies, in sweeps on
+//               one thread (TL.16)
+//     work      that of loads and gravity, after contact has changed velocities: without contact,
+//               part of `motion`
 //
 // A block adds up the forces on its nodes in the order of the blocks that collected them, so that
 // the sums do not depend on the number of threads.
@@ -35,8 +44,8 @@ Step<T, D>::Step(State<T, D>& state, const Case& settings,
       kernels_(kernels),
       loads_(state, settings),
       work_(state),
-      contact_(state, settings),
-      body_contact_(state, settings) {}
+      contact_(state, settings, &Body<T, D>::displacement),
+      body_contact_(state, settings, &Body<T, D>::displacement) {}
 
 template <class T, int D>
 double Step<T, D>::drift_length() const {
@@ -82,7 +91,41 @@ std::vector<Phase> Step<T, D>::phases() {
             near(of(halo_forces)) + own(of(own_forces) + of(mass) + of(constants) + of(loads) +
                                         of(velocity) + of(displacement)),
             own(of(own_forces) + of(velocity) + of(displacement) + of(results)), run(&Step::move));
+  const Resources motion = of(displacement) + of(velocity), held = of(constants) + of(mass);
+  if (has_faces()) {
+    rows.reduce("cut faces", all(motion + held), all(motion), [this] { meet_faces(); });
+  }
+  add_contact(rows, {motion, held, of(contact_lists), of(contact_places), of(contact_normals),
+                     of(touches)});
+  if (bodies_touch()) {
+    rows.each("work", own(of(velocity) + of(mass) + of(constants) + of(loads)), own(of(results)),
+              run(&Step::end_motion));
+  }
   return phases;
+}
+
+template <class T, int D>
+void Step<T, D>::add_contact(PhaseRows& rows, const undeformed::ContactFields& fields) {
+  if (contact_.exists()) {
+    rows.reduce("contact walls", all(fields.motion + fields.constants), all(fields.motion), [this] {
+      contact_.apply(advance_.time, advance_.length, advance_.length, drift_length());
+    });
+  }
+  body_contact_.add_phases(rows, fields);
+}
+
+template <class T, int D>
+bool Step<T, D>::has_faces() const {
+  return std::any_of(state_.cuts.begin(), state_.cuts.end(),
+                     [](const auto& of_body) { return of_body && of_body->faces_meet(); });
+}
+
+template <class T, int D>
+void Step<T, D>::meet_faces() {
+  for (std::size_t b = 0; b < state_.cuts.size(); ++b) {
+    if (!state_.cuts[b]) continue;
+    state_.cuts[b]->meet(state_.bodies[b], advance_.length, drift_length());
+  }
 }
 
 template <class T, int D>
@@ -100,6 +143,7 @@ void Step<T, D>::prepare(const Advance& advance) {
   const double middle = advance.time + advance.length / 2;
   loads_.prepare(is_leapfrog(settings_) ? middle : advance.time);
   work_.prepare(middle, advance.length, drift_length());
+  body_contact_.prepare(advance.length, advance.length, drift_length());
 }
 
 // Where cuts open a body, any of its nodes may come to lie on its surface.
@@ -143,12 +187,7 @@ StepResult Step<T, D>::fold() {
     blade.work += advance_.length * blade.power;
   }
   work_.fold(inertia);
-  for (std::size_t b = 0; b < state_.cuts.size(); ++b) {
-    if (!state_.cuts[b]) continue;
-    state_.cuts[b]->meet(state_.bodies[b], advance_.length, drift_length());
-  }
-  contact_.apply(advance_.time, advance_.length, advance_.length, drift_length());
-  result.overlap = body_contact_.apply(advance_.length, advance_.length, drift_length());
+  result.overlap = body_contact_.deepest();
   return result;
 }
 
@@ -233,6 +272,11 @@ void Step<T, D>::move(int block) {
   inertia_[block] = inertia(block);
   kernels_.advance(work);
   work_.hold(block, body, local);
+  if (!bodies_touch()) end_motion(block);
+}
+
+template <class T, int D>
+void Step<T, D>::end_motion(int block) {
   work_.end_motion(block, loads_.power(block));
 }
 

@@ -37,21 +37,28 @@ class Step {
   /// Sets how the next step advances, and the loads at the time of its kick; moves the blades on.
   void prepare(const Advance& advance);
 
-  /// Lets contact walls and other bodies push the nodes; folds the results of all blocks, in their
-  /// order, impulses and work into the state.
+  /// Folds the results of all blocks, in their order, impulses and work into the state.
   StepResult fold();
 
   // What phases do to a block.
   void drift(int block);
   void load(int block) { loads_.load(block); }
   void move(int block);
+  /// When nothing changes velocities any more.
+  void end_motion(int block);
 
   bool loads_act() const { return loads_.act_on_blocks(); }
+  /// Whether velocities change after the motion.
+  bool bodies_touch() const { return contact_.exists() || body_contact_.exists() || has_faces(); }
+  /// Adds what lets contact walls and other bodies push the nodes.
+  void add_contact(PhaseRows& rows, const undeformed::ContactFields& fields);
 
  private:
   void cut(int block);
   void evaluate_forces(int block);
   void prepare_contact();
+  bool has_faces() const;
+  void meet_faces();
   /// Sum of m u^2 of a block, where damping needs it [J].
   double inertia(int block);
 

@@ -170,9 +170,13 @@ void BoundaryForces<T, D>::begin_motion(int block) {
 }
 
 template <class T, int D>
-void BoundaryForces<T, D>::end_motion(int block) {
+void BoundaryForces<T, D>::hold(int block) {
   const Owned owned = owner(block);
   work_.hold(block, owned.body, owned.local, owned.body.end_displacement);
+}
+
+template <class T, int D>
+void BoundaryForces<T, D>::end_motion(int block) {
   work_.end_motion(block, power_of(block));
 }
 

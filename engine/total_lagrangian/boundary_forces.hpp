@@ -31,6 +31,8 @@ class BoundaryForces {
   /// Before the particles of a block move.
   void begin_motion(int block);
   /// After that: constrained particles follow their walls.
+  void hold(int block);
+  /// When nothing changes velocities any more: the work of loads and gravity.
   void end_motion(int block);
 
   /// Adds impulses and work of the step to the state, in the order of the blocks; `inertia` is the

@@ -28,12 +28,27 @@ enum class Field {
   patch_force,
   constrained_particle,
   nodal_load,
+  contact_list,
+  contact_place,
+  contact_normal,
+  touch,
   result
 };
 
 /// Particles are nodes of the lattice of the undeformed body, stress points its cells. Each cell
 /// has the number of the slot at its lower corner.
-enum class IndexSpace { particle, cell, facet, patch, constrained_particle, nodal_load, block };
+enum class IndexSpace {
+  particle,
+  cell,
+  facet,
+  patch,
+  constrained_particle,
+  nodal_load,
+  contact,
+  contact_corner,
+  contact_facet,
+  block
+};
 
 inline constexpr Table index_spaces(
     &IndexSpaceDeclaration<IndexSpace>::space, IndexSpace::block,
@@ -45,6 +60,10 @@ inline constexpr Table index_spaces(
         {IndexSpace::constrained_particle, "constrained particle",
          "a particle whose velocity a wall sets"},
         {IndexSpace::nodal_load, "nodal load", "a particle and the patches that load it"},
+        {IndexSpace::contact, "contact", "two bodies that a contact names"},
+        {IndexSpace::contact_corner, "contact corner",
+         "a corner of a surface that another one may touch"},
+        {IndexSpace::contact_facet, "contact facet", "a piece of such a surface"},
         {IndexSpace::block, "block", "the slots that one worker takes at a time"},
     });
 
@@ -59,6 +78,10 @@ enum class Group {
   next,
   surface,
   patch_forces,
+  contact_lists,
+  contact_places,
+  contact_normals,
+  touches,
   results
 };
 
@@ -94,6 +117,10 @@ inline constexpr Table field_list = [] {
       {F::patch_force, "", "patch_force", "N", vector, S::patch, G::patch_forces},
       {F::constrained_particle, "n", "constrained_particle", "1", list, S::constrained_particle, G::surface},
       {F::nodal_load, "", "nodal_load", "1", list, S::nodal_load, G::surface},
+      {F::contact_list, "", "contact_list", "1", list, S::contact, G::contact_lists},
+      {F::contact_place, "x_v", "contact_place", "m", list, S::contact_corner, G::contact_places},
+      {F::contact_normal, "n", "contact_normal", "1", list, S::contact_facet, G::contact_normals},
+      {F::touch, "g, n, J", "touch", "m, 1, N s", list, S::block, G::touches},
       {F::result, "c, omega^2", "result", "m/s, 1/s^2", list, S::block, G::results},
   });
 }();
@@ -111,6 +138,10 @@ inline constexpr Table group_list(&GroupDeclaration<Group>::group, Group::result
                                       {Group::next, "next d, p_i, J"},
                                       {Group::surface, "surface"},
                                       {Group::patch_forces, "patch forces"},
+                                      {Group::contact_lists, "contact lists"},
+                                      {Group::contact_places, "contact places"},
+                                      {Group::contact_normals, "contact normals"},
+                                      {Group::touches, "touches"},
                                       {Group::results, "results"},
                                   });
 

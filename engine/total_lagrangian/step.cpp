@@ -15,6 +15,12 @@
 //                       corners of their cells, the stress, and its force on those corners
 //                       (TL.2)-(TL.6); velocity and displacement by central differences with
 //                       damping (TL.8); the velocity that walls set
+//     contact walls     corners of the surface that have entered one are pushed back (TL.12)
+//     contact: ...      facets near corners, now and then; where these corners and facets are;
+//                       corners that have entered another body (TL.15); impulses between the
+//                       bodies, in sweeps on one thread (TL.16)
+//     work              that of loads and gravity, after contact has changed velocities: without
+//                       contact, part of `motion`
 //
 // Forces never leave the cache: a block evaluates every cell of which one of its particles is a
 // corner, so that cells between blocks are evaluated several times. As they read where particles
@@ -35,8 +41,8 @@ Step<T, D>::Step(State<T, D>& state, const Case& settings,
       settings_(settings),
       kernels_(kernels),
       boundary_forces_(state, settings),
-      contact_(state, settings),
-      body_contact_(state, settings),
+      contact_(state, settings, &Body<T, D>::end_displacement),
+      body_contact_(state, settings, &Body<T, D>::end_displacement),
       workers_(workers) {}
 
 template <class T, int D>
@@ -68,6 +74,18 @@ std::vector<Phase> Step<T, D>::phases() {
                 own(of(tractions) + of(surface) + of(internal_forces) + of(velocity) + of(next)),
             own(of(internal_forces) + of(velocity) + of(next) + of(results)),
             [this](int block) { move(block); });
+  const Resources motion = of(next) + of(velocity), held = of(constants) + of(surface);
+  if (contact_.exists()) {
+    rows.reduce("contact walls", all(motion + held), all(motion), [this] {
+      contact_.apply(advance_.time, advance_.kick(), advance_.length, advance_.length);
+    });
+  }
+  body_contact_.add_phases(rows, {motion, held, of(contact_lists), of(contact_places),
+                                  of(contact_normals), of(touches)});
+  if (bodies_touch()) {
+    rows.each("work", near(of(patch_forces)) + own(of(velocity) + of(tractions) + held),
+              own(of(results)), [this](int block) { boundary_forces_.end_motion(block); });
+  }
   return phases;
 }
 
@@ -103,6 +121,7 @@ template <class T, int D>
 void Step<T, D>::prepare(const Advance& advance) {
   advance_ = advance;
   boundary_forces_.prepare(advance.time, advance.kick(), advance.length);
+  body_contact_.prepare(advance.kick(), advance.length, advance.length);
   for (std::size_t b = 0; b < state_.bodies.size(); ++b) {
     const Body<T, D>& body = state_.bodies[b];
     list_memory(b);
@@ -131,8 +150,7 @@ StepResult Step<T, D>::fold() {
   }
   if (stiffness > 0 && inertia > 0) result.rayleigh = stiffness / inertia;
   boundary_forces_.fold(inertia);
-  contact_.apply(advance_.time, advance_.kick(), advance_.length, advance_.length);
-  result.overlap = body_contact_.apply(advance_.kick(), advance_.length, advance_.length);
+  result.overlap = body_contact_.deepest();
   return result;
 }
 
@@ -209,7 +227,8 @@ void Step<T, D>::move(int block) {
   for (int a = 0; a < D; ++a) work.force[a] = force[a].get();
   boundary_forces_.begin_motion(block);
   results_[block] = kernels_.advance_motion(work);
-  boundary_forces_.end_motion(block);
+  boundary_forces_.hold(block);
+  if (!bodies_touch()) boundary_forces_.end_motion(block);
 }
 
 template class Step<double, 2>;

@@ -37,12 +37,12 @@ class Step {
   /// Sets how the next step advances, and the loads at its time.
   void prepare(const Advance& advance);
 
-  /// Lets contact walls and other bodies push the particles; folds the results of all blocks, in
-  /// their order, impulses and work into the state.
+  /// Folds the results of all blocks, in their order, impulses and work into the state.
   StepResult fold();
 
  private:
   void prepare_contact();
+  bool bodies_touch() const { return contact_.exists() || body_contact_.exists(); }
   void list_memory(std::size_t body);
   kernels::CellViscosity<T> viscosity(int body);
   void set_cells(const Body<T, D>& body, int local, kernels::Motion<T, D>& work) const;

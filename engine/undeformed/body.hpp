@@ -48,14 +48,20 @@ struct Body {
   bool is_particle(std::int64_t slot) const { return mass[slot] > 0; }
 
   /// Where a point of the surface is at present [m].
-  Point<D> position(const Vertex<D>& v) const {
+  Point<D> position(const Vertex<D>& v) const { return position(v, displacement); }
+  /// Where it is with these displacements [m].
+  Point<D> position(const Vertex<D>& v, const std::array<Buffer<T>, D>& displaced) const {
     Point<D> x = v.start;
     for (int a = 0; a < D; ++a) {
-      x[a] += (1 - v.along) * displacement[a][v.first] + v.along * displacement[a][v.second];
+      x[a] += (1 - v.along) * displaced[a][v.first] + v.along * displaced[a][v.second];
     }
     return x;
   }
 };
+
+/// The member of a body with the displacements that a step leaves behind.
+template <class T, int D>
+using Displacements = std::array<Buffer<T>, D> Body<T, D>::*;
 
 /// Normal of a segment or a triangle, its length the area [m^(D-1)].
 template <int D>

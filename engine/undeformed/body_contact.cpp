@@ -39,11 +39,51 @@ void append_shares(const ContactSurface<D>& surface, const Touch<D>& touch,
   shares.erase(last + 1, shares.end());
 }
 
+/// Calls f(part, first, end) for what one of `shares` equal shares takes of lists of these sizes,
+/// which follow each other.
+template <class Parts, class Size, class F>
+void for_share(const Parts& parts, std::size_t share, std::size_t shares, Size size, F f) {
+  std::size_t all = 0;
+  for (const auto& part : parts) all += size(*part);
+  const std::size_t begin = all * share / shares, end = all * (share + 1) / shares;
+  std::size_t first = 0;
+  for (const auto& part : parts) {
+    const std::size_t next = first + size(*part);
+    const std::size_t from = std::max(begin, first), to = std::min(end, next);
+    if (from < to) f(*part, from - first, to - first);
+    first = next;
+  }
+}
+
 }  // namespace
 
 template <class T, int D>
-BodyContact<T, D>::BodyContact(State<D>& state, const Case& settings)
-    : state_(state), settings_(settings) {}
+BodyContact<T, D>::BodyContact(State<D>& state, const Case& settings, Displacements<T, D> moved)
+    : state_(state), settings_(settings), moved_(moved) {}
+
+template <class T, int D>
+void BodyContact<T, D>::prepare(double kick, double length, double drift) {
+  kick_ = kick;
+  length_ = length;
+  drift_ = drift;
+}
+
+template <class T, int D>
+void BodyContact<T, D>::add_phases(PhaseRows& rows, const ContactFields& fields) {
+  if (sides_.empty()) return;
+  found_.resize(state_.blocks.size());
+  rows.reduce("contact: lists", all(fields.motion),
+              all(fields.lists + fields.places + fields.normals), [this] { look(); });
+  rows.each("contact: places", all(fields.motion + fields.lists), own(fields.places),
+            [this](int block) { find_places(block); });
+  rows.each("contact: normals", all(fields.places + fields.lists), own(fields.normals),
+            [this](int block) { find_normals(block); });
+  rows.each("contact: search",
+            all(fields.motion + fields.constants + fields.lists + fields.places + fields.normals),
+            own(fields.touches), [this](int block) { search(block); });
+  rows.reduce("contact: sweeps", all(fields.motion + fields.constants + fields.touches),
+              all(fields.motion + fields.touches), [this] { sweep(); });
+}
 
 template <class T, int D>
 void BodyContact<T, D>::face_each_other() {
@@ -84,31 +124,71 @@ void BodyContact<T, D>::list() {
     double& free = approaches_[side->contact].free;
     free = std::min(free, side->search.list());
   }
+  for (const auto& surface : surfaces_) surface->watch_none();
+  for (const auto& side : sides_) side->search.watch(side->corners, side->facets);
   has_lists_ = true;
 }
 
 template <class T, int D>
-std::optional<Overlap> BodyContact<T, D>::apply(double kick, double length, double drift) {
-  if (sides_.empty()) return std::nullopt;
+void BodyContact<T, D>::look() {
   if (!lists_last()) list();
-  meetings_.clear();
-  shares_.clear();
-  for (const auto& side : sides_) meet(*side, length, drift);
-  for (int sweep = 0; sweep < meeting_sweeps; ++sweep) {
-    for (Meeting& meeting : meetings_) push(meeting, drift);
-  }
-  add_totals(kick);
-  return deepest();
+  may_touch_ = std::any_of(sides_.begin(), sides_.end(), [this](const auto& side) {
+    return side->search.may_find(approaches_[side->contact].moved);
+  });
 }
 
 template <class T, int D>
-void BodyContact<T, D>::meet(const Side& side, double length, double drift) {
-  touches_.clear();
-  side.search.find(approaches_[side.contact].moved, touches_);
-  for (const Touch<D>& touch : touches_) {
-    Meeting meeting{&side, touch, shares_.size(), 0, 0, 0, 0, {}};
-    find_point(meeting);
-    meet_before(meeting, drift);
+void BodyContact<T, D>::find_places(int block) {
+  if (!may_touch_) return;
+  for_share(
+      surfaces_, block, found_.size(),
+      [](const Surface& surface) { return surface.watched_corners(); },
+      [](Surface& surface, std::size_t first, std::size_t end) {
+        surface.find_places(first, end);
+      });
+}
+
+template <class T, int D>
+void BodyContact<T, D>::find_normals(int block) {
+  if (!may_touch_) return;
+  for_share(
+      surfaces_, block, found_.size(),
+      [](const Surface& surface) { return surface.watched_facets(); },
+      [](Surface& surface, std::size_t first, std::size_t end) {
+        surface.find_normals(first, end);
+      });
+}
+
+template <class T, int D>
+void BodyContact<T, D>::search(int block) {
+  Found& found = found_[block];
+  found.meetings.clear();
+  found.shares.clear();
+  if (!may_touch_) return;
+  for_share(
+      sides_, block, found_.size(), [](const Side& side) { return side.search.candidates(); },
+      [&](const Side& side, std::size_t first, std::size_t end) {
+        found.touches.clear();
+        side.search.find(approaches_[side.contact].moved, first, end, found.touches);
+        meet(side, found);
+      });
+}
+
+template <class T, int D>
+void BodyContact<T, D>::sweep() {
+  for (int sweep = 0; sweep < meeting_sweeps; ++sweep) {
+    for (Found& found : found_) {
+      for (Meeting& meeting : found.meetings) push(meeting);
+    }
+  }
+  add_totals();
+}
+
+template <class T, int D>
+void BodyContact<T, D>::meet(const Side& side, Found& found) {
+  for (const Touch<D>& touch : found.touches) {
+    Meeting meeting{&side, &found.shares, touch, found.shares.size(), 0, 0, 0, 0, {}};
+    meet_before(meeting, found.shares);
     const auto sum = [&](const HeldDirections<D>& of_corners, const HeldDirections<D>& of_facets) {
       return compliance<T, D>(side.corners.body(), of_corners, corner_shares(meeting),
                               touch.normal) +
@@ -117,38 +197,39 @@ void BodyContact<T, D>::meet(const Side& side, double length, double drift) {
     meeting.largest_compliance = sum({}, {});
     meeting.compliance = sum(side.corners.held(), side.facets.held());
     if (meeting.compliance < least_meeting_compliance * meeting.largest_compliance) continue;
-    meeting.apart =
-        relative(meeting, side.corners.body().displacement, side.facets.body().displacement);
+    meeting.apart = displaced(meeting);
     // Velocities of the middle of a step may close what was open at its start.
     const double speed = dot<D>(slip(meeting), touch.normal);
-    const bool in_middle = drift == length;
-    meeting.approach = in_middle ? std::max(touch.gap / length - speed, 0.) : 0;
-    meetings_.push_back(meeting);
+    const bool in_middle = drift_ == length_;
+    meeting.approach = in_middle ? std::max(touch.gap / length_ - speed, 0.) : 0;
+    found.meetings.push_back(meeting);
   }
-}
-
-template <class T, int D>
-void BodyContact<T, D>::find_point(Meeting& meeting) {
-  shares_.resize(meeting.first_share);
-  append_shares<D>(meeting.side->facets.surface(), meeting.touch, shares_);
-  meeting.end_share = shares_.size();
 }
 
 // The corner pushes the point that it faced when the forces of the step acted: without slip the two
 // are one, and with it the pair exerts no torque.
 template <class T, int D>
-void BodyContact<T, D>::meet_before(Meeting& meeting, double drift) {
+void BodyContact<T, D>::meet_before(Meeting& meeting, std::vector<Share>& shares) {
   Touch<D>& touch = meeting.touch;
-  const std::array<Point<D>, D> c = meeting.side->facets.places(touch.facet);
-  const Point<D> w = slip(meeting);
+  const Surface& facets = meeting.side->facets;
+  const std::array<Point<D>, D> c = facets.places(touch.facet);
+  Point<D> w = carried<T, D>(meeting.side->corners.body().velocity, corner_shares(meeting));
+  for (int v = 0; v < D; ++v) {
+    if (touch.weight[v] == 0) continue;
+    const Point<D> u = carried<T, D>(
+        facets.body().velocity, facets.surface().shares(facets.surface().facet[touch.facet][v]));
+    for (int a = 0; a < D; ++a) w[a] -= touch.weight[v] * u[a];
+  }
   const double speed = dot<D>(w, touch.normal);
   Point<D> before;
   for (int a = 0; a < D; ++a) {
-    before[a] = -drift * (w[a] - speed * touch.normal[a]);
+    before[a] = -drift_ * (w[a] - speed * touch.normal[a]);
     for (int v = 0; v < D; ++v) before[a] += touch.weight[v] * c[v][a];
   }
   touch.weight = nearest_weights(c, before);
-  find_point(meeting);
+  shares.resize(meeting.first_share);
+  append_shares<D>(facets.surface(), touch, shares);
+  meeting.end_share = shares.size();
 }
 
 template <class T, int D>
@@ -160,6 +241,12 @@ Point<D> BodyContact<T, D>::relative(const Meeting& meeting,
 }
 
 template <class T, int D>
+Point<D> BodyContact<T, D>::displaced(const Meeting& meeting) const {
+  return relative(meeting, meeting.side->corners.displacement(),
+                  meeting.side->facets.displacement());
+}
+
+template <class T, int D>
 Point<D> BodyContact<T, D>::slip(const Meeting& meeting) const {
   return relative(meeting, meeting.side->corners.body().velocity,
                   meeting.side->facets.body().velocity);
@@ -168,13 +255,11 @@ Point<D> BodyContact<T, D>::slip(const Meeting& meeting) const {
 // Sums of impulses never pull, and friction is bounded by the sum of those along the normal: what
 // one sweep has pushed too far the next one takes back.
 template <class T, int D>
-void BodyContact<T, D>::push(Meeting& meeting, double drift) {
+void BodyContact<T, D>::push(Meeting& meeting) {
   const Side& side = *meeting.side;
   const Point<D>& n = meeting.touch.normal;
   const ContactCase& law = settings_.contacts[side.contact];
-  const Point<D> apart = difference<D>(
-      relative(meeting, side.corners.body().displacement, side.facets.body().displacement),
-      meeting.apart);
+  const Point<D> apart = difference<D>(displaced(meeting), meeting.apart);
   Point<D> w = slip(meeting);
   const double gap = meeting.touch.gap + dot<D>(apart, n), speed = dot<D>(w, n);
   const double pushed = std::max(-(speed + meeting.approach) / meeting.compliance, -meeting.pushed);
@@ -196,45 +281,49 @@ void BodyContact<T, D>::push(Meeting& meeting, double drift) {
   for (int a = 0; a < D; ++a) {
     const double along = rubbed[a] - meeting.rubbed[a];
     impulse[a] = pushed * n[a] + along;
-    shift[a] = moved * n[a] + drift * along;
+    shift[a] = moved * n[a] + drift_ * along;
   }
   meeting.rubbed = rubbed;
-  undeformed::push<T, D>(side.corners.body(), side.corners.held(), corner_shares(meeting), impulse,
-                         shift);
+  undeformed::push<T, D>(side.corners.body(), side.corners.displacement(), side.corners.held(),
+                         corner_shares(meeting), impulse, shift);
   for (int a = 0; a < D; ++a) impulse[a] = -impulse[a], shift[a] = -shift[a];
-  undeformed::push<T, D>(side.facets.body(), side.facets.held(), facet_shares(meeting), impulse,
-                         shift);
+  undeformed::push<T, D>(side.facets.body(), side.facets.displacement(), side.facets.held(),
+                         facet_shares(meeting), impulse, shift);
 }
 
 template <class T, int D>
-void BodyContact<T, D>::add_totals(double kick) {
-  const double inertia = state_.clock.mass_scaling * (1 + state_.clock.damping * kick / 2);
+void BodyContact<T, D>::add_totals() {
+  const double inertia = state_.clock.mass_scaling * (1 + state_.clock.damping * kick_ / 2);
   std::fill(state_.contact_force.begin(), state_.contact_force.end(), Point<D>{});
-  for (const Meeting& meeting : meetings_) {
-    const int contact = meeting.side->contact;
-    for (int a = 0; a < D; ++a) {
-      const double on_first = inertia * meeting.side->sign *
-                              (meeting.pushed * meeting.touch.normal[a] + meeting.rubbed[a]);
-      state_.contact_impulse[contact][a] += on_first;
-      state_.contact_force[contact][a] += on_first / kick;
+  for (const Found& found : found_) {
+    for (const Meeting& meeting : found.meetings) {
+      const int contact = meeting.side->contact;
+      for (int a = 0; a < D; ++a) {
+        const double on_first = inertia * meeting.side->sign *
+                                (meeting.pushed * meeting.touch.normal[a] + meeting.rubbed[a]);
+        state_.contact_impulse[contact][a] += on_first;
+        state_.contact_force[contact][a] += on_first / kick_;
+      }
+      const double lost = -inertia * dot<D>(meeting.rubbed, slip(meeting));
+      state_.energy.friction += lost;
+      state_.power.friction += lost / kick_;
     }
-    const double lost = -inertia * dot<D>(meeting.rubbed, slip(meeting));
-    state_.energy.friction += lost;
-    state_.power.friction += lost / kick;
   }
 }
 
 template <class T, int D>
 std::optional<Overlap> BodyContact<T, D>::deepest() const {
-  std::optional<Overlap> found;
-  for (const Meeting& meeting : meetings_) {
-    const Side& side = *meeting.side;
-    const double depth = -meeting.touch.gap;
-    if (depth <= too_deep * side.facets.spacing()) continue;
-    if (found && depth <= found->depth) continue;
-    found = {side.contact, depth, padded<D>(side.corners.place(meeting.touch.corner))};
+  std::optional<Overlap> deepest;
+  for (const Found& found : found_) {
+    for (const Meeting& meeting : found.meetings) {
+      const Side& side = *meeting.side;
+      const double depth = -meeting.touch.gap;
+      if (depth <= too_deep * side.facets.spacing()) continue;
+      if (deepest && depth <= deepest->depth) continue;
+      deepest = {side.contact, depth, padded<D>(side.corners.place(meeting.touch.corner))};
+    }
   }
-  return found;
+  return deepest;
 }
 
 template class BodyContact<double, 2>;

@@ -6,6 +6,7 @@
 #include <span>
 #include <vector>
 
+#include "engine/method/phase_rows.hpp"
 #include "engine/undeformed/advance.hpp"
 #include "engine/undeformed/corner_search.hpp"
 #include "engine/undeformed/state.hpp"
@@ -23,10 +24,18 @@
 // no number to choose and no shorter time step.
 namespace pliant::undeformed {
 
+/// The resources of a method that contact reads and writes.
+struct ContactFields {
+  Resources motion;     ///< displacements that a step leaves, and velocities
+  Resources constants;  ///< masses, and what walls hold
+  Resources lists, places, normals, touches;
+};
+
 template <class T, int D>
 class BodyContact {
  public:
-  BodyContact(State<D>& state, const Case& settings);
+  /// A step leaves the displacements of a body in its member `moved`.
+  BodyContact(State<D>& state, const Case& settings, Displacements<T, D> moved);
 
   /// Takes the surfaces of all bodies, which must stay where they are, where the case has contacts;
   /// contact_surface(body) makes them.
@@ -35,24 +44,33 @@ class BodyContact {
     if (settings_.contacts.empty()) return;
     surfaces_.clear();
     for (auto& body : bodies) {
-      surfaces_.push_back(std::make_unique<Surface>(body, contact_surface(body)));
+      surfaces_.push_back(std::make_unique<Surface>(body, moved_, contact_surface(body)));
     }
     face_each_other();
   }
 
-  /// Lets bodies push each other that have moved for `length` [s], for `drift` [s] of it at the
-  /// velocities that they have now, with forces that acted on them for `kick` [s]; adds impulses
-  /// and the loss by friction to the state. Tells of a corner that lies deeper than the way out is
-  /// known for.
-  std::optional<Overlap> apply(double kick, double length, double drift);
+  /// Says that bodies move for `length` [s] in the next step, for `drift` [s] of it at the
+  /// velocities that they have in the end, with forces that act on them for `kick` [s].
+  void prepare(double kick, double length, double drift);
+
+  /// Where the case has contacts, adds what lets bodies that have moved push each other: blocks
+  /// share the search among them, and one thread does the sweeps, which add impulses and the loss
+  /// by friction to the state.
+  void add_phases(PhaseRows& rows, const ContactFields& fields);
+
+  /// Whether the case has contacts.
+  bool exists() const { return !sides_.empty(); }
+
+  /// A corner that lies deeper than the way out is known for.
+  std::optional<Overlap> deepest() const;
 
  private:
   using Surface = MovingSurface<T, D>;
   /// The corners of one body against the facets of another, or of the same.
   struct Side {
-    Side(const Surface& corners, const Surface& facets, int contact, double sign)
+    Side(Surface& corners, Surface& facets, int contact, double sign)
         : corners(corners), facets(facets), search(corners, facets), contact(contact), sign(sign) {}
-    const Surface &corners, &facets;
+    Surface &corners, &facets;
     CornerSearch<T, D> search;
     int contact;
     double sign;  ///< 1 where the corners are those of the first body of the contact, else -1
@@ -60,8 +78,9 @@ class BodyContact {
   /// A corner and what it touches.
   struct Meeting {
     const Side* side;
+    const std::vector<Share>* shares;
     Touch<D> touch;
-    std::size_t first_share, end_share;  ///< of the point of the facet
+    std::size_t first_share, end_share;  ///< of the point of the facet, in `shares`
     double compliance;                   ///< along the normal [1/kg]
     double largest_compliance;           ///< of particles that no wall holds [1/kg]
     double approach;                     ///< that it may keep [m/s]
@@ -77,34 +96,47 @@ class BodyContact {
     Point<D> frame = {};  ///< what they have moved by together [m]
   };
 
+  /// What a block finds.
+  struct Found {
+    std::vector<Touch<D>> touches;
+    std::vector<Meeting> meetings;
+    std::vector<Share> shares;
+  };
+
   void face_each_other();
+  void look();
   void list();
   bool lists_last();
-  void meet(const Side& side, double length, double drift);
-  void find_point(Meeting& meeting);
-  void meet_before(Meeting& meeting, double drift);
-  void push(Meeting& meeting, double drift);
+  void find_places(int block);
+  void find_normals(int block);
+  void search(int block);
+  void sweep();
+  void meet(const Side& side, Found& found);
+  void meet_before(Meeting& meeting, std::vector<Share>& shares);
+  void push(Meeting& meeting);
   Point<D> relative(const Meeting& meeting, const std::array<Buffer<T>, D>& of_corner,
                     const std::array<Buffer<T>, D>& of_facet) const;
+  Point<D> displaced(const Meeting& meeting) const;
   Point<D> slip(const Meeting& meeting) const;
   std::span<const Share> corner_shares(const Meeting& meeting) const {
     return meeting.side->corners.surface().shares(meeting.touch.corner);
   }
   std::span<const Share> facet_shares(const Meeting& meeting) const {
-    return {shares_.data() + meeting.first_share, shares_.data() + meeting.end_share};
+    return std::span(*meeting.shares)
+        .subspan(meeting.first_share, meeting.end_share - meeting.first_share);
   }
-  void add_totals(double kick);
-  std::optional<Overlap> deepest() const;
+  void add_totals();
 
   State<D>& state_;
   const Case& settings_;
+  Displacements<T, D> moved_;
+  double kick_ = 0, length_ = 0, drift_ = 0;
   std::vector<std::unique_ptr<Surface>> surfaces_;  ///< [body]
   std::vector<std::unique_ptr<Side>> sides_;
   std::vector<Approach> approaches_;  ///< [contact]
   bool has_lists_ = false;
-  std::vector<Touch<D>> touches_;  ///< room
-  std::vector<Meeting> meetings_;  ///< of the present step
-  std::vector<Share> shares_;      ///< of its points of facets
+  bool may_touch_ = false;    ///< in the present step
+  std::vector<Found> found_;  ///< [block] in the present step
 };
 
 extern template class BodyContact<double, 2>;

@@ -19,6 +19,8 @@ void BoundaryWork<T, D>::prepare(double time, double kick, double moved) {
   moved_ = moved;
   wall_velocity_.clear();
   for (const Wall<D>& wall : state_.boundaries.walls) wall_velocity_.push_back(wall.velocity(time));
+  state_.power = {};
+  std::fill(state_.wall_force.begin(), state_.wall_force.end(), Point<D>{});
   for (BlockWork& work : work_) {
     work.energy = work.power = {};
     std::fill(work.impulse.begin(), work.impulse.end(), Point<D>{});
@@ -71,8 +73,6 @@ void BoundaryWork<T, D>::end_motion(int block, const EnergyBudget& power) {
 
 template <class T, int D>
 void BoundaryWork<T, D>::fold(double inertia) {
-  state_.power = {};
-  std::fill(state_.wall_force.begin(), state_.wall_force.end(), Point<D>{});
   for (const BlockWork& work : work_) {
     add(state_.energy, work.energy);
     add(state_.power, work.power);

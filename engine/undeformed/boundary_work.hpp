@@ -20,7 +20,8 @@ class BoundaryWork {
   void add_blocks(const Body<T, D>& body);
 
   /// Fixes when walls have the velocity that they give to particles, for how long forces act, and
-  /// for how long particles move at the velocity that these leave behind [s].
+  /// for how long particles move at the velocity that these leave behind [s]; clears the rates of
+  /// work and the forces of walls in the state.
   void prepare(double time, double kick, double moved);
 
   /// Before the particles of a block move; `power` is that of loads and gravity there [W].

@@ -46,10 +46,11 @@ double compliance(const Body<T, D>& body, const HeldDirections<D>& held,
   return sum;
 }
 
-/// Gives a point an impulse [N s], and moves it by the response to another one, `moved` [kg m].
+/// Gives a point an impulse [N s], and moves it, in these displacements of the body, by the
+/// response to another one, `moved` [kg m].
 template <class T, int D>
-void push(Body<T, D>& body, const HeldDirections<D>& held, std::span<const Share> shares,
-          const Point<D>& impulse, const Point<D>& moved) {
+void push(Body<T, D>& body, std::array<Buffer<T>, D>& displacements, const HeldDirections<D>& held,
+          std::span<const Share> shares, const Point<D>& impulse, const Point<D>& moved) {
   for (const Share& share : shares) {
     const double response = share.weight * body.inverse_mass[share.slot];
     const auto at = held.find(share.slot);
@@ -63,7 +64,7 @@ void push(Body<T, D>& body, const HeldDirections<D>& held, std::span<const Share
         }
       }
       body.velocity[i][share.slot] += static_cast<T>(response * velocity);
-      body.displacement[i][share.slot] += static_cast<T>(response * displacement);
+      displacements[i][share.slot] += static_cast<T>(response * displacement);
     }
   }
 }

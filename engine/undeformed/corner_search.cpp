@@ -26,6 +26,19 @@ Box<D> box_around(const std::vector<Point<D>>& places) {
   return box;
 }
 
+/// Whether all of a facet is farther away than `distance`, by its first corner.
+template <int D>
+bool is_beyond(const std::array<Point<D>, D>& c, const Point<D>& x, double distance) {
+  double size = 0;
+  for (int v = 1; v < D; ++v) {
+    const Point<D> side = difference<D>(c[v], c[0]);
+    size = std::max(size, dot<D>(side, side));
+  }
+  const double reach = (distance + std::sqrt(size)) / without_rounding;
+  const Point<D> r = difference<D>(x, c[0]);
+  return dot<D>(r, r) > reach * reach;
+}
+
 }  // namespace
 
 std::array<double, 2> nearest_weights(const std::array<Point<2>, 2>& c, const Point<2>& x) {
@@ -54,9 +67,10 @@ double CornerSearch<T, D>::list() {
   begin_.assign(1, 0);
   near_.clear();
   clearance_.clear();
+  least_clearance_ = std::numeric_limits<double>::infinity();
   const double margin = list_margin * facets_.spacing(), reach = deepest_ + margin;
-  const std::vector<Point<D>>& place = corners_.marked_places();
-  const std::vector<Point<D>>& other_place = facets_.marked_places();
+  const std::vector<Point<D>>& place = corners_.all_places();
+  const std::vector<Point<D>>& other_place = facets_.all_places();
   const Box<D> box = box_around<D>(place), other_box = box_around<D>(other_place);
   const double gap = std::sqrt(squared_gap(box, other_box));
   if (gap > reach) return gap - deepest_;
@@ -87,6 +101,7 @@ double CornerSearch<T, D>::list() {
     corner_.push_back(c);
     begin_.push_back(near_.size());
     clearance_.push_back(without_rounding * clearance);
+    least_clearance_ = std::min(least_clearance_, clearance_.back());
   }
   return margin;
 }
@@ -110,9 +125,18 @@ bool CornerSearch<T, D>::are_neighbours(std::int32_t corner,
 }
 
 template <class T, int D>
-void CornerSearch<T, D>::find(double moved, std::vector<Touch<D>>& touches) const {
+void CornerSearch<T, D>::watch(MovingSurface<T, D>& corners, MovingSurface<T, D>& facets) const {
+  for (const std::int32_t corner : corner_) corners.watch(corner);
+  for (const std::int32_t facet : near_) {
+    for (const std::int32_t corner : facets_.surface().facet[facet]) facets.watch(corner);
+  }
+}
+
+template <class T, int D>
+void CornerSearch<T, D>::find(double moved, std::size_t first, std::size_t end,
+                              std::vector<Touch<D>>& touches) const {
   Touch<D> touch;
-  for (std::size_t i = 0; i < corner_.size(); ++i) {
+  for (std::size_t i = first; i < end; ++i) {
     if (clearance_[i] > moved) continue;
     const auto facets = std::span(near_).subspan(begin_[i], begin_[i + 1] - begin_[i]);
     if (finds(corner_[i], facets, touch)) touches.push_back(touch);
@@ -131,11 +155,11 @@ bool CornerSearch<T, D>::finds(std::int32_t corner, std::span<const std::int32_t
   double nearest = deepest_, at_height = 0;
   Point<D> inwards = {};
   for (const std::int32_t f : facets) {
-    const std::array<Point<D>, D> c = facets_.places(f);
-    Point<D> normal = area_vector<D>(c);
-    normalise<D>(normal);
-    const double height = dot<D>(difference<D>(x, c[0]), normal);
+    const double height = facets_.height(f, x);
     if (std::abs(height) >= nearest) continue;
+    const std::array<Point<D>, D> c = facets_.places(f);
+    if (is_beyond<D>(c, x, nearest)) continue;
+    const Point<D>& normal = facets_.facet_normal(f);
     const std::array<double, D> weight = nearest_weights(c, x);
     Point<D> from_facet = x;
     for (int v = 0; v < D; ++v) {

@@ -33,9 +33,16 @@ class CornerSearch {
   /// together [m].
   double list();
 
-  /// Appends what touches, in the order of the corners: (TL.15). The surfaces have moved by `moved`
-  /// since the list, both together [m].
-  void find(double moved, std::vector<Touch<D>>& touches) const;
+  /// Whether a corner may touch where the surfaces have moved by `moved` since the list, both
+  /// together [m].
+  bool may_find(double moved) const { return least_clearance_ <= moved; }
+  /// Lets the surfaces watch what the search looks at.
+  void watch(MovingSurface<T, D>& corners, MovingSurface<T, D>& facets) const;
+  /// Corners that have facets near them.
+  std::size_t candidates() const { return corner_.size(); }
+  /// Appends what touches of the candidates from number `first` to before `end`, in the order of
+  /// the corners: (TL.15). The surfaces have moved by `moved` since the list, both together [m].
+  void find(double moved, std::size_t first, std::size_t end, std::vector<Touch<D>>& touches) const;
 
  private:
   bool finds(std::int32_t corner, std::span<const std::int32_t> facets, Touch<D>& touch) const;
@@ -48,6 +55,7 @@ class CornerSearch {
   std::vector<std::int32_t> corner_;  ///< those that have facets near them
   std::vector<std::size_t> begin_;    ///< [corner_ + 1] into near_
   std::vector<double> clearance_;     ///< [corner_] what surfaces must move before it touches [m]
+  double least_clearance_ = 0;        ///< of all of them [m]
   std::vector<std::int32_t> near_;    ///< facets
 };
 

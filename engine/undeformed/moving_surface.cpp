@@ -28,8 +28,10 @@ double size_of_facets(const ContactSurface<D>& surface) {
 }  // namespace
 
 template <class T, int D>
-MovingSurface<T, D>::MovingSurface(Body<T, D>& body, ContactSurface<D> surface)
+MovingSurface<T, D>::MovingSurface(Body<T, D>& body, Displacements<T, D> moved,
+                                   ContactSurface<D> surface)
     : body_(&body),
+      moved_(moved),
       surface_(std::move(surface)),
       held_(held_directions(body)),
       spacing_(size_of_facets(surface_)) {
@@ -56,28 +58,77 @@ MovingSurface<T, D>::MovingSurface(Body<T, D>& body, ContactSurface<D> surface)
   std::sort(carriers_.begin(), carriers_.end());
   carriers_.erase(std::unique(carriers_.begin(), carriers_.end()), carriers_.end());
   marked_.resize(carriers_.size());
+  place_.resize(surface_.corners());
+  normal_.resize(surface_.facet.size());
+  is_corner_watched_.resize(place_.size());
+  is_ring_watched_.resize(place_.size());
+  is_facet_watched_.resize(normal_.size());
 }
 
 template <class T, int D>
-Point<D> MovingSurface<T, D>::place(std::int32_t corner) const {
-  Point<D> x = carried<T, D>(body_->displacement, surface_.shares(corner));
+void MovingSurface<T, D>::watch_none() {
+  for (const std::int32_t corner : watched_corners_) {
+    is_corner_watched_[corner] = is_ring_watched_[corner] = false;
+  }
+  for (const std::int32_t facet : watched_facets_) is_facet_watched_[facet] = false;
+  watched_corners_.clear();
+  watched_facets_.clear();
+}
+
+template <class T, int D>
+void MovingSurface<T, D>::watch(std::int32_t corner) {
+  if (is_ring_watched_[corner]) return;
+  is_ring_watched_[corner] = true;
+  watch_corner(corner);
+  for (std::int32_t i = first_around_[corner]; i < first_around_[corner + 1]; ++i) {
+    const std::int32_t facet = around_[i];
+    if (is_facet_watched_[facet]) continue;
+    is_facet_watched_[facet] = true;
+    watched_facets_.push_back(facet);
+    for (const std::int32_t other : surface_.facet[facet]) watch_corner(other);
+  }
+}
+
+template <class T, int D>
+void MovingSurface<T, D>::watch_corner(std::int32_t corner) {
+  if (is_corner_watched_[corner]) return;
+  is_corner_watched_[corner] = true;
+  watched_corners_.push_back(corner);
+}
+
+template <class T, int D>
+void MovingSurface<T, D>::find_places(std::size_t first, std::size_t end) {
+  for (std::size_t i = first; i < end; ++i) find_place(watched_corners_[i]);
+}
+
+template <class T, int D>
+void MovingSurface<T, D>::find_normals(std::size_t first, std::size_t end) {
+  for (std::size_t i = first; i < end; ++i) find_normal(watched_facets_[i]);
+}
+
+template <class T, int D>
+void MovingSurface<T, D>::find_place(std::int32_t corner) {
+  Point<D> x = carried<T, D>(displacement(), surface_.shares(corner));
   for (int a = 0; a < D; ++a) x[a] += surface_.start[corner][a];
-  return x;
+  place_[corner] = x;
+}
+
+template <class T, int D>
+void MovingSurface<T, D>::find_normal(std::int32_t facet) {
+  normal_[facet] = area_vector<D>(places(facet));
+  normalise<D>(normal_[facet]);
 }
 
 template <class T, int D>
 std::array<Point<D>, D> MovingSurface<T, D>::places(std::int32_t facet) const {
   std::array<Point<D>, D> x;
-  for (int v = 0; v < D; ++v) x[v] = place(surface_.facet[facet][v]);
+  for (int v = 0; v < D; ++v) x[v] = place_[surface_.facet[facet][v]];
   return x;
 }
 
 template <class T, int D>
 double MovingSurface<T, D>::height(std::int32_t facet, const Point<D>& x) const {
-  const std::array<Point<D>, D> c = places(facet);
-  Point<D> normal = area_vector<D>(c);
-  normalise<D>(normal);
-  return dot<D>(difference<D>(x, c[0]), normal);
+  return dot<D>(difference<D>(x, place_[surface_.facet[facet][0]]), normal_[facet]);
 }
 
 template <class T, int D>
@@ -96,19 +147,17 @@ bool MovingSurface<T, D>::opposes(std::int32_t corner, const Point<D>& normal) c
   const auto begin = around_.begin() + first_around_[corner];
   const auto end = around_.begin() + first_around_[corner + 1];
   return begin == end || std::any_of(begin, end, [&](std::int32_t facet) {
-           Point<D> n = area_vector<D>(places(facet));
-           normalise<D>(n);
-           return dot<D>(n, normal) <= least_opposition;
+           return dot<D>(normal_[facet], normal) <= least_opposition;
          });
 }
 
 template <class T, int D>
 void MovingSurface<T, D>::mark() {
   for (std::size_t i = 0; i < carriers_.size(); ++i) {
-    for (int a = 0; a < D; ++a) marked_[i][a] = body_->displacement[a][carriers_[i]];
+    for (int a = 0; a < D; ++a) marked_[i][a] = displacement()[a][carriers_[i]];
   }
-  marked_place_.resize(surface_.corners());
-  for (std::int32_t c = 0; c < surface_.corners(); ++c) marked_place_[c] = place(c);
+  for (std::int32_t c = 0; c < surface_.corners(); ++c) find_place(c);
+  for (std::size_t f = 0; f < normal_.size(); ++f) find_normal(static_cast<std::int32_t>(f));
 }
 
 template <class T, int D>
@@ -118,7 +167,7 @@ auto MovingSurface<T, D>::motion(const Point<D>& frame) const -> Motion {
   for (std::size_t i = 0; i < carriers_.size(); ++i) {
     double square = 0;
     for (int a = 0; a < D; ++a) {
-      const double d = body_->displacement[a][carriers_[i]] - marked_[i][a];
+      const double d = displacement()[a][carriers_[i]] - marked_[i][a];
       sum[a] += d;
       square += (d - frame[a]) * (d - frame[a]);
     }

@@ -20,7 +20,8 @@ constexpr double least_compliance = 1e-3;  // along the normal, of what a corner
 }  // namespace
 
 template <class T, int D>
-WallContact<T, D>::WallContact(State<D>& state, const Case& settings) : state_(state) {
+WallContact<T, D>::WallContact(State<D>& state, const Case& settings, Displacements<T, D> moved)
+    : state_(state), moved_(moved) {
   for (std::size_t b = 0; b < settings.boundaries.size(); ++b) {
     const BoundaryCase& boundary = settings.boundaries[b];
     if (boundary.kind != BoundaryCase::Kind::contact_wall) continue;
@@ -81,7 +82,7 @@ void WallContact<T, D>::push(Body<T, D>& body, const Corner& corner, const Conta
   const Wall<D>& wall = state_.boundaries.walls[contact.wall];
   const Vertex<D>& v = corner.vertex;
   // The wall is where it was at the start of the step.
-  Point<D> x = body.position(v);
+  Point<D> x = body.position(v, body.*moved_);
   for (int a = 0; a < D; ++a) x[a] -= contact.shift[a];
   const double gap = wall.distance(x);
   if (gap >= 0) return;
@@ -132,7 +133,7 @@ void WallContact<T, D>::move(Body<T, D>& body, std::int32_t slot, const Tensor& 
       displacement += response[D * i + j] * moved[j];
     }
     body.velocity[i][slot] += static_cast<T>(velocity);
-    body.displacement[i][slot] += static_cast<T>(displacement);
+    (body.*moved_)[i][slot] += static_cast<T>(displacement);
   }
 }
 

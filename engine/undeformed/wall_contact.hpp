@@ -24,7 +24,8 @@ namespace pliant::undeformed {
 template <class T, int D>
 class WallContact {
  public:
-  WallContact(State<D>& state, const Case& settings);
+  /// A step leaves the displacements of a body in its member `moved`.
+  WallContact(State<D>& state, const Case& settings, Displacements<T, D> moved);
 
   /// Whether the case has contact walls.
   bool exists() const { return !walls_.empty(); }
@@ -57,8 +58,8 @@ class WallContact {
     double length, drift;      ///< for how long particles move, at the present velocities [s]
   };
   void push(Body<T, D>& body, const Corner& corner, const ContactWall& wall);
-  static void move(Body<T, D>& body, std::int32_t slot, const Tensor& response,
-                   const Point<D>& impulse, const Point<D>& moved);
+  void move(Body<T, D>& body, std::int32_t slot, const Tensor& response, const Point<D>& impulse,
+            const Point<D>& moved);
 
   struct Surface {
     Body<T, D>* body;
@@ -66,6 +67,7 @@ class WallContact {
   };
 
   State<D>& state_;
+  Displacements<T, D> moved_;
   std::vector<ContactWall> walls_;
   std::vector<Surface> surfaces_;
 };

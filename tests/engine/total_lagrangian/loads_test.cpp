@@ -213,5 +213,19 @@ pressure = 3
   EXPECT_NEAR(balance(solver), 0, 0.01 * budget.load_work);
 }
 
+// It falls by what its weight strains it, and swings about that.
+TEST(energy_budget, gravity_does_work_on_a_block_on_a_contact_wall_as_far_as_it_sinks) {
+  const Case settings = tests::read_text(
+      "gravity = [0, -9.81]\n" + tests::with(stiff_block("0.3"), "[1e4]", "[200]") +
+          measurement("height", "kind = \"centre_of_mass\"\naxis = \"y\"\n"),
+      {"total_lagrangian.damping=0"});
+  LagrangianSolver<2> solver(settings, {1, kernels::widest_supported()});
+  const double start = values(solver)["height"], mass = solver.integrals().mass;
+  advance_until(solver, 1);
+  const double expected = 9.81 * mass * (start - values(solver)["height"]);
+  EXPECT_GT(expected, 0);
+  EXPECT_NEAR(solver.energy_budget()->body_force_work, expected, 0.02 * expected);
+}
+
 }  // namespace
 }  // namespace pliant::test
