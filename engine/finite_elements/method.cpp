@@ -34,7 +34,7 @@ void check(const Check& check) {
 StepLimits step_limits(const Case& a_case) {
   StepLimits limits;
   limits.stable_cfl = 1;
-  limits.default_cfl = undeformed::default_cfl(a_case);
+  limits.default_cfl = undeformed::default_cfl_of_nodes(a_case);
   return limits;
 }
 

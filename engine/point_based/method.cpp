@@ -80,7 +80,8 @@ bool is_pushed_node_by_node(const Case& a_case) {
 StepLimits step_limits(const Case& a_case) {
   StepLimits limits;
   limits.stable_cfl = 1;
-  limits.default_cfl = is_pushed_node_by_node(a_case) ? 0.3 : undeformed::default_cfl(a_case);
+  limits.default_cfl =
+      is_pushed_node_by_node(a_case) ? 0.3 : undeformed::default_cfl_of_nodes(a_case);
   return limits;
 }
 
