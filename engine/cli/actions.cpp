@@ -13,6 +13,7 @@
 #include "engine/case/reference.hpp"
 #include "engine/case/schema.hpp"
 #include "engine/case/stability.hpp"
+#include "engine/cli/report.hpp"
 #include "engine/cli/setup_progress.hpp"
 #include "engine/output/colour.hpp"
 #include "engine/output/interrupt.hpp"
@@ -67,7 +68,11 @@ ExitStatus run(const RunArguments& arguments) {
     progress.emplace(size.bytes);
     options.when_set_up = [&] { progress->finish(); };
   }
-  return run_case(settings, options) == RunEnd::done ? ExitStatus::done : ExitStatus::interrupted;
+  if (run_case(settings, options) != RunEnd::done) return ExitStatus::interrupted;
+  if (!arguments.report) return ExitStatus::done;
+  ReportArguments page;
+  page.folder = options.folder;
+  return report(page);
 }
 
 ExitStatus graph(const GraphArguments& arguments) {

@@ -5,11 +5,10 @@
 #include <string>
 #include <vector>
 
+#include "engine/cli/exit_status.hpp"
+
 /// What each command of the program does. Throws InputError for what the user gave wrong.
 namespace pliant::cli {
-
-/// `missed`: what was measured does not reach what was asked for.
-enum class ExitStatus { done = 0, missed = 1, bad_input = 2, run_failed = 3, interrupted = 4 };
 
 struct CaseArguments {
   std::filesystem::path path;         ///< a case file or its folder
@@ -24,6 +23,7 @@ struct RunArguments {
   bool resume = false;
   bool force = false;  ///< run even if the memory may not suffice
   bool quiet = false;
+  bool report = false;  ///< write its page at the end
 };
 
 ExitStatus run(const RunArguments& arguments);

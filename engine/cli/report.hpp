@@ -1,6 +1,11 @@
 #pragma once
 
-#include "engine/cli/actions.hpp"
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "engine/cli/exit_status.hpp"
 
 namespace pliant::cli {
 

@@ -59,6 +59,11 @@ class CommandLine(ProgramTest):
         self.assertRegex(err, r"\n  boundary_radius +[0-9.]+ m\n")
         self.assertEqual((0, "", ""), self.run_case("--quiet"))
 
+    def test_a_run_may_end_with_its_page(self):
+        status, out, err = self.run_case("--report")
+        self.assertEqual((0, f"wrote {self.out}/report.html; open it in a browser\n"), (status, out), err)
+        self.assertIn("<html", (self.out / "report.html").read_text()[:1000])
+
     def test_help_speaks_of_commands_and_fits_a_terminal(self):
         texts = [self.pliant("--help")[1], self.pliant("help")[1]]
         texts += [self.pliant("help", command)[1] for command in ("run", "check", "bench", "profile", "batch", "graph", "help")]
