@@ -45,7 +45,7 @@ TEST(total_lagrangian, a_standing_wave_converges_to_second_order) {
   const double fine = error_of_standing_wave(0.03125, "0.5");
   EXPECT_LT(fine, 0.01);
   EXPECT_GT(std::log2(coarse / fine), 1.9);
-  // Near the limit of stability the errors in time and in space cancel.
+  // Near the stability limit the discretisation errors of time and space nearly cancel.
   EXPECT_LT(error_of_standing_wave(0.03125, "0.9"), fine / 5);
 }
 
