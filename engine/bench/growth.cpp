@@ -15,7 +15,7 @@ using Cells = std::vector<std::string>;
 
 double particle_steps_per_second(const Sample& sample) {
   return static_cast<double>(sample.particles) * static_cast<double>(sample.steps) /
-         sample.wall_seconds;
+         sample.elapsed.wall;
 }
 
 std::vector<Cells> cells_of(const std::vector<Row>& rows) {

@@ -15,10 +15,8 @@ using Json = nlohmann::ordered_json;
 
 constexpr std::string_view format = "pliant bench 1";
 
-/// On one thread over the processor time, in which other programs have no share.
 double rate_of(const Row& row, const Sample& sample) {
-  const double seconds = row.threads == 1 ? sample.processor_seconds : sample.wall_seconds;
-  return static_cast<double>(sample.particle_stages) / seconds;
+  return static_cast<double>(sample.particle_stages) / sample.elapsed.compared(row.threads);
 }
 
 RecordedRow row_of(const Json& json) {

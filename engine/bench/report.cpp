@@ -11,7 +11,7 @@ namespace pliant::bench {
 namespace {
 
 double processor_share(const Row& row, const Sample& sample) {
-  return sample.processor_seconds / (row.threads * sample.wall_seconds);
+  return sample.elapsed.processor / (row.threads * sample.elapsed.wall);
 }
 
 double steps_per_remeshing(const Sample& sample) {
@@ -24,7 +24,7 @@ double per_particle_stage(const Sample& sample, double seconds) {
 }
 
 double idle_time(const Row& row, const Sample& sample) {
-  return per_particle_stage(sample, row.threads * sample.wall_seconds - sample.phase_seconds);
+  return per_particle_stage(sample, row.threads * sample.elapsed.wall - sample.phase_seconds);
 }
 
 // Kinds of phases, the columns of the phase table.

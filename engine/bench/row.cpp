@@ -78,7 +78,7 @@ double Row::fma_peak(const Sample& sample) const {
 }
 
 double Row::idle_share(const Sample& sample) const {
-  return 1 - sample.phase_seconds / (threads * sample.wall_seconds);
+  return 1 - sample.phase_seconds / (threads * sample.elapsed.wall);
 }
 
 double speed_up(const std::vector<Row>& rows, const Row& row, const Figure& rate) {

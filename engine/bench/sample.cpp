@@ -8,7 +8,6 @@
 #include <memory>
 #include <numeric>
 
-#include "engine/bench/steps.hpp"
 #include "engine/simulation/methods.hpp"
 
 namespace pliant::bench {
@@ -57,11 +56,7 @@ Sample measure(const Case& settings, const Window& window, int threads, kernels:
   const scheduler::StepTotals before = solver.step_totals();
   const std::int64_t steps = solver.clock().step, remeshings = solver.remeshings();
   const std::int64_t stages = solver.particle_stages();
-  const double processor = processor_time();
-  const auto start = Clock::now();
-  advance(solver, window.steps);
-  sample.wall_seconds = std::chrono::duration<double>(Clock::now() - start).count();
-  sample.processor_seconds = processor_time() - processor;
+  sample.elapsed = advance(solver, window.steps);
   add_calibration(sample, threads, isa, triad);
   sample.particle_stages = solver.particle_stages() - stages;
   sample.steps = solver.clock().step - steps;

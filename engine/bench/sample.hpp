@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "engine/bench/calibration.hpp"
+#include "engine/bench/steps.hpp"
 #include "engine/case/case.hpp"
 #include "scheduler/step_record.hpp"
 
@@ -24,14 +25,13 @@ struct Sample {
   double bytes_per_particle = 0;     ///< of all fields
   double resident_per_particle = 0;  ///< memory that the process has taken for the solver [bytes]
   double setup_seconds = 0;          ///< wall time until the solver can step
-  double wall_seconds = 0;           ///< of the step loop, remeshing included
-  double processor_seconds = 0;      ///< of all threads
+  Elapsed elapsed;                   ///< by the step loop, remeshing included
   double phase_seconds = 0;          ///< inside phases, of all threads
   double fma_peak = 0;               ///< [flop/s], mean of before and after
   double triad = 0;                  ///< [bytes/s], likewise
   std::vector<scheduler::StepTotals::Timer> phases;
 
-  double rate() const { return static_cast<double>(particle_stages) / wall_seconds; }
+  double rate() const { return static_cast<double>(particle_stages) / elapsed.wall; }
 };
 
 Sample measure(const Case& settings, const Window& window, int threads, kernels::Isa isa,

@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 #include <pliant/error.hpp>
 
-#include <chrono>
 #include <cstdio>
 #include <utility>
 
@@ -20,14 +19,9 @@ void Turns::set_up() {
 }
 
 double Turns::next() {
-  using Clock = std::chrono::steady_clock;
   if (is_over(*solver_)) set_up();
   const std::int64_t stages = solver_->particle_stages();
-  const double processor = processor_time();
-  const auto start = Clock::now();
-  advance(*solver_, row_.window.turn);
-  const double wall = std::chrono::duration<double>(Clock::now() - start).count();
-  const double seconds = row_.threads == 1 ? processor_time() - processor : wall;
+  const double seconds = advance(*solver_, row_.window.turn).compared(row_.threads);
   return static_cast<double>(solver_->particle_stages() - stages) / seconds;
 }
 
