@@ -188,7 +188,8 @@ void Step<T, D>::set_cells(const Body<T, D>& body, int local, kernels::Motion<T,
   work.fitted_numbers = cells.fitted.data();
   work.fitted_count = static_cast<int>(cells.fitted.size());
   work.spacing = static_cast<T>(body.lattice.spacing);
-  work.hourglass = static_cast<T>(parameters_of(settings_).hourglass_stiffness);
+  work.hourglass = {static_cast<T>(body.hourglass.modes), static_cast<T>(body.hourglass.bending),
+                    static_cast<T>(body.hourglass.twisting)};
   work.examine = advance_.examine;
   work.material = body.material;
   work.fraction = body.regular_fraction.get();

@@ -6,6 +6,7 @@
 #include "engine/method/initial_stress.hpp"
 #include "engine/total_lagrangian/fitted_cells.hpp"
 #include "kernels/total_lagrangian/cell_energy.hpp"
+#include "kernels/total_lagrangian/hourglass.hpp"
 #include "kernels/with_scalar.hpp"
 
 namespace pliant::total_lagrangian {
@@ -63,11 +64,13 @@ Memory relaxed_memory(const Body<T, D>& body, std::int64_t slot, double volume_c
   return sum;
 }
 
+using Pack = xsimd::batch<double, xsimd::sse2>;
+
 /// A cell in plain numbers: F and the hourglass modes, (TL.2) and (TL.11).
 template <int D>
 struct CellShape {
   Eigen::Matrix<double, D, D> f;
-  double squares = 0;  ///< sum_b c_b q_b.q_b of (TL.6)
+  double squares = 0;  ///< Q of (TL.6)
   double volume = 0;   ///< of the body at rest
 };
 
@@ -89,15 +92,16 @@ CellShape<D> cell_shape(const Body<T, D>& body, std::int64_t slot, const Cell<D>
   CellShape<D> shape;
   shape.f = Matrix::Identity() + gradient;
   shape.volume = body.fraction[slot] * std::pow(h, D) * a.determinant();
-  for (int m = 1; m < (1 << D); ++m) {
-    const int directions = kernels::directions_of[m];
-    if (directions < 2) continue;
-    for (int i = 0; i < D; ++i) {
+  Pack f[D * D], hourglass[D][1 << D];
+  for (int i = 0; i < D; ++i) {
+    for (int j = 0; j < D; ++j) f[D * i + j] = Pack(shape.f(i, j));
+    for (int m = 1; m < (1 << D); ++m) {
       double q = mode[i][m];
       for (int j = 0; j < D && is_fitted; ++j) q -= gradient(i, j) * fitted->start[j][m];
-      shape.squares += kernels::mode_weights<D>[directions] / (h * h) * q * q;
+      hourglass[i][m] = Pack(q);
     }
   }
+  shape.squares = kernels::Hourglass<Pack, D>(body.hourglass, h).squares(f, hourglass).get(0);
   return shape;
 }
 
@@ -117,9 +121,7 @@ double add_prestress(const Body<T, D>& body, std::int64_t slot, StressPoint<D>& 
 }  // namespace
 
 template <class T, int D>
-StressPoint<D> stress_point(const Body<T, D>& body, std::int64_t slot, const Cell<D>& cell,
-                            double hourglass) {
-  using Pack = xsimd::batch<double, xsimd::sse2>;
+StressPoint<D> stress_point(const Body<T, D>& body, std::int64_t slot, const Cell<D>& cell) {
   const CellShape<D> shape = cell_shape<T, D>(body, slot, cell);
   const auto material = kernels::with_scalar<double>(body.material);
   StressPoint<D> point;
@@ -130,7 +132,7 @@ StressPoint<D> stress_point(const Body<T, D>& body, std::int64_t slot, const Cel
       point.deformation_gradient[i][j] = shape.f(i, j);
     }
   }
-  state.hourglass = Pack(hourglass * shape.squares);
+  state.hourglass = Pack(shape.squares);
   state.complete();
   const auto stress = kernels::cell_stress<Pack, D>(material, state, Pack(0.0));
 
@@ -158,12 +160,10 @@ StressPoint<D> stress_point(const Body<T, D>& body, std::int64_t slot, const Cel
 }
 
 template StressPoint<2> stress_point<double, 2>(const Body<double, 2>&, std::int64_t,
-                                                const Cell<2>&, double);
+                                                const Cell<2>&);
 template StressPoint<3> stress_point<double, 3>(const Body<double, 3>&, std::int64_t,
-                                                const Cell<3>&, double);
-template StressPoint<2> stress_point<float, 2>(const Body<float, 2>&, std::int64_t, const Cell<2>&,
-                                               double);
-template StressPoint<3> stress_point<float, 3>(const Body<float, 3>&, std::int64_t, const Cell<3>&,
-                                               double);
+                                                const Cell<3>&);
+template StressPoint<2> stress_point<float, 2>(const Body<float, 2>&, std::int64_t, const Cell<2>&);
+template StressPoint<3> stress_point<float, 3>(const Body<float, 3>&, std::int64_t, const Cell<3>&);
 
 }  // namespace pliant::total_lagrangian

@@ -28,15 +28,11 @@ inline P volumetric_stiffness(const Material<Scalar<P>>& material, const P& volu
   return modulus * volume_ratio;
 }
 
-/// c_b h^2 of (TL.6) by the number of directions.
-template <int D>
-inline constexpr double mode_weights[] = {0, 0, 8. / 3 / (1 << 2 * D), 4. / 3 / (1 << 2 * D)};
-
 /// What the energy of cells depends on.
 template <class P, int D>
 struct CellState {
   P f[D * D], cof[D * D], volume_ratio;
-  P hourglass;  ///< kappa sum_b c_b q_b.q_b of (TL.6)
+  P hourglass;  ///< Q of (TL.6)
 
   /// From `f` and `hourglass`.
   void complete() {
@@ -51,8 +47,8 @@ struct CellState {
 template <class P, int D>
 struct CellStress {
   P excess;        ///< I1* - 3
-  P shear;         ///< 2 W1 J^(-2/3): by kappa c_b q_b the force of a mode [Pa]
-  P piola[D * D];  ///< P [Pa]
+  P shear;         ///< 2 W1 J^(-2/3): by half the slope of Q the force of a mode [Pa]
+  P piola[D * D];  ///< P without what Q changes with F [Pa]
 };
 
 /// (TL.4) and (TL.6); `relaxed` is the sum of the p_i of (RP.10).

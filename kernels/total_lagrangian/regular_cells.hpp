@@ -37,7 +37,7 @@ inline P relax_cells(const CellViscosity<Scalar<P>>& viscosity, const CellState<
 /// F and the energy's other arguments, (TL.2): F = I where the body is not, whose corners are
 /// nothing in particular.
 template <class P, int D>
-inline void regular_state(const HourglassWeights<P, D>& weights, const P& slope,
+inline void regular_state(Hourglass<P, D>& hourglass, const P& slope,
                           const typename P::batch_bool_type& inside, const P (&mode)[D][1 << D],
                           CellState<P, D>& state) {
   using T = Scalar<P>;
@@ -50,7 +50,7 @@ inline void regular_state(const HourglassWeights<P, D>& weights, const P& slope,
     }
     state.f[D * i + i] = state.f[D * i + i] + P(T(1));
   }
-  state.hourglass = xsimd::select(inside, hourglass_squares<P, D>(weights, mode), zero);
+  state.hourglass = xsimd::select(inside, hourglass.squares(state.f, mode), zero);
   state.complete();
 }
 
@@ -130,7 +130,7 @@ void evaluate_run(const Motion<Scalar<P>, D>& block, const CellRun<D>& run,
   for (int a = 0; a < D; ++a) volume *= block.spacing;
   // Half the corners pull each way, so that a difference over h is 2/2^D of a gradient mode.
   const P slope(T(2) / (corners * block.spacing)), zero(T(0));
-  const HourglassWeights<P, D> weights(block);
+  Hourglass<P, D> hourglass(block.hourglass, block.spacing);
   UpperCorners<P, D> upper;
   upper.clear();
   for (std::int64_t along = run.follows ? -lanes<P> : 0; along < run.count; along += lanes<P>) {
@@ -145,13 +145,14 @@ void evaluate_run(const Motion<Scalar<P>, D>& block, const CellRun<D>& run,
     P mode[D][corners];
     displacement_modes<P, D>(block, run, slot, mode);
     CellState<P, D> state;
-    regular_state<P, D>(weights, slope, inside, mode, state);
+    regular_state<P, D>(hourglass, slope, inside, mode, state);
     const P pressure =
         relax_cells<P, D>(block.viscosity, state, inside, slot, run.own && along >= 0);
     CellStress<P, D> stress = cell_stress<P, D>(block.material, state, pressure);
     if (block.initial_stress[0] != nullptr) {
       add_initial_stress<P, D>(block.initial_stress, slot, state.f, stress.piola);
     }
+    hourglass.add_stress(xsimd::select(inside, stress.shear, zero), mode, stress.piola);
     const P filled = P(volume) * fraction, stiffness = filled * stress.shear;
     const P area = filled * slope;
 #pragma GCC unroll 3
@@ -160,7 +161,7 @@ void evaluate_run(const Motion<Scalar<P>, D>& block, const CellRun<D>& run,
 #pragma GCC unroll 8
       for (int m = 1; m < corners; ++m) {
         if (directions_of[m] < 2) continue;
-        const P force = stiffness * P(weights.of[directions_of[m]]) * mode[i][m];
+        const P force = stiffness * hourglass.slope(state.f, mode, i, m);
         pull[m] = xsimd::select(inside, force, zero);
       }
 #pragma GCC unroll 3
