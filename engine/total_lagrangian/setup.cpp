@@ -86,11 +86,12 @@ void take_material(const BodyCase& source, Body<T, D>& body) {
 template <int D>
 kernels::HourglassStiffness<double> hourglass_stiffness(const std::optional<double>& given,
                                                         const kernels::Material<double>& material) {
-  if (given) return {*given, 0, 0};
+  if (given) return {*given, *given, 0, 0};
   const double k = material.bulk_modulus, mu = material.shear_modulus;
   const double poisson = (3 * k - 2 * mu) / (6 * k + 2 * mu);
-  if (D == 2) return {1 / (1 - poisson), 0, 0};
-  return {1, poisson / (1 - poisson), 1};
+  if (D == 2) return {1 / (1 - poisson), 0, 0, 0};
+  constexpr double twist = 2. / 3;  // of plates
+  return {twist, 1 / (1 - poisson), 1 - twist, poisson / (1 - poisson)};
 }
 
 template <class T, int D>

@@ -64,14 +64,12 @@ Memory relaxed_memory(const Body<T, D>& body, std::int64_t slot, double volume_c
   return sum;
 }
 
-using Pack = xsimd::batch<double, xsimd::sse2>;
-
 /// A cell in plain numbers: F and the hourglass modes, (TL.2) and (TL.11).
 template <int D>
 struct CellShape {
   Eigen::Matrix<double, D, D> f;
-  double squares = 0;  ///< Q of (TL.6)
-  double volume = 0;   ///< of the body at rest
+  std::array<std::array<double, (1 << D)>, D> mode;  ///< those that F leaves [m]
+  double volume = 0;                                 ///< of the body at rest
 };
 
 template <class T, int D>
@@ -92,16 +90,12 @@ CellShape<D> cell_shape(const Body<T, D>& body, std::int64_t slot, const Cell<D>
   CellShape<D> shape;
   shape.f = Matrix::Identity() + gradient;
   shape.volume = body.fraction[slot] * std::pow(h, D) * a.determinant();
-  Pack f[D * D], hourglass[D][1 << D];
-  for (int i = 0; i < D; ++i) {
-    for (int j = 0; j < D; ++j) f[D * i + j] = Pack(shape.f(i, j));
-    for (int m = 1; m < (1 << D); ++m) {
-      double q = mode[i][m];
-      for (int j = 0; j < D && is_fitted; ++j) q -= gradient(i, j) * fitted->start[j][m];
-      hourglass[i][m] = Pack(q);
+  shape.mode = mode;
+  for (int m = 1; m < (1 << D) && is_fitted; ++m) {
+    for (int i = 0; i < D; ++i) {
+      for (int j = 0; j < D; ++j) shape.mode[i][m] -= gradient(i, j) * fitted->start[j][m];
     }
   }
-  shape.squares = kernels::Hourglass<Pack, D>(body.hourglass, h).squares(f, hourglass).get(0);
   return shape;
 }
 
@@ -122,6 +116,7 @@ double add_prestress(const Body<T, D>& body, std::int64_t slot, StressPoint<D>& 
 
 template <class T, int D>
 StressPoint<D> stress_point(const Body<T, D>& body, std::int64_t slot, const Cell<D>& cell) {
+  using Pack = xsimd::batch<double, xsimd::sse2>;
   const CellShape<D> shape = cell_shape<T, D>(body, slot, cell);
   const auto material = kernels::with_scalar<double>(body.material);
   StressPoint<D> point;
@@ -132,7 +127,11 @@ StressPoint<D> stress_point(const Body<T, D>& body, std::int64_t slot, const Cel
       point.deformation_gradient[i][j] = shape.f(i, j);
     }
   }
-  state.hourglass = Pack(shape.squares);
+  Pack mode[D][1 << D];
+  for (int i = 0; i < D; ++i) std::copy(shape.mode[i].begin(), shape.mode[i].end(), mode[i]);
+  std::copy_n(state.f, D * D, state.by_f);
+  const kernels::HourglassWeights<Pack, D> weights(body.hourglass, body.lattice.spacing);
+  state.hourglass = kernels::hourglass_squares<Pack, D>(weights, state.f, mode, state.by_f);
   state.complete();
   const auto stress = kernels::cell_stress<Pack, D>(material, state, Pack(0.0));
 

@@ -23,9 +23,10 @@ inline constexpr int corner_rows = 1 << (D - 1);
 /// Coefficients of the energy of hourglass modes, over 2 W1 J^(-2/3)/2.
 template <class T>
 struct HourglassStiffness {
-  T modes = 0;     ///< kappa of (TL.6)
-  T bending = 0;   ///< of modes that bend a cell in two directions at once, (TL.17); 3D
-  T twisting = 0;  ///< of modes that twist a cell, (TL.17); 3D
+  T modes = 0;    ///< kappa of (TL.6), for modes of two directions
+  T triple = 0;   ///< kappa for the mode of three directions; 3D
+  T bending = 0;  ///< what modes that bend a cell have more than those that twist it, (TL.17); 3D
+  T saddle = 0;   ///< coupling of the two modes that bend it across one plane, (TL.17); 3D
 };
 
 /// A run of cells along x that a block evaluates for its particles. Each cell at the rim of a block

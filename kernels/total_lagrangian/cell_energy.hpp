@@ -32,7 +32,8 @@ inline P volumetric_stiffness(const Material<Scalar<P>>& material, const P& volu
 template <class P, int D>
 struct CellState {
   P f[D * D], cof[D * D], volume_ratio;
-  P hourglass;  ///< Q of (TL.6)
+  P hourglass;    ///< Q of (TL.6)
+  P by_f[D * D];  ///< half the derivative of F:F + Q by F
 
   /// From `f` and `hourglass`.
   void complete() {
@@ -47,8 +48,8 @@ struct CellState {
 template <class P, int D>
 struct CellStress {
   P excess;        ///< I1* - 3
-  P shear;         ///< 2 W1 J^(-2/3): by half the slope of Q the force of a mode [Pa]
-  P piola[D * D];  ///< P without what Q changes with F [Pa]
+  P shear;         ///< 2 W1 J^(-2/3): by half the derivative of Q the force of a mode [Pa]
+  P piola[D * D];  ///< P [Pa]
 };
 
 /// (TL.4) and (TL.6); `relaxed` is the sum of the p_i of (RP.10).
@@ -70,7 +71,7 @@ inline CellStress<P, D> cell_stress(const Material<Scalar<P>>& material,
   const P spherical = volumetric_slope(material, state.volume_ratio) - relaxed - mean;
 #pragma GCC unroll 9
   for (int c = 0; c < D * D; ++c) {
-    stress.piola[c] = fused(stress.shear, state.f[c], spherical * state.cof[c]);
+    stress.piola[c] = fused(stress.shear, state.by_f[c], spherical * state.cof[c]);
   }
   return stress;
 }
