@@ -15,6 +15,22 @@ pkg_check_modules(muparser REQUIRED IMPORTED_TARGET muparser)
 # The serial library is thread-safe in Debian, the parallel one is not.
 set(HDF5_PREFER_PARALLEL OFF)
 find_package(HDF5 REQUIRED COMPONENTS C)
+# Programs hold those parts of HDF5 that they use. Its shared library loads some 30 others when a program starts, for
+# files on remote servers, which took most of the start. The archive is not position independent: the Python
+# package, and libraries of those who use pliant, take the shared one.
+cmake_path(GET HDF5_C_LIBRARY_hdf5 PARENT_PATH hdf5_folder)
+find_library(PLIANT_HDF5_ARCHIVE libhdf5.a HINTS ${hdf5_folder} NO_DEFAULT_PATH)
+find_library(PLIANT_SZIP_ARCHIVE libsz.a)
+find_library(PLIANT_AEC_ARCHIVE libaec.a)
+add_library(pliant_hdf5 INTERFACE)
+if(PLIANT_HDF5_ARCHIVE AND PLIANT_SZIP_ARCHIVE AND PLIANT_AEC_ARCHIVE)
+  set(is_program $<STREQUAL:$<TARGET_PROPERTY:TYPE>,EXECUTABLE>)
+  set(archives ${PLIANT_HDF5_ARCHIVE} ${PLIANT_SZIP_ARCHIVE} ${PLIANT_AEC_ARCHIVE} ZLIB::ZLIB ${CMAKE_DL_LIBS} m)
+  target_include_directories(pliant_hdf5 SYSTEM INTERFACE ${HDF5_C_INCLUDE_DIRS})
+  target_link_libraries(pliant_hdf5 INTERFACE "$<IF:${is_program},${archives},HDF5::HDF5>")
+else()
+  target_link_libraries(pliant_hdf5 INTERFACE HDF5::HDF5)
+endif()
 if(PLIANT_TESTS)
   find_package(GTest REQUIRED)
   include(GoogleTest)

@@ -71,6 +71,7 @@ struct Body : undeformed::Body<T, D> {
   using Points::position;
 
   kernels::Material<T> material;
+  kernels::HourglassStiffness<double> hourglass;
   Lattice<D> lattice;
   Layout<D> layout;
   Buffer<T> level_set;         ///< phi of the undeformed body [m]

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <map>
 #include <vector>
 
@@ -71,16 +72,11 @@ class Nodes {
     const auto [least, most] = std::minmax_element(corner.begin(), corner.end());
     if (*most <= 0) return 1;
     if (*least >= 0) return 0;
-    double sum = 0;
-    const int count = kernels::power(sub_cells, D);
-    for (int k = 0; k < count; ++k) {
-      Point<D> s;
-      for (int a = 0, rest = k; a < D; ++a, rest /= sub_cells) {
-        s[a] = (rest % sub_cells + 0.5) / sub_cells;
-      }
-      sum += std::clamp(0.5 - sub_cells * phi_in(cell, s, corner), 0.0, 1.0);
-    }
-    const double fraction = sum / count;
+    const double fraction =
+        has_mesh_ ? share_inside([&](const Point<D>& s) { return between(corner, s); }, never_far)
+        : is_moved(cell)
+            ? share_inside([&](const Point<D>& s) { return phi_at(within(cell, s)); }, never_far)
+            : share_inside([&](const Point<D>& s) { return phi_at(on_lattice(cell, s)); }, far);
     return fraction < smallest ? 0 : fraction;
   }
 
@@ -95,6 +91,10 @@ class Nodes {
   static constexpr int corners = 1 << D;
   static constexpr int sub_cells = 10;        // to a side, of a cell that the surface cuts
   static constexpr double on_surface = 1e-9;  // [h] distances that rounding may leave
+  // Where phi is that or more in the middle of 2^D sub-cells, the surface cuts none of them: phi
+  // grows by no more than the way. Farther than half a sub-cell and half its diagonal [h].
+  static constexpr double far = (0.5 + 0.87) / sub_cells;
+  static constexpr double never_far = std::numeric_limits<double>::infinity();
 
   double phi_at(const Point<D>& x) const {
     return signed_distance(shape_, padded<D>(x), D) / lattice_.spacing;
@@ -129,14 +129,51 @@ class Nodes {
     return x;
   }
 
-  // phi at a place in a cell [h]: of the shape itself, or between the corners for meshes, whose
-  // distances take long.
-  double phi_in(const Cell<D>& cell, const Point<D>& s,
-                const std::array<double, corners>& corner) const {
-    if (!has_mesh_) return phi_at(within(cell, s));
+  bool is_moved(const Cell<D>& cell) const {
+    for (int c = 0; c < corners && !moved_.empty(); ++c) {
+      if (moved_.count(index(at_corner(cell, c))) > 0) return true;
+    }
+    return false;
+  }
+
+  Point<D> on_lattice(const Cell<D>& cell, const Point<D>& s) const {
+    Point<D> x = lattice_.node(cell);
+    for (int a = 0; a < D; ++a) x[a] += s[a] * lattice_.spacing;
+    return x;
+  }
+
+  // phi linear between the corners: distances to meshes take long.
+  static double between(const std::array<double, corners>& corner, const Point<D>& s) {
     double value = 0;
     for (int c = 0; c < corners; ++c) value += weight(s, c) * corner[c];
     return value;
+  }
+
+  // The mean of clamp(1/2 - 10 phi/h, 0, 1) over the sub-cells; groups of 2^D of them in whose
+  // middle phi is `far_off` or more count as one.
+  template <class Phi>
+  static double share_inside(Phi&& phi, double far_off) {
+    constexpr int groups = sub_cells / 2;
+    double sum = 0;
+    for (int g = 0; g < kernels::power(groups, D); ++g) {
+      Point<D> middle;
+      for (int a = 0, rest = g; a < D; ++a, rest /= groups) {
+        middle[a] = (rest % groups + 0.5) / groups;
+      }
+      if (far_off < never_far) {
+        const double distance = phi(middle);
+        if (std::abs(distance) >= far_off) {
+          sum += distance < 0 ? corners : 0;
+          continue;
+        }
+      }
+      for (int k = 0; k < corners; ++k) {
+        Point<D> s = middle;
+        for (int a = 0; a < D; ++a) s[a] += ((k >> a & 1) - 0.5) / sub_cells;
+        sum += std::clamp(0.5 - sub_cells * phi(s), 0.0, 1.0);
+      }
+    }
+    return sum / kernels::power(sub_cells, D);
   }
 
   std::int64_t index(const Cell<D>& cell) const {

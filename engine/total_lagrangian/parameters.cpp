@@ -4,8 +4,9 @@ namespace pliant::total_lagrangian {
 
 void visit_keys(MethodKeys& visit, MethodParameters& parameters) {
   auto& method = parameters.as<Parameters>();
-  visit("hourglass_stiffness", method.hourglass_stiffness,
-        {.meaning = "hourglass stiffness relative to the shear stiffness (TL.6)",
+  visit("hourglass_stiffness", NumberOrWord{method.hourglass_stiffness, "material", "a factor"},
+        {.meaning = R"(hourglass stiffness: "material" for that of beams and plates (TL.17), or )"
+                    "one relative to the shear stiffness for all modes (TL.6)",
          .example = "0.8",
          .limits = {0, 2, true, true, "from 0 to 2"}});
   visit("mass_scaling", NumberOrWord{method.mass_scaling, "match_time_step", "a factor"},

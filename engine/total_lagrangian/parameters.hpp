@@ -9,9 +9,9 @@ namespace pliant::total_lagrangian {
 
 /// The table [total_lagrangian] of a case.
 struct Parameters {
-  double hourglass_stiffness = 1.5;         ///< kappa of (TL.6)
-  std::optional<double> mass_scaling = 1.;  ///< inertia over mass; none: as `time.step` needs it
-  std::optional<double> damping = 0.;       ///< alpha of (TL.8) [1/s]; none: adaptive, (TL.10)
+  std::optional<double> hourglass_stiffness;  ///< kappa of (TL.6); none: of the material, (TL.17)
+  std::optional<double> mass_scaling = 1.;    ///< inertia over mass; none: as `time.step` needs it
+  std::optional<double> damping = 0.;         ///< alpha of (TL.8) [1/s]; none: adaptive, (TL.10)
 };
 
 inline const Parameters& parameters_of(const Case& settings) {

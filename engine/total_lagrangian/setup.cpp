@@ -14,6 +14,7 @@
 #include "engine/total_lagrangian/fit.hpp"
 #include "engine/total_lagrangian/fitted_cells.hpp"
 #include "engine/total_lagrangian/nodes.hpp"
+#include "engine/total_lagrangian/parameters.hpp"
 #include "engine/total_lagrangian/prestress.hpp"
 #include "kernels/with_scalar.hpp"
 
@@ -79,6 +80,18 @@ void take_material(const BodyCase& source, Body<T, D>& body) {
   body.prony = source.prony;
   body.memory_pressure.resize(body.prony.size());
   body.next_memory_pressure.resize(body.prony.size());
+}
+
+// (TL.17), with Poisson's ratio at rest.
+template <int D>
+kernels::HourglassStiffness<double> hourglass_stiffness(const std::optional<double>& given,
+                                                        const kernels::Material<double>& material) {
+  if (given) return {*given, *given, 0, 0};
+  const double k = material.bulk_modulus, mu = material.shear_modulus;
+  const double poisson = (3 * k - 2 * mu) / (6 * k + 2 * mu);
+  if (D == 2) return {1 / (1 - poisson), 0, 0, 0};
+  constexpr double twist = 2. / 3;  // of plates
+  return {twist, 1 / (1 - poisson), 1 - twist, poisson / (1 - poisson)};
 }
 
 template <class T, int D>
@@ -150,6 +163,8 @@ void make_body(const Case& settings, const BodyCase& source, const Boundaries<D>
   body.name = source.name;
   body.source = &source;
   take_material(source, body);
+  body.hourglass =
+      hourglass_stiffness<D>(parameters_of(settings).hourglass_stiffness, source.material);
   const Box<3> box = bounding_box(source.geometry);
   body.lattice = nodes_on_faces<D>(settings.discretisation.spacing, box);
   Nodes<D> nodes(body.lattice, source.geometry, box);

@@ -188,7 +188,9 @@ void Step<T, D>::set_cells(const Body<T, D>& body, int local, kernels::Motion<T,
   work.fitted_numbers = cells.fitted.data();
   work.fitted_count = static_cast<int>(cells.fitted.size());
   work.spacing = static_cast<T>(body.lattice.spacing);
-  work.hourglass = static_cast<T>(parameters_of(settings_).hourglass_stiffness);
+  const kernels::HourglassStiffness<double>& hourglass = body.hourglass;
+  work.hourglass = {static_cast<T>(hourglass.modes), static_cast<T>(hourglass.triple),
+                    static_cast<T>(hourglass.bending), static_cast<T>(hourglass.saddle)};
   work.examine = advance_.examine;
   work.material = body.material;
   work.fraction = body.regular_fraction.get();

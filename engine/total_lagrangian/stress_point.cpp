@@ -6,6 +6,7 @@
 #include "engine/method/initial_stress.hpp"
 #include "engine/total_lagrangian/fitted_cells.hpp"
 #include "kernels/total_lagrangian/cell_energy.hpp"
+#include "kernels/total_lagrangian/hourglass.hpp"
 #include "kernels/with_scalar.hpp"
 
 namespace pliant::total_lagrangian {
@@ -67,8 +68,8 @@ Memory relaxed_memory(const Body<T, D>& body, std::int64_t slot, double volume_c
 template <int D>
 struct CellShape {
   Eigen::Matrix<double, D, D> f;
-  double squares = 0;  ///< sum_b c_b q_b.q_b of (TL.6)
-  double volume = 0;   ///< of the body at rest
+  std::array<std::array<double, (1 << D)>, D> mode;  ///< those that F leaves [m]
+  double volume = 0;                                 ///< of the body at rest
 };
 
 template <class T, int D>
@@ -89,13 +90,10 @@ CellShape<D> cell_shape(const Body<T, D>& body, std::int64_t slot, const Cell<D>
   CellShape<D> shape;
   shape.f = Matrix::Identity() + gradient;
   shape.volume = body.fraction[slot] * std::pow(h, D) * a.determinant();
-  for (int m = 1; m < (1 << D); ++m) {
-    const int directions = kernels::directions_of[m];
-    if (directions < 2) continue;
+  shape.mode = mode;
+  for (int m = 1; m < (1 << D) && is_fitted; ++m) {
     for (int i = 0; i < D; ++i) {
-      double q = mode[i][m];
-      for (int j = 0; j < D && is_fitted; ++j) q -= gradient(i, j) * fitted->start[j][m];
-      shape.squares += kernels::mode_weights<D>[directions] / (h * h) * q * q;
+      for (int j = 0; j < D; ++j) shape.mode[i][m] -= gradient(i, j) * fitted->start[j][m];
     }
   }
   return shape;
@@ -117,8 +115,7 @@ double add_prestress(const Body<T, D>& body, std::int64_t slot, StressPoint<D>& 
 }  // namespace
 
 template <class T, int D>
-StressPoint<D> stress_point(const Body<T, D>& body, std::int64_t slot, const Cell<D>& cell,
-                            double hourglass) {
+StressPoint<D> stress_point(const Body<T, D>& body, std::int64_t slot, const Cell<D>& cell) {
   using Pack = xsimd::batch<double, xsimd::sse2>;
   const CellShape<D> shape = cell_shape<T, D>(body, slot, cell);
   const auto material = kernels::with_scalar<double>(body.material);
@@ -130,7 +127,11 @@ StressPoint<D> stress_point(const Body<T, D>& body, std::int64_t slot, const Cel
       point.deformation_gradient[i][j] = shape.f(i, j);
     }
   }
-  state.hourglass = Pack(hourglass * shape.squares);
+  Pack mode[D][1 << D];
+  for (int i = 0; i < D; ++i) std::copy(shape.mode[i].begin(), shape.mode[i].end(), mode[i]);
+  std::copy_n(state.f, D * D, state.by_f);
+  const kernels::HourglassWeights<Pack, D> weights(body.hourglass, body.lattice.spacing);
+  state.hourglass = kernels::hourglass_squares<Pack, D>(weights, state.f, mode, state.by_f);
   state.complete();
   const auto stress = kernels::cell_stress<Pack, D>(material, state, Pack(0.0));
 
@@ -158,12 +159,10 @@ StressPoint<D> stress_point(const Body<T, D>& body, std::int64_t slot, const Cel
 }
 
 template StressPoint<2> stress_point<double, 2>(const Body<double, 2>&, std::int64_t,
-                                                const Cell<2>&, double);
+                                                const Cell<2>&);
 template StressPoint<3> stress_point<double, 3>(const Body<double, 3>&, std::int64_t,
-                                                const Cell<3>&, double);
-template StressPoint<2> stress_point<float, 2>(const Body<float, 2>&, std::int64_t, const Cell<2>&,
-                                               double);
-template StressPoint<3> stress_point<float, 3>(const Body<float, 3>&, std::int64_t, const Cell<3>&,
-                                               double);
+                                                const Cell<3>&);
+template StressPoint<2> stress_point<float, 2>(const Body<float, 2>&, std::int64_t, const Cell<2>&);
+template StressPoint<3> stress_point<float, 3>(const Body<float, 3>&, std::int64_t, const Cell<3>&);
 
 }  // namespace pliant::total_lagrangian

@@ -19,7 +19,6 @@ struct StressPoint {
 
 /// The stress point above `slot`, whose cell the body must fill in part; (TL.2)-(TL.6).
 template <class T, int D>
-StressPoint<D> stress_point(const Body<T, D>& body, std::int64_t slot, const Cell<D>& cell,
-                            double hourglass);
+StressPoint<D> stress_point(const Body<T, D>& body, std::int64_t slot, const Cell<D>& cell);
 
 }  // namespace pliant::total_lagrangian

@@ -20,6 +20,15 @@ inline constexpr int directions_of[] = {0, 1, 1, 2, 1, 2, 2, 3};
 template <int D>
 inline constexpr int corner_rows = 1 << (D - 1);
 
+/// Coefficients of the energy of hourglass modes, over 2 W1 J^(-2/3)/2.
+template <class T>
+struct HourglassStiffness {
+  T modes = 0;    ///< kappa of (TL.6), for modes of two directions
+  T triple = 0;   ///< kappa for the mode of three directions; 3D
+  T bending = 0;  ///< what modes that bend a cell have more than those that twist it, (TL.17); 3D
+  T saddle = 0;   ///< coupling of the two modes that bend it across one plane, (TL.17); 3D
+};
+
 /// A run of cells along x that a block evaluates for its particles. Each cell at the rim of a block
 /// is evaluated by every block with particles at its corners, so that its forces stay in the
 /// block's scratch memory.
@@ -68,7 +77,7 @@ struct Motion {
   int fitted_count;
   std::int64_t first_slot, slot_count;  ///< of the block, multiples of slots_per_pack
   T spacing;
-  T hourglass;   ///< kappa of (TL.6)
+  HourglassStiffness<T> hourglass;
   bool examine;  ///< whether to look for the wave speed and for states that are not possible
   T kept;        ///< share of the velocity that damping leaves, (TL.8)
   T gained;      ///< velocity per force over mass [s], (TL.8)

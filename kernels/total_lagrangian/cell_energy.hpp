@@ -28,15 +28,12 @@ inline P volumetric_stiffness(const Material<Scalar<P>>& material, const P& volu
   return modulus * volume_ratio;
 }
 
-/// c_b h^2 of (TL.6) by the number of directions.
-template <int D>
-inline constexpr double mode_weights[] = {0, 0, 8. / 3 / (1 << 2 * D), 4. / 3 / (1 << 2 * D)};
-
 /// What the energy of cells depends on.
 template <class P, int D>
 struct CellState {
   P f[D * D], cof[D * D], volume_ratio;
-  P hourglass;  ///< kappa sum_b c_b q_b.q_b of (TL.6)
+  P hourglass;    ///< Q of (TL.6)
+  P by_f[D * D];  ///< half the derivative of F:F + Q by F
 
   /// From `f` and `hourglass`.
   void complete() {
@@ -51,7 +48,7 @@ struct CellState {
 template <class P, int D>
 struct CellStress {
   P excess;        ///< I1* - 3
-  P shear;         ///< 2 W1 J^(-2/3): by kappa c_b q_b the force of a mode [Pa]
+  P shear;         ///< 2 W1 J^(-2/3): by half the derivative of Q the force of a mode [Pa]
   P piola[D * D];  ///< P [Pa]
 };
 
@@ -74,7 +71,7 @@ inline CellStress<P, D> cell_stress(const Material<Scalar<P>>& material,
   const P spherical = volumetric_slope(material, state.volume_ratio) - relaxed - mean;
 #pragma GCC unroll 9
   for (int c = 0; c < D * D; ++c) {
-    stress.piola[c] = fused(stress.shear, state.f[c], spherical * state.cof[c]);
+    stress.piola[c] = fused(stress.shear, state.by_f[c], spherical * state.cof[c]);
   }
   return stress;
 }

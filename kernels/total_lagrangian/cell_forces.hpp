@@ -3,6 +3,7 @@
 #include "kernels/second_piola.hpp"
 #include "kernels/total_lagrangian/cell_energy.hpp"
 #include "kernels/total_lagrangian/corner_modes.hpp"
+#include "kernels/total_lagrangian/hourglass.hpp"
 
 /// Parts that stress points of regular and of fitted cells share.
 namespace pliant::kernels {
@@ -36,39 +37,6 @@ inline void displacement_modes(const Motion<Scalar<P>, D>& block, const CellRun<
     for (int c = 0; c < (1 << D); ++c) mode[i][c] = load<P>(d + run.row[c >> 1] + (c & 1));
     to_modes<P, D>(mode[i]);
   }
-}
-
-/// kappa c_b of (TL.6) by the number of directions of b [1/m^2].
-template <class P, int D>
-struct HourglassWeights {
-  Scalar<P> of[D + 1];
-
-  explicit HourglassWeights(const Motion<Scalar<P>, D>& block) {
-#pragma GCC unroll 3
-    for (int n = 0; n <= D; ++n) {
-      of[n] = block.hourglass * Scalar<P>(mode_weights<D>[n]) / (block.spacing * block.spacing);
-    }
-  }
-};
-
-/// kappa sum_b c_b q_b.q_b of (TL.6).
-template <class P, int D>
-inline P hourglass_squares(const HourglassWeights<P, D>& weights, const P (&mode)[D][1 << D]) {
-  using T = Scalar<P>;
-  P sum(T(0));
-#pragma GCC unroll 3
-  for (int n = 2; n <= D; ++n) {
-    P squares(T(0));
-#pragma GCC unroll 3
-    for (int i = 0; i < D; ++i) {
-#pragma GCC unroll 8
-      for (int m = 1; m < (1 << D); ++m) {
-        if (directions_of[m] == n) squares = fused(mode[i][m], mode[i][m], squares);
-      }
-    }
-    sum = fused(P(weights.of[n]), squares, sum);
-  }
-  return sum;
 }
 
 /// What a register of stress points adds to the block's result.

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <algorithm>
+
 #include "kernels/total_lagrangian/cell_forces.hpp"
 
 /// Stress points of fitted cells, (TL.11): few, anywhere in the block, gathered into registers.
@@ -65,7 +67,8 @@ inline void gather_modes(const Motion<Scalar<P>, D>& block, const CellGroup<P, D
   }
 }
 
-/// F and what is left of the hourglass modes, so that linear fields have none.
+/// F and what is left of the hourglass modes, so that linear fields have none; these become half
+/// the derivatives of Q, (TL.6).
 template <class P, int D>
 inline void fitted_state(const CellGroup<P, D>& group, const HourglassWeights<P, D>& weights,
                          const P& slope, const P (&inverse)[D * D], P (&mode)[D][1 << D],
@@ -92,7 +95,8 @@ inline void fitted_state(const CellGroup<P, D>& group, const HourglassWeights<P,
       }
     }
   }
-  state.hourglass = hourglass_squares<P, D>(weights, mode);
+  std::copy_n(state.f, D * D, state.by_f);
+  state.hourglass = hourglass_squares<P, D>(weights, state.f, mode, state.by_f);
   state.complete();
 }
 
@@ -125,11 +129,11 @@ inline P relax_fitted(const Motion<Scalar<P>, D>& block, const CellGroup<P, D>& 
   return sum;
 }
 
-/// (TL.5) and (TL.6) with the corrections of (TL.11), from the modes `mode` that F leaves.
+/// (TL.5) and (TL.6) with the corrections of (TL.11), from half the derivatives of Q by the modes
+/// that F leaves.
 template <class P, int D>
 inline void add_fitted_forces(const Motion<Scalar<P>, D>& block, const CellGroup<P, D>& group,
-                              const HourglassWeights<P, D>& weights, const P& slope,
-                              const P (&inverse)[D * D], const P (&mode)[D][1 << D],
+                              const P& slope, const P (&inverse)[D * D], const P (&mode)[D][1 << D],
                               const P (&start)[D][1 << D], const CellStress<P, D>& stress) {
   using T = Scalar<P>;
   constexpr int corners = 1 << D;
@@ -142,7 +146,7 @@ inline void add_fitted_forces(const Motion<Scalar<P>, D>& block, const CellGroup
     for (int j = 0; j < D; ++j) effective[j] = stress.piola[D * i + j];
     for (int m = 1; m < corners; ++m) {
       if (directions_of[m] < 2) continue;
-      const P force = stress.shear * P(weights.of[directions_of[m]]) * mode[i][m];
+      const P force = stress.shear * mode[i][m];
       for (int j = 0; j < D; ++j) effective[j] = fused_minus(force, start[j][m], effective[j]);
       pull[m] = volume * force;
     }
@@ -162,7 +166,7 @@ void evaluate_fitted_cells(const Motion<Scalar<P>, D>& block, StressPointExtreme
   using T = Scalar<P>;
   constexpr int corners = 1 << D;
   const P slope(T(2) / (corners * block.spacing));
-  const HourglassWeights<P, D> weights(block);
+  const HourglassWeights<P, D> weights(block.hourglass, block.spacing);
   for (int first = 0; first < block.fitted_count; first += lanes<P>) {
     const CellGroup<P, D> group(block, first);
     P mode[D][corners], start[D][corners], inverse[D * D];
@@ -175,7 +179,7 @@ void evaluate_fitted_cells(const Motion<Scalar<P>, D>& block, StressPointExtreme
     const P pressure = relax_fitted<P, D>(block, group, state);
     CellStress<P, D> stress = cell_stress<P, D>(block.material, state, pressure);
     add_fitted_prestress<P, D>(block, group, state, stress);
-    add_fitted_forces<P, D>(block, group, weights, slope, inverse, mode, start, stress);
+    add_fitted_forces<P, D>(block, group, slope, inverse, mode, start, stress);
     if (!block.examine) continue;
     P reverse[D * D];
     for (int a = 0; a < D; ++a) {

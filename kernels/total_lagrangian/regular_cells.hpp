@@ -1,5 +1,7 @@
 #pragma once
 
+#include <algorithm>
+
 #include "kernels/shifted_lanes.hpp"
 #include "kernels/total_lagrangian/cell_forces.hpp"
 
@@ -35,22 +37,22 @@ inline P relax_cells(const CellViscosity<Scalar<P>>& viscosity, const CellState<
 }
 
 /// F and the energy's other arguments, (TL.2): F = I where the body is not, whose corners are
-/// nothing in particular.
+/// nothing in particular. Hourglass modes become half the derivatives of Q, (TL.6).
 template <class P, int D>
 inline void regular_state(const HourglassWeights<P, D>& weights, const P& slope,
-                          const typename P::batch_bool_type& inside, const P (&mode)[D][1 << D],
+                          const typename P::batch_bool_type& inside, P (&mode)[D][1 << D],
                           CellState<P, D>& state) {
   using T = Scalar<P>;
-  const P zero(T(0));
+  const P zero(T(0)), slope_inside = xsimd::select(inside, slope, zero);
 #pragma GCC unroll 3
   for (int i = 0; i < D; ++i) {
 #pragma GCC unroll 3
-    for (int j = 0; j < D; ++j) {
-      state.f[D * i + j] = xsimd::select(inside, mode[i][1 << j] * slope, zero);
-    }
+    for (int j = 0; j < D; ++j) state.f[D * i + j] = mode[i][1 << j] * slope_inside;
     state.f[D * i + i] = state.f[D * i + i] + P(T(1));
   }
-  state.hourglass = xsimd::select(inside, hourglass_squares<P, D>(weights, mode), zero);
+  std::copy_n(state.f, D * D, state.by_f);
+  const P squares = hourglass_squares<P, D>(weights, state.f, mode, state.by_f);
+  state.hourglass = xsimd::select(inside, squares, zero);
   state.complete();
 }
 
@@ -130,7 +132,7 @@ void evaluate_run(const Motion<Scalar<P>, D>& block, const CellRun<D>& run,
   for (int a = 0; a < D; ++a) volume *= block.spacing;
   // Half the corners pull each way, so that a difference over h is 2/2^D of a gradient mode.
   const P slope(T(2) / (corners * block.spacing)), zero(T(0));
-  const HourglassWeights<P, D> weights(block);
+  const HourglassWeights<P, D> weights(block.hourglass, block.spacing);
   UpperCorners<P, D> upper;
   upper.clear();
   for (std::int64_t along = run.follows ? -lanes<P> : 0; along < run.count; along += lanes<P>) {
@@ -160,8 +162,7 @@ void evaluate_run(const Motion<Scalar<P>, D>& block, const CellRun<D>& run,
 #pragma GCC unroll 8
       for (int m = 1; m < corners; ++m) {
         if (directions_of[m] < 2) continue;
-        const P force = stiffness * P(weights.of[directions_of[m]]) * mode[i][m];
-        pull[m] = xsimd::select(inside, force, zero);
+        pull[m] = stiffness * mode[i][m];
       }
 #pragma GCC unroll 3
       for (int j = 0; j < D; ++j) pull[1 << j] = area * stress.piola[D * i + j];

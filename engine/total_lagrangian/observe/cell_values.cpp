@@ -36,14 +36,14 @@ Point<D> present_centre(const Body<T, D>& body, const Cell<D>& cell) {
 
 // A field of measurements, by its name, at a stress point.
 template <class T, int D>
-double cell_value(const Body<T, D>& body, std::int64_t slot, const Cell<D>& cell, double hourglass,
+double cell_value(const Body<T, D>& body, std::int64_t slot, const Cell<D>& cell,
                   const std::string& field) {
   const int axis = last_axis(field);
   if (field.starts_with("velocity")) return mean_of_corners<T, D>(body, body.velocity[axis], cell);
   if (field.starts_with("displacement")) {
     return mean_of_corners<T, D>(body, body.displacement[axis], cell);
   }
-  const StressPoint<D> point = stress_point<T, D>(body, slot, cell, hourglass);
+  const StressPoint<D> point = stress_point<T, D>(body, slot, cell);
   if (field == "pressure") return point.pressure;
   if (field == "density") return body.material.density / point.volume_ratio;
   if (field.starts_with("strain")) return strain_value<D>(point.deformation_gradient, field);
@@ -62,8 +62,7 @@ void for_each_cell(const Body<T, D>& body, F&& f) {
 }  // namespace
 
 template <class T, int D>
-double material_value(const Body<T, D>& body, const Vector& start, const std::string& field,
-                      double hourglass) {
+double material_value(const Body<T, D>& body, const Vector& start, const std::string& field) {
   LinearFit<D, 1> fit;
   for_each_cell(body, [&](std::int64_t p, const Cell<D>& cell) {
     Point<D> r;
@@ -74,8 +73,7 @@ double material_value(const Body<T, D>& body, const Vector& start, const std::st
     }
     const double fraction = square / (radius * radius);
     if (fraction >= 1) return;
-    fit.add(r, (1 - fraction) * (1 - fraction),
-            {cell_value<T, D>(body, p, cell, hourglass, field)});
+    fit.add(r, (1 - fraction) * (1 - fraction), {cell_value<T, D>(body, p, cell, field)});
   });
   return fit.solve() ? fit.value(0) : no_value;
 }
@@ -98,7 +96,7 @@ std::optional<Vector> start_of(const Body<T, D>& body, const Vector& x) {
     offset = r;
   });
   if (!std::isfinite(least)) return std::nullopt;
-  const auto f = stress_point<T, D>(body, nearest, nearest_cell, 0).deformation_gradient;
+  const auto f = stress_point<T, D>(body, nearest, nearest_cell).deformation_gradient;
   Eigen::Matrix<double, D, D> gradient;
   for (int i = 0; i < D; ++i) {
     for (int j = 0; j < D; ++j) gradient(i, j) = f[i][j];
@@ -112,29 +110,29 @@ std::optional<Vector> start_of(const Body<T, D>& body, const Vector& x) {
 }
 
 template <class T, int D>
-double mean_value(const Body<T, D>& body, const MeasurementCase& m, double hourglass, double t) {
+double mean_value(const Body<T, D>& body, const MeasurementCase& m, double t) {
   double sum = 0, volume = 0;
   for_each_cell(body, [&](std::int64_t p, const Cell<D>& cell) {
     const Vector at = padded<D>(present_centre<T, D>(body, cell));
     if (m.where && (*m.where)(at[0], at[1], at[2], t) == 0) return;
-    const double v = body.fraction[p] * stress_point<T, D>(body, p, cell, hourglass).volume_ratio;
-    sum += v * cell_value<T, D>(body, p, cell, hourglass, m.field);
+    const double v = body.fraction[p] * stress_point<T, D>(body, p, cell).volume_ratio;
+    sum += v * cell_value<T, D>(body, p, cell, m.field);
     volume += v;
   });
   return volume > 0 ? sum / volume : no_value;
 }
 
-template double material_value(const Body<double, 2>&, const Vector&, const std::string&, double);
+template double material_value(const Body<double, 2>&, const Vector&, const std::string&);
 template std::optional<Vector> start_of(const Body<double, 2>&, const Vector&);
-template double material_value(const Body<double, 3>&, const Vector&, const std::string&, double);
+template double material_value(const Body<double, 3>&, const Vector&, const std::string&);
 template std::optional<Vector> start_of(const Body<double, 3>&, const Vector&);
-template double material_value(const Body<float, 2>&, const Vector&, const std::string&, double);
+template double material_value(const Body<float, 2>&, const Vector&, const std::string&);
 template std::optional<Vector> start_of(const Body<float, 2>&, const Vector&);
-template double material_value(const Body<float, 3>&, const Vector&, const std::string&, double);
+template double material_value(const Body<float, 3>&, const Vector&, const std::string&);
 template std::optional<Vector> start_of(const Body<float, 3>&, const Vector&);
-template double mean_value(const Body<double, 2>&, const MeasurementCase&, double, double);
-template double mean_value(const Body<double, 3>&, const MeasurementCase&, double, double);
-template double mean_value(const Body<float, 2>&, const MeasurementCase&, double, double);
-template double mean_value(const Body<float, 3>&, const MeasurementCase&, double, double);
+template double mean_value(const Body<double, 2>&, const MeasurementCase&, double);
+template double mean_value(const Body<double, 3>&, const MeasurementCase&, double);
+template double mean_value(const Body<float, 2>&, const MeasurementCase&, double);
+template double mean_value(const Body<float, 3>&, const MeasurementCase&, double);
 
 }  // namespace pliant::total_lagrangian

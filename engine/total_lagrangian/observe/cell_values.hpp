@@ -10,8 +10,7 @@ namespace pliant::total_lagrangian {
 /// The value of a field at the place `start` of the undeformed body [m]: a linear fit over the
 /// cells around it. NaN where there are none.
 template <class T, int D>
-double material_value(const Body<T, D>& body, const Vector& start, const std::string& field,
-                      double hourglass);
+double material_value(const Body<T, D>& body, const Vector& start, const std::string& field);
 
 /// Where the material now at `x` [m] started, as the nearest cell says; none where no cell is near.
 template <class T, int D>
@@ -20,6 +19,6 @@ std::optional<Vector> start_of(const Body<T, D>& body, const Vector& x);
 /// The mean of the field of a `mean_value` over the present volume of the cells that lie where the
 /// measurement says. NaN where there are none.
 template <class T, int D>
-double mean_value(const Body<T, D>& body, const MeasurementCase& m, double hourglass, double t);
+double mean_value(const Body<T, D>& body, const MeasurementCase& m, double t);
 
 }  // namespace pliant::total_lagrangian

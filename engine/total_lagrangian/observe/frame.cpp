@@ -34,8 +34,7 @@ std::vector<Means> means(const Body<T, D>& body) {
   for (const Block<D>& block : body.layout.blocks()) {
     body.layout.for_each_slot(block, [&](std::int64_t p, const Cell<D>& cell) {
       if (!(body.fraction[p] > 0)) return;
-      const Means values =
-          values_of<D>(stress_point<T, D>(body, p, cell, 0), body.material.density);
+      const Means values = values_of<D>(stress_point<T, D>(body, p, cell), body.material.density);
       for (const std::int64_t q : body.corners(cell)) {
         for (int k = 0; k < mean_fields; ++k) sum[q][k] += body.fraction[p] * values[k];
         weight[q] += body.fraction[p];

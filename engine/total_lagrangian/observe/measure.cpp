@@ -25,10 +25,10 @@ void for_each_particle(const Body<T, D>& body, F&& f) {
 }
 
 template <class T, int D, class F>
-void for_each_stress_point(const Body<T, D>& body, double hourglass, F&& f) {
+void for_each_stress_point(const Body<T, D>& body, F&& f) {
   for (const Block<D>& block : body.layout.blocks()) {
     body.layout.for_each_slot(block, [&](std::int64_t p, const Cell<D>& cell) {
-      if (body.fraction[p] > 0) f(p, stress_point<T, D>(body, p, cell, hourglass));
+      if (body.fraction[p] > 0) f(p, stress_point<T, D>(body, p, cell));
     });
   }
 }
@@ -95,8 +95,7 @@ double Measurer<T, D>::point_displacement(const MeasurementCase& m) const {
 
 template <class T, int D>
 double Measurer<T, D>::value_at(const MeasurementCase& m, const Vector& start) const {
-  return total_lagrangian::material_value<T, D>(state_.bodies[m.body], start, m.field,
-                                                parameters_of(settings_).hourglass_stiffness);
+  return total_lagrangian::material_value<T, D>(state_.bodies[m.body], start, m.field);
 }
 
 template <class T, int D>
@@ -112,8 +111,7 @@ double Measurer<T, D>::point_value(const MeasurementCase& m) const {
 
 template <class T, int D>
 double Measurer<T, D>::mean_value(const MeasurementCase& m) const {
-  return total_lagrangian::mean_value<T, D>(
-      state_.bodies[m.body], m, parameters_of(settings_).hourglass_stiffness, state_.clock.time);
+  return total_lagrangian::mean_value<T, D>(state_.bodies[m.body], m, state_.clock.time);
 }
 
 template <class T, int D>
@@ -177,11 +175,10 @@ BodyIntegrals Measurer<T, D>::integrals(int index, const Vector& about) const {
     sum.mass += body.mass[p];
     add_motion(sum, scaling * body.mass[p], r, u);
   });
-  for_each_stress_point(body, parameters_of(settings_).hourglass_stiffness,
-                        [&](std::int64_t, const StressPoint<D>& point) {
-                          sum.strain_energy += point.energy;
-                          sum.volume += point.volume * point.volume_ratio;
-                        });
+  for_each_stress_point(body, [&](std::int64_t, const StressPoint<D>& point) {
+    sum.strain_energy += point.energy;
+    sum.volume += point.volume * point.volume_ratio;
+  });
   return sum;
 }
 

@@ -28,7 +28,7 @@ double pressure(const total_lagrangian::Body<double, 2>& body) {
   double found = std::nan("");
   body.layout.for_each_slot(body.layout.blocks()[0], [&](std::int64_t p, const Cell<2>& at) {
     if (std::isnan(found) && body.fraction[p] > 0) {
-      found = total_lagrangian::stress_point<double, 2>(body, p, at, 1).pressure;
+      found = total_lagrangian::stress_point<double, 2>(body, p, at).pressure;
     }
   });
   return found;

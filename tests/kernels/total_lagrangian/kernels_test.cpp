@@ -73,7 +73,7 @@ struct Block {
     motion.slot_count =
         patch.segments.back().first + patch.segments.back().count - motion.first_slot;
     motion.spacing = patch.spacing;
-    motion.hourglass = T(0.8);
+    motion.hourglass = {T(0.8), T(1.2), T(0.2), T(0.4)};
     motion.examine = true;
     motion.material = material;
     motion.fraction = fraction.data();
