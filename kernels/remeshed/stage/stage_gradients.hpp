@@ -199,7 +199,7 @@ void stage_gradients(const Stage<Scalar<P>, D>& stage, const Segment<D>& segment
   const P restoring = restoring_rate<P>(stage.material, stage.spacing);
   const bool dissipates = stage.velocity_dissipation != 0 || stage.stress_dissipation != 0;
   if (dissipates) {
-    fourth_differences<P>(fields.field, segment, stage.interior, chunk, fourth.swept);
+    swept_differences<P>(fields.field, segment, stage.interior, chunk, fourth.swept);
     if constexpr (restores_places<D>) {
       place_differences<P>(fields.drift, segment, stage.interior, chunk, fourth.place);
     }
