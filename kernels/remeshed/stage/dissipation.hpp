@@ -6,10 +6,10 @@
 #include "kernels/remeshed/stage/prefetch.hpp"
 #include "kernels/remeshed/stage/sixth_difference.hpp"
 
-/// The dissipation of (RP.23): fourth differences of velocity, place and stress along the lattice
-/// lines, which only see what the lattice does not resolve. Those of the place are a force: they
-/// are the gradient of an energy, the sum of squares of second differences, so that they cannot
-/// feed anything.
+/// The dissipation of (RP.23): differences along the lattice lines of velocity, place and stress,
+/// which only see what the lattice does not resolve. Those of the place are a force: they are the
+/// gradient of an energy, the sum of squares of second differences, so that they cannot feed
+/// anything.
 namespace pliant::kernels {
 
 /// Whether every flux flows between the interior particles of a pack and their neighbours.

@@ -59,7 +59,8 @@ inline P sixth_differences_inside(const Scalar<P>* centre, const LineOffsets (&l
     const LineOffsets& l = line[axis];
     near = near + (load<P>(centre + l.away[1]) + load<P>(centre + l.away[2]) - twice);
     middle = middle + (load<P>(centre + l.away[0]) + load<P>(centre + l.away[3]) - twice);
-    outer = outer + (load<P>(centre + far[axis].before) + load<P>(centre + far[axis].after) - twice);
+    outer =
+        outer + (load<P>(centre + far[axis].before) + load<P>(centre + far[axis].after) - twice);
   }
   return P(T(0.25)) * (fused(P(T(6)), middle, fused_minus(P(T(15)), near, P(T(0)) - outer)));
 }
