@@ -34,7 +34,7 @@ model = "reduced_polynomial"
 density = 1
 coefficients = [19.2]
 compressibility = 0.024
-prony = [{{ ratio = 0.3, time = {} }}]
+prony = {{ ratios = [0.3], times = [{}] }}
 [[boundary]]
 name = "floor"
 kind = "contact_wall"
