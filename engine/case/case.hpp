@@ -217,7 +217,7 @@ struct Case {
     double spacing = 0;  ///< h [m]
     kernels::Kernel kernel = kernels::Kernel::compact;
     DissipationCase dissipation;
-    double damping = 0;  ///< alpha of (RP.71) [1/s]
+    std::optional<double> damping = 0.;  ///< alpha of (RP.71) [1/s]; none: adaptive, (RP.88)
   } discretisation;
 
   struct {

@@ -157,8 +157,9 @@ void discretisation_keys(Visitor& visit, decltype(Case::discretisation)& discret
                   "number stands for both strengths; free surfaces need it in long runs",
        .example = "{ velocity = 0.5, stress = 0.025 }",
        .limits = strength_of_dissipation});
-  visit("damping", discretisation.damping,
-        {.meaning = "mass-proportional damping rate (RP.71), for bodies that come to rest",
+  visit("damping", NumberOrWord{discretisation.damping, "adaptive", "a rate"},
+        {.meaning = R"(mass-proportional damping rate (RP.71), or "adaptive" for critical damping )"
+                    "of the present motion (RP.88), for bodies that come to rest",
          .unit = "1/s",
          .example = "0.5",
          .limits = not_negative});

@@ -30,16 +30,18 @@ double value_of(const MeasurementCase& measurement, const BodyIntegrals& sum, in
   }
 }
 
-void add_motion(BodyIntegrals& sum, double mass, const Vector& r, const Vector& u) {
+void add_motion(BodyIntegrals& sum, double mass, const Vector& r, const Vector& u,
+                double mass_scaling) {
+  const double inertia = mass_scaling * mass;
   double square = 0;
   for (int c = 0; c < 3; ++c) {
     const int a = (c + 1) % 3, b = (c + 2) % 3;
     square += u[c] * u[c];
     sum.first_moment[c] += mass * r[c];
-    sum.momentum[c] += mass * u[c];
-    sum.angular_momentum[c] += mass * (r[a] * u[b] - r[b] * u[a]);
+    sum.momentum[c] += inertia * u[c];
+    sum.angular_momentum[c] += inertia * (r[a] * u[b] - r[b] * u[a]);
   }
-  sum.kinetic_energy += 0.5 * mass * square;
+  sum.kinetic_energy += 0.5 * inertia * square;
 }
 
 void add(BodyIntegrals& sum, const BodyIntegrals& other) {

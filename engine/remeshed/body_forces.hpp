@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <vector>
 
 #include "engine/method/energy_budget.hpp"
@@ -12,12 +13,19 @@ namespace pliant::remeshed {
 template <int D>
 struct BodyForce {
   typename Gravity<D>::Now gravity;
+  double mass_scaling;  ///< M of (RP.87): gravity acts on the mass, not on what is added to it
   double damping;
   bool acts;
 
+  /// Of gravity at `x` [m/s^2].
+  Point<D> of_gravity(const Point<D>& x) const {
+    Point<D> rate = gravity(x);
+    for (double& component : rate) component /= mass_scaling;
+    return rate;
+  }
   /// At `x`, of what moves with the velocity u [m/s^2].
   Point<D> operator()(const Point<D>& x, const Point<D>& u) const {
-    Point<D> rate = gravity(x);
+    Point<D> rate = of_gravity(x);
     for (int a = 0; a < D; ++a) rate[a] -= damping * u[a];
     return rate;
   }
@@ -37,18 +45,30 @@ class BodyForces {
   /// Adds the rates of the particles of a block at a stage to the state that the stage has left
   /// behind.
   void advance(int block, int stage);
-  /// Adds the work of the step to the state, block by block.
+  /// Adds the work of the step to the state, block by block, and adapts the damping rate to the
+  /// motion.
   void fold();
   /// [block] impulse of the step [N s].
   const std::vector<Point<D>>& impulse() const { return impulse_; }
 
  private:
+  /// Of the particles of a block in the first two stages, before body forces act: what (RP.88)
+  /// reads.
+  struct Motion {
+    double inertia = 0;               ///< sum m u.u [J]
+    std::array<double, 2> gain = {};  ///< [stage] sum m u.(du of the stage) [J]
+  };
+  void follow(int block, int stage);
+  void adapt_damping();
+
   State<T, D>& state_;
   Gravity<D> gravity_;
-  double damping_;
+  double mass_scaling_;
+  bool is_adaptive_;  ///< the damping rate, (RP.88)
   double time_step_ = 0;
   std::vector<EnergyBudget> of_block_;  ///< [block], of the present step
   std::vector<Point<D>> impulse_;       ///< likewise
+  std::vector<Motion> motion_;          ///< likewise
 };
 
 extern template class BodyForces<double, 2>;

@@ -46,7 +46,7 @@ bool set_initial_fields(const Case& settings, Body<T, D>& body, T* valid) {
       for (Buffer<T>& pressure : state[Field::memory_pressure]) pressure[p] = 0;
       if (source.stress && valid[p] > 0) {
         const InitialState<D> stressed = state_under_stress<D>(source, x);
-        state.get(Field::mass)[p] = static_cast<T>(stressed.density) * volume;
+        state.get(Field::mass)[p] = static_cast<T>(body.mass_scaling * stressed.density) * volume;
         for (int c = 0; c < state.material_components(); ++c) {
           state.get(Field::material, c)[p] = static_cast<T>(stressed.material[c]);
         }

@@ -70,10 +70,12 @@ void check(const Check& check) {
 
 // Contact between bodies asks for shorter steps, as measured.
 StepLimits limits_of_steps(const Case& a_case) {
-  return step_limits(a_case, a_case.contacts.empty() ? 1 : 0.5);
+  StepLimits limits = step_limits(a_case, a_case.contacts.empty() ? 1 : 0.5);
+  limits.mass_scaling = parameters_of(a_case).mass_scaling;
+  return limits;
 }
 
-std::string summary(const Case& a_case) {
+std::string remeshings(const Case& a_case) {
   using Policy = decltype(Case::remeshing)::Policy;
   if (a_case.remeshing.policy == Policy::never) return "never remeshed";
   if (a_case.remeshing.policy == Policy::adaptive) {
@@ -81,6 +83,12 @@ std::string summary(const Case& a_case) {
                        a_case.remeshing.strain_threshold, a_case.remeshing.deformation_threshold);
   }
   return fmt::format("remeshed every {} steps", a_case.remeshing.every);
+}
+
+std::string summary(const Case& a_case) {
+  const double scaling = parameters_of(a_case).mass_scaling;
+  return scaling == 1 ? remeshings(a_case)
+                      : fmt::format("the mass times {}, {}", scaling, remeshings(a_case));
 }
 
 }  // namespace

@@ -13,6 +13,10 @@ void visit_keys(MethodKeys& visit, MethodParameters& parameters) {
   visit("determinant", remeshed.determinant,
         {.meaning = "det F of remeshed particles, for materials that carry F",
          .example = R"("from_density")"});
+  visit("mass_scaling", remeshed.mass_scaling,
+        {.meaning = "factor of the inertia, for slow loads: steps are longer by its root (RP.87)",
+         .example = "1e4",
+         .limits = at_least_one});
 }
 
 }  // namespace pliant::remeshed

@@ -18,6 +18,7 @@ struct Parameters {
   kernels::Gradient gradient = kernels::Gradient::moment_matrix;
   Reinitialisation reinitialisation = Reinitialisation::closest_point;
   Determinant determinant = Determinant::from_density;
+  double mass_scaling = 1;  ///< M of (RP.87): inertia over mass
 };
 
 inline const Parameters& parameters_of(const Case& settings) {

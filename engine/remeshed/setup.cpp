@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "engine/geometry/signed_distance.hpp"
+#include "engine/remeshed/parameters.hpp"
 #include "kernels/with_scalar.hpp"
 
 namespace pliant::remeshed {
@@ -33,6 +34,8 @@ void set_up(const Case& settings, const BodyCase& source, Body<T, D>& body) {
   body.name = source.name;
   body.source = &source;
   body.material = kernels::with_scalar<T>(source.material);
+  body.mass_scaling = parameters_of(settings).mass_scaling;
+  body.material.density *= static_cast<T>(body.mass_scaling);
   for (const kernels::PronyTerm<double>& term : source.prony) {
     body.prony.push_back({static_cast<T>(term.ratio), static_cast<T>(term.time)});
   }
@@ -48,6 +51,7 @@ void set_up(const Case& settings, const BodyCase& source, Body<T, D>& body) {
 template <class T, int D>
 State<T, D> make_state(const Case& settings) {
   State<T, D> state{{}, Boundaries<D>(settings.boundaries), {}, {}, {}, {}, {}, {}};
+  state.clock.damping = settings.discretisation.damping.value_or(0);
   state.wall_impulse.resize(state.boundaries.walls.size());
   state.contact_impulse.resize(settings.contacts.size());
   state.bodies.resize(settings.bodies.size());

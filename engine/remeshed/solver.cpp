@@ -3,8 +3,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <iterator>
 
+#include "engine/case/stability.hpp"
 #include "engine/method/archived_points.hpp"
 #include "engine/method/step_length.hpp"
 #include "engine/remeshed/check_state.hpp"
@@ -59,7 +61,8 @@ Solver<T, D>::Solver(const Case& a_case, const SolverOptions& options)
       target_graph_(resource::names()),
       stress_graph_(resource::names()),
       listed_(state_.bodies.size()),
-      has_contact_(has_contact(settings())) {
+      has_contact_(has_contact(settings())),
+      slowing_(std::sqrt(step_limits(settings()).mass_scaling)) {
   remeshings_.place_initial();
   number_blocks<D>(remeshings_.layouts(), state_.blocks);
   step_.momentum().open();
@@ -86,7 +89,7 @@ double Solver<T, D>::bound_of_initial_strain_rate() {
 
 template <class T, int D>
 double Solver<T, D>::time_step() const {
-  return asked_step(settings(), state_.clock.wave_speed, state_.clock.strain_rate);
+  return asked_step(settings(), state_.clock.wave_speed / slowing_, state_.clock.strain_rate);
 }
 
 template <class T, int D>
@@ -121,7 +124,7 @@ void Solver<T, D>::move(double dt) {
   clock.accumulated_strain += dt * step_.results().total().strain_rate;
   clock.deformation = step_.results().total().deformation;
   clock.strain_rate = step_.results().total().strain_rate;
-  clock.wave_speed = step_.results().total().wave_speed;
+  clock.wave_speed = slowing_ * step_.results().total().wave_speed;
   search_.add_strain(step_.results(), dt);
 }
 
@@ -182,7 +185,7 @@ void Solver<T, D>::use_new_slots() {
   run(stress_graph_.over(remeshings_.layouts(), [&] { return step_.stress_phases(); }));
   step_.fold();
   check_finite(settings(), step_.results(), state_, remedies);
-  state_.clock.wave_speed = step_.results().total().wave_speed;
+  state_.clock.wave_speed = slowing_ * step_.results().total().wave_speed;
 }
 
 template <class T, int D>

@@ -82,6 +82,7 @@ class Solver final : public pliant::Solver {
   scheduler::StepGraph* present_graph_ = nullptr;  ///< one of the first two
   std::vector<bool> listed_;                       ///< [body] as the second was made for
   bool has_contact_;                               ///< with walls or between bodies
+  double slowing_;                                 ///< of waves by the scaled mass, (RP.87)
 };
 
 extern template class Solver<double, 2>;

@@ -20,12 +20,13 @@ struct Clock : StepClock {
   double accumulated_strain = 0;  ///< of (RP.39), since the last remeshing
   double deformation = 0;         ///< max abs(F - I) of (RP.39), since the last remeshing
   double strain_rate = 0;         ///< max abs(eps)_F of (RP.29) in the last step [1/s]
+  double damping = 0;             ///< alpha of (RP.71) in the next step [1/s]
 };
 
 /// Of a body in contact, see momentum_correction.hpp.
 template <int D>
 struct MomentumBudget {
-  double mass = 0;         ///< at t = 0 [kg]
+  double mass = 0;         ///< M of (RP.87) times that at t = 0 [kg]
   Point<D> momentum = {};  ///< [N s]
 };
 

@@ -19,6 +19,7 @@ void for_each_rate(C& clock, F&& f) {
   f("accumulated_strain", clock.accumulated_strain);
   f("deformation", clock.deformation);
   f("strain_rate", clock.strain_rate);
+  f("damping", clock.damping);
 }
 
 template <class C, class F>

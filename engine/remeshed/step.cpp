@@ -168,7 +168,7 @@ Accesses Step<T, D>::written_by_ghosts(int stage) const {
 }
 
 // Neighbours that a search has found may belong to any block: particles far apart on the lattice
-// may have come near. Everything else in a step stays on the lattice: fourth differences (RP.23)
+// may have come near. Everything else in a step stays on the lattice: the differences of (RP.23)
 // and grad phi of surface particles (RP.61) follow material lines, and ghosts keep their fits.
 template <class T, int D>
 void Step<T, D>::add_advance(std::vector<Phase>& phases, int stage) {

@@ -272,7 +272,8 @@ class Run {
         "warning: the kinetic energy of the scaled mass is {:.2g} of the strain energy in the end: "
         "not the static answer; load more slowly (time.end), scale the mass less, or add "
         "{}.damping",
-        end.kinetic_energy / end.strain_energy, settings_.method));
+        end.kinetic_energy / end.strain_energy,
+        settings_.rules->remeshes ? "discretisation" : settings_.method));
   }
 
   const Case& settings_;

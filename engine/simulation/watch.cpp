@@ -89,7 +89,7 @@ void Watch::begin(Solver& solver) {
 double Watch::rounding_energy() const {
   constexpr double of_differences = 4 * std::numeric_limits<double>::epsilon();
   const double share = std::max(std::pow(rounding_strain(settings_), 2), of_differences);
-  return start_.mass * share * std::pow(fastest_wave(settings_), 2);
+  return start_.mass * mass_scaling_ * share * std::pow(fastest_wave(settings_), 2);
 }
 
 // A change is seen against the largest value so far: what a body had, or what was done to it.
@@ -115,7 +115,8 @@ void Watch::look(Solver& solver) {
 // not conserve it.
 void Watch::look_at_momentum(const Solver& solver) {
   const double t = solver.clock().time;
-  const double speed_and_mass = std::sqrt(2 * present_.mass * present_.kinetic_energy);
+  const double speed_and_mass =
+      std::sqrt(2 * mass_scaling_ * present_.mass * present_.kinetic_energy);
   const auto keep = [t](Excess& excess, double& scale, double present, const Vector& change) {
     scale = std::max(scale, present);
     const double share = scale > 0 ? std::hypot(change[0], change[1], change[2]) / scale : 0;

@@ -4,6 +4,7 @@
 #include <string>
 
 #include "engine/case/case.hpp"
+#include "engine/case/stability.hpp"
 #include "engine/method/solver.hpp"
 #include "engine/output/archive.hpp"
 #include "engine/output/summary.hpp"
@@ -15,7 +16,8 @@ namespace pliant {
 /// whatever the output times are, and changes nothing.
 class Watch {
  public:
-  explicit Watch(const Case& settings) : settings_(settings) {}
+  explicit Watch(const Case& settings)
+      : settings_(settings), mass_scaling_(step_limits(settings).mass_scaling) {}
 
   /// Takes the state at t = 0 for the start.
   void begin(Solver& solver);
@@ -44,6 +46,7 @@ class Watch {
   std::array<double*, 25> numbers();
 
   const Case& settings_;
+  double mass_scaling_;  ///< in momenta and kinetic energy
   ConservedQuantities start_, present_;
   EnergyBudget budget_;
   double created_ = 0, scale_ = 0, momentum_scale_ = 0, angular_scale_ = 0;

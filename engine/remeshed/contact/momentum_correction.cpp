@@ -94,6 +94,7 @@ void MomentumCorrection<T, D>::open() {
     const Body<T, D>& body = state_.bodies[b];
     MomentumBudget<D>& budget = state_.momentum_budgets[b];
     budget.mass =
+        body.mass_scaling *
         integrate<T, D>({body, body.population, body.stage[0]}, state_.boundaries, {}).mass;
     budget.momentum = budget_momentum<T, D>(state_, static_cast<int>(b));
   }

@@ -122,8 +122,9 @@ Frame take_frame(const State<T, D>& state, const kernels::RemeshedTable<T, D>& k
   add_derived("pressure", "Pa", [](const B& body, std::int64_t p, int) {
     return pressure<T, D>(body, body.stage[0], p);
   });
-  add_derived("density", "kg/m^3",
-              [](const B& body, std::int64_t p, int) { return density<T, D>(body.stage[0], p); });
+  add_derived("density", "kg/m^3", [](const B& body, std::int64_t p, int) {
+    return density<T, D>(body.stage[0], p) / body.mass_scaling;
+  });
   add(Field::stress, 6, [](const B& body, std::int64_t p, int c) { return stress_of(body, p)[c]; });
   add(Field::level_set, 1,
       [](const B& body, std::int64_t p, int) { return body.stage[0].get(Field::level_set)[p]; });

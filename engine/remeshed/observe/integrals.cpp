@@ -252,7 +252,10 @@ class Integrator {
 template <class T, int D>
 BodyIntegrals integrate(const LatticeView<T, D>& view, const Boundaries<D>& boundaries,
                         const Vector& about) {
-  return Integrator<T, D>(view, boundaries, about)();
+  BodyIntegrals sum = Integrator<T, D>(view, boundaries, about)();
+  sum.mass /= view.body.mass_scaling;
+  for (double& moment : sum.first_moment) moment /= view.body.mass_scaling;
+  return sum;
 }
 
 template <class T, int D>
@@ -271,9 +274,10 @@ BodyIntegrals sum_particles(const Body<T, D>& body, const Vector& about) {
       }
       const double volume = f.get(Field::volume)[p];
       sum.volume += volume;
-      sum.mass += f.get(Field::mass)[p];
+      const double mass = f.get(Field::mass)[p] / body.mass_scaling;
+      sum.mass += mass;
       sum.strain_energy += energy_density<T, D>(body, f, p) * volume;
-      add_motion(sum, f.get(Field::mass)[p], r, u);
+      add_motion(sum, mass, r, u, body.mass_scaling);
     });
   }
   return sum;

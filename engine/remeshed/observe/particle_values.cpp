@@ -63,7 +63,7 @@ template <class T, int D>
 double field_value(const Body<T, D>& body, const FieldStore<T, D>& fields, const std::string& field,
                    std::int64_t slot) {
   if (field == "pressure") return pressure<T, D>(body, fields, slot);
-  if (field == "density") return density<T, D>(fields, slot);
+  if (field == "density") return density<T, D>(fields, slot) / body.mass_scaling;
   if (field.find("stress") != field.npos) {
     std::array<double, kernels::symmetric_components<D>> known;
     std::ranges::copy(stress<T, D>(body, fields, slot), known.begin());

@@ -24,6 +24,7 @@ std::array<T, kernels::material_components<D>> material_state(const FieldStore<T
   return state;
 }
 
+/// Of the inertia, (RP.87) [kg/m^3].
 template <class T, int D>
 T density(const FieldStore<T, D>& fields, std::int64_t slot) {
   return fields.get(Field::mass)[slot] / fields.get(Field::volume)[slot];

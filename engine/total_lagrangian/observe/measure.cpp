@@ -173,7 +173,7 @@ BodyIntegrals Measurer<T, D>::integrals(int index, const Vector& about) const {
       u[a] = velocity[p][a];
     }
     sum.mass += body.mass[p];
-    add_motion(sum, scaling * body.mass[p], r, u);
+    add_motion(sum, body.mass[p], r, u, scaling);
   });
   for_each_stress_point(body, [&](std::int64_t, const StressPoint<D>& point) {
     sum.strain_energy += point.energy;

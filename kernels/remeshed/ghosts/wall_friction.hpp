@@ -46,11 +46,13 @@ struct WallTraction {
   }
 };
 
-/// (RP.53), (RP.73): force of a wall on the body over the area [Pa].
+/// (RP.89), (RP.73): force of a wall on the body over the area [Pa]. The ghost has all of (RP.51)
+/// and the body before the wall nothing of it: what lies between them, half.
 template <class T, int D>
 VectorOf<T, D> wall_force_density(const GhostFits<T, D>& fits, const WallSite<T, D>& wall,
                                   const Impedance<T>& impedance) {
-  const WallTraction<T, D> traction(fits, wall, impedance);
+  const Impedance<T> half(impedance.pressure_wave / 2, impedance.shear_wave / 2);
+  const WallTraction<T, D> traction(fits, wall, half);
   VectorOf<T, D> push;
 #pragma GCC unroll 3
   for (int i = 0; i < D; ++i) push[i] = traction.pressure * wall.n[i] + traction.shear[i];

@@ -4,11 +4,12 @@
 #include "kernels/remeshed/stage/fourth_difference.hpp"
 #include "kernels/remeshed/stage/gradient_sweep.hpp"
 #include "kernels/remeshed/stage/prefetch.hpp"
+#include "kernels/remeshed/stage/sixth_difference.hpp"
 
-/// The dissipation of (RP.23): fourth differences of velocity, place and stress along the lattice
-/// lines, which only see what the lattice does not resolve. Those of the place are a force: they
-/// are the gradient of an energy, the sum of squares of second differences, so that they cannot
-/// feed anything.
+/// The dissipation of (RP.23): differences along the lattice lines of velocity, place and stress,
+/// which only see what the lattice does not resolve. Those of the place are a force: they are the
+/// gradient of an energy, the sum of squares of second differences, so that they cannot feed
+/// anything.
 namespace pliant::kernels {
 
 /// Whether every flux flows between the interior particles of a pack and their neighbours.
@@ -27,13 +28,72 @@ inline bool flow_everywhere(const Scalar<P>* interior, const LineOffsets (&line)
   return flow;
 }
 
+/// Whether velocities are damped by sixth differences, (RP.23).
+template <int D>
+inline constexpr bool damps_by_sixth_differences = D == 3;
+
+/// Whether the particles of a pack have three interior neighbours to each side along each line.
+template <class P, int D>
+inline bool is_far_inside(const Scalar<P>* interior, const LineOffsets (&line)[D],
+                          const FarOffsets (&far)[D]) {
+  bool inside = true;
+  for (int at = 0; at < slots_per_pack; at += lanes<P>) {
+    P all = load<P>(interior + at);
+#pragma GCC unroll 3
+    for (int axis = 0; axis < D; ++axis) {
+#pragma GCC unroll 4
+      for (const std::int64_t away : line[axis].away) all = all * load<P>(interior + at + away);
+      all = all * load<P>(interior + at + far[axis].before) *
+            load<P>(interior + at + far[axis].after);
+    }
+    inside = inside && xsimd::all(all > P(Scalar<P>(0.5)));
+  }
+  return inside;
+}
+
+/// Sums over the directions of delta^6/4 of the velocity in a chunk, with the sign that damps.
+template <class P, int D>
+void sixth_differences(const Scalar<P>* const* velocity, const Segment<D>& segment,
+                       const Scalar<P>* interior, const Chunk& chunk,
+                       Scalar<P> (*result)[chunk_slots]) {
+  LineOffsets line[D];
+  FarOffsets far[D];
+  for (int axis = 0; axis < D; ++axis) {
+    line[axis] = line_offsets<typename P::arch_type>(segment, axis);
+    far[axis] = far_offsets<D>(segment, axis);
+  }
+  for (int begin = 0; begin < chunk.count; begin += slots_per_pack) {
+    const bool is_inside = is_far_inside<P>(interior + chunk.first + begin, line, far);
+    for (int at = begin; at < begin + slots_per_pack; at += lanes<P>) {
+      const std::int64_t slot = chunk.first + at;
+#pragma GCC unroll 3
+      for (int i = 0; i < D; ++i) {
+        const Scalar<P>* centre = velocity[i] + slot;
+        if (is_inside) {
+          sixth_differences_inside<P>(centre, line, far).store_aligned(&result[i][at]);
+          continue;
+        }
+        P sum(Scalar<P>(0));
+#pragma GCC unroll 3
+        for (int axis = 0; axis < D; ++axis) {
+          sum = sum + sixth_difference<P>(centre, interior + slot, line[axis], far[axis]);
+        }
+        sum.store_aligned(&result[i][at]);
+      }
+    }
+  }
+}
+
 /// Sums over the directions of delta^4 of fields in a chunk, field by field, between interior
-/// particles; anything finite in other slots.
+/// particles; anything finite in other slots. In 3D the first D, velocities, have sixth differences
+/// in their place.
 template <class P, int D, int F>
-void fourth_differences(const Scalar<P>* const (&field)[F], const Segment<D>& segment,
-                        const Scalar<P>* interior, const Chunk& chunk,
-                        Scalar<P> (&result)[F][chunk_slots]) {
+void swept_differences(const Scalar<P>* const (&field)[F], const Segment<D>& segment,
+                       const Scalar<P>* interior, const Chunk& chunk,
+                       Scalar<P> (&result)[F][chunk_slots]) {
   constexpr int pack = slots_per_pack;
+  constexpr int first = damps_by_sixth_differences<D> ? D : 0;
+  if constexpr (first > 0) sixth_differences<P, D>(field, segment, interior, chunk, result);
   LineOffsets line[D];
   for (int axis = 0; axis < D; ++axis) {
     line[axis] = line_offsets<typename P::arch_type>(segment, axis);
@@ -45,7 +105,7 @@ void fourth_differences(const Scalar<P>* const (&field)[F], const Segment<D>& se
       const std::int64_t slot = chunk.first + at;
       if (flow) {
 #pragma GCC unroll 9
-        for (int f = 0; f < F; ++f) {
+        for (int f = first; f < F; ++f) {
           fourth_differences_inside<P>(field[f] + slot, line).store_aligned(&result[f][at]);
         }
         continue;
@@ -56,7 +116,7 @@ void fourth_differences(const Scalar<P>* const (&field)[F], const Segment<D>& se
         fluxes[axis] = fluxes_between<P>(interior + slot, line[axis]);
       }
 #pragma GCC unroll 9
-      for (int f = 0; f < F; ++f) {
+      for (int f = first; f < F; ++f) {
         fourth_differences(field[f] + slot, line, fluxes).store_aligned(&result[f][at]);
       }
     }

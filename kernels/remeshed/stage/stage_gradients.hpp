@@ -127,7 +127,7 @@ template <Kernel kernel, Gradient gradient, class P, class Visit>
   });
 }
 
-/// Fourth differences of a chunk: of velocity and stress, as they are swept, and Delta xi.
+/// Differences of a chunk: of velocity and stress, as they are swept, and Delta xi.
 template <class P, int D>
 struct ChunkDifferences {
   alignas(64) Scalar<P> swept[D + symmetric_components<D>][chunk_slots];
@@ -138,21 +138,21 @@ struct ChunkDifferences {
 /// places on the lattice, and a strain rate that relaxes the stress.
 template <class P, int D>
 [[gnu::always_inline]] inline void dissipate(const Stage<Scalar<P>, D>& stage,
-                                             const ChunkDifferences<P, D>& fourth,
+                                             const ChunkDifferences<P, D>& damped,
                                              const P& restoring, int at,
                                              StageGradients<P, D>& result) {
   P difference[symmetric_components<D>], relaxation[symmetric_components<D>];
 #pragma GCC unroll 6
   for (int c = 0; c < symmetric_components<D>; ++c) {
-    difference[c] = P::load_aligned(&fourth.swept[D + c][at]);
+    difference[c] = P::load_aligned(&damped.swept[D + c][at]);
   }
   relaxing_strain_rate<P, D>(stage.material, stage.stress_dissipation, difference, relaxation);
   const P drag(-stage.velocity_dissipation);
 #pragma GCC unroll 3
   for (int i = 0; i < D; ++i) {
-    P rate = P::load_aligned(&fourth.swept[i][at]);
+    P rate = P::load_aligned(&damped.swept[i][at]);
     if constexpr (restores_places<D>) {
-      rate = fused(restoring, P::load_aligned(&fourth.place[i][at]), rate);
+      rate = fused(restoring, P::load_aligned(&damped.place[i][at]), rate);
     }
     result.drag[i] = drag * rate;
 #pragma GCC unroll 3
@@ -195,13 +195,13 @@ void stage_gradients(const Stage<Scalar<P>, D>& stage, const Segment<D>& segment
                      const Chunk& chunk, ChunkGradients<Scalar<P>, D>& gradients) {
   using T = Scalar<P>;
   const StageSweepFields<T, D> fields = stage_sweep_fields<T, D, typename P::arch_type>(stage);
-  ChunkDifferences<P, D> fourth;
+  ChunkDifferences<P, D> damped;
   const P restoring = restoring_rate<P>(stage.material, stage.spacing);
   const bool dissipates = stage.velocity_dissipation != 0 || stage.stress_dissipation != 0;
   if (dissipates) {
-    fourth_differences<P>(fields.field, segment, stage.interior, chunk, fourth.swept);
+    swept_differences<P>(fields.field, segment, stage.interior, chunk, damped.swept);
     if constexpr (restores_places<D>) {
-      place_differences<P>(fields.drift, segment, stage.interior, chunk, fourth.place);
+      place_differences<P>(fields.drift, segment, stage.interior, chunk, damped.place);
     }
   }
   for (int at = 0; at < chunk.count; at += lanes<P>) {
@@ -219,7 +219,7 @@ void stage_gradients(const Stage<Scalar<P>, D>& stage, const Segment<D>& segment
           }
         },
         result);
-    if (dissipates) dissipate(stage, fourth, restoring, at, result);
+    if (dissipates) dissipate(stage, damped, restoring, at, result);
     store_gradients(result, state, stage.interior, slot, at, gradients);
   }
 }
