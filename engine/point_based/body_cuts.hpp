@@ -10,6 +10,7 @@
 #include "engine/point_based/cutting/cut_bonds.hpp"
 #include "engine/point_based/cutting/tissue_at.hpp"
 #include "engine/point_based/face_contact.hpp"
+#include "engine/point_based/observe/opened_surface.hpp"
 
 namespace pliant::point_based {
 
@@ -48,6 +49,9 @@ class BodyCuts {
   void update(int block, Body<T, D>& body);
   /// By how much all blocks together have changed the strain energy since the last call [J].
   double fold();
+
+  /// The surface of `body` with the faces of the cuts.
+  const OpenedSurface<D>& opened_surface(const Body<T, D>& body);
 
   /// What the blades have cut so far.
   std::span<const CutSurface<D>> surfaces() const { return bonds_.cuts(); }
@@ -110,6 +114,8 @@ class BodyCuts {
   std::optional<FaceContact<T, D>> faces_;
   bool has_moved_ = false;  ///< in this step
   std::vector<BlockCuts> blocks_;
+  double surface_spacing_;                          ///< [m]
+  std::optional<OpenedSurface<D>> opened_surface_;  ///< once a frame has shown it
 };
 
 extern template class BodyCuts<double, 2>;
