@@ -65,7 +65,11 @@ BodyCuts<T, D>::BodyCuts(const Case& settings, int body_number, BondChoice<D> ch
                          .source = settings.cuts[c],
                          .station = {},
                          .resistance = BladeResistance<T, D>(settings.cuts[c]),
-                         .target = {}});
+                         .target = {},
+                         .puncture = {},
+                         .outside = {}});
+      const double threshold = settings.cuts[c].puncture_force;
+      if (threshold > 0) blades_.back().puncture.emplace(body, threshold);
     }
   }
   const std::optional<double> friction = parameters_of(settings).cut_contact;

@@ -121,7 +121,9 @@ auto SurfaceLattice<D>::simplices_near(const std::vector<Box<D>>& boxes) const
       last[a] = static_cast<std::int32_t>(std::clamp<double>(to, 0, extent_[a] - 2));
     }
     if (is_beside) continue;
-    for_each_cell<D>(first, last, [&](const Cell<D>& cell) { cells.push_back({slot(cell), cell}); });
+    for_each_cell<D>(first, last, [&](const Cell<D>& cell) {
+      cells.push_back({slot(cell), cell});
+    });
   }
   std::sort(cells.begin(), cells.end());
   cells.erase(std::unique(cells.begin(), cells.end()), cells.end());

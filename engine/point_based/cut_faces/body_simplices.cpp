@@ -48,12 +48,11 @@ template <int D>
 Simplices<D> BodySimplices<D>::near(const std::vector<Box<D>>& boxes) const {
   Simplices<D> found{corners_, {}};
   auto number_of = corner_of_;
-  for (const Simplex& simplex :
-       lattice_ ? lattice_->simplices_near(boxes) : elements_near(boxes)) {
+  for (const Simplex& simplex : lattice_ ? lattice_->simplices_near(boxes) : elements_near(boxes)) {
     auto& numbers = found.simplices.emplace_back();
     for (int v = 0; v <= D; ++v) {
-      const auto [at, is_new] = number_of.insert(
-          {simplex[v].name, static_cast<std::int32_t>(found.places.size())});
+      const auto [at, is_new] =
+          number_of.insert({simplex[v].name, static_cast<std::int32_t>(found.places.size())});
       if (is_new) found.places.push_back(simplex[v].place);
       numbers[v] = at->second;
     }

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "engine/blocks/box_tree.hpp"
+#include "engine/lattice/lattice.hpp"
 #include "engine/point_based/cutting/column.hpp"
 #include "engine/point_based/cutting/crossing.hpp"
 

@@ -58,8 +58,10 @@ const DividedEdge<D>* DividedEdges<D>::find(std::int32_t a, std::int32_t b) cons
   return at == edges_.end() ? nullptr : &at->second;
 }
 
-template Column<2> facet_normal<2>(const std::vector<Point<2>>&, const std::array<std::int32_t, 2>&);
-template Column<3> facet_normal<3>(const std::vector<Point<3>>&, const std::array<std::int32_t, 3>&);
+template Column<2> facet_normal<2>(const std::vector<Point<2>>&,
+                                   const std::array<std::int32_t, 2>&);
+template Column<3> facet_normal<3>(const std::vector<Point<3>>&,
+                                   const std::array<std::int32_t, 3>&);
 template class DividedEdges<2>;
 template class DividedEdges<3>;
 

@@ -16,8 +16,7 @@ template <int D>
 class SurfaceDivider {
  public:
   SurfaceDivider(const Simplices<D>& body, std::int32_t corners,
-                 const std::vector<std::array<std::int32_t, D>>& facets,
-                 const CutPieces<D>& pieces)
+                 const std::vector<std::array<std::int32_t, D>>& facets, const CutPieces<D>& pieces)
       : body_(body), pieces_(pieces), edges_(body, facets, pieces) {
     for (std::int32_t c = 0; c < corners; ++c) {
       vertex_of_[{c, none, none, none, c}] = c;
@@ -95,8 +94,8 @@ class SurfaceDivider {
       return vertex(name_of<2>({end, other}, end),
                     [&edge] { return std::pair(edge.point, edge.crossings); });
     }
-    const std::int32_t at = vertex(name_of<1>({end}, end),
-                                   [&] { return std::pair(x, edge.crossings); });
+    const std::int32_t at =
+        vertex(name_of<1>({end}, end), [&] { return std::pair(x, edge.crossings); });
     mark(edge.crossings, surface_.vertices[at]);
     return at;
   }
@@ -128,7 +127,7 @@ class SurfaceDivider {
     int v = 0;
     while (!edges_.find(triangle[v], triangle[(v + 1) % 3])) ++v;
     const Point<D>&a = body_.places[triangle[v]], &b = body_.places[triangle[(v + 1) % 3]],
-                  &c = body_.places[triangle[(v + 2) % 3]];
+          &c = body_.places[triangle[(v + 2) % 3]];
     Column<D> last = edges_.find(triangle[v], triangle[(v + 1) % 3])->point;
     double crossed = 0, whole = 1;
     for (int i = 0; i < front_halvings; ++i) {
@@ -156,9 +155,9 @@ class SurfaceDivider {
   double size_of(const std::array<std::int32_t, N>& vertices) const {
     double longest = 0;
     for (std::size_t i = 1; i < N; ++i) {
-      longest = std::max(longest, (column<D>(body_.places[vertices[i]]) -
-                                   column<D>(body_.places[vertices[0]]))
-                                      .norm());
+      longest = std::max(
+          longest,
+          (column<D>(body_.places[vertices[i]]) - column<D>(body_.places[vertices[0]])).norm());
     }
     return longest;
   }
@@ -173,7 +172,9 @@ class SurfaceDivider {
     for (int v = 0; v < 3; ++v) {
       const std::int32_t a = triangle[v], b = triangle[(v + 1) % 3], c = triangle[(v + 2) % 3];
       if (ends_inside && edges_.find(a, b)) {
-        f(Line{a, b, edge_points(a, b),
+        f(Line{a,
+               b,
+               edge_points(a, b),
                {centre(triangle, parts[v]), centre(triangle, parts[(v + 1) % 3])}});
       }
       if (!ends_inside && !edges_.find(b, c)) {
@@ -259,7 +260,8 @@ class SurfaceDivider {
       int fronts = 0;
       for (const Triangle& facet : facets) {
         if (divided_edges(facet) != 1) continue;
-        sum += column<D>(surface_.vertices[centre(facet, edges_.template parts<3>(facet)[0])].place);
+        sum +=
+            column<D>(surface_.vertices[centre(facet, edges_.template parts<3>(facet)[0])].place);
         ++fronts;
       }
       const Column<D> x =
@@ -285,10 +287,10 @@ DividedSurface<D> divide_surface(const Simplices<D>& body, std::int32_t corners,
   return SurfaceDivider<D>(body, corners, facets, pieces).take();
 }
 
-template DividedSurface<2> divide_surface(const Simplices<2>&, std::int32_t,
+template DividedSurface<2> divide_surface<2>(const Simplices<2>&, std::int32_t,
                                           const std::vector<std::array<std::int32_t, 2>>&,
                                           const CutPieces<2>&);
-template DividedSurface<3> divide_surface(const Simplices<3>&, std::int32_t,
+template DividedSurface<3> divide_surface<3>(const Simplices<3>&, std::int32_t,
                                           const std::vector<std::array<std::int32_t, 3>>&,
                                           const CutPieces<3>&);
 

@@ -30,7 +30,7 @@ struct SurfaceVertex {
 /// A closed surface: segments in 2D, triangles in 3D.
 template <int D>
 struct DividedSurface {
-  std::vector<SurfaceVertex<D>> vertices;  ///< first those of the undivided surface
+  std::vector<SurfaceVertex<D>> vertices;           ///< first those of the undivided surface
   std::vector<std::array<std::int32_t, D>> facets;  ///< seen from outside
 };
 

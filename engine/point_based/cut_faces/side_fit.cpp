@@ -41,10 +41,7 @@ std::vector<Point<D>> node_starts(const Body<T, D>& body) {
 template <int D>
 template <class T>
 NodePlaces<D>::NodePlaces(const Body<T, D>& body)
-    : slot(slots_with_nodes(body)),
-      size(node_sizes(body)),
-      start(node_starts(body)),
-      tree(start) {}
+    : slot(slots_with_nodes(body)), size(node_sizes(body)), start(node_starts(body)), tree(start) {}
 
 // Slivers between cuts may hold no node: they move with what is near them.
 template <int D>
