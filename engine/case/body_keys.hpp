@@ -4,15 +4,15 @@
 #include "engine/case/shape_keys.hpp"
 #include "engine/case/words.hpp"
 
-/// The part of the vocabulary that describes bodies, their boundaries and
-/// contacts.
+/// The part of the vocabulary that describes bodies, their boundaries and contacts.
 namespace pliant {
 
-template <class Visitor> void prony_keys(Visitor &visit, PronyCase &prony) {
+template <class Visitor>
+void prony_keys(Visitor& visit, PronyCase& prony) {
   visit("ratios", prony.ratios,
-        {.meaning = "g_1, g_2, ..., relaxing fractions of the instantaneous "
-                    "bulk modulus; their sum is "
-                    "below 1",
+        {.meaning =
+             "g_1, g_2, ..., relaxing fractions of the instantaneous bulk modulus; their sum is "
+             "below 1",
          .example = "[0.3, 0.2]",
          .limits = {0, 1, false, false, "above 0 and below 1"},
          .required = true});
@@ -23,12 +23,11 @@ template <class Visitor> void prony_keys(Visitor &visit, PronyCase &prony) {
          .limits = positive,
          .required = true});
   visit("moduli", prony.moduli,
-        {.meaning = "bulk modulus to which compressibility refers",
-         .example = R"("long_term")"});
+        {.meaning = "bulk modulus to which compressibility refers", .example = R"("long_term")"});
 }
 
 template <class Visitor>
-void material_keys(Visitor &visit, MaterialCase &material) {
+void material_keys(Visitor& visit, MaterialCase& material) {
   const bool known = visit("model", material.model,
                            {.meaning = "constitutive model",
                             .example = R"("linear")",
@@ -40,12 +39,10 @@ void material_keys(Visitor &visit, MaterialCase &material) {
          .example = "1000",
          .limits = positive,
          .required = true});
-  if (!known)
-    return;
+  if (!known) return;
   if (material.model == MaterialCase::Model::linear) {
     visit("equation_of_state", material.equation_of_state,
-          {.meaning = "pressure as a function of the density",
-           .example = R"("linear")"});
+          {.meaning = "pressure as a function of the density", .example = R"("linear")"});
   }
   if (material.model != MaterialCase::Model::reduced_polynomial) {
     visit("youngs_modulus", material.youngs_modulus,
@@ -62,8 +59,7 @@ void material_keys(Visitor &visit, MaterialCase &material) {
            .remedy = "0.49 is nearly incompressible"});
   } else {
     visit("coefficients", Coefficients{material.coefficients},
-          {.meaning = "C_10 (positive), C_20, ..., up to five; the shear "
-                      "modulus is 2 C_10",
+          {.meaning = "C_10 (positive), C_20, ..., up to five; the shear modulus is 2 C_10",
            .unit = "Pa",
            .example = "[2.2]",
            .required = true});
@@ -74,14 +70,14 @@ void material_keys(Visitor &visit, MaterialCase &material) {
            .limits = positive,
            .required = true});
     visit("prony", material.prony,
-          {.meaning = "Prony series of the bulk modulus, see prony; without it "
-                      "the material is elastic",
+          {.meaning =
+               "Prony series of the bulk modulus, see prony; without it the material is elastic",
            .example = "{ ratios = [0.3, 0.2], times = [0.1, 1] }"});
   }
 }
 
 template <class Visitor>
-void rotation_keys(Visitor &visit, RigidRotation &rotation) {
+void rotation_keys(Visitor& visit, RigidRotation& rotation) {
   visit("centre", rotation.centre, {.meaning = "point at rest", .unit = "m"});
   visit("angular_velocity", AngularVelocity{rotation.angular_velocity},
         {.meaning = "angular velocity, about z in 2D, a vector in 3D",
@@ -91,8 +87,8 @@ void rotation_keys(Visitor &visit, RigidRotation &rotation) {
 }
 
 template <class Visitor>
-void stress_keys(Visitor &visit, StressExpression &stress) {
-  const auto component = [&visit](std::string_view key, Expression &value,
+void stress_keys(Visitor& visit, StressExpression& stress) {
+  const auto component = [&visit](std::string_view key, Expression& value,
                                   std::string_view meaning) {
     visit(key, value,
           {.meaning = meaning,
@@ -103,15 +99,14 @@ void stress_keys(Visitor &visit, StressExpression &stress) {
   component("xx", stress.xx, "sigma_xx, positive in tension");
   component("yy", stress.yy, "sigma_yy");
   component("xy", stress.xy, "sigma_xy");
-  if (visit.dimension() == 2)
-    return;
-  component("zz", stress.zz,
-            "sigma_zz, in 3D; plane strain has nu (sigma_xx + sigma_yy)");
+  if (visit.dimension() == 2) return;
+  component("zz", stress.zz, "sigma_zz, in 3D; plane strain has nu (sigma_xx + sigma_yy)");
   component("yz", stress.yz, "sigma_yz, in 3D");
   component("xz", stress.xz, "sigma_xz, in 3D");
 }
 
-template <class Visitor> void body_keys(Visitor &visit, BodyCase &body) {
+template <class Visitor>
+void body_keys(Visitor& visit, BodyCase& body) {
   visit("name", Name{body.name},
         {.meaning = "name, to which contacts, measurements and --set refer",
          .example = R"("block")",
@@ -121,25 +116,21 @@ template <class Visitor> void body_keys(Visitor &visit, BodyCase &body) {
          .example = R"({ shape = "box", lower = [0, 0], upper = [1, 1] })",
          .required = true});
   visit("material", body.material_as_given,
-        {.meaning = "name of a [material.NAME] table, or an inline table with "
-                    "the keys of one",
+        {.meaning = "name of a [material.NAME] table, or an inline table with the keys of one",
          .example = R"("tissue")",
          .required = true});
   visit("velocity", body.velocity.translation,
-        {.meaning = "initial velocity; without it and without rotation the "
-                    "body starts at rest",
+        {.meaning = "initial velocity; without it and without rotation the body starts at rest",
          .unit = "m/s",
          .example = R"([0, "-25*y"])",
          .variables = "xyz"});
   visit("stretch", body.stretch,
-        {.meaning = "initial stretch along each axis; geometry is the shape of "
-                    "the stretched body "
+        {.meaning = "initial stretch along each axis; geometry is the shape of the stretched body "
                     "(reduced_polynomial only)",
          .example = "[1, 0.95]",
          .limits = positive});
   visit("stress", body.stress,
-        {.meaning = "initial stress, see stress; without it the body starts "
-                    "free of stress",
+        {.meaning = "initial stress, see stress; without it the body starts free of stress",
          .unit = "Pa",
          .example = R"toml({ yy = "-9810*(1 - y)" })toml"});
   visit("rotation", body.velocity.rotation,
@@ -148,40 +139,32 @@ template <class Visitor> void body_keys(Visitor &visit, BodyCase &body) {
 }
 
 /// Where a blade is.
-template <class Visitor> void blade_keys(Visitor &visit, CutCase &cut) {
+template <class Visitor>
+void blade_keys(Visitor& visit, CutCase& cut) {
   visit("track", FilePath{cut.track.file},
-        {.meaning =
-             "recorded path of the edge in the undeformed body, in the place "
-             "of from, to, "
-             "path, start and end: CSV with the header time,x,y in 2D; "
-             "time,x1,y1,z1,x2,y2,z2 (both ends) or time,x,y,z,qw,qx,qy,qz "
-             "(start, and a "
-             "quaternion that turns edge) in 3D; linear between its rows",
+        {.meaning = "recorded path of the edge in the undeformed body, in the place of from, to, "
+                    "path, start and end: CSV with the header time,x,y in 2D; "
+                    "time,x1,y1,z1,x2,y2,z2 (both ends) or time,x,y,z,qw,qx,qy,qz (start, and a "
+                    "quaternion that turns edge) in 3D; linear between its rows",
          .example = R"("scalpel.csv")"});
   visit("edge", cut.edge,
-        {.meaning = "vector from the start of the edge to its end, in 3D, in "
-                    "the place of to: "
+        {.meaning = "vector from the start of the edge to its end, in 3D, in the place of to: "
                     "numbers or formulas of t",
          .unit = "m",
          .example = R"toml([0, "0.01*sin(t)", "-0.01*cos(t)"])toml",
          .variables = "t"});
-  if (!cut.track.file.empty())
-    return;
+  if (!cut.track.file.empty()) return;
   visit("from", cut.from,
-        {.meaning =
-             "start of the blade's edge at time start, in the undeformed body; "
-             "in 2D the "
-             "edge is this point; needed without a track, like path and end",
+        {.meaning = "start of the blade's edge at time start, in the undeformed body; in 2D the "
+                    "edge is this point; needed without a track, like path and end",
          .unit = "m",
          .example = "[0, 0, 1]"});
   visit("to", cut.to,
-        {.meaning = "end of the edge, in 3D; edges that end inside the body "
-                    "leave it whole there",
+        {.meaning = "end of the edge, in 3D; edges that end inside the body leave it whole there",
          .unit = "m",
          .example = "[0, 0, 0.5]"});
   visit("path", cut.path,
-        {.meaning = "displacement of the edge since time start, in the "
-                    "undeformed body, numbers or "
+        {.meaning = "displacement of the edge since time start, in the undeformed body, numbers or "
                     "formulas of t",
          .unit = "m",
          .example = R"toml(["0.1*t", 0, 0])toml",
@@ -198,58 +181,49 @@ template <class Visitor> void blade_keys(Visitor &visit, CutCase &cut) {
          .limits = not_negative});
 }
 
-template <class Visitor> void cut_keys(Visitor &visit, CutCase &cut) {
+template <class Visitor>
+void cut_keys(Visitor& visit, CutCase& cut) {
   visit("name", Name{cut.name},
         {.meaning = "name, to which measurements and --set refer",
          .example = R"("scalpel")",
          .required = true});
-  visit("body", BodyName{cut.body},
-        {.meaning = "name of the body; by default the first one"});
+  visit("body", BodyName{cut.body}, {.meaning = "name of the body; by default the first one"});
   blade_keys(visit, cut);
   visit("resistance", cut.resistance,
-        {.meaning = "energy that new cut faces take from the blade, per "
-                    "undeformed area (PB.18)",
+        {.meaning = "energy that new cut faces take from the blade, per undeformed area (PB.18)",
          .unit = "J/m^2",
          .example = "200",
          .limits = not_negative});
   visit("friction", cut.friction,
-        {.meaning = "friction of the moving blade, a force per length of its "
-                    "edge in the body "
+        {.meaning = "friction of the moving blade, a force per length of its edge in the body "
                     "(PB.18)",
          .unit = "N/m",
          .example = "5",
          .limits = not_negative});
-  visit(
-      "drag", cut.drag,
-      {.meaning =
-           "the same, per velocity of the blade relative to the tissue (PB.18)",
-       .unit = "Pa s",
-       .example = "20",
-       .limits = not_negative});
+  visit("drag", cut.drag,
+        {.meaning = "the same, per velocity of the blade relative to the tissue (PB.18)",
+         .unit = "Pa s",
+         .example = "20",
+         .limits = not_negative});
   visit("puncture_force", cut.puncture_force,
-        {.meaning =
-             "force on the surface at which the blade enters the body, per "
-             "unit thickness "
-             "in 2D; until then it dents the body (PB.35); 0 enters at once",
+        {.meaning = "force on the surface at which the blade enters the body, per unit thickness "
+                    "in 2D; until then it dents the body (PB.35); 0 enters at once",
          .unit = "N",
          .example = "0.5",
          .limits = not_negative});
 }
 
 template <class Visitor>
-void contact_keys(Visitor &visit, ContactCase &contact) {
+void contact_keys(Visitor& visit, ContactCase& contact) {
   visit("bodies", BodyPair{contact.bodies},
-        {.meaning = "the two bodies; one of them twice meets itself, in the "
-                    "methods on the "
+        {.meaning = "the two bodies; one of them twice meets itself, in the methods on the "
                     "undeformed body",
          .example = R"(["left", "right"])",
          .required = true});
-  const bool known = visit("kind", contact.law,
-                           {.meaning = "contact law",
-                            .example = R"("frictionless")",
-                            .decides = true});
-  if (!known || contact.law != ContactLaw::coulomb)
-    return;
+  const bool known =
+      visit("kind", contact.law,
+            {.meaning = "contact law", .example = R"("frictionless")", .decides = true});
+  if (!known || contact.law != ContactLaw::coulomb) return;
   visit("friction", contact.friction,
         {.meaning = "coefficient of Coulomb friction (RP.75)",
          .example = "0.3",
@@ -258,29 +232,23 @@ void contact_keys(Visitor &visit, ContactCase &contact) {
 }
 
 template <class Visitor>
-void boundary_keys(Visitor &visit, BoundaryCase &boundary) {
+void boundary_keys(Visitor& visit, BoundaryCase& boundary) {
   visit("name", Name{boundary.name},
         {.meaning = "name, to which measurements and --set refer",
          .example = R"("upper")",
          .required = true});
-  const bool known = visit("kind", boundary.kind,
-                           {.meaning = "kind of boundary",
-                            .example = R"("fixed")",
-                            .required = true,
-                            .decides = true});
+  const bool known = visit(
+      "kind", boundary.kind,
+      {.meaning = "kind of boundary", .example = R"("fixed")", .required = true, .decides = true});
   visit("geometry", boundary.geometry,
-        {.meaning =
-             "solid of the wall at t = 0, or region in which the load acts",
-         .example =
-             R"({ shape = "half_space", point = [0, 0], normal = [0, 1] })",
+        {.meaning = "solid of the wall at t = 0, or region in which the load acts",
+         .example = R"({ shape = "half_space", point = [0, 0], normal = [0, 1] })",
          .required = true});
-  if (!known)
-    return;
-  const BoundaryKind &row = row_of(boundary.kind);
+  if (!known) return;
+  const BoundaryKind& row = row_of(boundary.kind);
   if (row.friction != Use::no) {
     visit("friction", WallFriction{boundary},
-          {.meaning = "friction between wall and bodies: a word, or the "
-                      "coefficient of Coulomb "
+          {.meaning = "friction between wall and bodies: a word, or the coefficient of Coulomb "
                       "friction (TL.12)",
            .example = R"("no_slip")",
            .limits = not_negative});
@@ -292,16 +260,14 @@ void boundary_keys(Visitor &visit, BoundaryCase &boundary) {
            .example = "[0, -25]",
            .variables = "t"});
     visit("displacement", boundary.displacement,
-          {.meaning =
-               "displacement of the wall since t = 0, instead of its velocity",
+          {.meaning = "displacement of the wall since t = 0, instead of its velocity",
            .unit = "m",
            .example = R"toml([0, "-0.1*t"])toml",
            .variables = "t"});
   }
   if (row.pressure != Use::no) {
     visit("pressure", boundary.pressure,
-          {.meaning = "pressure, positive when it pushes on the body, a number "
-                      "or a formula of t",
+          {.meaning = "pressure, positive when it pushes on the body, a number or a formula of t",
            .unit = "Pa",
            .example = R"toml("3000*(1 - exp(-t))")toml",
            .required = row.pressure == Use::required,
@@ -309,15 +275,13 @@ void boundary_keys(Visitor &visit, BoundaryCase &boundary) {
   }
   if (row.traction != Use::no) {
     visit("traction", boundary.traction,
-          {.meaning = "force per area in fixed directions, numbers or formulas "
-                      "of x, y, z, t",
+          {.meaning = "force per area in fixed directions, numbers or formulas of x, y, z, t",
            .unit = "Pa",
            .example = R"toml(["1000*t", 0])toml",
            .required = row.traction == Use::required});
     visit("area", boundary.area,
-          {.meaning = "the area of the force per area",
-           .example = R"("present")"});
+          {.meaning = "the area of the force per area", .example = R"("present")"});
   }
 }
 
-} // namespace pliant
+}  // namespace pliant

@@ -11,8 +11,7 @@
 #include "engine/geometry/shape.hpp"
 #include "kernels/material.hpp"
 
-/// A case as plain values, in SI units: what a case file says after every check
-/// of user input.
+/// A case as plain values, in SI units: what a case file says after every check of user input.
 namespace pliant {
 
 struct MethodRules;
@@ -21,11 +20,11 @@ using VectorExpression = std::array<Expression, 3>;
 
 struct RigidRotation {
   Vector centre = {};
-  Vector angular_velocity = {}; ///< [1/s]; about z in 2D
+  Vector angular_velocity = {};  ///< [1/s]; about z in 2D
 };
 /// A velocity and a rotation, which add up.
 struct InitialVelocity {
-  VectorExpression translation; ///< of x, y, z [m/s]
+  VectorExpression translation;  ///< of x, y, z [m/s]
   std::optional<RigidRotation> rotation;
 };
 
@@ -37,31 +36,23 @@ struct StressExpression {
 /// Prony series of the bulk modulus, (RP.10).
 struct PronyCase {
   enum class Moduli { long_term, instantaneous };
-  std::vector<double> ratios; ///< g_i
-  std::vector<double> times;  ///< tau_i [s]
+  std::vector<double> ratios;  ///< g_i
+  std::vector<double> times;   ///< tau_i [s]
   Moduli moduli = Moduli::long_term;
 };
 
-/// A material in the words of case files; `elastic_constants` gives what the
-/// kernels read.
+/// A material in the words of case files; `elastic_constants` gives what the kernels read.
 struct MaterialCase {
-  enum class Model {
-    linear,
-    reduced_polynomial,
-    neo_hookean,
-    st_venant_kirchhoff
-  };
+  enum class Model { linear, reduced_polynomial, neo_hookean, st_venant_kirchhoff };
   enum class EquationOfState { linear, logarithmic };
   Model model = Model::linear;
-  double density = 0; ///< [kg/m^3]
-  EquationOfState equation_of_state =
-      EquationOfState::linear; ///< linear: (RP.5) or (RP.6)
-  double youngs_modulus = 0;   ///< all but the polynomial: E [Pa]
-  double poissons_ratio = 0;   ///< the same: nu
-  std::vector<double>
-      coefficients;           ///< reduced polynomial: C_10, C_20, ... [Pa]
-  double compressibility = 0; ///< reduced polynomial: D [1/Pa]
-  PronyCase prony;            ///< reduced polynomial
+  double density = 0;                                           ///< [kg/m^3]
+  EquationOfState equation_of_state = EquationOfState::linear;  ///< linear: (RP.5) or (RP.6)
+  double youngs_modulus = 0;                                    ///< all but the polynomial: E [Pa]
+  double poissons_ratio = 0;                                    ///< the same: nu
+  std::vector<double> coefficients;  ///< reduced polynomial: C_10, C_20, ... [Pa]
+  double compressibility = 0;        ///< reduced polynomial: D [1/Pa]
+  PronyCase prony;                   ///< reduced polynomial
 };
 
 struct BodyCase {
@@ -70,10 +61,9 @@ struct BodyCase {
   kernels::Material<double> material;
   std::vector<kernels::PronyTerm<double>> prony;
   InitialVelocity velocity;
-  Vector stretch = {1, 1, 1}; ///< along the axes, at t = 0 from rest
-  std::optional<StressExpression> stress; ///< at t = 0
-  MaterialCase
-      material_as_given; ///< what `material` and `prony` were computed from
+  Vector stretch = {1, 1, 1};              ///< along the axes, at t = 0 from rest
+  std::optional<StressExpression> stress;  ///< at t = 0
+  MaterialCase material_as_given;          ///< what `material` and `prony` were computed from
 };
 
 /// How surfaces in contact act on each other; see contact_laws.hpp.
@@ -87,60 +77,50 @@ struct BoundaryCase {
     contact_wall,
     pressure,
     traction
-  }; ///< boundary_kinds.hpp
+  };  ///< boundary_kinds.hpp
   /// The area that a traction is a force per.
   enum class LoadedArea { present, undeformed };
   std::string name;
   Kind kind = Kind::fixed;
-  Shape geometry; ///< the wall's solid at t = 0, or the region that a load acts
-                  ///< in
-  VectorExpression velocity; ///< of t, walls [m/s]
-  std::optional<VectorExpression>
-      displacement; ///< of t, walls, in the place of `velocity` [m]
-  double time_increment =
-      0; ///< over which the velocity of a displacement is a difference [s]
-  ContactLaw friction = ContactLaw::frictionless; ///< contact walls
-  std::optional<double>
-      friction_coefficient;  ///< of Coulomb; none: `friction` has no limit
-  Expression pressure;       ///< of t, positive pushes on the body [Pa]
-  VectorExpression traction; ///< of x, y, z, t [Pa]
-  LoadedArea area = LoadedArea::present; ///< of a traction
+  Shape geometry;             ///< the wall's solid at t = 0, or the region that a load acts in
+  VectorExpression velocity;  ///< of t, walls [m/s]
+  std::optional<VectorExpression> displacement;  ///< of t, walls, in the place of `velocity` [m]
+  double time_increment = 0;  ///< over which the velocity of a displacement is a difference [s]
+  ContactLaw friction = ContactLaw::frictionless;  ///< contact walls
+  std::optional<double> friction_coefficient;      ///< of Coulomb; none: `friction` has no limit
+  Expression pressure;                             ///< of t, positive pushes on the body [Pa]
+  VectorExpression traction;                       ///< of x, y, z, t [Pa]
+  LoadedArea area = LoadedArea::present;           ///< of a traction
 };
 
-/// How two bodies act on each other where they meet. Bodies without a contact
-/// pass through each other.
+/// How two bodies act on each other where they meet. Bodies without a contact pass through each
+/// other.
 struct ContactCase {
   std::array<int, 2> bodies = {-1, -1};
   ContactLaw law = ContactLaw::frictionless;
-  double friction = 0; ///< coefficient of Coulomb friction
+  double friction = 0;  ///< coefficient of Coulomb friction
 };
 
-/// Where a blade has been recorded to be, in the undeformed body; linear in
-/// between.
+/// Where a blade has been recorded to be, in the undeformed body; linear in between.
 struct BladeTrack {
   std::string file;
-  std::vector<double> time; ///< [s], ascending, two or more
-  std::vector<Vector> from,
-      to; ///< ends of the edge [m]; in 2D the edge is `from`
+  std::vector<double> time;      ///< [s], ascending, two or more
+  std::vector<Vector> from, to;  ///< ends of the edge [m]; in 2D the edge is `from`
 };
 
 /// A blade that cuts a body: its edge sweeps a surface of the undeformed body.
 struct CutCase {
   std::string name;
   int body = 0;
-  Vector from = {},
-         to =
-             {}; ///< ends of the edge at `start` (in 2D the edge is `from`) [m]
-  VectorExpression path; ///< displacement of the edge since `start`, of t [m]
-  std::optional<VectorExpression>
-      edge;         ///< from the start of the edge to its end, of t [m]
-  BladeTrack track; ///< in the place of all of these, where it has a file
-  double start = 0, end = 0; ///< when it cuts [s]
-  double resistance = 0;     ///< G_c of (PB.18) [J/m^2]
-  double friction = 0;       ///< f_0 of (PB.18) [N/m]
-  double drag = 0;           ///< b of (PB.18) [Pa s]
-  double puncture_force =
-      0; ///< F_p of (PB.35) [N], per unit thickness in 2D; 0: enters at once
+  Vector from = {}, to = {};  ///< ends of the edge at `start` (in 2D the edge is `from`) [m]
+  VectorExpression path;      ///< displacement of the edge since `start`, of t [m]
+  std::optional<VectorExpression> edge;  ///< from the start of the edge to its end, of t [m]
+  BladeTrack track;                      ///< in the place of all of these, where it has a file
+  double start = 0, end = 0;             ///< when it cuts [s]
+  double resistance = 0;                 ///< G_c of (PB.18) [J/m^2]
+  double friction = 0;                   ///< f_0 of (PB.18) [N/m]
+  double drag = 0;                       ///< b of (PB.18) [Pa s]
+  double puncture_force = 0;             ///< F_p of (PB.35) [N]; 0: enters at once
 
   bool resists() const { return resistance > 0 || friction > 0 || drag > 0; }
 };
@@ -188,26 +168,24 @@ struct MeasurementCase {
   int body = 0;
   int boundary = -1;
   int cut = -1;
-  std::array<int, 2> bodies = {-1, -1}; ///< contact_force
+  std::array<int, 2> bodies = {-1, -1};  ///< contact_force
   int axis = 0;
-  bool lower_side = false; ///< extent: towards -axis
-  std::optional<Expression>
-      where; ///< extent: only surface points where this is not zero
+  bool lower_side = false;          ///< extent: towards -axis
+  std::optional<Expression> where;  ///< extent: only surface points where this is not zero
   double reference = 0;
-  bool relative = false; ///< conserved quantities: over the value at the start
+  bool relative = false;  ///< conserved quantities: over the value at the start
   Vector point = {}, direction = {};
   int directions = 64;
   std::string field;
   VectorExpression exact;
   Norm norm = Norm::maximum;
-  int of = -1; ///< position of the measurement whose history the last four
-               ///< kinds read
-  double window = 0; ///< peak_moving_average [s]
+  int of = -1;        ///< position of the measurement whose history the last four kinds read
+  double window = 0;  ///< peak_moving_average [s]
 
-  double fraction = 0.001; ///< last_time_above
-  double time = 0;         ///< value_at_time [s]
-  std::vector<int> terms;  ///< weighted_sum: positions of other measurements
-  std::vector<double> factors; ///< weighted_sum: of the terms; empty: all 1
+  double fraction = 0.001;      ///< last_time_above
+  double time = 0;              ///< value_at_time [s]
+  std::vector<int> terms;       ///< weighted_sum: positions of other measurements
+  std::vector<double> factors;  ///< weighted_sum: of the terms; empty: all 1
 
   bool reads_history() const { return of >= 0 || !terms.empty(); }
 };
@@ -222,57 +200,56 @@ enum class Precision { binary64, binary32 };
 
 /// Strengths of the dissipation (RP.23).
 struct DissipationCase {
-  double velocity = 0.5; ///< gamma_u
-  double stress = 0.025; ///< gamma_sigma
+  double velocity = 0.5;  ///< gamma_u
+  double stress = 0.025;  ///< gamma_sigma
 };
 
 struct Case {
-  std::string name; ///< of the folder or the file, unless the file says
+  std::string name;  ///< of the folder or the file, unless the file says
   std::string title;
   int dimension = 2;
-  std::string method = "remeshed"; ///< the word of a registered method
-  const MethodRules *rules =
-      nullptr; ///< of the method, of the registry that the case was read for
-  MethodParameters parameters; ///< of the method
+  std::string method = "remeshed";  ///< the word of a registered method
+  const MethodRules* rules =
+      nullptr;                  ///< of the method, of the registry that the case was read for
+  MethodParameters parameters;  ///< of the method
   Precision precision = Precision::binary64;
 
   struct {
-    double spacing = 0; ///< h [m]
+    double spacing = 0;  ///< h [m]
     kernels::Kernel kernel = kernels::Kernel::compact;
     DissipationCase dissipation;
-    double damping = 0; ///< alpha of (RP.71) [1/s]
+    double damping = 0;  ///< alpha of (RP.71) [1/s]
   } discretisation;
 
   struct {
     double end = 0;
-    std::optional<double> step; ///< none: "cfl"
-    std::optional<double> cfl;  ///< none: that of stability.hpp
-    double strain = 0.02;       ///< of a step, (RP.29)
+    std::optional<double> step;  ///< none: "cfl"
+    std::optional<double> cfl;   ///< none: that of stability.hpp
+    double strain = 0.02;        ///< of a step, (RP.29)
   } time;
 
   struct {
     enum class Policy { every, adaptive, never };
     Policy policy = Policy::adaptive;
-    int every = 10;                     ///< steps
-    double strain_threshold = 0.18;     ///< of (RP.39)
-    double deformation_threshold = 0.2; ///< of (RP.39)
-    double filter = 0;                  ///< gamma of (RP.37)
+    int every = 10;                      ///< steps
+    double strain_threshold = 0.18;      ///< of (RP.39)
+    double deformation_threshold = 0.2;  ///< of (RP.39)
+    double filter = 0;                   ///< gamma of (RP.37)
     VolumeRule volume = VolumeRule::reset;
   } remeshing;
 
   struct {
-    int reinitialise_every = 20; ///< steps
+    int reinitialise_every = 20;  ///< steps
   } level_set;
 
   GhostTreatment ghosts = GhostTreatment::linear;
 
   struct {
     std::array<bool, 3> axis = {};
-    Vector lower = {}, upper = {}; ///< of the periodic cell
+    Vector lower = {}, upper = {};  ///< of the periodic cell
   } periodic;
 
-  VectorExpression gravity; ///< acceleration of all bodies by a body force, of
-                            ///< x, y, z, t [m/s^2]
+  VectorExpression gravity;  ///< acceleration of all bodies by a body force, of x, y, z, t [m/s^2]
   std::vector<BodyCase> bodies;
   std::vector<BoundaryCase> boundaries;
   std::vector<ContactCase> contacts;
@@ -280,12 +257,11 @@ struct Case {
   std::vector<MeasurementCase> measurements;
 
   struct {
-    double every = 0; ///< between frames [s]; 0: first and last only
-    double checkpoint_every =
-        0;                ///< between checkpoints [s]; 0: only when interrupted
-    bool ghosts = false;  ///< frames hold ghost particles too
-    bool surface = false; ///< frames hold the free surface
-    double measure_every = 0; ///< [s]; 0: at every remeshing and at the end
+    double every = 0;             ///< between frames [s]; 0: first and last only
+    double checkpoint_every = 0;  ///< between checkpoints [s]; 0: only when interrupted
+    bool ghosts = false;          ///< frames hold ghost particles too
+    bool surface = false;         ///< frames hold the free surface
+    double measure_every = 0;     ///< [s]; 0: at every remeshing and at the end
   } output;
 
   struct {
@@ -295,4 +271,4 @@ struct Case {
   } checks;
 };
 
-} // namespace pliant
+}  // namespace pliant

@@ -21,7 +21,8 @@
 //               set, and the work of walls and loads
 //     cut faces, punctures, contact walls
 //               nodes that have passed a face of a cut, surfaces that a blade has met before it
-//               enters, and nodes that have entered a wall are pushed back (PB.20), (PB.34), (TL.12)
+//               enters, and nodes that have entered a wall are pushed back (PB.20), (PB.34),
+//               (TL.12)
 //     contact: ...
 //               facets near corners, now and then; where these corners and facets are; corners
 //               that have entered another body (TL.15); impulses between the bodies, in sweeps on
@@ -133,9 +134,8 @@ void Step<T, D>::meet_faces() {
 
 template <class T, int D>
 bool Step<T, D>::has_punctures() const {
-  return std::any_of(state_.cuts.begin(), state_.cuts.end(), [this](const auto& of_body) {
-    return of_body && of_body->has_punctures();
-  });
+  return std::any_of(state_.cuts.begin(), state_.cuts.end(),
+                     [this](const auto& of_body) { return of_body && of_body->has_punctures(); });
 }
 
 template <class T, int D>
@@ -143,9 +143,8 @@ void Step<T, D>::dent_surfaces() {
   const double inertia = 1 + state_.clock.damping * advance_.length / 2;
   for (std::size_t b = 0; b < state_.cuts.size(); ++b) {
     if (!state_.cuts[b]) continue;
-    const double power =
-        state_.cuts[b]->dent(state_.bodies[b], advance_.time,
-                             {advance_.length, drift_length(), inertia}, state_.blades);
+    const double power = state_.cuts[b]->dent(
+        state_.bodies[b], advance_.time, {advance_.length, drift_length(), inertia}, state_.blades);
     state_.energy.blade_work += advance_.length * power;
     state_.power.blade_work += power;
   }

@@ -288,10 +288,10 @@ DividedSurface<D> divide_surface(const Simplices<D>& body, std::int32_t corners,
 }
 
 template DividedSurface<2> divide_surface<2>(const Simplices<2>&, std::int32_t,
-                                          const std::vector<std::array<std::int32_t, 2>>&,
-                                          const CutPieces<2>&);
+                                             const std::vector<std::array<std::int32_t, 2>>&,
+                                             const CutPieces<2>&);
 template DividedSurface<3> divide_surface<3>(const Simplices<3>&, std::int32_t,
-                                          const std::vector<std::array<std::int32_t, 3>>&,
-                                          const CutPieces<3>&);
+                                             const std::vector<std::array<std::int32_t, 3>>&,
+                                             const CutPieces<3>&);
 
 }  // namespace pliant::point_based
