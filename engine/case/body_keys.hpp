@@ -205,6 +205,12 @@ void cut_keys(Visitor& visit, CutCase& cut) {
          .unit = "Pa s",
          .example = "20",
          .limits = not_negative});
+  visit("puncture_force", cut.puncture_force,
+        {.meaning = "force on the surface at which the blade enters the body, per unit thickness "
+                    "in 2D; until then it dents the body (PB.35); 0 enters at once",
+         .unit = "N",
+         .example = "0.5",
+         .limits = not_negative});
 }
 
 template <class Visitor>

@@ -120,6 +120,7 @@ struct CutCase {
   double resistance = 0;                 ///< G_c of (PB.18) [J/m^2]
   double friction = 0;                   ///< f_0 of (PB.18) [N/m]
   double drag = 0;                       ///< b of (PB.18) [Pa s]
+  double puncture_force = 0;             ///< F_p of (PB.35) [N]; 0: enters at once
 
   bool resists() const { return resistance > 0 || friction > 0 || drag > 0; }
 };

@@ -81,16 +81,25 @@ void for_each_piece_of(const std::array<const SurfaceNode<D>*, D + 1>& corners, 
   emit(piece);
 }
 
-/// Calls f(piece) for the pieces in the cube with these corners.
+/// Calls f(simplex) for the D! simplices of the cube with these corners. The corners of each are in
+/// ascending order of their slots.
 template <int D, class F>
-void for_each_piece(const std::array<SurfaceNode<D>, (1 << D)>& cube, F&& f) {
+void for_each_simplex(const std::array<SurfaceNode<D>, (1 << D)>& cube, F&& f) {
   std::array<int, D> axes;
   std::iota(axes.begin(), axes.end(), 0);
   do {
     std::array<const SurfaceNode<D>*, D + 1> simplex = {&cube[0]};
     for (int i = 0, corner = 0; i < D; ++i) simplex[i + 1] = &cube[corner |= 1 << axes[i]];
-    for_each_piece_of<D>(simplex, f);
+    f(simplex);
   } while (std::next_permutation(axes.begin(), axes.end()));
+}
+
+/// Calls f(piece) for the pieces in the cube with these corners.
+template <int D, class F>
+void for_each_piece(const std::array<SurfaceNode<D>, (1 << D)>& cube, F&& f) {
+  for_each_simplex<D>(cube, [&f](const std::array<const SurfaceNode<D>*, D + 1>& simplex) {
+    for_each_piece_of<D>(simplex, f);
+  });
 }
 
 }  // namespace pliant

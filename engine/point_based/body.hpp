@@ -99,6 +99,8 @@ struct Body : undeformed::Body<T, D> {
   std::vector<std::vector<BladedNode<D>>> bladed;  ///< [block], none where blades exert no force
   std::vector<std::vector<DegenerateNode<D>>> degenerate;  ///< [block]
   BodySurface<D> surface;
+  /// [element] slots, where the nodes are those of a mesh, and there are cuts
+  std::vector<std::array<std::int32_t, D + 1>> elements;
 
   bool is_pressed() const { return pressure_load[0].bytes() > 0; }
   bool is_loaded() const { return this->traction[0].bytes() > 0; }

@@ -68,6 +68,7 @@ template <class T, int D>
 void BodyCuts<T, D>::put_blade(std::size_t cut, const Point<D>& from, const Point<D>& to,
                                const Body<T, D>& body) {
   Blade& blade = blade_of(cut);
+  blade.puncture.reset();
   if (!std::exchange(blade.is_put, true)) end_cut(blade);
   std::size_t points = blade.cut < 0 ? 0 : blade.station.size();
   if (points == 0 && D == 2) points = 1;
@@ -89,6 +90,7 @@ void BodyCuts<T, D>::put_blade(std::size_t cut, const Point<D>& from, const Poin
 template <class T, int D>
 void BodyCuts<T, D>::lift_blade(std::size_t cut) {
   Blade& blade = blade_of(cut);
+  blade.puncture.reset();
   blade.is_put = true;
   blade.target.clear();
   end_cut(blade);
@@ -140,6 +142,10 @@ void BodyCuts<T, D>::move_by_case(std::size_t b, double time) {
   if (blade.is_done || time < blade.source.start) return;
   const bool ends = time >= blade.source.end;
   find_edge(blade.source, std::min(time, blade.source.end), edge_);
+  if (blade.puncture && !enters(b, time)) {
+    blade.is_done = ends;
+    return;
+  }
   if (blade.cut >= 0 && !ends && !is_far(blade, edge_)) return;
   move_blade(b, edge_, time);
   blade.is_done = ends;

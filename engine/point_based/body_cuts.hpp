@@ -10,6 +10,8 @@
 #include "engine/point_based/cutting/cut_bonds.hpp"
 #include "engine/point_based/cutting/tissue_at.hpp"
 #include "engine/point_based/face_contact.hpp"
+#include "engine/point_based/observe/opened_surface.hpp"
+#include "engine/point_based/puncture.hpp"
 
 namespace pliant::point_based {
 
@@ -43,11 +45,19 @@ class BodyCuts {
   void meet(Body<T, D>& body, double length, double drift);
   /// Whether they can.
   bool faces_meet() const { return !!faces_; }
+  /// Lets blades that have not entered push the surface of `body` in the step from `time` on, as
+  /// Puncture does, and adds what they exert up for each cut of the case. Returns their power [W].
+  double dent(Body<T, D>& body, double time, const ContactStep& step, std::span<BladeLoad<D>> sums);
+  /// Whether any blade starts as one of these.
+  bool has_punctures() const;
   /// Relaxes the gradients that nodes of a block have kept, by one step, and lets its bonds follow
   /// the blades. Blocks do not depend on each other.
   void update(int block, Body<T, D>& body);
   /// By how much all blocks together have changed the strain energy since the last call [J].
   double fold();
+
+  /// The surface of `body` with the faces of the cuts.
+  const OpenedSurface<D>& opened_surface(const Body<T, D>& body);
 
   /// What the blades have cut so far.
   std::span<const CutSurface<D>> surfaces() const { return bonds_.cuts(); }
@@ -68,8 +78,10 @@ class BodyCuts {
     double moved = 0;        ///< when that was [s]
     double moves_until = 0;  ///< [s]
     bool is_done = false;
-    bool is_put = false;  ///< by callers: the case moves it no more
-    Station target;       ///< where callers have put it; empty: nowhere new
+    bool is_put = false;                     ///< by callers: the case moves it no more
+    Station target;                          ///< where callers have put it; empty: nowhere new
+    std::optional<Puncture<T, D>> puncture;  ///< until the blade has entered
+    Station outside;                         ///< where it was before it touched the body
   };
   struct BlockCuts {
     std::vector<std::int32_t> relaxing;  ///< slots, ascending
@@ -88,6 +100,9 @@ class BodyCuts {
   Blade& blade_of(std::size_t cut);
   bool is_far(const Blade& blade, const Station& edge) const;
   void move_by_case(std::size_t blade, double time);
+  /// Whether the blade, whose edge is at edge_, cuts from `time` on; where the surface has given
+  /// way, the cut begins where the blade was before it touched it.
+  bool enters(std::size_t blade, double time);
   void move_by_caller(std::size_t blade, double time);
   void move_blade(std::size_t blade, const Station& station, double time);
   void end_cut(Blade& blade);
@@ -95,6 +110,7 @@ class BodyCuts {
   void resist(Blade& blade, const Station& station, double time);
   /// Returns the slots of each block whose bonds have changed.
   std::vector<std::vector<std::int32_t>> repeat(const Moves& moves);
+  void get_punctures(const ArchiveReader& archive, const std::string& name);
   void relax(BlockCuts& cuts, Body<T, D>& body);
   /// Gives a node its bonds anew.
   void change_bonds_of(std::int32_t slot, BlockCuts& cuts, Body<T, D>& body);
@@ -110,6 +126,8 @@ class BodyCuts {
   std::optional<FaceContact<T, D>> faces_;
   bool has_moved_ = false;  ///< in this step
   std::vector<BlockCuts> blocks_;
+  double surface_spacing_;                          ///< [m]
+  std::optional<OpenedSurface<D>> opened_surface_;  ///< once a frame has shown it
 };
 
 extern template class BodyCuts<double, 2>;

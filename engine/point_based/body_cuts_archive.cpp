@@ -25,9 +25,13 @@ void BodyCuts<T, D>::put(ArchiveWriter& archive, const std::string& name) const 
   archive.put(name + "/points", std::span<const std::int64_t>(moves_.points));
   archive.put(name + "/place", std::span<const double>(moves_.place));
   archive.put(name + "/time", std::span<const double>(moves_.time));
-  std::vector<std::int64_t> done, put, waiting;
-  std::vector<double> target;
+  std::vector<std::int64_t> done, put, waiting, entered, outside_points;
+  std::vector<double> target, outside, mean_force;
   for (const Blade& blade : blades_) {
+    entered.push_back(blade.puncture ? 0 : 1);
+    mean_force.push_back(blade.puncture ? blade.puncture->mean_force() : 0);
+    outside_points.push_back(static_cast<std::int64_t>(blade.outside.size()));
+    for (const Point<D>& x : blade.outside) outside.insert(outside.end(), x.begin(), x.end());
     done.push_back(blade.is_done ? 1 : 0);
     put.push_back(blade.is_put ? 1 : 0);
     waiting.push_back(static_cast<std::int64_t>(blade.target.size()));
@@ -37,6 +41,10 @@ void BodyCuts<T, D>::put(ArchiveWriter& archive, const std::string& name) const 
   archive.put(name + "/is_put", std::span<const std::int64_t>(put));
   archive.put(name + "/waiting", std::span<const std::int64_t>(waiting));
   archive.put(name + "/target", std::span<const double>(target));
+  archive.put(name + "/entered", std::span<const std::int64_t>(entered));
+  archive.put(name + "/mean_force", std::span<const double>(mean_force));
+  archive.put(name + "/outside_points", std::span<const std::int64_t>(outside_points));
+  archive.put(name + "/outside", std::span<const double>(outside));
 }
 
 template <class T, int D>
@@ -61,6 +69,23 @@ std::vector<std::vector<std::int32_t>> BodyCuts<T, D>::repeat(const Moves& moves
     }
   }
   return changed;
+}
+
+template <class T, int D>
+void BodyCuts<T, D>::get_punctures(const ArchiveReader& archive, const std::string& name) {
+  const auto entered = archive.get<std::int64_t>(name + "/entered");
+  const auto mean_force = archive.get<double>(name + "/mean_force");
+  const auto points = archive.get<std::int64_t>(name + "/outside_points");
+  const auto outside = archive.get<double>(name + "/outside");
+  std::span<const double> places = outside;
+  for (std::size_t b = 0; b < blades_.size(); ++b) {
+    blades_[b].outside = take_points<D>(places, points.at(b));
+    if (entered.at(b) != 0) {
+      blades_[b].puncture.reset();
+    } else {
+      blades_[b].puncture->set_mean_force(mean_force.at(b));
+    }
+  }
 }
 
 template <class T, int D>
@@ -90,12 +115,17 @@ void BodyCuts<T, D>::get(const ArchiveReader& archive, const std::string& name, 
     blades_[b].is_put = put.at(b) != 0;
     blades_[b].target = take_points<D>(places, waiting.at(b));
   }
+  get_punctures(archive, name);
 }
 
 template std::vector<std::vector<std::int32_t>> BodyCuts<double, 2>::repeat(const Moves&);
 template std::vector<std::vector<std::int32_t>> BodyCuts<double, 3>::repeat(const Moves&);
 template std::vector<std::vector<std::int32_t>> BodyCuts<float, 2>::repeat(const Moves&);
 template std::vector<std::vector<std::int32_t>> BodyCuts<float, 3>::repeat(const Moves&);
+template void BodyCuts<double, 2>::get_punctures(const ArchiveReader&, const std::string&);
+template void BodyCuts<double, 3>::get_punctures(const ArchiveReader&, const std::string&);
+template void BodyCuts<float, 2>::get_punctures(const ArchiveReader&, const std::string&);
+template void BodyCuts<float, 3>::get_punctures(const ArchiveReader&, const std::string&);
 template void BodyCuts<double, 2>::put(ArchiveWriter&, const std::string&) const;
 template void BodyCuts<double, 3>::put(ArchiveWriter&, const std::string&) const;
 template void BodyCuts<float, 2>::put(ArchiveWriter&, const std::string&) const;

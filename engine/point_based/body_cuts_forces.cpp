@@ -59,6 +59,47 @@ void BodyCuts<T, D>::meet(Body<T, D>& body, double length, double drift) {
   faces_->apply(body, *tissue_, length, drift);
 }
 
+// A blade that begins inside the body has nothing to puncture.
+template <class T, int D>
+bool BodyCuts<T, D>::enters(std::size_t b, double time) {
+  Blade& blade = blades_[b];
+  if (blade.outside.empty()) {
+    const Station points = blade.puncture->points_of(edge_);
+    if (std::any_of(points.begin(), points.end(),
+                    [this](const Point<D>& x) { return bonds_.is_inside(x); })) {
+      blade.puncture.reset();
+      return true;
+    }
+  }
+  if (blade.puncture->mean_force() == 0) blade.outside = edge_;
+  if (!blade.puncture->has_given_way()) return false;
+  blade.puncture.reset();
+  move_blade(b, blade.outside, time);
+  return true;
+}
+
+template <class T, int D>
+bool BodyCuts<T, D>::has_punctures() const {
+  return std::any_of(blades_.begin(), blades_.end(),
+                     [](const Blade& blade) { return blade.source.puncture_force > 0; });
+}
+
+template <class T, int D>
+double BodyCuts<T, D>::dent(Body<T, D>& body, double time, const ContactStep& step,
+                            std::span<BladeLoad<D>> sums) {
+  double power = 0;
+  for (Blade& blade : blades_) {
+    if (!blade.puncture || blade.is_done || time < blade.source.start) continue;
+    find_edge(blade.source, time, edge_);
+    find_edge(blade.source, std::min(time + step.length, blade.source.end), next_edge_);
+    const BladeLoad<D> exerted = blade.puncture->push(body, edge_, next_edge_, step);
+    for (int a = 0; a < D; ++a) sums[blade.number].force[a] += exerted.force[a];
+    sums[blade.number].power += exerted.power;
+    power += exerted.power;
+  }
+  return power;
+}
+
 template void BodyCuts<double, 2>::resist(Blade&, const Station&, double);
 template void BodyCuts<double, 3>::resist(Blade&, const Station&, double);
 template void BodyCuts<float, 2>::resist(Blade&, const Station&, double);
@@ -71,5 +112,21 @@ template void BodyCuts<double, 2>::load(double, double, Body<double, 2>&, std::s
 template void BodyCuts<double, 3>::load(double, double, Body<double, 3>&, std::span<BladeLoad<3>>);
 template void BodyCuts<float, 2>::load(double, double, Body<float, 2>&, std::span<BladeLoad<2>>);
 template void BodyCuts<float, 3>::load(double, double, Body<float, 3>&, std::span<BladeLoad<3>>);
+template bool BodyCuts<double, 2>::enters(std::size_t, double);
+template bool BodyCuts<double, 2>::has_punctures() const;
+template double BodyCuts<double, 2>::dent(Body<double, 2>&, double, const ContactStep&,
+                                          std::span<BladeLoad<2>>);
+template bool BodyCuts<double, 3>::enters(std::size_t, double);
+template bool BodyCuts<double, 3>::has_punctures() const;
+template double BodyCuts<double, 3>::dent(Body<double, 3>&, double, const ContactStep&,
+                                          std::span<BladeLoad<3>>);
+template bool BodyCuts<float, 2>::enters(std::size_t, double);
+template bool BodyCuts<float, 2>::has_punctures() const;
+template double BodyCuts<float, 2>::dent(Body<float, 2>&, double, const ContactStep&,
+                                         std::span<BladeLoad<2>>);
+template bool BodyCuts<float, 3>::enters(std::size_t, double);
+template bool BodyCuts<float, 3>::has_punctures() const;
+template double BodyCuts<float, 3>::dent(Body<float, 3>&, double, const ContactStep&,
+                                         std::span<BladeLoad<3>>);
 
 }  // namespace pliant::point_based

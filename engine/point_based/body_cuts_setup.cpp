@@ -57,14 +57,19 @@ BodyCuts<T, D>::BodyCuts(const Case& settings, int body_number, BondChoice<D> ch
       bonds_(body.start, sizes_of(body), rows_of(choice_, body), parameters_of(settings).cut_rule,
              inside_of<D>(body.source->geometry, inside_over_resolution * body.resolution),
              first_slots(body)),
-      blocks_(body.blocks.size()) {
+      blocks_(body.blocks.size()),
+      surface_spacing_(settings.discretisation.spacing) {
   for (std::size_t c = 0; c < settings.cuts.size(); ++c) {
     if (settings.cuts[c].body == body_number) {
       blades_.push_back({.number = c,
                          .source = settings.cuts[c],
                          .station = {},
                          .resistance = BladeResistance<T, D>(settings.cuts[c]),
-                         .target = {}});
+                         .target = {},
+                         .puncture = {},
+                         .outside = {}});
+      const double threshold = settings.cuts[c].puncture_force;
+      if (threshold > 0) blades_.back().puncture.emplace(body, threshold);
     }
   }
   const std::optional<double> friction = parameters_of(settings).cut_contact;
@@ -74,9 +79,23 @@ BodyCuts<T, D>::BodyCuts(const Case& settings, int body_number, BondChoice<D> ch
   if (friction) faces_.emplace(body, *friction);
 }
 
+template <class T, int D>
+const OpenedSurface<D>& BodyCuts<T, D>::opened_surface(const Body<T, D>& body) {
+  if (!opened_surface_) {
+    opened_surface_.emplace(body, surface_spacing_,
+                            [this](const MaterialPoint<D>& x) { return bonds_.is_inside(x); });
+  }
+  opened_surface_->follow(bonds_.cuts());
+  return *opened_surface_;
+}
+
 template BodyCuts<double, 2>::BodyCuts(const Case&, int, BondChoice<2>, const Body<double, 2>&);
 template BodyCuts<double, 3>::BodyCuts(const Case&, int, BondChoice<3>, const Body<double, 3>&);
 template BodyCuts<float, 2>::BodyCuts(const Case&, int, BondChoice<2>, const Body<float, 2>&);
 template BodyCuts<float, 3>::BodyCuts(const Case&, int, BondChoice<3>, const Body<float, 3>&);
+template const OpenedSurface<2>& BodyCuts<double, 2>::opened_surface(const Body<double, 2>&);
+template const OpenedSurface<3>& BodyCuts<double, 3>::opened_surface(const Body<double, 3>&);
+template const OpenedSurface<2>& BodyCuts<float, 2>::opened_surface(const Body<float, 2>&);
+template const OpenedSurface<3>& BodyCuts<float, 3>::opened_surface(const Body<float, 3>&);
 
 }  // namespace pliant::point_based

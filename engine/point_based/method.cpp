@@ -71,7 +71,9 @@ void check(const Check& check) {
 /// the energy that grows with the square of the step.
 bool is_pushed_node_by_node(const Case& a_case) {
   return parameters_of(a_case).cut_contact.has_value() ||
-         std::ranges::any_of(a_case.cuts, &CutCase::resists) ||
+         std::ranges::any_of(
+             a_case.cuts,
+             [](const CutCase& cut) { return cut.resists() || cut.puncture_force > 0; }) ||
          std::ranges::any_of(a_case.bodies,
                              [](const BodyCase& body) { return body.stress.has_value(); });
 }

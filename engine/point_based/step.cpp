@@ -19,8 +19,9 @@
 //               blocks
 //     motion    the force on each node; velocity and displacement (PB.10); the velocity that walls
 //               set, and the work of walls and loads
-//     cut faces, contact walls
-//               nodes that have passed a face of a cut or entered a wall are pushed back (PB.20),
+//     cut faces, punctures, contact walls
+//               nodes that have passed a face of a cut, surfaces that a blade has met before it
+//               enters, and nodes that have entered a wall are pushed back (PB.20), (PB.34),
 //               (TL.12)
 //     contact: ...
 //               facets near corners, now and then; where these corners and facets are; corners
@@ -95,6 +96,9 @@ std::vector<Phase> Step<T, D>::phases() {
   if (has_faces()) {
     rows.reduce("cut faces", all(motion + held), all(motion), [this] { meet_faces(); });
   }
+  if (has_punctures()) {
+    rows.reduce("punctures", all(motion + held), all(motion), [this] { dent_surfaces(); });
+  }
   add_contact(rows, {motion, held, of(contact_lists), of(contact_places), of(contact_normals),
                      of(touches)});
   if (bodies_touch()) {
@@ -125,6 +129,24 @@ void Step<T, D>::meet_faces() {
   for (std::size_t b = 0; b < state_.cuts.size(); ++b) {
     if (!state_.cuts[b]) continue;
     state_.cuts[b]->meet(state_.bodies[b], advance_.length, drift_length());
+  }
+}
+
+template <class T, int D>
+bool Step<T, D>::has_punctures() const {
+  return std::any_of(state_.cuts.begin(), state_.cuts.end(),
+                     [this](const auto& of_body) { return of_body && of_body->has_punctures(); });
+}
+
+template <class T, int D>
+void Step<T, D>::dent_surfaces() {
+  const double inertia = 1 + state_.clock.damping * advance_.length / 2;
+  for (std::size_t b = 0; b < state_.cuts.size(); ++b) {
+    if (!state_.cuts[b]) continue;
+    const double power = state_.cuts[b]->dent(
+        state_.bodies[b], advance_.time, {advance_.length, drift_length(), inertia}, state_.blades);
+    state_.energy.blade_work += advance_.length * power;
+    state_.power.blade_work += power;
   }
 }
 

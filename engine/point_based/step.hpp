@@ -49,7 +49,9 @@ class Step {
 
   bool loads_act() const { return loads_.act_on_blocks(); }
   /// Whether velocities change after the motion.
-  bool bodies_touch() const { return contact_.exists() || body_contact_.exists() || has_faces(); }
+  bool bodies_touch() const {
+    return contact_.exists() || body_contact_.exists() || has_faces() || has_punctures();
+  }
   /// Adds what lets contact walls and other bodies push the nodes.
   void add_contact(PhaseRows& rows, const undeformed::ContactFields& fields);
 
@@ -59,6 +61,8 @@ class Step {
   void prepare_contact();
   bool has_faces() const;
   void meet_faces();
+  bool has_punctures() const;
+  void dent_surfaces();
   /// Sum of m u^2 of a block, where damping needs it [J].
   double inertia(int block);
 

@@ -4,11 +4,10 @@
 #include <cmath>
 #include <map>
 
-#include "engine/geometry/distance_walk.hpp"
 #include "engine/geometry/padded.hpp"
 #include "engine/geometry/signed_distance.hpp"
-#include "engine/lattice/surface_pieces.hpp"
 #include "engine/point_based/nearest_nodes.hpp"
+#include "engine/point_based/surface_lattice.hpp"
 
 namespace pliant::point_based {
 
@@ -16,10 +15,8 @@ namespace {
 
 using undeformed::area_vector;
 
-constexpr int samples = 8;              // to a side of a facet that the rim of a region cuts
-constexpr double on_surface = 1e-9;     // [h]
-constexpr double on_face = 1e-6;        // [h]
-constexpr double smallest_area = 1e-9;  // [h^(D-1)]
+constexpr int samples = 8;        // to a side of a facet that the rim of a region cuts
+constexpr double on_face = 1e-6;  // [h]
 
 /// A surface whose corners name nodes of the cloud.
 template <int D>
@@ -55,10 +52,11 @@ class SurfaceFinder {
   }
 
   BodySurface<D> of_shape(const Shape& shape) {
-    lay_lattice(shape);
-    Cell<D> last;
-    for (int a = 0; a < D; ++a) last[a] = extent_[a] - 2;
-    for_each_cell<D>({}, last, [&](const Cell<D>& cell) { march(cell); });
+    for (const auto& piece : SurfaceLattice<D>(shape, spacing_).facets()) {
+      std::array<std::int32_t, D> corner;
+      for (int v = 0; v < D; ++v) corner[v] = add(piece[v].name, piece[v].place, -1);
+      surface_.facet.push_back(corner);
+    }
     return std::move(surface_);
   }
 
@@ -70,69 +68,6 @@ class SurfaceFinder {
     double along = 0;
     for (int a = 0; a < D; ++a) along += normal[a] * (cloud_.positions[node][a] - corner[0][a]);
     return along > 0;
-  }
-
-  // As the nodes of a lattice: points lie on both faces of a box.
-  void lay_lattice(const Shape& shape) {
-    const Box<3> box = bounding_box(shape);
-    std::int64_t count = 1;
-    Cell<D> last;
-    for (int a = 0; a < D; ++a) {
-      const double cells = std::max(1.0, std::round((box.upper[a] - box.lower[a]) / spacing_));
-      lower_[a] = (box.lower[a] + box.upper[a] - (cells + 2) * spacing_) / 2;
-      extent_[a] = static_cast<std::int32_t>(cells) + 3;
-      last[a] = extent_[a] - 1;
-      count *= extent_[a];
-    }
-    phi_.reserve(count);
-    DistanceWalk distance(shape, D, 2 * spacing_);
-    for_each_cell<D>({}, last, [&](const Cell<D>& cell) {
-      const double phi = distance(padded<D>(place(cell))) / spacing_;
-      phi_.push_back(std::abs(phi) < on_surface ? -on_surface : phi);
-    });
-  }
-
-  Point<D> place(const Cell<D>& cell) const {
-    Point<D> x;
-    for (int a = 0; a < D; ++a) x[a] = lower_[a] + cell[a] * spacing_;
-    return x;
-  }
-
-  void march(const Cell<D>& cell) {
-    std::array<SurfaceNode<D>, (1 << D)> cube;
-    int inside = 0;
-    for (int c = 0; c < (1 << D); ++c) {
-      SurfaceNode<D>& node = cube[c];
-      node.cell = cell;
-      std::int64_t slot = 0;
-      for (int a = 0; a < D; ++a) node.cell[a] += c >> a & 1;
-      for (int a = D - 1; a >= 0; --a) slot = slot * extent_[a] + node.cell[a];
-      node.slot = slot;
-      node.phi = phi_[slot];
-      inside += node.phi < 0 ? 1 : 0;
-      const Point<D> x = place(node.cell);
-      for (int a = 0; a < D; ++a) node.place[a] = x[a];
-    }
-    if (inside == 0 || inside == (1 << D)) return;
-    for_each_piece<D>(cube, [&](const SurfacePiece<D>& piece) {
-      std::array<Point<D>, D> x;
-      for (int v = 0; v < D; ++v) {
-        const PlaceVector<D> at = piece[v].place();
-        for (int a = 0; a < D; ++a) x[v][a] = at[a];
-      }
-      double square = 0;
-      for (const double component : area_vector<D>(x)) square += component * component;
-      if (std::sqrt(square) < smallest_area * std::pow(spacing_, D - 1)) return;
-      std::array<std::int32_t, D> corner;
-      for (int v = 0; v < D; ++v) {
-        // At a point on the surface all lines from it end alike.
-        const bool at_point = piece[v].fraction() < 1e-6;
-        corner[v] =
-            add({piece[v].inside->slot, at_point ? piece[v].inside->slot : piece[v].outside->slot},
-                x[v], -1);
-      }
-      surface_.facet.push_back(corner);
-    });
   }
 
   /// The corner with this name; `node` -1 takes the nearest.
@@ -149,9 +84,6 @@ class SurfaceFinder {
   const NodeCloud<D>& cloud_;
   NearestNodes<D> nearest_;
   double spacing_;
-  Point<D> lower_ = {};
-  Cell<D> extent_ = {};
-  std::vector<double> phi_;  ///< [lattice point] [h]
   std::map<std::pair<std::int64_t, std::int64_t>, std::int32_t> known_;
   BodySurface<D> surface_;
 };
@@ -235,6 +167,12 @@ void make_surface(const NodeCloud<D>& cloud, const Shape& shape, double spacing,
     if (body.number[s] >= 0) slot_of[body.number[s]] = static_cast<std::int32_t>(s);
   }
   for (std::int32_t& node : body.surface.node) node = slot_of[node];
+  if (body.has_cuts()) {
+    body.elements = cloud.elements;
+    for (auto& element : body.elements) {
+      for (std::int32_t& node : element) node = slot_of[node];
+    }
+  }
   for (const auto& facet : body.surface.facet) {
     Point<D> middle = {};
     for (const std::int32_t corner : facet) {

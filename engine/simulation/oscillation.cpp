@@ -10,13 +10,13 @@ namespace pliant {
 
 namespace {
 
-struct Crossing {
+struct ZeroCrossing {
   double time;
   std::size_t after;  // first sample beyond it
 };
 
-std::vector<Crossing> crossings(std::span<const double> time, std::span<const double> value) {
-  std::vector<Crossing> found;
+std::vector<ZeroCrossing> crossings(std::span<const double> time, std::span<const double> value) {
+  std::vector<ZeroCrossing> found;
   std::size_t i = 1;
   while (i < value.size() && value[i - 1] == 0) ++i;  // a start from rest is no crossing
   for (; i < value.size(); ++i) {
@@ -44,13 +44,13 @@ double extremum(std::span<const double> time, std::span<const double> value, std
 }  // namespace
 
 double oscillation_period(std::span<const double> time, std::span<const double> value) {
-  const std::vector<Crossing> zero = crossings(time, value);
+  const std::vector<ZeroCrossing> zero = crossings(time, value);
   if (zero.size() < 2) return no_value;
   return 2 * (zero.back().time - zero.front().time) / static_cast<double>(zero.size() - 1);
 }
 
 double amplitude_ratio(std::span<const double> time, std::span<const double> value) {
-  const std::vector<Crossing> zero = crossings(time, value);
+  const std::vector<ZeroCrossing> zero = crossings(time, value);
   std::vector<double> extrema;
   // The stretch before the first crossing counts when it starts from rest at zero.
   if (!zero.empty() && value[0] == 0) extrema.push_back(extremum(time, value, 0, zero[0].after));

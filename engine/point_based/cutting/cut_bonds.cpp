@@ -32,13 +32,6 @@ Box<D> box_of(const CutSurface<D>& cut, std::size_t piece) {
 /// Bonds that end on a piece up to rounding are tested in both directions.
 double squared_slack(double least_size) { return 1e-18 * least_size * least_size; }
 
-constexpr double reach_of_front = 0.8;  // [H] of (CU.1)
-
-double smoothstep(double x) {
-  const double s = std::clamp(x, 0., 1.);
-  return s * s * (3 - 2 * s);
-}
-
 }  // namespace
 
 template <int D>
@@ -182,16 +175,17 @@ void CutBonds<D>::cut_transparent(Part& part) {
   for_each_crossed(part,
                    [&](std::int32_t node, std::int64_t bond, std::int32_t cut, const Point& place) {
                      const double size = (sizes_[node] + sizes_[bonds_.neighbour[bond]]) / 2;
-                     part.open.push_back({bond, node, cut, place, reach_of_front * size});
+                     part.open.push_back({bond, node, cut, place, size});
                    });
   std::erase_if(part.open, [&](Crossing& open) {
     Box<D> place;
     place.grow(open.place);
-    const double square = open.reach * open.reach * (1 + 1e-6);  // with what distances round
+    const double reach = reach_of_front * open.size;
+    const double square = reach * reach * (1 + 1e-6);  // with what distances round
     if (!open.is_new && squared_gap(fronts_[open.cut].changed(), place) > square) return false;
     open.is_new = false;
-    const double ahead = fronts_[open.cut].distance(open.place, open.reach);
-    const double left = 1 - smoothstep(ahead / open.reach);  // (CU.1)
+    const double ahead = fronts_[open.cut].distance(open.place, reach);
+    const double left = share_before_front(ahead, open.size);
     set(part, open.node, open.bond, std::min(factors_[open.bond], left));
     return left == 0;
   });

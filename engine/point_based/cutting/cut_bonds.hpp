@@ -76,7 +76,7 @@ class CutBonds {
     std::int64_t bond;
     std::int32_t node, cut;
     Point place;
-    double reach;  ///< from the front, over which its weight fades [m]
+    double size;  ///< H of (CU.1) [m]
     bool is_new = true;
   };
   struct Part {

@@ -20,6 +20,11 @@ double squared_distance(const MaterialPoint<D>& a, const MaterialPoint<D>& b) {
 
 }  // namespace
 
+double share_before_front(double distance, double size) {
+  const double s = std::clamp(distance / (reach_of_front * size), 0., 1.);
+  return 1 - s * s * (3 - 2 * s);
+}
+
 template <int D>
 void CutFront<D>::add_parts(const CutSurface<D>& cut, const typename CutSurface<D>::Edge& edge,
                             std::vector<Part>& parts) const {

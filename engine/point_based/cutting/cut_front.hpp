@@ -8,6 +8,13 @@
 
 namespace pliant::point_based {
 
+/// The share 1 - S(d/(0.8 H)) of (CU.1) at `distance` d from the front of a cut [m] among nodes of
+/// the size H [m].
+double share_before_front(double distance, double size);
+
+/// The distance from which on that share is 0 [H].
+inline constexpr double reach_of_front = 0.8;
+
 /// Whether a place of the undeformed body is inside it, and not on its surface.
 template <int D>
 using InsideTest = std::function<bool(const MaterialPoint<D>&)>;

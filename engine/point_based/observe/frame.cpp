@@ -33,11 +33,10 @@ FrameSurface take_surface(const State<T, D>& state) {
   SurfaceVertices vertices;
   for (std::size_t b = 0; b < state.bodies.size(); ++b) {
     const auto owner = static_cast<int>(b);
-    const std::span<const CutSurface<D>> cuts = state.cut_surfaces(b);
-    if (cuts.empty()) {
+    if (state.cut_surfaces(b).empty()) {
       add_closed_surface(state.bodies[b], owner, vertices);
     } else {
-      add_opened_surface(state.bodies[b], cuts, owner, vertices);
+      state.cuts[b]->opened_surface(state.bodies[b]).add(state.bodies[b], owner, vertices);
     }
   }
   FrameSurface surface;

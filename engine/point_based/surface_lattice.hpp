@@ -1,0 +1,54 @@
+#pragma once
+
+#include <cstdint>
+#include <utility>
+#include <vector>
+
+#include "engine/blocks/box.hpp"
+#include "engine/geometry/shape.hpp"
+#include "engine/lattice/inside_parts.hpp"
+
+namespace pliant::point_based {
+
+/// A shape between the points of a lattice: pieces of its surface, and simplices that fill it and
+/// whose boundary these are.
+template <int D>
+class SurfaceLattice {
+ public:
+  /// Lattice points on the surface count as inside.
+  SurfaceLattice(const Shape& shape, double spacing);
+
+  /// Of a corner: the points that it lies between; at a point twice that one.
+  using Name = std::pair<std::int64_t, std::int64_t>;
+  struct Corner {
+    Name name;
+    Point<D> place;  ///< [m]
+  };
+  using Facet = std::array<Corner, D>;
+  using Simplex = std::array<Corner, D + 1>;
+
+  /// Facets of the surface, seen from outside.
+  std::vector<Facet> facets() const;
+  /// The simplices, with a positive determinant of the edges from the first corner, in all cells
+  /// that one of the boxes touches.
+  std::vector<Simplex> simplices_near(const std::vector<Box<D>>& boxes) const;
+
+ private:
+  using Cube = std::array<SurfaceNode<D>, (1 << D)>;
+
+  Point<D> place(const Cell<D>& cell) const;
+  std::int64_t slot(const Cell<D>& cell) const;
+  /// The corners of a cell, and how many of them are inside.
+  std::pair<Cube, int> cube_at(const Cell<D>& cell) const;
+  static Corner corner(const Crossing<D>& crossing);
+
+  double spacing_;
+  Point<D> lower_ = {};
+  Cell<D> extent_ = {};
+  std::vector<double> phi_;  ///< [lattice point] [h]
+};
+
+extern template class SurfaceLattice<2>;
+extern template class SurfaceLattice<3>;
+
+}  // namespace pliant::point_based
