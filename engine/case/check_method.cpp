@@ -28,16 +28,6 @@ void refuse_boundaries(const Check& check, BoundaryCase::Kind kind) {
   }
 }
 
-void refuse_ties(const Check& check) {
-  for (std::size_t i = 0; i < check.a_case.contacts.size(); ++i) {
-    if (row_of(check.a_case.contacts[i].law).separates) continue;
-    check.problems.add(check.place("contact", i, "kind"),
-                       fmt::format("method \"{}\" has no contact of kind \"{}\"",
-                                   check.a_case.method, row_of(check.a_case.contacts[i].law).word),
-                       "make one body of both, or choose another method");
-  }
-}
-
 void refuse_key(const Check& check, std::string_view key) {
   const toml::node* node = check.root.get(key);
   if (!node) return;

@@ -26,7 +26,7 @@ inline constexpr auto contact_laws = std::to_array<ContactLawRow>({
     {ContactLaw::no_slip, "no_slip", true, true, false,
      "unilateral contact without sliding (RP.46), (RP.56), (TL.16)"},
     {ContactLaw::tied, "tied", false, false, false,
-     "permanent bond without sliding or separation; remeshed method alone"},
+     "permanent bond without sliding or separation (RP.56), (TL.21)"},
     {ContactLaw::coulomb, "coulomb", true, false, false,
      "unilateral contact with Coulomb friction (RP.75), (TL.16)"},
 });

@@ -69,9 +69,6 @@ void refuse_measurements(const Check& check, bool (*is_measured)(MeasurementCase
 /// Adds a problem for each boundary of this kind.
 void refuse_boundaries(const Check& check, BoundaryCase::Kind kind);
 
-/// Adds a problem for each contact that never opens.
-void refuse_ties(const Check& check);
-
 /// Adds a problem for a key at the top level of the case.
 void refuse_key(const Check& check, std::string_view key);
 

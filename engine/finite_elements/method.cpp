@@ -18,7 +18,6 @@ namespace {
 void check(const Check& check) {
   const Case& a_case = check.a_case;
   refuse_tables(check, {"periodic", "cut"});
-  refuse_ties(check);
   for (std::size_t i = 0; i < a_case.bodies.size(); ++i) {
     point_based::check_body(check, i);
     if (point_based::has_elements(a_case.bodies[i].geometry)) continue;

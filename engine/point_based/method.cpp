@@ -61,7 +61,6 @@ void check(const Check& check) {
   const Case& a_case = check.a_case;
   check_nodes(check);
   refuse_tables(check, {"periodic"});
-  refuse_ties(check);
   for (std::size_t i = 0; i < a_case.cuts.size(); ++i) check_cut(check, i);
   for (std::size_t i = 0; i < a_case.bodies.size(); ++i) check_body(check, i);
   refuse_measurements(check, Measurer<double, 2>::is_measured);

@@ -24,7 +24,6 @@ void check_body(const Check& check, std::size_t i) {
 void check(const Check& check) {
   const Case& a_case = check.a_case;
   refuse_tables(check, {"periodic", "cut"});
-  refuse_ties(check);
   for (std::size_t i = 0; i < a_case.bodies.size(); ++i) check_body(check, i);
   refuse_measurements(check, Measurer<double, 2>::is_measured);
   if (!parameters_of(a_case).mass_scaling && !a_case.time.step) {

@@ -1,15 +1,14 @@
 #pragma once
 
-#include <array>
 #include <memory>
 #include <optional>
-#include <span>
 #include <vector>
 
 #include "engine/method/phase_rows.hpp"
 #include "engine/undeformed/advance.hpp"
-#include "engine/undeformed/corner_search.hpp"
+#include "engine/undeformed/meetings.hpp"
 #include "engine/undeformed/state.hpp"
+#include "engine/undeformed/tied_surfaces.hpp"
 
 // Contact between bodies, and of a body with itself.
 //
@@ -59,83 +58,44 @@ class BodyContact {
   void add_phases(PhaseRows& rows, const ContactFields& fields);
 
   /// Whether the case has contacts.
-  bool exists() const { return !sides_.empty(); }
+  bool exists() const { return !sides_.empty() || !ties_.empty(); }
 
   /// A corner that lies deeper than the way out is known for.
   std::optional<Overlap> deepest() const;
 
  private:
   using Surface = MovingSurface<T, D>;
-  /// The corners of one body against the facets of another, or of the same.
-  struct Side {
-    Side(Surface& corners, Surface& facets, int contact, double sign)
-        : corners(corners), facets(facets), search(corners, facets), contact(contact), sign(sign) {}
-    Surface &corners, &facets;
-    CornerSearch<T, D> search;
-    int contact;
-    double sign;  ///< 1 where the corners are those of the first body of the contact, else -1
-  };
-  /// A corner and what it touches.
-  struct Meeting {
-    const Side* side;
-    const std::vector<Share>* shares;
-    Touch<D> touch;
-    std::size_t first_share, end_share;  ///< of the point of the facet, in `shares`
-    double compliance;                   ///< along the normal [1/kg]
-    double largest_compliance;           ///< of particles that no wall holds [1/kg]
-    double approach;                     ///< that it may keep [m/s]
-    Point<D> apart;                      ///< displacement of the corner less that of the point [m]
-    double pushed = 0, moved = 0;        ///< along the normal [N s], [kg m]
-    Point<D> rubbed = {};                ///< along the surface [N s]
-  };
-
-  /// How the bodies of a contact have moved since the lists were made.
-  struct Approach {
-    double free = 0;      ///< how far they may, both together, before the next lists [m]
-    double moved = 0;     ///< how far they have [m]
-    Point<D> frame = {};  ///< what they have moved by together [m]
-  };
+  using Side = ContactSide<T, D>;
 
   /// What a block finds.
   struct Found {
     std::vector<Touch<D>> touches;
-    std::vector<Meeting> meetings;
-    std::vector<Share> shares;
+    Meetings<T, D> meetings;
   };
 
   void face_each_other();
+  void tie(int contact);
   void look();
   void list();
-  bool lists_last();
+  void take_marks();
+  void give_marks();
+  void read_motion();
+  bool lists_hold();
   void find_places(int block);
   void find_normals(int block);
   void search(int block);
   void sweep();
-  void meet(const Side& side, Found& found);
-  void meet_before(Meeting& meeting, std::vector<Share>& shares);
-  void push(Meeting& meeting);
-  Point<D> relative(const Meeting& meeting, const std::array<Buffer<T>, D>& of_corner,
-                    const std::array<Buffer<T>, D>& of_facet) const;
-  Point<D> displaced(const Meeting& meeting) const;
-  Point<D> slip(const Meeting& meeting) const;
-  std::span<const Share> corner_shares(const Meeting& meeting) const {
-    return meeting.side->corners.surface().shares(meeting.touch.corner);
-  }
-  std::span<const Share> facet_shares(const Meeting& meeting) const {
-    return std::span(*meeting.shares)
-        .subspan(meeting.first_share, meeting.end_share - meeting.first_share);
-  }
   void add_totals();
+  void add_force(int contact, const Point<D>& impulse);
 
   State<D>& state_;
   const Case& settings_;
   Displacements<T, D> moved_;
-  double kick_ = 0, length_ = 0, drift_ = 0;
+  ContactTimes times_;
   std::vector<std::unique_ptr<Surface>> surfaces_;  ///< [body]
   std::vector<std::unique_ptr<Side>> sides_;
-  std::vector<Approach> approaches_;  ///< [contact]
-  bool has_lists_ = false;
-  bool may_touch_ = false;    ///< in the present step
+  std::vector<TiedSurfaces<T, D>> ties_;
+  bool acts_ = false;         ///< bodies may touch in the present step, or are tied
   std::vector<Found> found_;  ///< [block] in the present step
 };
 

@@ -1,12 +1,13 @@
 #pragma once
 
+#include <utility>
 #include <vector>
 
 #include "engine/undeformed/moving_surface.hpp"
 
 namespace pliant::undeformed {
 
-/// A corner of one surface that lies behind a facet of another one.
+/// A corner of one surface and the point of another one that it meets.
 template <int D>
 struct Touch {
   std::int32_t corner, facet;
@@ -19,44 +20,89 @@ struct Touch {
 std::array<double, 2> nearest_weights(const std::array<Point<2>, 2>& c, const Point<2>& x);
 std::array<double, 3> nearest_weights(const std::array<Point<3>, 3>& c, const Point<3>& x);
 
+/// The way from the point of a facet where its corners, at `c`, have these weights to `x` [m].
+template <int D>
+Point<D> way_from(const std::array<Point<D>, D>& c, const std::array<double, D>& weight,
+                  const Point<D>& x) {
+  Point<D> way = x;
+  for (int v = 0; v < D; ++v) {
+    for (int a = 0; a < D; ++a) way[a] -= weight[v] * c[v][a];
+  }
+  return way;
+}
+
 /// Finds the corners of one surface that have entered another one, which may be of the same body.
 ///
-/// What is found is a function of where the surfaces are: lists of facets near each corner, which
-/// last until the surfaces have moved by a margin, only save looking at the others.
+/// Both surfaces have marks: where they were when facets near each corner were listed. The lists
+/// hold as long as no two patches have moved against each other by more than they may, (TL.20), so
+/// that what is found is a function of where the surfaces are.
 template <class T, int D>
 class CornerSearch {
  public:
   /// Keeps references to both.
-  CornerSearch(const MovingSurface<T, D>& corners, const MovingSurface<T, D>& facets);
+  CornerSearch(MovingSurface<T, D>& corners, MovingSurface<T, D>& facets);
 
-  /// Lists anew, where the surfaces have just been marked; returns how far they may then move, both
-  /// together [m].
-  double list();
-
-  /// Whether a corner may touch where the surfaces have moved by `moved` since the list, both
-  /// together [m].
-  bool may_find(double moved) const { return least_clearance_ <= moved; }
+  /// Whether the lists hold for the motion that the surfaces have read.
+  bool holds();
+  /// Both surfaces are about to be marked anew.
+  void expect_marks();
+  /// Lists anew, from the marks; pairs patches anew where the marks are `foreign`.
+  void list(bool foreign);
   /// Lets the surfaces watch what the search looks at.
-  void watch(MovingSurface<T, D>& corners, MovingSurface<T, D>& facets) const;
-  /// Corners that have facets near them.
+  void watch();
+
+  /// Whether a corner may touch by the motion that `holds` has seen.
+  bool may_find() const { return least_clearance_ <= most_moved_; }
+  /// Corners that may touch before the next lists.
   std::size_t candidates() const { return corner_.size(); }
   /// Appends what touches of the candidates from number `first` to before `end`, in the order of
-  /// the corners: (TL.15). The surfaces have moved by `moved` since the list, both together [m].
-  void find(double moved, std::size_t first, std::size_t end, std::vector<Touch<D>>& touches) const;
+  /// the patches of corners: (TL.15).
+  void find(std::size_t first, std::size_t end, std::vector<Touch<D>>& touches) const;
 
  private:
-  bool finds(std::int32_t corner, std::span<const std::int32_t> facets, Touch<D>& touch) const;
-  bool are_neighbours(std::int32_t corner, const std::array<std::int32_t, D>& facet) const;
+  /// Patches of corners and facets that are near each other.
+  struct Pair {
+    std::int32_t corners, facets;
+    double room;     ///< that they may move against each other before the next marks [m]
+    bool is_listed;  ///< facets near corners have been listed
+  };
+  /// A facet that a corner may be near.
+  struct Near {
+    std::int32_t facet;
+    double distance;  ///< at the marks, or less [m]
+  };
 
-  const MovingSurface<T, D>& corners_;
-  const MovingSurface<T, D>& facets_;
-  bool same_;                         ///< whether both are one surface
-  double deepest_;                    ///< of a corner behind a facet [m]
-  std::vector<std::int32_t> corner_;  ///< those that have facets near them
-  std::vector<std::size_t> begin_;    ///< [corner_ + 1] into near_
-  std::vector<double> clearance_;     ///< [corner_] what surfaces must move before it touches [m]
+  double motion_in_common_frame() const;
+  void pair_patches();
+  void find_rooms();
+  void list_patch(std::size_t first_pair, std::size_t end_pair);
+  void list_corner(std::int32_t corner, std::int32_t patch);
+  bool finds(std::size_t candidate, double moved, Touch<D>& touch) const;
+  bool are_neighbours(std::int32_t corner, const std::array<std::int32_t, D>& facet) const;
+  Box<D> box_of_corners(std::size_t patch) const;
+  Box<D> box_of_facets(std::size_t patch) const;
+
+  MovingSurface<T, D>& corners_;
+  MovingSurface<T, D>& facets_;
+  bool same_;        ///< whether both are one surface
+  double deepest_;   ///< of a corner behind a facet [m]
+  double margin_;    ///< that listed patches move against each other between two marks [m]
+  double wide_ = 0;  ///< that all others may, before patches are paired anew [m]
+  double used_ = 0;  ///< of it, up to the marks [m]
+  std::vector<Box<D>> box_, other_box_;  ///< [patch] of corners, of facets, at the marks
+  std::vector<Pair> pairs_;              ///< ascending
+  std::vector<std::int32_t> paired_, paired_others_;  ///< patches of corners, of facets, in pairs
+  std::vector<double> moved_;         ///< [patch of corners] against facets listed for it [m]
+  double most_moved_ = 0;             ///< of all of them [m]
+  std::vector<std::int32_t> corner_;  ///< candidates
+  std::vector<std::int32_t> patch_;   ///< [candidate] of corners
+  std::vector<double> clearance_;     ///< [candidate] motion before it touches [m]
   double least_clearance_ = 0;        ///< of all of them [m]
-  std::vector<std::int32_t> near_;    ///< facets
+  std::vector<std::size_t> begin_;    ///< [candidate + 1] into near_
+  std::vector<Near> near_;            ///< of each candidate by distance
+  std::vector<std::pair<std::int32_t, Box<D>>>
+      near_facets_;            ///< of one patch, while lists are made
+  std::vector<Near> reached_;  ///< of one corner
 };
 
 extern template class CornerSearch<double, 2>;

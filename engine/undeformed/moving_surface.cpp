@@ -25,6 +25,43 @@ double size_of_facets(const ContactSurface<D>& surface) {
   return D == 2 ? mean : std::sqrt(2 * mean);
 }
 
+/// Slots that carry corners, ascending; gives shares their numbers in the place of slots.
+template <int D>
+std::vector<std::int32_t> number_carriers(ContactSurface<D>& surface) {
+  std::vector<std::int32_t> slots;
+  for (const Share& share : surface.share) slots.push_back(share.slot);
+  std::sort(slots.begin(), slots.end());
+  slots.erase(std::unique(slots.begin(), slots.end()), slots.end());
+  for (Share& share : surface.share) {
+    const auto at = std::lower_bound(slots.begin(), slots.end(), share.slot);
+    share.slot = static_cast<std::int32_t>(at - slots.begin());
+  }
+  for (std::int32_t c = 0; c < surface.corners(); ++c) {
+    std::sort(surface.share.begin() + surface.first_share[c],
+              surface.share.begin() + surface.first_share[c + 1],
+              [](const Share& a, const Share& b) { return a.slot < b.slot; });
+  }
+  return slots;
+}
+
+template <int D>
+Groups facets_around_corners(const ContactSurface<D>& surface) {
+  std::vector<std::int32_t> corner;
+  for (const auto& facet : surface.facet) corner.insert(corner.end(), facet.begin(), facet.end());
+  Groups around(corner, surface.start.size());
+  for (std::int32_t& facet : around.item) facet /= D;
+  return around;
+}
+
+/// Angle of a triangle at its corner `v`; in 2D all facets count alike.
+double angle_at(const std::array<Point<2>, 2>&, int) { return 1; }
+double angle_at(const std::array<Point<3>, 3>& x, int v) {
+  Point<3> a = difference<3>(x[(v + 1) % 3], x[v]), b = difference<3>(x[(v + 2) % 3], x[v]);
+  normalise<3>(a);
+  normalise<3>(b);
+  return std::acos(std::clamp(dot<3>(a, b), -1., 1.));
+}
+
 }  // namespace
 
 template <class T, int D>
@@ -35,34 +72,45 @@ MovingSurface<T, D>::MovingSurface(Body<T, D>& body, Displacements<T, D> moved,
       surface_(std::move(surface)),
       held_(held_directions(body)),
       spacing_(size_of_facets(surface_)) {
-  first_around_.assign(surface_.corners() + 1, 0);
-  for (const auto& facet : surface_.facet) {
-    for (const std::int32_t corner : facet) ++first_around_[corner + 1];
+  for (const std::int32_t slot : number_carriers(surface_)) {
+    const auto at = held_.find(slot);
+    carriers_.push_back(
+        {slot, double{body.inverse_mass[slot]}, at == held_.end() ? nullptr : &at->second});
   }
-  for (std::int32_t c = 0; c < surface_.corners(); ++c) first_around_[c + 1] += first_around_[c];
-  around_.resize(first_around_.back());
-  std::vector<std::int32_t> next(first_around_.begin(), first_around_.end() - 1);
-  for (std::size_t f = 0; f < surface_.facet.size(); ++f) {
-    for (const std::int32_t corner : surface_.facet[f]) {
-      around_[next[corner]++] = static_cast<std::int32_t>(f);
-    }
-  }
-  for (std::int32_t c = 0; c < surface_.corners(); ++c) {
-    double sum = 0;
-    for (const Share& share : surface_.shares(c)) {
-      sum += std::abs(share.weight);
-      carriers_.push_back(share.slot);
-    }
-    lever_ = std::max(lever_, sum);
-  }
-  std::sort(carriers_.begin(), carriers_.end());
-  carriers_.erase(std::unique(carriers_.begin(), carriers_.end()), carriers_.end());
+  around_ = facets_around_corners(surface_);
+  patches_ = SurfacePatches<D>(surface_, carriers_.size(), spacing_);
+  displacement_.resize(carriers_.size());
   marked_.resize(carriers_.size());
+  pushed_.resize(carriers_.size());
   place_.resize(surface_.corners());
   normal_.resize(surface_.facet.size());
+  is_carrier_watched_.resize(carriers_.size());
   is_corner_watched_.resize(place_.size());
   is_ring_watched_.resize(place_.size());
   is_facet_watched_.resize(normal_.size());
+}
+
+template <class T, int D>
+void MovingSurface<T, D>::read_motion() {
+  const auto& displacement = body_->*moved_;
+  for (std::size_t i = 0; i < carriers_.size(); ++i) {
+    for (int a = 0; a < D; ++a) displacement_[i][a] = displacement[a][carriers_[i].slot];
+  }
+  patches_.measure(displacement_, marked_);
+}
+
+template <class T, int D>
+void MovingSurface<T, D>::mark() {
+  marked_ = displacement_;
+  patches_.measure(displacement_, marked_);
+}
+
+template <class T, int D>
+void MovingSurface<T, D>::find_marked_places(std::size_t patch) {
+  for (const std::int32_t corner : patches_.corners(patch)) find_place(corner, marked_);
+  for (const std::int32_t facet : patches_.facets(patch)) {
+    for (const std::int32_t corner : surface_.facet[facet]) find_place(corner, marked_);
+  }
 }
 
 template <class T, int D>
@@ -71,8 +119,10 @@ void MovingSurface<T, D>::watch_none() {
     is_corner_watched_[corner] = is_ring_watched_[corner] = false;
   }
   for (const std::int32_t facet : watched_facets_) is_facet_watched_[facet] = false;
+  for (const std::int32_t carrier : watched_carriers_) is_carrier_watched_[carrier] = false;
   watched_corners_.clear();
   watched_facets_.clear();
+  watched_carriers_.clear();
 }
 
 template <class T, int D>
@@ -80,8 +130,7 @@ void MovingSurface<T, D>::watch(std::int32_t corner) {
   if (is_ring_watched_[corner]) return;
   is_ring_watched_[corner] = true;
   watch_corner(corner);
-  for (std::int32_t i = first_around_[corner]; i < first_around_[corner + 1]; ++i) {
-    const std::int32_t facet = around_[i];
+  for (const std::int32_t facet : around_[corner]) {
     if (is_facet_watched_[facet]) continue;
     is_facet_watched_[facet] = true;
     watched_facets_.push_back(facet);
@@ -94,11 +143,16 @@ void MovingSurface<T, D>::watch_corner(std::int32_t corner) {
   if (is_corner_watched_[corner]) return;
   is_corner_watched_[corner] = true;
   watched_corners_.push_back(corner);
+  for (const Share& share : surface_.shares(corner)) {
+    if (is_carrier_watched_[share.slot]) continue;
+    is_carrier_watched_[share.slot] = true;
+    watched_carriers_.push_back(share.slot);
+  }
 }
 
 template <class T, int D>
 void MovingSurface<T, D>::find_places(std::size_t first, std::size_t end) {
-  for (std::size_t i = first; i < end; ++i) find_place(watched_corners_[i]);
+  for (std::size_t i = first; i < end; ++i) find_place(watched_corners_[i], displacement_);
 }
 
 template <class T, int D>
@@ -107,8 +161,12 @@ void MovingSurface<T, D>::find_normals(std::size_t first, std::size_t end) {
 }
 
 template <class T, int D>
-void MovingSurface<T, D>::find_place(std::int32_t corner) {
-  Point<D> x = carried<T, D>(displacement(), surface_.shares(corner));
+void MovingSurface<T, D>::find_place(std::int32_t corner,
+                                     const std::vector<Point<D>>& displacement) {
+  Point<D> x = {};
+  for (const Share& share : surface_.shares(corner)) {
+    for (int a = 0; a < D; ++a) x[a] += share.weight * displacement[share.slot][a];
+  }
   for (int a = 0; a < D; ++a) x[a] += surface_.start[corner][a];
   place_[corner] = x;
 }
@@ -132,49 +190,57 @@ double MovingSurface<T, D>::height(std::int32_t facet, const Point<D>& x) const 
 }
 
 template <class T, int D>
-Point<D> MovingSurface<T, D>::normal(std::int32_t corner) const {
-  Point<D> sum = {};
-  for (std::int32_t i = first_around_[corner]; i < first_around_[corner + 1]; ++i) {
-    const Point<D> n = area_vector<D>(places(around_[i]));
-    for (int a = 0; a < D; ++a) sum[a] += n[a];
+Point<D> MovingSurface<T, D>::outwards(std::int32_t facet,
+                                       const std::array<double, D>& weight) const {
+  std::array<std::int32_t, D> carrying = {};
+  int count = 0;
+  for (int v = 0; v < D; ++v) {
+    if (weight[v] > 0) carrying[count++] = surface_.facet[facet][v];
   }
-  normalise<D>(sum);
+  if (count == D) return normal_[facet];
+  Point<D> sum = {};
+  for (const std::int32_t around : around_[carrying[0]]) {
+    const auto& corners = surface_.facet[around];
+    const auto first = std::find(corners.begin(), corners.end(), carrying[0]);
+    if (count > 1 && std::find(corners.begin(), corners.end(), carrying[1]) == corners.end()) {
+      continue;
+    }
+    const double share =
+        count > 1 ? 1 : angle_at(places(around), static_cast<int>(first - corners.begin()));
+    for (int a = 0; a < D; ++a) sum[a] += share * normal_[around][a];
+  }
   return sum;
 }
 
 template <class T, int D>
 bool MovingSurface<T, D>::opposes(std::int32_t corner, const Point<D>& normal) const {
-  const auto begin = around_.begin() + first_around_[corner];
-  const auto end = around_.begin() + first_around_[corner + 1];
-  return begin == end || std::any_of(begin, end, [&](std::int32_t facet) {
+  const auto facets = around_[corner];
+  return facets.empty() || std::any_of(facets.begin(), facets.end(), [&](std::int32_t facet) {
            return dot<D>(normal_[facet], normal) <= least_opposition;
          });
 }
 
 template <class T, int D>
-void MovingSurface<T, D>::mark() {
-  for (std::size_t i = 0; i < carriers_.size(); ++i) {
-    for (int a = 0; a < D; ++a) marked_[i][a] = displacement()[a][carriers_[i]];
+void MovingSurface<T, D>::read_velocities(std::size_t first, std::size_t end) {
+  for (std::size_t w = first; w < end; ++w) {
+    const std::int32_t i = watched_carriers_[w];
+    for (int a = 0; a < D; ++a) {
+      pushed_[i].velocity[a] = body_->velocity[a][carriers_[i].slot];
+      pushed_[i].shift[a] = 0;
+    }
   }
-  for (std::int32_t c = 0; c < surface_.corners(); ++c) find_place(c);
-  for (std::size_t f = 0; f < normal_.size(); ++f) find_normal(static_cast<std::int32_t>(f));
 }
 
 template <class T, int D>
-auto MovingSurface<T, D>::motion(const Point<D>& frame) const -> Motion {
-  double most = 0;
-  Point<D> sum = {};
-  for (std::size_t i = 0; i < carriers_.size(); ++i) {
-    double square = 0;
+void MovingSurface<T, D>::write_pushed() {
+  auto& displacement = body_->*moved_;
+  for (const std::int32_t i : watched_carriers_) {
+    const std::int32_t slot = carriers_[i].slot;
     for (int a = 0; a < D; ++a) {
-      const double d = displacement()[a][carriers_[i]] - marked_[i][a];
-      sum[a] += d;
-      square += (d - frame[a]) * (d - frame[a]);
+      body_->velocity[a][slot] = static_cast<T>(pushed_[i].velocity[a]);
+      displacement[a][slot] += static_cast<T>(pushed_[i].shift[a]);
     }
-    most = std::max(most, square);
   }
-  for (double& component : sum) component /= static_cast<double>(carriers_.size());
-  return {lever_ * std::sqrt(most), sum};
 }
 
 template class MovingSurface<double, 2>;

@@ -31,6 +31,10 @@ struct State {
   std::vector<std::array<int, 2>> contact_bodies;
   std::vector<Point<D>> contact_impulse;  ///< [contact] on its first body, up to there [N s]
   std::vector<Point<D>> contact_force;    ///< [contact] the same, in the last step [N]
+  /// Displacements of the carriers of all surfaces when contact last listed what is near, (TL.20):
+  /// runs that are resumed have the lists of those that were not [m].
+  std::vector<Point<D>> contact_marks;
+  bool has_new_marks = true;  ///< contact has made no lists of them
   std::vector<BlockOwner> blocks;
 
   /// Impulse of a wall on the bodies up to the present time [N s].

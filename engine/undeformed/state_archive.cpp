@@ -20,6 +20,7 @@ void put_totals(ArchiveWriter& archive, const State<D>& state) {
   put_points<D>(archive, "walls/force", state.wall_force);
   put_points<D>(archive, "contacts/impulse", state.contact_impulse);
   put_points<D>(archive, "contacts/force", state.contact_force);
+  put_points<D>(archive, "contacts/marks", state.contact_marks);
 }
 
 template <int D>
@@ -37,6 +38,8 @@ void get_totals(const ArchiveReader& archive, State<D>& state) {
   get_points<D>(archive, "walls/force", state.wall_force);
   get_points<D>(archive, "contacts/impulse", state.contact_impulse);
   get_points<D>(archive, "contacts/force", state.contact_force);
+  get_points<D>(archive, "contacts/marks", state.contact_marks);
+  state.has_new_marks = true;
 }
 
 template void put_totals<2>(ArchiveWriter&, const State<2>&);
