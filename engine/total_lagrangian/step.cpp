@@ -205,6 +205,7 @@ void Step<T, D>::set_particles(Body<T, D>& body, kernels::Motion<T, D>& work) co
   work.kept = static_cast<T>((1 - half) / (1 + half));
   work.gained = static_cast<T>(advance_.kick() / ((1 + half) * state_.clock.mass_scaling));
   work.time_step = static_cast<T>(advance_.length);
+  work.damped = state_.clock.damping != 0 || !parameters_of(settings_).damping;
   work.inverse_mass = body.inverse_mass.get();
   for (int a = 0; a < D; ++a) {
     work.displacement[a] = body.displacement[a].get();

@@ -138,8 +138,8 @@ StressPoint<D> stress_point(const Body<T, D>& body, std::int64_t slot, const Cel
   point.volume = shape.volume;
   const double j = point.volume_ratio = state.volume_ratio.get(0);
   const Memory relaxed = relaxed_memory(body, slot, j - 1);
-  point.pressure =
-      relaxed.pressure - kernels::volumetric_slope(material, state.volume_ratio).get(0);
+  point.pressure = relaxed.pressure -
+                   kernels::volumetric_slope(material, state.volume_ratio, Pack(1 / j)).get(0);
   const Eigen::Matrix<double, D, D> b = shape.f * shape.f.transpose();
   const double mean = (b.trace() + (D == 2 ? 1 : 0)) / 3, factor = stress.shear.get(0) / j;
   for (int i = 0; i < D; ++i) {

@@ -79,6 +79,7 @@ struct Motion {
   T spacing;
   HourglassStiffness<T> hourglass;
   bool examine;  ///< whether to look for the wave speed and for states that are not possible
+  bool damped;   ///< whether to sum what damping depends on
   T kept;        ///< share of the velocity that damping leaves, (TL.8)
   T gained;      ///< velocity per force over mass [s], (TL.8)
   T time_step;
@@ -102,7 +103,8 @@ struct Motion {
 struct MotionResult {
   double wave_speed = 0;         ///< largest c of (TL.9) [m/s]; 0 unless examined
   std::int64_t non_finite = -1;  ///< a slot whose stress is not finite or whose J <= 0, or -1
-  /// Sums over the particles, for adaptive damping (TL.10).
+  /// Sums over the particles for the work of damping, and for adaptive damping (TL.10); 0 unless
+  /// damped.
   double stiffness = 0;  ///< of v . (F_before - F) [W]
   double inertia = 0;    ///< of v . m v, without scaling of the mass [J]
 };

@@ -8,12 +8,13 @@
 /// material are those of its hyperelastic form: N = 1, C10 = mu/2, 2/D = K.
 namespace pliant::kernels {
 
-/// dU/dJ of the volumetric part, (TL.3).
+/// dU/dJ of the volumetric part, (TL.3), from J and 1/J.
 template <class P>
-inline P volumetric_slope(const Material<Scalar<P>>& material, const P& volume_ratio) {
+inline P volumetric_slope(const Material<Scalar<P>>& material, const P& volume_ratio,
+                          const P& inverse_ratio) {
   using T = Scalar<P>;
   const P modulus(T(2) / material.compressibility), one(T(1));
-  if (material.model == Model::linear) return modulus * (one - one / volume_ratio);
+  if (material.model == Model::linear) return modulus * (one - inverse_ratio);
   if (material.model == Model::linear_logarithmic) return modulus * logarithm(volume_ratio);
   return modulus * (volume_ratio - one);
 }
@@ -67,8 +68,10 @@ inline CellStress<P, D> cell_stress(const Material<Scalar<P>>& material,
   P first, second;
   energy_derivatives(material, stress.excess, first, second);
   stress.shear = (first + first) * scale;
-  const P mean = stress.shear * squares * P(T(1) / T(3)) / state.volume_ratio;
-  const P spherical = volumetric_slope(material, state.volume_ratio) - relaxed - mean;
+  const P inverse_ratio = scale * root;  // 1/J without a division
+  const P mean = stress.shear * squares * P(T(1) / T(3)) * inverse_ratio;
+  const P spherical =
+      volumetric_slope(material, state.volume_ratio, inverse_ratio) - relaxed - mean;
 #pragma GCC unroll 9
   for (int c = 0; c < D * D; ++c) {
     stress.piola[c] = fused(stress.shear, state.by_f[c], spherical * state.cof[c]);

@@ -51,16 +51,18 @@ class Mover {
   void move(std::int64_t slot, const P& inverse_mass, const typename P::batch_bool_type& inside) {
     const P zero(T(0));
     const int k = static_cast<int>(moved_ % slots_per_pack) / lanes<P>;
-    const P mass = xsimd::select(inside, P(T(1)) / inverse_mass, zero);
+    const P mass = block_.damped ? xsimd::select(inside, P(T(1)) / inverse_mass, zero) : zero;
 #pragma GCC unroll 3
     for (int i = 0; i < D; ++i) {
       T* const sum = block_.force[i] + moved_;
       const P force = xsimd::select(inside, load<P>(sum), zero);
       zero.store_unaligned(sum);
-      const P before = load<P>(block_.internal[i] + slot);
       const P u = load<P>(block_.velocity[i] + slot);
-      stiffness_[k] = fused(u, before - force, stiffness_[k]);
-      inertia_[k] = fused(u * u, mass, inertia_[k]);
+      if (block_.damped) {
+        const P before = load<P>(block_.internal[i] + slot);
+        stiffness_[k] = fused(u, before - force, stiffness_[k]);
+        inertia_[k] = fused(u * u, mass, inertia_[k]);
+      }
       force.store_unaligned(block_.internal[i] + slot);
       const T* const traction = block_.traction[i];
       const P pull = traction == nullptr ? force : force + load<P>(traction + slot);

@@ -104,8 +104,8 @@ damping = 0.4
                     80);
 }
 
-// Two cells cannot resolve the edges of the clamp, whose stress is singular where nu is not 0: 1.6 %
-// with incompatible modes (C3D8I) of implicit finite elements too.
+// Two cells cannot resolve the edges of the clamp, whose stress is singular where nu is not 0: 1.6
+// % with incompatible modes (C3D8I) of implicit finite elements too.
 TEST(total_lagrangian, a_beam_of_two_cells_bends_right_for_any_poissons_ratio) {
   const double load = 1e-3, length = 10, inertia = 16. / 12, area = 4;
   const double bending = load * length * length * length / (3 * 100 * inertia);
@@ -118,8 +118,7 @@ TEST(total_lagrangian, a_beam_of_two_cells_bends_right_for_any_poissons_ratio) {
 /// Of the middle of a clamped square plate of 1 x 1 x 0.05, one cell thick, over q L^4/D.
 double deflection_of_plate(double poissons_ratio) {
   const double thickness = 0.05, load = 1e-6;
-  const double rigidity =
-      100 * std::pow(thickness, 3) / 12 / (1 - poissons_ratio * poissons_ratio);
+  const double rigidity = 100 * std::pow(thickness, 3) / 12 / (1 - poissons_ratio * poissons_ratio);
   const double frequency = 36 * std::sqrt(rigidity / thickness);
   const std::string text =
       elastic_body("lower = [0, 0, 0], upper = [0.5, 0.5, 0.05]", poissons_ratio) + R"([[boundary]]
@@ -153,7 +152,8 @@ spacing = 0.05
   return deflection(text, 30 / frequency) * rigidity / load;
 }
 
-// Kirchhoff's plate has 0.001265; shear adds 4.6 % (nu = 0.3, Mindlin) and, as 1/(1 - nu), 3.2 % (nu = 0).
+// Kirchhoff's plate has 0.001265; shear adds 4.6 % (nu = 0.3, Mindlin) and, as 1/(1 - nu), 3.2 %
+// (nu = 0).
 TEST(total_lagrangian, a_plate_of_one_cell_bends_right_for_any_poissons_ratio) {
   EXPECT_NEAR(deflection_of_plate(0.3) / (1.046 * 0.001265), 1, 0.015);
   EXPECT_NEAR(deflection_of_plate(0) / (1.032 * 0.001265), 1, 0.015);
