@@ -77,6 +77,34 @@ double fourth_difference_at(const Field<T>& f, const Patch<T, D>& patch, const S
   return sum;
 }
 
+/// -delta^6 f/4 summed over the lattice lines through slot p: fifth differences flowing between
+/// interior neighbours that have two more to each side, third ones between others.
+template <class T, int D>
+double sixth_difference_at(const Field<T>& f, const Patch<T, D>& patch, const Segment<D>& segment,
+                           std::int64_t p) {
+  constexpr double third[] = {0, -1, 3, -3, 1, 0}, fifth[] = {-1, 5, -10, 10, -5, 1};
+  double sum = 0;
+  for (int axis = 0; axis < D; ++axis) {
+    const auto along = [&](int k) {
+      const int dy = axis == 1 ? k : 0, dz = axis == 2 ? k : 0;
+      return p + segment.neighbour_row[row_index<D>(dy, dz)] + (axis == 0 ? k : 0);
+    };
+    const auto flux = [&](int k) {  // from the neighbour at k to that at k + 1
+      if (patch.interior[along(k)] == 0 || patch.interior[along(k + 1)] == 0) return 0.;
+      bool is_wide = true;
+      double of_third = 0, of_fifth = 0;
+      for (int j = 0; j < 6; ++j) {
+        is_wide = is_wide && patch.interior[along(k - 2 + j)] != 0;
+        of_third += third[j] * f[along(k - 2 + j)];
+        of_fifth += fifth[j] * f[along(k - 2 + j)];
+      }
+      return is_wide ? -of_fifth / 4 : of_third;
+    };
+    sum += flux(0) - flux(-1);
+  }
+  return sum;
+}
+
 /// Half the derivative by f_p of the sum of the squared second differences of f along the lattice
 /// lines, of those between interior slots; by differences of the sum itself.
 template <class T, int D>
@@ -170,10 +198,12 @@ Rates<D> reference_rates(const Body<T, D>& body, const State<T, D>& q, const Seg
                 body.material.density);
   for (int i = 0; i < D; ++i) {
     const Matrix<D> gradient_of_row = stress_sum[i] * inverse;  // (j, k): d sigma_ij / dx_k
-    rates.velocity[i] = gradient_of_row.trace() * q.volume[p] / body.mass[p] -
-                        body.velocity_dissipation *
-                            (fourth_difference_at(q.velocity[i], body.patch, segment, p) +
-                             return_rate * bending_force_at(q.drift[i], body.patch, segment, p));
+    const double difference = D == 2 ? fourth_difference_at(q.velocity[i], body.patch, segment, p)
+                                     : sixth_difference_at(q.velocity[i], body.patch, segment, p);
+    rates.velocity[i] =
+        gradient_of_row.trace() * q.volume[p] / body.mass[p] -
+        body.velocity_dissipation *
+            (difference + return_rate * bending_force_at(q.drift[i], body.patch, segment, p));
   }
   rates.volume = q.volume[p] * gradient.trace();
   const Matrix<D> strain = (gradient + gradient.transpose()) / 2;

@@ -25,8 +25,7 @@ struct Line {
   std::array<double, length> differences() const {
     std::array<double, length> result;
     for (int i = 0; i < length; i += static_cast<int>(P::size)) {
-      sixth_difference<P>(&field[pad + i], &inside[pad + i], line, far)
-          .store_unaligned(&result[i]);
+      sixth_difference<P>(&field[pad + i], &inside[pad + i], line, far).store_unaligned(&result[i]);
     }
     return result;
   }
