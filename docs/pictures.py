@@ -83,6 +83,10 @@ rendered = {
     "cases/two_rings/result": (
         "cases/two_rings", [],
         ["--times", "0", "0.004", "0.008", "0.012", "--field", "pressure", "--size", "1500", "440"]),
+    "cases/two_spheres/result": (
+        "cases/two_spheres", [],
+        ["--times", "0.1", "0.3", "0.6", "--up", "z", "--view", "-90", "0", "--field", "pressure",
+         "--label", "pressure [Pa]", "--zoom", "1.4", "--size", "1500", "480"]),
     "cases/organ/result": (
         "cases/organ", [],
         ["--field", "velocity", "--label", "speed [m/s]", "--times", "0", "0.08", "0.16", "--zoom", "1.4",

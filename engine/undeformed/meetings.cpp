@@ -41,8 +41,8 @@ void Meetings<T, D>::add(const ContactSide<T, D>& side, std::span<const Touch<D>
 // The corner pushes the point that it faced when the forces of the step acted: without slip the two
 // are one, and with it the pair exerts no torque.
 template <class T, int D>
-Point<D> Meetings<T, D>::face_before(const Meeting<T, D>& meeting,
-                                     const std::array<Point<D>, D>& c, double drift) const {
+Point<D> Meetings<T, D>::face_before(const Meeting<T, D>& meeting, const std::array<Point<D>, D>& c,
+                                     double drift) const {
   const Touch<D>& touch = meeting.touch;
   const MovingSurface<T, D>& facets = meeting.side->facets;
   Point<D> w = carried_by<D>(meeting.side->corners.pushed(), corner_shares(meeting)).velocity;

@@ -62,8 +62,7 @@ class Meetings {
     return meeting.side->corners.shares(meeting.touch.corner);
   }
   std::span<const Share> facet_shares(const Meeting<T, D>& meeting) const {
-    return std::span(shares_).subspan(meeting.first_share,
-                                      meeting.end_share - meeting.first_share);
+    return std::span(shares_).subspan(meeting.first_share, meeting.end_share - meeting.first_share);
   }
 
   std::vector<Meeting<T, D>> meetings_;

@@ -11,13 +11,15 @@ namespace {
 // Of 2, 4 and 8 facets, 4 took the fewest instructions with two balls in both methods.
 constexpr double patch_size = 4;
 
-/// Numbers the cubes of side `size` in which points lie.
+/// Numbers the cubes of side `size` in which points lie; with 0 all points are in one.
 template <int D>
 std::vector<std::int32_t> cubes_of(const std::vector<Point<D>>& points, double size) {
   std::map<std::array<std::int64_t, D>, std::int32_t> number;
   std::vector<std::array<std::int64_t, D>> cube(points.size());
   for (std::size_t i = 0; i < points.size(); ++i) {
-    for (int a = 0; a < D; ++a) cube[i][a] = static_cast<std::int64_t>(std::floor(points[i][a] / size));
+    for (int a = 0; a < D && size > 0; ++a) {
+      cube[i][a] = static_cast<std::int64_t>(std::floor(points[i][a] / size));
+    }
     number.insert({cube[i], 0});
   }
   std::int32_t next = 0;

@@ -66,10 +66,10 @@ class SurfacePatches {
   double largest_motion(const Point<D>& frame) const;
 
  private:
-  Groups corners_, facets_, carriers_;    ///< [patch]
-  Groups sources_;                        ///< [patch] patches whose carriers carry its corners
-  std::vector<double> leverage_;          ///< [patch] most that abs(w) of a corner add up to
-  std::vector<MotionBall<D>> carried_by_; ///< [patch] motion of its carriers
+  Groups corners_, facets_, carriers_;     ///< [patch]
+  Groups sources_;                         ///< [patch] patches whose carriers carry its corners
+  std::vector<double> leverage_;           ///< [patch] most that abs(w) of a corner add up to
+  std::vector<MotionBall<D>> carried_by_;  ///< [patch] motion of its carriers
   std::vector<MotionBall<D>> motion_;
   Point<D> drift_ = {};
 };

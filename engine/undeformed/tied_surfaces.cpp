@@ -66,8 +66,8 @@ void TiedSurfaces<T, D>::tie(std::int32_t corner, std::span<const std::int32_t> 
   tie.first_share = shares_.size();
   append_shares<T, D>(facets_, tie.facet, tie.weight, shares_);
   tie.end_share = shares_.size();
-  tie.compliance = compliance<T, D>(corners_, corners_.shares(corner)) +
-                   compliance<T, D>(facets_, shares(tie));
+  tie.compliance =
+      compliance<T, D>(corners_, corners_.shares(corner)) + compliance<T, D>(facets_, shares(tie));
   ties_.push_back(tie);
 }
 

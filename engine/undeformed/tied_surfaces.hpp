@@ -30,12 +30,12 @@ class TiedSurfaces {
  private:
   struct Tie {
     std::int32_t corner = -1, facet = -1;
-    std::array<double, D> weight = {};   ///< of the facet's corners at the tied point
-    double height = 0;                   ///< of the corner over the facet, at the start [m]
+    std::array<double, D> weight = {};           ///< of the facet's corners at the tied point
+    double height = 0;                           ///< of the corner over the facet, at the start [m]
     std::size_t first_share = 0, end_share = 0;  ///< of that point
-    double compliance = 0;                ///< of both, without walls [1/kg]
-    Point<D> apart = {};                 ///< of the corner from where it should be [m]
-    Point<D> pulled = {};                ///< impulse on the corner [N s]
+    double compliance = 0;                       ///< of both, without walls [1/kg]
+    Point<D> apart = {};                         ///< of the corner from where it should be [m]
+    Point<D> pulled = {};                        ///< impulse on the corner [N s]
   };
   void tie(std::int32_t corner, std::span<const std::int32_t> facets);
   std::span<const Share> shares(const Tie& tie) const {
