@@ -4,6 +4,7 @@
 #include <atomic>
 #include <limits>
 
+#include "engine/remeshed/ghosts/lasting_correction.hpp"
 #include "engine/storage/push_tightly.hpp"
 #include "kernels/remeshed/ghosts/fit_coefficients.hpp"
 
@@ -11,7 +12,11 @@ namespace pliant::remeshed {
 
 namespace {
 
-constexpr double fit_radius = 2.6;   // [h], of (RP.43)
+constexpr double fit_radius = 2.6;  // [h], of (RP.43)
+// The same at free surfaces of plane linear bodies, away from walls that hold them or that they may
+// touch. Strips parallel to the lattice whose outermost particles lie 0.35 h to 0.65 h inside gain
+// energy with 2.6 h (docs/decisions/0023-plates-that-gain-no-energy.md).
+constexpr double plane_fit_radius = 2.8;
 constexpr double mean_radius = 2.5;  // [h], of (RP.49)
 constexpr double widening = 1.3;
 constexpr int most_widenings = 5;
@@ -45,18 +50,24 @@ void GhostFitter<T, D>::fit(const FitSite<D>& site, const Point<D>& foot, const 
                             bool at_edge) {
   const double h = body_.lattice.spacing;
   const double corner_distance = boundaries_.distance_to_no_slip(foot) / h;
+  const bool curved = wall == nullptr && corner_distance > fit_radius;
+  const bool near_contact = !at_edge && boundaries_.nearest_contact(foot).second < fit_radius * h;
+  const bool is_wide = curved && !near_contact && !lets_waves_out_alone(body_);
+  const double radius = is_wide ? plane_fit_radius : fit_radius;
+  // Those that are fitted together have one radius.
+  if (waiting_ > 0 && scratch_.waiting[0].reach.radius != radius) finish();
   Waiting& ghost = scratch_.waiting[waiting_++];
   ghost.site = site;
   ghost.wall = wall;
   // The curved fit overshoots where the solution is singular: at walls that hold the body, and
   // where they meet the free surface. A slip wall is a plane of symmetry, which makes no corner.
-  ghost.curved = wall == nullptr && corner_distance > fit_radius;
+  ghost.curved = curved;
   ghost.at_rim = wall == nullptr && corner_distance < 1;
   for (int a = 0; a < D; ++a) {
     ghost.centre[a] = (foot[a] - body_.lattice.origin[a]) / h - 0.5;
   }
-  ghost.reach = {fit_radius, site.normal};
-  ghost.near_contact = !at_edge && boundaries_.nearest_contact(foot).second < fit_radius * h;
+  ghost.reach = {radius, site.normal};
+  ghost.near_contact = near_contact;
   if (ghost.near_contact) ghost.reach.narrowing = narrowing;
   search_.find(ghost.centre, ghost.reach, wall, ghost.particles);
   if (waiting_ == pack) finish();
@@ -106,7 +117,7 @@ void GhostFitter<T, D>::fill_lane(int lane, int length) {
     lanes.distance[entry] = particle.surface_distance;
   }
   for (int k = count, entry = lane + count * pack; k < length; ++k, entry += pack) {
-    for (int a = 0; a < D; ++a) lanes.position[a][entry] = 2 * fit_radius;
+    for (int a = 0; a < D; ++a) lanes.position[a][entry] = 2 * plane_fit_radius;
     lanes.distance[entry] = 0;
   }
   for (int a = 0; a < D; ++a) {
@@ -122,7 +133,7 @@ void GhostFitter<T, D>::fit_lanes(int length) {
   Lanes& lanes = scratch_.lanes;
   kernels::SurfaceFits<T, D> work = {};
   work.length = length;
-  work.radius = fit_radius;
+  work.radius = static_cast<T>(scratch_.waiting[0].reach.radius);
   for (int a = 0; a < D; ++a) {
     work.position[a] = lanes.position[a].data();
     work.ghost[a] = lanes.ghost[a].data();
