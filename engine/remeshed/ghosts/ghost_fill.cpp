@@ -16,12 +16,12 @@ namespace pliant::remeshed {
 
 namespace {
 
-/// Part of the outgoing characteristic that sets the velocity of a free surface, (RP.50). All of it
-/// feeds slow waves in plates with what the fits miss of a curved stress; without it fast waves do
-/// not leave. Bodies in 3D, and those that carry F, lose what lasts of it instead.
+/// Part of the outgoing characteristic that sets the velocity of a free surface, (RP.84). The whole
+/// lets plates that bend far gain energy. Bodies in 3D, and those that carry F, lose what lasts of
+/// it instead, (RP.50).
 template <class T, int D>
 T share_of_characteristic(const Body<T, D>& body) {
-  return lets_waves_out_alone(body) ? T(1) : T(0.5);
+  return lets_waves_out_alone(body) ? T(1) : T(0.4);
 }
 
 /// Sets the first `count` ghosts of a block from their fits to the present records.

@@ -14,8 +14,8 @@ namespace {
 
 constexpr double fit_radius = 2.6;  // [h], of (RP.43)
 // The same at free surfaces of plane linear bodies, away from walls that hold them or that they may
-// touch. Strips parallel to the lattice whose outermost particles lie 0.35 h to 0.65 h inside gain
-// energy with 2.6 h (docs/decisions/0023-plates-that-gain-no-energy.md).
+// touch, (RP.83): with 2.6 h a strip along the lattice whose outermost particles lie h/2 inside
+// gains energy (docs/decisions/0023-plates-that-gain-no-energy.md).
 constexpr double plane_fit_radius = 2.8;
 constexpr double mean_radius = 2.5;  // [h], of (RP.49)
 constexpr double widening = 1.3;
