@@ -75,20 +75,19 @@ TEST(plates, with_ten_particles_across_keep_period_amplitude_and_energy) {
   EXPECT_LT(found.energy, 1.005);
 }
 
-// The first three gained energy without bound: 300 times that at the start after two periods, 2.3
-// times within three, 2.5 times within three.
-TEST(plates, of_other_thicknesses_and_amplitudes_keep_their_energy) {
+// With all of the outgoing characteristic they had 2.7, 1.3 and 1.2 times the energy of the start.
+TEST(plates, of_other_thicknesses_and_amplitudes_gain_no_energy) {
   struct Plate {
     double thickness, across, amplitude, period;
   };
-  for (const Plate& plate : {Plate{0.05, 5, 0.58, 11.84}, Plate{0.1, 8, 4.63, right_period},
-                             Plate{0.2, 10, 2.26, 3.05}, Plate{0.2, 8, 2.26, 3.05}}) {
+  for (const Plate& plate : {Plate{0.1, 8, 4.63, right_period}, Plate{0.1, 10, 4.63, right_period},
+                             Plate{0.2, 10, 2.26, 3.05}}) {
     const Oscillation found =
         swing(plate.thickness / plate.across, plate.amplitude, 2.1 * plate.period, plate.thickness);
     ASSERT_GE(found.zeros.size(), 4u) << plate.thickness;
     EXPECT_NEAR(found.zeros[3] / 2, plate.period, 0.01 * plate.period) << plate.thickness;
     EXPECT_GT(found.energy, 0.9) << plate.thickness;
-    EXPECT_LT(found.energy, 1.006) << plate.thickness;
+    EXPECT_LT(found.energy, 1.005) << plate.thickness;
   }
 }
 

@@ -16,12 +16,12 @@ namespace pliant::remeshed {
 
 namespace {
 
-/// Part of the outgoing characteristic that sets the velocity of a free surface, (RP.84). The whole
+/// Part of the outgoing characteristic that sets the velocity of a free surface, (RP.83). The whole
 /// lets plates that bend far gain energy. Bodies in 3D, and those that carry F, lose what lasts of
 /// it instead, (RP.50).
 template <class T, int D>
 T share_of_characteristic(const Body<T, D>& body) {
-  return lets_waves_out_alone(body) ? T(1) : T(0.4);
+  return lets_waves_out_alone(body) ? T(1) : T(0.25);
 }
 
 /// Sets the first `count` ghosts of a block from their fits to the present records.

@@ -4,7 +4,6 @@
 #include <atomic>
 #include <limits>
 
-#include "engine/remeshed/ghosts/lasting_correction.hpp"
 #include "engine/storage/push_tightly.hpp"
 #include "kernels/remeshed/ghosts/fit_coefficients.hpp"
 
@@ -12,11 +11,7 @@ namespace pliant::remeshed {
 
 namespace {
 
-constexpr double fit_radius = 2.6;  // [h], of (RP.43)
-// The same at free surfaces of plane linear bodies, away from walls that hold them or that they may
-// touch, (RP.83): with 2.6 h a strip along the lattice whose outermost particles lie h/2 inside
-// gains energy (docs/decisions/0023-plates-that-gain-no-energy.md).
-constexpr double plane_fit_radius = 2.8;
+constexpr double fit_radius = 2.6;   // [h], of (RP.43)
 constexpr double mean_radius = 2.5;  // [h], of (RP.49)
 constexpr double widening = 1.3;
 constexpr int most_widenings = 5;
@@ -50,24 +45,18 @@ void GhostFitter<T, D>::fit(const FitSite<D>& site, const Point<D>& foot, const 
                             bool at_edge) {
   const double h = body_.lattice.spacing;
   const double corner_distance = boundaries_.distance_to_no_slip(foot) / h;
-  const bool curved = wall == nullptr && corner_distance > fit_radius;
-  const bool near_contact = !at_edge && boundaries_.nearest_contact(foot).second < fit_radius * h;
-  const bool is_wide = curved && !near_contact && !lets_waves_out_alone(body_);
-  const double radius = is_wide ? plane_fit_radius : fit_radius;
-  // Those that are fitted together have one radius.
-  if (waiting_ > 0 && scratch_.waiting[0].reach.radius != radius) finish();
   Waiting& ghost = scratch_.waiting[waiting_++];
   ghost.site = site;
   ghost.wall = wall;
   // The curved fit overshoots where the solution is singular: at walls that hold the body, and
   // where they meet the free surface. A slip wall is a plane of symmetry, which makes no corner.
-  ghost.curved = curved;
+  ghost.curved = wall == nullptr && corner_distance > fit_radius;
   ghost.at_rim = wall == nullptr && corner_distance < 1;
   for (int a = 0; a < D; ++a) {
     ghost.centre[a] = (foot[a] - body_.lattice.origin[a]) / h - 0.5;
   }
-  ghost.reach = {radius, site.normal};
-  ghost.near_contact = near_contact;
+  ghost.reach = {fit_radius, site.normal};
+  ghost.near_contact = !at_edge && boundaries_.nearest_contact(foot).second < fit_radius * h;
   if (ghost.near_contact) ghost.reach.narrowing = narrowing;
   search_.find(ghost.centre, ghost.reach, wall, ghost.particles);
   if (waiting_ == pack) finish();
@@ -117,7 +106,7 @@ void GhostFitter<T, D>::fill_lane(int lane, int length) {
     lanes.distance[entry] = particle.surface_distance;
   }
   for (int k = count, entry = lane + count * pack; k < length; ++k, entry += pack) {
-    for (int a = 0; a < D; ++a) lanes.position[a][entry] = 2 * plane_fit_radius;
+    for (int a = 0; a < D; ++a) lanes.position[a][entry] = 2 * fit_radius;
     lanes.distance[entry] = 0;
   }
   for (int a = 0; a < D; ++a) {
@@ -133,7 +122,7 @@ void GhostFitter<T, D>::fit_lanes(int length) {
   Lanes& lanes = scratch_.lanes;
   kernels::SurfaceFits<T, D> work = {};
   work.length = length;
-  work.radius = static_cast<T>(scratch_.waiting[0].reach.radius);
+  work.radius = fit_radius;
   for (int a = 0; a < D; ++a) {
     work.position[a] = lanes.position[a].data();
     work.ghost[a] = lanes.ghost[a].data();
