@@ -16,6 +16,14 @@ namespace pliant::remeshed {
 
 namespace {
 
+/// Part of the outgoing characteristic that sets the velocity of a free surface, (RP.83). The whole
+/// lets plates that bend far gain energy. Bodies in 3D, and those that carry F, lose what lasts of
+/// it instead, (RP.50).
+template <class T, int D>
+T share_of_characteristic(const Body<T, D>& body) {
+  return lets_waves_out_alone(body) ? T(1) : T(0.25);
+}
+
 /// Sets the first `count` ghosts of a block from their fits to the present records.
 template <class T, int D>
 struct GhostFill {
@@ -27,7 +35,7 @@ struct GhostFill {
   const kernels::RemeshedTable<T, D>& table;
 
   void fill_surfaces(const BoundaryValues<D>& values) const {
-    const kernels::Impedance<T> impedance(body.material);
+    const kernels::Impedance<T> impedance = surface_impedance();
     kernels::FreeSurfaceGhosts<T, D> work = {};
     work.lists = ghosts.sums(0, count, body, nullptr);
     work.constrained_sum = ghosts.constrained_sum.data();
@@ -58,7 +66,7 @@ struct GhostFill {
   }
 
   void fill_tractions(const BoundaryValues<D>& values) const {
-    const kernels::Impedance<T> impedance(body.material);
+    const kernels::Impedance<T> impedance = surface_impedance();
     FitEvaluator<T, D> present(body, ghosts, table);
     for (std::size_t g = 0; g < count; ++g) {
       const int p = ghosts.pressure[g];
@@ -118,6 +126,13 @@ struct GhostFill {
   }
 
  private:
+  /// (RP.50) divides by it.
+  kernels::Impedance<T> surface_impedance() const {
+    const kernels::Impedance<T> of_material(body.material);
+    const T share = share_of_characteristic(body);
+    return {of_material.pressure_wave / share, of_material.shear_wave / share};
+  }
+
   static kernels::SurfaceLoad<T, D> load_of(const kernels::GhostFits<T, D>& fits,
                                             const std::array<T, D>& traction) {
     const auto n = kernels::unit_normal<T, D>(fits.linear);
