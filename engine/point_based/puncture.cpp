@@ -12,10 +12,10 @@ namespace pliant::point_based {
 
 namespace {
 
-constexpr int puncture_sweeps = 4;        // of Gauss-Seidel, as facets share nodes
-constexpr double crossings_of_mean = 10;  // time in which a wave crosses so many H
-constexpr double point_distance = 0.5;    // along the edge [H]
-constexpr double deepest_dent = 1;        // of a point behind the facet that it pushes [H]
+constexpr int puncture_sweeps = 4;       // of Gauss-Seidel, as facets share nodes
+constexpr double crossings_of_mean = 3;  // time in which a wave crosses so many H
+constexpr double point_distance = 0.5;   // along the edge [H]
+constexpr double deepest_dent = 1;       // of a point behind the facet that it pushes [H]
 constexpr double same_distance = 1 + 1e-9;
 
 }  // namespace

@@ -10,7 +10,7 @@ namespace {
 
 template <int D>
 constexpr std::size_t fitted_nodes = D == 2 ? 8 : 20;  // to a fit, as those of (PB.20)
-constexpr double flat_share = 1e-3;  // of singular values: nodes that lie in a plane or a line
+constexpr double flat_fit = 1e-3;  // of singular values: nodes that lie in a plane or a line
 constexpr int no_cut = -1;
 
 template <class T, int D>
@@ -80,7 +80,7 @@ void SideFit<D>::add_fit(const Point<D>& x, std::vector<std::int32_t> nodes, dou
     moment += weight[k] * basis[k] * basis[k].transpose();
   }
   Eigen::CompleteOrthogonalDecomposition<Eigen::Matrix<double, D + 1, D + 1>> solver;
-  solver.setThreshold(flat_share);
+  solver.setThreshold(flat_fit);
   solver.compute(moment);
   const Vector value = solver.solve(Vector::Unit(0));
   for (std::size_t k = 0; k < count; ++k) {

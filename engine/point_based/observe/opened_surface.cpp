@@ -19,7 +19,7 @@ template <int D>
 void OpenedSurface<D>::follow(std::span<const CutSurface<D>> cuts) {
   std::size_t count = 0;
   for (const CutSurface<D>& cut : cuts) count += cut.pieces().size();
-  if (count == pieces_) return;
+  if (count == pieces_ && !first_share_.empty()) return;
   pieces_ = count;
   const CutPieces<D> pieces(cuts);
   const Simplices<D> body = simplices_.near(pieces.boxes(spacing_));

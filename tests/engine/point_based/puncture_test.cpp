@@ -13,7 +13,7 @@
 namespace pliant::test {
 namespace {
 
-constexpr double threshold = 4;  // [N], [N/m] in 2D
+constexpr double threshold = 3;  // [N], [N/m] in 2D
 
 const std::string held_above = R"toml([[boundary]]
 name = "ceiling"
@@ -89,8 +89,8 @@ void expect_puncture() {
   // The edge has been 0.5 (t - 0.05) - 0.01 behind the place of the undeformed surface.
   const double dent = 0.5 * (history.entered - 0.05) - 0.01;
   EXPECT_GT(dent, 0.02);
-  EXPECT_GT(solver.measure(0), 0.2 * threshold * dent);
-  EXPECT_LT(solver.measure(0), 0.8 * threshold * dent);
+  EXPECT_GT(solver.measure(0), 0.5 * threshold * dent);  // of a force that grows at most linearly
+  EXPECT_LT(solver.measure(0), *top * dent);
 }
 
 TEST(puncture, takes_the_force_of_its_threshold) {
@@ -100,7 +100,7 @@ TEST(puncture, takes_the_force_of_its_threshold) {
 
 TEST(puncture, of_a_stronger_surface_comes_later) {
   double last = 0;
-  for (const double force : {0.5, 1., 2., 4.}) {
+  for (const double force : {1.5, 2., 2.5, 3.}) {
     auto solver = denting_solver<2>(held_block(2, force));
     const double entered = force_history(solver, 0.5).entered;
     EXPECT_GT(entered, last) << force;
