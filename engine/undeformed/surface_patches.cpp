@@ -8,8 +8,7 @@ namespace pliant::undeformed {
 
 namespace {
 
-// Of 2, 4 and 8 facets, 4 took the fewest instructions with two balls in both methods.
-constexpr double patch_size = 4;
+constexpr double patch_size = 4;  // [size of facets]
 
 /// Numbers the cubes of side `size` in which points lie; with 0 all points are in one.
 template <int D>

@@ -43,11 +43,6 @@ const Fault faults[] = {
              "[[measurement]]\nname = \"push\"\nkind = \"contact_force\"\nbodies = "
              "[\"other\", \"other\"]\n"),
      "block.toml:19: bodies names the same body twice; name two different bodies"},
-    {"ties_on_the_undeformed_body",
-     "method = \"total_lagrangian\"\n" +
-         with(meeting("1", pair + "kind = \"tied\"\n"), "[remeshing]\nevery = 10\n", ""),
-     "block.toml:17: method \"total_lagrangian\" has no contact of kind \"tied\"; make one body of "
-     "both, or choose another method"},
     {"contact_of_three_bodies",
      meeting("1.1", "[[contact]]\nbodies = [\"block\", \"other\", \"block\"]\n"),
      "block.toml:17: bodies must be a list of two names of bodies, found a list; write it as in "
