@@ -75,20 +75,14 @@ TEST(plates, with_ten_particles_across_keep_period_amplitude_and_energy) {
   EXPECT_LT(found.energy, 1.005);
 }
 
-// With all of the outgoing characteristic they had 2.7, 1.3 and 1.2 times the energy of the start.
-TEST(plates, of_other_thicknesses_and_amplitudes_gain_no_energy) {
-  struct Plate {
-    double thickness, across, amplitude, period;
-  };
-  for (const Plate& plate : {Plate{0.1, 8, 4.63, right_period}, Plate{0.1, 10, 4.63, right_period},
-                             Plate{0.2, 10, 2.26, 3.05}}) {
-    const Oscillation found =
-        swing(plate.thickness / plate.across, plate.amplitude, 2.1 * plate.period, plate.thickness);
-    ASSERT_GE(found.zeros.size(), 4u) << plate.thickness;
-    EXPECT_NEAR(found.zeros[3] / 2, plate.period, 0.01 * plate.period) << plate.thickness;
-    EXPECT_GT(found.energy, 0.9) << plate.thickness;
-    EXPECT_LT(found.energy, 1.005) << plate.thickness;
-  }
+// With all of the outgoing characteristic it had 2.4 times its energy by then.
+TEST(plates, that_are_thick_gain_no_energy) {
+  constexpr double period = 3.05;  // Timoshenko's theory
+  const Oscillation found = swing(0.02, 2.26, 3 * period, 0.2);
+  ASSERT_GE(found.zeros.size(), 4u);
+  EXPECT_NEAR(found.zeros[3] / 2, period, 0.01 * period);
+  EXPECT_GT(found.energy, 0.9);
+  EXPECT_LT(found.energy, 1.005);
 }
 
 /// Largest deflection of a clamped plate under its weight g: bending with the plane strain modulus

@@ -21,7 +21,7 @@ namespace {
 /// it instead, (RP.50).
 template <class T, int D>
 T share_of_characteristic(const Body<T, D>& body) {
-  return lets_waves_out_alone(body) ? T(1) : T(0.25);
+  return lets_waves_out_alone(body) ? T(1) : T(0.4);
 }
 
 /// Sets the first `count` ghosts of a block from their fits to the present records.
