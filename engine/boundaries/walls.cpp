@@ -154,6 +154,11 @@ bool Boundaries<D>::have_contact() const {
 }
 
 template <int D>
+bool Boundaries<D>::have_attached_walls() const {
+  return std::ranges::any_of(walls, [](const Wall<D>& wall) { return wall.is_attached(); });
+}
+
+template <int D>
 bool Boundaries<D>::have_attached_slip_walls() const {
   return std::any_of(walls.begin(), walls.end(),
                      [](const Wall<D>& wall) { return wall.is_attached() && wall.slips(); });

@@ -90,6 +90,7 @@ struct Boundaries final : Loads {
   void set_wall_velocity(std::size_t boundary, const std::array<double, 3>& velocity) override;
 
   bool have_contact() const;
+  bool have_attached_walls() const;
   bool have_attached_slip_walls() const;
 
   /// The attached wall nearest to `x` and the distance to it; {-1, infinity} without such walls.

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <memory>
 #include <optional>
 #include <span>
 #include <vector>
@@ -10,10 +11,12 @@
 #include "engine/point_based/cutting/cut_bonds.hpp"
 #include "engine/point_based/cutting/tissue_at.hpp"
 #include "engine/point_based/face_contact.hpp"
-#include "engine/point_based/observe/opened_surface.hpp"
 #include "engine/point_based/puncture.hpp"
 
 namespace pliant::point_based {
+
+template <int D>
+class OpenedSurface;
 
 /// The cuts of a case in one body. Blades move between steps; in a step, the nodes whose bonds they
 /// change get their bonds anew, and only those, block by block.
@@ -26,6 +29,7 @@ class BodyCuts {
  public:
   /// Of the cuts whose body has this number. Keeps `choice`.
   BodyCuts(const Case& settings, int body_number, BondChoice<D> choice, const Body<T, D>& body);
+  ~BodyCuts();
 
   /// Moves the blades on to where they are at `time` [s], or to where callers have put them.
   /// Whether any has moved.
@@ -126,8 +130,8 @@ class BodyCuts {
   std::optional<FaceContact<T, D>> faces_;
   bool has_moved_ = false;  ///< in this step
   std::vector<BlockCuts> blocks_;
-  double surface_spacing_;                          ///< [m]
-  std::optional<OpenedSurface<D>> opened_surface_;  ///< once a frame has shown it
+  double surface_spacing_;                            ///< [m]
+  std::unique_ptr<OpenedSurface<D>> opened_surface_;  ///< once a frame has shown it
 };
 
 extern template class BodyCuts<double, 2>;

@@ -2,6 +2,7 @@
 #include <utility>
 
 #include "engine/point_based/body_cuts.hpp"
+#include "engine/point_based/observe/opened_surface.hpp"
 #include "engine/point_based/parameters.hpp"
 #include "engine/point_based/surface.hpp"
 
@@ -80,10 +81,13 @@ BodyCuts<T, D>::BodyCuts(const Case& settings, int body_number, BondChoice<D> ch
 }
 
 template <class T, int D>
+BodyCuts<T, D>::~BodyCuts() = default;
+
+template <class T, int D>
 const OpenedSurface<D>& BodyCuts<T, D>::opened_surface(const Body<T, D>& body) {
   if (!opened_surface_) {
-    opened_surface_.emplace(body, surface_spacing_,
-                            [this](const MaterialPoint<D>& x) { return bonds_.is_inside(x); });
+    opened_surface_ = std::make_unique<OpenedSurface<D>>(
+        body, surface_spacing_, [this](const MaterialPoint<D>& x) { return bonds_.is_inside(x); });
   }
   opened_surface_->follow(bonds_.cuts());
   return *opened_surface_;
@@ -93,9 +97,13 @@ template BodyCuts<double, 2>::BodyCuts(const Case&, int, BondChoice<2>, const Bo
 template BodyCuts<double, 3>::BodyCuts(const Case&, int, BondChoice<3>, const Body<double, 3>&);
 template BodyCuts<float, 2>::BodyCuts(const Case&, int, BondChoice<2>, const Body<float, 2>&);
 template BodyCuts<float, 3>::BodyCuts(const Case&, int, BondChoice<3>, const Body<float, 3>&);
+template BodyCuts<double, 2>::~BodyCuts();
 template const OpenedSurface<2>& BodyCuts<double, 2>::opened_surface(const Body<double, 2>&);
+template BodyCuts<double, 3>::~BodyCuts();
 template const OpenedSurface<3>& BodyCuts<double, 3>::opened_surface(const Body<double, 3>&);
+template BodyCuts<float, 2>::~BodyCuts();
 template const OpenedSurface<2>& BodyCuts<float, 2>::opened_surface(const Body<float, 2>&);
+template BodyCuts<float, 3>::~BodyCuts();
 template const OpenedSurface<3>& BodyCuts<float, 3>::opened_surface(const Body<float, 3>&);
 
 }  // namespace pliant::point_based

@@ -1,9 +1,8 @@
 #include "engine/point_based/cut_faces/cut_pieces.hpp"
 
-#include <Eigen/Dense>
-
 #include "engine/point_based/cutting/subdivide.hpp"
 #include "engine/undeformed/body.hpp"
+#include "engine/undeformed/contact_surface.hpp"
 
 namespace pliant::point_based {
 
@@ -47,8 +46,9 @@ auto CutPieces<D>::crossings(const Point<D>& p, const Point<D>& q) const -> std:
   tree_.for_each_near(box_between<D>(p, q), 0, 0, [&](std::size_t i) {
     const auto place = pieces_[i].crossing(p, q);
     if (!place) return;
-    const Point<D> area = undeformed::area_vector<D>(pieces_[i].corners);
-    found.push_back({column<D>(*place), column<D>(area).normalized(), pieces_[i].cut});
+    Point<D> normal = undeformed::area_vector<D>(pieces_[i].corners);
+    undeformed::normalise<D>(normal);
+    found.push_back({*place, normal, pieces_[i].cut});
   });
   return found;
 }

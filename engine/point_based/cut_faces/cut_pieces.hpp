@@ -1,12 +1,12 @@
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <span>
 #include <vector>
 
 #include "engine/blocks/box_tree.hpp"
 #include "engine/lattice/lattice.hpp"
-#include "engine/point_based/cutting/column.hpp"
 #include "engine/point_based/cutting/crossing.hpp"
 
 namespace pliant::point_based {
@@ -18,8 +18,8 @@ class CutPieces {
   explicit CutPieces(std::span<const CutSurface<D>> cuts);
 
   struct Crossed {
-    Column<D> place;   ///< [m]
-    Column<D> normal;  ///< unit vector
+    Point<D> place;   ///< [m]
+    Point<D> normal;  ///< unit vector
     std::int32_t cut;
   };
   /// Where cuts cross the line from `p` to `q`, in the order of the cuts and their pieces.

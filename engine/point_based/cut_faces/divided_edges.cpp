@@ -35,7 +35,7 @@ DividedEdges<D>::DividedEdges(const Simplices<D>& body,
     auto crossings = pieces.crossings(body.places[edge[0]], body.places[edge[1]]);
     if (crossings.empty()) continue;
     if (crossings.size() > 1) held.insert({edge, {}});
-    edges_.insert({edge, {crossings.front().place, std::move(crossings)}});
+    edges_.insert({edge, {column<D>(crossings.front().place), std::move(crossings)}});
   }
   for (const auto& facet : facets) {
     for (int v = 0; v < D; ++v) {

@@ -6,6 +6,7 @@
 
 #include "engine/point_based/cut_faces/body_simplices.hpp"
 #include "engine/point_based/cut_faces/cut_pieces.hpp"
+#include "engine/point_based/cutting/column.hpp"
 
 namespace pliant::point_based {
 

@@ -1,7 +1,9 @@
 #include "engine/point_based/cut_faces/divided_surface.hpp"
 
 #include <algorithm>
+#include <map>
 
+#include "engine/point_based/cut_faces/divided_edges.hpp"
 #include "engine/point_based/cut_faces/meeting_point.hpp"
 #include "engine/point_based/cutting/subdivide.hpp"
 
@@ -134,7 +136,7 @@ class SurfaceDivider {
       const double share = (crossed + whole) / 2;
       const auto found = pieces_.crossings(between<D>(a, c, share), between<D>(b, c, share));
       (found.empty() ? whole : crossed) = share;
-      if (!found.empty()) last = found.front().place;
+      if (!found.empty()) last = column<D>(found.front().place);
     }
     return last;
   }

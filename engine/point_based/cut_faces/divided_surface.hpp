@@ -1,10 +1,11 @@
 #pragma once
 
+#include <array>
 #include <cstdint>
-#include <map>
 #include <vector>
 
-#include "engine/point_based/cut_faces/divided_edges.hpp"
+#include "engine/point_based/cut_faces/body_simplices.hpp"
+#include "engine/point_based/cut_faces/cut_pieces.hpp"
 
 // The surface of a body with cuts, their faces included, in the undeformed body.
 //

@@ -29,12 +29,12 @@ Column<D> meeting_point(std::span<const typename CutPieces<D>::Crossed> crossing
   Column<D> mean = Column<D>::Zero(), right = Column<D>::Zero();
   Eigen::Matrix<double, D, D> normals = Eigen::Matrix<double, D, D>::Zero();
   for (const auto& crossed : crossings) {
-    mean += crossed.place / static_cast<double>(crossings.size());
+    mean += column<D>(crossed.place) / static_cast<double>(crossings.size());
   }
   for (const auto& crossed : crossings) {
-    const Column<D> normal = free * crossed.normal;
+    const Column<D> along = column<D>(crossed.normal), normal = free * along;
     normals += normal * normal.transpose();
-    right += normal * crossed.normal.dot(crossed.place - mean);
+    right += normal * along.dot(column<D>(crossed.place) - mean);
   }
   const Eigen::SelfAdjointEigenSolver<Eigen::Matrix<double, D, D>> axes(normals);
   const double least = least_share * static_cast<double>(crossings.size());

@@ -3,6 +3,7 @@
 #include <span>
 
 #include "engine/point_based/cut_faces/cut_pieces.hpp"
+#include "engine/point_based/cutting/column.hpp"
 
 namespace pliant::point_based {
 

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "engine/point_based/cutting/column.hpp"
+
 namespace pliant::point_based {
 
 namespace {

@@ -17,11 +17,11 @@ namespace pliant::remeshed {
 namespace {
 
 /// Part of the outgoing characteristic that sets the velocity of a free surface, (RP.83). The whole
-/// lets plates that bend far gain energy. Bodies in 3D, and those that carry F, lose what lasts of
-/// it instead, (RP.50).
+/// lets clamped plates gain energy. Bodies in 3D, and those that carry F, lose what lasts of it
+/// instead, (RP.50); bodies that no wall holds are remeshed before anything grows.
 template <class T, int D>
-T share_of_characteristic(const Body<T, D>& body) {
-  return lets_waves_out_alone(body) ? T(1) : T(0.4);
+T share_of_characteristic(const Body<T, D>& body, const Boundaries<D>& boundaries) {
+  return lets_waves_out_alone(body) || !boundaries.have_attached_walls() ? T(1) : T(0.42);
 }
 
 /// Sets the first `count` ghosts of a block from their fits to the present records.
@@ -33,6 +33,7 @@ struct GhostFill {
   FieldStore<T, D>& state;
   std::array<T*, kernels::symmetric_components<D>> stress;
   const kernels::RemeshedTable<T, D>& table;
+  T share;  ///< of the outgoing characteristic
 
   void fill_surfaces(const BoundaryValues<D>& values) const {
     const kernels::Impedance<T> impedance = surface_impedance();
@@ -129,7 +130,6 @@ struct GhostFill {
   /// (RP.50) divides by it.
   kernels::Impedance<T> surface_impedance() const {
     const kernels::Impedance<T> of_material(body.material);
-    const T share = share_of_characteristic(body);
     return {of_material.pressure_wave / share, of_material.shear_wave / share};
   }
 
@@ -171,8 +171,13 @@ void fill_ghosts(Body<T, D>& body, int block, int stage, int parity, WhichGhosts
   follow_edges(body, block);
   BlockGhosts<T, D>& ghosts = body.population.ghosts[block];
   const std::size_t count = which == WhichGhosts::all ? ghosts.slot.size() : ghosts.reached_count;
-  const GhostFill<T, D> fill{
-      body, ghosts, count, body.stage[buffer_of(stage)], body.stress_view(parity), table};
+  const GhostFill<T, D> fill{body,
+                             ghosts,
+                             count,
+                             body.stage[buffer_of(stage)],
+                             body.stress_view(parity),
+                             table,
+                             share_of_characteristic(body, around.boundaries)};
   if (treatment == GhostTreatment::averaged) {
     fill.average_surfaces(values);
   } else {
