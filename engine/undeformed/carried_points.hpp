@@ -54,17 +54,12 @@ void push(Body<T, D>& body, std::array<Buffer<T>, D>& displacements, const HeldD
   for (const Share& share : shares) {
     const double response = share.weight * body.inverse_mass[share.slot];
     const auto at = held.find(share.slot);
-    for (int i = 0; i < D; ++i) {
-      double velocity = impulse[i], displacement = moved[i];
-      if (at != held.end()) {
-        velocity = displacement = 0;
-        for (int j = 0; j < D; ++j) {
-          velocity += at->second[D * i + j] * impulse[j];
-          displacement += at->second[D * i + j] * moved[j];
-        }
-      }
-      body.velocity[i][share.slot] += static_cast<T>(response * velocity);
-      displacements[i][share.slot] += static_cast<T>(response * displacement);
+    const bool is_held = at != held.end();
+    const Point<D> velocity = is_held ? projected<D>(at->second, impulse) : impulse;
+    const Point<D> displacement = is_held ? projected<D>(at->second, moved) : moved;
+    for (int a = 0; a < D; ++a) {
+      body.velocity[a][share.slot] += static_cast<T>(response * velocity[a]);
+      displacements[a][share.slot] += static_cast<T>(response * displacement[a]);
     }
   }
 }

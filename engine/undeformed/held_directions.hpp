@@ -19,6 +19,16 @@ std::array<double, D * D> all_directions() {
   return tensor;
 }
 
+/// The part of `v` in the directions that a projection leaves free.
+template <int D>
+Point<D> projected(const std::array<double, D * D>& free, const Point<D>& v) {
+  Point<D> left = {};
+  for (int i = 0; i < D; ++i) {
+    for (int j = 0; j < D; ++j) left[i] += free[D * i + j] * v[j];
+  }
+  return left;
+}
+
 /// What a projection leaves free and is normal to `n` too: of walls at right angles, exactly.
 template <int D>
 std::array<double, D * D> without(const std::array<double, D * D>& free, const Point<D>& n) {

@@ -5,6 +5,7 @@
 #include <span>
 #include <vector>
 
+#include "engine/undeformed/held_directions.hpp"
 #include "engine/undeformed/moving_surface.hpp"
 
 /// Points that move with the carriers of a surface, and impulses on them. Each carrier takes its
@@ -21,15 +22,6 @@ Pushed<D> carried_by(const std::vector<Pushed<D>>& carriers, std::span<const Sha
     for (int a = 0; a < D; ++a) sum.shift[a] += share.weight * carrier.shift[a];
   }
   return sum;
-}
-
-template <int D>
-Point<D> projected(const std::array<double, D * D>& free, const Point<D>& v) {
-  Point<D> left = {};
-  for (int i = 0; i < D; ++i) {
-    for (int j = 0; j < D; ++j) left[i] += free[D * i + j] * v[j];
-  }
-  return left;
 }
 
 /// Gives a point an impulse [N s], and moves it by the response to another one [kg m].

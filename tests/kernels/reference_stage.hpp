@@ -57,6 +57,13 @@ struct Rates {
   double strain_rate;
 };
 
+/// The slot k steps along an axis from slot p.
+template <int D>
+std::int64_t slot_along(const Segment<D>& segment, std::int64_t p, int axis, int k) {
+  const int dy = axis == 1 ? k : 0, dz = axis == 2 ? k : 0;
+  return p + segment.neighbour_row[row_index<D>(dy, dz)] + (axis == 0 ? k : 0);
+}
+
 /// delta^4 f summed over the lattice lines through slot p: third differences flowing between
 /// interior neighbours.
 template <class T, int D>
@@ -64,10 +71,7 @@ double fourth_difference_at(const Field<T>& f, const Patch<T, D>& patch, const S
                             std::int64_t p) {
   double sum = 0;
   for (int axis = 0; axis < D; ++axis) {
-    const auto along = [&](int k) {
-      const int dy = axis == 1 ? k : 0, dz = axis == 2 ? k : 0;
-      return p + segment.neighbour_row[row_index<D>(dy, dz)] + (axis == 0 ? k : 0);
-    };
+    const auto along = [&](int k) { return slot_along<D>(segment, p, axis, k); };
     const auto flux = [&](int k) {  // from the neighbour at k to that at k + 1
       if (patch.interior[along(k)] == 0 || patch.interior[along(k + 1)] == 0) return 0.;
       return double(f[along(k + 2)]) - 3. * f[along(k + 1)] + 3. * f[along(k)] - f[along(k - 1)];
@@ -85,10 +89,7 @@ double sixth_difference_at(const Field<T>& f, const Patch<T, D>& patch, const Se
   constexpr double third[] = {0, -1, 3, -3, 1, 0}, fifth[] = {-1, 5, -10, 10, -5, 1};
   double sum = 0;
   for (int axis = 0; axis < D; ++axis) {
-    const auto along = [&](int k) {
-      const int dy = axis == 1 ? k : 0, dz = axis == 2 ? k : 0;
-      return p + segment.neighbour_row[row_index<D>(dy, dz)] + (axis == 0 ? k : 0);
-    };
+    const auto along = [&](int k) { return slot_along<D>(segment, p, axis, k); };
     const auto flux = [&](int k) {  // from the neighbour at k to that at k + 1
       if (patch.interior[along(k)] == 0 || patch.interior[along(k + 1)] == 0) return 0.;
       bool is_wide = true;
@@ -112,10 +113,7 @@ double bending_force_at(const Field<T>& f, const Patch<T, D>& patch, const Segme
                         std::int64_t p) {
   double slope = 0;
   for (int axis = 0; axis < D; ++axis) {
-    const auto along = [&](int k) {
-      const int dy = axis == 1 ? k : 0, dz = axis == 2 ? k : 0;
-      return p + segment.neighbour_row[row_index<D>(dy, dz)] + (axis == 0 ? k : 0);
-    };
+    const auto along = [&](int k) { return slot_along<D>(segment, p, axis, k); };
     const auto squares = [&](double moved) {
       double sum = 0;
       for (int k = -1; k <= 1; ++k) {

@@ -4,62 +4,22 @@
 #include <cmath>
 
 #include "tests/engine/case/written_case.hpp"
-#include "tests/engine/finite_elements/meshed_block.hpp"
-#include "tests/engine/point_based/whole_runs.hpp"
 #include "tests/engine/undeformed/loads.hpp"
+#include "tests/engine/undeformed/rubber_bodies.hpp"
 
 // Contact between bodies, (TL.15) and (TL.16), in all methods on the undeformed body.
 namespace pliant::test {
 namespace {
 
-struct Setting {
-  std::string method;
-  int dimension;
-};
-
-std::string name_of(const Setting& s) { return fmt::format("{}_{}D", s.method, s.dimension); }
-
 /// Young's modulus 100 Pa, Poisson's ratio 0.3, waves of 11.6 m/s.
 constexpr double plane_modulus = 100 / (1 - 0.3 * 0.3);
 
-struct BodiesInContact : testing::TestWithParam<Setting> {
-  TemporaryFolder folder;
-  const std::string& method = GetParam().method;
-  const int dimension = GetParam().dimension;
-
-  std::string start(double end) const {
-    return fmt::format(R"(method = "{}"
-dimension = {}
-discretisation = {{ spacing = 0.125 }}
-time = {{ end = {}, step = "cfl" }}
-[material.rubber]
-model = "reduced_polynomial"
-density = 1
-coefficients = [19.2307692307692]
-compressibility = 0.024
-)",
-                       method, dimension, end);
-  }
-  /// [x, y], in 3D with that z.
-  std::string list(double x, double y, double z = 0) const {
-    return dimension == 2 ? fmt::format("[{}, {}]", x, y) : fmt::format("[{}, {}, {}]", x, y, z);
-  }
-  /// From (x, y) to (x + width, y + height), in 3D 0.5 deep.
+struct BodiesInContact : RubberBodies {
+  std::string start(double end) const { return start_of(0.125, end); }
+  /// As box_of, in 3D 0.5 deep.
   std::string box(const std::string& name, double x, double y, double width, double height,
                   double spacing = 0.125) const {
-    const std::string begin = "[[body]]\nname = \"" + name + "\"\nmaterial = \"rubber\"\n";
-    if (method != "finite_elements") {
-      return begin + "geometry = { shape = \"box\", lower = " + list(x, y, 0) +
-             ", upper = " + list(x + width, y + height, 0.5) + " }\n";
-    }
-    const auto cells = [spacing](double length) {
-      return static_cast<int>(std::lround(length / spacing));
-    };
-    const BlockMesh<3> mesh{
-        {cells(width), cells(height), cells(0.5)}, {x, y, 0}, {x + width, y + height, 0.5}};
-    write(mesh, folder / (name + ".vtk"));
-    return begin + "geometry = { shape = \"mesh\", file = \"" +
-           (folder / (name + ".vtk")).string() + "\" }\n";
+    return box_of(name, x, y, width, height, 0.5, spacing);
   }
   std::string contact(const std::string& first, const std::string& second,
                       const std::string& kind = "kind = \"frictionless\"") const {
@@ -86,15 +46,7 @@ compressibility = 0.024
   }
 };
 
-std::vector<Setting> all_settings() {
-  return {{"total_lagrangian", 2},
-          {"total_lagrangian", 3},
-          {"point_based", 2},
-          {"point_based", 3},
-          {"finite_elements", 3}};
-}
-
-INSTANTIATE_TEST_SUITE_P(methods, BodiesInContact, testing::ValuesIn(all_settings()),
+INSTANTIATE_TEST_SUITE_P(methods, BodiesInContact, testing::ValuesIn(undeformed_settings()),
                          [](const auto& setting) { return name_of(setting.param); });
 
 // In a mesh the lower block has half the spacing of the upper one.

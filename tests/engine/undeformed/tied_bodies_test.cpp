@@ -5,58 +5,18 @@
 #include <cmath>
 
 #include "tests/engine/case/written_case.hpp"
-#include "tests/engine/finite_elements/meshed_block.hpp"
-#include "tests/engine/point_based/whole_runs.hpp"
 #include "tests/engine/undeformed/loads.hpp"
+#include "tests/engine/undeformed/rubber_bodies.hpp"
 
 // Bodies that are tied, (TL.21), in all methods on the undeformed body.
 namespace pliant::test {
 namespace {
 
-struct TiedSetting {
-  std::string method;
-  int dimension;
-};
-
-struct TiedBodies : testing::TestWithParam<TiedSetting> {
-  TemporaryFolder folder;
-  const std::string& method = GetParam().method;
-  const int dimension = GetParam().dimension;
-
-  std::string start(double end) const {
-    return fmt::format(R"(method = "{}"
-dimension = {}
-discretisation = {{ spacing = 0.0625 }}
-time = {{ end = {}, step = "cfl" }}
-[material.rubber]
-model = "reduced_polynomial"
-density = 1
-coefficients = [19.2307692307692]
-compressibility = 0.024
-)",
-                       method, dimension, end);
-  }
-  std::string list(double x, double y) const {
-    return dimension == 2 ? fmt::format("[{}, {}]", x, y) : fmt::format("[{}, {}, 0]", x, y);
-  }
+struct TiedBodies : RubberBodies {
+  std::string start(double end) const { return start_of(0.0625, end); }
   /// From (x, 0) to (x + width, 0.25), in 3D 0.25 deep.
   std::string part(const std::string& name, double x, double width, double spacing) const {
-    const std::string begin = fmt::format("[[body]]\nname = \"{}\"\nmaterial = \"rubber\"\n", name);
-    if (method != "finite_elements") {
-      const std::string depth = dimension == 2 ? "" : ", 0.25";
-      return begin + fmt::format(
-                         "geometry = {{ shape = \"box\", lower = {}, upper = [{}, 0.25{}] "
-                         "}}\n",
-                         list(x, 0), x + width, depth);
-    }
-    const auto cells = [spacing](double length) {
-      return static_cast<int>(std::lround(length / spacing));
-    };
-    const BlockMesh<3> mesh{
-        {cells(width), cells(0.25), cells(0.25)}, {x, 0, 0}, {x + width, 0.25, 0.25}};
-    write(mesh, folder / (name + ".vtk"));
-    return begin + fmt::format("geometry = {{ shape = \"mesh\", file = \"{}\" }}\n",
-                               (folder / (name + ".vtk")).string());
+    return box_of(name, x, 0, width, 0.25, 0.25, spacing);
   }
   std::string halves(double joint, double spacing) const {
     return part("first", 0, joint, 0.0625) + part("second", joint, 1 - joint, spacing) +
@@ -64,14 +24,8 @@ compressibility = 0.024
   }
 };
 
-INSTANTIATE_TEST_SUITE_P(
-    methods, TiedBodies,
-    testing::Values(TiedSetting{"total_lagrangian", 2}, TiedSetting{"total_lagrangian", 3},
-                    TiedSetting{"point_based", 2}, TiedSetting{"point_based", 3},
-                    TiedSetting{"finite_elements", 3}),
-    [](const auto& setting) {
-      return fmt::format("{}_{}D", setting.param.method, setting.param.dimension);
-    });
+INSTANTIATE_TEST_SUITE_P(methods, TiedBodies, testing::ValuesIn(undeformed_settings()),
+                         [](const auto& setting) { return name_of(setting.param); });
 
 /// How a bar that is clamped at its left end swings under sudden gravity.
 struct Swing {
