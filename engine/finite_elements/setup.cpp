@@ -1,12 +1,13 @@
 #include "engine/finite_elements/setup.hpp"
 
-#include <Eigen/Dense>
+#include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
 #include <limits>
 #include <map>
 
 #include "engine/finite_elements/parameters.hpp"
+#include "engine/method/decompositions.hpp"
 #include "engine/method/initial_stress.hpp"
 #include "engine/point_based/bonds.hpp"
 #include "engine/point_based/setup.hpp"
@@ -130,9 +131,7 @@ double highest_square(const Element<D>& element, const kernels::Material<double>
       }
     }
   }
-  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix<double, size, size>> solver(
-      stiffness, Eigen::EigenvaluesOnly);
-  return solver.eigenvalues()[size - 1] * (D + 1) / material.density;
+  return eigenvalues<size>(stiffness)[size - 1] * (D + 1) / material.density;
 }
 
 template <class T, int D>

@@ -1,7 +1,7 @@
-#include <Eigen/Dense>
 #include <algorithm>
 #include <cmath>
 
+#include "engine/method/decompositions.hpp"
 #include "engine/point_based/cutting/column.hpp"
 #include "engine/point_based/face_contact.hpp"
 
@@ -33,14 +33,10 @@ void FaceContact<T, D>::fit(const Body<T, D>& body, const Pair& pair, const Mate
     weight[k] = 1e-2 + 1 - weight[k] / farthest;
     moment += weight[k] * basis[k] * basis[k].transpose();
   }
-  Eigen::CompleteOrthogonalDecomposition<Eigen::Matrix<double, D + 1, D + 1>> solver;
-  solver.setThreshold(flat_share);
-  solver.compute(moment);
-  const Vector value = solver.solve(Vector::Unit(0));
+  const Eigen::Matrix<double, D + 1, D + 1> inverse = pseudo_inverse<D + 1>(moment, flat_share);
+  const Vector value = inverse.col(0);
   for (int t = 0; t < D - 1; ++t) {
-    Vector direction = Vector::Zero();
-    direction.template tail<D>() = column<D>(pair.tangent[t]) / size;
-    const Vector along = solver.solve(direction);
+    const Vector along = inverse.template rightCols<D>() * column<D>(pair.tangent[t]) / size;
     for (int k = 0; k < side.count; ++k) side.slope[t][k] = weight[k] * basis[k].dot(along);
   }
   for (int k = 0; k < side.count; ++k) side.share[k].weight = weight[k] * basis[k].dot(value);

@@ -1,8 +1,9 @@
 #include "engine/point_based/node_frequency.hpp"
 
-#include <Eigen/Dense>
 #include <algorithm>
 #include <cmath>
+
+#include "engine/method/decompositions.hpp"
 
 namespace pliant::point_based {
 
@@ -13,7 +14,6 @@ template <int D>
 double node_frequency2(const NodeMaterial& node, std::span<const SwingingBond<D>> bonds) {
   using Vector = Eigen::Matrix<double, D, 1>;
   using Matrix = Eigen::Matrix<double, D, D>;
-  using Solver = Eigen::SelfAdjointEigenSolver<Matrix>;
   Matrix w = Matrix::Zero();
   Vector own = Vector::Zero();
   double weights = 0, most = 0;
@@ -25,12 +25,11 @@ double node_frequency2(const NodeMaterial& node, std::span<const SwingingBond<D>
     most = std::max(most, bond.weight / bond.mass);
   }
   w += own * own.transpose() / node.mass;
-  const Vector along = node.volume * Solver(w, Eigen::EigenvaluesOnly).eigenvalues().cwiseMax(0);
+  const Vector along = node.volume * eigenvalues<D>(w).cwiseMax(0);
   const Vector root = along.cwiseSqrt();
   Matrix diagonal = node.lame_modulus * root * root.transpose();
   diagonal.diagonal() += 2 * node.shear_modulus * along;
-  return Solver(diagonal, Eigen::EigenvaluesOnly).eigenvalues()[D - 1] +
-         node.stiffness * (weights / node.mass + most);
+  return eigenvalues<D>(diagonal)[D - 1] + node.stiffness * (weights / node.mass + most);
 }
 
 template double node_frequency2<2>(const NodeMaterial&, std::span<const SwingingBond<2>>);

@@ -1,6 +1,8 @@
 #include "engine/point_based/node_operator.hpp"
 
-#include <Eigen/Dense>
+#include <Eigen/LU>
+
+#include "engine/method/decompositions.hpp"
 
 namespace pliant::point_based {
 
@@ -28,13 +30,13 @@ NodeOperator<D> node_operator(std::span<const Point<D>> bonds, std::span<const d
   for (int i = 0; i < D; ++i) {
     for (int j = i; j < D; ++j) made.moment[kernels::symmetric_index<D>(i, j)] = a(i, j);
   }
-  const Eigen::SelfAdjointEigenSolver<Matrix> solver(a);
-  const double largest = solver.eigenvalues()[D - 1];
+  const Eigensystem<D> axes = eigensystem<D>(a);
+  const double largest = axes.values[D - 1];
   Matrix inverse = Matrix::Zero();
   for (int e = D - 1; e >= 0; --e) {
-    const double value = solver.eigenvalues()[e];
+    const double value = axes.values[e];
     if (!(value > smallest_eigenvalue * largest)) break;
-    const Vector q = solver.eigenvectors().col(e);
+    const Vector q = axes.vectors.col(e);
     inverse += q * q.transpose() / value;
     for (int i = 0; i < D; ++i) made.direction[made.rank][i] = q[i];
     ++made.rank;

@@ -1,11 +1,12 @@
 #include "engine/remeshed/initial_state.hpp"
 
 #include <fmt/format.h>
+#include <Eigen/LU>
 #include <pliant/error.hpp>
 
-#include <Eigen/Dense>
 #include <cmath>
 
+#include "engine/method/decompositions.hpp"
 #include "engine/method/initial_stress.hpp"
 
 namespace pliant::remeshed {
@@ -64,9 +65,9 @@ bool find_strain(const kernels::Material<double>& m, const Principal<D>& stress,
 template <int D>
 InitialState<D> stretched_state(const BodyCase& body, const Eigen::Matrix<double, D, D>& stress,
                                 const Vector& x) {
-  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix<double, D, D>> axes(stress);
+  const Eigensystem<D> axes = eigensystem<D>(stress);
   Principal<D> strain;
-  if (!find_strain<D>(body.material, axes.eigenvalues(), strain)) {
+  if (!find_strain<D>(body.material, axes.values, strain)) {
     throw InputError(fmt::format(
         "body `{}`: no stretch of its material has the initial stress at ({:.4g}, {:.4g}, {:.4g}), "
         "whose largest component is {:.4g} Pa; use a smaller stress",
@@ -74,7 +75,7 @@ InitialState<D> stretched_state(const BodyCase& body, const Eigen::Matrix<double
   }
   const Principal<D> stretch = strain.array().exp();
   const Eigen::Matrix<double, D, D> f =
-      axes.eigenvectors() * stretch.asDiagonal() * axes.eigenvectors().transpose();
+      axes.vectors * stretch.asDiagonal() * axes.vectors.transpose();
   InitialState<D> state;
   for (int c = 0; c < D * D; ++c) state.material[c] = f(c / D, c % D);
   state.density = body.material.density / stretch.prod();

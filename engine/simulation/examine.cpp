@@ -2,12 +2,12 @@
 
 #include <fmt/format.h>
 
-#include <Eigen/Dense>
 #include <algorithm>
 #include <limits>
 
 #include "engine/finite_elements/solver.hpp"
 #include "engine/geometry/padded.hpp"
+#include "engine/method/decompositions.hpp"
 #include "engine/point_based/solver.hpp"
 
 namespace pliant {
@@ -40,10 +40,9 @@ double condition_of(const point_based::Body<double, D>& body, std::int64_t slot)
       moment(i, j) = body.moment[kernels::symmetric_index<D>(i, j)][slot];
     }
   }
-  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix<double, D, D>> solver(moment,
-                                                                          Eigen::EigenvaluesOnly);
-  const double most = solver.eigenvalues()[D - 1];
-  return most > 0 ? most / std::max(solver.eigenvalues()[0], 1e-16 * most) : 0;
+  const auto values = eigenvalues<D>(moment);
+  const double most = values[D - 1];
+  return most > 0 ? most / std::max(values[0], 1e-16 * most) : 0;
 }
 
 template <int D>

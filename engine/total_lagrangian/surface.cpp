@@ -1,8 +1,8 @@
-#include <Eigen/Dense>
 #include <algorithm>
 #include <cmath>
 
 #include "engine/lattice/surface_pieces.hpp"
+#include "engine/method/decompositions.hpp"
 #include "engine/total_lagrangian/setup.hpp"
 
 // The surface of the undeformed body, cut out of its cells simplex by simplex. Corners of facets
@@ -172,8 +172,8 @@ class SurfaceMaker {
     mean /= static_cast<double>(corners.size());
     Eigen::Matrix<double, D, D> spread = Eigen::Matrix<double, D, D>::Zero();
     for (const auto& [slot, x] : corners) spread += (x - mean) * (x - mean).transpose();
-    const PlaceVector<D> lever = spread.completeOrthogonalDecomposition().solve(
-        Eigen::Map<const PlaceVector<D>>(middle.data()) - mean);
+    const PlaceVector<D> lever =
+        pseudo_inverse<D>(spread) * (Eigen::Map<const PlaceVector<D>>(middle.data()) - mean);
     for (const auto& [slot, x] : corners) {
       const double weight = 1 / static_cast<double>(corners.size()) + (x - mean).dot(lever);
       pushes_[slot].push_back({patch, weight});

@@ -1,6 +1,6 @@
 #include "engine/point_based/cut_faces/meeting_point.hpp"
 
-#include <Eigen/Dense>
+#include "engine/method/decompositions.hpp"
 
 namespace pliant::point_based {
 
@@ -36,13 +36,13 @@ Column<D> meeting_point(std::span<const typename CutPieces<D>::Crossed> crossing
     normals += normal * normal.transpose();
     right += normal * along.dot(column<D>(crossed.place) - mean);
   }
-  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix<double, D, D>> axes(normals);
+  const Eigensystem<D> axes = eigensystem<D>(normals);
   const double least = least_share * static_cast<double>(crossings.size());
   Column<D> moved = Column<D>::Zero();
   for (int a = 0; a < D; ++a) {
-    if (axes.eigenvalues()[a] <= least) continue;
-    const Column<D> axis = axes.eigenvectors().col(a);
-    moved += axis.dot(right) / axes.eigenvalues()[a] * axis;
+    if (axes.values[a] <= least) continue;
+    const Column<D> axis = axes.vectors.col(a);
+    moved += axis.dot(right) / axes.values[a] * axis;
   }
   return moved.norm() > reach ? mean : Column<D>(mean + moved);
 }

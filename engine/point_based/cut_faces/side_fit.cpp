@@ -1,9 +1,9 @@
 #include "engine/point_based/cut_faces/side_fit.hpp"
 
-#include <Eigen/Dense>
 #include <algorithm>
 #include <cmath>
 
+#include "engine/method/decompositions.hpp"
 #include "engine/point_based/cutting/column.hpp"
 
 namespace pliant::point_based {
@@ -81,10 +81,7 @@ void SideFit<D>::add_fit(const Point<D>& x, std::vector<std::int32_t> nodes, dou
     weight[k] = 1e-2 + 1 - square(nodes[k]) / farthest;
     moment += weight[k] * basis[k] * basis[k].transpose();
   }
-  Eigen::CompleteOrthogonalDecomposition<Eigen::Matrix<double, D + 1, D + 1>> solver;
-  solver.setThreshold(flat_fit);
-  solver.compute(moment);
-  const Vector value = solver.solve(Vector::Unit(0));
+  const Vector value = pseudo_inverse<D + 1>(moment, flat_fit).col(0);
   for (std::size_t k = 0; k < count; ++k) {
     shares.push_back({nodes_.slot[nodes[k]], part * weight[k] * basis[k].dot(value)});
   }

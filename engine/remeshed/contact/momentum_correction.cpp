@@ -1,8 +1,8 @@
 #include "engine/remeshed/contact/momentum_correction.hpp"
 
-#include <Eigen/Eigenvalues>
 #include <algorithm>
 
+#include "engine/method/decompositions.hpp"
 #include "engine/method/phase_rows.hpp"
 #include "engine/remeshed/observe/integrals.hpp"
 #include "engine/remeshed/resources.hpp"
@@ -43,11 +43,11 @@ Point<D> along_normals(const std::array<double, D * D>& normals, const Point<D>&
   const Eigen::Map<const Eigen::Matrix<double, D, 1>> whole(vector.data());
   Point<D> part = {};
   if (sum.trace() == 0) return part;
-  const Eigen::SelfAdjointEigenSolver<Tensor> walls(sum);
+  const Eigensystem<D> walls = eigensystem<D>(sum);
   for (int i = 0; i < D; ++i) {
-    if (walls.eigenvalues()[i] < no_wall * sum.trace()) continue;
-    const double along = walls.eigenvectors().col(i).dot(whole);
-    for (int a = 0; a < D; ++a) part[a] += along * walls.eigenvectors()(a, i);
+    if (walls.values[i] < no_wall * sum.trace()) continue;
+    const double along = walls.vectors.col(i).dot(whole);
+    for (int a = 0; a < D; ++a) part[a] += along * walls.vectors(a, i);
   }
   return part;
 }

@@ -1,6 +1,8 @@
 #include "engine/remeshed/ghosts/rigid_velocity.hpp"
 
-#include <Eigen/Dense>
+#include <Eigen/Geometry>
+
+#include "engine/method/decompositions.hpp"
 
 namespace pliant::remeshed {
 
@@ -37,7 +39,7 @@ std::array<T, D> rigid_velocity(const Body<T, D>& body, const FieldStore<T, D>& 
     inertia += r.squaredNorm() * Eigen::Matrix3d::Identity() - r * r.transpose();
   }
   // Neighbours in a line leave the rotation about it open: the least one is taken.
-  const Vector3 omega = inertia.completeOrthogonalDecomposition().solve(moment);
+  const Vector3 omega = pseudo_inverse<3>(inertia) * moment;
   const Vector3 u = mean + omega.cross(position(ghosts.slot[g]) - centre);
   std::array<T, D> result;
   for (int a = 0; a < D; ++a) result[a] = static_cast<T>(u[a]);
