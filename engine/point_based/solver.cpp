@@ -97,18 +97,17 @@ StepFailure Solver<T, D>::failure(const StepResult& result) const {
   std::vector<std::string> remedies;
   for (const CutCase& cut : this->settings().cuts) {
     if (cut.puncture_force == 0) continue;
-    remedies.push_back(
-        fmt::format("let the blade of cut `{}` enter earlier (a smaller puncture_force)", cut.name));
+    remedies.push_back(fmt::format(
+        "let the blade of cut `{}` enter earlier (a smaller puncture_force)", cut.name));
   }
   remedies.insert(remedies.end(),
                   {smaller_step(this->settings()), "load more slowly",
                    "raise the stabilisation (point_based.stabilisation)", "use a finer spacing"});
-  return failed_step(
-      this->settings(), this->clock(),
-      fmt::format("the node of body `{}` that began at {} is no longer finite or "
-                  "has turned inside out",
-                  body.name, coordinates<D>(body.start[result.non_finite])),
-      remedies);
+  return failed_step(this->settings(), this->clock(),
+                     fmt::format("the node of body `{}` that began at {} is no longer finite or "
+                                 "has turned inside out",
+                                 body.name, coordinates<D>(body.start[result.non_finite])),
+                     remedies);
 }
 
 template <class T, int D>

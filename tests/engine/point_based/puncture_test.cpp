@@ -148,9 +148,11 @@ TEST(puncture, continues_after_a_restart_to_the_same_bytes_on_any_number_of_thre
 }
 
 TEST(puncture, of_a_surface_that_gives_way_first_names_the_cut_whose_force_is_too_large) {
-  auto solver = denting_solver<2>(held_block(2, 1e9));
+  std::string text = held_block(3, 1e9);
+  text.replace(text.find("0.5*(t"), 6, "1.8*(t");  // through nine tenths of the block
+  auto solver = denting_solver<3>(text);
   try {
-    while (solver.clock().time < 0.5) solver.step(HUGE_VAL);
+    while (solver.clock().time < 0.55) solver.step(HUGE_VAL);
     FAIL();
   } catch (const StepFailure& failure) {
     const std::string message = failure.what();
