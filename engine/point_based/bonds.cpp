@@ -16,6 +16,8 @@ namespace pliant::point_based {
 namespace {
 
 constexpr double support_over_distance = 1.05;  // of the nearest node that is no neighbour
+// Of the stabilisation, (PB.5); that of nu = 0.3.
+constexpr double most_lame_over_shear = 1.5;
 constexpr int lanes = kernels::slots_per_pack;
 
 // A block's halo in ascending order: what it collects for one other block lies together.
@@ -194,7 +196,8 @@ void set_bonds(const BondChoice<D>& choice, std::span<const double> factors, std
   const NodeOperator<D> made = node_operator<D>(bonds, chosen.weight);
   const double volume = choice.elastic_volumes[body.number[slot]];
   set_rank(made, static_cast<int>(&block - body.blocks.data()), slot, volume, body);
-  const double modulus = body.material.lame_modulus + 2 * body.material.shear_modulus;
+  const double mu = body.material.shear_modulus, lambda = body.material.lame_modulus;
+  const double modulus = std::min(lambda, most_lame_over_shear * mu) + 2 * mu;
   body.stiffness[slot] =
       made.rank == D ? static_cast<T>(choice.alpha * modulus / made.trace() * volume) : T(0);
   for (int c = 0; c < Body<T, D>::symmetric; ++c) {

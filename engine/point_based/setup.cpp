@@ -26,8 +26,8 @@ namespace pliant::point_based {
 
 namespace {
 
-// Positions and forces of a block and its halo stay in the first cache.
-constexpr int nodes_of_block = 512;
+// Small blocks keep the workers busy, and large ones have less halo for each node.
+constexpr int least_nodes_of_block = 512, most_nodes_of_block = 1536, least_blocks = 32;
 constexpr double on_wall = 1e-9;
 
 kernels::ElasticLaw law_of(MaterialCase::Model model) {
@@ -51,8 +51,10 @@ void lay_out(const NodeCloud<D>& cloud, Body<T, D>& body) {
     view[a] = coordinate[a];
   }
   // Which blocks are near each other follows from the bonds.
-  const PointBlocks points = blocks_of_points<double, D>(view, 0, nodes_of_block);
   body.particles = static_cast<std::int64_t>(cloud.positions.size());
+  const auto nodes_of_block = static_cast<int>(std::clamp<std::int64_t>(
+      body.particles / least_blocks, least_nodes_of_block, most_nodes_of_block));
+  const PointBlocks points = blocks_of_points<double, D>(view, 0, nodes_of_block);
   for (std::size_t b = 0; b + 1 < points.first_slot.size(); ++b) {
     const std::int64_t begin = points.first_slot[b];
     const auto nodes = static_cast<int>(points.first_slot[b + 1] - begin);

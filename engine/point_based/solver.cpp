@@ -94,13 +94,20 @@ void Solver<T, D>::adapt(const Advance&, const StepResult& result) {
 template <class T, int D>
 StepFailure Solver<T, D>::failure(const StepResult& result) const {
   const Body<T, D>& body = this->state().bodies[this->state().blocks[result.failed_block].body];
-  return failed_step(
-      this->settings(), this->clock(),
-      fmt::format("the node of body `{}` that began at {} is no longer finite or "
-                  "has turned inside out",
-                  body.name, coordinates<D>(body.start[result.non_finite])),
-      {smaller_step(this->settings()), "load more slowly",
-       "raise the stabilisation (point_based.stabilisation)", "use a finer spacing"});
+  std::vector<std::string> remedies;
+  for (const CutCase& cut : this->settings().cuts) {
+    if (cut.puncture_force == 0) continue;
+    remedies.push_back(fmt::format(
+        "let the blade of cut `{}` enter earlier (a smaller puncture_force)", cut.name));
+  }
+  remedies.insert(remedies.end(),
+                  {smaller_step(this->settings()), "load more slowly",
+                   "raise the stabilisation (point_based.stabilisation)", "use a finer spacing"});
+  return failed_step(this->settings(), this->clock(),
+                     fmt::format("the node of body `{}` that began at {} is no longer finite or "
+                                 "has turned inside out",
+                                 body.name, coordinates<D>(body.start[result.non_finite])),
+                     remedies);
 }
 
 template <class T, int D>

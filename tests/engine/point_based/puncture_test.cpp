@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "engine/method/step_failure.hpp"
 #include "tests/engine/output/temporary_folder.hpp"
 #include "tests/engine/point_based/blocks.hpp"
 #include "tests/engine/point_based/whole_runs.hpp"
@@ -143,6 +144,21 @@ TEST(puncture, continues_after_a_restart_to_the_same_bytes_on_any_number_of_thre
     EXPECT_EQ(result_of(settings, folder / "other", 2), through);
     std::filesystem::remove_all(folder / "run");
     std::filesystem::remove_all(folder / "other");
+  }
+}
+
+TEST(puncture, of_a_surface_that_gives_way_first_names_the_cut_whose_force_is_too_large) {
+  std::string text = held_block(3, 1e9);
+  text.replace(text.find("0.5*(t"), 6, "1.8*(t");  // through nine tenths of the block
+  auto solver = denting_solver<3>(text);
+  try {
+    while (solver.clock().time < 0.55) solver.step(HUGE_VAL);
+    FAIL();
+  } catch (const StepFailure& failure) {
+    const std::string message = failure.what();
+    EXPECT_NE(message.find("let the blade of cut `blade` enter earlier (a smaller puncture_force)"),
+              std::string::npos)
+        << message;
   }
 }
 
