@@ -24,7 +24,7 @@ void for_each_particle(const Body<T, D>& body, int block, F&& f) {
 }
 
 template <int D>
-void add(ForceOnBlock<D>& sum, double mass, const Point<D>& x, const Point<D>& force) {
+void add_particle(ForceOnBlock<D>& sum, double mass, const Point<D>& x, const Point<D>& force) {
   const Vector at = padded<D>(x), by = padded<D>(force);
   sum.mass += mass;
   for (int a = 0; a < D; ++a) {
@@ -90,7 +90,7 @@ void BodyForces<T, D>::advance(int block, int stage) {
       next.get(Field::velocity, a)[p] += static_cast<T>(share * rate);
       force[a] = mass[p] * rate;
     }
-    add(sum, mass[p], x, force);
+    add_particle(sum, mass[p], x, force);
     power += mass[p] * along;
     lost += mass[p] * force_of.damping * square;
   });

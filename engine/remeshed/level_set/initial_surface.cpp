@@ -10,7 +10,7 @@ namespace pliant::remeshed {
 
 namespace {
 
-double recalled_share = std::getenv("MO_W") ? std::atof(std::getenv("MO_W")) : 0.1;
+constexpr double recalled_share = 0.05;  // (RP.92)
 
 }  // namespace
 

@@ -6,6 +6,7 @@
 
 #include "engine/boundaries/walls.hpp"
 #include "engine/remeshed/lattice_view.hpp"
+#include "kernels/layout.hpp"
 
 namespace pliant::remeshed {
 

@@ -1,6 +1,5 @@
 #include "engine/remeshed/observe/integrals.hpp"
 
-#include <algorithm>
 #include <cmath>
 
 #include "engine/remeshed/observe/motion_integrals.hpp"

@@ -6,7 +6,6 @@
 
 #include "engine/case/case.hpp"
 #include "engine/remeshed/observe/covered_cells.hpp"
-#include "engine/remeshed/observe/point_state.hpp"
 
 namespace pliant::remeshed {
 
@@ -16,7 +15,7 @@ double integral(double value, const Point<D>& slope, double zeroth, const Point<
   return std::inner_product(slope.begin(), slope.end(), first.begin(), value * zeroth);
 }
 
-/// Density and velocity of a node and their central differences [per cell].
+/// Density of the inertia and velocity of a node and their central differences [per cell].
 template <int D>
 struct NodeMotion {
   double density = 0;
@@ -27,16 +26,21 @@ struct NodeMotion {
   template <class T>
   NodeMotion(const FieldStore<T, D>& f, const CoveredCells<T, D>& cells, std::int64_t p,
              const Cell<D>& cell)
-      : density(remeshed::density<T, D>(f, p)) {
+      : density(density_at(f, p)) {
     for (int c = 0; c < D; ++c) velocity[c] = f.get(Field::velocity, c)[p];
     cells.for_each_pair(cell, [&](int a, std::int64_t up, std::int64_t down) {
-      density_slope[a] =
-          (remeshed::density<T, D>(f, up) - remeshed::density<T, D>(f, down)) / 2;
+      density_slope[a] = (density_at(f, up) - density_at(f, down)) / 2;
       for (int c = 0; c < D; ++c) {
         const T* u = f.get(Field::velocity, c);
         velocity_slope[a][c] = (u[up] - u[down]) / 2;
       }
     });
+  }
+
+ private:
+  template <class T>
+  static double density_at(const FieldStore<T, D>& f, std::int64_t p) {
+    return static_cast<double>(f.get(Field::mass)[p]) / f.get(Field::volume)[p];
   }
 };
 

@@ -104,8 +104,9 @@ bool touches_another(const Body<T, D>& body) {
 template <class T, int D>
 void MotionCorrection<T, D>::add_step(const std::vector<std::array<ForceOnBlock<D>, 4>>& forces,
                                       double time_step) {
+  thread_local std::vector<ForceOnBlock<D>> on_body;
   for (int stage = 0; stage < 4; ++stage) {
-    std::vector<ForceOnBlock<D>> on_body(state_.bodies.size());
+    on_body.assign(state_.bodies.size(), {});
     for (std::size_t b = 0; b < forces.size(); ++b) {
       add(on_body[state_.blocks[b].body], forces[b][stage]);
     }
@@ -142,11 +143,12 @@ void MotionCorrection<T, D>::add_phases(std::vector<Phase>& phases) {
 
 template <class T, int D>
 void MotionCorrection<T, D>::integrate(int block) {
-  const auto [body, local] = state_.owner(block);
+  const auto owner = state_.owner(block);
+  const Body<T, D>& body = owner.body;
   MotionIntegrals& sum = of_block_[block] = {};
   if (!is_followed(body)) return;
   const CoveredCells<T, D> cells({body, body.population, body.stage[0]}, state_.boundaries);
-  cells.for_each(body.population.layout.blocks()[local],
+  cells.for_each(body.population.layout.blocks()[owner.block],
                  [&](std::int64_t p, const Cell<D>& cell, const Moments<D>& moments) {
                    sum.add<D>(body.lattice.spacing, body.lattice.node(cell),
                               NodeMotion<D>(body.stage[0], cells, p, cell), moments);
@@ -155,7 +157,8 @@ void MotionCorrection<T, D>::integrate(int block) {
 
 template <class T, int D>
 void MotionCorrection<T, D>::balance() {
-  std::vector<MotionIntegrals> sums(state_.bodies.size());
+  thread_local std::vector<MotionIntegrals> sums;
+  sums.assign(state_.bodies.size(), {});
   for (std::size_t b = 0; b < of_block_.size(); ++b) add(sums[state_.blocks[b].body], of_block_[b]);
   of_body_.assign(sums.size(), {});
   for (std::size_t b = 0; b < sums.size(); ++b) {
@@ -191,13 +194,14 @@ auto MotionCorrection<T, D>::correction(const MotionIntegrals& now,
 
 template <class T, int D>
 void MotionCorrection<T, D>::correct(int block) {
-  const auto [body, local] = state_.owner(block);
   const Correction& by = of_body_[state_.blocks[block].body];
   if (!by.acts) return;
+  const auto owner = state_.owner(block);
+  Body<T, D>& body = owner.body;
   const Layout<D>& layout = body.population.layout;
   std::array<T*, D> u;
   for (int a = 0; a < D; ++a) u[a] = body.stage[0].get(Field::velocity, a);
-  layout.for_each_slot(layout.blocks()[local], [&](std::int64_t p, const Cell<D>& cell) {
+  layout.for_each_slot(layout.blocks()[owner.block], [&](std::int64_t p, const Cell<D>& cell) {
     if (body.population.kind[p] == Kind::vacant) return;
     Vector r = padded<D>(body.lattice.node(cell));
     for (int a = 0; a < D; ++a) r[a] -= by.centre[a];
