@@ -90,7 +90,7 @@ void BodyForces<T, D>::advance(int block, int stage) {
       next.get(Field::velocity, a)[p] += static_cast<T>(share * rate);
       force[a] = mass[p] * rate;
     }
-    add_particle(sum, mass[p], x, force);
+    add_particle<D>(sum, mass[p], x, force);
     power += mass[p] * along;
     lost += mass[p] * force_of.damping * square;
   });

@@ -78,8 +78,8 @@ class BodyForces {
   double mass_scaling_;
   bool is_adaptive_;  ///< the damping rate, (RP.88)
   double time_step_ = 0;
-  std::vector<EnergyBudget> of_block_;  ///< [block], of the present step
-  std::vector<Point<D>> impulse_;       ///< likewise
+  std::vector<EnergyBudget> of_block_;                  ///< [block], of the present step
+  std::vector<Point<D>> impulse_;                       ///< likewise
   std::vector<std::array<ForceOnBlock<D>, 4>> forces_;  ///< likewise
   std::vector<Motion> motion_;                          ///< likewise
 };

@@ -150,7 +150,6 @@ void Solver<T, D>::remesh() {
   Clock& clock = state_.clock;
   const bool reinitialise =
       clock.steps_since_reinitialisation >= settings().level_set.reinitialise_every;
-  step_.motion().forget_held();
   remeshings_.move_lattices(state_);
   remesh_onto_spare(reinitialise, true);
   if (reinitialise) clock.steps_since_reinitialisation = 0;

@@ -48,7 +48,7 @@ struct State {
   std::vector<Point<D>> contact_impulse;  ///< [contact] on its second body, since t = 0 [N s]
   std::vector<Body<T, D>> bodies;
   std::vector<MomentumBudget<D>>
-      momentum_budgets;  ///< [body], or none without contacts between bodies
+      momentum_budgets;                         ///< [body], or none without contacts between bodies
   std::vector<MotionBudget<D>> motion_budgets;  ///< [body]
   std::vector<BlockOwner> blocks;
 

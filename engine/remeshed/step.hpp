@@ -27,7 +27,6 @@ class Step {
   /// Those that compute the stress of a state that no stage has left behind.
   std::vector<scheduler::Phase> stress_phases();
   MomentumCorrection<T, D>& momentum() { return momentum_; }
-  MotionCorrection<T, D>& motion() { return motion_; }
 
   /// Fixes the time step [s] and what the boundaries impose at each stage.
   void prepare(double time_step);

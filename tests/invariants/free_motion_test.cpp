@@ -14,7 +14,7 @@ const Settings flying_square = {
     R"(body=[{ name = "square", geometry = { shape = "box", lower = [2.5, -0.5], )"
     R"(upper = [3.5, 0.5] }, material = { model = "linear", youngs_modulus = 10, )"
     R"(poissons_ratio = 0.3, density = 1 }, )"
-    R"(velocity = ["0.2 - 0.5*y", "-0.1 + 0.5*(x - 3)"] }])"};
+    R"(velocity = ["0.2 - 0.5*y", "0.5*x - 1.6"] }])"};
 
 /// A brick of 1 m by 0.8 m by 0.6 m that tumbles and flies.
 const Settings flying_brick = {

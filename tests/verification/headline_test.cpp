@@ -50,8 +50,7 @@ TEST(headline, four_turns_keep_the_mass_and_the_angular_momentum_of_a_square) {
   const Settings square = {
       R"(body.cylinder.geometry={ shape = "box", lower = [-0.5, -0.5], upper = [0.5, 0.5] })",
       "body.cylinder.material.youngs_modulus=10",
-      "body.cylinder.rotation={ centre = [0, 0], angular_velocity = 0.5 }",
-      "time.end=16*pi",
+      "body.cylinder.rotation={ centre = [0, 0], angular_velocity = 0.5 }", "time.end=16*pi",
       R"(measurement=[{ name = "mass", kind = "mass", relative = true }, )"
       R"({ name = "angular_momentum", kind = "angular_momentum", point = [0, 0], )"
       R"(relative = true }])"};

@@ -154,27 +154,34 @@ class CoveredCells {
       for (int a = 1, rest = k; a < D; ++a, rest /= sub_cells) {
         t[a] = Moments<D>::centre(rest % sub_cells);
       }
-      Row row = coverage(e, t);
+      Row row;
+      if (!cover(e, t, row)) continue;
       if (is_near_wall) leave_out_walls(x, t, row);
       moments.add_row(row, t);
     }
     return moments;
   }
 
-  static Row coverage(const Expansion& e, const Point<D>& t) {
+  /// False where a row lies outside.
+  static bool cover(const Expansion& e, const Point<D>& t, Row& row) {
     double phi = e.phi, slope = e.slope[0];  // at the middle of the row
     for (int a = 1; a < D; ++a) {
       phi += e.slope[a] * t[a];
       slope += e.curvature[0][a] * t[a];
       for (int b = 1; b < D; ++b) phi += 0.5 * e.curvature[a][b] * t[a] * t[b];
     }
-    Row row;
+    const double across = 0.5 * std::abs(slope) + 0.125 * std::abs(e.curvature[0][0]);
+    if (phi - across > 0.5 / coverage_slope) return false;
+    if (phi + across < -0.5 / coverage_slope) {
+      row.fill(1);
+      return true;
+    }
     for (int i = 0; i < sub_cells; ++i) {
       const double s = Moments<D>::centre(i);
       const double at = phi + s * (slope + 0.5 * e.curvature[0][0] * s);
       row[i] = std::clamp(0.5 - coverage_slope * at, 0.0, 1.0);
     }
-    return row;
+    return true;
   }
 
   void leave_out_walls(const Point<D>& x, const Point<D>& t, Row& row) const {

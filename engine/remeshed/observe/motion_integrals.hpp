@@ -91,9 +91,9 @@ struct MotionIntegrals {
     }
     for (int a = 0; a < D; ++a) {
       for (int b = 0; b < D; ++b) {
-        second_moment[a][b] += volume * (mass_of_cell * r[a] * r[b] +
-                                         h * (r[a] * moment[b] + moment[a] * r[b]) +
-                                         h * h * inertia[a][b]);
+        second_moment[a][b] +=
+            volume * (mass_of_cell * r[a] * r[b] + h * (r[a] * moment[b] + moment[a] * r[b]) +
+                      h * h * inertia[a][b]);
       }
     }
   }

@@ -120,20 +120,12 @@ void MotionCorrection<T, D>::add_step(const std::vector<std::array<ForceOnBlock<
 }
 
 template <class T, int D>
-void MotionCorrection<T, D>::forget_held() {
-  for (std::size_t b = 0; b < state_.bodies.size(); ++b) {
-    if (is_held(state_.bodies[b])) state_.motion_budgets[b].is_known = false;
-  }
-}
-
-template <class T, int D>
 void MotionCorrection<T, D>::add_phases(std::vector<Phase>& phases) {
   of_block_.resize(state_.blocks.size());
   using namespace resource;
   using enum Group;
   PhaseRows rows(phases);
-  rows.each("motion",
-            near(slots(velocity) + slots(material) + slots(constants) + whole(kinds)),
+  rows.each("motion", near(slots(velocity) + slots(material) + slots(constants) + whole(kinds)),
             own(whole(motion)), [this](int block) { integrate(block); });
   rows.reduce("motion", all(whole(motion) + whole(motion_budgets)), all(whole(motion_budgets)),
               [this] { balance(); });
@@ -146,7 +138,7 @@ void MotionCorrection<T, D>::integrate(int block) {
   const auto owner = state_.owner(block);
   const Body<T, D>& body = owner.body;
   MotionIntegrals& sum = of_block_[block] = {};
-  if (!is_followed(body)) return;
+  if (!is_followed(body) || is_held(body)) return;
   const CoveredCells<T, D> cells({body, body.population, body.stage[0]}, state_.boundaries);
   cells.for_each(body.population.layout.blocks()[owner.block],
                  [&](std::int64_t p, const Cell<D>& cell, const Moments<D>& moments) {
@@ -164,7 +156,10 @@ void MotionCorrection<T, D>::balance() {
   for (std::size_t b = 0; b < sums.size(); ++b) {
     const MotionIntegrals& now = sums[b];
     MotionBudget<D>& budget = state_.motion_budgets[b];
-    if (!is_followed(state_.bodies[b])) continue;
+    if (!is_followed(state_.bodies[b]) || is_held(state_.bodies[b])) {
+      budget.is_known = false;
+      continue;
+    }
     if (budget.is_known) {
       of_body_[b] = correction(now, budget);
     } else {

@@ -18,9 +18,10 @@
 //
 // Each body therefore has a budget of both. After each remeshing, when particles lie on nodes and
 // the integrals (RP.42) over the body are those that are measured, a rigid velocity
-// a + omega x (x - c) is added to the body so that its integrals are those of the budget. It changes
-// no strain, no stress and no relative motion. What pushed the body since the last remeshing makes
-// the budget unknown; it is then what the remeshing has left.
+// a + omega x (x - c) is added to the body so that its integrals are those of the budget. It
+// changes no strain, no stress and no relative motion. What pushed the body since the last
+// remeshing makes the budget unknown; it is then what the remeshing has left. Bodies that come out
+// of a remeshing with ghosts of walls or loads have none until the next one.
 //
 // In a case with contact momentum has a budget that knows what contacts transmit, and that is kept
 // after each step: momentum_correction.hpp. There this correction is that of the spin alone.
@@ -30,13 +31,12 @@ template <class T, int D>
 class MotionCorrection {
  public:
   MotionCorrection(State<T, D>& state, const Case& settings)
-      : state_(state), keeps_momentum_(settings.contacts.empty() && !state.boundaries.have_contact()) {}
+      : state_(state),
+        keeps_momentum_(settings.contacts.empty() && !state.boundaries.have_contact()) {}
 
   /// Changes the budgets by the body forces of a step, (RP.91), and forgets those of bodies that
   /// touch another one in it.
   void add_step(const std::vector<std::array<ForceOnBlock<D>, 4>>& forces, double time_step);
-  /// Forgets the budgets of bodies that a wall or a load may have pushed since the last remeshing.
-  void forget_held();
   /// Phases that give bodies on nodes the motion of their budgets, (RP.90).
   void add_phases(std::vector<scheduler::Phase>& phases);
 
