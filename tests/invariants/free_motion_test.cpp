@@ -1,5 +1,7 @@
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 #include "engine/remeshed/observe/integrals.hpp"
 #include "engine/remeshed/solver.hpp"
 #include "tests/engine/remeshed/small_case.hpp"
