@@ -56,6 +56,18 @@ def plate(name, settings, amplitude, energy):
                 Headline("total_energy", 1, energy)])
 
 
+def square(across):
+    """A square of 1 m that turns four times; the measurements of the cylinder are those of any body."""
+    settings = [f"discretisation.spacing=1/{across}", "time.end=16*pi", "output.every=0",
+                "body.cylinder.geometry={ shape = \"box\", lower = [-0.5, -0.5], upper = [0.5, 0.5] }",
+                "body.cylinder.material.youngs_modulus=10",
+                "body.cylinder.rotation={ centre = [0, 0], angular_velocity = 0.5 }",
+                "output.measure_every=5"]
+    return Run("rotating_cylinder", f"square, {across} across, four turns", settings,
+               [Headline("mass_ratio", 1, 0.01), Headline("angular_momentum_ratio", 1, 0.01)],
+               '[[measurement]]\nname = "mass_ratio"\nkind = "mass"\nrelative = true\n')
+
+
 def liver(cells, bar):
     # The suction is 30 kPa (t/15 s)^2.
     tips = "".join(f'[[measurement]]\nname = "tip_at_{suction}_kPa"\nkind = "value_at_time"\n'
@@ -76,6 +88,7 @@ sections = {
                      ["time.end=5", "output.every=0", "output.measure_every=1"],
                      [Headline("angular_momentum_ratio", 1, 0.002),
                       Headline("energy_ratio", 1, 0.01)])],
+    "square": [square(across) for across in (10, 20)],
     "plate": [plate("10 across", [], 0.02, 0.1)],
     "ball": [Run("bouncing_ball", f"8000 particles, {wall}",
                  [f"boundary.wall.friction={wall}", "output.every=0", "output.ghosts=false"],

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "engine/geometry/padded.hpp"
 #include "engine/remeshed/parameters.hpp"
 #include "engine/remeshed/runge_kutta.hpp"
 
@@ -22,6 +23,20 @@ void for_each_particle(const Body<T, D>& body, int block, F&& f) {
   });
 }
 
+template <int D>
+void add_particle(ForceOnBlock<D>& sum, double mass, const Point<D>& x, const Point<D>& force) {
+  const Vector at = padded<D>(x), by = padded<D>(force);
+  sum.mass += mass;
+  for (int a = 0; a < D; ++a) {
+    sum.first_moment[a] += mass * x[a];
+    sum.force[a] += force[a];
+  }
+  for (int c = 0; c < 3; ++c) {
+    const int a = (c + 1) % 3, b = (c + 2) % 3;
+    sum.moment[c] += at[a] * by[b] - at[b] * by[a];
+  }
+}
+
 }  // namespace
 
 template <class T, int D>
@@ -37,6 +52,7 @@ void BodyForces<T, D>::prepare(double time_step) {
   gravity_.reserve(state_.blocks.size());
   of_block_.assign(state_.blocks.size(), {});
   impulse_.assign(state_.blocks.size(), {});
+  forces_.assign(state_.blocks.size(), {});
   motion_.assign(state_.blocks.size(), {});
 }
 
@@ -60,8 +76,11 @@ void BodyForces<T, D>::advance(int block, int stage) {
   const T* mass = body.stage[0].get(Field::mass);
   const double share = share_of_rate[stage] * time_step_;
   double power = 0, lost = 0;
-  Point<D> force = {};
-  const auto add_to = [&](std::int64_t p, const Point<D>& g) {
+  ForceOnBlock<D> sum;
+  for_each_particle(body, owner.block, [&](std::int64_t p, const Cell<D>& cell) {
+    Point<D> x = body.lattice.node(cell), force;
+    for (int a = 0; a < D; ++a) x[a] += current.get(Field::drift, a)[p];
+    const Point<D> g = gravity_.acts() ? force_of.of_gravity(x) : Point<D>{};
     double along = 0, square = 0;
     for (int a = 0; a < D; ++a) {
       const double u = current.get(Field::velocity, a)[p];
@@ -69,22 +88,15 @@ void BodyForces<T, D>::advance(int block, int stage) {
       square += u * u;
       const double rate = g[a] - force_of.damping * u;
       next.get(Field::velocity, a)[p] += static_cast<T>(share * rate);
-      force[a] += mass[p] * rate;
+      force[a] = mass[p] * rate;
     }
+    add_particle<D>(sum, mass[p], x, force);
     power += mass[p] * along;
     lost += mass[p] * force_of.damping * square;
-  };
-  for_each_particle(body, owner.block, [&](std::int64_t p, const Cell<D>& cell) {
-    if (!gravity_.acts()) {
-      add_to(p, {});
-      return;
-    }
-    Point<D> x = body.lattice.node(cell);
-    for (int a = 0; a < D; ++a) x[a] += current.get(Field::drift, a)[p];
-    add_to(p, force_of.of_gravity(x));
   });
   const double duration = stage_weight[stage] * time_step_;
-  for (int a = 0; a < D; ++a) impulse_[block][a] += duration * force[a];
+  for (int a = 0; a < D; ++a) impulse_[block][a] += duration * sum.force[a];
+  forces_[block][stage] = sum;
   of_block_[block].body_force_work += duration * power;
   of_block_[block].damping += duration * lost;
 }

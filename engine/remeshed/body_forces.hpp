@@ -31,6 +31,16 @@ struct BodyForce {
   }
 };
 
+/// Of body forces on the particles of a block at one stage, and of these particles; moments are
+/// those about the origin.
+template <int D>
+struct ForceOnBlock {
+  double mass = 0;
+  Point<D> first_moment = {};
+  Point<D> force = {};
+  Vector moment = {};  ///< z alone in 2D
+};
+
 /// Gravity and damping (RP.71). A stage leaves a state behind that depends on its rates linearly,
 /// so that these rates can be added to it afterwards.
 template <class T, int D>
@@ -50,6 +60,8 @@ class BodyForces {
   void fold();
   /// [block] impulse of the step [N s].
   const std::vector<Point<D>>& impulse() const { return impulse_; }
+  /// [block][stage] of the step; without mass where none act.
+  const std::vector<std::array<ForceOnBlock<D>, 4>>& forces() const { return forces_; }
 
  private:
   /// Of the particles of a block in the first two stages, before body forces act: what (RP.88)
@@ -66,9 +78,10 @@ class BodyForces {
   double mass_scaling_;
   bool is_adaptive_;  ///< the damping rate, (RP.88)
   double time_step_ = 0;
-  std::vector<EnergyBudget> of_block_;  ///< [block], of the present step
-  std::vector<Point<D>> impulse_;       ///< likewise
-  std::vector<Motion> motion_;          ///< likewise
+  std::vector<EnergyBudget> of_block_;                  ///< [block], of the present step
+  std::vector<Point<D>> impulse_;                       ///< likewise
+  std::vector<std::array<ForceOnBlock<D>, 4>> forces_;  ///< likewise
+  std::vector<Motion> motion_;                          ///< likewise
 };
 
 extern template class BodyForces<double, 2>;

@@ -68,6 +68,8 @@ enum class Field {
   contact_impulse,
   block_momentum,
   momentum_budget,
+  block_motion,
+  motion_budget,
   loaded_facet,
   // Neighbour search.
   closest_pair,
@@ -154,6 +156,8 @@ enum class Group {
   contact_impulse,
   momentum,
   momentum_budgets,
+  motion,
+  motion_budgets,
   loaded_facets,
   closest_pairs,
   search_decisions,
@@ -247,6 +251,9 @@ inline constexpr Table field_list = [] {
       {F::contact_impulse, "", "contact_impulse", "N s", vector, S::block, G::contact_impulse},
       {F::block_momentum, "", "block_momentum", "kg, N s", vector, S::block, G::momentum},
       {F::momentum_budget, "M, P", "momentum_budget", "kg, N s", vector, S::body, G::momentum_budgets, not_at_all, 1, saved},
+
+      {F::block_motion, "", "block_motion", "kg, N s, N m s", list, S::block, G::motion},
+      {F::motion_budget, "M, P, L", "motion_budget", "kg, N s, N m s", list, S::body, G::motion_budgets, not_at_all, 1, saved},
 
       {F::loaded_facet, "", "loaded_facet", "m", list, S::block, G::loaded_facets},
       {F::closest_pair, "r/h", "closest_pair", "1", scalar, S::block, G::closest_pairs},

@@ -40,6 +40,10 @@ class ParticleUpdate {
   BodyForce<D> body_force(int block, int stage) const { return body_forces_.of(block, stage); }
   /// [block] impulse of body forces in the step [N s].
   const std::vector<Point<D>>& body_force_impulse() const { return body_forces_.impulse(); }
+  /// [block][stage] body forces in the step.
+  const std::vector<std::array<ForceOnBlock<D>, 4>>& body_forces() const {
+    return body_forces_.forces();
+  }
   /// Stress of a state that no stage has left behind.
   kernels::StageResult evaluate_stress(int block);
 

@@ -34,6 +34,8 @@ inline constexpr Table group_list = [] {
                    {G::contact_impulse, "contact impulse"},
                    {G::momentum, "momentum"},
                    {G::momentum_budgets, "momentum budgets"},
+                   {G::motion, "motion"},
+                   {G::motion_budgets, "motion budgets"},
                    {G::loaded_facets, "loaded facets"},
                    {G::closest_pairs, "closest pairs"},
                    {G::search_decisions, "search decisions"},

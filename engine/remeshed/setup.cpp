@@ -50,11 +50,12 @@ void set_up(const Case& settings, const BodyCase& source, Body<T, D>& body) {
 
 template <class T, int D>
 State<T, D> make_state(const Case& settings) {
-  State<T, D> state{{}, Boundaries<D>(settings.boundaries), {}, {}, {}, {}, {}, {}};
+  State<T, D> state{{}, Boundaries<D>(settings.boundaries), {}, {}, {}, {}, {}, {}, {}};
   state.clock.damping = settings.discretisation.damping.value_or(0);
   state.wall_impulse.resize(state.boundaries.walls.size());
   state.contact_impulse.resize(settings.contacts.size());
   state.bodies.resize(settings.bodies.size());
+  state.motion_budgets.resize(settings.bodies.size());
   for (std::size_t b = 0; b < state.bodies.size(); ++b) {
     set_up(settings, settings.bodies[b], state.bodies[b]);
   }

@@ -114,6 +114,7 @@ void Solver<T, D>::move(double dt) {
   find_neighbours(dt);
   run(*present_graph_);
   step_.fold();
+  step_.follow_motion(dt);
   check_finite(settings(), step_.results(), state_, remedies);
   check_strain(settings(), step_.results(), state_, dt, remedies);
   for (Wall<D>& wall : state_.boundaries.walls) wall.move(clock.time, dt);

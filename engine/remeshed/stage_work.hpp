@@ -46,6 +46,10 @@ class StageWork {
   const std::vector<Point<D>>& body_force_impulse() const {
     return particles_.body_force_impulse();
   }
+  /// [block][stage] body forces in the step.
+  const std::vector<std::array<ForceOnBlock<D>, 4>>& body_forces() const {
+    return particles_.body_forces();
+  }
   const StageResults& results() const { return results_; }
   Surroundings<D> around(int block, int stage) const {
     return {state_.boundaries, boundary_values_[stage], particles_.body_force(block, stage)};

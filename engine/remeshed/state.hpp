@@ -30,6 +30,15 @@ struct MomentumBudget {
   Point<D> momentum = {};  ///< [N s]
 };
 
+/// Of any body that has a surface, see motion_correction.hpp.
+template <int D>
+struct MotionBudget {
+  double mass = 0;         ///< M of (RP.87) times that after the last remeshing [kg]
+  Point<D> momentum = {};  ///< [N s]
+  Vector spin = {};        ///< angular momentum about the mass centre; z alone in 2D [N m s]
+  bool is_known = false;   ///< unless something has held or pushed the body since then
+};
+
 template <class T, int D>
 struct State {
   Clock clock;
@@ -39,7 +48,8 @@ struct State {
   std::vector<Point<D>> contact_impulse;  ///< [contact] on its second body, since t = 0 [N s]
   std::vector<Body<T, D>> bodies;
   std::vector<MomentumBudget<D>>
-      momentum_budgets;  ///< [body], or none without contacts between bodies
+      momentum_budgets;                         ///< [body], or none without contacts between bodies
+  std::vector<MotionBudget<D>> motion_budgets;  ///< [body]
   std::vector<BlockOwner> blocks;
 
   std::int64_t particles() const {

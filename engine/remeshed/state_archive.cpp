@@ -164,6 +164,30 @@ void get_ghosts(const ArchiveReader& archive, const std::string& group,
   archive.read(list_name(group, Field::record_slope), numbers_of(population.slope));
 }
 
+template <int D>
+void put_motion_budgets(ArchiveWriter& archive, const std::vector<MotionBudget<D>>& budgets) {
+  std::vector<double> values;
+  for (const MotionBudget<D>& budget : budgets) {
+    values.push_back(budget.mass);
+    values.insert(values.end(), budget.momentum.begin(), budget.momentum.end());
+    values.insert(values.end(), budget.spin.begin(), budget.spin.end());
+    values.push_back(budget.is_known ? 1 : 0);
+  }
+  archive.put("motion_budgets", std::span<const double>(values));
+}
+
+template <int D>
+void get_motion_budgets(const ArchiveReader& archive, std::vector<MotionBudget<D>>& budgets) {
+  const auto values = archive.get<double>("motion_budgets");
+  std::size_t next = 0;
+  for (MotionBudget<D>& budget : budgets) {
+    budget.mass = values.at(next++);
+    for (double& component : budget.momentum) component = values.at(next++);
+    for (double& component : budget.spin) component = values.at(next++);
+    budget.is_known = values.at(next++) != 0;
+  }
+}
+
 }  // namespace
 
 template <class T, int D>
@@ -185,6 +209,7 @@ void put_state(ArchiveWriter& archive, const State<T, D>& state) {
     momentum_budgets.insert(momentum_budgets.end(), budget.momentum.begin(), budget.momentum.end());
   }
   archive.put("momentum_budgets", std::span<const double>(momentum_budgets));
+  put_motion_budgets<D>(archive, state.motion_budgets);
   for (std::size_t b = 0; b < state.bodies.size(); ++b) {
     const Body<T, D>& body = state.bodies[b];
     const std::string group = fmt::format("body/{}", b);
@@ -223,6 +248,7 @@ void get_state(const ArchiveReader& archive, State<T, D>& state, Remeshings<T, D
     for (int a = 0; a < D; ++a)
       state.momentum_budgets[b].momentum[a] = momentum_budgets.at((D + 1) * b + a + 1);
   }
+  get_motion_budgets<D>(archive, state.motion_budgets);
   for (std::size_t b = 0; b < state.bodies.size(); ++b) {
     Body<T, D>& body = state.bodies[b];
     const std::string group = fmt::format("body/{}", b);

@@ -28,6 +28,7 @@ void StateCopy<T, D>::keep(const State<T, D>& state) {
   wall_impulse_ = state.wall_impulse;
   contact_impulse_ = state.contact_impulse;
   momentum_budgets_ = state.momentum_budgets;
+  motion_budgets_ = state.motion_budgets;
   bodies_.resize(state.bodies.size());
   for (std::size_t b = 0; b < bodies_.size(); ++b) {
     const Body<T, D>& body = state.bodies[b];
@@ -62,6 +63,7 @@ void StateCopy<T, D>::put_back(State<T, D>& state) const {
   state.wall_impulse = wall_impulse_;
   state.contact_impulse = contact_impulse_;
   state.momentum_budgets = momentum_budgets_;
+  state.motion_budgets = motion_budgets_;
   for (std::size_t b = 0; b < bodies_.size(); ++b) {
     Body<T, D>& body = state.bodies[b];
     const OfBody& copy = bodies_[b];

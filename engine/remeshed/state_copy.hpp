@@ -33,6 +33,7 @@ class StateCopy {
   EnergyBudget energy_;
   std::vector<Point<D>> wall_offset_, wall_impulse_, contact_impulse_;
   std::vector<MomentumBudget<D>> momentum_budgets_;
+  std::vector<MotionBudget<D>> motion_budgets_;
   std::vector<OfBody> bodies_;
 };
 

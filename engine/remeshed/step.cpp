@@ -60,7 +60,8 @@ Step<T, D>::Step(State<T, D>& state, const Case& settings,
       settings_(settings),
       work_(state, settings, kernels),
       contact_(state, settings, kernels),
-      momentum_(state, settings) {}
+      momentum_(state, settings),
+      motion_(state, settings) {}
 
 template <class T, int D>
 std::vector<Phase> Step<T, D>::phases() {
@@ -91,6 +92,7 @@ std::vector<Phase> Step<T, D>::stress_phases() {
   std::vector<Phase> phases;
   PhaseRows(phases).each("stress", read_by_evaluate_stress(), written_by_evaluate_stress(),
                          [this](int block) { work_.evaluate_stress(block); });
+  motion_.add_phases(phases);
   if (momentum_.is_needed()) momentum_.add_phases(phases, {});
   return phases;
 }

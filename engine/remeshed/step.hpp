@@ -5,6 +5,7 @@
 #include "engine/method/phase_rows.hpp"
 #include "engine/remeshed/contact/body_contact.hpp"
 #include "engine/remeshed/contact/momentum_correction.hpp"
+#include "engine/remeshed/remeshing/motion_correction.hpp"
 #include "engine/remeshed/stage_work.hpp"
 #include "engine/remeshed/state.hpp"
 #include "kernels/remeshed/table.hpp"
@@ -33,6 +34,8 @@ class Step {
   Surroundings<D> surroundings() const { return work_.around(0, 0); }
   /// What a step found over all blocks.
   void fold() { work_.fold(); }
+  /// What a step of `time_step` [s] did to the budgets of momentum and spin, after it.
+  void follow_motion(double time_step) { motion_.add_step(work_.body_forces(), time_step); }
   const StageResults& results() const { return work_.results(); }
 
  private:
@@ -57,6 +60,7 @@ class Step {
   StageWork<T, D> work_;
   BodyContact<T, D> contact_;
   MomentumCorrection<T, D> momentum_;
+  MotionCorrection<T, D> motion_;
 };
 
 extern template class Step<double, 2>;

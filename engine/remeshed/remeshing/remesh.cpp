@@ -8,6 +8,7 @@
 #include "engine/method/phase_rows.hpp"
 #include "engine/remeshed/images.hpp"
 #include "engine/remeshed/initial_fields.hpp"
+#include "engine/remeshed/level_set/initial_surface.hpp"
 #include "engine/remeshed/loaded_surface.hpp"
 #include "engine/remeshed/resources.hpp"
 
@@ -23,6 +24,8 @@
 //                       them (RP.31)-(RP.36)
 //     remesh: images    periodic bodies: slots beyond a period repeat the nodes one period away
 //     remesh: filter    high-order filter (RP.37)
+//     level set: initial surface   phi of bodies that no wall holds moves towards where their
+//                       displacements say that the surface is (RP.92)
 //     level set: walls  phi continued through walls
 //     level set: first order   the paper's reinitialisation, where the case asks for it (RP.74)
 //     level set: closest points   on the surface, of the nodes near it (RP.41)
@@ -142,7 +145,10 @@ void Remeshing<T, D>::target_phases(std::vector<scheduler::Phase>& phases, int f
                                     bool from_particles) {
   PhaseRows rows(phases, first_block, body_.spare.layout.blocks().size());
   if (from_particles) add_fields(rows);
-  if (body_.has_surface) add_level_set(rows);
+  if (body_.has_surface) {
+    if (from_particles) add_initial_surface(rows);
+    add_level_set(rows);
+  }
   rows.each("remesh: kinds",
             own(whole(closest, 0) + whole(closest, 1) + particles(new_state) + particles(marks)),
             own(particles(new_state) + particles(new_kinds) + images(new_state) +
@@ -171,6 +177,17 @@ void Remeshing<T, D>::add_fields(PhaseRows& rows) {
                 fields_.swap_in_filtered();
                 share_with_level_set();
               });
+}
+
+// Beside walls displacements are less sure than phi, and in periodic cells they pass the ends.
+template <class T, int D>
+void Remeshing<T, D>::add_initial_surface(PhaseRows& rows) {
+  if (boundaries_.have_attached_walls() || body_.lattice.is_periodic()) return;
+  rows.each("level set: initial surface", own(with_images(new_state) + with_images(marks)),
+            own(with_images(new_state)), [this](int b) {
+              recall_initial_surface<T, D>(body_.lattice, body_.spare.layout, b, initial_surface_,
+                                           fields_.valid(), body_.stage[1]);
+            });
 }
 
 template <class T, int D>

@@ -47,6 +47,7 @@ class Remeshing {
 
  private:
   void add_fields(PhaseRows& rows);
+  void add_initial_surface(PhaseRows& rows);
   void add_level_set(PhaseRows& rows);
   void add_first_order_passes(PhaseRows& rows);
   void add_ghosts(PhaseRows& rows);

@@ -205,7 +205,9 @@ Names fields_of_checkpoint(const Solver& solver, const std::vector<std::string>&
 
 TEST(checkpoints, hold_exactly_the_saved_fields) {
   Names of_bodies = saved(remeshed::field_list);
-  ASSERT_EQ(of_bodies.erase("momentum_budget"), 1u);  // of each body, but one array
+  // Of each body, but one array for all.
+  ASSERT_EQ(of_bodies.erase("momentum_budget"), 1u);
+  ASSERT_EQ(of_bodies.erase("motion_budget"), 1u);
   EXPECT_EQ(fields_of_checkpoint(*stepped_remeshed(), {"body/0", "body/0/ghosts"},
                                  {"occupied_packs", "lattice_origin", "particles", "strain",
                                   "strain_rate", "ghosts", "reached"}),

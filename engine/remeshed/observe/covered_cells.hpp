@@ -1,0 +1,203 @@
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "engine/boundaries/walls.hpp"
+#include "engine/remeshed/lattice_view.hpp"
+#include "kernels/layout.hpp"
+
+namespace pliant::remeshed {
+
+constexpr int sub_cells = 10;          ///< to a side, of a cell that the surface may cut
+constexpr double coverage_slope = 10;  ///< (RP.42)
+
+/// Integrals of the coverage of a cell, and of it times s_a, s_a s_b and s_a s_b s_c, with s in
+/// [-1/2, 1/2]^D.
+template <int D>
+struct Moments {
+  using Row = std::array<double, sub_cells>;
+
+  double zeroth = 0;
+  Point<D> first = {};
+  std::array<Point<D>, D> second = {};
+  std::array<std::array<Point<D>, D>, D> third = {};
+
+  static Moments of_whole_cell() {
+    Moments whole;
+    whole.zeroth = 1;
+    for (int a = 0; a < D; ++a) whole.second[a][a] = 1.0 / 12;
+    return whole;
+  }
+
+  /// Place of a sub-cell along an axis, in [-1/2, 1/2] cells.
+  static constexpr double centre(int i) { return (i + 0.5) / sub_cells - 0.5; }
+
+  /// Adds the sub-cells of a row along the first axis; t is its place, with 1 for the first
+  /// component.
+  void add_row(const Row& weights, const Point<D>& t) {
+    std::array<double, 4> sums = {};  // times powers of s_0
+    for (int i = 0; i < sub_cells; ++i) {
+      const double s = centre(i);
+      sums[0] += weights[i];
+      sums[1] += weights[i] * s;
+      sums[2] += weights[i] * s * s;
+      sums[3] += weights[i] * s * s * s;
+    }
+    for (double& sum : sums) sum /= kernels::power(sub_cells, D);
+    zeroth += sums[0];
+    for (int a = 0; a < D; ++a) {
+      first[a] += t[a] * sums[a == 0];
+      for (int b = 0; b < D; ++b) {
+        second[a][b] += t[a] * t[b] * sums[(a == 0) + (b == 0)];
+        for (int c = 0; c < D; ++c) {
+          third[a][b][c] += t[a] * t[b] * t[c] * sums[(a == 0) + (b == 0) + (c == 0)];
+        }
+      }
+    }
+  }
+};
+
+/// The cells around the nodes of a body, and the part of each that the body covers in front of
+/// every wall, (RP.42).
+template <class T, int D>
+class CoveredCells {
+ public:
+  CoveredCells(const LatticeView<T, D>& view, const Boundaries<D>& boundaries)
+      : view_(view), boundaries_(boundaries), h_(view.body.lattice.spacing) {}
+
+  /// Calls f(slot, cell, moments) for the cells of a block that the body may cover.
+  template <class F>
+  void for_each(const Block<D>& block, F&& f) const {
+    const T* phi = view_.fields.get(Field::level_set);
+    const double reach = 0.5 * std::sqrt(static_cast<double>(D)) + 0.2;
+    view_.population.layout.for_each_slot(block, [&](std::int64_t p, const Cell<D>& cell) {
+      if (!holds_particle(p) || !view_.body.lattice.is_wrapped(cell)) return;
+      const double distance = phi[p] / h_;
+      if (distance > reach) return;
+      const Point<D> x = view_.body.lattice.node(cell);
+      const double wall = distance_to_walls(x) / h_;
+      if (wall < -reach) return;
+      const bool is_whole = distance < -reach && wall > reach;
+      f(p, cell, is_whole ? whole_ : covered(x, expand(p, cell), wall < reach));
+    });
+  }
+
+  /// Calls f(axis, up, down) with the slots beside a node along each axis that has both.
+  template <class F>
+  void for_each_pair(const Cell<D>& cell, F&& f) const {
+    for (int a = 0; a < D; ++a) {
+      const std::int64_t up = neighbour(cell, a, 1), down = neighbour(cell, a, -1);
+      if (holds_particle(up) && holds_particle(down)) f(a, up, down);
+    }
+  }
+
+ private:
+  using Row = typename Moments<D>::Row;
+
+  /// phi to second order about a node [h], places in cells.
+  struct Expansion {
+    double phi = 0;
+    Point<D> slope = {};
+    std::array<Point<D>, D> curvature = {};
+  };
+
+  double distance_to_walls(const Point<D>& x) const {
+    return std::min(boundaries_.nearest_wall(x).second, boundaries_.nearest_contact(x).second);
+  }
+
+  std::int64_t neighbour(Cell<D> cell, int axis, int step) const {
+    cell[axis] += step;
+    return view_.population.layout.slot(view_.body.lattice.wrapped(cell));
+  }
+
+  bool holds_particle(std::int64_t p) const {
+    return p >= 0 && view_.population.kind[p] != Kind::vacant;
+  }
+
+  Expansion expand(std::int64_t p, const Cell<D>& cell) const {
+    const T* phi = view_.fields.get(Field::level_set);
+    Expansion e;
+    e.phi = phi[p] / h_;
+    for (int a = 0; a < D; ++a) {
+      const std::int64_t up = neighbour(cell, a, 1), down = neighbour(cell, a, -1);
+      if (up < 0 || down < 0) continue;
+      e.slope[a] = (phi[up] - phi[down]) / (2 * h_);
+      e.curvature[a][a] = (phi[up] - 2 * phi[p] + phi[down]) / h_;
+      for (int b = a + 1; b < D; ++b) {
+        e.curvature[a][b] = e.curvature[b][a] = mixed(cell, a, b, phi);
+      }
+    }
+    return e;
+  }
+
+  double mixed(Cell<D> cell, int a, int b, const T* phi) const {
+    double sum = 0;
+    for (const int i : {-1, 1}) {
+      for (const int j : {-1, 1}) {
+        Cell<D> corner = cell;
+        corner[a] += i;
+        corner[b] += j;
+        const std::int64_t q = view_.population.layout.slot(view_.body.lattice.wrapped(corner));
+        if (q < 0) return 0;
+        sum += i * j * phi[q];
+      }
+    }
+    return sum / (4 * h_);
+  }
+
+  Moments<D> covered(const Point<D>& x, const Expansion& e, bool is_near_wall) const {
+    Moments<D> moments;
+    for (int k = 0; k < kernels::power(sub_cells, D - 1); ++k) {
+      Point<D> t = {1};
+      for (int a = 1, rest = k; a < D; ++a, rest /= sub_cells) {
+        t[a] = Moments<D>::centre(rest % sub_cells);
+      }
+      Row row;
+      if (!cover(e, t, row)) continue;
+      if (is_near_wall) leave_out_walls(x, t, row);
+      moments.add_row(row, t);
+    }
+    return moments;
+  }
+
+  /// False where a row lies outside.
+  static bool cover(const Expansion& e, const Point<D>& t, Row& row) {
+    double phi = e.phi, slope = e.slope[0];  // at the middle of the row
+    for (int a = 1; a < D; ++a) {
+      phi += e.slope[a] * t[a];
+      slope += e.curvature[0][a] * t[a];
+      for (int b = 1; b < D; ++b) phi += 0.5 * e.curvature[a][b] * t[a] * t[b];
+    }
+    const double across = 0.5 * std::abs(slope) + 0.125 * std::abs(e.curvature[0][0]);
+    if (phi - across > 0.5 / coverage_slope) return false;
+    if (phi + across < -0.5 / coverage_slope) {
+      row.fill(1);
+      return true;
+    }
+    for (int i = 0; i < sub_cells; ++i) {
+      const double s = Moments<D>::centre(i);
+      const double at = phi + s * (slope + 0.5 * e.curvature[0][0] * s);
+      row[i] = std::clamp(0.5 - coverage_slope * at, 0.0, 1.0);
+    }
+    return true;
+  }
+
+  void leave_out_walls(const Point<D>& x, const Point<D>& t, Row& row) const {
+    Point<D> at;
+    for (int a = 1; a < D; ++a) at[a] = x[a] + h_ * t[a];
+    for (int i = 0; i < sub_cells; ++i) {
+      if (row[i] == 0) continue;
+      at[0] = x[0] + h_ * Moments<D>::centre(i);
+      row[i] *= std::clamp(0.5 + coverage_slope * distance_to_walls(at) / h_, 0.0, 1.0);
+    }
+  }
+
+  LatticeView<T, D> view_;
+  const Boundaries<D>& boundaries_;
+  double h_;
+  Moments<D> whole_ = Moments<D>::of_whole_cell();
+};
+
+}  // namespace pliant::remeshed

@@ -1,0 +1,213 @@
+#include "engine/remeshed/remeshing/motion_correction.hpp"
+
+#include <Eigen/Dense>
+#include <algorithm>
+
+#include "engine/geometry/padded.hpp"
+#include "engine/method/phase_rows.hpp"
+#include "engine/remeshed/ghosts/record_loads.hpp"
+#include "engine/remeshed/resources.hpp"
+#include "engine/remeshed/runge_kutta.hpp"
+
+namespace pliant::remeshed {
+
+namespace {
+
+using scheduler::Phase;
+
+Vector crossed(const Vector& a, const Vector& b) {
+  return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
+}
+
+Vector mass_centre(const MotionIntegrals& motion) {
+  Vector centre;
+  for (int a = 0; a < 3; ++a) centre[a] = motion.first_moment[a] / motion.mass;
+  return centre;
+}
+
+/// Angular momentum about the mass centre.
+Vector spin_of(const MotionIntegrals& motion) {
+  const Vector of_centre = crossed(mass_centre(motion), motion.momentum);
+  Vector spin;
+  for (int a = 0; a < 3; ++a) spin[a] = motion.angular_momentum[a] - of_centre[a];
+  return spin;
+}
+
+/// I^-1 L with I = tr(S) 1 - S, S the second moments about the mass centre; in 2D about z alone.
+template <int D>
+Vector angular_velocity(const MotionIntegrals& motion, const Vector& spin) {
+  Eigen::Matrix3d second;
+  for (int a = 0; a < 3; ++a) {
+    for (int b = 0; b < 3; ++b) {
+      second(a, b) = motion.second_moment[a][b] -
+                     motion.first_moment[a] * motion.first_moment[b] / motion.mass;
+    }
+  }
+  if constexpr (D == 2) return {0, 0, spin[2] / second.trace()};
+  const Eigen::Matrix3d inertia = second.trace() * Eigen::Matrix3d::Identity() - second;
+  const Eigen::Vector3d omega = inertia.llt().solve(Eigen::Vector3d(spin[0], spin[1], spin[2]));
+  return {omega[0], omega[1], omega[2]};
+}
+
+void add(MotionIntegrals& sum, const MotionIntegrals& other) {
+  sum.mass += other.mass;
+  sum.kinetic_energy += other.kinetic_energy;
+  for (int a = 0; a < 3; ++a) {
+    sum.first_moment[a] += other.first_moment[a];
+    sum.momentum[a] += other.momentum[a];
+    sum.angular_momentum[a] += other.angular_momentum[a];
+    for (int b = 0; b < 3; ++b) sum.second_moment[a][b] += other.second_moment[a][b];
+  }
+}
+
+template <int D>
+void add(ForceOnBlock<D>& sum, const ForceOnBlock<D>& other) {
+  sum.mass += other.mass;
+  for (int a = 0; a < D; ++a) {
+    sum.first_moment[a] += other.first_moment[a];
+    sum.force[a] += other.force[a];
+  }
+  for (int a = 0; a < 3; ++a) sum.moment[a] += other.moment[a];
+}
+
+/// Adds the impulse of a force on the particles, whose mass sum differs from that of the body.
+template <int D>
+void add_impulse(MotionBudget<D>& budget, const ForceOnBlock<D>& on_body, double duration) {
+  if (on_body.mass == 0) return;
+  const double share = duration * budget.mass / on_body.mass;
+  Vector centre = padded<D>(on_body.first_moment);
+  for (double& component : centre) component /= on_body.mass;
+  const Vector of_centre = crossed(centre, padded<D>(on_body.force));
+  for (int a = 0; a < D; ++a) budget.momentum[a] += share * on_body.force[a];
+  for (int a = 0; a < 3; ++a) budget.spin[a] += share * (on_body.moment[a] - of_centre[a]);
+}
+
+template <class T, int D>
+bool is_held(const Body<T, D>& body) {
+  const auto is_load = [](std::int8_t load) { return load != no_load; };
+  const auto is_wall = [](std::int8_t wall) { return wall >= 0; };
+  return std::ranges::any_of(body.population.ghosts, [&](const BlockGhosts<T, D>& ghosts) {
+    return std::ranges::any_of(ghosts.pressure, is_load) ||
+           std::ranges::any_of(ghosts.wall, is_wall);
+  });
+}
+
+template <class T, int D>
+bool touches_another(const Body<T, D>& body) {
+  return std::ranges::any_of(body.population.ghosts, [](const BlockGhosts<T, D>& ghosts) {
+    return !ghosts.contact_points.ghost.empty();
+  });
+}
+
+}  // namespace
+
+template <class T, int D>
+void MotionCorrection<T, D>::add_step(const std::vector<std::array<ForceOnBlock<D>, 4>>& forces,
+                                      double time_step) {
+  thread_local std::vector<ForceOnBlock<D>> on_body;
+  for (int stage = 0; stage < 4; ++stage) {
+    on_body.assign(state_.bodies.size(), {});
+    for (std::size_t b = 0; b < forces.size(); ++b) {
+      add(on_body[state_.blocks[b].body], forces[b][stage]);
+    }
+    for (std::size_t b = 0; b < on_body.size(); ++b) {
+      add_impulse(state_.motion_budgets[b], on_body[b], stage_weight[stage] * time_step);
+    }
+  }
+  for (std::size_t b = 0; b < state_.bodies.size(); ++b) {
+    if (touches_another(state_.bodies[b])) state_.motion_budgets[b].is_known = false;
+  }
+}
+
+template <class T, int D>
+void MotionCorrection<T, D>::add_phases(std::vector<Phase>& phases) {
+  of_block_.resize(state_.blocks.size());
+  using namespace resource;
+  using enum Group;
+  PhaseRows rows(phases);
+  rows.each("motion", near(slots(velocity) + slots(material) + slots(constants) + whole(kinds)),
+            own(whole(motion)), [this](int block) { integrate(block); });
+  rows.reduce("motion", all(whole(motion) + whole(motion_budgets)), all(whole(motion_budgets)),
+              [this] { balance(); });
+  rows.each("motion", all(whole(motion_budgets)) + own(slots(velocity) + whole(kinds)),
+            own(slots(velocity)), [this](int block) { correct(block); });
+}
+
+template <class T, int D>
+void MotionCorrection<T, D>::integrate(int block) {
+  const auto owner = state_.owner(block);
+  const Body<T, D>& body = owner.body;
+  MotionIntegrals& sum = of_block_[block] = {};
+  if (!is_followed(body) || is_held(body)) return;
+  const CoveredCells<T, D> cells({body, body.population, body.stage[0]}, state_.boundaries);
+  cells.for_each(body.population.layout.blocks()[owner.block],
+                 [&](std::int64_t p, const Cell<D>& cell, const Moments<D>& moments) {
+                   sum.add<D>(body.lattice.spacing, body.lattice.node(cell),
+                              NodeMotion<D>(body.stage[0], cells, p, cell), moments);
+                 });
+}
+
+template <class T, int D>
+void MotionCorrection<T, D>::balance() {
+  thread_local std::vector<MotionIntegrals> sums;
+  sums.assign(state_.bodies.size(), {});
+  for (std::size_t b = 0; b < of_block_.size(); ++b) add(sums[state_.blocks[b].body], of_block_[b]);
+  of_body_.assign(sums.size(), {});
+  for (std::size_t b = 0; b < sums.size(); ++b) {
+    const MotionIntegrals& now = sums[b];
+    MotionBudget<D>& budget = state_.motion_budgets[b];
+    if (!is_followed(state_.bodies[b]) || is_held(state_.bodies[b])) {
+      budget.is_known = false;
+      continue;
+    }
+    if (budget.is_known) {
+      of_body_[b] = correction(now, budget);
+    } else {
+      std::copy_n(now.momentum.begin(), D, budget.momentum.begin());
+      budget.spin = spin_of(now);
+      budget.is_known = true;
+    }
+    budget.mass = now.mass;
+  }
+}
+
+// (RP.90)
+template <class T, int D>
+auto MotionCorrection<T, D>::correction(const MotionIntegrals& now,
+                                        const MotionBudget<D>& budget) const -> Correction {
+  Correction found;
+  found.acts = true;
+  found.centre = mass_centre(now);
+  for (int a = 0; a < D && keeps_momentum_; ++a) {
+    found.velocity[a] = (budget.momentum[a] - now.momentum[a]) / now.mass;
+  }
+  Vector missing = spin_of(now);
+  for (int a = 0; a < 3; ++a) missing[a] = budget.spin[a] - missing[a];
+  found.angular_velocity = angular_velocity<D>(now, missing);
+  return found;
+}
+
+template <class T, int D>
+void MotionCorrection<T, D>::correct(int block) {
+  const Correction& by = of_body_[state_.blocks[block].body];
+  if (!by.acts) return;
+  const auto owner = state_.owner(block);
+  Body<T, D>& body = owner.body;
+  const Layout<D>& layout = body.population.layout;
+  std::array<T*, D> u;
+  for (int a = 0; a < D; ++a) u[a] = body.stage[0].get(Field::velocity, a);
+  layout.for_each_slot(layout.blocks()[owner.block], [&](std::int64_t p, const Cell<D>& cell) {
+    if (body.population.kind[p] == Kind::vacant) return;
+    Vector r = padded<D>(body.lattice.node(cell));
+    for (int a = 0; a < D; ++a) r[a] -= by.centre[a];
+    const Vector turned = crossed(by.angular_velocity, r);
+    for (int a = 0; a < D; ++a) u[a][p] += static_cast<T>(by.velocity[a] + turned[a]);
+  });
+}
+
+template class MotionCorrection<double, 2>;
+template class MotionCorrection<double, 3>;
+template class MotionCorrection<float, 2>;
+template class MotionCorrection<float, 3>;
+
+}  // namespace pliant::remeshed
