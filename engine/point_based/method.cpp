@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "engine/case/blade_track.hpp"
+#include "engine/case/check_motion.hpp"
 #include "engine/point_based/cut_resolution.hpp"
 #include "engine/point_based/footprint.hpp"
 #include "engine/point_based/observe/measure.hpp"
@@ -31,6 +32,10 @@ void check_cut(const Check& check, std::size_t i) {
         check.place("cut", i, "end"),
         fmt::format("cut \"{}\" ends at {}, and starts at {}", cut.name, cut.end, cut.start),
         "give an end after the start");
+  }
+  if (!starts_in_place(check, check.place("cut", i, "path"),
+                       fmt::format("the path of cut \"{}\"", cut.name), cut.path, cut.start)) {
+    return;
   }
   const BladeEdge start = edge_of(cut, cut.start);
   if (check.a_case.dimension == 3 && start.from == start.to) {
