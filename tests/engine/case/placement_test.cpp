@@ -83,11 +83,11 @@ TEST(placement, what_moves_starts_where_the_case_puts_it) {
             "write \"-6*t - (-0.6)\", or start from another place");
   EXPECT_EQ(
       complaint(block_case + boundary("kind = \"moving_wall\"\ndisplacement = [\"1/t\", 0]", left)),
-      "block.toml:12: the displacement of wall \"it\" has no finite value along x at t = 0, "
+      "block.toml:13: the displacement of wall \"it\" has no finite value along x at t = 0, "
       "when it starts; give a formula that is zero there");
   EXPECT_EQ(complaint(block_case +
                       boundary("kind = \"moving_wall\"\ndisplacement = [\"0.1*cos(t)\", 0]", left)),
-            "block.toml:12: the displacement of wall \"it\" is 0.1 along x at t = 0, when it "
+            "block.toml:13: the displacement of wall \"it\" is 0.1 along x at t = 0, when it "
             "starts; write \"0.1*cos(t) - (0.1)\", or start from another place");
 }
 
