@@ -7,7 +7,6 @@
 #include <cmath>
 #include <cstdint>
 
-#include "engine/blocks/box.hpp"
 #include "engine/case/blade_track.hpp"
 #include "engine/case/boundary_kinds.hpp"
 #include "engine/geometry/signed_distance.hpp"
