@@ -58,8 +58,9 @@ void check_times(const Check& check) {
 void check_wall_displacement(const Check& check, std::size_t i) {
   const BoundaryCase& wall = check.a_case.boundaries[i];
   if (!wall.displacement) return;
-  starts_in_place(check, check.place("boundary", i, "displacement"),
-                  fmt::format("the displacement of wall \"{}\"", wall.name), *wall.displacement, 0);
+  check_start_of_motion(check, check.place("boundary", i, "displacement"),
+                        fmt::format("the displacement of wall \"{}\"", wall.name),
+                        *wall.displacement, 0);
 }
 
 void check_wall_motion(const Check& check) {
@@ -88,8 +89,8 @@ void check_wall_motion(const Check& check) {
 
 }  // namespace
 
-bool starts_in_place(const Check& check, const Place& place, std::string_view subject,
-                     const VectorExpression& displacement, double time) {
+void check_start_of_motion(const Check& check, const Place& place, std::string_view subject,
+                           const VectorExpression& displacement, double time) {
   constexpr double rounding = 1e-6;  // of the spacing
   for (int axis = 0; axis < check.a_case.dimension; ++axis) {
     const Expression& component = displacement[axis];
@@ -107,9 +108,8 @@ bool starts_in_place(const Check& check, const Place& place, std::string_view su
                                      subject, axis_name(axis), time),
                          "give a formula that is zero there");
     }
-    return false;
+    return;
   }
-  return true;
 }
 
 void check_case(const Check& check) {

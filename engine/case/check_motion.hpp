@@ -6,9 +6,9 @@
 
 namespace pliant {
 
-/// Whether a displacement is zero at `time`, when what it moves starts; `subject` names that. Adds
-/// what is wrong.
-bool starts_in_place(const Check& check, const Place& place, std::string_view subject,
-                     const VectorExpression& displacement, double time);
+/// Refuses a displacement that is not zero at `time`, when what it moves starts; `subject` names
+/// it.
+void check_start_of_motion(const Check& check, const Place& place, std::string_view subject,
+                           const VectorExpression& displacement, double time);
 
 }  // namespace pliant

@@ -33,16 +33,14 @@ void check_cut(const Check& check, std::size_t i) {
         fmt::format("cut \"{}\" ends at {}, and starts at {}", cut.name, cut.end, cut.start),
         "give an end after the start");
   }
-  if (!starts_in_place(check, check.place("cut", i, "path"),
-                       fmt::format("the path of cut \"{}\"", cut.name), cut.path, cut.start)) {
-    return;
-  }
   const BladeEdge start = edge_of(cut, cut.start);
   if (check.a_case.dimension == 3 && start.from == start.to) {
     check.problems.add(check.place("cut", i, "to"),
                        fmt::format("the edge of cut \"{}\" has no length", cut.name),
                        "give two different ends, from and to");
   }
+  check_start_of_motion(check, check.place("cut", i, "path"),
+                        fmt::format("the path of cut \"{}\"", cut.name), cut.path, cut.start);
 }
 
 void check_nodes(const Check& check) {
