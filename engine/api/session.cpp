@@ -26,6 +26,19 @@ double now() {
   return std::chrono::duration<double>(Clock::now().time_since_epoch()).count();
 }
 
+bool is_finite(const std::array<double, 3>& place) {
+  return std::ranges::all_of(place, [](double x) { return std::isfinite(x); });
+}
+
+void require_numbers(const Input& input) {
+  if (std::isfinite(input.time) && std::isfinite(input.value) && is_finite(input.first) &&
+      is_finite(input.second)) {
+    return;
+  }
+  throw InputError(
+      fmt::format("an input for \"{}\" has a value that is not finite; give numbers", input.name));
+}
+
 }  // namespace
 
 void StepCosts::add(double seconds) {
@@ -46,6 +59,7 @@ std::size_t target_of(const Case& settings, const Input& input) {
 bool Session::has_come(double time) const { return solver_->clock().time >= time * (1 - rounding); }
 
 void Session::enter(const Input& input) {
+  require_numbers(input);
   if (has_come(input.time)) return apply(input);
   if (input.kind == Input::Kind::advance) {
     throw InputError("an advance cannot wait for its time: use play, or advance");
@@ -125,6 +139,10 @@ std::int64_t Session::run(double until, double deadline) {
 }
 
 Progress Session::advance(double until, double budget) {
+  if (std::isnan(until) || std::isnan(budget) || (std::isinf(until) && std::isinf(budget))) {
+    throw InputError(
+        fmt::format("advance until {} s within {} s would never end; give a time", until, budget));
+  }
   const double start = now(), deadline = start + budget;
   Progress progress;
   while (true) {

@@ -1,10 +1,11 @@
 #include <fmt/format.h>
+#include <pliant/error.hpp>
 
 #include <algorithm>
 #include <cmath>
 #include <set>
 
-#include "engine/case/check.hpp"
+#include "engine/case/check_motion.hpp"
 
 namespace pliant {
 
@@ -54,6 +55,14 @@ void check_times(const Check& check) {
   }
 }
 
+void check_wall_displacement(const Check& check, std::size_t i) {
+  const BoundaryCase& wall = check.a_case.boundaries[i];
+  if (!wall.displacement) return;
+  check_start_of_motion(check, check.place("boundary", i, "displacement"),
+                        fmt::format("the displacement of wall \"{}\"", wall.name),
+                        *wall.displacement, 0);
+}
+
 void check_wall_motion(const Check& check) {
   const auto& boundaries = check.a_case.boundaries;
   for (std::size_t i = 0; i < boundaries.size(); ++i) {
@@ -74,10 +83,34 @@ void check_wall_motion(const Check& check) {
                          fmt::format("wall \"{}\" has no motion", boundaries[i].name),
                          "give its velocity, as in velocity = [0, -25], or its displacement");
     }
+    check_wall_displacement(check, i);
   }
 }
 
 }  // namespace
+
+void check_start_of_motion(const Check& check, const Place& place, std::string_view subject,
+                           const VectorExpression& displacement, double time) {
+  constexpr double rounding = 1e-6;  // of the spacing
+  for (int axis = 0; axis < check.a_case.dimension; ++axis) {
+    const Expression& component = displacement[axis];
+    try {
+      const double moved = component(time);
+      if (std::abs(moved) <= rounding * check.a_case.discretisation.spacing) continue;
+      check.problems.add(place,
+                         fmt::format("{} is {:.4g} along {} at t = {}, when it starts", subject,
+                                     moved, axis_name(axis), time),
+                         fmt::format("write \"{} - ({:.6g})\", or start from another place",
+                                     component.text(), moved));
+    } catch (const RunError&) {
+      check.problems.add(place,
+                         fmt::format("{} has no finite value along {} at t = {}, when it starts",
+                                     subject, axis_name(axis), time),
+                         "give a formula that is zero there");
+    }
+    return;
+  }
+}
 
 void check_case(const Check& check) {
   check_names(check, "body", check.a_case.bodies);

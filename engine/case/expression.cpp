@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 #include <muParser.h>
+#include <pliant/error.hpp>
 
 #include <cmath>
 #include <numbers>
@@ -64,6 +65,17 @@ void refuse_assignment(const std::string& formula) {
   }
 }
 
+[[noreturn]] void refuse_value(const mu::Parser& parser, const std::string& formula) {
+  std::string place;
+  for (const auto& [name, variable] : parser.GetUsedVar()) {
+    place += fmt::format("{}{} = {:.6g}", place.empty() ? "" : ", ", name, *variable);
+  }
+  throw RunError(fmt::format(
+      "the formula \"{}\" has no finite value at {}; give one that has a value wherever "
+      "and whenever it acts",
+      formula, place));
+}
+
 /// Sets up the parser, which checks the length of a formula and of its names already.
 template <class Parser>
 std::unique_ptr<Parser> parse(const std::string& formula) {
@@ -116,7 +128,9 @@ double Expression::operator()(double x, double y, double z, double t) const {
   parser_->y = y;
   parser_->z = z;
   parser_->t = t;
-  return parser_->parser.Eval();
+  const double value = parser_->parser.Eval();
+  if (!std::isfinite(value)) refuse_value(parser_->parser, text_);
+  return value;
 }
 
 bool Expression::uses(char variable) const {

@@ -21,7 +21,8 @@ inline constexpr auto measurement_kinds = [] {
        units::metre,
        Sampling::value,
        {body, {Key::axis, "axis along which the extent is measured"}, side, where, length},
-       "coordinate of the farthest point of the free surface along an axis",
+       "coordinate of the farthest point of the free surface along an axis, less the reference; on "
+       "the lower side the reference less the coordinate",
        "no point of the free surface counts"},
       {Kind::surface_distance,
        "surface_distance",
@@ -172,7 +173,7 @@ inline constexpr auto measurement_kinds = [] {
        units::volume,
        Sampling::value,
        {body, relative},
-       "undeformed volume of the largest of these parts",
+       "undeformed volume of the largest of these parts, in whole nodes",
        ""},
       {Kind::minimum_particle_distance,
        "minimum_particle_distance",

@@ -10,6 +10,7 @@
 #include <optional>
 
 #include "engine/batch/child.hpp"
+#include "engine/case/placement.hpp"
 #include "engine/case/reference.hpp"
 #include "engine/case/schema.hpp"
 #include "engine/case/stability.hpp"
@@ -26,13 +27,13 @@ namespace pliant::cli {
 
 namespace {
 
-void warn_of_instability(const Case& settings) {
-  const std::string warning = stability_warning(settings);
-  // A stderr that cannot be written must not end the run.
-  if (warning.empty()) return;
-  const std::string text =
-      fmt::format("{} {}\n", coloured("warning:", Colour::yellow, stderr), warning);
-  std::fputs(text.c_str(), stderr);
+/// A stderr that cannot be written must not end the run.
+void warn_of(const std::vector<std::string>& warnings) {
+  for (const std::string& warning : warnings) {
+    const std::string text =
+        fmt::format("{} {}\n", coloured("warning:", Colour::yellow, stderr), warning);
+    std::fputs(text.c_str(), stderr);
+  }
 }
 
 /// Setting up may take longer than a person waits without a word.
@@ -45,6 +46,13 @@ void announce(const Case& settings, const Estimate& size, const SolverOptions& m
 
 }  // namespace
 
+std::vector<std::string> warnings_of(const Case& settings) {
+  std::vector<std::string> warnings = placement_warnings(settings);
+  const std::string of_steps = stability_warning(settings);
+  if (!of_steps.empty()) warnings.insert(warnings.begin(), of_steps);
+  return warnings;
+}
+
 ExitStatus run(const RunArguments& arguments) {
   // A reader of the progress that ends, as `head` does, must not end the run.
   std::signal(SIGPIPE, SIG_IGN);
@@ -52,7 +60,7 @@ ExitStatus run(const RunArguments& arguments) {
   const ExitOnInterrupt in_set_up(static_cast<int>(ExitStatus::interrupted),
                                   "interrupted before the first step; run it again\n");
   const Case settings = read_case(arguments.source.path, arguments.source.settings);
-  if (!arguments.quiet) warn_of_instability(settings);
+  if (!arguments.quiet) warn_of(warnings_of(settings));
   const Estimate size = estimate(settings);
   if (!arguments.force) refuse_what_does_not_fit(settings, size, available_memory());
   RunOptions options;

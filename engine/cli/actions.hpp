@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "engine/case/case.hpp"
 #include "engine/cli/exit_status.hpp"
 
 /// What each command of the program does. Throws InputError for what the user gave wrong.
@@ -27,6 +28,9 @@ struct RunArguments {
 };
 
 ExitStatus run(const RunArguments& arguments);
+
+/// What `run` and `check` warn of before a run, one sentence each.
+std::vector<std::string> warnings_of(const Case& settings);
 
 struct CheckArguments {
   CaseArguments source;

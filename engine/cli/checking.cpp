@@ -7,7 +7,6 @@
 #include <nlohmann/json.hpp>
 #include <system_error>
 
-#include "engine/case/stability.hpp"
 #include "engine/case/validate_summary.hpp"
 #include "engine/cli/actions.hpp"
 #include "engine/output/colour.hpp"
@@ -29,7 +28,7 @@ struct Checked {
   std::optional<Examined> nodes;  ///< of methods of nodes
   SolverOptions machine;
   std::optional<double> seconds;  ///< none where no small lattice holds the case
-  std::string warning;
+  std::vector<std::string> warnings;
 };
 
 Json json_of(const ExaminedBody& body) {
@@ -76,7 +75,7 @@ Json json_of(const Checked& checked) {
           {"threads", checked.machine.threads},
           {"seconds", checked.seconds ? Json(*checked.seconds) : Json()},
           {"measurements", measurements},
-          {"warnings", checked.warning.empty() ? Json::array() : Json::array({checked.warning})}};
+          {"warnings", checked.warnings}};
 }
 
 std::vector<std::filesystem::path> case_files(const std::filesystem::path& folder) {
@@ -105,13 +104,14 @@ std::string text_of(const Json& json) {
 ExitStatus check(const CheckArguments& arguments) {
   Checked checked;
   checked.settings = read_case(arguments.source.path, arguments.source.settings);
-  checked.warning = stability_warning(checked.settings);
+  checked.warnings = warnings_of(checked.settings);
   checked.size = estimate(checked.settings);
   checked.nodes = examine(checked.settings);
   if (checked.nodes) count_nodes(*checked.nodes, checked.settings.time.end, checked.size);
   checked.machine = solver_options(0, "");
-  if (!checked.warning.empty() && !arguments.json) {
-    fmt::print(stderr, "{} {}\n", coloured("warning:", Colour::yellow, stderr), checked.warning);
+  for (const std::string& warning : checked.warnings) {
+    if (arguments.json) break;
+    fmt::print(stderr, "{} {}\n", coloured("warning:", Colour::yellow, stderr), warning);
   }
   checked.seconds = estimated_seconds(checked.settings, checked.size, checked.machine, methods());
   if (arguments.json) {

@@ -54,6 +54,8 @@ ExitStatus report_exception() {
     return fail(failed, error.what());
   } catch (const pliant::StepFailure& error) {
     return fail(failed, error.what());
+  } catch (const pliant::RunError& error) {
+    return fail(failed, error.what());
   } catch (const std::bad_alloc&) {
     return fail(failed, too_large);
   } catch (const std::length_error&) {

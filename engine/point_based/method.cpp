@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "engine/case/blade_track.hpp"
+#include "engine/case/check_motion.hpp"
 #include "engine/point_based/cut_resolution.hpp"
 #include "engine/point_based/footprint.hpp"
 #include "engine/point_based/observe/measure.hpp"
@@ -38,6 +39,8 @@ void check_cut(const Check& check, std::size_t i) {
                        fmt::format("the edge of cut \"{}\" has no length", cut.name),
                        "give two different ends, from and to");
   }
+  check_start_of_motion(check, check.place("cut", i, "path"),
+                        fmt::format("the path of cut \"{}\"", cut.name), cut.path, cut.start);
 }
 
 void check_nodes(const Check& check) {

@@ -1,6 +1,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <fstream>
 #include <pliant/pliant.hpp>
 #include <string>
@@ -169,6 +170,19 @@ TEST(Session, inputs_that_a_case_cannot_take_are_refused) {
   EXPECT_THROW(simulation.enter({.kind = Input::Kind::lift, .time = 1, .name = "knife"}),
                InputError);
   EXPECT_TRUE(simulation.session().empty());
+}
+
+TEST(Session, what_would_never_come_is_refused) {
+  constexpr double never = HUGE_VAL, nothing = NAN;
+  Simulation simulation(flying_block(), one_thread());
+  EXPECT_THROW(simulation.advance(nothing), InputError);
+  EXPECT_THROW(simulation.advance(never), InputError);
+  EXPECT_THROW(simulation.advance(0.1, nothing), InputError);
+  EXPECT_EQ(simulation.advance(never, 0).steps, 1);
+  EXPECT_THROW(simulation.set_pressure("top", nothing), InputError);
+  EXPECT_THROW(simulation.move_blade("scalpel", {0, never, 0}, {}), InputError);
+  EXPECT_THROW(simulation.enter({.kind = Input::Kind::lift, .time = nothing, .name = "scalpel"}),
+               InputError);
 }
 
 }  // namespace

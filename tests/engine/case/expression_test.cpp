@@ -1,10 +1,12 @@
 #include "engine/case/expression.hpp"
 
 #include <gtest/gtest.h>
+#include <pliant/error.hpp>
 
 #include <cmath>
 #include <numbers>
 #include <stdexcept>
+#include <string>
 
 namespace pliant {
 namespace {
@@ -51,6 +53,23 @@ TEST(expression, it_knows_what_it_depends_on) {
   EXPECT_TRUE(formula.uses('y'));
   EXPECT_FALSE(formula.uses('x'));
   EXPECT_FALSE(Expression(2.0).uses('x'));
+}
+
+TEST(expression, a_value_that_is_not_finite_is_refused_where_it_occurs) {
+  const Expression formula("sqrt(0.5 - t) + 1/y");
+  EXPECT_EQ(formula(7, 1, 0, 0.25), 1.5);
+  const auto complaint = [&](double y, double t) -> std::string {
+    try {
+      formula(7, y, 0, t);
+      return "";
+    } catch (const RunError& error) {
+      return error.what();
+    }
+  };
+  EXPECT_EQ(complaint(1, 0.75),
+            "the formula \"sqrt(0.5 - t) + 1/y\" has no finite value at t = 0.75, y = 1; give one "
+            "that has a value wherever and whenever it acts");
+  EXPECT_NE(complaint(0, 0), "");
 }
 
 TEST(expression, copies_evaluate_by_themselves) {

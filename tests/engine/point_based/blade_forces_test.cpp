@@ -124,12 +124,12 @@ TEST(blade_forces, of_blades_that_callers_put_take_the_same_energy) {
 
 TEST(blade_forces, are_the_same_bytes_over_threads_and_after_a_restart) {
   const TemporaryFolder folder;
-  const Case settings =
-      tests::read_text(free_points(3) +
-                           pushing_blade(3, R"toml([0, "2.5*(t - 0.05)", "sin(20*t)"])toml",
-                                         "resistance = 2\nfriction = 1\ndrag = 0.2\n") +
-                           blade_measurements,
-                       {"time.end=0.4", "output.every=0.15"});
+  const Case settings = tests::read_text(
+      free_points(3) +
+          pushing_blade(3, R"toml([0, "2.5*(t - 0.05)", "sin(20*(t - 0.05))"])toml",
+                        "resistance = 2\nfriction = 1\ndrag = 0.2\n") +
+          blade_measurements,
+      {"time.end=0.4", "output.every=0.15"});
   const FileContent one = result_of(settings, folder / "one", 1);
   EXPECT_EQ(result_of(settings, folder / "two", 2), one);
   EXPECT_EQ(result_of(settings, folder / "one", 2, true), one);

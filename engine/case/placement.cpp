@@ -1,0 +1,132 @@
+#include "engine/case/placement.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdint>
+
+#include "engine/case/blade_track.hpp"
+#include "engine/case/boundary_kinds.hpp"
+#include "engine/geometry/signed_distance.hpp"
+
+namespace pliant {
+
+namespace {
+
+/// Points of a lattice in a box.
+struct Probes {
+  Vector lower = {};
+  std::array<std::int64_t, 3> count = {1, 1, 1};
+  double step = 0;
+
+  std::int64_t size() const { return count[0] * count[1] * count[2]; }
+  Vector at(std::int64_t k) const {
+    const std::array<std::int64_t, 3> cell = {k % count[0], k / count[0] % count[1],
+                                              k / count[0] / count[1]};
+    Vector x = lower;
+    for (int i = 0; i < 3; ++i) x[i] += step * static_cast<double>(cell[i]);
+    return x;
+  }
+  /// No point of the box is farther from one of them.
+  double reach(int dimension) const { return step * std::sqrt(dimension) / 2; }
+};
+
+/// About `spacing` apart, farther where that would be too many.
+Probes probes_of(const Box<3>& box, double spacing, int dimension) {
+  constexpr std::int64_t most = 100000;
+  Probes probes;
+  for (probes.step = spacing;; probes.step *= 1.25) {
+    double points = 1;
+    for (int i = 0; i < dimension; ++i) {
+      const double length = box.upper[i] - box.lower[i];
+      // Shapes without end are the same everywhere along it.
+      const bool has_end = std::isfinite(length);
+      const double along = has_end ? std::floor(length / probes.step) + 1 : 1;
+      probes.lower[i] = has_end ? box.lower[i] : std::clamp(0., box.lower[i], box.upper[i]);
+      probes.count[i] = static_cast<std::int64_t>(std::min(along, 1. * most));
+      points *= along;
+    }
+    if (points <= most) return probes;
+  }
+}
+
+/// Whether a part of `region` lies in the body, or on its surface alone.
+bool reaches(const Shape& region, const Shape& body, bool surface_alone, const Case& a_case) {
+  const int dimension = a_case.dimension;
+  const double spacing = a_case.discretisation.spacing;
+  const Box<3> first = bounding_box(region), second = bounding_box(body);
+  Box<3> both = {};
+  for (int i = 0; i < dimension; ++i) {
+    both.lower[i] = std::max(first.lower[i], second.lower[i]) - spacing;
+    both.upper[i] = std::min(first.upper[i], second.upper[i]) + spacing;
+    if (both.lower[i] > both.upper[i]) return false;
+  }
+  const Probes probes = probes_of(both, spacing, dimension);
+  const double reach = probes.reach(dimension);
+  for (std::int64_t k = 0; k < probes.size(); ++k) {
+    const Vector x = probes.at(k);
+    if (signed_distance(region, x, dimension) > reach) continue;
+    const double distance = signed_distance(body, x, dimension);
+    if ((surface_alone ? std::abs(distance) : distance) <= reach) return true;
+  }
+  return false;
+}
+
+bool reaches_any_body(const Shape& region, bool surface_alone, const Case& a_case) {
+  return std::ranges::any_of(a_case.bodies, [&](const BodyCase& body) {
+    return reaches(region, body.geometry, surface_alone, a_case);
+  });
+}
+
+/// Whether the edge of a blade is in its body at any time.
+bool meets_body(const CutCase& cut, const Case& a_case) {
+  constexpr int times = 1000;
+  constexpr double most_points = 1000;
+  const Shape& body = a_case.bodies[cut.body].geometry;
+  const double spacing = a_case.discretisation.spacing;
+  for (int i = 0; i <= times; ++i) {
+    const BladeEdge edge = edge_of(cut, cut.start + i * (cut.end - cut.start) / times);
+    Vector along = {};  // in 2D the edge is a point
+    for (int a = 0; a < 3 && a_case.dimension == 3; ++a) along[a] = edge.to[a] - edge.from[a];
+    const double length = std::hypot(along[0], along[1], along[2]);
+    const int pieces = static_cast<int>(std::min(std::ceil(length / spacing), most_points));
+    for (int j = 0; j <= pieces; ++j) {
+      Vector x = edge.from;
+      for (int a = 0; a < 3 && pieces > 0; ++a) x[a] += j * along[a] / pieces;
+      if (signed_distance(body, x, a_case.dimension) <= spacing) return true;
+    }
+  }
+  return false;
+}
+
+}  // namespace
+
+std::vector<std::string> placement_warnings(const Case& a_case) {
+  std::vector<std::string> warnings;
+  for (const BoundaryCase& boundary : a_case.boundaries) {
+    const BoundaryKind& kind = row_of(boundary.kind);
+    if (kind.is_attached && !reaches_any_body(boundary.geometry, false, a_case)) {
+      warnings.push_back(fmt::format(
+          "the wall `{}` touches no body at the start, so that it holds nothing; move it, or write "
+          "kind = \"contact_wall\" for bodies that meet it later",
+          boundary.name));
+    } else if (!kind.is_wall && !reaches_any_body(boundary.geometry, true, a_case)) {
+      warnings.push_back(fmt::format(
+          "the region of `{}` holds no surface of a body at the start, so that it loads "
+          "nothing; let its geometry reach across a surface",
+          boundary.name));
+    }
+  }
+  for (const CutCase& cut : a_case.cuts) {
+    if (cut.start >= a_case.time.end || meets_body(cut, a_case)) continue;
+    warnings.push_back(fmt::format(
+        "the cut `{}` never meets body `{}`; its path is a displacement, from where the edge is at "
+        "the start, in the undeformed body",
+        cut.name, a_case.bodies[cut.body].name));
+  }
+  return warnings;
+}
+
+}  // namespace pliant

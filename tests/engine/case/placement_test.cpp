@@ -1,0 +1,95 @@
+#include "engine/case/placement.hpp"
+
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include <string>
+#include <string_view>
+
+#include "tests/engine/case/written_case.hpp"
+
+// What a case says of walls, loads and blades that have no effect where they are.
+namespace pliant {
+namespace {
+
+using tests::block_case;
+using tests::complaint;
+using tests::read_text;
+
+std::string boundary(std::string_view keys, std::string_view geometry) {
+  return fmt::format("[[boundary]]\nname = \"it\"\n{}\ngeometry = {{ {} }}\n", keys, geometry);
+}
+
+/// The block, 1 x 2 at a spacing of 0.1, with what is appended; the first warning.
+std::string warning(const std::string& added, const std::string& method = "total_lagrangian") {
+  const auto found = placement_warnings(
+      read_text(fmt::format("method = \"{}\"\n{}{}", method, block_case, added)));
+  return found.empty() ? "" : found.front();
+}
+
+constexpr std::string_view left = "shape = \"half_space\", point = [0, 0], normal = [1, 0]";
+constexpr std::string_view far = "shape = \"half_space\", point = [-1, 0], normal = [1, 0]";
+constexpr std::string_view sliver = "shape = \"box\", lower = [0.9999, 0], upper = [5, 0.01]";
+constexpr std::string_view inside = "shape = \"box\", lower = [0.4, 0.8], upper = [0.6, 1.2]";
+constexpr std::string_view pull = "kind = \"traction\"\ntraction = [1, 0]";
+
+TEST(placement, walls_and_loads_that_touch_a_body_are_not_mentioned) {
+  for (const std::string_view kind : {"fixed", "slip_wall"}) {
+    EXPECT_EQ(warning(boundary(fmt::format("kind = \"{}\"", kind), left)), "");
+  }
+  EXPECT_EQ(warning(boundary("kind = \"fixed\"", sliver)), "");
+  EXPECT_EQ(warning(boundary(pull, left)), "");
+  EXPECT_EQ(warning(boundary(pull, sliver)), "");
+  EXPECT_EQ(warning(boundary("kind = \"contact_wall\"", far)), "");
+}
+
+TEST(placement, a_wall_that_touches_no_body_holds_nothing) {
+  EXPECT_EQ(warning(boundary("kind = \"fixed\"", far)),
+            "the wall `it` touches no body at the start, so that it holds nothing; move it, or "
+            "write kind = \"contact_wall\" for bodies that meet it later");
+}
+
+TEST(placement, a_region_without_a_surface_loads_nothing) {
+  const std::string expected =
+      "the region of `it` holds no surface of a body at the start, so that it loads nothing; let "
+      "its geometry reach across a surface";
+  EXPECT_EQ(warning(boundary(pull, far)), expected);
+  EXPECT_EQ(warning(boundary(pull, inside)), expected);
+  EXPECT_EQ(warning(boundary("kind = \"pressure\"\npressure = 1", inside)), expected);
+}
+
+std::string blade(std::string_view from, std::string_view path) {
+  return fmt::format("[[cut]]\nname = \"blade\"\nfrom = {}\npath = {}\nstart = 0.1\nend = 0.5\n",
+                     from, path);
+}
+
+const std::string soft =
+    "method = \"point_based\"\n" + tests::with(block_case, "\"linear\"", "\"neo_hookean\"");
+
+TEST(placement, a_blade_that_passes_beside_its_body_cuts_nothing) {
+  const auto warnings = [](std::string_view from) {
+    return placement_warnings(read_text(soft + blade(from, "[0, \"-6*(t - 0.1)\"]")));
+  };
+  EXPECT_TRUE(warnings("[0.5, 2.2]").empty());
+  ASSERT_EQ(warnings("[1.5, 2.2]").size(), 1u);
+  EXPECT_EQ(warnings("[1.5, 2.2]").front(),
+            "the cut `blade` never meets body `block`; its path is a displacement, from where the "
+            "edge is at the start, in the undeformed body");
+}
+
+TEST(placement, what_moves_starts_where_the_case_puts_it) {
+  EXPECT_EQ(complaint(soft + blade("[0.5, 2.2]", "[0, \"-6*t\"]")),
+            "block.toml:14: the path of cut \"blade\" is -0.6 along y at t = 0.1, when it starts; "
+            "write \"-6*t - (-0.6)\", or start from another place");
+  EXPECT_EQ(
+      complaint(block_case + boundary("kind = \"moving_wall\"\ndisplacement = [\"1/t\", 0]", left)),
+      "block.toml:13: the displacement of wall \"it\" has no finite value along x at t = 0, "
+      "when it starts; give a formula that is zero there");
+  EXPECT_EQ(complaint(block_case +
+                      boundary("kind = \"moving_wall\"\ndisplacement = [\"0.1*cos(t)\", 0]", left)),
+            "block.toml:13: the displacement of wall \"it\" is 0.1 along x at t = 0, when it "
+            "starts; write \"0.1*cos(t) - (0.1)\", or start from another place");
+}
+
+}  // namespace
+}  // namespace pliant
