@@ -31,6 +31,8 @@ std::string_view text(Rank rank) {
       return "S: D (D + 1)/2, F: D^2";
     case Rank::prony:
       return "Prony terms";
+    case Rank::prony_tensor:
+      return "tensors of Prony terms";
     case Rank::fit_terms:
       return "3 D + 4";
     case Rank::record:
