@@ -73,6 +73,57 @@ TYPED_TEST(StressPoints, a_homogeneous_deformation_has_the_stress_of_the_law_eve
   EXPECT_NEAR(sum, energy, 1e-11);
 }
 
+/// sigma and psi of (PB.6) or (PB.7) written out anew, for E = 30 and nu = 0.3.
+struct StressAndEnergy {
+  Eigen::Matrix3d sigma;
+  double energy;
+};
+
+StressAndEnergy law_by_hand(bool is_neo_hookean, const Eigen::Matrix3d& f) {
+  const double mu = 30 / 2.6, lambda = 30 * 0.3 / (1.3 * 0.4), j = f.determinant();
+  const Eigen::Matrix3d one = Eigen::Matrix3d::Identity();
+  if (is_neo_hookean) {
+    const Eigen::Matrix3d b = f * f.transpose();
+    return {mu / j * (b - one) + lambda * (j - 1) * one,
+            mu / 2 * (b.trace() - 3) - mu * std::log(j) + lambda / 2 * (j - 1) * (j - 1)};
+  }
+  const Eigen::Matrix3d e = (f.transpose() * f - one) / 2;
+  return {f * (lambda * e.trace() * one + 2 * mu * e) * f.transpose() / j,
+          lambda / 2 * e.trace() * e.trace() + mu * e.squaredNorm()};
+}
+
+TYPED_TEST(StressPoints, the_laws_of_all_methods_on_the_undeformed_body_have_their_closed_forms) {
+  constexpr int D = TypeParam::value;
+  const auto f = some_deformation<D>();
+  Eigen::Matrix3d full = Eigen::Matrix3d::Identity();
+  full.topLeftCorner<D, D>() = f;
+  for (const std::string law : {"neo_hookean", "st_venant_kirchhoff"}) {
+    LagrangianSolver<D> block(tests::read_text(block_of_law(D, law)),
+                              {1, kernels::widest_supported()});
+    auto& body = block.state().bodies[0];
+    for_each_particle<D>(body, [&](std::int64_t p, const Point<D>& x) {
+      for (int i = 0; i < D; ++i) {
+        body.displacement[i][p] = -x[i];
+        for (int j = 0; j < D; ++j) body.displacement[i][p] += f(i, j) * x[j];
+      }
+    });
+    const StressAndEnergy exact = law_by_hand(law == "neo_hookean", full);
+    for (const Block<D>& range : body.layout.blocks()) {
+      body.layout.for_each_slot(range, [&](std::int64_t p, const Cell<D>& cell) {
+        if (!(body.fraction[p] > 0)) return;
+        const auto point = total_lagrangian::stress_point<double, D>(body, p, cell);
+        for (int i = 0; i < D; ++i) {
+          for (int k = i; k < D; ++k) {
+            EXPECT_NEAR(point.stress[kernels::symmetric_index<D>(i, k)], exact.sigma(i, k), 1e-11);
+          }
+        }
+        EXPECT_NEAR(point.pressure, -exact.sigma.trace() / 3, 1e-11);
+      });
+    }
+    EXPECT_NEAR(block.integrals().strain_energy, exact.energy, 1e-11);
+  }
+}
+
 TYPED_TEST(StressPoints, a_homogeneous_deformation_pulls_on_faces_only) {
   constexpr int D = TypeParam::value;
   this->deform(some_deformation<D>());
@@ -153,14 +204,20 @@ std::string collar(int dimension) {
 const std::string linear_rubber =
     "{ model = \"linear\", youngs_modulus = 30, poissons_ratio = 0.3, density = 1 }";
 
-/// Blocks of every law, free and below a collar.
+/// Blocks of every law, free and below a collar, the last one viscous in shear.
 std::vector<std::string> blocks_of_every_law(int dimension) {
   const std::string free = free_block(dimension), named = "material = \"rubber\"";
   const std::string linear = tests::with(free, named, "material = " + linear_rubber);
   const std::string logarithmic =
       tests::with(linear, "density = 1 }", "density = 1, equation_of_state = \"logarithmic\" }");
   const std::string stiffening = tests::with(free, "[10]", "[10, 30, 20, 10, 5]");
-  return {free, stiffening, linear, logarithmic, stiffening + collar(dimension)};
+  const std::string neo_hookean = block_of_law(dimension, "neo_hookean");
+  const std::string viscous =
+      tests::with(stiffening, "0.05\n",
+                  "0.05\nprony_shear = { ratios = [0.3, 0.4], times = [1e9, 1e10] }\n");
+  return {free, stiffening, linear, logarithmic, stiffening + collar(dimension), neo_hookean,
+          neo_hookean + collar(dimension), block_of_law(dimension, "st_venant_kirchhoff"),
+          viscous + collar(dimension)};
 }
 
 // Large strains, hourglass modes and all: forces are the derivatives of the energy.
@@ -170,6 +227,12 @@ TYPED_TEST(StressPoints, forces_are_the_derivatives_of_the_energy) {
     LagrangianSolver<D> block(tests::read_text(text, {"discretisation.spacing=0.25"}),
                               {1, kernels::widest_supported()});
     auto& body = block.state().bodies[0];
+    // Networks that have relaxed in some way, and keep it.
+    for (std::size_t c = 0; c < body.network.size(); ++c) {
+      for (std::int64_t p = 0; p < body.layout.slots(); ++p) {
+        body.network[c][p] = 0.2 * std::sin(3. * static_cast<double>(p + 7 * c));
+      }
+    }
     const auto deform = [&] {
       for_each_particle<D>(body, [&](std::int64_t p, const Point<D>& x) {
         for (int i = 0; i < D; ++i) {
