@@ -109,8 +109,8 @@ class Breathing {
   const Body<T, D>& body_;
   double volume_, unit_;
   std::vector<FilledCell> cells_;
-  std::vector<double> dilatation_;                    // [cell]
-  std::array<std::vector<double>, D> velocity_;       // [component][slot]
+  std::vector<double> dilatation_;               // [cell]
+  std::array<std::vector<double>, D> velocity_;  // [component][slot]
 };
 
 }  // namespace

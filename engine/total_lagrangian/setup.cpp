@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numbers>
 
 #include "engine/geometry/padded.hpp"
 #include "engine/method/hyperelastic.hpp"
@@ -93,7 +94,7 @@ void take_material(const BodyCase& source, Body<T, D>& body) {
   body.next_memory_pressure.resize(body.prony.size());
 }
 
-// (TL.17), with Poisson's ratio at rest.
+// (TL.17) and (TL.26), with Poisson's ratio at rest.
 template <int D>
 kernels::HourglassStiffness<double> hourglass_stiffness(const std::optional<double>& given,
                                                         const kernels::Material<double>& material) {
@@ -101,8 +102,9 @@ kernels::HourglassStiffness<double> hourglass_stiffness(const std::optional<doub
   const double k = material.bulk_modulus, mu = material.shear_modulus;
   const double poisson = (3 * k - 2 * mu) / (6 * k + 2 * mu);
   if (D == 2) return {1 / (1 - poisson), 0, 0, 0};
-  constexpr double twist = 2. / 3;  // of plates
-  return {twist, 1 / (1 - poisson), 1 - twist, poisson / (1 - poisson)};
+  constexpr double twist = 2. / 3;                                            // of plates
+  constexpr double pattern = 27 * std::numbers::pi * std::numbers::pi / 128;  // (TL.26)
+  return {twist, pattern / ((1 - poisson) * (1 - poisson)), 1 - twist, poisson / (1 - poisson)};
 }
 
 template <class T, int D>

@@ -55,11 +55,11 @@ inline void inverse_strain(const CellState<P, D>& state, const P& scale,
 template <class P, int D>
 struct Network {
   using T = Scalar<P>;
-  P fa[D * D];   ///< F A
-  P squares;     ///< C : A
-  P across;      ///< A_zz in plane strain
-  P scale;       ///< J^(-2/3)
-  P excess;      ///< J^(-2/3) C : A - 3
+  P fa[D * D];  ///< F A
+  P squares;    ///< C : A
+  P across;     ///< A_zz in plane strain
+  P scale;      ///< J^(-2/3)
+  P excess;     ///< J^(-2/3) C : A - 3
 
   /// `a` is A - I.
   Network(const CellState<P, D>& state, const P& isochoric, const P (&a)[network_components<D>])

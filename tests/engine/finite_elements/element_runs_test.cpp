@@ -123,8 +123,8 @@ TEST_F(ElementRuns, bend_a_bar_as_the_total_lagrangian_method_does) {
     const auto path = folder / "bar.vtk";
     const double coarse = sag<ElementSolver<3>>(path, 4, {model});
     const double fine = sag<ElementSolver<3>>(path, 8, {model});
-    const double cells = sag<total_lagrangian::Solver<double, 3>>(
-        path, 4, {model, "method=total_lagrangian"});
+    const double cells =
+        sag<total_lagrangian::Solver<double, 3>>(path, 4, {model, "method=total_lagrangian"});
     EXPECT_GT(fine, 0.4);
     EXPECT_NEAR(cells / ((4 * fine - coarse) / 3), 1, 0.02) << law << " " << coarse << " " << fine;
   }

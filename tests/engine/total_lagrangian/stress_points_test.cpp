@@ -212,11 +212,16 @@ std::vector<std::string> blocks_of_every_law(int dimension) {
       tests::with(linear, "density = 1 }", "density = 1, equation_of_state = \"logarithmic\" }");
   const std::string stiffening = tests::with(free, "[10]", "[10, 30, 20, 10, 5]");
   const std::string neo_hookean = block_of_law(dimension, "neo_hookean");
-  const std::string viscous =
-      tests::with(stiffening, "0.05\n",
-                  "0.05\nprony_shear = { ratios = [0.3, 0.4], times = [1e9, 1e10] }\n");
-  return {free, stiffening, linear, logarithmic, stiffening + collar(dimension), neo_hookean,
-          neo_hookean + collar(dimension), block_of_law(dimension, "st_venant_kirchhoff"),
+  const std::string viscous = tests::with(
+      stiffening, "0.05\n", "0.05\nprony_shear = { ratios = [0.3, 0.4], times = [1e9, 1e10] }\n");
+  return {free,
+          stiffening,
+          linear,
+          logarithmic,
+          stiffening + collar(dimension),
+          neo_hookean,
+          neo_hookean + collar(dimension),
+          block_of_law(dimension, "st_venant_kirchhoff"),
           viscous + collar(dimension)};
 }
 

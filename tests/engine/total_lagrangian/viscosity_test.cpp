@@ -98,11 +98,13 @@ TEST(viscosity, forces_of_cells_between_blocks_are_in_balance) {
 
 /// The block, held everywhere, of a material whose shear modulus relaxes.
 std::string block_that_relaxes_in_shear(int dimension, const std::string& moduli) {
-  const std::string middle = dimension == 2 ? "[-9, -9], upper = [9, 9]" : "[-9, -9, -9], upper = [9, 9, 9]";
-  return tests::with(free_block(dimension), "compressibility = 0.05\n",
-                     "compressibility = 0.05\nprony_shear = { ratios = [0.3, 0.2], times = [0.5, 2], "
-                     "moduli = \"" +
-                         moduli + "\" }\n") +
+  const std::string middle =
+      dimension == 2 ? "[-9, -9], upper = [9, 9]" : "[-9, -9, -9], upper = [9, 9, 9]";
+  return tests::with(
+             free_block(dimension), "compressibility = 0.05\n",
+             "compressibility = 0.05\nprony_shear = { ratios = [0.3, 0.2], times = [0.5, 2], "
+             "moduli = \"" +
+                 moduli + "\" }\n") +
          "[[boundary]]\nname = \"grip\"\nkind = \"fixed\"\ngeometry = { shape = \"box\", lower = " +
          middle + " }\n";
 }
@@ -162,8 +164,8 @@ void check_relaxation(const std::string& moduli) {
     EXPECT_NEAR(point.pressure, -2 / 0.05 * (j - 1), 1e-9) << t << " " << moduli;
     for (int i = 0; i < D; ++i) {
       for (int k = i; k < D; ++k) {
-        const double deviator = point.stress[kernels::symmetric_index<D>(i, k)] +
-                                (i == k ? point.pressure : 0);
+        const double deviator =
+            point.stress[kernels::symmetric_index<D>(i, k)] + (i == k ? point.pressure : 0);
         const double exact = 2 * sudden * share / j * (b(i, k) - (i == k ? b.trace() / 3 : 0));
         EXPECT_NEAR(deviator, exact, 1e-8 * sudden) << t << " " << i << k << " " << moduli;
       }
@@ -207,8 +209,9 @@ TEST(viscosity, relaxed_networks_turn_with_the_body) {
 
 /// A traction on the part of the surface in a box.
 std::string traction_on(const std::string& name, const std::string& box, const std::string& force) {
-  return "[[boundary]]\nname = \"" + name + "\"\nkind = \"traction\"\ngeometry = { shape = \"box\", " +
-         box + " }\ntraction = " + force + "\n";
+  return "[[boundary]]\nname = \"" + name +
+         "\"\nkind = \"traction\"\ngeometry = { shape = \"box\", " + box +
+         " }\ntraction = " + force + "\n";
 }
 
 // Creep of the standard linear solid: under a constant shear stress s, the shear goes from s/mu to

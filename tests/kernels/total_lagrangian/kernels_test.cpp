@@ -169,8 +169,8 @@ TYPED_TEST(total_lagrangian_kernels, instruction_sets_agree_with_the_baseline_wi
   Block<T, D> baseline;
   jitter(baseline.displacement, T(0.01), 4);
   jitter(baseline.velocity, T(1), 5);
-  for (const ElasticLaw law : {ElasticLaw::reduced_polynomial, ElasticLaw::neo_hookean,
-                               ElasticLaw::st_venant_kirchhoff}) {
+  for (const ElasticLaw law :
+       {ElasticLaw::reduced_polynomial, ElasticLaw::neo_hookean, ElasticLaw::st_venant_kirchhoff}) {
     baseline.material.law = law;
     for (const Isa isa : {Isa::avx2, Isa::avx512}) {
       if (!is_supported(isa)) continue;
