@@ -5,7 +5,8 @@
 namespace pliant::total_lagrangian {
 
 /// q of (TL.23): how much faster the cells of a body change their volume than plane waves of the
-/// lattice do, squared. 1 inside a body; 2 across a bar of one cell, 3 for a cell on its own.
+/// lattice do, squared. 1 inside a body; 2 across a bar of one cell and 2.3 at its
+/// ends, 3 for a cell on its own, 1.4 at the corners of a box.
 template <class T, int D>
 double breathing_factor(const Body<T, D>& body);
 

@@ -125,13 +125,14 @@ double breathing_of_box(int x, int y, int z) {
   return total_lagrangian::breathing_factor(solver.state().bodies[0]);
 }
 
-// (TL.23). With one cell in each direction every particle feels all three; with two, each cell is
-// strained half as much by the particles on the middle plane, which have twice the mass.
+// (TL.23), beside eigenvalues of the dense matrix of the same cells. A bar is worst at its ends, a
+// box at its corners.
 TEST(total_lagrangian, cells_at_free_surfaces_breathe_faster_than_waves) {
   EXPECT_NEAR(breathing_of_box(1, 1, 1), 3, 1e-12);
-  EXPECT_NEAR(breathing_of_box(1, 1, 12), 2, 0.02);
+  EXPECT_NEAR(breathing_of_box(1, 1, 12), 2.3333, 0.01 * 2.3333);
   EXPECT_NEAR(breathing_of_box(2, 2, 2), 1.5, 1e-12);
-  EXPECT_LE(breathing_of_box(1, 12, 12), 1.01);
+  EXPECT_NEAR(breathing_of_box(1, 8, 8), 1.7925, 0.01 * 1.7925);
+  EXPECT_NEAR(breathing_of_box(6, 6, 6), 1.3797, 0.01 * 1.3797);
 }
 
 /// A bar of one cell across, nearly incompressible, that swings at its clamp.
@@ -146,7 +147,7 @@ name = "bar"
 geometry = { shape = "box", lower = [0, 0, 0], upper = [1, 0.1, 0.1] }
 material = { model = "neo_hookean", density = 1, youngs_modulus = 100, poissons_ratio = )" +
          poissons_ratio + R"( }
-velocity = [0, "1.5*x^2", "0.3*x"]
+velocity = [0, "0.3*x^2", "0.1*x"]
 [[boundary]]
 name = "clamp"
 kind = "fixed"
@@ -154,7 +155,7 @@ geometry = { shape = "half_space", point = [0, 0, 0], normal = [1, 0, 0] }
 )";
 }
 
-// Without (TL.23) the energy of the second bar grows by orders of magnitude.
+// Without (TL.23) cells of the second bar turn inside out within fifty steps.
 TEST(total_lagrangian, thin_bars_are_stable_at_the_default_step_whatever_their_poissons_ratio) {
   for (const std::string ratio : {"0.3", "0.49", "0.499"}) {
     LagrangianSolver<3> solver(tests::read_text(thin_bar(ratio)), {1, kernels::widest_supported()});
