@@ -13,8 +13,8 @@ namespace pliant::total_lagrangian {
 
 namespace {
 
-// Modes that matter are next to the start, in which all cells breathe alike: 12 iterations find q of
-// bars, plates and boxes to 1 %.
+// Modes that matter are next to the start, in which all cells breathe alike: 12 iterations find q
+// of bars, plates and boxes to 1 %.
 constexpr int iterations = 12;
 
 template <class T, int D>

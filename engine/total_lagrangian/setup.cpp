@@ -7,7 +7,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numbers>
 
 #include "engine/geometry/padded.hpp"
 #include "engine/method/hyperelastic.hpp"
@@ -103,8 +102,8 @@ kernels::HourglassStiffness<double> hourglass_stiffness(const std::optional<doub
   const double poisson = (3 * k - 2 * mu) / (6 * k + 2 * mu);
   if (D == 2) return {1 / (1 - poisson), 0, 0, 0};
   constexpr double twist = 2. / 3;                                            // of plates
-  constexpr double pattern = 27 * std::numbers::pi * std::numbers::pi / 128;  // (TL.26)
-  return {twist, pattern / ((1 - poisson) * (1 - poisson)), 1 - twist, poisson / (1 - poisson)};
+  const double pattern = 1 / (twist * (1 - poisson) * (1 - poisson));  // (TL.26)
+  return {twist, pattern, 1 - twist, poisson / (1 - poisson)};
 }
 
 template <class T, int D>

@@ -153,7 +153,7 @@ inline void add_fitted_forces(const Motion<Scalar<P>, D>& block, const CellGroup
 }
 
 /// Takes the forces of the fitted cells from `block.force`.
-template <ElasticLaw law, class P, int D>
+template <ElasticLaw law, bool relaxes, class P, int D>
 void evaluate_fitted_cells(const Motion<Scalar<P>, D>& block, StressPointExtremes<P>& extremes) {
   using T = Scalar<P>;
   constexpr int corners = 1 << D;
@@ -171,7 +171,8 @@ void evaluate_fitted_cells(const Motion<Scalar<P>, D>& block, StressPointExtreme
     const FittedSlots<P, D> slots = {block, group};
     const P pressure = relax_pressures<P, D>(block.viscosity, state, slots);
     CellStress<P, D> stress = cell_stress<law, P, D>(block.material, state, pressure);
-    const P networks = relax_networks<law, P, D>(block, state, slots, stress);
+    P networks(T(0));
+    if constexpr (relaxes) networks = relax_networks<P, D>(block, state, slots, stress);
     add_fitted_prestress<P, D>(block, group, state, stress);
     add_fitted_forces<P, D>(block, group, slope, inverse, mode, start, stress);
     if (!block.examine) continue;

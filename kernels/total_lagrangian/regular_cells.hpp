@@ -115,8 +115,9 @@ template <class T, int D>
   }
 }
 
-/// Takes the forces of a run of cells from `block.force`, (TL.3)-(TL.6).
-template <ElasticLaw law, class P, int D>
+/// Takes the forces of a run of cells from `block.force`, (TL.3)-(TL.6), (TL.24) where it relaxes
+/// in shear.
+template <ElasticLaw law, bool relaxes, class P, int D>
 void evaluate_run(const Motion<Scalar<P>, D>& block, const CellRun<D>& run,
                   StressPointExtremes<P>& extremes) {
   using T = Scalar<P>;
@@ -145,7 +146,8 @@ void evaluate_run(const Motion<Scalar<P>, D>& block, const CellRun<D>& run,
     const RegularSlots<P> slots = {slot, inside, run.own && along >= 0};
     const P pressure = relax_pressures<P, D>(block.viscosity, state, slots);
     CellStress<P, D> stress = cell_stress<law, P, D>(block.material, state, pressure);
-    const P networks = relax_networks<law, P, D>(block, state, slots, stress);
+    P networks(T(0));
+    if constexpr (relaxes) networks = relax_networks<P, D>(block, state, slots, stress);
     if (block.initial_stress[0] != nullptr) {
       add_initial_stress<P, D>(block.initial_stress, slot, state.f, stress.piola);
     }

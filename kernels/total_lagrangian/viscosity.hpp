@@ -119,15 +119,14 @@ struct Network {
 };
 
 /// Takes the networks to the present by (RP.22) and adds their stress. Returns what they add to
-/// c^2 of the cells; 0 unless the block is examined. No law of (TL.22) has networks.
-template <ElasticLaw law, class P, int D, class Slots>
+/// c^2 of the cells; 0 unless the block is examined.
+template <class P, int D, class Slots>
 inline P relax_networks(const Motion<Scalar<P>, D>& block, const CellState<P, D>& state,
                         const Slots& slots, CellStress<P, D>& stress) {
   using T = Scalar<P>;
   constexpr int components = network_components<D>;
   const CellNetworks<T>& networks = block.networks;
   P speed2(T(0));
-  if (law != ElasticLaw::reduced_polynomial || networks.terms == 0) return speed2;
   const P root = inverse_cube_root(state.volume_ratio), scale = root * root;
   const int strain = networks.terms * components;
   P start[components], end[components];
