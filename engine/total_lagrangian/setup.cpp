@@ -101,7 +101,7 @@ kernels::HourglassStiffness<double> hourglass_stiffness(const std::optional<doub
   const double k = material.bulk_modulus, mu = material.shear_modulus;
   const double poisson = (3 * k - 2 * mu) / (6 * k + 2 * mu);
   if (D == 2) return {1 / (1 - poisson), 0, 0, 0};
-  constexpr double twist = 2. / 3;                                            // of plates
+  constexpr double twist = 2. / 3;                                     // of plates
   const double pattern = 1 / (twist * (1 - poisson) * (1 - poisson));  // (TL.26)
   return {twist, pattern, 1 - twist, poisson / (1 - poisson)};
 }

@@ -5,7 +5,8 @@
 #include "kernels/stiffening.hpp"
 #include "kernels/total_lagrangian/arguments.hpp"
 
-/// The strain energy of a cell, (TL.3) and (TL.6), or (TL.22), and its derivatives. The constants
+/// The strain energy of a cell, (TL.3) and (TL.6), or (TL.22), and its derivatives. Several loops
+/// have them, and states must stay in registers: what is inlined must be. The constants
 /// of a linear material are those of its hyperelastic form: N = 1, C10 = mu/2, 2/D = K.
 namespace pliant::kernels {
 
@@ -56,8 +57,8 @@ struct CellStress {
 
 /// (TL.4) and (TL.6); `relaxed` is the sum of the p_i of (RP.10).
 template <class P, int D>
-inline CellStress<P, D> polynomial_stress(const Material<Scalar<P>>& material,
-                                          const CellState<P, D>& state, const P& relaxed) {
+[[gnu::always_inline]] inline CellStress<P, D> polynomial_stress(
+    const Material<Scalar<P>>& material, const CellState<P, D>& state, const P& relaxed) {
   using T = Scalar<P>;
   CellStress<P, D> stress;
   P squares = D == 2 ? state.hourglass + P(T(1)) : state.hourglass;
@@ -82,8 +83,8 @@ inline CellStress<P, D> polynomial_stress(const Material<Scalar<P>>& material,
 
 /// (TL.22): the stress of the law, and mu in the place of 2 W1 J^(-2/3) for hourglass modes.
 template <ElasticLaw law, class P, int D>
-inline CellStress<P, D> law_stress(const HyperelasticMaterial<Scalar<P>>& material,
-                                   const CellState<P, D>& state) {
+[[gnu::always_inline]] inline CellStress<P, D> law_stress(
+    const HyperelasticMaterial<Scalar<P>>& material, const CellState<P, D>& state) {
   CellStress<P, D> stress;
   stress.excess = P(Scalar<P>(0));
   stress.shear = P(material.shear_modulus);
@@ -97,8 +98,9 @@ inline CellStress<P, D> law_stress(const HyperelasticMaterial<Scalar<P>>& materi
 
 /// The stress of a cell by its law; `relaxed` is 0 for those of (TL.22).
 template <ElasticLaw law, class P, int D>
-inline CellStress<P, D> cell_stress(const HyperelasticMaterial<Scalar<P>>& material,
-                                    const CellState<P, D>& state, const P& relaxed) {
+[[gnu::always_inline]] inline CellStress<P, D> cell_stress(
+    const HyperelasticMaterial<Scalar<P>>& material, const CellState<P, D>& state,
+    const P& relaxed) {
   if constexpr (law == ElasticLaw::reduced_polynomial) {
     return polynomial_stress<P, D>(material.polynomial, state, relaxed);
   } else {

@@ -17,8 +17,8 @@ inline P relax_term(const Relaxation<Scalar<P>>& term, const P& before, const P&
 
 /// The sum of the p_i after (RP.22).
 template <class P, int D, class Slots>
-inline P relax_pressures(const CellViscosity<Scalar<P>>& viscosity, const CellState<P, D>& state,
-                         const Slots& slots) {
+[[gnu::always_inline]] inline P relax_pressures(const CellViscosity<Scalar<P>>& viscosity,
+                                                const CellState<P, D>& state, const Slots& slots) {
   using T = Scalar<P>;
   P sum(T(0));
   if (viscosity.terms == 0) return sum;
