@@ -139,7 +139,8 @@ constexpr auto relaxing = "prony = { ratios = [0.5], times = [0.1] }\n";
 
 std::unique_ptr<Solver> stepped_remeshed() { return stepped("remeshed", "", relaxing); }
 std::unique_ptr<Solver> stepped_total_lagrangian() {
-  return stepped("total_lagrangian", "", relaxing);
+  const std::string in_shear = "prony_shear = { ratios = [0.5], times = [0.1] }\n";
+  return stepped("total_lagrangian", "", relaxing + in_shear);
 }
 // With all that there are fields for.
 std::unique_ptr<Solver> stepped_point_based() {
