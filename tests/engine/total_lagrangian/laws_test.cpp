@@ -32,7 +32,8 @@ StressAndEnergy law_by_hand(bool is_neo_hookean, const Eigen::Matrix3d& f) {
 template <class Dimension>
 struct Laws : testing::Test {};
 
-using PlaneAndSolid = testing::Types<std::integral_constant<int, 2>, std::integral_constant<int, 3>>;
+using PlaneAndSolid =
+    testing::Types<std::integral_constant<int, 2>, std::integral_constant<int, 3>>;
 TYPED_TEST_SUITE(Laws, PlaneAndSolid);
 
 TYPED_TEST(Laws, of_all_methods_on_the_undeformed_body_have_their_closed_forms) {
