@@ -2,7 +2,7 @@
 
 #include <cstddef>
 
-#include "kernels/material.hpp"
+#include "kernels/hyperelastic_material.hpp"
 
 namespace pliant::kernels {
 
@@ -20,6 +20,12 @@ Material<T> with_scalar(const Material<U>& m) {
   }
   material.compressibility = static_cast<T>(m.compressibility);
   return material;
+}
+
+template <class T, class U>
+HyperelasticMaterial<T> with_scalar(const HyperelasticMaterial<U>& m) {
+  return {m.law, static_cast<T>(m.density), static_cast<T>(m.shear_modulus),
+          static_cast<T>(m.lame_modulus), with_scalar<T>(m.polynomial)};
 }
 
 }  // namespace pliant::kernels

@@ -11,8 +11,7 @@ template <class Visitor>
 void prony_keys(Visitor& visit, PronyCase& prony) {
   visit("ratios", prony.ratios,
         {.meaning =
-             "g_1, g_2, ..., relaxing fractions of the instantaneous bulk modulus; their sum is "
-             "below 1",
+             "g_1, g_2, ..., relaxing fractions of the instantaneous modulus; their sum is below 1",
          .example = "[0.3, 0.2]",
          .limits = {0, 1, false, false, "above 0 and below 1"},
          .required = true});
@@ -23,7 +22,9 @@ void prony_keys(Visitor& visit, PronyCase& prony) {
          .limits = positive,
          .required = true});
   visit("moduli", prony.moduli,
-        {.meaning = "bulk modulus to which compressibility refers", .example = R"("long_term")"});
+        {.meaning =
+             "modulus to which compressibility (of prony) or coefficients (of prony_shear) refer",
+         .example = R"("long_term")"});
 }
 
 template <class Visitor>
@@ -73,6 +74,9 @@ void material_keys(Visitor& visit, MaterialCase& material) {
           {.meaning =
                "Prony series of the bulk modulus, see prony; without it the material is elastic",
            .example = "{ ratios = [0.3, 0.2], times = [0.1, 1] }"});
+    visit("prony_shear", material.prony_shear,
+          {.meaning = "Prony series of the shear modulus (TL.24), see prony, for total_lagrangian",
+           .example = "{ ratios = [0.5], times = [2] }"});
   }
 }
 

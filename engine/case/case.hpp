@@ -33,7 +33,7 @@ struct StressExpression {
   Expression xx, yy, zz, xy, yz, xz;
 };
 
-/// Prony series of the bulk modulus, (RP.10).
+/// Prony series of a modulus, (RP.10) or (TL.24).
 struct PronyCase {
   enum class Moduli { long_term, instantaneous };
   std::vector<double> ratios;  ///< g_i
@@ -52,18 +52,20 @@ struct MaterialCase {
   double poissons_ratio = 0;                                    ///< the same: nu
   std::vector<double> coefficients;  ///< reduced polynomial: C_10, C_20, ... [Pa]
   double compressibility = 0;        ///< reduced polynomial: D [1/Pa]
-  PronyCase prony;                   ///< reduced polynomial
+  PronyCase prony;                   ///< reduced polynomial: of its bulk modulus
+  PronyCase prony_shear;             ///< reduced polynomial: of its shear modulus
 };
 
 struct BodyCase {
   std::string name;
   Shape geometry;
   kernels::Material<double> material;
-  std::vector<kernels::PronyTerm<double>> prony;
+  std::vector<kernels::PronyTerm<double>> prony;        ///< of the bulk modulus
+  std::vector<kernels::PronyTerm<double>> prony_shear;  ///< of the shear modulus
   InitialVelocity velocity;
   Vector stretch = {1, 1, 1};              ///< along the axes, at t = 0 from rest
   std::optional<StressExpression> stress;  ///< at t = 0
-  MaterialCase material_as_given;          ///< what `material` and `prony` were computed from
+  MaterialCase material_as_given;          ///< what the former were computed from
 };
 
 /// How surfaces in contact act on each other; see contact_laws.hpp.

@@ -5,6 +5,16 @@
 
 namespace pliant {
 
+namespace {
+
+/// The modulus that a case gives over that of a sudden change.
+double share_of(const PronyCase& prony) {
+  if (prony.moduli == PronyCase::Moduli::instantaneous) return 1;
+  return 1 - std::accumulate(prony.ratios.begin(), prony.ratios.end(), 0.0);
+}
+
+}  // namespace
+
 kernels::Material<double> elastic_constants(const MaterialCase& given) {
   kernels::Material<double> material;
   material.density = given.density;
@@ -19,20 +29,18 @@ kernels::Material<double> elastic_constants(const MaterialCase& given) {
     material.model = kernels::Model::reduced_polynomial;
     material.order = static_cast<int>(given.coefficients.size());
     std::copy(given.coefficients.begin(), given.coefficients.end(), material.coefficient.begin());
-    const PronyCase& prony = given.prony;
-    const double relaxing = std::accumulate(prony.ratios.begin(), prony.ratios.end(), 0.0);
-    const double left = prony.moduli == PronyCase::Moduli::long_term ? 1 - relaxing : 1;
-    material.compressibility = given.compressibility * left;
+    for (double& coefficient : material.coefficient) coefficient /= share_of(given.prony_shear);
+    material.compressibility = given.compressibility * share_of(given.prony);
     material.bulk_modulus = 2 / material.compressibility;
-    material.shear_modulus = 2 * given.coefficients.front();
+    material.shear_modulus = 2 * material.coefficient.front();
   }
   return material;
 }
 
-std::vector<kernels::PronyTerm<double>> prony_terms(const MaterialCase& given) {
+std::vector<kernels::PronyTerm<double>> prony_terms(const PronyCase& given) {
   std::vector<kernels::PronyTerm<double>> terms;
-  for (std::size_t i = 0; i < given.prony.ratios.size(); ++i) {
-    terms.push_back({given.prony.ratios[i], given.prony.times[i]});
+  for (std::size_t i = 0; i < given.ratios.size(); ++i) {
+    terms.push_back({given.ratios[i], given.times[i]});
   }
   return terms;
 }

@@ -152,7 +152,8 @@ Case parse_case(const std::string& text, const std::filesystem::path& file,
   }
   for (BodyCase& body : a_case.bodies) {
     body.material = elastic_constants(body.material_as_given);
-    body.prony = prony_terms(body.material_as_given);
+    body.prony = prony_terms(body.material_as_given.prony);
+    body.prony_shear = prony_terms(body.material_as_given.prony_shear);
   }
   return a_case;
 }

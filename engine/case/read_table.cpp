@@ -111,7 +111,7 @@ bool read(const Entry& entry, PronyCase& value) {
   }
   const double sum = std::accumulate(value.ratios.begin(), value.ratios.end(), 0.0);
   if (sum < 1) return true;
-  return entry.refuse(fmt::format("has ratios whose sum is {}, so that no bulk modulus remains "
+  return entry.refuse(fmt::format("has ratios whose sum is {}, so that no modulus remains "
                                   "after relaxation",
                                   sum),
                       "their sum must be below 1");

@@ -92,8 +92,8 @@ std::string case_reference_markdown(MethodList methods) {
                       shape_keys(visit, shape);
                     }));
   describer.section("prony",
-                    "Bulk viscosity of a reduced polynomial: what its bulk modulus loses in time, "
-                    "(RP.10).",
+                    "What the bulk modulus (`prony`, RP.10) or the shear modulus (`prony_shear`, "
+                    "TL.24) of a reduced polynomial loses in time.",
                     describe_table([](auto& visit) {
                       PronyCase prony;
                       prony_keys(visit, prony);

@@ -64,7 +64,7 @@ std::string model_name(const BodyCase& body) {
   const MaterialCase& material = body.material_as_given;
   if (material.model == MaterialCase::Model::reduced_polynomial) {
     std::string text = fmt::format("reduced polynomial of order {}", body.material.order);
-    const std::size_t terms = body.prony.size();
+    const std::size_t terms = body.prony.size() + body.prony_shear.size();
     if (terms == 0) return text;
     return text + fmt::format(" with {} Prony term{}", terms, terms == 1 ? "" : "s");
   }

@@ -72,9 +72,9 @@ inline constexpr std::array words<MaterialCase::Model>{
     word(MaterialCase::Model::reduced_polynomial, "reduced_polynomial",
          "hyperelastic reduced polynomial with up to five coefficients (RP.9)"),
     word(MaterialCase::Model::neo_hookean, "neo_hookean",
-         "hyperelastic, stable in compression (PB.6), for point_based and finite_elements only"),
+         "hyperelastic, stable in compression (PB.6), for methods on the undeformed body"),
     word(MaterialCase::Model::st_venant_kirchhoff, "st_venant_kirchhoff",
-         "Hooke's law of the Green strain (PB.7), for point_based and finite_elements only; loses "
+         "Hooke's law of the Green strain (PB.7), for methods on the undeformed body; loses "
          "stiffness below a stretch of 0.58")};
 
 template <>
@@ -85,10 +85,8 @@ inline constexpr std::array words<MaterialCase::EquationOfState>{
 
 template <>
 inline constexpr std::array words<PronyCase::Moduli>{
-    word(PronyCase::Moduli::long_term, "long_term",
-         "2/D is the bulk modulus after full relaxation"),
-    word(PronyCase::Moduli::instantaneous, "instantaneous",
-         "2/D is the bulk modulus for sudden changes")};
+    word(PronyCase::Moduli::long_term, "long_term", "the modulus after full relaxation"),
+    word(PronyCase::Moduli::instantaneous, "instantaneous", "the modulus of sudden changes")};
 
 /// Shapes as case files name them; a ball is a disc in 2D.
 enum class ShapeWord {

@@ -21,9 +21,9 @@ struct ElementRange {
 /// The elements of a body, in the order of the blocks that they belong to.
 template <class T, int D>
 struct Elements {
-  kernels::PointMaterial<T> material;  ///< whose volumetric modulus is 0
-  T volumetric_modulus = 0;            ///< Lambda of (FE.3) [Pa]
-  double highest_frequency = 0;        ///< a bound, (FE.6) [1/s]
+  kernels::HyperelasticMaterial<T> material;  ///< whose volumetric modulus is 0
+  T volumetric_modulus = 0;                   ///< Lambda of (FE.3) [Pa]
+  double highest_frequency = 0;               ///< a bound, (FE.6) [1/s]
   std::vector<ElementRange> blocks;
   Buffer<std::uint16_t> corner;  ///< [pack][D + 1][lane] local numbers times point_stride
   Buffer<T> shape;               ///< [pack][element_values][lane]

@@ -15,6 +15,7 @@ enum class Rank {
   symmetric_tensor,  ///< D (D + 1)/2
   material,          ///< S, a symmetric tensor, or F, D x D
   prony,             ///< one for each term of the material's Prony series
+  prony_tensor,      ///< symmetric tensors: one for each of these terms, and one more
   fit_terms,         ///< coefficients of the three fits of a ghost
   record,            ///< values of a surface record
   list               ///< as many as the item has

@@ -75,7 +75,7 @@ struct Body : undeformed::Body<T, D> {
   using undeformed::Body<T, D>::position;
   static constexpr int symmetric = kernels::symmetric_components<D>;
 
-  kernels::PointMaterial<T> material;
+  kernels::HyperelasticMaterial<T> material;
   int bonds = 0;              ///< of each node, those of no weight included
   double resolution = 0;      ///< H, the least V^(1/D) [m]
   double volume_at_rest = 0;  ///< [m^D]

@@ -7,7 +7,7 @@ namespace {
 /// lambda of Hooke's law in `rank` of D directions, where nothing holds the others: plane stress or
 /// a bar in 3D, a bar in plane strain in 2D.
 template <class T, int D>
-double reduced_lame_modulus(const kernels::PointMaterial<T>& material, int rank) {
+double reduced_lame_modulus(const kernels::HyperelasticMaterial<T>& material, int rank) {
   const double mu = material.shear_modulus, lambda = material.lame_modulus;
   if (D - rank == 1) return 2 * lambda * mu / (lambda + 2 * mu);
   return mu * lambda / (lambda + mu);  // E - 2 mu

@@ -1,86 +1,13 @@
 #include "engine/point_based/node_state.hpp"
 
-#include <cmath>
-
+#include "engine/method/hyperelastic.hpp"
 #include "engine/method/initial_stress.hpp"
 #include "engine/point_based/degenerate_nodes.hpp"
-#include "kernels/energy.hpp"
-#include "kernels/point_based/first_piola.hpp"
 #include "kernels/with_scalar.hpp"
 
 namespace pliant::point_based {
 
 namespace {
-
-using Pack = xsimd::batch<double, xsimd::sse2>;
-using Tensor = std::array<double, 9>;  // row by row
-
-kernels::PointMaterial<double> in_double(const kernels::PointMaterial<double>& m) { return m; }
-kernels::PointMaterial<double> in_double(const kernels::PointMaterial<float>& m) {
-  return {m.law, m.density, m.shear_modulus, m.lame_modulus,
-          kernels::with_scalar<double>(m.polynomial)};
-}
-
-template <kernels::ElasticLaw law>
-Tensor piola_of(const kernels::PointMaterial<double>& material, const Tensor& f) {
-  Pack packed[9], cof[9], p[9];
-  for (int c = 0; c < 9; ++c) packed[c] = Pack(f[c]);
-  kernels::cofactor(packed, cof);
-  kernels::first_piola<law, Pack, 3>(material, packed, cof, p);
-  Tensor result;
-  for (int c = 0; c < 9; ++c) result[c] = p[c].get(0);
-  return result;
-}
-
-Tensor piola(const kernels::PointMaterial<double>& material, const Tensor& f) {
-  using enum kernels::ElasticLaw;
-  switch (material.law) {
-    case neo_hookean:
-      return piola_of<neo_hookean>(material, f);
-    case st_venant_kirchhoff:
-      return piola_of<st_venant_kirchhoff>(material, f);
-    default:
-      return piola_of<reduced_polynomial>(material, f);
-  }
-}
-
-double determinant(const Tensor& f) {
-  return f[0] * (f[4] * f[8] - f[5] * f[7]) - f[1] * (f[3] * f[8] - f[5] * f[6]) +
-         f[2] * (f[3] * f[7] - f[4] * f[6]);
-}
-
-/// psi of (PB.6), (PB.7), or (RP.63), per undeformed volume.
-double energy_density(const kernels::PointMaterial<double>& material, const Tensor& f) {
-  const double mu = material.shear_modulus, lambda = material.lame_modulus, j = determinant(f);
-  if (material.law == kernels::ElasticLaw::reduced_polynomial) {
-    return j * kernels::polynomial_energy<double, 3>(material.polynomial, f.data());
-  }
-  if (material.law == kernels::ElasticLaw::neo_hookean) {
-    double square = 0;
-    for (const double component : f) square += component * component;
-    return mu / 2 * (square - 3) - mu * std::log(j) + lambda / 2 * (j - 1) * (j - 1);
-  }
-  double trace = 0, square = 0;
-  for (int i = 0; i < 3; ++i) {
-    for (int k = 0; k < 3; ++k) {
-      double c = i == k ? -1 : 0;
-      for (int l = 0; l < 3; ++l) c += f[3 * l + i] * f[3 * l + k];
-      square += c * c / 4;
-      if (i == k) trace += c / 2;
-    }
-  }
-  return lambda / 2 * trace * trace + mu * square;
-}
-
-/// With F_33 = 1 in plane strain.
-template <int D>
-Tensor in_3d(const std::array<double, D * D>& f) {
-  Tensor full = {1, 0, 0, 0, 1, 0, 0, 0, 1};
-  for (int i = 0; i < D; ++i) {
-    for (int j = 0; j < D; ++j) full[3 * i + j] = f[D * i + j];
-  }
-  return full;
-}
 
 template <class T, int D>
 LastingStress<D> lasting_stress(const Body<T, D>& body, std::int64_t slot,
@@ -159,22 +86,13 @@ NodeState<D> node_state(const Body<T, D>& body, const NodeBlock& block, std::int
   state.gradient = with_kept(body, slot, found.gradient);
   state.energy = found.stabilisation + strain_energy(body, block, slot, state.gradient);
   if (degenerate_node(body, block, slot) != nullptr) return state;
-  const Tensor f = in_3d<D>(state.gradient);
-  const auto material = in_double(body.material);
-  const Tensor p = piola(material, f);
-  const double jacobian = state.volume_ratio = determinant(f);
-  double trace = 0;
-  for (int i = 0; i < 3; ++i) {
-    for (int j = i; j < 3; ++j) {
-      double sigma = 0;
-      for (int k = 0; k < 3; ++k) sigma += p[3 * i + k] * f[3 * j + k] / jacobian;
-      if (i == j) trace += sigma;
-      if (j < D) state.stress[kernels::symmetric_index<D>(i, j)] = sigma;
-    }
-  }
-  state.pressure = -trace / 3;
+  const ElasticStress<D> elastic =
+      elastic_stress<D>(kernels::with_scalar<double>(body.material), state.gradient);
+  state.volume_ratio = elastic.volume_ratio;
+  state.stress = elastic.stress;
+  state.pressure = elastic.pressure;
   if (body.is_prestressed()) {
-    const LastingStress<D> lasting = lasting_stress(body, slot, state.gradient, jacobian);
+    const LastingStress<D> lasting = lasting_stress(body, slot, state.gradient, state.volume_ratio);
     for (std::size_t c = 0; c < state.stress.size(); ++c) state.stress[c] += lasting.stress[c];
     state.pressure += lasting.pressure(*body.source);
   }
@@ -204,7 +122,7 @@ std::array<double, D * D> present_gradient(const Body<T, D>& body, const NodeBlo
 
 template <class T, int D>
 double strain_energy_density(const Body<T, D>& body, const std::array<double, D * D>& f) {
-  return energy_density(in_double(body.material), in_3d<D>(f));
+  return elastic_energy<D>(kernels::with_scalar<double>(body.material), f);
 }
 
 template <class T, int D>

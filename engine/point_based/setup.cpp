@@ -10,6 +10,7 @@
 #include "engine/blocks/point_blocks.hpp"
 #include "engine/geometry/padded.hpp"
 #include "engine/method/gravity.hpp"
+#include "engine/method/hyperelastic.hpp"
 #include "engine/method/initial_stress.hpp"
 #include "engine/method/initial_velocity.hpp"
 #include "engine/point_based/candidates.hpp"
@@ -29,17 +30,6 @@ namespace {
 // Small blocks keep the workers busy, and large ones have less halo for each node.
 constexpr int least_nodes_of_block = 512, most_nodes_of_block = 1536, least_blocks = 32;
 constexpr double on_wall = 1e-9;
-
-kernels::ElasticLaw law_of(MaterialCase::Model model) {
-  switch (model) {
-    case MaterialCase::Model::st_venant_kirchhoff:
-      return kernels::ElasticLaw::st_venant_kirchhoff;
-    case MaterialCase::Model::reduced_polynomial:
-      return kernels::ElasticLaw::reduced_polynomial;
-    default:
-      return kernels::ElasticLaw::neo_hookean;
-  }
-}
 
 template <class T, int D>
 void lay_out(const NodeCloud<D>& cloud, Body<T, D>& body) {
@@ -184,18 +174,6 @@ bool has_elements(const Shape& shape) {
          (shape.file.ends_with(".msh") || shape.file.ends_with(".vtk"));
 }
 
-template <class T>
-kernels::PointMaterial<T> point_material(const BodyCase& source) {
-  const kernels::Material<double>& m = source.material;
-  kernels::PointMaterial<T> material;
-  material.law = law_of(source.material_as_given.model);
-  material.density = static_cast<T>(m.density);
-  material.shear_modulus = static_cast<T>(m.shear_modulus);
-  material.lame_modulus = static_cast<T>(m.bulk_modulus - 2. / 3 * m.shear_modulus);
-  material.polynomial = kernels::with_scalar<T>(m);
-  return material;
-}
-
 template <int D>
 PlacedNodes<D> place_nodes(const Case& settings, const BodyCase& source,
                            const Boundaries<D>& boundaries) {
@@ -232,7 +210,7 @@ void make_nodes(const Case& settings, const BodyCase& source, const PlacedNodes<
                 const Boundaries<D>& boundaries, PressureForces pressures, Body<T, D>& body) {
   body.name = source.name;
   body.source = &source;
-  body.material = point_material<T>(source);
+  body.material = kernels::with_scalar<T>(hyperelastic_material(source));
   lay_out(nodes.cloud, body);
   make_room(settings, boundaries, pressures, body);
   body.resolution = std::numeric_limits<double>::infinity();
@@ -273,8 +251,6 @@ scheduler::Blocks number_blocks(State<T, D>& state) {
   return join_blocks(blocks);
 }
 
-template kernels::PointMaterial<double> point_material<double>(const BodyCase&);
-template kernels::PointMaterial<float> point_material<float>(const BodyCase&);
 template PlacedNodes<2> place_nodes<2>(const Case&, const BodyCase&, const Boundaries<2>&);
 template PlacedNodes<3> place_nodes<3>(const Case&, const BodyCase&, const Boundaries<3>&);
 template void make_nodes(const Case&, const BodyCase&, const PlacedNodes<2>&, const Boundaries<2>&,

@@ -9,10 +9,6 @@
 
 namespace pliant::point_based {
 
-/// The constants that the kernels read.
-template <class T>
-kernels::PointMaterial<T> point_material(const BodyCase& source);
-
 /// Whether a shape is a mesh of tetrahedra, in 2D of triangles.
 bool has_elements(const Shape& shape);
 

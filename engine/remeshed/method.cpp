@@ -64,7 +64,7 @@ void check(const Check& check) {
   check_contact_steps(check);
   check_tractions(check);
   refuse_tables(check, {"cut"});
-  refuse_models_of_points(check);
+  refuse_models_of_undeformed_bodies(check);
   refuse_measurements(check, Measurer<double, 2>::is_measured);
 }
 

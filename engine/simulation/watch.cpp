@@ -186,8 +186,9 @@ std::string Watch::observe(Solver& solver, bool last) {
 // Only at the end: what a body that is flat in contact seems to have lost comes back. What viscous
 // bodies lose, they should, and what friction takes.
 std::string Watch::judge_loss() const {
-  const bool is_viscous = std::any_of(settings_.bodies.begin(), settings_.bodies.end(),
-                                      [](const BodyCase& body) { return !body.prony.empty(); });
+  const bool is_viscous = std::any_of(
+      settings_.bodies.begin(), settings_.bodies.end(),
+      [](const BodyCase& body) { return !body.prony.empty() || !body.prony_shear.empty(); });
   if (is_viscous || has_friction(settings_) || !(scale_ > rounding_energy()) ||
       !(-created_ > tolerated * scale_))
     return "";

@@ -70,7 +70,7 @@ struct Body : undeformed::Body<T, D> {
   using Points = undeformed::Body<T, D>;
   using Points::position;
 
-  kernels::Material<T> material;
+  kernels::HyperelasticMaterial<T> material;  ///< coefficients without the share that relaxes
   kernels::HourglassStiffness<double> hourglass;
   Lattice<D> lattice;
   Layout<D> layout;
@@ -86,6 +86,11 @@ struct Body : undeformed::Body<T, D> {
   /// The same for the next stress, as long as blocks evaluate it; then they change places.
   std::vector<Buffer<T>> next_memory_pressure;
   Buffer<T> next_volume_change;
+  std::vector<kernels::PronyTerm<double>> prony_shear;
+  /// [tensor * network_components + component] A_i - I of (TL.24) at the last stress, then
+  /// J^(2/3) C^-1 - I there; empty without prony_shear.
+  std::vector<Buffer<T>> network;
+  std::vector<Buffer<T>> next_network;            ///< the same for the next stress
   double memory_age = 0;                          ///< time since the last stress [s]
   std::vector<FittedNode<D>> fitted_nodes;        ///< in the order of the slots
   std::vector<kernels::FittedCell<T, D>> fitted;  ///< block by block
@@ -130,6 +135,7 @@ struct Body : undeformed::Body<T, D> {
     std::swap(this->displacement, this->end_displacement);
     std::swap(memory_pressure, next_memory_pressure);
     std::swap(volume_change, next_volume_change);
+    std::swap(network, next_network);
   }
 
   /// How far a particle starts from its node [m].
@@ -200,6 +206,8 @@ struct Body : undeformed::Body<T, D> {
     f(field_list[Field::next_memory_pressure], span(body.next_memory_pressure));
     f(field_list[Field::next_volume_change],
       span(&body.next_volume_change, body.prony.empty() ? 0 : 1));
+    f(field_list[Field::network], span(body.network));
+    f(field_list[Field::next_network], span(body.next_network));
   }
 };
 

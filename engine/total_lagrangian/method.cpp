@@ -55,11 +55,14 @@ std::string summary(const Case& a_case) {
 
 // Particles lie on the corners of all cells that the body fills in part.
 Footprint footprint(const Case& a_case, const BodyCase& body) {
-  // phi, fraction, that of regular cells, mass and its inverse; five vectors; p_i and J - 1,
-  // twice
+  // phi, fraction, that of regular cells, mass and its inverse; five vectors; p_i and J - 1, A_i
+  // and C^-1, twice
   const int dimension = a_case.dimension;
   const std::size_t terms = body.prony.size();
-  const double memory = terms > 0 ? terms + 1.0 : 0.0;
+  const std::size_t networks = body.prony_shear.size();
+  const int components = dimension == 2 ? 4 : 6;
+  const double memory =
+      (terms > 0 ? terms + 1.0 : 0.0) + (networks > 0 ? components * (networks + 1.0) : 0.0);
   Footprint footprint;
   footprint.on_corners = true;
   footprint.margin = 0.5;

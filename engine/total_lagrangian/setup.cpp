@@ -9,6 +9,7 @@
 #include <limits>
 
 #include "engine/geometry/padded.hpp"
+#include "engine/method/hyperelastic.hpp"
 #include "engine/method/initial_velocity.hpp"
 #include "engine/total_lagrangian/block_cells.hpp"
 #include "engine/total_lagrangian/fit.hpp"
@@ -67,22 +68,32 @@ void lay_out(const Nodes<D>& nodes, Body<T, D>& body) {
   body.layout.build(occupancy, {}, blocks, 1);
 }
 
-// The constants that the kernels read: those of a linear material's hyperelastic form.
+// The constants that the kernels read: those of a linear material's hyperelastic form, and
+// coefficients without the share that relaxes, (TL.24).
 template <class T, int D>
 void take_material(const BodyCase& source, Body<T, D>& body) {
-  kernels::Material<double> material = source.material;
-  if (material.model != kernels::Model::reduced_polynomial) {
-    material.order = 1;
-    material.coefficient[0] = material.shear_modulus / 2;
-    material.compressibility = 2 / material.bulk_modulus;
+  kernels::HyperelasticMaterial<double> material = hyperelastic_material(source);
+  kernels::Material<double>& polynomial = material.polynomial;
+  if (polynomial.model != kernels::Model::reduced_polynomial) {
+    polynomial.order = 1;
+    polynomial.coefficient[0] = polynomial.shear_modulus / 2;
+    polynomial.compressibility = 2 / polynomial.bulk_modulus;
   }
+  const double lasting = lasting_share(source.prony_shear);
+  for (double& coefficient : polynomial.coefficient) coefficient *= lasting;
   body.material = kernels::with_scalar<T>(material);
+  body.prony_shear = source.prony_shear;
+  if (!body.prony_shear.empty()) {
+    const std::size_t tensors = body.prony_shear.size() + 1;
+    body.network.resize(tensors * kernels::network_components<D>);
+    body.next_network.resize(body.network.size());
+  }
   body.prony = source.prony;
   body.memory_pressure.resize(body.prony.size());
   body.next_memory_pressure.resize(body.prony.size());
 }
 
-// (TL.17), with Poisson's ratio at rest.
+// (TL.17) and (TL.26), with Poisson's ratio at rest.
 template <int D>
 kernels::HourglassStiffness<double> hourglass_stiffness(const std::optional<double>& given,
                                                         const kernels::Material<double>& material) {
@@ -90,8 +101,9 @@ kernels::HourglassStiffness<double> hourglass_stiffness(const std::optional<doub
   const double k = material.bulk_modulus, mu = material.shear_modulus;
   const double poisson = (3 * k - 2 * mu) / (6 * k + 2 * mu);
   if (D == 2) return {1 / (1 - poisson), 0, 0, 0};
-  constexpr double twist = 2. / 3;  // of plates
-  return {twist, 1 / (1 - poisson), 1 - twist, poisson / (1 - poisson)};
+  constexpr double twist = 2. / 3;                                     // of plates
+  const double pattern = 1 / (twist * (1 - poisson) * (1 - poisson));  // (TL.26)
+  return {twist, pattern, 1 - twist, poisson / (1 - poisson)};
 }
 
 template <class T, int D>

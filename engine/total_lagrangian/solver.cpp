@@ -9,6 +9,7 @@
 #include "engine/case/stability.hpp"
 #include "engine/lattice/layout_blocks.hpp"
 #include "engine/method/initial_stress.hpp"
+#include "engine/total_lagrangian/breathing.hpp"
 #include "engine/total_lagrangian/parameters.hpp"
 #include "engine/total_lagrangian/setup.hpp"
 
@@ -29,10 +30,21 @@ bool is_held(const Body<T, D>& body, std::int64_t slot) {
   return false;
 }
 
+/// c^2 of (TL.23) over that of waves at rest.
+double breathing_ratio(const kernels::Material<double>& material, double factor) {
+  const double mu = material.shear_modulus, lambda = material.bulk_modulus - 2. / 3 * mu;
+  return std::max(1.0, (factor * lambda + 2 * mu) / (lambda + 2 * mu));
+}
+
+// Of the limit by (TL.23), for states that are not at rest: a clamped bar of one cell, nu = 0.49,
+// that swings by a third of its length keeps its energy at 1.00 of the limit, and fails at 1.03.
+constexpr double safe_share = 0.95;
+
 }  // namespace
 
 template <class T, int D>
-Solver<T, D>::Solver(const Case& a_case, const SolverOptions& options) : Base(a_case, options) {
+Solver<T, D>::Solver(const Case& a_case, const SolverOptions& options)
+    : Base(a_case, options), cfl_(cfl_number(this->settings())) {
   State<T, D>& state = this->state();
   Layouts<D> layouts;
   for (std::size_t b = 0; b < state.bodies.size(); ++b) {
@@ -40,6 +52,7 @@ Solver<T, D>::Solver(const Case& a_case, const SolverOptions& options) : Base(a_
     const BodyCase& source = this->settings().bodies[b];
     make_body<T, D>(this->settings(), source, state.boundaries, body);
     layouts.push_back(&body.layout);
+    limit_cfl(source, body);
     const double taut =
         wave_speed_under<D>(source, body.initial_stress, body.is_prestressed() ? body.slots : 0);
     state.clock.wave_speed = std::max(state.clock.wave_speed, taut);
@@ -65,6 +78,15 @@ double Solver<T, D>::smallest_spacing() const {
   return least;
 }
 
+// Only where the limit counts: the sum over the directions is the worst.
+template <class T, int D>
+void Solver<T, D>::limit_cfl(const BodyCase& source, const Body<T, D>& body) {
+  const double worst = safe_share / std::sqrt(breathing_ratio(source.material, D));
+  if (cfl_ <= worst) return;
+  const double ratio = breathing_ratio(source.material, breathing_factor(body));
+  cfl_ = std::min(cfl_, safe_share / std::sqrt(ratio));
+}
+
 // Waves are slower by the square root of the scaling; "match_time_step" makes them as slow as the
 // step needs at present.
 template <class T, int D>
@@ -73,16 +95,14 @@ void Solver<T, D>::scale_mass() {
   Clock& clock = this->state().clock;
   double& scaling = clock.mass_scaling = given.value_or(1);
   if (given) return;
-  const double cells = clock.wave_speed * *this->settings().time.step /
-                       (cfl_number(this->settings()) * smallest_spacing());
+  const double cells = clock.wave_speed * *this->settings().time.step / (cfl_ * smallest_spacing());
   scaling = std::max(1.0, cells * cells);
 }
 
 template <class T, int D>
 double Solver<T, D>::automatic_step() const {
   const Clock& clock = this->clock();
-  return cfl_number(this->settings()) * smallest_spacing() * std::sqrt(clock.mass_scaling) /
-         clock.wave_speed;
+  return cfl_ * smallest_spacing() * std::sqrt(clock.mass_scaling) / clock.wave_speed;
 }
 
 template <class T, int D>

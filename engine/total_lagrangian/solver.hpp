@@ -28,7 +28,9 @@ class Solver final : public undeformed::Solver<State<T, D>, Step<T, D>, Measurer
   void show() override { this->state().age_memory(); }
   double smallest_spacing() const;  ///< of all bodies [m]
   void scale_mass();
+  void limit_cfl(const BodyCase& source, const Body<T, D>& body);
 
+  double cfl_;                    ///< that of the case, as far as (TL.23) allows
   double stress_wave_speed_ = 0;  ///< what initial stresses add in squares to that of waves [m/s]
 };
 

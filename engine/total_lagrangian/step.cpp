@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "engine/method/hyperelastic.hpp"
 #include "engine/method/phase_rows.hpp"
 #include "engine/total_lagrangian/contact_surface.hpp"
 #include "engine/total_lagrangian/parameters.hpp"
@@ -51,13 +52,7 @@ std::vector<Phase> Step<T, D>::phases() {
   boundary_forces_.prepare_blocks();
   prepare_contact();
   reserve_forces();
-  relaxation_.resize(state_.bodies.size());
-  memory_.resize(state_.bodies.size());
-  next_memory_.resize(state_.bodies.size());
-  for (std::size_t b = 0; b < state_.bodies.size(); ++b) {
-    relaxation_[b].resize(state_.bodies[b].prony.size());
-    list_memory(b);
-  }
+  prepare_memory();
   std::vector<Phase> phases;
   PhaseRows rows(phases);
   if (!state_.boundaries.pressures.empty()) {
@@ -125,11 +120,15 @@ void Step<T, D>::prepare(const Advance& advance) {
   for (std::size_t b = 0; b < state_.bodies.size(); ++b) {
     const Body<T, D>& body = state_.bodies[b];
     list_memory(b);
+    const auto relaxation = [&](const kernels::PronyTerm<double>& term, T modulus) {
+      return kernels::relaxation<T>({static_cast<T>(term.ratio), static_cast<T>(term.time)},
+                                    modulus, advance.previous);
+    };
     for (std::size_t i = 0; i < body.prony.size(); ++i) {
-      const kernels::PronyTerm<T> term = {static_cast<T>(body.prony[i].ratio),
-                                          static_cast<T>(body.prony[i].time)};
-      relaxation_[b][i] =
-          kernels::relaxation<T>(term, body.material.bulk_modulus, advance.previous);
+      memory_[b].bulk[i] = relaxation(body.prony[i], body.material.polynomial.bulk_modulus);
+    }
+    for (std::size_t i = 0; i < body.prony_shear.size(); ++i) {
+      memory_[b].shear[i] = relaxation({1, body.prony_shear[i].time}, 1);
     }
   }
 }
@@ -154,29 +153,55 @@ StepResult Step<T, D>::fold() {
   return result;
 }
 
+template <class T, int D>
+void Step<T, D>::prepare_memory() {
+  memory_.resize(state_.bodies.size());
+  for (std::size_t b = 0; b < state_.bodies.size(); ++b) {
+    const Body<T, D>& body = state_.bodies[b];
+    BodyMemory<T>& memory = memory_[b];
+    memory.bulk.resize(body.prony.size());
+    memory.shear.resize(body.prony_shear.size());
+    memory.shear_ratio.clear();
+    for (const kernels::PronyTerm<double>& term : body.prony_shear) {
+      memory.shear_ratio.push_back(static_cast<T>(term.ratio / lasting_share(body.prony_shear)));
+    }
+    list_memory(b);
+  }
+}
+
 // The arrays of the terms change places after every step.
 template <class T, int D>
 void Step<T, D>::list_memory(std::size_t b) {
+  const auto list = [](std::vector<Buffer<T>>& arrays, std::vector<T*>& listed) {
+    listed.resize(arrays.size());
+    for (std::size_t i = 0; i < arrays.size(); ++i) listed[i] = arrays[i].get();
+  };
   Body<T, D>& body = state_.bodies[b];
-  memory_[b].resize(body.prony.size());
-  next_memory_[b].resize(body.prony.size());
-  for (std::size_t i = 0; i < body.prony.size(); ++i) {
-    memory_[b][i] = body.memory_pressure[i].get();
-    next_memory_[b][i] = body.next_memory_pressure[i].get();
-  }
+  list(body.memory_pressure, memory_[b].pressure);
+  list(body.next_memory_pressure, memory_[b].next_pressure);
+  list(body.network, memory_[b].tensor);
+  list(body.next_network, memory_[b].next_tensor);
 }
 
 template <class T, int D>
 kernels::CellViscosity<T> Step<T, D>::viscosity(int b) {
   Body<T, D>& body = state_.bodies[b];
+  const BodyMemory<T>& memory = memory_[b];
   kernels::CellViscosity<T> viscosity;
   viscosity.terms = static_cast<int>(body.prony.size());
-  viscosity.relaxation = relaxation_[b].data();
-  viscosity.pressure = memory_[b].data();
-  viscosity.next_pressure = next_memory_[b].data();
+  viscosity.relaxation = memory.bulk.data();
+  viscosity.pressure = memory.pressure.data();
+  viscosity.next_pressure = memory.next_pressure.data();
   viscosity.volume_change = body.volume_change.get();
   viscosity.next_volume_change = body.next_volume_change.get();
   return viscosity;
+}
+
+template <class T, int D>
+kernels::CellNetworks<T> Step<T, D>::networks(int b) const {
+  const BodyMemory<T>& memory = memory_[b];
+  return {static_cast<int>(memory.shear.size()), memory.shear.data(), memory.shear_ratio.data(),
+          memory.tensor.data(), memory.next_tensor.data()};
 }
 
 template <class T, int D>
@@ -225,6 +250,7 @@ void Step<T, D>::move(int block) {
   work.slot_count = range.slot_count;
   set_cells(body, local, work);
   work.viscosity = viscosity(state_.blocks[block].body);
+  work.networks = networks(state_.blocks[block].body);
   set_particles(body, work);
   std::array<Buffer<T>, D>& force = force_[std::max(workers_.index(), 0)];
   for (int a = 0; a < D; ++a) work.force[a] = force[a].get();

@@ -22,6 +22,15 @@ struct StepResult : undeformed::StepResult {
   double rayleigh = 0;    ///< dt omega^2 of (TL.10), without scaling of the mass [1/s]
 };
 
+/// What kernels read of the memory of a viscous body.
+template <class T>
+struct BodyMemory {
+  std::vector<kernels::Relaxation<T>> bulk, shear;  ///< [term], since the last step
+  std::vector<T> shear_ratio;                       ///< [term] of CellNetworks
+  std::vector<T*> pressure, next_pressure;          ///< [term]
+  std::vector<T*> tensor, next_tensor;              ///< [component] of CellNetworks
+};
+
 /// The phases of one time step: the method in the order of its equations.
 template <class T, int D>
 class Step {
@@ -43,8 +52,10 @@ class Step {
  private:
   void prepare_contact();
   bool bodies_touch() const { return contact_.exists() || body_contact_.exists(); }
+  void prepare_memory();
   void list_memory(std::size_t body);
   kernels::CellViscosity<T> viscosity(int body);
+  kernels::CellNetworks<T> networks(int body) const;
   void set_cells(const Body<T, D>& body, int local, kernels::Motion<T, D>& work) const;
   void set_particles(Body<T, D>& body, kernels::Motion<T, D>& work) const;
   void reserve_forces();
@@ -67,11 +78,9 @@ class Step {
   undeformed::WallContact<T, D> contact_;
   undeformed::BodyContact<T, D> body_contact_;
   scheduler::Workers& workers_;
-  std::vector<std::vector<kernels::Relaxation<T>>>
-      relaxation_;                                     ///< [body][term], since the last step
-  std::vector<std::vector<T*>> memory_, next_memory_;  ///< [body][term]
-  std::vector<std::array<Buffer<T>, D>> force_;        ///< [worker], for one block at a time [N]
-  std::vector<kernels::MotionResult> results_;         ///< [block]
+  std::vector<BodyMemory<T>> memory_;            ///< [body]
+  std::vector<std::array<Buffer<T>, D>> force_;  ///< [worker], for one block at a time [N]
+  std::vector<kernels::MotionResult> results_;   ///< [block]
 };
 
 extern template class Step<double, 2>;

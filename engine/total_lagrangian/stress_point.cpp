@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "engine/method/hyperelastic.hpp"
 #include "engine/method/initial_stress.hpp"
 #include "engine/total_lagrangian/fitted_cells.hpp"
 #include "kernels/total_lagrangian/cell_energy.hpp"
@@ -12,6 +13,8 @@
 namespace pliant::total_lagrangian {
 
 namespace {
+
+using Pack = xsimd::batch<double, xsimd::sse2>;
 
 // [component][mode], (TL.2).
 template <class T, int D>
@@ -44,7 +47,8 @@ double volumetric_energy(const kernels::Material<double>& material, double j) {
   return modulus / 2 * (j - 1) * (j - 1);
 }
 
-/// What Prony terms add at present to the pressure, and to the energy per volume (RP.64).
+/// What Prony terms of the bulk modulus add at present to the pressure, and to the energy per
+/// volume (RP.64).
 struct Memory {
   double pressure = 0, energy = 0;
 };
@@ -54,7 +58,7 @@ template <class T, int D>
 Memory relaxed_memory(const Body<T, D>& body, std::int64_t slot, double volume_change) {
   Memory sum;
   for (std::size_t i = 0; i < body.prony.size(); ++i) {
-    const double modulus = body.material.bulk_modulus;
+    const double modulus = body.material.polynomial.bulk_modulus;
     const auto term = kernels::relaxation<double>(body.prony[i], modulus, body.memory_age);
     const double p = term.decay * body.memory_pressure[i][slot] +
                      term.start * body.volume_change[slot] + term.end * volume_change;
@@ -62,6 +66,13 @@ Memory relaxed_memory(const Body<T, D>& body, std::int64_t slot, double volume_c
     sum.energy += kernels::relaxed_energy<double>(body.prony[i], modulus, p, volume_change);
   }
   return sum;
+}
+
+template <int D>
+std::array<double, D * D> row_by_row(const StressPoint<D>& point) {
+  std::array<double, D * D> f;
+  for (int c = 0; c < D * D; ++c) f[c] = point.deformation_gradient[c / D][c % D];
+  return f;
 }
 
 /// A cell in plain numbers: F and the hourglass modes, (TL.2) and (TL.11).
@@ -104,28 +115,75 @@ template <class T, int D>
 double add_prestress(const Body<T, D>& body, std::int64_t slot, StressPoint<D>& point) {
   std::array<double, kernels::symmetric_components<D>> s0;
   for (std::size_t c = 0; c < s0.size(); ++c) s0[c] = body.initial_stress[c][slot];
-  std::array<double, D * D> f;
-  for (int c = 0; c < D * D; ++c) f[c] = point.deformation_gradient[c / D][c % D];
-  const LastingStress<D> lasting(s0, f, point.volume_ratio);
+  const LastingStress<D> lasting(s0, row_by_row(point), point.volume_ratio);
   for (std::size_t c = 0; c < s0.size(); ++c) point.stress[c] += lasting.stress[c];
   point.pressure += lasting.pressure(*body.source);
   return lasting.energy;
 }
 
-}  // namespace
+/// Adds the deviator of factor b to the stress of the point, b in 3D.
+template <int D>
+void add_deviator(double factor, const Eigen::Matrix3d& b, StressPoint<D>& point) {
+  const double mean = b.trace() / 3;
+  for (int i = 0; i < D; ++i) {
+    for (int k = i; k < D; ++k) {
+      point.stress[kernels::symmetric_index<D>(i, k)] += factor * (b(i, k) - (i == k ? mean : 0));
+    }
+  }
+}
 
+/// sum_n C_n0 (I1 - 3)^n
+double polynomial_energy(const kernels::Material<double>& material, double excess) {
+  double energy = 0, power = 1;
+  for (int n = 1; n <= material.order; ++n) {
+    power *= excess;
+    energy += material.coefficient[n - 1] * power;
+  }
+  return energy;
+}
+
+/// Adds the networks of (TL.24) at the present time to the stress of the point; their energy per
+/// volume.
 template <class T, int D>
-StressPoint<D> stress_point(const Body<T, D>& body, std::int64_t slot, const Cell<D>& cell) {
-  using Pack = xsimd::batch<double, xsimd::sse2>;
-  const CellShape<D> shape = cell_shape<T, D>(body, slot, cell);
-  const auto material = kernels::with_scalar<double>(body.material);
-  StressPoint<D> point;
+double add_networks(const Body<T, D>& body, const kernels::Material<double>& material,
+                    std::int64_t slot, const Eigen::Matrix3d& f, StressPoint<D>& point) {
+  constexpr int components = kernels::network_components<D>;
+  const double j = point.volume_ratio, scale = std::pow(j, -2. / 3);
+  const Eigen::Matrix3d strain =
+      (f.transpose() * f).inverse() / scale - Eigen::Matrix3d::Identity();
+  const auto tensor = [&](std::size_t i) {
+    const auto at = [&](int c) -> double { return body.network[components * i + c][slot]; };
+    Eigen::Matrix3d a = Eigen::Matrix3d::Zero();
+    for (int k = 0; k < D; ++k) {
+      for (int l = 0; l < D; ++l) a(k, l) = at(kernels::symmetric_index<D>(k, l));
+    }
+    if (D == 2) a(2, 2) = at(components - 1);
+    return a;
+  };
+  const Eigen::Matrix3d before = tensor(body.prony_shear.size());
+  const double lasting = lasting_share(body.prony_shear);
+  double energy = 0;
+  for (std::size_t i = 0; i < body.prony_shear.size(); ++i) {
+    const auto term =
+        kernels::relaxation<double>({1, body.prony_shear[i].time}, 1, body.memory_age);
+    const Eigen::Matrix3d a = Eigen::Matrix3d::Identity() + term.decay * tensor(i) +
+                              term.start * before + term.end * strain;
+    const Eigen::Matrix3d b = scale * f * a * f.transpose();
+    const double excess = b.trace() - 3, ratio = body.prony_shear[i].ratio / lasting;
+    Pack first, second;
+    kernels::energy_derivatives(material, Pack(excess), first, second);
+    add_deviator<D>(2 * ratio * first.get(0) / j, b, point);
+    energy += ratio * polynomial_energy(material, excess);
+  }
+  return energy;
+}
+
+/// The state of the cell of a law (TL.3) or (TL.22) as kernels have it.
+template <class T, int D>
+kernels::CellState<Pack, D> cell_state(const Body<T, D>& body, const CellShape<D>& shape) {
   kernels::CellState<Pack, D> state;
   for (int i = 0; i < D; ++i) {
-    for (int j = 0; j < D; ++j) {
-      state.f[D * i + j] = Pack(shape.f(i, j));
-      point.deformation_gradient[i][j] = shape.f(i, j);
-    }
+    for (int j = 0; j < D; ++j) state.f[D * i + j] = Pack(shape.f(i, j));
   }
   Pack mode[D][1 << D];
   for (int i = 0; i < D; ++i) std::copy(shape.mode[i].begin(), shape.mode[i].end(), mode[i]);
@@ -133,25 +191,51 @@ StressPoint<D> stress_point(const Body<T, D>& body, std::int64_t slot, const Cel
   const kernels::HourglassWeights<Pack, D> weights(body.hourglass, body.lattice.spacing);
   state.hourglass = kernels::hourglass_squares<Pack, D>(weights, state.f, mode, state.by_f);
   state.complete();
-  const auto stress = kernels::cell_stress<Pack, D>(material, state, Pack(0.0));
+  return state;
+}
 
-  point.volume = shape.volume;
-  const double j = point.volume_ratio = state.volume_ratio.get(0);
+/// Sets the stress of a law (TL.3); its energy per volume.
+template <class T, int D>
+double take_polynomial(const Body<T, D>& body, const kernels::Material<double>& material,
+                       std::int64_t slot, const kernels::CellState<Pack, D>& state,
+                       const CellShape<D>& shape, StressPoint<D>& point) {
+  const auto stress = kernels::polynomial_stress<Pack, D>(material, state, Pack(0.0));
+  const double j = point.volume_ratio;
   const Memory relaxed = relaxed_memory(body, slot, j - 1);
   point.pressure = relaxed.pressure -
                    kernels::volumetric_slope(material, state.volume_ratio, Pack(1 / j)).get(0);
-  const Eigen::Matrix<double, D, D> b = shape.f * shape.f.transpose();
-  const double mean = (b.trace() + (D == 2 ? 1 : 0)) / 3, factor = stress.shear.get(0) / j;
+  for (int i = 0; i < D; ++i) point.stress[kernels::symmetric_index<D>(i, i)] = -point.pressure;
+  Eigen::Matrix3d f = Eigen::Matrix3d::Identity();
+  f.topLeftCorner<D, D>() = shape.f;
+  add_deviator<D>(stress.shear.get(0) / j, f * f.transpose(), point);
+  double energy = volumetric_energy(material, j) + relaxed.energy +
+                  polynomial_energy(material, stress.excess.get(0));
+  if (!body.prony_shear.empty()) energy += add_networks<T, D>(body, material, slot, f, point);
+  return energy;
+}
+
+}  // namespace
+
+template <class T, int D>
+StressPoint<D> stress_point(const Body<T, D>& body, std::int64_t slot, const Cell<D>& cell) {
+  const CellShape<D> shape = cell_shape<T, D>(body, slot, cell);
+  const auto material = kernels::with_scalar<double>(body.material);
+  StressPoint<D> point;
   for (int i = 0; i < D; ++i) {
-    for (int k = i; k < D; ++k) {
-      point.stress[kernels::symmetric_index<D>(i, k)] =
-          factor * (b(i, k) - (i == k ? mean : 0)) - (i == k ? point.pressure : 0);
-    }
+    for (int j = 0; j < D; ++j) point.deformation_gradient[i][j] = shape.f(i, j);
   }
-  double energy = volumetric_energy(material, j) + relaxed.energy, power = 1;
-  for (int n = 1; n <= material.order; ++n) {
-    power *= stress.excess.get(0);
-    energy += material.coefficient[n - 1] * power;
+  const kernels::CellState<Pack, D> state = cell_state<T, D>(body, shape);
+  point.volume = shape.volume;
+  point.volume_ratio = state.volume_ratio.get(0);
+  double energy = 0;
+  if (material.law == kernels::ElasticLaw::reduced_polynomial) {
+    energy = take_polynomial<T, D>(body, material.polynomial, slot, state, shape, point);
+  } else {
+    const ElasticStress<D> elastic = elastic_stress<D>(material, row_by_row(point));
+    point.pressure = elastic.pressure;
+    point.stress = elastic.stress;
+    energy = elastic_energy<D>(material, row_by_row(point)) +
+             material.shear_modulus / 2 * state.hourglass.get(0);
   }
   if (body.is_prestressed()) energy += add_prestress(body, slot, point);
   point.energy = shape.volume * energy;

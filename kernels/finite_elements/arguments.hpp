@@ -28,12 +28,12 @@ struct ElementBlock {
   const T* shape;               ///< [pack][element_values][lane] [1/m], [m^D]
   const T* initial_stress;      ///< [pack][component][lane] S0 of (TL.14) [Pa]; null: none
   std::array<const T*, D> displacement;
-  PointMaterial<T> material;  ///< whose volumetric modulus counts apart
-  T volumetric_modulus;       ///< Lambda of (FE.3) [Pa]
-  bool examine;               ///< whether to look for states that are not possible
-  const T* pressure;          ///< [slot] p of (FE.4) [Pa]; null: (FE.3) in each element
-  T* point;                   ///< [count + halo_count][point_stride] room for displacements
-  T* force;                   ///< [count + halo_count][point_stride] what corners collect
+  HyperelasticMaterial<T> material;  ///< whose volumetric modulus counts apart
+  T volumetric_modulus;              ///< Lambda of (FE.3) [Pa]
+  bool examine;                      ///< whether to look for states that are not possible
+  const T* pressure;                 ///< [slot] p of (FE.4) [Pa]; null: (FE.3) in each element
+  T* point;                          ///< [count + halo_count][point_stride] room for displacements
+  T* force;                          ///< [count + halo_count][point_stride] what corners collect
 };
 
 /// Pressures of the nodes of a block, (FE.4), from what elements have collected there.

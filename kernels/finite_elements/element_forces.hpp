@@ -1,8 +1,8 @@
 #pragma once
 
 #include "kernels/finite_elements/arguments.hpp"
+#include "kernels/first_piola.hpp"
 #include "kernels/point_based/collect_points.hpp"
-#include "kernels/point_based/first_piola.hpp"
 #include "kernels/point_based/point_lanes.hpp"
 
 /// Forces of the elements of a block, a register of elements at a time with one in each lane:

@@ -3,8 +3,8 @@
 #include <array>
 #include <cstdint>
 
+#include "kernels/hyperelastic_material.hpp"
 #include "kernels/layout.hpp"
-#include "kernels/material.hpp"
 
 /// What the kernels of the point-based method work on. Nodes are slots; those of a block follow one
 /// another, filled up to whole packs with slots without mass.
@@ -18,19 +18,6 @@
 /// added to the nodes of other blocks in a later phase, in the order of the blocks, so that sums do
 /// not depend on the number of threads.
 namespace pliant::kernels {
-
-/// Strain energy of a node: (PB.6), (PB.7), or (RP.9).
-enum class ElasticLaw : std::uint8_t { neo_hookean, st_venant_kirchhoff, reduced_polynomial };
-
-/// Constants of a material of the point-based method.
-template <class T>
-struct PointMaterial {
-  ElasticLaw law = ElasticLaw::neo_hookean;
-  T density = 1;           ///< rho0 [kg/m^3]
-  T shear_modulus = 0;     ///< mu [Pa]
-  T lame_modulus = 0;      ///< lambda [Pa]
-  Material<T> polynomial;  ///< reduced polynomial
-};
 
 /// Values that a point takes in arrays of points.
 inline constexpr int point_stride = 4;
@@ -61,7 +48,7 @@ struct PointForces {
   std::array<const T*, D * D> kept;  ///< [slot] D of (PB.14); null: I
   T viscosity;                       ///< beta over the time step, (PB.9)
   bool examine;                      ///< whether to find what PointForcesResult holds
-  PointMaterial<T> material;
+  HyperelasticMaterial<T> material;
   T* point;  ///< [count + halo_count][point_stride] room for displacements
   T* force;  ///< [count + halo_count][point_stride] [N]
 };

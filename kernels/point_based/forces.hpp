@@ -1,9 +1,9 @@
 #pragma once
 
+#include "kernels/first_piola.hpp"
 #include "kernels/point_based/collect_points.hpp"
-#include "kernels/point_based/first_piola.hpp"
 #include "kernels/point_based/point_lanes.hpp"
-#include "kernels/point_based/stiffening.hpp"
+#include "kernels/stiffening.hpp"
 
 /// Forces of a block of nodes, a register of nodes at a time with one node in each lane:
 /// neighbours' displacements -> F -> P -> forces along the bonds.

@@ -3,8 +3,8 @@
 #include <array>
 #include <cstdint>
 
+#include "kernels/hyperelastic_material.hpp"
 #include "kernels/layout.hpp"
-#include "kernels/material.hpp"
 #include "kernels/remeshed/stage/relaxation.hpp"
 
 /// What the kernels of the total Lagrangian method work on. Particles are the slots of a lattice in
@@ -65,6 +65,23 @@ struct CellViscosity {
   T* next_volume_change = nullptr;            ///< [slot] J - 1 at this stress
 };
 
+/// Components of the tensors of a network: xx, xy, yy, zz in plane strain, else symmetric_index.
+template <int D>
+inline constexpr int network_components = D == 2 ? 4 : 6;
+
+/// The networks of (TL.24) at the stress points of a body; a body without Prony terms of its shear
+/// modulus has none.
+template <class T>
+struct CellNetworks {
+  int terms = 0;
+  const Relaxation<T>* relaxation = nullptr;  ///< [term], since the last stress; of a modulus of 1
+  const T* ratio = nullptr;                   ///< [term] g_i over the share that does not relax
+  /// [tensor * network_components + component][slot] at the last stress: A_i - I for each term,
+  /// then J^(2/3) C^-1 - I.
+  const T* const* tensor = nullptr;
+  T* const* next_tensor = nullptr;  ///< the same at this stress
+};
+
 /// The stress at the cells around the particles of a block, (TL.3)-(TL.6), and the motion of these
 /// particles, (TL.5), (TL.8). Reads `displacement`, `fraction` and the viscosity also in
 /// neighbouring blocks, and writes where no block reads.
@@ -83,8 +100,9 @@ struct Motion {
   T kept;        ///< share of the velocity that damping leaves, (TL.8)
   T gained;      ///< velocity per force over mass [s], (TL.8)
   T time_step;
-  Material<T> material;
+  HyperelasticMaterial<T> material;  ///< coefficients without the share that relaxes, (TL.24)
   CellViscosity<T> viscosity;
+  CellNetworks<T> networks;
   const T* fraction;  ///< [slot] share of the cell that the body fills; 0 in fitted cells
   /// [slot] S0 of (TL.14) at the stress points [Pa]; null: none.
   std::array<const T*, symmetric_components<D>> initial_stress;

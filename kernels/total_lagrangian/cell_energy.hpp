@@ -1,11 +1,13 @@
 #pragma once
 
 #include "kernels/cofactor.hpp"
-#include "kernels/reduced_polynomial.hpp"
+#include "kernels/first_piola.hpp"
+#include "kernels/stiffening.hpp"
 #include "kernels/total_lagrangian/arguments.hpp"
 
-/// The strain energy of a cell, (TL.3) and (TL.6), and its derivatives. The constants of a linear
-/// material are those of its hyperelastic form: N = 1, C10 = mu/2, 2/D = K.
+/// The strain energy of a cell, (TL.3) and (TL.6), or (TL.22), and its derivatives. Several loops
+/// have them, and states must stay in registers: what is inlined must be. The constants
+/// of a linear material are those of its hyperelastic form: N = 1, C10 = mu/2, 2/D = K.
 namespace pliant::kernels {
 
 /// dU/dJ of the volumetric part, (TL.3), from J and 1/J.
@@ -48,15 +50,15 @@ struct CellState {
 /// Derivatives of the energy per volume of the undeformed cell.
 template <class P, int D>
 struct CellStress {
-  P excess;        ///< I1* - 3
-  P shear;         ///< 2 W1 J^(-2/3): by half the derivative of Q the force of a mode [Pa]
+  P excess;        ///< I1* - 3 of (TL.3)
+  P shear;         ///< by half the derivative of Q the force of a mode [Pa]: 2 W1 J^(-2/3), or mu
   P piola[D * D];  ///< P [Pa]
 };
 
 /// (TL.4) and (TL.6); `relaxed` is the sum of the p_i of (RP.10).
 template <class P, int D>
-inline CellStress<P, D> cell_stress(const Material<Scalar<P>>& material,
-                                    const CellState<P, D>& state, const P& relaxed) {
+[[gnu::always_inline]] inline CellStress<P, D> polynomial_stress(
+    const Material<Scalar<P>>& material, const CellState<P, D>& state, const P& relaxed) {
   using T = Scalar<P>;
   CellStress<P, D> stress;
   P squares = D == 2 ? state.hourglass + P(T(1)) : state.hourglass;
@@ -77,6 +79,33 @@ inline CellStress<P, D> cell_stress(const Material<Scalar<P>>& material,
     stress.piola[c] = fused(stress.shear, state.by_f[c], spherical * state.cof[c]);
   }
   return stress;
+}
+
+/// (TL.22): the stress of the law, and mu in the place of 2 W1 J^(-2/3) for hourglass modes.
+template <ElasticLaw law, class P, int D>
+[[gnu::always_inline]] inline CellStress<P, D> law_stress(
+    const HyperelasticMaterial<Scalar<P>>& material, const CellState<P, D>& state) {
+  CellStress<P, D> stress;
+  stress.excess = P(Scalar<P>(0));
+  stress.shear = P(material.shear_modulus);
+  first_piola<law, P, D>(material, state.f, state.cof, stress.piola);
+#pragma GCC unroll 9
+  for (int c = 0; c < D * D; ++c) {
+    stress.piola[c] = fused(stress.shear, state.by_f[c] - state.f[c], stress.piola[c]);
+  }
+  return stress;
+}
+
+/// The stress of a cell by its law; `relaxed` is 0 for those of (TL.22).
+template <ElasticLaw law, class P, int D>
+[[gnu::always_inline]] inline CellStress<P, D> cell_stress(
+    const HyperelasticMaterial<Scalar<P>>& material, const CellState<P, D>& state,
+    const P& relaxed) {
+  if constexpr (law == ElasticLaw::reduced_polynomial) {
+    return polynomial_stress<P, D>(material.polynomial, state, relaxed);
+  } else {
+    return law_stress<law, P, D>(material, state);
+  }
 }
 
 /// Bound of c^2 as (RP.12), with the I1* of the cell.

@@ -4,6 +4,7 @@
 #include "kernels/total_lagrangian/cell_energy.hpp"
 #include "kernels/total_lagrangian/corner_modes.hpp"
 #include "kernels/total_lagrangian/hourglass.hpp"
+#include "kernels/total_lagrangian/viscosity.hpp"
 
 /// Parts that stress points of regular and of fitted cells share.
 namespace pliant::kernels {
@@ -46,28 +47,31 @@ struct StressPointExtremes {
   std::int64_t non_finite = -1;
 };
 
-/// Whether the stress of some lanes is no number or their J <= 0, and their wave speed in units of
-/// the lattice: by |A^-1 F^-1| of (TL.9), given as `reverse` = A^-1 cof F^T.
-template <class P, int D>
-inline auto examine(const Material<Scalar<P>>& material, const CellState<P, D>& state,
-                    const CellStress<P, D>& stress, const P (&reverse)[D * D],
-                    const typename P::batch_bool_type& inside, StressPointExtremes<P>& extremes) {
-  const P zero(Scalar<P>(0)), jacobian = state.volume_ratio;
-  P finite = zero;
-  for (const P& component : stress.piola) finite = fused(component, zero, finite);
-  const auto sound = (finite == zero) && (jacobian > zero);
-  const P c2 = cell_wave_speed2<P, D>(material, state, stress.excess) * norm2_bound<P, D>(reverse) /
-               (jacobian * jacobian);
-  extremes.wave_speed2 = xsimd::max(extremes.wave_speed2, xsimd::select(inside && sound, c2, zero));
-  return inside && !sound;
+/// Bound of c_X^2 of (TL.9) in units of the lattice: by |A^-1 F^-1|, given as `reverse` =
+/// A^-1 cof F^T, and |A^-1|^2, given as `inverse2`. `networks` is what (TL.24) adds to c^2.
+template <ElasticLaw law, class P, int D>
+inline P lattice_wave_speed2(const HyperelasticMaterial<Scalar<P>>& material,
+                             const CellState<P, D>& state, const CellStress<P, D>& stress,
+                             const P& networks, const P (&reverse)[D * D], const P& inverse2) {
+  if constexpr (law == ElasticLaw::reduced_polynomial) {
+    const P jacobian = state.volume_ratio;
+    const P c2 = cell_wave_speed2<P, D>(material.polynomial, state, stress.excess) + networks;
+    return c2 * norm2_bound<P, D>(reverse) / (jacobian * jacobian);
+  } else {
+    return wave_modulus<law, P, D>(material, state.f) * inverse2 / P(material.density);
+  }
 }
 
-/// One term of (RP.22) in a register of cells.
-template <class P>
-inline P relax_term(const Relaxation<Scalar<P>>& term, const P& before, const P& start,
-                    const P& end) {
-  const P driven = fused(P(term.start), start, P(term.end) * end);
-  return fused(P(term.decay), before, driven);
+/// Which lanes hold a stress that is no number or a J <= 0; takes the wave speeds of the others.
+template <class P, int D>
+inline auto examine(const CellState<P, D>& state, const CellStress<P, D>& stress, const P& c2,
+                    const typename P::batch_bool_type& inside, StressPointExtremes<P>& extremes) {
+  const P zero(Scalar<P>(0));
+  P finite = zero;
+  for (const P& component : stress.piola) finite = fused(component, zero, finite);
+  const auto sound = (finite == zero) && (state.volume_ratio > zero);
+  extremes.wave_speed2 = xsimd::max(extremes.wave_speed2, xsimd::select(inside && sound, c2, zero));
+  return inside && !sound;
 }
 
 }  // namespace pliant::kernels

@@ -110,24 +110,16 @@ inline void add_fitted_prestress(const Motion<Scalar<P>, D>& block, const CellGr
   add_pulled_back<P, D>(state.f, s, stress.piola);
 }
 
-/// (RP.22) for the cells of a group.
+/// The slots of the cells of a group; those that belong to the block are written.
 template <class P, int D>
-inline P relax_fitted(const Motion<Scalar<P>, D>& block, const CellGroup<P, D>& group,
-                      const CellState<P, D>& state) {
+struct FittedSlots {
   using T = Scalar<P>;
-  const CellViscosity<T>& viscosity = block.viscosity;
-  P sum(T(0));
-  if (viscosity.terms == 0) return sum;
-  const P start = group.gather(viscosity.volume_change), end = state.volume_ratio - P(T(1));
-  for (int i = 0; i < viscosity.terms; ++i) {
-    const P before = group.gather(viscosity.pressure[i]);
-    const P after = relax_term(viscosity.relaxation[i], before, start, end);
-    group.scatter(block, after, viscosity.next_pressure[i]);
-    sum = sum + after;
-  }
-  group.scatter(block, end, viscosity.next_volume_change);
-  return sum;
-}
+  const Motion<T, D>& block;
+  const CellGroup<P, D>& group;
+
+  P get(const T* from) const { return group.gather(from); }
+  void put(T* to, const P& value, const P&) const { group.scatter(block, value, to); }
+};
 
 /// (TL.5) and (TL.6) with the corrections of (TL.11), from half the derivatives of Q by the modes
 /// that F leaves.
@@ -161,7 +153,7 @@ inline void add_fitted_forces(const Motion<Scalar<P>, D>& block, const CellGroup
 }
 
 /// Takes the forces of the fitted cells from `block.force`.
-template <class P, int D>
+template <ElasticLaw law, bool relaxes, class P, int D>
 void evaluate_fitted_cells(const Motion<Scalar<P>, D>& block, StressPointExtremes<P>& extremes) {
   using T = Scalar<P>;
   constexpr int corners = 1 << D;
@@ -176,8 +168,11 @@ void evaluate_fitted_cells(const Motion<Scalar<P>, D>& block, StressPointExtreme
     gather_modes<P, D>(block, group, mode);
     CellState<P, D> state;
     fitted_state<P, D>(group, weights, slope, inverse, mode, start, state);
-    const P pressure = relax_fitted<P, D>(block, group, state);
-    CellStress<P, D> stress = cell_stress<P, D>(block.material, state, pressure);
+    const FittedSlots<P, D> slots = {block, group};
+    const P pressure = relax_pressures<P, D>(block.viscosity, state, slots);
+    CellStress<P, D> stress = cell_stress<law, P, D>(block.material, state, pressure);
+    P networks(T(0));
+    if constexpr (relaxes) networks = relax_networks<P, D>(block, state, slots, stress);
     add_fitted_prestress<P, D>(block, group, state, stress);
     add_fitted_forces<P, D>(block, group, slope, inverse, mode, start, stress);
     if (!block.examine) continue;
@@ -189,8 +184,9 @@ void evaluate_fitted_cells(const Motion<Scalar<P>, D>& block, StressPointExtreme
         reverse[D * a + i] = sum;
       }
     }
-    const auto broken =
-        examine<P, D>(block.material, state, stress, reverse, slope == slope, extremes);
+    const P c2 = lattice_wave_speed2<law, P, D>(block.material, state, stress, networks, reverse,
+                                                norm2_bound<P, D>(inverse));
+    const auto broken = examine<P, D>(state, stress, c2, slope == slope, extremes);
     if (extremes.non_finite < 0 && xsimd::any(broken)) {
       extremes.non_finite = group.cell[first_lane<P>(broken)]->slot;
     }

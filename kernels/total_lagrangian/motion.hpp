@@ -78,16 +78,16 @@ class Mover {
   P stiffness_[registers], inertia_[registers];
 };
 
-/// See Motion. A particle moves as soon as the cells around it are done, while its displacement and
-/// its force are still in the cache: these cells have no higher slots than itself.
-template <class P, int D>
-MotionResult advance_motion(const Motion<Scalar<P>, D>& block) {
+/// A particle moves as soon as the cells around it are done, while its displacement and its force
+/// are still in the cache: these cells have no higher slots than itself.
+template <ElasticLaw law, bool relaxes, class P, int D>
+MotionResult advance_motion_of(const Motion<Scalar<P>, D>& block) {
   StressPointExtremes<P> extremes;
-  evaluate_fitted_cells<P, D>(block, extremes);
+  evaluate_fitted_cells<law, relaxes, P, D>(block, extremes);
   Mover<P, D> mover(block);
   for (int k = 0; k < block.run_count; ++k) {
     const CellRun<D>& run = block.runs[k];
-    evaluate_run<P, D>(block, run, extremes);
+    evaluate_run<law, relaxes, P, D>(block, run, extremes);
     if (run.own) mover.move_until(run.first + run.count - block.first_slot);
   }
   mover.move_until(block.slot_count);
@@ -96,6 +96,22 @@ MotionResult advance_motion(const Motion<Scalar<P>, D>& block) {
   result.non_finite = extremes.non_finite;
   mover.add_to(result);
   return result;
+}
+
+/// See Motion. Laws without networks have loops without them.
+template <class P, int D>
+MotionResult advance_motion(const Motion<Scalar<P>, D>& block) {
+  using enum ElasticLaw;
+  switch (block.material.law) {
+    case neo_hookean:
+      return advance_motion_of<neo_hookean, false, P, D>(block);
+    case st_venant_kirchhoff:
+      return advance_motion_of<st_venant_kirchhoff, false, P, D>(block);
+    case reduced_polynomial:
+      break;
+  }
+  return block.networks.terms > 0 ? advance_motion_of<reduced_polynomial, true, P, D>(block)
+                                  : advance_motion_of<reduced_polynomial, false, P, D>(block);
 }
 
 }  // namespace pliant::kernels

@@ -16,25 +16,19 @@
 ///                                              lane, with the last cell of the register before.
 namespace pliant::kernels {
 
-/// (RP.22) for a register of cells, where the body is.
-template <class P, int D>
-inline P relax_cells(const CellViscosity<Scalar<P>>& viscosity, const CellState<P, D>& state,
-                     const typename P::batch_bool_type& inside, std::int64_t slot, bool keep) {
+/// The slots of a register of cells; values are written where the body is.
+template <class P>
+struct RegularSlots {
   using T = Scalar<P>;
-  P sum(T(0));
-  if (viscosity.terms == 0) return sum;
-  const P start = load<P>(viscosity.volume_change + slot), end = state.volume_ratio - P(T(1));
-  for (int i = 0; i < viscosity.terms; ++i) {
-    const P before = load<P>(viscosity.pressure[i] + slot);
-    const P after = relax_term(viscosity.relaxation[i], before, start, end);
-    if (keep) {
-      xsimd::select(inside, after, before).store_unaligned(viscosity.next_pressure[i] + slot);
-    }
-    sum = sum + after;
+  std::int64_t slot;
+  typename P::batch_bool_type inside;
+  bool keep;  ///< whether the cells belong to the block, which then writes
+
+  P get(const T* from) const { return load<P>(from + slot); }
+  void put(T* to, const P& value, const P& before) const {
+    if (keep) xsimd::select(inside, value, before).store_unaligned(to + slot);
   }
-  if (keep) xsimd::select(inside, end, start).store_unaligned(viscosity.next_volume_change + slot);
-  return sum;
-}
+};
 
 /// F and the energy's other arguments, (TL.2): F = I where the body is not, whose corners are
 /// nothing in particular. Hourglass modes become half the derivatives of Q, (TL.6).
@@ -121,8 +115,9 @@ template <class T, int D>
   }
 }
 
-/// Takes the forces of a run of cells from `block.force`, (TL.3)-(TL.6).
-template <class P, int D>
+/// Takes the forces of a run of cells from `block.force`, (TL.3)-(TL.6), (TL.24) where it relaxes
+/// in shear.
+template <ElasticLaw law, bool relaxes, class P, int D>
 void evaluate_run(const Motion<Scalar<P>, D>& block, const CellRun<D>& run,
                   StressPointExtremes<P>& extremes) {
   using T = Scalar<P>;
@@ -148,9 +143,11 @@ void evaluate_run(const Motion<Scalar<P>, D>& block, const CellRun<D>& run,
     displacement_modes<P, D>(block, run, slot, mode);
     CellState<P, D> state;
     regular_state<P, D>(weights, slope, inside, mode, state);
-    const P pressure =
-        relax_cells<P, D>(block.viscosity, state, inside, slot, run.own && along >= 0);
-    CellStress<P, D> stress = cell_stress<P, D>(block.material, state, pressure);
+    const RegularSlots<P> slots = {slot, inside, run.own && along >= 0};
+    const P pressure = relax_pressures<P, D>(block.viscosity, state, slots);
+    CellStress<P, D> stress = cell_stress<law, P, D>(block.material, state, pressure);
+    P networks(T(0));
+    if constexpr (relaxes) networks = relax_networks<P, D>(block, state, slots, stress);
     if (block.initial_stress[0] != nullptr) {
       add_initial_stress<P, D>(block.initial_stress, slot, state.f, stress.piola);
     }
@@ -171,7 +168,9 @@ void evaluate_run(const Motion<Scalar<P>, D>& block, const CellRun<D>& run,
     }
     upper.exist = true;
     if (!block.examine) continue;
-    const auto broken = examine<P, D>(block.material, state, stress, state.cof, inside, extremes);
+    const P c2 =
+        lattice_wave_speed2<law, P, D>(block.material, state, stress, networks, state.cof, P(T(1)));
+    const auto broken = examine<P, D>(state, stress, c2, inside, extremes);
     if (extremes.non_finite < 0 && xsimd::any(broken)) {
       extremes.non_finite = slot + first_lane<P>(broken);
     }

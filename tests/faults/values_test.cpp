@@ -170,7 +170,7 @@ const Fault faults[] = {
      "block.toml:9: prony has 2 ratios and 1 times; give one ratio and one time for each term"},
     {"prony_ratios_that_leave_nothing",
      broken(material, viscous("ratios = [0.5, 0.6], times = [1, 2]")),
-     "block.toml:9: prony has ratios whose sum is 1.1, so that no bulk modulus remains after "
+     "block.toml:9: prony has ratios whose sum is 1.1, so that no modulus remains after "
      "relaxation; their sum must be below 1"},
     {"a_negative_prony_ratio", broken(material, viscous("ratios = [-0.5], times = [1]")),
      "block.toml:9: ratios must be above 0 and below 1, got -0.5; write it as in ratios = [0.3, "

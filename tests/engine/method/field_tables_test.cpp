@@ -31,6 +31,8 @@ std::string_view text(Rank rank) {
       return "S: D (D + 1)/2, F: D^2";
     case Rank::prony:
       return "Prony terms";
+    case Rank::prony_tensor:
+      return "tensors of Prony terms";
     case Rank::fit_terms:
       return "3 D + 4";
     case Rank::record:
@@ -137,7 +139,8 @@ constexpr auto relaxing = "prony = { ratios = [0.5], times = [0.1] }\n";
 
 std::unique_ptr<Solver> stepped_remeshed() { return stepped("remeshed", "", relaxing); }
 std::unique_ptr<Solver> stepped_total_lagrangian() {
-  return stepped("total_lagrangian", "", relaxing);
+  const std::string in_shear = "prony_shear = { ratios = [0.5], times = [0.1] }\n";
+  return stepped("total_lagrangian", "", relaxing + in_shear);
 }
 // With all that there are fields for.
 std::unique_ptr<Solver> stepped_point_based() {

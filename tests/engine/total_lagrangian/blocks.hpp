@@ -29,6 +29,14 @@ geometry = { shape = "box", lower = )" +
          zeros + ", upper = " + ones + " }\n";
 }
 
+/// The same of a material of two constants, E = 30 and nu = 0.3.
+inline std::string block_of_law(int dimension, const std::string& model) {
+  return tests::with(tests::with(free_block(dimension), "model = \"reduced_polynomial\"",
+                                 "model = \"" + model + '"'),
+                     "coefficients = [10]\ncompressibility = 0.05",
+                     "youngs_modulus = 30\npoissons_ratio = 0.3");
+}
+
 template <int D>
 using LagrangianSolver = total_lagrangian::Solver<double, D>;
 

@@ -48,6 +48,17 @@ TEST(total_lagrangian, bytes_do_not_depend_on_a_restart) {
   EXPECT_EQ(result_of(settings, folder / "through", 2, true), through);
 }
 
+// Fitted cells too have memory.
+TEST(total_lagrangian, nor_do_those_of_viscous_tissue) {
+  const TemporaryFolder folder;
+  const std::string series = "={ratios=[0.3,0.2],times=[0.05,0.2]}";
+  const Case settings =
+      aspiration({"material.liver.prony" + series, "material.liver.prony_shear" + series});
+  const FileContent one = result_of(settings, folder / "1", 1);
+  EXPECT_EQ(result_of(settings, folder / "3", 3), one);
+  EXPECT_EQ(result_of(settings, folder / "1", 2, true), one);
+}
+
 TEST(total_lagrangian, wide_instruction_sets_agree_to_the_bit) {
   if (!kernels::is_supported(kernels::Isa::avx512)) GTEST_SKIP() << "no AVX-512 here";
   const Case settings = aspiration();

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "engine/total_lagrangian/breathing.hpp"
 #include "tests/engine/total_lagrangian/blocks.hpp"
 
 // Steps keep their length, whenever a run is looked at.
@@ -111,6 +112,62 @@ TEST(total_lagrangian, undamped_plates_keep_their_energy_at_finite_amplitude) {
     const auto [least, largest] = energy_range(text, 15);
     EXPECT_GT(least, 0.995);
     EXPECT_LT(largest, 1.005);
+  }
+}
+
+double breathing_of_box(int x, int y, int z) {
+  const std::string upper =
+      "upper = [" + std::to_string(x) + ", " + std::to_string(y) + ", " + std::to_string(z) + "]";
+  LagrangianSolver<3> solver(
+      tests::read_text(tests::with(free_block(3), "upper = [1, 1, 1]", upper),
+                       {"discretisation.spacing=1"}),
+      {1, kernels::widest_supported()});
+  return total_lagrangian::breathing_factor(solver.state().bodies[0]);
+}
+
+// (TL.23), beside eigenvalues of the dense matrix of the same cells. A bar is worst at its ends, a
+// box at its corners.
+TEST(total_lagrangian, cells_at_free_surfaces_breathe_faster_than_waves) {
+  EXPECT_NEAR(breathing_of_box(1, 1, 1), 3, 1e-12);
+  EXPECT_NEAR(breathing_of_box(1, 1, 12), 2.3333, 0.01 * 2.3333);
+  EXPECT_NEAR(breathing_of_box(2, 2, 2), 1.5, 1e-12);
+  EXPECT_NEAR(breathing_of_box(1, 8, 8), 1.7925, 0.01 * 1.7925);
+  EXPECT_NEAR(breathing_of_box(6, 6, 6), 1.3797, 0.01 * 1.3797);
+}
+
+/// A bar of one cell across, nearly incompressible, that swings at its clamp.
+std::string thin_bar(const std::string& poissons_ratio) {
+  return R"(
+method = "total_lagrangian"
+dimension = 3
+discretisation = { spacing = 0.1 }
+time = { end = 30, step = "cfl" }
+[[body]]
+name = "bar"
+geometry = { shape = "box", lower = [0, 0, 0], upper = [1, 0.1, 0.1] }
+material = { model = "neo_hookean", density = 1, youngs_modulus = 100, poissons_ratio = )" +
+         poissons_ratio + R"( }
+velocity = [0, "0.3*x^2", "0.1*x"]
+[[boundary]]
+name = "clamp"
+kind = "fixed"
+geometry = { shape = "half_space", point = [0, 0, 0], normal = [1, 0, 0] }
+)";
+}
+
+// Without (TL.23) cells of the second bar turn inside out within fifty steps.
+TEST(total_lagrangian, thin_bars_are_stable_at_the_default_step_whatever_their_poissons_ratio) {
+  for (const std::string ratio : {"0.3", "0.49", "0.499"}) {
+    LagrangianSolver<3> solver(tests::read_text(thin_bar(ratio)), {1, kernels::widest_supported()});
+    const auto energy = [&] {
+      const BodyIntegrals sum = solver.integrals();
+      return sum.kinetic_energy + sum.strain_energy;
+    };
+    const double start = energy();
+    for (int k = 1; k <= 20; ++k) {
+      solver.advance(0.25 * k);
+      EXPECT_NEAR(energy(), start, 0.02 * start) << ratio << " " << k;
+    }
   }
 }
 

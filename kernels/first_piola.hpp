@@ -1,11 +1,11 @@
 #pragma once
 
 #include "kernels/cofactor.hpp"
+#include "kernels/hyperelastic_material.hpp"
 #include "kernels/law.hpp"
-#include "kernels/point_based/arguments.hpp"
 #include "kernels/second_piola.hpp"
 
-/// First Piola-Kirchhoff stresses of the point-based method, row by row.
+/// First Piola-Kirchhoff stresses of the methods on the undeformed body, row by row.
 namespace pliant::kernels {
 
 /// E = (F^T F - I)/2, in the order of symmetric_index.
@@ -44,7 +44,7 @@ inline void hooke(const P& lame_modulus, const P& shear_modulus,
 
 /// P(F) of (PB.6), (PB.7), or (RP.9) with (TL.4).
 template <ElasticLaw law, class P, int D>
-inline void first_piola(const PointMaterial<Scalar<P>>& material, const P (&f)[D * D],
+inline void first_piola(const HyperelasticMaterial<Scalar<P>>& material, const P (&f)[D * D],
                         const P (&cof)[D * D], P (&p)[D * D]) {
   using T = Scalar<P>;
   if constexpr (law == ElasticLaw::neo_hookean) {

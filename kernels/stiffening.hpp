@@ -1,6 +1,6 @@
 #pragma once
 
-#include "kernels/point_based/first_piola.hpp"
+#include "kernels/first_piola.hpp"
 #include "kernels/roots.hpp"
 
 /// How much stiffer than at rest a deformed material is to plane waves.
@@ -36,27 +36,32 @@ inline P norm2_of(const P (&f)[D * D]) {
   return fused(P(T(2)), eigenvalue_bound<P, D>(e), P(T(1)));
 }
 
-/// Bound of c_X^2/c^2 of (PB.12) at J > 0, c that of pressure waves at rest; 1 at least.
+/// Bound of rho0 c_X^2 of (PB.12) at J > 0.
 template <ElasticLaw law, class P, int D>
-inline P stiffening2(const PointMaterial<Scalar<P>>& material, const P (&f)[D * D]) {
-  using T = Scalar<P>;
+inline P wave_modulus(const HyperelasticMaterial<Scalar<P>>& material, const P (&f)[D * D]) {
   const P lambda(material.lame_modulus), mu(material.shear_modulus);
-  P cof[D * D], modulus;
+  P cof[D * D];
   cofactor(f, cof);
   const P jacobian = determinant(f);
   if constexpr (law == ElasticLaw::neo_hookean) {
-    modulus = fused(lambda + mu / (jacobian * jacobian), norm2_of<P, D>(cof), mu);
+    return fused(lambda + mu / (jacobian * jacobian), norm2_of<P, D>(cof), mu);
   } else if constexpr (law == ElasticLaw::st_venant_kirchhoff) {
     P e[symmetric_components<D>], s[symmetric_components<D>];
     green_strain<P, D>(f, e);
     hooke<P, D>(lambda, mu, e, s);
-    modulus = fused(lambda + mu + mu, norm2_of<P, D>(f), eigenvalue_bound<P, D>(s));
+    return fused(lambda + mu + mu, norm2_of<P, D>(f), eigenvalue_bound<P, D>(s));
   } else {
     const P density = P(material.density) / jacobian;
     const P c2 = Law<Model::reduced_polynomial, P, D>::wave_speed2(material.polynomial, f, density);
-    modulus = P(material.density) * c2 * norm2_of<P, D>(cof) / (jacobian * jacobian);
+    return P(material.density) * c2 * norm2_of<P, D>(cof) / (jacobian * jacobian);
   }
-  return xsimd::max(P(T(1)), modulus / (lambda + mu + mu));
+}
+
+/// Bound of c_X^2/c^2 of (PB.12) at J > 0, c that of pressure waves at rest; 1 at least.
+template <ElasticLaw law, class P, int D>
+inline P stiffening2(const HyperelasticMaterial<Scalar<P>>& material, const P (&f)[D * D]) {
+  const P lambda(material.lame_modulus), mu(material.shear_modulus);
+  return xsimd::max(P(Scalar<P>(1)), wave_modulus<law, P, D>(material, f) / (lambda + mu + mu));
 }
 
 }  // namespace pliant::kernels

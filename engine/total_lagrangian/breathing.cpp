@@ -1,0 +1,129 @@
+#include "engine/total_lagrangian/breathing.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <vector>
+
+// Particles at a free surface have half the mass of others, at an edge a quarter. A plane wave
+// moves them in one direction only; a bar of one cell that breathes moves all of them in two, and
+// all of its cells feel both. The stiffest such mode follows from the cells and the masses alone:
+// power iteration, from cells that all breathe alike.
+namespace pliant::total_lagrangian {
+
+namespace {
+
+// Modes that matter are next to the start, in which all cells breathe alike: 12 iterations find q
+// of bars, plates and boxes to 1 %.
+constexpr int iterations = 12;
+
+template <class T, int D>
+class Breathing {
+ public:
+  explicit Breathing(const Body<T, D>& body)
+      : body_(body),
+        volume_(std::pow(body.lattice.spacing, D)),
+        unit_(body.lattice.spacing * body.lattice.spacing * body.material.density / 4) {
+    for (const Block<D>& block : body.layout.blocks()) {
+      body.layout.for_each_slot(block, [&](std::int64_t p, const Cell<D>& cell) {
+        if (body.fraction[p] > 0) cells_.push_back({body.corners(cell), body.fraction[p]});
+      });
+    }
+    dilatation_.assign(cells_.size(), 1);
+    for (std::vector<double>& component : velocity_) component.assign(body.layout.slots(), 0);
+  }
+
+  // The Rayleigh quotients of power iteration never fall.
+  double operator()() {
+    double quotient = 0;
+    for (int k = 0; k < iterations; ++k) {
+      const double kinetic = push();
+      quotient = kinetic > 0 ? dilate() / kinetic : 0;
+    }
+    return quotient;
+  }
+
+ private:
+  struct FilledCell {
+    std::array<std::int64_t, (1 << D)> corner;
+    double fraction;
+  };
+
+  static double sign(int corner, int axis) { return corner >> axis & 1 ? 1 : -1; }
+  // Of a velocity, by one at a corner.
+  double slope() const { return 2 / ((1 << D) * body_.lattice.spacing); }
+
+  // Velocities by the present pressures of the cells, as far as walls leave them; twice their
+  // kinetic energy per volume of a cell, with the unit of the pressure 4/(rho0 h^2).
+  double push() {
+    for (std::vector<double>& component : velocity_) {
+      std::fill(component.begin(), component.end(), 0);
+    }
+    for (const FilledCell& cell : cells_) {
+      const double pull = slope() * cell.fraction * dilatation_[&cell - cells_.data()];
+      for (int c = 0; c < (1 << D); ++c) {
+        for (int a = 0; a < D; ++a) velocity_[a][cell.corner[c]] += sign(c, a) * pull;
+      }
+    }
+    for (std::vector<double>& component : velocity_) {
+      for (std::size_t p = 0; p < component.size(); ++p) {
+        component[p] *= unit_ * volume_ * body_.inverse_mass[p];
+      }
+    }
+    for (const auto& of_block : body_.held) {
+      for (const ConstrainedParticle<D>& held : of_block) hold(held);
+    }
+    double kinetic = 0;
+    for (const std::vector<double>& component : velocity_) {
+      for (std::size_t p = 0; p < component.size(); ++p) {
+        kinetic += body_.mass[p] * component[p] * component[p];
+      }
+    }
+    return kinetic / (unit_ * volume_);
+  }
+
+  void hold(const ConstrainedParticle<D>& held) {
+    double along = 0;
+    for (int a = 0; a < D; ++a) along += held.normal[a] * velocity_[a][held.slot];
+    const bool slips = held.normal != Point<D>{};
+    for (int a = 0; a < D; ++a) {
+      double& component = velocity_[a][held.slot];
+      component = slips ? component - along * held.normal[a] : 0;
+    }
+  }
+
+  // Rates of change of the volume; twice the power that they take, in the same units.
+  double dilate() {
+    double power = 0;
+    for (FilledCell& cell : cells_) {
+      double rate = 0;
+      for (int c = 0; c < (1 << D); ++c) {
+        for (int a = 0; a < D; ++a) rate += sign(c, a) * velocity_[a][cell.corner[c]];
+      }
+      double& dilatation = dilatation_[&cell - cells_.data()];
+      dilatation = slope() * rate;
+      power += cell.fraction * dilatation * dilatation;
+    }
+    return power;
+  }
+
+  const Body<T, D>& body_;
+  double volume_, unit_;
+  std::vector<FilledCell> cells_;
+  std::vector<double> dilatation_;               // [cell]
+  std::array<std::vector<double>, D> velocity_;  // [component][slot]
+};
+
+}  // namespace
+
+template <class T, int D>
+double breathing_factor(const Body<T, D>& body) {
+  return Breathing<T, D>(body)();
+}
+
+template double breathing_factor(const Body<double, 2>&);
+template double breathing_factor(const Body<double, 3>&);
+template double breathing_factor(const Body<float, 2>&);
+template double breathing_factor(const Body<float, 3>&);
+
+}  // namespace pliant::total_lagrangian

@@ -1,0 +1,18 @@
+#pragma once
+
+#include "engine/total_lagrangian/body.hpp"
+
+namespace pliant::total_lagrangian {
+
+/// q of (TL.23): how much faster the cells of a body change their volume than plane waves of the
+/// lattice do, squared. 1 inside a body; 2 across a bar of one cell and 2.3 at its
+/// ends, 3 for a cell on its own, 1.4 at the corners of a box.
+template <class T, int D>
+double breathing_factor(const Body<T, D>& body);
+
+extern template double breathing_factor(const Body<double, 2>&);
+extern template double breathing_factor(const Body<double, 3>&);
+extern template double breathing_factor(const Body<float, 2>&);
+extern template double breathing_factor(const Body<float, 3>&);
+
+}  // namespace pliant::total_lagrangian
