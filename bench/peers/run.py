@@ -61,8 +61,8 @@ def series_of_peer(problem, peer):
     return Series(problem, peer["name"], rungs, prepare, peer["program"]), peer["quick"]
 
 
-def all_series(ladders, is_quick, text):
-    """In the order in which they take turns, by problem."""
+def series_by_problem(ladders, is_quick):
+    """In the order in which they take turns."""
     problems = {problem["name"]: problem for problem in tomllib.loads((root / "bench/accuracy.toml").read_text())["problem"]}
     for entry in ladders["problem"]:
         problem = problems[entry["name"]]
@@ -71,7 +71,7 @@ def all_series(ladders, is_quick, text):
         found += [series_of_peer(problem, peer) for peer in entry["peer"]]
         for series, quick in found:
             series.rungs = series.rungs[:quick] if is_quick else series.rungs
-        yield [series for series, _ in found if text in series.name]
+        yield [series for series, _ in found]
 
 
 def end_of(run, folder, limit):
@@ -89,7 +89,7 @@ def end_of(run, folder, limit):
 
 
 def measure(series, number, settings, limit):
-    """Adds a run to the row of its series. Returns whether the series may go on."""
+    """Adds a run to the row of its series."""
     row = series.row["rungs"]
     if len(row) == number:
         row.append({"settings": series.rungs[number], "particles": 0, "steps": 0, "seconds": [], "processor_seconds": [],
@@ -112,7 +112,6 @@ def measure(series, number, settings, limit):
             rung["processor_seconds"].append(processor_seconds)
     found = rung["message"] or f"{rung['particles']} particles, {processor_seconds:.3g} s, error {100 * (rung['error'] or math.nan):.3g} %"
     print(f"{series.name} {' '.join(rung['settings'])}: {found}", file=sys.stderr)
-    return not rung["message"]
 
 
 def is_needed(series, number, turn, once):
@@ -135,6 +134,14 @@ def machine_of(settings):
     return json.loads(done.stdout)["machine"]
 
 
+def keep(rows, before):
+    """Takes the runs of rows of the same names."""
+    for row in rows:
+        for other in before:
+            if all(row.get(key) == other.get(key) for key in ("problem", "program", "series")):
+                row["rungs"] = other["rungs"]
+
+
 def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawTextHelpFormatter)
     parser.add_argument("--save", type=pathlib.Path, required=True, metavar="FILE")
@@ -147,22 +154,19 @@ def main():
     arguments = parser.parse_args()
     settings = programs.Settings(arguments.program.resolve(), arguments.peers.resolve(), arguments.threads)
     ladders = tomllib.loads((here / "ladders.toml").read_text())
-    problems = list(all_series(ladders, arguments.quick, arguments.rows))
+    problems = list(series_by_problem(ladders, arguments.quick))
     record = {"format": "pliant accuracy 1", "machine": machine_of(settings),
-              "programs": json.loads((settings.peers / "programs.json").read_text()), "threads": arguments.threads,
-              "rows": []}
-    kept = json.loads(arguments.save.read_text())["rows"] if arguments.save.exists() else []
-    for series in (one for problem in problems for one in problem):
-        for row in kept:
-            if all(row.get(key) == series.row.get(key) for key in ("problem", "program", "series")):
-                series.row = row
-        record["rows"].append(series.row)
+              "programs": json.loads((settings.peers / "programs.json").read_text()), "threads": arguments.threads}
+    rows = [series.row for problem in problems for series in problem]
+    if arguments.save.exists():
+        keep(rows, json.loads(arguments.save.read_text())["rows"])
     for turn in range(arguments.rounds):
         for problem in problems:
-            for number in range(max((len(series.rungs) for series in problem), default=0)):
+            for number in range(max(len(series.rungs) for series in problem)):
                 for series in problem:
-                    if is_needed(series, number, turn, ladders["once"]):
+                    if arguments.rows in series.name and is_needed(series, number, turn, ladders["once"]):
                         measure(series, number, settings, ladders["time_limit"])
+                        record["rows"] = [row for row in rows if row["rungs"]]
                         arguments.save.write_text(json.dumps(record, indent=1) + "\n")
 
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "base_particle_generator.h"
+#include "dynamics_algorithms.h"
 #include "general_constraint.h"
 #include "inner_body_relation.h"
 #include "kernel_correction.hpp"
