@@ -7,7 +7,7 @@
 #include <cstdlib>
 #include <iostream>
 
-#include "problem.hpp"
+#include "bench/peers/sphinxsys/problem.hpp"
 
 int main(int count, char** arguments) {
   if (count < 2) {

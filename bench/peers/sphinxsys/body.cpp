@@ -1,4 +1,4 @@
-#include "body.hpp"
+#include "bench/peers/sphinxsys/body.hpp"
 
 #include <cmath>
 #include <cstdio>

@@ -1,13 +1,14 @@
 #pragma once
 
-#include "base_particle_generator.h"
-#include "dynamics_algorithms.h"
-#include "general_constraint.h"
-#include "inner_body_relation.h"
-#include "kernel_correction.hpp"
-#include "predefined_bodies.h"
-#include "problem.hpp"
-#include "sph_system.hpp"
+#include <base_particle_generator.h>
+#include <dynamics_algorithms.h>
+#include <general_constraint.h>
+#include <inner_body_relation.h>
+#include <predefined_bodies.h>
+#include <kernel_correction.hpp>
+#include <sph_system.hpp>
+
+#include "bench/peers/sphinxsys/problem.hpp"
 
 namespace SPH {
 

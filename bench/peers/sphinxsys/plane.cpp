@@ -8,7 +8,7 @@
 #include <cstdlib>
 #include <iostream>
 
-#include "problem.hpp"
+#include "bench/peers/sphinxsys/problem.hpp"
 
 namespace {
 

@@ -5,8 +5,8 @@
 #include <utility>
 #include <vector>
 
-#include "base_body.hpp"
-#include "base_particles.hpp"
+#include <base_body.hpp>
+#include <base_particles.hpp>
 
 namespace peers {
 

@@ -1,5 +1,5 @@
-#include "body.hpp"
-#include "elastic_dynamics.h"
+#include <elastic_dynamics.h>
+#include "bench/peers/sphinxsys/body.hpp"
 
 namespace peers {
 

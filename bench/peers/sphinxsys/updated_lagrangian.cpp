@@ -1,6 +1,6 @@
-#include "body.hpp"
-#include "continuum_integration.hpp"
-#include "fluid_time_step.h"
+#include <fluid_time_step.h>
+#include <continuum_integration.hpp>
+#include "bench/peers/sphinxsys/body.hpp"
 
 namespace peers {
 namespace {
