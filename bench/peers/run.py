@@ -34,7 +34,9 @@ class Series:
         self.targets = problem["target"]
         self.rungs = rungs
         self.prepare = prepare  # run(settings, folder, rung)
-        self.row = {"problem": problem["name"], **({"program": program} if program else {}), "series": name, "rungs": []}
+        self.row = {"problem": problem["name"], "program": program, "series": name, "rungs": []}
+        if program is None:  # pliant
+            del self.row["program"]
         self.name = "/".join(filter(None, (problem["name"], program, name)))
 
     def error_of(self, values):
@@ -47,7 +49,10 @@ def series_of_pliant(problem, series):
     rungs = [[rung] if isinstance(rung, str) else rung for rung in rungs]
     changes = problem.get("set", []) + series.get("set", [])
     case = (root / "bench" / problem["case"]).resolve() / "case.toml"
-    prepare = lambda settings, folder, rung: programs.pliant(settings, folder, case, changes + rung)
+
+    def prepare(settings, folder, rung):
+        return programs.pliant(settings, folder, case, changes + rung)
+
     return Series(problem, series["name"], rungs, prepare), series.get("quick", problem["quick"])
 
 
@@ -63,7 +68,8 @@ def series_of_peer(problem, peer):
 
 def series_by_problem(ladders, is_quick):
     """In the order in which they take turns."""
-    problems = {problem["name"]: problem for problem in tomllib.loads((root / "bench/accuracy.toml").read_text())["problem"]}
+    all_problems = tomllib.loads((root / "bench/accuracy.toml").read_text())["problem"]
+    problems = {problem["name"]: problem for problem in all_problems}
     for entry in ladders["problem"]:
         problem = problems[entry["name"]]
         own = {series["name"]: series for series in problem["series"]}
@@ -76,7 +82,10 @@ def series_by_problem(ladders, is_quick):
 
 def end_of(run, folder, limit):
     """Exit status, standard output, wall time and processor time of a run."""
-    bound = lambda: resource.setrlimit(resource.RLIMIT_CPU, (limit, limit + 1))
+
+    def bound():
+        resource.setrlimit(resource.RLIMIT_CPU, (limit, limit + 1))
+
     with open(folder / "stdout", "w+") as output:
         start = time.monotonic()
         process = subprocess.Popen(run.command, cwd=folder, env={**os.environ, **run.environment}, stdout=output,
@@ -92,8 +101,8 @@ def measure(series, number, settings, limit):
     """Adds a run to the row of its series."""
     row = series.row["rungs"]
     if len(row) == number:
-        row.append({"settings": series.rungs[number], "particles": 0, "steps": 0, "seconds": [], "processor_seconds": [],
-                    "error": None, "values": {}, "message": ""})
+        row.append({"settings": series.rungs[number], "particles": 0, "steps": 0, "seconds": [],
+                    "processor_seconds": [], "error": None, "values": {}, "message": ""})
     rung = row[number]
     with tempfile.TemporaryDirectory() as name:
         folder = pathlib.Path(name)
@@ -110,8 +119,9 @@ def measure(series, number, settings, limit):
                         values={name: value for name, value in answer.values.items() if name in wanted})
             rung["seconds"].append(seconds)
             rung["processor_seconds"].append(processor_seconds)
-    found = rung["message"] or f"{rung['particles']} particles, {processor_seconds:.3g} s, error {100 * (rung['error'] or math.nan):.3g} %"
-    print(f"{series.name} {' '.join(rung['settings'])}: {found}", file=sys.stderr)
+    percent = math.nan if rung["error"] is None else 100 * rung["error"]
+    found = f"{rung['particles']} particles, {processor_seconds:.3g} s, error {percent:.3g} %"
+    print(f"{series.name} {' '.join(rung['settings'])}: {rung['message'] or found}", file=sys.stderr)
 
 
 def is_needed(series, number, turn, once):
@@ -128,8 +138,9 @@ def is_needed(series, number, turn, once):
 def machine_of(settings):
     """As `pliant bench --accuracy` describes it."""
     with tempfile.TemporaryDirectory() as folder:
-        command = [settings.pliant, "bench", "--accuracy", "--quick", "--rows", "compression/total_lagrangian", "--json",
-                   "--out", folder, "--ladders", root / "bench/accuracy.toml", "--threads", str(settings.threads)]
+        command = [settings.pliant, "bench", "--accuracy", "--quick", "--rows", "compression/total_lagrangian",
+                   "--json", "--out", folder, "--ladders", root / "bench/accuracy.toml",
+                   "--threads", str(settings.threads)]
         done = subprocess.run(command, check=True, stdout=subprocess.PIPE, stderr=subprocess.DEVNULL)
     return json.loads(done.stdout)["machine"]
 
@@ -150,13 +161,15 @@ def main():
     parser.add_argument("--rounds", type=int, default=3)
     parser.add_argument("--threads", type=int, default=2)
     parser.add_argument("--program", type=pathlib.Path, default=root / "build/release/engine/cli/pliant")
-    parser.add_argument("--peers", type=pathlib.Path, default=root / "build/peers", help="folder that bench/peers/build filled")
+    parser.add_argument("--peers", type=pathlib.Path, default=root / "build/peers",
+                        help="folder that bench/peers/build filled")
     arguments = parser.parse_args()
     settings = programs.Settings(arguments.program.resolve(), arguments.peers.resolve(), arguments.threads)
     ladders = tomllib.loads((here / "ladders.toml").read_text())
     problems = list(series_by_problem(ladders, arguments.quick))
     record = {"format": "pliant accuracy 1", "machine": machine_of(settings),
-              "programs": json.loads((settings.peers / "programs.json").read_text()), "threads": arguments.threads}
+              "programs": json.loads((settings.peers / "programs.json").read_text()),
+              "threads": arguments.threads}
     rows = [series.row for problem in problems for series in problem]
     if arguments.save.exists():
         keep(rows, json.loads(arguments.save.read_text())["rows"])
