@@ -60,7 +60,8 @@ def main():
         problems.setdefault(row["problem"], []).append(row)
     columns = 2 if len(problems) == 4 else min(len(problems), 3)
     lines = math.ceil(len(problems) / columns)
-    figure, axes = plt.subplots(lines, columns, figsize=(4 * columns, 3 * lines), layout="constrained",
+    width = 10 if columns == 2 else 4 * columns
+    figure, axes = plt.subplots(lines, columns, figsize=(width, 3 / 4 * width * lines / columns), layout="constrained",
                                 squeeze=False)
     for axis in axes.flat[len(problems):]:
         axis.axis("off")
