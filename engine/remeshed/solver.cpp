@@ -10,6 +10,7 @@
 #include "engine/method/archived_points.hpp"
 #include "engine/method/step_length.hpp"
 #include "engine/remeshed/check_state.hpp"
+#include "engine/remeshed/contact/wall_contact.hpp"
 #include "engine/remeshed/observe/field_views.hpp"
 #include "engine/remeshed/observe/frame.hpp"
 #include "engine/remeshed/observe/measure.hpp"
@@ -36,13 +37,6 @@ std::vector<std::string> remedies(const Case& settings) {
 // moves along.
 constexpr std::int64_t most_steps_in_contact = 10;
 
-bool has_contact(const Case& settings) {
-  return !settings.contacts.empty() ||
-         std::ranges::any_of(settings.boundaries, [](const BoundaryCase& boundary) {
-           return boundary.kind == BoundaryCase::Kind::contact_wall;
-         });
-}
-
 }  // namespace
 
 template <class T, int D>
@@ -61,7 +55,6 @@ Solver<T, D>::Solver(const Case& a_case, const SolverOptions& options)
       target_graph_(resource::names()),
       stress_graph_(resource::names()),
       listed_(state_.bodies.size()),
-      has_contact_(has_contact(settings())),
       slowing_(std::sqrt(step_limits(settings()).mass_scaling)) {
   remeshings_.place_initial();
   number_blocks<D>(remeshings_.layouts(), state_.blocks);
@@ -138,11 +131,20 @@ bool Solver<T, D>::remeshing_due() const {
     case Policy::adaptive:
       return state_.clock.accumulated_strain > settings().remeshing.strain_threshold ||
              state_.clock.deformation > settings().remeshing.deformation_threshold ||
-             (has_contact_ && state_.clock.steps_since_remeshing >= most_steps_in_contact);
+             (state_.clock.steps_since_remeshing >= most_steps_in_contact && moves_in_contact());
     case Policy::never:
       return false;
   }
   return false;
+}
+
+// (RP.96). Where nothing moves, each remeshing would add its own error and mend nothing.
+template <class T, int D>
+bool Solver<T, D>::moves_in_contact() const {
+  return !settings().contacts.empty() ||
+         std::ranges::any_of(state_.bodies, [this](const Body<T, D>& body) {
+           return has_moved_at_walls(body, state_.boundaries, state_.clock.time);
+         });
 }
 
 template <class T, int D>

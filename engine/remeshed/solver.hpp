@@ -63,6 +63,7 @@ class Solver final : public pliant::Solver {
   void restore_state(const ArchiveReader& archive) override;
   bool lies_on_nodes() const { return state_.clock.steps_since_remeshing == 0; }
   bool remeshing_due() const;
+  bool moves_in_contact() const;
   void remesh();
   void remesh_onto_spare(bool reinitialise, bool is_final);
   std::vector<scheduler::Phase> source_phases();
@@ -81,7 +82,6 @@ class Solver final : public pliant::Solver {
   CachedGraph<D> ghost_graph_, source_graph_, target_graph_, stress_graph_;
   scheduler::StepGraph* present_graph_ = nullptr;  ///< one of the first two
   std::vector<bool> listed_;                       ///< [body] as the second was made for
-  bool has_contact_;                               ///< with walls or between bodies
   double slowing_;                                 ///< of waves by the scaled mass, (RP.87)
 };
 

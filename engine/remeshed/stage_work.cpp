@@ -105,8 +105,8 @@ void StageWork<T, D>::fill_reached_ghosts(int block, int stage) {
   drift_ghosts<T, D>(body, local, stage, settings_.ghosts, kernels_);
   Point<D>* impulse = impulse_.data() + block * state_.boundaries.walls.size();
   const Surroundings<D> now = around(block, stage);
-  add_impulse<T, D>(body, local, now, stage_weight[stage] * time_step_, kernels_, impulse,
-                    work_[block].wall_work);
+  add_impulse<T, D>(body, local, buffer_of(stage), now, stage_weight[stage] * time_step_, kernels_,
+                    impulse, work_[block].wall_work);
   add_wall_work<T, D>(body, local, buffer_of(stage), now, is_watched_,
                       stage_weight[stage] * time_step_, kernels_, impulse, work_[block]);
 }
@@ -118,7 +118,7 @@ void StageWork<T, D>::advance(int block, int stage) {
       stage_weight[stage] * time_step_ *
       power_of_loads<T, D>(body, local, buffer_of(stage), boundary_values_[stage]);
   results_[block] = particles_.advance(block, stage);
-  keep_on_fits(body, local, stage, time_step_);
+  keep_on_fits(body, local, stage, time_step_, state_.boundaries);
   if (reads_volumes(settings_)) hand_volumes_on(body, local, stage);
 }
 

@@ -140,7 +140,8 @@ Accesses Step<T, D>::read_by_surface(int stage) {
   return reads + near(particles(drift) + particles(velocity) + slots(constants) + whole(interior));
 }
 
-// The work of loads and walls asks for phi, that of slip walls for how much they have spread. Rigid
+// The work of loads and walls asks for phi, walls along which bodies slide for how much what they
+// push on has spread. Rigid
 // ghosts (RP.59) read the particles themselves. Ghosts that no particle reads drift with the
 // velocities of earlier stages, instead of with a fit of their own.
 template <class T, int D>
@@ -153,7 +154,7 @@ Accesses Step<T, D>::read_by_ghosts(int stage, bool all_of_them) const {
             own(ghosts(drift, current));
   }
   if (state_.boundaries.have_contact()) reads = reads + near(whole(kinds));
-  if (state_.boundaries.have_attached_slip_walls()) {
+  if (state_.boundaries.have_attached_slip_walls() || state_.boundaries.have_contact()) {
     reads = reads + near(particles(drift, current) + ghosts(drift, current));
   }
   if (all_of_them || stage < 2) return reads;

@@ -23,7 +23,18 @@ double area_on_wall(const Body<T, D>& body, const BlockGhosts<T, D>& ghosts, std
   return std::pow(h, D - 1) * layer * covered;
 }
 
-// How much larger than at the remeshing that part is now: abs(cof F n), F of the slots around.
+// Whether another wall lies before a foot point: the body ends there.
+template <int D>
+bool is_covered(const Boundaries<D>& boundaries, int wall, const Point<D>& foot) {
+  for (int w = 0; w < static_cast<int>(boundaries.walls.size()); ++w) {
+    const Wall<D>& other = boundaries.walls[w];
+    if (w != wall && other.is_attached() && other.distance(foot) < 0) return true;
+  }
+  return false;
+}
+
+}  // namespace
+
 template <class T, int D>
 double growth_on_wall(const Body<T, D>& body, const BlockGhosts<T, D>& ghosts, std::size_t g,
                       int buffer) {
@@ -46,18 +57,6 @@ double growth_on_wall(const Body<T, D>& body, const BlockGhosts<T, D>& ghosts, s
   const Eigen::Map<const Eigen::Matrix<double, D, 1>> normal(ghosts.normal[g].data());
   return f.determinant() * (f.transpose().inverse() * normal).norm();
 }
-
-// Whether another wall lies before a foot point: the body ends there.
-template <int D>
-bool is_covered(const Boundaries<D>& boundaries, int wall, const Point<D>& foot) {
-  for (int w = 0; w < static_cast<int>(boundaries.walls.size()); ++w) {
-    const Wall<D>& other = boundaries.walls[w];
-    if (w != wall && other.is_attached() && other.distance(foot) < 0) return true;
-  }
-  return false;
-}
-
-}  // namespace
 
 template <class T, int D>
 void add_wall_work(const Body<T, D>& body, int block, int buffer, const Surroundings<D>& around,
@@ -84,18 +83,26 @@ void add_wall_work(const Body<T, D>& body, int block, int buffer, const Surround
   }
 }
 
+template double growth_on_wall<double, 2>(const Body<double, 2>&, const BlockGhosts<double, 2>&,
+                                          std::size_t, int);
 template void add_wall_work<double, 2>(const Body<double, 2>&, int, int, const Surroundings<2>&,
                                        const std::vector<char>&, double,
                                        const kernels::RemeshedTable<double, 2>&, Point<2>*,
                                        EnergyBudget&);
+template double growth_on_wall<double, 3>(const Body<double, 3>&, const BlockGhosts<double, 3>&,
+                                          std::size_t, int);
 template void add_wall_work<double, 3>(const Body<double, 3>&, int, int, const Surroundings<3>&,
                                        const std::vector<char>&, double,
                                        const kernels::RemeshedTable<double, 3>&, Point<3>*,
                                        EnergyBudget&);
+template double growth_on_wall<float, 2>(const Body<float, 2>&, const BlockGhosts<float, 2>&,
+                                         std::size_t, int);
 template void add_wall_work<float, 2>(const Body<float, 2>&, int, int, const Surroundings<2>&,
                                       const std::vector<char>&, double,
                                       const kernels::RemeshedTable<float, 2>&, Point<2>*,
                                       EnergyBudget&);
+template double growth_on_wall<float, 3>(const Body<float, 3>&, const BlockGhosts<float, 3>&,
+                                         std::size_t, int);
 template void add_wall_work<float, 3>(const Body<float, 3>&, int, int, const Surroundings<3>&,
                                       const std::vector<char>&, double,
                                       const kernels::RemeshedTable<float, 3>&, Point<3>*,

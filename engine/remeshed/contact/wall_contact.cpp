@@ -1,8 +1,12 @@
 #include "engine/remeshed/contact/wall_contact.hpp"
 
+#include <cmath>
+
+#include "engine/lattice/point_algebra.hpp"
 #include "engine/remeshed/contact/contact_edges.hpp"
 #include "engine/remeshed/ghosts/fit_evaluator.hpp"
 #include "engine/remeshed/ghosts/wall_site.hpp"
+#include "engine/remeshed/wall_work.hpp"
 #include "kernels/remeshed/ghosts/wall_friction.hpp"
 
 namespace pliant::remeshed {
@@ -17,6 +21,20 @@ constexpr double contact_onset_height = 0.01;
 constexpr double leaving_height = 0.3;
 
 constexpr double rounding = 1e-9;  // [h], of where a slot lies
+
+// (RP.96)
+constexpr double near_wall = 4;     // [h]: farther away a body meets no wall within ten steps
+constexpr double small_move = 0.1;  // [h], and of the wall's normal
+
+// Whether a particle at x, which stood at `node`, has another distance from the wall or normal.
+template <int D>
+bool has_moved_at(const Wall<D>& wall, const Point<D>& node, const Point<D>& x, double h) {
+  const double distance = wall.distance(x);
+  if (distance > near_wall * h) return false;
+  if (std::abs(distance - wall.distance(node)) > small_move * h) return true;
+  const Point<D> turn = difference<D>(wall.normal(x), wall.normal(node));
+  return dot<D>(turn, turn) > small_move * small_move;
+}
 
 template <class T, int D>
 T pressure_on(const Body<T, D>& body, const BlockGhosts<T, D>& ghosts, std::int32_t g,
@@ -71,14 +89,15 @@ void release_contact(Body<T, D>& body, int block, const Surroundings<D>& around,
 }
 
 template <class T, int D>
-void add_impulse(const Body<T, D>& body, int block, const Surroundings<D>& around, double duration,
-                 const kernels::RemeshedTable<T, D>& table, Point<D>* impulse, double& work) {
+void add_impulse(const Body<T, D>& body, int block, int buffer, const Surroundings<D>& around,
+                 double duration, const kernels::RemeshedTable<T, D>& table, Point<D>* impulse,
+                 double& work) {
   const BlockGhosts<T, D>& ghosts = body.population.ghosts[block];
   FitEvaluator<T, D> fits(body, ghosts, table);
   const kernels::Impedance<T> impedance(body.material);
   for (std::size_t k = 0; k < ghosts.contact.size(); ++k) {
     const std::int32_t g = ghosts.contact[k];
-    if (ghosts.active[g] == 0) continue;
+    if (ghosts.active[g] == 0 || ghosts.contact_area[k] == 0) continue;
     const int wall = ghosts.wall[g];
     const std::array<T, D> push = kernels::wall_force_density<T, D>(
         fits.of(g), wall_site<T, D>(body, ghosts, g, around), impedance);
@@ -86,12 +105,28 @@ void add_impulse(const Body<T, D>& body, int block, const Surroundings<D>& aroun
     T pressure = 0;
     for (int a = 0; a < D; ++a) pressure += push[a] * static_cast<T>(ghosts.normal[g][a]);
     if (!(pressure > 0)) continue;
+    const double area =
+        ghosts.contact_area[k] * growth_on_wall(body, ghosts, static_cast<std::size_t>(g), buffer);
     for (int a = 0; a < D; ++a) {
-      const double given = duration * ghosts.contact_area[k] * push[a];
+      const double given = duration * area * push[a];
       impulse[wall][a] += given;
       work += given * around.values.wall_velocity[wall][a];
     }
   }
+}
+
+template <class T, int D>
+bool has_moved_at_walls(const Body<T, D>& body, const Boundaries<D>& boundaries, double time) {
+  const double h = body.lattice.spacing;
+  for (const Wall<D>& wall : boundaries.walls) {
+    if (wall.is_attached()) continue;
+    if (wall.velocity(time) != Point<D>{}) return true;
+    for (const std::int32_t slot : body.population.slot_of_record) {
+      const Cell<D> cell = body.population.layout.cell(slot);
+      if (has_moved_at<D>(wall, body.lattice.node(cell), body.position(slot, cell), h)) return true;
+    }
+  }
+  return false;
 }
 
 template <class T, int D>
@@ -117,32 +152,38 @@ template void decide_contact<double, 2>(Body<double, 2>&, int, const Surrounding
                                         const kernels::RemeshedTable<double, 2>&);
 template void release_contact<double, 2>(Body<double, 2>&, int, const Surroundings<2>&,
                                          const kernels::RemeshedTable<double, 2>&);
-template void add_impulse<double, 2>(const Body<double, 2>&, int, const Surroundings<2>&, double,
-                                     const kernels::RemeshedTable<double, 2>&, Point<2>*, double&);
+template void add_impulse<double, 2>(const Body<double, 2>&, int, int, const Surroundings<2>&,
+                                     double, const kernels::RemeshedTable<double, 2>&, Point<2>*,
+                                     double&);
+template bool has_moved_at_walls(const Body<double, 2>&, const Boundaries<2>&, double);
 template std::vector<double> wall_pressure(const Body<double, 2>&, const Surroundings<2>&,
                                            const kernels::RemeshedTable<double, 2>&);
 template void decide_contact<double, 3>(Body<double, 3>&, int, const Surroundings<3>&,
                                         const kernels::RemeshedTable<double, 3>&);
 template void release_contact<double, 3>(Body<double, 3>&, int, const Surroundings<3>&,
                                          const kernels::RemeshedTable<double, 3>&);
-template void add_impulse<double, 3>(const Body<double, 3>&, int, const Surroundings<3>&, double,
-                                     const kernels::RemeshedTable<double, 3>&, Point<3>*, double&);
+template void add_impulse<double, 3>(const Body<double, 3>&, int, int, const Surroundings<3>&,
+                                     double, const kernels::RemeshedTable<double, 3>&, Point<3>*,
+                                     double&);
+template bool has_moved_at_walls(const Body<double, 3>&, const Boundaries<3>&, double);
 template std::vector<double> wall_pressure(const Body<double, 3>&, const Surroundings<3>&,
                                            const kernels::RemeshedTable<double, 3>&);
 template void decide_contact<float, 2>(Body<float, 2>&, int, const Surroundings<2>&,
                                        const kernels::RemeshedTable<float, 2>&);
 template void release_contact<float, 2>(Body<float, 2>&, int, const Surroundings<2>&,
                                         const kernels::RemeshedTable<float, 2>&);
-template void add_impulse<float, 2>(const Body<float, 2>&, int, const Surroundings<2>&, double,
+template void add_impulse<float, 2>(const Body<float, 2>&, int, int, const Surroundings<2>&, double,
                                     const kernels::RemeshedTable<float, 2>&, Point<2>*, double&);
+template bool has_moved_at_walls(const Body<float, 2>&, const Boundaries<2>&, double);
 template std::vector<double> wall_pressure(const Body<float, 2>&, const Surroundings<2>&,
                                            const kernels::RemeshedTable<float, 2>&);
 template void decide_contact<float, 3>(Body<float, 3>&, int, const Surroundings<3>&,
                                        const kernels::RemeshedTable<float, 3>&);
 template void release_contact<float, 3>(Body<float, 3>&, int, const Surroundings<3>&,
                                         const kernels::RemeshedTable<float, 3>&);
-template void add_impulse<float, 3>(const Body<float, 3>&, int, const Surroundings<3>&, double,
+template void add_impulse<float, 3>(const Body<float, 3>&, int, int, const Surroundings<3>&, double,
                                     const kernels::RemeshedTable<float, 3>&, Point<3>*, double&);
+template bool has_moved_at_walls(const Body<float, 3>&, const Boundaries<3>&, double);
 template std::vector<double> wall_pressure(const Body<float, 3>&, const Surroundings<3>&,
                                            const kernels::RemeshedTable<float, 3>&);
 

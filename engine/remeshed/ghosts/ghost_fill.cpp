@@ -21,7 +21,8 @@ namespace {
 /// instead, (RP.50); bodies that no wall holds are remeshed before anything grows.
 template <class T, int D>
 T share_of_characteristic(const Body<T, D>& body, const Boundaries<D>& boundaries) {
-  return lets_waves_out_alone(body) || !boundaries.have_attached_walls() ? T(1) : T(0.42);
+  return lets_waves_out_alone(body, boundaries) || !boundaries.have_attached_walls() ? T(1)
+                                                                                     : T(0.42);
 }
 
 /// Sets the first `count` ghosts of a block from their fits to the present records.
@@ -115,18 +116,40 @@ struct GhostFill {
   }
 
   void fill_walls(const Surroundings<D>& around, bool averaged) const {
+    const bool alone = lets_waves_out_alone(body, around.boundaries);
     const kernels::Impedance<T> impedance(body.material);
     FitEvaluator<T, D> present(body, ghosts, table);
     for (std::size_t g = 0; g < count; ++g) {
       if (ghosts.wall[g] < 0 || ghosts.active[g] == 0) continue;
       const kernels::GhostFits<T, D> fits = present.of(g);
       const kernels::WallSite<T, D> site = wall_site<T, D>(body, ghosts, g, around);
-      set(g, averaged ? kernels::averaged_wall_ghost<T, D>(fits.linear, site.velocity)
-                      : kernels::friction_wall_ghost<T, D>(fits, site, impedance));
+      if (averaged) {
+        set(g, kernels::averaged_wall_ghost<T, D>(fits.linear, site.velocity));
+        continue;
+      }
+      auto ghost = kernels::friction_wall_ghost<T, D>(fits, site, impedance);
+      if (alone) let_shear_waves_out_alone(g, fits, site, impedance, ghost);
+      set(g, ghost);
     }
   }
 
  private:
+  /// (RP.95)
+  void let_shear_waves_out_alone(std::size_t g, const kernels::GhostFits<T, D>& fits,
+                                 const kernels::WallSite<T, D>& site,
+                                 const kernels::Impedance<T>& impedance,
+                                 kernels::GhostState<T, D>& ghost) const {
+    const bool slides = kernels::WallTraction<T, D>(fits, site, impedance).slides;
+    T jump = 0;  // of the normal velocity, which (RP.46) sets
+    for (int a = 0; a < D; ++a) jump += site.n[a] * (ghost.velocity[a] - fits.surface.velocity(a));
+    for (int a = 0; a < D; ++a) {
+      const T outgoing =
+          slides ? ghost.velocity[a] - fits.surface.velocity(a) - jump * site.n[a] : T(0);
+      ghosts.correction[g][a] = outgoing - ghosts.lasting[g][a];
+      if (slides) ghost.velocity[a] -= ghosts.lasting[g][a];
+    }
+  }
+
   /// (RP.50) divides by it.
   kernels::Impedance<T> surface_impedance() const {
     const kernels::Impedance<T> of_material(body.material);
@@ -184,7 +207,8 @@ void fill_ghosts(Body<T, D>& body, int block, int stage, int parity, WhichGhosts
     fill.fill_surfaces(values);
     fill.fill_tractions(values);
     fill.fill_beside_edges(around);
-    if (lets_waves_out_alone(body)) let_waves_out_alone(ghosts, count, fill.state);
+    if (lets_waves_out_alone(body, around.boundaries))
+      let_waves_out_alone(ghosts, count, fill.state);
     if (treatment == GhostTreatment::rigid) fill.turn_rigidly();
     fill.fill_in_contact();
   }

@@ -54,9 +54,12 @@ void drift_ghosts(Body<T, D>& body, int block, int stage, GhostTreatment treatme
 }
 
 template <class T, int D>
-void keep_on_fits(Body<T, D>& body, int block, int stage, double time_step) {
+void keep_on_fits(Body<T, D>& body, int block, int stage, double time_step,
+                  const Boundaries<D>& boundaries) {
   BlockGhosts<T, D>& ghosts = body.population.ghosts[block];
-  if (stage == 0 && lets_waves_out_alone(body)) follow_lasting(body, ghosts, time_step);
+  if (stage == 0 && lets_waves_out_alone(body, boundaries)) {
+    follow_lasting(body, ghosts, time_step);
+  }
   FieldStore<T, D>& next = body.stage[buffer_after(stage)];
   const T duration = static_cast<T>(stage_share[stage] * time_step);
   for (std::size_t g = 0; g < ghosts.reached_count; ++g) {
@@ -71,15 +74,15 @@ void keep_on_fits(Body<T, D>& body, int block, int stage, double time_step) {
 
 template void drift_ghosts<double, 2>(Body<double, 2>&, int, int, GhostTreatment,
                                       const kernels::RemeshedTable<double, 2>&);
-template void keep_on_fits<double, 2>(Body<double, 2>&, int, int, double);
+template void keep_on_fits<double, 2>(Body<double, 2>&, int, int, double, const Boundaries<2>&);
 template void drift_ghosts<float, 2>(Body<float, 2>&, int, int, GhostTreatment,
                                      const kernels::RemeshedTable<float, 2>&);
-template void keep_on_fits<float, 2>(Body<float, 2>&, int, int, double);
+template void keep_on_fits<float, 2>(Body<float, 2>&, int, int, double, const Boundaries<2>&);
 template void drift_ghosts<double, 3>(Body<double, 3>&, int, int, GhostTreatment,
                                       const kernels::RemeshedTable<double, 3>&);
-template void keep_on_fits<double, 3>(Body<double, 3>&, int, int, double);
+template void keep_on_fits<double, 3>(Body<double, 3>&, int, int, double, const Boundaries<3>&);
 template void drift_ghosts<float, 3>(Body<float, 3>&, int, int, GhostTreatment,
                                      const kernels::RemeshedTable<float, 3>&);
-template void keep_on_fits<float, 3>(Body<float, 3>&, int, int, double);
+template void keep_on_fits<float, 3>(Body<float, 3>&, int, int, double, const Boundaries<3>&);
 
 }  // namespace pliant::remeshed

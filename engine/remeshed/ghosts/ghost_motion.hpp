@@ -15,6 +15,7 @@ void drift_ghosts(Body<T, D>& body, int block, int stage, GhostTreatment treatme
 /// the fit alone, (RP.60), and so stay where the fit of positions is; not those of slots that may
 /// come into contact with a wall.
 template <class T, int D>
-void keep_on_fits(Body<T, D>& body, int block, int stage, double time_step);
+void keep_on_fits(Body<T, D>& body, int block, int stage, double time_step,
+                  const Boundaries<D>& boundaries);
 
 }  // namespace pliant::remeshed

@@ -4,16 +4,17 @@
 
 #include "engine/remeshed/body.hpp"
 
-/// The velocity of (RP.50) lets waves out of a body, within some h/c. Of bodies that are held bent
-/// a part of it lasts, and feeds a checkerboard of stress.
+/// The velocities of (RP.50) and (RP.47) let waves out of a body, within some h/c. Of bodies that
+/// are held bent, or rest on a wall, a part of them lasts, and feeds a checkerboard of stress.
 namespace pliant::remeshed {
 
-/// Whether ghosts of free surfaces move without the part of (RP.50) that lasts. Where they are held
-/// bent, bodies in 3D and those whose shear stress nothing relaxes are unstable with it; linear
-/// ones in 2D are stable, and lose less energy with all of (RP.50).
+/// Whether ghosts move without the part of (RP.50) and (RP.95) that lasts. Bodies in 3D and those
+/// whose shear stress nothing relaxes are unstable with it where they are held; linear ones in 2D
+/// are stable and lose less energy with all of it, but creep where they rest on a contact wall.
 template <class T, int D>
-bool lets_waves_out_alone(const Body<T, D>& body) {
-  return D == 3 || body.material.model == kernels::Model::reduced_polynomial;
+bool lets_waves_out_alone(const Body<T, D>& body, const Boundaries<D>& boundaries) {
+  return D == 3 || body.material.model == kernels::Model::reduced_polynomial ||
+         boundaries.have_contact();
 }
 
 constexpr double lasting_time = 20;  ///< over which (RP.50) takes its mean [h/c]
@@ -30,14 +31,15 @@ void let_waves_out_alone(BlockGhosts<T, D>& ghosts, std::size_t count, FieldStor
   }
 }
 
-/// Follows what lasts of (RP.50) for a time step [s], but on ghosts that another body answers.
+/// Follows what lasts of (RP.50) and (RP.95) for a time step [s], but on ghosts that another body
+/// answers.
 template <class T, int D>
 void follow_lasting(const Body<T, D>& body, BlockGhosts<T, D>& ghosts, double time_step) {
   const double speed = kernels::wave_speed_at_rest(body.material);
   const auto share =
       static_cast<T>(1 - std::exp(-time_step * speed / (lasting_time * body.lattice.spacing)));
   for (std::size_t g = 0; g < ghosts.reached_count; ++g) {
-    if (ghosts.wall[g] >= 0 || ghosts.active[g] == 0) continue;
+    if (ghosts.active[g] == 0) continue;
     for (int a = 0; a < D; ++a) ghosts.lasting[g][a] += share * ghosts.correction[g][a];
   }
   for (const std::int32_t g : ghosts.contact_points.ghost) ghosts.lasting[g] = {};

@@ -144,6 +144,22 @@ TEST(wall_contact, a_wall_carries_the_weight_of_a_block) {
   }
 }
 
+// They used to be remeshed every ten steps, to creep, and to create energy without end.
+TEST(wall_contact, a_block_at_rest_settles_and_keeps_its_mass) {
+  for (const double across : {4.5, 5., 8.}) {
+    Block block = heavy(across, Block().wall);
+    block.damping = 5;
+    Solver solver(case_of(block), {1, kernels::widest_supported()});
+    const double mass = solver.integrals().mass;
+    advance_until(solver, 4);
+    EXPECT_NEAR(solver.integrals().mass, mass, 0.005 * mass) << across;
+    // (rho g)^2 H^3/(6 E') a unit width, E' of plane strain.
+    const double energy = 100 * std::pow(side, 4) / 6 / (100 / (1 - 0.3 * 0.3));
+    EXPECT_NEAR(solver.integrals().strain_energy, energy, 0.05 * energy) << across;
+    EXPECT_LE(solver.clock().remeshings, 3) << across;
+  }
+}
+
 TEST(wall_contact, a_block_without_slip_does_not_creep_down_a_slope) {
   const Block block = heavy(8, Block().wall + "\nfriction = \"no_slip\"", 0.1);
   Solver solver(case_of(block), {1, kernels::widest_supported()});
