@@ -28,7 +28,7 @@ void remeshing_keys(Visitor& visit, decltype(Case::remeshing)& remeshing) {
   visit(
       "every", RemeshRule{remeshing},
       {.meaning = R"(number of time steps between two remeshings, "adaptive" (RP.39; with contact )"
-                  R"(after ten steps at the latest) or "never")",
+                  R"(after ten steps at the latest while bodies move) or "never")",
        .unit = "steps",
        .example = "10",
        .limits = at_least_one});

@@ -1,5 +1,6 @@
 #include "engine/remeshed/loaded_surface.hpp"
 
+#include <Eigen/Geometry>
 #include <algorithm>
 
 #include "engine/remeshed/ghosts/record_loads.hpp"

@@ -1,5 +1,6 @@
 #include "engine/report/walls.hpp"
 
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 #include <map>

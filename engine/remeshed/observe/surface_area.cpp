@@ -1,5 +1,7 @@
 #include "engine/remeshed/observe/surface_area.hpp"
 
+#include <Eigen/Geometry>
+
 #include "engine/remeshed/observe/surface_pieces.hpp"
 
 namespace pliant::remeshed {
