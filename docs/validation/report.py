@@ -39,7 +39,7 @@ compression_cells = [16, 32, 64, 128, 256]
 paper_scheme = ["discretisation.kernel=quartic_spline", "discretisation.dissipation=0",
                 "remeshing.every=1", "remeshing.volume=conserved", "ghosts.treatment=averaged",
                 "remeshed.gradient=normalised", "remeshed.reinitialisation=first_order",
-                "remeshed.determinant=remeshed"]
+                "remeshed.determinant=remeshed", "remeshed.free_motion=remeshed"]
 paper_compression = [*paper_scheme, "time.step=5e-5"]
 paper_cylinder = [*paper_scheme, "time.step=1e-3", "output.every=0", "output.measure_every=0.001"]
 

@@ -13,6 +13,9 @@ void visit_keys(MethodKeys& visit, MethodParameters& parameters) {
   visit("determinant", remeshed.determinant,
         {.meaning = "det F of remeshed particles, for materials that carry F",
          .example = R"("from_density")"});
+  visit("free_motion", remeshed.free_motion,
+        {.meaning = "velocity and spin of bodies that no wall, load or other body pushes",
+         .example = R"("kept")"});
   visit("mass_scaling", remeshed.mass_scaling,
         {.meaning = "factor of the inertia, for slow loads: steps are longer by its root (RP.87)",
          .example = "1e4",

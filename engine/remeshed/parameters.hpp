@@ -13,11 +13,16 @@ enum class Reinitialisation { closest_point, first_order };
 /// det F of remeshed particles: rho0/rho, (RP.38), or as remeshing leaves it, as H&K.
 enum class Determinant { from_density, remeshed };
 
+/// Velocity and spin of bodies that nothing holds: kept over steps and remeshings, (RP.90), or as
+/// these leave them, as H&K.
+enum class FreeMotion { kept, remeshed };
+
 /// The table [remeshed] of a case: where the method differs from the paper's own scheme.
 struct Parameters {
   kernels::Gradient gradient = kernels::Gradient::moment_matrix;
   Reinitialisation reinitialisation = Reinitialisation::closest_point;
   Determinant determinant = Determinant::from_density;
+  FreeMotion free_motion = FreeMotion::kept;
   double mass_scaling = 1;  ///< M of (RP.87): inertia over mass
 };
 
@@ -57,5 +62,12 @@ inline constexpr std::array words<remeshed::Determinant>{
     word(remeshed::Determinant::from_density, "from_density", "rho0/rho (RP.38)"),
     word(remeshed::Determinant::remeshed, "remeshed",
          "that of the remeshed F, as in Hieber & Koumoutsakos")};
+
+template <>
+inline constexpr std::array words<remeshed::FreeMotion>{
+    word(remeshed::FreeMotion::kept, "kept",
+         "corrected after each remeshing to what body forces leave (RP.90)"),
+    word(remeshed::FreeMotion::remeshed, "remeshed",
+         "as steps and remeshings leave it, as in Hieber & Koumoutsakos")};
 
 }  // namespace pliant

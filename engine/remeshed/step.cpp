@@ -92,7 +92,7 @@ std::vector<Phase> Step<T, D>::stress_phases() {
   std::vector<Phase> phases;
   PhaseRows(phases).each("stress", read_by_evaluate_stress(), written_by_evaluate_stress(),
                          [this](int block) { work_.evaluate_stress(block); });
-  motion_.add_phases(phases);
+  if (motion_.is_needed()) motion_.add_phases(phases);
   if (momentum_.is_needed()) momentum_.add_phases(phases, {});
   return phases;
 }

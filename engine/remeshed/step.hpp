@@ -35,7 +35,9 @@ class Step {
   /// What a step found over all blocks.
   void fold() { work_.fold(); }
   /// What a step of `time_step` [s] did to the budgets of momentum and spin, after it.
-  void follow_motion(double time_step) { motion_.add_step(work_.body_forces(), time_step); }
+  void follow_motion(double time_step) {
+    if (motion_.is_needed()) motion_.add_step(work_.body_forces(), time_step);
+  }
   const StageResults& results() const { return work_.results(); }
 
  private:

@@ -245,7 +245,8 @@ parameters."remeshing.every" = [5, 10]
         subprocess.run([PROGRAM, "report", out], check=True, stdout=subprocess.DEVNULL)
         self.browser.get((out / "report.html").as_uri())
         self.wait(lambda: len(self.browser.find_elements(By.CSS_SELECTOR, "tbody tr")) == 4)
-        canvas = self.browser.find_elements(By.CSS_SELECTOR, ".plot canvas")[0]
+        # The second plot is that of the energy; the angular momentum of all runs is the same.
+        canvas = self.browser.find_elements(By.CSS_SELECTOR, ".plot canvas")[1]
         self.wait(lambda: self.browser.execute_script(COUNT_SPOTS, canvas, [31, 111, 159], 10) == 4)
 
     def sheet_of(self, page, wishes):

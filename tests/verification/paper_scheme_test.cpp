@@ -15,7 +15,8 @@ const Settings scheme_of_the_paper = {"discretisation.kernel=quartic_spline",
                                       "ghosts.treatment=averaged",
                                       "remeshed.gradient=normalised",
                                       "remeshed.reinitialisation=first_order",
-                                      "remeshed.determinant=remeshed"};
+                                      "remeshed.determinant=remeshed",
+                                      "remeshed.free_motion=remeshed"};
 
 /// The value of each measurement at the end of a run.
 std::vector<double> at_end_of(const Case& settings) {

@@ -10,7 +10,7 @@ namespace pliant::remeshed {
 
 namespace {
 
-constexpr double recalled_share = 0.05;  // (RP.92)
+constexpr double recalled_share = 0.03;  // (RP.92)
 
 }  // namespace
 

@@ -104,14 +104,13 @@ bool touches_another(const Body<T, D>& body) {
 template <class T, int D>
 void MotionCorrection<T, D>::add_step(const std::vector<std::array<ForceOnBlock<D>, 4>>& forces,
                                       double time_step) {
-  thread_local std::vector<ForceOnBlock<D>> on_body;
   for (int stage = 0; stage < 4; ++stage) {
-    on_body.assign(state_.bodies.size(), {});
+    on_body_.assign(state_.bodies.size(), {});
     for (std::size_t b = 0; b < forces.size(); ++b) {
-      add(on_body[state_.blocks[b].body], forces[b][stage]);
+      add(on_body_[state_.blocks[b].body], forces[b][stage]);
     }
-    for (std::size_t b = 0; b < on_body.size(); ++b) {
-      add_impulse(state_.motion_budgets[b], on_body[b], stage_weight[stage] * time_step);
+    for (std::size_t b = 0; b < on_body_.size(); ++b) {
+      add_impulse(state_.motion_budgets[b], on_body_[b], stage_weight[stage] * time_step);
     }
   }
   for (std::size_t b = 0; b < state_.bodies.size(); ++b) {
@@ -149,18 +148,19 @@ void MotionCorrection<T, D>::integrate(int block) {
 
 template <class T, int D>
 void MotionCorrection<T, D>::balance() {
-  thread_local std::vector<MotionIntegrals> sums;
-  sums.assign(state_.bodies.size(), {});
-  for (std::size_t b = 0; b < of_block_.size(); ++b) add(sums[state_.blocks[b].body], of_block_[b]);
-  of_body_.assign(sums.size(), {});
-  for (std::size_t b = 0; b < sums.size(); ++b) {
-    const MotionIntegrals& now = sums[b];
+  sums_.assign(state_.bodies.size(), {});
+  for (std::size_t b = 0; b < of_block_.size(); ++b)
+    add(sums_[state_.blocks[b].body], of_block_[b]);
+  of_body_.assign(sums_.size(), {});
+  for (std::size_t b = 0; b < sums_.size(); ++b) {
+    const MotionIntegrals& now = sums_[b];
     MotionBudget<D>& budget = state_.motion_budgets[b];
     if (!is_followed(state_.bodies[b]) || is_held(state_.bodies[b])) {
       budget.is_known = false;
       continue;
     }
     if (budget.is_known) {
+      for (double& component : budget.momentum) component *= now.mass / budget.mass;
       of_body_[b] = correction(now, budget);
     } else {
       std::copy_n(now.momentum.begin(), D, budget.momentum.begin());
@@ -178,7 +178,7 @@ auto MotionCorrection<T, D>::correction(const MotionIntegrals& now,
   Correction found;
   found.acts = true;
   found.centre = mass_centre(now);
-  for (int a = 0; a < D && keeps_momentum_; ++a) {
+  for (int a = 0; a < D && keeps_velocity_; ++a) {
     found.velocity[a] = (budget.momentum[a] - now.momentum[a]) / now.mass;
   }
   Vector missing = spin_of(now);

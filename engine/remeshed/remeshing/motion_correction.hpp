@@ -4,6 +4,7 @@
 
 #include "engine/remeshed/body_forces.hpp"
 #include "engine/remeshed/observe/motion_integrals.hpp"
+#include "engine/remeshed/parameters.hpp"
 #include "engine/remeshed/state.hpp"
 #include "scheduler/phase.hpp"
 
@@ -19,7 +20,9 @@
 // Each body therefore has a budget of both. After each remeshing, when particles lie on nodes and
 // the integrals (RP.42) over the body are those that are measured, a rigid velocity
 // a + omega x (x - c) is added to the body so that its integrals are those of the budget. It
-// changes no strain, no stress and no relative motion. What pushed the body since the last
+// changes no strain, no stress and no relative motion. What a remeshing does to the mass is no
+// impulse: it changes the momentum of the budget alike, so that the mass centre keeps its velocity.
+// What pushed the body since the last
 // remeshing makes the budget unknown; it is then what the remeshing has left. Bodies that come out
 // of a remeshing with ghosts of walls or loads have none until the next one.
 //
@@ -32,7 +35,10 @@ class MotionCorrection {
  public:
   MotionCorrection(State<T, D>& state, const Case& settings)
       : state_(state),
-        keeps_momentum_(settings.contacts.empty() && !state.boundaries.have_contact()) {}
+        is_needed_(parameters_of(settings).free_motion == FreeMotion::kept),
+        keeps_velocity_(settings.contacts.empty() && !state.boundaries.have_contact()) {}
+
+  bool is_needed() const { return is_needed_; }
 
   /// Changes the budgets by the body forces of a step, (RP.91), and forgets those of bodies that
   /// touch another one in it.
@@ -54,8 +60,9 @@ class MotionCorrection {
   void correct(int block);
 
   State<T, D>& state_;
-  bool keeps_momentum_;
-  std::vector<MotionIntegrals> of_block_;
+  bool is_needed_, keeps_velocity_;
+  std::vector<ForceOnBlock<D>> on_body_;  ///< of one stage
+  std::vector<MotionIntegrals> of_block_, sums_;
   std::vector<Correction> of_body_;
 };
 

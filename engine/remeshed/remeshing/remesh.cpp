@@ -182,7 +182,10 @@ void Remeshing<T, D>::add_fields(PhaseRows& rows) {
 // Beside walls displacements are less sure than phi, and in periodic cells they pass the ends.
 template <class T, int D>
 void Remeshing<T, D>::add_initial_surface(PhaseRows& rows) {
-  if (boundaries_.have_attached_walls() || body_.lattice.is_periodic()) return;
+  if (boundaries_.have_attached_walls() || body_.lattice.is_periodic() ||
+      level_set_.is_first_order()) {
+    return;
+  }
   rows.each("level set: initial surface", own(with_images(new_state) + with_images(marks)),
             own(with_images(new_state)), [this](int b) {
               recall_initial_surface<T, D>(body_.lattice, body_.spare.layout, b, initial_surface_,

@@ -137,6 +137,7 @@ treatment = "linear"
 gradient = "moment_matrix"
 reinitialisation = "closest_point"
 determinant = "from_density"
+free_motion = "kept"
 mass_scaling = 1
 
 [[body]]

@@ -182,7 +182,7 @@ axis = "x"
 )toml",
       dimension, dimension == 2 ? 0.02 : 0.05, vector("0", "-0.1", "-0.1"),
       vector("0.6", "0.1", "0.1"), vector("0", "0", "0"), vector("1", "0", "0"),
-      vector_of(dimension, fmt::format("\"{}\"", load), "0", "0"), vector("0.59", "-9", "-9"),
+      vector_of(dimension, fmt::format("\"{}\"", load), "0", "0"), vector("0.599", "-9", "-9"),
       vector("9", "9", "9"), vector("0.5", "0", "0"));
 }
 
