@@ -138,7 +138,7 @@ bool Solver<T, D>::remeshing_due() const {
   return false;
 }
 
-// (RP.96). Where nothing moves, each remeshing would add its own error and mend nothing.
+// (RP.96). Where nothing moves, each remeshing would only add its own error.
 template <class T, int D>
 bool Solver<T, D>::moves_in_contact() const {
   return !settings().contacts.empty() ||
