@@ -1,6 +1,7 @@
 #pragma once
 
 #include "kernels/first_piola.hpp"
+#include "kernels/point_based/bonds_of_register.hpp"
 #include "kernels/point_based/collect_points.hpp"
 #include "kernels/point_based/point_lanes.hpp"
 #include "kernels/stiffening.hpp"
@@ -140,20 +141,6 @@ template <ElasticLaw law, class P, int D>
   result.frequency2 = std::max(result.frequency2, static_cast<double>(largest(frequency2)));
 }
 
-/// Bonds of a register of nodes: neighbours and coefficients of bond k begin at
-/// k * slots_per_pack and at k * (D + 1) * slots_per_pack.
-template <class T, int D>
-struct RegisterBonds {
-  const std::uint16_t* neighbour;
-  const T* coefficient;
-
-  const std::uint16_t* neighbours(int k) const { return neighbour + k * slots_per_pack; }
-  /// g for c < D, w for c = D.
-  const T* coefficients(int k, int c) const {
-    return coefficient + (k * (D + 1) + c) * slots_per_pack;
-  }
-};
-
 /// F - I of (PB.4); keeps d of every bond.
 template <class P, int D>
 [[gnu::always_inline]] inline void displacement_gradient(const PointForces<Scalar<P>, D>& block,
@@ -162,12 +149,14 @@ template <class P, int D>
                                                          P (&difference)[most_bonds][D],
                                                          P (&h)[D * D]) {
   using T = Scalar<P>;
+  const BondPrefetch<P, D> prefetch(bonds, block.bonds, slot % slots_per_pack, 0);
   P here[D], sum[D * D];
 #pragma GCC unroll 3
   for (int a = 0; a < D; ++a) here[a] = load<P>(block.displacement[a] + slot);
 #pragma GCC unroll 9
   for (int c = 0; c < D * D; ++c) sum[c] = P(T(0));
   for (int k = 0; k < block.bonds; ++k) {
+    prefetch(k);
     P d[D];
     PointLanes<P, D>::gather(block.point, bonds.neighbours(k), d);
 #pragma GCC unroll 3
@@ -186,17 +175,17 @@ template <class P, int D>
   for (int c = 0; c < D * D; ++c) h[c] = sum[c];
 }
 
-/// Adds T_ij of (PB.8) of all bonds to the nodes and takes it from their neighbours. Prefetches the
-/// bonds of the next pack: no bond is read again before the next step.
+/// Adds T_ij of (PB.8) of all bonds to the nodes and takes it from their neighbours.
 template <class P, int D>
 [[gnu::always_inline]] inline void add_bond_forces(const PointForces<Scalar<P>, D>& block,
                                                    const RegisterBonds<Scalar<P>, D>& bonds,
-                                                   const P& stiffness,
+                                                   std::int64_t slot,
                                                    const P (&difference)[most_bonds][D],
                                                    const P (&b)[D * D], P (&sum)[D]) {
+  const BondPrefetch<P, D> prefetch(bonds, block.bonds, slot % slots_per_pack, 1);
+  const P stiffness = load<P>(block.stiffness + slot);
   for (int k = 0; k < block.bonds; ++k) {
-#pragma GCC unroll 4
-    for (int c = 0; c <= D; ++c) __builtin_prefetch(bonds.coefficients(block.bonds + k, c));
+    prefetch(k);
     const P weight = stiffness * load<P>(bonds.coefficients(k, D));
     P t[D];
 #pragma GCC unroll 3
@@ -229,7 +218,7 @@ inline void add_forces_of_register(const PointForces<Scalar<P>, D>& block, int l
   displacement_gradient(block, bonds, slot, difference, h);
   if (block.examine) examine_register<law, P, D>(block, slot, h, result);
   stress_of_nodes<law, P, D>(block, slot, h, b, sum);
-  add_bond_forces(block, bonds, load<P>(block.stiffness + slot), difference, b, sum);
+  add_bond_forces(block, bonds, slot, difference, b, sum);
   std::uint16_t own[lanes<P>];
   for (int l = 0; l < lanes<P>; ++l) {
     own[l] = static_cast<std::uint16_t>(point_stride * (local + l));
