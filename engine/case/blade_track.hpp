@@ -15,6 +15,12 @@ struct BladeEdge {
 /// Where the edge of a blade is at `time` [s]; before and after its track, at the ends of that.
 BladeEdge edge_of(const CutCase& cut, double time);
 
+/// Whether a blade moves by itself before the run ends. One that starts at the end or later waits
+/// for a caller of the library to move it.
+inline bool moves_in_run(const CutCase& cut, const Case& a_case) {
+  return cut.start < a_case.time.end;
+}
+
 /// Reads the track of a cut from its file (CSV, a header and one row for each time), and the times
 /// at which it starts and ends. The header is `time,x,y` in 2D; in 3D `time,x1,y1,z1,x2,y2,z2`, the
 /// ends of the edge, or `time,x,y,z,qw,qx,qy,qz`, its start and a quaternion that turns the edge of

@@ -120,7 +120,7 @@ std::vector<std::string> placement_warnings(const Case& a_case) {
     }
   }
   for (const CutCase& cut : a_case.cuts) {
-    if (cut.start >= a_case.time.end || meets_body(cut, a_case)) continue;
+    if (!moves_in_run(cut, a_case) || meets_body(cut, a_case)) continue;
     warnings.push_back(fmt::format(
         "the cut `{}` never meets body `{}`; its path is a displacement, from where the edge is at "
         "the start, in the undeformed body",

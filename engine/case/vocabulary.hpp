@@ -115,7 +115,7 @@ void time_keys(Visitor& visit, decltype(Case::time)& time, bool remeshes) {
         {.meaning =
              R"(CFL number for step = "cfl"; by default 1 in the remeshed method, 0.7 in the )"
              "total Lagrangian one (in both 0.5 with contact between bodies), 0.5 with plain SPH, "
-             "0.9 with finite elements and point-based nodes (0.6 with contact between bodies; 0.3 "
+             "0.9 with finite elements and point-based nodes (0.6 with contact; 0.3 "
              "where blades, faces of cuts or initial stresses push nodes)",
          .example = "0.5",
          .limits = {0, 2, false, true, "above 0 and at most 2"}});

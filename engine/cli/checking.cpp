@@ -41,12 +41,19 @@ Json json_of(const ExaminedBody& body) {
           {"degenerate_nodes", body.degenerate}};
 }
 
-Json bodies_of(const Checked& checked) {
-  Json bodies = Json::array();
-  if (checked.nodes) {
-    for (const ExaminedBody& body : checked.nodes->bodies) bodies.push_back(json_of(body));
-  }
-  return bodies;
+Json json_of(const ExaminedContact& contact) {
+  return {{"names", contact.names},
+          {"corners", contact.corners},
+          {"facets", contact.facets},
+          {"penetration", contact.penetration},
+          {"deepest", contact.deepest}};
+}
+
+template <class Examined>
+Json list_of(const std::vector<Examined>& items) {
+  Json list = Json::array();
+  for (const Examined& item : items) list.push_back(json_of(item));
+  return list;
 }
 
 /// Counts nodes and steps in the place of estimates.
@@ -70,7 +77,9 @@ Json json_of(const Checked& checked) {
           {"slots", checked.size.slots},
           {"steps", checked.size.steps},
           {"time_step", checked.nodes ? Json(checked.nodes->time_step) : Json()},
-          {"bodies", bodies_of(checked)},
+          {"stable_step", checked.nodes ? Json(checked.nodes->stable_step) : Json()},
+          {"bodies", checked.nodes ? list_of(checked.nodes->bodies) : Json::array()},
+          {"contacts", checked.nodes ? list_of(checked.nodes->contacts) : Json::array()},
           {"memory_bytes", checked.size.bytes},
           {"threads", checked.machine.threads},
           {"seconds", checked.seconds ? Json(*checked.seconds) : Json()},
@@ -126,7 +135,10 @@ ExitStatus check(const CheckArguments& arguments) {
   fmt::print("\n");
   if (checked.nodes) {
     for (const ExaminedBody& body : checked.nodes->bodies) fmt::print("  {}\n", body.text());
-    fmt::print("  time step: {:.4g} s\n", checked.nodes->time_step);
+    for (const ExaminedContact& contact : checked.nodes->contacts) {
+      fmt::print("  {}\n", contact.text());
+    }
+    fmt::print("  {}\n", checked.nodes->step_text());
   }
   return ExitStatus::done;
 }

@@ -18,8 +18,6 @@ point_based::Group group_of_nodes(Group group) {
       return Nodes::constants;
     case Group::loads:
       return Nodes::loads;
-    case Group::points:
-      return Nodes::points;
     case Group::own_sums:
       return Nodes::own_forces;
     case Group::halo_sums:

@@ -4,6 +4,7 @@
 
 #include "engine/method/phase_rows.hpp"
 #include "engine/point_based/parameters.hpp"
+#include "engine/point_based/point_room.hpp"
 
 // A step of total Lagrangian explicit dynamics (Miller et al. 2007). Everything happens in the
 // elements of the undeformed body.
@@ -50,13 +51,13 @@ std::vector<Phase> Step<T, D>::phases() {
   }
   if (averages) {
     rows.each("dilatation", near(of(displacement)) + own(of(constants)),
-              own(of(points) + of(own_sums) + of(halo_sums)),
+              own(of(own_sums) + of(halo_sums)),
               [this](int block) { kernels_.collect_dilatation(elements_of(block)); });
     rows.each("pressure", near(of(halo_sums)) + own(of(own_sums) + of(constants)),
               own(of(own_sums) + of(pressures)), [this](int block) { evaluate_pressures(block); });
   }
   rows.each("forces", near(of(displacement) + of(pressures)) + own(of(constants)),
-            own(of(points) + of(own_sums) + of(halo_sums) + of(results)),
+            own(of(own_sums) + of(halo_sums) + of(results)),
             [this](int block) { evaluate_forces(block); });
   rows.each("motion",
             near(of(halo_sums)) +
@@ -112,7 +113,7 @@ kernels::ElementBlock<T, D> Step<T, D>::elements_of(int block) {
   work.material = elements.material;
   work.volumetric_modulus = elements.volumetric_modulus;
   work.examine = examine_;
-  work.point = body.point.get() + kernels::point_stride * range.first_point();
+  work.point = point_based::room_for_points<T>(body.most_points);
   work.force = body.force.get() + kernels::point_stride * range.first_point();
   return work;
 }

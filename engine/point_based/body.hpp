@@ -77,6 +77,7 @@ struct Body : undeformed::Body<T, D> {
 
   kernels::HyperelasticMaterial<T> material;
   int bonds = 0;              ///< of each node, those of no weight included
+  int most_points = 0;        ///< own slots and halo of a block, at most
   double resolution = 0;      ///< H, the least V^(1/D) [m]
   double volume_at_rest = 0;  ///< [m^D]
   std::vector<NodeBlock> blocks;
@@ -93,7 +94,7 @@ struct Body : undeformed::Body<T, D> {
   Buffer<std::uint16_t> neighbour;  ///< [pack][bond][lane] local numbers times point_stride
   Buffer<T> bond;                   ///< [pack][bond][D + 1][lane] g, w
   std::vector<std::int32_t> halo;   ///< slots, ascending in each block
-  Buffer<T> point, force;           ///< [slots and halos][point_stride]
+  Buffer<T> force;                  ///< [slots and halos][point_stride]
   std::vector<std::vector<kernels::CollectedForces<T>>> collected;  ///< [block]
   std::vector<std::vector<PressedNode<D>>> pressed;                 ///< [block]
   std::vector<std::vector<BladedNode<D>>> bladed;  ///< [block], none where blades exert no force
@@ -120,8 +121,8 @@ struct Body : undeformed::Body<T, D> {
 
   /// Of its arrays [B].
   std::size_t bytes() const {
-    std::size_t sum = neighbour.bytes() + bond.bytes() + point.bytes() + force.bytes() +
-                      halo.size() * sizeof(halo[0]);
+    std::size_t sum =
+        neighbour.bytes() + bond.bytes() + force.bytes() + halo.size() * sizeof(halo[0]);
     for_each_array([&sum](const Declaration&, auto components) {
       for (const Buffer<T>& component : components) sum += component.bytes();
     });
@@ -192,6 +193,8 @@ struct Body : undeformed::Body<T, D> {
     f(field_list[Field::displacement], span(body.displacement));
     f(field_list[Field::end_displacement], span(body.end_displacement));
     f(field_list[Field::velocity], span(body.velocity));
+    f(field_list[Field::end_velocity], span(body.end_velocity));
+    f(field_list[Field::velocity_gain], span(body.velocity_gain));
     if (body.is_viscous()) f(field_list[Field::strain], span(body.strain));
     f(field_list[Field::mass], span(&body.mass, 1));
     f(field_list[Field::inverse_mass], span(&body.inverse_mass, 1));

@@ -25,6 +25,7 @@ constexpr int lanes = kernels::slots_per_pack;
 template <class T, int D, class F>
 void find_halos(Body<T, D>& body, F&& for_each_neighbour) {
   body.halo.clear();
+  body.most_points = 0;
   for (NodeBlock& block : body.blocks) {
     std::vector<std::int32_t> halo;
     for (int i = 0; i < block.nodes; ++i) {
@@ -38,8 +39,10 @@ void find_halos(Body<T, D>& body, F&& for_each_neighbour) {
     block.first_halo = static_cast<std::int64_t>(body.halo.size());
     block.halo_count = static_cast<int>(halo.size());
     body.halo.insert(body.halo.end(), halo.begin(), halo.end());
-    constexpr int most_points = std::numeric_limits<std::uint16_t>::max() / kernels::point_stride;
-    if (block.count + block.halo_count > most_points) {
+    const int points = block.count + block.halo_count;
+    body.most_points = std::max(body.most_points, points);
+    constexpr int addressable = std::numeric_limits<std::uint16_t>::max() / kernels::point_stride;
+    if (points > addressable) {
       throw InputError(
           fmt::format("the nodes of body `{}` are too uneven: a block of {} nodes has "
                       "{} neighbours",
@@ -53,7 +56,6 @@ template <class T, int D>
 void make_room_for_bonds(int bonds, Body<T, D>& body) {
   body.bonds = bonds;
   const auto points = body.slots + static_cast<std::int64_t>(body.halo.size());
-  body.point.grow(points * kernels::point_stride, T(0));
   body.force.grow(points * kernels::point_stride, T(0));
   body.bond.grow(body.slots * body.bonds * (D + 1), T(0));
   body.neighbour.grow(body.slots * body.bonds, 0);

@@ -26,6 +26,7 @@ double length_of(const CutCase& cut) {
 std::string resolution_warning(const Case& settings) {
   const CutRule rule = parameters_of(settings).cut_rule;
   for (const CutCase& cut : settings.cuts) {
+    if (!moves_in_run(cut, settings)) continue;
     const double spacings = length_of(cut) / settings.discretisation.spacing;
     if (!(spacings < least_spacings(rule))) continue;
     return fmt::format(

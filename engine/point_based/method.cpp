@@ -39,8 +39,7 @@ void check_cut(const Check& check, std::size_t i) {
                        fmt::format("the edge of cut \"{}\" has no length", cut.name),
                        "give two different ends, from and to");
   }
-  // A caller moves blades that start after the end.
-  if (cut.start > check.a_case.time.end) return;
+  if (!moves_in_run(cut, check.a_case)) return;
   check_start_of_motion(check, check.place("cut", i, "path"),
                         fmt::format("the path of cut \"{}\"", cut.name), cut.path, cut.start);
 }

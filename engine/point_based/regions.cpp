@@ -22,9 +22,7 @@ std::vector<Region> regions(State<T, D>& state, scheduler::FieldId resource, int
   constexpr int stride = kernels::point_stride;
   const std::int64_t bonds = static_cast<std::int64_t>(range.count) * body.bonds;
   T* const force = body.force.get() + stride * range.first_point();
-  if (group == Group::points) {
-    add(body.point.get() + stride * range.first_point(), stride * (range.count + range.halo_count));
-  } else if (group == Group::own_forces) {
+  if (group == Group::own_forces) {
     add(force, stride * range.count);
   } else if (group == Group::halo_forces) {
     add(force + stride * range.count, stride * range.halo_count);

@@ -1,10 +1,9 @@
 #include "engine/point_based/step.hpp"
 
 #include <algorithm>
-#include <array>
-#include <numeric>
 
 #include "engine/method/phase_rows.hpp"
+#include "engine/point_based/block_arguments.hpp"
 #include "engine/point_based/contact_surface.hpp"
 #include "engine/point_based/degenerate_nodes.hpp"
 #include "engine/point_based/parameters.hpp"
@@ -86,7 +85,7 @@ std::vector<Phase> Step<T, D>::phases() {
   }
   rows.each("forces",
             near(of(displacement)) + own(of(mass) + of(constants) + of(loads) + of(strain)),
-            own(of(points) + of(own_forces) + of(halo_forces) + of(strain) + of(results)),
+            own(of(own_forces) + of(halo_forces) + of(strain) + of(results)),
             run(&Step::evaluate_forces));
   rows.each("motion",
             near(of(halo_forces)) + own(of(own_forces) + of(mass) + of(constants) + of(loads) +
@@ -223,76 +222,36 @@ void Step<T, D>::cut(int block) {
 template <class T, int D>
 void Step<T, D>::drift(int block) {
   const auto [body, local] = owner(block);
-  kernels::PointDrift<T, D> work = {};
-  work.first = body.blocks[local].first;
-  work.count = body.blocks[local].count;
-  work.drift = static_cast<T>(advance_.length / 2);
-  for (int a = 0; a < D; ++a) {
-    work.velocity[a] = body.velocity[a].get();
-    work.displacement[a] = body.displacement[a].get();
-  }
-  kernels_.drift(work);
+  auto arguments = drift_arguments(body, local);
+  arguments.drift = static_cast<T>(advance_.length / 2);
+  kernels_.drift(arguments);
 }
 
 template <class T, int D>
 void Step<T, D>::evaluate_forces(int block) {
   const auto [body, local] = owner(block);
-  const NodeBlock& range = body.blocks[local];
-  kernels::PointForces<T, D> work = {};
-  work.first = range.first;
-  work.count = range.count;
-  work.bonds = body.bonds;
-  work.neighbour = body.neighbour.get() + range.first * body.bonds;
-  work.bond = body.bond.get() + range.first * body.bonds * (D + 1);
-  work.halo_count = range.halo_count;
-  work.halo = body.halo.data() + range.first_halo;
-  work.volume = body.volume.get();
-  work.stiffness = body.stiffness.get();
-  work.frequency2 = body.frequency2.get();
-  for (int a = 0; a < D; ++a) {
-    work.displacement[a] = body.displacement[a].get();
-    if (body.is_pressed() && !body.pressed[local].empty())
-      work.load[a] = body.pressure_load[a].get();
-  }
-  for (int c = 0; c < Body<T, D>::symmetric; ++c) {
-    work.moment[c] = body.moment[c].get();
-    work.strain[c] = body.strain[c].get();
-    work.initial_stress[c] = body.initial_stress[c].get();
-  }
-  work.viscosity = static_cast<T>(parameters_of(settings_).stiffness_damping / advance_.length);
-  work.examine = advance_.examine || cuts_have_moved_;
-  work.material = body.material;
-  work.point = body.point.get() + kernels::point_stride * range.first_point();
-  work.force = body.force.get() + kernels::point_stride * range.first_point();
-  for (int c = 0; c < D * D; ++c) work.kept[c] = body.kept_gradient[c].get();
-  results_[block] = kernels_.evaluate_forces(work);
+  auto arguments = force_arguments(body, local);
+  arguments.viscosity =
+      static_cast<T>(parameters_of(settings_).stiffness_damping / advance_.length);
+  arguments.examine = advance_.examine || cuts_have_moved_;
+  results_[block] = kernels_.evaluate_forces(arguments);
   if (!body.degenerate[local].empty()) add_degenerate_forces(body, local);
 }
 
 template <class T, int D>
 void Step<T, D>::move(int block) {
   const auto [body, local] = owner(block);
-  const NodeBlock& range = body.blocks[local];
-  kernels::PointMotion<T, D> work = {};
-  work.first = range.first;
-  work.count = range.count;
-  work.collected = body.collected[local].data();
-  work.collected_count = static_cast<int>(body.collected[local].size());
-  work.force = body.force.get() + kernels::point_stride * range.first_point();
-  const double half = state_.clock.damping * advance_.length / 2;
-  work.kept = static_cast<T>((1 - half) / (1 + half));
-  work.gained = static_cast<T>(advance_.length / (1 + half));
-  work.drift = static_cast<T>(drift_length());
-  work.inverse_mass = body.inverse_mass.get();
+  const double damping = state_.clock.damping, half = damping * advance_.length / 2;
+  auto arguments = motion_arguments(body, local);
+  arguments.kept = static_cast<T>((1 - half) / (1 + half));
+  arguments.gained = static_cast<T>(advance_.length / (1 + half));
+  arguments.drift = static_cast<T>(drift_length());
   for (int a = 0; a < D; ++a) {
-    work.gravity[a] = static_cast<T>(loads_.uniform_gravity()[a]);
-    if (body.is_loaded()) work.external[a] = body.traction[a].get();
-    work.velocity[a] = body.velocity[a].get();
-    work.displacement[a] = body.displacement[a].get();
+    arguments.gravity[a] = static_cast<T>(loads_.uniform_gravity()[a]);
   }
   work_.begin_motion(block, body, local, loads_.power(block));
-  inertia_[block] = inertia(block);
-  kernels_.advance(work);
+  inertia_[block] = damping == 0 ? 0 : inertia_of(body, body.blocks[local]);
+  kernels_.advance(arguments);
   work_.hold(block, body, local);
   if (!bodies_touch()) end_motion(block);
 }
@@ -300,27 +259,6 @@ void Step<T, D>::move(int block) {
 template <class T, int D>
 void Step<T, D>::end_motion(int block) {
   work_.end_motion(block, loads_.power(block));
-}
-
-template <class T, int D>
-double Step<T, D>::inertia(int block) {
-  if (state_.clock.damping == 0) return 0;
-  const auto [body, local] = owner(block);
-  const NodeBlock& range = body.blocks[local];
-  // One sum would wait for itself.
-  constexpr int lanes = kernels::slots_per_pack;
-  std::array<double, lanes> sum = {};
-  for (std::int64_t slot = range.first; slot < range.first + range.count; slot += lanes) {
-    for (int l = 0; l < lanes; ++l) {
-      double square = 0;
-      for (int a = 0; a < D; ++a) {
-        const double u = body.velocity[a][slot + l];
-        square += u * u;
-      }
-      sum[l] += body.mass[slot + l] * square;
-    }
-  }
-  return std::accumulate(sum.begin(), sum.end(), 0.);
 }
 
 template class Step<double, 2>;

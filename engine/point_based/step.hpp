@@ -63,8 +63,6 @@ class Step {
   void meet_faces();
   bool has_punctures() const;
   void dent_surfaces();
-  /// Sum of m u^2 of a block, where damping needs it [J].
-  double inertia(int block);
 
   struct Owned {
     Body<T, D>& body;
@@ -87,7 +85,7 @@ class Step {
   undeformed::WallContact<T, D> contact_;
   undeformed::BodyContact<T, D> body_contact_;
   std::vector<kernels::PointForcesResult> results_;  ///< [block]
-  std::vector<double> inertia_;                      ///< [block] before the step [J]
+  std::vector<double> inertia_;  ///< [block] sum of m u^2 before the step, with damping [J]
 };
 
 extern template class Step<double, 2>;

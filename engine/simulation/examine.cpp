@@ -4,10 +4,15 @@
 
 #include <algorithm>
 #include <limits>
+#include <optional>
+#include <utility>
 
+#include "engine/case/stability.hpp"
 #include "engine/finite_elements/solver.hpp"
 #include "engine/geometry/padded.hpp"
+#include "engine/geometry/signed_distance.hpp"
 #include "engine/method/decompositions.hpp"
+#include "engine/point_based/contact_surface.hpp"
 #include "engine/point_based/solver.hpp"
 
 namespace pliant {
@@ -64,13 +69,86 @@ ExaminedBody examine_body(const point_based::Body<double, D>& body) {
   return found;
 }
 
+template <int D>
+using Surfaces = std::vector<undeformed::ContactSurface<D>>;
+
+/// Counts what a surface brings into a contact.
+template <int D>
+void add_surface(const undeformed::ContactSurface<D>& surface, const std::string& name,
+                 ExaminedContact& contact) {
+  contact.names.push_back(name);
+  contact.corners.push_back(surface.corners());
+  contact.facets.push_back(static_cast<std::int64_t>(surface.facet.size()));
+}
+
+/// Looks how deep the corners of a surface lie in a solid.
+template <int D>
+void find_penetration(const undeformed::ContactSurface<D>& surface, const Shape& solid,
+                      ExaminedContact& contact) {
+  for (const Point<D>& corner : surface.start) {
+    const double depth = -signed_distance(solid, padded<D>(corner), D);
+    if (depth <= contact.penetration) continue;
+    contact.penetration = depth;
+    contact.deepest = padded<D>(corner);
+  }
+}
+
+template <int D>
+std::vector<ExaminedContact> contacts_of_bodies(const Case& a_case, const Surfaces<D>& surfaces) {
+  std::vector<ExaminedContact> found;
+  for (const ContactCase& contact : a_case.contacts) {
+    ExaminedContact& examined = found.emplace_back();
+    const auto [a, b] = contact.bodies;
+    add_surface<D>(surfaces[a], a_case.bodies[a].name, examined);
+    if (a == b) continue;
+    add_surface<D>(surfaces[b], a_case.bodies[b].name, examined);
+    find_penetration<D>(surfaces[a], a_case.bodies[b].geometry, examined);
+    find_penetration<D>(surfaces[b], a_case.bodies[a].geometry, examined);
+  }
+  return found;
+}
+
+template <int D>
+std::vector<ExaminedContact> contacts_of_walls(const Case& a_case, const Surfaces<D>& surfaces) {
+  std::vector<ExaminedContact> found;
+  for (const BoundaryCase& boundary : a_case.boundaries) {
+    if (boundary.kind != BoundaryCase::Kind::contact_wall) continue;
+    for (std::size_t b = 0; b < surfaces.size(); ++b) {
+      ExaminedContact& examined = found.emplace_back();
+      add_surface<D>(surfaces[b], a_case.bodies[b].name, examined);
+      examined.names.push_back(boundary.name);
+      find_penetration<D>(surfaces[b], boundary.geometry, examined);
+    }
+  }
+  return found;
+}
+
+template <int D>
+std::vector<ExaminedContact> examine_contacts(
+    const Case& a_case, const std::vector<point_based::Body<double, D>>& bodies) {
+  Surfaces<D> surfaces;
+  for (const auto& body : bodies) surfaces.push_back(contact_surface(body));
+  std::vector<ExaminedContact> found = contacts_of_bodies<D>(a_case, surfaces);
+  for (ExaminedContact& contact : contacts_of_walls<D>(a_case, surfaces)) {
+    found.push_back(std::move(contact));
+  }
+  return found;
+}
+
+// A CFL number of 1 is the limit of these methods.
 template <class Solver>
 Examined examine_with(Case a_case) {
-  a_case.precision = Precision::binary64;
-  const Solver solver(a_case, {.threads = 1});
   Examined found;
+  const std::optional<double> given_step = a_case.time.step;
+  const double cfl = cfl_number(a_case);
+  a_case.precision = Precision::binary64;
+  a_case.time.step.reset();
+  a_case.time.cfl = 1;
+  const Solver solver(a_case, {.threads = 1});
   for (const auto& body : solver.state().bodies) found.bodies.push_back(examine_body(body));
-  found.time_step = solver.time_step();
+  found.contacts = examine_contacts(solver.settings(), solver.state().bodies);
+  found.stable_step = solver.time_step();
+  found.time_step = given_step.value_or(cfl * found.stable_step);
   return found;
 }
 
@@ -88,6 +166,24 @@ std::string ExaminedBody::text() const {
     line += fmt::format(", {} with neighbours on a plane or a line only", degenerate);
   }
   return line;
+}
+
+std::string ExaminedContact::text() const {
+  std::string line = "contact of";
+  for (std::size_t i = 0; i < names.size(); ++i) {
+    line += fmt::format("{} \"{}\"", i == 0 ? "" : " and", names[i]);
+    if (i < corners.size()) line += fmt::format(" ({} corners, {} facets)", corners[i], facets[i]);
+  }
+  if (names.size() == 1) return line + " with itself";
+  if (penetration == 0) return line + ", apart at the start";
+  return line +
+         fmt::format(", {:.2g} m deep in each other at the start, at ({:.4g}, {:.4g}, {:.4g})",
+                     penetration, deepest[0], deepest[1], deepest[2]);
+}
+
+std::string Examined::step_text() const {
+  return fmt::format("time step: {:.4g} s, stable up to {:.4g} s{}", time_step, stable_step,
+                     contacts.empty() ? "" : "; contact does not shorten it");
 }
 
 std::optional<Examined> examine(const Case& a_case) {

@@ -23,9 +23,26 @@ struct ExaminedBody {
   std::string text() const;
 };
 
+/// Two surfaces that may touch, or one and a contact wall. Corners move with nodes; facets are
+/// segments (2D) or triangles (3D) between them.
+struct ExaminedContact {
+  std::vector<std::string> names;             ///< one, where a body may meet itself
+  std::vector<std::int64_t> corners, facets;  ///< [body]
+  /// How deep a corner lies in the other body, or in the wall, at t = 0 [m]; 0 where none does.
+  double penetration = 0;
+  Vector deepest = {};  ///< where that corner is [m]
+
+  std::string text() const;
+};
+
 struct Examined {
   std::vector<ExaminedBody> bodies;
-  double time_step = 0;  ///< [s]
+  std::vector<ExaminedContact> contacts;
+  double time_step = 0;    ///< [s]
+  double stable_step = 0;  ///< the longest one that is stable at rest, by (PB.12) or (FE.6) [s]
+
+  /// What there is to say of all bodies together, a line.
+  std::string step_text() const;
 };
 
 /// Sets up a case of a method of nodes and looks at them; none for other methods. Throws InputError

@@ -43,6 +43,8 @@ struct Body {
   std::array<Buffer<T>, D> traction;  ///< of loads and gravity on each particle [N]
   /// At the end of a step that an output time divides [m]; of no meaning between other steps.
   std::array<Buffer<T>, D> end_displacement;
+  /// The same of velocities that belong to the ends of steps, and what they gain in the step [m/s].
+  std::array<Buffer<T>, D> end_velocity, velocity_gain;
   std::vector<std::vector<ConstrainedParticle<D>>> held;  ///< [block]
 
   bool is_particle(std::int64_t slot) const { return mass[slot] > 0; }

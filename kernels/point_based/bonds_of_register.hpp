@@ -29,14 +29,14 @@ template <class P, int D>
 class BondPrefetch {
   using T = Scalar<P>;
   static constexpr int packs_ahead = 2;
-  static constexpr int line = 64;                               // [B]
+  static constexpr int line = 64;                                // [B]
   static constexpr int values_of_half = (D + 1) * lanes<P> / 2;  // of a bond, in each lane
 
  public:
   /// For the register of nodes with the first lane `lane` of its pack and `count` bonds; `half` is
   /// 0 in the first loop, which asks for neighbours too, and 1 in the second.
-  [[gnu::always_inline]] BondPrefetch(const RegisterBonds<T, D>& bonds, int count, std::int64_t lane,
-                                      int half)
+  [[gnu::always_inline]] BondPrefetch(const RegisterBonds<T, D>& bonds, int count,
+                                      std::int64_t lane, int half)
       : coefficient_(bonds.coefficient - lane +
                      ((packs_ahead * slots_per_pack + lane) * (D + 1) + half * values_of_half) *
                          count) {

@@ -21,7 +21,10 @@ class Estimates(ProgramTest):
                 ("rotating_cylinder", "discretisation.spacing=0.02", "time.end=0.025"),
                 ("compression_hyperelastic", "discretisation.spacing=1/96", "time.end=0.001"),
                 ("bouncing_ball", "discretisation.spacing=0.03", "time.end=0.0025"),
-                ("liver_aspiration", "time.end=0.02")):
+                ("liver_aspiration", "time.end=0.02"),
+                ("block_cut", "discretisation.spacing=0.002", "time.end=0.002"),
+                ("edge_cut", "discretisation.spacing=1/200", "time.end=0.01"),
+                ("two_spheres", "method=point_based", "discretisation.spacing=1/60", "time.end=0.003")):
             arguments = [SOURCE / "cases" / case]
             for setting in settings:
                 arguments += ["--set", setting]

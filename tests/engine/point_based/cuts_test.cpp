@@ -195,5 +195,17 @@ TEST(cuts, of_no_length_or_no_time_are_refused) {
             std::string::npos);
 }
 
+// A caller may move it wherever it likes.
+TEST(cuts, that_wait_for_a_caller_are_not_asked_where_they_start) {
+  const std::string blade = free_points(3) +
+                            "[[cut]]\nname = \"blade\"\npath = [1, 0, 0]\n"
+                            "from = [0, 0, 1]\nto = [0, 1, 1]\nend = 3\n";
+  for (const std::string start : {"1", "2"}) {  // the run ends at 1
+    EXPECT_NO_THROW(tests::read_text(blade + "start = " + start + "\n")) << start;
+  }
+  EXPECT_NE(tests::complaint(blade + "start = 0.5\n").find("the path of cut \"blade\""),
+            std::string::npos);
+}
+
 }  // namespace
 }  // namespace pliant::test

@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "tests/engine/point_based/blocks.hpp"
@@ -25,6 +26,65 @@ TEST(point_loads, free_fall_is_exact) {
     });
     EXPECT_NEAR(balance(solver), 0, 1e-11 * solver.integrals().kinetic_energy);
   }
+}
+
+// Output times lie anywhere in a step: momentum is that of their instant, and bodies are nearly on
+// their parabola, (PB.45).
+TEST(point_loads, free_fall_is_exact_within_steps) {
+  const Case settings = tests::read_text("gravity = [0, -10]\n" + free_points(2));
+  PointSolver<2> solver(settings, {1, kernels::widest_supported()});
+  const auto start = solver.integrals();
+  const double step = solver.time_step();
+  for (const double share : {0.1, 0.5, 0.9, 1.0, 3.3}) {
+    const double time = solver.clock().time + share * step;
+    solver.advance(time);
+    const auto now = solver.integrals();
+    EXPECT_NEAR(now.momentum[1], -10 * time * now.mass, 1e-12 * now.mass) << share;
+    const double fallen = (now.first_moment[1] - start.first_moment[1]) / now.mass;
+    EXPECT_NEAR(fallen, -5 * time * time, 10 * step * step / 8 + 1e-12) << share;
+  }
+}
+
+// A restart at an output time within a step goes on from the end of that step.
+TEST(point_loads, velocities_within_a_step_do_not_alter_the_run) {
+  const Case settings = tests::read_text(free_points(2) + "velocity = [\"0.2*(x - 0.5)\", 0]\n");
+  PointSolver<2> looked_at(settings, {1, kernels::widest_supported()});
+  PointSolver<2> alone(settings, {1, kernels::widest_supported()});
+  for (int i = 0; i < 5; ++i) {
+    const double step = looked_at.time_step();
+    looked_at.step(0.3 * step);
+    looked_at.step(0.3 * step);
+    looked_at.step(HUGE_VAL);
+    alone.step(HUGE_VAL);
+  }
+  ASSERT_EQ(looked_at.clock().step, alone.clock().step);
+  const auto& seen = looked_at.state().bodies[0];
+  const auto& unseen = alone.state().bodies[0];
+  seen.for_each_node([&](std::int64_t slot) {
+    for (int a = 0; a < 2; ++a) {
+      ASSERT_EQ(seen.velocity[a][slot], unseen.velocity[a][slot]);
+      ASSERT_EQ(seen.displacement[a][slot], unseen.displacement[a][slot]);
+    }
+  });
+}
+
+// A block that swings freely: its energy varies within steps hardly more than from step to step.
+TEST(point_energy_budget, kinetic_and_strain_energy_within_a_step_belong_together) {
+  const Case settings = tests::read_text(free_points(2) + "velocity = [\"0.2*(x - 0.5)\", 0]\n");
+  const auto spread = [&settings](double steps) {
+    PointSolver<2> solver(settings, {1, kernels::widest_supported()});
+    const double step = solver.time_step();
+    double least = HUGE_VAL, most = 0;
+    for (int sample = 1; sample * steps < 60; ++sample) {
+      solver.advance(sample * steps * step);
+      const auto now = solver.integrals();
+      const double energy = now.kinetic_energy + now.strain_energy;
+      least = std::min(least, energy);
+      most = std::max(most, energy);
+    }
+    return most - least;
+  };
+  EXPECT_LT(spread(0.3), 1.1 * spread(1));
 }
 
 // F = sigma/E in a bar that slides along its floor; 1 % is what the stretch of 2 % makes of it.
@@ -131,6 +191,45 @@ displacement = [0, "-0.1*min(t, 1)"]
 
 // The loads start at once: steps are short for the waves that they make, whose energy the leapfrog
 // sees to second order.
+// A capsule is two balls and the cylinder between them. It comes down on a block, askew, and
+// slides.
+TEST(point_contact, a_capsule_that_moves_dents_a_block_and_nothing_enters_it) {
+  const std::string text = free_points(3) +
+                           half_space("floor", "kind = \"fixed\"", "[0, 0, 0]", "[0, 0, 1]") +
+                           R"toml([[boundary]]
+name = "capsule"
+kind = "contact_wall"
+friction = "frictionless"
+displacement = ["0.2*max(t - 0.5, 0)", 0, "-0.25*min(t, 0.5)"]
+
+[boundary.geometry]
+shape = "union"
+of = [{ shape = "ball", centre = [0.3, 0.2, 1.2], radius = 0.15 },
+      { shape = "ball", centre = [0.5, 0.7, 1.2], radius = 0.15 },
+      { shape = "intersection", of = [
+          { shape = "cylinder", centre = [0.3, 0.2, 1.2], radius = 0.15, axis = [0.2, 0.5, 0] },
+          { shape = "half_space", point = [0.3, 0.2, 0], normal = [-0.2, -0.5, 0] },
+          { shape = "half_space", point = [0.5, 0.7, 0], normal = [0.2, 0.5, 0] }] }]
+)toml";
+  const Case settings = tests::read_text(text, {"discretisation.spacing=0.0625"});
+  PointSolver<3> solver(settings, {1, kernels::widest_supported()});
+  advance_until(solver, 1);
+  const auto& body = solver.state().bodies[0];
+  double nearest = 1;
+  for (std::size_t c = 0; c < body.surface.start.size(); ++c) {
+    Point<3> x = body.position(body.surface.node[c]);
+    const Point<3> end = {0.3 + 0.1, 0.2, 1.2 - 0.125}, along = {0.2, 0.5, 0};
+    x = difference<3>(x, end);
+    const double t = std::clamp(dot<3>(x, along) / dot<3>(along, along), 0., 1.);
+    for (int a = 0; a < 3; ++a) x[a] -= t * along[a];
+    nearest = std::min(nearest, std::sqrt(dot<3>(x, x)));
+  }
+  EXPECT_NEAR(nearest, 0.15, 2e-3);
+  const double work = solver.energy_budget()->wall_work;
+  EXPECT_GT(work, 0);
+  EXPECT_LT(std::abs(balance(solver)), 0.01 * work);
+}
+
 TEST(point_energy_budget, work_of_walls_loads_and_gravity_is_in_the_bar_or_was_damped) {
   const std::string text =
       "gravity = [\"sin(2*t)\", -3]\n" + free_points(2) +

@@ -23,6 +23,45 @@ TEST(examine, counts_nodes_of_a_lattice_whose_volumes_are_those_of_the_block) {
   EXPECT_NEAR(found.time_step * c / 0.125, 1, 0.1);
 }
 
+// A second block, 0.01 m in the first one, and a floor that the first one stands on.
+TEST(examine, tells_how_deep_surfaces_that_may_touch_start_in_each_other) {
+  const std::string text = free_points(3) + R"toml(
+[[body]]
+name = "upper"
+material = "rubber"
+geometry = { shape = "box", lower = [0.25, 0.25, 0.99], upper = [0.75, 0.75, 1.49] }
+[[contact]]
+bodies = ["block", "upper"]
+kind = "frictionless"
+[[boundary]]
+name = "floor"
+kind = "contact_wall"
+friction = "frictionless"
+geometry = { shape = "half_space", point = [0, 0, 0], normal = [0, 0, 1] }
+)toml";
+  const Examined found = *examine(tests::read_text(text));
+  ASSERT_EQ(found.contacts.size(), 3u);  // of the bodies, and of each with the floor
+  const ExaminedContact& bodies = found.contacts[0];
+  // The surface of a cube of n cells along each side has 6 n^2 + 2 corners.
+  EXPECT_EQ(bodies.corners, (std::vector<std::int64_t>{6 * 8 * 8 + 2, 6 * 4 * 4 + 2}));
+  EXPECT_EQ(bodies.facets, (std::vector<std::int64_t>{2 * 6 * 8 * 8, 2 * 6 * 4 * 4}));
+  EXPECT_NEAR(bodies.penetration, 0.01, 1e-9);
+  EXPECT_NEAR(bodies.deepest[2], 0.995, 0.0051);  // a corner of the one or of the other
+  EXPECT_NE(bodies.text().find("0.01 m deep in each other at the start"), std::string::npos);
+  EXPECT_LT(found.contacts[1].penetration, 1e-9);
+  EXPECT_EQ(found.contacts[2].names, (std::vector<std::string>{"upper", "floor"}));
+  EXPECT_EQ(found.contacts[2].penetration, 0);
+  // Impulses need no shorter step; the default stays further below the limit.
+  EXPECT_NEAR(found.time_step, 0.6 * found.stable_step, 1e-12);
+}
+
+TEST(examine, takes_a_step_that_the_case_gives) {
+  const Examined found = *examine(tests::read_text(free_points(2), {"time.step=1e-4"}));
+  EXPECT_EQ(found.time_step, 1e-4);
+  EXPECT_GT(found.stable_step, 1e-3);
+  EXPECT_TRUE(found.contacts.empty());
+}
+
 TEST(examine, counts_nodes_of_elements_and_nothing_of_other_methods) {
   const TemporaryFolder folder;
   write(unit_block<3>(3), folder / "block.vtk");
