@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "engine/case/blade_track.hpp"
@@ -16,9 +17,14 @@ namespace {
 // with 14.
 double least_spacings(CutRule rule) { return rule == CutRule::visibility ? 20 : 10; }
 
+double distance(const Vector& a, const Vector& b) {
+  return std::hypot(b[0] - a[0], b[1] - a[1], b[2] - a[2]);
+}
+
+/// How far the end of an edge goes that goes farther.
 double length_of(const CutCase& cut) {
-  const Vector start = edge_of(cut, cut.start).from, end = edge_of(cut, cut.end).from;
-  return std::hypot(end[0] - start[0], end[1] - start[1], end[2] - start[2]);
+  const BladeEdge start = edge_of(cut, cut.start), end = edge_of(cut, cut.end);
+  return std::max(distance(start.from, end.from), distance(start.to, end.to));
 }
 
 }  // namespace
@@ -29,6 +35,12 @@ std::string resolution_warning(const Case& settings) {
     if (!moves_in_run(cut, settings)) continue;
     const double spacings = length_of(cut) / settings.discretisation.spacing;
     if (!(spacings < least_spacings(rule))) continue;
+    if (spacings == 0) {
+      return fmt::format(
+          "warning: the blade of cut `{}` ends where it starts, so that it may cut nothing; give a "
+          "path that depends on t",
+          cut.name);
+    }
     return fmt::format(
         "warning: the cut `{}` advances by {:.2g} spacings only, so that it opens by 5 to 25 % too "
         "little or too much; use a finer spacing (discretisation.spacing below {:.3g}){}",

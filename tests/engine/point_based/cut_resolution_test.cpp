@@ -7,10 +7,12 @@
 namespace pliant::test {
 namespace {
 
-std::string said_of(const std::string& spacing, const std::string& rule) {
-  const std::vector<std::string> settings = {"discretisation.spacing=" + spacing,
-                                             "point_based.cut_rule=" + rule};
+std::string said_of(const std::vector<std::string>& settings) {
   return point_based::resolution_warning(read_case(PLIANT_SOURCE_DIR "/cases/edge_cut", settings));
+}
+
+std::string said_of(const std::string& spacing, const std::string& rule) {
+  return said_of({"discretisation.spacing=" + spacing, "point_based.cut_rule=" + rule});
 }
 
 // Fracture theory gives the opening; the blade goes from x = -0.05 to 0.5. With a spacing of 1/15
@@ -20,6 +22,11 @@ TEST(resolution, of_a_cut_by_few_spacings_is_said_to_be_too_coarse) {
             std::string::npos);
   EXPECT_EQ(said_of("1/20", "transparency"), "");
   EXPECT_NE(said_of("1/27", "visibility").find("cut_rule = \"transparency\""), std::string::npos);
+}
+
+TEST(resolution, of_a_blade_that_stays_is_none_unless_a_program_moves_it) {
+  EXPECT_NE(said_of({"cut.0.path=[0, 0]"}).find("ends where it starts"), std::string::npos);
+  EXPECT_EQ(said_of({"cut.0.path=[0, 0]", "cut.0.start=200", "cut.0.end=300"}), "");
 }
 
 }  // namespace
