@@ -6,6 +6,7 @@
 #include "engine/geometry/distance_walk.hpp"
 #include "engine/geometry/padded.hpp"
 #include "engine/geometry/signed_distance.hpp"
+#include "engine/point_based/lattice_nodes.hpp"
 #include "engine/undeformed/body.hpp"
 
 namespace pliant::point_based {
@@ -19,15 +20,15 @@ constexpr double touching = 1e-6;       // boxes and cells [h]
 
 }  // namespace
 
-// As the nodes of a lattice: points lie on both faces of a box.
 template <int D>
-SurfaceLattice<D>::SurfaceLattice(const Shape& shape, double spacing) : spacing_(spacing) {
+SurfaceLattice<D>::SurfaceLattice(const Shape& shape, double spacing)
+    : spacing_(spacing), pitch_(lattice_pitch<D>(shape, spacing)) {
   const Box<3> box = bounding_box(shape);
   std::int64_t count = 1;
   Cell<D> last;
   for (int a = 0; a < D; ++a) {
-    const double cells = std::max(1.0, std::round((box.upper[a] - box.lower[a]) / spacing_));
-    lower_[a] = (box.lower[a] + box.upper[a] - (cells + 2) * spacing_) / 2;
+    const double cells = std::round((box.upper[a] - box.lower[a]) / pitch_[a]);
+    lower_[a] = box.lower[a] - pitch_[a];
     extent_[a] = static_cast<std::int32_t>(cells) + 3;
     last[a] = extent_[a] - 1;
     count *= extent_[a];
@@ -43,7 +44,7 @@ SurfaceLattice<D>::SurfaceLattice(const Shape& shape, double spacing) : spacing_
 template <int D>
 Point<D> SurfaceLattice<D>::place(const Cell<D>& cell) const {
   Point<D> x;
-  for (int a = 0; a < D; ++a) x[a] = lower_[a] + cell[a] * spacing_;
+  for (int a = 0; a < D; ++a) x[a] = lower_[a] + cell[a] * pitch_[a];
   return x;
 }
 
@@ -114,8 +115,8 @@ auto SurfaceLattice<D>::simplices_near(const std::vector<Box<D>>& boxes) const
     Cell<D> first, last;
     bool is_beside = false;
     for (int a = 0; a < D; ++a) {
-      const double from = std::floor((box.lower[a] - lower_[a]) / spacing_ - touching);
-      const double to = std::floor((box.upper[a] - lower_[a]) / spacing_ + touching);
+      const double from = std::floor((box.lower[a] - lower_[a]) / pitch_[a] - touching);
+      const double to = std::floor((box.upper[a] - lower_[a]) / pitch_[a] + touching);
       is_beside = is_beside || to < 0 || from > extent_[a] - 2;
       first[a] = static_cast<std::int32_t>(std::clamp<double>(from, 0, extent_[a] - 2));
       last[a] = static_cast<std::int32_t>(std::clamp<double>(to, 0, extent_[a] - 2));

@@ -15,7 +15,8 @@ namespace pliant::point_based {
 template <int D>
 class SurfaceLattice {
  public:
-  /// Lattice points on the surface count as inside.
+  /// The lattice is that of the nodes, `lattice_pitch`, so that points lie on all faces of a box.
+  /// Those on the surface count as inside.
   SurfaceLattice(const Shape& shape, double spacing);
 
   /// Of a corner: the points that it lies between; at a point twice that one.
@@ -42,7 +43,8 @@ class SurfaceLattice {
   std::pair<Cube, int> cube_at(const Cell<D>& cell) const;
   static Corner corner(const Crossing<D>& crossing);
 
-  double spacing_;
+  double spacing_;  ///< h, as asked for [m]
+  Point<D> pitch_;  ///< distances of lattice points [m]
   Point<D> lower_ = {};
   Cell<D> extent_ = {};
   std::vector<double> phi_;  ///< [lattice point] [h]
