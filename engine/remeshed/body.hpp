@@ -55,9 +55,9 @@ struct ContactPoints {
 template <class T, int D>
 struct Body;
 
-/// Ghosts of one block, and the surface particles of the block that ghosts anywhere read. Those of
-/// walls and those that the stencil of a particle reaches come first, in the order of the slots;
-/// then, likewise, the others, which only drift.
+/// Ghosts of one block, and the surface particles of the block that ghosts anywhere read. Those
+/// that the stencil of a particle reaches, and those that tell what walls do, come first, in the
+/// order of the slots; then, likewise, the others, which only drift.
 template <class T, int D>
 struct BlockGhosts {
   std::vector<std::int32_t> slot;

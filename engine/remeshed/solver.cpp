@@ -13,7 +13,6 @@
 #include "engine/remeshed/contact/wall_contact.hpp"
 #include "engine/remeshed/observe/field_views.hpp"
 #include "engine/remeshed/observe/frame.hpp"
-#include "engine/remeshed/observe/measure.hpp"
 #include "engine/remeshed/resources.hpp"
 #include "engine/remeshed/setup.hpp"
 #include "engine/remeshed/state_archive.hpp"
@@ -98,11 +97,13 @@ void Solver<T, D>::look_ahead(double time, const std::function<void()>& look) {
   move(time - state_.clock.time);
   look();
   before_look_.put_back(state_);
+  measurer_.reset();
 }
 
 template <class T, int D>
 void Solver<T, D>::move(double dt) {
   Clock& clock = state_.clock;
+  measurer_.reset();
   step_.prepare(dt);
   find_neighbours(dt);
   run(*present_graph_);
@@ -161,6 +162,7 @@ void Solver<T, D>::remesh() {
   clock.deformation = 0;
   for (Body<T, D>& body : state_.bodies) body.neighbours.strain = 0;
   remeshings_.commit();
+  measurer_.reset();
   use_new_slots();
 }
 
@@ -255,21 +257,27 @@ void Solver<T, D>::refresh_ghosts() {
 }
 
 template <class T, int D>
+Measurer<T, D>& Solver<T, D>::measurer() {
+  if (!measurer_) measurer_.emplace(settings(), state_, [this] { return on_nodes(); });
+  return *measurer_;
+}
+
+template <class T, int D>
 std::vector<double> Solver<T, D>::measure_each(std::span<const MeasurementCase> measurements) {
-  return Measurer<T, D>(settings(), state_, [this] { return on_nodes(); })(measurements);
+  return measurer()(measurements);
 }
 
 template <class T, int D>
 BodyIntegrals Solver<T, D>::integrals() {
-  return Measurer<T, D>(settings(), state_, [this] { return on_nodes(); }).totals();
+  return measurer().totals();
 }
 
 template <class T, int D>
 Frame Solver<T, D>::frame(const FrameParts& parts) {
   if (parts.ghosts) refresh_ghosts();
   return take_frame<T, D>(
-      state_, kernels_, [this] { return on_nodes(); }, [this] { return step_.surroundings(); },
-      parts);
+      state_, kernels_, [this] { return measurer().nodes(); },
+      [this] { return step_.surroundings(); }, parts);
 }
 
 template <class T, int D>
@@ -295,6 +303,7 @@ void Solver<T, D>::save_state(ArchiveWriter& archive) const {
 
 template <class T, int D>
 void Solver<T, D>::restore_state(const ArchiveReader& archive) {
+  measurer_.reset();
   get_state(archive, state_, remeshings_);
   get_points<D>(archive, "walls/remeshed_offset", remeshings_.wall_offset());
   number_slots();

@@ -1,11 +1,13 @@
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "engine/method/cached_graph.hpp"
 #include "engine/method/solver.hpp"
 #include "engine/remeshed/lattice_view.hpp"
 #include "engine/remeshed/neighbours/neighbours.hpp"
+#include "engine/remeshed/observe/measure.hpp"
 #include "engine/remeshed/remeshing/remeshings.hpp"
 #include "engine/remeshed/state.hpp"
 #include "engine/remeshed/state_copy.hpp"
@@ -58,6 +60,8 @@ class Solver final : public pliant::Solver {
   void take_step(double time_step) override;
   void move(double time_step);
   double bound_of_initial_strain_rate();
+  /// Of the present state: a remeshing for measurements is done once for all that ask.
+  Measurer<T, D>& measurer();
   std::vector<double> measure_each(std::span<const MeasurementCase> measurements) override;
   void save_state(ArchiveWriter& archive) const override;
   void restore_state(const ArchiveReader& archive) override;
@@ -82,6 +86,7 @@ class Solver final : public pliant::Solver {
   CachedGraph<D> ghost_graph_, source_graph_, target_graph_, stress_graph_;
   scheduler::StepGraph* present_graph_ = nullptr;  ///< one of the first two
   std::vector<bool> listed_;                       ///< [body] as the second was made for
+  std::optional<Measurer<T, D>> measurer_;         ///< until the state changes
   double slowing_;                                 ///< of waves by the scaled mass, (RP.87)
 };
 

@@ -6,7 +6,6 @@
 #include "engine/remeshed/loaded_surface.hpp"
 #include "engine/remeshed/parameters.hpp"
 #include "engine/remeshed/runge_kutta.hpp"
-#include "engine/remeshed/wall_work.hpp"
 
 namespace pliant::remeshed {
 
@@ -27,6 +26,7 @@ void StageWork<T, D>::prepare(double time_step) {
   time_step_ = time_step;
   impulse_.assign(state_.blocks.size() * state_.boundaries.walls.size(), {});
   work_.assign(state_.blocks.size(), {});
+  wall_shares_.resize(state_.blocks.size());
   for (int stage = 0; stage < 4; ++stage) {
     boundary_values_[stage].evaluate(state_.boundaries,
                                      state_.clock.time + stage_time[stage] * time_step);
@@ -85,15 +85,15 @@ void StageWork<T, D>::release_wall_contact(int block, int stage) {
 }
 
 template <class T, int D>
-void StageWork<T, D>::fill(int block, int stage, WhichGhosts which) {
+void StageWork<T, D>::fill(int block, int stage, WhichGhosts which, WallWork<T, D>* work) {
   const auto [body, local] = state_.owner(block);
   fill_ghosts<T, D>(body, local, stage, stage % 2, which, around(block, stage), settings_.ghosts,
-                    kernels_);
+                    kernels_, work);
 }
 
 template <class T, int D>
 void StageWork<T, D>::fill_all_ghosts(int block, int stage) {
-  fill(block, stage, WhichGhosts::all);
+  fill(block, stage, WhichGhosts::all, nullptr);
 }
 
 // Ghosts that no stencil reaches only have to come along until the next remeshing. Neighbour lists
@@ -101,14 +101,18 @@ void StageWork<T, D>::fill_all_ghosts(int block, int stage) {
 template <class T, int D>
 void StageWork<T, D>::fill_reached_ghosts(int block, int stage) {
   const auto [body, local] = state_.owner(block);
-  fill(block, stage, body.neighbours.are_listed ? WhichGhosts::all : WhichGhosts::reached);
-  drift_ghosts<T, D>(body, local, stage, settings_.ghosts, kernels_);
+  const double duration = stage_weight[stage] * time_step_;
   Point<D>* impulse = impulse_.data() + block * state_.boundaries.walls.size();
+  double& wall_work = work_[block].wall_work;
   const Surroundings<D> now = around(block, stage);
-  add_impulse<T, D>(body, local, buffer_of(stage), now, stage_weight[stage] * time_step_, kernels_,
-                    impulse, work_[block].wall_work);
-  add_wall_work<T, D>(body, local, buffer_of(stage), now, is_watched_,
-                      stage_weight[stage] * time_step_, kernels_, impulse, work_[block]);
+  std::vector<WallShare>& shares = wall_shares_[block];
+  if (stage == 0) find_wall_shares<T, D>(body, local, now.boundaries, is_watched_, shares);
+  WallWork<T, D> of_walls(body, body.population.ghosts[local], buffer_of(stage), now, duration,
+                          shares, impulse, wall_work);
+  fill(block, stage, body.neighbours.are_listed ? WhichGhosts::all : WhichGhosts::reached,
+       &of_walls);
+  drift_ghosts<T, D>(body, local, stage, now.values, settings_.ghosts, kernels_);
+  add_impulse<T, D>(body, local, buffer_of(stage), now, duration, kernels_, impulse, wall_work);
 }
 
 template <class T, int D>

@@ -3,12 +3,14 @@
 #include <array>
 #include <vector>
 
+#include "engine/method/energy_budget.hpp"
 #include "engine/remeshed/ghosts/ghost_fill.hpp"
 #include "engine/remeshed/ghosts/ghost_motion.hpp"
 #include "engine/remeshed/particle_update.hpp"
 #include "engine/remeshed/stage_results.hpp"
 #include "engine/remeshed/state.hpp"
 #include "engine/remeshed/surroundings.hpp"
+#include "engine/remeshed/wall_work.hpp"
 #include "kernels/remeshed/table.hpp"
 
 namespace pliant::remeshed {
@@ -56,7 +58,7 @@ class StageWork {
   }
 
  private:
-  void fill(int block, int stage, WhichGhosts which);
+  void fill(int block, int stage, WhichGhosts which, WallWork<T, D>* work);
   static std::vector<char> measured_walls(const Case& settings);
 
   State<T, D>& state_;
@@ -66,10 +68,11 @@ class StageWork {
   double time_step_ = 0;
   std::array<BoundaryValues<D>, 4> boundary_values_;  ///< [stage]
   StageResults results_;
-  std::vector<Point<D>> impulse_;   ///< [block][wall] on the bodies, of this step
-  std::vector<EnergyBudget> work_;  ///< [block] of walls and loads in this step
-  std::vector<char> is_measured_;   ///< [wall] whether a measurement asks for its force
-  std::vector<char> is_watched_;    ///< [wall] whether its push is added up in this step
+  std::vector<Point<D>> impulse_;                    ///< [block][wall] on the bodies, of this step
+  std::vector<EnergyBudget> work_;                   ///< [block] of walls and loads in this step
+  std::vector<std::vector<WallShare>> wall_shares_;  ///< [block] in this step
+  std::vector<char> is_measured_;  ///< [wall] whether a measurement asks for its force
+  std::vector<char> is_watched_;   ///< [wall] whether its push is added up in this step
 };
 
 extern template class StageWork<double, 2>;

@@ -3,8 +3,8 @@
 #include <Eigen/Dense>
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
-#include "engine/remeshed/ghosts/fit_evaluator.hpp"
 #include "engine/remeshed/ghosts/wall_site.hpp"
 #include "kernels/remeshed/ghosts/wall_friction.hpp"
 
@@ -17,9 +17,10 @@ template <class T, int D>
 double area_on_wall(const Body<T, D>& body, const BlockGhosts<T, D>& ghosts, std::size_t g) {
   const double h = body.lattice.spacing;
   const std::int64_t slot = ghosts.slot[g];
+  const double covered = std::clamp(0.5 - body.stage[0].get(Field::level_set)[slot] / h, 0., 1.);
+  if (covered == 0) return 0;
   const double depth = depth_behind_wall<T, D>(body, ghosts, g);
   const double layer = std::max(0., 1 - std::abs(depth / h - 1));
-  const double covered = std::clamp(0.5 - body.stage[0].get(Field::level_set)[slot] / h, 0., 1.);
   return std::pow(h, D - 1) * layer * covered;
 }
 
@@ -58,54 +59,56 @@ double growth_on_wall(const Body<T, D>& body, const BlockGhosts<T, D>& ghosts, s
   return f.determinant() * (f.transpose().inverse() * normal).norm();
 }
 
+// The tests that need no distance from other walls come first: they leave few ghosts.
 template <class T, int D>
-void add_wall_work(const Body<T, D>& body, int block, int buffer, const Surroundings<D>& around,
-                   const std::vector<char>& watched, double duration,
-                   const kernels::RemeshedTable<T, D>& kernels, Point<D>* impulse,
-                   EnergyBudget& budget) {
+void find_wall_shares(const Body<T, D>& body, int block, const Boundaries<D>& boundaries,
+                      const std::vector<char>& watched, std::vector<WallShare>& shares) {
+  shares.clear();
   const BlockGhosts<T, D>& ghosts = body.population.ghosts[block];
-  const kernels::Impedance<T> impedance(body.material);
-  FitEvaluator<T, D> fits(body, ghosts, kernels);
-  for (std::size_t g = 0; g < ghosts.slot.size(); ++g) {
+  for (std::size_t g = 0; g < ghosts.reached_count; ++g) {
     const int wall = ghosts.wall[g];
-    if (wall < 0 || watched[wall] == 0 || is_covered<D>(around.boundaries, wall, ghosts.foot[g]))
-      continue;
-    double area = area_on_wall(body, ghosts, g);
-    if (area == 0) continue;
-    if (around.boundaries.walls[wall].slips()) area *= growth_on_wall(body, ghosts, g, buffer);
-    const auto push = kernels::wall_force_density<T, D>(
-        fits.of(g), wall_site<T, D>(body, ghosts, g, around), impedance);
-    for (int a = 0; a < D; ++a) {
-      const double given = duration * area * push[a];
-      impulse[wall][a] += given;
-      budget.wall_work += given * around.values.wall_velocity[wall][a];
-    }
+    if (wall < 0 || watched[wall] == 0) continue;
+    const double area = area_on_wall(body, ghosts, g);
+    if (area == 0 || is_covered<D>(boundaries, wall, ghosts.foot[g])) continue;
+    shares.push_back({static_cast<std::int32_t>(g), area});
+  }
+}
+
+template <class T, int D>
+void WallWork<T, D>::add(std::size_t g, const kernels::GhostFits<T, D>& fits,
+                         const kernels::WallSite<T, D>& site) {
+  if (shares_.empty() || std::cmp_not_equal(shares_.front().ghost, g)) return;
+  double area = shares_.front().area;
+  shares_ = shares_.subspan(1);
+  const int wall = ghosts_.wall[g];
+  if (around_.boundaries.walls[wall].slips()) area *= growth_on_wall(body_, ghosts_, g, buffer_);
+  const auto push = kernels::wall_force_density<T, D>(fits, site, impedance_);
+  for (int a = 0; a < D; ++a) {
+    const double given = duration_ * area * push[a];
+    impulse_[wall][a] += given;
+    work_ += given * around_.values.wall_velocity[wall][a];
   }
 }
 
 template double growth_on_wall<double, 2>(const Body<double, 2>&, const BlockGhosts<double, 2>&,
                                           std::size_t, int);
-template void add_wall_work<double, 2>(const Body<double, 2>&, int, int, const Surroundings<2>&,
-                                       const std::vector<char>&, double,
-                                       const kernels::RemeshedTable<double, 2>&, Point<2>*,
-                                       EnergyBudget&);
+template void find_wall_shares<double, 2>(const Body<double, 2>&, int, const Boundaries<2>&,
+                                          const std::vector<char>&, std::vector<WallShare>&);
+template class WallWork<double, 2>;
 template double growth_on_wall<double, 3>(const Body<double, 3>&, const BlockGhosts<double, 3>&,
                                           std::size_t, int);
-template void add_wall_work<double, 3>(const Body<double, 3>&, int, int, const Surroundings<3>&,
-                                       const std::vector<char>&, double,
-                                       const kernels::RemeshedTable<double, 3>&, Point<3>*,
-                                       EnergyBudget&);
+template void find_wall_shares<double, 3>(const Body<double, 3>&, int, const Boundaries<3>&,
+                                          const std::vector<char>&, std::vector<WallShare>&);
+template class WallWork<double, 3>;
 template double growth_on_wall<float, 2>(const Body<float, 2>&, const BlockGhosts<float, 2>&,
                                          std::size_t, int);
-template void add_wall_work<float, 2>(const Body<float, 2>&, int, int, const Surroundings<2>&,
-                                      const std::vector<char>&, double,
-                                      const kernels::RemeshedTable<float, 2>&, Point<2>*,
-                                      EnergyBudget&);
+template void find_wall_shares<float, 2>(const Body<float, 2>&, int, const Boundaries<2>&,
+                                         const std::vector<char>&, std::vector<WallShare>&);
+template class WallWork<float, 2>;
 template double growth_on_wall<float, 3>(const Body<float, 3>&, const BlockGhosts<float, 3>&,
                                          std::size_t, int);
-template void add_wall_work<float, 3>(const Body<float, 3>&, int, int, const Surroundings<3>&,
-                                      const std::vector<char>&, double,
-                                      const kernels::RemeshedTable<float, 3>&, Point<3>*,
-                                      EnergyBudget&);
+template void find_wall_shares<float, 3>(const Body<float, 3>&, int, const Boundaries<3>&,
+                                         const std::vector<char>&, std::vector<WallShare>&);
+template class WallWork<float, 3>;
 
 }  // namespace pliant::remeshed

@@ -1,8 +1,9 @@
 #pragma once
 
+#include <cstdint>
+#include <span>
 #include <vector>
 
-#include "engine/method/energy_budget.hpp"
 #include "engine/remeshed/state.hpp"
 #include "engine/remeshed/surroundings.hpp"
 
@@ -14,13 +15,56 @@ template <class T, int D>
 double growth_on_wall(const Body<T, D>& body, const BlockGhosts<T, D>& ghosts, std::size_t g,
                       int buffer);
 
-/// (RP.65) of the walls to which bodies are attached and that are `watched`: adds their push on a
-/// block during `duration` [s] to impulse[wall] and their work to the budget, from the records of
-/// the surface particles and the places of the slots in copy `buffer` of the state.
+/// A ghost that stands for a part of its wall, (RP.65) [m^(D-1)].
+struct WallShare {
+  std::int32_t ghost;
+  double area;
+};
+
+/// Those of a block behind walls to which bodies are attached and that are `watched`, in the order
+/// of the ghosts. Walls move between steps, so that they hold for a step.
 template <class T, int D>
-void add_wall_work(const Body<T, D>& body, int block, int buffer, const Surroundings<D>& around,
-                   const std::vector<char>& watched, double duration,
-                   const kernels::RemeshedTable<T, D>& kernels, Point<D>* impulse,
-                   EnergyBudget& budget);
+void find_wall_shares(const Body<T, D>& body, int block, const Boundaries<D>& boundaries,
+                      const std::vector<char>& watched, std::vector<WallShare>& shares);
+
+/// (RP.65) of a block in one stage: adds what walls push with to impulse[wall], and their work.
+template <class T, int D>
+class WallWork {
+ public:
+  /// For the stage whose places of slots are in copy `buffer` of the state; it weighs `duration`
+  /// [s] in the step.
+  WallWork(const Body<T, D>& body, const BlockGhosts<T, D>& ghosts, int buffer,
+           const Surroundings<D>& around, double duration, std::span<const WallShare> shares,
+           Point<D>* impulse, double& work)
+      : body_(body),
+        ghosts_(ghosts),
+        buffer_(buffer),
+        around_(around),
+        duration_(duration),
+        shares_(shares),
+        impulse_(impulse),
+        work_(work),
+        impedance_(body.material) {}
+
+  /// Adds what the wall of ghost g does, if the ghost has a share. Asked for in their order.
+  void add(std::size_t g, const kernels::GhostFits<T, D>& fits,
+           const kernels::WallSite<T, D>& site);
+
+ private:
+  const Body<T, D>& body_;
+  const BlockGhosts<T, D>& ghosts_;
+  int buffer_;
+  const Surroundings<D>& around_;
+  double duration_;
+  std::span<const WallShare> shares_;  ///< of ghosts that are still to come
+  Point<D>* impulse_;
+  double& work_;
+  kernels::Impedance<T> impedance_;
+};
+
+extern template class WallWork<double, 2>;
+extern template class WallWork<double, 3>;
+extern template class WallWork<float, 2>;
+extern template class WallWork<float, 3>;
 
 }  // namespace pliant::remeshed

@@ -115,7 +115,7 @@ struct GhostFill {
     }
   }
 
-  void fill_walls(const Surroundings<D>& around, bool averaged) const {
+  void fill_walls(const Surroundings<D>& around, bool averaged, WallWork<T, D>* work) const {
     const bool alone = lets_waves_out_alone(body, around.boundaries);
     const kernels::Impedance<T> impedance(body.material);
     FitEvaluator<T, D> present(body, ghosts, table);
@@ -123,6 +123,7 @@ struct GhostFill {
       if (ghosts.wall[g] < 0 || ghosts.active[g] == 0) continue;
       const kernels::GhostFits<T, D> fits = present.of(g);
       const kernels::WallSite<T, D> site = wall_site<T, D>(body, ghosts, g, around);
+      if (work != nullptr) work->add(g, fits, site);
       if (averaged) {
         set(g, kernels::averaged_wall_ghost<T, D>(fits.linear, site.velocity));
         continue;
@@ -139,7 +140,7 @@ struct GhostFill {
                                  const kernels::WallSite<T, D>& site,
                                  const kernels::Impedance<T>& impedance,
                                  kernels::GhostState<T, D>& ghost) const {
-    const bool slides = kernels::WallTraction<T, D>(fits, site, impedance).slides;
+    const bool slides = kernels::slides_along<T, D>(fits, site, impedance);
     T jump = 0;  // of the normal velocity, which (RP.46) sets
     for (int a = 0; a < D; ++a) jump += site.n[a] * (ghost.velocity[a] - fits.surface.velocity(a));
     for (int a = 0; a < D; ++a) {
@@ -189,7 +190,7 @@ struct GhostFill {
 template <class T, int D>
 void fill_ghosts(Body<T, D>& body, int block, int stage, int parity, WhichGhosts which,
                  const Surroundings<D>& around, GhostTreatment treatment,
-                 const kernels::RemeshedTable<T, D>& table) {
+                 const kernels::RemeshedTable<T, D>& table, WallWork<T, D>* work) {
   const BoundaryValues<D>& values = around.values;
   follow_edges(body, block);
   BlockGhosts<T, D>& ghosts = body.population.ghosts[block];
@@ -212,7 +213,7 @@ void fill_ghosts(Body<T, D>& body, int block, int stage, int parity, WhichGhosts
     if (treatment == GhostTreatment::rigid) fill.turn_rigidly();
     fill.fill_in_contact();
   }
-  fill.fill_walls(around, treatment == GhostTreatment::averaged);
+  fill.fill_walls(around, treatment == GhostTreatment::averaged, work);
 }
 
 template <class T, int D>
@@ -256,19 +257,21 @@ void fill_conserved(Body<T, D>& body, int block) {
 
 template void fill_ghosts<double, 2>(Body<double, 2>&, int, int, int, WhichGhosts,
                                      const Surroundings<2>&, GhostTreatment,
-                                     const kernels::RemeshedTable<double, 2>&);
+                                     const kernels::RemeshedTable<double, 2>&,
+                                     WallWork<double, 2>*);
 template void fill_conserved<double, 2>(Body<double, 2>&, int);
 template void fill_ghosts<float, 2>(Body<float, 2>&, int, int, int, WhichGhosts,
                                     const Surroundings<2>&, GhostTreatment,
-                                    const kernels::RemeshedTable<float, 2>&);
+                                    const kernels::RemeshedTable<float, 2>&, WallWork<float, 2>*);
 template void fill_conserved<float, 2>(Body<float, 2>&, int);
 template void fill_ghosts<double, 3>(Body<double, 3>&, int, int, int, WhichGhosts,
                                      const Surroundings<3>&, GhostTreatment,
-                                     const kernels::RemeshedTable<double, 3>&);
+                                     const kernels::RemeshedTable<double, 3>&,
+                                     WallWork<double, 3>*);
 template void fill_conserved<double, 3>(Body<double, 3>&, int);
 template void fill_ghosts<float, 3>(Body<float, 3>&, int, int, int, WhichGhosts,
                                     const Surroundings<3>&, GhostTreatment,
-                                    const kernels::RemeshedTable<float, 3>&);
+                                    const kernels::RemeshedTable<float, 3>&, WallWork<float, 3>*);
 template void fill_conserved<float, 3>(Body<float, 3>&, int);
 
 }  // namespace pliant::remeshed

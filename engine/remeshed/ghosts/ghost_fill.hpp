@@ -2,17 +2,18 @@
 
 #include "engine/remeshed/state.hpp"
 #include "engine/remeshed/surroundings.hpp"
+#include "engine/remeshed/wall_work.hpp"
 
 namespace pliant::remeshed {
 
 enum class WhichGhosts { all, reached };
 
 /// Velocity and stress of a block's ghosts in stage buffer `stage` from the records of the surface
-/// particles, (RP.45)-(RP.49), (RP.59).
+/// particles, (RP.45)-(RP.49), (RP.59). `work`, if any, takes what walls do.
 template <class T, int D>
 void fill_ghosts(Body<T, D>& body, int block, int stage, int parity, WhichGhosts which,
                  const Surroundings<D>& around, GhostTreatment treatment,
-                 const kernels::RemeshedTable<T, D>& kernels);
+                 const kernels::RemeshedTable<T, D>& kernels, WallWork<T, D>* work);
 
 /// Density, material state and displacement of a block's ghosts by the linear fit (RP.43), and
 /// v = h^d: what remeshing scatters.

@@ -62,7 +62,7 @@ class GhostFinder {
     }
     ghosts_.reached_count = ghosts_.slot.size();
     edge_ = no_edge;
-    for (const auto& [slot, cell] : drifting_) add_free(slot, cell);
+    for (const auto& [slot, cell] : drifting_) add_drifting(slot, cell);
     fitter_.finish();
   }
 
@@ -75,7 +75,13 @@ class GhostFinder {
     const Point<D> x = body_.lattice.node(cell);
     if (kind == Kind::wall_ghost) {
       const auto [wall, distance] = boundaries_.nearest_wall(x);
-      return add_wall(slot, cell, wall, distance);
+      if (may_drift(wall, distance) &&
+          !is_reached<T, D>(population_, segment, slot, cell, stencil_reach_)) {
+        drifting_.push_back({slot, cell});
+      } else {
+        add_wall(slot, cell, wall, distance);
+      }
+      return;
     }
     const auto [wall, distance] = boundaries_.nearest_contact(x);
     const double height = distance < 0 ? level_set_.surface_distance(slot) + distance : h;
@@ -89,6 +95,20 @@ class GhostFinder {
     } else {
       drifting_.push_back({slot, cell});
     }
+  }
+
+  // Whether what a ghost behind an attached wall is for can be told from whether a particle reaches
+  // it. Ghosts as deep as 2 h tell the force of the wall, (RP.65), and the velocity of those of
+  // walls along which material may slide depends on the stress, (RP.47).
+  bool may_drift(int wall, double distance) const {
+    return treatment_ != GhostTreatment::averaged &&
+           std::isinf(boundaries_.walls[wall].friction()) && distance <= -2 * body_.lattice.spacing;
+  }
+
+  void add_drifting(std::int64_t slot, const Cell<D>& cell) {
+    if (population_.kind[slot] != Kind::wall_ghost) return add_free(slot, cell);
+    const auto [wall, distance] = boundaries_.nearest_wall(body_.lattice.node(cell));
+    add_wall(slot, cell, wall, distance);
   }
 
   void add_contact(std::int64_t slot, const Cell<D>& cell, int wall, double height) {

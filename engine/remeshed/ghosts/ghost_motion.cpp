@@ -5,6 +5,7 @@
 
 #include "engine/remeshed/ghosts/lasting_correction.hpp"
 #include "engine/remeshed/ghosts/rigid_velocity.hpp"
+#include "kernels/remeshed/ghosts/ghost_state.hpp"
 
 namespace pliant::remeshed {
 
@@ -12,8 +13,8 @@ namespace {
 
 // The sums are made for some ghosts at a time, and stay in the first cache.
 template <class T, int D>
-void find_drift_velocity(Body<T, D>& body, int block, int stage, GhostTreatment treatment,
-                         const kernels::RemeshedTable<T, D>& table) {
+void find_drift_velocity(Body<T, D>& body, int block, int stage, const BoundaryValues<D>& values,
+                         GhostTreatment treatment, const kernels::RemeshedTable<T, D>& table) {
   constexpr std::size_t at_once = 32, width = BlockGhosts<T, D>::sums_of_ghost;
   alignas(64) std::array<T, at_once * width> sums;
   const BlockGhosts<T, D>& ghosts = body.population.ghosts[block];
@@ -24,8 +25,15 @@ void find_drift_velocity(Body<T, D>& body, int block, int stage, GhostTreatment 
     for (std::size_t g = begin; g < end; ++g) {
       const auto fits = ghosts.fits(g, sums.data() + width * (g - begin));
       std::array<T, D> u;
-      for (int a = 0; a < D; ++a) u[a] = fits.linear.velocity(a);
-      if (treatment == GhostTreatment::rigid) u = rigid_velocity<T, D>(body, state, ghosts, g);
+      if (ghosts.wall[g] >= 0) {
+        const Point<D>& wall = values.wall_velocity[ghosts.wall[g]];
+        std::copy(wall.begin(), wall.end(), u.begin());
+        u = kernels::wall_ghost_velocity<T, D>(fits, u);
+      } else if (treatment == GhostTreatment::rigid) {
+        u = rigid_velocity<T, D>(body, state, ghosts, g);
+      } else {
+        for (int a = 0; a < D; ++a) u[a] = fits.linear.velocity(a);
+      }
       for (int a = 0; a < D; ++a) state.get(Field::velocity, a)[ghosts.slot[g]] = u[a];
     }
   }
@@ -34,9 +42,9 @@ void find_drift_velocity(Body<T, D>& body, int block, int stage, GhostTreatment 
 }  // namespace
 
 template <class T, int D>
-void drift_ghosts(Body<T, D>& body, int block, int stage, GhostTreatment treatment,
-                  const kernels::RemeshedTable<T, D>& table) {
-  if (stage < 2) return find_drift_velocity(body, block, stage, treatment, table);
+void drift_ghosts(Body<T, D>& body, int block, int stage, const BoundaryValues<D>& values,
+                  GhostTreatment treatment, const kernels::RemeshedTable<T, D>& table) {
+  if (stage < 2) return find_drift_velocity(body, block, stage, values, treatment, table);
   const BlockGhosts<T, D>& ghosts = body.population.ghosts[block];
   for (int a = 0; a < D; ++a) {
     const T* start = body.stage[0].get(Field::velocity, a);
@@ -72,17 +80,17 @@ void keep_on_fits(Body<T, D>& body, int block, int stage, double time_step,
   }
 }
 
-template void drift_ghosts<double, 2>(Body<double, 2>&, int, int, GhostTreatment,
-                                      const kernels::RemeshedTable<double, 2>&);
+template void drift_ghosts<double, 2>(Body<double, 2>&, int, int, const BoundaryValues<2>&,
+                                      GhostTreatment, const kernels::RemeshedTable<double, 2>&);
 template void keep_on_fits<double, 2>(Body<double, 2>&, int, int, double, const Boundaries<2>&);
-template void drift_ghosts<float, 2>(Body<float, 2>&, int, int, GhostTreatment,
-                                     const kernels::RemeshedTable<float, 2>&);
+template void drift_ghosts<float, 2>(Body<float, 2>&, int, int, const BoundaryValues<2>&,
+                                     GhostTreatment, const kernels::RemeshedTable<float, 2>&);
 template void keep_on_fits<float, 2>(Body<float, 2>&, int, int, double, const Boundaries<2>&);
-template void drift_ghosts<double, 3>(Body<double, 3>&, int, int, GhostTreatment,
-                                      const kernels::RemeshedTable<double, 3>&);
+template void drift_ghosts<double, 3>(Body<double, 3>&, int, int, const BoundaryValues<3>&,
+                                      GhostTreatment, const kernels::RemeshedTable<double, 3>&);
 template void keep_on_fits<double, 3>(Body<double, 3>&, int, int, double, const Boundaries<3>&);
-template void drift_ghosts<float, 3>(Body<float, 3>&, int, int, GhostTreatment,
-                                     const kernels::RemeshedTable<float, 3>&);
+template void drift_ghosts<float, 3>(Body<float, 3>&, int, int, const BoundaryValues<3>&,
+                                     GhostTreatment, const kernels::RemeshedTable<float, 3>&);
 template void keep_on_fits<float, 3>(Body<float, 3>&, int, int, double, const Boundaries<3>&);
 
 }  // namespace pliant::remeshed

@@ -1,15 +1,16 @@
 #pragma once
 
+#include "engine/boundaries/boundary_values.hpp"
 #include "engine/remeshed/state.hpp"
 
 namespace pliant::remeshed {
 
-/// Velocity of the ghosts that no stencil reaches: by (RP.43) or (RP.59) u0 and u1 in the stages 0
-/// and 1, and (4 u1 - u0)/3 in both others, with which the Runge-Kutta method moves them by dt u1,
-/// (RP.60).
+/// Velocity of the ghosts that only drift: by (RP.43), (RP.59), or (RP.46) behind walls, u0 and u1
+/// in the stages 0 and 1, and (4 u1 - u0)/3 in both others, with which the Runge-Kutta method moves
+/// them by dt u1, (RP.60).
 template <class T, int D>
-void drift_ghosts(Body<T, D>& body, int block, int stage, GhostTreatment treatment,
-                  const kernels::RemeshedTable<T, D>& kernels);
+void drift_ghosts(Body<T, D>& body, int block, int stage, const BoundaryValues<D>& values,
+                  GhostTreatment treatment, const kernels::RemeshedTable<T, D>& kernels);
 
 /// Takes the part (RP.50) out of the motion of the ghosts that a stage has advanced: they move with
 /// the fit alone, (RP.60), and so stay where the fit of positions is; not those of slots that may

@@ -34,10 +34,10 @@ struct Moments {
   /// Place of a sub-cell along an axis, in [-1/2, 1/2] cells.
   static constexpr double centre(int i) { return (i + 0.5) / sub_cells - 0.5; }
 
-  /// Adds the sub-cells of a row along the first axis; t is its place, with 1 for the first
-  /// component.
-  void add_row(const Row& weights, const Point<D>& t) {
-    std::array<double, 4> sums = {};  // times powers of s_0
+  /// Sums over the sub-cells of a row along the first axis, times 1, s_0, s_0^2, s_0^3.
+  using RowSums = std::array<double, 4>;
+  static RowSums sums_of(const Row& weights) {
+    RowSums sums = {};
     for (int i = 0; i < sub_cells; ++i) {
       const double s = centre(i);
       sums[0] += weights[i];
@@ -46,13 +46,39 @@ struct Moments {
       sums[3] += weights[i] * s * s * s;
     }
     for (double& sum : sums) sum /= kernels::power(sub_cells, D);
+    return sums;
+  }
+  static RowSums sums_of_whole_row() {
+    Row whole;
+    whole.fill(1);
+    return sums_of(whole);
+  }
+
+  /// Adds a row; t is its place, with 1 for the first component. Of components that are equal by
+  /// symmetry the one with rising indices is summed.
+  void add_row(const RowSums& sums, const Point<D>& t) {
     zeroth += sums[0];
     for (int a = 0; a < D; ++a) {
       first[a] += t[a] * sums[a == 0];
+      for (int b = a; b < D; ++b) {
+        const double t_ab = t[a] * t[b];
+        second[a][b] += t_ab * sums[(a == 0) + (b == 0)];
+        for (int c = b; c < D; ++c) {
+          third[a][b][c] += t_ab * t[c] * sums[(a == 0) + (b == 0) + (c == 0)];
+        }
+      }
+    }
+  }
+
+  /// Gives the other components the sums.
+  void complete() {
+    for (int a = 0; a < D; ++a) {
       for (int b = 0; b < D; ++b) {
-        second[a][b] += t[a] * t[b] * sums[(a == 0) + (b == 0)];
+        second[a][b] = second[std::min(a, b)][std::max(a, b)];
         for (int c = 0; c < D; ++c) {
-          third[a][b][c] += t[a] * t[b] * t[c] * sums[(a == 0) + (b == 0) + (c == 0)];
+          std::array<int, 3> rising = {a, b, c};
+          std::ranges::sort(rising);
+          third[a][b][c] = third[rising[0]][rising[1]][rising[2]];
         }
       }
     }
@@ -155,15 +181,19 @@ class CoveredCells {
         t[a] = Moments<D>::centre(rest % sub_cells);
       }
       Row row;
-      if (!cover(e, t, row)) continue;
-      if (is_near_wall) leave_out_walls(x, t, row);
-      moments.add_row(row, t);
+      Cover cover = cover_by_body(e, t, row);
+      if (is_near_wall && cover != Cover::nothing) cover = leave_out_walls(x, t, row, cover);
+      if (cover == Cover::nothing) continue;
+      moments.add_row(cover == Cover::all ? whole_row_ : Moments<D>::sums_of(row), t);
     }
+    moments.complete();
     return moments;
   }
 
-  /// False where a row lies outside.
-  static bool cover(const Expansion& e, const Point<D>& t, Row& row) {
+  /// How much of a row is covered. Its sub-cells are set if some of it is.
+  enum class Cover { nothing, some, all };
+
+  static Cover cover_by_body(const Expansion& e, const Point<D>& t, Row& row) {
     double phi = e.phi, slope = e.slope[0];  // at the middle of the row
     for (int a = 1; a < D; ++a) {
       phi += e.slope[a] * t[a];
@@ -171,33 +201,39 @@ class CoveredCells {
       for (int b = 1; b < D; ++b) phi += 0.5 * e.curvature[a][b] * t[a] * t[b];
     }
     const double across = 0.5 * std::abs(slope) + 0.125 * std::abs(e.curvature[0][0]);
-    if (phi - across > 0.5 / coverage_slope) return false;
-    if (phi + across < -0.5 / coverage_slope) {
-      row.fill(1);
-      return true;
-    }
+    if (phi - across > edge) return Cover::nothing;
+    if (phi + across < -edge) return Cover::all;
     for (int i = 0; i < sub_cells; ++i) {
       const double s = Moments<D>::centre(i);
       const double at = phi + s * (slope + 0.5 * e.curvature[0][0] * s);
       row[i] = std::clamp(0.5 - coverage_slope * at, 0.0, 1.0);
     }
-    return true;
+    return Cover::some;
   }
 
-  void leave_out_walls(const Point<D>& x, const Point<D>& t, Row& row) const {
-    Point<D> at;
-    for (int a = 1; a < D; ++a) at[a] = x[a] + h_ * t[a];
+  // Distances from walls change by no more than the way.
+  Cover leave_out_walls(const Point<D>& x, const Point<D>& t, Row& row, Cover cover) const {
+    Point<D> at = x;
+    for (int a = 1; a < D; ++a) at[a] += h_ * t[a];
+    const double middle = distance_to_walls(at) / h_;
+    if (middle >= 0.5 + edge) return cover;
+    if (middle <= -0.5 - edge) return Cover::nothing;
+    if (cover == Cover::all) row.fill(1);
     for (int i = 0; i < sub_cells; ++i) {
       if (row[i] == 0) continue;
       at[0] = x[0] + h_ * Moments<D>::centre(i);
       row[i] *= std::clamp(0.5 + coverage_slope * distance_to_walls(at) / h_, 0.0, 1.0);
     }
+    return Cover::some;
   }
+
+  static constexpr double edge = 0.5 / coverage_slope;  ///< half of where coverage changes [h]
 
   LatticeView<T, D> view_;
   const Boundaries<D>& boundaries_;
   double h_;
   Moments<D> whole_ = Moments<D>::of_whole_cell();
+  typename Moments<D>::RowSums whole_row_ = Moments<D>::sums_of_whole_row();
 };
 
 }  // namespace pliant::remeshed

@@ -31,9 +31,9 @@ std::vector<double> Measurer<T, D>::operator()(std::span<const MeasurementCase> 
 }
 
 template <class T, int D>
-const LatticeView<T, D>& Measurer<T, D>::nodes(int body) {
+const std::vector<LatticeView<T, D>>& Measurer<T, D>::nodes() {
   if (nodes_.empty()) nodes_ = find_nodes_();
-  return nodes_[body];
+  return nodes_;
 }
 
 template <class T, int D>
@@ -99,14 +99,15 @@ std::function<bool(const Vector&)> Measurer<T, D>::free_points(const Measurement
 
 template <class T, int D>
 double Measurer<T, D>::extent(const MeasurementCase& m) {
-  const auto farthest = remeshed::extent<T, D>(nodes(m.body), m.axis, m.lower_side, free_points(m));
+  const auto farthest =
+      remeshed::extent<T, D>(nodes()[m.body], m.axis, m.lower_side, free_points(m));
   if (!farthest) return no_value;
   return m.lower_side ? m.reference - *farthest : *farthest - m.reference;
 }
 
 template <class T, int D>
 double Measurer<T, D>::surface_distance(const MeasurementCase& m) {
-  const auto distance = ray_to_surface(nodes(m.body), m.point, m.direction, free_points(m));
+  const auto distance = ray_to_surface(nodes()[m.body], m.point, m.direction, free_points(m));
   return distance ? *distance - m.reference : no_value;
 }
 
@@ -115,7 +116,7 @@ double Measurer<T, D>::mean_radius(const MeasurementCase& m) {
   double sum = 0;
   for (int k = 0; k < m.directions; ++k) {
     const double angle = 2 * pi * (k + 0.5) / m.directions;
-    const auto r = ray_to_surface(nodes(m.body), m.point, {std::cos(angle), std::sin(angle), 0},
+    const auto r = ray_to_surface(nodes()[m.body], m.point, {std::cos(angle), std::sin(angle), 0},
                                   free_points(m));
     if (!r) return no_value;
     sum += *r;
@@ -160,7 +161,7 @@ double Measurer<T, D>::minimum_particle_distance(const MeasurementCase& m) {
 
 template <class T, int D>
 double Measurer<T, D>::area(const MeasurementCase& m) {
-  return surface_area(nodes(m.body), state_.boundaries);
+  return surface_area(nodes()[m.body], state_.boundaries);
 }
 
 template <class T, int D>
@@ -191,7 +192,7 @@ BodyIntegrals Measurer<T, D>::integrate_body(int body, const Vector& about) {
   if (!find_nodes_ || settings_.remeshing.policy == Policy::never || !particles.has_surface) {
     return sum_particles<T, D>(particles, about);
   }
-  BodyIntegrals sum = integrate<T, D>(nodes(body), state_.boundaries, about);
+  BodyIntegrals sum = integrate<T, D>(nodes()[body], state_.boundaries, about);
   if (state_.momentum_budgets.empty()) return sum;
   const Point<D> momentum = budget_momentum<T, D>(state_, body);
   std::copy(momentum.begin(), momentum.end(), sum.momentum.begin());
@@ -225,7 +226,7 @@ double Measurer<T, D>::velocity_error(const MeasurementCase& m) {
 // Linear in the cell around the point; the field is evaluated at its corner nodes.
 template <class T, int D>
 double Measurer<T, D>::point_value(const MeasurementCase& m) {
-  const LatticeView<T, D>& view = nodes(m.body);
+  const LatticeView<T, D>& view = nodes()[m.body];
   Point<D> x;
   std::copy_n(m.point.begin(), D, x.begin());
   double value = 0, phi = 0;

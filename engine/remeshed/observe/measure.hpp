@@ -27,6 +27,9 @@ class Measurer {
   /// Conserved quantities of all bodies together, as the summary reports them.
   BodyIntegrals totals();
 
+  /// [body] as `find_nodes` gives them.
+  const std::vector<LatticeView<T, D>>& nodes();
+
   static bool is_measured(MeasurementCase::Kind kind) {
     return function_of(kind).evaluate != nullptr;
   }
@@ -70,7 +73,6 @@ class Measurer {
   };
   const BodyIntegrals& integrals(int body, const Vector& about);
   BodyIntegrals integrate_body(int body, const Vector& about);
-  const LatticeView<T, D>& nodes(int body);
 
   const Case& settings_;
   const State<T, D>& state_;

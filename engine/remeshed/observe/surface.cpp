@@ -16,21 +16,27 @@ class Surface {
         interpolant_(lattice_, view.population.layout, view.fields.get(Field::level_set)) {}
 
   std::optional<double> phi(const Vector& x) const {
-    Point<D> at, slope;
-    for (int a = 0; a < D; ++a) at[a] = (x[a] - lattice_.origin[a]) / lattice_.spacing - 0.5;
-    double value = 0;
-    if (!interpolant_(at, value, slope)) return std::nullopt;
-    return value;
+    Point<D> slope;
+    return phi(x, slope);
   }
 
-  // The zero between two distances along a ray, phi < 0 at the first; bisection to rounding.
+  // The zero between two distances along a ray, phi < 0 at the first, to rounding: by Newton's
+  // method, and by bisection where that leaves the bracket.
   double zero(const Vector& origin, const Vector& direction, double inside, double outside) const {
+    const double negligible = 1e-12 * (outside - inside);  // its square is below rounding
+    double s = (inside + outside) / 2;
     for (int i = 0; i < 60; ++i) {
-      const double middle = (inside + outside) / 2;
-      const std::optional<double> value = phi(along(origin, direction, middle));
-      (value && *value < 0 ? inside : outside) = middle;
+      Point<D> slope = {};
+      const std::optional<double> value = phi(along(origin, direction, s), slope);
+      (value && *value < 0 ? inside : outside) = s;
+      double rise = 0;
+      for (int a = 0; a < D; ++a) rise += slope[a] / lattice_.spacing * direction[a];
+      const double step = value && rise > 0 ? -*value / rise : outside - inside;
+      if (std::abs(step) <= negligible) return s + step;
+      s += step;
+      if (s <= inside || s >= outside) s = (inside + outside) / 2;
     }
-    return (inside + outside) / 2;
+    return s;
   }
 
   static Vector along(const Vector& origin, const Vector& direction, double s) {
@@ -39,6 +45,15 @@ class Surface {
   }
 
  private:
+  // Its slope is per cell.
+  std::optional<double> phi(const Vector& x, Point<D>& slope) const {
+    Point<D> at;
+    for (int a = 0; a < D; ++a) at[a] = (x[a] - lattice_.origin[a]) / lattice_.spacing - 0.5;
+    double value = 0;
+    if (!interpolant_(at, value, slope)) return std::nullopt;
+    return value;
+  }
+
   const Lattice<D>& lattice_;
   CubicInterpolant<T, D> interpolant_;
 };

@@ -114,7 +114,8 @@ template <class T, int D>
 struct GhostKernels {
   void (*write_surface_records)(const SurfaceRecords<T, D>&);
   void (*sum_ghosts)(const GhostSums<T, D>&);
-  void (*sum_velocities)(const GhostSums<T, D>&);  ///< sums[g][0] of u alone
+  /// sums[g][0] of u alone; of ghosts behind walls sums[g][1].
+  void (*sum_velocities)(const GhostSums<T, D>&);
   void (*fill_free_surfaces)(const FreeSurfaceGhosts<T, D>&);
   void (*fit_surface)(const SurfaceFits<T, D>&);
 };

@@ -205,6 +205,17 @@ T separation_speed(const GhostFits<T, D>& fits, const WallSite<T, D>& wall) {
   return speed;
 }
 
+/// u_g of (RP.46).
+template <class T, int D>
+VectorOf<T, D> wall_ghost_velocity(const GhostFits<T, D>& fits, const VectorOf<T, D>& wall) {
+  VectorOf<T, D> u;
+#pragma GCC unroll 3
+  for (int i = 0; i < D; ++i) {
+    u[i] = fits.constrained.velocity(i) + wall[i] * (1 - fits.constrained_sum);
+  }
+  return u;
+}
+
 /// (RP.46), (RP.51).
 template <class T, int D>
 GhostState<T, D> wall_ghost(const GhostFits<T, D>& fits, const WallSite<T, D>& wall,
@@ -212,11 +223,10 @@ GhostState<T, D> wall_ghost(const GhostFits<T, D>& fits, const WallSite<T, D>& w
   const VectorOf<T, D>& n = wall.n;
   const T away = separation_speed<T, D>(fits, wall);
   GhostState<T, D> ghost;
+  ghost.velocity = wall_ghost_velocity<T, D>(fits, wall.velocity);
   VectorOf<T, D> slip;
 #pragma GCC unroll 3
   for (int i = 0; i < D; ++i) {
-    ghost.velocity[i] =
-        fits.constrained.velocity(i) + wall.velocity[i] * (1 - fits.constrained_sum);
     slip[i] = fits.surface.velocity(i) - wall.velocity[i] - away * n[i];
   }
 #pragma GCC unroll 3

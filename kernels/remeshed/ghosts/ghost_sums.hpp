@@ -132,35 +132,40 @@ void sum_ghosts(const GhostSums<Scalar<P>, D>& ghosts) {
   }
 }
 
-/// The same of the velocity alone, by (RP.43).
+/// The same of the velocity alone, by (RP.43) or, behind walls, by (RP.44).
 template <class P, int D>
 void sum_velocities(const GhostSums<Scalar<P>, D>& ghosts) {
   using T = Scalar<P>;
   constexpr int place = RecordPlace<D>::velocity / lanes<P> * lanes<P>;
   constexpr int registers = (RecordPlace<D>::velocity + D - place + lanes<P> - 1) / lanes<P>;
   for (std::int64_t g = 0; g < ghosts.count; ++g) {
-    const FitTerms<T, D>& terms = ghosts.terms[ghosts.first + g];
+    const std::int64_t ghost = ghosts.first + g;
+    const FitTerms<T, D>& terms = ghosts.terms[ghost];
+    const bool is_behind_wall = ghosts.wall_begin[ghost] >= 0;
     P velocity[registers];
 #pragma GCC unroll 2
     for (int r = 0; r < registers; ++r) velocity[r] = P(T(0));
     alignas(64) T coefficient[pairs_at_once];
     const auto make = [&](int i, std::int64_t pair) {
+      if (is_behind_wall) {
+        const FitCoefficients<P> fit = coefficients_from<P, D>(ghosts, ghost, pair);
+        return fit.constrained.store_aligned(coefficient + i);
+      }
       P position[D];
       find_positions(terms, ghosts.pairs + pair, position);
       (fit_weight(terms, position) * linear_terms(terms.linear, position))
           .store_aligned(coefficient + i);
     };
-    for_each_pair<P, D>(ghosts, ghosts.first + g, make, [&](int i, const T* record) {
+    for_each_pair<P, D>(ghosts, ghost, make, [&](int i, const T* record) {
       const P c(coefficient[i]);
 #pragma GCC unroll 2
       for (int r = 0; r < registers; ++r) {
         velocity[r] = fused(c, load<P>(record + place + r * lanes<P>), velocity[r]);
       }
     });
+    T* sums = ghosts.sums + (3 * g + (is_behind_wall ? 1 : 0)) * record_width<D>;
 #pragma GCC unroll 2
-    for (int r = 0; r < registers; ++r) {
-      velocity[r].store_unaligned(ghosts.sums + g * 3 * record_width<D> + place + r * lanes<P>);
-    }
+    for (int r = 0; r < registers; ++r) velocity[r].store_unaligned(sums + place + r * lanes<P>);
   }
 }
 

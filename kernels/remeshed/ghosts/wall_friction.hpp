@@ -59,10 +59,18 @@ VectorOf<T, D> wall_force_density(const GhostFits<T, D>& fits, const WallSite<T,
   return push;
 }
 
+/// Whether the body slides along the wall, (RP.73).
+template <class T, int D>
+bool slides_along(const GhostFits<T, D>& fits, const WallSite<T, D>& wall,
+                  const Impedance<T>& impedance) {
+  return std::isfinite(wall.friction) && WallTraction<T, D>(fits, wall, impedance).slides;
+}
+
 /// (RP.46) or (RP.47), as (RP.73) tells.
 template <class T, int D>
 GhostState<T, D> friction_wall_ghost(const GhostFits<T, D>& fits, const WallSite<T, D>& wall,
                                      const Impedance<T>& impedance) {
+  if (!std::isfinite(wall.friction)) return wall_ghost<T, D>(fits, wall, impedance);
   const WallTraction<T, D> traction(fits, wall, impedance);
   if (!traction.slides) return wall_ghost<T, D>(fits, wall, impedance);
   VectorOf<T, D> shear_load;

@@ -156,5 +156,29 @@ TEST(ghosts, of_free_surfaces_stay_where_the_fit_of_positions_is) {
   EXPECT_GT(count, 100);
 }
 
+// (RP.60): those that no particle reaches, and that tell no force, only drift.
+TEST(ghosts, deep_behind_a_wall_move_with_it) {
+  const Point<2> velocity = {2, -3};
+  Case settings = small_case(
+      "compression_linear", {"discretisation.spacing=1/16", "body.block.velocity=[2, -3]",
+                             "boundary.upper.velocity=[2, -3]", "boundary.lower.velocity=[2, -3]"});
+  settings.remeshing.policy = decltype(settings.remeshing)::Policy::never;
+  Solver solver(settings, {1, kernels::Isa::sse2});
+  for (int step = 0; step < 10; ++step) solver.step(HUGE_VAL);
+  const double time = solver.clock().time;
+  const Body& body = solver.state().bodies[0];
+  int drifting = 0;
+  for (const auto& ghosts : body.population.ghosts) {
+    for (std::size_t g = 0; g < ghosts.slot.size(); ++g) {
+      if (ghosts.wall[g] < 0) continue;
+      if (g >= ghosts.reached_count) ++drifting;
+      for (int a = 0; a < 2; ++a) {
+        EXPECT_NEAR(body.stage[0].get(Field::drift, a)[ghosts.slot[g]], velocity[a] * time, 1e-12);
+      }
+    }
+  }
+  EXPECT_GT(drifting, 2 * 16);
+}
+
 }  // namespace
 }  // namespace pliant::test

@@ -95,5 +95,21 @@ TEST(measuring, the_waves_start_without_an_error) {
   EXPECT_NEAR(solver.measure()[0], 0, 1e-12);
 }
 
+TEST(measuring, between_steps_changes_no_later_answer) {
+  Solver asked(spinning_disc(0.1), {1, kernels::Isa::sse2});
+  Solver quiet(spinning_disc(0.1), {1, kernels::Isa::sse2});
+  const double at_start = asked.integrals().kinetic_energy;
+  for (int step = 0; step < 5; ++step) {
+    asked.step(HUGE_VAL);
+    quiet.step(HUGE_VAL);
+    const double energy = asked.integrals().kinetic_energy;
+    asked.look_ahead(asked.clock().time + 1e-3,
+                     [&] { EXPECT_NE(asked.integrals().kinetic_energy, energy); });
+    EXPECT_EQ(asked.integrals().kinetic_energy, energy);
+  }
+  EXPECT_NE(asked.integrals().kinetic_energy, at_start);
+  EXPECT_EQ(asked.integrals().kinetic_energy, quiet.integrals().kinetic_energy);
+}
+
 }  // namespace
 }  // namespace pliant::test
