@@ -36,8 +36,8 @@ class BoundaryForces {
   void end_motion(int block);
 
   /// Adds impulses and work of the step to the state, in the order of the blocks; `inertia` is the
-  /// sum of m u^2 before the step [J].
-  void fold(double inertia) { work_.fold(inertia); }
+  /// sum of m u^2 before the step, `damped` that of the mean velocities in it [J].
+  void fold(double inertia, double damped) { work_.fold(inertia, damped); }
 
  private:
   struct Owned {

@@ -37,11 +37,16 @@ class BoundaryWork {
   /// Adds impulses and work of the step to the state, in the order of the blocks; `inertia` is the
   /// sum of m u^2 that damping acts on [J].
   void fold(double inertia);
+  /// The same with the sum of m ((u + u')/2)^2 as what damping has acted on in the step, u' the
+  /// velocities after it, those of constrained particles before hold(): it loses that to rounding,
+  /// (TL.28).
+  void fold(double inertia, double damped);
 
  private:
   struct BlockWork {
     EnergyBudget energy;            ///< of the step [J]
     EnergyBudget power;             ///< of the velocities that it leaves behind [W]
+    double undamped = 0;            ///< what hold() takes of m ((u + u')/2)^2 [J]
     std::vector<Point<D>> impulse;  ///< [wall] on the block [N s]
     std::vector<Point<D>> before;   ///< [constrained particle] velocity before the step [m/s]
   };
