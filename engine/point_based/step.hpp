@@ -1,6 +1,7 @@
 #pragma once
 
 #include <string>
+#include <array>
 #include <vector>
 
 #include "engine/point_based/node_loads.hpp"
@@ -65,6 +66,9 @@ class Step {
   void dent_surfaces();
   /// Sum of m u^2 of a block, where damping needs it [J].
   double inertia(int block);
+  void keep_velocities(int block);
+  /// Sum of m ((u + u')/2)^2 of a block, u the velocities that it has kept [J].
+  double damped(int block);
 
   struct Owned {
     Body<T, D>& body;
@@ -88,6 +92,9 @@ class Step {
   undeformed::BodyContact<T, D> body_contact_;
   std::vector<kernels::PointForcesResult> results_;  ///< [block]
   std::vector<double> inertia_;                      ///< [block] before the step [J]
+  std::vector<double> damped_;                       ///< [block] what damping acts on in it [J]
+  /// [block][component][node] velocities before the step, where there is damping.
+  std::vector<std::array<std::vector<T>, D>> before_;
 };
 
 extern template class Step<double, 2>;

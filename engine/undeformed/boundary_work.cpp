@@ -75,14 +75,6 @@ void BoundaryWork<T, D>::end_motion(int block, const EnergyBudget& power) {
 
 template <class T, int D>
 void BoundaryWork<T, D>::fold(double inertia, double damped) {
-  for (const BlockWork& work : work_) damped -= work.undamped;
-  fold(inertia);
-  state_.energy.damping +=
-      kick_ * state_.clock.damping * state_.clock.mass_scaling * (damped - inertia);
-}
-
-template <class T, int D>
-void BoundaryWork<T, D>::fold(double inertia) {
   for (const BlockWork& work : work_) {
     add(state_.energy, work.energy);
     add(state_.power, work.power);
@@ -92,9 +84,11 @@ void BoundaryWork<T, D>::fold(double inertia) {
         state_.wall_force[w][a] += work.impulse[w][a] / kick_;
       }
     }
+    damped -= work.undamped;
   }
-  state_.power.damping = state_.clock.damping * state_.clock.mass_scaling * inertia;
-  state_.energy.damping += kick_ * state_.power.damping;
+  const double rate = state_.clock.damping * state_.clock.mass_scaling;
+  state_.power.damping = rate * inertia;
+  state_.energy.damping += kick_ * rate * damped;
 }
 
 template class BoundaryWork<double, 2>;

@@ -35,11 +35,8 @@ class BoundaryWork {
   void end_motion(int block, const EnergyBudget& power);
 
   /// Adds impulses and work of the step to the state, in the order of the blocks; `inertia` is the
-  /// sum of m u^2 that damping acts on [J].
-  void fold(double inertia);
-  /// The same with the sum of m ((u + u')/2)^2 as what damping has acted on in the step, u' the
-  /// velocities after it, those of constrained particles before hold(): it loses that to rounding,
-  /// (TL.28).
+  /// sum of m u^2 before the step, `damped` that of m ((u + u')/2)^2 [J], u' the velocities after
+  /// it, those of constrained particles before hold(): damping takes that to rounding, (TL.28).
   void fold(double inertia, double damped);
 
  private:
