@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <numeric>
+#include <optional>
 
 #include "engine/method/phase_rows.hpp"
 #include "engine/point_based/contact_surface.hpp"
@@ -175,7 +176,10 @@ void Step<T, D>::prepare_contact() {
   body_contact_.take_surfaces(state_.bodies);
   contact_.clear_surfaces();
   if (!contact_.exists()) return;
-  for (Body<T, D>& body : state_.bodies) contact_.add_surface(body, contact_surface(body));
+  using Bearers = typename undeformed::WallContact<T, D>::Bearers;
+  for (Body<T, D>& body : state_.bodies) {
+    contact_.add_surface(body, contact_surface(body), Bearers::first);
+  }
 }
 
 template <class T, int D>
@@ -196,7 +200,7 @@ StepResult Step<T, D>::fold() {
     for (int a = 0; a < D; ++a) blade.impulse[a] += advance_.length * blade.force[a];
     blade.work += advance_.length * blade.power;
   }
-  work_.fold(inertia, damped);
+  work_.fold(inertia, bodies_touch() ? std::nullopt : std::optional(damped));
   result.overlap = body_contact_.deepest();
   return result;
 }
@@ -315,7 +319,7 @@ double Step<T, D>::inertia(int block) {
 
 template <class T, int D>
 void Step<T, D>::keep_velocities(int block) {
-  if (state_.clock.damping == 0) return;
+  if (state_.clock.damping == 0 || bodies_touch()) return;
   const auto [body, local] = owner(block);
   const NodeBlock& range = body.blocks[local];
   for (int a = 0; a < D; ++a) {
@@ -327,7 +331,7 @@ void Step<T, D>::keep_velocities(int block) {
 // Nodes whose velocities change sign from step to step lose little, (TL.28).
 template <class T, int D>
 double Step<T, D>::damped(int block) {
-  if (state_.clock.damping == 0) return 0;
+  if (state_.clock.damping == 0 || bodies_touch()) return 0;
   const auto [body, local] = owner(block);
   const NodeBlock& range = body.blocks[local];
   constexpr int lanes = kernels::slots_per_pack;
@@ -336,8 +340,7 @@ double Step<T, D>::damped(int block) {
     for (int l = 0; l < lanes; ++l) {
       double square = 0;
       for (int a = 0; a < D; ++a) {
-        const double mean =
-            (before_[block][a][i + l] + body.velocity[a][range.first + i + l]) / 2;
+        const double mean = (before_[block][a][i + l] + body.velocity[a][range.first + i + l]) / 2;
         square += mean * mean;
       }
       sum[l] += body.mass[range.first + i + l] * square;

@@ -1,7 +1,7 @@
 #pragma once
 
-#include <string>
 #include <array>
+#include <string>
 #include <vector>
 
 #include "engine/point_based/node_loads.hpp"

@@ -1,6 +1,7 @@
 #include "engine/total_lagrangian/step.hpp"
 
 #include <algorithm>
+#include <optional>
 
 #include "engine/method/hyperelastic.hpp"
 #include "engine/method/phase_rows.hpp"
@@ -102,7 +103,10 @@ void Step<T, D>::prepare_contact() {
   body_contact_.take_surfaces(state_.bodies);
   contact_.clear_surfaces();
   if (!contact_.exists()) return;
-  for (Body<T, D>& body : state_.bodies) contact_.add_surface(body, contact_surface(body));
+  using Bearers = typename undeformed::WallContact<T, D>::Bearers;
+  for (Body<T, D>& body : state_.bodies) {
+    contact_.add_surface(body, contact_surface(body), Bearers::all);
+  }
 }
 
 template <class T, int D>
@@ -142,7 +146,7 @@ StepResult Step<T, D>::fold() {
     }
   }
   if (stiffness > 0 && inertia > 0) result.rayleigh = stiffness / inertia;
-  boundary_forces_.fold(inertia, damped);
+  boundary_forces_.fold(inertia, bodies_touch() ? std::nullopt : std::optional(damped));
   result.overlap = body_contact_.deepest();
   return result;
 }

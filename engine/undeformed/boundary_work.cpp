@@ -74,7 +74,8 @@ void BoundaryWork<T, D>::end_motion(int block, const EnergyBudget& power) {
 }
 
 template <class T, int D>
-void BoundaryWork<T, D>::fold(double inertia, double damped) {
+void BoundaryWork<T, D>::fold(double inertia, std::optional<double> damped) {
+  double acted_on = damped.value_or(inertia);
   for (const BlockWork& work : work_) {
     add(state_.energy, work.energy);
     add(state_.power, work.power);
@@ -84,11 +85,11 @@ void BoundaryWork<T, D>::fold(double inertia, double damped) {
         state_.wall_force[w][a] += work.impulse[w][a] / kick_;
       }
     }
-    damped -= work.undamped;
+    if (damped) acted_on -= work.undamped;
   }
   const double rate = state_.clock.damping * state_.clock.mass_scaling;
   state_.power.damping = rate * inertia;
-  state_.energy.damping += kick_ * rate * damped;
+  state_.energy.damping += kick_ * rate * acted_on;
 }
 
 template class BoundaryWork<double, 2>;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "engine/undeformed/body.hpp"
@@ -37,7 +38,8 @@ class BoundaryWork {
   /// Adds impulses and work of the step to the state, in the order of the blocks; `inertia` is the
   /// sum of m u^2 before the step, `damped` that of m ((u + u')/2)^2 [J], u' the velocities after
   /// it, those of constrained particles before hold(): damping takes that to rounding, (TL.28).
-  void fold(double inertia, double damped);
+  /// None where contact has changed velocities since.
+  void fold(double inertia, std::optional<double> damped);
 
  private:
   struct BlockWork {

@@ -30,21 +30,28 @@ WallContact<T, D>::WallContact(State<D>& state, const Case& settings, Displaceme
 }
 
 template <class T, int D>
-void WallContact<T, D>::add_surface(Body<T, D>& body, ContactSurface<D> shape) {
+void WallContact<T, D>::add_surface(Body<T, D>& body, ContactSurface<D> shape, Bearers bearing) {
   Surface& surface = surfaces_.emplace_back();
   surface.body = &body;
   surface.held = held_directions(body);
   surface.shape = std::move(shape);
-  for (std::int32_t corner = 0; corner < surface.shape.corners(); ++corner) {
-    double largest = 0;
+  surface.bearers = bearing;
+  for (std::int32_t number = 0; number < surface.shape.corners(); ++number) {
+    Corner corner{number, {surface.shape.shares(number).front().slot, 1}, 0};
     for (int a = 0; a < D; ++a) {
       Point<D> axis = {};
       axis[a] = 1;
-      const double along = compliance<T, D>(body, surface.held, surface.shape.shares(corner), axis);
-      largest = std::max(largest, along);
+      const double along = compliance<T, D>(body, surface.held, bearers(surface, corner), axis);
+      corner.compliance = std::max(corner.compliance, along);
     }
-    if (largest > 0) surface.corners.push_back({corner, largest});
+    if (corner.compliance > 0) surface.corners.push_back(corner);
   }
+}
+
+template <class T, int D>
+std::span<const Share> WallContact<T, D>::bearers(const Surface& surface, const Corner& corner) {
+  if (surface.bearers == Bearers::first) return {&corner.first, 1};
+  return surface.shape.shares(corner.number);
 }
 
 template <class T, int D>
@@ -92,9 +99,10 @@ void WallContact<T, D>::push(Surface& surface, const Corner& corner, const Conta
   const double gap = wall.distance(x);
   if (gap >= 0) return;
   const Point<D> n = wall.normal(x);
-  const double along = compliance<T, D>(body, surface.held, shares, n);
+  const std::span<const Share> bearing = bearers(surface, corner);
+  const double along = compliance<T, D>(body, surface.held, bearing, n);
   if (along < least_compliance * corner.compliance) return;
-  Point<D> slip = carried<T, D>(body.velocity, shares);
+  Point<D> slip = carried<T, D>(body.velocity, bearing);
   double normal_speed = 0, square = 0;
   for (int a = 0; a < D; ++a) {
     slip[a] -= contact.velocity[a];
@@ -119,7 +127,7 @@ void WallContact<T, D>::push(Surface& surface, const Corner& corner, const Conta
     state_.energy.wall_work += given * contact.velocity[a];
     state_.power.wall_work += force * contact.velocity[a];
   }
-  undeformed::push<T, D>(body, body.*moved_, surface.held, shares, impulse, moved);
+  undeformed::push<T, D>(body, body.*moved_, surface.held, bearing, impulse, moved);
 }
 
 template class WallContact<double, 2>;

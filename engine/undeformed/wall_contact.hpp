@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "engine/undeformed/body.hpp"
@@ -12,8 +13,9 @@
 //
 // The corners of the present surface must not lie inside a wall, (TL.12). One that does after a
 // step is put back onto it along the normal, by moving the particles that carry it: the least
-// change that does it. Friction takes as much of the sliding velocity as Coulomb's law allows for
-// the impulse along the normal.
+// change that does it. Where a corner follows the gradient of a node, that node takes all of it:
+// the wide stencils of many corners would push each other out of the wall. Friction takes as much
+// of the sliding velocity as Coulomb's law allows for the impulse along the normal.
 //
 // Where velocities belong to the middle of a step, as with central differences, they change by what
 // moves the corner back within the step. Where they belong to its end, as with the leapfrog, a
@@ -33,8 +35,10 @@ class WallContact {
   bool exists() const { return !walls_.empty(); }
   /// Clears the surfaces of all bodies.
   void clear_surfaces() { surfaces_.clear(); }
+  /// Which of the particles that carry a corner take the impulse on it.
+  enum class Bearers { all, first };
   /// Takes the surface of a body, which must stay where it is.
-  void add_surface(Body<T, D>& body, ContactSurface<D> surface);
+  void add_surface(Body<T, D>& body, ContactSurface<D> surface, Bearers bearers);
   /// Lets the walls push the particles that have moved for `length` [s] from `time` on, for `drift`
   /// [s] of it at the velocities that they have now, with forces that acted on them for `kick` [s];
   /// adds impulses and work of the walls to the state.
@@ -44,12 +48,14 @@ class WallContact {
   /// A corner that walls which hold particles leave free to move in some direction.
   struct Corner {
     std::int32_t number;
+    Share first;
     double compliance;  ///< along the axis where it is largest [1/kg]
   };
   struct Surface {
     Body<T, D>* body;
     ContactSurface<D> shape;
     HeldDirections<D> held;
+    Bearers bearers;
     std::vector<Corner> corners;
   };
   struct ContactWall {
@@ -62,6 +68,7 @@ class WallContact {
     double length, drift;      ///< for how long particles move, at the present velocities [s]
   };
   bool may_touch(const Surface& surface, std::int32_t corner, const ContactWall& wall) const;
+  static std::span<const Share> bearers(const Surface& surface, const Corner& corner);
   void push(Surface& surface, const Corner& corner, const ContactWall& wall);
 
   State<D>& state_;

