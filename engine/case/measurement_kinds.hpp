@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <string>
 #include <string_view>
 
 #include "engine/case/measurement_kind.hpp"
@@ -280,5 +281,10 @@ constexpr bool exists_in(const MeasurableField& field, int dimension) {
 
 /// SI unit of the values of a measurement, "1" for ratios.
 std::string_view unit_of(const Case& a_case, const MeasurementCase& m);
+
+/// Names the measurements that are means over the whole run, or that evaluate a history of two
+/// values, because a case of a method without remeshings gives no `output.measure_every`; empty
+/// where there are none.
+std::string sampling_warning(const Case& a_case);
 
 }  // namespace pliant

@@ -11,6 +11,7 @@
 #include "engine/method/initial_stress.hpp"
 #include "engine/point_based/bonds.hpp"
 #include "engine/point_based/setup.hpp"
+#include "engine/point_based/surface.hpp"
 
 namespace pliant::finite_elements {
 
@@ -215,6 +216,7 @@ void make_body(const Case& settings, const BodyCase& source, const Boundaries<D>
   std::vector<Element<D>> all = elements_of(nodes.cloud, body);
   prestress(source, body, all);
   point_based::make_bonds(bonds_along_edges(all, body), body);
+  point_based::make_loads(boundaries, body);
   store_in_blocks(all, body, elements);
   set_material(body, elements);
   double square = 0;

@@ -237,6 +237,7 @@ BondChoice<D> make_body(const Case& settings, const BodyCase& source, const Plac
     correct_weights(nodes.cloud, body, choice);
   }
   make_bonds(choice, body);
+  make_loads(boundaries, body);
   return choice;
 }
 

@@ -56,6 +56,8 @@ template <class T, int D>
 void Step<T, D>::prepare_blocks() {
   results_.assign(state_.blocks.size(), {});
   inertia_.assign(state_.blocks.size(), 0);
+  damped_.assign(state_.blocks.size(), 0);
+  before_.resize(state_.blocks.size());
   loads_.prepare_blocks();
   work_.clear_blocks();
   for (const Body<T, D>& body : state_.bodies) work_.add_blocks(body);
@@ -167,39 +169,28 @@ void Step<T, D>::prepare(const Advance& advance) {
   body_contact_.prepare(advance.length, advance.length, drift_length());
 }
 
-// Where cuts open a body, any of its nodes may come to lie on its surface.
 template <class T, int D>
 void Step<T, D>::prepare_contact() {
   body_contact_.take_surfaces(state_.bodies);
   contact_.clear_surfaces();
   if (!contact_.exists()) return;
+  using Bearers = typename undeformed::WallContact<T, D>::Bearers;
   for (Body<T, D>& body : state_.bodies) {
-    std::vector<undeformed::Vertex<D>> corners;
-    corners.reserve(body.surface.start.size() + body.start.size());
-    for (std::size_t c = 0; c < body.surface.start.size(); ++c) {
-      const std::int32_t slot = body.surface.node[c];
-      corners.push_back({slot, slot, 0, body.surface.start[c]});
-    }
-    if (body.has_cuts()) {
-      body.for_each_node([&](std::int64_t slot) {
-        const auto place = static_cast<std::int32_t>(slot);
-        corners.push_back({place, place, 0, body.start[slot]});
-      });
-    }
-    contact_.add_surface(body, corners);
+    contact_.add_surface(body, contact_surface(body), Bearers::first);
   }
 }
 
 template <class T, int D>
 StepResult Step<T, D>::fold() {
   StepResult result;
-  double inertia = 0;
+  double inertia = 0, damped = 0;
   for (std::size_t b = 0; b < results_.size() && result.non_finite < 0; ++b) {
     result.non_finite = results_[b].non_finite;
     result.failed_block = static_cast<int>(b);
     result.frequency2 = std::max(result.frequency2, results_[b].frequency2);
   }
   for (const double of_block : inertia_) inertia += of_block;
+  for (const double of_block : damped_) damped += of_block;
   for (const auto& of_body : state_.cuts) {
     if (of_body) state_.energy.cut_work += of_body->fold();
   }
@@ -207,7 +198,7 @@ StepResult Step<T, D>::fold() {
     for (int a = 0; a < D; ++a) blade.impulse[a] += advance_.length * blade.force[a];
     blade.work += advance_.length * blade.power;
   }
-  work_.fold(inertia);
+  work_.fold(inertia, bodies_touch() ? std::nullopt : std::optional(damped));
   result.overlap = body_contact_.deepest();
   return result;
 }
@@ -251,7 +242,9 @@ void Step<T, D>::move(int block) {
   }
   work_.begin_motion(block, body, local, loads_.power(block));
   inertia_[block] = damping == 0 ? 0 : inertia_of(body, body.blocks[local]);
+  keep_velocities(block);
   kernels_.advance(arguments);
+  damped_[block] = damped(block);
   work_.hold(block, body, local);
   if (!bodies_touch()) end_motion(block);
 }
@@ -259,6 +252,25 @@ void Step<T, D>::move(int block) {
 template <class T, int D>
 void Step<T, D>::end_motion(int block) {
   work_.end_motion(block, loads_.power(block));
+}
+
+template <class T, int D>
+void Step<T, D>::keep_velocities(int block) {
+  if (state_.clock.damping == 0 || bodies_touch()) return;
+  const auto [body, local] = owner(block);
+  const NodeBlock& range = body.blocks[local];
+  for (int a = 0; a < D; ++a) {
+    const T* const velocity = body.velocity[a].get() + range.first;
+    before_[block][a].assign(velocity, velocity + range.count);
+  }
+}
+
+// Nodes whose velocities change sign from step to step lose little, (TL.28).
+template <class T, int D>
+double Step<T, D>::damped(int block) {
+  if (state_.clock.damping == 0 || bodies_touch()) return 0;
+  const auto [body, local] = owner(block);
+  return inertia_of_means(body, body.blocks[local], before_[block]);
 }
 
 template class Step<double, 2>;

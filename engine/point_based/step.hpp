@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <string>
 #include <vector>
 
@@ -63,6 +64,9 @@ class Step {
   void meet_faces();
   bool has_punctures() const;
   void dent_surfaces();
+  void keep_velocities(int block);
+  /// Sum of m ((u + u')/2)^2 of a block, u the velocities that it has kept [J].
+  double damped(int block);
 
   struct Owned {
     Body<T, D>& body;
@@ -86,6 +90,9 @@ class Step {
   undeformed::BodyContact<T, D> body_contact_;
   std::vector<kernels::PointForcesResult> results_;  ///< [block]
   std::vector<double> inertia_;  ///< [block] sum of m u^2 before the step, with damping [J]
+  std::vector<double> damped_;   ///< [block] what damping acts on in it [J]
+  /// [block][component][node] velocities before the step, where there is damping.
+  std::vector<std::array<std::vector<T>, D>> before_;
 };
 
 extern template class Step<double, 2>;

@@ -3,9 +3,11 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <vector>
 
 #include "engine/geometry/padded.hpp"
 #include "engine/geometry/signed_distance.hpp"
+#include "engine/point_based/contact_surface.hpp"
 #include "engine/point_based/nearest_nodes.hpp"
 #include "engine/point_based/surface_lattice.hpp"
 
@@ -115,11 +117,15 @@ double share_of(const std::array<Point<D>, D>& corner, F&& is_inside) {
 }
 
 /// The share of each node in the facets that one load acts on: areas count as the corners do,
-/// middles as far as they are loaded.
-template <int D>
+/// middles as far as they are loaded. Pressures act on all nodes that carry a corner, (PB.51).
+template <class T, int D>
 std::map<std::int32_t, PressedNode<D>> pressed_nodes(const SurfacePressure<D>& load, int number,
-                                                     const BodySurface<D>& surface) {
+                                                     const Body<T, D>& body) {
+  const BodySurface<D>& surface = body.surface;
   std::map<std::int32_t, PressedNode<D>> nodes;
+  const auto node_in = [&](std::int32_t slot) -> PressedNode<D>& {
+    return nodes.insert({slot, {slot, number, {}, 0, {}}}).first->second;
+  };
   for (std::size_t f = 0; f < surface.facet.size(); ++f) {
     if (!surface.is_free[f]) continue;
     std::array<Point<D>, D> x;
@@ -130,32 +136,36 @@ std::map<std::int32_t, PressedNode<D>> pressed_nodes(const SurfacePressure<D>& l
     double square = 0;
     for (const double component : whole) square += component * component;
     for (const std::int32_t corner : surface.facet[f]) {
-      const std::int32_t slot = surface.node[corner];
-      PressedNode<D>& node = nodes.insert({slot, {slot, number, {}, 0, {}}}).first->second;
       const double size = share / D * std::sqrt(square);
-      for (int a = 0; a < D; ++a) {
-        node.area[a] += share / D * whole[a];
-        node.middle[a] += size * surface.start[corner][a];
+      PressedNode<D>& nearest = node_in(surface.node[corner]);
+      nearest.size += size;
+      for (int a = 0; a < D; ++a) nearest.middle[a] += size * surface.start[corner][a];
+      const std::vector<undeformed::Share> carriers =
+          load.is_traction() ? std::vector<undeformed::Share>{{nearest.slot, 1}}
+                             : shares_of_corner(body, corner);
+      for (const undeformed::Share& carrier : carriers) {
+        PressedNode<D>& node = node_in(carrier.slot);
+        for (int a = 0; a < D; ++a) node.area[a] += carrier.weight * share / D * whole[a];
       }
-      node.size += size;
     }
   }
   return nodes;
 }
 
+}  // namespace
+
 template <class T, int D>
-void find_loads(const Boundaries<D>& boundaries, Body<T, D>& body) {
+void make_loads(const Boundaries<D>& boundaries, Body<T, D>& body) {
+  body.pressed.assign(body.blocks.size(), {});
   for (int k = 0; k < static_cast<int>(boundaries.pressures.size()); ++k) {
     std::size_t b = 0;
-    for (auto& [slot, node] : pressed_nodes(boundaries.pressures[k], k, body.surface)) {
+    for (auto& [slot, node] : pressed_nodes(boundaries.pressures[k], k, body)) {
       while (slot >= body.blocks[b].first + body.blocks[b].count) ++b;
-      for (double& x : node.middle) x /= node.size;
+      for (double& x : node.middle) x /= node.size > 0 ? node.size : 1;
       body.pressed[b].push_back(node);
     }
   }
 }
-
-}  // namespace
 
 template <class T, int D>
 void make_surface(const NodeCloud<D>& cloud, const Shape& shape, double spacing,
@@ -184,8 +194,6 @@ void make_surface(const NodeCloud<D>& cloud, const Shape& shape, double spacing,
     body.surface.is_free.push_back(
         std::none_of(boundaries.walls.begin(), boundaries.walls.end(), holds));
   }
-  body.pressed.assign(body.blocks.size(), {});
-  find_loads(boundaries, body);
 }
 
 template <int D>
@@ -196,6 +204,10 @@ std::function<bool(const Point<D>&)> inside_of(const Shape& shape, double edge) 
 
 template std::function<bool(const Point<2>&)> inside_of<2>(const Shape&, double);
 template std::function<bool(const Point<3>&)> inside_of<3>(const Shape&, double);
+template void make_loads(const Boundaries<2>&, Body<double, 2>&);
+template void make_loads(const Boundaries<3>&, Body<double, 3>&);
+template void make_loads(const Boundaries<2>&, Body<float, 2>&);
+template void make_loads(const Boundaries<3>&, Body<float, 3>&);
 template void make_surface<double, 2>(const NodeCloud<2>&, const Shape&, double,
                                       const Boundaries<2>&, Body<double, 2>&);
 template void make_surface<double, 3>(const NodeCloud<3>&, const Shape&, double,

@@ -30,15 +30,10 @@ struct Facet {
   bool free;  ///< not on a wall
 };
 
-/// A facet that carries a pressure on some of its area.
-struct FacetLoad {
-  int facet;
-  double share;
-};
-
-/// The surface inside one cell as far as a pressure acts on it.
+/// A facet as far as a load acts on it.
 struct SurfacePatch {
-  int first_load, load_count;
+  int facet;
+  double share;  ///< of its area
   int pressure;
 };
 
@@ -97,7 +92,6 @@ struct Body : undeformed::Body<T, D> {
   std::vector<int> first_fitted;                  ///< [block + 1]
   std::vector<BlockCells<D>> cells;               ///< [block]
   std::vector<Facet<D>> facets;
-  std::vector<FacetLoad> loads;
   std::vector<SurfacePatch> patches;
   std::vector<int> first_patch;         ///< [block + 1]
   std::vector<Point<D>> patch_force;    ///< [patch] [N]

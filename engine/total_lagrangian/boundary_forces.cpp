@@ -63,7 +63,7 @@ void BoundaryForces<T, D>::find_tractions(Body<T, D>& body) {
     body.patch_force[i] = at_start_.traction[patch.pressure];
     if (load.is_uniform()) continue;
     Point<D> middle = {};
-    const auto x = corners(body, body.facets[body.loads[patch.first_load].facet], load.area());
+    const auto x = corners(body, body.facets[patch.facet], load.area());
     for (const Point<D>& corner : x) {
       for (int a = 0; a < D; ++a) middle[a] += corner[a] / D;
     }
@@ -86,18 +86,12 @@ template <class T, int D>
 Point<D> BoundaryForces<T, D>::force_on(const Body<T, D>& body, std::size_t index) const {
   const SurfacePatch& patch = body.patches[index];
   const SurfacePressure<D>& pressure = state_.boundaries.pressures[patch.pressure];
-  Point<D> sum = {};
-  double size = 0;
-  for (int k = patch.first_load; k < patch.first_load + patch.load_count; ++k) {
-    const FacetLoad& load = body.loads[k];
-    const Point<D> whole = area_vector<D>(corners(body, body.facets[load.facet], pressure.area()));
-    for (int a = 0; a < D; ++a) sum[a] += load.share * whole[a];
-    size += load.share * length<D>(whole);
-  }
+  const Point<D> area = area_vector<D>(corners(body, body.facets[patch.facet], pressure.area()));
   Point<D> force;
   for (int a = 0; a < D; ++a) {
-    force[a] = pressure.is_traction() ? size * body.patch_force[index][a]
-                                      : -at_start_.pressure[patch.pressure] * sum[a];
+    force[a] =
+        patch.share * (pressure.is_traction() ? length<D>(area) * body.patch_force[index][a]
+                                              : -at_start_.pressure[patch.pressure] * area[a]);
   }
   return force;
 }

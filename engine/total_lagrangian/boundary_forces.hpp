@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "engine/boundaries/boundary_values.hpp"
@@ -36,8 +37,9 @@ class BoundaryForces {
   void end_motion(int block);
 
   /// Adds impulses and work of the step to the state, in the order of the blocks; `inertia` is the
-  /// sum of m u^2 before the step [J].
-  void fold(double inertia) { work_.fold(inertia); }
+  /// sum of m u^2 before the step, `damped` that of the mean velocities in it [J], unless contact
+  /// changes these.
+  void fold(double inertia, std::optional<double> damped) { work_.fold(inertia, damped); }
 
  private:
   struct Owned {

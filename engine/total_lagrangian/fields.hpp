@@ -58,7 +58,7 @@ inline constexpr Table index_spaces(
         {IndexSpace::particle, "particle", "a node of the lattice of the undeformed body"},
         {IndexSpace::cell, "cell", "a cell of that lattice, with one stress point"},
         {IndexSpace::facet, "facet", "a piece of the surface inside one cell"},
-        {IndexSpace::patch, "patch", "the facets inside one cell on which a pressure acts"},
+        {IndexSpace::patch, "patch", "a facet as far as a load acts on it"},
         {IndexSpace::constrained_particle, "constrained particle",
          "a particle whose velocity a wall sets"},
         {IndexSpace::nodal_load, "nodal load", "a particle and the patches that load it"},

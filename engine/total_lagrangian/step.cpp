@@ -1,6 +1,7 @@
 #include "engine/total_lagrangian/step.hpp"
 
 #include <algorithm>
+#include <optional>
 
 #include "engine/method/hyperelastic.hpp"
 #include "engine/method/phase_rows.hpp"
@@ -102,13 +103,9 @@ void Step<T, D>::prepare_contact() {
   body_contact_.take_surfaces(state_.bodies);
   contact_.clear_surfaces();
   if (!contact_.exists()) return;
+  using Bearers = typename undeformed::WallContact<T, D>::Bearers;
   for (Body<T, D>& body : state_.bodies) {
-    std::vector<Vertex<D>> corners;
-    corners.reserve(D * body.facets.size());
-    for (const Facet<D>& facet : body.facets) {
-      corners.insert(corners.end(), facet.vertex.begin(), facet.vertex.end());
-    }
-    contact_.add_surface(body, corners);
+    contact_.add_surface(body, contact_surface(body), Bearers::all);
   }
 }
 
@@ -137,18 +134,19 @@ template <class T, int D>
 StepResult Step<T, D>::fold() {
   for (Body<T, D>& body : state_.bodies) body.take_next();
   StepResult result;
-  double stiffness = 0, inertia = 0;
+  double stiffness = 0, inertia = 0, damped = 0;
   for (std::size_t b = 0; b < results_.size(); ++b) {
     result.wave_speed = std::max(result.wave_speed, results_[b].wave_speed);
     stiffness += results_[b].stiffness;
     inertia += results_[b].inertia;
+    damped += results_[b].damped;
     if (results_[b].non_finite >= 0 && result.non_finite < 0) {
       result.non_finite = results_[b].non_finite;
       result.failed_block = static_cast<int>(b);
     }
   }
   if (stiffness > 0 && inertia > 0) result.rayleigh = stiffness / inertia;
-  boundary_forces_.fold(inertia);
+  boundary_forces_.fold(inertia, bodies_touch() ? std::nullopt : std::optional(damped));
   result.overlap = body_contact_.deepest();
   return result;
 }

@@ -1,8 +1,9 @@
 #include <algorithm>
 #include <cmath>
+#include <numbers>
+#include <utility>
 
 #include "engine/lattice/surface_pieces.hpp"
-#include "engine/method/decompositions.hpp"
 #include "engine/total_lagrangian/setup.hpp"
 
 // The surface of the undeformed body, cut out of its cells simplex by simplex. Corners of facets
@@ -19,6 +20,17 @@ template <int D>
 using Cube = std::array<SurfaceNode<D>, (1 << D)>;
 
 template <int D>
+using Barycentric = std::array<double, D>;
+
+/// A facet of the cell that is being cut; its corners in [0, 1]^D of the cell.
+template <int D>
+using PlacesInCell = std::array<Point<D>, D>;
+
+/// Of the corners of a cell.
+template <int D>
+using Weights = std::array<double, (1 << D)>;
+
+template <int D>
 Vertex<D> vertex(const Crossing<D>& crossing) {
   Vertex<D> v{static_cast<std::int32_t>(crossing.inside->slot),
               static_cast<std::int32_t>(crossing.outside->slot),
@@ -28,26 +40,40 @@ Vertex<D> vertex(const Crossing<D>& crossing) {
   return v;
 }
 
-// Places spread evenly over a facet.
+// Barycentric coordinates of places spread evenly over a facet.
 template <int D, class F>
-void for_each_sample(const Facet<D>& facet, F&& f) {
-  const auto at = [&](double u, double v) {
-    Point<D> x;
-    for (int a = 0; a < D; ++a) {
-      const auto& corner = facet.vertex;
-      x[a] = corner[0].start[a] + u * (corner[1].start[a] - corner[0].start[a]);
-      if (D == 3) x[a] += v * (corner[D - 1].start[a] - corner[0].start[a]);
-    }
-    f(x);
-  };
+void for_each_sample(F&& f) {
   for (int i = 0; i < samples; ++i) {
-    if (D == 2) {
-      at((i + 0.5) / samples, 0);
-      continue;
+    if constexpr (D == 2) {
+      const double u = (i + 0.5) / samples;
+      f({1 - u, u});
+    } else {
+      const auto at = [&](double u, double v) { f({1 - u - v, u, v}); };
+      for (int j = 0; i + j < samples; ++j) {
+        at((i + 1.0 / 3) / samples, (j + 1.0 / 3) / samples);
+        if (i + j < samples - 1) at((i + 2.0 / 3) / samples, (j + 2.0 / 3) / samples);
+      }
     }
-    for (int j = 0; i + j < samples; ++j) {
-      at((i + 1.0 / 3) / samples, (j + 1.0 / 3) / samples);
-      if (i + j < samples - 1) at((i + 2.0 / 3) / samples, (j + 2.0 / 3) / samples);
+  }
+}
+
+// The same of the places at which a rule of quadrature, exact for polynomials of the degree D,
+// takes values over a facet, with their weights: Gauss with two points, Dunavant with six.
+template <int D, class F>
+void for_each_gauss_point(F&& f) {
+  if constexpr (D == 2) {
+    const double u = 0.5 - std::numbers::sqrt3 / 6;
+    f({1 - u, u}, 0.5);
+    f({u, 1 - u}, 0.5);
+  } else {
+    constexpr std::array<double, 2> at = {0.445948490915965, 0.091576213509771};
+    constexpr std::array<double, 2> weight = {0.223381589678011, 0.109951743655322};
+    for (int i = 0; i < 2; ++i) {
+      for (int v = 0; v < 3; ++v) {
+        Barycentric<3> place = {at[i], at[i], at[i]};
+        place[v] = 1 - 2 * at[i];
+        f(place, weight[i]);
+      }
     }
   }
 }
@@ -85,15 +111,12 @@ class SurfaceMaker {
       Eigen::Map<PlaceVector<D>>(node.place.data()) =
           Eigen::Map<const PlaceVector<D>>(body_.place(node.slot, node.cell).data());
     }
-    const int first = static_cast<int>(body_.facets.size());
     for_each_piece<D>(cube, [&](const SurfacePiece<D>& piece) {
       const Facet<D> made = facet(piece);
-      if (length<D>(area_vector(body_, made)) > smallest_) body_.facets.push_back(made);
+      if (length<D>(area_vector(body_, made)) <= smallest_) return;
+      body_.facets.push_back(made);
+      load(cube, places_in_cell(piece, cell));
     });
-    const int end = static_cast<int>(body_.facets.size());
-    for (int k = 0; first < end && k < static_cast<int>(boundaries_.pressures.size()); ++k) {
-      load(cube, first, end, k);
-    }
   }
 
   // Which particles the patches push.
@@ -131,52 +154,73 @@ class SurfaceMaker {
     return boundaries_.nearest_wall(x).second <= on_wall * body_.lattice.spacing;
   }
 
-  void load(const Cube<D>& cube, int first_facet, int end_facet, int pressure) {
-    const int first_load = static_cast<int>(body_.loads.size());
-    double loaded = 0;
-    Point<D> middle = {};
-    for (int f = first_facet; f < end_facet; ++f) {
-      int count = 0, hit = 0;
-      Point<D> sum = {};
-      for_each_sample(body_.facets[f], [&](const Point<D>& x) {
-        ++count;
-        if (!boundaries_.pressures[pressure].acts_at(x) || on_a_wall(x)) return;
-        ++hit;
-        for (int a = 0; a < D; ++a) sum[a] += x[a];
-      });
-      if (hit == 0) continue;
-      const double share = static_cast<double>(hit) / count;
-      const double area = length<D>(area_vector(body_, body_.facets[f])) * share;
-      body_.loads.push_back({f, share});
-      loaded += area;
-      for (int a = 0; a < D; ++a) middle[a] += area * sum[a] / hit;
+  static PlacesInCell<D> places_in_cell(const SurfacePiece<D>& piece, const Cell<D>& cell) {
+    PlacesInCell<D> places;
+    for (int v = 0; v < D; ++v) {
+      const auto& [inside, outside] = std::pair{piece[v].inside->cell, piece[v].outside->cell};
+      for (int a = 0; a < D; ++a) {
+        places[v][a] = inside[a] - cell[a] + piece[v].fraction() * (outside[a] - inside[a]);
+      }
     }
-    const int loads = static_cast<int>(body_.loads.size()) - first_load;
-    if (loads == 0) return;
-    for (double& x : middle) x /= loaded;
-    push(cube, middle, static_cast<int>(body_.patches.size()));
-    body_.patches.push_back({first_load, loads, pressure});
+    return places;
   }
 
-  // (TL.7): on the corners inside, as those outside may weigh next to nothing and would fly off; of
-  // all weights that put the force in the middle of the loaded area, the smallest. They are linear
-  // in the corners' places: weights of another kind would feed the hourglass modes.
-  void push(const Cube<D>& cube, const Point<D>& middle, int patch) {
-    std::vector<std::pair<std::int64_t, PlaceVector<D>>> corners;
-    PlaceVector<D> mean = PlaceVector<D>::Zero();
-    for (const SurfaceNode<D>& corner : cube) {
-      if (corner.phi >= 0) continue;
-      corners.emplace_back(corner.slot, corner.place);
-      mean += corner.place;
+  // All loads on the last facet.
+  void load(const Cube<D>& cube, const PlacesInCell<D>& places) {
+    const int facet = static_cast<int>(body_.facets.size()) - 1;
+    for (int k = 0; k < static_cast<int>(boundaries_.pressures.size()); ++k) {
+      int count = 0, hit = 0;
+      Weights<D> weights = {};
+      for_each_sample<D>([&](const Barycentric<D>& at) {
+        ++count;
+        const Point<D> x = place(body_.facets[facet], at);
+        if (!boundaries_.pressures[k].acts_at(x) || on_a_wall(x)) return;
+        ++hit;
+        add_weights(places, at, 1, weights);
+      });
+      if (hit == 0) continue;
+      if (hit == count) {
+        weights = {};
+        for_each_gauss_point<D>([&](const Barycentric<D>& at, double weight) {
+          add_weights(places, at, weight, weights);
+        });
+      }
+      push(cube, weights, static_cast<int>(body_.patches.size()));
+      body_.patches.push_back({facet, static_cast<double>(hit) / count, k});
     }
-    mean /= static_cast<double>(corners.size());
-    Eigen::Matrix<double, D, D> spread = Eigen::Matrix<double, D, D>::Zero();
-    for (const auto& [slot, x] : corners) spread += (x - mean) * (x - mean).transpose();
-    const PlaceVector<D> lever =
-        pseudo_inverse<D>(spread) * (Eigen::Map<const PlaceVector<D>>(middle.data()) - mean);
-    for (const auto& [slot, x] : corners) {
-      const double weight = 1 / static_cast<double>(corners.size()) + (x - mean).dot(lever);
-      pushes_[slot].push_back({patch, weight});
+  }
+
+  static Point<D> place(const Facet<D>& facet, const Barycentric<D>& at) {
+    Point<D> x = {};
+    for (int v = 0; v < D; ++v) {
+      for (int a = 0; a < D; ++a) x[a] += at[v] * facet.vertex[v].start[a];
+    }
+    return x;
+  }
+
+  // Those of multilinear interpolation in the cell.
+  static void add_weights(const PlacesInCell<D>& places, const Barycentric<D>& at, double factor,
+                          Weights<D>& weights) {
+    Point<D> s = {};
+    for (int v = 0; v < D; ++v) {
+      for (int a = 0; a < D; ++a) s[a] += at[v] * places[v][a];
+    }
+    for (int c = 0; c < (1 << D); ++c) {
+      double weight = factor;
+      for (int a = 0; a < D; ++a) weight *= c >> a & 1 ? s[a] : 1 - s[a];
+      weights[c] += weight;
+    }
+  }
+
+  // (TL.27). Corners that are no particles give what they would bear to the others.
+  void push(const Cube<D>& cube, const Weights<D>& weights, int patch) {
+    double sum = 0;
+    for (int c = 0; c < (1 << D); ++c) {
+      if (body_.is_particle(cube[c].slot)) sum += weights[c];
+    }
+    for (int c = 0; c < (1 << D); ++c) {
+      if (!body_.is_particle(cube[c].slot)) continue;
+      pushes_[cube[c].slot].push_back({patch, weights[c] / sum});
     }
   }
 

@@ -23,6 +23,7 @@ void BoundaryWork<T, D>::prepare(double time, double kick, double moved) {
   std::fill(state_.wall_force.begin(), state_.wall_force.end(), Point<D>{});
   for (BlockWork& work : work_) {
     work.energy = work.power = {};
+    work.undamped = 0;
     std::fill(work.impulse.begin(), work.impulse.end(), Point<D>{});
   }
 }
@@ -58,8 +59,9 @@ void BoundaryWork<T, D>::hold(int block, Body<T, D>& body, int local,
       displacement[a][held.slot] -= moved_ * undone;
       const double impulse = -inertia * body.mass[held.slot] * undone;
       work.impulse[held.wall][a] += impulse;
-      const double speed = body.velocity[a][held.slot];
-      work.energy.wall_work += impulse * (work.before[i][a] + speed) / 2;
+      const double speed = body.velocity[a][held.slot], twice_mean = work.before[i][a] + speed;
+      work.undamped += body.mass[held.slot] * undone * (2 * twice_mean + undone) / 4;
+      work.energy.wall_work += impulse * twice_mean / 2;
       work.power.wall_work += impulse / kick_ * speed;
     }
   }
@@ -72,7 +74,8 @@ void BoundaryWork<T, D>::end_motion(int block, const EnergyBudget& power) {
 }
 
 template <class T, int D>
-void BoundaryWork<T, D>::fold(double inertia) {
+void BoundaryWork<T, D>::fold(double inertia, std::optional<double> damped) {
+  double acted_on = damped.value_or(inertia);
   for (const BlockWork& work : work_) {
     add(state_.energy, work.energy);
     add(state_.power, work.power);
@@ -82,9 +85,11 @@ void BoundaryWork<T, D>::fold(double inertia) {
         state_.wall_force[w][a] += work.impulse[w][a] / kick_;
       }
     }
+    if (damped) acted_on -= work.undamped;
   }
-  state_.power.damping = state_.clock.damping * state_.clock.mass_scaling * inertia;
-  state_.energy.damping += kick_ * state_.power.damping;
+  const double rate = state_.clock.damping * state_.clock.mass_scaling;
+  state_.power.damping = rate * inertia;
+  state_.energy.damping += kick_ * rate * acted_on;
 }
 
 template class BoundaryWork<double, 2>;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "engine/undeformed/body.hpp"
@@ -35,13 +36,16 @@ class BoundaryWork {
   void end_motion(int block, const EnergyBudget& power);
 
   /// Adds impulses and work of the step to the state, in the order of the blocks; `inertia` is the
-  /// sum of m u^2 that damping acts on [J].
-  void fold(double inertia);
+  /// sum of m u^2 before the step, `damped` that of m ((u + u')/2)^2 [J], u' the velocities after
+  /// it, those of constrained particles before hold(): damping takes that to rounding, (TL.28).
+  /// None where contact has changed velocities since.
+  void fold(double inertia, std::optional<double> damped);
 
  private:
   struct BlockWork {
     EnergyBudget energy;            ///< of the step [J]
     EnergyBudget power;             ///< of the velocities that it leaves behind [W]
+    double undamped = 0;            ///< what hold() takes of m ((u + u')/2)^2 [J]
     std::vector<Point<D>> impulse;  ///< [wall] on the block [N s]
     std::vector<Point<D>> before;   ///< [constrained particle] velocity before the step [m/s]
   };

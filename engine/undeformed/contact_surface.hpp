@@ -3,6 +3,7 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
+#include <limits>
 #include <span>
 #include <vector>
 
@@ -15,9 +16,11 @@ namespace pliant::undeformed {
 /// between corners that move with the particles.
 template <int D>
 struct ContactSurface {
-  std::vector<Point<D>> start;                     ///< [corner] in the undeformed body [m]
-  std::vector<std::int32_t> first_share = {0};     ///< [corner + 1]
-  std::vector<Share> share;                        ///< what corners move with
+  std::vector<Point<D>> start;                  ///< [corner] in the undeformed body [m]
+  std::vector<std::int32_t> first_share = {0};  ///< [corner + 1]
+  std::vector<Share> share;                     ///< what corners move with
+  /// [corner] most that its displacement can differ from that of the first of its particles [m].
+  std::vector<double> reach;
   std::vector<std::array<std::int32_t, D>> facet;  ///< corners, seen from outside
 
   std::int32_t corners() const { return static_cast<std::int32_t>(start.size()); }
@@ -25,8 +28,10 @@ struct ContactSurface {
     return {share.data() + first_share[corner], share.data() + first_share[corner + 1]};
   }
   /// Adds a corner that moves with these particles.
-  void add(const Point<D>& at, std::span<const Share> shares) {
+  void add(const Point<D>& at, std::span<const Share> shares,
+           double farthest = std::numeric_limits<double>::infinity()) {
     start.push_back(at);
+    reach.push_back(farthest);
     share.insert(share.end(), shares.begin(), shares.end());
     first_share.push_back(static_cast<std::int32_t>(share.size()));
   }

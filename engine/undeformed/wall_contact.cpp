@@ -3,10 +3,8 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <set>
-#include <tuple>
-
-#include "engine/undeformed/held_directions.hpp"
+#include <span>
+#include <utility>
 
 namespace pliant::undeformed {
 
@@ -32,30 +30,28 @@ WallContact<T, D>::WallContact(State<D>& state, const Case& settings, Displaceme
 }
 
 template <class T, int D>
-void WallContact<T, D>::add_surface(Body<T, D>& body, const std::vector<Vertex<D>>& corners) {
-  Surface& surface = surfaces_.emplace_back(Surface{&body, {}});
-  const HeldDirections<D> held = held_directions(body);
-  const auto response = [&](std::int32_t slot, double weight) {
-    const auto at = held.find(slot);
-    Tensor tensor = at == held.end() ? all_directions<D>() : at->second;
-    for (double& component : tensor) component *= weight * body.inverse_mass[slot];
-    return tensor;
-  };
-  std::set<std::tuple<std::int32_t, std::int32_t, Point<D>>> known;
-  for (const Vertex<D>& v : corners) {
-    if (!known.insert({v.first, v.second, v.start}).second) continue;
-    Corner corner{v, response(v.first, 1), {}, {}};
-    corner.compliance = corner.first_response;
-    if (v.first != v.second) {
-      corner.first_response = response(v.first, 1 - v.along);
-      corner.second_response = response(v.second, v.along);
-      for (int c = 0; c < D * D; ++c) {
-        corner.compliance[c] =
-            (1 - v.along) * corner.first_response[c] + v.along * corner.second_response[c];
-      }
+void WallContact<T, D>::add_surface(Body<T, D>& body, ContactSurface<D> shape, Bearers bearing) {
+  Surface& surface = surfaces_.emplace_back();
+  surface.body = &body;
+  surface.held = held_directions(body);
+  surface.shape = std::move(shape);
+  surface.bearers = bearing;
+  for (std::int32_t number = 0; number < surface.shape.corners(); ++number) {
+    Corner corner{number, {surface.shape.shares(number).front().slot, 1}, 0};
+    for (int a = 0; a < D; ++a) {
+      Point<D> axis = {};
+      axis[a] = 1;
+      const double along = compliance<T, D>(body, surface.held, bearers(surface, corner), axis);
+      corner.compliance = std::max(corner.compliance, along);
     }
-    if (corner.compliance != Tensor{}) surface.corners.push_back(corner);
+    if (corner.compliance > 0) surface.corners.push_back(corner);
   }
+}
+
+template <class T, int D>
+std::span<const Share> WallContact<T, D>::bearers(const Surface& surface, const Corner& corner) {
+  if (surface.bearers == Bearers::first) return {&corner.first, 1};
+  return surface.shape.shares(corner.number);
 }
 
 template <class T, int D>
@@ -71,33 +67,45 @@ void WallContact<T, D>::apply(double time, double kick, double length, double dr
   for (Surface& surface : surfaces_) {
     for (int sweep = 0; sweep < sweeps; ++sweep) {
       for (const ContactWall& wall : walls_) {
-        for (const Corner& corner : surface.corners) push(*surface.body, corner, wall);
+        for (const Corner& corner : surface.corners) push(surface, corner, wall);
       }
     }
   }
 }
 
+// A few numbers tell that most corners are far from the wall.
 template <class T, int D>
-void WallContact<T, D>::push(Body<T, D>& body, const Corner& corner, const ContactWall& contact) {
+bool WallContact<T, D>::may_touch(const Surface& surface, std::int32_t corner,
+                                  const ContactWall& contact) const {
+  const ContactSurface<D>& shape = surface.shape;
+  const std::int32_t first = shape.share[shape.first_share[corner]].slot;
+  Point<D> x = shape.start[corner];
+  for (int a = 0; a < D; ++a) {
+    x[a] += (surface.body->*moved_)[a][first] - contact.shift[a];
+  }
+  return state_.boundaries.walls[contact.wall].distance(x) < shape.reach[corner];
+}
+
+template <class T, int D>
+void WallContact<T, D>::push(Surface& surface, const Corner& corner, const ContactWall& contact) {
+  Body<T, D>& body = *surface.body;
+  const ContactSurface<D>& shape = surface.shape;
+  const std::span<const Share> shares = shape.shares(corner.number);
+  if (shares.size() > 2 && !may_touch(surface, corner.number, contact)) return;
   const Wall<D>& wall = state_.boundaries.walls[contact.wall];
-  const Vertex<D>& v = corner.vertex;
   // The wall is where it was at the start of the step.
-  Point<D> x = body.position(v, body.*moved_);
-  for (int a = 0; a < D; ++a) x[a] -= contact.shift[a];
+  Point<D> x = carried<T, D>(body.*moved_, shares);
+  for (int a = 0; a < D; ++a) x[a] += shape.start[corner.number][a] - contact.shift[a];
   const double gap = wall.distance(x);
   if (gap >= 0) return;
   const Point<D> n = wall.normal(x);
-  double compliance = 0, largest = 0;
-  for (int i = 0; i < D; ++i) {
-    for (int j = 0; j < D; ++j) compliance += n[i] * corner.compliance[D * i + j] * n[j];
-    largest = std::max(largest, corner.compliance[(D + 1) * i]);
-  }
-  if (compliance < least_compliance * largest) return;
-  Point<D> slip;
+  const std::span<const Share> bearing = bearers(surface, corner);
+  const double along = compliance<T, D>(body, surface.held, bearing, n);
+  if (along < least_compliance * corner.compliance) return;
+  Point<D> slip = carried<T, D>(body.velocity, bearing);
   double normal_speed = 0, square = 0;
   for (int a = 0; a < D; ++a) {
-    slip[a] = (1 - v.along) * body.velocity[a][v.first] + v.along * body.velocity[a][v.second] -
-              contact.velocity[a];
+    slip[a] -= contact.velocity[a];
     normal_speed += slip[a] * n[a];
   }
   for (int a = 0; a < D; ++a) {
@@ -111,30 +119,15 @@ void WallContact<T, D>::push(Body<T, D>& body, const Corner& corner, const Conta
   const double taken = speed > most ? most / speed : 1;  // of the slip, by friction
   Point<D> impulse, moved;
   for (int a = 0; a < D; ++a) {
-    impulse[a] = (pushed * n[a] - taken * slip[a]) / compliance;
-    moved[a] = (-gap * n[a] - contact.drift * taken * slip[a]) / compliance;
+    impulse[a] = (pushed * n[a] - taken * slip[a]) / along;
+    moved[a] = (-gap * n[a] - contact.drift * taken * slip[a]) / along;
     const double given = contact.inertia * impulse[a], force = given / contact.kick;
     state_.wall_impulse[contact.wall][a] += given;
     state_.wall_force[contact.wall][a] += force;
     state_.energy.wall_work += given * contact.velocity[a];
     state_.power.wall_work += force * contact.velocity[a];
   }
-  move(body, v.first, corner.first_response, impulse, moved);
-  if (v.second != v.first) move(body, v.second, corner.second_response, impulse, moved);
-}
-
-template <class T, int D>
-void WallContact<T, D>::move(Body<T, D>& body, std::int32_t slot, const Tensor& response,
-                             const Point<D>& impulse, const Point<D>& moved) {
-  for (int i = 0; i < D; ++i) {
-    double velocity = 0, displacement = 0;
-    for (int j = 0; j < D; ++j) {
-      velocity += response[D * i + j] * impulse[j];
-      displacement += response[D * i + j] * moved[j];
-    }
-    body.velocity[i][slot] += static_cast<T>(velocity);
-    (body.*moved_)[i][slot] += static_cast<T>(displacement);
-  }
+  undeformed::push<T, D>(body, body.*moved_, surface.held, bearing, impulse, moved);
 }
 
 template class WallContact<double, 2>;

@@ -1,17 +1,21 @@
 #pragma once
 
-#include <array>
+#include <cstdint>
+#include <span>
 #include <vector>
 
 #include "engine/undeformed/body.hpp"
+#include "engine/undeformed/contact_surface.hpp"
+#include "engine/undeformed/held_directions.hpp"
 #include "engine/undeformed/state.hpp"
 
 // Contact walls: rigid solids of any shape that bodies can meet and leave.
 //
 // The corners of the present surface must not lie inside a wall, (TL.12). One that does after a
-// step is put back onto it along the normal, by moving the two particles between which it lies: the
-// least change that does it. Friction takes as much of the sliding velocity as Coulomb's law allows
-// for the impulse along the normal.
+// step is put back onto it along the normal, by moving the particles that carry it: the least
+// change that does it. Where a corner follows the gradient of a node, that node takes all of it:
+// the wide stencils of many corners would push each other out of the wall. Friction takes as much
+// of the sliding velocity as Coulomb's law allows for the impulse along the normal.
 //
 // Where velocities belong to the middle of a step, as with central differences, they change by what
 // moves the corner back within the step. Where they belong to its end, as with the leapfrog, a
@@ -31,22 +35,28 @@ class WallContact {
   bool exists() const { return !walls_.empty(); }
   /// Clears the surfaces of all bodies.
   void clear_surfaces() { surfaces_.clear(); }
-  /// Lists the corners of the surface of a body, which must stay where it is.
-  void add_surface(Body<T, D>& body, const std::vector<Vertex<D>>& corners);
+  /// Which of the particles that carry a corner take the impulse on it.
+  enum class Bearers { all, first };
+  /// Takes the surface of a body, which must stay where it is.
+  void add_surface(Body<T, D>& body, ContactSurface<D> surface, Bearers bearers);
   /// Lets the walls push the particles that have moved for `length` [s] from `time` on, for `drift`
   /// [s] of it at the velocities that they have now, with forces that acted on them for `kick` [s];
   /// adds impulses and work of the walls to the state.
   void apply(double time, double kick, double length, double drift);
 
  private:
-  /// A tensor of D x D, row by row.
-  using Tensor = std::array<double, D * D>;
-  /// A corner, on the line between two particles; those that a wall holds move along it, or not at
-  /// all.
+  /// A corner that walls which hold particles leave free to move in some direction.
   struct Corner {
-    Vertex<D> vertex;
-    Tensor first_response, second_response;  ///< velocities of the particles per impulse [1/kg]
-    Tensor compliance;                       ///< velocity of the corner per impulse [1/kg]
+    std::int32_t number;
+    Share first;
+    double compliance;  ///< along the axis where it is largest [1/kg]
+  };
+  struct Surface {
+    Body<T, D>* body;
+    ContactSurface<D> shape;
+    HeldDirections<D> held;
+    Bearers bearers;
+    std::vector<Corner> corners;
   };
   struct ContactWall {
     int wall;                  ///< its place in the boundaries
@@ -57,14 +67,9 @@ class WallContact {
     double kick;               ///< for how long it acts [s]
     double length, drift;      ///< for how long particles move, at the present velocities [s]
   };
-  void push(Body<T, D>& body, const Corner& corner, const ContactWall& wall);
-  void move(Body<T, D>& body, std::int32_t slot, const Tensor& response, const Point<D>& impulse,
-            const Point<D>& moved);
-
-  struct Surface {
-    Body<T, D>* body;
-    std::vector<Corner> corners;
-  };
+  bool may_touch(const Surface& surface, std::int32_t corner, const ContactWall& wall) const;
+  static std::span<const Share> bearers(const Surface& surface, const Corner& corner);
+  void push(Surface& surface, const Corner& corner, const ContactWall& wall);
 
   State<D>& state_;
   Displacements<T, D> moved_;

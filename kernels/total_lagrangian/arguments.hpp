@@ -125,6 +125,7 @@ struct MotionResult {
   /// damped.
   double stiffness = 0;  ///< of v . (F_before - F) [W]
   double inertia = 0;    ///< of v . m v, without scaling of the mass [J]
+  double damped = 0;     ///< the same with the mean of the velocities before and after the step [J]
 };
 
 }  // namespace pliant::kernels

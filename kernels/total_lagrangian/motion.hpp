@@ -23,7 +23,7 @@ class Mover {
 
   explicit Mover(const Motion<T, D>& block) : block_(block) {
 #pragma GCC unroll 4
-    for (int k = 0; k < registers; ++k) stiffness_[k] = inertia_[k] = P(T(0));
+    for (int k = 0; k < registers; ++k) stiffness_[k] = inertia_[k] = damped_[k] = P(T(0));
   }
 
   /// Up to the slot that lies `end` behind the first.
@@ -42,6 +42,7 @@ class Mover {
     for (int k = 0; k < registers; ++k) {
       add_lanes(stiffness_[k], result.stiffness);
       add_lanes(inertia_[k], result.inertia);
+      add_lanes(damped_[k], result.damped);
     }
   }
 
@@ -67,6 +68,10 @@ class Mover {
       const T* const traction = block_.traction[i];
       const P pull = traction == nullptr ? force : force + load<P>(traction + slot);
       const P next = fused(P(block_.gained) * inverse_mass, pull, P(block_.kept) * u);
+      if (block_.damped) {
+        const P mean = P(T(0.5)) * (u + next);
+        damped_[k] = fused(mean * mean, mass, damped_[k]);
+      }
       next.store_unaligned(block_.velocity[i] + slot);
       fused(P(block_.time_step), next, load<P>(block_.displacement[i] + slot))
           .store_unaligned(block_.next_displacement[i] + slot);
@@ -75,7 +80,7 @@ class Mover {
 
   const Motion<T, D>& block_;
   std::int64_t moved_ = 0;
-  P stiffness_[registers], inertia_[registers];
+  P stiffness_[registers], inertia_[registers], damped_[registers];
 };
 
 /// A particle moves as soon as the cells around it are done, while its displacement and its force

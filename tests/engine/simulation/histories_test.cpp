@@ -3,8 +3,11 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <string>
+#include <vector>
 
 #include "engine/case/measurement_kinds.hpp"
+#include "tests/engine/case/written_case.hpp"
 #include "tests/engine/output/temporary_folder.hpp"
 
 namespace pliant::test {
@@ -149,6 +152,41 @@ TEST_F(MeasuredHistories, values_have_the_units_of_what_is_measured) {
   }
   m.kind = Quantity::last_time_above;
   EXPECT_EQ(unit_of(space, m), "s");
+}
+
+TEST(samples, at_the_start_and_the_end_alone_are_warned_of_where_they_mislead) {
+  const std::string block = R"(dimension = 2
+discretisation = { spacing = 0.1 }
+time = { end = 2 }
+[[body]]
+name = "block"
+material = { model = "neo_hookean", density = 1, youngs_modulus = 100, poissons_ratio = 0.3 }
+geometry = { shape = "box", lower = [0, 0], upper = [1, 1] }
+[[boundary]]
+name = "floor"
+kind = "fixed"
+geometry = { shape = "half_space", point = [0, 0], normal = [0, 1] }
+[[measurement]]
+name = "force"
+kind = "wall_force"
+boundary = "floor"
+[[measurement]]
+name = "most"
+kind = "largest"
+of = "force"
+[[measurement]]
+name = "mass"
+kind = "mass"
+)";
+  const std::vector<std::string> method = {"method=total_lagrangian"};
+  const std::string warning = sampling_warning(tests::read_text(block, method));
+  EXPECT_NE(warning.find("`force` is its mean over the whole run"), warning.npos) << warning;
+  EXPECT_NE(warning.find("`most` has a history of two values"), warning.npos) << warning;
+  EXPECT_EQ(warning.find("mass"), warning.npos);
+  EXPECT_NE(warning.find("output.measure_every = 0.02"), warning.npos) << warning;
+  EXPECT_EQ(sampling_warning(
+                tests::read_text(block, {"method=total_lagrangian", "output.measure_every=0.1"})),
+            "");
 }
 
 }  // namespace

@@ -124,5 +124,43 @@ TEST(bodies_in_contact, collide_as_the_spheres_of_hertz) {
   }
 }
 
+// It meets a wall without friction that comes along once it has turned half-way or all the way
+// round. Its surface has turned with it, so that it leaves the wall with twice the velocity of
+// that, and some more or less as its corners pass.
+TEST(bodies_that_turn, meet_walls_with_the_surface_that_they_have_then) {
+  for (const std::string method : {"total_lagrangian", "point_based"}) {
+    for (const std::string angular_velocity : {"0", "2*pi", "4*pi"}) {
+      const std::string disc = "method = \"" + method + R"("
+dimension = 2
+discretisation = { spacing = 0.1 }
+time = { end = 1 }
+[material.rubber]
+model = "neo_hookean"
+density = 1
+youngs_modulus = 20000
+poissons_ratio = 0.3
+[[body]]
+name = "disc"
+material = "rubber"
+geometry = { shape = "disc", centre = [0.01, 0.02], radius = 0.5 }
+rotation = { centre = [0.01, 0.02], angular_velocity = ")" +
+                               angular_velocity + R"(" }
+[[boundary]]
+name = "wall"
+kind = "contact_wall"
+displacement = [0, "0.2*t"]
+geometry = { shape = "half_space", point = [0, -0.58], normal = [0, 1] }
+)" + measurement("momentum", "kind = \"momentum\"\naxis = \"y\"") +
+                               measurement("mass", "kind = \"mass\"");
+      const auto run = methods().make(tests::read_text(disc), {});
+      run->advance(0.48);
+      EXPECT_NEAR(values(*run)["momentum"], 0, 1e-9) << method << angular_velocity;
+      run->advance(1);
+      auto measured = values(*run);
+      EXPECT_NEAR(measured["momentum"] / measured["mass"], 0.4, 0.15) << method << angular_velocity;
+    }
+  }
+}
+
 }  // namespace
 }  // namespace pliant::test
