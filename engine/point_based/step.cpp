@@ -1,6 +1,7 @@
 #include "engine/point_based/step.hpp"
 
 #include <algorithm>
+#include <optional>
 
 #include "engine/method/phase_rows.hpp"
 #include "engine/point_based/block_arguments.hpp"
