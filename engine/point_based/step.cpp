@@ -271,7 +271,7 @@ template <class T, int D>
 double Step<T, D>::damped(int block) {
   if (state_.clock.damping == 0 || bodies_touch()) return 0;
   const auto [body, local] = owner(block);
-  return inertia_of_means(body, body.blocks[local], before_[block]);
+  return inertia_of_means<T, D>(body, body.blocks[local], before_[block]);
 }
 
 template class Step<double, 2>;
