@@ -1,9 +1,8 @@
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 #include <utility>
 
-#include "engine/lattice/surface_pieces.hpp"
+#include "engine/total_lagrangian/load_shares.hpp"
 #include "engine/total_lagrangian/setup.hpp"
 
 // The surface of the undeformed body, cut out of its cells simplex by simplex. Corners of facets
@@ -12,23 +11,8 @@ namespace pliant::total_lagrangian {
 
 namespace {
 
-constexpr int samples = 8;              // to a side of a facet that the rim of a region cuts
 constexpr double on_wall = 1e-6;        // [h]
 constexpr double smallest_area = 1e-9;  // [h^(D-1)]
-
-template <int D>
-using Cube = std::array<SurfaceNode<D>, (1 << D)>;
-
-template <int D>
-using Barycentric = std::array<double, D>;
-
-/// A facet of the cell that is being cut; its corners in [0, 1]^D of the cell.
-template <int D>
-using PlacesInCell = std::array<Point<D>, D>;
-
-/// Of the corners of a cell.
-template <int D>
-using Weights = std::array<double, (1 << D)>;
 
 template <int D>
 Vertex<D> vertex(const Crossing<D>& crossing) {
@@ -38,44 +22,6 @@ Vertex<D> vertex(const Crossing<D>& crossing) {
               {}};
   Eigen::Map<PlaceVector<D>>(v.start.data()) = crossing.place();
   return v;
-}
-
-// Barycentric coordinates of places spread evenly over a facet.
-template <int D, class F>
-void for_each_sample(F&& f) {
-  for (int i = 0; i < samples; ++i) {
-    if constexpr (D == 2) {
-      const double u = (i + 0.5) / samples;
-      f({1 - u, u});
-    } else {
-      const auto at = [&](double u, double v) { f({1 - u - v, u, v}); };
-      for (int j = 0; i + j < samples; ++j) {
-        at((i + 1.0 / 3) / samples, (j + 1.0 / 3) / samples);
-        if (i + j < samples - 1) at((i + 2.0 / 3) / samples, (j + 2.0 / 3) / samples);
-      }
-    }
-  }
-}
-
-// The same of the places at which a rule of quadrature, exact for polynomials of the degree D,
-// takes values over a facet, with their weights: Gauss with two points, Dunavant with six.
-template <int D, class F>
-void for_each_gauss_point(F&& f) {
-  if constexpr (D == 2) {
-    const double u = 0.5 - std::numbers::sqrt3 / 6;
-    f({1 - u, u}, 0.5);
-    f({u, 1 - u}, 0.5);
-  } else {
-    constexpr std::array<double, 2> at = {0.445948490915965, 0.091576213509771};
-    constexpr std::array<double, 2> weight = {0.223381589678011, 0.109951743655322};
-    for (int i = 0; i < 2; ++i) {
-      for (int v = 0; v < 3; ++v) {
-        Barycentric<3> place = {at[i], at[i], at[i]};
-        place[v] = 1 - 2 * at[i];
-        f(place, weight[i]);
-      }
-    }
-  }
 }
 
 template <int D>
@@ -111,12 +57,15 @@ class SurfaceMaker {
       Eigen::Map<PlaceVector<D>>(node.place.data()) =
           Eigen::Map<const PlaceVector<D>>(body_.place(node.slot, node.cell).data());
     }
+    loaded_.clear();
     for_each_piece<D>(cube, [&](const SurfacePiece<D>& piece) {
       const Facet<D> made = facet(piece);
       if (length<D>(area_vector(body_, made)) <= smallest_) return;
       body_.facets.push_back(made);
-      load(cube, places_in_cell(piece, cell));
+      load(places_in_cell(piece, cell));
     });
+    if (lies_on_a_face(cube)) share_alike(cube);
+    for (const LoadedFacet& facet : loaded_) push(cube, facet);
   }
 
   // Which particles the patches push.
@@ -137,6 +86,13 @@ class SurfaceMaker {
   }
 
  private:
+  struct LoadedFacet {
+    int patch, pressure;
+    Weights<D> weights;  ///< [corner of the cell] in the same proportions as shares
+    double area;         ///< that is loaded [m^(D-1)]
+    Point<D> moment;     ///< integral of x over it [m^D]
+  };
+
   Facet<D> facet(const SurfacePiece<D>& piece) const {
     Facet<D> facet;
     Point<D> centre = {};
@@ -166,26 +122,31 @@ class SurfaceMaker {
   }
 
   // All loads on the last facet.
-  void load(const Cube<D>& cube, const PlacesInCell<D>& places) {
+  void load(const PlacesInCell<D>& places) {
     const int facet = static_cast<int>(body_.facets.size()) - 1;
+    const double area = length<D>(area_vector(body_, body_.facets[facet]));
     for (int k = 0; k < static_cast<int>(boundaries_.pressures.size()); ++k) {
       int count = 0, hit = 0;
       Weights<D> weights = {};
+      Point<D> moment = {};
       for_each_sample<D>([&](const Barycentric<D>& at) {
         ++count;
         const Point<D> x = place(body_.facets[facet], at);
         if (!boundaries_.pressures[k].acts_at(x) || on_a_wall(x)) return;
         ++hit;
-        add_weights(places, at, 1, weights);
+        for (int a = 0; a < D; ++a) moment[a] += x[a];
+        add_weights<D>(places, at, 1, weights);
       });
       if (hit == 0) continue;
       if (hit == count) {
         weights = {};
         for_each_gauss_point<D>([&](const Barycentric<D>& at, double weight) {
-          add_weights(places, at, weight, weights);
+          add_weights<D>(places, at, weight, weights);
         });
       }
-      push(cube, weights, static_cast<int>(body_.patches.size()));
+      for (double& component : moment) component *= area / count;
+      loaded_.push_back(
+          {static_cast<int>(body_.patches.size()), k, weights, area * hit / count, moment});
       body_.patches.push_back({facet, static_cast<double>(hit) / count, k});
     }
   }
@@ -198,35 +159,47 @@ class SurfaceMaker {
     return x;
   }
 
-  // Those of multilinear interpolation in the cell.
-  static void add_weights(const PlacesInCell<D>& places, const Barycentric<D>& at, double factor,
-                          Weights<D>& weights) {
-    Point<D> s = {};
-    for (int v = 0; v < D; ++v) {
-      for (int a = 0; a < D; ++a) s[a] += at[v] * places[v][a];
-    }
-    for (int c = 0; c < (1 << D); ++c) {
-      double weight = factor;
-      for (int a = 0; a < D; ++a) weight *= c >> a & 1 ? s[a] : 1 - s[a];
-      weights[c] += weight;
+  /// Whether facets in the cell lie on a face of it: it holds nothing of the body.
+  bool lies_on_a_face(const Cube<D>& cube) const {
+    return std::ranges::none_of(cube, [this](const SurfaceNode<D>& corner) {
+      return corner.phi >= 0 && body_.is_particle(corner.slot);
+    });
+  }
+
+  // (TL.27): all facets with the same load get the same shares.
+  void share_alike(const Cube<D>& cube) {
+    for (int k = 0; k < static_cast<int>(boundaries_.pressures.size()); ++k) {
+      double area = 0;
+      PlaceVector<D> moment = PlaceVector<D>::Zero();
+      for (const LoadedFacet& facet : loaded_) {
+        if (facet.pressure != k) continue;
+        area += facet.area;
+        moment += Eigen::Map<const PlaceVector<D>>(facet.moment.data());
+      }
+      if (area == 0) continue;
+      const Weights<D> shares = linear_shares<D>(cube, moment / area);
+      for (LoadedFacet& facet : loaded_) {
+        if (facet.pressure == k) facet.weights = shares;
+      }
     }
   }
 
   // (TL.27). Corners that are no particles give what they would bear to the others.
-  void push(const Cube<D>& cube, const Weights<D>& weights, int patch) {
+  void push(const Cube<D>& cube, const LoadedFacet& facet) {
     double sum = 0;
     for (int c = 0; c < (1 << D); ++c) {
-      if (body_.is_particle(cube[c].slot)) sum += weights[c];
+      if (body_.is_particle(cube[c].slot)) sum += facet.weights[c];
     }
     for (int c = 0; c < (1 << D); ++c) {
       if (!body_.is_particle(cube[c].slot)) continue;
-      pushes_[cube[c].slot].push_back({patch, weights[c] / sum});
+      pushes_[cube[c].slot].push_back({facet.patch, facet.weights[c] / sum});
     }
   }
 
   const Boundaries<D>& boundaries_;
   Body<T, D>& body_;
   std::vector<std::vector<std::pair<int, double>>> pushes_;  // [slot]
+  std::vector<LoadedFacet> loaded_;                          // of the cell that is being cut
   double smallest_;
 };
 

@@ -1,0 +1,106 @@
+#pragma once
+
+#include <array>
+#include <numbers>
+
+#include "engine/lattice/surface_pieces.hpp"
+#include "engine/method/decompositions.hpp"
+
+/// The shares of the corners of a cell in the force on a facet inside it, (TL.27).
+namespace pliant::total_lagrangian {
+
+inline constexpr int samples_to_a_side = 8;  ///< to a side of a facet that the rim of a region cuts
+
+template <int D>
+using Cube = std::array<SurfaceNode<D>, (1 << D)>;
+
+template <int D>
+using Barycentric = std::array<double, D>;
+
+/// A facet of the cell that is being cut; its corners in [0, 1]^D of the cell.
+template <int D>
+using PlacesInCell = std::array<Point<D>, D>;
+
+/// Of the corners of a cell.
+template <int D>
+using Weights = std::array<double, (1 << D)>;
+
+/// Barycentric coordinates of places spread evenly over a facet.
+template <int D, class F>
+void for_each_sample(F&& f) {
+  for (int i = 0; i < samples_to_a_side; ++i) {
+    if constexpr (D == 2) {
+      const double u = (i + 0.5) / samples_to_a_side;
+      f({1 - u, u});
+    } else {
+      const auto at = [&](double u, double v) { f({1 - u - v, u, v}); };
+      for (int j = 0; i + j < samples_to_a_side; ++j) {
+        at((i + 1.0 / 3) / samples_to_a_side, (j + 1.0 / 3) / samples_to_a_side);
+        if (i + j < samples_to_a_side - 1) at((i + 2.0 / 3) / samples_to_a_side, (j + 2.0 / 3) / samples_to_a_side);
+      }
+    }
+  }
+}
+
+/// The same of the places at which a rule of quadrature, exact for polynomials of the degree D,
+/// takes values over a facet, with their weights: Gauss with two points, Dunavant with six.
+template <int D, class F>
+void for_each_gauss_point(F&& f) {
+  if constexpr (D == 2) {
+    const double u = 0.5 - std::numbers::sqrt3 / 6;
+    f({1 - u, u}, 0.5);
+    f({u, 1 - u}, 0.5);
+  } else {
+    constexpr std::array<double, 2> at = {0.445948490915965, 0.091576213509771};
+    constexpr std::array<double, 2> weight = {0.223381589678011, 0.109951743655322};
+    for (int i = 0; i < 2; ++i) {
+      for (int v = 0; v < 3; ++v) {
+        Barycentric<3> place = {at[i], at[i], at[i]};
+        place[v] = 1 - 2 * at[i];
+        f(place, weight[i]);
+      }
+    }
+  }
+}
+
+/// Adds `factor` times the weights of multilinear interpolation at a place on a facet.
+template <int D>
+void add_weights(const PlacesInCell<D>& places, const Barycentric<D>& at, double factor,
+                 Weights<D>& weights) {
+  Point<D> s = {};
+  for (int v = 0; v < D; ++v) {
+    for (int a = 0; a < D; ++a) s[a] += at[v] * places[v][a];
+  }
+  for (int c = 0; c < (1 << D); ++c) {
+    double weight = factor;
+    for (int a = 0; a < D; ++a) weight *= c >> a & 1 ? s[a] : 1 - s[a];
+    weights[c] += weight;
+  }
+}
+
+/// Of all shares of the corners inside that put a force in `middle` [m], the smallest. They are
+/// linear in the places of the corners.
+template <int D>
+Weights<D> linear_shares(const Cube<D>& cube, const PlaceVector<D>& middle) {
+  int count = 0;
+  PlaceVector<D> mean = PlaceVector<D>::Zero();
+  for (const SurfaceNode<D>& corner : cube) {
+    if (corner.phi >= 0) continue;
+    ++count;
+    mean += corner.place;
+  }
+  mean /= count;
+  Eigen::Matrix<double, D, D> spread = Eigen::Matrix<double, D, D>::Zero();
+  for (const SurfaceNode<D>& corner : cube) {
+    const PlaceVector<D> from_mean = corner.place - mean;
+    if (corner.phi < 0) spread += from_mean * from_mean.transpose();
+  }
+  const PlaceVector<D> lever = pseudo_inverse<D>(spread) * (middle - mean);
+  Weights<D> shares = {};
+  for (int c = 0; c < (1 << D); ++c) {
+    if (cube[c].phi < 0) shares[c] = 1. / count + (cube[c].place - mean).dot(lever);
+  }
+  return shares;
+}
+
+}  // namespace pliant::total_lagrangian
