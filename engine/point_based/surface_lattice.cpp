@@ -18,6 +18,17 @@ constexpr double at_point = 1e-6;       // of the way to the next lattice point
 constexpr double smallest_area = 1e-9;  // [h^(D-1)]
 constexpr double touching = 1e-6;       // boxes and cells [h]
 
+// Crossings at a point are that point: two corners of a piece that are the same leave it no size.
+template <class Piece>
+bool has_twins(const Piece& piece) {
+  for (std::size_t v = 0; v < piece.size(); ++v) {
+    for (std::size_t w = 0; w < v; ++w) {
+      if (piece[v].name == piece[w].name) return true;
+    }
+  }
+  return false;
+}
+
 }  // namespace
 
 template <int D>
@@ -99,6 +110,7 @@ auto SurfaceLattice<D>::facets() const -> std::vector<Facet> {
         facet[v] = corner(piece[v]);
         x[v] = facet[v].place;
       }
+      if (has_twins(facet)) return;
       double square = 0;
       for (const double component : undeformed::area_vector<D>(x)) square += component * component;
       if (std::sqrt(square) >= smallest_area * std::pow(spacing_, D - 1)) facets.push_back(facet);
@@ -134,12 +146,8 @@ auto SurfaceLattice<D>::simplices_near(const std::vector<Box<D>>& boxes) const
     for_each_simplex<D>(cube, [&](const std::array<const SurfaceNode<D>*, D + 1>& nodes) {
       for_each_inside_part<D>(nodes, [&](const std::array<PartCorner<D>, D + 1>& part) {
         Simplex simplex;
-        bool is_flat = false;  // crossings at a point are that point
-        for (int v = 0; v <= D; ++v) {
-          simplex[v] = corner(part[v]);
-          for (int w = 0; w < v; ++w) is_flat = is_flat || simplex[v].name == simplex[w].name;
-        }
-        if (!is_flat) simplices.push_back(simplex);
+        for (int v = 0; v <= D; ++v) simplex[v] = corner(part[v]);
+        if (!has_twins(simplex)) simplices.push_back(simplex);
       });
     });
   }

@@ -36,7 +36,8 @@ void for_each_sample(F&& f) {
       const auto at = [&](double u, double v) { f({1 - u - v, u, v}); };
       for (int j = 0; i + j < samples_to_a_side; ++j) {
         at((i + 1.0 / 3) / samples_to_a_side, (j + 1.0 / 3) / samples_to_a_side);
-        if (i + j < samples_to_a_side - 1) at((i + 2.0 / 3) / samples_to_a_side, (j + 2.0 / 3) / samples_to_a_side);
+        if (i + j < samples_to_a_side - 1)
+          at((i + 2.0 / 3) / samples_to_a_side, (j + 2.0 / 3) / samples_to_a_side);
       }
     }
   }

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <map>
 
 #include "engine/undeformed/body.hpp"
 
@@ -32,6 +33,19 @@ TEST(surface_lattice, of_a_box_has_its_faces_at_spacings_that_do_not_divide_it) 
     EXPECT_NEAR(area, 2 * (2 + 10 + 20), 1e-6);
     EXPECT_NEAR(end, 2, 1e-6);
   }
+}
+
+// Some points of this lattice lie on the circle itself, such as (0.6, 0.8).
+TEST(surface_lattice, of_a_disc_is_one_closed_line) {
+  Shape disc;
+  disc.kind = Shape::Kind::ball;
+  disc.radius = 1;
+  std::map<SurfaceLattice<2>::Name, int> segments_at;
+  for (const auto& facet : SurfaceLattice<2>(disc, 0.02).facets()) {
+    for (const auto& corner : facet) ++segments_at[corner.name];
+  }
+  EXPECT_GT(segments_at.size(), 300);
+  for (const auto& [name, segments] : segments_at) EXPECT_EQ(segments, 2);
 }
 
 }  // namespace
