@@ -48,6 +48,8 @@ class StageWork {
   const std::vector<Point<D>>& body_force_impulse() const {
     return particles_.body_force_impulse();
   }
+  /// [block][wall] impulse of walls on the bodies in the step [N s].
+  const std::vector<Point<D>>& wall_impulse() const { return impulse_; }
   /// [block][stage] body forces in the step.
   const std::vector<std::array<ForceOnBlock<D>, 4>>& body_forces() const {
     return particles_.body_forces();
