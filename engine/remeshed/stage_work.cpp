@@ -103,16 +103,15 @@ void StageWork<T, D>::fill_reached_ghosts(int block, int stage) {
   const auto [body, local] = state_.owner(block);
   const double duration = stage_weight[stage] * time_step_;
   Point<D>* impulse = impulse_.data() + block * state_.boundaries.walls.size();
-  double& wall_work = work_[block].wall_work;
   const Surroundings<D> now = around(block, stage);
   std::vector<WallShare>& shares = wall_shares_[block];
   if (stage == 0) find_wall_shares<T, D>(body, local, now.boundaries, is_watched_, shares);
   WallWork<T, D> of_walls(body, body.population.ghosts[local], buffer_of(stage), now, duration,
-                          shares, impulse, wall_work);
+                          shares, impulse, work_[block].wall_work);
   fill(block, stage, body.neighbours.are_listed ? WhichGhosts::all : WhichGhosts::reached,
        &of_walls);
   drift_ghosts<T, D>(body, local, stage, now.values, settings_.ghosts, kernels_);
-  add_impulse<T, D>(body, local, buffer_of(stage), now, duration, kernels_, impulse, wall_work);
+  add_impulse<T, D>(body, local, buffer_of(stage), now, duration, kernels_, impulse, work_[block]);
 }
 
 template <class T, int D>

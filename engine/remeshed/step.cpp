@@ -34,7 +34,8 @@
 // After the last stage:
 //
 //     momentum          contact with bodies or walls: the momentum of each body, its budget
-//                       (RP.68), and the small velocity that makes the two equal (RP.69)
+//                       (RP.68), (RP.98), and the small velocity that makes the two equal
+//                       (RP.69)
 //
 // A step only follows particles. remesh.cpp moves them back onto the lattice; solver.cpp decides
 // when that is due. The rows below say what each phase reads (of its own block; of the neighbouring

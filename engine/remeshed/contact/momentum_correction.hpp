@@ -22,9 +22,8 @@
 //
 // What walls and loads push is known to the order of the method only. The budget takes that part
 // from the particles: all of it where a wall holds the body or a load acts on it, the part along
-// the normal where the body may press on a contact wall. Along such a wall the body loses what its
-// friction takes, (RP.65): the particles lose less, as the slots that carry the shear of the wall
-// are not all in contact (decision 30).
+// the normal where the body may press on a contact wall. Along a plane one the body loses what its
+// friction takes, from which the particles differ too (decision 30).
 //
 // The mass of a body in its budget is that at t = 0, whatever the masses of its particles add up
 // to: the method reads densities, which a common factor of masses does not change.
