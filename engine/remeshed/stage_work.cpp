@@ -26,6 +26,7 @@ void StageWork<T, D>::prepare(double time_step) {
   time_step_ = time_step;
   impulse_.assign(state_.blocks.size() * state_.boundaries.walls.size(), {});
   work_.assign(state_.blocks.size(), {});
+  sticks_.assign(state_.blocks.size(), 0);
   wall_shares_.resize(state_.blocks.size());
   for (int stage = 0; stage < 4; ++stage) {
     boundary_values_[stage].evaluate(state_.boundaries,
@@ -111,7 +112,10 @@ void StageWork<T, D>::fill_reached_ghosts(int block, int stage) {
   fill(block, stage, body.neighbours.are_listed ? WhichGhosts::all : WhichGhosts::reached,
        &of_walls);
   drift_ghosts<T, D>(body, local, stage, now.values, settings_.ghosts, kernels_);
-  add_impulse<T, D>(body, local, buffer_of(stage), now, duration, kernels_, impulse, work_[block]);
+  if (add_impulse<T, D>(body, local, buffer_of(stage), now, duration, kernels_, impulse,
+                        work_[block])) {
+    sticks_[block] = 1;
+  }
 }
 
 template <class T, int D>

@@ -74,7 +74,7 @@ std::vector<Phase> Step<T, D>::phases() {
   }
   if (momentum_.is_needed()) {
     momentum_.add_phases(phases, [this]() -> typename MomentumCorrection<T, D>::Impulses {
-      return {contact_.fold(), work_.body_force_impulse(), work_.wall_impulse()};
+      return {contact_.fold(), work_.body_force_impulse(), work_.wall_impulse(), work_.sticks()};
     });
   }
   return phases;

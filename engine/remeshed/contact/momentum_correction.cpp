@@ -167,18 +167,21 @@ void MomentumCorrection<T, D>::add_impulses(const Impulses& impulses) {
       budget.momentum[a] += budget.mass / of_body_[body].mass * impulses.of_body_forces[b][a];
     }
   }
-  add_friction(impulses.of_walls);
+  add_friction(impulses);
 }
 
 // (RP.98). The part along the normals is taken out again with what is unknown.
 template <class T, int D>
-void MomentumCorrection<T, D>::add_friction(const std::vector<Point<D>>& of_walls) {
+void MomentumCorrection<T, D>::add_friction(const Impulses& impulses) {
   const std::size_t walls = state_.boundaries.walls.size();
-  for (std::size_t i = 0; i < of_walls.size(); ++i) {
+  for (std::size_t i = 0; i < impulses.of_walls.size(); ++i) {
     const Wall<D>& wall = state_.boundaries.walls[i % walls];
     if (wall.is_attached() || wall.slips()) continue;
     Point<D>& momentum = state_.momentum_budgets[state_.blocks[i / walls].body].momentum;
-    for (int a = 0; a < D; ++a) momentum[a] += of_walls[i][a];
+    for (int a = 0; a < D; ++a) momentum[a] += impulses.of_walls[i][a];
+  }
+  for (std::size_t b = 0; b < impulses.sticks.size(); ++b) {
+    if (impulses.sticks[b] != 0) of_body_[state_.blocks[b].body].is_held = true;
   }
 }
 

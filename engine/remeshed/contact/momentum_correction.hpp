@@ -22,8 +22,8 @@
 //
 // What walls and loads push is known to the order of the method only. The budget takes that part
 // from the particles: all of it where a wall holds the body or a load acts on it, the part along
-// the normal where the body may press on a contact wall. Along a plane one the body loses what its
-// friction takes, from which the particles differ too (decision 30).
+// the normal where the body may press on a contact wall. Along a plane wall a body that slides
+// loses what Coulomb's law takes; what holds a body that sticks is known from the particles alone.
 //
 // The mass of a body in its budget is that at t = 0, whatever the masses of its particles add up
 // to: the method reads densities, which a common factor of masses does not change.
@@ -44,6 +44,7 @@ class MomentumCorrection {
     const std::vector<Point<D>>& of_contacts;     ///< [contact] on its second body
     const std::vector<Point<D>>& of_body_forces;  ///< [block]
     const std::vector<Point<D>>& of_walls;        ///< [block][wall]
+    const std::vector<char>& sticks;              ///< [block] to a contact wall
   };
   /// Phases that give the particles of each body the momentum of its budget; `impulses` finds those
   /// of the step, if there was one.
@@ -58,7 +59,7 @@ class MomentumCorrection {
   };
   void sum(int block);
   void add_impulses(const Impulses& impulses);
-  void add_friction(const std::vector<Point<D>>& of_walls);
+  void add_friction(const Impulses& impulses);
   void fold_blocks();
   void balance();
   void shift(int block);
