@@ -42,7 +42,7 @@ inline std::vector<SampleRun> sample_runs() {
       "boundary.wall.geometry={ shape = \"half_space\", point = [0, 0], normal = [0, 1] }",
       "measurement.height.point=[0, 0.25]",
       "measurement.height.direction=[0, 1]"};
-  const Settings sliding = {"boundary.wall.friction=0.2", "body.ball.velocity=[0.8, -1]"};
+  const Settings sliding = {"boundary.wall.friction=0.05", "body.ball.velocity=[0.2, -1]"};
   const Settings viscous = {
       "body.block.material={ model = \"reduced_polynomial\", coefficients = [2.2, 0, 55], density "
       "= "
