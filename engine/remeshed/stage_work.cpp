@@ -26,6 +26,7 @@ void StageWork<T, D>::prepare(double time_step) {
   time_step_ = time_step;
   impulse_.assign(state_.blocks.size() * state_.boundaries.walls.size(), {});
   work_.assign(state_.blocks.size(), {});
+  sticks_.assign(state_.blocks.size(), 0);
   wall_shares_.resize(state_.blocks.size());
   for (int stage = 0; stage < 4; ++stage) {
     boundary_values_[stage].evaluate(state_.boundaries,
@@ -103,16 +104,18 @@ void StageWork<T, D>::fill_reached_ghosts(int block, int stage) {
   const auto [body, local] = state_.owner(block);
   const double duration = stage_weight[stage] * time_step_;
   Point<D>* impulse = impulse_.data() + block * state_.boundaries.walls.size();
-  double& wall_work = work_[block].wall_work;
   const Surroundings<D> now = around(block, stage);
   std::vector<WallShare>& shares = wall_shares_[block];
   if (stage == 0) find_wall_shares<T, D>(body, local, now.boundaries, is_watched_, shares);
   WallWork<T, D> of_walls(body, body.population.ghosts[local], buffer_of(stage), now, duration,
-                          shares, impulse, wall_work);
+                          shares, impulse, work_[block].wall_work);
   fill(block, stage, body.neighbours.are_listed ? WhichGhosts::all : WhichGhosts::reached,
        &of_walls);
   drift_ghosts<T, D>(body, local, stage, now.values, settings_.ghosts, kernels_);
-  add_impulse<T, D>(body, local, buffer_of(stage), now, duration, kernels_, impulse, wall_work);
+  if (add_impulse<T, D>(body, local, buffer_of(stage), now, duration, kernels_, impulse,
+                        work_[block])) {
+    sticks_[block] = 1;
+  }
 }
 
 template <class T, int D>

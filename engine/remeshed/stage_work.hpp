@@ -48,6 +48,10 @@ class StageWork {
   const std::vector<Point<D>>& body_force_impulse() const {
     return particles_.body_force_impulse();
   }
+  /// [block][wall] impulse of walls on the bodies in the step [N s].
+  const std::vector<Point<D>>& wall_impulse() const { return impulse_; }
+  /// [block] whether it stuck to a contact wall somewhere in the step.
+  const std::vector<char>& sticks() const { return sticks_; }
   /// [block][stage] body forces in the step.
   const std::vector<std::array<ForceOnBlock<D>, 4>>& body_forces() const {
     return particles_.body_forces();
@@ -70,6 +74,7 @@ class StageWork {
   StageResults results_;
   std::vector<Point<D>> impulse_;                    ///< [block][wall] on the bodies, of this step
   std::vector<EnergyBudget> work_;                   ///< [block] of walls and loads in this step
+  std::vector<char> sticks_;                         ///< [block] to contact walls in this step
   std::vector<std::vector<WallShare>> wall_shares_;  ///< [block] in this step
   std::vector<char> is_measured_;  ///< [wall] whether a measurement asks for its force
   std::vector<char> is_watched_;   ///< [wall] whether its push is added up in this step

@@ -34,7 +34,8 @@
 // After the last stage:
 //
 //     momentum          contact with bodies or walls: the momentum of each body, its budget
-//                       (RP.68), and the small velocity that makes the two equal (RP.69)
+//                       (RP.68), (RP.98), and the small velocity that makes the two equal
+//                       (RP.69)
 //
 // A step only follows particles. remesh.cpp moves them back onto the lattice; solver.cpp decides
 // when that is due. The rows below say what each phase reads (of its own block; of the neighbouring
@@ -73,7 +74,7 @@ std::vector<Phase> Step<T, D>::phases() {
   }
   if (momentum_.is_needed()) {
     momentum_.add_phases(phases, [this]() -> typename MomentumCorrection<T, D>::Impulses {
-      return {contact_.fold(), work_.body_force_impulse()};
+      return {contact_.fold(), work_.body_force_impulse(), work_.wall_impulse(), work_.sticks()};
     });
   }
   return phases;

@@ -42,6 +42,7 @@ inline std::vector<SampleRun> sample_runs() {
       "boundary.wall.geometry={ shape = \"half_space\", point = [0, 0], normal = [0, 1] }",
       "measurement.height.point=[0, 0.25]",
       "measurement.height.direction=[0, 1]"};
+  const Settings sliding = {"boundary.wall.friction=0.05", "body.ball.velocity=[0.2, -1]"};
   const Settings viscous = {
       "body.block.material={ model = \"reduced_polynomial\", coefficients = [2.2, 0, 55], density "
       "= "
@@ -81,6 +82,7 @@ inline std::vector<SampleRun> sample_runs() {
       {"loaded", "compression_linear", block + loaded, 22},
       {"periodic", "periodic_square", cell, 20},
       {"contact", "bouncing_ball", ball, 20},
+      {"friction", "bouncing_ball", ball + sliding, 20},
       {"two_discs", "two_discs", discs, 20, 12},
       {"paper", "compression_hyperelastic", block + scheme_of_the_paper, 12},
       {"paper_periodic", "periodic_square", cell + scheme_of_the_paper, 16},

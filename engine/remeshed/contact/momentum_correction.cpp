@@ -110,12 +110,14 @@ void MomentumCorrection<T, D>::add_phases(std::vector<Phase>& phases,
   rows.each("momentum",
             own(particles(velocity) + particles(constants) + whole(kinds) + whole(fits)),
             own(whole(momentum)), [this](int block) { sum(block); });
-  rows.reduce("momentum", all(whole(momentum) + whole(contact_impulse) + whole(momentum_budgets)),
-              all(whole(momentum_budgets)), [this, impulses = std::move(impulses)] {
-                fold_blocks();
-                if (impulses) add_impulses(impulses());
-                balance();
-              });
+  rows.reduce(
+      "momentum",
+      all(whole(momentum) + whole(contact_impulse) + whole(wall_impulse) + whole(momentum_budgets)),
+      all(whole(momentum_budgets)), [this, impulses = std::move(impulses)] {
+        fold_blocks();
+        if (impulses) add_impulses(impulses());
+        balance();
+      });
   rows.each("momentum", all(whole(momentum_budgets)) + own(particles(velocity) + whole(kinds)),
             own(particles(velocity)), [this](int block) { shift(block); });
 }
@@ -129,7 +131,7 @@ void MomentumCorrection<T, D>::sum(int block) {
   for (std::size_t g = 0; g < ghosts.wall.size(); ++g) {
     if (ghosts.wall[g] < 0) continue;
     const Wall<D>& wall = state_.boundaries.walls[ghosts.wall[g]];
-    sum.is_held = sum.is_held || wall.is_attached() || !wall.slips();
+    sum.is_held = sum.is_held || wall.is_attached();
     const Point<D>& n = ghosts.normal[g];
     for (int i = 0; i < D * D; ++i) sum.normals[i] += n[i / D] * n[i % D];
   }
@@ -164,6 +166,22 @@ void MomentumCorrection<T, D>::add_impulses(const Impulses& impulses) {
     for (int a = 0; a < D; ++a) {
       budget.momentum[a] += budget.mass / of_body_[body].mass * impulses.of_body_forces[b][a];
     }
+  }
+  add_friction(impulses);
+}
+
+// (RP.98). The part along the normals is taken out again with what is unknown.
+template <class T, int D>
+void MomentumCorrection<T, D>::add_friction(const Impulses& impulses) {
+  const std::size_t walls = state_.boundaries.walls.size();
+  for (std::size_t i = 0; i < impulses.of_walls.size(); ++i) {
+    const Wall<D>& wall = state_.boundaries.walls[i % walls];
+    if (wall.is_attached() || wall.slips()) continue;
+    Point<D>& momentum = state_.momentum_budgets[state_.blocks[i / walls].body].momentum;
+    for (int a = 0; a < D; ++a) momentum[a] += impulses.of_walls[i][a];
+  }
+  for (std::size_t b = 0; b < impulses.sticks.size(); ++b) {
+    if (impulses.sticks[b] != 0) of_body_[state_.blocks[b].body].is_held = true;
   }
 }
 

@@ -15,14 +15,15 @@
 // method, some tenths of a percent of what the body is doing, and vanish with h; but nothing makes
 // those of two bodies cancel, nor those on the two sides of a contact that moves along a wall. Each
 // body of a case with contact therefore has a momentum budget, which changes by the impulses of
-// contacts, (RP.68), and of body forces, (RP.71), alone: the first is one number, added to one body
-// and taken from the other. After each step and each remeshing one small velocity is added to all
-// particles of a body, so that their mean velocity is that of the budget, (RP.69). This changes no
-// strain, no stress and no relative motion.
+// contacts, (RP.68), of body forces, (RP.71), and of friction on contact walls, (RP.98), alone: the
+// first is one number, added to one body and taken from the other. After each step and each
+// remeshing one small velocity is added to all particles of a body, so that their mean velocity is
+// that of the budget, (RP.69). This changes no strain, no stress and no relative motion.
 //
 // What walls and loads push is known to the order of the method only. The budget takes that part
 // from the particles: all of it where a wall holds the body or a load acts on it, the part along
-// the normal where the body may press on a contact wall without friction.
+// the normal where the body may press on a contact wall. Along a plane wall a body that slides
+// loses what Coulomb's law takes; what holds a body that sticks is known from the particles alone.
 //
 // The mass of a body in its budget is that at t = 0, whatever the masses of its particles add up
 // to: the method reads densities, which a common factor of masses does not change.
@@ -42,6 +43,8 @@ class MomentumCorrection {
   struct Impulses {
     const std::vector<Point<D>>& of_contacts;     ///< [contact] on its second body
     const std::vector<Point<D>>& of_body_forces;  ///< [block]
+    const std::vector<Point<D>>& of_walls;        ///< [block][wall]
+    const std::vector<char>& sticks;              ///< [block] to a contact wall
   };
   /// Phases that give the particles of each body the momentum of its budget; `impulses` finds those
   /// of the step, if there was one.
@@ -52,10 +55,11 @@ class MomentumCorrection {
     double mass = 0;
     Point<D> momentum = {};
     bool is_held = false;  ///< by a wall or a load, whose impulse no budget contains
-    std::array<double, D* D> normals = {};  ///< sum of n n of contact walls without friction
+    std::array<double, D* D> normals = {};  ///< sum of n n of contact walls
   };
   void sum(int block);
   void add_impulses(const Impulses& impulses);
+  void add_friction(const Impulses& impulses);
   void fold_blocks();
   void balance();
   void shift(int block);

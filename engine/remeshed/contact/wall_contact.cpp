@@ -89,30 +89,37 @@ void release_contact(Body<T, D>& body, int block, const Surroundings<D>& around,
 }
 
 template <class T, int D>
-void add_impulse(const Body<T, D>& body, int block, int buffer, const Surroundings<D>& around,
+bool add_impulse(const Body<T, D>& body, int block, int buffer, const Surroundings<D>& around,
                  double duration, const kernels::RemeshedTable<T, D>& table, Point<D>* impulse,
-                 double& work) {
+                 EnergyBudget& energy) {
   const BlockGhosts<T, D>& ghosts = body.population.ghosts[block];
   FitEvaluator<T, D> fits(body, ghosts, table);
   const kernels::Impedance<T> impedance(body.material);
+  bool sticks = false;
   for (std::size_t k = 0; k < ghosts.contact.size(); ++k) {
     const std::int32_t g = ghosts.contact[k];
     if (ghosts.active[g] == 0 || ghosts.contact_area[k] == 0) continue;
     const int wall = ghosts.wall[g];
-    const std::array<T, D> push = kernels::wall_force_density<T, D>(
-        fits.of(g), wall_site<T, D>(body, ghosts, g, around), impedance);
+    const kernels::GhostFits<T, D> present = fits.of(g);
+    const auto traction = kernels::traction_on_wall<T, D>(
+        present, wall_site<T, D>(body, ghosts, g, around), impedance);
     // What a fit extrapolates to beyond an edge may pull; the wall does not.
-    T pressure = 0;
-    for (int a = 0; a < D; ++a) pressure += push[a] * static_cast<T>(ghosts.normal[g][a]);
-    if (!(pressure > 0)) continue;
+    if (!(traction.pressure > 0)) continue;
+    sticks = sticks || !traction.slides;
     const double area =
         ghosts.contact_area[k] * growth_on_wall(body, ghosts, static_cast<std::size_t>(g), buffer);
+    const Point<D>& u_wall = around.values.wall_velocity[wall];
     for (int a = 0; a < D; ++a) {
-      const double given = duration * area * push[a];
+      const T push = traction.pressure * static_cast<T>(ghosts.normal[g][a]) + traction.shear[a];
+      const double given = duration * area * push;
       impulse[wall][a] += given;
-      work += given * around.values.wall_velocity[wall][a];
+      energy.wall_work += given * u_wall[a];
+      if (!traction.slides) continue;
+      const double slip = present.surface.velocity(a) - u_wall[a];
+      energy.friction -= duration * area * traction.shear[a] * slip;
     }
   }
+  return sticks;
 }
 
 template <class T, int D>
@@ -152,9 +159,9 @@ template void decide_contact<double, 2>(Body<double, 2>&, int, const Surrounding
                                         const kernels::RemeshedTable<double, 2>&);
 template void release_contact<double, 2>(Body<double, 2>&, int, const Surroundings<2>&,
                                          const kernels::RemeshedTable<double, 2>&);
-template void add_impulse<double, 2>(const Body<double, 2>&, int, int, const Surroundings<2>&,
+template bool add_impulse<double, 2>(const Body<double, 2>&, int, int, const Surroundings<2>&,
                                      double, const kernels::RemeshedTable<double, 2>&, Point<2>*,
-                                     double&);
+                                     EnergyBudget&);
 template bool has_moved_at_walls(const Body<double, 2>&, const Boundaries<2>&, double);
 template std::vector<double> wall_pressure(const Body<double, 2>&, const Surroundings<2>&,
                                            const kernels::RemeshedTable<double, 2>&);
@@ -162,9 +169,9 @@ template void decide_contact<double, 3>(Body<double, 3>&, int, const Surrounding
                                         const kernels::RemeshedTable<double, 3>&);
 template void release_contact<double, 3>(Body<double, 3>&, int, const Surroundings<3>&,
                                          const kernels::RemeshedTable<double, 3>&);
-template void add_impulse<double, 3>(const Body<double, 3>&, int, int, const Surroundings<3>&,
+template bool add_impulse<double, 3>(const Body<double, 3>&, int, int, const Surroundings<3>&,
                                      double, const kernels::RemeshedTable<double, 3>&, Point<3>*,
-                                     double&);
+                                     EnergyBudget&);
 template bool has_moved_at_walls(const Body<double, 3>&, const Boundaries<3>&, double);
 template std::vector<double> wall_pressure(const Body<double, 3>&, const Surroundings<3>&,
                                            const kernels::RemeshedTable<double, 3>&);
@@ -172,8 +179,9 @@ template void decide_contact<float, 2>(Body<float, 2>&, int, const Surroundings<
                                        const kernels::RemeshedTable<float, 2>&);
 template void release_contact<float, 2>(Body<float, 2>&, int, const Surroundings<2>&,
                                         const kernels::RemeshedTable<float, 2>&);
-template void add_impulse<float, 2>(const Body<float, 2>&, int, int, const Surroundings<2>&, double,
-                                    const kernels::RemeshedTable<float, 2>&, Point<2>*, double&);
+template bool add_impulse<float, 2>(const Body<float, 2>&, int, int, const Surroundings<2>&, double,
+                                    const kernels::RemeshedTable<float, 2>&, Point<2>*,
+                                    EnergyBudget&);
 template bool has_moved_at_walls(const Body<float, 2>&, const Boundaries<2>&, double);
 template std::vector<double> wall_pressure(const Body<float, 2>&, const Surroundings<2>&,
                                            const kernels::RemeshedTable<float, 2>&);
@@ -181,8 +189,9 @@ template void decide_contact<float, 3>(Body<float, 3>&, int, const Surroundings<
                                        const kernels::RemeshedTable<float, 3>&);
 template void release_contact<float, 3>(Body<float, 3>&, int, const Surroundings<3>&,
                                         const kernels::RemeshedTable<float, 3>&);
-template void add_impulse<float, 3>(const Body<float, 3>&, int, int, const Surroundings<3>&, double,
-                                    const kernels::RemeshedTable<float, 3>&, Point<3>*, double&);
+template bool add_impulse<float, 3>(const Body<float, 3>&, int, int, const Surroundings<3>&, double,
+                                    const kernels::RemeshedTable<float, 3>&, Point<3>*,
+                                    EnergyBudget&);
 template bool has_moved_at_walls(const Body<float, 3>&, const Boundaries<3>&, double);
 template std::vector<double> wall_pressure(const Body<float, 3>&, const Surroundings<3>&,
                                            const kernels::RemeshedTable<float, 3>&);

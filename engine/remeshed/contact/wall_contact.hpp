@@ -34,12 +34,13 @@ void release_contact(Body<T, D>& body, int block, const Surroundings<D>& around,
                      const kernels::RemeshedTable<T, D>& kernels);
 
 /// (RP.65): adds the push of each contact wall on the ghosts of a block during `duration` [s] to
-/// impulse[wall], and its work to `work` [J], from the records of the surface particles and the
-/// places of the slots in copy `buffer` of the state.
+/// impulse[wall], and its work and what friction takes, (RP.99), to `energy`, from the records of
+/// the surface particles and the places of the slots in copy `buffer` of the state. Whether the
+/// body sticks to a wall somewhere, (RP.73).
 template <class T, int D>
-void add_impulse(const Body<T, D>& body, int block, int buffer, const Surroundings<D>& around,
+bool add_impulse(const Body<T, D>& body, int block, int buffer, const Surroundings<D>& around,
                  double duration, const kernels::RemeshedTable<T, D>& kernels, Point<D>* impulse,
-                 double& work);
+                 EnergyBudget& energy);
 
 /// (RP.96): whether a body has moved so far towards contact walls, or away from them, since its
 /// last remeshing, that the ghosts between them no longer belong to where it is. Walls that move at

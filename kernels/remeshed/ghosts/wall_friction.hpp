@@ -46,13 +46,20 @@ struct WallTraction {
   }
 };
 
-/// (RP.89), (RP.73): force of a wall on the body over the area [Pa]. The ghost has all of (RP.51)
-/// and the body before the wall nothing of it: what lies between them, half.
+/// (RP.89), (RP.73): what a wall does to the body. The ghost has all of (RP.51) and the body before
+/// the wall nothing of it: what lies between them, half.
+template <class T, int D>
+WallTraction<T, D> traction_on_wall(const GhostFits<T, D>& fits, const WallSite<T, D>& wall,
+                                    const Impedance<T>& impedance) {
+  const Impedance<T> half(impedance.pressure_wave / 2, impedance.shear_wave / 2);
+  return {fits, wall, half};
+}
+
+/// The same as a force over the area [Pa].
 template <class T, int D>
 VectorOf<T, D> wall_force_density(const GhostFits<T, D>& fits, const WallSite<T, D>& wall,
                                   const Impedance<T>& impedance) {
-  const Impedance<T> half(impedance.pressure_wave / 2, impedance.shear_wave / 2);
-  const WallTraction<T, D> traction(fits, wall, half);
+  const WallTraction<T, D> traction = traction_on_wall<T, D>(fits, wall, impedance);
   VectorOf<T, D> push;
 #pragma GCC unroll 3
   for (int i = 0; i < D; ++i) push[i] = traction.pressure * wall.n[i] + traction.shear[i];
