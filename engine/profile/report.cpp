@@ -136,9 +136,8 @@ double processor_share(const Profile& profile, const std::vector<std::size_t>& f
 
 std::string blame(const Profile& profile, const Verdict& verdict) {
   const Part& part = verdict.parts[verdict.to_blame];
-  std::string text =
-      fmt::format("\nto blame: `{}`, {} longer in the worst frames than its median\n", part.name,
-                  short_time(std::max(0.0, part.excess())));
+  std::string text = fmt::format("\ncause: `{}`, {} longer in the worst frames than its median\n",
+                                 part.name, short_time(std::max(0.0, part.excess())));
   const double share = processor_share(profile, verdict.worst);
   constexpr double undisturbed = 0.9;
   if (share < undisturbed) {

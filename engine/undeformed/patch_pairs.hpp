@@ -7,8 +7,9 @@
 
 namespace pliant::undeformed {
 
-/// The first stage of the search for contact: pairs of a patch of corners and a patch of facets that
-/// are near each other, and how far the two patches of each pair may still move against each other.
+/// The first stage of the search for contact: pairs of a patch of corners and a patch of facets
+/// that are near each other, and how far the two patches of each pair may still move against each
+/// other.
 ///
 /// A pair is listed when its patches are so near that facets have to be listed for its corners. All
 /// distances are those at the marks of the two surfaces.

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <vector>
 
-#include "engine/undeformed/clock.hpp"
 #include "engine/undeformed/body.hpp"
+#include "engine/undeformed/clock.hpp"
 
 /// Particles at an output time inside a step: on straight lines where velocities belong to the
 /// middle of the step (they lag), else with velocities in between those at its start and at its

@@ -14,10 +14,12 @@ namespace pliant::test {
 template <int D>
 struct CutBlock {
   PointSolver<D> solver = PointSolver<D>(
-      tests::read_text(free_points(D) +
-      (D == 2 ? "[[cut]]\nname = \"none\"\nfrom = [-1, -1]\npath = [0, 0]\nend = 1e-9\n"
-              : "[[cut]]\nname = \"none\"\nfrom = [-1, -1, 0]\nto = [-1, -1, 1]\n"
-                "path = [0, 0, 0]\nend = 1e-9\n")), {1, kernels::widest_supported()});
+      tests::read_text(
+          free_points(D) +
+          (D == 2 ? "[[cut]]\nname = \"none\"\nfrom = [-1, -1]\npath = [0, 0]\nend = 1e-9\n"
+                  : "[[cut]]\nname = \"none\"\nfrom = [-1, -1, 0]\nto = [-1, -1, 1]\n"
+                    "path = [0, 0, 0]\nend = 1e-9\n")),
+      {1, kernels::widest_supported()});
   std::vector<point_based::CutSurface<D>> cuts;
   point_based::SurfaceVertices vertices;
 
@@ -35,7 +37,8 @@ struct CutBlock {
 
   /// Fills `vertices`, and returns where they come from.
   point_based::DividedSurface<D> surface() {
-    point_based::OpenedSurface<D> opened(body(), 0.125, point_based::inside_of<D>(body().source->geometry, 1e-7));
+    point_based::OpenedSurface<D> opened(body(), 0.125,
+                                         point_based::inside_of<D>(body().source->geometry, 1e-7));
     opened.follow(cuts);
     vertices = {};
     opened.add(body(), 7, vertices);

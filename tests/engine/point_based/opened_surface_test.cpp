@@ -6,8 +6,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "tests/engine/point_based/enclosed_volumes.hpp"
 #include "tests/engine/point_based/cut_block.hpp"
+#include "tests/engine/point_based/enclosed_volumes.hpp"
 
 // How the surface of a body with cuts moves: with the nodes on the side of each face.
 namespace pliant::test {
@@ -86,7 +86,8 @@ TEST(opened_surface, opens_by_what_the_sides_have_moved_apart_and_closes_at_the_
 
 TEST(opened_surface, does_not_depend_on_when_it_has_followed_a_cut) {
   CutBlock<3> block;
-  point_based::OpenedSurface<3> often(block.body(), 0.125, point_based::inside_of<3>(block.body().source->geometry, 1e-7));
+  point_based::OpenedSurface<3> often(
+      block.body(), 0.125, point_based::inside_of<3>(block.body().source->geometry, 1e-7));
   point_based::CutSurface<3>& cut = block.add_cut();
   for (int i = 0; i <= 40; ++i) {
     cut.add_station(station<3>(-0.1 + 0.02 * i, 0.4 + 0.005 * i));

@@ -5,8 +5,8 @@
 #include <numbers>
 #include <numeric>
 
-#include "tests/engine/point_based/enclosed_volumes.hpp"
 #include "tests/engine/point_based/cut_block.hpp"
+#include "tests/engine/point_based/enclosed_volumes.hpp"
 
 // The volumes inside the surface of a body with cuts, against those that geometry gives.
 namespace pliant::test {
@@ -92,7 +92,8 @@ void expect_crossed_parts(double slope) {
   EXPECT_TRUE(is_closed<D>(block.vertices));
   const double left = 0.47 * (0.53 + slope * 0.47 / 2);
   const double right = 0.53 * (0.53 + slope * (0.47 + 0.53 / 2));
-  expect_volumes(volumes_of<D>(block.vertices), {left, 0.47 - left, right, 0.53 - right}, lattice_rounding);
+  expect_volumes(volumes_of<D>(block.vertices), {left, 0.47 - left, right, 0.53 - right},
+                 lattice_rounding);
 }
 
 TEST(opened_surface, has_the_volumes_of_the_parts_of_cuts_that_cross) {
