@@ -30,6 +30,7 @@ struct Parameters {
   double stiffness_damping = 0;  ///< beta of (PB.9) [s]
 };
 
+/// The table of the method in a case.
 inline const Parameters& parameters_of(const Case& settings) {
   return settings.parameters.as<Parameters>();
 }

@@ -26,6 +26,7 @@ struct Parameters {
   double mass_scaling = 1;  ///< M of (RP.87): inertia over mass
 };
 
+/// The table of the method in a case.
 inline const Parameters& parameters_of(const Case& settings) {
   return settings.parameters.as<Parameters>();
 }

@@ -39,6 +39,7 @@ struct MotionBudget {
   bool is_known = false;   ///< unless something has held or pushed the body since then
 };
 
+/// All bodies of a case, with the walls, clocks and budgets that they share.
 template <class T, int D>
 struct State {
   Clock clock;

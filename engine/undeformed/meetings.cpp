@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "engine/undeformed/carried_points.hpp"
+#include "engine/undeformed/facet_point.hpp"
 
 namespace pliant::undeformed {
 

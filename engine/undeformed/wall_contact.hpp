@@ -25,6 +25,7 @@
 // No penalty stiffness, so no number to choose and no shorter time step.
 namespace pliant::undeformed {
 
+/// Keeps the surfaces of bodies out of contact walls, (TL.12).
 template <class T, int D>
 class WallContact {
  public:

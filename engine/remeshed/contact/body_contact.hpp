@@ -26,6 +26,7 @@
 // its momentum budget: contact_momentum_correction.hpp.
 namespace pliant::remeshed {
 
+/// The contact phases of a step: search, and the tractions of each stage.
 template <class T, int D>
 class BodyContact {
  public:

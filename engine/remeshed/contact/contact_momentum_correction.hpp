@@ -29,6 +29,7 @@
 // to: the method reads densities, which a common factor of masses does not change.
 namespace pliant::remeshed {
 
+/// Corrects the mean velocities of the bodies of a case with contact after each step, (RP.69).
 template <class T, int D>
 class ContactMomentumCorrection {
  public:

@@ -31,6 +31,7 @@
 // alone.
 namespace pliant::remeshed {
 
+/// Corrects momentum and spin of free bodies after each remeshing, (RP.90).
 template <class T, int D>
 class FreeMotionCorrection {
  public:
