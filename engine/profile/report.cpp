@@ -115,9 +115,8 @@ std::string worst_table(const Profile& profile, const Verdict& verdict) {
                     largest_excess(verdict, frame, names));
   }
   return text +
-         "CPU %: processor time over threads x wall time. switches: how often a thread had to "
-         "leave "
-         "a\nprocessor. stolen: time of other guests of the host [ms, of ticks of 10].\n";
+         "CPU %: processor time over threads x wall time. switches: involuntary context switches.\n"
+         "stolen: time that the host gave to other guests [ms, in ticks of 10].\n";
 }
 
 /// Processor time over the time that threads were inside steps and not waiting. Below 1 the machine
