@@ -39,10 +39,10 @@ class WallContact {
   /// Takes the surfaces of all bodies, which must stay where they are, where the case has contact
   /// walls; contact_surface(body) makes them.
   template <class Bodies>
-  void take_surfaces(Bodies& bodies, Bearers bearers) {
+  void take_surfaces(Bodies& bodies, Bearers bearing) {
     surfaces_.clear();
     if (!exists()) return;
-    for (auto& body : bodies) add_surface(body, contact_surface(body), bearers);
+    for (auto& body : bodies) add_surface(body, contact_surface(body), bearing);
   }
   /// Lets the walls push the particles that have moved for `length` [s] from `time` on, for `drift`
   /// [s] of it at the velocities that they have now, with forces that acted on them for `kick` [s];
@@ -74,7 +74,7 @@ class WallContact {
   };
   bool may_touch(const Surface& surface, std::int32_t corner, const ContactWall& wall) const;
   static std::span<const Share> bearers(const Surface& surface, const Corner& corner);
-  void add_surface(Body<T, D>& body, ContactSurface<D> surface, Bearers bearers);
+  void add_surface(Body<T, D>& body, ContactSurface<D> surface, Bearers bearing);
   void push(Surface& surface, const Corner& corner, const ContactWall& wall);
 
   State<D>& state_;
