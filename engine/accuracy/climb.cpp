@@ -49,7 +49,7 @@ class Climb {
       RungRecord& rung = row.rungs[r];
       if (is_too_slow) {
         rung.error = std::nan("");
-        rung.message = "not run: a coarser one took too long";
+        rung.message = "not run: a coarser run took too long";
         continue;
       }
       const RungRun run{folder / fmt::format("{}", r), command_of(problem, series, rung)};

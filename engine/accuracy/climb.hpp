@@ -5,6 +5,7 @@
 
 namespace pliant::accuracy {
 
+/// How ladders are run.
 struct ClimbOptions {
   std::filesystem::path folder;  ///< of the runs
   int threads = 1, repetitions = 1;

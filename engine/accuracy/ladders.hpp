@@ -25,6 +25,7 @@ struct Series {
   int quick_rungs = 0;  ///< so many of them with --quick
 };
 
+/// A case with known answers, and the series of runs that solve it.
 struct Problem {
   std::string name;
   std::filesystem::path case_file;
@@ -33,6 +34,7 @@ struct Problem {
   std::vector<Series> series = {};
 };
 
+/// A file of problems.
 struct Ladders {
   double time_limit = 0;  ///< of a run [s]; 0: none
   std::vector<Problem> problems = {};

@@ -6,6 +6,7 @@
 /// What an error costs, from the runs of a ladder.
 namespace pliant::accuracy {
 
+/// Size, cost and error of one run.
 struct Rated {
   double particles = 0, seconds = 0;
   double error = 0;  ///< relative; NaN where a run gave no answer
@@ -16,6 +17,7 @@ struct Rated {
 /// without an answer stay so, and have no influence on others.
 std::vector<double> envelope(std::span<const Rated> rungs);
 
+/// How well the runs of a ladder determine the cost of an error.
 enum class Certainty {
   interpolated,  ///< between two rungs
   at_most,       ///< the coarsest rung is that good already
@@ -23,6 +25,7 @@ enum class Certainty {
   not_reached
 };
 
+/// Particles and wall time [s] at which an error is reached.
 struct Cost {
   Certainty certainty = Certainty::not_reached;
   double particles = 0, seconds = 0;

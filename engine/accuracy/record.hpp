@@ -25,6 +25,7 @@ struct RungRecord {
   double median_seconds() const;  ///< NaN where there is none
 };
 
+/// The results of one series, coarse rungs first.
 struct SeriesRecord {
   std::string problem, series;
   std::vector<RungRecord> rungs = {};
@@ -33,6 +34,7 @@ struct SeriesRecord {
   Cost cost_of(double error) const;
 };
 
+/// The results of all series, and the machine that they ran on.
 struct AccuracyRecord {
   std::vector<std::string> machine;  ///< lines that describe it
   int threads = 1;

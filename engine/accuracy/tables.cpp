@@ -13,10 +13,10 @@ using Cells = std::vector<std::string>;
 using Table = std::vector<Cells>;  ///< the first line is the heading
 
 constexpr const char* costs_legend =
-    "Wall time and particles at which the largest error from there on to the finest run falls to\n"
-    "the given one, straight between runs in logarithms. <: the coarsest run is that good "
-    "already;\n"
-    "~: only the finest one is, and none confirms it; -: not reached.\n";
+    "Wall time and particles at which the error, and that of all finer runs, falls to the given "
+    "one;\n"
+    "interpolated in logarithms. <: the coarsest run reaches it already; ~: only the finest run\n"
+    "reaches it, and none confirms it; -: not reached.\n";
 
 std::string cost_cell(const Cost& cost) {
   const char* mark = cost.certainty == Certainty::at_most       ? "< "

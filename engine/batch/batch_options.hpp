@@ -4,11 +4,13 @@
 
 namespace pliant::batch {
 
+/// What executes the runs of a batch.
 enum class Executor {
   local,  ///< processes of this machine
   slurm   ///< job arrays
 };
 
+/// How a batch is run.
 struct BatchOptions {
   std::filesystem::path folder;
   Executor executor = Executor::local;

@@ -5,6 +5,7 @@
 
 namespace pliant::batch {
 
+/// Exit status and output of a program.
 struct CommandResult {
   int status = 0;  ///< 127: there is no such program
   std::string output;

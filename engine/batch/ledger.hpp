@@ -36,6 +36,7 @@ struct Outcome {
   std::int64_t particles = 0, steps = 0;  ///< of its summary, not kept in the ledger
 };
 
+/// A run of a batch, as its ledger knows it.
 struct RunRow {
   std::string name;
   RunStatus status = RunStatus::pending;

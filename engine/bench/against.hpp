@@ -8,6 +8,7 @@
 
 namespace pliant::bench {
 
+/// How two programs are compared.
 struct AgainstOptions {
   std::filesystem::path other;                       ///< the program to compare with
   std::filesystem::path program = "/proc/self/exe";  ///< this one

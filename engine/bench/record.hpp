@@ -10,12 +10,14 @@
 /// each.
 namespace pliant::bench {
 
+/// One measurement of a row, and of the machine right beside it.
 struct RecordedSample {
   double rate = 0;      ///< [particle-stages/s]
   double fma_peak = 0;  ///< [flop/s]
   double triad = 0;     ///< [bytes/s]
 };
 
+/// All measurements of one row.
 struct RecordedRow {
   std::string name;  ///< as `Row::name` gives it
   std::int64_t particles = 0;
@@ -23,6 +25,7 @@ struct RecordedRow {
   std::vector<RecordedSample> samples;
 };
 
+/// All rows that were measured on one machine.
 struct Record {
   std::vector<std::string> machine;  ///< lines that describe it
   std::vector<RecordedRow> rows;

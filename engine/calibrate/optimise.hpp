@@ -16,6 +16,7 @@ using Evaluate = std::function<std::vector<std::optional<Residuals>>(
 
 enum class Determination { well, poorly, not_at_all };
 
+/// The value of a parameter, and its error.
 struct Estimated {
   double value = 0;
   double error = 0;  ///< standard error; infinite where nothing is known
@@ -23,6 +24,7 @@ struct Estimated {
   Determination determination = Determination::not_at_all;
 };
 
+/// The result of a calibration.
 struct Calibration {
   std::vector<Estimated> parameters;
   std::vector<std::vector<double>> correlation;
@@ -31,6 +33,7 @@ struct Calibration {
   bool has_converged = false;  ///< else the runs were spent
 };
 
+/// When the search ends, and how it differentiates.
 struct OptimiserOptions {
   int most_runs = 60;
   double difference = 0.02;  ///< step of the finite differences [radian]

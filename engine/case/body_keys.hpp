@@ -146,25 +146,26 @@ void body_keys(Visitor& visit, BodyCase& body) {
 template <class Visitor>
 void blade_keys(Visitor& visit, CutCase& cut) {
   visit("track", FilePath{cut.track.file},
-        {.meaning = "recorded path of the edge in the undeformed body, in the place of from, to, "
-                    "path, start and end: CSV with the header time,x,y in 2D; "
+        {.meaning = "recorded path of the edge in the undeformed body, instead of from, to, path, "
+                    "start and end: CSV with the header time,x,y in 2D; "
                     "time,x1,y1,z1,x2,y2,z2 (both ends) or time,x,y,z,qw,qx,qy,qz (start, and a "
-                    "quaternion that turns edge) in 3D; linear between its rows",
+                    "quaternion that turns edge) in 3D; interpolated linearly between rows",
          .example = R"("scalpel.csv")"});
-  visit("edge", cut.edge,
-        {.meaning = "vector from the start of the edge to its end, in 3D, in the place of to: "
-                    "numbers or formulas of t",
-         .unit = "m",
-         .example = R"toml([0, "0.01*sin(t)", "-0.01*cos(t)"])toml",
-         .variables = "t"});
+  visit(
+      "edge", cut.edge,
+      {.meaning = "vector from the start of the edge to its end, in 3D, instead of to: numbers or "
+                  "formulas of t",
+       .unit = "m",
+       .example = R"toml([0, "0.01*sin(t)", "-0.01*cos(t)"])toml",
+       .variables = "t"});
   if (!cut.track.file.empty()) return;
   visit("from", cut.from,
         {.meaning = "start of the blade's edge at time start, in the undeformed body; in 2D the "
-                    "edge is this point; needed without a track, like path and end",
+                    "edge is this point; required without a track, like path and end",
          .unit = "m",
          .example = "[0, 0, 1]"});
   visit("to", cut.to,
-        {.meaning = "end of the edge, in 3D; edges that end inside the body leave it whole there",
+        {.meaning = "end of the edge, in 3D; tissue beyond it stays whole",
          .unit = "m",
          .example = "[0, 0, 0.5]"});
   visit("path", cut.path,
@@ -179,7 +180,7 @@ void blade_keys(Visitor& visit, CutCase& cut) {
          .example = "0.5",
          .limits = not_negative});
   visit("end", cut.end,
-        {.meaning = "time at which the blade has cut",
+        {.meaning = "time at which the blade stops cutting",
          .unit = "s",
          .example = "1",
          .limits = not_negative});
@@ -205,7 +206,9 @@ void cut_keys(Visitor& visit, CutCase& cut) {
          .example = "5",
          .limits = not_negative});
   visit("drag", cut.drag,
-        {.meaning = "the same, per velocity of the blade relative to the tissue (PB.18)",
+        {.meaning =
+             "viscous friction, a force per length of the edge and per velocity relative to the "
+             "tissue (PB.18)",
          .unit = "Pa s",
          .example = "20",
          .limits = not_negative});
@@ -220,8 +223,8 @@ void cut_keys(Visitor& visit, CutCase& cut) {
 template <class Visitor>
 void contact_keys(Visitor& visit, ContactCase& contact) {
   visit("bodies", BodyPair{contact.bodies},
-        {.meaning = "the two bodies; one of them twice meets itself, in the methods on the "
-                    "undeformed body",
+        {.meaning = "the two bodies; a body that is named twice is in contact with itself "
+                    "(methods on the undeformed body)",
          .example = R"(["left", "right"])",
          .required = true});
   const bool known =

@@ -13,6 +13,7 @@ namespace pliant {
 /// How a kind of boundary uses one of its keys.
 enum class Use { no, optional, required };
 
+/// One kind of boundary.
 struct BoundaryKind {
   BoundaryCase::Kind kind;
   std::string_view word;

@@ -18,6 +18,7 @@ struct MethodRules;
 
 using VectorExpression = std::array<Expression, 3>;
 
+/// A rigid rotation about a point at rest.
 struct RigidRotation {
   Vector centre = {};
   Vector angular_velocity = {};  ///< [1/s]; about z in 2D
@@ -56,6 +57,7 @@ struct MaterialCase {
   PronyCase prony_shear;             ///< reduced polynomial: of its shear modulus
 };
 
+/// A `[[body]]` table.
 struct BodyCase {
   std::string name;
   Shape geometry;
@@ -71,6 +73,7 @@ struct BodyCase {
 /// How surfaces in contact act on each other; see contact_laws.hpp.
 enum class ContactLaw { frictionless, no_slip, tied, coulomb };
 
+/// A `[[boundary]]` table: a wall, or a load on the free surface.
 struct BoundaryCase {
   enum class Kind {
     fixed,
@@ -127,6 +130,7 @@ struct CutCase {
   bool resists() const { return resistance > 0 || friction > 0 || drag > 0; }
 };
 
+/// A `[[measurement]]` table; its kind says which members have a meaning.
 struct MeasurementCase {
   /// measurement_kinds.hpp says what they are.
   enum class Kind {
@@ -206,6 +210,7 @@ struct DissipationCase {
   double stress = 0.025;  ///< gamma_sigma
 };
 
+/// A whole case in plain values, as read and checked; the keys of case files set its members.
 struct Case {
   std::string name;  ///< of the folder or the file, unless the file says
   std::string title;

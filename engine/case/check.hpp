@@ -10,6 +10,8 @@
 /// What the checks of a case share.
 namespace pliant {
 
+/// A case that is being checked: its values, its TOML source for places in messages, and the
+/// problems found so far.
 struct Check {
   const Case& a_case;
   const toml::table& root;

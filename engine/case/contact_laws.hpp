@@ -11,6 +11,7 @@
 /// of it. Tractions between bodies are in kernels/interface_traction.hpp.
 namespace pliant {
 
+/// One contact law.
 struct ContactLawRow {
   ContactLaw kind;
   std::string_view word;

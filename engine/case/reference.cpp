@@ -86,14 +86,14 @@ std::string case_reference_markdown(MethodList methods) {
   CaseDescriber describer(methods);
   Case a_case;
   case_keys(describer, a_case);
-  describer.section("geometry", "A shape: of a body, of a wall's solid, of a region.",
+  describer.section("geometry", "The shape of a body, of a wall or of a region.",
                     describe_table([](auto& visit) {
                       Shape shape;
                       shape_keys(visit, shape);
                     }));
   describer.section("prony",
-                    "What the bulk modulus (`prony`, RP.10) or the shear modulus (`prony_shear`, "
-                    "TL.24) of a reduced polynomial loses in time.",
+                    "Relaxation of the bulk modulus (`prony`, RP.10) or of the shear modulus "
+                    "(`prony_shear`, TL.24) of a reduced polynomial.",
                     describe_table([](auto& visit) {
                       PronyCase prony;
                       prony_keys(visit, prony);

@@ -251,7 +251,7 @@ void case_keys(Visitor& visit, Case& a_case) {
              [](auto& keys, CutCase& cut) { cut_keys(keys, cut); });
   visit.table("output", "Output files and intervals.",
               [&](auto& keys) { output_keys(keys, a_case.output); });
-  visit.table("checks", "What is watched in a run, see checks in the user guide.",
+  visit.table("checks", "Response to violated conservation laws, see checks in the user guide.",
               [&](auto& keys) { check_keys(keys, a_case.checks); });
   visit.list("measurement",
              "Quantity with its final value in `summary.json` and its history in `result.h5`.",

@@ -21,9 +21,9 @@ inline constexpr std::array words<Precision>{
 
 template <>
 inline constexpr std::array words<CheckResponse>{
-    word(CheckResponse::warn, "warn", "a message while the run goes on"),
+    word(CheckResponse::warn, "warn", "a message; the run continues"),
     word(CheckResponse::stop, "stop", "the run ends with exit status 3"),
-    word(CheckResponse::off, "off", "nothing")};
+    word(CheckResponse::off, "off", "no message")};
 
 template <>
 inline constexpr std::array words<BoundaryCase::LoadedArea>{

@@ -11,11 +11,13 @@
 /// What each command of the program does. Throws InputError for what the user gave wrong.
 namespace pliant::cli {
 
+/// A case and the settings that override its keys.
 struct CaseArguments {
   std::filesystem::path path;         ///< a case file or its folder
   std::vector<std::string> settings;  ///< key=value
 };
 
+/// Arguments of `pliant run`.
 struct RunArguments {
   CaseArguments source;
   std::optional<std::filesystem::path> folder;  ///< default: results/<case>
@@ -27,11 +29,13 @@ struct RunArguments {
   bool report = false;  ///< write its page at the end
 };
 
+/// Runs a case and writes its results.
 ExitStatus run(const RunArguments& arguments);
 
 /// What `run` and `check` warn of before a run, one sentence each.
 std::vector<std::string> warnings_of(const Case& settings);
 
+/// Arguments of `pliant check`.
 struct CheckArguments {
   CaseArguments source;
   bool json = false;
@@ -40,6 +44,7 @@ struct CheckArguments {
 /// Says what a case would run.
 ExitStatus check(const CheckArguments& arguments);
 
+/// Arguments of `pliant list`.
 struct ListArguments {
   std::filesystem::path folder = "cases";
   bool json = false;
@@ -48,6 +53,7 @@ struct ListArguments {
 /// Lists the cases below a folder, with their titles.
 ExitStatus list(const ListArguments& arguments);
 
+/// Arguments of `pliant graph`.
 struct GraphArguments {
   CaseArguments source;
   std::string format = "dot";  ///< dot or json
@@ -57,6 +63,7 @@ struct GraphArguments {
 /// Prints the step graph of a case.
 ExitStatus graph(const GraphArguments& arguments);
 
+/// Arguments of `pliant bench`.
 struct BenchArguments {
   bool quick = false;
   std::optional<std::int64_t> ball;
@@ -78,6 +85,7 @@ struct BenchArguments {
 /// Measures the machine and the standard set of cases on it.
 ExitStatus bench(const BenchArguments& arguments);
 
+/// Arguments of `pliant profile`.
 struct ProfileArguments {
   CaseArguments source;
   std::string budget, frame_time;  ///< with units; empty: the defaults

@@ -12,12 +12,12 @@ void add_options_of_runs(CLI::App& command, RunsArguments& arguments, const char
   command.add_option("--out", arguments.folder, out)->type_name("FOLDER");
   command
       .add_option("--executor", arguments.executor,
-                  "where runs are made: on this machine, or as job arrays of Slurm")
+                  "where runs are executed: on this machine, or as job arrays of Slurm")
       ->check(CLI::IsMember({"local", "slurm"}))
       ->capture_default_str();
   command
       .add_option("--workers", arguments.workers,
-                  "runs at once (default, and most, here: processors / threads)")
+                  "runs at the same time (default, and maximum here: processors / threads)")
       ->type_name("N");
   command.add_option("--threads", arguments.threads, "threads of each run")
       ->type_name("N")
@@ -60,11 +60,12 @@ void add_batch(Commands& commands) {
       "  pliant batch sweep.toml --executor slurm --resume\n"
       "  pliant batch status results/sweep\n"
       "  pliant batch export results/sweep > runs.csv");
-  command.add_option("SWEEP", arguments->sweep, "file that says which parameters to take")
+  command.add_option("SWEEP", arguments->sweep, "file that lists the parameters and their values")
       ->type_name("");
   add_options_of_runs(command, *arguments, "folder for the runs (default: results/<sweep>)",
-                      "do only what is missing or has failed");
-  add_ledger_command(commands, command, "status", "Say how far a batch is", true, &batch_status);
+                      "run only what is missing or has failed");
+  add_ledger_command(commands, command, "status", "Show the progress of a batch", true,
+                     &batch_status);
   add_ledger_command(commands, command, "export", "Print all runs as CSV", false, &batch_export);
   add_task_command(commands, command);
   command.callback([&commands, &command, arguments] {
@@ -77,14 +78,14 @@ void add_batch(Commands& commands) {
 void add_calibrate(Commands& commands) {
   const auto arguments = std::make_shared<CalibrateArguments>();
   CLI::App& command = commands.add(
-      "calibrate", "Find values with which a case follows measured curves",
-      "calibrate fit.toml --out results/fit\n\nExit status: 1 where it has not converged.",
-      arguments, &calibrate);
+      "calibrate", "Find the parameter values that reproduce measured curves",
+      "calibrate fit.toml --out results/fit\n\nExit status: 1 if it has not converged.", arguments,
+      &calibrate);
   command.add_option("FIT", arguments->fit, "file that names the case, parameters and curves")
       ->required()
       ->type_name("");
   add_options_of_runs(command, *arguments, "folder for the runs (default: results/<fit>)",
-                      "keep the runs that the folder has");
+                      "keep the runs in the folder");
   command.add_flag("--json", arguments->json, "print the result as JSON");
 }
 

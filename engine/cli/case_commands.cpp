@@ -58,10 +58,10 @@ void add_graph(Commands& commands) {
 
 void add_check(Commands& commands) {
   const auto arguments = std::make_shared<CheckArguments>();
-  CLI::App& command = commands.add("check", "Check a case and say what it would run",
+  CLI::App& command = commands.add("check", "Check a case and estimate its cost",
                                    "check cases/rotating_cylinder", arguments, &check);
   add_case(command, arguments->source);
-  command.add_flag("--json", arguments->json, "print it as JSON");
+  command.add_flag("--json", arguments->json, "print JSON");
 }
 
 void add_list(Commands& commands) {
@@ -71,13 +71,13 @@ void add_list(Commands& commands) {
   command.add_option("FOLDER", arguments->folder, "folder with one folder per case")
       ->type_name("")
       ->capture_default_str();
-  command.add_flag("--json", arguments->json, "print it as JSON");
+  command.add_flag("--json", arguments->json, "print JSON");
 }
 
 void add_new(Commands& commands) {
   const auto arguments = std::make_shared<NewArguments>();
-  CLI::App& command = commands.add("new", "Write a commented case to begin with", "new my_case",
-                                   arguments, &new_case);
+  CLI::App& command =
+      commands.add("new", "Write a commented case as a start", "new my_case", arguments, &new_case);
   command.add_option("NAME", arguments->folder, "name of the case: a folder that is made for it")
       ->required()
       ->type_name("");

@@ -10,7 +10,7 @@ void add_comparison(CLI::App& command, BenchArguments& arguments) {
                   "measure only rows with this in their name, as in\n"
                   "rotating_cylinder/compact (case/kernel/spacing/threads)")
       ->type_name("TEXT");
-  command.add_option("--repetitions", arguments.repetitions, "measure each row so many times")
+  command.add_option("--repetitions", arguments.repetitions, "measure each row this many times")
       ->check(CLI::Range(1, 1000))
       ->type_name("N");
   command.add_option("--save", arguments.save, "write the figures for --compare to this file")
@@ -96,7 +96,7 @@ void add_machine(CLI::App& command, ProfileArguments& arguments) {
 void add_profile(Commands& commands) {
   const auto arguments = std::make_shared<ProfileArguments>();
   CLI::App& command = commands.add(
-      "profile", "Measure whether a case holds a budget of time for each frame",
+      "profile", "Measure whether a case holds a time budget for each frame",
       "profile cases/rotating_cylinder --budget 16.7ms --trace trace.json", arguments, &profile);
   add_case(command, arguments->source);
   const auto add = [&](const char* name, auto& value, const char* meaning, const char* type) {
@@ -108,12 +108,11 @@ void add_profile(Commands& commands) {
   command
       .add_option("--frames", arguments->frames,
                   "frames to measure, also beyond the end of the case\n"
-                  "(default: all that the case has, at most 600)")
+                  "(default: all frames of the case, at most 600)")
       ->check(CLI::Range(1, 10'000'000))
       ->type_name("N");
   command
-      .add_option("--warm-up", arguments->warm_up,
-                  "frames before them that do not count (default: 10)")
+      .add_option("--warm-up", arguments->warm_up, "earlier frames that do not count (default: 10)")
       ->check(CLI::Range(0, 1'000'000))
       ->type_name("N");
   command

@@ -22,7 +22,8 @@ void add_completion(Commands& commands) {
       "completion", "Print a script that completes the command line in a shell");
   command.group("Commands");
   command.footer(
-      "Installed programs have them. Examples for others:\n  source <(pliant completion bash)\n"
+      "An installed pliant includes these scripts. Without installation:\n  source <(pliant "
+      "completion bash)\n"
       "  pliant completion fish > ~/.config/fish/completions/pliant.fish");
   const auto shell = std::make_shared<std::string>();
   command.add_option("SHELL", *shell, "bash, zsh or fish")

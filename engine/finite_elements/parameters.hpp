@@ -17,6 +17,7 @@ struct Parameters {
   double damping = 0;  ///< mass-proportional, (PB.10) [1/s]
 };
 
+/// The table of the method in a case.
 inline const Parameters& parameters_of(const Case& settings) {
   return settings.parameters.as<Parameters>();
 }

@@ -25,6 +25,7 @@ class MeshError : public std::runtime_error {
 
 using Triangle = std::array<std::int32_t, 3>;  ///< vertices, counter-clockwise seen from outside
 
+/// A surface of triangles.
 struct SurfaceMesh {
   std::vector<Vector> vertices;  ///< in the unit of the file; finite
   std::vector<Triangle> triangles;

@@ -10,6 +10,7 @@
 /// Meshes that fill a body: tetrahedra in 3D, triangles in 2D.
 namespace pliant {
 
+/// Tetrahedra, or triangles in 2D, between shared vertices.
 struct VolumeMesh {
   int dimension = 3;
   std::vector<Vector> vertices;  ///< in the unit of the file; each belongs to an element

@@ -4,6 +4,7 @@
 
 namespace pliant {
 
+/// a . b
 template <int D>
 double dot(const Point<D>& a, const Point<D>& b) {
   double sum = 0;

@@ -12,6 +12,7 @@
 /// Points and boundaries in an archive.
 namespace pliant {
 
+/// Writes points as one list of components.
 template <int D>
 void put_points(ArchiveWriter& archive, const std::string& name,
                 const std::vector<Point<D>>& points) {
@@ -50,6 +51,7 @@ void put_boundaries(ArchiveWriter& archive, const Boundaries<D>& boundaries) {
   archive.put("pressures/set_value", std::span<const double>(pressures));
 }
 
+/// Reads what `put_boundaries` has written.
 template <int D>
 void get_boundaries(const ArchiveReader& archive, Boundaries<D>& boundaries) {
   std::vector<Point<D>> offsets(boundaries.walls.size()), velocities(offsets);

@@ -30,6 +30,7 @@ hid_t checked(hid_t returned, std::string_view doing);
 /// HDF5 prints its error stack unless told not to, once for each thread; ours go into exceptions.
 void silence();
 
+/// Owns an HDF5 identifier and closes it.
 class Handle {
  public:
   using Close = herr_t (*)(hid_t);
@@ -54,6 +55,7 @@ class Handle {
   Close close_ = nullptr;
 };
 
+/// The HDF5 type of a C++ type.
 template <class T>
 hid_t type_of();
 template <>

@@ -149,8 +149,9 @@ template <class T, int D>
 void FaceContact<T, D>::push(Body<T, D>& body, const Side& above, const Faces& faces, double length,
                              double drift) {
   const Point<D>& n = faces.normal;
+  undeformed::BodyCarriers<T, D> carriers(body, body.displacement, held_);
   const auto soft_side = [&](const Side& side) {
-    return undeformed::compliance<T, D>(body, held_, side.shares(), n);
+    return undeformed::compliance<D>(carriers, side.shares(), n);
   };
   const double soft = soft_side(above) + soft_side(faces.below);
   if (soft == 0) return;
@@ -168,9 +169,9 @@ void FaceContact<T, D>::push(Body<T, D>& body, const Side& above, const Faces& f
     impulse[a] = (pushed * n[a] - taken * slip[a]) / soft;
     moved[a] = (-faces.gap * n[a] - drift * taken * slip[a]) / soft;
   }
-  undeformed::push<T, D>(body, body.displacement, held_, above.shares(), impulse, moved);
+  undeformed::push_point<D>(carriers, above.shares(), impulse, moved);
   for (int a = 0; a < D; ++a) impulse[a] = -impulse[a], moved[a] = -moved[a];
-  undeformed::push<T, D>(body, body.displacement, held_, faces.below.shares(), impulse, moved);
+  undeformed::push_point<D>(carriers, faces.below.shares(), impulse, moved);
 }
 
 template <class T, int D>

@@ -21,6 +21,7 @@
 // for the product of the slip and the overlap that is taken back.
 namespace pliant::point_based {
 
+/// The contact of all cuts of one body with themselves.
 template <class T, int D>
 class FaceContact {
  public:

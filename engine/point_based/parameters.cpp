@@ -10,7 +10,7 @@ int neighbour_count(const Case& settings) {
 void visit_keys(MethodKeys& visit, MethodParameters& parameters) {
   auto& method = parameters.as<Parameters>();
   visit("nodes", method.nodes,
-        {.meaning = "places of the nodes of a body whose geometry is no mesh of tetrahedra",
+        {.meaning = "positions of the nodes of a body whose geometry is not a mesh of tetrahedra",
          .example = R"("lattice")"});
   visit(
       "coarsest_spacing", method.coarsest_spacing,
@@ -18,17 +18,16 @@ void visit_keys(MethodKeys& visit, MethodParameters& parameters) {
        .unit = "m",
        .example = "0.01",
        .limits = not_negative});
-  visit(
-      "cut_rule", method.cut_rule,
-      {.meaning = "what a cut leaves of the bonds that it crosses", .example = R"("visibility")"});
+  visit("cut_rule", method.cut_rule,
+        {.meaning = "weights of the bonds that a cut crosses", .example = R"("visibility")"});
   visit("cut_contact", NumberOrWord{method.cut_contact, "off", "a coefficient of friction"},
         {.meaning =
-             R"(coefficient of friction with which the faces of a cut meet (PB.20), or "off": )"
-             "they pass through each other",
+             R"(coefficient of friction between the faces of a cut (PB.20), or "off": they pass )"
+             "through each other",
          .example = "0.1",
          .limits = not_negative});
   visit("gradient", method.gradient,
-        {.meaning = "how a node finds its gradient", .example = R"("moving_least_squares")"});
+        {.meaning = "deformation gradient of a node", .example = R"("moving_least_squares")"});
   visit("neighbours", method.neighbours,
         {.meaning = "neighbours of each node (PB.2); 0 takes 26 in 3D and 12 in 2D",
          .example = "26",
@@ -45,7 +44,7 @@ void visit_keys(MethodKeys& visit, MethodParameters& parameters) {
          .example = "0.5",
          .limits = not_negative});
   visit("stiffness_damping", method.stiffness_damping,
-        {.meaning = "stiffness-proportional damping time (PB.9), which damps fast motion most",
+        {.meaning = "stiffness-proportional damping time (PB.9), which damps high frequencies most",
          .unit = "s",
          .example = "1e-4",
          .limits = not_negative});

@@ -30,6 +30,7 @@ struct Parameters {
   double stiffness_damping = 0;  ///< beta of (PB.9) [s]
 };
 
+/// The table of the method in a case.
 inline const Parameters& parameters_of(const Case& settings) {
   return settings.parameters.as<Parameters>();
 }
@@ -74,7 +75,7 @@ inline constexpr std::array words<point_based::CutRule>{
 template <>
 inline constexpr std::array words<point_based::NodeGradient>{
     word(point_based::NodeGradient::moving_least_squares, "moving_least_squares",
-         "moving least squares (PB.3); nodes with cuts need it"),
+         "moving least squares (PB.3); required in bodies with cuts"),
     word(point_based::NodeGradient::patch_exact, "patch_exact",
          "the nearest gradient with which the forces of a uniform stress are exact (PB.17)")};
 

@@ -5,7 +5,8 @@
 
 #include "engine/lattice/point_algebra.hpp"
 #include "engine/point_based/cutting/subdivide.hpp"
-#include "engine/undeformed/corner_search.hpp"
+#include "engine/undeformed/contact_surface.hpp"
+#include "engine/undeformed/facet_point.hpp"
 #include "kernels/material.hpp"
 
 namespace pliant::point_based {
@@ -80,10 +81,7 @@ auto Puncture<T, D>::touch(const Body<T, D>& body, const std::vector<std::int32_
   for (const std::int32_t facet : facets) {
     const std::array<Point<D>, D> places = corners(body, facet);
     const auto weight = undeformed::nearest_weights(places, x);
-    Point<D> away = x;
-    for (int v = 0; v < D; ++v) {
-      for (int a = 0; a < D; ++a) away[a] -= weight[v] * places[v][a];
-    }
+    const Point<D> away = undeformed::way_from<D>(places, weight, x);
     const double square = dot<D>(away, away);
     if (square > same_distance * least) continue;
     Touch found{{}, undeformed::area_vector<D>(places), 0};
@@ -114,13 +112,14 @@ BladeLoad<D> Puncture<T, D>::push(Body<T, D>& body, const Edge& before, const Ed
   const Edge points = points_of(now), from = points_of(before);
   const std::vector<std::int32_t> facets = facets_near(body, points);
   const bool in_middle = step.drift == step.length;
+  undeformed::BodyCarriers<T, D> carriers(body, body.displacement, held_);
   BladeLoad<D> sum;
   for (int sweep = 0; sweep < puncture_sweeps && !facets.empty(); ++sweep) {
     for (std::size_t k = 0; k < points.size(); ++k) {
       const auto met = touch(body, facets, points[k]);
       if (!met) continue;
       const Point<D>& n = met->normal;
-      const double soft = undeformed::compliance<T, D>(body, held_, met->shares, n);
+      const double soft = undeformed::compliance<D>(carriers, met->shares, n);
       if (soft == 0) continue;
       Point<D> velocity = difference<D>(points[k], from[std::min(k, from.size() - 1)]);
       for (double& component : velocity) component /= step.length;
@@ -135,7 +134,7 @@ BladeLoad<D> Puncture<T, D>::push(Body<T, D>& body, const Edge& before, const Ed
         sum.force[a] += force;
         sum.power += force * velocity[a];
       }
-      undeformed::push<T, D>(body, body.displacement, held_, met->shares, impulse, moved);
+      undeformed::push_point<D>(carriers, met->shares, impulse, moved);
     }
   }
   const double kept = std::exp(-step.length / time_constant_);

@@ -24,6 +24,7 @@ struct ContactStep {
   double inertia;  ///< of a node, over its mass
 };
 
+/// One blade outside one body.
 template <class T, int D>
 class Puncture {
  public:

@@ -62,7 +62,8 @@ void Step<T, D>::prepare_blocks() {
   loads_.prepare_blocks();
   work_.clear_blocks();
   for (const Body<T, D>& body : state_.bodies) work_.add_blocks(body);
-  prepare_contact();
+  body_contact_.take_surfaces(state_.bodies);
+  contact_.take_surfaces(state_.bodies, undeformed::WallContact<T, D>::Bearers::first);
 }
 
 template <class T, int D>
@@ -168,17 +169,6 @@ void Step<T, D>::prepare(const Advance& advance) {
   loads_.prepare(is_leapfrog(settings_) ? middle : advance.time);
   work_.prepare(middle, advance.length, drift_length());
   body_contact_.prepare(advance.length, advance.length, drift_length());
-}
-
-template <class T, int D>
-void Step<T, D>::prepare_contact() {
-  body_contact_.take_surfaces(state_.bodies);
-  contact_.clear_surfaces();
-  if (!contact_.exists()) return;
-  using Bearers = typename undeformed::WallContact<T, D>::Bearers;
-  for (Body<T, D>& body : state_.bodies) {
-    contact_.add_surface(body, contact_surface(body), Bearers::first);
-  }
 }
 
 template <class T, int D>

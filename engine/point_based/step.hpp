@@ -59,7 +59,6 @@ class Step {
  private:
   void cut(int block);
   void evaluate_forces(int block);
-  void prepare_contact();
   bool has_faces() const;
   void meet_faces();
   bool has_punctures() const;

@@ -10,6 +10,7 @@
 /// What the times of frames say about a budget.
 namespace pliant::profile {
 
+/// Mean, percentiles and maximum of times [s].
 struct Distribution {
   double mean = 0, p50 = 0, p95 = 0, p99 = 0, p999 = 0, most = 0;
 };
@@ -23,6 +24,7 @@ struct Part {
   double excess() const { return in_worst - median; }
 };
 
+/// Whether the budget is held, and where the time goes.
 struct Verdict {
   bool held = false;
   double at_percentile = 0;  ///< frame time [s]

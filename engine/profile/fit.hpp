@@ -19,6 +19,7 @@ struct FitTry {
   std::string problem = {};  ///< why it could not run; empty where it could
 };
 
+/// All spacings that were tried, and the best of them.
 struct Fit {
   std::vector<FitTry> tries;  ///< in order
   int best = -1;              ///< of `tries`; -1: no spacing holds the budget

@@ -13,6 +13,7 @@
 /// of which should take no longer than a budget of wall time.
 namespace pliant::profile {
 
+/// The budget, the frames to measure, and the machine to use.
 struct ProfileOptions {
   double budget = 1. / 60;         ///< wall time for a frame [s]
   double frame_seconds = 1. / 60;  ///< simulated time of a frame [s]

@@ -115,9 +115,8 @@ std::string worst_table(const Profile& profile, const Verdict& verdict) {
                     largest_excess(verdict, frame, names));
   }
   return text +
-         "CPU %: processor time over threads x wall time. switches: how often a thread had to "
-         "leave "
-         "a\nprocessor. stolen: time of other guests of the host [ms, of ticks of 10].\n";
+         "CPU %: processor time over threads x wall time. switches: involuntary context switches.\n"
+         "stolen: time that the host gave to other guests [ms, in ticks of 10].\n";
 }
 
 /// Processor time over the time that threads were inside steps and not waiting. Below 1 the machine
@@ -136,9 +135,8 @@ double processor_share(const Profile& profile, const std::vector<std::size_t>& f
 
 std::string blame(const Profile& profile, const Verdict& verdict) {
   const Part& part = verdict.parts[verdict.to_blame];
-  std::string text =
-      fmt::format("\nto blame: `{}`, {} longer in the worst frames than its median\n", part.name,
-                  short_time(std::max(0.0, part.excess())));
+  std::string text = fmt::format("\ncause: `{}`, {} longer in the worst frames than its median\n",
+                                 part.name, short_time(std::max(0.0, part.excess())));
   const double share = processor_share(profile, verdict.worst);
   constexpr double undisturbed = 0.9;
   if (share < undisturbed) {

@@ -17,7 +17,8 @@ void visit_keys(MethodKeys& visit, MethodParameters& parameters) {
         {.meaning = "velocity and spin of bodies that no wall, load or other body pushes",
          .example = R"("kept")"});
   visit("mass_scaling", remeshed.mass_scaling,
-        {.meaning = "factor of the inertia, for slow loads: steps are longer by its root (RP.87)",
+        {.meaning =
+             "factor of the inertia, for slow loads: steps are longer by its square root (RP.87)",
          .example = "1e4",
          .limits = at_least_one});
 }

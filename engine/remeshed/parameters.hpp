@@ -26,6 +26,7 @@ struct Parameters {
   double mass_scaling = 1;  ///< M of (RP.87): inertia over mass
 };
 
+/// The table of the method in a case.
 inline const Parameters& parameters_of(const Case& settings) {
   return settings.parameters.as<Parameters>();
 }
@@ -66,8 +67,8 @@ inline constexpr std::array words<remeshed::Determinant>{
 template <>
 inline constexpr std::array words<remeshed::FreeMotion>{
     word(remeshed::FreeMotion::kept, "kept",
-         "corrected after each remeshing to what body forces leave (RP.90)"),
+         "corrected after each remeshing so that body forces alone change it (RP.90)"),
     word(remeshed::FreeMotion::remeshed, "remeshed",
-         "as steps and remeshings leave it, as in Hieber & Koumoutsakos")};
+         "without a correction, as in Hieber & Koumoutsakos")};
 
 }  // namespace pliant

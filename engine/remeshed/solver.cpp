@@ -10,9 +10,9 @@
 #include "engine/method/archived_points.hpp"
 #include "engine/method/step_length.hpp"
 #include "engine/remeshed/check_state.hpp"
-#include "engine/remeshed/contact/wall_contact.hpp"
 #include "engine/remeshed/observe/field_views.hpp"
 #include "engine/remeshed/observe/frame.hpp"
+#include "engine/remeshed/remeshing/remeshing_due.hpp"
 #include "engine/remeshed/resources.hpp"
 #include "engine/remeshed/setup.hpp"
 #include "engine/remeshed/state_archive.hpp"
@@ -30,11 +30,6 @@ std::vector<std::string> remedies(const Case& settings) {
               : "remesh more often (remeshing.every)",
           "use a finer spacing"};
 }
-
-// Ghosts between bodies, or between a body and a contact wall, belong to where the bodies were at
-// the last remeshing. Bodies that fly towards each other do not deform, and the edge of a contact
-// moves along.
-constexpr std::int64_t most_steps_in_contact = 10;
 
 }  // namespace
 
@@ -88,7 +83,7 @@ template <class T, int D>
 void Solver<T, D>::take_step(double dt) {
   move(dt);
   add_particle_stages(4 * particles());
-  if (remeshing_due()) remesh();
+  if (remeshing_is_due(settings(), state_)) remesh();
 }
 
 template <class T, int D>
@@ -121,31 +116,6 @@ void Solver<T, D>::move(double dt) {
   clock.strain_rate = step_.results().total().strain_rate;
   clock.wave_speed = slowing_ * step_.results().total().wave_speed;
   search_.add_strain(step_.results(), dt);
-}
-
-template <class T, int D>
-bool Solver<T, D>::remeshing_due() const {
-  using Policy = decltype(Case::remeshing)::Policy;
-  switch (settings().remeshing.policy) {
-    case Policy::every:
-      return state_.clock.steps_since_remeshing >= settings().remeshing.every;
-    case Policy::adaptive:
-      return state_.clock.accumulated_strain > settings().remeshing.strain_threshold ||
-             state_.clock.deformation > settings().remeshing.deformation_threshold ||
-             (state_.clock.steps_since_remeshing >= most_steps_in_contact && moves_in_contact());
-    case Policy::never:
-      return false;
-  }
-  return false;
-}
-
-// (RP.96). Where nothing moves, each remeshing would only add its own error.
-template <class T, int D>
-bool Solver<T, D>::moves_in_contact() const {
-  return !settings().contacts.empty() ||
-         std::ranges::any_of(state_.bodies, [this](const Body<T, D>& body) {
-           return has_moved_at_walls(body, state_.boundaries, state_.clock.time);
-         });
 }
 
 template <class T, int D>

@@ -66,8 +66,6 @@ class Solver final : public pliant::Solver {
   void save_state(ArchiveWriter& archive) const override;
   void restore_state(const ArchiveReader& archive) override;
   bool lies_on_nodes() const { return state_.clock.steps_since_remeshing == 0; }
-  bool remeshing_due() const;
-  bool moves_in_contact() const;
   void remesh();
   void remesh_onto_spare(bool reinitialise, bool is_final);
   std::vector<scheduler::Phase> source_phases();

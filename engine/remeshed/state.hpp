@@ -23,14 +23,14 @@ struct Clock : StepClock {
   double damping = 0;             ///< alpha of (RP.71) in the next step [1/s]
 };
 
-/// Of a body in contact, see momentum_correction.hpp.
+/// Of a body in contact, see contact_momentum_correction.hpp.
 template <int D>
 struct MomentumBudget {
   double mass = 0;         ///< M of (RP.87) times that at t = 0 [kg]
   Point<D> momentum = {};  ///< [N s]
 };
 
-/// Of any body that has a surface, see motion_correction.hpp.
+/// Of any body that has a surface, see free_motion_correction.hpp.
 template <int D>
 struct MotionBudget {
   double mass = 0;         ///< M of (RP.87) times that after the last remeshing [kg]
@@ -39,6 +39,7 @@ struct MotionBudget {
   bool is_known = false;   ///< unless something has held or pushed the body since then
 };
 
+/// All bodies of a case, with the walls, clocks and budgets that they share.
 template <class T, int D>
 struct State {
   Clock clock;

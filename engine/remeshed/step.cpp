@@ -73,7 +73,7 @@ std::vector<Phase> Step<T, D>::phases() {
     add_advance(phases, stage);
   }
   if (momentum_.is_needed()) {
-    momentum_.add_phases(phases, [this]() -> typename MomentumCorrection<T, D>::Impulses {
+    momentum_.add_phases(phases, [this]() -> typename ContactMomentumCorrection<T, D>::Impulses {
       return {contact_.fold(), work_.body_force_impulse(), work_.wall_impulse(), work_.sticks()};
     });
   }

@@ -4,8 +4,8 @@
 
 #include "engine/method/phase_rows.hpp"
 #include "engine/remeshed/contact/body_contact.hpp"
-#include "engine/remeshed/contact/momentum_correction.hpp"
-#include "engine/remeshed/remeshing/motion_correction.hpp"
+#include "engine/remeshed/contact/contact_momentum_correction.hpp"
+#include "engine/remeshed/remeshing/free_motion_correction.hpp"
 #include "engine/remeshed/stage_work.hpp"
 #include "engine/remeshed/state.hpp"
 #include "kernels/remeshed/table.hpp"
@@ -26,7 +26,7 @@ class Step {
   std::vector<scheduler::Phase> ghost_phases();
   /// Those that compute the stress of a state that no stage has left behind.
   std::vector<scheduler::Phase> stress_phases();
-  MomentumCorrection<T, D>& momentum() { return momentum_; }
+  ContactMomentumCorrection<T, D>& momentum() { return momentum_; }
 
   /// Fixes the time step [s] and what the boundaries impose at each stage.
   void prepare(double time_step);
@@ -61,8 +61,8 @@ class Step {
   const Case& settings_;
   StageWork<T, D> work_;
   BodyContact<T, D> contact_;
-  MomentumCorrection<T, D> momentum_;
-  MotionCorrection<T, D> motion_;
+  ContactMomentumCorrection<T, D> momentum_;
+  FreeMotionCorrection<T, D> motion_;
 };
 
 extern template class Step<double, 2>;

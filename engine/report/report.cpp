@@ -123,20 +123,20 @@ Json notes_of(const RunReader& run, const PackedFrames& packed, std::size_t scal
   const auto& [shift, kept, every_frame, every_particle] = packed.thinning;
   if (!has_summary)
     notes.push_back(
-        "The run has not reached its end: it is at work, or was interrupted. The same `pliant run` "
-        "with --resume continues it.");
-  if (run.frames().empty()) notes.push_back("It has no frame yet that could be shown.");
+        "The run has not reached its end: it is still running, or was interrupted. The same "
+        "`pliant run` with --resume continues it.");
+  if (run.frames().empty()) notes.push_back("It has no complete frame yet.");
   if (every_frame > 1)
     notes.push_back(
         fmt::format("This page shows {} of {} frames.", packed.times.size(), run.frames().size()));
   if (every_particle > 1)
-    notes.push_back(fmt::format("It shows one of {} particles.", every_particle));
+    notes.push_back(fmt::format("It shows one in {} particles.", every_particle));
   if (kept < scalars)
     notes.push_back(
-        fmt::format("It has {} of {} fields; --field NAME chooses others.", kept, scalars));
+        fmt::format("It shows {} of {} fields; --field NAME chooses others.", kept, scalars));
   if (shift > 0)
     notes.push_back(fmt::format("Positions and fields are shown with {} bits.", 16 - shift));
-  if (stride > 1) notes.push_back(fmt::format("Curves show one of {} samples.", stride));
+  if (stride > 1) notes.push_back(fmt::format("Curves show one in {} samples.", stride));
   if (run.dimension() == 3 && run.corners() == 0 && !run.frames().empty())
     notes.push_back("Run with --set output.surface=true to see surfaces instead of particles.");
   return notes;

@@ -12,6 +12,7 @@
 
 namespace pliant::report {
 
+/// The history of a measurement.
 struct History {
   std::string name, unit;
   std::vector<double> time, value;

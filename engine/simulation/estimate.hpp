@@ -10,6 +10,7 @@
 /// What a run will cost, before it is set up.
 namespace pliant {
 
+/// Size and number of steps of a run.
 struct Estimate {
   std::int64_t particles = 0, slots = 0, steps = 0;
   std::int64_t looks = 0;  ///< outputs that cost as much as a step each

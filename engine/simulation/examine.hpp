@@ -35,6 +35,7 @@ struct ExaminedContact {
   std::string text() const;
 };
 
+/// What `pliant check` finds out about a case of a method with nodes.
 struct Examined {
   std::vector<ExaminedBody> bodies;
   std::vector<ExaminedContact> contacts;

@@ -270,7 +270,7 @@ class Run {
     if (!(end.kinetic_energy > small * end.strain_energy)) return;
     progress_.message(fmt::format(
         "warning: the kinetic energy of the scaled mass is {:.2g} of the strain energy in the end: "
-        "not the static answer; load more slowly (time.end), scale the mass less, or add "
+        "not the static solution; load more slowly (time.end), scale the mass less, or add "
         "{}.damping",
         end.kinetic_energy / end.strain_energy,
         settings_.rules->remeshes ? "discretisation" : settings_.method));

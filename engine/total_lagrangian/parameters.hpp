@@ -14,6 +14,7 @@ struct Parameters {
   std::optional<double> damping = 0.;         ///< alpha of (TL.8) [1/s]; none: adaptive, (TL.10)
 };
 
+/// The table of the method in a case.
 inline const Parameters& parameters_of(const Case& settings) {
   return settings.parameters.as<Parameters>();
 }

@@ -51,7 +51,8 @@ template <class T, int D>
 std::vector<Phase> Step<T, D>::phases() {
   results_.assign(state_.blocks.size(), {});
   boundary_forces_.prepare_blocks();
-  prepare_contact();
+  body_contact_.take_surfaces(state_.bodies);
+  contact_.take_surfaces(state_.bodies, undeformed::WallContact<T, D>::Bearers::all);
   reserve_forces();
   prepare_memory();
   std::vector<Phase> phases;
@@ -95,17 +96,6 @@ void Step<T, D>::reserve_forces() {
   force_.resize(workers_.threads());
   for (std::array<Buffer<T>, D>& force : force_) {
     for (Buffer<T>& component : force) component.grow(slots, T(0));
-  }
-}
-
-template <class T, int D>
-void Step<T, D>::prepare_contact() {
-  body_contact_.take_surfaces(state_.bodies);
-  contact_.clear_surfaces();
-  if (!contact_.exists()) return;
-  using Bearers = typename undeformed::WallContact<T, D>::Bearers;
-  for (Body<T, D>& body : state_.bodies) {
-    contact_.add_surface(body, contact_surface(body), Bearers::all);
   }
 }
 

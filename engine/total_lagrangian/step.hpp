@@ -50,7 +50,6 @@ class Step {
   StepResult fold();
 
  private:
-  void prepare_contact();
   bool bodies_touch() const { return contact_.exists() || body_contact_.exists(); }
   void prepare_memory();
   void list_memory(std::size_t body);

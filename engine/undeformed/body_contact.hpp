@@ -30,6 +30,7 @@ struct ContactFields {
   Resources lists, places, normals, touches;
 };
 
+/// Keeps the surfaces of bodies out of each other, (TL.15), and ties those that are `tied`.
 template <class T, int D>
 class BodyContact {
  public:

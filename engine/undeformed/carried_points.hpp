@@ -1,20 +1,60 @@
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <span>
 
-#include "engine/undeformed/body.hpp"
+#include "engine/lattice/point_algebra.hpp"
 #include "engine/undeformed/held_directions.hpp"
 
-/// Points that move with several particles, and impulses on them. Each particle takes its share of
-/// an impulse, so that no momentum is lost, and no angular momentum where the shares put the point
-/// where it is.
+/// Points that move with several particles, their carriers, and impulses on them. Each carrier
+/// takes its share of an impulse, so that no momentum is lost, and no angular momentum where the
+/// shares put the point where it is.
+///
+/// The functions take their carriers from a body (BodyCarriers) or from a surface in contact
+/// (MovingSurface). Both have `carrier(number)` and `change(number, velocity, displacement)`.
 namespace pliant::undeformed {
 
-/// A particle and how much a point moves with it; of one point, all shares add up to 1.
+/// A carrier and how much a point moves with it; of one point, all shares add up to 1.
 struct Share {
   std::int32_t slot;
   double weight;
+};
+
+/// A particle that carries points.
+template <int D>
+struct Carrier {
+  std::int32_t slot;
+  double inverse_mass;  ///< [1/kg]
+  /// Projection onto the directions that walls leave free; null without a wall.
+  const std::array<double, D * D>* free_directions;
+};
+
+/// The particles of a body as carriers, numbered by their slots. Keeps references.
+template <class T, int D>
+class BodyCarriers {
+ public:
+  /// `displacement` is the array of the body that a step leaves its displacements in.
+  BodyCarriers(Body<T, D>& body, std::array<Buffer<T>, D>& displacement,
+               const HeldDirections<D>& held)
+      : body_(body), displacement_(displacement), held_(held) {}
+
+  Carrier<D> carrier(std::int32_t slot) const {
+    const auto at = held_.find(slot);
+    return {slot, double{body_.inverse_mass[slot]}, at == held_.end() ? nullptr : &at->second};
+  }
+  /// Adds to velocity [m/s] and displacement [m].
+  void change(std::int32_t slot, const Point<D>& velocity, const Point<D>& displacement) {
+    for (int a = 0; a < D; ++a) {
+      body_.velocity[a][slot] += static_cast<T>(velocity[a]);
+      displacement_[a][slot] += static_cast<T>(displacement[a]);
+    }
+  }
+
+ private:
+  Body<T, D>& body_;
+  std::array<Buffer<T>, D>& displacement_;
+  const HeldDirections<D>& held_;
 };
 
 /// Displacement [m] or velocity [m/s] of a point, from those of the particles.
@@ -27,40 +67,41 @@ Point<D> carried(const std::array<Buffer<T>, D>& of_particles, std::span<const S
   return sum;
 }
 
-/// Velocity of a point along the unit vector `n` for an impulse along it [1/kg]; walls hold
-/// particles.
-template <class T, int D>
-double compliance(const Body<T, D>& body, const HeldDirections<D>& held,
-                  std::span<const Share> shares, const Point<D>& n) {
+/// Change of the velocity of a point per impulse on it, if no wall held its carriers [1/kg].
+template <class Carriers>
+double free_compliance(const Carriers& carriers, std::span<const Share> shares) {
   double sum = 0;
   for (const Share& share : shares) {
-    double free = 1;
-    if (const auto at = held.find(share.slot); at != held.end()) {
-      free = 0;
-      for (int i = 0; i < D; ++i) {
-        for (int j = 0; j < D; ++j) free += n[i] * at->second[D * i + j] * n[j];
-      }
-    }
-    sum += free * share.weight * share.weight * body.inverse_mass[share.slot];
+    sum += share.weight * share.weight * carriers.carrier(share.slot).inverse_mass;
   }
   return sum;
 }
 
-/// Gives a point an impulse [N s], and moves it, in these displacements of the body, by the
-/// response to another one, `moved` [kg m].
-template <class T, int D>
-void push(Body<T, D>& body, std::array<Buffer<T>, D>& displacements, const HeldDirections<D>& held,
-          std::span<const Share> shares, const Point<D>& impulse, const Point<D>& moved) {
+/// Change of the velocity of a point along the unit vector `n` per impulse along `n` [1/kg].
+template <int D, class Carriers>
+double compliance(const Carriers& carriers, std::span<const Share> shares, const Point<D>& n) {
+  double sum = 0;
   for (const Share& share : shares) {
-    const double response = share.weight * body.inverse_mass[share.slot];
-    const auto at = held.find(share.slot);
-    const bool is_held = at != held.end();
-    const Point<D> velocity = is_held ? projected<D>(at->second, impulse) : impulse;
-    const Point<D> displacement = is_held ? projected<D>(at->second, moved) : moved;
-    for (int a = 0; a < D; ++a) {
-      body.velocity[a][share.slot] += static_cast<T>(response * velocity[a]);
-      displacements[a][share.slot] += static_cast<T>(response * displacement[a]);
-    }
+    const Carrier<D> carrier = carriers.carrier(share.slot);
+    const auto* directions = carrier.free_directions;
+    const double free = directions ? dot<D>(n, projected<D>(*directions, n)) : 1;
+    sum += free * share.weight * share.weight * carrier.inverse_mass;
+  }
+  return sum;
+}
+
+/// Gives a point an impulse [N s], and displaces it by the response to another one, `moved` [kg m].
+template <int D, class Carriers>
+void push_point(Carriers& carriers, std::span<const Share> shares, const Point<D>& impulse,
+                const Point<D>& moved) {
+  for (const Share& share : shares) {
+    const Carrier<D> carrier = carriers.carrier(share.slot);
+    const auto* directions = carrier.free_directions;
+    const double response = share.weight * carrier.inverse_mass;
+    Point<D> velocity = directions ? projected<D>(*directions, impulse) : impulse;
+    Point<D> displacement = directions ? projected<D>(*directions, moved) : moved;
+    for (int a = 0; a < D; ++a) velocity[a] *= response, displacement[a] *= response;
+    carriers.change(share.slot, velocity, displacement);
   }
 }
 

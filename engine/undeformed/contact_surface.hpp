@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdint>
@@ -35,7 +36,35 @@ struct ContactSurface {
     share.insert(share.end(), shares.begin(), shares.end());
     first_share.push_back(static_cast<std::int32_t>(share.size()));
   }
+  /// Appends the shares of a point of the facet `number`, whose corners have these weights there:
+  /// each slot once, ascending, if those of each corner ascend.
+  void append_shares(std::int32_t number, const std::array<double, D>& weight,
+                     std::vector<Share>& of_point) const;
 };
+
+template <int D>
+void ContactSurface<D>::append_shares(std::int32_t number, const std::array<double, D>& weight,
+                                      std::vector<Share>& of_point) const {
+  constexpr std::int32_t none = std::numeric_limits<std::int32_t>::max();
+  std::array<std::span<const Share>, D> rest;
+  for (int v = 0; v < D; ++v) {
+    if (weight[v] != 0) rest[v] = shares(facet[number][v]);
+  }
+  for (;;) {
+    std::int32_t next = none;
+    for (const auto& of_corner : rest) {
+      if (!of_corner.empty()) next = std::min(next, of_corner.front().slot);
+    }
+    if (next == none) return;
+    double sum = 0;
+    for (int v = 0; v < D; ++v) {
+      if (rest[v].empty() || rest[v].front().slot != next) continue;
+      sum += weight[v] * rest[v].front().weight;
+      rest[v] = rest[v].subspan(1);
+    }
+    of_point.push_back({next, sum});
+  }
+}
 
 /// Gives `v` the length 1, where it has any; returns the length that it had.
 template <int D>

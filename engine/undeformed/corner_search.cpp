@@ -5,8 +5,7 @@
 #include <limits>
 #include <utility>
 
-#include "engine/blocks/box_tree.hpp"
-#include "engine/geometry/triangle_foot.hpp"
+#include "engine/undeformed/facet_point.hpp"
 
 namespace pliant::undeformed {
 
@@ -17,24 +16,6 @@ constexpr double deepest_of_one = 0.5;  // in the same one
 constexpr double apart_at_rest = 3;     // parts of one body that can meet [spacing]
 constexpr double least_ahead = 0.5;     // cosine to the normal, of what lies across a slot
 constexpr double without_rounding = 1 - 1e-6;
-constexpr double list_margin = 0.5;  // that patches move between two lists [spacing]
-constexpr double pair_margin = 4;    // that bodies move between two pairings, at least [spacing]
-
-}  // namespace
-
-std::array<double, 2> nearest_weights(const std::array<Point<2>, 2>& c, const Point<2>& x) {
-  const Point<2> along = difference<2>(c[1], c[0]);
-  const double square = dot<2>(along, along);
-  if (square == 0) return {1, 0};
-  const double t = std::clamp(dot<2>(difference<2>(x, c[0]), along) / square, 0., 1.);
-  return {1 - t, t};
-}
-std::array<double, 3> nearest_weights(const std::array<Point<3>, 3>& c, const Point<3>& x) {
-  const auto vector = [](const Point<3>& p) { return Eigen::Vector3d(p[0], p[1], p[2]); };
-  return foot_on_triangle({vector(c[0]), vector(c[1]), vector(c[2])}, vector(x)).weight;
-}
-
-namespace {
 
 template <int D>
 double distance_to_facet(const std::array<Point<D>, D>& c, const Point<D>& x) {
@@ -50,141 +31,42 @@ CornerSearch<T, D>::CornerSearch(MovingSurface<T, D>& corners, MovingSurface<T, 
       facets_(facets),
       same_(&corners == &facets),
       deepest_((same_ ? deepest_of_one : deepest_of_two) * facets.spacing()),
-      margin_(list_margin * facets.spacing()),
-      box_(corners.patches().count()),
-      other_box_(facets.patches().count()),
-      moved_(box_.size()) {}
-
-// Seen from the mean motion of both: bodies that fly together keep their pairs.
-template <class T, int D>
-double CornerSearch<T, D>::motion_in_common_frame() const {
-  Point<D> frame;
-  for (int a = 0; a < D; ++a) {
-    frame[a] = (corners_.patches().drift()[a] + facets_.patches().drift()[a]) / 2;
-  }
-  return corners_.patches().largest_motion(frame) + facets_.patches().largest_motion(frame);
-}
-
-template <class T, int D>
-bool CornerSearch<T, D>::holds() {
-  if (used_ + motion_in_common_frame() + margin_ > wide_) pair_patches();
-  std::fill(moved_.begin(), moved_.end(), 0.);
-  most_moved_ = 0;
-  for (const Pair& pair : pairs_) {
-    const double moved = relative_motion<D>(corners_.patches().motion(pair.corners),
-                                            facets_.patches().motion(pair.facets));
-    if (moved > pair.room) return false;
-    if (!pair.is_listed) continue;
-    moved_[pair.corners] = std::max(moved_[pair.corners], moved);
-    most_moved_ = std::max(most_moved_, moved);
-  }
-  return true;
-}
-
-template <class T, int D>
-void CornerSearch<T, D>::expect_marks() {
-  used_ += motion_in_common_frame();
-}
-
-template <class T, int D>
-Box<D> CornerSearch<T, D>::box_of_corners(std::size_t patch) const {
-  Box<D> box;
-  for (const std::int32_t corner : corners_.patches().corners(patch)) {
-    box.grow(corners_.place(corner));
-  }
-  return box;
-}
-
-template <class T, int D>
-Box<D> CornerSearch<T, D>::box_of_facets(std::size_t patch) const {
-  Box<D> box;
-  for (const std::int32_t facet : facets_.patches().facets(patch)) {
-    for (const std::int32_t corner : facets_.facet(facet)) box.grow(facets_.place(corner));
-  }
-  return box;
-}
-
-// From the marks. What is not paired may move by `wide_`.
-template <class T, int D>
-void CornerSearch<T, D>::pair_patches() {
-  used_ = 0;
-  Box<D> all, all_others;
-  for (std::size_t p = 0; p < box_.size(); ++p) corners_.find_marked_places(p);
-  for (std::size_t p = 0; p < other_box_.size(); ++p) facets_.find_marked_places(p);
-  for (std::size_t p = 0; p < box_.size(); ++p) all.grow(box_[p] = box_of_corners(p));
-  for (std::size_t p = 0; p < other_box_.size(); ++p) {
-    all_others.grow(other_box_[p] = box_of_facets(p));
-  }
-  wide_ = std::max({pair_margin * facets_.spacing(), 2 * motion_in_common_frame() + margin_,
-                    without_rounding * std::sqrt(squared_gap(all, all_others)) - deepest_});
-  const double reach = (deepest_ + wide_) / without_rounding;
-  pairs_.clear();
-  const BoxTree<D> tree(other_box_);
-  for (std::size_t p = 0; p < box_.size(); ++p) {
-    tree.for_each_near(box_[p], reach * reach, 0, [&](std::size_t q) {
-      pairs_.push_back({static_cast<std::int32_t>(p), static_cast<std::int32_t>(q), 0, false});
-    });
-  }
-  paired_.clear();
-  paired_others_.clear();
-  for (const Pair& pair : pairs_) {
-    paired_.push_back(pair.corners);
-    paired_others_.push_back(pair.facets);
-  }
-  for (std::vector<std::int32_t>* patches : {&paired_, &paired_others_}) {
-    std::sort(patches->begin(), patches->end());
-    patches->erase(std::unique(patches->begin(), patches->end()), patches->end());
-  }
-  find_rooms();
-}
-
-template <class T, int D>
-void CornerSearch<T, D>::find_rooms() {
-  for (Pair& pair : pairs_) {
-    const double gap = std::sqrt(squared_gap(box_[pair.corners], other_box_[pair.facets]));
-    pair.is_listed = gap <= deepest_ + margin_;
-    pair.room = without_rounding * (pair.is_listed ? margin_ : gap - deepest_);
-  }
-}
+      pairs_(corners, facets, deepest_) {}
 
 template <class T, int D>
 void CornerSearch<T, D>::list(bool foreign) {
-  if (foreign) pair_patches();
+  pairs_.measure(foreign);
   corner_.clear();
   patch_.clear();
   clearance_.clear();
   begin_.assign(1, 0);
   near_.clear();
   least_clearance_ = std::numeric_limits<double>::infinity();
-  for (const std::int32_t p : paired_) corners_.find_marked_places(p);
-  for (const std::int32_t p : paired_others_) facets_.find_marked_places(p);
-  for (const std::int32_t p : paired_) box_[p] = box_of_corners(p);
-  for (const std::int32_t p : paired_others_) other_box_[p] = box_of_facets(p);
-  find_rooms();
-  for (std::size_t first = 0; first < pairs_.size();) {
-    std::size_t end = first;
-    while (end < pairs_.size() && pairs_[end].corners == pairs_[first].corners) ++end;
-    list_patch(first, end);
+  const std::span<const Pair> pairs = pairs_.pairs();
+  for (auto first = pairs.begin(); first != pairs.end();) {
+    const auto end = std::find_if(
+        first, pairs.end(), [first](const Pair& pair) { return pair.corners != first->corners; });
+    list_patch({first, end});
     first = end;
   }
 }
 
 template <class T, int D>
-void CornerSearch<T, D>::list_patch(std::size_t first_pair, std::size_t end_pair) {
-  const double reach = deepest_ + margin_;
+void CornerSearch<T, D>::list_patch(std::span<const Pair> pairs_of_patch) {
+  const double reach = deepest_ + pairs_.margin();
+  const std::int32_t patch = pairs_of_patch.front().corners;
   near_facets_.clear();
-  for (std::size_t i = first_pair; i < end_pair; ++i) {
-    if (!pairs_[i].is_listed) continue;
-    for (const std::int32_t f : facets_.patches().facets(pairs_[i].facets)) {
+  for (const Pair& pair : pairs_of_patch) {
+    if (!pair.is_listed) continue;
+    for (const std::int32_t f : facets_.patches().facets(pair.facets)) {
       Box<D> around;
       for (const std::int32_t c : facets_.facet(f)) around.grow(facets_.place(c));
-      if (squared_gap(around, box_[pairs_[i].corners]) > reach * reach) continue;
+      if (squared_gap(around, pairs_.box_of_corners(patch)) > reach * reach) continue;
       facets_.find_normal(f);
       near_facets_.push_back({f, around});
     }
   }
   if (near_facets_.empty()) return;
-  const std::int32_t patch = pairs_[first_pair].corners;
   for (const std::int32_t corner : corners_.patches().corners(patch)) list_corner(corner, patch);
 }
 
@@ -192,7 +74,7 @@ void CornerSearch<T, D>::list_patch(std::size_t first_pair, std::size_t end_pair
 // may reach follow in no order, as hardly a search comes to them.
 template <class T, int D>
 void CornerSearch<T, D>::list_corner(std::int32_t corner, std::int32_t patch) {
-  const double reach = deepest_ + margin_;
+  const double margin = pairs_.margin(), reach = deepest_ + margin;
   const Point<D>& x = corners_.place(corner);
   const Box<D> point{x, x};
   reached_.clear();
@@ -206,20 +88,20 @@ void CornerSearch<T, D>::list_corner(std::int32_t corner, std::int32_t patch) {
     if (distance <= reach) reached_.push_back({f, distance});
   }
   clearance *= without_rounding;
-  if (reached_.empty() || clearance > margin_) return;
+  if (reached_.empty() || clearance > margin) return;
   double nearest = reach;
   const auto by_distance = [](const Near& a, const Near& b) {
     return std::pair(a.distance, a.facet) < std::pair(b.distance, b.facet);
   };
   std::iter_swap(reached_.begin(), std::min_element(reached_.begin(), reached_.end(), by_distance));
   for (Near& near : reached_) {
-    if (near.distance > nearest + 2 * margin_) continue;
+    if (near.distance > nearest + 2 * margin) continue;
     near.distance = distance_to_facet<D>(facets_.places(near.facet), x);
     if (near.distance < nearest && corners_.opposes(corner, facets_.facet_normal(near.facet))) {
       nearest = near.distance;
     }
   }
-  const double limit = nearest + 2 * margin_;
+  const double limit = nearest + 2 * margin;
   const auto beyond = std::partition(reached_.begin(), reached_.end(),
                                      [limit](const Near& near) { return near.distance <= limit; });
   std::sort(reached_.begin(), beyond, by_distance);
@@ -264,7 +146,7 @@ void CornerSearch<T, D>::find(std::size_t first, std::size_t end,
                               std::vector<Touch<D>>& touches) const {
   Touch<D> touch;
   for (std::size_t i = first; i < end; ++i) {
-    const double moved = moved_[patch_[i]];
+    const double moved = pairs_.moved(patch_[i]);
     if (clearance_[i] <= moved && finds(i, moved, touch)) touches.push_back(touch);
   }
 }

@@ -1,9 +1,10 @@
 #pragma once
 
+#include <span>
 #include <utility>
 #include <vector>
 
-#include "engine/undeformed/moving_surface.hpp"
+#include "engine/undeformed/patch_pairs.hpp"
 
 namespace pliant::undeformed {
 
@@ -15,21 +16,6 @@ struct Touch {
   Point<D> normal;               ///< from the corner to that point, out of the other body
   double gap;                    ///< [m], negative
 };
-
-/// Weights of the corners of a segment or a triangle at its point nearest to `x`.
-std::array<double, 2> nearest_weights(const std::array<Point<2>, 2>& c, const Point<2>& x);
-std::array<double, 3> nearest_weights(const std::array<Point<3>, 3>& c, const Point<3>& x);
-
-/// The way from the point of a facet where its corners, at `c`, have these weights to `x` [m].
-template <int D>
-Point<D> way_from(const std::array<Point<D>, D>& c, const std::array<double, D>& weight,
-                  const Point<D>& x) {
-  Point<D> way = x;
-  for (int v = 0; v < D; ++v) {
-    for (int a = 0; a < D; ++a) way[a] -= weight[v] * c[v][a];
-  }
-  return way;
-}
 
 /// Finds the corners of one surface that have entered another one, which may be of the same body.
 ///
@@ -43,16 +29,16 @@ class CornerSearch {
   CornerSearch(MovingSurface<T, D>& corners, MovingSurface<T, D>& facets);
 
   /// Whether the lists hold for the motion that the surfaces have read.
-  bool holds();
+  bool holds() { return pairs_.hold(); }
   /// Both surfaces are about to be marked anew.
-  void expect_marks();
+  void expect_marks() { pairs_.expect_marks(); }
   /// Lists anew, from the marks; pairs patches anew where the marks are `foreign`.
   void list(bool foreign);
   /// Lets the surfaces watch what the search looks at.
   void watch();
 
   /// Whether a corner may touch by the motion that `holds` has seen.
-  bool may_find() const { return least_clearance_ <= most_moved_; }
+  bool may_find() const { return least_clearance_ <= pairs_.most_moved(); }
   /// Corners that may touch before the next lists.
   std::size_t candidates() const { return corner_.size(); }
   /// Appends what touches of the candidates from number `first` to before `end`, in the order of
@@ -60,40 +46,23 @@ class CornerSearch {
   void find(std::size_t first, std::size_t end, std::vector<Touch<D>>& touches) const;
 
  private:
-  /// Patches of corners and facets that are near each other.
-  struct Pair {
-    std::int32_t corners, facets;
-    double room;     ///< that they may move against each other before the next marks [m]
-    bool is_listed;  ///< facets near corners have been listed
-  };
+  using Pair = typename PatchPairs<T, D>::Pair;
   /// A facet that a corner may be near.
   struct Near {
     std::int32_t facet;
     double distance;  ///< at the marks, or less [m]
   };
 
-  double motion_in_common_frame() const;
-  void pair_patches();
-  void find_rooms();
-  void list_patch(std::size_t first_pair, std::size_t end_pair);
+  void list_patch(std::span<const Pair> pairs_of_patch);
   void list_corner(std::int32_t corner, std::int32_t patch);
   bool finds(std::size_t candidate, double moved, Touch<D>& touch) const;
   bool are_neighbours(std::int32_t corner, const std::array<std::int32_t, D>& facet) const;
-  Box<D> box_of_corners(std::size_t patch) const;
-  Box<D> box_of_facets(std::size_t patch) const;
 
   MovingSurface<T, D>& corners_;
   MovingSurface<T, D>& facets_;
-  bool same_;        ///< whether both are one surface
-  double deepest_;   ///< of a corner behind a facet [m]
-  double margin_;    ///< that listed patches move against each other between two marks [m]
-  double wide_ = 0;  ///< that all others may, before patches are paired anew [m]
-  double used_ = 0;  ///< of it, up to the marks [m]
-  std::vector<Box<D>> box_, other_box_;  ///< [patch] of corners, of facets, at the marks
-  std::vector<Pair> pairs_;              ///< ascending
-  std::vector<std::int32_t> paired_, paired_others_;  ///< patches of corners, of facets, in pairs
-  std::vector<double> moved_;         ///< [patch of corners] against facets listed for it [m]
-  double most_moved_ = 0;             ///< of all of them [m]
+  bool same_;       ///< whether both are one surface
+  double deepest_;  ///< of a corner behind a facet [m]
+  PatchPairs<T, D> pairs_;
   std::vector<std::int32_t> corner_;  ///< candidates
   std::vector<std::int32_t> patch_;   ///< [candidate] of corners
   std::vector<double> clearance_;     ///< [candidate] motion before it touches [m]

@@ -12,6 +12,7 @@ namespace pliant::undeformed {
 template <int D>
 using HeldDirections = std::map<std::int32_t, std::array<double, D * D>>;
 
+/// The projection of a particle that no wall holds.
 template <int D>
 std::array<double, D * D> all_directions() {
   std::array<double, D* D> tensor = {};
@@ -43,6 +44,7 @@ std::array<double, D * D> without(const std::array<double, D * D>& free, const P
   return rest;
 }
 
+/// Of all particles of a body that walls hold.
 template <class T, int D>
 HeldDirections<D> held_directions(const Body<T, D>& body) {
   HeldDirections<D> held;

@@ -5,13 +5,14 @@
 #include <vector>
 
 #include "engine/method/body_integrals.hpp"
+#include "engine/method/no_value.hpp"
 #include "engine/undeformed/state.hpp"
 #include "engine/undeformed/surface_measures.hpp"
 
 namespace pliant::undeformed {
 
 /// Evaluates measurements of a state at one instant: those that all methods on the undeformed body
-/// find alike from the free surface and from integrals. A method adds its own.
+/// have. A method says how it finds them, and adds its own.
 template <class State>
 class Measurer {
  public:
@@ -24,15 +25,20 @@ class Measurer {
   /// Of all bodies together.
   BodyIntegrals totals() const;
 
+  /// Whether a kind of measurement is one of those that all methods have.
+  static bool is_measured(MeasurementCase::Kind kind) { return function_of(kind) != nullptr; }
+
  protected:
   static constexpr int D = decltype(State::bodies)::value_type::dimension;
 
-  /// Whether a kind of measurement is one of those that all methods find alike.
-  static bool is_common(MeasurementCase::Kind kind) { return function_of(kind) != nullptr; }
-
  private:
-  /// The value of another kind, or `no_value`.
-  virtual double own_value(const MeasurementCase& m) const = 0;
+  virtual double point_displacement(const MeasurementCase& m) const = 0;
+  virtual double point_value(const MeasurementCase& m) const = 0;
+  virtual double material_value(const MeasurementCase& m) const = 0;
+  virtual double mean_value(const MeasurementCase& m) const = 0;
+  virtual double velocity_error(const MeasurementCase& m) const = 0;
+  /// The value of a kind that this method alone has; `no_value` of all others.
+  virtual double own_value(const MeasurementCase&) const { return no_value; }
   /// The present free surface of a body, without cut faces.
   virtual FreeSurface<D> free_surface(int body) const = 0;
   /// Integrals of a body; its angular momentum is about `about`.
@@ -79,6 +85,11 @@ template <class State>
 auto Measurer<State>::function_of(MeasurementCase::Kind kind) -> Function {
   using Quantity = MeasurementCase::Kind;
   static constexpr std::pair<Quantity, Function> functions[] = {
+      {Quantity::point_displacement, &Measurer::point_displacement},
+      {Quantity::point_value, &Measurer::point_value},
+      {Quantity::material_value, &Measurer::material_value},
+      {Quantity::mean_value, &Measurer::mean_value},
+      {Quantity::velocity_error, &Measurer::velocity_error},
       {Quantity::extent, &Measurer::extent},
       {Quantity::surface_distance, &Measurer::surface_distance},
       {Quantity::mean_radius, &Measurer::mean_radius},

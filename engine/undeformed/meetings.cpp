@@ -4,7 +4,8 @@
 #include <cmath>
 #include <limits>
 
-#include "engine/undeformed/pushed_points.hpp"
+#include "engine/undeformed/carried_points.hpp"
+#include "engine/undeformed/facet_point.hpp"
 
 namespace pliant::undeformed {
 
@@ -27,7 +28,7 @@ void Meetings<T, D>::add(const ContactSide<T, D>& side, std::span<const Touch<D>
     Meeting<T, D> meeting{&side, touch, shares_.size(), 0};
     const std::array<Point<D>, D> c = side.facets.places(touch.facet);
     meeting.touch.weight = nearest_weights(c, face_before(meeting, c, times.drift));
-    append_shares<T, D>(side.facets, touch.facet, meeting.touch.weight, shares_);
+    side.facets.append_shares(touch.facet, meeting.touch.weight, shares_);
     meeting.end_share = shares_.size();
     meet(meeting, times);
     if (meeting.compliance >= least_meeting_compliance * meeting.largest_compliance) {
@@ -45,11 +46,11 @@ Point<D> Meetings<T, D>::face_before(const Meeting<T, D>& meeting, const std::ar
                                      double drift) const {
   const Touch<D>& touch = meeting.touch;
   const MovingSurface<T, D>& facets = meeting.side->facets;
-  Point<D> w = carried_by<D>(meeting.side->corners.pushed(), corner_shares(meeting)).velocity;
+  Point<D> w = meeting.side->corners.pushed(corner_shares(meeting)).velocity;
   for (int v = 0; v < D; ++v) {
     if (touch.weight[v] == 0) continue;
     const std::int32_t corner = facets.facet(touch.facet)[v];
-    const Point<D> u = carried_by<D>(facets.pushed(), facets.shares(corner)).velocity;
+    const Point<D> u = facets.pushed(facets.shares(corner)).velocity;
     for (int a = 0; a < D; ++a) w[a] -= touch.weight[v] * u[a];
   }
   const double speed = dot<D>(w, touch.normal);
@@ -65,12 +66,12 @@ template <class T, int D>
 void Meetings<T, D>::meet(Meeting<T, D>& meeting, const ContactTimes& times) {
   const ContactSide<T, D>& side = *meeting.side;
   const Point<D>& n = meeting.touch.normal;
-  meeting.largest_compliance = compliance<T, D>(side.corners, corner_shares(meeting)) +
-                               compliance<T, D>(side.facets, facet_shares(meeting));
+  meeting.largest_compliance = free_compliance(side.corners, corner_shares(meeting)) +
+                               free_compliance(side.facets, facet_shares(meeting));
   meeting.compliance = meeting.largest_compliance;
   if (side.corners.is_held() || side.facets.is_held()) {
-    meeting.compliance = compliance_along<T, D>(side.corners, corner_shares(meeting), n) +
-                         compliance_along<T, D>(side.facets, facet_shares(meeting), n);
+    meeting.compliance = compliance<D>(side.corners, corner_shares(meeting), n) +
+                         compliance<D>(side.facets, facet_shares(meeting), n);
   }
   // Velocities of the middle of a step may close what was open at its start.
   if (times.drift != times.length) return;
@@ -80,8 +81,8 @@ void Meetings<T, D>::meet(Meeting<T, D>& meeting, const ContactTimes& times) {
 
 template <class T, int D>
 Pushed<D> Meetings<T, D>::relative(const Meeting<T, D>& meeting) const {
-  const Pushed<D> corner = carried_by<D>(meeting.side->corners.pushed(), corner_shares(meeting));
-  const Pushed<D> point = carried_by<D>(meeting.side->facets.pushed(), facet_shares(meeting));
+  const Pushed<D> corner = meeting.side->corners.pushed(corner_shares(meeting));
+  const Pushed<D> point = meeting.side->facets.pushed(facet_shares(meeting));
   return {difference<D>(corner.velocity, point.velocity), difference<D>(corner.shift, point.shift)};
 }
 
@@ -122,9 +123,9 @@ void Meetings<T, D>::push(Meeting<T, D>& meeting, const ContactCase& law, double
   }
   if (impulse == Point<D>{} && shift == Point<D>{}) return;
   meeting.rubbed = rubbed;
-  push_point<T, D>(meeting.side->corners, corner_shares(meeting), impulse, shift);
+  push_point<D>(meeting.side->corners, corner_shares(meeting), impulse, shift);
   for (int a = 0; a < D; ++a) impulse[a] = -impulse[a], shift[a] = -shift[a];
-  push_point<T, D>(meeting.side->facets, facet_shares(meeting), impulse, shift);
+  push_point<D>(meeting.side->facets, facet_shares(meeting), impulse, shift);
 }
 
 template class Meetings<double, 2>;

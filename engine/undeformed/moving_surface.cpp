@@ -232,6 +232,25 @@ void MovingSurface<T, D>::read_velocities(std::size_t first, std::size_t end) {
 }
 
 template <class T, int D>
+Pushed<D> MovingSurface<T, D>::pushed(std::span<const Share> shares) const {
+  Pushed<D> sum = {};
+  for (const Share& share : shares) {
+    const Pushed<D>& carrier = pushed_[share.slot];
+    for (int a = 0; a < D; ++a) sum.velocity[a] += share.weight * carrier.velocity[a];
+    for (int a = 0; a < D; ++a) sum.shift[a] += share.weight * carrier.shift[a];
+  }
+  return sum;
+}
+
+template <class T, int D>
+void MovingSurface<T, D>::change(std::int32_t number, const Point<D>& velocity,
+                                 const Point<D>& shift) {
+  Pushed<D>& carrier = pushed_[number];
+  for (int a = 0; a < D; ++a) carrier.velocity[a] += velocity[a];
+  for (int a = 0; a < D; ++a) carrier.shift[a] += shift[a];
+}
+
+template <class T, int D>
 void MovingSurface<T, D>::write_pushed() {
   auto& displacement = body_->*moved_;
   for (const std::int32_t i : watched_carriers_) {

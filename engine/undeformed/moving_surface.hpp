@@ -8,15 +8,8 @@
 
 namespace pliant::undeformed {
 
-/// A particle that carries corners of a surface.
-template <int D>
-struct Carrier {
-  std::int32_t slot;
-  double inverse_mass;                       ///< [1/kg]
-  const std::array<double, D * D>* is_free;  ///< what walls leave free; null without a wall
-};
-
-/// What contact changes of a carrier in a step.
+/// Velocity and shift of a carrier, or of a point that moves with several, in the contact of a
+/// step.
 template <int D>
 struct Pushed {
   Point<D> velocity;  ///< [m/s]
@@ -44,6 +37,12 @@ class MovingSurface {
   const std::vector<Point<D>>& start() const { return surface_.start; }
   /// What a corner moves with: numbers of carriers in the place of slots, ascending.
   std::span<const Share> shares(std::int32_t corner) const { return surface_.shares(corner); }
+  /// Appends the shares of a point of a facet, whose corners have these weights there: each carrier
+  /// once, ascending.
+  void append_shares(std::int32_t facet, const std::array<double, D>& weight,
+                     std::vector<Share>& shares) const {
+    surface_.append_shares(facet, weight, shares);
+  }
   const Carrier<D>& carrier(std::int32_t number) const { return carriers_[number]; }
   bool is_held() const { return !held_.empty(); }
   /// Size of its facets [m].
@@ -91,10 +90,11 @@ class MovingSurface {
 
   /// Reads the velocities of the carriers of watched corners, alike.
   void read_velocities(std::size_t first, std::size_t end);
-  /// Velocities, and shifts since they were read.
-  std::vector<Pushed<D>>& pushed() { return pushed_; }
-  const std::vector<Pushed<D>>& pushed() const { return pushed_; }
-  /// Gives the carriers of watched corners what they have been pushed to.
+  /// Velocity and shift, since they were read, of a point from those of its carriers.
+  Pushed<D> pushed(std::span<const Share> shares) const;
+  /// Adds to the velocity [m/s] and the shift [m] of a carrier.
+  void change(std::int32_t number, const Point<D>& velocity, const Point<D>& shift);
+  /// Writes velocities and shifts of the carriers of watched corners into the body.
   void write_pushed();
 
  private:

@@ -16,6 +16,7 @@
 #include "engine/undeformed/body.hpp"
 #include "engine/undeformed/state.hpp"
 #include "engine/undeformed/state_archive.hpp"
+#include "engine/undeformed/within_step.hpp"
 #include "kernels/material.hpp"
 
 namespace pliant::undeformed {
@@ -26,8 +27,7 @@ namespace pliant::undeformed {
 ///
 /// A step always has its full length, so that no output time alters a run: a short step now and
 /// then would feed vibrations. Where an output time lies inside a step, particles are shown on
-/// their way through it: straight where velocities belong to the middle of the step, else with
-/// velocities in between those at its start and at its end, (PB.45).
+/// their way through it: within_step.hpp.
 template <class State, class Step, class Measurer>
 class Solver : public pliant::Solver {
   using Body = typename decltype(State::bodies)::value_type;
@@ -92,8 +92,6 @@ class Solver : public pliant::Solver {
   }
   void take_step(double time_step) override;
   void begin_step();
-  void store_start();
-  void store_end();
   void move_to_output();
 
   State state_;
@@ -160,25 +158,10 @@ Balance Solver<State, Step, Measurer>::balance() {
     if (is_within) move_to_output();
     return at_end;
   }
-  const T back = static_cast<T>(clock.lag());
-  std::vector<std::vector<T>> present;
-  for (auto& body : state_.bodies) {
-    for (int a = 0; a < D; ++a) {
-      T* const displacement = body.displacement[a].get();
-      present.emplace_back(displacement, displacement + body.slots);
-      for (std::int64_t p = 0; p < body.slots; ++p) displacement[p] -= back * body.velocity[a][p];
-    }
-  }
+  const AtVelocityTime<Body> at_velocity_time(state_.bodies, clock.lag());
   clock.time = clock.velocity_time;
   const Balance balance = {integrals(), energy_budget()};
   clock.time = time;
-  auto kept = present.begin();
-  for (auto& body : state_.bodies) {
-    for (Buffer<T>& component : body.displacement) {
-      std::copy(kept->begin(), kept->end(), component.get());
-      ++kept;
-    }
-  }
   return balance;
 }
 
@@ -201,12 +184,23 @@ void Solver<State, Step, Measurer>::take_step(double dt) {
   Clock& clock = state_.clock;
   const double rest = clock.rest();
   const bool begins = rest == 0;
-  if (begins && dt < time_step()) store_start();
+  if (begins && dt < time_step()) {
+    for (Body& body : state_.bodies) store_start<T, D>(body, velocities_lag());
+  }
   if (begins) begin_step();
   clock.time = begins || dt < rest - clock.rounding() ? clock.time + dt : clock.step_end;
-  if (begins && clock.rest() > 0) store_end();
+  if (begins && clock.rest() > 0) {
+    for (Body& body : state_.bodies) store_end<T, D>(body, velocities_lag());
+  }
   if (!begins || clock.rest() > 0) move_to_output();
   show();
+}
+
+template <class State, class Step, class Measurer>
+void Solver<State, Step, Measurer>::move_to_output() {
+  for (Body& body : state_.bodies) {
+    undeformed::move_to_output<T, D>(body, state_.clock, velocities_lag());
+  }
 }
 
 template <class State, class Step, class Measurer>
@@ -241,62 +235,6 @@ void Solver<State, Step, Measurer>::begin_step() {
   ++clock.step;
   adapt(advance, result);
   add_particle_stages(particles());
-}
-
-// What the step adds to the velocity is known at its end.
-template <class State, class Step, class Measurer>
-void Solver<State, Step, Measurer>::store_start() {
-  if (velocities_lag()) return;
-  for (auto& body : state_.bodies) {
-    for (int a = 0; a < D; ++a) {
-      std::copy_n(body.velocity[a].get(), body.slots, body.velocity_gain[a].get());
-    }
-  }
-}
-
-// Kept apart, as the way back from an output time would be rounded.
-template <class State, class Step, class Measurer>
-void Solver<State, Step, Measurer>::store_end() {
-  for (auto& body : state_.bodies) {
-    for (int a = 0; a < D; ++a) {
-      std::copy_n(body.displacement[a].get(), body.slots, body.end_displacement[a].get());
-      if (velocities_lag()) continue;
-      const T* const velocity = body.velocity[a].get();
-      T* const gain = body.velocity_gain[a].get();
-      std::copy_n(velocity, body.slots, body.end_velocity[a].get());
-      for (std::int64_t p = 0; p < body.slots; ++p) gain[p] = velocity[p] - gain[p];
-    }
-  }
-}
-
-// (PB.45)
-template <class State, class Step, class Measurer>
-void Solver<State, Step, Measurer>::move_to_output() {
-  const Clock& clock = state_.clock;
-  const T back = static_cast<T>(clock.rest()), half = static_cast<T>(clock.step_length / 2);
-  const T share = static_cast<T>(clock.rest() / clock.step_length);
-  for (auto& body : state_.bodies) {
-    for (int a = 0; a < D; ++a) {
-      const T* const end = body.end_displacement[a].get();
-      T* const velocity = body.velocity[a].get();
-      T* const displacement = body.displacement[a].get();
-      if (velocities_lag()) {
-        for (std::int64_t p = 0; p < body.slots; ++p) displacement[p] = end[p] - back * velocity[p];
-        continue;
-      }
-      const T* const end_velocity = body.end_velocity[a].get();
-      const T* const gain = body.velocity_gain[a].get();
-      if (back == 0) {
-        std::copy_n(end, body.slots, displacement);
-        std::copy_n(end_velocity, body.slots, velocity);
-        continue;
-      }
-      for (std::int64_t p = 0; p < body.slots; ++p) {
-        velocity[p] = end_velocity[p] - share * gain[p];
-        displacement[p] = (end[p] - half * end_velocity[p]) + (half - back) * velocity[p];
-      }
-    }
-  }
 }
 
 }  // namespace pliant::undeformed

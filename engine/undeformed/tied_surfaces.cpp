@@ -4,7 +4,7 @@
 #include <utility>
 
 #include "engine/blocks/box_tree.hpp"
-#include "engine/undeformed/corner_search.hpp"
+#include "engine/undeformed/facet_point.hpp"
 
 namespace pliant::undeformed {
 
@@ -64,10 +64,10 @@ void TiedSurfaces<T, D>::tie(std::int32_t corner, std::span<const std::int32_t> 
   }
   if (tie.facet < 0) return;
   tie.first_share = shares_.size();
-  append_shares<T, D>(facets_, tie.facet, tie.weight, shares_);
+  facets_.append_shares(tie.facet, tie.weight, shares_);
   tie.end_share = shares_.size();
   tie.compliance =
-      compliance<T, D>(corners_, corners_.shares(corner)) + compliance<T, D>(facets_, shares(tie));
+      free_compliance(corners_, corners_.shares(corner)) + free_compliance(facets_, shares(tie));
   ties_.push_back(tie);
 }
 
@@ -92,17 +92,17 @@ void TiedSurfaces<T, D>::measure() {
 template <class T, int D>
 void TiedSurfaces<T, D>::sweep() {
   for (Tie& tie : ties_) {
-    const Pushed<D> corner = carried_by<D>(corners_.pushed(), corners_.shares(tie.corner));
-    const Pushed<D> point = carried_by<D>(facets_.pushed(), shares(tie));
+    const Pushed<D> corner = corners_.pushed(corners_.shares(tie.corner));
+    const Pushed<D> point = facets_.pushed(shares(tie));
     Point<D> impulse, moved;
     for (int a = 0; a < D; ++a) {
       impulse[a] = -(corner.velocity[a] - point.velocity[a]) / tie.compliance;
       moved[a] = -(tie.apart[a] + corner.shift[a] - point.shift[a]) / tie.compliance;
       tie.pulled[a] += impulse[a];
     }
-    push_point<T, D>(corners_, corners_.shares(tie.corner), impulse, moved);
+    push_point<D>(corners_, corners_.shares(tie.corner), impulse, moved);
     for (int a = 0; a < D; ++a) impulse[a] = -impulse[a], moved[a] = -moved[a];
-    push_point<T, D>(facets_, shares(tie), impulse, moved);
+    push_point<D>(facets_, shares(tie), impulse, moved);
   }
 }
 

@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "engine/undeformed/pushed_points.hpp"
+#include "engine/undeformed/moving_surface.hpp"
 
 namespace pliant::undeformed {
 

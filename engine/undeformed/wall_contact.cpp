@@ -36,12 +36,13 @@ void WallContact<T, D>::add_surface(Body<T, D>& body, ContactSurface<D> shape, B
   surface.held = held_directions(body);
   surface.shape = std::move(shape);
   surface.bearers = bearing;
+  const BodyCarriers<T, D> carriers(body, body.*moved_, surface.held);
   for (std::int32_t number = 0; number < surface.shape.corners(); ++number) {
     Corner corner{number, {surface.shape.shares(number).front().slot, 1}, 0};
     for (int a = 0; a < D; ++a) {
       Point<D> axis = {};
       axis[a] = 1;
-      const double along = compliance<T, D>(body, surface.held, bearers(surface, corner), axis);
+      const double along = compliance<D>(carriers, bearers(surface, corner), axis);
       corner.compliance = std::max(corner.compliance, along);
     }
     if (corner.compliance > 0) surface.corners.push_back(corner);
@@ -100,7 +101,8 @@ void WallContact<T, D>::push(Surface& surface, const Corner& corner, const Conta
   if (gap >= 0) return;
   const Point<D> n = wall.normal(x);
   const std::span<const Share> bearing = bearers(surface, corner);
-  const double along = compliance<T, D>(body, surface.held, bearing, n);
+  BodyCarriers<T, D> carriers(body, body.*moved_, surface.held);
+  const double along = compliance<D>(carriers, bearing, n);
   if (along < least_compliance * corner.compliance) return;
   Point<D> slip = carried<T, D>(body.velocity, bearing);
   double normal_speed = 0, square = 0;
@@ -127,7 +129,7 @@ void WallContact<T, D>::push(Surface& surface, const Corner& corner, const Conta
     state_.energy.wall_work += given * contact.velocity[a];
     state_.power.wall_work += force * contact.velocity[a];
   }
-  undeformed::push<T, D>(body, body.*moved_, surface.held, bearing, impulse, moved);
+  push_point<D>(carriers, bearing, impulse, moved);
 }
 
 template class WallContact<double, 2>;

@@ -25,6 +25,7 @@
 // No penalty stiffness, so no number to choose and no shorter time step.
 namespace pliant::undeformed {
 
+/// Keeps the surfaces of bodies out of contact walls, (TL.12).
 template <class T, int D>
 class WallContact {
  public:
@@ -33,12 +34,16 @@ class WallContact {
 
   /// Whether the case has contact walls.
   bool exists() const { return !walls_.empty(); }
-  /// Clears the surfaces of all bodies.
-  void clear_surfaces() { surfaces_.clear(); }
   /// Which of the particles that carry a corner take the impulse on it.
   enum class Bearers { all, first };
-  /// Takes the surface of a body, which must stay where it is.
-  void add_surface(Body<T, D>& body, ContactSurface<D> surface, Bearers bearers);
+  /// Takes the surfaces of all bodies, which must stay where they are, where the case has contact
+  /// walls; contact_surface(body) makes them.
+  template <class Bodies>
+  void take_surfaces(Bodies& bodies, Bearers bearing) {
+    surfaces_.clear();
+    if (!exists()) return;
+    for (auto& body : bodies) add_surface(body, contact_surface(body), bearing);
+  }
   /// Lets the walls push the particles that have moved for `length` [s] from `time` on, for `drift`
   /// [s] of it at the velocities that they have now, with forces that acted on them for `kick` [s];
   /// adds impulses and work of the walls to the state.
@@ -69,6 +74,7 @@ class WallContact {
   };
   bool may_touch(const Surface& surface, std::int32_t corner, const ContactWall& wall) const;
   static std::span<const Share> bearers(const Surface& surface, const Corner& corner);
+  void add_surface(Body<T, D>& body, ContactSurface<D> surface, Bearers bearing);
   void push(Surface& surface, const Corner& corner, const ContactWall& wall);
 
   State<D>& state_;

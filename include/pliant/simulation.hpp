@@ -30,8 +30,8 @@ struct Totals {
 /// How far an advance on a budget has come.
 struct Progress {
   std::int64_t steps = 0;
-  double lag = 0;        ///< simulated time that was put off: what was asked for less `time` [s]
-  double wall_time = 0;  ///< that it took [s]
+  double lag = 0;        ///< simulated time that is missing: the requested time less `time` [s]
+  double wall_time = 0;  ///< of the call [s]
 };
 
 /// A case that is being simulated, step by step, under the control of the caller.
@@ -42,9 +42,9 @@ struct Progress {
 ///       std::cout << simulation.measurement("height") << '\n';
 ///     }
 ///
-/// Not safe for use by several threads at once; it uses `threads` of its own. Spans that it hands
-/// out are good until the next call that is not const. All values are in SI units; vectors have
-/// three components, the third zero in 2D.
+/// Not safe for use by several threads at once; it uses `threads` of its own. Spans that it
+/// returns are valid until the next call that is not const. All values are in SI units; vectors
+/// have three components, the third zero in 2D.
 class Simulation {
  public:
   /// Checks the case and sets it up. Throws InputError for what is wrong with it, RunError when it
@@ -58,9 +58,9 @@ class Simulation {
   void step();
   /// Steps until `time` [s] is reached; the last step is shortened to end there. Throws RunError.
   void advance(double until);
-  /// The same within `budget` seconds of wall time: steps of which it must be expected that they
-  /// would not end in time are put off, and how much simulated time that is, is returned. One step
-  /// is always taken. Throws RunError.
+  /// The same within `budget` seconds of wall time: stops before a step that would probably exceed
+  /// them, and returns the simulated time that is missing. Takes at least one step. Throws
+  /// RunError.
   Progress advance(double until, double budget);
 
   double time() const;              ///< [s]
@@ -85,7 +85,7 @@ class Simulation {
   Totals totals();
   /// The present value of a measurement of the case; a force is the mean since it was last asked
   /// for. Throws InputError for an unknown name, and for a measurement that reads the history of
-  /// another (a period, say): the samples of a history are the caller's.
+  /// another (a period, say): the caller has to keep that history.
   double measurement(std::string_view name);
 
   /// From now on a boundary of kind "pressure" has this pressure [Pa], whatever the case says.
@@ -93,29 +93,29 @@ class Simulation {
   /// From now on a wall moves with this velocity [m/s], whatever the case says.
   void set_wall_velocity(std::string_view boundary, const std::array<double, 3>& velocity);
 
-  /// From now on the blade of a cut of the case is where the caller puts it, whatever the case
-  /// says: its edge is between two places [m] where the tissue is at present, in 2D at the first.
-  /// What it sweeps between two calls is cut, and moves with the tissue. Throws InputError for
-  /// methods without cuts.
+  /// From now on the caller moves the blade of a cut, whatever the case says: its edge goes from
+  /// one point of the deformed body to another [m]; in 2D it is the first point. The tissue that it
+  /// sweeps between two calls is cut. Throws InputError for methods without cuts.
   void move_blade(std::string_view cut, const std::array<double, 3>& from,
                   const std::array<double, 3>& to);
-  /// Takes a blade out, from where it was in the last step: where it is put next, a new cut begins.
+  /// Takes a blade out, from where it was in the last step; the next `move_blade` begins a new cut.
   void lift_blade(std::string_view cut);
-  /// Of the blade of a cut on its body in the last step [N], per unit thickness in 2D: what a hand
-  /// that holds it feels, reversed. Zero where the cut has no resistance, friction or drag.
+  /// Force of the blade of a cut on its body in the last step [N], per unit thickness in 2D; a hand
+  /// that holds the blade feels the opposite force. Zero where the cut has no resistance, friction
+  /// or drag.
   std::array<double, 3> blade_force(std::string_view cut) const;
 
-  /// Takes an input at its time: at once if that has come, else when an advance gets there, which
-  /// then makes a stop. Throws InputError for names that the case does not have.
+  /// Applies an input at its time: at once if that has passed, else in the advance that reaches it,
+  /// which ends a step there. Throws InputError for names that the case does not have.
   void enter(const Input& input);
-  /// Takes the inputs of a session one after another, and advances to the time of each. From the
-  /// state in which it was recorded, the session of another simulation gives the same bits.
+  /// Applies the inputs of a session one after another, and advances to the time of each. From the
+  /// same state, the session of another simulation gives bitwise the same results.
   void play(const std::vector<Input>& session);
-  /// All that has been done to this simulation since it was made or restored.
+  /// All inputs of this simulation since it was made or restored.
   const std::vector<Input>& session() const;
 
-  /// Writes everything that the next step reads, loads that were set included, but no input whose
-  /// time has not come. Throws RunError.
+  /// Writes the whole state, including loads that were set, but no input for a later time. Throws
+  /// RunError.
   void save(const std::filesystem::path& file) const;
   /// Continues from a file that a simulation of the same case has saved, to the same bits. Throws
   /// InputError when it is that of another case, RunError when it cannot be read.

@@ -100,7 +100,7 @@ class Result:
 
     @property
     def summary(self):
-        """summary.json as a dictionary; None while the run is at work."""
+        """summary.json as a dictionary; None while the run is active."""
         path = self.folder / "summary.json"
         return json.loads(path.read_text()) if path.exists() else None
 

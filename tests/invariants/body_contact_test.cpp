@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "engine/remeshed/contact/momentum_correction.hpp"
+#include "engine/remeshed/contact/contact_momentum_correction.hpp"
 #include "engine/remeshed/observe/integrals.hpp"
 #include "engine/remeshed/solver.hpp"
 #include "tests/engine/case/written_case.hpp"

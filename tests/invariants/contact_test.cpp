@@ -4,7 +4,7 @@
 #include <cmath>
 #include <numeric>
 
-#include "engine/remeshed/contact/momentum_correction.hpp"
+#include "engine/remeshed/contact/contact_momentum_correction.hpp"
 #include "engine/remeshed/solver.hpp"
 #include "tests/invariants/sample_runs.hpp"
 

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "engine/remeshed/contact/momentum_correction.hpp"
+#include "engine/remeshed/contact/contact_momentum_correction.hpp"
 #include "engine/remeshed/solver.hpp"
 #include "engine/simulation/run.hpp"
 #include "tests/engine/case/written_case.hpp"

@@ -20,11 +20,6 @@ template <class T, int D>
 auto Measurer<T, D>::function_of(MeasurementCase::Kind kind) -> Function {
   using Quantity = MeasurementCase::Kind;
   static constexpr std::pair<Quantity, Function> functions[] = {
-      {Quantity::point_displacement, &Measurer::point_displacement},
-      {Quantity::point_value, &Measurer::point_value},
-      {Quantity::material_value, &Measurer::material_value},
-      {Quantity::mean_value, &Measurer::mean_value},
-      {Quantity::velocity_error, &Measurer::velocity_error},
       {Quantity::blade_force, &Measurer::blade_impulse},
       {Quantity::cutting_work, &Measurer::cutting_work},
       {Quantity::connected_parts, &Measurer::parts},

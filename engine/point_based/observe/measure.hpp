@@ -15,7 +15,7 @@ class Measurer : public undeformed::Measurer<State<T, D>> {
   explicit Measurer(const State<T, D>& state) : Base(state), state_(state) {}
 
   static bool is_measured(MeasurementCase::Kind kind) {
-    return Base::is_common(kind) || function_of(kind) != nullptr;
+    return Base::is_measured(kind) || function_of(kind) != nullptr;
   }
 
  private:
@@ -27,15 +27,15 @@ class Measurer : public undeformed::Measurer<State<T, D>> {
   double own_value(const MeasurementCase& m) const override;
   undeformed::FreeSurface<D> free_surface(int body) const override;
   BodyIntegrals integrals(int body, const Vector& about) const override;
+  double point_displacement(const MeasurementCase& m) const override;
+  double point_value(const MeasurementCase& m) const override;
+  double material_value(const MeasurementCase& m) const override;
+  double mean_value(const MeasurementCase& m) const override;
+  double velocity_error(const MeasurementCase& m) const override;
 
   using Function = double (Measurer::*)(const MeasurementCase&) const;
-  /// The function that evaluates a kind that not all methods find alike; null where there is none.
+  /// The function that evaluates a kind that this method alone has; null of all others.
   static Function function_of(MeasurementCase::Kind kind);
-  double point_displacement(const MeasurementCase& m) const;
-  double point_value(const MeasurementCase& m) const;
-  double material_value(const MeasurementCase& m) const;
-  double mean_value(const MeasurementCase& m) const;
-  double velocity_error(const MeasurementCase& m) const;
   double blade_impulse(const MeasurementCase& m) const;
   double cutting_work(const MeasurementCase& m) const;
   double parts(const MeasurementCase& m) const;

@@ -23,9 +23,10 @@
 // Each side finds the traction at its own foot points, and what each of them does to its particles
 // is right to the order of the method, not to rounding. The momentum that crosses is therefore
 // counted once for each pair, as the mean of the two sides, (RP.68), and each body is brought to
-// its momentum budget: momentum_correction.hpp.
+// its momentum budget: contact_momentum_correction.hpp.
 namespace pliant::remeshed {
 
+/// The contact phases of a step: search, and the tractions of each stage.
 template <class T, int D>
 class BodyContact {
  public:

@@ -24,6 +24,7 @@
 /// All of it for phi continued behind walls, see wall_extension.hpp.
 namespace pliant::remeshed {
 
+/// The passes that rebuild the level set of one body.
 template <class T, int D>
 class LevelSet {
  public:

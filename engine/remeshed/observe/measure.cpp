@@ -8,7 +8,7 @@
 #include "engine/lattice/corner_weights.hpp"
 #include "engine/method/no_value.hpp"
 #include "engine/method/velocity_error.hpp"
-#include "engine/remeshed/contact/momentum_correction.hpp"
+#include "engine/remeshed/contact/contact_momentum_correction.hpp"
 #include "engine/remeshed/level_set/interpolant.hpp"
 #include "engine/remeshed/neighbours/closest_pair.hpp"
 #include "engine/remeshed/observe/particle_values.hpp"

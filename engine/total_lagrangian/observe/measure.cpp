@@ -2,7 +2,6 @@
 
 #include <cmath>
 #include <optional>
-#include <utility>
 
 #include "engine/geometry/padded.hpp"
 #include "engine/method/no_value.hpp"
@@ -34,28 +33,6 @@ void for_each_stress_point(const Body<T, D>& body, F&& f) {
 }
 
 }  // namespace
-
-template <class T, int D>
-auto Measurer<T, D>::function_of(MeasurementCase::Kind kind) -> Function {
-  using Quantity = MeasurementCase::Kind;
-  static constexpr std::pair<Quantity, Function> functions[] = {
-      {Quantity::point_displacement, &Measurer::point_displacement},
-      {Quantity::point_value, &Measurer::point_value},
-      {Quantity::material_value, &Measurer::material_value},
-      {Quantity::mean_value, &Measurer::mean_value},
-      {Quantity::velocity_error, &Measurer::velocity_error},
-  };
-  for (const auto& [known, function] : functions) {
-    if (known == kind) return function;
-  }
-  return nullptr;
-}
-
-template <class T, int D>
-double Measurer<T, D>::own_value(const MeasurementCase& m) const {
-  const Function function = function_of(m.kind);
-  return function ? (this->*function)(m) : no_value;
-}
 
 template <class T, int D>
 undeformed::FreeSurface<D> Measurer<T, D>::free_surface(int index) const {

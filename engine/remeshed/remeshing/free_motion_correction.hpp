@@ -27,13 +27,15 @@
 // of a remeshing with ghosts of walls or loads have none until the next one.
 //
 // In a case with contact momentum has a budget that knows what contacts transmit, and that is kept
-// after each step: momentum_correction.hpp. There this correction is that of the spin alone.
+// after each step: contact_momentum_correction.hpp. There this correction is that of the spin
+// alone.
 namespace pliant::remeshed {
 
+/// Corrects momentum and spin of free bodies after each remeshing, (RP.90).
 template <class T, int D>
-class MotionCorrection {
+class FreeMotionCorrection {
  public:
-  MotionCorrection(State<T, D>& state, const Case& settings)
+  FreeMotionCorrection(State<T, D>& state, const Case& settings)
       : state_(state),
         is_needed_(parameters_of(settings).free_motion == FreeMotion::kept),
         keeps_velocity_(settings.contacts.empty() && !state.boundaries.have_contact()) {}
@@ -66,9 +68,9 @@ class MotionCorrection {
   std::vector<Correction> of_body_;
 };
 
-extern template class MotionCorrection<double, 2>;
-extern template class MotionCorrection<double, 3>;
-extern template class MotionCorrection<float, 2>;
-extern template class MotionCorrection<float, 3>;
+extern template class FreeMotionCorrection<double, 2>;
+extern template class FreeMotionCorrection<double, 3>;
+extern template class FreeMotionCorrection<float, 2>;
+extern template class FreeMotionCorrection<float, 3>;
 
 }  // namespace pliant::remeshed

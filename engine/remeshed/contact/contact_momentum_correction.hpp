@@ -29,10 +29,11 @@
 // to: the method reads densities, which a common factor of masses does not change.
 namespace pliant::remeshed {
 
+/// Corrects the mean velocities of the bodies of a case with contact after each step, (RP.69).
 template <class T, int D>
-class MomentumCorrection {
+class ContactMomentumCorrection {
  public:
-  MomentumCorrection(State<T, D>& state, const Case& settings);
+  ContactMomentumCorrection(State<T, D>& state, const Case& settings);
 
   bool is_needed() const { return !state_.momentum_budgets.empty(); }
 
@@ -75,9 +76,9 @@ class MomentumCorrection {
 template <class T, int D>
 Point<D> budget_momentum(const State<T, D>& state, int body);
 
-extern template class MomentumCorrection<double, 2>;
-extern template class MomentumCorrection<double, 3>;
-extern template class MomentumCorrection<float, 2>;
-extern template class MomentumCorrection<float, 3>;
+extern template class ContactMomentumCorrection<double, 2>;
+extern template class ContactMomentumCorrection<double, 3>;
+extern template class ContactMomentumCorrection<float, 2>;
+extern template class ContactMomentumCorrection<float, 3>;
 
 }  // namespace pliant::remeshed

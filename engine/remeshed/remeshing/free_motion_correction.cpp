@@ -1,11 +1,11 @@
-#include "engine/remeshed/remeshing/motion_correction.hpp"
+#include "engine/remeshed/remeshing/free_motion_correction.hpp"
 
-#include <Eigen/Dense>
 #include <algorithm>
 
 #include "engine/geometry/padded.hpp"
 #include "engine/method/phase_rows.hpp"
 #include "engine/remeshed/ghosts/record_loads.hpp"
+#include "engine/remeshed/remeshing/rigid_motion.hpp"
 #include "engine/remeshed/resources.hpp"
 #include "engine/remeshed/runge_kutta.hpp"
 
@@ -14,51 +14,6 @@ namespace pliant::remeshed {
 namespace {
 
 using scheduler::Phase;
-
-Vector crossed(const Vector& a, const Vector& b) {
-  return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
-}
-
-Vector mass_centre(const MotionIntegrals& motion) {
-  Vector centre;
-  for (int a = 0; a < 3; ++a) centre[a] = motion.first_moment[a] / motion.mass;
-  return centre;
-}
-
-/// Angular momentum about the mass centre.
-Vector spin_of(const MotionIntegrals& motion) {
-  const Vector of_centre = crossed(mass_centre(motion), motion.momentum);
-  Vector spin;
-  for (int a = 0; a < 3; ++a) spin[a] = motion.angular_momentum[a] - of_centre[a];
-  return spin;
-}
-
-/// I^-1 L with I = tr(S) 1 - S, S the second moments about the mass centre; in 2D about z alone.
-template <int D>
-Vector angular_velocity(const MotionIntegrals& motion, const Vector& spin) {
-  Eigen::Matrix3d second;
-  for (int a = 0; a < 3; ++a) {
-    for (int b = 0; b < 3; ++b) {
-      second(a, b) = motion.second_moment[a][b] -
-                     motion.first_moment[a] * motion.first_moment[b] / motion.mass;
-    }
-  }
-  if constexpr (D == 2) return {0, 0, spin[2] / second.trace()};
-  const Eigen::Matrix3d inertia = second.trace() * Eigen::Matrix3d::Identity() - second;
-  const Eigen::Vector3d omega = inertia.llt().solve(Eigen::Vector3d(spin[0], spin[1], spin[2]));
-  return {omega[0], omega[1], omega[2]};
-}
-
-void add(MotionIntegrals& sum, const MotionIntegrals& other) {
-  sum.mass += other.mass;
-  sum.kinetic_energy += other.kinetic_energy;
-  for (int a = 0; a < 3; ++a) {
-    sum.first_moment[a] += other.first_moment[a];
-    sum.momentum[a] += other.momentum[a];
-    sum.angular_momentum[a] += other.angular_momentum[a];
-    for (int b = 0; b < 3; ++b) sum.second_moment[a][b] += other.second_moment[a][b];
-  }
-}
 
 template <int D>
 void add(ForceOnBlock<D>& sum, const ForceOnBlock<D>& other) {
@@ -102,8 +57,8 @@ bool touches_another(const Body<T, D>& body) {
 }  // namespace
 
 template <class T, int D>
-void MotionCorrection<T, D>::add_step(const std::vector<std::array<ForceOnBlock<D>, 4>>& forces,
-                                      double time_step) {
+void FreeMotionCorrection<T, D>::add_step(const std::vector<std::array<ForceOnBlock<D>, 4>>& forces,
+                                          double time_step) {
   for (int stage = 0; stage < 4; ++stage) {
     on_body_.assign(state_.bodies.size(), {});
     for (std::size_t b = 0; b < forces.size(); ++b) {
@@ -119,7 +74,7 @@ void MotionCorrection<T, D>::add_step(const std::vector<std::array<ForceOnBlock<
 }
 
 template <class T, int D>
-void MotionCorrection<T, D>::add_phases(std::vector<Phase>& phases) {
+void FreeMotionCorrection<T, D>::add_phases(std::vector<Phase>& phases) {
   of_block_.resize(state_.blocks.size());
   using namespace resource;
   using enum Group;
@@ -133,7 +88,7 @@ void MotionCorrection<T, D>::add_phases(std::vector<Phase>& phases) {
 }
 
 template <class T, int D>
-void MotionCorrection<T, D>::integrate(int block) {
+void FreeMotionCorrection<T, D>::integrate(int block) {
   const auto owner = state_.owner(block);
   const Body<T, D>& body = owner.body;
   MotionIntegrals& sum = of_block_[block] = {};
@@ -147,7 +102,7 @@ void MotionCorrection<T, D>::integrate(int block) {
 }
 
 template <class T, int D>
-void MotionCorrection<T, D>::balance() {
+void FreeMotionCorrection<T, D>::balance() {
   sums_.assign(state_.bodies.size(), {});
   for (std::size_t b = 0; b < of_block_.size(); ++b)
     add(sums_[state_.blocks[b].body], of_block_[b]);
@@ -173,8 +128,8 @@ void MotionCorrection<T, D>::balance() {
 
 // (RP.90)
 template <class T, int D>
-auto MotionCorrection<T, D>::correction(const MotionIntegrals& now,
-                                        const MotionBudget<D>& budget) const -> Correction {
+auto FreeMotionCorrection<T, D>::correction(const MotionIntegrals& now,
+                                            const MotionBudget<D>& budget) const -> Correction {
   Correction found;
   found.acts = true;
   found.centre = mass_centre(now);
@@ -188,7 +143,7 @@ auto MotionCorrection<T, D>::correction(const MotionIntegrals& now,
 }
 
 template <class T, int D>
-void MotionCorrection<T, D>::correct(int block) {
+void FreeMotionCorrection<T, D>::correct(int block) {
   const Correction& by = of_body_[state_.blocks[block].body];
   if (!by.acts) return;
   const auto owner = state_.owner(block);
@@ -205,9 +160,9 @@ void MotionCorrection<T, D>::correct(int block) {
   });
 }
 
-template class MotionCorrection<double, 2>;
-template class MotionCorrection<double, 3>;
-template class MotionCorrection<float, 2>;
-template class MotionCorrection<float, 3>;
+template class FreeMotionCorrection<double, 2>;
+template class FreeMotionCorrection<double, 3>;
+template class FreeMotionCorrection<float, 2>;
+template class FreeMotionCorrection<float, 3>;
 
 }  // namespace pliant::remeshed

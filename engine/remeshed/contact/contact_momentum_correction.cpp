@@ -1,4 +1,4 @@
-#include "engine/remeshed/contact/momentum_correction.hpp"
+#include "engine/remeshed/contact/contact_momentum_correction.hpp"
 
 #include <algorithm>
 
@@ -78,7 +78,7 @@ Point<D> budget_momentum(const State<T, D>& state, int body) {
 }
 
 template <class T, int D>
-MomentumCorrection<T, D>::MomentumCorrection(State<T, D>& state, const Case& settings)
+ContactMomentumCorrection<T, D>::ContactMomentumCorrection(State<T, D>& state, const Case& settings)
     : state_(state),
       contacts_(settings.contacts),
       of_body_(settings.bodies.size()),
@@ -89,7 +89,7 @@ MomentumCorrection<T, D>::MomentumCorrection(State<T, D>& state, const Case& set
 }
 
 template <class T, int D>
-void MomentumCorrection<T, D>::open() {
+void ContactMomentumCorrection<T, D>::open() {
   for (std::size_t b = 0; b < state_.momentum_budgets.size(); ++b) {
     const Body<T, D>& body = state_.bodies[b];
     MomentumBudget<D>& budget = state_.momentum_budgets[b];
@@ -101,8 +101,8 @@ void MomentumCorrection<T, D>::open() {
 }
 
 template <class T, int D>
-void MomentumCorrection<T, D>::add_phases(std::vector<Phase>& phases,
-                                          std::function<Impulses()> impulses) {
+void ContactMomentumCorrection<T, D>::add_phases(std::vector<Phase>& phases,
+                                                 std::function<Impulses()> impulses) {
   sums_.resize(state_.blocks.size());
   using namespace resource;
   using enum Group;
@@ -123,7 +123,7 @@ void MomentumCorrection<T, D>::add_phases(std::vector<Phase>& phases,
 }
 
 template <class T, int D>
-void MomentumCorrection<T, D>::sum(int block) {
+void ContactMomentumCorrection<T, D>::sum(int block) {
   const auto [body, local] = state_.blocks[block];
   const BlockGhosts<T, D>& ghosts = state_.bodies[body].population.ghosts[local];
   Sum& sum = sums_[block] = {};
@@ -139,7 +139,7 @@ void MomentumCorrection<T, D>::sum(int block) {
 }
 
 template <class T, int D>
-void MomentumCorrection<T, D>::fold_blocks() {
+void ContactMomentumCorrection<T, D>::fold_blocks() {
   of_body_.assign(of_body_.size(), {});
   for (std::size_t b = 0; b < sums_.size(); ++b) {
     Sum& sum = of_body_[state_.blocks[b].body];
@@ -151,7 +151,7 @@ void MomentumCorrection<T, D>::fold_blocks() {
 }
 
 template <class T, int D>
-void MomentumCorrection<T, D>::add_impulses(const Impulses& impulses) {
+void ContactMomentumCorrection<T, D>::add_impulses(const Impulses& impulses) {
   for (std::size_t c = 0; c < impulses.of_contacts.size(); ++c) {
     for (int a = 0; a < D; ++a) {
       const double impulse = impulses.of_contacts[c][a];
@@ -172,7 +172,7 @@ void MomentumCorrection<T, D>::add_impulses(const Impulses& impulses) {
 
 // (RP.98). The part along the normals is taken out again with what is unknown.
 template <class T, int D>
-void MomentumCorrection<T, D>::add_friction(const Impulses& impulses) {
+void ContactMomentumCorrection<T, D>::add_friction(const Impulses& impulses) {
   const std::size_t walls = state_.boundaries.walls.size();
   for (std::size_t i = 0; i < impulses.of_walls.size(); ++i) {
     const Wall<D>& wall = state_.boundaries.walls[i % walls];
@@ -186,7 +186,7 @@ void MomentumCorrection<T, D>::add_friction(const Impulses& impulses) {
 }
 
 template <class T, int D>
-void MomentumCorrection<T, D>::balance() {
+void ContactMomentumCorrection<T, D>::balance() {
   for (std::size_t b = 0; b < of_body_.size(); ++b) {
     const Sum& sum = of_body_[b];
     MomentumBudget<D>& budget = state_.momentum_budgets[b];
@@ -203,7 +203,7 @@ void MomentumCorrection<T, D>::balance() {
 }
 
 template <class T, int D>
-void MomentumCorrection<T, D>::shift(int block) {
+void ContactMomentumCorrection<T, D>::shift(int block) {
   const auto [owner, local] = state_.blocks[block];
   Body<T, D>& body = state_.bodies[owner];
   const Layout<D>& layout = body.population.layout;
@@ -221,12 +221,12 @@ void MomentumCorrection<T, D>::shift(int block) {
   }
 }
 
-template class MomentumCorrection<double, 2>;
-template class MomentumCorrection<double, 3>;
+template class ContactMomentumCorrection<double, 2>;
+template class ContactMomentumCorrection<double, 3>;
 template Point<2> budget_momentum<double, 2>(const State<double, 2>&, int);
 template Point<3> budget_momentum<double, 3>(const State<double, 3>&, int);
-template class MomentumCorrection<float, 2>;
-template class MomentumCorrection<float, 3>;
+template class ContactMomentumCorrection<float, 2>;
+template class ContactMomentumCorrection<float, 3>;
 template Point<2> budget_momentum<float, 2>(const State<float, 2>&, int);
 template Point<3> budget_momentum<float, 3>(const State<float, 3>&, int);
 
