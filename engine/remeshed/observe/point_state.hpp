@@ -25,11 +25,12 @@ std::array<T, kernels::material_components<D>> material_state(const FieldStore<T
   return state;
 }
 
-/// By how much [m] the place of a slot has to be moved for its particle to have started in the first
-/// period: whole periods, so that the body holds together however often it has passed an end.
+/// By how much [m] the place of a slot has to be moved for its particle to have started in the
+/// first period, (RP.93): whole periods, so that the body holds together however often it passed an
+/// end.
 template <class T, int D>
-Point<D> passed_periods(const Lattice<D>& lattice, const FieldStore<T, D>& fields, std::int64_t slot,
-                        const Cell<D>& cell) {
+Point<D> passed_periods(const Lattice<D>& lattice, const FieldStore<T, D>& fields,
+                        std::int64_t slot, const Cell<D>& cell) {
   Point<D> passed = {};
   for (int a = 0; a < D; ++a) {
     const double n = lattice.period[a];
