@@ -1,7 +1,7 @@
 #pragma once
 
-#include <Eigen/Eigenvalues>
 #include <fmt/format.h>
+#include <Eigen/Eigenvalues>
 
 #include <algorithm>
 #include <cstdint>
@@ -45,7 +45,8 @@ inline double share_without_stiffness(const Solver& solver, int body) {
     std::int64_t all = 0, without = 0;
     for (const SlotRun& run : solver.particle_runs(body)) {
       for (std::int64_t slot = run.first; slot < run.last; ++slot, ++all) {
-        without += in_plane ? exceeds<2>(components, slot, limit) : exceeds<3>(components, slot, limit);
+        without +=
+            in_plane ? exceeds<2>(components, slot, limit) : exceeds<3>(components, slot, limit);
       }
     }
     return all > 0 ? static_cast<double>(without) / static_cast<double>(all) : 0.0;
@@ -54,20 +55,20 @@ inline double share_without_stiffness(const Solver& solver, int body) {
 }
 
 /// Names the first body of which a part has lost its stiffness, and says what to do; empty without
-/// one. Singular stresses at the end of a wall are such a part only where they reach far.
+/// one. Singular stresses at the end of a wall alone do not reach as far as a twentieth of a body.
 inline std::string lost_stiffness_warning(const Solver& solver) {
-  constexpr double part = 0.02;
+  constexpr double part = 0.05;
   const Case& settings = solver.settings();
   if (settings.rules == nullptr || !settings.rules->remeshes) return {};
   for (std::size_t b = 0; b < settings.bodies.size(); ++b) {
     const kernels::Model model = settings.bodies[b].material.model;
     if (model != kernels::Model::linear && model != kernels::Model::linear_logarithmic) continue;
     const double share = share_without_stiffness(solver, static_cast<int>(b));
-    if (share < part) continue;
+    if (share <= part) continue;
     return fmt::format(
         "warning: t = {:.6g} s: the linear material of body `{}` is sheared beyond its range in "
-        "{:.2g} of its particles, where it has no stiffness left; use model = "
-        "\"reduced_polynomial\" for strains as large as these",
+        "{:.2g} of its particles: it has no stiffness left there, and strain will gather in bands; "
+        "use model = \"reduced_polynomial\" for strains as large as these",
         solver.clock().time, settings.bodies[b].name, share);
   }
   return {};

@@ -12,7 +12,8 @@ namespace pliant::test {
 namespace {
 
 /// The block of tests, of the shear modulus 100/2.6 Pa, under a shear stress from the start.
-std::string warning_under(const std::string& stress, const std::vector<std::string>& settings = {}) {
+std::string warning_under(const std::string& stress,
+                          const std::vector<std::string>& settings = {}) {
   const Case block =
       tests::read_text(tests::block_case + "stress = { xy = " + stress + " }\n", settings);
   const remeshed::Solver<double, 2> solver(block, {1, kernels::Isa::sse2});
