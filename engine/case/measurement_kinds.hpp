@@ -3,6 +3,7 @@
 #include <array>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "engine/case/measurement_kind.hpp"
 #include "engine/case/word.hpp"
@@ -286,5 +287,9 @@ std::string_view unit_of(const Case& a_case, const MeasurementCase& m);
 /// values, because a case of a method without remeshings gives no `output.measure_every`; empty
 /// where there are none.
 std::string sampling_warning(const Case& a_case);
+
+/// The same at the end of a run of a method with remeshings, of which there may have been few:
+/// where more than a twentieth of the run lies between two of the `times` [s] of its samples.
+std::string sampling_warning(const Case& a_case, const std::vector<double>& times);
 
 }  // namespace pliant

@@ -7,8 +7,8 @@ namespace pliant {
 
 template <int D>
 void Occupancy<D>::reset(Cell<D> lower, Cell<D> upper, int reach) {
-  first_column_ = column_of(lower[0] - reach) - 1;
-  columns_ = column_of(upper[0] + reach) + 2 - first_column_;
+  first_column_ = column_of(lower[0] - reach);
+  columns_ = column_of(upper[0] + reach) + 1 - first_column_;
   for (int a = 1; a < D; ++a) {
     first_row_[a - 1] = lower[a] - reach;
     rows_[a - 1] = upper[a] + reach + 1 - first_row_[a - 1];

@@ -23,6 +23,7 @@
 #include "engine/output/result_file.hpp"
 #include "engine/output/summary.hpp"
 #include "engine/simulation/histories.hpp"
+#include "engine/simulation/lost_stiffness.hpp"
 #include "engine/simulation/run_identity.hpp"
 #include "engine/simulation/schedule.hpp"
 #include "engine/simulation/watch.hpp"
@@ -162,6 +163,7 @@ class Run {
     has_new_frame_ = false;
     if (save_now && !last) save();
     warn_of_instability();
+    if (due || last) warn_of_lost_stiffness();
     show();
   }
 
@@ -177,6 +179,14 @@ class Run {
     is_unstable_ = !warning.empty();
     if (!is_unstable_ || !stability_warning(settings_).empty()) return;
     progress_.message(fmt::format("warning: t = {:.6g} s: {}", solver_->clock().time, warning));
+  }
+
+  // Bodies are remeshed as they deform.
+  void warn_of_lost_stiffness() {
+    if (is_beyond_range_) return;
+    const std::string warning = lost_stiffness_warning(*solver_);
+    is_beyond_range_ = !warning.empty();
+    warn(warning);
   }
 
   FrameParts parts() const { return {settings_.output.ghosts, settings_.output.surface}; }
@@ -260,6 +270,8 @@ class Run {
     write_summary(options_.folder, summary);
     progress_.report(report_of(options_.folder, summary));
     warn_of_inertia(summary.conserved.end);
+    const std::string of_samples = sampling_warning(settings_, histories_.times());
+    if (!of_samples.empty()) progress_.message(fmt::format("warning: {}", of_samples));
   }
 
   // Scaled mass is no mass that anyone meant: where it matters, the answer is not the static one.
@@ -286,8 +298,9 @@ class Run {
   std::optional<ResultFile> result_;
   ConservedQuantities start_;
   std::int64_t particles_at_start_ = 0;
-  bool has_new_frame_ = false;  ///< since the last checkpoint was considered
-  bool is_unstable_ = false;    ///< the step is above the stability limit
+  bool has_new_frame_ = false;    ///< since the last checkpoint was considered
+  bool is_unstable_ = false;      ///< the step is above the stability limit
+  bool is_beyond_range_ = false;  ///< a linear material has lost its stiffness
 };
 
 }  // namespace

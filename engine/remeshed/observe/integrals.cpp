@@ -20,7 +20,8 @@ BodyIntegrals integrate(const LatticeView<T, D>& view, const Boundaries<D>& boun
   for (const Block<D>& block : view.population.layout.blocks()) {
     cells.for_each(block, [&](std::int64_t p, const Cell<D>& cell, const Moments<D>& moments) {
       Point<D> r = view.body.lattice.node(cell), slope = {};
-      for (int a = 0; a < D; ++a) r[a] -= about[a];
+      const Point<D> passed = passed_periods<T, D>(view.body.lattice, view.fields, p, cell);
+      for (int a = 0; a < D; ++a) r[a] += passed[a] - about[a];
       cells.for_each_pair(cell, [&](int a, std::int64_t up, std::int64_t down) {
         slope[a] = (energy(up) - energy(down)) / 2;
       });
@@ -49,9 +50,10 @@ BodyIntegrals sum_particles(const Body<T, D>& body, const Vector& about) {
     layout.for_each_slot(block, [&](std::int64_t p, const Cell<D>& cell) {
       if (body.population.kind[p] != Kind::interior) return;
       const Point<D> x = body.position(p, cell);
+      const Point<D> passed = passed_periods<T, D>(body.lattice, f, p, cell);
       Vector r = {}, u = {};
       for (int a = 0; a < D; ++a) {
-        r[a] = x[a] - about[a];
+        r[a] = x[a] + passed[a] - about[a];
         u[a] = f.get(Field::velocity, a)[p];
       }
       const double volume = f.get(Field::volume)[p];

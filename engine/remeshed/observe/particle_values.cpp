@@ -1,6 +1,7 @@
 #include "engine/remeshed/observe/particle_values.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 
 #include "engine/method/field_components.hpp"
@@ -27,6 +28,7 @@ void for_each_near(const Body<T, D>& body, const Vector& start, F&& f) {
       for (int a = 0; a < D; ++a) {
         const double began = body.lattice.node(a, cell[a]) - fields.get(Field::displacement, a)[p];
         r[a] = (began - start[a]) / body.lattice.spacing;
+        if (const double n = body.lattice.period[a]; n != 0) r[a] -= n * std::round(r[a] / n);
         square += r[a] * r[a];
       }
       const double fraction = square / (radius * radius);

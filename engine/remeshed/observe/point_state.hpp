@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 
 #include "engine/remeshed/body.hpp"
 #include "kernels/energy.hpp"
@@ -22,6 +23,22 @@ std::array<T, kernels::material_components<D>> material_state(const FieldStore<T
   for (int c = 0; c < fields.material_components(); ++c)
     state[c] = fields.get(Field::material, c)[slot];
   return state;
+}
+
+/// By how much [m] the place of a slot has to be moved for its particle to have started in the
+/// first period, (RP.93): whole periods, so that the body holds together however often it passed an
+/// end.
+template <class T, int D>
+Point<D> passed_periods(const Lattice<D>& lattice, const FieldStore<T, D>& fields,
+                        std::int64_t slot, const Cell<D>& cell) {
+  Point<D> passed = {};
+  for (int a = 0; a < D; ++a) {
+    const double n = lattice.period[a];
+    if (n == 0) continue;
+    const double start = cell[a] + 0.5 - fields.get(Field::displacement, a)[slot] / lattice.spacing;
+    passed[a] = -std::floor(start / n) * n * lattice.spacing;
+  }
+  return passed;
 }
 
 /// Of the inertia, (RP.87) [kg/m^3].

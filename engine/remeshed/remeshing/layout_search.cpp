@@ -93,7 +93,7 @@ bool LayoutSearch<T, D>::mark_particles() {
   for (const Block<D>& block : from.layout.blocks()) {
     from.layout.for_each_slot(block, [&](std::int64_t p, const Cell<D>& cell) {
       if (from.kind[p] != Kind::interior) return;
-      occupancy_.mark(body_.lattice.wrapped(nearest(p, cell)));
+      mark_images(body_.lattice.wrapped(nearest(p, cell)));
     });
   }
   occupancy_.dilate(layout_reach);
@@ -115,9 +115,26 @@ void LayoutSearch<T, D>::mark_geometry() {
   occupancy_.reset(lower, upper, layout_reach);
   DistanceWalk inside(geometry, D, 0);
   for_each_cell<D>(lower, upper, [&](const Cell<D>& cell) {
-    if (inside(padded<D>(lattice.node(cell))) < 0) occupancy_.mark(cell);
+    if (inside(padded<D>(lattice.node(cell))) < 0) mark_images(cell);
   });
   occupancy_.dilate(layout_reach);
+}
+
+template <class T, int D>
+void LayoutSearch<T, D>::mark_images(const Cell<D>& cell) {
+  const Cell<D>& period = body_.lattice.period;
+  Cell<D> first = {}, last = {};
+  for (int a = 0; a < D; ++a) {
+    const double n = period[a];
+    if (n == 0) continue;
+    first[a] = cell_above((-layout_reach - cell[a]) / n);
+    last[a] = cell_below((period[a] - 1 + layout_reach - cell[a]) / n);
+  }
+  for_each_cell<D>(first, last, [&](const Cell<D>& turns) {
+    Cell<D> image = cell;
+    for (int a = 0; a < D; ++a) image[a] += turns[a] * period[a];
+    occupancy_.mark(image);
+  });
 }
 
 template <class T, int D>

@@ -40,6 +40,10 @@ class LayoutSearch {
   /// have moved, and one for the differences at its rim.
   static constexpr int layout_reach = 6;
 
+  /// Marks a cell of the first period, and what of its images lies within reach of that: the body
+  /// beside one end of a period has ghosts beyond the other end.
+  void mark_images(const Cell<D>& cell);
+
   const Body<T, D>& body_;
   Occupancy<D> occupancy_;
   std::vector<CellBounds<D>> bounds_;

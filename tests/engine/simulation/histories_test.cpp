@@ -160,7 +160,7 @@ discretisation = { spacing = 0.1 }
 time = { end = 2 }
 [[body]]
 name = "block"
-material = { model = "neo_hookean", density = 1, youngs_modulus = 100, poissons_ratio = 0.3 }
+material = { model = "linear", density = 1, youngs_modulus = 100, poissons_ratio = 0.3 }
 geometry = { shape = "box", lower = [0, 0], upper = [1, 1] }
 [[boundary]]
 name = "floor"
@@ -187,6 +187,17 @@ kind = "mass"
   EXPECT_EQ(sampling_warning(
                 tests::read_text(block, {"method=total_lagrangian", "output.measure_every=0.1"})),
             "");
+  // With remeshings it depends on when they came.
+  const Case remeshed = tests::read_text(block);
+  EXPECT_EQ(sampling_warning(remeshed), "");
+  const double end = remeshed.time.end;
+  const std::string late = sampling_warning(remeshed, {0, 0.04 * end, 0.5 * end, end});
+  EXPECT_NE(late.find("up to 1 s apart"), late.npos) << late;
+  EXPECT_NE(late.find("`force` is its mean over the last 1 s"), late.npos) << late;
+  EXPECT_NE(late.find("`most` has a history of 4 values"), late.npos) << late;
+  std::vector<double> often;
+  for (int i = 0; i <= 25; ++i) often.push_back(i / 25.0 * end);
+  EXPECT_EQ(sampling_warning(remeshed, often), "");
 }
 
 }  // namespace
