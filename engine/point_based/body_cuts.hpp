@@ -78,6 +78,7 @@ class BodyCuts {
     std::int32_t cut = -1;  ///< -1 before it cuts
     Station station;
     BladeResistance<T, D> resistance;
+    double followed = 0;     ///< time of the station [s]
     Station velocity = {};   ///< of the last move, in the undeformed body [m/s]
     double moved = 0;        ///< when that was [s]
     double moves_until = 0;  ///< [s]
@@ -102,8 +103,11 @@ class BodyCuts {
   static bool is_relaxing(const Body<T, D>& body, std::int64_t slot);
   static void find_edge(const CutCase& source, double time, Station& edge);
   Blade& blade_of(std::size_t cut);
-  bool is_far(const Blade& blade, const Station& edge) const;
+  /// How far the point of an edge is that is farthest from where the blade is [m].
+  static double way_to(const Blade& blade, const Station& edge);
   void move_by_case(std::size_t blade, double time);
+  /// Follows the path from where the blade was last, or from its start, to edge_ at `until` [s].
+  void follow_path(std::size_t blade, double until, double time);
   /// Whether the blade, whose edge is at edge_, cuts from `time` on; where the surface has given
   /// way, the cut begins where the blade was before it touched it.
   bool enters(std::size_t blade, double time);
@@ -121,7 +125,7 @@ class BodyCuts {
   void set_bonds_of(std::int32_t slot, Body<T, D>& body);
 
   BondChoice<D> choice_;
-  double least_advance_;  ///< [m]
+  double least_advance_, longest_advance_;  ///< from station to station [m]
   CutBonds<D> bonds_;
   std::vector<Blade> blades_;
   Moves moves_;

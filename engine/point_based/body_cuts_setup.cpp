@@ -11,7 +11,8 @@ namespace pliant::point_based {
 
 namespace {
 
-constexpr double advance_over_resolution = 0.125;  // a blade moves on by this at a time
+constexpr double advance_over_resolution = 0.125;  // a blade moves on by this at a time, or more
+constexpr double longest_over_resolution = 1;      // along a path that may bend
 constexpr double inside_over_resolution = 1e-6;
 
 /// Bonds to all candidates, in the numbers of slots.
@@ -55,6 +56,7 @@ BodyCuts<T, D>::BodyCuts(const Case& settings, int body_number, BondChoice<D> ch
                          const Body<T, D>& body)
     : choice_(std::move(choice)),
       least_advance_(advance_over_resolution * body.resolution),
+      longest_advance_(longest_over_resolution * body.resolution),
       bonds_(body.start, sizes_of(body), rows_of(choice_, body), parameters_of(settings).cut_rule,
              inside_of<D>(body.source->geometry, inside_over_resolution * body.resolution),
              first_slots(body)),

@@ -25,7 +25,7 @@ TEST(resolution, of_a_cut_by_few_spacings_is_said_to_be_too_coarse) {
 }
 
 TEST(resolution, of_a_blade_that_stays_is_none_unless_a_program_moves_it) {
-  EXPECT_NE(said_of({"cut.0.path=[0, 0]"}).find("ends where it starts"), std::string::npos);
+  EXPECT_NE(said_of({"cut.0.path=[0, 0]"}).find("stays where it starts"), std::string::npos);
   EXPECT_EQ(said_of({"cut.0.path=[0, 0]", "cut.0.start=200", "cut.0.end=300"}), "");
 }
 
