@@ -16,6 +16,8 @@
 namespace pliant::point_based {
 
 template <int D>
+class CutCells;
+template <int D>
 class OpenedSurface;
 
 /// The cuts of a case in one body. Blades move between steps; in a step, the nodes whose bonds they
@@ -62,6 +64,8 @@ class BodyCuts {
 
   /// The surface of `body` with the faces of the cuts.
   const OpenedSurface<D>& opened_surface(const Body<T, D>& body);
+  /// What nodes of `body` hold beyond the cuts.
+  const CutCells<D>& cut_cells(const Body<T, D>& body);
 
   /// What the blades have cut so far.
   std::span<const CutSurface<D>> surfaces() const { return bonds_.cuts(); }
@@ -106,7 +110,8 @@ class BodyCuts {
   /// How far the point of an edge is that is farthest from where the blade is [m].
   static double way_to(const Blade& blade, const Station& edge);
   void move_by_case(std::size_t blade, double time);
-  /// Follows the path from where the blade was last, or from its start, to edge_ at `until` [s].
+  /// Follows the path from where the blade was last, or from its start, to edge_ at `until` [s],
+  /// (PB.38).
   void follow_path(std::size_t blade, double until, double time);
   /// Whether the blade, whose edge is at edge_, cuts from `time` on; where the surface has given
   /// way, the cut begins where the blade was before it touched it.
@@ -136,6 +141,7 @@ class BodyCuts {
   std::vector<BlockCuts> blocks_;
   double surface_spacing_;                            ///< [m]
   std::unique_ptr<OpenedSurface<D>> opened_surface_;  ///< once a frame has shown it
+  std::unique_ptr<CutCells<D>> cut_cells_;            ///< once a measurement has asked for it
 };
 
 extern template class BodyCuts<double, 2>;

@@ -13,7 +13,7 @@ namespace {
 
 constexpr double slack = 1 + 1e-6;   // of squared distances that are compared with a bound
 constexpr double near_other = 0.25;  // of the longest part
-constexpr double around_own = 0.5;   // (CU.6), of the longest part
+constexpr double around_own = 0.5;   // (PB.36), of the longest part
 constexpr double near_own = 0.2;
 constexpr double least_reversal = 0.9659;  // cosine of 15 degrees
 
@@ -145,7 +145,10 @@ void CutFront<D>::update(Cuts cuts, std::size_t which) {
   if (cut.stations() > std::max(stations_, 1)) {
     const std::int32_t last = cut.stations() - 1;
     std::vector<Part> added;
-    if (last > 1) added = turned_back(cut, last - 1);
+    for (std::int32_t s = std::max(stations_ - 1, 1); s < last; ++s) {
+      const std::vector<Part> turned = turned_back(cut, s);
+      added.insert(added.end(), turned.begin(), turned.end());
+    }
     for (const auto& boundary : cut.rim(std::max(stations_ - 1, 0))) {
       add_parts(cut, boundary.edge, boundary.opposite, added);
     }

@@ -21,7 +21,7 @@ using InsideTest = std::function<bool(const MaterialPoint<D>&)>;
 
 /// The front of a cut: the part of its boundary inside the body, from where it can grow. The
 /// boundary on or outside the body's surface does not count, nor what ends on another cut or on
-/// another part of the same one, (CU.6).
+/// another part of the same one, (PB.36).
 template <int D>
 class CutFront {
  public:
