@@ -111,6 +111,7 @@ void BodyCuts<T, D>::move_blade(std::size_t b, const Station& station, double ti
   if (tissue_) resist(blade, station, time);
   if (blade.cut < 0) blade.cut = bonds_.add_cut();
   blade.station = station;
+  blade.followed = time;
   moves_.blade.push_back(static_cast<std::int64_t>(b));
   moves_.points.push_back(static_cast<std::int64_t>(station.size()));
   for (const MaterialPoint<D>& x : station) {
@@ -124,7 +125,7 @@ void BodyCuts<T, D>::move_blade(std::size_t b, const Station& station, double ti
 }
 
 template <class T, int D>
-bool BodyCuts<T, D>::is_far(const Blade& blade, const Station& edge) const {
+double BodyCuts<T, D>::way_to(const Blade& blade, const Station& edge) {
   double farthest = 0;
   for (std::size_t k = 0; k < edge.size(); ++k) {
     double square = 0;
@@ -133,7 +134,7 @@ bool BodyCuts<T, D>::is_far(const Blade& blade, const Station& edge) const {
     }
     farthest = std::max(farthest, std::sqrt(square));
   }
-  return farthest >= least_advance_;
+  return farthest;
 }
 
 template <class T, int D>
@@ -141,20 +142,40 @@ void BodyCuts<T, D>::move_by_case(std::size_t b, double time) {
   Blade& blade = blades_[b];
   if (blade.is_done || time < blade.source.start) return;
   const bool ends = time >= blade.source.end;
-  find_edge(blade.source, std::min(time, blade.source.end), edge_);
+  const double until = std::min(time, blade.source.end);
+  find_edge(blade.source, until, edge_);
   if (blade.puncture && !enters(b, time)) {
     blade.is_done = ends;
     return;
   }
-  if (blade.cut >= 0 && !ends && !is_far(blade, edge_)) return;
-  move_blade(b, edge_, time);
+  if (blade.cut >= 0 && !ends && way_to(blade, edge_) < least_advance_) return;
+  follow_path(b, until, time);
   blade.is_done = ends;
+}
+
+// A fast blade goes by several nodes in a step, and its path may bend there.
+template <class T, int D>
+void BodyCuts<T, D>::follow_path(std::size_t b, double until, double time) {
+  Blade& blade = blades_[b];
+  const double from = blade.cut < 0 ? blade.source.start : blade.followed;
+  if (blade.cut < 0 && from < until) {
+    find_edge(blade.source, from, next_edge_);
+    move_blade(b, next_edge_, time);
+  }
+  const double way = blade.cut < 0 ? 0 : way_to(blade, edge_);
+  const int parts = std::max(1, static_cast<int>(std::ceil(way / longest_advance_)));
+  for (int k = 1; k < parts; ++k) {
+    find_edge(blade.source, from + (until - from) * k / parts, next_edge_);
+    move_blade(b, next_edge_, time);
+  }
+  move_blade(b, edge_, time);
 }
 
 template <class T, int D>
 void BodyCuts<T, D>::move_by_caller(std::size_t b, double time) {
   Blade& blade = blades_[b];
-  if (blade.target.empty() || (blade.cut >= 0 && !is_far(blade, blade.target))) return;
+  if (blade.target.empty()) return;
+  if (blade.cut >= 0 && way_to(blade, blade.target) < least_advance_) return;
   move_blade(b, blade.target, time);
   blade.target.clear();
 }

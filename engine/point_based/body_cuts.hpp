@@ -16,6 +16,8 @@
 namespace pliant::point_based {
 
 template <int D>
+class CutCells;
+template <int D>
 class OpenedSurface;
 
 /// The cuts of a case in one body. Blades move between steps; in a step, the nodes whose bonds they
@@ -62,6 +64,8 @@ class BodyCuts {
 
   /// The surface of `body` with the faces of the cuts.
   const OpenedSurface<D>& opened_surface(const Body<T, D>& body);
+  /// What nodes of `body` hold beyond the cuts.
+  const CutCells<D>& cut_cells(const Body<T, D>& body);
 
   /// What the blades have cut so far.
   std::span<const CutSurface<D>> surfaces() const { return bonds_.cuts(); }
@@ -78,6 +82,7 @@ class BodyCuts {
     std::int32_t cut = -1;  ///< -1 before it cuts
     Station station;
     BladeResistance<T, D> resistance;
+    double followed = 0;     ///< time of the station [s]
     Station velocity = {};   ///< of the last move, in the undeformed body [m/s]
     double moved = 0;        ///< when that was [s]
     double moves_until = 0;  ///< [s]
@@ -102,8 +107,12 @@ class BodyCuts {
   static bool is_relaxing(const Body<T, D>& body, std::int64_t slot);
   static void find_edge(const CutCase& source, double time, Station& edge);
   Blade& blade_of(std::size_t cut);
-  bool is_far(const Blade& blade, const Station& edge) const;
+  /// How far the point of an edge is that is farthest from where the blade is [m].
+  static double way_to(const Blade& blade, const Station& edge);
   void move_by_case(std::size_t blade, double time);
+  /// Follows the path from where the blade was last, or from its start, to edge_ at `until` [s],
+  /// (PB.38).
+  void follow_path(std::size_t blade, double until, double time);
   /// Whether the blade, whose edge is at edge_, cuts from `time` on; where the surface has given
   /// way, the cut begins where the blade was before it touched it.
   bool enters(std::size_t blade, double time);
@@ -121,7 +130,7 @@ class BodyCuts {
   void set_bonds_of(std::int32_t slot, Body<T, D>& body);
 
   BondChoice<D> choice_;
-  double least_advance_;  ///< [m]
+  double least_advance_, longest_advance_;  ///< from station to station [m]
   CutBonds<D> bonds_;
   std::vector<Blade> blades_;
   Moves moves_;
@@ -132,6 +141,7 @@ class BodyCuts {
   std::vector<BlockCuts> blocks_;
   double surface_spacing_;                            ///< [m]
   std::unique_ptr<OpenedSurface<D>> opened_surface_;  ///< once a frame has shown it
+  std::unique_ptr<CutCells<D>> cut_cells_;            ///< once a measurement has asked for it
 };
 
 extern template class BodyCuts<double, 2>;

@@ -2,6 +2,7 @@
 #include <utility>
 
 #include "engine/point_based/body_cuts.hpp"
+#include "engine/point_based/cut_faces/cut_cells.hpp"
 #include "engine/point_based/observe/opened_surface.hpp"
 #include "engine/point_based/parameters.hpp"
 #include "engine/point_based/surface.hpp"
@@ -11,7 +12,8 @@ namespace pliant::point_based {
 
 namespace {
 
-constexpr double advance_over_resolution = 0.125;  // a blade moves on by this at a time
+constexpr double advance_over_resolution = 0.125;  // a blade moves on by this at a time, or more
+constexpr double longest_over_resolution = 1;      // along a path that may bend
 constexpr double inside_over_resolution = 1e-6;
 
 /// Bonds to all candidates, in the numbers of slots.
@@ -55,6 +57,7 @@ BodyCuts<T, D>::BodyCuts(const Case& settings, int body_number, BondChoice<D> ch
                          const Body<T, D>& body)
     : choice_(std::move(choice)),
       least_advance_(advance_over_resolution * body.resolution),
+      longest_advance_(longest_over_resolution * body.resolution),
       bonds_(body.start, sizes_of(body), rows_of(choice_, body), parameters_of(settings).cut_rule,
              inside_of<D>(body.source->geometry, inside_over_resolution * body.resolution),
              first_slots(body)),
@@ -93,17 +96,28 @@ const OpenedSurface<D>& BodyCuts<T, D>::opened_surface(const Body<T, D>& body) {
   return *opened_surface_;
 }
 
+template <class T, int D>
+const CutCells<D>& BodyCuts<T, D>::cut_cells(const Body<T, D>& body) {
+  if (!cut_cells_) cut_cells_ = std::make_unique<CutCells<D>>(body, surface_spacing_);
+  cut_cells_->follow(bonds_.cuts());
+  return *cut_cells_;
+}
+
 template BodyCuts<double, 2>::BodyCuts(const Case&, int, BondChoice<2>, const Body<double, 2>&);
 template BodyCuts<double, 3>::BodyCuts(const Case&, int, BondChoice<3>, const Body<double, 3>&);
 template BodyCuts<float, 2>::BodyCuts(const Case&, int, BondChoice<2>, const Body<float, 2>&);
 template BodyCuts<float, 3>::BodyCuts(const Case&, int, BondChoice<3>, const Body<float, 3>&);
 template BodyCuts<double, 2>::~BodyCuts();
 template const OpenedSurface<2>& BodyCuts<double, 2>::opened_surface(const Body<double, 2>&);
+template const CutCells<2>& BodyCuts<double, 2>::cut_cells(const Body<double, 2>&);
 template BodyCuts<double, 3>::~BodyCuts();
 template const OpenedSurface<3>& BodyCuts<double, 3>::opened_surface(const Body<double, 3>&);
+template const CutCells<3>& BodyCuts<double, 3>::cut_cells(const Body<double, 3>&);
 template BodyCuts<float, 2>::~BodyCuts();
 template const OpenedSurface<2>& BodyCuts<float, 2>::opened_surface(const Body<float, 2>&);
+template const CutCells<2>& BodyCuts<float, 2>::cut_cells(const Body<float, 2>&);
 template BodyCuts<float, 3>::~BodyCuts();
 template const OpenedSurface<3>& BodyCuts<float, 3>::opened_surface(const Body<float, 3>&);
+template const CutCells<3>& BodyCuts<float, 3>::cut_cells(const Body<float, 3>&);
 
 }  // namespace pliant::point_based

@@ -21,23 +21,35 @@ double distance(const Vector& a, const Vector& b) {
   return std::hypot(b[0] - a[0], b[1] - a[1], b[2] - a[2]);
 }
 
-/// How far the end of an edge goes that goes farther.
+/// How far from its start the blade comes, by the end of its edge that comes farther.
 double length_of(const CutCase& cut) {
-  const BladeEdge start = edge_of(cut, cut.start), end = edge_of(cut, cut.end);
-  return std::max(distance(start.from, end.from), distance(start.to, end.to));
+  constexpr int places = 128;  // of a path that may be curved, or go back
+  const BladeEdge start = edge_of(cut, cut.start);
+  double farthest = 0;
+  for (int k = 1; k <= places; ++k) {
+    const BladeEdge edge = edge_of(cut, cut.start + (cut.end - cut.start) * k / places);
+    farthest = std::max({farthest, distance(start.from, edge.from), distance(start.to, edge.to)});
+  }
+  return farthest;
 }
 
 }  // namespace
 
 std::string resolution_warning(const Case& settings) {
   const CutRule rule = parameters_of(settings).cut_rule;
+  if (rule == CutRule::product && !settings.cuts.empty()) {
+    return "warning: the rule \"product\" leaves up to 1 % of some bonds that a cut crosses, so "
+           "that "
+           "a complete cut may not divide the body; take point_based.cut_rule = \"transparency\" "
+           "where parts matter";
+  }
   for (const CutCase& cut : settings.cuts) {
     if (!moves_in_run(cut, settings)) continue;
     const double spacings = length_of(cut) / settings.discretisation.spacing;
     if (!(spacings < least_spacings(rule))) continue;
     if (spacings == 0) {
       return fmt::format(
-          "warning: the blade of cut `{}` ends where it starts, so that it may cut nothing; give a "
+          "warning: the blade of cut `{}` stays where it starts, so that it cuts nothing; give a "
           "path that depends on t",
           cut.name);
     }

@@ -4,6 +4,7 @@
 
 #include "engine/total_lagrangian/load_shares.hpp"
 #include "engine/total_lagrangian/setup.hpp"
+#include "engine/total_lagrangian/surface_place.hpp"
 
 // The surface of the undeformed body, cut out of its cells simplex by simplex. Corners of facets
 // lie on lines between particles, so that the present surface follows from the particles alone.
@@ -38,7 +39,12 @@ class SurfaceMaker {
       : boundaries_(boundaries),
         body_(body),
         pushes_(body.layout.slots()),
-        smallest_(smallest_area * std::pow(body.lattice.spacing, D - 1)) {}
+        smallest_(smallest_area * std::pow(body.lattice.spacing, D - 1)) {
+    // Distances to meshes take long, and their edges are seldom as sharp as those of boxes.
+    if (body.source != nullptr && !contains_mesh(body.source->geometry)) {
+      shape_ = &body.source->geometry;
+    }
+  }
 
   // Inside corners must be particles; what belongs to an outside corner without one moves with
   // them.
@@ -124,18 +130,25 @@ class SurfaceMaker {
   // All loads on the last facet.
   void load(const PlacesInCell<D>& places) {
     const int facet = static_cast<int>(body_.facets.size()) - 1;
-    const double area = length<D>(area_vector(body_, body_.facets[facet]));
+    const Point<D> area_and_normal = area_vector(body_, body_.facets[facet]);
+    const double area = length<D>(area_and_normal);
     for (int k = 0; k < static_cast<int>(boundaries_.pressures.size()); ++k) {
       int count = 0, hit = 0;
+      double loaded = 0;
       Weights<D> weights = {};
       Point<D> moment = {};
       for_each_sample<D>([&](const Barycentric<D>& at) {
         ++count;
         const Point<D> x = place(body_.facets[facet], at);
-        if (!boundaries_.pressures[k].acts_at(x) || on_a_wall(x)) return;
+        if (on_a_wall(x)) return;
+        const SurfacePlace<D> real = real_place(x, area_and_normal, area);
+        if (!boundaries_.pressures[k].acts_at(real.place)) return;
         ++hit;
-        for (int a = 0; a < D; ++a) moment[a] += x[a];
-        add_weights<D>(places, at, 1, weights);
+        // The vector of an area is that of the facet, however the surface runs beyond it.
+        const double share = boundaries_.pressures[k].is_traction() ? real.area : 1;
+        loaded += share;
+        for (int a = 0; a < D; ++a) moment[a] += share * x[a];
+        add_weights<D>(places, at, share, weights);
       });
       if (hit == 0) continue;
       if (hit == count) {
@@ -146,9 +159,18 @@ class SurfaceMaker {
       }
       for (double& component : moment) component *= area / count;
       loaded_.push_back(
-          {static_cast<int>(body_.patches.size()), k, weights, area * hit / count, moment});
-      body_.patches.push_back({facet, static_cast<double>(hit) / count, k});
+          {static_cast<int>(body_.patches.size()), k, weights, area * loaded / count, moment});
+      body_.patches.push_back({facet, loaded / count, k});
     }
+  }
+
+  // (TL.29)
+  SurfacePlace<D> real_place(const Point<D>& x, const Point<D>& area_and_normal,
+                             double area) const {
+    if (shape_ == nullptr) return {x};
+    Point<D> normal = area_and_normal;
+    for (double& component : normal) component /= area;
+    return surface_place<D>(*shape_, x, normal, body_.lattice.spacing);
   }
 
   static Point<D> place(const Facet<D>& facet, const Barycentric<D>& at) {
@@ -198,6 +220,7 @@ class SurfaceMaker {
 
   const Boundaries<D>& boundaries_;
   Body<T, D>& body_;
+  const Shape* shape_ = nullptr;                             // where distances to it are cheap
   std::vector<std::vector<std::pair<int, double>>> pushes_;  // [slot]
   std::vector<LoadedFacet> loaded_;                          // of the cell that is being cut
   double smallest_;

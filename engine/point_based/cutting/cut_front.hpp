@@ -20,12 +20,14 @@ template <int D>
 using InsideTest = std::function<bool(const MaterialPoint<D>&)>;
 
 /// The front of a cut: the part of its boundary inside the body, from where it can grow. The
-/// boundary on or outside the body's surface does not count, nor what ends on another cut.
+/// boundary on or outside the body's surface does not count, nor what ends on another cut or on
+/// another part of the same one, (PB.36).
 template <int D>
 class CutFront {
  public:
   /// The front is divided into parts no longer than `length` [m], each of which is inside the body
-  /// or not. What comes within `length`/4 of another cut has joined it.
+  /// or not. What comes within `length`/4 of another cut has joined it; what has more of its own
+  /// cut at `length`/2 than the piece that it bounds has joined that.
   CutFront(InsideTest<D> is_inside, double length)
       : is_inside_(std::move(is_inside)), length_(length) {}
 
@@ -43,22 +45,28 @@ class CutFront {
  private:
   struct Part {
     MaterialPoint<D> from, to, middle;
+    MaterialPoint<D> outward;  ///< in the cut, normal to the part: unit vector, or 0
   };
   using Cuts = std::span<const CutSurface<D>>;
+  using Edge = typename CutSurface<D>::Edge;
 
-  /// Adds the parts of an edge that are inside the body.
-  void add_parts(const CutSurface<D>& cut, const typename CutSurface<D>::Edge& edge,
+  /// Adds the parts of an edge that are inside the body; `from` is an edge of the cut on the other
+  /// side of the piece that it bounds.
+  void add_parts(const CutSurface<D>& cut, const Edge& edge, const Edge& from,
                  std::vector<Part>& parts) const;
-  /// Takes away the parts that have come to another cut, with its pieces from `from`[cut] on.
+  /// The parts of the edge of a station from which the blade has gone back the way it came.
+  std::vector<Part> turned_back(const CutSurface<D>& cut, std::int32_t station) const;
+  /// Takes away the parts that have come to a cut, with its pieces from `from`[cut] on.
   void remove_joined(Cuts cuts, std::size_t which, std::span<const std::size_t> from,
                      std::vector<Part>& parts);
   bool has_joined(Cuts cuts, std::size_t which, std::span<const std::size_t> from,
                   const Part& part) const;
+  bool meets_own(const Part& part, const std::array<MaterialPoint<D>, D>& piece) const;
   void add_to_changed(const std::vector<Part>& parts);
 
   InsideTest<D> is_inside_;
   double length_;
-  std::vector<Part> rim_, leading_;  ///< rims stay, leading edges move
+  std::vector<Part> rim_, leading_;  ///< rims stay, leading edges move on
   std::int32_t stations_ = 0;        ///< that the front has followed
   std::vector<std::size_t> tested_;  ///< [cut] pieces that rims have been compared with
   Box<D> changed_;

@@ -50,23 +50,20 @@ auto CutSurface<D>::edge_of(std::int32_t station) const -> std::vector<Edge> {
 }
 
 template <int D>
-auto CutSurface<D>::leading_edge() const -> std::vector<Edge> {
-  if (stations() == 0) return {};
-  return edge_of(stations() - 1);
-}
-
-template <int D>
-auto CutSurface<D>::rim(std::int32_t station) const -> std::vector<Edge> {
-  std::vector<Edge> edges;
+auto CutSurface<D>::rim(std::int32_t station) const -> std::vector<Boundary> {
+  std::vector<Boundary> edges;
   if (stations() < 2) return edges;
-  if (station == 0) edges = edge_of(0);
+  if (station == 0) {
+    const std::vector<Edge> first = edge_of(0), second = edge_of(1);
+    for (std::size_t k = 0; k < first.size(); ++k) edges.push_back({first[k], second[k]});
+  }
   if constexpr (D == 3) {
     const std::int32_t count = points_per_station_;
     edges.reserve(edges.size() + 2 * static_cast<std::size_t>(stations() - 1 - station));
     for (std::int32_t s = station; s + 1 < stations(); ++s) {
       const std::int32_t start = s * count, end = start + count;
-      edges.push_back({start, end});
-      edges.push_back({start + count - 1, end + count - 1});
+      edges.push_back({{start, end}, {start + 1, end + 1}});
+      edges.push_back({{start + count - 1, end + count - 1}, {start + count - 2, end + count - 2}});
     }
   }
   return edges;

@@ -38,15 +38,17 @@ class CutSurface {
   std::array<Point, D> corners(std::size_t piece) const;
 
   using Edge = std::array<std::int32_t, 2>;  ///< numbers of points; in 2D twice the same
-  /// The edge of the last station, from where the cut grows.
-  std::vector<Edge> leading_edge() const;
-  /// The rest of the boundary from `station` on: the paths of the blade's ends (3D), and the edge
-  /// of the first station if that is station 0.
-  std::vector<Edge> rim(std::int32_t station) const;
+  /// The edge of a station: where the blade was. The cut grows from that of the last one.
+  std::vector<Edge> edge_of(std::int32_t station) const;
+  /// An edge of the boundary, and that on the other side of the pieces which it bounds.
+  struct Boundary {
+    Edge edge, opposite;
+  };
+  /// The boundary from `station` on but for the last station: the paths of the blade's ends (3D),
+  /// and the edge of the first station if that is station 0.
+  std::vector<Boundary> rim(std::int32_t station) const;
 
  private:
-  std::vector<Edge> edge_of(std::int32_t station) const;
-
   std::vector<Point> points_;  ///< [station][point along the edge]
   std::vector<Piece> pieces_;
   std::int32_t points_per_station_ = 0;

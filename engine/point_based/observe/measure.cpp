@@ -8,6 +8,7 @@
 #include "engine/geometry/padded.hpp"
 #include "engine/method/no_value.hpp"
 #include "engine/method/velocity_error.hpp"
+#include "engine/point_based/cut_faces/cut_cells.hpp"
 #include "engine/point_based/cutting/connected_parts.hpp"
 #include "engine/point_based/cutting/crossing.hpp"
 #include "engine/point_based/node_state.hpp"
@@ -154,9 +155,15 @@ double Measurer<T, D>::parts(const MeasurementCase& m) const {
     }
   }
   const std::vector<double> factors(neighbour.size(), 1);
-  const ConnectedParts found = connected_parts(first, neighbour, factors, volumes);
+  ConnectedParts found = connected_parts(first, neighbour, factors, volumes);
   if (m.kind == MeasurementCase::Kind::connected_parts) {
     return static_cast<double>(found.volumes.size());
+  }
+  if (found.volumes.size() > 1 && !state_.cut_surfaces(m.body).empty()) {
+    for (const auto& beyond : state_.cuts[m.body]->cut_cells(body).beyond()) {
+      found.volumes[found.part_of[node[beyond.of]]] -= beyond.volume;
+      found.volumes[found.part_of[node[beyond.side]]] += beyond.volume;
+    }
   }
   return *std::max_element(found.volumes.begin(), found.volumes.end());
 }

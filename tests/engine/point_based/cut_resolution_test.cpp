@@ -24,8 +24,20 @@ TEST(resolution, of_a_cut_by_few_spacings_is_said_to_be_too_coarse) {
   EXPECT_NE(said_of("1/27", "visibility").find("cut_rule = \"transparency\""), std::string::npos);
 }
 
+// A complete cut of a plate of 20 x 8 nodes leaves it one part.
+TEST(resolution, by_products_is_said_to_leave_bonds) {
+  EXPECT_NE(said_of("1/20", "product").find("may not divide the body"), std::string::npos);
+}
+
+TEST(resolution, of_a_blade_that_goes_back_or_round_is_that_of_how_far_it_comes) {
+  const std::string to_and_fro = R"(cut.0.path=["0.55*sin(pi*t/2)", 0])";
+  EXPECT_EQ(said_of({to_and_fro}), "");
+  const std::string round = R"(cut.0.path=["0.1*(cos(pi*t) - 1)", "0.1*sin(pi*t)"])";
+  EXPECT_NE(said_of({round}).find("advances by 4 spacings"), std::string::npos);
+}
+
 TEST(resolution, of_a_blade_that_stays_is_none_unless_a_program_moves_it) {
-  EXPECT_NE(said_of({"cut.0.path=[0, 0]"}).find("ends where it starts"), std::string::npos);
+  EXPECT_NE(said_of({"cut.0.path=[0, 0]"}).find("stays where it starts"), std::string::npos);
   EXPECT_EQ(said_of({"cut.0.path=[0, 0]", "cut.0.start=200", "cut.0.end=300"}), "");
 }
 

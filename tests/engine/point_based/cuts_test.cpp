@@ -1,7 +1,12 @@
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <Eigen/Dense>
+#include <cmath>
+#include <numbers>
+#include <string>
 
+#include "engine/point_based/cutting/cut_surface.hpp"
 #include "engine/simulation/run.hpp"
 #include "tests/engine/output/file_content.hpp"
 #include "tests/engine/output/temporary_folder.hpp"
@@ -53,6 +58,41 @@ end = 2e-9
   for (int step = 0; step < 4; ++step) solver.step(HUGE_VAL);
   EXPECT_EQ(solver.measure(0), 2);
   EXPECT_NEAR(solver.measure(1), 1 - 0.4375, 1e-9);
+}
+
+// At 0.5 the cut goes through nodes, at 0.4 and 0.03 beside them.
+TEST(cuts, leave_parts_that_end_at_them) {
+  for (const double x : {0.5, 0.4, 0.03}) {
+    const std::string blade = fmt::format(
+        "[[cut]]\nname = \"blade\"\nfrom = [{}, -0.1]\npath = [0, \"6e8*t\"]\nend = 2e-9\n", x);
+    auto solver = solver_of<2>(free_points(2) + blade + parts, tiny_steps);
+    for (int step = 0; step < 4; ++step) solver.step(HUGE_VAL);
+    EXPECT_EQ(solver.measure(0), 2);
+    EXPECT_NEAR(solver.measure(1), 1 - x, 0.005) << x;
+  }
+  for (const char* height : {"0.5", "0.3"}) {
+    auto solver = solver_of<3>(free_points(3) + sudden_cut(height) + parts, tiny_steps);
+    for (int step = 0; step < 4; ++step) solver.step(HUGE_VAL);
+    EXPECT_NEAR(solver.measure(1), 1 - std::stod(height), 0.005) << height;
+  }
+}
+
+// The blade starts between two steps, in the body, and goes once round in four of them.
+TEST(cuts, begin_where_the_blade_starts_and_follow_its_path) {
+  const std::string blade = R"toml([[cut]]
+name = "blade"
+from = [0.81, 0.52]
+path = ["0.3*(cos(2*pi*(t - 4e-10)/4e-9) - 1)", "0.3*sin(2*pi*(t - 4e-10)/4e-9)"]
+start = 4e-10
+end = 4.4e-9
+)toml";
+  auto solver = solver_of<2>(free_points(2) + blade + parts, tiny_steps);
+  for (int step = 0; step < 8; ++step) solver.step(HUGE_VAL);
+  const auto& cut = solver.state().cuts[0]->surfaces()[0];
+  EXPECT_NEAR(cut.points().front()[0], 0.81, 1e-12);
+  EXPECT_NEAR(cut.points().back()[1], 0.52, 1e-12);
+  EXPECT_EQ(solver.measure(0), 2);
+  EXPECT_NEAR(solver.measure(1), 1 - std::numbers::pi * 0.09, 0.01);
 }
 
 // The node nearest to a point beside a cut may lie across it.

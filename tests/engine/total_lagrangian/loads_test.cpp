@@ -1,3 +1,4 @@
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -30,6 +31,42 @@ TEST(loads, free_fall_is_exact) {
   // Half a step before the end, where velocities are, the work is exact; its rate of then holds for
   // the rest.
   EXPECT_NEAR(balance(solver), 0, 2 * std::pow(0.5 / 50, 2) * solver.integrals().kinetic_energy);
+}
+
+/// The area on which the loads of a body act.
+template <int D>
+double loaded_area(const LagrangianSolver<D>& solver) {
+  const auto& body = solver.state().bodies[0];
+  double sum = 0;
+  for (const auto& patch : body.patches) {
+    const Point<D> area = total_lagrangian::area_vector(body, body.facets[patch.facet]);
+    double square = 0;
+    for (const double component : area) square += component * component;
+    sum += patch.share * std::sqrt(square);
+  }
+  return sum;
+}
+
+// The lattice meets no face of the end, or cuts off its edges. The region is thin.
+TEST(loads, on_a_face_that_the_spacing_does_not_meet_act_on_all_of_it) {
+  const auto pulled = [](int dimension, const std::string& upper) {
+    return tests::with(free_block(dimension), dimension == 2 ? "[1, 1]" : "[1, 1, 1]", upper) +
+           "[[boundary]]\nname = \"pull\"\nkind = \"traction\"\n" +
+           (dimension == 2 ? "traction = [1, 0]\n" : "traction = [1, 0, 0]\n") +
+           "geometry = { shape = \"half_space\", normal = " +
+           (dimension == 2 ? "[-1, 0]" : "[-1, 0, 0]") + ", point = ";
+  };
+  for (const char* side : {"1.02", "1.06", "1.1"}) {
+    const double end = std::stod(side) - 1e-3;
+    const LagrangianSolver<2> plane(tests::read_text(pulled(2, fmt::format("[{}, 0.5]", side)) +
+                                                     fmt::format("[{}, 0] }}\n", end)),
+                                    {1, kernels::widest_supported()});
+    EXPECT_NEAR(loaded_area(plane), 0.5 + 2e-3, 0.02 * 0.5) << side;
+    const LagrangianSolver<3> bar(tests::read_text(pulled(3, fmt::format("[{}, 0.6, 0.5]", side)) +
+                                                   fmt::format("[{}, 0, 0] }}\n", end)),
+                                  {1, kernels::widest_supported()});
+    EXPECT_NEAR(loaded_area(bar), 0.3 + 2.2e-3, 0.03 * 0.3) << side;
+  }
 }
 
 // Gravity that turns about a point is a linear spring: a body swings as a whole.

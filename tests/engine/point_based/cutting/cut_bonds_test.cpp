@@ -3,7 +3,9 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <map>
+#include <numbers>
 
 #include "engine/point_based/cutting/connected_parts.hpp"
 #include "tests/engine/point_based/cutting/bonds.hpp"
@@ -96,6 +98,69 @@ TEST(cut_bonds, crossing_and_branching_cuts_make_four_parts_and_three) {
     EXPECT_EQ(part_volumes(crossing, lattice.volumes).size(), 4u) << static_cast<int>(rule);
     EXPECT_EQ(part_volumes(branching, lattice.volumes).size(), 3u) << static_cast<int>(rule);
   }
+}
+
+// One blade goes all round, or four cut one side each, from corner to corner.
+TEST(cut_bonds, a_closed_cut_divides_the_body) {
+  const LatticeBonds<2> lattice({20, 20}, 0.1);
+  CutBonds<2> circle = lattice.cut_by(CutRule::transparency, {2, 2});
+  circle.add_cut();
+  for (int k = 0; k <= 40; ++k) {
+    const double angle = 2 * std::numbers::pi * k / 40;
+    circle.advance(0, {{1.01 + 0.6 * std::cos(angle), 1.02 + 0.6 * std::sin(angle)}});
+  }
+  EXPECT_EQ(part_volumes(circle, lattice.volumes).size(), 2u);
+
+  const MaterialPoint<2> corners[] = {{0.52, 0.47}, {1.58, 0.47}, {1.58, 1.43}, {0.52, 1.43}};
+  CutBonds<2> path = lattice.cut_by(CutRule::transparency, {2, 2});
+  CutBonds<2> sides = lattice.cut_by(CutRule::transparency, {2, 2});
+  path.add_cut();
+  for (int side = 0; side < 4; ++side) {
+    sides.add_cut();
+    for (int k = 0; k <= 20; ++k) {
+      MaterialPoint<2> x;
+      for (int a = 0; a < 2; ++a) {
+        x[a] = corners[side][a] + (corners[(side + 1) % 4][a] - corners[side][a]) * k / 20;
+      }
+      sides.advance(side, {x});
+      if (k > 0 || side == 0) path.advance(0, {x});
+    }
+  }
+  EXPECT_EQ(part_volumes(path, lattice.volumes).size(), 2u);
+  EXPECT_EQ(part_volumes(sides, lattice.volumes).size(), 2u);
+}
+
+TEST(cut_bonds, a_tube_that_is_punched_out_is_a_part) {
+  const LatticeBonds<3> lattice({8, 8, 8}, 0.125);
+  CutBonds<3> cut = lattice.cut_by(CutRule::transparency, {1, 1, 1});
+  cut.add_cut();
+  for (int k = 0; k <= 40; ++k) {
+    const double angle = 2 * std::numbers::pi * k / 40;
+    const double x = 0.5 + 0.3 * std::cos(angle), y = 0.5 + 0.3 * std::sin(angle);
+    cut.advance(0, {{x, y, -0.1}, {x, y, 1.1}});
+  }
+  EXPECT_EQ(part_volumes(cut, lattice.volumes).size(), 2u);
+}
+
+TEST(cut_bonds, a_blade_that_goes_back_leaves_the_front_where_it_was) {
+  const LatticeBonds<3> lattice({8, 8, 8}, 0.125);
+  CutBonds<3> there = lattice.cut_by(CutRule::transparency, {1, 1, 1});
+  CutBonds<3> back = lattice.cut_by(CutRule::transparency, {1, 1, 1});
+  for (CutBonds<3>* cut : {&there, &back}) {
+    cut->add_cut();
+    for (double x = -0.1; x < 0.55; x += 0.05) cut->advance(0, {{x, -0.1, 0.44}, {x, 1.1, 0.44}});
+  }
+  for (double x = 0.5; x > -0.2; x -= 0.05) back.advance(0, {{x, -0.1, 0.44}, {x, 1.1, 0.44}});
+  int retained = 0;
+  for (std::size_t b = 0; b < there.factors().size(); ++b) {
+    ASSERT_EQ(back.factors()[b], there.factors()[b]);
+    retained += there.factors()[b] > 0 && there.factors()[b] < 1;
+  }
+  EXPECT_GT(retained, 50);
+  // The front of the whole cut is the same.
+  CutFront<3> front([](const MaterialPoint<3>&) { return true; }, 0.125);
+  front.update(back.cuts(), 0);
+  EXPECT_NEAR(front.distance({0.57, 0.5, 0.44}, 1), 0.07, 0.051);
 }
 
 TEST(cut_bonds, both_directions_of_a_bond_keep_the_same_share) {
