@@ -13,10 +13,10 @@ struct CellBounds {
 };
 
 /// Cells around interior particles that have slots: as far as ghosts are from the nearest particle.
-/// Those beyond a free surface lie within five cells, since the surface passes within one cell of
-/// the outermost particles. Where it meets a wall, ghosts lie as far behind the wall as beyond the
-/// surface: the corner of both bands is 4.2 sqrt(2) cells away.
-constexpr int layout_reach(bool has_walls) { return has_walls ? 6 : 5; }
+/// A free surface passes within one cell of the outermost particles, and ghosts are within 4.2
+/// cells of it: five. Where it meets a wall, ghosts lie as deep behind the wall as beyond the
+/// surface, so that the corner is sqrt(2) times as far away: seven.
+constexpr int layout_reach(bool has_walls) { return has_walls ? 7 : 5; }
 
 /// Finds where a body needs slots: every cell within reach of an interior particle.
 template <class T, int D>

@@ -27,8 +27,7 @@ struct RandomLayout : testing::Test {
 
   void build(const Occupancy<dimension>& map, const Cell<dimension>& period,
              std::int64_t block_slots) {
-    const auto cells = static_cast<std::int64_t>(marked_cells(map).size());
-    slots.build(map, period, static_cast<int>(cells / block_slots) + 1, block_reach);
+    slots.build(map, period, static_cast<int>(map.slots() / block_slots) + 1, block_reach);
   }
 
   /// Calls f(slot, cell, segment) for every slot of every segment.
@@ -48,7 +47,7 @@ TYPED_TEST(RandomLayout, every_marked_cell_has_a_slot_of_its_own) {
   constexpr int D = TypeParam::dimension;
   std::set<std::int64_t> used;
   const std::vector<Cell<D>> cells = marked_cells(this->slots.occupancy());
-  ASSERT_GT(cells.size(), 500u);
+  ASSERT_GT(cells.size(), 100u);
   for (const Cell<D>& cell : cells) {
     const std::int64_t slot = this->slots.slot(cell);
     ASSERT_GE(slot, Layout<D>::padding);
