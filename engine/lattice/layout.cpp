@@ -49,19 +49,9 @@ void Layout<D>::find_runs() {
   row_begin_.clear();
   for (int row = 0; row < occupancy_.rows(); ++row) {
     row_begin_.push_back(static_cast<int>(runs_.size()));
-    const int row_first_run = row_begin_.back();
-    for (int column = 0; column < occupancy_.columns(); ++column) {
-      if (!occupancy_.is_marked(row, column)) continue;
-      const std::int32_t cell = occupancy_.column_cell(column);
-      // A gap of one pack is filled: a segment that lies beside it sees slots at both of its ends.
-      const bool joins = static_cast<int>(runs_.size()) > row_first_run &&
-                         cell - (runs_.back().cell + runs_.back().count) <= pack;
-      if (joins) {
-        runs_.back().count = cell + pack - runs_.back().cell;
-      } else {
-        runs_.push_back({0, cell, pack});
-      }
-    }
+    occupancy_.for_each_run(row, [this](std::int32_t cell, std::int32_t count) {
+      runs_.push_back({0, cell, count});
+    });
   }
   row_begin_.push_back(static_cast<int>(runs_.size()));
 }

@@ -20,8 +20,9 @@ struct Block {
 
 /// Where the slots of a body lie in memory.
 ///
-/// Only occupied packs exist. Those of a lattice row form runs; runs follow each other row by row
-/// (in 3D in tiles of rows, so that slots that are close stay neighbours in memory), and segments
+/// Only cells near marked ones have slots. Those of a lattice row form runs, see Occupancy; runs
+/// follow each other row by row (in 3D in tiles of rows, so that slots that are close stay
+/// neighbours in memory), and segments
 /// cut them where a neighbouring row changes its run. `padding` slots lie before the first and
 /// behind the last run, so that every load of a segment's neighbours is legal. What lies beside the
 /// ends of a run belongs to other rows.
@@ -31,9 +32,9 @@ class Layout {
   static constexpr std::int64_t padding = 1024;
   static constexpr int pack = Occupancy<D>::pack;
 
-  /// Lays out the marked packs in `block_count` blocks of about the same size (fewer when segments
-  /// are longer than that). Blocks are neighbours when they come within `block_reach` cells of each
-  /// other.
+  /// Lays out the runs of the map in `block_count` blocks of about the same size (fewer when
+  /// segments are longer than that). Blocks are neighbours when they come within `block_reach`
+  /// cells of each other.
   void build(const Occupancy<D>& occupancy, const Cell<D>& period, int block_count,
              int block_reach);
 
@@ -98,7 +99,7 @@ class Layout {
 
  private:
   struct Run {
-    std::int64_t first;  ///< slot of the first occupied pack
+    std::int64_t first;  ///< slot of the first pack
     std::int32_t cell;   ///< x cell of that slot
     std::int32_t count;  ///< slots
   };

@@ -80,7 +80,7 @@ std::vector<std::int32_t> Occupancy<D>::save() const {
   std::vector<std::int32_t> saved = {first_column_, columns_, first_row_[0],
                                      first_row_[1], rows_[0], rows_[1]};
   for (std::size_t i = 0; i < marked_.size(); ++i) {
-    if (marked_[i]) saved.push_back(static_cast<std::int32_t>(i));
+    if (marked_[i]) saved.insert(saved.end(), {static_cast<std::int32_t>(i), marked_[i]});
   }
   return saved;
 }
@@ -92,8 +92,9 @@ void Occupancy<D>::restore(const std::vector<std::int32_t>& saved) {
   first_row_ = {saved.at(2), saved.at(3)};
   rows_ = {saved.at(4), saved.at(5)};
   marked_.assign(static_cast<std::size_t>(rows()) * columns_, 0);
-  constexpr std::uint8_t whole_pack = 0xff;
-  for (std::size_t i = 6; i < saved.size(); ++i) marked_.at(saved[i]) = whole_pack;
+  for (std::size_t i = 6; i + 1 < saved.size(); i += 2) {
+    marked_.at(saved[i]) = static_cast<std::uint8_t>(saved[i + 1]);
+  }
 }
 
 template class Occupancy<2>;

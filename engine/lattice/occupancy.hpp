@@ -1,5 +1,6 @@
 #pragma once
 
+#include <bit>
 #include <cstdint>
 #include <vector>
 
@@ -8,8 +9,15 @@
 
 namespace pliant {
 
-/// Which packs of lattice cells a body needs: a map of marked cells over rows (y, or y and z) and
-/// pack columns.
+/// Which lattice cells a body needs: a map of marked cells over rows (y, or y and z) and columns of
+/// as many cells as a pack has slots.
+///
+/// A row stores runs of whole packs. They begin where its marked cells do, not at a column: that
+/// leaves half as many slots vacant. What room remains in the last pack is shared by both ends.
+///
+///     marked       . . . o o o o o o o o o o o o o . . . .
+///     stored      [. . o o o o o o|o o o o o o o .]           packs of 8 slots
+///
 template <int D>
 class Occupancy {
  public:
@@ -27,7 +35,7 @@ class Occupancy {
   /// Marks every cell of the map within `radius` cells of a marked one.
   void dilate(double radius);
 
-  /// The packs with marks as plain numbers, for checkpoints, and back.
+  /// The marked cells as plain numbers, for checkpoints, and back.
   std::vector<std::int32_t> save() const;
   void restore(const std::vector<std::int32_t>& saved);
 
@@ -36,8 +44,39 @@ class Occupancy {
   /// Row number of (y[, z]) and back; x is not part of it.
   Cell<D> row_cell(int row) const;
   std::int32_t column_cell(int column) const { return (first_column_ + column) * pack; }
-  bool is_marked(int row, int column) const {
-    return marked_[static_cast<std::size_t>(row) * columns_ + column] != 0;
+  bool is_marked(int row, int column, int lane) const {
+    return (marks(row, column) >> lane & 1) != 0;
+  }
+
+  /// Calls `f(cell, count)` for every run of a row: `count` slots, whole packs, for the cells from
+  /// `cell` on along x.
+  template <class F>
+  void for_each_run(int row, F&& f) const {
+    std::int32_t begin = 0, end = 0;
+    const auto store = [&] {
+      const std::int32_t count = (end - begin + pack - 1) / pack * pack;
+      f(begin - (count - (end - begin)) / 2, count);
+    };
+    for (int column = 0; column < columns_; ++column) {
+      const std::uint8_t cells = marks(row, column);
+      if (cells == 0) continue;
+      const std::int32_t first = column_cell(column) + std::countr_zero(cells);
+      if (begin == end || first - end >= shortest_gap) {
+        if (begin != end) store();
+        begin = first;
+      }
+      end = column_cell(column) + pack - std::countl_zero(cells);
+    }
+    if (begin != end) store();
+  }
+
+  /// Slots of all runs.
+  std::int64_t slots() const {
+    std::int64_t sum = 0;
+    for (int row = 0; row < rows(); ++row) {
+      for_each_run(row, [&sum](std::int32_t, std::int32_t count) { sum += count; });
+    }
+    return sum;
   }
   /// Row number of a cell, or -1 outside the map.
   int row_of(const Cell<D>& cell) const {
@@ -51,6 +90,13 @@ class Occupancy {
   }
 
  private:
+  /// Cells without marks between two runs, at least; shorter gaps are stored. Once both runs are
+  /// rounded up to whole packs, no pack of a neighbouring row comes near both of them.
+  static constexpr std::int32_t shortest_gap = (pack - 1) + (pack + 2 * kernels::row_reach);
+
+  std::uint8_t marks(int row, int column) const {
+    return marked_[static_cast<std::size_t>(row) * columns_ + column];
+  }
   static std::int32_t column_of(std::int32_t x) {
     return x >= 0 ? x / pack : -((-x + pack - 1) / pack);
   }

@@ -1,6 +1,10 @@
 #include "engine/remeshed/footprint.hpp"
 
+#include <algorithm>
+
+#include "engine/case/boundary_kinds.hpp"
 #include "engine/remeshed/field_store.hpp"
+#include "engine/remeshed/remeshing/layout_search.hpp"
 
 namespace pliant::remeshed {
 
@@ -32,12 +36,18 @@ double values_of_copy(const BodyCase& body) {
   return state + terms + kernels::symmetric_components<D>;
 }
 
+bool case_has_walls(const Case& a_case) {
+  return std::ranges::any_of(a_case.boundaries, [](const BoundaryCase& boundary) {
+    return row_of(boundary.kind).is_wall;
+  });
+}
+
 template <int D>
 Footprint footprint_in(const Case& a_case, const BodyCase& body) {
   const bool looks = a_case.output.every > 0 || a_case.output.measure_every > 0;
   const double copy = looks ? values_of_copy<D>(body) : 0;
   Footprint footprint;
-  footprint.reach = 6;
+  footprint.reach = layout_reach(case_has_walls(a_case));
   footprint.bytes_per_slot = sizeof(double) * (values_of_slot<D>(body) + copy + 1);
   footprint.bytes_per_ghost = D == 2 ? 2500 : 1300;
   footprint.bytes_per_particle = D == 2 ? 180 : 320;

@@ -68,11 +68,7 @@ Count count_on(const Footprint& footprint, const BodyCase& body, const Box<3>& b
     occupancy.mark(cell);
   });
   occupancy.dilate(reach);
-  for (int row = 0; row < occupancy.rows(); ++row) {
-    for (int column = 0; column < occupancy.columns(); ++column) {
-      count.slots += occupancy.is_marked(row, column) ? Occupancy<D>::pack : 0;
-    }
-  }
+  count.slots = static_cast<double>(occupancy.slots());
   return count;
 }
 

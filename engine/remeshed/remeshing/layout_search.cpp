@@ -85,9 +85,9 @@ bool LayoutSearch<T, D>::mark_particles() {
     all.upper[a] = body_.lattice.period[a] - 1;
   }
   double packs = 1.0 / Layout<D>::pack;
-  for (int a = 0; a < D; ++a) packs *= 1.0 + all.upper[a] - all.lower[a] + 2 * layout_reach;
+  for (int a = 0; a < D; ++a) packs *= 1.0 + all.upper[a] - all.lower[a] + 2 * reach_;
   if (packs > largest_map) return false;
-  occupancy_.reset(all.lower, all.upper, layout_reach);
+  occupancy_.reset(all.lower, all.upper, reach_);
   const Population<T, D>& from = body_.population;
   const NearestCell<T, D> nearest(body_);
   for (const Block<D>& block : from.layout.blocks()) {
@@ -96,7 +96,7 @@ bool LayoutSearch<T, D>::mark_particles() {
       mark_images(body_.lattice.wrapped(nearest(p, cell)));
     });
   }
-  occupancy_.dilate(layout_reach);
+  occupancy_.dilate(reach_);
   return true;
 }
 
@@ -112,12 +112,12 @@ void LayoutSearch<T, D>::mark_geometry() {
     lower[a] = repeats ? 0 : lattice.cell(a, box.lower[a]) - 1;
     upper[a] = repeats ? lattice.period[a] - 1 : lattice.cell(a, box.upper[a]) + 1;
   }
-  occupancy_.reset(lower, upper, layout_reach);
+  occupancy_.reset(lower, upper, reach_);
   DistanceWalk inside(geometry, D, 0);
   for_each_cell<D>(lower, upper, [&](const Cell<D>& cell) {
     if (inside(padded<D>(lattice.node(cell))) < 0) mark_images(cell);
   });
-  occupancy_.dilate(layout_reach);
+  occupancy_.dilate(reach_);
 }
 
 template <class T, int D>
@@ -139,14 +139,7 @@ void LayoutSearch<T, D>::mark_images(const Cell<D>& cell) {
 
 template <class T, int D>
 void LayoutSearch<T, D>::build(Layout<D>& layout) const {
-  std::int64_t marked = 0;
-  for (int row = 0; row < occupancy_.rows(); ++row) {
-    for (int column = 0; column < occupancy_.columns(); ++column) {
-      marked += occupancy_.is_marked(row, column);
-    }
-  }
-  layout.build(occupancy_, body_.lattice.period, block_count(marked * Layout<D>::pack),
-               block_reach);
+  layout.build(occupancy_, body_.lattice.period, block_count(occupancy_.slots()), block_reach);
 }
 
 template class LayoutSearch<double, 2>;

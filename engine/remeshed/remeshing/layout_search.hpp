@@ -12,11 +12,18 @@ struct CellBounds {
   Cell<D> lower, upper;
 };
 
-/// Finds where a body needs slots: every pack within reach of an interior particle.
+/// Cells around interior particles that have slots: as far as ghosts are from the nearest particle.
+/// A free surface passes within one cell of the outermost particles, and ghosts are within 4.2
+/// cells of it: five. Where it meets a wall, ghosts lie as deep behind the wall as beyond the
+/// surface, so that the corner is sqrt(2) times as far away: seven.
+constexpr int layout_reach(bool has_walls) { return has_walls ? 7 : 5; }
+
+/// Finds where a body needs slots: every cell within reach of an interior particle.
 template <class T, int D>
 class LayoutSearch {
  public:
-  explicit LayoutSearch(const Body<T, D>& body) : body_(body) {}
+  LayoutSearch(const Body<T, D>& body, bool has_walls)
+      : body_(body), reach_(layout_reach(has_walls)) {}
 
   /// Once the body has other blocks.
   void prepare() { bounds_.resize(body_.population.layout.blocks().size()); }
@@ -36,15 +43,13 @@ class LayoutSearch {
  private:
   /// Cells to each side that blocks can reach: a ghost, its foot point, its widest fit.
   static constexpr int block_reach = 10;
-  /// Cells around interior particles that have slots: the ghost band, one cell that the surface may
-  /// have moved, and one for the differences at its rim.
-  static constexpr int layout_reach = 6;
 
   /// Marks a cell of the first period, and what of its images lies within reach of that: the body
   /// beside one end of a period has ghosts beyond the other end.
   void mark_images(const Cell<D>& cell);
 
   const Body<T, D>& body_;
+  int reach_;
   Occupancy<D> occupancy_;
   std::vector<CellBounds<D>> bounds_;
 };

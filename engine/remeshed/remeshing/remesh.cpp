@@ -75,7 +75,7 @@ Remeshing<T, D>::Remeshing(const Case& settings, Body<T, D>& body, const Boundar
       treatment_(settings.ghosts),
       stencil_reach_(kernels::stencil_reach(settings.discretisation.kernel)),
       outside_(outside),
-      layout_search_(body),
+      layout_search_(body, !boundaries.walls.empty()),
       fields_(settings, body, kernels, workers),
       level_set_(parameters_.reinitialisation) {}
 

@@ -7,6 +7,7 @@
 #include <set>
 
 #include "engine/bench/growth.hpp"
+#include "engine/simulation/methods.hpp"
 
 namespace pliant::test {
 namespace {
@@ -78,6 +79,14 @@ TEST(bench_growth, has_each_method_in_both_dimensions_up_to_the_largest_size) {
     EXPECT_EQ((sizes[{"total_lagrangian", dimension}]), 4) << dimension;  // in both precisions
     EXPECT_EQ((sizes[{"point_based", dimension}]), 4) << dimension;
   }
+}
+
+// 820 bytes: 1.73 slots of 57 values, and the records of surface particles.
+TEST(bench_cases, a_ball_of_100_000_particles_takes_less_than_850_bytes_for_each) {
+  const auto solver = methods().make(bench::spinning_ball(100'000, Kernel::compact), {});
+  const auto particles = static_cast<double>(solver->particles());
+  EXPECT_NEAR(particles, 105'000, 5000);
+  EXPECT_LT(static_cast<double>(solver->bytes()) / particles, 850);
 }
 
 TEST(bench_cases, a_ball_spins_about_z) {

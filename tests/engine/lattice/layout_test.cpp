@@ -27,8 +27,7 @@ struct RandomLayout : testing::Test {
 
   void build(const Occupancy<dimension>& map, const Cell<dimension>& period,
              std::int64_t block_slots) {
-    const auto cells = static_cast<std::int64_t>(marked_cells(map).size());
-    slots.build(map, period, static_cast<int>(cells / block_slots) + 1, block_reach);
+    slots.build(map, period, static_cast<int>(map.slots() / block_slots) + 1, block_reach);
   }
 
   /// Calls f(slot, cell, segment) for every slot of every segment.
@@ -48,7 +47,7 @@ TYPED_TEST(RandomLayout, every_marked_cell_has_a_slot_of_its_own) {
   constexpr int D = TypeParam::dimension;
   std::set<std::int64_t> used;
   const std::vector<Cell<D>> cells = marked_cells(this->slots.occupancy());
-  ASSERT_GT(cells.size(), 500u);
+  ASSERT_GT(cells.size(), 100u);
   for (const Cell<D>& cell : cells) {
     const std::int64_t slot = this->slots.slot(cell);
     ASSERT_GE(slot, Layout<D>::padding);
@@ -176,13 +175,13 @@ TYPED_TEST(RandomLayout, a_solid_body_wastes_no_slots_and_long_rows_are_cut) {
   for (const auto& block : this->slots.blocks()) EXPECT_LE(block.slot_count, 600 + 512);
 }
 
-TYPED_TEST(RandomLayout, holes_of_one_pack_keep_their_slots) {
+TYPED_TEST(RandomLayout, short_gaps_keep_their_slots_and_runs_lie_side_by_side) {
   constexpr int D = TypeParam::dimension;
   Occupancy<D> map;
   Cell<D> far = {};
   far[0] = 100;
   map.reset({}, far, 0);
-  for (const int x : {0, 16, 40}) {  // gaps of one pack and of two
+  for (const int x : {0, 15, 45}) {
     Cell<D> cell = {};
     cell[0] = x;
     map.mark(cell);
@@ -193,10 +192,10 @@ TYPED_TEST(RandomLayout, holes_of_one_pack_keep_their_slots) {
     cell[0] = x;
     return this->slots.slot(cell);
   };
-  EXPECT_EQ(slot(16) - slot(0), 16);
+  EXPECT_EQ(slot(15) - slot(0), 15);
   EXPECT_EQ(slot(12), slot(0) + 12);
   EXPECT_EQ(slot(28), -1);
-  EXPECT_EQ(slot(40) - slot(16), 8) << "side by side";
+  EXPECT_EQ(slot(42) - slot(15), 1) << "the second run begins three cells before its mark";
 }
 
 }  // namespace

@@ -3,6 +3,8 @@
 #include <gtest/gtest.h>
 
 #include <random>
+#include <utility>
+#include <vector>
 
 #include "tests/engine/lattice/random_cells.hpp"
 
@@ -13,19 +15,52 @@ template <class Space>
 struct Occupancies : testing::Test {};
 TYPED_TEST_SUITE(Occupancies, Dimensions);
 
-TYPED_TEST(Occupancies, a_mark_covers_the_pack_of_its_cell) {
+/// First cell and slots of each run of a row.
+using Runs = std::vector<std::pair<std::int32_t, std::int32_t>>;
+
+template <int D>
+Runs runs_of(const std::vector<std::int32_t>& marks) {
+  Occupancy<D> map;
+  Cell<D> lower = {}, upper = {};
+  lower[0] = -20;
+  upper[0] = 100;
+  map.reset(lower, upper, 0);
+  for (const std::int32_t x : marks) {
+    Cell<D> cell = {};
+    cell[0] = x;
+    map.mark(cell);
+  }
+  Runs runs;
+  map.for_each_run(0,
+                   [&](std::int32_t cell, std::int32_t count) { runs.emplace_back(cell, count); });
+  return runs;
+}
+
+TYPED_TEST(Occupancies, runs_hold_whole_packs_with_the_marked_cells_in_their_middle) {
+  constexpr int D = TypeParam::dimension;
+  EXPECT_EQ(runs_of<D>({}), Runs());
+  EXPECT_EQ(runs_of<D>({-3}), (Runs{{-6, 8}}));
+  EXPECT_EQ(runs_of<D>({-3, 4}), (Runs{{-3, 8}}));
+  EXPECT_EQ(runs_of<D>({-3, 5}), (Runs{{-6, 16}}));
+}
+
+// Rounded up, the runs must be as far apart as a pack of a neighbouring row and its neighbours.
+TYPED_TEST(Occupancies, gaps_that_a_pack_and_its_neighbours_bridge_are_stored) {
+  constexpr int D = TypeParam::dimension;
+  for (const std::int32_t begin : {-8, -3, 0, 5}) {
+    EXPECT_EQ(runs_of<D>({begin, begin + 21}).size(), 1u);
+    const Runs apart = runs_of<D>({begin, begin + 22});
+    ASSERT_EQ(apart.size(), 2u);
+    EXPECT_GE(apart[1].first - (apart[0].first + apart[0].second), 8 + 2 * kernels::row_reach);
+  }
+}
+
+TYPED_TEST(Occupancies, a_mark_covers_its_cell_alone) {
   constexpr int D = TypeParam::dimension;
   Occupancy<D> map;
   map.reset(diagonal<D>(-20), diagonal<D>(20), 2);
-  Cell<D> cell = diagonal<D>(-3);
-  map.mark(cell);
-  const std::vector<Cell<D>> cells = marked_cells(map);
-  ASSERT_EQ(cells.size(), 8u);
-  cell[0] = -8;  // packs begin at multiples of 8, below zero too
-  for (const Cell<D>& marked : cells) {
-    EXPECT_EQ(marked, cell);
-    ++cell[0];
-  }
+  map.mark(diagonal<D>(-3));
+  EXPECT_EQ(marked_cells(map), std::vector<Cell<D>>{diagonal<D>(-3)});
 }
 
 TYPED_TEST(Occupancies, rows_are_found_again_from_their_cells_and_none_outside) {
@@ -44,7 +79,7 @@ TYPED_TEST(Occupancies, rows_are_found_again_from_their_cells_and_none_outside) 
 }
 
 // The oracle looks at every pair of a cell and a mark.
-TYPED_TEST(Occupancies, dilation_marks_the_packs_of_cells_within_a_ball_and_no_others) {
+TYPED_TEST(Occupancies, dilation_marks_the_cells_within_a_ball_and_no_others) {
   constexpr int D = TypeParam::dimension;
   for (const double radius : {1.0, 1.8, 3.0, 6.0, 8.5}) {
     Cell<D> lower = diagonal<D>(-9), upper = diagonal<D>(4);
@@ -72,13 +107,11 @@ TYPED_TEST(Occupancies, dilation_marks_the_packs_of_cells_within_a_ball_and_no_o
     for (int row = 0; row < map.rows(); ++row) {
       for (int column = 0; column < map.columns(); ++column) {
         Cell<D> cell = map.row_cell(row);
-        bool near = false;
         for (int i = 0; i < Occupancy<D>::pack; ++i) {
           cell[0] = map.column_cell(column) + i;
-          near = near || is_near(cell);
+          ASSERT_EQ(map.is_marked(row, column, i), is_near(cell))
+              << "radius " << radius << ", row " << row << ", cell " << cell[0];
         }
-        ASSERT_EQ(map.is_marked(row, column), near)
-            << "radius " << radius << ", row " << row << ", column " << column;
       }
     }
   }

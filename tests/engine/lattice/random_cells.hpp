@@ -48,15 +48,15 @@ Occupancy<D> random_occupancy(const Cell<D>& lower, const Cell<D>& upper, double
   return occupancy;
 }
 
-/// Every cell of the marked packs.
+/// Every marked cell.
 template <int D>
 std::vector<Cell<D>> marked_cells(const Occupancy<D>& occupancy) {
   std::vector<Cell<D>> cells;
   for (int row = 0; row < occupancy.rows(); ++row) {
     for (int column = 0; column < occupancy.columns(); ++column) {
-      if (!occupancy.is_marked(row, column)) continue;
       Cell<D> cell = occupancy.row_cell(row);
       for (int i = 0; i < Occupancy<D>::pack; ++i) {
+        if (!occupancy.is_marked(row, column, i)) continue;
         cell[0] = occupancy.column_cell(column) + i;
         cells.push_back(cell);
       }

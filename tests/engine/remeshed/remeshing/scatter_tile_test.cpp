@@ -71,7 +71,7 @@ void displace(Solver& solver) {
 void expect_all_sums(Solver& solver) {
   Body& body = solver.state().bodies[0];
   const auto& layout = body.population.layout;
-  remeshed::LayoutSearch<double, 2> search(body);
+  remeshed::LayoutSearch<double, 2> search(body, false);
   search.prepare();
   const int blocks = static_cast<int>(layout.blocks().size());
   for (int b = 0; b < blocks; ++b) search.find_bounds(b);
