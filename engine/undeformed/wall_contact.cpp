@@ -127,6 +127,9 @@ void WallContact<T, D>::push(Surface& surface, const Corner& corner, const Conta
     state_.energy.wall_work += given * contact.velocity[a];
     state_.power.wall_work += force * contact.velocity[a];
   }
+  const double lost = contact.inertia * taken * (1 - taken) * square / along;
+  state_.energy.friction += lost;
+  state_.power.friction += lost / contact.kick;
   undeformed::push<T, D>(body, body.*moved_, surface.held, bearing, impulse, moved);
 }
 
