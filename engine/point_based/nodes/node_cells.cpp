@@ -38,7 +38,8 @@ class CellFinder {
     for (std::size_t i = 0; i < position_.size(); ++i) {
       const double volume = cells_.volumes[i];
       for (int a = 0; a < D; ++a) {
-        cells_.centroids[i][a] = position_[i][a] + (volume > 0 ? cells_.centroids[i][a] / volume : 0);
+        cells_.centroids[i][a] =
+            position_[i][a] + (volume > 0 ? cells_.centroids[i][a] / volume : 0);
       }
     }
     return std::move(cells_);

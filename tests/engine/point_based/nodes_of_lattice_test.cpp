@@ -120,10 +120,10 @@ TEST(lattice_nodes, of_a_disc_have_its_second_moment) {
 // A square that is turned by 0.5: its corners are nodes, and its sides hold nodes.
 TEST(lattice_nodes, of_a_turned_square_lie_on_its_corners) {
   const double c = std::cos(0.5), s = std::sin(0.5);
-  const Shape square =
-      of(Shape::Kind::intersect, {half_space({c, s, 0}, {c, s, 0}), half_space({-c, -s, 0}, {-c, -s, 0}),
-                                  half_space({-s, c, 0}, {-s, c, 0}), half_space({s, -c, 0}, {s, -c, 0}),
-                                  box({-c - s, -c - s, 0}, {c + s, c + s, 0})});
+  const Shape square = of(Shape::Kind::intersect,
+                          {half_space({c, s, 0}, {c, s, 0}), half_space({-c, -s, 0}, {-c, -s, 0}),
+                           half_space({-s, c, 0}, {-s, c, 0}), half_space({s, -c, 0}, {s, -c, 0}),
+                           box({-c - s, -c - s, 0}, {c + s, c + s, 0})});
   const auto cloud = lattice_nodes<2>(square, 0.25);
   EXPECT_NEAR(volume_of(cloud), 4, 1e-3);
   const point_based::NearestNodes<2> nearest(cloud.positions);
