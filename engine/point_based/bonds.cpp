@@ -7,6 +7,7 @@
 #include <cmath>
 #include <limits>
 
+#include "engine/point_based/candidates.hpp"
 #include "engine/point_based/nearest_nodes.hpp"
 #include "engine/point_based/node_frequency.hpp"
 #include "engine/point_based/node_operator.hpp"
@@ -77,7 +78,11 @@ Chosen choose(const BondChoice<D>& choice, std::span<const double> factors, std:
   for (std::size_t k = 0; k < candidates.size(); ++k) {
     if (factor(k) == 0) continue;
     next = candidates[k].distance;
-    if (static_cast<int>(taken.size()) == choice.neighbours) break;
+    if (static_cast<int>(taken.size()) == choice.neighbours) {
+      taken.resize(whole_shells(taken.size(), next, D + 1,
+                                [&](std::size_t n) { return candidates[taken[n]].distance; }));
+      break;
+    }
     taken.push_back(k);
   }
   const double support = std::isinf(choice.support) ? support_over_distance * next : choice.support;

@@ -15,6 +15,7 @@
 #include "engine/method/initial_velocity.hpp"
 #include "engine/point_based/candidates.hpp"
 #include "engine/point_based/lattice_nodes.hpp"
+#include "engine/point_based/nodes/body_lattice.hpp"
 #include "engine/point_based/nodes/mesh_nodes.hpp"
 #include "engine/point_based/nodes/octree_nodes.hpp"
 #include "engine/point_based/nodes_at_walls.hpp"
@@ -82,13 +83,19 @@ BondChoice<D> choice_of(const Case& settings, const PlacedNodes<D>& nodes, const
   choice.alpha = parameters_of(settings).stabilisation.value_or(nodes.alpha);
   choice.may_change = has_cuts(settings, *body.source);
   const bool is_lattice = !std::isinf(nodes.support);
-  int count = choice.neighbours;
-  if (!is_lattice) count = (choice.may_change ? candidates_per_neighbour : 1) * count + 1;
+  const int ranks = !is_lattice && choice.may_change ? candidates_per_neighbour : 1;
   // The patch test balances the forces of the whole body, what walls hold included.
   choice.elastic_volumes = parameters_of(settings).gradient == NodeGradient::patch_exact
                                ? nodes.cloud.volumes
                                : nodes.elastic_volumes;
-  choice.candidates = find_candidates(nodes.cloud, choice.elastic_volumes, count, body.name);
+  choice.candidates = find_candidates(nodes.cloud, choice.elastic_volumes,
+                                      ranks * choice.neighbours + 1, body.name);
+  for (auto& list : choice.candidates) {
+    const auto most = static_cast<std::size_t>(choice.neighbours);
+    if (!is_lattice || list.size() <= most) continue;
+    list.resize(whole_shells(most, list[most].distance, D + 1,
+                             [&](std::size_t n) { return list[n].distance; }));
+  }
   choice.slot_of.resize(nodes.cloud.positions.size());
   for (std::int64_t slot = 0; slot < body.slots; ++slot) {
     if (body.number[slot] >= 0) choice.slot_of[body.number[slot]] = slot;

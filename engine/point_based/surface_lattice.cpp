@@ -6,7 +6,7 @@
 #include "engine/geometry/distance_walk.hpp"
 #include "engine/geometry/padded.hpp"
 #include "engine/geometry/signed_distance.hpp"
-#include "engine/point_based/lattice_nodes.hpp"
+#include "engine/point_based/nodes/body_lattice.hpp"
 #include "engine/undeformed/body.hpp"
 
 namespace pliant::point_based {

@@ -129,6 +129,10 @@ void WallContact<T, D>::push(Surface& surface, const Corner& corner, const Conta
     state_.energy.wall_work += given * contact.velocity[a];
     state_.power.wall_work += force * contact.velocity[a];
   }
+  // (PB.41)
+  const double lost = contact.inertia * taken * (1 - taken) * square / along;
+  state_.energy.friction += lost;
+  state_.power.friction += lost / contact.kick;
   push_point<D>(carriers, bearing, impulse, moved);
 }
 

@@ -27,6 +27,9 @@ TEST(point_contact, a_block_slides_down_a_slope_by_coulombs_law) {
   EXPECT_NEAR(pushed, g * std::cos(angle), 0.3);
   const double sliding = g * std::sin(angle) - mu * pushed;
   EXPECT_NEAR(solver.integrals().momentum[0], sliding, 0.02 * sliding);
+  // mu N times the way of a block of 1 kg with this acceleration
+  EXPECT_NEAR(solver.energy_budget()->friction, mu * pushed * sliding / 2,
+              0.05 * mu * pushed * sliding / 2);
 }
 
 TEST(point_contact, a_tool_dents_a_block_and_its_work_is_in_the_block) {

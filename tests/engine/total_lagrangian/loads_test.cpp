@@ -179,6 +179,9 @@ TEST(contact_walls, a_block_slides_down_a_tilted_plane_as_coulomb_says) {
     EXPECT_NEAR(sum.first_moment[0] / sum.mass - 0.5, a * t * t / 2, 0.02 * 9.81 * t * t / 2);
     EXPECT_NEAR(values(solver)["force"] / t, normal, 0.02 * normal);
     EXPECT_NEAR(values(solver)["drag"] / t, a - 9.81 * 0.5, 0.02 * normal);
+    const double way = a * t * t / 2, fall = 9.81 * 0.5 * t * t / 2;
+    EXPECT_NEAR(solver.energy_budget()->friction, friction * sum.mass * normal * way,
+                0.02 * sum.mass * normal * fall);
   }
 }
 

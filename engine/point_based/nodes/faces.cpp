@@ -1,0 +1,117 @@
+#include "engine/point_based/nodes/faces.hpp"
+
+#include <bit>
+#include <cmath>
+
+#include "engine/geometry/padded.hpp"
+#include "engine/geometry/signed_distance.hpp"
+
+namespace pliant::point_based {
+
+namespace {
+
+constexpr double nearly_half_pitch = 0.5 + 1e-9;
+constexpr double on_one_face = 1e-9, on_all_faces = 1e-6;  // [h]
+constexpr int most_projections = 50;   // onto faces that are not at right angles
+constexpr std::size_t most_faces = 6;  // of those near a point
+
+template <int D>
+double length_of(const Point<D>& x) {
+  double square = 0;
+  for (const double component : x) square += component * component;
+  return std::sqrt(square);
+}
+
+template <int D>
+double distance_between(const Point<D>& x, const Point<D>& y) {
+  Point<D> apart;
+  for (int a = 0; a < D; ++a) apart[a] = x[a] - y[a];
+  return length_of<D>(apart);
+}
+
+template <int D>
+Point<D> direction_at(const Shape& face, const Point<D>& x) {
+  const Vector n = outward_direction(face, padded<D>(x), D);
+  Point<D> direction;
+  for (int a = 0; a < D; ++a) direction[a] = n[a];
+  return direction;
+}
+
+}  // namespace
+
+template <int D>
+Faces<D>::Faces(const Shape& shape, double spacing) : shape_(shape), spacing_(spacing) {
+  collect(shape);
+}
+
+template <int D>
+void Faces<D>::collect(const Shape& shape) {
+  for (const Shape& operand : shape.operands) collect(operand);
+  if (!shape.operands.empty()) return;
+  if (shape.kind != Shape::Kind::box) {
+    face_.push_back(shape);
+    return;
+  }
+  for (int side = 0; side < 2 * D; ++side) {
+    const Vector& corner = side % 2 == 0 ? shape.lower : shape.upper;
+    if (std::isinf(corner[side / 2])) continue;
+    Shape& face = face_.emplace_back();
+    face.kind = Shape::Kind::half_space;
+    face.point[side / 2] = corner[side / 2];
+    face.normal[side / 2] = side % 2 == 0 ? -1 : 1;
+  }
+}
+
+template <int D>
+bool Faces<D>::hold(const Point<D>& x) const {
+  return std::abs(signed_distance(shape_, padded<D>(x), D)) <= on_all_faces * spacing_;
+}
+
+template <int D>
+Point<D> Faces<D>::onto(Point<D> x, std::span<const int> faces) const {
+  bool has_moved = true;
+  for (int round = 0; round < most_projections && has_moved; ++round) {
+    has_moved = false;
+    for (const int f : faces) {
+      const double distance = signed_distance(face_[f], padded<D>(x), D);
+      if (std::abs(distance) <= on_one_face * spacing_) continue;
+      has_moved = true;
+      const Point<D> n = direction_at<D>(face_[f], x);
+      for (int a = 0; a < D; ++a) x[a] -= distance * n[a];
+    }
+  }
+  return x;
+}
+
+template <int D>
+std::vector<int> Faces<D>::near(const Point<D>& x, const Point<D>& pitch) const {
+  std::vector<int> close;
+  for (int f = 0; f < static_cast<int>(face_.size()) && close.size() < most_faces; ++f) {
+    const double distance = std::abs(signed_distance(face_[f], padded<D>(x), D));
+    if (distance > length_of<D>(pitch)) continue;
+    Point<D> along = direction_at<D>(face_[f], x);
+    for (int a = 0; a < D; ++a) along[a] *= pitch[a];
+    if (distance <= nearly_half_pitch * length_of<D>(along)) close.push_back(f);
+  }
+  std::vector<int> best;
+  double shortest = nearly_half_pitch * length_of<D>(pitch);
+  for (unsigned set = 1; set < 1U << close.size(); ++set) {
+    if (static_cast<std::size_t>(std::popcount(set)) < best.size()) continue;
+    std::vector<int> faces;
+    for (std::size_t k = 0; k < close.size(); ++k) {
+      if ((set >> k & 1) != 0) faces.push_back(close[k]);
+    }
+    const Point<D> foot = onto(x, faces);
+    const double way = distance_between<D>(foot, x);
+    if (faces.size() == best.size() && way >= shortest) continue;
+    if (way > nearly_half_pitch * length_of<D>(pitch) || !hold(foot)) continue;
+    best = faces;
+    shortest = way;
+  }
+  return best;
+}
+
+template class Faces<2>;
+template class Faces<3>;
+
+}  // namespace pliant::point_based

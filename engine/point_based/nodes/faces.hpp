@@ -1,0 +1,41 @@
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "engine/geometry/shape.hpp"
+#include "engine/lattice/lattice.hpp"
+
+namespace pliant::point_based {
+
+/// The faces of a shape: the surfaces of the balls, cylinders, half-spaces and meshes that it is
+/// made of, and the sides of its boxes one by one.
+template <int D>
+class Faces {
+ public:
+  /// Keeps a reference to `shape`; `spacing` [m] is that of the nodes, which says what is close.
+  Faces(const Shape& shape, double spacing);
+
+  /// The faces onto which `x` can be moved, those within half of `pitch` [m] of it: as many as meet
+  /// in a point of the surface. None where the surface is farther away.
+  std::vector<int> near(const Point<D>& x, const Point<D>& pitch) const;
+
+  /// The point next to `x` that lies on all of these faces. A point that lies on them keeps its
+  /// bits.
+  Point<D> onto(Point<D> x, std::span<const int> faces) const;
+
+  /// Whether `x` lies on the surface of the shape.
+  bool hold(const Point<D>& x) const;
+
+ private:
+  void collect(const Shape& shape);
+
+  const Shape& shape_;
+  double spacing_;
+  std::vector<Shape> face_;
+};
+
+extern template class Faces<2>;
+extern template class Faces<3>;
+
+}  // namespace pliant::point_based

@@ -1,0 +1,118 @@
+#include "engine/point_based/nodes/node_cells.hpp"
+
+#include <algorithm>
+#include <limits>
+
+#include "engine/point_based/nearest_nodes.hpp"
+
+namespace pliant::point_based {
+
+namespace {
+
+// Those around the middle of a lattice cell that may be nearest to a point of it.
+constexpr std::size_t nodes_of_lattice_cell(int dimension) { return dimension == 2 ? 12 : 32; }
+constexpr double equally_near = 1e-9;  // of the square of the pitch
+
+template <int D>
+class CellFinder {
+ public:
+  CellFinder(const BodyLattice<D>& lattice, const std::vector<PlacedNode<D>>& nodes)
+      : lattice_(lattice), node_at_(lattice.points(), -1) {
+    for (const PlacedNode<D>& node : nodes) {
+      if (node.is_at_point) node_at_[node.point] = static_cast<std::int32_t>(position_.size());
+      position_.push_back(node.x);
+    }
+    cells_.volumes.assign(nodes.size(), 0);
+    cells_.centroids.assign(nodes.size(), {});
+    tolerance_ = equally_near * lattice.pitch()[0] * lattice.pitch()[0];
+  }
+
+  NodeCells<D> operator()() {
+    const NearestNodes<D> nearest(position_);
+    for_each_cell<D>({}, lattice_.last(1), [&](const Cell<D>& cell) {
+      const auto filling = lattice_.filling(cell);
+      if (filling == BodyLattice<D>::Filling::none) return;
+      if (filling == BodyLattice<D>::Filling::all && give_to_corners(cell)) return;
+      share_out(cell, nearest);
+    });
+    for (std::size_t i = 0; i < position_.size(); ++i) {
+      const double volume = cells_.volumes[i];
+      for (int a = 0; a < D; ++a) {
+        cells_.centroids[i][a] =
+            position_[i][a] + (volume > 0 ? cells_.centroids[i][a] / volume : 0);
+      }
+    }
+    return std::move(cells_);
+  }
+
+ private:
+  /// Adds a volume with its middle at x: first moments are those about the node.
+  void add(std::int32_t node, double volume, const Point<D>& x) {
+    cells_.volumes[node] += volume;
+    for (int a = 0; a < D; ++a) {
+      cells_.centroids[node][a] += volume * (x[a] - position_[node][a]);
+    }
+  }
+
+  /// Where none of its corners has moved, each takes the part next to it.
+  bool give_to_corners(const Cell<D>& cell) {
+    constexpr int corners = BodyLattice<D>::corners;
+    for (int c = 0; c < corners; ++c) {
+      if (node_at_[lattice_.corner(cell, c)] < 0) return false;
+    }
+    const double part = lattice_.cell_volume() / corners;
+    for (int c = 0; c < corners; ++c) {
+      const std::int32_t node = node_at_[lattice_.corner(cell, c)];
+      Point<D> x = position_[node];
+      for (int a = 0; a < D; ++a) x[a] += (c >> a & 1 ? -0.25 : 0.25) * lattice_.pitch()[a];
+      add(node, part, x);
+    }
+    return true;
+  }
+
+  void share_out(const Cell<D>& cell, const NearestNodes<D>& nearest) {
+    Point<D> middle = lattice_.place(cell);
+    for (int a = 0; a < D; ++a) middle[a] += lattice_.pitch()[a] / 2;
+    const auto around = nearest.nearest(middle, nodes_of_lattice_cell(D));
+    const std::vector<double> filled = lattice_.filled(cell);
+    const double whole = lattice_.cell_volume() / static_cast<double>(filled.size());
+    for (std::size_t k = 0; k < filled.size(); ++k) {
+      if (filled[k] == 0) continue;
+      const Point<D> x = lattice_.middle(cell, static_cast<int>(k));
+      double least = std::numeric_limits<double>::infinity();
+      takers_.clear();
+      for (const auto& found : around) {
+        double square = 0;
+        for (int a = 0; a < D; ++a) {
+          const double apart = x[a] - position_[found.node][a];
+          square += apart * apart;
+        }
+        if (square > least + tolerance_) continue;
+        if (square < least - tolerance_) takers_.clear();
+        least = std::min(least, square);
+        takers_.push_back(found.node);
+      }
+      const double share = filled[k] * whole / static_cast<double>(takers_.size());
+      for (const std::int32_t node : takers_) add(node, share, x);
+    }
+  }
+
+  const BodyLattice<D>& lattice_;
+  std::vector<std::int32_t> node_at_;  ///< [lattice point] that has not moved, or -1
+  std::vector<Point<D>> position_;
+  double tolerance_;
+  std::vector<std::int32_t> takers_;
+  NodeCells<D> cells_;
+};
+
+}  // namespace
+
+template <int D>
+NodeCells<D> cells_of(const BodyLattice<D>& lattice, const std::vector<PlacedNode<D>>& nodes) {
+  return CellFinder<D>(lattice, nodes)();
+}
+
+template NodeCells<2> cells_of(const BodyLattice<2>&, const std::vector<PlacedNode<2>>&);
+template NodeCells<3> cells_of(const BodyLattice<3>&, const std::vector<PlacedNode<3>>&);
+
+}  // namespace pliant::point_based
