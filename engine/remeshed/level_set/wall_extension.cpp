@@ -34,12 +34,13 @@ void WallExtension<T, D>::extend(const Block<D>& block, const Boundaries<D>& bou
 }
 
 // phi at `depth` behind a wall: the line through two points 1.5 h and 2.5 h in front of it. Only a
-// surface that meets the wall runs on through it: far from one, phi keeps its value, and a slope
-// beyond that of a surface at 45 degrees is a kink of phi, not a surface.
+// surface that meets the wall runs on through it, (RP.100): far from one, phi keeps its value, and a
+// fall towards the wall that is steeper than that of a surface at 45 degrees is a kink of phi. A
+// rise may be that of a surface that faces the wall and is about to roll onto it.
 template <class T, int D>
 double WallExtension<T, D>::behind_wall(const Point<D>& x, const Point<D>& normal,
                                         double depth) const {
-  constexpr double steepest = 0.7, meets_wall = 3;
+  constexpr double steepest_fall = 0.7, steepest_rise = 1, meets_wall = 3;
   const double h = lattice_.spacing;
   Point<D> nearer = x, farther = x;
   for (int a = 0; a < D; ++a) {
@@ -49,7 +50,7 @@ double WallExtension<T, D>::behind_wall(const Point<D>& x, const Point<D>& norma
   double first = 0, second = 0;
   if (!interpolate(nearer, first)) return far_;
   if (!interpolate(farther, second) || std::abs(first) > meets_wall * h) return first;
-  const double slope = std::clamp((first - second) / h, -steepest, steepest);
+  const double slope = std::clamp((first - second) / h, -steepest_fall, steepest_rise);
   return first + slope * (depth + 1.5 * h);
 }
 
