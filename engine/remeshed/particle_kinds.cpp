@@ -11,9 +11,10 @@ template <class T, int D>
 Kind kind_of(const Point<D>& x, T phi, double h, bool valid, Outside outside,
              const Boundaries<D>& boundaries) {
   if (phi >= ghost_band * h) return Kind::vacant;
-  const double d = boundaries.nearest_wall(x).second;
+  const auto [wall, d] = boundaries.nearest_wall(x);
   if (d < -ghost_band * h) return Kind::vacant;
-  if (d < 0) return Kind::wall_ghost;
+  // (RP.97): where the body does not reach the wall, the wall does not hold it.
+  if (d < 0 && (phi < 0 || boundaries.walls[wall].slips())) return Kind::wall_ghost;
   // What lies beyond a contact wall is outside the body, whatever phi says.
   const double beyond = boundaries.nearest_contact(x).second;
   if (beyond < -ghost_band * h) return Kind::vacant;

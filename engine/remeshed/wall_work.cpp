@@ -12,12 +12,20 @@ namespace pliant::remeshed {
 
 namespace {
 
+// Share of a slot in the part of a wall that the body covers, phi in spacings, (RP.65). Walls that
+// hold the body have ghosts as far as it reaches, (RP.97): the last one bears what is beyond it.
+double covered_share(double phi, bool slips) {
+  if (slips) return std::clamp(0.5 - phi, 0., 1.);
+  return phi > -1 ? 0.5 - phi : 1;
+}
+
 // What a ghost stands for of the part of the wall that the body covers, (RP.65).
 template <class T, int D>
-double area_on_wall(const Body<T, D>& body, const BlockGhosts<T, D>& ghosts, std::size_t g) {
+double area_on_wall(const Body<T, D>& body, const BlockGhosts<T, D>& ghosts, std::size_t g,
+                    bool slips) {
   const double h = body.lattice.spacing;
   const std::int64_t slot = ghosts.slot[g];
-  const double covered = std::clamp(0.5 - body.stage[0].get(Field::level_set)[slot] / h, 0., 1.);
+  const double covered = covered_share(body.stage[0].get(Field::level_set)[slot] / h, slips);
   if (covered == 0) return 0;
   const double depth = depth_behind_wall<T, D>(body, ghosts, g);
   const double layer = std::max(0., 1 - std::abs(depth / h - 1));
@@ -68,7 +76,7 @@ void find_wall_shares(const Body<T, D>& body, int block, const Boundaries<D>& bo
   for (std::size_t g = 0; g < ghosts.reached_count; ++g) {
     const int wall = ghosts.wall[g];
     if (wall < 0 || watched[wall] == 0) continue;
-    const double area = area_on_wall(body, ghosts, g);
+    const double area = area_on_wall(body, ghosts, g, boundaries.walls[wall].slips());
     if (area == 0 || is_covered<D>(boundaries, wall, ghosts.foot[g])) continue;
     shares.push_back({static_cast<std::int32_t>(g), area});
   }

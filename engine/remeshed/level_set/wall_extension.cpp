@@ -33,9 +33,10 @@ void WallExtension<T, D>::extend(const Block<D>& block, const Boundaries<D>& bou
   });
 }
 
-// phi at `depth` behind a wall: the line through two points 1.5 h and 2.5 h in front of it. Only a
-// surface that meets the wall runs on through it: far from one, phi keeps its value, and a slope
-// beyond that of a surface at 45 degrees is a kink of phi, not a surface.
+// phi at `depth` behind a wall, (RP.100): the line through two points 1.5 h and 2.5 h in front of
+// it. Only a surface that meets the wall runs on through it: far from one, phi keeps its value, and
+// a slope beyond that of a surface at 45 degrees is a kink of phi. One that faces the wall ends
+// where it touches the wall: from there on the body continues behind it.
 template <class T, int D>
 double WallExtension<T, D>::behind_wall(const Point<D>& x, const Point<D>& normal,
                                         double depth) const {
@@ -49,8 +50,9 @@ double WallExtension<T, D>::behind_wall(const Point<D>& x, const Point<D>& norma
   double first = 0, second = 0;
   if (!interpolate(nearer, first)) return far_;
   if (!interpolate(farther, second) || std::abs(first) > meets_wall * h) return first;
-  const double slope = std::clamp((first - second) / h, -steepest, steepest);
-  return first + slope * (depth + 1.5 * h);
+  const double rise = (first - second) / h, slope = std::clamp(rise, -steepest, steepest);
+  const double on_wall = first + slope * 1.5 * h;
+  return rise > steepest && on_wall < 0 ? on_wall : on_wall + slope * depth;
 }
 
 template <class T, int D>
