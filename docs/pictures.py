@@ -55,6 +55,12 @@ rendered = {
         "cases/edge_cut", ["boundary.top.traction=[0, '0.03*min(max(t - 2, 0)/20, 1)']",
                            "boundary.bottom.traction=[0, '-0.03*min(max(t - 2, 0)/20, 1)']", "time.end=50"],
         ["--times", "50", "--field", "pressure", "--size", "700", "640"]),
+    "cases/edge_cut/stretched": (
+        "cases/edge_cut", ["boundary.top.traction=[0, '0.03*min(max(t - 2, 0)/20, 1)']",
+                           "boundary.bottom.traction=[0, '-0.03*min(max(t - 2, 0)/20, 1)']", "time.end=60", "output.every=10",
+                           "cut.0.start=30", "cut.0.end=60",
+                           "cut.0.path=['0.55*(t - 30)/30', 0]"],
+        ["--times", "30", "40", "50", "60", "--field", "pressure", "--size", "1500", "640"]),
     "cases/oscillating_plate/result": (
         "cases/oscillating_plate", ["time.end=6"],
         ["--walls", "--stack", "--times", "0", "2", "4", "6", "--field", "velocity", "--label", "speed [m/s]",

@@ -8,8 +8,8 @@ Each family of robustness_families.py varies spacing, load, shape, remeshing and
 runs are a batch of `pliant batch`, in FOLDER/NAME (default results/robustness), so that a sweep that
 was stopped goes on where it was. Runs that differ from the default in one axis come first, then those
 that differ in two, so that any number of hours gives a spread of the whole. Writes robustness.csv,
-robustness.md and robustness.png beside this file; runs that are not made again keep their rows. Needs
-python3-matplotlib.
+robustness.md and robustness.png beside this file; runs that are not made again keep their rows, which
+name the commit they were made at. Needs python3-matplotlib.
 """
 import argparse
 import csv
@@ -140,7 +140,7 @@ def deviation(figure, run, value, right):
 
 
 def judge(family, run, outcome, by_run):
-    """A row of robustness.csv."""
+    """A row of robustness.csv, but for its commit."""
     row = {"family": family.name, **{f"axis {i}": f"{a}: {l}" for i, (a, l) in enumerate(run.items())},
            "warnings": len(outcome["warnings"]), "verdict": "", "figure": "", "value": "", "right": "",
            "deviation": "", "energy created": "", "seconds": ""}
@@ -169,17 +169,38 @@ def judge(family, run, outcome, by_run):
     return row
 
 
-def rows_of(batch):
+def rows_of(batch, commit):
     outcomes = batch.outcomes()
     by_run = {json.dumps(run): outcome for run, outcome in outcomes}
-    return [judge(batch.family, run, outcome, by_run) for run, outcome in outcomes]
+    return [{**judge(batch.family, run, outcome, by_run), "commit": commit} for run, outcome in outcomes]
+
+
+def head_commit():
+    return subprocess.run(["git", "-C", here, "rev-parse", "--short", "HEAD"], check=True,
+                          capture_output=True, text=True).stdout.strip()
+
+
+def begin(folder):
+    """A folder holds the runs of one commit, and its name."""
+    file, commit = folder / "commit", head_commit()
+    folder.mkdir(parents=True, exist_ok=True)
+    if not file.exists():
+        file.write_text(f"{commit}\n")
+    earlier = file.read_text().strip()
+    if earlier != commit:
+        raise SystemExit(f"{folder} holds runs of commit {earlier}, and this is {commit}: give another --out")
+
+
+def commit_of(folder):
+    file = folder / "commit"
+    return file.read_text().strip() if file.exists() else head_commit()
 
 
 def run_of(row):
     return tuple(row[column] for column in sorted(row) if column.startswith("axis") and row[column])
 
 
-def write_results(batches):
+def write_results(batches, commit):
     file = here / "robustness.csv"
     before = {}
     if file.exists():
@@ -188,13 +209,13 @@ def write_results(batches):
                 before.setdefault(row["family"], []).append(row)
     rows = []
     for batch in batches:
-        new = rows_of(batch)
+        new = rows_of(batch, commit)
         made = {run_of(row) for row in new}
         # A run that is being tried again keeps its row until it has ended.
         rows += new + [row for row in before.get(batch.family.name, []) if run_of(row) not in made]
     columns = list(dict.fromkeys(key for row in rows for key in row))
-    columns = ["family", *sorted(c for c in columns if c.startswith("axis")),
-               *(c for c in columns if c != "family" and not c.startswith("axis"))]
+    columns = ["family", "commit", *sorted(c for c in columns if c.startswith("axis")),
+               *(c for c in columns if c not in ("family", "commit") and not c.startswith("axis"))]
     with file.open("w", newline="") as table:
         writer = csv.DictWriter(table, columns, restval="")
         writer.writeheader()
@@ -214,13 +235,15 @@ def main():
     if unknown:
         parser.error(f"no {', '.join(sorted(unknown))}; there are "
                      f"{', '.join(family.name for family in families)}")
+    if not arguments.pages:
+        begin(arguments.out)
     batches = [Batch(family, arguments.out, arguments.program) for family in families]
     active = [b for b in batches if not arguments.cases or b.family.name in arguments.cases]
     end = time.monotonic() + 3600 * arguments.hours
     while active and not arguments.pages and time.monotonic() < end:
         active = [b for b in active if time.monotonic() >= end
                   or b.advance(min(end - time.monotonic(), longest_wait))]
-    write_results(batches)
+    write_results(batches, commit_of(arguments.out))
 
 
 longest_wait = 1e6  # [s], which subprocess can hold

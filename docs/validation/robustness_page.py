@@ -2,7 +2,6 @@
 import collections
 import itertools
 import math
-import subprocess
 
 import matplotlib
 
@@ -32,7 +31,7 @@ A figure that is wrong has to come with a warning, or the run has to stop with a
 | not judged | the run that it is compared with has not been made |
 | wrong without a word | outside, and nothing was said |
 
-These are the runs made so far, at commit COMMIT; [robustness.csv](robustness.csv) holds them one by one.
+These are the runs made so far; [robustness.csv](robustness.csv) holds them one by one.
 """
 
 colours = {"right": "#2e8b57", "right, warned": "#a6d9a6", "wrong, warned": "#f0c040",
@@ -124,21 +123,19 @@ def write(rows, counts, folder):
     for row in rows:
         by_family.setdefault(row["family"], []).append(row)
     picture(by_family, folder / "robustness.png")
-    commit = subprocess.run(["git", "-C", folder, "rev-parse", "--short", "HEAD"], check=False,
-                            capture_output=True, text=True).stdout.strip()
     total, summary = collections.Counter(), []
     for family, count in counts.items():
         verdicts = collections.Counter(row["verdict"] for row in by_family.get(family, []))
         total += verdicts
-        summary.append([family, f"{sum(verdicts.values())} of {count}",
+        commits = dict.fromkeys(row["commit"] for row in by_family.get(family, []))
+        summary.append([family, ", ".join(commits), f"{sum(verdicts.values())} of {count}",
                         *(verdicts[v] or "" for v in colours)])
-    summary.append(["all", f"{sum(total.values())} of {sum(counts.values())}",
+    summary.append(["all", "", f"{sum(total.values())} of {sum(counts.values())}",
                     *(total[v] or 0 for v in colours)])
-    columns = ["family", "runs", *("**wrong without a word**" if v == "wrong" else v for v in colours)]
+    columns = ["family", "commit", "runs", *("**wrong without a word**" if v == "wrong" else v for v in colours)]
     silent = [[row["family"], text_of(row), row["figure"], row["value"], row["right"], row["deviation"],
                row["energy created"]] for row in rows if row["verdict"] == "wrong"]
-    text = head.replace("COMMIT", commit)
-    text += "\n" + table(columns, summary) + "\n![Verdict of each run](robustness.png)\n\nA square for each run made: a panel for each shape, with the spacings, coarse to fine, in each load along x, and\nremeshing, kernel and other choices along y.\n"
+    text = head + "\n" + table(columns, summary) + "\n![Verdict of each run](robustness.png)\n\nA square for each run made: a panel for each shape, with the spacings, coarse to fine, in each load along x, and\nremeshing, kernel and other choices along y.\n"
     text += "\n## Wrong without a word\n\n"
     text += table(["family", "run", "figure", "value", "right", "deviation", "energy created"],
                   silent) if silent else "None of these runs.\n"
