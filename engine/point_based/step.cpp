@@ -138,7 +138,7 @@ void Step<T, D>::meet_faces() {
 template <class T, int D>
 bool Step<T, D>::has_punctures() const {
   return std::any_of(state_.cuts.begin(), state_.cuts.end(),
-                     [this](const auto& of_body) { return of_body && of_body->has_punctures(); });
+                     [](const auto& of_body) { return of_body && of_body->has_punctures(); });
 }
 
 template <class T, int D>
