@@ -38,9 +38,8 @@ double length_of(const CutCase& cut) {
 std::string resolution_warning(const Case& settings) {
   const CutRule rule = parameters_of(settings).cut_rule;
   if (rule == CutRule::product && !settings.cuts.empty()) {
-    return "warning: the rule \"product\" leaves up to 1 % of some bonds that a cut crosses, so "
-           "that "
-           "a complete cut may not divide the body; take point_based.cut_rule = \"transparency\" "
+    return "warning: the cut rule \"product\" leaves up to 1 % of some bonds that a cut crosses; a "
+           "complete cut may not divide the body; take point_based.cut_rule = \"transparency\" "
            "where parts matter";
   }
   for (const CutCase& cut : settings.cuts) {
