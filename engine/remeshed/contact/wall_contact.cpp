@@ -13,11 +13,10 @@ namespace pliant::remeshed {
 
 namespace {
 
-// How high above the wall the surface may still stand [h]: more contact_points too early.
-constexpr double contact_onset_height = 0.01;
-// And how high where it touched before. What is left of a height of a few hundredths of h after
-// compression and remeshing is noise: a slot that it takes from under pressure for a few steps
-// lets the body shoot at the wall, and the energy of that is lost.
+// How high above the wall the surface may stand [h] where it touched before. What is left of a
+// height of a few hundredths of h after compression and remeshing is noise: a slot that it takes
+// from under pressure for a few steps lets the body shoot at the wall, and the energy of that is
+// lost.
 constexpr double leaving_height = 0.3;
 
 constexpr double rounding = 1e-9;  // [h], of where a slot lies

@@ -21,6 +21,10 @@
 // ghosts of (RP.46) and (RP.47) alone.
 namespace pliant::remeshed {
 
+/// How high above a wall the surface may stand where contact begins [h], (RP.52): contact farther
+/// away begins too early.
+inline constexpr double contact_onset_height = 0.01;
+
 /// (RP.52): which ghost of each slot of a block beyond a contact wall is active, at the start of a
 /// step, from the records of the surface particles and from which one was active before. The kinds
 /// of the slots tell it to the next remeshing. Deciding twice decides the same.

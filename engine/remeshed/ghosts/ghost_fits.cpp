@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "engine/remeshed/contact/contact_edges.hpp"
+#include "engine/remeshed/contact/wall_contact.hpp"
 #include "engine/remeshed/ghosts/ghost_fitter.hpp"
 #include "engine/remeshed/ghosts/record_loads.hpp"
 #include "engine/storage/push_tightly.hpp"
@@ -84,7 +85,9 @@ class GhostFinder {
       return;
     }
     const auto [wall, distance] = boundaries_.nearest_contact(x);
-    const double height = distance < 0 ? level_set_.surface_distance(slot) + distance : h;
+    // As the wall passes a row of nodes, that lies in the gap between the surface and the wall.
+    const double height =
+        distance < contact_onset_height * h ? level_set_.surface_distance(slot) + distance : h;
     if (distance < 0) edge_ = edges_.beyond(slot, x, wall);
     // The body comes no nearer than this before the next remeshing.
     if (height < h || edge_ != no_edge) {
