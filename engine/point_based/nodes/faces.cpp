@@ -1,5 +1,6 @@
 #include "engine/point_based/nodes/faces.hpp"
 
+#include <algorithm>
 #include <bit>
 #include <cmath>
 
@@ -104,7 +105,11 @@ std::vector<int> Faces<D>::near(const Point<D>& x, const Point<D>& pitch) const 
     const Point<D> foot = onto(x, faces);
     const double way = distance_between<D>(foot, x);
     if (faces.size() == best.size() && way >= shortest) continue;
-    if (way > nearly_half_pitch * length_of<D>(pitch) || !hold(foot)) continue;
+    // Parallel faces never meet.
+    const bool meet = std::all_of(faces.begin(), faces.end(), [&](int f) {
+      return std::abs(signed_distance(face_[f], padded<D>(foot), D)) <= on_all_faces * spacing_;
+    });
+    if (!meet || way > nearly_half_pitch * length_of<D>(pitch) || !hold(foot)) continue;
     best = faces;
     shortest = way;
   }

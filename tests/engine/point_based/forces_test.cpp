@@ -203,5 +203,28 @@ TYPED_TEST(PointForces, hold_an_affine_deformation_with_forces_near_the_surface_
   EXPECT_GT(largest, 0.01);
 }
 
+// The tenth and the eleventh neighbour of a node of a square lattice are equally far away, (PB.2).
+// A deformation that is its own mirror image in y = x exerts forces that are theirs.
+TEST(point_neighbours, that_are_equally_far_away_count_alike) {
+  const Case settings =
+      tests::read_text(free_points(2), {"point_based.neighbours=10", "time.step=1e-9"});
+  PointSolver<2> solver(settings, {1, kernels::widest_supported()});
+  auto& body = solver.state().bodies[0];
+  const auto moved = [](double x, double y) { return 0.1 * std::sin(3 * x + 1) * std::cos(2 * y); };
+  body.for_each_node([&](std::int64_t slot) {
+    const auto& x = body.start[slot];
+    body.displacement[0][slot] = moved(x[0], x[1]);
+    body.displacement[1][slot] = moved(x[1], x[0]);
+  });
+  const auto force = PointForces<std::integral_constant<int, 2>>::forces(solver);
+  body.for_each_node([&](std::int64_t slot) {
+    body.for_each_node([&](std::int64_t other) {
+      const auto &x = body.start[slot], &y = body.start[other];
+      if (std::hypot(x[0] - y[1], x[1] - y[0]) > 1e-9) return;
+      EXPECT_NEAR(force[slot][0], force[other][1], 1e-6) << x[0] << " " << x[1];
+    });
+  });
+}
+
 }  // namespace
 }  // namespace pliant::test

@@ -111,14 +111,16 @@ TEST_P(ThickCylinder, widens_as_in_closed_form) {
   for (std::size_t i = 0; i < radii.size(); ++i) {
     const std::string n = std::to_string(i);
     const double along = 0.8 * measured["x" + n] + 0.6 * measured["y" + n];
-    const double tolerance = i == 0 || i + 1 == radii.size() ? 0.025 : 0.01;
+    const bool is_outside = i == 0 || i + 1 == radii.size(),
+               has_cells = GetParam() != "point_based";
+    const double tolerance = has_cells ? (is_outside ? 0.025 : 0.01) : (is_outside ? 0.03 : 0.02);
     EXPECT_NEAR(along, widening(radii[i]), tolerance * std::abs(widening(radii[i]))) << radii[i];
   }
 }
 
 INSTANTIATE_TEST_SUITE_P(curved_surfaces, ThickCylinder,
                          testing::Values("total_lagrangian", "point_based"),
-                         [](const auto& info) { return info.param; });
+                         [](const auto& tested) { return tested.param; });
 
 // A quarter that slides on planes of symmetry, where partly filled cells meet walls.
 TEST(curved_surfaces, a_quarter_of_a_thick_cylinder_widens_as_in_closed_form) {
