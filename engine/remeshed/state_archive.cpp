@@ -214,8 +214,8 @@ void put_state(ArchiveWriter& archive, const State<T, D>& state) {
     const Body<T, D>& body = state.bodies[b];
     const std::string group = fmt::format("body/{}", b);
     const std::size_t slots = body.population.layout.slots();
-    const std::vector<std::int32_t> packs = body.population.layout.occupancy().save();
-    archive.put(group + "/occupied_packs", std::span<const std::int32_t>(packs));
+    const std::vector<std::int32_t> cells = body.population.layout.occupancy().save();
+    archive.put(group + "/occupied_cells", std::span<const std::int32_t>(cells));
     archive.put(group + "/lattice_origin", std::span<const double>(body.lattice.origin));
     archive.put(group + "/particles", body.population.particles);
     archive.put(group + "/strain", body.neighbours.strain);
@@ -253,7 +253,7 @@ void get_state(const ArchiveReader& archive, State<T, D>& state, Remeshings<T, D
     Body<T, D>& body = state.bodies[b];
     const std::string group = fmt::format("body/{}", b);
     archive.read(group + "/lattice_origin", std::span<double>(body.lattice.origin));
-    remeshings[b].lay_out_again(archive.get<std::int32_t>(group + "/occupied_packs"));
+    remeshings[b].lay_out_again(archive.get<std::int32_t>(group + "/occupied_cells"));
     Population<T, D>& population = body.population;
     const std::size_t slots = population.layout.slots();
     body.neighbours.strain = archive.scalar<double>(group + "/strain");

@@ -81,7 +81,7 @@ TEST(bench_growth, has_each_method_in_both_dimensions_up_to_the_largest_size) {
   }
 }
 
-// 820 bytes: 1.73 slots of 57 values, and the records of surface particles.
+// 820 bytes: 1.7 slots of 57 values, and the records of surface particles.
 TEST(bench_cases, a_ball_of_100_000_particles_takes_less_than_850_bytes_for_each) {
   const auto solver = methods().make(bench::spinning_ball(100'000, Kernel::compact), {});
   const auto particles = static_cast<double>(solver->particles());

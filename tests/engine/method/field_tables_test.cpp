@@ -212,7 +212,7 @@ TEST(checkpoints, hold_exactly_the_saved_fields) {
   ASSERT_EQ(of_bodies.erase("momentum_budget"), 1u);
   ASSERT_EQ(of_bodies.erase("motion_budget"), 1u);
   EXPECT_EQ(fields_of_checkpoint(*stepped_remeshed(), {"body/0", "body/0/ghosts"},
-                                 {"occupied_packs", "lattice_origin", "particles", "strain",
+                                 {"occupied_cells", "lattice_origin", "particles", "strain",
                                   "strain_rate", "ghosts", "reached"}),
             of_bodies);
   EXPECT_EQ(fields_of_checkpoint(*stepped_total_lagrangian(), {"body/0"}, {}),
