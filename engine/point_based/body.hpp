@@ -67,6 +67,8 @@ struct BodySurface {
   std::vector<std::int32_t> node;                  ///< [corner] slot
   std::vector<std::array<std::int32_t, D>> facet;  ///< corners, seen from outside
   std::vector<bool> is_free;                       ///< [facet] not on a wall
+  const Shape* shape = nullptr;  ///< near which its facets lie; null for elements and meshes
+  double spacing = 0;            ///< of its lattice, where there is a shape [m]
 };
 
 /// One body: nodes of its undeformed shape, and the bonds between them.

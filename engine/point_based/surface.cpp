@@ -10,6 +10,7 @@
 #include "engine/point_based/contact_surface.hpp"
 #include "engine/point_based/nearest_nodes.hpp"
 #include "engine/point_based/surface_lattice.hpp"
+#include "engine/undeformed/surface_place.hpp"
 
 namespace pliant::point_based {
 
@@ -53,7 +54,10 @@ class SurfaceFinder {
     return std::move(surface_);
   }
 
+  // Distances to meshes take long, and their edges are seldom as sharp as those of boxes.
   BodySurface<D> of_shape(const Shape& shape) {
+    if (!contains_mesh(shape)) surface_.shape = &shape;
+    surface_.spacing = spacing_;
     for (const auto& piece : SurfaceLattice<D>(shape, spacing_).facets()) {
       std::array<std::int32_t, D> corner;
       for (int v = 0; v < D; ++v) corner[v] = add(piece[v].name, piece[v].place, -1);
@@ -90,10 +94,11 @@ class SurfaceFinder {
   BodySurface<D> surface_;
 };
 
-/// Share of a facet for which `is_inside(x)`.
+/// The mean of `f(x)` over a facet.
 template <int D, class F>
-double share_of(const std::array<Point<D>, D>& corner, F&& is_inside) {
-  int inside = 0, all = 0;
+double mean_over(const std::array<Point<D>, D>& corner, F&& f) {
+  double sum = 0;
+  int all = 0;
   const auto at = [&](double u, double v) {
     Point<D> x;
     for (int a = 0; a < D; ++a) {
@@ -101,7 +106,7 @@ double share_of(const std::array<Point<D>, D>& corner, F&& is_inside) {
       if (D == 3) x[a] += v * (corner[D - 1][a] - corner[0][a]);
     }
     ++all;
-    if (is_inside(x)) ++inside;
+    sum += f(x);
   };
   for (int i = 0; i < samples; ++i) {
     if (D == 2) {
@@ -113,7 +118,24 @@ double share_of(const std::array<Point<D>, D>& corner, F&& is_inside) {
       if (i + j < samples - 1) at((i + 2. / 3) / samples, (j + 2. / 3) / samples);
     }
   }
-  return static_cast<double>(inside) / all;
+  return sum / all;
+}
+
+/// Share of a facet on which a load acts: of the part of the surface that it stands for, (TL.29).
+template <int D>
+double loaded_share(const SurfacePressure<D>& load, const BodySurface<D>& surface,
+                    const std::array<Point<D>, D>& corner, const Point<D>& area_and_normal,
+                    double area) {
+  Point<D> normal = area_and_normal;
+  for (double& component : normal) component /= area;
+  return mean_over<D>(corner, [&](const Point<D>& x) {
+    undeformed::SurfacePlace<D> real{x};
+    if (surface.shape != nullptr) {
+      real = undeformed::surface_place<D>(*surface.shape, x, normal, surface.spacing);
+    }
+    if (!load.acts_at(real.place)) return 0.;
+    return load.is_traction() ? real.area : 1;
+  });
 }
 
 /// The share of each node in the facets that one load acts on: areas count as the corners do,
@@ -130,11 +152,11 @@ std::map<std::int32_t, PressedNode<D>> pressed_nodes(const SurfacePressure<D>& l
     if (!surface.is_free[f]) continue;
     std::array<Point<D>, D> x;
     for (int v = 0; v < D; ++v) x[v] = surface.start[surface.facet[f][v]];
-    const double share = share_of<D>(x, [&](const Point<D>& at) { return load.acts_at(at); });
-    if (share == 0) continue;
     const Point<D> whole = area_vector<D>(x);
     double square = 0;
     for (const double component : whole) square += component * component;
+    const double share = loaded_share<D>(load, surface, x, whole, std::sqrt(square));
+    if (share == 0) continue;
     for (const std::int32_t corner : surface.facet[f]) {
       const double size = share / D * std::sqrt(square);
       PressedNode<D>& nearest = node_in(surface.node[corner]);

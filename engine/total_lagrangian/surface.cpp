@@ -4,7 +4,7 @@
 
 #include "engine/total_lagrangian/load_shares.hpp"
 #include "engine/total_lagrangian/setup.hpp"
-#include "engine/total_lagrangian/surface_place.hpp"
+#include "engine/undeformed/surface_place.hpp"
 
 // The surface of the undeformed body, cut out of its cells simplex by simplex. Corners of facets
 // lie on lines between particles, so that the present surface follows from the particles alone.
@@ -141,7 +141,7 @@ class SurfaceMaker {
         ++count;
         const Point<D> x = place(body_.facets[facet], at);
         if (on_a_wall(x)) return;
-        const SurfacePlace<D> real = real_place(x, area_and_normal, area);
+        const undeformed::SurfacePlace<D> real = real_place(x, area_and_normal, area);
         if (!boundaries_.pressures[k].acts_at(real.place)) return;
         ++hit;
         // The vector of an area is that of the facet, however the surface runs beyond it.
@@ -165,12 +165,12 @@ class SurfaceMaker {
   }
 
   // (TL.29)
-  SurfacePlace<D> real_place(const Point<D>& x, const Point<D>& area_and_normal,
+  undeformed::SurfacePlace<D> real_place(const Point<D>& x, const Point<D>& area_and_normal,
                              double area) const {
     if (shape_ == nullptr) return {x};
     Point<D> normal = area_and_normal;
     for (double& component : normal) component /= area;
-    return surface_place<D>(*shape_, x, normal, body_.lattice.spacing);
+    return undeformed::surface_place<D>(*shape_, x, normal, body_.lattice.spacing);
   }
 
   static Point<D> place(const Facet<D>& facet, const Barycentric<D>& at) {

@@ -8,7 +8,7 @@
 #include "engine/geometry/signed_distance.hpp"
 #include "engine/lattice/lattice.hpp"
 
-namespace pliant::total_lagrangian {
+namespace pliant::undeformed {
 
 /// The part of a body's surface for which a point of a facet stands, (TL.29).
 template <int D>
@@ -42,4 +42,4 @@ SurfacePlace<D> surface_place(const Shape& shape, const Point<D>& x, const Point
   return {place, 1 / std::max(cosine, least_cosine)};
 }
 
-}  // namespace pliant::total_lagrangian
+}  // namespace pliant::undeformed
