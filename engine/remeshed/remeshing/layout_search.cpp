@@ -127,8 +127,8 @@ void LayoutSearch<T, D>::mark_images(const Cell<D>& cell) {
   for (int a = 0; a < D; ++a) {
     const double n = period[a];
     if (n == 0) continue;
-    first[a] = cell_above((-layout_reach - cell[a]) / n);
-    last[a] = cell_below((period[a] - 1 + layout_reach - cell[a]) / n);
+    first[a] = cell_above((-reach_ - cell[a]) / n);
+    last[a] = cell_below((period[a] - 1 + reach_ - cell[a]) / n);
   }
   for_each_cell<D>(first, last, [&](const Cell<D>& turns) {
     Cell<D> image = cell;

@@ -30,9 +30,9 @@ TEST(resolution, by_products_is_said_to_leave_bonds) {
 }
 
 TEST(resolution, of_a_blade_that_goes_back_or_round_is_that_of_how_far_it_comes) {
-  const std::string to_and_fro = R"(cut.0.path=["0.55*sin(pi*t/2)", 0])";
+  const std::string to_and_fro = R"toml(cut.0.path=["0.55*sin(pi*t/2)", 0])toml";
   EXPECT_EQ(said_of({to_and_fro}), "");
-  const std::string round = R"(cut.0.path=["0.1*(cos(pi*t) - 1)", "0.1*sin(pi*t)"])";
+  const std::string round = R"toml(cut.0.path=["0.1*(cos(pi*t) - 1)", "0.1*sin(pi*t)"])toml";
   EXPECT_NE(said_of({round}).find("advances by 4 spacings"), std::string::npos);
 }
 
