@@ -12,11 +12,11 @@ struct CellBounds {
   Cell<D> lower, upper;
 };
 
-/// Cells around interior particles that have slots: as far as ghosts are from the nearest particle.
-/// A free surface passes within one cell of the outermost particles, and ghosts are within 4.2
-/// cells of it: five. Where it meets a wall, ghosts lie as deep behind the wall as beyond the
-/// surface, so that the corner is sqrt(2) times as far away: seven.
-constexpr int layout_reach(bool has_walls) { return has_walls ? 7 : 5; }
+/// Cells around interior particles that have slots. Ghosts of a free surface lie within five cells,
+/// but closest points (RP.41) of the nodes near it interpolate phi from nodes in the sixth. Where
+/// the surface meets a wall, ghosts lie as deep behind the wall as beyond the surface, and the
+/// corner is farther away: seven.
+constexpr int layout_reach(bool has_walls) { return has_walls ? 7 : 6; }
 
 /// Finds where a body needs slots: every cell within reach of an interior particle.
 template <class T, int D>

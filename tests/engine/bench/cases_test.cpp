@@ -81,12 +81,12 @@ TEST(bench_growth, has_each_method_in_both_dimensions_up_to_the_largest_size) {
   }
 }
 
-// 820 bytes: 1.7 slots of 57 values, and the records of surface particles.
-TEST(bench_cases, a_ball_of_100_000_particles_takes_less_than_850_bytes_for_each) {
+// 880 bytes: 1.8 slots of 57 values, and the records of surface particles.
+TEST(bench_cases, a_ball_of_100_000_particles_takes_less_than_900_bytes_for_each) {
   const auto solver = methods().make(bench::spinning_ball(100'000, Kernel::compact), {});
   const auto particles = static_cast<double>(solver->particles());
   EXPECT_NEAR(particles, 105'000, 5000);
-  EXPECT_LT(static_cast<double>(solver->bytes()) / particles, 850);
+  EXPECT_LT(static_cast<double>(solver->bytes()) / particles, 900);
 }
 
 TEST(bench_cases, a_ball_spins_about_z) {
