@@ -76,6 +76,14 @@ void Occupancy<D>::add_to(int row, int dy, int dz) {
 }
 
 template <int D>
+void Occupancy<D>::fill_columns() {
+  constexpr std::uint8_t whole_pack = 0xff;
+  for (std::uint8_t& cells : marked_) {
+    if (cells != 0) cells = whole_pack;
+  }
+}
+
+template <int D>
 std::vector<std::int32_t> Occupancy<D>::save() const {
   std::vector<std::int32_t> saved = {first_column_, columns_, first_row_[0],
                                      first_row_[1], rows_[0], rows_[1]};

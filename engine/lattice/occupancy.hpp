@@ -34,6 +34,8 @@ class Occupancy {
 
   /// Marks every cell of the map within `radius` cells of a marked one.
   void dilate(double radius);
+  /// Marks all cells of columns with a mark, so that runs begin at columns.
+  void fill_columns();
 
   /// The marked cells as plain numbers, for checkpoints, and back.
   std::vector<std::int32_t> save() const;

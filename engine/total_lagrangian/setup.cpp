@@ -62,7 +62,8 @@ void lay_out(const Nodes<D>& nodes, Body<T, D>& body) {
     throw InputError(fmt::format(
         "body `{}` fills no cell of its lattice; use a finer discretisation.spacing", body.name));
   }
-  occupancy.dilate(1.8);  // also the neighbours across edges and corners
+  occupancy.dilate(1.8);     // also the neighbours across edges and corners
+  occupancy.fill_columns();  // packs of cells have their corners in packs of particles
   const std::int64_t cells = std::clamp(marked / wanted_blocks, least_cells, most_cells);
   const int blocks = static_cast<int>(std::max<std::int64_t>(marked / cells, 2));
   body.layout.build(occupancy, {}, blocks, 1);

@@ -14,6 +14,7 @@ namespace {
 
 constexpr double on_lattice_point = 1e-9;  // [h] distances that rounding may leave
 constexpr double least_share = 1e-9;       // of a sub-cell, what rounding may leave
+constexpr double least_change = 0.1;       // [h] of phi over a cell, at kinks of phi
 
 }  // namespace
 
@@ -106,14 +107,35 @@ std::vector<double> BodyLattice<D>::filled(const Cell<D>& cell) const {
   std::vector<double> share(kernels::power(sub_cells, D), 1.0);
   if (filling(cell) == Filling::all) return share;
   for (int k = 0; k < static_cast<int>(share.size()); ++k) {
-    const Point<D> x = middle(cell, k);
-    // Meshes, whose distances take long, are linear between the corners; others exact at edges.
-    const double phi =
-        has_mesh_ ? between(cell, x) : signed_distance(shape_, padded<D>(x), D) / spacing_;
-    share[k] = std::clamp(0.5 - sub_cells * phi, 0.0, 1.0);
+    share[k] = filled_at(cell, middle(cell, k));
     if (share[k] < least_share) share[k] = 0;
   }
   return share;
+}
+
+// The surface is a plane in the sub-cell, whose sides differ where the spacing does not divide those
+// of the body: phi over its change across the sub-cell.
+template <int D>
+double BodyLattice<D>::filled_at(const Cell<D>& cell, const Point<D>& x) const {
+  const double phi = distance_in(cell, x);
+  const double longest = *std::max_element(pitch_.begin(), pitch_.end()) / spacing_ / sub_cells;
+  if (std::abs(phi) > longest) return phi < 0 ? 1 : 0;
+  double square = 0;
+  for (int a = 0; a < D; ++a) {
+    Point<D> from = x, to = x;
+    from[a] -= pitch_[a] / (2 * sub_cells);
+    to[a] += pitch_[a] / (2 * sub_cells);
+    const double change = distance_in(cell, to) - distance_in(cell, from);
+    square += change * change;
+  }
+  const double across = std::max(std::sqrt(square), least_change / sub_cells);
+  return std::clamp(0.5 - phi / across, 0.0, 1.0);
+}
+
+// Meshes, whose distances take long, are linear between the corners; others exact at edges.
+template <int D>
+double BodyLattice<D>::distance_in(const Cell<D>& cell, const Point<D>& x) const {
+  return has_mesh_ ? between(cell, x) : signed_distance(shape_, padded<D>(x), D) / spacing_;
 }
 
 template <int D>

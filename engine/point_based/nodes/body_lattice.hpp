@@ -45,6 +45,10 @@ class BodyLattice {
   Point<D> middle(const Cell<D>& cell, int sub_cell) const;
 
  private:
+  /// Of the sub-cell about `x`.
+  double filled_at(const Cell<D>& cell, const Point<D>& x) const;
+  /// phi at a place of a cell [spacing].
+  double distance_in(const Cell<D>& cell, const Point<D>& x) const;
   double between(const Cell<D>& cell, const Point<D>& x) const;
 
   const Shape& shape_;
