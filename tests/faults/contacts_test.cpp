@@ -48,9 +48,8 @@ const Fault faults[] = {
      "block.toml:17: bodies must be a list of two names of bodies, found a list; write it as in "
      "bodies = [\"left\", \"right\"]"},
     {"contact_without_bodies", meeting("1.1", "[[contact]]\nkind = \"tied\"\n"),
-     "block.toml:16: [[contact]] lacks `bodies`, the two bodies; one of them twice meets itself, "
-     "in "
-     "the methods on the undeformed body; add bodies = [\"left\", \"right\"]"},
+     "block.toml:16: [[contact]] lacks `bodies`, the two bodies; a body that is named twice is in "
+     "contact with itself (methods on the undeformed body); add bodies = [\"left\", \"right\"]"},
     {"an_unknown_kind_of_contact", meeting("1.1", pair + "kind = \"sticky\"\n"),
      R"(block.toml:18: kind must be one of "frictionless", "no_slip", "tied", "coulomb", got "sticky"; )"
      "use one of these"},
