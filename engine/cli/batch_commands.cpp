@@ -17,7 +17,7 @@ void add_options_of_runs(CLI::App& command, RunsArguments& arguments, const char
       ->capture_default_str();
   command
       .add_option("--workers", arguments.workers,
-                  "runs at the same time (default, and maximum here: processors / threads)")
+                  "runs at the same time (default and maximum: processors / threads)")
       ->type_name("N");
   command.add_option("--threads", arguments.threads, "threads of each run")
       ->type_name("N")
