@@ -175,7 +175,7 @@ inline constexpr auto measurement_kinds = [] {
        units::volume,
        Sampling::value,
        {body, relative},
-       "undeformed volume of the largest of these parts, in whole nodes",
+       "undeformed volume of the largest of these parts, up to the cuts",
        ""},
       {Kind::minimum_particle_distance,
        "minimum_particle_distance",

@@ -12,9 +12,10 @@ namespace pliant::point_based {
 
 namespace {
 
-constexpr double relaxed = 1e-6;      // of D - I
-constexpr double longest_step = 0.1;  // of the way from D to I
-constexpr int halvings = 6;           // of that step before a node waits for the next
+constexpr double relaxed = 1e-6;            // of D - I
+constexpr double longest_step = 0.1;        // of the way from D to I
+constexpr int halvings = 6;                 // of that step before a node waits for the next
+constexpr double straight_over_way = 1e-6;  // what bends less is straight
 
 template <int D>
 using Matrix = Eigen::Matrix<double, D, D>;
@@ -153,7 +154,8 @@ void BodyCuts<T, D>::move_by_case(std::size_t b, double time) {
   blade.is_done = ends;
 }
 
-// A fast blade goes by several nodes in a step, and its path may bend there.
+// A fast blade goes by several nodes in a step. One piece of the cut is enough for these where its
+// path is straight.
 template <class T, int D>
 void BodyCuts<T, D>::follow_path(std::size_t b, double until, double time) {
   Blade& blade = blades_[b];
@@ -164,9 +166,22 @@ void BodyCuts<T, D>::follow_path(std::size_t b, double until, double time) {
   }
   const double way = blade.cut < 0 ? 0 : way_to(blade, edge_);
   const int parts = std::max(1, static_cast<int>(std::ceil(way / longest_advance_)));
+  const Station before = blade.station;
+  double bend = 0;
+  std::vector<Station> between(parts - 1);
   for (int k = 1; k < parts; ++k) {
-    find_edge(blade.source, from + (until - from) * k / parts, next_edge_);
-    move_blade(b, next_edge_, time);
+    Station& edge = between[k - 1];
+    const double share = static_cast<double>(k) / parts;
+    find_edge(blade.source, from + (until - from) * share, edge);
+    for (std::size_t p = 0; p < edge.size(); ++p) {
+      for (int a = 0; a < D; ++a) {
+        const double straight = before[p][a] + share * (edge_[p][a] - before[p][a]);
+        bend = std::max(bend, std::abs(edge[p][a] - straight));
+      }
+    }
+  }
+  for (const Station& edge : between) {
+    if (bend > straight_over_way * way) move_blade(b, edge, time);
   }
   move_blade(b, edge_, time);
 }

@@ -12,7 +12,10 @@ namespace pliant::total_lagrangian {
 
 namespace {
 
+using undeformed::FaceOfFacet;
+
 constexpr double on_wall = 1e-6;        // [h]
+constexpr double no_depth = 1e-9;       // [h]
 constexpr double smallest_area = 1e-9;  // [h^(D-1)]
 
 template <int D>
@@ -130,8 +133,10 @@ class SurfaceMaker {
   // All loads on the last facet.
   void load(const PlacesInCell<D>& places) {
     const int facet = static_cast<int>(body_.facets.size()) - 1;
-    const Point<D> area_and_normal = area_vector(body_, body_.facets[facet]);
-    const double area = length<D>(area_and_normal);
+    Point<D> normal = area_vector(body_, body_.facets[facet]);
+    const double area = length<D>(normal);
+    for (double& component : normal) component /= area;
+    const std::vector<FaceOfFacet<D>> faces = faces_of(body_.facets[facet], normal);
     for (int k = 0; k < static_cast<int>(boundaries_.pressures.size()); ++k) {
       int count = 0, hit = 0;
       double loaded = 0;
@@ -141,11 +146,9 @@ class SurfaceMaker {
         ++count;
         const Point<D> x = place(body_.facets[facet], at);
         if (on_a_wall(x)) return;
-        const undeformed::SurfacePlace<D> real = real_place(x, area_and_normal, area);
-        if (!boundaries_.pressures[k].acts_at(real.place)) return;
+        const double share = share_at(x, boundaries_.pressures[k], normal, faces);
+        if (share == 0) return;
         ++hit;
-        // The vector of an area is that of the facet, however the surface runs beyond it.
-        const double share = boundaries_.pressures[k].is_traction() ? real.area : 1;
         loaded += share;
         for (int a = 0; a < D; ++a) moment[a] += share * x[a];
         add_weights<D>(places, at, share, weights);
@@ -164,13 +167,35 @@ class SurfaceMaker {
     }
   }
 
-  // (TL.29)
-  undeformed::SurfacePlace<D> real_place(const Point<D>& x, const Point<D>& area_and_normal,
-                             double area) const {
-    if (shape_ == nullptr) return {x};
-    Point<D> normal = area_and_normal;
-    for (double& component : normal) component /= area;
-    return undeformed::surface_place<D>(*shape_, x, normal, body_.lattice.spacing);
+  // Facets that lie on the surface have one face.
+  std::vector<FaceOfFacet<D>> faces_of(const Facet<D>& facet, const Point<D>& normal) const {
+    if (shape_ == nullptr || boundaries_.pressures.empty()) return {{normal}};
+    Barycentric<D> centre;
+    centre.fill(1. / D);
+    const Point<D> middle = place(facet, centre);
+    const double h = body_.lattice.spacing;
+    if (std::abs(signed_distance(*shape_, padded<D>(middle), D)) <= no_depth * h) return {{normal}};
+    return undeformed::faces_of_facet<D>(*shape_, middle, normal, h);
+  }
+
+  // (TL.29): how much of what the facet stands for at `x` is loaded. The vector of an area is that
+  // of the facet, however the surface runs beyond it, so that pressures take one face.
+  double share_at(const Point<D>& x, const SurfacePressure<D>& load, const Point<D>& normal,
+                  const std::vector<FaceOfFacet<D>>& faces) const {
+    if (shape_ == nullptr) return load.acts_at(x) ? 1 : 0;
+    const auto real = [&](const Point<D>& along) {
+      return undeformed::surface_place<D>(*shape_, x, along, body_.lattice.spacing);
+    };
+    if (!load.is_traction() || faces.size() == 1) {
+      const undeformed::SurfacePlace<D> at = real(normal);
+      if (!load.acts_at(at.place)) return 0;
+      return load.is_traction() ? at.area : 1;
+    }
+    double share = 0;
+    for (const FaceOfFacet<D>& face : faces) {
+      if (load.acts_at(real(face.normal).place)) share += face.area;
+    }
+    return share;
   }
 
   static Point<D> place(const Facet<D>& facet, const Barycentric<D>& at) {

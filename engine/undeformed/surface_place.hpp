@@ -3,10 +3,12 @@
 #include <Eigen/Core>
 #include <algorithm>
 #include <cmath>
+#include <vector>
 
 #include "engine/geometry/padded.hpp"
 #include "engine/geometry/signed_distance.hpp"
 #include "engine/lattice/lattice.hpp"
+#include "engine/method/decompositions.hpp"
 
 namespace pliant::undeformed {
 
@@ -40,6 +42,50 @@ SurfacePlace<D> surface_place(const Shape& shape, const Point<D>& x, const Point
   double cosine = 0;
   for (int a = 0; a < D; ++a) cosine += outward[a] * normal[a];
   return {place, 1 / std::max(cosine, least_cosine)};
+}
+
+/// A face of a body for which a facet stands, (TL.29).
+template <int D>
+struct FaceOfFacet {
+  Point<D> normal;  ///< unit vector
+  double area = 1;  ///< of the face, over that of the facet
+};
+
+/// The faces of `shape` for which a facet around `middle`, of the unit normal `normal`, stands: two
+/// or three where it cuts off an edge or a corner. Their area vectors add up to that of the facet.
+/// One, with the normal of the facet, where the surface is smooth. `h` is the spacing [m].
+///
+/// The first is met along the normal, the next ones along what the area vectors still lack.
+template <int D>
+std::vector<FaceOfFacet<D>> faces_of_facet(const Shape& shape, const Point<D>& middle,
+                                           const Point<D>& normal, double h) {
+  constexpr double same_face = 0.8;  // cosine; smooth surfaces turn less within a facet
+  constexpr double little = 0.02;    // of the area of the facet
+  using Vectors = Eigen::Matrix<double, D, D>;
+  using Direction = Eigen::Matrix<double, D, 1>;
+  const Direction whole = Eigen::Map<const Direction>(normal.data());
+  Vectors normals = Vectors::Zero();
+  Direction areas = Direction::Zero(), lacking = whole;
+  int count = 0;
+  while (count < D && lacking.norm() > little) {
+    Point<D> along;
+    Eigen::Map<Direction>(along.data()) = lacking.normalized();
+    const Point<D> place = surface_place<D>(shape, middle, along, h).place;
+    const Vector outward = outward_direction(shape, padded<D>(place), D);
+    const Direction found = Eigen::Map<const Direction>(outward.data());
+    if ((normals.transpose() * found).maxCoeff() > same_face) break;
+    normals.col(count++) = found;
+    const Vectors products = normals.transpose() * normals;
+    areas = pseudo_inverse<D>(products) * (normals.transpose() * whole);
+    lacking = whole - normals * areas;
+  }
+  if (count < 2 || areas.minCoeff() < -little) return {{normal}};
+  std::vector<FaceOfFacet<D>> faces(count);
+  for (int k = 0; k < count; ++k) {
+    Eigen::Map<Direction>(faces[k].normal.data()) = normals.col(k);
+    faces[k].area = std::max(areas[k], 0.);
+  }
+  return faces;
 }
 
 }  // namespace pliant::undeformed

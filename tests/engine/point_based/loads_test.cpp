@@ -70,18 +70,18 @@ TEST(point_loads, velocities_within_a_step_do_not_alter_the_run) {
 // The facets of the surface cut off the edge between the end of a round bar and its side.
 TEST(point_loads, on_the_end_of_a_round_bar_act_on_all_of_it) {
   for (const std::string spacing : {"0.125", "0.1", "0.0625"}) {
-    const Case settings = tests::read_text(tests::with(free_points(3),
-                                                       R"({ shape = "box", lower = [0, 0, 0], upper = [1, 1, 1] })",
-                                                       R"({ shape = "intersection", of = [
+    const Case settings = tests::read_text(
+        tests::with(free_points(3), R"({ shape = "box", lower = [0, 0, 0], upper = [1, 1, 1] })",
+                    R"({ shape = "intersection", of = [
   { shape = "cylinder", centre = [0, 0.5, 0.5], axis = [1, 0, 0], radius = 0.5 },
   { shape = "box", lower = [0, 0, 0], upper = [1.03, 1, 1] }] })") +
-                                           R"toml([[boundary]]
+            R"toml([[boundary]]
 name = "pull"
 kind = "traction"
 traction = [1, 0, 0]
 geometry = { shape = "half_space", point = [1.029, 0, 0], normal = [-1, 0, 0] }
 )toml",
-                                           {"discretisation.spacing=" + spacing});
+        {"discretisation.spacing=" + spacing});
     const PointSolver<3> solver(settings, {1, kernels::widest_supported()});
     double area = 0;
     for (const auto& of_block : solver.state().bodies[0].pressed) {
