@@ -113,23 +113,32 @@ std::vector<double> BodyLattice<D>::filled(const Cell<D>& cell) const {
   return share;
 }
 
-// The surface is a plane in the sub-cell, whose sides differ where the spacing does not divide those
-// of the body: phi over its change across the sub-cell.
+// The surface is a plane in the sub-cell, whose sides differ where the spacing does not divide
+// those of the body: phi over its change across the sub-cell.
 template <int D>
 double BodyLattice<D>::filled_at(const Cell<D>& cell, const Point<D>& x) const {
   const double phi = distance_in(cell, x);
   const double longest = *std::max_element(pitch_.begin(), pitch_.end()) / spacing_ / sub_cells;
   if (std::abs(phi) > longest) return phi < 0 ? 1 : 0;
+  const double across = std::max(change_across(cell, x), least_change / sub_cells);
+  return std::clamp(0.5 - phi / across, 0.0, 1.0);
+}
+
+template <int D>
+double BodyLattice<D>::change_across(const Cell<D>& cell, const Point<D>& x) const {
+  const Vector normal = has_mesh_ ? Vector{} : outward_direction(shape_, padded<D>(x), D);
   double square = 0;
   for (int a = 0; a < D; ++a) {
-    Point<D> from = x, to = x;
-    from[a] -= pitch_[a] / (2 * sub_cells);
-    to[a] += pitch_[a] / (2 * sub_cells);
-    const double change = distance_in(cell, to) - distance_in(cell, from);
+    double change = normal[a] * pitch_[a] / spacing_ / sub_cells;
+    if (has_mesh_) {
+      Point<D> from = x, to = x;
+      from[a] -= pitch_[a] / (2 * sub_cells);
+      to[a] += pitch_[a] / (2 * sub_cells);
+      change = between(cell, to) - between(cell, from);
+    }
     square += change * change;
   }
-  const double across = std::max(std::sqrt(square), least_change / sub_cells);
-  return std::clamp(0.5 - phi / across, 0.0, 1.0);
+  return std::sqrt(square);
 }
 
 // Meshes, whose distances take long, are linear between the corners; others exact at edges.

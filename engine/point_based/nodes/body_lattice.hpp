@@ -47,6 +47,8 @@ class BodyLattice {
  private:
   /// Of the sub-cell about `x`.
   double filled_at(const Cell<D>& cell, const Point<D>& x) const;
+  /// Of phi along the normal of the surface, through the sub-cell about `x` [spacing].
+  double change_across(const Cell<D>& cell, const Point<D>& x) const;
   /// phi at a place of a cell [spacing].
   double distance_in(const Cell<D>& cell, const Point<D>& x) const;
   double between(const Cell<D>& cell, const Point<D>& x) const;
