@@ -17,6 +17,10 @@ here = pathlib.Path(__file__).resolve().parent
 root = here.parent
 mm = ["--scale", "1000", "--label", "displacement [mm]"]
 
+# The plate of cases/edge_cut under 300 times its load, so that the opening shows.
+strong_pull = ["boundary.top.traction=[0, '0.03*min(max(t - 2, 0)/20, 1)']",
+               "boundary.bottom.traction=[0, '-0.03*min(max(t - 2, 0)/20, 1)']"]
+
 # The picture: its case, what is set, and how it is rendered.
 rendered = {
     "cases/liver_aspiration/result": (
@@ -52,13 +56,10 @@ rendered = {
         "cases/compression_linear", ["time.end=0.03"],
         ["--walls", "--times", "0", "0.01", "0.02", "0.03", "--field", "pressure", "--size", "1500", "480"]),
     "cases/edge_cut/result": (
-        "cases/edge_cut", ["boundary.top.traction=[0, '0.03*min(max(t - 2, 0)/20, 1)']",
-                           "boundary.bottom.traction=[0, '-0.03*min(max(t - 2, 0)/20, 1)']", "time.end=50"],
+        "cases/edge_cut", [*strong_pull, "time.end=50"],
         ["--times", "50", "--field", "pressure", "--size", "700", "640"]),
     "cases/edge_cut/stretched": (
-        "cases/edge_cut", ["boundary.top.traction=[0, '0.03*min(max(t - 2, 0)/20, 1)']",
-                           "boundary.bottom.traction=[0, '-0.03*min(max(t - 2, 0)/20, 1)']", "time.end=60", "output.every=10",
-                           "cut.0.start=30", "cut.0.end=60",
+        "cases/edge_cut", [*strong_pull, "time.end=60", "output.every=10", "cut.0.start=30", "cut.0.end=60",
                            "cut.0.path=['0.55*(t - 30)/30', 0]"],
         ["--times", "30", "40", "50", "60", "--field", "pressure", "--size", "1500", "640"]),
     "cases/oscillating_plate/result": (

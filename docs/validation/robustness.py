@@ -22,6 +22,7 @@ import sqlite3
 import subprocess
 import time
 
+import headline
 import robustness_page
 from robustness_families import families, root
 
@@ -175,14 +176,9 @@ def rows_of(batch, commit):
     return [{**judge(batch.family, run, outcome, by_run), "commit": commit} for run, outcome in outcomes]
 
 
-def head_commit():
-    return subprocess.run(["git", "-C", here, "rev-parse", "--short", "HEAD"], check=True,
-                          capture_output=True, text=True).stdout.strip()
-
-
 def begin(folder):
     """A folder holds the runs of one commit, and its name."""
-    file, commit = folder / "commit", head_commit()
+    file, commit = folder / "commit", headline.commit()
     folder.mkdir(parents=True, exist_ok=True)
     if not file.exists():
         file.write_text(f"{commit}\n")
@@ -193,7 +189,7 @@ def begin(folder):
 
 def commit_of(folder):
     file = folder / "commit"
-    return file.read_text().strip() if file.exists() else head_commit()
+    return file.read_text().strip() if file.exists() else headline.commit()
 
 
 def run_of(row):

@@ -44,7 +44,7 @@ TEST(point_loads, free_fall_is_exact_within_steps) {
   }
 }
 
-// A restart at an output time within a step goes on from the end of that step.
+// Looking at an output time within a step leaves the rest of the run as it is.
 TEST(point_loads, velocities_within_a_step_do_not_alter_the_run) {
   const Case settings = tests::read_text(free_points(2) + "velocity = [\"0.2*(x - 0.5)\", 0]\n");
   PointSolver<2> looked_at(settings, {1, kernels::widest_supported()});
