@@ -4,6 +4,7 @@
 
 #include "engine/geometry/signed_distance.hpp"
 #include "engine/point_based/parameters.hpp"
+#include "engine/point_based/setup.hpp"
 
 namespace pliant::point_based {
 
@@ -11,12 +12,6 @@ namespace {
 
 int number_of(const BodyCase& body, const Case& a_case) {
   return static_cast<int>(&body - a_case.bodies.data());
-}
-
-bool is_cut(const Case& a_case, const BodyCase& body) {
-  const int number = number_of(body, a_case);
-  return std::ranges::any_of(a_case.cuts,
-                             [number](const CutCase& cut) { return cut.body == number; });
 }
 
 bool is_in_contact(const Case& a_case, const BodyCase& body) {
@@ -49,7 +44,7 @@ Footprint footprint(const Case& a_case, const BodyCase& body) {
   footprint.bytes_per_particle =
       neighbour_count(a_case) * (bond + candidate) + sizeof(double) * (8.0 * dimension + 30);
   // Measured in cases/edge_cut and cases/block_cut: kept gradients, simplices, crossed bonds.
-  if (is_cut(a_case, body)) footprint.bytes_per_particle += dimension == 2 ? 530 : 860;
+  if (has_cuts(a_case, body)) footprint.bytes_per_particle += dimension == 2 ? 530 : 860;
   // Measured with discs and spheres: places, shares, patches, lists.
   constexpr double bytes_per_corner = 2500;
   if (is_in_contact(a_case, body)) {

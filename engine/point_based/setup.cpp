@@ -61,12 +61,6 @@ void lay_out(const NodeCloud<D>& cloud, Body<T, D>& body) {
   }
 }
 
-bool has_cuts(const Case& settings, const BodyCase& source) {
-  const auto body = &source - settings.bodies.data();
-  return std::any_of(settings.cuts.begin(), settings.cuts.end(),
-                     [body](const CutCase& cut) { return cut.body == body; });
-}
-
 bool has_resisted_cuts(const Case& settings, const BodyCase& source) {
   const auto body = &source - settings.bodies.data();
   return std::any_of(settings.cuts.begin(), settings.cuts.end(),
@@ -175,6 +169,12 @@ void set_in_motion(const BodyCase& source, const Boundaries<D>& boundaries, Body
 }
 
 }  // namespace
+
+bool has_cuts(const Case& settings, const BodyCase& body) {
+  const auto number = &body - settings.bodies.data();
+  return std::any_of(settings.cuts.begin(), settings.cuts.end(),
+                     [number](const CutCase& cut) { return cut.body == number; });
+}
 
 bool has_elements(const Shape& shape) {
   return shape.kind == Shape::Kind::mesh &&

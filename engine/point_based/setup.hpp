@@ -12,6 +12,9 @@ namespace pliant::point_based {
 /// Whether a shape is a mesh of tetrahedra, in 2D of triangles.
 bool has_elements(const Shape& shape);
 
+/// Whether blades of the case cut one of its bodies.
+bool has_cuts(const Case& settings, const BodyCase& body);
+
 /// The nodes of a body of a case.
 template <int D>
 struct PlacedNodes {
