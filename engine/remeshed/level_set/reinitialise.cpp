@@ -76,5 +76,13 @@ template void LevelSet<double, 2>::take_distances(const Block<2>&);
 template void LevelSet<double, 3>::take_distances(const Block<3>&);
 template void LevelSet<float, 2>::take_distances(const Block<2>&);
 template void LevelSet<float, 3>::take_distances(const Block<3>&);
+template bool LevelSet<double, 2>::lies_near_edge(const kernels::Segment<2>&, std::int64_t,
+                                                  const Cell<2>&) const;
+template bool LevelSet<double, 3>::lies_near_edge(const kernels::Segment<3>&, std::int64_t,
+                                                  const Cell<3>&) const;
+template bool LevelSet<float, 2>::lies_near_edge(const kernels::Segment<2>&, std::int64_t,
+                                                 const Cell<2>&) const;
+template bool LevelSet<float, 3>::lies_near_edge(const kernels::Segment<3>&, std::int64_t,
+                                                 const Cell<3>&) const;
 
 }  // namespace pliant::remeshed
