@@ -77,7 +77,7 @@ class NodePlacer {
       const auto j = static_cast<std::size_t>(next.node);
       const double share = std::round(next.distance / (smallest_move * spacing_));
       if (next.distance >= (closest_nodes - smallest_move) * spacing_) continue;
-      pairs.push_back({share, number[std::min(i, j)], number[std::max(i, j)]});
+      pairs.emplace_back(share, number[std::min(i, j)], number[std::max(i, j)]);
     }
     std::sort(pairs.begin(), pairs.end());
     std::vector<bool> is_gone(nodes_.size()), is_taken(nodes_.size());
