@@ -29,6 +29,7 @@ Wall<D>::Wall(const BoundaryCase& boundary)
     : shape_(boundary.geometry),
       velocity_(boundary.velocity),
       displacement_(boundary.displacement),
+      rotation_(boundary.rotation),
       time_increment_(boundary.time_increment),
       friction_(friction_of(boundary)),
       is_attached_(row_of(boundary.kind).is_attached) {}
@@ -36,7 +37,12 @@ Wall<D>::Wall(const BoundaryCase& boundary)
 template <int D>
 Vector Wall<D>::at_rest(const Point<D>& x) const {
   Vector at = {};
-  for (int a = 0; a < D; ++a) at[a] = x[a] - offset_[a];
+  for (int a = 0; a < D; ++a) at[a] = x[a] - pose_.offset[a];
+  if (!rotation_) return at;
+  const Vector& centre = rotation_->centre;
+  for (int a = 0; a < 3; ++a) at[a] -= centre[a];
+  at = turn_.back(at);
+  for (int a = 0; a < 3; ++a) at[a] += centre[a];
   return at;
 }
 
@@ -47,7 +53,7 @@ double Wall<D>::distance(const Point<D>& x) const {
 
 template <int D>
 Point<D> Wall<D>::normal(const Point<D>& x) const {
-  const Vector out = outward_direction(shape_, at_rest(x), D);
+  const Vector out = turn_(outward_direction(shape_, at_rest(x), D));
   Point<D> n;
   for (int a = 0; a < D; ++a) n[a] = out[a];
   return n;
@@ -72,6 +78,25 @@ double Wall<D>::spread(const Point<D>& x, double depth) const {
 }
 
 template <int D>
+RigidMotion<D> Wall<D>::motion(double t) const {
+  RigidMotion<D> motion;
+  motion.velocity = velocity(t);
+  if (!rotation_) return motion;
+  motion.start = motion.centre = rotation_->centre;
+  for (int a = 0; a < D; ++a) motion.centre[a] += pose_.offset[a];
+  motion.turn = Turn(rotation_->axis, rotation_->angle(t));
+  const double rate = spin(t);
+  for (int a = 0; a < 3; ++a) motion.spin[a] = rate * rotation_->axis[a];
+  return motion;
+}
+
+template <int D>
+double Wall<D>::spin(double t) const {
+  const double before = std::max(t - time_increment_, 0.0), after = t + time_increment_;
+  return (rotation_->angle(after) - rotation_->angle(before)) / (after - before);
+}
+
+template <int D>
 Point<D> Wall<D>::velocity(double t) const {
   if (set_velocity_) return *set_velocity_;
   Point<D> u;
@@ -89,7 +114,16 @@ Point<D> Wall<D>::velocity(double t) const {
 template <int D>
 void Wall<D>::move(double t, double time_step) {
   const Point<D> u0 = velocity(t), u1 = velocity(t + time_step / 2), u2 = velocity(t + time_step);
-  for (int a = 0; a < D; ++a) offset_[a] += time_step / 6 * (u0[a] + 4 * u1[a] + u2[a]);
+  WallPose<D> pose = pose_;
+  for (int a = 0; a < D; ++a) pose.offset[a] += time_step / 6 * (u0[a] + 4 * u1[a] + u2[a]);
+  if (rotation_) pose.angle = rotation_->angle(t + time_step);
+  restore(pose);
+}
+
+template <int D>
+void Wall<D>::restore(const WallPose<D>& pose) {
+  pose_ = pose;
+  if (rotation_) turn_ = Turn(rotation_->axis, pose_.angle);
 }
 
 template <int D>

@@ -7,12 +7,20 @@
 #include <vector>
 
 #include "engine/boundaries/loads.hpp"
+#include "engine/boundaries/rigid_motion.hpp"
 #include "engine/case/case.hpp"
 #include "engine/lattice/lattice.hpp"
 
 namespace pliant {
 
-/// A rigid solid that moves with a prescribed velocity. A body is attached to it, or slides along
+/// How far a wall has moved and turned since t = 0.
+template <int D>
+struct WallPose {
+  Point<D> offset = {};  ///< displacement of its centre [m]
+  double angle = 0;      ///< [rad]
+};
+
+/// A rigid solid that moves and turns as prescribed. A body is attached to it, or slides along
 /// it, or is only in contact with it as long as it presses.
 template <int D>
 class Wall {
@@ -31,26 +39,31 @@ class Wall {
   bool slips() const { return friction_ == 0; }
   bool is_attached() const { return is_attached_; }
 
-  /// As prescribed, or as set since.
-  Point<D> velocity(double t) const;
+  /// The velocities of its points: as prescribed, or as set since. Those of points by their present
+  /// place take the centre to be where it was at the start of the step.
+  RigidMotion<D> motion(double t) const;
   const std::optional<Point<D>>& set_velocity() const { return set_velocity_; }
   void set_velocity(const std::optional<Point<D>>& velocity) { set_velocity_ = velocity; }
-  /// Displacement since t = 0 [m]; `move` adds that of one step by Simpson's rule.
-  const Point<D>& offset() const { return offset_; }
+  /// Where it is; `move` adds the displacement in one step by Simpson's rule, and turns it.
+  const WallPose<D>& pose() const { return pose_; }
   void move(double t, double time_step);
-  void restore(const Point<D>& offset) { offset_ = offset; }
+  void restore(const WallPose<D>& pose);
 
  private:
   Vector at_rest(const Point<D>& x) const;  // where the wall's material point was at t = 0
+  Point<D> velocity(double t) const;        // of its centre
+  double spin(double t) const;              // [rad/s]
 
   Shape shape_;
   VectorExpression velocity_;
   std::optional<VectorExpression> displacement_;
+  std::optional<WallRotation> rotation_;
   double time_increment_;
   double friction_;
   bool is_attached_;
   std::optional<Point<D>> set_velocity_;
-  Point<D> offset_ = {};
+  WallPose<D> pose_;
+  Turn turn_;  // by the angle of the pose
 };
 
 /// Pressure or traction on the free surface inside a region, (RP.45).

@@ -91,6 +91,24 @@ void rotation_keys(Visitor& visit, RigidRotation& rotation) {
 }
 
 template <class Visitor>
+void wall_rotation_keys(Visitor& visit, WallRotation& rotation) {
+  visit("centre", rotation.centre,
+        {.meaning = "point of the axis at t = 0; it moves with the wall", .unit = "m"});
+  if (visit.dimension() == 3) {
+    visit("axis", Direction{rotation.axis},
+          {.meaning = "direction of the axis, in 3D; in 2D it is z",
+           .example = "[0, 0, 1]",
+           .required = true});
+  }
+  visit("angle", rotation.angle,
+        {.meaning = "angle since t = 0, counter-clockwise seen against the axis, a formula of t",
+         .unit = "rad",
+         .example = R"toml("pi/6*t")toml",
+         .required = true,
+         .variables = "t"});
+}
+
+template <class Visitor>
 void stress_keys(Visitor& visit, StressExpression& stress) {
   const auto component = [&visit](std::string_view key, Expression& value,
                                   std::string_view meaning) {
@@ -271,6 +289,12 @@ void boundary_keys(Visitor& visit, BoundaryCase& boundary) {
            .unit = "m",
            .example = R"toml([0, "-0.1*t"])toml",
            .variables = "t"});
+  }
+  if (row.rotation != Use::no) {
+    visit("rotation", boundary.rotation,
+          {.meaning = "rotation of the wall, added to its velocity or displacement, see rotation "
+                      "of a wall",
+           .example = R"toml({ centre = [0, 0], angle = "pi/6*t" })toml"});
   }
   if (row.pressure != Use::no) {
     visit("pressure", boundary.pressure,

@@ -23,7 +23,8 @@ std::string example_in(std::string_view example, int dimension) {
       std::is_same_v<V, Vector> || std::is_same_v<V, Direction> ||
       std::is_same_v<V, VectorExpression> || std::is_same_v<V, std::optional<VectorExpression>> ||
       std::is_same_v<V, Shape> || std::is_same_v<V, std::vector<Shape>> ||
-      std::is_same_v<V, std::optional<RigidRotation>> || std::is_same_v<V, AngularVelocity>;
+      std::is_same_v<V, std::optional<RigidRotation>> ||
+      std::is_same_v<V, std::optional<WallRotation>> || std::is_same_v<V, AngularVelocity>;
   if constexpr (has_vectors) return with_components(example, dimension);
   return std::string(example);
 }

@@ -130,6 +130,11 @@ bool read(const Entry& entry, std::optional<RigidRotation>& value) {
   return read_keys(entry, entry.key, [&](auto& keys) { rotation_keys(keys, value.emplace()); });
 }
 
+bool read(const Entry& entry, std::optional<WallRotation>& value) {
+  return read_keys(entry, entry.key,
+                   [&](auto& keys) { wall_rotation_keys(keys, value.emplace()); });
+}
+
 bool read(const Entry& entry, std::optional<StressExpression>& value) {
   return read_keys(entry, entry.key, [&](auto& keys) { stress_keys(keys, value.emplace()); });
 }

@@ -108,6 +108,13 @@ std::string case_reference_markdown(MethodList methods) {
                       RigidRotation rotation;
                       rotation_keys(visit, rotation);
                     }));
+  describer.section("rotation of a wall",
+                    "How a wall turns about an axis: its material points are at c + R (X - c), R "
+                    "the rotation by the angle and c the centre, and move with the wall.",
+                    describe_table([](auto& visit) {
+                      WallRotation rotation;
+                      wall_rotation_keys(visit, rotation);
+                    }));
   describer.section("stress", "The stress of a body at t = 0, see [materials](materials.md).",
                     describe_table([](auto& visit) {
                       StressExpression stress;

@@ -200,6 +200,11 @@ std::string toml_text(std::optional<RigidRotation>& value, const Writing& writin
   return inline_table(writing, [&](auto& keys) { rotation_keys(keys, *value); });
 }
 
+std::string toml_text(std::optional<WallRotation>& value, const Writing& writing) {
+  if (!value) return "";
+  return inline_table(writing, [&](auto& keys) { wall_rotation_keys(keys, *value); });
+}
+
 std::string toml_text(std::optional<StressExpression>& value, const Writing& writing) {
   if (!value) return "";
   return inline_table(writing, [&](auto& keys) { stress_keys(keys, *value); });

@@ -62,6 +62,7 @@ inline std::string type_of(const MeasurementNames&) { return "list of names of m
 std::string type_of(const WallFriction&);
 inline std::string type_of(const FieldName&) { return "name of a field"; }
 inline std::string type_of(const std::optional<RigidRotation>&) { return "table"; }
+inline std::string type_of(const std::optional<WallRotation>&) { return "table"; }
 inline std::string type_of(const std::optional<StressExpression>&) { return "table"; }
 inline std::string type_of(const Shape&) { return "table"; }
 inline std::string type_of(const std::vector<Shape>&) { return "list of tables"; }

@@ -76,6 +76,7 @@ bool read(const Entry& entry, MeasurementNames value);
 bool read(const Entry& entry, WallFriction value);
 bool read(const Entry& entry, FieldName value);
 bool read(const Entry& entry, std::optional<RigidRotation>& value);
+bool read(const Entry& entry, std::optional<WallRotation>& value);
 bool read(const Entry& entry, std::optional<StressExpression>& value);
 bool read(const Entry& entry, Axis& value);
 bool read(const Entry& entry, ShapeWord& value);

@@ -52,6 +52,7 @@ std::string toml_text(const MeasurementNames& value, const Writing&);
 std::string toml_text(WallFriction value, const Writing&);
 std::string toml_text(FieldName value, const Writing&);
 std::string toml_text(std::optional<RigidRotation>& value, const Writing&);
+std::string toml_text(std::optional<WallRotation>& value, const Writing&);
 std::string toml_text(std::optional<StressExpression>& value, const Writing&);
 std::string toml_text(Shape& value, const Writing&);
 std::string toml_text(std::vector<Shape>& value, const Writing&);

@@ -141,6 +141,9 @@ inline Schema schema_of(const FieldName&, const Limits&) {
 inline Schema schema_of(const std::optional<RigidRotation>&, const Limits&) {
   return defined("rotation");
 }
+inline Schema schema_of(const std::optional<WallRotation>&, const Limits&) {
+  return defined("wall_rotation");
+}
 inline Schema schema_of(const std::optional<StressExpression>&, const Limits&) {
   return defined("stress");
 }

@@ -38,8 +38,10 @@ void put_boundaries(ArchiveWriter& archive, const Boundaries<D>& boundaries) {
   Point<D> none;
   none.fill(std::numeric_limits<double>::quiet_NaN());
   std::vector<Point<D>> offsets, velocities;
+  std::vector<double> angles;
   for (const Wall<D>& wall : boundaries.walls) {
-    offsets.push_back(wall.offset());
+    offsets.push_back(wall.pose().offset);
+    angles.push_back(wall.pose().angle);
     velocities.push_back(wall.set_velocity().value_or(none));
   }
   std::vector<double> pressures;
@@ -47,6 +49,7 @@ void put_boundaries(ArchiveWriter& archive, const Boundaries<D>& boundaries) {
     pressures.push_back(pressure.set_value().value_or(none[0]));
   }
   put_points<D>(archive, "walls/offset", offsets);
+  archive.put("walls/angle", std::span<const double>(angles));
   put_points<D>(archive, "walls/set_velocity", velocities);
   archive.put("pressures/set_value", std::span<const double>(pressures));
 }
@@ -57,8 +60,9 @@ void get_boundaries(const ArchiveReader& archive, Boundaries<D>& boundaries) {
   std::vector<Point<D>> offsets(boundaries.walls.size()), velocities(offsets);
   get_points<D>(archive, "walls/offset", offsets);
   get_points<D>(archive, "walls/set_velocity", velocities);
+  const auto angles = archive.get<double>("walls/angle");
   for (std::size_t w = 0; w < offsets.size(); ++w) {
-    boundaries.walls[w].restore(offsets[w]);
+    boundaries.walls[w].restore({offsets[w], angles.at(w)});
     const bool was_set = !std::isnan(velocities[w][0]);
     boundaries.walls[w].set_velocity(was_set ? std::optional(velocities[w]) : std::nullopt);
   }

@@ -135,7 +135,7 @@ void hold(const Boundaries<D>& boundaries, double reach, Body<T, D>& body) {
         if (!wall.is_attached() || wall.distance(x) >= reach * size + on_wall * body.resolution)
           continue;
         const auto place = static_cast<std::int32_t>(slot);
-        body.held[b].push_back({place, w, wall.slips() ? wall.normal(x) : Point<D>{}});
+        body.held[b].push_back({place, w, wall.slips() ? wall.normal(x) : Point<D>{}, x});
       }
     }
   }
@@ -162,7 +162,7 @@ void set_in_motion(const BodyCase& source, const Boundaries<D>& boundaries, Body
   for (const auto& of_block : body.held) {
     for (const ConstrainedParticle<D>& held : of_block) {
       if (held.normal != Point<D>{}) continue;
-      const Point<D> u = boundaries.walls[held.wall].velocity(0);
+      const Point<D> u = boundaries.walls[held.wall].motion(0).of(held.start);
       for (int a = 0; a < D; ++a) body.velocity[a][held.slot] = static_cast<T>(u[a]);
     }
   }

@@ -23,8 +23,8 @@ template <class T, int D>
 void StateCopy<T, D>::keep(const State<T, D>& state) {
   clock_ = state.clock;
   energy_ = state.energy;
-  wall_offset_.clear();
-  for (const Wall<D>& wall : state.boundaries.walls) wall_offset_.push_back(wall.offset());
+  wall_pose_.clear();
+  for (const Wall<D>& wall : state.boundaries.walls) wall_pose_.push_back(wall.pose());
   wall_impulse_ = state.wall_impulse;
   contact_impulse_ = state.contact_impulse;
   momentum_budgets_ = state.momentum_budgets;
@@ -57,8 +57,8 @@ template <class T, int D>
 void StateCopy<T, D>::put_back(State<T, D>& state) const {
   state.clock = clock_;
   state.energy = energy_;
-  for (std::size_t w = 0; w < wall_offset_.size(); ++w) {
-    state.boundaries.walls[w].restore(wall_offset_[w]);
+  for (std::size_t w = 0; w < wall_pose_.size(); ++w) {
+    state.boundaries.walls[w].restore(wall_pose_[w]);
   }
   state.wall_impulse = wall_impulse_;
   state.contact_impulse = contact_impulse_;

@@ -31,7 +31,8 @@ class StateCopy {
 
   Clock clock_;
   EnergyBudget energy_;
-  std::vector<Point<D>> wall_offset_, wall_impulse_, contact_impulse_;
+  std::vector<WallPose<D>> wall_pose_;
+  std::vector<Point<D>> wall_impulse_, contact_impulse_;
   std::vector<MomentumBudget<D>> momentum_budgets_;
   std::vector<MotionBudget<D>> motion_budgets_;
   std::vector<OfBody> bodies_;

@@ -129,7 +129,7 @@ void hold(const Boundaries<D>& boundaries, Body<T, D>& body) {
         const Wall<D>& wall = boundaries.walls[w];
         if (!wall.is_attached() || wall.distance(x) >= reach) continue;
         body.held[b].push_back(
-            {static_cast<std::int32_t>(p), w, wall.slips() ? wall.normal(x) : Point<D>{}});
+            {static_cast<std::int32_t>(p), w, wall.slips() ? wall.normal(x) : Point<D>{}, x});
       }
     });
   }
@@ -164,6 +164,11 @@ void fit(const Boundaries<D>& boundaries, Nodes<D>& nodes, Body<T, D>& body) {
   for (const FittedNode<D>& node : body.fitted_nodes) {
     const Cell<D> cell = body.layout.cell(node.slot);
     nodes.move(cell, body.place(node.slot, cell));
+  }
+  for (auto& of_block : body.held) {
+    for (ConstrainedParticle<D>& held : of_block) {
+      held.start = body.place(held.slot, body.layout.cell(held.slot));
+    }
   }
   fill(nodes, body);
 }

@@ -26,6 +26,7 @@ struct ConstrainedParticle {
   std::int32_t slot;
   std::int32_t wall;
   Point<D> normal;  ///< of a slip wall, out of it; zero at a no-slip wall
+  Point<D> start;   ///< where it is in the undeformed body [m]
 };
 
 /// What the bodies of all methods on the undeformed body have: particles that move.

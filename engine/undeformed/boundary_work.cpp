@@ -17,8 +17,8 @@ template <class T, int D>
 void BoundaryWork<T, D>::prepare(double time, double kick, double moved) {
   kick_ = kick;
   moved_ = moved;
-  wall_velocity_.clear();
-  for (const Wall<D>& wall : state_.boundaries.walls) wall_velocity_.push_back(wall.velocity(time));
+  wall_motion_.clear();
+  for (const Wall<D>& wall : state_.boundaries.walls) wall_motion_.push_back(wall.motion(time));
   state_.power = {};
   std::fill(state_.wall_force.begin(), state_.wall_force.end(), Point<D>{});
   for (BlockWork& work : work_) {
@@ -46,10 +46,11 @@ void BoundaryWork<T, D>::hold(int block, Body<T, D>& body, int local,
   const auto& particles = body.held[local];
   for (std::size_t i = 0; i < particles.size(); ++i) {
     const ConstrainedParticle<D>& held = particles[i];
+    const Point<D> wall = wall_motion_[held.wall].of(held.start);
     Point<D> excess;
     double along = 0, slips = 0;
     for (int a = 0; a < D; ++a) {
-      excess[a] = body.velocity[a][held.slot] - wall_velocity_[held.wall][a];
+      excess[a] = body.velocity[a][held.slot] - wall[a];
       along += excess[a] * held.normal[a];
       slips += held.normal[a] * held.normal[a];
     }

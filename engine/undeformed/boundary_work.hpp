@@ -52,8 +52,8 @@ class BoundaryWork {
 
   State<D>& state_;
   double kick_ = 0, moved_ = 0;
-  std::vector<Point<D>> wall_velocity_;  ///< [wall] [m/s]
-  std::vector<BlockWork> work_;          ///< [block]
+  std::vector<RigidMotion<D>> wall_motion_;  ///< [wall]
+  std::vector<BlockWork> work_;              ///< [block]
 };
 
 extern template class BoundaryWork<double, 2>;

@@ -25,7 +25,7 @@ WallContact<T, D>::WallContact(State<D>& state, const Case& settings, Displaceme
     if (boundary.kind != BoundaryCase::Kind::contact_wall) continue;
     const int wall = state_.boundaries.wall_of[b];
     const double friction = state_.boundaries.walls[wall].friction();
-    walls_.push_back({wall, friction == 0, friction, {}, {}, 1, 1, 1, 1});
+    walls_.push_back({wall, friction == 0, friction, {}, 1, 1, 1, 1});
   }
 }
 
@@ -58,8 +58,7 @@ std::span<const Share> WallContact<T, D>::bearers(const Surface& surface, const 
 template <class T, int D>
 void WallContact<T, D>::apply(double time, double kick, double length, double drift) {
   for (ContactWall& wall : walls_) {
-    wall.velocity = state_.boundaries.walls[wall.wall].velocity(time + length / 2);
-    for (int a = 0; a < D; ++a) wall.shift[a] = length * wall.velocity[a];
+    wall.motion = state_.boundaries.walls[wall.wall].motion(time + length / 2);
     wall.inertia = state_.clock.mass_scaling * (1 + state_.clock.damping * kick / 2);
     wall.kick = kick;
     wall.length = length;
@@ -74,6 +73,14 @@ void WallContact<T, D>::apply(double time, double kick, double length, double dr
   }
 }
 
+template <class T, int D>
+Point<D> WallContact<T, D>::before_motion(const Point<D>& x, const ContactWall& wall) {
+  const Point<D> velocity = wall.motion.at(x);
+  Point<D> before = x;
+  for (int a = 0; a < D; ++a) before[a] -= wall.length * velocity[a];
+  return before;
+}
+
 // A few numbers tell that most corners are far from the wall.
 template <class T, int D>
 bool WallContact<T, D>::may_touch(const Surface& surface, std::int32_t corner,
@@ -81,10 +88,9 @@ bool WallContact<T, D>::may_touch(const Surface& surface, std::int32_t corner,
   const ContactSurface<D>& shape = surface.shape;
   const std::int32_t first = shape.share[shape.first_share[corner]].slot;
   Point<D> x = shape.start[corner];
-  for (int a = 0; a < D; ++a) {
-    x[a] += (surface.body->*moved_)[a][first] - contact.shift[a];
-  }
-  return state_.boundaries.walls[contact.wall].distance(x) < shape.reach[corner];
+  for (int a = 0; a < D; ++a) x[a] += (surface.body->*moved_)[a][first];
+  const Wall<D>& wall = state_.boundaries.walls[contact.wall];
+  return wall.distance(before_motion(x, contact)) < shape.reach[corner];
 }
 
 template <class T, int D>
@@ -94,9 +100,10 @@ void WallContact<T, D>::push(Surface& surface, const Corner& corner, const Conta
   const std::span<const Share> shares = shape.shares(corner.number);
   if (shares.size() > 2 && !may_touch(surface, corner.number, contact)) return;
   const Wall<D>& wall = state_.boundaries.walls[contact.wall];
-  // The wall is where it was at the start of the step.
   Point<D> x = carried<T, D>(body.*moved_, shares);
-  for (int a = 0; a < D; ++a) x[a] += shape.start[corner.number][a] - contact.shift[a];
+  for (int a = 0; a < D; ++a) x[a] += shape.start[corner.number][a];
+  const Point<D> velocity = contact.motion.at(x);
+  x = before_motion(x, contact);
   const double gap = wall.distance(x);
   if (gap >= 0) return;
   const Point<D> n = wall.normal(x);
@@ -107,7 +114,7 @@ void WallContact<T, D>::push(Surface& surface, const Corner& corner, const Conta
   Point<D> slip = carried<T, D>(body.velocity, bearing);
   double normal_speed = 0, square = 0;
   for (int a = 0; a < D; ++a) {
-    slip[a] -= contact.velocity[a];
+    slip[a] -= velocity[a];
     normal_speed += slip[a] * n[a];
   }
   for (int a = 0; a < D; ++a) {
@@ -126,8 +133,8 @@ void WallContact<T, D>::push(Surface& surface, const Corner& corner, const Conta
     const double given = contact.inertia * impulse[a], force = given / contact.kick;
     state_.wall_impulse[contact.wall][a] += given;
     state_.wall_force[contact.wall][a] += force;
-    state_.energy.wall_work += given * contact.velocity[a];
-    state_.power.wall_work += force * contact.velocity[a];
+    state_.energy.wall_work += given * velocity[a];
+    state_.power.wall_work += force * velocity[a];
   }
   // (PB.41)
   const double lost = contact.inertia * taken * (1 - taken) * square / along;

@@ -121,7 +121,7 @@ class GhostFinder {
     add_wall(slot, cell, wall, distance);
     ghosts_.active.back() = was_in_contact(cell);
     const Point<D>& normal = ghosts_.normal.back();
-    for (int a = 0; a < D; ++a) height += normal[a] * boundaries_.walls[wall].offset()[a];
+    for (int a = 0; a < D; ++a) height += normal[a] * boundaries_.walls[wall].pose().offset[a];
     ghosts_.contact_height.push_back(height);
     const double layer = std::max(0., 1 - std::abs(distance / h + 1));
     const auto share = [&] {

@@ -52,18 +52,18 @@ void move_lattices(State<T, D>& state, std::vector<Point<D>>& wall_offset) {
   if (std::ranges::any_of(walls, [](const Wall<D>& wall) { return wall.is_attached(); })) return;
   const bool rest = std::ranges::equal(
       walls, wall_offset,
-      [](const Wall<D>& wall, const Point<D>& at) { return wall.offset() == at; });
+      [](const Wall<D>& wall, const Point<D>& at) { return wall.pose().offset == at; });
   if (rest) return;
   for (Body<T, D>& body : state.bodies) {
     const int wall = state.boundaries.nearest_contact(middle_of_particles(body)).first;
     Point<D> by = {};
     for (int a = 0; a < D; ++a) {
       const bool is_fixed = body.lattice.period[a] != 0;
-      by[a] = is_fixed ? 0 : walls[wall].offset()[a] - wall_offset[wall][a];
+      by[a] = is_fixed ? 0 : walls[wall].pose().offset[a] - wall_offset[wall][a];
     }
     if (by != Point<D>{}) move_lattice<T, D>(body, by);
   }
-  for (std::size_t w = 0; w < walls.size(); ++w) wall_offset[w] = walls[w].offset();
+  for (std::size_t w = 0; w < walls.size(); ++w) wall_offset[w] = walls[w].pose().offset;
 }
 
 template void move_lattices<double, 2>(State<double, 2>&, std::vector<Point<2>>&);
