@@ -4,9 +4,9 @@ namespace pliant {
 
 template <int D>
 void BoundaryValues<D>::evaluate(const Boundaries<D>& boundaries, double t) {
-  wall_motion.clear();
+  wall_velocity.clear();
   pressure.clear();
-  for (const Wall<D>& wall : boundaries.walls) wall_motion.push_back(wall.motion(t));
+  for (const Wall<D>& wall : boundaries.walls) wall_velocity.push_back(wall.velocity(t));
   traction.clear();
   for (const SurfacePressure<D>& load : boundaries.pressures) {
     pressure.push_back(load.value(t));

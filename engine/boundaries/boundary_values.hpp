@@ -9,9 +9,9 @@ namespace pliant {
 /// What the boundaries impose at one time.
 template <int D>
 struct BoundaryValues {
-  std::vector<RigidMotion<D>> wall_motion;  ///< [wall]
-  std::vector<double> pressure;             ///< [pressure] [Pa], 0 of a traction
-  std::vector<Point<D>> traction;           ///< [pressure] [Pa], at the origin; 0 of a pressure
+  std::vector<Point<D>> wall_velocity;  ///< [wall] [m/s]
+  std::vector<double> pressure;         ///< [pressure] [Pa], 0 of a traction
+  std::vector<Point<D>> traction;       ///< [pressure] [Pa], at the origin; 0 of a pressure
 
   void evaluate(const Boundaries<D>& boundaries, double t);
 };

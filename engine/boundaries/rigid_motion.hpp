@@ -34,7 +34,6 @@ struct RigidMotion {
   Turn turn;               ///< since t = 0
 
   bool turns() const { return spin != Vector{}; }
-  bool rests() const { return velocity == Point<D>{} && !turns(); }
   /// Velocity of the point that is at x at the time [m/s].
   Point<D> at(const Point<D>& x) const;
   /// Velocity of the point that was at x at t = 0 [m/s].

@@ -39,8 +39,10 @@ class Wall {
   bool slips() const { return friction_ == 0; }
   bool is_attached() const { return is_attached_; }
 
-  /// The velocities of its points: as prescribed, or as set since. Those of points by their present
-  /// place take the centre to be where it was at the start of the step.
+  /// Velocity of its centre [m/s]: as prescribed, or as set since.
+  Point<D> velocity(double t) const;
+  /// The velocities of its points; present places count from where the centre was at the start of
+  /// the step.
   RigidMotion<D> motion(double t) const;
   const std::optional<Point<D>>& set_velocity() const { return set_velocity_; }
   void set_velocity(const std::optional<Point<D>>& velocity) { set_velocity_ = velocity; }
@@ -51,7 +53,6 @@ class Wall {
 
  private:
   Vector at_rest(const Point<D>& x) const;  // where the wall's material point was at t = 0
-  Point<D> velocity(double t) const;        // of its centre
   double spin(double t) const;              // [rad/s]
 
   Shape shape_;

@@ -158,6 +158,7 @@ struct MeasurementCase {
     total_energy,
     energy_ratio,
     wall_force,
+    wall_moment,
     contact_force,
     blade_force,
     cutting_work,

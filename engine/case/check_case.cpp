@@ -63,12 +63,33 @@ void check_wall_displacement(const Check& check, std::size_t i) {
                         *wall.displacement, 0);
 }
 
+// An angle that jumps at the start would tear the body off.
+void check_wall_rotation(const Check& check, std::size_t i) {
+  constexpr double rounding = 1e-9;
+  const BoundaryCase& wall = check.a_case.boundaries[i];
+  if (!wall.rotation) return;
+  const Place place = check.place("boundary", i, "rotation");
+  const Expression& angle = wall.rotation->angle;
+  try {
+    const double turned = angle(0);
+    if (std::abs(turned) <= rounding) return;
+    check.problems.add(
+        place, fmt::format("the angle of wall \"{}\" is {:.4g} at t = 0", wall.name, turned),
+        fmt::format("write angle = \"{} - ({:.6g})\"", angle.text(), turned));
+  } catch (const RunError&) {
+    check.problems.add(
+        place, fmt::format("the angle of wall \"{}\" has no finite value at t = 0", wall.name),
+        "give a formula that is zero there");
+  }
+}
+
 void check_wall_motion(const Check& check) {
   const auto& boundaries = check.a_case.boundaries;
   for (std::size_t i = 0; i < boundaries.size(); ++i) {
     const toml::table& table = *check.root["boundary"][i].as_table();
     const bool has_velocity = table.contains("velocity");
     const bool has_displacement = table.contains("displacement");
+    const bool has_rotation = table.contains("rotation");
     // The default velocity, which a resolved case states, is no second motion.
     const bool rests = std::ranges::all_of(
         boundaries[i].velocity, [](const Expression& u) { return u.is_constant() && u(0) == 0; });
@@ -78,12 +99,13 @@ void check_wall_motion(const Check& check) {
           fmt::format("wall \"{}\" has both velocity and displacement", boundaries[i].name),
           "keep one of them");
     } else if (row_of(boundaries[i].kind).motion == Use::required && !has_velocity &&
-               !has_displacement) {
+               !has_displacement && !has_rotation) {
       check.problems.add(check.place("boundary", i, "kind"),
                          fmt::format("wall \"{}\" has no motion", boundaries[i].name),
-                         "give its velocity, as in velocity = [0, -25], or its displacement");
+                         "give its velocity, as in velocity = [0, -25], its displacement, or its rotation");
     }
     check_wall_displacement(check, i);
+    check_wall_rotation(check, i);
   }
 }
 

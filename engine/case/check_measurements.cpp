@@ -131,7 +131,7 @@ void check_measurements(const Check& check) {
   for (std::size_t i = 0; i < check.a_case.measurements.size(); ++i) {
     check_source(check, i);
     const Kind kind = check.a_case.measurements[i].kind;
-    if (kind == Kind::wall_force) check_wall_force(check, i);
+    if (kind == Kind::wall_force || kind == Kind::wall_moment) check_wall_force(check, i);
     if (kind == Kind::contact_force) check_contact_force(check, i);
     check_strain(check, i);
     if (kind == Kind::weighted_sum) check_terms(check, i);

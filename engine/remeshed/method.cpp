@@ -49,6 +49,17 @@ void check_tractions(const Check& check) {
   }
 }
 
+// Ghosts keep the normals of their walls from one remeshing to the next.
+void check_walls_that_turn(const Check& check) {
+  const auto& boundaries = check.a_case.boundaries;
+  for (std::size_t i = 0; i < boundaries.size(); ++i) {
+    if (!boundaries[i].rotation) continue;
+    check.problems.add(check.place("boundary", i, "rotation"),
+                       "method \"remeshed\" has no walls that turn",
+                       "take method = \"total_lagrangian\", or remove the key");
+  }
+}
+
 // Gradients are compiled for every kernel, but those of H&K for its own alone.
 void check_gradient(const Check& check) {
   if (parameters_of(check.a_case).gradient == kernels::Gradient::moment_matrix) return;
@@ -63,6 +74,7 @@ void check(const Check& check) {
   check_gradient(check);
   check_contact_steps(check);
   check_tractions(check);
+  check_walls_that_turn(check);
   refuse_tables(check, {"cut"});
   refuse_models_of_undeformed_bodies(check);
   refuse_measurements(check, Measurer<double, 2>::is_measured);

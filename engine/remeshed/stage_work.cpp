@@ -37,7 +37,7 @@ void StageWork<T, D>::prepare(double time_step) {
   is_watched_ = is_measured_;
   for (const BoundaryValues<D>& values : boundary_values_) {
     for (std::size_t w = 0; w < is_watched_.size(); ++w) {
-      if (!values.wall_motion[w].rests()) is_watched_[w] = 1;
+      if (values.wall_velocity[w] != Point<D>{}) is_watched_[w] = 1;
     }
   }
   for (std::size_t w = 0; w < is_watched_.size(); ++w) {

@@ -91,11 +91,10 @@ void WallWork<T, D>::add(std::size_t g, const kernels::GhostFits<T, D>& fits,
   const int wall = ghosts_.wall[g];
   if (around_.boundaries.walls[wall].slips()) area *= growth_on_wall(body_, ghosts_, g, buffer_);
   const auto push = kernels::wall_force_density<T, D>(fits, site, impedance_);
-  const Point<D> velocity = around_.values.wall_motion[wall].at(ghosts_.foot[g]);
   for (int a = 0; a < D; ++a) {
     const double given = duration_ * area * push[a];
     impulse_[wall][a] += given;
-    work_ += given * velocity[a];
+    work_ += given * around_.values.wall_velocity[wall][a];
   }
 }
 

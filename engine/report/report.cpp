@@ -12,6 +12,7 @@
 #include <sstream>
 #include <system_error>
 
+#include "engine/boundaries/rigid_motion.hpp"
 #include "engine/output/atomic_file.hpp"
 #include "engine/output/error.hpp"
 #include "engine/report/packed_frames.hpp"
@@ -82,6 +83,18 @@ Box<3> box_around(const PackedFrames& packed, int dimension) {
   return box;
 }
 
+/// Where the origin of the page is moved by a wall in a frame: the page turns a wall about its
+/// origin.
+Vector shift_in(const WallPicture& wall, std::size_t frame, const Vector& origin) {
+  Vector shift = wall.shift[frame];
+  if (wall.angle.empty()) return shift;
+  Vector from_centre;
+  for (int a = 0; a < 3; ++a) from_centre[a] = origin[a] - wall.centre[a];
+  const Vector turned = Turn(wall.axis, wall.angle[frame])(from_centre);
+  for (int a = 0; a < 3; ++a) shift[a] += turned[a] - from_centre[a];
+  return shift;
+}
+
 /// Walls in the units of the page: the longest side of the bodies' box is 1.
 Json walls_of(const std::string& settings, const PackedFrames& packed, int dimension, Json& notes) {
   Json walls = Json::array();
@@ -100,7 +113,8 @@ Json walls_of(const std::string& settings, const PackedFrames& packed, int dimen
       for (const Vector& x : wall.vertex) {
         for (const Json& one : place(x)) position.push_back(one);
       }
-      for (const Vector& x : wall.shift) {
+      for (std::size_t frame = 0; frame < wall.shift.size(); ++frame) {
+        const Vector x = shift_in(wall, frame, packed.origin);
         shift.push_back({rounded(x[0] / size), rounded(x[1] / size), rounded(x[2] / size)});
       }
       Json one = {{"name", wall.name},
@@ -108,6 +122,10 @@ Json walls_of(const std::string& settings, const PackedFrames& packed, int dimen
                   {"position", position},
                   {"triangles", wall.triangle}};
       if (!shift.empty()) one["shift"] = shift;
+      if (!wall.angle.empty()) {
+        one["axis"] = wall.axis;
+        one["angle"] = wall.angle;
+      }
       walls.push_back(one);
     }
   } catch (const InputError&) {  // as when a mesh file is gone

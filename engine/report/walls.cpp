@@ -262,6 +262,14 @@ std::vector<Vector> shifts_of(const BoundaryCase& boundary, const std::vector<do
   return shifts;
 }
 
+void add_rotation(const WallRotation& rotation, const std::vector<double>& times,
+                  WallPicture& wall) {
+  wall.centre = rotation.centre;
+  wall.axis = rotation.axis;
+  for (const double time : times) wall.angle.push_back(rotation.angle(time));
+  wall.shift.resize(times.size());
+}
+
 bool is_wall(BoundaryCase::Kind kind) {
   return kind != BoundaryCase::Kind::pressure && kind != BoundaryCase::Kind::traction;
 }
@@ -277,6 +285,7 @@ std::vector<WallPicture> picture_walls(const Case& a_case, const Box<3>& box,
     add_solid(boundary.geometry, box, a_case.dimension, wall);
     if (wall.triangle.empty()) continue;
     wall.shift = shifts_of(boundary, times);
+    if (boundary.rotation) add_rotation(*boundary.rotation, times, wall);
     walls.push_back(std::move(wall));
   }
   return walls;

@@ -17,6 +17,8 @@ struct WallPicture {
   std::vector<std::uint32_t> triangle = {};  ///< three vertices each, anticlockwise from outside
   bool is_plane = false;                     ///< the face of a half-space
   std::vector<Vector> shift = {};  ///< [frame] displacement since t = 0 [m]; empty: it never moves
+  Vector centre = {}, axis = {};   ///< about which it turns, at t = 0
+  std::vector<double> angle = {};  ///< [frame] [rad]; empty: it never turns
 };
 
 /// The walls of a case inside a box, at the times of its frames. Half-spaces are their faces in 3D;

@@ -20,11 +20,11 @@ void BoundaryWork<T, D>::prepare(double time, double kick, double moved) {
   wall_motion_.clear();
   for (const Wall<D>& wall : state_.boundaries.walls) wall_motion_.push_back(wall.motion(time));
   state_.power = {};
-  std::fill(state_.wall_force.begin(), state_.wall_force.end(), Point<D>{});
+  std::fill(state_.wall_force.begin(), state_.wall_force.end(), Wrench<D>{});
   for (BlockWork& work : work_) {
     work.energy = work.power = {};
     work.undamped = 0;
-    std::fill(work.impulse.begin(), work.impulse.end(), Point<D>{});
+    std::fill(work.impulse.begin(), work.impulse.end(), Wrench<D>{});
   }
 }
 
@@ -54,17 +54,20 @@ void BoundaryWork<T, D>::hold(int block, Body<T, D>& body, int local,
       along += excess[a] * held.normal[a];
       slips += held.normal[a] * held.normal[a];
     }
+    Point<D> place = held.start, given;
     for (int a = 0; a < D; ++a) {
       const double undone = slips > 0 ? along * held.normal[a] : excess[a];
       body.velocity[a][held.slot] -= undone;
       displacement[a][held.slot] -= moved_ * undone;
       const double impulse = -inertia * body.mass[held.slot] * undone;
-      work.impulse[held.wall][a] += impulse;
+      place[a] += displacement[a][held.slot];
+      given[a] = impulse;
       const double speed = body.velocity[a][held.slot], twice_mean = work.before[i][a] + speed;
       work.undamped += body.mass[held.slot] * undone * (2 * twice_mean + undone) / 4;
       work.energy.wall_work += impulse * twice_mean / 2;
       work.power.wall_work += impulse / kick_ * speed;
     }
+    work.impulse[held.wall].add(place, given);
   }
 }
 
@@ -81,10 +84,8 @@ void BoundaryWork<T, D>::fold(double inertia, std::optional<double> damped) {
     add(state_.energy, work.energy);
     add(state_.power, work.power);
     for (std::size_t w = 0; w < work.impulse.size(); ++w) {
-      for (int a = 0; a < D; ++a) {
-        state_.wall_impulse[w][a] += work.impulse[w][a];
-        state_.wall_force[w][a] += work.impulse[w][a] / kick_;
-      }
+      state_.wall_impulse[w].add(work.impulse[w], 1);
+      state_.wall_force[w].add(work.impulse[w], 1 / kick_);
     }
     if (damped) acted_on -= work.undamped;
   }

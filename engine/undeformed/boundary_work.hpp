@@ -46,7 +46,7 @@ class BoundaryWork {
     EnergyBudget energy;            ///< of the step [J]
     EnergyBudget power;             ///< of the velocities that it leaves behind [W]
     double undamped = 0;            ///< what hold() takes of m ((u + u')/2)^2 [J]
-    std::vector<Point<D>> impulse;  ///< [wall] on the block [N s]
+    std::vector<Wrench<D>> impulse;  ///< [wall] on the block [N s], [N m s]
     std::vector<Point<D>> before;   ///< [constrained particle] velocity before the step [m/s]
   };
 

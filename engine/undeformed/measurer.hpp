@@ -58,7 +58,12 @@ class Measurer {
   double surface_area(const MeasurementCase& m) const {
     return undeformed::surface_area<D>(free_surface(m.body));
   }
-  double wall_impulse(const MeasurementCase& m) const { return state_.impulse(m); }
+  double wall_impulse(const MeasurementCase& m) const {
+    return state_.impulse_of_wall(m).force[m.axis];
+  }
+  double wall_angular_impulse(const MeasurementCase& m) const {
+    return state_.impulse_of_wall(m).moment_about(m.point)[D == 2 ? 2 : m.axis];
+  }
   double contact_impulse(const MeasurementCase& m) const {
     return state_.contact_impulse_on_first(m);
   }
@@ -95,6 +100,7 @@ auto Measurer<State>::function_of(MeasurementCase::Kind kind) -> Function {
       {Quantity::mean_radius, &Measurer::mean_radius},
       {Quantity::surface_area, &Measurer::surface_area},
       {Quantity::wall_force, &Measurer::wall_impulse},
+      {Quantity::wall_moment, &Measurer::wall_angular_impulse},
       {Quantity::contact_force, &Measurer::contact_impulse},
       {Quantity::mass, &Measurer::integral},
       {Quantity::centre_of_mass, &Measurer::integral},

@@ -7,6 +7,7 @@
 #include "engine/boundaries/walls.hpp"
 #include "engine/method/energy_budget.hpp"
 #include "engine/undeformed/clock.hpp"
+#include "engine/undeformed/wrench.hpp"
 
 namespace pliant::undeformed {
 
@@ -26,8 +27,8 @@ struct State {
   EnergyBudget energy;  ///< up to when the velocities are
   EnergyBudget power;   ///< its rates there [W]
   Boundaries<D> boundaries;
-  std::vector<Point<D>> wall_impulse;  ///< [wall] on the bodies, up to there [N s]
-  std::vector<Point<D>> wall_force;    ///< [wall] on the bodies, in the last step [N]
+  std::vector<Wrench<D>> wall_impulse;  ///< [wall] on the bodies, up to there [N s], [N m s]
+  std::vector<Wrench<D>> wall_force;    ///< [wall] on the bodies, in the last step [N], [N m]
   std::vector<std::array<int, 2>> contact_bodies;
   std::vector<Point<D>> contact_impulse;  ///< [contact] on its first body, up to there [N s]
   std::vector<Point<D>> contact_force;    ///< [contact] the same, in the last step [N]
@@ -37,10 +38,12 @@ struct State {
   bool has_new_marks = true;  ///< contact has made no lists of them
   std::vector<BlockOwner> blocks;
 
-  /// Impulse of a wall on the bodies up to the present time [N s].
-  double impulse(const MeasurementCase& m) const {
+  /// Impulse of a wall on the bodies up to the present time.
+  Wrench<D> impulse_of_wall(const MeasurementCase& m) const {
     const int wall = boundaries.wall_of[m.boundary];
-    return wall_impulse[wall][m.axis] + clock.lag() * wall_force[wall][m.axis];
+    Wrench<D> impulse = wall_impulse[wall];
+    impulse.add(wall_force[wall], clock.lag());
+    return impulse;
   }
   /// Impulse of a contact on the first body of the measurement up to the present time [N s].
   double contact_impulse_on_first(const MeasurementCase& m) const {

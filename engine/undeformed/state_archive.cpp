@@ -5,6 +5,33 @@
 
 namespace pliant::undeformed {
 
+namespace {
+
+template <int D>
+void put_wrenches(ArchiveWriter& archive, const std::string& name,
+                  const std::vector<Wrench<D>>& wrenches) {
+  std::vector<Point<D>> forces;
+  std::vector<Vector> moments;
+  for (const Wrench<D>& wrench : wrenches) {
+    forces.push_back(wrench.force);
+    moments.push_back(wrench.moment);
+  }
+  put_points<D>(archive, name, forces);
+  put_points<3>(archive, name + "_moment", moments);
+}
+
+template <int D>
+void get_wrenches(const ArchiveReader& archive, const std::string& name,
+                  std::vector<Wrench<D>>& wrenches) {
+  std::vector<Point<D>> forces(wrenches.size());
+  std::vector<Vector> moments(wrenches.size());
+  get_points<D>(archive, name, forces);
+  get_points<3>(archive, name + "_moment", moments);
+  for (std::size_t w = 0; w < wrenches.size(); ++w) wrenches[w] = {forces[w], moments[w]};
+}
+
+}  // namespace
+
 template <int D>
 void put_totals(ArchiveWriter& archive, const State<D>& state) {
   put_clock(archive, state.clock);
@@ -16,8 +43,8 @@ void put_totals(ArchiveWriter& archive, const State<D>& state) {
   put_energy(archive, "energy", state.energy);
   put_energy(archive, "power", state.power);
   put_boundaries<D>(archive, state.boundaries);
-  put_points<D>(archive, "walls/impulse", state.wall_impulse);
-  put_points<D>(archive, "walls/force", state.wall_force);
+  put_wrenches<D>(archive, "walls/impulse", state.wall_impulse);
+  put_wrenches<D>(archive, "walls/force", state.wall_force);
   put_points<D>(archive, "contacts/impulse", state.contact_impulse);
   put_points<D>(archive, "contacts/force", state.contact_force);
   put_points<D>(archive, "contacts/marks", state.contact_marks);
@@ -34,8 +61,8 @@ void get_totals(const ArchiveReader& archive, State<D>& state) {
   get_energy(archive, "energy", state.energy);
   get_energy(archive, "power", state.power);
   get_boundaries<D>(archive, state.boundaries);
-  get_points<D>(archive, "walls/impulse", state.wall_impulse);
-  get_points<D>(archive, "walls/force", state.wall_force);
+  get_wrenches<D>(archive, "walls/impulse", state.wall_impulse);
+  get_wrenches<D>(archive, "walls/force", state.wall_force);
   get_points<D>(archive, "contacts/impulse", state.contact_impulse);
   get_points<D>(archive, "contacts/force", state.contact_force);
   get_points<D>(archive, "contacts/marks", state.contact_marks);

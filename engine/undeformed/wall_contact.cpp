@@ -126,16 +126,18 @@ void WallContact<T, D>::push(Surface& surface, const Corner& corner, const Conta
   const double speed = std::sqrt(square);
   const double most = contact.slides ? 0 : contact.friction * pushed;
   const double taken = speed > most ? most / speed : 1;  // of the slip, by friction
-  Point<D> impulse, moved;
+  Point<D> impulse, moved, on_body;
   for (int a = 0; a < D; ++a) {
     impulse[a] = (pushed * n[a] - taken * slip[a]) / along;
     moved[a] = (-gap * n[a] - contact.drift * taken * slip[a]) / along;
-    const double given = contact.inertia * impulse[a], force = given / contact.kick;
-    state_.wall_impulse[contact.wall][a] += given;
-    state_.wall_force[contact.wall][a] += force;
-    state_.energy.wall_work += given * velocity[a];
-    state_.power.wall_work += force * velocity[a];
+    on_body[a] = contact.inertia * impulse[a];
+    state_.energy.wall_work += on_body[a] * velocity[a];
+    state_.power.wall_work += on_body[a] / contact.kick * velocity[a];
   }
+  Wrench<D> given;
+  given.add(x, on_body);
+  state_.wall_impulse[contact.wall].add(given, 1);
+  state_.wall_force[contact.wall].add(given, 1 / contact.kick);
   // (PB.41)
   const double lost = contact.inertia * taken * (1 - taken) * square / along;
   state_.energy.friction += lost;

@@ -107,7 +107,7 @@ bool add_impulse(const Body<T, D>& body, int block, int buffer, const Surroundin
     sticks = sticks || !traction.slides;
     const double area =
         ghosts.contact_area[k] * growth_on_wall(body, ghosts, static_cast<std::size_t>(g), buffer);
-    const Point<D> u_wall = around.values.wall_motion[wall].at(ghosts.foot[g]);
+    const Point<D>& u_wall = around.values.wall_velocity[wall];
     for (int a = 0; a < D; ++a) {
       const T push = traction.pressure * static_cast<T>(ghosts.normal[g][a]) + traction.shear[a];
       const double given = duration * area * push;
@@ -126,7 +126,7 @@ bool has_moved_at_walls(const Body<T, D>& body, const Boundaries<D>& boundaries,
   const double h = body.lattice.spacing;
   for (const Wall<D>& wall : boundaries.walls) {
     if (wall.is_attached()) continue;
-    if (!wall.motion(time).rests()) return true;
+    if (wall.velocity(time) != Point<D>{}) return true;
     for (const std::int32_t slot : body.population.slot_of_record) {
       const Cell<D> cell = body.population.layout.cell(slot);
       if (has_moved_at<D>(wall, body.lattice.node(cell), body.position(slot, cell), h)) return true;

@@ -22,7 +22,7 @@ template <class T, int D>
 kernels::WallSite<T, D> wall_site(const Body<T, D>& body, const BlockGhosts<T, D>& ghosts,
                                   std::size_t g, const Surroundings<D>& around) {
   const int w = ghosts.wall[g];
-  const Point<D> velocity = around.values.wall_motion[w].at(ghosts.foot[g]);
+  const Point<D>& velocity = around.values.wall_velocity[w];
   const Point<D>& n = ghosts.normal[g];
   kernels::WallSite<T, D> site;
   site.friction = static_cast<T>(around.boundaries.walls[w].friction());

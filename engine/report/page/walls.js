@@ -1,6 +1,7 @@
 // The walls of a case, where they are in each frame.
 import {
   BackSide, BufferAttribute, BufferGeometry, DoubleSide, FrontSide, Group, Mesh, MeshBasicMaterial, MeshLambertMaterial,
+  Vector3,
 } from "three";
 import { toCreasedNormals } from "three/addons/utils/BufferGeometryUtils.js";
 import { COUNTED, across, stencil_layers } from "./section.js";
@@ -37,6 +38,7 @@ class Wall {
 
   show(frame, cut) {
     this.object.position.set(...(this.wall.shift?.[frame] ?? [0, 0, 0]));
+    if (this.wall.angle) this.object.quaternion.setFromAxisAngle(new Vector3(...this.wall.axis), this.wall.angle[frame]);
     for (const { material } of this.object.children) material.clippingPlanes = cut ? [cut.plane] : [];
     for (const layer of this.layers) layer.visible = Boolean(cut);
   }

@@ -24,8 +24,8 @@ TEST(walls, motion_of_cubic_velocity_is_followed_exactly) {
   for (const double dt : {0.3, 0.05, 0.4, 0.25}) {
     wall.move(t, dt);
     t += dt;
-    EXPECT_NEAR(wall.offset()[0], t - t * t + t * t * t - t * t * t * t, 1e-15);
-    EXPECT_NEAR(wall.offset()[1], 1.25 * t * t * t * t, 1e-15);
+    EXPECT_NEAR(wall.pose().offset[0], t - t * t + t * t * t - t * t * t * t, 1e-15);
+    EXPECT_NEAR(wall.pose().offset[1], 1.25 * t * t * t * t, 1e-15);
   }
 }
 
@@ -39,8 +39,8 @@ TEST(walls, a_displacement_is_followed_with_its_own_velocity) {
     wall.move(t, 0.01);
     EXPECT_NEAR(wall.velocity(t)[0], 3 * std::cos(3 * t), i == 0 ? 1e-5 : 1e-9);
     EXPECT_NEAR(wall.velocity(t)[1], -2 * t, i == 0 ? 1e-5 : 1e-9);
-    EXPECT_NEAR(wall.offset()[0], std::sin(3 * (t + 0.01)), 1e-7);
-    EXPECT_NEAR(wall.offset()[1], -(t + 0.01) * (t + 0.01), 1e-7);
+    EXPECT_NEAR(wall.pose().offset[0], std::sin(3 * (t + 0.01)), 1e-7);
+    EXPECT_NEAR(wall.pose().offset[1], -(t + 0.01) * (t + 0.01), 1e-7);
   }
 }
 
@@ -52,6 +52,48 @@ TEST(walls, distance_and_normal_move_with_the_wall) {
   EXPECT_DOUBLE_EQ(wall.distance({7, 0.75}), 0.45);
   EXPECT_EQ(wall.normal({7, 0.1}), (Point<2>{0, 1}));
   EXPECT_EQ(wall.velocity(3), (Point<2>{0, -2}));
+}
+
+/// The ball of radius 0.5 about (2, 0, 0), which moves along z and turns about the axis z through
+/// (1, 0, 0).
+BoundaryCase turning_ball() {
+  BoundaryCase boundary;
+  boundary.kind = BoundaryCase::Kind::moving_wall;
+  boundary.geometry.kind = Shape::Kind::ball;
+  boundary.geometry.centre = {2, 0, 0};
+  boundary.geometry.radius = 0.5;
+  boundary.velocity = {Expression(0.0), Expression(0.0), Expression(3.0)};
+  boundary.rotation = WallRotation{{1, 0, 0}, {0, 0, 1}, Expression("2*t^2")};
+  boundary.time_increment = 1e-6;
+  return boundary;
+}
+
+// After a quarter turn about (1, 0) the centre of the ball is at (1, 1).
+TEST(walls, that_turn_stand_where_the_angle_says) {
+  constexpr double pi = 3.14159265358979324;
+  const double quarter = std::sqrt(pi / 4);
+  Wall<3> wall(turning_ball());
+  EXPECT_NEAR(wall.distance({2, 0, 0}), -0.5, 1e-15);
+  for (int i = 0; i < 10; ++i) wall.move(quarter * i / 10, quarter / 10);
+  EXPECT_NEAR(wall.distance({1, 1, 3 * quarter}), -0.5, 1e-14);
+  const Point<3> normal = wall.normal({1, 1.2, 3 * quarter});
+  EXPECT_NEAR(normal[0], 0, 1e-14);
+  EXPECT_NEAR(normal[1], 1, 1e-14);
+}
+
+// omega x r, of the point by its place now and at t = 0.
+TEST(walls, that_turn_have_the_velocities_of_a_rigid_body) {
+  constexpr double pi = 3.14159265358979324;
+  const double quarter = std::sqrt(pi / 4), spin = 4 * quarter;
+  Wall<3> wall(turning_ball());
+  wall.move(0, quarter);
+  const RigidMotion<3> motion = wall.motion(quarter);
+  const Point<3> of = motion.of({2, 0, 0}), at = motion.at({1, 1, 0.3});
+  const Point<3> right = {-spin, 0, 3};
+  for (int a = 0; a < 3; ++a) {
+    EXPECT_NEAR(of[a], right[a], 1e-8);
+    EXPECT_NEAR(at[a], right[a], 1e-8);
+  }
 }
 
 // The area of a sphere goes with the square of its radius.
@@ -69,7 +111,7 @@ TEST(walls, a_ball_is_larger_than_the_parallel_surface_inside_it) {
 TEST(walls, a_restored_wall_stands_where_it_stood) {
   Wall<2> wall(floor(0, "t", "sin(t)")), restored = wall;
   for (int i = 0; i < 5; ++i) wall.move(0.1 * i, 0.1);
-  restored.restore(wall.offset());
+  restored.restore(wall.pose());
   EXPECT_EQ(restored.distance({0.3, 0.7}), wall.distance({0.3, 0.7}));
 }
 
