@@ -87,9 +87,23 @@ Point<D> Wall<D>::velocity(double t) const {
 }
 
 template <int D>
-void Wall<D>::move(double t, double time_step) {
+Point<D> Wall<D>::shift(double t, double time_step) const {
+  Point<D> moved;
+  if (displacement_ && !set_velocity_) {
+    for (int a = 0; a < D; ++a) {
+      moved[a] = (*displacement_)[a](t + time_step) - (*displacement_)[a](t);
+    }
+    return moved;
+  }
   const Point<D> u0 = velocity(t), u1 = velocity(t + time_step / 2), u2 = velocity(t + time_step);
-  for (int a = 0; a < D; ++a) offset_[a] += time_step / 6 * (u0[a] + 4 * u1[a] + u2[a]);
+  for (int a = 0; a < D; ++a) moved[a] = time_step / 6 * (u0[a] + 4 * u1[a] + u2[a]);
+  return moved;
+}
+
+template <int D>
+void Wall<D>::move(double t, double time_step) {
+  const Point<D> moved = shift(t, time_step);
+  for (int a = 0; a < D; ++a) offset_[a] += moved[a];
 }
 
 template <int D>

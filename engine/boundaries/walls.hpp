@@ -35,7 +35,10 @@ class Wall {
   Point<D> velocity(double t) const;
   const std::optional<Point<D>>& set_velocity() const { return set_velocity_; }
   void set_velocity(const std::optional<Point<D>>& velocity) { set_velocity_ = velocity; }
-  /// Displacement since t = 0 [m]; `move` adds that of one step by Simpson's rule.
+  /// Displacement in a step [m]: that which is prescribed, or that of the velocity by Simpson's
+  /// rule.
+  Point<D> shift(double t, double time_step) const;
+  /// Displacement since t = 0 [m]; `move` adds that of one step.
   const Point<D>& offset() const { return offset_; }
   void move(double t, double time_step);
   void restore(const Point<D>& offset) { offset_ = offset; }

@@ -58,8 +58,8 @@ std::span<const Share> WallContact<T, D>::bearers(const Surface& surface, const 
 template <class T, int D>
 void WallContact<T, D>::apply(double time, double kick, double length, double drift) {
   for (ContactWall& wall : walls_) {
-    wall.velocity = state_.boundaries.walls[wall.wall].velocity(time + length / 2);
-    for (int a = 0; a < D; ++a) wall.shift[a] = length * wall.velocity[a];
+    wall.shift = state_.boundaries.walls[wall.wall].shift(time, length);
+    for (int a = 0; a < D; ++a) wall.velocity[a] = wall.shift[a] / length;
     wall.inertia = state_.clock.mass_scaling * (1 + state_.clock.damping * kick / 2);
     wall.kick = kick;
     wall.length = length;

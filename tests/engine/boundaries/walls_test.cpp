@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
 namespace pliant::test {
@@ -41,6 +42,19 @@ TEST(walls, a_displacement_is_followed_with_its_own_velocity) {
     EXPECT_NEAR(wall.velocity(t)[1], -2 * t, i == 0 ? 1e-5 : 1e-9);
     EXPECT_NEAR(wall.offset()[0], std::sin(3 * (t + 0.01)), 1e-7);
     EXPECT_NEAR(wall.offset()[1], -(t + 0.01) * (t + 0.01), 1e-7);
+  }
+}
+
+TEST(walls, a_displacement_is_followed_exactly_where_it_stops_within_a_step) {
+  BoundaryCase boundary = floor(0);
+  boundary.displacement = {Expression("0.3*min(t, 0.25)"), Expression(0.0), Expression(0.0)};
+  boundary.time_increment = 1e-6;
+  Wall<2> wall(boundary);
+  for (int i = 0; i < 10; ++i) {
+    const Point<2> shift = wall.shift(0.1 * i, 0.1);
+    wall.move(0.1 * i, 0.1);
+    EXPECT_NEAR(shift[0], 0.3 * (std::min(0.1 * i + 0.1, 0.25) - std::min(0.1 * i, 0.25)), 1e-15);
+    EXPECT_NEAR(wall.offset()[0], 0.3 * std::min(0.1 * i + 0.1, 0.25), 1e-15);
   }
 }
 
