@@ -14,9 +14,9 @@ Vector from(const Vector& centre, const Point<D>& x) {
 }
 
 template <int D>
-Point<D> sum(Point<D> velocity, const Vector& by_spin) {
-  for (int a = 0; a < D; ++a) velocity[a] += by_spin[a];
-  return velocity;
+Point<D> sum(Point<D> of_centre, const Vector& by_turning) {
+  for (int a = 0; a < D; ++a) of_centre[a] += by_turning[a];
+  return of_centre;
 }
 
 }  // namespace
@@ -40,16 +40,29 @@ Vector Turn::turned(const Vector& v, double sine) const {
 }
 
 template <int D>
-Point<D> RigidMotion<D>::at(const Point<D>& x) const {
-  return turns() ? sum<D>(velocity, cross(spin, from<D>(centre, x))) : velocity;
+Point<D> RigidMotion<D>::of(const Point<D>& x) const {
+  return turns ? sum<D>(velocity, cross(spin, turn(from<D>(start, x)))) : velocity;
 }
 
 template <int D>
-Point<D> RigidMotion<D>::of(const Point<D>& x) const {
-  return turns() ? sum<D>(velocity, cross(spin, turn(from<D>(start, x)))) : velocity;
+Point<D> RigidStep<D>::shift_of(const Point<D>& x) const {
+  if (!turns) return shift;
+  const Vector r = from<D>(start, x), was = before(r), is = after(r);
+  return sum<D>(shift, {is[0] - was[0], is[1] - was[1], is[2] - was[2]});
+}
+
+template <int D>
+Point<D> RigidStep<D>::shift_at(const Point<D>& x) const {
+  if (!turns) return shift;
+  Vector is = from<D>(centre, x);
+  for (int a = 0; a < D; ++a) is[a] -= shift[a];
+  const Vector was = before(after.back(is));
+  return sum<D>(shift, {is[0] - was[0], is[1] - was[1], is[2] - was[2]});
 }
 
 template struct RigidMotion<2>;
 template struct RigidMotion<3>;
+template struct RigidStep<2>;
+template struct RigidStep<3>;
 
 }  // namespace pliant

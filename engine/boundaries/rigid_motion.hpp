@@ -28,16 +28,28 @@ Vector cross(const Vector& a, const Vector& b);
 template <int D>
 struct RigidMotion {
   Point<D> velocity = {};  ///< of its centre [m/s]
-  Vector spin = {};        ///< angular velocity [rad/s]; about z in 2D
-  Vector centre = {};      ///< at the time [m]
-  Vector start = {};       ///< where its centre was at t = 0 [m]
-  Turn turn;               ///< since t = 0
+  bool turns = false;
+  Vector spin = {};   ///< angular velocity [rad/s]; about z in 2D
+  Vector start = {};  ///< where its centre was at t = 0 [m]
+  Turn turn;          ///< since t = 0
 
-  bool turns() const { return spin != Vector{}; }
-  /// Velocity of the point that is at x at the time [m/s].
-  Point<D> at(const Point<D>& x) const;
   /// Velocity of the point that was at x at t = 0 [m/s].
   Point<D> of(const Point<D>& x) const;
+};
+
+/// What a rigid solid does in a step.
+template <int D>
+struct RigidStep {
+  Point<D> shift = {};  ///< of its centre [m]
+  bool turns = false;
+  Vector start = {};   ///< where its centre was at t = 0 [m]
+  Vector centre = {};  ///< where it is when the step begins [m]
+  Turn before, after;  ///< since t = 0, when the step begins and ends
+
+  /// Displacement in the step of the point that was at x at t = 0 [m].
+  Point<D> shift_of(const Point<D>& x) const;
+  /// Displacement in the step of the point that is at x when it ends [m].
+  Point<D> shift_at(const Point<D>& x) const;
 };
 
 }  // namespace pliant

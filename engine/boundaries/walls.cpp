@@ -82,8 +82,8 @@ RigidMotion<D> Wall<D>::motion(double t) const {
   RigidMotion<D> motion;
   motion.velocity = velocity(t);
   if (!rotation_) return motion;
-  motion.start = motion.centre = rotation_->centre;
-  for (int a = 0; a < D; ++a) motion.centre[a] += pose_.offset[a];
+  motion.turns = true;
+  motion.start = rotation_->centre;
   motion.turn = Turn(rotation_->axis, rotation_->angle(t));
   const double rate = spin(t);
   for (int a = 0; a < 3; ++a) motion.spin[a] = rate * rotation_->axis[a];
@@ -112,10 +112,37 @@ Point<D> Wall<D>::velocity(double t) const {
 }
 
 template <int D>
-void Wall<D>::move(double t, double time_step) {
+Point<D> Wall<D>::shift(double t, double time_step) const {
+  Point<D> moved;
+  if (displacement_ && !set_velocity_) {
+    for (int a = 0; a < D; ++a) {
+      moved[a] = (*displacement_)[a](t + time_step) - (*displacement_)[a](t);
+    }
+    return moved;
+  }
   const Point<D> u0 = velocity(t), u1 = velocity(t + time_step / 2), u2 = velocity(t + time_step);
+  for (int a = 0; a < D; ++a) moved[a] = time_step / 6 * (u0[a] + 4 * u1[a] + u2[a]);
+  return moved;
+}
+
+template <int D>
+RigidStep<D> Wall<D>::step(double t, double time_step) const {
+  RigidStep<D> step;
+  step.shift = shift(t, time_step);
+  if (!rotation_) return step;
+  step.turns = true;
+  step.start = step.centre = rotation_->centre;
+  for (int a = 0; a < D; ++a) step.centre[a] += pose_.offset[a];
+  step.before = Turn(rotation_->axis, rotation_->angle(t));
+  step.after = Turn(rotation_->axis, rotation_->angle(t + time_step));
+  return step;
+}
+
+template <int D>
+void Wall<D>::move(double t, double time_step) {
+  const Point<D> moved = shift(t, time_step);
   WallPose<D> pose = pose_;
-  for (int a = 0; a < D; ++a) pose.offset[a] += time_step / 6 * (u0[a] + 4 * u1[a] + u2[a]);
+  for (int a = 0; a < D; ++a) pose.offset[a] += moved[a];
   if (rotation_) pose.angle = rotation_->angle(t + time_step);
   restore(pose);
 }

@@ -41,19 +41,22 @@ class Wall {
 
   /// Velocity of its centre [m/s]: as prescribed, or as set since.
   Point<D> velocity(double t) const;
-  /// The velocities of its points; present places count from where the centre was at the start of
-  /// the step.
+  /// The velocities of its points.
   RigidMotion<D> motion(double t) const;
   const std::optional<Point<D>>& set_velocity() const { return set_velocity_; }
   void set_velocity(const std::optional<Point<D>>& velocity) { set_velocity_ = velocity; }
-  /// Where it is; `move` adds the displacement in one step by Simpson's rule, and turns it.
+  /// What it does in a step that begins at t, where it is: the displacement of its centre is that
+  /// which is prescribed, or that of the velocity by Simpson's rule.
+  RigidStep<D> step(double t, double time_step) const;
+  /// Where it is; `move` makes a step.
   const WallPose<D>& pose() const { return pose_; }
   void move(double t, double time_step);
   void restore(const WallPose<D>& pose);
 
  private:
-  Vector at_rest(const Point<D>& x) const;  // where the wall's material point was at t = 0
-  double spin(double t) const;              // [rad/s]
+  Vector at_rest(const Point<D>& x) const;           // where the wall's material point was at t = 0
+  Point<D> shift(double t, double time_step) const;  // of its centre in a step
+  double spin(double t) const;                       // [rad/s]
 
   Shape shape_;
   VectorExpression velocity_;

@@ -31,9 +31,9 @@ struct InitialVelocity {
 
 /// A wall that turns about an axis through a point, which moves with the wall.
 struct WallRotation {
-  Vector centre = {};        ///< at t = 0 [m]
-  Vector axis = {0, 0, 1};   ///< of any length
-  Expression angle;          ///< of t, since t = 0 [rad]
+  Vector centre = {};       ///< at t = 0 [m]
+  Vector axis = {0, 0, 1};  ///< of any length
+  Expression angle;         ///< of t, since t = 0 [rad]
 };
 
 /// Components of a stress, of x, y, z [Pa].
@@ -97,8 +97,9 @@ struct BoundaryCase {
   Shape geometry;             ///< the wall's solid at t = 0, or the region that a load acts in
   VectorExpression velocity;  ///< of t, walls [m/s]
   std::optional<VectorExpression> displacement;  ///< of t, walls, in the place of `velocity` [m]
-  std::optional<WallRotation> rotation;  ///< walls, besides `velocity` or `displacement`
-  double time_increment = 0;  ///< over which velocities of displacement and angle are differences [s]
+  std::optional<WallRotation> rotation;          ///< walls, besides `velocity` or `displacement`
+  double time_increment =
+      0;  ///< over which velocities of displacement and angle are differences [s]
   ContactLaw friction = ContactLaw::frictionless;  ///< contact walls
   std::optional<double> friction_coefficient;      ///< of Coulomb; none: `friction` has no limit
   Expression pressure;                             ///< of t, positive pushes on the body [Pa]

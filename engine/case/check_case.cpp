@@ -100,9 +100,10 @@ void check_wall_motion(const Check& check) {
           "keep one of them");
     } else if (row_of(boundaries[i].kind).motion == Use::required && !has_velocity &&
                !has_displacement && !has_rotation) {
-      check.problems.add(check.place("boundary", i, "kind"),
-                         fmt::format("wall \"{}\" has no motion", boundaries[i].name),
-                         "give its velocity, as in velocity = [0, -25], its displacement, or its rotation");
+      check.problems.add(
+          check.place("boundary", i, "kind"),
+          fmt::format("wall \"{}\" has no motion", boundaries[i].name),
+          "give its velocity, as in velocity = [0, -25], its displacement, or its rotation");
     }
     check_wall_displacement(check, i);
     check_wall_rotation(check, i);

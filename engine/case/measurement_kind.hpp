@@ -58,8 +58,7 @@ namespace units {
 inline constexpr KindUnit one{"1", "1"}, second{"s", "s"}, metre{"m", "m"}, area{"m", "m^2"},
     volume{"m^2", "m^3"}, mass{"kg/m", "kg"}, momentum{"kg m/s/m", "kg m/s"},
     angular_momentum{"kg m^2/s/m", "kg m^2/s"}, energy{"J/m", "J"}, force{"N/m", "N"},
-    moment{"N m/m", "N m"},
-    of_field{{}, {}, unit_of_field}, of_source{{}, {}, unit_of_source},
+    moment{"N m/m", "N m"}, of_field{{}, {}, unit_of_field}, of_source{{}, {}, unit_of_source},
     of_terms{{}, {}, unit_of_terms};
 }  // namespace units
 

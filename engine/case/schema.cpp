@@ -175,8 +175,9 @@ Schema definitions() {
                               [](auto& visit, DissipationCase& e) { dissipation_keys(visit, e); })},
           {"rotation", schema_of_table<RigidRotation>(
                            [](auto& visit, RigidRotation& e) { rotation_keys(visit, e); })},
-          {"wall_rotation", schema_of_table<WallRotation>(
-                                [](auto& visit, WallRotation& e) { wall_rotation_keys(visit, e); })},
+          {"wall_rotation", schema_of_table<WallRotation>([](auto& visit, WallRotation& e) {
+             wall_rotation_keys(visit, e);
+           })},
           {"stress", schema_of_table<StressExpression>(
                          [](auto& visit, StressExpression& e) { stress_keys(visit, e); })}};
 }

@@ -63,7 +63,7 @@ ExitStatus run(const RunArguments& arguments) {
   const ExitOnInterrupt in_set_up(static_cast<int>(ExitStatus::interrupted),
                                   "interrupted before the first step; run it again\n");
   const Case settings = read_case(arguments.source.path, arguments.source.settings);
-  if (!arguments.quiet) warn_of(warnings_of(settings));
+  warn_of(warnings_of(settings));
   const Estimate size = estimate(settings);
   if (!arguments.force) refuse_what_does_not_fit(settings, size, available_memory());
   RunOptions options;

@@ -38,7 +38,8 @@ void add_run(Commands& commands) {
                    "continue from the last checkpoint in the folder;\n"
                    "time.end may be later than it was");
   command.add_flag("--force", arguments->force, "run even if the memory may not suffice");
-  command.add_flag("--quiet", arguments->quiet, "show neither progress nor measurements");
+  command.add_flag("--quiet", arguments->quiet,
+                   "show neither progress nor measurements, only warnings");
   command.add_flag("--report", arguments->report,
                    "end with `pliant report`: a page that shows the run in a browser");
 }

@@ -167,7 +167,7 @@ void Step<T, D>::prepare(const Advance& advance) {
   }
   const double middle = advance.time + advance.length / 2;
   loads_.prepare(is_leapfrog(settings_) ? middle : advance.time);
-  work_.prepare(middle, advance.length, drift_length());
+  work_.prepare({advance.time, advance.length, advance.length, drift_length()});
   body_contact_.prepare(advance.length, advance.length, drift_length());
 }
 

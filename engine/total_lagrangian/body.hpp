@@ -30,11 +30,15 @@ struct Facet {
   bool free;  ///< not on a wall
 };
 
-/// A facet as far as a load acts on it.
+/// A facet as far as a load acts on it, (TL.29).
+template <int D>
 struct SurfacePatch {
   int facet;
-  double share;  ///< of its area
+  double share;  ///< of its area; of a pressure, of its area vector
   int pressure;
+  /// What a pressure acts on besides, where it acts on some of the faces for which the facet
+  /// stands: the components, over the facet's area, along its sides from its first corner [m].
+  std::array<double, D - 1> aside = {};
 };
 
 /// A particle that has left its lattice node to lie on a wall or its rim, (TL.11).
@@ -92,7 +96,7 @@ struct Body : undeformed::Body<T, D> {
   std::vector<int> first_fitted;                  ///< [block + 1]
   std::vector<BlockCells<D>> cells;               ///< [block]
   std::vector<Facet<D>> facets;
-  std::vector<SurfacePatch> patches;
+  std::vector<SurfacePatch<D>> patches;
   std::vector<int> first_patch;         ///< [block + 1]
   std::vector<Point<D>> patch_force;    ///< [patch] [N]
   std::vector<NodalLoads> nodal_loads;  ///< [block]

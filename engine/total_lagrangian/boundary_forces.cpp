@@ -1,5 +1,6 @@
 #include "engine/total_lagrangian/boundary_forces.hpp"
 
+#include <Eigen/Dense>
 #include <algorithm>
 #include <cmath>
 
@@ -23,6 +24,21 @@ double length(const Point<D>& x) {
   double square = 0;
   for (const double value : x) square += value * value;
   return std::sqrt(square);
+}
+
+/// The vector in the plane of a facet with these components along its sides from its first corner.
+template <int D>
+Point<D> in_plane(const std::array<Point<D>, D>& x, const std::array<double, D - 1>& components) {
+  constexpr int sides = D - 1;
+  Eigen::Matrix<double, D, sides> side;
+  for (int i = 0; i < sides; ++i) {
+    for (int a = 0; a < D; ++a) side(a, i) = x[i + 1][a] - x[0][a];
+  }
+  const Eigen::Map<const Eigen::Matrix<double, sides, 1>> given(components.data());
+  const Eigen::Matrix<double, sides, sides> products = side.transpose() * side;
+  Point<D> vector;
+  Eigen::Map<Eigen::Matrix<double, D, 1>>(vector.data()) = side * (products.inverse() * given);
+  return vector;
 }
 
 template <class T, int D>
@@ -49,7 +65,7 @@ template <class T, int D>
 void BoundaryForces<T, D>::prepare(double time, double kick, double length) {
   time_ = time;
   at_start_.evaluate(state_.boundaries, time);
-  work_.prepare(time + length / 2, kick, length);
+  work_.prepare({time, length, kick, length});
   for (Body<T, D>& body : state_.bodies) find_tractions(body);
 }
 
@@ -57,7 +73,7 @@ void BoundaryForces<T, D>::prepare(double time, double kick, double length) {
 template <class T, int D>
 void BoundaryForces<T, D>::find_tractions(Body<T, D>& body) {
   for (std::size_t i = 0; i < body.patches.size(); ++i) {
-    const SurfacePatch& patch = body.patches[i];
+    const SurfacePatch<D>& patch = body.patches[i];
     const SurfacePressure<D>& load = state_.boundaries.pressures[patch.pressure];
     if (!load.is_traction()) continue;
     body.patch_force[i] = at_start_.traction[patch.pressure];
@@ -84,15 +100,22 @@ void BoundaryForces<T, D>::sum_patch_loads(int block) {
 // the force until then, does not.
 template <class T, int D>
 Point<D> BoundaryForces<T, D>::force_on(const Body<T, D>& body, std::size_t index) const {
-  const SurfacePatch& patch = body.patches[index];
-  const SurfacePressure<D>& pressure = state_.boundaries.pressures[patch.pressure];
-  const Point<D> area = area_vector<D>(corners(body, body.facets[patch.facet], pressure.area()));
+  const SurfacePatch<D>& patch = body.patches[index];
+  const SurfacePressure<D>& load = state_.boundaries.pressures[patch.pressure];
+  const auto x = corners(body, body.facets[patch.facet], load.area());
+  const Point<D> area = area_vector<D>(x);
   Point<D> force;
-  for (int a = 0; a < D; ++a) {
-    force[a] =
-        patch.share * (pressure.is_traction() ? length<D>(area) * body.patch_force[index][a]
-                                              : -at_start_.pressure[patch.pressure] * area[a]);
+  if (load.is_traction()) {
+    const double loaded = patch.share * length<D>(area);
+    for (int a = 0; a < D; ++a) force[a] = loaded * body.patch_force[index][a];
+    return force;
   }
+  const double pressure = at_start_.pressure[patch.pressure];
+  for (int a = 0; a < D; ++a) force[a] = -pressure * patch.share * area[a];
+  if (patch.aside == std::array<double, D - 1>{}) return force;
+  const double size = length<D>(area);
+  const Point<D> aside = in_plane<D>(x, patch.aside);
+  for (int a = 0; a < D; ++a) force[a] -= pressure * size * aside[a];
   return force;
 }
 

@@ -14,9 +14,10 @@ namespace {
 
 using undeformed::FaceOfFacet;
 
-constexpr double on_wall = 1e-6;        // [h]
+constexpr double on_wall = 1e-5;        // [h]
 constexpr double no_depth = 1e-9;       // [h]
 constexpr double smallest_area = 1e-9;  // [h^(D-1)]
+constexpr double no_vector = 1e-9;      // of the area of a facet
 
 template <int D>
 Vertex<D> vertex(const Crossing<D>& crossing) {
@@ -28,11 +29,16 @@ Vertex<D> vertex(const Crossing<D>& crossing) {
   return v;
 }
 
+template <std::size_t D>
+double dot(const std::array<double, D>& a, const std::array<double, D>& b) {
+  double sum = 0;
+  for (std::size_t i = 0; i < D; ++i) sum += a[i] * b[i];
+  return sum;
+}
+
 template <int D>
 double length(const Point<D>& x) {
-  double square = 0;
-  for (const double value : x) square += value * value;
-  return std::sqrt(square);
+  return std::sqrt(dot(x, x));
 }
 
 template <class T, int D>
@@ -132,25 +138,30 @@ class SurfaceMaker {
 
   // All loads on the last facet.
   void load(const PlacesInCell<D>& places) {
-    const int facet = static_cast<int>(body_.facets.size()) - 1;
-    Point<D> normal = area_vector(body_, body_.facets[facet]);
+    const Facet<D>& facet = body_.facets.back();
+    Point<D> normal = area_vector(body_, facet);
     const double area = length<D>(normal);
     for (double& component : normal) component /= area;
-    const std::vector<FaceOfFacet<D>> faces = faces_of(body_.facets[facet], normal);
+    const std::vector<FaceOfFacet<D>> faces = faces_of(facet, normal);
     for (int k = 0; k < static_cast<int>(boundaries_.pressures.size()); ++k) {
+      const SurfacePressure<D>& pressure = boundaries_.pressures[k];
       int count = 0, hit = 0;
-      double loaded = 0;
+      undeformed::LoadedPart<D> loaded;
       Weights<D> weights = {};
       Point<D> moment = {};
       for_each_sample<D>([&](const Barycentric<D>& at) {
         ++count;
-        const Point<D> x = place(body_.facets[facet], at);
+        const Point<D> x = place(facet, at);
         if (on_a_wall(x)) return;
-        const double share = share_at(x, boundaries_.pressures[k], normal, faces);
-        if (share == 0) return;
+        const undeformed::LoadedPart<D> part = loaded_part(x, pressure, normal, faces);
+        if (part.area == 0) return;
+        const double share = pressure.is_traction() ? part.area : length<D>(part.vector);
         ++hit;
-        loaded += share;
-        for (int a = 0; a < D; ++a) moment[a] += share * x[a];
+        loaded.area += share;
+        for (int a = 0; a < D; ++a) {
+          loaded.vector[a] += part.vector[a];
+          moment[a] += share * x[a];
+        }
         add_weights<D>(places, at, share, weights);
       });
       if (hit == 0) continue;
@@ -162,9 +173,29 @@ class SurfaceMaker {
       }
       for (double& component : moment) component *= area / count;
       loaded_.push_back(
-          {static_cast<int>(body_.patches.size()), k, weights, area * loaded / count, moment});
-      body_.patches.push_back({facet, loaded / count, k});
+          {static_cast<int>(body_.patches.size()), k, weights, area * loaded.area / count, moment});
+      loaded.area /= count;
+      for (double& component : loaded.vector) component /= count;
+      body_.patches.push_back(patch(k, loaded, normal));
     }
+  }
+
+  // Of the last facet.
+  SurfacePatch<D> patch(int pressure, const undeformed::LoadedPart<D>& loaded,
+                        const Point<D>& normal) const {
+    SurfacePatch<D> made = {static_cast<int>(body_.facets.size()) - 1, loaded.area, pressure};
+    if (boundaries_.pressures[pressure].is_traction()) return made;
+    made.share = dot(loaded.vector, normal);
+    Point<D> aside = loaded.vector;
+    for (int a = 0; a < D; ++a) aside[a] -= made.share * normal[a];
+    if (dot(aside, aside) < no_vector * no_vector) return made;
+    const auto& corner = body_.facets.back().vertex;
+    for (int i = 1; i < D; ++i) {
+      Point<D> side;
+      for (int a = 0; a < D; ++a) side[a] = corner[i].start[a] - corner[0].start[a];
+      made.aside[i - 1] = dot(aside, side);
+    }
+    return made;
   }
 
   // Facets that lie on the surface have one face.
@@ -178,24 +209,13 @@ class SurfaceMaker {
     return undeformed::faces_of_facet<D>(*shape_, middle, normal, h);
   }
 
-  // (TL.29): how much of what the facet stands for at `x` is loaded. The vector of an area is that
-  // of the facet, however the surface runs beyond it, so that pressures take one face.
-  double share_at(const Point<D>& x, const SurfacePressure<D>& load, const Point<D>& normal,
-                  const std::vector<FaceOfFacet<D>>& faces) const {
-    if (shape_ == nullptr) return load.acts_at(x) ? 1 : 0;
-    const auto real = [&](const Point<D>& along) {
-      return undeformed::surface_place<D>(*shape_, x, along, body_.lattice.spacing);
-    };
-    if (!load.is_traction() || faces.size() == 1) {
-      const undeformed::SurfacePlace<D> at = real(normal);
-      if (!load.acts_at(at.place)) return 0;
-      return load.is_traction() ? at.area : 1;
-    }
-    double share = 0;
-    for (const FaceOfFacet<D>& face : faces) {
-      if (load.acts_at(real(face.normal).place)) share += face.area;
-    }
-    return share;
+  // (TL.29)
+  undeformed::LoadedPart<D> loaded_part(const Point<D>& x, const SurfacePressure<D>& load,
+                                        const Point<D>& normal,
+                                        const std::vector<FaceOfFacet<D>>& faces) const {
+    return undeformed::loaded_part<D>(
+        shape_, x, normal, faces, body_.lattice.spacing,
+        [&](const Point<D>& at) { return load.acts_at(at) && !on_a_wall(at); });
   }
 
   static Point<D> place(const Facet<D>& facet, const Barycentric<D>& at) {

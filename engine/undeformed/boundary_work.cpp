@@ -4,21 +4,48 @@
 
 namespace pliant::undeformed {
 
+namespace {
+
+/// The part of `v` that a wall prescribes: that along the normal of a slip wall.
+template <int D>
+Point<D> held_part(const ConstrainedParticle<D>& held, const Point<D>& v) {
+  if (held.normal == Point<D>{}) return v;
+  double along = 0;
+  for (int a = 0; a < D; ++a) along += v[a] * held.normal[a];
+  Point<D> part;
+  for (int a = 0; a < D; ++a) part[a] = along * held.normal[a];
+  return part;
+}
+
+template <int D>
+Point<D> mean_velocity(Point<D> shift, double length) {
+  for (double& component : shift) component /= length;
+  return shift;
+}
+
+}  // namespace
+
 template <class T, int D>
 void BoundaryWork<T, D>::add_blocks(const Body<T, D>& body) {
   for (const auto& held : body.held) {
     BlockWork& work = work_.emplace_back();
     work.impulse.resize(state_.boundaries.walls.size());
     work.before.resize(held.size());
+    work.start.resize(held.size());
   }
 }
 
+// Where particles move at their new velocity throughout the step, it is the mean of the step, else
+// that of its end.
 template <class T, int D>
-void BoundaryWork<T, D>::prepare(double time, double kick, double moved) {
-  kick_ = kick;
-  moved_ = moved;
-  wall_motion_.clear();
-  for (const Wall<D>& wall : state_.boundaries.walls) wall_motion_.push_back(wall.motion(time));
+void BoundaryWork<T, D>::prepare(const Times& times) {
+  times_ = times;
+  walls_.clear();
+  for (const Wall<D>& wall : state_.boundaries.walls) {
+    walls_.push_back({wall.step(times.begin, times.length), std::nullopt});
+    if (times.drift < times.length)
+      walls_.back().velocity = wall.motion(times.begin + times.length);
+  }
   state_.power = {};
   std::fill(state_.wall_force.begin(), state_.wall_force.end(), Wrench<D>{});
   for (BlockWork& work : work_) {
@@ -31,10 +58,15 @@ void BoundaryWork<T, D>::prepare(double time, double kick, double moved) {
 template <class T, int D>
 void BoundaryWork<T, D>::begin_motion(int block, const Body<T, D>& body, int local,
                                       const EnergyBudget& power) {
-  add(work_[block].energy, power, kick_ / 2);
+  add(work_[block].energy, power, times_.kick / 2);
   const auto& held = body.held[local];
   for (std::size_t i = 0; i < held.size(); ++i) {
-    for (int a = 0; a < D; ++a) work_[block].before[i][a] = body.velocity[a][held[i].slot];
+    for (int a = 0; a < D; ++a) {
+      const double u = body.velocity[a][held[i].slot];
+      work_[block].before[i][a] = u;
+      work_[block].start[i][a] =
+          body.displacement[a][held[i].slot] - (times_.length - times_.drift) * u;
+    }
   }
 }
 
@@ -42,30 +74,31 @@ template <class T, int D>
 void BoundaryWork<T, D>::hold(int block, Body<T, D>& body, int local,
                               std::array<Buffer<T>, D>& displacement) {
   BlockWork& work = work_[block];
-  const double inertia = state_.clock.mass_scaling * (1 + state_.clock.damping * kick_ / 2);
+  const double inertia = state_.clock.mass_scaling * (1 + state_.clock.damping * times_.kick / 2);
   const auto& particles = body.held[local];
   for (std::size_t i = 0; i < particles.size(); ++i) {
     const ConstrainedParticle<D>& held = particles[i];
-    const Point<D> wall = wall_motion_[held.wall].of(held.start);
-    Point<D> excess;
-    double along = 0, slips = 0;
+    const Motion& wall = walls_[held.wall];
+    const Point<D> shift = wall.step.shift_of(held.start);
+    const Point<D> velocity =
+        wall.velocity ? wall.velocity->of(held.start) : mean_velocity<D>(shift, times_.length);
+    Point<D> excess, astray;
     for (int a = 0; a < D; ++a) {
-      excess[a] = body.velocity[a][held.slot] - wall[a];
-      along += excess[a] * held.normal[a];
-      slips += held.normal[a] * held.normal[a];
+      excess[a] = body.velocity[a][held.slot] - velocity[a];
+      astray[a] = displacement[a][held.slot] - work.start[i][a] - shift[a];
     }
+    const Point<D> undone = held_part<D>(held, excess), moved_back = held_part<D>(held, astray);
     Point<D> place = held.start, given;
     for (int a = 0; a < D; ++a) {
-      const double undone = slips > 0 ? along * held.normal[a] : excess[a];
-      body.velocity[a][held.slot] -= undone;
-      displacement[a][held.slot] -= moved_ * undone;
-      const double impulse = -inertia * body.mass[held.slot] * undone;
+      body.velocity[a][held.slot] -= undone[a];
+      displacement[a][held.slot] -= moved_back[a];
+      const double impulse = -inertia * body.mass[held.slot] * undone[a];
       place[a] += displacement[a][held.slot];
       given[a] = impulse;
       const double speed = body.velocity[a][held.slot], twice_mean = work.before[i][a] + speed;
-      work.undamped += body.mass[held.slot] * undone * (2 * twice_mean + undone) / 4;
+      work.undamped += body.mass[held.slot] * undone[a] * (2 * twice_mean + undone[a]) / 4;
       work.energy.wall_work += impulse * twice_mean / 2;
-      work.power.wall_work += impulse / kick_ * speed;
+      work.power.wall_work += impulse / times_.kick * speed;
     }
     work.impulse[held.wall].add(place, given);
   }
@@ -73,7 +106,7 @@ void BoundaryWork<T, D>::hold(int block, Body<T, D>& body, int local,
 
 template <class T, int D>
 void BoundaryWork<T, D>::end_motion(int block, const EnergyBudget& power) {
-  add(work_[block].energy, power, kick_ / 2);
+  add(work_[block].energy, power, times_.kick / 2);
   add(work_[block].power, power);
 }
 
@@ -85,13 +118,13 @@ void BoundaryWork<T, D>::fold(double inertia, std::optional<double> damped) {
     add(state_.power, work.power);
     for (std::size_t w = 0; w < work.impulse.size(); ++w) {
       state_.wall_impulse[w].add(work.impulse[w], 1);
-      state_.wall_force[w].add(work.impulse[w], 1 / kick_);
+      state_.wall_force[w].add(work.impulse[w], 1 / times_.kick);
     }
     if (damped) acted_on -= work.undamped;
   }
   const double rate = state_.clock.damping * state_.clock.mass_scaling;
   state_.power.damping = rate * inertia;
-  state_.energy.damping += kick_ * rate * acted_on;
+  state_.energy.damping += times_.kick * rate * acted_on;
 }
 
 template class BoundaryWork<double, 2>;

@@ -20,15 +20,18 @@ class BoundaryWork {
   void clear_blocks() { work_.clear(); }
   void add_blocks(const Body<T, D>& body);
 
-  /// Fixes when walls have the velocity that they give to particles, for how long forces act, and
-  /// for how long particles move at the velocity that these leave behind [s]; clears the rates of
-  /// work and the forces of walls in the state.
-  void prepare(double time, double kick, double moved);
+  /// When a step begins, how long it is, for how long forces act, and for how long particles move
+  /// at the velocity that these leave behind [s].
+  struct Times {
+    double begin, length, kick, drift;
+  };
+  /// Fixes how walls move in a step; clears the rates of work and the forces of walls in the state.
+  void prepare(const Times& times);
 
   /// Before the particles of a block move; `power` is that of loads and gravity there [W].
   void begin_motion(int block, const Body<T, D>& body, int local, const EnergyBudget& power);
-  /// After that: constrained particles follow their walls, in the order of these: where two walls
-  /// meet, the last one counts. What is undone is the impulse of the wall, by (TL.8), (PB.10).
+  /// After that: constrained particles go where their walls go, in the order of these: where two
+  /// walls meet, the last one counts. What is undone is the impulse of the wall, (TL.8), (PB.10).
   void hold(int block, Body<T, D>& body, int local) { hold(block, body, local, body.displacement); }
   /// The same with displacements that are not yet those of the body.
   void hold(int block, Body<T, D>& body, int local, std::array<Buffer<T>, D>& displacement);
@@ -43,17 +46,24 @@ class BoundaryWork {
 
  private:
   struct BlockWork {
-    EnergyBudget energy;            ///< of the step [J]
-    EnergyBudget power;             ///< of the velocities that it leaves behind [W]
-    double undamped = 0;            ///< what hold() takes of m ((u + u')/2)^2 [J]
+    EnergyBudget energy;             ///< of the step [J]
+    EnergyBudget power;              ///< of the velocities that it leaves behind [W]
+    double undamped = 0;             ///< what hold() takes of m ((u + u')/2)^2 [J]
     std::vector<Wrench<D>> impulse;  ///< [wall] on the block [N s], [N m s]
-    std::vector<Point<D>> before;   ///< [constrained particle] velocity before the step [m/s]
+    std::vector<Point<D>> before;    ///< [constrained particle] velocity before the step [m/s]
+    std::vector<Point<D>> start;     ///< [the same] displacement before the step [m]
   };
 
   State<D>& state_;
-  double kick_ = 0, moved_ = 0;
-  std::vector<RigidMotion<D>> wall_motion_;  ///< [wall]
-  std::vector<BlockWork> work_;              ///< [block]
+  /// Of a wall in a step.
+  struct Motion {
+    RigidStep<D> step;
+    std::optional<RigidMotion<D>> velocity;  ///< after it; without one the mean of the step
+  };
+
+  Times times_ = {};
+  std::vector<Motion> walls_;
+  std::vector<BlockWork> work_;  ///< [block]
 };
 
 extern template class BoundaryWork<double, 2>;

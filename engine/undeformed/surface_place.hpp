@@ -88,4 +88,38 @@ std::vector<FaceOfFacet<D>> faces_of_facet(const Shape& shape, const Point<D>& m
   return faces;
 }
 
+/// What a load acts on of the part of a surface for which a facet stands, over the facet's area.
+template <int D>
+struct LoadedPart {
+  double area = 0;
+  Point<D> vector = {};  ///< of that area
+};
+
+/// The same around the point `x` of a facet with the unit normal `normal` and these faces;
+/// `is_loaded(place)` tells on which places of the surface the load acts. A `shape` that is null is
+/// that of the facets.
+template <int D, class F>
+LoadedPart<D> loaded_part(const Shape* shape, const Point<D>& x, const Point<D>& normal,
+                          const std::vector<FaceOfFacet<D>>& faces, double h, F&& is_loaded) {
+  if (shape == nullptr) {
+    if (!is_loaded(x)) return {};
+    return {1, normal};
+  }
+  if (faces.size() == 1) {
+    const SurfacePlace<D> at = surface_place<D>(*shape, x, normal, h);
+    if (!is_loaded(at.place)) return {};
+    return {at.area, normal};
+  }
+  LoadedPart<D> part;
+  std::size_t count = 0;
+  for (const FaceOfFacet<D>& face : faces) {
+    if (!is_loaded(surface_place<D>(*shape, x, face.normal, h).place)) continue;
+    ++count;
+    part.area += face.area;
+    for (int a = 0; a < D; ++a) part.vector[a] += face.area * face.normal[a];
+  }
+  if (count == faces.size()) part.vector = normal;
+  return part;
+}
+
 }  // namespace pliant::undeformed

@@ -6,6 +6,8 @@
 #include <span>
 #include <utility>
 
+#include "engine/lattice/point_algebra.hpp"
+
 namespace pliant::undeformed {
 
 namespace {
@@ -58,7 +60,7 @@ std::span<const Share> WallContact<T, D>::bearers(const Surface& surface, const 
 template <class T, int D>
 void WallContact<T, D>::apply(double time, double kick, double length, double drift) {
   for (ContactWall& wall : walls_) {
-    wall.motion = state_.boundaries.walls[wall.wall].motion(time + length / 2);
+    wall.step = state_.boundaries.walls[wall.wall].step(time, length);
     wall.inertia = state_.clock.mass_scaling * (1 + state_.clock.damping * kick / 2);
     wall.kick = kick;
     wall.length = length;
@@ -73,14 +75,6 @@ void WallContact<T, D>::apply(double time, double kick, double length, double dr
   }
 }
 
-template <class T, int D>
-Point<D> WallContact<T, D>::before_motion(const Point<D>& x, const ContactWall& wall) {
-  const Point<D> velocity = wall.motion.at(x);
-  Point<D> before = x;
-  for (int a = 0; a < D; ++a) before[a] -= wall.length * velocity[a];
-  return before;
-}
-
 // A few numbers tell that most corners are far from the wall.
 template <class T, int D>
 bool WallContact<T, D>::may_touch(const Surface& surface, std::int32_t corner,
@@ -90,7 +84,7 @@ bool WallContact<T, D>::may_touch(const Surface& surface, std::int32_t corner,
   Point<D> x = shape.start[corner];
   for (int a = 0; a < D; ++a) x[a] += (surface.body->*moved_)[a][first];
   const Wall<D>& wall = state_.boundaries.walls[contact.wall];
-  return wall.distance(before_motion(x, contact)) < shape.reach[corner];
+  return wall.distance(difference<D>(x, contact.step.shift_at(x))) < shape.reach[corner];
 }
 
 template <class T, int D>
@@ -102,8 +96,10 @@ void WallContact<T, D>::push(Surface& surface, const Corner& corner, const Conta
   const Wall<D>& wall = state_.boundaries.walls[contact.wall];
   Point<D> x = carried<T, D>(body.*moved_, shares);
   for (int a = 0; a < D; ++a) x[a] += shape.start[corner.number][a];
-  const Point<D> velocity = contact.motion.at(x);
-  x = before_motion(x, contact);
+  // The wall is where it was at the start of the step.
+  Point<D> velocity = contact.step.shift_at(x);
+  x = difference<D>(x, velocity);
+  for (double& component : velocity) component /= contact.length;
   const double gap = wall.distance(x);
   if (gap >= 0) return;
   const Point<D> n = wall.normal(x);

@@ -64,16 +64,14 @@ class WallContact {
     std::vector<Corner> corners;
   };
   struct ContactWall {
-    int wall;                  ///< its place in the boundaries
-    bool slides;               ///< without friction
-    double friction;           ///< coefficient; infinite without sliding
-    RigidMotion<D> motion;     ///< of the wall in the step
-    double inertia;            ///< impulse over what moves the unscaled mass
-    double kick;               ///< for how long it acts [s]
-    double length, drift;      ///< for how long particles move, at the present velocities [s]
+    int wall;              ///< its place in the boundaries
+    bool slides;           ///< without friction
+    double friction;       ///< coefficient; infinite without sliding
+    RigidStep<D> step;     ///< of the wall
+    double inertia;        ///< impulse over what moves the unscaled mass
+    double kick;           ///< for how long it acts [s]
+    double length, drift;  ///< for how long particles move, at the present velocities [s]
   };
-  /// Where a place lies beside the wall as it was at the start of the step.
-  static Point<D> before_motion(const Point<D>& x, const ContactWall& wall);
   bool may_touch(const Surface& surface, std::int32_t corner, const ContactWall& wall) const;
   static std::span<const Share> bearers(const Surface& surface, const Corner& corner);
   void add_surface(Body<T, D>& body, ContactSurface<D> surface, Bearers bearing);

@@ -53,8 +53,7 @@ const Fault faults[] = {
      extended("[[boundary]]\nname = \"floor\"\nkind = \"moving_wall\"\ngeometry = { shape = "
               "\"half_space\", point = [0, 0], normal = [0, 1] }\n"),
      "block.toml:12: wall \"floor\" has no motion; give its velocity, as in velocity = [0, -25], "
-     "or "
-     "its displacement"},
+     "its displacement, or its rotation"},
     {"a_formula_with_an_unknown_name", extended("velocity = [0, \"-25*yy\"]\n"),
      "block.toml:10: velocity has the formula \"-25*yy\": unknown name `yy` at position 5; "
      "formulas consist of numbers, x, y, z, pi, + - * / ^, comparisons, ?:, &&, || and functions "

@@ -74,8 +74,7 @@ const Fault faults[] = {
      extended("[[boundary]]\nname = \"piston\"\nkind = \"moving_wall\"\ngeometry = { shape = "
               "\"half_space\", point = [0, 0], normal = [0, 1] }\n"),
      "block.toml:12: wall \"piston\" has no motion; give its velocity, as in velocity = [0, -25], "
-     "or "
-     "its displacement"},
+     "its displacement, or its rotation"},
     {"a_wall_with_two_motions",
      extended("[[boundary]]\nname = \"piston\"\nkind = \"moving_wall\"\nvelocity = [0, "
               "1]\ndisplacement = [0, \"t\"]\ngeometry = { shape = \"half_space\", point = [0, 0], "

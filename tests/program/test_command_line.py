@@ -59,6 +59,18 @@ class CommandLine(ProgramTest):
         self.assertRegex(err, r"\n  boundary_radius +[0-9.]+ m\n")
         self.assertEqual((0, "", ""), self.run_case("--quiet"))
 
+    def test_a_quiet_run_warns_of_what_is_doubtful_in_its_case(self):
+        case = self.folder / "far.toml"
+        case.write_text((SOURCE / "cases/rotating_cylinder/case.toml").read_text() + """
+[[boundary]]
+name = "far"
+kind = "fixed"
+geometry = { shape = "disc", centre = [50, 0], radius = 1 }
+""")
+        status, out, err = self.pliant("run", case, "--set", "time.end=0.005", "--quiet", "--out", self.out)
+        self.assertEqual((0, ""), (status, out), err)
+        self.assertRegex(err, "warning: .*far")
+
     def test_a_run_may_end_with_its_page(self):
         status, out, err = self.run_case("--report")
         self.assertEqual((0, f"wrote {self.out}/report.html; open it in a browser\n"), (status, out), err)

@@ -19,7 +19,7 @@ namespace {
 using undeformed::area_vector;
 
 constexpr int samples = 8;        // to a side of a facet that the rim of a region cuts
-constexpr double on_face = 1e-6;  // [h]
+constexpr double on_face = 1e-5;  // [h]
 
 /// A surface whose corners name nodes of the cloud.
 template <int D>
@@ -94,10 +94,9 @@ class SurfaceFinder {
   BodySurface<D> surface_;
 };
 
-/// The mean of `f(x)` over a facet.
+/// Calls `f(x)` for places spread evenly over a facet, and returns their number.
 template <int D, class F>
-double mean_over(const std::array<Point<D>, D>& corner, F&& f) {
-  double sum = 0;
+int for_each_sample(const std::array<Point<D>, D>& corner, F&& f) {
   int all = 0;
   const auto at = [&](double u, double v) {
     Point<D> x;
@@ -106,7 +105,7 @@ double mean_over(const std::array<Point<D>, D>& corner, F&& f) {
       if (D == 3) x[a] += v * (corner[D - 1][a] - corner[0][a]);
     }
     ++all;
-    sum += f(x);
+    f(x);
   };
   for (int i = 0; i < samples; ++i) {
     if (D == 2) {
@@ -118,31 +117,50 @@ double mean_over(const std::array<Point<D>, D>& corner, F&& f) {
       if (i + j < samples - 1) at((i + 2. / 3) / samples, (j + 2. / 3) / samples);
     }
   }
-  return sum / all;
+  return all;
 }
 
-/// Share of a facet on which a load acts: of the part of the surface that it stands for, (TL.29).
 template <int D>
-double loaded_share(const SurfacePressure<D>& load, const BodySurface<D>& surface,
-                    const std::array<Point<D>, D>& corner, const Point<D>& area_and_normal,
-                    double area) {
-  Point<D> normal = area_and_normal;
-  for (double& component : normal) component /= area;
-  return mean_over<D>(corner, [&](const Point<D>& x) {
-    undeformed::SurfacePlace<D> real{x};
-    if (surface.shape != nullptr) {
-      real = undeformed::surface_place<D>(*surface.shape, x, normal, surface.spacing);
+bool on_a_wall(const Boundaries<D>& boundaries, const Point<D>& x, double h) {
+  return boundaries.nearest_wall(x).second < on_face * h;
+}
+
+/// What a load acts on of a facet: the mean over the part of the surface for which it stands,
+/// (TL.29).
+template <int D>
+undeformed::LoadedPart<D> loaded_part(const Boundaries<D>& boundaries,
+                                      const SurfacePressure<D>& load, const BodySurface<D>& surface,
+                                      const std::array<Point<D>, D>& corner,
+                                      const Point<D>& normal) {
+  std::vector<undeformed::FaceOfFacet<D>> faces = {{normal}};
+  if (surface.shape != nullptr) {
+    Point<D> middle = {};
+    for (const Point<D>& x : corner) {
+      for (int a = 0; a < D; ++a) middle[a] += x[a] / D;
     }
-    if (!load.acts_at(real.place)) return 0.;
-    return load.is_traction() ? real.area : 1;
+    faces = undeformed::faces_of_facet<D>(*surface.shape, middle, normal, surface.spacing);
+  }
+  const auto acts_at = [&](const Point<D>& x) {
+    return load.acts_at(x) && !on_a_wall(boundaries, x, surface.spacing);
+  };
+  undeformed::LoadedPart<D> mean;
+  const int all = for_each_sample<D>(corner, [&](const Point<D>& x) {
+    const auto part =
+        undeformed::loaded_part<D>(surface.shape, x, normal, faces, surface.spacing, acts_at);
+    mean.area += part.area;
+    for (int a = 0; a < D; ++a) mean.vector[a] += part.vector[a];
   });
+  mean.area /= all;
+  for (double& component : mean.vector) component /= all;
+  return mean;
 }
 
 /// The share of each node in the facets that one load acts on: areas count as the corners do,
 /// middles as far as they are loaded. Pressures act on all nodes that carry a corner, (PB.51).
 template <class T, int D>
-std::map<std::int32_t, PressedNode<D>> pressed_nodes(const SurfacePressure<D>& load, int number,
+std::map<std::int32_t, PressedNode<D>> pressed_nodes(const Boundaries<D>& boundaries, int number,
                                                      const Body<T, D>& body) {
+  const SurfacePressure<D>& load = boundaries.pressures[number];
   const BodySurface<D>& surface = body.surface;
   std::map<std::int32_t, PressedNode<D>> nodes;
   const auto node_in = [&](std::int32_t slot) -> PressedNode<D>& {
@@ -152,13 +170,15 @@ std::map<std::int32_t, PressedNode<D>> pressed_nodes(const SurfacePressure<D>& l
     if (!surface.is_free[f]) continue;
     std::array<Point<D>, D> x;
     for (int v = 0; v < D; ++v) x[v] = surface.start[surface.facet[f][v]];
-    const Point<D> whole = area_vector<D>(x);
+    Point<D> normal = area_vector<D>(x);
     double square = 0;
-    for (const double component : whole) square += component * component;
-    const double share = loaded_share<D>(load, surface, x, whole, std::sqrt(square));
-    if (share == 0) continue;
+    for (const double component : normal) square += component * component;
+    const double whole = std::sqrt(square);
+    for (double& component : normal) component /= whole;
+    const undeformed::LoadedPart<D> loaded = loaded_part<D>(boundaries, load, surface, x, normal);
+    if (loaded.area == 0) continue;
     for (const std::int32_t corner : surface.facet[f]) {
-      const double size = share / D * std::sqrt(square);
+      const double size = loaded.area / D * whole;
       PressedNode<D>& nearest = node_in(surface.node[corner]);
       nearest.size += size;
       for (int a = 0; a < D; ++a) nearest.middle[a] += size * surface.start[corner][a];
@@ -167,7 +187,9 @@ std::map<std::int32_t, PressedNode<D>> pressed_nodes(const SurfacePressure<D>& l
                              : shares_of_corner(body, corner);
       for (const undeformed::Share& carrier : carriers) {
         PressedNode<D>& node = node_in(carrier.slot);
-        for (int a = 0; a < D; ++a) node.area[a] += carrier.weight * share / D * whole[a];
+        for (int a = 0; a < D; ++a) {
+          node.area[a] += carrier.weight * whole / D * loaded.vector[a];
+        }
       }
     }
   }
@@ -181,7 +203,7 @@ void make_loads(const Boundaries<D>& boundaries, Body<T, D>& body) {
   body.pressed.assign(body.blocks.size(), {});
   for (int k = 0; k < static_cast<int>(boundaries.pressures.size()); ++k) {
     std::size_t b = 0;
-    for (auto& [slot, node] : pressed_nodes(boundaries.pressures[k], k, body)) {
+    for (auto& [slot, node] : pressed_nodes(boundaries, k, body)) {
       while (slot >= body.blocks[b].first + body.blocks[b].count) ++b;
       for (double& x : node.middle) x /= node.size > 0 ? node.size : 1;
       body.pressed[b].push_back(node);
@@ -210,11 +232,7 @@ void make_surface(const NodeCloud<D>& cloud, const Shape& shape, double spacing,
     for (const std::int32_t corner : facet) {
       for (int a = 0; a < D; ++a) middle[a] += body.surface.start[corner][a] / D;
     }
-    const auto holds = [&](const Wall<D>& wall) {
-      return wall.is_attached() && wall.distance(middle) < on_face * spacing;
-    };
-    body.surface.is_free.push_back(
-        std::none_of(boundaries.walls.begin(), boundaries.walls.end(), holds));
+    body.surface.is_free.push_back(!on_a_wall(boundaries, middle, spacing));
   }
 }
 

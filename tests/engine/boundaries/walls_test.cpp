@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
 namespace pliant::test {
@@ -44,6 +45,19 @@ TEST(walls, a_displacement_is_followed_with_its_own_velocity) {
   }
 }
 
+TEST(walls, a_displacement_is_followed_exactly_where_it_stops_within_a_step) {
+  BoundaryCase boundary = floor(0);
+  boundary.displacement = {Expression("0.3*min(t, 0.25)"), Expression(0.0), Expression(0.0)};
+  boundary.time_increment = 1e-6;
+  Wall<2> wall(boundary);
+  for (int i = 0; i < 10; ++i) {
+    const Point<2> shift = wall.step(0.1 * i, 0.1).shift;
+    wall.move(0.1 * i, 0.1);
+    EXPECT_NEAR(shift[0], 0.3 * (std::min(0.1 * i + 0.1, 0.25) - std::min(0.1 * i, 0.25)), 1e-15);
+    EXPECT_NEAR(wall.pose().offset[0], 0.3 * std::min(0.1 * i + 0.1, 0.25), 1e-15);
+  }
+}
+
 TEST(walls, distance_and_normal_move_with_the_wall) {
   Wall<2> wall(floor(0.5, "0", "-2"));
   EXPECT_DOUBLE_EQ(wall.distance({7, 0.75}), 0.25);
@@ -81,18 +95,19 @@ TEST(walls, that_turn_stand_where_the_angle_says) {
   EXPECT_NEAR(normal[1], 1, 1e-14);
 }
 
-// omega x r, of the point by its place now and at t = 0.
-TEST(walls, that_turn_have_the_velocities_of_a_rigid_body) {
+// omega x r, and where a quarter turn takes the centre of the ball.
+TEST(walls, that_turn_move_their_points_as_a_rigid_body) {
   constexpr double pi = 3.14159265358979324;
   const double quarter = std::sqrt(pi / 4), spin = 4 * quarter;
   Wall<3> wall(turning_ball());
-  wall.move(0, quarter);
-  const RigidMotion<3> motion = wall.motion(quarter);
-  const Point<3> of = motion.of({2, 0, 0}), at = motion.at({1, 1, 0.3});
-  const Point<3> right = {-spin, 0, 3};
+  const RigidStep<3> step = wall.step(0, quarter);
+  const Point<3> of = step.shift_of({2, 0, 0}), at = step.shift_at({1, 1, 3 * quarter});
+  const Point<3> velocity = wall.motion(quarter).of({2, 0, 0});
+  const Point<3> shift = {-1, 1, 3 * quarter}, right = {-spin, 0, 3};
   for (int a = 0; a < 3; ++a) {
-    EXPECT_NEAR(of[a], right[a], 1e-8);
-    EXPECT_NEAR(at[a], right[a], 1e-8);
+    EXPECT_NEAR(of[a], shift[a], 1e-14);
+    EXPECT_NEAR(at[a], shift[a], 1e-14);
+    EXPECT_NEAR(velocity[a], right[a], 1e-8);
   }
 }
 

@@ -89,6 +89,18 @@ TEST(placement, what_moves_starts_where_the_case_puts_it) {
                       boundary("kind = \"moving_wall\"\ndisplacement = [\"0.1*cos(t)\", 0]", left)),
             "block.toml:13: the displacement of wall \"it\" is 0.1 along x at t = 0, when it "
             "starts; write \"0.1*cos(t) - (0.1)\", or start from another place");
+  EXPECT_EQ(complaint("method = \"total_lagrangian\"\n" + block_case +
+                      boundary("kind = \"moving_wall\"\nrotation = { angle = \"1 + t\" }", left)),
+            "block.toml:14: the angle of wall \"it\" is 1 at t = 0; write angle = \"1 + t - (1)\"");
+}
+
+TEST(placement, walls_turn_in_methods_on_the_undeformed_body) {
+  const std::string turning =
+      block_case + boundary("kind = \"moving_wall\"\nrotation = { angle = \"t\" }", left);
+  EXPECT_EQ(complaint("method = \"total_lagrangian\"\n" + turning), "");
+  EXPECT_EQ(complaint(turning),
+            "block.toml:13: method \"remeshed\" has no walls that turn; take method = "
+            "\"total_lagrangian\", or remove the key");
 }
 
 }  // namespace

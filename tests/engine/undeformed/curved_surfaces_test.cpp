@@ -1,6 +1,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <numbers>
 #include <string>
 #include <vector>
 
@@ -143,6 +144,46 @@ TEST(curved_surfaces, a_quarter_of_a_thick_cylinder_widens_as_in_closed_form) {
   };
   EXPECT_NEAR(measured["inner"], widening(1), 0.01 * widening(1));
   EXPECT_NEAR(measured["outer"], widening(2), 0.01 * widening(2));
+}
+
+// The region of the pressure takes in the planes of symmetry, on which no pressure acts.
+// Equilibrium of a quarter, or of an eighth of a hollow ball, gives their forces, also where facets
+// cut off the rims at which the loaded surface ends.
+TEST(curved_surfaces, planes_of_symmetry_bear_the_pressure_on_the_opening_between_them) {
+  for (const std::string method : {"total_lagrangian", "point_based"}) {
+    for (const int dimension : {2, 3}) {
+      const std::string origin = dimension == 2 ? "[0, 0]" : "[0, 0, 0]",
+                        far = dimension == 2 ? "[9, 9]" : "[9, 9, 9]",
+                        shape = dimension == 2 ? "disc" : "ball";
+      const auto round = [&](const std::string& radius) {
+        return "{ shape = \"" + shape + "\", centre = " + origin + ", radius = " + radius + " }";
+      };
+      std::string text =
+          round_body(method, dimension, dimension == 2 ? 0.137 : 0.2,
+                     "{ shape = \"intersection\", of = [{ shape = \"difference\", of = [" +
+                         round("2") + ", " + round("1") + "] }, { shape = \"box\", lower = " +
+                         origin + ", upper = " + far + " }] }") +
+          pressure("inside", "1", round("1.5"));
+      const std::vector<std::string> axes = {"x", "y", "z"};
+      for (int a = 0; a < dimension; ++a) {
+        std::string normal = "[";
+        for (int i = 0; i < dimension; ++i) normal += i == a ? "1, " : "0, ";
+        text += half_space(axes[a], "kind = \"slip_wall\"", origin, normal + "]") +
+                measurement(axes[a], "kind = \"wall_force\"\nboundary = \"" + axes[a] +
+                                         "\"\naxis = \"" + axes[a] + "\"");
+      }
+      const auto run = methods().make(tests::read_text(text), {});
+      run->advance(1.9);
+      auto before = values(*run);
+      run->advance(2);
+      auto after = values(*run);
+      const double opening = dimension == 2 ? 1 : std::numbers::pi / 4;
+      for (int a = 0; a < dimension; ++a) {  // what is missing is of second order in the spacing
+        EXPECT_NEAR((after[axes[a]] - before[axes[a]]) / 0.1, -opening, 0.01 * opening)
+            << method << " in " << dimension;
+      }
+    }
+  }
 }
 
 }  // namespace

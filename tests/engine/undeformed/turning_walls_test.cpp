@@ -60,7 +60,7 @@ TEST(turning_walls, twist_a_bar_with_the_moment_of_saint_venant) {
   for (const std::string method : {"total_lagrangian", "point_based"}) {
     const std::string text =
         text_of_case(method, 0.025, "2") +
-        fmt::format(R"([[body]]
+        fmt::format(R"toml([[body]]
 name = "bar"
 material = "gel"
 geometry = {{ shape = "box", lower = [0, -0.1, -0.1], upper = [1, 0.1, 0.1] }}
@@ -73,13 +73,14 @@ name = "head"
 kind = "moving_wall"
 rotation = {{ centre = [1, 0, 0], axis = [1, 0, 0], angle = "{}*min(t/2, 1)" }}
 geometry = {{ shape = "half_space", point = [1, 0, 0], normal = [-1, 0, 0] }}
-)",
+)toml",
                     twist) +
         measurement("torque",
                     "kind = \"wall_moment\"\nboundary = \"head\"\naxis = \"x\"\npoint = [0.5, 0.3, "
                     "0.1]\n") +
-        measurement("at_base",
-                    "kind = \"wall_moment\"\nboundary = \"base\"\naxis = \"x\"\npoint = [0, 0, 0]\n") +
+        measurement(
+            "at_base",
+            "kind = \"wall_moment\"\nboundary = \"base\"\naxis = \"x\"\npoint = [0, 0, 0]\n") +
         measurement("strain_energy", "kind = \"strain_energy\"\n");
     const auto run = methods().make(tests::read_text(text), {});
     run->advance(4);
