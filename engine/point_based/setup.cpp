@@ -93,7 +93,7 @@ BondChoice<D> choice_of(const Case& settings, const PlacedNodes<D>& nodes, const
                                ? nodes.cloud.volumes
                                : nodes.elastic_volumes;
   choice.candidates = find_candidates<D>(stretched(nodes), choice.elastic_volumes,
-                                      ranks * choice.neighbours + 1, body.name);
+                                         ranks * choice.neighbours + 1, body.name);
   for (auto& list : choice.candidates) {
     const auto most = static_cast<std::size_t>(choice.neighbours);
     if (!is_lattice || list.size() <= most) continue;
