@@ -3,7 +3,7 @@
 #include <Eigen/Dense>
 
 #include "engine/method/initial_stress.hpp"
-#include "engine/point_based/node_state.hpp"
+#include "engine/point_based/forces/node_state.hpp"
 
 namespace pliant::finite_elements {
 

@@ -9,9 +9,9 @@
 #include "engine/finite_elements/parameters.hpp"
 #include "engine/method/decompositions.hpp"
 #include "engine/method/initial_stress.hpp"
-#include "engine/point_based/bonds.hpp"
+#include "engine/point_based/bonds/bonds.hpp"
 #include "engine/point_based/setup.hpp"
-#include "engine/point_based/surface.hpp"
+#include "engine/point_based/surface/surface.hpp"
 
 namespace pliant::finite_elements {
 

@@ -7,7 +7,7 @@
 #include "engine/case/blade_track.hpp"
 #include "engine/case/check_motion.hpp"
 #include "engine/case/thickness.hpp"
-#include "engine/point_based/cut_resolution.hpp"
+#include "engine/point_based/cutting/cut_resolution.hpp"
 #include "engine/point_based/footprint.hpp"
 #include "engine/point_based/observe/measure.hpp"
 #include "engine/point_based/parameters.hpp"

@@ -3,7 +3,7 @@
 #include <limits>
 #include <vector>
 
-#include "engine/point_based/bonds.hpp"
+#include "engine/point_based/bonds/bonds.hpp"
 #include "engine/point_based/nodes/node_cloud.hpp"
 #include "engine/point_based/state.hpp"
 

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "engine/point_based/body.hpp"
-#include "engine/point_based/body_cuts.hpp"
+#include "engine/point_based/cutting/body_cuts.hpp"
 #include "engine/undeformed/state.hpp"
 
 namespace pliant::point_based {

@@ -5,9 +5,9 @@
 
 #include "engine/method/phase_rows.hpp"
 #include "engine/point_based/block_arguments.hpp"
-#include "engine/point_based/contact_surface.hpp"
-#include "engine/point_based/degenerate_nodes.hpp"
+#include "engine/point_based/forces/degenerate_nodes.hpp"
 #include "engine/point_based/parameters.hpp"
+#include "engine/point_based/surface/contact_surface.hpp"
 
 // A step of the point-based method. Everything happens on the bonds of the undeformed body.
 //

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "engine/point_based/node_loads.hpp"
+#include "engine/point_based/forces/node_loads.hpp"
 #include "engine/point_based/state.hpp"
 #include "engine/undeformed/advance.hpp"
 #include "engine/undeformed/body_contact.hpp"

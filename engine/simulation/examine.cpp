@@ -12,8 +12,8 @@
 #include "engine/geometry/padded.hpp"
 #include "engine/geometry/signed_distance.hpp"
 #include "engine/method/decompositions.hpp"
-#include "engine/point_based/contact_surface.hpp"
 #include "engine/point_based/solver.hpp"
+#include "engine/point_based/surface/contact_surface.hpp"
 
 namespace pliant {
 

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "engine/point_based/body.hpp"
-#include "engine/point_based/surface_lattice.hpp"
+#include "engine/point_based/surface/surface_lattice.hpp"
 
 namespace pliant::point_based {
 

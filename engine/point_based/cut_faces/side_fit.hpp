@@ -4,10 +4,10 @@
 #include <map>
 #include <vector>
 
+#include "engine/point_based/bonds/nearest_nodes.hpp"
 #include "engine/point_based/cut_faces/cut_pieces.hpp"
 #include "engine/point_based/cut_faces/divided_surface.hpp"
 #include "engine/point_based/cutting/cut_front.hpp"
-#include "engine/point_based/nearest_nodes.hpp"
 #include "engine/undeformed/carried_points.hpp"
 
 namespace pliant::point_based {

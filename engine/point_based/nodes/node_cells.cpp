@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <limits>
 
-#include "engine/point_based/nearest_nodes.hpp"
+#include "engine/point_based/bonds/nearest_nodes.hpp"
 
 namespace pliant::point_based {
 

@@ -3,7 +3,7 @@
 #include "engine/geometry/padded.hpp"
 #include "engine/method/full_stress.hpp"
 #include "engine/method/shown_field.hpp"
-#include "engine/point_based/node_state.hpp"
+#include "engine/point_based/forces/node_state.hpp"
 #include "engine/point_based/observe/opened_surface.hpp"
 
 namespace pliant::point_based {

@@ -11,9 +11,9 @@
 #include "engine/point_based/cut_faces/cut_cells.hpp"
 #include "engine/point_based/cutting/connected_parts.hpp"
 #include "engine/point_based/cutting/crossing.hpp"
-#include "engine/point_based/node_state.hpp"
+#include "engine/point_based/forces/node_state.hpp"
 #include "engine/point_based/observe/node_values.hpp"
-#include "engine/point_based/surface.hpp"
+#include "engine/point_based/surface/surface.hpp"
 
 namespace pliant::point_based {
 

@@ -9,7 +9,7 @@
 #include "engine/method/field_components.hpp"
 #include "engine/method/linear_fit.hpp"
 #include "engine/method/no_value.hpp"
-#include "engine/point_based/node_state.hpp"
+#include "engine/point_based/forces/node_state.hpp"
 
 namespace pliant::point_based {
 

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "engine/point_based/observe/opened_surface.hpp"
-#include "engine/point_based/surface.hpp"
+#include "engine/point_based/surface/surface.hpp"
 #include "tests/engine/point_based/blocks.hpp"
 
 namespace pliant::test {

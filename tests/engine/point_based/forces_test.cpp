@@ -3,7 +3,7 @@
 #include <Eigen/Dense>
 #include <numeric>
 
-#include "engine/point_based/node_state.hpp"
+#include "engine/point_based/forces/node_state.hpp"
 #include "tests/engine/point_based/blocks.hpp"
 #include "tests/engine/point_based/deformations.hpp"
 

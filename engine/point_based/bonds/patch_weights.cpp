@@ -1,0 +1,201 @@
+#include "engine/point_based/bonds/patch_weights.hpp"
+
+#include <Eigen/Dense>
+#include <algorithm>
+#include <cmath>
+
+// Weights for which moving least squares pass the patch test.
+//
+// A uniform stress P exerts P r_i on node i, apart from what its share of the surface carries, with
+// r_i = sum_j (V_j g_ji - V_i g_ij) - a_i. There are many more bonds than components of r: of all
+// changes of the weights that make r vanish, the least one is looked for. With c = ln of the
+// factors, each Gauss-Newton step solves J J^T y = -r by conjugate gradients and takes J^T y, where
+// J = dr/dc. Nothing else changes: gradients still follow from weights, so that they are exact for
+// linear fields, and a step costs what it costs without.
+namespace pliant::point_based {
+
+namespace {
+
+constexpr double small_enough = 1e-6;
+constexpr int most_steps = 20, most_iterations = 4000;
+constexpr double longest_step = 1;  // of ln c
+
+template <int D>
+class PatchTest {
+ public:
+  using Vector = Eigen::Matrix<double, D, 1>;
+  using Matrix = Eigen::Matrix<double, D, D>;
+  using Vectors = std::vector<Vector>;
+
+  explicit PatchTest(WeightedNodes<D>& nodes) : nodes_(nodes), all_(nodes.positions.size()) {
+    force_.resize(all_.size());
+    scale_.resize(all_.size());
+    for (std::size_t i = 0; i < all_.size(); ++i) {
+      for (const std::int32_t j : nodes.neighbour[i]) {
+        Bond& bond = all_[i].bonds.emplace_back();
+        bond.node = j;
+        for (int a = 0; a < D; ++a) bond.x[a] = nodes.positions[j][a] - nodes.positions[i][a];
+      }
+    }
+    evaluate();
+  }
+
+  double worst() const {
+    double most = 0;
+    for (std::size_t i = 0; i < force_.size(); ++i) {
+      const double area = std::pow(nodes_.volumes[i], (D - 1.) / D);
+      most = std::max(most, force_[i].norm() / area);
+    }
+    return most;
+  }
+
+  /// One Gauss-Newton step, whose equations are solved up to `tolerance`.
+  void improve(double tolerance) {
+    const Vectors y = solve(tolerance);
+    double longest = 0;
+    for (std::size_t i = 0; i < all_.size(); ++i) {
+      change(i, y);
+      for (const Bond& bond : all_[i].bonds) longest = std::max(longest, std::abs(bond.change));
+    }
+    const double share = std::min(1., longest_step / longest);
+    for (std::size_t i = 0; i < all_.size(); ++i) {
+      for (std::size_t k = 0; k < all_[i].bonds.size(); ++k) {
+        nodes_.weight[i][k] *= std::exp(share * all_[i].bonds[k].change);
+      }
+    }
+    evaluate();
+  }
+
+ private:
+  struct Bond {
+    std::int32_t node;
+    Vector x, u;            ///< X_ij; A^-1 X_ij
+    double weight, change;  ///< V_i w_ij; of ln c
+  };
+  struct Node {
+    std::vector<Bond> bonds;
+  };
+
+  /// Gradients and r of the present weights, and the blocks of J J^T on the diagonal.
+  void evaluate() {
+    for (std::size_t i = 0; i < all_.size(); ++i) {
+      force_[i] = -Eigen::Map<const Vector>(nodes_.areas[i].data());
+      scale_[i].setZero();
+    }
+    for (std::size_t i = 0; i < all_.size(); ++i) {
+      Matrix moment = Matrix::Zero();
+      for (std::size_t k = 0; k < all_[i].bonds.size(); ++k) {
+        const Bond& bond = all_[i].bonds[k];
+        moment += nodes_.weight[i][k] * bond.x * bond.x.transpose();
+      }
+      const Matrix inverse = moment.inverse();
+      for (std::size_t k = 0; k < all_[i].bonds.size(); ++k) {
+        Bond& bond = all_[i].bonds[k];
+        bond.u = inverse * bond.x;
+        bond.weight = nodes_.volumes[i] * nodes_.weight[i][k];
+        force_[bond.node] += bond.weight * bond.u;
+        force_[i] -= bond.weight * bond.u;
+      }
+      add_to_diagonal(i);
+    }
+    for (Matrix& block : scale_) block = block.inverse().eval();
+  }
+
+  void add_to_diagonal(std::size_t i) {
+    const double volume = nodes_.volumes[i];
+    Vector sum = Vector::Zero();  // of w X
+    for (const Bond& bond : all_[i].bonds) sum += bond.weight / volume * bond.x;
+    for (const Bond& by : all_[i].bonds) {
+      const Matrix square = by.weight * by.weight * by.u * by.u.transpose();
+      scale_[i] += std::pow(1 - by.u.dot(sum), 2) * square;
+      for (const Bond& on : all_[i].bonds) {
+        const double own = &on == &by ? 1 : 0;
+        scale_[on.node] += std::pow(own - on.weight / volume * by.u.dot(on.x), 2) * square;
+      }
+    }
+  }
+
+  /// J^T y of the bonds of node i.
+  void change(std::size_t i, const Vectors& y) {
+    Matrix slope = Matrix::Zero();
+    for (const Bond& bond : all_[i].bonds) {
+      slope += bond.weight / nodes_.volumes[i] * (y[bond.node] - y[i]) * bond.x.transpose();
+    }
+    for (Bond& bond : all_[i].bonds) {
+      bond.change = bond.weight * ((y[bond.node] - y[i]).dot(bond.u) - bond.u.dot(slope * bond.u));
+    }
+  }
+
+  /// J J^T y.
+  void apply(const Vectors& y, Vectors& result) {
+    for (Vector& of_node : result) of_node.setZero();
+    for (std::size_t i = 0; i < all_.size(); ++i) {
+      change(i, y);
+      Matrix turned = Matrix::Zero();
+      for (const Bond& bond : all_[i].bonds) {
+        turned += bond.change * bond.weight / nodes_.volumes[i] * bond.u * bond.u.transpose();
+      }
+      for (const Bond& bond : all_[i].bonds) {
+        const Vector moved = bond.weight * (bond.change * bond.u - turned * bond.x);
+        result[bond.node] += moved;
+        result[i] -= moved;
+      }
+    }
+  }
+
+  /// y of J J^T y = -r, by conjugate gradients.
+  Vectors solve(double tolerance) {
+    Vectors y(all_.size(), Vector::Zero()), rest = force_, scaled(all_.size()), way, image = force_;
+    for (Vector& of_node : rest) of_node = -of_node;
+    const auto scale = [&] {
+      double product = 0;
+      for (std::size_t i = 0; i < rest.size(); ++i) {
+        scaled[i] = scale_[i] * rest[i];
+        product += scaled[i].dot(rest[i]);
+      }
+      return product;
+    };
+    double product = scale();
+    way = scaled;
+    const double enough = tolerance * tolerance * product;
+    for (int k = 0; k < most_iterations && product > enough; ++k) {
+      apply(way, image);
+      double curvature = 0;
+      for (std::size_t i = 0; i < way.size(); ++i) curvature += way[i].dot(image[i]);
+      if (!(curvature > 0)) break;
+      const double length = product / curvature;
+      for (std::size_t i = 0; i < way.size(); ++i) {
+        y[i] += length * way[i];
+        rest[i] -= length * image[i];
+      }
+      const double before = product;
+      product = scale();
+      for (std::size_t i = 0; i < way.size(); ++i) way[i] = scaled[i] + product / before * way[i];
+    }
+    return y;
+  }
+
+  WeightedNodes<D>& nodes_;
+  std::vector<Node> all_;
+  Vectors force_;              ///< r
+  std::vector<Matrix> scale_;  ///< inverse of the diagonal blocks of J J^T
+};
+
+}  // namespace
+
+template <int D>
+double make_patch_exact(WeightedNodes<D>& nodes) {
+  PatchTest<D> test(nodes);
+  double worst = test.worst();
+  // The first steps are far from the end whatever is solved exactly.
+  for (int step = 0; step < most_steps && worst > small_enough; ++step) {
+    test.improve(step == 0 ? 3e-2 : step == 1 ? 1e-2 : 1e-3);
+    worst = test.worst();
+  }
+  return worst;
+}
+
+template double make_patch_exact<2>(WeightedNodes<2>&);
+template double make_patch_exact<3>(WeightedNodes<3>&);
+
+}  // namespace pliant::point_based

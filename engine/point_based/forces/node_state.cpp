@@ -1,0 +1,199 @@
+#include "engine/point_based/forces/node_state.hpp"
+
+#include "engine/method/hyperelastic.hpp"
+#include "engine/method/initial_stress.hpp"
+#include "engine/point_based/forces/degenerate_nodes.hpp"
+#include "kernels/with_scalar.hpp"
+
+namespace pliant::point_based {
+
+namespace {
+
+template <class T, int D>
+LastingStress<D> lasting_stress(const Body<T, D>& body, std::int64_t slot,
+                                const std::array<double, D * D>& f, double volume_ratio) {
+  std::array<double, Body<T, D>::symmetric> stress;
+  for (std::size_t c = 0; c < stress.size(); ++c) stress[c] = body.initial_stress[c][slot];
+  return {stress, f, volume_ratio};
+}
+
+template <class T, int D>
+const DegenerateNode<D>* degenerate_node(const Body<T, D>& body, const NodeBlock& block,
+                                         std::int64_t slot) {
+  for (const DegenerateNode<D>& node : body.degenerate[&block - body.blocks.data()]) {
+    if (node.slot == slot) return &node;
+  }
+  return nullptr;
+}
+
+}  // namespace
+
+template <class T, int D>
+std::array<double, D * D> with_kept(const Body<T, D>& body, std::int64_t slot,
+                                    const std::array<double, D * D>& fit) {
+  if (!body.has_cuts()) return fit;
+  std::array<double, D* D> f = {};
+  for (int i = 0; i < D; ++i) {
+    for (int j = 0; j < D; ++j) {
+      for (int k = 0; k < D; ++k) {
+        f[D * i + j] += fit[D * i + k] * body.kept_gradient[D * k + j][slot];
+      }
+    }
+  }
+  return f;
+}
+
+template <class T, int D>
+NodeFit<D> node_fit(const Body<T, D>& body, const NodeBlock& block, std::int64_t slot) {
+  std::array<double, D* D> h = {};
+  double apart = 0;  // sum of w u_ij . u_ij
+  body.for_each_bond(block, slot, [&](int, std::int64_t other, const Point<D>& g, double w) {
+    for (int i = 0; i < D; ++i) {
+      const double d =
+          static_cast<double>(body.displacement[i][other]) - body.displacement[i][slot];
+      apart += w * d * d;
+      for (int j = 0; j < D; ++j) h[D * i + j] += d * g[j];
+    }
+  });
+  NodeFit<D> found{h, 0};
+  for (int i = 0; i < D; ++i) {
+    found.gradient[D * i + i] += 1;
+    for (int j = 0; j < D; ++j) {
+      // The least-squares fit leaves this of it out: tr(H A H^T).
+      for (int k = 0; k < D; ++k) {
+        apart -= h[D * i + j] * h[D * i + k] * body.moment[kernels::symmetric_index<D>(j, k)][slot];
+      }
+    }
+  }
+  found.stabilisation = body.stiffness[slot] * apart / 2;
+  return found;
+}
+
+template <class T, int D>
+double strain_energy(const Body<T, D>& body, const NodeBlock& block, std::int64_t slot,
+                     const std::array<double, D * D>& f) {
+  const DegenerateNode<D>* const node = degenerate_node(body, block, slot);
+  if (node != nullptr) return degenerate_state(body, block, *node).energy;
+  double energy = strain_energy_density(body, f);
+  if (body.is_prestressed()) energy += lasting_stress(body, slot, f, 1).energy;
+  return body.volume[slot] * energy;
+}
+
+template <class T, int D>
+NodeState<D> node_state(const Body<T, D>& body, const NodeBlock& block, std::int64_t slot) {
+  NodeState<D> state;
+  const NodeFit<D> found = node_fit(body, block, slot);
+  state.gradient = with_kept(body, slot, found.gradient);
+  state.energy = found.stabilisation + strain_energy(body, block, slot, state.gradient);
+  if (degenerate_node(body, block, slot) != nullptr) return state;
+  const ElasticStress<D> elastic =
+      elastic_stress<D>(kernels::with_scalar<double>(body.material), state.gradient);
+  state.volume_ratio = elastic.volume_ratio;
+  state.stress = elastic.stress;
+  state.pressure = elastic.pressure;
+  if (body.is_prestressed()) {
+    const LastingStress<D> lasting = lasting_stress(body, slot, state.gradient, state.volume_ratio);
+    for (std::size_t c = 0; c < state.stress.size(); ++c) state.stress[c] += lasting.stress[c];
+    state.pressure += lasting.pressure(*body.source);
+  }
+  return state;
+}
+
+template <class T, int D>
+std::array<double, D * D> fitted_gradient(const Body<T, D>& body, const NodeBlock& block,
+                                          std::int64_t slot) {
+  std::array<double, D* D> fit = {};
+  for (int i = 0; i < D; ++i) fit[(D + 1) * i] = 1;
+  body.for_each_bond(block, slot, [&](int, std::int64_t other, const Point<D>& g, double) {
+    for (int i = 0; i < D; ++i) {
+      const double d =
+          static_cast<double>(body.displacement[i][other]) - body.displacement[i][slot];
+      for (int j = 0; j < D; ++j) fit[D * i + j] += d * g[j];
+    }
+  });
+  return fit;
+}
+
+template <class T, int D>
+std::array<double, D * D> present_gradient(const Body<T, D>& body, const NodeBlock& block,
+                                           std::int64_t slot) {
+  return with_kept(body, slot, fitted_gradient(body, block, slot));
+}
+
+template <class T, int D>
+double strain_energy_density(const Body<T, D>& body, const std::array<double, D * D>& f) {
+  return elastic_energy<D>(kernels::with_scalar<double>(body.material), f);
+}
+
+template <class T, int D>
+std::vector<Point<D>> present_corners(const Body<T, D>& body) {
+  const BodySurface<D>& surface = body.surface;
+  std::vector<Point<D>> place(surface.start.size());
+  for (std::size_t c = 0; c < place.size(); ++c) {
+    const std::int32_t slot = surface.node[c];
+    Point<D> from;
+    for (int a = 0; a < D; ++a) from[a] = surface.start[c][a] - body.start[slot][a];
+    place[c] = body.position(slot);
+    if (from == Point<D>{}) continue;
+    const NodeState<D> node = node_state(body, body.block_of(slot), slot);
+    for (int i = 0; i < D; ++i) {
+      for (int j = 0; j < D; ++j) place[c][i] += node.gradient[D * i + j] * from[j];
+    }
+  }
+  return place;
+}
+
+template NodeFit<2> node_fit(const Body<double, 2>&, const NodeBlock&, std::int64_t);
+template std::array<double, 4> fitted_gradient(const Body<double, 2>&, const NodeBlock&,
+                                               std::int64_t);
+template std::array<double, 4> with_kept(const Body<double, 2>&, std::int64_t,
+                                         const std::array<double, 4>&);
+template double strain_energy(const Body<double, 2>&, const NodeBlock&, std::int64_t,
+                              const std::array<double, 4>&);
+template NodeFit<3> node_fit(const Body<double, 3>&, const NodeBlock&, std::int64_t);
+template std::array<double, 9> fitted_gradient(const Body<double, 3>&, const NodeBlock&,
+                                               std::int64_t);
+template std::array<double, 9> with_kept(const Body<double, 3>&, std::int64_t,
+                                         const std::array<double, 9>&);
+template double strain_energy(const Body<double, 3>&, const NodeBlock&, std::int64_t,
+                              const std::array<double, 9>&);
+template NodeFit<2> node_fit(const Body<float, 2>&, const NodeBlock&, std::int64_t);
+template std::array<double, 4> fitted_gradient(const Body<float, 2>&, const NodeBlock&,
+                                               std::int64_t);
+template std::array<double, 4> with_kept(const Body<float, 2>&, std::int64_t,
+                                         const std::array<double, 4>&);
+template double strain_energy(const Body<float, 2>&, const NodeBlock&, std::int64_t,
+                              const std::array<double, 4>&);
+template NodeFit<3> node_fit(const Body<float, 3>&, const NodeBlock&, std::int64_t);
+template std::array<double, 9> fitted_gradient(const Body<float, 3>&, const NodeBlock&,
+                                               std::int64_t);
+template std::array<double, 9> with_kept(const Body<float, 3>&, std::int64_t,
+                                         const std::array<double, 9>&);
+template double strain_energy(const Body<float, 3>&, const NodeBlock&, std::int64_t,
+                              const std::array<double, 9>&);
+template std::array<double, 4> present_gradient(const Body<double, 2>&, const NodeBlock&,
+                                                std::int64_t);
+template std::array<double, 9> present_gradient(const Body<double, 3>&, const NodeBlock&,
+                                                std::int64_t);
+template std::array<double, 4> present_gradient(const Body<float, 2>&, const NodeBlock&,
+                                                std::int64_t);
+template std::array<double, 9> present_gradient(const Body<float, 3>&, const NodeBlock&,
+                                                std::int64_t);
+template std::vector<Point<2>> present_corners<double, 2>(const Body<double, 2>&);
+template std::vector<Point<3>> present_corners<double, 3>(const Body<double, 3>&);
+template std::vector<Point<2>> present_corners<float, 2>(const Body<float, 2>&);
+template std::vector<Point<3>> present_corners<float, 3>(const Body<float, 3>&);
+template double strain_energy_density<double, 2>(const Body<double, 2>&,
+                                                 const std::array<double, 4>&);
+template double strain_energy_density<double, 3>(const Body<double, 3>&,
+                                                 const std::array<double, 9>&);
+template double strain_energy_density<float, 2>(const Body<float, 2>&,
+                                                const std::array<double, 4>&);
+template double strain_energy_density<float, 3>(const Body<float, 3>&,
+                                                const std::array<double, 9>&);
+template NodeState<2> node_state(const Body<double, 2>&, const NodeBlock&, std::int64_t);
+template NodeState<3> node_state(const Body<double, 3>&, const NodeBlock&, std::int64_t);
+template NodeState<2> node_state(const Body<float, 2>&, const NodeBlock&, std::int64_t);
+template NodeState<3> node_state(const Body<float, 3>&, const NodeBlock&, std::int64_t);
+
+}  // namespace pliant::point_based

@@ -1,0 +1,109 @@
+#include "engine/point_based/nodes/nodes_at_walls.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "engine/geometry/padded.hpp"
+#include "engine/geometry/signed_distance.hpp"
+#include "engine/point_based/bonds/nearest_nodes.hpp"
+#include "kernels/layout.hpp"
+
+namespace pliant::point_based {
+
+namespace {
+
+constexpr int points_to_a_side = 8;         // of a node's cell
+constexpr double nearly_half = 0.5 + 1e-9;  // of the pitch, with what rounding may add
+
+// Of what the body fills of the cell around a node, the share outside walls that material sticks
+// to.
+template <int D>
+double elastic_share(const Boundaries<D>& boundaries, const Shape& shape, const Point<D>& node,
+                     const Point<D>& cell) {
+  int inside = 0, elastic = 0;
+  for (int k = 0; k < kernels::power(points_to_a_side, D); ++k) {
+    Point<D> x = node;
+    for (int a = 0, rest = k; a < D; ++a, rest /= points_to_a_side) {
+      x[a] += cell[a] * ((rest % points_to_a_side + 0.5) / points_to_a_side - 0.5);
+    }
+    if (signed_distance(shape, padded<D>(x), D) > 0) continue;
+    ++inside;
+    if (boundaries.distance_to_no_slip(x) > 0) ++elastic;
+  }
+  return inside == 0 ? 1 : static_cast<double>(elastic) / inside;
+}
+
+/// A node that has moved by -`distance` along the normal of a wall, over the pitch in that
+/// direction.
+template <int D>
+struct MovedNode {
+  std::size_t node;
+  Point<D> beside;  ///< one pitch farther from the wall [m]
+  double distance;
+};
+
+template <int D>
+void move_onto_walls(const Boundaries<D>& boundaries, const Point<D>& pitch, std::size_t node,
+                     Point<D>& x, std::vector<MovedNode<D>>& moved) {
+  for (const Wall<D>& wall : boundaries.walls) {
+    if (!wall.is_attached()) continue;
+    const double distance = wall.distance(x);
+    const Point<D> n = wall.normal(x);
+    double square = 0;
+    for (int a = 0; a < D; ++a) square += n[a] * pitch[a] * n[a] * pitch[a];
+    const double along = std::sqrt(square);
+    if (std::abs(distance) > nearly_half * along) continue;
+    Point<D> beside;
+    for (int a = 0; a < D; ++a) {
+      x[a] -= distance * n[a];
+      beside[a] = x[a] + (along + distance) * n[a];
+    }
+    if (!wall.slips()) moved.push_back({node, beside, distance / along});
+  }
+}
+
+// Between a moved node and the next, each takes half of the distance, as between all others.
+template <int D>
+void share_gaps(const std::vector<MovedNode<D>>& moved, const NodeCloud<D>& cloud,
+                std::vector<double>& elastic) {
+  if (moved.empty()) return;
+  const NearestNodes<D> nearest(cloud.positions);
+  for (const MovedNode<D>& one : moved) {
+    const std::int32_t next = nearest.nearest(one.beside);
+    const double given = cloud.volumes[one.node] * one.distance / 2;
+    if (elastic[next] <= -given || elastic[one.node] <= given) continue;
+    elastic[one.node] -= given;
+    elastic[next] += given;
+  }
+}
+
+}  // namespace
+
+template <int D>
+std::vector<double> fit_to_walls(const Boundaries<D>& boundaries, const Shape& shape,
+                                 const std::optional<Point<D>>& pitch, NodeCloud<D>& cloud) {
+  std::vector<double> elastic = cloud.volumes;
+  std::vector<MovedNode<D>> moved;
+  for (std::size_t i = 0; i < elastic.size(); ++i) {
+    Point<D>& x = cloud.positions[i];
+    Point<D> cell;
+    cell.fill(std::pow(cloud.volumes[i], 1. / D));
+    if (pitch) cell = *pitch;
+    const double size = *std::max_element(cell.begin(), cell.end());
+    if (boundaries.nearest_wall(x).second > size) continue;
+    const double distance = boundaries.distance_to_no_slip(x);
+    if (distance < size) {
+      elastic[i] *= distance < -size ? 0 : elastic_share<D>(boundaries, shape, x, cell);
+    }
+    if (pitch) move_onto_walls<D>(boundaries, *pitch, i, x, moved);
+  }
+  share_gaps(moved, cloud, elastic);
+  return elastic;
+}
+
+template std::vector<double> fit_to_walls<2>(const Boundaries<2>&, const Shape&,
+                                             const std::optional<Point<2>>&, NodeCloud<2>&);
+template std::vector<double> fit_to_walls<3>(const Boundaries<3>&, const Shape&,
+                                             const std::optional<Point<3>>&, NodeCloud<3>&);
+
+}  // namespace pliant::point_based

@@ -1,0 +1,58 @@
+#include "engine/point_based/surface/contact_surface.hpp"
+
+#include <cmath>
+
+namespace pliant::point_based {
+
+using undeformed::Share;
+
+namespace {
+
+/// A corner at X and its node at X_i differ by (F - I)(X - X_i): no more than five times their
+/// distance as long as nothing is stretched by more than 4, however it turns.
+constexpr double largest_change = 5;
+constexpr double at_node = 1e-9;  // [H] distances that rounding may leave
+
+}  // namespace
+
+template <class T, int D>
+std::vector<Share> shares_of_corner(const Body<T, D>& body, std::size_t corner) {
+  const std::int32_t slot = body.surface.node[corner];
+  const Point<D> from = difference<D>(body.surface.start[corner], body.start[slot]);
+  std::vector<Share> shares = {{slot, 1}};
+  if (body.has_cuts() || std::sqrt(dot<D>(from, from)) <= at_node * body.resolution) return shares;
+  body.for_each_bond(body.block_of(slot), slot,
+                     [&](int, std::int64_t other, const Point<D>& g, double) {
+                       const double weight = dot<D>(g, from);
+                       shares.push_back({static_cast<std::int32_t>(other), weight});
+                       shares.front().weight -= weight;
+                     });
+  return shares;
+}
+
+template <class T, int D>
+undeformed::ContactSurface<D> contact_surface(const Body<T, D>& body) {
+  undeformed::ContactSurface<D> surface;
+  surface.facet = body.surface.facet;
+  for (std::size_t c = 0; c < body.surface.start.size(); ++c) {
+    const Point<D> from = difference<D>(body.surface.start[c], body.start[body.surface.node[c]]);
+    surface.add(body.surface.start[c], shares_of_corner(body, c),
+                largest_change * std::sqrt(dot<D>(from, from)));
+  }
+  if (!body.has_cuts()) return surface;
+  body.for_each_node([&](std::int64_t slot) {
+    surface.add(body.start[slot], std::array{Share{static_cast<std::int32_t>(slot), 1}});
+  });
+  return surface;
+}
+
+template std::vector<Share> shares_of_corner(const Body<double, 2>&, std::size_t);
+template std::vector<Share> shares_of_corner(const Body<double, 3>&, std::size_t);
+template std::vector<Share> shares_of_corner(const Body<float, 2>&, std::size_t);
+template std::vector<Share> shares_of_corner(const Body<float, 3>&, std::size_t);
+template undeformed::ContactSurface<2> contact_surface(const Body<double, 2>&);
+template undeformed::ContactSurface<3> contact_surface(const Body<double, 3>&);
+template undeformed::ContactSurface<2> contact_surface(const Body<float, 2>&);
+template undeformed::ContactSurface<3> contact_surface(const Body<float, 3>&);
+
+}  // namespace pliant::point_based

@@ -1,0 +1,242 @@
+#include "engine/point_based/surface/surface.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <vector>
+
+#include "engine/geometry/padded.hpp"
+#include "engine/geometry/signed_distance.hpp"
+#include "engine/point_based/bonds/nearest_nodes.hpp"
+#include "engine/point_based/surface/contact_surface.hpp"
+#include "engine/point_based/surface/surface_lattice.hpp"
+#include "engine/undeformed/surface_place.hpp"
+
+namespace pliant::point_based {
+
+namespace {
+
+using undeformed::area_vector;
+
+constexpr int samples = 8;        // to a side of a facet that the rim of a region cuts
+constexpr double on_face = 1e-6;  // [h]
+
+/// A surface whose corners name nodes of the cloud.
+template <int D>
+class SurfaceFinder {
+ public:
+  SurfaceFinder(const NodeCloud<D>& cloud, double spacing)
+      : cloud_(cloud), nearest_(cloud.positions), spacing_(spacing) {}
+
+  /// Facets of one element alone.
+  BodySurface<D> of_elements() {
+    std::map<std::array<std::int32_t, D>, std::array<std::int32_t, D>> alone;
+    for (const auto& element : cloud_.elements) {
+      for (int left_out = 0; left_out <= D; ++left_out) {
+        std::array<std::int32_t, D> facet;
+        for (int i = 0, to = 0; i <= D; ++i) {
+          if (i != left_out) facet[to++] = element[i];
+        }
+        if (is_in_front(facet, element[left_out])) std::swap(facet[0], facet[1]);
+        std::array<std::int32_t, D> key = facet;
+        std::sort(key.begin(), key.end());
+        const auto [at, is_new] = alone.insert({key, facet});
+        if (!is_new) alone.erase(at);
+      }
+    }
+    for (const auto& [key, facet] : alone) {
+      std::array<std::int32_t, D> corner;
+      for (int v = 0; v < D; ++v) {
+        corner[v] = add({facet[v], facet[v]}, cloud_.positions[facet[v]], facet[v]);
+      }
+      surface_.facet.push_back(corner);
+    }
+    return std::move(surface_);
+  }
+
+  // Distances to meshes take long, and their edges are seldom as sharp as those of boxes.
+  BodySurface<D> of_shape(const Shape& shape) {
+    if (!contains_mesh(shape)) surface_.shape = &shape;
+    surface_.spacing = spacing_;
+    for (const auto& piece : SurfaceLattice<D>(shape, spacing_).facets()) {
+      std::array<std::int32_t, D> corner;
+      for (int v = 0; v < D; ++v) corner[v] = add(piece[v].name, piece[v].place, -1);
+      surface_.facet.push_back(corner);
+    }
+    return std::move(surface_);
+  }
+
+ private:
+  bool is_in_front(const std::array<std::int32_t, D>& facet, std::int32_t node) const {
+    std::array<Point<D>, D> corner;
+    for (int v = 0; v < D; ++v) corner[v] = cloud_.positions[facet[v]];
+    const Point<D> normal = area_vector<D>(corner);
+    double along = 0;
+    for (int a = 0; a < D; ++a) along += normal[a] * (cloud_.positions[node][a] - corner[0][a]);
+    return along > 0;
+  }
+
+  /// The corner with this name; `node` -1 takes the nearest.
+  std::int32_t add(const std::pair<std::int64_t, std::int64_t>& name, const Point<D>& x,
+                   std::int32_t node) {
+    const auto number = static_cast<std::int32_t>(surface_.start.size());
+    const auto [at, is_new] = known_.insert({name, number});
+    if (!is_new) return at->second;
+    surface_.start.push_back(x);
+    surface_.node.push_back(node >= 0 ? node : nearest_.nearest(x));
+    return number;
+  }
+
+  const NodeCloud<D>& cloud_;
+  NearestNodes<D> nearest_;
+  double spacing_;
+  std::map<std::pair<std::int64_t, std::int64_t>, std::int32_t> known_;
+  BodySurface<D> surface_;
+};
+
+/// The mean of `f(x)` over a facet.
+template <int D, class F>
+double mean_over(const std::array<Point<D>, D>& corner, F&& f) {
+  double sum = 0;
+  int all = 0;
+  const auto at = [&](double u, double v) {
+    Point<D> x;
+    for (int a = 0; a < D; ++a) {
+      x[a] = corner[0][a] + u * (corner[1][a] - corner[0][a]);
+      if (D == 3) x[a] += v * (corner[D - 1][a] - corner[0][a]);
+    }
+    ++all;
+    sum += f(x);
+  };
+  for (int i = 0; i < samples; ++i) {
+    if (D == 2) {
+      at((i + 0.5) / samples, 0);
+      continue;
+    }
+    for (int j = 0; i + j < samples; ++j) {
+      at((i + 1. / 3) / samples, (j + 1. / 3) / samples);
+      if (i + j < samples - 1) at((i + 2. / 3) / samples, (j + 2. / 3) / samples);
+    }
+  }
+  return sum / all;
+}
+
+/// Share of a facet on which a load acts: of the part of the surface that it stands for, (TL.29).
+template <int D>
+double loaded_share(const SurfacePressure<D>& load, const BodySurface<D>& surface,
+                    const std::array<Point<D>, D>& corner, const Point<D>& area_and_normal,
+                    double area) {
+  Point<D> normal = area_and_normal;
+  for (double& component : normal) component /= area;
+  return mean_over<D>(corner, [&](const Point<D>& x) {
+    undeformed::SurfacePlace<D> real{x};
+    if (surface.shape != nullptr) {
+      real = undeformed::surface_place<D>(*surface.shape, x, normal, surface.spacing);
+    }
+    if (!load.acts_at(real.place)) return 0.;
+    return load.is_traction() ? real.area : 1;
+  });
+}
+
+/// The share of each node in the facets that one load acts on: areas count as the corners do,
+/// middles as far as they are loaded. Pressures act on all nodes that carry a corner, (PB.51).
+template <class T, int D>
+std::map<std::int32_t, PressedNode<D>> pressed_nodes(const SurfacePressure<D>& load, int number,
+                                                     const Body<T, D>& body) {
+  const BodySurface<D>& surface = body.surface;
+  std::map<std::int32_t, PressedNode<D>> nodes;
+  const auto node_in = [&](std::int32_t slot) -> PressedNode<D>& {
+    return nodes.insert({slot, {slot, number, {}, 0, {}}}).first->second;
+  };
+  for (std::size_t f = 0; f < surface.facet.size(); ++f) {
+    if (!surface.is_free[f]) continue;
+    std::array<Point<D>, D> x;
+    for (int v = 0; v < D; ++v) x[v] = surface.start[surface.facet[f][v]];
+    const Point<D> whole = area_vector<D>(x);
+    double square = 0;
+    for (const double component : whole) square += component * component;
+    const double share = loaded_share<D>(load, surface, x, whole, std::sqrt(square));
+    if (share == 0) continue;
+    for (const std::int32_t corner : surface.facet[f]) {
+      const double size = share / D * std::sqrt(square);
+      PressedNode<D>& nearest = node_in(surface.node[corner]);
+      nearest.size += size;
+      for (int a = 0; a < D; ++a) nearest.middle[a] += size * surface.start[corner][a];
+      const std::vector<undeformed::Share> carriers =
+          load.is_traction() ? std::vector<undeformed::Share>{{nearest.slot, 1}}
+                             : shares_of_corner(body, corner);
+      for (const undeformed::Share& carrier : carriers) {
+        PressedNode<D>& node = node_in(carrier.slot);
+        for (int a = 0; a < D; ++a) node.area[a] += carrier.weight * share / D * whole[a];
+      }
+    }
+  }
+  return nodes;
+}
+
+}  // namespace
+
+template <class T, int D>
+void make_loads(const Boundaries<D>& boundaries, Body<T, D>& body) {
+  body.pressed.assign(body.blocks.size(), {});
+  for (int k = 0; k < static_cast<int>(boundaries.pressures.size()); ++k) {
+    std::size_t b = 0;
+    for (auto& [slot, node] : pressed_nodes(boundaries.pressures[k], k, body)) {
+      while (slot >= body.blocks[b].first + body.blocks[b].count) ++b;
+      for (double& x : node.middle) x /= node.size > 0 ? node.size : 1;
+      body.pressed[b].push_back(node);
+    }
+  }
+}
+
+template <class T, int D>
+void make_surface(const NodeCloud<D>& cloud, const Shape& shape, double spacing,
+                  const Boundaries<D>& boundaries, Body<T, D>& body) {
+  SurfaceFinder<D> finder(cloud, spacing);
+  body.surface = cloud.elements.empty() ? finder.of_shape(shape) : finder.of_elements();
+  std::vector<std::int32_t> slot_of(cloud.positions.size());
+  for (std::int64_t s = 0; s < body.slots; ++s) {
+    if (body.number[s] >= 0) slot_of[body.number[s]] = static_cast<std::int32_t>(s);
+  }
+  for (std::int32_t& node : body.surface.node) node = slot_of[node];
+  if (body.has_cuts()) {
+    body.elements = cloud.elements;
+    for (auto& element : body.elements) {
+      for (std::int32_t& node : element) node = slot_of[node];
+    }
+  }
+  for (const auto& facet : body.surface.facet) {
+    Point<D> middle = {};
+    for (const std::int32_t corner : facet) {
+      for (int a = 0; a < D; ++a) middle[a] += body.surface.start[corner][a] / D;
+    }
+    const auto holds = [&](const Wall<D>& wall) {
+      return wall.is_attached() && wall.distance(middle) < on_face * spacing;
+    };
+    body.surface.is_free.push_back(
+        std::none_of(boundaries.walls.begin(), boundaries.walls.end(), holds));
+  }
+}
+
+template <int D>
+std::function<bool(const Point<D>&)> inside_of(const Shape& shape, double edge) {
+  return
+      [shape, edge](const Point<D>& x) { return signed_distance(shape, padded<D>(x), D) < -edge; };
+}
+
+template std::function<bool(const Point<2>&)> inside_of<2>(const Shape&, double);
+template std::function<bool(const Point<3>&)> inside_of<3>(const Shape&, double);
+template void make_loads(const Boundaries<2>&, Body<double, 2>&);
+template void make_loads(const Boundaries<3>&, Body<double, 3>&);
+template void make_loads(const Boundaries<2>&, Body<float, 2>&);
+template void make_loads(const Boundaries<3>&, Body<float, 3>&);
+template void make_surface<double, 2>(const NodeCloud<2>&, const Shape&, double,
+                                      const Boundaries<2>&, Body<double, 2>&);
+template void make_surface<double, 3>(const NodeCloud<3>&, const Shape&, double,
+                                      const Boundaries<3>&, Body<double, 3>&);
+template void make_surface<float, 2>(const NodeCloud<2>&, const Shape&, double,
+                                     const Boundaries<2>&, Body<float, 2>&);
+template void make_surface<float, 3>(const NodeCloud<3>&, const Shape&, double,
+                                     const Boundaries<3>&, Body<float, 3>&);
+
+}  // namespace pliant::point_based

@@ -1,0 +1,52 @@
+#include "engine/point_based/surface/surface_lattice.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <map>
+
+#include "engine/undeformed/body.hpp"
+
+namespace pliant::test {
+namespace {
+
+using point_based::SurfaceLattice;
+
+// A load on an end takes the facets that lie in a thin region there: all of the end, for any
+// spacing, or it is too small.
+TEST(surface_lattice, of_a_box_has_its_faces_at_spacings_that_do_not_divide_it) {
+  Shape beam;
+  beam.kind = Shape::Kind::box;
+  beam.lower = {0, -1, -0.5};
+  beam.upper = {10, 1, 0.5};
+  for (const double spacing : {2. / 3, 0.4, 0.3, 0.21}) {
+    SCOPED_TRACE(spacing);
+    double area = 0, end = 0;
+    for (const auto& facet : SurfaceLattice<3>(beam, spacing).facets()) {
+      const auto a = undeformed::area_vector<3>({facet[0].place, facet[1].place, facet[2].place});
+      const double size = std::sqrt(a[0] * a[0] + a[1] * a[1] + a[2] * a[2]);
+      area += size;
+      bool is_at_end = true;
+      for (const auto& corner : facet) is_at_end = is_at_end && corner.place[0] > 9.999;
+      if (is_at_end) end += size;
+    }
+    EXPECT_NEAR(area, 2 * (2 + 10 + 20), 1e-6);
+    EXPECT_NEAR(end, 2, 1e-6);
+  }
+}
+
+// Some points of this lattice lie on the circle itself, such as (0.6, 0.8).
+TEST(surface_lattice, of_a_disc_is_one_closed_line) {
+  Shape disc;
+  disc.kind = Shape::Kind::ball;
+  disc.radius = 1;
+  std::map<SurfaceLattice<2>::Name, int> segments_at;
+  for (const auto& facet : SurfaceLattice<2>(disc, 0.02).facets()) {
+    for (const auto& corner : facet) ++segments_at[corner.name];
+  }
+  EXPECT_GT(segments_at.size(), 300);
+  for (const auto& [name, segments] : segments_at) EXPECT_EQ(segments, 2);
+}
+
+}  // namespace
+}  // namespace pliant::test
