@@ -45,19 +45,6 @@ Ranges ranges_of(const std::string& text, int steps, int samples_of_step) {
   return found;
 }
 
-// u.M u/2 + U is a sum over modes of which each one swings; u(t - dt/2).M u(t + dt/2)/2 + U does
-// not. What is left is the part of the forces that is not linear in strains of 1e-4.
-TEST(total_lagrangian, the_fastest_vibrations_of_small_amplitude_keep_their_total_energy) {
-  const std::string noise =
-      "velocity = [\"1e-4*sin(37*x)*cos(41*y)\", \"1e-4*sin(43*y + 29*x)\"]\n"
-      "[time]\nend = 1\nstep = \"cfl\"\ncfl = 0.9\n";
-  const std::string text = tests::with(free_block(2), "time = { end = 1, step = \"cfl\" }\n", "");
-  const Ranges found = ranges_of<2>(text + noise, 200, 3);
-  EXPECT_GT(found.measured.first, 1 - 2e-4);
-  EXPECT_LT(found.measured.second, 1 + 2e-4);
-  EXPECT_GT(found.sum.second - found.sum.first, 0.02);  // the body vibrates fast
-}
-
 /// A free plate of 1 m, 5 particles across, with an amplitude of 0.2 m.
 std::string thick_plate() {
   return tests::with(tests::with(tests::with(free_block(2), "spacing = 0.125", "spacing = 0.04"),
