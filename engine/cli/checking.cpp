@@ -5,8 +5,11 @@
 #include <cmath>
 #include <cstdio>
 #include <nlohmann/json.hpp>
+#include <sstream>
+#include <string_view>
 #include <system_error>
 
+#include "engine/case/method_rules.hpp"
 #include "engine/case/validate_summary.hpp"
 #include "engine/cli/actions.hpp"
 #include "engine/output/colour.hpp"
@@ -103,6 +106,16 @@ std::vector<std::filesystem::path> case_files(const std::filesystem::path& folde
   return files;
 }
 
+/// Everything that a run of the case would warn of before its first step.
+std::vector<std::string> all_warnings(const Case& settings) {
+  constexpr std::string_view mark = "warning: ";
+  std::vector<std::string> warnings = warnings_of(settings);
+  if (settings.rules == nullptr || settings.rules->warning == nullptr) return warnings;
+  std::istringstream lines(settings.rules->warning(settings));
+  for (std::string line; std::getline(lines, line);) warnings.push_back(line.substr(mark.size()));
+  return warnings;
+}
+
 /// Names of files need not be UTF-8, which JSON is.
 std::string text_of(const Json& json) {
   return json.dump(1, ' ', false, Json::error_handler_t::replace) + "\n";
@@ -113,7 +126,7 @@ std::string text_of(const Json& json) {
 ExitStatus check(const CheckArguments& arguments) {
   Checked checked;
   checked.settings = read_case(arguments.source.path, arguments.source.settings);
-  checked.warnings = warnings_of(checked.settings);
+  checked.warnings = all_warnings(checked.settings);
   checked.size = estimate(checked.settings);
   checked.nodes = examine(checked.settings);
   if (checked.nodes) count_nodes(*checked.nodes, checked.settings.time.end, checked.size);

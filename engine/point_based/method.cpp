@@ -6,6 +6,7 @@
 
 #include "engine/case/blade_track.hpp"
 #include "engine/case/check_motion.hpp"
+#include "engine/case/thickness.hpp"
 #include "engine/point_based/cutting/cut_resolution.hpp"
 #include "engine/point_based/footprint.hpp"
 #include "engine/point_based/observe/measure.hpp"
@@ -81,6 +82,15 @@ bool is_pushed_node_by_node(const Case& a_case) {
                              [](const BodyCase& body) { return body.stress.has_value(); });
 }
 
+// As the cantilever of docs/validation/robustness.py.
+std::string warning(const Case& a_case) {
+  static constexpr ThinBodyError errors[] = {
+      {1.5, "two layers of nodes hardly resist bending, and such runs fail"},
+      {2, "bending deviates by 5 %"}};
+  const std::string thin = thin_body_warning(a_case, errors), cut = resolution_warning(a_case);
+  return thin.empty() || cut.empty() ? thin + cut : thin + "\n" + cut;
+}
+
 // The bound of (PB.12) needs the nodes, which only the solver knows.
 StepLimits step_limits(const Case& a_case) {
   StepLimits limits;
@@ -121,7 +131,7 @@ RegisteredMethod method() {
        .check = check,
        .keys = visit_keys,
        .step_limits = step_limits,
-       .warning = resolution_warning,
+       .warning = warning,
        .footprint = footprint,
        .meets_itself = true},
       make_solver<Solver>};

@@ -67,6 +67,16 @@ bool has_resisted_cuts(const Case& settings, const BodyCase& source) {
                      [body](const CutCase& cut) { return cut.body == body && cut.resists(); });
 }
 
+/// Where nodes are for the distances of (PB.2).
+template <int D>
+std::vector<Point<D>> stretched(const PlacedNodes<D>& nodes) {
+  std::vector<Point<D>> places = nodes.cloud.positions;
+  for (Point<D>& x : places) {
+    for (int a = 0; a < D; ++a) x[a] *= nodes.stretch[a];
+  }
+  return places;
+}
+
 // Where cuts take neighbours away, nodes that are no lattice replace them by nodes farther away.
 template <class T, int D>
 BondChoice<D> choice_of(const Case& settings, const PlacedNodes<D>& nodes, const Body<T, D>& body) {
@@ -82,8 +92,8 @@ BondChoice<D> choice_of(const Case& settings, const PlacedNodes<D>& nodes, const
   choice.elastic_volumes = parameters_of(settings).gradient == NodeGradient::patch_exact
                                ? nodes.cloud.volumes
                                : nodes.elastic_volumes;
-  choice.candidates = find_candidates(nodes.cloud, choice.elastic_volumes,
-                                      ranks * choice.neighbours + 1, body.name);
+  choice.candidates = find_candidates<D>(stretched(nodes), choice.elastic_volumes,
+                                         ranks * choice.neighbours + 1, body.name);
   for (auto& list : choice.candidates) {
     const auto most = static_cast<std::size_t>(choice.neighbours);
     if (!is_lattice || list.size() <= most) continue;
@@ -200,8 +210,9 @@ PlacedNodes<D> place_nodes(const Case& settings, const BodyCase& source,
     nodes.cloud = lattice_nodes<D>(shape, spacing);
     nodes.reach = 0.5;
     // Nodes at the surface have fewer neighbours, not farther ones: that would soften bending.
-    nodes.support = *std::max_element(pitch->begin(), pitch->end()) *
-                    lattice_support<D>(neighbour_count(settings));
+    const double widest = *std::max_element(pitch->begin(), pitch->end());
+    for (int a = 0; a < D; ++a) nodes.stretch[a] = widest / (*pitch)[a];
+    nodes.support = widest * lattice_support<D>(neighbour_count(settings));
     nodes.alpha = 0.1;
   }
   if (nodes.cloud.positions.empty()) {

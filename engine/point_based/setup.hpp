@@ -21,9 +21,17 @@ struct PlacedNodes {
   NodeCloud<D> cloud;
   std::vector<double> elastic_volumes;  ///< [node] of (PB.21) [m^D]
   double reach = 0;  ///< distance within which a wall holds a node, over the node's V^(1/D)
+  /// [axis] what stretches the cells of the nodes' lattice to cubes, for distances in (PB.2)
+  Point<D> stretch = stretch_of_cubes();
   /// h of (PB.2) [m]; infinite: from the distances of the nodes
   double support = std::numeric_limits<double>::infinity();
   double alpha = 0.3;  ///< strength of the stabilisation (PB.5) that they need
+
+  static constexpr Point<D> stretch_of_cubes() {
+    Point<D> ones = {};
+    for (double& one : ones) one = 1;
+    return ones;
+  }
 };
 
 /// Places nodes: those of the tetrahedra of a mesh, on a lattice whose nodes move onto walls within

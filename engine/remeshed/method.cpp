@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "engine/case/check.hpp"
+#include "engine/case/thickness.hpp"
 #include "engine/remeshed/footprint.hpp"
 #include "engine/remeshed/observe/measure.hpp"
 #include "engine/remeshed/parameters.hpp"
@@ -87,6 +88,15 @@ StepLimits limits_of_steps(const Case& a_case) {
   return limits;
 }
 
+// Plates, rings, discs and blocks under pistons, with defaults; bodies that only turn are better.
+std::string thickness_warning(const Case& a_case) {
+  static constexpr ThinBodyError errors[] = {
+      {4.5, "figures deviate by 10 to 60 %"},
+      {6.5, "figures deviate by 2 to 30 %"},
+      {8, "oscillations and collisions deviate by up to 20 %"}};
+  return thin_body_warning(a_case, errors);
+}
+
 std::string remeshings(const Case& a_case) {
   using Policy = decltype(Case::remeshing)::Policy;
   if (a_case.remeshing.policy == Policy::never) return "never remeshed";
@@ -113,6 +123,7 @@ RegisteredMethod method() {
        .keys = visit_keys,
        .step_limits = limits_of_steps,
        .summary = summary,
+       .warning = thickness_warning,
        .footprint = footprint,
        .remeshes = true,
        .looks_ahead = true},

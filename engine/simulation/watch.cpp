@@ -17,7 +17,7 @@ namespace {
 
 constexpr std::int64_t interval = 256;    // steps between two looks: they cost a few steps each
 constexpr double tolerated = 0.05;        // of the largest energy or work, of the mass, of momentum
-constexpr double credible = 0.5;          // of the largest energy or work: it has doubled by itself
+constexpr double credible = 1;            // of the largest energy or work: it has doubled by itself
 constexpr double tolerated_turn = 0.015;  // of the angular momentum
 
 double largest_of(const EnergyBudget& budget, double energy) {
@@ -92,7 +92,8 @@ double Watch::rounding_energy() const {
   return start_.mass * mass_scaling_ * share * std::pow(fastest_wave(settings_), 2);
 }
 
-// A change is seen against the largest value so far: what a body had, or what was done to it.
+// A change is seen against the largest value so far: what a body had, or what was done to it, but
+// not what it made by itself.
 void Watch::look(Solver& solver) {
   const double t = solver.clock().time;
   const Balance balance = solver.balance();
@@ -104,7 +105,7 @@ void Watch::look(Solver& solver) {
     is_known_ = 1;
     budget_ = *balance.budget;
     created_ = present_.total_energy - start_.total_energy - budget_.work() + budget_.losses();
-    scale_ = std::max(scale_, largest_of(budget_, present_.total_energy));
+    scale_ = std::max(scale_, largest_of(budget_, present_.total_energy - std::max(created_, 0.)));
     if (scale_ > rounding_energy()) keep(energy_, created_ / scale_);
   }
   keep(mass_, std::abs(present_.mass / start_.mass - 1));

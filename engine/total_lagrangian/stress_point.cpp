@@ -18,7 +18,8 @@ using Pack = xsimd::batch<double, xsimd::sse2>;
 
 // [component][mode], (TL.2).
 template <class T, int D>
-std::array<std::array<double, (1 << D)>, D> modes(const Body<T, D>& body, const Cell<D>& cell) {
+std::array<std::array<double, (1 << D)>, D> modes(const Body<T, D>& body, const Cell<D>& cell,
+                                                  double ahead) {
   std::array<std::array<double, (1 << D)>, D> mode = {};
   const auto corners = body.corners(cell);
   for (int c = 0; c < (1 << D); ++c) {
@@ -27,7 +28,10 @@ std::array<std::array<double, (1 << D)>, D> modes(const Body<T, D>& body, const 
       for (int a = 0; a < D; ++a) {
         if (m >> a & 1) sign *= c >> a & 1 ? 1 : -1;
       }
-      for (int i = 0; i < D; ++i) mode[i][m] += sign * body.displacement[i][corners[c]];
+      for (int i = 0; i < D; ++i) {
+        const double d = body.displacement[i][corners[c]];
+        mode[i][m] += sign * (ahead == 0 ? d : d + ahead * body.velocity[i][corners[c]]);
+      }
     }
   }
   return mode;
@@ -84,9 +88,10 @@ struct CellShape {
 };
 
 template <class T, int D>
-CellShape<D> cell_shape(const Body<T, D>& body, std::int64_t slot, const Cell<D>& cell) {
+CellShape<D> cell_shape(const Body<T, D>& body, std::int64_t slot, const Cell<D>& cell,
+                        double ahead) {
   using Matrix = Eigen::Matrix<double, D, D>;
-  const auto mode = modes<T, D>(body, cell);
+  const auto mode = modes<T, D>(body, cell, ahead);
   const double h = body.lattice.spacing;
   const bool is_fitted = body.fraction[slot] != body.regular_fraction[slot];
   const auto fitted = std::lower_bound(
@@ -217,8 +222,9 @@ double take_polynomial(const Body<T, D>& body, const kernels::Material<double>& 
 }  // namespace
 
 template <class T, int D>
-StressPoint<D> stress_point(const Body<T, D>& body, std::int64_t slot, const Cell<D>& cell) {
-  const CellShape<D> shape = cell_shape<T, D>(body, slot, cell);
+StressPoint<D> stress_point(const Body<T, D>& body, std::int64_t slot, const Cell<D>& cell,
+                            double ahead) {
+  const CellShape<D> shape = cell_shape<T, D>(body, slot, cell, ahead);
   const auto material = kernels::with_scalar<double>(body.material);
   StressPoint<D> point;
   for (int i = 0; i < D; ++i) {
@@ -243,10 +249,12 @@ StressPoint<D> stress_point(const Body<T, D>& body, std::int64_t slot, const Cel
 }
 
 template StressPoint<2> stress_point<double, 2>(const Body<double, 2>&, std::int64_t,
-                                                const Cell<2>&);
+                                                const Cell<2>&, double);
 template StressPoint<3> stress_point<double, 3>(const Body<double, 3>&, std::int64_t,
-                                                const Cell<3>&);
-template StressPoint<2> stress_point<float, 2>(const Body<float, 2>&, std::int64_t, const Cell<2>&);
-template StressPoint<3> stress_point<float, 3>(const Body<float, 3>&, std::int64_t, const Cell<3>&);
+                                                const Cell<3>&, double);
+template StressPoint<2> stress_point<float, 2>(const Body<float, 2>&, std::int64_t, const Cell<2>&,
+                                               double);
+template StressPoint<3> stress_point<float, 3>(const Body<float, 3>&, std::int64_t, const Cell<3>&,
+                                               double);
 
 }  // namespace pliant::total_lagrangian

@@ -17,8 +17,10 @@ struct StressPoint {
   double energy = 0;  ///< of the cell, with that of hourglass modes and Prony terms [J]
 };
 
-/// The stress point above `slot`, whose cell the body must fill in part; (TL.2)-(TL.6).
+/// The stress point above `slot`, whose cell the body must fill in part; (TL.2)-(TL.6). With
+/// `ahead`, where particles are that time after the present with their velocities [s].
 template <class T, int D>
-StressPoint<D> stress_point(const Body<T, D>& body, std::int64_t slot, const Cell<D>& cell);
+StressPoint<D> stress_point(const Body<T, D>& body, std::int64_t slot, const Cell<D>& cell,
+                            double ahead = 0);
 
 }  // namespace pliant::total_lagrangian

@@ -43,6 +43,10 @@ class Measurer {
   virtual FreeSurface<D> free_surface(int body) const = 0;
   /// Integrals of a body; its angular momentum is about `about`.
   virtual BodyIntegrals integrals(int body, const Vector& about) const = 0;
+  /// The total energy of a body as its steps conserve it, which these integrals are of.
+  virtual double total_energy(int, const BodyIntegrals& sum) const {
+    return sum.kinetic_energy + sum.strain_energy;
+  }
 
   using Function = double (Measurer::*)(const MeasurementCase&) const;
   static Function function_of(MeasurementCase::Kind kind);
@@ -68,7 +72,9 @@ class Measurer {
     return state_.contact_impulse_on_first(m);
   }
   double integral(const MeasurementCase& m) const {
-    return value_of(m, integrals(m.body, m.point), D);
+    const BodyIntegrals sum = integrals(m.body, m.point);
+    const bool is_total = m.kind == MeasurementCase::Kind::total_energy;
+    return is_total ? total_energy(m.body, sum) : value_of(m, sum, D);
   }
 
   const State& state_;

@@ -4,7 +4,6 @@
 #include <vector>
 
 #include "engine/point_based/bonds/nearest_nodes.hpp"
-#include "engine/point_based/nodes/node_cloud.hpp"
 
 namespace pliant::point_based {
 
@@ -19,12 +18,12 @@ std::size_t whole_shells(std::size_t count, double next, std::size_t least, F&& 
   return whole < least ? count : whole;
 }
 
-/// The `count` nodes nearest to each, or all others where there are fewer; of a node with an
-/// elastic volume, those with one too, (PB.21). Throws InputError, in the name of `body`, for two
-/// nodes at one place and for a cloud of one node.
+/// The `count` nodes nearest to each of those at `places`, or all others where there are fewer; of
+/// a node with an elastic volume, those with one too, (PB.21). Throws InputError, in the name of
+/// `body`, for two nodes at one place and for a cloud of one node.
 template <int D>
 std::vector<std::vector<typename NearestNodes<D>::Found>> find_candidates(
-    const NodeCloud<D>& cloud, const std::vector<double>& elastic_volumes, int count,
+    const std::vector<Point<D>>& places, const std::vector<double>& elastic_volumes, int count,
     const std::string& body);
 
 }  // namespace pliant::point_based

@@ -24,12 +24,20 @@ void for_each_particle(const Body<T, D>& body, F&& f) {
 }
 
 template <class T, int D, class F>
-void for_each_stress_point(const Body<T, D>& body, F&& f) {
+void for_each_stress_point(const Body<T, D>& body, double ahead, F&& f) {
   for (const Block<D>& block : body.layout.blocks()) {
     body.layout.for_each_slot(block, [&](std::int64_t p, const Cell<D>& cell) {
-      if (body.fraction[p] > 0) f(p, stress_point<T, D>(body, p, cell));
+      if (body.fraction[p] > 0) f(p, stress_point<T, D>(body, p, cell, ahead));
     });
   }
+}
+
+template <class T, int D>
+double strain_energy(const Body<T, D>& body, double ahead) {
+  double sum = 0;
+  for_each_stress_point(body, ahead,
+                        [&](std::int64_t, const StressPoint<D>& point) { sum += point.energy; });
+  return sum;
 }
 
 }  // namespace
@@ -152,11 +160,54 @@ BodyIntegrals Measurer<T, D>::integrals(int index, const Vector& about) const {
     sum.mass += body.mass[p];
     add_motion(sum, body.mass[p], r, u, scaling);
   });
-  for_each_stress_point(body, [&](std::int64_t, const StressPoint<D>& point) {
+  for_each_stress_point(body, 0, [&](std::int64_t, const StressPoint<D>& point) {
     sum.strain_energy += point.energy;
     sum.volume += point.volume * point.volume_ratio;
   });
   return sum;
+}
+
+// A wall takes what acts on a particle along the directions in which it holds it.
+template <class T, int D>
+double Measurer<T, D>::power_on(const Body<T, D>& body) const {
+  const double rate = state_.clock.damping * state_.clock.mass_scaling;
+  double power = 0;
+  for_each_particle(body, [&](std::int64_t p, const Cell<D>&) {
+    for (int a = 0; a < D; ++a) {
+      const double u = body.velocity[a][p];
+      power += u * (body.traction[a][p] - rate * body.mass[p] * u);
+    }
+  });
+  for (const auto& of_block : body.held) {
+    for (const ConstrainedParticle<D>& held : of_block) {
+      const bool slips = held.normal != Point<D>{};
+      double along = 0;
+      for (int a = 0; a < D; ++a) along += body.velocity[a][held.slot] * held.normal[a];
+      for (int a = 0; a < D; ++a) {
+        const double force = double{body.internal[a][held.slot]} + body.traction[a][held.slot];
+        power -= force * (slips ? along * held.normal[a] : body.velocity[a][held.slot]);
+      }
+    }
+  }
+  return power;
+}
+
+template <class T, int D>
+double Measurer<T, D>::total_energy(int index, const BodyIntegrals& sum) const {
+  const Body<T, D>& body = state_.bodies[index];
+  const Clock& clock = state_.clock;
+  if (clock.step_length == 0) return sum.kinetic_energy + sum.strain_energy;
+  double kinetic = 0;
+  for_each_particle(body, [&](std::int64_t p, const Cell<D>&) {
+    for (int a = 0; a < D; ++a) {
+      const double u = body.velocity[a][p];
+      kinetic += clock.mass_scaling * body.mass[p] * u * u / 2;
+    }
+  });
+  const double lag = clock.lag(), half = clock.step_length / 2;
+  return kinetic + 2 * strain_energy(body, -lag) -
+         (strain_energy(body, -lag - half) + strain_energy(body, half - lag)) / 2 +
+         lag * power_on(body);
 }
 
 template class Measurer<double, 2>;

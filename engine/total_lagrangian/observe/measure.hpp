@@ -20,6 +20,8 @@ class Measurer final : public undeformed::Measurer<State<T, D>> {
 
   undeformed::FreeSurface<D> free_surface(int body) const override;
   BodyIntegrals integrals(int body, const Vector& about) const override;
+  /// (TL.30)
+  double total_energy(int body, const BodyIntegrals& sum) const override;
   double point_displacement(const MeasurementCase& m) const override;
   double point_value(const MeasurementCase& m) const override;
   double material_value(const MeasurementCase& m) const override;
@@ -28,6 +30,8 @@ class Measurer final : public undeformed::Measurer<State<T, D>> {
   /// The field of a measurement at a place of the undeformed body.
   double value_at(const MeasurementCase& m, const Vector& start) const;
   std::vector<Point<D>> present_velocity(const Body<T, D>& body) const;
+  /// Of loads, walls and damping on a body [W].
+  double power_on(const Body<T, D>& body) const;
 
   const Case& settings_;
   const State<T, D>& state_;

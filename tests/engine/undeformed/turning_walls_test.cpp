@@ -9,7 +9,7 @@
 #include "tests/engine/case/written_case.hpp"
 #include "tests/engine/undeformed/loads.hpp"
 
-// Walls that turn, (TL.30), against rigid motion, torsion, and the work that they do.
+// Walls that turn, (TL.31), against rigid motion, torsion, and the work that they do.
 namespace pliant::test {
 namespace {
 
