@@ -89,11 +89,45 @@ Shape open_box(const Shape& body, std::span<const Shape> walls, int dimension) {
   return united;
 }
 
+/// Whether `wall` stands where the plane side of a body is that a half-space cuts: the body lies in
+/// the half-space (`inside`) or beside it.
+bool stands_at(const Shape& wall, const Shape& half_space, bool inside) {
+  if (wall.kind != Shape::Kind::half_space || half_space.kind != Shape::Kind::half_space) {
+    return false;
+  }
+  double turned = 0, apart = 0, size = 0;
+  for (int a = 0; a < 3; ++a) {
+    const double along = (inside ? -1 : 1) * half_space.normal[a];
+    turned = std::max(turned, std::abs(wall.normal[a] - along));
+    apart += (wall.point[a] - half_space.point[a]) * half_space.normal[a];
+    size = std::max({size, std::abs(wall.point[a]), std::abs(half_space.point[a])});
+  }
+  return turned <= 1e-9 && same_plane(apart, 0, size);
+}
+
+/// `body` without the half-spaces that cut it where walls stand.
+Shape uncut(const Shape& body, std::span<const Shape> walls) {
+  using enum Shape::Kind;
+  if (body.kind != intersect && body.kind != subtract) return body;
+  Shape open = body;
+  const bool inside = body.kind == intersect;
+  open.operands.erase(std::remove_if(open.operands.begin() + (inside ? 0 : 1), open.operands.end(),
+                                     [&](const Shape& part) {
+                                       return std::ranges::any_of(walls, [&](const Shape& wall) {
+                                         return stands_at(wall, part, inside);
+                                       });
+                                     }),
+                      open.operands.end());
+  if (open.operands.empty()) return body;
+  return open.operands.size() == 1 ? open.operands.front() : open;
+}
+
 }  // namespace
 
 Shape free_surface(const Shape& body, std::span<const Shape> walls, int dimension) {
   if (body.kind == Shape::Kind::box) return open_box(body, walls, dimension);
-  Shape open = body;
+  Shape open = uncut(body, walls);
+  if (open.kind == Shape::Kind::box) return open_box(open, walls, dimension);
   for (Shape& operand : open.operands) operand = free_surface(operand, walls, dimension);
   return open;
 }

@@ -17,7 +17,8 @@
 namespace pliant {
 
 /// `body` with every box face that lies against a face of one of `walls` (a half-space or a box)
-/// moved to infinity. A face that a wall covers in part is extended over that part.
+/// moved to infinity. A face that a wall covers in part is extended over that part. A half-space
+/// that cuts the body where a wall is the same plane cuts nothing off.
 Shape free_surface(const Shape& body, std::span<const Shape> walls, int dimension);
 
 }  // namespace pliant

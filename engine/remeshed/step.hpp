@@ -33,7 +33,10 @@ class Step {
   /// What acts on the bodies at the start of the step, for one thread.
   Surroundings<D> surroundings() const { return work_.around(0, 0); }
   /// What a step found over all blocks.
-  void fold() { work_.fold(); }
+  void fold() {
+    work_.fold();
+    state_.energy.friction += contact_.lost_by_friction();
+  }
   /// What a step of `time_step` [s] did to the budgets of momentum and spin, after it.
   void follow_motion(double time_step) {
     if (motion_.is_needed()) motion_.add_step(work_.body_forces(), time_step);

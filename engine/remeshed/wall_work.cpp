@@ -5,6 +5,7 @@
 #include <cmath>
 #include <utility>
 
+#include "engine/remeshed/ghosts/share_before_walls.hpp"
 #include "engine/remeshed/ghosts/wall_site.hpp"
 #include "kernels/remeshed/ghosts/wall_friction.hpp"
 
@@ -32,25 +33,12 @@ double area_on_wall(const Body<T, D>& body, const BlockGhosts<T, D>& ghosts, std
   return std::pow(h, D - 1) * layer * covered;
 }
 
-// Whether another wall lies before a foot point: the body ends there.
-template <int D>
-bool is_covered(const Boundaries<D>& boundaries, int wall, const Point<D>& foot) {
-  for (int w = 0; w < static_cast<int>(boundaries.walls.size()); ++w) {
-    const Wall<D>& other = boundaries.walls[w];
-    if (w != wall && other.is_attached() && other.distance(foot) < 0) return true;
-  }
-  return false;
-}
-
-}  // namespace
-
+// F of (RP.65) around a slot: how far the slots beside it have come apart since the remeshing.
 template <class T, int D>
-double growth_on_wall(const Body<T, D>& body, const BlockGhosts<T, D>& ghosts, std::size_t g,
-                      int buffer) {
-  using Matrix = Eigen::Matrix<double, D, D>;
+WallStretch<D> stretch_around(const Body<T, D>& body, std::int64_t slot, int buffer) {
   const Layout<D>& layout = body.population.layout;
-  const Cell<D> cell = layout.cell(ghosts.slot[g]);
-  Matrix f = Matrix::Identity();
+  const Cell<D> cell = layout.cell(slot);
+  WallStretch<D> f = WallStretch<D>::Identity();
   for (int j = 0; j < D; ++j) {
     Cell<D> up = cell, down = cell;
     ++up[j];
@@ -63,6 +51,32 @@ double growth_on_wall(const Body<T, D>& body, const BlockGhosts<T, D>& ghosts, s
       f(i, j) += (drift[q] - drift[r]) / (2 * body.lattice.spacing);
     }
   }
+  return f;
+}
+
+// What other walls leave of the part of a ghost at the start of a step. Material that slides takes
+// its part of the wall along and stretches it.
+template <class T, int D>
+double share_before_others(const Body<T, D>& body, const BlockGhosts<T, D>& ghosts, std::size_t g,
+                           const Boundaries<D>& boundaries) {
+  const int wall = ghosts.wall[g];
+  const std::int64_t slot = ghosts.slot[g];
+  Point<D> foot = ghosts.foot[g];
+  for (int a = 0; a < D; ++a) foot[a] += body.stage[0].get(Field::drift, a)[slot];
+  const double h = body.lattice.spacing;
+  if (!boundaries.walls[wall].slips()) {
+    return share_before_walls<D>(boundaries, wall, foot, ghosts.normal[g], h);
+  }
+  return share_before_walls<D>(boundaries, wall, foot, ghosts.normal[g], h,
+                               [&] { return stretch_around(body, slot, 0); });
+}
+
+}  // namespace
+
+template <class T, int D>
+double growth_on_wall(const Body<T, D>& body, const BlockGhosts<T, D>& ghosts, std::size_t g,
+                      int buffer) {
+  const WallStretch<D> f = stretch_around(body, ghosts.slot[g], buffer);
   const Eigen::Map<const Eigen::Matrix<double, D, 1>> normal(ghosts.normal[g].data());
   return f.determinant() * (f.transpose().inverse() * normal).norm();
 }
@@ -76,9 +90,10 @@ void find_wall_shares(const Body<T, D>& body, int block, const Boundaries<D>& bo
   for (std::size_t g = 0; g < ghosts.reached_count; ++g) {
     const int wall = ghosts.wall[g];
     if (wall < 0 || watched[wall] == 0) continue;
-    const double area = area_on_wall(body, ghosts, g, boundaries.walls[wall].slips());
-    if (area == 0 || is_covered<D>(boundaries, wall, ghosts.foot[g])) continue;
-    shares.push_back({static_cast<std::int32_t>(g), area});
+    double area = area_on_wall(body, ghosts, g, boundaries.walls[wall].slips());
+    if (area == 0) continue;
+    area *= share_before_others(body, ghosts, g, boundaries);
+    if (area > 0) shares.push_back({static_cast<std::int32_t>(g), area});
   }
 }
 

@@ -65,13 +65,6 @@ bool is_periodic(const Case& settings) {
   return std::any_of(axis.begin(), axis.end(), [](bool periodic) { return periodic; });
 }
 
-bool has_friction(const Case& settings) {
-  return std::any_of(settings.boundaries.begin(), settings.boundaries.end(),
-                     [](const BoundaryCase& wall) { return !!wall.friction_coefficient; }) ||
-         std::any_of(settings.contacts.begin(), settings.contacts.end(),
-                     [](const ContactCase& c) { return c.law == ContactLaw::coulomb; });
-}
-
 }  // namespace
 
 ConservedQuantities conserved(const BodyIntegrals& sum) {
@@ -185,14 +178,12 @@ std::string Watch::observe(Solver& solver, bool last) {
 }
 
 // Only at the end: what a body that is flat in contact seems to have lost comes back. What viscous
-// bodies lose, they should, and what friction takes.
+// bodies lose, they should.
 std::string Watch::judge_loss() const {
   const bool is_viscous = std::any_of(
       settings_.bodies.begin(), settings_.bodies.end(),
       [](const BodyCase& body) { return !body.prony.empty() || !body.prony_shear.empty(); });
-  if (is_viscous || has_friction(settings_) || !(scale_ > rounding_energy()) ||
-      !(-created_ > tolerated * scale_))
-    return "";
+  if (is_viscous || !(scale_ > rounding_energy()) || !(-created_ > tolerated * scale_)) return "";
   return fmt::format(
       "warning: in the end {:.3g} of the largest energy or work is lost without damping, to "
       "numerical dissipation, contact and remeshing; use a finer spacing where the motion matters "

@@ -152,6 +152,8 @@ TEST(body_contact, slows_a_block_that_slides_by_its_friction) {
   const double mass = 0.24;
   advance_until(solver, 0.1);
   EXPECT_NEAR(momentum_of(solver, 1, 0) / mass, 0.2, 0.03);
+  const double lost = mass / 2 * (0.4 * 0.4 - 0.2 * 0.2);
+  EXPECT_NEAR(solver.energy_budget()->friction, lost, 0.1 * lost);
   advance_until(solver, 0.3);
   EXPECT_NEAR(momentum_of(solver, 1, 0) / mass, 0, 0.03);
 }

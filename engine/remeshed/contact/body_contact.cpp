@@ -1,6 +1,7 @@
 #include "engine/remeshed/contact/body_contact.hpp"
 
 #include <algorithm>
+#include <numeric>
 
 #include "engine/method/phase_rows.hpp"
 #include "engine/remeshed/ghosts/fit_evaluator.hpp"
@@ -57,6 +58,7 @@ void BodyContact<T, D>::prepare(double time_step) {
   time_step_ = time_step;
   search_.prepare();
   block_impulse_.assign(state_.blocks.size() * contacts_.size(), {});
+  block_friction_.assign(state_.blocks.size(), 0);
 }
 
 template <class T, int D>
@@ -69,6 +71,11 @@ const std::vector<Point<D>>& BodyContact<T, D>::fold() {
 }
 
 template <class T, int D>
+double BodyContact<T, D>::lost_by_friction() const {
+  return std::accumulate(block_friction_.begin(), block_friction_.end(), 0.);
+}
+
+template <class T, int D>
 void BodyContact<T, D>::find_tractions(int block, int stage) {
   const auto [owner, local] = state_.blocks[block];
   const Body<T, D>& own = state_.bodies[owner];
@@ -78,19 +85,20 @@ void BodyContact<T, D>::find_tractions(int block, int stage) {
     const int c = contact_points.contact[k];
     const bool is_first = contacts_[c].bodies[0] == owner;
     const Body<T, D>& other = state_.bodies[contacts_[c].bodies[is_first ? 1 : 0]];
-    contact_points.traction[k] = traction(own, other, ghosts, k, contacts_[c]);
+    const Interaction found = interaction(own, other, ghosts, k, contacts_[c]);
+    contact_points.traction[k] = found.traction;
     // On the second body, the mean of what the two sides say.
-    const double share = (is_first ? -0.5 : 0.5) * stage_weight[stage] * time_step_;
+    const double share = 0.5 * stage_weight[stage] * time_step_ * contact_points.area[k];
     Point<D>& impulse = block_impulse_[block * contacts_.size() + c];
-    for (int a = 0; a < D; ++a)
-      impulse[a] += share * contact_points.area[k] * contact_points.traction[k][a];
+    for (int a = 0; a < D; ++a) impulse[a] += (is_first ? -share : share) * found.traction[a];
+    block_friction_[block] += share * found.friction;
   }
 }
 
 template <class T, int D>
-std::array<T, D> BodyContact<T, D>::traction(const Body<T, D>& own, const Body<T, D>& other,
-                                             const BlockGhosts<T, D>& ghosts, std::size_t point,
-                                             const ContactCase& contact) const {
+auto BodyContact<T, D>::interaction(const Body<T, D>& own, const Body<T, D>& other,
+                                    const BlockGhosts<T, D>& ghosts, std::size_t point,
+                                    const ContactCase& contact) const -> Interaction {
   constexpr int width = kernels::record_width<D>;
   const ContactPoints<T, D>& contact_points = ghosts.contact_points;
   const std::int32_t g = contact_points.ghost[point];
@@ -113,8 +121,13 @@ std::array<T, D> BodyContact<T, D>::traction(const Body<T, D>& own, const Body<T
       kernels::unit_normal<T, D>(fits.linear),
       static_cast<T>(contact_points.gap[point] * speed / (closing_time * own.lattice.spacing)),
       converted(contact.law), static_cast<T>(contact.friction));
-  std::array<T, D> result;
-  for (int a = 0; a < D; ++a) result[a] = load.normal * load.n[a] + load.shear[a];
+  Interaction result{{}, 0};
+  for (int a = 0; a < D; ++a) result.traction[a] = load.normal * load.n[a] + load.shear[a];
+  if (contact.law != ContactLaw::coulomb || !kernels::slides<T, D>(load, contact.friction)) {
+    return result;
+  }
+  const auto slip = kernels::slip_velocity<T, D>(fits.surface, {sum.data()}, load.n);
+  for (int a = 0; a < D; ++a) result.friction += load.shear[a] * slip[a];
   return result;
 }
 

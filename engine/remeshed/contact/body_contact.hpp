@@ -44,12 +44,20 @@ class BodyContact {
   /// (RP.68): impulse of each contact on the second of its bodies in the step [N s], folded over
   /// the blocks in their order.
   const std::vector<Point<D>>& fold();
+  /// (RP.99): energy lost to friction in the step [J], folded likewise.
+  double lost_by_friction() const;
 
  private:
+  /// What a body does to another one at a point of their common surface.
+  struct Interaction {
+    std::array<T, D> traction;
+    double friction;  ///< power per area that it takes, (RP.99) [W/m^2]
+  };
+
   void find_tractions(int block, int stage);
-  std::array<T, D> traction(const Body<T, D>& own, const Body<T, D>& other,
-                            const BlockGhosts<T, D>& ghosts, std::size_t point,
-                            const ContactCase& contact) const;
+  Interaction interaction(const Body<T, D>& own, const Body<T, D>& other,
+                          const BlockGhosts<T, D>& ghosts, std::size_t point,
+                          const ContactCase& contact) const;
 
   State<T, D>& state_;
   const std::vector<ContactCase>& contacts_;
@@ -57,6 +65,7 @@ class BodyContact {
   ContactSearch<T, D> search_;
   double time_step_ = 0;
   std::vector<Point<D>> block_impulse_;  ///< [block][contact] on the second body, of this step
+  std::vector<double> block_friction_;   ///< [block] energy lost to friction in this step
   std::vector<Point<D>> impulse_;        ///< [contact]
 };
 

@@ -8,6 +8,7 @@
 #include "engine/remeshed/contact/wall_contact.hpp"
 #include "engine/remeshed/ghosts/ghost_fitter.hpp"
 #include "engine/remeshed/ghosts/record_loads.hpp"
+#include "engine/remeshed/ghosts/share_before_walls.hpp"
 #include "engine/storage/push_tightly.hpp"
 
 namespace pliant::remeshed {
@@ -126,8 +127,10 @@ class GhostFinder {
     const double layer = std::max(0., 1 - std::abs(distance / h + 1));
     const auto share = [&] {
       const Point<D>& foot = ghosts_.foot.back();
-      return boundaries_.walls[wall].spread(body_.lattice.node(cell), -distance) *
-             WallCover<T, D>(body_.lattice, level_set_).share(foot, normal);
+      const double spread = boundaries_.walls[wall].spread(body_.lattice.node(cell), -distance);
+      const double apart = h * std::pow(spread, 1. / (D - 1));  // feet on a curved wall
+      return spread * WallCover<T, D>(body_.lattice, level_set_).share(foot, normal) *
+             share_before_walls<D>(boundaries_, wall, foot, normal, apart);
     };
     ghosts_.contact_area.push_back(layer > 0 ? std::pow(h, D - 1) * layer * share() : 0);
   }

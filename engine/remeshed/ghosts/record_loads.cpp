@@ -1,6 +1,7 @@
 #include "engine/remeshed/ghosts/record_loads.hpp"
 
 #include <Eigen/Dense>
+#include <algorithm>
 #include <cmath>
 
 #include "engine/geometry/padded.hpp"
@@ -78,8 +79,7 @@ class LoadFinder {
   const Boundaries<D>& boundaries_;
 };
 
-}  // namespace
-
+/// The load on the material that was at `start`.
 template <int D>
 std::int8_t load_at(const Boundaries<D>& boundaries, const Point<D>& start) {
   for (std::size_t i = 0; i < boundaries.pressures.size(); ++i) {
@@ -88,16 +88,22 @@ std::int8_t load_at(const Boundaries<D>& boundaries, const Point<D>& start) {
   return no_load;
 }
 
+}  // namespace
+
+// A region may end in the plane of the face that it loads: what lies just before the face decides.
 template <int D>
 InitialFace<D> face_at(const Boundaries<D>& boundaries, const Shape& surface,
                        const Point<D>& start) {
+  constexpr double rounding = 1e-9;  // of coordinates
   const Vector near = padded<D>(start), n = outward_direction(surface, near, D);
   const double distance = signed_distance(surface, near, D);
   InitialFace<D> face{{}, no_load};
   Point<D> x = start;
+  double size = 0;
+  for (const double component : start) size = std::max(size, std::abs(component));
   for (int a = 0; a < D; ++a) {
     face.normal[a] = n[a];
-    x[a] -= distance * n[a];
+    x[a] += (rounding * size - distance) * n[a];
   }
   face.load = load_at<D>(boundaries, x);
   return face;
@@ -117,11 +123,13 @@ void find_record_loads(const Lattice<D>& lattice, const FieldStore<T, D>& fields
 
 namespace {
 
-// In 3D a ghost has the load of one place: where the material at its foot point was. Where fits at
-// the foot point are not asked for a traction, those at the ghost tell that.
+// In 3D a ghost has the load of one place: where the material at its foot point was, as well as
+// that is known. Where fits at the foot point are not asked for a traction, those at the ghost tell
+// that.
 template <class T, int D>
-std::int8_t load_at_foot(const Body<T, D>& body, const Boundaries<D>& boundaries,
-                         const BlockGhosts<T, D>& ghosts, std::size_t g) {
+std::int8_t load_at_foot(const Body<T, D>& body, const Shape& surface,
+                         const Boundaries<D>& boundaries, const BlockGhosts<T, D>& ghosts,
+                         std::size_t g) {
   const kernels::FitTerms<T, D>& terms = ghosts.terms[g];
   const auto& at = ghosts.surface_sum[g] > T(0.5) ? terms.surface : terms.linear;
   Point<D> start = ghosts.foot[g];
@@ -130,6 +138,9 @@ std::int8_t load_at_foot(const Body<T, D>& body, const Boundaries<D>& boundaries
     const std::int32_t slot = body.spare.slot_of_record[kernels::record_of(ghosts.pairs[k])];
     for (int a = 0; a < D; ++a) start[a] -= c * body.stage[1].get(Field::displacement, a)[slot];
   }
+  constexpr double known = 0.02;  // [h], to which a place at t = 0 is: regions may end on a face
+  const Vector n = outward_direction(surface, padded<D>(start), D);
+  for (int a = 0; a < D; ++a) start[a] += known * body.lattice.spacing * n[a];
   return load_at<D>(boundaries, start);
 }
 
@@ -150,12 +161,13 @@ std::int8_t load_of_faces(const Population<T, D>& population, const BlockGhosts<
 }  // namespace
 
 template <class T, int D>
-void find_ghost_loads(Body<T, D>& body, const Boundaries<D>& boundaries, int block) {
+void find_ghost_loads(Body<T, D>& body, const Shape& surface, const Boundaries<D>& boundaries,
+                      int block) {
   BlockGhosts<T, D>& ghosts = body.spare.ghosts[block];
   for (std::size_t g = 0; g < ghosts.slot.size(); ++g) {
     if (ghosts.wall[g] >= 0) continue;
     if constexpr (D == 3) {
-      ghosts.pressure[g] = load_at_foot(body, boundaries, ghosts, g);
+      ghosts.pressure[g] = load_at_foot(body, surface, boundaries, ghosts, g);
     } else {
       ghosts.pressure[g] = load_of_faces(body.spare, ghosts, g);
     }
@@ -224,14 +236,13 @@ kernels::SurfaceLoad<T, D> mixed_load(const Body<T, D>& body, const BlockGhosts<
   return traction;
 }
 
-template std::int8_t load_at<2>(const Boundaries<2>&, const Point<2>&);
-template std::int8_t load_at<3>(const Boundaries<3>&, const Point<3>&);
 template InitialFace<2> face_at<2>(const Boundaries<2>&, const Shape&, const Point<2>&);
 template InitialFace<3> face_at<3>(const Boundaries<3>&, const Shape&, const Point<3>&);
 template void find_record_loads<double, 2>(const Lattice<2>&, const FieldStore<double, 2>&,
                                            const Shape&, const Boundaries<2>&, int,
                                            Population<double, 2>&);
-template void find_ghost_loads<double, 2>(Body<double, 2>&, const Boundaries<2>&, int);
+template void find_ghost_loads<double, 2>(Body<double, 2>&, const Shape&, const Boundaries<2>&,
+                                          int);
 template kernels::SurfaceLoad<double, 2> mixed_load<double, 2>(const Body<double, 2>&,
                                                                const BlockGhosts<double, 2>&,
                                                                std::size_t,
@@ -239,7 +250,8 @@ template kernels::SurfaceLoad<double, 2> mixed_load<double, 2>(const Body<double
 template void find_record_loads<double, 3>(const Lattice<3>&, const FieldStore<double, 3>&,
                                            const Shape&, const Boundaries<3>&, int,
                                            Population<double, 3>&);
-template void find_ghost_loads<double, 3>(Body<double, 3>&, const Boundaries<3>&, int);
+template void find_ghost_loads<double, 3>(Body<double, 3>&, const Shape&, const Boundaries<3>&,
+                                          int);
 template kernels::SurfaceLoad<double, 3> mixed_load<double, 3>(const Body<double, 3>&,
                                                                const BlockGhosts<double, 3>&,
                                                                std::size_t,
@@ -247,14 +259,14 @@ template kernels::SurfaceLoad<double, 3> mixed_load<double, 3>(const Body<double
 template void find_record_loads<float, 2>(const Lattice<2>&, const FieldStore<float, 2>&,
                                           const Shape&, const Boundaries<2>&, int,
                                           Population<float, 2>&);
-template void find_ghost_loads<float, 2>(Body<float, 2>&, const Boundaries<2>&, int);
+template void find_ghost_loads<float, 2>(Body<float, 2>&, const Shape&, const Boundaries<2>&, int);
 template kernels::SurfaceLoad<float, 2> mixed_load<float, 2>(const Body<float, 2>&,
                                                              const BlockGhosts<float, 2>&,
                                                              std::size_t, const BoundaryValues<2>&);
 template void find_record_loads<float, 3>(const Lattice<3>&, const FieldStore<float, 3>&,
                                           const Shape&, const Boundaries<3>&, int,
                                           Population<float, 3>&);
-template void find_ghost_loads<float, 3>(Body<float, 3>&, const Boundaries<3>&, int);
+template void find_ghost_loads<float, 3>(Body<float, 3>&, const Shape&, const Boundaries<3>&, int);
 template kernels::SurfaceLoad<float, 3> mixed_load<float, 3>(const Body<float, 3>&,
                                                              const BlockGhosts<float, 3>&,
                                                              std::size_t, const BoundaryValues<3>&);

@@ -17,10 +17,6 @@ struct InitialFace {
   std::int8_t load;
 };
 
-/// The load on the material that was at `start`.
-template <int D>
-std::int8_t load_at(const Boundaries<D>& boundaries, const Point<D>& start);
-
 /// The face of a surface nearest to `start`, and the load that acts on it there.
 template <int D>
 InitialFace<D> face_at(const Boundaries<D>& boundaries, const Shape& surface,
@@ -34,9 +30,11 @@ void find_record_loads(const Lattice<D>& lattice, const FieldStore<T, D>& fields
                        Population<T, D>& population);
 
 /// Gives the ghosts of the free surface in a block of the new population their loads: in 2D those
-/// of all faces of (RP.78), in 3D the one at the foot point.
+/// of all faces of (RP.78), in 3D the one at the foot point. `surface` is the free surface at t =
+/// 0.
 template <class T, int D>
-void find_ghost_loads(Body<T, D>& body, const Boundaries<D>& boundaries, int block);
+void find_ghost_loads(Body<T, D>& body, const Shape& surface, const Boundaries<D>& boundaries,
+                      int block);
 
 /// The traction of `several_loads` on a ghost, and the normal that belongs to it, (RP.78).
 template <class T, int D>

@@ -189,7 +189,8 @@ template <class T, int D>
 BodyIntegrals Measurer<T, D>::integrate_body(int body, const Vector& about) {
   using Policy = decltype(Case::remeshing)::Policy;
   const Body<T, D>& particles = state_.bodies[body];
-  if (!find_nodes_ || settings_.remeshing.policy == Policy::never || !particles.has_surface) {
+  const bool is_bounded = particles.has_surface || !state_.boundaries.walls.empty();
+  if (!find_nodes_ || settings_.remeshing.policy == Policy::never || !is_bounded) {
     return sum_particles<T, D>(particles, about);
   }
   BodyIntegrals sum = integrate<T, D>(nodes()[body], state_.boundaries, about);

@@ -25,6 +25,30 @@ struct InterfaceSide {
   Impedance<T> impedance;
 };
 
+/// Whether Coulomb's law limits the shear of a traction.
+template <class T, int D>
+bool slides(const SurfaceLoad<T, D>& load, double friction) {
+  constexpr double rounding = 1e-5;
+  double square = 0;
+  for (const T component : load.shear) square += static_cast<double>(component) * component;
+  const double most = -friction * load.normal;
+  return load.normal < 0 && square >= (1 - rounding) * most * most;
+}
+
+/// Velocity of the other body relative to `own` along their common surface.
+template <class T, int D>
+VectorOf<T, D> slip_velocity(const RecordSum<T, D>& own, const RecordSum<T, D>& other,
+                             const VectorOf<T, D>& n) {
+  VectorOf<T, D> slip;
+  T opening = 0;
+  for (int i = 0; i < D; ++i) {
+    slip[i] = other.velocity(i) - own.velocity(i);
+    opening += slip[i] * n[i];
+  }
+  for (int i = 0; i < D; ++i) slip[i] -= opening * n[i];
+  return slip;
+}
+
 /// (RP.56): the traction on `own`, n its normal, out of it. `closing` is the velocity [m/s] at
 /// which the gap between the surfaces is to vanish, negative where they overlap. None between
 /// surfaces that do not face each other, as those beside the edge of a contact, unless tied.

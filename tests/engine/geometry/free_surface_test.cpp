@@ -72,5 +72,24 @@ TEST(free_surface, parts_of_a_combination_are_opened_alike) {
   EXPECT_DOUBLE_EQ(distance(notched, walls, {0.3, 3, 0}), -0.2);
 }
 
+// A disc of which planes of symmetry leave a part: where walls stand in these planes it is whole.
+TEST(free_surface, half_spaces_that_cut_a_body_at_walls_cut_nothing_off) {
+  const Shape disc = ball({0, 0, 0}, 1);
+  const Vector oblique = {0.6, 0.8, 0}, back = {-0.6, -0.8, 0};
+  const std::vector<Shape> walls{half_space({0.8, -0.6, 0}, oblique)};
+  const Shape kept = combine(Shape::Kind::intersect, {disc, half_space({0, 0, 0}, back)});
+  const Shape left = combine(Shape::Kind::subtract, {disc, half_space({0, 0, 0}, oblique)});
+  for (const Shape& half : {kept, left}) {
+    for (const Vector& x : {Vector{0.1, 0.1, 0}, Vector{-0.3, -0.4, 0}, Vector{2, 0, 0}}) {
+      EXPECT_EQ(distance(half, walls, x), signed_distance(disc, x, 2));
+    }
+    // A wall in another plane, and one of which the body lies on the other side, change nothing.
+    for (const Shape& wall : {half_space({0.1, 0, 0}, oblique), half_space({0, 0, 0}, back)}) {
+      const Vector x = {-0.3, -0.4, 0};
+      EXPECT_EQ(distance(half, {wall}, x), signed_distance(half, x, 2));
+    }
+  }
+}
+
 }  // namespace
 }  // namespace pliant

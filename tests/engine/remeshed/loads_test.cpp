@@ -177,6 +177,34 @@ traction = [0.5, 0]
   EXPECT_NEAR(reaction, -0.5, 0.05);
 }
 
+// The region ends in the plane of the face: all of its ghosts bear the load, and what it does is in
+// the energy balance. Rounding decided for each of them, so that the run created all of its energy.
+TEST(tractions, act_on_a_face_on_which_their_region_ends) {
+  const Case settings = tests::read_text(
+      R"(dimension = 3
+discretisation = { spacing = 0.05, damping = "adaptive" }
+time = { end = 10 }
+[[body]]
+name = "bar"
+geometry = { shape = "box", lower = [0, 0, 0], upper = [0.4, 0.25, 0.25] }
+material = { model = "linear", youngs_modulus = 200, poissons_ratio = 0.3, density = 2 }
+)" + half_space("left", "kind = \"slip_wall\"\n", "[0, 0, 0]", "[1, 0, 0]") +
+      R"toml([[boundary]]
+name = "pull"
+kind = "traction"
+geometry = { shape = "box", lower = [0.4, -9, -9], upper = [9, 9, 9] }
+traction = ["min(t/0.3,1)", 0, 0]
+)toml" +
+      measurement("stress", "kind = \"mean_value\"\nfield = \"stress_xx\"\nwhere = \"x < 0.2\"\n"));
+  remeshed::Solver<double, 3> solver(settings, {2, kernels::widest_supported()});
+  advance_until(solver, 0.4);
+  EXPECT_NEAR(solver.measure()[0], 1, 0.04);
+  const BodyIntegrals sum = solver.integrals();
+  const EnergyBudget budget = *solver.energy_budget();
+  const double stored = sum.kinetic_energy + sum.strain_energy;
+  EXPECT_NEAR(stored + budget.damping, budget.work(), 0.1 * budget.work());
+}
+
 // Walls that pull for a while and stand, and loads: what they have done is in the bar.
 TEST(energy_budget_of_the_remeshed_method, work_is_in_the_bar) {
   const std::string walls =

@@ -65,6 +65,23 @@ TEST_F(Watching, says_at_the_end_how_much_energy_was_lost) {
   EXPECT_EQ(seen(0.5, off + "\nenergy = \"off\""), "");
 }
 
+// What friction takes is in the budget, so that the rest is lost.
+TEST_F(Watching, says_so_where_there_is_friction_too) {
+  const std::string off = "momentum = \"off\"\n";
+  const Case settings = flying(1, off + R"([[boundary]]
+name = "floor"
+kind = "contact_wall"
+friction = 0.3
+geometry = { shape = "half_space", point = [0, -1], normal = [0, 1] }
+)");
+  const Case fast = flying(1, off), slow = flying(0.5, off);
+  FreeFlight before(fast, {}), after(slow, {});
+  Watch watch(settings);
+  watch.begin(before);
+  const std::string warning = watch.observe(after, true);
+  EXPECT_NE(warning.find("0.75 of the largest energy or work is lost"), warning.npos) << warning;
+}
+
 TEST_F(Watching, watches_the_angular_momentum_of_a_body_that_turns) {
   const auto turning = [](const std::string& speed) {
     Case settings = tests::read_text(tests::block_case + "rotation = { centre = [0.5, 1], " +
