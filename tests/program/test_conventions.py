@@ -125,6 +125,12 @@ class Conventions(ProgramTest):
         self.assertEqual(2, status)
         self.assertIn("jelly/case.toml: exists already; give another name", err)
 
+    def test_a_new_case_says_where_its_results_will_be(self):
+        for name in ("my/jelly", "my/other/", str(self.folder / "far/away")):
+            self.printed("new", name)
+            text = (self.folder / name / "case.toml").read_text()
+            self.assertIn(f"writes results/{name.rstrip('/').split('/')[-1]}; open result.xdmf", text)
+
     def test_a_copied_case_has_its_mesh(self):
         self.printed("new", "liver", "--from", SOURCE / "cases/organ")
         self.assertEqual((SOURCE / "cases/organ/organ.ply").read_bytes(), (self.folder / "liver/organ.ply").read_bytes())
