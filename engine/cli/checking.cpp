@@ -56,7 +56,7 @@ Json list_of(const std::vector<Examined>& items) {
   return list;
 }
 
-/// Counts nodes and steps in the place of estimates.
+/// Counts nodes and steps in place of estimates.
 void count_nodes(const Examined& nodes, double end, Estimate& size) {
   size.steps = std::llround(std::ceil(end / nodes.time_step));
   size.particles = 0;
@@ -108,12 +108,21 @@ std::string text_of(const Json& json) {
   return json.dump(1, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 
+/// Those of the method too, which a run itself shows when it begins.
+std::vector<std::string> all_warnings_of(const Case& settings) {
+  std::vector<std::string> warnings = warnings_of(settings);
+  if (settings.rules == nullptr || settings.rules->warning == nullptr) return warnings;
+  const std::string of_method = settings.rules->warning(settings);
+  if (!of_method.empty()) warnings.push_back(of_method);
+  return warnings;
+}
+
 }  // namespace
 
 ExitStatus check(const CheckArguments& arguments) {
   Checked checked;
   checked.settings = read_case(arguments.source.path, arguments.source.settings);
-  checked.warnings = warnings_of(checked.settings);
+  checked.warnings = all_warnings_of(checked.settings);
   checked.size = estimate(checked.settings);
   checked.nodes = examine(checked.settings);
   if (checked.nodes) count_nodes(*checked.nodes, checked.settings.time.end, checked.size);
