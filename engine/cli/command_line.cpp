@@ -74,7 +74,7 @@ void add_commands(Commands& commands) {
 
 /// What CLI11 says is wrong, in words of this program: options that it converts take numbers.
 std::string reason(const CLI::ParseError& error) {
-  const std::string text = error.what();
+  std::string text = error.what();
   constexpr std::string_view conversion = "Could not convert: ";
   if (!text.starts_with(conversion)) return text;
   return text.substr(conversion.size()) + " is not a number in the range of this option";
