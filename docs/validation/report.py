@@ -376,7 +376,7 @@ def aspiration(run, quick):
     return ("## Liver aspiration (section 7, figures 8 and 9)\n\nSuction 30 kPa (t/15 s)^2.\n\n"
             + table(["particles", "suction [kPa]", "tip of the surface [mm]", "of the particle [mm]",
                      "finite elements [mm]", "difference", "kinetic over strain energy"], rows)
-            + "\n![Way of the tip](aspiration_tip.png)\n\nThe middle plane at 30 kPa: at the true "
+            + "\n![Displacement of the tip](aspiration_tip.png)\n\nThe middle plane at 30 kPa: at the true "
             "compressibility the tissue changes its volume by parts in ten thousand (the paper's "
             "isolines go to -4 %).\n\n![Dilatation](aspiration_dilatation.png)\n")
 

@@ -276,7 +276,8 @@ void boundary_keys(Visitor& visit, BoundaryCase& boundary) {
           {.meaning = "friction between wall and bodies: a word, or the coefficient of Coulomb "
                       "friction (TL.12)",
            .example = R"("no_slip")",
-           .limits = not_negative});
+           .limits = not_negative,
+           .remedy = "give a coefficient, as in friction = 0.3"});
   }
   if (row.motion != Use::no) {
     visit("velocity", boundary.velocity,

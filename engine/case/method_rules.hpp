@@ -43,7 +43,7 @@ struct MethodRules {
   StepLimits (*step_limits)(const Case& a_case) = nullptr;
   /// What `pliant check` says of the method and its parameters, a few words. Null: its word.
   std::string (*summary)(const Case& a_case) = nullptr;
-  /// What a run of the case should warn of before it starts; empty for nothing. Null: nothing.
+  /// What `run` and `check` should warn of, a sentence; empty for nothing. Null: nothing.
   std::string (*warning)(const Case& a_case) = nullptr;
   /// Null: estimates leave the bodies out.
   Footprint (*footprint)(const Case& a_case, const BodyCase& body) = nullptr;

@@ -205,7 +205,7 @@ bool read(const Entry& entry, std::optional<VectorExpression>& value) {
 bool read(const Entry& entry, WallFriction value) {
   BoundaryCase& boundary = value.boundary;
   if (!entry.node.is_number()) {
-    const int word = read_word(entry, wall_frictions());
+    const int word = read_word(entry, wall_frictions(), ", or a coefficient");
     if (word >= 0) boundary.friction = static_cast<ContactLaw>(word);
     return word >= 0;
   }

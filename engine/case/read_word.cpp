@@ -32,10 +32,10 @@ bool read_reference(const Entry& entry, const std::vector<std::string>& names,
 
 }  // namespace
 
-int read_word(const Entry& entry, std::span<const Word> known) {
+int read_word(const Entry& entry, std::span<const Word> known, std::string_view or_else) {
   std::vector<std::string_view> texts;
   for (const Word& word : known) texts.push_back(word.text);
-  const std::string list = fmt::format("\"{}\"", fmt::join(texts, "\", \""));
+  const std::string list = fmt::format("\"{}\"{}", fmt::join(texts, "\", \""), or_else);
   const auto text = entry.node.value<std::string>();
   if (!text) {
     entry.refuse(fmt::format("must be one of {}, found {}", list, describe(entry.node)));

@@ -16,9 +16,10 @@ struct Setting {
   Problems& problems;
 
   std::string path_to(std::size_t count) const {
-    std::string text = path.front();
-    for (std::size_t i = 1; i < count; ++i) text += "." + path[i];
-    return text;
+    return fmt::format("{}", fmt::join(path.begin(), path.begin() + count, "."));
+  }
+  std::string path_from(std::size_t first) const {
+    return fmt::format("{}", fmt::join(path.begin() + first, path.end(), "."));
   }
 };
 
@@ -117,9 +118,13 @@ void place_in_array(toml::array& array, std::size_t depth, Setting& setting) {
 void place_value(toml::node& node, std::size_t depth, Setting& setting) {
   if (toml::table* table = node.as_table()) return place_in_table(*table, depth, setting);
   if (toml::array* array = node.as_array()) return place_in_array(*array, depth, setting);
+  std::string remedy = fmt::format("set `{}` as a whole", setting.path_to(depth));
+  if (const auto name = node.value<std::string>(); name && setting.path[depth - 1] == "material") {
+    remedy += fmt::format(", or `material.{}.{}`", *name, setting.path_from(depth));
+  }
   setting.problems.add(
       setting.place, fmt::format("`{}` is {}, not a table", setting.path_to(depth), describe(node)),
-      fmt::format("set `{}` as a whole, or the table that it names", setting.path_to(depth)));
+      remedy);
 }
 
 }  // namespace

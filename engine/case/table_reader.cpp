@@ -13,6 +13,12 @@ bool Entry::refuse(const std::string& what, const std::string& remedy) const {
   return false;
 }
 
+void TableReader::decided(std::string_view key, const toml::node& node, bool good) {
+  if (!good) keys_are_known_ = false;
+  const auto word = node.value<std::string_view>();
+  if (good && word) keys_are_ = fmt::format("with {} = \"{}\" its keys are", key, *word);
+}
+
 const toml::node* TableReader::find(std::string_view key, const Notes& notes) {
   known_.push_back(key);
   const toml::node* node = table_.get(key);
@@ -56,7 +62,7 @@ void TableReader::finish() const {
     // A key that a setting added has no source of its own, its value has.
     const Place place = key.source().path ? place_of(key) : place_of(node);
     reading_.problems.add(place, fmt::format("unknown key `{}` in {}", key.str(), title_),
-                          suggestion(key.str(), known_, "its keys are"));
+                          suggestion(key.str(), known_, keys_are_));
   }
   for (const auto& [key, meaning, example] : missing_) {
     if (std::find(meant.begin(), meant.end(), key) != meant.end()) continue;

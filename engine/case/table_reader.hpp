@@ -85,7 +85,8 @@ bool read(const Entry& entry, std::vector<Shape>& value);
 bool read(const Entry& entry, MaterialCase& value);
 
 /// The word that `entry` holds, as the value of its enumerator; -1 and a problem otherwise.
-int read_word(const Entry& entry, std::span<const Word> known);
+/// `or_else` ends the list of words in messages with what else the key takes.
+int read_word(const Entry& entry, std::span<const Word> known, std::string_view or_else = {});
 
 template <class E>
 requires std::is_enum_v<E>
@@ -110,7 +111,7 @@ class TableReader {
     const toml::node* node = find(key, here);
     if (!node) return !notes.required;
     const bool good = read(Entry{key, *node, here, reading_}, value);
-    if (!good && notes.decides) keys_are_known_ = false;
+    if (notes.decides) decided(key, *node, good);
     return good;
   }
 
@@ -154,6 +155,8 @@ class TableReader {
   void finish() const;
 
  private:
+  /// Keeps the value that decides which keys the table has, for messages.
+  void decided(std::string_view key, const toml::node& node, bool good);
   /// The value of `key`; null where it is missing.
   const toml::node* find(std::string_view key, const Notes& notes);
   /// Null, with a problem when `key` is something else, where there is no such table.
@@ -171,6 +174,7 @@ class TableReader {
   };
   std::vector<Missing> missing_;
   bool keys_are_known_ = true;
+  std::string keys_are_ = "its keys are";
 };
 
 }  // namespace pliant

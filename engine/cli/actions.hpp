@@ -32,7 +32,7 @@ struct RunArguments {
 /// Runs a case and writes its results.
 ExitStatus run(const RunArguments& arguments);
 
-/// What `run` and `check` warn of before a run, one sentence each.
+/// What `run` and `check` warn of in a case of any method, one sentence each.
 std::vector<std::string> warnings_of(const Case& settings);
 
 /// Arguments of `pliant check`.

@@ -59,7 +59,7 @@ Json list_of(const std::vector<Examined>& items) {
   return list;
 }
 
-/// Counts nodes and steps in the place of estimates.
+/// Counts nodes and steps in place of estimates.
 void count_nodes(const Examined& nodes, double end, Estimate& size) {
   size.steps = std::llround(std::ceil(end / nodes.time_step));
   size.particles = 0;

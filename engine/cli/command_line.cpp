@@ -72,6 +72,14 @@ void add_commands(Commands& commands) {
   add_help(commands);
 }
 
+/// What CLI11 says is wrong, in words of this program: options that it converts take numbers.
+std::string reason(const CLI::ParseError& error) {
+  std::string text = error.what();
+  constexpr std::string_view conversion = "Could not convert: ";
+  if (!text.starts_with(conversion)) return text;
+  return text.substr(conversion.size()) + " is not a number in the range of this option";
+}
+
 /// CLI11's error as a sentence that names the command, with the nearest option for one that does
 /// not exist.
 InputError explained(const CLI::App& app, const CLI::ParseError& error) {
@@ -95,7 +103,7 @@ InputError explained(const CLI::App& app, const CLI::ParseError& error) {
   if (const auto extras = app.remaining(true); !extras.empty())
     return InputError(
         fmt::format("{}: one argument too many, `{}`; {}", name, extras.back(), help));
-  return InputError(fmt::format("{}: {}; {}", name, error.what(), help));
+  return InputError(fmt::format("{}: {}; {}", name, reason(error), help));
 }
 
 /// Throws InputError for an option that is given twice. Which of the two should count is anyone's

@@ -14,12 +14,17 @@ namespace pliant::cli {
 
 namespace {
 
-std::string with_name(std::string text, const std::string& name) {
-  constexpr std::string_view place = "@NAME@";
+std::string with(std::string text, std::string_view place, const std::string& word) {
   for (std::size_t at = text.find(place); at != text.npos; at = text.find(place, at)) {
-    text.replace(at, place.size(), name);
+    text.replace(at, place.size(), word);
   }
   return text;
+}
+
+/// Where `pliant run` writes by default: a case has the name of its folder.
+std::string results_of(const std::filesystem::path& folder) {
+  const auto normal = (folder / "").lexically_normal();
+  return "results/" + normal.parent_path().filename().string();
 }
 
 void add_mesh_files(const Shape& shape, std::vector<std::filesystem::path>& files) {
@@ -60,10 +65,9 @@ void copy_case(const std::filesystem::path& from, const std::filesystem::path& f
     std::filesystem::copy_file(source / mesh, folder / mesh);
   }
   const std::string heading = fmt::format(
-      "# Copied from {0}.\n#\n#   pliant check {1}   says what it would run\n#   pliant run {1}    "
-      " "
-      "writes results/{1}\n\n",
-      file.string(), name);
+      "# Copied from {0}.\n#\n#   pliant check {1}   says what it would run\n"
+      "#   pliant run {1}     writes {2}\n\n",
+      file.string(), name, results_of(folder));
   write_atomically(folder / "case.toml", heading + case_text(file), Durable::no);
 }
 
@@ -81,7 +85,8 @@ ExitStatus new_case(const NewArguments& arguments) {
     copy_case(*arguments.from, folder, name);
   } else {
     std::filesystem::create_directories(folder);
-    write_atomically(file, with_name(std::string(new_case_text), name), Durable::no);
+    const std::string text = with(std::string(new_case_text), "@NAME@", name);
+    write_atomically(file, with(text, "@RESULTS@", results_of(folder)), Durable::no);
   }
   fmt::print("{}: edit it, then run it with `pliant run {}`\n", file.string(), name);
   return ExitStatus::done;

@@ -21,10 +21,11 @@ void check(const Check& check) {
   for (std::size_t i = 0; i < a_case.bodies.size(); ++i) {
     point_based::check_body(check, i);
     if (point_based::has_elements(a_case.bodies[i].geometry)) continue;
-    check.problems.add(check.place("body", i, "geometry"),
-                       fmt::format("body \"{}\" has no elements", a_case.bodies[i].name),
-                       "method finite_elements takes shape = \"mesh\" with a .msh or .vtk file of "
-                       "tetrahedra");
+    check.problems.add(
+        check.place("body", i, "geometry"),
+        fmt::format("body \"{}\" has no elements", a_case.bodies[i].name),
+        "method \"finite_elements\" takes shape = \"mesh\" with a .msh or .vtk file of "
+        "tetrahedra");
   }
   refuse_measurements(check, Measurer<double, 2>::is_measured);
 }

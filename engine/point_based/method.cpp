@@ -107,19 +107,19 @@ void check_body(const Check& check, std::size_t i) {
   if (body.material_as_given.model == MaterialCase::Model::linear) {
     check.problems.add(check.place("body", i, "material"),
                        fmt::format("body \"{}\" is not hyperelastic", body.name),
-                       fmt::format("method {} takes model = \"neo_hookean\" with the same "
+                       fmt::format("method \"{}\" takes model = \"neo_hookean\" with the same "
                                    "constants, \"st_venant_kirchhoff\" or \"reduced_polynomial\"",
                                    check.a_case.method));
   } else if (!body.material_as_given.prony.ratios.empty()) {
-    check.problems.add(check.place("body", i, "material"),
-                       fmt::format("body \"{}\" relaxes in time", body.name),
-                       fmt::format("method {} takes materials without prony", check.a_case.method));
+    check.problems.add(
+        check.place("body", i, "material"), fmt::format("body \"{}\" relaxes in time", body.name),
+        fmt::format("method \"{}\" takes materials without prony", check.a_case.method));
   }
   refuse_prony_shear(check, i);
   if (body.stretch != Vector{1, 1, 1}) {
     check.problems.add(
         check.place("body", i, "stretch"), fmt::format("body \"{}\" starts stretched", body.name),
-        fmt::format("method {} starts from rest: let walls stretch it", check.a_case.method));
+        fmt::format("method \"{}\" starts from rest: let walls stretch it", check.a_case.method));
   }
 }
 

@@ -22,6 +22,9 @@ namespace {
 constexpr double most_cells = 1e6;  // of a lattice on which slots are counted
 constexpr double program_bytes = 2.4e7;
 
+/// The nearest whole number, or the largest one below 10^18 that a much too fine spacing asks for.
+std::int64_t whole(double count) { return std::llround(std::min(count, 1e18)); }
+
 Box<3> clipped_box(const Case& a_case, const BodyCase& body) {
   Box<3> box = bounding_box(body.geometry);
   for (int a = 0; a < a_case.dimension; ++a) {
@@ -92,19 +95,21 @@ Count count_of(const Case& a_case, const Footprint& footprint, const BodyCase& b
 template <int D>
 Estimate estimate_in(const Case& a_case) {
   Estimate sum;
-  double bytes = program_bytes;
-  sum.bytes = static_cast<std::size_t>(bytes);
+  double bytes = program_bytes, particles = 0, slots = 0;
+  sum.bytes = static_cast<std::size_t>(whole(bytes));
   if (a_case.rules == nullptr || a_case.rules->footprint == nullptr) return sum;
   for (const BodyCase& body : a_case.bodies) {
     const Footprint footprint = a_case.rules->footprint(a_case, body);
     const Count count = count_of<D>(a_case, footprint, body);
     const double ghosts = (count.slots - count.particles) / 2;
-    sum.particles += std::llround(count.particles);
-    sum.slots += std::llround(count.slots);
+    particles += count.particles;
+    slots += count.slots;
     bytes += count.slots * footprint.bytes_per_slot + ghosts * footprint.bytes_per_ghost +
              count.particles * footprint.bytes_per_particle;
   }
-  sum.bytes = static_cast<std::size_t>(bytes);
+  sum.bytes = static_cast<std::size_t>(whole(bytes));
+  sum.particles = whole(particles);
+  sum.slots = whole(slots);
   return sum;
 }
 
@@ -162,12 +167,12 @@ std::int64_t looks_of(const Case& a_case) {
   for (const double every : {a_case.output.every, a_case.output.measure_every}) {
     if (every > 0) looks += a_case.time.end / every;
   }
-  return looks_ahead(a_case) ? std::llround(looks) : 0;
+  return looks_ahead(a_case) ? whole(looks) : 0;
 }
 
 std::int64_t steps_of(const Case& a_case) {
   const double step = step_of(a_case);
-  if (looks_ahead(a_case)) return std::llround(std::ceil(a_case.time.end / step * (1 - 1e-9)));
+  if (looks_ahead(a_case)) return whole(std::ceil(a_case.time.end / step * (1 - 1e-9)));
   std::int64_t steps = 0;
   double time = 0;
   const double end = a_case.time.end;
@@ -183,10 +188,10 @@ std::int64_t steps_of(const Case& a_case) {
     for (int k = 0; k < 3; ++k) {
       if (every[k] > 0 && every[k] * static_cast<double>(passed[k] + 1) <= next) ++passed[k];
     }
-    steps += std::llround(std::ceil((next - time) / step * (1 - 1e-9)));
+    steps += whole(std::ceil((next - time) / step * (1 - 1e-9)));
     time = next;
   }
-  return steps + std::llround(std::ceil((end - time) / step * (1 - 1e-9)));
+  return steps + whole(std::ceil((end - time) / step * (1 - 1e-9)));
 }
 
 }  // namespace

@@ -110,9 +110,14 @@ class Run {
     if (!warning.empty()) progress_.message(warning);
   }
 
+  void warn_of_method() {
+    if (settings_.rules == nullptr || settings_.rules->warning == nullptr) return;
+    const std::string warning = settings_.rules->warning(settings_);
+    if (!warning.empty()) warn("warning: " + warning);
+  }
+
   void begin() {
-    const MethodRules* rules = settings_.rules;
-    if (rules != nullptr && rules->warning != nullptr) warn(rules->warning(settings_));
+    warn_of_method();
     result_.emplace(ResultFile::create(options_.folder, describe()));
     start_ = conserved(solver_->integrals());
     watch_.begin(*solver_);

@@ -17,14 +17,14 @@ void check(const Check& check) {
   refuse_tables(check, {"contact", "cut"});
   if (!a_case.boundaries.empty()) {
     check.problems.add(check.place("boundary", 0, "kind"),
-                       "method sph has free surfaces and periodic cells only",
-                       "take the boundaries out, or method = \"remeshed\"");
+                       "method \"sph\" has free surfaces and periodic cells only",
+                       "remove the boundaries, or write method = \"remeshed\"");
   }
   refuse_models_of_undeformed_bodies(check);
   refuse_measurements(check, remeshed::Measurer<double, 2>::is_measured_on_particles);
   if (a_case.output.surface) {
     check.problems.add(check.place("output", "surface"),
-                       "surfaces need a level set, which method sph does not have",
+                       "surfaces need a level set, which method \"sph\" does not have",
                        "write surface = false");
   }
 }

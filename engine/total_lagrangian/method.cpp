@@ -18,7 +18,7 @@ void check_body(const Check& check, std::size_t i) {
   if (body.stretch != Vector{1, 1, 1}) {
     check.problems.add(
         check.place("body", i, "stretch"), fmt::format("body \"{}\" starts stretched", body.name),
-        "method total_lagrangian starts from rest: let walls or pressure stretch it");
+        "method \"total_lagrangian\" starts from rest: let walls or pressure stretch it");
   }
 }
 

@@ -95,8 +95,9 @@ const Fault faults[] = {
      R"("minimum_particle_distance", "velocity_error", "period", )"
      R"("amplitude_ratio", "peak_moving_average", "last_time_above", "smallest", "largest", "value_at_time", "weighted_sum", got "momentun"; did you mean "momentum"?)"},
     {"a_key_of_another_measurement", measuring("kind = \"mass\"\naxis = \"x\"\n"),
-     "block.toml:13: unknown key `axis` in [[measurement]]; its keys are name, kind, body, "
-     "relative"},
+     "block.toml:13: unknown key `axis` in [[measurement]]; with kind = \"mass\" its keys are "
+     "name, "
+     "kind, body, relative"},
     {"an_error_without_amplitude", measuring("kind = \"velocity_error\"\nexact = [0, 0]\n"),
      "block.toml:10: [[measurement]] lacks `reference`, amplitude by which the error is divided; "
      "add reference = 0.01"},

@@ -44,13 +44,15 @@ const Fault faults[] = {
      "block.toml:1: `output` must be a table, found 3; write [output] on a line of its own, its "
      "keys below"},
     {"a_key_of_another_model", broken("density = 2", "density = 2, coefficients = [1]"),
-     "block.toml:9: unknown key `coefficients` in material; its keys are model, density, "
-     "equation_of_state, "
-     "youngs_modulus, poissons_ratio"},
+     "block.toml:9: unknown key `coefficients` in material; with model = \"linear\" its keys are "
+     "model, "
+     "density, equation_of_state, youngs_modulus, poissons_ratio"},
     {"a_key_of_another_kind",
      extended("[[boundary]]\nname = \"floor\"\nkind = \"fixed\"\ngeometry = { shape = "
               "\"half_space\", point = [0, 0], normal = [0, 1] }\nvelocity = [0, 1]\n"),
-     "block.toml:14: unknown key `velocity` in [[boundary]]; its keys are name, kind, geometry"},
+     "block.toml:14: unknown key `velocity` in [[boundary]]; with kind = \"fixed\" its keys are "
+     "name, "
+     "kind, geometry"},
 };
 
 class FaultySyntax : public testing::TestWithParam<Fault> {};

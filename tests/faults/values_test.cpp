@@ -111,7 +111,13 @@ const Fault faults[] = {
     {"a_negative_friction_coefficient",
      rubber_block + "[[boundary]]\nname = \"w\"\nkind = \"contact_wall\"\nfriction = -0.3\n"
                     "geometry = { shape = \"half_space\", point = [0, -1], normal = [0, 1] }\n",
-     "block.toml:16: friction must be 0 or more, got -0.3; write it as in friction = \"no_slip\""},
+     "block.toml:16: friction must be 0 or more, got -0.3; give a coefficient, as in friction = "
+     "0.3"},
+    {"friction_of_no_law",
+     rubber_block + "[[boundary]]\nname = \"w\"\nkind = \"contact_wall\"\nfriction = \"rough\"\n"
+                    "geometry = { shape = \"half_space\", point = [0, -1], normal = [0, 1] }\n",
+     "block.toml:16: friction must be one of \"frictionless\", \"no_slip\", or a coefficient, got "
+     "\"rough\"; use one of these"},
     {"a_misspelt_kernel", broken("spacing = 0.1", "spacing = 0.1\nkernel = \"compct\""),
      R"(block.toml:4: kernel must be one of "quartic_spline", "quartic_spline_fit", "compact", )"
      R"("fourth_order", got "compct"; did you mean "compact"?)"},
@@ -155,14 +161,15 @@ const Fault faults[] = {
      "angular_momentum, kinetic_energy, strain_energy, total_energy, energy_ratio, wall_force, "
      "contact_force, volume, minimum_particle_distance, "
      "velocity_error, or choose another method\n"
-     "block.toml:14: surfaces need a level set, which method sph does not have; write surface = "
+     "block.toml:14: surfaces need a level set, which method \"sph\" does not have; write surface "
+     "= "
      "false"},
     {"sph_between_walls",
      with(extended("[[boundary]]\nname = \"floor\"\nkind = \"fixed\"\ngeometry = { shape = "
                    "\"half_space\", point = [0, 0], normal = [0, 1] }\n"),
           "title = \"a block\"", "method = \"sph\""),
-     "block.toml:12: method sph has free surfaces and periodic cells only; take the boundaries "
-     "out, or method = \"remeshed\""},
+     "block.toml:12: method \"sph\" has free surfaces and periodic cells only; remove the "
+     "boundaries, or write method = \"remeshed\""},
     {"sph_keys_of_the_remeshed_method", extended("[sph]\nartificial_stress = 0\n"),
      "block.toml:10: method \"remeshed\" has no [sph]; leave the table out, or choose another "
      "method"},
@@ -187,9 +194,8 @@ const Fault faults[] = {
      "\"long_term\"?"},
     {"a_prony_series_of_a_linear_material",
      broken("density = 2", "density = 2, prony = { ratios = [0.5], times = [1] }"),
-     "block.toml:9: unknown key `prony` in material; its keys are model, density, "
-     "equation_of_state, "
-     "youngs_modulus, poissons_ratio"},
+     "block.toml:9: unknown key `prony` in material; with model = \"linear\" its keys are model, "
+     "density, equation_of_state, youngs_modulus, poissons_ratio"},
     {"a_stretch_of_a_linear_material", extended("stretch = [1, 0.9]\n"),
      "block.toml:10: body \"block\" has an initial stretch, but its linear material has no "
      "undeformed reference shape; use a material with model = \"reduced_polynomial\""},

@@ -125,6 +125,19 @@ class Conventions(ProgramTest):
         self.assertEqual(2, status)
         self.assertIn("jelly/case.toml: exists already; give another name", err)
 
+    def test_a_new_case_says_where_its_results_will_be(self):
+        for name in ("my/jelly", "my/other/", str(self.folder / "far/away")):
+            self.printed("new", name)
+            text = (self.folder / name / "case.toml").read_text()
+            self.assertIn(f"writes results/{name.rstrip('/').split('/')[-1]}; open result.xdmf", text)
+
+    def test_check_warns_of_a_cut_by_few_spacings(self):
+        coarse = ("check", SOURCE / "cases/edge_cut", "--set", "discretisation.spacing=1/10")
+        status, _, err = self.pliant(*coarse)
+        self.assertEqual(0, status, err)
+        self.assertIn("warning: the cut `blade` advances by 5.5 spacings only", err)
+        self.assertIn("5.5 spacings only", json.loads(self.pliant(*coarse, "--json")[1])["warnings"][0])
+
     def test_a_copied_case_has_its_mesh(self):
         self.printed("new", "liver", "--from", SOURCE / "cases/organ")
         self.assertEqual((SOURCE / "cases/organ/organ.ply").read_bytes(), (self.folder / "liver/organ.ply").read_bytes())

@@ -38,7 +38,7 @@ double length_of(const CutCase& cut) {
 std::string resolution_warning(const Case& settings) {
   const CutRule rule = parameters_of(settings).cut_rule;
   if (rule == CutRule::product && !settings.cuts.empty()) {
-    return "warning: the cut rule \"product\" leaves up to 1 % of some bonds that a cut crosses; a "
+    return "the cut rule \"product\" leaves up to 1 % of some bonds that a cut crosses; a "
            "complete cut may not divide the body; take point_based.cut_rule = \"transparency\" "
            "where parts matter";
   }
@@ -48,12 +48,12 @@ std::string resolution_warning(const Case& settings) {
     if (!(spacings < least_spacings(rule))) continue;
     if (spacings == 0) {
       return fmt::format(
-          "warning: the blade of cut `{}` stays where it starts, so that it cuts nothing; give a "
+          "the blade of cut `{}` stays where it starts, so that it cuts nothing; give a "
           "path that depends on t",
           cut.name);
     }
     return fmt::format(
-        "warning: the cut `{}` advances by {:.2g} spacings only, so that it opens by 5 to 25 % too "
+        "the cut `{}` advances by {:.2g} spacings only, so that it opens by 5 to 25 % too "
         "little or too much; use a finer spacing (discretisation.spacing below {:.3g}){}",
         cut.name, spacings, length_of(cut) / least_spacings(rule),
         rule == CutRule::visibility ? ", or point_based.cut_rule = \"transparency\"" : "");

@@ -71,10 +71,16 @@ TEST(settings, wrong_ones_are_explained) {
             "`upper`?");
   EXPECT_EQ(complaint(walled_case, {"body.3.name=a"}),
             "--set body.3.name=a: `body` has no element `3`; it has block");
-  EXPECT_EQ(
-      complaint(walled_case, {"time.end.soon=1"}),
-      "--set time.end.soon=1: `time.end` is 1, not a table; set `time.end` as a whole, or the "
-      "table that it names");
+  EXPECT_EQ(complaint(walled_case, {"time.end.soon=1"}),
+            "--set time.end.soon=1: `time.end` is 1, not a table; set `time.end` as a whole");
+  const std::string of_named_material = complaint(
+      "[[body]]\nname = \"block\"\nmaterial = \"rubber\"\n", {"body.block.material.density=1"});
+  EXPECT_NE(
+      of_named_material.find(
+          "--set body.block.material.density=1: `body.block.material` is the text \"rubber\", "
+          "not a table; set `body.block.material` as a whole, or `material.rubber.density`"),
+      std::string::npos)
+      << of_named_material;
   EXPECT_EQ(
       complaint(walled_case, {"boundary.upper.velocity=[0, 1"}),
       "--set boundary.upper.velocity=[0, 1: the value is not TOML: Error while parsing array: "

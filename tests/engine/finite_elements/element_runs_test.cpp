@@ -133,8 +133,8 @@ TEST_F(ElementRuns, bend_a_bar_as_the_total_lagrangian_method_does) {
 TEST_F(ElementRuns, need_a_mesh_and_no_cuts) {
   EXPECT_EQ(tests::complaint("method = \"finite_elements\"\n" + tests::block_case,
                              {"body.block.material.model=neo_hookean"}),
-            "block.toml:9: body \"block\" has no elements; method finite_elements takes shape = "
-            "\"mesh\" with a .msh or .vtk file of tetrahedra");
+            "block.toml:9: body \"block\" has no elements; method \"finite_elements\" takes "
+            "shape = \"mesh\" with a .msh or .vtk file of tetrahedra");
   EXPECT_NE(tests::complaint(text(2) + "[[cut]]\nname = \"blade\"\nfrom = [0, 0, 0]\nto = [1, 0, "
                                        "0]\npath = [0, 0, \"t\"]\nstart = 0\nend = 1\n")
                 .find("method \"finite_elements\" has no [[cut]]"),

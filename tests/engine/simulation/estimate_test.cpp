@@ -1,5 +1,6 @@
 #include "engine/simulation/estimate.hpp"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 #include <sys/resource.h>
 #include <unistd.h>
@@ -77,6 +78,18 @@ TEST(estimate, large_bodies_are_counted_on_a_coarse_lattice) {
   const Estimate size = estimate(a_case);
   EXPECT_NEAR(static_cast<double>(size.particles), 1e8, 1e6);
   EXPECT_NEAR(static_cast<double>(size.slots), 1e8, 2e6);
+}
+
+// More bytes than a 64-bit number holds.
+TEST(estimate, no_spacing_is_so_fine_that_it_seems_to_fit) {
+  for (const char* spacing : {"1e-8", "1e-9", "1e-12"}) {
+    const Case a_case =
+        read_case(std::filesystem::path(PLIANT_SOURCE_DIR) / "cases/rotating_cylinder",
+                  std::vector<std::string>{fmt::format("discretisation.spacing={}", spacing)});
+    EXPECT_THROW(refuse_what_does_not_fit(a_case, estimate(a_case), std::size_t{1} << 50),
+                 InputError)
+        << spacing;
+  }
 }
 
 TEST(estimate, runs_that_do_not_fit_are_refused_with_what_to_do) {
