@@ -55,11 +55,6 @@ void check_nodes(const Check& check) {
         fmt::format("{} neighbours are too few for a gradient in {}D", asked, a_case.dimension),
         fmt::format("give {} or more, or 0 for the default", least));
   }
-  if (given.gradient == NodeGradient::patch_exact && !a_case.cuts.empty()) {
-    check.problems.add(check.place("point_based", "gradient"),
-                       "gradient = \"patch_exact\" needs all bonds of a body, and cuts take some",
-                       "take the cuts out, or gradient = \"moving_least_squares\"");
-  }
 }
 
 void check(const Check& check) {

@@ -75,9 +75,10 @@ inline constexpr std::array words<point_based::CutRule>{
 template <>
 inline constexpr std::array words<point_based::NodeGradient>{
     word(point_based::NodeGradient::moving_least_squares, "moving_least_squares",
-         "moving least squares (PB.3); required in bodies with cuts"),
+         "moving least squares (PB.3)"),
     word(point_based::NodeGradient::patch_exact, "patch_exact",
-         "the nearest gradient with which the forces of a uniform stress are exact (PB.17)")};
+         "the nearest gradient with which the forces of a uniform stress are exact, away from cuts "
+         "(PB.17)")};
 
 template <>
 inline constexpr std::array words<point_based::Integrator>{
