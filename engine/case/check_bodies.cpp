@@ -57,7 +57,7 @@ void check_extent(const Check& check, std::size_t index, int axis, const Box<3>&
         check.place("discretisation", "spacing"),
         fmt::format("spacing {} is larger than body \"{}\", which is {} wide along {}", spacing,
                     name, extent, axis_name(axis)),
-        fmt::format("use spacing = {} for ten particles across it", extent / 10));
+        fmt::format("use spacing = {:.6g} for ten particles across it", extent / 10));
   }
 }
 

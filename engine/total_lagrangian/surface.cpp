@@ -2,6 +2,7 @@
 #include <cmath>
 #include <utility>
 
+#include "engine/lattice/point_algebra.hpp"
 #include "engine/total_lagrangian/load_shares.hpp"
 #include "engine/total_lagrangian/setup.hpp"
 #include "engine/undeformed/surface_place.hpp"
@@ -29,16 +30,9 @@ Vertex<D> vertex(const Crossing<D>& crossing) {
   return v;
 }
 
-template <std::size_t D>
-double dot(const std::array<double, D>& a, const std::array<double, D>& b) {
-  double sum = 0;
-  for (std::size_t i = 0; i < D; ++i) sum += a[i] * b[i];
-  return sum;
-}
-
 template <int D>
 double length(const Point<D>& x) {
-  return std::sqrt(dot(x, x));
+  return std::sqrt(dot<D>(x, x));
 }
 
 template <class T, int D>
@@ -185,15 +179,13 @@ class SurfaceMaker {
                         const Point<D>& normal) const {
     SurfacePatch<D> made = {static_cast<int>(body_.facets.size()) - 1, loaded.area, pressure};
     if (boundaries_.pressures[pressure].is_traction()) return made;
-    made.share = dot(loaded.vector, normal);
+    made.share = dot<D>(loaded.vector, normal);
     Point<D> aside = loaded.vector;
     for (int a = 0; a < D; ++a) aside[a] -= made.share * normal[a];
-    if (dot(aside, aside) < no_vector * no_vector) return made;
+    if (dot<D>(aside, aside) < no_vector * no_vector) return made;
     const auto& corner = body_.facets.back().vertex;
     for (int i = 1; i < D; ++i) {
-      Point<D> side;
-      for (int a = 0; a < D; ++a) side[a] = corner[i].start[a] - corner[0].start[a];
-      made.aside[i - 1] = dot(aside, side);
+      made.aside[i - 1] = dot<D>(aside, difference<D>(corner[i].start, corner[0].start));
     }
     return made;
   }

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "engine/lattice/point_algebra.hpp"
+
 namespace pliant::undeformed {
 
 namespace {
@@ -10,8 +12,7 @@ namespace {
 template <int D>
 Point<D> held_part(const ConstrainedParticle<D>& held, const Point<D>& v) {
   if (held.normal == Point<D>{}) return v;
-  double along = 0;
-  for (int a = 0; a < D; ++a) along += v[a] * held.normal[a];
+  const double along = dot<D>(v, held.normal);
   Point<D> part;
   for (int a = 0; a < D; ++a) part[a] = along * held.normal[a];
   return part;

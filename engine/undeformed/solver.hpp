@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <memory>
 #include <optional>
 #include <span>
@@ -116,9 +117,12 @@ void Solver<State, Step, Measurer>::set_step(std::unique_ptr<Step> step,
   graph_ = std::make_unique<scheduler::StepGraph>(step_->phases(), blocks, Step::resources());
 }
 
+// Where walls hold all particles, nothing limits a step but the run.
 template <class State, class Step, class Measurer>
 double Solver<State, Step, Measurer>::time_step() const {
-  return settings().time.step ? *settings().time.step : automatic_step();
+  if (settings().time.step) return *settings().time.step;
+  const double step = automatic_step();
+  return std::isfinite(step) ? step : settings().time.end;
 }
 
 template <class State, class Step, class Measurer>
@@ -208,11 +212,13 @@ StepFailure Solver<State, Step, Measurer>::failure(const Overlap& overlap) const
   const auto& bodies = settings().contacts[overlap.contact].bodies;
   Point<D> place;
   std::copy_n(overlap.place.begin(), D, place.begin());
+  const std::vector<std::string> later = {smaller_step(settings()), "let them meet more slowly",
+                                          "use a finer spacing"};
   return failed_step(
       settings(), clock(),
       fmt::format("bodies `{}` and `{}` overlap by {:.3g} at {}", settings().bodies[bodies[0]].name,
                   settings().bodies[bodies[1]].name, overlap.depth, coordinates<D>(place)),
-      {smaller_step(settings()), "let them meet more slowly", "use a finer spacing"});
+      clock().step > 0 ? later : std::vector<std::string>{"let them at most meet at the start"});
 }
 
 /// Takes a whole step, and leaves its length and its end in the clock.

