@@ -112,7 +112,7 @@ std::string warning_of(const Case& a_case, std::span<const ThinBodyError> errors
     });
     if (error == errors.end()) continue;
     text += fmt::format(
-        "{}warning: {} `{}` is {:.2g} spacings {}: {}; use a finer spacing "
+        "{}{} `{}` is {:.2g} spacings {}: {}; use a finer spacing "
         "(discretisation.spacing = {:.3g} or below)",
         text.empty() ? "" : "\n", what, body.name, across, what == "body" ? "thick" : "across",
         error->deviation, size / enough);

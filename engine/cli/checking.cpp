@@ -108,11 +108,10 @@ std::vector<std::filesystem::path> case_files(const std::filesystem::path& folde
 
 /// Everything that a run of the case would warn of before its first step.
 std::vector<std::string> all_warnings(const Case& settings) {
-  constexpr std::string_view mark = "warning: ";
   std::vector<std::string> warnings = warnings_of(settings);
   if (settings.rules == nullptr || settings.rules->warning == nullptr) return warnings;
   std::istringstream lines(settings.rules->warning(settings));
-  for (std::string line; std::getline(lines, line);) warnings.push_back(line.substr(mark.size()));
+  for (std::string line; std::getline(lines, line);) warnings.push_back(line);
   return warnings;
 }
 

@@ -12,6 +12,8 @@
 #include <ctime>
 #include <memory>
 #include <optional>
+#include <sstream>
+#include <string>
 
 #include "engine/case/measurement_kinds.hpp"
 #include "engine/case/resolved.hpp"
@@ -112,8 +114,8 @@ class Run {
 
   void warn_of_method() {
     if (settings_.rules == nullptr || settings_.rules->warning == nullptr) return;
-    const std::string warning = settings_.rules->warning(settings_);
-    if (!warning.empty()) warn("warning: " + warning);
+    std::istringstream lines(settings_.rules->warning(settings_));
+    for (std::string line; std::getline(lines, line);) warn("warning: " + line);
   }
 
   void begin() {

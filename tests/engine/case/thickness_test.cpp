@@ -61,7 +61,7 @@ TEST(opening, is_the_diameter_of_the_hole_that_walls_leave) {
   const std::vector<std::string> settings = {"discretisation.spacing=0.025/14"};
   const Case coarse = read_case(PLIANT_SOURCE_DIR "/cases/liver_aspiration", settings);
   EXPECT_EQ(narrow_opening_warning(coarse, errors),
-            "warning: the surface that walls leave free on body `tissue` is 5.6 spacings across: "
+            "the surface that walls leave free on body `tissue` is 5.6 spacings across: "
             "much; use a finer spacing (discretisation.spacing = 0.00167 or below)");
 }
 
@@ -74,7 +74,7 @@ TEST(thickness, only_bodies_below_the_number_are_warned_of_by_their_worst) {
   const Case a_case = tests::read_text(tests::block_case);  // 1 x 2 at a spacing of 0.1
   constexpr ThinBodyError errors[] = {{4, "much"}, {11, "a little"}};
   EXPECT_EQ(thin_body_warning(a_case, errors),
-            "warning: body `block` is 10 spacings thick: a little; use a finer spacing "
+            "body `block` is 10 spacings thick: a little; use a finer spacing "
             "(discretisation.spacing = 0.0909 or below)");
   EXPECT_EQ(thin_body_warning(a_case, std::span(errors, 1)), "");
   constexpr ThinBodyError as_thick[] = {{10, "a little"}};

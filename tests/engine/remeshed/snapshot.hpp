@@ -80,7 +80,8 @@ inline Snapshot snapshot_of(const Solver& solver, Slots which = Slots::all) {
                        clock.strain_rate,
                        clock.wave_speed};
   for (const auto& wall : solver.state().boundaries.walls) {
-    snapshot["walls"].insert(snapshot["walls"].end(), wall.offset().begin(), wall.offset().end());
+    snapshot["walls"].insert(snapshot["walls"].end(), wall.pose().offset.begin(),
+                             wall.pose().offset.end());
   }
   for (const auto& impulse : solver.state().wall_impulse) {
     snapshot["impulse"].insert(snapshot["impulse"].end(), impulse.begin(), impulse.end());

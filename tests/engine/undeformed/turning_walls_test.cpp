@@ -17,9 +17,9 @@ constexpr double young = 1000, nu = 0.3, shear_modulus = young / (2 * (1 + nu));
 
 std::string text_of_case(const std::string& method, double spacing, const std::string& damping) {
   return fmt::format(
-      "method = \"{}\"\ndimension = 3\ndiscretisation = {{ spacing = {}, damping = {} }}\n"
-      "time = {{ end = 10 }}\n[material.gel]\nmodel = \"neo_hookean\"\ndensity = 1\n"
-      "youngs_modulus = {}\npoissons_ratio = {}\n",
+      "method = \"{0}\"\ndimension = 3\ndiscretisation = {{ spacing = {1} }}\n"
+      "time = {{ end = 10 }}\n[{0}]\ndamping = {2}\n[material.gel]\nmodel = \"neo_hookean\"\n"
+      "density = 1\nyoungs_modulus = {3}\npoissons_ratio = {4}\n",
       method, spacing, damping, young, nu);
 }
 
