@@ -89,7 +89,7 @@ const Fault faults[] = {
      R"(block.toml:12: kind must be one of "extent", "surface_distance", "mean_radius", )"
      R"("point_displacement", "point_value", "material_value", "mean_value", "mass", )"
      R"("centre_of_mass", "momentum", "angular_momentum", )"
-     R"("kinetic_energy", "strain_energy", "total_energy", "energy_ratio", "wall_force", )"
+     R"("kinetic_energy", "strain_energy", "total_energy", "energy_ratio", "wall_force", "wall_moment", )"
      R"("contact_force", "blade_force", "cutting_work", "volume", )"
      R"("surface_area", "connected_parts", "largest_part_volume", )"
      R"("minimum_particle_distance", "velocity_error", "period", )"

@@ -105,7 +105,8 @@ const Fault faults[] = {
      "block.toml:15: method \"total_lagrangian\" does not measure \"connected_parts\"; measure one "
      "of extent, surface_distance, mean_radius, point_displacement, point_value, material_value, "
      "mean_value, mass, centre_of_mass, momentum, angular_momentum, kinetic_energy, strain_energy, "
-     "total_energy, energy_ratio, wall_force, contact_force, volume, surface_area, velocity_error, "
+     "total_energy, energy_ratio, wall_force, wall_moment, contact_force, volume, surface_area, "
+     "velocity_error, "
      "or choose "
      "another method"},
     {"a_negative_friction_coefficient",

@@ -57,7 +57,7 @@ class Resuming(ProgramTest):
 
         case.write_text("""dimension = 3
 [discretisation]
-spacing = 0.2
+spacing = 0.1
 [time]
 end = 0.02
 step = 0.001

@@ -1,6 +1,5 @@
 #include <gtest/gtest.h>
 
-
 #include "engine/simulation/methods.hpp"
 #include "tests/engine/case/written_case.hpp"
 #include "tests/engine/undeformed/loads.hpp"
