@@ -6,6 +6,7 @@
 
 #include "engine/lattice/corner_weights.hpp"
 #include "engine/lattice/point_algebra.hpp"
+#include "engine/remeshed/level_set/nearest_crossing.hpp"
 
 namespace pliant::remeshed {
 
@@ -110,6 +111,24 @@ void LevelSet<T, D>::find_closest_points(const Block<D>& block,
   for (std::size_t i = 0; i < near.size(); ++i) place_near(near, i);
 }
 
+// Whether a step from a node along grad phi, (RP.41), arrives at the surface. Where a body was
+// squeezed against a contact wall, abs(grad phi) may be 2, and the step ends far from the surface.
+template <class T, int D>
+bool LevelSet<T, D>::step_to_surface(const Cell<D>& cell, std::int64_t slot,
+                                     Point<D>& offset) const {
+  constexpr double tolerance = 0.25;  // [h]
+  const double h = lattice_->spacing;
+  Point<D> g, x = lattice_->node(cell);
+  if (!gradient(cell, g)) return false;
+  const double square = dot<D>(g, g);
+  for (int a = 0; a < D; ++a) {
+    offset[a] = -extended_[slot] / h * g[a] / square;
+    x[a] += h * offset[a];
+  }
+  double phi = 0;
+  return interpolate(extended_, x, phi) && std::abs(phi) < tolerance * h;
+}
+
 template <class T, int D>
 void LevelSet<T, D>::place_near(const Projections<T, D>& near, std::size_t i) {
   const std::int64_t slot = near.slot(i);
@@ -120,12 +139,11 @@ void LevelSet<T, D>::place_near(const Projections<T, D>& near, std::size_t i) {
     layer_[0][slot] = found;
     return;
   }
-  Point<D> g;
-  if (!gradient(near.cell(i), g)) return;
-  const double square = dot<D>(g, g);
-  for (int a = 0; a < D; ++a) {
-    foot_[a][slot] = -extended_[slot] / lattice_->spacing * g[a] / square;
-  }
+  Point<D> guess;
+  if (!step_to_surface(near.cell(i), slot, guess) &&
+      !nearest_crossing<T, D>(*lattice_, *layout_, extended_, near.cell(i), guess))
+    return;
+  for (int a = 0; a < D; ++a) foot_[a][slot] = guess[a];
   layer_[0][slot] = guessed;
 }
 
@@ -254,12 +272,17 @@ void LevelSet<T, D>::finish(const Block<D>& block) {
 template <class T, int D>
 double LevelSet<T, D>::phi_at(const Point<D>& x) const {
   double phi = 0;
-  const auto add = [&](const Cell<D>& cell, double weight) {
+  return interpolate(phi_, x, phi) ? phi : far * lattice_->spacing;
+}
+
+template <class T, int D>
+bool LevelSet<T, D>::interpolate(const T* values, const Point<D>& x, double& value) const {
+  value = 0;
+  return for_each_corner<D>(*lattice_, x, [&](const Cell<D>& cell, double weight) {
     const std::int64_t p = layout_->slot(lattice_->wrapped(cell));
-    if (p >= 0) phi += weight * phi_[p];
+    if (p >= 0) value += weight * values[p];
     return p >= 0;
-  };
-  return for_each_corner<D>(*lattice_, x, add) ? phi : far * lattice_->spacing;
+  });
 }
 
 template <class T, int D>

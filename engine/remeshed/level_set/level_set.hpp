@@ -91,6 +91,8 @@ class LevelSet {
   void find_nearest(const kernels::Segment<D>& segment, std::int64_t slot, const Cell<D>& cell,
                     int layer, Border& border) const;
   void polish(Border& border, const kernels::RemeshedTable<T, D>& kernels) const;
+  bool step_to_surface(const Cell<D>& cell, std::int64_t slot, Point<D>& offset) const;
+  bool interpolate(const T* values, const Point<D>& x, double& value) const;
   bool gradient(const Cell<D>& cell, Point<D>& g) const;
   bool borders_a_layer(const kernels::Segment<D>& segment, std::int64_t slot, int layer) const;
 

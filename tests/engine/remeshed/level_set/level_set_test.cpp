@@ -116,6 +116,23 @@ TYPED_TEST(LevelSets, of_planes_become_exact_distances_in_six_layers) {
   });
 }
 
+// What a body leaves behind where it recedes: phi of a node near a surface, and no surface there.
+TYPED_TEST(LevelSets, take_no_node_for_near_where_phi_never_changes_its_sign) {
+  constexpr int D = TypeParam::dimension;
+  constexpr int upper = 27;
+  const Passes<D> passes(
+      upper,
+      [](const Point<D>& x) { return plane<D>(x) > 9 ? 1 + 0.1 * std::sin(x[0]) : plane<D>(x); },
+      true);
+  int stale = 0;
+  passes.inside(upper, 0, [&](const Point<D>& x, std::int64_t slot) {
+    if (plane<D>(x) < 9) return;
+    ++stale;
+    EXPECT_EQ(passes.nodes.values[slot], 6.5);
+  });
+  EXPECT_GT(stale, 10);
+}
+
 TYPED_TEST(LevelSets, keep_phi_near_the_surface_unless_reinitialised) {
   constexpr int D = TypeParam::dimension;
   constexpr int upper = 27;
