@@ -3,6 +3,7 @@
 #include "engine/method/hyperelastic.hpp"
 #include "engine/method/initial_stress.hpp"
 #include "engine/point_based/forces/degenerate_nodes.hpp"
+#include "engine/point_based/forces/node_groups.hpp"
 #include "kernels/with_scalar.hpp"
 
 namespace pliant::point_based {
@@ -91,6 +92,10 @@ NodeState<D> node_state(const Body<T, D>& body, const NodeBlock& block, std::int
   state.volume_ratio = elastic.volume_ratio;
   state.stress = elastic.stress;
   state.pressure = elastic.pressure;
+  const SharedPressure<D> shared = shared_pressure(body, block, slot, state.gradient);
+  state.energy += shared.energy;
+  state.pressure += shared.pressure;
+  for (std::size_t c = 0; c < state.stress.size(); ++c) state.stress[c] += shared.stress[c];
   if (body.is_prestressed()) {
     const LastingStress<D> lasting = lasting_stress(body, slot, state.gradient, state.volume_ratio);
     for (std::size_t c = 0; c < state.stress.size(); ++c) state.stress[c] += lasting.stress[c];
