@@ -209,7 +209,8 @@ void set_bonds(const BondChoice<D>& choice, std::span<const double> factors, std
   for (int c = 0; c < Body<T, D>::symmetric; ++c) {
     body.moment[c][slot] = static_cast<T>(made.moment[c]);
   }
-  body.frequency2[slot] = static_cast<T>(frequency2_of(chosen, made, slot, volume, body));
+  body.frequency2[slot] =
+      static_cast<T>(choice.crowding * frequency2_of(chosen, made, slot, volume, body));
   write_bonds<T, D>(block, slot, {chosen.slot, made.gradient}, chosen.weight, body);
 }
 

@@ -26,6 +26,7 @@ struct BondChoice {
   double alpha = 0;    ///< strength of the stabilisation (PB.5)
   /// [node of the cloud][candidate] factors of the weights, (PB.17); none: all are 1.
   std::vector<std::vector<double>> correction;
+  double crowding = 1;      ///< factor of lambda_i, (PB.12)
   bool may_change = false;  ///< any candidate may become a neighbour when others are cut off
 
   bool is_lattice() const { return !std::isinf(support); }
