@@ -94,9 +94,10 @@ class FaceContact {
                   double size, Side& side);
   std::optional<Faces> faces_of(const Body<T, D>& body, const TissueMap<D>& tissue,
                                 const Pair& pair, bool have_met) const;
-  /// Faces give back what earlier sweeps have done too much, as in (TL.16).
-  void push(Body<T, D>& body, const Side& above, const Faces& faces, double length, double drift,
-            Meeting& meeting);
+  /// Faces give back what earlier sweeps have done too much, as in (TL.16). Returns how far they
+  /// are pushed [m].
+  double push(Body<T, D>& body, const Side& above, const Faces& faces, double length, double drift,
+              Meeting& meeting);
 
   double size_;  ///< H [m]
   double friction_;
