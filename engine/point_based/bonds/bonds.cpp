@@ -11,7 +11,6 @@
 #include "engine/point_based/bonds/nearest_nodes.hpp"
 #include "engine/point_based/bonds/node_frequency.hpp"
 #include "engine/point_based/bonds/node_operator.hpp"
-#include "engine/point_based/forces/node_groups.hpp"
 
 namespace pliant::point_based {
 
@@ -229,7 +228,6 @@ void make_bonds(const BondChoice<D>& choice, Body<T, D>& body) {
   for (const NodeBlock& block : body.blocks) {
     for (int i = 0; i < block.nodes; ++i) set_bonds<T, D>(choice, {}, block.first + i, body);
   }
-  if (!choice.is_lattice()) form_groups(body);
   connect_blocks(body);
 }
 

@@ -1,6 +1,5 @@
 #include "engine/point_based/forces/node_groups.hpp"
 
-#include <Eigen/Dense>
 #include <algorithm>
 #include <cmath>
 
@@ -14,39 +13,13 @@ namespace {
 template <int D>
 using Gradient = std::array<double, D * D>;
 
-template <int D>
-auto matrix(const Gradient<D>& f) {
-  return Eigen::Map<const Eigen::Matrix<double, D, D, Eigen::RowMajor>>(f.data());
-}
-
-template <class T, int D>
-bool counts_green_strain(const Body<T, D>& body) {
-  return body.material.law == kernels::ElasticLaw::st_venant_kirchhoff;
-}
-
-/// theta of (FE.2).
-template <class T, int D>
-double dilatation(const Body<T, D>& body, const Gradient<D>& f) {
-  if (!counts_green_strain(body)) return matrix<D>(f).determinant() - 1;
-  return (matrix<D>(f).squaredNorm() - D) / 2;
-}
-
 /// What F has to be multiplied by, so that theta becomes `wanted`.
 template <class T, int D>
 double scale_to(const Body<T, D>& body, double theta, double wanted) {
-  if (counts_green_strain(body)) return std::sqrt((2 * wanted + D) / (2 * theta + D));
-  return std::pow((1 + wanted) / (1 + theta), 1. / D);
-}
-
-template <class T, int D>
-double mean_dilatation(const Body<T, D>& body, const NodeBlock& block, std::int64_t slot) {
-  const std::int64_t first = first_of_group<D>(slot);
-  double mean = 0;
-  for (std::int64_t s = first; s < first + kernels::slots_per_group<D>; ++s) {
-    if (!(body.share[s] > 0)) continue;
-    mean += body.share[s] * dilatation(body, fitted_gradient(body, block, s));
+  if (body.material.law == kernels::ElasticLaw::st_venant_kirchhoff) {
+    return std::sqrt((2 * wanted + D) / (2 * theta + D));
   }
-  return mean;
+  return std::pow((1 + wanted) / (1 + theta), 1. / D);
 }
 
 template <class T, int D>
@@ -106,32 +79,6 @@ void form_groups(Body<T, D>& body) {
 }
 
 template <class T, int D>
-SharedPressure<D> shared_pressure(const Body<T, D>& body, const NodeBlock& block, std::int64_t slot,
-                                  const Gradient<D>& f) {
-  SharedPressure<D> shared;
-  if (!body.has_groups() || !(body.share[slot] > 0)) return shared;
-  const double theta = dilatation(body, f), mean = mean_dilatation(body, block, slot);
-  const double modulus = body.shared_modulus;
-  shared.slope = modulus * (mean - theta);
-  shared.energy = body.volume[slot] * modulus / 2 * (mean * mean - theta * theta);
-  const double jacobian = matrix<D>(f).determinant();
-  Eigen::Matrix<double, D, D> sigma = Eigen::Matrix<double, D, D>::Identity();
-  double normal = 1;  // to the plane
-  if (counts_green_strain(body)) {
-    sigma = matrix<D>(f) * matrix<D>(f).transpose() / jacobian;
-    normal = 1 / jacobian;
-  }
-  double trace = sigma.trace() + (D == 2 ? normal : 0);
-  for (int i = 0; i < D; ++i) {
-    for (int j = i; j < D; ++j) {
-      shared.stress[kernels::symmetric_index<D>(i, j)] = shared.slope * sigma(i, j);
-    }
-  }
-  shared.pressure = -shared.slope * trace / 3;
-  return shared;
-}
-
-template <class T, int D>
 void dissolve_group(std::int64_t slot, Body<T, D>& body, std::vector<std::int32_t>& members) {
   if (!body.has_groups() || !(body.share[slot] > 0)) return;
   const std::int64_t first = first_of_group<D>(slot);
@@ -173,14 +120,6 @@ template void form_groups(Body<double, 2>&);
 template void form_groups(Body<double, 3>&);
 template void form_groups(Body<float, 2>&);
 template void form_groups(Body<float, 3>&);
-template SharedPressure<2> shared_pressure(const Body<double, 2>&, const NodeBlock&, std::int64_t,
-                                           const Gradient<2>&);
-template SharedPressure<3> shared_pressure(const Body<double, 3>&, const NodeBlock&, std::int64_t,
-                                           const Gradient<3>&);
-template SharedPressure<2> shared_pressure(const Body<float, 2>&, const NodeBlock&, std::int64_t,
-                                           const Gradient<2>&);
-template SharedPressure<3> shared_pressure(const Body<float, 3>&, const NodeBlock&, std::int64_t,
-                                           const Gradient<3>&);
 template void dissolve_group(std::int64_t, Body<double, 2>&, std::vector<std::int32_t>&);
 template void dissolve_group(std::int64_t, Body<double, 3>&, std::vector<std::int32_t>&);
 template void dissolve_group(std::int64_t, Body<float, 2>&, std::vector<std::int32_t>&);
