@@ -48,6 +48,8 @@ kernels::PointForces<T, D> force_arguments(Body<T, D>& body, int local) {
     arguments.initial_stress[c] = body.initial_stress[c].get();
   }
   for (int c = 0; c < D * D; ++c) arguments.kept[c] = body.kept_gradient[c].get();
+  arguments.share = body.share.get();
+  arguments.shared_modulus = body.shared_modulus;
   arguments.material = body.material;
   arguments.point = room_for_points<T>(body.most_points);
   arguments.force = body.force.get() + kernels::point_stride * block.first_point();

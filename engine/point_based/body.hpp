@@ -91,6 +91,8 @@ struct Body : undeformed::Body<T, D> {
   Buffer<T> frequency2;                        ///< of (PB.12) [1/s^2]
   std::array<Buffer<T>, D * D> kept_gradient;  ///< D of (PB.14), where there are cuts
   std::array<Buffer<T>, symmetric> moment, strain;
+  Buffer<T> share;       ///< of the volume of its group, (PB.60), where there are groups
+  T shared_modulus = 0;  ///< [Pa]
   std::array<Buffer<T>, symmetric> initial_stress;  ///< S0 of (TL.14), where there is one [Pa]
   std::array<Buffer<T>, D> pressure_load;           ///< [N], where pressures act
   Buffer<std::uint16_t> neighbour;  ///< [pack][bond][lane] local numbers times point_stride
@@ -109,6 +111,7 @@ struct Body : undeformed::Body<T, D> {
   bool is_loaded() const { return this->traction[0].bytes() > 0; }
   bool has_cuts() const { return kept_gradient[0].bytes() > 0; }
   bool is_prestressed() const { return initial_stress[0].bytes() > 0; }
+  bool has_groups() const { return share.bytes() > 0; }
   bool is_viscous() const { return strain[0].bytes() > 0; }
 
   /// Calls f(declaration, buffers) for every array of slots.
@@ -204,6 +207,7 @@ struct Body : undeformed::Body<T, D> {
     f(field_list[Field::stiffness], span(&body.stiffness, 1));
     f(field_list[Field::frequency2], span(&body.frequency2, 1));
     f(field_list[Field::moment], span(body.moment));
+    if (body.has_groups()) f(field_list[Field::share], span(&body.share, 1));
     if (body.is_prestressed()) {
       f(field_list[Field::initial_stress], span(body.initial_stress));
     }

@@ -14,7 +14,9 @@
 #include "engine/method/initial_stress.hpp"
 #include "engine/method/initial_velocity.hpp"
 #include "engine/point_based/bonds/candidates.hpp"
+#include "engine/point_based/bonds/node_frequency.hpp"
 #include "engine/point_based/bonds/patch_bonds.hpp"
+#include "engine/point_based/forces/node_groups.hpp"
 #include "engine/point_based/nodes/body_lattice.hpp"
 #include "engine/point_based/nodes/lattice_nodes.hpp"
 #include "engine/point_based/nodes/mesh_nodes.hpp"
@@ -255,6 +257,12 @@ BondChoice<D> make_body(const Case& settings, const BodyCase& source, const Plac
     correct_weights(nodes.cloud, body, choice);
   }
   make_bonds(choice, body);
+  if (!choice.is_lattice()) {
+    form_groups(body);
+    choice.crowding = crowding(body);
+    body.for_each_node(
+        [&](std::int64_t slot) { body.frequency2[slot] *= static_cast<T>(choice.crowding); });
+  }
   make_loads(boundaries, body);
   return choice;
 }

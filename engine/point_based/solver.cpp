@@ -7,13 +7,13 @@
 
 #include "engine/case/stability.hpp"
 #include "engine/method/initial_stress.hpp"
+#include "engine/point_based/bonds/node_frequency.hpp"
 #include "engine/point_based/setup.hpp"
 
 namespace pliant::point_based {
 
 namespace {
 
-constexpr double energies_of_node = 2;         // the factor of lambda in (PB.12)
 constexpr double least_frequency2_over = 0.8;  // of the present one before the step grows again
 
 template <int D>

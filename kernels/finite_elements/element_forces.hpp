@@ -1,7 +1,7 @@
 #pragma once
 
+#include "kernels/dilatation.hpp"
 #include "kernels/finite_elements/arguments.hpp"
-#include "kernels/first_piola.hpp"
 #include "kernels/point_based/collect_points.hpp"
 #include "kernels/point_based/point_lanes.hpp"
 
@@ -51,22 +51,6 @@ template <class P, int D>
   }
 }
 
-/// theta of (FE.3).
-template <ElasticLaw law, class P, int D>
-inline P dilatation(const P (&f)[D * D]) {
-  using T = Scalar<P>;
-  if constexpr (law == ElasticLaw::st_venant_kirchhoff) {
-    P e[symmetric_components<D>];
-    green_strain<P, D>(f, e);
-    P trace = e[symmetric_index<D>(0, 0)];
-#pragma GCC unroll 3
-    for (int i = 1; i < D; ++i) trace = trace + e[symmetric_index<D>(i, i)];
-    return trace;
-  } else {
-    return determinant(f) - P(T(1));
-  }
-}
-
 /// p += F S0, (TL.14).
 template <class P, int D>
 inline void add_element_prestress(const ElementBlock<Scalar<P>, D>& block, int element,
@@ -102,11 +86,7 @@ inline void element_stress(const ElementBlock<Scalar<P>, D>& block, const Elemen
   const P pressure = block.pressure != nullptr
                          ? mean_pressure<P, D>(block, at)
                          : P(block.volumetric_modulus) * dilatation<law, P, D>(f);
-#pragma GCC unroll 9
-  for (int c = 0; c < D * D; ++c) {
-    const P slope = law == ElasticLaw::st_venant_kirchhoff ? f[c] : cof[c];
-    piola[c] = fused(pressure, slope, piola[c]);
-  }
+  add_volumetric_stress<law, P, D>(pressure, f, cof, piola);
 }
 
 /// Whether F is finite and J positive in all lanes; else the first lane where not.

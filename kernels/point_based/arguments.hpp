@@ -25,6 +25,10 @@ inline constexpr int point_stride = 4;
 /// Bonds that a node can have.
 inline constexpr int most_bonds = 64;
 
+/// Slots that may share a change of volume, (PB.60): as many follow each other in a pack.
+template <int D>
+inline constexpr int slots_per_group = 1 << (D - 1);
+
 /// Forces of the nodes of a block on themselves and on their neighbours, (PB.4)-(PB.8).
 template <class T, int D>
 struct PointForces {
@@ -46,6 +50,8 @@ struct PointForces {
   /// [slot] S0 of (TL.14) [Pa]; null: none.
   std::array<const T*, symmetric_components<D>> initial_stress;
   std::array<const T*, D * D> kept;  ///< [slot] D of (PB.14); null: I
+  const T* share;                    ///< [slot] of the volume of its group, (PB.60); null: none
+  T shared_modulus;                  ///< lambda - 3/2 mu of (PB.60) [Pa]
   T viscosity;                       ///< beta over the time step, (PB.9)
   bool examine;                      ///< whether to find what PointForcesResult holds
   HyperelasticMaterial<T> material;

@@ -1,8 +1,9 @@
 #pragma once
 
-#include "kernels/first_piola.hpp"
+#include "kernels/dilatation.hpp"
 #include "kernels/point_based/bonds_of_register.hpp"
 #include "kernels/point_based/collect_points.hpp"
+#include "kernels/point_based/groups_of_register.hpp"
 #include "kernels/point_based/point_lanes.hpp"
 #include "kernels/stiffening.hpp"
 
@@ -39,9 +40,10 @@ inline void apply_kept(const PointForces<Scalar<P>, D>& block, std::int64_t slot
 }
 
 /// B = V (P - kappa (F - I) A) of (PB.5), plus the viscous stress (PB.9); adds pressure, (PB.11).
+/// `shared` is what groups add to the derivative of psi by theta.
 template <ElasticLaw law, class P, int D>
 inline void stress_of_nodes(const PointForces<Scalar<P>, D>& block, std::int64_t slot,
-                            const P (&h)[D * D], P (&b)[D * D], P (&pressure)[D]) {
+                            const P& shared, const P (&h)[D * D], P (&b)[D * D], P (&pressure)[D]) {
   using T = Scalar<P>;
   constexpr int symmetric = symmetric_components<D>;
   P f[D * D], cof[D * D];
@@ -53,6 +55,7 @@ inline void stress_of_nodes(const PointForces<Scalar<P>, D>& block, std::int64_t
   }
   cofactor(f, cof);
   first_piola<law, P, D>(block.material, f, cof, b);
+  if (block.share != nullptr) add_volumetric_stress<law, P, D>(shared, f, cof, b);
   if (block.strain[0] != nullptr) {
     P e[symmetric], rate[symmetric], s[symmetric];
     green_strain<P, D>(f, e);
@@ -202,38 +205,56 @@ template <class P, int D>
   }
 }
 
-/// Forces of the register of nodes that starts at local number `local`. Every sum stays in
-/// registers: the loops over components must be unrolled, and everything inlined.
-template <ElasticLaw law, class P, int D>
-inline void add_forces_of_register(const PointForces<Scalar<P>, D>& block, int local,
-                                   PointForcesResult& result) {
-  using T = Scalar<P>;
-  const std::int64_t slot = block.first + local;
+/// The bonds of the register of nodes that starts at local number `local`.
+template <class P, int D>
+[[gnu::always_inline]] inline RegisterBonds<Scalar<P>, D> bonds_of_nodes(
+    const PointForces<Scalar<P>, D>& block, int local) {
   const int lane = local % slots_per_pack;
   const auto pack = static_cast<std::int64_t>(local - lane) * block.bonds;
-  const RegisterBonds<T, D> bonds = {block.neighbour + pack + lane,
-                                     block.bond + pack * (D + 1) + lane};
-  P difference[most_bonds][D];
-  P h[D * D], b[D * D], sum[D];
-  displacement_gradient(block, bonds, slot, difference, h);
-  if (block.examine) examine_register<law, P, D>(block, slot, h, result);
-  stress_of_nodes<law, P, D>(block, slot, h, b, sum);
-  add_bond_forces(block, bonds, slot, difference, b, sum);
-  std::uint16_t own[lanes<P>];
-  for (int l = 0; l < lanes<P>; ++l) {
-    own[l] = static_cast<std::uint16_t>(point_stride * (local + l));
+  return {block.neighbour + pack + lane, block.bond + pack * (D + 1) + lane};
+}
+
+/// Forces of the registers of nodes that start at local number `local`: one, or as many as a group
+/// takes. Every sum stays in registers: the loops over components must be unrolled, and everything
+/// inlined.
+template <ElasticLaw law, class P, int D>
+inline void add_forces_of_registers(const PointForces<Scalar<P>, D>& block, int local,
+                                    PointForcesResult& result) {
+  using T = Scalar<P>;
+  constexpr int registers = registers_of_groups<P, D>;
+  P difference[registers][most_bonds][D], h[registers][D * D], shared[registers];
+  for (P& of_register : shared) of_register = P(T(0));
+#pragma GCC unroll 2
+  for (int r = 0; r < registers; ++r) {
+    const int first = local + r * lanes<P>;
+    displacement_gradient(block, bonds_of_nodes<P, D>(block, first), block.first + first,
+                          difference[r], h[r]);
+    if (block.examine) examine_register<law, P, D>(block, block.first + first, h[r], result);
   }
+  if (block.share != nullptr) shared_pressure<law, P, D>(block, block.first + local, h, shared);
+#pragma GCC unroll 2
+  for (int r = 0; r < registers; ++r) {
+    const int first = local + r * lanes<P>;
+    P b[D * D], sum[D];
+    stress_of_nodes<law, P, D>(block, block.first + first, shared[r], h[r], b, sum);
+    add_bond_forces(block, bonds_of_nodes<P, D>(block, first), block.first + first, difference[r],
+                    b, sum);
+    std::uint16_t own[lanes<P>];
+    for (int l = 0; l < lanes<P>; ++l) {
+      own[l] = static_cast<std::uint16_t>(point_stride * (first + l));
+    }
 #pragma GCC unroll 3
-  for (int i = 0; i < D; ++i) sum[i] = P(T(0)) - sum[i];
-  PointLanes<P, D>::subtract(sum, own, block.force);
+    for (int i = 0; i < D; ++i) sum[i] = P(T(0)) - sum[i];
+    PointLanes<P, D>::subtract(sum, own, block.force);
+  }
 }
 
 template <ElasticLaw law, class P, int D>
 inline PointForcesResult evaluate_forces_of(const PointForces<Scalar<P>, D>& block) {
   collect_points<P, D>(block, nullptr);
   PointForcesResult result;
-  for (int local = 0; local < block.count; local += lanes<P>) {
-    add_forces_of_register<law, P, D>(block, local, result);
+  for (int local = 0; local < block.count; local += registers_of_groups<P, D> * lanes<P>) {
+    add_forces_of_registers<law, P, D>(block, local, result);
   }
   return result;
 }

@@ -17,8 +17,6 @@ namespace pliant::point_based {
 namespace {
 
 constexpr double support_over_distance = 1.05;  // of the nearest node that is no neighbour
-// Of the stabilisation, (PB.5); that of nu = 0.3.
-constexpr double most_lame_over_shear = 1.5;
 constexpr int lanes = kernels::slots_per_pack;
 
 // A block's halo in ascending order: what it collects for one other block lies together.
@@ -85,7 +83,7 @@ Chosen choose(const BondChoice<D>& choice, std::span<const double> factors, std:
     }
     taken.push_back(k);
   }
-  const double support = std::isinf(choice.support) ? support_over_distance * next : choice.support;
+  const double support = choice.is_lattice() ? choice.support : support_over_distance * next;
   Chosen chosen;
   for (const std::size_t k : taken) {
     if (candidates[k].distance >= support) continue;
@@ -204,13 +202,14 @@ void set_bonds(const BondChoice<D>& choice, std::span<const double> factors, std
   const double volume = choice.elastic_volumes[body.number[slot]];
   set_rank(made, static_cast<int>(&block - body.blocks.data()), slot, volume, body);
   const double mu = body.material.shear_modulus, lambda = body.material.lame_modulus;
-  const double modulus = std::min(lambda, most_lame_over_shear * mu) + 2 * mu;
+  const double modulus = std::min(lambda, stiff_lame_over_shear * mu) + 2 * mu;
   body.stiffness[slot] =
       made.rank == D ? static_cast<T>(choice.alpha * modulus / made.trace() * volume) : T(0);
   for (int c = 0; c < Body<T, D>::symmetric; ++c) {
     body.moment[c][slot] = static_cast<T>(made.moment[c]);
   }
-  body.frequency2[slot] = static_cast<T>(frequency2_of(chosen, made, slot, volume, body));
+  body.frequency2[slot] =
+      static_cast<T>(choice.crowding * frequency2_of(chosen, made, slot, volume, body));
   write_bonds<T, D>(block, slot, {chosen.slot, made.gradient}, chosen.weight, body);
 }
 

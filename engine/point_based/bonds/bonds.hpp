@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cmath>
 #include <span>
 #include <string>
 #include <vector>
@@ -9,6 +10,9 @@
 #include "engine/point_based/nodes/node_cloud.hpp"
 
 namespace pliant::point_based {
+
+/// What (PB.5) and (PB.60) take of lambda, over mu; that of nu = 0.3.
+inline constexpr double stiff_lame_over_shear = 1.5;
 
 /// From which nodes a node takes its neighbours, and how.
 template <int D>
@@ -22,7 +26,10 @@ struct BondChoice {
   double alpha = 0;    ///< strength of the stabilisation (PB.5)
   /// [node of the cloud][candidate] factors of the weights, (PB.17); none: all are 1.
   std::vector<std::vector<double>> correction;
+  double crowding = 1;      ///< factor of lambda_i, (PB.12)
   bool may_change = false;  ///< any candidate may become a neighbour when others are cut off
+
+  bool is_lattice() const { return !std::isinf(support); }
 };
 
 /// The support radius over the spacing that gives a node inside a lattice `count` neighbours,

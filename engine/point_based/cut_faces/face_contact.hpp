@@ -71,6 +71,14 @@ class FaceContact {
     double gap;       ///< [m], negative where they overlap
   };
 
+  /// A pair whose faces have met in this step.
+  struct Meeting {
+    std::size_t pair = 0;
+    double impulse = 0;  ///< sum over the sweeps, along the normals [N s]
+    double moved = 0;    ///< that of the shifts [kg m]
+    Point<D> drag = {};  ///< of friction, along the faces [N s]
+  };
+
   /// The lower face at an upper point that lies behind it.
   struct Opposite {
     Point<D> normal;                 ///< unit vector
@@ -78,24 +86,27 @@ class FaceContact {
     std::array<double, D - 1> slid;  ///< of the upper point along the tangents [m]
   };
 
-  std::optional<Opposite> opposite(const Body<T, D>& body, const Point<D>& upper,
-                                   const Side& below) const;
+  std::optional<Opposite> opposite(const Body<T, D>& body, const Point<D>& upper, const Side& below,
+                                   bool have_met) const;
   Side side_of(const Body<T, D>& body, const TissueMap<D>& tissue, const Pair& pair,
                const MaterialPoint<D>& place, double sign) const;
   static void fit(const Body<T, D>& body, const Pair& pair, const MaterialPoint<D>& place,
                   double size, Side& side);
   std::optional<Faces> faces_of(const Body<T, D>& body, const TissueMap<D>& tissue,
-                                const Pair& pair) const;
-  void push(Body<T, D>& body, const Side& above, const Faces& faces, double length, double drift);
+                                const Pair& pair, bool have_met) const;
+  /// Faces give back what earlier sweeps have done too much, as in (TL.16). Returns how far they
+  /// are pushed [m].
+  double push(Body<T, D>& body, const Side& above, const Faces& faces, double length, double drift,
+              Meeting& meeting);
 
   double size_;  ///< H [m]
   double friction_;
   undeformed::HeldDirections<D> held_;
   std::vector<Waiting> waiting_;
   std::vector<Pair> pairs_;
-  std::size_t found_ = 0;              ///< pairs that have found their nodes
-  std::vector<bool> has_changed_;      ///< [slot], room
-  std::vector<std::size_t> touching_;  ///< pairs, room
+  std::size_t found_ = 0;          ///< pairs that have found their nodes
+  std::vector<bool> has_changed_;  ///< [slot], room
+  std::vector<Meeting> meetings_;  ///< room
 };
 
 extern template class FaceContact<double, 2>;

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "engine/case/blade_track.hpp"
+#include "engine/point_based/forces/node_groups.hpp"
 #include "engine/point_based/forces/node_state.hpp"
 
 namespace pliant::point_based {
@@ -216,6 +217,7 @@ void BodyCuts<T, D>::update(int block, Body<T, D>& body) {
   if (!has_moved_) return;
   const std::vector<std::int32_t>& changed = bonds_.update(static_cast<std::size_t>(block));
   for (const std::int32_t slot : changed) {
+    if (!keeps_bonds_of(slot)) cuts.added += dissolve_group_gently(slot, body, cuts.relaxing);
     change_bonds_of(slot, cuts, body);
     if (is_relaxing(body, slot)) cuts.relaxing.push_back(slot);
   }
@@ -246,6 +248,15 @@ void BodyCuts<T, D>::change_bonds_of(std::int32_t slot, BlockCuts& cuts, Body<T,
   }
   cuts.added +=
       after.stabilisation + strain_energy(body, block, slot, with_kept(body, slot, after.gradient));
+}
+
+// As set_bonds: neighbours, and the next candidate, from whose distance the support may follow.
+template <class T, int D>
+bool BodyCuts<T, D>::keeps_bonds_of(std::int32_t slot) const {
+  const std::int64_t first = bonds_.bonds().first[slot];
+  const std::int64_t end = std::min(bonds_.bonds().first[slot + 1], first + choice_.neighbours + 1);
+  const auto factors = bonds_.factors().subspan(first, end - first);
+  return std::ranges::all_of(factors, [](double factor) { return factor == 1; });
 }
 
 template <class T, int D>

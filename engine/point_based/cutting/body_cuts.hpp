@@ -121,12 +121,14 @@ class BodyCuts {
   void end_cut(Blade& blade);
   /// The force of a blade that moves from the last station to a new one.
   void resist(Blade& blade, const Station& station, double time);
-  /// Returns the slots of each block whose bonds have changed.
-  std::vector<std::vector<std::int32_t>> repeat(const Moves& moves);
+  /// Returns the slots of each block whose bonds or groups have changed.
+  std::vector<std::vector<std::int32_t>> repeat(const Moves& moves, Body<T, D>& body);
   void get_punctures(const ArchiveReader& archive, const std::string& name);
   void relax(BlockCuts& cuts, Body<T, D>& body);
   /// Gives a node its bonds anew.
   void change_bonds_of(std::int32_t slot, BlockCuts& cuts, Body<T, D>& body);
+  /// Whether no cut has changed the bonds of a node.
+  bool keeps_bonds_of(std::int32_t slot) const;
   void set_bonds_of(std::int32_t slot, Body<T, D>& body);
 
   BondChoice<D> choice_;

@@ -1,6 +1,7 @@
 #include <algorithm>
 
 #include "engine/point_based/cutting/body_cuts.hpp"
+#include "engine/point_based/forces/node_groups.hpp"
 
 // A restart repeats the moves of the blades: cuts, and what they leave of the bonds, follow.
 namespace pliant::point_based {
@@ -48,7 +49,8 @@ void BodyCuts<T, D>::put(ArchiveWriter& archive, const std::string& name) const 
 }
 
 template <class T, int D>
-std::vector<std::vector<std::int32_t>> BodyCuts<T, D>::repeat(const Moves& moves) {
+std::vector<std::vector<std::int32_t>> BodyCuts<T, D>::repeat(const Moves& moves,
+                                                              Body<T, D>& body) {
   std::vector<std::vector<std::int32_t>> changed(blocks_.size());
   std::span<const double> places = moves.place;
   for (std::size_t i = 0; i < moves.blade.size();) {
@@ -66,6 +68,9 @@ std::vector<std::vector<std::int32_t>> BodyCuts<T, D>::repeat(const Moves& moves
     for (std::size_t b = 0; b < blocks_.size(); ++b) {
       const std::vector<std::int32_t>& nodes = bonds_.update(b);
       changed[b].insert(changed[b].end(), nodes.begin(), nodes.end());
+      for (const std::int32_t slot : nodes) {
+        if (!keeps_bonds_of(slot)) dissolve_group(slot, body, changed[b]);
+      }
     }
   }
   return changed;
@@ -95,14 +100,14 @@ void BodyCuts<T, D>::get(const ArchiveReader& archive, const std::string& name, 
   moves.points = archive.get<std::int64_t>(name + "/points");
   moves.place = archive.get<double>(name + "/place");
   moves.time = archive.get<double>(name + "/time");
-  const std::vector<std::vector<std::int32_t>> changed = repeat(moves);
+  std::vector<std::vector<std::int32_t>> changed = repeat(moves, body);
   for (std::size_t b = 0; b < blocks_.size(); ++b) {
-    std::vector<std::int32_t> slots = changed[b];
+    std::vector<std::int32_t>& slots = changed[b];
     std::sort(slots.begin(), slots.end());
     slots.erase(std::unique(slots.begin(), slots.end()), slots.end());
     for (const std::int32_t slot : slots) set_bonds_of(slot, body);
     std::erase_if(slots, [&](std::int32_t slot) { return !is_relaxing(body, slot); });
-    blocks_[b].relaxing = slots;
+    blocks_[b].relaxing = std::move(slots);
   }
   if (faces_) faces_->find_nodes(body, *tissue_);
   const auto done = archive.get<std::int64_t>(name + "/is_done");
@@ -118,10 +123,14 @@ void BodyCuts<T, D>::get(const ArchiveReader& archive, const std::string& name, 
   get_punctures(archive, name);
 }
 
-template std::vector<std::vector<std::int32_t>> BodyCuts<double, 2>::repeat(const Moves&);
-template std::vector<std::vector<std::int32_t>> BodyCuts<double, 3>::repeat(const Moves&);
-template std::vector<std::vector<std::int32_t>> BodyCuts<float, 2>::repeat(const Moves&);
-template std::vector<std::vector<std::int32_t>> BodyCuts<float, 3>::repeat(const Moves&);
+template std::vector<std::vector<std::int32_t>> BodyCuts<double, 2>::repeat(const Moves&,
+                                                                            Body<double, 2>&);
+template std::vector<std::vector<std::int32_t>> BodyCuts<double, 3>::repeat(const Moves&,
+                                                                            Body<double, 3>&);
+template std::vector<std::vector<std::int32_t>> BodyCuts<float, 2>::repeat(const Moves&,
+                                                                           Body<float, 2>&);
+template std::vector<std::vector<std::int32_t>> BodyCuts<float, 3>::repeat(const Moves&,
+                                                                           Body<float, 3>&);
 template void BodyCuts<double, 2>::get_punctures(const ArchiveReader&, const std::string&);
 template void BodyCuts<double, 3>::get_punctures(const ArchiveReader&, const std::string&);
 template void BodyCuts<float, 2>::get_punctures(const ArchiveReader&, const std::string&);

@@ -1,5 +1,7 @@
 #include "engine/point_based/forces/node_state.hpp"
 
+#include <Eigen/Dense>
+
 #include "engine/method/hyperelastic.hpp"
 #include "engine/method/initial_stress.hpp"
 #include "engine/point_based/forces/degenerate_nodes.hpp"
@@ -24,6 +26,16 @@ const DegenerateNode<D>* degenerate_node(const Body<T, D>& body, const NodeBlock
     if (node.slot == slot) return &node;
   }
   return nullptr;
+}
+
+template <int D>
+auto square_of(const std::array<double, D * D>& f) {
+  return Eigen::Map<const Eigen::Matrix<double, D, D, Eigen::RowMajor>>(f.data());
+}
+
+template <class T, int D>
+bool counts_green_strain(const Body<T, D>& body) {
+  return body.material.law == kernels::ElasticLaw::st_venant_kirchhoff;
 }
 
 }  // namespace
@@ -80,6 +92,49 @@ double strain_energy(const Body<T, D>& body, const NodeBlock& block, std::int64_
 }
 
 template <class T, int D>
+double dilatation(const Body<T, D>& body, const std::array<double, D * D>& f) {
+  if (!counts_green_strain(body)) return square_of<D>(f).determinant() - 1;
+  return (square_of<D>(f).squaredNorm() - D) / 2;
+}
+
+template <class T, int D>
+double mean_dilatation(const Body<T, D>& body, const NodeBlock& block, std::int64_t slot) {
+  const std::int64_t first = first_of_group<D>(slot);
+  double mean = 0;
+  for (std::int64_t s = first; s < first + kernels::slots_per_group<D>; ++s) {
+    if (!(body.share[s] > 0)) continue;
+    mean += body.share[s] * dilatation(body, fitted_gradient(body, block, s));
+  }
+  return mean;
+}
+
+template <class T, int D>
+SharedPressure<D> shared_pressure(const Body<T, D>& body, const NodeBlock& block, std::int64_t slot,
+                                  const std::array<double, D * D>& f) {
+  SharedPressure<D> shared;
+  if (!body.has_groups() || !(body.share[slot] > 0)) return shared;
+  const double theta = dilatation(body, f), mean = mean_dilatation(body, block, slot);
+  const double modulus = body.shared_modulus;
+  shared.slope = modulus * (mean - theta);
+  shared.energy = body.volume[slot] * modulus / 2 * (mean * mean - theta * theta);
+  const double jacobian = square_of<D>(f).determinant();
+  Eigen::Matrix<double, D, D> sigma = Eigen::Matrix<double, D, D>::Identity();
+  double normal = 1;  // to the plane
+  if (counts_green_strain(body)) {
+    sigma = square_of<D>(f) * square_of<D>(f).transpose() / jacobian;
+    normal = 1 / jacobian;
+  }
+  double trace = sigma.trace() + (D == 2 ? normal : 0);
+  for (int i = 0; i < D; ++i) {
+    for (int j = i; j < D; ++j) {
+      shared.stress[kernels::symmetric_index<D>(i, j)] = shared.slope * sigma(i, j);
+    }
+  }
+  shared.pressure = -shared.slope * trace / 3;
+  return shared;
+}
+
+template <class T, int D>
 NodeState<D> node_state(const Body<T, D>& body, const NodeBlock& block, std::int64_t slot) {
   NodeState<D> state;
   const NodeFit<D> found = node_fit(body, block, slot);
@@ -91,6 +146,10 @@ NodeState<D> node_state(const Body<T, D>& body, const NodeBlock& block, std::int
   state.volume_ratio = elastic.volume_ratio;
   state.stress = elastic.stress;
   state.pressure = elastic.pressure;
+  const SharedPressure<D> shared = shared_pressure(body, block, slot, state.gradient);
+  state.energy += shared.energy;
+  state.pressure += shared.pressure;
+  for (std::size_t c = 0; c < state.stress.size(); ++c) state.stress[c] += shared.stress[c];
   if (body.is_prestressed()) {
     const LastingStress<D> lasting = lasting_stress(body, slot, state.gradient, state.volume_ratio);
     for (std::size_t c = 0; c < state.stress.size(); ++c) state.stress[c] += lasting.stress[c];
@@ -195,5 +254,21 @@ template NodeState<2> node_state(const Body<double, 2>&, const NodeBlock&, std::
 template NodeState<3> node_state(const Body<double, 3>&, const NodeBlock&, std::int64_t);
 template NodeState<2> node_state(const Body<float, 2>&, const NodeBlock&, std::int64_t);
 template NodeState<3> node_state(const Body<float, 3>&, const NodeBlock&, std::int64_t);
+template SharedPressure<2> shared_pressure(const Body<double, 2>&, const NodeBlock&, std::int64_t,
+                                           const std::array<double, 4>&);
+template SharedPressure<3> shared_pressure(const Body<double, 3>&, const NodeBlock&, std::int64_t,
+                                           const std::array<double, 9>&);
+template SharedPressure<2> shared_pressure(const Body<float, 2>&, const NodeBlock&, std::int64_t,
+                                           const std::array<double, 4>&);
+template SharedPressure<3> shared_pressure(const Body<float, 3>&, const NodeBlock&, std::int64_t,
+                                           const std::array<double, 9>&);
+template double dilatation(const Body<double, 2>&, const std::array<double, 4>&);
+template double mean_dilatation(const Body<double, 2>&, const NodeBlock&, std::int64_t);
+template double dilatation(const Body<double, 3>&, const std::array<double, 9>&);
+template double mean_dilatation(const Body<double, 3>&, const NodeBlock&, std::int64_t);
+template double dilatation(const Body<float, 2>&, const std::array<double, 4>&);
+template double mean_dilatation(const Body<float, 2>&, const NodeBlock&, std::int64_t);
+template double dilatation(const Body<float, 3>&, const std::array<double, 9>&);
+template double mean_dilatation(const Body<float, 3>&, const NodeBlock&, std::int64_t);
 
 }  // namespace pliant::point_based

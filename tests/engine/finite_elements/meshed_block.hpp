@@ -20,6 +20,7 @@ struct BlockMesh {
   std::array<int, D> cells;
   Point<D> lower, upper;
   double jitter = 0.2;
+  double grading = 1;  ///< power of the places from lower to upper: above 1, dense at the lower end
 };
 
 /// Writes the mesh as a legacy VTK file: each cell is D! elements along its diagonal (Kuhn).
@@ -46,9 +47,9 @@ void write(const BlockMesh<D>& mesh, const std::filesystem::path& path) {
       inside = inside && cell[a] > 0 && cell[a] < mesh.cells[a];
     }
     for (int a = 0; a < D; ++a) {
-      const double size = (mesh.upper[a] - mesh.lower[a]) / mesh.cells[a];
       const double moved = inside ? mesh.jitter * std::sin(91. * number + 37. * a) : 0;
-      places[number][a] = mesh.lower[a] + size * (cell[a] + moved);
+      const double share = std::pow((cell[a] + moved) / mesh.cells[a], mesh.grading);
+      places[number][a] = mesh.lower[a] + (mesh.upper[a] - mesh.lower[a]) * share;
     }
   });
   for (const auto& x : places) file << x[0] << ' ' << x[1] << ' ' << x[2] << '\n';

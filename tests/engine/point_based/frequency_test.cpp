@@ -1,7 +1,9 @@
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <Eigen/Geometry>
 
+#include "tests/engine/finite_elements/meshed_block.hpp"
 #include "tests/engine/point_based/blocks.hpp"
 #include "tests/engine/point_based/deformations.hpp"
 
@@ -73,6 +75,21 @@ TEST(frequency, of_lattices_and_octrees_is_near_its_estimate) {
   PointSolver<2> plane(tests::read_text(free_points(2), {"time.step=1e-9"}),
                        {1, kernels::widest_supported()});
   expect_near_estimate(plane, "2D");
+}
+
+// Many large nodes pull at each small one: the factor 2 of lattices is too small there.
+TEST(frequency, of_tetrahedra_of_unequal_size_is_near_its_estimate) {
+  const TemporaryFolder folder;
+  for (const double grading : {1., 2., 3.}) {
+    BlockMesh<3> mesh = unit_block<3>(7);
+    mesh.grading = grading;
+    write(mesh, folder / "block.vtk");
+    PointSolver<3> solver(read_meshed<3>(tests::with(meshed_block(folder / "block.vtk"),
+                                                     "finite_elements", "point_based"),
+                                         folder / "block.vtk", {"time.step=1e-9"}),
+                          {1, kernels::widest_supported()});
+    expect_near_estimate(solver, fmt::format("grading {}", grading));
+  }
 }
 
 TEST(frequency, grows_where_cuts_cross_as_its_estimate_does) {

@@ -5,6 +5,7 @@
 #include "tests/engine/output/temporary_folder.hpp"
 #include "tests/engine/point_based/blocks.hpp"
 #include "tests/engine/point_based/whole_runs.hpp"
+#include "tests/engine/undeformed/loads.hpp"
 
 // Contact of the faces of a cut, (PB.20).
 namespace pliant::test {
@@ -66,6 +67,42 @@ TEST(face_contact, lets_a_divided_block_carry_compression_like_a_whole_one) {
   EXPECT_LT(whole, -5);
   EXPECT_NEAR(divided, whole, 0.05 * std::abs(whole));
   EXPECT_NEAR(apart, 0, 0.1 * std::abs(whole));
+}
+
+// A block at rest under its weight is divided along a level: nothing should move. (Faces that were
+// put back against the weight in each step shook with a tenth of the strain energy, and four sweeps
+// over them created a tenth of the work of gravity.)
+TEST(face_contact, keeps_a_block_at_rest_that_is_cut_under_its_weight) {
+  const std::string text = tests::with(free_points(2), "dimension = 2\n",
+                                       "dimension = 2\ngravity = [0, \"-4*min(t, 1)\"]\n") +
+                           R"toml([point_based]
+damping = 5
+cut_contact = 0.4
+[[boundary]]
+name = "floor"
+kind = "fixed"
+geometry = { shape = "half_space", point = [0, 0], normal = [0, 1] }
+[[cut]]
+name = "blade"
+from = [-0.1, 0.53]
+path = ["1.2*(t - 1.5)", 0]
+start = 1.5
+end = 2.5
+[[measurement]]
+name = "sunk"
+kind = "point_displacement"
+point = [0.5, 0.8]
+axis = "y"
+)toml";
+  PointSolver<2> solver(tests::read_text(text, {"discretisation.spacing=0.04", "time.end=3"}),
+                        {1, kernels::widest_supported()});
+  advance_until(solver, 1.45);
+  const double sunk = solver.measure(0), before = balance(solver);
+  advance_until(solver, 3);
+  EXPECT_NEAR(solver.measure(0), sunk, 0.02 * std::abs(sunk));
+  const BodyIntegrals end = solver.integrals();
+  EXPECT_LT(end.kinetic_energy, 0.01 * end.strain_energy);
+  EXPECT_LT(balance(solver) - before, 0.01 * end.strain_energy);
 }
 
 // At a slip of 0.05 m, Coulomb's law sets the shear.
