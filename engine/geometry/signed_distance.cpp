@@ -99,6 +99,10 @@ Nearest nearest_mesh(const Shape& shape, const Vector& x) {
   return {found.distance, found.direction};
 }
 
+double above_plane(const Shape& half_space, const Vector& x, int dimension) {
+  return dot(minus(x, half_space.point), half_space.normal, dimension);
+}
+
 Nearest nearest(const Shape& shape, const Vector& x, int dimension) {
   switch (shape.kind) {
     case Shape::Kind::box:
@@ -108,7 +112,7 @@ Nearest nearest(const Shape& shape, const Vector& x, int dimension) {
     case Shape::Kind::cylinder:
       return nearest_cylinder(shape, x, dimension);
     case Shape::Kind::half_space:
-      return {dot(minus(x, shape.point), shape.normal, dimension), shape.normal};
+      return {above_plane(shape, x, dimension), shape.normal};
     case Shape::Kind::mesh:
       return nearest_mesh(shape, x);
     default:
@@ -139,7 +143,10 @@ Box<3> half_space_bounds(const Shape& shape) {
 
 }  // namespace
 
+// Most walls are half-spaces, and remeshing asks for the distance of every slot from every wall: no
+// direction is copied for them.
 double signed_distance(const Shape& shape, const Vector& x, int dimension) {
+  if (shape.kind == Shape::Kind::half_space) return above_plane(shape, x, dimension);
   return nearest(shape, x, dimension).distance;
 }
 

@@ -27,6 +27,7 @@ struct SampleRun {
 inline std::vector<SampleRun> sample_runs() {
   const Settings disc = {"discretisation.spacing=0.06", "time.step=1e-3", "remeshing.every=5",
                          "remeshing.filter=0.2"};
+  const Settings of_many_blocks = {"discretisation.spacing=0.03", "time.step=5e-4"};
   const Settings block = {"discretisation.spacing=1/16", "time.step=5e-5",
                           "remeshing.strain_threshold=0.02"};
   const Settings cell = {"discretisation.spacing=1/24", "remeshing.every=6",
@@ -76,6 +77,7 @@ inline std::vector<SampleRun> sample_runs() {
                                         "remeshed.determinant=remeshed"};
   return {
       {"disc", "rotating_cylinder", disc, 22},
+      {"disc_of_many_blocks", "rotating_cylinder", disc + of_many_blocks, 17},
       {"compression_linear", "compression_linear", block, 60},
       {"compression_hyperelastic", "compression_hyperelastic", block, 60},
       {"compression_viscous", "compression_hyperelastic", block + viscous, 60},

@@ -15,7 +15,7 @@ namespace {
 // that fit a second-level cache. Four leading bits of the number: it stays as it is, and with it
 // the step graph, until a body has grown or shrunk by some percent.
 int block_count(std::int64_t slots) {
-  constexpr std::int64_t smallest_block = 256, largest_block = 3072, blocks_of_small_bodies = 12;
+  constexpr std::int64_t smallest_block = 512, largest_block = 3072, blocks_of_small_bodies = 12;
   const std::int64_t count = std::max({std::min(slots / smallest_block, blocks_of_small_bodies),
                                        slots / largest_block, std::int64_t{1}});
   std::int64_t unit = 1;

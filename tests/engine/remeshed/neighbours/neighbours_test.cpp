@@ -119,7 +119,7 @@ TEST(neighbours, are_found_across_periods_wherever_particles_have_wandered) {
 }
 
 TEST(neighbours, do_not_depend_on_the_order_of_the_search) {
-  Solver solver(small_case("rotating_cylinder", {"discretisation.spacing=0.08",
+  Solver solver(small_case("rotating_cylinder", {"discretisation.spacing=0.05",
                                                  "discretisation.kernel=quartic_spline_fit"}),
                 {1, kernels::widest_supported()});
   Body& body = solver.state().bodies[0];
