@@ -169,12 +169,22 @@ std::string Watch::observe(Solver& solver, bool last) {
                         "acts on the bodies",
                         angular_momentum_.share),
             "use a finer spacing (or set checks.momentum)"),
-      last && checks.energy != CheckResponse::off ? judge_loss() : ""};
+      judge_number(solver, last), last && checks.energy != CheckResponse::off ? judge_loss() : ""};
   std::string text;
   for (const std::string& warning : warnings) {
     if (!warning.empty()) text += (text.empty() ? "" : "\n") + warning;
   }
   return text;
+}
+
+// Comparisons with an energy that is not a number are false: none of the other checks sees it.
+std::string Watch::judge_number(const Solver& solver, bool last) const {
+  const CheckResponse response = settings_.checks.energy;
+  if (response == CheckResponse::off || std::isfinite(present_.total_energy)) return "";
+  const std::string what = "the energy of the bodies is not a number",
+                    remedy = "use a finer spacing or a smaller load (or set checks.energy)";
+  if (response == CheckResponse::stop) throw failed_step(settings_, solver.clock(), what, {remedy});
+  return last ? fmt::format("warning: in the end {}; {}", what, remedy) : "";
 }
 
 // Only at the end: what a body that is flat in contact seems to have lost comes back. What viscous

@@ -39,6 +39,7 @@ class Watch {
   void look(Solver& solver);
   std::string judge(Excess Watch::*excess, CheckResponse response, const Solver& solver,
                     const std::string& what, const std::string& remedy);
+  std::string judge_number(const Solver& solver, bool last) const;
   std::string judge_loss() const;
   /// Energy that bodies at rest may seem to have [J].
   double rounding_energy() const;

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <limits>
 
 #include "engine/method/step_failure.hpp"
 #include "tests/engine/case/written_case.hpp"
@@ -124,6 +125,14 @@ TEST_F(Watching, ends_a_run_that_is_no_longer_credible) {
   EXPECT_THROW(seen(3), StepFailure);
   EXPECT_THROW(seen(1.2, "energy = \"stop\""), StepFailure);
   EXPECT_EQ(seen(3, "energy = \"off\"\nmomentum = \"off\""), "");
+}
+
+TEST_F(Watching, says_when_the_energy_is_not_a_number) {
+  const double density = std::numeric_limits<double>::quiet_NaN();
+  const std::string warning = seen(1, "", density);
+  EXPECT_NE(warning.find("the energy of the bodies is not a number"), warning.npos) << warning;
+  EXPECT_THROW(seen(1, "energy = \"stop\"", density), StepFailure);
+  EXPECT_EQ(seen(1, "energy = \"off\"", density), "");
 }
 
 TEST_F(Watching, watches_the_mass) {
