@@ -11,6 +11,7 @@
 #include "engine/case/check.hpp"
 #include "engine/case/elastic_constants.hpp"
 #include "engine/case/settings.hpp"
+#include "engine/case/stability.hpp"
 #include "engine/case/table_reader.hpp"
 #include "engine/case/vocabulary.hpp"
 #include "engine/geometry/load_meshes.hpp"
@@ -145,16 +146,15 @@ Case parse_case(const std::string& text, const std::filesystem::path& file,
   check_case(check);
   if (!problems.empty()) throw CaseError(problems.text());
 
-  for (BoundaryCase& boundary : a_case.boundaries) {
-    constexpr double difference =
-        1e-6;  // of the run: errors of 1e-10 by rounding, less by the rest
-    boundary.time_increment = difference * a_case.time.end;
-  }
   for (BodyCase& body : a_case.bodies) {
     body.material = elastic_constants(body.material_as_given);
     body.prony = prony_terms(body.material_as_given.prony);
     body.prony_shear = prony_terms(body.material_as_given.prony_shear);
   }
+  // Not of the end of the run: one that is continued to a later end moves its walls as one long run
+  // does.
+  const double of_a_wave = a_case.discretisation.spacing / fastest_wave(a_case);
+  for (BoundaryCase& boundary : a_case.boundaries) boundary.time_increment = of_a_wave / 100;
   return a_case;
 }
 

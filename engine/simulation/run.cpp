@@ -1,15 +1,10 @@
 #include "engine/simulation/run.hpp"
 
 #include <fmt/format.h>
-#include <hdf5.h>
-#include <sys/resource.h>
-#include <tbb/version.h>
 #include <pliant/version.hpp>
-#include <xsimd/xsimd.hpp>
 
 #include <chrono>
 #include <cmath>
-#include <ctime>
 #include <memory>
 #include <optional>
 #include <sstream>
@@ -18,7 +13,6 @@
 #include "engine/case/measurement_kinds.hpp"
 #include "engine/case/resolved.hpp"
 #include "engine/case/stability.hpp"
-#include "engine/case/words.hpp"
 #include "engine/output/checkpoint.hpp"
 #include "engine/output/interrupt.hpp"
 #include "engine/output/progress.hpp"
@@ -27,6 +21,7 @@
 #include "engine/simulation/histories.hpp"
 #include "engine/simulation/lost_stiffness.hpp"
 #include "engine/simulation/run_identity.hpp"
+#include "engine/simulation/run_summary.hpp"
 #include "engine/simulation/schedule.hpp"
 #include "engine/simulation/watch.hpp"
 
@@ -35,12 +30,6 @@ namespace pliant {
 namespace {
 
 using Clock = std::chrono::steady_clock;
-
-std::int64_t peak_memory() {
-  rusage usage = {};
-  ::getrusage(RUSAGE_SELF, &usage);
-  return std::int64_t{1024} * usage.ru_maxrss;
-}
 
 class Run {
  public:
@@ -236,35 +225,9 @@ class Run {
   void finish(double wall_seconds) {
     result_->close();
     progress_.finish();
-    Summary summary;
-    summary.case_name = settings_.name;
-    summary.versions = {
-        {"pliant", std::string(version)},
-        {"oneTBB", fmt::format("{}.{}", TBB_VERSION_MAJOR, TBB_VERSION_MINOR)},
-        {"xsimd",
-         fmt::format("{}.{}.{}", XSIMD_VERSION_MAJOR, XSIMD_VERSION_MINOR, XSIMD_VERSION_PATCH)},
-        {"HDF5", fmt::format("{}.{}.{}", H5_VERS_MAJOR, H5_VERS_MINOR, H5_VERS_RELEASE)}};
-    summary.method = settings_.method;
-    summary.precision = words<Precision>[static_cast<int>(settings_.precision)].text;
-    summary.particles.start = particles_at_start_;
-    summary.particles.end = solver_->particles();
-    summary.particles.ghosts = solver_->ghosts();
-    summary.steps = solver_->clock().step;
-    summary.physical_time = solver_->clock().time;
+    Summary summary = summary_of(settings_, options_, *solver_);
     summary.wall_time = wall_seconds;
-    summary.processor_time = static_cast<double>(std::clock()) / CLOCKS_PER_SEC;
-    summary.peak_memory = peak_memory();
-    for (const auto& timer : solver_->step_totals().timers()) {
-      summary.phases.push_back({timer.name, timer.seconds});
-    }
-    summary.performance.particle_stages = solver_->particle_stages();
-    summary.performance.step_wall_time = solver_->step_seconds();
-    summary.performance.particle_stages_per_second =
-        solver_->step_seconds() > 0
-            ? static_cast<double>(solver_->particle_stages()) / solver_->step_seconds()
-            : 0;
-    summary.performance.threads = options_.threads;
-    summary.performance.isa = std::string(kernels::name(options_.isa));
+    summary.particles.start = particles_at_start_;
     summary.conserved.start = start_;
     summary.conserved.end = conserved(solver_->integrals());
     summary.checks = watch_.report();

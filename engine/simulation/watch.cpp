@@ -169,7 +169,8 @@ std::string Watch::observe(Solver& solver, bool last) {
                         "acts on the bodies",
                         angular_momentum_.share),
             "use a finer spacing (or set checks.momentum)"),
-      judge_number(solver, last), last && checks.energy != CheckResponse::off ? judge_loss() : ""};
+      judge_number(solver, last),
+      last && checks.energy != CheckResponse::off ? judge_loss() : ""};
   std::string text;
   for (const std::string& warning : warnings) {
     if (!warning.empty()) text += (text.empty() ? "" : "\n") + warning;

@@ -29,7 +29,7 @@ const DegenerateNode<D>* degenerate_node(const Body<T, D>& body, const NodeBlock
 }
 
 template <int D>
-auto square_of(const std::array<double, D * D>& f) {
+auto matrix_of(const std::array<double, D * D>& f) {
   return Eigen::Map<const Eigen::Matrix<double, D, D, Eigen::RowMajor>>(f.data());
 }
 
@@ -93,8 +93,8 @@ double strain_energy(const Body<T, D>& body, const NodeBlock& block, std::int64_
 
 template <class T, int D>
 double dilatation(const Body<T, D>& body, const std::array<double, D * D>& f) {
-  if (!counts_green_strain(body)) return square_of<D>(f).determinant() - 1;
-  return (square_of<D>(f).squaredNorm() - D) / 2;
+  if (!counts_green_strain(body)) return matrix_of<D>(f).determinant() - 1;
+  return (matrix_of<D>(f).squaredNorm() - D) / 2;
 }
 
 template <class T, int D>
@@ -117,11 +117,11 @@ SharedPressure<D> shared_pressure(const Body<T, D>& body, const NodeBlock& block
   const double modulus = body.shared_modulus;
   shared.slope = modulus * (mean - theta);
   shared.energy = body.volume[slot] * modulus / 2 * (mean * mean - theta * theta);
-  const double jacobian = square_of<D>(f).determinant();
+  const double jacobian = matrix_of<D>(f).determinant();
   Eigen::Matrix<double, D, D> sigma = Eigen::Matrix<double, D, D>::Identity();
   double normal = 1;  // to the plane
   if (counts_green_strain(body)) {
-    sigma = square_of<D>(f) * square_of<D>(f).transpose() / jacobian;
+    sigma = matrix_of<D>(f) * matrix_of<D>(f).transpose() / jacobian;
     normal = 1 / jacobian;
   }
   double trace = sigma.trace() + (D == 2 ? normal : 0);

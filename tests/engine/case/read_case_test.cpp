@@ -233,5 +233,19 @@ TEST(read_case, a_periodic_cell_has_axes_and_corners) {
   EXPECT_EQ(a_case.periodic.upper[0], 1);
 }
 
+// A run that is continued to a later end then moves its walls as one long run does.
+TEST(read_case, takes_the_velocity_of_a_displacement_over_a_time_that_does_not_depend_on_the_end) {
+  const std::string text = block_case + R"(
+[[boundary]]
+name = "press"
+kind = "moving_wall"
+geometry = { shape = "half_space", point = [0, 0], normal = [0, 1] }
+displacement = [0, "0.1*t^2"]
+)";
+  const double increment = read_text(text).boundaries.at(0).time_increment;
+  EXPECT_GT(increment, 0);
+  EXPECT_EQ(read_text(text, {"time.end=3"}).boundaries.at(0).time_increment, increment);
+}
+
 }  // namespace
 }  // namespace pliant
