@@ -225,7 +225,7 @@ class Run {
   void finish(double wall_seconds) {
     result_->close();
     progress_.finish();
-    Summary summary = summary_of(settings_, options_, *solver_);
+    Summary summary = summary_of(settings_, {options_.threads, options_.isa}, *solver_);
     summary.wall_time = wall_seconds;
     summary.particles.start = particles_at_start_;
     summary.conserved.start = start_;

@@ -32,7 +32,7 @@ auto versions() {
 
 }  // namespace
 
-Summary summary_of(const Case& settings, const RunOptions& options, const Solver& solver) {
+Summary summary_of(const Case& settings, const SolverOptions& options, const Solver& solver) {
   Summary summary;
   summary.case_name = settings.name;
   summary.versions = versions();
