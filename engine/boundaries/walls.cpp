@@ -172,9 +172,12 @@ Point<D> SurfacePressure<D>::traction(const Point<D>& x, double t) const {
   return value;
 }
 
+// Points of a face lie in its plane to rounding only: a region that begins there holds them all.
 template <int D>
 bool SurfacePressure<D>::acts_at(const Point<D>& x) const {
-  return signed_distance(region_, padded<D>(x), D) < 0;
+  constexpr double rounding = 1e-12;
+  const Vector at = padded<D>(x);
+  return signed_distance(region_, at, D) <= rounding * std::hypot(at[0], at[1], at[2]);
 }
 
 template <int D>

@@ -92,6 +92,25 @@ geometry = { shape = "half_space", point = [1.029, 0, 0], normal = [-1, 0, 0] }
   }
 }
 
+TEST(point_loads, of_a_region_that_begins_in_the_plane_of_a_face_act_on_all_of_it) {
+  for (const std::string side : {"0.02", "0.03", "0.7", "1"}) {
+    const Case settings = tests::read_text(
+        tests::with(free_points(3), "upper = [1, 1, 1]",
+                    "upper = [" + side + ", " + side + ", " + side + "]") +
+            "[[boundary]]\nname = \"pull\"\nkind = \"traction\"\ntraction = [1, 0, 0]\n"
+            "geometry = { shape = \"box\", lower = [" +
+            side + ", -9, -9], upper = [9, 9, 9] }\n",
+        {"discretisation.spacing=" + side + "/4"});
+    const PointSolver<3> solver(settings, {1, kernels::widest_supported()});
+    double area = 0;
+    for (const auto& of_block : solver.state().bodies[0].pressed) {
+      for (const auto& node : of_block) area += node.size;
+    }
+    const double whole = std::pow(std::stod(side), 2);
+    EXPECT_NEAR(area, whole, 1e-9 * whole) << side;
+  }
+}
+
 // F = sigma/E in a bar that slides along its floor; 1 % is what the stretch of 2 % makes of it.
 TEST(point_loads, a_traction_stretches_a_bar_by_its_modulus) {
   const std::string text =
