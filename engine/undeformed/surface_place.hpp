@@ -28,20 +28,27 @@ SurfacePlace<D> surface_place(const Shape& shape, const Point<D>& x, const Point
   constexpr double reached = 1e-6, on_surface = 1e-9;  // [h]
   constexpr double least_cosine = 0.5;                 // between the facet and the surface
   constexpr int most_steps = 32;
-  const double first = signed_distance(shape, padded<D>(x), D);
-  if (std::abs(first) <= on_surface * h) return {x};
+  const auto moved = [&](const Point<D>& from, double way) {
+    Point<D> to = from;
+    for (int a = 0; a < D; ++a) to[a] += way * normal[a];
+    return to;
+  };
+  double left = signed_distance(shape, padded<D>(x), D);
+  if (std::abs(left) <= on_surface * h) return {moved(x, -left)};
   Point<D> place = x;
-  double way = 0, left = first;
+  double way = 0;
   for (int i = 0; i < most_steps && std::abs(left) > reached * h; ++i) {
     way -= left;
     if (std::abs(way) > h) return {x};
-    for (int a = 0; a < D; ++a) place[a] = x[a] + way * normal[a];
+    place = moved(x, way);
     left = signed_distance(shape, padded<D>(place), D);
   }
   const Vector outward = outward_direction(shape, padded<D>(place), D);
   double cosine = 0;
   for (int a = 0; a < D; ++a) cosine += outward[a] * normal[a];
-  return {place, 1 / std::max(cosine, least_cosine)};
+  cosine = std::max(cosine, least_cosine);
+  // The last step ends in the plane of the face, to rounding.
+  return {moved(place, -left / cosine), 1 / cosine};
 }
 
 /// A face of a body for which a facet stands, (TL.29).
