@@ -5,6 +5,7 @@
 
 #include "tests/engine/finite_elements/meshed_block.hpp"
 #include "tests/engine/point_based/deformations.hpp"
+#include "tests/engine/undeformed/forces.hpp"
 
 // Forces of finite elements against their energy, their invariants, and exact solutions.
 namespace pliant::test {
@@ -36,17 +37,8 @@ struct ElementForces : testing::Test {
                                     {1, kernels::widest_supported()});
   }
 
-  /// [slot] forces from the change of velocity in a step so short that nothing moves.
-  static std::vector<Vector> forces(ElementSolver<dimension>& solver) {
-    auto& body = solver.state().bodies[0];
-    for (auto& component : body.velocity) std::fill_n(component.get(), body.slots, 0);
-    const double dt = solver.time_step();
-    solver.step(dt);
-    std::vector<Vector> force(body.slots);
-    for (std::int64_t s = 0; s < body.slots; ++s) {
-      for (int a = 0; a < dimension; ++a) force[s][a] = body.velocity[a][s] * body.mass[s] / dt;
-    }
-    return force;
+  static auto forces(ElementSolver<dimension>& solver) {
+    return forces_on_nodes<dimension>(solver);
   }
 
   static std::vector<std::string> pressures() {
@@ -69,17 +61,8 @@ TYPED_TEST(ElementForces, are_the_slope_of_the_energy) {
       double largest = 0;
       for (const auto& f : force) largest = std::max(largest, f.norm());
       for (const std::int64_t slot : {std::int64_t{0}, body.blocks[0].nodes / 2l}) {
-        for (int a = 0; a < D; ++a) {
-          double& d = body.displacement[a][slot];
-          const double here = d, step = 1e-5;
-          d = here + step;
-          const double above = solver.integrals().strain_energy;
-          d = here - step;
-          const double below = solver.integrals().strain_energy;
-          d = here;
-          EXPECT_NEAR(force[slot][a], -(above - below) / (2 * step), 1e-7 * largest)
-              << law << ' ' << pressure;
-        }
+        SCOPED_TRACE(law + (" " + pressure));
+        expect_slope_of_energy<D>(solver, slot, force[slot], 1e-7 * largest);
       }
     }
   }
@@ -93,18 +76,8 @@ TYPED_TEST(ElementForces, neither_push_nor_turn_a_free_body) {
     auto& body = solver.state().bodies[0];
     deform(body, some_deformation<TypeParam::value>(), 0.02);
     const auto force = this->forces(solver);
-    Eigen::Matrix<double, D, 1> sum = Eigen::Matrix<double, D, 1>::Zero();
-    Eigen::Matrix<double, D, D> torque = Eigen::Matrix<double, D, D>::Zero();
-    double size = 0;
-    for (std::int64_t s = 0; s < body.slots; ++s) {
-      const Point<D> at = body.position(s);
-      const Eigen::Map<const Eigen::Matrix<double, D, 1>> x(at.data());
-      sum += force[s];
-      torque += x * force[s].transpose() - force[s] * x.transpose();
-      size += force[s].norm();
-    }
-    EXPECT_LT(sum.norm(), 1e-14 * size) << pressure;
-    EXPECT_LT(torque.norm(), 2e-14 * size) << pressure;
+    SCOPED_TRACE(pressure);
+    expect_no_push_and_no_turn<D>(body, force);
   }
 }
 

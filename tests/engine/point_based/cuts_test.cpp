@@ -7,10 +7,9 @@
 #include <string>
 
 #include "engine/point_based/cutting/cut_surface.hpp"
-#include "engine/simulation/run.hpp"
-#include "tests/engine/output/file_content.hpp"
 #include "tests/engine/output/temporary_folder.hpp"
 #include "tests/engine/point_based/blocks.hpp"
+#include "tests/engine/point_based/whole_runs.hpp"
 
 // Blades in the point-based method.
 namespace pliant::test {
@@ -175,18 +174,8 @@ TEST(cuts, continue_after_a_restart_to_the_same_bytes) {
   const TemporaryFolder folder;
   const Case settings =
       tests::read_text(slow_cut(R"(["2*z", 0, 0])"), {"time.end=0.6", "output.every=0.25"});
-  const auto result = [&](bool resume) {
-    RunOptions options;
-    options.folder = folder / "run";
-    options.quiet = true;
-    options.isa = kernels::widest_supported();
-    options.threads = resume ? 2 : 1;
-    options.resume = resume;
-    EXPECT_EQ(run_case(settings, options), RunEnd::done);
-    return content_of(folder / "run" / "result.h5");
-  };
-  const FileContent through = result(false);
-  EXPECT_EQ(result(true), through);
+  const FileContent through = result_of(settings, folder / "run", 1);
+  EXPECT_EQ(result_of(settings, folder / "run", 2, true), through);
 }
 
 // A cut above the lowest layer leaves nodes whose neighbours lie in a plane.

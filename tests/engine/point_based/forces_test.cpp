@@ -6,6 +6,7 @@
 #include "engine/point_based/forces/node_state.hpp"
 #include "tests/engine/point_based/blocks.hpp"
 #include "tests/engine/point_based/deformations.hpp"
+#include "tests/engine/undeformed/forces.hpp"
 
 // Forces of the point-based method against its energy and its invariants.
 namespace pliant::test {
@@ -35,18 +36,7 @@ struct PointForces : testing::Test {
                                   {1, kernels::widest_supported()});
   }
 
-  /// [slot][axis] forces from the change of velocity in a step so short that nothing moves.
-  static std::vector<Point<dimension>> forces(PointSolver<dimension>& solver) {
-    constexpr double dt = 1e-9;
-    auto& body = solver.state().bodies[0];
-    for (auto& component : body.velocity) std::fill_n(component.get(), body.slots, 0);
-    solver.step(dt);
-    std::vector<Point<dimension>> force(body.slots);
-    for (std::int64_t s = 0; s < body.slots; ++s) {
-      for (int a = 0; a < dimension; ++a) force[s][a] = body.velocity[a][s] * body.mass[s] / dt;
-    }
-    return force;
-  }
+  static auto forces(PointSolver<dimension>& solver) { return forces_on_nodes<dimension>(solver); }
 
   static std::vector<std::string> short_step() { return {"time.step=1e-9"}; }
 };
@@ -64,16 +54,8 @@ TYPED_TEST(PointForces, are_the_slope_of_the_energy) {
     double largest = 0;
     for (const auto& f : force) largest = std::max(largest, std::abs(f[0]));
     for (const std::int64_t slot : {std::int64_t{0}, body.blocks[0].nodes / 2l}) {
-      for (int a = 0; a < D; ++a) {
-        double& d = body.displacement[a][slot];
-        const double here = d, step = 1e-5;
-        d = here + step;
-        const double above = solver.integrals().strain_energy;
-        d = here - step;
-        const double below = solver.integrals().strain_energy;
-        d = here;
-        EXPECT_NEAR(force[slot][a], -(above - below) / (2 * step), 1e-7 * largest) << word;
-      }
+      SCOPED_TRACE(word);
+      expect_slope_of_energy<D>(solver, slot, force[slot], 1e-7 * largest);
     }
   }
 }
@@ -99,18 +81,7 @@ TYPED_TEST(PointForces, neither_push_nor_turn_a_free_body) {
   auto& body = solver.state().bodies[0];
   deform(body, some_deformation<TypeParam::value>(), 0.02);
   const auto force = this->forces(solver);
-  Eigen::Matrix<double, D, 1> sum = Eigen::Matrix<double, D, 1>::Zero();
-  Eigen::Matrix<double, D, D> torque = Eigen::Matrix<double, D, D>::Zero();
-  double size = 0;
-  for (std::int64_t s = 0; s < body.slots; ++s) {
-    const Point<D> at = body.position(s);
-    const Eigen::Map<const Eigen::Matrix<double, D, 1>> f(force[s].data()), x(at.data());
-    sum += f;
-    torque += x * f.transpose() - f * x.transpose();
-    size += f.norm();
-  }
-  EXPECT_LT(sum.norm(), 1e-14 * size);
-  EXPECT_LT(torque.norm(), 2e-14 * size);
+  expect_no_push_and_no_turn<D>(body, force);
 }
 
 // On nodes inside and at the surface alike, and with the stabilisation.

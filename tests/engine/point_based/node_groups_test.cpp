@@ -5,11 +5,11 @@
 
 #include "engine/point_based/forces/node_groups.hpp"
 #include "engine/point_based/forces/node_state.hpp"
-#include "engine/simulation/run.hpp"
 #include "tests/engine/finite_elements/meshed_block.hpp"
-#include "tests/engine/output/file_content.hpp"
 #include "tests/engine/point_based/blocks.hpp"
 #include "tests/engine/point_based/deformations.hpp"
+#include "tests/engine/point_based/whole_runs.hpp"
+#include "tests/engine/undeformed/forces.hpp"
 
 // Irregular nodes of a body that hardly changes its volume.
 namespace pliant::test {
@@ -36,17 +36,7 @@ struct NodeGroups : testing::Test {
     return read_meshed<dimension>(text(law), folder / "block.vtk", {"time.step=1e-9"});
   }
 
-  static std::vector<Point<dimension>> forces(PointSolver<dimension>& solver) {
-    constexpr double dt = 1e-9;
-    auto& body = solver.state().bodies[0];
-    for (auto& component : body.velocity) std::fill_n(component.get(), body.slots, 0);
-    solver.step(dt);
-    std::vector<Point<dimension>> force(body.slots);
-    for (std::int64_t s = 0; s < body.slots; ++s) {
-      for (int a = 0; a < dimension; ++a) force[s][a] = body.velocity[a][s] * body.mass[s] / dt;
-    }
-    return force;
-  }
+  static auto forces(PointSolver<dimension>& solver) { return forces_on_nodes<dimension>(solver); }
 };
 
 using Dimensions = testing::Types<std::integral_constant<int, 2>, std::integral_constant<int, 3>>;
@@ -68,16 +58,8 @@ TYPED_TEST(NodeGroups, have_forces_that_are_the_slope_of_the_energy_on_any_instr
       double largest = 0;
       for (const auto& f : force) largest = std::max(largest, std::abs(f[0]));
       for (const std::int64_t slot : {std::int64_t{0}, std::int64_t{3}, body.particles / 2}) {
-        for (int a = 0; a < D; ++a) {
-          double& d = body.displacement[a][slot];
-          const double here = d, step = 1e-5;
-          d = here + step;
-          const double above = solver.integrals().strain_energy;
-          d = here - step;
-          const double below = solver.integrals().strain_energy;
-          d = here;
-          EXPECT_NEAR(force[slot][a], -(above - below) / (2 * step), 1e-7 * largest) << law;
-        }
+        SCOPED_TRACE(law);
+        expect_slope_of_energy<D>(solver, slot, force[slot], 1e-7 * largest);
       }
     }
   }
@@ -89,18 +71,7 @@ TYPED_TEST(NodeGroups, neither_push_nor_turn_a_free_body) {
   auto& body = solver.state().bodies[0];
   deform(body, some_deformation<D>(), 0.02);
   const auto force = this->forces(solver);
-  Eigen::Matrix<double, D, 1> sum = Eigen::Matrix<double, D, 1>::Zero();
-  Eigen::Matrix<double, D, D> torque = Eigen::Matrix<double, D, D>::Zero();
-  double size = 0;
-  for (std::int64_t s = 0; s < body.slots; ++s) {
-    const Point<D> at = body.position(s);
-    const Eigen::Map<const Eigen::Matrix<double, D, 1>> f(force[s].data()), x(at.data());
-    sum += f;
-    torque += x * f.transpose() - f * x.transpose();
-    size += f.norm();
-  }
-  EXPECT_LT(sum.norm(), 1e-14 * size);
-  EXPECT_LT(torque.norm(), 2e-14 * size);
+  expect_no_push_and_no_turn<D>(body, force);
 }
 
 // The stress of (PB.6) follows from the pressures that the nodes show: with one F everywhere,
@@ -172,18 +143,8 @@ TEST_F(CutGroups, continue_after_a_restart_to_the_same_bytes) {
                                          "name = \"block\"\nvelocity = [\"2*z\", 0, 0]\n");
   const Case settings =
       tests::read_text(moving + blade("2.5*t", "0.5"), {"time.end=0.3", "output.every=0.125"});
-  const auto result = [&](bool resume) {
-    RunOptions options;
-    options.folder = folder / "run";
-    options.quiet = true;
-    options.isa = kernels::widest_supported();
-    options.threads = resume ? 2 : 1;
-    options.resume = resume;
-    EXPECT_EQ(run_case(settings, options), RunEnd::done);
-    return content_of(folder / "run" / "result.h5");
-  };
-  const FileContent through = result(false);
-  EXPECT_EQ(result(true), through);
+  const FileContent through = result_of(settings, folder / "run", 1);
+  EXPECT_EQ(result_of(settings, folder / "run", 2, true), through);
 }
 
 }  // namespace
