@@ -11,7 +11,8 @@
 /// Forces of a method on the undeformed body, against its energy and its invariants.
 namespace pliant::test {
 
-/// [slot] forces on the nodes of the first body [N], from the change of velocity in a step so short that nothing moves.
+/// [slot] forces on the nodes of the first body [N], from the change of velocity in a step so short
+/// that nothing moves.
 template <int D, class Solver>
 std::vector<Eigen::Matrix<double, D, 1>> forces_on_nodes(Solver& solver) {
   constexpr double dt = 1e-9;
