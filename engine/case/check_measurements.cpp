@@ -96,18 +96,6 @@ void check_time(const Check& check, std::size_t i) {
       "give a time up to time.end");
 }
 
-/// Strains need the displacements around a point, which only material points remember in every
-/// method.
-void check_strain(const Check& check, std::size_t i) {
-  const MeasurementCase& m = check.a_case.measurements[i];
-  if (m.kind == Kind::material_value || m.field.rfind("strain", 0) != 0) return;
-  check.problems.add(check.place("measurement", i, "field"),
-                     fmt::format("measurement \"{}\" asks for a strain, which is only known at "
-                                 "material points",
-                                 m.name),
-                     "write kind = \"material_value\"");
-}
-
 /// Half a spacing is what a lattice may leave between its outermost particle and the surface.
 void check_material_point(const Check& check, std::size_t i) {
   const Case& a_case = check.a_case;
@@ -133,7 +121,6 @@ void check_measurements(const Check& check) {
     const Kind kind = check.a_case.measurements[i].kind;
     if (kind == Kind::wall_force || kind == Kind::wall_moment) check_wall_force(check, i);
     if (kind == Kind::contact_force) check_contact_force(check, i);
-    check_strain(check, i);
     if (kind == Kind::weighted_sum) check_terms(check, i);
     if (kind == Kind::value_at_time) check_time(check, i);
     if (kind == Kind::point_displacement || kind == Kind::material_value)

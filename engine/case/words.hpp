@@ -29,7 +29,7 @@ template <>
 inline constexpr std::array words<BoundaryCase::LoadedArea>{
     word(BoundaryCase::LoadedArea::present, "present", "per area of the deformed surface"),
     word(BoundaryCase::LoadedArea::undeformed, "undeformed",
-         "per area of the undeformed surface, a dead load (total_lagrangian only)")};
+         "per area of the undeformed surface, a dead load; not in the remeshed method")};
 
 template <>
 inline constexpr std::array words<kernels::Kernel>{

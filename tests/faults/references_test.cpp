@@ -66,10 +66,6 @@ const Fault faults[] = {
                "kind = \"mass\"\n"),
      "block.toml:14: measurement \"m\" is of t = 2, after the end of the run; give a time up to "
      "time.end"},
-    {"a_strain_at_a_fixed_point",
-     measuring("kind = \"point_value\"\npoint = [0.5, 0.5]\nfield = \"strain_xx\"\n"),
-     "block.toml:14: measurement \"m\" asks for a strain, which is only known at material points; "
-     "write kind = \"material_value\""},
     {"a_wall_without_a_motion",
      extended("[[boundary]]\nname = \"piston\"\nkind = \"moving_wall\"\ngeometry = { shape = "
               "\"half_space\", point = [0, 0], normal = [0, 1] }\n"),

@@ -139,15 +139,19 @@ double Measurer<T, D>::material_value(const MeasurementCase& m) {
 template <class T, int D>
 double Measurer<T, D>::mean_value(const MeasurementCase& m) {
   const Body<T, D>& body = state_.bodies[m.body];
+  const LatticeView<T, D> particles{body, body.population, body.stage[0]};
+  const bool is_strain = m.field.starts_with("strain");
   const double t = state_.clock.time;
   double sum = 0, volume = 0;
   for (const Block<D>& block : body.population.layout.blocks()) {
     body.population.layout.for_each_slot(block, [&](std::int64_t p, const Cell<D>& cell) {
       if (body.population.kind[p] != pliant::remeshed::Kind::interior) return;
-      const Vector x = padded<D>(body.position(p, cell));
+      const Point<D> at = body.position(p, cell);
+      const Vector x = padded<D>(at);
       if (m.where && (*m.where)(x[0], x[1], x[2], t) == 0) return;
       const double v = body.stage[0].get(Field::volume)[p];
-      sum += v * field_value<T, D>(body, body.stage[0], m.field, p);
+      sum += v * (is_strain ? strain_around<T, D>(particles, cell, at, m.field)
+                            : field_value<T, D>(body, body.stage[0], m.field, p));
       volume += v;
     });
   }
@@ -224,23 +228,29 @@ double Measurer<T, D>::velocity_error(const MeasurementCase& m) {
   return error.value();
 }
 
-// Linear in the cell around the point; the field is evaluated at its corner nodes.
+// Linear in the cell around the point; the field is evaluated at its corner nodes. Strains are fits
+// over nodes around it.
 template <class T, int D>
 double Measurer<T, D>::point_value(const MeasurementCase& m) {
   const LatticeView<T, D>& view = nodes()[m.body];
   Point<D> x;
   std::copy_n(m.point.begin(), D, x.begin());
+  const bool is_strain = m.field.starts_with("strain");
   double value = 0, phi = 0;
   const auto add = [&](const Cell<D>& cell, double weight) {
     const std::int64_t p = view.population.layout.slot(view.body.lattice.wrapped(cell));
     if (p < 0 || view.population.kind[p] == remeshed::Kind::vacant) return false;
-    value += weight * field_value<T, D>(view.body, view.fields, m.field, p);
+    if (!is_strain) value += weight * field_value<T, D>(view.body, view.fields, m.field, p);
     phi += weight * view.fields.get(Field::level_set)[p];
     return true;
   };
   if (!for_each_corner<D>(view.body.lattice, x, add)) return no_value;
   const bool is_outside = (view.body.has_surface && phi > 0) || is_in_wall(m.point);
-  return is_outside ? no_value : value;
+  if (is_outside) return no_value;
+  if (!is_strain) return value;
+  Cell<D> cell;
+  for (int a = 0; a < D; ++a) cell[a] = view.body.lattice.cell(a, x[a]);
+  return strain_around<T, D>(view, cell, x, m.field);
 }
 
 template class Measurer<double, 2>;

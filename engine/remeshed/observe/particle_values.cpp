@@ -1,5 +1,6 @@
 #include "engine/remeshed/observe/particle_values.hpp"
 
+#include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -78,6 +79,44 @@ double field_value(const Body<T, D>& body, const FieldStore<T, D>& fields, const
 }
 
 template <class T, int D>
+double strain_around(const LatticeView<T, D>& around, const Cell<D>& middle, const Point<D>& x,
+                     const std::string& field) {
+  constexpr int reach = 2;  // [h]
+  const Lattice<D>& lattice = around.body.lattice;
+  Cell<D> first = middle, last = middle;
+  for (int a = 0; a < D; ++a) {
+    first[a] -= reach;
+    last[a] += reach;
+  }
+  LinearFit<D, D> fit;
+  for_each_cell<D>(first, last, [&](const Cell<D>& cell) {
+    const std::int64_t p = around.population.layout.slot(lattice.wrapped(cell));
+    if (p < 0 || around.population.kind[p] != Kind::interior) return;
+    Point<D> r, d;
+    double square = 0;
+    for (int a = 0; a < D; ++a) {
+      const double drift = around.fields.get(Field::drift, a)[p];
+      r[a] = (lattice.node(a, cell[a]) + drift - x[a]) / lattice.spacing;
+      d[a] = (around.fields.get(Field::displacement, a)[p] + drift) / lattice.spacing;
+      square += r[a] * r[a];
+    }
+    const double fraction = square / (reach * reach);
+    if (fraction < 1) fit.add(r, (1 - fraction) * (1 - fraction), d);
+  });
+  if (!fit.solve()) return std::numeric_limits<double>::quiet_NaN();
+  Eigen::Matrix<double, D, D> inverse = Eigen::Matrix<double, D, D>::Identity();
+  for (int i = 0; i < D; ++i) {
+    for (int j = 0; j < D; ++j) inverse(i, j) -= fit.slope(i, j);
+  }
+  const Eigen::Matrix<double, D, D> gradient = inverse.inverse();
+  std::array<Point<D>, D> rows;
+  for (int i = 0; i < D; ++i) {
+    for (int j = 0; j < D; ++j) rows[i][j] = gradient(i, j);
+  }
+  return strain_value<D>(rows, field);
+}
+
+template <class T, int D>
 double material_value(const Body<T, D>& body, const Vector& start, const std::string& field) {
   if (field.starts_with("strain")) return material_strain(body, start, field);
   LinearFit<D, 1> fit;
@@ -95,6 +134,14 @@ template double field_value(const Body<float, 2>&, const FieldStore<float, 2>&, 
                             std::int64_t);
 template double field_value(const Body<float, 3>&, const FieldStore<float, 3>&, const std::string&,
                             std::int64_t);
+template double strain_around<double, 2>(const LatticeView<double, 2>&, const Cell<2>&,
+                                         const Point<2>&, const std::string&);
+template double strain_around<double, 3>(const LatticeView<double, 3>&, const Cell<3>&,
+                                         const Point<3>&, const std::string&);
+template double strain_around<float, 2>(const LatticeView<float, 2>&, const Cell<2>&,
+                                        const Point<2>&, const std::string&);
+template double strain_around<float, 3>(const LatticeView<float, 3>&, const Cell<3>&,
+                                        const Point<3>&, const std::string&);
 template double material_value(const Body<double, 2>&, const Vector&, const std::string&);
 template double material_value(const Body<double, 3>&, const Vector&, const std::string&);
 template double material_value(const Body<float, 2>&, const Vector&, const std::string&);

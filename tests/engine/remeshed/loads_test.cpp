@@ -127,6 +127,10 @@ traction = [1, 0]
           measurement("strain",
                       "kind = \"material_value\"\npoint = [0.5, 0.4]\nfield = "
                       "\"strain_xx\"\n") +
+          measurement("mean_strain",
+                      "kind = \"mean_value\"\nfield = \"strain_xx\"\nwhere = \"x > 0.3\"\n") +
+          measurement("fixed_point",
+                      "kind = \"point_value\"\npoint = [0.5, 0.4]\nfield = \"strain_yy\"\n") +
           measurement("centre", "kind = \"centre_of_mass\"\naxis = \"x\"\nreference = 0.5\n"),
       {"discretisation.damping=20"});
   Solver solver(settings, {1, kernels::widest_supported()});
@@ -142,6 +146,9 @@ traction = [1, 0]
   EXPECT_NEAR(at_end["out"], poissons_ratio, 0.02);
   EXPECT_NEAR(at_end["mises"], std::sqrt(1 - 0.3 + 0.09), 0.02);
   EXPECT_NEAR(at_end["strain"], strain, 0.03 * strain);
+  EXPECT_NEAR(at_end["mean_strain"], strain, 0.03 * strain);
+  const double across = -poissons_ratio * (1 + poissons_ratio) / youngs_modulus;
+  EXPECT_NEAR(at_end["fixed_point"], across, -0.03 * across);
   EXPECT_NEAR(at_end["centre"], strain / 2, 0.003 * 0.1);  // [h], of a surface in a cell
 }
 

@@ -130,6 +130,9 @@ traction = [10, 0]
       measurement("strain_x",
                   "kind = \"material_value\"\npoint = [0.4, 0.5]\nfield = "
                   "\"strain_xx\"\n") +
+      measurement("mean_strain_x", "kind = \"mean_value\"\nfield = \"strain_xx\"\n") +
+      measurement("fixed_strain_x",
+                  "kind = \"point_value\"\npoint = [0.4, 0.5]\nfield = \"strain_xx\"\n") +
       measurement("end", "kind = \"point_displacement\"\npoint = [1, 0.5]\naxis = \"x\"\n") +
       measurement("width", "kind = \"point_displacement\"\npoint = [0.5, 1]\naxis = \"y\"\n") +
       measurement("centre", "kind = \"centre_of_mass\"\naxis = \"x\"\n");
@@ -147,7 +150,9 @@ traction = [10, 0]
     EXPECT_NEAR((at_end["reaction"] - before) / (solver.clock().time - start), -force, 1e-5);
     EXPECT_NEAR(at_end["stress"], force / width, 1e-5);
     EXPECT_NEAR(at_end["across"], 0, 1e-5);
-    EXPECT_NEAR(at_end["strain_x"], at_end["end"] + at_end["end"] * at_end["end"] / 2, 1e-7);
+    for (const char* strain : {"strain_x", "mean_strain_x", "fixed_strain_x"}) {
+      EXPECT_NEAR(at_end[strain], at_end["end"] + at_end["end"] * at_end["end"] / 2, 1e-7);
+    }
     EXPECT_NEAR(at_end["centre"], (1 + at_end["end"]) / 2, 1e-7);
     const double x = force / width, z = at_end["out"];
     EXPECT_GT(z, 0.1 * x);

@@ -54,10 +54,8 @@ TEST(measuring, extents_reach_to_the_surface_and_no_farther) {
   EXPECT_FALSE((remeshed::extent<double, 2>(view, 0, false, [](const Vector&) { return false; })));
 }
 
-TEST(measuring, linear_displacements_are_traced_to_their_starting_points) {
-  Solver solver(spinning_disc(0.1), {1, kernels::Isa::sse2});
-  Body& body = solver.state().bodies[0];
-  // A uniform stretch x = 1.02 X, y = 0.97 Y: d = x - X, the drift a part of it.
+/// Particles that have drifted off their nodes, in the uniform stretch x = 1.02 X, y = 0.97 Y.
+void stretch(Body& body) {
   for_each(body.population, Kind::interior, [&](std::int64_t p, const Cell<2>& cell) {
     const Point<2> node = body.lattice.node(cell);
     const double drift[] = {0.01 * node[1], 0.02}, stretch[] = {1.02, 0.97};
@@ -67,11 +65,32 @@ TEST(measuring, linear_displacements_are_traced_to_their_starting_points) {
       body.stage[0].get(Field::displacement, a)[p] = x - x / stretch[a] - drift[a];
     }
   });
+}
+
+TEST(measuring, linear_displacements_are_traced_to_their_starting_points) {
+  Solver solver(spinning_disc(0.1), {1, kernels::Isa::sse2});
+  Body& body = solver.state().bodies[0];
+  stretch(body);
   const Vector start = {0.31, -0.42, 0};
   const Vector d = {remeshed::material_value<double, 2>(body, start, "displacement_x"),
                     remeshed::material_value<double, 2>(body, start, "displacement_y"), 0};
   EXPECT_NEAR(d[0], 0.02 * start[0], 1e-13);
   EXPECT_NEAR(d[1], -0.03 * start[1], 1e-13);
+}
+
+TEST(measuring, linear_displacements_have_one_strain_everywhere) {
+  Solver solver(spinning_disc(0.1), {1, kernels::Isa::sse2});
+  Body& body = solver.state().bodies[0];
+  stretch(body);
+  const LatticeView particles{body, body.population, body.stage[0]};
+  for_each(body.population, Kind::interior, [&](std::int64_t p, const Cell<2>& cell) {
+    const auto strain = [&](const char* component) {
+      return remeshed::strain_around<double, 2>(particles, cell, body.position(p, cell), component);
+    };
+    ASSERT_NEAR(strain("strain_xx"), (1.02 * 1.02 - 1) / 2, 1e-12);
+    ASSERT_NEAR(strain("strain_yy"), (0.97 * 0.97 - 1) / 2, 1e-12);
+    ASSERT_NEAR(strain("strain_xy"), 0, 1e-12);
+  });
 }
 
 TEST(measuring, everything_that_the_cases_ask_for_has_a_value_at_the_start) {
