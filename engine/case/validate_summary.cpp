@@ -80,7 +80,7 @@ std::string method_text(const Case& a_case) {
 
 }  // namespace
 
-std::string validate_summary(const Case& a_case) {
+std::string validate_summary(const Case& a_case, std::optional<double> step_of_setup) {
   std::string text = fmt::format("{}: {}, {}D, spacing {} m\n", a_case.name,
                                  a_case.title.empty() ? "no title" : a_case.title, a_case.dimension,
                                  a_case.discretisation.spacing);
@@ -89,8 +89,10 @@ std::string validate_summary(const Case& a_case) {
   for (const BodyCase& body : a_case.bodies) {
     const double waves = scaled_wave_speed(a_case, body);
     fastest = std::max(fastest, waves);
-    text += fmt::format("  body {}: about {:.0f} particles, {}, waves at {:.4g} m/s\n", body.name,
-                        measure(body, a_case) / cell, model_name(body), waves);
+    text += fmt::format("  body {}: ", body.name);
+    if (!step_of_setup)
+      text += fmt::format("about {:.0f} particles, ", measure(body, a_case) / cell);
+    text += fmt::format("{}, waves at {:.4g} m/s\n", model_name(body), waves);
     text += mesh_lines(body.geometry);
   }
   for (const BoundaryCase& boundary : a_case.boundaries) {
@@ -99,10 +101,13 @@ std::string validate_summary(const Case& a_case) {
   }
   // (RP.29) at rest
   const double cfl_step = cfl_number(a_case) * a_case.discretisation.spacing / fastest;
-  const double step = a_case.time.step.value_or(cfl_step);
-  text += fmt::format("  time: {} s in about {:.0f} steps of {:.3g} s (CFL number {:.2g}), {}\n",
-                      a_case.time.end, std::ceil(a_case.time.end / step), step,
-                      step * fastest / a_case.discretisation.spacing, method_text(a_case));
+  const double step = step_of_setup.value_or(a_case.time.step.value_or(cfl_step));
+  text += fmt::format("  time: {} s in about {:.0f} steps of {:.3g} s", a_case.time.end,
+                      std::ceil(a_case.time.end / step), step);
+  if (!step_of_setup) {
+    text += fmt::format(" (CFL number {:.2g})", step * fastest / a_case.discretisation.spacing);
+  }
+  text += fmt::format(", {}\n", method_text(a_case));
   std::vector<std::string> names;
   for (const MeasurementCase& measurement : a_case.measurements) names.push_back(measurement.name);
   text += fmt::format("  measurements: {}\n",

@@ -62,6 +62,7 @@ Json list_of(const std::vector<Examined>& items) {
 /// Counts nodes and steps in place of estimates.
 void count_nodes(const Examined& nodes, double end, Estimate& size) {
   size.steps = std::llround(std::ceil(end / nodes.time_step));
+  size.nodes_are_counted = true;
   size.particles = 0;
   for (const ExaminedBody& body : nodes.bodies) size.particles += body.nodes;
 }
@@ -139,7 +140,9 @@ ExitStatus check(const CheckArguments& arguments) {
     fmt::print("{}", text_of(json_of(checked)));
     return ExitStatus::done;
   }
-  fmt::print("{}  cost: {}", validate_summary(checked.settings), checked.size.text());
+  std::optional<double> step;
+  if (checked.nodes) step = checked.nodes->time_step;
+  fmt::print("{}  cost: {}", validate_summary(checked.settings, step), checked.size.text());
   if (checked.seconds) {
     fmt::print(", {} on {} threads (within a factor of two)", duration_text(*checked.seconds),
                checked.machine.threads);

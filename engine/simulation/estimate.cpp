@@ -204,6 +204,9 @@ Estimate estimate(const Case& a_case) {
 }
 
 std::string Estimate::text() const {
+  if (nodes_are_counted) {
+    return fmt::format("{} nodes, {} of memory, {} steps", particles, memory_text(bytes), steps);
+  }
   return fmt::format("about {} particles in {} slots, {} of memory, {} steps", particles, slots,
                      memory_text(bytes), steps);
 }

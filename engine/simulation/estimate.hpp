@@ -13,8 +13,9 @@ namespace pliant {
 /// Size and number of steps of a run.
 struct Estimate {
   std::int64_t particles = 0, slots = 0, steps = 0;
-  std::int64_t looks = 0;  ///< outputs that cost as much as a step each
-  std::size_t bytes = 0;   ///< largest resident memory of `pliant run`, within a fifth
+  std::int64_t looks = 0;          ///< outputs that cost as much as a step each
+  std::size_t bytes = 0;           ///< largest resident memory of `pliant run`, within a fifth
+  bool nodes_are_counted = false;  ///< `particles` are nodes, as set-up has counted them
 
   /// One line for people.
   std::string text() const;

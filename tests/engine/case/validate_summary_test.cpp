@@ -38,5 +38,11 @@ TEST(validate_summary, particles_of_a_disc_fill_its_area) {
             std::string::npos);
 }
 
+TEST(validate_summary, counts_steps_with_the_time_step_of_a_setup_and_leaves_particles_to_it) {
+  const std::string text = validate_summary(tests::read_text(tests::block_case), 0.25);
+  EXPECT_NE(text.find("time: 1 s in about 4 steps of 0.25 s, remeshed"), std::string::npos) << text;
+  EXPECT_EQ(text.find("particles"), std::string::npos) << text;
+}
+
 }  // namespace
 }  // namespace pliant
