@@ -7,6 +7,7 @@
 #include <limits>
 #include <vector>
 
+#include "engine/case/method_rules.hpp"
 #include "engine/case/stability.hpp"
 #include "engine/geometry/signed_distance.hpp"
 #include "engine/method/step_failure.hpp"
@@ -58,6 +59,15 @@ double rounding_strain(const Case& settings) {
   return steps_of_rounding * (settings.precision == Precision::binary32
                                   ? std::numeric_limits<float>::epsilon()
                                   : std::numeric_limits<double>::epsilon());
+}
+
+/// Where one body ends on another one, remeshed particles gain energy as long as the two push.
+std::string remedy_for_created_energy(const Case& settings) {
+  const bool meets_remeshed =
+      !settings.contacts.empty() && settings.rules != nullptr && settings.rules->remeshes;
+  return fmt::format(
+      "use a smaller time step or a finer spacing{} (or set checks.energy)",
+      meets_remeshed ? ", or method = \"total_lagrangian\" where bodies stay in contact" : "");
 }
 
 bool is_periodic(const Case& settings) {
@@ -155,7 +165,7 @@ std::string Watch::observe(Solver& solver, bool last) {
             fmt::format("energy was created without work: {:.3g} of the largest energy or work so "
                         "far",
                         energy_.share),
-            "use a smaller time step or a finer spacing (or set checks.energy)"),
+            remedy_for_created_energy(settings_)),
       judge(&Watch::mass_, checks.mass, solver,
             fmt::format("the mass has changed by a share of {:.3g}", mass_.share),
             "use a finer spacing, or remesh less often (or set checks.mass)"),

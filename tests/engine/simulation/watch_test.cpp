@@ -51,6 +51,18 @@ TEST_F(Watching, warns_of_energy_that_no_work_explains) {
   EXPECT_NE(warning.find("the momentum has changed"), warning.npos) << warning;
 }
 
+TEST_F(Watching, names_the_method_for_remeshed_bodies_that_stay_in_contact) {
+  Case settings = flying(1);
+  FreeFlight before(settings, {}), after(flying(1.2), {});
+  settings.contacts.emplace_back();
+  Watch watch(settings);
+  watch.begin(before);
+  const std::string warning = watch.observe(after, true);
+  EXPECT_NE(warning.find("method = \"total_lagrangian\" where bodies stay in contact"),
+            warning.npos)
+      << warning;
+}
+
 // What was created must not hide itself: the share is of what there was without it.
 TEST_F(Watching, sees_what_was_created_against_what_there_was) {
   EXPECT_EQ(seen(std::sqrt(1.049), "momentum = \"off\""), "");
