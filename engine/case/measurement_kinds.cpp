@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "engine/case/measurable_fields.hpp"
 #include "engine/case/method_rules.hpp"
 
 namespace pliant {

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "engine/case/measurable_fields.hpp"
 #include "engine/case/table_reader.hpp"
 
 /// Reading of texts, words, flags and names.

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "engine/case/key.hpp"
+#include "engine/case/measurable_fields.hpp"
 #include "engine/case/words.hpp"
 
 /// What a JSON Schema says of the value of a key, by the type of its place in `Case`.

@@ -3,7 +3,10 @@
 #include <fmt/format.h>
 
 #include "engine/case/body_keys.hpp"
+#include "engine/case/boundary_keys.hpp"
+#include "engine/case/cut_keys.hpp"
 #include "engine/case/key.hpp"
+#include "engine/case/material_keys.hpp"
 #include "engine/case/measurement_keys.hpp"
 #include "engine/case/method_keys.hpp"
 #include "engine/case/words.hpp"

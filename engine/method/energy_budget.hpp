@@ -11,7 +11,7 @@ struct EnergyBudget {
   double cut_work = 0;         ///< of cuts: what the strain energy changes by as bonds change
   double blade_work = 0;       ///< of the forces of blades, on the bodies
   double damping = 0;          ///< lost to damping rates
-  double friction = 0;         ///< lost to friction on contact walls, and between undeformed bodies
+  double friction = 0;         ///< lost to friction on contact walls and between bodies
 
   double work() const { return wall_work + load_work + body_force_work + cut_work + blade_work; }
   double losses() const { return damping + friction; }
