@@ -53,7 +53,7 @@ inline constexpr auto measurement_kinds = [] {
        Sampling::value,
        {body, point("fixed position"), {Key::field, "", true}},
        "value of a field at a fixed point",
-       "the point is outside the body"},
+       "the point is outside the body or in a wall"},
       {Kind::material_value,
        "material_value",
        units::of_field,

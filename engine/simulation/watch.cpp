@@ -61,12 +61,18 @@ double rounding_strain(const Case& settings) {
                                   : std::numeric_limits<double>::epsilon());
 }
 
+/// The method that keeps the energy where plain SPH does not, as a remedy beside others.
+std::string better_than_sph(const Case& settings) {
+  return settings.method == "sph" ? ", or method = \"remeshed\"" : "";
+}
+
 /// Where one body ends on another one, remeshed particles gain energy as long as the two push.
 std::string remedy_for_created_energy(const Case& settings) {
   const bool meets_remeshed =
       !settings.contacts.empty() && settings.rules != nullptr && settings.rules->remeshes;
   return fmt::format(
-      "use a smaller time step or a finer spacing{} (or set checks.energy)",
+      "use a smaller time step or a finer spacing{}{} (or set checks.energy)",
+      better_than_sph(settings),
       meets_remeshed ? ", or method = \"total_lagrangian\" where bodies stay in contact" : "");
 }
 
@@ -207,9 +213,9 @@ std::string Watch::judge_loss() const {
   if (is_viscous || !(scale_ > rounding_energy()) || !(-created_ > tolerated * scale_)) return "";
   return fmt::format(
       "warning: in the end {:.3g} of the largest energy or work is lost without damping, to "
-      "numerical dissipation, contact and remeshing; use a finer spacing where the motion matters "
-      "(or set checks.energy)",
-      -created_ / scale_);
+      "numerical dissipation, contact and remeshing; use a finer spacing where the motion "
+      "matters{} (or set checks.energy)",
+      -created_ / scale_, better_than_sph(settings_));
 }
 
 SummaryChecks Watch::report() const {
