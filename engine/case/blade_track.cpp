@@ -2,7 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <Eigen/Geometry>
 #include <algorithm>
 #include <charconv>
 #include <cmath>
@@ -41,9 +40,14 @@ TrackRow track_row(const std::string& text, std::size_t columns, const std::stri
 
 /// v turned by the quaternion (w, q), of any length but 0.
 Vector turned(const Vector& v, double w, const Vector& q) {
-  const Eigen::Quaterniond turn(w, q[0], q[1], q[2]);
-  const Eigen::Vector3d result = turn.normalized() * Eigen::Vector3d(v.data());
-  return {result[0], result[1], result[2]};
+  const auto cross = [](const Vector& a, const Vector& b) {
+    return Vector{a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
+  };
+  const double square = w * w + q[0] * q[0] + q[1] * q[1] + q[2] * q[2];
+  const Vector once = cross(q, v), twice = cross(q, once);
+  Vector result = v;
+  for (int a = 0; a < 3; ++a) result[a] += 2 * (w * once[a] + twice[a]) / square;
+  return result;
 }
 
 void add_track_row(const TrackRow& row, bool turns, const std::string& place, CutCase& cut) {
