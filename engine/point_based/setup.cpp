@@ -203,10 +203,11 @@ PlacedNodes<D> place_nodes(const Case& settings, const BodyCase& source,
   if (has_elements(shape)) {
     nodes.cloud = nodes_of_mesh<D>(read_volume_mesh(shape.file, D), shape.scale, shape.translate);
     nodes.reach = 0.25;  // vertices lie on the surface
+    nodes.alpha = 0.2;
   } else if (parameters_of(settings).nodes == NodePlacement::octree) {
     const double coarsest = parameters_of(settings).coarsest_spacing;
     nodes.cloud = octree_nodes<D>(shape, {spacing, coarsest > 0 ? coarsest : 4 * spacing});
-    nodes.reach = 0.75;  // nodes next to the surface lie half a cell from it
+    nodes.reach = 0.5;
   } else {
     pitch = lattice_pitch<D>(shape, spacing);
     nodes.cloud = lattice_nodes<D>(shape, spacing);
@@ -255,6 +256,8 @@ BondChoice<D> make_body(const Case& settings, const BodyCase& source, const Plac
   BondChoice<D> choice = choice_of(settings, nodes, body);
   if (parameters_of(settings).gradient == NodeGradient::patch_exact) {
     correct_weights(nodes.cloud, body, choice);
+  } else if (!choice.is_lattice()) {
+    balance_bonds(nodes.cloud, body, choice);
   }
   make_bonds(choice, body);
   if (!choice.is_lattice()) {

@@ -22,6 +22,21 @@ TEST(points_at_walls, stretch_a_bar_alike_at_any_spacing) {
   }
 }
 
+// Walls that material sticks to, on both ends of a block: next to them lie the middles of cells.
+TEST(points_at_walls, hold_an_octree_where_they_are) {
+  const auto pull = [](const std::string& nodes, const std::string& spacing) {
+    const Case settings =
+        tests::read_text(free_points(2) + stretching_walls(false, "0"),
+                         {"discretisation.spacing=" + spacing, "point_based.nodes=" + nodes,
+                          "point_based.coarsest_spacing=" + spacing, "point_based.damping=8"});
+    PointSolver<2> solver(settings, {1, kernels::widest_supported()});
+    return pull_of(solver);
+  };
+  const double right = pull("lattice", "0.02");
+  EXPECT_NEAR(pull("octree", "0.1"), right, 0.02 * right);
+  EXPECT_NEAR(pull("octree", "0.05"), right, 0.01 * right);
+}
+
 // A wall ends inside the body: what it covers is rigid, and does not pull at the rest.
 TEST(points_at_walls, hold_what_they_cover) {
   const std::string clamps = stretching_walls(false, "0.3");
