@@ -69,16 +69,6 @@ bool has_resisted_cuts(const Case& settings, const BodyCase& source) {
                      [body](const CutCase& cut) { return cut.body == body && cut.resists(); });
 }
 
-/// Where nodes are for the distances of (PB.2).
-template <int D>
-std::vector<Point<D>> stretched(const PlacedNodes<D>& nodes) {
-  std::vector<Point<D>> places = nodes.cloud.positions;
-  for (Point<D>& x : places) {
-    for (int a = 0; a < D; ++a) x[a] *= nodes.stretch[a];
-  }
-  return places;
-}
-
 // Where cuts take neighbours away, nodes that are no lattice replace them by nodes farther away.
 template <class T, int D>
 BondChoice<D> choice_of(const Case& settings, const PlacedNodes<D>& nodes, const Body<T, D>& body) {
@@ -94,7 +84,7 @@ BondChoice<D> choice_of(const Case& settings, const PlacedNodes<D>& nodes, const
   choice.elastic_volumes = parameters_of(settings).gradient == NodeGradient::patch_exact
                                ? nodes.cloud.volumes
                                : nodes.elastic_volumes;
-  choice.candidates = find_candidates<D>(stretched(nodes), choice.elastic_volumes,
+  choice.candidates = find_candidates<D>(nodes.stretched(), choice.elastic_volumes,
                                          ranks * choice.neighbours + 1, body.name);
   for (auto& list : choice.candidates) {
     const auto most = static_cast<std::size_t>(choice.neighbours);

@@ -63,9 +63,9 @@ geometry = { shape = "half_space", point = [0, 0.25], normal = [0, -1] }
 // With six cells across the tip bends by 1.13 times the reference, with eight by 1.03.
 TEST(point_based, an_octree_of_few_cells_is_said_to_bend_too_far) {
   const auto said = [](const std::string& nodes, const std::string& spacing) {
-    const Case a_case =
-        read_case(PLIANT_SOURCE_DIR "/cases/cantilever",
-                  {"point_based.nodes=" + nodes, "discretisation.spacing=" + spacing});
+    const std::vector<std::string> settings = {"point_based.nodes=" + nodes,
+                                               "discretisation.spacing=" + spacing};
+    const Case a_case = read_case(PLIANT_SOURCE_DIR "/cases/cantilever", settings);
     return a_case.rules->warning(a_case);
   };
   EXPECT_NE(said("octree", "1/3").find("bending in an octree deviates by 13 %"), std::string::npos);
