@@ -18,7 +18,8 @@ namespace {
 
 constexpr double small_enough = 1e-6;
 constexpr int most_steps = 20, most_iterations = 4000;
-constexpr int steps_of_balance = 2, iterations_of_balance = 10;
+constexpr double balanced = 0.05;
+constexpr int most_steps_of_balance = 6, iterations_of_balance = 10;
 constexpr double longest_step = 1;  // of ln c
 
 template <int D>
@@ -44,6 +45,7 @@ class PatchTest {
   double worst() const {
     double most = 0;
     for (std::size_t i = 0; i < force_.size(); ++i) {
+      if (is_held(i)) continue;
       const double area = std::pow(nodes_.volumes[i], (D - 1.) / D);
       most = std::max(most, force_[i].norm() / area);
     }
@@ -213,7 +215,7 @@ template <int D>
 void balance_weights(WeightedNodes<D>& nodes) {
   PatchTest<D> test(nodes);
   double square = test.square();
-  for (int step = 0; step < steps_of_balance; ++step) {
+  for (int step = 0; step < most_steps_of_balance && test.worst() > balanced; ++step) {
     const std::vector<std::vector<double>> before = nodes.weight;
     test.improve(0, iterations_of_balance);
     const double now = test.square();

@@ -25,7 +25,7 @@ template <int D>
 double make_patch_exact(WeightedNodes<D>& nodes);
 
 /// Changes the weights so that a uniform stress exerts little force on nodes that are not held,
-/// (PB.61): a fixed small effort, which leaves a few hundredths of it.
+/// (PB.61): a small effort, which leaves a few hundredths of it.
 template <int D>
 void balance_weights(WeightedNodes<D>& nodes);
 
