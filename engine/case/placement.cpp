@@ -80,10 +80,10 @@ bool reaches_any_body(const Shape& region, bool surface_alone, const Case& a_cas
   });
 }
 
-/// Whether the edge of a blade is in its body at any time.
+/// Whether the edge of a blade is in its body at any time. A blade along the surface is not.
 bool meets_body(const CutCase& cut, const Case& a_case) {
   constexpr int times = 1000;
-  constexpr double most_points = 1000;
+  constexpr double most_points = 1000, on_surface = 1e-6;  // [spacings]
   const Shape& body = a_case.bodies[cut.body].geometry;
   const double spacing = a_case.discretisation.spacing;
   for (int i = 0; i <= times; ++i) {
@@ -95,7 +95,7 @@ bool meets_body(const CutCase& cut, const Case& a_case) {
     for (int j = 0; j <= pieces; ++j) {
       Vector x = edge.from;
       for (int a = 0; a < 3 && pieces > 0; ++a) x[a] += j * along[a] / pieces;
-      if (signed_distance(body, x, a_case.dimension) <= spacing) return true;
+      if (signed_distance(body, x, a_case.dimension) < -on_surface * spacing) return true;
     }
   }
   return false;

@@ -33,7 +33,8 @@ void visit_keys(MethodKeys& visit, MethodParameters& parameters) {
          .example = "26",
          .limits = {0, 64, true, true, "from 0 to 64"}});
   visit("stabilisation", NumberOrWord{method.stabilisation, "automatic", "a number"},
-        {.meaning = R"(alpha of (PB.5), or "automatic": 0.1 on lattices, 0.3 on other nodes)",
+        {.meaning = R"(alpha of (PB.5), or "automatic": 0.1 on lattices, 0.2 in meshes, 0.3 in )"
+                    "octrees",
          .example = "0.1",
          .limits = {0, 2, true, true, "from 0 to 2"}});
   visit("integrator", method.integrator,

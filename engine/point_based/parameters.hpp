@@ -75,7 +75,8 @@ inline constexpr std::array words<point_based::CutRule>{
 template <>
 inline constexpr std::array words<point_based::NodeGradient>{
     word(point_based::NodeGradient::moving_least_squares, "moving_least_squares",
-         "moving least squares (PB.3)"),
+         "moving least squares (PB.3); irregular nodes with weights that balance a uniform stress "
+         "inside (PB.61)"),
     word(point_based::NodeGradient::patch_exact, "patch_exact",
          "the nearest gradient with which the forces of a uniform stress are exact, away from cuts "
          "(PB.17)")};

@@ -69,16 +69,6 @@ bool has_resisted_cuts(const Case& settings, const BodyCase& source) {
                      [body](const CutCase& cut) { return cut.body == body && cut.resists(); });
 }
 
-/// Where nodes are for the distances of (PB.2).
-template <int D>
-std::vector<Point<D>> stretched(const PlacedNodes<D>& nodes) {
-  std::vector<Point<D>> places = nodes.cloud.positions;
-  for (Point<D>& x : places) {
-    for (int a = 0; a < D; ++a) x[a] *= nodes.stretch[a];
-  }
-  return places;
-}
-
 // Where cuts take neighbours away, nodes that are no lattice replace them by nodes farther away.
 template <class T, int D>
 BondChoice<D> choice_of(const Case& settings, const PlacedNodes<D>& nodes, const Body<T, D>& body) {
@@ -94,7 +84,7 @@ BondChoice<D> choice_of(const Case& settings, const PlacedNodes<D>& nodes, const
   choice.elastic_volumes = parameters_of(settings).gradient == NodeGradient::patch_exact
                                ? nodes.cloud.volumes
                                : nodes.elastic_volumes;
-  choice.candidates = find_candidates<D>(stretched(nodes), choice.elastic_volumes,
+  choice.candidates = find_candidates<D>(nodes.stretched(), choice.elastic_volumes,
                                          ranks * choice.neighbours + 1, body.name);
   for (auto& list : choice.candidates) {
     const auto most = static_cast<std::size_t>(choice.neighbours);
@@ -203,10 +193,11 @@ PlacedNodes<D> place_nodes(const Case& settings, const BodyCase& source,
   if (has_elements(shape)) {
     nodes.cloud = nodes_of_mesh<D>(read_volume_mesh(shape.file, D), shape.scale, shape.translate);
     nodes.reach = 0.25;  // vertices lie on the surface
+    nodes.alpha = 0.2;
   } else if (parameters_of(settings).nodes == NodePlacement::octree) {
     const double coarsest = parameters_of(settings).coarsest_spacing;
     nodes.cloud = octree_nodes<D>(shape, {spacing, coarsest > 0 ? coarsest : 4 * spacing});
-    nodes.reach = 0.75;  // nodes next to the surface lie half a cell from it
+    nodes.reach = 0.5;
   } else {
     pitch = lattice_pitch<D>(shape, spacing);
     nodes.cloud = lattice_nodes<D>(shape, spacing);
@@ -255,6 +246,8 @@ BondChoice<D> make_body(const Case& settings, const BodyCase& source, const Plac
   BondChoice<D> choice = choice_of(settings, nodes, body);
   if (parameters_of(settings).gradient == NodeGradient::patch_exact) {
     correct_weights(nodes.cloud, body, choice);
+  } else if (!choice.is_lattice()) {
+    balance_bonds(nodes.cloud, body, choice);
   }
   make_bonds(choice, body);
   if (!choice.is_lattice()) {

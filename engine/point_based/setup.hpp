@@ -27,6 +27,15 @@ struct PlacedNodes {
   double support = std::numeric_limits<double>::infinity();
   double alpha = 0.3;  ///< strength of the stabilisation (PB.5) that they need
 
+  /// Where nodes are for the distances of (PB.2).
+  std::vector<Point<D>> stretched() const {
+    std::vector<Point<D>> places = cloud.positions;
+    for (Point<D>& x : places) {
+      for (int a = 0; a < D; ++a) x[a] *= stretch[a];
+    }
+    return places;
+  }
+
   static constexpr Point<D> stretch_of_cubes() {
     Point<D> ones = {};
     for (double& one : ones) one = 1;

@@ -3,6 +3,7 @@
 #include <map>
 
 #include "engine/point_based/solver.hpp"
+#include "tests/engine/finite_elements/meshed_block.hpp"
 #include "tests/engine/remeshed/small_case.hpp"
 
 // Cases of the point-based method against the references in their folders.
@@ -35,6 +36,26 @@ TEST(point_based_cases, a_cantilever_bends_as_finite_elements_do) {
   auto tetrahedra = measured_at_end<3>(
       "cantilever", {"body.beam.geometry={ shape = \"mesh\", file = \"beam.msh\" }"});
   EXPECT_NEAR(tetrahedra["tip_displacement"], tip, 0.03 * std::abs(tip));
+}
+
+// Lattices whose inner nodes are moved at random. Tips as in the tests above and below.
+TEST(point_based_cases, a_cantilever_of_irregular_nodes_is_as_stiff_as_one_on_a_lattice) {
+  const BlockMesh<3> beams[] = {{{20, 4, 4}, {0, -1, -1}, {10, 1, 1}, 0.2},
+                                {{20, 4, 4}, {0, -1, -1}, {10, 1, 1}, 0.3},
+                                {{30, 6, 6}, {0, -1, -1}, {10, 1, 1}, 0.2}};
+  const std::pair<const char*, double> tips[] = {{"0.3", -0.002538}, {"0.49", -0.002484}};
+  const TemporaryFolder folder;
+  for (const BlockMesh<3>& beam : beams) {
+    write(beam, folder / "beam.vtk");
+    const std::string geometry = "body.beam.geometry={ shape = \"mesh\", file = \"" +
+                                 (folder / "beam.vtk").string() + "\" }";
+    for (const auto& [ratio, tip] : tips) {
+      SCOPED_TRACE(std::to_string(beam.cells[1]) + " cells across, nu = " + ratio);
+      auto found = measured_at_end<3>(
+          "cantilever", {geometry, std::string("body.beam.material.poissons_ratio=") + ratio});
+      EXPECT_NEAR(found["tip_displacement"], tip, 0.03 * std::abs(tip));
+    }
+  }
 }
 
 // Against total Lagrangian hexahedra, extrapolated from spacings of 1/3 and 1/5 m.

@@ -88,8 +88,8 @@ Chosen choose(const BondChoice<D>& choice, std::span<const double> factors, std:
   for (const std::size_t k : taken) {
     if (candidates[k].distance >= support) continue;
     chosen.slot.push_back(choice.slot_of[candidates[k].node]);
-    const double correction = choice.correction.empty() ? 1 : choice.correction[node][k];
-    chosen.weight.push_back(correction * factor(k) * bond_weight(candidates[k].distance / support));
+    chosen.weight.push_back(choice.correction_of(node, k) * factor(k) *
+                            bond_weight(candidates[k].distance / support));
   }
   return chosen;
 }

@@ -24,11 +24,15 @@ struct BondChoice {
   int neighbours = 0;                          ///< of each node, at most
   double support = 0;  ///< h of (PB.2) [m]; infinite: from the next candidate
   double alpha = 0;    ///< strength of the stabilisation (PB.5)
-  /// [node of the cloud][candidate] factors of the weights, (PB.17); none: all are 1.
+  /// [node of the cloud][candidate] factors of the weights, (PB.17) and (PB.61); none: 1.
   std::vector<std::vector<double>> correction;
   double crowding = 1;      ///< factor of lambda_i, (PB.12)
   bool may_change = false;  ///< any candidate may become a neighbour when others are cut off
 
+  double correction_of(std::int64_t node, std::size_t candidate) const {
+    const bool has_factor = !correction.empty() && candidate < correction[node].size();
+    return has_factor ? correction[node][candidate] : 1;
+  }
   bool is_lattice() const { return !std::isinf(support); }
 };
 

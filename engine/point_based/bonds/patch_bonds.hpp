@@ -10,4 +10,9 @@ namespace pliant::point_based {
 template <class T, int D>
 void correct_weights(const NodeCloud<D>& cloud, const Body<T, D>& body, BondChoice<D>& choice);
 
+/// Corrects the weights of the bonds of a body of irregular nodes so that a uniform stress exerts
+/// little force on nodes inside, (PB.61).
+template <class T, int D>
+void balance_bonds(const NodeCloud<D>& cloud, const Body<T, D>& body, BondChoice<D>& choice);
+
 }  // namespace pliant::point_based

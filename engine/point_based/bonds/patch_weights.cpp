@@ -18,6 +18,8 @@ namespace {
 
 constexpr double small_enough = 1e-6;
 constexpr int most_steps = 20, most_iterations = 4000;
+constexpr double balanced = 0.05;
+constexpr int most_steps_of_balance = 6, iterations_of_balance = 10;
 constexpr double longest_step = 1;  // of ln c
 
 template <int D>
@@ -43,15 +45,25 @@ class PatchTest {
   double worst() const {
     double most = 0;
     for (std::size_t i = 0; i < force_.size(); ++i) {
+      if (is_held(i)) continue;
       const double area = std::pow(nodes_.volumes[i], (D - 1.) / D);
       most = std::max(most, force_[i].norm() / area);
     }
     return most;
   }
 
+  /// Sum of the squares of the forces on nodes that are not held.
+  double square() const {
+    double sum = 0;
+    for (std::size_t i = 0; i < force_.size(); ++i) {
+      if (!is_held(i)) sum += force_[i].squaredNorm();
+    }
+    return sum;
+  }
+
   /// One Gauss-Newton step, whose equations are solved up to `tolerance`.
-  void improve(double tolerance) {
-    const Vectors y = solve(tolerance);
+  void improve(double tolerance, int most_iterations) {
+    const Vectors y = solve(tolerance, most_iterations);
     double longest = 0;
     for (std::size_t i = 0; i < all_.size(); ++i) {
       change(i, y);
@@ -76,6 +88,8 @@ class PatchTest {
     std::vector<Bond> bonds;
   };
 
+  bool is_held(std::size_t i) const { return !nodes_.is_held.empty() && nodes_.is_held[i]; }
+
   /// Gradients and r of the present weights, and the blocks of J J^T on the diagonal.
   void evaluate() {
     for (std::size_t i = 0; i < all_.size(); ++i) {
@@ -98,7 +112,9 @@ class PatchTest {
       }
       add_to_diagonal(i);
     }
-    for (Matrix& block : scale_) block = block.inverse().eval();
+    for (std::size_t i = 0; i < all_.size(); ++i) {
+      scale_[i] = is_held(i) ? Matrix::Zero() : scale_[i].inverse().eval();
+    }
   }
 
   void add_to_diagonal(std::size_t i) {
@@ -143,8 +159,8 @@ class PatchTest {
     }
   }
 
-  /// y of J J^T y = -r, by conjugate gradients.
-  Vectors solve(double tolerance) {
+  /// y of J J^T y = -r, 0 at nodes that are held, by conjugate gradients.
+  Vectors solve(double tolerance, int most_iterations) {
     Vectors y(all_.size(), Vector::Zero()), rest = force_, scaled(all_.size()), way, image = force_;
     for (Vector& of_node : rest) of_node = -of_node;
     const auto scale = [&] {
@@ -178,7 +194,7 @@ class PatchTest {
   WeightedNodes<D>& nodes_;
   std::vector<Node> all_;
   Vectors force_;              ///< r
-  std::vector<Matrix> scale_;  ///< inverse of the diagonal blocks of J J^T
+  std::vector<Matrix> scale_;  ///< inverse of the diagonal blocks of J J^T; 0 at held nodes
 };
 
 }  // namespace
@@ -189,12 +205,30 @@ double make_patch_exact(WeightedNodes<D>& nodes) {
   double worst = test.worst();
   // The first steps are far from the end whatever is solved exactly.
   for (int step = 0; step < most_steps && worst > small_enough; ++step) {
-    test.improve(step == 0 ? 3e-2 : step == 1 ? 1e-2 : 1e-3);
+    test.improve(step == 0 ? 3e-2 : step == 1 ? 1e-2 : 1e-3, most_iterations);
     worst = test.worst();
   }
   return worst;
 }
 
+template <int D>
+void balance_weights(WeightedNodes<D>& nodes) {
+  PatchTest<D> test(nodes);
+  double square = test.square();
+  for (int step = 0; step < most_steps_of_balance && test.worst() > balanced; ++step) {
+    const std::vector<std::vector<double>> before = nodes.weight;
+    test.improve(0, iterations_of_balance);
+    const double now = test.square();
+    if (!(now < square)) {
+      nodes.weight = before;
+      return;
+    }
+    square = now;
+  }
+}
+
+template void balance_weights<2>(WeightedNodes<2>&);
+template void balance_weights<3>(WeightedNodes<3>&);
 template double make_patch_exact<2>(WeightedNodes<2>&);
 template double make_patch_exact<3>(WeightedNodes<3>&);
 

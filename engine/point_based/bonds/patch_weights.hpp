@@ -15,6 +15,7 @@ struct WeightedNodes {
   std::vector<Point<D>> areas;                       ///< [node] a, outwards [m^(D-1)]
   std::vector<std::vector<std::int32_t>> neighbour;  ///< [node][bond]
   std::vector<std::vector<double>> weight;           ///< [node][bond] positive
+  std::vector<bool> is_held;  ///< [node] may bear any force; none: no node may
 };
 
 /// Changes the weights as little as makes the gradients of (PB.3) exact for uniform stress,
@@ -23,6 +24,13 @@ struct WeightedNodes {
 template <int D>
 double make_patch_exact(WeightedNodes<D>& nodes);
 
+/// Changes the weights so that a uniform stress exerts little force on nodes that are not held,
+/// (PB.61): a small effort, which leaves a few hundredths of it.
+template <int D>
+void balance_weights(WeightedNodes<D>& nodes);
+
+extern template void balance_weights<2>(WeightedNodes<2>&);
+extern template void balance_weights<3>(WeightedNodes<3>&);
 extern template double make_patch_exact<2>(WeightedNodes<2>&);
 extern template double make_patch_exact<3>(WeightedNodes<3>&);
 

@@ -95,7 +95,7 @@ std::vector<double> fit_to_walls(const Boundaries<D>& boundaries, const Shape& s
     if (distance < size) {
       elastic[i] *= distance < -size ? 0 : elastic_share<D>(boundaries, shape, x, cell);
     }
-    if (pitch) move_onto_walls<D>(boundaries, *pitch, i, x, moved);
+    if (cloud.elements.empty()) move_onto_walls<D>(boundaries, cell, i, x, moved);
   }
   share_gaps(moved, cloud, elastic);
   return elastic;

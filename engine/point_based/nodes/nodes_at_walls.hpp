@@ -8,9 +8,10 @@
 
 namespace pliant::point_based {
 
-/// [node] what of its volume lies outside the walls that material sticks to [m^D], (PB.21). Where
-/// the nodes have a `pitch` [m], those of a lattice within half of it of the surface of an attached
-/// wall move onto it: the body is held where the wall is, not at the nearest lattice point.
+/// [node] what of its volume lies outside the walls that material sticks to [m^D], (PB.21). Nodes
+/// that no mesh gives move onto the surface of an attached wall within half of their distance: the
+/// body is held where the wall is, not at the nearest node. `pitch` [m] is that of a lattice; none:
+/// nodes are as far apart as their volumes say.
 template <int D>
 std::vector<double> fit_to_walls(const Boundaries<D>& boundaries, const Shape& shape,
                                  const std::optional<Point<D>>& pitch, NodeCloud<D>& cloud);

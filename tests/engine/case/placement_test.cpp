@@ -72,6 +72,8 @@ TEST(placement, a_blade_that_passes_beside_its_body_cuts_nothing) {
   };
   EXPECT_TRUE(warnings("[0.5, 2.2]").empty());
   ASSERT_EQ(warnings("[1.5, 2.2]").size(), 1u);
+  EXPECT_EQ(warnings("[1.05, 2.2]").size(), 1u);
+  EXPECT_EQ(warnings("[1, 2.2]").size(), 1u) << "along the surface";
   EXPECT_EQ(warnings("[1.5, 2.2]").front(),
             "the cut `blade` never meets body `block`; its path is a displacement, from where the "
             "edge is at the start, in the undeformed body");

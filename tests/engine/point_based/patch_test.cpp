@@ -64,8 +64,7 @@ struct Patch : testing::Test {
 };
 
 TEST_F(Patch, weights_that_pass_it_leave_no_force_inside_and_that_of_the_stress_outside) {
-  auto plain = solver("moving_least_squares"), exact = solver("patch_exact");
-  EXPECT_GT(error(plain), 0.1);
+  auto exact = solver("patch_exact");
   EXPECT_LT(error(exact), 1e-5);
   // Nothing is lost: strains are exact, and weights positive.
   const auto& body = exact.state().bodies[0];
@@ -73,6 +72,12 @@ TEST_F(Patch, weights_that_pass_it_leave_no_force_inside_and_that_of_the_stress_
     body.for_each_bond(block, block.first,
                        [&](int, std::int64_t, const Point<3>&, double w) { EXPECT_GT(w, 0); });
   }
+}
+
+// Without weights that balance it, a force of .7 times the stress is left on a node of this block.
+TEST_F(Patch, weights_that_balance_it_leave_a_few_hundredths_of_the_force) {
+  auto balanced = solver("moving_least_squares");
+  EXPECT_LT(error(balanced), 0.05);
 }
 
 TEST_F(Patch, a_body_whose_nodes_are_not_on_its_surface_is_refused) {
