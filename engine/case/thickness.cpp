@@ -58,13 +58,17 @@ std::vector<Vector> middles(const Box<3>& box, int dimension, double step) {
   return found;
 }
 
-/// The largest value of a function of distances in and near a body.
+/// The largest value of a function of distances in and near a body; infinite where it is more than
+/// the body is long, as between walls that leave one face free.
 template <class F>
 double largest(const BodyCase& body, int dimension, const F& value_at) {
   constexpr double endless = std::numeric_limits<double>::infinity();
   const Box<3> box = bounding_box(body.geometry);
-  double volume = 1, most = -endless;
-  for (int a = 0; a < dimension; ++a) volume *= box.upper[a] - box.lower[a];
+  double volume = 1, length = 0, most = -endless;
+  for (int a = 0; a < dimension; ++a) {
+    volume *= box.upper[a] - box.lower[a];
+    length += box.upper[a] - box.lower[a];
+  }
   if (!std::isfinite(volume)) return endless;
   const double step = std::pow(volume / probes, 1. / dimension);
   std::vector<std::pair<double, Vector>> found;
@@ -72,9 +76,9 @@ double largest(const BodyCase& body, int dimension, const F& value_at) {
   std::ranges::sort(found, std::ranges::greater{});
   const std::size_t from = std::min<std::size_t>(climbers, found.size());
   for (std::size_t k = 0; k < from; ++k) {
-    most = std::max(most, climb(value_at, found[k].second, dimension, step));
+    most = std::max(most, climb(value_at, found[k].second, dimension, step, length));
   }
-  return most;
+  return most < length ? most : endless;
 }
 
 /// A line for each body of which a length is too few spacings.

@@ -55,9 +55,10 @@ double overlap(const Shape& a, const Shape& b, double spacing, int dimension) {
     keep(found, {std::min(inside_a, inside(b, x)), x});
   }
   const auto depth = [&](const Vector& x) { return std::min(inside(a, x), inside(b, x)); };
-  double deepest = -std::numeric_limits<double>::infinity();
+  constexpr double endless = std::numeric_limits<double>::infinity();
+  double deepest = -endless;
   for (const auto& [there, x] : found) {
-    deepest = std::max(deepest, climb(depth, x, dimension, spacing / 2));
+    deepest = std::max(deepest, climb(depth, x, dimension, spacing / 2, endless));
   }
   return deepest;
 }
