@@ -10,6 +10,10 @@
 namespace pliant {
 namespace {
 
+/// How deep shapes may reach into each other at the start [spacings]. Contact pushes them apart at
+/// once, with energy that they did not have; what is tied stays where it is.
+constexpr double deepest_contact = 0.05, deepest_tie = 0.25;
+
 void check_places(const Check& check, std::size_t index) {
   const Case& a_case = check.a_case;
   const ContactCase& contact = a_case.contacts[index];
@@ -22,12 +26,13 @@ void check_places(const Check& check, std::size_t index) {
   }
   const double depth = overlap(first.geometry, second.geometry, spacing, a_case.dimension);
   const Place place = check.place("contact", index, "bodies");
-  if (depth > spacing / 4) {
+  const bool is_tied = contact.law == ContactLaw::tied;
+  if (depth > (is_tied ? deepest_tie : deepest_contact) * spacing) {
     check.problems.add(place,
                        fmt::format("bodies \"{}\" and \"{}\" overlap by {:.3g} at the start",
                                    first.name, second.name, depth),
                        "move one of them, or remove the contact");
-  } else if (contact.law == ContactLaw::tied && depth < -0.75 * spacing) {
+  } else if (is_tied && depth < -0.75 * spacing) {
     check.problems.add(
         place,
         fmt::format("bodies \"{}\" and \"{}\" are tied but do not meet", first.name, second.name),
@@ -47,7 +52,7 @@ void check_contact_wall(const Check& check, std::size_t body_index, std::size_t 
   }
   // Walls are mostly simple shapes: where a point is outside, the body is not asked.
   const double depth = overlap(wall.geometry, body.geometry, spacing, a_case.dimension);
-  if (depth <= spacing / 4) return;
+  if (depth <= deepest_contact * spacing) return;
   check.problems.add(
       check.place("body", body_index, "geometry"),
       fmt::format("body \"{}\" overlaps the contact wall \"{}\" by {:.3g} at the start", body.name,

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "engine/case/boundary_kinds.hpp"
+#include "engine/geometry/climb.hpp"
 #include "engine/geometry/free_surface.hpp"
 #include "engine/geometry/signed_distance.hpp"
 
@@ -19,7 +20,6 @@ namespace {
 
 constexpr double probes = 4000;  // of a body; from the best of them a search climbs
 constexpr int climbers = 8;
-constexpr double precise = 1e-3;  // of the distance of probes
 
 /// What holds bodies, and the ends of a periodic cell, behind which they go on.
 std::vector<Shape> ends_of_bodies(const Case& a_case) {
@@ -58,34 +58,17 @@ std::vector<Vector> middles(const Box<3>& box, int dimension, double step) {
   return found;
 }
 
-/// The value of a function that steps along the axes, ever shorter ones, lead to.
-template <class F>
-double climb(const F& value_at, Vector from, int dimension, double step) {
-  double value = value_at(from);
-  for (double along = step; along > precise * step; along /= 2) {
-    for (bool rises = true; rises;) {
-      rises = false;
-      for (int k = 0; k < 2 * dimension; ++k) {
-        Vector x = from;
-        x[k / 2] += k % 2 == 0 ? along : -along;
-        const double there = value_at(x);
-        if (!(there > value + 1e-9 * std::abs(value))) continue;
-        value = there;
-        from = x;
-        rises = true;
-      }
-    }
-  }
-  return value;
-}
-
-/// The largest value of a function of distances in and near a body.
+/// The largest value of a function of distances in and near a body; infinite where it is more than
+/// the body is long, as between walls that leave one face free.
 template <class F>
 double largest(const BodyCase& body, int dimension, const F& value_at) {
   constexpr double endless = std::numeric_limits<double>::infinity();
   const Box<3> box = bounding_box(body.geometry);
-  double volume = 1, most = -endless;
-  for (int a = 0; a < dimension; ++a) volume *= box.upper[a] - box.lower[a];
+  double volume = 1, length = 0, most = -endless;
+  for (int a = 0; a < dimension; ++a) {
+    volume *= box.upper[a] - box.lower[a];
+    length += box.upper[a] - box.lower[a];
+  }
   if (!std::isfinite(volume)) return endless;
   const double step = std::pow(volume / probes, 1. / dimension);
   std::vector<std::pair<double, Vector>> found;
@@ -93,9 +76,9 @@ double largest(const BodyCase& body, int dimension, const F& value_at) {
   std::ranges::sort(found, std::ranges::greater{});
   const std::size_t from = std::min<std::size_t>(climbers, found.size());
   for (std::size_t k = 0; k < from; ++k) {
-    most = std::max(most, climb(value_at, found[k].second, dimension, step));
+    most = std::max(most, climb(value_at, found[k].second, dimension, step, length));
   }
-  return most;
+  return most < length ? most : endless;
 }
 
 /// A line for each body of which a length is too few spacings.

@@ -4,7 +4,10 @@
 #include <cmath>
 #include <limits>
 #include <optional>
+#include <utility>
 #include <vector>
+
+#include "engine/geometry/continued_mesh.hpp"
 
 namespace pliant {
 namespace {
@@ -122,10 +125,19 @@ Shape uncut(const Shape& body, std::span<const Shape> walls) {
   return open.operands.size() == 1 ? open.operands.front() : open;
 }
 
+Shape open_mesh(const Shape& body, std::span<const Shape> walls) {
+  Shape open = body;
+  for (const Shape& wall : walls) {
+    if (auto continued = continued_through(*open.mesh, wall)) open.mesh = std::move(continued);
+  }
+  return open;
+}
+
 }  // namespace
 
 Shape free_surface(const Shape& body, std::span<const Shape> walls, int dimension) {
   if (body.kind == Shape::Kind::box) return open_box(body, walls, dimension);
+  if (body.kind == Shape::Kind::mesh) return open_mesh(body, walls);
   Shape open = uncut(body, walls);
   if (open.kind == Shape::Kind::box) return open_box(open, walls, dimension);
   for (Shape& operand : open.operands) operand = free_surface(operand, walls, dimension);

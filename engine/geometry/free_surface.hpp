@@ -18,7 +18,8 @@ namespace pliant {
 
 /// `body` with every box face that lies against a face of one of `walls` (a half-space or a box)
 /// moved to infinity. A face that a wall covers in part is extended over that part. A half-space
-/// that cuts the body where a wall is the same plane cuts nothing off.
+/// that cuts the body where a wall is the same plane cuts nothing off. A mesh whose flat side lies
+/// on a wall gives way there to its mirror image, which joins it along the rim of that side.
 Shape free_surface(const Shape& body, std::span<const Shape> walls, int dimension);
 
 }  // namespace pliant

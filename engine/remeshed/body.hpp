@@ -191,6 +191,7 @@ struct Body {
   const BodyCase* source = nullptr;
   kernels::Material<T> material;  ///< its density is that of the inertia, (RP.87)
   double mass_scaling = 1;        ///< M of (RP.87), also in the masses of the particles
+  bool bears_loads = false;       ///< whether loads or body forces act in the case
   bool has_surface = true;  ///< whether phi = 0 cuts it; not so where it fills a periodic cell
   Lattice<D> lattice;
   Population<T, D> population, spare;

@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "engine/remeshed/ghosts/lasting_correction.hpp"
 #include "engine/remeshed/parameters.hpp"
 #include "engine/remeshed/particle_kinds.hpp"
 #include "engine/remeshed/resources.hpp"
@@ -96,6 +97,7 @@ kernels::Stage<T, D> ParticleUpdate<T, D>::stage_of(Body<T, D>& body, int block,
   const T rate = kernels::wave_speed_at_rest(body.material) / (16 * work.spacing);
   work.velocity_dissipation = static_cast<T>(dissipation.velocity) * rate;
   work.stress_dissipation = static_cast<T>(dissipation.stress) * rate;
+  work.relaxes_shear = relaxes_shear(body);
   work.stage = stage;
   work.kernel = settings_.discretisation.kernel;
   work.gradient = parameters_of(settings_).gradient;

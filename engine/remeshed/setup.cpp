@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "engine/geometry/signed_distance.hpp"
+#include "engine/method/gravity.hpp"
 #include "engine/remeshed/parameters.hpp"
 #include "kernels/with_scalar.hpp"
 
@@ -30,12 +31,13 @@ Lattice<D> body_lattice(const Case& settings, const BodyCase& body) {
 namespace {
 
 template <class T, int D>
-void set_up(const Case& settings, const BodyCase& source, Body<T, D>& body) {
+void set_up(const Case& settings, const BodyCase& source, bool bears_loads, Body<T, D>& body) {
   body.name = source.name;
   body.source = &source;
   body.material = kernels::with_scalar<T>(source.material);
   body.mass_scaling = parameters_of(settings).mass_scaling;
   body.material.density *= static_cast<T>(body.mass_scaling);
+  body.bears_loads = bears_loads;
   for (const kernels::PronyTerm<double>& term : source.prony) {
     body.prony.push_back({static_cast<T>(term.ratio), static_cast<T>(term.time)});
   }
@@ -55,9 +57,10 @@ State<T, D> make_state(const Case& settings) {
   state.wall_impulse.resize(state.boundaries.walls.size());
   state.contact_impulse.resize(settings.contacts.size());
   state.bodies.resize(settings.bodies.size());
+  const bool bears_loads = !state.boundaries.pressures.empty() || Gravity<D>(settings).acts();
   state.motion_budgets.resize(settings.bodies.size());
   for (std::size_t b = 0; b < state.bodies.size(); ++b) {
-    set_up(settings, settings.bodies[b], state.bodies[b]);
+    set_up(settings, settings.bodies[b], bears_loads, state.bodies[b]);
   }
   return state;
 }

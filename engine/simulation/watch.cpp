@@ -186,6 +186,7 @@ std::string Watch::observe(Solver& solver, bool last) {
                         angular_momentum_.share),
             "use a finer spacing (or set checks.momentum)"),
       judge_number(solver, last),
+      judge_rest(solver, last),
       last && checks.energy != CheckResponse::off ? judge_loss() : ""};
   std::string text;
   for (const std::string& warning : warnings) {
@@ -202,6 +203,24 @@ std::string Watch::judge_number(const Solver& solver, bool last) const {
                     remedy = "use a finer spacing or a smaller load (or set checks.energy)";
   if (response == CheckResponse::stop) throw failed_step(settings_, solver.clock(), what, {remedy});
   return last ? fmt::format("warning: in the end {}; {}", what, remedy) : "";
+}
+
+// Where bodies had no energy and none was given to them there is nothing to compare with. Strains
+// below the noticed one leave no trace in other figures.
+std::string Watch::judge_rest(const Solver& solver, bool last) const {
+  constexpr double noticed_strain = 1e-4;
+  const CheckResponse response = settings_.checks.energy;
+  const double noticed =
+      start_.mass * mass_scaling_ * std::pow(noticed_strain * fastest_wave(settings_), 2);
+  if (!last || response == CheckResponse::off || is_known_ == 0 || scale_ > rounding_energy() ||
+      !(created_ > noticed)) {
+    return "";
+  }
+  const std::string what = fmt::format("bodies at rest got an energy of {:.3g} J by themselves",
+                                       created_),
+                    remedy = "let them stand apart at the start (or set checks.energy)";
+  if (response == CheckResponse::stop) throw failed_step(settings_, solver.clock(), what, {remedy});
+  return fmt::format("warning: in the end {}; {}", what, remedy);
 }
 
 // Only at the end: what a body that is flat in contact seems to have lost comes back. What viscous

@@ -41,6 +41,7 @@ class Watch {
                     const std::string& what, const std::string& remedy);
   std::string judge_number(const Solver& solver, bool last) const;
   std::string judge_loss() const;
+  std::string judge_rest(const Solver& solver, bool last) const;
   /// Energy that bodies at rest may seem to have [J].
   double rounding_energy() const;
   void look_at_momentum(const Solver& solver);

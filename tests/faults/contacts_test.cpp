@@ -26,7 +26,7 @@ std::string standing_in(const char* height) {
 
 const Fault faults[] = {
     {"a_body_partly_inside_a_contact_wall", standing_in("0.5"),
-     "block.toml:8: body \"block\" overlaps the contact wall \"floor\" by 0.2 at the start; move "
+     "block.toml:8: body \"block\" overlaps the contact wall \"floor\" by 0.25 at the start; move "
      "the body or the wall until they stand apart, or subtract the wall from the body"},
     {"a_body_wholly_inside_a_contact_wall", standing_in("10"),
      "block.toml:8: body \"block\" overlaps the contact wall \"floor\" by 0.5 at the start; move "

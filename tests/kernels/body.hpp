@@ -45,6 +45,7 @@ struct Body {
     arguments.time_step = time_step;
     arguments.velocity_dissipation = velocity_dissipation;
     arguments.stress_dissipation = stress_dissipation;
+    arguments.relaxes_shear = relaxes_shear;
     arguments.stage = number;
     arguments.kernel = kernel;
     arguments.gradient = gradient_kind;
@@ -95,6 +96,7 @@ struct Body {
   Kernel kernel = Kernel::quartic_spline_fit;
   Gradient gradient_kind = Gradient::moment_matrix;
   T velocity_dissipation = T(0.7), stress_dissipation = T(0.3);
+  bool relaxes_shear = true;
   const NeighbourLists<D>* neighbours = nullptr;
   Field<T> mass;
   std::vector<State<T, D>> states;  ///< Q0, Q2, Q3, Q4 of (RP.21)

@@ -8,13 +8,20 @@
 /// are held bent, or rest on a wall, a part of them lasts, and feeds a checkerboard of stress.
 namespace pliant::remeshed {
 
-/// Whether ghosts move without the part of (RP.50) and (RP.95) that lasts. Bodies in 3D and those
-/// whose shear stress nothing relaxes are unstable with it where they are held; linear ones in 2D
-/// are stable and lose less energy with all of it, but creep where they rest on a contact wall.
+/// Whether the dissipation of (RP.23) relaxes shear stress too, which lets a body creep that bears
+/// a lasting load. Others that are plane and linear need it, as their ghosts move with all of
+/// (RP.50), which feeds what it damps.
+template <class T, int D>
+bool relaxes_shear(const Body<T, D>& body) {
+  return D == 2 && body.material.model != kernels::Model::reduced_polynomial && !body.bears_loads;
+}
+
+/// Whether ghosts move without the part of (RP.50) and (RP.95) that lasts. Bodies whose shear
+/// stress nothing relaxes are unstable with it where they are held; others are stable and lose less
+/// energy with all of it, but creep where they rest on a contact wall.
 template <class T, int D>
 bool lets_waves_out_alone(const Body<T, D>& body, const Boundaries<D>& boundaries) {
-  return D == 3 || body.material.model == kernels::Model::reduced_polynomial ||
-         boundaries.have_contact();
+  return !relaxes_shear(body) || boundaries.have_contact();
 }
 
 constexpr double lasting_time = 20;  ///< over which (RP.50) takes its mean [h/c]

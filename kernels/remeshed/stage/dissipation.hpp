@@ -215,19 +215,11 @@ inline P restoring_rate(const Material<Scalar<P>>& material, Scalar<P> spacing) 
   return P(share / spacing) * xsimd::sqrt(P(modulus / material.density));
 }
 
-/// Whether the dissipation of (RP.23) relaxes shear stress too. Materials that remember their
-/// deformation (F) and bodies in 3D relax the pressure alone, since relaxing shear is creep. Plane
-/// linear bodies need it: their ghosts move with all of (RP.50), which feeds what it damps
-/// (docs/decisions/0014-bodies-held-bent.md).
-template <int D>
-constexpr bool relaxes_shear(Model model) {
-  return D == 2 && model != Model::reduced_polynomial;
-}
-
-/// The strain rate that relaxes the stress at the rate -kappa delta^4 sigma: Hooke's law inverted.
+/// The strain rate that relaxes the stress, or its mean alone, at the rate -kappa delta^4 sigma:
+/// Hooke's law inverted.
 template <class P, int D>
 inline void relaxing_strain_rate(const Material<Scalar<P>>& material, Scalar<P> kappa,
-                                 const P (&difference)[symmetric_components<D>],
+                                 bool relaxes_shear, const P (&difference)[symmetric_components<D>],
                                  P (&strain_rate)[symmetric_components<D>]) {
   using T = Scalar<P>;
   const T shear = material.shear_modulus;
@@ -237,7 +229,7 @@ inline void relaxing_strain_rate(const Material<Scalar<P>>& material, Scalar<P> 
   for (int i = 1; i < D; ++i) trace = trace + difference[symmetric_index<D>(i, i)];
   const P mean = trace * P(T(1) / T(D));
   const P volumetric = mean * P(-kappa / (T(D) * lame + 2 * shear));
-  const P scale(relaxes_shear<D>(material.model) ? -kappa / (2 * shear) : T(0));
+  const P scale(relaxes_shear ? -kappa / (2 * shear) : T(0));
 #pragma GCC unroll 3
   for (int i = 0; i < D; ++i) {
 #pragma GCC unroll 3

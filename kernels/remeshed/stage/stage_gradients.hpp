@@ -146,7 +146,8 @@ template <class P, int D>
   for (int c = 0; c < symmetric_components<D>; ++c) {
     difference[c] = P::load_aligned(&damped.swept[D + c][at]);
   }
-  relaxing_strain_rate<P, D>(stage.material, stage.stress_dissipation, difference, relaxation);
+  relaxing_strain_rate<P, D>(stage.material, stage.stress_dissipation, stage.relaxes_shear,
+                             difference, relaxation);
   const P drag(-stage.velocity_dissipation);
 #pragma GCC unroll 3
   for (int i = 0; i < D; ++i) {

@@ -51,6 +51,8 @@ TEST(thickness, is_that_between_free_surfaces) {
   EXPECT_NEAR(thickness_of(plate, sides), 1.3, 1e-3);
   EXPECT_NEAR(thickness_of(plate, faces), 30, 1e-2);
   EXPECT_TRUE(std::isinf(thickness_of(plate, sides + faces)));
+  // One face is free: the ball that it touches may be of any size.
+  EXPECT_TRUE(std::isinf(thickness_of(plate, sides + wall("floor", "[0, 0]", "[0, 1]"))));
 }
 
 TEST(opening, is_the_diameter_of_the_hole_that_walls_leave) {

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "engine/geometry/signed_distance.hpp"
+#include "tests/engine/geometry/meshes.hpp"
 #include "tests/engine/geometry/shapes.hpp"
 
 namespace pliant {
@@ -89,6 +90,28 @@ TEST(free_surface, half_spaces_that_cut_a_body_at_walls_cut_nothing_off) {
       EXPECT_EQ(distance(half, {wall}, x), signed_distance(half, x, 2));
     }
   }
+}
+
+// A box of triangles in the corner of two walls: within its height of the corner the free surface
+// is that of the box whose sides run on through both.
+TEST(free_surface, a_mesh_runs_on_through_walls_on_which_its_flat_sides_lie) {
+  const Shape mesh = mesh_shape(box_mesh({0, 0, 0}, {1, 2, 3}));
+  const std::vector<Shape> walls{half_space({0, 0, 0}, {1, 0, 0}), box({-1, -1, -1}, {1, 2, 0})};
+  const Shape open = free_surface(mesh, walls, 3);
+  const Shape exact = box({-infinity, 0, -infinity}, {1, 2, 3});
+  for (const Vector& x : {Vector{0.1, 1, 0.2}, Vector{0, 0.3, 0}, Vector{-0.4, 0.6, -0.5},
+                          Vector{0.5, 2.25, 0.1}, Vector{1.5, 0.5, -0.5}}) {
+    EXPECT_NEAR(signed_distance(open, x, 3), signed_distance(exact, x, 3), 1e-14);
+  }
+}
+
+// Walls that the mesh crosses, does not reach, or that do not cover its side.
+TEST(free_surface, a_mesh_without_a_flat_side_on_a_wall_keeps_its_surface) {
+  const Shape mesh = mesh_shape(box_mesh({0, 0, 0}, {1, 2, 3}));
+  const std::vector<Shape> walls{
+      half_space({0, 0, 0.5}, {0, 0, 1}), half_space({0, 0, -0.1}, {0, 0, 1}),
+      half_space({0, 0, 0}, {0, 0.6, 0.8}), box({0.5, -1, -1}, {2, 3, 0}), ball({0, 0, -1}, 1)};
+  EXPECT_EQ(free_surface(mesh, walls, 3).mesh, mesh.mesh);
 }
 
 }  // namespace

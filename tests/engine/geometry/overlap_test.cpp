@@ -27,8 +27,16 @@ TEST(overlap, is_half_the_thickness_of_a_lens) {
   for (const int dimension : {2, 3}) {
     for (const double distance : {1.6, 1.9}) {
       EXPECT_NEAR(overlap(ball({}, 1), ball({distance, 0, 0}, 1), 0.02, dimension),
-                  (2 - distance) / 2, 0.02);
+                  (2 - distance) / 2, 2e-5);
     }
+  }
+}
+
+// A lens thinner than the distance of the points on which it is looked for.
+TEST(overlap, finds_lenses_between_the_points) {
+  for (const double place : {0., 0.013, 0.037, 0.061}) {
+    EXPECT_NEAR(overlap(ball({place, 0.02, 0}, 1), ball({1.96 + place, 0.02, 0}, 1), 0.1, 2), 0.02,
+                1e-4);
   }
 }
 
@@ -40,8 +48,8 @@ TEST(overlap, is_negative_for_shapes_that_stand_apart) {
 TEST(overlap, of_boxes_without_end_is_looked_for_across_them) {
   constexpr double infinity = std::numeric_limits<double>::infinity();
   const Shape left = box({-1, -infinity, 0}, {0, infinity, 0});
-  EXPECT_NEAR(overlap(left, box({0, -infinity, 0}, {1, infinity, 0}), 0.1, 2), 0, 0.1);
-  EXPECT_NEAR(overlap(left, box({-0.6, -infinity, 0}, {1, infinity, 0}), 0.1, 2), 0.3, 0.1);
+  EXPECT_NEAR(overlap(left, box({0, -infinity, 0}, {1, infinity, 0}), 0.1, 2), 0, 1e-4);
+  EXPECT_NEAR(overlap(left, box({-0.6, -infinity, 0}, {1, infinity, 0}), 0.1, 2), 0.3, 1e-4);
 }
 
 }  // namespace

@@ -1,10 +1,12 @@
 #include "engine/simulation/watch.hpp"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <limits>
 
+#include "engine/case/stability.hpp"
 #include "engine/method/step_failure.hpp"
 #include "tests/engine/case/written_case.hpp"
 #include "tests/engine/method/free_flight.hpp"
@@ -16,7 +18,7 @@ namespace {
 // A watch that looks at bodies of other speeds sees their energy and momentum change by themselves.
 struct Watching : testing::Test {
   Case flying(double speed, const std::string& checks = "", double density = 2) const {
-    Case settings = tests::read_text(tests::block_case + "velocity = [" + std::to_string(speed) +
+    Case settings = tests::read_text(tests::block_case + "velocity = [" + fmt::format("{}", speed) +
                                      ", 0]\n[checks]\n" + checks);
     settings.time.step = 0.1;
     settings.bodies[0].material.density = density;
@@ -67,6 +69,22 @@ TEST_F(Watching, names_the_method_for_remeshed_bodies_that_stay_in_contact) {
 TEST_F(Watching, sees_what_was_created_against_what_there_was) {
   EXPECT_EQ(seen(std::sqrt(1.049), "momentum = \"off\""), "");
   EXPECT_NE(seen(std::sqrt(1.051), "momentum = \"off\""), "");
+}
+
+// There is no energy to compare with; strains of 1e-4 leave no trace.
+TEST_F(Watching, sees_bodies_that_start_to_move_by_themselves) {
+  const Case settings = flying(0);
+  const double wave = fastest_wave(settings);
+  const auto from_rest = [&](double speed) {
+    const Case other = flying(speed);
+    FreeFlight before(settings, {}), after(other, {});
+    Watch watch(settings);
+    watch.begin(before);
+    return watch.observe(after, true);
+  };
+  EXPECT_EQ(from_rest(0).find("at rest"), std::string::npos);
+  EXPECT_EQ(from_rest(1.4e-4 * wave).find("at rest"), std::string::npos);
+  EXPECT_NE(from_rest(1.5e-4 * wave).find("bodies at rest got an energy of"), std::string::npos);
 }
 
 TEST_F(Watching, says_at_the_end_how_much_energy_was_lost) {
