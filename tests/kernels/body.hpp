@@ -59,6 +59,9 @@ struct Body {
     arguments.second = std::as_const(states[1]).evolving();
     arguments.third = std::as_const(states[2]).evolving();
     arguments.next = states[next].evolving();
+    // Two copies serve the drift.
+    arguments.current.drift = std::as_const(states[number % 2]).evolving().drift;
+    arguments.next.drift = states[(number + 1) % 2].evolving().drift;
     arguments.next_stress = states[next].stress_fields();
     return arguments;
   }
