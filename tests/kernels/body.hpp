@@ -79,6 +79,7 @@ struct Body {
     for (int number = 0; number < 4; ++number) {
       result = table.advance_stage(stage(number, number, (number + 1) % 4, time_step));
     }
+    states[3].drift = states[1].drift;
     return result;
   }
 
