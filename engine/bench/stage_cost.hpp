@@ -22,7 +22,7 @@ constexpr double flop_per_stage(kernels::Kernel kernel, kernels::Model model, in
   const int pair = (plane ? 40 : 86) + omega;
   // In 2D A^-1 8, five gradients 30, div sigma 2; in 3D A^-1 30, three gradients 45.
   const int gradients = plane ? 40 : 75;
-  const int dissipation = plane ? 70 : 230;                              // (RP.23)
+  const int dissipation = plane ? 70 : 170;                              // (RP.23)
   const int law = plane ? (deforms ? 120 : 45) : (deforms ? 300 : 120);  // rates and stress
   const int fields = plane ? (deforms ? 9 : 8) : (deforms ? 16 : 13);
   return neighbours * pair + gradients + dissipation + law + 3.5 * fields;  // (RP.21): 2, 2, 5, 5
