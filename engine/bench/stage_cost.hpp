@@ -22,7 +22,7 @@ constexpr double flop_per_stage(kernels::Kernel kernel, kernels::Model model, in
   const int pair = (plane ? 40 : 86) + omega;
   // In 2D A^-1 8, five gradients 30, div sigma 2; in 3D A^-1 30, three gradients 45.
   const int gradients = plane ? 40 : 75;
-  const int dissipation = plane ? 70 : 230;                              // (RP.23)
+  const int dissipation = plane ? 70 : 170;                              // (RP.23)
   const int law = plane ? (deforms ? 120 : 45) : (deforms ? 300 : 120);  // rates and stress
   const int fields = plane ? (deforms ? 9 : 8) : (deforms ? 16 : 13);
   return neighbours * pair + gradients + dissipation + law + 3.5 * fields;  // (RP.21): 2, 2, 5, 5
@@ -32,17 +32,19 @@ template <int D>
 constexpr double bytes_per_stage_in(kernels::Model model) {
   int state = 0;
   for (const remeshed::Declaration& f : remeshed::state_fields) {
-    if (!remeshed::is_evolving(f)) continue;
+    if (!remeshed::is_evolving(f) || f.field == remeshed::Field::drift) continue;
     state += remeshed::components<D>(f.rank, kernels::material_component_count<D>(model));
   }
   constexpr int stress = kernels::symmetric_components<D>, mass = 1, interior = 1;
   const double states_read = (1 + 2 + 3 + 3) / 4.0, states_written = (1 + 1 + 2 + 1) / 4.0;
-  const double read = states_read * state + stress + mass + interior / 4.0;
-  return sizeof(double) * (read + states_written * state + stress);
+  const double drifts_read = (1 + 2 + 1 + 2) / 4.0, drifts_written = 1;
+  const double read = states_read * state + drifts_read * D + stress + mass + interior / 4.0;
+  return sizeof(double) * (read + states_written * state + drifts_written * D + stress);
 }
 
 /// Values that a stage must read and write, mean over the four stages; the third writes in the
-/// places of Q0 and Q2, the last in that of Q0.
+/// places of Q0 and Q2, the last in that of Q0, and of the drift every stage but the first in the
+/// place of an older one.
 constexpr double bytes_per_stage(kernels::Model model, int dimension = 2) {
   return dimension == 2 ? bytes_per_stage_in<2>(model) : bytes_per_stage_in<3>(model);
 }

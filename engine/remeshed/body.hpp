@@ -73,6 +73,8 @@ struct BlockGhosts {
   std::vector<T> surface_sum;                  ///< of a: 1, or 0 where the surface ends at a wall
   std::vector<std::array<T, D>> correction;    ///< (RP.50) of the present stage [m/s]
   std::vector<std::array<T, D>> lasting;       ///< part of it that lasts, (RP.50) [m/s]
+  std::vector<std::array<T, D>> departure;     ///< [reached] drift before the step [m]
+  std::vector<std::array<T, D>> way;           ///< [reached] from there, so far [m]
   std::vector<std::int64_t> begin;             ///< [ghost + 1] into the next
   std::vector<kernels::FitPair> pairs;         ///< with interior particles
   std::vector<std::int64_t> wall_begin;        ///< into the next; -1: free surface
@@ -103,6 +105,8 @@ struct BlockGhosts {
     f(Field::surface_sum, &G::surface_sum);
     f(Field::correction, &G::correction);
     f(Field::lasting_correction, &G::lasting);
+    f(Field::departure, &G::departure);
+    f(Field::way, &G::way);
     f(Field::pairs_begin, &G::begin);
     f(Field::pairs, &G::pairs);
     f(Field::wall_begin, &G::wall_begin);
@@ -110,6 +114,13 @@ struct BlockGhosts {
     f(Field::contact, &G::contact);
     f(Field::contact_height, &G::contact_height);
     f(Field::contact_area, &G::contact_area);
+  }
+
+  /// The ghosts so far are those that come first.
+  void end_reached(std::size_t count) {
+    reached_count = count;
+    departure.resize(count);
+    way.resize(count);
   }
 
   /// Removes the ghosts; the records stay.
@@ -195,7 +206,7 @@ struct Body {
   bool has_surface = true;  ///< whether phi = 0 cuts it; not so where it fills a periodic cell
   Lattice<D> lattice;
   Population<T, D> population, spare;
-  std::array<FieldStore<T, D>, 3> stage;  ///< see buffer_of; 0 and 1 hold all fields
+  std::array<FieldStore<T, D>, 3> stage;  ///< see buffer_of, drift_buffer_of; 0, 1: all fields
   std::array<Buffer<T>, kernels::symmetric_components<D>> stress;  ///< of the even stages
   Buffer<T> last_odd_stress;  ///< the component of the odd stages for which there is no other place
   Buffer<T> interior;         ///< [slot] of `population`: 1 for interior particles, else 0
@@ -206,6 +217,14 @@ struct Body {
   Buffer<std::int32_t> record_of_slot;
   std::vector<std::vector<LoadedFacet<D>>> loaded;  ///< [block]
   BodyNeighbours<D> neighbours;
+
+  /// Q of (RP.21) at a stage.
+  template <class U = T>
+  kernels::Evolving<U, D> evolving(int of_stage) {
+    kernels::Evolving<U, D> view = stage[buffer_of(of_stage)].template evolving<U>();
+    view.drift = stage[drift_buffer_of(of_stage)].template evolving<U>().drift;
+    return view;
+  }
 
   /// Calls f(field, copy, buffers) for every array of the body's slots that is not in `stage`:
   /// those that its material needs.

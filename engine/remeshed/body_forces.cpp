@@ -72,6 +72,7 @@ void BodyForces<T, D>::advance(int block, int stage) {
   const auto owner = state_.owner(block);
   Body<T, D>& body = owner.body;
   const FieldStore<T, D>& current = body.stage[buffer_of(stage)];
+  const FieldStore<T, D>& places = body.stage[drift_buffer_of(stage)];
   FieldStore<T, D>& next = body.stage[buffer_after(stage)];
   const T* mass = body.stage[0].get(Field::mass);
   const double share = share_of_rate[stage] * time_step_;
@@ -79,7 +80,7 @@ void BodyForces<T, D>::advance(int block, int stage) {
   ForceOnBlock<D> sum;
   for_each_particle(body, owner.block, [&](std::int64_t p, const Cell<D>& cell) {
     Point<D> x = body.lattice.node(cell), force;
-    for (int a = 0; a < D; ++a) x[a] += current.get(Field::drift, a)[p];
+    for (int a = 0; a < D; ++a) x[a] += places.get(Field::drift, a)[p];
     const Point<D> g = gravity_.acts() ? force_of.of_gravity(x) : Point<D>{};
     double along = 0, square = 0;
     for (int a = 0; a < D; ++a) {

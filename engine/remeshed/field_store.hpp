@@ -51,13 +51,14 @@ class FieldStore {
   T* get(Field f, int component = 0) { return (*this)[f][component].get(); }
   const T* get(Field f, int component = 0) const { return (*this)[f][component].get(); }
 
+  /// The evolving fields that this copy has.
   template <class U = T>
   kernels::Evolving<U, D> evolving() {
     kernels::Evolving<U, D> view = {};
-    for (int a = 0; a < D; ++a) {
-      view.drift[a] = get(Field::drift, a);
-      view.velocity[a] = get(Field::velocity, a);
+    for (std::size_t a = 0; a < (*this)[Field::drift].size(); ++a) {
+      view.drift[a] = (*this)[Field::drift][a].get();
     }
+    for (int a = 0; a < D; ++a) view.velocity[a] = get(Field::velocity, a);
     view.volume = get(Field::volume);
     for (int c = 0; c < material_components_; ++c) view.material[c] = get(Field::material, c);
     return view;

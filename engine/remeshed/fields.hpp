@@ -41,6 +41,8 @@ enum class Field {
   surface_sum,
   correction,
   lasting_correction,
+  departure,
+  way,
   pairs_begin,
   pairs,
   wall_begin,
@@ -158,7 +160,7 @@ inline constexpr Table field_list = [] {
   using G = Group;
   constexpr bool saved = true, shown = true, hidden = false, made_again = false;
   return Table(&Declaration::field, F::record_number, {
-      {F::drift, "xi", "drift", "m", vector, S::slot, G::drift, not_at_all, 3, saved},
+      {F::drift, "xi", "drift", "m", vector, S::slot, G::drift, not_at_all, 2, saved},
       {F::velocity, "u", "velocity", "m/s", vector, S::slot, G::velocity, as_mass_mean, 3, saved, shown},
       {F::volume, "v", "volume", "m^D", scalar, S::slot, G::material, as_density_times_volume, 3, saved},
       {F::material, "S|F", "material_state", "Pa|1", material, S::slot, G::material, as_volume_mean, 3, saved},
@@ -189,6 +191,8 @@ inline constexpr Table field_list = [] {
       {F::surface_sum, "sum a_gi", "surface_sum", "1", scalar, S::ghost, G::fits, not_at_all, 1, saved},
       {F::correction, "", "correction", "m/s", vector, S::ghost, G::corrections},
       {F::lasting_correction, "", "lasting", "m/s", vector, S::ghost, G::corrections, not_at_all, 1, saved},
+      {F::departure, "xi", "departure", "m", vector, S::ghost, G::corrections},
+      {F::way, "", "way", "m", vector, S::ghost, G::corrections},
       {F::pairs_begin, "", "begin", "1", scalar, S::ghost, G::fits, not_at_all, 1, saved},
       {F::pairs, "", "pairs", "1", scalar, S::pair, G::fits, not_at_all, 1, saved},
       {F::wall_begin, "", "wall_begin", "1", scalar, S::ghost, G::fits, not_at_all, 1, saved},
@@ -237,9 +241,9 @@ inline constexpr Table field_list = [] {
       {F::new_kind, "", "new_kind", "1", scalar, S::new_slot, G::new_kinds},
       {F::particle_count, "", "particle_count", "1", scalar, S::block, G::particle_counts},
       {F::valid, "", "valid", "1", scalar, S::new_slot, G::marks, not_at_all, 1, made_again, hidden,
-       "Q3: drift"},
+       "Q2: drift"},
       {F::inside, "", "inside", "1", scalar, S::new_slot, G::marks, not_at_all, 1, made_again, hidden,
-       "Q3: drift"},
+       "Q2: drift"},
       {F::filtered_state, "", "filtered_state", "", list, S::new_slot, G::filtered, not_at_all, 1, made_again, hidden,
        "Q3: velocity, volume (for the mass) and material_state"},
       {F::extended_level_set, "phi", "extended_level_set", "m", scalar, S::new_slot, G::extended, not_at_all, 1, made_again, hidden,
@@ -261,8 +265,7 @@ inline constexpr Table field_list = [] {
 inline constexpr int state_field_count = static_cast<int>(Field::memory_pressure) + 1;
 inline constexpr std::span<const Declaration> state_fields(field_list.begin(), state_field_count);
 
-/// Whether the Runge-Kutta method advances a field of the state: there is a copy for each of its
-/// three stage states, (RP.21).
-constexpr bool is_evolving(const Declaration& field) { return field.copies == 3; }
+/// Whether the Runge-Kutta method advances a field of the state, (RP.21).
+constexpr bool is_evolving(const Declaration& field) { return field.field <= Field::material; }
 
 }  // namespace pliant::remeshed

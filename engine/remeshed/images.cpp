@@ -19,7 +19,7 @@ void list_images(const Lattice<D>& lattice, Population<T, D>& population, int bl
 
 template <class T, int D>
 void copy_image_drift(Body<T, D>& body, int block, int stage) {
-  for (auto& component : body.stage[buffer_of(stage)][Field::drift]) {
+  for (auto& component : body.stage[drift_buffer_of(stage)][Field::drift]) {
     for (const auto& [image, source] : body.population.images[block]) {
       component[image] = component[source];
     }

@@ -157,16 +157,17 @@ void find_loaded_facets(const LatticeView<T, D>& view, int block, const Shape& s
 }
 
 template <class T, int D>
-double power_of_loads(const Body<T, D>& body, int block, int buffer,
+double power_of_loads(const Body<T, D>& body, int block, int stage,
                       const BoundaryValues<D>& values) {
-  const FieldStore<T, D>& state = body.stage[buffer];
+  const FieldStore<T, D>& state = body.stage[buffer_of(stage)];
+  const FieldStore<T, D>& place = body.stage[drift_buffer_of(stage)];
   double power = 0;
   for (const LoadedFacet<D>& facet : body.loaded[block]) {
     std::array<PlaceVector<D>, D> places;
     PlaceVector<D> velocity = PlaceVector<D>::Zero();
     for (int i = 0; i < D; ++i) {
       const FacetCorner<D>& corner = facet.corners[i];
-      places[i] = between<T, D>(state, Field::drift, corner);
+      places[i] = between<T, D>(place, Field::drift, corner);
       for (int a = 0; a < D; ++a) places[i][a] += corner.place[a];
       velocity += between<T, D>(state, Field::velocity, corner) / D;
     }

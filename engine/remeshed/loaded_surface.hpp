@@ -12,9 +12,9 @@ template <class T, int D>
 void find_loaded_facets(const LatticeView<T, D>& view, int block, const Shape& surface,
                         const Boundaries<D>& boundaries, std::vector<LoadedFacet<D>>& facets);
 
-/// Power of the loads on the facets of a block in a stage buffer [W, in 2D W/m], (RP.72).
+/// Power of the loads on the facets of a block at a stage [W, in 2D W/m], (RP.72).
 template <class T, int D>
-double power_of_loads(const Body<T, D>& body, int block, int buffer,
+double power_of_loads(const Body<T, D>& body, int block, int stage,
                       const BoundaryValues<D>& values);
 
 }  // namespace pliant::remeshed

@@ -91,13 +91,13 @@ std::int64_t classify(const Body<T, D>& body, Population<T, D>& population, Fiel
   std::int64_t particles = 0;
   const Block<D>& range = population.layout.blocks()[block];
   population.layout.for_each_slot(range, [&](std::int64_t p, const Cell<D>& cell) {
-    const bool own = body.lattice.is_wrapped(cell);
+    const bool own = body.lattice.is_wrapped(cell), is_valid = valid[p] != 0;
     const Kind kind =
-        own ? kind_of<T, D>(body.lattice.node(cell), phi[p], h, valid[p] != 0, outside, boundaries)
+        own ? kind_of<T, D>(body.lattice.node(cell), phi[p], h, is_valid, outside, boundaries)
             : Kind::vacant;
     population.kind[p] = kind;
     for (int a = 0; a < D; ++a) state.get(Field::drift, a)[p] = 0;
-    if (kind == Kind::vacant || valid[p] == 0) vacate<T, D>(state, p, body.material, volume);
+    if (kind == Kind::vacant || !is_valid) vacate<T, D>(state, p, body.material, volume);
     particles += kind == Kind::interior;
   });
   for (int i = 0; i < range.segment_count; ++i) {

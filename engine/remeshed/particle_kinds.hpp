@@ -18,8 +18,8 @@ enum class Outside { ghosts, vacant };
 ///     inside a wall, phi < 4.2 h         wall ghost, as deep as 4.2 h
 ///     0 <= phi < 4.2 h                   free ghost
 ///
-/// Images are left vacant, and free ghosts where `outside` says so. Returns the number of interior
-/// particles.
+/// Images are left vacant, and free ghosts where `outside` says so. `valid` may lie where the drift
+/// of `state` does, which becomes 0. Returns the number of interior particles.
 template <class T, int D>
 std::int64_t classify(const Body<T, D>& body, Population<T, D>& population, FieldStore<T, D>& state,
                       int block, const Boundaries<D>& boundaries, const T* valid, Outside outside);

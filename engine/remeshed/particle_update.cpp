@@ -15,10 +15,8 @@ using namespace resource;
 
 namespace {
 
-/// A copy of the state, Q of (RP.21), in all slots.
-Resources state(int copy) {
-  return slots(Group::drift, copy) + slots(Group::velocity, copy) + slots(Group::material, copy);
-}
+/// A copy of the state but the drift, Q of (RP.21), in all slots.
+Resources state(int copy) { return slots(Group::velocity, copy) + slots(Group::material, copy); }
 
 /// Ghosts have v = h^d whenever a gradient reads it, as when they are remeshed.
 template <class T, int D>
@@ -32,9 +30,10 @@ void give_ghosts_a_cell(Body<T, D>& body, int block) {
 
 // Stage 2 reads Q2 for (Q2 - Q0)/3, and stage 3 reads Q3 for (Q4 - Q3)/3.
 Accesses read_by_update(int stage) {
-  const Accesses reads =
-      own(state(0) + state(buffer_of(stage)) + slots(Group::constants) + slots(Group::memory) +
-          whole(Group::kinds) + whole(Group::interior) + whole(Group::neighbour_lists));
+  const Accesses reads = own(state(0) + state(buffer_of(stage)) + slots(Group::drift, 0) +
+                             slots(Group::drift, drift_buffer_of(stage)) + slots(Group::constants) +
+                             slots(Group::memory) + whole(Group::kinds) + whole(Group::interior) +
+                             whole(Group::neighbour_lists));
   return stage < 2 ? reads : reads + own(state(stage - 1));
 }
 
@@ -42,7 +41,8 @@ Accesses read_by_update(int stage) {
 // leaves the new pressures p_i, (RP.22).
 Accesses written_by_update(int stage) {
   Accesses writes =
-      own(state(buffer_after(stage)) + slots(Group::stress, 1 - stage % 2) + whole(Group::results));
+      own(state(buffer_after(stage)) + slots(Group::drift, drift_buffer_after(stage)) +
+          slots(Group::stress, 1 - stage % 2) + whole(Group::results));
   if (stage == 2) writes = writes + own(state(0));
   if (stage == 0 || stage == 3) writes = writes + own(slots(Group::memory));
   return writes;
@@ -55,8 +55,8 @@ Accesses read_by_evaluate_stress() {
 
 Accesses written_by_evaluate_stress() {
   return own(slots(Group::stress, 0) + slots(Group::stress, 1) + slots(Group::drift, 1) +
-             slots(Group::velocity, 1) + slots(Group::drift, 2) + slots(Group::velocity, 2) +
-             ghosts(Group::material) + whole(Group::interior) + whole(Group::results));
+             slots(Group::velocity, 1) + slots(Group::velocity, 2) + ghosts(Group::material) +
+             whole(Group::interior) + whole(Group::results));
 }
 
 template <class T, int D>
@@ -105,12 +105,12 @@ kernels::Stage<T, D> ParticleUpdate<T, D>::stage_of(Body<T, D>& body, int block,
   work.pack_state = population.pack_state.get();
   work.interior = body.interior.get();
   work.mass = body.stage[0].get(Field::mass);
-  work.current = body.stage[buffer_of(stage)].template evolving<const T>();
+  work.current = body.template evolving<const T>(stage);
   work.stress = std::as_const(body).stress_view(stage % 2);
   work.start = body.stage[0].evolving();
   work.second = body.stage[1].template evolving<const T>();
   work.third = body.stage[2].template evolving<const T>();
-  work.next = body.stage[buffer_after(stage)].evolving();
+  work.next = body.evolving((stage + 1) % 4);
   work.next_stress = body.stress_view(1 - stage % 2);
   return work;
 }

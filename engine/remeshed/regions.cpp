@@ -43,7 +43,7 @@ class RegionSearch {
         for (const Declaration& f : state_fields) add_new(body_.stage[1][f.field]);
         break;
       case Group::marks:
-        for (int a = 0; a < 2; ++a) add_new(std::span(&body_.stage[2][Field::drift][a], 1));
+        for (int a = 0; a < 2; ++a) add_new(std::span(&body_.stage[1][Field::drift][a], 1));
         break;
       case Group::new_kinds:
         add_new(std::span(&population.kind, 1));

@@ -13,7 +13,7 @@ inline constexpr Table group_list = [] {
   using G = Group;
   return Table(&GroupDeclaration<Group>::group, G::record_numbers,
                {
-                   {G::drift, "xi", true, {"Q0", "Q2|Q4", "Q3"}},
+                   {G::drift, "xi", true, {"Q0|Q3", "Q2|Q4"}},
                    {G::velocity, "u", true, {"Q0", "Q2|Q4", "Q3"}},
                    {G::material, "v, S|F", true, {"Q0", "Q2|Q4", "Q3"}},
                    {G::constants, "m, phi, d", true, {"Q0", "Q2: sigma of odd stages"}},

@@ -20,4 +20,8 @@ inline constexpr std::array<double, 4> stage_share = {0.5, 0.5, 1, 1. / 6};
 constexpr int buffer_of(int stage) { return stage == 3 ? 1 : stage; }
 constexpr int buffer_after(int stage) { return buffer_of((stage + 1) % 4); }
 
+/// The same for the drift, whose Q3 takes the place of Q0.
+constexpr int drift_buffer_of(int stage) { return stage % 2; }
+constexpr int drift_buffer_after(int stage) { return drift_buffer_of(stage + 1); }
+
 }  // namespace pliant::remeshed

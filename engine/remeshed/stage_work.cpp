@@ -107,13 +107,12 @@ void StageWork<T, D>::fill_reached_ghosts(int block, int stage) {
   const Surroundings<D> now = around(block, stage);
   std::vector<WallShare>& shares = wall_shares_[block];
   if (stage == 0) find_wall_shares<T, D>(body, local, now.boundaries, is_watched_, shares);
-  WallWork<T, D> of_walls(body, body.population.ghosts[local], buffer_of(stage), now, duration,
-                          shares, impulse, work_[block].wall_work);
+  WallWork<T, D> of_walls(body, body.population.ghosts[local], stage, now, duration, shares,
+                          impulse, work_[block].wall_work);
   fill(block, stage, body.neighbours.are_listed ? WhichGhosts::all : WhichGhosts::reached,
        &of_walls);
   drift_ghosts<T, D>(body, local, stage, now.values, settings_.ghosts, kernels_);
-  if (add_impulse<T, D>(body, local, buffer_of(stage), now, duration, kernels_, impulse,
-                        work_[block])) {
+  if (add_impulse<T, D>(body, local, stage, now, duration, kernels_, impulse, work_[block])) {
     sticks_[block] = 1;
   }
 }
@@ -121,9 +120,8 @@ void StageWork<T, D>::fill_reached_ghosts(int block, int stage) {
 template <class T, int D>
 void StageWork<T, D>::advance(int block, int stage) {
   const auto [body, local] = state_.owner(block);
-  work_[block].load_work +=
-      stage_weight[stage] * time_step_ *
-      power_of_loads<T, D>(body, local, buffer_of(stage), boundary_values_[stage]);
+  work_[block].load_work += stage_weight[stage] * time_step_ *
+                            power_of_loads<T, D>(body, local, stage, boundary_values_[stage]);
   results_[block] = particles_.advance(block, stage);
   keep_on_fits(body, local, stage, time_step_, state_.boundaries);
   if (reads_volumes(settings_)) hand_volumes_on(body, local, stage);

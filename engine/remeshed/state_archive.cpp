@@ -143,7 +143,7 @@ void get_ghosts(const ArchiveReader& archive, const std::string& group,
     BlockGhosts<T, D>& ghosts = population.ghosts[b];
     ghosts.contact_points.clear();
     ghosts.correction.assign(ghosts.slot.size(), {});
-    ghosts.reached_count = reached[b];
+    ghosts.end_reached(reached[b]);
     ghosts.packs.resize(*pack++);
     ghosts.first_record = next();
     ghosts.record_count = next();

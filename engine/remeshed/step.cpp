@@ -104,8 +104,9 @@ void Step<T, D>::add_ghosts(std::vector<Phase>& phases, int stage, bool all_of_t
   const int current = buffer_of(stage), parity = stage % 2;
   PhaseRows rows = PhaseRows(phases).at_stage(stage);
   if (is_periodic()) {
-    rows.each("image positions", near(repeated(drift, current)) + own(whole(image_sources)),
-              own(images(drift, current)), at(stage, &Work::copy_image_positions));
+    rows.each("image positions",
+              near(repeated(drift, drift_buffer_of(stage))) + own(whole(image_sources)),
+              own(images(drift, drift_buffer_of(stage))), at(stage, &Work::copy_image_positions));
   }
   rows.each("surface", read_by_surface(stage), own(whole(records)),
             at(stage, &Work::write_records));
@@ -151,12 +152,13 @@ Accesses Step<T, D>::read_by_ghosts(int stage, bool all_of_them) const {
   Accesses reads = near(whole(records) + whole(fits)) + own(whole(contact) + whole(contact_points) +
                                                             whole(tractions) + slots(constants));
   if (settings_.ghosts == GhostTreatment::rigid) {
-    reads = reads + near(particles(drift, current) + particles(velocity, current)) +
-            own(ghosts(drift, current));
+    reads = reads + near(particles(drift, drift_buffer_of(stage)) + particles(velocity, current)) +
+            own(ghosts(drift, drift_buffer_of(stage)));
   }
   if (state_.boundaries.have_contact()) reads = reads + near(whole(kinds));
   if (state_.boundaries.have_attached_slip_walls() || state_.boundaries.have_contact()) {
-    reads = reads + near(particles(drift, current) + ghosts(drift, current));
+    reads = reads +
+            near(particles(drift, drift_buffer_of(stage)) + ghosts(drift, drift_buffer_of(stage)));
   }
   if (all_of_them || stage < 2) return reads;
   return reads +
@@ -180,8 +182,7 @@ void Step<T, D>::add_advance(std::vector<Phase>& phases, int stage) {
     const std::vector<int> blocks = blocks_where(are_listed);
     if (blocks.empty()) continue;
     const Reach reach = are_listed ? Reach::all : Reach::neighbours;
-    Accesses writes = written_by_update(stage);
-    if (stage == 0) writes = writes + own(whole(corrections));  // what lasts of them, (RP.50)
+    const Accesses writes = written_by_update(stage) + own(whole(corrections));
     PhaseRows(phases, blocks)
         .at_stage(stage)
         .each("advance", read_by_advance(stage, reach), writes,
@@ -192,10 +193,10 @@ void Step<T, D>::add_advance(std::vector<Phase>& phases, int stage) {
 template <class T, int D>
 Accesses Step<T, D>::read_by_advance(int stage, Reach reach) const {
   const int current = buffer_of(stage), parity = stage % 2;
-  Resources listed =
-      repeated(drift, current) + repeated(velocity, current) + repeated(stress, parity);
-  Resources adjacent =
-      images(drift, current) + images(velocity, current) + images(stress, parity) + whole(interior);
+  Resources listed = repeated(drift, drift_buffer_of(stage)) + repeated(velocity, current) +
+                     repeated(stress, parity);
+  Resources adjacent = images(drift, drift_buffer_of(stage)) + images(velocity, current) +
+                       images(stress, parity) + whole(interior);
   if (reads_volumes(settings_)) {
     listed = listed + repeated(material, current);
     adjacent = adjacent + images(material, current);

@@ -35,7 +35,7 @@ double area_on_wall(const Body<T, D>& body, const BlockGhosts<T, D>& ghosts, std
 
 // F of (RP.65) around a slot: how far the slots beside it have come apart since the remeshing.
 template <class T, int D>
-WallStretch<D> stretch_around(const Body<T, D>& body, std::int64_t slot, int buffer) {
+WallStretch<D> stretch_around(const Body<T, D>& body, std::int64_t slot, int stage) {
   const Layout<D>& layout = body.population.layout;
   const Cell<D> cell = layout.cell(slot);
   WallStretch<D> f = WallStretch<D>::Identity();
@@ -47,7 +47,7 @@ WallStretch<D> stretch_around(const Body<T, D>& body, std::int64_t slot, int buf
     const std::int64_t r = layout.slot(body.lattice.wrapped(down));
     if (q < 0 || r < 0) continue;
     for (int i = 0; i < D; ++i) {
-      const T* drift = body.stage[buffer].get(Field::drift, i);
+      const T* drift = body.stage[drift_buffer_of(stage)].get(Field::drift, i);
       f(i, j) += (drift[q] - drift[r]) / (2 * body.lattice.spacing);
     }
   }
@@ -75,8 +75,8 @@ double share_before_others(const Body<T, D>& body, const BlockGhosts<T, D>& ghos
 
 template <class T, int D>
 double growth_on_wall(const Body<T, D>& body, const BlockGhosts<T, D>& ghosts, std::size_t g,
-                      int buffer) {
-  const WallStretch<D> f = stretch_around(body, ghosts.slot[g], buffer);
+                      int stage) {
+  const WallStretch<D> f = stretch_around(body, ghosts.slot[g], stage);
   const Eigen::Map<const Eigen::Matrix<double, D, 1>> normal(ghosts.normal[g].data());
   return f.determinant() * (f.transpose().inverse() * normal).norm();
 }
@@ -104,7 +104,7 @@ void WallWork<T, D>::add(std::size_t g, const kernels::GhostFits<T, D>& fits,
   double area = shares_.front().area;
   shares_ = shares_.subspan(1);
   const int wall = ghosts_.wall[g];
-  if (around_.boundaries.walls[wall].slips()) area *= growth_on_wall(body_, ghosts_, g, buffer_);
+  if (around_.boundaries.walls[wall].slips()) area *= growth_on_wall(body_, ghosts_, g, stage_);
   const auto push = kernels::wall_force_density<T, D>(fits, site, impedance_);
   for (int a = 0; a < D; ++a) {
     const double given = duration_ * area * push[a];

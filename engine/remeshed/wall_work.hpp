@@ -10,10 +10,10 @@
 namespace pliant::remeshed {
 
 /// How much larger the part of a wall that ghost g stands for is now than at the remeshing,
-/// (RP.65): abs(cof F n), F of the places of the slots around in copy `buffer` of the state.
+/// (RP.65): abs(cof F n), F of the places of the slots around at a stage.
 template <class T, int D>
 double growth_on_wall(const Body<T, D>& body, const BlockGhosts<T, D>& ghosts, std::size_t g,
-                      int buffer);
+                      int stage);
 
 /// A ghost that stands for a part of its wall, (RP.65) [m^(D-1)].
 struct WallShare {
@@ -31,14 +31,13 @@ void find_wall_shares(const Body<T, D>& body, int block, const Boundaries<D>& bo
 template <class T, int D>
 class WallWork {
  public:
-  /// For the stage whose places of slots are in copy `buffer` of the state; it weighs `duration`
-  /// [s] in the step.
-  WallWork(const Body<T, D>& body, const BlockGhosts<T, D>& ghosts, int buffer,
+  /// For a stage that weighs `duration` [s] in the step.
+  WallWork(const Body<T, D>& body, const BlockGhosts<T, D>& ghosts, int stage,
            const Surroundings<D>& around, double duration, std::span<const WallShare> shares,
            Point<D>* impulse, double& work)
       : body_(body),
         ghosts_(ghosts),
-        buffer_(buffer),
+        stage_(stage),
         around_(around),
         duration_(duration),
         shares_(shares),
@@ -53,7 +52,7 @@ class WallWork {
  private:
   const Body<T, D>& body_;
   const BlockGhosts<T, D>& ghosts_;
-  int buffer_;
+  int stage_;
   const Surroundings<D>& around_;
   double duration_;
   std::span<const WallShare> shares_;  ///< of ghosts that are still to come

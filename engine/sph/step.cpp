@@ -45,12 +45,12 @@ std::vector<Phase> Step<T, D>::phases() {
                   particles(constants) + whole(kinds)),
               own(whole(pair_stress)),
               [this, stage](int block) { find_stress_of_pairs(block, stage); });
-    rows.each("advance",
-              all(particles(drift, current) + particles(velocity, current) +
-                  particles(material, current) + particles(constants) + whole(pair_stress)) +
-                  remeshed::read_by_update(stage),
-              remeshed::written_by_update(stage),
-              [this, stage](int block) { advance(block, stage); });
+    rows.each(
+        "advance",
+        all(particles(drift, remeshed::drift_buffer_of(stage)) + particles(velocity, current) +
+            particles(material, current) + particles(constants) + whole(pair_stress)) +
+            remeshed::read_by_update(stage),
+        remeshed::written_by_update(stage), [this, stage](int block) { advance(block, stage); });
   }
   return phases;
 }

@@ -60,6 +60,9 @@ struct Body {
     arguments.second = std::as_const(states[1]).evolving();
     arguments.third = std::as_const(states[2]).evolving();
     arguments.next = states[next].evolving();
+    // Two copies serve the drift.
+    arguments.current.drift = std::as_const(states[number % 2]).evolving().drift;
+    arguments.next.drift = states[(number + 1) % 2].evolving().drift;
     arguments.next_stress = states[next].stress_fields();
     return arguments;
   }
@@ -77,6 +80,7 @@ struct Body {
     for (int number = 0; number < 4; ++number) {
       result = table.advance_stage(stage(number, number, (number + 1) % 4, time_step));
     }
+    states[3].drift = states[1].drift;
     return result;
   }
 

@@ -88,7 +88,7 @@ void release_contact(Body<T, D>& body, int block, const Surroundings<D>& around,
 }
 
 template <class T, int D>
-bool add_impulse(const Body<T, D>& body, int block, int buffer, const Surroundings<D>& around,
+bool add_impulse(const Body<T, D>& body, int block, int stage, const Surroundings<D>& around,
                  double duration, const kernels::RemeshedTable<T, D>& table, Point<D>* impulse,
                  EnergyBudget& energy) {
   const BlockGhosts<T, D>& ghosts = body.population.ghosts[block];
@@ -106,7 +106,7 @@ bool add_impulse(const Body<T, D>& body, int block, int buffer, const Surroundin
     if (!(traction.pressure > 0)) continue;
     sticks = sticks || !traction.slides;
     const double area =
-        ghosts.contact_area[k] * growth_on_wall(body, ghosts, static_cast<std::size_t>(g), buffer);
+        ghosts.contact_area[k] * growth_on_wall(body, ghosts, static_cast<std::size_t>(g), stage);
     const Point<D>& u_wall = around.values.wall_velocity[wall];
     for (int a = 0; a < D; ++a) {
       const T push = traction.pressure * static_cast<T>(ghosts.normal[g][a]) + traction.shear[a];

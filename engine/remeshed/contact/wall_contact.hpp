@@ -39,10 +39,10 @@ void release_contact(Body<T, D>& body, int block, const Surroundings<D>& around,
 
 /// (RP.65): adds the push of each contact wall on the ghosts of a block during `duration` [s] to
 /// impulse[wall], and its work and what friction takes, (RP.99), to `energy`, from the records of
-/// the surface particles and the places of the slots in copy `buffer` of the state. Whether the
-/// body sticks to a wall somewhere, (RP.73).
+/// the surface particles and the places of the slots at a stage. Whether the body sticks to a wall
+/// somewhere, (RP.73).
 template <class T, int D>
-bool add_impulse(const Body<T, D>& body, int block, int buffer, const Surroundings<D>& around,
+bool add_impulse(const Body<T, D>& body, int block, int stage, const Surroundings<D>& around,
                  double duration, const kernels::RemeshedTable<T, D>& kernels, Point<D>* impulse,
                  EnergyBudget& energy);
 

@@ -31,6 +31,7 @@ struct GhostFill {
   const Body<T, D>& body;
   BlockGhosts<T, D>& ghosts;
   std::size_t count;
+  int stage;
   FieldStore<T, D>& state;
   std::array<T*, kernels::symmetric_components<D>> stress;
   const kernels::RemeshedTable<T, D>& table;
@@ -98,7 +99,7 @@ struct GhostFill {
   void turn_rigidly() const {
     for (std::size_t g = 0; g < count; ++g) {
       if (ghosts.wall[g] >= 0 || ghosts.active[g] == 0) continue;
-      const auto u = rigid_velocity<T, D>(body, state, ghosts, g);
+      const auto u = rigid_velocity<T, D>(body, stage, ghosts, g);
       for (int a = 0; a < D; ++a) state.get(Field::velocity, a)[ghosts.slot[g]] = u[a];
       ghosts.correction[g] = {};
     }
@@ -198,6 +199,7 @@ void fill_ghosts(Body<T, D>& body, int block, int stage, int parity, WhichGhosts
   const GhostFill<T, D> fill{body,
                              ghosts,
                              count,
+                             stage,
                              body.stage[buffer_of(stage)],
                              body.stress_view(parity),
                              table,

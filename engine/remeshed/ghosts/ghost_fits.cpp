@@ -62,7 +62,7 @@ class GhostFinder {
       Cell<D> cell = segment.cell;
       for (int i = 0; i < segment.count; ++i, ++cell[0]) add(segment, segment.first + i, cell);
     }
-    ghosts_.reached_count = ghosts_.slot.size();
+    ghosts_.end_reached(ghosts_.slot.size());
     edge_ = no_edge;
     for (const auto& [slot, cell] : drifting_) add_drifting(slot, cell);
     fitter_.finish();

@@ -30,7 +30,7 @@ void find_drift_velocity(Body<T, D>& body, int block, int stage, const BoundaryV
         std::copy(wall.begin(), wall.end(), u.begin());
         u = kernels::wall_ghost_velocity<T, D>(fits, u);
       } else if (treatment == GhostTreatment::rigid) {
-        u = rigid_velocity<T, D>(body, state, ghosts, g);
+        u = rigid_velocity<T, D>(body, stage, ghosts, g);
       } else {
         for (int a = 0; a < D; ++a) u[a] = fits.linear.velocity(a);
       }
@@ -68,14 +68,26 @@ void keep_on_fits(Body<T, D>& body, int block, int stage, double time_step,
   if (stage == 0 && lets_waves_out_alone(body, boundaries)) {
     follow_lasting(body, ghosts, time_step);
   }
-  FieldStore<T, D>& next = body.stage[buffer_after(stage)];
+  const FieldStore<T, D>& current = body.stage[buffer_of(stage)];
+  const FieldStore<T, D>& place = body.stage[drift_buffer_of(stage)];
+  FieldStore<T, D>& next = body.stage[drift_buffer_after(stage)];
+  const T weight = static_cast<T>(stage_weight[stage] * time_step);
   const T duration = static_cast<T>(stage_share[stage] * time_step);
   for (std::size_t g = 0; g < ghosts.reached_count; ++g) {
     const bool may_be_in_contact =
         g + 1 < ghosts.reached_count && ghosts.slot[g + 1] == ghosts.slot[g];
     if (ghosts.wall[g] >= 0 || may_be_in_contact) continue;
+    const std::int64_t slot = ghosts.slot[g];
     for (int a = 0; a < D; ++a) {
-      next.get(Field::drift, a)[ghosts.slot[g]] -= duration * ghosts.correction[g][a];
+      T& departure = ghosts.departure[g][a];
+      T& way = ghosts.way[g][a];
+      if (stage == 0) {
+        departure = place.get(Field::drift, a)[slot];
+        way = 0;
+      }
+      const T u = current.get(Field::velocity, a)[slot] - ghosts.correction[g][a];
+      way += weight * u;
+      next.get(Field::drift, a)[slot] = departure + (stage < 3 ? duration * u : way);
     }
   }
 }

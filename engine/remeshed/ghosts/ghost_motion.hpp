@@ -12,8 +12,8 @@ template <class T, int D>
 void drift_ghosts(Body<T, D>& body, int block, int stage, const BoundaryValues<D>& values,
                   GhostTreatment treatment, const kernels::RemeshedTable<T, D>& kernels);
 
-/// Takes the part (RP.50) out of the motion of the ghosts that a stage has advanced: they move with
-/// the fit alone, (RP.60), and so stay where the fit of positions is; not those of slots that may
+/// Moves ghosts that a stage has advanced without the part (RP.50) of their velocity instead: with
+/// the fit alone, (RP.60), they stay where the fit of positions is; not those of slots that may
 /// come into contact with a wall.
 template <class T, int D>
 void keep_on_fits(Body<T, D>& body, int block, int stage, double time_step,

@@ -7,9 +7,11 @@
 namespace pliant::remeshed {
 
 template <class T, int D>
-std::array<T, D> rigid_velocity(const Body<T, D>& body, const FieldStore<T, D>& state,
-                                const BlockGhosts<T, D>& ghosts, std::size_t g) {
+std::array<T, D> rigid_velocity(const Body<T, D>& body, int stage, const BlockGhosts<T, D>& ghosts,
+                                std::size_t g) {
   using Vector3 = Eigen::Vector3d;
+  const FieldStore<T, D>& state = body.stage[buffer_of(stage)];
+  const FieldStore<T, D>& place = body.stage[drift_buffer_of(stage)];
   const std::int64_t begin = ghosts.begin[g], end = ghosts.begin[g + 1];
   const Layout<D>& layout = body.population.layout;
   const auto particle = [&](std::int64_t k) {
@@ -18,7 +20,7 @@ std::array<T, D> rigid_velocity(const Body<T, D>& body, const FieldStore<T, D>& 
   const auto position = [&](std::int64_t slot) {
     const Point<D> node = body.lattice.node(layout.cell(slot));
     Vector3 x = Vector3::Zero();
-    for (int a = 0; a < D; ++a) x[a] = node[a] + state.get(Field::drift, a)[slot];
+    for (int a = 0; a < D; ++a) x[a] = node[a] + place.get(Field::drift, a)[slot];
     return x;
   };
   const auto velocity = [&](std::int64_t slot) {
@@ -46,19 +48,15 @@ std::array<T, D> rigid_velocity(const Body<T, D>& body, const FieldStore<T, D>& 
   return result;
 }
 
-template std::array<double, 2> rigid_velocity<double, 2>(const Body<double, 2>&,
-                                                         const FieldStore<double, 2>&,
+template std::array<double, 2> rigid_velocity<double, 2>(const Body<double, 2>&, int,
                                                          const BlockGhosts<double, 2>&,
                                                          std::size_t);
-template std::array<double, 3> rigid_velocity<double, 3>(const Body<double, 3>&,
-                                                         const FieldStore<double, 3>&,
+template std::array<double, 3> rigid_velocity<double, 3>(const Body<double, 3>&, int,
                                                          const BlockGhosts<double, 3>&,
                                                          std::size_t);
-template std::array<float, 2> rigid_velocity<float, 2>(const Body<float, 2>&,
-                                                       const FieldStore<float, 2>&,
+template std::array<float, 2> rigid_velocity<float, 2>(const Body<float, 2>&, int,
                                                        const BlockGhosts<float, 2>&, std::size_t);
-template std::array<float, 3> rigid_velocity<float, 3>(const Body<float, 3>&,
-                                                       const FieldStore<float, 3>&,
+template std::array<float, 3> rigid_velocity<float, 3>(const Body<float, 3>&, int,
                                                        const BlockGhosts<float, 3>&, std::size_t);
 
 }  // namespace pliant::remeshed

@@ -85,7 +85,7 @@ void write_surface_records(Body<T, D>& body, int block, int stage, double lead,
   work.mass = body.stage[0].get(Field::mass);
   work.level_set = body.stage[0].get(Field::level_set);
   work.interior = body.interior.get();
-  work.state = body.stage[buffer_of(stage)].template evolving<const T>();
+  work.state = body.template evolving<const T>(stage);
   work.stress = std::as_const(body).stress_view(stage % 2);
   work.records = body.records.get();
   work.renews_slopes = stage == 0;

@@ -1,6 +1,7 @@
 #include "engine/remeshed/level_set/level_set.hpp"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <cstring>
 
@@ -147,15 +148,14 @@ void LevelSet<T, D>::place_near(const Projections<T, D>& near, std::size_t i) {
   layer_[0][slot] = guessed;
 }
 
-// Whether a slot of the pack at `slot` may border a marked one. Where a neighbouring row has no
-// slot a foreign mark may be found, but none is missed.
+// Which slots of the pack at `slot` may border a marked one: not 0 there. Where a neighbouring row
+// has no slot a foreign mark may be found, but none is missed.
 template <class T, int D>
-bool LevelSet<T, D>::borders_a_layer(const kernels::Segment<D>& segment, std::int64_t slot,
-                                     int layer) const {
-  if (lattice_->is_periodic()) return true;
+auto LevelSet<T, D>::borders_of_layer(const kernels::Segment<D>& segment, std::int64_t slot,
+                                      int layer) const -> PackOfMarks {
+  if (lattice_->is_periodic()) return std::bit_cast<PackOfMarks>(~std::uint64_t{0});
   const std::uint8_t* mark = layer_[layer % 2].get() + slot;
   std::uint64_t any = 0;
-  static_assert(Layout<D>::pack == sizeof any);
   for (int k = D == 3 ? -1 : 0; k <= (D == 3 ? 1 : 0); ++k) {
     for (int j = -1; j <= 1; ++j) {
       for (int i = -1; i <= 1; ++i) {
@@ -166,7 +166,7 @@ bool LevelSet<T, D>::borders_a_layer(const kernels::Segment<D>& segment, std::in
       }
     }
   }
-  return any != 0;
+  return std::bit_cast<PackOfMarks>(any);
 }
 
 template <class T, int D>
@@ -181,11 +181,13 @@ void LevelSet<T, D>::add_layer(const Block<D>& block, int layer,
     std::copy_n(before + segment.first, segment.count, after + segment.first);
     for (int offset = 0; offset < segment.count; offset += Layout<D>::pack) {
       const std::int64_t first = segment.first + offset;
-      if (!borders_a_layer(segment, first, layer)) continue;
+      const PackOfMarks borders = borders_of_layer(segment, first, layer);
+      if (borders == PackOfMarks{}) continue;
       Cell<D> cell = segment.cell;
       cell[0] += offset;
-      for (std::int64_t p = first; p < first + Layout<D>::pack; ++p, ++cell[0]) {
-        if (before[p] == 0) find_nearest(segment, p, cell, layer, border);
+      for (int i = 0; i < Layout<D>::pack; ++i, ++cell[0]) {
+        if (borders[i] == 0 || before[first + i] != 0) continue;
+        find_nearest(segment, first + i, cell, layer, border);
       }
     }
   }

@@ -94,7 +94,10 @@ class LevelSet {
   bool step_to_surface(const Cell<D>& cell, std::int64_t slot, Point<D>& offset) const;
   bool interpolate(const T* values, const Point<D>& x, double& value) const;
   bool gradient(const Cell<D>& cell, Point<D>& g) const;
-  bool borders_a_layer(const kernels::Segment<D>& segment, std::int64_t slot, int layer) const;
+  /// A mark for each slot of a pack.
+  using PackOfMarks = std::array<std::uint8_t, Layout<D>::pack>;
+  PackOfMarks borders_of_layer(const kernels::Segment<D>& segment, std::int64_t slot,
+                               int layer) const;
 
   bool is_first_order_;
   const Lattice<D>* lattice_ = nullptr;

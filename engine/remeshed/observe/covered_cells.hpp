@@ -33,17 +33,22 @@ struct Moments {
 
   /// Place of a sub-cell along an axis, in [-1/2, 1/2] cells.
   static constexpr double centre(int i) { return (i + 0.5) / sub_cells - 0.5; }
+  static constexpr std::array<std::array<double, 4>, sub_cells> powers_of_centres() {
+    std::array<std::array<double, 4>, sub_cells> powers = {};
+    for (int i = 0; i < sub_cells; ++i) {
+      const double s = centre(i);
+      powers[i] = {1, s, s * s, s * s * s};
+    }
+    return powers;
+  }
 
   /// Sums over the sub-cells of a row along the first axis, times 1, s_0, s_0^2, s_0^3.
   using RowSums = std::array<double, 4>;
   static RowSums sums_of(const Row& weights) {
+    static constexpr std::array<RowSums, sub_cells> powers = powers_of_centres();
     RowSums sums = {};
     for (int i = 0; i < sub_cells; ++i) {
-      const double s = centre(i);
-      sums[0] += weights[i];
-      sums[1] += weights[i] * s;
-      sums[2] += weights[i] * s * s;
-      sums[3] += weights[i] * s * s * s;
+      for (int n = 0; n < 4; ++n) sums[n] += weights[i] * powers[i][n];
     }
     for (double& sum : sums) sum /= kernels::power(sub_cells, D);
     return sums;
@@ -54,17 +59,34 @@ struct Moments {
     return sums_of(whole);
   }
 
-  /// Adds a row; t is its place, with 1 for the first component. Of components that are equal by
-  /// symmetry the one with rising indices is summed.
-  void add_row(const RowSums& sums, const Point<D>& t) {
-    zeroth += sums[0];
+  /// Sums over the rows of a plane across the last axis, times s_0^n s_1^m, n + m <= 3. The plane
+  /// itself has one.
+  struct PlaneSums {
+    double sum[4][4] = {};
+
+    /// `t` is the place of the row along the second axis.
+    void add_row(const RowSums& row, double t) {
+      double power = 1;
+      for (int m = 0; m < 4; ++m, power *= t) {
+        for (int n = 0; n + m < 4; ++n) sum[n][m] += power * row[n];
+      }
+    }
+  };
+
+  /// Adds a plane; `t` is its place along the third axis. Of components that are equal by symmetry
+  /// the one with rising indices is summed.
+  void add_plane(const PlaneSums& plane, double t) {
+    const std::array<double, 4> power = {1, t, t * t, t * t * t};
+    zeroth += plane.sum[0][0];
     for (int a = 0; a < D; ++a) {
-      first[a] += t[a] * sums[a == 0];
+      first[a] += plane.sum[a == 0][a == 1] * power[a == 2];
       for (int b = a; b < D; ++b) {
-        const double t_ab = t[a] * t[b];
-        second[a][b] += t_ab * sums[(a == 0) + (b == 0)];
+        second[a][b] +=
+            plane.sum[(a == 0) + (b == 0)][(a == 1) + (b == 1)] * power[(a == 2) + (b == 2)];
         for (int c = b; c < D; ++c) {
-          third[a][b][c] += t_ab * t[c] * sums[(a == 0) + (b == 0) + (c == 0)];
+          third[a][b][c] +=
+              plane.sum[(a == 0) + (b == 0) + (c == 0)][(a == 1) + (b == 1) + (c == 1)] *
+              power[(a == 2) + (b == 2) + (c == 2)];
         }
       }
     }
@@ -175,16 +197,19 @@ class CoveredCells {
 
   Moments<D> covered(const Point<D>& x, const Expansion& e, bool is_near_wall) const {
     Moments<D> moments;
-    for (int k = 0; k < kernels::power(sub_cells, D - 1); ++k) {
-      Point<D> t = {1};
-      for (int a = 1, rest = k; a < D; ++a, rest /= sub_cells) {
-        t[a] = Moments<D>::centre(rest % sub_cells);
+    for (int k = 0; k < kernels::power(sub_cells, D - 2); ++k) {
+      Point<D> t = {};
+      if constexpr (D == 3) t[2] = Moments<D>::centre(k);
+      typename Moments<D>::PlaneSums plane;
+      for (int j = 0; j < sub_cells; ++j) {
+        t[1] = Moments<D>::centre(j);
+        Row row;
+        Cover cover = cover_by_body(e, t, row);
+        if (is_near_wall && cover != Cover::nothing) cover = leave_out_walls(x, t, row, cover);
+        if (cover == Cover::nothing) continue;
+        plane.add_row(cover == Cover::all ? whole_row_ : Moments<D>::sums_of(row), t[1]);
       }
-      Row row;
-      Cover cover = cover_by_body(e, t, row);
-      if (is_near_wall && cover != Cover::nothing) cover = leave_out_walls(x, t, row, cover);
-      if (cover == Cover::nothing) continue;
-      moments.add_row(cover == Cover::all ? whole_row_ : Moments<D>::sums_of(row), t);
+      moments.add_plane(plane, D == 3 ? t[D - 1] : 0);
     }
     moments.complete();
     return moments;

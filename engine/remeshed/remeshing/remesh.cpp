@@ -151,8 +151,8 @@ void Remeshing<T, D>::target_phases(std::vector<scheduler::Phase>& phases, int f
   }
   rows.each("remesh: kinds",
             own(whole(closest, 0) + whole(closest, 1) + particles(new_state) + particles(marks)),
-            own(particles(new_state) + particles(new_kinds) + images(new_state) +
-                images(new_kinds) + whole(extended) + whole(particle_counts)),
+            own(with_images(new_state) + with_images(new_kinds) + with_images(marks) +
+                whole(extended) + whole(particle_counts)),
             [this](int b) { find_kinds(b); });
   rows.each("remesh: images", near(particles(new_state) + particles(new_kinds) + particles(marks)),
             own(images(new_state) + images(new_kinds) + images(marks)),

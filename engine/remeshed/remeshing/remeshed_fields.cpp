@@ -27,15 +27,9 @@ void RemeshedFields<T, D>::prepare() {
   body_.stage[1].grow(slots);
   body_.stage[2].grow(slots);
   for (Buffer<T>& filtered : filtered_memory_) filtered.grow(slots, T(0));
-  borrow_marks();
-}
-
-// What is needed only now lies in stage[2] beside the filtered fields, and in their place once they
-// are swapped in.
-template <class T, int D>
-void RemeshedFields<T, D>::borrow_marks() {
-  inside_ = body_.stage[2].get(Field::drift, 0);
-  valid_ = body_.stage[2].get(Field::drift, 1);
+  // On the new lattice nothing has drifted yet.
+  inside_ = body_.stage[1].get(Field::drift, 0);
+  valid_ = body_.stage[1].get(Field::drift, 1);
 }
 
 template <class T, int D>
@@ -76,7 +70,6 @@ void RemeshedFields<T, D>::take_nodes(int block, ScatterTile<T, D>& tile) {
     body_.spare.kind[p] = valid ? Kind::interior : Kind::vacant;
     const T per_mass = valid ? 1 / mass : T(0), per_volume = valid ? 1 / volume : T(0);
     for (int a = 0; a < D; ++a) {
-      state.get(Field::drift, a)[p] = 0;
       state.get(Field::velocity, a)[p] = node[Node::momentum + a] * per_mass;
       state.get(Field::displacement, a)[p] = node[Node::displacement + a] * per_volume;
     }
@@ -149,7 +142,6 @@ void RemeshedFields<T, D>::swap_in_filtered() {
   }
   body_.stage[1][Field::mass].swap(body_.stage[2][Field::volume]);
   body_.stage[1][Field::memory_pressure].swap(filtered_memory_);
-  borrow_marks();
 }
 
 // Slots beyond a period repeat the fields and the validity one period away.
@@ -159,8 +151,6 @@ void RemeshedFields<T, D>::copy_images(int block) {
   list_images(body_.lattice, to, block);
   for (const auto& [image, source] : to.images[block]) {
     to.kind[image] = Kind::image;
-    valid_[image] = valid_[source];
-    inside_[image] = inside_[source];
     for (const Declaration& f : state_fields) {
       for (Buffer<T>& component : body_.stage[1][f.field]) component[image] = component[source];
     }

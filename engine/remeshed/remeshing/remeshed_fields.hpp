@@ -35,7 +35,6 @@ class RemeshedFields {
   T* valid() { return valid_; }
 
  private:
-  void borrow_marks();
   void take_nodes(int block, ScatterTile<T, D>& tile);
   void take_memory(int block, ScatterTile<T, D>& tile, int first_term, int count);
 

@@ -57,7 +57,8 @@ struct SymmetricPairs {
 /// volume. Writes `next` and `next_stress` in packs with interior particles; their other slots get
 /// zero rates but for the drift, which follows their velocity. In packs of ghosts the displacement
 /// alone is written, in vacant ones nothing. Three copies of the state
-/// serve all stages: in stage 2 `next` may be `second`, in stage 3 (the last) `start`.
+/// serve all stages: in stage 2 `next` may be `second`, in stage 3 (the last) `start`. Two serve
+/// the drift: that of `current` and `next` alternate, and `start` has the one of even stages.
 template <class T, int D>
 struct Stage {
   const Segment<D>* segments;
@@ -78,8 +79,8 @@ struct Stage {
   Evolving<const T, D> current;  ///< Q of this stage
   std::array<const T*, symmetric_components<D>> stress;
   Evolving<T, D> start;         ///< Q0; stage 2 leaves Q3 + (Q2 - Q0)/3 there
-  Evolving<const T, D> second;  ///< Q2, read in stage 2
-  Evolving<const T, D> third;   ///< Q3, read in stage 3
+  Evolving<const T, D> second;  ///< Q2 without the drift, read in stage 2
+  Evolving<const T, D> third;   ///< Q3 without the drift, read in stage 3
   Evolving<T, D> next;
   std::array<T*, symmetric_components<D>> next_stress;
   BulkViscosity<T> viscosity = {};  ///< the last stage writes its pressures

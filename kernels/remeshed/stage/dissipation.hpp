@@ -52,18 +52,21 @@ inline bool is_far_inside(const Scalar<P>* interior, const LineOffsets (&line)[D
 }
 
 /// Sums over the directions of delta^6/4 of the velocity in a chunk, with the sign that damps.
+/// Bit k of what it returns: the particles of pack k are far inside.
 template <class P, int D>
-void sixth_differences(const Scalar<P>* const* velocity, const Segment<D>& segment,
-                       const Scalar<P>* interior, const Chunk& chunk,
-                       Scalar<P> (*result)[chunk_slots]) {
+unsigned sixth_differences(const Scalar<P>* const* velocity, const Segment<D>& segment,
+                           const Scalar<P>* interior, const Chunk& chunk,
+                           Scalar<P> (*result)[chunk_slots]) {
   LineOffsets line[D];
   FarOffsets far[D];
   for (int axis = 0; axis < D; ++axis) {
     line[axis] = line_offsets<typename P::arch_type>(segment, axis);
     far[axis] = far_offsets<D>(segment, axis);
   }
+  unsigned far_inside = 0;
   for (int begin = 0; begin < chunk.count; begin += slots_per_pack) {
     const bool is_inside = is_far_inside<P>(interior + chunk.first + begin, line, far);
+    if (is_inside) far_inside |= 1u << begin / slots_per_pack;
     for (int at = begin; at < begin + slots_per_pack; at += lanes<P>) {
       const std::int64_t slot = chunk.first + at;
 #pragma GCC unroll 3
@@ -82,9 +85,21 @@ void sixth_differences(const Scalar<P>* const* velocity, const Segment<D>& segme
       }
     }
   }
+  return far_inside;
 }
 
-/// Sums over the directions of delta^4 of fields in a chunk, field by field, between interior
+/// Whether (RP.23) takes the differences of a swept field: not those of shear stress in 3D.
+template <class Arch, int D>
+constexpr bool takes_differences(int field) {
+  for (int i = 0; D == 3 && i < D; ++i) {
+    for (int j = i + 1; j < D; ++j) {
+      if (field == D + symmetric_index<D>(i, j)) return false;
+    }
+  }
+  return true;
+}
+
+/// Sums over the directions of delta^4 of those fields in a chunk, field by field, between interior
 /// particles; anything finite in other slots. In 3D the first D, velocities, have sixth differences
 /// in their place.
 template <class P, int D, int F>
@@ -93,19 +108,24 @@ void swept_differences(const Scalar<P>* const (&field)[F], const Segment<D>& seg
                        Scalar<P> (&result)[F][chunk_slots]) {
   constexpr int pack = slots_per_pack;
   constexpr int first = damps_by_sixth_differences<D> ? D : 0;
-  if constexpr (first > 0) sixth_differences<P, D>(field, segment, interior, chunk, result);
+  unsigned far_inside = 0;
+  if constexpr (first > 0) {
+    far_inside = sixth_differences<P, D>(field, segment, interior, chunk, result);
+  }
   LineOffsets line[D];
   for (int axis = 0; axis < D; ++axis) {
     line[axis] = line_offsets<typename P::arch_type>(segment, axis);
   }
   for (int begin = 0; begin < chunk.count; begin += pack) {
     prefetch_ahead<P>(field, chunk.first + begin + line[D - 1].away[3]);
-    const bool flow = flow_everywhere<P>(interior + chunk.first + begin, line);
+    const bool flow = (far_inside >> begin / pack & 1u) != 0 ||
+                      flow_everywhere<P>(interior + chunk.first + begin, line);
     for (int at = begin; at < begin + pack; at += lanes<P>) {
       const std::int64_t slot = chunk.first + at;
       if (flow) {
 #pragma GCC unroll 9
         for (int f = first; f < F; ++f) {
+          if (!takes_differences<typename P::arch_type, D>(f)) continue;
           fourth_differences_inside<P>(field[f] + slot, line).store_aligned(&result[f][at]);
         }
         continue;
@@ -117,6 +137,7 @@ void swept_differences(const Scalar<P>* const (&field)[F], const Segment<D>& seg
       }
 #pragma GCC unroll 9
       for (int f = first; f < F; ++f) {
+        if (!takes_differences<typename P::arch_type, D>(f)) continue;
         fourth_differences(field[f] + slot, line, fluxes).store_aligned(&result[f][at]);
       }
     }

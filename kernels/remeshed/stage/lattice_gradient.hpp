@@ -7,17 +7,29 @@
 /// the last remeshing, (RP.39).
 namespace pliant::kernels {
 
+/// Which of the two neighbours along a line are interior particles, 1 or 0, and what each counts
+/// for in their mean.
+template <class P>
+struct LineNeighbours {
+  P before, after, share;
+
+  void find(const Scalar<P>* interior, const LineOffsets& line) {
+    using T = Scalar<P>;
+    before = load<P>(interior + line.away[1]);
+    after = load<P>(interior + line.away[2]);
+    // One over 1 or 2.
+    share = fused_minus(P(T(0.5)), xsimd::max(before + after, P(T(1))), P(T(1.5)));
+  }
+};
+
 /// df/da at a register of slots [1/h]: the mean of the differences to those of the two neighbours
 /// along the line that are interior particles.
 template <class P>
-inline P line_derivative(const Scalar<P>* field, const Scalar<P>* interior,
+inline P line_derivative(const Scalar<P>* field, const LineNeighbours<P>& neighbours,
                          const LineOffsets& line) {
-  const P one(Scalar<P>(1));
-  const P before = load<P>(interior + line.away[1]), after = load<P>(interior + line.away[2]);
   const P value = load<P>(field);
-  const P sum = fused(after, load<P>(field + line.away[2]) - value,
-                      before * (value - load<P>(field + line.away[1])));
-  return sum / xsimd::max(before + after, one);
+  return neighbours.share * fused(neighbours.after, load<P>(field + line.away[2]) - value,
+                                  neighbours.before * (value - load<P>(field + line.away[1])));
 }
 
 /// Largest abs(grad f)_F^2 of a chunk's interior particles, lane by lane [1/h^2].
@@ -31,12 +43,15 @@ P largest_gradient2(const std::array<const Scalar<P>*, D>& field, const Scalar<P
   const P zero(Scalar<P>(0));
   for (int at = 0; at < chunk.count; at += lanes<P>) {
     const std::int64_t slot = chunk.first + at;
+    LineNeighbours<P> neighbours[D];
+#pragma GCC unroll 3
+    for (int j = 0; j < D; ++j) neighbours[j].find(interior + slot, line[j]);
     P norm2 = zero;
 #pragma GCC unroll 3
     for (int i = 0; i < D; ++i) {
 #pragma GCC unroll 3
       for (int j = 0; j < D; ++j) {
-        const P slope = line_derivative<P>(field[i] + slot, interior + slot, line[j]);
+        const P slope = line_derivative<P>(field[i] + slot, neighbours[j], line[j]);
         norm2 = fused(slope, slope, norm2);
       }
     }

@@ -7,15 +7,12 @@
 /// short bursts, more than a processor follows by itself.
 namespace pliant::kernels {
 
-/// The line of every evolving field at `slot`; `components` of the material's state.
+/// The line of every evolving field but the drift at `slot`; `components` of the material's state.
 template <class P, class T, int D>
 [[gnu::always_inline]] inline void prefetch(const Evolving<T, D>& state, int components,
                                             std::int64_t slot) {
 #pragma GCC unroll 3
-  for (int i = 0; i < D; ++i) {
-    __builtin_prefetch(state.drift[i] + slot);
-    __builtin_prefetch(state.velocity[i] + slot);
-  }
+  for (int i = 0; i < D; ++i) __builtin_prefetch(state.velocity[i] + slot);
   __builtin_prefetch(state.volume + slot);
   for (int c = 0; c < components; ++c) __builtin_prefetch(state.material[c] + slot);
 }
@@ -29,6 +26,11 @@ template <class P, int D>
   prefetch<P>(stage.next, components, slot);
   if (stage.stage == 2) prefetch<P>(stage.second, components, slot);
   if (stage.stage == 3) prefetch<P>(stage.third, components, slot);
+#pragma GCC unroll 3
+  for (int i = 0; i < D; ++i) {
+    __builtin_prefetch(stage.start.drift[i] + slot);
+    __builtin_prefetch(stage.next.drift[i] + slot);
+  }
   __builtin_prefetch(stage.mass + slot);
   __builtin_prefetch(stage.current.volume + slot);
   for (int c = 0; c < components; ++c) __builtin_prefetch(stage.current.material[c] + slot);

@@ -48,4 +48,42 @@ class RungeKutta {
   P factor_, third_ = P(T(1) / T(3));
 };
 
+/// A component of the drift and of the velocity, its rate, while a stage advances the drift.
+template <class T>
+struct DriftField {
+  const T* current;
+  const T* start;
+  T* next;
+  StageField<T> velocity;
+};
+
+/// (RP.21) of the drift with two copies: Q3 takes the place of Q0, Q4 that of Q2, and Q_new that of
+/// Q3. What is missing follows from the velocities that the stages have left: Q0 = Q3 - dt/2 u2,
+/// and u0 - u2 = -3 (R - u3). Ghosts, which `has_remainders` says nothing of, still have u0 where R
+/// is.
+///
+/// Has to come before the velocity is advanced.
+template <class P, StagePlace place, bool has_remainders>
+inline void advance_drift(const DriftField<Scalar<P>>& field, Scalar<P> time_step,
+                          std::int64_t slot) {
+  using T = Scalar<P>;
+  const P current = load<P>(field.current + slot), u = load<P>(field.velocity.current + slot);
+  P base = load<P>(field.start + slot), rate = u, factor(time_step / 2);
+  if constexpr (place == StagePlace::third) {
+    rate = fused(P(T(-0.5)), load<P>(field.velocity.second + slot), u);
+    factor = P(time_step);
+  } else if constexpr (place == StagePlace::last) {
+    const P start = load<P>(field.velocity.start + slot);
+    if constexpr (has_remainders) {
+      const P third = load<P>(field.velocity.third + slot);
+      rate = fused(P(T(-3)), start - third, fused(P(T(2)), third, u));
+    } else {
+      base = fused(current - base, P(T(1) / T(3)), base);
+      rate = start + u;
+    }
+    factor = P(time_step / 6);
+  }
+  fused(rate, factor, base).store_unaligned(field.next + slot);
+}
+
 }  // namespace pliant::kernels

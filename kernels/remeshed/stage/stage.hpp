@@ -82,11 +82,6 @@ Chunk next_chunk(const Stage<Scalar<P>, D>& stage, const Segment<D>& segment, in
   return chunk;
 }
 
-template <StagePlace place, class P, int D>
-void drift(const Stage<Scalar<P>, D>& stage, const Chunk& chunk) {
-  advance_displacement(stage, RungeKutta<P, place>(stage.time_step), chunk);
-}
-
 /// One stage; see Stage.
 template <StagePlace place, class P, int D>
 StageResult advance_stage_at(const Stage<Scalar<P>, D>& stage) {
@@ -106,7 +101,7 @@ StageResult advance_stage_at(const Stage<Scalar<P>, D>& stage) {
         case Slots::vacant:
           break;
         case Slots::ghosts:
-          drift<place, P>(stage, chunk);
+          advance_drifts<P, place, false>(stage, chunk);
           break;
         case Slots::particles:
           gradients_of(stage, segment, chunk, gradients);

@@ -144,7 +144,9 @@ template <class P, int D>
   P difference[symmetric_components<D>], relaxation[symmetric_components<D>];
 #pragma GCC unroll 6
   for (int c = 0; c < symmetric_components<D>; ++c) {
-    difference[c] = P::load_aligned(&damped.swept[D + c][at]);
+    difference[c] = takes_differences<typename P::arch_type, D>(D + c)
+                        ? P::load_aligned(&damped.swept[D + c][at])
+                        : P(Scalar<P>(0));
   }
   relaxing_strain_rate<P, D>(stage.material, stage.stress_dissipation, stage.relaxes_shear,
                              difference, relaxation);

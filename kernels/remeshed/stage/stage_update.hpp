@@ -23,18 +23,18 @@ inline StageField<T> stage_field(const Stage<T, D>& stage, const Pick& pick) {
           pick(stage.next)};
 }
 
-/// d xi/dt = u, also in slots that are not interior: ghosts move along.
-template <class P, StagePlace place, int D>
-void advance_displacement(const Stage<Scalar<P>, D>& stage, const RungeKutta<P, place>& runge_kutta,
-                          const Chunk& chunk) {
+/// d xi/dt = u, also in slots that are not interior: ghosts move along. Only where there are
+/// particles are the velocities of the whole chunk advanced too.
+template <class P, StagePlace place, bool has_particles, int D>
+void advance_drifts(const Stage<Scalar<P>, D>& stage, const Chunk& chunk) {
   using Arch = typename P::arch_type;
 #pragma GCC unroll 3
   for (int i = 0; i < D; ++i) {
-    const auto field = stage_field<Arch>(stage, [i](const auto& q) { return q.drift[i]; });
-    const Scalar<P>* velocity = stage.current.velocity[i];
+    const DriftField<Scalar<P>> field = {
+        stage.current.drift[i], stage.start.drift[i], stage.next.drift[i],
+        stage_field<Arch>(stage, [i](const auto& q) { return q.velocity[i]; })};
     for (int at = 0; at < chunk.count; at += lanes<P>) {
-      const std::int64_t slot = chunk.first + at;
-      runge_kutta.advance(field, slot, load<P>(velocity + slot));
+      advance_drift<P, place, has_particles>(field, stage.time_step, chunk.first + at);
     }
   }
 }
@@ -188,7 +188,7 @@ void stage_update(const Stage<Scalar<P>, D>& stage, const ChunkGradients<Scalar<
   const RungeKutta<P, place> runge_kutta(stage.time_step);
   const bool relaxes = model == Model::reduced_polynomial && stage.viscosity.terms > 0;
   if (relaxes && stage.stage == 0) keep_volume_changes<P, D>(stage, chunk);
-  advance_displacement(stage, runge_kutta, chunk);
+  advance_drifts<P, place, true>(stage, chunk);
   advance_velocity(stage, runge_kutta, gradients, chunk);
   advance_volume(stage, runge_kutta, gradients, chunk);
   advance_material<model>(stage, runge_kutta, gradients, chunk);

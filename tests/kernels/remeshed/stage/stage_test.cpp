@@ -167,6 +167,38 @@ TYPED_TEST(stage, particles_that_are_not_interior_only_move_along) {
   });
 }
 
+// (RP.21) with all four velocities, in particles and in ghosts, whose velocities nothing advances.
+TYPED_TEST(stage, places_follow_the_velocities_of_all_stages) {
+  using T = typename TypeParam::Scalar;
+  constexpr int D = TypeParam::dimension;
+  Body<T, D> body(small_box<T, D>(), T(0.1), Model::linear);
+  const T dt = T(1e-3);
+  const std::array<T, 4> share = {dt / 2, dt / 2, dt, 0};
+  const std::array<T, 4> weight = {dt / 6, dt / 3, dt / 3, dt / 6};
+  const std::array<Field<T>, D> start = body.states[0].drift;
+  std::array<Field<T>, D> end = start;
+  // Places and ways are of order 1 and below.
+  const double tolerance = 16 * std::numeric_limits<T>::epsilon();
+  for (int number = 0; number < 4; ++number) {
+    std::array<Field<T>, D>& u = body.states[number].velocity;
+    body.patch.for_each([&](std::int64_t p, const auto&) {
+      for (int i = 0; i < D; ++i) {
+        if (body.patch.interior[p] == 0) u[i][p] = T(number * number - 0.3 * i) + T(p % 7);
+        end[i][p] += weight[number] * u[i][p];
+      }
+    });
+    const std::array<Field<T>, D> present = u;
+    baseline_table<T, D>().advance_stage(body.stage(number, number, (number + 1) % 4, dt));
+    const std::array<Field<T>, D>& place = body.states[(number + 1) % 2].drift;
+    body.patch.for_each([&](std::int64_t p, const auto&) {
+      for (int i = 0; i < D; ++i) {
+        const T right = number == 3 ? end[i][p] : start[i][p] + share[number] * present[i][p];
+        EXPECT_NEAR(place[i][p], right, tolerance);
+      }
+    });
+  }
+}
+
 TYPED_TEST(stage, vacant_and_padding_slots_stay_finite) {
   using T = typename TypeParam::Scalar;
   constexpr int D = TypeParam::dimension;
