@@ -7,8 +7,8 @@
 
 #include "engine/geometry/padded.hpp"
 #include "engine/method/field_components.hpp"
-#include "engine/method/linear_fit.hpp"
 #include "engine/method/no_value.hpp"
+#include "engine/method/polynomial_fit.hpp"
 #include "engine/point_based/forces/node_state.hpp"
 
 namespace pliant::point_based {

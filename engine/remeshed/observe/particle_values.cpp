@@ -6,16 +6,25 @@
 #include <limits>
 
 #include "engine/method/field_components.hpp"
-#include "engine/method/linear_fit.hpp"
+#include "engine/method/polynomial_fit.hpp"
 #include "engine/remeshed/observe/point_state.hpp"
 
 namespace pliant::remeshed {
 
 namespace {
 
-constexpr double radius = 2.6;  // [h] of a fit
+constexpr double linear_radius = 2.6, quadratic_radius = 3.2;  // [h] of a fit
+// Amplification of a quadratic fit: points among particles have 3 to 5. On a face, half a spacing
+// beyond the last row, 14 would amplify the errors of single particles, and the fit is linear. In
+// between it changes over smoothly, so that no history jumps when particles pass.
+constexpr double wholly_quadratic = 5, wholly_linear = 10;
 
-// Calls f(slot, cell, r, weight) for the particles that started around a point; r [h] from it. d +
+double weight_of(double square, double radius) {
+  const double left = std::max(0., 1 - square / (radius * radius));
+  return left * left;
+}
+
+// Calls f(slot, r, square of r) for the particles that started around a point; r [h] from it. d +
 // xi is the displacement; node - d is where the particle started.
 template <class T, int D, class F>
 void for_each_near(const Body<T, D>& body, const Vector& start, F&& f) {
@@ -32,8 +41,7 @@ void for_each_near(const Body<T, D>& body, const Vector& start, F&& f) {
         if (const double n = body.lattice.period[a]; n != 0) r[a] -= n * std::round(r[a] / n);
         square += r[a] * r[a];
       }
-      const double fraction = square / (radius * radius);
-      if (fraction < 1) f(p, r, (1 - fraction) * (1 - fraction));
+      if (square < quadratic_radius * quadratic_radius) f(p, r, square);
     });
   }
 }
@@ -42,13 +50,13 @@ void for_each_near(const Body<T, D>& body, const Vector& start, F&& f) {
 template <class T, int D>
 double material_strain(const Body<T, D>& body, const Vector& start, const std::string& field) {
   LinearFit<D, D> fit;
-  for_each_near(body, start, [&](std::int64_t p, const Point<D>& r, double weight) {
+  for_each_near(body, start, [&](std::int64_t p, const Point<D>& r, double square) {
     std::array<double, D> d;
     for (int a = 0; a < D; ++a) {
       d[a] = static_cast<double>(body.stage[0].get(Field::displacement, a)[p]) +
              body.stage[0].get(Field::drift, a)[p];
     }
-    fit.add(r, weight, d);
+    fit.add(r, weight_of(square, linear_radius), d);
   });
   if (!fit.solve()) return std::numeric_limits<double>::quiet_NaN();
   std::array<Point<D>, D> gradient;
@@ -119,11 +127,18 @@ double strain_around(const LatticeView<T, D>& around, const Cell<D>& middle, con
 template <class T, int D>
 double material_value(const Body<T, D>& body, const Vector& start, const std::string& field) {
   if (field.starts_with("strain")) return material_strain(body, start, field);
-  LinearFit<D, 1> fit;
-  for_each_near(body, start, [&](std::int64_t p, const Point<D>& r, double weight) {
-    fit.add(r, weight, {field_value<T, D>(body, body.stage[0], field, p)});
+  LinearFit<D, 1> linear;
+  QuadraticFit<D, 1> quadratic;
+  for_each_near(body, start, [&](std::int64_t p, const Point<D>& r, double square) {
+    const double value = field_value<T, D>(body, body.stage[0], field, p);
+    linear.add(r, weight_of(square, linear_radius), {value});
+    quadratic.add(r, weight_of(square, quadratic_radius), {value});
   });
-  return fit.solve() ? fit.value(0) : std::numeric_limits<double>::quiet_NaN();
+  if (!linear.solve()) return std::numeric_limits<double>::quiet_NaN();
+  if (!quadratic.solve()) return linear.value(0);
+  const double share = std::clamp(
+      (wholly_linear - quadratic.amplification()) / (wholly_linear - wholly_quadratic), 0., 1.);
+  return linear.value(0) + share * (quadratic.value(0) - linear.value(0));
 }
 
 template double field_value(const Body<double, 2>&, const FieldStore<double, 2>&,

@@ -6,8 +6,8 @@
 
 #include "engine/geometry/padded.hpp"
 #include "engine/method/field_components.hpp"
-#include "engine/method/linear_fit.hpp"
 #include "engine/method/no_value.hpp"
+#include "engine/method/polynomial_fit.hpp"
 #include "engine/total_lagrangian/stress_point.hpp"
 
 namespace pliant::total_lagrangian {

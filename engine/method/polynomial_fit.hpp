@@ -1,0 +1,63 @@
+#pragma once
+
+#include <Eigen/Cholesky>
+#include <array>
+
+#include "engine/lattice/lattice.hpp"
+
+namespace pliant {
+
+/// Weighted least squares of `V` fields by polynomials of degree 1 or 2 in the distance from a
+/// point.
+template <int D, int V, int degree>
+class PolynomialFit {
+ public:
+  /// `r`: from the point to where the values are, in any unit.
+  void add(const Point<D>& r, double weight, const std::array<double, V>& values) {
+    Eigen::Matrix<double, terms, 1> q;
+    q[0] = 1;
+    for (int a = 0; a < D; ++a) q[a + 1] = r[a];
+    if constexpr (degree == 2) {
+      for (int a = 0, k = D + 1; a < D; ++a) {
+        for (int b = a; b < D; ++b) q[k++] = r[a] * r[b];
+      }
+    }
+    normal_ += weight * q * q.transpose();
+    for (int v = 0; v < V; ++v) right_.col(v) += weight * values[v] * q;
+  }
+
+  /// False where the values determine no polynomials.
+  bool solve() {
+    const auto factors = normal_.ldlt();
+    const auto pivots = factors.vectorD();
+    constexpr double singular = 1e-9;
+    if (!(pivots.minCoeff() > singular * pivots.maxCoeff())) return false;
+    const Eigen::Matrix<double, terms, 1> of_value =
+        factors.solve(Eigen::Matrix<double, terms, 1>::Unit(0));
+    amplification_ = of_value[0] * normal_(0, 0);
+    right_ = factors.solve(right_).eval();
+    return true;
+  }
+
+  /// At the point, after `solve`.
+  double value(int field) const { return right_(0, field); }
+  /// Along an axis [1/unit of r], after `solve`.
+  double slope(int field, int axis) const { return right_(axis + 1, field); }
+  /// Variance of the value over that of a weighted mean, where all values have the same random
+  /// error; large where the point lies beside the places of the values. After `solve`.
+  double amplification() const { return amplification_; }
+
+ private:
+  static constexpr int terms = degree == 1 ? D + 1 : (D + 1) * (D + 2) / 2;
+
+  Eigen::Matrix<double, terms, terms> normal_ = Eigen::Matrix<double, terms, terms>::Zero();
+  Eigen::Matrix<double, terms, V> right_ = Eigen::Matrix<double, terms, V>::Zero();
+  double amplification_ = 0;
+};
+
+template <int D, int V>
+using LinearFit = PolynomialFit<D, V, 1>;
+template <int D, int V>
+using QuadraticFit = PolynomialFit<D, V, 2>;
+
+}  // namespace pliant
