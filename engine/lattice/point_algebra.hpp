@@ -20,4 +20,12 @@ Point<D> difference(const Point<D>& a, const Point<D>& b) {
   return c;
 }
 
+/// A cell as a point [cells].
+template <int D>
+Point<D> as_point(const Cell<D>& cell) {
+  Point<D> x;
+  for (int a = 0; a < D; ++a) x[a] = cell[a];
+  return x;
+}
+
 }  // namespace pliant

@@ -13,13 +13,6 @@ namespace pliant::remeshed {
 
 namespace {
 
-template <int D>
-Point<D> as_point(const Cell<D>& cell) {
-  Point<D> x;
-  for (int a = 0; a < D; ++a) x[a] = cell[a];
-  return x;
-}
-
 /// Calls f(neighbour, slots to it) for the 3^D - 1 cells around a cell of a segment. The slots lead
 /// to the neighbour if it has one.
 template <int D, class F>
