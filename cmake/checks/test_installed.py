@@ -95,7 +95,7 @@ class Installed(unittest.TestCase):
         self.assertRegex(listed, r"dist-packages/pliant/_pliant\S*\.so\n")
 
     def test_it_holds_no_path_of_the_source_tree(self):
-        self.assertNotIn(SOURCE.encode(), self.program.read_bytes())
+        self.assertFalse(SOURCE.encode() in self.program.read_bytes(), f"{self.program} names {SOURCE}")
 
 
 if __name__ == "__main__":

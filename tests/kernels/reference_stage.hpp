@@ -183,7 +183,7 @@ Rates<D> reference_rates(const Body<T, D>& body, const State<T, D>& q, const Seg
           -body.stress_dissipation * fourth_difference_at(stress, body.patch, segment, p);
     }
   }
-  if (!body.relaxes_shear) {
+  if (D == 3 || !body.relaxes_shear) {
     relaxation = (relaxation.trace() / D * Matrix<D>::Identity()).eval();
   }
   const Matrix<D> gradient =

@@ -67,7 +67,7 @@ struct Stage {
   T time_step;
   T velocity_dissipation;  ///< kappa_u of (RP.23) [1/s]; 0: none
   T stress_dissipation;    ///< kappa_sigma of (RP.23) [1/s]; 0: none
-  bool relaxes_shear;      ///< with the mean stress, (RP.23)
+  bool relaxes_shear;      ///< with the mean stress, in 2D, (RP.23)
   int stage;               ///< 0..3
   Kernel kernel;
   Gradient gradient;

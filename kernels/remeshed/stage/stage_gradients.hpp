@@ -148,8 +148,8 @@ template <class P, int D>
                         ? P::load_aligned(&damped.swept[D + c][at])
                         : P(Scalar<P>(0));
   }
-  relaxing_strain_rate<P, D>(stage.material, stage.stress_dissipation, stage.relaxes_shear,
-                             difference, relaxation);
+  relaxing_strain_rate<P, D>(stage.material, stage.stress_dissipation,
+                             D == 2 && stage.relaxes_shear, difference, relaxation);
   const P drag(-stage.velocity_dissipation);
 #pragma GCC unroll 3
   for (int i = 0; i < D; ++i) {
