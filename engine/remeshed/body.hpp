@@ -61,24 +61,24 @@ struct Body;
 template <class T, int D>
 struct BlockGhosts {
   std::vector<std::int32_t> slot;
-  std::size_t reached_count = 0;               ///< of the ghosts that come first
-  std::vector<std::int8_t> wall;               ///< of a wall or contact ghost; -1: free surface
-  std::vector<std::uint8_t> active;            ///< whether the ghost sets its slot; see `contact`
-  std::vector<std::int8_t> pressure;           ///< acting on it; see record_loads.hpp
-  std::vector<std::int32_t> edge;              ///< slot at the edge of contact beside it, (RP.81)
-  std::vector<Point<D>> normal;                ///< of the wall; beside an edge, up its side
-  std::vector<Point<D>> foot;                  ///< foot point at xi = 0 [m]
-  std::vector<kernels::FitTerms<T, D>> terms;  ///< of the fits (RP.43), (RP.44)
-  std::vector<T> constrained_sum;              ///< sum of the coefficients b
-  std::vector<T> surface_sum;                  ///< of a: 1, or 0 where the surface ends at a wall
-  std::vector<std::array<T, D>> correction;    ///< (RP.50) of the present stage [m/s]
-  std::vector<std::array<T, D>> lasting;       ///< part of it that lasts, (RP.50) [m/s]
-  std::vector<std::array<T, D>> departure;     ///< [reached] drift before the step [m]
-  std::vector<std::array<T, D>> way;           ///< [reached] from there, so far [m]
-  std::vector<std::int64_t> begin;             ///< [ghost + 1] into the next
-  std::vector<kernels::FitPair> pairs;         ///< with interior particles
-  std::vector<std::int64_t> wall_begin;        ///< into the next; -1: free surface
-  std::vector<T> wall_distance;                ///< of the particles of walls' ghosts, over h
+  std::size_t reached_count = 0;                ///< of the ghosts that come first
+  std::vector<std::int8_t> wall;                ///< of a wall or contact ghost; -1: free surface
+  std::vector<std::uint8_t> active;             ///< whether the ghost sets its slot; see `contact`
+  std::vector<std::int8_t> pressure;            ///< acting on it; see record_loads.hpp
+  std::vector<std::int32_t> edge;               ///< slot at the edge of contact beside it, (RP.81)
+  std::vector<Point<D>> normal;                 ///< of the wall; beside an edge, up its side
+  std::vector<Point<D>> foot;                   ///< foot point at xi = 0 [m]
+  std::vector<kernels::FitTerms<T, D>> terms;   ///< of the fits (RP.43), (RP.44)
+  std::vector<T> constrained_sum;               ///< sum of the coefficients b
+  std::vector<T> surface_sum;                   ///< of a: 1, or 0 where the surface ends at a wall
+  std::vector<std::array<T, D>> correction;     ///< (RP.50) of the present stage [m/s]
+  std::vector<std::array<T, D>> lasting;        ///< part of it that lasts, (RP.50) [m/s]
+  std::vector<std::array<T, D>> initial_drift;  ///< [reached] drift before the step [m]
+  std::vector<std::array<T, D>> drift_increment;  ///< [reached] from there, so far [m]
+  std::vector<std::int64_t> begin;                ///< [ghost + 1] into the next
+  std::vector<kernels::FitPair> pairs;            ///< with interior particles
+  std::vector<std::int64_t> wall_begin;           ///< into the next; -1: free surface
+  std::vector<T> wall_distance;                   ///< of the particles of walls' ghosts, over h
   /// A slot beyond a contact wall has two ghosts, of the free surface and, next in order, of the
   /// wall: the latter are listed here. One of the two is active, (RP.52).
   std::vector<std::int32_t> contact;
@@ -105,8 +105,8 @@ struct BlockGhosts {
     f(Field::surface_sum, &G::surface_sum);
     f(Field::correction, &G::correction);
     f(Field::lasting_correction, &G::lasting);
-    f(Field::departure, &G::departure);
-    f(Field::way, &G::way);
+    f(Field::initial_drift, &G::initial_drift);
+    f(Field::drift_increment, &G::drift_increment);
     f(Field::pairs_begin, &G::begin);
     f(Field::pairs, &G::pairs);
     f(Field::wall_begin, &G::wall_begin);
@@ -119,8 +119,8 @@ struct BlockGhosts {
   /// The ghosts so far are those that come first.
   void end_reached(std::size_t count) {
     reached_count = count;
-    departure.resize(count);
-    way.resize(count);
+    initial_drift.resize(count);
+    drift_increment.resize(count);
   }
 
   /// Removes the ghosts; the records stay.

@@ -79,15 +79,16 @@ void keep_on_fits(Body<T, D>& body, int block, int stage, double time_step,
     if (ghosts.wall[g] >= 0 || may_be_in_contact) continue;
     const std::int64_t slot = ghosts.slot[g];
     for (int a = 0; a < D; ++a) {
-      T& departure = ghosts.departure[g][a];
-      T& way = ghosts.way[g][a];
+      T& initial_drift = ghosts.initial_drift[g][a];
+      T& drift_increment = ghosts.drift_increment[g][a];
       if (stage == 0) {
-        departure = place.get(Field::drift, a)[slot];
-        way = 0;
+        initial_drift = place.get(Field::drift, a)[slot];
+        drift_increment = 0;
       }
       const T u = current.get(Field::velocity, a)[slot] - ghosts.correction[g][a];
-      way += weight * u;
-      next.get(Field::drift, a)[slot] = departure + (stage < 3 ? duration * u : way);
+      drift_increment += weight * u;
+      next.get(Field::drift, a)[slot] =
+          initial_drift + (stage < 3 ? duration * u : drift_increment);
     }
   }
 }
