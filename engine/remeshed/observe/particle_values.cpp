@@ -108,8 +108,7 @@ double strain_around(const LatticeView<T, D>& around, const Cell<D>& middle, con
       d[a] = (around.fields.get(Field::displacement, a)[p] + drift) / lattice.spacing;
       square += r[a] * r[a];
     }
-    const double fraction = square / (reach * reach);
-    if (fraction < 1) fit.add(r, (1 - fraction) * (1 - fraction), d);
+    fit.add(r, weight_of(square, reach), d);
   });
   if (!fit.solve()) return std::numeric_limits<double>::quiet_NaN();
   Eigen::Matrix<double, D, D> inverse = Eigen::Matrix<double, D, D>::Identity();
