@@ -4,7 +4,7 @@
 
 #include "engine/accuracy/ladders.hpp"
 #include "engine/batch/read_design.hpp"
-#include "engine/case/read_case.hpp"
+#include "engine/case/reading/read_case.hpp"
 
 namespace pliant::accuracy {
 

@@ -5,7 +5,7 @@
 
 #include <algorithm>
 
-#include "engine/case/read_case.hpp"
+#include "engine/case/reading/read_case.hpp"
 
 namespace pliant {
 

@@ -5,7 +5,7 @@
 
 #include "engine/batch/child.hpp"
 #include "engine/batch/work.hpp"
-#include "engine/case/read_case.hpp"
+#include "engine/case/reading/read_case.hpp"
 
 namespace pliant::batch {
 

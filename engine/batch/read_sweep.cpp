@@ -6,7 +6,7 @@
 
 #include "engine/batch/read_design.hpp"
 #include "engine/batch/sweep.hpp"
-#include "engine/case/read_case.hpp"
+#include "engine/case/reading/read_case.hpp"
 
 namespace pliant::batch {
 

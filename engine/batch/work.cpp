@@ -7,7 +7,7 @@
 
 #include "engine/batch/outcome.hpp"
 #include "engine/batch/slurm/attempt.hpp"
-#include "engine/case/read_case.hpp"
+#include "engine/case/reading/read_case.hpp"
 #include "engine/simulation/estimate.hpp"
 #include "engine/simulation/methods.hpp"
 

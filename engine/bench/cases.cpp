@@ -8,8 +8,8 @@
 #include <vector>
 
 #include "engine/bench/case_texts.hpp"
-#include "engine/case/read_case.hpp"
-#include "engine/case/words.hpp"
+#include "engine/case/reading/read_case.hpp"
+#include "engine/case/vocabulary/words.hpp"
 #include "engine/simulation/methods.hpp"
 
 namespace pliant::bench {

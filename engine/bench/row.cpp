@@ -5,7 +5,7 @@
 #include <algorithm>
 
 #include "engine/bench/stage_cost.hpp"
-#include "engine/case/words.hpp"
+#include "engine/case/vocabulary/words.hpp"
 #include "engine/point_based/parameters.hpp"
 
 namespace pliant::bench {

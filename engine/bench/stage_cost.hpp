@@ -1,6 +1,6 @@
 #pragma once
 
-#include "engine/remeshed/field_store.hpp"
+#include "engine/remeshed/state/field_store.hpp"
 
 /// What one particle costs in one Runge-Kutta stage, counted from the equations and from the field
 /// list; docs/performance/step.md shows the sums. Ghosts, empty slots, remeshing and the level set

@@ -1,6 +1,6 @@
 #include "engine/boundaries/attached_walls.hpp"
 
-#include "engine/case/boundary_kinds.hpp"
+#include "engine/case/vocabulary/boundary_kinds.hpp"
 
 namespace pliant {
 

@@ -5,8 +5,8 @@
 #include <limits>
 #include <stdexcept>
 
-#include "engine/case/boundary_kinds.hpp"
-#include "engine/case/contact_laws.hpp"
+#include "engine/case/vocabulary/boundary_kinds.hpp"
+#include "engine/case/vocabulary/contact_laws.hpp"
 #include "engine/geometry/padded.hpp"
 #include "engine/geometry/signed_distance.hpp"
 

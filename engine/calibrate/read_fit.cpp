@@ -12,7 +12,7 @@
 #include "engine/batch/csv.hpp"
 #include "engine/batch/read_design.hpp"
 #include "engine/calibrate/fit.hpp"
-#include "engine/case/read_case.hpp"
+#include "engine/case/reading/read_case.hpp"
 
 namespace pliant::calibrate {
 

@@ -8,7 +8,7 @@
 #include <cmath>
 #include <cstdio>
 
-#include "engine/output/hdf5.hpp"
+#include "engine/output/hdf5/hdf5.hpp"
 
 namespace pliant::calibrate {
 

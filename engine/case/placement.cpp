@@ -8,7 +8,7 @@
 #include <cstdint>
 
 #include "engine/case/blade_track.hpp"
-#include "engine/case/boundary_kinds.hpp"
+#include "engine/case/vocabulary/boundary_kinds.hpp"
 #include "engine/geometry/signed_distance.hpp"
 
 namespace pliant {

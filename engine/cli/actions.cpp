@@ -10,11 +10,11 @@
 #include <optional>
 
 #include "engine/batch/child.hpp"
-#include "engine/case/measurement_kinds.hpp"
+#include "engine/case/checks/stability.hpp"
 #include "engine/case/placement.hpp"
-#include "engine/case/reference.hpp"
-#include "engine/case/schema.hpp"
-#include "engine/case/stability.hpp"
+#include "engine/case/vocabulary/measurement_kinds.hpp"
+#include "engine/case/writing/reference.hpp"
+#include "engine/case/writing/schema.hpp"
 #include "engine/cli/report.hpp"
 #include "engine/cli/setup_progress.hpp"
 #include "engine/output/colour.hpp"

@@ -10,7 +10,7 @@
 #include <system_error>
 
 #include "engine/case/method_rules.hpp"
-#include "engine/case/validate_summary.hpp"
+#include "engine/case/writing/validate_summary.hpp"
 #include "engine/cli/actions.hpp"
 #include "engine/output/colour.hpp"
 #include "engine/simulation/estimate.hpp"

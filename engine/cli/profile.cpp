@@ -5,7 +5,7 @@
 #include <cstdio>
 #include <optional>
 
-#include "engine/case/stability.hpp"
+#include "engine/case/checks/stability.hpp"
 #include "engine/cli/actions.hpp"
 #include "engine/method/step_failure.hpp"
 #include "engine/output/atomic_file.hpp"

@@ -2,7 +2,7 @@
 
 #include <fmt/format.h>
 
-#include "engine/case/check.hpp"
+#include "engine/case/checks/check.hpp"
 #include "engine/finite_elements/measure.hpp"
 #include "engine/finite_elements/parameters.hpp"
 #include "engine/finite_elements/solver.hpp"

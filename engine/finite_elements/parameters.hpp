@@ -1,8 +1,8 @@
 #pragma once
 
 #include "engine/case/case.hpp"
-#include "engine/case/method_keys.hpp"
-#include "engine/case/word.hpp"
+#include "engine/case/vocabulary/method_keys.hpp"
+#include "engine/case/vocabulary/word.hpp"
 #include "engine/point_based/parameters.hpp"
 
 namespace pliant::finite_elements {

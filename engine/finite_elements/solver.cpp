@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include "engine/case/stability.hpp"
+#include "engine/case/checks/stability.hpp"
 #include "engine/finite_elements/parameters.hpp"
 #include "engine/finite_elements/setup.hpp"
 #include "engine/point_based/setup.hpp"

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "engine/geometry/mesh_file.hpp"
+#include "engine/geometry/mesh_files/mesh_file.hpp"
 
 namespace pliant {
 

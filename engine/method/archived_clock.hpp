@@ -4,7 +4,7 @@
 
 #include "engine/method/energy_budget.hpp"
 #include "engine/method/step_clock.hpp"
-#include "engine/output/archive.hpp"
+#include "engine/output/archive/archive.hpp"
 
 /// What the clocks and the energy budgets of all methods have in common, in an archive.
 namespace pliant {

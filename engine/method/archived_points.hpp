@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "engine/boundaries/walls.hpp"
-#include "engine/output/archive.hpp"
+#include "engine/output/archive/archive.hpp"
 
 /// Points and boundaries in an archive.
 namespace pliant {

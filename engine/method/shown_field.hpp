@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "engine/method/field.hpp"
-#include "engine/output/frame.hpp"
+#include "engine/output/results/frame.hpp"
 
 namespace pliant {
 

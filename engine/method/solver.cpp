@@ -6,7 +6,7 @@
 #include <chrono>
 #include <stdexcept>
 
-#include "engine/geometry/load_meshes.hpp"
+#include "engine/geometry/mesh_files/load_meshes.hpp"
 #include "engine/method/step_length.hpp"
 #include "engine/output/error.hpp"
 

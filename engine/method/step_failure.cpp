@@ -3,7 +3,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include "engine/case/stability.hpp"
+#include "engine/case/checks/stability.hpp"
 
 namespace pliant {
 

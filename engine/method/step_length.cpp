@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include "engine/case/stability.hpp"
+#include "engine/case/checks/stability.hpp"
 #include "engine/method/step_failure.hpp"
 
 namespace pliant {

@@ -5,8 +5,8 @@
 #include <algorithm>
 
 #include "engine/case/blade_track.hpp"
-#include "engine/case/check_motion.hpp"
-#include "engine/case/thickness.hpp"
+#include "engine/case/checks/check_motion.hpp"
+#include "engine/case/checks/thickness.hpp"
 #include "engine/point_based/cutting/cut_resolution.hpp"
 #include "engine/point_based/footprint.hpp"
 #include "engine/point_based/observe/measure.hpp"

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "engine/case/check.hpp"
+#include "engine/case/checks/check.hpp"
 #include "engine/method/registry.hpp"
 
 namespace pliant::point_based {

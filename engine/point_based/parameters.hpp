@@ -3,8 +3,8 @@
 #include <optional>
 
 #include "engine/case/case.hpp"
-#include "engine/case/method_keys.hpp"
-#include "engine/case/word.hpp"
+#include "engine/case/vocabulary/method_keys.hpp"
+#include "engine/case/vocabulary/word.hpp"
 #include "engine/point_based/cutting/cut_bonds.hpp"
 
 namespace pliant::point_based {

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "engine/case/stability.hpp"
+#include "engine/case/checks/stability.hpp"
 #include "engine/method/initial_stress.hpp"
 #include "engine/point_based/bonds/node_frequency.hpp"
 #include "engine/point_based/setup.hpp"

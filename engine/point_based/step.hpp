@@ -7,9 +7,9 @@
 #include "engine/point_based/forces/node_loads.hpp"
 #include "engine/point_based/state.hpp"
 #include "engine/undeformed/advance.hpp"
-#include "engine/undeformed/body_contact.hpp"
 #include "engine/undeformed/boundary_work.hpp"
-#include "engine/undeformed/wall_contact.hpp"
+#include "engine/undeformed/contact/body_contact.hpp"
+#include "engine/undeformed/contact/wall_contact.hpp"
 #include "kernels/point_based/table.hpp"
 #include "scheduler/phase.hpp"
 

@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include "engine/case/words.hpp"
+#include "engine/case/vocabulary/words.hpp"
 #include "kernels/isa.hpp"
 
 namespace pliant::profile {

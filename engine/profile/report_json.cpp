@@ -1,7 +1,7 @@
 #include <nlohmann/json.hpp>
 #include <pliant/version.hpp>
 
-#include "engine/case/words.hpp"
+#include "engine/case/vocabulary/words.hpp"
 #include "engine/profile/report.hpp"
 #include "kernels/isa.hpp"
 

@@ -2,11 +2,11 @@
 
 #include <fmt/format.h>
 
-#include "engine/case/check.hpp"
-#include "engine/case/thickness.hpp"
-#include "engine/remeshed/footprint.hpp"
+#include "engine/case/checks/check.hpp"
+#include "engine/case/checks/thickness.hpp"
 #include "engine/remeshed/observe/measure.hpp"
 #include "engine/remeshed/parameters.hpp"
+#include "engine/remeshed/setup/footprint.hpp"
 #include "engine/remeshed/solver.hpp"
 #include "engine/remeshed/step_limits.hpp"
 

@@ -1,8 +1,8 @@
 #pragma once
 
 #include "engine/case/case.hpp"
-#include "engine/case/method_keys.hpp"
-#include "engine/case/word.hpp"
+#include "engine/case/vocabulary/method_keys.hpp"
+#include "engine/case/vocabulary/word.hpp"
 #include "kernels/remeshed/stage/gradient.hpp"
 
 namespace pliant::remeshed {

@@ -4,9 +4,9 @@
 
 #include "engine/remeshed/ghosts/lasting_correction.hpp"
 #include "engine/remeshed/parameters.hpp"
-#include "engine/remeshed/particle_kinds.hpp"
-#include "engine/remeshed/resources.hpp"
 #include "engine/remeshed/runge_kutta.hpp"
+#include "engine/remeshed/setup/particle_kinds.hpp"
+#include "engine/remeshed/state/resources.hpp"
 #include "kernels/remeshed/stage/relaxation.hpp"
 
 namespace pliant::remeshed {

@@ -4,8 +4,8 @@
 #include <vector>
 
 #include "engine/method/resources.hpp"
-#include "engine/remeshed/body_forces.hpp"
-#include "engine/remeshed/state.hpp"
+#include "engine/remeshed/loads/body_forces.hpp"
+#include "engine/remeshed/state/state.hpp"
 #include "kernels/remeshed/table.hpp"
 
 namespace pliant::remeshed {

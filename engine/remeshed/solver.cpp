@@ -6,16 +6,16 @@
 #include <cmath>
 #include <iterator>
 
-#include "engine/case/stability.hpp"
+#include "engine/case/checks/stability.hpp"
 #include "engine/method/archived_points.hpp"
 #include "engine/method/step_length.hpp"
-#include "engine/remeshed/check_state.hpp"
 #include "engine/remeshed/observe/field_views.hpp"
 #include "engine/remeshed/observe/frame.hpp"
 #include "engine/remeshed/remeshing/remeshing_due.hpp"
-#include "engine/remeshed/resources.hpp"
-#include "engine/remeshed/setup.hpp"
-#include "engine/remeshed/state_archive.hpp"
+#include "engine/remeshed/setup/setup.hpp"
+#include "engine/remeshed/state/check_state.hpp"
+#include "engine/remeshed/state/resources.hpp"
+#include "engine/remeshed/state/state_archive.hpp"
 
 namespace pliant::remeshed {
 

@@ -5,12 +5,12 @@
 
 #include "engine/method/cached_graph.hpp"
 #include "engine/method/solver.hpp"
-#include "engine/remeshed/lattice_view.hpp"
 #include "engine/remeshed/neighbours/neighbours.hpp"
 #include "engine/remeshed/observe/measure.hpp"
 #include "engine/remeshed/remeshing/remeshings.hpp"
-#include "engine/remeshed/state.hpp"
-#include "engine/remeshed/state_copy.hpp"
+#include "engine/remeshed/state/lattice_view.hpp"
+#include "engine/remeshed/state/state.hpp"
+#include "engine/remeshed/state/state_copy.hpp"
 #include "engine/remeshed/step.hpp"
 #include "kernels/remeshed/table.hpp"
 

@@ -2,10 +2,10 @@
 
 #include "engine/remeshed/contact/wall_contact.hpp"
 #include "engine/remeshed/ghosts/surface_records.hpp"
-#include "engine/remeshed/images.hpp"
-#include "engine/remeshed/loaded_surface.hpp"
+#include "engine/remeshed/loads/loaded_surface.hpp"
 #include "engine/remeshed/parameters.hpp"
 #include "engine/remeshed/runge_kutta.hpp"
+#include "engine/remeshed/setup/images.hpp"
 
 namespace pliant::remeshed {
 

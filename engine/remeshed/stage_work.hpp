@@ -6,11 +6,11 @@
 #include "engine/method/energy_budget.hpp"
 #include "engine/remeshed/ghosts/ghost_fill.hpp"
 #include "engine/remeshed/ghosts/ghost_motion.hpp"
+#include "engine/remeshed/loads/surroundings.hpp"
+#include "engine/remeshed/loads/wall_work.hpp"
 #include "engine/remeshed/particle_update.hpp"
-#include "engine/remeshed/stage_results.hpp"
-#include "engine/remeshed/state.hpp"
-#include "engine/remeshed/surroundings.hpp"
-#include "engine/remeshed/wall_work.hpp"
+#include "engine/remeshed/state/stage_results.hpp"
+#include "engine/remeshed/state/state.hpp"
 #include "kernels/remeshed/table.hpp"
 
 namespace pliant::remeshed {

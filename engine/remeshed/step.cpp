@@ -3,8 +3,8 @@
 #include <algorithm>
 
 #include "engine/remeshed/parameters.hpp"
-#include "engine/remeshed/resources.hpp"
 #include "engine/remeshed/runge_kutta.hpp"
+#include "engine/remeshed/state/resources.hpp"
 
 // A step of the remeshed Lagrangian particle method (H&K, sections 2 and 4).
 //

@@ -7,7 +7,7 @@
 #include "engine/remeshed/contact/contact_momentum_correction.hpp"
 #include "engine/remeshed/remeshing/free_motion_correction.hpp"
 #include "engine/remeshed/stage_work.hpp"
-#include "engine/remeshed/state.hpp"
+#include "engine/remeshed/state/state.hpp"
 #include "kernels/remeshed/table.hpp"
 #include "scheduler/phase.hpp"
 

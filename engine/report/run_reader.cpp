@@ -8,8 +8,8 @@
 #include <system_error>
 
 #include "engine/output/error.hpp"
-#include "engine/output/hdf5.hpp"
-#include "engine/output/surface_store.hpp"
+#include "engine/output/hdf5/hdf5.hpp"
+#include "engine/output/results/surface_store.hpp"
 #include "engine/report/nearest_values.hpp"
 
 namespace pliant::report {

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "engine/output/frame_store.hpp"
+#include "engine/output/results/frame_store.hpp"
 #include "engine/report/frame_points.hpp"
 #include "engine/report/scalars.hpp"
 

@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "engine/output/field_arrays.hpp"
+#include "engine/output/results/field_arrays.hpp"
 
 namespace pliant::report {
 

@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "engine/case/stability.hpp"
+#include "engine/case/checks/stability.hpp"
 #include "engine/geometry/distance_walk.hpp"
 #include "engine/geometry/signed_distance.hpp"
 #include "engine/lattice/occupancy.hpp"

@@ -7,7 +7,7 @@
 #include <optional>
 #include <utility>
 
-#include "engine/case/stability.hpp"
+#include "engine/case/checks/stability.hpp"
 #include "engine/finite_elements/solver.hpp"
 #include "engine/geometry/padded.hpp"
 #include "engine/geometry/signed_distance.hpp"

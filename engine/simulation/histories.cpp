@@ -10,7 +10,7 @@
 #include <string>
 #include <utility>
 
-#include "engine/case/measurement_kinds.hpp"
+#include "engine/case/vocabulary/measurement_kinds.hpp"
 #include "engine/simulation/oscillation.hpp"
 #include "engine/simulation/pulse.hpp"
 

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "engine/case/case.hpp"
-#include "engine/output/archive.hpp"
+#include "engine/output/archive/archive.hpp"
 
 namespace pliant {
 

@@ -4,7 +4,7 @@
 #include <span>
 #include <string>
 
-#include "engine/case/read_case.hpp"
+#include "engine/case/reading/read_case.hpp"
 #include "engine/method/registry.hpp"
 
 namespace pliant {

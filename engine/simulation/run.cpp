@@ -10,13 +10,13 @@
 #include <sstream>
 #include <string>
 
-#include "engine/case/measurement_kinds.hpp"
-#include "engine/case/resolved.hpp"
-#include "engine/case/stability.hpp"
-#include "engine/output/checkpoint.hpp"
+#include "engine/case/checks/stability.hpp"
+#include "engine/case/vocabulary/measurement_kinds.hpp"
+#include "engine/case/writing/resolved.hpp"
+#include "engine/output/archive/checkpoint.hpp"
 #include "engine/output/interrupt.hpp"
 #include "engine/output/progress.hpp"
-#include "engine/output/result_file.hpp"
+#include "engine/output/results/result_file.hpp"
 #include "engine/output/summary.hpp"
 #include "engine/simulation/histories.hpp"
 #include "engine/simulation/lost_stiffness.hpp"

@@ -9,7 +9,7 @@
 #include <sstream>
 #include <string_view>
 
-#include "engine/case/resolved.hpp"
+#include "engine/case/writing/resolved.hpp"
 
 namespace pliant {
 namespace {

@@ -3,7 +3,7 @@
 #include <string>
 
 #include "engine/case/case.hpp"
-#include "engine/output/archive.hpp"
+#include "engine/output/archive/archive.hpp"
 
 /// What makes two runs one: a run may continue another when their cases agree in everything but
 /// `time.end`, and their mesh files have the same content.

@@ -9,7 +9,7 @@
 
 #include <ctime>
 
-#include "engine/case/words.hpp"
+#include "engine/case/vocabulary/words.hpp"
 
 namespace pliant {
 

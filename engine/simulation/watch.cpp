@@ -7,8 +7,8 @@
 #include <limits>
 #include <vector>
 
+#include "engine/case/checks/stability.hpp"
 #include "engine/case/method_rules.hpp"
-#include "engine/case/stability.hpp"
 #include "engine/geometry/signed_distance.hpp"
 #include "engine/method/step_failure.hpp"
 

@@ -4,9 +4,9 @@
 #include <string>
 
 #include "engine/case/case.hpp"
-#include "engine/case/stability.hpp"
+#include "engine/case/checks/stability.hpp"
 #include "engine/method/solver.hpp"
-#include "engine/output/archive.hpp"
+#include "engine/output/archive/archive.hpp"
 #include "engine/output/summary.hpp"
 
 namespace pliant {

@@ -1,8 +1,8 @@
 #include "engine/sph/method.hpp"
 
-#include "engine/case/check.hpp"
-#include "engine/remeshed/footprint.hpp"
+#include "engine/case/checks/check.hpp"
 #include "engine/remeshed/observe/measure.hpp"
+#include "engine/remeshed/setup/footprint.hpp"
 #include "engine/remeshed/step_limits.hpp"
 #include "engine/sph/parameters.hpp"
 #include "engine/sph/solver.hpp"

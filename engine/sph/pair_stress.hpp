@@ -3,7 +3,7 @@
 #include <array>
 #include <cstdint>
 
-#include "engine/remeshed/body.hpp"
+#include "engine/remeshed/state/body.hpp"
 
 /// What the pair forces (RP.26) of plain SPH read.
 namespace pliant::sph {

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "engine/case/case.hpp"
-#include "engine/case/method_keys.hpp"
+#include "engine/case/vocabulary/method_keys.hpp"
 
 namespace pliant::sph {
 

@@ -1,13 +1,13 @@
 #include "engine/sph/solver.hpp"
 
 #include "engine/method/step_length.hpp"
-#include "engine/remeshed/check_state.hpp"
 #include "engine/remeshed/observe/field_views.hpp"
 #include "engine/remeshed/observe/frame.hpp"
 #include "engine/remeshed/observe/measure.hpp"
-#include "engine/remeshed/resources.hpp"
-#include "engine/remeshed/setup.hpp"
-#include "engine/remeshed/state_archive.hpp"
+#include "engine/remeshed/setup/setup.hpp"
+#include "engine/remeshed/state/check_state.hpp"
+#include "engine/remeshed/state/resources.hpp"
+#include "engine/remeshed/state/state_archive.hpp"
 
 namespace pliant::sph {
 

@@ -4,8 +4,8 @@
 #include "engine/method/solver.hpp"
 #include "engine/remeshed/neighbours/neighbours.hpp"
 #include "engine/remeshed/remeshing/remeshings.hpp"
-#include "engine/remeshed/state.hpp"
-#include "engine/remeshed/state_copy.hpp"
+#include "engine/remeshed/state/state.hpp"
+#include "engine/remeshed/state/state_copy.hpp"
 #include "engine/sph/step.hpp"
 #include "kernels/remeshed/table.hpp"
 

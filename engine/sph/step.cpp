@@ -1,7 +1,7 @@
 #include "engine/sph/step.hpp"
 
 #include "engine/method/phase_rows.hpp"
-#include "engine/remeshed/resources.hpp"
+#include "engine/remeshed/state/resources.hpp"
 #include "engine/sph/parameters.hpp"
 
 // A step of plain SPH, the baseline of H&K. For each of the four stages of the Runge-Kutta method

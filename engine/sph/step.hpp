@@ -3,8 +3,8 @@
 #include <vector>
 
 #include "engine/remeshed/particle_update.hpp"
-#include "engine/remeshed/stage_results.hpp"
-#include "engine/remeshed/state.hpp"
+#include "engine/remeshed/state/stage_results.hpp"
+#include "engine/remeshed/state/state.hpp"
 #include "engine/sph/pair_stress.hpp"
 #include "kernels/remeshed/table.hpp"
 #include "scheduler/phase.hpp"

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "engine/total_lagrangian/body.hpp"
-#include "engine/undeformed/contact_surface.hpp"
+#include "engine/undeformed/contact/contact_surface.hpp"
 
 namespace pliant::total_lagrangian {
 

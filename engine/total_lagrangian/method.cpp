@@ -2,8 +2,8 @@
 
 #include <fmt/format.h>
 
-#include "engine/case/check.hpp"
-#include "engine/case/thickness.hpp"
+#include "engine/case/checks/check.hpp"
+#include "engine/case/checks/thickness.hpp"
 #include "engine/total_lagrangian/observe/measure.hpp"
 #include "engine/total_lagrangian/parameters.hpp"
 #include "engine/total_lagrangian/solver.hpp"

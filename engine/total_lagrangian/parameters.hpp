@@ -3,7 +3,7 @@
 #include <optional>
 
 #include "engine/case/case.hpp"
-#include "engine/case/method_keys.hpp"
+#include "engine/case/vocabulary/method_keys.hpp"
 
 namespace pliant::total_lagrangian {
 

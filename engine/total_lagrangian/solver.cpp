@@ -6,7 +6,7 @@
 #include <cmath>
 #include <limits>
 
-#include "engine/case/stability.hpp"
+#include "engine/case/checks/stability.hpp"
 #include "engine/lattice/layout_blocks.hpp"
 #include "engine/method/initial_stress.hpp"
 #include "engine/total_lagrangian/breathing.hpp"

@@ -5,7 +5,7 @@
 #include "engine/lattice/point_algebra.hpp"
 #include "engine/total_lagrangian/load_shares.hpp"
 #include "engine/total_lagrangian/setup.hpp"
-#include "engine/undeformed/surface_place.hpp"
+#include "engine/undeformed/contact/surface_place.hpp"
 
 // The surface of the undeformed body, cut out of its cells simplex by simplex. Corners of facets
 // lie on lines between particles, so that the present surface follows from the particles alone.

@@ -6,7 +6,7 @@
 #include <span>
 #include <string>
 
-#include "engine/output/archive.hpp"
+#include "engine/output/archive/archive.hpp"
 #include "engine/undeformed/state.hpp"
 
 /// What the checkpoints of all methods on the undeformed body hold.

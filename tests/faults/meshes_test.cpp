@@ -2,9 +2,9 @@
 #include <fstream>
 #include <limits>
 
-#include "engine/case/resolved.hpp"
+#include "engine/case/writing/resolved.hpp"
 #include "engine/geometry/closed_mesh.hpp"
-#include "tests/engine/geometry/mesh_files.hpp"
+#include "tests/engine/geometry/mesh_files/mesh_files.hpp"
 #include "tests/engine/output/temporary_folder.hpp"
 #include "tests/faults/fault.hpp"
 

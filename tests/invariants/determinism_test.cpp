@@ -1,7 +1,7 @@
 #include <gtest/gtest.h>
 
-#include "engine/remeshed/resources.hpp"
 #include "engine/remeshed/solver.hpp"
+#include "engine/remeshed/state/resources.hpp"
 #include "tests/invariants/sample_runs.hpp"
 
 // Nothing but the case decides the bits of a result.

@@ -8,7 +8,7 @@
 #include <fstream>
 
 #include "engine/batch/slurm/tasks.hpp"
-#include "engine/case/read_case.hpp"
+#include "engine/case/reading/read_case.hpp"
 #include "engine/output/atomic_file.hpp"
 #include "engine/simulation/estimate.hpp"
 #include "engine/simulation/methods.hpp"

@@ -5,8 +5,8 @@
 
 #include "engine/lattice/point_algebra.hpp"
 #include "engine/point_based/cutting/subdivide.hpp"
-#include "engine/undeformed/contact_surface.hpp"
-#include "engine/undeformed/facet_point.hpp"
+#include "engine/undeformed/contact/contact_surface.hpp"
+#include "engine/undeformed/contact/facet_point.hpp"
 #include "kernels/material.hpp"
 
 namespace pliant::point_based {

@@ -6,7 +6,7 @@
 #include "engine/blocks/box.hpp"
 #include "engine/point_based/blades/blade_load.hpp"
 #include "engine/point_based/body.hpp"
-#include "engine/undeformed/carried_points.hpp"
+#include "engine/undeformed/contact/carried_points.hpp"
 
 // A blade before it enters a body, (PB.34) and (PB.35).
 //

@@ -2,7 +2,7 @@
 
 #include "engine/point_based/cutting/subdivide.hpp"
 #include "engine/undeformed/body.hpp"
-#include "engine/undeformed/contact_surface.hpp"
+#include "engine/undeformed/contact/contact_surface.hpp"
 
 namespace pliant::point_based {
 

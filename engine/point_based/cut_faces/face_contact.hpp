@@ -7,7 +7,7 @@
 
 #include "engine/point_based/blades/blade_resistance.hpp"
 #include "engine/point_based/cutting/cut_bonds.hpp"
-#include "engine/undeformed/carried_points.hpp"
+#include "engine/undeformed/contact/carried_points.hpp"
 
 // Contact of the two faces of a cut, (PB.20).
 //

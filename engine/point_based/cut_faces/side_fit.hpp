@@ -8,7 +8,7 @@
 #include "engine/point_based/cut_faces/cut_pieces.hpp"
 #include "engine/point_based/cut_faces/divided_surface.hpp"
 #include "engine/point_based/cutting/cut_front.hpp"
-#include "engine/undeformed/carried_points.hpp"
+#include "engine/undeformed/contact/carried_points.hpp"
 
 namespace pliant::point_based {
 

@@ -5,7 +5,7 @@
 #include <span>
 #include <vector>
 
-#include "engine/output/archive.hpp"
+#include "engine/output/archive/archive.hpp"
 #include "engine/point_based/blades/blade_resistance.hpp"
 #include "engine/point_based/blades/puncture.hpp"
 #include "engine/point_based/bonds/bonds.hpp"

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "engine/output/frame.hpp"
+#include "engine/output/results/frame.hpp"
 #include "engine/point_based/state.hpp"
 
 namespace pliant::point_based {

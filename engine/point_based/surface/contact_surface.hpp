@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "engine/point_based/body.hpp"
-#include "engine/undeformed/contact_surface.hpp"
+#include "engine/undeformed/contact/contact_surface.hpp"
 
 namespace pliant::point_based {
 

@@ -10,7 +10,7 @@
 #include "engine/point_based/bonds/nearest_nodes.hpp"
 #include "engine/point_based/surface/contact_surface.hpp"
 #include "engine/point_based/surface/surface_lattice.hpp"
-#include "engine/undeformed/surface_place.hpp"
+#include "engine/undeformed/contact/surface_place.hpp"
 
 namespace pliant::point_based {
 

@@ -5,8 +5,8 @@
 
 #include "engine/method/phase_rows.hpp"
 #include "engine/remeshed/ghosts/fit_evaluator.hpp"
-#include "engine/remeshed/resources.hpp"
 #include "engine/remeshed/runge_kutta.hpp"
+#include "engine/remeshed/state/resources.hpp"
 #include "kernels/remeshed/ghosts/interface_traction.hpp"
 
 namespace pliant::remeshed {

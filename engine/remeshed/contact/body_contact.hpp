@@ -3,7 +3,7 @@
 #include <vector>
 
 #include "engine/remeshed/contact/contact_search.hpp"
-#include "engine/remeshed/state.hpp"
+#include "engine/remeshed/state/state.hpp"
 #include "kernels/remeshed/table.hpp"
 #include "scheduler/phase.hpp"
 

@@ -2,7 +2,7 @@
 
 #include "engine/boundaries/boundary_values.hpp"
 #include "engine/remeshed/contact/wall_cover.hpp"
-#include "engine/remeshed/state.hpp"
+#include "engine/remeshed/state/state.hpp"
 #include "kernels/remeshed/ghosts/ghost_state.hpp"
 
 // Where a side of a body meets a contact wall on which the body presses.

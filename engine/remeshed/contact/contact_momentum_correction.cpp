@@ -5,7 +5,7 @@
 #include "engine/method/decompositions.hpp"
 #include "engine/method/phase_rows.hpp"
 #include "engine/remeshed/observe/integrals.hpp"
-#include "engine/remeshed/resources.hpp"
+#include "engine/remeshed/state/resources.hpp"
 
 namespace pliant::remeshed {
 

@@ -4,7 +4,7 @@
 #include <functional>
 #include <vector>
 
-#include "engine/remeshed/state.hpp"
+#include "engine/remeshed/state/state.hpp"
 #include "scheduler/phase.hpp"
 
 // The momentum budget of bodies in contact.

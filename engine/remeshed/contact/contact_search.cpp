@@ -7,7 +7,7 @@
 #include "engine/method/phase_rows.hpp"
 #include "engine/remeshed/contact/opposing_fit.hpp"
 #include "engine/remeshed/ghosts/fit_coefficient.hpp"
-#include "engine/remeshed/resources.hpp"
+#include "engine/remeshed/state/resources.hpp"
 
 namespace pliant::remeshed {
 

@@ -3,7 +3,7 @@
 #include <vector>
 
 #include "engine/remeshed/contact/surface_samples.hpp"
-#include "engine/remeshed/state.hpp"
+#include "engine/remeshed/state/state.hpp"
 #include "scheduler/phase.hpp"
 
 namespace pliant::remeshed {

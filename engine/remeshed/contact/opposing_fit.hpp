@@ -2,9 +2,9 @@
 
 #include <vector>
 
-#include "engine/remeshed/body.hpp"
 #include "engine/remeshed/contact/surface_samples.hpp"
 #include "engine/remeshed/ghosts/surface_fits.hpp"
+#include "engine/remeshed/state/body.hpp"
 
 namespace pliant::remeshed {
 

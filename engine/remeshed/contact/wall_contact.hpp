@@ -1,7 +1,7 @@
 #pragma once
 
-#include "engine/remeshed/state.hpp"
-#include "engine/remeshed/surroundings.hpp"
+#include "engine/remeshed/loads/surroundings.hpp"
+#include "engine/remeshed/state/state.hpp"
 
 // A body contact_points a contact wall, presses against it and leaves it; nothing bonds them.
 //

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "engine/remeshed/body.hpp"
+#include "engine/remeshed/state/body.hpp"
 #include "kernels/remeshed/ghosts/fit_coefficients.hpp"
 
 namespace pliant::remeshed {

@@ -1,8 +1,8 @@
 #pragma once
 
-#include "engine/remeshed/body.hpp"
 #include "engine/remeshed/ghosts/surface_fits.hpp"
 #include "engine/remeshed/level_set/level_set.hpp"
+#include "engine/remeshed/state/body.hpp"
 
 namespace pliant::remeshed {
 

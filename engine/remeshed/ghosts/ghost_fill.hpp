@@ -1,8 +1,8 @@
 #pragma once
 
-#include "engine/remeshed/state.hpp"
-#include "engine/remeshed/surroundings.hpp"
-#include "engine/remeshed/wall_work.hpp"
+#include "engine/remeshed/loads/surroundings.hpp"
+#include "engine/remeshed/loads/wall_work.hpp"
+#include "engine/remeshed/state/state.hpp"
 
 namespace pliant::remeshed {
 

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "engine/boundaries/boundary_values.hpp"
-#include "engine/remeshed/state.hpp"
+#include "engine/remeshed/state/state.hpp"
 
 namespace pliant::remeshed {
 

@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "engine/remeshed/body.hpp"
+#include "engine/remeshed/state/body.hpp"
 
 /// The velocities of (RP.50) and (RP.47) let waves out of a body, within some h/c. Of bodies that
 /// are held bent, or rest on a wall, a part of them lasts, and feeds a checkerboard of stress.

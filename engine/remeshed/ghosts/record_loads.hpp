@@ -1,7 +1,7 @@
 #pragma once
 
 #include "engine/boundaries/boundary_values.hpp"
-#include "engine/remeshed/body.hpp"
+#include "engine/remeshed/state/body.hpp"
 
 /// Which loads act on the surface near ghosts, (RP.78).
 namespace pliant::remeshed {

@@ -2,7 +2,7 @@
 
 #include <array>
 
-#include "engine/remeshed/state.hpp"
+#include "engine/remeshed/state/state.hpp"
 
 namespace pliant::remeshed {
 

@@ -2,8 +2,8 @@
 
 #include <cmath>
 
-#include "engine/remeshed/body.hpp"
-#include "engine/remeshed/surroundings.hpp"
+#include "engine/remeshed/loads/surroundings.hpp"
+#include "engine/remeshed/state/body.hpp"
 
 namespace pliant::remeshed {
 

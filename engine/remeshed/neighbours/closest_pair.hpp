@@ -1,6 +1,6 @@
 #pragma once
 
-#include "engine/remeshed/body.hpp"
+#include "engine/remeshed/state/body.hpp"
 
 namespace pliant::remeshed {
 

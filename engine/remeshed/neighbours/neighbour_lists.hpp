@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "engine/remeshed/body.hpp"
+#include "engine/remeshed/state/body.hpp"
 
 /// The parts of a search for neighbours by position, one after another.
 namespace pliant::remeshed {

@@ -6,7 +6,7 @@
 #include "engine/method/phase_rows.hpp"
 #include "engine/remeshed/neighbours/neighbour_lists.hpp"
 #include "engine/remeshed/neighbours/stencil_reach.hpp"
-#include "engine/remeshed/resources.hpp"
+#include "engine/remeshed/state/resources.hpp"
 
 // When the neighbourhood widens.
 //

@@ -2,8 +2,8 @@
 
 #include <vector>
 
-#include "engine/remeshed/stage_results.hpp"
-#include "engine/remeshed/state.hpp"
+#include "engine/remeshed/state/stage_results.hpp"
+#include "engine/remeshed/state/state.hpp"
 #include "kernels/material.hpp"
 #include "scheduler/phase.hpp"
 

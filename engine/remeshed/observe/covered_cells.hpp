@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "engine/boundaries/walls.hpp"
-#include "engine/remeshed/lattice_view.hpp"
+#include "engine/remeshed/state/lattice_view.hpp"
 #include "kernels/layout.hpp"
 
 namespace pliant::remeshed {

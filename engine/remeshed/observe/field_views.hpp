@@ -4,7 +4,7 @@
 #include <pliant/field.hpp>
 #include <vector>
 
-#include "engine/remeshed/body.hpp"
+#include "engine/remeshed/state/body.hpp"
 
 /// The arrays of a body as callers of the library see them.
 namespace pliant::remeshed {

@@ -2,10 +2,10 @@
 
 #include <functional>
 
-#include "engine/output/frame.hpp"
-#include "engine/remeshed/lattice_view.hpp"
-#include "engine/remeshed/state.hpp"
-#include "engine/remeshed/surroundings.hpp"
+#include "engine/output/results/frame.hpp"
+#include "engine/remeshed/loads/surroundings.hpp"
+#include "engine/remeshed/state/lattice_view.hpp"
+#include "engine/remeshed/state/state.hpp"
 
 namespace pliant::remeshed {
 

@@ -2,7 +2,7 @@
 
 #include "engine/boundaries/walls.hpp"
 #include "engine/method/body_integrals.hpp"
-#include "engine/remeshed/lattice_view.hpp"
+#include "engine/remeshed/state/lattice_view.hpp"
 
 namespace pliant::remeshed {
 

@@ -5,9 +5,9 @@
 #include <string>
 #include <vector>
 
-#include "engine/remeshed/lattice_view.hpp"
 #include "engine/remeshed/observe/integrals.hpp"
-#include "engine/remeshed/state.hpp"
+#include "engine/remeshed/state/lattice_view.hpp"
+#include "engine/remeshed/state/state.hpp"
 
 namespace pliant::remeshed {
 

@@ -2,7 +2,7 @@
 
 #include <string>
 
-#include "engine/remeshed/lattice_view.hpp"
+#include "engine/remeshed/state/lattice_view.hpp"
 
 namespace pliant::remeshed {
 

@@ -4,7 +4,7 @@
 #include <array>
 #include <cmath>
 
-#include "engine/remeshed/body.hpp"
+#include "engine/remeshed/state/body.hpp"
 #include "kernels/energy.hpp"
 #include "kernels/law.hpp"
 #include "kernels/remeshed/remeshing/set_determinant.hpp"

@@ -3,7 +3,7 @@
 #include <functional>
 #include <optional>
 
-#include "engine/remeshed/lattice_view.hpp"
+#include "engine/remeshed/state/lattice_view.hpp"
 
 /// Where the free surface of a body lies: zeros of the level set on fresh nodes.
 namespace pliant::remeshed {

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "engine/boundaries/walls.hpp"
-#include "engine/remeshed/lattice_view.hpp"
+#include "engine/remeshed/state/lattice_view.hpp"
 
 namespace pliant::remeshed {
 

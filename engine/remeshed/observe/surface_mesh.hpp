@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "engine/boundaries/walls.hpp"
-#include "engine/remeshed/lattice_view.hpp"
+#include "engine/remeshed/state/lattice_view.hpp"
 
 namespace pliant::remeshed {
 

@@ -2,7 +2,7 @@
 
 #include "engine/boundaries/walls.hpp"
 #include "engine/lattice/surface_pieces.hpp"
-#include "engine/remeshed/lattice_view.hpp"
+#include "engine/remeshed/state/lattice_view.hpp"
 
 /// The surface of a body, in pieces.
 namespace pliant::remeshed {

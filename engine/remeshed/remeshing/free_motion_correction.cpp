@@ -6,8 +6,8 @@
 #include "engine/method/phase_rows.hpp"
 #include "engine/remeshed/ghosts/record_loads.hpp"
 #include "engine/remeshed/remeshing/rigid_motion.hpp"
-#include "engine/remeshed/resources.hpp"
 #include "engine/remeshed/runge_kutta.hpp"
+#include "engine/remeshed/state/resources.hpp"
 
 namespace pliant::remeshed {
 

@@ -2,10 +2,10 @@
 
 #include <vector>
 
-#include "engine/remeshed/body_forces.hpp"
+#include "engine/remeshed/loads/body_forces.hpp"
 #include "engine/remeshed/observe/motion_integrals.hpp"
 #include "engine/remeshed/parameters.hpp"
-#include "engine/remeshed/state.hpp"
+#include "engine/remeshed/state/state.hpp"
 #include "scheduler/phase.hpp"
 
 // The momentum and the angular momentum of bodies that nothing holds, (RP.90), (RP.91).

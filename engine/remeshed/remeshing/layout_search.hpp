@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "engine/remeshed/body.hpp"
+#include "engine/remeshed/state/body.hpp"
 
 namespace pliant::remeshed {
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "engine/remeshed/state.hpp"
+#include "engine/remeshed/state/state.hpp"
 
 // A remeshing smooths what lies between the nodes, so that it matters where they are. A body that a
 // contact wall at rest throws back presses on the wall from nodes that stand still before it. Where

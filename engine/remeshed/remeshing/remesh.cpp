@@ -6,11 +6,11 @@
 #include "engine/boundaries/attached_walls.hpp"
 #include "engine/geometry/free_surface.hpp"
 #include "engine/method/phase_rows.hpp"
-#include "engine/remeshed/images.hpp"
-#include "engine/remeshed/initial_fields.hpp"
 #include "engine/remeshed/level_set/initial_surface.hpp"
-#include "engine/remeshed/loaded_surface.hpp"
-#include "engine/remeshed/resources.hpp"
+#include "engine/remeshed/loads/loaded_surface.hpp"
+#include "engine/remeshed/setup/images.hpp"
+#include "engine/remeshed/setup/initial_fields.hpp"
+#include "engine/remeshed/state/resources.hpp"
 
 // The remeshing of H&K, section 2.3, in two graphs, since the blocks of the new lattice are known
 // only after the first. Over the blocks of the old lattice:

@@ -6,10 +6,10 @@
 #include "engine/remeshed/ghosts/ghost_fill.hpp"
 #include "engine/remeshed/ghosts/ghost_fits.hpp"
 #include "engine/remeshed/level_set/level_set.hpp"
-#include "engine/remeshed/particle_kinds.hpp"
 #include "engine/remeshed/remeshing/layout_search.hpp"
 #include "engine/remeshed/remeshing/remeshed_fields.hpp"
-#include "engine/remeshed/state.hpp"
+#include "engine/remeshed/setup/particle_kinds.hpp"
+#include "engine/remeshed/state/state.hpp"
 #include "scheduler/workers.hpp"
 
 namespace pliant::remeshed {

@@ -1,8 +1,8 @@
 #include "engine/method/phase_rows.hpp"
 #include "engine/remeshed/ghosts/record_loads.hpp"
-#include "engine/remeshed/loaded_surface.hpp"
+#include "engine/remeshed/loads/loaded_surface.hpp"
 #include "engine/remeshed/remeshing/remesh.hpp"
-#include "engine/remeshed/resources.hpp"
+#include "engine/remeshed/state/resources.hpp"
 
 // Of the remeshing: the kinds of the new slots, their ghosts, and the loads on these.
 namespace pliant::remeshed {

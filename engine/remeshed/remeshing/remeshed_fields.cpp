@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "engine/remeshed/images.hpp"
 #include "engine/remeshed/level_set/level_set.hpp"
+#include "engine/remeshed/setup/images.hpp"
 #include "kernels/remeshed/remeshing/set_determinant.hpp"
 
 namespace pliant::remeshed {

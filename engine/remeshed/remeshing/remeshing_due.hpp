@@ -1,7 +1,7 @@
 #pragma once
 
 #include "engine/case/case.hpp"
-#include "engine/remeshed/state.hpp"
+#include "engine/remeshed/state/state.hpp"
 
 namespace pliant::remeshed {
 

@@ -1,6 +1,6 @@
 #include "engine/remeshed/remeshing/remeshings.hpp"
 
-#include "engine/remeshed/resources.hpp"
+#include "engine/remeshed/state/resources.hpp"
 #include "scheduler/step_graph.hpp"
 
 namespace pliant::remeshed {

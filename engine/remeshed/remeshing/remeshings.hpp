@@ -6,7 +6,7 @@
 #include "engine/lattice/layout_blocks.hpp"
 #include "engine/remeshed/remeshing/moving_lattice.hpp"
 #include "engine/remeshed/remeshing/remesh.hpp"
-#include "engine/remeshed/state.hpp"
+#include "engine/remeshed/state/state.hpp"
 #include "scheduler/workers.hpp"
 
 namespace pliant::remeshed {

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "engine/output/frame.hpp"
+#include "engine/output/results/frame.hpp"
 #include "engine/total_lagrangian/state.hpp"
 
 namespace pliant::total_lagrangian {

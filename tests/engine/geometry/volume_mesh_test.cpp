@@ -5,7 +5,7 @@
 #include <fstream>
 
 #include "engine/geometry/closed_mesh.hpp"
-#include "tests/engine/geometry/volume_mesh_files.hpp"
+#include "tests/engine/geometry/mesh_files/volume_mesh_files.hpp"
 #include "tests/engine/output/temporary_folder.hpp"
 
 namespace pliant {

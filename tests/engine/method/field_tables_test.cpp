@@ -9,7 +9,7 @@
 
 #include "engine/finite_elements/fields.hpp"
 #include "engine/point_based/fields.hpp"
-#include "engine/remeshed/fields.hpp"
+#include "engine/remeshed/state/fields.hpp"
 #include "engine/simulation/methods.hpp"
 #include "engine/total_lagrangian/fields.hpp"
 #include "tests/engine/case/written_case.hpp"

@@ -3,8 +3,8 @@
 #include <vector>
 
 #include "engine/boundaries/walls.hpp"
-#include "engine/case/check.hpp"
-#include "engine/case/method_keys.hpp"
+#include "engine/case/checks/check.hpp"
+#include "engine/case/vocabulary/method_keys.hpp"
 #include "engine/geometry/signed_distance.hpp"
 #include "engine/method/archived_clock.hpp"
 #include "engine/method/initial_velocity.hpp"

@@ -6,10 +6,10 @@
 #include <cmath>
 #include <fstream>
 
-#include "engine/case/reference.hpp"
-#include "engine/case/resolved.hpp"
-#include "engine/case/stability.hpp"
-#include "engine/case/validate_summary.hpp"
+#include "engine/case/checks/stability.hpp"
+#include "engine/case/writing/reference.hpp"
+#include "engine/case/writing/resolved.hpp"
+#include "engine/case/writing/validate_summary.hpp"
 #include "engine/output/error.hpp"
 #include "engine/simulation/methods.hpp"
 #include "engine/simulation/run.hpp"

@@ -7,8 +7,8 @@
 #include <csignal>
 #include <thread>
 
-#include "engine/output/checkpoint.hpp"
-#include "engine/output/result_file.hpp"
+#include "engine/output/archive/checkpoint.hpp"
+#include "engine/output/results/result_file.hpp"
 #include "engine/output/summary.hpp"
 #include "tests/engine/output/failing_disk.hpp"
 #include "tests/engine/output/sample_frames.hpp"

@@ -3,8 +3,8 @@
 #include <filesystem>
 #include <functional>
 
-#include "engine/output/frame.hpp"
-#include "engine/output/result_file.hpp"
+#include "engine/output/results/frame.hpp"
+#include "engine/output/results/result_file.hpp"
 #include "tests/engine/output/file_content.hpp"
 
 namespace pliant::test {

@@ -9,8 +9,8 @@
 #include <pliant/error.hpp>
 #include <sstream>
 
-#include "engine/case/check.hpp"
-#include "engine/case/read_case.hpp"
+#include "engine/case/checks/check.hpp"
+#include "engine/case/reading/read_case.hpp"
 #include "engine/profile/report.hpp"
 #include "engine/profile/trace.hpp"
 #include "tests/engine/method/free_flight.hpp"

@@ -7,7 +7,7 @@
 #include <regex>
 
 #include "engine/output/error.hpp"
-#include "engine/output/result_file.hpp"
+#include "engine/output/results/result_file.hpp"
 #include "engine/report/page.hpp"
 #include "engine/report/report.hpp"
 #include "tests/engine/output/temporary_folder.hpp"

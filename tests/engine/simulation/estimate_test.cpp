@@ -8,7 +8,7 @@
 #include <fstream>
 #include <pliant/error.hpp>
 
-#include "engine/case/read_case.hpp"
+#include "engine/case/reading/read_case.hpp"
 #include "engine/simulation/methods.hpp"
 #include "tests/engine/case/written_case.hpp"
 

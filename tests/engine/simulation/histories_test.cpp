@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "engine/case/measurement_kinds.hpp"
+#include "engine/case/vocabulary/measurement_kinds.hpp"
 #include "tests/engine/case/written_case.hpp"
 #include "tests/engine/output/temporary_folder.hpp"
 

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <limits>
 
-#include "engine/case/stability.hpp"
+#include "engine/case/checks/stability.hpp"
 #include "engine/method/step_failure.hpp"
 #include "tests/engine/case/written_case.hpp"
 #include "tests/engine/method/free_flight.hpp"

@@ -8,7 +8,7 @@
 #include <string>
 #include <utility>
 
-#include "engine/output/frame.hpp"
+#include "engine/output/results/frame.hpp"
 #include "tests/engine/undeformed/loads.hpp"
 
 namespace pliant::test {

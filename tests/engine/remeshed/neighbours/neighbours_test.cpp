@@ -5,7 +5,7 @@
 #include <random>
 
 #include "engine/remeshed/neighbours/stencil_reach.hpp"
-#include "engine/remeshed/resources.hpp"
+#include "engine/remeshed/state/resources.hpp"
 #include "tests/engine/remeshed/neighbours/neighbourhood.hpp"
 #include "tests/engine/remeshed/snapshot.hpp"
 

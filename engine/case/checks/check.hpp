@@ -1,0 +1,59 @@
+#pragma once
+
+#include <toml++/toml.h>
+#include <string_view>
+
+#include "engine/case/method_rules.hpp"
+#include "engine/case/problems.hpp"
+#include "engine/case/vocabulary/words.hpp"
+
+/// What the checks of a case share.
+namespace pliant {
+
+/// A case that is being checked: its values, its TOML source for places in messages, and the
+/// problems found so far.
+struct Check {
+  const Case& a_case;
+  const toml::table& root;
+  const Place& start;
+  MethodList methods;
+  Problems& problems;
+
+  /// The place of [table] key, else of the table, else the start of the file.
+  Place place(std::string_view table, std::string_view key) const {
+    return place_in(root[table], key);
+  }
+
+  /// The same in element `index` of [[list]].
+  Place place(std::string_view list, std::size_t index, std::string_view key) const {
+    return place_in(root[list][index], key);
+  }
+
+  Place place_in(toml::node_view<const toml::node> table, std::string_view key) const {
+    if (table[key]) return place_of(*table[key].node());
+    return table ? place_of(*table.node()) : start;
+  }
+};
+
+/// False for a shape with problems, which are already reported.
+bool is_whole(const Shape& shape, int dimension);
+
+inline std::string_view axis_name(int axis) { return words<Axis>[axis].text; }
+
+/// Everything that is wrong with a case whose values are all good one by one, and whose meshes are
+/// loaded.
+void check_case(const Check& check);
+
+/// Bodies one by one: what they are made of, and whether the spacing and the cell can hold them.
+void check_bodies(const Check& check);
+
+/// What the method of the case cannot do, and tables of other methods.
+void check_method(const Check& check);
+
+/// Pairs of bodies that meet.
+void check_contacts(const Check& check);
+
+/// What measurements refer to.
+void check_measurements(const Check& check);
+
+}  // namespace pliant

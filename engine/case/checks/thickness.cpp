@@ -1,0 +1,154 @@
+#include "engine/case/checks/thickness.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <utility>
+#include <vector>
+
+#include "engine/case/vocabulary/boundary_kinds.hpp"
+#include "engine/geometry/climb.hpp"
+#include "engine/geometry/free_surface.hpp"
+#include "engine/geometry/signed_distance.hpp"
+
+namespace pliant {
+
+namespace {
+
+constexpr double probes = 4000;  // of a body; from the best of them a search climbs
+constexpr int climbers = 8;
+
+/// What holds bodies, and the ends of a periodic cell, behind which they go on.
+std::vector<Shape> ends_of_bodies(const Case& a_case) {
+  std::vector<Shape> walls;
+  for (const BoundaryCase& boundary : a_case.boundaries) {
+    if (row_of(boundary.kind).is_attached) walls.push_back(boundary.geometry);
+  }
+  for (int a = 0; a < a_case.dimension; ++a) {
+    if (!a_case.periodic.axis[a]) continue;
+    for (const bool upper : {false, true}) {
+      Shape& end = walls.emplace_back();
+      end.kind = Shape::Kind::half_space;
+      end.point[a] = upper ? a_case.periodic.upper[a] : a_case.periodic.lower[a];
+      end.normal = {};
+      end.normal[a] = upper ? -1 : 1;
+    }
+  }
+  return walls;
+}
+
+/// The middles of the cells of a lattice in a box.
+std::vector<Vector> middles(const Box<3>& box, int dimension, double step) {
+  std::array<int, 3> count = {1, 1, 1};
+  for (int a = 0; a < dimension; ++a) {
+    count[a] = static_cast<int>(std::ceil((box.upper[a] - box.lower[a]) / step));
+  }
+  std::vector<Vector> found;
+  for (int k = 0; k < count[0] * count[1] * count[2]; ++k) {
+    const std::array<int, 3> cell = {k % count[0], k / count[0] % count[1],
+                                     k / count[0] / count[1]};
+    Vector& x = found.emplace_back();
+    for (int a = 0; a < dimension; ++a) {
+      x[a] = box.lower[a] + (cell[a] + 0.5) * (box.upper[a] - box.lower[a]) / count[a];
+    }
+  }
+  return found;
+}
+
+/// The largest value of a function of distances in and near a body; infinite where it is more than
+/// the body is long, as between walls that leave one face free.
+template <class F>
+double largest(const BodyCase& body, int dimension, const F& value_at) {
+  constexpr double endless = std::numeric_limits<double>::infinity();
+  const Box<3> box = bounding_box(body.geometry);
+  double volume = 1, length = 0, most = -endless;
+  for (int a = 0; a < dimension; ++a) {
+    volume *= box.upper[a] - box.lower[a];
+    length += box.upper[a] - box.lower[a];
+  }
+  if (!std::isfinite(volume)) return endless;
+  const double step = std::pow(volume / probes, 1. / dimension);
+  std::vector<std::pair<double, Vector>> found;
+  for (const Vector& x : middles(box, dimension, step)) found.emplace_back(value_at(x), x);
+  std::ranges::sort(found, std::ranges::greater{});
+  const std::size_t from = std::min<std::size_t>(climbers, found.size());
+  for (std::size_t k = 0; k < from; ++k) {
+    most = std::max(most, climb(value_at, found[k].second, dimension, step, length));
+  }
+  return most < length ? most : endless;
+}
+
+/// A line for each body of which a length is too few spacings.
+template <class Length>
+std::string warning_of(const Case& a_case, std::span<const ThinBodyError> errors,
+                       const Length& length, std::string_view what) {
+  constexpr double rounding = 0.01;  // and what the search leaves
+  const double enough = errors.back().across;
+  std::string text;
+  for (const BodyCase& body : a_case.bodies) {
+    const double size = length(a_case, body), across = size / a_case.discretisation.spacing;
+    const auto error = std::ranges::find_if(errors, [across](const ThinBodyError& one) {
+      return across < one.across * (1 - rounding);
+    });
+    if (error == errors.end()) continue;
+    text += fmt::format(
+        "{}{} `{}` is {:.2g} spacings {}: {}; use a finer spacing "
+        "(discretisation.spacing = {:.3g} or below)",
+        text.empty() ? "" : "\n", what, body.name, across, what == "body" ? "thick" : "across",
+        error->deviation, size / enough);
+  }
+  return text;
+}
+
+}  // namespace
+
+double thickness(const Case& a_case, const BodyCase& body) {
+  const int dimension = a_case.dimension;
+  const Shape open = free_surface(body.geometry, ends_of_bodies(a_case), dimension);
+  return 2 * largest(body, dimension,
+                     [&](const Vector& x) { return -signed_distance(open, x, dimension); });
+}
+
+// The distance to the walls, from the place on the surface next to x, where it is loaded. Slip
+// walls are planes of symmetry, where nothing ends.
+double opening(const Case& a_case, const BodyCase& body) {
+  constexpr double endless = std::numeric_limits<double>::infinity();
+  const int dimension = a_case.dimension;
+  std::vector<Shape> walls, loads;
+  for (const BoundaryCase& boundary : a_case.boundaries) {
+    const BoundaryKind& kind = row_of(boundary.kind);
+    const bool slips = boundary.kind == BoundaryCase::Kind::slip_wall;
+    if (kind.is_attached && !slips) walls.push_back(boundary.geometry);
+    if (!kind.is_wall) loads.push_back(boundary.geometry);
+  }
+  double narrowest = endless;
+  for (const Shape& load : loads) {
+    const double free = largest(body, dimension, [&](const Vector& x) {
+      const double phi = signed_distance(body.geometry, x, dimension);
+      const Vector n = outward_direction(body.geometry, x, dimension);
+      Vector foot = x;
+      for (int a = 0; a < dimension; ++a) foot[a] -= phi * n[a];
+      const double beside = signed_distance(load, foot, dimension);
+      double least = beside > 0 ? -beside : endless;
+      for (const Shape& wall : walls) {
+        least = std::min(least, signed_distance(wall, foot, dimension));
+      }
+      return least;
+    });
+    if (free > 0) narrowest = std::min(narrowest, 2 * free);
+  }
+  return narrowest;
+}
+
+std::string thin_body_warning(const Case& a_case, std::span<const ThinBodyError> errors) {
+  return warning_of(a_case, errors, thickness, "body");
+}
+
+std::string narrow_opening_warning(const Case& a_case, std::span<const ThinBodyError> errors) {
+  return warning_of(a_case, errors, opening, "the surface that walls leave free on body");
+}
+
+}  // namespace pliant

@@ -1,0 +1,46 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "engine/output/hdf5/hdf5.hpp"
+#include "engine/output/results/frame.hpp"
+
+namespace pliant {
+
+/// A field as the file holds it.
+struct StoredField {
+  std::string name;
+  int components;
+  bool integer;
+  int bytes;  ///< of one component
+};
+
+StoredField describe(const std::string& name, const hdf5::GrowingArray& array);
+
+/// Throws std::invalid_argument when a field has not `rows` values or a name that HDF5 takes amiss.
+void check_fields(const std::vector<FrameField>& fields, std::size_t rows);
+
+/// Datasets of one group, one for each field, that grow together: [row] or [row][component], with
+/// the attribute unit. Real numbers take `real_bytes` bytes. Vectors of a plane get a third
+/// component. Throws hdf5::Failure.
+class FieldArrays {
+ public:
+  void create(hid_t group, const std::vector<FrameField>& fields, int real_bytes,
+              hsize_t chunk_rows);
+  void open(hid_t group);
+
+  /// Throws std::invalid_argument when `fields` are others than those of the file.
+  void append(const std::vector<FrameField>& fields, hsize_t rows);
+  void truncate(hsize_t rows);
+
+  const std::vector<StoredField>& fields() const { return fields_; }  ///< in alphabetical order
+
+ private:
+  void require_same(const std::vector<const FrameField*>& sorted) const;
+
+  std::vector<StoredField> fields_;
+  std::vector<hdf5::GrowingArray> values_;  ///< of fields_
+};
+
+}  // namespace pliant

@@ -1,0 +1,20 @@
+#pragma once
+
+#include "engine/boundaries/boundary_values.hpp"
+#include "engine/remeshed/state/lattice_view.hpp"
+
+namespace pliant::remeshed {
+
+/// Finds the facets of {phi = 0} of a block on which loads act, in front of attached walls, from
+/// slots on nodes. A cube of slots belongs to the block of its first; `surface` is the free surface
+/// at t = 0.
+template <class T, int D>
+void find_loaded_facets(const LatticeView<T, D>& view, int block, const Shape& surface,
+                        const Boundaries<D>& boundaries, std::vector<LoadedFacet<D>>& facets);
+
+/// Power of the loads on the facets of a block at a stage [W, in 2D W/m], (RP.72).
+template <class T, int D>
+double power_of_loads(const Body<T, D>& body, int block, int stage,
+                      const BoundaryValues<D>& values);
+
+}  // namespace pliant::remeshed

@@ -1,0 +1,19 @@
+#pragma once
+
+#include "engine/output/archive/archive.hpp"
+#include "engine/remeshed/remeshing/remeshings.hpp"
+#include "engine/remeshed/state/state.hpp"
+
+namespace pliant::remeshed {
+
+/// Everything that the next step reads: clock, walls, and of every body its layout, kinds, fields,
+/// stress and ghost fits.
+template <class T, int D>
+void put_state(ArchiveWriter& archive, const State<T, D>& state);
+
+/// Into the state of the same case; `remeshings` lay its bodies out. Throws OutputError when the
+/// archive does not fit the state.
+template <class T, int D>
+void get_state(const ArchiveReader& archive, State<T, D>& state, Remeshings<T, D>& remeshings);
+
+}  // namespace pliant::remeshed

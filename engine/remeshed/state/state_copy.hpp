@@ -1,0 +1,46 @@
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "engine/remeshed/state/state.hpp"
+
+namespace pliant::remeshed {
+
+/// A copy of everything that a step changes, to return to the state before it.
+///
+/// Lists of neighbours are no part of the state, and what a remeshing changes is none of a step.
+template <class T, int D>
+class StateCopy {
+ public:
+  /// Copies the present state. Allocates only when the slots are more than ever before.
+  void keep(const State<T, D>& state);
+  /// Makes the kept state the present one, with all its bits.
+  void put_back(State<T, D>& state) const;
+  std::size_t bytes() const;
+
+ private:
+  struct OfBody {
+    std::vector<std::vector<T>> arrays;  ///< of the state and the stress, [array][slot]
+    std::vector<Kind> kind;
+    std::vector<PackState> pack_state;
+    std::vector<std::vector<std::uint8_t>> active;       ///< [block][ghost]
+    std::vector<std::vector<std::array<T, D>>> lasting;  ///< the same
+    double strain, strain_rate;
+  };
+
+  Clock clock_;
+  EnergyBudget energy_;
+  std::vector<WallPose<D>> wall_pose_;
+  std::vector<Point<D>> wall_impulse_, contact_impulse_;
+  std::vector<MomentumBudget<D>> momentum_budgets_;
+  std::vector<MotionBudget<D>> motion_budgets_;
+  std::vector<OfBody> bodies_;
+};
+
+extern template class StateCopy<double, 2>;
+extern template class StateCopy<double, 3>;
+extern template class StateCopy<float, 2>;
+extern template class StateCopy<float, 3>;
+
+}  // namespace pliant::remeshed

@@ -1,0 +1,77 @@
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "engine/case/case.hpp"
+#include "engine/undeformed/contact/corner_search.hpp"
+
+namespace pliant::undeformed {
+
+/// The corners of one body against the facets of another, or of the same.
+template <class T, int D>
+struct ContactSide {
+  ContactSide(MovingSurface<T, D>& corners, MovingSurface<T, D>& facets, int contact, double sign)
+      : corners(corners), facets(facets), search(corners, facets), contact(contact), sign(sign) {}
+  MovingSurface<T, D>&corners, &facets;
+  CornerSearch<T, D> search;
+  int contact;  ///< of the case
+  double sign;  ///< 1 where the corners are those of the first body of the contact, else -1
+};
+
+/// For how long forces act in a step, particles move, and of that at the velocities that they have
+/// in the end [s].
+struct ContactTimes {
+  double kick = 0, length = 0, drift = 0;
+};
+
+/// A corner, what it touches, and the impulses between the two.
+template <class T, int D>
+struct Meeting {
+  const ContactSide<T, D>* side;
+  Touch<D> touch;
+  std::size_t first_share, end_share;  ///< of the point of the facet
+  double compliance = 0;               ///< along the normal [1/kg]
+  double largest_compliance = 0;       ///< of particles that no wall holds [1/kg]
+  double approach = 0;                 ///< that it may keep [m/s]
+  double pushed = 0, moved = 0;        ///< along the normal [N s], [kg m]
+  Point<D> rubbed = {};                ///< along the surface [N s]
+};
+
+/// Corners that touch in a step, and the impulses between bodies there, (TL.16).
+template <class T, int D>
+class Meetings {
+ public:
+  void clear();
+  /// Adds those of these touches that bodies can answer.
+  void add(const ContactSide<T, D>& side, std::span<const Touch<D>> touches,
+           const ContactTimes& times);
+  /// One Gauss-Seidel sweep over all of them.
+  void sweep(std::span<const ContactCase> contacts, const ContactTimes& times);
+  const std::vector<Meeting<T, D>>& all() const { return meetings_; }
+  /// Velocity at which the corner leaves the point that it meets [m/s].
+  Point<D> slip(const Meeting<T, D>& meeting) const { return relative(meeting).velocity; }
+
+ private:
+  Point<D> face_before(const Meeting<T, D>& meeting, const std::array<Point<D>, D>& c,
+                       double drift) const;
+  void meet(Meeting<T, D>& meeting, const ContactTimes& times);
+  void push(Meeting<T, D>& meeting, const ContactCase& law, double drift);
+  Pushed<D> relative(const Meeting<T, D>& meeting) const;
+  std::span<const Share> corner_shares(const Meeting<T, D>& meeting) const {
+    return meeting.side->corners.shares(meeting.touch.corner);
+  }
+  std::span<const Share> facet_shares(const Meeting<T, D>& meeting) const {
+    return std::span(shares_).subspan(meeting.first_share, meeting.end_share - meeting.first_share);
+  }
+
+  std::vector<Meeting<T, D>> meetings_;
+  std::vector<Share> shares_;  ///< of the points that corners meet
+};
+
+extern template class Meetings<double, 2>;
+extern template class Meetings<double, 3>;
+extern template class Meetings<float, 2>;
+extern template class Meetings<float, 3>;
+
+}  // namespace pliant::undeformed

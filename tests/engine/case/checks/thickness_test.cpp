@@ -1,0 +1,87 @@
+#include "engine/case/checks/thickness.hpp"
+
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <string>
+#include <vector>
+
+#include "engine/simulation/methods.hpp"
+#include "tests/engine/case/written_case.hpp"
+
+// Thicknesses of shapes whose largest inscribed ball is known.
+namespace pliant {
+namespace {
+
+double thickness_of(const std::string& geometry, const std::string& added = "",
+                    const std::string& dimension = "2") {
+  const Case a_case = tests::read_text(fmt::format(
+      "dimension = {}\n[discretisation]\nspacing = 0.1\n[time]\nend = 1\n[[body]]\nname = \"it\"\n"
+      "geometry = {{ {} }}\nmaterial = {{ model = \"linear\", youngs_modulus = 1, "
+      "poissons_ratio = 0.3, density = 1 }}\n{}",
+      dimension, geometry, added));
+  return thickness(a_case, a_case.bodies[0]);
+}
+
+const std::string plate = "shape = \"box\", lower = [0, 0], upper = [30, 1.3]";
+
+std::string wall(const std::string& name, const std::string& point, const std::string& normal) {
+  return fmt::format(
+      "[[boundary]]\nname = \"{}\"\nkind = \"slip_wall\"\ngeometry = {{ shape = \"half_space\", "
+      "point = {}, normal = {} }}\n",
+      name, point, normal);
+}
+
+TEST(thickness, is_the_diameter_of_the_largest_inscribed_ball) {
+  EXPECT_NEAR(thickness_of(plate), 1.3, 1e-3);
+  EXPECT_NEAR(thickness_of("shape = \"disc\", centre = [1, 2], radius = 0.7"), 1.4, 1e-3);
+  EXPECT_NEAR(thickness_of("shape = \"difference\", of = [{ shape = \"disc\", centre = [0, 0], "
+                           "radius = 4 }, { shape = \"disc\", centre = [0, 0], radius = 3.9 }]"),
+              0.1, 1e-3);
+  EXPECT_NEAR(
+      thickness_of("shape = \"box\", lower = [0, -1, -0.25], upper = [10, 1, 0.25]", "", "3"), 0.5,
+      1e-3);
+}
+
+TEST(thickness, is_that_between_free_surfaces) {
+  const std::string sides = wall("left", "[0, 0]", "[1, 0]") + wall("right", "[30, 0]", "[-1, 0]"),
+                    faces =
+                        wall("lower", "[0, 0]", "[0, 1]") + wall("upper", "[0, 1.3]", "[0, -1]");
+  EXPECT_NEAR(thickness_of(plate, sides), 1.3, 1e-3);
+  EXPECT_NEAR(thickness_of(plate, faces), 30, 1e-2);
+  EXPECT_TRUE(std::isinf(thickness_of(plate, sides + faces)));
+  // One face is free: the ball that it touches may be of any size.
+  EXPECT_TRUE(std::isinf(thickness_of(plate, sides + wall("floor", "[0, 0]", "[0, 1]"))));
+}
+
+TEST(opening, is_the_diameter_of_the_hole_that_walls_leave) {
+  const Case a_case = read_case(PLIANT_SOURCE_DIR "/cases/liver_aspiration");
+  EXPECT_NEAR(opening(a_case, a_case.bodies[0]), 0.01, 1e-5);
+  constexpr ThinBodyError errors[] = {{6, "much"}};
+  EXPECT_EQ(narrow_opening_warning(a_case, errors), "");
+  const std::vector<std::string> settings = {"discretisation.spacing=0.025/14"};
+  const Case coarse = read_case(PLIANT_SOURCE_DIR "/cases/liver_aspiration", settings);
+  EXPECT_EQ(narrow_opening_warning(coarse, errors),
+            "the surface that walls leave free on body `tissue` is 5.6 spacings across: "
+            "much; use a finer spacing (discretisation.spacing = 0.00167 or below)");
+}
+
+TEST(opening, has_no_end_without_walls_that_hold_the_body) {
+  const Case a_case = tests::read_text(tests::block_case);
+  EXPECT_TRUE(std::isinf(opening(a_case, a_case.bodies[0])));
+}
+
+TEST(thickness, only_bodies_below_the_number_are_warned_of_by_their_worst) {
+  const Case a_case = tests::read_text(tests::block_case);  // 1 x 2 at a spacing of 0.1
+  constexpr ThinBodyError errors[] = {{4, "much"}, {11, "a little"}};
+  EXPECT_EQ(thin_body_warning(a_case, errors),
+            "body `block` is 10 spacings thick: a little; use a finer spacing "
+            "(discretisation.spacing = 0.0909 or below)");
+  EXPECT_EQ(thin_body_warning(a_case, std::span(errors, 1)), "");
+  constexpr ThinBodyError as_thick[] = {{10, "a little"}};
+  EXPECT_EQ(thin_body_warning(a_case, as_thick), "");
+}
+
+}  // namespace
+}  // namespace pliant
