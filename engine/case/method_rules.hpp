@@ -5,6 +5,7 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "engine/case/case.hpp"
 
@@ -43,8 +44,8 @@ struct MethodRules {
   StepLimits (*step_limits)(const Case& a_case) = nullptr;
   /// What `pliant check` says of the method and its parameters, a few words. Null: its word.
   std::string (*summary)(const Case& a_case) = nullptr;
-  /// What `run` and `check` should warn of, a sentence; empty for nothing. Null: nothing.
-  std::string (*warning)(const Case& a_case) = nullptr;
+  /// Adds what `run` and `check` should warn of, each one sentence. Null: nothing.
+  void (*warn)(const Case& a_case, std::vector<std::string>& warnings) = nullptr;
   /// Null: estimates leave the bodies out.
   Footprint (*footprint)(const Case& a_case, const BodyCase& body) = nullptr;
   /// Whether particles are remeshed: the case has a kernel, dissipation and damping of the lattice,
@@ -61,6 +62,9 @@ using MethodList = std::span<const MethodRules>;
 
 /// The rules for a word; null for a word of no method.
 const MethodRules* rules_of(MethodList methods, std::string_view word);
+
+/// What the method of a case warns of.
+std::vector<std::string> warnings_of_method(const Case& a_case);
 
 /// Adds a problem for each measurement that the method cannot evaluate, and that does not evaluate
 /// the history of another one.

@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <iterator>
 #include <nlohmann/json.hpp>
-#include <sstream>
 #include <string_view>
 #include <system_error>
 
@@ -110,9 +110,7 @@ std::vector<std::filesystem::path> case_files(const std::filesystem::path& folde
 /// Everything that a run of the case would warn of before its first step.
 std::vector<std::string> all_warnings(const Case& settings) {
   std::vector<std::string> warnings = warnings_of(settings);
-  if (settings.rules == nullptr || settings.rules->warning == nullptr) return warnings;
-  std::istringstream lines(settings.rules->warning(settings));
-  for (std::string line; std::getline(lines, line);) warnings.push_back(line);
+  std::ranges::copy(warnings_of_method(settings), std::back_inserter(warnings));
   return warnings;
 }
 

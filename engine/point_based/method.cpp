@@ -78,33 +78,31 @@ bool is_pushed_node_by_node(const Case& a_case) {
 }
 
 // A cube of cells of three sizes, 16 of the finest to a side, that hangs under its weight.
-std::string coarse_cells_warning(const Case& a_case) {
+void warn_of_coarse_cells(const Case& a_case, std::vector<std::string>& warnings) {
   const double finest = a_case.discretisation.spacing;
   const double coarsest = parameters_of(a_case).coarsest_spacing;
-  if (coarsest > 0 && coarsest < 2 * finest) return "";
-  return fmt::format(
+  if (coarsest > 0 && coarsest < 2 * finest) return;
+  warnings.push_back(fmt::format(
       "where cells of an octree change their size, displacements deviate by up to 12 %; give "
       "point_based.coarsest_spacing = {:.3g} or nodes = \"lattice\" where that matters",
-      finest);
+      finest));
 }
 
 // As the cantilever of docs/validation/robustness.py. Nodes of an octree are the middles of cells:
 // they do not see the strain of the surface.
-std::string warning(const Case& a_case) {
+void warn(const Case& a_case, std::vector<std::string>& warnings) {
   static constexpr ThinBodyError of_lattices[] = {
       {1.5, "two layers of nodes hardly resist bending, and such runs fail"},
       {2, "bending deviates by 5 %"}};
   static constexpr ThinBodyError of_octrees[] = {{5, "bending in an octree deviates by 26 %"},
                                                  {7, "bending in an octree deviates by 12 %"}};
-  const bool is_octree = parameters_of(a_case).nodes == NodePlacement::octree;
-  std::string all;
-  for (const std::string& one :
-       {is_octree ? thin_body_warning(a_case, of_octrees) : thin_body_warning(a_case, of_lattices),
-        is_octree ? coarse_cells_warning(a_case) : "", resolution_warning(a_case)}) {
-    if (!all.empty() && !one.empty()) all += '\n';
-    all += one;
+  if (parameters_of(a_case).nodes == NodePlacement::octree) {
+    warn_of_thin_bodies(a_case, of_octrees, warnings);
+    warn_of_coarse_cells(a_case, warnings);
+  } else {
+    warn_of_thin_bodies(a_case, of_lattices, warnings);
   }
-  return all;
+  warn_of_coarse_cuts(a_case, warnings);
 }
 
 // The bound of (PB.12) needs the nodes, which only the solver knows.
@@ -147,7 +145,7 @@ RegisteredMethod method() {
        .check = check,
        .keys = visit_keys,
        .step_limits = step_limits,
-       .warning = warning,
+       .warn = warn,
        .footprint = footprint,
        .meets_itself = true},
       make_solver<Solver>};

@@ -89,12 +89,12 @@ StepLimits limits_of_steps(const Case& a_case) {
 }
 
 // Plates, rings, discs and blocks under pistons, with defaults; bodies that only turn are better.
-std::string thickness_warning(const Case& a_case) {
+void warn(const Case& a_case, std::vector<std::string>& warnings) {
   static constexpr ThinBodyError errors[] = {
       {4.5, "figures deviate by 10 to 60 %"},
       {6.5, "figures deviate by 2 to 30 %"},
       {8, "oscillations and collisions deviate by up to 20 %"}};
-  return thin_body_warning(a_case, errors);
+  warn_of_thin_bodies(a_case, errors, warnings);
 }
 
 std::string remeshings(const Case& a_case) {
@@ -123,7 +123,7 @@ RegisteredMethod method() {
        .keys = visit_keys,
        .step_limits = limits_of_steps,
        .summary = summary,
-       .warning = thickness_warning,
+       .warn = warn,
        .footprint = footprint,
        .remeshes = true,
        .looks_ahead = true},

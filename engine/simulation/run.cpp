@@ -7,10 +7,10 @@
 #include <cmath>
 #include <memory>
 #include <optional>
-#include <sstream>
 #include <string>
 
 #include "engine/case/checks/stability.hpp"
+#include "engine/case/method_rules.hpp"
 #include "engine/case/vocabulary/measurement_kinds.hpp"
 #include "engine/case/writing/resolved.hpp"
 #include "engine/output/archive/checkpoint.hpp"
@@ -102,9 +102,7 @@ class Run {
   }
 
   void warn_of_method() {
-    if (settings_.rules == nullptr || settings_.rules->warning == nullptr) return;
-    std::istringstream lines(settings_.rules->warning(settings_));
-    for (std::string line; std::getline(lines, line);) warn("warning: " + line);
+    for (const std::string& warning : warnings_of_method(settings_)) warn("warning: " + warning);
   }
 
   void begin() {

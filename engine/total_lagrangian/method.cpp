@@ -57,14 +57,12 @@ std::string summary(const Case& a_case) {
 
 // One cell across: cantilevers, and the torsion of a bar, docs/decisions/0027. The aspirated liver
 // with 4.8 and 5.6 cells across the hole: the particle in its middle is 14 to 21 and 10 % too low.
-std::string warning(const Case& a_case) {
+void warn(const Case& a_case, std::vector<std::string>& warnings) {
   static constexpr ThinBodyError thin[] = {
       {1.5, "bending deviates by 3 %, and the period of torsion by 40 %"}};
   static constexpr ThinBodyError narrow[] = {{6, "its displacement deviates by 10 to 20 %"}};
-  const std::string of_body = thin_body_warning(a_case, thin);
-  const std::string of_opening = narrow_opening_warning(a_case, narrow);
-  const bool both = !of_body.empty() && !of_opening.empty();
-  return of_body + (both ? "\n" : "") + of_opening;
+  warn_of_thin_bodies(a_case, thin, warnings);
+  warn_of_narrow_openings(a_case, narrow, warnings);
 }
 
 // Particles lie on the corners of all cells that the body fills in part.
@@ -95,7 +93,7 @@ RegisteredMethod method() {
            .keys = visit_keys,
            .step_limits = step_limits,
            .summary = summary,
-           .warning = warning,
+           .warn = warn,
            .footprint = footprint,
            .meets_itself = true},
           make_solver<Solver>};

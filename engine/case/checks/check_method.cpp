@@ -80,6 +80,13 @@ const MethodRules* rules_of(MethodList methods, std::string_view word) {
   return nullptr;
 }
 
+std::vector<std::string> warnings_of_method(const Case& a_case) {
+  std::vector<std::string> warnings;
+  if (a_case.rules != nullptr && a_case.rules->warn != nullptr)
+    a_case.rules->warn(a_case, warnings);
+  return warnings;
+}
+
 // Tables for several methods, that of the case among them, prepare a comparison by --set method=.
 void check_method(const Check& check) {
   const bool compares = check.root.contains(check.a_case.method);

@@ -81,26 +81,24 @@ double largest(const BodyCase& body, int dimension, const F& value_at) {
   return most < length ? most : endless;
 }
 
-/// A line for each body of which a length is too few spacings.
+/// A warning of each body of which a length is too few spacings.
 template <class Length>
-std::string warning_of(const Case& a_case, std::span<const ThinBodyError> errors,
-                       const Length& length, std::string_view what) {
+void warn_of(const Case& a_case, std::span<const ThinBodyError> errors, const Length& length,
+             std::string_view what, std::vector<std::string>& warnings) {
   constexpr double rounding = 0.01;  // and what the search leaves
   const double enough = errors.back().across;
-  std::string text;
   for (const BodyCase& body : a_case.bodies) {
     const double size = length(a_case, body), across = size / a_case.discretisation.spacing;
     const auto error = std::ranges::find_if(errors, [across](const ThinBodyError& one) {
       return across < one.across * (1 - rounding);
     });
     if (error == errors.end()) continue;
-    text += fmt::format(
-        "{}{} `{}` is {:.2g} spacings {}: {}; use a finer spacing "
-        "(discretisation.spacing = {:.3g} or below)",
-        text.empty() ? "" : "\n", what, body.name, across, what == "body" ? "thick" : "across",
-        error->deviation, size / enough);
+    warnings.push_back(
+        fmt::format("{} `{}` is {:.2g} spacings {}: {}; use a finer spacing "
+                    "(discretisation.spacing = {:.3g} or below)",
+                    what, body.name, across, what == "body" ? "thick" : "across", error->deviation,
+                    size / enough));
   }
-  return text;
 }
 
 }  // namespace
@@ -143,12 +141,14 @@ double opening(const Case& a_case, const BodyCase& body) {
   return narrowest;
 }
 
-std::string thin_body_warning(const Case& a_case, std::span<const ThinBodyError> errors) {
-  return warning_of(a_case, errors, thickness, "body");
+void warn_of_thin_bodies(const Case& a_case, std::span<const ThinBodyError> errors,
+                         std::vector<std::string>& warnings) {
+  warn_of(a_case, errors, thickness, "body", warnings);
 }
 
-std::string narrow_opening_warning(const Case& a_case, std::span<const ThinBodyError> errors) {
-  return warning_of(a_case, errors, opening, "the surface that walls leave free on body");
+void warn_of_narrow_openings(const Case& a_case, std::span<const ThinBodyError> errors,
+                             std::vector<std::string>& warnings) {
+  warn_of(a_case, errors, opening, "the surface that walls leave free on body", warnings);
 }
 
 }  // namespace pliant

@@ -3,6 +3,7 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "engine/case/case.hpp"
 
@@ -23,11 +24,13 @@ double thickness(const Case& a_case, const BodyCase& body);
 /// it, as the hole of a collar: of all loads the least [m]; infinite without walls or loads.
 double opening(const Case& a_case, const BodyCase& body);
 
-/// A warning of each body that is thinner than what a method resolves, the next one in a new line;
-/// `errors` by `across`, the least first. Empty where all are thicker.
-std::string thin_body_warning(const Case& a_case, std::span<const ThinBodyError> errors);
+/// Adds a warning of each body that is thinner than what a method resolves; `errors` by `across`,
+/// the least first.
+void warn_of_thin_bodies(const Case& a_case, std::span<const ThinBodyError> errors,
+                         std::vector<std::string>& warnings);
 
 /// The same of openings between walls.
-std::string narrow_opening_warning(const Case& a_case, std::span<const ThinBodyError> errors);
+void warn_of_narrow_openings(const Case& a_case, std::span<const ThinBodyError> errors,
+                             std::vector<std::string>& warnings);
 
 }  // namespace pliant

@@ -35,30 +35,31 @@ double length_of(const CutCase& cut) {
 
 }  // namespace
 
-std::string resolution_warning(const Case& settings) {
+void warn_of_coarse_cuts(const Case& settings, std::vector<std::string>& warnings) {
   const CutRule rule = parameters_of(settings).cut_rule;
   if (rule == CutRule::product && !settings.cuts.empty()) {
-    return "the cut rule \"product\" leaves up to 1 % of some bonds that a cut crosses; a "
-           "complete cut may not divide the body; take point_based.cut_rule = \"transparency\" "
-           "where parts matter";
+    warnings.push_back(
+        "the cut rule \"product\" leaves up to 1 % of some bonds that a cut crosses; a complete "
+        "cut "
+        "may not divide the body; take point_based.cut_rule = \"transparency\" where parts matter");
   }
   for (const CutCase& cut : settings.cuts) {
     if (!moves_in_run(cut, settings)) continue;
     const double spacings = length_of(cut) / settings.discretisation.spacing;
     if (!(spacings < least_spacings(rule))) continue;
     if (spacings == 0) {
-      return fmt::format(
+      warnings.push_back(fmt::format(
           "the blade of cut `{}` stays where it starts, so that it cuts nothing; give a "
           "path that depends on t",
-          cut.name);
+          cut.name));
+      continue;
     }
-    return fmt::format(
+    warnings.push_back(fmt::format(
         "the cut `{}` advances by {:.2g} spacings only, so that it opens by 5 to 25 % too "
         "little or too much; use a finer spacing (discretisation.spacing below {:.3g}){}",
         cut.name, spacings, length_of(cut) / least_spacings(rule),
-        rule == CutRule::visibility ? ", or point_based.cut_rule = \"transparency\"" : "");
+        rule == CutRule::visibility ? ", or point_based.cut_rule = \"transparency\"" : ""));
   }
-  return "";
 }
 
 }  // namespace pliant::point_based

@@ -59,10 +59,14 @@ TEST(opening, is_the_diameter_of_the_hole_that_walls_leave) {
   const Case a_case = read_case(PLIANT_SOURCE_DIR "/cases/liver_aspiration");
   EXPECT_NEAR(opening(a_case, a_case.bodies[0]), 0.01, 1e-5);
   constexpr ThinBodyError errors[] = {{6, "much"}};
-  EXPECT_EQ(narrow_opening_warning(a_case, errors), "");
+  std::vector<std::string> warnings;
+  warn_of_narrow_openings(a_case, errors, warnings);
+  EXPECT_TRUE(warnings.empty());
   const std::vector<std::string> settings = {"discretisation.spacing=0.025/14"};
   const Case coarse = read_case(PLIANT_SOURCE_DIR "/cases/liver_aspiration", settings);
-  EXPECT_EQ(narrow_opening_warning(coarse, errors),
+  warn_of_narrow_openings(coarse, errors, warnings);
+  ASSERT_EQ(warnings.size(), 1);
+  EXPECT_EQ(warnings[0],
             "the surface that walls leave free on body `tissue` is 5.6 spacings across: "
             "much; use a finer spacing (discretisation.spacing = 0.00167 or below)");
 }
@@ -75,12 +79,16 @@ TEST(opening, has_no_end_without_walls_that_hold_the_body) {
 TEST(thickness, only_bodies_below_the_number_are_warned_of_by_their_worst) {
   const Case a_case = tests::read_text(tests::block_case);  // 1 x 2 at a spacing of 0.1
   constexpr ThinBodyError errors[] = {{4, "much"}, {11, "a little"}};
-  EXPECT_EQ(thin_body_warning(a_case, errors),
+  std::vector<std::string> warnings;
+  warn_of_thin_bodies(a_case, errors, warnings);
+  ASSERT_EQ(warnings.size(), 1);
+  EXPECT_EQ(warnings[0],
             "body `block` is 10 spacings thick: a little; use a finer spacing "
             "(discretisation.spacing = 0.0909 or below)");
-  EXPECT_EQ(thin_body_warning(a_case, std::span(errors, 1)), "");
+  warn_of_thin_bodies(a_case, std::span(errors, 1), warnings);
   constexpr ThinBodyError as_thick[] = {{10, "a little"}};
-  EXPECT_EQ(thin_body_warning(a_case, as_thick), "");
+  warn_of_thin_bodies(a_case, as_thick, warnings);
+  EXPECT_EQ(warnings.size(), 1) << "neither of a thicker nor of an equally thick body";
 }
 
 }  // namespace

@@ -1,5 +1,6 @@
 #include "engine/point_based/cutting/cut_resolution.hpp"
 
+#include <fmt/ranges.h>
 #include <gtest/gtest.h>
 
 #include "engine/simulation/methods.hpp"
@@ -8,7 +9,10 @@ namespace pliant::test {
 namespace {
 
 std::string said_of(const std::vector<std::string>& settings) {
-  return point_based::resolution_warning(read_case(PLIANT_SOURCE_DIR "/cases/edge_cut", settings));
+  std::vector<std::string> warnings;
+  const Case a_case = read_case(PLIANT_SOURCE_DIR "/cases/edge_cut", settings);
+  point_based::warn_of_coarse_cuts(a_case, warnings);
+  return fmt::format("{}", fmt::join(warnings, "\n"));
 }
 
 std::string said_of(const std::string& spacing, const std::string& rule) {
