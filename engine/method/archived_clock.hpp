@@ -6,7 +6,7 @@
 #include "engine/method/step_clock.hpp"
 #include "engine/output/archive/archive.hpp"
 
-/// What the clocks and the energy budgets of all methods have in common, in an archive.
+/// Archive entries for the members of clocks and energy budgets that all methods share.
 namespace pliant {
 
 /// Writes the members of a clock that all methods have.

@@ -21,7 +21,7 @@ void put_points(ArchiveWriter& archive, const std::string& name,
   archive.put(name, std::span<const double>(values));
 }
 
-/// As many as `points` holds.
+/// Reads as many points as `points` holds.
 template <int D>
 void get_points(const ArchiveReader& archive, const std::string& name,
                 std::vector<Point<D>>& points) {
@@ -31,8 +31,8 @@ void get_points(const ArchiveReader& archive, const std::string& name,
   }
 }
 
-/// Where walls have got to, and the loads that were set in the place of those of the case; those
-/// that were not are NaN.
+/// Writes the offsets and velocities of walls and the loads that replace those of the case. A load
+/// that is not replaced is NaN.
 template <int D>
 void put_boundaries(ArchiveWriter& archive, const Boundaries<D>& boundaries) {
   Point<D> none;

@@ -5,19 +5,20 @@
 
 namespace pliant {
 
-/// The blades of a case, for callers that move them between steps: from then on the case moves them
-/// no more. Cuts have the numbers of the case. Solvers of methods that cut are one of these too.
+/// The blades of a case. A caller may move them between steps; from then on the motion of the case
+/// no longer applies. Cuts are numbered as in the case. A solver whose method can cut implements
+/// this interface too.
 class Blades {
  public:
   virtual ~Blades() = default;
 
-  /// Puts the edge of a blade from `from` to `to` [m], where the tissue is at present, in 2D to
-  /// `from`. What it sweeps on its way from where it was is cut in the next step.
+  /// Moves the edge of a blade to the line from `from` to `to` [m], in the deformed body; in 2D, to
+  /// the point `from`. The next step cuts what the edge sweeps from its last place.
   virtual void put_blade(std::size_t cut, const std::array<double, 3>& from,
                          const std::array<double, 3>& to) = 0;
-  /// Takes a blade out from where it was in the last step. Where it is put next, a new cut begins.
+  /// Takes a blade out at its place in the last step. A new cut begins where it is put next.
   virtual void lift_blade(std::size_t cut) = 0;
-  /// Of a blade on its body in the last step [N], per unit thickness in 2D.
+  /// Force of a blade on its body in the last step [N], per unit thickness in 2D.
   virtual std::array<double, 3> blade_force(std::size_t cut) const = 0;
 };
 

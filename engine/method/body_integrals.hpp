@@ -4,28 +4,28 @@
 
 namespace pliant {
 
-/// Integrals over a body, in SI units, per unit thickness in 2D. Momenta and kinetic energy are
-/// those of the scaled mass.
+/// Integrals over a body, in SI units, per unit thickness in 2D. Momentum, angular momentum and
+/// kinetic energy include mass scaling.
 struct BodyIntegrals {
   double volume = 0;
   double mass = 0;
-  Vector first_moment = {};  ///< of the mass, from `about`
+  Vector first_moment = {};  ///< of the mass, about `about`
   Vector momentum = {};
   Vector angular_momentum = {};  ///< about `about`; z alone in 2D
   double kinetic_energy = 0;
   double strain_energy = 0;
 };
 
-/// What a measurement of an integral takes from them; total energy for kinds of another sort.
+/// The value of a measurement that is one of the integrals; for every other kind, the total energy.
 double value_of(const MeasurementCase& measurement, const BodyIntegrals& sum, int dimension);
 
-/// Adds the first moment, the momenta and the kinetic energy of `mass` [kg] at `r` [m], seen from
-/// the point that angular momentum is about, with velocity `u` [m/s] and `mass_scaling` times the
-/// inertia of the mass.
+/// Adds the first moment, momentum, angular momentum and kinetic energy of a mass [kg]. `r` [m] is
+/// its place relative to the point about which moments are taken, `u` [m/s] its velocity; its
+/// inertia is `mass_scaling` times its mass.
 void add_motion(BodyIntegrals& sum, double mass, const Vector& r, const Vector& u,
                 double mass_scaling = 1);
 
-/// Adds those of another body.
+/// Adds the integrals of another body.
 void add(BodyIntegrals& sum, const BodyIntegrals& other);
 
 }  // namespace pliant

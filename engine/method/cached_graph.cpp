@@ -7,7 +7,7 @@ namespace pliant {
 
 namespace {
 
-// Cells by which blocks may come nearer to each other before a graph has to be built again.
+// Blocks may approach each other by this many cells before the graph is built again.
 constexpr int slack = 4;
 
 void add_neighbours(scheduler::Blocks& blocks, const scheduler::Blocks& others) {
@@ -42,9 +42,9 @@ bool CachedGraph<D>::serves(const Layouts<D>& layouts) const {
   return true;
 }
 
-// As long as the bodies keep their numbers of blocks, a new graph keeps the neighbours of the old
-// one too: where blocks come near and part again, as those of a body that breathes do, building a
-// graph at every remeshing would cost a small body a tenth of its time.
+// While the numbers of blocks stay the same, a new graph keeps the neighbours of the old one too.
+// In an oscillating body, blocks come near each other and separate repeatedly. A new graph at every
+// remeshing would cost a small body a tenth of its time.
 template <int D>
 scheduler::StepGraph& CachedGraph<D>::over(const Layouts<D>& layouts,
                                            const MakePhases& make_phases) {

@@ -11,13 +11,13 @@
 
 namespace pliant {
 
-/// A step graph that is built when it is first asked for, and again only when blocks have come near
-/// each other that it does not know as neighbours, or bodies have other numbers of blocks. Those
-/// that are neighbours no longer do no harm: they only restrict the order of nodes.
+/// A step graph that is built on first use. It is built again only when two blocks become
+/// neighbours that the graph does not know as neighbours, or when the number of blocks of a body
+/// changes. Pairs that are no longer neighbours do no harm: they only restrict the order of nodes.
 template <int D>
 class CachedGraph {
  public:
-  /// The names of what its phases read and write.
+  /// Names of the resources that its phases read and write.
   explicit CachedGraph(std::vector<std::string> resource_names)
       : resource_names_(std::move(resource_names)) {}
 
@@ -25,7 +25,7 @@ class CachedGraph {
 
   /// The graph of the phases over the blocks of `layouts`.
   scheduler::StepGraph& over(const Layouts<D>& layouts, const MakePhases& make_phases);
-  /// For when the phases have become others.
+  /// Discards the graph; needed when the phases change.
   void drop() { graph_.reset(); }
 
  private:
@@ -34,7 +34,7 @@ class CachedGraph {
 
   std::vector<std::string> resource_names_;
   std::unique_ptr<scheduler::StepGraph> graph_;
-  std::vector<std::size_t> block_counts_;  ///< [body] when it was built
+  std::vector<std::size_t> block_counts_;  ///< [body] at the time the graph was built
 };
 
 extern template class CachedGraph<2>;

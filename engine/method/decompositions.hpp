@@ -3,11 +3,11 @@
 #include <Eigen/Core>
 #include <limits>
 
-/// Decompositions of small dense matrices. Eigen's are templates that take a compiler seconds for
-/// each size: they are instantiated here, once for all callers.
+/// Decompositions of small dense matrices. The compiler needs seconds for each size of Eigen's
+/// templates, so they are instantiated here once for all callers.
 namespace pliant {
 
-/// Of a symmetric matrix.
+/// Eigenvalues and eigenvectors of a symmetric matrix.
 template <int N>
 struct Eigensystem {
   Eigen::Matrix<double, N, 1> values;   ///< in ascending order
@@ -17,13 +17,13 @@ struct Eigensystem {
 template <int N>
 Eigensystem<N> eigensystem(const Eigen::Matrix<double, N, N>& symmetric);  // N = 2, 3
 
-/// Of a symmetric matrix, in ascending order.
+/// Eigenvalues of a symmetric matrix, in ascending order.
 template <int N>
 Eigen::Matrix<double, N, 1> eigenvalues(
     const Eigen::Matrix<double, N, N>& symmetric);  // N = 2, 3, 6, 12
 
-/// Of the matrices X for which A X - 1 is least, the least one; pivots below `threshold` of the
-/// largest one count as 0.
+/// The Moore-Penrose pseudo-inverse: of all X that minimise |A X - 1|, the smallest. Pivots below
+/// `threshold` times the largest one count as 0.
 template <int N>
 Eigen::Matrix<double, N, N> pseudo_inverse(
     const Eigen::Matrix<double, N, N>& a,

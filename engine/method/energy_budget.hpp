@@ -2,14 +2,14 @@
 
 namespace pliant {
 
-/// What has added energy to the bodies since t = 0 and what damping has taken from them [J], per
-/// unit thickness in 2D: with the kinetic and the strain energy it closes the balance (RP.72).
+/// Energy added to the bodies since t = 0, and energy taken from them by damping and friction [J],
+/// per unit thickness in 2D. With the kinetic and the strain energy it closes the balance (RP.72).
 struct EnergyBudget {
-  double wall_work = 0;        ///< of walls that move, on the bodies
-  double load_work = 0;        ///< of pressures and tractions
-  double body_force_work = 0;  ///< of gravity
-  double cut_work = 0;         ///< of cuts: what the strain energy changes by as bonds change
-  double blade_work = 0;       ///< of the forces of blades, on the bodies
+  double wall_work = 0;        ///< work of moving walls on the bodies
+  double load_work = 0;        ///< work of pressures and tractions
+  double body_force_work = 0;  ///< work of gravity
+  double cut_work = 0;         ///< change of the strain energy where cuts change bonds
+  double blade_work = 0;       ///< work of the forces of blades on the bodies
   double damping = 0;          ///< lost to damping rates
   double friction = 0;         ///< lost to friction on contact walls and between bodies
 

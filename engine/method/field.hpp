@@ -4,8 +4,8 @@
 #include <cstddef>
 #include <string_view>
 
-/// What a row of a method's list of fields says. Storage, stage copies, checkpoints, frames, the
-/// scheduler's resources and docs/fields.md follow from those lists.
+/// The row of a field in the list of fields of a method. Storage, stage copies, checkpoints,
+/// frames, the scheduler's resources and docs/fields.md all follow from these lists.
 namespace pliant {
 
 /// The components of one item of a field.
@@ -14,25 +14,25 @@ enum class Rank {
   vector,            ///< D
   symmetric_tensor,  ///< D (D + 1)/2
   material,          ///< S, a symmetric tensor, or F, D x D
-  prony,             ///< one for each term of the material's Prony series
+  prony,             ///< one value for each term of the material's Prony series
   prony_tensor,      ///< symmetric tensors: one for each of these terms, and one more
   fit_terms,         ///< coefficients of the three fits of a ghost
   record,            ///< values of a surface record
-  list               ///< as many as the item has
+  list               ///< any number of values for each item
 };
 
-/// One index space of a method: what its fields have one value, vector or list for.
+/// One index space of a method: fields have one value, vector or list for each of its elements.
 template <class IndexSpace>
 struct IndexSpaceDeclaration {
   IndexSpace space;
   std::string_view name, meaning;
 };
 
-/// How a field crosses to the new lattice, (RP.32) and (RP.33).
+/// How a field is transferred to the new lattice, (RP.32) and (RP.33).
 enum class Remeshed { not_at_all, as_density_times_volume, as_mass_mean, as_volume_mean, as_mean };
 
-/// One field of a method, whose enumerations name its fields, index spaces, and groups: a group
-/// holds fields that phases always read or write together, and is what the scheduler sees.
+/// One field of a method. The enumerations of the method name its fields, index spaces, and groups.
+/// A group holds fields that phases always read or write together; the scheduler sees only groups.
 template <class Field, class IndexSpace, class Group>
 struct FieldDeclaration {
   Field field;
@@ -41,18 +41,18 @@ struct FieldDeclaration {
   IndexSpace space;
   Group group;
   Remeshed remeshed = Remeshed::not_at_all;
-  int copies = 1;                        ///< of Runge-Kutta stages, or of passes that alternate
+  int copies = 1;  ///< one for each Runge-Kutta stage, or for each of the passes that alternate
   bool is_saved = false;                 ///< in checkpoints
   bool is_shown = false;                 ///< in frames
-  std::string_view shares_storage = "";  ///< what else lies in its memory at other times
+  std::string_view shares_storage = "";  ///< other fields that use the same memory at other times
 };
 
-/// A list with one row for each enumerator of Name, in their order.
+/// A list with one row for each enumerator of Name, in the same order.
 template <class Name, class Row, std::size_t rows>
 class Table {
  public:
-  /// `name` is the member that says which enumerator a row is of; `last` is the last of them. Does
-  /// not compile where rows are missing, too many, or in another order.
+  /// `name` is the member that holds the enumerator of a row; `last` is the last enumerator. Does
+  /// not compile when a row is missing, when there are too many, or when their order differs.
   consteval Table(Name Row::*name, Name last, const Row (&list)[rows])
       : list_(std::to_array(list)) {
     if (rows != static_cast<std::size_t>(last) + 1) throw "one row for each enumerator";

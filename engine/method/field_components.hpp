@@ -7,14 +7,14 @@
 #include "engine/lattice/lattice.hpp"
 #include "engine/method/full_stress.hpp"
 
-/// The values of the fields that measurements name, from what the methods know at a point.
+/// Values of the fields that measurements name, computed from stress and strain at a point.
 namespace pliant {
 
-/// Place of an axis or of a pair of axes at the end of a field's name: 0..2.
+/// Axes at the end of a field's name, as in `stress_xy`: 0..2.
 inline int last_axis(std::string_view field) { return field.back() - 'x'; }
 inline int first_axis(std::string_view field) { return field[field.size() - 2] - 'x'; }
 
-/// `von_mises_stress`, or a component as in `stress_xy`, of a stress in the order of full_stress
+/// `von_mises_stress`, or a component such as `stress_xy`, of a stress in the order of full_stress
 /// [Pa].
 inline double stress_value(const std::array<double, 6>& s, std::string_view field) {
   if (field == "von_mises_stress") {
@@ -26,7 +26,7 @@ inline double stress_value(const std::array<double, 6>& s, std::string_view fiel
   return i == j ? s[i] : s[i + j == 1 ? 3 : i + j == 3 ? 4 : 5];
 }
 
-/// A component, as in `strain_xy`, of the Green-Lagrange strain (F^T F - I)/2.
+/// A component, such as `strain_xy`, of the Green-Lagrange strain (F^T F - I)/2.
 template <int D>
 double strain_value(const std::array<Point<D>, D>& deformation_gradient, std::string_view field) {
   const int i = first_axis(field), j = last_axis(field);

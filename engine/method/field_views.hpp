@@ -9,7 +9,7 @@
 #include "engine/lattice/layout.hpp"
 #include "engine/storage/buffer.hpp"
 
-/// What methods show of their arrays to callers of the library.
+/// Views of the arrays of a method, for callers of the library.
 namespace pliant {
 
 /// The first `slots` values of each component.
@@ -46,7 +46,7 @@ std::vector<SlotRun> runs_of_particles(const Layout<D>& layout, F&& is_particle)
   return runs;
 }
 
-/// position(slot, cell) of each slot for which `is_particle(slot)`, z = 0 in 2D.
+/// position(slot, cell) of each slot for which `is_particle(slot)`; z = 0 in 2D.
 template <int D, class F, class G>
 std::vector<std::array<double, 3>> positions_of_particles(const Layout<D>& layout, F&& is_particle,
                                                           G&& position) {

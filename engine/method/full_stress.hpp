@@ -6,8 +6,8 @@
 
 namespace pliant {
 
-/// xx, yy, zz, xy, yz, xz of a stress whose components stand in the order of symmetric_index; plane
-/// strain has sigma_zz = -3 p - sigma_xx - sigma_yy by (RP.11).
+/// The components xx, yy, zz, xy, yz, xz of a stress that is stored in the order of
+/// symmetric_index. In plane strain sigma_zz = -3 p - sigma_xx - sigma_yy by (RP.11).
 template <int D>
 std::array<double, 6> full_stress(
     const std::array<double, kernels::symmetric_components<D>>& stress, double pressure) {

@@ -8,8 +8,8 @@
 
 namespace pliant {
 
-/// The acceleration by the body force of a case (RP.71), for phases that run on several blocks at
-/// a time: each block has formulas of its own, as their parsers keep variables.
+/// The acceleration by the body force of a case (RP.71). Phases run on several blocks at a time,
+/// and a parser of formulas keeps variables: so each block has its own formulas.
 template <int D>
 class Gravity {
  public:
@@ -21,9 +21,9 @@ class Gravity {
     }
   }
 
-  /// Whether it is anything but zero.
+  /// Whether gravity is not zero.
   bool acts() const { return acts_; }
-  /// Whether it is the same everywhere.
+  /// Whether gravity is the same everywhere.
   bool is_uniform() const { return is_uniform_; }
 
   /// Makes room for `blocks` blocks.
@@ -31,7 +31,7 @@ class Gravity {
     if (acts_ && of_block_.size() < blocks) of_block_.resize(blocks, formula_);
   }
 
-  /// At one time, for one block [m/s^2].
+  /// Gravity at one time, for one block [m/s^2].
   class Now {
    public:
     Now(const Gravity& gravity, int block, double t)

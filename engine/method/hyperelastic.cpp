@@ -74,7 +74,7 @@ double energy_of(const kernels::HyperelasticMaterial<double>& material, const Fu
   return lambda / 2 * trace * trace + mu * square;
 }
 
-/// With F_33 = 1 in plane strain.
+/// The 3D tensor of `f`; F_33 = 1 in plane strain.
 template <int D>
 FullTensor in_3d(const std::array<double, D * D>& f) {
   FullTensor full = {1, 0, 0, 0, 1, 0, 0, 0, 1};

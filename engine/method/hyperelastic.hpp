@@ -7,17 +7,17 @@
 #include "kernels/hyperelastic_material.hpp"
 #include "kernels/layout.hpp"
 
-/// Hyperelastic materials of the methods on the undeformed body, in plain numbers: set up and
-/// measured, never stepped.
+/// Hyperelastic materials of the methods on the undeformed body, in plain numbers, for set-up and
+/// measurements. Steps use the kernels.
 namespace pliant {
 
-/// What the kernels read of the material of a body.
+/// The material of a body as kernels read it.
 kernels::HyperelasticMaterial<double> hyperelastic_material(const BodyCase& body);
 
-/// The share of a modulus that a Prony series leaves.
+/// The share of a modulus that remains when all terms of a Prony series have relaxed.
 double lasting_share(const std::vector<kernels::PronyTerm<double>>& prony);
 
-/// The stress that a deformation gradient causes; in 2D of plane strain.
+/// The stress at a deformation gradient; in 2D that of plane strain.
 template <int D>
 struct ElasticStress {
   double volume_ratio = 1;                                           ///< J

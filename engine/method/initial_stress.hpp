@@ -11,11 +11,11 @@
 namespace pliant {
 
 /// Stress of a body's material at `x` at t = 0 [Pa], its components in the order of
-/// symmetric_index<3>. In 2D sigma_zz is that of plane strain, nu (sigma_xx + sigma_yy). 0 of
-/// bodies that start free of stress.
+/// symmetric_index<3>. In 2D sigma_zz is that of plane strain, nu (sigma_xx + sigma_yy). It is 0
+/// for bodies without an initial stress.
 std::array<double, 6> initial_stress(const BodyCase& body, const Vector& x, int dimension);
 
-/// Its components in D dimensions, in the order of symmetric_index<D>.
+/// The components of initial_stress in D dimensions, in the order of symmetric_index<D>.
 template <int D>
 std::array<double, kernels::symmetric_components<D>> initial_stress_in(const BodyCase& body,
                                                                        const Vector& x) {
@@ -29,11 +29,11 @@ std::array<double, kernels::symmetric_components<D>> initial_stress_in(const Bod
   return stress;
 }
 
-/// Poisson's ratio of small strains.
+/// Poisson's ratio at small strains.
 double poissons_ratio(const BodyCase& body);
 
-/// Work per undeformed volume of a second Piola-Kirchhoff stress S0 that stays as it is, S0 : E,
-/// and what it adds to the Cauchy stress, F S0 F^T/J (TL.14). `f` row by row.
+/// A constant second Piola-Kirchhoff stress S0: its work per undeformed volume, S0 : E, and its
+/// part of the Cauchy stress, F S0 F^T/J (TL.14). `f` is row-major.
 template <int D>
 struct LastingStress {
   double energy = 0;                                                 ///< [Pa]
@@ -56,7 +56,7 @@ struct LastingStress {
     }
   }
 
-  /// Its mean pressure; plane strain has sigma_zz = nu (sigma_xx + sigma_yy).
+  /// The mean pressure of this stress; plane strain has sigma_zz = nu (sigma_xx + sigma_yy).
   double pressure(const BodyCase& body) const {
     double trace = 0;
     for (int i = 0; i < D; ++i) trace += stress[kernels::symmetric_index<D>(i, i)];
@@ -64,8 +64,8 @@ struct LastingStress {
   }
 };
 
-/// A bound of the speed of waves at rest under stresses [component][slot], which stiffen what they
-/// pull [m/s].
+/// A bound on the speed of waves at rest under the stresses [component][slot] [m/s]. Tension
+/// stiffens the material and makes waves faster.
 template <int D, class Stresses>
 double wave_speed_under(const BodyCase& body, const Stresses& stresses, std::int64_t slots) {
   double largest = 0;

@@ -4,7 +4,7 @@
 
 namespace pliant {
 
-/// What a measurement is where it has no meaning: NaN, an empty cell in tables.
+/// The value of a measurement that has no meaning at present: NaN, an empty cell in tables.
 inline constexpr double no_value = std::numeric_limits<double>::quiet_NaN();
 
 }  // namespace pliant

@@ -10,13 +10,14 @@
 
 namespace pliant {
 
-/// Writes a list of phases as the paper's algorithm box: one row for each phase, with its name,
-/// what it reads, what it writes, and its function.
+/// Writes a list of phases like the algorithm box of the paper: one row for each phase, with its
+/// name, what it reads, what it writes, and its function.
 class PhaseRows {
  public:
   explicit PhaseRows(std::vector<scheduler::Phase>& phases) : phases_(phases) {}
 
-  /// Rows of one body: the step graph numbers the blocks of all bodies, the body its own from 0.
+  /// Rows of one body. The step graph numbers the blocks of all bodies, while a body numbers its
+  /// own from 0.
   PhaseRows(std::vector<scheduler::Phase>& phases, int first_block, std::size_t block_count)
       : phases_(phases), first_block_(first_block), blocks_(block_count) {
     std::iota(blocks_.begin(), blocks_.end(), first_block);
@@ -26,13 +27,13 @@ class PhaseRows {
   PhaseRows(std::vector<scheduler::Phase>& phases, std::vector<int> blocks)
       : phases_(phases), blocks_(std::move(blocks)) {}
 
-  /// Rows of one stage of a step, or of one pass of an algorithm.
+  /// The rows that follow belong to one stage of a step, or to one pass of an algorithm.
   PhaseRows& at_stage(int stage) {
     stage_ = stage;
     return *this;
   }
 
-  /// `run(block)` of each block.
+  /// Calls `run(block)` for each block.
   void each(const char* name, const Accesses& reads, const Accesses& writes,
             std::function<void(int)> run) {
     phases_.push_back(
@@ -44,7 +45,7 @@ class PhaseRows {
          .run = [run = std::move(run), first = first_block_](int block) { run(block - first); }});
   }
 
-  /// `run()` once for all blocks.
+  /// Calls `run()` once for all blocks.
   void reduce(const char* name, const Accesses& reads, const Accesses& writes,
               std::function<void()> run) {
     phases_.push_back({.name = name,

@@ -7,12 +7,12 @@
 
 namespace pliant {
 
-/// Weighted least squares of `V` fields by polynomials of degree 1 or 2 in the distance from a
+/// Weighted least-squares fit of `V` fields by polynomials of degree 1 or 2 in the distance from a
 /// point.
 template <int D, int V, int degree>
 class PolynomialFit {
  public:
-  /// `r`: from the point to where the values are, in any unit.
+  /// Adds the values at one place; `r` is the vector from the point to it, in any unit.
   void add(const Point<D>& r, double weight, const std::array<double, V>& values) {
     Eigen::Matrix<double, terms, 1> q;
     q[0] = 1;
@@ -26,7 +26,7 @@ class PolynomialFit {
     for (int v = 0; v < V; ++v) right_.col(v) += weight * values[v] * q;
   }
 
-  /// False where the values determine no polynomials.
+  /// Returns false where the values do not determine the polynomials.
   bool solve() {
     const auto factors = normal_.ldlt();
     const auto pivots = factors.vectorD();
@@ -39,12 +39,12 @@ class PolynomialFit {
     return true;
   }
 
-  /// At the point, after `solve`.
+  /// Value of a field at the point, after `solve`.
   double value(int field) const { return right_(0, field); }
-  /// Along an axis [1/unit of r], after `solve`.
+  /// Slope of a field along an axis [1/unit of r], after `solve`.
   double slope(int field, int axis) const { return right_(axis + 1, field); }
-  /// Variance of the value over that of a weighted mean, where all values have the same random
-  /// error; large where the point lies beside the places of the values. After `solve`.
+  /// Variance of the value over that of a weighted mean, if all values have the same random error.
+  /// It is large where the point lies outside the places of the values. After `solve`.
   double amplification() const { return amplification_; }
 
  private:

@@ -9,15 +9,15 @@
 
 namespace pliant {
 
-/// A method as programs see it.
+/// A method as the programs see it.
 struct RegisteredMethod {
   MethodRules rules;  ///< for case files
-  /// Makes a solver and sets its bodies up. Throws StepFailure and std::invalid_argument.
+  /// Makes a solver and sets up its bodies. Throws StepFailure and std::invalid_argument.
   std::unique_ptr<Solver> (*make)(const Case& settings, const SolverOptions& options);
 };
 
-/// The methods that a program can run, by the words of case files. It outlives the cases that are
-/// read for it.
+/// The methods that a program can run, by their words in case files. It must outlive the cases that
+/// are read with it.
 class MethodRegistry {
  public:
   explicit MethodRegistry(std::vector<RegisteredMethod> methods);
@@ -25,13 +25,13 @@ class MethodRegistry {
   MethodRegistry(const MethodRegistry&) = delete;
   MethodRegistry& operator=(const MethodRegistry&) = delete;
 
-  /// Throws std::invalid_argument for a word of no method.
+  /// Throws std::invalid_argument for a word that names no method.
   const RegisteredMethod& find(std::string_view word) const;
 
   /// A solver of the method that the case names, at t = 0.
   std::unique_ptr<Solver> make(const Case& settings, const SolverOptions& options) const;
 
-  /// Those of all methods, for reading cases.
+  /// The rules of all methods, for reading cases.
   MethodList rules() const { return rules_; }
 
  private:

@@ -10,10 +10,10 @@
 #include "engine/method/field.hpp"
 #include "scheduler/phase.hpp"
 
-/// Resources: what the scheduler knows of a method's fields, numbered by the list of their groups.
+/// Resources: the fields of a method as the scheduler knows them, numbered by the list of groups.
 namespace pliant {
 
-/// The slots of a block that a resource holds: ghosts and images lie in the same arrays as
+/// The slots of a block that a resource covers. Ghosts and images are in the same arrays as
 /// particles, but other phases write them.
 enum class Part { particles, ghosts, images };
 inline constexpr int part_count = 3;
@@ -24,10 +24,10 @@ struct GroupDeclaration {
   Group group;
   std::string_view name;
   bool has_parts = false;                  ///< each Part is a resource of its own
-  std::array<const char*, 3> copies = {};  ///< names of its copies; none: there is one
+  std::array<const char*, 3> copies = {};  ///< names of its copies; empty: there is one
 };
 
-/// A resource in the words of its method.
+/// A resource as its method names it.
 template <class Group>
 struct Resource {
   Group group;
@@ -35,7 +35,7 @@ struct Resource {
   Part part = Part::particles;
 };
 
-/// The numbers and names that follow from a list of groups, whose order is that of `Group`.
+/// The numbers and names of resources, from a list of groups in the order of `Group`.
 template <class Group, std::size_t n>
 class ResourceNumbers {
  public:
@@ -93,7 +93,7 @@ class ResourceNumbers {
   std::array<scheduler::FieldId, n + 1> first_ = {};
 };
 
-/// Resources that phases name together.
+/// Several resources that a phase names together.
 class Resources {
  public:
   Resources(std::initializer_list<scheduler::FieldId> ids) : ids_(ids) {}
@@ -109,7 +109,7 @@ class Resources {
   std::vector<scheduler::FieldId> ids_;
 };
 
-/// What a phase reads or writes: resources, and of which blocks.
+/// What a phase reads or writes: resources, and the blocks whose data it accesses.
 class Accesses {
  public:
   Accesses() = default;
@@ -127,13 +127,13 @@ class Accesses {
   std::vector<scheduler::Access> list_;
 };
 
-/// Of the block that a phase works on.
+/// Resources of the block that a phase works on.
 inline Accesses own(const Resources& resources) { return {resources, scheduler::Reach::own}; }
-/// Of that block and its neighbours.
+/// Resources of that block and its neighbours.
 inline Accesses near(const Resources& resources) {
   return {resources, scheduler::Reach::neighbours};
 }
-/// Of all blocks.
+/// Resources of all blocks.
 inline Accesses all(const Resources& resources) { return {resources, scheduler::Reach::all}; }
 
 }  // namespace pliant

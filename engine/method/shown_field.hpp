@@ -9,7 +9,7 @@
 
 namespace pliant {
 
-/// A field of a frame under its name and unit in the list of its method.
+/// A field of a frame, with its name and unit from the list of its method.
 template <class Field, class IndexSpace, class Group, class V>
 FrameField shown(const FieldDeclaration<Field, IndexSpace, Group>& field, int components,
                  std::vector<V> values) {

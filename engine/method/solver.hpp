@@ -23,20 +23,20 @@
 
 namespace pliant {
 
-/// What a solver runs on; results do not depend on it.
+/// The resources that a solver runs on; results do not depend on them.
 struct SolverOptions {
   int threads = 1;
   kernels::Isa isa = kernels::widest_supported();
 };
 
-/// What the balance of energy (RP.72) compares.
+/// The two sides of the energy balance (RP.72).
 struct Balance {
   BodyIntegrals integrals;
   std::optional<EnergyBudget> budget;
 };
 
-/// A case and the method that advances it: the one interface between methods and the programs that
-/// run them. The scalar type and the dimension of the method are hidden behind it.
+/// A case and the method that advances it: the only interface between methods and the programs that
+/// run them. It hides the scalar type and the dimension of the method.
 class Solver {
  public:
   /// Throws std::invalid_argument unless `options.threads` is positive.
@@ -47,33 +47,35 @@ class Solver {
 
   const Case& settings() const { return settings_; }
   virtual const StepClock& clock() const = 0;
-  /// Step length that the case asks for [s], before it is fitted to the end of the run.
+  /// Step length that the case requests [s], before it is adapted to the end of the run.
   virtual double time_step() const = 0;
 
   /// Length of the next step, of at most `longest` [s]. Throws StepFailure.
   double next_step(double longest) const;
 
-  /// Takes one time step of at most `longest` [s]. Throws StepFailure.
+  /// Advances one time step of at most `longest` [s]. Throws StepFailure.
   void step(double longest);
-  /// Steps to the time `until` [s] and ends exactly there. Throws StepFailure.
+  /// Steps until the time is exactly `until` [s]. Throws StepFailure.
   void advance(double until);
 
-  /// Whether the state at an output time is seen by look_ahead, so that no step ends for it.
+  /// Whether look_ahead can show the state at an output time, so that no step has to end there.
   virtual bool looks_ahead() const { return false; }
-  /// Calls `look` with the state at `time` [s], which lies within the next step: that of a shorter
-  /// step from here. Then the state is the present one again, bit by bit. Throws StepFailure.
+  /// Calls `look` with the state at `time` [s], which lies within the next step: the state after a
+  /// shorter step. Afterwards the solver has its present state again, bit by bit. Throws
+  /// StepFailure.
   virtual void look_ahead(double time, const std::function<void()>& look);
 
   virtual std::int64_t particles() const = 0;
   virtual std::int64_t ghosts() const { return 0; }
   virtual std::int64_t remeshings() const { return 0; }
-  /// Size of all fields [bytes].
+  /// Size of all fields [B].
   virtual std::size_t bytes() const = 0;
 
-  /// One value in SI units for each measurement of the case; NaN for those that read histories, and
-  /// for surfaces that do not exist. Forces are given as impulses since t = 0 [N s].
+  /// One value in SI units for each measurement of the case. It is NaN for measurements that
+  /// evaluate histories and for surfaces that do not exist. Forces are given as impulses since t =
+  /// 0 [N s].
   std::vector<double> measure() { return measure_each(settings_.measurements); }
-  /// The same of one of them.
+  /// The value of one measurement.
   double measure(std::size_t measurement) {
     return measure_each(std::span(settings_.measurements).subspan(measurement, 1))[0];
   }
@@ -81,31 +83,31 @@ class Solver {
   virtual bool is_measuring_due() const { return false; }
   /// Conserved quantities of all bodies together.
   virtual BodyIntegrals integrals() = 0;
-  /// Work and losses since t = 0. A method that does not account for them knows them only where
-  /// nothing acts on the bodies; else there is no value.
+  /// Work and losses since t = 0. A method that does not account for them has a value only for
+  /// bodies on which nothing acts.
   virtual std::optional<EnergyBudget> energy_budget() const;
-  /// Both of them at one time: a method whose velocities are those of another time than its
-  /// positions takes them when the velocities are, so that the balance (RP.72) closes in every
-  /// step.
+  /// Integrals and energy budget at one time. Where a method has velocities and positions at
+  /// different times, it takes both at the time of the velocities, so that the balance (RP.72)
+  /// closes in every step.
   virtual Balance balance() { return {integrals(), energy_budget()}; }
-  /// Whether the case has neither walls nor loads nor gravity.
+  /// Whether the case has neither walls, loads, gravity, nor cuts that resist the blade.
   bool bodies_are_free() const;
   /// The particles at the present time, in SI units.
   virtual Frame frame(const FrameParts& parts) = 0;
 
-  /// The loads of the boundaries, which may be changed between steps.
+  /// The loads of the boundaries; a caller may change them between steps.
   virtual Loads& loads() = 0;
-  /// Where the particles of a body are in its arrays, in ascending order.
+  /// The runs of slots that hold the particles of a body, in ascending order.
   virtual std::vector<SlotRun> particle_runs(int body) const = 0;
-  /// The fields of a body as they lie in memory; good until the next step.
+  /// The fields of a body as they are in memory; valid until the next step.
   virtual std::vector<FieldView> fields(int body) const = 0;
   /// Positions of the particles of a body [m], in the order of its slots.
   virtual std::vector<std::array<double, 3>> positions(int body) const = 0;
 
-  /// Writes everything that the next step reads and set-up does not make again.
+  /// Writes everything that the next step reads and that set-up does not compute.
   void save(ArchiveWriter& archive) const;
-  /// Reads into a solver that was made from the same case; it continues to the same bits. Throws
-  /// OutputError when the archive is of another method or does not fit the case.
+  /// Restores a state into a solver that was made from the same case; the run continues bitwise.
+  /// Throws OutputError when the archive is of another method or does not fit the case.
   void restore(const ArchiveReader& archive);
 
   /// Phases and dependencies of the next step.
@@ -119,8 +121,8 @@ class Solver {
   scheduler::Workers& workers() { return workers_; }
 
   using GraphObserver = std::function<void(const scheduler::StepGraph& graph)>;
-  /// From now on calls `observer` after each graph that the solver has run, within the step, to
-  /// read the record of the graph; an empty one ends that.
+  /// Calls `observer` within the step after each graph that the solver has run, so that it can read
+  /// the record of the graph. An empty function ends this.
   void observe_graphs(GraphObserver observer) { observe_graph_ = std::move(observer); }
 
  protected:

@@ -4,11 +4,11 @@
 
 namespace pliant {
 
-/// Counters that the next step of any method reads.
+/// The clock of all methods: the counters that the next step reads.
 struct StepClock {
   double time = 0;  ///< [s]
   std::int64_t step = 0;
-  double wave_speed = 0;  ///< largest, at the present state [m/s]
+  double wave_speed = 0;  ///< largest wave speed at the present state [m/s]
 };
 
 }  // namespace pliant

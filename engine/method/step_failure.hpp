@@ -15,16 +15,15 @@ struct StepFailure : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-/// A failure with its time and step: `what` happened, and the remedies to try, of which there is at
-/// least one. Where the case has a step above the stability limit, that is the cause, and the
-/// remedy is another step.
+/// A failure at a time and step: what happened, and at least one remedy to try. If the step of the
+/// case exceeds the stability limit, the message names that as the cause, with its own remedy.
 StepFailure failed_step(const Case& settings, const StepClock& clock, const std::string& what,
                         const std::vector<std::string>& remedies);
 
-/// The remedy of a smaller time step, by the key that sets the step of this case.
+/// The remedy of a smaller time step, with the key that sets the step of this case.
 std::string smaller_step(const Case& settings);
 
-/// A place as failures name it: "(x, y)" or "(x, y, z)" [m].
+/// A place as failure messages print it: "(x, y)" or "(x, y, z)" [m].
 template <int D>
 std::string coordinates(const Point<D>& x);
 

@@ -16,7 +16,8 @@ double asked_step(const Case& settings, double wave_speed, double strain_rate) {
 }
 
 double step_length(const Case& settings, const StepClock& clock, double asked, double longest) {
-  constexpr double rounding = 1e-9, shortest = 1e-12;  // of the step; of the run
+  constexpr double rounding = 1e-9,
+                   shortest = 1e-12;  // relative to the step; to the length of the run
   if (asked > shortest * settings.time.end) {
     return asked > longest * (1 - rounding) ? longest : asked;
   }

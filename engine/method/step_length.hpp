@@ -5,12 +5,12 @@
 
 namespace pliant {
 
-/// The given time step of a case, else that of its CFL number, and of its largest strain where the
-/// strain rate is known [1/s], (RP.29) [s].
+/// The step that a case requests [s]: its given time step, or the one of its CFL number, (RP.29).
+/// If the strain rate [1/s] is known, the largest strain of a step limits it too.
 double asked_step(const Case& settings, double wave_speed, double strain_rate = 0);
 
-/// Length of the next step [s]: `asked`, or `longest` where that is shorter but for rounding.
-/// Throws StepFailure when `asked` is next to nothing, or not a number.
+/// Length of the next step [s]: `asked`, or `longest` if that is shorter or equal but for rounding.
+/// Throws StepFailure when `asked` is almost zero or not a number.
 double step_length(const Case& settings, const StepClock& clock, double asked, double longest);
 
 }  // namespace pliant

@@ -8,13 +8,13 @@
 
 namespace pliant {
 
-/// Collects the differences from an exact velocity for a `velocity_error`.
+/// Collects differences from an exact velocity for the measurement `velocity_error`.
 class VelocityError {
  public:
   VelocityError(const MeasurementCase& measurement, double time)
       : measurement_(measurement), time_(time) {}
 
-  /// A particle at `x` [m] with `components` components of the velocity `u` [m/s].
+  /// Adds a particle at `x` [m] with `components` components of the velocity `u` [m/s].
   void add(const Vector& x, const Vector& u, int components) {
     for (int a = 0; a < components; ++a) {
       const double error = std::abs(u[a] - measurement_.exact[a](x[0], x[1], x[2], time_));
@@ -24,7 +24,7 @@ class VelocityError {
     ++count_;
   }
 
-  /// In the norm of the measurement, over its reference.
+  /// The error in the norm of the measurement, divided by its reference.
   double value() const {
     const double error =
         measurement_.norm == MeasurementCase::Norm::maximum

@@ -17,10 +17,10 @@ namespace pliant {
 ///     block.add("body", "block").set("body.block.material", "rubber");
 ///     block.set("body.block.geometry", R"({ shape = "box", lower = [0, 0], upper = [1, 1] })");
 ///
-/// Nothing is checked before a Simulation is made of it.
+/// Nothing is checked until a Simulation is made from it.
 class CaseFile {
  public:
-  /// A case without any key.
+  /// A case without keys.
   CaseFile() = default;
 
   /// A TOML file, or a folder that holds a case.toml. Throws InputError when it cannot be read.
@@ -29,9 +29,9 @@ class CaseFile {
   /// TOML text; names of files in it are relative to `folder`.
   static CaseFile parse(std::string toml, const std::filesystem::path& folder = ".");
 
-  /// Sets the value of a key, as `--set` does: lists and tables are TOML text, and elements of
-  /// lists are addressed by name or by position ("boundary.upper.velocity", "body.0.material").
-  /// Line breaks in a value count as spaces.
+  /// Sets the value of a key, as `--set` does. Lists and tables are TOML text. Elements of lists
+  /// are addressed by name or by position ("boundary.upper.velocity", "body.0.material"). Line
+  /// breaks in a value count as spaces.
   CaseFile& set(std::string_view key, std::string_view value);
   CaseFile& set(std::string_view key, const char* value) {
     return set(key, std::string_view(value));
@@ -41,12 +41,12 @@ class CaseFile {
   CaseFile& set(std::string_view key, bool value);
   CaseFile& set(std::string_view key, std::initializer_list<double> values);
 
-  /// Adds an element to a list of tables ("body", "boundary", "contact", "measurement"), addressed
-  /// as LIST.NAME from then on. Replaces nothing: names must be new.
+  /// Adds an element to a list of tables ("body", "boundary", "contact", "measurement"). Its
+  /// address is then LIST.NAME. The name must be new: `add` replaces nothing.
   CaseFile& add(std::string_view list, std::string_view name);
 
-  const std::string& text() const { return text_; }                       ///< without settings
-  const std::vector<std::string>& settings() const { return settings_; }  ///< each "key=value"
+  const std::string& text() const { return text_; }  ///< the TOML text, without settings
+  const std::vector<std::string>& settings() const { return settings_; }  ///< each as "key=value"
   const std::filesystem::path& file() const { return file_; }             ///< for messages
 
  private:

@@ -1,6 +1,6 @@
 #pragma once
 
-/// All of the public interface of pliant, a particle solver for elastic solids and soft tissue.
+/// The public interface of pliant, a particle solver for elastic solids and soft tissue.
 #include <pliant/case_file.hpp>
 #include <pliant/error.hpp>
 #include <pliant/input.hpp>
