@@ -14,7 +14,8 @@ namespace pliant::remeshed {
 
 namespace {
 
-// Between two remeshings a ghost stays on the side of a wall on which it started.
+// A ghost keeps its side of a contact wall until the next remeshing, so contact walls need
+// remeshings.
 void check_contact_steps(const Check& check) {
   using Policy = decltype(Case::remeshing)::Policy;
   if (check.a_case.remeshing.policy != Policy::never) return;
@@ -50,7 +51,7 @@ void check_tractions(const Check& check) {
   }
 }
 
-// Ghosts keep the normals of their walls from one remeshing to the next.
+// Ghosts keep the normals of their walls until the next remeshing.
 void check_walls_that_turn(const Check& check) {
   const auto& boundaries = check.a_case.boundaries;
   for (std::size_t i = 0; i < boundaries.size(); ++i) {
@@ -61,7 +62,8 @@ void check_walls_that_turn(const Check& check) {
   }
 }
 
-// Gradients are compiled for every kernel, but those of H&K for its own alone.
+// The moment-matrix gradient is compiled for every kernel, those of H&K only for the quartic
+// spline.
 void check_gradient(const Check& check) {
   if (parameters_of(check.a_case).gradient == kernels::Gradient::moment_matrix) return;
   if (check.a_case.discretisation.kernel == kernels::Kernel::quartic_spline) return;
@@ -81,14 +83,15 @@ void check(const Check& check) {
   refuse_measurements(check, Measurer<double, 2>::is_measured);
 }
 
-// Contact between bodies asks for shorter steps, as measured.
+// Contact between bodies needs shorter steps, as measured.
 StepLimits limits_of_steps(const Case& a_case) {
   StepLimits limits = step_limits(a_case, a_case.contacts.empty() ? 1 : 0.5);
   limits.mass_scaling = parameters_of(a_case).mass_scaling;
   return limits;
 }
 
-// Plates, rings, discs and blocks under pistons, with defaults; bodies that only turn are better.
+// Measured for plates, rings, discs and blocks under pistons with the defaults. Bodies that only
+// rotate have smaller errors.
 void warn(const Case& a_case, std::vector<std::string>& warnings) {
   static constexpr ThinBodyError errors[] = {
       {4.5, "figures deviate by 10 to 60 %"},

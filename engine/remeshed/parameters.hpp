@@ -7,17 +7,17 @@
 
 namespace pliant::remeshed {
 
-/// How phi becomes a distance again: by closest points (RP.41) or as H&K, (RP.74).
+/// How phi is reinitialised: by closest points (RP.41), or as in H&K, (RP.74).
 enum class Reinitialisation { closest_point, first_order };
 
-/// det F of remeshed particles: rho0/rho, (RP.38), or as remeshing leaves it, as H&K.
+/// det F of remeshed particles: rho0/rho, (RP.38), or the remeshed value, as in H&K.
 enum class Determinant { from_density, remeshed };
 
-/// Velocity and spin of bodies that nothing holds: kept over steps and remeshings, (RP.90), or as
-/// these leave them, as H&K.
+/// Whether steps and remeshings keep the velocity and spin of free bodies, (RP.90), or leave them
+/// as remeshed, as in H&K.
 enum class FreeMotion { kept, remeshed };
 
-/// The table [remeshed] of a case: where the method differs from the paper's own scheme.
+/// The table [remeshed] of a case: options in which the method differs from that of the paper.
 struct Parameters {
   kernels::Gradient gradient = kernels::Gradient::moment_matrix;
   Reinitialisation reinitialisation = Reinitialisation::closest_point;
@@ -26,7 +26,7 @@ struct Parameters {
   double mass_scaling = 1;  ///< M of (RP.87): inertia over mass
 };
 
-/// The table of the method in a case.
+/// Parameters of the method in a case.
 inline const Parameters& parameters_of(const Case& settings) {
   return settings.parameters.as<Parameters>();
 }

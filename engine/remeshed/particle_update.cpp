@@ -15,10 +15,10 @@ using namespace resource;
 
 namespace {
 
-/// A copy of the state but the drift, Q of (RP.21), in all slots.
+/// One copy of the state without the drift, Q of (RP.21), in all slots.
 Resources state(int copy) { return slots(Group::velocity, copy) + slots(Group::material, copy); }
 
-/// Ghosts have v = h^d whenever a gradient reads it, as when they are remeshed.
+/// Sets v = h^d on ghosts, as after a remeshing; needed where a gradient reads it.
 template <class T, int D>
 void give_ghosts_a_cell(Body<T, D>& body, int block) {
   const T volume = static_cast<T>(std::pow(body.lattice.spacing, D));
@@ -28,7 +28,7 @@ void give_ghosts_a_cell(Body<T, D>& body, int block) {
 
 }  // namespace
 
-// Stage 2 reads Q2 for (Q2 - Q0)/3, and stage 3 reads Q3 for (Q4 - Q3)/3.
+// Stage 2 reads Q2 for (Q2 - Q0)/3; stage 3 reads Q3 for (Q4 - Q3)/3.
 Accesses read_by_update(int stage) {
   const Accesses reads = own(state(0) + state(buffer_of(stage)) + slots(Group::drift, 0) +
                              slots(Group::drift, drift_buffer_of(stage)) + slots(Group::constants) +
@@ -37,8 +37,8 @@ Accesses read_by_update(int stage) {
   return stage < 2 ? reads : reads + own(state(stage - 1));
 }
 
-// Stage 2 leaves Q3 + (Q2 - Q0)/3 where Q0 was. The first stage keeps J - 1, and the last one
-// leaves the new pressures p_i, (RP.22).
+// Stage 2 overwrites Q0 with Q3 + (Q2 - Q0)/3. The first stage keeps J - 1; the last one writes the
+// new pressures p_i, (RP.22).
 Accesses written_by_update(int stage) {
   Accesses writes =
       own(state(buffer_after(stage)) + slots(Group::drift, drift_buffer_after(stage)) +
@@ -64,7 +64,7 @@ ParticleUpdate<T, D>::ParticleUpdate(State<T, D>& state, const Case& settings,
                                      const kernels::RemeshedTable<T, D>& kernels)
     : state_(state), settings_(settings), kernels_(kernels), body_forces_(state, settings) {}
 
-// (RP.22), to the time of the state that each stage leaves behind.
+// Relaxation (RP.22), for the time of the state that each stage writes.
 template <class T, int D>
 void ParticleUpdate<T, D>::prepare(double time_step) {
   time_step_ = time_step;
@@ -92,7 +92,8 @@ kernels::Stage<T, D> ParticleUpdate<T, D>::stage_of(Body<T, D>& body, int block,
   work.segment_count = range.segment_count;
   work.spacing = static_cast<T>(body.lattice.spacing);
   work.time_step = static_cast<T>(time_step_);
-  // At rest: a speed that followed the state would be one step late, or another body's.
+  // The wave speed is that at rest. A speed of the present state would be one step late, or that of
+  // another body.
   const DissipationCase& dissipation = settings_.discretisation.dissipation;
   const T rate = kernels::wave_speed_at_rest(body.material) / (16 * work.spacing);
   work.velocity_dissipation = static_cast<T>(dissipation.velocity) * rate;

@@ -10,16 +10,17 @@
 
 namespace pliant::remeshed {
 
-/// What ParticleUpdate::advance reads of its own block besides the values that neighbours have too,
-/// and what it writes.
+/// What ParticleUpdate::advance writes, and what it reads of its own block besides the values that
+/// it also reads of neighbours.
 Accesses read_by_update(int stage);
 Accesses written_by_update(int stage);
-/// The same of ParticleUpdate::evaluate_stress, which also puts slots that no stage advances at
-/// rest in all copies.
+/// The same for ParticleUpdate::evaluate_stress, which also sets slots that no stage advances to
+/// rest, in all copies.
 Accesses read_by_evaluate_stress();
 Accesses written_by_evaluate_stress();
 
-/// What a stage does to the particles of a block, once ghosts and images are there.
+/// The part of a stage that advances the particles of a block, when ghosts and images are up to
+/// date.
 template <class T, int D>
 class ParticleUpdate {
  public:
@@ -29,14 +30,13 @@ class ParticleUpdate {
   /// Fixes the time step [s].
   void prepare(double time_step);
 
-  /// Rates (RP.13) by (RP.20), or by (RP.25) and (RP.26), the next stage state (RP.21) and its
-  /// stress.
-  /// With `pairs`, the sums of plain SPH over lists of neighbours.
+  /// Computes the rates (RP.13) by (RP.20), or by (RP.25) and (RP.26), the next stage state (RP.21)
+  /// and its stress. With `pairs`, the sums are those of plain SPH over neighbour lists.
   kernels::StageResult advance(int block, int stage,
                                const kernels::SymmetricPairs<T, D>* pairs = nullptr);
-  /// Adds the work of body forces in the step to the state.
+  /// Adds the work of body forces in the step to the energy budget of the state.
   void fold() { body_forces_.fold(); }
-  /// What acts on the material of a block at a stage.
+  /// The body force on a block at a stage.
   BodyForce<D> body_force(int block, int stage) const { return body_forces_.of(block, stage); }
   /// [block] impulse of body forces in the step [N s].
   const std::vector<Point<D>>& body_force_impulse() const { return body_forces_.impulse(); }
@@ -44,11 +44,11 @@ class ParticleUpdate {
   const std::vector<std::array<ForceOnBlock<D>, 4>>& body_forces() const {
     return body_forces_.forces();
   }
-  /// Stress of a state that no stage has left behind.
+  /// Evaluates the stress of a state that no stage has written.
   kernels::StageResult evaluate_stress(int block);
 
  private:
-  /// Everything of a stage but its neighbours.
+  /// Everything that a stage needs except the neighbours.
   kernels::Stage<T, D> stage_of(Body<T, D>& body, int block, int stage) const;
 
   State<T, D>& state_;

@@ -57,7 +57,7 @@ Solver<T, D>::Solver(const Case& a_case, const SolverOptions& options)
   state_.clock.strain_rate = bound_of_initial_strain_rate();
 }
 
-// max abs(grad u)_F, by differences along the lattice lines.
+// Maximum of abs(grad u)_F, from differences along lattice lines.
 template <class T, int D>
 double Solver<T, D>::bound_of_initial_strain_rate() {
   double largest = 0;
@@ -170,8 +170,8 @@ void Solver<T, D>::number_slots() {
   present_graph_ = &step_graph_.over(remeshings_.layouts(), [&] { return step_.phases(); });
 }
 
-// The step over listed neighbours has a graph of its own, and both are kept: bodies that strain
-// much between remeshings go from one to the other and back.
+// The step over neighbour lists has a graph of its own. Both graphs are kept, since bodies that
+// strain much between remeshings switch from one to the other and back.
 template <class T, int D>
 void Solver<T, D>::find_neighbours(double time_step) {
   if (!search_.is_due(time_step)) return;

@@ -16,7 +16,7 @@
 
 namespace pliant::remeshed {
 
-/// Advances a case by the remeshed method: steps, and remeshings when they are due.
+/// Advances a case by the remeshed method: takes steps, and remeshes when it is due.
 template <class T, int D>
 class Solver final : public pliant::Solver {
  public:
@@ -32,7 +32,7 @@ class Solver final : public pliant::Solver {
   bool looks_ahead() const override { return true; }
   void look_ahead(double time, const std::function<void()>& look) override;
 
-  /// After a remeshing particles lie on nodes.
+  /// True after a remeshing, when particles lie on nodes.
   bool is_measuring_due() const override { return lies_on_nodes(); }
   BodyIntegrals integrals() override;
   std::optional<EnergyBudget> energy_budget() const override { return state_.energy; }
@@ -43,24 +43,24 @@ class Solver final : public pliant::Solver {
   std::vector<FieldView> fields(int body) const override;
   std::vector<std::array<double, 3>> positions(int body) const override;
 
-  /// Of the next step, unless that begins with a search for neighbours.
+  /// The graph of the next step, unless that step begins with a search for neighbours.
   const scheduler::StepGraph& step_graph() const override { return *present_graph_; }
   scheduler::StepGraph& step_graph() { return *present_graph_; }
   State<T, D>& state() { return state_; }
   const State<T, D>& state() const { return state_; }
   Remeshing<T, D>& remeshing(int body) { return remeshings_[body]; }
 
-  /// The bodies on fresh nodes at the present time: the particles themselves after a remeshing,
-  /// else a remeshed copy; the particles stay as they are.
+  /// The bodies on lattice nodes at the present time: the particles themselves after a remeshing,
+  /// else a remeshed copy of them. The particles do not change.
   std::vector<LatticeView<T, D>> on_nodes();
-  /// Velocity and stress of the ghosts at the present state, for output.
+  /// Computes velocity and stress of the ghosts at the present state, for output.
   void refresh_ghosts();
 
  private:
   void take_step(double time_step) override;
   void move(double time_step);
   double bound_of_initial_strain_rate();
-  /// Of the present state: a remeshing for measurements is done once for all that ask.
+  /// The measurer of the present state. One remeshing serves all measurements of a state.
   Measurer<T, D>& measurer();
   std::vector<double> measure_each(std::span<const MeasurementCase> measurements) override;
   void save_state(ArchiveWriter& archive) const override;
@@ -83,9 +83,9 @@ class Solver final : public pliant::Solver {
   CachedGraph<D> step_graph_, listed_step_graph_, search_graph_;
   CachedGraph<D> ghost_graph_, source_graph_, target_graph_, stress_graph_;
   scheduler::StepGraph* present_graph_ = nullptr;  ///< one of the first two
-  std::vector<bool> listed_;                       ///< [body] as the second was made for
-  std::optional<Measurer<T, D>> measurer_;         ///< until the state changes
-  double slowing_;                                 ///< of waves by the scaled mass, (RP.87)
+  std::vector<bool> listed_;  ///< [body] whether it used lists when the second graph was made
+  std::optional<Measurer<T, D>> measurer_;  ///< until the state changes
+  double slowing_;  ///< factor by which the scaled mass slows waves, (RP.87)
 };
 
 extern template class Solver<double, 2>;

@@ -11,7 +11,8 @@ namespace pliant::remeshed {
 
 namespace {
 
-/// Ghosts keep their volume within a step; the gradients of the next stage read it there, (RP.19).
+/// Copies the volume of ghosts, constant within a step, to the next stage, whose gradients read it,
+/// (RP.19).
 template <class T, int D>
 void hand_volumes_on(Body<T, D>& body, int block, int stage) {
   const T* volume = body.stage[buffer_of(stage)].get(Field::volume);
@@ -33,7 +34,7 @@ void StageWork<T, D>::prepare(double time_step) {
                                      state_.clock.time + stage_time[stage] * time_step);
   }
   particles_.prepare(time_step);
-  // Walls that rest do no work, and their ghosts are many.
+  // Walls at rest do no work, and they have many ghosts; skipping them saves time.
   is_watched_ = is_measured_;
   for (const BoundaryValues<D>& values : boundary_values_) {
     for (std::size_t w = 0; w < is_watched_.size(); ++w) {
@@ -97,8 +98,8 @@ void StageWork<T, D>::fill_all_ghosts(int block, int stage) {
   fill(block, stage, WhichGhosts::all, nullptr);
 }
 
-// Ghosts that no stencil reaches only have to come along until the next remeshing. Neighbour lists
-// may hold them too, and then their stress is read; where they drift to must not depend on that.
+// Ghosts outside every stencil only have to drift along until the next remeshing. Neighbour lists
+// may hold them, and then their stress is read as well. Their drift must not depend on that.
 template <class T, int D>
 void StageWork<T, D>::fill_reached_ghosts(int block, int stage) {
   const auto [body, local] = state_.owner(block);

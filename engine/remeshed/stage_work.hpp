@@ -15,7 +15,7 @@
 
 namespace pliant::remeshed {
 
-/// What the phases of a step do on one block at one stage, and what they find out about the step.
+/// The work of the phases of a step on one block at one stage, and their results.
 template <class T, int D>
 class StageWork {
  public:
@@ -28,7 +28,7 @@ class StageWork {
 
   /// Makes room for the results of the present blocks.
   void prepare_blocks() { results_.reset(state_.blocks, state_.bodies.size()); }
-  /// Fixes the time step [s] and what the boundaries impose at each stage.
+  /// Sets the time step [s] and what the boundaries impose at each stage.
   void prepare(double time_step);
 
   void copy_image_positions(int block, int stage);
@@ -36,13 +36,14 @@ class StageWork {
   void write_records(int block, int stage);
   void decide_wall_contact(int block, int stage);
   void release_wall_contact(int block, int stage);
-  /// Ghosts that particles read at a stage; the others only drift.
+  /// The first fills the ghosts that particles read at a stage, while the others only drift.
   void fill_reached_ghosts(int block, int stage);
   void fill_all_ghosts(int block, int stage);
   void advance(int block, int stage);
   void evaluate_stress(int block) { results_[block] = particles_.evaluate_stress(block); }
 
-  /// Folds what a step found over the blocks in their order, impulses and work into the state.
+  /// Sums the results of a step over the blocks in their order; adds impulses and work to the
+  /// state.
   void fold();
   /// [block] impulse of body forces in the step [N s].
   const std::vector<Point<D>>& body_force_impulse() const {
@@ -50,7 +51,7 @@ class StageWork {
   }
   /// [block][wall] impulse of walls on the bodies in the step [N s].
   const std::vector<Point<D>>& wall_impulse() const { return impulse_; }
-  /// [block] whether it stuck to a contact wall somewhere in the step.
+  /// [block] whether it stuck to a contact wall at any time in the step.
   const std::vector<char>& sticks() const { return sticks_; }
   /// [block][stage] body forces in the step.
   const std::vector<std::array<ForceOnBlock<D>, 4>>& body_forces() const {
@@ -72,12 +73,12 @@ class StageWork {
   double time_step_ = 0;
   std::array<BoundaryValues<D>, 4> boundary_values_;  ///< [stage]
   StageResults results_;
-  std::vector<Point<D>> impulse_;                    ///< [block][wall] on the bodies, of this step
-  std::vector<EnergyBudget> work_;                   ///< [block] of walls and loads in this step
-  std::vector<char> sticks_;                         ///< [block] to contact walls in this step
+  std::vector<Point<D>> impulse_;   ///< [block][wall] on the bodies in this step
+  std::vector<EnergyBudget> work_;  ///< [block] work of walls and loads in this step
+  std::vector<char> sticks_;        ///< [block] whether it stuck to contact walls in this step
   std::vector<std::vector<WallShare>> wall_shares_;  ///< [block] in this step
   std::vector<char> is_measured_;  ///< [wall] whether a measurement asks for its force
-  std::vector<char> is_watched_;   ///< [wall] whether its push is added up in this step
+  std::vector<char> is_watched_;   ///< [wall] whether its impulse is summed in this step
 };
 
 extern template class StageWork<double, 2>;

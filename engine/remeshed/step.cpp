@@ -9,27 +9,28 @@
 // A step of the remeshed Lagrangian particle method (H&K, sections 2 and 4).
 //
 // Each of the four stages of the Runge-Kutta method (RP.21) takes a `current` copy of the state
-// (Q0, Q2, Q3, and Q4, which lies where Q2 was) to the `next` one:
+// (Q0, Q2, Q3, and Q4, which uses the memory of Q2) to the `next` one:
 //
 //     image positions   periodic bodies: drift of the slots beyond a period
-//     surface           first stage: grad phi of the particles near the surface (RP.61); in all,
-//                       their u, sigma and p go beside it into surface records
-//     contact           contact walls, first stage: which ghosts beyond the wall the body
-//                       presses on; in the others, which of them the wall would pull, (RP.52)
+//     surface           first stage: grad phi of the particles near the surface (RP.61);
+//                       all stages: their u, sigma and p; all of it goes to the surface records
+//     contact           contact walls, first stage: the ghosts beyond the wall on which the body
+//                       presses; other stages: those of them that the wall would pull, (RP.52)
 //     contact search: samples   contact between bodies, first stage: surface particles and
 //                       ghosts of each block, with their positions
-//     contact search: cells     those of a body in a cell list, if its box meets another one
+//     contact search: cells     those of a body in a cell list, if its box meets that of another
 //     contact search: points    ghosts whose foot point lies on another body, and the fit of
 //                       that body there, (RP.58)
 //     tractions         contact between bodies: tractions at the contact points, (RP.56)
-//     ghosts            velocity and stress of each ghost from the surface records: free
-//                       surfaces with their present normal (RP.48), (RP.45), walls (RP.46),
-//                       (RP.47), as the paper (RP.49); beyond edges on contact walls as at the
-//                       edge, (RP.81). Ghosts of free surfaces move with their fits (RP.60)
+//     ghosts            velocity and stress of each ghost from the surface records: (RP.48) with
+//                       the present normal and (RP.45) at free surfaces, (RP.46) and (RP.47) at
+//                       walls, or (RP.49) as in the paper; beyond the edge of a contact wall, the
+//                       values at the edge, (RP.81). Ghosts of free surfaces move with their fits
+//                       (RP.60)
 //     images            periodic bodies: velocity and stress of the slots beyond a period
-//     advance           grad u and div sigma of every particle by the moment matrix (RP.20),
-//                       or as the paper (RP.19), its rates (RP.13), the next state and the stress
-//                       that belongs to it (RP.3)-(RP.9)
+//     advance           grad u and div sigma of every particle by the moment matrix (RP.20), or
+//                       as in the paper (RP.19); its rates (RP.13), the next state and its stress
+//                       (RP.3)-(RP.9)
 //
 // After the last stage:
 //
@@ -37,9 +38,9 @@
 //                       (RP.68), (RP.98), and the small velocity that makes the two equal
 //                       (RP.69)
 //
-// A step only follows particles. remesh.cpp moves them back onto the lattice; solver.cpp decides
-// when that is due. The rows below say what each phase reads (of its own block; of the neighbouring
-// blocks too, `near`; of all blocks, `all`), what it writes, and its function.
+// A step only moves particles. remesh.cpp returns them to the lattice; solver.cpp decides when that
+// is due. The rows below list for each phase what it reads (of its own block, `own`; also of
+// neighbouring blocks, `near`; of all blocks, `all`), what it writes, and its function.
 namespace pliant::remeshed {
 
 using scheduler::Phase;
@@ -49,7 +50,7 @@ using enum Group;
 
 namespace {
 
-/// Particles and ghosts, which images repeat.
+/// Particles and ghosts: the slots that images copy.
 Resources repeated(Group group, int copy) { return particles(group, copy) + ghosts(group, copy); }
 
 }  // namespace
@@ -142,10 +143,10 @@ Accesses Step<T, D>::read_by_surface(int stage) {
   return reads + near(particles(drift) + particles(velocity) + slots(constants) + whole(interior));
 }
 
-// The work of loads and walls asks for phi, walls along which bodies slide for how much what they
-// push on has spread. Rigid
-// ghosts (RP.59) read the particles themselves. Ghosts that no particle reads drift with the
-// velocities of earlier stages, instead of with a fit of their own.
+// The work of loads and walls needs phi. Walls with slip need the positions of particles and
+// ghosts, to see how much the material that they push has spread. Rigid ghosts (RP.59) read the
+// particles themselves. Ghosts that no particle reads have no fits; they drift with the velocities
+// of earlier stages.
 template <class T, int D>
 Accesses Step<T, D>::read_by_ghosts(int stage, bool all_of_them) const {
   const int current = buffer_of(stage);
@@ -173,9 +174,9 @@ Accesses Step<T, D>::written_by_ghosts(int stage) const {
   return writes + own(whole(contact) + whole(wall_impulse));
 }
 
-// Neighbours that a search has found may belong to any block: particles far apart on the lattice
-// may have come near. Everything else in a step stays on the lattice: the differences of (RP.23)
-// and grad phi of surface particles (RP.61) follow material lines, and ghosts keep their fits.
+// Neighbours from a search may belong to any block, since particles that are far apart on the
+// lattice may have come near. All else in a step uses the lattice: the differences of (RP.23) and
+// grad phi of surface particles (RP.61) follow material lines, and ghosts keep their fits.
 template <class T, int D>
 void Step<T, D>::add_advance(std::vector<Phase>& phases, int stage) {
   for (const bool are_listed : {false, true}) {

@@ -13,8 +13,8 @@
 
 namespace pliant::remeshed {
 
-/// One step of the remeshed Lagrangian particle method as phases: four Runge-Kutta stages, each of
-/// ghosts and particles.
+/// One step of the remeshed Lagrangian particle method as phases: four Runge-Kutta stages, each
+/// with ghosts and particles.
 template <class T, int D>
 class Step {
  public:
@@ -22,29 +22,29 @@ class Step {
 
   /// The phases of a step, in the order of the paper, over the present blocks.
   std::vector<scheduler::Phase> phases();
-  /// Those that bring the ghosts of stage 0 up to date.
+  /// The phases that update the ghosts of stage 0.
   std::vector<scheduler::Phase> ghost_phases();
-  /// Those that compute the stress of a state that no stage has left behind.
+  /// The phases that compute the stress of a state that no stage has written.
   std::vector<scheduler::Phase> stress_phases();
   ContactMomentumCorrection<T, D>& momentum() { return momentum_; }
 
-  /// Fixes the time step [s] and what the boundaries impose at each stage.
+  /// Sets the time step [s] and what the boundaries impose at each stage.
   void prepare(double time_step);
-  /// What acts on the bodies at the start of the step, for one thread.
+  /// The loads and walls around the bodies at the start of the step, for one thread.
   Surroundings<D> surroundings() const { return work_.around(0, 0); }
-  /// What a step found over all blocks.
+  /// Sums the results of a step over all blocks.
   void fold() {
     work_.fold();
     state_.energy.friction += contact_.lost_by_friction();
   }
-  /// What a step of `time_step` [s] did to the budgets of momentum and spin, after it.
+  /// Adds the effect of a step of `time_step` [s] to the budgets of momentum and spin, after it.
   void follow_motion(double time_step) {
     if (motion_.is_needed()) motion_.add_step(work_.body_forces(), time_step);
   }
   const StageResults& results() const { return work_.results(); }
 
  private:
-  /// A function of StageWork at a stage, for a row.
+  /// Binds a function of StageWork to a stage, for a row.
   template <class Function>
   std::function<void(int)> at(int stage, Function function) {
     return [this, stage, function](int block) { (work_.*function)(block, stage); };

@@ -3,14 +3,14 @@
 #include <algorithm>
 
 // (RP.30). A plane wave of the wave number k has the rates lambda = -kappa delta^4(k) +- i c g(k),
-// g(k) the gradient operator's answer to it. Runge-Kutta 4 is stable up to 2 sqrt(2) on the
-// imaginary axis and up to 2.785 on the real one.
+// where g(k) is the response of the gradient operator. Runge-Kutta 4 is stable up to 2 sqrt(2) on
+// the imaginary axis and up to 2.785 on the real one.
 namespace pliant::remeshed {
 
 namespace {
 
 constexpr double on_imaginary_axis = 2.8284271247461903, on_real_axis = 2.785;
-// Free surfaces and walls ask for shorter steps than the interior, as measured.
+// Free surfaces and walls need shorter steps than the interior, as measured.
 constexpr double near_surfaces = 0.75;
 
 /// max_k h abs(g(k)) on the square and on the cubic lattice.
@@ -35,7 +35,7 @@ StepLimits step_limits(const Case& a_case, double default_cfl) {
   const auto& discretisation = a_case.discretisation;
   const double waves =
       on_imaginary_axis / largest_response(discretisation.kernel, a_case.dimension);
-  // delta^4 is at most 16 along each direction, and 16 is what kappa has in its denominator.
+  // delta^4 is at most 16 along each direction, which cancels the 16 in the denominator of kappa.
   const double dissipation =
       std::max(discretisation.dissipation.velocity, discretisation.dissipation.stress) *
       a_case.dimension;

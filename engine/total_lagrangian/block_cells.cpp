@@ -3,20 +3,20 @@
 #include <algorithm>
 #include <tuple>
 
-// A block evaluates every cell of which one of its particles is a corner, also those that belong to
-// other blocks. The cells of a pack lie at up to four rows of particles; a block on the rim has
-// some of them.
+// A block evaluates every cell that has one of its particles as a corner, also cells that belong to
+// other blocks. The corners of a pack of cells form up to four rows of particles; at the edge of a
+// block only some of these rows belong to it.
 namespace pliant::total_lagrangian {
 
 namespace {
 
 constexpr int pack = kernels::slots_per_pack;
 
-/// A pack of cells and one row of corners of it that belongs to the block.
+/// A pack of cells and one row of its corners that belongs to the block.
 struct PackAndRow {
   std::int64_t slot;
   int row;
-  bool follows;  // whether the cell before it has corners in it
+  bool follows;  // whether the cell before the pack has corners in this row
 };
 
 template <class T, int D>
@@ -56,7 +56,7 @@ class BlockCellsFinder {
     });
   }
 
-  // The packs of cells with corners in the pack of particles at `cell`.
+  // Finds the packs of cells that have corners in the pack of particles at `cell`.
   void collect_around(const Cell<D>& cell) {
     for (int r = 0; r < kernels::corner_rows<D>; ++r) {
       Cell<D> at = cell;
@@ -89,8 +89,8 @@ class BlockCellsFinder {
     return run;
   }
 
-  // A pack continues the run before it where its rows of corners do. No cell of the body is the
-  // last of a lattice row, so that a run may continue in the next row.
+  // A pack extends the run before it if their rows of corners are contiguous. No cell of the body
+  // is the last of a lattice row, so a run may extend into the next row.
   void append(const kernels::CellRun<D>& next) {
     if (!cells_.runs.empty()) {
       kernels::CellRun<D>& last = cells_.runs.back();

@@ -22,34 +22,35 @@ using undeformed::area_vector;
 using undeformed::ConstrainedParticle;
 using undeformed::Vertex;
 
-/// A piece of the surface {phi = 0} inside one cell, its corners ordered so that its normal points
-/// out of the body.
+/// A piece of the surface {phi = 0} inside one cell. The order of its corners makes its normal
+/// point out of the body.
 template <int D>
 struct Facet {
   std::array<Vertex<D>, D> vertex;
   bool free;  ///< not on a wall
 };
 
-/// A facet as far as a load acts on it, (TL.29).
+/// The part of a facet on which a load acts, (TL.29).
 template <int D>
 struct SurfacePatch {
   int facet;
-  double share;  ///< of its area; of a pressure, of its area vector
+  double share;  ///< share of the facet's area, or of its area vector for a pressure
   int pressure;
-  /// What a pressure acts on besides, where it acts on some of the faces for which the facet
-  /// stands: the components, over the facet's area, along its sides from its first corner [m].
+  /// For a pressure that acts only on some of the faces that the facet stands for: the rest of the
+  /// loaded area vector, per facet area, as components along the facet's sides from its first
+  /// corner [m].
   std::array<double, D - 1> aside = {};
 };
 
-/// A particle that has left its lattice node to lie on a wall or its rim, (TL.11).
+/// A particle that was moved from its lattice node onto a wall or its rim, (TL.11).
 template <int D>
 struct FittedNode {
   std::int32_t slot;
   Point<D> shift;  ///< from the node [m]
 };
 
-/// Loads of patches on the particles of a block: particle `slot[i]` takes `weight[k]` of the force
-/// on patch `patch[k]` for k from begin[i] to begin[i + 1].
+/// Nodal loads of patches on a block: for k from begin[i] to begin[i + 1], particle `slot[i]` takes
+/// `weight[k]` of the force on patch `patch[k]`.
 struct NodalLoads {
   std::vector<std::int32_t> slot, begin = {0}, patch;
   std::vector<double> weight;
@@ -58,11 +59,11 @@ struct NodalLoads {
 /// The cells around the particles of a block.
 template <int D>
 struct BlockCells {
-  std::vector<kernels::CellRun<D>> runs;  ///< of regular cells, in the order of their slots
+  std::vector<kernels::CellRun<D>> runs;  ///< runs of regular cells, in the order of their slots
   std::vector<std::int32_t> fitted;       ///< numbers of fitted cells
 };
 
-/// One body, in its undeformed shape: particles on the nodes of a lattice, stress points in the
+/// One body in its undeformed shape: particles on the nodes of a lattice, stress points in the
 /// middle of its cells.
 template <class T, int D>
 struct Body : undeformed::Body<T, D> {
@@ -76,21 +77,22 @@ struct Body : undeformed::Body<T, D> {
   Buffer<T> level_set;         ///< phi of the undeformed body [m]
   Buffer<T> fraction;          ///< share of the cell above the slot that the body fills, (TL.1)
   Buffer<T> regular_fraction;  ///< the same, 0 in fitted cells
-  /// S0 of (TL.14) at the stress points, where there is one [Pa].
+  /// S0 of (TL.14) at the stress points [Pa]; empty without initial stress.
   std::array<Buffer<T>, kernels::symmetric_components<D>> initial_stress;
   std::array<Buffer<T>, D> internal;
   std::vector<kernels::PronyTerm<double>> prony;
-  std::vector<Buffer<T>> memory_pressure;  ///< [term] p_i of (RP.10) at the last stress [Pa]
-  Buffer<T> volume_change;                 ///< J - 1 there; only with Prony terms
-  /// The same for the next stress, as long as blocks evaluate it; then they change places.
+  std::vector<Buffer<T>>
+      memory_pressure;      ///< [term] p_i of (RP.10) at the last stress evaluation [Pa]
+  Buffer<T> volume_change;  ///< J - 1 there; only with Prony terms
+  /// The same for the next stress: blocks write it during a step, then the arrays are swapped.
   std::vector<Buffer<T>> next_memory_pressure;
   Buffer<T> next_volume_change;
   std::vector<kernels::PronyTerm<double>> prony_shear;
-  /// [tensor * network_components + component] A_i - I of (TL.24) at the last stress, then
-  /// J^(2/3) C^-1 - I there; empty without prony_shear.
+  /// [tensor * network_components + component] A_i - I of (TL.24) at the last stress evaluation,
+  /// then J^(2/3) C^-1 - I there; empty without prony_shear.
   std::vector<Buffer<T>> network;
   std::vector<Buffer<T>> next_network;            ///< the same for the next stress
-  double memory_age = 0;                          ///< time since the last stress [s]
+  double memory_age = 0;                          ///< time since the last stress evaluation [s]
   std::vector<FittedNode<D>> fitted_nodes;        ///< in the order of the slots
   std::vector<kernels::FittedCell<T, D>> fitted;  ///< block by block
   std::vector<int> first_fitted;                  ///< [block + 1]
@@ -113,7 +115,7 @@ struct Body : undeformed::Body<T, D> {
     visit_arrays(*this, f);
   }
 
-  /// Of its arrays of slots [B].
+  /// Size of its arrays of slots [B].
   std::size_t bytes() const {
     std::size_t sum = 0;
     for_each_array([&sum](const Declaration&, auto components) {
@@ -128,7 +130,7 @@ struct Body : undeformed::Body<T, D> {
     return view;
   }
 
-  /// Makes what a step has written the present state.
+  /// Makes the results of a step the present state.
   void take_next() {
     std::swap(this->displacement, this->end_displacement);
     std::swap(memory_pressure, next_memory_pressure);
@@ -136,21 +138,21 @@ struct Body : undeformed::Body<T, D> {
     std::swap(network, next_network);
   }
 
-  /// How far a particle starts from its node [m].
+  /// Distance of a particle's undeformed place from its node [m].
   Point<D> shift(std::int64_t slot) const {
     const auto at =
         std::lower_bound(fitted_nodes.begin(), fitted_nodes.end(), slot,
                          [](const FittedNode<D>& node, std::int64_t s) { return node.slot < s; });
     return at != fitted_nodes.end() && at->slot == slot ? at->shift : Point<D>{};
   }
-  /// Where a particle starts [m].
+  /// Undeformed place of a particle [m].
   Point<D> place(std::int64_t slot, const Cell<D>& cell) const {
     Point<D> x = lattice.node(cell);
     const Point<D> from_node = shift(slot);
     for (int a = 0; a < D; ++a) x[a] += from_node[a];
     return x;
   }
-  /// Whether a corner of a slot's cell has left its node.
+  /// Whether a corner of a slot's cell was moved from its node.
   bool is_fitted(const Cell<D>& cell) const {
     if (fitted_nodes.empty()) return false;
     const auto around = corners(cell);
@@ -158,7 +160,7 @@ struct Body : undeformed::Body<T, D> {
                        [this](std::int64_t slot) { return shift(slot) != Point<D>{}; });
   }
 
-  /// Slots of the corners of a slot's cell, which all exist where the body fills some of it.
+  /// Slots of the corners of a slot's cell; they all exist if the body fills some of the cell.
   std::array<std::int64_t, (1 << D)> corners(const Cell<D>& cell) const {
     std::array<std::int64_t, (1 << D)> found;
     for (int c = 0; c < (1 << D); ++c) {
@@ -169,7 +171,7 @@ struct Body : undeformed::Body<T, D> {
     return found;
   }
 
-  /// Slots from a slot's cell to its rows of corners.
+  /// Slot offsets from a slot's cell to its rows of corners.
   std::array<std::int64_t, kernels::corner_rows<D>> corner_rows(std::int64_t slot) const {
     const auto& segments = layout.segments();
     const auto& segment = *std::prev(std::upper_bound(
@@ -209,7 +211,7 @@ struct Body : undeformed::Body<T, D> {
   }
 };
 
-/// Normal of a facet as it is at present, its length the area [m^(D-1)].
+/// Present normal of a facet; its length is the area [m^(D-1)].
 template <class T, int D>
 Point<D> area_vector(const Body<T, D>& body, const Facet<D>& facet) {
   std::array<Point<D>, D> x;

@@ -26,7 +26,7 @@ double length(const Point<D>& x) {
   return std::sqrt(square);
 }
 
-/// The vector in the plane of a facet with these components along its sides from its first corner.
+/// The vector in the plane of a facet with `components` along its sides from the first corner.
 template <int D>
 Point<D> in_plane(const std::array<Point<D>, D>& x, const std::array<double, D - 1>& components) {
   constexpr int sides = D - 1;
@@ -69,7 +69,8 @@ void BoundaryForces<T, D>::prepare(double time, double kick, double length) {
   for (Body<T, D>& body : state_.bodies) find_tractions(body);
 }
 
-// One thread evaluates formulas of the place; (TL.7) of all other loads is left to the blocks.
+// One thread evaluates formulas that depend on the place. The blocks compute (TL.7) of all other
+// loads.
 template <class T, int D>
 void BoundaryForces<T, D>::find_tractions(Body<T, D>& body) {
   for (std::size_t i = 0; i < body.patches.size(); ++i) {
@@ -96,8 +97,8 @@ void BoundaryForces<T, D>::sum_patch_loads(int block) {
   }
 }
 
-// The force of a pressure turns with the surface; that of a traction, which stands in the place of
-// the force until then, does not.
+// The force of a pressure rotates with the surface. That of a traction does not; find_tractions has
+// stored it in the place of the force.
 template <class T, int D>
 Point<D> BoundaryForces<T, D>::force_on(const Body<T, D>& body, std::size_t index) const {
   const SurfacePatch<D>& patch = body.patches[index];
@@ -153,7 +154,7 @@ void BoundaryForces<T, D>::set_gravity(int block) {
   });
 }
 
-// Of loads and gravity, with the present velocities.
+// Power of loads and gravity at the present velocities.
 template <class T, int D>
 EnergyBudget BoundaryForces<T, D>::power_of(int block) {
   EnergyBudget power;

@@ -10,35 +10,35 @@
 
 namespace pliant::total_lagrangian {
 
-/// What walls, loads and gravity do to the particles in a step, with their impulses and their work
-/// (RP.72).
+/// Forces of walls, loads and gravity on the particles in a step, with their impulses and their
+/// work (RP.72).
 template <class T, int D>
 class BoundaryForces {
  public:
   BoundaryForces(State<T, D>& state, const Case& settings);
 
-  /// Whether loads or gravity push particles.
+  /// Whether loads or gravity act on particles.
   bool act_on_particles() const { return gravity_.acts() || !state_.boundaries.pressures.empty(); }
 
   /// Makes room for the results of the present blocks.
   void prepare_blocks();
-  /// Fixes when the next step begins, for how long forces act and for how long particles move [s].
+  /// Sets the time at which the next step begins, the duration of forces and that of motion [s].
   void prepare(double time, double kick, double length);
 
-  /// (TL.7): the force on each patch of a block.
+  /// Sums the force on each patch of a block, (TL.7).
   void sum_patch_loads(int block);
-  /// The force on the particles of a block from its patches and by gravity.
+  /// Distributes the forces on its patches to the particles of a block, and adds gravity.
   void distribute(int block);
-  /// Before the particles of a block move.
+  /// Called before the particles of a block move.
   void begin_motion(int block);
-  /// After that: constrained particles follow their walls.
+  /// Called after that: constrained particles follow their walls.
   void hold(int block);
-  /// When nothing changes velocities any more: the work of loads and gravity.
+  /// Called when velocities are final: adds the work of loads and gravity.
   void end_motion(int block);
 
-  /// Adds impulses and work of the step to the state, in the order of the blocks; `inertia` is the
-  /// sum of m u^2 before the step, `damped` that of the mean velocities in it [J], unless contact
-  /// changes these.
+  /// Adds impulses and work of the step to the state, in the order of the blocks. `inertia` is the
+  /// sum of m u^2 before the step; `damped` is that of the mean velocities in it [J], unless
+  /// contact changes these.
   void fold(double inertia, std::optional<double> damped) { work_.fold(inertia, damped); }
 
  private:
@@ -57,7 +57,7 @@ class BoundaryForces {
 
   State<T, D>& state_;
   Gravity<D> gravity_;
-  BoundaryValues<D> at_start_;  ///< of the step
+  BoundaryValues<D> at_start_;  ///< at the start of the step
   double time_ = 0;
   undeformed::BoundaryWork<T, D> work_;
 };

@@ -6,15 +6,16 @@
 #include <vector>
 
 // Particles at a free surface have half the mass of others, at an edge a quarter. A plane wave
-// moves them in one direction only; a bar of one cell that breathes moves all of them in two, and
-// all of its cells feel both. The stiffest such mode follows from the cells and the masses alone:
-// power iteration, from cells that all breathe alike.
+// moves them in one direction only. In the breathing mode of a bar one cell thick they move in two
+// directions, and the pressure of every cell acts in both. The stiffest such mode depends only on
+// the cells and the masses. Power iteration finds it, starting from the same change of volume in
+// all cells.
 namespace pliant::total_lagrangian {
 
 namespace {
 
-// Modes that matter are next to the start, in which all cells breathe alike: 12 iterations find q
-// of bars, plates and boxes to 1 %.
+// The modes that matter are close to the start, in which all cells breathe alike: 12 iterations
+// find q of bars, plates and boxes to 1 %.
 constexpr int iterations = 12;
 
 template <class T, int D>
@@ -33,7 +34,7 @@ class Breathing {
     for (std::vector<double>& component : velocity_) component.assign(body.layout.slots(), 0);
   }
 
-  // The Rayleigh quotients of power iteration never fall.
+  // The Rayleigh quotients of power iteration never decrease.
   double operator()() {
     double quotient = 0;
     for (int k = 0; k < iterations; ++k) {
@@ -50,11 +51,11 @@ class Breathing {
   };
 
   static double sign(int corner, int axis) { return corner >> axis & 1 ? 1 : -1; }
-  // Of a velocity, by one at a corner.
+  // Gradient of a velocity field that is 1 at one corner and 0 at the others.
   double slope() const { return 2 / ((1 << D) * body_.lattice.spacing); }
 
-  // Velocities by the present pressures of the cells, as far as walls leave them; twice their
-  // kinetic energy per volume of a cell, with the unit of the pressure 4/(rho0 h^2).
+  // Computes velocities from the present pressures of the cells, subject to the walls. Returns
+  // twice their kinetic energy per volume of a cell, with 4/(rho0 h^2) as the unit of pressure.
   double push() {
     for (std::vector<double>& component : velocity_) {
       std::fill(component.begin(), component.end(), 0);
@@ -92,7 +93,7 @@ class Breathing {
     }
   }
 
-  // Rates of change of the volume; twice the power that they take, in the same units.
+  // Computes the rates of change of the volume. Returns twice the power needed, in the same units.
   double dilate() {
     double power = 0;
     for (FilledCell& cell : cells_) {

@@ -4,9 +4,9 @@
 
 namespace pliant::total_lagrangian {
 
-/// q of (TL.23): how much faster the cells of a body change their volume than plane waves of the
-/// lattice do, squared. 1 inside a body; 2 across a bar of one cell and 2.3 at its
-/// ends, 3 for a cell on its own, 1.4 at the corners of a box.
+/// q of (TL.23): the square of the ratio between the frequency of volume changes of the body's
+/// cells and that of plane waves on the lattice. 1 inside a body; 2 across a bar of one cell and
+/// 2.3 at its ends, 3 for a single cell, 1.4 at the corners of a box.
 template <class T, int D>
 double breathing_factor(const Body<T, D>& body);
 

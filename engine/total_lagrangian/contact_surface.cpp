@@ -8,9 +8,9 @@ namespace pliant::total_lagrangian {
 
 namespace {
 
-constexpr double at_particle = 1e-6;  // of the way from one particle to the next
+constexpr double at_particle = 1e-6;  // relative to the way from one particle to the next
 
-/// What tells corners apart. One that lies on a particle is the same on all lines from it.
+/// Identifies a corner of a facet. A corner on a particle is the same for all lines from it.
 template <int D>
 std::tuple<std::int32_t, std::int32_t, Point<D>> name_of(const Vertex<D>& v) {
   if (v.along < at_particle) return {v.first, v.first, {}};

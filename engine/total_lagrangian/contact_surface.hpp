@@ -5,8 +5,8 @@
 
 namespace pliant::total_lagrangian {
 
-/// The facets of a body for contact with other bodies; each corner moves with the two particles
-/// between which it lies.
+/// The facets of a body for contact with other bodies. Each corner lies between two particles and
+/// moves with them.
 template <class T, int D>
 undeformed::ContactSurface<D> contact_surface(const Body<T, D>& body);
 

@@ -3,7 +3,7 @@
 #include "engine/method/field.hpp"
 #include "engine/method/resources.hpp"
 
-/// The fields of the total Lagrangian method, declared once; docs/fields.md shows them as a table.
+/// The fields of the total Lagrangian method; docs/fields.md shows them as a table.
 namespace pliant::total_lagrangian {
 
 enum class Field {
@@ -37,8 +37,8 @@ enum class Field {
   result
 };
 
-/// Particles are nodes of the lattice of the undeformed body, stress points its cells. Each cell
-/// has the number of the slot at its lower corner.
+/// Particles are nodes of the lattice of the undeformed body; stress points are its cells. Each
+/// cell has the number of the slot at its lower corner.
 enum class IndexSpace {
   particle,
   cell,

@@ -11,23 +11,23 @@
 #include "engine/geometry/padded.hpp"
 #include "engine/geometry/signed_distance.hpp"
 
-// A wall holds the particles within half a spacing of it. They move onto its surface: the body is
-// held where the wall is. Where a wall ends on a free surface, the line between held and free
-// particles would be a staircase around the true rim:
+// A wall holds the particles within half a spacing of it. They move onto its surface, so that the
+// body is held where the wall is. Where a wall ends on a free surface, the boundary between held
+// and free particles would be a staircase around the true rim:
 //
 //       x x x x x          x held     particles of the surface, seen from above;
 //       o o x x x          o free     the rim runs through them at a slant
 //       o o o o x
 //
-// Held particles near the rim therefore move onto it, within the surface. What lies beside moved
-// particles follows, less and less with the distance.
+// Held particles near the rim therefore move onto it, within the surface. Particles next to moved
+// ones move too, less with growing distance.
 namespace pliant::total_lagrangian {
 
 namespace {
 
-constexpr double on_surface = 1e-9;    // [h] distances that rounding may leave
-constexpr double layers = 3;           // over which a shift fades
-constexpr double smallest_det = 0.25;  // of a cell, of A of (TL.11)
+constexpr double on_surface = 1e-9;    // [h] rounding errors of distances
+constexpr double layers = 3;           // over which a shift decays
+constexpr double smallest_det = 0.25;  // smallest det A of a cell, (TL.11)
 constexpr int most_halvings = 8;
 
 template <int D>
@@ -90,7 +90,7 @@ class WallFitter {
     return boundaries_.nearest_wall(body_.lattice.node(cell)).second < 2 * h_;
   }
 
-  // One wall after the other: where two meet, a particle moves onto both.
+  // Walls are treated in turn: where two meet, a particle moves onto both.
   void shift_onto_walls(std::int64_t p, const Cell<D>& cell) {
     if (!held_[p]) return;
     const Vec<D> x = vec<D>(body_.lattice.node(cell));
@@ -113,8 +113,8 @@ class WallFitter {
     if (shift.norm() > on_surface * h_) take(p, shift);
   }
 
-  // Held particles within half a spacing of the rim move onto it, and in 3D those that a cell has
-  // opposite to a free one.
+  // A held particle moves onto the rim if it is within half a spacing of it. In 3D one that faces a
+  // free particle across the diagonal of a cell moves too.
   std::optional<Vec<D>> shift_of_surface(std::int64_t p, const Cell<D>& cell) const {
     if (!held_[p]) return std::nullopt;
     const Vec<D> x = vec<D>(body_.lattice.node(cell));
@@ -132,7 +132,7 @@ class WallFitter {
     return fits ? nearest : std::nullopt;
   }
 
-  // The wall does not end on the surface: it goes on in the body.
+  // Whether the wall continues inside the body instead of ending on the surface.
   bool is_held_below(const Cell<D>& cell) const {
     const auto [axis, up] = line_along(normal(vec<D>(body_.lattice.node(cell))));
     Cell<D> below = cell;
@@ -146,8 +146,9 @@ class WallFitter {
     return Eigen::Map<const Vec<D>>(n.data());
   }
 
-  // Newton's method on the surface. There the distance to a wall that lies on it is 0, so it is
-  // taken inside the wall, less and less deep, and from there along its side to the surface.
+  // Newton's method on the surface. On a wall that lies on the surface, the distance is 0. It is
+  // therefore evaluated at a depth inside the wall that decreases with the iterations, and
+  // projected along the side of the wall to the surface.
   std::optional<Vec<D>> rim_near(const Vec<D>& foot, const Vec<D>& n, const Wall<D>& wall) const {
     Vec<D> rim = foot, out;
     double depth = 2 * h_;
@@ -157,18 +158,18 @@ class WallFitter {
       const double slant = direction.dot(n);
       const Vec<D> along = direction - slant * n;
       const double square = along.squaredNorm();
-      if (square < 0.25) return std::nullopt;  // that is the face on the body
+      if (square < 0.25) return std::nullopt;  // this is the face of the wall on the body
       rim -= (wall.distance(at) - depth * slant) / square * along;
       out = along / std::sqrt(square);
     }
-    // The surface goes on at both sides, and is free at one.
+    // The surface must continue on both sides of the rim and be free on one.
     const Vec<D> free = rim + 0.5 * h_ * out, covered = rim - 0.5 * h_ * out;
     if (std::abs(phi(free)) > 0.1 * h_ || std::abs(phi(covered)) > 0.1 * h_) return std::nullopt;
     if (boundaries_.nearest_wall(point<D>(free)).second < 0.25 * h_) return std::nullopt;
     return rim;
   }
 
-  // Within the surface, towards the rim.
+  // Whether a free particle lies diagonally opposite in the surface, in the direction of the rim.
   bool has_free_opposite(const Cell<D>& cell, const Vec<D>& n, const Vec<D>& shift) const {
     bool found = false;
     Cell<D> lower = cell, upper = cell;
@@ -188,7 +189,7 @@ class WallFitter {
     return found;
   }
 
-  // To the particles above and below along the lattice line that is nearest to the normal.
+  // Passes a shift to the particles above and below, along the lattice line nearest to the normal.
   void spread_below(const Cell<D>& cell, const Vec<D>& shift) {
     const auto [axis, up] = line_along(normal(vec<D>(body_.lattice.node(cell))));
     for (int k = -1; k < layers; ++k) {
@@ -200,20 +201,20 @@ class WallFitter {
     }
   }
 
-  // The axis of the lattice line nearest to `n`, and whether it runs along or against it.
+  // The axis of the lattice line nearest to `n`, and whether `n` points along it.
   static std::pair<int, bool> line_along(const Vec<D>& n) {
     int axis = 0;
     n.cwiseAbs().maxCoeff(&axis);
     return {axis, n[axis] > 0};
   }
 
-  // The longest of several shifts.
+  // Keeps the longest of several shifts.
   void take(std::int64_t p, const Vec<D>& shift) {
     Vec<D>& known = shift_.try_emplace(static_cast<std::int32_t>(p), Vec<D>::Zero()).first->second;
     if (shift.norm() > known.norm()) known = shift;
   }
 
-  // Where a cell would close, its corners go back half the way.
+  // If a shift would collapse a cell, halves the shifts of its corners.
   void keep_cells_open() {
     for (int k = 0; k < most_halvings; ++k) {
       std::set<std::int32_t> closing;

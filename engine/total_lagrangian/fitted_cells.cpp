@@ -37,7 +37,7 @@ void make_fitted_cells(Body<T, D>& body) {
       for (int m = 1; m < (1 << D); ++m) {
         if (kernels::directions_of[m] < 2) continue;
         for (int c = 0; c < (1 << D); ++c) {
-          // The signs of (TL.2); those of the regular nodes add up to nothing.
+          // The signs of (TL.2); the contributions of regular nodes cancel.
           const int lower = kernels::directions_of[m & ~c];
           const Point<D> shift = body.shift(corners[c]);
           for (int i = 0; i < D; ++i) {

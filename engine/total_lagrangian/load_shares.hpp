@@ -6,10 +6,11 @@
 #include "engine/lattice/surface_pieces.hpp"
 #include "engine/method/decompositions.hpp"
 
-/// The shares of the corners of a cell in the force on a facet inside it, (TL.27).
+/// The shares of a cell's corners in the force on a facet inside it, (TL.27).
 namespace pliant::total_lagrangian {
 
-inline constexpr int samples_to_a_side = 8;  ///< to a side of a facet that the rim of a region cuts
+inline constexpr int samples_to_a_side =
+    8;  ///< along a side of a facet that crosses the rim of a region
 
 template <int D>
 using Cube = std::array<SurfaceNode<D>, (1 << D)>;
@@ -17,15 +18,15 @@ using Cube = std::array<SurfaceNode<D>, (1 << D)>;
 template <int D>
 using Barycentric = std::array<double, D>;
 
-/// A facet of the cell that is being cut; its corners in [0, 1]^D of the cell.
+/// Corners of a facet in [0, 1]^D of its cell.
 template <int D>
 using PlacesInCell = std::array<Point<D>, D>;
 
-/// Of the corners of a cell.
+/// One weight for each corner of a cell.
 template <int D>
 using Weights = std::array<double, (1 << D)>;
 
-/// Barycentric coordinates of places spread evenly over a facet.
+/// Calls f with the barycentric coordinates of places spread evenly over a facet.
 template <int D, class F>
 void for_each_sample(F&& f) {
   for (int i = 0; i < samples_to_a_side; ++i) {
@@ -43,8 +44,8 @@ void for_each_sample(F&& f) {
   }
 }
 
-/// The same of the places at which a rule of quadrature, exact for polynomials of the degree D,
-/// takes values over a facet, with their weights: Gauss with two points, Dunavant with six.
+/// Calls f with the places and weights of a quadrature rule over a facet, exact for polynomials of
+/// degree D: Gauss with two points in 2D, Dunavant with six in 3D.
 template <int D, class F>
 void for_each_gauss_point(F&& f) {
   if constexpr (D == 2) {
@@ -79,8 +80,8 @@ void add_weights(const PlacesInCell<D>& places, const Barycentric<D>& at, double
   }
 }
 
-/// Of all shares of the corners inside that put a force in `middle` [m], the smallest. They are
-/// linear in the places of the corners.
+/// Shares of the corners inside the body whose resultant acts at `middle` [m]. Of all such shares
+/// they have the smallest norm, which makes them linear in the places of the corners.
 template <int D>
 Weights<D> linear_shares(const Cube<D>& cube, const PlaceVector<D>& middle) {
   int count = 0;

@@ -34,15 +34,15 @@ void check(const Check& check) {
   }
 }
 
-// (TL.9)
+// Stability limit (TL.9).
 StepLimits step_limits(const Case& a_case) {
   const std::optional<double>& scaling = parameters_of(a_case).mass_scaling;
   StepLimits limits;
   limits.stable_cfl = 1;
-  // The total energy of free plates with an amplitude of 0.2 of their length stays within 0.16,
-  // 0.47 and 0.69 % of its start at 0.5, 0.7 and 0.9 (a fifth as thick as long, 5 particles
-  // across). Blocks that stick to each other on a slope create 1.2 % of the work of gravity at 0.6,
-  // and less than 1 % at 0.5.
+  // With a step of 0.5, 0.7 and 0.9, the total energy of free plates stays within 0.16, 0.47 and
+  // 0.69 % of its start (amplitude 0.2 of the length, thickness a fifth of it, 5 particles across).
+  // Blocks that stick to each other on a slope create 1.2 % of the work of gravity at 0.6, and less
+  // than 1 % at 0.5.
   limits.default_cfl = a_case.contacts.empty() ? 0.7 : 0.5;
   limits.bounds_given_steps = true;
   limits.mass_follows_step = !scaling;
@@ -55,8 +55,9 @@ std::string summary(const Case& a_case) {
   return scaling ? fmt::format("the mass times {}", *scaling) : "the mass scaled to the step";
 }
 
-// One cell across: cantilevers, and the torsion of a bar, docs/decisions/0027. The aspirated liver
-// with 4.8 and 5.6 cells across the hole: the particle in its middle is 14 to 21 and 10 % too low.
+// Thin: cantilevers and the torsion of a bar with one cell across, docs/decisions/0027. Narrow: the
+// aspirated liver with 4.8 and 5.6 cells across the hole, where the particle in the middle rises 14
+// to 21 % and 10 % too little.
 void warn(const Case& a_case, std::vector<std::string>& warnings) {
   static constexpr ThinBodyError thin[] = {
       {1.5, "bending deviates by 3 %, and the period of torsion by 40 %"}};
@@ -65,10 +66,10 @@ void warn(const Case& a_case, std::vector<std::string>& warnings) {
   warn_of_narrow_openings(a_case, narrow, warnings);
 }
 
-// Particles lie on the corners of all cells that the body fills in part.
+// Particles lie on the corners of all cells that the body fills, wholly or in part.
 Footprint footprint(const Case& a_case, const BodyCase& body) {
-  // phi, fraction, that of regular cells, mass and its inverse; five vectors; p_i and J - 1, A_i
-  // and C^-1, twice
+  // Scalars: phi, fraction, that of regular cells, mass and its inverse. Five vectors. Twice: p_i
+  // and J - 1, A_i and C^-1.
   const int dimension = a_case.dimension;
   const std::size_t terms = body.prony.size();
   const std::size_t networks = body.prony_shear.size();

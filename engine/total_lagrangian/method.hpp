@@ -4,7 +4,7 @@
 
 namespace pliant::total_lagrangian {
 
-/// What the registry knows of this method.
+/// The entry of this method in the registry.
 RegisteredMethod method();
 
 }  // namespace pliant::total_lagrangian

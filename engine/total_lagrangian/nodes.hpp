@@ -15,12 +15,13 @@
 
 namespace pliant::total_lagrangian {
 
-/// phi on every node of a box of cells, and what follows from it. Keeps references to the lattice
-/// and the shape.
+/// phi on every node of a box of cells, and the fractions of the cells. Keeps references to the
+/// lattice and the shape.
 template <int D>
 class Nodes {
  public:
-  static constexpr double smallest = 0.01;  ///< fraction of a cell that is worth a stress point
+  static constexpr double smallest =
+      0.01;  ///< fraction of a cell below which it gets no stress point
 
   Nodes(const Lattice<D>& lattice, const Shape& shape, const Box<3>& box)
       : lattice_(lattice), shape_(shape), has_mesh_(contains_mesh(shape)) {
@@ -65,7 +66,7 @@ class Nodes {
   /// [h]
   double phi(const Cell<D>& cell) const { return phi_[index(cell)]; }
 
-  /// Share of a cell inside the shape, (TL.1); 0 where it is not worth a stress point.
+  /// Share of a cell inside the shape, (TL.1); 0 where the cell gets no stress point.
   double fraction(const Cell<D>& cell) const {
     std::array<double, corners> corner;
     for (int c = 0; c < corners; ++c) corner[c] = phi(at_corner(cell, c));
@@ -89,9 +90,11 @@ class Nodes {
 
  private:
   static constexpr int corners = 1 << D;
-  static constexpr int sub_cells = 10;        // to a side, of a cell that the surface cuts
-  static constexpr double on_surface = 1e-9;  // [h] distances that rounding may leave
-  // Where phi is that or more in the middle of 2^D sub-cells, the surface cuts none of them: phi
+  static constexpr int sub_cells = 10;  // along a side of a cell that the surface cuts
+  static constexpr double on_surface =
+      1e-9;  // Half a sub-cell plus half its diagonal [h]. If phi in the middle of 2^D sub-cells is
+             // at least this far from 0, the surface cuts none of them, since phi changes by no
+             // more than the distance.
   // grows by no more than the way. Farther than half a sub-cell and half its diagonal [h].
   static constexpr double far = (0.5 + 0.87) / sub_cells;
   static constexpr double never_far = std::numeric_limits<double>::infinity();
@@ -100,7 +103,7 @@ class Nodes {
     return signed_distance(shape_, padded<D>(x), D) / lattice_.spacing;
   }
 
-  // Nodes on the surface count as inside, always: edges of the body stay sharp.
+  // Nodes on the surface always count as inside: edges of the body stay sharp.
   double on_node(const Point<D>& x) const {
     const double phi = phi_at(x);
     return std::abs(phi) < on_surface ? -on_surface : phi;
@@ -111,7 +114,7 @@ class Nodes {
     return cell;
   }
 
-  // Of a corner, at the place `s` in [0, 1]^D of a cell.
+  // Weight of a corner at the place `s` in [0, 1]^D of a cell.
   static double weight(const Point<D>& s, int c) {
     double weight = 1;
     for (int a = 0; a < D; ++a) weight *= c >> a & 1 ? s[a] : 1 - s[a];
@@ -142,15 +145,15 @@ class Nodes {
     return x;
   }
 
-  // phi linear between the corners: distances to meshes take long.
+  // phi interpolated between the corners, since distances to meshes are expensive.
   static double between(const std::array<double, corners>& corner, const Point<D>& s) {
     double value = 0;
     for (int c = 0; c < corners; ++c) value += weight(s, c) * corner[c];
     return value;
   }
 
-  // The mean of clamp(1/2 - 10 phi/h, 0, 1) over the sub-cells; groups of 2^D of them in whose
-  // middle phi is `far_off` or more count as one.
+  // The mean of clamp(1/2 - 10 phi/h, 0, 1) over the sub-cells. A group of 2^D sub-cells counts as
+  // one where abs(phi) in its middle is at least `far_off`.
   template <class Phi>
   static double share_inside(Phi&& phi, double far_off) {
     constexpr int groups = sub_cells / 2;

@@ -9,12 +9,13 @@ namespace pliant::total_lagrangian {
 
 /// The table [total_lagrangian] of a case.
 struct Parameters {
-  std::optional<double> hourglass_stiffness;  ///< kappa of (TL.6); none: of the material, (TL.17)
-  std::optional<double> mass_scaling = 1.;    ///< inertia over mass; none: as `time.step` needs it
-  std::optional<double> damping = 0.;         ///< alpha of (TL.8) [1/s]; none: adaptive, (TL.10)
+  std::optional<double>
+      hourglass_stiffness;  ///< kappa of (TL.6); none: that of the material, (TL.17)
+  std::optional<double> mass_scaling = 1.;  ///< inertia over mass; none: as `time.step` requires
+  std::optional<double> damping = 0.;       ///< alpha of (TL.8) [1/s]; none: adaptive, (TL.10)
 };
 
-/// The table of the method in a case.
+/// Parameters of the method in a case.
 inline const Parameters& parameters_of(const Case& settings) {
   return settings.parameters.as<Parameters>();
 }

@@ -4,7 +4,7 @@
 
 namespace pliant::total_lagrangian {
 
-// In the middle of the corners.
+// The initial stress is evaluated at the mean place of a cell's corners.
 template <class T, int D>
 void prestress(const BodyCase& source, Body<T, D>& body) {
   if (!body.is_prestressed()) return;

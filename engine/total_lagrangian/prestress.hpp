@@ -4,7 +4,7 @@
 
 namespace pliant::total_lagrangian {
 
-/// Gives the stress points of a body the initial stress of its case, (TL.14), if it has one.
+/// Sets the initial stress of the case, if it has one, at the stress points of a body, (TL.14).
 template <class T, int D>
 void prestress(const BodyCase& source, Body<T, D>& body);
 

@@ -9,8 +9,8 @@
 
 namespace pliant::total_lagrangian {
 
-/// The memory that belongs to a resource on a block of the step graph, to test declarations with.
-/// Empty for the results, which the step keeps to itself.
+/// The memory of a resource on a block of the step graph, for tests of declarations. Empty for the
+/// results, which are private to the step.
 template <class T, int D>
 std::vector<std::span<std::byte>> regions(State<T, D>& state, scheduler::FieldId resource,
                                           int block);

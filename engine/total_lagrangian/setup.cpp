@@ -23,13 +23,15 @@ namespace pliant::total_lagrangian {
 
 namespace {
 
-constexpr double on_surface = 1e-9;  // [h] distances that rounding may leave
-// Cells of a block: large blocks evaluate few cells of others, but small bodies need enough blocks
-// for all threads. What a block uses again, two planes of rows, stays in the second-level cache.
+constexpr double on_surface = 1e-9;  // [h] rounding errors of distances
+// Cells of a block. Large blocks evaluate few cells of other blocks, but small bodies need enough
+// blocks for all threads. What a block reads again, two planes of rows, stays in the second-level
+// cache.
 constexpr std::int64_t least_cells = 1024, most_cells = 16384, wanted_blocks = 12;
 
-// The shortest side of the body takes whole cells: what bends has its thickness. Nodes lie on both
-// faces of a box whose other sides are whole multiples of h too.
+// A whole number of cells fits along the shortest side of the body, so that a body in bending has
+// its exact thickness. If the other sides of a box are multiples of h, nodes lie on both of their
+// faces too.
 template <int D>
 Lattice<D> nodes_on_faces(double spacing, const Box<3>& box) {
   double shortest = std::numeric_limits<double>::infinity();
@@ -43,7 +45,7 @@ Lattice<D> nodes_on_faces(double spacing, const Box<3>& box) {
   return lattice;
 }
 
-// A spare layer around the particles, so that every particle has slots on all sides.
+// Adds a spare layer around the particles, so that every particle has slots on all sides.
 template <class T, int D>
 void lay_out(const Nodes<D>& nodes, Body<T, D>& body) {
   Occupancy<D> occupancy;
@@ -62,15 +64,15 @@ void lay_out(const Nodes<D>& nodes, Body<T, D>& body) {
     throw InputError(fmt::format(
         "body `{}` fills no cell of its lattice; use a finer discretisation.spacing", body.name));
   }
-  occupancy.dilate(1.8);     // also the neighbours across edges and corners
-  occupancy.fill_columns();  // packs of cells have their corners in packs of particles
+  occupancy.dilate(1.8);     // includes neighbours across edges and corners
+  occupancy.fill_columns();  // then packs of cells have their corners in packs of particles
   const std::int64_t cells = std::clamp(marked / wanted_blocks, least_cells, most_cells);
   const int blocks = static_cast<int>(std::max<std::int64_t>(marked / cells, 2));
   body.layout.build(occupancy, {}, blocks, 1);
 }
 
-// The constants that the kernels read: those of a linear material's hyperelastic form, and
-// coefficients without the share that relaxes, (TL.24).
+// The constants that kernels read: a linear material in its hyperelastic form, and coefficients
+// without the share that relaxes, (TL.24).
 template <class T, int D>
 void take_material(const BodyCase& source, Body<T, D>& body) {
   kernels::HyperelasticMaterial<double> material = hyperelastic_material(source);
@@ -94,7 +96,7 @@ void take_material(const BodyCase& source, Body<T, D>& body) {
   body.next_memory_pressure.resize(body.prony.size());
 }
 
-// (TL.17) and (TL.26), with Poisson's ratio at rest.
+// Hourglass stiffness (TL.17) and (TL.26), with Poisson's ratio at rest.
 template <int D>
 kernels::HourglassStiffness<double> hourglass_stiffness(const std::optional<double>& given,
                                                         const kernels::Material<double>& material) {
@@ -115,8 +117,8 @@ void make_room(Body<T, D>& body) {
   });
 }
 
-// The nearest wall that comes within half a spacing holds a particle: on average over where the
-// wall lies between particles, it is where the case says.
+// A particle is held by the nearest wall within half a spacing. Averaged over the places of the
+// wall between particles, the held boundary is then where the case has it.
 template <class T, int D>
 void hold(const Boundaries<D>& boundaries, Body<T, D>& body) {
   const double reach = body.lattice.spacing * (0.5 - on_surface);
@@ -135,7 +137,7 @@ void hold(const Boundaries<D>& boundaries, Body<T, D>& body) {
   }
 }
 
-// Level set, cells and masses. A cell stays one that the body fills when its corners move.
+// Sets level set, cells and masses. A cell keeps its stress point when its corners move.
 template <class T, int D>
 void fill(const Nodes<D>& nodes, Body<T, D>& body) {
   const double h = body.lattice.spacing;

@@ -17,7 +17,7 @@ namespace pliant::total_lagrangian {
 
 namespace {
 
-/// Whether a wall holds a corner of the cell above a slot: the stress at the edge of a clamp is
+/// Whether a wall holds a corner of the cell above a slot. The stress at the edge of a clamp is
 /// singular, and no step is short enough for it.
 template <class T, int D>
 bool is_held(const Body<T, D>& body, std::int64_t slot) {
@@ -30,14 +30,15 @@ bool is_held(const Body<T, D>& body, std::int64_t slot) {
   return false;
 }
 
-/// c^2 of (TL.23) over that of waves at rest.
+/// The ratio of c^2 of (TL.23) to that of waves at rest.
 double breathing_ratio(const kernels::Material<double>& material, double factor) {
   const double mu = material.shear_modulus, lambda = material.bulk_modulus - 2. / 3 * mu;
   return std::max(1.0, (factor * lambda + 2 * mu) / (lambda + 2 * mu));
 }
 
-// Of the limit by (TL.23), for states that are not at rest: a clamped bar of one cell, nu = 0.49,
-// that swings by a third of its length keeps its energy at 1.00 of the limit, and fails at 1.03.
+// Share of the limit (TL.23) that is safe in states that are not at rest. A clamped bar of one
+// cell, nu = 0.49, that swings by a third of its length conserves its energy at 1.00 of the limit
+// and fails at 1.03.
 constexpr double safe_share = 0.95;
 
 }  // namespace
@@ -78,7 +79,7 @@ double Solver<T, D>::smallest_spacing() const {
   return least;
 }
 
-// Only where the limit counts: the sum over the directions is the worst.
+// Computes the factor only where it may limit the step: its upper bound is the dimension.
 template <class T, int D>
 void Solver<T, D>::limit_cfl(const BodyCase& source, const Body<T, D>& body) {
   const double worst = safe_share / std::sqrt(breathing_ratio(source.material, D));
@@ -87,8 +88,8 @@ void Solver<T, D>::limit_cfl(const BodyCase& source, const Body<T, D>& body) {
   cfl_ = std::min(cfl_, safe_share / std::sqrt(ratio));
 }
 
-// Waves are slower by the square root of the scaling; "match_time_step" makes them as slow as the
-// step needs at present.
+// Mass scaling slows waves by its square root; "match_time_step" scales as much as the present step
+// needs.
 template <class T, int D>
 void Solver<T, D>::scale_mass() {
   const std::optional<double>& given = parameters_of(this->settings()).mass_scaling;

@@ -12,7 +12,7 @@ namespace pliant::total_lagrangian {
 template <class T, int D>
 class Solver final : public undeformed::Solver<State<T, D>, Step<T, D>, Measurer<T, D>> {
  public:
-  /// Throws std::invalid_argument for what the method does not run.
+  /// Throws std::invalid_argument for a case that the method cannot run.
   Solver(const Case& settings, const SolverOptions& options);
 
  private:
@@ -30,8 +30,9 @@ class Solver final : public undeformed::Solver<State<T, D>, Step<T, D>, Measurer
   void scale_mass();
   void limit_cfl(const BodyCase& source, const Body<T, D>& body);
 
-  double cfl_;                    ///< that of the case, as far as (TL.23) allows
-  double stress_wave_speed_ = 0;  ///< what initial stresses add in squares to that of waves [m/s]
+  double cfl_;  ///< that of the case, limited by (TL.23)
+  double stress_wave_speed_ =
+      0;  ///< its square is what initial stresses add to that of the wave speed [m/s]
 };
 
 extern template class Solver<double, 2>;

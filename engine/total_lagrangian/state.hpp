@@ -15,7 +15,7 @@ struct State : undeformed::State<D> {
 
   std::vector<Body<T, D>> bodies;
 
-  /// Tells the bodies how long ago their stress was evaluated.
+  /// Sets the time since the bodies' stress was evaluated.
   void age_memory() {
     const double start = this->clock.step_end - this->clock.step_length;
     for (Body<T, D>& body : bodies) body.memory_age = this->clock.time - start;

@@ -8,29 +8,29 @@
 #include "engine/total_lagrangian/contact_surface.hpp"
 #include "engine/total_lagrangian/parameters.hpp"
 
-// A step of the total Lagrangian method. Everything happens on the lattice of the undeformed body,
-// where particles always have the same neighbours.
+// A step of the total Lagrangian method. All work is on the lattice of the undeformed body, where
+// particles always have the same neighbours.
 //
 //     pressure          the force on the surface inside each cell where a load acts (TL.7)
-//     traction          the force of gravity on each particle, and its share in the former
+//     traction          gravity on each particle, and its share of the force on the surface
 //     motion            F at the stress points around the particles, from the particles at the
 //                       corners of their cells, the stress, and its force on those corners
 //                       (TL.2)-(TL.6); velocity and displacement by central differences with
-//                       damping (TL.8); the velocity that walls set
+//                       damping (TL.8); the velocity that walls prescribe
 //     contact walls     corners of the surface that have entered one are pushed back (TL.12)
-//     contact: ...      facets near corners, now and then; where these corners and facets are;
-//                       corners that have entered another body (TL.15); impulses between the
-//                       bodies, in sweeps on one thread (TL.16)
-//     work              that of loads and gravity, after contact has changed velocities: without
+//     contact: ...      from time to time, facets near corners; where these corners and facets
+//                       are; corners that have entered another body (TL.15); impulses between
+//                       the bodies, in sweeps on one thread (TL.16)
+//     work              work of loads and gravity, after contact has changed velocities; without
 //                       contact, part of `motion`
 //
-// Forces never leave the cache: a block evaluates every cell of which one of its particles is a
-// corner, so that cells between blocks are evaluated several times. As they read where particles
-// were, displacements of the end of the step are written apart, and so is the memory of a viscous
-// material; these arrays then change places.
+// Forces stay in the cache: a block evaluates every cell that has one of its particles as a corner,
+// so cells between blocks are evaluated several times. Blocks still read displacements of the start
+// of the step, so displacements of its end, and the memory of a viscous material, go to separate
+// arrays. These are then swapped.
 //
-// There is one evaluation of the stress in each step, and the state is displacement and velocity
-// alone: F is a function of where the particles are, so that nothing creeps under a constant load.
+// The stress is evaluated once a step, and the state is displacement and velocity alone: F depends
+// only on where the particles are, so that nothing creeps under a constant load.
 namespace pliant::total_lagrangian {
 
 using scheduler::Phase;
@@ -86,7 +86,7 @@ std::vector<Phase> Step<T, D>::phases() {
   return phases;
 }
 
-// One block at a time for each worker.
+// Each worker works on one block at a time and needs the forces of only that block.
 template <class T, int D>
 void Step<T, D>::reserve_forces() {
   std::int64_t slots = 0;
@@ -157,7 +157,7 @@ void Step<T, D>::prepare_memory() {
   }
 }
 
-// The arrays of the terms change places after every step.
+// The arrays of the terms are swapped after every step.
 template <class T, int D>
 void Step<T, D>::list_memory(std::size_t b) {
   const auto list = [](std::vector<Buffer<T>>& arrays, std::vector<T*>& listed) {

@@ -16,13 +16,13 @@ namespace pliant::total_lagrangian {
 
 using undeformed::Advance;
 
-/// What a step finds about the state that it leaves behind.
+/// Results of a step about the state at its end.
 struct StepResult : undeformed::StepResult {
-  double wave_speed = 0;  ///< of (TL.9) [m/s]; 0 unless the step examined it
-  double rayleigh = 0;    ///< dt omega^2 of (TL.10), without scaling of the mass [1/s]
+  double wave_speed = 0;  ///< of (TL.9) [m/s]; 0 unless the step computed it
+  double rayleigh = 0;    ///< dt omega^2 of (TL.10), without mass scaling [1/s]
 };
 
-/// What kernels read of the memory of a viscous body.
+/// The memory of a viscous body as kernels read it.
 template <class T>
 struct BodyMemory {
   std::vector<kernels::Relaxation<T>> bulk, shear;  ///< [term], since the last step
@@ -40,13 +40,13 @@ class Step {
 
   std::vector<scheduler::Phase> phases();
 
-  /// Names of what phases read and write.
+  /// Names of the resources that phases read and write.
   static std::vector<std::string> resources() { return resource_numbers.names(); }
 
-  /// Sets how the next step advances, and the loads at its time.
+  /// Sets the length of the next step and its damping, and the loads at its time.
   void prepare(const Advance& advance);
 
-  /// Folds the results of all blocks, in their order, impulses and work into the state.
+  /// Sums the results of all blocks in their order; adds impulses and work to the state.
   StepResult fold();
 
  private:

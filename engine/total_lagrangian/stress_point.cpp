@@ -16,7 +16,7 @@ namespace {
 
 using Pack = xsimd::batch<double, xsimd::sse2>;
 
-// [component][mode], (TL.2).
+// Modes of a cell, [component][mode], (TL.2).
 template <class T, int D>
 std::array<std::array<double, (1 << D)>, D> modes(const Body<T, D>& body, const Cell<D>& cell,
                                                   double ahead) {
@@ -37,7 +37,7 @@ std::array<std::array<double, (1 << D)>, D> modes(const Body<T, D>& body, const 
   return mode;
 }
 
-// U(J) of (TL.3).
+// Volumetric energy U(J) of (TL.3).
 double volumetric_energy(const kernels::Material<double>& material, double j) {
   const double modulus = 2 / material.compressibility;
   switch (material.model) {
@@ -51,13 +51,13 @@ double volumetric_energy(const kernels::Material<double>& material, double j) {
   return modulus / 2 * (j - 1) * (j - 1);
 }
 
-/// What Prony terms of the bulk modulus add at present to the pressure, and to the energy per
-/// volume (RP.64).
+/// What Prony terms of the bulk modulus presently add to the pressure, and to the energy per volume
+/// (RP.64).
 struct Memory {
   double pressure = 0, energy = 0;
 };
 
-// The p_i are those of the last stress; (RP.22) takes them to the present time.
+// The p_i are those of the last stress evaluation; (RP.22) advances them to the present time.
 template <class T, int D>
 Memory relaxed_memory(const Body<T, D>& body, std::int64_t slot, double volume_change) {
   Memory sum;
@@ -83,8 +83,8 @@ std::array<double, D * D> row_by_row(const StressPoint<D>& point) {
 template <int D>
 struct CellShape {
   Eigen::Matrix<double, D, D> f;
-  std::array<std::array<double, (1 << D)>, D> mode;  ///< those that F leaves [m]
-  double volume = 0;                                 ///< of the body at rest
+  std::array<std::array<double, (1 << D)>, D> mode;  ///< hourglass modes [m]
+  double volume = 0;                                 ///< undeformed volume inside the body
 };
 
 template <class T, int D>
@@ -115,7 +115,7 @@ CellShape<D> cell_shape(const Body<T, D>& body, std::int64_t slot, const Cell<D>
   return shape;
 }
 
-/// Adds the initial stress to the point; its energy per volume at rest.
+/// Adds the initial stress to the point. Returns its energy per undeformed volume.
 template <class T, int D>
 double add_prestress(const Body<T, D>& body, std::int64_t slot, StressPoint<D>& point) {
   std::array<double, kernels::symmetric_components<D>> s0;
@@ -126,7 +126,7 @@ double add_prestress(const Body<T, D>& body, std::int64_t slot, StressPoint<D>& 
   return lasting.energy;
 }
 
-/// Adds the deviator of factor b to the stress of the point, b in 3D.
+/// Adds `factor` times the deviator of the 3D tensor b to the stress of the point.
 template <int D>
 void add_deviator(double factor, const Eigen::Matrix3d& b, StressPoint<D>& point) {
   const double mean = b.trace() / 3;
@@ -147,8 +147,8 @@ double polynomial_energy(const kernels::Material<double>& material, double exces
   return energy;
 }
 
-/// Adds the networks of (TL.24) at the present time to the stress of the point; their energy per
-/// volume.
+/// Adds the stress of the networks of (TL.24) at the present time to the point. Returns their
+/// energy per volume.
 template <class T, int D>
 double add_networks(const Body<T, D>& body, const kernels::Material<double>& material,
                     std::int64_t slot, const Eigen::Matrix3d& f, StressPoint<D>& point) {
@@ -183,7 +183,7 @@ double add_networks(const Body<T, D>& body, const kernels::Material<double>& mat
   return energy;
 }
 
-/// The state of the cell of a law (TL.3) or (TL.22) as kernels have it.
+/// The state of the cell of a law (TL.3) or (TL.22), as kernels take it.
 template <class T, int D>
 kernels::CellState<Pack, D> cell_state(const Body<T, D>& body, const CellShape<D>& shape) {
   kernels::CellState<Pack, D> state;
@@ -199,7 +199,7 @@ kernels::CellState<Pack, D> cell_state(const Body<T, D>& body, const CellShape<D
   return state;
 }
 
-/// Sets the stress of a law (TL.3); its energy per volume.
+/// Sets the stress of a law (TL.3). Returns its energy per volume.
 template <class T, int D>
 double take_polynomial(const Body<T, D>& body, const kernels::Material<double>& material,
                        std::int64_t slot, const kernels::CellState<Pack, D>& state,

@@ -9,16 +9,16 @@ namespace pliant::total_lagrangian {
 /// One stress point in plain numbers, for measurements and output.
 template <int D>
 struct StressPoint {
-  std::array<Point<D>, D> deformation_gradient = {};                 ///< F
-  double volume = 0;                                                 ///< of the body, at rest [m^D]
-  double volume_ratio = 1;                                           ///< J
-  double pressure = 0;                                               ///< [Pa]
+  std::array<Point<D>, D> deformation_gradient = {};  ///< F
+  double volume = 0;                                  ///< of the undeformed body [m^D]
+  double volume_ratio = 1;                            ///< J
+  double pressure = 0;                                ///< [Pa]
   std::array<double, kernels::symmetric_components<D>> stress = {};  ///< sigma [Pa]
-  double energy = 0;  ///< of the cell, with that of hourglass modes and Prony terms [J]
+  double energy = 0;  ///< of the cell, with hourglass modes and Prony terms [J]
 };
 
-/// The stress point above `slot`, whose cell the body must fill in part; (TL.2)-(TL.6). With
-/// `ahead`, where particles are that time after the present with their velocities [s].
+/// The stress point above `slot`, (TL.2)-(TL.6); the body must fill some of its cell. With `ahead`
+/// [s], particles are first advanced by that time at their velocities.
 template <class T, int D>
 StressPoint<D> stress_point(const Body<T, D>& body, std::int64_t slot, const Cell<D>& cell,
                             double ahead = 0);

@@ -7,8 +7,8 @@
 #include "engine/total_lagrangian/setup.hpp"
 #include "engine/undeformed/contact/surface_place.hpp"
 
-// The surface of the undeformed body, cut out of its cells simplex by simplex. Corners of facets
-// lie on lines between particles, so that the present surface follows from the particles alone.
+// The surface of the undeformed body, cut from its cells simplex by simplex. Corners of facets lie
+// on lines between particles, so the present surface follows from the particles alone.
 namespace pliant::total_lagrangian {
 
 namespace {
@@ -18,7 +18,7 @@ using undeformed::FaceOfFacet;
 constexpr double on_wall = 1e-5;        // [h]
 constexpr double no_depth = 1e-9;       // [h]
 constexpr double smallest_area = 1e-9;  // [h^(D-1)]
-constexpr double no_vector = 1e-9;      // of the area of a facet
+constexpr double no_vector = 1e-9;      // relative to the area of a facet
 
 template <int D>
 Vertex<D> vertex(const Crossing<D>& crossing) {
@@ -43,14 +43,14 @@ class SurfaceMaker {
         body_(body),
         pushes_(body.layout.slots()),
         smallest_(smallest_area * std::pow(body.lattice.spacing, D - 1)) {
-    // Distances to meshes take long, and their edges are seldom as sharp as those of boxes.
+    // Distances to meshes are expensive, and edges of meshes are seldom as sharp as those of boxes.
     if (body.source != nullptr && !contains_mesh(body.source->geometry)) {
       shape_ = &body.source->geometry;
     }
   }
 
-  // Inside corners must be particles; what belongs to an outside corner without one moves with
-  // them.
+  // Inside corners must be particles. A corner of a facet next to an outside corner that is no
+  // particle moves with the inside ones.
   void cut(const Cell<D>& cell) {
     const auto slots = body_.corners(cell);
     Cube<D> cube;
@@ -77,7 +77,7 @@ class SurfaceMaker {
     for (const LoadedFacet& facet : loaded_) push(cube, facet);
   }
 
-  // Which particles the patches push.
+  // Finds which particles the patches load.
   void share_out() {
     body_.nodal_loads.assign(body_.layout.blocks().size(), {});
     for (std::size_t b = 0; b < body_.nodal_loads.size(); ++b) {
@@ -97,9 +97,9 @@ class SurfaceMaker {
  private:
   struct LoadedFacet {
     int patch, pressure;
-    Weights<D> weights;  ///< [corner of the cell] in the same proportions as shares
-    double area;         ///< that is loaded [m^(D-1)]
-    Point<D> moment;     ///< integral of x over it [m^D]
+    Weights<D> weights;  ///< [corner of the cell] proportional to the shares
+    double area;         ///< loaded area [m^(D-1)]
+    Point<D> moment;     ///< integral of x over the area [m^D]
   };
 
   Facet<D> facet(const SurfacePiece<D>& piece) const {
@@ -130,7 +130,7 @@ class SurfaceMaker {
     return places;
   }
 
-  // All loads on the last facet.
+  // Applies all loads to the last facet.
   void load(const PlacesInCell<D>& places) {
     const Facet<D>& facet = body_.facets.back();
     Point<D> normal = area_vector(body_, facet);
@@ -174,7 +174,7 @@ class SurfaceMaker {
     }
   }
 
-  // Of the last facet.
+  // The patch of the last facet.
   SurfacePatch<D> patch(int pressure, const undeformed::LoadedPart<D>& loaded,
                         const Point<D>& normal) const {
     SurfacePatch<D> made = {static_cast<int>(body_.facets.size()) - 1, loaded.area, pressure};
@@ -218,7 +218,8 @@ class SurfaceMaker {
     return x;
   }
 
-  /// Whether facets in the cell lie on a face of it: it holds nothing of the body.
+  /// Whether the facets of the cell lie on one of its faces, so that the cell holds nothing of the
+  /// body.
   bool lies_on_a_face(const Cube<D>& cube) const {
     return std::ranges::none_of(cube, [this](const SurfaceNode<D>& corner) {
       return corner.phi >= 0 && body_.is_particle(corner.slot);
@@ -243,7 +244,7 @@ class SurfaceMaker {
     }
   }
 
-  // (TL.27). Corners that are no particles give what they would bear to the others.
+  // (TL.27). Corners that are not particles pass their share to the others.
   void push(const Cube<D>& cube, const LoadedFacet& facet) {
     double sum = 0;
     for (int c = 0; c < (1 << D); ++c) {
@@ -257,7 +258,7 @@ class SurfaceMaker {
 
   const Boundaries<D>& boundaries_;
   Body<T, D>& body_;
-  const Shape* shape_ = nullptr;                             // where distances to it are cheap
+  const Shape* shape_ = nullptr;                             // null where distances are expensive
   std::vector<std::vector<std::pair<int, double>>> pushes_;  // [slot]
   std::vector<LoadedFacet> loaded_;                          // of the cell that is being cut
   double smallest_;

@@ -14,9 +14,9 @@ namespace pliant::total_lagrangian {
 
 namespace {
 
-constexpr double radius = 2.6;  // [h] of a fit
+constexpr double radius = 2.6;  // [h] radius of a fit
 
-// Of the corners of a cell.
+// Mean over the corners of a cell.
 template <class T, int D>
 double mean_of_corners(const Body<T, D>& body, const Buffer<T>& values, const Cell<D>& cell) {
   double sum = 0;
@@ -34,7 +34,7 @@ Point<D> present_centre(const Body<T, D>& body, const Cell<D>& cell) {
   return x;
 }
 
-// A field of measurements, by its name, at a stress point.
+// The field that a measurement names, at a stress point.
 template <class T, int D>
 double cell_value(const Body<T, D>& body, std::int64_t slot, const Cell<D>& cell,
                   const std::string& field) {

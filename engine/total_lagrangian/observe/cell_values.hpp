@@ -7,17 +7,18 @@
 
 namespace pliant::total_lagrangian {
 
-/// The value of a field at the place `start` of the undeformed body [m]: a linear fit over the
+/// The value of a field at the place `start` of the undeformed body [m], from a linear fit over the
 /// cells around it. NaN where there are none.
 template <class T, int D>
 double material_value(const Body<T, D>& body, const Vector& start, const std::string& field);
 
-/// Where the material now at `x` [m] started, as the nearest cell says; none where no cell is near.
+/// Undeformed place of the material that is now at `x` [m], from the nearest cell; none where no
+/// cell is near.
 template <class T, int D>
 std::optional<Vector> start_of(const Body<T, D>& body, const Vector& x);
 
-/// The mean of the field of a `mean_value` over the present volume of the cells that lie where the
-/// measurement says. NaN where there are none.
+/// The mean of the field of a `mean_value`, over the present volume of the cells that the
+/// measurement selects. NaN where there are none.
 template <class T, int D>
 double mean_value(const Body<T, D>& body, const MeasurementCase& m, double t);
 

@@ -26,7 +26,7 @@ Means values_of(const StressPoint<D>& point, double density_at_rest) {
   return values;
 }
 
-// [slot], weighted by what the body fills of the cells around a particle.
+// [slot] means over the cells around a particle, weighted by their filled fractions.
 template <class T, int D>
 std::vector<Means> means(const Body<T, D>& body) {
   std::vector<Means> sum(body.layout.slots(), Means{});
@@ -47,7 +47,7 @@ std::vector<Means> means(const Body<T, D>& body) {
   return sum;
 }
 
-// Facets meet in corners between the same two particles.
+// Facets share corners that lie between the same two particles.
 template <class T, int D>
 FrameSurface take_surface(const State<T, D>& state) {
   FrameSurface surface;
@@ -60,7 +60,7 @@ FrameSurface take_surface(const State<T, D>& state) {
     for (const auto& facet : body.facets) {
       for (const Vertex<D>& v : facet.vertex) {
         const auto number = static_cast<std::int64_t>(owners.size());
-        // At a node on the surface all lines from it end alike.
+        // At a node on the surface, all lines from it end in the same corner.
         const auto [at, is_new] =
             known.insert({{v.first, v.along < 1e-6 ? v.first : v.second}, number});
         surface.vertex.push_back(at->second);

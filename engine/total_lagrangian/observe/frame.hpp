@@ -5,8 +5,8 @@
 
 namespace pliant::total_lagrangian {
 
-/// The particles of a state as viewers see them, in SI units. Stress, pressure and dilatation are
-/// the means over the stress points around a particle. There are no ghosts to show.
+/// The particles of a state for viewers, in SI units. Stress, pressure and dilatation are means
+/// over the stress points around a particle. There are no ghosts.
 template <class T, int D>
 Frame take_frame(const State<T, D>& state, const FrameParts& parts);
 

@@ -54,7 +54,7 @@ undeformed::FreeSurface<D> Measurer<T, D>::free_surface(int index) const {
   return surface;
 }
 
-// Linear in each direction within the cell in which the point started.
+// Linear interpolation in each direction, in the cell in which the point started.
 template <class T, int D>
 double Measurer<T, D>::point_displacement(const MeasurementCase& m) const {
   const Body<T, D>& body = state_.bodies[m.body];
@@ -64,7 +64,7 @@ double Measurer<T, D>::point_displacement(const MeasurementCase& m) const {
     double weight = 1;
     for (int a = 0; a < D; ++a) {
       const double at = (m.point[a] - body.lattice.node(a, 0)) / body.lattice.spacing;
-      // A point on a face that rounding puts beyond it belongs to the cell inside.
+      // A point on a face that rounding puts outside belongs to the cell inside.
       const double floor = std::floor(at + 1e-9);
       const int up = c >> a & 1;
       cell[a] = static_cast<std::int32_t>(floor) + up;
@@ -112,8 +112,8 @@ double Measurer<T, D>::velocity_error(const MeasurementCase& m) const {
   return error.value();
 }
 
-// From the middle of the step to the present time, by the acceleration of that step (TL.8):
-// energies of velocity and displacement then belong to one instant.
+// Advances velocities from the middle of the step to the present time by the acceleration of that
+// step (TL.8), so that kinetic and strain energy belong to the same time.
 template <class T, int D>
 std::vector<Point<D>> Measurer<T, D>::present_velocity(const Body<T, D>& body) const {
   const Clock& clock = state_.clock;
@@ -167,7 +167,7 @@ BodyIntegrals Measurer<T, D>::integrals(int index, const Vector& about) const {
   return sum;
 }
 
-// A wall takes what acts on a particle along the directions in which it holds it.
+// A wall takes up the forces on a particle along the directions in which it holds it.
 template <class T, int D>
 double Measurer<T, D>::power_on(const Body<T, D>& body) const {
   const double rate = state_.clock.damping * state_.clock.mass_scaling;

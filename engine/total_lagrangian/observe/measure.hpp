@@ -7,8 +7,7 @@
 
 namespace pliant::total_lagrangian {
 
-/// Evaluates measurements of a state at one instant. Momentum and kinetic energy are those of the
-/// scaled mass, as the particles have them.
+/// Evaluates measurements of a state at one time. Momentum and kinetic energy include mass scaling.
 template <class T, int D>
 class Measurer final : public undeformed::Measurer<State<T, D>> {
  public:
@@ -30,7 +29,7 @@ class Measurer final : public undeformed::Measurer<State<T, D>> {
   /// The field of a measurement at a place of the undeformed body.
   double value_at(const MeasurementCase& m, const Vector& start) const;
   std::vector<Point<D>> present_velocity(const Body<T, D>& body) const;
-  /// Of loads, walls and damping on a body [W].
+  /// Power of loads, walls and damping on a body [W].
   double power_on(const Body<T, D>& body) const;
 
   const Case& settings_;
