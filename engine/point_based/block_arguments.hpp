@@ -7,8 +7,8 @@
 #include "engine/point_based/point_room.hpp"
 #include "kernels/point_based/arguments.hpp"
 
-/// What kernels read and write of the block `local` of a body. The step adds lengths of time and
-/// what acts on all nodes.
+/// Arguments of the kernels for the block `local` of a body. The step adds durations and what acts
+/// on all nodes.
 namespace pliant::point_based {
 
 template <class T, int D>
@@ -77,7 +77,7 @@ kernels::PointMotion<T, D> motion_arguments(Body<T, D>& body, int local) {
 /// Sum of m u^2 of a block [J]; `squares(slot)` gives u^2 there.
 template <class T, int D, class Squares>
 double inertia_sum(const Body<T, D>& body, const NodeBlock& block, Squares&& squares) {
-  // One sum would wait for itself.
+  // Several partial sums, since additions to a single one would wait for each other.
   constexpr int lanes = kernels::slots_per_pack;
   std::array<double, lanes> sum = {};
   for (std::int64_t slot = block.first; slot < block.first + block.count; slot += lanes) {
@@ -86,7 +86,7 @@ double inertia_sum(const Body<T, D>& body, const NodeBlock& block, Squares&& squ
   return std::accumulate(sum.begin(), sum.end(), 0.);
 }
 
-/// The same with the velocities that the block has.
+/// The same with the present velocities of the block.
 template <class T, int D>
 double inertia_of(const Body<T, D>& body, const NodeBlock& block) {
   return inertia_sum(body, block, [&body](std::int64_t slot) {
@@ -99,7 +99,8 @@ double inertia_of(const Body<T, D>& body, const NodeBlock& block) {
   });
 }
 
-/// The same with the means of these and those before, [component][node of the block].
+/// The same with the means of the present velocities and those before, [component][node of the
+/// block].
 template <class T, int D>
 double inertia_of_means(const Body<T, D>& body, const NodeBlock& block,
                         const std::array<std::vector<T>, D>& before) {

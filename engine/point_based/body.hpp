@@ -17,94 +17,96 @@
 
 namespace pliant::point_based {
 
-/// A run of nodes along the Hilbert curve, filled up to whole packs with slots without mass.
+/// A run of nodes along the Hilbert curve, padded to whole packs with slots without mass.
 struct NodeBlock {
   std::int64_t first;       ///< slot
   int count;                ///< slots
-  int nodes;                ///< of them
-  std::int64_t first_halo;  ///< of the block in `Body::halo`
+  int nodes;                ///< slots that hold nodes
+  std::int64_t first_halo;  ///< first element of the block in `Body::halo`
   int halo_count;
 
-  /// Of the block in arrays of points, which hold own slots and halo of one block after another.
+  /// First point of the block in arrays that store own slots and halo of one block after another.
   std::int64_t first_point() const { return first + first_halo; }
 };
 
 using undeformed::ConstrainedParticle;
 
-/// A node with the share of the undeformed surface on which one pressure or traction acts.
+/// A node and its share of the undeformed surface under one pressure or traction.
 template <int D>
 struct PressedNode {
   std::int32_t slot;
   std::int32_t pressure;
   Point<D> area;           ///< outwards [m^(D-1)]
-  double size;             ///< the same without direction [m^(D-1)]
-  Point<D> middle;         ///< of the share [m]
-  Point<D> traction = {};  ///< at present [Pa]; 0 of a pressure
-  Point<D> force = {};     ///< at present [N]
+  double size;             ///< norm of the area [m^(D-1)]
+  Point<D> middle;         ///< centre of the share [m]
+  Point<D> traction = {};  ///< present [Pa]; 0 for a pressure
+  Point<D> force = {};     ///< present [N]
 };
 
-/// A node that a blade pushes.
+/// A node on which a blade acts.
 template <int D>
 struct BladedNode {
   std::int32_t slot;
   Point<D> force;  ///< in this step [N]
 };
 
-/// A node whose bonds span a plane or a line only.
+/// A node whose bonds span only a plane or a line.
 template <int D>
 struct DegenerateNode {
   std::int64_t slot;
-  int rank;                           ///< directions that they span
+  int rank;                           ///< number of directions that they span
   std::array<Point<D>, D> direction;  ///< Q of (PB.13)
   double volume;                      ///< [m^D]
 };
 
-/// The undeformed surface of a body, in segments (2D) or triangles (3D) whose corners move with the
-/// nodes nearest to them.
+/// The undeformed surface of a body: segments (2D) or triangles (3D). Each corner moves with the
+/// node nearest to it.
 template <int D>
 struct BodySurface {
   std::vector<Point<D>> start;                     ///< [corner] [m]
   std::vector<std::int32_t> node;                  ///< [corner] slot
-  std::vector<std::array<std::int32_t, D>> facet;  ///< corners, seen from outside
+  std::vector<std::array<std::int32_t, D>> facet;  ///< corners, ordered as seen from outside
   std::vector<bool> is_free;                       ///< [facet] not on a wall
-  const Shape* shape = nullptr;  ///< near which its facets lie; null for elements and meshes
-  double spacing = 0;            ///< of its lattice, where there is a shape [m]
+  const Shape* shape =
+      nullptr;         ///< shape on which facets lie approximately; null for elements and meshes
+  double spacing = 0;  ///< of the lattice that the surface comes from, if there is a shape [m]
 };
 
-/// One body: nodes of its undeformed shape, and the bonds between them.
+/// One body: the nodes of its undeformed shape, and the bonds between them.
 template <class T, int D>
 struct Body : undeformed::Body<T, D> {
   using undeformed::Body<T, D>::position;
   static constexpr int symmetric = kernels::symmetric_components<D>;
 
   kernels::HyperelasticMaterial<T> material;
-  int bonds = 0;              ///< of each node, those of no weight included
-  int most_points = 0;        ///< own slots and halo of a block, at most
-  double resolution = 0;      ///< H, the least V^(1/D) [m]
+  int bonds = 0;              ///< of each node, with bonds of zero weight
+  int most_points = 0;        ///< largest number of own slots and halo of a block
+  double resolution = 0;      ///< H, the smallest V^(1/D) [m]
   double volume_at_rest = 0;  ///< [m^D]
   std::vector<NodeBlock> blocks;
-  scheduler::Blocks adjacency;                 ///< blocks whose nodes have bonds
+  scheduler::Blocks adjacency;                 ///< blocks that bonds connect
   std::vector<Point<D>> start;                 ///< [slot] undeformed positions [m]
-  std::vector<std::int64_t> number;            ///< [slot] of the node in its cloud; -1: none
+  std::vector<std::int64_t> number;            ///< [slot] number of the node in its cloud; -1: none
   Buffer<T> volume;                            ///< [m^D], 0 at degenerate nodes
   Buffer<T> stiffness;                         ///< [N/m]
   Buffer<T> frequency2;                        ///< of (PB.12) [1/s^2]
-  std::array<Buffer<T>, D * D> kept_gradient;  ///< D of (PB.14), where there are cuts
+  std::array<Buffer<T>, D * D> kept_gradient;  ///< D of (PB.14); only with cuts
   std::array<Buffer<T>, symmetric> moment, strain;
-  Buffer<T> share;       ///< of the volume of its group, (PB.60), where there are groups
+  Buffer<T> share;       ///< share in the volume of its group, (PB.60); only with groups
   T shared_modulus = 0;  ///< [Pa]
-  std::array<Buffer<T>, symmetric> initial_stress;  ///< S0 of (TL.14), where there is one [Pa]
-  std::array<Buffer<T>, D> pressure_load;           ///< [N], where pressures act
-  Buffer<std::uint16_t> neighbour;  ///< [pack][bond][lane] local numbers times point_stride
-  Buffer<T> bond;                   ///< [pack][bond][D + 1][lane] g, w
-  std::vector<std::int32_t> halo;   ///< slots, ascending in each block
-  Buffer<T> force;                  ///< [slots and halos][point_stride]
+  std::array<Buffer<T>, symmetric>
+      initial_stress;                      ///< S0 of (TL.14) [Pa]; empty without initial stress
+  std::array<Buffer<T>, D> pressure_load;  ///< [N]; only with pressures
+  Buffer<std::uint16_t> neighbour;         ///< [pack][bond][lane] local numbers times point_stride
+  Buffer<T> bond;                          ///< [pack][bond][D + 1][lane] g, w
+  std::vector<std::int32_t> halo;          ///< slots, ascending in each block
+  Buffer<T> force;                         ///< [slots and halos][point_stride]
   std::vector<std::vector<kernels::CollectedForces<T>>> collected;  ///< [block]
   std::vector<std::vector<PressedNode<D>>> pressed;                 ///< [block]
-  std::vector<std::vector<BladedNode<D>>> bladed;  ///< [block], none where blades exert no force
+  std::vector<std::vector<BladedNode<D>>> bladed;  ///< [block]; only where blades exert forces
   std::vector<std::vector<DegenerateNode<D>>> degenerate;  ///< [block]
   BodySurface<D> surface;
-  /// [element] slots, where the nodes are those of a mesh, and there are cuts
+  /// [element] slots; only for the nodes of a mesh with cuts
   std::vector<std::array<std::int32_t, D + 1>> elements;
 
   bool is_pressed() const { return pressure_load[0].bytes() > 0; }
@@ -124,7 +126,7 @@ struct Body : undeformed::Body<T, D> {
     visit_arrays(*this, f);
   }
 
-  /// Of its arrays [B].
+  /// Size of its arrays [B].
   std::size_t bytes() const {
     std::size_t sum =
         neighbour.bytes() + bond.bytes() + force.bytes() + halo.size() * sizeof(halo[0]);
@@ -150,27 +152,27 @@ struct Body : undeformed::Body<T, D> {
     return *(after - 1);
   }
 
-  /// Slot of a local number of a block.
+  /// Slot of a point that a block knows by a local number.
   std::int64_t slot_of(const NodeBlock& block, int local) const {
     return local < block.count ? block.first + local
                                : halo[block.first_halo + (local - block.count)];
   }
 
-  /// Local number in a block of one of its slots or of a slot of its halo.
+  /// Local number in a block of an own slot or a halo slot.
   std::int64_t local_number(const NodeBlock& block, std::int64_t slot) const {
     if (slot >= block.first && slot < block.first + block.count) return slot - block.first;
     const auto begin = halo.begin() + block.first_halo;
     return block.count + (std::lower_bound(begin, begin + block.halo_count, slot) - begin);
   }
 
-  /// Local number of a neighbour in the block of the node.
+  /// Local number of the neighbour of a bond, in the block of the node.
   int local_neighbour(std::int64_t slot, int k) const {
     constexpr int lanes = kernels::slots_per_pack;
     return neighbour[(slot / lanes * bonds + k) * lanes + slot % lanes] / kernels::point_stride;
   }
 
-  /// Calls f(k, slot of the neighbour, g, w) for the bonds of a node; g and w as the kernels have
-  /// them.
+  /// Calls f(k, slot of the neighbour, g, w) for the bonds of a node, with g and w as stored for
+  /// kernels.
   template <class F>
   void for_each_bond(const NodeBlock& block, std::int64_t slot, F&& f) const {
     constexpr int lanes = kernels::slots_per_pack;
@@ -184,7 +186,7 @@ struct Body : undeformed::Body<T, D> {
     }
   }
 
-  /// Where a node is at present [m].
+  /// Present position of a node [m].
   Point<D> position(std::int64_t slot) const {
     Point<D> x = start[slot];
     for (int a = 0; a < D; ++a) x[a] += this->displacement[a][slot];

@@ -3,7 +3,7 @@
 #include "engine/method/field.hpp"
 #include "engine/method/resources.hpp"
 
-/// The fields of the point-based method, declared once; docs/fields.md shows them as a table.
+/// The fields of the point-based method; docs/fields.md shows them as a table.
 namespace pliant::point_based {
 
 enum class Field {

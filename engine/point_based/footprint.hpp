@@ -4,7 +4,7 @@
 
 namespace pliant::point_based {
 
-/// Memory of nodes: bonds, and about as many points of halos as of nodes; search, frames and
+/// Memory of nodes: bonds, halos with about as many points as there are nodes, searches, frames and
 /// totals.
 Footprint footprint(const Case& a_case, const BodyCase& body);
 

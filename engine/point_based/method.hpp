@@ -5,10 +5,10 @@
 
 namespace pliant::point_based {
 
-/// Adds what body `i` has and no method of hyperelastic nodes can do.
+/// Adds problems of body `i` that no method with hyperelastic nodes can solve.
 void check_body(const Check& check, std::size_t i);
 
-/// What the registry knows of this method.
+/// The entry of this method in the registry.
 RegisteredMethod method();
 
 }  // namespace pliant::point_based

@@ -9,11 +9,11 @@
 
 namespace pliant::point_based {
 
-/// Where nodes lie that come from no mesh of tetrahedra.
+/// Placement of nodes, unless they come from a mesh of tetrahedra.
 enum class NodePlacement { lattice, octree };
-/// How a node finds its gradient.
+/// How the gradient of a node is computed.
 enum class NodeGradient { moving_least_squares, patch_exact };
-/// When the forces of a step act: in its middle or at its start (PB.10).
+/// When the forces of a step act: in its middle or at its start, (PB.10).
 enum class Integrator { leapfrog, kick_drift };
 
 /// The table [point_based] of a case.
@@ -23,14 +23,14 @@ struct Parameters {
   CutRule cut_rule = CutRule::transparency;
   std::optional<double> cut_contact;  ///< coefficient of friction of cut faces; none: no contact
   NodeGradient gradient = NodeGradient::moving_least_squares;
-  int neighbours = 0;                   ///< of each node; 0: those of `neighbour_count`
-  std::optional<double> stabilisation;  ///< alpha of (PB.5); none: as the nodes need it
+  int neighbours = 0;                   ///< of each node; 0: `neighbour_count`
+  std::optional<double> stabilisation;  ///< alpha of (PB.5); none: by the placement of the nodes
   Integrator integrator = Integrator::leapfrog;
   double damping = 0;            ///< mass-proportional, (PB.10) [1/s]
   double stiffness_damping = 0;  ///< beta of (PB.9) [s]
 };
 
-/// The table of the method in a case.
+/// Parameters of the method in a case.
 inline const Parameters& parameters_of(const Case& settings) {
   return settings.parameters.as<Parameters>();
 }
@@ -40,13 +40,13 @@ inline bool is_leapfrog(const Case& settings) {
   return parameters_of(settings).integrator == Integrator::leapfrog;
 }
 
-/// Whether a case knows the work of all forces and all losses: with the leapfrog, whose velocities
-/// belong to the time of the displacements, and without stiffness-proportional damping.
+/// Whether the work of all forces and all losses are known: with the leapfrog, whose velocities and
+/// displacements belong to the same time, and without stiffness-proportional damping.
 inline bool knows_losses(const Case& settings) {
   return is_leapfrog(settings) && parameters_of(settings).stiffness_damping == 0;
 }
 
-/// Neighbours of each node of a case: 26 in 3D and 12 in 2D where it gives none.
+/// Neighbours of each node; if the case gives no number, 26 in 3D and 12 in 2D.
 int neighbour_count(const Case& settings);
 
 /// Visits the keys of the table.

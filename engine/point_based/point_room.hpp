@@ -7,8 +7,8 @@
 
 namespace pliant::point_based {
 
-/// Room for the displacements of the points of one block, [points][point_stride], which each thread
-/// uses again for its next block: in arrays of the body they would go to memory and back.
+/// Memory for the displacements of the points of one block, [points][point_stride]. A thread reuses
+/// it for its next block, so that it stays in the cache; arrays of the body would not.
 template <class T>
 T* room_for_points(std::int64_t points) {
   thread_local Buffer<T> room;

@@ -11,11 +11,11 @@ namespace pliant::point_based {
 
 struct Region {
   std::span<std::byte> bytes;
-  bool are_numbers;  ///< of the precision of the state; else integers
+  bool are_numbers;  ///< in the precision of the state; else integers
 };
 
-/// The memory that belongs to a resource on a block of the step graph, to test declarations with.
-/// Empty for the results, which the step keeps to itself.
+/// The memory of a resource on a block of the step graph, for tests of declarations. Empty for the
+/// results, which are private to the step.
 template <class T, int D>
 std::vector<Region> regions(State<T, D>& state, scheduler::FieldId resource, int block);
 

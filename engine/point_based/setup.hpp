@@ -20,14 +20,14 @@ template <int D>
 struct PlacedNodes {
   NodeCloud<D> cloud;
   std::vector<double> elastic_volumes;  ///< [node] of (PB.21) [m^D]
-  double reach = 0;  ///< distance within which a wall holds a node, over the node's V^(1/D)
-  /// [axis] what stretches the cells of the nodes' lattice to cubes, for distances in (PB.2)
+  double reach = 0;  ///< a wall holds nodes within this distance, in units of V^(1/D)
+  /// [axis] factors that stretch the cells of the nodes' lattice to cubes, for distances in (PB.2)
   Point<D> stretch = stretch_of_cubes();
   /// h of (PB.2) [m]; infinite: from the distances of the nodes
   double support = std::numeric_limits<double>::infinity();
-  double alpha = 0.3;  ///< strength of the stabilisation (PB.5) that they need
+  double alpha = 0.3;  ///< stabilisation strength (PB.5) for this placement
 
-  /// Where nodes are for the distances of (PB.2).
+  /// The places that the distances of (PB.2) are taken between.
   std::vector<Point<D>> stretched() const {
     std::vector<Point<D>> places = cloud.positions;
     for (Point<D>& x : places) {
@@ -43,27 +43,27 @@ struct PlacedNodes {
   }
 };
 
-/// Places nodes: those of the tetrahedra of a mesh, on a lattice whose nodes move onto walls within
-/// half a spacing, or in an octree. Throws InputError for a body that holds none.
+/// Places the nodes of a body: from a mesh of tetrahedra, on a lattice whose nodes move onto walls
+/// within half a spacing, or in an octree. Throws InputError for a body that holds none.
 template <int D>
 PlacedNodes<D> place_nodes(const Case& settings, const BodyCase& source,
                            const Boundaries<D>& boundaries);
 
-/// What turns pressures into forces: the kernel that evaluates the bonds, or NodeLoads.
+/// What applies pressures: the kernel that evaluates the bonds, or NodeLoads.
 enum class PressureForces { of_bonds, of_loads };
 
-/// Everything of make_body but the bonds.
+/// All of make_body except the bonds.
 template <class T, int D>
 void make_nodes(const Case& settings, const BodyCase& source, const PlacedNodes<D>& nodes,
                 const Boundaries<D>& boundaries, PressureForces pressures, Body<T, D>& body);
 
-/// Makes a body of a case from its nodes, at rest or with the case's initial velocity. Throws
-/// InputError for nodes that are no body. Returns how nodes have taken their neighbours.
+/// Makes a body of a case from its nodes, at rest or with the initial velocity of the case. Throws
+/// InputError for nodes that do not form a body. Returns how nodes have chosen their neighbours.
 template <class T, int D>
 BondChoice<D> make_body(const Case& settings, const BodyCase& source, const PlacedNodes<D>& nodes,
                         const Boundaries<D>& boundaries, Body<T, D>& body);
 
-/// Numbers the blocks of all bodies, and returns which are near each other.
+/// Numbers the blocks of all bodies. Returns which blocks are neighbours.
 template <class T, int D>
 scheduler::Blocks number_blocks(State<T, D>& state);
 

@@ -36,7 +36,7 @@ class Solver final : public undeformed::Solver<State<T, D>, Step<T, D>, Measurer
   void save_state(ArchiveWriter& archive) const override;
   void restore_state(const ArchiveReader& archive) override;
 
-  /// Squared frequencies under the initial stress over those without, at most.
+  /// Upper bound of the ratio of squared frequencies with initial stress to those without.
   double stiffening_ = 1;
 };
 

@@ -18,10 +18,10 @@ struct State : undeformed::State<D> {
   using undeformed::State<D>::State;
 
   std::vector<Body<T, D>> bodies;
-  /// Of the first bodies, null where one has none; the bodies after them have none.
+  /// [body] null for a body without cuts; shorter where the last bodies have none.
   std::vector<std::unique_ptr<BodyCuts<T, D>>> cuts;
 
-  /// What blades have cut of a body so far.
+  /// The cuts of a body so far.
   std::span<const CutSurface<D>> cut_surfaces(std::size_t body) const {
     if (body >= cuts.size() || !cuts[body]) return {};
     return cuts[body]->surfaces();

@@ -18,10 +18,10 @@ namespace pliant::point_based {
 using undeformed::Advance;
 
 struct StepResult : undeformed::StepResult {
-  double frequency2 = 0;  ///< largest lambda q^2 of (PB.12) [1/s^2]; 0 unless examined
+  double frequency2 = 0;  ///< largest lambda q^2 of (PB.12) [1/s^2]; 0 unless computed
 };
 
-/// The phases of one time step: the method in the order of its equations.
+/// The phases of one time step, in the order of the method's equations.
 template <class T, int D>
 class Step {
  public:
@@ -29,31 +29,31 @@ class Step {
 
   std::vector<scheduler::Phase> phases();
 
-  /// Makes room for the present blocks; phases() has done so.
+  /// Makes room for the present blocks; phases() calls it too.
   void prepare_blocks();
 
-  /// Names of what phases read and write.
+  /// Names of the resources that phases read and write.
   static std::vector<std::string> resources() { return resource_numbers.names(); }
 
-  /// Sets how the next step advances, and the loads at the time of its kick; moves the blades on.
+  /// Sets the length of the next step and the loads at the time of its kick; moves the blades.
   void prepare(const Advance& advance);
 
-  /// Folds the results of all blocks, in their order, impulses and work into the state.
+  /// Sums the results of all blocks in their order; adds impulses and work to the state.
   StepResult fold();
 
-  // What phases do to a block.
+  // The functions of the phases, for one block.
   void drift(int block);
   void load(int block) { loads_.load(block); }
   void move(int block);
-  /// When nothing changes velocities any more.
+  /// Called when velocities are final.
   void end_motion(int block);
 
   bool loads_act() const { return loads_.act_on_blocks(); }
-  /// Whether velocities change after the motion.
+  /// Whether velocities change after `move`.
   bool bodies_touch() const {
     return contact_.exists() || body_contact_.exists() || has_faces() || has_punctures();
   }
-  /// Adds what lets contact walls and other bodies push the nodes.
+  /// Adds the phases of contact with walls and other bodies.
   void add_contact(PhaseRows& rows, const undeformed::ContactFields& fields);
 
  private:
@@ -64,7 +64,7 @@ class Step {
   bool has_punctures() const;
   void dent_surfaces();
   void keep_velocities(int block);
-  /// Sum of m ((u + u')/2)^2 of a block, u the velocities that it has kept [J].
+  /// Sum of m ((u + u')/2)^2 of a block [J]; u are the velocities kept from before the step.
   double damped(int block);
 
   struct Owned {
@@ -75,7 +75,7 @@ class Step {
     const BlockOwner& owner = state_.blocks[block];
     return {state_.bodies[owner.body], owner.block};
   }
-  /// For how long nodes move at the velocities that a kick leaves behind [s].
+  /// How long nodes move at the velocities after a kick [s].
   double drift_length() const;
 
   State<T, D>& state_;
@@ -89,8 +89,8 @@ class Step {
   undeformed::BodyContact<T, D> body_contact_;
   std::vector<kernels::PointForcesResult> results_;  ///< [block]
   std::vector<double> inertia_;  ///< [block] sum of m u^2 before the step, with damping [J]
-  std::vector<double> damped_;   ///< [block] what damping acts on in it [J]
-  /// [block][component][node] velocities before the step, where there is damping.
+  std::vector<double> damped_;   ///< [block] the part of it that damping acts on [J]
+  /// [block][component][node] velocities before the step; only with damping.
   std::vector<std::array<std::vector<T>, D>> before_;
 };
 

@@ -90,12 +90,10 @@ class Nodes {
 
  private:
   static constexpr int corners = 1 << D;
-  static constexpr int sub_cells = 10;  // along a side of a cell that the surface cuts
-  static constexpr double on_surface =
-      1e-9;  // Half a sub-cell plus half its diagonal [h]. If phi in the middle of 2^D sub-cells is
-             // at least this far from 0, the surface cuts none of them, since phi changes by no
-             // more than the distance.
-  // grows by no more than the way. Farther than half a sub-cell and half its diagonal [h].
+  static constexpr int sub_cells = 10;        // along a side of a cell that the surface cuts
+  static constexpr double on_surface = 1e-9;  // [h] rounding errors of distances
+  // Half a sub-cell plus half its diagonal [h]. If phi in the middle of 2^D sub-cells is at least
+  // this far from 0, the surface cuts none of them, since phi changes by no more than the distance.
   static constexpr double far = (0.5 + 0.87) / sub_cells;
   static constexpr double never_far = std::numeric_limits<double>::infinity();
 

@@ -4,13 +4,13 @@
 
 namespace pliant::point_based {
 
-/// What a blade does to its body.
+/// The effect of a blade on its body.
 template <int D>
 struct BladeLoad {
-  Point<D> impulse = {};  ///< up to when the velocities are [N s]
+  Point<D> impulse = {};  ///< until the time of the velocities [N s]
   Point<D> force = {};    ///< in the last step [N]
-  double work = 0;        ///< that cut faces and friction have taken, up to there (PB.19) [J]
-  double power = 0;       ///< its rate in the last step [W]
+  double work = 0;        ///< taken by new cut faces and friction until that time, (PB.19) [J]
+  double power = 0;       ///< rate of this work in the last step [W]
 };
 
 }  // namespace pliant::point_based

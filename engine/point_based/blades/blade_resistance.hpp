@@ -11,7 +11,7 @@
 
 namespace pliant::point_based {
 
-/// What a body exerts on blades depends on where it is whole.
+/// The tissue that blades can meet: nodes, the inside of the body, and what has been swept.
 template <int D>
 struct TissueMap {
   template <class T>
@@ -25,11 +25,11 @@ struct TissueMap {
   SweptTissue<D> swept;
 };
 
-/// The force of one blade on the tissue, (PB.18): what new cut faces take, and friction, along the
-/// way of the edge relative to the tissue, on the nodes around it.
+/// The force of one blade on the tissue, (PB.18): the resistance of new cut faces and friction. It
+/// acts on the nodes around the edge, along the motion of the edge relative to the tissue.
 ///
-/// The edge is divided into segments. When it has moved on, each of them finds its nodes, and
-/// whether there is whole tissue before it. Between such moves a step allocates nothing.
+/// The edge is divided into segments. After each move of the edge, a segment finds its nodes and
+/// whether there is uncut tissue ahead of it. Between moves a step does not allocate.
 template <class T, int D>
 class BladeResistance {
  public:
@@ -38,10 +38,10 @@ class BladeResistance {
   explicit BladeResistance(const CutCase& cut) : cut_(cut) {}
 
   bool acts() const { return cut_.resists(); }
-  /// The edge has come from `before` (empty where the cut begins) to `now`.
+  /// The edge has moved from `before` (empty where the cut begins) to `now`.
   void follow(const Station& before, const Station& now, TissueMap<D>& tissue);
-  /// Adds the forces on the nodes of `body` and their sum, with the velocities [m/s] of the points
-  /// of the station in the undeformed body.
+  /// Adds the forces to the nodes of `body`, and their sum to `sum`. `velocity` [m/s] is that of
+  /// the points of the station in the undeformed body.
   void load(const Station& velocity, Body<T, D>& body, BladeLoad<D>& sum) const;
 
  private:
@@ -50,9 +50,9 @@ class BladeResistance {
     MaterialPoint<D> middle;
     Point<D> along;      ///< unit vector; 0 in 2D
     double length;       ///< [m]; 1 in 2D
-    std::size_t point;   ///< of the station, before it
-    double share;        ///< of the way to the next point
-    bool is_new = true;  ///< whether it cuts whole tissue
+    std::size_t point;   ///< point of the station before the middle
+    double share;        ///< share of the way to the next point
+    bool is_new = true;  ///< whether it cuts tissue that was whole
     std::array<std::int32_t, carriers> slot;
     std::array<double, carriers> weight;
   };

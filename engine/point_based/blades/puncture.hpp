@@ -17,11 +17,11 @@
 //           dent
 namespace pliant::point_based {
 
-/// What contact needs to know of a step.
+/// The parameters of a step that contact uses.
 struct ContactStep {
   double length;   ///< [s]
-  double drift;    ///< of it, how long nodes move at the velocities that they have now [s]
-  double inertia;  ///< of a node, over its mass
+  double drift;    ///< part of it for which nodes move at their present velocities [s]
+  double inertia;  ///< inertia of a node over its mass
 };
 
 /// One blade outside one body.
@@ -33,12 +33,12 @@ class Puncture {
   /// `threshold` is F_p of (PB.35) [N].
   Puncture(const Body<T, D>& body, double threshold);
 
-  /// Points of an edge that are no farther apart than half of H.
+  /// Points along an edge, no farther apart than H/2.
   Edge points_of(const Edge& edge) const;
-  /// Pushes the surface of `body` back from an edge that has moved from `before` to `now` in a
-  /// step. Returns the force on the body and its power.
+  /// Pushes the surface of `body` out of the way of an edge that has moved from `before` to `now`
+  /// in a step. Returns the force on the body and its power.
   BladeLoad<D> push(Body<T, D>& body, const Edge& before, const Edge& now, const ContactStep& step);
-  /// Whether the blade enters.
+  /// Whether the blade enters: the mean force has reached the threshold.
   bool has_given_way() const { return mean_force_ >= threshold_; }
 
   double mean_force() const { return mean_force_; }  ///< F of (PB.35) [N]; 0 before the first touch
@@ -47,8 +47,8 @@ class Puncture {
  private:
   /// A point of the edge behind a facet.
   struct Touch {
-    std::vector<undeformed::Share> shares;  ///< of the point of the facet that is nearest
-    Point<D> normal;                        ///< of the facet, outwards
+    std::vector<undeformed::Share> shares;  ///< of the nearest point of the facet
+    Point<D> normal;                        ///< of the facet, outward
     double gap;                             ///< [m], negative
   };
 
@@ -58,7 +58,7 @@ class Puncture {
                              const Point<D>& x) const;
 
   double threshold_;
-  double time_constant_;  ///< of the mean [s]
+  double time_constant_;  ///< of the mean force [s]
   double size_;           ///< H [m]
   undeformed::HeldDirections<D> held_;
   double mean_force_ = 0;

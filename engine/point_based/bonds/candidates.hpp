@@ -7,9 +7,9 @@
 
 namespace pliant::point_based {
 
-/// How many of the `count` nearest nodes are neighbours: of nodes that are equally far away all or
-/// none are, whichever rounding puts first. `distance(n)` is that of the n-th, `next` that of the
-/// one after the last, which is none; all `count` of them where fewer than `least` would remain.
+/// How many of the `count` nearest nodes are neighbours. Of nodes at equal distances either all or
+/// none are, so that rounding does not decide. `distance(n)` is that of the n-th node, `next` that
+/// of the first one after them. Returns `count` where fewer than `least` would remain.
 template <class F>
 std::size_t whole_shells(std::size_t count, double next, std::size_t least, F&& distance) {
   constexpr double equally_far = 1e-6;
@@ -18,9 +18,9 @@ std::size_t whole_shells(std::size_t count, double next, std::size_t least, F&& 
   return whole < least ? count : whole;
 }
 
-/// The `count` nodes nearest to each of those at `places`, or all others where there are fewer; of
-/// a node with an elastic volume, those with one too, (PB.21). Throws InputError, in the name of
-/// `body`, for two nodes at one place and for a cloud of one node.
+/// The `count` nearest nodes of each place in `places`, or all others if there are fewer. The
+/// candidates of a node with an elastic volume must have one too, (PB.21). Throws InputError that
+/// names `body` if two nodes are at one place or the cloud has only one node.
 template <int D>
 std::vector<std::vector<typename NearestNodes<D>::Found>> find_candidates(
     const std::vector<Point<D>>& places, const std::vector<double>& elastic_volumes, int count,

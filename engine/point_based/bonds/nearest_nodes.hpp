@@ -8,7 +8,7 @@
 
 namespace pliant::point_based {
 
-/// Nodes found by their distance, through a k-d tree (nanoflann).
+/// Finds nodes by distance, with a k-d tree (nanoflann).
 template <int D>
 class NearestNodes {
  public:
@@ -25,7 +25,8 @@ class NearestNodes {
   /// The node nearest to `x`; there must be one.
   std::int32_t nearest(const Point<D>& x) const;
 
-  /// The `count` nodes nearest to `x`, or all if there are fewer, by distance and then by number.
+  /// The `count` nodes nearest to `x`, or all if there are fewer, sorted by distance and then by
+  /// number.
   std::vector<Found> nearest(const Point<D>& x, std::size_t count) const;
 
  private:

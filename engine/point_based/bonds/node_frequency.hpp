@@ -4,10 +4,10 @@
 
 #include "engine/point_based/body.hpp"
 
-/// How fast a node and its neighbours can swing.
+/// The highest frequency of a node and its neighbours, which limits the time step.
 namespace pliant::point_based {
 
-/// What the frequency of a node depends on, besides its bonds.
+/// Constants of a node, besides its bonds, on which its frequency depends.
 struct NodeMaterial {
   double lame_modulus, shear_modulus;  ///< [Pa]
   double volume;                       ///< V [m^D]
@@ -15,7 +15,7 @@ struct NodeMaterial {
   double mass;                         ///< m [kg]
 };
 
-/// A bond of the node.
+/// A bond of the node in this estimate.
 template <int D>
 struct SwingingBond {
   Point<D> gradient;  ///< g_ij [1/m]
@@ -24,15 +24,15 @@ struct SwingingBond {
 };
 
 /// lambda_i of (PB.12) [1/s^2]: the highest squared frequency of a node and its neighbours, at
-/// rest, under the energy of this node alone.
+/// rest, if only this node has an energy.
 template <int D>
 double node_frequency2(const NodeMaterial& node, std::span<const SwingingBond<D>> bonds);
 
-/// The factor of lambda_i in (PB.12) on lattices.
+/// The factor of lambda_i in (PB.12) on lattices: how many energies act on a node.
 inline constexpr double energies_of_node = 2;
 
-/// By how much more than that the nodes of a body whose bonds are known stiffen each other, 1 at
-/// least: where small nodes lie next to large ones. By power iteration, at rest.
+/// The factor, at least 1, by which nodes stiffen each other more than on lattices: where small
+/// nodes lie next to large ones. Found by power iteration, at rest. The bonds must exist.
 template <class T, int D>
 double crowding(const Body<T, D>& body);
 

@@ -10,17 +10,18 @@
 /// The moving-least-squares gradient of a node.
 namespace pliant::point_based {
 
-/// w of (PB.2) at a distance over the support radius.
+/// w of (PB.2); the argument is the distance over the support radius.
 double bond_weight(double relative_distance);
 
-/// What (PB.3) makes of the bonds of a node.
+/// The gradient operator (PB.3) of a node.
 template <int D>
 struct NodeOperator {
   std::array<double, kernels::symmetric_components<D>> moment = {};  ///< A [m^2]
-  std::vector<Point<D>> gradient;  ///< [bond] g_ij [1/m], within the space that the bonds span
-  /// Directions that the bonds span: eigenvectors of A, those of the largest eigenvalues first.
+  std::vector<Point<D>> gradient;  ///< [bond] g_ij [1/m], in the span of the bonds
+  /// Eigenvectors of A, in descending order of eigenvalues; the first `rank` of them span the
+  /// bonds.
   std::array<Point<D>, D> direction = {};
-  int rank = 0;  ///< of them: D unless the neighbours are nearly on a plane or a line
+  int rank = 0;  ///< D unless the neighbours lie almost in a plane or on a line
 
   double trace() const {
     double sum = 0;
@@ -29,8 +30,9 @@ struct NodeOperator {
   }
 };
 
-/// Of bonds X_ij [m] with weights w_ij, (PB.3). Directions whose eigenvalue is below 1e-4 of the
-/// largest do not count: A is never regularised, which would exert forces on a turning body.
+/// The operator of bonds X_ij [m] with weights w_ij, (PB.3). Directions with an eigenvalue below
+/// 1e-4 of the largest are left out. A is never regularised: that would exert forces on a rotating
+/// body.
 template <int D>
 NodeOperator<D> node_operator(std::span<const Point<D>> bonds, std::span<const double> weights);
 

@@ -7,7 +7,7 @@
 
 namespace pliant::point_based {
 
-/// Nodes with weighted bonds, and their shares of the surface of the body.
+/// Nodes with weighted bonds, and their shares of the body's surface.
 template <int D>
 struct WeightedNodes {
   std::vector<Point<D>> positions;                   ///< [node] [m]
@@ -15,17 +15,17 @@ struct WeightedNodes {
   std::vector<Point<D>> areas;                       ///< [node] a, outwards [m^(D-1)]
   std::vector<std::vector<std::int32_t>> neighbour;  ///< [node][bond]
   std::vector<std::vector<double>> weight;           ///< [node][bond] positive
-  std::vector<bool> is_held;  ///< [node] may bear any force; none: no node may
+  std::vector<bool> is_held;  ///< [node] may take any force; empty: no node may
 };
 
-/// Changes the weights as little as makes the gradients of (PB.3) exact for uniform stress,
-/// (PB.17). The sums of V I and of a_i X_i^T must be equal. Returns what is left: the largest force
-/// on a node, in units of the stress times V^((D-1)/D).
+/// Makes the gradients of (PB.3) exact for uniform stress by the smallest change of the weights,
+/// (PB.17). The sums of V I and of a_i X_i^T must be equal. Returns the largest remaining force on
+/// a node, in units of the stress times V^((D-1)/D).
 template <int D>
 double make_patch_exact(WeightedNodes<D>& nodes);
 
 /// Changes the weights so that a uniform stress exerts little force on nodes that are not held,
-/// (PB.61): a small effort, which leaves a few hundredths of it.
+/// (PB.61). A few iterations reduce this force to a few hundredths.
 template <int D>
 void balance_weights(WeightedNodes<D>& nodes);
 

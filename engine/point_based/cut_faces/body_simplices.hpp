@@ -10,7 +10,7 @@
 
 namespace pliant::point_based {
 
-/// Triangles (2D) or tetrahedra (3D) of an undeformed body: a conforming mesh.
+/// Triangles (2D) or tetrahedra (3D) that fill an undeformed body: a conforming mesh.
 template <int D>
 struct Simplices {
   std::vector<Point<D>> places;  ///< [vertex] [m]; the first are the corners of the surface
@@ -18,16 +18,16 @@ struct Simplices {
   std::vector<std::array<std::int32_t, D + 1>> simplices;
 };
 
-/// Finds simplices of a body: the elements of its mesh, else those of the lattice between whose
-/// points its surface has been found. Facets of only one simplex are the facets of that surface.
+/// Finds the simplices of a body: the elements of its mesh, else those of the lattice that its
+/// surface comes from. A facet of only one simplex is a facet of the surface.
 template <int D>
 class BodySimplices {
  public:
-  /// `spacing` of that lattice [m].
+  /// `spacing` [m] is that of the lattice.
   template <class T>
   BodySimplices(const Body<T, D>& body, double spacing);
 
-  /// All simplices that one of the boxes touches, and others.
+  /// All simplices that touch one of the boxes; possibly more.
   Simplices<D> near(const std::vector<Box<D>>& boxes) const;
 
  private:
@@ -37,7 +37,7 @@ class BodySimplices {
   std::vector<Simplex> elements_near(const std::vector<Box<D>>& boxes) const;
 
   std::optional<SurfaceLattice<D>> lattice_;
-  std::vector<Simplex> elements_;  ///< without a lattice
+  std::vector<Simplex> elements_;  ///< used without a lattice
   std::vector<Point<D>> corners_;
   std::map<typename SurfaceLattice<D>::Name, std::int32_t> corner_of_;
 };

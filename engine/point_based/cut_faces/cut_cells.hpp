@@ -9,22 +9,22 @@
 
 namespace pliant::point_based {
 
-/// What the nodes near cuts hold of the other side, (PB.37): cuts go between nodes anywhere, or
-/// through them, and so through the volume that nodes stand for.
+/// The parts of the volumes of nodes that lie beyond a cut, (PB.37): a cut may pass anywhere
+/// between nodes or through them, and so through the volume that a node represents.
 ///
-/// It follows from the cuts alone, and is found when it is first asked for after one has grown.
+/// They depend on the cuts alone, and are computed on the first query after a cut has grown.
 template <int D>
 class CutCells {
  public:
-  /// `spacing` is that of the lattice of the surface [m], where the body is no mesh.
+  /// `spacing` [m] is that of the lattice of the surface; unused if the body is a mesh.
   template <class T>
   CutCells(const Body<T, D>& body, double spacing);
 
-  /// Follows cuts that have grown.
+  /// Updates the parts for cuts that have grown.
   void follow(std::span<const CutSurface<D>> cuts);
 
-  /// A volume [m^D] nearest to one node, on whose other side of a cut it lies, and the nearest node
-  /// on its own side: slots.
+  /// A volume [m^D] whose nearest node `of` lies on the other side of a cut; `side` is the nearest
+  /// node on its own side. Both are slots.
   struct Beyond {
     std::int32_t of, side;
     double volume;
@@ -35,7 +35,7 @@ class CutCells {
   double spacing_;
   BodySimplices<D> simplices_;
   NodePlaces<D> nodes_;
-  std::size_t pieces_ = 0;  ///< of cuts that it has followed
+  std::size_t pieces_ = 0;  ///< pieces of cuts considered so far
   std::vector<Beyond> beyond_;
 };
 

@@ -11,7 +11,7 @@
 
 namespace pliant::point_based {
 
-/// All pieces of the cuts of a body, for searches along lines through the undeformed body.
+/// All pieces of the cuts of a body, for queries along lines through the undeformed body.
 template <int D>
 class CutPieces {
  public:
@@ -24,10 +24,10 @@ class CutPieces {
   };
   /// Where cuts cross the line from `p` to `q`, in the order of the cuts and their pieces.
   std::vector<Crossed> crossings(const Point<D>& p, const Point<D>& q) const;
-  /// Whether a cut other than number `but` lies between `p` and `q`.
+  /// Whether a cut, except number `but`, lies between `p` and `q`.
   bool separate(const Point<D>& p, const Point<D>& q, std::int32_t but = -1) const;
 
-  /// Boxes of parts of the pieces no longer than `length` [m].
+  /// Boxes of parts of the pieces; no part is longer than `length` [m].
   std::vector<Box<D>> boxes(double length) const;
 
  private:

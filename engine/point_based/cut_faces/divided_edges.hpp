@@ -10,12 +10,12 @@
 
 namespace pliant::point_based {
 
-/// The unit normal of a facet of a surface, outwards.
+/// The outward unit normal of a facet of a surface.
 template <int D>
 Column<D> facet_normal(const std::vector<Point<D>>& places,
                        const std::array<std::int32_t, D>& facet);
 
-/// An edge of simplices that cuts cross, (PB.30).
+/// An edge of a simplex that cuts cross, (PB.30).
 template <int D>
 struct DividedEdge {
   Column<D> point;  ///< of the cut [m]
@@ -26,19 +26,19 @@ struct DividedEdge {
 template <int D>
 class DividedEdges {
  public:
-  /// `facets` are those of the body's surface, on which points of their edges stay.
+  /// `facets` are those of the body's surface; points of cuts on their edges stay on the surface.
   DividedEdges(const Simplices<D>& body, const std::vector<std::array<std::int32_t, D>>& facets,
                const CutPieces<D>& pieces);
 
-  /// Of the edge between two vertices; null where it is whole.
+  /// The divided edge between two vertices; null where no cut crosses it.
   const DividedEdge<D>* find(std::int32_t a, std::int32_t b) const;
 
-  /// [vertex] the first vertex of the part to which it belongs: parts of a simplex or of one of its
-  /// facets are what its whole edges join.
+  /// [vertex] the first vertex of its part. The edges that no cut crosses join the vertices of a
+  /// simplex, or of one of its facets, into parts.
   template <std::size_t N>
   std::array<std::int32_t, N> parts(const std::array<std::int32_t, N>& vertices) const {
     std::array<std::int32_t, N> part = vertices;
-    // The longest path through N vertices has N - 1 edges.
+    // A longest path through N vertices has N - 1 edges.
     for (std::size_t sweep = 0; sweep + 1 < N; ++sweep) {
       for (std::size_t i = 0; i < N; ++i) {
         for (std::size_t j = 0; j < N; ++j) {

@@ -11,39 +11,40 @@
 
 // Contact of the two faces of a cut, (PB.20).
 //
-//       above   o   o   o      A point of a cut is a point of either face. Where the faces are now
-//               - - - - -      follows from the nodes on its side: the place x, and the tangents of
-//               - - - - -      the face, by a linear fit that reaches as far as the cut. Where the
-//       below   o   o   o      upper point lies behind the lower face, both faces are pushed apart.
+//      above   o   o   o      A point of a cut stands for a point on each of its faces. A linear
+//              - - - - -      fit to the nodes on the same side gives the present place x of
+//              - - - - -      each and the tangents of the face. Where the upper point lies
+//      below   o   o   o      behind the lower face, both faces are pushed apart.
 //
-// Faces that have slid meet at another point of the lower face: the one below the upper point. So
-// equal and opposite impulses act along one line: momentum stays exact, and angular momentum but
-// for the product of the slip and the overlap that is taken back.
+// When faces have slid, the upper point is paired with the point of the lower face that is now
+// below it. Equal and opposite impulses then act along one line. Momentum is conserved exactly, and
+// angular momentum but for the product of slip and corrected overlap.
 namespace pliant::point_based {
 
-/// The contact of all cuts of one body with themselves.
+/// Contact between the faces of all cuts of one body.
 template <class T, int D>
 class FaceContact {
  public:
   /// `friction` is the coefficient of Coulomb's law.
   FaceContact(const Body<T, D>& body, double friction);
 
-  /// Takes the pieces between the last two stations of a cut.
+  /// Adds the pieces between the last two stations of a cut.
   void add(const CutSurface<D>& cut, std::int32_t number);
-  /// The faces come into contact where the front of their cut has gone on so far that no bond
-  /// crosses it; not along the rims of cuts that end inside the body.
+  /// Activates contact of faces where the front of their cut is so far ahead that no bond crosses
+  /// Activates contact of faces where the front of their cut is so far ahead that no bond crosses
+  /// them. Along the rims of cuts that end inside the body there is no contact.
   void follow(const CutBonds<D>& bonds);
-  /// Nodes whose bonds have changed lose and find others on their side.
+  /// Updates the nodes of each side after bonds of the nodes `changed` have changed.
   void find_nodes(const Body<T, D>& body, const TissueMap<D>& tissue,
                   std::span<const std::int32_t> changed);
-  /// All points find their nodes.
+  /// Finds the nodes of all points.
   void find_nodes(const Body<T, D>& body, const TissueMap<D>& tissue);
-  /// Pushes faces apart that have moved into each other in a step of `length` [s], for `drift` [s]
-  /// of it at the velocities that nodes have now.
+  /// Pushes overlapping faces apart in a step of `length` [s]; for `drift` [s] of it nodes move at
+  /// their present velocities.
   void apply(Body<T, D>& body, const TissueMap<D>& tissue, double length, double drift);
 
  private:
-  static constexpr int most = D == 2 ? 8 : 20;  // nodes of a side
+  static constexpr int most = D == 2 ? 8 : 20;  // nodes of a side, at most
   struct Side {
     int count = 0;  ///< 0 where there is no node
     std::int32_t seed = -1;
@@ -54,7 +55,7 @@ class FaceContact {
   };
   struct Pair {
     MaterialPoint<D> place;
-    Point<D> normal;                      ///< from below to above, in the undeformed body
+    Point<D> normal;                      ///< from below to above, undeformed
     std::array<Point<D>, D - 1> tangent;  ///< unit vectors
     Side below, above;
   };
@@ -64,26 +65,26 @@ class FaceContact {
     std::int32_t cut;
     int tries;
   };
-  /// Where the faces of a pair are at present.
+  /// The present faces of a pair.
   struct Faces {
-    Side below;       ///< of the point that is below the upper one
+    Side below;       ///< of the point below the upper one
     Point<D> normal;  ///< unit vector
     double gap;       ///< [m], negative where they overlap
   };
 
-  /// A pair whose faces have met in this step.
+  /// A pair whose faces overlap in this step.
   struct Meeting {
     std::size_t pair = 0;
     double impulse = 0;  ///< sum over the sweeps, along the normals [N s]
-    double moved = 0;    ///< that of the shifts [kg m]
-    Point<D> drag = {};  ///< of friction, along the faces [N s]
+    double moved = 0;    ///< the same for the shifts [kg m]
+    Point<D> drag = {};  ///< impulse of friction, along the faces [N s]
   };
 
   /// The lower face at an upper point that lies behind it.
   struct Opposite {
     Point<D> normal;                 ///< unit vector
     double gap;                      ///< [m]
-    std::array<double, D - 1> slid;  ///< of the upper point along the tangents [m]
+    std::array<double, D - 1> slid;  ///< sliding of the upper point along the tangents [m]
   };
 
   std::optional<Opposite> opposite(const Body<T, D>& body, const Point<D>& upper, const Side& below,
@@ -94,8 +95,8 @@ class FaceContact {
                   double size, Side& side);
   std::optional<Faces> faces_of(const Body<T, D>& body, const TissueMap<D>& tissue,
                                 const Pair& pair, bool have_met) const;
-  /// Faces give back what earlier sweeps have done too much, as in (TL.16). Returns how far they
-  /// are pushed [m].
+  /// Pushes the faces of a pair apart; a sweep also corrects excess impulses of earlier ones, as in
+  /// (TL.16). Returns the distance by which they are pushed [m].
   double push(Body<T, D>& body, const Side& above, const Faces& faces, double length, double drift,
               Meeting& meeting);
 
@@ -105,8 +106,8 @@ class FaceContact {
   std::vector<Waiting> waiting_;
   std::vector<Pair> pairs_;
   std::size_t found_ = 0;          ///< pairs that have found their nodes
-  std::vector<bool> has_changed_;  ///< [slot], room
-  std::vector<Meeting> meetings_;  ///< room
+  std::vector<bool> has_changed_;  ///< [slot] reused memory
+  std::vector<Meeting> meetings_;  ///< reused memory
 };
 
 extern template class FaceContact<double, 2>;

@@ -7,11 +7,10 @@
 
 namespace pliant::point_based {
 
-/// (PB.31): the place nearest to the mean of crossings of one or more cuts that lies on the planes
-/// of all of them, in the sense of least squares, and away from that mean in directions normal to
-/// `held` only, which span the normals of the body's surface there. Directions in which the planes
-/// say little do not count; nor do places farther than `reach` [m] from the mean, where it is the
-/// mean.
+/// (PB.31): the point on the planes of all `crossings`, of one or more cuts, in the least-squares
+/// sense, nearest to their mean. It leaves the mean only in directions normal to `held`, which span
+/// the normals of the body's surface there. Directions that the planes hardly determine are left
+/// out. Returns the mean if the point is farther than `reach` [m] from it.
 template <int D>
 Column<D> meeting_point(std::span<const typename CutPieces<D>::Crossed> crossings,
                         std::span<const Column<D>> held, double reach);

@@ -24,15 +24,15 @@ struct NodePlaces {
   NearestNodes<D> tree;
 };
 
-/// (PB.32): with which nodes, and with which weights, the vertices of a divided surface move: by a
-/// linear fit to the nodes near a vertex that no cut separates from it. Near the front of a cut the
-/// nodes beyond the cut count too, (PB.33), so that its faces come together there.
+/// (PB.32): the nodes, with weights, that the vertices of a divided surface move with, from a
+/// linear fit to the nodes near a vertex that no cut separates from it. Near the front of a cut,
+/// nodes beyond the cut count too, (PB.33), so that its faces join there.
 ///
-/// Linear displacements of all nodes of one side are those of its vertices.
+/// Displacements that are linear over the nodes of one side are reproduced at its vertices.
 template <int D>
 class SideFit {
  public:
-  /// Keeps references. `fronts` are those of the cuts.
+  /// Keeps references. `fronts` are the fronts of the cuts.
   SideFit(const NodePlaces<D>& nodes, const Simplices<D>& body, const CutPieces<D>& pieces,
           const std::vector<CutFront<D>>& fronts)
       : nodes_(nodes), body_(body), pieces_(pieces), fronts_(fronts) {}
@@ -41,11 +41,11 @@ class SideFit {
   void add(const SurfaceVertex<D>& vertex, std::vector<undeformed::Share>& shares);
 
  private:
-  /// The nodes near `x` that no cut, other than number `but`, separates from a vertex of the
+  /// The nodes near `x` that no cut, except number `but`, separates from the vertex `side` of the
   /// simplices.
   std::vector<std::int32_t> nodes_near(const Point<D>& x, std::int32_t side,
                                        std::int32_t but) const;
-  /// Adds `part` times the weights of a fit at `x` to the nearest of these nodes.
+  /// Adds `part` times the weights of a fit at `x` to the nearest of `nodes`.
   void add_fit(const Point<D>& x, std::vector<std::int32_t> nodes, double part,
                std::vector<undeformed::Share>& shares) const;
 

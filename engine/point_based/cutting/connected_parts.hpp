@@ -6,14 +6,14 @@
 
 namespace pliant::point_based {
 
-/// The parts into which cuts have divided a body.
+/// The parts into which cuts divide a body.
 struct ConnectedParts {
-  std::vector<std::int32_t> part_of;  ///< [node] numbered by the first node of each
+  std::vector<std::int32_t> part_of;  ///< [node] parts are numbered by their first nodes
   std::vector<double> volumes;        ///< [part] sum of its nodes' volumes
 };
 
-/// Joins nodes by their bonds with weight: node i has the bonds first[i] .. first[i + 1] - 1 to
-/// `neighbour`, each with a factor; those of factor zero join nothing.
+/// Nodes are joined by bonds with a factor other than zero. Node i has the bonds first[i] ..
+/// first[i + 1] - 1 to `neighbour`.
 ConnectedParts connected_parts(std::span<const std::int64_t> first,
                                std::span<const std::int32_t> neighbour,
                                std::span<const double> factors, std::span<const double> volumes);

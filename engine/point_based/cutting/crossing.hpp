@@ -7,45 +7,45 @@
 
 namespace pliant::point_based {
 
-/// Where bonds cross one piece of a cut. Nodes lie on one of two sides of the plane of the piece;
-/// those on the plane, up to rounding, count as the side that the normal with a positive first
-/// component points to, whichever way the blade went: two cuts of one plane take them to the same
-/// side. The boundary of the piece belongs to it, so that no bond slips through between two pieces.
+/// Where bonds cross one piece of a cut. The plane of the piece divides the nodes into two sides. A
+/// node on the plane, up to rounding, counts to the side of the normal with positive first
+/// component, whatever the direction of the blade: two cuts in one plane then agree about it. The
+/// boundary belongs to the piece, so that no bond slips through between two pieces.
 template <int D>
 class PieceCrossing {
  public:
   explicit PieceCrossing(const std::array<MaterialPoint<D>, D>& piece);
 
-  /// Where the bond from `p` to `q` crosses the piece, if it does.
+  /// Where the bond from `p` to `q` crosses the piece; none where it does not.
   std::optional<MaterialPoint<D>> operator()(const MaterialPoint<D>& p,
                                              const MaterialPoint<D>& q) const;
 
  private:
   std::array<MaterialPoint<D>, D> piece_;
-  MaterialPoint<D> normal_;  ///< its first component that is not zero is positive
-  double slack_;  ///< of distances along the normal, over the lengths that they are made of
+  MaterialPoint<D> normal_;  ///< its first non-zero component is positive
+  double slack_;  ///< rounding of distances along the normal, relative to the lengths involved
 };
 
-/// The same of one bond.
+/// The same for one bond.
 template <int D>
 std::optional<MaterialPoint<D>> crossing(const MaterialPoint<D>& p, const MaterialPoint<D>& q,
                                          const std::array<MaterialPoint<D>, D>& piece) {
   return PieceCrossing<D>(piece)(p, q);
 }
 
-/// The crossing of the way from `from` to `to` with cuts that is nearest to `from`, if there is
-/// one.
+/// The crossing of the line from `from` to `to` with a cut that is nearest to `from`; none where
+/// there is no crossing.
 template <int D>
 std::optional<MaterialPoint<D>> first_crossing(const MaterialPoint<D>& from,
                                                const MaterialPoint<D>& to,
                                                std::span<const CutSurface<D>> cuts);
 
-/// Distance [m] from `x` to a segment, which may have no length.
+/// Distance [m] from `x` to a segment; the segment may be a point.
 template <int D>
 double distance_to_segment(const MaterialPoint<D>& x, const MaterialPoint<D>& a,
                            const MaterialPoint<D>& b);
 
-/// Distance [m] from `x` to a piece, a segment in 2D and a triangle in 3D, and on which side it is.
+/// Distance [m] from `x` to a piece (2D: segment, 3D: triangle), and the side of it.
 template <int D>
 struct PieceDistance {
   double distance = 0;

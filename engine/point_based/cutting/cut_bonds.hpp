@@ -13,59 +13,59 @@ namespace pliant::point_based {
 /// How a cut changes the weights of bonds.
 enum class CutRule {
   visibility,      ///< a crossed bond has no weight
-  transparency,    ///< (CU.1): a crossed bond loses its weight as the front moves away from it
-  product,         ///< (CU.3) and (CU.4) for each piece, multiplied
-  enrichment_grid  ///< (CU.3) and (CU.5) for each cut
+  transparency,    ///< (CU.1): a crossed bond loses its weight as the front moves on
+  product,         ///< (CU.3), (CU.4) for each piece, multiplied
+  enrichment_grid  ///< (CU.3), (CU.5) for each cut
 };
 
-/// The bonds of each node to others, by rows: node i has the bonds first[i] .. first[i + 1] - 1.
+/// The bonds of all nodes by rows: node i has the bonds first[i] .. first[i + 1] - 1.
 struct BondRows {
   std::vector<std::int64_t> first;
   std::vector<std::int32_t> neighbour;  ///< [bond]
 };
 
-/// What cuts leave of the weights of bonds: a factor in [0, 1] for each bond, which never grows
-/// under `visibility` and `transparency`.
+/// The factor in [0, 1] that cuts leave of the weight of each bond. Under `visibility` and
+/// `transparency` it never grows.
 ///
 /// Each bond is tested once against each new piece of a cut, in the undeformed body. The rows may
-/// hold more bonds than are in use, so that a node can replace bonds that a cut has taken by bonds
-/// to nodes farther away on its own side.
+/// hold more bonds than are in use, so that a node can replace severed bonds by bonds to nodes
+/// farther away on its own side.
 ///
-/// Blades move first, all of them; then the nodes follow, part by part. Parts are runs of nodes,
-/// which several threads may update at once: what they share only moves change.
+/// First all blades move; then the nodes are updated, part by part. A part is a run of nodes.
+/// Several threads may update parts at once, since only moves change what parts share.
 template <int D>
 class CutBonds {
  public:
   using Point = MaterialPoint<D>;
 
-  /// `sizes` are the nodes' spacings [m], such as V^(1/D). Neighbours in the list of nodes should
-  /// be neighbours in the body, or searches are slow. A part begins at each of `first_nodes`, which
-  /// ascend from 0.
+  /// `sizes` are the nodes' spacings [m], such as V^(1/D). Nodes that are close in the list should
+  /// be close in the body, or searches are slow. A part begins at each of `first_nodes`, in
+  /// ascending order from 0.
   CutBonds(std::vector<Point> positions, std::vector<double> sizes, BondRows bonds, CutRule rule,
            InsideTest<D> is_inside, const std::vector<std::int32_t>& first_nodes = {0});
 
   /// A new cut; returns its number.
   std::int32_t add_cut();
-  /// From now on, moves are new: all parts have followed those before.
+  /// Starts a new set of moves; all parts must have followed the earlier ones.
   void begin_moves();
-  /// Moves the blade of a cut on to `station` (see CutSurface). Throws std::invalid_argument for
-  /// what the enrichment grid cannot follow.
+  /// Moves the blade of a cut to `station` (see CutSurface). Throws std::invalid_argument for a cut
+  /// that the enrichment grid cannot represent.
   void move(std::int32_t cut, const std::vector<Point>& station);
-  /// Follows the moves; returns, in ascending order, the nodes of the part with bonds whose factors
+  /// Updates a part after moves. Returns, in ascending order, its nodes with bonds whose factors
   /// have changed.
   const std::vector<std::int32_t>& update(std::size_t part);
-  /// One move, and the nodes of all parts.
+  /// Makes one move and updates all parts.
   const std::vector<std::int32_t>& advance(std::int32_t cut, const std::vector<Point>& station);
 
-  /// What the last update of a part returned.
+  /// The result of the last update of a part.
   const std::vector<std::int32_t>& changed(std::size_t part) const { return parts_[part].changed; }
 
   std::span<const double> factors() const { return factors_; }  ///< [bond]
   const BondRows& bonds() const { return bonds_; }
   std::span<const CutSurface<D>> cuts() const { return cuts_; }
   CutRule rule() const { return rule_; }
-  /// Distance [m] from a place to the front of a cut, at most `most`; the other rules have no
-  /// front.
+  /// Distance [m] from a place to the front of a cut, at most `most`. Only `transparency` has
+  /// fronts.
   double front_distance(std::int32_t cut, const Point& place, double most) const {
     return rule_ == CutRule::transparency ? fronts_[cut].distance(place, most) : most;
   }
@@ -81,8 +81,8 @@ class CutBonds {
   };
   struct Part {
     std::int32_t first, last;           ///< nodes
-    BoxTree<D> boxes;                   ///< [node of the part] of its bonds
-    std::vector<Crossing> open;         ///< of bonds that still have weight
+    BoxTree<D> boxes;                   ///< [node of the part] boxes around its bonds
+    std::vector<Crossing> open;         ///< crossings of bonds that still have weight
     std::vector<std::int32_t> changed;  ///< nodes
   };
 
@@ -105,9 +105,9 @@ class CutBonds {
   std::vector<double> factors_;
   std::vector<Part> parts_;
   std::vector<CutSurface<D>> cuts_;
-  std::vector<std::size_t> first_new_;                   ///< [cut] pieces that moves have added
-  std::vector<CutFront<D>> fronts_;                      ///< [cut], transparency
-  std::vector<std::optional<EnrichmentGrid<D>>> grids_;  ///< [cut], enrichment grid
+  std::vector<std::size_t> first_new_;  ///< [cut] first piece that moves have added
+  std::vector<CutFront<D>> fronts_;     ///< [cut] only for transparency
+  std::vector<std::optional<EnrichmentGrid<D>>> grids_;  ///< [cut] only for the enrichment grid
   std::vector<std::int32_t> changed_;
 };
 

@@ -10,9 +10,9 @@ namespace pliant::point_based {
 template <int D>
 using MaterialPoint = std::array<double, D>;
 
-/// A cut: the surface that a blade has swept, stored as material points, so that it moves with the
-/// tissue. It has been swept from one station to the next: a station is a point in 2D, and a
-/// polyline of a fixed number of points along the blade's edge in 3D.
+/// A cut: the surface that a blade has swept. It consists of material points and so moves with the
+/// tissue. The blade has moved from one station to the next. A station is a point in 2D, and in 3D
+/// a polyline of a fixed number of points along the blade's edge.
 ///
 ///     2D    o----o----o        3D    o----o----o     the pieces between two stations are
 ///           0    1    2              |  / |  / |     segments (2D) or pairs of triangles (3D)
@@ -22,9 +22,9 @@ template <int D>
 class CutSurface {
  public:
   using Point = MaterialPoint<D>;
-  using Piece = std::array<std::int32_t, D>;  ///< corners: numbers of points
+  using Piece = std::array<std::int32_t, D>;  ///< corners, as numbers of points
 
-  /// Sweeps from the last station to a new one. Each station has the same number of points: one in
+  /// Sweeps from the last station to a new one. All stations have the same number of points: one in
   /// 2D, two or more in 3D.
   void add_station(const std::vector<Point>& station);
 
@@ -37,15 +37,15 @@ class CutSurface {
   }
   std::array<Point, D> corners(std::size_t piece) const;
 
-  using Edge = std::array<std::int32_t, 2>;  ///< numbers of points; in 2D twice the same
-  /// The edge of a station: where the blade was. The cut grows from that of the last one.
+  using Edge = std::array<std::int32_t, 2>;  ///< numbers of points; in 2D both are equal
+  /// The edge of a station, where the blade was. The cut grows from the edge of its last station.
   std::vector<Edge> edge_of(std::int32_t station) const;
-  /// An edge of the boundary, and that on the other side of the pieces which it bounds.
+  /// An edge of the boundary, and the opposite edge of the pieces that it bounds.
   struct Boundary {
     Edge edge, opposite;
   };
-  /// The boundary from `station` on but for the last station: the paths of the blade's ends (3D),
-  /// and the edge of the first station if that is station 0.
+  /// The boundary from `station` on, except the last station: the paths of the blade's ends (3D),
+  /// and the edge of station 0 if `station` is 0.
   std::vector<Boundary> rim(std::int32_t station) const;
 
  private:

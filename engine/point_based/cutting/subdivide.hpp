@@ -24,7 +24,7 @@ Point<D> centre(const std::array<Point<D>, D>& piece) {
   return x;
 }
 
-/// Calls f(piece) for parts of a piece whose edges are no longer than `length`.
+/// Calls f(piece) for parts of a piece with edges no longer than `length`.
 template <int D, class F>
 void subdivide(const std::array<Point<D>, D>& piece, double length, F&& f) {
   int from = 0;

@@ -9,12 +9,12 @@
 
 namespace pliant::point_based {
 
-/// The tissue that blades have been through, as marks in cells of a grid, so that a question costs
-/// the same however much has been cut.
+/// The tissue that blades have swept, as marks in the cells of a grid. The cost of a query does not
+/// depend on how much has been cut.
 template <int D>
 class SweptTissue {
  public:
-  /// Tissue within `reach` [m] of a mark has been cut.
+  /// Tissue within `reach` [m] of a mark counts as cut.
   explicit SweptTissue(double reach) : reach_(reach) {}
 
   void mark(const MaterialPoint<D>& x);

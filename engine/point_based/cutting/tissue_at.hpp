@@ -7,9 +7,9 @@
 
 namespace pliant::point_based {
 
-/// The place in the undeformed body [m] of the tissue that is at `x` at present: linear around the
-/// node that is nearest to it now, X_i + F_i^-1 (x - x_i). Where there is no tissue any more, in
-/// the gap of a cut, the place on that cut which is on the way there from the node.
+/// The undeformed place [m] of the tissue that is now at `x`: linear around the nearest node, X_i +
+/// F_i^-1 (x - x_i). If `x` is in the gap of a cut, it is the place where the line from the node to
+/// it crosses the cut.
 template <class T, int D>
 MaterialPoint<D> tissue_at(const Body<T, D>& body, std::span<const CutSurface<D>> cuts,
                            const Point<D>& x);

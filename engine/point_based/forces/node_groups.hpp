@@ -4,20 +4,20 @@
 
 #include "engine/point_based/body.hpp"
 
-/// Groups of irregular nodes that share the stiff part of their pressure, (PB.60): such nodes would
-/// else resist deformations that keep the volume.
+/// Groups of irregular nodes that share the stiff part of their pressure, (PB.60). Without groups,
+/// such nodes resist even deformations that preserve the volume.
 namespace pliant::point_based {
 
-/// Forms the groups of a body whose bonds are known, where its material has a stiff part.
+/// Forms the groups of a body with bonds, if its material has a stiff part.
 template <class T, int D>
 void form_groups(Body<T, D>& body);
 
-/// Dissolves the group of a node, if it has one, and appends its slots to `members`.
+/// Dissolves the group of a node, if it has one, and appends the slots of the group to `members`.
 template <class T, int D>
 void dissolve_group(std::int64_t slot, Body<T, D>& body, std::vector<std::int32_t>& members);
 
-/// The same; each node keeps the theta of the group by (PB.14). Returns by how much that changes
-/// the strain energy [J].
+/// The same, but each node keeps the theta of the group by (PB.14). Returns the change of the
+/// strain energy [J].
 template <class T, int D>
 double dissolve_group_gently(std::int64_t slot, Body<T, D>& body,
                              std::vector<std::int32_t>& members);

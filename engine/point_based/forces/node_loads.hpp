@@ -8,25 +8,25 @@
 
 namespace pliant::point_based {
 
-/// What pressures, tractions and gravity do to the nodes in a step, (PB.11), (PB.15), and their
-/// power. Gravity that is the same everywhere is left to the kernels.
+/// Forces of pressures, tractions and gravity on the nodes in a step, (PB.11), (PB.15), and their
+/// power. Kernels apply uniform gravity.
 template <class T, int D>
 class NodeLoads {
  public:
   NodeLoads(State<T, D>& state, const Case& settings);
 
-  /// Whether blocks must be loaded in a step.
+  /// Whether a step has to call `load` for its blocks.
   bool act_on_blocks() const;
   /// Makes room for the present blocks.
   void prepare_blocks() { gravity_.reserve(state_.blocks.size()); }
   /// Sets the loads at `time` [s].
   void prepare(double time);
-  /// The forces on the nodes of a block where these are at present.
+  /// Computes the forces on the nodes of a block at their present positions.
   void load(int block);
 
-  /// Gravity that is the same everywhere, else 0 [m/s^2].
+  /// Uniform gravity; 0 if gravity depends on the place [m/s^2].
   const Point<D>& uniform_gravity() const { return uniform_gravity_; }
-  /// Of all loads on a block, with the present velocities [W].
+  /// Power of all loads on a block at the present velocities [W].
   EnergyBudget power(int block) const;
 
  private:

@@ -8,20 +8,20 @@
 
 namespace pliant::point_based {
 
-/// The faces of a shape: the surfaces of the balls, cylinders, half-spaces and meshes that it is
-/// made of, and the sides of its boxes one by one.
+/// The faces of a shape: the surfaces of its balls, cylinders, half-spaces and meshes, and each
+/// side of its boxes.
 template <int D>
 class Faces {
  public:
-  /// Keeps a reference to `shape`; `spacing` [m] is that of the nodes, which says what is close.
+  /// Keeps a reference to `shape`; `spacing` [m] of the nodes sets the length scale.
   Faces(const Shape& shape, double spacing);
 
-  /// The faces onto which `x` can be moved, those within half of `pitch` [m] of it: as many as meet
-  /// in a point of the surface. None where the surface is farther away.
+  /// The faces onto which `x` can be moved, within half of `pitch` [m]: as many as meet in a point
+  /// of the surface. Empty where the surface is farther away.
   std::vector<int> near(const Point<D>& x, const Point<D>& pitch) const;
 
-  /// The point next to `x` that lies on all of these faces. A point that lies on them keeps its
-  /// bits.
+  /// The point nearest to `x` on all of these faces. A point that lies on them stays bitwise the
+  /// same.
   Point<D> onto(Point<D> x, std::span<const int> faces) const;
 
   /// Whether `x` lies on the surface of the shape.

@@ -5,11 +5,10 @@
 
 namespace pliant::point_based {
 
-/// Nodes of the lattice of `lattice_pitch` that lie in a shape, moved to where (PB.40) has them:
-/// those within half of the pitch of the surface lie on it, as do points outside, and edges and
-/// corners of the shape have nodes where its faces meet. All points of a box stay where they are.
-/// The volumes are those of (PB.1), and sum to that of the shape. No nodes where the shape is
-/// thinner than the lattice can see.
+/// Nodes on the lattice of `lattice_pitch` inside a shape, moved by (PB.40). Points within half a
+/// pitch of the surface move onto it, also from outside. Edges and corners of the shape get nodes
+/// where its faces meet. Points of a box do not move. The volumes are those of (PB.1); their sum is
+/// the volume of the shape. There are no nodes where the shape is too thin for the lattice.
 template <int D>
 NodeCloud<D> lattice_nodes(const Shape& shape, double spacing);
 

@@ -5,9 +5,9 @@
 
 namespace pliant::point_based {
 
-/// A node at every vertex of a mesh of dimension D. Each element gives an equal part of its volume,
-/// 1/(D + 1), to each of its corners: their volumes sum to the volume of the mesh. Positions are
-/// `scale` times those of the file plus `translate`; `scale` in metres per unit of the file.
+/// One node at every vertex of a mesh of dimension D. Each element gives 1/(D + 1) of its volume to
+/// each corner, so node volumes sum to that of the mesh. Positions are `scale` times those of the
+/// file plus `translate`; `scale` is in metres per unit of the file.
 template <int D>
 NodeCloud<D> nodes_of_mesh(const VolumeMesh& mesh, double scale, const Vector& translate);
 

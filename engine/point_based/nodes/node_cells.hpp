@@ -6,17 +6,17 @@
 
 namespace pliant::point_based {
 
-/// A node on its way from the lattice point that it comes from.
+/// A node while it is moved from its lattice point.
 template <int D>
 struct PlacedNode {
   Point<D> x;              ///< [m]
-  std::int64_t point;      ///< of the lattice
+  std::int64_t point;      ///< lattice point that it comes from
   bool is_at_point;        ///< whether it has not moved
   bool may_move;           ///< whether it lies near the surface
-  std::vector<int> faces;  ///< on which it lies
+  std::vector<int> faces;  ///< faces on which it lies
 };
 
-/// The parts of a body that are nearer to a node than to any other.
+/// The part of the body nearest to each node.
 template <int D>
 struct NodeCells {
   std::vector<double> volumes;      ///< [node] [m^D]; they sum to that of the body

@@ -10,7 +10,7 @@ namespace pliant::point_based {
 template <int D>
 struct NodeCloud {
   std::vector<std::array<double, D>> positions;  ///< [node][axis] [m]; no two at the same place
-  std::vector<double> volumes;  ///< [node] positive, [m^3], in 2D [m^2]; their sum is the body's
+  std::vector<double> volumes;  ///< [node] positive [m^3], 2D [m^2]; sum: the volume of the body
   /// [element] nodes of the triangles (2D, counter-clockwise) or tetrahedra (3D, positive volume)
   /// that fill the body; empty where the nodes do not come from a mesh.
   std::vector<std::array<std::int32_t, D + 1>> elements;

@@ -6,14 +6,14 @@
 
 #include "engine/point_based/body.hpp"
 
-/// The arrays of a body as callers of the library see them.
+/// Views of the arrays of a body, for callers of the library.
 namespace pliant::point_based {
 
-/// Where the nodes are, in ascending order of the slots.
+/// The runs of slots that hold nodes, in ascending order.
 template <class T, int D>
 std::vector<SlotRun> slot_runs(const Body<T, D>& body);
 
-/// Positions of the nodes [m], in the order of the slots, z = 0 in 2D.
+/// Positions of the nodes [m], in the order of the slots; z = 0 in 2D.
 template <class T, int D>
 std::vector<std::array<double, 3>> present_positions(const Body<T, D>& body);
 

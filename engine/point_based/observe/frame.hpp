@@ -5,8 +5,8 @@
 
 namespace pliant::point_based {
 
-/// The nodes of a state as viewers see them, in SI units, and the surface with the faces of cuts.
-/// There are no ghosts to show.
+/// The nodes of a state for viewers, in SI units, and the surface with the faces of cuts. There are
+/// no ghosts.
 template <class T, int D>
 Frame take_frame(const State<T, D>& state, const FrameParts& parts);
 

@@ -8,7 +8,7 @@
 
 namespace pliant::point_based {
 
-/// Evaluates measurements of a state at one instant.
+/// Evaluates measurements of a state at one time.
 template <class T, int D>
 class Measurer : public undeformed::Measurer<State<T, D>> {
  public:
@@ -34,14 +34,14 @@ class Measurer : public undeformed::Measurer<State<T, D>> {
   double velocity_error(const MeasurementCase& m) const override;
 
   using Function = double (Measurer::*)(const MeasurementCase&) const;
-  /// The function that evaluates a kind that this method alone has; null of all others.
+  /// The function of a measurement kind that only this method has; null for all others.
   static Function function_of(MeasurementCase::Kind kind);
   double blade_impulse(const MeasurementCase& m) const;
   double cutting_work(const MeasurementCase& m) const;
   double parts(const MeasurementCase& m) const;
 
-  /// Slot of the node of the undeformed body that is nearest to a point on its side of all cuts;
-  /// none where the point lies outside.
+  /// Slot of the node nearest to a point of the undeformed body, on the same side of all cuts; none
+  /// where the point is outside the body.
   std::optional<std::int64_t> nearest_node(int body, const Vector& point) const;
   /// The field of a measurement at a place of the undeformed body.
   double value_at(const MeasurementCase& m, const Vector& start) const;

@@ -8,7 +8,7 @@
 
 namespace pliant::point_based {
 
-/// Vertices and pieces of the surface of a frame while it is put together.
+/// Vertices and pieces of the surface of a frame while it is assembled.
 struct SurfaceVertices {
   std::vector<double> position;                ///< [vertex][3] [m]
   std::vector<double> displacement, velocity;  ///< [vertex][axis] [m], [m/s]
@@ -16,20 +16,20 @@ struct SurfaceVertices {
   std::vector<std::int64_t> vertex;            ///< [piece][corner]
 };
 
-/// The surface of a body with cuts, both faces of each cut included: closed, with the faces of a
-/// cut apart, and joined at its front.
+/// The closed surface of a body with cuts. It includes both faces of each cut, which are separate
+/// and join at its front.
 ///
-/// Where its vertices are in the undeformed body, and which nodes they move with, follow from the
-/// cuts alone. They are found when the surface is first asked for after a cut has grown; in between
-/// the surface is a weighted sum over nodes.
+/// The undeformed places of its vertices, and the nodes that they move with, depend on the cuts
+/// alone. They are computed on the first query after a cut has grown; otherwise the surface is a
+/// weighted sum over nodes.
 template <int D>
 class OpenedSurface {
  public:
-  /// `spacing` is that of the lattice of the surface [m], where the body is no mesh.
+  /// `spacing` [m] is that of the lattice of the surface; unused if the body is a mesh.
   template <class T>
   OpenedSurface(const Body<T, D>& body, double spacing, InsideTest<D> is_inside);
 
-  /// Follows cuts that have grown.
+  /// Updates the surface for cuts that have grown.
   void follow(std::span<const CutSurface<D>> cuts);
 
   /// Adds the present surface.
@@ -37,7 +37,7 @@ class OpenedSurface {
   void add(const Body<T, D>& body, int owner, SurfaceVertices& vertices) const;
 
   const DividedSurface<D>& undeformed() const { return surface_; }
-  /// What vertex v moves with.
+  /// The nodes that vertex v moves with.
   std::span<const undeformed::Share> shares(std::size_t v) const {
     return {shares_.data() + first_share_[v], shares_.data() + first_share_[v + 1]};
   }
@@ -49,7 +49,7 @@ class OpenedSurface {
   std::int32_t corners_;
   BodySimplices<D> simplices_;
   NodePlaces<D> nodes_;
-  std::size_t pieces_ = 0;  ///< of cuts that it has followed
+  std::size_t pieces_ = 0;  ///< pieces of cuts considered so far
   DividedSurface<D> surface_;
   std::vector<std::size_t> first_share_;  ///< [vertex + 1]
   std::vector<undeformed::Share> shares_;

@@ -10,16 +10,17 @@
 
 namespace pliant::point_based {
 
-/// A shape between the points of a lattice: pieces of its surface, and simplices that fill it and
-/// whose boundary these are.
+/// A shape between the points of a lattice: the simplices that fill it, and the facets that bound
+/// them.
 template <int D>
 class SurfaceLattice {
  public:
   /// The lattice is that of the nodes, `lattice_pitch`, so that points lie on all faces of a box.
-  /// Those on the surface count as inside.
+  /// Points on the surface count as inside.
   SurfaceLattice(const Shape& shape, double spacing);
 
-  /// Of a corner: the points that it lies between; at a point twice that one.
+  /// Identifies a corner by the two lattice points that it lies between; at a lattice point, both
+  /// are equal.
   using Name = std::pair<std::int64_t, std::int64_t>;
   struct Corner {
     Name name;
@@ -28,10 +29,10 @@ class SurfaceLattice {
   using Facet = std::array<Corner, D>;
   using Simplex = std::array<Corner, D + 1>;
 
-  /// Facets of the surface, seen from outside.
+  /// Facets of the surface, ordered as seen from outside.
   std::vector<Facet> facets() const;
-  /// The simplices, with a positive determinant of the edges from the first corner, in all cells
-  /// that one of the boxes touches.
+  /// The simplices in all cells that touch one of the boxes. The determinant of their edges from
+  /// the first corner is positive.
   std::vector<Simplex> simplices_near(const std::vector<Box<D>>& boxes) const;
 
  private:
@@ -43,7 +44,7 @@ class SurfaceLattice {
   std::pair<Cube, int> cube_at(const Cell<D>& cell) const;
   static Corner corner(const Crossing<D>& crossing);
 
-  double spacing_;  ///< h, as asked for [m]
+  double spacing_;  ///< h of the case [m]
   Point<D> pitch_;  ///< distances of lattice points [m]
   Point<D> lower_ = {};
   Cell<D> extent_ = {};
