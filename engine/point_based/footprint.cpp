@@ -21,7 +21,7 @@ bool is_in_contact(const Case& a_case, const BodyCase& body) {
   });
 }
 
-/// Corners of the surface for each node: h S/V, with S/V that of a box or a ball of this size.
+/// Corners of the surface per node: h S/V, where S/V is that of a box or a ball of this size.
 double corners_of_node(const Case& a_case, const BodyCase& body) {
   const Box<3> box = bounding_box(body.geometry);
   double sum = 0;
@@ -37,9 +37,9 @@ Footprint footprint(const Case& a_case, const BodyCase& body) {
   const int dimension = a_case.dimension;
   Footprint footprint;
   footprint.on_corners = true;
-  footprint.margin = 1e-9;  // points of the lattice on the surface lie outside
+  footprint.margin = 1e-9;  // lattice points on the surface count as outside
   footprint.reach = 6;
-  // Of a bond: g, w, the place of the neighbour; of a node: fields; and the list of candidates.
+  // A bond has g, w and the place of the neighbour; a node has fields and a list of candidates.
   const double bond = sizeof(double) * (dimension + 1.0) + 2, candidate = 16;
   footprint.bytes_per_particle =
       neighbour_count(a_case) * (bond + candidate) + sizeof(double) * (8.0 * dimension + 30);

@@ -66,8 +66,8 @@ void check(const Check& check) {
   refuse_measurements(check, Measurer<double, 2>::is_measured);
 }
 
-/// Whether something else than bonds acts on single nodes, whose fast motion then holds a share of
-/// the energy that grows with the square of the step.
+/// Whether forces other than those of bonds act on single nodes. Their fast motion then holds a
+/// share of the energy that grows with the square of the step.
 bool is_pushed_node_by_node(const Case& a_case) {
   return parameters_of(a_case).cut_contact.has_value() ||
          std::ranges::any_of(
@@ -77,7 +77,8 @@ bool is_pushed_node_by_node(const Case& a_case) {
                              [](const BodyCase& body) { return body.stress.has_value(); });
 }
 
-// A cube of cells of three sizes, 16 of the finest to a side, that hangs under its weight.
+// Measured for a cube with cells of three sizes, 16 of the finest along a side, that hangs under
+// its weight.
 void warn_of_coarse_cells(const Case& a_case, std::vector<std::string>& warnings) {
   const double finest = a_case.discretisation.spacing;
   const double coarsest = parameters_of(a_case).coarsest_spacing;
@@ -88,8 +89,8 @@ void warn_of_coarse_cells(const Case& a_case, std::vector<std::string>& warnings
       finest));
 }
 
-// As the cantilever of docs/validation/robustness.py. Nodes of an octree are the middles of cells:
-// they do not see the strain of the surface.
+// Measured for the cantilever of docs/validation/robustness.py. Nodes of an octree are centres of
+// cells and do not see the strain at the surface.
 void warn(const Case& a_case, std::vector<std::string>& warnings) {
   static constexpr ThinBodyError of_lattices[] = {
       {1.5, "two layers of nodes hardly resist bending, and such runs fail"},
@@ -105,7 +106,7 @@ void warn(const Case& a_case, std::vector<std::string>& warnings) {
   warn_of_coarse_cuts(a_case, warnings);
 }
 
-// The bound of (PB.12) needs the nodes, which only the solver knows.
+// The bound of (PB.12) needs the nodes, which only the solver has.
 StepLimits step_limits(const Case& a_case) {
   StepLimits limits;
   limits.stable_cfl = 1;

@@ -30,7 +30,7 @@ namespace pliant::point_based {
 
 namespace {
 
-// Small blocks keep the workers busy, and large ones have less halo for each node.
+// Small blocks keep all workers busy; large ones have less halo per node.
 constexpr int least_nodes_of_block = 512, most_nodes_of_block = 1536, least_blocks = 32;
 constexpr double on_wall = 1e-9;
 
@@ -43,7 +43,7 @@ void lay_out(const NodeCloud<D>& cloud, Body<T, D>& body) {
     for (const Point<D>& x : cloud.positions) coordinate[a].push_back(x[a]);
     view[a] = coordinate[a];
   }
-  // Which blocks are near each other follows from the bonds.
+  // The adjacency of blocks follows later, from the bonds.
   body.particles = static_cast<std::int64_t>(cloud.positions.size());
   const auto nodes_of_block = static_cast<int>(std::clamp<std::int64_t>(
       body.particles / least_blocks, least_nodes_of_block, most_nodes_of_block));
@@ -69,7 +69,7 @@ bool has_resisted_cuts(const Case& settings, const BodyCase& source) {
                      [body](const CutCase& cut) { return cut.body == body && cut.resists(); });
 }
 
-// Where cuts take neighbours away, nodes that are no lattice replace them by nodes farther away.
+// Irregular nodes replace neighbours that cuts remove by nodes farther away.
 template <class T, int D>
 BondChoice<D> choice_of(const Case& settings, const PlacedNodes<D>& nodes, const Body<T, D>& body) {
   constexpr int candidates_per_neighbour = 3;
@@ -80,7 +80,7 @@ BondChoice<D> choice_of(const Case& settings, const PlacedNodes<D>& nodes, const
   choice.may_change = has_cuts(settings, *body.source);
   const bool is_lattice = !std::isinf(nodes.support);
   const int ranks = !is_lattice && choice.may_change ? candidates_per_neighbour : 1;
-  // The patch test balances the forces of the whole body, what walls hold included.
+  // The patch test balances the forces on the whole body, including those that walls take.
   choice.elastic_volumes = parameters_of(settings).gradient == NodeGradient::patch_exact
                                ? nodes.cloud.volumes
                                : nodes.elastic_volumes;
@@ -154,7 +154,7 @@ void prestress(const BodyCase& source, Body<T, D>& body) {
   });
 }
 
-// Nodes that a wall holds start with its velocity.
+// Nodes that a wall holds start with the velocity of the wall.
 template <class T, int D>
 void set_in_motion(const BodyCase& source, const Boundaries<D>& boundaries, Body<T, D>& body) {
   body.for_each_node([&](std::int64_t slot) {
@@ -202,7 +202,7 @@ PlacedNodes<D> place_nodes(const Case& settings, const BodyCase& source,
     pitch = lattice_pitch<D>(shape, spacing);
     nodes.cloud = lattice_nodes<D>(shape, spacing);
     nodes.reach = 0.5;
-    // Nodes at the surface have fewer neighbours, not farther ones: that would soften bending.
+    // Nodes at the surface have fewer neighbours, not farther ones, which would soften bending.
     const double widest = *std::max_element(pitch->begin(), pitch->end());
     for (int a = 0; a < D; ++a) nodes.stretch[a] = widest / (*pitch)[a];
     nodes.support = widest * lattice_support<D>(neighbour_count(settings));

@@ -14,7 +14,8 @@ namespace pliant::point_based {
 
 namespace {
 
-constexpr double least_frequency2_over = 0.8;  // of the present one before the step grows again
+constexpr double least_frequency2_over =
+    0.8;  // relative to the present one, before the step grows again
 
 template <int D>
 void put_blades(ArchiveWriter& archive, const std::vector<BladeLoad<D>>& blades) {
@@ -82,7 +83,8 @@ double Solver<T, D>::automatic_step() const {
   return cfl_number(this->settings()) * longest;
 }
 
-// A step of ever new length would feed vibrations: it shrinks when it must, and seldom grows.
+// A step whose length always changes would excite vibrations: it shrinks when necessary and grows
+// rarely.
 template <class T, int D>
 void Solver<T, D>::adapt(const Advance&, const StepResult& result) {
   if (result.frequency2 == 0) return;

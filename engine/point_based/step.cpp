@@ -9,29 +9,27 @@
 #include "engine/point_based/parameters.hpp"
 #include "engine/point_based/surface/contact_surface.hpp"
 
-// A step of the point-based method. Everything happens on the bonds of the undeformed body.
+// A step of the point-based method. All work is on the bonds of the undeformed body.
 //
 //     cuts      bonds that blades have changed, and gradients that nodes have kept (PB.14)
 //     drift     displacement at the time of the kick: half a step on for the leapfrog (PB.10)
-//     loads     what pressures (PB.11), tractions and gravity (PB.15) exert on each node
-//     forces    F at each node from the nodes that it has bonds with, the stress, and its force
-//               along the bonds (PB.4)-(PB.9), collected for own nodes and for those of other
-//               blocks
+//     loads     forces of pressures (PB.11), tractions and gravity (PB.15) on each node
+//     forces    F at each node from its neighbours, the stress, and its force along the bonds
+//               (PB.4)-(PB.9), collected for own nodes and for those of other blocks
 //     motion    the force on each node; velocity and displacement (PB.10); the velocity that walls
-//               set, and the work of walls and loads
+//               prescribe, and the work of walls and loads
 //     cut faces, punctures, contact walls
-//               nodes that have passed a face of a cut, surfaces that a blade has met before it
-//               enters, and nodes that have entered a wall are pushed back (PB.20), (PB.34),
-//               (TL.12)
+//               pushes back nodes that have passed the opposite face of a cut, surfaces that a
+//               blade touches before it enters, and nodes inside a wall (PB.20), (PB.34), (TL.12)
 //     contact: ...
-//               facets near corners, now and then; where these corners and facets are; corners
-//               that have entered another body (TL.15); impulses between the bodies, in sweeps on
-//               one thread (TL.16)
-//     work      that of loads and gravity, after contact has changed velocities: without contact,
+//               from time to time, facets near corners; where these corners and facets are;
+//               corners that have entered another body (TL.15); impulses between the bodies, in
+//               sweeps on one thread (TL.16)
+//     work      work of loads and gravity, after contact has changed velocities; without contact,
 //               part of `motion`
 //
-// A block adds up the forces on its nodes in the order of the blocks that collected them, so that
-// the sums do not depend on the number of threads.
+// A block sums the forces on its nodes in the order of the blocks that collected them, so that the
+// sums do not depend on the number of threads.
 namespace pliant::point_based {
 
 using scheduler::Phase;
@@ -256,7 +254,7 @@ void Step<T, D>::keep_velocities(int block) {
   }
 }
 
-// Nodes whose velocities change sign from step to step lose little, (TL.28).
+// Nodes whose velocities change sign from step to step lose little energy, (TL.28).
 template <class T, int D>
 double Step<T, D>::damped(int block) {
   if (state_.clock.damping == 0 || bodies_touch()) return 0;

@@ -10,8 +10,8 @@ namespace pliant::point_based {
 
 namespace {
 
-// Marks are no farther apart than half of H along the edge and a quarter of H on its way, so that
-// each place between them is within 0.3 H of one; what lies `way_ahead` before the edge is not.
+// Marks are at most H/2 apart along the edge and H/4 along its path, so that each swept place is
+// within 0.3 H of one. A place `way_ahead` before the edge is not.
 constexpr double longest_segment = 0.5, longest_way = 0.25, mark_reach = 0.3,
                  way_ahead = 0.4;  // [H]
 
@@ -80,7 +80,7 @@ Point<D> BladeResistance<T, D>::between(const Station& values, const Segment& se
   return value;
 }
 
-// With weights that vanish at the next node beyond them.
+// Finds the nodes of a segment; the weights vanish at the nearest node that is not among them.
 template <class T, int D>
 void BladeResistance<T, D>::find_nodes(Segment& segment, const TissueMap<D>& tissue) {
   const auto near = tissue.nodes.nearest(segment.middle, carriers + 1);

@@ -13,10 +13,10 @@ namespace pliant::point_based {
 
 namespace {
 
-constexpr int puncture_sweeps = 4;       // of Gauss-Seidel, as facets share nodes
-constexpr double crossings_of_mean = 3;  // time in which a wave crosses so many H
+constexpr int puncture_sweeps = 4;       // Gauss-Seidel sweeps, since facets share nodes
+constexpr double crossings_of_mean = 3;  // averaging time: a wave crosses so many H in it
 constexpr double point_distance = 0.5;   // along the edge [H]
-constexpr double deepest_dent = 1;       // of a point behind the facet that it pushes [H]
+constexpr double deepest_dent = 1;  // largest depth of a point behind the facet that it pushes [H]
 constexpr double same_distance = 1 + 1e-9;
 
 }  // namespace
@@ -71,8 +71,8 @@ std::vector<std::int32_t> Puncture<T, D>::facets_near(const Body<T, D>& body,
   return facets;
 }
 
-// Beside an edge of the surface, its facets are equally near: the one that faces the point most
-// says on which side the point is.
+// Near an edge of the surface, several facets are equally near. The one that faces the point most
+// tells on which side the point is.
 template <class T, int D>
 auto Puncture<T, D>::touch(const Body<T, D>& body, const std::vector<std::int32_t>& facets,
                            const Point<D>& x) const -> std::optional<Touch> {

@@ -16,11 +16,12 @@ namespace pliant::point_based {
 
 namespace {
 
-constexpr double support_over_distance = 1.05;  // of the nearest node that is no neighbour
+constexpr double support_over_distance = 1.05;  // of the nearest node that is not a neighbour
 constexpr int lanes = kernels::slots_per_pack;
 
-// A block's halo in ascending order: what it collects for one other block lies together.
-// `for_each_neighbour(slot, f)` calls f(slot) for all that may become neighbours of a node.
+// Finds the halos of all blocks, in ascending order, so that what a block collects for another
+// block is contiguous. `for_each_neighbour(slot, f)` calls f(slot) for all possible neighbours of a
+// node.
 template <class T, int D, class F>
 void find_halos(Body<T, D>& body, F&& for_each_neighbour) {
   body.halo.clear();
@@ -50,7 +51,7 @@ void find_halos(Body<T, D>& body, F&& for_each_neighbour) {
   }
 }
 
-// Once halos are known.
+// The halos must be known.
 template <class T, int D>
 void make_room_for_bonds(int bonds, Body<T, D>& body) {
   body.bonds = bonds;
@@ -94,7 +95,7 @@ Chosen choose(const BondChoice<D>& choice, std::span<const double> factors, std:
   return chosen;
 }
 
-/// Enters a node in the list of degenerate ones, or takes it out.
+/// Adds a node to the list of degenerate ones, or removes it.
 template <class T, int D>
 void set_rank(const NodeOperator<D>& made, int block, std::int64_t slot, double volume,
               Body<T, D>& body) {
@@ -104,7 +105,7 @@ void set_rank(const NodeOperator<D>& made, int block, std::int64_t slot, double 
   if (made.rank < D) body.degenerate[block].push_back({slot, made.rank, made.direction, volume});
 }
 
-/// What (PB.12) makes of the bonds of a node, with all of its volume.
+/// lambda_i of (PB.12) from the bonds of a node, with its whole volume.
 template <class T, int D>
 double frequency2_of(const Chosen& chosen, const NodeOperator<D>& made, std::int64_t slot,
                      double volume, const Body<T, D>& body) {
@@ -153,7 +154,7 @@ void write_bonds(const NodeBlock& block, std::int64_t slot, const GivenBonds<D>&
   const std::int64_t pack = slot / lanes, lane = slot % lanes;
   for (int k = 0; k < body.bonds; ++k) {
     const std::int64_t at = pack * body.bonds + k;
-    // Bonds of no weight lead back to the node itself.
+    // Bonds of zero weight point to the node itself.
     const bool exists = k < static_cast<int>(bonds.slot.size());
     const std::int64_t number = body.local_number(block, exists ? bonds.slot[k] : slot);
     body.neighbour[at * lanes + lane] = static_cast<std::uint16_t>(kernels::point_stride * number);

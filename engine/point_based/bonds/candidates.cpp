@@ -19,7 +19,7 @@ std::vector<std::vector<typename NearestNodes<D>::Found>> find_candidates(
                     body, nodes));
   }
   std::vector<Point<D>> elastic;
-  std::vector<std::int32_t> number;  // of the elastic nodes
+  std::vector<std::int32_t> number;  // numbers of the elastic nodes
   for (std::size_t node = 0; node < nodes; ++node) {
     if (elastic_volumes[node] == 0) continue;
     number.push_back(static_cast<std::int32_t>(node));

@@ -7,7 +7,7 @@
 
 namespace pliant::point_based {
 
-/// The set of points as nanoflann asks for it, and its tree.
+/// The set of points in the form that nanoflann expects, and its tree.
 template <int D>
 struct NearestNodes<D>::Tree {
   struct Points {

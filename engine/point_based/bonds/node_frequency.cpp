@@ -10,8 +10,8 @@ namespace pliant::point_based {
 
 namespace {
 
-// Forces at rest are linear: (PB.8) with P = lambda tr H I + mu (H + H^T). Groups, which soften,
-// are left out: cuts dissolve them.
+// Linear forces at rest: (PB.8) with P = lambda tr H I + mu (H + H^T). Groups are left out: they
+// only soften, and cuts dissolve them.
 template <class T, int D>
 class SmallMotion {
   using Matrix = Eigen::Matrix<double, D, D>;
@@ -20,7 +20,7 @@ class SmallMotion {
  public:
   explicit SmallMotion(const Body<T, D>& body) : body_(body), pull_(body.slots) {}
 
-  /// K u/m, the accelerations against small displacements u [slot].
+  /// K u/m [slot]: minus the accelerations at small displacements u.
   const std::vector<Vector>& pull(const std::vector<Vector>& moved) {
     std::fill(pull_.begin(), pull_.end(), Vector::Zero());
     for (const NodeBlock& block : body_.blocks) {
@@ -59,9 +59,9 @@ class SmallMotion {
 
 }  // namespace
 
-// With the masses at the node and its neighbours, squared frequencies are the eigenvalues of
-// H -> C : (H W), C of the material. In the axes of W, diagonal H and each pair H_ij, H_ji are
-// apart from one another, and the largest eigenvalue is one of diagonal H.
+// With the masses of the node and its neighbours, squared frequencies are the eigenvalues of H -> C
+// : (H W), where C is that of the material. In the axes of W, diagonal H and each pair H_ij, H_ji
+// decouple, and the largest eigenvalue belongs to diagonal H.
 template <int D>
 double node_frequency2(const NodeMaterial& node, std::span<const SwingingBond<D>> bonds) {
   using Vector = Eigen::Matrix<double, D, 1>;

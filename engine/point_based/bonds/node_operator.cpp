@@ -8,7 +8,7 @@ namespace pliant::point_based {
 
 namespace {
 
-constexpr double smallest_eigenvalue = 1e-4;  // of the largest
+constexpr double smallest_eigenvalue = 1e-4;  // relative to the largest
 
 }  // namespace
 

@@ -14,14 +14,14 @@ namespace pliant::point_based {
 
 namespace {
 
-constexpr double on_surface = 1e-6;  // of the volume
-constexpr double exact = 1e-5;       // of the stress
+constexpr double on_surface = 1e-6;  // relative to the volume
+constexpr double exact = 1e-5;       // relative to the stress
 
 template <int D>
 using Operators = std::vector<NodeOperator<D>>;
 
-/// [node of the cloud] its share of the surface, outwards [m^(D-1)]: a corner of a facet that is no
-/// node moves as (TL.15) says.
+/// [node of the cloud] its share of the surface, outward [m^(D-1)]. A corner of a facet that is no
+/// node moves by (TL.15).
 template <class T, int D>
 std::vector<Point<D>> areas_of(const Body<T, D>& body, const WeightedNodes<D>& nodes,
                                const Operators<D>& operators) {
@@ -47,7 +47,7 @@ std::vector<Point<D>> areas_of(const Body<T, D>& body, const WeightedNodes<D>& n
   return areas;
 }
 
-/// The sums of V I and a X^T are equal where the nodes span the body.
+/// Whether the nodes span the body: then the sums of V I and a X^T are equal.
 template <int D>
 bool span_their_surface(const WeightedNodes<D>& nodes) {
   std::array<double, D* D> rest = {};
@@ -83,7 +83,7 @@ bool have_gradients(const Operators<D>& operators) {
   return std::ranges::all_of(operators, [](const auto& made) { return made.rank == D; });
 }
 
-/// Nodes with their bonds in the undeformed body; no areas.
+/// Nodes with their bonds in the undeformed body, without areas.
 template <int D>
 WeightedNodes<D> weighted_nodes(const NodeCloud<D>& cloud, const BondChoice<D>& choice) {
   WeightedNodes<D> nodes;
@@ -110,8 +110,8 @@ void keep_factors(const std::vector<std::vector<double>>& before, const Weighted
   }
 }
 
-/// Nodes that bear what walls or needles of nodes exert on them are held; those without elastic
-/// volume or gradient have no bonds.
+/// Marks nodes as held that take forces of walls or of degenerate nodes. Removes the bonds of nodes
+/// without elastic volume or gradient.
 template <class T, int D>
 void leave_out(const Body<T, D>& body, const NodeCloud<D>& cloud, const Operators<D>& operators,
                const BondChoice<D>& choice, WeightedNodes<D>& nodes) {

@@ -4,14 +4,14 @@
 #include <algorithm>
 #include <cmath>
 
-// Weights for which moving least squares pass the patch test.
+// Weights with which moving least squares pass the patch test.
 //
-// A uniform stress P exerts P r_i on node i, apart from what its share of the surface carries, with
-// r_i = sum_j (V_j g_ji - V_i g_ij) - a_i. There are many more bonds than components of r: of all
-// changes of the weights that make r vanish, the least one is looked for. With c = ln of the
-// factors, each Gauss-Newton step solves J J^T y = -r by conjugate gradients and takes J^T y, where
-// J = dr/dc. Nothing else changes: gradients still follow from weights, so that they are exact for
-// linear fields, and a step costs what it costs without.
+// A uniform stress P exerts P r_i on node i, apart from the load on its share of the surface, where
+// r_i = sum_j (V_j g_ji - V_i g_ij) - a_i. There are many more bonds than components of r. Of all
+// changes of the weights that make r vanish, the smallest is computed. With c = ln of the factors
+// and J = dr/dc, each Gauss-Newton step solves J J^T y = -r by conjugate gradients and adds J^T y
+// to c. Gradients still follow from the weights: they stay exact for linear fields, and a step
+// costs the same.
 namespace pliant::point_based {
 
 namespace {
@@ -52,7 +52,7 @@ class PatchTest {
     return most;
   }
 
-  /// Sum of the squares of the forces on nodes that are not held.
+  /// Sum of squared forces on nodes that are not held.
   double square() const {
     double sum = 0;
     for (std::size_t i = 0; i < force_.size(); ++i) {
@@ -61,7 +61,7 @@ class PatchTest {
     return sum;
   }
 
-  /// One Gauss-Newton step, whose equations are solved up to `tolerance`.
+  /// One Gauss-Newton step; its equations are solved to `tolerance`.
   void improve(double tolerance, int most_iterations) {
     const Vectors y = solve(tolerance, most_iterations);
     double longest = 0;
@@ -82,7 +82,7 @@ class PatchTest {
   struct Bond {
     std::int32_t node;
     Vector x, u;            ///< X_ij; A^-1 X_ij
-    double weight, change;  ///< V_i w_ij; of ln c
+    double weight, change;  ///< V_i w_ij; change of ln c
   };
   struct Node {
     std::vector<Bond> bonds;
@@ -90,7 +90,7 @@ class PatchTest {
 
   bool is_held(std::size_t i) const { return !nodes_.is_held.empty() && nodes_.is_held[i]; }
 
-  /// Gradients and r of the present weights, and the blocks of J J^T on the diagonal.
+  /// Computes gradients and r of the present weights, and the diagonal blocks of J J^T.
   void evaluate() {
     for (std::size_t i = 0; i < all_.size(); ++i) {
       force_[i] = -Eigen::Map<const Vector>(nodes_.areas[i].data());
@@ -119,7 +119,7 @@ class PatchTest {
 
   void add_to_diagonal(std::size_t i) {
     const double volume = nodes_.volumes[i];
-    Vector sum = Vector::Zero();  // of w X
+    Vector sum = Vector::Zero();  // sum of w X
     for (const Bond& bond : all_[i].bonds) sum += bond.weight / volume * bond.x;
     for (const Bond& by : all_[i].bonds) {
       const Matrix square = by.weight * by.weight * by.u * by.u.transpose();
@@ -131,7 +131,7 @@ class PatchTest {
     }
   }
 
-  /// J^T y of the bonds of node i.
+  /// Sets J^T y for the bonds of node i.
   void change(std::size_t i, const Vectors& y) {
     Matrix slope = Matrix::Zero();
     for (const Bond& bond : all_[i].bonds) {
@@ -142,7 +142,7 @@ class PatchTest {
     }
   }
 
-  /// J J^T y.
+  /// result = J J^T y.
   void apply(const Vectors& y, Vectors& result) {
     for (Vector& of_node : result) of_node.setZero();
     for (std::size_t i = 0; i < all_.size(); ++i) {
@@ -159,7 +159,7 @@ class PatchTest {
     }
   }
 
-  /// y of J J^T y = -r, 0 at nodes that are held, by conjugate gradients.
+  /// Solves J J^T y = -r by conjugate gradients; y = 0 at held nodes.
   Vectors solve(double tolerance, int most_iterations) {
     Vectors y(all_.size(), Vector::Zero()), rest = force_, scaled(all_.size()), way, image = force_;
     for (Vector& of_node : rest) of_node = -of_node;
@@ -203,7 +203,7 @@ template <int D>
 double make_patch_exact(WeightedNodes<D>& nodes) {
   PatchTest<D> test(nodes);
   double worst = test.worst();
-  // The first steps are far from the end whatever is solved exactly.
+  // The first steps need no accuracy, since they are far from the solution.
   for (int step = 0; step < most_steps && worst > small_enough; ++step) {
     test.improve(step == 0 ? 3e-2 : step == 1 ? 1e-2 : 1e-3, most_iterations);
     worst = test.worst();

@@ -13,14 +13,14 @@ namespace pliant::point_based {
 
 namespace {
 
-/// A simplex is halved as often. Parts of a unit square of 10 to 20 spacings and of a unit cube of
-/// 8 then have their volume within 1 %, on lattices and meshes.
+/// Halvings of each simplex. They give the volumes of parts of a unit square with 10 to 20
+/// spacings, and of a unit cube with 8, within 1 %, on lattices and meshes.
 constexpr int halvings_of_simplex = 6;
 
 constexpr double equally_near = 1e-9;  // up to rounding
 
 template <int D>
-constexpr std::size_t nodes_searched = D == 2 ? 12 : 32;  // of which one is on the same side
+constexpr std::size_t nodes_searched = D == 2 ? 12 : 32;  // must include one on the same side
 
 template <int D>
 using CellSimplex = std::array<Point<D>, D + 1>;
@@ -41,7 +41,7 @@ Point<D> simplex_middle(const CellSimplex<D>& simplex) {
   return x;
 }
 
-/// Calls f(x) for the middles of 2^`halvings` parts of a simplex of the same volume.
+/// Calls f(x) for the centres of 2^`halvings` parts of equal volume of a simplex.
 template <int D, class F>
 void for_each_part_middle(const CellSimplex<D>& simplex, int halvings, F&& f) {
   if (halvings == 0) return f(simplex_middle<D>(simplex));
@@ -62,8 +62,8 @@ void for_each_part_middle(const CellSimplex<D>& simplex, int halvings, F&& f) {
   for_each_part_middle<D>(second, halvings - 1, f);
 }
 
-/// The node nearest to `x`, and the nearest one on the same side of all cuts, where that is farther
-/// away: a cut halfway between two nodes parts their volumes as they are.
+/// The node nearest to `x`, and the nearest one on the same side of all cuts if that is farther
+/// away. A cut halfway between two nodes does not change their volumes.
 template <int D>
 std::optional<std::pair<std::int32_t, std::int32_t>> nodes_beyond(const NodePlaces<D>& nodes,
                                                                   const CutPieces<D>& pieces,
@@ -86,7 +86,7 @@ template <class T>
 CutCells<D>::CutCells(const Body<T, D>& body, double spacing)
     : spacing_(spacing), simplices_(body, spacing), nodes_(body) {}
 
-// A large node can be nearest to places that are farther from the cut than the next simplex.
+// A large node can be the nearest one to places that are more than a simplex away from the cut.
 template <int D>
 void CutCells<D>::follow(std::span<const CutSurface<D>> cuts) {
   std::size_t count = 0;

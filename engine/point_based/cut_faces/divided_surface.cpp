@@ -11,8 +11,8 @@ namespace pliant::point_based {
 
 namespace {
 
-constexpr int front_halvings = 20;  // until the front in a facet is found to 1e-6 of its size
-constexpr double at_vertex = 1e-9;  // points of an edge that are its end [length of the edge]
+constexpr int front_halvings = 20;  // locate the front in a facet to 1e-6 of its size
+constexpr double at_vertex = 1e-9;  // points of an edge that count as its end [length of the edge]
 
 template <int D>
 class SurfaceDivider {
@@ -35,15 +35,15 @@ class SurfaceDivider {
   using Crossings = std::vector<typename CutPieces<D>::Crossed>;
   using Facet = std::array<std::int32_t, D>;
   using Triangle = std::array<std::int32_t, 3>;
-  /// Vertices of a simplex in ascending order, `none` after them; and of the part of it on whose
-  /// side a point is, the first.
+  /// Identifies a vertex: the vertices of a simplex in ascending order, padded with `none`, and the
+  /// first vertex of the part on whose side the point is.
   using Name = std::array<std::int32_t, 5>;
 
-  /// A point of a cut on both sides of it.
+  /// A point of a cut, on both sides of it.
   struct Pair {
     std::int32_t lower, upper;
   };
-  /// Where a cut between `lower` and `upper` runs in a triangle.
+  /// The line of a cut in a triangle, between the parts of `lower` and `upper`.
   struct Line {
     std::int32_t lower, upper;  ///< vertices on its sides
     Pair from, to;
@@ -66,7 +66,7 @@ class SurfaceDivider {
     return name;
   }
 
-  /// The vertex of a name; `place()` says where it is and on which crossings, if it is new.
+  /// The vertex with this name. If it is new, `place()` gives its place and crossings.
   template <class F>
   std::int32_t vertex(const Name& name, F&& place) {
     const auto known = vertex_of_.find(name);
@@ -87,7 +87,8 @@ class SurfaceDivider {
     vertex.cuts.erase(std::unique(vertex.cuts.begin(), vertex.cuts.end()), vertex.cuts.end());
   }
 
-  /// The point of a divided edge on the side of its end `end`: that end, if the cut goes through.
+  /// The point of a divided edge on the side of its end `end`; that end itself if the cut passes
+  /// through it.
   std::int32_t edge_point(std::int32_t end, std::int32_t other) {
     const DividedEdge<D>& edge = *edges_.find(end, other);
     const Column<D> x = column<D>(body_.places[end]);
@@ -123,7 +124,7 @@ class SurfaceDivider {
     return count;
   }
 
-  /// Where the cut that crosses one edge of a triangle ends in it: the last crossing of the lines
+  /// Where the cut that crosses one edge of a triangle ends: at the last crossing with lines
   /// parallel to that edge.
   Column<D> front_point(const Triangle& triangle) const {
     int v = 0;
@@ -141,8 +142,8 @@ class SurfaceDivider {
     return last;
   }
 
-  /// The point inside a triangle in which a cut ends, or cuts meet, on the side of `part`; `held`
-  /// as in meeting_point. Facets of the body's surface find theirs first.
+  /// The point inside a triangle where a cut ends or cuts meet, on the side of `part`; `held` as in
+  /// meeting_point. Facets of the body's surface compute theirs first.
   std::int32_t centre(const Triangle& triangle, std::int32_t part,
                       std::span<const Column<D>> held = {}) {
     return vertex(name_of<3>(triangle, part), [&] {
@@ -164,8 +165,7 @@ class SurfaceDivider {
     return longest;
   }
 
-  /// Calls f(line) for the lines of cuts in a triangle, each with the vertex `lower` to the left of
-  /// it.
+  /// Calls f(line) for the lines of cuts in a triangle, each with `lower` to its left.
   template <class F>
   void for_each_line(const Triangle& triangle, F&& f) {
     if (divided_edges(triangle) == 0) return;
@@ -220,8 +220,8 @@ class SurfaceDivider {
     });
   }
 
-  // A cone over the lines in the facets of the tetrahedron, to a point inside; where one cut goes
-  // through and there are no ends of cuts, to a point on an edge.
+  // The faces in a tetrahedron form a cone from the lines in its facets to a point inside. If a
+  // single cut passes through and none ends, that point is on an edge.
   void add_faces(const std::array<std::int32_t, 4>& simplex) {
     const std::array<Triangle, 4> facets = {{{simplex[0], simplex[1], simplex[2]},
                                              {simplex[0], simplex[3], simplex[1]},
@@ -253,7 +253,7 @@ class SurfaceDivider {
     }
   }
 
-  /// Halfway between the ends of fronts in the facets, else where the cuts meet.
+  /// Halfway between the ends of fronts in the facets, or else the point where the cuts meet.
   std::int32_t inner_point(const std::array<std::int32_t, 4>& simplex,
                            const std::array<Triangle, 4>& facets, std::int32_t part) {
     return vertex(name_of<4>(simplex, part), [&] {

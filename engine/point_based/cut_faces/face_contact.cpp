@@ -11,15 +11,15 @@ namespace pliant::point_based {
 
 namespace {
 
-// Of Gauss-Seidel, as nodes belong to several points. What is left over in each step shakes faces
+// Gauss-Seidel sweeps, since points share nodes. The error that remains in each step shakes faces
 // that rest on each other: with 4 sweeps a block under its weight gained a third of its energy.
 constexpr int most_sweeps = 16;
-constexpr double settled = 1e-3;  // changes in a sweep, of those in the first
+constexpr double settled = 1e-3;  // changes in a sweep, relative to those in the first
 constexpr int most_tries = 32;    // moves after which a point belongs to a rim
-constexpr double far_apart = 4;   // faces that do not meet [H]
+constexpr double far_apart = 4;   // faces that cannot meet [H]
 constexpr double deepest_overlap =
-    1;                            // of a point behind a face; beyond it there is another place [H]
-constexpr double far_slid = 0.5;  // faces whose lower nodes are found anew [H]
+    1;  // of a point behind a face; deeper points belong to another place [H]
+constexpr double far_slid = 0.5;  // sliding after which lower nodes are found again [H]
 constexpr int attempts = 3;       // to find them
 
 /// Unit vectors normal to each other and to `n`.
@@ -37,7 +37,7 @@ Point<3> normal_of(const std::array<Point<3>, 2>& t) {
   return {n[0], n[1], n[2]};
 }
 
-/// Sum over a side's nodes of weight(k) times their present places [m].
+/// Sum over the nodes of a side of weight(k) times their present places [m].
 template <class T, int D, class Side, class Weight>
 Point<D> weighted_place(const Body<T, D>& body, const Side& side, Weight&& weight) {
   Point<D> sum = {};
@@ -53,7 +53,7 @@ Point<D> place_of(const Body<T, D>& body, const Side& side) {
   return weighted_place(body, side, [&side](int k) { return side.share[k].weight; });
 }
 
-/// Gives `v` the length 1; returns the length that it had.
+/// Scales `v` to length 1; returns its former length.
 template <int D>
 double to_unit_length(Point<D>& v) {
   const double length = column<D>(v).norm();
@@ -169,7 +169,7 @@ double FaceContact<T, D>::push(Body<T, D>& body, const Side& above, const Faces&
   const double back = std::max(-faces.gap, -meeting.moved * soft);
   meeting.impulse += pushed / soft;
   meeting.moved += back / soft;
-  // Friction, too, gives back what is beyond Coulomb's law for the impulse of all sweeps.
+  // Corrects friction that exceeds Coulomb's law for the impulse of all sweeps.
   Point<D> drag = meeting.drag;
   for (int a = 0; a < D; ++a) drag[a] += slip[a] / soft;
   const double wanted = column<D>(drag).norm(), most_drag = friction_ * meeting.impulse;
@@ -192,7 +192,7 @@ double FaceContact<T, D>::push(Body<T, D>& body, const Side& above, const Faces&
 template <class T, int D>
 void FaceContact<T, D>::apply(Body<T, D>& body, const TissueMap<D>& tissue, double length,
                               double drift) {
-  // Most faces are apart in most steps.
+  // Most faces are separate in most steps.
   meetings_.clear();
   double first = 0;
   for (std::size_t i = 0; i < pairs_.size(); ++i) {

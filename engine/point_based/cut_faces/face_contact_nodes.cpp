@@ -5,13 +5,14 @@
 #include "engine/point_based/cut_faces/face_contact.hpp"
 #include "engine/point_based/cutting/column.hpp"
 
-// The nodes with which the faces of a cut move, (PB.20).
+// The nodes that the faces of a cut move with, (PB.20).
 namespace pliant::point_based {
 
 namespace {
 
-constexpr double seed_distance = 0.3;  // of the place whose nearest node is the seed [H]
-constexpr double flat_share = 1e-3;    // nodes that lie in a plane or a line
+constexpr double seed_distance =
+    0.3;  // of the place whose nearest node is the seed, from the cut [H]
+constexpr double flat_share = 1e-3;  // nodes that lie almost in a plane or on a line
 
 }  // namespace
 
@@ -42,7 +43,7 @@ void FaceContact<T, D>::fit(const Body<T, D>& body, const Pair& pair, const Mate
   for (int k = 0; k < side.count; ++k) side.share[k].weight = weight[k] * basis[k].dot(value);
 }
 
-// A node is on the side of the seed if they have a bond.
+// A node is on the side of the seed if it has a bond with it.
 template <class T, int D>
 auto FaceContact<T, D>::side_of(const Body<T, D>& body, const TissueMap<D>& tissue,
                                 const Pair& pair, const MaterialPoint<D>& place, double sign) const

@@ -8,7 +8,7 @@ namespace {
 
 constexpr double least_share = 0.01;  // of eigenvalues: cuts at less than 11 degrees count as one
 
-/// What is left of a vector without its parts along `held`.
+/// Projects out the directions `held`.
 template <int D>
 Eigen::Matrix<double, D, D> free_directions(std::span<const Column<D>> held) {
   Eigen::Matrix<double, D, D> free = Eigen::Matrix<double, D, D>::Identity();

@@ -11,8 +11,9 @@ namespace pliant::point_based {
 namespace {
 
 template <int D>
-constexpr std::size_t fitted_nodes = D == 2 ? 8 : 20;  // to a fit, as those of (PB.20)
-constexpr double flat_fit = 1e-3;  // of singular values: nodes that lie in a plane or a line
+constexpr std::size_t fitted_nodes = D == 2 ? 8 : 20;  // nodes in a fit, as in (PB.20)
+constexpr double flat_fit =
+    1e-3;  // ratio of singular values where nodes lie almost in a plane or on a line
 constexpr int no_cut = -1;
 
 template <class T, int D>
@@ -45,7 +46,7 @@ template <class T>
 NodePlaces<D>::NodePlaces(const Body<T, D>& body)
     : slot(slots_with_nodes(body)), size(node_sizes(body)), start(node_starts(body)), tree(start) {}
 
-// Slivers between cuts may hold no node: they move with what is near them.
+// A sliver between cuts may hold no node; it then moves with nodes near it.
 template <int D>
 std::vector<std::int32_t> SideFit<D>::nodes_near(const Point<D>& x, std::int32_t side,
                                                  std::int32_t but) const {
@@ -58,7 +59,7 @@ std::vector<std::int32_t> SideFit<D>::nodes_near(const Point<D>& x, std::int32_t
   return found;
 }
 
-// With weights that vanish beyond the farthest node. Where nodes lie in a plane or a line, the fit
+// The weights vanish beyond the farthest node. If the nodes lie in a plane or on a line, the fit
 // has no slope normal to it.
 template <int D>
 void SideFit<D>::add_fit(const Point<D>& x, std::vector<std::int32_t> nodes, double part,

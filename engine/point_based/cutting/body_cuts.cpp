@@ -13,10 +13,10 @@ namespace pliant::point_based {
 
 namespace {
 
-constexpr double relaxed = 1e-6;            // of D - I
-constexpr double longest_step = 0.1;        // of the way from D to I
-constexpr int halvings = 6;                 // of that step before a node waits for the next
-constexpr double straight_over_way = 1e-6;  // what bends less is straight
+constexpr double relaxed = 1e-6;            // of D - I: no more relaxation
+constexpr double longest_step = 0.1;        // share of the way from D to I
+constexpr int halvings = 6;                 // of that step, before the node waits for the next step
+constexpr double straight_over_way = 1e-6;  // deviation over length below which a path is straight
 
 template <int D>
 using Matrix = Eigen::Matrix<double, D, D>;
@@ -155,8 +155,8 @@ void BodyCuts<T, D>::move_by_case(std::size_t b, double time) {
   blade.is_done = ends;
 }
 
-// A fast blade goes by several nodes in a step. One piece of the cut is enough for these where its
-// path is straight.
+// A fast blade passes several nodes in a step. If its path is straight, one piece of the cut
+// suffices for them.
 template <class T, int D>
 void BodyCuts<T, D>::follow_path(std::size_t b, double until, double time) {
   Blade& blade = blades_[b];
@@ -250,7 +250,8 @@ void BodyCuts<T, D>::change_bonds_of(std::int32_t slot, BlockCuts& cuts, Body<T,
       after.stabilisation + strain_energy(body, block, slot, with_kept(body, slot, after.gradient));
 }
 
-// As set_bonds: neighbours, and the next candidate, from whose distance the support may follow.
+// Like set_bonds it considers the neighbours, and the next candidate, whose distance may set the
+// support.
 template <class T, int D>
 bool BodyCuts<T, D>::keeps_bonds_of(std::int32_t slot) const {
   const std::int64_t first = bonds_.bonds().first[slot];
@@ -265,7 +266,7 @@ void BodyCuts<T, D>::set_bonds_of(std::int32_t slot, Body<T, D>& body) {
   set_bonds(choice_, bonds_.factors().subspan(first, end - first), slot, body);
 }
 
-// Of the way to I, as much as does not raise the energy now.
+// Takes as large a step towards I as does not raise the present energy.
 template <class T, int D>
 void BodyCuts<T, D>::relax(BlockCuts& cuts, Body<T, D>& body) {
   const Matrix<D> identity = Matrix<D>::Identity();

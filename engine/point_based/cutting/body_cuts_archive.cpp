@@ -3,7 +3,7 @@
 #include "engine/point_based/cutting/body_cuts.hpp"
 #include "engine/point_based/forces/node_groups.hpp"
 
-// A restart repeats the moves of the blades: cuts, and what they leave of the bonds, follow.
+// A restart repeats the moves of the blades, which restores the cuts and the bonds.
 namespace pliant::point_based {
 
 namespace {

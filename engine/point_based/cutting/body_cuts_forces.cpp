@@ -3,10 +3,10 @@
 #include "engine/case/blade_track.hpp"
 #include "engine/point_based/cutting/body_cuts.hpp"
 
-// The forces of blades, (PB.18), and of cut faces on each other, (PB.20). The case says how fast
-// its blades move in a step. A caller says only where a blade is: it moves on for as long as it
-// took to come there, at the mean velocity of that time. What it has still to go when it is put
-// elsewhere is added to its next way.
+// The forces of blades, (PB.18), and of cut faces on each other, (PB.20). The case defines how fast
+// its blades move in a step. A caller only defines places: the blade then moves with the mean
+// velocity since the last place, for as long as that move took. If it is put elsewhere before it
+// arrives, the rest of its way is added to the next one.
 namespace pliant::point_based {
 
 template <class T, int D>
@@ -59,7 +59,7 @@ void BodyCuts<T, D>::meet(Body<T, D>& body, double length, double drift) {
   faces_->apply(body, *tissue_, length, drift);
 }
 
-// A blade that begins inside the body has nothing to puncture.
+// A blade that starts inside the body does not puncture.
 template <class T, int D>
 bool BodyCuts<T, D>::enters(std::size_t b, double time) {
   Blade& blade = blades_[b];

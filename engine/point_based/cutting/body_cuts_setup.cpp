@@ -7,16 +7,16 @@
 #include "engine/point_based/parameters.hpp"
 #include "engine/point_based/surface/surface.hpp"
 
-// What cuts are made of before the first one begins.
+// Set-up of cuts.
 namespace pliant::point_based {
 
 namespace {
 
-constexpr double advance_over_resolution = 0.125;  // a blade moves on by this at a time, or more
-constexpr double longest_over_resolution = 1;      // along a path that may bend
+constexpr double advance_over_resolution = 0.125;  // least advance of a blade in one move
+constexpr double longest_over_resolution = 1;      // largest one along a path that may bend
 constexpr double inside_over_resolution = 1e-6;
 
-/// Bonds to all candidates, in the numbers of slots.
+/// Bonds to all candidates, as slots.
 template <class T, int D>
 BondRows rows_of(const BondChoice<D>& choice, const Body<T, D>& body) {
   BondRows rows;

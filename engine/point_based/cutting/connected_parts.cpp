@@ -5,7 +5,7 @@
 namespace pliant::point_based {
 namespace {
 
-/// Union-find whose roots are the lowest members.
+/// Union-find; the root of a set is its lowest member.
 class Sets {
  public:
   explicit Sets(std::size_t count) : parent_(count) {

@@ -10,12 +10,12 @@
 namespace pliant::point_based {
 namespace {
 
-/// Products of lengths below this share of their size are zero up to rounding.
+/// Products of lengths below this share of their size count as zero.
 constexpr double rounding = 1e-11;
 
 double cross(const Column<2>& a, const Column<2>& b) { return a[0] * b[1] - a[1] * b[0]; }
 
-/// The normal of a piece, as long as the segment or as twice the triangle's area.
+/// The normal of a piece. Its length is that of the segment, or twice the area of the triangle.
 Column<2> normal(const std::array<MaterialPoint<2>, 2>& piece) {
   const Column<2> along = column<2>(piece[1]) - column<2>(piece[0]);
   return {-along[1], along[0]};
@@ -25,7 +25,7 @@ Column<3> normal(const std::array<MaterialPoint<3>, 3>& piece) {
   return (column<3>(piece[1]) - a).cross(column<3>(piece[2]) - a);
 }
 
-/// The normal whose first component that is not zero is positive, whichever way the piece runs.
+/// The normal whose first non-zero component is positive, for either orientation of the piece.
 template <int D>
 Column<D> upward_normal(const std::array<MaterialPoint<D>, D>& piece) {
   Column<D> n = normal(piece);
@@ -38,7 +38,7 @@ Column<D> upward_normal(const std::array<MaterialPoint<D>, D>& piece) {
   return n;
 }
 
-/// Whether the line from `p` along `d` meets the piece, its boundary included.
+/// Whether the line from `p` along `d` meets the piece, including its boundary.
 bool meets(const Column<2>& p, const Column<2>& d, const std::array<MaterialPoint<2>, 2>& piece) {
   const Column<2> a = column<2>(piece[0]) - p, b = column<2>(piece[1]) - p;
   const double slack = rounding * d.norm() * (b - a).norm();
@@ -84,7 +84,7 @@ std::optional<MaterialPoint<D>> PieceCrossing<D>::operator()(const MaterialPoint
   const Column<D> to_start = start - column<D>(piece_[0]), to_end = to_start + along;
   const Column<D> n = column<D>(normal_);
   const double from = n.dot(to_start), to = n.dot(to_end);
-  // Most bonds lie on one side by far. The sum of components is never less than the length.
+  // Most bonds are far on one side. The sum of components is an upper bound on the length.
   const double ample = 2 * slack_ * (along.template lpNorm<1>() + to_start.template lpNorm<1>());
   if ((from > ample && to > ample) || (from < -ample && to < -ample)) return {};
   const double slack = slack_ * (along.norm() + to_start.norm());
@@ -110,7 +110,7 @@ PieceDistance<D> distance_to_piece(const MaterialPoint<D>& x,
   if constexpr (D == 2) {
     found.distance = distance_to_segment<2>(x, piece[0], piece[1]);
   } else {
-    bool is_over = true;  // the foot lies inside the triangle
+    bool is_over = true;  // whether the foot is inside the triangle
     for (int k = 0; k < 3; ++k) {
       const Column<3> a = column<3>(piece[k]), b = column<3>(piece[(k + 1) % 3]);
       is_over = is_over && n.dot((b - a).cross(origin - a)) >= 0;

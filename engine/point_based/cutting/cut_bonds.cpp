@@ -29,7 +29,7 @@ Box<D> box_of(const CutSurface<D>& cut, std::size_t piece) {
   return box;
 }
 
-/// Bonds that end on a piece up to rounding are tested in both directions.
+/// Bonds that end on a piece, up to rounding, are tested in both directions.
 double squared_slack(double least_size) { return 1e-18 * least_size * least_size; }
 
 }  // namespace
@@ -79,7 +79,7 @@ void CutBonds<D>::move(std::int32_t cut, const std::vector<Point>& station) {
   if (cuts_[cut].pieces().empty()) return;
   if (rule_ == CutRule::enrichment_grid) grids_[cut].emplace(cuts_[cut]);
   if (rule_ != CutRule::transparency) return;
-  // A new piece can move the front of its own cut, and take away that of another that it meets.
+  // A new piece can move the front of its own cut, and remove that of another cut that it meets.
   for (std::size_t c = 0; c < cuts_.size(); ++c) fronts_[c].update(cuts_, c);
 }
 
@@ -126,8 +126,8 @@ void CutBonds<D>::set(Part& part, std::int32_t node, std::int64_t bond, double f
   part.changed.push_back(node);
 }
 
-/// Calls f(node, piece) for the nodes of a part whose bonds may reach pieces of a cut, piece by
-/// piece.
+/// Calls f(node, piece), piece by piece, for the nodes of a part whose bonds may reach pieces of a
+/// cut.
 template <int D>
 template <class F>
 void CutBonds<D>::for_each_near(const Part& part, std::int32_t cut, std::size_t first_piece,
@@ -140,8 +140,7 @@ void CutBonds<D>::for_each_near(const Part& part, std::int32_t cut, std::size_t 
 }
 
 /// Calls f(node, bond, cut, place) for each bond with weight that a new piece crosses. Both
-/// directions of a bond are tested from the node of lower number on, so that they get the same
-/// answer.
+/// directions of a bond are tested from the node with the lower number, so that they agree.
 template <int D>
 template <class F>
 void CutBonds<D>::for_each_crossed(const Part& part, F&& f) {
@@ -168,8 +167,8 @@ void CutBonds<D>::cut_visible(Part& part) {
   });
 }
 
-// The share of a bond changes when it is crossed, and when a part of the front near the crossing
-// comes or goes.
+// The share of a bond changes when it is crossed, and when parts of the front near the crossing are
+// added or removed.
 template <int D>
 void CutBonds<D>::cut_transparent(Part& part) {
   for_each_crossed(part,
@@ -181,7 +180,7 @@ void CutBonds<D>::cut_transparent(Part& part) {
     Box<D> place;
     place.grow(open.place);
     const double reach = reach_of_front * open.size;
-    const double square = reach * reach * (1 + 1e-6);  // with what distances round
+    const double square = reach * reach * (1 + 1e-6);  // 1e-6: rounding of distances
     if (!open.is_new && squared_gap(fronts_[open.cut].changed(), place) > square) return false;
     open.is_new = false;
     const double ahead = fronts_[open.cut].distance(open.place, reach);

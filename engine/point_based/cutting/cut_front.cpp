@@ -11,9 +11,9 @@
 namespace pliant::point_based {
 namespace {
 
-constexpr double slack = 1 + 1e-6;   // of squared distances that are compared with a bound
-constexpr double near_other = 0.25;  // of the longest part
-constexpr double around_own = 0.5;   // (PB.36), of the longest part
+constexpr double slack = 1 + 1e-6;   // in comparisons of squared distances with a bound
+constexpr double near_other = 0.25;  // of the length of parts
+constexpr double around_own = 0.5;   // (PB.36), of the length of parts
 constexpr double near_own = 0.2;
 constexpr double least_reversal = 0.9659;  // cosine of 15 degrees
 
@@ -72,7 +72,8 @@ auto CutFront<D>::turned_back(const CutSurface<D>& cut, std::int32_t station) co
   return turned;
 }
 
-// Seven of eight points around the part, normal to it: the eighth is on the piece that it bounds.
+// Tests seven of eight points around the part, normal to it; the eighth is on the piece that it
+// bounds.
 template <int D>
 bool CutFront<D>::meets_own(const Part& part, const std::array<MaterialPoint<D>, D>& piece) const {
   const Column<D> outward = column<D>(part.outward);
@@ -105,7 +106,7 @@ bool CutFront<D>::has_joined(Cuts cuts, std::size_t which, std::span<const std::
       const auto corners = cuts[c].corners(p);
       Box<D> box;
       for (const MaterialPoint<D>& corner : corners) box.grow(corner);
-      // Most pieces are far away; the slack is for what distance_to_piece rounds.
+      // Most pieces are far away; the slack covers rounding in distance_to_piece.
       if (squared_gap(box, place) > slack * near * near) continue;
       if (c == which ? meets_own(part, corners)
                      : distance_to_piece<D>(part.middle, corners).distance < near) {
@@ -135,7 +136,7 @@ void CutFront<D>::add_to_changed(const std::vector<Part>& parts) {
   }
 }
 
-// Rims that have been compared with a piece of a cut need not be compared with it again.
+// Rims are compared with each piece of a cut only once.
 template <int D>
 void CutFront<D>::update(Cuts cuts, std::size_t which) {
   const CutSurface<D>& cut = cuts[which];
@@ -173,7 +174,7 @@ double CutFront<D>::distance(const MaterialPoint<D>& x, double most) const {
   double least = most;
   for (const std::vector<Part>* parts : {&rim_, &leading_}) {
     for (const Part& part : *parts) {
-      // No point of a part is farther than half of the length from its middle.
+      // Points of a part are at most half of the length from its middle.
       const double reach = least + length_ / 2;
       if (squared_distance<D>(x, part.middle) > slack * reach * reach) continue;
       least = std::min(least, distance_to_segment<D>(x, part.from, part.to));

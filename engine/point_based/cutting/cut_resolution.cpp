@@ -12,18 +12,18 @@ namespace pliant::point_based {
 
 namespace {
 
-// What docs/validation/robustness.py finds on cut plates: with 10 spacings the mouth is 5 % too
-// narrow, with 8 by 10 %. Without the bonds that a cut crosses it is 25 % too wide with 10, and 9 %
-// with 14.
+// Results of docs/validation/robustness.py for cut plates: with 10 spacings the mouth is 5 % too
+// narrow, with 8 by 10 %. If bonds are severed at once (visibility), it is 25 % too wide with 10,
+// and 9 % with 14.
 double least_spacings(CutRule rule) { return rule == CutRule::visibility ? 20 : 10; }
 
 double distance(const Vector& a, const Vector& b) {
   return std::hypot(b[0] - a[0], b[1] - a[1], b[2] - a[2]);
 }
 
-/// How far from its start the blade comes, by the end of its edge that comes farther.
+/// Largest distance of the blade from its start, over the ends of its edge.
 double length_of(const CutCase& cut) {
-  constexpr int places = 128;  // of a path that may be curved, or go back
+  constexpr int places = 128;  // along a path that may be curved or turn back
   const BladeEdge start = edge_of(cut, cut.start);
   double farthest = 0;
   for (int k = 1; k <= places; ++k) {

@@ -31,7 +31,7 @@ Column<D> centre(const CutSurface<D>& cut, std::int32_t station) {
   return (start_of_blade(cut, station) + end_of_blade(cut, station)) / 2;
 }
 
-/// Unit normal of the part between two stations, on the same side as those of its pieces.
+/// Unit normal of the part between two stations, on the same side as the normals of its pieces.
 Column<2> normal_between(const CutSurface<2>& cut, std::int32_t station) {
   const Column<2> along = centre(cut, station + 1) - centre(cut, station);
   return Column<2>(-along[1], along[0]).normalized();

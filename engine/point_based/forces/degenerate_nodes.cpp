@@ -4,8 +4,8 @@ namespace pliant::point_based {
 
 namespace {
 
-/// lambda of Hooke's law in `rank` of D directions, where nothing holds the others: plane stress or
-/// a bar in 3D, a bar in plane strain in 2D.
+/// lambda of Hooke's law in `rank` of D directions that is free in the others: plane stress or a
+/// bar in 3D, a bar in plane strain in 2D.
 template <class T, int D>
 double reduced_lame_modulus(const kernels::HyperelasticMaterial<T>& material, int rank) {
   const double mu = material.shear_modulus, lambda = material.lame_modulus;

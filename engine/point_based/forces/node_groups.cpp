@@ -13,7 +13,7 @@ namespace {
 template <int D>
 using Gradient = std::array<double, D * D>;
 
-/// What F has to be multiplied by, so that theta becomes `wanted`.
+/// The factor of F that changes theta to `wanted`.
 template <class T, int D>
 double scale_to(const Body<T, D>& body, double theta, double wanted) {
   if (body.material.law == kernels::ElasticLaw::st_venant_kirchhoff) {
@@ -36,7 +36,8 @@ bool are_bonded(const Body<T, D>& body, const NodeBlock& block, std::int64_t one
   return found;
 }
 
-/// The longest run of nodes with bonds to the next among the slots of a group: first and last + 1.
+/// The longest run of slots in a group in which each node has a bond to the next: first and last +
+/// 1.
 template <class T, int D>
 std::pair<std::int64_t, std::int64_t> longest_run(const Body<T, D>& body, const NodeBlock& block,
                                                   std::int64_t first) {

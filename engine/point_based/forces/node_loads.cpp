@@ -9,7 +9,7 @@ namespace pliant::point_based {
 
 namespace {
 
-/// cof F a: what an area of the undeformed body is at present.
+/// cof F a: the present area vector of an undeformed area a.
 template <class T, int D>
 Eigen::Matrix<double, D, 1> present_area(const Body<T, D>& body, const NodeBlock& block,
                                          const PressedNode<D>& node) {
@@ -39,7 +39,7 @@ void NodeLoads<T, D>::prepare(double time) {
   if (gravity_.acts() && gravity_.is_uniform()) {
     uniform_gravity_ = typename Gravity<D>::Now(gravity_, 0, time)({});
   }
-  // One thread evaluates formulas of the place.
+  // One thread evaluates formulas that depend on the place.
   for (Body<T, D>& body : state_.bodies) {
     for (auto& of_block : body.pressed) {
       for (PressedNode<D>& node : of_block) {
@@ -84,8 +84,8 @@ void NodeLoads<T, D>::load(int block) {
   }
 }
 
-// Where there are bonds, their kernel evaluates the force of a pressure from its product with the
-// undeformed area; the same force is kept for its power.
+// The kernel of the bonds, if there are any, computes the force of a pressure from pressure times
+// undeformed area. The same force is stored here to compute its power.
 template <class T, int D>
 void NodeLoads<T, D>::press(Body<T, D>& body, const NodeBlock& block, PressedNode<D>& node) const {
   const SurfacePressure<D>& load = state_.boundaries.pressures[node.pressure];

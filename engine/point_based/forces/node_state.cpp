@@ -71,7 +71,7 @@ NodeFit<D> node_fit(const Body<T, D>& body, const NodeBlock& block, std::int64_t
   for (int i = 0; i < D; ++i) {
     found.gradient[D * i + i] += 1;
     for (int j = 0; j < D; ++j) {
-      // The least-squares fit leaves this of it out: tr(H A H^T).
+      // The part that the least-squares fit explains: tr(H A H^T).
       for (int k = 0; k < D; ++k) {
         apart -= h[D * i + j] * h[D * i + k] * body.moment[kernels::symmetric_index<D>(j, k)][slot];
       }
@@ -119,7 +119,7 @@ SharedPressure<D> shared_pressure(const Body<T, D>& body, const NodeBlock& block
   shared.energy = body.volume[slot] * modulus / 2 * (mean * mean - theta * theta);
   const double jacobian = matrix_of<D>(f).determinant();
   Eigen::Matrix<double, D, D> sigma = Eigen::Matrix<double, D, D>::Identity();
-  double normal = 1;  // to the plane
+  double normal = 1;  // factor of the stress normal to the plane
   if (counts_green_strain(body)) {
     sigma = matrix_of<D>(f) * matrix_of<D>(f).transpose() / jacobian;
     normal = 1 / jacobian;

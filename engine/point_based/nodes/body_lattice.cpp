@@ -12,9 +12,9 @@ namespace pliant::point_based {
 
 namespace {
 
-constexpr double on_lattice_point = 1e-9;  // [h] distances that rounding may leave
-constexpr double least_share = 1e-9;       // of a sub-cell, what rounding may leave
-constexpr double least_change = 0.1;       // [h] of phi over a cell, at kinks of phi
+constexpr double on_lattice_point = 1e-9;  // [h] rounding errors of distances
+constexpr double least_share = 1e-9;       // of a sub-cell, rounding error
+constexpr double least_change = 0.1;       // [h] change of phi over a cell, at kinks of phi
 
 }  // namespace
 
@@ -49,7 +49,7 @@ BodyLattice<D>::BodyLattice(const Shape& shape, double spacing)
   DistanceWalk distance(shape, D, 2 * spacing);
   for_each_cell<D>({}, last(0), [&](const Cell<D>& point) {
     const double phi = distance(padded<D>(place(point))) / spacing;
-    // Points on the surface count as inside, always: edges of the body stay sharp.
+    // Points on the surface always count as inside: edges of the body stay sharp.
     phi_.push_back(std::abs(phi) < on_lattice_point ? 0 : phi);
   });
 }
@@ -89,7 +89,7 @@ Point<D> BodyLattice<D>::place(const Cell<D>& point) const {
   return x;
 }
 
-// A cell without a point inside can hold a thin part of the body.
+// A cell without a point inside may still contain a thin part of the body.
 template <int D>
 auto BodyLattice<D>::filling(const Cell<D>& cell) const -> Filling {
   double least = phi_[index(cell)], most = least, longest = 0;
@@ -113,8 +113,8 @@ std::vector<double> BodyLattice<D>::filled(const Cell<D>& cell) const {
   return share;
 }
 
-// The surface is a plane in the sub-cell, whose sides differ where the spacing does not divide
-// those of the body: phi over its change across the sub-cell.
+// phi over its change across the sub-cell, as for a plane surface. The sides of a sub-cell differ
+// if the spacing does not divide those of the body.
 template <int D>
 double BodyLattice<D>::filled_at(const Cell<D>& cell, const Point<D>& x) const {
   const double phi = distance_in(cell, x);
@@ -141,7 +141,8 @@ double BodyLattice<D>::change_across(const Cell<D>& cell, const Point<D>& x) con
   return std::sqrt(square);
 }
 
-// Meshes, whose distances take long, are linear between the corners; others exact at edges.
+// phi is interpolated between the corners for meshes, where distances are expensive, and exact for
+// other shapes.
 template <int D>
 double BodyLattice<D>::distance_in(const Cell<D>& cell, const Point<D>& x) const {
   return has_mesh_ ? between(cell, x) : signed_distance(shape_, padded<D>(x), D) / spacing_;

@@ -13,8 +13,8 @@ namespace {
 
 constexpr double nearly_half_pitch = 0.5 + 1e-9;
 constexpr double on_one_face = 1e-9, on_all_faces = 1e-6;  // [h]
-constexpr int most_projections = 50;   // onto faces that are not at right angles
-constexpr std::size_t most_faces = 6;  // of those near a point
+constexpr int most_projections = 50;                       // onto faces that are not perpendicular
+constexpr std::size_t most_faces = 6;                      // near one point
 
 template <int D>
 double length_of(const Point<D>& x) {

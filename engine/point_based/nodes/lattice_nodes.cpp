@@ -15,8 +15,8 @@ namespace {
 constexpr double closest_nodes = 0.5;     // [h] on the surface
 constexpr double layer = 1.5;             // [h] depth of the nodes that move
 constexpr int sweeps = 3;                 // of moves to centroids
-constexpr double smallest_move = 1e-6;    // [h]
-constexpr double smallest_volume = 0.02;  // of a cell, of a node of its own
+constexpr double smallest_move = 1e-6;    // [h] smaller moves are not made
+constexpr double smallest_volume = 0.02;  // of a cell; smaller nodes do not stay
 
 template <int D>
 double apart(const Point<D>& x, const Point<D>& y) {
@@ -59,8 +59,9 @@ class NodePlacer {
     nodes_.push_back(std::move(node));
   }
 
-  /// Makes one node of each pair on the surface that is too close, the closest first: the one on
-  /// more faces stays, of two alike their middle. Whether there was one.
+  /// Merges each pair of nodes on the surface that is too close, closest pair first. The node on
+  /// more faces stays; if they are on equally many, it moves to the middle. Returns whether there
+  /// was such a pair.
   bool merge() {
     std::vector<Point<D>> place;
     std::vector<std::size_t> number;
@@ -94,7 +95,7 @@ class NodePlacer {
     return !pairs.empty();
   }
 
-  /// The one of two nodes that is no more.
+  /// Merges two nodes. Returns the one that is removed.
   std::size_t join(std::size_t i, std::size_t j) {
     if (nodes_[i].faces.size() != nodes_[j].faces.size()) {
       return nodes_[i].faces.size() < nodes_[j].faces.size() ? i : j;
@@ -107,7 +108,7 @@ class NodePlacer {
     return j;
   }
 
-  /// Moves a node to the point of its faces next to x, unless it would leave the surface there.
+  /// Moves a node to the point nearest to x on its faces, unless it would leave the surface there.
   void move(PlacedNode<D>& node, const Point<D>& x) {
     const Point<D> to = faces_.onto(x, node.faces);
     if (apart<D>(to, node.x) < smallest_move * spacing_) return;

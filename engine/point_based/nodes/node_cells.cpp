@@ -9,9 +9,9 @@ namespace pliant::point_based {
 
 namespace {
 
-// Those around the middle of a lattice cell that may be nearest to a point of it.
+// How many nodes around the centre of a lattice cell may be nearest to one of its points.
 constexpr std::size_t nodes_of_lattice_cell(int dimension) { return dimension == 2 ? 12 : 32; }
-constexpr double equally_near = 1e-9;  // of the square of the pitch
+constexpr double equally_near = 1e-9;  // relative to the squared pitch
 
 template <int D>
 class CellFinder {
@@ -46,7 +46,7 @@ class CellFinder {
   }
 
  private:
-  /// Adds a volume with its middle at x: first moments are those about the node.
+  /// Adds a volume with its centre at x; first moments are about the node.
   void add(std::int32_t node, double volume, const Point<D>& x) {
     cells_.volumes[node] += volume;
     for (int a = 0; a < D; ++a) {
@@ -54,7 +54,7 @@ class CellFinder {
     }
   }
 
-  /// Where none of its corners has moved, each takes the part next to it.
+  /// If no corner of the cell has moved, gives each corner the part nearest to it.
   bool give_to_corners(const Cell<D>& cell) {
     constexpr int corners = BodyLattice<D>::corners;
     for (int c = 0; c < corners; ++c) {
@@ -98,7 +98,7 @@ class CellFinder {
   }
 
   const BodyLattice<D>& lattice_;
-  std::vector<std::int32_t> node_at_;  ///< [lattice point] that has not moved, or -1
+  std::vector<std::int32_t> node_at_;  ///< [lattice point] node that has not moved, or -1
   std::vector<Point<D>> position_;
   double tolerance_;
   std::vector<std::int32_t> takers_;

@@ -12,11 +12,10 @@ namespace pliant::point_based {
 
 namespace {
 
-constexpr int points_to_a_side = 8;         // of a node's cell
-constexpr double nearly_half = 0.5 + 1e-9;  // of the pitch, with what rounding may add
+constexpr int points_to_a_side = 8;         // along a side of a node's cell
+constexpr double nearly_half = 0.5 + 1e-9;  // of the pitch, plus rounding
 
-// Of what the body fills of the cell around a node, the share outside walls that material sticks
-// to.
+// The part of a node's cell outside no-slip walls, as a share of what the body fills of the cell.
 template <int D>
 double elastic_share(const Boundaries<D>& boundaries, const Shape& shape, const Point<D>& node,
                      const Point<D>& cell) {
@@ -33,7 +32,7 @@ double elastic_share(const Boundaries<D>& boundaries, const Shape& shape, const 
   return inside == 0 ? 1 : static_cast<double>(elastic) / inside;
 }
 
-/// A node that has moved by -`distance` along the normal of a wall, over the pitch in that
+/// A node that has moved by -`distance` along the normal of a wall, in units of the pitch in that
 /// direction.
 template <int D>
 struct MovedNode {
@@ -62,7 +61,7 @@ void move_onto_walls(const Boundaries<D>& boundaries, const Point<D>& pitch, std
   }
 }
 
-// Between a moved node and the next, each takes half of the distance, as between all others.
+// A moved node and the next one share the gap between them equally, as all other nodes do.
 template <int D>
 void share_gaps(const std::vector<MovedNode<D>>& moved, const NodeCloud<D>& cloud,
                 std::vector<double>& elastic) {

@@ -11,7 +11,7 @@ namespace pliant::point_based {
 namespace {
 
 template <int D>
-using Corner = std::array<std::int64_t, D>;  // lower corner of a cell, in cells of the finest size
+using Corner = std::array<std::int64_t, D>;  // lower corner of a cell, in units of the finest size
 
 /// The part of a cell inside the body.
 template <int D>
@@ -133,7 +133,8 @@ class Octree {
     cloud_.volumes.push_back(part.volume);
   }
 
-  /// The largest of the finest leaves around a fragment takes it; a fragment alone becomes a node.
+  /// The largest of the finest leaves around a fragment takes it. A fragment without such a leaf
+  /// becomes a node.
   void join_fragments() {
     for (const auto& fragment : fragments_) {
       const Corner<D>& corner = fragment.first;
@@ -161,7 +162,7 @@ class Octree {
   const Shape& body_;
   OctreeSizes sizes_;
   pliant::Box<3> bounds_;
-  int levels_ = 0;  ///< of the roots; 0 is the finest
+  int levels_ = 0;  ///< number of levels up to the roots; 0 is the finest
   NodeCloud<D> cloud_;
   std::map<Corner<D>, std::size_t> node_of_;  ///< nodes of the finest leaves
   std::vector<std::pair<Corner<D>, Part<D>>> fragments_;

@@ -74,7 +74,7 @@ std::optional<std::int64_t> Measurer<T, D>::nearest_node(int index, const Vector
   return nearest;
 }
 
-// Linear around the nearest node, as the gradient there says.
+// Linear around the nearest node, by the gradient there.
 template <class T, int D>
 double Measurer<T, D>::point_displacement(const MeasurementCase& m) const {
   const Body<T, D>& body = state_.bodies[m.body];

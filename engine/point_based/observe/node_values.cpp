@@ -54,7 +54,7 @@ double material_value(const Body<T, D>& body, const Vector& start, std::int64_t 
   };
   double farthest = 0;
   for (const std::int64_t slot : around) farthest = std::max(farthest, length(from_point(slot)));
-  constexpr double margin = 1.2;  // so that the farthest node still counts
+  constexpr double margin = 1.2;  // gives the farthest node a weight
   LinearFit<D, 1> fit;
   for (const std::int64_t slot : around) {
     Point<D> r = from_point(slot);

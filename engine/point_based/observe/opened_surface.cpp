@@ -24,7 +24,7 @@ void OpenedSurface<D>::follow(std::span<const CutSurface<D>> cuts) {
   const CutPieces<D> pieces(cuts);
   const Simplices<D> body = simplices_.near(pieces.boxes(spacing_));
   surface_ = divide_surface<D>(body, corners_, facets_, pieces);
-  // From the whole cuts, so that the fronts do not depend on when it followed them.
+  // The fronts are built from the whole cuts, so that they do not depend on when updates happened.
   std::vector<CutFront<D>> fronts(cuts.size(), CutFront<D>(is_inside_, size_));
   for (std::size_t c = 0; c < cuts.size(); ++c) {
     if (cuts[c].stations() > 0) fronts[c].update(cuts, c);

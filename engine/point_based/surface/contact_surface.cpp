@@ -8,10 +8,10 @@ using undeformed::Share;
 
 namespace {
 
-/// A corner at X and its node at X_i differ by (F - I)(X - X_i): no more than five times their
-/// distance as long as nothing is stretched by more than 4, however it turns.
+/// The displacements of a corner at X and its node at X_i differ by (F - I)(X - X_i). That is at
+/// most five times their distance while no stretch exceeds 4, under any rotation.
 constexpr double largest_change = 5;
-constexpr double at_node = 1e-9;  // [H] distances that rounding may leave
+constexpr double at_node = 1e-9;  // [H] rounding errors of distances
 
 }  // namespace
 

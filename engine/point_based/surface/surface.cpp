@@ -18,17 +18,17 @@ namespace {
 
 using undeformed::area_vector;
 
-constexpr int samples = 8;        // to a side of a facet that the rim of a region cuts
+constexpr int samples = 8;        // along a side of a facet that crosses the rim of a region
 constexpr double on_face = 1e-5;  // [h]
 
-/// A surface whose corners name nodes of the cloud.
+/// Finds a surface whose corners refer to nodes of the cloud.
 template <int D>
 class SurfaceFinder {
  public:
   SurfaceFinder(const NodeCloud<D>& cloud, double spacing)
       : cloud_(cloud), nearest_(cloud.positions), spacing_(spacing) {}
 
-  /// Facets of one element alone.
+  /// The facets that belong to only one element.
   BodySurface<D> of_elements() {
     std::map<std::array<std::int32_t, D>, std::array<std::int32_t, D>> alone;
     for (const auto& element : cloud_.elements) {
@@ -54,7 +54,7 @@ class SurfaceFinder {
     return std::move(surface_);
   }
 
-  // Distances to meshes take long, and their edges are seldom as sharp as those of boxes.
+  // Distances to meshes are expensive, and edges of meshes are seldom as sharp as those of boxes.
   BodySurface<D> of_shape(const Shape& shape) {
     if (!contains_mesh(shape)) surface_.shape = &shape;
     surface_.spacing = spacing_;
@@ -76,7 +76,7 @@ class SurfaceFinder {
     return along > 0;
   }
 
-  /// The corner with this name; `node` -1 takes the nearest.
+  /// The corner with this name; for `node` -1 it refers to the nearest node.
   std::int32_t add(const std::pair<std::int64_t, std::int64_t>& name, const Point<D>& x,
                    std::int32_t node) {
     const auto number = static_cast<std::int32_t>(surface_.start.size());
@@ -94,7 +94,7 @@ class SurfaceFinder {
   BodySurface<D> surface_;
 };
 
-/// Calls `f(x)` for places spread evenly over a facet, and returns their number.
+/// Calls `f(x)` for places spread evenly over a facet. Returns their number.
 template <int D, class F>
 int for_each_sample(const std::array<Point<D>, D>& corner, F&& f) {
   int all = 0;
@@ -125,7 +125,7 @@ bool on_a_wall(const Boundaries<D>& boundaries, const Point<D>& x, double h) {
   return boundaries.nearest_wall(x).second < on_face * h;
 }
 
-/// What a load acts on of a facet: the mean over the part of the surface for which it stands,
+/// The loaded part of a facet: a mean over the part of the surface that the facet represents,
 /// (TL.29).
 template <int D>
 undeformed::LoadedPart<D> loaded_part(const Boundaries<D>& boundaries,
@@ -155,8 +155,8 @@ undeformed::LoadedPart<D> loaded_part(const Boundaries<D>& boundaries,
   return mean;
 }
 
-/// The share of each node in the facets that one load acts on: areas count as the corners do,
-/// middles as far as they are loaded. Pressures act on all nodes that carry a corner, (PB.51).
+/// The shares of the nodes in the facets under one load. Area vectors are distributed by the
+/// corners, centres by the loaded parts. Pressures act on all nodes that carry a corner, (PB.51).
 template <class T, int D>
 std::map<std::int32_t, PressedNode<D>> pressed_nodes(const Boundaries<D>& boundaries, int number,
                                                      const Body<T, D>& body) {

@@ -14,11 +14,11 @@ namespace pliant::point_based {
 namespace {
 
 constexpr double on_shape = 1e-9;       // [h]
-constexpr double at_point = 1e-6;       // of the way to the next lattice point
+constexpr double at_point = 1e-6;       // relative to the way to the next lattice point
 constexpr double smallest_area = 1e-9;  // [h^(D-1)]
-constexpr double touching = 1e-6;       // boxes and cells [h]
+constexpr double touching = 1e-6;       // of boxes and cells [h]
 
-// Crossings at a point are that point: two corners of a piece that are the same leave it no size.
+// A crossing at a lattice point is that point. A piece with two equal corners has no area.
 template <class Piece>
 bool has_twins(const Piece& piece) {
   for (std::size_t v = 0; v < piece.size(); ++v) {
@@ -83,7 +83,7 @@ auto SurfaceLattice<D>::cube_at(const Cell<D>& cell) const -> std::pair<Cube, in
   return {cube, inside};
 }
 
-// At a point on the surface all lines from it end alike.
+// At a point on the surface, all lines from it end in the same corner.
 template <int D>
 auto SurfaceLattice<D>::corner(const Crossing<D>& crossing) -> Corner {
   const bool is_point = crossing.inside == crossing.outside;
