@@ -6,7 +6,7 @@
 
 namespace pliant::undeformed {
 
-/// A corner of a surface that lies too deep in another body.
+/// A corner of a surface that is too deep inside another body.
 struct Overlap {
   int contact;                  ///< of the case
   double depth;                 ///< [m]
@@ -15,19 +15,19 @@ struct Overlap {
 
 /// How a step advances.
 struct Advance {
-  double time;      ///< at its start [s]
+  double time;      ///< time at the start of the step [s]
   double previous;  ///< length of the step before, 0 at the start of a run [s]
-  double length;    ///< for how long particles move [s]
-  bool examine;     ///< whether to look for the wave speed and for states that are not possible
+  double length;    ///< how long particles move [s]
+  bool examine;  ///< whether to compute the wave speed and to look for states that are not possible
 
-  /// For how long the forces of central differences act, (TL.8) [s].
+  /// How long the forces of central differences act, (TL.8) [s].
   double kick() const { return (previous + length) / 2; }
 };
 
-/// What a step finds about the state that it leaves behind.
+/// Results of a step about the state at its end.
 struct StepResult {
   std::int64_t non_finite = -1;  ///< a slot, or -1
-  int failed_block = -1;         ///< that the slot belongs to
+  int failed_block = -1;         ///< block of that slot
   std::optional<Overlap> overlap;
 };
 

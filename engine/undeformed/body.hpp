@@ -11,25 +11,25 @@
 
 namespace pliant::undeformed {
 
-/// A point of the undeformed surface on the line between two particles, with which it moves; they
-/// are the same particle where it moves with that one alone.
+/// A point of the undeformed surface on the line between two particles, which it moves with. If it
+/// moves with only one particle, both are the same.
 template <int D>
 struct Vertex {
   std::int32_t first, second;  ///< slots
   double along;                ///< 0 at the first, 1 at the second
-  Point<D> start;              ///< where it is in the undeformed body [m]
+  Point<D> start;              ///< undeformed place [m]
 };
 
-/// A particle whose velocity a wall sets.
+/// A particle whose velocity a wall prescribes.
 template <int D>
 struct ConstrainedParticle {
   std::int32_t slot;
   std::int32_t wall;
-  Point<D> normal;  ///< of a slip wall, out of it; zero at a no-slip wall
-  Point<D> start;   ///< where it is in the undeformed body [m]
+  Point<D> normal;  ///< outward normal of a slip wall; zero at a no-slip wall
+  Point<D> start;   ///< undeformed place [m]
 };
 
-/// What the bodies of all methods on the undeformed body have: particles that move.
+/// The common part of the bodies of all methods on the undeformed body: particles that move.
 template <class T, int D>
 struct Body {
   using Scalar = T;
@@ -42,17 +42,17 @@ struct Body {
   Buffer<T> inverse_mass;  ///< [1/kg], 0 where there is no particle
   std::array<Buffer<T>, D> displacement, velocity;
   std::array<Buffer<T>, D> traction;  ///< of loads and gravity on each particle [N]
-  /// At the end of a step that an output time divides [m]; of no meaning between other steps.
+  /// Displacement at the end of a step that an output time divides [m]; otherwise undefined.
   std::array<Buffer<T>, D> end_displacement;
-  /// The same of velocities that belong to the ends of steps, and what they gain in the step [m/s].
+  /// The same for velocities that belong to the ends of steps, and their gain in the step [m/s].
   std::array<Buffer<T>, D> end_velocity, velocity_gain;
   std::vector<std::vector<ConstrainedParticle<D>>> held;  ///< [block]
 
   bool is_particle(std::int64_t slot) const { return mass[slot] > 0; }
 
-  /// Where a point of the surface is at present [m].
+  /// Present place of a point of the surface [m].
   Point<D> position(const Vertex<D>& v) const { return position(v, displacement); }
-  /// Where it is with these displacements [m].
+  /// Its place with these displacements [m].
   Point<D> position(const Vertex<D>& v, const std::array<Buffer<T>, D>& displaced) const {
     Point<D> x = v.start;
     for (int a = 0; a < D; ++a) {
@@ -62,11 +62,11 @@ struct Body {
   }
 };
 
-/// The member of a body with the displacements that a step leaves behind.
+/// The member of a body that holds the displacements at the end of a step.
 template <class T, int D>
 using Displacements = std::array<Buffer<T>, D> Body<T, D>::*;
 
-/// Normal of a segment or a triangle, its length the area [m^(D-1)].
+/// Normal of a segment or a triangle; its length is the area [m^(D-1)].
 template <int D>
 Point<D> area_vector(const std::array<Point<D>, D>& x) {
   if constexpr (D == 2) {

@@ -8,7 +8,7 @@ namespace pliant::undeformed {
 
 namespace {
 
-/// The part of `v` that a wall prescribes: that along the normal of a slip wall.
+/// The part of `v` that a wall prescribes: at a slip wall, the normal part.
 template <int D>
 Point<D> held_part(const ConstrainedParticle<D>& held, const Point<D>& v) {
   if (held.normal == Point<D>{}) return v;
@@ -36,8 +36,8 @@ void BoundaryWork<T, D>::add_blocks(const Body<T, D>& body) {
   }
 }
 
-// Where particles move at their new velocity throughout the step, it is the mean of the step, else
-// that of its end.
+// If particles move at their new velocity during the whole step, that velocity is the mean of the
+// step; otherwise it is that of its end.
 template <class T, int D>
 void BoundaryWork<T, D>::prepare(const Times& times) {
   times_ = times;

@@ -4,20 +4,20 @@
 
 namespace pliant::undeformed {
 
-/// Counters that the next step reads; a checkpoint holds all of them. The wave speed is that of the
-/// unscaled mass.
+/// Counters that the next step reads; a checkpoint holds all of them. The wave speed is that
+/// without mass scaling.
 struct Clock : StepClock {
   double mass_scaling = 1;   ///< inertia over mass in the next step
   double damping = 0;        ///< alpha of (TL.8) and (PB.10) in the next step [1/s]
-  double step_length = 0;    ///< of the last step that began [s]; 0 before the first
-  double step_end = 0;       ///< when that step ends [s]
-  double velocity_time = 0;  ///< when the velocities are those of the bodies [s]
+  double step_length = 0;    ///< of the last step that has begun [s]; 0 before the first
+  double step_end = 0;       ///< end of that step [s]
+  double velocity_time = 0;  ///< time of the velocities [s]
 
-  /// What is left of that step after an output time inside it [s]; 0 where it has ended.
+  /// Rest of that step after an output time inside it [s]; 0 if it has ended.
   double rest() const { return step_end - time > rounding() ? step_end - time : 0; }
-  /// From when the velocities are to `time` [s].
+  /// Time from that of the velocities to `time` [s].
   double lag() const { return time - velocity_time; }
-  /// Times nearer to each other than this are the same [s].
+  /// Times closer to each other than this count as equal [s].
   double rounding() const { return 1e-9 * step_length; }
 };
 

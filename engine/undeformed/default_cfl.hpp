@@ -6,9 +6,9 @@
 
 namespace pliant::undeformed {
 
-/// CFL number of nodes where the case gives none: nine tenths of what is stable by (PB.12) and
-/// (FE.6). Contact, with walls too, lets the energy grow with longer steps: by 7 to 10 % of the
-/// work of a round tool that slides on a block without friction with 0.9, by 0.4 to 0.9 % with 0.6.
+/// Default CFL number of nodes: nine tenths of what is stable by (PB.12) and (FE.6). With contact,
+/// also with walls, longer steps increase the energy. For a round tool that slides on a block
+/// without friction, by 7 to 10 % of its work with 0.9, and by 0.4 to 0.9 % with 0.6.
 inline double default_cfl_of_nodes(const Case& a_case) {
   const bool meets_walls = std::ranges::any_of(a_case.boundaries, [](const BoundaryCase& wall) {
     return wall.kind == BoundaryCase::Kind::contact_wall;

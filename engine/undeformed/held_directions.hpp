@@ -7,12 +7,12 @@
 
 namespace pliant::undeformed {
 
-/// [slot] the directions in which walls leave a particle free, as a projection, row by row; those
-/// that no wall holds are left out.
+/// [slot] the directions that walls leave free for a particle, as a row-major projection. Only
+/// particles that a wall holds have an entry.
 template <int D>
 using HeldDirections = std::map<std::int32_t, std::array<double, D * D>>;
 
-/// The projection of a particle that no wall holds.
+/// The projection for a particle that no wall holds.
 template <int D>
 std::array<double, D * D> all_directions() {
   std::array<double, D* D> tensor = {};
@@ -30,7 +30,7 @@ Point<D> projected(const std::array<double, D * D>& free, const Point<D>& v) {
   return left;
 }
 
-/// What a projection leaves free and is normal to `n` too: of walls at right angles, exactly.
+/// A projection that is also normal to `n`; exact for walls at right angles.
 template <int D>
 std::array<double, D * D> without(const std::array<double, D * D>& free, const Point<D>& n) {
   Point<D> along = {};
@@ -44,7 +44,7 @@ std::array<double, D * D> without(const std::array<double, D * D>& free, const P
   return rest;
 }
 
-/// Of all particles of a body that walls hold.
+/// The projections of all particles of a body that walls hold.
 template <class T, int D>
 HeldDirections<D> held_directions(const Body<T, D>& body) {
   HeldDirections<D> held;

@@ -11,21 +11,21 @@
 
 namespace pliant::undeformed {
 
-/// Evaluates measurements of a state at one instant: those that all methods on the undeformed body
-/// have. A method says how it finds them, and adds its own.
+/// Evaluates measurements of a state at one time: those that all methods on the undeformed body
+/// have. A method supplies the details and adds its own measurements.
 template <class State>
 class Measurer {
  public:
   explicit Measurer(const State& state) : state_(state) {}
   virtual ~Measurer() = default;
 
-  /// One value for each measurement; NaN where it has none (those which read histories).
+  /// One value for each measurement; NaN for those that evaluate histories.
   std::vector<double> operator()(std::span<const MeasurementCase> measurements) const;
 
-  /// Of all bodies together.
+  /// Integrals of all bodies together.
   BodyIntegrals totals() const;
 
-  /// Whether a kind of measurement is one of those that all methods have.
+  /// Whether all methods on the undeformed body have a kind of measurement.
   static bool is_measured(MeasurementCase::Kind kind) { return function_of(kind) != nullptr; }
 
  protected:
@@ -37,13 +37,13 @@ class Measurer {
   virtual double material_value(const MeasurementCase& m) const = 0;
   virtual double mean_value(const MeasurementCase& m) const = 0;
   virtual double velocity_error(const MeasurementCase& m) const = 0;
-  /// The value of a kind that this method alone has; `no_value` of all others.
+  /// The value of a kind that only this method has; `no_value` for all others.
   virtual double own_value(const MeasurementCase&) const { return no_value; }
   /// The present free surface of a body, without cut faces.
   virtual FreeSurface<D> free_surface(int body) const = 0;
   /// Integrals of a body; its angular momentum is about `about`.
   virtual BodyIntegrals integrals(int body, const Vector& about) const = 0;
-  /// The total energy of a body as its steps conserve it, which these integrals are of.
+  /// The total energy of a body as its steps conserve it; `sum` are its integrals.
   virtual double total_energy(int, const BodyIntegrals& sum) const {
     return sum.kinetic_energy + sum.strain_energy;
   }

@@ -22,13 +22,13 @@
 
 namespace pliant::undeformed {
 
-/// The solver of a method on the undeformed body: what the method's state, the phases of its step
-/// and its measurer do together. The namespace of the state also has take_frame(state, parts), and
-/// slot_runs(body) and present_positions(body) of its bodies.
+/// The common solver of methods on the undeformed body: it combines the state, the step and the
+/// measurer of a method. The namespace of the state also has take_frame(state, parts), and
+/// slot_runs(body) and present_positions(body) for its bodies.
 ///
-/// A step always has its full length, so that no output time alters a run: a short step now and
-/// then would feed vibrations. Where an output time lies inside a step, particles are shown on
-/// their way through it: within_step.hpp.
+/// A step always has its full length, so that no output time alters a run: an occasional short step
+/// would excite vibrations. At an output time inside a step, particles are shown on their way
+/// through it: within_step.hpp.
 template <class State, class Step, class Measurer>
 class Solver : public pliant::Solver {
   using Body = typename decltype(State::bodies)::value_type;
@@ -63,10 +63,10 @@ class Solver : public pliant::Solver {
  protected:
   using StepResult = decltype(std::declval<Step&>().fold());
 
-  /// Makes a state whose bodies are empty, with the wave speed of their materials.
+  /// Makes a state with empty bodies and the wave speed of their materials.
   Solver(const Case& a_case, const SolverOptions& options);
 
-  /// Takes the phases of a step of all bodies, which have been made; `blocks` are theirs.
+  /// Sets the phases of a step; all bodies must exist, and `blocks` are their blocks.
   void set_step(std::unique_ptr<Step> step, const scheduler::Blocks& blocks);
 
   void save_state(ArchiveWriter& archive) const override { put_state(archive, state_); }
@@ -76,16 +76,16 @@ class Solver : public pliant::Solver {
   /// Length of the step by the CFL number of the case [s].
   virtual double automatic_step() const = 0;
   virtual Measurer measurer() const = 0;
-  /// Whether velocities belong to the middle of a step, else to its end.
+  /// Whether velocities belong to the middle of a step, not to its end.
   virtual bool velocities_lag() const = 0;
   /// Whether the work of all forces and all losses are known.
   virtual bool knows_energy() const { return true; }
   /// The failure of a step whose result is not finite.
   virtual StepFailure failure(const StepResult& result) const = 0;
   StepFailure failure(const Overlap& overlap) const;
-  /// Adapts the next step to what this one has found.
+  /// Adapts the next step to the result of this one.
   virtual void adapt(const Advance&, const StepResult&) {}
-  /// The time of the clock has changed.
+  /// Called when the time of the clock has changed.
   virtual void show() {}
 
   std::vector<double> measure_each(std::span<const MeasurementCase> measurements) override {
@@ -117,7 +117,7 @@ void Solver<State, Step, Measurer>::set_step(std::unique_ptr<Step> step,
   graph_ = std::make_unique<scheduler::StepGraph>(step_->phases(), blocks, Step::resources());
 }
 
-// Where walls hold all particles, nothing limits a step but the run.
+// If walls hold all particles, only the end of the run limits the step.
 template <class State, class Step, class Measurer>
 double Solver<State, Step, Measurer>::time_step() const {
   if (settings().time.step) return *settings().time.step;
@@ -147,8 +147,8 @@ std::optional<EnergyBudget> Solver<State, Step, Measurer>::energy_budget() const
   return present;
 }
 
-// The kinetic energy grows with the square of the time from rest, so that a budget extrapolated
-// from the middle or the end of a step misses all of it in a run of one step.
+// The kinetic energy grows with the square of the time from rest. A budget extrapolated from the
+// middle or the end of a step would miss all of it in a run of one step.
 template <class State, class Step, class Measurer>
 Balance Solver<State, Step, Measurer>::balance() {
   Clock& clock = state_.clock;
@@ -221,10 +221,10 @@ StepFailure Solver<State, Step, Measurer>::failure(const Overlap& overlap) const
       clock().step > 0 ? later : std::vector<std::string>{"let them at most meet at the start"});
 }
 
-/// Takes a whole step, and leaves its length and its end in the clock.
+/// Takes a whole step, and sets its length and its end in the clock.
 template <class State, class Step, class Measurer>
 void Solver<State, Step, Measurer>::begin_step() {
-  // Waves go a few cells in that many steps, and the state hardly changes.
+  // In that many steps, waves travel only a few cells and the state hardly changes.
   constexpr int examine_every = 8;
   Clock& clock = state_.clock;
   const Advance advance = {clock.step_end, clock.step_length, time_step(),

@@ -11,7 +11,7 @@
 
 namespace pliant::undeformed {
 
-/// What the states of all methods on the undeformed body have, apart from the bodies.
+/// The common part of the states of all methods on the undeformed body, without the bodies.
 template <int D>
 struct State {
   explicit State(const Case& settings)
@@ -24,28 +24,28 @@ struct State {
   }
 
   Clock clock;
-  EnergyBudget energy;  ///< up to when the velocities are
-  EnergyBudget power;   ///< its rates there [W]
+  EnergyBudget energy;  ///< until the time of the velocities
+  EnergyBudget power;   ///< its rates at that time [W]
   Boundaries<D> boundaries;
-  std::vector<Wrench<D>> wall_impulse;  ///< [wall] on the bodies, up to there [N s], [N m s]
+  std::vector<Wrench<D>> wall_impulse;  ///< [wall] on the bodies, until then [N s], [N m s]
   std::vector<Wrench<D>> wall_force;    ///< [wall] on the bodies, in the last step [N], [N m]
   std::vector<std::array<int, 2>> contact_bodies;
-  std::vector<Point<D>> contact_impulse;  ///< [contact] on its first body, up to there [N s]
+  std::vector<Point<D>> contact_impulse;  ///< [contact] on its first body, until then [N s]
   std::vector<Point<D>> contact_force;    ///< [contact] the same, in the last step [N]
-  /// Displacements of the carriers of all surfaces when contact last listed what is near, (TL.20):
-  /// runs that are resumed have the lists of those that were not [m].
+  /// Displacements of the carriers of all surfaces when contact last made lists, (TL.20) [m]: a
+  /// resumed run then makes the same lists.
   std::vector<Point<D>> contact_marks;
-  bool has_new_marks = true;  ///< contact has made no lists of them
+  bool has_new_marks = true;  ///< contact has not made lists from them yet
   std::vector<BlockOwner> blocks;
 
-  /// Impulse of a wall on the bodies up to the present time.
+  /// Impulse of a wall on the bodies until the present time.
   Wrench<D> impulse_of_wall(const MeasurementCase& m) const {
     const int wall = boundaries.wall_of[m.boundary];
     Wrench<D> impulse = wall_impulse[wall];
     impulse.add(wall_force[wall], clock.lag());
     return impulse;
   }
-  /// Impulse of a contact on the first body of the measurement up to the present time [N s].
+  /// Impulse of a contact on the first body of the measurement until the present time [N s].
   double contact_impulse_on_first(const MeasurementCase& m) const {
     double sum = 0;
     for (std::size_t c = 0; c < contact_bodies.size(); ++c) {

@@ -9,10 +9,10 @@
 #include "engine/output/archive/archive.hpp"
 #include "engine/undeformed/state.hpp"
 
-/// What the checkpoints of all methods on the undeformed body hold.
+/// The common part of the checkpoints of all methods on the undeformed body.
 namespace pliant::undeformed {
 
-/// Clock, energy, and what there is of boundaries.
+/// Clock, energy, and the totals of boundaries.
 template <int D>
 void put_totals(ArchiveWriter& archive, const State<D>& state);
 template <int D>
@@ -29,7 +29,7 @@ void for_each_saved_array(Body& body, std::size_t number, F&& f) {
   });
 }
 
-/// Everything that the next step reads and set-up does not make again.
+/// Writes everything that the next step reads and that set-up does not compute.
 template <template <class, int> class S, class T, int D>
 void put_state(ArchiveWriter& archive, const S<T, D>& state) {
   put_totals<D>(archive, state);
@@ -41,7 +41,7 @@ void put_state(ArchiveWriter& archive, const S<T, D>& state) {
   }
 }
 
-/// Into the state of the same case. Throws OutputError when the archive does not fit it.
+/// Reads into the state of the same case. Throws OutputError when the archive does not fit it.
 template <template <class, int> class S, class T, int D>
 void get_state(const ArchiveReader& archive, S<T, D>& state) {
   get_totals<D>(archive, state);

@@ -14,12 +14,12 @@ namespace pliant::undeformed {
 
 namespace {
 
-/// Distance from `origin` along the unit vector `direction` to a piece; negative where it is not
-/// met.
+/// Distance from `origin` along the unit vector `direction` to a piece; negative if the line misses
+/// the piece.
 template <int D>
 double distance_to(const std::array<Point<D>, D>& corner, const Vector& origin,
                    const Vector& direction) {
-  constexpr double rim = 1e-9;  // a line between two pieces meets both
+  constexpr double rim = 1e-9;  // so that a line between two pieces meets both
   Eigen::Matrix<double, D, D> columns;
   Eigen::Matrix<double, D, 1> right;
   for (int a = 0; a < D; ++a) {

@@ -9,7 +9,7 @@
 /// Measurements of the free surface, from its segments (2D) or triangles (3D).
 namespace pliant::undeformed {
 
-/// Corners of the pieces of a free surface where they are at present [m], seen from outside.
+/// Present corners of the pieces of a free surface [m], ordered as seen from outside.
 template <int D>
 using FreeSurface = std::vector<std::array<Point<D>, D>>;
 
@@ -17,11 +17,11 @@ using FreeSurface = std::vector<std::array<Point<D>, D>>;
 template <int D>
 double extent(const FreeSurface<D>& surface, const MeasurementCase& m, double t);
 
-/// A `surface_distance` [m], to the last piece along the line; NaN where it meets none.
+/// A `surface_distance` [m], to the last piece along the line; NaN if the line meets none.
 template <int D>
 double surface_distance(const FreeSurface<D>& surface, const MeasurementCase& m);
 
-/// A `mean_radius` [m]; NaN where a direction meets no piece.
+/// A `mean_radius` [m]; NaN if a direction meets no piece.
 template <int D>
 double mean_radius(const FreeSurface<D>& surface, const MeasurementCase& m);
 

@@ -6,12 +6,12 @@
 #include "engine/undeformed/body.hpp"
 #include "engine/undeformed/clock.hpp"
 
-/// Particles at an output time inside a step: on straight lines where velocities belong to the
-/// middle of the step (they lag), else with velocities in between those at its start and at its
-/// end, (PB.45).
+/// Particles at an output time inside a step, (PB.45). If velocities belong to the middle of the
+/// step (they lag), particles move on straight lines. Otherwise their velocities are interpolated
+/// between those at its start and at its end.
 namespace pliant::undeformed {
 
-/// Before a step: keeps the velocities at its start. What the step adds is known at its end.
+/// Called before a step: stores the velocities at its start, to get their gain at its end.
 template <class T, int D>
 void store_start(Body<T, D>& body, bool velocities_lag) {
   if (velocities_lag) return;
@@ -20,7 +20,7 @@ void store_start(Body<T, D>& body, bool velocities_lag) {
   }
 }
 
-/// After a step: keeps its end, since the way back from an output time would be rounded.
+/// Called after a step: stores its end, since the way back from an output time has rounding errors.
 template <class T, int D>
 void store_end(Body<T, D>& body, bool velocities_lag) {
   for (int a = 0; a < D; ++a) {
@@ -60,8 +60,8 @@ void move_to_output(Body<T, D>& body, const Clock& clock, bool velocities_lag) {
   }
 }
 
-/// Bodies at the time of their velocities, which is `lag` [s] before that of their displacements;
-/// the destructor puts the displacements back, bit by bit.
+/// Moves bodies to the time of their velocities, `lag` [s] before that of their displacements. The
+/// destructor restores the displacements, bit by bit.
 template <class Body>
 class AtVelocityTime {
   using T = typename Body::Scalar;

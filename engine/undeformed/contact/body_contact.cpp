@@ -13,11 +13,11 @@ namespace pliant::undeformed {
 
 namespace {
 
-constexpr int meeting_sweeps = 4;  // of Gauss-Seidel, as particles carry several corners
-constexpr double too_deep = 0.45;  // of a corner in a body [spacing]
+constexpr int meeting_sweeps = 4;  // Gauss-Seidel sweeps, since particles carry several corners
+constexpr double too_deep = 0.45;  // depth of a corner in a body [spacing]
 
-/// Calls f(part, first, end) for what one of `shares` equal shares takes of lists of these sizes,
-/// which follow each other.
+/// Calls f(part, first, end) for the elements of one of `shares` equal shares of lists of these
+/// sizes, taken one after another.
 template <class Parts, class Size, class F>
 void for_share(const Parts& parts, std::size_t share, std::size_t shares, Size size, F f) {
   std::size_t all = 0;

@@ -12,33 +12,33 @@
 
 // Contact between bodies, and of a body with itself.
 //
-// The corners of a surface must not lie inside another body, and the other way round, (TL.15).
-// Those that do after a step are put back onto the nearest point of the surface that they have
-// entered. Impulses act between a corner and that point, equal and opposite along the line that
-// joined them when the forces of the step acted: momentum is exact, and angular momentum nearly so.
-// A corner loses what it approaches by, and friction takes of the slip what Coulomb's law allows
-// for that impulse, (TL.16).
+// The corners of each surface must not lie inside another body, (TL.15). A corner that does after a
+// step is moved back onto the nearest point of the surface that it has entered. Equal and opposite
+// impulses act on the corner and on that point, along the line that joined them when the forces of
+// the step acted: momentum is conserved exactly, and angular momentum almost. A corner loses its
+// velocity of approach, and friction reduces the slip as far as Coulomb's law allows for that
+// impulse, (TL.16).
 //
-// Contact has no memory: what acts is a function of the state that a step leaves. No stiffness, so
-// no number to choose and no shorter time step.
+// Contact has no memory: it depends only on the state after a step. It has no stiffness, so there
+// is no parameter to choose and no shorter time step.
 namespace pliant::undeformed {
 
 /// The resources of a method that contact reads and writes.
 struct ContactFields {
-  Resources motion;     ///< displacements that a step leaves, and velocities
-  Resources constants;  ///< masses, and what walls hold
+  Resources motion;     ///< displacements at the end of a step, and velocities
+  Resources constants;  ///< masses, and which particles walls hold
   Resources lists, places, normals, touches;
 };
 
-/// Keeps the surfaces of bodies out of each other, (TL.15), and ties those that are `tied`.
+/// Prevents bodies from overlapping, (TL.15), and ties those that are `tied`.
 template <class T, int D>
 class BodyContact {
  public:
-  /// A step leaves the displacements of a body in its member `moved`.
+  /// A step writes the displacements of a body to its member `moved`.
   BodyContact(State<D>& state, const Case& settings, Displacements<T, D> moved);
 
-  /// Takes the surfaces of all bodies, which must stay where they are, where the case has contacts;
-  /// contact_surface(body) makes them.
+  /// Makes the surfaces of all bodies with contact_surface(body), if the case has contacts. The
+  /// bodies must not move in memory.
   template <class Bodies>
   void take_surfaces(Bodies& bodies) {
     if (settings_.contacts.empty()) return;
@@ -49,26 +49,25 @@ class BodyContact {
     face_each_other();
   }
 
-  /// Says that bodies move for `length` [s] in the next step, for `drift` [s] of it at the
-  /// velocities that they have in the end, with forces that act on them for `kick` [s].
+  /// Sets the times of the next step [s]: bodies move for `length`, of it for `drift` at their
+  /// final velocities, and forces act for `kick`.
   void prepare(double kick, double length, double drift);
 
-  /// Where the case has contacts, adds what lets bodies that have moved push each other: blocks
-  /// share the search among them, and one thread does the sweeps, which add impulses and the loss
-  /// by friction to the state.
+  /// Adds the phases of contact, if the case has contacts. Blocks share the search among them. One
+  /// thread runs the sweeps, which add impulses and losses by friction to the state.
   void add_phases(PhaseRows& rows, const ContactFields& fields);
 
   /// Whether the case has contacts.
   bool exists() const { return !sides_.empty() || !ties_.empty(); }
 
-  /// A corner that lies deeper than the way out is known for.
+  /// A corner that is too deep for its way out to be certain.
   std::optional<Overlap> deepest() const;
 
  private:
   using Surface = MovingSurface<T, D>;
   using Side = ContactSide<T, D>;
 
-  /// What a block finds.
+  /// Results of a block.
   struct Found {
     std::vector<Touch<D>> touches;
     Meetings<T, D> meetings;
@@ -96,7 +95,7 @@ class BodyContact {
   std::vector<std::unique_ptr<Surface>> surfaces_;  ///< [body]
   std::vector<std::unique_ptr<Side>> sides_;
   std::vector<TiedSurfaces<T, D>> ties_;
-  bool acts_ = false;         ///< bodies may touch in the present step, or are tied
+  bool acts_ = false;         ///< whether bodies may touch in the present step, or are tied
   std::vector<Found> found_;  ///< [block] in the present step
 };
 

@@ -7,15 +7,15 @@
 #include "engine/lattice/point_algebra.hpp"
 #include "engine/undeformed/held_directions.hpp"
 
-/// Points that move with several particles, their carriers, and impulses on them. Each carrier
-/// takes its share of an impulse, so that no momentum is lost, and no angular momentum where the
-/// shares put the point where it is.
+/// Points that move with several particles, their carriers, and impulses on such points. Each
+/// carrier takes its share of an impulse. So momentum is conserved, and angular momentum too if the
+/// weighted mean of the carriers is the place of the point.
 ///
-/// The functions take their carriers from a body (BodyCarriers) or from a surface in contact
-/// (MovingSurface). Both have `carrier(number)` and `change(number, velocity, displacement)`.
+/// Carriers are those of a body (BodyCarriers) or of a surface in contact (MovingSurface). Both
+/// have `carrier(number)` and `change(number, velocity, displacement)`.
 namespace pliant::undeformed {
 
-/// A carrier and how much a point moves with it; of one point, all shares add up to 1.
+/// A carrier and its share in the motion of a point; the shares of a point sum to 1.
 struct Share {
   std::int32_t slot;
   double weight;
@@ -34,7 +34,7 @@ struct Carrier {
 template <class T, int D>
 class BodyCarriers {
  public:
-  /// `displacement` is the array of the body that a step leaves its displacements in.
+  /// `displacement` is the array to which a step writes the displacements of the body.
   BodyCarriers(Body<T, D>& body, std::array<Buffer<T>, D>& displacement,
                const HeldDirections<D>& held)
       : body_(body), displacement_(displacement), held_(held) {}
@@ -43,7 +43,7 @@ class BodyCarriers {
     const auto at = held_.find(slot);
     return {slot, double{body_.inverse_mass[slot]}, at == held_.end() ? nullptr : &at->second};
   }
-  /// Adds to velocity [m/s] and displacement [m].
+  /// Adds to the velocity [m/s] and the displacement [m] of a particle.
   void change(std::int32_t slot, const Point<D>& velocity, const Point<D>& displacement) {
     for (int a = 0; a < D; ++a) {
       body_.velocity[a][slot] += static_cast<T>(velocity[a]);
@@ -67,7 +67,7 @@ Point<D> carried(const std::array<Buffer<T>, D>& of_particles, std::span<const S
   return sum;
 }
 
-/// Change of the velocity of a point per impulse on it, if no wall held its carriers [1/kg].
+/// Change of a point's velocity per impulse on it, as if no wall held its carriers [1/kg].
 template <class Carriers>
 double free_compliance(const Carriers& carriers, std::span<const Share> shares) {
   double sum = 0;
@@ -77,7 +77,7 @@ double free_compliance(const Carriers& carriers, std::span<const Share> shares) 
   return sum;
 }
 
-/// Change of the velocity of a point along the unit vector `n` per impulse along `n` [1/kg].
+/// Change of a point's velocity along the unit vector `n` per impulse along `n` [1/kg].
 template <int D, class Carriers>
 double compliance(const Carriers& carriers, std::span<const Share> shares, const Point<D>& n) {
   double sum = 0;
@@ -90,7 +90,8 @@ double compliance(const Carriers& carriers, std::span<const Share> shares, const
   return sum;
 }
 
-/// Gives a point an impulse [N s], and displaces it by the response to another one, `moved` [kg m].
+/// Applies an impulse [N s] to a point, and displaces it by the response to another one, `moved`
+/// [kg m].
 template <int D, class Carriers>
 void push_point(Carriers& carriers, std::span<const Share> shares, const Point<D>& impulse,
                 const Point<D>& moved) {

@@ -13,22 +13,22 @@
 
 namespace pliant::undeformed {
 
-/// The surface of a body as contact with other bodies sees it: segments (2D) or triangles (3D)
-/// between corners that move with the particles.
+/// The surface of a body for contact with other bodies: segments (2D) or triangles (3D) between
+/// corners that move with the particles.
 template <int D>
 struct ContactSurface {
   std::vector<Point<D>> start;                  ///< [corner] in the undeformed body [m]
   std::vector<std::int32_t> first_share = {0};  ///< [corner + 1]
-  std::vector<Share> share;                     ///< what corners move with
-  /// [corner] most that its displacement can differ from that of the first of its particles [m].
+  std::vector<Share> share;                     ///< carriers of the corners
+  /// [corner] bound on the difference between its displacement and that of its first carrier [m].
   std::vector<double> reach;
-  std::vector<std::array<std::int32_t, D>> facet;  ///< corners, seen from outside
+  std::vector<std::array<std::int32_t, D>> facet;  ///< corners, ordered as seen from outside
 
   std::int32_t corners() const { return static_cast<std::int32_t>(start.size()); }
   std::span<const Share> shares(std::int32_t corner) const {
     return {share.data() + first_share[corner], share.data() + first_share[corner + 1]};
   }
-  /// Adds a corner that moves with these particles.
+  /// Adds a corner with its carriers.
   void add(const Point<D>& at, std::span<const Share> shares,
            double farthest = std::numeric_limits<double>::infinity()) {
     start.push_back(at);
@@ -36,8 +36,8 @@ struct ContactSurface {
     share.insert(share.end(), shares.begin(), shares.end());
     first_share.push_back(static_cast<std::int32_t>(share.size()));
   }
-  /// Appends the shares of a point of the facet `number`, whose corners have these weights there:
-  /// each slot once, ascending, if those of each corner ascend.
+  /// Appends the shares of the point of facet `number` at which the corners have these weights:
+  /// each slot once, in ascending order if those of each corner are.
   void append_shares(std::int32_t number, const std::array<double, D>& weight,
                      std::vector<Share>& of_point) const;
 };
@@ -66,7 +66,7 @@ void ContactSurface<D>::append_shares(std::int32_t number, const std::array<doub
   }
 }
 
-/// Gives `v` the length 1, where it has any; returns the length that it had.
+/// Scales `v` to length 1 unless it is 0; returns its former length.
 template <int D>
 double normalise(Point<D>& v) {
   const double length = std::sqrt(dot<D>(v, v));

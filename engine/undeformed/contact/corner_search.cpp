@@ -11,10 +11,12 @@ namespace pliant::undeformed {
 
 namespace {
 
-constexpr double deepest_of_two = 1;    // of a corner in another body [spacing]
-constexpr double deepest_of_one = 0.5;  // in the same one
-constexpr double apart_at_rest = 3;     // parts of one body that can meet [spacing]
-constexpr double least_ahead = 0.5;     // cosine to the normal, of what lies across a slot
+constexpr double deepest_of_two = 1;    // largest depth of a corner in another body [spacing]
+constexpr double deepest_of_one = 0.5;  // in its own body
+constexpr double apart_at_rest =
+    3;  // initial distance of parts of one body that can meet [spacing]
+constexpr double least_ahead =
+    0.5;  // cosine between the normal and the direction to a facet across a slot
 constexpr double without_rounding = 1 - 1e-6;
 
 template <int D>
@@ -70,8 +72,8 @@ void CornerSearch<T, D>::list_patch(std::span<const Pair> pairs_of_patch) {
   for (const std::int32_t corner : corners_.patches().corners(patch)) list_corner(corner, patch);
 }
 
-// Facets as near as the nearest one can become are sorted by distance; the others that the corner
-// may reach follow in no order, as hardly a search comes to them.
+// Facets that may become the nearest one are sorted by distance. The others within reach follow
+// unsorted, since searches rarely get to them.
 template <class T, int D>
 void CornerSearch<T, D>::list_corner(std::int32_t corner, std::int32_t patch) {
   const double margin = pairs_.margin(), reach = deepest_ + margin;
@@ -115,8 +117,8 @@ void CornerSearch<T, D>::list_corner(std::int32_t corner, std::int32_t patch) {
   begin_.push_back(near_.size());
 }
 
-// Across a slot a corner lies in front of a facet; across a layer behind it, and on the same face
-// beside it.
+// Across a slot, the corner is in front of the facet. Across a thin layer it is behind it, and on
+// the same face it is beside it.
 template <class T, int D>
 bool CornerSearch<T, D>::are_neighbours(std::int32_t corner,
                                         const std::array<std::int32_t, D>& facet) const {
@@ -151,8 +153,8 @@ void CornerSearch<T, D>::find(std::size_t first, std::size_t end,
   }
 }
 
-// The nearest point of the facets that face the corner, of the first facet where several have it.
-// No facet has come nearer than its distance at the marks less the motion since.
+// Finds the nearest point of the facets that face the corner; in a tie the first facet wins. A
+// lower bound on the distance of a facet is its distance at the marks minus the motion since.
 template <class T, int D>
 bool CornerSearch<T, D>::finds(std::size_t candidate, double moved, Touch<D>& touch) const {
   const std::int32_t corner = corner_[candidate];

@@ -11,7 +11,8 @@ namespace pliant::undeformed {
 
 namespace {
 
-constexpr double least_meeting_compliance = 1e-3;  // along the normal, of that without walls
+constexpr double least_meeting_compliance =
+    1e-3;  // along the normal, relative to that without walls
 
 }  // namespace
 
@@ -39,8 +40,8 @@ void Meetings<T, D>::add(const ContactSide<T, D>& side, std::span<const Touch<D>
   }
 }
 
-// The corner pushes the point that it faced when the forces of the step acted: without slip the two
-// are one, and with it the pair exerts no torque.
+// The corner pushes the point that it faced when the forces of the step acted. Without slip this is
+// the touched point; with slip, the impulses then exert no torque.
 template <class T, int D>
 Point<D> Meetings<T, D>::face_before(const Meeting<T, D>& meeting, const std::array<Point<D>, D>& c,
                                      double drift) const {
@@ -73,7 +74,7 @@ void Meetings<T, D>::meet(Meeting<T, D>& meeting, const ContactTimes& times) {
     meeting.compliance = compliance<D>(side.corners, corner_shares(meeting), n) +
                          compliance<D>(side.facets, facet_shares(meeting), n);
   }
-  // Velocities of the middle of a step may close what was open at its start.
+  // Velocities of the middle of a step may close a gap that was open at its start.
   if (times.drift != times.length) return;
   const double speed = dot<D>(slip(meeting), n);
   meeting.approach = std::max(meeting.touch.gap / times.length - speed, 0.);
@@ -93,8 +94,8 @@ void Meetings<T, D>::sweep(std::span<const ContactCase> contacts, const ContactT
   }
 }
 
-// Sums of impulses never pull, and friction is bounded by the sum of those along the normal: what
-// one sweep has pushed too far the next one takes back.
+// Summed impulses never pull, and friction is limited by the summed normal impulse: a sweep
+// corrects what an earlier one has pushed too far.
 template <class T, int D>
 void Meetings<T, D>::push(Meeting<T, D>& meeting, const ContactCase& law, double drift) {
   const Point<D>& n = meeting.touch.normal;

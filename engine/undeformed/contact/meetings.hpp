@@ -8,7 +8,7 @@
 
 namespace pliant::undeformed {
 
-/// The corners of one body against the facets of another, or of the same.
+/// The corners of one body against the facets of another body or of the same one.
 template <class T, int D>
 struct ContactSide {
   ContactSide(MovingSurface<T, D>& corners, MovingSurface<T, D>& facets, int contact, double sign)
@@ -16,40 +16,40 @@ struct ContactSide {
   MovingSurface<T, D>&corners, &facets;
   CornerSearch<T, D> search;
   int contact;  ///< of the case
-  double sign;  ///< 1 where the corners are those of the first body of the contact, else -1
+  double sign;  ///< 1 if the corners belong to the first body of the contact, else -1
 };
 
-/// For how long forces act in a step, particles move, and of that at the velocities that they have
-/// in the end [s].
+/// How long forces act in a step, how long particles move, and how long of that at their final
+/// velocities [s].
 struct ContactTimes {
   double kick = 0, length = 0, drift = 0;
 };
 
-/// A corner, what it touches, and the impulses between the two.
+/// A corner, the point that it touches, and the impulses between them.
 template <class T, int D>
 struct Meeting {
   const ContactSide<T, D>* side;
   Touch<D> touch;
-  std::size_t first_share, end_share;  ///< of the point of the facet
+  std::size_t first_share, end_share;  ///< shares of the point of the facet
   double compliance = 0;               ///< along the normal [1/kg]
-  double largest_compliance = 0;       ///< of particles that no wall holds [1/kg]
-  double approach = 0;                 ///< that it may keep [m/s]
-  double pushed = 0, moved = 0;        ///< along the normal [N s], [kg m]
-  Point<D> rubbed = {};                ///< along the surface [N s]
+  double largest_compliance = 0;       ///< as if no wall held the particles [1/kg]
+  double approach = 0;                 ///< velocity of approach that it may keep [m/s]
+  double pushed = 0, moved = 0;        ///< sums along the normal [N s], [kg m]
+  Point<D> rubbed = {};                ///< friction along the surface [N s]
 };
 
-/// Corners that touch in a step, and the impulses between bodies there, (TL.16).
+/// Corners that touch in a step, and the impulses there, (TL.16).
 template <class T, int D>
 class Meetings {
  public:
   void clear();
-  /// Adds those of these touches that bodies can answer.
+  /// Adds those touches to which bodies can respond.
   void add(const ContactSide<T, D>& side, std::span<const Touch<D>> touches,
            const ContactTimes& times);
-  /// One Gauss-Seidel sweep over all of them.
+  /// One Gauss-Seidel sweep over all meetings.
   void sweep(std::span<const ContactCase> contacts, const ContactTimes& times);
   const std::vector<Meeting<T, D>>& all() const { return meetings_; }
-  /// Velocity at which the corner leaves the point that it meets [m/s].
+  /// Velocity of the corner relative to the point that it touches [m/s].
   Point<D> slip(const Meeting<T, D>& meeting) const { return relative(meeting).velocity; }
 
  private:
@@ -66,7 +66,7 @@ class Meetings {
   }
 
   std::vector<Meeting<T, D>> meetings_;
-  std::vector<Share> shares_;  ///< of the points that corners meet
+  std::vector<Share> shares_;  ///< of the touched points
 };
 
 extern template class Meetings<double, 2>;

@@ -8,9 +8,9 @@ namespace pliant::undeformed {
 
 namespace {
 
-constexpr double least_opposition = -0.5;  // of the normals of surfaces that meet
+constexpr double least_opposition = -0.5;  // cosine of the normals of surfaces that can touch
 
-/// That of most of the surface: facets in cells that it hardly cuts are tiny.
+/// Size of typical facets, weighted by area: cells that the surface hardly cuts have tiny facets.
 template <int D>
 double size_of_facets(const ContactSurface<D>& surface) {
   double area = 0, squares = 0;
@@ -25,7 +25,7 @@ double size_of_facets(const ContactSurface<D>& surface) {
   return D == 2 ? mean : std::sqrt(2 * mean);
 }
 
-/// Slots that carry corners, ascending; gives shares their numbers in the place of slots.
+/// Slots of all carriers, ascending. Replaces the slots in shares by the numbers of carriers.
 template <int D>
 std::vector<std::int32_t> number_carriers(ContactSurface<D>& surface) {
   std::vector<std::int32_t> slots;
@@ -53,7 +53,7 @@ Groups facets_around_corners(const ContactSurface<D>& surface) {
   return around;
 }
 
-/// Angle of a triangle at its corner `v`; in 2D all facets count alike.
+/// Angle of a triangle at its corner `v`; in 2D all facets have equal weight.
 double angle_at(const std::array<Point<2>, 2>&, int) { return 1; }
 double angle_at(const std::array<Point<3>, 3>& x, int v) {
   Point<3> a = difference<3>(x[(v + 1) % 3], x[v]), b = difference<3>(x[(v + 2) % 3], x[v]);

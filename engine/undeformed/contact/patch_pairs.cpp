@@ -9,8 +9,8 @@ namespace pliant::undeformed {
 
 namespace {
 
-constexpr double list_margin = 0.5;  // that patches move between two lists [spacing]
-constexpr double pair_margin = 4;    // that bodies move between two pairings, at least [spacing]
+constexpr double list_margin = 0.5;  // least motion of patches between two lists [spacing]
+constexpr double pair_margin = 4;    // least motion of bodies between two pairings [spacing]
 constexpr double without_rounding_of_boxes = 1 - 1e-6;
 
 }  // namespace
@@ -26,7 +26,8 @@ PatchPairs<T, D>::PatchPairs(MovingSurface<T, D>& corners, MovingSurface<T, D>& 
       other_box_(facets.patches().count()),
       moved_(box_.size()) {}
 
-// Seen from the mean motion of both: bodies that fly together keep their pairs.
+// The motion relative to the mean motion of both surfaces, so that bodies that fly together keep
+// their pairs.
 template <class T, int D>
 double PatchPairs<T, D>::motion_in_common_frame() const {
   Point<D> frame;
@@ -85,7 +86,7 @@ Box<D> PatchPairs<T, D>::marked_box_of_facets(std::size_t patch) const {
   return box;
 }
 
-// From the marks. What is not paired may move by `wide_`.
+// Pairs patches from the marks. Patches without a partner may move by `wide_`.
 template <class T, int D>
 void PatchPairs<T, D>::pair_patches() {
   used_ = 0;

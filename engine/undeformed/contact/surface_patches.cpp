@@ -10,7 +10,7 @@ namespace {
 
 constexpr double patch_size = 4;  // [size of facets]
 
-/// Numbers the cubes of side `size` in which points lie; with 0 all points are in one.
+/// Numbers the cubes with side `size` that contain points; with 0 there is only one cube.
 template <int D>
 std::vector<std::int32_t> cubes_of(const std::vector<Point<D>>& points, double size) {
   std::map<std::array<std::int64_t, D>, std::int32_t> number;

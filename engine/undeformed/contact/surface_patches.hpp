@@ -9,7 +9,7 @@
 
 namespace pliant::undeformed {
 
-/// Items of many groups, one group after the other.
+/// Items of many groups, one group after another.
 struct Groups {
   std::vector<std::int32_t> first = {0};  ///< [group + 1]
   std::vector<std::int32_t> item;
@@ -24,51 +24,51 @@ struct Groups {
   }
 };
 
-/// A ball that contains the displacements of all points of something [m].
+/// A ball that contains the displacements of a set of points [m].
 template <int D>
 struct MotionBall {
   Point<D> centre = {};
   double radius = 0;
 };
 
-/// Never less than the change of the distance between any two points that have moved so [m].
+/// An upper bound on the change of the distance between two points with these motions [m].
 template <int D>
 double relative_motion(const MotionBall<D>& a, const MotionBall<D>& b) {
   const Point<D> apart = difference<D>(a.centre, b.centre);
   return std::sqrt(dot<D>(apart, apart)) + a.radius + b.radius;
 }
 
-/// A surface in patches of a few facets across, each of which has a bound on how far it has moved.
+/// A surface, divided into patches a few facets wide, each with a bound on its motion.
 ///
-/// Corners are weighted sums of particles, x = sum_i w_i x_i with sum_i w_i = 1, so that
-/// displacements u_i in a ball around c give abs(u - c) <= sum_i abs(w_i) max_i abs(u_i - c). As c
-/// is that of the patch, not of the body, bodies that turn or whose far ends move apart keep small
-/// bounds where they touch, (TL.20).
+/// Corners are weighted sums of particles, x = sum_i w_i x_i with sum_i w_i = 1. If the
+/// displacements u_i are in a ball around c, then abs(u - c) <= sum_i abs(w_i) max_i abs(u_i - c).
+/// Since c belongs to a patch and not to a body, bounds stay small where bodies touch even if the
+/// bodies rotate or their far ends move apart, (TL.20).
 template <int D>
 class SurfacePatches {
  public:
   SurfacePatches() = default;
-  /// `surface` has the numbers of carriers in the place of slots; `size` is that of its facets [m].
+  /// `surface` has numbers of carriers instead of slots; `size` is the size of its facets [m].
   SurfacePatches(const ContactSurface<D>& surface, std::size_t carriers, double size);
 
   std::size_t count() const { return corners_.count(); }
-  /// Corners that belong to a patch, each to one; none belongs to several.
+  /// Corners of a patch; each corner belongs to one patch.
   std::span<const std::int32_t> corners(std::size_t patch) const { return corners_[patch]; }
   std::span<const std::int32_t> facets(std::size_t patch) const { return facets_[patch]; }
 
-  /// Takes what carriers have moved by [m].
+  /// Computes the bounds from the present and the marked displacements of the carriers [m].
   void measure(const std::vector<Point<D>>& displacement, const std::vector<Point<D>>& marked);
-  /// Of the corners and the facets of a patch.
+  /// The motion of the corners and facets of a patch.
   const MotionBall<D>& motion(std::size_t patch) const { return motion_[patch]; }
   /// Mean displacement [m].
   const Point<D>& drift() const { return drift_; }
-  /// Largest motion of a patch, seen from a frame that has moved by `frame` [m].
+  /// Largest motion of a patch relative to a frame that has moved by `frame` [m].
   double largest_motion(const Point<D>& frame) const;
 
  private:
-  Groups corners_, facets_, carriers_;     ///< [patch]
-  Groups sources_;                         ///< [patch] patches whose carriers carry its corners
-  std::vector<double> leverage_;           ///< [patch] most that abs(w) of a corner add up to
+  Groups corners_, facets_, carriers_;  ///< [patch]
+  Groups sources_;                      ///< [patch] patches whose carriers carry its corners
+  std::vector<double> leverage_;  ///< [patch] largest sum of abs(w) over the carriers of a corner
   std::vector<MotionBall<D>> carried_by_;  ///< [patch] motion of its carriers
   std::vector<MotionBall<D>> motion_;
   Point<D> drift_ = {};

@@ -12,15 +12,15 @@
 
 namespace pliant::undeformed {
 
-/// The part of a body's surface for which a point of a facet stands, (TL.29).
+/// The part of a body's surface that a point of a facet represents, (TL.29).
 template <int D>
 struct SurfacePlace {
   Point<D> place;   ///< [m]
-  double area = 1;  ///< of the surface, over that of the facet
+  double area = 1;  ///< ratio of its area to that of the facet
 };
 
 /// Follows the unit normal of a facet from its point `x` to the surface of `shape`. A facet that
-/// cuts off an edge stands for the faces that meet there. `x` itself where the surface is farther
+/// cuts off an edge represents the faces that meet there. Returns `x` if the surface is farther
 /// away than the spacing `h` [m].
 template <int D>
 SurfacePlace<D> surface_place(const Shape& shape, const Point<D>& x, const Point<D>& normal,
@@ -47,27 +47,28 @@ SurfacePlace<D> surface_place(const Shape& shape, const Point<D>& x, const Point
   double cosine = 0;
   for (int a = 0; a < D; ++a) cosine += outward[a] * normal[a];
   cosine = std::max(cosine, least_cosine);
-  // The last step ends in the plane of the face, to rounding.
+  // The last step ends in the plane of the face, up to rounding.
   return {moved(place, -left / cosine), 1 / cosine};
 }
 
-/// A face of a body for which a facet stands, (TL.29).
+/// A face of a body that a facet represents, (TL.29).
 template <int D>
 struct FaceOfFacet {
   Point<D> normal;  ///< unit vector
-  double area = 1;  ///< of the face, over that of the facet
+  double area = 1;  ///< ratio of its area to that of the facet
 };
 
-/// The faces of `shape` for which a facet around `middle`, of the unit normal `normal`, stands: two
-/// or three where it cuts off an edge or a corner. Their area vectors add up to that of the facet.
-/// One, with the normal of the facet, where the surface is smooth. `h` is the spacing [m].
+/// The faces of `shape` that a facet with centre `middle` and unit normal `normal` represents: two
+/// or three where the facet cuts off an edge or a corner. Their area vectors sum to that of the
+/// facet. A smooth surface has one face, with the facet's normal. `h` is the spacing [m].
 ///
-/// The first is met along the normal, the next ones along what the area vectors still lack.
+/// The first face is found along the normal, the next ones along the missing part of the area
+/// vector.
 template <int D>
 std::vector<FaceOfFacet<D>> faces_of_facet(const Shape& shape, const Point<D>& middle,
                                            const Point<D>& normal, double h) {
   constexpr double same_face = 0.8;  // cosine; smooth surfaces turn less within a facet
-  constexpr double little = 0.02;    // of the area of the facet
+  constexpr double little = 0.02;    // relative to the area of the facet
   using Vectors = Eigen::Matrix<double, D, D>;
   using Direction = Eigen::Matrix<double, D, 1>;
   const Direction whole = Eigen::Map<const Direction>(normal.data());
@@ -95,16 +96,16 @@ std::vector<FaceOfFacet<D>> faces_of_facet(const Shape& shape, const Point<D>& m
   return faces;
 }
 
-/// What a load acts on of the part of a surface for which a facet stands, over the facet's area.
+/// The loaded part of the surface that a facet represents, relative to the facet's area.
 template <int D>
 struct LoadedPart {
   double area = 0;
-  Point<D> vector = {};  ///< of that area
+  Point<D> vector = {};  ///< area vector
 };
 
-/// The same around the point `x` of a facet with the unit normal `normal` and these faces;
-/// `is_loaded(place)` tells on which places of the surface the load acts. A `shape` that is null is
-/// that of the facets.
+/// The loaded part around the point `x` of a facet with unit normal `normal` and these faces.
+/// `is_loaded(place)` tells whether the load acts at a place of the surface. If `shape` is null,
+/// the facets are the surface.
 template <int D, class F>
 LoadedPart<D> loaded_part(const Shape* shape, const Point<D>& x, const Point<D>& normal,
                           const std::vector<FaceOfFacet<D>>& faces, double h, F&& is_loaded) {

@@ -10,7 +10,7 @@ namespace pliant::undeformed {
 
 namespace {
 
-constexpr double tied_reach = 0.5;  // of a corner from the other surface, at the start [spacing]
+constexpr double tied_reach = 0.5;  // of a corner from the other surface at t = 0 [spacing]
 
 }  // namespace
 
@@ -44,7 +44,7 @@ TiedSurfaces<T, D>::TiedSurfaces(MovingSurface<T, D>& first, MovingSurface<T, D>
   }
 }
 
-// To the nearest point of the facets that oppose one of those around the corner.
+// Ties a corner to the nearest point of the facets that face one of those around it.
 template <class T, int D>
 void TiedSurfaces<T, D>::tie(std::int32_t corner, std::span<const std::int32_t> facets) {
   const Point<D>& x = corners_.place(corner);

@@ -12,10 +12,11 @@ namespace pliant::undeformed {
 
 namespace {
 
-// Corners share particles, so that one push may press a neighbour in again: (TL.12) of all of them
-// is solved by Gauss-Seidel sweeps. What these leave is a small share of one step's motion.
+// Corners share particles, so that a push may press a neighbour into the wall again. Gauss-Seidel
+// sweeps solve (TL.12) for all corners; their remaining error is a small share of the motion in a
+// step.
 constexpr int sweeps = 4;
-constexpr double least_compliance = 1e-3;  // along the normal, of what a corner has elsewhere
+constexpr double least_compliance = 1e-3;  // along the normal, relative to other directions
 
 }  // namespace
 
@@ -75,7 +76,7 @@ void WallContact<T, D>::apply(double time, double kick, double length, double dr
   }
 }
 
-// A few numbers tell that most corners are far from the wall.
+// A cheap test that excludes most corners, which are far from the wall.
 template <class T, int D>
 bool WallContact<T, D>::may_touch(const Surface& surface, std::int32_t corner,
                                   const ContactWall& contact) const {
@@ -96,7 +97,7 @@ void WallContact<T, D>::push(Surface& surface, const Corner& corner, const Conta
   const Wall<D>& wall = state_.boundaries.walls[contact.wall];
   Point<D> x = carried<T, D>(body.*moved_, shares);
   for (int a = 0; a < D; ++a) x[a] += shape.start[corner.number][a];
-  // The wall is where it was at the start of the step.
+  // The wall is in its place at the start of the step.
   Point<D> velocity = contact.step.shift_at(x);
   x = difference<D>(x, velocity);
   for (double& component : velocity) component /= contact.length;
@@ -121,7 +122,7 @@ void WallContact<T, D>::push(Surface& surface, const Corner& corner, const Conta
   const double pushed = in_middle ? -gap / contact.length : std::max(-normal_speed, 0.);
   const double speed = std::sqrt(square);
   const double most = contact.slides ? 0 : contact.friction * pushed;
-  const double taken = speed > most ? most / speed : 1;  // of the slip, by friction
+  const double taken = speed > most ? most / speed : 1;  // share of the slip that friction takes
   Point<D> impulse, moved, on_body;
   for (int a = 0; a < D; ++a) {
     impulse[a] = (pushed * n[a] - taken * slip[a]) / along;
@@ -134,7 +135,7 @@ void WallContact<T, D>::push(Surface& surface, const Corner& corner, const Conta
   given.add(x, on_body);
   state_.wall_impulse[contact.wall].add(given, 1);
   state_.wall_force[contact.wall].add(given, 1 / contact.kick);
-  // (PB.41)
+  // Loss by friction (PB.41).
   const double lost = contact.inertia * taken * (1 - taken) * square / along;
   state_.energy.friction += lost;
   state_.power.friction += lost / contact.kick;

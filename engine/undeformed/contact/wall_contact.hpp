@@ -11,50 +11,50 @@
 
 // Contact walls: rigid solids of any shape that bodies can meet and leave.
 //
-// The corners of the present surface must not lie inside a wall, (TL.12). One that does after a
-// step is put back onto it along the normal, by moving the particles that carry it: the least
-// change that does it. Where a corner follows the gradient of a node, that node takes all of it:
-// the wide stencils of many corners would push each other out of the wall. Friction takes as much
-// of the sliding velocity as Coulomb's law allows for the impulse along the normal.
+// Corners of the present surface must not lie inside a wall, (TL.12). A corner that does after a
+// step is moved back onto the wall along the normal, by the smallest change of the particles that
+// carry it. If a corner moves with the gradient of a node, that node alone takes the push: with
+// wide stencils, many corners would push each other out of the wall. Friction reduces the slip as
+// far as Coulomb's law allows for the normal impulse.
 //
-// Where velocities belong to the middle of a step, as with central differences, they change by what
-// moves the corner back within the step. Where they belong to its end, as with the leapfrog, a
-// corner loses the velocity at which it approaches the wall, so that one at rest on the wall has
-// none. No force ever pulls a corner back.
+// If velocities belong to the middle of a step, as with central differences, they change by what
+// moves the corner back within the step. If they belong to its end, as with the leapfrog, a corner
+// loses its velocity of approach, so that a corner at rest on the wall keeps none. No force ever
+// pulls a corner back.
 //
-// No penalty stiffness, so no number to choose and no shorter time step.
+// There is no penalty stiffness, so there is no parameter to choose and no shorter time step.
 namespace pliant::undeformed {
 
-/// Keeps the surfaces of bodies out of contact walls, (TL.12).
+/// Prevents the surfaces of bodies from entering contact walls, (TL.12).
 template <class T, int D>
 class WallContact {
  public:
-  /// A step leaves the displacements of a body in its member `moved`.
+  /// A step writes the displacements of a body to its member `moved`.
   WallContact(State<D>& state, const Case& settings, Displacements<T, D> moved);
 
   /// Whether the case has contact walls.
   bool exists() const { return !walls_.empty(); }
-  /// Which of the particles that carry a corner take the impulse on it.
+  /// Which carriers of a corner take the impulse on it.
   enum class Bearers { all, first };
-  /// Takes the surfaces of all bodies, which must stay where they are, where the case has contact
-  /// walls; contact_surface(body) makes them.
+  /// Makes the surfaces of all bodies with contact_surface(body), if the case has contact walls.
+  /// The bodies must not move in memory.
   template <class Bodies>
   void take_surfaces(Bodies& bodies, Bearers bearing) {
     surfaces_.clear();
     if (!exists()) return;
     for (auto& body : bodies) add_surface(body, contact_surface(body), bearing);
   }
-  /// Lets the walls push the particles that have moved for `length` [s] from `time` on, for `drift`
-  /// [s] of it at the velocities that they have now, with forces that acted on them for `kick` [s];
-  /// adds impulses and work of the walls to the state.
+  /// Lets the walls push particles that have moved for `length` [s] since `time`, of it for `drift`
+  /// [s] at their present velocities, with forces that have acted for `kick` [s]. Adds impulses and
+  /// work of the walls to the state.
   void apply(double time, double kick, double length, double drift);
 
  private:
-  /// A corner that walls which hold particles leave free to move in some direction.
+  /// A corner that can move: walls that hold its particles leave some direction free.
   struct Corner {
     std::int32_t number;
     Share first;
-    double compliance;  ///< along the axis where it is largest [1/kg]
+    double compliance;  ///< in the axis direction where it is largest [1/kg]
   };
   struct Surface {
     Body<T, D>* body;
@@ -64,13 +64,13 @@ class WallContact {
     std::vector<Corner> corners;
   };
   struct ContactWall {
-    int wall;              ///< its place in the boundaries
+    int wall;              ///< index in the boundaries
     bool slides;           ///< without friction
-    double friction;       ///< coefficient; infinite without sliding
+    double friction;       ///< coefficient; infinite for no-slip
     RigidStep<D> step;     ///< of the wall
-    double inertia;        ///< impulse over what moves the unscaled mass
-    double kick;           ///< for how long it acts [s]
-    double length, drift;  ///< for how long particles move, at the present velocities [s]
+    double inertia;        ///< ratio of the impulse to that on the unscaled mass
+    double kick;           ///< how long it acts [s]
+    double length, drift;  ///< how long particles move, how long at the present velocities [s]
   };
   bool may_touch(const Surface& surface, std::int32_t corner, const ContactWall& wall) const;
   static std::span<const Share> bearers(const Surface& surface, const Corner& corner);
