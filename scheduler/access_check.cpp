@@ -7,16 +7,16 @@
 
 #include "scheduler/access_probes.hpp"
 
-// Two kinds of probes look at the same experiment.
+// Two kinds of probes observe the same experiment.
 //
-//     recorder   notes what each node writes, and compares all other memory before and after it
-//     disturber  disturbs all that a node has not declared while it runs, and stops at the first
-//                node that writes something else than the recorder has noted
+//    recorder   records what each node writes, and compares all other memory before and after it
+//    disturber  changes all values that a node has not declared while it runs, and stops at the
+//               first node whose writes differ from the record
 //
-// Which phase and which field have made the difference is found by disturbing one phase at a time,
-// then one field of it, then one block of that. The phase is that of the node which differs, or an
-// earlier one that has kept what it read in memory of no field. What has been found is left alone
-// from then on, and the disturber starts again until nothing differs any more.
+// To find the phase and the field that cause a difference, the check disturbs one phase at a time,
+// then one field of it, then one block of that. The phase is that of the node that differs, or an
+// earlier one that kept what it read in memory of no field. Each access found is excluded, and the
+// disturber starts again until nothing differs any more.
 namespace pliant::scheduler {
 
 namespace {
@@ -28,7 +28,8 @@ class Search {
   explicit Search(const Experiment& experiment) : experiment_(experiment) {
     experiment(recorder_);
     found_ = recorder_.writes();
-    // Disturbing what a phase writes without having declared it would leave traces.
+    // Values that a phase writes without declaring them are not disturbed, since that would leave
+    // traces.
     disturbance_.spared = recorder_.written();
   }
 
@@ -76,7 +77,7 @@ class Search {
     return any;
   }
 
-  // The first block whose values alone make a difference.
+  // The first block whose values alone cause a difference.
   BlockId block_of(Disturbance one, const Deviation& deviation) const {
     for (one.block = 0; one.block < deviation.blocks; ++one.block)
       if (deviation_under(one)) return one.block;

@@ -10,28 +10,28 @@
 
 namespace pliant::scheduler {
 
-/// Something that a phase did to a field without having declared it.
+/// An access of a phase to a field that it has not declared.
 struct UndeclaredAccess {
   enum class Kind { read, write };
 
   Kind kind;
   std::string phase;    ///< its label
-  BlockId block;        ///< that the phase worked on; -1: not known
-  std::string field;    ///< what was read or written
-  BlockId field_block;  ///< and of which block; -1: of several, of which no one alone shows it
+  BlockId block;        ///< block that the phase worked on; -1: unknown
+  std::string field;    ///< the field that was read or written
+  BlockId field_block;  ///< the block of that field; -1: several, none of which causes it alone
 
   friend bool operator==(const UndeclaredAccess&, const UndeclaredAccess&) = default;
 };
 
-/// Adds the memory of a field in a block of a graph, as it is at the moment.
+/// Adds the present memory of a field in a block of a graph.
 using FieldMemoryOf =
     std::function<void(const StepGraph& graph, FieldId field, BlockId block, FieldMemory& memory)>;
 
-/// Runs the nodes of step graphs and looks at what they do to the memory of fields.
+/// Runs the nodes of step graphs and observes their effect on the memory of fields.
 class AccessProbe : public NodeRunner {
  public:
-  /// From now on the workers leave the nodes of their graphs to the probe. A graph whose fields
-  /// are to be left alone has no memory.
+  /// From now on the probe runs the nodes of the workers' graphs. For a graph that is not to be
+  /// observed, `memory` adds nothing.
   void watch(Workers& workers, FieldMemoryOf memory) {
     memory_ = std::move(memory);
     workers.delegate(this);

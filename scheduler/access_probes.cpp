@@ -84,7 +84,7 @@ void Disturber::run(const StepGraph& graph, const Node& node, std::size_t number
   try {
     declared.phase().run(node.block);
   } catch (...) {
-    deviates = true;  // it did not throw when nothing was disturbed
+    deviates = true;  // the node threw, which it did not when nothing was disturbed
   }
   for (const Snapshot& snapshot : undisturbed) restore(graph, snapshot, usable);
   deviates = deviates || fingerprint_of_writes(graph, declared) != nodes_.at(number).fingerprint;
@@ -94,7 +94,7 @@ void Disturber::run(const StepGraph& graph, const Node& node, std::size_t number
   if (deviates || number == disturbance_.last_node) throw Stop();
 }
 
-// Returns what the memory held before.
+// Returns the former contents of the memory.
 std::vector<Snapshot> Disturber::disturb(const StepGraph& graph, const Declared& declared,
                                          const ByteSet& usable) const {
   const std::string phase = label(declared.phase());
@@ -110,7 +110,7 @@ std::vector<Snapshot> Disturber::disturb(const StepGraph& graph, const Declared&
     std::size_t at = 0;
     for (const MemoryPiece& piece : snapshot.pieces) {
       for (std::size_t v = 0; v < piece.size; v += piece.value_size, at += piece.value_size) {
-        // Values of several fields are disturbed once.
+        // Values shared by several fields are disturbed only once.
         const bool is_disturbed =
             std::memcmp(piece.data + v, snapshot.bytes.data() + at, piece.value_size) != 0;
         if (piece.disturb != nullptr && !is_disturbed &&
@@ -122,7 +122,7 @@ std::vector<Snapshot> Disturber::disturb(const StepGraph& graph, const Declared&
   return undisturbed;
 }
 
-// Values that the node has written keep what it wrote: the recorder has noted that.
+// Values that the node has written stay; the recorder has recorded them.
 void Disturber::restore(const StepGraph& graph, const Snapshot& snapshot,
                         const ByteSet& usable) const {
   if (!snapshot.has_places_of(memory_of(graph, snapshot.field, snapshot.block))) return;

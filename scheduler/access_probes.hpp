@@ -15,7 +15,7 @@
 /// The probes of an access check.
 namespace pliant::scheduler {
 
-/// Numbers the nodes that it sees through all graphs of an experiment.
+/// Numbers the nodes that it observes, over all graphs of an experiment.
 class CountingProbe : public AccessProbe {
  public:
   void run(const StepGraph& graph, const Node& node) final {
@@ -28,29 +28,30 @@ class CountingProbe : public AccessProbe {
 
   FieldMemory memory_of(const StepGraph& graph, FieldId field, BlockId block) const;
   std::size_t fingerprint_of_writes(const StepGraph& graph, const Declared& declared) const;
-  /// Memory that several fields share belongs to a phase that declares one of them.
+  /// The declared memory of a node. Memory shared by several fields counts if one of them is
+  /// declared.
   ByteSet bytes_of(const StepGraph& graph, const Declared& declared, bool only_writes) const;
 
  private:
   std::size_t number_ = 0;
 };
 
-/// A phase by its label, and a field; `every`: all its fields.
+/// A phase by its label, and a field; `every` stands for all its fields.
 using PhaseAndField = std::pair<std::string, FieldId>;
 inline constexpr int every = -1;
 
-/// A node that has run.
+/// A node as it ran.
 struct Recorded {
   std::string phase;        ///< its label
   std::size_t fingerprint;  ///< of what it wrote
 };
 
-/// Notes what nodes write, and finds writes that they have not declared.
+/// Records what nodes write, and finds undeclared writes.
 class Recorder final : public CountingProbe {
  public:
   const std::vector<Recorded>& nodes() const { return nodes_; }
   const std::vector<UndeclaredAccess>& writes() const { return writes_; }
-  const std::set<PhaseAndField>& written() const { return written_; }  ///< the same
+  const std::set<PhaseAndField>& written() const { return written_; }  ///< undeclared writes
 
  private:
   void run(const StepGraph& graph, const Node& node, std::size_t number) override;
@@ -62,7 +63,7 @@ class Recorder final : public CountingProbe {
   std::set<PhaseAndField> written_;
 };
 
-/// A node that has written something else because values were disturbed.
+/// A node whose writes changed because values were disturbed.
 struct Deviation {
   std::size_t number;
   std::string phase;
@@ -71,12 +72,12 @@ struct Deviation {
   int blocks;
 };
 
-/// What a disturber disturbs.
+/// The values that a disturber changes.
 struct Disturbance {
   std::string phase = {};  ///< label; empty: every phase
   FieldId field = every;
   BlockId block = every;
-  std::size_t last_node = std::numeric_limits<std::size_t>::max();  ///< what follows does not run
+  std::size_t last_node = std::numeric_limits<std::size_t>::max();  ///< later nodes do not run
   std::set<PhaseAndField> spared = {};
 
   bool includes(const std::string& of_phase, FieldId f, BlockId b) const {
@@ -86,14 +87,13 @@ struct Disturbance {
   }
 };
 
-/// Disturbs what nodes have not declared, and stops at the first node to which it makes a
-/// difference.
+/// Changes values that nodes have not declared, and stops at the first node whose writes differ.
 class Disturber final : public CountingProbe {
  public:
   Disturber(const Disturbance& disturbance, const std::vector<Recorded>& nodes)
       : disturbance_(disturbance), nodes_(nodes) {}
 
-  /// Thrown through the experiment when the rest of it does not matter.
+  /// Ends an experiment of which the rest does not matter.
   struct Stop : std::exception {};
 
   const std::optional<Deviation>& deviation() const { return deviation_; }

@@ -6,13 +6,13 @@
 
 namespace pliant::scheduler {
 
-/// The ancestors of each node of a graph, one bit for every node before it. Nodes are added in an
-/// order in which edges only lead forwards, so that the ancestors of all predecessors are known.
+/// The ancestors of each node of a graph, as one bit for every earlier node. Nodes must be added in
+/// an order in which all edges lead forwards, so that the ancestors of all predecessors are known.
 class Ancestors {
  public:
-  /// Adds the next node, and the edges to it: those of `edges` from `first` on. Removes the edges
-  /// u -> v whose u is an ancestor of another predecessor of v, unless `stays(edge)`. `Edge` has
-  /// the node `from` that it leaves.
+  /// Adds the next node with its incoming edges, those of `edges` from `first` on. Removes each
+  /// edge u -> v where u is an ancestor of another predecessor of v, unless `stays(edge)`. `Edge`
+  /// has the node `from` that it leaves.
   template <class Edge, class Stays>
   void add_node(std::vector<Edge>& edges, std::size_t first, const Stays& stays) {
     const std::size_t node = begin_.size();
@@ -31,7 +31,7 @@ class Ancestors {
  private:
   static constexpr int bits = 64;
 
-  // Of the last node.
+  // A word of the last node.
   std::uint64_t& word(int ancestor) {
     return words_[begin_.back() + static_cast<std::size_t>(ancestor / bits)];
   }
@@ -44,7 +44,7 @@ class Ancestors {
       words_[begin_.back() + w] |= words_[begin_[p] + w];
   }
 
-  std::vector<std::size_t> begin_;  // [node] of its words
+  std::vector<std::size_t> begin_;  // [node] begin of its words
   std::vector<std::uint64_t> words_;
 };
 

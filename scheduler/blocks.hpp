@@ -6,9 +6,9 @@
 
 namespace pliant::scheduler {
 
-/// Which blocks are near which: the units of ownership that phases are divided into.
+/// The blocks, the units that phases are divided into, and which of them are neighbours.
 struct Blocks {
-  /// [block] the other blocks that Reach::neighbours includes, itself excluded; symmetric.
+  /// [block] the other blocks that Reach::neighbours includes, without the block itself; symmetric.
   std::vector<std::vector<BlockId>> neighbours;
 
   int count() const { return static_cast<int>(neighbours.size()); }

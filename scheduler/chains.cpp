@@ -17,7 +17,8 @@ std::vector<int> chain_heads(const Dependencies& dependencies) {
     level[to] = std::max(level[to], level[static_cast<std::size_t>(edge.from)] + 1);
   }
 
-  // How many successors a node has at the lowest of their levels: alone there, one may join.
+  // The lowest level among the successors of each node, and how many are at it. A successor that is
+  // alone there may join the chain.
   std::vector<int> lowest(nodes.size(), none), at_lowest(nodes.size(), 0);
   for (std::size_t e = 0; e < dependencies.edges.size(); ++e) {
     const Edge& edge = dependencies.edges[e];

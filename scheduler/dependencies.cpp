@@ -8,18 +8,19 @@
 
 #include "scheduler/ancestors.hpp"
 
-// The derivation walks the phases in the order of their list and keeps, for each field and block (a
-// cell), the node that wrote it last and the nodes that have read it since:
+// The derivation walks the phases in the order of their list. For each field and block (a cell) it
+// keeps the last writer and the readers since:
 //
-//     phase      advance        exchange       advance
-//     block 0    W ---------------> R . . . . . . > W       a read follows the last write (---),
-//     block 1       `-------------> R . . . . . . > W       a write follows the reads (. .),
-//                                                           or the last write when nobody read.
+//    phase      advance        exchange       advance
+//    block 0    W ---------------> R . . . . . . > W       a read follows the last write (---),
+//    block 1       `-------------> R . . . . . . > W       a write follows the reads (. .),
+//                                                          or the last write if there are none.
 //
-// When each of k > 1 blocks reads the values of all blocks, the k readers share one junction before
-// them (all writers lead to it) and one behind them (later writers follow it).
+// If k > 1 blocks each read the values of all blocks, the k readers share one junction before them,
+// to which all writers lead, and one after them, from which later writers follow.
 //
-// Edges that others imply, most of them, go as soon as those of their node are known; those of
+// Implied edges, which are the majority, are removed once all edges of their node are known. Those
+// of junctions stay, since some junctions are removed in the end.
 // junctions stay, since some junctions are removed in the end.
 namespace pliant::scheduler {
 
@@ -30,7 +31,7 @@ constexpr BlockId no_block = -1;
 
 struct Cell {
   int writer = nobody;
-  std::vector<int> readers;  // since the last write; the writer itself excluded
+  std::vector<int> readers;  // since the last write, without the writer itself
 };
 
 class Derivation {
@@ -40,7 +41,7 @@ class Derivation {
       : phases_(phases),
         blocks_(blocks),
         field_names_(field_names),
-        // Reduce phases have a block 0 to work on even where there are no blocks.
+        // Reduce phases work on block 0 even if there are no blocks.
         cells_per_field_(std::max<std::size_t>(blocks.neighbours.size(), 1)),
         cells_(field_names.size() * cells_per_field_) {
     every_block_.resize(blocks.neighbours.size());
@@ -83,7 +84,7 @@ class Derivation {
     return static_cast<int>(result_.nodes.size()) - 1;
   }
 
-  // Edges of one node are added together, so that sorting each node's own keeps the list sorted.
+  // Edges of one node are added together, so sorting those of each node keeps the list sorted.
   void settle_edges(std::size_t first) {
     auto& edges = result_.edges;
     const auto begin = edges.begin() + static_cast<std::ptrdiff_t>(first);

@@ -7,7 +7,7 @@ namespace pliant::scheduler {
 
 namespace {
 
-/// Whose values of each field every process knows at this place of the list, beside its own.
+/// The values of other blocks that every process knows at this place of the list, for each field.
 class KnownValues {
  public:
   bool has(const Access& read) const {

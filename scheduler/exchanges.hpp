@@ -6,10 +6,10 @@
 
 namespace pliant::scheduler {
 
-/// The phases with an exchange before each phase that reads values of other blocks, for the fields
+/// Inserts an exchange before each phase that reads values of other blocks. It covers the fields
 /// that no exchange has sent since they were written or since the start of the list.
 ///
-/// What a reduce phase reads and writes needs no exchange: it gathers and spreads by itself.
+/// A reduce phase needs no exchange: it gathers and distributes its values itself.
 std::vector<Phase> with_exchanges(std::vector<Phase> phases);
 
 }  // namespace pliant::scheduler

@@ -8,18 +8,18 @@
 
 namespace pliant::scheduler {
 
-/// Values of one type that lie side by side in memory.
+/// Contiguous values of one type in memory.
 struct MemoryPiece {
   std::byte* data;
   std::size_t size;        ///< bytes
   std::size_t value_size;  ///< bytes
-  /// Makes another value of a value, with which a phase can still work; nullptr: there is none.
+  /// Changes a value to another one with which a phase can still run; nullptr: impossible.
   void (*disturb)(std::byte* value);
 
   std::span<const std::byte> bytes() const { return {data, size}; }
 };
 
-/// The memory that holds a field in one block. Pieces may overlap those of other fields.
+/// The memory of a field in one block. Pieces may overlap those of other fields.
 class FieldMemory {
  public:
   template <std::floating_point T>
@@ -32,7 +32,7 @@ class FieldMemory {
     });
   }
 
-  /// Of values that are 0 or 1.
+  /// Adds values that are 0 or 1.
   template <class T>
   void add_flags(T* flags, std::size_t count) {
     add_values(flags, count, [](std::byte* value) {
@@ -43,7 +43,7 @@ class FieldMemory {
     });
   }
 
-  /// Of values that phases rely on, such as indices: a check can see writes to them, but no reads.
+  /// Adds values that must stay valid, such as indices: a check sees writes to them, but no reads.
   template <class T>
   void add_fixed(T* values, std::size_t count) {
     add_values(values, count, nullptr);

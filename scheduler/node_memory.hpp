@@ -10,10 +10,10 @@
 #include "scheduler/field_memory.hpp"
 #include "scheduler/step_graph.hpp"
 
-/// What the probes of an access check know of a node and of memory.
+/// What the probes of an access check know about a node and its memory.
 namespace pliant::scheduler {
 
-/// Which memory a node has declared.
+/// The memory that a node has declared.
 class Declared {
  public:
   Declared(const StepGraph& graph, const Node& node)
@@ -53,7 +53,7 @@ inline std::string_view view(const MemoryPiece& piece) {
   return {reinterpret_cast<const char*>(piece.data), piece.size};
 }
 
-/// A field in a block, what its memory held, and where.
+/// The contents of a field's memory in a block, and its location.
 struct Snapshot {
   FieldId field;
   BlockId block;

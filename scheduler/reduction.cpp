@@ -10,7 +10,7 @@ namespace {
 
 constexpr int dropped = -1;
 
-// Drops the junctions that save no edges, joining their ends directly.
+// Removes junctions that save no edges, and joins their ends directly.
 Dependencies without_idle_junctions(const Dependencies& all) {
   const std::size_t count = all.nodes.size();
   std::vector<int> in(count), out(count), first_edge(count), position(count);
@@ -36,7 +36,8 @@ Dependencies without_idle_junctions(const Dependencies& all) {
         kept.edges.push_back({position[from], to, edge.field});
         continue;
       }
-      // No junction leads to another: junctions stand for readers, and only writers have readers.
+      // No junction leads to another one: junctions stand for readers, and only writers have
+      // readers.
       for (int before = first_edge[from]; before < first_edge[from] + in[from]; ++before) {
         const auto origin =
             static_cast<std::size_t>(all.edges[static_cast<std::size_t>(before)].from);
@@ -50,7 +51,7 @@ Dependencies without_idle_junctions(const Dependencies& all) {
   return kept;
 }
 
-// Leaves out every edge whose ends are joined by a longer path too. Edges come sorted by `to`.
+// Removes every edge whose ends are also joined by a longer path. Edges must be sorted by `to`.
 std::vector<Edge> without_implied_edges(std::size_t nodes, const std::vector<Edge>& edges) {
   Ancestors ancestors;
   std::vector<Edge> kept;

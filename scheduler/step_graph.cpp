@@ -30,8 +30,8 @@ void StepGraph::Task::operator()(int on_worker) {
   stop = Clock::now();
 }
 
-// The oneTBB graph, with a node for each chain. It belongs to the arena in which it was made, hence
-// to one set of workers.
+// The oneTBB graph, with one node for each chain. It belongs to the arena in which it was made, and
+// so to one set of workers.
 struct StepGraph::Flow {
   using Message = tbb::flow::continue_msg;
   using FlowNode = tbb::flow::continue_node<Message>;
@@ -128,7 +128,7 @@ void StepGraph::run(Workers& workers) {
     try {
       flow_->run();
     } catch (...) {
-      flow_.reset();  // it may hold messages of the step that was cut short
+      flow_.reset();  // it may hold messages of the cancelled step
       throw;
     }
     finish_record(start, workers.threads());

@@ -14,13 +14,13 @@
 
 namespace pliant::scheduler {
 
-/// How much of a graph to print: a node for each phase, or for each phase and block.
+/// Detail of a printed graph: one node for each phase, or for each phase and block.
 enum class Detail { phases, blocks };
 
-/// A step as a graph of (phase, block) nodes whose edges follow from what phases read and write.
+/// A step as a graph of (phase, block) nodes. Its edges follow from what phases read and write.
 ///
-/// Built when the set of blocks changes, then run once a step. Whatever the number of workers and
-/// the order that they find, each node sees what it would see if the phases ran one after another.
+/// It is built when the set of blocks changes, and run once a step. For any number of workers and
+/// any order of execution, each node sees the same values as if the phases ran one after another.
 class StepGraph {
  public:
   /// Throws std::invalid_argument as derive_dependencies does.
@@ -29,23 +29,23 @@ class StepGraph {
   StepGraph& operator=(StepGraph&&) noexcept;
   ~StepGraph();
 
-  /// Runs the step. Allocates in the first run with these workers only. An exception that leaves a
-  /// phase cancels the nodes that have not started and comes out here; the graph can run again.
+  /// Runs the step. Only the first run with these workers allocates. If a phase throws, the nodes
+  /// that have not started are cancelled and the exception is rethrown; the graph can run again.
   void run(Workers& workers);
 
-  /// Runs the step on the calling thread in one of the legal orders, picked by `seed`.
+  /// Runs the step on the calling thread in a legal order that `seed` selects.
   void run_serially(std::uint64_t seed);
 
-  /// With the exchanges that they need, see with_exchanges.
+  /// The phases, with the exchanges that they need, see with_exchanges.
   const std::vector<Phase>& phases() const { return phases_; }
   const Blocks& blocks() const { return blocks_; }
   const std::vector<std::string>& field_names() const { return field_names_; }
   const std::vector<Node>& nodes() const { return dependencies_.nodes; }
   const std::vector<Edge>& edges() const { return dependencies_.edges; }
 
-  /// Names of the phases without repetition, in the order of their list, exchanges left out.
+  /// Names of the phases without repetition, in the order of their list, without exchanges.
   const std::vector<std::string>& timer_names() const { return timer_names_; }
-  /// Of the last run.
+  /// The record of the last run.
   const StepRecord& record() const { return record_; }
   StepRecord& record() { return record_; }
 
@@ -53,15 +53,15 @@ class StepGraph {
   std::string dot(Detail detail = Detail::blocks) const;
   std::string json() const;
 
-  /// Edges between phases: those between their nodes, merged. Phases stand for nodes. What a phase
-  /// reads of other blocks comes to it by way of the exchange.
+  /// Edges between phases, merged from those between nodes; they number phases instead of nodes.
+  /// Values of other blocks reach a phase by the exchange.
   std::vector<Edge> phase_edges() const;
 
  private:
   using Clock = std::chrono::steady_clock;
 
-  // One (phase, block) call and its last times, on a cache line of its own as neighbours run at
-  // once.
+  // One (phase, block) call and its last times. It has its own cache line, since neighbours run at
+  // the same time.
   struct alignas(64) Task {
     const std::function<void(BlockId)>* run;
     BlockId block;
@@ -87,7 +87,7 @@ class StepGraph {
   std::vector<int> timer_of_phase_;
   std::vector<Task> tasks_;  // [node]
   StepRecord record_;
-  std::unique_ptr<Flow> flow_;  // of the last workers
+  std::unique_ptr<Flow> flow_;  // for the last workers
 };
 
 }  // namespace pliant::scheduler

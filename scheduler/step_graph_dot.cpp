@@ -31,7 +31,7 @@ std::string list(const std::vector<Access>& accesses, const std::vector<std::str
   return result.empty() ? "nothing" : result;
 }
 
-// One arrow for edges of equal ends, labelled with all their fields.
+// Prints one arrow for edges with the same ends, labelled with all their fields.
 template <class Name>
 void print_edges(std::string& out, const std::vector<Edge>& edges,
                  const std::vector<std::string>& names, Name name) {
@@ -52,7 +52,7 @@ bool reads_of_others(const Phase& phase, FieldId field) {
          });
 }
 
-// The last exchange between the phases of an edge that sends what its second phase reads; -1: none.
+// The last exchange between the phases of an edge that sends what the second phase reads; -1: none.
 int exchange_on(const Edge& edge, const std::vector<Phase>& phases) {
   const auto phase = [&](int p) -> const Phase& { return phases[static_cast<std::size_t>(p)]; };
   if (!reads_of_others(phase(edge.to), edge.field)) return -1;
@@ -67,7 +67,7 @@ const char* shown(Phase::Kind kind) { return kind == Phase::Kind::reduce ? " (re
 }  // namespace
 
 std::vector<Edge> StepGraph::phase_edges() const {
-  // What leads into a junction leads to everything behind it.
+  // An edge into a junction stands for edges to everything after it.
   std::vector<std::vector<int>> origins(nodes().size());
   std::vector<Edge> result;
   const auto add_edge = [&](const Edge& edge) {

@@ -40,7 +40,7 @@ Json json_list(const std::vector<Access>& accesses, const std::vector<std::strin
   return result;
 }
 
-// One entry for edges of equal ends, with all their fields.
+// One entry for edges with the same ends, with all their fields.
 Json json_list(const std::vector<Edge>& edges, const std::vector<std::string>& names) {
   Json result = Json::array();
   for (std::size_t e = 0; e < edges.size(); ++e) {

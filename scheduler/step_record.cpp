@@ -23,7 +23,7 @@ void StepTotals::add(const StepRecord& record, std::span<const std::string> time
   ++steps_;
   wall_seconds_ += record.wall_seconds;
   for (std::size_t i = 0; i < timer_names.size(); ++i) {
-    // Names usually keep their places from step to step.
+    // Names usually keep their positions from step to step.
     auto timer = timers_.begin() + static_cast<std::ptrdiff_t>(std::min(i, timers_.size()));
     if (timer == timers_.end() || timer->name != timer_names[i])
       timer = std::find_if(timers_.begin(), timers_.end(),

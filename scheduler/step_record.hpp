@@ -8,19 +8,19 @@
 
 namespace pliant::scheduler {
 
-/// When and where a node ran in the last step; junctions keep zeros.
+/// When and where a node ran in the last step; zeros for junctions.
 struct Span {
   double start = 0;  ///< since the step began [s]
   double stop = 0;   ///< [s]
   int worker = 0;
 };
 
-/// What a step took. A graph writes it at the end of each run into memory that it keeps; bench,
-/// profile, trace and summary only read it.
+/// The timing of a step. A graph writes it at the end of each run, into memory that it keeps;
+/// bench, profile, trace and summary only read it.
 ///
-/// A timer is shared by all phases of one name.
+/// All phases with the same name share a timer.
 struct StepRecord {
-  double simulated_time = 0;  ///< at the end of the step; for the caller to fill in [s]
+  double simulated_time = 0;  ///< at the end of the step [s]; set by the caller
   std::chrono::steady_clock::time_point start;
   double wall_seconds = 0;
   std::vector<double> phase_seconds;        ///< [timer] summed over blocks and stages
@@ -28,14 +28,14 @@ struct StepRecord {
   std::vector<double> worker_busy_seconds;  ///< [worker] inside phases
   std::vector<Span> spans;                  ///< [node]
 
-  /// Share of the workers' time not spent inside phases: 1 - sum(busy)/(workers wall).
+  /// Share of the workers' time outside phases: 1 - sum(busy)/(workers wall).
   double idle_share() const;
 };
 
-/// Sums of step records over a whole run, through rebuilds of the graph and over several graphs.
+/// Sums of step records over a whole run, across rebuilds of the graph and several graphs.
 class StepTotals {
  public:
-  /// Adds one step. Allocates only for timers or workers not seen before.
+  /// Adds one step. Allocates only for new timers or workers.
   void add(const StepRecord& record, std::span<const std::string> timer_names);
 
   struct Timer {
@@ -48,7 +48,7 @@ class StepTotals {
   const std::vector<Timer>& timers() const { return timers_; }  ///< in order of first appearance
   const std::vector<double>& worker_busy_seconds() const { return worker_busy_seconds_; }
 
-  /// As StepRecord::idle_share, over all steps.
+  /// Like StepRecord::idle_share, over all steps.
   double idle_share() const;
 
  private:

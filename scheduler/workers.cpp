@@ -25,7 +25,7 @@ std::uint64_t next_id() {
 }  // namespace
 
 struct Workers::Arena {
-  // Lets oneTBB start more threads than there are cores, where so many are asked for.
+  // Lets oneTBB start more threads than there are cores, if the caller asks for that many.
   tbb::global_control limit;
   tbb::task_arena arena;
 };

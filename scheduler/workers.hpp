@@ -8,8 +8,8 @@ namespace pliant::scheduler {
 
 class NodeRunner;
 
-/// The threads that run steps: the calling thread and `threads - 1` others, which exist only from
-/// the first parallel work on. With one thread nothing ever runs elsewhere than on the caller.
+/// The threads that run steps: the calling thread and `threads - 1` others, which start with the
+/// first parallel work. With one thread everything runs on the caller.
 class Workers {
  public:
   /// Throws std::invalid_argument unless threads is positive.
@@ -20,18 +20,18 @@ class Workers {
 
   int threads() const { return threads_; }
 
-  /// Calls `f` on the calling thread as one of the workers. Around a loop over steps it saves each
-  /// step the way in and out.
+  /// Calls `f` on the calling thread as one of the workers. Around a loop over steps, it saves
+  /// entering and leaving the arena in each step.
   template <class F>
   void execute(F&& f) {
     using Call = std::remove_reference_t<F>;
     call([](void* what) { (*static_cast<Call*>(what))(); }, &f);
   }
 
-  /// Of the calling worker, 0..threads-1; only for calls from within `execute` or a step.
+  /// Number of the calling worker, 0..threads-1; only for calls inside `execute` or a step.
   int index() const;
 
-  /// Has `runner` run the nodes of all graphs, on the calling thread; nullptr: as usual.
+  /// Lets `runner` run the nodes of all graphs on the calling thread; nullptr: back to the workers.
   void delegate(NodeRunner* runner) { runner_ = runner; }
   NodeRunner* delegate() const { return runner_; }
 
@@ -39,7 +39,7 @@ class Workers {
   std::uint64_t id() const { return id_; }
 
  private:
-  // oneTBB's headers take longer to compile than most files that include this one.
+  // The headers of oneTBB take longer to compile than most files that include this one.
   struct Arena;
 
   void call(void (*function)(void*), void* what);

@@ -5,7 +5,7 @@
 
 #include "engine/simulation/estimate.hpp"
 
-// Steps of the case itself, on a lattice that is quickly set up.
+// Estimates the wall time from a few steps of the case itself, on a lattice that is set up quickly.
 namespace pliant {
 
 namespace {
@@ -14,8 +14,8 @@ constexpr double most_particles = 6000;
 constexpr int warm_up = 2, most_steps = 60;
 constexpr double enough_seconds = 0.3;
 
-/// A whole multiple of the spacing with few particles, of which a period holds a whole number; 0
-/// where there is none.
+/// A factor for the spacing that leaves few particles and divides each period into whole cells; 0
+/// if there is none.
 int coarsening(const Case& a_case, double particles) {
   const double h = a_case.discretisation.spacing;
   const int least = std::max(
@@ -58,11 +58,11 @@ std::optional<double> estimated_seconds(const Case& a_case, const Estimate& size
   try {
     const std::unique_ptr<Solver> solver = methods.make(coarse, options);
     const double seconds = seconds_per_particle_step(*solver);
-    // Steps that the strain limits (time.strain) are as long on any lattice.
+    // Steps that the strain limits (time.strain) have the same length on any lattice.
     const double steps =
         std::max(static_cast<double>(size.steps), a_case.time.end / solver->time_step());
     return (steps + static_cast<double>(size.looks)) * particles * seconds;
-  } catch (const std::exception&) {  // too coarse for the case: then nothing is known
+  } catch (const std::exception&) {  // the coarse lattice cannot hold the case: no estimate
     return std::nullopt;
   }
 }

@@ -13,8 +13,9 @@
 #include "engine/method/initial_velocity.hpp"
 #include "engine/method/step_length.hpp"
 
-// The number of slots times h^d is V + S h for small h, V the volume and S proportional to the
-// surface: two coarse lattices give both. Methods know the bytes of slots, ghosts and particles.
+// For small h, the number of slots times h^d is V + S h, with the volume V and a constant S
+// proportional to the surface. Counts on two coarse lattices give both. Methods supply the bytes
+// per slot, ghost and particle.
 namespace pliant {
 
 namespace {
@@ -22,7 +23,7 @@ namespace {
 constexpr double most_cells = 1e6;  // of a lattice on which slots are counted
 constexpr double program_bytes = 2.4e7;
 
-/// The nearest whole number, or the largest one below 10^18 that a much too fine spacing asks for.
+/// The nearest whole number, at most 10^18: a much too fine spacing may give more.
 std::int64_t whole(double count) { return std::llround(std::min(count, 1e18)); }
 
 Box<3> clipped_box(const Case& a_case, const BodyCase& body) {
@@ -43,7 +44,7 @@ double cells_of(const Case& a_case, const Footprint& footprint, const Box<3>& bo
   return cells;
 }
 
-/// Particles and slots of a body on a lattice of the given spacing.
+/// Particles and slots of a body on a lattice with the given spacing.
 struct Count {
   double particles = 0, slots = 0;
 };
@@ -130,7 +131,7 @@ double initial_strain_rate(const BodyCase& body, const Vector& x, double h, int 
   return std::sqrt(square);
 }
 
-/// The largest one of all bodies, at points of a grid.
+/// The largest of these strain rates over all bodies, at the points of a grid.
 double largest_strain_rate(const Case& a_case) {
   constexpr int across = 24;
   double largest = 0;
@@ -150,14 +151,14 @@ double largest_strain_rate(const Case& a_case) {
   return largest;
 }
 
-/// With `time.strain` and the strain rate at the start; impacts may ask for shorter steps.
+/// The step with `time.strain` and the strain rate at the start; impacts may need shorter steps.
 double step_of(const Case& a_case) {
   const bool bounds_strain = a_case.rules != nullptr && a_case.rules->remeshes;
   const double rate = bounds_strain && !a_case.time.step ? largest_strain_rate(a_case) : 0;
   return asked_step(a_case, fastest_wave(a_case), rate);
 }
 
-/// Whether outputs between two steps are looks ahead, for which no step ends.
+/// Whether the method shows outputs inside a step, so that no step ends for them.
 bool looks_ahead(const Case& a_case) {
   return a_case.rules != nullptr && a_case.rules->looks_ahead;
 }
@@ -177,7 +178,7 @@ std::int64_t steps_of(const Case& a_case) {
   double time = 0;
   const double end = a_case.time.end;
   const auto& output = a_case.output;
-  constexpr std::int64_t enough = 1'000'000;  // instants, after which none matters
+  constexpr std::int64_t enough = 1'000'000;  // output times; more would not change the result
   std::array<std::int64_t, 3> passed = {};
   const std::array<double, 3> every = {output.every, output.measure_every, output.checkpoint_every};
   for (std::int64_t instant = 0; time < end * (1 - 1e-12) && instant < enough; ++instant) {

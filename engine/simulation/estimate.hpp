@@ -13,31 +13,32 @@ namespace pliant {
 /// Size and number of steps of a run.
 struct Estimate {
   std::int64_t particles = 0, slots = 0, steps = 0;
-  std::int64_t looks = 0;          ///< outputs that cost as much as a step each
-  std::size_t bytes = 0;           ///< largest resident memory of `pliant run`, within a fifth
-  bool nodes_are_counted = false;  ///< `particles` are nodes, as set-up has counted them
+  std::int64_t looks = 0;  ///< outputs that each cost as much as a step
+  std::size_t bytes = 0;   ///< peak resident memory of `pliant run`, to within a fifth
+  bool nodes_are_counted =
+      false;  ///< whether `particles` is the number of nodes that set-up has counted
 
-  /// One line for people.
+  /// One line for users.
   std::string text() const;
 };
 
-/// Counts particles and slots on the lattice of each body, on a coarser one where that has more
-/// than a million cells, and steps with the wave speed at rest
-/// and the strain rate at the start.
+/// Counts particles and slots on the lattice of each body, or on a coarser one if it has more than
+/// a million cells. The number of steps follows from the wave speed at rest and the strain rate at
+/// the start.
 Estimate estimate(const Case& a_case);
 
-/// Wall time of the steps of a run [s], within a factor of two: that of a few steps of the same
-/// case, on a lattice of a few thousand particles where its own has more. None where such a lattice
-/// does not hold the case.
+/// Wall time of the steps of a run [s], within a factor of two. It is measured over a few steps of
+/// the same case, on a coarser lattice if it has more than a few thousand particles. None if such a
+/// lattice cannot hold the case.
 std::optional<double> estimated_seconds(const Case& a_case, const Estimate& size,
                                         const SolverOptions& options,
                                         const MethodRegistry& methods);
 
-/// Memory that this process may still take [bytes]: the least of what the machine has available,
-/// what its control group leaves, and what its limit of address space leaves.
+/// Memory that this process may still allocate [B]: the smallest of what the machine has available
+/// and what the limits of its control group and of its address space leave.
 std::size_t available_memory();
 
-/// Throws InputError where a run needs more than `available` bytes.
+/// Throws InputError if a run needs more than `available` bytes.
 void refuse_what_does_not_fit(const Case& a_case, const Estimate& size, std::size_t available);
 
 /// "850 MB", "1.2 GB".

@@ -19,7 +19,7 @@ namespace pliant {
 
 namespace {
 
-/// By the theorem of Gauss.
+/// Volume inside a surface, by Gauss's theorem.
 template <int D>
 double enclosed_volume(const point_based::BodySurface<D>& surface) {
   double sum = 0;
@@ -36,7 +36,7 @@ double enclosed_volume(const point_based::BodySurface<D>& surface) {
   return sum;
 }
 
-/// The largest eigenvalue over the least; 0 of no matrix.
+/// Condition number of the moment matrix of a node; 0 without a matrix.
 template <int D>
 double condition_of(const point_based::Body<double, D>& body, std::int64_t slot) {
   Eigen::Matrix<double, D, D> moment;
@@ -72,7 +72,7 @@ ExaminedBody examine_body(const point_based::Body<double, D>& body) {
 template <int D>
 using Surfaces = std::vector<undeformed::ContactSurface<D>>;
 
-/// Counts what a surface brings into a contact.
+/// Adds the corners and facets of a surface to a contact.
 template <int D>
 void add_surface(const undeformed::ContactSurface<D>& surface, const std::string& name,
                  ExaminedContact& contact) {
@@ -81,7 +81,7 @@ void add_surface(const undeformed::ContactSurface<D>& surface, const std::string
   contact.facets.push_back(static_cast<std::int64_t>(surface.facet.size()));
 }
 
-/// Looks how deep the corners of a surface lie in a solid.
+/// Finds the deepest corner of a surface inside a solid.
 template <int D>
 void find_penetration(const undeformed::ContactSurface<D>& surface, const Shape& solid,
                       ExaminedContact& contact) {
@@ -135,7 +135,7 @@ std::vector<ExaminedContact> examine_contacts(
   return found;
 }
 
-// A CFL number of 1 is the limit of these methods.
+// For these methods, the stability limit is a CFL number of 1.
 template <class Solver>
 Examined examine_with(Case a_case) {
   Examined found;

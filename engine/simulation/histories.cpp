@@ -32,7 +32,7 @@ double largest(Samples values) {
   return most;
 }
 
-/// Linear between two samples.
+/// Linear interpolation between two samples.
 double value_at(double time, Samples times, Samples values) {
   constexpr double rounding = 1e-12;
   for (std::size_t i = 0; i < times.size(); ++i) {
@@ -44,7 +44,7 @@ double value_at(double time, Samples times, Samples values) {
   return std::numeric_limits<double>::quiet_NaN();
 }
 
-/// Functions of the kinds that evaluate the history of another measurement.
+/// Functions for the kinds of measurement that evaluate the history of another one.
 struct HistoryFunction {
   MeasurementCase::Kind kind;
   double (*evaluate)(const MeasurementCase& m, Samples times, Samples values);
@@ -113,7 +113,7 @@ double Histories::weighted_sum(const MeasurementCase& m) const {
   return sum;
 }
 
-// What is wrong with a history is wrong with what reads it.
+// If a history has no value, the measurements that evaluate it have none for the same reason.
 std::string Histories::why_missing(std::size_t m) const {
   const MeasurementCase& measurement = settings_->measurements[m];
   if (std::isfinite(rows_[m].back())) return "";

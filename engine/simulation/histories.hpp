@@ -8,22 +8,22 @@
 
 namespace pliant {
 
-/// Values of every measurement over time, in memory: some kinds evaluate the history of another
+/// The values of all measurements over time, in memory: some kinds evaluate the history of another
 /// measurement, and relative quantities need the value at the start.
 class Histories {
  public:
   explicit Histories(const Case& settings)
       : settings_(&settings), rows_(settings.measurements.size()) {}
 
-  /// Takes one row of raw values; completes those that depend on the past.
+  /// Adds one row of raw values, and computes the values that depend on the past.
   void add(double time, std::vector<double> values);
 
   bool empty() const { return times_.empty(); }
   double last_time() const { return times_.back(); }
   const std::vector<double>& times() const { return times_; }
-  /// Of measurement `m`, at the last time.
+  /// Value of measurement `m` at the last time.
   double last(std::size_t m) const { return rows_[m].back(); }
-  /// Why measurement `m` has no value at the last time; empty where it has one.
+  /// Why measurement `m` has no value at the last time; empty if it has one.
   std::string why_missing(std::size_t m) const;
 
   void put(ArchiveWriter& archive) const;

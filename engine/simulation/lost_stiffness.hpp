@@ -13,12 +13,12 @@
 #include "kernels/layout.hpp"
 
 /// Hooke's law in rate form, `linear` in the remeshed method, loses its stiffness against shear in
-/// some direction where sigma_1 - sigma_3 exceeds 2 mu, (RP.94). There the strain gathers in bands
-/// one or two spacings wide, and neither stress nor force means anything from then on.
+/// some direction if sigma_1 - sigma_3 exceeds 2 mu, (RP.94). Strain then localises in bands one or
+/// two spacings wide. From then on stress and force are meaningless.
 namespace pliant {
 
-/// Whether the difference of the largest and the smallest principal value of a symmetric tensor, in
-/// the order of symmetric_index, is above `limit`; in 2D of those in the plane.
+/// Whether the largest minus the smallest principal value of a symmetric tensor exceeds `limit`; in
+/// 2D, of the values in the plane. Components are in the order of symmetric_index.
 template <int D, class T>
 bool exceeds(const std::vector<std::span<const T>>& components, std::int64_t slot, double limit) {
   Eigen::Matrix<double, D, D> tensor;
@@ -27,7 +27,7 @@ bool exceeds(const std::vector<std::span<const T>>& components, std::int64_t slo
       tensor(i, j) = components[kernels::symmetric_index<D>(i, j)][slot];
     }
   }
-  // (a - b)^2 <= 2 (a^2 + b^2): most tensors need no eigenvalues.
+  // (a - b)^2 <= 2 (a^2 + b^2), so most tensors need no eigenvalues.
   if (2 * tensor.squaredNorm() <= limit * limit) return false;
   Eigen::SelfAdjointEigenSolver<Eigen::Matrix<double, D, D>> solver;
   solver.computeDirect(tensor, Eigen::EigenvaluesOnly);
@@ -54,8 +54,8 @@ inline double share_without_stiffness(const Solver& solver, int body) {
   return state->values.empty() ? share(state->single_values) : share(state->values);
 }
 
-/// Names the first body of which a part has lost its stiffness, and says what to do; empty without
-/// one. Singular stresses at the end of a wall alone do not reach as far as a twentieth of a body.
+/// Names the first body that has partly lost its stiffness, and a remedy; empty if there is none.
+/// Singular stresses at the end of a wall alone affect less than a twentieth of a body.
 inline std::string lost_stiffness_warning(const Solver& solver) {
   constexpr double part = 0.05;
   const Case& settings = solver.settings();

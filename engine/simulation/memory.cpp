@@ -8,7 +8,7 @@
 
 #include "engine/simulation/estimate.hpp"
 
-// What Linux tells of memory. A file that does not exist sets no limit.
+// Limits of memory from files of Linux. A file that does not exist sets no limit.
 namespace pliant {
 
 namespace {
@@ -17,7 +17,7 @@ constexpr std::size_t unlimited = std::numeric_limits<std::size_t>::max();
 
 std::size_t remaining(std::size_t limit, std::size_t used) { return limit - std::min(limit, used); }
 
-/// The number behind a key of a file [bytes], as in "MemAvailable:   12345 kB".
+/// The number that follows a key in a file [B], as in "MemAvailable:   12345 kB".
 std::size_t value_in(const char* file, const std::string& key, std::size_t unit) {
   std::ifstream stream(file);
   for (std::string word; stream >> word;) {
@@ -27,14 +27,14 @@ std::size_t value_in(const char* file, const std::string& key, std::size_t unit)
   return unlimited;
 }
 
-/// The number that a file holds; "max" and a missing file set no limit.
+/// The number in a file; "max" or a missing file sets no limit.
 std::size_t number_in(const char* file) {
   std::ifstream stream(file);
   std::size_t number = 0;
   return stream >> number ? number : unlimited;
 }
 
-// Pages of files that nobody writes are given up when memory is needed.
+// Clean pages of files count as free, since Linux drops them when memory is needed.
 std::size_t left_by_control_group() {
   const std::size_t limit = number_in("/sys/fs/cgroup/memory.max");
   const std::size_t used = number_in("/sys/fs/cgroup/memory.current");

@@ -9,8 +9,7 @@
 
 namespace pliant {
 
-/// The methods that come with the program: the list in methods.cpp is the one place that names
-/// them all.
+/// The methods of the program. Only the list in methods.cpp names them all.
 const MethodRegistry& methods();
 
 /// Reads and checks a case file for these methods. Throws CaseError.

@@ -12,13 +12,13 @@ namespace {
 
 struct ZeroCrossing {
   double time;
-  std::size_t after;  // first sample beyond it
+  std::size_t after;  // first sample after the crossing
 };
 
 std::vector<ZeroCrossing> crossings(std::span<const double> time, std::span<const double> value) {
   std::vector<ZeroCrossing> found;
   std::size_t i = 1;
-  while (i < value.size() && value[i - 1] == 0) ++i;  // a start from rest is no crossing
+  while (i < value.size() && value[i - 1] == 0) ++i;  // a start from rest is not a crossing
   for (; i < value.size(); ++i) {
     if ((value[i - 1] < 0) == (value[i] < 0)) continue;
     const double part = value[i - 1] / (value[i - 1] - value[i]);
@@ -27,7 +27,7 @@ std::vector<ZeroCrossing> crossings(std::span<const double> time, std::span<cons
   return found;
 }
 
-// Top of the parabola through three samples around the largest of abs(value) in [first, last).
+// Vertex of the parabola through three samples around the largest abs(value) in [first, last).
 double extremum(std::span<const double> time, std::span<const double> value, std::size_t first,
                 std::size_t last) {
   std::size_t top = first;
@@ -52,7 +52,7 @@ double oscillation_period(std::span<const double> time, std::span<const double> 
 double amplitude_ratio(std::span<const double> time, std::span<const double> value) {
   const std::vector<ZeroCrossing> zero = crossings(time, value);
   std::vector<double> extrema;
-  // The stretch before the first crossing counts when it starts from rest at zero.
+  // The interval before the first crossing counts if it starts at zero.
   if (!zero.empty() && value[0] == 0) extrema.push_back(extremum(time, value, 0, zero[0].after));
   for (std::size_t k = 0; k + 1 < zero.size(); ++k) {
     extrema.push_back(extremum(time, value, zero[k].after, zero[k + 1].after));

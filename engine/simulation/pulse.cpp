@@ -10,9 +10,9 @@ namespace pliant {
 
 namespace {
 
-constexpr double rounding = 1e-9;  // of the duration: sample times are sums of many steps
+constexpr double rounding = 1e-9;  // relative to the duration: sample times are sums of many steps
 
-// Integral over the samples (first, last], of the first of them only the part behind `from`.
+// Integral over the samples (first, last]; the first of them counts only from `from` on.
 double integral(std::span<const double> time, std::span<const double> value, std::size_t first,
                 std::size_t last, double from) {
   double sum = value[first + 1] * (time[first + 1] - from);

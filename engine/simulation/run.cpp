@@ -66,8 +66,8 @@ class Run {
   }
 
  private:
-  // A method that looks ahead takes its own steps whatever the output times are; only the end of
-  // the run cuts the last one.
+  // The steps of a method that looks ahead do not depend on output times; only the end of the run
+  // shortens the last one.
   void step() {
     const double end = settings_.time.end, now = solver_->clock().time;
     if (!solver_->looks_ahead()) {
@@ -149,9 +149,9 @@ class Run {
     const bool due = solver_->is_measuring_due();
     if (settings_.output.measure_every == 0 && due && !last) sample();
     put_out(last);
-    // Without an interval of their own, checkpoints go with the frames. There is none at the end: a
-    // run that continues to a later end must not keep what only the end called for, the last frame
-    // and measurements, and a last step that was cut short.
+    // Without an interval of their own, checkpoints are written with frames. There is none at the
+    // end: a run that continues to a later end must not keep what exists only because of this end,
+    // namely the last frame and measurements, and a shortened last step.
     const bool save_now =
         checkpoints_.reached(t) || (has_new_frame_ && settings_.output.checkpoint_every == 0);
     has_new_frame_ = false;
@@ -166,7 +166,7 @@ class Run {
                       solver_->time_step(), solver_->particle_stages()});
   }
 
-  // A step that the case gives may be stable at rest and too long for what the material has become.
+  // A given step may be stable at rest and too long for the present state of the material.
   void warn_of_instability() {
     if (is_unstable_) return;
     const std::string warning = stability_warning(settings_, solver_->clock().wave_speed);
@@ -175,7 +175,7 @@ class Run {
     progress_.message(fmt::format("warning: t = {:.6g} s: {}", solver_->clock().time, warning));
   }
 
-  // Bodies are remeshed as they deform.
+  // Particles that have lost stiffness are found as bodies deform.
   void warn_of_lost_stiffness() {
     if (is_beyond_range_) return;
     const std::string warning = lost_stiffness_warning(*solver_);
@@ -242,7 +242,7 @@ class Run {
     if (!of_samples.empty()) progress_.message(fmt::format("warning: {}", of_samples));
   }
 
-  // Scaled mass is no mass that anyone meant: where it matters, the answer is not the static one.
+  // Scaled mass is artificial: if its inertia matters, the result is not the static one.
   void warn_of_inertia(const ConservedQuantities& end) {
     const StepLimits limits = step_limits(settings_);
     constexpr double small = 0.01;

@@ -8,9 +8,9 @@
 
 namespace pliant {
 
-/// How to run a case: everything that does not change its results.
+/// How to run a case: options that do not change its results.
 struct RunOptions {
-  std::filesystem::path folder;  ///< results go here
+  std::filesystem::path folder;  ///< folder for the results
   int threads = 1;
   kernels::Isa isa = kernels::Isa::sse2;
   bool resume = false;
@@ -20,9 +20,9 @@ struct RunOptions {
 
 enum class RunEnd { done, interrupted };
 
-/// Runs a case from its beginning, or from the last checkpoint in the folder, to its end or to the
-/// first SIGINT, SIGTERM or SIGHUP, which leaves a checkpoint. Writes result.h5, result.xdmf,
-/// case.resolved.toml and summary.json. Throws OutputError, StepFailure, and InputError for a
+/// Runs a case from its start, or from the last checkpoint in the folder, to its end, or until
+/// SIGINT, SIGTERM or SIGHUP, which leave a checkpoint. Writes result.h5, result.xdmf,
+/// case.resolved.toml and summary.json. Throws OutputError and StepFailure, and InputError for a
 /// folder whose checkpoint or result belongs to another run.
 RunEnd run_case(const Case& settings, const RunOptions& options,
                 const MethodRegistry& methods = pliant::methods());

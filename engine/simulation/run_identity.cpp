@@ -14,7 +14,7 @@
 namespace pliant {
 namespace {
 
-/// FNV-1a with 64 bits: enough to notice a changed file, not to resist an attacker.
+/// FNV-1a with 64 bits: it detects a changed file, but does not resist an attacker.
 std::string hash_of(std::string_view bytes) {
   std::uint64_t hash = 0xcbf29ce484222325;
   for (const char byte : bytes) {
@@ -53,7 +53,7 @@ std::string with_end(Case settings, double end) {
   return resolved_toml(settings);
 }
 
-/// The first line in which two cases differ, with the table that it stands in.
+/// The first line in which two cases differ, and the table that contains it.
 std::string first_difference(const std::string& earlier, const std::string& present) {
   std::istringstream earlier_lines(earlier), present_lines(present);
   std::string table = "the case", was, is;
@@ -68,7 +68,7 @@ std::string first_difference(const std::string& earlier, const std::string& pres
   }
 }
 
-/// The path in the first line "hash path" that differs.
+/// The path of the first line "hash path" that differs.
 std::string changed_file(const std::string& earlier, const std::string& present) {
   std::istringstream earlier_lines(earlier), present_lines(present);
   std::string was, is;

@@ -5,8 +5,8 @@
 
 namespace pliant {
 
-/// What a solver, its case and the program say about a run at its end: versions, particles, steps
-/// and speed. The run itself adds its wall time, its start, the checks and the measurements.
+/// The summary of a run at its end, from the solver, its case and the program: versions, particles,
+/// steps and speed. The run adds its wall time, its start, the checks and the measurements.
 Summary summary_of(const Case& settings, const SolverOptions& options, const Solver& solver);
 
 }  // namespace pliant

@@ -5,12 +5,12 @@
 
 namespace pliant {
 
-/// The k-th of the instants `every` apart; `every` = 0 means never.
+/// Instants at multiples of `every`; `every` = 0 means never.
 class Schedule {
  public:
   explicit Schedule(double every) : every_(every) {}
   double next() const { return every_ > 0 ? every_ * static_cast<double>(count_ + 1) : HUGE_VAL; }
-  /// True when `time` has reached the next instant, which then lies behind.
+  /// Whether `time` has reached the next instant; if so, advances to the one after it.
   bool reached(double time) {
     if (time < next() * (1 - 1e-12)) return false;
     ++count_;

@@ -6,8 +6,8 @@
 
 namespace pliant {
 
-/// What a user asks for: 0 threads are one for each processor, an empty `isa` is the widest that
-/// the processor has. Throws InputError for what this machine cannot do.
+/// Options of a user: 0 threads mean one for each processor, an empty `isa` the widest one of the
+/// processor. Throws InputError for what this machine does not support.
 SolverOptions solver_options(int threads, const std::string& isa);
 
 }  // namespace pliant

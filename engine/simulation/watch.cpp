@@ -16,10 +16,12 @@ namespace pliant {
 
 namespace {
 
-constexpr std::int64_t interval = 256;    // steps between two looks: they cost a few steps each
-constexpr double tolerated = 0.05;        // of the largest energy or work, of the mass, of momentum
-constexpr double credible = 1;            // of the largest energy or work: it has doubled by itself
-constexpr double tolerated_turn = 0.015;  // of the angular momentum
+constexpr std::int64_t interval =
+    256;  // steps between checks, each of which costs as much as a few steps
+constexpr double tolerated = 0.05;  // share of the largest energy or work, of the mass, of momentum
+constexpr double credible =
+    1;  // share of the largest energy or work: the energy has doubled spuriously
+constexpr double tolerated_turn = 0.015;  // share of the angular momentum
 
 double largest_of(const EnergyBudget& budget, double energy) {
   return std::max({energy, std::abs(budget.wall_work), std::abs(budget.load_work),
@@ -27,8 +29,8 @@ double largest_of(const EnergyBudget& budget, double energy) {
                    std::abs(budget.blade_work)});
 }
 
-/// Where all bodies are at t = 0: the centre of their bounding box, and the radius of gyration of
-/// a box that is evenly filled.
+/// The place of all bodies at t = 0: the centre of their bounding box, and the radius of gyration
+/// of the box as a solid of uniform density.
 struct Middle {
   Vector centre = {};
   double radius = 0;
@@ -53,7 +55,7 @@ Middle middle_of(const Case& settings) {
   return middle;
 }
 
-/// A strain that rounding alone can bring about.
+/// A strain that rounding errors alone can cause.
 double rounding_strain(const Case& settings) {
   constexpr double steps_of_rounding = 100;
   return steps_of_rounding * (settings.precision == Precision::binary32
@@ -61,12 +63,13 @@ double rounding_strain(const Case& settings) {
                                   : std::numeric_limits<double>::epsilon());
 }
 
-/// The method that keeps the energy where plain SPH does not, as a remedy beside others.
+/// If plain SPH does not conserve energy, another method is one more remedy.
 std::string better_than_sph(const Case& settings) {
   return settings.method == "sph" ? ", or method = \"remeshed\"" : "";
 }
 
-/// Where one body ends on another one, remeshed particles gain energy as long as the two push.
+/// Where the surface of one remeshed body ends on another, their contact creates energy as long as
+/// they push each other.
 std::string remedy_for_created_energy(const Case& settings) {
   const bool meets_remeshed =
       !settings.contacts.empty() && settings.rules != nullptr && settings.rules->remeshes;
@@ -93,16 +96,15 @@ void Watch::begin(Solver& solver) {
   look(solver);
 }
 
-// The strain energy is a difference of numbers of the size of the moduli, such as F:F - 3 and ln J:
-// strains below the root of its rounding leave nothing of it.
+// The strain energy is a difference of terms of the size of the moduli, such as F:F - 3 and ln J.
+// Strains below the square root of their rounding error are lost in it.
 double Watch::rounding_energy() const {
   constexpr double of_differences = 4 * std::numeric_limits<double>::epsilon();
   const double share = std::max(std::pow(rounding_strain(settings_), 2), of_differences);
   return start_.mass * mass_scaling_ * share * std::pow(fastest_wave(settings_), 2);
 }
 
-// A change is seen against the largest value so far: what a body had, or what was done to it, but
-// not what it made by itself.
+// The reference is the largest energy or work so far, without the energy that was created.
 void Watch::look(Solver& solver) {
   const double t = solver.clock().time;
   const Balance balance = solver.balance();
@@ -121,8 +123,8 @@ void Watch::look(Solver& solver) {
   if (solver.bodies_are_free()) look_at_momentum(solver);
 }
 
-// The angular momentum is taken about the middle of the bodies at the start. A periodic cell does
-// not conserve it.
+// The angular momentum is about the centre of the bodies at the start. A periodic cell does not
+// conserve it.
 void Watch::look_at_momentum(const Solver& solver) {
   const double t = solver.clock().time;
   const double speed_and_mass =
@@ -154,7 +156,7 @@ std::string Watch::judge(Excess Watch::*of, CheckResponse response, const Solver
   if (response == CheckResponse::stop || is_over) {
     throw failed_step(settings_, solver.clock(), what, {remedy});
   }
-  // Again only when it has become twice as bad.
+  // Warns again only when the excess has doubled.
   if (excess.share < 2 * excess.warned) return "";
   excess.warned = excess.share;
   return fmt::format("warning: t = {:.6g} s: {}; {}", solver.clock().time, what, remedy);
@@ -195,7 +197,7 @@ std::string Watch::observe(Solver& solver, bool last) {
   return text;
 }
 
-// Comparisons with an energy that is not a number are false: none of the other checks sees it.
+// Comparisons with NaN are false, so no other check would detect an energy that is not a number.
 std::string Watch::judge_number(const Solver& solver, bool last) const {
   const CheckResponse response = settings_.checks.energy;
   if (response == CheckResponse::off || std::isfinite(present_.total_energy)) return "";
@@ -205,8 +207,8 @@ std::string Watch::judge_number(const Solver& solver, bool last) const {
   return last ? fmt::format("warning: in the end {}; {}", what, remedy) : "";
 }
 
-// Where bodies had no energy and none was given to them there is nothing to compare with. Strains
-// below the noticed one leave no trace in other figures.
+// If bodies had no energy and received none, there is no reference. Strains below the noticed one
+// do not affect other results.
 std::string Watch::judge_rest(const Solver& solver, bool last) const {
   constexpr double noticed_strain = 1e-4;
   const CheckResponse response = settings_.checks.energy;
@@ -223,8 +225,8 @@ std::string Watch::judge_rest(const Solver& solver, bool last) const {
   return fmt::format("warning: in the end {}; {}", what, remedy);
 }
 
-// Only at the end: what a body that is flat in contact seems to have lost comes back. What viscous
-// bodies lose, they should.
+// Only at the end: energy that a body seems to lose while contact flattens it comes back. The
+// losses of viscous bodies are physical.
 std::string Watch::judge_loss() const {
   const bool is_viscous = std::any_of(
       settings_.bodies.begin(), settings_.bodies.end(),

@@ -11,19 +11,19 @@
 
 namespace pliant {
 
-/// Watches over a run what its bodies should conserve: energy but for work and damping (RP.72),
-/// mass, and momentum and angular momentum where nothing acts on them. It looks at the same steps
+/// Checks during a run what its bodies should conserve: energy except for work and damping (RP.72),
+/// mass, and, if nothing acts on them, momentum and angular momentum. It checks at the same steps
 /// whatever the output times are, and changes nothing.
 class Watch {
  public:
   explicit Watch(const Case& settings)
       : settings_(settings), mass_scaling_(step_limits(settings).mass_scaling) {}
 
-  /// Takes the state at t = 0 for the start.
+  /// Takes the state at t = 0 as the reference.
   void begin(Solver& solver);
 
-  /// Looks when it is time to, or at the `last` step: a warning to show, empty where there is none.
-  /// Throws StepFailure where the case says so, and where the energy is no longer credible.
+  /// Checks when it is due, or at the `last` step. Returns a warning to show, or an empty string.
+  /// Throws StepFailure if the case asks for it, and if the energy is no longer credible.
   std::string observe(Solver& solver, bool last);
 
   SummaryChecks report() const;
@@ -32,7 +32,7 @@ class Watch {
   void get(const ArchiveReader& archive);
 
  private:
-  /// Largest share so far of what should not change, and when it was.
+  /// Largest relative change so far of a conserved quantity, and its time.
   struct Excess {
     double share = 0, time = 0, warned = 0;
   };
@@ -42,7 +42,7 @@ class Watch {
   std::string judge_number(const Solver& solver, bool last) const;
   std::string judge_loss() const;
   std::string judge_rest(const Solver& solver, bool last) const;
-  /// Energy that bodies at rest may seem to have [J].
+  /// Spurious energy of bodies at rest from rounding [J].
   double rounding_energy() const;
   void look_at_momentum(const Solver& solver);
   std::array<double*, 25> numbers();
