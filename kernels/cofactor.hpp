@@ -4,7 +4,7 @@
 
 namespace pliant::kernels {
 
-/// cof F = J F^-T, row by row.
+/// cof F = J F^-T, row-major.
 template <class P>
 inline void cofactor(const P (&f)[4], P (&cof)[4]) {
   const P zero(Scalar<P>(0));

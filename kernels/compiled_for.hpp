@@ -8,7 +8,8 @@
 #include "kernels/avx512_fma.hpp"
 #endif
 
-/// Sources of kernels are compiled once for each instruction set; the build names it in PLIANT_ISA.
+/// Sources of kernels are compiled once for each instruction set, which the build names in
+/// PLIANT_ISA.
 namespace pliant::kernels {
 
 template <Isa isa>
@@ -26,8 +27,8 @@ struct ArchOf<Isa::avx512> {
   using Type = xsimd::avx512bw;
 };
 
-/// The widest instruction set that kernels are compiled for: a register of AVX2 already holds a
-/// whole pack of single precision.
+/// The widest instruction set that kernels are compiled for. In single precision, an AVX2 register
+/// already holds a whole pack.
 template <class T>
 inline constexpr Isa widest_of = std::is_same_v<T, float> ? Isa::avx2 : Isa::avx512;
 

@@ -2,7 +2,7 @@
 
 #include "kernels/first_piola.hpp"
 
-/// Changes of volume as the energies of the methods on the undeformed body count them.
+/// The change of volume in the energies of the methods on the undeformed body.
 namespace pliant::kernels {
 
 /// theta of (FE.2).

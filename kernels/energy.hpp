@@ -5,7 +5,7 @@
 #include "kernels/layout.hpp"
 #include "kernels/material.hpp"
 
-/// Strain energy of one particle, in plain scalars: measured, never stepped.
+/// Strain energy of one particle, in plain scalars, for measurements.
 namespace pliant::kernels {
 
 /// Elastic energy per current volume of the linear laws at deviatoric stress `s`, (RP.62).

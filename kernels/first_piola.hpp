@@ -5,7 +5,7 @@
 #include "kernels/law.hpp"
 #include "kernels/second_piola.hpp"
 
-/// First Piola-Kirchhoff stresses of the methods on the undeformed body, row by row.
+/// First Piola-Kirchhoff stresses of the methods on the undeformed body, row-major.
 namespace pliant::kernels {
 
 /// E = (F^T F - I)/2, in the order of symmetric_index.

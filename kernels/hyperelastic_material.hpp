@@ -16,7 +16,7 @@ struct HyperelasticMaterial {
   T density = 1;           ///< rho0 [kg/m^3]
   T shear_modulus = 0;     ///< mu [Pa]
   T lame_modulus = 0;      ///< lambda [Pa]
-  Material<T> polynomial;  ///< reduced polynomial, and in (TL.3) linear materials
+  Material<T> polynomial;  ///< for reduced polynomials; in (TL.3) also for linear materials
 };
 
 }  // namespace pliant::kernels

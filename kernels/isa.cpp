@@ -9,7 +9,7 @@ bool is_supported(Isa isa) {
     case Isa::avx2:
       return __builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma");
     case Isa::avx512:
-      // What -march=skylake-avx512 uses beyond AVX2; the rest of it came to processors earlier.
+      // Features of -march=skylake-avx512 beyond AVX2; older processors have its other features.
       return is_supported(Isa::avx2) && __builtin_cpu_supports("avx512f") &&
              __builtin_cpu_supports("avx512bw") && __builtin_cpu_supports("avx512cd") &&
              __builtin_cpu_supports("avx512dq") && __builtin_cpu_supports("avx512vl");

@@ -5,8 +5,8 @@
 
 namespace pliant::kernels {
 
-/// Constitutive laws seen by the stages: the carried state (S or F), its rate, and sigma = -p I + S
-/// of (RP.2), p and c^2 of a state.
+/// Constitutive laws for the stages: the material state (S or F), its rate, and sigma = -p I + S of
+/// (RP.2), p and c^2 of a state.
 template <Model model, class P, int D>
 struct Law {
   static constexpr int components = material_component_count<D>(model);

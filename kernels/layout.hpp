@@ -3,29 +3,29 @@
 #include <array>
 #include <cstdint>
 
-/// How kernels see particles: slots of a lattice, stored in rows.
+/// How kernels see particles: as slots of a lattice, stored in rows.
 ///
-///     row y+1   . . . o o o o o o . .      a segment is a run of slots of one lattice row whose
-///     row y     . . o o o[o o o o]o . .    neighbouring rows are each one constant offset away:
-///     row y-1   . . . o o o o o o o .      slot(x + dx, row + r) = p + neighbour_row[r] + dx
+///    row y+1   . . . o o o o o o . .      a segment is a run of slots of one lattice row whose
+///    row y     . . o o o[o o o o]o . .    neighbouring rows are each one constant offset away:
+///    row y-1   . . . o o o o o o o .      slot(x + dx, row + r) = p + neighbour_row[r] + dx
 ///
-/// Storage comes in packs of `slots_per_pack` slots (one cache line of doubles, half a line of
-/// floats), whatever the instruction set and the precision, so that the layout depends on neither.
-/// Slots around every interior particle, and finite values in every slot, make all loads of a pack
-/// with one legal.
+/// Storage consists of packs of `slots_per_pack` slots (one cache line of doubles, half a line of
+/// floats) for any instruction set and precision, so that the layout does not depend on them. Every
+/// interior particle has slots on all sides, and every slot has finite values, so all loads of a
+/// pack with an interior particle are legal.
 namespace pliant::kernels {
 
-/// Segments start at and hold whole multiples of this.
+/// Segments start at multiples of this number of slots and have a multiple of it.
 inline constexpr int slots_per_pack = 8;
 
-/// Rows and columns of neighbouring slots that a segment knows, to each side.
+/// Neighbouring rows and columns on each side for which a segment has offsets.
 inline constexpr int row_reach = 3;
 
 constexpr int power(int base, int exponent) {
   return exponent == 0 ? 1 : base * power(base, exponent - 1);
 }
 
-/// Rows around a row, itself included: 7 in 2D (dy = -3..3), 49 in 3D (dy fastest, then dz).
+/// Rows around a row, including itself: 7 in 2D (dy = -3..3), 49 in 3D (dy fastest, then dz).
 template <int D>
 inline constexpr int neighbouring_rows = power(2 * row_reach + 1, D - 1);
 
@@ -58,7 +58,7 @@ struct Segment {
   std::array<std::int64_t, neighbouring_rows<D>> neighbour_row;  ///< slot offsets, by row_index
 };
 
-/// What a slot holds. Only interior particles carry mass through the equations of motion.
+/// The content of a slot. Only interior particles follow the equations of motion.
 enum class Kind : std::uint8_t {
   vacant = 0,
   interior = 1,
@@ -67,8 +67,8 @@ enum class Kind : std::uint8_t {
   image = 4
 };
 
-/// What a pack of slots holds: nothing, ghosts or images but no interior particle, interior
-/// particles in some slots, or in all.
+/// The content of a pack: vacant; ghosts or images without interior particles; interior particles
+/// in some slots, or in all.
 enum class PackState : std::uint8_t { vacant = 0, ghosts = 1, some = 2, all = 3 };
 
 constexpr bool holds_interior(PackState state) { return state >= PackState::some; }

@@ -5,8 +5,8 @@
 
 namespace pliant::kernels {
 
-/// dS/dt of (RP.3) at deviatoric stress S and velocity gradient du_i/dx_j. In 2D the strain is
-/// plane: S_zz = -(S_xx + S_yy) and the trace is the trace in the plane (RP.11).
+/// dS/dt of (RP.3) at deviatoric stress S and velocity gradient du_i/dx_j. In plane strain (2D)
+/// S_zz = -(S_xx + S_yy), and the trace is that in the plane (RP.11).
 template <class P, int D>
 inline void jaumann_rate(const P& shear_modulus, const P (&s)[symmetric_components<D>],
                          const P (&gradient)[D][D], P (&rate)[symmetric_components<D>]) {

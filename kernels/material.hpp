@@ -12,10 +12,10 @@ enum class Model : std::uint8_t { linear, linear_logarithmic, reduced_polynomial
 /// Smoothing kernel of the moment-matrix gradient: (RP.15) to (RP.18).
 enum class Kernel : std::uint8_t { quartic_spline, quartic_spline_fit, compact, fourth_order };
 
-/// Slots to each side that a kernel reaches on an undeformed lattice: 5 x 5 or 3 x 3 stencils.
+/// Slots on each side that a kernel reaches on an undeformed lattice: stencils are 5 x 5 or 3 x 3.
 constexpr int stencil_reach(Kernel kernel) { return kernel == Kernel::compact ? 1 : 2; }
 
-/// Support radius over the spacing.
+/// Ratio of the support radius to the spacing.
 constexpr double support(Kernel kernel) { return kernel == Kernel::compact ? 1.75 : 2.5; }
 
 /// Constants of one material, in SI units.

@@ -5,23 +5,23 @@
 
 #include "kernels/layout.hpp"
 
-/// The register type that kernels are written in, and the few operations that xsimd lacks.
+/// The register type of kernels, and the few operations that xsimd lacks.
 ///
-/// Kernels are compiled once for each instruction set into one program, so everything that an
-/// instruction set's unit may emit carries the architecture in its type: templates over the pack,
-/// and plain arrays instead of standard containers. Otherwise the linker could keep the AVX-512
-/// version of a function that all units share.
+/// Kernels are compiled into one program once for each instruction set. So the type of everything
+/// that the source of an instruction set may emit must contain the architecture: templates over the
+/// pack, and plain arrays instead of standard containers. Otherwise all instruction sets would
+/// share a function, and the linker could keep its AVX-512 version.
 namespace pliant::kernels {
 
-/// Fused multiply-add of a pack; xsimd 8.1 has none for AVX-512 (see avx512_fma.hpp). On SSE2,
-/// which has none either, product and sum are rounded one by one.
+/// Fused multiply-add of a pack; xsimd 8.1 has none for AVX-512 (see avx512_fma.hpp). SSE2 has no
+/// such instruction: product and sum are rounded separately.
 template <class P>
 struct FusedMultiplyAdd {
   static P sum(const P& x, const P& y, const P& z) { return xsimd::fma(x, y, z); }
   static P difference(const P& x, const P& y, const P& z) { return xsimd::fnma(x, y, z); }
 };
 
-/// Plain numbers, for what works on them as on registers.
+/// The same for plain numbers, for templates over numbers and registers.
 template <std::floating_point T>
 struct FusedMultiplyAdd<T> {
   static T sum(T x, T y, T z) { return x * y + z; }
@@ -55,7 +55,7 @@ using Scalar = typename P::value_type;
 template <class P>
 inline constexpr int lanes = static_cast<int>(P::size);
 
-/// Storage packs of `slots_per_pack` slots consist of this many registers.
+/// Registers that hold a storage pack of `slots_per_pack` slots.
 template <class P>
 inline constexpr int registers_per_pack = slots_per_pack / lanes<P>;
 
@@ -85,7 +85,8 @@ inline int first_lane(const typename P::batch_bool_type& mask) {
   return lane;
 }
 
-/// Square root of one number by the instruction set of `P`: std::sqrt would be shared by all units.
+/// Square root of one number by the instruction set of `P`. All instruction sets would share
+/// std::sqrt.
 template <class P>
 inline Scalar<P> square_root(Scalar<P> x) {
   return xsimd::sqrt(P(x)).get(0);

@@ -5,7 +5,7 @@
 
 namespace pliant::kernels {
 
-/// dF/dt = (grad u) F, (RP.8); F row by row.
+/// dF/dt = (grad u) F, (RP.8); F is row-major.
 template <class P, int D>
 inline void deformation_rate(const P (&f)[D * D], const P (&gradient)[D][D], P (&rate)[D * D]) {
 #pragma GCC unroll 3
@@ -33,12 +33,12 @@ inline P determinant(const P (&f)[9]) {
   return fused(f[2], z, fused_minus(f[1], y, f[0] * x));
 }
 
-/// What stress and wave speed of (RP.9) are made of.
+/// The strain that determines the stress and the wave speed of (RP.9).
 template <class P, int D>
 struct IsochoricStrain {
   P volume_ratio;                       ///< J
   P deviator[symmetric_components<D>];  ///< dev B
-  P deviator_zz;                        ///< in plane strain (RP.11); unused in 3D
+  P deviator_zz;                        ///< for plane strain (RP.11); unused in 3D
   P excess;                             ///< I1 - 3
 };
 

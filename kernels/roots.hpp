@@ -6,10 +6,10 @@
 
 // Roots and the logarithm from integer starting values and polynomials.
 //
-// Square root and division are the slowest instructions there are, and xsimd's own functions use
-// the fused multiply-add on AVX2 but not on AVX-512. These use additions, multiplications, and
-// `fused`, so that AVX2 and AVX-512 agree to the bit. The starting values are the well-known trick
-// of scaling the bits of a floating-point number as if they were its logarithm.
+// Square root and division are the slowest instructions, and xsimd's own functions use the fused
+// multiply-add on AVX2 but not on AVX-512. These functions use additions, multiplications, and
+// `fused`, so that AVX2 and AVX-512 agree bitwise. The starting values use the well-known trick of
+// scaling the bits of a floating-point number as if they were its logarithm.
 namespace pliant::kernels {
 
 template <class T>
@@ -22,7 +22,7 @@ struct Bits<double> {
   static constexpr Integer one = 0x3ff0000000000000;
   static constexpr Integer root_half = 0x3fe6a09e667f3bcd;  ///< of sqrt(1/2)
   static constexpr Integer square_root_start =
-      0x5fe6eb50c7b537a9;  ///< 3/2 of `one`, less the mean error
+      0x5fe6eb50c7b537a9;  ///< 3/2 of `one`, minus the mean error
   static constexpr Integer cube_root_start = 0x553ef0ff289dd;  ///< 4/3 of `one`, likewise, >> 12
 };
 

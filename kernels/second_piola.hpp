@@ -6,7 +6,7 @@
 #include "kernels/layout.hpp"
 #include "kernels/pack.hpp"
 
-/// Second Piola-Kirchhoff stresses and the first ones that they stand for.
+/// Second Piola-Kirchhoff stresses and their first Piola-Kirchhoff stresses.
 namespace pliant::kernels {
 
 /// p += F S.

@@ -4,10 +4,10 @@
 
 #include "kernels/pack.hpp"
 
-/// Moves values along x by one slot within registers, which xsimd 8.1 cannot.
+/// Shifts values along x by one slot within registers; xsimd 8.1 has no such operation.
 namespace pliant::kernels {
 
-/// The last lane of `before`, then all lanes of `here` but the last.
+/// The last lane of `before`, then all lanes of `here` except the last.
 template <class P>
 struct ShiftedLanes;
 

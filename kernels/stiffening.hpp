@@ -3,11 +3,11 @@
 #include "kernels/first_piola.hpp"
 #include "kernels/roots.hpp"
 
-/// How much stiffer than at rest a deformed material is to plane waves.
+/// Bounds on how much stiffer a deformed material is to plane waves than at rest.
 namespace pliant::kernels {
 
-/// Bound of the largest eigenvalue, met where the others are equal: mean + sqrt((D - 1)/D) of the
-/// norm of the deviator. It does not depend on the axes.
+/// Upper bound of the largest eigenvalue: mean + sqrt((D - 1)/D) times the norm of the deviator. It
+/// is exact if the other eigenvalues are equal, and does not depend on the axes.
 template <class P, int D>
 inline P eigenvalue_bound(const P (&tensor)[symmetric_components<D>]) {
   using T = Scalar<P>;
@@ -27,7 +27,7 @@ inline P eigenvalue_bound(const P (&tensor)[symmetric_components<D>]) {
   return mean + xsimd::sqrt(P(T(D - 1) / T(D)) * square);
 }
 
-/// Bound of the largest singular value, squared.
+/// Upper bound of the square of the largest singular value.
 template <class P, int D>
 inline P norm2_of(const P (&f)[D * D]) {
   using T = Scalar<P>;
@@ -36,7 +36,7 @@ inline P norm2_of(const P (&f)[D * D]) {
   return fused(P(T(2)), eigenvalue_bound<P, D>(e), P(T(1)));
 }
 
-/// Bound of rho0 c_X^2 of (PB.12) at J > 0.
+/// Upper bound of rho0 c_X^2 of (PB.12) at J > 0.
 template <ElasticLaw law, class P, int D>
 inline P wave_modulus(const HyperelasticMaterial<Scalar<P>>& material, const P (&f)[D * D]) {
   const P lambda(material.lame_modulus), mu(material.shear_modulus);
@@ -57,7 +57,7 @@ inline P wave_modulus(const HyperelasticMaterial<Scalar<P>>& material, const P (
   }
 }
 
-/// Bound of c_X^2/c^2 of (PB.12) at J > 0, c that of pressure waves at rest; 1 at least.
+/// Upper bound of c_X^2/c^2 of (PB.12) at J > 0, at least 1; c is that of pressure waves at rest.
 template <ElasticLaw law, class P, int D>
 inline P stiffening2(const HyperelasticMaterial<Scalar<P>>& material, const P (&f)[D * D]) {
   const P lambda(material.lame_modulus), mu(material.shear_modulus);

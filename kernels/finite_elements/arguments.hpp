@@ -6,13 +6,13 @@
 #include "kernels/layout.hpp"
 #include "kernels/point_based/arguments.hpp"
 
-/// What the kernels of finite elements work on: tetrahedra in 3D, triangles in 2D, whose gradient
-/// is the same everywhere inside. Nodes lie in blocks, and displacements and forces in arrays of
-/// points, as those of the point-based method do. An element belongs to one block; its corners are
-/// own nodes or nodes of the halo. Packs are filled up with elements without volume.
+/// Arguments of the kernels of finite elements: tetrahedra in 3D, triangles in 2D, with a constant
+/// gradient. Nodes are in blocks, and displacements and forces in arrays of points, as in the
+/// point-based method. An element belongs to one block; its corners are own nodes or nodes of the
+/// halo. Packs are padded with elements without volume.
 namespace pliant::kernels {
 
-/// Values that an element has in arrays of shapes: gradients of corners 1 to D, and the volume.
+/// Values of an element in arrays of shapes: gradients of corners 1 to D, and the volume.
 template <int D>
 inline constexpr int element_values = D* D + 1;
 
@@ -28,22 +28,22 @@ struct ElementBlock {
   const T* shape;               ///< [pack][element_values][lane] [1/m], [m^D]
   const T* initial_stress;      ///< [pack][component][lane] S0 of (TL.14) [Pa]; null: none
   std::array<const T*, D> displacement;
-  HyperelasticMaterial<T> material;  ///< whose volumetric modulus counts apart
+  HyperelasticMaterial<T> material;  ///< without its volumetric modulus
   T volumetric_modulus;              ///< Lambda of (FE.3) [Pa]
   bool examine;                      ///< whether to look for states that are not possible
   const T* pressure;                 ///< [slot] p of (FE.4) [Pa]; null: (FE.3) in each element
-  T* point;                          ///< [count + halo_count][point_stride] room for displacements
-  T* force;                          ///< [count + halo_count][point_stride] what corners collect
+  T* point;  ///< [count + halo_count][point_stride] scratch for displacements
+  T* force;  ///< [count + halo_count][point_stride] sums at corners
 };
 
-/// Pressures of the nodes of a block, (FE.4), from what elements have collected there.
+/// Computes the pressures of the nodes of a block, (FE.4), from the sums that elements have added.
 template <class T>
 struct NodalPressures {
   std::int64_t first;
   int count;
   const CollectedForces<T>* collected;  ///< by other blocks
   int collected_count;
-  T* force;         ///< [count][point_stride] by the block itself; the sum in the end [m^D]
+  T* force;         ///< [count][point_stride] own sums; at the end those of all blocks [m^D]
   T modulus;        ///< Lambda of (FE.3) [Pa]
   const T* volume;  ///< [slot] V [m^D], 0 where there is no node
   T* pressure;      ///< [slot] [Pa]

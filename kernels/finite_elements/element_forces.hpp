@@ -5,11 +5,12 @@
 #include "kernels/point_based/collect_points.hpp"
 #include "kernels/point_based/point_lanes.hpp"
 
-/// Forces of the elements of a block, a register of elements at a time with one in each lane:
+/// Forces of the elements of a block, for a register of elements at a time, one in each lane:
 /// displacements of the corners -> F -> P -> forces on the corners.
 namespace pliant::kernels {
 
-/// Corners and shapes of the register of elements that starts at number `element` of a block.
+/// Corners and shapes of a register of elements; `element` is the number of its first one in a
+/// block.
 template <class P, int D>
 struct ElementLanes {
   using T = Scalar<P>;
@@ -89,7 +90,7 @@ inline void element_stress(const ElementBlock<Scalar<P>, D>& block, const Elemen
   add_volumetric_stress<law, P, D>(pressure, f, cof, piola);
 }
 
-/// Whether F is finite and J positive in all lanes; else the first lane where not.
+/// Checks that F is finite and J positive in all lanes; otherwise returns the first lane where not.
 template <class P, int D>
 inline int impossible_element(const P (&f)[D * D]) {
   using T = Scalar<P>;

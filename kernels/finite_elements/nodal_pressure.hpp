@@ -2,8 +2,8 @@
 
 #include "kernels/finite_elements/element_forces.hpp"
 
-/// Pressures at the nodes, (FE.4), in two passes: elements give their corners a share of their
-/// change of volume, and nodes add up what blocks have collected for them.
+/// Pressures at the nodes, (FE.4), in two passes: elements distribute their change of volume to
+/// their corners, and nodes sum what blocks have collected for them.
 namespace pliant::kernels {
 
 template <ElasticLaw law, class P, int D>
@@ -15,13 +15,13 @@ inline void collect_dilatation_of(const ElementBlock<Scalar<P>, D>& block) {
     P f[D * D], share[D];
     element_gradient<P, D>(block, at, f);
     for (P& component : share) component = P(T(0));
-    // Subtracted: the sum is negative.
+    // Subtracted, so the sum is negative.
     share[0] = load<P>(at.volume()) * dilatation<law, P, D>(f) * P(T(1. / (D + 1)));
     for (int a = 0; a <= D; ++a) PointLanes<P, D>::subtract(share, at.corners(a), block.force);
   }
 }
 
-/// V_e theta_e/(D + 1) of the elements of a block, at the first component of their corners.
+/// Adds V_e theta_e/(D + 1) of the elements of a block to the first component of their corners.
 template <class P, int D>
 void collect_dilatation(const ElementBlock<Scalar<P>, D>& block) {
   if (block.material.law == ElasticLaw::st_venant_kirchhoff) {
@@ -31,7 +31,7 @@ void collect_dilatation(const ElementBlock<Scalar<P>, D>& block) {
   }
 }
 
-/// See NodalPressures. `P` makes it one function for each instruction set.
+/// See NodalPressures. Depends on `P` so that each instruction set has its own function.
 template <class P>
 void evaluate_nodal_pressures(const NodalPressures<Scalar<P>>& block) {
   using T = Scalar<P>;

@@ -5,19 +5,19 @@
 
 namespace pliant::kernels {
 
-/// The kernels of finite elements as the engine calls them, as in PointBasedTable; nodes move by
-/// the kernels of that table.
+/// The table of the kernels of finite elements, like PointBasedTable; nodes move by the kernels of
+/// that table.
 template <class T, int D>
 struct FiniteElementsTable {
   void (*collect_dilatation)(const ElementBlock<T, D>&);
   void (*evaluate_nodal_pressures)(const NodalPressures<T>&);
   PointForcesResult (*evaluate_forces)(const ElementBlock<T, D>&);
 
-  /// Kernels for processors that run `isa`.
+  /// Kernels for processors that support `isa`.
   static const FiniteElementsTable& of(Isa isa);
 };
 
-/// Those compiled for `isa`.
+/// The kernels compiled for `isa`.
 template <Isa isa, class T, int D>
 FiniteElementsTable<T, D> finite_elements_kernels();
 

@@ -6,26 +6,26 @@
 #include "kernels/hyperelastic_material.hpp"
 #include "kernels/layout.hpp"
 
-/// What the kernels of the point-based method work on. Nodes are slots; those of a block follow one
-/// another, filled up to whole packs with slots without mass.
+/// Arguments of the kernels of the point-based method. Nodes are slots; those of a block are
+/// contiguous, padded to whole packs with slots without mass.
 ///
-///     local numbers of a block:   0 ........ count | count ........ count + halo_count
-///                                  its own slots   |   neighbours in other blocks (halo)
+///    local numbers of a block:   0 ........ count | count ........ count + halo_count
+///                                 its own slots   |   neighbours in other blocks (halo)
 ///
-/// Displacements of both are copied into an array of points of `point_stride` values, where any
-/// neighbour is one load away: bonds store the place of the neighbour in such arrays, its local
-/// number times `point_stride`. Forces are collected in another such array: those on the halo are
-/// added to the nodes of other blocks in a later phase, in the order of the blocks, so that sums do
-/// not depend on the number of threads.
+/// Displacements of both are copied into an array of points with `point_stride` values each, so
+/// that one load gets any neighbour: bonds store the position of the neighbour in such arrays, its
+/// local number times `point_stride`. Forces are summed in another such array. Those on the halo
+/// are added to the nodes of other blocks in a later phase, in the order of the blocks, so that
+/// sums do not depend on the number of threads.
 namespace pliant::kernels {
 
-/// Values that a point takes in arrays of points.
+/// Values of a point in arrays of points.
 inline constexpr int point_stride = 4;
 
-/// Bonds that a node can have.
+/// Most bonds that a node can have.
 inline constexpr int most_bonds = 64;
 
-/// Slots that may share a change of volume, (PB.60): as many follow each other in a pack.
+/// Largest number of adjacent slots in a group that shares a change of volume, (PB.60).
 template <int D>
 inline constexpr int slots_per_group = 1 << (D - 1);
 
@@ -45,17 +45,17 @@ struct PointForces {
   const T* frequency2;                                   ///< [slot] lambda of (PB.12) [1/s^2]
   std::array<const T*, symmetric_components<D>> moment;  ///< [slot] A [m^2]
   std::array<const T*, D> load;  ///< [slot] pressure times undeformed area [N]; null: none
-  /// E of the last step, read and written; null without viscosity.
+  /// E of the last step, read and updated; null without viscosity.
   std::array<T*, symmetric_components<D>> strain;
   /// [slot] S0 of (TL.14) [Pa]; null: none.
   std::array<const T*, symmetric_components<D>> initial_stress;
   std::array<const T*, D * D> kept;  ///< [slot] D of (PB.14); null: I
-  const T* share;                    ///< [slot] of the volume of its group, (PB.60); null: none
-  T shared_modulus;                  ///< lambda - 3/2 mu of (PB.60) [Pa]
-  T viscosity;                       ///< beta over the time step, (PB.9)
-  bool examine;                      ///< whether to find what PointForcesResult holds
+  const T* share;    ///< [slot] share in the volume of its group, (PB.60); null: no groups
+  T shared_modulus;  ///< lambda - 3/2 mu of (PB.60) [Pa]
+  T viscosity;       ///< beta over the time step, (PB.9)
+  bool examine;      ///< whether to compute PointForcesResult
   HyperelasticMaterial<T> material;
-  T* point;  ///< [count + halo_count][point_stride] room for displacements
+  T* point;  ///< [count + halo_count][point_stride] scratch for displacements
   T* force;  ///< [count + halo_count][point_stride] [N]
 };
 
@@ -72,20 +72,20 @@ struct CollectedForces {
   int count;
 };
 
-/// Moves the nodes of a block, (PB.10): reads forces that other blocks have collected for it.
+/// Moves the nodes of a block, (PB.10), after adding the forces that other blocks have collected.
 template <class T, int D>
 struct PointMotion {
   std::int64_t first;
   int count;
   const CollectedForces<T>* collected;
   int collected_count;
-  T* force;                  ///< [count][point_stride] of the block itself; the sum in the end [N]
-  T kept;                    ///< share of the velocity that damping leaves
+  T* force;                  ///< [count][point_stride] of the block itself; at the end the sum [N]
+  T kept;                    ///< share of the velocity that remains after damping
   T gained;                  ///< velocity per force over mass [s]
-  T drift;                   ///< for how long nodes move after the kick [s]
+  T drift;                   ///< how long nodes move after the kick [s]
   const T* inverse_mass;     ///< [slot], 0 where there is no node [1/kg]
   std::array<T, D> gravity;  ///< acceleration of all nodes [m/s^2]
-  std::array<const T*, D> external;  ///< [slot] force from outside [N]; null: none
+  std::array<const T*, D> external;  ///< [slot] external force [N]; null: none
   std::array<T*, D> velocity, displacement;
 };
 

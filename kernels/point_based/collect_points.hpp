@@ -7,8 +7,8 @@
 namespace pliant::kernels {
 
 /// Copies displacements of own slots and of the halo into the array of points of a block of nodes
-/// or elements, each with its value of `more` [slot] behind them, or 0 where that is null, and
-/// clears forces.
+/// or elements, and clears forces. Each point also gets its value of `more` [slot], or 0 if that is
+/// null.
 template <class P, int D, class Block>
 inline void collect_points(const Block& block, const Scalar<P>* more) {
   using T = Scalar<P>;

@@ -7,8 +7,8 @@
 #include "kernels/point_based/point_lanes.hpp"
 #include "kernels/stiffening.hpp"
 
-/// Forces of a block of nodes, a register of nodes at a time with one node in each lane:
-/// neighbours' displacements -> F -> P -> forces along the bonds.
+/// Forces of a block of nodes, for a register of nodes at a time, one in each lane: neighbours'
+/// displacements -> F -> P -> forces along the bonds.
 namespace pliant::kernels {
 
 /// c += a b.
@@ -24,7 +24,7 @@ inline void add_product(const P (&a)[D * D], const P (&b)[D * D], P (&c)[D * D])
   }
 }
 
-/// F D of (PB.14) in the place of F, where nodes keep gradients.
+/// Replaces F by F D of (PB.14), if nodes have kept gradients.
 template <class P, int D>
 inline void apply_kept(const PointForces<Scalar<P>, D>& block, std::int64_t slot, P (&f)[D * D],
                        P (&kept)[D * D]) {
@@ -40,7 +40,7 @@ inline void apply_kept(const PointForces<Scalar<P>, D>& block, std::int64_t slot
 }
 
 /// B = V (P - kappa (F - I) A) of (PB.5), plus the viscous stress (PB.9); adds pressure, (PB.11).
-/// `shared` is what groups add to the derivative of psi by theta.
+/// `shared` is the part of groups in the derivative of psi with respect to theta.
 template <ElasticLaw law, class P, int D>
 inline void stress_of_nodes(const PointForces<Scalar<P>, D>& block, std::int64_t slot,
                             const P& shared, const P (&h)[D * D], P (&b)[D * D], P (&pressure)[D]) {
@@ -107,7 +107,7 @@ inline void stress_of_nodes(const PointForces<Scalar<P>, D>& block, std::int64_t
   }
 }
 
-/// Whether F is finite and J positive in all lanes; else the first lane where not.
+/// Checks that F is finite and J positive in all lanes; otherwise returns the first lane where not.
 template <class P, int D>
 inline int impossible_lane(const P (&h)[D * D]) {
   using T = Scalar<P>;
@@ -121,7 +121,7 @@ inline int impossible_lane(const P (&h)[D * D]) {
   return xsimd::all(sound) ? -1 : first_lane<P>(!sound);
 }
 
-/// Looks for states that are not possible, and for the stiffest node: lambda q^2 of (PB.12).
+/// Looks for states that are not possible, and for the largest lambda q^2 of (PB.12).
 template <ElasticLaw law, class P, int D>
 [[gnu::noinline]] void examine_register(const PointForces<Scalar<P>, D>& block, std::int64_t slot,
                                         const P (&h)[D * D], PointForcesResult& result) {
@@ -144,7 +144,7 @@ template <ElasticLaw law, class P, int D>
   result.frequency2 = std::max(result.frequency2, static_cast<double>(largest(frequency2)));
 }
 
-/// F - I of (PB.4); keeps d of every bond.
+/// F - I of (PB.4); stores d of every bond.
 template <class P, int D>
 [[gnu::always_inline]] inline void displacement_gradient(const PointForces<Scalar<P>, D>& block,
                                                          const RegisterBonds<Scalar<P>, D>& bonds,
@@ -178,7 +178,7 @@ template <class P, int D>
   for (int c = 0; c < D * D; ++c) h[c] = sum[c];
 }
 
-/// Adds T_ij of (PB.8) of all bonds to the nodes and takes it from their neighbours.
+/// Adds T_ij of (PB.8) of all bonds to the nodes and subtracts it from their neighbours.
 template <class P, int D>
 [[gnu::always_inline]] inline void add_bond_forces(const PointForces<Scalar<P>, D>& block,
                                                    const RegisterBonds<Scalar<P>, D>& bonds,
@@ -205,7 +205,7 @@ template <class P, int D>
   }
 }
 
-/// The bonds of the register of nodes that starts at local number `local`.
+/// The bonds of a register of nodes; `local` is the local number of its first one.
 template <class P, int D>
 [[gnu::always_inline]] inline RegisterBonds<Scalar<P>, D> bonds_of_nodes(
     const PointForces<Scalar<P>, D>& block, int local) {
@@ -214,8 +214,8 @@ template <class P, int D>
   return {block.neighbour + pack + lane, block.bond + pack * (D + 1) + lane};
 }
 
-/// Forces of the registers of nodes that start at local number `local`: one, or as many as a group
-/// takes. Every sum stays in registers: the loops over components must be unrolled, and everything
+/// Forces of the registers of nodes from local number `local` on: one, or as many as a group needs.
+/// Every sum must stay in registers, so loops over components must be unrolled, and everything
 /// inlined.
 template <ElasticLaw law, class P, int D>
 inline void add_forces_of_registers(const PointForces<Scalar<P>, D>& block, int local,

@@ -5,15 +5,15 @@
 #include "kernels/dilatation.hpp"
 #include "kernels/point_based/arguments.hpp"
 
-/// Nodes that follow each other in a pack share the stiff part of their pressure, (PB.60).
+/// Groups of adjacent nodes in a pack that share the stiff part of their pressure, (PB.60).
 namespace pliant::kernels {
 
-/// Registers that a group takes at least.
+/// Registers that hold whole groups.
 template <class P, int D>
 inline constexpr int registers_of_groups = std::max(1, slots_per_group<D> / lanes<P>);
 
-/// (lambda - 3/2 mu) (theta_g - theta) of the nodes from `slot` on, 0 of those in no group. `h` is
-/// F - I.
+/// (lambda - 3/2 mu) (theta_g - theta) of the nodes from `slot` on; 0 for nodes without a group.
+/// `h` is F - I.
 template <ElasticLaw law, class P, int D>
 inline void shared_pressure(const PointForces<Scalar<P>, D>& block, std::int64_t slot,
                             const P (&h)[registers_of_groups<P, D>][D * D],

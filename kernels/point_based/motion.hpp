@@ -13,7 +13,7 @@ void advance_points(const PointMotion<Scalar<P>, D>& block) {
     const CollectedForces<T>& from = block.collected[c];
     for (int i = 0; i < from.count; ++i) {
       T* to = block.force + point_stride * (from.slot[i] - block.first);
-      T sum[point_stride];  // so that the compiler takes all of them at once
+      T sum[point_stride];  // lets the compiler add all components at once
       for (int a = 0; a < point_stride; ++a) sum[a] = to[a] + from.force[point_stride * i + a];
       for (int a = 0; a < point_stride; ++a) to[a] = sum[a];
     }

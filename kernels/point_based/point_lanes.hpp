@@ -5,9 +5,9 @@
 #include "kernels/pack.hpp"
 #include "kernels/point_based/arguments.hpp"
 
-/// Points, each of which a lane of a register has: from an array of points to components, and back.
-/// `place[lane]` is where the point begins in the array. Here for any register;
-/// point_lanes_avx2.hpp has those of AVX2, which transpose in registers.
+/// Transposes points, one in each lane of a register, from an array of points to components, and
+/// back. `place[lane]` is where the point begins in the array. This is the version for any
+/// register; that in point_lanes_avx2.hpp transposes in registers.
 namespace pliant::kernels {
 
 template <class P, int D>
@@ -25,8 +25,8 @@ struct PointLanes {
     for (int a = 0; a < D; ++a) value[a] = P::load_aligned(lane[a]);
   }
 
-  /// Subtracts value[a] from component a of the points at `place[lane]`, lane by lane: several
-  /// lanes may have the same point.
+  /// Subtracts value[a] from component a of the points at `place[lane]`, lane by lane, since
+  /// several lanes may have the same point.
   [[gnu::always_inline]] static void subtract(const P (&value)[D], const std::uint16_t* place,
                                               T* point) {
     alignas(64) T lane[D][lanes<P>];

@@ -6,7 +6,7 @@
 
 namespace pliant::kernels {
 
-/// Eight points of single precision: two halves of four, transposed side by side.
+/// Eight points in single precision: two halves of four, transposed in parallel.
 template <int D>
 struct PointLanes<xsimd::batch<float, xsimd::fma3<xsimd::avx2>>, D> {
   using P = xsimd::batch<float, xsimd::fma3<xsimd::avx2>>;
@@ -38,8 +38,8 @@ struct PointLanes<xsimd::batch<float, xsimd::fma3<xsimd::avx2>>, D> {
     _mm_store_ps(to, _mm_sub_ps(_mm_load_ps(to), _mm256_extractf128_ps(value, 1)));
   }
 
-  // The fourth component of a force means nothing. The order of the lanes differs from that of
-  // other registers, which no sum in double sees.
+  // The fourth component of a force is unused. The order of the lanes differs from that in other
+  // registers, but sums in double do not depend on it.
   [[gnu::always_inline]] static void subtract(const P (&value)[D], const std::uint16_t* place,
                                               float* point) {
     const __m256 x = value[0], y = value[1];
@@ -54,7 +54,7 @@ struct PointLanes<xsimd::batch<float, xsimd::fma3<xsimd::avx2>>, D> {
   }
 };
 
-/// Four points of double precision.
+/// Four points in double precision.
 template <int D>
 struct PointLanes<xsimd::batch<double, xsimd::fma3<xsimd::avx2>>, D> {
   using P = xsimd::batch<double, xsimd::fma3<xsimd::avx2>>;

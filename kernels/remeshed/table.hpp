@@ -6,9 +6,9 @@
 
 namespace pliant::kernels {
 
-/// The kernels of remeshed particles as the engine calls them: one table of functions for each
-/// instruction set, each function working on one block of slots. Kernels never allocate, throw,
-/// print, or keep state. Instantiated for double and float in 2D and 3D.
+/// The kernels of remeshed particles for the engine: a table of functions for each instruction set,
+/// each for one block of slots. Kernels never allocate, throw, print, or keep state. Instantiated
+/// for double and float in 2D and 3D.
 template <class T, int D>
 struct RemeshedTable : StageKernels<T, D>, GhostKernels<T, D>, RemeshingKernels<T, D> {
   /// Kernels compiled for `isa`.

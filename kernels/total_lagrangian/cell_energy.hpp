@@ -6,8 +6,8 @@
 #include "kernels/total_lagrangian/arguments.hpp"
 
 /// The strain energy of a cell, (TL.3) and (TL.6), or (TL.22), and its derivatives. Several loops
-/// have them, and states must stay in registers: what is inlined must be. The constants
-/// of a linear material are those of its hyperelastic form: N = 1, C10 = mu/2, 2/D = K.
+/// use these functions, and states must stay in registers, so the functions must be inlined. The
+/// constants of a linear material are those of its hyperelastic form: N = 1, C10 = mu/2, 2/D = K.
 namespace pliant::kernels {
 
 /// dU/dJ of the volumetric part, (TL.3), from J and 1/J.
@@ -31,14 +31,14 @@ inline P volumetric_stiffness(const Material<Scalar<P>>& material, const P& volu
   return modulus * volume_ratio;
 }
 
-/// What the energy of cells depends on.
+/// Arguments of the energy of a cell.
 template <class P, int D>
 struct CellState {
   P f[D * D], cof[D * D], volume_ratio;
   P hourglass;    ///< Q of (TL.6)
-  P by_f[D * D];  ///< half the derivative of F:F + Q by F
+  P by_f[D * D];  ///< half the derivative of F:F + Q with respect to F
 
-  /// From `f` and `hourglass`.
+  /// Computes the other members from `f` and `hourglass`.
   void complete() {
     cofactor(f, cof);
     volume_ratio = f[0] * cof[0];
@@ -47,11 +47,12 @@ struct CellState {
   }
 };
 
-/// Derivatives of the energy per volume of the undeformed cell.
+/// Derivatives of the energy per undeformed volume of the cell.
 template <class P, int D>
 struct CellStress {
-  P excess;        ///< I1* - 3 of (TL.3)
-  P shear;         ///< by half the derivative of Q the force of a mode [Pa]: 2 W1 J^(-2/3), or mu
+  P excess;  ///< I1* - 3 of (TL.3)
+  P shear;  ///< factor from half the derivative of Q to the force of a mode [Pa]: 2 W1 J^(-2/3), or
+            ///< mu
   P piola[D * D];  ///< P [Pa]
 };
 
@@ -81,7 +82,7 @@ template <class P, int D>
   return stress;
 }
 
-/// (TL.22): the stress of the law, and mu in the place of 2 W1 J^(-2/3) for hourglass modes.
+/// (TL.22): the stress of the law; for hourglass modes, mu replaces 2 W1 J^(-2/3).
 template <ElasticLaw law, class P, int D>
 [[gnu::always_inline]] inline CellStress<P, D> law_stress(
     const HyperelasticMaterial<Scalar<P>>& material, const CellState<P, D>& state) {
@@ -96,7 +97,7 @@ template <ElasticLaw law, class P, int D>
   return stress;
 }
 
-/// The stress of a cell by its law; `relaxed` is 0 for those of (TL.22).
+/// The stress of a cell by its law; `relaxed` is 0 for the laws of (TL.22).
 template <ElasticLaw law, class P, int D>
 [[gnu::always_inline]] inline CellStress<P, D> cell_stress(
     const HyperelasticMaterial<Scalar<P>>& material, const CellState<P, D>& state,
@@ -108,7 +109,7 @@ template <ElasticLaw law, class P, int D>
   }
 }
 
-/// Bound of c^2 as (RP.12), with the I1* of the cell.
+/// Upper bound of c^2, like (RP.12), with the I1* of the cell.
 template <class P, int D>
 inline P cell_wave_speed2(const Material<Scalar<P>>& material, const CellState<P, D>& state,
                           const P& excess) {

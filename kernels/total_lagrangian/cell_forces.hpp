@@ -6,10 +6,11 @@
 #include "kernels/total_lagrangian/hourglass.hpp"
 #include "kernels/total_lagrangian/viscosity.hpp"
 
-/// Parts that stress points of regular and of fitted cells share.
+/// Functions for the stress points of both regular and fitted cells.
 namespace pliant::kernels {
 
-/// Bound of the largest singular value: sqrt(largest row sum * largest column sum), squared.
+/// Square of an upper bound of the largest singular value: the largest row sum times the largest
+/// column sum.
 template <class P, int D>
 inline P norm2_bound(const P (&matrix)[D * D]) {
   P row(Scalar<P>(0)), column(Scalar<P>(0));
@@ -40,15 +41,16 @@ inline void displacement_modes(const Motion<Scalar<P>, D>& block, const CellRun<
   }
 }
 
-/// What a register of stress points adds to the block's result.
+/// What a register of stress points contributes to the result of the block.
 template <class P>
 struct StressPointExtremes {
   P wave_speed2 = P(Scalar<P>(0));
   std::int64_t non_finite = -1;
 };
 
-/// Bound of c_X^2 of (TL.9) in units of the lattice: by |A^-1 F^-1|, given as `reverse` =
-/// A^-1 cof F^T, and |A^-1|^2, given as `inverse2`. `networks` is what (TL.24) adds to c^2.
+/// Upper bound of c_X^2 of (TL.9) in units of the lattice, from |A^-1 F^-1|, given by `reverse` =
+/// A^-1 cof F^T, and |A^-1|^2, given by `inverse2`. `networks` is the contribution of (TL.24) to
+/// c^2.
 template <ElasticLaw law, class P, int D>
 inline P lattice_wave_speed2(const HyperelasticMaterial<Scalar<P>>& material,
                              const CellState<P, D>& state, const CellStress<P, D>& stress,
@@ -62,7 +64,8 @@ inline P lattice_wave_speed2(const HyperelasticMaterial<Scalar<P>>& material,
   }
 }
 
-/// Which lanes hold a stress that is no number or a J <= 0; takes the wave speeds of the others.
+/// Returns the lanes with a stress that is not finite or with J <= 0; the wave speeds of the others
+/// enter `extremes`.
 template <class P, int D>
 inline auto examine(const CellState<P, D>& state, const CellStress<P, D>& stress, const P& c2,
                     const typename P::batch_bool_type& inside, StressPointExtremes<P>& extremes) {

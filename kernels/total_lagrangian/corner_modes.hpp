@@ -3,10 +3,10 @@
 #include "kernels/pack.hpp"
 #include "kernels/total_lagrangian/arguments.hpp"
 
-/// Modes of the values at the corners of a cell, (TL.2), by fast Walsh transforms in place.
+/// Modes of the corner values of a cell, (TL.2), by in-place fast Walsh transforms.
 namespace pliant::kernels {
 
-/// From corner values to modes. Number 0 becomes the sum of the values.
+/// From corner values to modes. Mode 0 becomes the sum of the values.
 template <class P, int D>
 inline void to_modes(P (&value)[1 << D]) {
 #pragma GCC unroll 3
@@ -21,8 +21,7 @@ inline void to_modes(P (&value)[1 << D]) {
   }
 }
 
-/// The transpose: from what pulls at the modes to what pulls at the corners. Nothing pulls at
-/// number 0.
+/// The transpose: from the forces of modes to the forces at corners. Mode 0 has no force.
 template <class P, int D>
 inline void to_corners(P (&value)[1 << D]) {
   value[0] = -value[1];

@@ -4,10 +4,11 @@
 
 #include "kernels/total_lagrangian/cell_forces.hpp"
 
-/// Stress points of fitted cells, (TL.11): few, anywhere in the block, gathered into registers.
+/// Stress points of fitted cells, (TL.11). They are few and scattered over the block, so they are
+/// gathered into registers.
 namespace pliant::kernels {
 
-/// The fitted cells from `first` on that fill a register; lanes beyond the last repeat it.
+/// A register of fitted cells, starting at `first`; lanes after the last cell repeat it.
 template <class P, int D>
 struct CellGroup {
   using T = Scalar<P>;
@@ -21,7 +22,7 @@ struct CellGroup {
     }
   }
 
-  /// f(cell) of every lane.
+  /// Value f(cell) for each lane.
   template <class F>
   P of_each(F&& f) const {
     alignas(64) T value[lanes<P>];
@@ -31,7 +32,7 @@ struct CellGroup {
   P gather(const T* from) const {
     return of_each([from](const FittedCell<T, D>& c) { return from[c.slot]; });
   }
-  /// Writes the lanes of the cells that belong to the block.
+  /// Writes the lanes whose cells belong to the block.
   void scatter(const Motion<T, D>& block, const P& pack, T* to) const {
     alignas(64) T value[lanes<P>];
     pack.store_aligned(value);
@@ -39,8 +40,8 @@ struct CellGroup {
       if (block.has(cell[l]->slot)) to[cell[l]->slot] = value[l];
     }
   }
-  /// Subtracts a value at each corner of each cell where the corner belongs to the block: cell
-  /// after cell, so that the sums do not depend on how many cells a register holds.
+  /// Subtracts a value at each corner of each cell, if the corner belongs to the block. It goes
+  /// cell by cell, so that the sums do not depend on the size of registers.
   void subtract_at_corners(const Motion<T, D>& block, const P (&pull)[1 << D], T* from) const {
     alignas(64) T value[1 << D][lanes<P>];
     for (int c = 0; c < (1 << D); ++c) pull[c].store_aligned(value[c]);
@@ -67,8 +68,8 @@ inline void gather_modes(const Motion<Scalar<P>, D>& block, const CellGroup<P, D
   }
 }
 
-/// F and what is left of the hourglass modes, so that linear fields have none; these become half
-/// the derivatives of Q, (TL.6).
+/// F and the rest of the hourglass modes, which is zero for linear fields. The modes are replaced
+/// by half the derivatives of Q, (TL.6).
 template <class P, int D>
 inline void fitted_state(const CellGroup<P, D>& group, const HourglassWeights<P, D>& weights,
                          const P& slope, const P (&inverse)[D * D], P (&mode)[D][1 << D],
@@ -100,7 +101,7 @@ inline void fitted_state(const CellGroup<P, D>& group, const HourglassWeights<P,
   state.complete();
 }
 
-/// (TL.14)
+/// Adds the initial stress (TL.14).
 template <class P, int D>
 inline void add_fitted_prestress(const Motion<Scalar<P>, D>& block, const CellGroup<P, D>& group,
                                  const CellState<P, D>& state, CellStress<P, D>& stress) {
@@ -110,7 +111,7 @@ inline void add_fitted_prestress(const Motion<Scalar<P>, D>& block, const CellGr
   add_pulled_back<P, D>(state.f, s, stress.piola);
 }
 
-/// The slots of the cells of a group; those that belong to the block are written.
+/// The slots of the cells of a group; values are written for cells that belong to the block.
 template <class P, int D>
 struct FittedSlots {
   using T = Scalar<P>;
@@ -121,8 +122,8 @@ struct FittedSlots {
   void put(T* to, const P& value, const P&) const { group.scatter(block, value, to); }
 };
 
-/// (TL.5) and (TL.6) with the corrections of (TL.11), from half the derivatives of Q by the modes
-/// that F leaves.
+/// Forces (TL.5) and (TL.6) with the corrections of (TL.11), from half the derivatives of Q with
+/// respect to the rest of the hourglass modes.
 template <class P, int D>
 inline void add_fitted_forces(const Motion<Scalar<P>, D>& block, const CellGroup<P, D>& group,
                               const P& slope, const P (&inverse)[D * D], const P (&mode)[D][1 << D],
@@ -134,7 +135,7 @@ inline void add_fitted_forces(const Motion<Scalar<P>, D>& block, const CellGroup
   const P volume =
       P(cell_volume) * group.of_each([](const FittedCell<T, D>& cell) { return cell.volume; });
   for (int i = 0; i < D; ++i) {
-    P pull[corners], effective[D];  // P less the part of the hourglass forces that follows F
+    P pull[corners], effective[D];  // P minus the part of the hourglass forces that depends on F
     for (int j = 0; j < D; ++j) effective[j] = stress.piola[D * i + j];
     for (int m = 1; m < corners; ++m) {
       if (directions_of[m] < 2) continue;
@@ -152,7 +153,7 @@ inline void add_fitted_forces(const Motion<Scalar<P>, D>& block, const CellGroup
   }
 }
 
-/// Takes the forces of the fitted cells from `block.force`.
+/// Subtracts the forces of the fitted cells from `block.force`.
 template <ElasticLaw law, bool relaxes, class P, int D>
 void evaluate_fitted_cells(const Motion<Scalar<P>, D>& block, StressPointExtremes<P>& extremes) {
   using T = Scalar<P>;

@@ -5,29 +5,29 @@
 
 /// The energy of hourglass modes and its derivatives, (TL.6) and (TL.17).
 ///
-/// In 3D a cell has nine modes of two directions: points move along a, by the product of the
-/// coordinates in the two directions other than c. Where a and c differ, the mode bends the cell:
-/// fibres along a are longer on one side. Where they are the same, it twists the cell.
+/// In 3D a cell has nine modes with two directions: points move along a, by the product of the
+/// coordinates in the two directions other than c. If a and c differ, the mode bends the cell:
+/// fibres along a are longer on one side. If they are equal, it twists the cell.
 ///
-///     bends    u_x = x y and u_z = z y, x z and y z, y x and z x
-///     twists   u_x = y z, u_y = x z, u_z = x y
+///    bends    u_x = x y and u_z = z y, x z and y z, y x and z x
+///    twists   u_x = y z, u_y = x z, u_z = x y
 ///
-/// Both bends of a pair lengthen fibres across the same plane. In the frame of the material, where
-/// C = F^T A with the modes A_c, they are C_ac and C_ca.
+/// Both bending modes of a pair lengthen fibres across the same plane. In the frame of the
+/// material, where C = F^T A with the modes A_c, they are C_ac and C_ca.
 namespace pliant::kernels {
 
-/// c_b h^2 of (TL.6) by the number of directions.
+/// c_b h^2 of (TL.6), by the number of directions.
 template <int D>
 inline constexpr double mode_weights[] = {0, 0, 8. / 3 / (1 << 2 * D), 4. / 3 / (1 << 2 * D)};
 
-/// The mode of the two directions other than `c`, in 3D.
+/// The mode with the two directions other than `c`, in 3D.
 inline constexpr int mode_across[] = {6, 5, 3};
 
 /// Coefficients of the energy [1/m^2].
 template <class P, int D>
 struct HourglassWeights {
   using T = Scalar<P>;
-  T two, three;  ///< kappa c_b of modes of two and of three directions
+  T two, three;  ///< kappa c_b of modes with two and with three directions
   T bending, saddle;
 
   HourglassWeights(const HourglassStiffness<T>& stiffness, T spacing) {
@@ -39,7 +39,7 @@ struct HourglassWeights {
   }
 };
 
-/// Half the derivative of the terms of (TL.17) that depend on C, by C_ac with a and c different.
+/// Half the derivative of those terms of (TL.17) that depend on C, with respect to C_ac for a != c.
 template <class P>
 struct BendingForces {
   P value[3][3];
@@ -67,8 +67,8 @@ struct BendingForces {
   }
 };
 
-/// Q of (TL.6) from F and the modes [component][mode]. Puts half of its derivatives in the place of
-/// the modes, and adds half of that by F to `by_f`.
+/// Q of (TL.6) from F and the modes [component][mode]. Replaces the modes by half the derivatives
+/// with respect to them, and adds half the derivative with respect to F to `by_f`.
 template <class P, int D>
 inline P hourglass_squares(const HourglassWeights<P, D>& weights, const P (&f)[D * D],
                            P (&mode)[D][1 << D], P (&by_f)[D * D]) {

@@ -5,7 +5,7 @@
 
 namespace pliant::kernels {
 
-/// Adds a register's lanes to a sum, first to last.
+/// Adds the lanes of a register to a sum, in order.
 template <class P>
 inline void add_lanes(const P& pack, double& sum) {
   alignas(64) Scalar<P> lane[lanes<P>];
@@ -13,9 +13,9 @@ inline void add_lanes(const P& pack, double& sum) {
   for (int l = 0; l < lanes<P>; ++l) sum += lane[l];
 }
 
-/// Moves the particles of a block from its first slot on, as far as their forces are known, (TL.8).
-/// Lanes of eight whatever the register, so that the sums are those of any instruction set with
-/// fused multiply-add.
+/// Moves the particles of a block, from its first slot on, as their forces become known, (TL.8).
+/// Sums are over eight lanes for any register, so that they are the same for all instruction sets
+/// with fused multiply-add.
 template <class P, int D>
 class Mover {
  public:
@@ -26,7 +26,7 @@ class Mover {
     for (int k = 0; k < registers; ++k) stiffness_[k] = inertia_[k] = damped_[k] = P(T(0));
   }
 
-  /// Up to the slot that lies `end` behind the first.
+  /// Moves particles up to the slot at offset `end` from the first.
   void move_until(std::int64_t end) {
     const P zero(T(0));
     for (; moved_ < end; moved_ += lanes<P>) {
@@ -84,7 +84,7 @@ class Mover {
 };
 
 /// A particle moves as soon as the cells around it are done, while its displacement and its force
-/// are still in the cache: these cells have no higher slots than itself.
+/// are still in the cache. None of these cells has a higher slot than the particle.
 template <ElasticLaw law, bool relaxes, class P, int D>
 MotionResult advance_motion_of(const Motion<Scalar<P>, D>& block) {
   StressPointExtremes<P> extremes;
@@ -103,7 +103,7 @@ MotionResult advance_motion_of(const Motion<Scalar<P>, D>& block) {
   return result;
 }
 
-/// See Motion. Laws without networks have loops without them.
+/// See Motion. Laws without networks have their own loops.
 template <class P, int D>
 MotionResult advance_motion(const Motion<Scalar<P>, D>& block) {
   using enum ElasticLaw;

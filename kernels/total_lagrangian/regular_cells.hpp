@@ -5,24 +5,23 @@
 #include "kernels/shifted_lanes.hpp"
 #include "kernels/total_lagrangian/cell_forces.hpp"
 
-/// Stress points of cells whose corners lie on the lattice: corner displacements -> modes -> F ->
+/// Stress points of cells whose corners are on the lattice: corner displacements -> modes -> F ->
 /// first Piola-Kirchhoff stress -> forces, mode by mode -> corner forces -> sums over the cells
 /// around a particle.
 ///
-///     cells of row y    | A | B | C | D |      a register of cells pulls at rows of corners: at
-///                       /\  /\  /\  /\         its own slots (lower corners in x) and at the slots
-///     corners, row r    a   b   c   d   e      behind each (upper corners). These are moved up by
-///     a
-///                                              lane, with the last cell of the register before.
+///    cells of row y    | A | B | C | D |      A register of cells has forces on rows of corners:
+///                      /\  /\  /\  /\         at its own slots (lower corners in x) and at the
+///    corners, row r    a   b   c   d   e      next ones (upper corners). The latter are shifted by
+///                                             one lane, with the last cell of the register before.
 namespace pliant::kernels {
 
-/// The slots of a register of cells; values are written where the body is.
+/// The slots of a register of cells; values are written inside the body.
 template <class P>
 struct RegularSlots {
   using T = Scalar<P>;
   std::int64_t slot;
   typename P::batch_bool_type inside;
-  bool keep;  ///< whether the cells belong to the block, which then writes
+  bool keep;  ///< whether the cells belong to the block, which then writes them
 
   P get(const T* from) const { return load<P>(from + slot); }
   void put(T* to, const P& value, const P& before) const {
@@ -30,8 +29,8 @@ struct RegularSlots {
   }
 };
 
-/// F and the energy's other arguments, (TL.2): F = I where the body is not, whose corners are
-/// nothing in particular. Hourglass modes become half the derivatives of Q, (TL.6).
+/// F and the other arguments of the energy, (TL.2). Outside the body, where corners hold arbitrary
+/// values, F = I. The hourglass modes are replaced by half the derivatives of Q, (TL.6).
 template <class P, int D>
 inline void regular_state(const HourglassWeights<P, D>& weights, const P& slope,
                           const typename P::batch_bool_type& inside, P (&mode)[D][1 << D],
@@ -50,7 +49,7 @@ inline void regular_state(const HourglassWeights<P, D>& weights, const P& slope,
   state.complete();
 }
 
-/// Forces of the upper corners in x of the cells of a register, which the next register completes.
+/// Forces on the upper corners in x of a register of cells, which the next register completes.
 template <class P, int D>
 struct UpperCorners {
   P force[D][corner_rows<D>];
@@ -66,8 +65,8 @@ struct UpperCorners {
   }
 };
 
-/// Subtracts one component of what a register of cells pulls at its corners, `pull`, from the
-/// forces on the particles, `along` slots behind the first cell of the run.
+/// Subtracts one component of the corner forces of a register of cells, `pull`, from the forces on
+/// the particles. `along` is the offset from the first cell of the run.
 template <class P, int D>
 inline void subtract_forces(const CellRun<D>& run, std::int64_t along, const P (&pull)[1 << D],
                             P (&upper)[corner_rows<D>], Scalar<P>* force) {
@@ -81,7 +80,7 @@ inline void subtract_forces(const CellRun<D>& run, std::int64_t along, const P (
   }
 }
 
-/// After the last cell of the body in a row.
+/// Adds the upper corners after the last cell of the body in a row.
 template <class P, int D>
 inline void finish_row(const Motion<Scalar<P>, D>& block, const CellRun<D>& run, std::int64_t along,
                        UpperCorners<P, D>& upper) {
@@ -96,9 +95,9 @@ inline void finish_row(const Motion<Scalar<P>, D>& block, const CellRun<D>& run,
   upper.exist = false;
 }
 
-/// Asks for what the particles of a pack need to move, and for what the next row of cells reads
-/// that no row before it has read: with so many arrays, and rows that end soon, the processor would
-/// not see it coming.
+/// Prefetches what the particles of a pack need to move, and what the next row of cells reads that
+/// no earlier row has read. With so many arrays and short rows, the processor would not prefetch it
+/// by itself.
 template <class T, int D>
 [[gnu::always_inline]] inline void prefetch_pack(const Motion<T, D>& block, const CellRun<D>& run,
                                                  std::int64_t slot) {
@@ -115,8 +114,8 @@ template <class T, int D>
   }
 }
 
-/// Takes the forces of a run of cells from `block.force`, (TL.3)-(TL.6), (TL.24) where it relaxes
-/// in shear.
+/// Subtracts the forces of a run of cells from `block.force`, (TL.3)-(TL.6), and (TL.24) if it
+/// relaxes in shear.
 template <ElasticLaw law, bool relaxes, class P, int D>
 void evaluate_run(const Motion<Scalar<P>, D>& block, const CellRun<D>& run,
                   StressPointExtremes<P>& extremes) {
@@ -125,7 +124,8 @@ void evaluate_run(const Motion<Scalar<P>, D>& block, const CellRun<D>& run,
   T volume = 1;
 #pragma GCC unroll 3
   for (int a = 0; a < D; ++a) volume *= block.spacing;
-  // Half the corners pull each way, so that a difference over h is 2/2^D of a gradient mode.
+  // Corners have signs of both kinds in equal number, so a difference over h is 2/2^D of a gradient
+  // mode.
   const P slope(T(2) / (corners * block.spacing)), zero(T(0));
   const HourglassWeights<P, D> weights(block.hourglass, block.spacing);
   UpperCorners<P, D> upper;

@@ -5,9 +5,9 @@
 
 namespace pliant::kernels {
 
-/// The kernels of the total Lagrangian method as the engine calls them: one table of functions for
-/// each instruction set, each function working on one block of slots. Kernels never allocate,
-/// throw, print, or keep state. Instantiated for double and float in 2D and 3D.
+/// The kernels of the total Lagrangian method for the engine: a table of functions for each
+/// instruction set, each for one block of slots. Kernels never allocate, throw, print, or keep
+/// state. Instantiated for double and float in 2D and 3D.
 template <class T, int D>
 struct TotalLagrangianTable {
   MotionResult (*advance_motion)(const Motion<T, D>&);
@@ -16,7 +16,7 @@ struct TotalLagrangianTable {
   static const TotalLagrangianTable& of(Isa isa);
 };
 
-/// Those compiled for `isa`.
+/// The kernels compiled for `isa`.
 template <Isa isa, class T, int D>
 TotalLagrangianTable<T, D> total_lagrangian_kernels();
 

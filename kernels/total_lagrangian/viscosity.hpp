@@ -2,12 +2,12 @@
 
 #include "kernels/total_lagrangian/cell_energy.hpp"
 
-/// What relaxes at the stress points of a register of cells: pressures (RP.10) and networks
-/// (TL.24). `Slots` reads and writes the values of these cells: regular ones lie side by side,
-/// fitted ones anywhere.
+/// Relaxation at the stress points of a register of cells: pressures (RP.10) and networks (TL.24).
+/// `Slots` reads and writes the values of these cells: regular cells are contiguous, fitted cells
+/// are not.
 namespace pliant::kernels {
 
-/// One term of (RP.22).
+/// One term, advanced by (RP.22).
 template <class P>
 inline P relax_term(const Relaxation<Scalar<P>>& term, const P& before, const P& start,
                     const P& end) {
@@ -15,7 +15,7 @@ inline P relax_term(const Relaxation<Scalar<P>>& term, const P& before, const P&
   return fused(P(term.decay), before, driven);
 }
 
-/// The sum of the p_i after (RP.22).
+/// The sum of the p_i, advanced by (RP.22).
 template <class P, int D, class Slots>
 [[gnu::always_inline]] inline P relax_pressures(const CellViscosity<Scalar<P>>& viscosity,
                                                 const CellState<P, D>& state, const Slots& slots) {
@@ -82,7 +82,7 @@ struct Network {
     excess = fused(scale, squares, P(T(-3)));
   }
 
-  /// Adds its stress, `ratio` times that of `material` at I1* - 3 = excess.
+  /// Adds the stress of the network: `ratio` times that of `material` at I1* - 3 = excess.
   void add_stress(const Material<T>& material, T ratio, const CellState<P, D>& state,
                   P (&piola)[D * D]) const {
     P first, second;
@@ -95,7 +95,7 @@ struct Network {
     }
   }
 
-  /// What it adds to the bound of c^2, as (RP.12).
+  /// The contribution of the network to the bound of c^2, like (RP.12).
   P wave_speed2(const Material<T>& material, T ratio, const CellState<P, D>& state) const {
     IsochoricStrain<P, D> strain;
     strain.volume_ratio = state.volume_ratio;
@@ -118,8 +118,8 @@ struct Network {
   }
 };
 
-/// Takes the networks to the present by (RP.22) and adds their stress. Returns what they add to
-/// c^2 of the cells; 0 unless the block is examined.
+/// Advances the networks to the present by (RP.22) and adds their stress. Returns their
+/// contribution to c^2 of the cells; 0 unless the block is examined.
 template <class P, int D, class Slots>
 inline P relax_networks(const Motion<Scalar<P>, D>& block, const CellState<P, D>& state,
                         const Slots& slots, CellStress<P, D>& stress) {

@@ -3,7 +3,7 @@
 #include "kernels/pack.hpp"
 #include "kernels/remeshed/ghosts/fit_terms.hpp"
 
-/// Coefficients of a ghost's fits from their terms; of one particle or, where V is a register, of
+/// Coefficients of a ghost's fits from their terms, for one particle or, if V is a register, for
 /// several.
 namespace pliant::kernels {
 

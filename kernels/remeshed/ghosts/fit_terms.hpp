@@ -4,8 +4,8 @@
 #include <cstdint>
 
 /// The fits of a ghost: moving least squares, whose coefficients are a weight times a polynomial.
-/// Terms take less room than coefficients, a few for each ghost instead of three for each of its
-/// particles, which are made of them whenever they are wanted.
+/// Storing its terms takes less memory than coefficients: a few for each ghost instead of three for
+/// each of its particles. Coefficients are computed from the terms when needed.
 namespace pliant::kernels {
 
 /// Coefficients of the particle at r from the ghost's foot point and phi from the surface or the
@@ -17,15 +17,15 @@ namespace pliant::kernels {
 ///     w = (1 - steepness r^2 + (broad.r)^2)^2, 0 where the bracket is below 0
 template <class T, int D>
 struct FitTerms {
-  std::array<T, D> start = {};  ///< from the foot point to the cell from which others are counted
+  std::array<T, D> start = {};  ///< from the foot point to the cell at which offsets start
   T steepness = 0;
   std::array<T, D> broad = {};
   std::array<T, D + 1> linear = {}, surface = {};
   std::array<T, D + 2> constrained = {};
 };
 
-/// A particle of a ghost's fits: its record in the lower half, and above in a byte for each axis
-/// the cells to it, -128 to 127, plus 128.
+/// A particle of a ghost's fits. The lower half is its record; the upper half has a byte for each
+/// axis, the offset to it in cells, -128 to 127, plus 128.
 using FitPair = std::int64_t;
 
 template <int D>

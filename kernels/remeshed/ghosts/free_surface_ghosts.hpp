@@ -16,8 +16,8 @@ struct InverseRoot<xsimd::batch<T, Arch>> {
   }
 };
 
-/// Sums of a register of ghosts, field by field. Of the fits that are constrained or at the foot
-/// point, tractions alone are wanted.
+/// Sums of a register of ghosts, field by field. Constrained fits and fits at the foot point are
+/// only needed for tractions.
 template <class P, int D>
 struct SumColumns {
   static constexpr int width = record_width<D>, stresses = symmetric_components<D>;
@@ -42,7 +42,7 @@ struct SumColumns {
   }
 };
 
-/// Ghosts on their way through a register, one in each lane.
+/// A register of ghosts, one in each lane.
 template <class P, int D>
 class GhostLanes {
   using T = Scalar<P>;
@@ -54,7 +54,7 @@ class GhostLanes {
 
   bool are_full() const { return count_ == lanes<P>; }
 
-  /// The sums never leave the first cache.
+  /// The sums stay in the first cache.
   void add(std::int64_t g) {
     alignas(64) T sums[3 * record_width<D>];
     sum_ghost<P, D, components>(ghosts_.lists, g, sums);

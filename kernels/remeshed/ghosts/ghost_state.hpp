@@ -7,11 +7,11 @@
 #include "kernels/remeshed/ghosts/arguments.hpp"
 
 /// Velocity and stress of a ghost from the sums over its neighbours' records (see GhostSums). `T`
-/// is a number, or at free surfaces a register of them.
+/// is a number, or at free surfaces a register of numbers.
 ///
-/// With P = I - n n, a stress splits into its tangential block P s P, its normal part (n.s n) n n
-/// and its shear n tau + tau n, tau = P s n; each boundary condition takes each part from the fit
-/// that is free of constraints or from the one that vanishes on the surface.
+/// With P = I - n n, a stress splits into its tangential block P s P, its normal part (n.s n) n n,
+/// and its shear n tau + tau n, tau = P s n. A boundary condition takes each part either from the
+/// unconstrained fit or from the fit that vanishes on the surface.
 namespace pliant::kernels {
 
 template <class T, int D>
@@ -36,13 +36,13 @@ struct RecordSum {
   T pressure() const { return values[Place::pressure]; }
 };
 
-/// 1/sqrt(x), 0 where x is next to nothing; for registers see free_surface_ghosts.hpp.
+/// 1/sqrt(x), and 0 for x close to 0; for registers see free_surface_ghosts.hpp.
 template <class T>
 struct InverseRoot {
   static T of(T square) { return square > T(1e-12) ? 1 / std::sqrt(square) : T(0); }
 };
 
-/// (RP.48); the zero vector where the gradients cancel.
+/// (RP.48); zero where the gradients cancel.
 template <class T, int D>
 VectorOf<T, D> unit_normal(const RecordSum<T, D>& sum) {
   T square = 0;
@@ -55,7 +55,7 @@ VectorOf<T, D> unit_normal(const RecordSum<T, D>& sum) {
   return n;
 }
 
-/// s n and n.s n.
+/// Computes s n and returns n.s n.
 template <class T, int D>
 T traction(const RecordSum<T, D>& sum, const VectorOf<T, D>& n, VectorOf<T, D>& s_n) {
   T s_nn = 0;
@@ -108,7 +108,7 @@ struct Impedance {
   Impedance(const T& pressure, const T& shear) : pressure_wave(pressure), shear_wave(shear) {}
 };
 
-/// The three sums over a ghost's neighbours: c, b and a of (RP.43) and (RP.44).
+/// The three sums over a ghost's neighbours, with c, b and a of (RP.43) and (RP.44).
 template <class T, int D>
 struct GhostFits {
   RecordSum<T, D> linear, constrained, surface;
@@ -116,7 +116,7 @@ struct GhostFits {
   T surface_sum;      ///< sum_i a_gi
 };
 
-/// Traction on a surface: its part along the normal n and the rest.
+/// Traction on a surface: its part along the normal n, and the rest.
 template <class T, int D>
 struct SurfaceLoad {
   VectorOf<T, D> n;
@@ -124,7 +124,7 @@ struct SurfaceLoad {
   VectorOf<T, D> shear;
 };
 
-/// (RP.45), (RP.50) of a surface under `load`.
+/// The ghost of a surface under `load`, (RP.45), (RP.50).
 template <class T, int D>
 GhostState<T, D> loaded_surface_ghost(const GhostFits<T, D>& fits, const SurfaceLoad<T, D>& load,
                                       const Impedance<T>& impedance) {
@@ -147,7 +147,7 @@ GhostState<T, D> loaded_surface_ghost(const GhostFits<T, D>& fits, const Surface
   return ghost;
 }
 
-/// The same of a free surface; `pressure` acts on it.
+/// The same for a free surface under `pressure`.
 template <class T, int D>
 GhostState<T, D> free_surface_ghost(const GhostFits<T, D>& fits, T pressure,
                                     const Impedance<T>& impedance) {
@@ -174,7 +174,7 @@ GhostState<T, D> averaged_surface_ghost(RecordSum<T, D> mean, T pressure) {
   return ghost;
 }
 
-/// The wall of (RP.49).
+/// The same for the wall of (RP.49).
 template <class T, int D>
 GhostState<T, D> averaged_wall_ghost(RecordSum<T, D> mean, const VectorOf<T, D>& wall_velocity) {
   GhostState<T, D> ghost;
@@ -187,16 +187,16 @@ GhostState<T, D> averaged_wall_ghost(RecordSum<T, D> mean, const VectorOf<T, D>&
   return ghost;
 }
 
-/// What a wall is to one of its ghosts.
+/// The wall at one of its ghosts.
 template <class T, int D>
 struct WallSite {
   VectorOf<T, D> velocity;  ///< of the wall [m/s]
   VectorOf<T, D> n;         ///< its unit normal, into the body
-  T friction;  ///< coefficient of Coulomb's law; 0 slides freely, infinity never slides
-  T rise = 0;  ///< sigma_nn of the ghost less that on a wall that slides, (RP.79) [Pa]
+  T friction;               ///< coefficient of Coulomb's law; 0: slip, infinity: no-slip
+  T rise = 0;               ///< sigma_nn of the ghost minus that at a slip wall, (RP.79) [Pa]
 };
 
-/// w.n, how fast the body leaves the wall.
+/// w.n, the speed at which the body leaves the wall.
 template <class T, int D>
 T separation_speed(const GhostFits<T, D>& fits, const WallSite<T, D>& wall) {
   T speed = 0;
@@ -216,7 +216,7 @@ VectorOf<T, D> wall_ghost_velocity(const GhostFits<T, D>& fits, const VectorOf<T
   return u;
 }
 
-/// (RP.46), (RP.51).
+/// The ghost of a no-slip wall, (RP.46), (RP.51).
 template <class T, int D>
 GhostState<T, D> wall_ghost(const GhostFits<T, D>& fits, const WallSite<T, D>& wall,
                             const Impedance<T>& impedance) {
@@ -241,7 +241,8 @@ GhostState<T, D> wall_ghost(const GhostFits<T, D>& fits, const WallSite<T, D>& w
   return ghost;
 }
 
-/// (RP.47), (RP.50), (RP.51); `shear_load` is sigma_nt on the wall, that of friction.
+/// The ghost of a slip wall, (RP.47), (RP.50), (RP.51); `shear_load` is sigma_nt on the wall, from
+/// friction.
 template <class T, int D>
 GhostState<T, D> slip_wall_ghost(const GhostFits<T, D>& fits, const WallSite<T, D>& wall,
                                  const Impedance<T>& impedance,
@@ -277,7 +278,7 @@ T wall_pressure(const GhostFits<T, D>& fits, const WallSite<T, D>& wall, bool sl
                 const Impedance<T>& impedance) {
   VectorOf<T, D> s_n;
   T s_nn = traction<T, D>(fits.surface, wall.n, s_n);
-  // The mean of the ghost and of the body as far before the wall, 2 f(x_f) - f(x_g).
+  // The mean of the ghost and of the body at the mirrored place, 2 f(x_f) - f(x_g).
   if (slips) s_nn += (s_nn + wall.rise - traction<T, D>(fits.linear, wall.n, s_n)) / 2;
   return -(s_nn + impedance.pressure_wave * separation_speed<T, D>(fits, wall));
 }

@@ -38,12 +38,12 @@ inline P cells_of(const FitPair* pairs, int axis) {
   using Bits = xsimd::as_unsigned_integer_t<P>;
   using Bit = typename Bits::value_type;
   const Bits byte = (upper_halves<P>(pairs) >> (8 * axis)) & Bits(Bit(255));
-  // The last bits of a number with the last place 1 and a byte are those of the byte.
+  // The last place of `large` is 1, so writing a byte to its last bits adds that byte.
   constexpr T large = static_cast<T>(Bit(1) << (std::numeric_limits<T>::digits - 1));
   return xsimd::bitwise_cast<P>(byte | Bits(std::bit_cast<Bit>(large))) - P(large + 128);
 }
 
-/// From a ghost's foot point to the particles of a register of pairs, over h.
+/// Vectors from a ghost's foot point to the particles of a register of pairs, over h.
 template <class P, int D>
 inline void find_positions(const FitTerms<Scalar<P>, D>& terms, const FitPair* pairs,
                            P (&position)[D]) {
@@ -51,7 +51,7 @@ inline void find_positions(const FitTerms<Scalar<P>, D>& terms, const FitPair* p
   for (int a = 0; a < D; ++a) position[a] = cells_of<P>(pairs, a) + P(terms.start[a]);
 }
 
-/// Coefficients of a register of pairs of a ghost, those from `pair` on.
+/// Coefficients of a register of pairs of a ghost, starting at `pair`.
 template <class P, int D>
 inline FitCoefficients<P> coefficients_from(const GhostSums<Scalar<P>, D>& ghosts,
                                             std::int64_t ghost, std::int64_t pair) {
@@ -66,11 +66,11 @@ inline FitCoefficients<P> coefficients_from(const GhostSums<Scalar<P>, D>& ghost
   return fit_coefficients(terms, position, distance);
 }
 
-/// Pairs whose coefficients are made at a time: mostly those of a whole ghost.
+/// Pairs whose coefficients are computed together; usually all of a ghost.
 inline constexpr int pairs_at_once = 64;
 
-/// Some pairs of a ghost at a time: `make(i, pair)` for each register of them, i counting from 0,
-/// then `add(i, record)` for each one.
+/// Visits the pairs of a ghost in groups: `make(i, pair)` for each register of a group, i counting
+/// from 0, then `add(i, record)` for each pair.
 template <class P, int D, class Make, class Add>
 inline void for_each_pair(const GhostSums<Scalar<P>, D>& ghosts, std::int64_t ghost,
                           const Make& make, const Add& add) {
@@ -84,8 +84,9 @@ inline void for_each_pair(const GhostSums<Scalar<P>, D>& ghosts, std::int64_t gh
   }
 }
 
-/// The fits of one ghost: a record fills whole registers, and the three coefficients of a particle
-/// are broadcast to them. Of b and a, the first `fields` fields at least. See GhostSums.
+/// The fits of one ghost. A record fills whole registers, and the three coefficients of a particle
+/// are broadcast to them. Sums with b and a cover at least the first `fields` fields. See
+/// GhostSums.
 template <class P, int D, int fields = record_width<D>>
 inline void sum_ghost(const GhostSums<Scalar<P>, D>& ghosts, std::int64_t ghost, Scalar<P>* sums) {
   using T = Scalar<P>;
@@ -132,7 +133,7 @@ void sum_ghosts(const GhostSums<Scalar<P>, D>& ghosts) {
   }
 }
 
-/// The same of the velocity alone, by (RP.43) or, behind walls, by (RP.44).
+/// The same for the velocity only, by (RP.43) or, behind walls, by (RP.44).
 template <class P, int D>
 void sum_velocities(const GhostSums<Scalar<P>, D>& ghosts) {
   using T = Scalar<P>;

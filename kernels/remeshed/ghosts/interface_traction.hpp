@@ -2,13 +2,13 @@
 
 #include "kernels/remeshed/ghosts/ghost_state.hpp"
 
-/// What two bodies do to each other at a point of their common surface.
+/// Tractions between two bodies at a point of their common surface.
 namespace pliant::kernels {
 
-/// How an interface answers; the words of case files.
+/// The kind of an interface, in the words of case files.
 enum class InterfaceKind { frictionless, no_slip, tied, coulomb };
 
-/// (RP.75): a shear of at most `most` [Pa] in the direction of the one that lets nothing slide.
+/// (RP.75): limits a no-slip shear to at most `most` [Pa], in the same direction.
 template <class T, int D>
 void limit_shear(T most, VectorOf<T, D>& shear) {
   T square = 0;
@@ -18,7 +18,7 @@ void limit_shear(T most, VectorOf<T, D>& shear) {
   for (T& component : shear) component *= most / held;
 }
 
-/// One side of an interface: what the linear fit of a body finds at the point.
+/// One side of an interface: the linear fit of a body at the point.
 template <class T, int D>
 struct InterfaceSide {
   RecordSum<T, D> surface;
@@ -49,10 +49,10 @@ VectorOf<T, D> slip_velocity(const RecordSum<T, D>& own, const RecordSum<T, D>& 
   return slip;
 }
 
-/// (RP.56): the traction on `own`, n its normal, out of it. `closing` is the velocity [m/s] at
-/// which the gap between the surfaces is to vanish, negative where they overlap. None between
-/// surfaces that do not face each other, as those beside the edge of a contact, unless tied.
-/// `friction` is the coefficient of Coulomb's law, read where that is the kind.
+/// (RP.56): the traction on `own`; n is its outward normal. `closing` is the velocity [m/s] at
+/// which the gap between the surfaces is to vanish, negative where they overlap. Unless they are
+/// tied, surfaces that do not face each other, such as those next to the edge of a contact, have no
+/// traction. `friction` is the coefficient of Coulomb's law, used by that kind only.
 template <class T, int D>
 SurfaceLoad<T, D> interface_traction(const InterfaceSide<T, D>& own,
                                      const InterfaceSide<T, D>& other, const VectorOf<T, D>& n,

@@ -5,19 +5,19 @@
 /// Small symmetric systems, one in each lane.
 namespace pliant::kernels {
 
-/// M x = e for K right-hand sides by elimination with pivots on the diagonal.
+/// Solves M x = e for K right-hand sides by elimination with diagonal pivots.
 template <class P, int N, int K>
 class SymmetricSystem {
   using T = Scalar<P>;
   using Mask = typename P::batch_bool_type;
 
  public:
-  P right[K][N];  ///< e, then x
+  P right[K][N];  ///< e, then the solution x
 
   /// Entry (i, j) of M, i <= j.
   P& at(int i, int j) { return i < j ? matrix_[i][j] : matrix_[j][i]; }
 
-  /// Solves in place; the lanes whose least pivot is above `least` times the largest.
+  /// Solves in place. Returns the lanes whose smallest pivot is above `least` times the largest.
   Mask solve(const P& least) {
     P smallest = P(T(0)), largest = P(T(0));
 #pragma GCC unroll 4
@@ -33,7 +33,7 @@ class SymmetricSystem {
   }
 
  private:
-  /// Swaps the largest diagonal entry from s on into its place.
+  /// Swaps the largest diagonal entry from s on into position s.
   void bring_largest(int s) {
 #pragma GCC unroll 4
     for (int j = s + 1; j < N; ++j) {

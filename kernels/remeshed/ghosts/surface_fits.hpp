@@ -45,7 +45,7 @@ class FitLanes {
     for (int a = 0; a < D; ++a) x[a] = load<P>(from[a] + at);
   }
 
-  /// Unit vectors normal to n and to each other (Duff et al. 2017).
+  /// Unit vectors that are normal to n and to each other (Duff et al. 2017).
   void find_tangents(const P (&n)[D]) {
     if constexpr (D == 2) {
       tangent_[0][0] = -n[1];
@@ -76,7 +76,7 @@ class FitLanes {
     term[D] = distance * distance;
   }
 
-  /// Kernel and place of the particle at `entry`.
+  /// Weight and position of the particle at `entry`.
   P weight(std::int64_t entry, P (&position)[D]) const {
     load_point(work_.position, entry, position);
     P square = position[0] * position[0];
@@ -116,7 +116,7 @@ class FitLanes {
     }
   }
 
-  /// With the square of the distance where it is wanted and determined, else without.
+  /// With the term phi^2 if it is requested and determined, else without.
   Mask solve_constrained(const P& least) {
     SymmetricSystem<P, D, 1> plain;
 #pragma GCC unroll 3

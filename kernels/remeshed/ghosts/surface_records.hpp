@@ -13,7 +13,7 @@ struct RecordColumns {
   alignas(64) T field[record_width<D>][slots_per_pack] = {};
 };
 
-/// Fills the columns of the register of particles at `slot`, lanes `at` and up of its pack.
+/// Computes the columns of the register of particles at `slot`, from lane `at` of its pack on.
 template <Model model, class P, int D>
 inline void fill_columns(const SurfaceRecords<Scalar<P>, D>& block, const Segment<D>& segment,
                          std::int64_t slot, int at, RecordColumns<Scalar<P>, D>& columns) {
@@ -35,7 +35,8 @@ inline void fill_columns(const SurfaceRecords<Scalar<P>, D>& block, const Segmen
   }
   P pressure = L::pressure(block.material, carried, density);
   if constexpr (model == Model::reduced_polynomial) {
-    // What relaxes is known from the stress alone: p_i are those of the start of the step.
+    // The relaxed pressure follows from the stress: the stored p_i are those of the start of the
+    // step.
     if (block.relaxes) {
       P elastic[symmetric_components<D>];
       L::stress(block.material, carried, density, elastic);

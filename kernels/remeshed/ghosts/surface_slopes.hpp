@@ -4,21 +4,21 @@
 #include "kernels/remeshed/ghosts/arguments.hpp"
 #include "kernels/remeshed/stage/moment.hpp"
 
-/// grad phi of surface particles, (RP.61): the gradient of phi on the lattice, carried along by the
+/// grad phi of surface particles, (RP.61): the gradient of phi on the lattice, transformed by the
 /// deformation gradient F since the last remeshing. F is fitted to the drift of the interior
-/// particles around. Differences of single particles would turn normals with wiggles that the
-/// gradients of (RP.20) do not see, so that no stress opposes them: under compression such wiggles
-/// buckle.
+/// particles around. Differences between single particles would let short waves turn the normals.
+/// The gradients of (RP.20) do not see such waves, so no stress resists them, and they buckle under
+/// compression.
 namespace pliant::kernels {
 
-/// Particles within 3.6 h on the lattice are fitted, where squares of distances are whole numbers.
+/// The fit takes particles within 3.6 h on the lattice, where squared distances are whole numbers.
 inline constexpr double slope_radius_squared = 3.6 * 3.6;
 inline constexpr int largest_slope_square = 12;
 static_assert(largest_slope_square < slope_radius_squared &&
               largest_slope_square + 1 > slope_radius_squared);
 
-/// By the square of a distance over h: weights, and how many cells a row whose middle is that far
-/// away extends to each side.
+/// For each squared distance over h: the weight, and how many cells a row at that distance extends
+/// to each side.
 template <class T>
 struct SlopeStencil {
   T weight[largest_slope_square + 1] = {};
@@ -36,7 +36,7 @@ struct SlopeStencil {
 template <class T>
 inline constexpr SlopeStencil<T> slope_stencil = {};
 
-/// Normal to two rows.
+/// A vector normal to two rows.
 template <class P>
 inline void normal_to(const P (&a)[3], const P (&b)[3], P (&normal)[3]) {
   normal[0] = fused_minus(a[2], b[1], a[1] * b[2]);
@@ -71,12 +71,12 @@ inline void solve_slopes(const P (&row)[3][3], const P (&rise)[3], P (&gradient)
   }
 }
 
-/// Weighted sums over the interior particles around a register of particles: R are distances on
-/// the lattice over h, d those that have been added to them since.
+/// Weighted sums over the interior particles around a register of particles. R are distances on the
+/// lattice over h, d their changes since the last remeshing.
 template <class P, int D>
 struct SlopeSums {
   P weight, offset[D], moment[symmetric_components<D>];  ///< sums of w, w R, w R R^T
-  P motion[D], product[D][D];                            ///< of w d, w d R^T
+  P motion[D], product[D][D];                            ///< sums of w d, w d R^T
 
   SlopeSums() {
     const P zero(Scalar<P>(0));
@@ -89,7 +89,7 @@ struct SlopeSums {
     }
   }
 
-  /// The cells of the row at `row` cells in the directions after the first.
+  /// Adds the cells of a row, offset by `row` cells in the directions after the first.
   void add_row(const SlopeSums& cells, const P (&row)[D - 1]) {
     weight = weight + cells.weight;
     offset[0] = offset[0] + cells.offset[0];
@@ -117,7 +117,7 @@ struct SlopeSums {
   }
 };
 
-/// The sums of one row, as if it were the middle one.
+/// The sums of one row, relative to its own middle.
 template <class P, int D>
 inline void sum_slope_row(const SurfaceRecords<Scalar<P>, D>& block, std::int64_t middle,
                           int square, const P (&own)[D], SlopeSums<P, D>& cells) {
@@ -165,8 +165,8 @@ inline SlopeSums<P, D> slope_sums(const SurfaceRecords<Scalar<P>, D>& block,
   return sums;
 }
 
-/// sum w R R^T about the mean of R. Where the particles lie in a line or plane, as much is added in
-/// all directions as leaves F = I across it, where there is no motion.
+/// sum w R R^T about the mean of R. If the particles lie on a line or in a plane, it is
+/// regularised, so that F = I in directions without any particle.
 template <class P, int D>
 inline void slope_moment(const SlopeSums<P, D>& sums, P (&moment)[symmetric_components<D>]) {
   using T = Scalar<P>;
@@ -214,7 +214,7 @@ inline void fit_deformation(const SlopeSums<P, D>& sums, Scalar<P> spacing, P (&
   }
 }
 
-/// (RP.61) of the register of particles at `slot`.
+/// grad phi by (RP.61) of the register of particles at `slot`.
 template <class P, int D>
 inline void level_set_gradient(const SurfaceRecords<Scalar<P>, D>& block, const Segment<D>& segment,
                                std::int64_t slot, P (&gradient)[D]) {

@@ -5,10 +5,10 @@
 
 #include "kernels/remeshed/ghosts/ghost_state.hpp"
 
-/// What a wall does to a body that may slide along it, and the ghost that goes with it.
+/// The traction of a wall on a body that may slide along it, and the ghost that belongs to it.
 namespace pliant::kernels {
 
-/// The shear of (RP.53) that keeps the body from sliding along the wall [Pa].
+/// The shear of (RP.53) that prevents the body from sliding along the wall [Pa].
 template <class T, int D>
 VectorOf<T, D> holding_shear(const GhostFits<T, D>& fits, const WallSite<T, D>& wall,
                              const Impedance<T>& impedance) {
@@ -22,7 +22,7 @@ VectorOf<T, D> holding_shear(const GhostFits<T, D>& fits, const WallSite<T, D>& 
   return holding;
 }
 
-/// (RP.73): what a wall does to the body.
+/// The traction of a wall on the body, (RP.73).
 template <class T, int D>
 struct WallTraction {
   T pressure;                 ///< n.(RP.53), negative where the wall would pull [Pa]
@@ -46,8 +46,8 @@ struct WallTraction {
   }
 };
 
-/// (RP.89), (RP.73): what a wall does to the body. The ghost has all of (RP.51) and the body before
-/// the wall nothing of it: what lies between them, half.
+/// The traction of a wall on the body, (RP.89), (RP.73). The ghost contains all of (RP.51) and the
+/// body near the wall nothing, so the surface between them has half of it.
 template <class T, int D>
 WallTraction<T, D> traction_on_wall(const GhostFits<T, D>& fits, const WallSite<T, D>& wall,
                                     const Impedance<T>& impedance) {
@@ -55,7 +55,7 @@ WallTraction<T, D> traction_on_wall(const GhostFits<T, D>& fits, const WallSite<
   return {fits, wall, half};
 }
 
-/// The same as a force over the area [Pa].
+/// The same as a force per area [Pa].
 template <class T, int D>
 VectorOf<T, D> wall_force_density(const GhostFits<T, D>& fits, const WallSite<T, D>& wall,
                                   const Impedance<T>& impedance) {
@@ -73,7 +73,7 @@ bool slides_along(const GhostFits<T, D>& fits, const WallSite<T, D>& wall,
   return std::isfinite(wall.friction) && WallTraction<T, D>(fits, wall, impedance).slides;
 }
 
-/// (RP.46) or (RP.47), as (RP.73) tells.
+/// The ghost of (RP.46) or (RP.47), depending on (RP.73).
 template <class T, int D>
 GhostState<T, D> friction_wall_ghost(const GhostFits<T, D>& fits, const WallSite<T, D>& wall,
                                      const Impedance<T>& impedance) {

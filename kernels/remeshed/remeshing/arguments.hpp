@@ -7,14 +7,14 @@
 #include "kernels/layout.hpp"
 #include "kernels/remeshed/evolving.hpp"
 
-/// What the kernels of remeshing work on: scatter, filter, level set.
+/// Arguments of the kernels of remeshing: scatter, filter, level set.
 namespace pliant::kernels {
 
-/// Nodes of a remeshing tile hold the sums of (RP.32): W, W m, W m u (D), W v, W v d (D), W phi,
-/// then W v S or W v F; padded to whole cache lines of doubles.
+/// Nodes of a remeshing tile store the sums of (RP.32): W, W m, W m u (D), W v, W v d (D), W phi,
+/// then W v S or W v F. They are padded to whole cache lines of doubles.
 template <int D>
 inline constexpr int node_fields = 4 + 2 * D + material_components<D>;
-/// Values of a node when `components` of S or F cross with it, and at most.
+/// Values of a node if `components` of S or F are remeshed, and the largest number of values.
 template <int D>
 constexpr int node_width_for(int components) {
   return (4 + 2 * D + components + 7) / 8 * 8;
@@ -27,14 +27,14 @@ struct NodeField {
                        level_set = 3 + 2 * D, material = 4 + 2 * D;
 };
 
-/// The nodes of a tile in one lattice row, side by side in storage; none where begin == end.
+/// The nodes of a tile in one lattice row, contiguous in storage; empty if begin == end.
 struct NodeRow {
   std::int32_t begin, end;  ///< along x, from the lower corner of the tile
   std::int64_t first;       ///< the node at `begin`
 };
 
-/// Adds one source block's particles (slots neither vacant nor images) to the nodes of a tile,
-/// (RP.31) and (RP.32), in slot order. Of the 4^D nodes of a particle those outside are left out.
+/// Adds the particles of a source block (slots that are neither vacant nor images) to the nodes of
+/// a tile, (RP.31) and (RP.32), in slot order. Nodes of a particle outside the tile are skipped.
 template <class T, int D>
 struct Scatter {
   const Segment<D>* segments;
@@ -53,7 +53,7 @@ struct Scatter {
   std::array<std::int32_t, D> extent;  ///< of the box around the tile
 };
 
-/// (RP.37) of one field over a block, between slots inside.
+/// Filters one field over a block, (RP.37), with fluxes between slots inside.
 template <class T, int D>
 struct Filter {
   const Segment<D>* segments;
@@ -65,21 +65,21 @@ struct Filter {
 };
 
 /// Closest points on the zero set of the tensor-cubic interpolant of nodal values, (RP.41).
-/// Positions are in cells: node c lies at c. Arrays of nodes hold whole packs, filled up with any
-/// node.
+/// Positions are in cells: node c is at c. Arrays of nodes contain whole packs, padded with
+/// arbitrary nodes.
 template <class T, int D>
 struct ClosestPoints {
-  const T* values;                     ///< [z][y][x] of a box of nodes; NaN: there is none
+  const T* values;                     ///< [z][y][x] of a box of nodes; NaN: no value
   std::array<std::int32_t, D> lower;   ///< cell of the box's first node
   std::array<std::int32_t, D> extent;  ///< nodes of the box
-  int count;                           ///< of nodes whose closest point is wanted
+  int count;                           ///< number of nodes that need a closest point
   int iterations;                      ///< at most
-  T flattest;                          ///< square of a gradient that is too small
-  T shortest_step;                     ///< that is not yet converged
-  T smallest_value;                    ///< that is not on the surface, after the last iteration
-  std::array<const T*, D> node;        ///< [node]
-  std::array<T*, D> point;             ///< [node] start, then closest point
-  T* converged;                        ///< [node] 1 or 0
+  T flattest;                          ///< square of the smallest usable gradient
+  T shortest_step;                     ///< steps below it have converged
+  T smallest_value;              ///< values below it are on the surface, after the last iteration
+  std::array<const T*, D> node;  ///< [node]
+  std::array<T*, D> point;       ///< [node] start, then closest point
+  T* converged;                  ///< [node] 1 or 0
 };
 
 template <class T, int D>
@@ -89,7 +89,7 @@ struct RemeshingKernels {
   void (*find_closest_points)(const ClosestPoints<T, D>&);
 };
 
-/// Those compiled for `isa`.
+/// The kernels compiled for `isa`.
 template <Isa isa, class T, int D>
 RemeshingKernels<T, D> remeshing_kernels();
 

@@ -7,8 +7,8 @@
 /// Closest points of a zero set by (RP.41), one node in each lane: see ClosestPoints.
 namespace pliant::kernels {
 
-/// The 4^D nodes around the points of a register, kept from one point to the next: iterations
-/// rarely leave their cell. Nodes outside the box are not a number.
+/// The 4^D nodes around the points of a register. They are reused between iterations, which rarely
+/// leave their cell. Nodes outside the box are NaN.
 template <class P, int D>
 class NodesAround {
   using T = Scalar<P>;
@@ -82,7 +82,8 @@ inline P dot(const P (&x)[D], const P (&y)[D]) {
   return sum;
 }
 
-/// The nodes first..first+lanes-1. Lanes end where they have converged or the gradient vanishes.
+/// Finds the points of nodes first..first+lanes-1. Lanes stop when they have converged or the
+/// gradient vanishes.
 template <class P, int D>
 void find_closest_points_from(const ClosestPoints<Scalar<P>, D>& work, int first) {
   using T = Scalar<P>;

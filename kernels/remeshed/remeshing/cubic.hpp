@@ -1,7 +1,7 @@
 #pragma once
 
 /// Tensor-product cubic interpolation between the 4^D nodes around a cell: in each direction the
-/// cubic through the nodes -1, 0, 1, 2. `P` is a number or a register of them.
+/// cubic through the nodes -1, 0, 1, 2. `P` is a number or a register of numbers.
 namespace pliant::kernels {
 
 /// Weights of the four nodes at 0 <= s < 1, and their derivatives.
@@ -24,7 +24,7 @@ struct CubicWeights {
   }
 };
 
-/// Value and gradient, per cell; `node(n)` gives the value at a node, x fastest.
+/// Value and gradient, lengths in cells; `node(n)` is the value at a node, x fastest.
 template <class P, class Node>
 inline void interpolate(const CubicWeights<P> (&weight)[2], const Node& node, P& value,
                         P (&gradient)[2]) {

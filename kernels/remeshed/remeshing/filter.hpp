@@ -18,7 +18,7 @@ void filter(const Filter<Scalar<P>, D>& block) {
     }
     for (std::int64_t p = segment.first; p < segment.first + segment.count; p += lanes<P>) {
       P value = load<P>(block.field + p);
-      // Only slots beside these have neighbours that may be loaded.
+      // Only near slots inside may neighbours be loaded.
       if (xsimd::any(load<P>(block.inside + p) > P(T(0.5)))) {
         Fluxes<P> fluxes[D];
         for (int axis = 0; axis < D; ++axis) {

@@ -4,8 +4,8 @@
 
 namespace pliant::kernels {
 
-/// M4' of (RP.31) at the four nodes around a particle; `fraction` in [0, 1) is its distance over h
-/// from the second node.
+/// M4' of (RP.31) at the four nodes around a particle; `fraction` in [0, 1) is its distance from
+/// the second node, over h.
 template <class P>
 inline void m4prime(const P& fraction, P (&weight)[4]) {
   using T = Scalar<P>;

@@ -3,29 +3,30 @@
 #include "kernels/remeshed/remeshing/arguments.hpp"
 #include "kernels/remeshed/remeshing/m4prime.hpp"
 
-/// M4' scatter of one block's particles onto the nodes of a tile.
+/// M4' scatter of the particles of one block to the nodes of a tile.
 ///
-/// Particles are prepared a pack at a time, lanes over particles: node positions, the 4 D factors
-/// of the weights, and the values of NodeField without W. They are then added one by one, lanes
-/// over the values of a node, so that each of the 4^D nodes takes a few aligned load-fma-stores.
+/// Particles are prepared a pack at a time, with one particle in each lane: node positions, the 4 D
+/// factors of the weights, and the values of a node without W. They are then added one by one, with
+/// one value of a node in each lane, so that each of the 4^D nodes takes a few aligned
+/// load-fma-stores.
 namespace pliant::kernels {
 
-/// True for slots that hold a particle of their own.
+/// Whether a slot holds a particle that is not an image.
 template <class P>
 inline bool scatters(Kind kind) {
   return kind != Kind::vacant && kind != Kind::image;
 }
 
-/// A prepared storage pack, column by column.
+/// A prepared storage pack, by columns.
 template <class T, int D>
 struct ScatterColumns {
   static constexpr int pack = slots_per_pack;
-  alignas(64) T cell[D][pack];       ///< whole cells that xi has gone, as a number
+  alignas(64) T cell[D][pack];       ///< whole cells of the displacement xi, as a number
   alignas(64) T weight[D][4][pack];  ///< M4' factors
   alignas(64) T record[pack][node_width<D>];
 };
 
-/// Whole cells that the particles of a register have gone.
+/// Computes the whole cells by which the particles of a register have moved.
 template <class P, int D>
 inline void locate(const Scatter<Scalar<P>, D>& block, std::int64_t slot, int at,
                    ScatterColumns<Scalar<P>, D>& columns) {
@@ -66,11 +67,11 @@ inline void prepare_scatter(const Scatter<Scalar<P>, D>& block, std::int64_t slo
   }
 }
 
-/// The four nodes of a particle along each axis, in the box around the tile.
+/// The four nodes of a particle along each axis, and which of them are in the box around the tile.
 template <class P, int D>
 struct NodeRange {
-  std::int32_t first[3] = {0, 0, 0};                      ///< of the four, from the lower corner
-  std::int32_t begin[3] = {0, 0, 0}, end[3] = {1, 1, 1};  ///< those in the box, from the same
+  std::int32_t first[3] = {0, 0, 0};  ///< first of the four, from the lower corner
+  std::int32_t begin[3] = {0, 0, 0}, end[3] = {1, 1, 1};  ///< those in the box, likewise
   bool is_empty = false;
 };
 
@@ -97,7 +98,7 @@ inline const NodeRow& row_at(const Scatter<Scalar<P>, D>& block, int y, int z) {
   return block.rows[static_cast<std::int64_t>(z) * block.extent[1] + y];
 }
 
-/// Whether any row has nodes for a range of particles.
+/// Whether any row of the tile has nodes in a range.
 template <class P, int D>
 inline bool meets_rows(const Scatter<Scalar<P>, D>& block, const NodeRange<P, D>& range) {
   for (int z = range.begin[2]; z < range.end[2]; ++z) {
@@ -109,7 +110,7 @@ inline bool meets_rows(const Scatter<Scalar<P>, D>& block, const NodeRange<P, D>
   return false;
 }
 
-/// The smallest range that holds two.
+/// Extends a range to the smallest one that contains both.
 template <class P, int D>
 inline void unite(NodeRange<P, D>& all, const NodeRange<P, D>& other) {
   if (other.is_empty) return;

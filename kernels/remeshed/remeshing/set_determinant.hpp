@@ -4,7 +4,7 @@
 #include <cmath>
 #include <limits>
 
-/// Small matrices row by row, in plain scalars.
+/// Small row-major matrices in plain scalars.
 namespace pliant::kernels {
 
 template <class T>
@@ -28,9 +28,9 @@ T determinant(const std::array<T, D * D>& f) {
   return sum;
 }
 
-/// Changes `f` as little as gives it the determinant `value` > 0, (RP.38), by Newton's method along
-/// the cofactors, which point to where the determinant grows the fastest. Stretches far from 1 stay
-/// what they are: the correction falls on the smallest.
+/// Changes `f` as little as possible so that its determinant is `value` > 0, (RP.38). Newton's
+/// method moves along the cofactors, the direction of fastest growth of the determinant. The
+/// correction falls on the smallest stretches and hardly changes large ones.
 template <class T, int D>
 void set_determinant(std::array<T, D * D>& f, T value) {
   constexpr int most_iterations = 8;

@@ -9,23 +9,23 @@
 #include "kernels/remeshed/evolving.hpp"
 #include "kernels/remeshed/stage/gradient.hpp"
 
-/// What the kernels of a Runge-Kutta stage work on.
+/// Arguments of the kernels of a Runge-Kutta stage.
 namespace pliant::kernels {
 
-/// Neighbours beyond the reach of the stencil: a list for each pack, padded to its longest lane
-/// with the particle itself (which adds nothing). Entry k of lane l of pack i: start[i] + k * pack
-/// + l.
+/// Neighbour lists, for neighbours beyond the stencil: one for each pack, padded to its longest
+/// lane with the particle itself, which adds nothing. Entry k of lane l of pack i is at start[i] +
+/// k * pack + l.
 template <int D>
 struct NeighbourLists {
-  const std::int64_t* start;                  ///< [pack]
-  const std::int32_t* length;                 ///< [pack]
-  const std::int32_t* neighbour;              ///< slot
-  std::array<const std::int32_t*, D> offset;  ///< from the particle to the neighbour [cells], with
-                                              ///< the whole periods that lie between them
+  const std::int64_t* start;      ///< [pack]
+  const std::int32_t* length;     ///< [pack]
+  const std::int32_t* neighbour;  ///< slot
+  std::array<const std::int32_t*, D>
+      offset;  ///< from the particle to the neighbour [cells], including whole periods between them
 };
 
-/// What a stage makes of one p_i of (RP.10): decay p_i + start (J - 1) + end (J - 1), p_i and the
-/// first J at the start of the step, the second J at the new state, (RP.22).
+/// The update of one p_i of (RP.10) by a stage, (RP.22): decay p_i + start (J - 1) + end (J - 1),
+/// with p_i and the first J at the start of the step, and the second J at the new state.
 template <class T>
 struct Relaxation {
   T decay;  ///< 1
@@ -37,12 +37,12 @@ struct Relaxation {
 template <class T>
 struct BulkViscosity {
   int terms = 0;
-  const Relaxation<T>* relaxation = nullptr;  ///< [term], of a stage
+  const Relaxation<T>* relaxation = nullptr;  ///< [term], for a stage
   T* const* pressure = nullptr;               ///< [term][slot] p_i at the start of the step [Pa]
-  T* volume_change = nullptr;                 ///< [slot] J - 1 there: the first stage keeps it
+  T* volume_change = nullptr;  ///< [slot] J - 1 at the start; the first stage stores it
 };
 
-/// What particles need besides their state for the pair forces of plain SPH, (RP.26).
+/// What the pair forces of plain SPH need besides the state, (RP.26).
 template <class T, int D>
 struct SymmetricPairs {
   std::array<const T*, symmetric_components<D>> stress;      ///< sigma/rho^2
@@ -53,12 +53,12 @@ struct SymmetricPairs {
 /// One Runge-Kutta stage of one block, (RP.13) by (RP.20) or (RP.19) and (RP.21): gradients of
 /// velocity and stress, rates, update, and the stress of the new state.
 ///
-/// Reads drift, velocity and stress of `current` also in neighbouring blocks, for (RP.19) the
-/// volume. Writes `next` and `next_stress` in packs with interior particles; their other slots get
-/// zero rates but for the drift, which follows their velocity. In packs of ghosts the displacement
-/// alone is written, in vacant ones nothing. Three copies of the state
-/// serve all stages: in stage 2 `next` may be `second`, in stage 3 (the last) `start`. Two serve
-/// the drift: that of `current` and `next` alternate, and `start` has the one of even stages.
+/// Reads drift, velocity and stress of `current` also in neighbouring blocks; for (RP.19) the
+/// volume too. Writes `next` and `next_stress` in packs with interior particles. Their other slots
+/// get zero rates, except for the drift, which follows their velocity. In packs of ghosts only the
+/// drift is written, in vacant packs nothing. Three copies of the state serve all stages: in stage
+/// 2 `next` may be `second`, in stage 3 (the last) `start`. The drift has two: those of `current`
+/// and `next` alternate, and `start` has that of even stages.
 template <class T, int D>
 struct Stage {
   const Segment<D>* segments;
@@ -74,7 +74,7 @@ struct Stage {
   Material<T> material;
   const PackState* pack_state;          ///< [slot / slots_per_pack]
   const T* interior;                    ///< [slot], 1 for interior particles, else 0
-  const NeighbourLists<D>* neighbours;  ///< nullptr: the stencil
+  const NeighbourLists<D>* neighbours;  ///< nullptr: use the stencil
   const T* mass;
   Evolving<const T, D> current;  ///< Q of this stage
   std::array<const T*, symmetric_components<D>> stress;
@@ -84,8 +84,8 @@ struct Stage {
   Evolving<T, D> next;
   std::array<T*, symmetric_components<D>> next_stress;
   BulkViscosity<T> viscosity = {};  ///< the last stage writes its pressures
-  /// nullptr: `gradient`; else plain SPH, whose neighbours are listed and which
-  /// reads stress from here.
+  /// nullptr: use `gradient`; else plain SPH with neighbour lists, which reads the stress from
+  /// here.
   const SymmetricPairs<T, D>* pairs = nullptr;
 };
 
@@ -97,7 +97,7 @@ struct StageResult {
   std::int64_t non_finite = -1;  ///< a slot whose new state is not finite or has v <= 0, or -1
 };
 
-/// sigma of (RP.2) from a state, in every slot of a block; the wave speed in the result.
+/// Computes sigma of (RP.2) from a state, in every slot of a block; returns the wave speed.
 template <class T, int D>
 struct StressOfState {
   const Segment<D>* segments;
@@ -111,8 +111,8 @@ struct StressOfState {
   BulkViscosity<T> viscosity = {};
 };
 
-/// A vector field on the lattice, of which lattice_gradient finds the largest abs(grad f)_F over
-/// the interior particles of a block, by differences between interior particles.
+/// A vector field on the lattice, of which lattice_gradient computes the largest abs(grad f)_F over
+/// the interior particles of a block, from differences between interior particles.
 template <class T, int D>
 struct LatticeField {
   const Segment<D>* segments;
@@ -130,7 +130,7 @@ struct StageKernels {
   double (*lattice_gradient)(const LatticeField<T, D>&);
 };
 
-/// Those compiled for `isa`.
+/// The kernels compiled for `isa`.
 template <Isa isa, class T, int D>
 StageKernels<T, D> stage_kernels();
 

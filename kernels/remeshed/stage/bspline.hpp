@@ -18,7 +18,7 @@ inline P bspline(const P& s) {
   return fused(P(T(10)), fourth_power_below(T(0.5)), sum) * P(T(1) / T(24));
 }
 
-/// n_d of (RP.14), which makes the integral of W one.
+/// n_d of (RP.14), which makes the integral of W equal to 1.
 template <int D>
 inline constexpr double bspline_normalisation = D == 1   ? 1
                                                 : D == 2 ? 2304 / (1199 * std::numbers::pi)

@@ -4,10 +4,10 @@
 
 /// Bulk viscosity of a reduced polynomial: the pressures p_i of (RP.10) during a stage.
 ///
-/// They are no part of the Runge-Kutta states: their equations are linear, so that (RP.22) takes
-/// them from the start of the step to any stage, however much shorter than the step their times
-/// are. Each particle keeps them at the start of the step, where the last stage leaves the new
-/// ones.
+/// They are not part of the Runge-Kutta states. Their equations are linear, so (RP.22) advances
+/// them from the start of the step to any stage, even if their times are much shorter than the
+/// step. Each particle stores them at the start of the step; the last stage overwrites them with
+/// the new ones.
 namespace pliant::kernels {
 
 /// J - 1 of a register of particles, from F.
@@ -18,7 +18,7 @@ inline P volume_change(const std::array<Pointer, material_components<D>>& f, std
   return determinant(carried) - P(Scalar<P>(1));
 }
 
-/// J - 1 at the start of the step, which the third stage overwrites, for all of them.
+/// Stores J - 1 at the start of the step, which the third stage overwrites, for later stages.
 template <class P, int D>
 void keep_volume_changes(const Stage<Scalar<P>, D>& stage, const Chunk& chunk) {
   for (int at = 0; at < chunk.count; at += lanes<P>) {
@@ -39,7 +39,7 @@ inline void add_pressure(const P& pressure,
   }
 }
 
-/// The stress of the new state takes up sum p_i, (RP.22).
+/// Adds sum p_i to the stress of the new state, (RP.22).
 template <bool last, class P, int D>
 void relax_next(const Stage<Scalar<P>, D>& stage, const Chunk& chunk) {
   const BulkViscosity<Scalar<P>>& viscosity = stage.viscosity;
@@ -60,7 +60,7 @@ void relax_next(const Stage<Scalar<P>, D>& stage, const Chunk& chunk) {
   }
 }
 
-/// The stress of a state takes up the p_i that its particles keep.
+/// Adds the stored p_i of the particles to the stress of a state.
 template <class P, int D>
 inline void add_kept_pressure(const StressOfState<Scalar<P>, D>& block, std::int64_t slot) {
   P sum(Scalar<P>(0));

@@ -5,8 +5,8 @@
 
 namespace pliant::kernels {
 
-/// Slots that a stage takes through all its loops before it goes on: their rates stay in the first
-/// cache, and each loop reads and writes few streams.
+/// Slots that a stage processes in all its loops before the next ones. Their rates stay in the
+/// first cache, and each loop reads and writes few streams.
 inline constexpr int chunk_slots = 64;
 
 /// Slots first..first+count-1 of a segment, whole packs.
@@ -35,8 +35,8 @@ inline auto finite_lanes(const P& x) {
   return (x - x) == P(Scalar<P>(0));
 }
 
-/// Stress of a register of particles, stored; zero instead of what is not finite in slots that are
-/// not interior, since their extrapolated state may be no possible state of the material.
+/// Stores the stress of a register of particles. In slots that are not interior, values that are
+/// not finite become zero, since the extrapolated state may be impossible for the material.
 template <Model model, class P, int D>
 inline void store_stress(const Material<Scalar<P>>& material,
                          const P (&carried)[material_component_count<D>(model)], const P& density,

@@ -6,13 +6,13 @@
 #include "kernels/remeshed/stage/prefetch.hpp"
 #include "kernels/remeshed/stage/sixth_difference.hpp"
 
-/// The dissipation of (RP.23): differences along the lattice lines of velocity, place and stress,
-/// which only see what the lattice does not resolve. Those of the place are a force: they are the
-/// gradient of an energy, the sum of squares of second differences, so that they cannot feed
-/// anything.
+/// The dissipation of (RP.23): differences of velocity, place and stress along lattice lines, which
+/// only see what the lattice does not resolve. Those of the place are a force, the gradient of an
+/// energy, which is the sum of squared second differences. So they cannot amplify anything.
 namespace pliant::kernels {
 
-/// Whether every flux flows between the interior particles of a pack and their neighbours.
+/// Whether all fluxes between the particles of a pack and their neighbours are between interior
+/// particles.
 template <class P, int D>
 inline bool flow_everywhere(const Scalar<P>* interior, const LineOffsets (&line)[D]) {
   const P half(Scalar<P>(0.5));
@@ -52,7 +52,7 @@ inline bool is_far_inside(const Scalar<P>* interior, const LineOffsets (&line)[D
 }
 
 /// Sums over the directions of delta^6/4 of the velocity in a chunk, with the sign that damps.
-/// Bit k of what it returns: the particles of pack k are far inside.
+/// Returns a mask: bit k is set if the particles of pack k are far inside.
 template <class P, int D>
 unsigned sixth_differences(const Scalar<P>* const* velocity, const Segment<D>& segment,
                            const Scalar<P>* interior, const Chunk& chunk,
@@ -100,8 +100,8 @@ constexpr bool takes_differences(int field) {
 }
 
 /// Sums over the directions of delta^4 of those fields in a chunk, field by field, between interior
-/// particles; anything finite in other slots. In 3D the first D, velocities, have sixth differences
-/// in their place.
+/// particles. Other slots get arbitrary finite values. In 3D the first D fields, the velocities,
+/// get sixth differences instead.
 template <class P, int D, int F>
 void swept_differences(const Scalar<P>* const (&field)[F], const Segment<D>& segment,
                        const Scalar<P>* interior, const Chunk& chunk,
@@ -144,13 +144,13 @@ void swept_differences(const Scalar<P>* const (&field)[F], const Segment<D>& seg
   }
 }
 
-/// Whether particles are pulled back to their places, (RP.23). Bars in 3D that are held bent need
-/// no such force (docs/decisions/0014-bodies-held-bent.md).
+/// Whether a force pulls particles back to their places, (RP.23). Bars in 3D that are held bent do
+/// not need it (docs/decisions/0014-bodies-held-bent.md).
 template <int D>
 inline constexpr bool restores_places = D == 2;
 
-/// Which second differences along a line count in the force on a slot: its own and those of the
-/// slots before and after. 1 or 0.
+/// Which second differences along a line, centred on a slot and on those before and after it,
+/// contribute to the force on the slot: 1 or 0.
 template <class P>
 struct SecondDifferences {
   P before, own, after;
@@ -163,7 +163,7 @@ struct SecondDifferences {
     after = pair_after * load<P>(interior + line.away[3]);
   }
 
-  /// Half the derivative of the sum of their squares by the value at `centre`.
+  /// Half the derivative of the sum of their squares with respect to the value at `centre`.
   P force(const Scalar<P>* centre, const LineOffsets& line) const {
     const P here = load<P>(centre);
     const P last = load<P>(centre + line.away[1]), next = load<P>(centre + line.away[2]);
@@ -174,7 +174,7 @@ struct SecondDifferences {
   }
 };
 
-/// Whether all second differences in the force on every slot of a pack count.
+/// Whether all second differences contribute to the force on every slot of a pack.
 template <class P, int D>
 inline bool pull_everywhere(const Scalar<P>* interior, const LineOffsets (&line)[D]) {
   bool pull = true;
@@ -190,8 +190,9 @@ inline bool pull_everywhere(const Scalar<P>* interior, const LineOffsets (&line)
   return pull;
 }
 
-/// Delta xi of (RP.23) of the particles of a chunk; anything finite in other slots. Which sum a
-/// slot gets depends on its pack, not on its register: all instruction sets round alike.
+/// Delta xi of (RP.23) of the particles of a chunk; other slots get arbitrary finite values. Which
+/// sum a slot gets depends on its pack, not on its register, so that all instruction sets round
+/// alike.
 template <class P, int D>
 void place_differences(const Scalar<P>* const (&drift)[D], const Segment<D>& segment,
                        const Scalar<P>* interior, const Chunk& chunk,
@@ -231,12 +232,12 @@ void place_differences(const Scalar<P>* const (&drift)[D], const Segment<D>& seg
 template <class P>
 inline P restoring_rate(const Material<Scalar<P>>& material, Scalar<P> spacing) {
   using T = Scalar<P>;
-  constexpr T share = T(0.1);  // of c/h
+  constexpr T share = T(0.1);  // relative to c/h
   const T modulus = material.bulk_modulus + material.shear_modulus * T(4) / T(3);
   return P(share / spacing) * xsimd::sqrt(P(modulus / material.density));
 }
 
-/// The strain rate that relaxes the stress, or its mean alone, at the rate -kappa delta^4 sigma:
+/// The strain rate that relaxes the stress, or only its mean, at the rate -kappa delta^4 sigma:
 /// Hooke's law inverted.
 template <class P, int D>
 inline void relaxing_strain_rate(const Material<Scalar<P>>& material, Scalar<P> kappa,

@@ -21,15 +21,15 @@ inline LineOffsets line_offsets(const Segment<D>& segment, int axis) {
   return line;
 }
 
-/// Which of the two fluxes of a slot flow, along a line: to the next slot and from the one before.
+/// Which two fluxes of a slot along a line exist: to the next slot and from the one before.
 template <class P>
 struct Fluxes {
   typename P::batch_bool_type up, down;
 };
 
-/// delta^4 f along a line, at a register of slots, as the difference of two fluxes: third
-/// differences. What flows out of one slot flows into the next, so sums over slots are kept.
-/// Exactly zero where f is constant.
+/// delta^4 f along a line, at a register of slots, as the difference of two fluxes, which are third
+/// differences. The flux out of a slot is the flux into the next one, so sums over slots are
+/// conserved. Exactly zero where f is constant.
 template <class P>
 inline P fourth_difference(const Scalar<P>* centre, const LineOffsets& line,
                            const Fluxes<P>& fluxes) {
@@ -40,7 +40,8 @@ inline P fourth_difference(const Scalar<P>* centre, const LineOffsets& line,
   return xsimd::select(fluxes.up, up, zero) - xsimd::select(fluxes.down, down, zero);
 }
 
-/// Between slots that are both inside (`inside` is 1 there, 0 elsewhere): none cross the surface.
+/// Fluxes between slots that are both inside (`inside` is 1 there, 0 elsewhere): none cross the
+/// surface.
 template <class P>
 inline Fluxes<P> fluxes_between(const Scalar<P>* inside, const LineOffsets& line) {
   const P here = load<P>(inside), half(Scalar<P>(0.5));
@@ -48,7 +49,7 @@ inline Fluxes<P> fluxes_between(const Scalar<P>* inside, const LineOffsets& line
           here * load<P>(inside + line.away[1]) > half};
 }
 
-/// Those whose four slots are all inside.
+/// Fluxes whose four slots are all inside.
 template <class P>
 inline Fluxes<P> fluxes_within(const Scalar<P>* inside, const LineOffsets& line) {
   const P half(Scalar<P>(0.5));
@@ -57,7 +58,7 @@ inline Fluxes<P> fluxes_within(const Scalar<P>* inside, const LineOffsets& line)
           near * load<P>(inside + line.away[0]) > half};
 }
 
-/// Sums over the directions of delta^4 f where every flux flows.
+/// Sums over the directions of delta^4 f where all fluxes exist.
 template <class P, int D>
 inline P fourth_differences_inside(const Scalar<P>* centre, const LineOffsets (&line)[D]) {
   using T = Scalar<P>;
@@ -71,7 +72,7 @@ inline P fourth_differences_inside(const Scalar<P>* centre, const LineOffsets (&
   return fused_minus(P(T(4)), near, far);
 }
 
-/// The same with the fluxes of each direction.
+/// The same with the given fluxes in each direction.
 template <class P, int D>
 inline P fourth_differences(const Scalar<P>* centre, const LineOffsets (&line)[D],
                             const Fluxes<P> (&fluxes)[D]) {

@@ -3,10 +3,10 @@
 #include "kernels/remeshed/stage/arguments.hpp"
 #include "kernels/remeshed/stage/moment.hpp"
 
-/// What a sweep over neighbours sums for gradients, and the gradients that follow.
+/// Sums of a sweep over neighbours, and the gradients that follow from them.
 namespace pliant::kernels {
 
-/// A of a pack.
+/// Sums for A of a pack.
 template <class P, int D>
 struct MomentSums {
   P moment[symmetric_components<D>];
@@ -27,7 +27,7 @@ struct MomentSums {
   }
 };
 
-/// H of a pack.
+/// Sums for H of a pack.
 template <class P, int D, int F>
 struct SlopeSums {
   P slope[F][D];
@@ -48,7 +48,7 @@ struct SlopeSums {
   }
 };
 
-/// Both.
+/// Sums for A and H.
 template <class P, int D, int F>
 struct GradientSums : MomentSums<P, D>, SlopeSums<P, D, F> {
   [[gnu::always_inline]] void add(const P (&weighted)[D], const P (&d)[D],
@@ -58,7 +58,7 @@ struct GradientSums : MomentSums<P, D>, SlopeSums<P, D, F> {
   }
 };
 
-/// A^-1, or n_p of (RP.19) on the diagonal of a matrix.
+/// A^-1, or for (RP.19) the diagonal matrix of n_p.
 template <Gradient gradient, class P, int components>
 inline void invert_moment(const P (&moment)[components], P (&inverse)[components]) {
   if constexpr (gradient == Gradient::normalised) {
@@ -86,7 +86,7 @@ inline void solve(const P (&inverse)[symmetric_components<D>], const SlopeSums<P
   }
 }
 
-/// The same with A; not finite where the neighbours do not span the space.
+/// The same with A; not finite where the neighbours do not span D directions.
 template <Gradient of = Gradient::moment_matrix, class P, int D, int F>
 inline void solve(const GradientSums<P, D, F>& sums, P (&gradient)[F][D]) {
   P inverse[symmetric_components<D>];

@@ -5,30 +5,30 @@
 #include "kernels/remeshed/stage/weight.hpp"
 
 /// The moment-matrix gradient (RP.20) of several fields in one sweep over the neighbours, or that
-/// of H&K (RP.19), whose weights hold v_q and which takes the diagonal of A for the whole.
+/// of H&K (RP.19), whose weights contain v_q and which uses only the diagonal of A.
 ///
 /// For every neighbour q of a pack of particles p: d = x_q - x_p, omega(|d|), and
 ///
-///     A += omega d d^T          H_f += omega d (f_q - f_p)          (grad f = A^-1 H_f at the end)
+///    A += omega d d^T          H_f += omega d (f_q - f_p)          (grad f = A^-1 H_f at the end)
 ///
-/// In 2D with velocity and stress that makes 13 accumulators, which AVX-512 keeps in registers. In
-/// 3D it would make 33; there the divergence of the stress is summed after A is known and inverted,
+/// In 2D, velocity and stress need 13 accumulators, which AVX-512 keeps in registers. In 3D they
+/// would need 33. There the divergence of the stress is summed after A is inverted,
 ///
-///     div sigma_i = sum_q (sigma_q - sigma_p)_ij (A^-1 omega d)_j
+///    div sigma_i = sum_q (sigma_q - sigma_p)_ij (A^-1 omega d)_j
 ///
-/// in three accumulators, from the omega d that the first sweep has left in the first cache.
-/// Positions enter as displacements xi from the slots: d = (xi_q + offset h) - xi_p, so
-/// that the result does not depend on where the body is.
+/// in three accumulators, from the values omega d that the first sweep has left in the first cache.
+/// Positions are given by the drift xi from the slots: d = (xi_q + offset h) - xi_p, so that the
+/// result does not depend on where the body is.
 namespace pliant::kernels {
 
-/// The fields of a sweep: where particles are, and what is differentiated.
+/// The fields of a sweep: the drift, and the fields to differentiate.
 template <class T, int D, int F>
 struct SweepFields {
   const T* drift[D];
   const T* field[F];
 };
 
-/// Where the neighbours of a pack of particles p are, and what they weigh.
+/// Distances d and weights of the neighbours of a pack of particles p.
 template <Kernel kernel, class P, int D>
 class Separation {
   using T = Scalar<P>;
@@ -43,8 +43,8 @@ class Separation {
     }
   }
 
-  /// d and omega d of neighbours whose slots lie `offset` cells away; `neighbour(field)` loads
-  /// them.
+  /// Computes d and omega d of neighbours `offset` cells away; `neighbour(field)` loads their
+  /// values.
   template <class Load>
   [[gnu::always_inline]] void operator()(const P (&offset)[D], const Load& neighbour, P (&d)[D],
                                          P (&weighted)[D]) const {
@@ -67,7 +67,7 @@ class Separation {
   P position_[D];
 };
 
-/// The volume v_q in the weights of (RP.19); those of (RP.20) have none.
+/// The factor v_q of the weights of (RP.19); those of (RP.20) have none.
 template <Gradient gradient, class P, int D>
 class VolumeWeight {
  public:
@@ -86,7 +86,7 @@ class VolumeWeight {
   const Scalar<P>* volume_;
 };
 
-/// What some fields of a neighbour differ from those of a pack of particles.
+/// Differences of some fields between a neighbour and a pack of particles.
 template <class P, int F>
 class Differences {
   using T = Scalar<P>;
@@ -111,8 +111,8 @@ class Differences {
   P value_[F];
 };
 
-/// How far the rows of the stencil reach along x, [abs(dz)][abs(dy)]: nodes at `reach + 1` cells
-/// are as far as the nearest ones outside the stencil, and left out too.
+/// How far the rows of the stencil reach along x, [abs(dz)][abs(dy)]. Nodes that are as far as the
+/// nearest ones outside the stencil, at `reach + 1` cells, are left out too.
 template <class Arch, int reach>
 struct RowWidths {
   int width[reach + 1][reach + 1];
@@ -128,11 +128,11 @@ struct RowWidths {
   }
 };
 
-/// Pairs of the stencil at most.
+/// Largest number of pairs of the stencil.
 template <Kernel kernel, int D>
 inline constexpr int stencil_bound = power(2 * stencil_reach(kernel) + 1, D) - 1;
 
-/// Calls `visit(offset, load)` for the neighbours in a row, `width` to each side.
+/// Calls `visit(offset, load)` for the neighbours in a row, up to `width` on each side.
 template <int width, bool centre, class P, int D, class Visit>
 [[gnu::always_inline]] inline void visit_row(int dy, int dz, std::int64_t row, const Visit& visit) {
   using T = Scalar<P>;
@@ -147,8 +147,8 @@ template <int width, bool centre, class P, int D, class Visit>
   }
 }
 
-/// The same for all rows. Rows of the plane are known when this is compiled; those of space would
-/// not fit the instruction cache, so that only their widths are.
+/// The same for all rows. In 2D the rows are unrolled at compile time. In 3D that would exceed the
+/// instruction cache, so only their widths are known at compile time.
 template <Kernel kernel, class P, int D, class Visit>
 [[gnu::always_inline]] inline void visit_stencil(const std::int64_t* neighbour_row,
                                                  std::int64_t slot, const Visit& visit) {
@@ -188,7 +188,7 @@ template <Kernel kernel, class P, int D, class Visit>
   }
 }
 
-/// The first lanes of an array of another type, converted.
+/// The first values of an array of another type, converted.
 template <class To, class From>
 [[gnu::always_inline]] inline To converted(const From* from) {
   alignas(64) typename To::value_type lane[To::size];
@@ -198,7 +198,7 @@ template <class To, class From>
   return To::load_aligned(lane);
 }
 
-/// The same for the listed neighbours of the register of particles at `slot`, which starts at lane
+/// The same for the neighbour lists of the register of particles at `slot`, which starts at lane
 /// `slot % slots_per_pack` of its pack.
 template <class P, int D, class Visit>
 [[gnu::always_inline]] inline void visit_list(const NeighbourLists<D>& lists, std::int64_t slot,

@@ -3,12 +3,12 @@
 #include "kernels/remeshed/stage/chunk.hpp"
 #include "kernels/remeshed/stage/fourth_difference.hpp"
 
-/// Gradients of a field by differences along the lattice lines: of the drift, they are F - I since
+/// Gradients of a field from differences along lattice lines. For the drift they are F - I since
 /// the last remeshing, (RP.39).
 namespace pliant::kernels {
 
-/// Which of the two neighbours along a line are interior particles, 1 or 0, and what each counts
-/// for in their mean.
+/// Which of the two neighbours along a line are interior particles, 1 or 0, and the weight of each
+/// in their mean.
 template <class P>
 struct LineNeighbours {
   P before, after, share;
@@ -17,13 +17,13 @@ struct LineNeighbours {
     using T = Scalar<P>;
     before = load<P>(interior + line.away[1]);
     after = load<P>(interior + line.away[2]);
-    // One over 1 or 2.
+    // 1 over the number of these neighbours; 1 if there is none.
     share = fused_minus(P(T(0.5)), xsimd::max(before + after, P(T(1))), P(T(1.5)));
   }
 };
 
-/// df/da at a register of slots [1/h]: the mean of the differences to those of the two neighbours
-/// along the line that are interior particles.
+/// df/da at a register of slots [1/h]: the mean of the differences to the two neighbours along the
+/// line, as far as they are interior particles.
 template <class P>
 inline P line_derivative(const Scalar<P>* field, const LineNeighbours<P>& neighbours,
                          const LineOffsets& line) {

@@ -4,7 +4,7 @@
 
 namespace pliant::kernels {
 
-/// Of a symmetric D x D matrix, in the order of symmetric_index.
+/// Determinant of a symmetric D x D matrix, in the order of symmetric_index.
 template <class P>
 inline P symmetric_determinant(const P (&a)[3]) {
   return fused_minus(a[1], a[1], a[0] * a[2]);
@@ -18,8 +18,8 @@ inline P symmetric_determinant(const P (&a)[6]) {
   return fused(a[2], xz, fused(a[1], xy, a[0] * xx));
 }
 
-/// Inverse of a symmetric D x D matrix, both in the order of symmetric_index. A singular matrix
-/// gives values that are not finite.
+/// Inverse of a symmetric D x D matrix, both in the order of symmetric_index. For a singular matrix
+/// the result is not finite.
 template <class P>
 inline void invert_symmetric(const P (&a)[3], P (&inverse)[3]) {
   const P determinant = fused_minus(a[1], a[1], a[0] * a[2]);
@@ -44,8 +44,8 @@ inline void invert_symmetric(const P (&a)[6], P (&inverse)[6]) {
   inverse[5] = fused_minus(a[1], a[1], a[0] * a[3]) * factor;
 }
 
-/// Inverse of the diagonal of such a matrix, with zeros beside it: 1/n_p of (RP.19) is the diagonal
-/// of a moment matrix whose weights hold v_q.
+/// Inverse of the diagonal of such a matrix, with zeros elsewhere. If weights contain v_q, the
+/// diagonal of the moment matrix has 1/n_p of (RP.19).
 template <class P, int components>
 inline void invert_diagonal(const P (&a)[components], P (&inverse)[components]) {
   constexpr int D = components == 3 ? 2 : 3;

@@ -3,11 +3,12 @@
 #include "kernels/pack.hpp"
 #include "kernels/remeshed/stage/arguments.hpp"
 
-/// Cache lines asked for before they are wanted. A stage goes through more than fifty streams in
-/// short bursts, more than a processor follows by itself.
+/// Prefetches of cache lines. A stage reads and writes more than fifty streams in short bursts,
+/// more than the processor can prefetch by itself.
 namespace pliant::kernels {
 
-/// The line of every evolving field but the drift at `slot`; `components` of the material's state.
+/// Prefetches the line at `slot` of every evolving field except the drift; `components` of the
+/// material state.
 template <class P, class T, int D>
 [[gnu::always_inline]] inline void prefetch(const Evolving<T, D>& state, int components,
                                             std::int64_t slot) {
@@ -17,7 +18,7 @@ template <class P, class T, int D>
   for (int c = 0; c < components; ++c) __builtin_prefetch(state.material[c] + slot);
 }
 
-/// What the update of the pack at `slot` reads and writes.
+/// Prefetches what the update of the pack at `slot` reads and writes.
 template <class P, int D>
 [[gnu::always_inline]] inline void prefetch_update(const Stage<Scalar<P>, D>& stage,
                                                    std::int64_t slot) {
@@ -40,7 +41,7 @@ template <class P, int D>
   }
 }
 
-/// Fields two packs on, in a row that no slot before has come near.
+/// Prefetches fields two packs ahead, in a row that no earlier slot has loaded.
 template <class P, int F>
 [[gnu::always_inline]] inline void prefetch_ahead(const Scalar<P>* const (&field)[F],
                                                   std::int64_t slot) {

@@ -4,7 +4,7 @@
 
 namespace pliant::kernels {
 
-/// Where the states of one field lie while a stage advances it; see Stage.
+/// The states of one field while a stage advances it; see Stage.
 template <class T>
 struct StageField {
   const T* current;
@@ -16,11 +16,11 @@ struct StageField {
 
 enum class StagePlace { early, third, last };
 
-/// (RP.21) with three copies of the state: Q2, Q3 after the first two stages, Q4 after the third,
-/// which leaves Q3 + (Q2 - Q0)/3 in the place of Q0, and Q_new after the last, which adds
-/// (Q4 - Q3)/3 + dt/6 k4.
+/// (RP.21) with three copies of the state. The first two stages write Q2 and Q3. The third writes
+/// Q4, and Q3 + (Q2 - Q0)/3 in the place of Q0; the last adds (Q4 - Q3)/3 + dt/6 k4 to that, which
+/// gives Q_new.
 ///
-/// Both add differences, so that what does not change keeps its bits.
+/// Both add differences, so that a constant value stays bitwise the same.
 template <class P, StagePlace place>
 class RungeKutta {
   using T = Scalar<P>;
@@ -48,7 +48,8 @@ class RungeKutta {
   P factor_, third_ = P(T(1) / T(3));
 };
 
-/// A component of the drift and of the velocity, its rate, while a stage advances the drift.
+/// A component of the drift, and of the velocity, which is its rate, while a stage advances the
+/// drift.
 template <class T>
 struct DriftField {
   const T* current;
@@ -58,11 +59,10 @@ struct DriftField {
 };
 
 /// (RP.21) of the drift with two copies: Q3 takes the place of Q0, Q4 that of Q2, and Q_new that of
-/// Q3. What is missing follows from the velocities that the stages have left: Q0 = Q3 - dt/2 u2,
-/// and u0 - u2 = -3 (R - u3). Ghosts, which `has_remainders` says nothing of, still have u0 where R
-/// is.
+/// Q3. The missing values follow from the velocities that the stages have left: Q0 = Q3 - dt/2 u2,
+/// and u0 - u2 = -3 (R - u3). For ghosts, `has_remainders` is false: R still holds u0.
 ///
-/// Has to come before the velocity is advanced.
+/// Must be called before the velocity is advanced.
 template <class P, StagePlace place, bool has_remainders>
 inline void advance_drift(const DriftField<Scalar<P>>& field, Scalar<P> time_step,
                           std::int64_t slot) {

@@ -19,9 +19,9 @@ inline FarOffsets far_offsets(const Segment<D>& segment, int axis) {
 }
 
 /// delta^6 f/4 along a line, with the sign that damps, at a register of slots: the difference of
-/// two fluxes of fifth differences. Where one of the six slots of a flux is not inside (`inside` is
-/// 1 there, 0 elsewhere) its third differences take their place, the flux of fourth_difference;
-/// there is none between slots that are not both inside.
+/// two fluxes, which are fifth differences. If one of the six slots of a flux is not inside
+/// (`inside` is 1 there, 0 elsewhere), third differences replace it, the flux of fourth_difference.
+/// There is no flux between two slots that are not both inside.
 template <class P>
 inline P sixth_difference(const Scalar<P>* centre, const Scalar<P>* inside, const LineOffsets& line,
                           const FarOffsets& far) {
@@ -47,7 +47,7 @@ inline P sixth_difference(const Scalar<P>* centre, const Scalar<P>* inside, cons
          xsimd::select(here * in_before > half, down, zero);
 }
 
-/// Sums over the directions where all fluxes are those of fifth differences.
+/// Sums over the directions where all fluxes are fifth differences.
 template <class P, int D>
 inline P sixth_differences_inside(const Scalar<P>* centre, const LineOffsets (&line)[D],
                                   const FarOffsets (&far)[D]) {

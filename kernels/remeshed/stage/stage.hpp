@@ -7,14 +7,14 @@
 
 /// One Runge-Kutta stage of one block.
 ///
-/// The memory streams of a stage cost more than its arithmetic. Fusing everything into one loop
-/// would open dozens of streams at once; instead a chunk of 64 slots goes through
+/// The memory streams of a stage cost more than its arithmetic. A single loop would need dozens of
+/// streams at once. Instead a chunk of 64 slots goes through several loops,
 ///
-///     sweep over the neighbours -> gradients in a stack buffer (first cache)
-///     drift, velocity, volume, S or F, stress: one short loop each, few streams at a time
+///    sweep over the neighbours -> gradients in a stack buffer (first cache)
+///    drift, velocity, volume, S or F, stress: one short loop each, few streams at a time
 ///
-/// and what one loop has read or written is still in the cache when the next loop wants it. Packs
-/// of ghosts only drift, and vacant ones are passed over.
+/// and what one loop has read or written is still in the cache for the next one. Packs of ghosts
+/// only drift, and vacant packs are skipped.
 namespace pliant::kernels {
 
 template <class P, int D>
@@ -41,7 +41,7 @@ GradientsOfChunk<P, D> gradients_for(Kernel kernel, Gradient gradient) {
     case Kernel::fourth_order:
       break;
   }
-  // Its moments vanish on the lattice alone.
+  // The moments of fourth_order vanish only on the lattice.
   constexpr Kernel present = listed ? Kernel::quartic_spline_fit : Kernel::fourth_order;
   return stage_gradients<present, exact, listed, P, D>;
 }
@@ -69,7 +69,7 @@ Slots slots_at(const Stage<Scalar<P>, D>& stage, std::int64_t slot) {
                                       : Slots::vacant;
 }
 
-/// Slots from `begin` on in a segment that are of one kind, a chunk of them at most.
+/// The next slots of a segment, from `begin` on, whose packs are of one kind; at most a chunk.
 template <class P, int D>
 Chunk next_chunk(const Stage<Scalar<P>, D>& stage, const Segment<D>& segment, int begin) {
   constexpr int pack = slots_per_pack;

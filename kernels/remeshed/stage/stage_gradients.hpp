@@ -23,7 +23,7 @@ inline StageSweepFields<T, D> stage_sweep_fields(const Stage<T, D>& stage) {
   return fields;
 }
 
-/// What a register of particles contributes to its chunk.
+/// Gradients of a register of particles, for its chunk.
 template <class P, int D>
 struct StageGradients {
   P velocity[D][D], force[D], drag[D];
@@ -33,7 +33,7 @@ struct StageGradients {
   }
 };
 
-/// grad u and div sigma of the plane, in one sweep; `visit(f)` visits the neighbours.
+/// grad u and div sigma in 2D, in one sweep; `visit(f)` visits the neighbours.
 template <Kernel kernel, Gradient gradient, class P, class Visit>
 [[gnu::always_inline]] inline void sweep(const StageSweepFields<Scalar<P>, 2>& fields,
                                          const Scalar<P>* volume, std::int64_t slot,
@@ -65,8 +65,8 @@ template <Kernel kernel, Gradient gradient, class P, class Visit>
   }
 }
 
-/// The same in 3D, in two sweeps; see gradient_sweep.hpp. The weights of a stencil are kept for
-/// the second one, those of a list, which may be any length, made again.
+/// The same in 3D, in two sweeps; see gradient_sweep.hpp. The weights of a stencil are stored for
+/// the second sweep. Those of a list, which may have any length, are computed again.
 template <Kernel kernel, Gradient gradient, class P, class Visit>
 [[gnu::always_inline]] inline void sweep(const StageSweepFields<Scalar<P>, 3>& fields,
                                          const Scalar<P>* volume, std::int64_t slot,
@@ -127,15 +127,15 @@ template <Kernel kernel, Gradient gradient, class P, class Visit>
   });
 }
 
-/// Differences of a chunk: of velocity and stress, as they are swept, and Delta xi.
+/// Differences of a chunk: of velocity and stress, in the order of the sweep, and Delta xi.
 template <class P, int D>
 struct ChunkDifferences {
   alignas(64) Scalar<P> swept[D + symmetric_components<D>][chunk_slots];
   alignas(64) Scalar<P> place[D][chunk_slots];
 };
 
-/// Adds the dissipation of (RP.23): a drag on the velocity, in 2D with a force that restores the
-/// places on the lattice, and a strain rate that relaxes the stress.
+/// Adds the dissipation of (RP.23): a drag on the velocity, which in 2D includes a force that
+/// restores places on the lattice, and a strain rate that relaxes the stress.
 template <class P, int D>
 [[gnu::always_inline]] inline void dissipate(const Stage<Scalar<P>, D>& stage,
                                              const ChunkDifferences<P, D>& damped,
@@ -165,7 +165,7 @@ template <class P, int D>
   }
 }
 
-/// Into place `at` of the chunk; zero in slots that are not interior.
+/// Stores gradients at position `at` of the chunk; zero in slots that are not interior.
 template <class P, int D>
 [[gnu::always_inline]] inline void store_gradients(StageGradients<P, D>& gradients, PackState state,
                                                    const Scalar<P>* interior, std::int64_t slot,

@@ -3,7 +3,7 @@
 #include "kernels/remeshed/stage/bulk_viscosity.hpp"
 #include "kernels/remeshed/stage/runge_kutta.hpp"
 
-/// From the gradients of a chunk to its next state, field by field: the rates of (RP.13) and of
+/// Updates the state of a chunk from its gradients, field by field: the rates of (RP.13) and of
 /// (RP.3) or (RP.8), advanced by (RP.21), and the stress of the new state.
 namespace pliant::kernels {
 
@@ -16,15 +16,15 @@ struct StageExtremes {
   std::int64_t non_finite = -1;
 };
 
-/// The states of the field that `pick` takes out of an Evolving.
+/// The states of the field that `pick` selects from an Evolving.
 template <class Arch, class T, int D, class Pick>
 inline StageField<T> stage_field(const Stage<T, D>& stage, const Pick& pick) {
   return {pick(stage.current), pick(stage.start), pick(stage.second), pick(stage.third),
           pick(stage.next)};
 }
 
-/// d xi/dt = u, also in slots that are not interior: ghosts move along. Only where there are
-/// particles are the velocities of the whole chunk advanced too.
+/// d xi/dt = u, also in slots that are not interior: ghosts move too. Only a chunk with interior
+/// particles advances its velocities as well.
 template <class P, StagePlace place, bool has_particles, int D>
 void advance_drifts(const Stage<Scalar<P>, D>& stage, const Chunk& chunk) {
   using Arch = typename P::arch_type;
@@ -121,8 +121,7 @@ void stress_of_next(const Stage<Scalar<P>, D>& stage, const Chunk& chunk) {
   }
 }
 
-/// abs(eps)_F^2 from the gradients, which are zero where there is no interior
-/// particle.
+/// abs(eps)_F^2 from the gradients, which are zero in slots that are not interior.
 template <class P, int D>
 void strain_rate_of(const ChunkGradients<Scalar<P>, D>& gradients, const Chunk& chunk,
                     StageExtremes<P>& extremes) {
@@ -144,7 +143,8 @@ void strain_rate_of(const ChunkGradients<Scalar<P>, D>& gradients, const Chunk& 
   }
 }
 
-/// Wave speed of the new state, and whether it is a possible one: finite, with v > 0.
+/// Computes the wave speed of the new state and checks that the state is possible: finite, with v >
+/// 0.
 template <Model model, class P, int D>
 void examine_next(const Stage<Scalar<P>, D>& stage, const Chunk& chunk,
                   StageExtremes<P>& extremes) {
@@ -156,7 +156,7 @@ void examine_next(const Stage<Scalar<P>, D>& stage, const Chunk& chunk,
     const auto inside = interior_lanes<P>(stage.interior, slot);
     const P volume = load<P>(stage.next.volume + slot);
     P carried[L::components];
-    P sum = volume * zero;  // NaN as soon as one value is infinite or NaN
+    P sum = volume * zero;  // NaN if any value is infinite or NaN
 #pragma GCC unroll 9
     for (int c = 0; c < L::components; ++c) {
       carried[c] = load<P>(stage.next.material[c] + slot);
@@ -181,7 +181,7 @@ void examine_next(const Stage<Scalar<P>, D>& stage, const Chunk& chunk,
   }
 }
 
-/// All of the above for one chunk.
+/// The whole update of one chunk.
 template <Model model, StagePlace place, class P, int D>
 void stage_update(const Stage<Scalar<P>, D>& stage, const ChunkGradients<Scalar<P>, D>& gradients,
                   const Chunk& chunk, StageExtremes<P>& extremes) {

@@ -4,7 +4,7 @@
 
 namespace pliant::kernels {
 
-/// One block's stress by one law; returns the largest c^2 of its interior particles.
+/// Stress of one block by one law; returns the largest c^2 of its interior particles.
 template <Model model, class P, int D>
 Scalar<P> stress_of_block(const StressOfState<Scalar<P>, D>& block) {
   using T = Scalar<P>;
@@ -32,7 +32,7 @@ Scalar<P> stress_of_block(const StressOfState<Scalar<P>, D>& block) {
   return largest(largest2);
 }
 
-/// See StressOfState. Neither the strain rate nor a non-finite slot is looked for.
+/// See StressOfState. Computes neither the strain rate nor a non-finite slot.
 template <class P, int D>
 StageResult evaluate_stress(const StressOfState<Scalar<P>, D>& block) {
   Scalar<P> wave_speed2 = 0;

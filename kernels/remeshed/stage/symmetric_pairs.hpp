@@ -3,10 +3,10 @@
 #include "kernels/remeshed/stage/bspline.hpp"
 #include "kernels/remeshed/stage/stage_gradients.hpp"
 
-/// Plain SPH over listed neighbours: the velocity gradient (RP.25) and the acceleration (RP.26).
+/// Plain SPH over neighbour lists: the velocity gradient (RP.25) and the acceleration (RP.26).
 namespace pliant::kernels {
 
-/// The particles p of a register and what they gather from their neighbours.
+/// The particles p of a register and their sums over neighbours.
 template <class P, int D>
 class PairForces {
   using T = Scalar<P>;
@@ -27,7 +27,7 @@ class PairForces {
     }
   }
 
-  /// Adds neighbours whose slots lie `offset` cells away; `neighbour(field)` loads them.
+  /// Adds neighbours `offset` cells away; `neighbour(field)` loads their values.
   template <class Load>
   [[gnu::always_inline]] void meet(const P (&offset)[D], const Load& neighbour) {
     Particle q;
@@ -96,7 +96,7 @@ class PairForces {
   Particle own_state_;
 };
 
-/// Gradients of a chunk whose neighbours are listed: grad u, and the whole acceleration as a drag.
+/// Gradients of a chunk over neighbour lists: grad u, and the whole acceleration as a drag.
 template <class P, int D>
 void symmetric_gradients(const Stage<Scalar<P>, D>& stage, const Segment<D>&, const Chunk& chunk,
                          ChunkGradients<Scalar<P>, D>& gradients) {

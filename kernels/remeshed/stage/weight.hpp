@@ -27,7 +27,7 @@ class WithinSupport {
   P per_support2_;
 };
 
-/// (RP.15). Costs about two thirds more than its polynomial.
+/// (RP.15). Costs about two thirds more than the polynomial (RP.16).
 template <class P>
 class PairWeight<Kernel::quartic_spline, P> {
   using T = Scalar<P>;
@@ -50,7 +50,7 @@ class PairWeight<Kernel::quartic_spline, P> {
   P per_spacing2_;
 };
 
-/// (RP.16), which follows (RP.15) divided by its value at zero.
+/// (RP.16), a fit to (RP.15) divided by its value at zero.
 template <class P>
 class PairWeight<Kernel::quartic_spline_fit, P> {
   using T = Scalar<P>;
@@ -85,9 +85,9 @@ class PairWeight<Kernel::compact, P> {
   WithinSupport<P> within_;
 };
 
-/// (RP.18): the fourth moments vanish on square and cubic lattices. Negative between the second
-/// neighbours along the axes and those between them, so that its moment matrix asks for particles
-/// that are still near their slots.
+/// (RP.18): the fourth moments vanish on square and cubic lattices. It is negative between the
+/// second neighbours along the axes and those between them. Its moment matrix therefore needs
+/// particles that are still near their slots.
 template <class P>
 class PairWeight<Kernel::fourth_order, P> {
   using T = Scalar<P>;
