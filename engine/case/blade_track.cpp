@@ -38,7 +38,7 @@ TrackRow track_row(const std::string& text, std::size_t columns, const std::stri
                   place, row.size(), columns));
 }
 
-/// v turned by the quaternion (w, q), of any length but 0.
+/// v rotated by the quaternion (w, q), of any non-zero length.
 Vector turned(const Vector& v, double w, const Vector& q) {
   const auto cross = [](const Vector& a, const Vector& b) {
     return Vector{a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};

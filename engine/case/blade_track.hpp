@@ -12,19 +12,19 @@ struct BladeEdge {
   Vector from = {}, to = {};
 };
 
-/// Where the edge of a blade is at `time` [s]; before and after its track, at the ends of that.
+/// The edge of a blade at `time` [s]; outside the times of its track, at the nearer end.
 BladeEdge edge_of(const CutCase& cut, double time);
 
-/// Whether a blade moves by itself before the run ends. One that starts at the end or later waits
-/// for a caller of the library to move it.
+/// Whether a blade moves before the run ends. One that starts at the end or later waits for a
+/// caller of the library to move it.
 inline bool moves_in_run(const CutCase& cut, const Case& a_case) {
   return cut.start < a_case.time.end;
 }
 
-/// Reads the track of a cut from its file (CSV, a header and one row for each time), and the times
-/// at which it starts and ends. The header is `time,x,y` in 2D; in 3D `time,x1,y1,z1,x2,y2,z2`, the
-/// ends of the edge, or `time,x,y,z,qw,qx,qy,qz`, its start and a quaternion that turns the edge of
-/// the case. Throws std::runtime_error with file, line and remedy.
+/// Reads the track of a cut from its file, and its first and last time: CSV, a header and one row
+/// for each time. The header is `time,x,y` in 2D. In 3D it is `time,x1,y1,z1,x2,y2,z2`, with the
+/// ends of the edge, or `time,x,y,z,qw,qx,qy,qz`, with its start and a quaternion that rotates the
+/// edge of the case. Throws std::runtime_error with file, line and remedy.
 void load_track(CutCase& cut, int dimension);
 
 }  // namespace pliant

@@ -11,28 +11,28 @@
 #include "engine/geometry/shape.hpp"
 #include "kernels/material.hpp"
 
-/// A case as plain values, in SI units: what a case file says after every check of user input.
+/// A case as plain values in SI units: the content of a case file after all checks of user input.
 namespace pliant {
 
 struct MethodRules;
 
 using VectorExpression = std::array<Expression, 3>;
 
-/// A rigid rotation about a point at rest.
+/// A rigid rotation about a fixed point.
 struct RigidRotation {
   Vector centre = {};
   Vector angular_velocity = {};  ///< [1/s]; about z in 2D
 };
-/// A velocity and a rotation, which add up.
+/// A velocity plus a rotation.
 struct InitialVelocity {
   VectorExpression translation;  ///< of x, y, z [m/s]
   std::optional<RigidRotation> rotation;
 };
 
-/// A wall that turns about an axis through a point, which moves with the wall.
+/// Rotation of a wall about an axis through a point that moves with the wall.
 struct WallRotation {
   Vector centre = {};       ///< at t = 0 [m]
-  Vector axis = {0, 0, 1};  ///< of any length
+  Vector axis = {0, 0, 1};  ///< any length
   Expression angle;         ///< of t, since t = 0 [rad]
 };
 
@@ -49,19 +49,19 @@ struct PronyCase {
   Moduli moduli = Moduli::long_term;
 };
 
-/// A material in the words of case files; `elastic_constants` gives what the kernels read.
+/// A material in the words of case files; `elastic_constants` converts it for kernels.
 struct MaterialCase {
   enum class Model { linear, reduced_polynomial, neo_hookean, st_venant_kirchhoff };
   enum class EquationOfState { linear, logarithmic };
   Model model = Model::linear;
   double density = 0;                                           ///< [kg/m^3]
   EquationOfState equation_of_state = EquationOfState::linear;  ///< linear: (RP.5) or (RP.6)
-  double youngs_modulus = 0;                                    ///< all but the polynomial: E [Pa]
-  double poissons_ratio = 0;                                    ///< the same: nu
+  double youngs_modulus = 0;         ///< all models but the polynomial: E [Pa]
+  double poissons_ratio = 0;         ///< likewise: nu
   std::vector<double> coefficients;  ///< reduced polynomial: C_10, C_20, ... [Pa]
   double compressibility = 0;        ///< reduced polynomial: D [1/Pa]
-  PronyCase prony;                   ///< reduced polynomial: of its bulk modulus
-  PronyCase prony_shear;             ///< reduced polynomial: of its shear modulus
+  PronyCase prony;                   ///< reduced polynomial: for its bulk modulus
+  PronyCase prony_shear;             ///< reduced polynomial: for its shear modulus
 };
 
 /// A `[[body]]` table.
@@ -72,9 +72,9 @@ struct BodyCase {
   std::vector<kernels::PronyTerm<double>> prony;        ///< of the bulk modulus
   std::vector<kernels::PronyTerm<double>> prony_shear;  ///< of the shear modulus
   InitialVelocity velocity;
-  Vector stretch = {1, 1, 1};              ///< along the axes, at t = 0 from rest
+  Vector stretch = {1, 1, 1};              ///< along the axes at t = 0, at rest
   std::optional<StressExpression> stress;  ///< at t = 0
-  MaterialCase material_as_given;          ///< what the former were computed from
+  MaterialCase material_as_given;          ///< source of the constants above
 };
 
 /// How surfaces in contact act on each other; see contact_laws.hpp.
@@ -90,32 +90,32 @@ struct BoundaryCase {
     pressure,
     traction
   };  ///< boundary_kinds.hpp
-  /// The area that a traction is a force per.
+  /// The area to which a traction refers.
   enum class LoadedArea { present, undeformed };
   std::string name;
   Kind kind = Kind::fixed;
-  Shape geometry;             ///< the wall's solid at t = 0, or the region that a load acts in
+  Shape geometry;             ///< the wall's solid at t = 0, or the region of a load
   VectorExpression velocity;  ///< of t, walls [m/s]
-  std::optional<VectorExpression> displacement;  ///< of t, walls, in the place of `velocity` [m]
-  std::optional<WallRotation> rotation;          ///< walls, besides `velocity` or `displacement`
+  std::optional<VectorExpression> displacement;  ///< of t, walls, instead of `velocity` [m]
+  std::optional<WallRotation> rotation;  ///< walls, in addition to `velocity` or `displacement`
   double time_increment =
-      0;  ///< over which velocities of displacement and angle are differences [s]
+      0;  ///< of the differences that give velocities from displacement and angle [s]
   ContactLaw friction = ContactLaw::frictionless;  ///< contact walls
-  std::optional<double> friction_coefficient;      ///< of Coulomb; none: `friction` has no limit
-  Expression pressure;                             ///< of t, positive pushes on the body [Pa]
-  VectorExpression traction;                       ///< of x, y, z, t [Pa]
-  LoadedArea area = LoadedArea::present;           ///< of a traction
+  std::optional<double>
+      friction_coefficient;               ///< of Coulomb; none: `friction` applies without limit
+  Expression pressure;                    ///< of t, positive pushes on the body [Pa]
+  VectorExpression traction;              ///< of x, y, z, t [Pa]
+  LoadedArea area = LoadedArea::present;  ///< of a traction
 };
 
-/// How two bodies act on each other where they meet. Bodies without a contact pass through each
-/// other.
+/// How two bodies act on each other in contact. Bodies without a contact pass through each other.
 struct ContactCase {
   std::array<int, 2> bodies = {-1, -1};
   ContactLaw law = ContactLaw::frictionless;
   double friction = 0;  ///< coefficient of Coulomb friction
 };
 
-/// Where a blade has been recorded to be, in the undeformed body; linear in between.
+/// The recorded places of a blade in the undeformed body; linear in between.
 struct BladeTrack {
   std::string file;
   std::vector<double> time;      ///< [s], ascending, two or more
@@ -129,8 +129,8 @@ struct CutCase {
   Vector from = {}, to = {};  ///< ends of the edge at `start` (in 2D the edge is `from`) [m]
   VectorExpression path;      ///< displacement of the edge since `start`, of t [m]
   std::optional<VectorExpression> edge;  ///< from the start of the edge to its end, of t [m]
-  BladeTrack track;                      ///< in the place of all of these, where it has a file
-  double start = 0, end = 0;             ///< when it cuts [s]
+  BladeTrack track;                      ///< replaces all of these, if it has a file
+  double start = 0, end = 0;             ///< times at which it cuts [s]
   double resistance = 0;                 ///< G_c of (PB.18) [J/m^2]
   double friction = 0;                   ///< f_0 of (PB.18) [N/m]
   double drag = 0;                       ///< b of (PB.18) [Pa s]
@@ -139,9 +139,9 @@ struct CutCase {
   bool resists() const { return resistance > 0 || friction > 0 || drag > 0; }
 };
 
-/// A `[[measurement]]` table; its kind says which members have a meaning.
+/// A `[[measurement]]` table; its kind determines which members are used.
 struct MeasurementCase {
-  /// measurement_kinds.hpp says what they are.
+  /// See measurement_kinds.hpp.
   enum class Kind {
     extent,
     surface_distance,
@@ -189,13 +189,13 @@ struct MeasurementCase {
   bool lower_side = false;          ///< extent: towards -axis
   std::optional<Expression> where;  ///< extent: only surface points where this is not zero
   double reference = 0;
-  bool relative = false;  ///< conserved quantities: over the value at the start
+  bool relative = false;  ///< conserved quantities: relative to the value at the start
   Vector point = {}, direction = {};
   int directions = 64;
   std::string field;
   VectorExpression exact;
   Norm norm = Norm::maximum;
-  int of = -1;        ///< position of the measurement whose history the last four kinds read
+  int of = -1;        ///< position of the measurement whose history the last four kinds evaluate
   double window = 0;  ///< peak_moving_average [s]
 
   double fraction = 0.001;      ///< last_time_above
@@ -207,9 +207,9 @@ struct MeasurementCase {
 };
 
 enum class GhostTreatment { linear, averaged, rigid };
-/// Volume of remeshed particles: that of a cell (RP.34), or conserved (RP.35).
+/// Volume of remeshed particles: that of a cell (RP.34), or the conserved one (RP.35).
 enum class VolumeRule { reset, conserved };
-/// What a run does when a check of it fails.
+/// What a run does when one of its checks fails.
 enum class CheckResponse { off, warn, stop };
 /// Scalar type of the fields.
 enum class Precision { binary64, binary32 };
@@ -220,14 +220,14 @@ struct DissipationCase {
   double stress = 0.025;  ///< gamma_sigma
 };
 
-/// A whole case in plain values, as read and checked; the keys of case files set its members.
+/// A whole case in plain values, read and checked; the keys of case files set its members.
 struct Case {
-  std::string name;  ///< of the folder or the file, unless the file says
+  std::string name;  ///< that of the folder or the file, unless the file sets it
   std::string title;
   int dimension = 2;
-  std::string method = "remeshed";  ///< the word of a registered method
+  std::string method = "remeshed";  ///< word of a registered method
   const MethodRules* rules =
-      nullptr;                  ///< of the method, of the registry that the case was read for
+      nullptr;  ///< rules of the method, from the registry with which the case was read
   MethodParameters parameters;  ///< of the method
   Precision precision = Precision::binary64;
 
@@ -276,8 +276,8 @@ struct Case {
   struct {
     double every = 0;             ///< between frames [s]; 0: first and last only
     double checkpoint_every = 0;  ///< between checkpoints [s]; 0: only when interrupted
-    bool ghosts = false;          ///< frames hold ghost particles too
-    bool surface = false;         ///< frames hold the free surface
+    bool ghosts = false;          ///< frames contain ghosts too
+    bool surface = false;         ///< frames contain the free surface
     double measure_every = 0;     ///< [s]; 0: at every remeshing and at the end
   } output;
 

@@ -7,7 +7,7 @@ namespace pliant {
 
 namespace {
 
-/// The modulus that a case gives over that of a sudden change.
+/// Ratio of the modulus of the case to that of a sudden change.
 double share_of(const PronyCase& prony) {
   if (prony.moduli == PronyCase::Moduli::instantaneous) return 1;
   return 1 - std::accumulate(prony.ratios.begin(), prony.ratios.end(), 0.0);

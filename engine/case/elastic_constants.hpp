@@ -4,7 +4,7 @@
 
 namespace pliant {
 
-/// What the kernels read of a material: (RP.7), and for the reduced polynomial the small-strain
+/// The material constants for kernels: (RP.7), and for the reduced polynomial the small-strain
 /// moduli K = 2/D and mu = 2 C_10. Moduli that relax are those of a sudden change: K0 of (RP.10),
 /// and all coefficients of (TL.24).
 kernels::Material<double> elastic_constants(const MaterialCase& given);

@@ -27,7 +27,7 @@ struct Expression::Parser {
 
 namespace {
 
-/// muParser's own texts count from zero and differ in style from one error to the next.
+/// Replaces muParser's messages, which count from zero and differ in style.
 std::string explain(const mu::ParserError& error) {
   const std::string& token = error.GetToken();
   const int position = error.GetPos() + 1;
@@ -53,7 +53,7 @@ std::string explain(const mu::ParserError& error) {
   }
 }
 
-/// muParser would take `x = 1` as an assignment to its own variable.
+/// muParser would accept `x = 1` as an assignment to its own variable.
 void refuse_assignment(const std::string& formula) {
   for (std::size_t i = formula.find('='); i != std::string::npos; i = formula.find('=', i + 1)) {
     const bool closes = i > 0 && std::string("=<>!").find(formula[i - 1]) != std::string::npos;
@@ -76,7 +76,7 @@ void refuse_assignment(const std::string& formula) {
       formula, place));
 }
 
-/// Sets up the parser, which checks the length of a formula and of its names already.
+/// Sets up the parser; it already checks the length of the formula and its names.
 template <class Parser>
 std::unique_ptr<Parser> parse(const std::string& formula) {
   try {

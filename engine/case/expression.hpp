@@ -5,9 +5,9 @@
 
 namespace pliant {
 
-/// A number, or a formula of x, y, z [m] and t [s], as case files give them.
+/// A number, or a formula of x, y, z [m] and t [s], as in case files.
 ///
-/// Evaluation is thread-safe on distinct copies only: every copy owns its parser.
+/// Evaluation is thread-safe only for distinct copies; every copy has its own parser.
 class Expression {
  public:
   Expression(double constant = 0);

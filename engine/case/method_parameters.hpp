@@ -5,10 +5,10 @@
 
 namespace pliant {
 
-/// The values of the keys that methods declare themselves: for each method a struct of its own.
+/// The values of the keys that methods declare themselves, in one struct for each method.
 class MethodParameters {
  public:
-  /// Those of one method; its defaults where the case has none.
+  /// The values of one method; defaults if the case has none.
   template <class Parameters>
   const Parameters& as() const {
     static const Parameters defaults;
@@ -18,7 +18,7 @@ class MethodParameters {
     return defaults;
   }
 
-  /// Those of one method, to write to; valid until those of another one are first written to.
+  /// The values of one method, to write; valid until those of another method are first written.
   template <class Parameters>
   Parameters& as() {
     for (std::any& one : values_) {

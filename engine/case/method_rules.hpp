@@ -14,59 +14,59 @@ namespace pliant {
 struct Check;
 class MethodKeys;
 
-/// How long the steps of a method may be, by the waves of the material, (RP.29) and (RP.30).
+/// Limits of the steps of a method, from the waves of the material, (RP.29) and (RP.30).
 struct StepLimits {
-  double stable_cfl = std::numeric_limits<double>::infinity();  ///< up to which steps are stable
-  double default_cfl = 1;           ///< CFL number where the case gives none
-  bool bounds_given_steps = false;  ///< whether `stable_cfl` holds for steps in seconds, too
-  bool mass_follows_step = false;   ///< the mass is scaled until the given step is stable
+  double stable_cfl = std::numeric_limits<double>::infinity();  ///< largest stable CFL number
+  double default_cfl = 1;                                       ///< for cases without a CFL number
+  bool bounds_given_steps = false;  ///< whether `stable_cfl` also limits steps given in seconds
+  bool mass_follows_step = false;   ///< whether the mass is scaled until the given step is stable
   double mass_scaling = 1;          ///< inertia over mass
 };
 
-/// Where particles lie in a body and the memory that they take, for estimates.
+/// Where particles are in a body, and their memory, for estimates.
 struct Footprint {
-  bool on_corners = false;  ///< on the corners of the cells of a lattice, not in their middles
+  bool on_corners = false;  ///< on corners of lattice cells, not at their centres
   double margin = 0;        ///< largest signed distance of particles from the surface [spacing]
   double reach = 0;         ///< distance up to which there are slots around particles [spacing]
   double bytes_per_slot = 0, bytes_per_ghost = 0, bytes_per_particle = 0;
 };
 
-/// What programs know of a method from a case, before there is a solver. Functions that are null
-/// have the meaning that they give.
+/// What programs know about a method before there is a solver. A comment gives the meaning of a
+/// function that is null.
 struct MethodRules {
   std::string_view word;     ///< as case files write it
   std::string_view meaning;  ///< for the reference of case files
-  /// Adds what the case asks for and the method cannot do.
+  /// Adds problems for what the case requires and the method cannot do.
   void (*check)(const Check& check);
   /// Visits the keys of the table [NAME], whose values are a struct of the method. Null: none.
   void (*keys)(MethodKeys& visit, MethodParameters& parameters) = nullptr;
   /// Null: `StepLimits{}`.
   StepLimits (*step_limits)(const Case& a_case) = nullptr;
-  /// What `pliant check` says of the method and its parameters, a few words. Null: its word.
+  /// The method and its parameters in a few words, for `pliant check`. Null: the word.
   std::string (*summary)(const Case& a_case) = nullptr;
-  /// Adds what `run` and `check` should warn of, each one sentence. Null: nothing.
+  /// Adds warnings of `run` and `check`, each one sentence. Null: none.
   void (*warn)(const Case& a_case, std::vector<std::string>& warnings) = nullptr;
-  /// Null: estimates leave the bodies out.
+  /// Null: estimates ignore the bodies.
   Footprint (*footprint)(const Case& a_case, const BodyCase& body) = nullptr;
-  /// Whether particles are remeshed: the case has a kernel, dissipation and damping of the lattice,
-  /// `time.strain`, and the tables [remeshing], [level_set] and [ghosts].
+  /// Whether particles are remeshed. The case then has a kernel, dissipation and damping of the
+  /// lattice, `time.strain`, and the tables [remeshing], [level_set] and [ghosts].
   bool remeshes = false;
   /// Whether parts of one body can be in contact with each other.
   bool meets_itself = false;
-  /// Whether the state at output times is seen without a step that ends there.
+  /// Whether outputs show a state inside a step, so that no step has to end there.
   bool looks_ahead = false;
 };
 
 /// The methods that a case may name.
 using MethodList = std::span<const MethodRules>;
 
-/// The rules for a word; null for a word of no method.
+/// The rules of the method with this word; null if there is none.
 const MethodRules* rules_of(MethodList methods, std::string_view word);
 
-/// What the method of a case warns of.
+/// The warnings of the method of a case.
 std::vector<std::string> warnings_of_method(const Case& a_case);
 
-/// Adds a problem for each measurement that the method cannot evaluate, and that does not evaluate
+/// Adds a problem for each measurement that the method cannot evaluate, except those that evaluate
 /// the history of another one.
 void refuse_measurements(const Check& check, bool (*is_measured)(MeasurementCase::Kind kind));
 
@@ -76,7 +76,7 @@ void refuse_boundaries(const Check& check, BoundaryCase::Kind kind);
 /// Adds a problem for a key at the top level of the case.
 void refuse_key(const Check& check, std::string_view key);
 
-/// Adds a problem for each body whose material is for methods on the undeformed body alone.
+/// Adds a problem for each body whose material only methods on the undeformed body support.
 void refuse_models_of_undeformed_bodies(const Check& check);
 
 /// Adds a problem if the shear modulus of body `i` relaxes.

@@ -29,11 +29,11 @@ struct Probes {
     for (int i = 0; i < 3; ++i) x[i] += step * static_cast<double>(cell[i]);
     return x;
   }
-  /// No point of the box is farther from one of them.
+  /// Largest distance of a point of the box from the nearest probe.
   double reach(int dimension) const { return step * std::sqrt(dimension) / 2; }
 };
 
-/// About `spacing` apart, farther where that would be too many.
+/// Probes about `spacing` apart, or farther if there would be too many.
 Probes probes_of(const Box<3>& box, double spacing, int dimension) {
   constexpr std::int64_t most = 100000;
   Probes probes;
@@ -41,7 +41,7 @@ Probes probes_of(const Box<3>& box, double spacing, int dimension) {
     double points = 1;
     for (int i = 0; i < dimension; ++i) {
       const double length = box.upper[i] - box.lower[i];
-      // Shapes without end are the same everywhere along it.
+      // Infinite shapes are the same everywhere along their axis.
       const bool has_end = std::isfinite(length);
       const double along = has_end ? std::floor(length / probes.step) + 1 : 1;
       probes.lower[i] = has_end ? box.lower[i] : std::clamp(0., box.lower[i], box.upper[i]);
@@ -52,7 +52,7 @@ Probes probes_of(const Box<3>& box, double spacing, int dimension) {
   }
 }
 
-/// Whether a part of `region` lies in the body, or on its surface alone.
+/// Whether a part of `region` is in the body, or only on its surface.
 bool reaches(const Shape& region, const Shape& body, bool surface_alone, const Case& a_case) {
   const int dimension = a_case.dimension;
   const double spacing = a_case.discretisation.spacing;
@@ -80,7 +80,7 @@ bool reaches_any_body(const Shape& region, bool surface_alone, const Case& a_cas
   });
 }
 
-/// Whether the edge of a blade is in its body at any time. A blade along the surface is not.
+/// Whether the edge of a blade is ever inside its body. The surface does not count.
 bool meets_body(const CutCase& cut, const Case& a_case) {
   constexpr int times = 1000;
   constexpr double most_points = 1000, on_surface = 1e-6;  // [spacings]

@@ -7,9 +7,9 @@
 
 namespace pliant {
 
-/// What of a case has no effect because of where it is at the start: walls that touch no body,
-/// loads whose regions hold no surface, blades that pass beside their body. One sentence each, with
-/// what to do. Shapes count as touching when less than about a spacing lies between them.
+/// Parts of a case without effect because of their place at t = 0: walls that touch no body, loads
+/// whose regions contain no surface, blades that miss their body. One sentence for each, with what
+/// to do. Shapes count as touching if their distance is less than about a spacing.
 std::vector<std::string> placement_warnings(const Case& a_case);
 
 }  // namespace pliant

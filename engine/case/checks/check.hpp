@@ -7,11 +7,11 @@
 #include "engine/case/problems.hpp"
 #include "engine/case/vocabulary/words.hpp"
 
-/// What the checks of a case share.
+/// What the checks of a case have in common.
 namespace pliant {
 
-/// A case that is being checked: its values, its TOML source for places in messages, and the
-/// problems found so far.
+/// A case during its checks: its values, its TOML source for places in messages, and the problems
+/// found so far.
 struct Check {
   const Case& a_case;
   const toml::table& root;
@@ -19,7 +19,7 @@ struct Check {
   MethodList methods;
   Problems& problems;
 
-  /// The place of [table] key, else of the table, else the start of the file.
+  /// The place of [table] key; if it does not exist, of the table, or of the start of the file.
   Place place(std::string_view table, std::string_view key) const {
     return place_in(root[table], key);
   }
@@ -35,25 +35,24 @@ struct Check {
   }
 };
 
-/// False for a shape with problems, which are already reported.
+/// False for a shape with problems, which have been reported.
 bool is_whole(const Shape& shape, int dimension);
 
 inline std::string_view axis_name(int axis) { return words<Axis>[axis].text; }
 
-/// Everything that is wrong with a case whose values are all good one by one, and whose meshes are
-/// loaded.
+/// Checks the combinations of values of a case. Each value is valid, and meshes are loaded.
 void check_case(const Check& check);
 
-/// Bodies one by one: what they are made of, and whether the spacing and the cell can hold them.
+/// Checks each body: its material, and whether it fits the spacing and the periodic cell.
 void check_bodies(const Check& check);
 
-/// What the method of the case cannot do, and tables of other methods.
+/// Finds what the method of the case cannot do, and tables of other methods.
 void check_method(const Check& check);
 
-/// Pairs of bodies that meet.
+/// Checks pairs of bodies in contact.
 void check_contacts(const Check& check);
 
-/// What measurements refer to.
+/// Checks what measurements refer to.
 void check_measurements(const Check& check);
 
 }  // namespace pliant

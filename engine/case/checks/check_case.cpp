@@ -63,7 +63,7 @@ void check_wall_displacement(const Check& check, std::size_t i) {
                         *wall.displacement, 0);
 }
 
-// An angle that jumps at the start would tear the body off.
+// An angle that jumps at the start would tear the body from the wall.
 void check_wall_rotation(const Check& check, std::size_t i) {
   constexpr double rounding = 1e-9;
   const BoundaryCase& wall = check.a_case.boundaries[i];
@@ -90,7 +90,7 @@ void check_wall_motion(const Check& check) {
     const bool has_velocity = table.contains("velocity");
     const bool has_displacement = table.contains("displacement");
     const bool has_rotation = table.contains("rotation");
-    // The default velocity, which a resolved case states, is no second motion.
+    // A resolved case contains the default velocity; it does not count as a second motion.
     const bool rests = std::ranges::all_of(
         boundaries[i].velocity, [](const Expression& u) { return u.is_constant() && u(0) == 0; });
     if (has_velocity && has_displacement && !rests) {
@@ -114,7 +114,7 @@ void check_wall_motion(const Check& check) {
 
 void check_start_of_motion(const Check& check, const Place& place, std::string_view subject,
                            const VectorExpression& displacement, double time) {
-  constexpr double rounding = 1e-6;  // of the spacing
+  constexpr double rounding = 1e-6;  // relative to the spacing
   for (int axis = 0; axis < check.a_case.dimension; ++axis) {
     const Expression& component = displacement[axis];
     try {

@@ -10,8 +10,8 @@
 namespace pliant {
 namespace {
 
-/// How deep shapes may reach into each other at the start [spacings]. Contact pushes them apart at
-/// once, with energy that they did not have; what is tied stays where it is.
+/// Largest overlap of shapes at t = 0 [spacings]. Contact pushes them apart at once and so creates
+/// energy. Tied bodies keep their places.
 constexpr double deepest_contact = 0.05, deepest_tie = 0.25;
 
 void check_places(const Check& check, std::size_t index) {
@@ -40,7 +40,7 @@ void check_places(const Check& check, std::size_t index) {
   }
 }
 
-// What a body has behind a contact wall would be cut off at the first remeshing, (RP.54).
+// The first remeshing would remove what a body has behind a contact wall, (RP.54).
 void check_contact_wall(const Check& check, std::size_t body_index, std::size_t wall_index) {
   const Case& a_case = check.a_case;
   const BodyCase& body = a_case.bodies[body_index];
@@ -50,7 +50,7 @@ void check_contact_wall(const Check& check, std::size_t body_index, std::size_t 
       !is_whole(body.geometry, a_case.dimension) || !is_whole(wall.geometry, a_case.dimension)) {
     return;
   }
-  // Walls are mostly simple shapes: where a point is outside, the body is not asked.
+  // Walls are mostly simple shapes; the body is only evaluated at points inside the wall.
   const double depth = overlap(wall.geometry, body.geometry, spacing, a_case.dimension);
   if (depth <= deepest_contact * spacing) return;
   check.problems.add(
@@ -63,8 +63,8 @@ void check_contact_wall(const Check& check, std::size_t body_index, std::size_t 
 
 }  // namespace
 
-// At the edge of a contact, loaded ghosts move beside free ones and distort the level set until the
-// next remeshing.
+// At the edge of a contact, loaded ghosts move next to free ones and distort the level set until
+// the next remeshing.
 void check_contacts(const Check& check) {
   for (std::size_t b = 0; b < check.a_case.bodies.size(); ++b) {
     for (std::size_t w = 0; w < check.a_case.boundaries.size(); ++w) {

@@ -96,7 +96,7 @@ void check_time(const Check& check, std::size_t i) {
       "give a time up to time.end");
 }
 
-/// Half a spacing is what a lattice may leave between its outermost particle and the surface.
+/// A lattice may leave half a spacing between its outermost particle and the surface.
 void check_material_point(const Check& check, std::size_t i) {
   const Case& a_case = check.a_case;
   const MeasurementCase& m = a_case.measurements[i];

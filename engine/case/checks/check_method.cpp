@@ -3,7 +3,7 @@
 
 #include "engine/case/checks/check.hpp"
 
-// What a case asks for that its method cannot do.
+// What a case requires and its method cannot do.
 namespace pliant {
 
 void refuse_tables(const Check& check, std::initializer_list<std::string_view> tables) {
@@ -87,7 +87,7 @@ std::vector<std::string> warnings_of_method(const Case& a_case) {
   return warnings;
 }
 
-// Tables for several methods, that of the case among them, prepare a comparison by --set method=.
+// A case with tables of several methods, including its own, is for comparisons with --set method=.
 void check_method(const Check& check) {
   const bool compares = check.root.contains(check.a_case.method);
   for (const MethodRules& method : check.methods) {

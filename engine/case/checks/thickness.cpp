@@ -18,10 +18,10 @@ namespace pliant {
 
 namespace {
 
-constexpr double probes = 4000;  // of a body; from the best of them a search climbs
+constexpr double probes = 4000;  // for a body; a search for a maximum starts at the best of them
 constexpr int climbers = 8;
 
-/// What holds bodies, and the ends of a periodic cell, behind which they go on.
+/// Where the free surface of bodies ends: walls that hold them, and the ends of a periodic cell.
 std::vector<Shape> ends_of_bodies(const Case& a_case) {
   std::vector<Shape> walls;
   for (const BoundaryCase& boundary : a_case.boundaries) {
@@ -40,7 +40,7 @@ std::vector<Shape> ends_of_bodies(const Case& a_case) {
   return walls;
 }
 
-/// The middles of the cells of a lattice in a box.
+/// The centres of the cells of a lattice in a box.
 std::vector<Vector> middles(const Box<3>& box, int dimension, double step) {
   std::array<int, 3> count = {1, 1, 1};
   for (int a = 0; a < dimension; ++a) {
@@ -58,8 +58,8 @@ std::vector<Vector> middles(const Box<3>& box, int dimension, double step) {
   return found;
 }
 
-/// The largest value of a function of distances in and near a body; infinite where it is more than
-/// the body is long, as between walls that leave one face free.
+/// The largest value of a function of distances in and near a body. It is infinite if it exceeds
+/// the length of the body, for example between walls that leave only one face free.
 template <class F>
 double largest(const BodyCase& body, int dimension, const F& value_at) {
   constexpr double endless = std::numeric_limits<double>::infinity();
@@ -81,11 +81,11 @@ double largest(const BodyCase& body, int dimension, const F& value_at) {
   return most < length ? most : endless;
 }
 
-/// A warning of each body of which a length is too few spacings.
+/// Adds a warning for each body whose `length` is too small in spacings.
 template <class Length>
 void warn_of(const Case& a_case, std::span<const ThinBodyError> errors, const Length& length,
              std::string_view what, std::vector<std::string>& warnings) {
-  constexpr double rounding = 0.01;  // and what the search leaves
+  constexpr double rounding = 0.01;  // including the error of the search
   const double enough = errors.back().across;
   for (const BodyCase& body : a_case.bodies) {
     const double size = length(a_case, body), across = size / a_case.discretisation.spacing;
@@ -110,8 +110,8 @@ double thickness(const Case& a_case, const BodyCase& body) {
                      [&](const Vector& x) { return -signed_distance(open, x, dimension); });
 }
 
-// The distance to the walls, from the place on the surface next to x, where it is loaded. Slip
-// walls are planes of symmetry, where nothing ends.
+// The distance from the walls, at the loaded point of the surface nearest to x. Slip walls are
+// planes of symmetry and do not count.
 double opening(const Case& a_case, const BodyCase& body) {
   constexpr double endless = std::numeric_limits<double>::infinity();
   const int dimension = a_case.dimension;

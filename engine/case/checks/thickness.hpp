@@ -9,27 +9,29 @@
 
 namespace pliant {
 
-/// How much figures of bodies deviate that are fewer than `across` spacings thick, as measured by
+/// Deviation of results for bodies thinner than `across` spacings, as measured by
 /// docs/validation/robustness.py.
 struct ThinBodyError {
   double across;
-  std::string_view deviation;  ///< of what, and by how much
+  std::string_view deviation;  ///< which result, and by how much
 };
 
-/// The diameter of the largest ball inside a body, which may reach into the walls that hold it: the
-/// thickness of plates, beams and shells between their free surfaces [m]; infinite without any.
+/// The diameter of the largest ball inside a body, where walls that hold the body count as its
+/// inside. For plates, beams and shells it is the thickness between the free surfaces [m]; infinite
+/// without free surfaces.
 double thickness(const Case& a_case, const BodyCase& body);
 
 /// The diameter of the largest circle on a loaded part of a body's surface between walls that hold
-/// it, as the hole of a collar: of all loads the least [m]; infinite without walls or loads.
+/// it, such as the hole of a collar: the smallest for all loads [m]; infinite without walls or
+/// loads.
 double opening(const Case& a_case, const BodyCase& body);
 
-/// Adds a warning of each body that is thinner than what a method resolves; `errors` by `across`,
-/// the least first.
+/// Adds a warning for each body that is too thin for a method; `errors` are in ascending order of
+/// `across`.
 void warn_of_thin_bodies(const Case& a_case, std::span<const ThinBodyError> errors,
                          std::vector<std::string>& warnings);
 
-/// The same of openings between walls.
+/// The same for openings between walls.
 void warn_of_narrow_openings(const Case& a_case, std::span<const ThinBodyError> errors,
                              std::vector<std::string>& warnings);
 

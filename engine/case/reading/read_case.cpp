@@ -56,7 +56,7 @@ bool has_all_files(const Shape& shape) {
 template <class Element>
 void load_meshes_of(std::vector<Element>& elements, std::string_view list, const Check& check) {
   for (std::size_t i = 0; i < elements.size(); ++i) {
-    if (!has_all_files(elements[i].geometry)) continue;  // which is reported already
+    if (!has_all_files(elements[i].geometry)) continue;  // already reported
     try {
       load_meshes(elements[i].geometry);
     } catch (const MeshError& error) {
@@ -96,7 +96,7 @@ std::string default_name(const std::filesystem::path& file) {
 }  // namespace
 
 std::filesystem::path case_path(const std::filesystem::path& path) {
-  std::error_code unreadable;  // reported where the file is opened
+  std::error_code unreadable;  // reported when the file is opened
   return std::filesystem::is_directory(path, unreadable) ? path / "case.toml" : path;
 }
 
@@ -151,8 +151,8 @@ Case parse_case(const std::string& text, const std::filesystem::path& file,
     body.prony = prony_terms(body.material_as_given.prony);
     body.prony_shear = prony_terms(body.material_as_given.prony_shear);
   }
-  // Not of the end of the run: one that is continued to a later end moves its walls as one long run
-  // does.
+  // It must not depend on the end of the run: a run that is continued to a later end moves its
+  // walls like one long run.
   const double of_a_wave = a_case.discretisation.spacing / fastest_wave(a_case);
   for (BoundaryCase& boundary : a_case.boundaries) boundary.time_increment = of_a_wave / 100;
   return a_case;

@@ -9,8 +9,8 @@
 
 namespace pliant {
 
-/// Everything that is wrong with a case file, one line each: `file:line: what; remedy`, or
-/// `--set key=value: what; remedy`.
+/// All problems of a case file, one line each: `file:line: what; remedy`, or `--set key=value:
+/// what; remedy`.
 class CaseError : public InputError {
  public:
   using InputError::InputError;
@@ -18,20 +18,20 @@ class CaseError : public InputError {
 
 /// Reads and checks a case file; no user input is checked anywhere else.
 ///
-/// `path` is a TOML file, or a folder that holds a case.toml. Each of `settings` is "key=value" and
-/// overrides the file: the value is TOML or plain text, elements of arrays are addressed by name or
-/// by position (boundary.upper.velocity, body.0.material.youngs_modulus). The case names one of
-/// `methods`. Throws CaseError.
+/// `path` is a TOML file, or a folder that contains a case.toml. Each of `settings` is "key=value"
+/// and overrides the file. The value is TOML or plain text; elements of arrays are addressed by
+/// name or by position (boundary.upper.velocity, body.0.material.youngs_modulus). The case names
+/// one of `methods`. Throws CaseError.
 Case read_case(const std::filesystem::path& path, std::span<const std::string> settings,
                MethodList methods);
 
-/// The two halves of reading: the file of a case, which is `path` or the case.toml in it, and its
-/// text. Throws CaseError when it cannot be read.
+/// The two halves of reading: the file of a case, which is `path` or its case.toml, and its text.
+/// Throws CaseError when it cannot be read.
 std::filesystem::path case_path(const std::filesystem::path& path);
 std::string case_text(const std::filesystem::path& file);
 
-/// Checks the text of a case; `file` names it in messages, and files that the text names are
-/// relative to its folder. Throws CaseError.
+/// Checks the text of a case. `file` names it in messages; files named in the text are relative to
+/// its folder. Throws CaseError.
 Case parse_case(const std::string& text, const std::filesystem::path& file,
                 std::span<const std::string> settings, MethodList methods);
 

@@ -10,7 +10,7 @@
 namespace pliant {
 namespace {
 
-/// A number, or a text that is a formula of constants such as "1/32". `why` says what is wrong.
+/// A number, or a text with a constant formula such as "1/32". `why` explains a failure.
 std::optional<double> number_in(const toml::node& node, std::string& why) {
   if (const auto number = node.value<double>(); number && node.is_number()) return number;
   why = "found " + describe(node);
@@ -70,7 +70,7 @@ bool read_formula(const Entry& entry, const toml::node& node, Expression& value)
   return true;
 }
 
-/// The list at `entry` when it has one element for each direction; null and a problem otherwise.
+/// The list at `entry` if it has one element for each direction; otherwise null, with a problem.
 const toml::array* components(const Entry& entry) {
   const int dimension = entry.reading.dimension;
   const std::string shape = dimension == 2 ? "[x, y]" : "[x, y, z]";
@@ -187,7 +187,7 @@ bool read(const Entry& entry, Direction value) {
   if (!read(entry, given)) return false;
   const double length = std::hypot(given[0], given[1], given[2]);
   if (length == 0) return entry.refuse("must not be zero");
-  // A unit vector stays as it is, so that a resolved case reads back to the same bits.
+  // A unit vector is not changed, so that a resolved case reads back bitwise.
   const bool is_unit = std::abs(length - 1) < 1e-15;
   for (std::size_t i = 0; i < 3; ++i) value.vector[i] = is_unit ? given[i] : given[i] / length;
   return true;

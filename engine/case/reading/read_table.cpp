@@ -9,7 +9,7 @@
 namespace pliant {
 namespace {
 
-/// Reads the keys of the table at `entry`; false when it is no table or anything in it is wrong.
+/// Reads the keys of the table at `entry`; false if it is not a table or contains an error.
 template <class Keys>
 bool read_keys(const Entry& entry, std::string_view title, Keys&& keys) {
   const toml::table* table = entry.node.as_table();
@@ -61,7 +61,7 @@ bool read(const Entry& entry, ShapeWord& value) {
 bool read(const Entry& entry, Shape& value) {
   const bool good = read_keys(entry, entry.key, [&](auto& keys) { shape_keys(keys, value); });
   if (!good) return false;
-  // Resolved cases contain the full path, because they are in another folder than the case.
+  // Resolved cases contain the full path, since they are in another folder than the case.
   if (value.kind == Shape::Kind::mesh) {
     value.file = (entry.reading.folder / value.file).lexically_normal().string();
   }

@@ -8,11 +8,11 @@
 namespace pliant {
 namespace {
 
-/// One `--set` argument on its way into the table.
+/// One `--set` argument while it is inserted into the table.
 struct Setting {
   Place place;
   std::vector<std::string> path;
-  toml::table parsed;  ///< holds the value under "value", with the setting as its source
+  toml::table parsed;  ///< contains the value under "value", with the setting as its source
   Problems& problems;
 
   std::string path_to(std::size_t count) const {
@@ -33,7 +33,7 @@ std::vector<std::string> split(std::string_view key) {
   }
 }
 
-/// The value as TOML, or as text when it is not TOML.
+/// The value as TOML, or as text if it is not TOML.
 std::optional<toml::table> parse_value(const std::string& value, const Place& place,
                                        Problems& problems) {
   try {
@@ -86,7 +86,7 @@ void report_missing_element(const Setting& setting, std::size_t depth, const tom
       known.empty() ? "it is empty" : suggestion(setting.path[depth], known, "it has"));
 }
 
-/// Walks down from `node`, which `path[depth - 1]` named, and puts the value in place.
+/// Goes down from `node`, which `path[depth - 1]` names, and sets the value.
 void place_value(toml::node& node, std::size_t depth, Setting& setting);
 
 void place_in_table(toml::table& table, std::size_t depth, Setting& setting) {
@@ -97,7 +97,7 @@ void place_in_table(toml::table& table, std::size_t depth, Setting& setting) {
     return;
   }
   if (!table.contains(word)) {
-    // Parsed rather than constructed, so that the new table knows the setting as its source.
+    // Parsed rather than constructed, so that the source of the new table is the setting.
     toml::table fresh = toml::parse("value = {}", std::string_view(setting.place.file));
     table.insert_or_assign(word, std::move(*fresh.get("value")));
   }

@@ -53,13 +53,13 @@ const toml::array* TableReader::find_tables(std::string_view key) {
 }
 
 void TableReader::finish() const {
-  // A misspelt key is one mistake, not an unknown key and a missing one.
+  // A misspelt key is reported as one problem, not as an unknown key and a missing one.
   std::vector<std::string_view> meant;
   for (const auto& [key, node] : table_) {
     const bool is_known = std::find(known_.begin(), known_.end(), key.str()) != known_.end();
     if (is_known || !keys_are_known_) continue;
     meant.push_back(nearest_word(key.str(), known_));
-    // A key that a setting added has no source of its own, its value has.
+    // A key from a setting has no source, but its value has.
     const Place place = key.source().path ? place_of(key) : place_of(node);
     reading_.problems.add(place, fmt::format("unknown key `{}` in {}", key.str(), title_),
                           suggestion(key.str(), known_, keys_are_));

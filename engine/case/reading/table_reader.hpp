@@ -19,11 +19,11 @@
 /// Reading of TOML tables through the vocabulary: types, limits, lists of words, unknown keys.
 namespace pliant {
 
-/// What reading one value may need to know about the rest of the file.
+/// The rest of the file as far as reading a single value may need it.
 struct Reading {
   Problems& problems;
   const toml::table& root;
-  std::filesystem::path folder;  ///< from which the paths of other files start
+  std::filesystem::path folder;  ///< folder that paths of other files are relative to
   int dimension = 2;
   std::vector<std::string> body_names;
   std::vector<std::string> boundary_names;
@@ -39,7 +39,7 @@ struct Entry {
   const Notes& notes;
   Reading& reading;
 
-  /// Adds a problem at the value, with the key's example as the remedy when none is given.
+  /// Adds a problem at the value. Without a remedy, the key's example is the remedy.
   bool refuse(const std::string& what, const std::string& remedy = "") const;
 };
 
@@ -84,8 +84,8 @@ bool read(const Entry& entry, Shape& value);
 bool read(const Entry& entry, std::vector<Shape>& value);
 bool read(const Entry& entry, MaterialCase& value);
 
-/// The word that `entry` holds, as the value of its enumerator; -1 and a problem otherwise.
-/// `or_else` ends the list of words in messages with what else the key takes.
+/// The word of `entry` as a value of its enumeration; otherwise -1, with a problem. `or_else`
+/// completes the list of words in messages with other values that the key accepts.
 int read_word(const Entry& entry, std::span<const Word> known, std::string_view or_else = {});
 
 template <class E>
@@ -99,7 +99,7 @@ bool read(const Entry& entry, E& value) {
 /// Visits the keys of one table of the file.
 class TableReader {
  public:
-  /// `title` is how messages name the table: "[time]", "geometry".
+  /// `title` is the name of the table in messages: "[time]", "geometry".
   TableReader(const toml::table& table, std::string title, Place place, Reading& reading)
       : table_(table), title_(std::move(title)), place_(std::move(place)), reading_(reading) {}
 
@@ -151,15 +151,15 @@ class TableReader {
   int dimension() const { return reading_.dimension; }
   MethodList methods() const { return reading_.methods; }
 
-  /// Reports required keys that are missing, and keys that no visit named.
+  /// Reports missing required keys, and keys that were not visited.
   void finish() const;
 
  private:
-  /// Keeps the value that decides which keys the table has, for messages.
+  /// Stores the value that decides which keys the table has, for messages.
   void decided(std::string_view key, const toml::node& node, bool good);
-  /// The value of `key`; null where it is missing.
+  /// The value of `key`; null if it is missing.
   const toml::node* find(std::string_view key, const Notes& notes);
-  /// Null, with a problem when `key` is something else, where there is no such table.
+  /// Null if there is no such table; adds a problem if `key` is something else.
   const toml::node* find_table(std::string_view key);
   const toml::array* find_tables(std::string_view key);
 

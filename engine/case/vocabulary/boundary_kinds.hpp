@@ -6,18 +6,17 @@
 #include "engine/case/case.hpp"
 #include "engine/case/vocabulary/word.hpp"
 
-/// The kinds of boundaries, each declared in one row: word, keys, meaning, and what the methods
-/// have to know of it.
+/// The kinds of boundaries, one row for each: word, keys, meaning, and what methods need to know.
 namespace pliant {
 
-/// How a kind of boundary uses one of its keys.
+/// Whether a kind of boundary uses a key.
 enum class Use { no, optional, required };
 
 /// One kind of boundary.
 struct BoundaryKind {
   BoundaryCase::Kind kind;
   std::string_view word;
-  bool is_wall;      ///< a rigid solid, else a load on the free surface
+  bool is_wall;      ///< a rigid solid; otherwise a load on the free surface
   bool is_attached;  ///< the body can never separate from it
   Use motion, rotation, friction, pressure, traction;
   std::string_view meaning;

@@ -7,17 +7,17 @@
 #include "engine/case/case.hpp"
 #include "engine/case/vocabulary/word.hpp"
 
-/// The laws of contact, each declared in one row: word, meaning, and what the methods have to know
-/// of it. Tractions between bodies are in kernels/interface_traction.hpp.
+/// The laws of contact, one row for each: word, meaning, and what methods need to know. Tractions
+/// between bodies are in kernels/interface_traction.hpp.
 namespace pliant {
 
 /// One contact law.
 struct ContactLawRow {
   ContactLaw kind;
   std::string_view word;
-  bool separates;  ///< bodies can move apart
-  bool of_walls;   ///< walls accept this word as `friction`
-  bool slides;     ///< without friction
+  bool separates;  ///< whether bodies can separate
+  bool of_walls;   ///< whether walls accept the word as `friction`
+  bool slides;     ///< whether surfaces slide without friction
   std::string_view meaning;
 };
 

@@ -5,7 +5,7 @@
 /// The part of the vocabulary that describes cuts and their blades.
 namespace pliant {
 
-/// Where a blade is.
+/// Place and motion of a blade.
 template <class Visitor>
 void blade_keys(Visitor& visit, CutCase& cut) {
   visit("track", FilePath{cut.track.file},

@@ -47,7 +47,7 @@ std::string with_components(std::string_view example, int dimension) {
     const std::size_t open = example.find('[', at);
     const std::size_t close = example.find(']', at);
     const bool is_list = close != std::string_view::npos && open < close;
-    // Of shapes, not of numbers: what it holds is looked at by itself.
+    // A list of tables, such as shapes: its elements are processed one by one.
     const bool is_of_tables = is_list && example.substr(open, 2) == "[{";
     if (!is_list || is_of_tables) {
       const std::size_t next = is_of_tables ? open + 1 : example.size();

@@ -8,11 +8,11 @@
 
 #include "engine/case/vocabulary/key.hpp"
 
-/// Examples of values in messages, which have as many components as the case has dimensions.
+/// Examples of values in messages, with as many components as the case has dimensions.
 namespace pliant {
 
-/// The example with every list of numbers or formulas in it brought to `dimension` components: a 0
-/// (or, where there is none, a 1) is repeated or left out.
+/// The example with `dimension` components in every list of numbers or formulas: a 0 (or, without
+/// one, a 1) is repeated or removed.
 std::string with_components(std::string_view example, int dimension);
 
 /// The example of a key for a value of this type.

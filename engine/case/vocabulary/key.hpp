@@ -8,11 +8,11 @@
 #include "engine/case/method_rules.hpp"
 #include "engine/case/vocabulary/word.hpp"
 
-/// What the vocabulary says about a key, and the values whose spelling in a file differs from their
-/// place in `Case`.
+/// What the vocabulary says about a key, and wrappers for values that a file writes differently
+/// from `Case`.
 namespace pliant {
 
-/// Values that a number (every number, of a list) may take.
+/// Allowed values of a number, or of every number of a list.
 struct Limits {
   double lower, upper;
   bool lower_included, upper_included;
@@ -32,27 +32,27 @@ inline constexpr Limits positive{0, unlimited, false, false, "positive"};
 inline constexpr Limits not_negative{0, unlimited, true, false, "0 or more"};
 inline constexpr Limits at_least_one{1, unlimited, true, false, "1 or more"};
 
-/// Everything about a key but its name and its type. The default is the value that a
-/// default-constructed case holds.
+/// Everything about a key except its name and type. Its default is the value in a
+/// default-constructed case.
 struct Notes {
   std::string_view meaning;
   std::string_view unit = {};
   std::string_view example = {};  ///< a value, as TOML text
   Limits limits = finite;
   bool required = false;
-  bool decides = false;  ///< which other keys the table has hangs on this one's value
-  std::string_view variables = "xyzt";  ///< that a formula may use
-  std::string_view remedy = {};         ///< when a number is outside its limits; else the example
+  bool decides = false;  ///< whether its value decides which other keys the table has
+  std::string_view variables = "xyzt";  ///< available to a formula
+  std::string_view remedy = {};         ///< if a number is outside its limits; empty: the example
 };
 
 struct Name {  ///< letters, digits, _ and -
   std::string& text;
 };
-struct MethodWord {  ///< the word of one of the methods
+struct MethodWord {  ///< the word of a method
   std::string& word;
   MethodList known;
 };
-struct FilePath {  ///< a relative one starts from the folder of the case file
+struct FilePath {  ///< relative to the folder of the case file
   std::string& text;
 };
 struct Coefficients {  ///< C_10, C_20, ...
@@ -61,13 +61,13 @@ struct Coefficients {  ///< C_10, C_20, ...
 struct NumberOrWord {
   std::optional<double>& number;  ///< none: the word
   std::string_view word;
-  std::string_view noun;  ///< what the number is, as in "a time step"
+  std::string_view noun;  ///< name of the number, as in "a time step"
 };
 struct Choice {  ///< one of some words
   int& value;
   std::span<const Word> known;
 };
-struct CflRule {  ///< a number; without one that of the method
+struct CflRule {  ///< a number; none: that of the method
   std::optional<double>& cfl;
 };
 struct Dissipation {  ///< a table, or a number for both strengths
@@ -79,7 +79,7 @@ struct RemeshRule {  ///< a number of steps, "adaptive" or "never"
 struct AxisSet {  ///< ["x", "y"]
   std::array<bool, 3>& axis;
 };
-struct Direction {  ///< a vector of any length but zero; the case holds the unit vector
+struct Direction {  ///< a vector of any non-zero length; the case stores the unit vector
   Vector& vector;
 };
 struct AngularVelocity {  ///< a number in 2D, a vector in 3D

@@ -5,8 +5,8 @@
 
 namespace pliant {
 
-/// A field that measurements read; those with a z exist only in 3D, but for the stress out of the
-/// plane.
+/// A field that measurements can read. Fields with a z exist only in 3D, except the stress out of
+/// the plane.
 struct MeasurableField {
   std::string_view name, unit;
 };

@@ -4,8 +4,8 @@
 #include "engine/case/vocabulary/measurement_kinds.hpp"
 #include "engine/case/vocabulary/words.hpp"
 
-/// The part of the vocabulary that describes measurements: what each of their keys reads. Which
-/// kind has which keys is in the table of measurement_kinds.hpp.
+/// The part of the vocabulary that describes measurements: the value of each of their keys. The
+/// table in measurement_kinds.hpp says which kind has which keys.
 namespace pliant {
 
 template <class Visitor>
@@ -22,7 +22,7 @@ void side_key(Visitor& visit, MeasurementCase& m) {
   m.lower_side = side == Side::lower;
 }
 
-/// Keys that say what is measured, and of what.
+/// Keys for the quantity and the object of a measurement.
 template <class Visitor>
 void object_key(Visitor& visit, MeasurementCase& m, const KeyUse& use) {
   switch (use.key) {
@@ -73,7 +73,7 @@ void object_key(Visitor& visit, MeasurementCase& m, const KeyUse& use) {
   }
 }
 
-/// Keys that give a place or a direction.
+/// Keys for a place or a direction.
 template <class Visitor>
 void place_key(Visitor& visit, MeasurementCase& m, const KeyUse& use) {
   switch (use.key) {
@@ -108,7 +108,7 @@ void place_key(Visitor& visit, MeasurementCase& m, const KeyUse& use) {
   }
 }
 
-/// Keys that say how the value is evaluated.
+/// Keys for the evaluation.
 template <class Visitor>
 void evaluation_key(Visitor& visit, MeasurementCase& m, const KeyUse& use) {
   switch (use.key) {

@@ -5,10 +5,10 @@
 
 #include "engine/case/case.hpp"
 
-/// What the table of measurement_kinds.hpp says of each kind of measurement.
+/// The columns of the table in measurement_kinds.hpp.
 namespace pliant {
 
-/// Keys of [[measurement]] besides `name` and `kind`; measurement_keys.hpp says what each reads.
+/// Keys of [[measurement]] besides `name` and `kind`; measurement_keys.hpp has their values.
 enum class MeasurementKey {
   none,
   body,
@@ -43,13 +43,13 @@ struct KeyUse {
   bool required = false;
 };
 
-/// SI units of a kind; where they depend on more than the dimension, `other` gives them.
+/// SI units of a kind; `other` gives units that depend on more than the dimension.
 struct KindUnit {
   std::string_view in_2d, in_3d;
   std::string_view (*other)(const Case&, const MeasurementCase&) = nullptr;
 };
 
-/// Units that depend on what a measurement names.
+/// Units that depend on what a measurement refers to.
 std::string_view unit_of_field(const Case& a_case, const MeasurementCase& m);
 std::string_view unit_of_source(const Case& a_case, const MeasurementCase& m);
 std::string_view unit_of_terms(const Case& a_case, const MeasurementCase& m);
@@ -71,11 +71,11 @@ inline constexpr KeyUse body{MeasurementKey::body}, side{MeasurementKey::side},
 constexpr KeyUse point(std::string_view meaning) { return {MeasurementKey::point, meaning, true}; }
 }  // namespace key_uses
 
-/// How samples follow from the values that a method gives.
+/// How samples follow from the values of a method.
 enum class Sampling {
   value,         ///< the value itself
-  rate,          ///< the change since the last sample over the time since then: force of an impulse
-  from_history,  ///< not given by the method, but by the history of another measurement
+  rate,          ///< change since the last sample over the time since then: a force from an impulse
+  from_history,  ///< from the history of another measurement, not from the method
 };
 
 struct MeasurementKind {
@@ -85,7 +85,7 @@ struct MeasurementKind {
   Sampling sampling;
   std::array<KeyUse, 5> keys;
   std::string_view meaning;
-  std::string_view missing;  ///< what it means that there is no value
+  std::string_view missing;  ///< meaning of a missing value
 };
 
 }  // namespace pliant

@@ -32,7 +32,7 @@ std::string_view unit_of(const Case& a_case, const MeasurementCase& m) {
 
 namespace {
 
-/// Names of the measurements that depend on when samples are taken.
+/// Names of the measurements that depend on the times of samples.
 struct Sampled {
   std::string rates, from_history;
   bool none() const { return rates.empty() && from_history.empty(); }
@@ -76,7 +76,7 @@ std::string sampling_warning(const Case& a_case) {
 }
 
 std::string sampling_warning(const Case& a_case, const std::vector<double>& times) {
-  constexpr double dense = 0.05;  // of the run, between two samples
+  constexpr double dense = 0.05;  // longest time between samples, as a share of the run
   if (a_case.output.measure_every > 0 || a_case.rules == nullptr || !a_case.rules->remeshes ||
       times.size() < 2) {
     return {};

@@ -8,9 +8,9 @@
 #include "engine/case/vocabulary/measurement_kind.hpp"
 #include "engine/case/vocabulary/word.hpp"
 
-/// The kinds of measurements, each declared in one row: word, unit, keys and meaning. The functions
-/// that evaluate them are in a table of each method (`observe/measure.cpp`), and in that of
-/// `simulation/histories.cpp` for the kinds that evaluate the history of another measurement.
+/// The kinds of measurements, one row for each: word, unit, keys and meaning. Each method has a
+/// table of functions that evaluate them (`observe/measure.cpp`). `simulation/histories.cpp` has
+/// those of kinds that evaluate the history of another measurement.
 namespace pliant {
 
 inline constexpr auto measurement_kinds = [] {
@@ -272,13 +272,13 @@ inline constexpr auto words<MeasurementCase::Kind> =
 /// SI unit of the values of a measurement, "1" for ratios.
 std::string_view unit_of(const Case& a_case, const MeasurementCase& m);
 
-/// Names the measurements that are means over the whole run, or that evaluate a history of two
-/// values, because a case of a method without remeshings gives no `output.measure_every`; empty
-/// where there are none.
+/// Names the measurements that are means over the whole run or evaluate a history of only two
+/// values, because a case of a method without remeshings sets no `output.measure_every`; empty if
+/// there are none.
 std::string sampling_warning(const Case& a_case);
 
-/// The same at the end of a run of a method with remeshings, of which there may have been few:
-/// where more than a twentieth of the run lies between two of the `times` [s] of its samples.
+/// The same at the end of a run of a method with remeshings, if these were few: more than a
+/// twentieth of the run is between two of the `times` [s] of its samples.
 std::string sampling_warning(const Case& a_case, const std::vector<double>& times);
 
 }  // namespace pliant

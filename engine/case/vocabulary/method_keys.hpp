@@ -8,8 +8,8 @@
 
 namespace pliant {
 
-/// What visits the keys of the table that a method declares itself, [NAME]: the visitors of the
-/// vocabulary without their types, so that a method needs no part in reading and writing.
+/// A visitor of the keys in the table [NAME] that a method declares. It hides the types of the
+/// vocabulary's visitors, so that methods do not depend on reading and writing.
 class MethodKeys {
  public:
   MethodKeys() = default;
@@ -17,14 +17,14 @@ class MethodKeys {
   MethodKeys& operator=(const MethodKeys&) = delete;
   virtual ~MethodKeys() = default;
 
-  /// Each visits a key and its value; false where the value is not usable.
+  /// Visits a key and its value; returns false if the value is not usable.
   virtual bool operator()(std::string_view key, double& value, const Notes& notes) = 0;
   virtual bool operator()(std::string_view key, int& value, const Notes& notes) = 0;
   virtual bool operator()(std::string_view key, bool& value, const Notes& notes) = 0;
   virtual bool operator()(std::string_view key, NumberOrWord value, const Notes& notes) = 0;
   virtual bool operator()(std::string_view key, Choice value, const Notes& notes) = 0;
 
-  /// The same of an enumeration with `words<E>`.
+  /// The same for an enumeration with `words<E>`.
   template <class E>
   requires std::is_enum_v<E>
   bool operator()(std::string_view key, E& value, const Notes& notes) {
@@ -35,7 +35,7 @@ class MethodKeys {
   }
 };
 
-/// Hands each key to a visitor of the vocabulary.
+/// Passes each key to a visitor of the vocabulary.
 template <class Visitor>
 class MethodKeysFor final : public MethodKeys {
  public:

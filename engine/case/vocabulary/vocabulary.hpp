@@ -11,19 +11,19 @@
 #include "engine/case/vocabulary/method_keys.hpp"
 #include "engine/case/vocabulary/words.hpp"
 
-/// The vocabulary of case files: every key with its place in `Case`, unit, limits and meaning,
-/// stated once. Three visitors walk it: one reads and checks a file, one writes
-/// `case.resolved.toml`, one writes the reference. A visitor has
+/// The vocabulary of case files: every key with its place in `Case`, unit, limits and meaning.
+/// Three visitors use it: one reads and checks a file, one writes `case.resolved.toml`, one writes
+/// the reference. A visitor has
 ///
-///     bool visit(key, value, notes)         false: the value is not usable
-///     void visit.table(key, meaning, keys)            [key]
-///     void visit.optional_table(key, meaning, present, keys)
-///     void visit.list(key, meaning, elements, keys)   [[key]]
-///     void visit.materials(key, meaning)              [key.NAME]
-///     int visit.dimension()
-///     MethodList visit.methods()
+///    bool visit(key, value, notes)         false: the value is not usable
+///    void visit.table(key, meaning, keys)            [key]
+///    void visit.optional_table(key, meaning, present, keys)
+///    void visit.list(key, meaning, elements, keys)   [[key]]
+///    void visit.materials(key, meaning)              [key.NAME]
+///    int visit.dimension()
+///    MethodList visit.methods()
 ///
-/// A method declares the keys of its own table itself, see method_rules.hpp.
+/// A method declares the keys of its own table, see method_rules.hpp.
 namespace pliant {
 
 template <class Visitor>
@@ -179,7 +179,7 @@ void check_keys(Visitor& visit, decltype(Case::checks)& checks) {
          .example = R"("stop")"});
 }
 
-/// The tables of the methods. A case that has those of other methods is read, and refused later.
+/// The tables of the methods. Tables of other methods are read too, and refused later.
 template <class Visitor>
 void method_tables(Visitor& visit, Case& a_case) {
   for (const MethodRules& method : visit.methods()) {

@@ -6,14 +6,14 @@
 
 namespace pliant {
 
-/// One value of an enumeration as case files spell it.
+/// One value of an enumeration, with its spelling in case files.
 struct Word {
   int value;
   std::string_view text;
   std::string_view meaning;
 };
 
-/// All words of enumeration `E`, in the order in which the reference lists them.
+/// All words of the enumeration `E`, in the order of the reference.
 template <class E>
 inline constexpr std::array<Word, 0> words{};
 
@@ -22,7 +22,7 @@ constexpr Word word(E value, std::string_view text, std::string_view meaning) {
   return {static_cast<int>(value), text, meaning};
 }
 
-/// The word for a value among those of `known`.
+/// The word for a value, from `known`.
 constexpr std::string_view text_of(std::span<const Word> known, int value) {
   for (const Word& word : known) {
     if (word.value == value) return word.text;
@@ -36,7 +36,7 @@ constexpr std::string_view text_of(E value) {
   return text_of(words<E>, static_cast<int>(value));
 }
 
-/// The words of a table whose rows are declared in the order of their enumerators.
+/// The words of a table whose rows are in the order of their enumerators.
 template <class E, class Row, std::size_t size>
 constexpr std::array<Word, size> words_of(const std::array<Row, size>& rows) {
   std::array<Word, size> list{};
@@ -46,7 +46,7 @@ constexpr std::array<Word, size> words_of(const std::array<Row, size>& rows) {
   return list;
 }
 
-/// Whether row number i of a table is that of enumerator number i.
+/// Whether each row i of a table belongs to enumerator i.
 template <class Row, std::size_t size>
 constexpr bool is_in_order(const std::array<Row, size>& rows) {
   for (std::size_t i = 0; i < size; ++i) {

@@ -51,7 +51,7 @@ inline constexpr std::array words<GhostTreatment>{
     word(GhostTreatment::averaged, "averaged", "averages, as in Hieber & Koumoutsakos (RP.49)"),
     word(GhostTreatment::rigid, "rigid", "rigid motion of the neighbours (RP.59)")};
 
-/// The words of methods, each with its position in the list as its value.
+/// The words of methods; their values are positions in the list.
 inline std::vector<Word> words_of(MethodList methods) {
   std::vector<Word> words;
   for (const MethodRules& method : methods) {
@@ -88,7 +88,7 @@ inline constexpr std::array words<PronyCase::Moduli>{
     word(PronyCase::Moduli::long_term, "long_term", "the modulus after full relaxation"),
     word(PronyCase::Moduli::instantaneous, "instantaneous", "the modulus of sudden changes")};
 
-/// Shapes as case files name them; a ball is a disc in 2D.
+/// Shapes in the words of case files; a ball is a disc in 2D.
 enum class ShapeWord {
   box,
   disc,

@@ -7,7 +7,7 @@
 namespace pliant {
 
 /// docs/case-reference.md: every key of case files with type, unit, default and meaning, from the
-/// vocabulary that the reader checks files against.
+/// vocabulary of the reader.
 std::string case_reference_markdown(MethodList methods);
 
 }  // namespace pliant

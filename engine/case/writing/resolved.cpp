@@ -45,7 +45,7 @@ std::string TableWriter::joined(std::string_view separator) const {
   return text;
 }
 
-/// The shortest decimals that read back to the same bits.
+/// The shortest decimals that read back bitwise.
 std::string toml_text(double value, const Writing&) { return fmt::format("{}", value); }
 
 std::string toml_text(int value, const Writing&) { return fmt::format("{}", value); }
@@ -225,7 +225,7 @@ std::string toml_text(MaterialCase& value, const Writing& writing) {
 }
 
 std::string resolved_toml(const Case& a_case) {
-  // The vocabulary hands out places to write to, for the sake of the reader.
+  // The vocabulary needs places to write to, for the reader.
   Case copy = a_case;
   TableWriter writer(Writing{a_case, a_case.dimension});
   case_keys(writer, copy);

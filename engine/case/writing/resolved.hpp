@@ -6,7 +6,7 @@
 
 namespace pliant {
 
-/// The whole case as a case file with every default filled in. Reading it gives an equal case.
+/// The whole case as a case file, with all defaults. Reading it gives an equal case.
 std::string resolved_toml(const Case& a_case);
 
 }  // namespace pliant

@@ -26,7 +26,7 @@ std::string description_of(const Notes& notes) {
   return text;
 }
 
-/// Keys that a table has, and those of them that it must have.
+/// The keys of a table, and which of them are required.
 struct Keys {
   Schema properties = Schema::object();
   Schema required = Schema::array();
@@ -39,7 +39,7 @@ struct Keys {
   }
 };
 
-/// Visits the keys of a table once for every value of its deciding key.
+/// Visits the keys of a table once for each value of its deciding key.
 class TableSchema {
  public:
   template <class Value>
@@ -60,7 +60,7 @@ class TableSchema {
     if constexpr (std::is_same_v<Plain, MethodWord>) {
       description += word_meanings(words_of(value.known));
     }
-    // Beside a reference, draft 7 ignores everything.
+    // Draft 7 ignores everything next to a reference.
     if (schema.contains("$ref")) schema = {{"allOf", Schema::array({schema})}};
     schema["description"] = description;
     keys_[choice_].properties[std::string(key)] = schema;
@@ -79,8 +79,7 @@ class TableSchema {
   }
 
  private:
-  // Editors complete from the keys of all choices; the branches admit those of the one that is
-  // taken.
+  // Editors complete from the keys of all choices; the branches admit those of the actual choice.
   Schema table_with_choices() const {
     Keys all;
     Schema branches = Schema::array();

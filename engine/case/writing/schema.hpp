@@ -6,11 +6,11 @@
 
 namespace pliant {
 
-/// The JSON Schema (draft 7) of case files, from the vocabulary that the reader checks files
-/// against. Editors complete and check keys with it.
+/// The JSON Schema (draft 7) of case files, from the vocabulary of the reader. Editors use it to
+/// complete and check keys.
 ///
-/// It admits every case that the reader admits. What depends on more than one key of a table, or on
-/// the dimension or the method, only the reader checks.
+/// It admits every case that the reader admits. Only the reader checks what depends on several keys
+/// of a table, on the dimension or on the method.
 std::string case_schema_json(MethodList methods);
 
 }  // namespace pliant

@@ -72,9 +72,10 @@ template <class E>
 requires std::is_enum_v<E>
 inline std::string type_of(const E&) { return joined_words(words<E>); }
 
-/// Visits the keys of a table once for every value of its deciding key, and keeps a row for each.
+/// Visits the keys of a table once for each value of its deciding key, and stores a row for each
+/// key.
 ///
-/// The page shows vectors in 3D, and as defaults those of a case without bodies.
+/// The page shows vectors in 3D, and the defaults of a case without bodies.
 class TableDescriber {
  public:
   template <class Value>
@@ -104,7 +105,7 @@ class TableDescriber {
 
   int dimension() const { return 3; }
 
-  /// Lets `keys` visit this until every value of the deciding key was taken once.
+  /// Lets `keys` visit this until each value of the deciding key was used once.
   template <class Keys>
   void walk(Keys&& keys) {
     do {

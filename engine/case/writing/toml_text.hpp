@@ -10,8 +10,8 @@
 #include "engine/case/vocabulary/key.hpp"
 #include "engine/case/vocabulary/words.hpp"
 
-/// Writing of values as TOML text, the reverse of table_reader.hpp. An empty text means that the
-/// key has no value and is left out.
+/// Writes values as TOML text, the reverse of table_reader.hpp. An empty text means that the key
+/// has no value and is not written.
 namespace pliant {
 
 /// The case that names refer to.
@@ -63,7 +63,7 @@ requires std::is_enum_v<E> std::string toml_text(E value, const Writing&) {
   return fmt::format("\"{}\"", text_of(value));
 }
 
-/// Visits the keys of one table and keeps a line `key = value` for each.
+/// Visits the keys of one table and stores a line `key = value` for each.
 class TableWriter {
  public:
   explicit TableWriter(Writing writing) : writing_(writing) {}
@@ -98,7 +98,7 @@ class TableWriter {
     }
   }
 
-  /// Nothing: every body holds its material in place.
+  /// Writes nothing: every body contains its material.
   void materials(std::string_view, std::string_view) {}
 
   int dimension() const { return writing_.dimension; }

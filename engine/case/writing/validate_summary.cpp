@@ -16,7 +16,8 @@
 namespace pliant {
 namespace {
 
-/// Area or volume of a body inside the periodic cell, from midpoints of a grid: exact for boxes.
+/// Area or volume of a body inside the periodic cell, from the midpoints of a grid; exact for
+/// boxes.
 double measure(const BodyCase& body, const Case& a_case) {
   Box<3> box = bounding_box(body.geometry);
   const int cells = a_case.dimension == 2 ? 1024 : 96;
@@ -45,7 +46,7 @@ double measure(const BodyCase& body, const Case& a_case) {
   return sum;
 }
 
-/// A line for each mesh among the parts of a shape; reading it has shown that it is closed.
+/// One line for each mesh of a shape; reading has shown that it is closed.
 std::string mesh_lines(const Shape& shape) {
   std::string text;
   for (const Shape& part : shape.operands) text += mesh_lines(part);

@@ -12,12 +12,12 @@
 #include "engine/case/vocabulary/measurable_fields.hpp"
 #include "engine/case/vocabulary/words.hpp"
 
-/// What a JSON Schema says of the value of a key, by the type of its place in `Case`.
+/// The JSON Schema of the value of a key, by the type of its place in `Case`.
 namespace pliant {
 
 using Schema = nlohmann::ordered_json;
 
-/// A table that the schema defines once, under this name.
+/// A reference to a table that the schema defines under this name.
 inline Schema defined(std::string_view name) {
   return {{"$ref", "#/definitions/" + std::string(name)}};
 }
@@ -25,7 +25,7 @@ inline Schema defined(std::string_view name) {
 inline Schema text_schema() { return {{"type", "string"}}; }
 inline Schema name_schema() { return {{"type", "string"}, {"pattern", "^[A-Za-z0-9_-]+$"}}; }
 
-/// A number inside limits, or a text with a formula, whose value only the reader knows.
+/// A number inside limits, or a text with a formula, which only the reader evaluates.
 inline Schema number_schema(const Limits& limits, std::string_view type = "number") {
   Schema number = {{"type", type}};
   if (limits.lower > -unlimited) {

@@ -5,11 +5,11 @@
 
 namespace pliant::remeshed {
 
-/// The k-th particle of all ghosts of a block in the fits of ghost g, which it is one of.
+/// A particle in the fits of ghost g; `k` numbers the particles of all ghosts of the block.
 template <class T, int D>
 struct FittedParticle {
   const kernels::FitTerms<T, D>& terms;
-  T r[D];  ///< from the foot point, over h
+  T r[D];  ///< relative to the foot point, over h
 
   FittedParticle(const BlockGhosts<T, D>& ghosts, std::size_t g, std::int64_t k)
       : terms(ghosts.terms[g]) {

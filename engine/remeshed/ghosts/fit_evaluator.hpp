@@ -6,7 +6,7 @@
 
 namespace pliant::remeshed {
 
-/// The fits of single ghosts of a block to the present records.
+/// Evaluates the fits of single ghosts of a block from the present records.
 template <class T, int D>
 class FitEvaluator {
  public:
@@ -14,7 +14,7 @@ class FitEvaluator {
                const kernels::RemeshedTable<T, D>& kernels)
       : body_(body), ghosts_(ghosts), kernels_(kernels) {}
 
-  /// Good until the next one is asked for.
+  /// Valid until the next call.
   kernels::GhostFits<T, D> of(std::size_t ghost) {
     kernels_.sum_ghosts(ghosts_.sums(ghost, 1, body_, sums_.data()));
     return ghosts_.fits(ghost, sums_.data());

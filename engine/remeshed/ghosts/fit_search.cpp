@@ -28,7 +28,7 @@ void FitSearch<T, D>::find(const Point<D>& centre, const FitReach<D>& reach, con
     const double chord = std::sqrt(square);
     cell[0] = cell_above(centre[0] - chord);
     const std::int32_t last = cell_below(centre[0] + chord);
-    // One look-up serves a row that lies in one run.
+    // One look-up suffices for a row within one run.
     std::int64_t slot = is_periodic ? -1 : population_.layout.slot(cell, last + 1 - cell[0]);
     const bool in_one_run = slot >= 0;
     for (; cell[0] <= last; ++cell[0], ++slot) {

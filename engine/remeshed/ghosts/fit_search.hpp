@@ -6,7 +6,7 @@
 
 namespace pliant::remeshed {
 
-/// Finds the particles that the fits of ghosts are made of.
+/// Finds the particles for the fits of ghosts.
 template <class T, int D>
 class FitSearch {
  public:
@@ -14,8 +14,8 @@ class FitSearch {
             const LevelSet<T, D>& level_set)
       : lattice_(lattice), population_(population), level_set_(level_set) {}
 
-  /// The interior particles within reach of `centre`, given in cells, row by row, with their
-  /// distances from `wall`, or from the surface if that is nullptr.
+  /// The interior particles within reach of `centre` (in cells), row by row, with their distances
+  /// from `wall`, or from the surface if that is nullptr.
   void find(const Point<D>& centre, const FitReach<D>& reach, const Wall<D>* wall,
             FitParticles<D>& particles) const;
 

@@ -16,16 +16,17 @@ namespace pliant::remeshed {
 
 namespace {
 
-/// Part of the outgoing characteristic that sets the velocity of a free surface, (RP.83). The whole
-/// lets clamped plates gain energy. Bodies in 3D, and those that carry F, lose what lasts of it
-/// instead, (RP.50); bodies that no wall holds are remeshed before anything grows.
+/// The part of the outgoing characteristic that sets the velocity of a free surface, (RP.83). With
+/// the whole characteristic, clamped plates gain energy. In 3D, and with materials that carry F,
+/// ghosts instead drop its lasting part, (RP.50). Bodies that no wall holds are remeshed before
+/// anything grows.
 template <class T, int D>
 T share_of_characteristic(const Body<T, D>& body, const Boundaries<D>& boundaries) {
   return lets_waves_out_alone(body, boundaries) || !boundaries.have_attached_walls() ? T(1)
                                                                                      : T(0.42);
 }
 
-/// Sets the first `count` ghosts of a block from their fits to the present records.
+/// Computes the first `count` ghosts of a block from their fits to the present records.
 template <class T, int D>
 struct GhostFill {
   const Body<T, D>& body;
@@ -35,7 +36,7 @@ struct GhostFill {
   FieldStore<T, D>& state;
   std::array<T*, kernels::symmetric_components<D>> stress;
   const kernels::RemeshedTable<T, D>& table;
-  T share;  ///< of the outgoing characteristic
+  T share;  ///< share of the outgoing characteristic
 
   void fill_surfaces(const BoundaryValues<D>& values) const {
     const kernels::Impedance<T> impedance = surface_impedance();
@@ -136,13 +137,13 @@ struct GhostFill {
   }
 
  private:
-  /// (RP.95)
+  /// Adds the velocity of outgoing shear waves without its lasting part, (RP.95).
   void let_shear_waves_out_alone(std::size_t g, const kernels::GhostFits<T, D>& fits,
                                  const kernels::WallSite<T, D>& site,
                                  const kernels::Impedance<T>& impedance,
                                  kernels::GhostState<T, D>& ghost) const {
     const bool slides = kernels::slides_along<T, D>(fits, site, impedance);
-    T jump = 0;  // of the normal velocity, which (RP.46) sets
+    T jump = 0;  // jump of the normal velocity, which (RP.46) sets
     for (int a = 0; a < D; ++a) jump += site.n[a] * (ghost.velocity[a] - fits.surface.velocity(a));
     for (int a = 0; a < D; ++a) {
       const T outgoing =
@@ -152,7 +153,7 @@ struct GhostFill {
     }
   }
 
-  /// (RP.50) divides by it.
+  /// (RP.50) divides by this impedance.
   kernels::Impedance<T> surface_impedance() const {
     const kernels::Impedance<T> of_material(body.material);
     return {of_material.pressure_wave / share, of_material.shear_wave / share};
@@ -177,7 +178,7 @@ struct GhostFill {
     }
   }
 
-  // Of a slot with two ghosts one alone is active.
+  // If a slot has two ghosts, only one of them is active.
   void set(std::size_t g, const kernels::GhostState<T, D>& ghost) const {
     if (ghosts.active[g] == 0) return;
     const std::int64_t slot = ghosts.slot[g];

@@ -15,8 +15,8 @@ namespace pliant::remeshed {
 
 namespace {
 
-// Whether a particle, or its image, has the slot in its stencil. A row that does not exist may lie
-// anywhere: then the particle was another cell's.
+// Whether a particle or its image has the slot in its stencil. The offset to a row that does not
+// exist may lead anywhere; the particle found is then one of another cell.
 template <class T, int D>
 bool is_reached(const Population<T, D>& population, const kernels::Segment<D>& segment,
                 std::int64_t slot, const Cell<D>& cell, int reach) {
@@ -39,7 +39,7 @@ bool is_reached(const Population<T, D>& population, const kernels::Segment<D>& s
   return false;
 }
 
-/// Finds the ghosts of a block, and what their fits are made about.
+/// Finds the ghosts of a block and the places around which they are fitted.
 template <class T, int D>
 class GhostFinder {
  public:
@@ -86,7 +86,7 @@ class GhostFinder {
       return;
     }
     const auto [wall, distance] = boundaries_.nearest_contact(x);
-    // As the wall passes a row of nodes, that lies in the gap between the surface and the wall.
+    // When the wall passes a row of nodes, that row is in the gap between the surface and the wall.
     const double height =
         distance < contact_onset_height * h ? level_set_.surface_distance(slot) + distance : h;
     if (distance < 0) edge_ = edges_.beyond(slot, x, wall);
@@ -101,9 +101,9 @@ class GhostFinder {
     }
   }
 
-  // Whether what a ghost behind an attached wall is for can be told from whether a particle reaches
-  // it. Ghosts as deep as 2 h tell the force of the wall, (RP.65), and the velocity of those of
-  // walls along which material may slide depends on the stress, (RP.47).
+  // Whether a ghost behind an attached wall may drift if no particle reaches it. Ghosts less
+  // than 2 h deep are needed for the force of the wall, (RP.65), and the velocity of ghosts behind
+  // walls with slip depends on the stress, (RP.47).
   bool may_drift(int wall, double distance) const {
     return treatment_ != GhostTreatment::averaged &&
            std::isinf(boundaries_.walls[wall].friction()) && distance <= -2 * body_.lattice.spacing;
@@ -128,14 +128,14 @@ class GhostFinder {
     const auto share = [&] {
       const Point<D>& foot = ghosts_.foot.back();
       const double spread = boundaries_.walls[wall].spread(body_.lattice.node(cell), -distance);
-      const double apart = h * std::pow(spread, 1. / (D - 1));  // feet on a curved wall
+      const double apart = h * std::pow(spread, 1. / (D - 1));  // distance of feet on a curved wall
       return spread * WallCover<T, D>(body_.lattice, level_set_).share(foot, normal) *
              share_before_walls<D>(boundaries_, wall, foot, normal, apart);
     };
     ghosts_.contact_area.push_back(layer > 0 ? std::pow(h, D - 1) * layer * share() : 0);
   }
 
-  // What was decided for a slot before this remeshing, (RP.52).
+  // Whether the slot was in contact before this remeshing, (RP.52).
   bool was_in_contact(const Cell<D>& cell) const {
     const Population<T, D>& before = body_.population;
     if (before.layout.blocks().empty()) return false;
@@ -159,7 +159,7 @@ class GhostFinder {
     Point<D> foot = x, offset = {};
     level_set_.closest_point(slot, offset);
     for (int a = 0; a < D; ++a) foot[a] += offset[a];
-    // Where the surface runs on behind a wall, fits are made about the wall.
+    // Where the surface continues behind a wall, fits are around the wall.
     const auto [wall, depth] = boundaries_.nearest_wall(foot);
     if (depth < 0) {
       const Point<D> out = boundaries_.walls[wall].normal(foot);
@@ -202,7 +202,7 @@ class GhostFinder {
 
   using Ghosts = std::vector<std::pair<std::int64_t, Cell<D>>>;
 
-  // Kept by each thread, so that a warm remeshing allocates nothing.
+  // Reused by each thread, so that later remeshings do not allocate.
   static Ghosts& scratch() {
     thread_local Ghosts scratch;
     return scratch;
@@ -216,7 +216,7 @@ class GhostFinder {
   GhostTreatment treatment_;
   int stencil_reach_;
   ContactEdges<T, D> edges_;
-  std::int32_t edge_ = no_edge;  // of the present slot, behind a contact wall
+  std::int32_t edge_ = no_edge;  // edge of contact of the present slot, behind a contact wall
   GhostFitter<T, D> fitter_;
   Ghosts& drifting_ = scratch();
 };
@@ -228,7 +228,7 @@ void fit_ghosts(const GhostSearch<T, D>& search, int block, std::int32_t* used) 
   BlockGhosts<T, D>& ghosts = search.population.ghosts[block];
   ghosts.clear();
   GhostFinder<T, D>(search, block, used).add_all(search.population.layout.blocks()[block]);
-  // Whole registers of these are loaded.
+  // Kernels load whole registers of these.
   for (int i = 1; i < Layout<D>::pack; ++i) {
     if (!ghosts.pairs.empty()) push_tightly(ghosts.pairs, ghosts.pairs.back());
     if (!ghosts.wall_distance.empty()) push_tightly(ghosts.wall_distance, T(0));

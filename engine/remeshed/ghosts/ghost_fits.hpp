@@ -6,7 +6,7 @@
 
 namespace pliant::remeshed {
 
-/// What ghosts are found from.
+/// The arguments of the search for ghosts.
 template <class T, int D>
 struct GhostSearch {
   const Body<T, D>& body;  ///< before the remeshing
@@ -18,18 +18,18 @@ struct GhostSearch {
   const kernels::RemeshedTable<T, D>& kernels;
 };
 
-/// Finds the ghosts of a block and the terms of their fits, (RP.43), (RP.44), (RP.49), and
-/// marks the particles that they read in `used`. Ghosts that some particle's stencil reaches, and
-/// all of walls, come first.
+/// Finds the ghosts of a block and the terms of their fits, (RP.43), (RP.44), (RP.49). Marks the
+/// particles that they read in `used`. Ghosts that the stencil of some particle reaches, and all
+/// ghosts of walls, come first.
 template <class T, int D>
 void fit_ghosts(const GhostSearch<T, D>& search, int block, std::int32_t* used);
 
-/// Lists the packs of a block with particles that some fit uses.
+/// Lists the packs of a block that have particles of some fit.
 template <class T, int D>
 void list_surface_particles(Population<T, D>& population, int block, const std::int32_t* used);
 
-/// Numbers the records of all blocks in order and keeps how far their particles are from the
-/// surface, then tells every fit the records of the particles whose slots it has named so far.
+/// Numbers the records of all blocks in order and stores the distances of their particles from the
+/// surface. Then replaces the slots of particles in the fits by records.
 template <class T, int D>
 void number_records(Population<T, D>& population, const LevelSet<T, D>& level_set, double spacing,
                     std::int32_t* record_of_slot);

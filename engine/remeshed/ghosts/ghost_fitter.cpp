@@ -15,9 +15,9 @@ constexpr double fit_radius = 2.6;   // [h], of (RP.43)
 constexpr double mean_radius = 2.5;  // [h], of (RP.49)
 constexpr double widening = 1.3;
 constexpr int most_widenings = 5;
-// How much less far fits look along the surface than into the body near a contact wall: what holds
-// the body ends at the edge of contact, and a fit that looks across it takes what it sees there for
-// a jump at the surface, which (RP.50) and (RP.51) damp.
+// Factor by which fits near a contact wall reach less far along the surface than into the body. The
+// support of the body ends at the edge of contact. A fit across this edge mistakes the change there
+// for a jump at the surface, which (RP.50) and (RP.51) damp.
 constexpr double narrowing = 1.5;
 
 }  // namespace
@@ -49,7 +49,7 @@ void GhostFitter<T, D>::fit(const FitSite<D>& site, const Point<D>& foot, const 
   ghost.site = site;
   ghost.wall = wall;
   // The curved fit overshoots where the solution is singular: at walls that hold the body, and
-  // where they meet the free surface. A slip wall is a plane of symmetry, which makes no corner.
+  // where they meet the free surface. A slip wall is a plane of symmetry without a corner.
   ghost.curved = wall == nullptr && corner_distance > fit_radius;
   ghost.at_rim = wall == nullptr && corner_distance < 1;
   for (int a = 0; a < D; ++a) {
@@ -91,7 +91,7 @@ void GhostFitter<T, D>::fill_lanes(int length) {
   const std::size_t entries = static_cast<std::size_t>(length) * pack;
   for (auto& coordinate : lanes.position) coordinate.resize(entries);
   lanes.distance.resize(entries);
-  // Lanes without a ghost repeat the first.
+  // Lanes without a ghost repeat the first one.
   for (int l = 0; l < pack; ++l) fill_lane(l, length);
 }
 
@@ -167,7 +167,7 @@ void GhostFitter<T, D>::fit_alone(Waiting& ghost) {
     fitted = fit_fully(ghost, terms);
   }
   if (!fitted) fit_poorly(ghost, terms);
-  // What the fit finds as traction there is the singular stress, no wave to let out.
+  // The traction that the fit finds there is the singular stress, not an outgoing wave.
   if (ghost.at_rim) terms.surface = {};
   place(ghost, terms);
   T sum = 0;
@@ -208,14 +208,15 @@ void GhostFitter<T, D>::average(const Cell<D>& cell) {
     ghost.reach.radius *= widening;
     search_.find(ghost.centre, ghost.reach, nullptr, ghost.particles);
   }
-  ghost.reach.radius = std::numeric_limits<double>::infinity();  // all count the same
+  ghost.reach.radius = std::numeric_limits<double>::infinity();  // all particles have equal weights
   Terms mean;
   mean.linear[0] = mean.surface[0] = T(1) / static_cast<T>(ghost.particles.size());
   place(ghost, mean);
   append(ghost, mean, 0);
 }
 
-// The weight of (RP.43), and the cell next to the foot point from which the particles' are counted.
+// Sets the weight of (RP.43), and the cell next to the foot point as the origin of particle
+// offsets.
 template <class T, int D>
 void GhostFitter<T, D>::place(const Waiting& ghost, Terms& terms) {
   const Position<D> broad = ghost.reach.broad();

@@ -7,11 +7,11 @@
 
 namespace pliant::remeshed {
 
-/// Appends the fits of one block's ghosts to their lists, in the order in which they come.
+/// Appends the fits of one block's ghosts to their lists, in the order of calls.
 ///
-/// Ghosts wait until there is one for each lane of a pack. Those near contact walls, which look
-/// less far along the surface, are then fitted one by one, and so are those whose particles within
-/// R do not determine a fit, with more particles or fewer terms.
+/// Ghosts wait until there is one for each lane of a pack. Some are fitted again one by one: those
+/// near contact walls, whose fits reach less far along the surface, and those whose particles
+/// within R do not determine a fit, with more particles or fewer terms.
 template <class T, int D>
 class GhostFitter {
  public:
@@ -19,12 +19,12 @@ class GhostFitter {
               const LevelSet<T, D>& level_set, const Boundaries<D>& boundaries,
               const kernels::RemeshedTable<T, D>& kernels, std::int32_t* used);
 
-  /// (RP.43) and (RP.44) about a foot point; `wall` is nullptr at a free surface. `at_edge`: where
-  /// a side of the body meets a contact wall, (RP.81).
+  /// (RP.43) and (RP.44) around a foot point; `wall` is nullptr at a free surface. `at_edge` is set
+  /// where a side of the body meets a contact wall, (RP.81).
   void fit(const FitSite<D>& site, const Point<D>& foot, const Wall<D>* wall, bool at_edge);
   /// (RP.49)
   void average(const Cell<D>& cell);
-  /// Fits the ghosts that still wait.
+  /// Fits the waiting ghosts.
   void finish();
 
  private:
@@ -37,12 +37,12 @@ class GhostFitter {
     Point<D> centre;  ///< foot point in cells
     FitReach<D> reach;
     const Wall<D>* wall;
-    bool curved;        ///< the fit (RP.44) has its last term
-    bool at_rim;        ///< where the free surface meets a wall
-    bool near_contact;  ///< with a wall
+    bool curved;        ///< whether the fit (RP.44) has its last term
+    bool at_rim;        ///< whether the free surface meets a wall here
+    bool near_contact;  ///< whether a contact wall is near
     FitParticles<D> particles;
   };
-  /// Arguments of a kernel, [entry] or [lane] as there.
+  /// Arguments of the kernel, [entry] or [lane] as in SurfaceFits.
   struct Lanes {
     std::array<std::vector<T>, D> position;
     std::vector<T> distance;
@@ -51,7 +51,7 @@ class GhostFitter {
     alignas(64) std::array<std::array<T, pack>, D + 1> linear, surface;
     alignas(64) std::array<std::array<T, pack>, D + 2> constrained;
   };
-  /// Kept by each thread, so that a warm remeshing allocates nothing.
+  /// Reused by each thread, so that later remeshings do not allocate.
   struct Scratch {
     std::array<Waiting, pack> waiting;
     Lanes lanes;

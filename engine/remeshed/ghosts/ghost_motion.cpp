@@ -11,7 +11,7 @@ namespace pliant::remeshed {
 
 namespace {
 
-// The sums are made for some ghosts at a time, and stay in the first cache.
+// Sums are computed for a few ghosts at a time, so that they stay in the first cache.
 template <class T, int D>
 void find_drift_velocity(Body<T, D>& body, int block, int stage, const BoundaryValues<D>& values,
                          GhostTreatment treatment, const kernels::RemeshedTable<T, D>& table) {

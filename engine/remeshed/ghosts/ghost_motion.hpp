@@ -5,15 +5,15 @@
 
 namespace pliant::remeshed {
 
-/// Velocity of the ghosts that only drift: by (RP.43), (RP.59), or (RP.46) behind walls, u0 and u1
-/// in the stages 0 and 1, and (4 u1 - u0)/3 in both others, with which the Runge-Kutta method moves
-/// them by dt u1, (RP.60).
+/// Velocity of the ghosts that only drift: by (RP.43), (RP.59), or (RP.46) behind walls. It is u0
+/// and u1 in stages 0 and 1, and (4 u1 - u0)/3 in the others. With these the Runge-Kutta method
+/// moves them by dt u1, (RP.60).
 template <class T, int D>
 void drift_ghosts(Body<T, D>& body, int block, int stage, const BoundaryValues<D>& values,
                   GhostTreatment treatment, const kernels::RemeshedTable<T, D>& kernels);
 
-/// Moves ghosts that a stage has advanced without the part (RP.50) of their velocity instead: with
-/// the fit alone, (RP.60), they stay where the fit of positions is; not those of slots that may
+/// Corrects the motion of ghosts in a stage: they move without the part (RP.50) of their velocity.
+/// With the fit alone, (RP.60), they stay where the fit of positions is. Excludes slots that may
 /// come into contact with a wall.
 template <class T, int D>
 void keep_on_fits(Body<T, D>& body, int block, int stage, double time_step,

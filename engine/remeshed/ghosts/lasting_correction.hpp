@@ -4,29 +4,30 @@
 
 #include "engine/remeshed/state/body.hpp"
 
-/// The velocities of (RP.50) and (RP.47) let waves out of a body, within some h/c. Of bodies that
-/// are held bent, or rest on a wall, a part of them lasts, and feeds a checkerboard of stress.
+/// The velocities of (RP.50) and (RP.47) let waves leave a body within a few h/c. In bodies that
+/// are held bent or rest on a wall, a part of them is lasting and feeds a checkerboard of stress.
 namespace pliant::remeshed {
 
-/// Whether the dissipation of (RP.23) relaxes shear stress too, which lets a body creep that bears
-/// a lasting load. Others that are plane and linear need it, as their ghosts move with all of
-/// (RP.50), which feeds what it damps.
+/// Whether the dissipation of (RP.23) also relaxes shear stress. A body under a lasting load
+/// would then creep. Other bodies in 2D with a linear material need it: their ghosts move with all
+/// of (RP.50), which feeds modes that it damps.
 template <class T, int D>
 bool relaxes_shear(const Body<T, D>& body) {
   return D == 2 && body.material.model != kernels::Model::reduced_polynomial && !body.bears_loads;
 }
 
-/// Whether ghosts move without the part of (RP.50) and (RP.95) that lasts. Bodies whose shear
-/// stress nothing relaxes are unstable with it where they are held; others are stable and lose less
-/// energy with all of it, but creep where they rest on a contact wall.
+/// Whether ghosts move without the lasting part of (RP.50) and (RP.95). Bodies whose shear stress
+/// does not relax are unstable with it where they are held. Others are stable with all of it and
+/// lose less energy, but creep where they rest on a contact wall.
 template <class T, int D>
 bool lets_waves_out_alone(const Body<T, D>& body, const Boundaries<D>& boundaries) {
   return !relaxes_shear(body) || boundaries.have_contact();
 }
 
-constexpr double lasting_time = 20;  ///< over which (RP.50) takes its mean [h/c]
+constexpr double lasting_time = 20;  ///< averaging time of (RP.50) [h/c]
 
-/// Takes what lasts of (RP.50) from the velocity of the first `count` ghosts of a block.
+/// Subtracts the lasting part of (RP.50) from the velocity of the first `count` ghosts of a
+/// block.
 template <class T, int D>
 void let_waves_out_alone(BlockGhosts<T, D>& ghosts, std::size_t count, FieldStore<T, D>& state) {
   for (std::size_t g = 0; g < count; ++g) {
@@ -38,8 +39,8 @@ void let_waves_out_alone(BlockGhosts<T, D>& ghosts, std::size_t count, FieldStor
   }
 }
 
-/// Follows what lasts of (RP.50) and (RP.95) for a time step [s], but on ghosts that another body
-/// answers.
+/// Updates the lasting parts of (RP.50) and (RP.95) after a time step [s], except on ghosts in
+/// contact with another body.
 template <class T, int D>
 void follow_lasting(const Body<T, D>& body, BlockGhosts<T, D>& ghosts, double time_step) {
   const double speed = kernels::wave_speed_at_rest(body.material);

@@ -12,9 +12,9 @@ namespace pliant::remeshed {
 
 namespace {
 
-constexpr double unseen = 1e-3;  // of the squares of grad phi, where they have no direction
+constexpr double unseen = 1e-3;  // of the squares of grad phi; below it they have no direction
 
-/// What the particles of a block know of the surface.
+/// Finds the faces and loads near the particles of a block.
 template <class T, int D>
 class LoadFinder {
  public:
@@ -26,7 +26,7 @@ class LoadFinder {
         fields_(fields),
         boundaries_(boundaries) {}
 
-  /// The load of the particle in `slot`, the normal of its face, and grad phi.
+  /// The load on the particle in `slot`, the normal of its face, and grad phi.
   std::int8_t find(std::int64_t slot, std::array<T, D>& face, std::array<T, D>& slope) const {
     const Cell<D> cell = layout_.cell(slot);
     const Point<D> moved = displacement(slot);
@@ -43,7 +43,7 @@ class LoadFinder {
   }
 
  private:
-  // The present direction of a normal, F^-T N with F^-1 = I - grad d, and grad phi.
+  // Computes the present direction of a normal, F^-T N with F^-1 = I - grad d, and grad phi.
   void turn(const Cell<D>& cell, const Point<D>& initial, Point<D>& normal, Point<D>& slope) const {
     const T* phi = fields_.get(Field::level_set);
     normal = initial;
@@ -79,7 +79,7 @@ class LoadFinder {
   const Boundaries<D>& boundaries_;
 };
 
-/// The load on the material that was at `start`.
+/// The load on the material that was at `start` at t = 0.
 template <int D>
 std::int8_t load_at(const Boundaries<D>& boundaries, const Point<D>& start) {
   for (std::size_t i = 0; i < boundaries.pressures.size(); ++i) {
@@ -90,7 +90,7 @@ std::int8_t load_at(const Boundaries<D>& boundaries, const Point<D>& start) {
 
 }  // namespace
 
-// A region may end in the plane of the face that it loads: what lies just before the face decides.
+// A region may end in the plane of a loaded face, so the point just outside the face decides.
 template <int D>
 InitialFace<D> face_at(const Boundaries<D>& boundaries, const Shape& surface,
                        const Point<D>& start) {
@@ -123,9 +123,8 @@ void find_record_loads(const Lattice<D>& lattice, const FieldStore<T, D>& fields
 
 namespace {
 
-// In 3D a ghost has the load of one place: where the material at its foot point was, as well as
-// that is known. Where fits at the foot point are not asked for a traction, those at the ghost tell
-// that.
+// In 3D a ghost has a single load: that at the initial place of the material at its foot point. If
+// there is no fit at the foot point, the fit at the ghost gives this place.
 template <class T, int D>
 std::int8_t load_at_foot(const Body<T, D>& body, const Shape& surface,
                          const Boundaries<D>& boundaries, const BlockGhosts<T, D>& ghosts,
@@ -138,13 +137,13 @@ std::int8_t load_at_foot(const Body<T, D>& body, const Shape& surface,
     const std::int32_t slot = body.spare.slot_of_record[kernels::record_of(ghosts.pairs[k])];
     for (int a = 0; a < D; ++a) start[a] -= c * body.stage[1].get(Field::displacement, a)[slot];
   }
-  constexpr double known = 0.02;  // [h], to which a place at t = 0 is: regions may end on a face
+  constexpr double known = 0.02;  // [h] accuracy of places at t = 0: regions may end on a face
   const Vector n = outward_direction(surface, padded<D>(start), D);
   for (int a = 0; a < D; ++a) start[a] += known * body.lattice.spacing * n[a];
   return load_at<D>(boundaries, start);
 }
 
-// In 2D, that of the faces of all particles of its fit.
+// In 2D the load of the faces of all particles in its fit, if they agree.
 template <class T, int D>
 std::int8_t load_of_faces(const Population<T, D>& population, const BlockGhosts<T, D>& ghosts,
                           std::size_t g) {
@@ -176,7 +175,7 @@ void find_ghost_loads(Body<T, D>& body, const Shape& surface, const Boundaries<D
 
 namespace {
 
-/// B of (RP.78): how normals near a ghost have turned since the remeshing, from how grad phi has.
+/// B of (RP.78): the rotation of normals near a ghost since the remeshing, from that of grad phi.
 template <class T, int D>
 Eigen::Matrix<T, D, D> turn_of_normals(const Body<T, D>& body, const BlockGhosts<T, D>& ghosts,
                                        std::size_t ghost) {
@@ -193,7 +192,7 @@ Eigen::Matrix<T, D, D> turn_of_normals(const Body<T, D>& body, const BlockGhosts
     squares += w * before * before.transpose();
     changes += w * (now - before) * before.transpose();
   }
-  // What no particle sees does not turn.
+  // Directions without information do not rotate.
   squares.diagonal().array() += T(unseen) * squares.trace();
   return changes * squares.inverse();
 }

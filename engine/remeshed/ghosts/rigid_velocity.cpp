@@ -40,7 +40,7 @@ std::array<T, D> rigid_velocity(const Body<T, D>& body, int stage, const BlockGh
     moment += r.cross(velocity(particle(k)) - mean);
     inertia += r.squaredNorm() * Eigen::Matrix3d::Identity() - r * r.transpose();
   }
-  // Neighbours in a line leave the rotation about it open: the least one is taken.
+  // If the neighbours lie on a line, the rotation about it is undetermined and set to 0.
   const Vector3 omega = pseudo_inverse<3>(inertia) * moment;
   const Vector3 u = mean + omega.cross(position(ghosts.slot[g]) - centre);
   std::array<T, D> result;

@@ -6,8 +6,7 @@
 
 namespace pliant::remeshed {
 
-/// (RP.59): the mean rigid motion of the neighbours of a ghost at a stage, taken at the ghost
-/// [m/s].
+/// (RP.59): the mean rigid motion of a ghost's neighbours at a stage, evaluated at the ghost [m/s].
 template <class T, int D>
 std::array<T, D> rigid_velocity(const Body<T, D>& body, int stage, const BlockGhosts<T, D>& ghosts,
                                 std::size_t ghost);

@@ -5,30 +5,30 @@
 
 #include "engine/boundaries/walls.hpp"
 
-// How much of the part of a wall for which a ghost stands lies in front of the other walls that
-// hold bodies.
+// A ghost represents a part of its wall. How much of it is in front of the other walls that hold
+// bodies:
 //
-//     |            |
-//     |   body     |  another wall
-//     |            |
-//     g---g---g---g+--g    feet on the wall, h apart
+//    |            |
+//    |   body     |  another wall
+//    |            |
+//    g---g---g---g+--g    feet on the wall, h apart
 //
-// The last one in front of the other wall bears what is left up to it, less or more than h/2: slots
-// beyond the corner belong to whichever wall is nearer.
+// The last ghost before the other wall represents the rest of the wall, less or more than h/2:
+// slots beyond the corner belong to the nearer wall.
 namespace pliant::remeshed {
 
 /// F of (RP.65), the deformation along a wall since the remeshing.
 template <int D>
 using WallStretch = Eigen::Matrix<double, D, D>;
 
-/// (RP.65): the share of ghosts with this foot point on a wall with this normal, where feet are
-/// `apart` [m]; `stretch()` gives F where it is asked for.
+/// (RP.65): the share of a ghost with this foot point on a wall with this normal; `apart` [m] is
+/// the distance of feet. `stretch()` gives F; it is called only when needed.
 template <int D, class Stretch>
 double share_before_walls(const Boundaries<D>& boundaries, int wall, const Point<D>& foot,
                           const Point<D>& normal, double apart, Stretch&& stretch) {
   using Direction = Eigen::Matrix<double, D, 1>;
-  constexpr double parallel = 0.3;  // of the slope of a distance along the wall: no corner
-  constexpr double farthest = 2;    // beyond which no stretch brings another wall nearer than 1
+  constexpr double parallel = 0.3;  // slope of a distance along the wall; smaller: no corner
+  constexpr double farthest = 2;    // no stretch brings a wall beyond it closer than 1
   double share = 1;
   for (int w = 0; w < static_cast<int>(boundaries.walls.size()); ++w) {
     const Wall<D>& other = boundaries.walls[w];

@@ -9,7 +9,7 @@ namespace pliant::remeshed {
 
 namespace {
 
-/// Solves M x = e for each column e of `at` where M = sum_i w_i q_i q_i^T; false when M is (nearly)
+/// Solves M x = e for each column e of `at`, with M = sum_i w_i q_i q_i^T; false if M is almost
 /// singular.
 template <int N, int K, class Basis, int D>
 bool solve_fit(const FitParticles<D>& particles, const Basis& basis,
@@ -35,7 +35,7 @@ bool solve_fit(const FitParticles<D>& particles, const Basis& basis,
   return true;
 }
 
-/// {phi, phi t[, phi t2], phi^2} without its last term unless N = D + 1.
+/// {phi, phi t[, phi t2], phi^2}; the last term only if N = D + 1.
 template <int N, int D>
 class ConstrainedBasis {
  public:
@@ -56,7 +56,7 @@ class ConstrainedBasis {
     return q;
   }
 
-  /// The gradient of the terms along the surface over phi.
+  /// The gradient of the terms along the surface, divided by phi.
   Position<D> along(const Eigen::Matrix<double, N, 1>& x) const {
     Position<D> sum = Position<D>::Zero();
     for (int k = 1; k < D; ++k) sum += x[k] * tangent_[k - 1];

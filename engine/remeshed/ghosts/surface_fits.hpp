@@ -7,8 +7,8 @@
 
 #include "kernels/remeshed/ghosts/fit_terms.hpp"
 
-/// Weighted least-squares fits of the particles around a foot point on the surface. They depend on
-/// places alone, so that a fit is a coefficient for each particle: its weight times a polynomial.
+/// Weighted least-squares fits to the particles around a foot point on the surface. They depend
+/// only on places, so a fit is a coefficient for each particle: its weight times a polynomial.
 namespace pliant::remeshed {
 
 template <int D>
@@ -19,50 +19,50 @@ struct FitParticle {
   std::int32_t slot;
   double weight;
   double surface_distance;  ///< phi or the distance to the wall, over h
-  Position<D> position;     ///< from the foot point, over h
+  Position<D> position;     ///< relative to the foot point, over h
 };
 
 template <int D>
 using FitParticles = std::vector<FitParticle<D>>;
 
-/// What a ghost's fits are made about.
+/// The place of a ghost and its surface, for its fits.
 template <int D>
 struct FitSite {
-  Position<D> ghost;        ///< x_g - x_f over h
-  Position<D> normal;       ///< unit, out of the body
+  Position<D> ghost;        ///< x_g - x_f, over h
+  Position<D> normal;       ///< unit vector, out of the body
   double surface_distance;  ///< of the ghost, over h
 };
 
-/// Where a fit looks for particles.
+/// The reach of a fit.
 template <int D>
 struct FitReach {
   double radius;                             ///< [h]
-  Position<D> normal = Position<D>::Zero();  ///< unit, of the surface
-  double narrowing = 1;                      ///< of the radius along the surface
+  Position<D> normal = Position<D>::Zero();  ///< unit normal of the surface
+  double narrowing = 1;  ///< factor by which the radius is smaller along the surface
 
-  /// Of the weight: see kernels::FitTerms.
+  /// Parameters of the weight, see kernels::FitTerms.
   double steepness() const { return narrowing * narrowing / (radius * radius); }
   Position<D> broad() const { return std::sqrt(narrowing * narrowing - 1) / radius * normal; }
 };
 
-/// (RP.43) at the ghost, `linear` of the terms, and at the foot point, their `surface`. False, as
-/// the others, where the particles do not determine the fit.
+/// (RP.43) at the ghost, `linear` of the terms, and at the foot point, `surface`. Like the other
+/// fits, returns false if the particles do not determine the fit.
 template <class T, int D>
 bool fit_in_all_directions(const FitParticles<D>& particles, const FitSite<D>& site,
                            kernels::FitTerms<T, D>& terms);
 
-/// The same in {1, n.x} alone.
+/// The same with only the terms {1, n.x}.
 template <class T, int D>
 bool fit_along_normal(const FitParticles<D>& particles, const FitSite<D>& site,
                       kernels::FitTerms<T, D>& terms);
 
-/// (RP.44) at the ghost, `constrained` of the terms; its last term, the square of the distance,
+/// (RP.44) at the ghost, `constrained` of the terms. The last term, the squared distance, is used
 /// only if `curved`.
 template <class T, int D>
 bool fit_constrained(const FitParticles<D>& particles, const FitSite<D>& site, bool curved,
                      kernels::FitTerms<T, D>& terms);
 
-/// The last resort: proportional to the distance.
+/// The last fallback: proportional to the distance.
 template <class T, int D>
 bool fit_proportional(const FitParticles<D>& particles, const FitSite<D>& site,
                       kernels::FitTerms<T, D>& terms);

@@ -3,7 +3,7 @@
 #include "engine/remeshed/ghosts/ghost_fits.hpp"
 #include "engine/remeshed/ghosts/record_loads.hpp"
 
-// Which particles the fits read, and where their records lie: side by side, block after block.
+// Finds the particles that fits read, and places their records: contiguous, block after block.
 namespace pliant::remeshed {
 
 template <class T, int D>

@@ -7,7 +7,7 @@
 
 namespace pliant::remeshed {
 
-/// How deep behind its wall the slot of a ghost lay at the remeshing [m].
+/// Depth of a ghost's slot behind its wall at the remeshing [m].
 template <class T, int D>
 double depth_behind_wall(const Body<T, D>& body, const BlockGhosts<T, D>& ghosts, std::size_t g) {
   const Point<D> x = body.lattice.node(body.population.layout.cell(ghosts.slot[g]));
@@ -16,8 +16,8 @@ double depth_behind_wall(const Body<T, D>& body, const BlockGhosts<T, D>& ghosts
   return depth;
 }
 
-/// What its wall is to ghost g. Where material may slide along the wall, body forces alone let
-/// sigma_nn rise behind it, (RP.79).
+/// The wall at ghost g. Behind walls with slip, sigma_nn rises with the depth by body forces alone,
+/// (RP.79).
 template <class T, int D>
 kernels::WallSite<T, D> wall_site(const Body<T, D>& body, const BlockGhosts<T, D>& ghosts,
                                   std::size_t g, const Surroundings<D>& around) {

@@ -11,7 +11,7 @@ namespace pliant::remeshed {
 
 namespace {
 
-// What a rate of each stage counts for in the state that the stage leaves behind, (RP.21).
+// Weight of a rate in the state that its stage writes, (RP.21).
 constexpr std::array<double, 4> share_of_rate = {0.5, 0.5, 1, 1. / 6};
 
 /// Calls f(slot, cell) for each particle of a block.
@@ -121,7 +121,7 @@ void BodyForces<T, D>::follow(int block, int stage) {
   motion_[block].gain[stage] = gain;
 }
 
-// (RP.88): each of the first two stages adds dt/2 times its acceleration, the second one that of
+// (RP.88): each of the first two stages adds dt/2 times its acceleration; that of the second is at
 // places dt/2 later.
 template <class T, int D>
 void BodyForces<T, D>::adapt_damping() {

@@ -13,17 +13,17 @@ namespace pliant::remeshed {
 template <int D>
 struct BodyForce {
   typename Gravity<D>::Now gravity;
-  double mass_scaling;  ///< M of (RP.87): gravity acts on the mass, not on what is added to it
+  double mass_scaling;  ///< M of (RP.87): gravity acts only on the unscaled mass
   double damping;
   bool acts;
 
-  /// Of gravity at `x` [m/s^2].
+  /// Acceleration by gravity at `x` [m/s^2].
   Point<D> of_gravity(const Point<D>& x) const {
     Point<D> rate = gravity(x);
     for (double& component : rate) component /= mass_scaling;
     return rate;
   }
-  /// At `x`, of what moves with the velocity u [m/s^2].
+  /// Acceleration at `x` of material with the velocity u [m/s^2].
   Point<D> operator()(const Point<D>& x, const Point<D>& u) const {
     Point<D> rate = of_gravity(x);
     for (int a = 0; a < D; ++a) rate[a] -= damping * u[a];
@@ -31,41 +31,40 @@ struct BodyForce {
   }
 };
 
-/// Of body forces on the particles of a block at one stage, and of these particles; moments are
-/// those about the origin.
+/// Sums of body forces on the particles of a block at one stage, and of these particles; moments
+/// are about the origin.
 template <int D>
 struct ForceOnBlock {
   double mass = 0;
   Point<D> first_moment = {};
   Point<D> force = {};
-  Vector moment = {};  ///< z alone in 2D
+  Vector moment = {};  ///< in 2D z only
 };
 
-/// Gravity and damping (RP.71). A stage leaves a state behind that depends on its rates linearly,
-/// so that these rates can be added to it afterwards.
+/// Gravity and damping (RP.71). The state that a stage writes depends linearly on its rates, so
+/// these rates can be added to it afterwards.
 template <class T, int D>
 class BodyForces {
  public:
   BodyForces(State<T, D>& state, const Case& settings);
 
-  /// Fixes the time step [s].
+  /// Sets the time step [s].
   void prepare(double time_step);
-  /// On the material of a block at a stage of the step.
+  /// The body force on a block at a stage of the step.
   BodyForce<D> of(int block, int stage) const;
-  /// Adds the rates of the particles of a block at a stage to the state that the stage has left
-  /// behind.
+  /// Adds the rates of the particles of a block at a stage to the state that the stage has written.
   void advance(int block, int stage);
   /// Adds the work of the step to the state, block by block, and adapts the damping rate to the
   /// motion.
   void fold();
   /// [block] impulse of the step [N s].
   const std::vector<Point<D>>& impulse() const { return impulse_; }
-  /// [block][stage] of the step; without mass where none act.
+  /// [block][stage] of the step; zero mass if none acts.
   const std::vector<std::array<ForceOnBlock<D>, 4>>& forces() const { return forces_; }
 
  private:
-  /// Of the particles of a block in the first two stages, before body forces act: what (RP.88)
-  /// reads.
+  /// Sums over the particles of a block in the first two stages, before body forces act, for
+  /// (RP.88).
   struct Motion {
     double inertia = 0;               ///< sum m u.u [J]
     std::array<double, 2> gain = {};  ///< [stage] sum m u.(du of the stage) [J]
@@ -76,7 +75,7 @@ class BodyForces {
   State<T, D>& state_;
   Gravity<D> gravity_;
   double mass_scaling_;
-  bool is_adaptive_;  ///< the damping rate, (RP.88)
+  bool is_adaptive_;  ///< whether the damping rate is adaptive, (RP.88)
   double time_step_ = 0;
   std::vector<EnergyBudget> of_block_;                  ///< [block], of the present step
   std::vector<Point<D>> impulse_;                       ///< likewise

@@ -10,8 +10,8 @@ namespace pliant::remeshed {
 
 namespace {
 
-/// The part of a segment or triangle in which a function that is linear in it is positive; `values`
-/// are those at its corners.
+/// The part of a segment or triangle in which a linear function is positive; `values` are those at
+/// its corners.
 template <int D>
 double positive_share(const std::array<double, D>& values) {
   const auto positive = std::count_if(values.begin(), values.end(), [](double v) { return v > 0; });
@@ -30,7 +30,7 @@ double positive_share(const std::array<double, D>& values) {
   return 1;
 }
 
-/// Area times the unit normal, out of the body.
+/// Area times the outward unit normal.
 PlaceVector<2> area_of(const std::array<PlaceVector<2>, 2>& x) {
   return {x[1][1] - x[0][1], x[0][0] - x[1][0]};
 }
@@ -38,7 +38,7 @@ PlaceVector<3> area_of(const std::array<PlaceVector<3>, 3>& x) {
   return (x[1] - x[0]).cross(x[2] - x[0]) / 2;
 }
 
-/// A vector field between two slots.
+/// A vector field, interpolated between two slots.
 template <class T, int D>
 PlaceVector<D> between(const FieldStore<T, D>& fields, Field field, const FacetCorner<D>& corner) {
   PlaceVector<D> value;
@@ -56,9 +56,9 @@ std::array<std::int8_t, D> nothing_loaded() {
   return load;
 }
 
-/// Finds the loads on the components of a facet's area. A facet that cuts off an edge belongs to
-/// two faces: a component along an axis is that of the face which a particle of the facet sees
-/// along it.
+/// Finds the loads on the components of a facet's area vector. A facet that cuts off an edge
+/// belongs to two faces. A component along an axis then belongs to the face that a particle of the
+/// facet sees along that axis.
 template <class T, int D>
 class FacetLoads {
  public:
@@ -103,7 +103,7 @@ class FacetLoads {
   const Boundaries<D>& boundaries_;
 };
 
-/// Force of the loads on the components of an area [N, in 2D N/m].
+/// Force of the loads on the components of an area vector [N, in 2D N/m].
 template <int D>
 PlaceVector<D> force_of(const std::array<std::int8_t, D>& load, const PlaceVector<D>& area,
                         const BoundaryValues<D>& values) {

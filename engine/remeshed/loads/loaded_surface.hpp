@@ -5,9 +5,9 @@
 
 namespace pliant::remeshed {
 
-/// Finds the facets of {phi = 0} of a block on which loads act, in front of attached walls, from
-/// slots on nodes. A cube of slots belongs to the block of its first; `surface` is the free surface
-/// at t = 0.
+/// Finds the loaded facets of {phi = 0} of a block that are in front of attached walls. Slots must
+/// be on nodes. A cube of slots belongs to the block of its first one; `surface` is the free
+/// surface at t = 0.
 template <class T, int D>
 void find_loaded_facets(const LatticeView<T, D>& view, int block, const Shape& surface,
                         const Boundaries<D>& boundaries, std::vector<LoadedFacet<D>>& facets);

@@ -5,7 +5,7 @@
 
 namespace pliant::remeshed {
 
-/// What acts on a block at a stage.
+/// The walls and loads around a block at a stage.
 template <int D>
 struct Surroundings {
   const Boundaries<D>& boundaries;

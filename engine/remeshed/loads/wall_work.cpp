@@ -13,14 +13,15 @@ namespace pliant::remeshed {
 
 namespace {
 
-// Share of a slot in the part of a wall that the body covers, phi in spacings, (RP.65). Walls that
-// hold the body have ghosts as far as it reaches, (RP.97): the last one bears what is beyond it.
+// Share of a slot in the part of a wall that the body covers; phi is in spacings, (RP.65). Walls
+// that hold the body have ghosts as far as the body reaches, (RP.97). The last one also represents
+// the rest.
 double covered_share(double phi, bool slips) {
   if (slips) return std::clamp(0.5 - phi, 0., 1.);
   return phi > -1 ? 0.5 - phi : 1;
 }
 
-// What a ghost stands for of the part of the wall that the body covers, (RP.65).
+// The part of the wall under the body that a ghost represents, (RP.65).
 template <class T, int D>
 double area_on_wall(const Body<T, D>& body, const BlockGhosts<T, D>& ghosts, std::size_t g,
                     bool slips) {
@@ -33,7 +34,7 @@ double area_on_wall(const Body<T, D>& body, const BlockGhosts<T, D>& ghosts, std
   return std::pow(h, D - 1) * layer * covered;
 }
 
-// F of (RP.65) around a slot: how far the slots beside it have come apart since the remeshing.
+// F of (RP.65) around a slot, from the separation of the slots beside it since the remeshing.
 template <class T, int D>
 WallStretch<D> stretch_around(const Body<T, D>& body, std::int64_t slot, int stage) {
   const Layout<D>& layout = body.population.layout;
@@ -54,8 +55,8 @@ WallStretch<D> stretch_around(const Body<T, D>& body, std::int64_t slot, int sta
   return f;
 }
 
-// What other walls leave of the part of a ghost at the start of a step. Material that slides takes
-// its part of the wall along and stretches it.
+// The share of the ghost's part that is in front of other walls, at the start of a step. Sliding
+// material moves its part of the wall along and stretches it.
 template <class T, int D>
 double share_before_others(const Body<T, D>& body, const BlockGhosts<T, D>& ghosts, std::size_t g,
                            const Boundaries<D>& boundaries) {
@@ -81,7 +82,7 @@ double growth_on_wall(const Body<T, D>& body, const BlockGhosts<T, D>& ghosts, s
   return f.determinant() * (f.transpose().inverse() * normal).norm();
 }
 
-// The tests that need no distance from other walls come first: they leave few ghosts.
+// The tests that need no distance to other walls come first, since they exclude most ghosts.
 template <class T, int D>
 void find_wall_shares(const Body<T, D>& body, int block, const Boundaries<D>& boundaries,
                       const std::vector<char>& watched, std::vector<WallShare>& shares) {

@@ -9,29 +9,29 @@
 
 namespace pliant::remeshed {
 
-/// How much larger the part of a wall that ghost g stands for is now than at the remeshing,
-/// (RP.65): abs(cof F n), F of the places of the slots around at a stage.
+/// Growth of the part of a wall that ghost g represents since the remeshing, (RP.65): abs(cof F n),
+/// with F from the places of the slots around it at a stage.
 template <class T, int D>
 double growth_on_wall(const Body<T, D>& body, const BlockGhosts<T, D>& ghosts, std::size_t g,
                       int stage);
 
-/// A ghost that stands for a part of its wall, (RP.65) [m^(D-1)].
+/// A ghost and the part of its wall that it represents, (RP.65) [m^(D-1)].
 struct WallShare {
   std::int32_t ghost;
   double area;
 };
 
-/// Those of a block behind walls to which bodies are attached and that are `watched`, in the order
-/// of the ghosts. Walls move between steps, so that they hold for a step.
+/// The shares of a block at attached walls that are `watched`, in the order of the ghosts. They are
+/// valid for one step, since walls move between steps.
 template <class T, int D>
 void find_wall_shares(const Body<T, D>& body, int block, const Boundaries<D>& boundaries,
                       const std::vector<char>& watched, std::vector<WallShare>& shares);
 
-/// (RP.65) of a block in one stage: adds what walls push with to impulse[wall], and their work.
+/// (RP.65) for a block in one stage: adds the push of walls to impulse[wall], and their work.
 template <class T, int D>
 class WallWork {
  public:
-  /// For a stage that weighs `duration` [s] in the step.
+  /// For a stage with the weight `duration` [s] in the step.
   WallWork(const Body<T, D>& body, const BlockGhosts<T, D>& ghosts, int stage,
            const Surroundings<D>& around, double duration, std::span<const WallShare> shares,
            Point<D>* impulse, double& work)
@@ -45,7 +45,8 @@ class WallWork {
         work_(work),
         impedance_(body.material) {}
 
-  /// Adds what the wall of ghost g does, if the ghost has a share. Asked for in their order.
+  /// Adds impulse and work of the wall of ghost g, if it has a share. Called in the order of
+  /// ghosts.
   void add(std::size_t g, const kernels::GhostFits<T, D>& fits,
            const kernels::WallSite<T, D>& site);
 
@@ -55,7 +56,7 @@ class WallWork {
   int stage_;
   const Surroundings<D>& around_;
   double duration_;
-  std::span<const WallShare> shares_;  ///< of ghosts that are still to come
+  std::span<const WallShare> shares_;  ///< of the ghosts that follow
   Point<D>* impulse_;
   double& work_;
   kernels::Impedance<T> impedance_;

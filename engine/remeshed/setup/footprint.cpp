@@ -10,7 +10,7 @@ namespace pliant::remeshed {
 
 namespace {
 
-/// Values of a slot in the three copies of the state, the stress, and what is kept beside them.
+/// Values of a slot in the three copies of the state, the stress, and further arrays.
 template <int D>
 double values_of_slot(const BodyCase& body) {
   int state = 0;
@@ -24,7 +24,7 @@ double values_of_slot(const BodyCase& body) {
   return state + stress + interior + (D == 3 ? 1 : 0) + memory;
 }
 
-/// Values of a slot in the copy of the state that looks ahead need.
+/// Values of a slot in the copy of the state for outputs inside a step.
 template <int D>
 double values_of_copy(const BodyCase& body) {
   int state = 0;

@@ -4,9 +4,9 @@
 
 namespace pliant::remeshed {
 
-/// Memory of particles on a lattice: of slots by the list of fields, of ghosts with their fits and
-/// of particles, which are in frames and in the cells over which totals are integrated, as
-/// measured.
+/// Memory of particles on a lattice. That of slots follows from the list of fields; that of ghosts
+/// with their fits is measured, and so is that of particles in frames and in the cells for
+/// integrals.
 Footprint footprint(const Case& a_case, const BodyCase& body);
 
 }  // namespace pliant::remeshed

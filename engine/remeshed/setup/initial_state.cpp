@@ -28,7 +28,7 @@ Principal<D> principal_stresses(const kernels::Material<double>& m, const Princi
   return (2 * slope * scale / j * (squares.array() - sum / 3) + volumetric).matrix();
 }
 
-/// Newton's method from the undeformed state; steps that make matters worse are halved.
+/// Newton's method from the undeformed state; steps that increase the residual are halved.
 template <int D>
 bool find_strain(const kernels::Material<double>& m, const Principal<D>& stress,
                  Principal<D>& strain) {

@@ -6,16 +6,16 @@
 
 namespace pliant::remeshed {
 
-/// What a particle carries at t = 0.
+/// The material state of a particle at t = 0.
 template <int D>
 struct InitialState {
   std::array<double, D* D> material = {};  ///< S [Pa] or F
   double density = 0;                      ///< [kg/m^3]
 };
 
-/// The state at `x` of a body that starts with an initial stress: S and the density of its pressure
-/// (linear), or the stretch whose stress it is (reduced polynomial), (RP.77). Throws InputError
-/// where there is none.
+/// The state at `x` of a body with an initial stress, (RP.77): S and the density of its pressure
+/// (linear), or the stretch with this stress (reduced polynomial). Throws InputError if there is
+/// none.
 template <int D>
 InitialState<D> state_under_stress(const BodyCase& body, const Vector& x);
 

@@ -13,9 +13,9 @@ Kind kind_of(const Point<D>& x, T phi, double h, bool valid, Outside outside,
   if (phi >= ghost_band * h) return Kind::vacant;
   const auto [wall, d] = boundaries.nearest_wall(x);
   if (d < -ghost_band * h) return Kind::vacant;
-  // (RP.97): where the body does not reach the wall, the wall does not hold it.
+  // (RP.97): a wall does not hold the body where the body does not reach it.
   if (d < 0 && (phi < 0 || boundaries.walls[wall].slips())) return Kind::wall_ghost;
-  // What lies beyond a contact wall is outside the body, whatever phi says.
+  // What is beyond a contact wall is outside the body, whatever phi is.
   const double beyond = boundaries.nearest_contact(x).second;
   if (beyond < -ghost_band * h) return Kind::vacant;
   if (phi >= 0 || beyond < 0) {
@@ -24,7 +24,7 @@ Kind kind_of(const Point<D>& x, T phi, double h, bool valid, Outside outside,
   return valid ? Kind::interior : Kind::vacant;
 }
 
-// Finite values that no interior particle reads.
+// Sets finite values, which no interior particle reads.
 template <class T, int D>
 void vacate(FieldStore<T, D>& state, std::int64_t p, const kernels::Material<T>& material,
             T volume) {

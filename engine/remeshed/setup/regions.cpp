@@ -31,7 +31,7 @@ class RegionSearch {
     Population<T, D>& population = body_.population;
     if (wanted_.group == Group::kinds) add_kinds(population);
     if (wanted_.group == Group::image_sources) add(population.images[block_]);
-    // In the second graph of a remeshing the lists of ghosts are those of the new lattice already.
+    // In the second graph of a remeshing, the lists of ghosts already belong to the new lattice.
     if (block_ < std::ssize(population.ghosts)) add_ghosts(population);
     add_neighbours();
   }
@@ -97,7 +97,7 @@ class RegionSearch {
     return kind == Kind::free_ghost || kind == Kind::wall_ghost ? Part::ghosts : Part::particles;
   }
 
-  /// Calls f(first, count) for stretches of slots with `part_of_slot(slot, cell)` == `part`.
+  /// Calls f(first, count) for ranges of slots with `part_of_slot(slot, cell)` == `part`.
   template <class Which, class F>
   void for_each_stretch(const Layout<D>& layout, Part part, const Which& part_of_slot,
                         F&& f) const {
@@ -154,7 +154,7 @@ class RegionSearch {
     BlockGhosts<T, D>::for_each_list([&](Field, auto list) { add(ghosts.*list); });
   }
 
-  // Their padding may hold anything.
+  // Excludes their padding, whose contents are arbitrary.
   void add_packs(BlockGhosts<T, D>& ghosts) {
     constexpr std::size_t size = offsetof(kernels::SurfacePack, lanes) + sizeof(std::uint16_t);
     for (kernels::SurfacePack& pack : ghosts.packs) add(reinterpret_cast<std::byte*>(&pack), size);

@@ -9,12 +9,12 @@
 
 namespace pliant::remeshed {
 
-/// The memory that belongs to a resource on a block of a step graph, to test declarations with.
-/// Blocks are numbered over all bodies; those of groups on the new lattice (`new_state` to
-/// `record_numbers`) are its own. Slots that hold nothing belong to the part of the particles.
+/// The memory of a resource on a block of a step graph, for tests of declarations. Blocks are
+/// numbered over all bodies; for groups on the new lattice (`new_state` to `record_numbers`), they
+/// are blocks of that lattice. Vacant slots belong to the part of the particles.
 ///
-/// Regions hold until the next phase that lets a list grow, and until the next remeshing. Empty for
-/// what the classes of phases keep to themselves, one value for each block or body: samples, sites,
+/// Regions are valid until a phase extends a list, and until the next remeshing. Empty for data
+/// that is private to the classes of phases, one value for each block or body: samples, sites,
 /// sums, results.
 template <class T, int D>
 std::vector<std::span<std::byte>> regions(State<T, D>& state, scheduler::FieldId resource,

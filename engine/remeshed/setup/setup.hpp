@@ -6,9 +6,9 @@
 
 namespace pliant::remeshed {
 
-/// The lattice of a body: nodes lie symmetrically in its bounding box, so that a box whose sides
-/// are whole multiples of the spacing has its surfaces half-way between nodes; periodic directions
-/// start at the lower end of the cell.
+/// The lattice of a body. Nodes are placed symmetrically in its bounding box, so that the surfaces
+/// of a box are half-way between nodes if its sides are multiples of the spacing. Periodic
+/// directions start at the lower end of the cell.
 template <int D>
 Lattice<D> body_lattice(const Case& settings, const BodyCase& body);
 

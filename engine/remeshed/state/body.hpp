@@ -20,16 +20,16 @@ namespace pliant::remeshed {
 using kernels::Kind;
 using kernels::PackState;
 
-/// Ghosts of one block that lie on other bodies in the present step, and their tractions.
+/// The ghosts of one block that are on other bodies in the present step, and their tractions.
 template <class T, int D>
 struct ContactPoints {
   std::vector<std::int32_t> ghost;    ///< in the order of the ghosts
-  std::vector<std::int32_t> contact;  ///< of the case
-  std::vector<T> gap;   ///< to the other body's surface, negative where they overlap [m]
+  std::vector<std::int32_t> contact;  ///< index in the case
+  std::vector<T> gap;   ///< to the surface of the other body, negative where they overlap [m]
   std::vector<T> area;  ///< share of the surface, (RP.68) [m^(D-1)]
   std::vector<std::int64_t> begin;         ///< [contact point + 1] into the two below
-  std::vector<std::int32_t> record;        ///< of the other body
-  std::vector<T> coefficient;              ///< of its linear fit at the foot point
+  std::vector<std::int32_t> record;        ///< records of the other body
+  std::vector<T> coefficient;              ///< of the linear fit at the foot point
   std::vector<std::array<T, D>> traction;  ///< on this body, (RP.56) [Pa]
 
   /// Calls f(field, list) for every list of the contact points.
@@ -55,41 +55,41 @@ struct ContactPoints {
 template <class T, int D>
 struct Body;
 
-/// Ghosts of one block, and the surface particles of the block that ghosts anywhere read. Those
-/// that the stencil of a particle reaches, and those that tell what walls do, come first, in the
-/// order of the slots; then, likewise, the others, which only drift.
+/// The ghosts of one block, and the surface particles of the block that any ghosts read. Ghosts
+/// that the stencil of a particle reaches, and those needed for the force of walls, come first, in
+/// the order of the slots. The others, which only drift, follow in the same order.
 template <class T, int D>
 struct BlockGhosts {
   std::vector<std::int32_t> slot;
-  std::size_t reached_count = 0;                ///< of the ghosts that come first
-  std::vector<std::int8_t> wall;                ///< of a wall or contact ghost; -1: free surface
-  std::vector<std::uint8_t> active;             ///< whether the ghost sets its slot; see `contact`
-  std::vector<std::int8_t> pressure;            ///< acting on it; see record_loads.hpp
-  std::vector<std::int32_t> edge;               ///< slot at the edge of contact beside it, (RP.81)
-  std::vector<Point<D>> normal;                 ///< of the wall; beside an edge, up its side
-  std::vector<Point<D>> foot;                   ///< foot point at xi = 0 [m]
-  std::vector<kernels::FitTerms<T, D>> terms;   ///< of the fits (RP.43), (RP.44)
-  std::vector<T> constrained_sum;               ///< sum of the coefficients b
-  std::vector<T> surface_sum;                   ///< of a: 1, or 0 where the surface ends at a wall
-  std::vector<std::array<T, D>> correction;     ///< (RP.50) of the present stage [m/s]
-  std::vector<std::array<T, D>> lasting;        ///< part of it that lasts, (RP.50) [m/s]
-  std::vector<std::array<T, D>> initial_drift;  ///< [reached] drift before the step [m]
-  std::vector<std::array<T, D>> drift_increment;  ///< [reached] from there, so far [m]
-  std::vector<std::int64_t> begin;                ///< [ghost + 1] into the next
+  std::size_t reached_count = 0;      ///< number of ghosts that come first
+  std::vector<std::int8_t> wall;      ///< wall of a wall or contact ghost; -1: free surface
+  std::vector<std::uint8_t> active;   ///< whether the ghost sets its slot; see `contact`
+  std::vector<std::int8_t> pressure;  ///< load on it; see record_loads.hpp
+  std::vector<std::int32_t> edge;     ///< slot at the edge of contact next to it, (RP.81)
+  std::vector<Point<D>> normal;       ///< of the wall; next to an edge, that of the body's side
+  std::vector<Point<D>> foot;         ///< foot point at xi = 0 [m]
+  std::vector<kernels::FitTerms<T, D>> terms;  ///< of the fits (RP.43), (RP.44)
+  std::vector<T> constrained_sum;              ///< sum of the coefficients b
+  std::vector<T> surface_sum;                ///< sum of a: 1, or 0 where the surface ends at a wall
+  std::vector<std::array<T, D>> correction;  ///< (RP.50) of the present stage [m/s]
+  std::vector<std::array<T, D>> lasting;     ///< lasting part of it, (RP.50) [m/s]
+  std::vector<std::array<T, D>> initial_drift;    ///< [reached] drift before the step [m]
+  std::vector<std::array<T, D>> drift_increment;  ///< [reached] change of the drift since then [m]
+  std::vector<std::int64_t> begin;                ///< [ghost + 1] into `pairs`
   std::vector<kernels::FitPair> pairs;            ///< with interior particles
-  std::vector<std::int64_t> wall_begin;           ///< into the next; -1: free surface
+  std::vector<std::int64_t> wall_begin;           ///< into `wall_distance`; -1: free surface
   std::vector<T> wall_distance;                   ///< of the particles of walls' ghosts, over h
-  /// A slot beyond a contact wall has two ghosts, of the free surface and, next in order, of the
-  /// wall: the latter are listed here. One of the two is active, (RP.52).
+  /// A slot beyond a contact wall has two ghosts, one of the free surface and, next in order, one
+  /// of the wall. The latter are listed here. One of the two is active, (RP.52).
   std::vector<std::int32_t> contact;
-  /// [contact] of the surface above the wall at xi = 0 and the wall's place at t = 0, (RP.52) [m]
+  /// [contact] height of the surface above the wall, with xi = 0 and the wall at t = 0, (RP.52) [m]
   std::vector<double> contact_height;
   std::vector<double> contact_area;    ///< [contact] share of the wall, (RP.65) [m^(D-1)]
   ContactPoints<T, D> contact_points;  ///< with other bodies
   std::vector<kernels::SurfacePack> packs;
   std::int32_t first_record = 0, record_count = 0;
 
-  /// Calls f(field, list) for every list of the ghosts but those of their contact points.
+  /// Calls f(field, list) for every list of the ghosts, without those of their contact points.
   template <class F>
   static void for_each_list(F&& f) {
     using G = BlockGhosts;
@@ -116,7 +116,7 @@ struct BlockGhosts {
     f(Field::contact_area, &G::contact_area);
   }
 
-  /// The ghosts so far are those that come first.
+  /// Ends the ghosts that come first.
   void end_reached(std::size_t count) {
     reached_count = count;
     initial_drift.resize(count);
@@ -131,10 +131,10 @@ struct BlockGhosts {
     contact_points.clear();
   }
 
-  /// Values that the sums of a ghost take.
+  /// Values in the sums of a ghost.
   static constexpr int sums_of_ghost = 3 * kernels::record_width<D>;
 
-  /// What there is to do for the sums of ghosts first..first+count-1 of a body.
+  /// Arguments for the sums of ghosts first..first+count-1 of a body.
   kernels::GhostSums<T, D> sums(std::size_t first, std::size_t count, const Body<T, D>& body,
                                 T* into) const {
     return {static_cast<std::int64_t>(first),
@@ -156,11 +156,11 @@ struct BlockGhosts {
   }
 };
 
-/// A corner of a facet, which moves with the two slots between which it lies.
+/// A corner of a facet. It lies between two slots and moves with them.
 template <int D>
 struct FacetCorner {
   std::int32_t inside, outside;  ///< slots
-  double fraction;               ///< of the way from the one inside to the other
+  double fraction;               ///< share of the way from the inside slot to the outside one
   Point<D> place;                ///< at xi = 0 [m]
 };
 
@@ -168,11 +168,11 @@ struct FacetCorner {
 template <int D>
 struct LoadedFacet {
   std::array<FacetCorner<D>, D> corners;
-  double share;                     ///< of it in front of attached walls
-  std::array<std::int8_t, D> load;  ///< on each component of its area
+  double share;                     ///< share in front of attached walls
+  std::array<std::int8_t, D> load;  ///< on each component of its area vector
 };
 
-/// Slots of a body after a remeshing: where they lie, what they hold, how ghosts read them.
+/// The slots of a body after a remeshing: places, kinds, and how ghosts read them.
 template <class T, int D>
 struct Population {
   Layout<D> layout;
@@ -183,32 +183,31 @@ struct Population {
       images;  ///< [block] (image, source)
   std::vector<std::int32_t> slot_of_record;
   std::vector<T> surface_distance;      ///< [record] phi over h at the remeshing
-  std::vector<std::int8_t> load;        ///< [record] on the face nearest to it
+  std::vector<std::int8_t> load;        ///< [record] load on the nearest face
   std::vector<std::array<T, D>> face;   ///< [record] its normal at the remeshing, (RP.78)
   std::vector<std::array<T, D>> slope;  ///< [record] grad phi there
   std::int64_t particles = 0;           ///< interior
 };
 
-/// One body: its lattice, material, particles and surface. Nothing of it is shared with other
-/// bodies.
+/// One body: its lattice, material, particles and surface. It shares nothing with other bodies.
 ///
-/// A remeshing writes `spare` and `stage[1]` (dead between steps) and then swaps them with the
-/// current ones; measuring between remeshings is a remeshing that is not followed by the swap. What
-/// it needs besides lies in `stage[2]`, dead between steps too. Within steps in turn the stress of
-/// the odd stages lies where `stage[1]` has the fields that do not evolve.
+/// A remeshing writes `spare` and `stage[1]`, which are not in use between steps, and then swaps
+/// them with the current ones. Measuring between remeshings is a remeshing without the swap. Its
+/// temporary data are in `stage[2]`, which is not in use between steps either. During steps, the
+/// stress of the odd stages uses the memory of those fields of `stage[1]` that do not evolve.
 template <class T, int D>
 struct Body {
   std::string name;
   const BodyCase* source = nullptr;
-  kernels::Material<T> material;  ///< its density is that of the inertia, (RP.87)
-  double mass_scaling = 1;        ///< M of (RP.87), also in the masses of the particles
+  kernels::Material<T> material;  ///< its density includes mass scaling, (RP.87)
+  double mass_scaling = 1;        ///< M of (RP.87), included in the masses of the particles
   bool bears_loads = false;       ///< whether loads or body forces act in the case
-  bool has_surface = true;  ///< whether phi = 0 cuts it; not so where it fills a periodic cell
+  bool has_surface = true;  ///< whether it has a surface phi = 0; false if it fills a periodic cell
   Lattice<D> lattice;
   Population<T, D> population, spare;
   std::array<FieldStore<T, D>, 3> stage;  ///< see buffer_of, drift_buffer_of; 0, 1: all fields
   std::array<Buffer<T>, kernels::symmetric_components<D>> stress;  ///< of the even stages
-  Buffer<T> last_odd_stress;  ///< the component of the odd stages for which there is no other place
+  Buffer<T> last_odd_stress;  ///< the component of the odd stages that has no other memory
   Buffer<T> interior;         ///< [slot] of `population`: 1 for interior particles, else 0
   std::vector<kernels::PronyTerm<T>> prony;
   std::vector<T*> memory;   ///< [term] p_i of `stage[0]`
@@ -226,8 +225,8 @@ struct Body {
     return view;
   }
 
-  /// Calls f(field, copy, buffers) for every array of the body's slots that is not in `stage`:
-  /// those that its material needs.
+  /// Calls f(field, copy, buffers) for every array of slots that the body's material needs and that
+  /// is not in `stage`.
   template <class F>
   void for_each_array(F&& f) {
     visit_arrays(*this, f);

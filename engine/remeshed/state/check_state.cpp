@@ -8,8 +8,8 @@ namespace pliant::remeshed {
 
 namespace {
 
-// How near a wall the edge of a clamp is the likely cause of a failure [h]: its stress is singular,
-// and no step is short enough for it.
+// Distance from a wall within which the edge of a clamp is the likely cause of a failure [h]. The
+// stress there is singular, and no step is short enough for it.
 constexpr double edge_of_clamp = 3;
 
 }  // namespace

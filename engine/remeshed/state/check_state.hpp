@@ -7,10 +7,11 @@
 #include "engine/remeshed/state/stage_results.hpp"
 #include "engine/remeshed/state/state.hpp"
 
-/// Failures of a run that only its state shows.
+/// Failures of a run that are found from its state.
 namespace pliant::remeshed {
 
-/// What a method advises: called when a run has failed, since a step allocates nothing.
+/// Advice of a method. It is a function because steps do not allocate; it is called after a
+/// failure.
 using Remedies = std::vector<std::string> (*)(const Case& settings);
 
 /// Throws StepFailure when a particle is no longer finite.
@@ -18,14 +19,14 @@ template <class T, int D>
 void check_finite(const Case& settings, const StageResults& results, const State<T, D>& state,
                   Remedies remedies);
 
-/// Throws StepFailure when a body has strained so much in a step of `time_step` [s] that its state
-/// has no meaning: the lists of neighbours for the next step would not fit into memory.
+/// Throws StepFailure when the strain of a body in a step of `time_step` [s] is so large that its
+/// state is meaningless: the next neighbour lists would not fit into memory.
 template <class T, int D>
 void check_strain(const Case& settings, const StageResults& results, const State<T, D>& state,
                   double time_step, Remedies remedies);
 
-/// Throws StepFailure when a body has no particle left: within one remeshing, an unstable body may
-/// leave its level set although all its values are finite.
+/// Throws StepFailure when a body has no particles left. Between two remeshings, an unstable body
+/// may leave its level set with finite values.
 template <class T, int D>
 void check_bodies(const Case& settings, const State<T, D>& state, Remedies remedies);
 

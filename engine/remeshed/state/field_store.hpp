@@ -10,8 +10,8 @@
 
 namespace pliant::remeshed {
 
-/// Components of a field of the state; `material_components` are those of what the material model
-/// evolves (S or F), `terms` those of its Prony series.
+/// Components of a field of the state; `material_components` are those of the material state (S or
+/// F), `terms` the terms of the Prony series.
 template <int D>
 constexpr int components(Rank rank, int material_components, int terms = 0) {
   switch (rank) {
@@ -26,7 +26,7 @@ constexpr int components(Rank rank, int material_components, int terms = 0) {
   }
 }
 
-/// Structure of arrays of one copy of the state: the fields of the list that have so many copies.
+/// One copy of the state as a structure of arrays, with the fields that have this many copies.
 template <class T, int D>
 class FieldStore {
  public:
@@ -39,7 +39,7 @@ class FieldStore {
     }
   }
 
-  /// Room for `slots`; new slots hold zeros, which vacant slots may.
+  /// Makes room for `slots`; new slots contain zeros, which are valid for vacant slots.
   void grow(std::int64_t slots) {
     for (auto& field : arrays_) {
       for (Buffer<T>& component : field) component.grow(slots, T(0));
@@ -51,7 +51,7 @@ class FieldStore {
   T* get(Field f, int component = 0) { return (*this)[f][component].get(); }
   const T* get(Field f, int component = 0) const { return (*this)[f][component].get(); }
 
-  /// The evolving fields that this copy has.
+  /// The evolving fields of this copy.
   template <class U = T>
   kernels::Evolving<U, D> evolving() {
     kernels::Evolving<U, D> view = {};
@@ -85,8 +85,8 @@ struct StateComponent {
   int component;
 };
 
-/// Where the odd stages keep each component of sigma: in fields of Q2 that only a remeshing and
-/// what follows it write, (RP.21). The last component in 3D has an array of its own.
+/// The fields that store the components of sigma in odd stages: fields of Q2 that only a remeshing
+/// and its follow-up write, (RP.21). The last component in 3D has its own array.
 template <int D>
 inline constexpr auto odd_stress_storage = [] {
   using F = Field;

@@ -6,11 +6,11 @@
 #include "engine/remeshed/state/index_spaces.hpp"
 #include "kernels/layout.hpp"
 
-/// The fields of the remeshed method, declared once; docs/fields.md shows the list as a table.
+/// The fields of the remeshed method; docs/fields.md shows them as a table.
 namespace pliant::remeshed {
 
 enum class Field {
-  // The state that a FieldStore holds.
+  // The state, in a FieldStore.
   drift,
   velocity,
   volume,
@@ -19,7 +19,7 @@ enum class Field {
   level_set,
   displacement,
   memory_pressure,
-  // Slots between remeshings.
+  // Data of slots between remeshings.
   stress,
   volume_change,
   interior,
@@ -28,7 +28,7 @@ enum class Field {
   image,
   pair_stress,
   artificial_stress,
-  // Ghosts and what they read.
+  // Ghosts and the data that they read.
   ghost_slot,
   wall,
   active,
@@ -261,7 +261,7 @@ inline constexpr Table field_list = [] {
 }();
 // clang-format on
 
-/// The fields of the state, which a FieldStore holds.
+/// The fields of the state, in a FieldStore.
 inline constexpr int state_field_count = static_cast<int>(Field::memory_pressure) + 1;
 inline constexpr std::span<const Declaration> state_fields(field_list.begin(), state_field_count);
 

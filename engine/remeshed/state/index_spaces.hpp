@@ -4,7 +4,7 @@
 
 namespace pliant::remeshed {
 
-/// What fields of the remeshed method have one value, vector or list for.
+/// The index spaces of the fields of the remeshed method.
 enum class IndexSpace {
   slot,
   pack,

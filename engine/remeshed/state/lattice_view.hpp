@@ -7,7 +7,7 @@
 
 namespace pliant::remeshed {
 
-/// A body's fields on nodes: what surface and integral measurements read.
+/// A body's fields on nodes, for measurements of surfaces and integrals.
 template <class T, int D>
 struct LatticeView {
   const Body<T, D>& body;
@@ -15,7 +15,7 @@ struct LatticeView {
   const FieldStore<T, D>& fields;
 };
 
-/// Gives the bodies on fresh nodes at the present time, remeshed only when they are asked for.
+/// Returns the bodies on nodes at the present time; remeshes them only when called.
 template <class T, int D>
 using NodeSource = std::function<std::vector<LatticeView<T, D>>()>;
 

@@ -3,12 +3,12 @@
 #include "engine/method/resources.hpp"
 #include "engine/remeshed/state/fields.hpp"
 
-/// What phases of the remeshed method read and write, as the scheduler sees it: numbers and names
-/// follow from the lists of fields and groups.
+/// The resources of the remeshed method; their numbers and names follow from the lists of fields
+/// and groups.
 namespace pliant::remeshed {
 
-/// In the order of Group. Fields on the new lattice of a remeshing have groups of their own, since
-/// its blocks are others.
+/// In the order of Group. Fields on the new lattice of a remeshing have their own groups, since its
+/// blocks are different.
 inline constexpr Table group_list = [] {
   using G = Group;
   return Table(&GroupDeclaration<Group>::group, G::record_numbers,
@@ -62,7 +62,7 @@ inline constexpr Table group_list = [] {
 
 inline constexpr ResourceNumbers resource_numbers(group_list);
 
-/// The resource whose memory a field has: the odd stages keep sigma in constants of Q2, see
+/// The resource that has the memory of a field: the odd stages store sigma in constants of Q2, see
 /// odd_stress_storage.
 constexpr Resource<Group> stored(Resource<Group> resource) {
   const bool is_odd_stress = resource.group == Group::stress && resource.copy == 1;
@@ -75,7 +75,7 @@ inline Resources of(Group group, int copy, Part part) {
   return {resource_numbers(stored({group, copy, part}))};
 }
 
-/// A copy of fields in the slots of one part, or in all slots.
+/// One copy of a group, in the slots of one part or in all slots.
 inline Resources particles(Group group, int copy = 0) { return of(group, copy, Part::particles); }
 inline Resources ghosts(Group group, int copy = 0) { return of(group, copy, Part::ghosts); }
 inline Resources images(Group group, int copy = 0) { return of(group, copy, Part::images); }
@@ -84,7 +84,7 @@ inline Resources slots(Group group, int copy = 0) {
   return particles(group, copy) + ghosts(group, copy) + images(group, copy);
 }
 
-/// Fields that are not divided into parts.
+/// Groups that are not divided into parts.
 inline Resources whole(Group group, int copy = 0) { return of(group, copy, Part::particles); }
 
 inline std::vector<std::string> names() { return resource_numbers.names(); }

@@ -7,15 +7,15 @@
 
 namespace pliant::remeshed {
 
-/// What the blocks find in the last stage that runs on them, folded in the order of the blocks.
+/// The results of blocks in their last stage, combined in the order of the blocks.
 class StageResults {
  public:
-  /// One result for each block of `body_count` bodies, as if nothing moved.
+  /// Resets to one result for each block of `body_count` bodies, as at rest.
   void reset(const std::vector<BlockOwner>& owners, std::size_t body_count);
   kernels::StageResult& operator[](int block) { return of_block_[block]; }
 
   void fold(const std::vector<BlockOwner>& owners);
-  /// Largest values of all blocks, and the first slot that is no longer finite.
+  /// Largest values over all blocks, and the first slot that is not finite.
   const kernels::StageResult& total() const { return total_; }
   /// The block of that slot, or -1.
   int failed_block() const { return failed_block_; }

@@ -23,23 +23,23 @@ struct Clock : StepClock {
   double damping = 0;             ///< alpha of (RP.71) in the next step [1/s]
 };
 
-/// Of a body in contact, see contact_momentum_correction.hpp.
+/// Momentum budget of a body in contact, see contact_momentum_correction.hpp.
 template <int D>
 struct MomentumBudget {
   double mass = 0;         ///< M of (RP.87) times that at t = 0 [kg]
   Point<D> momentum = {};  ///< [N s]
 };
 
-/// Of any body that has a surface, see free_motion_correction.hpp.
+/// Motion budget of a body with a surface, see free_motion_correction.hpp.
 template <int D>
 struct MotionBudget {
   double mass = 0;         ///< M of (RP.87) times that after the last remeshing [kg]
   Point<D> momentum = {};  ///< [N s]
-  Vector spin = {};        ///< angular momentum about the mass centre; z alone in 2D [N m s]
-  bool is_known = false;   ///< unless something has held or pushed the body since then
+  Vector spin = {};        ///< angular momentum about the mass centre [N m s]; in 2D z only
+  bool is_known = false;   ///< false if something has held or pushed the body since then
 };
 
-/// All bodies of a case, with the walls, clocks and budgets that they share.
+/// All bodies of a case, with their walls, clock and budgets.
 template <class T, int D>
 struct State {
   Clock clock;
@@ -49,7 +49,7 @@ struct State {
   std::vector<Point<D>> contact_impulse;  ///< [contact] on its second body, since t = 0 [N s]
   std::vector<Body<T, D>> bodies;
   std::vector<MomentumBudget<D>>
-      momentum_budgets;                         ///< [body], or none without contacts between bodies
+      momentum_budgets;                         ///< [body]; empty without contact between bodies
   std::vector<MotionBudget<D>> motion_budgets;  ///< [body]
   std::vector<BlockOwner> blocks;
 
@@ -59,7 +59,7 @@ struct State {
     return sum;
   }
 
-  /// Size of all fields [bytes].
+  /// Size of all fields [B].
   std::size_t bytes() const {
     std::size_t sum = 0;
     for (const Body<T, D>& body : bodies) {
@@ -72,7 +72,7 @@ struct State {
     return sum;
   }
 
-  /// The body of a block, and the block's number in it.
+  /// The body of a block, and the number of the block in it.
   struct Owner {
     Body<T, D>& body;
     int block;

@@ -29,7 +29,7 @@ void for_each_counter(C& clock, F&& f) {
   f("steps_since_reinitialisation", clock.steps_since_reinitialisation);
 }
 
-/// Calls f(name, buffer) for every array of slots that a checkpoint holds: one copy of each.
+/// Calls f(name, buffer) for every array of slots in a checkpoint: one copy of each.
 template <class B, class F>
 void for_each_slot_array(B& body, F&& f) {
   const auto visit = [&f](const Declaration& field, auto& components) {
@@ -44,7 +44,7 @@ void for_each_slot_array(B& body, F&& f) {
   visit(field_list[Field::stress], body.stress);
 }
 
-/// The number that values of a list consist of.
+/// The number type of the values of a list.
 template <class V>
 struct Number {
   using Type = V;
@@ -74,7 +74,7 @@ std::string list_name(const std::string& group, Field field) {
   return fmt::format("{}/{}", group, field_list[field].name);
 }
 
-// A list of all blocks is one array; another says how long each block's is.
+// A list of all blocks is one array; another array has the length of each block's part.
 template <class T, int D>
 void put_ghosts(ArchiveWriter& archive, const std::string& group,
                 const Population<T, D>& population) {

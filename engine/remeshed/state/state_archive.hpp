@@ -6,13 +6,13 @@
 
 namespace pliant::remeshed {
 
-/// Everything that the next step reads: clock, walls, and of every body its layout, kinds, fields,
-/// stress and ghost fits.
+/// Writes everything that the next step reads: clock, walls, and for every body its layout, kinds,
+/// fields, stress and ghost fits.
 template <class T, int D>
 void put_state(ArchiveWriter& archive, const State<T, D>& state);
 
-/// Into the state of the same case; `remeshings` lay its bodies out. Throws OutputError when the
-/// archive does not fit the state.
+/// Reads into the state of the same case; `remeshings` builds the layouts of its bodies. Throws
+/// OutputError when the archive does not fit the state.
 template <class T, int D>
 void get_state(const ArchiveReader& archive, State<T, D>& state, Remeshings<T, D>& remeshings);
 

@@ -6,7 +6,7 @@ namespace pliant::remeshed {
 
 namespace {
 
-/// Calls f(number, buffer) for the arrays of slots that a step leaves changed.
+/// Calls f(number, buffer) for the arrays of slots that a step changes.
 template <class B, class F>
 void for_each_changed(B& body, F&& f) {
   std::size_t number = 0;

@@ -9,13 +9,14 @@ namespace pliant::remeshed {
 
 /// A copy of everything that a step changes, to return to the state before it.
 ///
-/// Lists of neighbours are no part of the state, and what a remeshing changes is none of a step.
+/// It contains no neighbour lists, which are not part of the state, and nothing that only a
+/// remeshing changes.
 template <class T, int D>
 class StateCopy {
  public:
-  /// Copies the present state. Allocates only when the slots are more than ever before.
+  /// Copies the present state. Allocates only when there are more slots than ever before.
   void keep(const State<T, D>& state);
-  /// Makes the kept state the present one, with all its bits.
+  /// Restores the copied state, bit by bit.
   void put_back(State<T, D>& state) const;
   std::size_t bytes() const;
 
@@ -25,7 +26,7 @@ class StateCopy {
     std::vector<Kind> kind;
     std::vector<PackState> pack_state;
     std::vector<std::vector<std::uint8_t>> active;       ///< [block][ghost]
-    std::vector<std::vector<std::array<T, D>>> lasting;  ///< the same
+    std::vector<std::vector<std::array<T, D>>> lasting;  ///< [block][ghost]
     double strain, strain_rate;
   };
 
