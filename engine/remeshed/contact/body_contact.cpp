@@ -15,8 +15,8 @@ namespace {
 
 using scheduler::Phase;
 
-// (RP.56): time in which a gap or an overlap is to vanish [h/c]: shorter rings, longer lets bodies
-// sink in.
+// (RP.56): the time in which a gap or an overlap is to close [h/c]. With a shorter time contact
+// oscillates; with a longer one bodies sink into each other.
 constexpr double closing_time = 10;
 
 kernels::InterfaceKind converted(ContactLaw law) {
@@ -87,7 +87,7 @@ void BodyContact<T, D>::find_tractions(int block, int stage) {
     const Body<T, D>& other = state_.bodies[contacts_[c].bodies[is_first ? 1 : 0]];
     const Interaction found = interaction(own, other, ghosts, k, contacts_[c]);
     contact_points.traction[k] = found.traction;
-    // On the second body, the mean of what the two sides say.
+    // Impulse on the second body: the mean of the two sides.
     const double share = 0.5 * stage_weight[stage] * time_step_ * contact_points.area[k];
     Point<D>& impulse = block_impulse_[block * contacts_.size() + c];
     for (int a = 0; a < D; ++a) impulse[a] += (is_first ? -share : share) * found.traction[a];
@@ -109,7 +109,7 @@ auto BodyContact<T, D>::interaction(const Body<T, D>& own, const Body<T, D>& oth
         other.records.get() + static_cast<std::int64_t>(contact_points.record[i]) * width;
     for (int f = 0; f < width; ++f) sum[f] += contact_points.coefficient[i] * record[f];
   }
-  // A bond asks nothing of the level sets: what they say at its ends would shake it.
+  // A tie ignores the level sets: their errors at its ends would shake it.
   const double speed = contact.law == ContactLaw::tied
                            ? 0
                            : std::min<double>(kernels::wave_speed_at_rest(own.material),

@@ -7,23 +7,22 @@
 #include "kernels/remeshed/table.hpp"
 #include "scheduler/phase.hpp"
 
-// Bodies that meet.
+// Bodies in contact.
 //
-//         body a         Ghosts of a body stay those of its own surface. Where the foot point of
-//         one
-//     \___________/      lies on another body too, the surface is not free there: it carries the
-//      g g x x g g       traction (RP.56) that two half spaces with the states of the two bodies at
-//         /-----\        that point would exert on each other at once (a Riemann problem), and
-//          body b        the ghost is that of a loaded surface, (RP.57).
+//         body a         Each body keeps the ghosts of its own surface. Where the foot point of a
+//    \___________/       ghost also lies on another body, the surface is not free: it carries the
+//     g g x x g g        traction (RP.56) that two half spaces with the states of the two bodies at
+//        /-----\         that point would exert on each other (a Riemann problem). The ghost is
+//         body b         then that of a loaded surface, (RP.57).
 //
-// Nothing is shared but that traction: each body keeps its lattice, its level set and its
-// particles, remeshes by itself, and materials never mix. A tied interface is the same without
-// the question whether the bodies press: ghosts that lie nearer to the other body are tied to it.
+// The bodies share only that traction. Each has its own lattice, level set and particles and is
+// remeshed by itself; materials never mix. A tied interface is the same, except that it does not
+// ask whether the bodies press: ghosts that are nearer to the other body are tied to it.
 //
-// Each side finds the traction at its own foot points, and what each of them does to its particles
-// is right to the order of the method, not to rounding. The momentum that crosses is therefore
-// counted once for each pair, as the mean of the two sides, (RP.68), and each body is brought to
-// its momentum budget: contact_momentum_correction.hpp.
+// Each side computes tractions at its own foot points. Their effect on its particles is accurate to
+// the order of the method, not to rounding. Therefore the momentum that crosses is computed once
+// for each pair, as the mean of the two sides, (RP.68), and the momentum of each body is corrected
+// to its budget: contact_momentum_correction.hpp.
 namespace pliant::remeshed {
 
 /// The contact phases of a step: search, and the tractions of each stage.
@@ -35,23 +34,23 @@ class BodyContact {
 
   bool is_needed() const { return !contacts_.empty(); }
 
-  /// Once per step: where bodies touch.
+  /// Once per step: finds where bodies touch.
   void add_search(std::vector<scheduler::Phase>& phases) { search_.add_phases(phases); }
-  /// Once per stage: the tractions there.
+  /// Once per stage: computes the tractions there.
   void add_tractions(std::vector<scheduler::Phase>& phases, int stage);
 
   void prepare(double time_step);
-  /// (RP.68): impulse of each contact on the second of its bodies in the step [N s], folded over
+  /// (RP.68): impulse of each contact on the second of its bodies in the step [N s], summed over
   /// the blocks in their order.
   const std::vector<Point<D>>& fold();
-  /// (RP.99): energy lost to friction in the step [J], folded likewise.
+  /// (RP.99): energy lost to friction in the step [J], summed likewise.
   double lost_by_friction() const;
 
  private:
-  /// What a body does to another one at a point of their common surface.
+  /// The effect of a body on another one at a point of their common surface.
   struct Interaction {
     std::array<T, D> traction;
-    double friction;  ///< power per area that it takes, (RP.99) [W/m^2]
+    double friction;  ///< power per area lost to friction, (RP.99) [W/m^2]
   };
 
   void find_tractions(int block, int stage);
@@ -64,7 +63,7 @@ class BodyContact {
   const kernels::RemeshedTable<T, D>& kernels_;
   ContactSearch<T, D> search_;
   double time_step_ = 0;
-  std::vector<Point<D>> block_impulse_;  ///< [block][contact] on the second body, of this step
+  std::vector<Point<D>> block_impulse_;  ///< [block][contact] on the second body in this step
   std::vector<double> block_friction_;   ///< [block] energy lost to friction in this step
   std::vector<Point<D>> impulse_;        ///< [contact]
 };

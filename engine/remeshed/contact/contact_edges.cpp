@@ -10,13 +10,13 @@ namespace pliant::remeshed {
 
 namespace {
 
-constexpr double edge_height = 0.3;  // [h], above which an edge does not touch the wall
+constexpr double edge_height = 0.3;  // [h], an edge higher above the wall does not touch it
 constexpr double edge_reach = 2.6;   // [h], of fits, (RP.43)
-// Slots of which the body covers less follow the next one within: phi rounds edges, so that near
-// them the surface seems to stand above the wall.
+// A slot that is covered less follows the next one inside: phi rounds edges, so that near them the
+// surface seems to be above the wall.
 constexpr double covered = 0.95;
 
-/// A vector without its part along the unit vector n.
+/// A vector without its component along the unit vector n.
 template <int D>
 Point<D> along_plane(Point<D> vector, const Point<D>& n) {
   const double across = dot<D>(vector, n);
@@ -68,7 +68,7 @@ std::int32_t ContactEdges<T, D>::beside(const Point<D>& x, const Point<D>& foot,
   return under(foot, outward, wall);
 }
 
-// The nearest slot inside of which the body covers the cell, in the row nearest to the wall.
+// The nearest slot inside whose cell the body covers, in the row nearest to the wall.
 template <class T, int D>
 std::int32_t ContactEdges<T, D>::under(const Point<D>& edge, const Point<D>& outward,
                                        int wall) const {

@@ -13,7 +13,7 @@ namespace {
 
 using scheduler::Phase;
 
-constexpr double no_wall = 1e-9;  ///< of sums of n n: along this direction no wall pushes
+constexpr double no_wall = 1e-9;  ///< of sums of n n: no wall pushes along this direction
 
 /// Adds m and m u of a block's interior particles.
 template <class T, int D>
@@ -170,7 +170,7 @@ void ContactMomentumCorrection<T, D>::add_impulses(const Impulses& impulses) {
   add_friction(impulses);
 }
 
-// (RP.98). The part along the normals is taken out again with what is unknown.
+// (RP.98). The part along the normals is later removed with the unknown impulses.
 template <class T, int D>
 void ContactMomentumCorrection<T, D>::add_friction(const Impulses& impulses) {
   const std::size_t walls = state_.boundaries.walls.size();

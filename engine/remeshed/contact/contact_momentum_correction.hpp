@@ -9,23 +9,25 @@
 
 // The momentum budget of bodies in contact.
 //
-// Neither a step nor a remeshing conserves the momentum of a body to rounding: div sigma over
-// fitted ghosts adds up to the surface traction only as far as the method is accurate, and a
-// remeshing changes which nodes are inside and what they weigh. Both errors are those of the
-// method, some tenths of a percent of what the body is doing, and vanish with h; but nothing makes
-// those of two bodies cancel, nor those on the two sides of a contact that moves along a wall. Each
-// body of a case with contact therefore has a momentum budget, which changes by the impulses of
-// contacts, (RP.68), of body forces, (RP.71), and of friction on contact walls, (RP.98), alone: the
-// first is one number, added to one body and taken from the other. After each step and each
-// remeshing one small velocity is added to all particles of a body, so that their mean velocity is
-// that of the budget, (RP.69). This changes no strain, no stress and no relative motion.
+// Neither a step nor a remeshing conserves the momentum of a body to rounding. The sum of div sigma
+// over fitted ghosts equals the surface traction only to the accuracy of the method, and a
+// remeshing changes which nodes are inside and their masses. Both errors are some tenths of a
+// percent of the momenta involved and vanish with h. But those of two bodies do not cancel, nor do
+// those on the two sides of a contact that moves along a wall. Therefore each body in a case with
+// contact has a momentum budget. It changes only by the impulses of contacts, (RP.68), of body
+// forces, (RP.71), and of friction on contact walls, (RP.98); that of a contact is one number,
+// added to one body and subtracted from the other. After each step and each remeshing, one small
+// velocity is added to all particles of a body, so that their mean velocity is that of the budget,
+// (RP.69). This does not change strain, stress or relative motion.
 //
-// What walls and loads push is known to the order of the method only. The budget takes that part
-// from the particles: all of it where a wall holds the body or a load acts on it, the part along
-// the normal where the body may press on a contact wall. Along a plane wall a body that slides
-// loses what Coulomb's law takes; what holds a body that sticks is known from the particles alone.
+// The impulses of walls and loads are known only to the order of the method. The budget takes this
+// part of the momentum from the particles: all of it if a wall holds the body or a load acts on it,
+// the part along the normal if the body may press on a contact wall. Along a plane wall, a sliding
+// body loses what Coulomb's law gives; for a sticking body, only the particles know the force that
+// holds it.
 //
-// The mass of a body in its budget is that at t = 0, whatever the masses of its particles add up
+// The mass of a body in its budget is that at t = 0, whatever the sum of its particle masses: the
+// method uses densities, which do not depend on a common factor of the masses.
 // to: the method reads densities, which a common factor of masses does not change.
 namespace pliant::remeshed {
 
@@ -47,15 +49,15 @@ class ContactMomentumCorrection {
     const std::vector<Point<D>>& of_walls;        ///< [block][wall]
     const std::vector<char>& sticks;              ///< [block] to a contact wall
   };
-  /// Phases that give the particles of each body the momentum of its budget; `impulses` finds those
-  /// of the step, if there was one.
+  /// Phases that correct the particles of each body to the momentum of its budget. `impulses`
+  /// returns those of the step, if there was one.
   void add_phases(std::vector<scheduler::Phase>& phases, std::function<Impulses()> impulses);
 
  private:
   struct Sum {
     double mass = 0;
     Point<D> momentum = {};
-    bool is_held = false;  ///< by a wall or a load, whose impulse no budget contains
+    bool is_held = false;                   ///< by a wall or a load, whose impulse is in no budget
     std::array<double, D* D> normals = {};  ///< sum of n n of contact walls
   };
   void sum(int block);
@@ -72,7 +74,7 @@ class ContactMomentumCorrection {
   std::vector<Point<D>> shift_;  ///< [body] [m/s]
 };
 
-/// (RP.69) of one body from its particles [N s]; needs a momentum budget.
+/// (RP.69) for one body, from its particles [N s]; the body must have a momentum budget.
 template <class T, int D>
 Point<D> budget_momentum(const State<T, D>& state, int body);
 

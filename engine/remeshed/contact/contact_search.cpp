@@ -15,16 +15,16 @@ namespace {
 
 using scheduler::Phase;
 
-// How far apart pressed surfaces may stand [h]: with none, the noise of phi would open a surface
-// that is pressed; with more, bodies would meet too early, which costs energy.
+// Largest gap of surfaces in contact [h]. With none, the noise of phi would open a pressed surface;
+// with a larger gap, contact would begin too early, which costs energy.
 constexpr double pressed_gap = 0.01;
-constexpr double clearly_apart = 1;  // [h], where no fit is needed to tell
+constexpr double clearly_apart = 1;  // [h], larger gaps need no fit
 constexpr double apart = std::numeric_limits<double>::infinity();
 
 /// Partition of unity over the layers of ghosts: 1 at `centre`, 0 one spacing away.
 double hat(double distance, double centre) { return std::max(0., 1 - std::abs(distance - centre)); }
 
-/// (RP.68): share of the surface of a ghost at `distance` from it, both over h.
+/// (RP.68): the share of the surface that a ghost at `distance` from it represents, both over h.
 template <int D>
 double surface_share(double distance) {
   if constexpr (D == 2) return 2 * hat(distance, 1) - hat(distance, 2);
@@ -139,7 +139,7 @@ void ContactSearch<T, D>::gather(int body) {
   }
 }
 
-// Boxes hold ghosts, so that bodies whose boxes are apart are far from touching.
+// Boxes include ghosts, so bodies with separate boxes are far from touching.
 template <class T, int D>
 bool ContactSearch<T, D>::are_near(const ContactCase& contact) const {
   const SurfaceSamples<D>& first = surfaces_[contact.bodies[0]];
@@ -165,7 +165,7 @@ void ContactSearch<T, D>::find_contact_points(int block) {
   if (!surfaces_[owner].is_near_another) return;
   thread_local OpposingFit<T, D> opposing;
   for (std::size_t g = 0; g < ghosts.slot.size(); ++g) {
-    // Fits about a wall tell no traction of the free surface.
+    // Fits around a wall give no traction of the free surface.
     if (ghosts.wall[g] >= 0 || ghosts.surface_sum[g] < T(0.5)) continue;
     find_contact_point(owner, ghosts, static_cast<std::int32_t>(g), opposing);
   }
@@ -191,9 +191,9 @@ bool ContactSearch<T, D>::may_be_in_contact(int owner, const BlockGhosts<T, D>& 
   });
 }
 
-// The gap that counts, [h]; `apart` where the ghost feels nothing of the contact's other body. What
-// a level set tells of a gap is wrong where it has a corner, as at the end of a tied interface:
-// there it counts which body is nearer.
+// The gap to consider [h]; `apart` if the ghost is not affected by the contact's other body. Level
+// sets give wrong gaps at corners, such as the end of a tied interface; a tie therefore only
+// compares which body is nearer.
 template <class T, int D>
 double ContactSearch<T, D>::contact_gap(int contact, int owner, const GhostPlace& ghost,
                                         OpposingFit<T, D>& opposing) const {
@@ -209,7 +209,7 @@ double ContactSearch<T, D>::contact_gap(int contact, int owner, const GhostPlace
   return at_foot < pressed_gap ? at_foot : apart;
 }
 
-// The contact point of a ghost is on the nearest of the bodies that its own body may touch.
+// A ghost's contact point is on the nearest body that its own body may touch.
 template <class T, int D>
 void ContactSearch<T, D>::find_contact_point(int owner, BlockGhosts<T, D>& ghosts,
                                              std::int32_t ghost,
@@ -230,7 +230,7 @@ void ContactSearch<T, D>::find_contact_point(int owner, BlockGhosts<T, D>& ghost
     nearest = contact;
   }
   if (nearest < 0) return;
-  // The opposing fit may be that of another body by now.
+  // The opposing fit may be that of another body.
   if (nearest != contacts_of_[owner].back()) contact_gap(nearest, owner, place, opposing);
   if (!opposing.add_to(ghosts.contact_points)) return;
   ghosts.contact_points.ghost.push_back(ghost);
@@ -240,7 +240,7 @@ void ContactSearch<T, D>::find_contact_point(int owner, BlockGhosts<T, D>& ghost
       static_cast<T>(std::pow(h, D - 1) * surface_share<D>(place.distance)));
 }
 
-// It moves with the particles of its fit.
+// The foot point moves with the particles of its fit.
 template <class T, int D>
 Point<D> ContactSearch<T, D>::foot_point(const Body<T, D>& body, const BlockGhosts<T, D>& ghosts,
                                          std::int32_t ghost) const {

@@ -11,25 +11,25 @@ namespace pliant::remeshed {
 template <class T, int D>
 class OpposingFit;
 
-/// Finds where bodies touch, (RP.58), at the start of each step: particles of different bodies have
-/// no fixed neighbours among each other, so that a search by position finds them. Three phases:
+/// Finds where bodies touch, (RP.58), at the start of each step. Particles of different bodies are
+/// no fixed neighbours of each other, so they are found by position, in three phases:
 ///
-///     samples   surface particles and ghosts of each block, with their positions
-///     cells     those of a body in a cell list, if its box meets that of another one
-///     points    ghosts whose foot point lies on another body, and the fit of that body
+///    samples   surface particles and ghosts of each block, with their positions
+///    cells     those of a body in a cell list, if its box meets that of another
+///    points    ghosts whose foot point lies on another body, and the fit of that body
 template <class T, int D>
 class ContactSearch {
  public:
   ContactSearch(State<T, D>& state, const std::vector<ContactCase>& contacts);
 
-  /// Rooms for the present blocks; before the phases run.
+  /// Makes room for the present blocks, before the phases run.
   void prepare() { samples_.resize(state_.blocks.size()); }
   void add_phases(std::vector<scheduler::Phase>& phases);
 
  private:
   /// A surface particle with a record, or a ghost (record -1).
   struct Sample {
-    Site<double, D> site;  ///< labelled with the number among all samples of the body
+    Site<double, D> site;  ///< its label is the number among all samples of the body
     std::int32_t record;
     double level_set;  ///< [h]
   };
@@ -58,7 +58,7 @@ class ContactSearch {
 
   State<T, D>& state_;
   const std::vector<ContactCase>& contacts_;
-  std::vector<std::vector<int>> contacts_of_;  ///< [body] those that it is part of
+  std::vector<std::vector<int>> contacts_of_;  ///< [body] contacts of the body
   std::vector<std::vector<Sample>> samples_;   ///< [block]
   std::vector<SurfaceSamples<D>> surfaces_;    ///< [body]
 };

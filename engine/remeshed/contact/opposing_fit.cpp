@@ -22,7 +22,7 @@ double OpposingFit<T, D>::gap(const SurfaceSamples<D>& surface, const Lattice<D>
   return gap;
 }
 
-// What the nearest sample says that the gap is at least.
+// Returns a lower bound on the gap, from the nearest sample.
 template <class T, int D>
 double OpposingFit<T, D>::gather(const Point<D>& at) {
   particles_.clear();

@@ -8,20 +8,20 @@
 
 namespace pliant::remeshed {
 
-inline constexpr double contact_fit_radius = 2.6;  ///< [h] of fits, as that of ghosts
+inline constexpr double contact_fit_radius = 2.6;  ///< [h] as for ghosts
 
-/// Fits of another body about a point, (RP.56), (RP.58). Keeps its room, so that a warm
-/// search allocates nothing.
+/// Fits of another body around a point, (RP.56), (RP.58). Reuses its memory, so that later searches
+/// do not allocate.
 template <class T, int D>
 class OpposingFit {
  public:
-  /// The gap from x [m] to the surface of a body, as its level set tells [h]; infinity where there
-  /// is too little of it, or where its nearest sample says that it is more than `farthest`.
+  /// The gap from x [m] to the surface of a body, by its level set [h]. Infinite if there is too
+  /// little of the body, or if its nearest sample shows that the gap exceeds `farthest`.
   double gap(const SurfaceSamples<D>& surface, const Lattice<D>& lattice, const Point<D>& x,
              double farthest);
 
-  /// Adds the fit of the body's surface particles there to `contact_points`; false where they do
-  /// not determine it.
+  /// Adds the fit of the body's surface particles there to `contact_points`; false if they do not
+  /// determine it.
   bool add_to(ContactPoints<T, D>& contact_points);
 
  private:
@@ -30,7 +30,7 @@ class OpposingFit {
   double coefficient(const FitParticle<D>& particle) const;
 
   const SurfaceSamples<D>* surface_ = nullptr;
-  FitParticles<D> around_, particles_;  ///< samples near the point; those that have records
+  FitParticles<D> around_, particles_;  ///< samples near the point; those of them with records
   kernels::FitTerms<double, D> terms_;
 };
 

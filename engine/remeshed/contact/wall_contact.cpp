@@ -13,19 +13,18 @@ namespace pliant::remeshed {
 
 namespace {
 
-// How high above the wall the surface may stand [h] where it touched before. What is left of a
-// height of a few hundredths of h after compression and remeshing is noise: a slot that it takes
-// from under pressure for a few steps lets the body shoot at the wall, and the energy of that is
-// lost.
+// Largest height of the surface above the wall where it touched before [h]. After compression and
+// remeshing, heights of a few hundredths of h are noise. If they released a slot under pressure for
+// a few steps, the body would be thrown against the wall, and the energy of that would be lost.
 constexpr double leaving_height = 0.3;
 
-constexpr double rounding = 1e-9;  // [h], of where a slot lies
+constexpr double rounding = 1e-9;  // [h], of the place of a slot
 
-// (RP.96)
-constexpr double near_wall = 4;     // [h]: farther away a body meets no wall within ten steps
-constexpr double small_move = 0.1;  // [h], and of the wall's normal
+// Constants of (RP.96).
+constexpr double near_wall = 4;     // [h]: from farther away a body meets no wall within ten steps
+constexpr double small_move = 0.1;  // [h]; also for the wall's normal
 
-// Whether a particle at x, which stood at `node`, has another distance from the wall or normal.
+// Whether the distance from the wall or its normal at x differs from that at `node`.
 template <int D>
 bool has_moved_at(const Wall<D>& wall, const Point<D>& node, const Point<D>& x, double h) {
   const double distance = wall.distance(x);
@@ -43,7 +42,7 @@ T pressure_on(const Body<T, D>& body, const BlockGhosts<T, D>& ghosts, std::int3
       .pressure;
 }
 
-// Of the two ghosts of a slot the wall's comes second.
+// Of the two ghosts of a slot, that of the wall comes second.
 template <class T, int D>
 void choose(Population<T, D>& population, BlockGhosts<T, D>& ghosts, std::int32_t g,
             bool contact_points) {
@@ -102,7 +101,7 @@ bool add_impulse(const Body<T, D>& body, int block, int stage, const Surrounding
     const kernels::GhostFits<T, D> present = fits.of(g);
     const auto traction = kernels::traction_on_wall<T, D>(
         present, wall_site<T, D>(body, ghosts, g, around), impedance);
-    // What a fit extrapolates to beyond an edge may pull; the wall does not.
+    // A fit extrapolated beyond an edge may pull; the wall does not.
     if (!(traction.pressure > 0)) continue;
     sticks = sticks || !traction.slides;
     const double area =

@@ -7,7 +7,7 @@ namespace pliant::remeshed {
 
 namespace {
 
-// [h], as in WallExtension: below the first, phi of a side is that of the bottom.
+// [h], as in WallExtension: closer to the wall, phi of a side is that of the bottom.
 constexpr double nearer = 1.5, farther = 2.5;
 
 }  // namespace
@@ -17,7 +17,7 @@ double WallCover<T, D>::share(const Point<D>& x, const Point<D>& normal) const {
   return std::clamp(0.5 - side(x, normal), 0., 1.);
 }
 
-// phi of the sides of the body, continued down to the wall.
+// phi of the sides of the body, extrapolated to the wall.
 template <class T, int D>
 double WallCover<T, D>::side(const Point<D>& x, const Point<D>& normal) const {
   const double near = phi_above(x, normal, nearer);
@@ -50,7 +50,7 @@ double WallCover<T, D>::slope(const Point<D>& x, const Point<D>& normal) const {
   return std::clamp(rise, -facing, facing);
 }
 
-// phi/h at a height of so many h above the wall.
+// phi/h at the height `height` h above the wall.
 template <class T, int D>
 double WallCover<T, D>::phi_above(Point<D> x, const Point<D>& normal, double height) const {
   for (int a = 0; a < D; ++a) x[a] += height * spacing_ * normal[a];

@@ -4,34 +4,34 @@
 
 // How much of a contact wall a body covers.
 //
-//      |    body    |
-//      |  x x x x x |            sides, seen at heights of 1.5 h and 2.5 h
-//      |____________|
-//     ----g--g--g--g--g----wall
+//     |    body    |
+//     |  x x x x x |            sides, seen at heights of 1.5 h and 2.5 h
+//     |____________|
+//    ----g--g--g--g--g----wall
 //
-// Ghosts stand side by side along a wall, one for each h^(d-1) of it. What lies beyond the edge of
-// a body must not count, or a wall would push on more than there is. The level set itself does not
-// tell where the edge is: it ends at the wall, (RP.54). Its sides above do.
+// Ghosts along a wall each represent h^(d-1) of it. What is beyond the edge of a body must not
+// count, or the wall would push on a larger area than the body has. The level set does not show the
+// edge, since it ends at the wall, (RP.54), but the sides above do.
 namespace pliant::remeshed {
 
 template <class T, int D>
 class WallCover {
  public:
-  /// Cosine of the angle between surface and wall from which on the surface is no side: it faces
-  /// the wall and comes down on it, and where the body presses it is in contact.
+  /// Cosine of the angle between surface and wall above which the surface is no side: it faces the
+  /// wall and approaches it, and where the body presses it is in contact.
   static constexpr double facing = 0.7;
 
   WallCover(const Lattice<D>& lattice, const LevelSet<T, D>& level_set)
       : spacing_(lattice.spacing), level_set_(level_set) {}
 
-  /// (RP.80): the share of the h^(d-1) of a wall about its point x that the body covers; `normal`
-  /// of the wall, into the body.
+  /// (RP.80): the share of h^(d-1) of a wall around its point x that the body covers; `normal` of
+  /// the wall points into the body.
   double share(const Point<D>& x, const Point<D>& normal) const;
-  /// How far beyond the edge x lies, over h, along `outward`, a unit vector along the wall, or 0
-  /// where the body has no side.
+  /// Distance of x beyond the edge, over h, along `outward`, a unit vector along the wall, or 0 if
+  /// the body has no side.
   double side(const Point<D>& x, const Point<D>& normal) const;
   Point<D> outward(const Point<D>& x, const Point<D>& normal) const;
-  /// The part along `normal` of the unit normal of the side above x.
+  /// The component along `normal` of the unit normal of the side above x.
   double slope(const Point<D>& x, const Point<D>& normal) const;
 
  private:

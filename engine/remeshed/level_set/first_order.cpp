@@ -7,8 +7,8 @@ namespace pliant::remeshed {
 
 namespace {
 
-/// abs(grad phi) of Godunov: on each axis the steeper of the differences to the neighbours nearer
-/// to the surface [1]. Neighbours without a slot give none.
+/// Godunov's abs(grad phi): for each axis the steeper difference to the neighbours that are nearer
+/// to the surface [1]. Neighbours without a slot do not count.
 template <class T, int D>
 double upwind_slope(const Lattice<D>& lattice, const Layout<D>& layout, const T* phi,
                     std::int64_t slot, const Cell<D>& cell) {

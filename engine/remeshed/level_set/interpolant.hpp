@@ -7,15 +7,15 @@
 
 namespace pliant::remeshed {
 
-/// Tensor-product cubic interpolation of a slot field, (RP.41). Positions are in cells: node c lies
-/// at c; gradients are per cell.
+/// Tensor-product cubic interpolation of a slot field, (RP.41). Positions are in cells: node c is
+/// at c. Gradients are per cell.
 template <class T, int D>
 class CubicInterpolant {
  public:
   CubicInterpolant(const Lattice<D>& lattice, const Layout<D>& layout, const T* values)
       : lattice_(lattice), layout_(layout), values_(values) {}
 
-  /// False where one of the 4^D nodes has no slot.
+  /// False if one of the 4^D nodes has no slot.
   bool operator()(const Point<D>& x, double& value, Point<D>& gradient) const {
     Cell<D> base;
     kernels::CubicWeights<double> weight[D];

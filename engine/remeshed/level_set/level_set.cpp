@@ -13,8 +13,8 @@ namespace pliant::remeshed {
 
 namespace {
 
-/// Calls f(neighbour, slots to it) for the 3^D - 1 cells around a cell of a segment. The slots lead
-/// to the neighbour if it has one.
+/// Calls f(neighbour, offset in slots) for the 3^D - 1 cells around a cell of a segment. The offset
+/// is right if the neighbour has a slot.
 template <int D, class F>
 void for_each_adjacent(const kernels::Segment<D>& segment, const Cell<D>& cell, F&& f) {
   for (int k = D == 3 ? -1 : 0; k <= (D == 3 ? 1 : 0); ++k) {
@@ -31,7 +31,7 @@ void for_each_adjacent(const kernels::Segment<D>& segment, const Cell<D>& cell, 
   }
 }
 
-/// The point of the plane through `foot` nearest to a node; `foot` itself without a clear normal.
+/// The point nearest to a node in the plane through `foot`; `foot` itself if the normal is unclear.
 template <int D>
 Point<D> tangent_point(const Point<D>& node, const Point<D>& foot, const Point<D>& normal) {
   const double square = dot<D>(normal, normal);
@@ -44,7 +44,7 @@ Point<D> tangent_point(const Point<D>& node, const Point<D>& foot, const Point<D
 
 constexpr double search_limit = 2.5;  // cells from a near node to its closest point
 
-/// Takes the polished closest point unless it has left the neighbourhood.
+/// Takes the polished closest point if it is still near.
 template <int D>
 void take_if_near(const Point<D>& polished, Point<D>& foot) {
   const Point<D> moved = difference<D>(polished, foot);
@@ -78,7 +78,7 @@ bool LevelSet<T, D>::gradient(const Cell<D>& cell, Point<D>& g) const {
   return dot<D>(g, g) > 0.05;
 }
 
-// What phi was before the first pass lies in the place of closest points, which come later.
+// Until closest points are computed, their memory holds phi before the first pass.
 template <class T, int D>
 void LevelSet<T, D>::advance(const Block<D>& block, int pass) {
   T* start = foot_[0];
@@ -105,8 +105,8 @@ void LevelSet<T, D>::find_closest_points(const Block<D>& block,
   for (std::size_t i = 0; i < near.size(); ++i) place_near(near, i);
 }
 
-// Whether a step from a node along grad phi, (RP.41), arrives at the surface. Where a body was
-// squeezed against a contact wall, abs(grad phi) may be 2, and the step ends far from the surface.
+// Whether a step from a node along grad phi, (RP.41), reaches the surface. Where a contact wall has
+// squeezed a body, abs(grad phi) may be 2, and the step ends far from the surface.
 template <class T, int D>
 bool LevelSet<T, D>::step_to_surface(const Cell<D>& cell, std::int64_t slot,
                                      Point<D>& offset) const {
@@ -141,8 +141,8 @@ void LevelSet<T, D>::place_near(const Projections<T, D>& near, std::size_t i) {
   layer_[0][slot] = guessed;
 }
 
-// Which slots of the pack at `slot` may border a marked one: not 0 there. Where a neighbouring row
-// has no slot a foreign mark may be found, but none is missed.
+// Marks the slots of the pack at `slot` that may border a marked one. If a neighbouring row has no
+// slot, a mark of another row may be found, but none is missed.
 template <class T, int D>
 auto LevelSet<T, D>::borders_of_layer(const kernels::Segment<D>& segment, std::int64_t slot,
                                       int layer) const -> PackOfMarks {
@@ -191,13 +191,13 @@ void LevelSet<T, D>::add_layer(const Block<D>& block, int layer,
     for (int a = 0; a < D; ++a) foot_[a][slot] = offset[a];
     after[slot] = static_cast<std::uint8_t>(layer);
     if (is_first_order_) continue;
-    // Far from the surface the sign that remeshing left is sure.
+    // Far from the surface, the sign from the remeshing is reliable.
     phi_[slot] = std::copysign(
         static_cast<T>(std::sqrt(dot<D>(offset, offset)) * lattice_->spacing), extended_[slot]);
   }
 }
 
-// The nearest among the closest points of the marked neighbours.
+// The nearest of the closest points of marked neighbours.
 template <class T, int D>
 void LevelSet<T, D>::find_nearest(const kernels::Segment<D>& segment, std::int64_t slot,
                                   const Cell<D>& cell, int layer, Border& border) const {
@@ -218,7 +218,8 @@ void LevelSet<T, D>::find_nearest(const kernels::Segment<D>& segment, std::int64
     }
     const Point<D> offset = difference<D>(candidate, node);
     const double square = dot<D>(offset, offset);
-    // A row that does not exist may lie anywhere: then this was another node's.
+    // The offset to a row that does not exist may lead anywhere; the mark then belongs to another
+    // node.
     if (square >= nearest || (!periodic && layout_->slot(other) != q)) return;
     nearest = square;
     foot = candidate;
@@ -229,11 +230,11 @@ void LevelSet<T, D>::find_nearest(const kernels::Segment<D>& segment, std::int64
   border.foot.push_back(foot);
 }
 
-// Where the surface is smooth the tangent plane of a neighbour's closest point leads nearly to the
-// node's own; elsewhere that point itself may.
+// If the surface is smooth, the tangent plane at a neighbour's closest point gives almost the
+// closest point of the node. Otherwise that point itself may be a start.
 template <class T, int D>
 void LevelSet<T, D>::polish(Border& border, const kernels::RemeshedTable<T, D>& kernels) const {
-  // Blocks reach no farther than one cell beyond the closest points of the last layer.
+  // Blocks read no farther than one cell beyond the closest points of the last layer.
   constexpr int farthest_move = 1, iterations = 6;
   border.polished.run(*lattice_, *layout_, extended_, farthest_move, iterations, kernels);
   for (std::size_t i = 0; i < border.polished.size(); ++i) {

@@ -9,19 +9,19 @@
 #include "engine/remeshed/parameters.hpp"
 #include "engine/storage/buffer.hpp"
 
-/// The level set of a body on a fresh lattice: phi < 0 inside, (RP.40).
+/// The level set of a body on a new lattice: phi < 0 inside, (RP.40).
 ///
-///     near     abs(phi) <= 1.8 h: what remeshing gave is kept, or, when reinitialisation is due,
-///              replaced by the distance to the closest point of the zero set (RP.41), but not
-///              near edges of the body (RP.82)
-///     layers   further out, rebuilt at every remeshing: each layer takes the closest point of a
-///              neighbour nearer to the surface and polishes it (RP.41)
-///     beyond   the sign alone, times `far`
+///    near     abs(phi) <= 1.8 h: the remeshed phi is kept or, when reinitialisation is due,
+///             replaced by the distance to the closest point of the zero set (RP.41), but not
+///             near edges of the body (RP.82)
+///    layers   further out, rebuilt at every remeshing: each layer takes the closest point of a
+///             neighbour nearer to the surface and polishes it (RP.41)
+///    beyond   only the sign, times `far`
 ///
-/// As in the paper (RP.74), the layers too keep what remeshing gave, and reinitialisation advances
-/// phi towards a distance; closest points serve ghosts alone.
+/// With the option of the paper (RP.74), the layers too keep the remeshed phi, and reinitialisation
+/// advances phi towards a distance; closest points are only for ghosts.
 ///
-/// All of it for phi continued behind walls, see wall_extension.hpp.
+/// All this is done for phi extended through walls, see wall_extension.hpp.
 namespace pliant::remeshed {
 
 /// The passes that rebuild the level set of one body.
@@ -29,7 +29,7 @@ template <class T, int D>
 class LevelSet {
  public:
   static constexpr double near_band = 1.8;  ///< [h]
-  static constexpr double trusted = 2.5;    ///< closest points farther away do not correct phi [h]
+  static constexpr double trusted = 2.5;    ///< [h] more distant closest points do not correct phi
   static constexpr int layers = 6;          ///< the near nodes are layer 1
   static constexpr double far = 6.5;        ///< [h]
 
@@ -38,15 +38,15 @@ class LevelSet {
   bool is_first_order() const { return is_first_order_; }
 
   void prepare(const Lattice<D>& lattice, const Layout<D>& layout, T* phi);
-  /// Where to keep phi continued through walls, and closest points, from the first pass to the last
-  /// question for one.
+  /// Sets the memory for phi extended through walls and for closest points. It must stay valid from
+  /// the first pass to the last query of a closest point.
   void use(T* extended, const std::array<T*, D>& foot) {
     extended_ = extended;
     foot_ = foot;
   }
 
-  /// The passes over one block, in this order; each reads neighbouring blocks of the pass before.
-  /// Nodes where `valid` is 0 got nothing from remeshing.
+  /// The passes over one block, in this order; each reads the previous pass in neighbouring blocks.
+  /// `valid` is 0 at nodes that remeshing left empty.
   void extend_through_walls(const Block<D>& block, const Boundaries<D>& boundaries,
                             const T* valid) {
     const WallExtension<T, D> extension(*lattice_, *layout_, phi_, valid, far * lattice_->spacing);
@@ -59,17 +59,17 @@ class LevelSet {
                  const kernels::RemeshedTable<T, D>& kernels);  ///< 2..layers
   void finish(const Block<D>& block);
 
-  /// Distance of a finished node from the surface, negative inside [m]. phi itself is one only
-  /// after a reinitialisation; the closest point always tells.
+  /// Distance of a finished node from the surface, negative inside [m]. phi is a distance only
+  /// after a reinitialisation; this one follows from the closest point.
   T surface_distance(std::int64_t slot) const { return extended_[slot]; }
-  /// phi at any place, linear between nodes; `far` h where one of them has no slot [m].
+  /// phi at any place, linear between nodes [m]; `far` h if one of them has no slot.
   double phi_at(const Point<D>& x) const;
 
-  /// Closest point of the surface minus the node [m]; false where none was found.
+  /// Closest point of the surface minus the node [m]; false if none was found.
   bool closest_point(std::int64_t slot, Point<D>& offset) const;
 
  private:
-  /// What layer_[0] says of near nodes that have a closest point: whether (RP.41) found it.
+  /// Values of layer_[0] for near nodes with a closest point: whether (RP.41) found it.
   enum : std::uint8_t { found = 1, guessed = 2 };
 
   /// Nodes that get a closest point in a layer.
@@ -103,10 +103,11 @@ class LevelSet {
   const Lattice<D>* lattice_ = nullptr;
   const Layout<D>* layout_ = nullptr;
   T* phi_ = nullptr;
-  /// phi continued through walls, before any rebuilding; of finished nodes, their distance.
+  /// phi extended through walls, before reinitialisation; for finished nodes, their distance.
   T* extended_ = nullptr;
-  std::array<T*, D> foot_ = {};                ///< closest point minus node, in cells
-  std::array<Buffer<std::uint8_t>, 2> layer_;  ///< 0: no closest point yet; passes alternate
+  std::array<T*, D> foot_ = {};  ///< closest point minus node, in cells
+  std::array<Buffer<std::uint8_t>, 2>
+      layer_;  ///< 0: no closest point yet; the two alternate between passes
 };
 
 extern template class LevelSet<double, 2>;

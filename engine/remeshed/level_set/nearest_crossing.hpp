@@ -9,8 +9,8 @@
 namespace pliant::remeshed {
 
 /// The nearest place to a node where phi changes its sign between two neighbours on a lattice line,
-/// minus the node, in cells, (RP.41). False where there is none within three cells along each axis:
-/// then the node is far from the surface, whatever phi says.
+/// minus the node, in cells, (RP.41). False if there is none within three cells along each axis:
+/// the node is then far from the surface, whatever phi says.
 template <class T, int D>
 bool nearest_crossing(const Lattice<D>& lattice, const Layout<D>& layout, const T* phi,
                       const Cell<D>& node, Point<D>& offset) {

@@ -8,7 +8,7 @@ namespace pliant::remeshed {
 
 namespace {
 
-// Cells; the distance to the surface depends on the closest point in second order.
+// [cells]; the error of the distance is of second order in that of the closest point.
 constexpr double shortest_step = 1e-4;
 constexpr double flattest = 0.05;        // square of a gradient
 constexpr double smallest_value = 1e-3;  // [h]

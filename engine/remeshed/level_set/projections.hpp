@@ -8,18 +8,18 @@
 
 namespace pliant::remeshed {
 
-/// Nodes on their way to the zero set of a slot field, (RP.41). Positions are in cells.
+/// Moves nodes to the zero set of a slot field, (RP.41). Positions are in cells.
 ///
-/// In single precision they are kept from a cell nearby, because the position in a far cell would
-/// leave few digits for the place in it.
+/// They are relative to a nearby cell, since in single precision a position relative to a distant
+/// cell has few digits.
 template <class T, int D>
 class Projections {
  public:
-  /// All nodes that are added afterwards lie near the cell `nearby`.
+  /// Removes all nodes; those added later must be near the cell `nearby`.
   void clear(const Cell<D>& nearby);
   void add(std::int64_t slot, const Cell<D>& node, const Point<D>& start);
 
-  /// Moves all points onto the zero set of `values`. Those that would go farther than
+  /// Moves all points onto the zero set of `values`. Points that would move more than
   /// `farthest_move` cells out of the box around all starts may not converge.
   void run(const Lattice<D>& lattice, const Layout<D>& layout, const T* values, int farthest_move,
            int iterations, const kernels::RemeshedTable<T, D>& kernels);
@@ -28,7 +28,7 @@ class Projections {
   std::int64_t slot(std::size_t i) const { return slot_[i]; }
   Cell<D> cell(std::size_t i) const;
   Point<D> node(std::size_t i) const { return point_of(node_, i); }
-  /// Start, or after `run` where it has led to.
+  /// The start; after `run`, the result.
   Point<D> point(std::size_t i) const { return point_of(point_, i); }
   bool has_converged(std::size_t i) const { return converged_[i] != 0; }
 
@@ -48,7 +48,7 @@ class Projections {
   std::vector<std::int64_t> slot_;
   Coordinates node_, point_;
   std::vector<T> converged_;
-  Cell<D> origin_ = {};  ///< from which positions count
+  Cell<D> origin_ = {};  ///< origin of positions
   Cell<D> lower_, extent_;
   std::vector<T> box_;  ///< [z][y][x] values of the nodes around all starts
 };

@@ -3,16 +3,16 @@
 #include "engine/lattice/point_algebra.hpp"
 #include "engine/remeshed/level_set/level_set.hpp"
 
-// Reinitialisation of the nodes near the surface. The zero set of the cubic interpolant bulges
-// beside edges of the body: distances to it would let the body grow there each time.
+// Reinitialisation of the nodes near the surface. The zero set of the cubic interpolant bulges next
+// to edges of the body. Distances to it would let the body grow there each time.
 namespace pliant::remeshed {
 
 namespace {
 
-// (RP.82)
-constexpr double seen_from_edge = 2;   // [cells] between closest points
-constexpr double edge_cosine = 0.7;    // of the angle between the normals there
-constexpr double least_offset = 0.05;  // [cells] that tells a normal
+// Constants of (RP.82).
+constexpr double seen_from_edge = 2;   // [cells] between closest points near an edge
+constexpr double edge_cosine = 0.7;    // of the angle between their normals
+constexpr double least_offset = 0.05;  // [cells] needed for a normal
 
 }  // namespace
 
@@ -31,7 +31,7 @@ void LevelSet<T, D>::take_distances(const Block<D>& block) {
   }
 }
 
-// (RP.82): whether the normal at a closest point near that of a node is quite another one.
+// (RP.82): whether the normal at a closest point near that of the node is very different.
 template <class T, int D>
 bool LevelSet<T, D>::lies_near_edge(const kernels::Segment<D>& segment, std::int64_t slot,
                                     const Cell<D>& cell) const {

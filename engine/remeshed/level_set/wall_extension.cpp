@@ -34,9 +34,9 @@ void WallExtension<T, D>::extend(const Block<D>& block, const Boundaries<D>& bou
 }
 
 // phi at `depth` behind a wall, (RP.100): the line through two points 1.5 h and 2.5 h in front of
-// it. Only a surface that meets the wall runs on through it: far from one, phi keeps its value, and
-// a slope beyond that of a surface at 45 degrees is a kink of phi. One that faces the wall ends
-// where it touches the wall: from there on the body continues behind it.
+// it. Only a surface that meets the wall continues behind it. Far from one, phi keeps its value; a
+// slope steeper than that of a surface at 45 degrees is a kink of phi. A surface that faces the
+// wall ends where it touches the wall; from there the body continues behind it.
 template <class T, int D>
 double WallExtension<T, D>::behind_wall(const Point<D>& x, const Point<D>& normal,
                                         double depth) const {

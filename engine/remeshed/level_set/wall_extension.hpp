@@ -5,17 +5,17 @@
 
 namespace pliant::remeshed {
 
-/// phi continued linearly behind walls that a body is attached to: there it describes where the
-/// free surface would run on. At contact walls the body ends, (RP.54).
+/// phi extended linearly behind walls to which a body is attached; there it shows how the free
+/// surface would continue. At contact walls the body ends, (RP.54).
 template <class T, int D>
 class WallExtension {
  public:
-  /// Nodes where `valid` is 0 got no phi from remeshing; they have the distance `far` [m].
+  /// `valid` is 0 at nodes without phi from remeshing; they get the distance `far` [m].
   WallExtension(const Lattice<D>& lattice, const Layout<D>& layout, const T* phi, const T* valid,
                 double far)
       : lattice_(lattice), layout_(layout), phi_(phi), valid_(valid), far_(far) {}
 
-  /// phi of a block's nodes, continued, into `extended`.
+  /// Writes phi of a block's nodes, extended, to `extended`.
   void extend(const Block<D>& block, const Boundaries<D>& boundaries, T* extended) const;
 
  private:

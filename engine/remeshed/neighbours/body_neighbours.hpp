@@ -10,22 +10,22 @@
 
 namespace pliant::remeshed {
 
-/// What a search for neighbours knows of a particle beside its position: its slot, and the cell of
-/// that slot. In periodic directions the position lies in the first period, and the cell is moved
-/// by the same whole periods.
+/// The data of a particle in a neighbour search besides its position: its slot, and the cell of
+/// that slot. In periodic directions the position is in the first period, and the cell is moved by
+/// the same whole periods.
 template <int D>
 struct SlotLabel {
   Cell<D> cell;
   std::int32_t slot;
 };
 
-/// Positions of particles over h: the cell plus the displacement from it.
+/// Positions of particles over h: the cell plus the drift from it.
 template <int D>
 using SlotList = CellList<double, D, SlotLabel<D>>;
 template <int D>
 using SlotSite = typename SlotList<D>::Site;
 
-/// Periods of positions over h; 0 in directions that do not repeat.
+/// Periods of positions over h; 0 in directions that are not periodic.
 template <int D>
 Point<D> period_of(const Lattice<D>& lattice) {
   Point<D> period;
@@ -33,27 +33,27 @@ Point<D> period_of(const Lattice<D>& lattice) {
   return period;
 }
 
-/// What a search among positions found for one block.
+/// The results of a search by position for one block.
 template <int D>
 struct BlockNeighbours {
   std::vector<SlotSite<D>> sites;  ///< of the block's own particles and ghosts
   Point<D> lower, upper;           ///< of their places, over h
   double closest = 0;  ///< distance of a particle from a slot just outside its stencil, over h
-  /// Whether any particle has a neighbour outside its stencil. Where none has, the stencil serves.
+  /// Whether any particle has a neighbour outside its stencil. If not, the stencil is used.
   bool are_listed = false;
   std::vector<std::int32_t> slot;                   ///< of a neighbour
   std::array<std::vector<std::int32_t>, D> offset;  ///< from the particle to it [cells]
 };
 
-/// How long the stencil shows a body's particles all their neighbours, and those that it does not.
+/// How long the stencil contains all neighbours of a body's particles, and those outside it.
 template <int D>
 struct BodyNeighbours {
   double strain = 0;       ///< sum of dt max abs(eps)_F since the last remeshing, of this body
   double strain_rate = 0;  ///< max abs(eps)_F in the last step [1/s]
 
-  bool are_listed = false;    ///< whether neighbours come from a search; else from the stencil
-  double complete_until = 0;  ///< strain from which on they may miss some, (RP.24)
-  double coming_strain = 0;   ///< allowed to the next step
+  bool are_listed = false;    ///< whether neighbours are lists from a search; else the stencil
+  double complete_until = 0;  ///< strain from which they may be incomplete, (RP.24)
+  double coming_strain = 0;   ///< allowed until the next step
   bool is_measuring_due = false, is_search_due = false;
 
   double radius = 0;  ///< of the search, over h

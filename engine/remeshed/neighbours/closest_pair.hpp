@@ -4,8 +4,8 @@
 
 namespace pliant::remeshed {
 
-/// Smallest distance between two particles of a body, over h; 2 where none are nearer than that.
-/// Particles that clump have it fall towards 0.
+/// Smallest distance between two particles of a body, over h; at most 2. It falls towards 0 when
+/// particles clump.
 template <class T, int D>
 double closest_pair(const Body<T, D>& body);
 

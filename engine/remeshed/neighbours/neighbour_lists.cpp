@@ -11,7 +11,7 @@ namespace {
 /// A neighbour of a particle.
 template <int D>
 struct Neighbour {
-  Cell<D> offset;  // from the particle's cell to that of the neighbour
+  Cell<D> offset;  // from the cell of the particle to that of the neighbour
   std::int32_t slot;
 
   // The order of the stencil.
@@ -21,8 +21,8 @@ struct Neighbour {
   }
 };
 
-/// Calls f(neighbour) for all slots within the search radius of a particle, until one call returns
-/// true; tells whether one did.
+/// Calls f(neighbour) for all slots within the search radius of a particle, until a call returns
+/// true. Returns whether one did.
 template <int D, class F>
 bool any_neighbour(const BodyNeighbours<D>& search, const SlotSite<D>& p, F&& f) {
   const double limit = search.radius * search.radius;
@@ -40,15 +40,15 @@ bool any_neighbour(const BodyNeighbours<D>& search, const SlotSite<D>& p, F&& f)
   });
 }
 
-/// The lanes of a pack, kept by each thread so that a warm search allocates nothing.
+/// The lanes of a pack, reused by each thread so that later searches do not allocate.
 template <int D>
 std::array<std::vector<Neighbour<D>>, Layout<D>::pack>& lane_scratch() {
   thread_local std::array<std::vector<Neighbour<D>>, Layout<D>::pack> lanes;
   return lanes;
 }
 
-/// Lists the neighbours of the pack at `first`, lane beside lane; a lane's missing entries are the
-/// particle itself, which adds nothing to any sum.
+/// Lists the neighbours of the pack at `first`, lanes interleaved. Missing entries of a lane are
+/// the particle itself, which adds nothing to any sum.
 template <class T, int D>
 void list_pack(Body<T, D>& body, BlockNeighbours<D>& own, std::int64_t first, Cell<D> cell) {
   constexpr int pack = Layout<D>::pack;
@@ -77,7 +77,7 @@ void list_pack(Body<T, D>& body, BlockNeighbours<D>& own, std::int64_t first, Ce
   }
 }
 
-// The stencil leaves out the corners of its cube that are as far as the nearest slots beyond it.
+// The stencil excludes those corners of its cube that are as far as the nearest slots beyond it.
 template <class T, int D>
 bool any_beyond_stencil(const Body<T, D>& body, const Block<D>& range, int reach) {
   bool found = false;
@@ -95,7 +95,7 @@ bool any_beyond_stencil(const Body<T, D>& body, const Block<D>& range, int reach
 
 }  // namespace
 
-// Images are left out: the search itself goes round the period, as often as particles have.
+// Images are left out: the search handles periods itself, however many a particle has passed.
 template <class T, int D>
 void find_sites(Body<T, D>& body, int block) {
   BlockNeighbours<D>& own = body.neighbours.blocks[block];

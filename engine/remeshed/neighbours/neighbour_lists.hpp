@@ -7,7 +7,7 @@
 /// The parts of a search for neighbours by position, one after another.
 namespace pliant::remeshed {
 
-/// A particle's own site.
+/// The site of a particle.
 template <class T, int D>
 SlotSite<D> site_of(const Body<T, D>& body, std::int64_t slot, const Cell<D>& cell) {
   SlotSite<D> site = {{}, {cell, static_cast<std::int32_t>(slot)}};
@@ -22,16 +22,16 @@ SlotSite<D> site_of(const Body<T, D>& body, std::int64_t slot, const Cell<D>& ce
   return site;
 }
 
-/// Where the particles and ghosts of a block are, at the start of a step.
+/// Finds the places of the particles and ghosts of a block at the start of a step.
 template <class T, int D>
 void find_sites(Body<T, D>& body, int block);
 
-/// Makes the cell list of a body of the sites of its blocks.
+/// Makes the cell list of a body from the sites of its blocks.
 template <class T, int D>
 void sort_sites(Body<T, D>& body);
 
 /// Lists the neighbours of a block's interior particles within the search radius, in the order of
-/// the stencil, if any of them is (reach + 1) h or more away on the lattice, or `in_any_case`.
+/// the stencil, if any of them is at least (reach + 1) h away on the lattice, or if `in_any_case`.
 template <class T, int D>
 void list_neighbours(Body<T, D>& body, int block, int reach, bool in_any_case);
 

@@ -8,34 +8,34 @@
 #include "engine/remeshed/neighbours/stencil_reach.hpp"
 #include "engine/remeshed/state/resources.hpp"
 
-// When the neighbourhood widens.
+// When the stencil is no longer enough.
 //
-// Between remeshings particles keep their slots, and the stencil of n slots to each side (2; with
-// the compact kernel 1) shows a particle all its neighbours as long as none from farther away comes
-// into the support R. Two particles at distance r, with velocities that vary smoothly between them,
-// obey
+// Between remeshings particles keep their slots. The stencil of n slots on each side (2; with the
+// compact kernel 1) contains all neighbours of a particle as long as none from farther away enters
+// the support R. Two particles at distance r, with velocities that vary smoothly between them, obey
 //
-//     d ln r/dt = (u_q - u_p).d/r^2 = the mean of t.eps t along the line that joins them, t = d/r,
+//    d ln r/dt = (u_q - u_p).d/r^2 = the mean of t.eps t along the line between them, t = d/r,
 //
-// whose size is at most max abs(eps)_2 <= max abs(eps)_F. With E the sum of dt max abs(eps)_F,
+// whose absolute value is at most max abs(eps)_2 <= max abs(eps)_F. With E the sum of dt max
+// abs(eps)_F,
 //
-//     r(E2) >= r(E1) exp(-(E2 - E1)).                                                      (RP.24)
+//    r(E2) >= r(E1) exp(-(E2 - E1)).                                                      (RP.24)
 //
-// Outside the stencil r(0) >= (n + 1) h: it is complete while (n + 1) h exp(-E) >= R. The bound is
-// that of the worst place and the worst direction all along, so that it mostly comes true much too
-// early. Then the closest pair among those n + 1 slots apart is measured, from which (RP.24) goes
-// on; those n + 2 apart are still bounded by r(0). Where a pair has come too near, neighbours are
-// searched for by position, within R + s: what is found is complete while
-// (R + s) exp(-(E - E_search)) >= R.
+// Outside the stencil r(0) >= (n + 1) h, so it is complete while (n + 1) h exp(-E) >= R. This bound
+// assumes the worst place and the worst direction all the time, and is usually reached much too
+// early. Then the closest pair among those n + 1 slots apart is measured, and (RP.24) is applied
+// from there; pairs n + 2 apart are still bounded by r(0). If a pair is too close, neighbours are
+// searched by position within R + s. The result is complete while (R + s) exp(-(E - E_search)) >=
+// R.
 //
-// All this must hold to the end of the step to come, whose strain rate is not known yet: it is
-// allowed twice the last one, but no more than the strain at which a step fails (the solver stops
-// the run there). That also bounds the lists: their length grows with exp(d E) of a step, and a
-// step above the stability limit strains without end. And a tenth of each bound is kept back for
-// what eps at the particles does not show: motion between them, and that the sum over steps is no
-// integral. Ghosts move with the velocities that they show to the particles beside them, whose eps
-// contains them. Parts of a body that meet across a void are no pairs of (RP.24); they become
-// neighbours at the next search.
+// All this must hold until the end of the next step, whose strain rate is not known yet. Twice the
+// last one is allowed for, but no more than the strain at which a step fails (the solver stops the
+// run there). That also bounds the lists: their length grows with exp(d E) of a step, and a step
+// above the stability limit strains without limit. A tenth of each bound is a reserve for what eps
+// at the particles does not show: the motion between them, and the difference between the sum over
+// steps and an integral. Ghosts move with the velocities that the particles near them see, and eps
+// of these particles contains them. Parts of a body that meet across a void are not covered by
+// (RP.24); they become neighbours at the next search.
 namespace pliant::remeshed {
 
 namespace {
@@ -44,10 +44,10 @@ using kernels::Kernel;
 using scheduler::Phase;
 
 constexpr double usable = 0.9;
-constexpr double ahead = 2;  // times the strain of the last step
+constexpr double ahead = 2;  // multiple of the strain of the last step
 
-// ln(1 + s/R) of a search: a wider skin makes lists longer, a narrower one has them made more
-// often.
+// ln(1 + s/R) of a search: a wider skin makes lists longer, a narrower one makes searches more
+// frequent.
 constexpr double least_skin = 0.04;
 constexpr double steps_of_skin = 3;
 constexpr double largest_skin = largest_step_strain / usable;

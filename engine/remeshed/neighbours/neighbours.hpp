@@ -9,42 +9,43 @@
 
 namespace pliant::remeshed {
 
-/// Strain of (RP.24) up to which no slot from outside the stencil can be within the support: 0.16,
-/// with the compact kernel 0.12.
+/// Strain of (RP.24) up to which no slot outside the stencil can be within the support: 0.16, with
+/// the compact kernel 0.12.
 double stencil_strain(kernels::Kernel kernel);
 
-/// Strain of one step, dt max abs(eps)_F, at which a step fails: Runge-Kutta stages that strain so
-/// much are far from the state that they started from, and lists of neighbours for them endless.
+/// Strain of one step, dt max abs(eps)_F, at which a step fails. Runge-Kutta stages with such
+/// strains are far from the state at their start, and neighbour lists for them would be endless.
 inline constexpr double largest_step_strain = 0.5;
 
-/// Finds the neighbours of particles by position once slots from outside the stencil come into the
-/// support, and again before what was found may miss some.
+/// Finds the neighbours of particles by position when slots outside the stencil may enter the
+/// support, and again before the lists may become incomplete.
 ///
-///     stencil reach   how near such slots are, once the strain since the last remeshing might have
-///                     brought them: mostly the stencil goes on serving
-///     cells           where particles and ghosts are, sorted into a cell list for each body
-///     neighbours      the lists of each block, where the stencil does not serve
+///    stencil reach   how near such slots are, when the strain since the last remeshing might have
+///                    brought them close: usually the stencil is still enough
+///    cells           sorts particles and ghosts into a cell list for each body
+///    neighbours      the lists of each block, if the stencil is not enough
 ///
-/// Sums over lists have the bits of sums over the stencil, and do not depend on when the lists were
-/// made: they run in the order of the stencil, and what lies outside the support adds zeros. What
-/// a search finds is therefore no part of the state, and no checkpoint holds it.
+/// Sums over lists are bitwise equal to sums over the stencil, and do not depend on when the lists
+/// were made: they run in the order of the stencil, and entries outside the support add zeros.
+/// Lists are therefore not part of the state or of checkpoints.
 template <class T, int D>
 class NeighbourSearch {
  public:
-  /// `in_every_step`: the stencil never serves, and no bound on the strain is relied upon.
+  /// `in_every_step`: never use the stencil, and do not rely on any bound on the strain.
   NeighbourSearch(State<T, D>& state, kernels::Kernel kernel, bool in_every_step = false)
       : state_(state), kernel_(kernel), in_every_step_(in_every_step) {}
 
-  /// The stencil serves until stencil_strain: the slots are new, or what was found is not known.
+  /// Uses the stencil until stencil_strain: the slots are new, or lists are not known.
   void clear();
 
-  /// Decides which bodies need a look before a step of `time_step` [s]; whether there are any.
+  /// Decides which bodies need a search before a step of `time_step` [s]. Returns whether any does.
   bool is_due(double time_step);
 
-  /// Adds what bodies strained in a step of `time_step` [s].
+  /// Adds the strain of bodies in a step of `time_step` [s].
   void add_strain(const StageResults& results, double time_step);
 
-  /// That look, over the blocks of all bodies; those that need none cost next to nothing.
+  /// The phases of this search, over the blocks of all bodies; bodies without one cost almost
+  /// nothing.
   std::vector<scheduler::Phase> phases();
 
  private:

@@ -9,7 +9,7 @@ namespace pliant::remeshed {
 
 namespace {
 
-/// The slots up to `reach` + 1 away from a slot of a segment that the stencil leaves out.
+/// The slots within `reach` + 1 of a slot of a segment that are not in the stencil.
 template <int D>
 class Ring {
  public:

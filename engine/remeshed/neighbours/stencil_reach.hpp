@@ -5,7 +5,7 @@
 namespace pliant::remeshed {
 
 /// Smallest distance, over h, of an interior particle of a block from a particle or ghost whose
-/// slot lies just outside its stencil of `reach` slots to each side; infinite where there is none.
+/// slot is just outside its stencil of `reach` slots on each side; infinite if there is none.
 template <class T, int D>
 double closest_outside(const Body<T, D>& body, int block, int reach);
 

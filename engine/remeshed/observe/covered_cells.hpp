@@ -10,11 +10,11 @@
 
 namespace pliant::remeshed {
 
-constexpr int sub_cells = 10;          ///< to a side, of a cell that the surface may cut
+constexpr int sub_cells = 10;          ///< along a side of a cell that the surface may cut
 constexpr double coverage_slope = 10;  ///< (RP.42)
 
-/// Integrals of the coverage of a cell, and of it times s_a, s_a s_b and s_a s_b s_c, with s in
-/// [-1/2, 1/2]^D.
+/// Integrals of the coverage of a cell, and of the coverage times s_a, s_a s_b and s_a s_b s_c,
+/// with s in [-1/2, 1/2]^D.
 template <int D>
 struct Moments {
   using Row = std::array<double, sub_cells>;
@@ -59,12 +59,12 @@ struct Moments {
     return sums_of(whole);
   }
 
-  /// Sums over the rows of a plane across the last axis, times s_0^n s_1^m, n + m <= 3. The plane
-  /// itself has one.
+  /// Sums over the rows of a plane across the last axis, times s_0^n s_1^m, n + m <= 3. In 2D there
+  /// is one plane.
   struct PlaneSums {
     double sum[4][4] = {};
 
-    /// `t` is the place of the row along the second axis.
+    /// `t` is the position of the row along the second axis.
     void add_row(const RowSums& row, double t) {
       double power = 1;
       for (int m = 0; m < 4; ++m, power *= t) {
@@ -73,8 +73,8 @@ struct Moments {
     }
   };
 
-  /// Adds a plane; `t` is its place along the third axis. Of components that are equal by symmetry
-  /// the one with rising indices is summed.
+  /// Adds a plane; `t` is its position along the third axis. Of components that are equal by
+  /// symmetry, only the one with rising indices is summed.
   void add_plane(const PlaneSums& plane, double t) {
     const std::array<double, 4> power = {1, t, t * t, t * t * t};
     zeroth += plane.sum[0][0];
@@ -92,7 +92,7 @@ struct Moments {
     }
   }
 
-  /// Gives the other components the sums.
+  /// Copies the sums to the other components.
   void complete() {
     for (int a = 0; a < D; ++a) {
       for (int b = 0; b < D; ++b) {
@@ -107,8 +107,8 @@ struct Moments {
   }
 };
 
-/// The cells around the nodes of a body, and the part of each that the body covers in front of
-/// every wall, (RP.42).
+/// The cells around the nodes of a body, and the part of each that the body covers in front of all
+/// walls, (RP.42).
 template <class T, int D>
 class CoveredCells {
  public:
@@ -132,7 +132,7 @@ class CoveredCells {
     });
   }
 
-  /// Calls f(axis, up, down) with the slots beside a node along each axis that has both.
+  /// Calls f(axis, up, down) with the slots on both sides of a node, for each axis that has both.
   template <class F>
   void for_each_pair(const Cell<D>& cell, F&& f) const {
     for (int a = 0; a < D; ++a) {
@@ -144,7 +144,7 @@ class CoveredCells {
  private:
   using Row = typename Moments<D>::Row;
 
-  /// phi to second order about a node [h], places in cells.
+  /// phi to second order around a node [h]; places are in cells.
   struct Expansion {
     double phi = 0;
     Point<D> slope = {};
@@ -215,7 +215,7 @@ class CoveredCells {
     return moments;
   }
 
-  /// How much of a row is covered. Its sub-cells are set if some of it is.
+  /// How much of a row is covered. If only some of it is, its sub-cells are set.
   enum class Cover { nothing, some, all };
 
   static Cover cover_by_body(const Expansion& e, const Point<D>& t, Row& row) {
@@ -236,7 +236,7 @@ class CoveredCells {
     return Cover::some;
   }
 
-  // Distances from walls change by no more than the way.
+  // The distance from a wall changes by no more than the distance between places.
   Cover leave_out_walls(const Point<D>& x, const Point<D>& t, Row& row, Cover cover) const {
     Point<D> at = x;
     for (int a = 1; a < D; ++a) at[a] += h_ * t[a];
@@ -252,7 +252,8 @@ class CoveredCells {
     return Cover::some;
   }
 
-  static constexpr double edge = 0.5 / coverage_slope;  ///< half of where coverage changes [h]
+  static constexpr double edge =
+      0.5 / coverage_slope;  ///< half the width over which coverage changes [h]
 
   LatticeView<T, D> view_;
   const Boundaries<D>& boundaries_;

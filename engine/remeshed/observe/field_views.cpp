@@ -18,8 +18,8 @@ std::vector<SlotRun> slot_runs(const Body<T, D>& body) {
   return runs_of_particles<D>(body.population.layout, is_interior(body));
 }
 
-// The displacement of the list of fields is that at the last remeshing, and so gets another name:
-// the displacement of frames contains the drift.
+// The displacement in the list of fields is that at the last remeshing, and so has another name
+// here: the displacement of frames includes the drift.
 template <class T, int D>
 std::vector<FieldView> field_views(const Body<T, D>& body) {
   const std::int64_t slots = body.population.layout.slots();

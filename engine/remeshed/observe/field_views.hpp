@@ -6,18 +6,18 @@
 
 #include "engine/remeshed/state/body.hpp"
 
-/// The arrays of a body as callers of the library see them.
+/// Views of the arrays of a body, for callers of the library.
 namespace pliant::remeshed {
 
-/// Where the particles are, in ascending order of the slots.
+/// The runs of slots that hold particles, in ascending order.
 template <class T, int D>
 std::vector<SlotRun> slot_runs(const Body<T, D>& body);
 
-/// The fields as they lie in memory.
+/// The fields as they are in memory.
 template <class T, int D>
 std::vector<FieldView> field_views(const Body<T, D>& body);
 
-/// Positions of the particles [m], in the order of the slots, z = 0 in 2D.
+/// Positions of the particles [m], in the order of the slots; z = 0 in 2D.
 template <class T, int D>
 std::vector<std::array<double, 3>> present_positions(const Body<T, D>& body);
 

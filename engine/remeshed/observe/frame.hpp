@@ -9,10 +9,10 @@
 
 namespace pliant::remeshed {
 
-/// The particles of a state as viewers see them, ghosts and surfaces as an option; with ghosts and
-/// contact walls the pressure of these too, (RP.55). SI units; stresses have their zz component in
-/// plane strain too. Surfaces are those of `find_nodes`: between remeshings, of a remeshed copy.
-/// `find_surroundings` tells what acts on the bodies.
+/// The particles of a state for viewers, with ghosts and surfaces as options; with ghosts, also the
+/// pressure of contact walls, (RP.55). SI units; stresses have a zz component in plane strain too.
+/// Surfaces are those of `find_nodes`: between remeshings, of a remeshed copy. `find_surroundings`
+/// returns the walls and loads.
 template <class T, int D>
 Frame take_frame(const State<T, D>& state, const kernels::RemeshedTable<T, D>& kernels,
                  const NodeSource<T, D>& find_nodes,

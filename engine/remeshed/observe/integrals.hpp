@@ -6,12 +6,12 @@
 
 namespace pliant::remeshed {
 
-/// Over {phi < 0} in front of every wall, (RP.42), (RP.62), (RP.63), (RP.70).
+/// Integrals over {phi < 0} in front of all walls, (RP.42), (RP.62), (RP.63), (RP.70).
 template <class T, int D>
 BodyIntegrals integrate(const LatticeView<T, D>& view, const Boundaries<D>& boundaries,
                         const Vector& about);
 
-/// As sums over the particles, for bodies that are never remeshed or have no surface.
+/// Sums over the particles, for bodies that are never remeshed or have no surface.
 template <class T, int D>
 BodyIntegrals sum_particles(const Body<T, D>& body, const Vector& about);
 

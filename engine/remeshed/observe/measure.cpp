@@ -20,7 +20,7 @@ namespace pliant::remeshed {
 namespace {
 
 constexpr double pi = 3.14159265358979323846;
-constexpr double on_wall = 1e-9;  // [h] distances that rounding may leave
+constexpr double on_wall = 1e-9;  // [h] rounding errors of distances
 }  // namespace
 
 template <class T, int D>
@@ -88,7 +88,7 @@ double Measurer<T, D>::contact_impulse(const MeasurementCase& m) {
   return on_first;
 }
 
-// The level set continues through walls to which the body is attached; its surface does not.
+// The level set continues through walls to which the body is attached, but the surface does not.
 template <class T, int D>
 std::function<bool(const Vector&)> Measurer<T, D>::free_points(const MeasurementCase& m) const {
   const double t = state_.clock.time;
@@ -229,7 +229,7 @@ double Measurer<T, D>::velocity_error(const MeasurementCase& m) {
 }
 
 // Linear in the cell around the point; the field is evaluated at its corner nodes. Strains are fits
-// over nodes around it.
+// over the nodes around the point.
 template <class T, int D>
 double Measurer<T, D>::point_value(const MeasurementCase& m) {
   const LatticeView<T, D>& view = nodes()[m.body];

@@ -11,29 +11,29 @@
 
 namespace pliant::remeshed {
 
-/// Evaluates measurements of a state at one instant. What several of them need is found once.
+/// Evaluates measurements of a state at one time. Common intermediate results are computed once.
 template <class T, int D>
 class Measurer {
  public:
-  /// Without `find_nodes` conserved quantities are sums over particles, and nothing else that is
-  /// found on nodes can be measured.
+  /// Without `find_nodes`, conserved quantities are sums over particles, and nothing else that
+  /// needs nodes can be measured.
   Measurer(const Case& settings, const State<T, D>& state, NodeSource<T, D> find_nodes)
       : settings_(settings), state_(state), find_nodes_(std::move(find_nodes)) {}
 
-  /// One value for each measurement; NaN where it has none (those which read histories, and
-  /// surfaces that do not exist). Of forces, the impulse since t = 0: histories tell the force.
+  /// One value for each measurement; NaN for those that evaluate histories and for surfaces that do
+  /// not exist. For forces it is the impulse since t = 0, from which histories compute the force.
   std::vector<double> operator()(std::span<const MeasurementCase> measurements);
 
-  /// Conserved quantities of all bodies together, as the summary reports them.
+  /// Conserved quantities of all bodies together, for the summary.
   BodyIntegrals totals();
 
-  /// [body] as `find_nodes` gives them.
+  /// [body] from `find_nodes`.
   const std::vector<LatticeView<T, D>>& nodes();
 
   static bool is_measured(MeasurementCase::Kind kind) {
     return function_of(kind).evaluate != nullptr;
   }
-  /// Whether particles are enough: there are neither nodes nor a level set.
+  /// Whether a measurement needs only particles, neither nodes nor a level set.
   static bool is_measured_on_particles(MeasurementCase::Kind kind) {
     return is_measured(kind) && function_of(kind).reads == Reads::particles;
   }
@@ -47,7 +47,7 @@ class Measurer {
   };
   static Function function_of(MeasurementCase::Kind kind);
   double value(const MeasurementCase& m);
-  // One function for each kind of measurement, or for several alike.
+  // One function for each kind of measurement, or for several similar kinds.
   double extent(const MeasurementCase& m);
   double surface_distance(const MeasurementCase& m);
   double mean_radius(const MeasurementCase& m);
@@ -61,7 +61,7 @@ class Measurer {
   double area(const MeasurementCase& m);
   double minimum_particle_distance(const MeasurementCase& m);
   double velocity_error(const MeasurementCase& m);
-  /// Whether a point of the surface counts: outside walls, and where the measurement says.
+  /// Whether a point of the surface counts: outside walls, and where the measurement selects it.
   std::function<bool(const Vector&)> free_points(const MeasurementCase& m) const;
   /// Whether a point lies in a wall to which bodies are attached.
   bool is_in_wall(const Vector& x) const;
@@ -77,7 +77,7 @@ class Measurer {
   const Case& settings_;
   const State<T, D>& state_;
   NodeSource<T, D> find_nodes_;
-  // Empty until something asks for them.
+  // Empty until first needed.
   std::vector<LatticeView<T, D>> nodes_;
   std::vector<Integrated> integrals_;
 };

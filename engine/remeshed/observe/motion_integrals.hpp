@@ -9,13 +9,13 @@
 
 namespace pliant::remeshed {
 
-/// Of a linear field times what the moments are of.
+/// Integral of a linear field, from the moments of the region.
 template <int D>
 double integral(double value, const Point<D>& slope, double zeroth, const Point<D>& first) {
   return std::inner_product(slope.begin(), slope.end(), first.begin(), value * zeroth);
 }
 
-/// Density of the inertia and velocity of a node and their central differences [per cell].
+/// Inertial density and velocity of a node, and their central differences [per cell].
 template <int D>
 struct NodeMotion {
   double density = 0;
@@ -44,24 +44,24 @@ struct NodeMotion {
   }
 };
 
-/// Of the inertia of a body and its motion, from one point, (RP.42), (RP.70).
+/// Integrals of the inertia and the motion of a body, relative to one point, (RP.42), (RP.70).
 struct MotionIntegrals {
   double mass = 0;
   Vector first_moment = {};
   std::array<Vector, 3> second_moment = {};
   Vector momentum = {};
-  Vector angular_momentum = {};  ///< z alone in 2D
+  Vector angular_momentum = {};  ///< in 2D z only
   double kinetic_energy = 0;
 
-  /// Adds a cell of the size h whose node is at r [m]. Density and velocity are linear in the cell,
-  /// so that moments integrate them exactly.
+  /// Adds a cell of size h whose node is at r [m]. Density and velocity are linear in the cell, so
+  /// moments integrate them exactly.
   template <int D>
   void add(double h, const Point<D>& r_of_node, const NodeMotion<D>& e, const Moments<D>& m) {
     const double volume = std::pow(h, D);
     const double mass_of_cell = integral<D>(e.density, e.density_slope, m.zeroth, m.first);
     double energy = 0;
     Vector r = {}, moment = {}, impulse = {};
-    std::array<Vector, 3> spread = {};  // of s_a times the momentum c: [a][c]
+    std::array<Vector, 3> spread = {};  // sums of s_a times the momentum c: [a][c]
     std::array<Point<D>, D> inertia = {};
     for (int a = 0; a < D; ++a) {
       r[a] = r_of_node[a];

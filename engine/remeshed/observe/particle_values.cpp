@@ -13,10 +13,10 @@ namespace pliant::remeshed {
 
 namespace {
 
-constexpr double linear_radius = 2.6, quadratic_radius = 3.2;  // [h] of a fit
-// Amplification of a quadratic fit: points among particles have 3 to 5. On a face, half a spacing
-// beyond the last row, 14 would amplify the errors of single particles, and the fit is linear. In
-// between it changes over smoothly, so that no history jumps when particles pass.
+constexpr double linear_radius = 2.6, quadratic_radius = 3.2;  // [h] radius of a fit
+// Amplification of a quadratic fit. Points among particles have 3 to 5. On a face, half a spacing
+// beyond the last row, it would be 14 and amplify the errors of single particles, so the fit is
+// linear there. The transition is smooth, so that histories do not jump when particles pass.
 constexpr double wholly_quadratic = 5, wholly_linear = 10;
 
 double weight_of(double square, double radius) {
@@ -24,8 +24,8 @@ double weight_of(double square, double radius) {
   return left * left;
 }
 
-// Calls f(slot, r, square of r) for the particles that started around a point; r [h] from it. d +
-// xi is the displacement; node - d is where the particle started.
+// Calls f(slot, r, square of r) for the particles that started around a point; r [h] is relative to
+// it. d + xi is the displacement, and node - d is where the particle started.
 template <class T, int D, class F>
 void for_each_near(const Body<T, D>& body, const Vector& start, F&& f) {
   const FieldStore<T, D>& fields = body.stage[0];
@@ -46,7 +46,7 @@ void for_each_near(const Body<T, D>& body, const Vector& start, F&& f) {
   }
 }
 
-// F at the point: how displacements change with where particles started.
+// F at the point: the gradient of displacements with respect to the places where particles started.
 template <class T, int D>
 double material_strain(const Body<T, D>& body, const Vector& start, const std::string& field) {
   LinearFit<D, D> fit;

@@ -6,21 +6,21 @@
 
 namespace pliant::remeshed {
 
-/// A field of measurements, by its name, in a slot of `fields`: a body's own or those of its
-/// remeshed copy. Not strains, which single slots do not know.
+/// The field that a measurement names, in a slot of `fields`: those of a body or of its remeshed
+/// copy. Strains need several slots and are not included.
 template <class T, int D>
 double field_value(const Body<T, D>& body, const FieldStore<T, D>& fields, const std::string& field,
                    std::int64_t slot);
 
-/// A Green-Lagrange strain at `x` [m] from the particles or nodes that lie in the cells around
-/// `cell` and near the place: F = (I - grad d)^-1, grad d the slope of a linear fit of their
-/// displacements d over where they are now. NaN where there are too few.
+/// A Green-Lagrange strain at `x` [m], from the particles or nodes in the cells around `cell` that
+/// are near that place: F = (I - grad d)^-1. grad d is the slope of a linear fit of their
+/// displacements d over their present places. NaN if there are too few.
 template <class T, int D>
 double strain_around(const LatticeView<T, D>& around, const Cell<D>& cell, const Point<D>& x,
                      const std::string& field);
 
-/// A field at the material point that was at `start` [m] at t = 0, strains too: a linear fit over
-/// the particles that started around it. NaN where none remain.
+/// A field, which may be a strain, at the material point that was at `start` [m] at t = 0: a linear
+/// fit over the particles that started around it. NaN if none remain.
 template <class T, int D>
 double material_value(const Body<T, D>& body, const Vector& start, const std::string& field);
 

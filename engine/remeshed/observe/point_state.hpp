@@ -11,11 +11,11 @@
 #include "kernels/remeshed/stage/relaxation.hpp"
 #include "kernels/with_scalar.hpp"
 
-/// Material quantities of single particles, for measurements and output; `fields` are a body's own
-/// or those of its remeshed copy.
+/// Material quantities of single particles, for measurements and output; `fields` are those of a
+/// body or of its remeshed copy.
 namespace pliant::remeshed {
 
-/// The carried state (S or F) of a slot.
+/// The material state (S or F) of a slot.
 template <class T, int D>
 std::array<T, kernels::material_components<D>> material_state(const FieldStore<T, D>& fields,
                                                               std::int64_t slot) {
@@ -25,8 +25,8 @@ std::array<T, kernels::material_components<D>> material_state(const FieldStore<T
   return state;
 }
 
-/// By how much [m] the place of a slot has to be moved for its particle to have started in the
-/// first period, (RP.93): whole periods, so that the body holds together however often it passed an
+/// The shift [m] from the place of a slot such that its particle started in the first period,
+/// (RP.93). It is whole periods, so that a body stays in one piece however often it has passed an
 /// end.
 template <class T, int D>
 Point<D> passed_periods(const Lattice<D>& lattice, const FieldStore<T, D>& fields,
@@ -41,13 +41,13 @@ Point<D> passed_periods(const Lattice<D>& lattice, const FieldStore<T, D>& field
   return passed;
 }
 
-/// Of the inertia, (RP.87) [kg/m^3].
+/// Inertial density, (RP.87) [kg/m^3].
 template <class T, int D>
 T density(const FieldStore<T, D>& fields, std::int64_t slot) {
   return fields.get(Field::mass)[slot] / fields.get(Field::volume)[slot];
 }
 
-/// Calls `f.operator()<Law>(carried, rho)` with the law of a material and the state of a slot in
+/// Calls `f.operator()<Law>(carried, rho)` with the law of a material and the state of a slot, as
 /// packs.
 template <class T, int D, class F>
 auto by_law(const kernels::Material<T>& material, const FieldStore<T, D>& fields, std::int64_t slot,
@@ -105,8 +105,8 @@ std::array<T, kernels::symmetric_components<D>> stress(const Body<T, D>& body,
   });
 }
 
-/// Elastic energy per current volume [J/m^3], (RP.62), (RP.63) or (RP.64); in double precision,
-/// because it is the square of a small strain.
+/// Elastic energy per current volume [J/m^3], (RP.62), (RP.63) or (RP.64). It is in double
+/// precision, since it is quadratic in a small strain.
 template <class T, int D>
 double energy_density(const Body<T, D>& body, const FieldStore<T, D>& fields, std::int64_t slot) {
   const auto material = kernels::with_scalar<double>(body.material);

@@ -20,8 +20,8 @@ class Surface {
     return phi(x, slope);
   }
 
-  // The zero between two distances along a ray, phi < 0 at the first, to rounding: by Newton's
-  // method, and by bisection where that leaves the bracket.
+  // The zero of phi between two distances along a ray, with phi < 0 at the first, to rounding
+  // accuracy: by Newton's method, or by bisection if that leaves the bracket.
   double zero(const Vector& origin, const Vector& direction, double inside, double outside) const {
     const double negligible = 1e-12 * (outside - inside);  // its square is below rounding
     double s = (inside + outside) / 2;
@@ -45,7 +45,7 @@ class Surface {
   }
 
  private:
-  // Its slope is per cell.
+  // The slope is per cell.
   std::optional<double> phi(const Vector& x, Point<D>& slope) const {
     Point<D> at;
     for (int a = 0; a < D; ++a) at[a] = (x[a] - lattice_.origin[a]) / lattice_.spacing - 0.5;
@@ -58,7 +58,7 @@ class Surface {
   CubicInterpolant<T, D> interpolant_;
 };
 
-// The last cell along the ray that can hold anything of the body.
+// The last cell along the ray that may contain a part of the body.
 template <class T, int D>
 double reach(const LatticeView<T, D>& view, const Vector& origin) {
   double far = 0;

@@ -5,19 +5,19 @@
 
 #include "engine/remeshed/state/lattice_view.hpp"
 
-/// Where the free surface of a body lies: zeros of the level set on fresh nodes.
+/// The free surface of a body: zeros of the level set on new nodes.
 namespace pliant::remeshed {
 
 /// Distance [m] from `origin` along the unit vector `direction` to the last zero of phi on the way
-/// out of the body, of the points that `counts` admits (all, when empty); none when there is no
-/// such point.
+/// out of the body. Only points that `counts` accepts are considered (all, if it is empty); none if
+/// there is no such point.
 template <class T, int D>
 std::optional<double> ray_to_surface(const LatticeView<T, D>& view, const Vector& origin,
                                      const Vector& direction,
                                      const std::function<bool(const Vector&)>& counts = {});
 
-/// Farthest coordinate along `axis` (or, on the lower side, the lowest) that the surface reaches on
-/// the node lines parallel to it, of the points that `counts` admits.
+/// Largest (or, on the lower side, smallest) coordinate along `axis` of the surface on node lines
+/// parallel to it, of the points that `counts` accepts.
 template <class T, int D>
 std::optional<double> extent(const LatticeView<T, D>& view, int axis, bool lower_side,
                              const std::function<bool(const Vector&)>& counts);

@@ -10,7 +10,7 @@ namespace pliant::remeshed {
 
 namespace {
 
-// A line between two nodes of a cube: its lower end, and the axes along which the upper one lies.
+// A line between two nodes of a cube: its lower end, and the axes along which the upper one is.
 template <int D>
 struct Line {
   Cell<D> lower;
@@ -49,7 +49,7 @@ SurfaceVertex<D> vertex_of(const Crossing<D>& crossing) {
   return vertex;
 }
 
-/// Distance beyond the nearest end of the period [m], negative within it.
+/// Distance beyond the nearest end of the period [m], negative inside.
 template <int D>
 double beyond_period(const Lattice<D>& lattice, const Point<D>& x) {
   double beyond = -std::numeric_limits<double>::infinity();
@@ -61,8 +61,8 @@ double beyond_period(const Lattice<D>& lattice, const Point<D>& x) {
   return beyond;
 }
 
-/// Calls f for the cube that starts at a node, and, at the start of the period, for those that
-/// reach it from beyond.
+/// Calls f for the cube that starts at a node and, at the start of the period, for cubes that
+/// extend to it from beyond.
 template <int D, class F>
 void for_each_cube_of(const Lattice<D>& lattice, const Cell<D>& cell, F&& f) {
   Cell<D> first = cell;

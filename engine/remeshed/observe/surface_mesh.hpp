@@ -14,27 +14,27 @@ template <int D>
 struct SurfaceVertex {
   Point<D> place;        ///< [m]
   std::int64_t inside;   ///< slot of the node inside the body
-  std::int64_t outside;  ///< slot of the other
-  double fraction;       ///< of the way from the first to the second
+  std::int64_t outside;  ///< slot of the node outside it
+  double fraction;       ///< share of the way from `inside` to `outside`
 
-  /// A field on nodes, linear between the two.
+  /// A field on nodes, interpolated linearly.
   template <class T>
   double interpolated(const T* field) const {
     return field[inside] + fraction * (field[outside] - field[inside]);
   }
 };
 
-/// Segments in 2D, with the body to their left; triangles in 3D, anticlockwise from outside.
+/// Segments with the body to their left in 2D; triangles in 3D, anticlockwise from outside.
 template <int D>
 struct ExtractedSurface {
   std::vector<SurfaceVertex<D>> vertices;
-  std::vector<std::array<std::int64_t, D>> pieces;  ///< of vertices
+  std::vector<std::array<std::int64_t, D>> pieces;  ///< as vertices
 };
 
-/// The closed surface of a body, each vertex once: where it is free, where walls hold it or are in
-/// contact with it, and at the ends of its period.
+/// The closed surface of a body, each vertex once: free parts, parts at walls that hold it or are
+/// in contact with it, and the ends of its period.
 ///
-/// Vertices and pieces come in the order of the slots.
+/// Vertices and pieces are in the order of the slots.
 template <class T, int D>
 ExtractedSurface<D> surface_mesh(const LatticeView<T, D>& view, const Boundaries<D>& boundaries);
 

@@ -7,14 +7,14 @@
 /// The surface of a body, in pieces.
 namespace pliant::remeshed {
 
-/// The cubes of a body's nodes, one after another.
+/// A cube between nodes of a body, and the pieces of the surface in it.
 template <class T, int D>
 class SurfaceCube {
  public:
   explicit SurfaceCube(const LatticeView<T, D>& view) : view_(view) {}
 
-  /// Takes the cube between the node of `cell` and its neighbours, with level(slot, place) [m] on
-  /// them; false where {level = 0} does not cross it, or one of them is no particle.
+  /// Reads the cube between the node of `cell` and its neighbours, with level(slot, place) [m] at
+  /// them. False if {level = 0} does not cross the cube, or if one of its nodes is not a particle.
   template <class Level>
   bool read(const Cell<D>& cell, Level&& level) {
     int inside = 0;
@@ -44,15 +44,15 @@ class SurfaceCube {
   std::array<SurfaceNode<D>, corners> corner_;
 };
 
-/// The level set of the body, as SurfaceCube::read takes it.
+/// The level set of the body, as an argument of SurfaceCube::read.
 template <class T, int D>
 auto level_set_of(const LatticeView<T, D>& view) {
   return [values = view.fields.get(Field::level_set)](
              std::int64_t slot, const Point<D>&) -> double { return values[slot]; };
 }
 
-/// Calls f(piece, corners' places) for every piece of the free surface {phi = 0} whose centre lies
-/// in front of all walls, in the order of the slots; nodes last as long as the call.
+/// Calls f(piece, corners' places) for every piece of the free surface {phi = 0} whose centre is in
+/// front of all walls, in the order of the slots. The nodes are valid only during the call.
 template <class T, int D, class F>
 void for_each_surface_piece(const LatticeView<T, D>& view, const Boundaries<D>& boundaries, F&& f) {
   SurfaceCube<T, D> cube(view);

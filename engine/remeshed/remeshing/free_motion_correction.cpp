@@ -25,7 +25,7 @@ void add(ForceOnBlock<D>& sum, const ForceOnBlock<D>& other) {
   for (int a = 0; a < 3; ++a) sum.moment[a] += other.moment[a];
 }
 
-/// Adds the impulse of a force on the particles, whose mass sum differs from that of the body.
+/// Adds the impulse of a force on the particles, whose mass sum may differ from that of the body.
 template <int D>
 void add_impulse(MotionBudget<D>& budget, const ForceOnBlock<D>& on_body, double duration) {
   if (on_body.mass == 0) return;
@@ -126,7 +126,7 @@ void FreeMotionCorrection<T, D>::balance() {
   }
 }
 
-// (RP.90)
+// The correction (RP.90).
 template <class T, int D>
 auto FreeMotionCorrection<T, D>::correction(const MotionIntegrals& now,
                                             const MotionBudget<D>& budget) const -> Correction {

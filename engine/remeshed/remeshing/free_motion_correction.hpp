@@ -8,27 +8,27 @@
 #include "engine/remeshed/state/state.hpp"
 #include "scheduler/phase.hpp"
 
-// The momentum and the angular momentum of bodies that nothing holds, (RP.90), (RP.91).
+// The momentum and the angular momentum of free bodies, (RP.90), (RP.91).
 //
-// A step and a remeshing change both by the errors of the method: div sigma over fitted ghosts adds
-// up to the surface traction only as far as the method is accurate, and a remeshing smooths the
-// velocity at the surface and moves the surface where it has edges. Each error is small and has no
-// sign of its own, so that they add up over the turns of a body. But the momentum of a body that no
-// wall, no other body and no load pushes is known: it changes by body forces alone. So is its spin,
-// the angular momentum about its own mass centre, which the path of the centre does not change.
+// Steps and remeshings change both by the errors of the method. The sum of div sigma over fitted
+// ghosts equals the surface traction only to the accuracy of the method. A remeshing smooths the
+// velocity at the surface and moves the surface at edges. Each error is small, but the errors of
+// many revolutions of a body accumulate. Yet the momentum of a body that no wall, body or load
+// pushes is known: it changes only by body forces. So is its spin, the angular momentum about its
+// own mass centre, which does not depend on the path of the centre.
 //
-// Each body therefore has a budget of both. After each remeshing, when particles lie on nodes and
-// the integrals (RP.42) over the body are those that are measured, a rigid velocity
-// a + omega x (x - c) is added to the body so that its integrals are those of the budget. It
-// changes no strain, no stress and no relative motion. What a remeshing does to the mass is no
-// impulse: it changes the momentum of the budget alike, so that the mass centre keeps its velocity.
-// What pushed the body since the last
-// remeshing makes the budget unknown; it is then what the remeshing has left. Bodies that come out
-// of a remeshing with ghosts of walls or loads have none until the next one.
+// Therefore each body has a budget of both. After each remeshing, when particles are on nodes and
+// the integrals (RP.42) over the body are those that are measured, a rigid velocity a + omega x (x
+// - c) is added to the body so that its integrals equal the budget. This does not change strain,
+// stress or relative motion. A change of the mass by a remeshing is not an impulse: it changes the
+// momentum of the budget in proportion, so that the mass centre keeps its velocity. If something
+// has pushed the body since the last remeshing, its budget is unknown, and is set to the state
+// after the remeshing. Bodies that have ghosts of walls or loads after a remeshing have no budget
+// until the next one.
 //
-// In a case with contact momentum has a budget that knows what contacts transmit, and that is kept
-// after each step: contact_momentum_correction.hpp. There this correction is that of the spin
-// alone.
+// In a case with contact, the momentum has another budget, which includes the impulses of contacts
+// and is applied after each step: contact_momentum_correction.hpp. This correction then only
+// applies to the spin.
 namespace pliant::remeshed {
 
 /// Corrects momentum and spin of free bodies after each remeshing, (RP.90).
@@ -42,10 +42,10 @@ class FreeMotionCorrection {
 
   bool is_needed() const { return is_needed_; }
 
-  /// Changes the budgets by the body forces of a step, (RP.91), and forgets those of bodies that
+  /// Adds the body forces of a step to the budgets, (RP.91), and discards those of bodies that
   /// touch another one in it.
   void add_step(const std::vector<std::array<ForceOnBlock<D>, 4>>& forces, double time_step);
-  /// Phases that give bodies on nodes the motion of their budgets, (RP.90).
+  /// Phases that correct the motion of bodies on nodes to their budgets, (RP.90).
   void add_phases(std::vector<scheduler::Phase>& phases);
 
  private:

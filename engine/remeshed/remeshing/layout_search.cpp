@@ -11,9 +11,9 @@ namespace pliant::remeshed {
 
 namespace {
 
-// Small bodies are divided among threads as long as blocks are worth a task; large ones into blocks
-// that fit a second-level cache. Four leading bits of the number: it stays as it is, and with it
-// the step graph, until a body has grown or shrunk by some percent.
+// Small bodies are divided among threads as long as a block is worth a task; large ones into blocks
+// that fit into a second-level cache. The number is rounded to four leading bits, so that it, and
+// with it the step graph, stays the same until a body has grown or shrunk by some percent.
 int block_count(std::int64_t slots) {
   constexpr std::int64_t smallest_block = 512, largest_block = 3072, blocks_of_small_bodies = 12;
   const std::int64_t count = std::max({std::min(slots / smallest_block, blocks_of_small_bodies),
@@ -23,12 +23,12 @@ int block_count(std::int64_t slots) {
   return static_cast<int>(count / unit * unit);
 }
 
-// Packs in the map of a body's box: half a gigabyte for the map and its copy. Bodies that hold
-// together need a hundredth of it, or their slots do not fit into memory either.
+// Packs in the map of a body's box: half a gigabyte for the map and its copy. An intact body needs
+// a hundredth of it; otherwise its slots would not fit into memory either.
 constexpr double largest_map = 1 << 28;
-constexpr double farthest_drift = 1e8;  // cells; a whole number holds 2e9
+constexpr double farthest_drift = 1e8;  // [cells]; an integer is limited to 2e9
 
-/// The cell to whose node a particle has come nearest.
+/// The cell whose node is nearest to a particle.
 template <class T, int D>
 class NearestCell {
  public:
@@ -107,7 +107,7 @@ void LayoutSearch<T, D>::mark_geometry() {
   const Box<3> box = bounding_box(geometry);
   Cell<D> lower, upper;
   for (int a = 0; a < D; ++a) {
-    // Along a period the body may have no ends.
+    // In a periodic direction the body may have no ends.
     const bool repeats = lattice.period[a] != 0;
     lower[a] = repeats ? 0 : lattice.cell(a, box.lower[a]) - 1;
     upper[a] = repeats ? lattice.period[a] - 1 : lattice.cell(a, box.upper[a]) + 1;

@@ -34,7 +34,7 @@ void move_lattice(Body<T, D>& body, const Point<D>& by) {
       carried[p] = static_cast<T>(carried[p] + by[a]);
     }
   }
-  // Heights above walls count from where the nodes were.
+  // Heights above walls are relative to the former nodes.
   for (BlockGhosts<T, D>& ghosts : body.population.ghosts) {
     for (std::size_t k = 0; k < ghosts.contact.size(); ++k) {
       for (int a = 0; a < D; ++a) {

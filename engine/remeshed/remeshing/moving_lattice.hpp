@@ -2,15 +2,15 @@
 
 #include "engine/remeshed/state/state.hpp"
 
-// A remeshing smooths what lies between the nodes, so that it matters where they are. A body that a
-// contact wall at rest throws back presses on the wall from nodes that stand still before it. Where
-// the wall moves, the lattice moves with it, and the impact is the same seen from either (RP.76).
+// A remeshing smooths what is between the nodes, so the places of nodes matter. In an impact on a
+// contact wall at rest, the nodes do not move relative to the wall. If the wall moves, the lattice
+// moves with it, so that the impact is the same in both frames of reference, (RP.76).
 namespace pliant::remeshed {
 
-/// Moves the lattices of bodies along with the contact walls nearest to them, by what these have
-/// moved since the last remeshing, from `wall_offset`, which becomes the present one; particles
-/// stay where they are. To be called when they are about to move onto the nodes. Periods stay where
-/// they are, and all lattices where walls hold bodies.
+/// Moves the lattices of bodies with the nearest contact walls, by the motion of these since the
+/// last remeshing, from `wall_offset`, which becomes the present one. Particles do not move. Must
+/// be called before the particles are remeshed. Lattices do not move in periodic directions, nor in
+/// cases where walls hold bodies.
 template <class T, int D>
 void move_lattices(State<T, D>& state, std::vector<Point<D>>& wall_offset);
 

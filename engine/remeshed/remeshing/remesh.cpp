@@ -15,27 +15,27 @@
 // The remeshing of H&K, section 2.3, in two graphs, since the blocks of the new lattice are known
 // only after the first. Over the blocks of the old lattice:
 //
-//     remesh: ghosts    ghosts take the fitted density, material state and displacement
-//     remesh: layout    the packs within reach of any particle become the new lattice
+//    remesh: ghosts    ghosts take the fitted density, material state and displacement
+//    remesh: layout    the packs within reach of any particle become the new lattice
 //
 // Over the blocks of the new lattice:
 //
-//     remesh: scatter   M4' sums over particles and ghosts at the new nodes, and the fields from
-//                       them (RP.31)-(RP.36)
-//     remesh: images    periodic bodies: slots beyond a period repeat the nodes one period away
-//     remesh: filter    high-order filter (RP.37)
-//     level set: initial surface   phi of bodies that no wall holds moves towards where their
-//                       displacements say that the surface is (RP.92)
-//     level set: walls  phi continued through walls
-//     level set: first order   the paper's reinitialisation, where the case asks for it (RP.74)
-//     level set: closest points   on the surface, of the nodes near it (RP.41)
-//     level set: distances   if due, phi becomes the distance to them, but near edges (RP.82)
-//     level set: layers           the same layer by layer further out (RP.40)
-//     remesh: kinds     which slots hold particles and ghosts; det F = rho0/rho (RP.38)
-//     ghosts: fits      the coefficients of the ghosts (RP.43), (RP.44)
-//     ghosts: surface   the particles that fits read get surface records
-//     ghosts: loads     the loads on the faces nearest to those particles, and on ghosts (RP.78)
-//     loaded facets     the facets of {phi = 0} on which loads do work (RP.72)
+//    remesh: scatter   M4' sums over particles and ghosts at the new nodes, and the fields from
+//                      them (RP.31)-(RP.36)
+//    remesh: images    periodic bodies: slots beyond a period copy the nodes one period away
+//    remesh: filter    high-order filter (RP.37)
+//    level set: initial surface   moves phi of bodies that no wall holds towards the surface that
+//                      their displacements give (RP.92)
+//    level set: walls  extends phi through walls
+//    level set: first order   the paper's reinitialisation, if the case uses it (RP.74)
+//    level set: closest points   on the surface, for the nodes near it (RP.41)
+//    level set: distances   if due, phi becomes the distance to them, except near edges (RP.82)
+//    level set: layers           the same layer by layer further out (RP.40)
+//    remesh: kinds     which slots hold particles and ghosts; det F = rho0/rho (RP.38)
+//    ghosts: fits      the coefficients of the ghosts (RP.43), (RP.44)
+//    ghosts: surface   surface records for the particles that fits read
+//    ghosts: loads     the loads on the faces nearest to those particles, and on ghosts (RP.78)
+//    loaded facets     the facets of {phi = 0} on which loads do work (RP.72)
 namespace pliant::remeshed {
 
 using namespace resource;
@@ -52,10 +52,10 @@ Resources old_state() {
   return state;
 }
 
-/// What lies in the memory of the filtered state once that is no longer needed.
+/// What shares the memory of the filtered state when that is no longer needed.
 Resources in_place_of_filtered() { return whole(extended) + whole(closest, 0) + whole(closest, 1); }
 
-/// Everything that a new layout makes room for.
+/// All fields for which a new layout makes room.
 Resources new_lattice() {
   return with_images(new_state) + with_images(new_kinds) + with_images(marks) + whole(filtered) +
          in_place_of_filtered() + whole(particle_counts) + whole(used);
@@ -121,7 +121,7 @@ void Remeshing<T, D>::prepare_spare() {
   share_with_level_set();
 }
 
-// Where the filter has left its fields, once they are swapped in.
+// Uses the memory in which the filter has left its fields, after they are swapped in.
 template <class T, int D>
 void Remeshing<T, D>::share_with_level_set() {
   FieldStore<T, D>& dead = body_.stage[2];
@@ -160,7 +160,7 @@ void Remeshing<T, D>::target_phases(std::vector<scheduler::Phase>& phases, int f
   add_ghosts(rows);
 }
 
-// A block gathers from all blocks of the old lattice, which has a numbering of its own.
+// A block gathers from all blocks of the old lattice, which has its own numbering.
 template <class T, int D>
 void Remeshing<T, D>::add_fields(PhaseRows& rows) {
   const Resources state = with_images(new_state) + with_images(new_kinds) + with_images(marks);
@@ -179,7 +179,7 @@ void Remeshing<T, D>::add_fields(PhaseRows& rows) {
               });
 }
 
-// Beside walls displacements are less sure than phi, and in periodic cells they pass the ends.
+// Near walls, displacements are less accurate than phi, and in periodic cells they pass the ends.
 template <class T, int D>
 void Remeshing<T, D>::add_initial_surface(PhaseRows& rows) {
   if (boundaries_.have_attached_walls() || body_.lattice.is_periodic() ||
@@ -219,7 +219,7 @@ void Remeshing<T, D>::add_level_set(PhaseRows& rows) {
   rows.at_stage(-1);
 }
 
-// phi goes to and fro between its two arrays; what it was before lies where closest points will.
+// phi alternates between its two arrays; the memory of closest points holds its former values.
 template <class T, int D>
 void Remeshing<T, D>::add_first_order_passes(PhaseRows& rows) {
   const Resources phi[] = {whole(extended), with_images(new_state)};

@@ -14,12 +14,12 @@
 
 namespace pliant::remeshed {
 
-/// Moves one body's particles back onto its lattice: section 2.3 of H&K, (RP.31)-(RP.42).
+/// Moves the particles of one body back onto its lattice: section 2.3 of H&K, (RP.31)-(RP.42).
 ///
-/// Works in two parts, since the blocks of the new lattice are known only after the first:
-/// `source_phases` over the present blocks (ghosts take up mass, then the new layout is found),
-/// and `target_phases` over the new ones (scatter, filter, level set, classification, ghost fits).
-/// The result lies in `spare` and `stage[1]`; the particles themselves are untouched until
+/// It has two parts, since the blocks of the new lattice are known only after the first:
+/// `source_phases` over the present blocks (ghosts take conserved quantities, then the new layout
+/// is found), and `target_phases` over the new ones (scatter, filter, level set, classification,
+/// ghost fits). The result is in `spare` and `stage[1]`; the particles do not change until
 /// `commit`.
 template <class T, int D>
 class Remeshing {
@@ -28,20 +28,21 @@ class Remeshing {
             const kernels::RemeshedTable<T, D>& kernels, scheduler::Workers& workers,
             Outside outside);
 
-  /// Lays the initial particles out; `target_phases(false)` then completes them.
+  /// Sets the layout of the initial particles; `target_phases(false)` then completes them.
   void place_initial(const Case& settings);
 
   void source_phases(std::vector<scheduler::Phase>& phases, int first_block);
-  /// `from_particles` is false when the new fields are the initial ones: no scatter, no filter.
+  /// `from_particles` is false if the new fields are the initial ones: no scatter, no filter.
   void target_phases(std::vector<scheduler::Phase>& phases, int first_block, bool from_particles);
 
-  /// Between the two: false where the particles have flown too far apart for a lattice.
+  /// Between the two parts: false if the particles are too far apart for a lattice.
   bool has_layout() const { return has_layout_; }
-  /// Between the two: whether the level set is due to be reinitialised, and whether `commit` will
-  /// follow. Only then are ghosts fitted, in the place of the present ones.
+  /// Between the two parts: sets whether the level set is to be reinitialised, and whether `commit`
+  /// will follow. Only then are ghosts fitted, in the place of the present ones.
   void prepare_target(bool reinitialise, bool is_final);
   void commit();
-  /// From a checkpoint: the layout first, and what follows from kinds and fits once they are read.
+  /// From a checkpoint: first the layout, then what follows from kinds and fits after these are
+  /// read.
   void lay_out_again(const std::vector<std::int32_t>& occupancy);
   void swap_in_restored();
 

@@ -4,14 +4,14 @@
 #include "engine/remeshed/remeshing/remesh.hpp"
 #include "engine/remeshed/state/resources.hpp"
 
-// Of the remeshing: the kinds of the new slots, their ghosts, and the loads on these.
+// Part of the remeshing: the kinds of the new slots, their ghosts, and the loads on these.
 namespace pliant::remeshed {
 
 using namespace resource;
 using enum Group;
 
-// Only nodes that are to stay get ghosts. Fits of all neighbouring blocks mark a block's surface
-// particles.
+// Only nodes that will be used get ghosts. Fits of all neighbouring blocks mark the surface
+// particles of a block.
 template <class T, int D>
 void Remeshing<T, D>::add_ghosts(PhaseRows& rows) {
   rows.each("ghosts: fits",

@@ -27,7 +27,7 @@ void RemeshedFields<T, D>::prepare() {
   body_.stage[1].grow(slots);
   body_.stage[2].grow(slots);
   for (Buffer<T>& filtered : filtered_memory_) filtered.grow(slots, T(0));
-  // On the new lattice nothing has drifted yet.
+  // On the new lattice the drift is zero, so its memory is free.
   inside_ = body_.stage[1].get(Field::drift, 0);
   valid_ = body_.stage[1].get(Field::drift, 1);
 }
@@ -52,7 +52,7 @@ void RemeshedFields<T, D>::scatter(int block, const std::vector<CellBounds<D>>& 
   }
 }
 
-// (RP.33)-(RP.36)
+// The fields of (RP.33)-(RP.36).
 template <class T, int D>
 void RemeshedFields<T, D>::take_nodes(int block, ScatterTile<T, D>& tile) {
   using Node = kernels::NodeField<D>;
@@ -66,7 +66,7 @@ void RemeshedFields<T, D>::take_nodes(int block, ScatterTile<T, D>& tile) {
                        body_.lattice.is_wrapped(cell);
     valid_[p] = valid ? T(1) : T(0);
     inside_[p] = valid && node[Node::level_set] < 0 ? T(1) : T(0);
-    // The filter needs images already, whatever the slots turn out to be.
+    // The filter already needs images, before the kinds of slots are known.
     body_.spare.kind[p] = valid ? Kind::interior : Kind::vacant;
     const T per_mass = valid ? 1 / mass : T(0), per_volume = valid ? 1 / volume : T(0);
     for (int a = 0; a < D; ++a) {
@@ -85,7 +85,7 @@ void RemeshedFields<T, D>::take_nodes(int block, ScatterTile<T, D>& tile) {
   });
 }
 
-// (RP.33) for p_i, which a second filling has put in the place of F.
+// (RP.33) for p_i, which a second filling has put into the sums in place of F.
 template <class T, int D>
 void RemeshedFields<T, D>::take_memory(int block, ScatterTile<T, D>& tile, int first_term,
                                        int count) {
@@ -100,7 +100,7 @@ void RemeshedFields<T, D>::take_memory(int block, ScatterTile<T, D>& tile, int f
   });
 }
 
-// (RP.38)
+// Sets the determinant (RP.38).
 template <class T, int D>
 void RemeshedFields<T, D>::match_volumes(int block) {
   FieldStore<T, D>& state = body_.stage[1];
@@ -144,7 +144,7 @@ void RemeshedFields<T, D>::swap_in_filtered() {
   body_.stage[1][Field::memory_pressure].swap(filtered_memory_);
 }
 
-// Slots beyond a period repeat the fields and the validity one period away.
+// Slots beyond a period copy the fields and the validity one period away.
 template <class T, int D>
 void RemeshedFields<T, D>::copy_images(int block) {
   Population<T, D>& to = body_.spare;

@@ -8,12 +8,12 @@ namespace pliant::remeshed {
 
 namespace {
 
-// Ghosts between bodies, or between a body and a contact wall, belong to where the bodies were at
-// the last remeshing. Bodies that fly towards each other do not deform, and the edge of a contact
-// moves along.
+// Ghosts between bodies, or between a body and a contact wall, are for the places of the bodies at
+// the last remeshing. But bodies that fly towards each other do not deform, and the edge of a
+// contact moves.
 constexpr std::int64_t most_steps_in_contact = 10;
 
-// (RP.96). Where nothing moves, each remeshing would only add its own error.
+// (RP.96). If nothing moves, each remeshing would only add its own error.
 template <class T, int D>
 bool moves_in_contact(const Case& settings, const State<T, D>& state) {
   return !settings.contacts.empty() ||

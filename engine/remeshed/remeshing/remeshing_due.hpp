@@ -5,7 +5,7 @@
 
 namespace pliant::remeshed {
 
-/// Whether the policy of a case, `remeshing.policy`, asks for a remeshing at the end of a step:
+/// Whether the policy of a case, `remeshing.policy`, requires a remeshing at the end of a step:
 /// (RP.39), and in contact (RP.96).
 template <class T, int D>
 bool remeshing_is_due(const Case& settings, const State<T, D>& state);

@@ -27,13 +27,13 @@ class Remeshings {
   void prepare_target(bool reinitialise, bool is_final);
   void commit();
 
-  /// Moves lattices along with contact walls, before the particles move onto them.
+  /// Moves lattices with contact walls, before the particles are remeshed.
   void move_lattices(State<T, D>& state) { remeshed::move_lattices<T, D>(state, wall_offset_); }
-  /// [wall] where walls were at the last remeshing, less where they were at t = 0 [m].
+  /// [wall] displacement of walls from t = 0 to the last remeshing [m].
   std::vector<Point<D>>& wall_offset() { return wall_offset_; }
   const std::vector<Point<D>>& wall_offset() const { return wall_offset_; }
 
-  /// Of the present slots, and of the new lattices.
+  /// Layouts of the present slots, and of the new lattices.
   const Layouts<D>& layouts() const { return layouts_; }
   const Layouts<D>& new_layouts() const { return new_layouts_; }
   Remeshing<T, D>& operator[](std::size_t body) { return *of_body_[body]; }

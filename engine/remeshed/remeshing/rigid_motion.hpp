@@ -2,7 +2,7 @@
 
 #include "engine/remeshed/observe/motion_integrals.hpp"
 
-/// The rigid motion that is nearest to the motion of a body, from its integrals (RP.42), (RP.70).
+/// The rigid motion nearest to the motion of a body, from its integrals (RP.42), (RP.70).
 namespace pliant::remeshed {
 
 /// a x b.
@@ -17,8 +17,8 @@ Vector mass_centre(const MotionIntegrals& motion);
 /// Angular momentum about the mass centre [N m s].
 Vector spin_of(const MotionIntegrals& motion);
 
-/// Angular velocity of a rigid body with the inertia of `motion` and this spin [1/s]: I^-1 L with
-/// I = tr(S) 1 - S, S the second moments about the mass centre; in 2D about z alone.
+/// Angular velocity of a rigid body with the inertia of `motion` and this spin [1/s]: I^-1 L with I
+/// = tr(S) 1 - S, where S are the second moments about the mass centre; in 2D about z only.
 template <int D>
 Vector angular_velocity(const MotionIntegrals& motion, const Vector& spin);
 

@@ -4,8 +4,8 @@
 
 namespace pliant::remeshed {
 
-// The box around a block has several times as many nodes: blocks begin and end amid the tiles of
-// rows of the layout.
+// The box around a block has several times as many nodes as the block: blocks begin and end within
+// tiles of rows of the layout.
 template <class T, int D>
 void ScatterTile<T, D>::lay_out(const Layout<D>& layout, int block) {
   const Block<D>& target = layout.blocks()[block];
@@ -73,8 +73,8 @@ kernels::Scatter<T, D> ScatterTile<T, D>::scatter_of(Body<T, D>& body,
   return work;
 }
 
-// The whole periods that bring particles near the tile: none where lower > upper, 0 alone along
-// directions that do not repeat.
+// The numbers of whole periods that bring particles near the tile: none if lower > upper; only 0 in
+// directions that are not periodic.
 template <class T, int D>
 CellBounds<D> ScatterTile<T, D>::periods_to(const CellBounds<D>& source,
                                             const Cell<D>& period) const {
@@ -82,7 +82,7 @@ CellBounds<D> ScatterTile<T, D>::periods_to(const CellBounds<D>& source,
   none.lower[0] = 1;
   if (source.lower[0] > source.upper[0]) return none;
   for (int a = 0; a < D; ++a) {
-    // Bounds are cells to which particles are nearest: their nodes lie up to two cells away.
+    // Bounds are the nearest cells of particles, whose nodes are up to two cells away.
     const std::int32_t least = lower_[a] - source.upper[a] - 2;
     const std::int32_t most = lower_[a] + extent_[a] + 1 - source.lower[a];
     const double n = period[a];

@@ -6,7 +6,7 @@
 
 namespace pliant::remeshed {
 
-/// Fields of the old lattice that take the place of S or F in the sums of (RP.32).
+/// Fields of the old lattice in place of S or F in the sums of (RP.32).
 template <class T, int D>
 struct TransportedFields {
   int count;  ///< at least 1
@@ -19,7 +19,7 @@ class ScatterTile {
  public:
   void lay_out(const Layout<D>& layout, int block);
 
-  /// Sums over the particles and ghosts of a body, of its present blocks in order. `bounds` are
+  /// Sums over the particles and ghosts of a body, in the order of its present blocks; `bounds` are
   /// those of the blocks.
   void fill(Body<T, D>& body, const std::vector<CellBounds<D>>& bounds,
             const TransportedFields<T, D>& carried, const kernels::RemeshedTable<T, D>& kernels);
