@@ -8,7 +8,8 @@ namespace pliant {
 
 namespace {
 
-// Wider by this share, so that rounding never puts two points a radius apart two bins apart.
+// Bins are wider by this share, so that rounding never puts two points one radius apart into bins
+// that are not adjacent.
 constexpr double widening = 1e-6;
 
 }  // namespace

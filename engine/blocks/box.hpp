@@ -6,7 +6,7 @@
 
 namespace pliant {
 
-/// A box with sides along the axes; empty until it has grown, and may be infinite.
+/// A box with sides along the axes. It is empty until it has grown, and may be infinite.
 template <int D>
 struct Box {
   std::array<double, D> lower = filled(std::numeric_limits<double>::infinity());
@@ -27,8 +27,8 @@ struct Box {
   }
 };
 
-/// Square of the least distance between points of two boxes. Never more than the squared distance
-/// of two such points, rounding included.
+/// Square of the smallest distance between points of two boxes; rounding never makes it larger than
+/// that.
 template <int D>
 double squared_gap(const Box<D>& a, const Box<D>& b) {
   double sum = 0;

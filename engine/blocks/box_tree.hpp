@@ -8,8 +8,8 @@
 
 namespace pliant {
 
-/// Boxes of ever longer runs of a list of boxes, for lists in which neighbours in the list are
-/// neighbours in position too. A search takes O(log n) steps and one for each box found.
+/// Boxes of ever longer runs of a list of boxes, for lists whose neighbours are also neighbours in
+/// position. A search takes O(log n) steps plus one for each box found.
 template <int D>
 class BoxTree {
  public:
@@ -25,8 +25,8 @@ class BoxTree {
 
   const Box<D>& operator[](std::size_t i) const { return levels_[0][i]; }
 
-  /// Calls f(i) in ascending order for the boxes from number `from` on whose gap to `box` squared
-  /// is at most `squared_radius`.
+  /// Calls f(i) in ascending order for those boxes, from number `from` on, whose squared gap to
+  /// `box` is at most `squared_radius`.
   template <class F>
   void for_each_near(const Box<D>& box, double squared_radius, std::size_t from, F&& f) const {
     if (!levels_[0].empty()) visit(levels_.size() - 1, 0, box, squared_radius, from, f);

@@ -10,33 +10,33 @@
 
 namespace pliant {
 
-/// A point of a cell list, and what its owner wants to know of it: a number, or a few.
+/// A point of a cell list, with a label of its owner: one or several numbers.
 template <class T, int D, class Label = std::int32_t>
 struct Site {
   std::array<T, D> position;
   Label label;
 };
 
-/// Points sorted by position into bins, so that those within a radius of a position are found among
-/// those of a few bins. Takes time and memory linear in the number of points.
+/// Points sorted by position into bins, so that those within a radius of a position are in a few
+/// bins. Takes time and memory linear in the number of points.
 ///
-/// T is the type of the coordinates (float or double), Label what each point carries.
+/// T is the type of the coordinates (float or double), Label the data of each point.
 template <class T, int D, class Label = std::int32_t>
 class CellList {
  public:
   using Position = std::array<T, D>;
   using Site = pliant::Site<T, D, Label>;
 
-  /// Prepares for `count` points in the box from `lower` to `upper` and searches within `radius`.
-  /// A direction whose `period` is not 0 repeats itself after that length; its points lie in
-  /// [0, period). All lengths are of one unit.
+  /// Prepares for `count` points in the box from `lower` to `upper` and for searches within
+  /// `radius`. A direction whose `period` is not 0 is periodic, with its points in [0, period). All
+  /// lengths have the same unit.
   void cover(const Position& lower, const Position& upper, const Position& period, T radius,
              std::size_t count) {
     bins_.cover(exact(lower), exact(upper), exact(period), radius, count);
   }
 
-  /// Sorts the `count` sites that `for_each_site(f)` passes to f; it is called twice. Sites of one
-  /// bin keep their order.
+  /// Sorts the `count` sites that `for_each_site(f)` passes to f; it is called twice. Sites in the
+  /// same bin keep their order.
   template <class ForEachSite>
   void sort(std::size_t count, const ForEachSite& for_each_site) {
     begin_.assign(bins_.count() + 2, 0);
@@ -47,9 +47,9 @@ class CellList {
         [&](const Site& site) { sites_[begin_[bins_.bin_of(exact(site.position)) + 1]++] = site; });
   }
 
-  /// Calls f(site, shift) for every site that may lie within the radius of `at`, and perhaps
-  /// others, until one call returns true; tells whether one did. The position of the image that is
-  /// meant is that of the site plus `shift`, a whole number of periods.
+  /// Calls f(site, shift) for every site that may be within the radius of `at`, and possibly
+  /// others, until a call returns true. Returns whether one did. The position of the image nearby
+  /// is that of the site plus `shift`, a whole number of periods.
   template <class F>
   bool any_near(const Position& at, F&& f) const {
     return bins_.any_near(exact(at), [&](std::size_t bin, const std::array<double, D>& moved) {

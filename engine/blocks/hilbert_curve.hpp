@@ -5,12 +5,12 @@
 
 namespace pliant {
 
-/// How fine hilbert_key can tell positions apart: 2^bits places along each axis.
+/// Resolution of hilbert_key: 2^bits places along each axis.
 template <int D>
 inline constexpr int hilbert_bits = 63 / D;
 
-/// Place of a grid point on the Hilbert curve through a grid of 2^bits points along each axis:
-/// points that follow each other on the curve are adjacent. Coordinates lie below 2^bits.
+/// Position of a grid point on the Hilbert curve through a grid of 2^bits points along each axis.
+/// Consecutive points of the curve are adjacent. Coordinates must be below 2^bits.
 ///
 /// Source: J. Skilling, Programming the Hilbert curve, AIP Conf. Proc. 707 (2004) 381.
 template <int D>

@@ -10,10 +10,10 @@
 #include "engine/blocks/box_tree.hpp"
 #include "engine/blocks/hilbert_curve.hpp"
 
-// Which blocks have points within the radius of each other is decided from coarse to fine: by the
-// boxes of blocks, by the boxes of leaves (short runs of a block), and by points at last. Two
-// blocks that share a face have such points in most pairs of leaves there, so that the first pairs
-// settle it; blocks that do not come near enough are told apart by boxes, except near their edges.
+// Whether two blocks have points within the radius of each other is decided from coarse to fine: by
+// the boxes of blocks, by the boxes of leaves (short runs of a block), and finally by points. In
+// two blocks that share a face, most pairs of leaves there have such points, so the first pairs
+// decide. Blocks that are not near enough are mostly excluded by boxes.
 namespace pliant {
 
 namespace {

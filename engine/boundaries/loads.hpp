@@ -5,9 +5,8 @@
 
 namespace pliant {
 
-/// What the boundaries of a case do to its bodies, for callers that change it between steps: from
-/// then on the value given here holds in the place of that of the case. Boundaries have the numbers
-/// of the case.
+/// The loads and wall velocities of a case, for callers that change them between steps: a value set
+/// here then replaces that of the case. Boundaries are numbered as in the case.
 class Loads {
  public:
   virtual ~Loads() = default;

@@ -4,14 +4,14 @@
 
 namespace pliant {
 
-/// A rotation about an axis through the origin; none by default.
+/// A rotation about an axis through the origin; the identity by default.
 class Turn {
  public:
   Turn() = default;
-  /// By an angle [rad] about a unit vector.
+  /// Rotation by an angle [rad] about a unit vector.
   Turn(const Vector& axis, double angle);
   Vector operator()(const Vector& v) const { return turned(v, sine_); }
-  /// The inverse of that.
+  /// The inverse rotation.
   Vector back(const Vector& v) const { return turned(v, -sine_); }
 
  private:
@@ -27,24 +27,24 @@ Vector cross(const Vector& a, const Vector& b);
 /// The velocities of the points of a rigid solid at one time.
 template <int D>
 struct RigidMotion {
-  Point<D> velocity = {};  ///< of its centre [m/s]
+  Point<D> velocity = {};  ///< of the solid's centre [m/s]
   bool turns = false;
   Vector spin = {};   ///< angular velocity [rad/s]; about z in 2D
-  Vector start = {};  ///< where its centre was at t = 0 [m]
-  Turn turn;          ///< since t = 0
+  Vector start = {};  ///< place of the centre at t = 0 [m]
+  Turn turn;          ///< rotation since t = 0
 
   /// Velocity of the point that was at x at t = 0 [m/s].
   Point<D> of(const Point<D>& x) const;
 };
 
-/// What a rigid solid does in a step.
+/// The motion of a rigid solid in a step.
 template <int D>
 struct RigidStep {
-  Point<D> shift = {};  ///< of its centre [m]
+  Point<D> shift = {};  ///< of the solid's centre [m]
   bool turns = false;
-  Vector start = {};   ///< where its centre was at t = 0 [m]
-  Vector centre = {};  ///< where it is when the step begins [m]
-  Turn before, after;  ///< since t = 0, when the step begins and ends
+  Vector start = {};   ///< place of the centre at t = 0 [m]
+  Vector centre = {};  ///< its place at the start of the step [m]
+  Turn before, after;  ///< rotations since t = 0, at the start and the end of the step
 
   /// Displacement in the step of the point that was at x at t = 0 [m].
   Point<D> shift_of(const Point<D>& x) const;

@@ -59,13 +59,12 @@ Point<D> Wall<D>::normal(const Point<D>& x) const {
   return n;
 }
 
-// det(I + depth grad n): the normals of a ball diverge, so that its surface is larger than the
-// parallel one inside. Where normals jump, behind edges, no surface lies that such a slot stands
-// for.
+// det(I + depth grad n): the normals of a ball diverge, so its surface is larger than the parallel
+// one inside. Where normals jump, behind edges, such a slot represents no part of the surface.
 template <int D>
 double Wall<D>::spread(const Point<D>& x, double depth) const {
   if (shape_.kind == Shape::Kind::half_space || depth == 0) return 1;
-  constexpr double widest = 3, step = 0.25;  // of the depth
+  constexpr double widest = 3, step = 0.25;  // relative to the depth
   Eigen::Matrix<double, D, D> stretch = Eigen::Matrix<double, D, D>::Identity();
   for (int j = 0; j < D; ++j) {
     Point<D> before = x, after = x;
@@ -172,7 +171,8 @@ Point<D> SurfacePressure<D>::traction(const Point<D>& x, double t) const {
   return value;
 }
 
-// Points of a face lie in its plane to rounding only: a region that begins there holds them all.
+// Points on a face are in its plane only up to rounding: a region that begins there contains them
+// all.
 template <int D>
 bool SurfacePressure<D>::acts_at(const Point<D>& x) const {
   constexpr double rounding = 1e-12;

@@ -13,15 +13,15 @@
 
 namespace pliant {
 
-/// How far a wall has moved and turned since t = 0.
+/// Displacement and rotation of a wall since t = 0.
 template <int D>
 struct WallPose {
   Point<D> offset = {};  ///< displacement of its centre [m]
   double angle = 0;      ///< [rad]
 };
 
-/// A rigid solid that moves and turns as prescribed. A body is attached to it, or slides along
-/// it, or is only in contact with it as long as it presses.
+/// A rigid solid with a prescribed motion. A body is attached to it, slides along it, or is in
+/// contact with it while it presses.
 template <int D>
 class Wall {
  public:
@@ -29,32 +29,32 @@ class Wall {
 
   /// Distance to the solid [m], negative inside it.
   double distance(const Point<D>& x) const;
-  /// Unit normal out of the solid, towards the tissue.
+  /// Outward unit normal of the solid, towards the tissue.
   Point<D> normal(const Point<D>& x) const;
-  /// Area of the wall's surface over that of the parallel surface through x, which lies at `depth`
-  /// behind it [m]; 1 of plane walls.
+  /// Ratio of the area of the wall's surface to that of the parallel surface through x, which is at
+  /// `depth` behind it [m]; 1 for plane walls.
   double spread(const Point<D>& x, double depth) const;
-  /// Coefficient of Coulomb friction; infinite for walls on which nothing slides.
+  /// Coefficient of Coulomb friction; infinite for no-slip walls.
   double friction() const { return friction_; }
   bool slips() const { return friction_ == 0; }
   bool is_attached() const { return is_attached_; }
 
-  /// Velocity of its centre [m/s]: as prescribed, or as set since.
+  /// Velocity of its centre [m/s]: the one that was set, or else the prescribed one.
   Point<D> velocity(double t) const;
   /// The velocities of its points.
   RigidMotion<D> motion(double t) const;
   const std::optional<Point<D>>& set_velocity() const { return set_velocity_; }
   void set_velocity(const std::optional<Point<D>>& velocity) { set_velocity_ = velocity; }
-  /// What it does in a step that begins at t, where it is: the displacement of its centre is that
-  /// which is prescribed, or that of the velocity by Simpson's rule.
+  /// Its motion in a step from time t on. The displacement of its centre is the prescribed one, or
+  /// the integral of the velocity by Simpson's rule.
   RigidStep<D> step(double t, double time_step) const;
-  /// Where it is; `move` makes a step.
+  /// Its present pose; `move` advances it by a step.
   const WallPose<D>& pose() const { return pose_; }
   void move(double t, double time_step);
   void restore(const WallPose<D>& pose);
 
  private:
-  Vector at_rest(const Point<D>& x) const;           // where the wall's material point was at t = 0
+  Vector at_rest(const Point<D>& x) const;           // place of the wall's material point at t = 0
   Point<D> shift(double t, double time_step) const;  // of its centre in a step
   double spin(double t) const;                       // [rad/s]
 
@@ -67,7 +67,7 @@ class Wall {
   bool is_attached_;
   std::optional<Point<D>> set_velocity_;
   WallPose<D> pose_;
-  Turn turn_;  // by the angle of the pose
+  Turn turn_;  // rotation by the angle of the pose
 };
 
 /// Pressure or traction on the free surface inside a region, (RP.45).
@@ -76,17 +76,17 @@ class SurfacePressure {
  public:
   explicit SurfacePressure(const BoundaryCase& boundary);
   bool acts_at(const Point<D>& x) const;
-  /// As prescribed, or as set since [Pa].
+  /// The pressure that was set, or else the prescribed one [Pa].
   double value(double t) const { return set_value_ ? *set_value_ : pressure_(t); }
   const std::optional<double>& set_value() const { return set_value_; }
   void set_value(const std::optional<double>& value) { set_value_ = value; }
 
-  /// A traction has no pressure.
+  /// If so, there is no pressure.
   bool is_traction() const { return is_traction_; }
   BoundaryCase::LoadedArea area() const { return area_; }
-  /// Whether the traction depends on the time alone.
+  /// Whether the traction depends only on time.
   bool is_uniform() const { return is_uniform_; }
-  /// [Pa]; one thread at a time may ask.
+  /// [Pa]; only one thread at a time may call this.
   Point<D> traction(const Point<D>& x, double t) const;
 
  private:
@@ -98,7 +98,7 @@ class SurfacePressure {
   std::optional<double> set_value_;
 };
 
-/// What bounds the bodies of a case, apart from their free surfaces.
+/// The boundaries of a case, except for free surfaces.
 template <int D>
 struct Boundaries final : Loads {
   explicit Boundaries(const std::vector<BoundaryCase>& cases);
@@ -112,15 +112,15 @@ struct Boundaries final : Loads {
 
   /// The attached wall nearest to `x` and the distance to it; {-1, infinity} without such walls.
   std::pair<int, double> nearest_wall(const Point<D>& x) const { return nearest(x, true); }
-  /// The same of contact walls.
+  /// The same for contact walls.
   std::pair<int, double> nearest_contact(const Point<D>& x) const { return nearest(x, false); }
-  /// Distance to the nearest wall that material sticks to for good; infinity without such walls.
+  /// Distance to the nearest attached no-slip wall; infinity without such walls.
   double distance_to_no_slip(const Point<D>& x) const;
 
   std::vector<Wall<D>> walls;
   std::vector<SurfacePressure<D>> pressures;  ///< and tractions
-  std::vector<int> wall_of;      ///< [boundary of the case] its place in `walls`, or -1
-  std::vector<int> pressure_of;  ///< [boundary of the case] place of its pressure, or -1
+  std::vector<int> wall_of;                   ///< [boundary of the case] index in `walls`, or -1
+  std::vector<int> pressure_of;  ///< [boundary of the case] index in `pressures`, or -1
 
  private:
   std::pair<int, double> nearest(const Point<D>& x, bool is_attached) const {

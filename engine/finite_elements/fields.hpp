@@ -3,7 +3,7 @@
 #include "engine/method/field.hpp"
 #include "engine/method/resources.hpp"
 
-/// The fields of finite elements, declared once; docs/fields.md shows them as a table.
+/// The fields of finite elements; docs/fields.md shows them as a table.
 namespace pliant::finite_elements {
 
 enum class Field {

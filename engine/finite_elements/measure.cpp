@@ -39,7 +39,7 @@ double dilatation(kernels::ElasticLaw law, const Matrix<D>& f) {
 
 }  // namespace
 
-// psi without Lambda theta^2/2 in the elements, and that at the nodes where they average it.
+// psi without Lambda theta^2/2 over the elements, plus that term over the nodes if they average it.
 template <class T, int D>
 void Measurer<T, D>::add_strain(int index, BodyIntegrals& sum) const {
   const point_based::Body<T, D>& body = state_.bodies[index];

@@ -4,7 +4,7 @@
 
 namespace pliant::finite_elements {
 
-/// What the registry knows of this method.
+/// The entry of this method in the registry.
 RegisteredMethod method();
 
 }  // namespace pliant::finite_elements

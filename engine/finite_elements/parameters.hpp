@@ -7,7 +7,7 @@
 
 namespace pliant::finite_elements {
 
-/// Where the pressure is evaluated.
+/// Whether pressures are averaged at nodes or evaluated in each element.
 enum class ElementPressure { averaged, plain };
 
 /// The table [finite_elements] of a case.
@@ -17,7 +17,7 @@ struct Parameters {
   double damping = 0;  ///< mass-proportional, (PB.10) [1/s]
 };
 
-/// The table of the method in a case.
+/// Parameters of the method in a case.
 inline const Parameters& parameters_of(const Case& settings) {
   return settings.parameters.as<Parameters>();
 }

@@ -6,7 +6,7 @@ namespace pliant::finite_elements {
 
 namespace {
 
-/// The group of nodes that has the arrays of a group here.
+/// The group of the point-based method that has the same arrays as a group of this one.
 point_based::Group group_of_nodes(Group group) {
   using Nodes = point_based::Group;
   switch (group) {

@@ -5,8 +5,8 @@
 
 namespace pliant::finite_elements {
 
-/// The memory that belongs to a resource on a block of the step graph, to test declarations with.
-/// Empty for the results, which the step keeps to itself.
+/// The memory of a resource on a block of the step graph, for tests of declarations. Empty for the
+/// results, which are private to the step.
 template <class T, int D>
 std::vector<point_based::Region> regions(State<T, D>& state, scheduler::FieldId resource,
                                          int block);

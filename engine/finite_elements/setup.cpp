@@ -24,7 +24,7 @@ using point_based::GivenBonds;
 template <int D>
 using Gradients = Eigen::Matrix<double, D + 1, D>;
 
-/// An element with its corners in the order of their slots.
+/// An element; its corners are in the order of their slots.
 template <int D>
 struct Element {
   std::array<std::int32_t, D + 1> slots;
@@ -50,7 +50,7 @@ Element<D> make_element(const std::array<std::int32_t, D + 1>& slots, const Body
   return element;
 }
 
-// A stress that is linear in x has its mean in the middle of an element.
+// The mean of a stress that is linear in x is its value at the centre of an element.
 template <class T, int D>
 void prestress(const BodyCase& source, const Body<T, D>& body, std::vector<Element<D>>& elements) {
   if (!source.stress) return;
@@ -68,7 +68,7 @@ void prestress(const BodyCase& source, const Body<T, D>& body, std::vector<Eleme
   }
 }
 
-/// Those of the mesh, in the order of the slots of their corners: by blocks.
+/// The elements of the mesh, in the order of the slots of their corners, and so by blocks.
 template <class T, int D>
 std::vector<Element<D>> elements_of(const point_based::NodeCloud<D>& cloud,
                                     const Body<T, D>& body) {
@@ -87,7 +87,7 @@ std::vector<Element<D>> elements_of(const point_based::NodeCloud<D>& cloud,
   return elements;
 }
 
-/// Bonds along the edges, with the mean of the gradients of the elements at a node, (FE.7).
+/// Bonds along the edges. Their gradients are the means over the elements at a node, (FE.7).
 template <class T, int D>
 std::vector<GivenBonds<D>> bonds_along_edges(const std::vector<Element<D>>& elements,
                                              const Body<T, D>& body) {
@@ -112,7 +112,7 @@ std::vector<GivenBonds<D>> bonds_along_edges(const std::vector<Element<D>>& elem
   return bonds;
 }
 
-/// omega^2 of (FE.6) of one element at rest, its masses at its corners [1/s^2].
+/// omega^2 of (FE.6) for one element at rest with its masses at its corners [1/s^2].
 template <int D>
 double highest_square(const Element<D>& element, const kernels::Material<double>& material) {
   constexpr int size = D * (D + 1);
@@ -164,7 +164,7 @@ void store(const Element<D>& element, std::int64_t number, const Body<T, D>& bod
   elements.slots[number] = element.slots;
 }
 
-// Packs are filled up with elements of no volume at the first node of their block.
+// Packs are padded with elements of zero volume at the first node of their block.
 template <class T, int D>
 void store_in_blocks(const std::vector<Element<D>>& all, const Body<T, D>& body,
                      Elements<T, D>& elements) {

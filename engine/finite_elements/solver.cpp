@@ -13,7 +13,7 @@ namespace pliant::finite_elements {
 
 namespace {
 
-/// Nodes move as those of the point-based method, by the keys of this one.
+/// Nodes move like those of the point-based method, with the parameters of this one.
 Case with_keys_of_nodes(Case a_case) {
   const Parameters given = parameters_of(a_case);
   auto& of_nodes = a_case.parameters.as<point_based::Parameters>();

@@ -12,7 +12,7 @@ namespace pliant::finite_elements {
 
 using undeformed::Clock;
 
-/// Elements of a block of nodes, filled up to whole packs with elements without volume.
+/// Elements of a block of nodes, padded to whole packs with elements without volume.
 struct ElementRange {
   std::int64_t first;
   int count;
@@ -21,7 +21,7 @@ struct ElementRange {
 /// The elements of a body, in the order of the blocks that they belong to.
 template <class T, int D>
 struct Elements {
-  kernels::HyperelasticMaterial<T> material;  ///< whose volumetric modulus is 0
+  kernels::HyperelasticMaterial<T> material;  ///< with zero volumetric modulus
   T volumetric_modulus = 0;                   ///< Lambda of (FE.3) [Pa]
   double highest_frequency = 0;               ///< a bound, (FE.6) [1/s]
   std::vector<ElementRange> blocks;
@@ -34,7 +34,7 @@ struct Elements {
   bool averages() const { return pressure.bytes() > 0; }
   bool is_prestressed() const { return initial_stress.bytes() > 0; }
 
-  /// Of the initial stress [Pa], in the order of symmetric_index.
+  /// The initial stress of an element [Pa], in the order of symmetric_index.
   std::array<double, kernels::symmetric_components<D>> prestress(std::int64_t element) const {
     std::array<double, kernels::symmetric_components<D>> stress;
     for (std::size_t c = 0; c < stress.size(); ++c) {
@@ -47,7 +47,7 @@ struct Elements {
     return (element / lanes * count + component) * lanes + element % lanes;
   }
 
-  /// Of its arrays [B].
+  /// Size of its arrays [B].
   std::size_t bytes() const {
     return corner.bytes() + shape.bytes() + initial_stress.bytes() + pressure.bytes() +
            slots.size() * sizeof(slots[0]);
@@ -67,8 +67,8 @@ struct Elements {
   }
 };
 
-/// Nodes are those of the point-based method: they move, are held and loaded alike. Their bonds
-/// give the gradients that frames show, (FE.7).
+/// The nodes are those of the point-based method: they move, are held and are loaded in the same
+/// way. Their bonds give the gradients in frames, (FE.7).
 template <class T, int D>
 struct State : point_based::State<T, D> {
   using point_based::State<T, D>::State;

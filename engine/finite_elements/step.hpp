@@ -18,13 +18,13 @@ class Step {
 
   std::vector<scheduler::Phase> phases();
 
-  /// Names of what phases read and write.
+  /// Names of the resources that phases read and write.
   static std::vector<std::string> resources() { return resource_numbers.names(); }
 
-  /// Sets how the next step advances, and the loads at the time of its kick.
+  /// Sets the length of the next step and the loads at the time of its kick.
   void prepare(const undeformed::Advance& advance);
 
-  /// Folds the results of all blocks, in their order, impulses and work into the state.
+  /// Sums the results of all blocks in their order; adds impulses and work to the state.
   undeformed::StepResult fold();
 
  private:

@@ -6,9 +6,9 @@
 
 namespace pliant {
 
-/// The value of a function that steps along the axes lead to from a point, uphill: the first of
-/// length `step` [m], then ever shorter ones, down to a thousandth of it. It ends where the value
-/// is `enough`: functions may rise without end.
+/// Climbs from a point in steps along the axes and returns the value reached. The first steps have
+/// the length `step` [m], later ones are shorter, down to a thousandth of it. Stops when the value
+/// is `enough`, since functions may be unbounded.
 template <class F>
 double climb(const F& value_at, Vector from, int dimension, double step, double enough) {
   constexpr double precise = 1e-3;

@@ -31,12 +31,12 @@ Point unit_normal(const Corners& c) { return (c[1] - c[0]).cross(c[2] - c[0]).no
 
 using BoxTree = Eigen::KdBVH<double, 3, int>;
 
-/// The triangle nearest to `x`, sought in the nearer boxes first.
+/// Finds the triangle nearest to `x`; visits nearer boxes first.
 struct Search {
   const SurfaceMesh& mesh;
   const BoxTree& tree;
   Point x;
-  double best = std::numeric_limits<double>::infinity();  // square of the distance
+  double best = std::numeric_limits<double>::infinity();  // squared distance
   int triangle = -1;
   TriangleFoot foot = {};
 
@@ -150,7 +150,7 @@ ClosedMesh::Nearest ClosedMesh::nearest(const Vector& x) const {
   const Point offset = search.x - search.foot.place;
   const double distance = offset.norm();
   const double sign = offset.dot(normal) < 0 ? -1 : 1;
-  // On the surface itself, rounding alone gives the offset its direction.
+  // On the surface itself, the direction of the offset is only rounding.
   const bool on_surface = distance <= 1e-14 * search.x.norm() || distance == 0;
   const Point direction = on_surface ? normal.normalized() : Point(sign / distance * offset);
   return {sign * distance, vector(direction)};

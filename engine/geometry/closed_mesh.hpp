@@ -11,22 +11,22 @@ namespace pliant {
 
 struct HalfEdge;
 
-/// A closed surface of triangles and the distances to it.
+/// A closed surface of triangles, and distances to it.
 ///
-/// The distance is that to the nearest point of the nearest triangle, found through a tree of
-/// boxes. Its sign is that of the angle-weighted pseudonormal there: the nearest point may lie on
-/// an edge or a corner, where the normal of one of the triangles that meet there may point the
-/// wrong way, but their sum, weighted by their angles at a corner, never does.
+/// The distance is that to the nearest point of the nearest triangle, found with a tree of boxes.
+/// Its sign comes from the angle-weighted pseudonormal there. The nearest point may be on an edge
+/// or a corner, where the normal of a single triangle may point the wrong way, but the sum of the
+/// normals, weighted by their angles at a corner, never does.
 ///
-///        \   x         x is outside and nearest to the corner; the triangle below it to the left
-///      ___\.           sees it from behind, both together do not.
+///       \   x         x is outside and nearest to the corner. The triangle at the lower left
+///     ___\.           faces away from it, but the sum of both normals points towards it.
 ///
 /// J. A. Baerentzen, H. Aanaes, IEEE Trans. Vis. Comput. Graph. 11 (2005) 243-253.
 class ClosedMesh {
  public:
-  /// Joins vertices at equal places, drops triangles without area and turns the surface inside out
-  /// when it faces inwards. Throws MeshError, which calls the mesh `name`, when the surface has
-  /// open edges, edges of more than two triangles, or triangles that face different ways.
+  /// Joins vertices at equal places, drops triangles without area, and flips the surface if it
+  /// faces inwards. Throws MeshError, which calls the mesh `name`, if the surface has open edges,
+  /// edges of more than two triangles, or inconsistently oriented triangles.
   ClosedMesh(SurfaceMesh mesh, const std::string& name);
   ~ClosedMesh();
   ClosedMesh(const ClosedMesh&) = delete;
@@ -40,7 +40,7 @@ class ClosedMesh {
 
   const std::vector<Vector>& vertices() const { return mesh_.vertices; }
   const std::vector<Triangle>& triangles() const { return mesh_.triangles; }
-  std::size_t dropped() const { return dropped_; }  ///< triangles without area, of the file
+  std::size_t dropped() const { return dropped_; }  ///< triangles of the file without area
   const Box<3>& bounds() const { return bounds_; }
   double volume() const { return volume_; }  ///< [m^3]
 

@@ -10,10 +10,10 @@
 namespace pliant {
 namespace {
 
-// Binary STL files and many exporters keep 7 digits.
+// Binary STL files and many exporters have 7 digits.
 constexpr double rounding = 1e-6;
 
-/// A plane and the unit vector from the wall to the body.
+/// A plane and its unit normal, from the wall to the body.
 struct Plane {
   Vector point;
   Vector normal;
@@ -56,7 +56,7 @@ std::optional<Plane> plane_below(const ClosedMesh& mesh, const Shape& wall, doub
   return std::nullopt;
 }
 
-/// Whether a box reaches as far as `x` along all axes; half-spaces do everywhere.
+/// Whether a box extends as far as `x` along all axes; true for half-spaces.
 bool covers(const Shape& wall, const Vector& x, double tolerance) {
   if (wall.kind != Shape::Kind::box) return true;
   for (int a = 0; a < 3; ++a) {
@@ -65,7 +65,7 @@ bool covers(const Shape& wall, const Vector& x, double tolerance) {
   return true;
 }
 
-/// Which vertices and triangles of a mesh lie in a plane.
+/// The vertices and triangles of a mesh that are in a plane.
 struct FlatSide {
   std::vector<char> vertex, triangle;
 
@@ -90,7 +90,7 @@ struct FlatSide {
     return true;
   }
 
-  /// Whether edges outside the side lie in its plane: images would meet there too.
+  /// Whether other edges are in the plane of the side: mirror images would meet there too.
   bool has_loose_edges(const SurfaceMesh& mesh) const {
     const std::vector<HalfEdge> edges = paired_edges(mesh, "mesh", 0);
     for (std::size_t e = 0; e < edges.size(); e += 2) {

@@ -9,7 +9,7 @@ namespace pliant {
 double DistanceWalk::operator()(const Vector& x) {
   double square = 0;
   for (int i = 0; i < dimension_; ++i) square += (x[i] - at_[i]) * (x[i] - at_[i]);
-  // Less a part that rounding cannot take.
+  // Reduced by more than rounding.
   const double least = std::abs(there_) * (1 - 1e-9) - std::sqrt(square);
   if (least > 0 && least >= limit_) return std::copysign(least, there_);
   at_ = x;

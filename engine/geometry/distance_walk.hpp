@@ -4,19 +4,19 @@
 
 namespace pliant {
 
-/// Signed distances to a shape at points that follow each other closely, as lattice nodes do.
+/// Signed distances to a shape at successive points that are close, such as lattice nodes.
 ///
-/// A distance changes by no more than the way between two points. From a point that lies deep
-/// inside or far outside, the sign at its neighbours is known without asking the shape again, so
-/// that only points near the surface cost a search.
+/// A distance changes by no more than the distance between two points. So the sign near a point
+/// that is deep inside or far outside is known without a new query, and only points near the
+/// surface need a search.
 class DistanceWalk {
  public:
-  /// Values of size `limit` [m] or more need not be exact.
+  /// Values whose size is `limit` [m] or more need not be exact.
   DistanceWalk(const Shape& shape, int dimension, double limit)
       : shape_(shape), dimension_(dimension), limit_(limit) {}
 
-  /// The signed distance at `x` where it is smaller than the limit; otherwise some value of the
-  /// same sign, of the limit's size or more.
+  /// The signed distance at `x` if its size is below the limit; otherwise some value with the same
+  /// sign and a size of at least the limit.
   double operator()(const Vector& x);
 
  private:

@@ -24,7 +24,7 @@ struct Face {
   double opposite(const Shape& box) const { return upper ? box.lower[axis] : box.upper[axis]; }
 };
 
-/// Planes written as decimals in different places of a case file agree to rounding only.
+/// The same plane, written in decimals in two places of a case file, agrees only up to rounding.
 bool same_plane(double a, double b, double size) { return std::abs(a - b) <= 1e-9 * size; }
 
 double size_of(const Shape& box, int dimension) {
@@ -36,8 +36,8 @@ double size_of(const Shape& box, int dimension) {
   return size;
 }
 
-/// The part of `body` behind which `wall` stands across `face`, as a box that runs on through the
-/// wall; none when the wall is not there.
+/// The part of `body` in front of `wall` across `face`, as a box that continues through the wall;
+/// none if the wall is not there.
 std::optional<Shape> continued(const Shape& body, const Face& face, const Shape& wall,
                                int dimension) {
   const double size = size_of(body, dimension);
@@ -92,8 +92,8 @@ Shape open_box(const Shape& body, std::span<const Shape> walls, int dimension) {
   return united;
 }
 
-/// Whether `wall` stands where the plane side of a body is that a half-space cuts: the body lies in
-/// the half-space (`inside`) or beside it.
+/// Whether `wall` is at the plane side of a body that a half-space cuts: the body is in the
+/// half-space (`inside`) or next to it.
 bool stands_at(const Shape& wall, const Shape& half_space, bool inside) {
   if (wall.kind != Shape::Kind::half_space || half_space.kind != Shape::Kind::half_space) {
     return false;
@@ -108,7 +108,7 @@ bool stands_at(const Shape& wall, const Shape& half_space, bool inside) {
   return turned <= 1e-9 && same_plane(apart, 0, size);
 }
 
-/// `body` without the half-spaces that cut it where walls stand.
+/// `body` without the half-spaces that cut it at walls.
 Shape uncut(const Shape& body, std::span<const Shape> walls) {
   using enum Shape::Kind;
   if (body.kind != intersect && body.kind != subtract) return body;

@@ -37,10 +37,10 @@ std::vector<HalfEdge> sorted_edges(const SurfaceMesh& mesh) {
   return edges;
 }
 
-/// A kind of edge that closed surfaces do not have.
+/// Edges of a kind that closed surfaces do not have.
 struct Fault {
   std::size_t count = 0;
-  Vector middle = {};  // of the first
+  Vector middle = {};  // of the first of them
 
   void add(const SurfaceMesh& mesh, const HalfEdge& edge) {
     if (++count > 1) return;

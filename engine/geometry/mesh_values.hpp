@@ -4,7 +4,7 @@
 
 namespace pliant {
 
-/// The numbers of a mesh file one after the other, as words of text or as bytes.
+/// Reads the numbers of a mesh file in order, as words of text or as bytes.
 class MeshValues {
  public:
   enum class Encoding { text, little_endian, big_endian };
@@ -13,18 +13,18 @@ class MeshValues {
       : file_(&file), encoding_(encoding), text_(file, start), at_(start) {}
 
   /// The next number; `bytes` is its width in binary files, 4 or 8, and `what` names it in
-  /// messages. Throws MeshError at the end of the file, and for words that are no numbers.
+  /// messages. Throws MeshError at the end of the file, and for words that are not numbers.
   std::int64_t integer(int bytes, std::string_view what);
   double real(int bytes, std::string_view what);
-  /// A number of things: not negative.
+  /// A number that must not be negative.
   std::int64_t count(int bytes, std::string_view what);
 
-  /// Where the number that was read last begins.
+  /// Where the last number begins.
   std::size_t start() const { return is_text() ? text_.word_start() : start_; }
-  /// Where the next number begins, in text after white space.
+  /// Where the next number begins; in text, possibly with white space before it.
   std::size_t offset() const { return is_text() ? text_.offset() : at_; }
   bool is_text() const { return encoding_ == Encoding::text; }
-  /// Throws MeshError with the line or the byte of the number that was read last.
+  /// Throws MeshError with the line or the byte of the last number.
   [[noreturn]] void refuse(const std::string& what, const std::string& remedy) const;
 
  private:

@@ -16,7 +16,7 @@ namespace {
 
 constexpr std::size_t climbers = 8;
 
-/// Keeps the deepest points, the deepest first.
+/// Keeps the deepest points, in descending order of depth.
 void keep(std::vector<std::pair<double, Vector>>& deepest,
           const std::pair<double, Vector>& candidate) {
   if (deepest.size() == climbers && candidate.first <= deepest.back().first) return;
@@ -36,7 +36,7 @@ double overlap(const Shape& a, const Shape& b, double spacing, int dimension) {
     const double low = std::max(first.lower[i], second.lower[i]) - spacing;
     const double high = std::min(first.upper[i], second.upper[i]) + spacing;
     if (low > high) return -(low - high);
-    // Shapes without end are the same everywhere along it.
+    // Infinite shapes are the same everywhere along their axis.
     if (std::isinf(high - low)) continue;
     lower[i] = low;
     count[i] = static_cast<std::int64_t>((high - low) / spacing) + 1;

@@ -4,9 +4,9 @@
 
 namespace pliant {
 
-/// How deep two shapes reach into each other [m]: the largest distance of a point from both
-/// surfaces, inside both; negative where they stand apart. A search climbs to it from the best of
-/// points `spacing` apart around where their boxes meet.
+/// How deep two shapes overlap [m]: the largest distance of a point inside both from both surfaces;
+/// negative if they are separate. Probes `spacing` apart, in and around the intersection of their
+/// boxes, are starts of a search for the maximum.
 double overlap(const Shape& a, const Shape& b, double spacing, int dimension);
 
 }  // namespace pliant

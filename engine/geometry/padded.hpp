@@ -7,7 +7,7 @@
 
 namespace pliant {
 
-/// A point as case files and shapes know it: z = 0 in 2D.
+/// A point with three components, as in case files and shapes: z = 0 in 2D.
 template <int D>
 Vector padded(const Point<D>& x) {
   Vector v = {};

@@ -20,12 +20,12 @@ struct Shape {
   Vector centre = {};              ///< ball (a disc in 2D), cylinder
   double radius = 0;               ///< ball, cylinder
   Vector axis = {0, 0, 1};         ///< cylinder, infinite along it
-  Vector point = {}, normal = {};  ///< half_space: the side that `normal` (unit) points away from
+  Vector point = {}, normal = {};  ///< half_space: the side opposite to the unit vector `normal`
   std::string file;                ///< mesh; full path
   double scale = 1;                ///< mesh; [m] per unit of the file
   Vector translate = {};           ///< mesh; position of the origin of the file [m]
   std::shared_ptr<const ClosedMesh> mesh;  ///< mesh; null until `load_meshes`
-  std::vector<Shape> operands;  ///< unite, intersect; subtract takes the others from the first
+  std::vector<Shape> operands;  ///< unite, intersect; subtract: the first one without the others
 };
 
 }  // namespace pliant

@@ -30,7 +30,7 @@ struct Nearest {
 
 Nearest nearest(const Shape& shape, const Vector& x, int dimension);
 
-/// How far `x` lies beyond the nearer of the two faces across `axis`, negative between them.
+/// Distance of `x` beyond the nearer of the two faces across `axis`; negative between them.
 Nearest beyond_slab(const Shape& box, const Vector& x, int axis) {
   Nearest slab{std::max(box.lower[axis] - x[axis], x[axis] - box.upper[axis]), {}};
   slab.direction[axis] = box.lower[axis] - x[axis] > x[axis] - box.upper[axis] ? -1 : 1;
@@ -51,8 +51,8 @@ Nearest nearest_box(const Shape& box, const Vector& x, int dimension) {
   return outside;
 }
 
-/// A ball around the origin of `offset`, or an infinite cylinder when `offset` has no part along
-/// its axis; `at_centre` is the direction to take where every direction is as good.
+/// A ball around the origin of `offset`, or an infinite cylinder if `offset` has no component along
+/// its axis; `at_centre` is the direction at the centre, where all are equivalent.
 Nearest nearest_round(double radius, Vector offset, const Vector& at_centre, int dimension) {
   const double distance = length(offset, dimension);
   if (distance == 0) return {-radius, at_centre};
@@ -60,7 +60,8 @@ Nearest nearest_round(double radius, Vector offset, const Vector& at_centre, int
   return {distance - radius, offset};
 }
 
-/// A unit vector across `axis`: the cross product with the coordinate direction farthest from it.
+/// A unit vector normal to `axis`: the cross product with the coordinate direction farthest from
+/// it.
 Vector across(const Vector& axis) {
   const Vector product =
       std::abs(axis[0]) < 0.8 ? Vector{0, axis[2], -axis[1]} : Vector{-axis[2], 0, axis[0]};
@@ -131,7 +132,7 @@ Box<3> around(const Vector& centre, const Vector& reach) {
   return box;
 }
 
-/// Only a half-space whose surface lies across an axis is bounded along it.
+/// A half-space is bounded only along an axis that is normal to its surface.
 Box<3> half_space_bounds(const Shape& shape) {
   Box<3> box = everywhere();
   for (int i = 0; i < 3; ++i) {
@@ -143,8 +144,8 @@ Box<3> half_space_bounds(const Shape& shape) {
 
 }  // namespace
 
-// Most walls are half-spaces, and remeshing asks for the distance of every slot from every wall: no
-// direction is copied for them.
+// Most walls are half-spaces, and a remeshing queries the distance of every slot from every wall.
+// For half-spaces this skips the direction.
 double signed_distance(const Shape& shape, const Vector& x, int dimension) {
   if (shape.kind == Shape::Kind::half_space) return above_plane(shape, x, dimension);
   return nearest(shape, x, dimension).distance;

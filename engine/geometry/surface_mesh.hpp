@@ -9,10 +9,10 @@
 
 #include "engine/geometry/shape.hpp"
 
-/// Triangles as files hold them.
+/// Triangles as in files.
 namespace pliant {
 
-/// What is wrong with a mesh file (with its line or byte, where it has one), and what to do.
+/// An error in a mesh file (with its line or byte, if known), and what to do.
 class MeshError : public std::runtime_error {
  public:
   MeshError(const std::string& what, std::string remedy)
@@ -31,9 +31,9 @@ struct SurfaceMesh {
   std::vector<Triangle> triangles;
 };
 
-/// Reads a file whose name ends in .stl (ASCII or binary), .obj (polygons become fans of triangles)
-/// or .ply (ASCII or binary little endian), or takes the boundary of the tetrahedra of a .msh or
-/// .vtk file. Throws MeshError.
+/// Reads a file with the extension .stl (ASCII or binary), .obj (polygons become fans of triangles)
+/// or .ply (ASCII or binary little endian), or the boundary of the tetrahedra of a .msh or .vtk
+/// file. Throws MeshError.
 SurfaceMesh read_mesh(const std::filesystem::path& file);
 
 }  // namespace pliant

@@ -5,16 +5,16 @@
 
 namespace pliant {
 
-/// Where on a triangle a point is: inside, on the edge that starts at a corner, or on a corner.
+/// A point of a triangle: inside, on the edge that starts at a corner, or at a corner.
 struct TriangleFoot {
   enum class Part { face, edge, corner };
   Part part = Part::face;
   int corner = 0;
   Eigen::Vector3d place = Eigen::Vector3d::Zero();
-  std::array<double, 3> weight = {};  ///< of the corners, together 1
+  std::array<double, 3> weight = {};  ///< of the corners; their sum is 1
 };
 
-/// The point of a triangle nearest to `x`, by the regions in which it can lie.
+/// The point of a triangle nearest to `x`, by the regions that it may be in.
 ///
 /// C. Ericson, Real-Time Collision Detection (2005), section 5.1.5.
 TriangleFoot foot_on_triangle(const std::array<Eigen::Vector3d, 3>& c, const Eigen::Vector3d& x);

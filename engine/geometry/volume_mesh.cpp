@@ -8,7 +8,7 @@ namespace {
 
 using VertexMap = Eigen::Map<const Eigen::Vector3d>;
 
-/// The facets of a tetrahedron, seen from outside.
+/// The facets of a tetrahedron, ordered as seen from outside.
 constexpr int facets[4][3] = {{1, 2, 3}, {0, 3, 2}, {0, 1, 3}, {0, 2, 1}};
 
 }  // namespace

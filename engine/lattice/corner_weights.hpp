@@ -5,7 +5,7 @@
 namespace pliant {
 
 /// Calls f(cell, weight) for the 2^D nodes around x with the weights of multilinear interpolation,
-/// until it returns false. Returns whether it never did.
+/// until a call returns false. Returns whether none did.
 template <int D, class F>
 bool for_each_corner(const Lattice<D>& lattice, const Point<D>& x, F&& f) {
   Cell<D> base;

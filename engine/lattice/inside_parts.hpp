@@ -9,13 +9,13 @@
 
 /// The part of a simplex of lattice nodes in which phi < 0, divided into simplices.
 ///
-/// It is a cone: from its first node inside to the pieces of the surface in the simplex, and to the
-/// part inside the facet opposite to that node, which is divided alike. A facet of two simplices is
-/// therefore divided in one way, and the parts of all simplices make up a conforming mesh whose
-/// boundary consists of the pieces of surface_pieces.hpp.
+/// It is a cone from its first inside node to two bases: the pieces of the surface in the simplex,
+/// and the inside part of the facet opposite to that node, which is divided in the same way. The
+/// division of a facet is therefore the same in both of its simplices. So the parts of all
+/// simplices form a conforming mesh, whose boundary consists of the pieces of surface_pieces.hpp.
 namespace pliant {
 
-/// A corner of a part: a node, named twice, or a crossing.
+/// A corner of a part: a crossing, or a node, named twice.
 template <int D>
 using PartCorner = Crossing<D>;
 
@@ -26,7 +26,7 @@ using Corners = std::vector<PartCorner<D>>;
 template <int D>
 using Nodes = std::vector<const SurfaceNode<D>*>;
 
-/// The pieces of the surface between these nodes inside and outside, in any orientation.
+/// The pieces of the surface between inside and outside nodes, with arbitrary orientation.
 template <int D>
 std::vector<Corners<D>> pieces_between(const Nodes<D>& inside, const Nodes<D>& outside) {
   if (inside.size() == 2 && outside.size() == 2) {
@@ -40,7 +40,7 @@ std::vector<Corners<D>> pieces_between(const Nodes<D>& inside, const Nodes<D>& o
   return {piece};
 }
 
-/// Adds the parts, each with `apexes` before its own corners.
+/// Adds the parts; `apexes` precede the own corners of each.
 template <int D>
 void add_parts(const Nodes<D>& inside, const Nodes<D>& outside, Corners<D> apexes,
                std::vector<Corners<D>>& parts) {
@@ -58,7 +58,7 @@ void add_parts(const Nodes<D>& inside, const Nodes<D>& outside, Corners<D> apexe
   add_parts<D>({inside.begin() + 1, inside.end()}, outside, apexes, parts);
 }
 
-/// Whether a part is mirrored, with its crossings halfway, where no part is flat.
+/// Whether a part is mirrored. Crossings are put halfway, where no part is flat.
 template <int D>
 bool is_mirrored(const std::array<PartCorner<D>, D + 1>& part) {
   const auto place = [](const PartCorner<D>& corner) -> PlaceVector<D> {
@@ -71,8 +71,9 @@ bool is_mirrored(const std::array<PartCorner<D>, D + 1>& part) {
 
 }  // namespace inside_parts
 
-/// Calls f(part) for the parts of a simplex whose corners are in ascending order of their slots, as
-/// std::array<PartCorner<D>, D + 1> with a positive determinant of the edges from its first corner.
+/// Calls f(part) for the parts of a simplex whose corners are in ascending order of their slots. A
+/// part is std::array<PartCorner<D>, D + 1>, with a positive determinant of the edges from its
+/// first corner.
 template <int D, class F>
 void for_each_inside_part(const std::array<const SurfaceNode<D>*, D + 1>& simplex, F&& f) {
   inside_parts::Nodes<D> inside, outside;

@@ -11,8 +11,7 @@ using Cell = std::array<std::int32_t, D>;
 template <int D>
 using Point = std::array<double, D>;
 
-/// The whole numbers next below and above x, or x itself; without SSE4.1 the standard library's are
-/// calls.
+/// floor(x) and ceil(x). Without SSE4.1, those of the standard library are function calls.
 inline std::int32_t cell_below(double x) {
   const auto whole = static_cast<std::int32_t>(x);
   return whole - (x < whole ? 1 : 0);
@@ -32,12 +31,12 @@ void for_each_cell(const Cell<D>& first, const Cell<D>& last, F&& f, Cell<D> cel
   }
 }
 
-/// A square lattice of spacing h [m]: the node of cell c lies at origin + (c + 1/2) h.
+/// A square lattice with spacing h [m]: the node of cell c is at origin + (c + 1/2) h.
 template <int D>
 struct Lattice {
   double spacing = 0;
   Point<D> origin = {};
-  Cell<D> period = {};  ///< cells after which a direction repeats itself; 0: never
+  Cell<D> period = {};  ///< in cells; 0: not periodic
 
   double node(int axis, std::int32_t cell) const { return origin[axis] + (cell + 0.5) * spacing; }
 
@@ -47,7 +46,7 @@ struct Lattice {
     return x;
   }
 
-  /// Cell that holds coordinate `x`.
+  /// The cell that contains coordinate `x`.
   std::int32_t cell(int axis, double x) const { return cell_below((x - origin[axis]) / spacing); }
 
   /// `cell` moved by whole periods into the first period.

@@ -8,9 +8,9 @@ namespace pliant {
 
 namespace {
 
-// Rows of a 3D body are stored in square tiles of this many rows to a side.
+// Rows of a 3D body are stored in square tiles with this many rows on each side.
 constexpr int row_tile = 8;
-// Longer segments are cut, so that a block of a wide body is not one endless row.
+// Longer segments are divided, so that a block of a wide body is not one endless row.
 constexpr int longest_segment = 64 * Occupancy<2>::pack;
 
 int tile_of(std::int32_t row) {
@@ -77,7 +77,8 @@ void Layout<D>::place_runs() {
   slots_ = next + padding;
 }
 
-// The run of a row that meets the cells lower..upper (exclusive), widened by what kernels may load.
+// The run of a row that overlaps the cells lower..upper (exclusive), plus those that kernels may
+// load.
 template <int D>
 const typename Layout<D>::Run* Layout<D>::run_near(int row, std::int32_t lower,
                                                    std::int32_t upper) const {
@@ -98,9 +99,9 @@ void Layout<D>::cut_segments() {
   }
 }
 
-// A pack joins the segment before it when every neighbouring row keeps its run. A row without slots
-// near a pack may lie at any offset (at least its own): finite values that no interior particle
-// reads.
+// A pack joins the segment before it if every neighbouring row continues its run. A row without
+// slots near a pack may have any offset, at least the segment's own: the values loaded are finite,
+// and no interior particle reads them.
 template <int D>
 void Layout<D>::cut_run(const Run& run, Cell<D> row) {
   constexpr int reach = kernels::row_reach;
@@ -139,7 +140,7 @@ void Layout<D>::cut_run(const Run& run, Cell<D> row) {
   }
 }
 
-// A segment goes to the block in whose share of all slots its middle lies.
+// A segment belongs to the block whose share of all slots contains its middle.
 template <int D>
 void Layout<D>::group_blocks(int block_count) {
   blocks_.clear();
@@ -162,7 +163,7 @@ void Layout<D>::group_blocks(int block_count) {
   }
 }
 
-// Blocks are also neighbours across a period: the images at one end mirror the other end.
+// Blocks may also be neighbours across a period: the images at one end mirror the other end.
 template <int D>
 void Layout<D>::connect_blocks(int reach, std::vector<std::vector<int>>& neighbours) const {
   const int count = static_cast<int>(blocks_.size());

@@ -10,40 +10,39 @@
 
 namespace pliant {
 
-/// A contiguous run of segments: the unit that one task owns.
+/// A contiguous run of segments: the unit of a task.
 template <int D>
 struct Block {
   int first_segment = 0, segment_count = 0;
   std::int64_t first_slot = 0, slot_count = 0;
-  Cell<D> lower = {}, upper = {};  ///< cells, inclusive
+  Cell<D> lower = {}, upper = {};  ///< inclusive, in cells
 };
 
-/// Where the slots of a body lie in memory.
+/// Where the slots of a body are in memory.
 ///
-/// Only cells near marked ones have slots. Those of a lattice row form runs, see Occupancy; runs
-/// follow each other row by row (in 3D in tiles of rows, so that slots that are close stay
-/// neighbours in memory), and segments
-/// cut them where a neighbouring row changes its run. `padding` slots lie before the first and
-/// behind the last run, so that every load of a segment's neighbours is legal. What lies beside the
-/// ends of a run belongs to other rows.
+/// Only cells near marked ones have slots. Those of a lattice row form runs, see Occupancy. Runs
+/// follow each other row by row (in 3D in tiles of rows, so that close slots stay close in memory).
+/// Segments divide a run where a neighbouring row changes its run. `padding` slots before the first
+/// and after the last run make every load of a segment's neighbours legal. What is next to the ends
+/// of a run belongs to other rows.
 template <int D>
 class Layout {
  public:
   static constexpr std::int64_t padding = 1024;
   static constexpr int pack = Occupancy<D>::pack;
 
-  /// Lays out the runs of the map in `block_count` blocks of about the same size (fewer when
-  /// segments are longer than that). Blocks are neighbours when they come within `block_reach`
-  /// cells of each other.
+  /// Builds the runs of the map and divides them into `block_count` blocks of about the same size
+  /// (fewer if segments are longer than that). Blocks are neighbours if they are within
+  /// `block_reach` cells of each other.
   void build(const Occupancy<D>& occupancy, const Cell<D>& period, int block_count,
              int block_reach);
 
   const Occupancy<D>& occupancy() const { return occupancy_; }
-  std::int64_t slots() const { return slots_; }  ///< with padding
+  std::int64_t slots() const { return slots_; }  ///< including padding
   const std::vector<kernels::Segment<D>>& segments() const { return segments_; }
   const std::vector<Block<D>>& blocks() const { return blocks_; }
   const std::vector<std::vector<int>>& neighbours() const { return neighbours_; }
-  /// The same with blocks that are up to `more` cells farther away.
+  /// The same for blocks that are up to `more` cells farther away.
   std::vector<std::vector<int>> neighbours_and(int more) const {
     std::vector<std::vector<int>> neighbours;
     connect_blocks(block_reach_ + more, neighbours);
@@ -54,10 +53,10 @@ class Layout {
     return segments_.data() + block.first_segment;
   }
 
-  /// Slot of a cell, or -1 where there is none.
+  /// Slot of a cell, or -1 if it has none.
   std::int64_t slot(const Cell<D>& cell) const { return slot(cell, 1); }
 
-  /// Slot of the first of `count` cells along x, or -1 unless all lie in one run.
+  /// Slot of the first of `count` cells along x, or -1 unless all are in one run.
   std::int64_t slot(const Cell<D>& cell, int count) const {
     const int row = occupancy_.row_of(cell);
     if (row < 0) return -1;
@@ -70,8 +69,8 @@ class Layout {
     return -1;
   }
 
-  /// Calls `f(x, slot, n)` for the stretches of slots slot..slot+n-1 of the cells x..x+n-1 along x
-  /// among the `count` cells from `cell` on.
+  /// Calls `f(x, slot, n)` for each contiguous range of slots among the `count` cells from `cell`
+  /// on along x: slots slot..slot+n-1 of the cells x..x+n-1.
   template <class F>
   void for_each_stretch(const Cell<D>& cell, int count, F&& f) const {
     const int row = occupancy_.row_of(cell);

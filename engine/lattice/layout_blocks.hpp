@@ -7,15 +7,15 @@
 
 namespace pliant {
 
-/// [body]
+/// [body] the layouts of all bodies.
 template <int D>
 using Layouts = std::vector<const Layout<D>*>;
 
-/// Numbers the blocks of bodies that lie on lattices.
+/// Numbers the blocks of bodies on lattices.
 template <int D>
 void number_blocks(const Layouts<D>& layouts, std::vector<BlockOwner>& owners);
 
-/// Neighbours of each block, and those of its body up to `more` cells farther away.
+/// Neighbours of each block, including those of its body up to `more` cells farther away.
 template <int D>
 scheduler::Blocks connect_blocks(const Layouts<D>& layouts, int more);
 

@@ -29,8 +29,8 @@ Cell<D> Occupancy<D>::row_cell(int row) const {
   return cell;
 }
 
-// The cells of every marked row, widened step by step, go to all rows that they reach: rows at the
-// distance r take them as far along x as the ball is wide there.
+// Each marked row is widened step by step and added to all rows within reach: a row at the distance
+// r gets the width of the ball there.
 template <int D>
 void Occupancy<D>::dilate(double radius) {
   const int reach = static_cast<int>(radius);
@@ -66,7 +66,7 @@ void Occupancy<D>::widen_by_one_cell() {
   }
 }
 
-// Rows outside the map take nothing.
+// Ignores rows outside the map.
 template <int D>
 void Occupancy<D>::add_to(int row, int dy, int dz) {
   const int y = row % rows_[0] + dy, z = row / rows_[0] + dz;

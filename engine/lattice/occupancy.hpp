@@ -9,15 +9,14 @@
 
 namespace pliant {
 
-/// Which lattice cells a body needs: a map of marked cells over rows (y, or y and z) and columns of
-/// as many cells as a pack has slots.
+/// The lattice cells that a body needs: a map of marked cells over rows (y, or y and z) and columns
+/// with as many cells as a pack has slots.
 ///
-/// A row stores runs of whole packs. They begin where its marked cells do, not at a column: that
-/// leaves half as many slots vacant. What room remains in the last pack is shared by both ends.
+/// A row stores runs of whole packs. They begin near its first marked cell, not at a column, which
+/// leaves half as many slots vacant. The free slots of a run are divided between its two ends.
 ///
-///     marked       . . . o o o o o o o o o o o o o . . . .
-///     stored      [. . o o o o o o|o o o o o o o .]           packs of 8 slots
-///
+///    marked       . . . o o o o o o o o o o o o o . . . .
+///    stored      [. . o o o o o o|o o o o o o o .]           packs of 8 slots
 template <int D>
 class Occupancy {
  public:
@@ -34,10 +33,10 @@ class Occupancy {
 
   /// Marks every cell of the map within `radius` cells of a marked one.
   void dilate(double radius);
-  /// Marks all cells of columns with a mark, so that runs begin at columns.
+  /// Marks all cells of columns that have a mark, so that runs begin at columns.
   void fill_columns();
 
-  /// The marked cells as plain numbers, for checkpoints, and back.
+  /// The marked cells as plain numbers, for checkpoints.
   std::vector<std::int32_t> save() const;
   void restore(const std::vector<std::int32_t>& saved);
 
@@ -50,8 +49,8 @@ class Occupancy {
     return (marks(row, column) >> lane & 1) != 0;
   }
 
-  /// Calls `f(cell, count)` for every run of a row: `count` slots, whole packs, for the cells from
-  /// `cell` on along x.
+  /// Calls `f(cell, count)` for every run of a row: `count` slots, in whole packs, for the cells
+  /// from `cell` on along x.
   template <class F>
   void for_each_run(int row, F&& f) const {
     std::int32_t begin = 0, end = 0;
@@ -92,8 +91,8 @@ class Occupancy {
   }
 
  private:
-  /// Cells without marks between two runs, at least; shorter gaps are stored. Once both runs are
-  /// rounded up to whole packs, no pack of a neighbouring row comes near both of them.
+  /// Smallest number of cells without marks between two runs; shorter gaps are stored. After runs
+  /// are rounded up to whole packs, no pack of a neighbouring row is near both of them.
   static constexpr std::int32_t shortest_gap = (pack - 1) + (pack + 2 * kernels::row_reach);
 
   std::uint8_t marks(int row, int column) const {

@@ -12,9 +12,9 @@
 /// 3D.
 ///
 /// Every cube of nodes is divided into D! simplices around its diagonal, in which phi is linear
-/// (marching tetrahedra). Cubes that share a face divide it alike, so that pieces meet along whole
-/// edges and the surface of a free body is closed, whatever phi is; no table of ambiguous cases is
-/// needed, which marching cubes would.
+/// (marching tetrahedra). Cubes that share a face divide it in the same way. So pieces meet along
+/// whole edges, and the surface of a free body is closed for any phi. Unlike marching cubes, this
+/// needs no table of ambiguous cases.
 namespace pliant {
 
 template <int D>
@@ -24,12 +24,12 @@ using PlaceVector = Eigen::Matrix<double, D, 1>;
 template <int D>
 struct SurfaceNode {
   std::int64_t slot;
-  Cell<D> cell;  ///< without the wrapping of periods
+  Cell<D> cell;  ///< without wrapping of periods
   PlaceVector<D> place;
   double phi;
 };
 
-/// Where the surface crosses the line between a node inside and one that is not.
+/// Where the surface crosses the line between an inside node and one that is not inside.
 template <int D>
 struct Crossing {
   const SurfaceNode<D>* inside;
@@ -41,7 +41,7 @@ struct Crossing {
   }
 };
 
-/// Corners of a piece, in the order in which its normal points out of the body: anticlockwise from
+/// Corners of a piece, in the order that makes its normal point out of the body: anticlockwise from
 /// outside in 3D, the body to the left in 2D.
 template <int D>
 using SurfacePiece = std::array<Crossing<D>, D>;
@@ -49,7 +49,7 @@ using SurfacePiece = std::array<Crossing<D>, D>;
 /// Calls f(piece) for the pieces in one simplex.
 template <int D, class F>
 void for_each_piece_of(const std::array<const SurfaceNode<D>*, D + 1>& corners, F&& f) {
-  // Those inside first; std::stable_partition would allocate.
+  // Inside nodes first; std::stable_partition would allocate.
   std::array<const SurfaceNode<D>*, D + 1> simplex;
   int inside = 0, outside = D + 1;
   for (int i = 0; i <= D; ++i) {

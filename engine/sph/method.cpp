@@ -11,7 +11,7 @@ namespace pliant::sph {
 
 namespace {
 
-// Plain SPH has neither ghosts nor a level set, and no nodes to which its particles return.
+// Plain SPH has no ghosts, no level set, and no nodes to which particles return.
 void check(const Check& check) {
   const Case& a_case = check.a_case;
   refuse_tables(check, {"contact", "cut"});

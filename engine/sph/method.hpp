@@ -4,7 +4,7 @@
 
 namespace pliant::sph {
 
-/// What the registry knows of this method.
+/// The entry of this method in the registry.
 RegisteredMethod method();
 
 }  // namespace pliant::sph

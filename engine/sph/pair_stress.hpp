@@ -5,10 +5,10 @@
 
 #include "engine/remeshed/state/body.hpp"
 
-/// What the pair forces (RP.26) of plain SPH read.
+/// Arguments of the pair forces (RP.26) of plain SPH.
 namespace pliant::sph {
 
-/// The stress of a body's particles as pair forces need it.
+/// The stress of a body's particles, in the form for pair forces.
 template <class T, int D>
 struct PairStress {
   using Tensor = std::array<Buffer<T>, kernels::symmetric_components<D>>;
@@ -30,14 +30,14 @@ struct PairStress {
   }
 };
 
-/// Finds the pair stress of a block's particles at a stage; `artificial_stress` is epsilon of
+/// Computes the pair stress of a block's particles at a stage; `artificial_stress` is epsilon of
 /// (RP.28).
 template <class T, int D>
 void find_pair_stress(const remeshed::Body<T, D>& body, int block, int stage,
                       double artificial_stress, PairStress<T, D>& pair_stress);
 
-/// A view of the pair stress for the kernel, with the viscosity of (RP.27): beta = 2 alpha, c of
-/// the material at rest.
+/// A view of the pair stress for the kernel, with the viscosity of (RP.27): beta = 2 alpha, and c
+/// of the material at rest.
 template <class T, int D>
 kernels::SymmetricPairs<T, D> symmetric_pairs(const remeshed::Body<T, D>& body,
                                               const PairStress<T, D>& pair_stress,

@@ -11,7 +11,7 @@ struct Parameters {
   double artificial_stress = 0.3;   ///< epsilon of (RP.28)
 };
 
-/// The table of the method in a case.
+/// Parameters of the method in a case.
 inline const Parameters& parameters_of(const Case& settings) {
   return settings.parameters.as<Parameters>();
 }

@@ -20,7 +20,7 @@ std::vector<std::string> remedies(const Case& settings) {
 
 }  // namespace
 
-// The neighbours are those within the support of the kernel (RP.14).
+// Neighbours are those within the support of the kernel (RP.14).
 template <class T, int D>
 Solver<T, D>::Solver(const Case& a_case, const SolverOptions& options)
     : pliant::Solver(a_case, options),

@@ -11,8 +11,8 @@
 
 namespace pliant::sph {
 
-/// Advances a case by plain SPH: the state of the remeshed method without ghosts and without
-/// remeshing, and a search for neighbours before every step.
+/// Advances a case by plain SPH: the state of the remeshed method without ghosts and remeshing,
+/// with a neighbour search before every step.
 template <class T, int D>
 class Solver final : public pliant::Solver {
  public:

@@ -11,7 +11,7 @@
 
 namespace pliant::sph {
 
-/// One step of plain SPH as phases: four Runge-Kutta stages over lists of neighbours.
+/// One step of plain SPH as phases: four Runge-Kutta stages over neighbour lists.
 template <class T, int D>
 class Step {
  public:
@@ -22,12 +22,12 @@ class Step {
   void use_slots();
   /// The phases of a step over the present blocks.
   std::vector<scheduler::Phase> phases();
-  /// Those that compute the stress of the initial state.
+  /// The phases that compute the stress of the initial state.
   std::vector<scheduler::Phase> stress_phases();
 
-  /// Fixes the time step [s].
+  /// Sets the time step [s].
   void prepare(double time_step) { particles_.prepare(time_step); }
-  /// Folds what the blocks found, in their order.
+  /// Sums the results of the blocks in their order.
   void fold() {
     results_.fold(state_.blocks);
     particles_.fold();

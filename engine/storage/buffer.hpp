@@ -11,14 +11,14 @@
 
 namespace pliant {
 
-/// A 64-byte aligned array of plain values that grows but never shrinks, so that a warm step
-/// allocates nothing. Large arrays ask for huge pages, which is worth about a tenth of the speed;
-/// memory that no value has been given yet costs nothing.
+/// A 64-byte aligned array of plain values that grows but never shrinks, so that later steps do not
+/// allocate. Large arrays request huge pages, which gain about a tenth in speed. Memory without
+/// values yet costs nothing.
 ///
-/// Large arrays all start at the beginning of a page, so that one slot of twenty fields would want
-/// the same set of a cache, and a store look like the load of another field to the processor, which
-/// compares the lowest twelve bits of addresses only. Each array therefore starts a few cache lines
-/// behind the start of its memory, every one at another place.
+/// If all large arrays started at the beginning of a page, one slot of twenty fields would compete
+/// for the same set of a cache. A store would also look like the load of another field to the
+/// processor, which only compares the lowest twelve bits of addresses. Each array therefore starts
+/// a different number of cache lines after the start of its memory.
 template <class T>
 class Buffer {
  public:
@@ -32,8 +32,7 @@ class Buffer {
   Buffer& operator=(const Buffer&) = delete;
   ~Buffer() { std::free(memory_); }
 
-  /// Makes room for `size` values. Those that there were are kept, those that there were not get
-  /// the value `filling`.
+  /// Makes room for `size` values. Old values are kept, new ones are `filling`.
   void grow(std::size_t size, T filling) {
     if (size > capacity_) reallocate(size);
     if (size > size_) std::fill(values_ + size_, values_ + size, filling);
@@ -59,12 +58,12 @@ class Buffer {
   void reallocate(std::size_t size) {
     const std::size_t alignment = size * sizeof(T) >= huge_page ? huge_page : line;
     const std::size_t start = size * sizeof(T) >= page ? next_start() : 0;
-    // A tenth of slack keeps a slowly growing body from reallocating at every remeshing.
+    // A tenth of slack avoids a reallocation at every remeshing of a slowly growing body.
     const std::size_t bytes = rounded(start + (size + size / 10) * sizeof(T), line);
     auto* memory =
         static_cast<std::byte*>(std::aligned_alloc(alignment, rounded(bytes, alignment)));
     if (memory == nullptr) throw std::bad_alloc();
-    // The last of the pages stay small: they hold less than a huge one.
+    // The last pages stay small, since they are less than a huge page.
     if (alignment == huge_page) madvise(memory, bytes / huge_page * huge_page, MADV_HUGEPAGE);
     T* grown = reinterpret_cast<T*>(memory + start);
     std::copy(values_, values_ + size_, grown);
@@ -78,7 +77,8 @@ class Buffer {
     return (bytes + unit - 1) / unit * unit;
   }
 
-  // Nine lines apart: more than a chunk of slots takes, and 64 arrays before two coincide.
+  // Starts are nine lines apart: more than a chunk of slots takes, and 64 arrays before two
+  // coincide.
   static std::size_t next_start() {
     static std::atomic<std::size_t> count{0};
     return count++ * 9 * line % page;

@@ -5,8 +5,8 @@
 
 namespace pliant {
 
-/// Appends to a list that is long and kept: it grows by an eighth, not to the double. The value may
-/// be one of the list.
+/// Appends to a long list that is kept: its memory grows by an eighth instead of doubling. The
+/// value may be an element of the list.
 template <class V>
 void push_tightly(std::vector<V>& list, V value) {
   constexpr std::size_t least = 8;

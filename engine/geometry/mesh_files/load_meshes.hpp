@@ -4,8 +4,7 @@
 
 namespace pliant {
 
-/// Reads the file of every mesh among the parts of `shape` that is not loaded yet, and puts the
-/// mesh in its place. Throws MeshError.
+/// Loads every mesh in `shape` that is not loaded yet from its file. Throws MeshError.
 void load_meshes(Shape& shape);
 
 }  // namespace pliant

@@ -83,7 +83,7 @@ void add_fan(SurfaceMesh& mesh, const std::vector<std::int32_t>& corners) {
 }
 
 MeshFile load_mesh_file(const std::filesystem::path& file) {
-  // Neither a folder nor a pipe, which may never end.
+  // Neither a folder nor a pipe, which may be endless.
   std::error_code ignored;
   const bool is_file = std::filesystem::is_regular_file(file, ignored);
   std::ifstream stream;

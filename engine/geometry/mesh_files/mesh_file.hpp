@@ -8,10 +8,10 @@
 
 #include "engine/geometry/surface_mesh.hpp"
 
-/// What the readers of mesh files share.
+/// Common parts of the readers of mesh files.
 namespace pliant {
 
-/// A file that has been read, and the messages about places in it.
+/// The content of a file, and messages about places in it.
 struct MeshFile {
   std::string name;
   std::string content;
@@ -22,17 +22,17 @@ struct MeshFile {
   /// Throws MeshError: "name: byte 84: what".
   [[noreturn]] void refuse_byte(std::size_t offset, const std::string& what,
                                 const std::string& remedy) const;
-  /// Throws MeshError when the file ends at `offset` before it holds what it announces.
+  /// Throws MeshError when the file ends at `offset` before its announced content.
   [[noreturn]] void refuse_end(std::size_t offset, const std::string& missing) const;
 };
 
-/// Throws MeshError when `file` is no regular file or cannot be read.
+/// Throws MeshError when `file` is not a regular file or cannot be read.
 MeshFile load_mesh_file(const std::filesystem::path& file);
 
-/// The ending of a file's name in lower case, as ".stl".
+/// The extension of a file in lower case, for example ".stl".
 std::string lower_ending(const std::filesystem::path& file);
 
-/// Words of a text file, one after the other.
+/// Reads a text file word by word.
 class MeshText {
  public:
   explicit MeshText(const MeshFile& file, std::size_t start = 0) : file_(&file), at_(start) {}
@@ -41,14 +41,14 @@ class MeshText {
   std::string_view word();
   /// The next word of this line, empty at its end.
   std::string_view word_of_line();
-  /// Goes on to the next line; false at the end of the file.
+  /// Moves to the next line; false at the end of the file.
   bool next_line();
   /// `word` as a number, finite; `what` names it in messages.
   double number(std::string_view word, std::string_view what) const;
   std::int64_t integer(std::string_view word, std::string_view what) const;
-  /// Where the next word is sought.
+  /// Where the search for the next word starts.
   std::size_t offset() const { return at_; }
-  /// Where the word that was read last begins.
+  /// Where the last word begins.
   std::size_t word_start() const { return word_start_; }
   [[noreturn]] void refuse(const std::string& what, const std::string& remedy) const {
     file_->refuse_line(word_start_, what, remedy);
@@ -60,10 +60,10 @@ class MeshText {
   std::size_t word_start_ = 0;
 };
 
-/// Adds the triangles of a polygon, all from its first corner.
+/// Adds the triangles of a polygon, as a fan from its first corner.
 void add_fan(SurfaceMesh& mesh, const std::vector<std::int32_t>& corners);
 
-/// A value at `bytes`, whatever its alignment. Files and processors are little endian.
+/// The value at `bytes`, for any alignment. Files and processors are little endian.
 template <class Value>
 Value value_at(const char* bytes) {
   Value value;

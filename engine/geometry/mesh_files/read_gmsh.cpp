@@ -9,8 +9,8 @@
 // Version 2.2 has one row for each node (number, position) and element (number, kind, tags, nodes).
 // Version 4.1 has blocks of nodes (numbers first, then positions) and of elements of one kind.
 //
-// Announced numbers of rows are not trusted: rows are read one by one, and the file ends before a
-// wrong number does.
+// Announced numbers of rows are not trusted: rows are read one by one, and a wrong number ends at
+// the end of the file.
 namespace pliant {
 namespace {
 
@@ -52,7 +52,7 @@ class Gmsh {
 
   bool is_text() const { return encoding_ == Encoding::text; }
 
-  /// Where the line after `$name` begins.
+  /// The start of the line after `$name`.
   std::size_t section(const std::string& name) const {
     const std::string mark = "$" + name;
     std::size_t found = file_.content.starts_with(mark) ? 0 : file_.content.find("\n" + mark);
@@ -85,7 +85,7 @@ class Gmsh {
     return version;
   }
 
-  /// Rows beyond those that a section announces are an error too.
+  /// More rows than a section announces are an error too.
   void require_end(const MeshValues& values, const std::string& name) const {
     MeshText text(file_, values.offset());
     if (text.word() == "$End" + name) return;
@@ -106,7 +106,7 @@ class Gmsh {
     return x;
   }
 
-  /// In version 2.2, the number of rows is text even in a binary file.
+  /// In version 2.2 the number of rows is text, even in a binary file.
   MeshValues counted_section(const std::string& name, std::int64_t& count) const {
     MeshText text(file_, section(name));
     count = text.integer(text.word_of_line(), "the number of rows");
@@ -128,7 +128,7 @@ class Gmsh {
   void read_elements_2() {
     std::int64_t count = 0;
     MeshValues values = counted_section("Elements", count);
-    // In text each element has its kind; in binary files, runs of one kind share a header.
+    // In text, each element has its kind; in binary files, elements of one kind share a header.
     for (std::int64_t i = 0, run = 1; i < count; i += run) {
       std::int64_t code = 0, tags = 0;
       if (is_text()) {

@@ -2,8 +2,8 @@
 
 #include "engine/geometry/mesh_files/mesh_file.hpp"
 
-// OBJ: lines `v x y z` and `f a b c ...`. A corner is v, v/t, v//n or v/t/n, from 1, or from -1 for
-// the vertex read last. Everything else says how to paint the mesh.
+// OBJ: lines `v x y z` and `f a b c ...`. A corner is v, v/t, v//n or v/t/n; it counts from 1, or
+// from -1 for the last vertex so far. All other lines concern appearance and are skipped.
 namespace pliant {
 namespace {
 

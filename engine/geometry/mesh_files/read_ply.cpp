@@ -7,12 +7,11 @@
 
 #include "engine/geometry/mesh_files/mesh_file.hpp"
 
-// PLY: a header in text that declares elements and their properties, then the elements one after
-// the other, as text or as bytes. Vertices have x, y and z, faces a list of vertices; everything
-// else is skipped.
+// PLY: a text header that declares elements and their properties, then the elements, as text or as
+// bytes. Vertices have x, y and z, faces a list of vertices; everything else is skipped.
 //
-// The header is not trusted. Every element that it announces takes at least one byte of the file,
-// so that a wrong number of elements ends with the file: elements without properties are refused.
+// The header is not trusted. Elements without properties are refused. Every announced element then
+// takes at least one byte, so that a wrong number of elements ends at the end of the file.
 namespace pliant {
 namespace {
 
@@ -21,7 +20,7 @@ enum class Type { i8, u8, i16, u16, i32, u32, f32, f64 };
 struct Property {
   std::string name;
   Type type;
-  std::optional<Type> count;  // of a list
+  std::optional<Type> count;  // type of the count of a list
 };
 
 struct Element {
@@ -41,7 +40,7 @@ bool holds_corners(const Element& element, const Property& property) {
 }
 
 struct Header {
-  std::optional<bool> is_text;  // nothing before the line `format`
+  std::optional<bool> is_text;  // empty before the line `format`
   std::vector<Element> elements;
   std::size_t end = 0;
 };

@@ -4,8 +4,8 @@
 
 #include "engine/geometry/mesh_files/mesh_file.hpp"
 
-// STL: triangles with vertices of their own. Binary files are 80 bytes of anything, a count, and
-// 50 bytes a triangle: a normal, three corners, two unused bytes.
+// STL: triangles, each with its own vertices. Binary files have 80 arbitrary bytes, a count, and 50
+// bytes for each triangle: a normal, three corners, two unused bytes.
 namespace pliant {
 namespace {
 
@@ -75,7 +75,7 @@ SurfaceMesh read_text(const MeshFile& file) {
 }  // namespace
 
 SurfaceMesh read_stl(const MeshFile& file) {
-  // Binary headers may say "solid" too; text holds no zero bytes.
+  // Binary headers may begin with "solid" too, but text contains no zero bytes.
   const std::string_view start = std::string_view(file.content).substr(0, 512);
   const bool is_text = start.starts_with("solid") && start.find('\0') == start.npos;
   return is_text ? read_text(file) : read_binary(file);

@@ -4,13 +4,13 @@
 #include "engine/geometry/mesh_values.hpp"
 
 // Legacy VTK: four lines (version, title, ASCII or BINARY, DATASET UNSTRUCTURED_GRID), then
-// sections that a keyword begins. POINTS, CELLS and CELL_TYPES are read, in this order. Up to
-// version 4, a cell is a row of its number of corners and the corners; from 5.1 on, there are two
+// sections that start with a keyword. POINTS, CELLS and CELL_TYPES are read, in this order. Up to
+// version 4, a cell is a row with its number of corners and the corners. From 5.1 on, there are two
 // lists, OFFSETS and CONNECTIVITY. Binary numbers are big endian.
 namespace pliant {
 namespace {
 
-/// Dimension of a kind of cell: linear ones, then quadratic ones.
+/// Dimension of a kind of cell; linear kinds come first, then quadratic ones.
 int dimension_of(const MeshValues& values, std::int64_t kind) {
   constexpr int linear[] = {0, 0, 0, 1, 1, 2, 2, 2, 2, 2, 3, 3, 3, 3, 3};
   if (kind >= 0 && kind <= 14) return linear[kind];
@@ -79,7 +79,7 @@ class Vtk {
     return count;
   }
 
-  /// Bytes of a number of the type that this line names.
+  /// Bytes of a number of the type named in this line.
   int width(std::string_view narrow, std::string_view wide) {
     const std::string_view type = text_.word_of_line();
     if (type == narrow) return 4;
@@ -88,7 +88,7 @@ class Vtk {
                  fmt::format("save them as {}", wide));
   }
 
-  /// Text goes on behind the values of a section.
+  /// Continues with the text after the values of a section.
   void go_on(const MeshValues& values) { text_ = MeshText(file_, values.offset()); }
 
   void read_points() {
@@ -180,9 +180,9 @@ class Vtk {
   bool is_text_;
   VolumeMeshRows rows_;
   int bytes_ = 4;                       ///< of an offset
-  std::vector<std::size_t> starts_;     ///< [cell] first of its corners; one more than cells
+  std::vector<std::size_t> starts_;     ///< [cell] its first corner; one more entry than cells
   std::vector<std::int64_t> corners_;   ///< of all cells
-  std::vector<std::size_t> corner_at_;  ///< their places in the file
+  std::vector<std::size_t> corner_at_;  ///< their offsets in the file
 };
 
 }  // namespace
