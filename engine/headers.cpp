@@ -1,1 +1,1 @@
-// Its precompiled headers serve the libraries of the engine.
+// Provides the precompiled headers of the engine's libraries.

@@ -5,8 +5,8 @@
 
 #include <pliant/pliant.hpp>
 
-// The module pliant._pliant: the public C++ interface as Python sees it. python/pliant/ adds what
-// is easier said in Python.
+// The module pliant._pliant: the public C++ interface for Python. python/pliant/ adds what is
+// easier to write in Python.
 
 namespace py = pybind11;
 
@@ -14,7 +14,7 @@ namespace {
 
 using pliant::Simulation;
 
-/// A component of a field where it lies in memory, for reading. `owner` lives as long as the array.
+/// A read-only view of a component of a field in memory. `owner` lives as long as the array.
 template <class Real>
 py::array view_of(std::span<const Real> values, const py::object& owner) {
   py::array_t<Real> view(static_cast<py::ssize_t>(values.size()), values.data(), owner);

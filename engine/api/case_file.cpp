@@ -25,7 +25,7 @@ CaseFile CaseFile::parse(std::string toml, const std::filesystem::path& folder) 
 
 CaseFile& CaseFile::set(std::string_view key, std::string_view value) {
   std::string line(value);
-  std::ranges::replace(line, '\n', ' ');  // TOML wants a table that is a value on one line
+  std::ranges::replace(line, '\n', ' ');  // TOML requires an inline table on one line
   settings_.push_back(fmt::format("{}={}", key, line));
   return *this;
 }

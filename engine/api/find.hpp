@@ -11,8 +11,8 @@
 
 namespace pliant {
 
-/// The position of the element called `name` in a list of the case. Throws InputError with the
-/// names that there are.
+/// The position of the element called `name` in a list of the case. Throws InputError that lists
+/// the names.
 template <class List>
 std::size_t find(const List& list, std::string_view name, std::string_view what) {
   const auto found =

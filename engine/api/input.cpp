@@ -23,13 +23,13 @@ constexpr std::pair<std::string_view, Input::Kind> kinds[] = {
     {"blade", blade},     {"lift", lift},
 };
 
-/// Numbers that a kind of input has.
+/// How many numbers a kind of input has.
 int numbers_of(Input::Kind kind) {
   constexpr int of_kind[] = {1, 1, 3, 6, 0};
   return of_kind[static_cast<int>(kind)];
 }
 
-/// A row of a session, with its place for messages.
+/// A row of a session, with its place in the file for messages.
 class Row {
  public:
   Row(const std::filesystem::path& file, int line, const std::string& text)

@@ -11,13 +11,13 @@
 
 namespace pliant {
 
-/// What the latest steps took, and what the next one must be expected to take.
+/// Durations of the last steps, and the expected duration of the next one.
 class StepCosts {
  public:
   void add(double seconds);
-  /// The longest of the latest steps, such as one in which a blade moved; but no more than three
-  /// times the median, so that a step during which other programs had the processor does not count
-  /// [s].
+  /// The longest of the last steps, for example one in which a blade moved [s]. It is limited to
+  /// three times the median, so that a step during which other programs had the processor does not
+  /// count.
   double expected() const { return expected_; }
 
  private:
@@ -26,8 +26,8 @@ class StepCosts {
   double expected_ = 0;
 };
 
-/// Inputs of a simulation on their way in, and the record of those that have entered. Everything
-/// that a caller does to the solver passes here, so that the record lacks nothing.
+/// Inputs that wait for their time, and a record of those that have been applied. All actions of a
+/// caller on the solver pass through it, so that the record is complete.
 class Session {
  public:
   explicit Session(Solver& solver) : solver_(&solver) {}
@@ -44,14 +44,14 @@ class Session {
  private:
   bool has_come(double time) const;
   void apply(Input input);
-  /// Steps towards `until` and records that; returns the steps.
+  /// Steps towards `until` and records it. Returns the number of steps.
   std::int64_t run(double until, double deadline);
-  /// Steps to `time` exactly as a run towards `until` did.
+  /// Steps to `time` exactly like a run towards `until`.
   void repeat(double time, double until);
   void take_step(double longest);
 
   Solver* solver_;
-  std::vector<Input> waiting_;  ///< ascending in time
+  std::vector<Input> waiting_;  ///< in ascending order of time
   std::vector<Input> record_;
   StepCosts costs_;
 };

@@ -24,8 +24,8 @@ struct Simulation::State {
   std::unique_ptr<Solver> solver;
   std::optional<Session> session;
   std::vector<std::string> bodies;
-  std::vector<double> start;   ///< [measurement] value at t = 0 of those that are relative to it
-  std::vector<double> latest;  ///< [measurement] impulse of forces when they were last asked for
+  std::vector<double> start;   ///< [measurement] value at t = 0, for relative measurements
+  std::vector<double> latest;  ///< [measurement] impulse at the last query, for forces
   std::vector<double> latest_time;
 
   const Case& settings() const { return solver->settings(); }

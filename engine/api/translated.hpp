@@ -10,7 +10,7 @@
 
 namespace pliant {
 
-/// Calls `f` and gives its exceptions the public types.
+/// Calls `f` and translates its exceptions into the public types.
 template <class F>
 auto translated(F&& f) {
   try {

@@ -39,8 +39,8 @@ void TemporaryFile::publish(Durable durable) {
   if (::rename(path_.c_str(), final_path_.c_str()) != 0)
     throw OutputError::system(final_path_, "put it in place", errno);
   published_ = true;
-  // The new name lives in the folder. Some file systems cannot sync one; the file is in place all
-  // the same.
+  // The new name is part of the folder. Some file systems cannot sync a folder; the file is in
+  // place anyway.
   if (durable == Durable::no) return;
   const auto folder =
       final_path_.has_parent_path() ? final_path_.parent_path() : std::filesystem::path(".");

@@ -10,7 +10,7 @@
 
 namespace pliant {
 
-/// A file that is open as long as this lives.
+/// An open file; closed by the destructor.
 class Descriptor {
  public:
   /// `flags` as for open(2). Throws OutputError.

@@ -8,9 +8,9 @@
 namespace pliant {
 namespace {
 
-// A signal handler may use nothing but lock-free atomics, sigaction, write and _exit.
+// A signal handler may only use lock-free atomics, sigaction, write and _exit.
 std::atomic<int> received = 0;
-std::atomic<int> exit_status = 0;  // 0: the process goes on
+std::atomic<int> exit_status = 0;  // 0: the process continues
 std::atomic<const char*> exit_message = nullptr;
 static_assert(std::atomic<int>::is_always_lock_free);
 static_assert(std::atomic<const char*>::is_always_lock_free);

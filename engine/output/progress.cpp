@@ -41,7 +41,7 @@ std::string duration_text(double seconds) {
   return fmt::format("{}:{:02}", minutes, whole % 60);
 }
 
-/// A line longer than the terminal would wrap, and the next redraw leave its first row behind.
+/// A line longer than the terminal would wrap, and the next redraw would leave its first row.
 std::string drawn_line(const std::string& text, double fraction, int width) {
   const int room = width - static_cast<int>(text.size()) - 4;
   if (room < narrowest_bar) return text.substr(0, static_cast<std::size_t>(width - 1));
@@ -53,7 +53,7 @@ std::string drawn_line(const std::string& text, double fraction, int width) {
 }  // namespace
 
 std::string progress_text(const ProgressState& state, double rate, double seconds_left) {
-  // Rounded down: 100 % means done.
+  // Rounded down, so that 100 % means done.
   return fmt::format("{:3d} %  t = {:.4g} s  step {}  dt = {:.3g} s  {:.2f} M/s  ETA {}",
                      static_cast<int>(100 * fraction_of(state)), state.time, state.step,
                      state.time_step, rate / 1e6, duration_text(seconds_left));
@@ -98,8 +98,8 @@ void Progress::message(std::string_view text) {
   drawn_ = false;
 }
 
-/// A run is worth more than its progress: where the terminal is gone or the disk full, nothing more
-/// is shown.
+/// Progress must not stop a run: if the terminal is closed or the disk is full, nothing more is
+/// shown.
 void Progress::put(std::string_view text) {
   const bool written = std::fwrite(text.data(), 1, text.size(), stream_) == text.size();
   if (std::fflush(stream_) == 0 && written) return;

@@ -9,7 +9,7 @@
 
 namespace pliant {
 
-/// Where a run stands.
+/// The present state of a run.
 struct ProgressState {
   double time = 0, end = 0;  ///< [s]
   std::int64_t step = 0;
@@ -17,21 +17,21 @@ struct ProgressState {
   std::int64_t particle_stages = 0;  ///< since the program started
 };
 
-/// Tells a person how a run is going: one line redrawn in place on a terminal, a plain line every
-/// few seconds elsewhere. Never throws: when its stream cannot be written, it falls silent.
+/// Shows the progress of a run: on a terminal one line that is redrawn, elsewhere a plain line
+/// every few seconds. Never throws: when its stream cannot be written, it stops writing.
 class Progress {
  public:
   enum class Style { silent, lines, redrawn };
   using Clock = std::chrono::steady_clock;
 
-  /// On stderr, in the style that suits where it leads.
+  /// Writes to stderr, in a style that suits it.
   explicit Progress(bool quiet);
   Progress(std::FILE* stream, Style style, std::function<Clock::time_point()> now = Clock::now);
   Progress(const Progress&) = delete;
   Progress& operator=(const Progress&) = delete;
   ~Progress();
 
-  /// Costs a look at the clock when it is not yet time to write.
+  /// Only reads the clock if it is not yet time to write.
   void update(const ProgressState& state);
 
   /// Writes the last state and ends the line.
@@ -40,8 +40,7 @@ class Progress {
   /// Finishes, then writes `text`, lines that end with a newline, unless silent.
   void report(std::string_view text);
 
-  /// Writes a line of text, also when silent, in place of the redrawn line and what Ctrl-C left on
-  /// it.
+  /// Writes a line of text, also when silent, over the redrawn line and the echo of Ctrl-C.
   void message(std::string_view text);
 
  private:

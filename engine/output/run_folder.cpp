@@ -14,7 +14,7 @@
 namespace pliant {
 namespace {
 
-/// Removes those of `names` that exist, in this order, and brings the removal to the disk.
+/// Removes those of `names` that exist, in this order, and forces the removal onto the disk.
 void remove_files(const std::filesystem::path& folder,
                   std::initializer_list<std::string_view> names) {
   bool removed = false;
@@ -28,7 +28,7 @@ void remove_files(const std::filesystem::path& folder,
   if (!removed) return;
   const int descriptor = ::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
   if (descriptor < 0) throw OutputError::system(folder, "open this folder", errno);
-  ::fsync(descriptor);  // some file systems cannot; the files are gone all the same
+  ::fsync(descriptor);  // some file systems cannot sync a folder; the files are removed anyway
   ::close(descriptor);
 }
 
@@ -51,8 +51,8 @@ FolderLock::~FolderLock() {
 }
 
 void clear_earlier_run(const std::filesystem::path& folder) {
-  // A kill between two of these leaves a folder that holds the earlier run only, which can still be
-  // resumed as long as it has its last checkpoint.
+  // If the process is killed between two removals, the folder contains only the earlier run, which
+  // can still be resumed while it has its last checkpoint.
   remove_files(folder,
                {"checkpoint.previous.h5", "checkpoint.previous.h5.partial", "checkpoint.h5.partial",
                 "checkpoint.h5", "summary.json", "summary.json.partial", "result.h5.partial"});

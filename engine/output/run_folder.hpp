@@ -2,10 +2,10 @@
 
 #include <filesystem>
 
-/// The folder of a run: who may write into it, and which files may stand beside each other.
+/// The folder of a run: who may write to it, and which files may be there together.
 namespace pliant {
 
-/// Keeps a second run out of a folder, by a lock that ends with the object or the process.
+/// Keeps a second run out of a folder; the lock ends with the object or the process.
 class FolderLock {
  public:
   /// Throws OutputError when the folder cannot be opened or another run holds the lock.
@@ -18,13 +18,13 @@ class FolderLock {
   int descriptor_;
 };
 
-/// Makes a folder ready for a new run: removes the checkpoints and the summary of an earlier run,
-/// and what a killed run left half-written. The removal is on the disk when this returns, so that
-/// no later file of the new run ever stands beside a checkpoint of the earlier one. Its result file
+/// Prepares a folder for a new run: removes the checkpoints and the summary of an earlier run, and
+/// incomplete files of a killed run. When this returns, the removal is on the disk, so that no file
+/// of the new run is ever together with a checkpoint of the earlier one. The earlier result file
 /// stays until the new one takes its name. Throws OutputError.
 void clear_earlier_run(const std::filesystem::path& folder);
 
-/// Removes the summary of a run whose results are about to change. Throws OutputError.
+/// Removes the summary of a run whose results will change. Throws OutputError.
 void remove_summary(const std::filesystem::path& folder);
 
 }  // namespace pliant

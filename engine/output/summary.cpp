@@ -86,7 +86,7 @@ Json json(const Summary& summary) {
 }  // namespace
 
 std::string json_of(const Summary& summary) {
-  // Names may come from folders, whose names need not be UTF-8.
+  // Names may come from folders, whose names may not be UTF-8.
   constexpr auto errors = Json::error_handler_t::replace;
   return json(summary).dump(2, ' ', false, errors) + "\n";
 }

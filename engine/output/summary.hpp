@@ -9,7 +9,7 @@
 
 namespace pliant {
 
-/// What a run conserves, or should, in SI units.
+/// Quantities that a run conserves, or should conserve, in SI units.
 struct ConservedQuantities {
   double mass = 0;
   std::array<double, 3> momentum = {};
@@ -17,8 +17,8 @@ struct ConservedQuantities {
   double kinetic_energy = 0, strain_energy = 0, total_energy = 0;
 };
 
-/// What was watched in a run: shares are of the largest energy or work, of the mass at the start
-/// and of the largest momentum or angular momentum. SI units.
+/// The checks of a run. Shares are relative to the largest energy or work, to the mass at the
+/// start, and to the largest momentum or angular momentum. SI units.
 struct SummaryChecks {
   struct Largest {
     double share = 0, time = 0;
@@ -27,7 +27,7 @@ struct SummaryChecks {
   double wall_work = 0, load_work = 0, body_force_work = 0, cut_work = 0, blade_work = 0;
   double damping = 0;
   double friction = 0;
-  double created = 0;  ///< without work; negative where the method has lost energy
+  double created = 0;  ///< created without work; negative if the method has lost energy
   double largest_energy = 0;
   Largest energy, mass, momentum, angular_momentum;
 };
@@ -41,7 +41,7 @@ struct Summary {
   struct Measurement {
     std::string name, unit;
     double value = 0;         ///< at the end
-    std::string reason = {};  ///< why there is no value; empty where there is one
+    std::string reason = {};  ///< why there is no value; empty if there is one
   };
 
   std::string case_name;
@@ -53,7 +53,7 @@ struct Summary {
   std::int64_t steps = 0;
   double physical_time = 0, wall_time = 0;
   double processor_time = 0;     ///< of all threads
-  std::int64_t peak_memory = 0;  ///< of the process [bytes]
+  std::int64_t peak_memory = 0;  ///< of the process [B]
   std::vector<Phase> phases;     ///< in the order of the step
   struct {
     double particle_stages_per_second = 0;
@@ -69,15 +69,15 @@ struct Summary {
   std::vector<Measurement> measurements;
 };
 
-/// JSON with keys in the order above; numbers read back to the same bits, and those that are not
-/// finite are null.
+/// JSON with keys in the order above. Numbers read back bitwise; those that are not finite are
+/// null.
 std::string json_of(const Summary& summary);
 
-/// For a person at the end of a run: where the results are, and one line "name  value unit" for
-/// each measurement.
+/// For users at the end of a run: where the results are, and one line "name  value unit" for each
+/// measurement.
 std::string report_of(const std::filesystem::path& folder, const Summary& summary);
 
-/// Writes folder/summary.json whole or not at all. Throws OutputError.
+/// Writes folder/summary.json, complete or not at all. Throws OutputError.
 void write_summary(const std::filesystem::path& folder, const Summary& summary);
 
 }  // namespace pliant

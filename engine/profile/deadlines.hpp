@@ -7,7 +7,7 @@
 #include "engine/profile/percentiles.hpp"
 #include "engine/profile/profile.hpp"
 
-/// What the times of frames say about a budget.
+/// Evaluates the times of frames against a budget.
 namespace pliant::profile {
 
 /// Mean, percentiles and maximum of times [s].
@@ -24,24 +24,24 @@ struct Part {
   double excess() const { return in_worst - median; }
 };
 
-/// Whether the budget is held, and where the time goes.
+/// Whether the budget is met, and where the time is spent.
 struct Verdict {
   bool held = false;
   double at_percentile = 0;  ///< frame time [s]
   std::int64_t missed = 0, longest_streak = 0;
-  double real_time_factor = 0;     ///< simulated time over wall time
+  double real_time_factor = 0;     ///< ratio of simulated time to wall time
   Distribution frames, steps;      ///< [s]
-  std::vector<std::size_t> worst;  ///< at most ten frames, the longest first
-  std::vector<Part> parts;         ///< the largest share first
+  std::vector<std::size_t> worst;  ///< at most ten frames, in descending order of time
+  std::vector<Part> parts;         ///< in descending order of share
   std::size_t to_blame = 0;        ///< the part with the largest excess
 };
 
-/// The parts of a frame in the order of the step, with scheduling, waiting and serial part last
+/// The parts of a frame in the order of the step; scheduling, waiting and serial part come last
 /// [s].
 std::vector<double> parts_of(const FrameRecord& frame);
 std::vector<std::string> names_of_parts(const std::vector<std::string>& phases);
 
-/// Of at least one frame.
+/// Requires at least one frame.
 Verdict judge(const Profile& profile);
 
 }  // namespace pliant::profile

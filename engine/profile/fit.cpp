@@ -14,7 +14,7 @@ namespace {
 
 constexpr double close_enough = 1.03;
 constexpr int most_tries = 24;
-// Of a guess: further, and a wrong law would lead far away.
+// Largest factor between two guesses; a wrong law of cost could lead far away.
 constexpr double longest_stride = 2.5;
 
 }  // namespace
@@ -38,9 +38,9 @@ Fit fit_spacing(double spacing, double budget, int dimension, const TrySpacing& 
       if (held <= missed * close_enough) break;
       next = std::sqrt(held * missed);
     } else if (!found.problem.empty()) {
-      break;  // the case cannot run, or not so coarsely
+      break;  // the case cannot run at all, or not with such a coarse spacing
     } else {
-      // Beyond what the law of cost says, so that the next try closes the bracket.
+      // Goes beyond the law of cost, so that the next try closes the bracket.
       const double law = std::pow(found.seconds / budget, 1.0 / (dimension + 1));
       const double margin = found.held ? 1 / 1.1 : 1.1;
       next = h * std::clamp(law * margin, 1 / longest_stride, longest_stride);

@@ -4,8 +4,8 @@
 
 namespace pliant::profile {
 
-// Edges are sorted by the node that they lead to, and lead to later nodes, so that one pass sees
-// the predecessors of every node complete. A junction does no work: it ends when it is ready.
+// Edges are sorted by the node that they lead to, and always lead to later nodes, so one pass finds
+// all predecessors of every node. A junction does no work: it ends when it is ready.
 void IdleTimeSplitter::add(const scheduler::StepGraph& graph) {
   const auto& nodes = graph.nodes();
   const auto& spans = graph.record().spans;
@@ -43,7 +43,7 @@ IdleTime IdleTimeSplitter::take() {
   return sum;
 }
 
-// `works` are sorted by worker, then by start.
+// `works` must be sorted by worker, then by start.
 IdleTime IdleTimeSplitter::split(const Run& run, const Work* works) {
   const Work* const stop = works + run.nodes;
   double end = 0;

@@ -7,20 +7,20 @@
 
 namespace pliant::profile {
 
-/// Time that the workers spent outside phases, summed over them [s].
+/// Time of the workers outside phases, summed over the workers [s].
 struct IdleTime {
-  double waiting = 0;     ///< until a node was ready: for other workers
-  double scheduling = 0;  ///< from then until the node ran, and around the graph
+  double waiting = 0;     ///< until a node was ready, because of other workers
+  double scheduling = 0;  ///< from then until the node ran, and before and after the graph
 };
 
-/// Splits the idle time of graphs. A worker waits until all predecessors of the node that it runs
-/// next have ended, or the whole graph when it runs none; the rest is scheduling.
+/// Splits the idle time of graphs. A worker waits until all predecessors of its next node have
+/// ended, or for the whole graph if it runs no more nodes. The rest is scheduling.
 class IdleTimeSplitter {
  public:
-  /// Keeps the last run of the graph, in time proportional to its edges.
+  /// Records the last run of the graph, in time proportional to its edges.
   void add(const scheduler::StepGraph& graph);
 
-  /// Idle time of all runs that were added since the last call.
+  /// Idle time of all runs added since the last call.
   IdleTime take();
 
  private:
@@ -36,7 +36,7 @@ class IdleTimeSplitter {
 
   static IdleTime split(const Run& run, const Work* works);
 
-  std::vector<double> ready_;  // [node] when its last predecessor had ended [s]
+  std::vector<double> ready_;  // [node] end of its last predecessor [s]
   std::vector<Work> works_;    // of all runs
   std::vector<Run> runs_;
 };

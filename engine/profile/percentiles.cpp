@@ -9,7 +9,7 @@ namespace pliant::profile {
 namespace {
 
 std::int64_t rank_of(std::int64_t count, double percent) {
-  // Less than the rounding of a product such as 0.99 * 600.
+  // Covers the rounding error of a product such as 0.99 * 600.
   constexpr double rounding = 1e-9;
   const double rank = std::ceil(percent / 100 * static_cast<double>(count) - rounding);
   return std::clamp(static_cast<std::int64_t>(rank), std::int64_t{1}, count);

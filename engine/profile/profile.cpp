@@ -20,8 +20,8 @@ struct Counts {
   int warm_up, frames;
 };
 
-// Loads and walls are given for the time of the case only. It ends earlier than the frames that
-// somebody asks for on purpose.
+// Loads and walls are only defined for the time of the case, so the default ends with it.
+// Explicitly requested frames may go beyond.
 Counts counts_of(const Case& settings, const ProfileOptions& options) {
   constexpr int usual_warm_up = 10;
   if (options.frames) return {options.warm_up.value_or(usual_warm_up), *options.frames};

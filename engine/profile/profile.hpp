@@ -9,44 +9,44 @@
 #include "engine/method/registry.hpp"
 #include "engine/profile/frame_record.hpp"
 
-/// Whether a case keeps up with a deadline: it is advanced in frames of equal simulated time, each
-/// of which should take no longer than a budget of wall time.
+/// Whether a case meets deadlines: it is advanced in frames of equal simulated time, each of which
+/// should take no longer than a budget of wall time.
 namespace pliant::profile {
 
 /// The budget, the frames to measure, and the machine to use.
 struct ProfileOptions {
   double budget = 1. / 60;         ///< wall time for a frame [s]
   double frame_seconds = 1. / 60;  ///< simulated time of a frame [s]
-  double percentile = 99;          ///< share of the frames that must hold the budget [%]
-  std::optional<int> frames;       ///< none: all that the case has, at most `most_frames`
-  std::optional<int> warm_up;      ///< frames before them; none: 10, but at most a tenth
+  double percentile = 99;          ///< share of the frames that must meet the budget [%]
+  std::optional<int> frames;       ///< none: all of the case, at most `most_frames`
+  std::optional<int> warm_up;      ///< frames before these; none: 10, but at most a tenth
   SolverOptions machine;
   std::filesystem::path trace = {};  ///< a Chrome trace; empty: none
-  bool stop_when_missed = false;     ///< as soon as the budget cannot be held any more
+  bool stop_when_missed = false;     ///< stop as soon as the budget cannot be met any more
 };
 
 inline constexpr int most_frames = 600;
 
-/// What was run, where, and what it took.
+/// What was run, on which machine, and the times.
 struct Profile {
   Case settings;
   ProfileOptions options;
   std::int64_t particles = 0;
-  std::vector<std::string> machine;  ///< lines for people
+  std::vector<std::string> machine;  ///< lines for users
   double load_before = 0;            ///< load_average()
   int warm_up = 0;                   ///< frames
   std::vector<std::string> phases;
   std::vector<FrameRecord> frames;  ///< without those of the warm-up
   std::vector<StepTime> steps;      ///< of these frames
-  double own_share = 0;             ///< time of the measurement itself over that of the steps
+  double own_share = 0;  ///< ratio of the time of the measurement itself to that of the steps
   bool interrupted = false;
 };
 
 /// Called after each frame with the number of frames so far and in all, warm-up included.
 using OnFrame = std::function<void(int done, int all)>;
 
-/// Stops after the frame in which SIGINT, SIGTERM or SIGHUP arrives. Throws StepFailure,
-/// OutputError, and InputError for a case that ends before the first frame.
+/// Stops after a frame in which SIGINT, SIGTERM or SIGHUP arrives. Throws StepFailure, OutputError,
+/// and InputError for a case that ends before the first frame.
 Profile run_profile(const Case& settings, const ProfileOptions& options,
                     const MethodRegistry& methods, const OnFrame& on_frame = {});
 

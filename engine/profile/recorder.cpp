@@ -17,7 +17,7 @@ double seconds_since(Clock::time_point start) {
 
 Recorder::Recorder(Solver& solver, TraceWriter* trace) : solver_(solver), trace_(trace) {
   FrameRecord before;
-  take_phases(before);  // set-up is no part of the first frame
+  take_phases(before);  // set-up is not part of the first frame
   solver_.observe_graphs([this](const scheduler::StepGraph& graph) { observe(graph); });
 }
 

@@ -10,8 +10,8 @@
 
 namespace pliant::profile {
 
-/// Advances a solver frame by frame and measures it. Its own work between graphs is not counted in
-/// the times that it gives.
+/// Advances a solver frame by frame and measures it. Its own work between graphs is not included in
+/// its times.
 class Recorder {
  public:
   /// `trace` may be nullptr. Both must outlive the recorder.
@@ -20,14 +20,14 @@ class Recorder {
   Recorder& operator=(const Recorder&) = delete;
   ~Recorder();
 
-  /// Steps to the time `until` [s] and ends exactly there. Throws StepFailure.
+  /// Steps until the time is exactly `until` [s]. Throws StepFailure.
   FrameRecord take_frame(double until);
 
   /// Names of the phases so far; frames taken earlier may have fewer.
   const std::vector<std::string>& phases() const { return phases_; }
-  /// Of all frames.
+  /// The steps of all frames.
   const std::vector<StepTime>& steps() const { return steps_; }
-  /// Time that the recorder itself took within steps [s].
+  /// Time that the recorder itself used within steps [s].
   double own_seconds() const { return own_seconds_; }
 
  private:
@@ -38,10 +38,10 @@ class Recorder {
   Solver& solver_;
   TraceWriter* trace_;
   std::vector<std::string> phases_;
-  std::vector<double> phase_totals_;  // [phase] of the solver, at the last frame
+  std::vector<double> phase_totals_;  // [phase] of the solver at the last frame
   std::vector<StepTime> steps_;
-  IdleTimeSplitter idle_;     // of the present frame
-  double graph_seconds_ = 0;  // of the present frame
+  IdleTimeSplitter idle_;     // for the present frame
+  double graph_seconds_ = 0;  // for the present frame
   double own_seconds_ = 0;
 };
 

@@ -11,7 +11,7 @@ namespace pliant::profile {
 
 namespace {
 
-// Parts below this share of the time are summed up in one line.
+// Parts below this share of the time are combined in one line.
 constexpr double small_share = 0.005;
 
 std::string heading(const Profile& profile) {
@@ -119,8 +119,8 @@ std::string worst_table(const Profile& profile, const Verdict& verdict) {
          "stolen: time that the host gave to other guests [ms, in ticks of 10].\n";
 }
 
-/// Processor time over the time that threads were inside steps and not waiting. Below 1 the machine
-/// did other work then; above 1 threads that waited kept their processors.
+/// Ratio of processor time to the time that threads spent in steps without waiting. Below 1, the
+/// machine did other work; above 1, waiting threads kept their processors.
 double processor_share(const Profile& profile, const std::vector<std::size_t>& frames) {
   double processor = 0, working = 0;
   const double threads = profile.options.machine.threads;

@@ -7,7 +7,7 @@
 
 namespace pliant::profile {
 
-/// What a profile found, for people: at most 100 columns.
+/// The results of a profile for users, at most 100 columns wide.
 std::string text_of(const Profile& profile, const Verdict& verdict);
 
 /// The same for programs, with every frame and step; docs/profiling.md lists the keys.

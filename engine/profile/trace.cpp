@@ -7,8 +7,8 @@
 
 #include "engine/output/error.hpp"
 
-// The format is that of "Trace Event Format" of Chrome: events with times in microseconds, sorted
-// into tracks by `tid`. Events of one track nest by their times.
+// Chrome's "Trace Event Format": events with times in microseconds, on tracks given by `tid`.
+// Events of one track nest by their times.
 namespace pliant::profile {
 
 namespace {

@@ -15,30 +15,30 @@
 
 namespace pliant::profile {
 
-/// Writes the nodes that each thread ran, the steps and the frames as a Chrome trace, JSON that
-/// Perfetto opens. Of each step the longest nodes are kept, so that 1000 steps stay below 100 MB.
+/// Writes the nodes of each thread, the steps and the frames as a Chrome trace, JSON for Perfetto.
+/// Only the longest nodes of each step are written, so that 1000 steps stay below 100 MB.
 class TraceWriter {
  public:
   using Clock = std::chrono::steady_clock;
 
-  /// At most this many nodes of a step, of about 100 bytes each.
+  /// Largest number of nodes of a step; each takes about 100 bytes.
   static constexpr std::size_t most_nodes = 800;
 
-  /// Throws OutputError, also below, when the file cannot be written.
+  /// Throws OutputError, like the functions below, when the file cannot be written.
   TraceWriter(const std::filesystem::path& path, int threads);
 
-  /// Keeps the nodes of the last run of a graph for the present step.
+  /// Records the nodes of the last run of a graph for the present step.
   void add(const scheduler::StepGraph& graph);
   /// Ends the present step.
   void end_step(Clock::time_point start, double seconds, double simulated_time);
-  /// Writes what was kept; for between frames.
+  /// Writes what was recorded; call it between frames.
   void end_frame(Clock::time_point start, double seconds, double simulated_time);
   /// Gives the file its name.
   void publish();
 
  private:
   struct Event {
-    double start, seconds;  ///< since the trace began
+    double start, seconds;  ///< since the start of the trace
     int worker;
     int label;
     int block;
@@ -58,10 +58,10 @@ class TraceWriter {
   Clock::time_point start_ = Clock::now();
   std::unordered_map<std::string, int> label_numbers_;
   std::vector<std::string> labels_;
-  std::vector<int> label_of_phase_;  // of the present graph
-  std::vector<Event> events_;        // of the present frame
-  std::vector<Step> steps_;          // of the present frame
-  std::size_t first_event_ = 0;      // of the present step
+  std::vector<int> label_of_phase_;  // for the present graph
+  std::vector<Event> events_;        // in the present frame
+  std::vector<Step> steps_;          // in the present frame
+  std::size_t first_event_ = 0;      // in the present step
 };
 
 }  // namespace pliant::profile

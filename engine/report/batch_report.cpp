@@ -23,7 +23,7 @@ bool is_number(const std::string& text) {
   return error == std::errc() && rest == end && std::isfinite(value);
 }
 
-/// The parameters of all runs; those that are no numbers are placed in the order of their words.
+/// The parameters of all runs; those that are not numbers are ordered by their words.
 Json parameters_of(const std::vector<batch::RunRow>& rows) {
   Json parameters = Json::array();
   std::vector<std::string> keys;

@@ -26,7 +26,7 @@ void append(std::string& bytes, const std::vector<T>& values, const std::vector<
   }
 }
 
-/// Sum of the differences, the smaller of which compress better.
+/// Sum of the absolute differences; smaller differences compress better.
 std::int64_t roughness(const std::vector<std::uint16_t>& values,
                        const std::vector<std::uint16_t>* before) {
   std::int64_t sum = 0;
@@ -54,7 +54,7 @@ void append_numbers(std::string& bytes, const std::vector<std::uint32_t>& values
 std::string deflated(std::string_view bytes) {
   auto size = compressBound(bytes.size());
   std::string packed(size, '\0');
-  // The bound is enough for any bytes; what remains to fail is memory.
+  // The bound is enough for any input, so only a lack of memory can make this fail.
   if (compress2(reinterpret_cast<Bytef*>(packed.data()), &size,
                 reinterpret_cast<const Bytef*>(bytes.data()), bytes.size(), 6) != Z_OK)
     throw std::bad_alloc();

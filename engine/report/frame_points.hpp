@@ -5,11 +5,11 @@
 
 namespace pliant::report {
 
-/// Points of one frame, with numbers on them.
+/// Points of one frame, with scalars.
 struct FramePoints {
   std::vector<float> position;             ///< [point][3] [m]
   std::vector<std::vector<float>> values;  ///< [scalar][point]
-  std::vector<std::uint32_t> vertex;       ///< [piece][corner]; of surfaces only
+  std::vector<std::uint32_t> vertex;       ///< [piece][corner]; only for surfaces
 
   std::size_t count() const { return position.size() / 3; }
 };

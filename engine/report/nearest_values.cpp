@@ -9,7 +9,7 @@ namespace {
 
 constexpr std::size_t neighbours = 6;
 
-/// Particles as nanoflann sees them.
+/// Particles in the form that nanoflann expects.
 struct Cloud {
   const std::vector<float>& position;
 

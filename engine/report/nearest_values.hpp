@@ -6,8 +6,8 @@
 
 namespace pliant::report {
 
-/// Fills the numbers `scalars` of `points` with means of those of the nearest particles, weighted
-/// by the inverse square of the distance.
+/// Sets the scalars `scalars` of `points` to means over the nearest particles, weighted by the
+/// inverse squared distance.
 void take_nearest_values(const FramePoints& particles, const std::vector<std::size_t>& scalars,
                          FramePoints& points);
 

@@ -12,7 +12,8 @@ namespace {
 
 constexpr double levels = 65535;
 constexpr std::size_t most_frames = 300, least_frames = 25;
-/// Without these, positions have 13 bits: 8000 steps across the box, more than a screen has points.
+/// Without these bits, positions have 13: 8000 steps across the box, more than the pixels of a
+/// screen.
 constexpr int spare_bits = 3;
 
 /// The points of one frame, surface first.
@@ -35,7 +36,7 @@ std::vector<std::size_t> chosen_frames(std::size_t count, std::size_t every) {
   return chosen;
 }
 
-/// Least and largest of all that are numbers.
+/// Extends the range to a value, if that is finite.
 void widen(std::array<double, 2>& range, double value) {
   if (!std::isfinite(value)) return;
   range = {std::min(range[0], value), std::max(range[1], value)};
@@ -54,14 +55,14 @@ class Packer {
     measure();
   }
 
-  /// Nothing where it would be more than `limit` bytes.
+  /// Empty if it would have more than `limit` bytes.
   std::optional<PackedFrames> operator()(std::size_t limit) {
     std::size_t sum = 0;
     for (std::size_t f = 0; f < frames_.size(); ++f) {
       packed_.times.push_back(run_.frames()[frames_[f]].time);
       packed_.frames.push_back(base64(deflated(bytes_of(f))));
       sum += packed_.frames.back().size();
-      // Frames are alike: a few of them tell whether all will fit.
+      // Frames are similar: a few of them show whether all will fit.
       const bool hopeless =
           f >= 5 && double(sum) / double(f + 1) * double(frames_.size()) > 1.2 * double(limit);
       if (sum > limit || hopeless) return {};
@@ -149,10 +150,10 @@ class Packer {
   const RunReader& run_;
   PackedFrames packed_;
   std::vector<std::size_t> frames_;
-  std::vector<Before> before_;  ///< [set] of the frame before
+  std::vector<Before> before_;  ///< [set] the frame before
 };
 
-/// Leaves out a little more, first what is missed least.
+/// Thins a little more, starting with what is least visible.
 void thin(Thinning& thinning, std::size_t frames) {
   if (thinning.shift == 0)
     thinning.shift = spare_bits;
@@ -175,7 +176,7 @@ PackedFrames pack(const RunReader& run, const std::vector<Scalar>& scalars, std:
   for (;;) {
     if (auto packed = Packer(run, scalars, thinning)(limit)) return std::move(*packed);
     thin(thinning, frames);
-    // A surface that is itself too large has only frames to spare.
+    // If the surface itself is too large, only frames are left to remove.
     if (thinning.every_particle > 64) {
       thinning.every_particle = 64;
       thinning.every_frame *= 2;

@@ -2,7 +2,7 @@
 
 #include <cassert>
 
-// The bundle lies in the program, so that a report needs no file beside it.
+// The bundle is part of the program, so that a report needs no other file.
 asm(R"(
     .section .rodata
     .global pliant_report_page
@@ -24,7 +24,7 @@ extern const char pliant_report_page_end[];
 namespace pliant::report {
 namespace {
 
-/// Text between tags.
+/// Escapes text between tags.
 std::string escaped(std::string_view text) {
   std::string safe;
   safe.reserve(text.size());
@@ -39,7 +39,7 @@ std::string escaped(std::string_view text) {
   return safe;
 }
 
-/// JSON in which no tag can end the script that holds it.
+/// Escapes JSON so that no tag in it can end the script that contains it.
 std::string without_tags(std::string_view json) {
   std::string safe;
   safe.reserve(json.size());
@@ -52,7 +52,7 @@ std::string without_tags(std::string_view json) {
   return safe;
 }
 
-/// Copies `page` up to `place`, and moves behind it.
+/// Copies `page` up to `place`, and continues after it.
 void copy_until(std::string_view place, std::string_view& page, std::string& text) {
   const auto found = page.find(place);
   assert(found != page.npos);

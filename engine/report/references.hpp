@@ -8,11 +8,12 @@
 
 namespace pliant::report {
 
-/// Curves over time in the columns of a CSV file, whose first column is time. None where it is
-/// something else. Throws InputError for a file that cannot be read as numbers.
+/// Curves over time from the columns of a CSV file whose first column is time; none if it is not.
+/// Throws InputError for a file that does not contain numbers.
 std::vector<History> read_references(const std::filesystem::path& file);
 
-/// Whether a column belongs to a measurement: its name, alone or before `_`.
+/// Whether a column belongs to a measurement: its name is that of the measurement, alone or before
+/// `_`.
 bool is_reference_of(const std::string& measurement, const std::string& column);
 
 }  // namespace pliant::report

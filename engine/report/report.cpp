@@ -27,16 +27,16 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr std::size_t most_rows = 3000;  ///< of a history
+constexpr std::size_t most_rows = 3000;  ///< in a history
 
-/// Every so many rows of a history that a page needs to draw it.
+/// Number of rows of a history for each row that the page draws.
 std::size_t stride_of(std::size_t rows) { return (rows + most_rows - 1) / most_rows; }
 
 Json json_of(const History& history, std::size_t stride) {
   Json time = Json::array(), value = Json::array();
   const auto rows = history.time.size();
   for (std::size_t i = 0; i < rows; i += stride) {
-    const auto row = i + stride >= rows ? rows - 1 : i;  // the last row in any case
+    const auto row = i + stride >= rows ? rows - 1 : i;  // always includes the last row
     time.push_back(history.time[row]);
     value.push_back(history.value[row]);
   }
@@ -70,7 +70,7 @@ Json json_of(const PackedFrames& packed) {
       {"sets", sets}};
 }
 
-/// The box of the bodies over the run, and a margin in which walls are shown.
+/// The box of the bodies over the run, with a margin in which walls are shown.
 Box<3> box_around(const PackedFrames& packed, int dimension) {
   constexpr double margin = 0.12;
   const double size = std::max({packed.sides[0], packed.sides[1], packed.sides[2]});
@@ -83,7 +83,7 @@ Box<3> box_around(const PackedFrames& packed, int dimension) {
   return box;
 }
 
-/// Where the origin of the page is moved by a wall in a frame: the page turns a wall about its
+/// The displacement of the page's origin with a wall in a frame: the page rotates a wall about the
 /// origin.
 Vector shift_in(const WallPicture& wall, std::size_t frame, const Vector& origin) {
   Vector shift = wall.shift[frame];
@@ -95,7 +95,7 @@ Vector shift_in(const WallPicture& wall, std::size_t frame, const Vector& origin
   return shift;
 }
 
-/// Walls in the units of the page: the longest side of the bodies' box is 1.
+/// Walls in units of the page, in which the longest side of the bodies' box is 1.
 Json walls_of(const std::string& settings, const PackedFrames& packed, int dimension, Json& notes) {
   Json walls = Json::array();
   const double size = std::max({packed.sides[0], packed.sides[1], packed.sides[2], 1e-300});
@@ -128,13 +128,13 @@ Json walls_of(const std::string& settings, const PackedFrames& packed, int dimen
       }
       walls.push_back(one);
     }
-  } catch (const InputError&) {  // as when a mesh file is gone
+  } catch (const InputError&) {  // for example if a mesh file is missing
     notes.push_back("The walls of the case cannot be read, and are not shown.");
   }
   return walls;
 }
 
-/// What the page should say about itself.
+/// The notes of the page about itself.
 Json notes_of(const RunReader& run, const PackedFrames& packed, std::size_t scalars,
               bool has_summary, std::size_t stride) {
   Json notes = Json::array();
@@ -160,7 +160,7 @@ Json notes_of(const RunReader& run, const PackedFrames& packed, std::size_t scal
   return notes;
 }
 
-/// The summary of the run; null where it has none.
+/// The summary of the run; null if there is none.
 Json read_summary(const std::filesystem::path& folder) {
   const auto path = folder / "summary.json";
   std::ifstream file(path, std::ios::binary);
@@ -172,7 +172,7 @@ Json read_summary(const std::filesystem::path& folder) {
   return summary;
 }
 
-/// Distance of the particles, and the axis against gravity; z where there is none.
+/// Particle spacing, and the axis against gravity; z without gravity.
 struct Layout {
   double spacing = 0;
   std::string up = "z";

@@ -8,10 +8,10 @@
 namespace pliant::report {
 
 struct ReportOptions {
-  std::vector<std::string> fields;  ///< empty: those that matter most
-  /// CSV with time in its first column; without it, cases/<case>/reference.csv if there is one.
+  std::vector<std::string> fields;  ///< empty: the most important ones
+  /// CSV with time in its first column; none: cases/<case>/reference.csv, if it exists.
   std::optional<std::filesystem::path> reference;
-  std::size_t limit = 29'000'000;  ///< bytes of the page
+  std::size_t limit = 29'000'000;  ///< largest size of the page [B]
 };
 
 /// Writes a page that shows a run. Throws InputError and OutputError.

@@ -18,7 +18,7 @@ namespace {
 using hdf5::GrowingArray;
 using hdf5::Handle;
 
-constexpr int particle = 1;  ///< of the field `kind`; others are ghosts
+constexpr int particle = 1;  ///< value of the field `kind`; others are ghosts
 constexpr auto remedy =
     "the file is damaged or was not written by pliant; run the case again, or take a copy";
 
@@ -26,7 +26,7 @@ Handle open_file(const std::filesystem::path& path) {
   return {H5Fopen(path.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT), H5Fclose, "open the file"};
 }
 
-/// The number of each row that is a scalar of a field.
+/// The scalar of each row of a field.
 std::vector<float> read_scalar(hid_t group, const Scalar& scalar, hsize_t first, hsize_t count) {
   const auto array = GrowingArray::open(group, scalar.field);
   const auto width = static_cast<std::size_t>(std::max(1, array.components()));
@@ -38,7 +38,7 @@ std::vector<float> read_scalar(hid_t group, const Scalar& scalar, hsize_t first,
   return values;
 }
 
-/// Keeps the entries of rows that `kept` names.
+/// Selects the rows in `kept`.
 std::vector<float> rows_of(const std::vector<float>& values, std::size_t width,
                            const std::vector<std::size_t>& kept) {
   std::vector<float> chosen;
@@ -69,7 +69,7 @@ auto RunReader::guarded(Read read) const {
     return read();
   } catch (const hdf5::Failure& failure) {
     throw OutputError(path_, fmt::format("cannot {}: {}", failure.doing, failure.reason), remedy);
-  } catch (const std::logic_error&) {  // counts that contradict each other
+  } catch (const std::logic_error&) {  // inconsistent counts
     throw OutputError(path_, "its frames contradict each other", remedy);
   }
 }
@@ -181,7 +181,7 @@ std::vector<History> RunReader::histories() const {
           .unit = hdf5::read_text_attribute(GrowingArray::open(one, "value").id(), "unit"),
           .time = hdf5::read_column(one, "time"),
           .value = hdf5::read_column(one, "value")};
-      // A killed run may leave one column longer than the other.
+      // After a kill, one column may be longer than the other.
       const auto rows = std::min(history.time.size(), history.value.size());
       history.time.resize(rows);
       history.value.resize(rows);

@@ -18,16 +18,16 @@ struct History {
   std::vector<double> time, value;
 };
 
-/// The result file of a run, to read. All functions throw OutputError for a damaged file.
+/// Reads the result file of a run. All functions throw OutputError for a damaged file.
 class RunReader {
  public:
-  /// Throws InputError where the folder has no result file.
+  /// Throws InputError if the folder has no result file.
   explicit RunReader(const std::filesystem::path& folder);
   ~RunReader();
 
   std::string text(const std::string& attribute) const;  ///< "case", "title", "method"
   int dimension() const;
-  std::string settings() const;  ///< the case with every default
+  std::string settings() const;  ///< the case with all defaults
 
   const std::vector<FrameSpan>& frames() const;
   const std::vector<StoredField>& fields() const;
@@ -36,9 +36,10 @@ class RunReader {
   /// The particles of a frame, without ghosts.
   FramePoints particles(std::size_t frame, const std::vector<Scalar>& scalars) const;
 
-  /// Corners of a piece of the surface: 3 triangles, 2 segments, 0 where the run has none.
+  /// Corners of a piece of the surface: 3 for triangles, 2 for segments, 0 without a surface.
   int corners() const;
-  /// The surface of a frame; numbers that it has not itself are those of the `particles` nearby.
+  /// The surface of a frame; scalars that it does not have itself come from the nearest
+  /// `particles`.
   FramePoints surface(std::size_t frame, const std::vector<Scalar>& scalars,
                       const FramePoints& particles) const;
 

@@ -32,7 +32,7 @@ Scalar whole(const StoredField& field) {
   return scalar;
 }
 
-/// Bodies and kinds of particles are numbered, not measured.
+/// Body numbers and particle kinds are integers and are not shown.
 bool is_shown(const StoredField& field) {
   return !field.integer &&
          (field.components <= 1 || field.components == 3 || field.components == 6);

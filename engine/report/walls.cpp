@@ -13,7 +13,7 @@ namespace pliant::report {
 
 namespace {
 
-constexpr int cells_3d = 48, cells_2d = 240;  // along the longest side of what is sampled
+constexpr int cells_3d = 48, cells_2d = 240;  // along the longest side of the sampled box
 
 double dot(const Vector& a, const Vector& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
 
@@ -56,7 +56,7 @@ Vector corner_of(const Box<3>& box, int number) {
   return corner;
 }
 
-/// Where the face of a half-space cuts the edges of a box, in turn about the normal.
+/// Where the face of a half-space crosses the edges of a box, in order around the normal.
 std::vector<Vector> face_in(const Box<3>& box, const Shape& shape) {
   std::vector<Vector> corners;
   const auto height = [&](const Vector& x) {
@@ -124,7 +124,7 @@ void add_strips(const Shape& shape, const Box<3>& box, WallPicture& wall) {
   }
 }
 
-/// The surface of a solid in 3D, closed where the box ends.
+/// The surface of a solid in 3D, closed at the end of the box.
 class Surface {
  public:
   Surface(const Shape& shape, const Box<3>& box, WallPicture& wall)
@@ -176,7 +176,7 @@ class Surface {
     });
   }
 
-  /// Pieces that meet on a line between two nodes share the vertex there.
+  /// Pieces that meet on a line between two nodes share a vertex there.
   std::uint32_t vertex_on(const Crossing<3>& crossing) {
     const auto next = static_cast<std::uint32_t>(wall_.vertex.size());
     const auto [at, is_new] =
@@ -237,7 +237,7 @@ bool is_at_rest(const BoundaryCase& boundary) {
 }
 
 std::vector<Vector> shifts_of(const BoundaryCase& boundary, const std::vector<double>& times) {
-  constexpr int intervals = 20;  // between frames, of Simpson's rule
+  constexpr int intervals = 20;  // of Simpson's rule, between frames
   std::vector<Vector> shifts;
   if (is_at_rest(boundary)) return shifts;
   shifts.reserve(times.size());

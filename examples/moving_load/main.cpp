@@ -4,8 +4,9 @@
 #include <pliant/pliant.hpp>
 #include <string>
 
-// A load rolls over a block of rubber. Its top is divided into strips, each with a pressure of its
-// own that the loop sets between frames: the way in which a surgical simulator applies its tools.
+// A load rolls over a block of rubber. The top of the block is divided into strips, each with its
+// own pressure, which the loop sets between frames. A surgical simulator can apply tools in this
+// way.
 namespace {
 
 constexpr int strips = 8;

@@ -7,15 +7,16 @@
 #include <vector>
 
 // A surgical simulator without a screen: plays a recorded session of a scalpel on soft tissue at 60
-// frames a second, and says whether it kept its deadlines.
+// frames per second, and reports whether it met its deadlines.
 //
-//     scalpel [SESSION.csv [SPACING [THREADS]]]
+//    scalpel [SESSION.csv [SPACING [THREADS]]]
 namespace {
 
 constexpr double frame_time = 1. / 60;  // [s]
 
-/// 24 x 23 x 22 nodes at the spacing of 4.5 mm, stretched by walls left and right, so that cuts
-/// open. Sides are whole numbers of spacings: nodes lie on the surface, where walls hold them.
+/// 24 x 23 x 22 nodes at a spacing of 4.5 mm, stretched by walls on the left and right, so that
+/// cuts open. Sides are multiples of the spacing, so that nodes are on the surface, where walls
+/// hold them.
 pliant::CaseFile tissue(double spacing) {
   pliant::CaseFile tissue;
   tissue.set("dimension", 3).set("method", "point_based").set("precision", "single");
@@ -36,7 +37,7 @@ pliant::CaseFile tissue(double spacing) {
     tissue.set(key + ".geometry.normal", {is_left ? 1. : -1., 0, 0});
     tissue.set(key + ".displacement", "[\"" + sign + "0.005*min(t/0.3, 1)\", 0, 0]");
   }
-  // The session moves the blade; it says from where to where.
+  // The session moves the blade, so its path here is only a placeholder.
   tissue.add("cut", "scalpel").set("cut.scalpel.from", {0.056, -0.01, 0.05});
   tissue.set("cut.scalpel.to", {0.056, -0.01, 0.11}).set("cut.scalpel.path", {0, 0, 0});
   tissue.set("cut.scalpel.start", 99).set("cut.scalpel.end", 100);

@@ -10,10 +10,10 @@
 
 namespace pliant {
 
-/// A file of named arrays, bit for bit: what a checkpoint is made of.
+/// A file of named arrays, stored bitwise, for checkpoints.
 ///
-/// Names may contain '/', which makes groups of them. The file appears under its name in `commit`,
-/// whole and on the disk; without it nothing remains. Throws OutputError.
+/// A name may contain '/', which puts the array into a group. In `commit` the file gets its name,
+/// complete and on the disk; without `commit` no file remains. Throws OutputError.
 class ArchiveWriter {
  public:
   explicit ArchiveWriter(const std::filesystem::path& path);
@@ -30,10 +30,10 @@ class ArchiveWriter {
   void put(const std::string& name, std::int64_t value);
   void put(const std::string& name, std::string_view text);
 
-  /// Brings all to the disk, under the temporary name still; nothing more can be put.
+  /// Forces everything onto the disk, still under the temporary name; no more arrays can be put.
   void finish();
 
-  /// Gives the file its name, after finishing it.
+  /// Finishes the file and gives it its name.
   void commit();
 
  private:
@@ -41,9 +41,9 @@ class ArchiveWriter {
   std::unique_ptr<File> file_;
 };
 
-/// Reads what ArchiveWriter wrote. Every array carries a checksum, so that damage is found.
-/// Throws OutputError for a file that is missing, foreign, of another format or damaged, and for a
-/// name or a type that is not there.
+/// Reads a file of ArchiveWriter. Every array has a checksum that reveals damage. Throws
+/// OutputError for a file that is missing, damaged, of another format or not an archive, and for a
+/// name or a type that does not exist.
 class ArchiveReader {
  public:
   explicit ArchiveReader(const std::filesystem::path& path);
@@ -53,19 +53,19 @@ class ArchiveReader {
 
   const std::filesystem::path& path() const;
   bool has(const std::string& name) const;
-  std::vector<std::string> names(const std::string& group) const;  ///< alphabetical; may be none
+  std::vector<std::string> names(const std::string& group) const;  ///< alphabetical; may be empty
 
-  /// T: double, float, std::int32_t, std::int64_t or std::uint8_t, as it was put.
+  /// T: double, float, std::int32_t, std::int64_t or std::uint8_t, as it was written.
   template <class T>
   std::vector<T> get(const std::string& name) const;
-  /// Into memory that is there already; its size must be that of the array.
+  /// Reads into existing memory, whose size must be that of the array.
   template <class T>
   void read(const std::string& name, std::span<T> values) const;
   template <class T>
   T scalar(const std::string& name) const;
   std::string text(const std::string& name) const;
 
-  /// Reads everything once. Throws OutputError when anything is damaged.
+  /// Reads everything once. Throws OutputError if anything is damaged.
   void verify() const;
 
  private:

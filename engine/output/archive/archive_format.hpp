@@ -1,9 +1,9 @@
 #pragma once
 
-/// How an archive is recognised among HDF5 files.
+/// Marks an HDF5 file as an archive.
 namespace pliant::archive {
 
-inline constexpr int format = 7;  ///< raised whenever checkpoints hold something else than before
+inline constexpr int format = 7;  ///< increased whenever the contents of checkpoints change
 inline constexpr auto format_attribute = "pliant_archive_format";
 
 }  // namespace pliant::archive

@@ -21,7 +21,7 @@ Handle reading_unlocked() {
   return properties;
 }
 
-/// Everything but the values, so that they can be read to where they belong.
+/// An array without its values, which can then be read directly into their destination.
 struct StoredArray {
   Handle dataset, type;
   std::size_t size;
@@ -95,7 +95,7 @@ struct ArchiveReader::File {
     return array;
   }
 
-  /// HDF5 answers for the last part of a path only, and fails when an earlier one is missing.
+  /// HDF5 checks only the last part of a path, and fails if an earlier part is missing.
   bool has(const std::string& name) const {
     for (auto slash = name.find('/'); slash != name.npos; slash = name.find('/', slash + 1))
       if (!hdf5::exists(file, name.substr(0, slash))) return false;

@@ -13,7 +13,7 @@ namespace {
 using hdf5::checked;
 using hdf5::Handle;
 
-constexpr hsize_t chunk_size = 131072;  ///< entries under one checksum
+constexpr hsize_t chunk_size = 131072;  ///< entries for each checksum
 
 template <class T>
 void write(hid_t file, const std::string& name, std::span<const T> values) {
@@ -45,7 +45,7 @@ struct ArchiveWriter::File {
   explicit File(const std::filesystem::path& final_path) : path(final_path), temporary(path) {
     hdf5::silence();
     try {
-      // Every block of this format has a checksum.
+      // in this format, every block has a checksum
       file = hdf5::create_committed(temporary.path(), H5F_LIBVER_V110);
       hdf5::write_attribute(file, archive::format_attribute, archive::format);
     } catch (const hdf5::Failure& failure) {
@@ -58,7 +58,7 @@ struct ArchiveWriter::File {
     if (file.valid()) hdf5::abandon(file);
   }
 
-  /// Runs `change`; when it fails, nothing of the file remains.
+  /// Runs `change`; if it fails, the file is removed.
   template <class Change>
   void guarded(Change change) {
     if (!file.valid()) throw std::logic_error(path.string() + ": written to after it was closed");

@@ -20,12 +20,12 @@ std::filesystem::path previous_of(const std::filesystem::path& folder) {
   return folder / "checkpoint.previous.h5";
 }
 
-/// Gives the last checkpoint its second name; it keeps the first until the new one takes it over.
+/// Gives the last checkpoint a second name; it keeps the first until the new one takes it.
 void keep_last(const std::filesystem::path& folder) {
   const auto last = last_of(folder);
   TemporaryFile second_name(previous_of(folder));
   std::error_code ignored;
-  std::filesystem::remove(second_name.path(), ignored);  // of a run that was killed
+  std::filesystem::remove(second_name.path(), ignored);  // left by a killed run
   if (::link(last.c_str(), second_name.path().c_str()) == 0)
     return second_name.publish(Durable::yes);
   if (errno != ENOENT) throw OutputError::system(last, "keep it as the previous one", errno);

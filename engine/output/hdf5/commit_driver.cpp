@@ -11,8 +11,8 @@
 
 #include "engine/output/hdf5/commit_file.hpp"
 
-// A file driver for HDF5: the layer that HDF5 reads and writes a file through. Its functions are
-// those that HDF5 calls; commit_file.cpp says what becomes of the file.
+// A file driver for HDF5: the layer through which HDF5 reads and writes a file. HDF5 calls its
+// functions; commit_file.cpp explains their effect on the file.
 
 namespace pliant::hdf5 {
 namespace {
@@ -40,7 +40,7 @@ H5FD_t* open_file(const char* name, unsigned flags, hid_t, haddr_t) {
 herr_t close_file(H5FD_t* base) {
   const std::unique_ptr<CommitFile> file(&of(base));
   file->note(file->commit());
-  // A file that HDF5 refused to open has no end that HDF5 knows of.
+  // If HDF5 refused to open a file, it has set no end.
   if (file->has_committed && !file->abandoned && file->size > file->end)
     file->note(::ftruncate(file->descriptor, static_cast<off_t>(file->end)) == 0);
   ::close(file->descriptor);
@@ -95,7 +95,8 @@ herr_t flush_file(H5FD_t* file, hid_t, hbool_t) {
   return 0;
 }
 
-/// The file is cut when it is closed; before, the superblock in it may still tell a later end.
+/// Does nothing: the file is cut when it is closed; before, its superblock may still have a later
+/// end.
 herr_t truncate_file(H5FD_t*, hid_t, hbool_t) { return 0; }
 
 hid_t driver() {
@@ -106,7 +107,7 @@ hid_t driver() {
                   "this version of HDF5 describes drivers in a new way: compare the members of its "
                   "H5FD_class_t with those that are set here");
     functions.version = H5FD_CLASS_VERSION;
-    functions.value = 300;  // of the range that is free for private drivers
+    functions.value = 300;  // from the range for private drivers
 #endif
     functions.name = "commit";
     functions.maxaddr = haddr_t{1} << 62;

@@ -7,33 +7,33 @@
 #include <cerrno>
 #include <cstring>
 
-// A file of the commit driver: what stands behind the layer that HDF5 reads and writes it through.
+// A file of the commit driver: what is behind the layer through which HDF5 reads and writes it.
 //
 // HDF5 writes the blocks that describe a file (object headers, chunk indices, the superblock with
-// the file's end) in order of their address, whenever its cache is full or the file is flushed. A
-// process that dies among them leaves, say, an index that points to a block which was never
-// written, or blocks beyond the end that the superblock states. HDF5's own answer, SWMR, leaves a
-// mark in a killed writer's file that makes readers refuse it.
+// the end of the file) in order of their addresses, whenever its cache is full or the file is
+// flushed. A process that dies in between leaves, for example, an index that points to a block
+// which was never written, or blocks beyond the end given in the superblock. HDF5's own solution,
+// SWMR, leaves a mark in the file of a killed writer that makes readers refuse it.
 //
-// Here such blocks are held back until the flush, and then written so that the file is whole after
-// every single write:
+// Here such blocks are held back until the flush. Then they are written such that the file is valid
+// after every single write:
 //
-//      0                       committed end               end
-//      | superblock | blocks, values | new blocks, new values |
+//     0                       committed end               end
+//     | superblock | blocks, values | new blocks, new values |
 //
-//   values           at once: beyond the committed end nothing refers to them yet, and in a chunk
-//                    that began before, the older values are written again as they were
-//   1. file size     grows to the end, and the space is taken: a full disk is found here
-//   2. new blocks    nothing refers to them yet
-//   3. superblock    states the new end, which is there
-//   4. old blocks    now refer to new ones, which are there
+//  values           at once: nothing refers to them yet beyond the committed end; in a chunk
+//                   that began before, the older values are written again unchanged
+//  1. file size     grows to the end, and the space is allocated: a full disk is detected here
+//  2. new blocks    nothing refers to them yet
+//  3. superblock    contains the new end, which exists
+//  4. old blocks    now refer to new ones, which exist
 //
-// When the file shrinks, 3 and 4 change places: old blocks first drop what lies beyond the new end.
-// The order within 4 must not matter. It does not where arrays only grow and are indexed by
-// extensible arrays, which never move an entry: a reader finds the new length with or without the
-// new chunks, and missing chunks read as zeros. It would for the B-trees of older formats, whose
-// nodes split. Space that was freed must not be used again, since a new block there would count as
-// old; a file that is opened anew does not use such space.
+// When the file shrinks, 3 and 4 are swapped: old blocks first drop what is beyond the new end. The
+// order within 4 must not matter. It does not if arrays only grow and are indexed by extensible
+// arrays, which never move an entry: a reader finds the new length with or without the new chunks,
+// and missing chunks read as zeros. It would for the B-trees of older formats, whose nodes split.
+// Freed space must not be reused, since a new block there would count as old; a reopened file does
+// not reuse it.
 
 namespace pliant::hdf5 {
 
@@ -62,7 +62,7 @@ bool CommitFile::read(haddr_t begin, void* bytes, std::size_t count) const {
     if (found == 0) break;
     done += static_cast<std::size_t>(found);
   }
-  std::memset(target + done, 0, count - done);  // allocated, not written yet
+  std::memset(target + done, 0, count - done);  // allocated but not written yet
   for (const auto& write : held_back) {
     const auto from = std::max(begin, write.begin), to = std::min(begin + count, write.end());
     if (from < to)
@@ -99,8 +99,8 @@ bool CommitFile::commit() {
   return true;
 }
 
-/// HDF5 does not learn that a write failed: it would keep what it could not write, try again when
-/// it closes the file, and fail again at the end of the process. `flush` reports the error instead.
+/// HDF5 is not told that a write failed: it would keep the data, try again when it closes the file,
+/// and fail again at the end of the process. `flush` reports the error instead.
 void CommitFile::note(bool done) {
   if (done || abandoned) return;
   error_number = errno;

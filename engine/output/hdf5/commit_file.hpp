@@ -13,7 +13,7 @@
 
 namespace pliant::hdf5 {
 
-/// Bytes that HDF5 has written into a file, and what they are part of.
+/// Bytes that HDF5 has written to a file, and the kind of their block.
 struct Write {
   H5FD_mem_t kind;
   haddr_t begin;
@@ -22,28 +22,28 @@ struct Write {
   haddr_t end() const { return begin + bytes.size(); }
 };
 
-/// A file whose blocks are held back until they are committed. HDF5 knows files of a driver by a
-/// pointer to this, whose first member is its own.
+/// A file whose blocks are held back until a commit. HDF5 identifies the files of a driver by a
+/// pointer to this struct, whose first member belongs to HDF5.
 struct CommitFile {
   H5FD_t base = {};
   int descriptor = -1;
-  haddr_t end = 0;             ///< as HDF5 has allocated
-  haddr_t committed_end = 0;   ///< as the superblock in the file states
+  haddr_t end = 0;             ///< as allocated by HDF5
+  haddr_t committed_end = 0;   ///< as in the superblock of the file
   haddr_t size = 0;            ///< of the file
   bool has_committed = false;  ///< since it was opened
   bool abandoned = false;
-  int error_number = 0;  ///< of the first call that failed; the file is abandoned then
+  int error_number = 0;  ///< of the first call that failed; the file is then abandoned
   std::vector<Write> held_back;
 
-  // Those that return false have failed, and `errno` says why.
+  // A function that returns false has failed and set `errno`.
 
   /// Writes at once.
   bool write(haddr_t begin, const void* bytes, std::size_t count);
-  /// Reads what has been written and what is held back; zeros where nothing is.
+  /// Reads what has been written or held back; zeros elsewhere.
   bool read(haddr_t begin, void* bytes, std::size_t count) const;
-  /// Writes what is held back, in the order of commit_file.cpp.
+  /// Writes what has been held back, in the order of commit_file.cpp.
   bool commit();
-  /// Abandons the file unless `done`, and keeps the error.
+  /// Abandons the file unless `done`, and stores the error.
   void note(bool done);
 
  private:

@@ -10,7 +10,7 @@
 namespace pliant::hdf5 {
 namespace {
 
-/// HDF5 gives the error number of a failed system call only within the text of its error stack.
+/// HDF5 reports the error number of a failed system call only in the text of its error stack.
 herr_t look_for_reason(unsigned, const H5E_error2_t* entry, void* target) {
   auto& failure = *static_cast<Failure*>(target);
   const std::string_view text = entry->desc ? entry->desc : "";
@@ -38,7 +38,7 @@ Handle text_type(std::string_view text) {
   return type;
 }
 
-/// A text of `type`, of fixed length and padded with zeros, as `read` fills it.
+/// A zero-padded text of fixed length with the type `type`, as `read` returns it.
 template <class Read>
 std::string fixed_text(hid_t type, const std::string& doing, Read read) {
   if (H5Tget_class(type) != H5T_STRING || H5Tis_variable_str(type) != 0)

@@ -11,23 +11,24 @@
 
 #include "engine/output/error.hpp"
 
-/// The little of HDF5 that results and checkpoints need, with owners for its identifiers.
+/// The part of HDF5 that results and checkpoints need, with owners for its identifiers.
 namespace pliant::hdf5 {
 
-/// Why a call failed. The classes that own a file turn it into an OutputError naming that file.
+/// Why a call failed. Classes that own a file convert it to an OutputError with the name of the
+/// file.
 struct Failure {
   std::string doing;   ///< "write Points"
-  std::string reason;  ///< the operating system's words, else HDF5's
+  std::string reason;  ///< text of the operating system, or else of HDF5
   int error_number = 0;
 
   static Failure system(std::string doing, int error_number);
   OutputError on(const std::filesystem::path& path) const;
 };
 
-/// Passes on what an HDF5 call returned; throws Failure when that is negative.
+/// Returns what an HDF5 call returned; throws Failure if that is negative.
 hid_t checked(hid_t returned, std::string_view doing);
 
-/// HDF5 prints its error stack unless told not to, once for each thread; ours go into exceptions.
+/// Stops HDF5 from printing its error stack; needed once for each thread. Exceptions contain it.
 void silence();
 
 /// Owns an HDF5 identifier and closes it.
@@ -36,7 +37,7 @@ class Handle {
   using Close = herr_t (*)(hid_t);
 
   Handle() = default;
-  /// Takes over `id`; throws Failure when it is negative.
+  /// Takes ownership of `id`; throws Failure if it is negative.
   Handle(hid_t id, Close close, std::string_view doing) : id_(checked(id, doing)), close_(close) {}
   Handle(Handle&& other) noexcept : id_(std::exchange(other.id_, -1)), close_(other.close_) {}
   Handle& operator=(Handle&& other) noexcept {
@@ -82,7 +83,7 @@ inline hid_t type_of<std::uint8_t>() {
 /// A real number in a file: `bytes` is 4 or 8.
 inline hid_t real_type(int bytes) { return bytes == 4 ? type_of<float>() : type_of<double>(); }
 
-/// Properties of an object without time stamps: equal runs write equal files.
+/// Properties of an object without time stamps, so that equal runs write equal files.
 Handle creation_of(hid_t property_class);
 
 bool exists(hid_t parent, const std::string& name);
@@ -108,13 +109,13 @@ void write_text(hid_t parent, const std::string& name, std::string_view text);
 class GrowingArray {
  public:
   GrowingArray() = default;
-  /// `components` of 0 makes a plain [row].
+  /// `components` = 0 makes a plain [row].
   static GrowingArray create(hid_t parent, const std::string& name, hid_t type, int components,
                              hsize_t chunk_rows);
   static GrowingArray open(hid_t parent, const std::string& name);
 
   hsize_t rows() const;
-  int components() const;  ///< 0 of a plain [row]
+  int components() const;  ///< 0 for a plain [row]
   Handle type() const;
   hid_t id() const { return dataset_; }
   bool valid() const { return dataset_.valid(); }
@@ -126,7 +127,7 @@ class GrowingArray {
   }
   void truncate(hsize_t rows);
   void read(void* values) const;  ///< all rows
-  /// Rows [first, first + count), converted. Throws Failure where there are not so many.
+  /// Rows [first, first + count), converted. Throws Failure if there are fewer.
   template <class T>
   void read(T* values, hsize_t first, hsize_t count) const {
     read(values, type_of<T>(), first, count);

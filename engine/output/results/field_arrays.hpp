@@ -8,7 +8,7 @@
 
 namespace pliant {
 
-/// A field as the file holds it.
+/// A field as stored in the file.
 struct StoredField {
   std::string name;
   int components;
@@ -18,19 +18,20 @@ struct StoredField {
 
 StoredField describe(const std::string& name, const hdf5::GrowingArray& array);
 
-/// Throws std::invalid_argument when a field has not `rows` values or a name that HDF5 takes amiss.
+/// Throws std::invalid_argument if a field does not have `rows` values, or has a name that HDF5
+/// cannot use.
 void check_fields(const std::vector<FrameField>& fields, std::size_t rows);
 
 /// Datasets of one group, one for each field, that grow together: [row] or [row][component], with
-/// the attribute unit. Real numbers take `real_bytes` bytes. Vectors of a plane get a third
-/// component. Throws hdf5::Failure.
+/// the attribute `unit`. Real numbers have `real_bytes` bytes. Vectors in 2D get a third component.
+/// Throws hdf5::Failure.
 class FieldArrays {
  public:
   void create(hid_t group, const std::vector<FrameField>& fields, int real_bytes,
               hsize_t chunk_rows);
   void open(hid_t group);
 
-  /// Throws std::invalid_argument when `fields` are others than those of the file.
+  /// Throws std::invalid_argument if `fields` differ from those of the file.
   void append(const std::vector<FrameField>& fields, hsize_t rows);
   void truncate(hsize_t rows);
 
@@ -40,7 +41,7 @@ class FieldArrays {
   void require_same(const std::vector<const FrameField*>& sorted) const;
 
   std::vector<StoredField> fields_;
-  std::vector<hdf5::GrowingArray> values_;  ///< of fields_
+  std::vector<hdf5::GrowingArray> values_;  ///< [field] of fields_
 };
 
 }  // namespace pliant

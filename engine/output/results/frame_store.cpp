@@ -8,24 +8,24 @@
 
 #include "engine/output/hdf5/commit_driver.hpp"
 
-// What is where (F frames, N particles of all frames together, n of the largest frame):
+// Layout of the file (F frames, N particles of all frames, n particles of the largest frame):
 //
-//   /VTKHDF                     Version = 2, 0; Type = PolyData
-//     Points                    [N][3]
-//     PointData/<field>         [N] or [N][component], attribute unit
-//     NumberOfPoints            [F]       = Vertices/NumberOfCells, .../NumberOfConnectivityIds
-//     Vertices/Offsets          [N + F]   0 ... particles of the frame, frame after frame
-//     Vertices/Connectivity     [n]       0, 1, 2, ...: shared by all frames
-//     Lines = Polygons = Strips           none, but the format wants to be told so
-//       NumberOfCells           [F]       0, = NumberOfConnectivityIds = Offsets = Connectivity
-//     Steps                     NSteps = F
-//       Values                  [F]       time, = /frames/time
-//       PartOffsets, NumberOfParts, PointOffsets [F]; CellOffsets, ConnectivityIdOffsets [F][4]
-//       PointDataOffsets/<field>          = PointOffsets
-//   /frames/step                [F]
+//    /VTKHDF                     Version = 2, 0; Type = PolyData
+//      Points                    [N][3]
+//      PointData/<field>         [N] or [N][component], attribute unit
+//      NumberOfPoints            [F]       = Vertices/NumberOfCells, .../NumberOfConnectivityIds
+//      Vertices/Offsets          [N + F]   0 ... particles of the frame, frame after frame
+//      Vertices/Connectivity     [n]       0, 1, 2, ...: shared by all frames
+//      Lines = Polygons = Strips           empty, but required by the format
+//        NumberOfCells           [F]       0, = NumberOfConnectivityIds = Offsets = Connectivity
+//      Steps                     NSteps = F
+//        Values                  [F]       time, = /frames/time
+//        PartOffsets, NumberOfParts, PointOffsets [F]; CellOffsets, ConnectivityIdOffsets [F][4]
+//        PointDataOffsets/<field>          = PointOffsets
+//    /frames/step                [F]
 //
-// "=" is a hard link: one array under several names. Offsets are written anew for every frame
-// although each is the start of the longest: readers before VTK 9.4 find a frame's offsets by
+// "=" is a hard link: one array with several names. Offsets are written for every frame, although
+// all are a beginning of the longest. Readers before VTK 9.4 find the offsets of a frame by
 // counting all cells and frames before it, whatever CellOffsets says.
 
 namespace pliant {
@@ -34,12 +34,12 @@ namespace {
 using hdf5::checked;
 using hdf5::GrowingArray;
 
-/// Particles in a chunk: no more than keep the largest field's chunk within HDF5's cache of 1 MiB.
+/// Particles in a chunk; the chunk of the largest field must fit into HDF5's cache of 1 MiB.
 constexpr hsize_t least_chunk_rows = 1024, most_chunk_rows = 16384;
 constexpr hsize_t step_chunk_rows = 256;
 constexpr int topologies = 4;  ///< vertices, lines, polygons, strips
 
-/// Gives `old_name` of a group a second name.
+/// Creates a second name for `old_name` of a group.
 void link(hid_t group, const std::string& name, hid_t old_group, const std::string& old_name) {
   checked(
       H5Lcreate_hard(old_group, old_name.c_str(), group, name.c_str(), H5P_DEFAULT, H5P_DEFAULT),
@@ -131,7 +131,7 @@ void FrameStore::open() {
   }
 }
 
-// The count that makes a frame valid is committed after all else.
+// The count that makes a frame valid is committed last.
 void FrameStore::append(const Frame& frame) {
   check(frame);
   if (!root_.valid()) create(frame);
@@ -175,8 +175,8 @@ void FrameStore::append_step(const Frame& frame) {
   particles_.append(&particles, 1);
 }
 
-// The reverse of append: the count goes first, then what it no longer counts. An array that a dying
-// process had already lengthened for an uncounted frame is cut back too.
+// The reverse of append: first the count decreases, then the arrays are cut. This also cuts arrays
+// that a dying process has already extended for an uncounted frame.
 void FrameStore::truncate(std::size_t frames) {
   if (!root_.valid()) return;
   frames_.resize(std::min(frames, frames_.size()));

@@ -10,24 +10,25 @@
 
 namespace pliant {
 
-/// Where one frame lies in the arrays of all frames.
+/// The part of one frame in the arrays of all frames.
 struct FrameSpan {
   double time;
   std::uint64_t first;
   std::uint64_t particles;
 };
 
-/// The frames of a run, as the group /VTKHDF: temporal PolyData of version 2.0 of that format, one
-/// part a frame, one vertex a particle.
+/// The frames of a run, as the group /VTKHDF: temporal PolyData in version 2.0 of that format, with
+/// one part for each frame and one vertex for each particle.
 ///
-/// Every array grows at its end only. A process that dies in `append` leaves all earlier frames as
-/// they were, and NSteps, written last, still counts them.
+/// Every array only grows at its end. If a process dies in `append`, all earlier frames are
+/// unchanged, and NSteps, written last, still counts only them.
 class FrameStore {
  public:
-  /// Opens the frames that the file holds, if any. Throws hdf5::Failure, as all here do.
+  /// Opens the frames in the file, if any. Throws hdf5::Failure, like all functions here.
   explicit FrameStore(hid_t file);
 
-  /// Throws std::invalid_argument when the frame contradicts itself or the earlier ones.
+  /// Throws std::invalid_argument if the frame is inconsistent or differs in form from earlier
+  /// ones.
   void append(const Frame& frame);
   void truncate(std::size_t frames);
 
@@ -46,11 +47,11 @@ class FrameStore {
   std::vector<FrameSpan> frames_;
   FieldArrays values_;
 
-  /// Particles of all frames: [particle]; `offset` has one more entry a frame.
+  /// Particles of all frames: [particle]; `offset` has one more entry for each frame.
   hdf5::GrowingArray points_, offset_;
-  /// 0, 1, 2, ... as far as the largest frame needs: every frame's vertices are its first points.
+  /// 0, 1, 2, ... up to the largest frame: the vertices of a frame are its first points.
   hdf5::GrowingArray connectivity_;
-  /// One entry a frame.
+  /// One entry for each frame.
   hdf5::GrowingArray time_, step_, particles_, part_, parts_, first_, cells_, connections_, none_;
 };
 

@@ -13,15 +13,16 @@ namespace pliant {
 /// back until `flush`. Throws hdf5::Failure.
 class HistoryStore {
  public:
-  /// Opens the histories that the file holds, if any.
+  /// Opens the histories in the file, if any.
   explicit HistoryStore(hid_t file);
 
   void append(const std::string& name, const std::string& unit, double time, double value);
   void flush();
 
-  /// Cuts every history to its count of rows in `rows`, and drops those that are not there.
+  /// Cuts every history to its number of rows in `rows`, and removes histories that are not in
+  /// `rows`.
   void truncate(const std::map<std::string, std::int64_t>& rows);
-  std::map<std::string, std::int64_t> rows() const;  ///< with those held back
+  std::map<std::string, std::int64_t> rows() const;  ///< including those held back
 
  private:
   struct History {

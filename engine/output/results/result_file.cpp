@@ -17,10 +17,11 @@
 #include "engine/output/results/xdmf.hpp"
 #include "engine/output/run_folder.hpp"
 
-// Why a killed process leaves a readable file: it changes by commits (see commit_driver.cpp), which
-// ask that arrays only grow and are indexed by extensible arrays. Those came with the format of
-// HDF5 1.10, whose superblock also marks a file as open for writing, so that readers refuse what a
-// killed process leaves; hence the superblock is of the first format, and all else of the later.
+// Why the file of a killed process is readable: it changes by commits (see commit_driver.cpp),
+// which require that arrays only grow and are indexed by extensible arrays. These came with the
+// format of HDF5 1.10. But the superblock of that format marks a file as open for writing, so
+// readers would refuse the file of a killed process. Hence the superblock has the first format, and
+// everything else the later one.
 
 namespace pliant {
 namespace {
@@ -56,7 +57,7 @@ void require_identity(hid_t file, const std::filesystem::path& path, const RunDe
 }
 
 /// Replaces the text of the case, which differs when a run continues to a later end. The new text
-/// is written beside the old one, since space that a commit frees must not be used again within it.
+/// is written to new space, since a commit must not reuse space that it frees.
 void update_case(hid_t file, const std::string& resolved_case) {
   const auto group = hdf5::open_group(file, "run");
   if (hdf5::read_text(group, "case.toml") == resolved_case) return;
@@ -73,7 +74,7 @@ struct ResultFile::File {
   std::filesystem::path path, settings;
   std::string case_text;
   std::filesystem::path viewer, surface_viewer;
-  std::optional<TemporaryFile> temporary;  ///< of a new file, until its first frame is whole
+  std::optional<TemporaryFile> temporary;  ///< of a new file, until its first frame is complete
   bool failed = false;
   Handle file;
   FrameStore frames;
@@ -98,7 +99,7 @@ struct ResultFile::File {
         surfaces(file),
         histories(file) {}
 
-  /// Runs `change`; when it fails, the file stays as the last commit left it.
+  /// Runs `change`; if it fails, the file stays in the state of the last commit.
   template <class Change>
   void guarded(Change change) {
     hdf5::silence();
@@ -153,7 +154,7 @@ ResultFile ResultFile::resume(const std::filesystem::path& folder, const RunDesc
   hdf5::silence();
   try {
     FolderLock lock = cut(folder, run, extent);
-    // A file that is opened anew does not use the space again that this freed; commits need that.
+    // A reopened file does not reuse the space that this has freed, as commits require.
     auto file = std::make_unique<File>(std::move(lock), folder, run.resolved_case, true);
     file->write_settings();
     file->write_viewer();
@@ -207,7 +208,7 @@ void ResultFile::append(const Frame& frame) {
   });
   if (file.temporary) {
     std::error_code ignored;
-    // Those of an earlier run, whose frames go now.
+    // Remove those of an earlier run, whose frames are replaced now.
     for (const auto& stale : {file.viewer, file.surface_viewer, file.settings})
       std::filesystem::remove(stale, ignored);
     file.temporary->publish(Durable::no);

@@ -59,7 +59,7 @@ void SurfaceStore::open() {
   }
 }
 
-/// An empty one behind the last.
+/// An empty span after the last one.
 SurfaceSpan SurfaceStore::next() const {
   if (spans_.empty()) return {0, 0, 0, 0};
   const SurfaceSpan& last = spans_.back();

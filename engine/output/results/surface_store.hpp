@@ -9,7 +9,7 @@
 
 namespace pliant {
 
-/// Where the surface of one frame lies in the arrays of all frames.
+/// The part of one frame's surface in the arrays of all frames.
 struct SurfaceSpan {
   std::uint64_t first_vertex, vertices;
   std::uint64_t first_piece, pieces;
@@ -17,19 +17,20 @@ struct SurfaceSpan {
 
 /// The surfaces of a run's frames, as the group /surface:
 ///
-///     Points            [N][3]        vertices of all frames
-///     PointData/<field> [N] or [N][component], attribute unit
-///     Connectivity      [M][corner]   pieces of all frames; vertices of a frame count from 0
-///     NumberOfPoints    [F]           of each frame
-///     NumberOfCells     [F]
+///    Points            [N][3]        vertices of all frames
+///    PointData/<field> [N] or [N][component], attribute unit
+///    Connectivity      [M][corner]   pieces of all frames; vertices of a frame count from 0
+///    NumberOfPoints    [F]           of each frame
+///    NumberOfCells     [F]
 ///
-/// The surface of a frame is appended before the frame itself, whose count makes both valid.
+/// The surface of a frame is written before the frame itself, whose count makes both valid.
 class SurfaceStore {
  public:
-  /// Opens the surfaces that the file holds, if any. Throws hdf5::Failure, as all here do.
+  /// Opens the surfaces in the file, if any. Throws hdf5::Failure, like all functions here.
   explicit SurfaceStore(hid_t file);
 
-  /// Throws std::invalid_argument when the surface contradicts itself or the earlier ones.
+  /// Throws std::invalid_argument if the surface is inconsistent or differs in form from earlier
+  /// ones.
   void append(const FrameSurface& surface, int real_bytes);
   void truncate(std::size_t frames);
 

@@ -40,8 +40,8 @@ const char* attribute_type(const StoredField& field) {
 XdmfSeries::XdmfSeries(const std::string& file_name, std::string grid)
     : file_name_(escaped(file_name)), grid_(std::move(grid)) {}
 
-/// Rows of an array: start, stride, count, and the shape it is cut from. The true shape grows with
-/// every frame; as far as this frame's end is enough for the reader.
+/// Rows of an array: start, stride, count, and the shape of the whole array. That shape grows with
+/// every frame; the shape up to the end of this frame is enough for readers.
 std::string XdmfSeries::slab(const std::string& path, const Rows& rows, const StoredField& field) {
   const auto [first, n] = rows;
   const auto k = field.components;

@@ -8,20 +8,20 @@
 
 namespace pliant {
 
-/// The XDMF 3 text that shows the frames of an HDF5 file as a time series.
+/// XDMF 3 text that shows the frames of an HDF5 file as a time series.
 ///
-/// ParaView 5.11 decides its form: slabs are given within the path (an item of type HyperSlab shows
-/// nothing), the vertices have an explicit connectivity (they are invisible without), and a
-/// symmetric tensor is a matrix of one row (XDMF has another order of the six components in mind,
-/// ParaView the one that is stored).
+/// Its form is required by ParaView 5.11. Slabs are part of the path (with an item of type
+/// HyperSlab, nothing is shown). The vertices have an explicit connectivity (without it they are
+/// invisible). A symmetric tensor is a matrix with one row (XDMF expects another order of the six
+/// components, ParaView the stored one).
 class XdmfSeries {
  public:
-  /// `grid` is what a frame shows: "particles" or "surface".
+  /// `grid` is the content of a frame: "particles" or "surface".
   XdmfSeries(const std::string& file_name, std::string grid);
 
   void add_particles(const FrameSpan& frame, const StoredField& position,
                      const std::vector<StoredField>& fields);
-  /// Leaves frames without any surface out, which ParaView would take for a fault.
+  /// Skips frames without any surface, which ParaView would report as errors.
   void add_surface(double time, const SurfaceSpan& span, int corners, const StoredField& position,
                    const std::vector<StoredField>& fields);
   std::string text() const;
