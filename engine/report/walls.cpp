@@ -3,17 +3,16 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
-#include <map>
 #include <numbers>
 
 #include "engine/geometry/signed_distance.hpp"
-#include "engine/lattice/surface_pieces.hpp"
+#include "engine/report/solid_surface.hpp"
 
 namespace pliant::report {
 
 namespace {
 
-constexpr int cells_3d = 48, cells_2d = 240;  // along the longest side of the sampled box
+constexpr int cells_2d = 240;  // along the longest side of the sampled box
 
 double dot(const Vector& a, const Vector& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
 
@@ -124,79 +123,6 @@ void add_strips(const Shape& shape, const Box<3>& box, WallPicture& wall) {
   }
 }
 
-/// The surface of a solid in 3D, closed at the end of the box.
-class Surface {
- public:
-  Surface(const Shape& shape, const Box<3>& box, WallPicture& wall)
-      : shape_(shape), box_(box), wall_(wall), step_(longest_side(box) / cells_3d) {
-    for (int a = 0; a < 3; ++a) {
-      nodes_[a] = static_cast<int>(std::ceil((box.upper[a] - box.lower[a]) / step_)) + 3;
-    }
-    depth_.reserve(static_cast<std::size_t>(nodes_[0]) * nodes_[1] * nodes_[2]);
-    for (int k = 0; k < nodes_[2]; ++k) {
-      for (int j = 0; j < nodes_[1]; ++j) {
-        for (int i = 0; i < nodes_[0]; ++i) depth_.push_back(depth_at(place_of(i, j, k)));
-      }
-    }
-  }
-
-  void operator()() {
-    for (int k = 0; k + 1 < nodes_[2]; ++k) {
-      for (int j = 0; j + 1 < nodes_[1]; ++j) {
-        for (int i = 0; i + 1 < nodes_[0]; ++i) add_cube(i, j, k);
-      }
-    }
-  }
-
- private:
-  Vector place_of(int i, int j, int k) const {
-    return {box_.lower[0] + (i - 1) * step_, box_.lower[1] + (j - 1) * step_,
-            box_.lower[2] + (k - 1) * step_};
-  }
-
-  double depth_at(const Vector& x) const {
-    double depth = signed_distance(shape_, x, 3);
-    for (int a = 0; a < 3; ++a) {
-      depth = std::max({depth, box_.lower[a] - x[a], x[a] - box_.upper[a]});
-    }
-    return depth;
-  }
-
-  void add_cube(int i, int j, int k) {
-    std::array<SurfaceNode<3>, 8> cube;
-    for (int corner = 0; corner < 8; ++corner) {
-      const int x = i + (corner & 1), y = j + (corner >> 1 & 1), z = k + (corner >> 2 & 1);
-      const auto slot = (std::int64_t{z} * nodes_[1] + y) * nodes_[0] + x;
-      const Vector place = place_of(x, y, z);
-      cube[static_cast<std::size_t>(corner)] = {
-          slot, {}, PlaceVector<3>(place.data()), depth_[static_cast<std::size_t>(slot)]};
-    }
-    for_each_piece<3>(cube, [&](const SurfacePiece<3>& piece) {
-      for (const Crossing<3>& crossing : piece) wall_.triangle.push_back(vertex_on(crossing));
-    });
-  }
-
-  /// Pieces that meet on a line between two nodes share a vertex there.
-  std::uint32_t vertex_on(const Crossing<3>& crossing) {
-    const auto next = static_cast<std::uint32_t>(wall_.vertex.size());
-    const auto [at, is_new] =
-        known_.insert({{crossing.inside->slot, crossing.outside->slot}, next});
-    if (is_new) {
-      const PlaceVector<3> place = crossing.place();
-      wall_.vertex.push_back({place[0], place[1], place[2]});
-    }
-    return at->second;
-  }
-
-  const Shape& shape_;
-  Box<3> box_;
-  WallPicture& wall_;
-  double step_;
-  std::array<int, 3> nodes_ = {};
-  std::vector<double> depth_;
-  std::map<std::pair<std::int64_t, std::int64_t>, std::uint32_t> known_;
-};
-
 /// The six faces of a box.
 void add_box(const Box<3>& box, WallPicture& wall) {
   for (int a = 0; a < 3; ++a) {
@@ -223,7 +149,9 @@ void add_solid(const Shape& shape, const Box<3>& box, int dimension, WallPicture
   } else if (shape.kind == Shape::Kind::box) {
     add_box(part, wall);
   } else {
-    Surface(shape, part, wall)();
+    TriangleMesh surface = surface_of_solid(shape, part);
+    wall.vertex = std::move(surface.vertex);
+    wall.triangle = std::move(surface.triangle);
   }
 }
 

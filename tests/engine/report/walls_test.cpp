@@ -4,6 +4,8 @@
 
 #include <cmath>
 
+#include "engine/geometry/signed_distance.hpp"
+
 namespace pliant::test {
 namespace {
 
@@ -88,6 +90,26 @@ TEST(wall_pictures, of_a_ball_are_closed_and_have_its_volume) {
   const WallPicture wall = pictures(3, shape)[0];
   EXPECT_NEAR(volume_of(wall) / (4 * M_PI / 3 * 0.125), 1, 0.01);
   EXPECT_FALSE(wall.is_plane);
+}
+
+// A collar: a block with a round hole, none of whose sides lies on the sampling lattice.
+TEST(wall_pictures, of_a_collar_have_sharp_edges) {
+  Shape block, hole, collar;
+  block.lower = {-0.83, -0.71, -0.37};
+  block.upper = {0.79, 0.77, 0.41};
+  hole.kind = Shape::Kind::cylinder;
+  hole.axis = {0, 0, 1};
+  hole.radius = 0.4;
+  collar.kind = Shape::Kind::subtract;
+  collar.operands = {block, hole};
+  const WallPicture wall = pictures(3, collar)[0];
+  const double thickness = 0.78;
+  const double exact = (1.62 * 1.48 - M_PI * 0.16) * thickness;
+  EXPECT_NEAR(volume_of(wall) / exact, 1, 5e-4);
+  EXPECT_NEAR(
+      area_of(wall) / (2 * exact / thickness + 2 * 3.1 * thickness + M_PI * 0.8 * thickness), 1,
+      2e-3);
+  for (const Vector& x : wall.vertex) EXPECT_NEAR(signed_distance(collar, x, 3), 0, 1e-3);
 }
 
 TEST(wall_pictures, of_a_box_are_closed_where_the_picture_ends) {
