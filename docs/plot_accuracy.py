@@ -14,6 +14,7 @@ import matplotlib
 
 matplotlib.use("Agg")
 import matplotlib.pyplot as plt
+from matplotlib.ticker import FuncFormatter, LogLocator, NullLocator
 
 ERRORS = (3, 1, 0.3)  # [%]
 LEAST = 0.01  # [%] below which nothing is drawn
@@ -31,17 +32,43 @@ def name_of(row):
     return f"{row['program']}, {row['series']}" if "program" in row else row["series"]
 
 
-def draw(axis, problem, rows, key):
-    for number, row in enumerate(rows):
+def colours_of(rows):
+    """One colour for each method, the same in every panel."""
+    names = list(dict.fromkeys(name_of(row) for row in rows))
+    return {name: plt.colormaps["tab20" if len(names) > 10 else "tab10"](i) for i, name in enumerate(names)}
+
+
+def label_ticks(axis):
+    for scale in (axis.xaxis, axis.yaxis):
+        scale.set_major_locator(LogLocator(subs=(1, 3)))
+        scale.set_major_formatter(FuncFormatter(lambda value, _: f"{value:g}"))
+        scale.set_minor_locator(NullLocator())
+    axis.tick_params(labelsize=9)
+
+
+def draw(axis, problem, rows, key, colours):
+    for row in rows:
         times, errors, envelope = points_of(row, key)
-        colour, style = f"C{number}", "--" if "program" in row else "-"
-        axis.loglog(times, [max(e, LEAST) for e in envelope], style, color=colour, label=name_of(row))
-        axis.loglog(times, [max(e, LEAST) for e in errors], ".", color=colour, markersize=5)
+        style = "--" if "program" in row else "-"
+        axis.loglog(times, [max(e, LEAST) for e in envelope], style, color=colours[name_of(row)], label=name_of(row))
+        axis.loglog(times, [max(e, LEAST) for e in errors], ".", color=colours[name_of(row)], markersize=6)
     for error in ERRORS:
-        axis.axhline(error, color="0.8", linewidth=0.8, zorder=0)
-    axis.set_title(problem, fontsize=9)
-    axis.tick_params(labelsize=7)
-    axis.legend(fontsize=6 if len(rows) < 8 else 5, framealpha=0.6)
+        axis.axhline(error, color="0.85", linewidth=0.8, zorder=0)
+    axis.set_title(problem.replace("_", " "), fontsize=11)
+    label_ticks(axis)
+
+
+def add_legend(figure, axes, time):
+    """One for all panels, below them and the name of their common axis."""
+    entries = {}
+    for axis in axes.flat:
+        entries.update(zip(*reversed(axis.get_legend_handles_labels())))
+    columns = 3 if any(len(name) > 30 for name in entries) else 4
+    line = 0.22 / figure.get_figheight()
+    height = line * (math.ceil(len(entries) / columns) + 1)
+    figure.get_layout_engine().set(rect=(0, height + 1.5 * line, 1, 1 - height - 1.5 * line))
+    figure.supxlabel(time, fontsize=11, y=height)
+    figure.legend(entries.values(), entries.keys(), loc="lower center", ncol=columns, fontsize=9, frameon=False)
 
 
 def main():
@@ -65,11 +92,12 @@ def main():
                                 squeeze=False)
     for axis in axes.flat[len(problems):]:
         axis.axis("off")
+    colours = colours_of([row for rows in problems.values() for row in rows])
     for axis, (problem, rows) in zip(axes.flat, problems.items()):
-        draw(axis, problem, rows, key)
-    figure.supxlabel(f"{time} of the run [s], {record['threads']} threads", fontsize=9)
-    figure.supylabel("error [%]", fontsize=9)
-    figure.savefig(arguments.picture, dpi=80)
+        draw(axis, problem, rows, key, colours)
+    figure.supylabel("error [%]", fontsize=11)
+    add_legend(figure, axes, f"{time} of the run [s], {record['threads']} threads")
+    figure.savefig(arguments.picture, dpi=90)
 
 
 if __name__ == "__main__":
