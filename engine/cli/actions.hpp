@@ -8,7 +8,7 @@
 #include "engine/case/case.hpp"
 #include "engine/cli/exit_status.hpp"
 
-/// What each command of the program does. Throws InputError for what the user gave wrong.
+/// The actions of the program's commands. They throw InputError for user errors.
 namespace pliant::cli {
 
 /// A case and the settings that override its keys.
@@ -24,15 +24,15 @@ struct RunArguments {
   int threads = 0;                              ///< 0: one per processor
   std::string isa;                              ///< empty: the widest supported
   bool resume = false;
-  bool force = false;  ///< run even if the memory may not suffice
+  bool force = false;  ///< run even if memory may not suffice
   bool quiet = false;
-  bool report = false;  ///< write its page at the end
+  bool report = false;  ///< write a page at the end
 };
 
 /// Runs a case and writes its results.
 ExitStatus run(const RunArguments& arguments);
 
-/// What `run` and `check` warn of in a case of any method, one sentence each.
+/// The warnings of `run` and `check` for a case of any method, one sentence each.
 std::vector<std::string> warnings_of(const Case& settings);
 
 /// Arguments of `pliant check`.
@@ -41,7 +41,7 @@ struct CheckArguments {
   bool json = false;
 };
 
-/// Says what a case would run.
+/// Prints what a case would run.
 ExitStatus check(const CheckArguments& arguments);
 
 /// Arguments of `pliant list`.
@@ -73,16 +73,16 @@ struct BenchArguments {
   std::optional<int> repetitions;
   std::optional<std::filesystem::path> save, compare, against, markdown;
   std::string tolerance;  ///< empty: the default
-  bool turns = false;     ///< answer another program that compares
+  bool turns = false;     ///< answer a comparing program
   bool json = false;
-  bool accuracy = false;  ///< time to a given error, which the next four are for
+  bool accuracy = false;  ///< time to a given error; uses the next four
   bool resume = false;
   std::optional<std::filesystem::path> ladders, folder;
   std::optional<double> time_limit;    ///< of a run [s]
-  std::optional<std::int64_t> growth;  ///< a table up to so many particles
+  std::optional<std::int64_t> growth;  ///< a growth table up to so many particles
 };
 
-/// Measures the machine and the standard set of cases on it.
+/// Measures the machine and the standard set of cases.
 ExitStatus bench(const BenchArguments& arguments);
 
 /// Arguments of `pliant profile`.
@@ -91,13 +91,13 @@ struct ProfileArguments {
   std::string budget, frame_time;  ///< with units; empty: the defaults
   std::optional<int> frames, warm_up;
   double percentile = 99;
-  int threads = 0;  ///< these two as in RunArguments
+  int threads = 0;  ///< see RunArguments, also for `isa`
   std::string isa;
   std::filesystem::path trace, report;  ///< empty: none
   bool fit = false, json = false, quiet = false;
 };
 
-/// Measures whether a case holds a budget of wall time for each frame of simulated time.
+/// Measures whether a case meets a budget of wall time for each frame of simulated time.
 ExitStatus profile(const ProfileArguments& arguments);
 
 struct NoArguments {};

@@ -4,7 +4,7 @@
 
 namespace pliant::cli {
 
-/// Runs of many cases, and what is known of them.
+/// Adds the commands for batches of runs.
 void add_batch_commands(Commands& commands);
 
 }  // namespace pliant::cli

@@ -4,7 +4,7 @@
 
 namespace pliant::cli {
 
-/// The page that shows a run or a batch.
+/// Adds the command that writes the page of a run or a batch.
 void add_report_command(Commands& commands);
 
 }  // namespace pliant::cli

@@ -4,7 +4,7 @@
 
 namespace pliant::cli {
 
-/// What shells, `man` and editors know of the program.
+/// Adds the commands for shells, `man` and editors.
 void add_shell_commands(Commands& commands);
 
 }  // namespace pliant::cli
