@@ -16,7 +16,7 @@ matplotlib.use("Agg")
 import matplotlib.pyplot as plt
 
 ERRORS = (3, 1, 0.3)  # [%]
-LEAST = 0.01  # [%] below which nothing is drawn
+LEAST = 0.01  # [%] nothing below this is drawn
 
 
 def points_of(row, key):

@@ -17,7 +17,7 @@ class TemporaryFolder {
   TemporaryFolder() {
     const auto& test = *testing::UnitTest::GetInstance()->current_test_info();
     std::string name = test.name();
-    std::replace(name.begin(), name.end(), '/', '.');  // names of tests with a parameter have one
+    std::replace(name.begin(), name.end(), '/', '.');  // as in names of parametrised tests
     path_ = std::filesystem::temp_directory_path() /
             ("pliant." + std::to_string(::getpid()) + "." + name);
     std::filesystem::remove_all(path_);

@@ -58,7 +58,7 @@ TEST(total_lagrangian, thick_plates_keep_their_energy_throughout_at_the_default_
   const Ranges found = ranges_of<2>(thick_plate(), 2000, 1);
   EXPECT_GT(found.measured.first, 0.995);
   EXPECT_LT(found.measured.second, 1.005);
-  EXPECT_GT(found.sum.second, 1.01);  // kinetic and strain energy at the same time
+  EXPECT_GT(found.sum.second, 1.01);  // sum of kinetic and strain energy at one time
 }
 
 }  // namespace

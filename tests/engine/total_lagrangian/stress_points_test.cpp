@@ -246,7 +246,7 @@ TYPED_TEST(StressPoints, linear_displacements_give_fitted_cells_the_stress_of_al
       EXPECT_NEAR(point.volume_ratio, f.determinant(), 1e-13);
     });
   }
-  EXPECT_NEAR(volume, 1, 1e-3);  // the volume of cells is of second order in their distortion
+  EXPECT_NEAR(volume, 1, 1e-3);  // the error is of second order in the distortion of cells
   EXPECT_NEAR(block.integrals().mass, volume, 1e-12);
   block.step(HUGE_VAL);
   double inside = 0, largest = 0;
