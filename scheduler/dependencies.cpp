@@ -21,7 +21,6 @@
 //
 // Implied edges, which are the majority, are removed once all edges of their node are known. Those
 // of junctions stay, since some junctions are removed in the end.
-// junctions stay, since some junctions are removed in the end.
 namespace pliant::scheduler {
 
 namespace {

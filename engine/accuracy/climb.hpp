@@ -5,7 +5,6 @@
 
 namespace pliant::accuracy {
 
-/// How to run ladders.
 struct ClimbOptions {
   std::filesystem::path folder;  ///< of the runs
   int threads = 1, repetitions = 1;

@@ -12,9 +12,9 @@ struct Rated {
   double error = 0;  ///< relative; NaN for a run without a result
 };
 
-/// For each rung, the largest error of it and all finer ones. A deviation that changes sign between
-/// two spacings makes a single error small by chance, but this envelope never grows towards finer
-/// rungs. Rungs without a result have no envelope and do not affect others.
+/// For each rung, the largest error of this and all finer rungs. A deviation that changes sign
+/// between two spacings makes a single error small by chance, but this envelope never grows towards
+/// finer rungs. Rungs without a result have no envelope and do not affect others.
 std::vector<double> envelope(std::span<const Rated> rungs);
 
 /// How well the runs of a ladder determine the cost of an error.

@@ -10,7 +10,6 @@ enum class Executor {
   slurm   ///< job arrays
 };
 
-/// How to run a batch.
 struct BatchOptions {
   std::filesystem::path folder;
   Executor executor = Executor::local;

@@ -14,7 +14,6 @@ namespace pliant::batch {
 pid_t spawn(const std::vector<std::string>& command, const std::filesystem::path& log,
             const std::filesystem::path& lock);
 
-/// Whether a process holds a lock on the file.
 bool is_locked(const std::filesystem::path& lock);
 
 /// Locks a file until this process ends; false if another process has locked it. Throws

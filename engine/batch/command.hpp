@@ -5,7 +5,6 @@
 
 namespace pliant::batch {
 
-/// Exit status and output of a program.
 struct CommandResult {
   int status = 0;  ///< 127: the program does not exist
   std::string output;

@@ -43,7 +43,6 @@ class Statement {
 
   /// Moves to the next row; false if there is none.
   bool next();
-  /// Executes the statement to its end.
   void run();
 
   std::string text(int column) const;

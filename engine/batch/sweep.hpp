@@ -8,7 +8,6 @@
 
 namespace pliant::batch {
 
-/// The content of a sweep file.
 struct Sweep {
   std::string name;                   ///< of the file
   std::filesystem::path case_file;    ///< of the base case

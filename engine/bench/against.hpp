@@ -8,7 +8,6 @@
 
 namespace pliant::bench {
 
-/// How to compare two programs.
 struct AgainstOptions {
   std::filesystem::path other;                       ///< the program to compare with
   std::filesystem::path program = "/proc/self/exe";  ///< this one

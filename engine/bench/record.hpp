@@ -17,7 +17,6 @@ struct RecordedSample {
   double triad = 0;     ///< [bytes/s]
 };
 
-/// All measurements of one row.
 struct RecordedRow {
   std::string name;  ///< see `Row::name`
   std::int64_t particles = 0;

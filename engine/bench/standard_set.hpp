@@ -28,7 +28,6 @@ Record run_standard_set(const StandardSetOptions& options);
 /// The rows of the standard set, without samples. Throws InputError if no row has the name.
 std::vector<Row> standard_set(const StandardSetOptions& options);
 
-/// The names of these rows.
 std::vector<std::string> names_of_rows(const StandardSetOptions& options);
 
 }  // namespace pliant::bench

@@ -15,7 +15,6 @@ struct Curve {
   std::vector<double> deviation;  ///< standard deviation of each value, the inverse of its weight
 };
 
-/// The content of a fit file.
 struct Fit {
   std::string name;  ///< of the file
   std::filesystem::path case_file;

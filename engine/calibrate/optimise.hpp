@@ -9,7 +9,7 @@
 namespace pliant::calibrate {
 
 /// Residuals (model minus data, over the standard deviation of the data) at each of several points,
-/// which may be evaluated at the same time; none where the model has no values.
+/// which may be evaluated at the same time; none if the model has no values.
 using Residuals = std::vector<double>;
 using Evaluate = std::function<std::vector<std::optional<Residuals>>(
     const std::vector<std::vector<double>>& points)>;
@@ -24,7 +24,6 @@ struct Estimated {
   Determination determination = Determination::not_at_all;
 };
 
-/// The result of a calibration.
 struct Calibration {
   std::vector<Estimated> parameters;
   std::vector<std::vector<double>> correlation;

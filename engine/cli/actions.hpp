@@ -17,7 +17,6 @@ struct CaseArguments {
   std::vector<std::string> settings;  ///< key=value
 };
 
-/// Arguments of `pliant run`.
 struct RunArguments {
   CaseArguments source;
   std::optional<std::filesystem::path> folder;  ///< default: results/<case>
@@ -35,7 +34,6 @@ ExitStatus run(const RunArguments& arguments);
 /// The warnings of `run` and `check` for a case of any method, one sentence each.
 std::vector<std::string> warnings_of(const Case& settings);
 
-/// Arguments of `pliant check`.
 struct CheckArguments {
   CaseArguments source;
   bool json = false;
@@ -44,7 +42,6 @@ struct CheckArguments {
 /// Prints what a case would run.
 ExitStatus check(const CheckArguments& arguments);
 
-/// Arguments of `pliant list`.
 struct ListArguments {
   std::filesystem::path folder = "cases";
   bool json = false;
@@ -53,7 +50,6 @@ struct ListArguments {
 /// Lists the cases below a folder, with their titles.
 ExitStatus list(const ListArguments& arguments);
 
-/// Arguments of `pliant graph`.
 struct GraphArguments {
   CaseArguments source;
   std::string format = "dot";  ///< dot or json
@@ -63,7 +59,6 @@ struct GraphArguments {
 /// Prints the step graph of a case.
 ExitStatus graph(const GraphArguments& arguments);
 
-/// Arguments of `pliant bench`.
 struct BenchArguments {
   bool quick = false;
   std::optional<std::int64_t> ball;
@@ -85,7 +80,6 @@ struct BenchArguments {
 /// Measures the machine and the standard set of cases.
 ExitStatus bench(const BenchArguments& arguments);
 
-/// Arguments of `pliant profile`.
 struct ProfileArguments {
   CaseArguments source;
   std::string budget, frame_time;  ///< with units; empty: the defaults

@@ -4,7 +4,6 @@
 
 namespace pliant::cli {
 
-/// Adds the commands for batches of runs.
 void add_batch_commands(Commands& commands);
 
 }  // namespace pliant::cli

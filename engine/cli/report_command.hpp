@@ -4,7 +4,6 @@
 
 namespace pliant::cli {
 
-/// Adds the command that writes the page of a run or a batch.
 void add_report_command(Commands& commands);
 
 }  // namespace pliant::cli

@@ -75,7 +75,6 @@ class Solver {
   /// evaluate histories and for surfaces that do not exist. Forces are given as impulses since t =
   /// 0 [N s].
   std::vector<double> measure() { return measure_each(settings_.measurements); }
-  /// The value of one measurement.
   double measure(std::size_t measurement) {
     return measure_each(std::span(settings_.measurements).subspan(measurement, 1))[0];
   }

@@ -17,7 +17,6 @@ struct FiniteElementsTable {
   static const FiniteElementsTable& of(Isa isa);
 };
 
-/// The kernels compiled for `isa`.
 template <Isa isa, class T, int D>
 FiniteElementsTable<T, D> finite_elements_kernels();
 

@@ -19,7 +19,6 @@ struct PointBasedTable {
   static const PointBasedTable& of(Isa isa);
 };
 
-/// The kernels compiled for `isa`.
 template <Isa isa, class T, int D>
 PointBasedTable<T, D> point_based_kernels();
 

@@ -49,10 +49,8 @@ void check_bodies(const Check& check);
 /// Finds what the method of the case cannot do, and tables of other methods.
 void check_method(const Check& check);
 
-/// Checks pairs of bodies in contact.
 void check_contacts(const Check& check);
 
-/// Checks what measurements refer to.
 void check_measurements(const Check& check);
 
 }  // namespace pliant

@@ -30,9 +30,8 @@ class FaceContact {
 
   /// Adds the pieces between the last two stations of a cut.
   void add(const CutSurface<D>& cut, std::int32_t number);
-  /// Activates contact of faces where the front of their cut is so far ahead that no bond crosses
-  /// Activates contact of faces where the front of their cut is so far ahead that no bond crosses
-  /// them. Along the rims of cuts that end inside the body there is no contact.
+  /// Activates contact of faces that no bond crosses any more, with the front of their cut far
+  /// ahead; not along the rims of cuts that end inside the body.
   void follow(const CutBonds<D>& bonds);
   /// Updates the nodes of each side after bonds of the nodes `changed` have changed.
   void find_nodes(const Body<T, D>& body, const TissueMap<D>& tissue,

@@ -15,7 +15,6 @@ class TiedSurfaces {
   /// first.
   TiedSurfaces(MovingSurface<T, D>& first, MovingSurface<T, D>& second, int contact);
 
-  /// The contact of the case.
   int contact() const { return contact_; }
   /// Whether any corner touches at t = 0.
   bool hold() const { return !ties_.empty(); }

@@ -118,7 +118,6 @@ StageResult advance_stage_at(const Stage<Scalar<P>, D>& stage) {
           square_root<P>(largest(extremes.wave_speed2)), extremes.non_finite};
 }
 
-/// See Stage.
 template <class P, int D>
 StageResult advance_stage(const Stage<Scalar<P>, D>& stage) {
   switch (stage.stage) {
