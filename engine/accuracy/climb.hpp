@@ -12,10 +12,9 @@ struct ClimbOptions {
   std::filesystem::path program = "/proc/self/exe";
 };
 
-/// Runs the ladders, one run at a time, each in its own process: all series once, then all again. A
-/// series ends at a run that reaches the time limit. SIGINT, SIGTERM and SIGHUP end it early.
-/// Prints progress to stderr. Throws OutputError, and InputError for a folder that already contains
-/// runs.
+/// Runs the ladders one run at a time, each in its own process: all series once, then all again. A
+/// series ends when a run reaches the time limit. SIGINT, SIGTERM and SIGHUP end it early. Prints
+/// progress to stderr. Throws OutputError, and InputError for a folder that already contains runs.
 AccuracyRecord climb(const Ladders& ladders, const ClimbOptions& options);
 
 }  // namespace pliant::accuracy

@@ -8,7 +8,6 @@
 
 namespace pliant::accuracy {
 
-/// One run of a rung: its command and its folder.
 struct RungRun {
   std::filesystem::path folder;
   std::vector<std::string> command;  ///< without the folder

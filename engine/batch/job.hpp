@@ -32,9 +32,8 @@ class Job {
   void keep_limit(double seconds);
   /// The outcome, when the process has ended.
   std::optional<Outcome> outcome();
-  /// The status that follows from the outcome. For a run that is pending again, `run` has its
-  /// remaining attempts. If it failed on its own after continuing from a checkpoint, its
-  /// checkpoints are removed.
+  /// The status that follows from the outcome. Updates the attempts left of `run`. Removes the
+  /// checkpoints of a run that failed on its own after continuing from one.
   RunStatus settle(const Outcome& outcome, bool interrupted);
 
   const Waiting& run() const { return run_; }

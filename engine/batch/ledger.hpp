@@ -37,7 +37,6 @@ struct Outcome {
   std::int64_t particles = 0, steps = 0;  ///< from its summary; not in the ledger
 };
 
-/// A run of a batch, as in the ledger.
 struct RunRow {
   std::string name;
   RunStatus status = RunStatus::pending;

@@ -27,10 +27,10 @@ struct Against {
   Verdict verdict = Verdict::same;
 };
 
-/// Starts pairs of processes, one of each program, which measure a row in short alternating turns
-/// until the ratio of their speeds is known. There are many pairs, since the placement of a process
-/// in memory affects its speed by some percent. Turns are short, since other programs start and end
-/// within seconds. Throws InputError if the other program cannot be run or does not know the row.
+/// Starts pairs of processes, one of each program, which measure a row in alternating turns until
+/// the ratio of their speeds is known. Many pairs, since the placement of a process in memory
+/// affects its speed by some percent; short turns, since other programs start and end within
+/// seconds. Throws InputError if the other program cannot be run or does not know the row.
 std::vector<Against> compare_programs(const AgainstOptions& options);
 
 std::string text_of(const std::vector<Against>& found);

@@ -3,9 +3,8 @@
 #include "engine/storage/buffer.hpp"
 #include "kernels/isa.hpp"
 
-/// The present speed of the machine. Other programs, and other guests of the same host, use a
-/// changing share of it, so a figure is only meaningful together with a speed measured at the same
-/// time.
+/// The present speed of the machine. Other programs and guests of the host use a changing share of
+/// it, so a figure is only meaningful with a speed measured at the same time.
 namespace pliant::bench {
 
 /// Multiply-adds in registers on `threads` threads, two operations each [flop/s]. SSE2 has no fused

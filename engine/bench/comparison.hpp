@@ -25,8 +25,8 @@ struct Change {
 };
 
 /// Rows that both records have. A row is slower if both ratios are below 1 - tolerance, and faster
-/// if both are above 1 + tolerance. On another or a busy machine, what limits a row may have
-/// changed by a factor that differs from both figures of the machine.
+/// if both are above 1 + tolerance. On another or a busy machine, neither figure may describe what
+/// limits a row.
 std::vector<Change> changes(const Record& before, const Record& after, double tolerance);
 
 std::string text_of(const std::vector<Change>& changes, double tolerance);
@@ -39,8 +39,8 @@ struct Interval {
 
 /// The typical value of a ratio that was measured several times: the Hodges-Lehmann estimate of the
 /// logarithms, with the interval of Wilcoxon's signed-rank test at a confidence of 99.9 %, from its
-/// normal approximation. Outliers hardly affect it. Fewer than 15 ratios do not determine an
-/// interval; it then has no bounds. At least one ratio is required.
+/// normal approximation. Outliers hardly affect it. With fewer than 15 ratios the interval has no
+/// bounds. Requires at least one.
 Interval typical_ratio(std::span<const double> ratios);
 
 /// Slower if the whole interval is below 1 - tolerance, faster if it is above 1 + tolerance.

@@ -38,8 +38,8 @@ struct Row {
   double idle_share(const Sample& sample) const;
 };
 
-/// Median over the repetitions of a rate relative to that of the same configuration on one thread;
-/// 0 if there is none.
+/// Median over the repetitions of the rate relative to the same configuration on one thread; 0
+/// without one.
 double speed_up(const std::vector<Row>& rows, const Row& row, const Figure& rate);
 
 /// Idle share of a row minus that of the largest body with the same case, kernel and threads.

@@ -151,9 +151,9 @@ void add_errors(Calibration& result, const std::vector<Parameter>& parameters, M
   }
 }
 
-/// False if the runs are used up. In long valleys of parameters that the data hardly determine, the
-/// search also ends at a step that lowers the sum of squares by less than a tenth of the variance,
-/// which is below a third of a standard error.
+/// False if the runs are used up. In long valleys of hardly determined parameters, the search also
+/// ends at a step that lowers the sum of squares by less than a tenth of the variance, below a
+/// third of a standard error.
 bool search_minimum(Eigen::LevenbergMarquardt<Functor>& optimiser, int freedom, VectorXd& point) {
   using Status = Eigen::LevenbergMarquardtSpace::Status;
   const auto squares = [&] { return optimiser.fnorm() * optimiser.fnorm(); };

@@ -28,7 +28,6 @@ struct RunArguments {
   bool report = false;  ///< write a page at the end
 };
 
-/// Runs a case and writes its results.
 ExitStatus run(const RunArguments& arguments);
 
 /// The warnings of `run` and `check` for a case of any method, one sentence each.
@@ -56,7 +55,6 @@ struct GraphArguments {
   bool blocks = false;         ///< a node for each phase and block, not for each phase
 };
 
-/// Prints the step graph of a case.
 ExitStatus graph(const GraphArguments& arguments);
 
 struct BenchArguments {
@@ -99,7 +97,6 @@ struct NoArguments {};
 /// Prints the reference of case files, docs/case-reference.md.
 ExitStatus reference(const NoArguments&);
 
-/// Prints the JSON Schema of case files.
 ExitStatus schema(const NoArguments&);
 
 }  // namespace pliant::cli

@@ -8,9 +8,8 @@
 
 namespace pliant::cli {
 
-/// Shows on stderr, from its own thread, how much of the memory for a run is already in use: one
-/// line that is redrawn on a terminal, else a line every few seconds. A set-up of less than a
-/// second shows nothing.
+/// Shows on stderr, from its own thread, how much of the memory for a run is in use: one line that
+/// is redrawn on a terminal, else a line every few seconds. Shows nothing in the first second.
 class SetupProgress {
  public:
   /// Starts; `expected` is the memory of the whole run [B].

@@ -4,7 +4,6 @@
 
 namespace pliant::cli {
 
-/// Adds the commands for shells, `man` and editors.
 void add_shell_commands(Commands& commands);
 
 }  // namespace pliant::cli

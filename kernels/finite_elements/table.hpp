@@ -13,7 +13,6 @@ struct FiniteElementsTable {
   void (*evaluate_nodal_pressures)(const NodalPressures<T>&);
   PointForcesResult (*evaluate_forces)(const ElementBlock<T, D>&);
 
-  /// Kernels for processors that support `isa`.
   static const FiniteElementsTable& of(Isa isa);
 };
 

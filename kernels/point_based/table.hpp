@@ -15,7 +15,6 @@ struct PointBasedTable {
   void (*advance)(const PointMotion<T, D>&);
   void (*drift)(const PointDrift<T, D>&);
 
-  /// Kernels for processors that support `isa`.
   static const PointBasedTable& of(Isa isa);
 };
 

@@ -95,9 +95,8 @@ inline void finish_row(const Motion<Scalar<P>, D>& block, const CellRun<D>& run,
   upper.exist = false;
 }
 
-/// Prefetches what the particles of a pack need to move, and what the next row of cells reads that
-/// no earlier row has read. With so many arrays and short rows, the processor would not prefetch it
-/// by itself.
+/// Prefetches what the particles of a pack need to move, and what the next row of cells is the
+/// first to read: too many arrays with short rows for the processor to prefetch.
 template <class T, int D>
 [[gnu::always_inline]] inline void prefetch_pack(const Motion<T, D>& block, const CellRun<D>& run,
                                                  std::int64_t slot) {

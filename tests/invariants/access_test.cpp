@@ -16,8 +16,8 @@
 #include "tests/engine/case/written_case.hpp"
 #include "tests/invariants/sample_runs.hpp"
 
-// Phases declare everything that they read and write: this determines the order of the graph, and
-// in several processes would determine what to send.
+// Phases declare all that they read and write: this orders the graph, and in several processes
+// would determine what to send.
 namespace pliant::test {
 namespace {
 

@@ -8,7 +8,6 @@
 namespace pliant::test {
 namespace {
 
-/// The value of a measurement at the end of a run.
 template <int D = 2>
 double at_end(const Case& settings, const std::string& measurement) {
   std::size_t m = 0;

@@ -56,8 +56,8 @@ Oscillation swing(double spacing, double amplitude, double end, double thickness
 }
 
 // Four times the amplitude of the case, a sixth of the length, with five particles across: too few
-// for an error of the period below 3 %, and for a bound on the lost energy. A growing zigzag of the
-// surface used to make the period 17 % longer.
+// for a period within 3 %, and for a bound on the lost energy. A growing zigzag of the surface used
+// to make the period 17 % longer.
 TEST(plates, that_are_coarse_and_bend_far_stay_stable) {
   const Oscillation found = swing(0.02, 4, 6.5);
   ASSERT_GE(found.zeros.size(), 2u);

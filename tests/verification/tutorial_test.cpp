@@ -7,7 +7,6 @@
 #include "tests/engine/case/written_case.hpp"
 #include "tests/engine/undeformed/loads.hpp"
 
-// The first case for new users.
 namespace pliant::test {
 namespace {
 

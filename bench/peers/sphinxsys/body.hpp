@@ -48,7 +48,6 @@ class KeepVelocity : public SPH::MotionConstraint<SPH::BodyPartByParticle> {
   const Problem& problem_;
 };
 
-/// The load at the present time.
 class Load : public SPH::BaseLocalDynamics<SPH::BodyPartByParticle> {
  public:
   Load(SPH::BodyPartByParticle& part, const Problem& problem);

@@ -16,7 +16,6 @@ using TaskId = std::pair<std::string, int>;
 /// Words of squeue, such as "PENDING".
 using States = std::map<TaskId, std::string>;
 
-/// The resources of a job array.
 struct Request {
   std::string name;
   int tasks = 1;

@@ -10,7 +10,6 @@
 /// The runs of a task of a job array, as a file.
 namespace pliant::batch::slurm {
 
-/// A run and its command.
 struct TaskRun {
   Waiting run;  ///< without parameters
   std::vector<std::string> command;

@@ -36,7 +36,6 @@ class FaceContact {
   /// Updates the nodes of each side after bonds of the nodes `changed` have changed.
   void find_nodes(const Body<T, D>& body, const TissueMap<D>& tissue,
                   std::span<const std::int32_t> changed);
-  /// Finds the nodes of all points.
   void find_nodes(const Body<T, D>& body, const TissueMap<D>& tissue);
   /// Pushes overlapping faces apart in a step of `length` [s]; for `drift` [s] of it nodes move at
   /// their present velocities.

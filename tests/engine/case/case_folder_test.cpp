@@ -6,7 +6,6 @@
 
 #include "engine/simulation/methods.hpp"
 
-/// The cases of the project.
 namespace pliant {
 namespace {
 

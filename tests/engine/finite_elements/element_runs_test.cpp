@@ -7,7 +7,6 @@
 #include "tests/engine/finite_elements/meshed_block.hpp"
 #include "tests/engine/point_based/whole_runs.hpp"
 
-// Whole runs of finite elements.
 namespace pliant::test {
 namespace {
 

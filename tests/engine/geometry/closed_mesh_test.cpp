@@ -51,8 +51,8 @@ TEST(closed_mesh, signs_hold_where_triangles_meet) {
 }
 
 /// A star of spikes: a sphere whose vertices have three different radii in turn. On the ray through
-/// a vertex, points below the vertex are inside and points above it outside, whatever the
-/// neighbouring spikes.
+/// a vertex, points below it are inside and points above it outside, whatever other spikes are
+/// near.
 TEST(closed_mesh, signs_hold_at_the_tips_and_in_the_pits_of_a_star) {
   SurfaceMesh star = sphere_mesh(1, 3);
   for (std::size_t v = 0; v < star.vertices.size(); ++v) {

@@ -7,7 +7,6 @@
 
 #include "engine/geometry/closed_mesh.hpp"
 
-/// Meshes for tests.
 namespace pliant::tests {
 
 /// A box of twelve triangles.

@@ -48,7 +48,6 @@ Occupancy<D> random_occupancy(const Cell<D>& lower, const Cell<D>& upper, double
   return occupancy;
 }
 
-/// Every marked cell.
 template <int D>
 std::vector<Cell<D>> marked_cells(const Occupancy<D>& occupancy) {
   std::vector<Cell<D>> cells;

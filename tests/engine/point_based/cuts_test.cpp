@@ -11,7 +11,6 @@
 #include "tests/engine/point_based/blocks.hpp"
 #include "tests/engine/point_based/whole_runs.hpp"
 
-// Blades in the point-based method.
 namespace pliant::test {
 namespace {
 

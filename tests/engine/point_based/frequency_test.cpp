@@ -56,7 +56,7 @@ double largest_frequency2(PointSolver<D>& solver) {
 }
 
 /// The default CFL number, 0.9, has a margin of 1/0.81. The estimate is least accurate for nearly
-/// incompressible bodies: 1.056 times the estimate was found on a lattice with nu = 0.45.
+/// incompressible bodies: 1/1.056 of the truth on a lattice with nu = 0.45.
 template <int D>
 void expect_near_estimate(PointSolver<D>& solver, const std::string& what) {
   const double found = largest_frequency2(solver), estimate = solver.state().frequency2;

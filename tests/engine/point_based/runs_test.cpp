@@ -13,7 +13,6 @@
 #include "tests/engine/point_based/blocks.hpp"
 #include "tests/engine/point_based/whole_runs.hpp"
 
-// Whole runs of the point-based method.
 namespace pliant::test {
 namespace {
 

@@ -6,7 +6,6 @@
 #include "engine/simulation/watch.hpp"
 #include "tests/engine/case/written_case.hpp"
 
-// Bodies that start under stress.
 namespace pliant::test {
 namespace {
 

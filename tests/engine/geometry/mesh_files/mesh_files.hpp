@@ -4,7 +4,6 @@
 #include <string>
 #include <string_view>
 
-/// Contents of mesh files for tests.
 namespace pliant::tests {
 
 /// The bytes of a value in a binary file.

@@ -4,7 +4,6 @@
 
 #include "engine/point_based/cutting/cut_bonds.hpp"
 
-/// Nodes and bonds for tests.
 namespace pliant::point_based::tests {
 
 /// Nodes at the centres of the cells of a lattice, with `count` cells of size h along each side,

@@ -63,8 +63,8 @@ axis = "y"
   return tests::read_text(text, settings);
 }
 
-/// The force of the wall and the change of momentum while a bar 3 sides long comes to rest, each
-/// relative to a plane wave.
+/// Force of the wall and change of momentum while a bar 3 sides long comes to rest, relative to a
+/// plane wave.
 template <int D>
 std::pair<double, double> impact(const Block& block) {
   constexpr double speed = 0.1;
@@ -205,9 +205,9 @@ TEST(wall_contact, the_force_of_a_slip_wall_is_that_on_its_present_area) {
   EXPECT_NEAR(found.reaction * 10 * side * side / (5 * side), widening, 0.004);
 }
 
-// A column 10 spacings high between slip walls, which two walls squeeze to 0.85 m. The upper one
-// passes two rows of nodes: a row in the 0.005 h wide gap before the wall lost contact until the
-// next remeshing, which cost 2 % of the mass and 17 % of the force.
+// A column 10 spacings high between slip walls, squeezed to 0.85 m. The upper wall passes two rows
+// of nodes: in the gap of 0.005 h before the wall, a row lost contact until the next remeshing,
+// which cost 2 % of the mass and 17 % of the force.
 TEST(wall_contact, a_wall_keeps_in_contact_while_it_passes_a_row_of_nodes) {
   for (const double gap : {0.003, 0.01}) {
     const Case column = tests::read_text(fmt::format(R"toml(dimension = 2

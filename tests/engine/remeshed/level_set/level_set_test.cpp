@@ -163,8 +163,8 @@ TYPED_TEST(LevelSets, of_round_bodies_are_distances_to_the_error_of_cubic_interp
   EXPECT_GT(layered, 100);
 }
 
-/// Largest error of phi in the ghost band around a round body of this radius, when reinitialisation
-/// starts from `slope` times the distance [cells].
+/// Largest error of phi in the ghost band around a round body, reinitialised from `slope` times the
+/// distance [cells].
 template <int D>
 double first_order_error(double radius, double slope) {
   const int upper = static_cast<int>(2 * radius + 16);

@@ -30,7 +30,7 @@ void displace(Body& body, F&& place) {
   }
 }
 
-/// Searches for the neighbours of the first body of a solver, whatever its strain.
+/// Searches for neighbours of the first body, whatever its strain.
 void search(Solver& solver, std::uint64_t seed = 0) {
   Body& body = solver.state().bodies[0];
   Search search(solver.state(), solver.settings().discretisation.kernel);
@@ -167,7 +167,7 @@ const Settings spinning_rubber = {
     "time.step=1e-4",
     R"(body.cylinder.material={ model = "reduced_polynomial", coefficients = [40], compressibility = 0.002, density = 2 })"};
 
-/// A graph of only the phases of the first stage of a step.
+/// The phases of the first stage of a step.
 scheduler::StepGraph first_stage_of(const Solver& solver) {
   std::vector<scheduler::Phase> phases;
   for (const scheduler::Phase& phase : solver.step_graph().phases()) {

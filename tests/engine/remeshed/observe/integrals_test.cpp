@@ -19,8 +19,8 @@ BodyIntegrals integrals_at(double spacing) {
                                         reference_point);
 }
 
-/// Relative errors, as root mean squares over lattices at different places; r^4 pi/2 is the second
-/// moment of a disc.
+/// Relative errors, as root mean squares over shifted lattices; r^4 pi/2 is the second moment of a
+/// disc.
 struct Errors {
   double mass = 0, angular_momentum = 0, kinetic_energy = 0;
 

@@ -118,8 +118,8 @@ TYPED_TEST(slopes, are_taken_ahead_with_the_velocity) {
   for (int i = 0; i < D; ++i) EXPECT_NEAR(gradient[i], gradient_after[i], 20 * exact<T>);
 }
 
-// One in four particles is displaced in each direction by an amount that (RP.20) hardly sees;
-// differences of neighbours would turn the normal by as much as 1.
+// One in four particles is displaced to each side, as far as (RP.20) hardly sees; differences of
+// neighbours would turn the normal by up to 1.
 TYPED_TEST(slopes, hardly_see_wiggles) {
   using T = typename TypeParam::Scalar;
   constexpr int D = TypeParam::dimension;
