@@ -12,7 +12,7 @@
 // (as in a Runge-Kutta step: records, ghosts of neighbours, advance), and one fold. Nodes do a
 // fixed amount of arithmetic. From the record of each step,
 //
-//    idle = 1 - (seconds inside phases)/(threads x wall seconds)
+//     idle = 1 - (seconds inside phases)/(threads x wall seconds)
 //
 // includes scheduling, waiting and timing. Figures are medians over all steps and over the fastest
 // tenth of them. Other load on the machine still affects them, since a worker without a core counts

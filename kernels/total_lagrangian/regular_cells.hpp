@@ -9,10 +9,10 @@
 /// first Piola-Kirchhoff stress -> forces, mode by mode -> corner forces -> sums over the cells
 /// around a particle.
 ///
-///    cells of row y    | A | B | C | D |      A register of cells has forces on rows of corners:
-///                      /\  /\  /\  /\         at its own slots (lower corners in x) and at the
-///    corners, row r    a   b   c   d   e      next ones (upper corners). The latter are shifted by
-///                                             one lane, with the last cell of the register before.
+///     cells of row y    | A | B | C | D |      A register of cells has forces on rows of corners:
+///                       /\  /\  /\  /\         at its own slots (lower corners in x) and at the
+///     corners, row r    a   b   c   d   e      next ones (upper corners), which are shifted by one
+///                                              lane, with the last cell of the register before.
 namespace pliant::kernels {
 
 /// The slots of a register of cells; values are written inside the body.

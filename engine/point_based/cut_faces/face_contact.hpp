@@ -11,10 +11,10 @@
 
 // Contact of the two faces of a cut, (PB.20).
 //
-//      above   o   o   o      A point of a cut stands for a point on each of its faces. A linear
-//              - - - - -      fit to the nodes on the same side gives the present place x of
-//              - - - - -      each and the tangents of the face. Where the upper point lies
-//      below   o   o   o      behind the lower face, both faces are pushed apart.
+//       above   o   o   o      A point of a cut stands for a point on each of its faces. A linear
+//               - - - - -      fit to the nodes on the same side gives the present place x of
+//               - - - - -      each and the tangents of the face. Where the upper point lies
+//       below   o   o   o      behind the lower face, both faces are pushed apart.
 //
 // When faces have slid, the upper point is paired with the point of the lower face that is now
 // below it. Equal and opposite impulses then act along one line. Momentum is conserved exactly, and

@@ -10,8 +10,8 @@
 /// The memory streams of a stage cost more than its arithmetic. A single loop would need dozens of
 /// streams at once. Instead a chunk of 64 slots goes through several loops,
 ///
-///    sweep over the neighbours -> gradients in a stack buffer (first cache)
-///    drift, velocity, volume, S or F, stress: one short loop each, few streams at a time
+///     sweep over the neighbours -> gradients in a stack buffer (first cache)
+///     drift, velocity, volume, S or F, stress: one short loop each, few streams at a time
 ///
 /// and what one loop has read or written is still in the cache for the next one. Packs of ghosts
 /// only drift, and vacant packs are skipped.
