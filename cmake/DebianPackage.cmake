@@ -1,7 +1,8 @@
-# `cpack -G DEB` in a build folder: the Debian packages pliant (program, cases, documentation),
-# libpliant-dev (library and headers), and python3-pliant where the Python package is built. What the program depends on is read from what it is linked to.
+# `cpack -G DEB` in a build folder makes the Debian packages pliant (program, cases, documentation),
+# libpliant-dev (library and headers), and python3-pliant if the Python package is built.
+# Dependencies of the program are determined from its linked libraries.
 
-# What does not say otherwise belongs to the program.
+# Files belong to the program unless assigned otherwise.
 set(CPACK_COMPONENTS_ALL program development)
 set(CPACK_DEB_COMPONENT_INSTALL ON)
 set(CPACK_DEBIAN_PROGRAM_PACKAGE_NAME pliant)

@@ -1,4 +1,5 @@
-# Debian packages all of them, listed in debian-packages.txt; `./pliant` installs what is missing.
+# All of them are packages of Debian, listed in debian-packages.txt; `./pliant` installs missing
+# ones.
 
 find_package(xsimd REQUIRED)
 find_package(TBB REQUIRED)
@@ -12,12 +13,12 @@ find_package(SQLite3 REQUIRED)
 find_package(ZLIB REQUIRED)
 find_package(PkgConfig REQUIRED)
 pkg_check_modules(muparser REQUIRED IMPORTED_TARGET muparser)
-# The serial library is thread-safe in Debian, the parallel one is not.
+# In Debian the serial library is thread-safe, the parallel one is not.
 set(HDF5_PREFER_PARALLEL OFF)
 find_package(HDF5 REQUIRED COMPONENTS C)
-# Programs hold those parts of HDF5 that they use. Its shared library loads some 30 others when a program starts, for
-# files on remote servers, which took most of the start. The archive is not position independent: the Python
-# package, and libraries of those who use pliant, take the shared one.
+# Programs contain the parts of HDF5 that they use. Its shared library loads some 30 others for
+# files on remote servers, which took most of the start-up time. The archive is not position
+# independent: the Python package, and users' shared libraries, link the shared one.
 cmake_path(GET HDF5_C_LIBRARY_hdf5 PARENT_PATH hdf5_folder)
 find_library(PLIANT_HDF5_ARCHIVE libhdf5.a HINTS ${hdf5_folder} NO_DEFAULT_PATH)
 find_library(PLIANT_SZIP_ARCHIVE libsz.a)
@@ -36,8 +37,9 @@ if(PLIANT_TESTS)
   include(GoogleTest)
   find_package(Python3 REQUIRED COMPONENTS Interpreter)
 endif()
-# The Python package is left out where the section python is not installed, and under the sanitizers, which a
-# Python without them cannot load. Python is that of the system; -DPython_EXECUTABLE=... chooses another.
+# The Python package is skipped if the section python is not installed, and with sanitizers, which
+# need a Python that is built with them. The system's Python is used; -DPython_EXECUTABLE=...
+# chooses another.
 if(PLIANT_PYTHON AND NOT PLIANT_SANITIZE)
   if(NOT Python_EXECUTABLE AND EXISTS /usr/bin/python3)
     set(Python_EXECUTABLE /usr/bin/python3)

@@ -1,6 +1,6 @@
-# What `cmake --install` leaves for `find_package(pliant)`: headers, archives, and their CMake targets.
-# pliant::pliant is the one to link; the others are what it is made of. Options of the compiler that
-# pliant is built with stay in pliant.
+# What `cmake --install` installs for `find_package(pliant)`: headers, archives, and their CMake
+# targets. Users link pliant::pliant, which consists of the other targets. The compiler options of
+# pliant do not affect them.
 
 include(CMakePackageConfigHelpers)
 

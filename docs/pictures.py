@@ -21,7 +21,7 @@ mm = ["--scale", "1000", "--label", "displacement [mm]"]
 strong_pull = ["boundary.top.traction=[0, '0.03*min(max(t - 2, 0)/20, 1)']",
                "boundary.bottom.traction=[0, '-0.03*min(max(t - 2, 0)/20, 1)']"]
 
-# The picture: its case, what is set, and how it is rendered.
+# The picture: its case, its settings, and how it is rendered.
 rendered = {
     "cases/liver_aspiration/result": (
         "cases/liver_aspiration", ["discretisation.spacing=0.025/28", "time.step=8e-4", "output.every=5"],

@@ -17,7 +17,7 @@ import matplotlib.pyplot as plt
 from matplotlib.ticker import FuncFormatter, LogLocator, NullLocator
 
 ERRORS = (3, 1, 0.3)  # [%]
-LEAST = 0.01  # [%] below which nothing is drawn
+LEAST = 0.01  # [%] nothing below this is drawn
 
 
 def points_of(row, key):

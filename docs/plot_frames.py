@@ -43,7 +43,7 @@ def wall_layer(time, points, values):
     margin = 0.02 * np.ptp(points, axis=0).max()
     layer = (points[:, across] > heights.min() - margin) & (
         points[:, across] < heights.max() + margin)
-    # Where bodies bulge, more than one layer may lie so near: the ghosts that are pressed decide.
+    # Where bodies bulge, several layers may be that near: the compressed ghosts decide.
     plane = np.delete(points, across, axis=1)
     grid = {}
     for place, value in zip(plane[layer], values[layer]):

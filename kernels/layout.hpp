@@ -5,9 +5,9 @@
 
 /// How kernels see particles: as slots of a lattice, stored in rows.
 ///
-///    row y+1   . . . o o o o o o . .      a segment is a run of slots of one lattice row whose
-///    row y     . . o o o[o o o o]o . .    neighbouring rows are each one constant offset away:
-///    row y-1   . . . o o o o o o o .      slot(x + dx, row + r) = p + neighbour_row[r] + dx
+///     row y+1   . . . o o o o o o . .      a segment is a run of slots of one lattice row whose
+///     row y     . . o o o[o o o o]o . .    neighbouring rows are each one constant offset away:
+///     row y-1   . . . o o o o o o o .      slot(x + dx, row + r) = p + neighbour_row[r] + dx
 ///
 /// Storage consists of packs of `slots_per_pack` slots (one cache line of doubles, half a line of
 /// floats) for any instruction set and precision, so that the layout does not depend on them. Every

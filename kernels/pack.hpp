@@ -7,10 +7,10 @@
 
 /// The register type of kernels, and the few operations that xsimd lacks.
 ///
-/// Kernels are compiled into one program once for each instruction set. So the type of everything
-/// that the source of an instruction set may emit must contain the architecture: templates over the
-/// pack, and plain arrays instead of standard containers. Otherwise all instruction sets would
-/// share a function, and the linker could keep its AVX-512 version.
+/// Kernels are compiled into one program once for each instruction set. So the type of every
+/// emitted function must contain the architecture: templates over the pack, and plain arrays
+/// instead of standard containers. Otherwise instruction sets would share functions, and the linker
+/// could keep the AVX-512 versions.
 namespace pliant::kernels {
 
 /// Fused multiply-add of a pack; xsimd 8.1 has none for AVX-512 (see avx512_fma.hpp). SSE2 has no

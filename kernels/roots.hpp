@@ -6,10 +6,10 @@
 
 // Roots and the logarithm from integer starting values and polynomials.
 //
-// Square root and division are the slowest instructions, and xsimd's own functions use the fused
+// Square root and division are the slowest instructions, and xsimd's functions use the fused
 // multiply-add on AVX2 but not on AVX-512. These functions use additions, multiplications, and
-// `fused`, so that AVX2 and AVX-512 agree bitwise. The starting values use the well-known trick of
-// scaling the bits of a floating-point number as if they were its logarithm.
+// `fused`, so that AVX2 and AVX-512 agree bitwise. Starting values scale the bits of a
+// floating-point number as if they were its logarithm.
 namespace pliant::kernels {
 
 template <class T>

@@ -6,8 +6,8 @@
 /// Bounds on how much stiffer a deformed material is to plane waves than at rest.
 namespace pliant::kernels {
 
-/// Upper bound of the largest eigenvalue: mean + sqrt((D - 1)/D) times the norm of the deviator. It
-/// is exact if the other eigenvalues are equal, and does not depend on the axes.
+/// Upper bound of the largest eigenvalue: mean + sqrt((D - 1)/D) times the norm of the deviator;
+/// exact if the other eigenvalues are equal.
 template <class P, int D>
 inline P eigenvalue_bound(const P (&tensor)[symmetric_components<D>]) {
   using T = Scalar<P>;

@@ -9,9 +9,9 @@
 
 // Two kinds of probes observe the same experiment.
 //
-//    recorder   records what each node writes, and compares all other memory before and after it
-//    disturber  changes all values that a node has not declared while it runs, and stops at the
-//               first node whose writes differ from the record
+//     recorder   records what each node writes, and compares all other memory before and after it
+//     disturber  changes all values that a node has not declared while it runs, and stops at the
+//                first node whose writes differ from the record
 //
 // To find the phase and the field that cause a difference, the check disturbs one phase at a time,
 // then one field of it, then one block of that. The phase is that of the node that differs, or an

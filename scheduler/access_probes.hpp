@@ -36,7 +36,7 @@ class CountingProbe : public AccessProbe {
   std::size_t number_ = 0;
 };
 
-/// A phase by its label, and a field; `every` stands for all its fields.
+/// A phase by its label, and a field; `every` means all its fields.
 using PhaseAndField = std::pair<std::string, FieldId>;
 inline constexpr int every = -1;
 
@@ -93,7 +93,7 @@ class Disturber final : public CountingProbe {
   Disturber(const Disturbance& disturbance, const std::vector<Recorded>& nodes)
       : disturbance_(disturbance), nodes_(nodes) {}
 
-  /// Ends an experiment of which the rest does not matter.
+  /// Ends an experiment whose rest does not matter.
   struct Stop : std::exception {};
 
   const std::optional<Deviation>& deviation() const { return deviation_; }

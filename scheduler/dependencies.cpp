@@ -11,17 +11,16 @@
 // The derivation walks the phases in the order of their list. For each field and block (a cell) it
 // keeps the last writer and the readers since:
 //
-//    phase      advance        exchange       advance
-//    block 0    W ---------------> R . . . . . . > W       a read follows the last write (---),
-//    block 1       `-------------> R . . . . . . > W       a write follows the reads (. .),
-//                                                          or the last write if there are none.
+//     phase      advance        exchange       advance
+//     block 0    W ---------------> R . . . . . . > W       a read follows the last write (---),
+//     block 1       `-------------> R . . . . . . > W       a write follows the reads (. .),
+//                                                           or the last write if there are none.
 //
 // If k > 1 blocks each read the values of all blocks, the k readers share one junction before them,
 // to which all writers lead, and one after them, from which later writers follow.
 //
 // Implied edges, which are the majority, are removed once all edges of their node are known. Those
 // of junctions stay, since some junctions are removed in the end.
-// junctions stay, since some junctions are removed in the end.
 namespace pliant::scheduler {
 
 namespace {

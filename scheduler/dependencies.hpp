@@ -8,8 +8,8 @@
 
 namespace pliant::scheduler {
 
-/// A phase on one block. A junction does no work: it stands between m nodes and n nodes that must
-/// all follow them, and so turns m n edges into m + n.
+/// A phase on one block. A junction does no work: between m nodes and n nodes that must all follow
+/// them, it replaces m n edges by m + n.
 struct Node {
   int phase;      ///< position in the list of phases; for a junction, that of the phase after it
   BlockId block;  ///< negative for a junction

@@ -25,12 +25,12 @@ struct Access {
 struct Phase {
   /// How a phase treats blocks that belong to several processes.
   ///
-  ///    per_block  runs once for each block, in the process that owns the block
-  ///    reduce     runs once for all blocks, and combines their values in the order of the blocks;
-  ///               every process has the result
-  ///    exchange   sends the fields that it reads to the processes that own neighbouring blocks
-  ///               (to all processes if it reads with Reach::all). With one process it does
-  ///               nothing, and the graph has no node for it.
+  ///     per_block  runs once for each block, in the process that owns the block
+  ///     reduce     runs once for all blocks, and combines their values in the order of the blocks;
+  ///                every process has the result
+  ///     exchange   sends the fields that it reads to the processes that own neighbouring blocks
+  ///                (to all processes if it reads with Reach::all). With one process it does
+  ///                nothing, and the graph has no node for it.
   enum class Kind { per_block, reduce, exchange };
 
   std::string name;  ///< phases with the same name, one for each stage, share a timer

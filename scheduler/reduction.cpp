@@ -36,8 +36,7 @@ Dependencies without_idle_junctions(const Dependencies& all) {
         kept.edges.push_back({position[from], to, edge.field});
         continue;
       }
-      // No junction leads to another one: junctions stand for readers, and only writers have
-      // readers.
+      // No junction leads to another one: they replace readers, and only writers have readers.
       for (int before = first_edge[from]; before < first_edge[from] + in[from]; ++before) {
         const auto origin =
             static_cast<std::size_t>(all.edges[static_cast<std::size_t>(before)].from);

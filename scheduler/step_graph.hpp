@@ -45,7 +45,6 @@ class StepGraph {
 
   /// Names of the phases without repetition, in the order of their list, without exchanges.
   const std::vector<std::string>& timer_names() const { return timer_names_; }
-  /// The record of the last run.
   const StepRecord& record() const { return record_; }
   StepRecord& record() { return record_; }
 

@@ -67,7 +67,7 @@ const char* shown(Phase::Kind kind) { return kind == Phase::Kind::reduce ? " (re
 }  // namespace
 
 std::vector<Edge> StepGraph::phase_edges() const {
-  // An edge into a junction stands for edges to everything after it.
+  // An edge into a junction represents edges to everything after it.
   std::vector<std::vector<int>> origins(nodes().size());
   std::vector<Edge> result;
   const auto add_edge = [&](const Edge& edge) {

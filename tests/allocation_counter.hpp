@@ -5,12 +5,12 @@
 
 namespace pliant::test {
 
-/// Allocations so far by code of the program: operator new, and aligned_alloc, by which arrays
-/// grow. (oneTBB takes its tasks from malloc.) Linking it replaces both.
+/// Allocations so far by code of the project: operator new, and aligned_alloc, with which arrays
+/// grow. (oneTBB allocates tasks with malloc.) Linking this file replaces both functions.
 int allocations();
 
-/// The least number of them in any of several stretches. A worker makes room for itself when it
-/// first takes part, which may be late; what allocates for good does so in each.
+/// The minimum number of allocations in several stretches. A worker allocates when it first takes
+/// part, which may be late; code that always allocates does so in each stretch.
 template <class Stretch>
 int least_allocations(const Stretch& stretch) {
   int least = INT_MAX;

@@ -1,1 +1,1 @@
-// Its precompiled headers serve all tests.
+// The precompiled headers of this target serve all tests.

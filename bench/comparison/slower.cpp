@@ -1,4 +1,4 @@
 #include "engine/bench/handicap.hpp"
 
-// The linker takes this one, and leaves that of the library out.
+// The linker uses this definition instead of the one in the library.
 double pliant::bench::handicap() { return 0.05; }

@@ -6,7 +6,7 @@
 namespace pliant::kernels::bench {
 namespace {
 
-/// Ghosts with 20 particles each, taken from a stretch of records that moves along with them.
+/// Ghosts with 20 particles each, from a range of records that moves along with the ghosts.
 void sum(benchmark::State& state, Isa isa) {
   constexpr int particles = 20, width = record_width<2>;
   const std::int64_t ghosts = state.range(0);

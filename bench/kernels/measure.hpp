@@ -9,14 +9,14 @@
 
 namespace pliant::kernels::bench {
 
-/// What a particle costs: floating-point operations that its sums need (an fma counts two), and
-/// bytes that must move between the processor and memory when nothing is found in caches.
+/// The cost of a particle: floating-point operations (an fma counts as two), and bytes between
+/// processor and memory if caches hold nothing.
 struct Cost {
   double flop = 0;
   double bytes = 0;
 };
 
-/// Rates beside the time: particles, flop and bytes per second.
+/// Rates besides the time: particles, flop and bytes per second.
 inline void report(benchmark::State& state, std::int64_t particles, Cost each) {
   const double total = static_cast<double>(state.iterations()) * static_cast<double>(particles);
   state.SetItemsProcessed(static_cast<std::int64_t>(total));
@@ -28,7 +28,7 @@ inline void report(benchmark::State& state, std::int64_t particles, Cost each) {
       benchmark::Counter(total * each.bytes * 1e-9, benchmark::Counter::kIsRate);
 }
 
-/// Runs `run(state, isa)` for 10^3 ... 10^6 particles on every instruction set that there is.
+/// Runs `run(state, isa)` for 10^3 ... 10^6 particles on every instruction set of the machine.
 template <class Run>
 void register_sizes(const std::string& name, const Run& run) {
   for (const Isa isa : {Isa::sse2, Isa::avx2, Isa::avx512}) {
@@ -42,7 +42,7 @@ void register_sizes(const std::string& name, const Run& run) {
   }
 }
 
-/// Cells of a nearly square or cubic box with about `particles` interior ones.
+/// Cells of a nearly square or cubic box with about `particles` interior cells.
 template <int D>
 std::array<int, D> box(std::int64_t particles) {
   const int side = static_cast<int>(std::lround(std::pow(static_cast<double>(particles), 1. / D)));

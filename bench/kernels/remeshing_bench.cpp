@@ -4,7 +4,7 @@
 namespace pliant::kernels::bench {
 namespace {
 
-/// All interior particles of a body onto one buffer of nodes.
+/// Scatters all interior particles of a body to one buffer of nodes.
 void scatter(benchmark::State& state, Isa isa) {
   const auto cells = box<2>(state.range(0));
   test::Body<double, 2> body(cells, 0.01, Model::linear);
@@ -32,7 +32,7 @@ void scatter(benchmark::State& state, Isa isa) {
   report(state, particles, {16 * (1 + 2 * 16) + 40, 12 * 8 + 1 + 2 * 128});
 }
 
-/// One field.
+/// Filters one field.
 void filter(benchmark::State& state, Isa isa) {
   test::Body<double, 2> body(box<2>(state.range(0)), 0.01, Model::linear);
   std::int64_t particles = 0;

@@ -18,7 +18,8 @@ void advance(benchmark::State& state, Isa isa, Model model, Kernel kernel) {
   body.patch.for_each_interior([&](std::int64_t, const auto&) { ++particles; });
   const RemeshedTable<double, D>& kernels = RemeshedTable<double, D>::of(isa);
   kernels.evaluate_stress(body.stress_of(0));
-  const double time_step = 1e-9;  // the state stays as it is, however many steps are run
+  const double time_step =
+      1e-9;  // small enough that the state does not change in any number of steps
   for (auto _ : state) {
     for (int number = 0; number < 4; ++number) {
       benchmark::DoNotOptimize(
@@ -28,7 +29,7 @@ void advance(benchmark::State& state, Isa isa, Model model, Kernel kernel) {
   report(state, 4 * particles, {flop_per_stage(kernel, model, D), bytes_per_stage(model, D)});
 }
 
-/// The gradients over lists of the stencil's neighbours.
+/// Gradients over neighbour lists that contain the stencil.
 void advance_listed(benchmark::State& state, Isa isa) {
   Body<double, 2> body(box<2>(state.range(0)), 0.01, Model::linear);
   const test::BoxLists<2> lists(body.patch, 2);

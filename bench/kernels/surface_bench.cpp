@@ -4,7 +4,7 @@
 namespace pliant::kernels::bench {
 namespace {
 
-/// Records of three in every eight particles of a pack, as along a surface of slope 1/2.
+/// Records of three in every eight particles of a pack, as along a surface with slope 1/2.
 void write_records(benchmark::State& state, Isa isa) {
   test::Body<double, 2> body(box<2>(state.range(0)), 0.01, Model::linear);
   std::vector<SurfacePack> packs;

@@ -5,8 +5,8 @@ LENGTH, WIDTH = 10.0, 2.0  # [m]
 YOUNGS_MODULUS, POISSONS_RATIO, DENSITY = 1e5, 0.3, 1000.0  # [Pa], [kg/m^3]
 LOAD = -1.0  # [N] along z, spread over the end
 
-# Corners and edge middles of a hexahedron, in units of half its edges: first around its lower face, then around
-# its upper one.
+# Corners and edge middles of a hexahedron, in units of half its edges: first around its lower face,
+# then around its upper one.
 CORNERS = [(0, 0, 0), (2, 0, 0), (2, 2, 0), (0, 2, 0), (0, 0, 2), (2, 0, 2), (2, 2, 2), (0, 2, 2)]
 EDGES = [(1, 0, 0), (2, 1, 0), (1, 2, 0), (0, 1, 0), (1, 0, 2), (2, 1, 2), (1, 2, 2), (0, 1, 2),
          (0, 0, 1), (2, 0, 1), (2, 2, 1), (0, 2, 1)]

@@ -11,7 +11,7 @@ import re
 import beam
 
 END, DAMPING = 80.0, 0.4  # [s], [1/s]
-STEP = 0.9  # of the time that a pressure wave takes over an element
+STEP = 0.9  # of the time in which a pressure wave crosses an element
 
 
 def constraint(kind, axis, nodes, attributes="", more=""):

@@ -27,7 +27,7 @@ class Run:
 @dataclasses.dataclass
 class Settings:
     pliant: pathlib.Path  # the program
-    peers: pathlib.Path  # what bench/peers/build has built
+    peers: pathlib.Path  # built by bench/peers/build
     threads: int
 
 

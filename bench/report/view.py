@@ -19,7 +19,7 @@ sys.path.insert(0, str(ROOT / "docs"))
 
 from picture import open_browser, wait_for
 
-# Drags the body in circles, a step before each picture of the screen, and answers with the seconds that took.
+# Drags the body in circles, one step before each frame, and returns the seconds it took.
 TURN = """
 const [pictures, answer] = arguments;
 const canvas = document.getElementById("canvas");
@@ -54,7 +54,7 @@ def processes_below(parent):
             if path.name.isdigit() and int((path / "stat").read_text().rsplit(")", 1)[1].split()[1]) == parent:
                 found += [int(path.name), *processes_below(int(path.name))]
         except OSError:
-            pass  # has ended
+            pass  # has ended already
     return found
 
 

@@ -8,22 +8,22 @@
 
 #include "scheduler/step_graph.hpp"
 
-// What the scheduler costs in a small step: 8 blocks in a ring, four stages of three phases each
+// The cost of the scheduler in a small step: 8 blocks in a ring, four stages of three phases each
 // (as in a Runge-Kutta step: records, ghosts of neighbours, advance), and one fold. Nodes do a
 // fixed amount of arithmetic. From the record of each step,
 //
 //     idle = 1 - (seconds inside phases)/(threads x wall seconds)
 //
-// holds scheduling, waiting and timing. Figures are medians over steps, with those of the quickest
-// tenth beside them; other load on the machine still spoils them, as a worker without a core is
-// idle.
+// includes scheduling, waiting and timing. Figures are medians over all steps and over the fastest
+// tenth of them. Other load on the machine still affects them, since a worker without a core counts
+// as idle.
 namespace pliant::scheduler {
 
 namespace {
 
 constexpr int block_count = 8, stage_count = 4;
 
-// A chain of dependent multiplications.
+// Runs a chain of dependent multiplications.
 void work(std::int64_t links) {
   double x = 1.0;
   for (std::int64_t i = 0; i < links; ++i) {
@@ -32,7 +32,7 @@ void work(std::int64_t links) {
   }
 }
 
-// The quickest of many, as nothing makes a chain quicker.
+// Uses the fastest of many samples, since disturbances only make a chain slower.
 std::int64_t links_in(double microseconds) {
   constexpr std::int64_t sample = 100'000;
   static const double seconds_per_link = [] {
@@ -85,7 +85,7 @@ struct Cost {
   double wall, idle_share;  // [s], 1
 };
 
-// Arguments: threads, microseconds of a node.
+// Arguments: threads, microseconds per node.
 void step_of_100_nodes(benchmark::State& state) {
   const auto threads = static_cast<int>(state.range(0));
   StepGraph graph = small_step(block_count, links_in(static_cast<double>(state.range(1))));
@@ -116,7 +116,7 @@ BENCHMARK(step_of_100_nodes)
     ->UseRealTime()
     ->Unit(benchmark::kMicrosecond);
 
-// Deriving the edges and preparing the first run, as after a change of the blocks.
+// Derives the edges and prepares the first run, as after a change of the blocks.
 void build(benchmark::State& state) {
   Workers workers(1);
   for (auto _ : state) {
@@ -127,7 +127,7 @@ void build(benchmark::State& state) {
 }
 BENCHMARK(build)->ArgName("blocks")->Arg(8)->Arg(64)->Arg(512)->Unit(benchmark::kMicrosecond);
 
-// The clock that each node reads twice.
+// Reads the clock, as each node does twice.
 void clock_reading(benchmark::State& state) {
   for (auto _ : state) benchmark::DoNotOptimize(std::chrono::steady_clock::now());
 }

@@ -3,13 +3,13 @@
 #include "engine/bench/cases.hpp"
 #include "engine/remeshed/solver.hpp"
 
-// A step between remeshings, over the stencil and over lists of neighbours, and the search that
-// makes the lists.
+// A step between remeshings over the stencil and over neighbour lists, and the search that makes
+// the lists.
 //
-// The cylinder of the lists is a fifth smaller in both directions than the lattice that it was
-// remeshed onto: its particles have 33 neighbours within the support of the quartic kernel and its
-// skin, against 24 slots of the stencil (16 and 8 with the compact kernel). Items are interior
-// particle-stages, or the particles that a search looks at.
+// For the lists, the cylinder is compressed by a fifth in both directions relative to its lattice.
+// Its particles then have 33 neighbours within the support of the quartic kernel and its skin,
+// compared to 24 slots of the stencil (16 and 8 with the compact kernel). Items are interior
+// particle-stages, or the particles of a search.
 namespace pliant::bench {
 namespace {
 
@@ -22,7 +22,7 @@ Case without_remeshing(std::int64_t particles, Kernel kernel) {
   Case settings = rotating_cylinder(particles, kernel);
   settings.remeshing.policy = decltype(settings.remeshing)::Policy::never;
   settings.time.end = 1;
-  settings.time.step = 1e-9;  // nothing moves while it is timed
+  settings.time.step = 1e-9;  // no motion during the measurement
   return settings;
 }
 
@@ -38,7 +38,7 @@ void compress(Solver& solver) {
       }
     });
   }
-  body.neighbours.strain = 1;  // more than any stencil bears
+  body.neighbours.strain = 1;  // more than any stencil allows
 }
 
 void step(benchmark::State& state, Kernel kernel, bool over_lists) {

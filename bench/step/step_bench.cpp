@@ -6,11 +6,11 @@
 #include "engine/bench/stage_cost.hpp"
 #include "engine/remeshed/solver.hpp"
 
-// Ten steps and the remeshing that follows them: the rotating cylinder with the whole solver.
+// Ten steps and the following remeshing: the rotating cylinder with the whole solver.
 //
-// Items are interior particle-stages, everything included. Shares are of the time of all threads;
-// `idle` is what is left of it outside phases. `pliant bench` takes the same figures in turns, with
-// the machine's own rates beside them, and is the one to trust on a machine with other load.
+// Items are interior particle-stages, with everything included. Shares are of the time of all
+// threads; `idle` is the rest of it outside phases. `pliant bench` measures the same in turns,
+// together with the machine's own rates, and is more reliable on a machine with other load.
 namespace pliant::bench {
 namespace {
 

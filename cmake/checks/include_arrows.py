@@ -21,7 +21,7 @@ FOLDERS = {
     "bench": {"kernels", "scheduler", "engine", "tests", "bench"},
     "tests": {"kernels", "scheduler", "engine", "tests"},
 }
-# Folders of engine/ from the bottom to the top, and those that each may include besides itself.
+# Folders of engine/ from bottom to top, and the other folders that each may include.
 DATA = {"case", "geometry", "storage", "lattice", "blocks", "boundaries"}
 METHOD = DATA | {"output", "method"}
 ENGINE = {
@@ -49,7 +49,7 @@ ENGINE = {
     "report": METHOD | {"batch", "simulation"},
     "cli": METHOD | {"simulation", "bench", "profile", "batch", "accuracy", "calibrate", "report"},
 }
-# First component of <...>; the standard library needs no entry. Folders not named may use any.
+# First component of <...>; the standard library needs no entry. Folders not listed may use any.
 LIBRARIES = {
     "kernels": {"xsimd", "immintrin.h"},
     "scheduler": {"tbb", "oneapi", "fmt", "nlohmann"},

@@ -9,7 +9,7 @@ import include_arrows
 import links
 import unwanted_text
 
-TAG = "QQ" ".1"  # apart, so that the check of this tree does not look for it
+TAG = "QQ" ".1"  # split, so that the check of this tree does not find it
 
 
 class Checks(unittest.TestCase):

@@ -122,7 +122,7 @@ class Launcher(unittest.TestCase):
         self.assertIn("damaged", err)
         self.assertEqual((0, "[0]", ""), self.launch("0"))
 
-    # A folder in the place of the lock stops root too, as a read-only tree stops everybody.
+    # A folder in place of the lock stops root too, as a read-only tree stops everybody.
     def lock_out(self):
         (self.root / "build/.lock").unlink(missing_ok=True)
         (self.root / "build/.lock").mkdir(parents=True)

@@ -4,7 +4,7 @@ import re
 
 import tracked
 
-# Spelt apart, so that this file passes its own check.
+# Split, so that this file passes its own check.
 MARKS = "|".join(["TO" "DO", "FIX" "ME", "X" "XX", "HA" "CK"])
 UNWANTED = [
     (re.compile(rf"\b({MARKS})\b"), "finish it, or open an issue"),

@@ -43,7 +43,7 @@ def compression(kind, particles, law, right, bar, asked=None):
     settings = [f"discretisation.spacing=1/{cells}", "output.every=0", "output.measure_every=0.01"]
     if law == "logarithmic":
         settings.append("material.block.equation_of_state=logarithmic")
-    # Where the pistons end the surface is singular: it may exceed the flank by 3 %.
+    # The surface is singular at the ends of the pistons: there it may exceed the flank by 3 %.
     return Run(f"compression_{kind}", f"{law}, {particles} particles", settings,
                [Headline("flank_max_displacement", right, bar, asked),
                 Headline("surface_max_displacement", right, 0.03)])

@@ -59,7 +59,7 @@ def rows_of(batch):
             continue
         values = outcome["values"]
         for kPa in suctions:
-            # Almost incompressible: only the suction over the stiffness counts.
+            # Almost incompressible: only suction over stiffness matters.
             alike = kPa / float(run["softness"])
             tip = 1e3 * values["tip" if kPa == 30 else f"tip_{kPa}"]
             row[f"tip at {kPa} kPa [mm]"] = f"{tip:.4f}"

@@ -27,15 +27,15 @@ sys.path.insert(0, str(here.parent))
 import dispersion  # noqa: E402 (beside this file)
 import plot_frames  # noqa: E402 (found beside this folder)
 
-# Largest displacements of the paper's particles and of its finite elements, tables 1 and 2.
+# Largest displacements in tables 1 and 2 of the paper, by its particles and finite elements.
 paper = {
     "linear": ([0.138, 0.192, 0.228, 0.233, 0.235], 0.232),
     "hyperelastic": ([0.143, 0.200, 0.237, 0.250, 0.254], 0.250),
 }
-# Largest displacement of the flank from converged finite elements of ours, docs/validation.md.
+# Largest displacement of the flank from our converged finite elements, docs/validation.md.
 converged = {"linear": 0.2440, "hyperelastic": 0.2508}
 compression_cells = [16, 32, 64, 128, 256]
-# docs/paper-scheme.md; the time step of each case beside it.
+# docs/paper-scheme.md, with the time step of each case.
 paper_scheme = ["discretisation.kernel=quartic_spline", "discretisation.dissipation=0",
                 "remeshing.every=1", "remeshing.volume=conserved", "ghosts.treatment=averaged",
                 "remeshed.gradient=normalised", "remeshed.reinitialisation=first_order",

@@ -27,7 +27,7 @@ import robustness_page
 from robustness_families import families, root
 
 here = pathlib.Path(__file__).resolve().parent
-slice_size = 6  # runs of a family before the next one has its turn
+slice_size = 6  # runs of a family before the next family has its turn
 
 
 def runs_of(family):
@@ -207,7 +207,7 @@ def write_results(batches, commit):
     for batch in batches:
         new = rows_of(batch, commit)
         made = {run_of(row) for row in new}
-        # A run that is being tried again keeps its row until it has ended.
+        # A run that is being repeated keeps its row until it ends.
         rows += new + [row for row in before.get(batch.family.name, []) if run_of(row) not in made]
     columns = list(dict.fromkeys(key for row in rows for key in row))
     columns = ["family", "commit", *sorted(c for c in columns if c.startswith("axis")),
@@ -242,7 +242,7 @@ def main():
     write_results(batches, commit_of(arguments.out))
 
 
-longest_wait = 1e6  # [s], which subprocess can hold
+longest_wait = 1e6  # [s], the maximum of subprocess
 
 
 if __name__ == "__main__":

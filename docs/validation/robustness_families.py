@@ -112,7 +112,7 @@ def compression(kind):
         ("output.every=0", "output.measure_every=0.005"))
 
 
-# A body that turns by half a turn or more: nothing acts on it.
+# A free body that turns by half a turn or more.
 solids = {"disc": '{shape="disc", centre=[0, 0], radius=1}',
           "bar 2 x 1": '{shape="box", lower=[-1, -0.5], upper=[1, 0.5]}',
           "ring": '{shape="difference", of=[{shape="disc", centre=[0, 0], radius=1}, '
@@ -155,7 +155,7 @@ plate = Family(
     + measurement("period", "period", of="tip") + energy_kept,
     ("output.every=0",))
 
-# Contact between bodies: energy and the momentum that is handed over.
+# Contact between bodies: energy and transferred momentum.
 partners = {"equal": 0.5, "half as large": 0.25, "a third larger": 2 / 3}
 
 
@@ -205,7 +205,7 @@ def energy_of_rings(run):
     return 1000 * area * float(run["load"]) ** 2
 
 
-# Part of the energy goes into waves within the rings: 2.5 % of it is lost in the reference too.
+# Part of the energy goes into waves within the rings: in the reference 2.5 % are lost too.
 rings = Family(
     "two_rings", "two_rings",
     {"spacing": ["0.0015", "0.002", "0.00125", "0.001"], "load": ["7.52", "3.76", "11.28"],
@@ -216,7 +216,7 @@ rings = Family(
     + measurement("energy", "weighted_sum", terms=["left", "right"]),
     ("time.end=0.008", "output.every=0", "output.measure_every=0.002"))
 
-# A wave's error grows with the way it has gone: 1.87 turns of the pressure wave in all.
+# The error of a wave grows with its path: in all 1.87 turns of the pressure wave.
 waves = Family(
     "periodic_square", "periodic_square",
     {"spacing": ["1/32", "1/16", "1/21", "1/48"], "load": ["1e-3", "1e-2", "1e-1"], "shape": ["square"],
@@ -271,7 +271,7 @@ edge = Family(
                  "cut.blade.path": f'["({run["shape"]} + 0.05)*t/2", 0]',
                  "boundary.top.traction": f'[0, "{run["load"]}*min(max(t - 2, 0)/20, 1)"]',
                  "boundary.bottom.traction": f'[0, "-{run["load"]}*min(max(t - 2, 0)/20, 1)"]',
-                 # on either side of the cut, whose nearest nodes are on that side too
+                 # on both sides of the cut, with the nearest nodes on the same side
                  "measurement.upper_lip.point": f"[0, {0.012 + 0.75 * spacing_of(run)}]",
                  "measurement.lower_lip.point": f"[0, {0.012 - 0.75 * spacing_of(run)}]"},
     # Fracture theory, for a depth of 0.5 and small loads.
@@ -283,9 +283,9 @@ edge = Family(
                   factors=[1, -1]),
     ("output.every=0",))
 
-# Tips of beams 10 m long and 2 m wide by their height and the load: those of total Lagrangian
-# hexahedra of 1/4 and 1/6 m, extrapolated to none; for 2 x 2 m the quadratic finite elements of the
-# case, of small loads.
+# Tips of beams 10 m long and 2 m wide, by height and load: extrapolated from total Lagrangian
+# hexahedra of 1/4 and 1/6 m; for 2 x 2 m and small loads, from the quadratic finite elements of the
+# case.
 tips = {"2 x 2": {"0.25": 2.538e-3, "2.5": 2.538e-2, "25": 0.2540},
         "2 x 1": {"0.25": 9.943e-3, "2.5": 9.943e-2, "25": 0.9846},
         "2 x 4": {"0.25": 6.893e-4, "2.5": 6.893e-3, "25": 0.06893}}
@@ -301,7 +301,7 @@ cantilever = Family(
      "shape": ["2 x 2", "2 x 1", "2 x 4"]},
     lambda run: {"discretisation.spacing": run["spacing"],
                  "boundary.end_load.traction": f'[0, 0, "-{run["load"]}*min(t/20, 1)"]',
-                 # flat beams swing half as fast, and come to rest later
+                 # flat beams swing at half the frequency, and come to rest later
                  "time.end": 160 if height_of(run) < 2 else 80,
                  "point_based.damping": 0.2 if height_of(run) < 2 else 0.4,
                  "body.beam.geometry": '{{shape="box", lower=[0, -1, {0}], upper=[10, 1, {1}]}}'.format(

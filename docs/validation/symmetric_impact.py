@@ -44,7 +44,7 @@ def disc_mesh(centre, radius, sides):
     """A core of sides x sides quadrilaterals and four patches around it."""
     u = np.linspace(-1, 1, sides + 1)
     grid = np.stack(np.meshgrid(u, u, indexing="ij"), axis=-1)
-    # Sides of the core bulge, so that no quadrilateral is far from square.
+    # The sides of the core bulge, so that all quadrilaterals are nearly square.
     core = 0.5 * radius * grid * (1 - 0.15 * grid[..., ::-1] ** 2)
     patches = [core]
     for edge in (core[:, 0], core[-1, :], core[::-1, -1], core[0, ::-1]):
@@ -103,7 +103,7 @@ class Body:
         slopes, _ = self.shape_gradients(self.x + dt / 2 * self.v)
         l = np.einsum("epnj,eni->epij", slopes, self.v[self.quadrilaterals])
         spin = dt / 2 * (l[..., 1, 0] - l[..., 0, 1])
-        c, s = np.cos(2 * spin), np.sin(2 * spin)  # of twice the angle: what turns a tensor
+        c, s = np.cos(2 * spin), np.sin(2 * spin)  # of twice the angle, as for rotating a tensor
         xx, yy, xy = np.moveaxis(self.deviator, -1, 0)
         mean, half = (xx + yy) / 2, (xx - yy) / 2
         turned = [mean + half * c - xy * s, mean - half * c + xy * s, half * s + xy * c]

@@ -83,7 +83,7 @@ class Climb {
 
   batch::Outcome outcome_of(const RungRun& run) {
     if (const auto before = kept(run)) return *before;
-    // A run that continued from a checkpoint would seem to take less time.
+    // A run that continues from a checkpoint would seem to take less time.
     std::filesystem::remove_all(run.folder);
     batch::Job job({}, run.folder, run.command);
     batch::Outcome outcome = end_of(job, ladders_.time_limit, end_of_child_, interrupt_);

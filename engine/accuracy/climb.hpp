@@ -5,18 +5,16 @@
 
 namespace pliant::accuracy {
 
-/// How ladders are run.
 struct ClimbOptions {
   std::filesystem::path folder;  ///< of the runs
   int threads = 1, repetitions = 1;
-  bool resume = false;  ///< keep the runs that a folder holds
+  bool resume = false;  ///< keep finished runs in the folder
   std::filesystem::path program = "/proc/self/exe";
 };
 
-/// Runs the ladders, one run at a time, each as a process of its own: all series once, then all
-/// again. A series ends at a run that reaches the time limit. SIGINT, SIGTERM and SIGHUP end it
-/// early. Prints progress to stderr. Throws OutputError, and InputError for a folder that holds
-/// runs already.
+/// Runs the ladders one run at a time, each in its own process: all series once, then all again. A
+/// series ends when a run reaches the time limit. SIGINT, SIGTERM and SIGHUP end it early. Prints
+/// progress to stderr. Throws OutputError, and InputError for a folder that already contains runs.
 AccuracyRecord climb(const Ladders& ladders, const ClimbOptions& options);
 
 }  // namespace pliant::accuracy

@@ -7,7 +7,7 @@ namespace pliant::accuracy {
 
 namespace {
 
-constexpr double least_error = 1e-12;  ///< an answer may be right to all digits of its reference
+constexpr double least_error = 1e-12;  ///< a result may agree with all digits of its reference
 
 double straight_in_logarithms(double share, double from, double to) {
   return from * std::pow(to / from, share);

@@ -14,7 +14,7 @@ using batch::refuse;
 using batch::refuse_other_keys;
 using batch::value_of;
 
-/// The tables of a list of tables; none where there is no such key.
+/// The tables of a list of tables; empty if the key does not exist.
 std::vector<const toml::table*> tables_of(const toml::table& parent, std::string_view key,
                                           bool required) {
   std::vector<const toml::table*> tables;

@@ -9,20 +9,20 @@
 
 namespace pliant::accuracy {
 
-/// The errors that costs are given for.
+/// The errors for which costs are reported.
 inline constexpr std::array errors_of_interest = {0.03, 0.01, 0.003};
 
-/// What the runs of one rung gave; all repetitions give the same answer.
+/// The results of one rung; all repetitions have the same values.
 struct RungRecord {
   std::vector<std::string> settings = {};  ///< of this rung, key=value
   std::int64_t particles = 0, steps = 0, peak_memory = 0;
   std::vector<double> seconds = {};            ///< wall time of the whole process, each repetition
   std::vector<double> processor_seconds = {};  ///< of all its threads, each repetition
   std::vector<std::pair<std::string, double>> values = {};  ///< of the targets
-  double error = 0;                                         ///< of the worst target; NaN: none
-  std::string message = {};                                 ///< why there is none
+  double error = 0;                                         ///< of the worst target; NaN: no result
+  std::string message = {};                                 ///< why there is no result
 
-  double median_seconds() const;  ///< NaN where there is none
+  double median_seconds() const;  ///< NaN without runs
 };
 
 /// The results of one series, coarse rungs first.
@@ -45,7 +45,7 @@ struct AccuracyRecord {
 /// The format that docs/plot_accuracy.py reads.
 std::string json_of(const AccuracyRecord& record);
 
-/// Two tables: what each error costs, and what each run gave.
+/// Two tables: the cost of each error, and the results of each run.
 std::string text_of(const AccuracyRecord& record);
 std::string markdown_of(const AccuracyRecord& record);
 

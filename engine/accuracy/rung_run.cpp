@@ -33,7 +33,7 @@ double measured_value(const batch::Outcome& outcome, const std::string& measurem
                   measurement));
 }
 
-/// The command without the program, which may be at another place.
+/// The command without the path of the program, which may change.
 std::vector<std::string> arguments_of(const RungRun& run) {
   return {run.command.begin() + 1, run.command.end()};
 }

@@ -8,18 +8,17 @@
 
 namespace pliant::accuracy {
 
-/// One run of a rung: what to run, and where.
 struct RungRun {
   std::filesystem::path folder;
   std::vector<std::string> command;  ///< without the folder
 };
 
-/// Writes what came of a run beside its folder, and reads it again. None where there is no such
-/// file, where the run was another one, or where it gave no answer. Throws OutputError.
+/// Writes the outcome of a run to a file next to its folder, and reads it again. None if there is
+/// no such file, if it belongs to another run, or if the run had no result. Throws OutputError.
 void keep(const RungRun& run, const batch::Outcome& outcome);
 std::optional<batch::Outcome> kept(const RungRun& run);
 
-/// Puts the answer of a run into the record of its rung. Throws InputError where the run does not
+/// Adds the result of a run to the record of its rung. Throws InputError if the run does not
 /// measure a target.
 void add(RungRecord& record, const batch::Outcome& outcome, const std::vector<Target>& targets);
 

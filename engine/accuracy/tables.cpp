@@ -10,7 +10,7 @@ namespace pliant::accuracy {
 namespace {
 
 using Cells = std::vector<std::string>;
-using Table = std::vector<Cells>;  ///< the first line is the heading
+using Table = std::vector<Cells>;  ///< the first row is the heading
 
 constexpr const char* costs_legend =
     "Wall time and particles at which the error, and that of all finer runs, falls to the given "

@@ -4,17 +4,16 @@
 
 namespace pliant::batch {
 
-/// What executes the runs of a batch.
+/// Where the runs of a batch are executed.
 enum class Executor {
   local,  ///< processes of this machine
   slurm   ///< job arrays
 };
 
-/// How a batch is run.
 struct BatchOptions {
   std::filesystem::path folder;
   Executor executor = Executor::local;
-  int workers = 0;  ///< runs at once; 0: as many as there are processors for
+  int workers = 0;  ///< runs at the same time; 0: limited by processors
   int threads = 1;  ///< of each run
   bool resume = false;
   bool quiet = false;

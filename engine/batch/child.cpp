@@ -20,7 +20,7 @@ namespace {
 
 constexpr std::string_view parent_variable = "PLIANT_PARENT=";
 
-/// What a child does before it becomes another program.
+/// Settings of a child process before it becomes another program.
 class SpawnSettings {
  public:
   SpawnSettings(int lock, const std::filesystem::path& log) {
@@ -28,7 +28,7 @@ class SpawnSettings {
     posix_spawn_file_actions_addopen(&actions_, 0, "/dev/null", O_RDONLY, 0);
     posix_spawn_file_actions_addopen(&actions_, 1, log.c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0666);
     posix_spawn_file_actions_adddup2(&actions_, 1, 2);
-    // A descriptor that is copied onto itself stays open in the program.
+    // A descriptor that is duplicated onto itself stays open in the program.
     posix_spawn_file_actions_adddup2(&actions_, lock, lock);
     posix_spawnattr_init(&attributes_);
     sigset_t none, usual;
@@ -112,7 +112,7 @@ void end_with_parent() {
       std::getenv(std::string(parent_variable.substr(0, parent_variable.size() - 1)).c_str());
   if (parent == nullptr) return;
   ::prctl(PR_SET_PDEATHSIG, SIGTERM);
-  // It may have ended before.
+  // The parent may already have ended.
   if (std::strtol(parent, nullptr, 10) != ::getppid()) ::raise(SIGTERM);
 }
 

@@ -8,20 +8,20 @@
 
 namespace pliant::batch {
 
-/// Starts a program in a process group of its own, without input, with its output in `log`. It
-/// holds a lock on `lock` until it ends, even when this process has ended before. It gets SIGTERM
-/// when this process ends, if it calls end_with_parent. Throws OutputError.
+/// Starts a program in its own process group, without input, and with its output in `log`. It holds
+/// a lock on `lock` until it ends, even after the end of this process. If it calls end_with_parent,
+/// it gets SIGTERM when this process ends. Throws OutputError.
 pid_t spawn(const std::vector<std::string>& command, const std::filesystem::path& log,
             const std::filesystem::path& lock);
 
-/// Whether a process holds a lock on the file.
 bool is_locked(const std::filesystem::path& lock);
 
-/// Locks a file until this process ends; false when another one has locked it. Throws OutputError.
+/// Locks a file until this process ends; false if another process has locked it. Throws
+/// OutputError.
 bool lock_for_life(const std::filesystem::path& lock);
 
-/// In a process that `spawn` has started, asks the system to send it SIGTERM when its parent ends.
-/// Does nothing in others.
+/// In a process started by `spawn`, requests SIGTERM for when its parent ends. Does nothing in
+/// other processes.
 void end_with_parent();
 
 }  // namespace pliant::batch

@@ -42,7 +42,7 @@ class Pipe {
   std::array<int, 2> ends_ = {-1, -1};
 };
 
-/// Reads both to their ends, whichever is filled first.
+/// Reads both pipes to their ends, in whatever order they fill.
 void read_both(const Pipe& output, const Pipe& errors, CommandResult& result) {
   std::array<pollfd, 2> files = {pollfd{output.reader(), POLLIN, 0},
                                  pollfd{errors.reader(), POLLIN, 0}};

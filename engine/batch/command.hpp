@@ -5,14 +5,13 @@
 
 namespace pliant::batch {
 
-/// Exit status and output of a program.
 struct CommandResult {
-  int status = 0;  ///< 127: there is no such program
+  int status = 0;  ///< 127: the program does not exist
   std::string output;
   std::string errors;
 };
 
-/// Runs a program of PATH and waits for its end. Throws OutputError where no process can be made.
+/// Runs a program from PATH and waits for its end. Throws OutputError if no process can be created.
 CommandResult run_command(std::vector<std::string> command);
 
 }  // namespace pliant::batch

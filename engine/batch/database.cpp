@@ -12,7 +12,7 @@ namespace pliant::batch {
 
 namespace {
 
-constexpr int patience = 10'000;  // for a reader or writer at the same time [ms]
+constexpr int patience = 10'000;  // waiting time for other readers and writers [ms]
 
 int flags_of(Database::Mode mode) {
   switch (mode) {
@@ -126,7 +126,7 @@ void Transaction::commit() {
   is_open_ = false;
 }
 
-// A rollback fails only where SQLite has rolled back by itself.
+// A rollback fails only if SQLite has already rolled back.
 Transaction::~Transaction() {
   if (!is_open_) return;
   try {

@@ -10,12 +10,12 @@
 struct sqlite3;
 struct sqlite3_stmt;
 
-/// What this program needs of SQLite.
+/// The part of SQLite that this program needs.
 namespace pliant::batch {
 
 class Statement;
 
-/// An open database file. Every function throws OutputError, which names the file.
+/// An open database file. All functions throw OutputError that names the file.
 class Database {
  public:
   enum class Mode { create, write, read };
@@ -31,19 +31,18 @@ class Database {
   std::unique_ptr<sqlite3, int (*)(sqlite3*)> handle_;
 };
 
-/// A prepared statement; `?` stand for values, which are bound in their order.
+/// A prepared statement; each `?` is a value, to be bound in order.
 class Statement {
  public:
   Statement(Database& database, sqlite3_stmt* statement);
 
   Statement& bind(std::string_view text);
   Statement& bind(std::int64_t number);
-  Statement& bind(double number);  ///< NaN is no value
+  Statement& bind(double number);  ///< NaN is stored as no value
   Statement& bind(std::optional<std::int64_t> number);
 
-  /// Goes to the next row; false where there is none.
+  /// Moves to the next row; false if there is none.
   bool next();
-  /// Runs to the end.
   void run();
 
   std::string text(int column) const;
@@ -59,10 +58,10 @@ class Statement {
   int bound_ = 0;
 };
 
-/// All that happens to the database during its life happens at once, at `commit`, or not at all.
+/// All changes to the database during its life take effect together in `commit`, or not at all.
 class Transaction {
  public:
-  /// `begin`: of SQL; "BEGIN" is enough to read.
+  /// `begin` is the SQL statement; "BEGIN" is enough for reading.
   explicit Transaction(Database& database, const char* begin = "BEGIN IMMEDIATE");
   Transaction(const Transaction&) = delete;
   Transaction& operator=(const Transaction&) = delete;

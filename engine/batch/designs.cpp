@@ -13,7 +13,7 @@ namespace pliant::batch {
 
 namespace {
 
-/// From 0 to below 1. Not of std::uniform_real_distribution, whose numbers differ between
+/// In [0, 1). std::uniform_real_distribution is not used, since its numbers differ between
 /// libraries.
 double uniform(std::mt19937_64& random) { return static_cast<double>(random() >> 11) * 0x1p-53; }
 
@@ -108,7 +108,7 @@ std::string name_of(const Assignment& assignment) {
       hash = (hash ^ static_cast<unsigned char>(c)) * 0x100000001b3u;
     }
   }
-  // The last characters have not reached all bits yet.
+  // The last characters have not affected all bits yet.
   hash = (hash ^ hash >> 33) * 0xff51afd7ed558ccdu;
   hash ^= hash >> 33;
   return fmt::format("r{:012x}", hash >> 16);

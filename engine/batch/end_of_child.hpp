@@ -4,8 +4,8 @@
 
 namespace pliant::batch {
 
-/// Blocks SIGCHLD from then on, so that the end of a child that comes while nothing waits for it
-/// stays pending. Make it before the children.
+/// Blocks SIGCHLD, so that the signal stays pending if a child ends while nothing waits for it.
+/// Must be created before the children.
 class EndOfChild {
  public:
   EndOfChild() {

@@ -11,7 +11,7 @@ namespace pliant::batch {
 
 namespace {
 
-/// What must stay as it is while a batch is resumed.
+/// What must not change when a batch is resumed.
 std::string identity_of(const Sweep& sweep) {
   std::string text = case_text(sweep.case_file);
   for (const std::string& setting : sweep.settings) text += "\n--set " + setting;

@@ -5,10 +5,10 @@
 
 namespace pliant::batch {
 
-/// Runs a sweep: each run is a process of its own in folder/runs/NAME, with its output in
-/// folder/runs/NAME.log. On this machine, runs start while their estimates fit into the memory.
-/// SIGINT, SIGTERM and SIGHUP end the runs with checkpoints. Throws OutputError, and InputError for
-/// a folder that holds another batch, or one that is at work.
+/// Runs a sweep. Each run is a process with the folder folder/runs/NAME and the log
+/// folder/runs/NAME.log. On this machine, runs start while their estimates fit into memory. SIGINT,
+/// SIGTERM and SIGHUP end the runs with checkpoints. Throws OutputError, and InputError for a
+/// folder that contains another batch, or one that is running.
 BatchEnd run_batch(const Sweep& sweep, const BatchOptions& options);
 
 }  // namespace pliant::batch

@@ -93,7 +93,7 @@ std::optional<Outcome> Job::outcome() {
 RunStatus Job::settle(const Outcome& outcome, bool interrupted) {
   if (outcome.exit_status == 0) return RunStatus::done;
   const bool by_itself = !is_stopped_ && (outcome.exit_status == 2 || outcome.exit_status == 3);
-  if (was_resumed_ && by_itself) {  // it might do better from the beginning
+  if (was_resumed_ && by_itself) {  // it might succeed from the start
     for (const char* file : checkpoints) std::filesystem::remove(folder_ / file);
     return RunStatus::pending;
   }

@@ -15,25 +15,25 @@
 
 namespace pliant::batch {
 
-/// An attempt of a run, as a process.
+/// An attempt at a run, as a process.
 class Job {
  public:
-  /// Starts it; `folder` is for its results. It continues from a checkpoint where there is one.
-  /// Throws OutputError.
+  /// Starts the process; `folder` is for its results. It continues from a checkpoint if there is
+  /// one. Throws OutputError.
   Job(const Waiting& run, const std::filesystem::path& folder, std::vector<std::string> command);
 
   /// The file that is locked while a process works in the folder of a run.
   static std::filesystem::path lock_of(const std::filesystem::path& folder);
   static bool has_checkpoint(const std::filesystem::path& folder);
 
-  /// Asks the process to end with a checkpoint, once.
+  /// Asks the process once to end with a checkpoint.
   void stop();
-  /// Stops it after `seconds`, unless 0, and kills it a while later.
+  /// Stops it after `seconds`, unless 0, and kills it some time later.
   void keep_limit(double seconds);
-  /// When the process has ended: how.
+  /// The outcome, when the process has ended.
   std::optional<Outcome> outcome();
-  /// What follows from it; a run that is pending again has its attempts left in `run`. One that
-  /// failed by itself from a checkpoint loses its checkpoints.
+  /// The status that follows from the outcome. Updates the attempts left of `run`. Removes the
+  /// checkpoints of a run that failed on its own after continuing from one.
   RunStatus settle(const Outcome& outcome, bool interrupted);
 
   const Waiting& run() const { return run_; }
@@ -48,7 +48,7 @@ class Job {
   std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
 };
 
-/// Waits for the end of a job, and stops it after `time_limit` [s], unless 0, or when interrupted.
+/// Waits for the end of a job; stops it after `time_limit` [s], unless 0, or when interrupted.
 Outcome end_of(Job& job, double time_limit, const EndOfChild& end_of_child,
                const Interrupt& interrupt);
 

@@ -11,8 +11,8 @@ constexpr auto file_name = "batch.sqlite";
 
 constexpr std::array<std::string_view, 4> words = {"pending", "running", "done", "failed"};
 
-// Write-ahead logging lets `pliant batch status` read while the batch writes. A commit that a loss
-// of power takes back only leaves a run to be looked at again.
+// Write-ahead logging allows `pliant batch status` to read while the batch writes. If a loss of
+// power reverts a commit, a run only has to be checked again.
 constexpr auto schema = R"(
 PRAGMA journal_mode = WAL;
 PRAGMA synchronous = NORMAL;
@@ -152,7 +152,8 @@ void Ledger::put_details(const std::string& run, const Outcome& outcome) {
 std::vector<RunRow> Ledger::rows() {
   const Transaction one_moment(database_, "BEGIN");
   std::vector<RunRow> rows;
-  // The program may have been killed before it had made the tables, which come all at once.
+  // The program may have been killed before it had created the tables, which are created all at
+  // once.
   Statement tables = database_.prepare("SELECT 1 FROM sqlite_master WHERE name = 'run'");
   if (!tables.next()) return rows;
   Statement select = database_.prepare(

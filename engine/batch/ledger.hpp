@@ -21,22 +21,22 @@ RunStatus status_of(std::string_view word);  ///< pending for any other word
 /// [s since 1970]
 double now();
 
-/// What a run left when it ended, from its process and its summary.json.
+/// The result of a run that has ended, from its process and its summary.json.
 struct Outcome {
-  std::optional<std::int64_t> exit_status;  ///< 128 + signal where one ended it; none: not started
-  std::string message = {};                 ///< why it failed
+  std::optional<std::int64_t>
+      exit_status;           ///< 128 + signal if a signal ended it; none: not started
+  std::string message = {};  ///< why it failed
   double wall_seconds = 0, processor_seconds = 0;
-  std::int64_t peak_memory = 0;  ///< [bytes]
+  std::int64_t peak_memory = 0;  ///< [B]
   struct Measurement {
     std::string name, unit;
     double value;  ///< NaN: none
   };
   std::vector<Measurement> measurements = {};
   std::vector<std::pair<std::string, std::string>> versions = {};  ///< program and libraries
-  std::int64_t particles = 0, steps = 0;  ///< of its summary, not kept in the ledger
+  std::int64_t particles = 0, steps = 0;  ///< from its summary; not in the ledger
 };
 
-/// A run of a batch, as its ledger knows it.
 struct RunRow {
   std::string name;
   RunStatus status = RunStatus::pending;
@@ -46,27 +46,27 @@ struct RunRow {
   Outcome outcome;
 };
 
-/// What is known of all runs of a batch, in `batch.sqlite` of its folder. Each change is one
-/// transaction, so that it survives the end of the process at any moment.
+/// The state of all runs of a batch, in `batch.sqlite` of its folder. Each change is one
+/// transaction, so that it survives if the process ends at any time.
 class Ledger {
  public:
   enum class Use { write, read };
 
   static bool exists(const std::filesystem::path& folder);
-  /// Makes a ledger for writing where there is none. Throws OutputError.
+  /// For writing, creates the ledger if it does not exist. Throws OutputError.
   Ledger(const std::filesystem::path& folder, Use use);
 
-  /// Facts about the whole batch.
+  /// Values that concern the whole batch.
   void set(std::string_view key, std::string_view value);
   std::optional<std::string> get(std::string_view key);
 
-  /// Adds the runs that it does not hold yet, all or none.
+  /// Adds the runs that are not in the ledger yet, all or none.
   void add(const std::vector<Assignment>& runs);
-  /// Runs that were at work when the program was killed are pending again.
+  /// Sets runs to pending that were running when the program was killed.
   void reset_running();
   void start(const std::string& run);
   void end(const std::string& run, RunStatus status, const Outcome& outcome);
-  /// All that a row says of its last attempt, where another process has made it.
+  /// Writes a row about the last attempt, made by another process.
   void put(const RunRow& row);
 
   /// All runs, in the order in which they were added.

@@ -5,15 +5,15 @@
 
 #include "engine/batch/ledger.hpp"
 
-/// What a ledger holds, for people and for other programs.
+/// The contents of a ledger, for users and for other programs.
 namespace pliant::batch {
 
-/// How many runs are done, running, pending and failed, and why those failed.
+/// How many runs are done, running, pending and failed, and why they failed.
 std::string status_text(const std::vector<RunRow>& rows);
 std::string status_json(const std::vector<RunRow>& rows);
 
 /// One line for each run: name, status, attempts, exit status, times, peak memory, parameters by
-/// their keys, measurements by their names with units.
+/// key, measurements by name with units.
 std::string csv_of(const std::vector<RunRow>& rows);
 
 }  // namespace pliant::batch

@@ -6,11 +6,11 @@
 
 namespace pliant::batch {
 
-/// Puts what folder/summary.json says into the outcome, so that a run whose process nobody waited
-/// for has a whole row; false where there is no such file, which runs write last.
+/// Adds the content of folder/summary.json to the outcome, so that the row of a run is complete
+/// even if no process waited for it. False if the file, which a run writes last, does not exist.
 bool read_summary(const std::filesystem::path& folder, Outcome& outcome);
 
-/// The last line of a file that is not empty.
+/// The last non-empty line of a file.
 std::string last_line(const std::filesystem::path& file);
 
 }  // namespace pliant::batch

@@ -34,7 +34,7 @@ class Processes {
   }
 
  private:
-  // A run whose process still ends after the batch was killed has its turn later.
+  // If the process of a run is still ending after the batch was killed, the run starts later.
   void start_jobs() {
     for (std::size_t tries = work_.waiting.size();
          tries > 0 && static_cast<int>(jobs_.size()) < work_.options().workers; --tries) {
@@ -49,7 +49,7 @@ class Processes {
     }
   }
 
-  /// False where the memory does not suffice before another run ends.
+  /// False if memory is insufficient until another run ends.
   bool start(const Waiting& run) {
     std::size_t used = 0;
     for (const Job& job : jobs_) used += job.run().bytes;

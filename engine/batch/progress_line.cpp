@@ -34,7 +34,7 @@ void ProgressLine::write(std::size_t running, int workers) {
   if (runs_ > 0 && left > 0) {
     text += ", ETA " + duration_text(run_seconds_ / runs_ * left / workers);
   }
-  // Progress is not worth a batch: what cannot be written is lost.
+  // Progress must not stop a batch: write errors are ignored.
   std::fputs((is_terminal() ? "\r\x1b[K" + text : text + "\n").c_str(), stderr);
   written_ = Clock::now();
 }

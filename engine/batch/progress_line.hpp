@@ -5,15 +5,15 @@
 
 namespace pliant::batch {
 
-/// Says on stderr how a batch is going: a line that is redrawn on a terminal, else one every few
-/// seconds.
+/// Shows the progress of a batch on stderr: one line that is redrawn on a terminal, else a line
+/// every few seconds.
 class ProgressLine {
  public:
   explicit ProgressLine(bool quiet) : quiet_(quiet) {}
 
   int all = 0, done = 0, failed = 0;
 
-  /// Takes the time of a run into the estimate of what is left.
+  /// Adds the time of a run to the estimate of the remaining time.
   void add_run(double seconds);
   void show(std::size_t running, int workers);
   /// Writes the last state and ends the line.

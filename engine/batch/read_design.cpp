@@ -165,7 +165,7 @@ std::vector<Assignment> sampled(const toml::table& design, const std::string& ki
   return sobol(intervals, samples, seed);
 }
 
-/// A value as it stands in a table: a number in its shortest form, else text as it is.
+/// A value from a table: a number in its shortest form, or else the text itself.
 std::string cell_text(const std::string& cell) {
   std::istringstream stream(cell);
   double number = 0;

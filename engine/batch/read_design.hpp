@@ -11,10 +11,10 @@
 #include "engine/batch/designs.hpp"
 #include "engine/case/problems.hpp"
 
-/// Reading of one `[[design]]` of a sweep file, and what reading of all its parts shares.
+/// Reads one `[[design]]` of a sweep file; also helpers for the other parts of such files.
 namespace pliant::batch {
 
-/// The runs of a design; tables are files of `folder`. Throws InputError.
+/// The runs of a design; tables are files in `folder`. Throws InputError.
 std::vector<Assignment> read_design(const toml::table& design, const std::filesystem::path& folder);
 
 /// Throws InputError with the line of the node.
@@ -23,15 +23,15 @@ std::vector<Assignment> read_design(const toml::table& design, const std::filesy
 
 void refuse_other_keys(const toml::table& table, const std::vector<std::string_view>& known);
 
-/// The text of a TOML file, `kind` of which is named in messages. Throws InputError.
+/// Reads a TOML file; messages call it `kind`. Throws InputError.
 toml::table read_toml(const std::filesystem::path& file, std::string_view kind);
 
-/// The texts of a list; none where there is no such key. Throws InputError, which says what to
-/// write by an example.
+/// The texts of a list; empty if the key does not exist. Throws InputError with `example` as the
+/// remedy.
 std::vector<std::string> texts_of(const toml::table& table, std::string_view key,
                                   const std::string& example);
 
-/// The value of a key, or `otherwise` where there is none. Throws InputError unless it is what is
+/// The value of a key, or `otherwise` if it does not exist. Throws InputError if it is not what is
 /// `wanted`.
 template <class T>
 T value_of(const toml::table& table, std::string_view key, const T& otherwise,

@@ -11,14 +11,14 @@ namespace {
 
 constexpr int bits = 32;
 
-/// A primitive polynomial by its degree and inner coefficients, and the first direction numbers.
+/// A primitive polynomial, by its degree and inner coefficients, and its first direction numbers.
 struct Generator {
   int degree;
   std::uint32_t coefficients;
   std::array<std::uint32_t, 7> first;
 };
 
-// From the second dimension on; the first is the sequence of van der Corput.
+// From the second dimension on; the first is the van der Corput sequence.
 constexpr std::array<Generator, SobolSequence::most_dimensions - 1> generators = {{
     {1, 0, {1}},
     {2, 1, {1, 3}},
@@ -72,7 +72,7 @@ SobolSequence::SobolSequence(int dimensions, std::uint64_t seed) {
   }
 }
 
-// Gray code: point n differs from the one before in the direction of the lowest zero bit of n - 1.
+// Gray code: a point differs from the one before in the direction of the lowest zero bit of n - 1.
 std::vector<double> SobolSequence::next() {
   std::vector<double> point;
   point.reserve(dimensions_.size());

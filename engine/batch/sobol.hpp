@@ -6,8 +6,8 @@
 namespace pliant::batch {
 
 /// A Sobol sequence in up to `most_dimensions` dimensions, with direction numbers of Joe and Kuo
-/// (SIAM J. Sci. Comput. 30, 2008, new-joe-kuo-6). A random digital shift keeps its uniformity and
-/// makes it depend on a seed.
+/// (SIAM J. Sci. Comput. 30, 2008, new-joe-kuo-6). A random digital shift preserves its uniformity
+/// and makes it depend on a seed.
 class SobolSequence {
  public:
   static constexpr int most_dimensions = 20;
@@ -15,7 +15,7 @@ class SobolSequence {
   /// Throws std::invalid_argument for less than 1 or too many dimensions.
   SobolSequence(int dimensions, std::uint64_t seed);
 
-  /// The next point, each coordinate from 0 to below 1.
+  /// The next point, with coordinates in [0, 1).
   std::vector<double> next();
 
  private:

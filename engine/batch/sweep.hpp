@@ -8,21 +8,20 @@
 
 namespace pliant::batch {
 
-/// What a sweep file says.
 struct Sweep {
   std::string name;                   ///< of the file
   std::filesystem::path case_file;    ///< of the base case
   std::vector<std::string> settings;  ///< key=value, of all runs
   double time_limit = 0;              ///< of an attempt [s]; 0: none
   int retries = 0;                    ///< further attempts of a run that fails
-  std::vector<Assignment> runs;       ///< no two with one name
+  std::vector<Assignment> runs;       ///< with different names
   struct Slurm {
     std::vector<std::string> options;  ///< of sbatch
     int runs_per_task = 0;             ///< 0: by their estimated times
   } slurm;
 };
 
-/// Throws InputError, which names file, line and remedy.
+/// Throws InputError that names file, line and remedy.
 Sweep read_sweep(const std::filesystem::path& file);
 
 }  // namespace pliant::batch

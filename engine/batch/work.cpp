@@ -25,7 +25,7 @@ Work::Work(const Sweep& sweep, const BatchOptions& options, Ledger& ledger)
   for (const Assignment& run : sweep.runs) {
     RunRow& row = known.at(name_of(run));
     ++progress.all;
-    // Tasks of Slurm continue when this program is killed.
+    // Tasks of Slurm continue after this program is killed.
     const auto attempt = slurm::read_attempt(folder_of(row.name));
     if (row.status != RunStatus::done && attempt && attempt->row.attempts >= row.attempts) {
       row = attempt->row;

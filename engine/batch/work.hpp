@@ -13,7 +13,7 @@
 
 namespace pliant::batch {
 
-/// What a batch has to do, whichever executor does it.
+/// The work of a batch, for any executor.
 class Work {
  public:
   Work(const Sweep& sweep, const BatchOptions& options, Ledger& ledger);
@@ -26,15 +26,15 @@ class Work {
   std::vector<std::string> command_of(const Assignment& parameters) const;
   std::vector<std::string> settings_of(const Assignment& parameters) const;
 
-  /// Whether the run needs no process: it ended unseen, or its case is wrong. Estimates what it
-  /// needs where that is not known yet.
+  /// Whether the run needs no process: it has already ended, or its case is wrong. Estimates the
+  /// needs of the run if they are not known yet.
   bool is_settled(Waiting& run);
-  /// Writes the end of an attempt into the ledger, and counts it.
+  /// Writes the end of an attempt to the ledger, and counts it.
   void end(const std::string& run, RunStatus status, const Outcome& outcome);
-  /// Does so with an attempt that another process has made.
+  /// The same for an attempt made by another process.
   void put(const RunRow& row);
 
-  /// Itself, or a path that holds on other machines too.
+  /// The path of this program, also valid on other machines if necessary.
   const std::filesystem::path& program() const { return program_; }
   const Sweep& sweep() const { return sweep_; }
   const BatchOptions& options() const { return options_; }
@@ -50,14 +50,14 @@ class Work {
   void count(RunStatus status);
 };
 
-/// Runs them as processes on this machine.
+/// Executes the runs as processes on this machine.
 BatchEnd run_here(Work& work);
 
-/// Runs them as job arrays of Slurm. Throws InputError where there is no Slurm, or where it refuses
-/// them.
+/// Executes the runs as job arrays of Slurm. Throws InputError if there is no Slurm, or if it
+/// refuses them.
 BatchEnd run_on_slurm(Work& work);
 
-/// Throws InputError where Slurm has tasks of the batch in this folder that wait or run.
+/// Throws InputError if Slurm has waiting or running tasks of the batch in this folder.
 void refuse_tasks_of_slurm(const std::filesystem::path& folder);
 
 }  // namespace pliant::batch

@@ -13,8 +13,8 @@ namespace {
 
 constexpr int least_pairs = 16;
 
-/// Speed of one process over that of another, from turns one right after the other. The order
-/// alternates, so that a machine that becomes slower wrongs neither.
+/// Ratio of the speeds of two processes, from alternating turns. The order of each pair alternates
+/// too, so that a machine that slows down favours neither.
 double ratio_of(MeasuredProgram& own, MeasuredProgram& other) {
   using Clock = std::chrono::steady_clock;
   constexpr std::size_t least_turns = 6, most_turns = 40;

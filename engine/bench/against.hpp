@@ -8,19 +8,18 @@
 
 namespace pliant::bench {
 
-/// How two programs are compared.
 struct AgainstOptions {
   std::filesystem::path other;                       ///< the program to compare with
   std::filesystem::path program = "/proc/self/exe";  ///< this one
   std::vector<std::string> rows;                     ///< names
   int threads = 0;
   double tolerance = 0.01;
-  double width = 0.01;  ///< pairs follow until the interval reaches no further than this
+  double width = 0.01;  ///< pairs are added until the interval is this narrow
   int most_pairs = 200;
   bool quiet = false;
 };
 
-/// Speed of this program over that of the other one.
+/// Ratio of the speed of this program to that of the other one.
 struct Against {
   std::string name;
   int pairs = 0;
@@ -28,11 +27,10 @@ struct Against {
   Verdict verdict = Verdict::same;
 };
 
-/// Starts pairs of processes, one of each program, which measure a row in short turns, one waiting
-/// for the other, until the ratio of their speeds is known. Where the pages of a process lie in
-/// memory decides some per cent of its speed: hence many pairs. Other programs come and go within
-/// seconds: hence short turns. Throws InputError where the other one cannot be run or does not know
-/// the row.
+/// Starts pairs of processes, one of each program, which measure a row in alternating turns until
+/// the ratio of their speeds is known. Many pairs, since the placement of a process in memory
+/// affects its speed by some percent; short turns, since other programs start and end within
+/// seconds. Throws InputError if the other program cannot be run or does not know the row.
 std::vector<Against> compare_programs(const AgainstOptions& options);
 
 std::string text_of(const std::vector<Against>& found);

@@ -17,7 +17,7 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-// Long enough to wake a processor up, short enough to stand beside every measurement.
+// Long enough to wake a processor, short enough to accompany every measurement.
 constexpr std::chrono::milliseconds duration(30);
 
 // The processors that this process may use.
@@ -31,7 +31,7 @@ std::vector<int> own_processors() {
   return processors;
 }
 
-// A thread as short-lived as these may never leave the processor on which it was born.
+// Such a short-lived thread might never leave the processor on which it started.
 void move_to(int processor) {
   cpu_set_t set;
   CPU_ZERO(&set);
@@ -39,8 +39,8 @@ void move_to(int processor) {
   pthread_setaffinity_np(pthread_self(), sizeof set, &set);
 }
 
-// Work per second of all threads together: each repeats `portion(thread)`, which returns the work
-// done, until the time is over.
+// Work per second of all threads together. Each thread repeats `portion(thread)`, which returns the
+// work done, until the time is over.
 double rate(int threads, const std::function<double(int)>& portion) {
   const std::vector<int> processors = own_processors();
   std::vector<double> rates(static_cast<std::size_t>(threads));

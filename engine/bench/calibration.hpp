@@ -3,21 +3,20 @@
 #include "engine/storage/buffer.hpp"
 #include "kernels/isa.hpp"
 
-/// What the machine can do at the moment of asking. Other programs and other guests of the same
-/// host take their share without notice, so that a figure means little without one of these taken
-/// beside it.
+/// The present speed of the machine. Other programs and guests of the host use a changing share of
+/// it, so a figure is only meaningful with a speed measured at the same time.
 namespace pliant::bench {
 
 /// Multiply-adds in registers on `threads` threads, two operations each [flop/s]. SSE2 has no fused
-/// ones: there a multiplication and an addition.
+/// ones and uses a multiplication and an addition.
 double fma_peak(kernels::Isa isa, int threads);
 
-/// The arrays of the triad a = b + 3 c, far larger than a second-level cache.
+/// The triad a = b + 3 c, with arrays much larger than a second-level cache.
 class Triad {
  public:
   Triad();
 
-  /// Bytes per second on `threads` threads, each array counted once (as STREAM does).
+  /// Bytes per second on `threads` threads; each array counts once, as in STREAM.
   double operator()(int threads);
 
  private:

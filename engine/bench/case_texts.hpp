@@ -2,8 +2,8 @@
 
 #include <string_view>
 
-/// Case files of cases/, built into the program: an installed program measures the same cases from
-/// any folder.
+/// Case files of cases/, built into the program, so that an installed program measures the same
+/// cases from any folder.
 namespace pliant::bench {
 
 extern const std::string_view rotating_cylinder_text;

@@ -18,7 +18,7 @@ namespace {
 
 using Settings = std::vector<std::string>;
 
-// What rates of all versions are measured with, whatever the defaults are.
+// Fixed settings for rates of all versions, independent of the defaults.
 const Settings as_ever = {"time.cfl=0.5", "time.strain=1", "discretisation.dissipation=0.25",
                           "remeshing.filter=0.2", "remeshing.deformation_threshold=1"};
 

@@ -104,7 +104,7 @@ Interval typical_ratio(std::span<const double> ratios) {
   }
   std::sort(means.begin(), means.end());
   const double value = std::exp(median(means));
-  constexpr double quantile = 3.2905;  // of the normal distribution, 0.05 % in each tail
+  constexpr double quantile = 3.2905;  // of the normal distribution, with 0.05 % in each tail
   const double count = static_cast<double>(n);
   const double rank =
       count * (count + 1) / 4 - quantile * std::sqrt(count * (count + 1) * (2 * count + 1) / 24);

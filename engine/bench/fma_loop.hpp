@@ -6,11 +6,11 @@
 
 namespace pliant::bench {
 
-/// Chains of dependent multiply-adds: two units of latency four need eight.
+/// Chains of dependent multiply-adds; two units with latency four need at least eight.
 inline constexpr int fma_chains = 12;
 
-/// `rounds` multiply-adds in each lane of each chain, in registers alone; returns what nobody needs
-/// to know, so that they happen.
+/// `rounds` multiply-adds in each lane of each chain, only in registers. The result is returned so
+/// that the compiler does not remove the loop.
 template <class P>
 kernels::Scalar<P> fma_loop(std::int64_t rounds) {
   using T = kernels::Scalar<P>;

@@ -2,8 +2,8 @@
 
 namespace pliant::bench {
 
-/// Share of its own time by which each measured step is made longer: 0, but in the program of
-/// bench/comparison, which shows that comparisons find it.
+/// The share of its own time by which each measured step is prolonged. It is 0 except in the
+/// program of bench/comparison, which shows that comparisons detect it.
 double handicap();
 
 }  // namespace pliant::bench

@@ -13,7 +13,7 @@ namespace pliant::bench {
 
 namespace {
 
-// The value of the first line of /proc/cpuinfo with this key.
+// The value of the first line in /proc/cpuinfo with this key.
 std::string processor_entry(const std::string& key) {
   std::ifstream entries("/proc/cpuinfo");
   for (std::string line; std::getline(entries, line);) {

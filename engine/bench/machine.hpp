@@ -5,7 +5,7 @@
 
 namespace pliant::bench {
 
-/// What a figure belongs to: the processor and the compiler, a line each.
+/// The machine of a measurement: processor and compiler, one line each.
 std::vector<std::string> machine_description();
 
 }  // namespace pliant::bench

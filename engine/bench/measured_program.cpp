@@ -39,7 +39,7 @@ MeasuredProgram::MeasuredProgram(std::filesystem::path program, std::string row,
       posix_spawn(&process_, arguments[0], &actions, nullptr, arguments.data(), environ);
   posix_spawn_file_actions_destroy(&actions);
   ::close(ends[1]);
-  if (error != 0) process_ = -1;  // turn() says so
+  if (error != 0) process_ = -1;  // turn() reports it
 }
 
 MeasuredProgram::~MeasuredProgram() {

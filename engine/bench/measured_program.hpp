@@ -7,23 +7,23 @@
 
 namespace pliant::bench {
 
-/// A pliant in a process of its own that measures one row, a turn at a time (turns.hpp).
+/// A pliant process that measures one row, one turn at a time (turns.hpp).
 class MeasuredProgram {
  public:
-  /// Starts it; the set-up goes on beside the caller. Throws InputError where no process can be
-  /// made.
+  /// Starts the process, which sets up in parallel with the caller. Throws InputError if no process
+  /// can be created.
   MeasuredProgram(std::filesystem::path program, std::string row, int threads);
   MeasuredProgram(const MeasuredProgram&) = delete;
   MeasuredProgram& operator=(const MeasuredProgram&) = delete;
   ~MeasuredProgram();
 
-  /// Rate of its next turn [particle-stages/s]. Throws InputError where it gives none.
+  /// Rate of its next turn [particle-stages/s]. Throws InputError if it returns none.
   double turn();
 
  private:
   std::filesystem::path program_;
   std::string row_;
-  int connection_ = -1;  ///< a socket: its standard input and output
+  int connection_ = -1;  ///< a socket for its standard input and output
   pid_t process_ = -1;
 };
 

@@ -6,26 +6,25 @@
 
 #include "engine/bench/row.hpp"
 
-/// What `pliant bench --save` keeps: the figures of a program, and those of the machine beside
-/// each.
+/// The content of files of `pliant bench --save`: the figures of a program, each with those of the
+/// machine at that time.
 namespace pliant::bench {
 
-/// One measurement of a row, and of the machine right beside it.
+/// One measurement of a row and of the machine at that time.
 struct RecordedSample {
   double rate = 0;      ///< [particle-stages/s]
   double fma_peak = 0;  ///< [flop/s]
   double triad = 0;     ///< [bytes/s]
 };
 
-/// All measurements of one row.
 struct RecordedRow {
-  std::string name;  ///< as `Row::name` gives it
+  std::string name;  ///< see `Row::name`
   std::int64_t particles = 0;
   int threads = 1;
   std::vector<RecordedSample> samples;
 };
 
-/// All rows that were measured on one machine.
+/// All rows measured on one machine.
 struct Record {
   std::vector<std::string> machine;  ///< lines that describe it
   std::vector<RecordedRow> rows;

@@ -23,7 +23,7 @@ double resident_bytes() {
   return resident_pages * static_cast<double>(::sysconf(_SC_PAGESIZE));
 }
 
-// Names are those of `after`, in its order.
+// Names are in the order of `after`.
 std::vector<scheduler::StepTotals::Timer> difference(const scheduler::StepTotals& after,
                                                      const scheduler::StepTotals& before) {
   std::vector<scheduler::StepTotals::Timer> timers = after.timers();
@@ -45,7 +45,7 @@ void add_calibration(Sample& sample, int threads, kernels::Isa isa, Triad& triad
 Sample measure(const Case& settings, const Window& window, int threads, kernels::Isa isa,
                Triad& triad) {
   Sample sample;
-  ::malloc_trim(0);  // what earlier samples have left
+  ::malloc_trim(0);  // frees what earlier samples have left
   const double resident = resident_bytes();
   const auto before_setup = Clock::now();
   const std::unique_ptr<Solver> made = methods().make(settings, {threads, isa});

@@ -10,22 +10,22 @@
 
 namespace pliant::bench {
 
-/// Which part of a run is measured.
+/// The measured part of a run.
 struct Window {
   std::int64_t steps_before;  ///< not measured
-  std::int64_t steps;         ///< at most; the run ends at the case's end too
-  std::int64_t turn;          ///< steps of a turn (turns.hpp), likewise
+  std::int64_t steps;         ///< at most; the end of the case ends it too
+  std::int64_t turn;          ///< steps of a turn (turns.hpp), with the same limit
 };
 
-/// A case run for a while, and the machine as it was just then.
+/// A part of a run of a case, and the speed of the machine at that time.
 struct Sample {
   std::int64_t particles = 0;        ///< interior, at the end
   std::int64_t particle_stages = 0;  ///< (interior particles) x 4 x steps
   std::int64_t steps = 0, remeshings = 0;
   double bytes_per_particle = 0;     ///< of all fields
-  double resident_per_particle = 0;  ///< memory that the process has taken for the solver [bytes]
+  double resident_per_particle = 0;  ///< memory that the process allocated for the solver [B]
   double setup_seconds = 0;          ///< wall time until the solver can step
-  Elapsed elapsed;                   ///< by the step loop, remeshing included
+  Elapsed elapsed;                   ///< of the step loop, including remeshing
   double phase_seconds = 0;          ///< inside phases, of all threads
   double fma_peak = 0;               ///< [flop/s], mean of before and after
   double triad = 0;                  ///< [bytes/s], likewise

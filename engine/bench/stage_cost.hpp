@@ -2,12 +2,12 @@
 
 #include "engine/remeshed/state/field_store.hpp"
 
-/// What one particle costs in one Runge-Kutta stage, counted from the equations and from the field
-/// list; docs/performance/step.md shows the sums. Ghosts, empty slots, remeshing and the level set
-/// are overheads, and count for nothing here.
+/// The cost of one particle in one Runge-Kutta stage, from the equations and the list of fields;
+/// docs/performance/step.md shows the sums. Ghosts, empty slots, remeshing and the level set are
+/// overheads and do not count here.
 namespace pliant::bench {
 
-/// Additions, multiplications, divisions and roots count one each, fused ones two.
+/// Additions, multiplications, divisions and roots count as one each, fused operations as two.
 constexpr double flop_per_stage(kernels::Kernel kernel, kernels::Model model, int dimension = 2) {
   using kernels::Kernel;
   using kernels::Model;
@@ -42,14 +42,13 @@ constexpr double bytes_per_stage_in(kernels::Model model) {
   return sizeof(double) * (read + states_written * state + drifts_written * D + stress);
 }
 
-/// Values that a stage must read and write, mean over the four stages; the third writes in the
-/// places of Q0 and Q2, the last in that of Q0, and of the drift every stage but the first in the
-/// place of an older one.
+/// Values that a stage reads and writes, averaged over the four stages. The third overwrites Q0 and
+/// Q2, the last Q0. For the drift, every stage except the first overwrites an older value.
 constexpr double bytes_per_stage(kernels::Model model, int dimension = 2) {
   return dimension == 2 ? bytes_per_stage_in<2>(model) : bytes_per_stage_in<3>(model);
 }
 
-/// What a node of the point-based method costs in one step.
+/// The cost of a node of the point-based method in one step.
 struct NodeCost {
   double flop, bytes;
 };
@@ -61,21 +60,21 @@ constexpr NodeCost point_based_cost(int dimension, int neighbours, int value_siz
   const int bond = plane ? 25 : 49;
   // cof F 27, J 5, factor 4, P 27, V kappa A 6, B 63; the update 20.
   const int node = plane ? 65 : 152;
-  // g, w and the neighbour's place; V, V kappa, A, 1/m, and five times a vector.
+  // g, w and the position of the neighbour; V, V kappa, A, 1/m, and five vectors.
   const int bond_bytes = (dimension + 1) * value_size + 2;
   const int values = 3 + dimension * (dimension + 1) / 2 + 5 * dimension;
   return {static_cast<double>(neighbours * bond + node),
           static_cast<double>(neighbours * bond_bytes + values * value_size)};
 }
 
-/// What a particle of the total Lagrangian method costs in one step, with the cell above it, for a
+/// The cost of a particle of the total Lagrangian method in one step, with the cell above it, for a
 /// neo-Hookean material without viscosity, damping and loads.
 constexpr NodeCost total_lagrangian_cost(int dimension, int value_size) {
   const bool plane = dimension == 2;
   // Modes 72, F 12, hourglass squares and their derivatives 156, cof F and J 32, the stress 81, its
   // modes 24, corner forces 66, their sums 24; the update 9. In 2D 16, 6, 6, 7, 56, 10, 8, 8, 6.
   const double flop = plane ? 123 : 476;
-  // d, the next d, velocity and force, of which velocity is read and written; 1/m and f.
+  // d, the next d, velocity (read and written) and force; 1/m and f.
   return {flop, static_cast<double>((5 * dimension + 2) * value_size)};
 }
 

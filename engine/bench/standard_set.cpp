@@ -22,7 +22,7 @@ using kernels::Kernel;
 
 constexpr std::int64_t compression_columns = 256, quick_compression_columns = 64;
 
-// Rows in pairs: one thread, then all.
+// Pairs of rows: one thread, then all.
 std::vector<Row> all_rows(const StandardSetOptions& options) {
   if (options.largest) return growth_rows(*options.largest, options.threads);
   std::vector<Row> rows;

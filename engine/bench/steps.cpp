@@ -14,8 +14,8 @@ double time_of(clockid_t clock) {
   return static_cast<double>(time.tv_sec) + 1e-9 * static_cast<double>(time.tv_nsec);
 }
 
-// A handicap is a share of the time that the step had of the processor: an interruption by another
-// program does not count.
+// The handicap is a share of the processor time of the step, so that interruptions by other
+// programs do not count.
 void step(Solver& solver) {
   const double start = time_of(CLOCK_THREAD_CPUTIME_ID);
   solver.step(solver.settings().time.end - solver.clock().time);

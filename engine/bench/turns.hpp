@@ -8,15 +8,15 @@
 
 namespace pliant::bench {
 
-/// A row that is measured a few steps at a time, while another program waits.
+/// A row that is measured a few steps at a time, in alternation with another program.
 class Turns {
  public:
-  /// Sets the case up and takes the steps that are not measured.
+  /// Sets up the case and takes the steps that are not measured.
   explicit Turns(Row row);
 
-  /// Rate of the next steps of the row [particle-stages/s]: on one thread over the processor time,
-  /// in which other programs have no share, on several over the wall time. A case that is over
-  /// begins again.
+  /// Rate of the next steps of the row [particle-stages/s]: on one thread relative to the processor
+  /// time, which does not include other programs; on several, to the wall time. A case that has
+  /// ended starts again.
   double next();
 
  private:
@@ -26,8 +26,8 @@ class Turns {
   std::unique_ptr<Solver> solver_;
 };
 
-/// Measures the row of this name: for each byte on standard input a turn, whose rate becomes a line
-/// on standard output. Ends when the input does. Throws InputError where the set has no such row.
+/// Measures the row with this name: one turn for each byte on standard input, with its rate as a
+/// line on standard output. Ends when the input ends. Throws InputError if the set has no such row.
 void answer_turns(const StandardSetOptions& options);
 
 }  // namespace pliant::bench

@@ -9,10 +9,10 @@ namespace pliant {
 
 /// Equal boxes that cover a region, at least one search radius wide.
 ///
-///    . . . . . .      Everything within the radius of a point (o) is in its own bin or in the
-///    . x x x . .      adjacent ones (x). In a periodic direction, a whole number of bins makes a
-///    . x o x . .      period, and the row of bins is a ring. A ring that is shorter than the
-///    . x x x . .      radius is passed more than once.
+///     . . . . . .      Everything within the radius of a point (o) is in its own bin or in the
+///     . x x x . .      adjacent ones (x). In a periodic direction, a whole number of bins makes a
+///     . x o x . .      period, and the row of bins is a ring. A ring that is shorter than the
+///     . x x x . .      radius is passed more than once.
 ///
 /// Bins do not depend on the cells of a lattice, only on positions and a radius.
 template <int D>

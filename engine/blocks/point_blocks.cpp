@@ -13,7 +13,7 @@
 // Whether two blocks have points within the radius of each other is decided from coarse to fine: by
 // the boxes of blocks, by the boxes of leaves (short runs of a block), and finally by points. In
 // two blocks that share a face, most pairs of leaves there have such points, so the first pairs
-// decide. Blocks that are not near enough are mostly excluded by boxes.
+// decide. Boxes exclude most others.
 namespace pliant {
 
 namespace {

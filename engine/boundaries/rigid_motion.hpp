@@ -48,7 +48,7 @@ struct RigidStep {
 
   /// Displacement in the step of the point that was at x at t = 0 [m].
   Point<D> shift_of(const Point<D>& x) const;
-  /// Displacement in the step of the point that is at x when it ends [m].
+  /// The same for the point that is at x when the step ends.
   Point<D> shift_at(const Point<D>& x) const;
 };
 

@@ -8,14 +8,13 @@
 
 namespace pliant::calibrate {
 
-/// A measured curve that a measurement of the case should follow.
+/// A measured curve for a measurement of the case.
 struct Curve {
   std::string measurement;
   std::vector<double> time, value;
-  std::vector<double> deviation;  ///< standard deviation of each value: the inverse of its weight
+  std::vector<double> deviation;  ///< standard deviation of each value, the inverse of its weight
 };
 
-/// What a fit file says.
 struct Fit {
   std::string name;  ///< of the file
   std::filesystem::path case_file;
@@ -26,7 +25,7 @@ struct Fit {
   OptimiserOptions optimiser;
 };
 
-/// Throws InputError, which names file, line and remedy.
+/// Throws InputError that names file, line and remedy.
 Fit read_fit(const std::filesystem::path& file);
 
 }  // namespace pliant::calibrate

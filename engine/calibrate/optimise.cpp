@@ -19,7 +19,7 @@ using Eigen::VectorXd;
 
 constexpr int runs_are_spent = -1;
 
-/// The model as a function of the angles of its parameters. Remembers what it has evaluated.
+/// The model as a function of the angles of its parameters. Stores what it has evaluated.
 class Model {
  public:
   Model(const std::vector<Parameter>& parameters, const Evaluate& evaluate,
@@ -28,7 +28,7 @@ class Model {
 
   int runs() const { return static_cast<int>(known_.size()); }
 
-  /// False where the runs do not suffice.
+  /// False if the runs do not suffice.
   bool provide(const std::vector<VectorXd>& points) {
     std::vector<std::vector<double>> missing;
     for (const VectorXd& point : points) {
@@ -81,7 +81,7 @@ class Model {
   }
 
  private:
-  /// Away from the bound that is nearer.
+  /// Points away from the nearer bound.
   double step(double angle) const {
     return std::sin(angle) > 0 ? -options_.difference : options_.difference;
   }
@@ -92,14 +92,14 @@ class Model {
   std::map<std::vector<double>, std::optional<Residuals>> known_;
 };
 
-/// What Eigen's optimiser calls.
+/// The interface for Eigen's optimiser.
 struct Functor : Eigen::DenseFunctor<double> {
   Functor(Model& a_model, int inputs, int values) : DenseFunctor(inputs, values), model(a_model) {}
 
   int operator()(const VectorXd& point, VectorXd& residuals) const {
     if (!model.provide({point})) return runs_are_spent;
     const auto& found = model.at(point);
-    // A step to where the model has no values is a bad step, which is made shorter.
+    // Where the model has no values, large residuals make the optimiser shorten the step.
     constexpr double bad = 1e6;
     residuals.setConstant(values(), bad);
     if (found) std::copy(found->begin(), found->end(), residuals.data());
@@ -122,8 +122,9 @@ Determination determination_of(const Parameter& parameter, double value, double 
   return error <= 0.05 * std::abs(value) ? Determination::well : Determination::poorly;
 }
 
-/// Standard errors and correlations from the slopes of the residuals in the values. A direction
-/// that the residuals do not know has an infinite variance, for which a large number stands.
+/// Standard errors and correlations, from the slopes of the residuals with respect to the values. A
+/// direction that does not affect the residuals has infinite variance, represented by a large
+/// number.
 void add_errors(Calibration& result, const std::vector<Parameter>& parameters, MatrixXd slopes) {
   const auto count = static_cast<Eigen::Index>(parameters.size());
   VectorXd scale(count);
@@ -150,9 +151,9 @@ void add_errors(Calibration& result, const std::vector<Parameter>& parameters, M
   }
 }
 
-/// False where the runs were spent. In the long valleys of parameters that the data hardly tell, a
-/// step that lowers the sum of squares by less than a tenth of the variance is below a third of a
-/// standard error, and the last.
+/// False if the runs are used up. In long valleys of hardly determined parameters, the search also
+/// ends at a step that lowers the sum of squares by less than a tenth of the variance, below a
+/// third of a standard error.
 bool search_minimum(Eigen::LevenbergMarquardt<Functor>& optimiser, int freedom, VectorXd& point) {
   using Status = Eigen::LevenbergMarquardtSpace::Status;
   const auto squares = [&] { return optimiser.fnorm() * optimiser.fnorm(); };
@@ -175,7 +176,7 @@ Calibration optimise(const std::vector<Parameter>& parameters, const Evaluate& e
   const int count = static_cast<int>(parameters.size());
   VectorXd point(count);
   for (int i = 0; i < count; ++i) point[i] = parameters[i].angle(parameters[i].start);
-  // Runs for the errors at the result are kept back.
+  // Reserves runs for the errors at the result.
   OptimiserOptions search = options;
   search.most_runs = options.most_runs - count;
   Model model(parameters, evaluate, search);

@@ -53,7 +53,7 @@ double number_of(const std::string& text, const std::filesystem::path& file, std
                   file.string(), text, row));
 }
 
-/// The first two columns of a CSV file below its row of names.
+/// Reads the first two columns of a CSV file with one row of names.
 void read_columns(Curve& curve, const std::filesystem::path& file) {
   std::ifstream stream(file);
   const std::string text{std::istreambuf_iterator<char>(stream), {}};
@@ -98,7 +98,7 @@ Curve curve_of(const toml::table& table, const std::filesystem::path& folder) {
   return curve;
 }
 
-/// The tables of an array that must not be empty.
+/// Reads the tables of an array that must not be empty.
 template <class Read>
 void read_tables(const toml::table& root, std::string_view key, const Read& read) {
   const toml::array* tables = root[key].as_array();

@@ -30,7 +30,7 @@ double root_mean_square(const Residuals& residuals) {
   return std::sqrt(sum / static_cast<double>(residuals.size()));
 }
 
-/// Largest difference of a fit from its curve over the largest value of the curve.
+/// Largest difference of a fit from its curve, relative to the largest value of the curve.
 double largest_difference(const Curve& curve, const double* residuals) {
   double difference = 0, largest = 0;
   for (std::size_t i = 0; i < curve.value.size(); ++i) {

@@ -11,20 +11,20 @@
 
 namespace pliant::calibrate {
 
-/// A batch of a calibration was interrupted.
+/// Thrown when a batch of a calibration was interrupted.
 struct Interrupted {};
 
-/// The history of a measurement at given times, linear between its samples; empty where it has no
-/// value at one of them. Throws InputError where the run has no such measurement.
+/// The history of a measurement at given times, linear between its samples; empty if it has no
+/// value at one of them. Throws InputError if the run has no such measurement.
 std::vector<double> history_at(const std::filesystem::path& result, const std::string& measurement,
                                const std::vector<double>& times);
 
-/// Runs of the case of a fit: each set of points is a batch of its own, DIR/round-1 and so on.
+/// Runs of the case of a fit: each set of points is a batch, DIR/round-1 and so on.
 class Runs {
  public:
   Runs(const Fit& fit, const batch::BatchOptions& options) : fit_(fit), options_(options) {}
 
-  /// Residuals of all curves one after the other; none for a run that failed. Throws Interrupted.
+  /// Residuals of all curves, one after another; none for a run that failed. Throws Interrupted.
   std::vector<std::optional<Residuals>> operator()(const std::vector<std::vector<double>>& points);
 
  private:

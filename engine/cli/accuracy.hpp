@@ -7,7 +7,7 @@ namespace pliant::cli {
 /// Measures the time to a given error, `pliant bench --accuracy`.
 ExitStatus accuracy(const BenchArguments& arguments);
 
-/// Throws InputError for options that belong to --accuracy without it, or the other way round.
+/// Throws InputError for options of --accuracy without it, and for other options with it.
 void refuse_options_without_accuracy(const BenchArguments& arguments);
 
 }  // namespace pliant::cli

@@ -28,7 +28,7 @@ namespace pliant::cli {
 
 namespace {
 
-/// A stderr that cannot be written must not end the run.
+/// An stderr that cannot be written must not end the run.
 void warn_of(const std::vector<std::string>& warnings) {
   for (const std::string& warning : warnings) {
     const std::string text =
@@ -37,7 +37,7 @@ void warn_of(const std::vector<std::string>& warnings) {
   }
 }
 
-/// Setting up may take longer than a person waits without a word.
+/// Set-up may take long, so it is announced to the user.
 void announce(const Case& settings, const Estimate& size, const SolverOptions& machine) {
   if (::isatty(STDERR_FILENO) == 0) return;
   const std::string text = fmt::format("{}: setting up {}; {} threads, {}\n", settings.name,
@@ -57,7 +57,7 @@ std::vector<std::string> warnings_of(const Case& settings) {
 }
 
 ExitStatus run(const RunArguments& arguments) {
-  // A reader of the progress that ends, as `head` does, must not end the run.
+  // If a reader of the progress ends, such as `head`, the run must not end.
   std::signal(SIGPIPE, SIG_IGN);
   batch::end_with_parent();
   const ExitOnInterrupt in_set_up(static_cast<int>(ExitStatus::interrupted),

@@ -8,7 +8,7 @@
 #include "engine/case/case.hpp"
 #include "engine/cli/exit_status.hpp"
 
-/// What each command of the program does. Throws InputError for what the user gave wrong.
+/// The actions of the program's commands. They throw InputError for user errors.
 namespace pliant::cli {
 
 /// A case and the settings that override its keys.
@@ -17,34 +17,30 @@ struct CaseArguments {
   std::vector<std::string> settings;  ///< key=value
 };
 
-/// Arguments of `pliant run`.
 struct RunArguments {
   CaseArguments source;
   std::optional<std::filesystem::path> folder;  ///< default: results/<case>
   int threads = 0;                              ///< 0: one per processor
   std::string isa;                              ///< empty: the widest supported
   bool resume = false;
-  bool force = false;  ///< run even if the memory may not suffice
+  bool force = false;  ///< run even if memory may not suffice
   bool quiet = false;
-  bool report = false;  ///< write its page at the end
+  bool report = false;  ///< write a page at the end
 };
 
-/// Runs a case and writes its results.
 ExitStatus run(const RunArguments& arguments);
 
-/// What `run` and `check` warn of in a case of any method, one sentence each.
+/// The warnings of `run` and `check` for a case of any method, one sentence each.
 std::vector<std::string> warnings_of(const Case& settings);
 
-/// Arguments of `pliant check`.
 struct CheckArguments {
   CaseArguments source;
   bool json = false;
 };
 
-/// Says what a case would run.
+/// Prints what a case would run.
 ExitStatus check(const CheckArguments& arguments);
 
-/// Arguments of `pliant list`.
 struct ListArguments {
   std::filesystem::path folder = "cases";
   bool json = false;
@@ -53,17 +49,14 @@ struct ListArguments {
 /// Lists the cases below a folder, with their titles.
 ExitStatus list(const ListArguments& arguments);
 
-/// Arguments of `pliant graph`.
 struct GraphArguments {
   CaseArguments source;
   std::string format = "dot";  ///< dot or json
   bool blocks = false;         ///< a node for each phase and block, not for each phase
 };
 
-/// Prints the step graph of a case.
 ExitStatus graph(const GraphArguments& arguments);
 
-/// Arguments of `pliant bench`.
 struct BenchArguments {
   bool quick = false;
   std::optional<std::int64_t> ball;
@@ -73,31 +66,30 @@ struct BenchArguments {
   std::optional<int> repetitions;
   std::optional<std::filesystem::path> save, compare, against, markdown;
   std::string tolerance;  ///< empty: the default
-  bool turns = false;     ///< answer another program that compares
+  bool turns = false;     ///< answer a comparing program
   bool json = false;
-  bool accuracy = false;  ///< time to a given error, which the next four are for
+  bool accuracy = false;  ///< time to a given error; uses the next four
   bool resume = false;
   std::optional<std::filesystem::path> ladders, folder;
   std::optional<double> time_limit;    ///< of a run [s]
-  std::optional<std::int64_t> growth;  ///< a table up to so many particles
+  std::optional<std::int64_t> growth;  ///< a growth table up to so many particles
 };
 
-/// Measures the machine and the standard set of cases on it.
+/// Measures the machine and the standard set of cases.
 ExitStatus bench(const BenchArguments& arguments);
 
-/// Arguments of `pliant profile`.
 struct ProfileArguments {
   CaseArguments source;
   std::string budget, frame_time;  ///< with units; empty: the defaults
   std::optional<int> frames, warm_up;
   double percentile = 99;
-  int threads = 0;  ///< these two as in RunArguments
+  int threads = 0;  ///< see RunArguments, also for `isa`
   std::string isa;
   std::filesystem::path trace, report;  ///< empty: none
   bool fit = false, json = false, quiet = false;
 };
 
-/// Measures whether a case holds a budget of wall time for each frame of simulated time.
+/// Measures whether a case meets a budget of wall time for each frame of simulated time.
 ExitStatus profile(const ProfileArguments& arguments);
 
 struct NoArguments {};
@@ -105,7 +97,6 @@ struct NoArguments {};
 /// Prints the reference of case files, docs/case-reference.md.
 ExitStatus reference(const NoArguments&);
 
-/// Prints the JSON Schema of case files.
 ExitStatus schema(const NoArguments&);
 
 }  // namespace pliant::cli

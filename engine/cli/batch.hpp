@@ -5,11 +5,11 @@
 
 namespace pliant::cli {
 
-/// What commands that make many runs have in common.
+/// Common arguments of commands with many runs.
 struct RunsArguments {
   std::optional<std::filesystem::path> folder;  ///< default: results/<name of the input file>
   std::string executor = "local";               ///< or "slurm"
-  int workers = 0;                              ///< 0: as many as there are processors for
+  int workers = 0;                              ///< 0: limited by processors
   int threads = 1;                              ///< of each run
   bool resume = false, quiet = false;
 };
@@ -18,8 +18,7 @@ struct BatchArguments : RunsArguments {
   std::filesystem::path sweep;
 };
 
-/// Throws InputError. On this machine, runs at once are as many as there are processors for at
-/// most.
+/// Throws InputError. On this machine, processors limit the number of runs at the same time.
 batch::BatchOptions options_of(const RunsArguments& arguments, const std::string& name);
 
 /// Runs a case with many values of its parameters.
@@ -30,7 +29,7 @@ struct TaskArguments {
   int index = 0;
 };
 
-/// Does the runs of one task of a job array. Slurm calls it.
+/// Executes the runs of one task of a job array. Slurm calls it.
 ExitStatus batch_task(const TaskArguments& arguments);
 
 struct LedgerArguments {
@@ -38,7 +37,7 @@ struct LedgerArguments {
   bool json = false;
 };
 
-/// Says how far a batch is, also while it runs.
+/// Prints the state of a batch, also while it runs.
 ExitStatus batch_status(const LedgerArguments& arguments);
 /// Prints parameters and measurements of all runs of a batch as CSV.
 ExitStatus batch_export(const LedgerArguments& arguments);

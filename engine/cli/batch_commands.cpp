@@ -39,7 +39,7 @@ void add_ledger_command(Commands& commands, CLI::App& parent, const char* name,
   });
 }
 
-/// What job scripts call; people do not.
+/// For job scripts, not for users.
 void add_task_command(Commands& commands, CLI::App& parent) {
   const auto arguments = std::make_shared<TaskArguments>();
   CLI::App& command = *parent.add_subcommand("task", "Do the runs of a task of a job array");
@@ -69,7 +69,7 @@ void add_batch(Commands& commands) {
   add_ledger_command(commands, command, "export", "Print all runs as CSV", false, &batch_export);
   add_task_command(commands, command);
   command.callback([&commands, &command, arguments] {
-    if (!command.get_subcommands().empty()) return;  // those have chosen
+    if (!command.get_subcommands().empty()) return;  // a subcommand has set `chosen`
     if (arguments->sweep.empty()) throw CLI::RequiredError("SWEEP");
     commands.chosen = [arguments] { return batch(*arguments); };
   });

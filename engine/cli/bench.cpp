@@ -22,7 +22,7 @@ double tolerance_of(const BenchArguments& arguments, double usual) {
   return arguments.tolerance.empty() ? usual : bench::share_of(arguments.tolerance, "--tolerance");
 }
 
-/// Shows a comparison. `Row` is one of its rows.
+/// Prints a comparison; `Row` is the type of its rows.
 template <class Row>
 ExitStatus end_with(const std::vector<Row>& rows, const BenchArguments& arguments,
                     const std::string& text, const std::string& markdown) {
@@ -96,7 +96,7 @@ ExitStatus bench(const BenchArguments& arguments) {
     answer_turns(options);
     return ExitStatus::done;
   }
-  // Read first, so that a wrong name costs nothing.
+  // Read first, so that a wrong name is reported at once.
   std::optional<bench::Record> before;
   if (arguments.compare) before = bench::read_record(*arguments.compare);
   const bench::Record now = run_standard_set(options);

@@ -15,7 +15,7 @@ namespace pliant::cli {
 
 namespace {
 
-/// A wrong key or name is said at once, not by the first run.
+/// Reports a wrong key or name at once, before the first run.
 void check_case(const calibrate::Fit& fit) {
   std::vector<std::string> settings = fit.settings;
   for (const calibrate::Parameter& parameter : fit.parameters) {

@@ -9,7 +9,7 @@ struct CalibrateArguments : RunsArguments {
   bool json = false;
 };
 
-/// Finds values of a case with which its measurements follow measured curves.
+/// Finds values of a case for which its measurements follow measured curves.
 ExitStatus calibrate(const CalibrateArguments& arguments);
 
 }  // namespace pliant::cli

@@ -24,13 +24,13 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-/// What a case would run, and what that costs.
+/// What a case would run, and its cost.
 struct Checked {
   Case settings;
   Estimate size;
-  std::optional<Examined> nodes;  ///< of methods of nodes
+  std::optional<Examined> nodes;  ///< for methods with nodes
   SolverOptions machine;
-  std::optional<double> seconds;  ///< none where no small lattice holds the case
+  std::optional<double> seconds;  ///< none if no small lattice can hold the case
   std::vector<std::string> warnings;
 };
 
@@ -59,7 +59,7 @@ Json list_of(const std::vector<Examined>& items) {
   return list;
 }
 
-/// Counts nodes and steps in place of estimates.
+/// Replaces estimates by the numbers of nodes and steps.
 void count_nodes(const Examined& nodes, double end, Estimate& size) {
   size.steps = std::llround(std::ceil(end / nodes.time_step));
   size.nodes_are_counted = true;
@@ -107,14 +107,14 @@ std::vector<std::filesystem::path> case_files(const std::filesystem::path& folde
   return files;
 }
 
-/// Everything that a run of the case would warn of before its first step.
+/// All warnings of a run before its first step.
 std::vector<std::string> all_warnings(const Case& settings) {
   std::vector<std::string> warnings = warnings_of(settings);
   std::ranges::copy(warnings_of_method(settings), std::back_inserter(warnings));
   return warnings;
 }
 
-/// Names of files need not be UTF-8, which JSON is.
+/// Names of files may not be UTF-8, but JSON must be.
 std::string text_of(const Json& json) {
   return json.dump(1, ' ', false, Json::error_handler_t::replace) + "\n";
 }

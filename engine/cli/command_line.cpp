@@ -44,7 +44,7 @@ void add_help(Commands& commands) {
     if (!explained->empty() && about == known.end()) {
       throw unknown_command(app, *explained);
     }
-    // App::help() of the program itself would explain `help`, the command that was given.
+    // App::help() of the program itself would explain the given command, `help`.
     const std::string text = explained->empty() ? app.get_formatter()->make_help(
                                                       &app, "pliant", CLI::AppFormatMode::Normal)
                                                 : (*about)->help("pliant");
@@ -61,7 +61,7 @@ void add_commands(Commands& commands) {
   app.get_formatter()->label("Positionals", "Arguments");
   app.get_formatter()->label("REQUIRED", "");
   app.require_subcommand(1);
-  // refuse_repetitions says it better than CLI11.
+  // refuse_repetitions gives a better message than CLI11.
   app.option_defaults()->multi_option_policy(CLI::MultiOptionPolicy::TakeLast);
 
   add_case_commands(commands);
@@ -72,7 +72,7 @@ void add_commands(Commands& commands) {
   add_help(commands);
 }
 
-/// What CLI11 says is wrong, in words of this program: options that it converts take numbers.
+/// The message of CLI11 in the words of this program: options that CLI11 converts take numbers.
 std::string reason(const CLI::ParseError& error) {
   std::string text = error.what();
   constexpr std::string_view conversion = "Could not convert: ";
@@ -80,8 +80,7 @@ std::string reason(const CLI::ParseError& error) {
   return text.substr(conversion.size()) + " is not a number in the range of this option";
 }
 
-/// CLI11's error as a sentence that names the command, with the nearest option for one that does
-/// not exist.
+/// CLI11's error as a sentence that names the command; for an unknown option, with the nearest one.
 InputError explained(const CLI::App& app, const CLI::ParseError& error) {
   const auto given = app.get_subcommands();
   const CLI::App& command = given.empty() ? app : *given.front();
@@ -106,8 +105,7 @@ InputError explained(const CLI::App& app, const CLI::ParseError& error) {
   return InputError(fmt::format("{}: {}; {}", name, reason(error), help));
 }
 
-/// Throws InputError for an option that is given twice. Which of the two should count is anyone's
-/// guess.
+/// Throws InputError for an option that is given twice, since it is unclear which one should count.
 void refuse_repetitions(const CLI::App& app, const std::string& name) {
   for (const CLI::Option* option : app.get_options()) {
     if (option->get_multi_option_policy() != CLI::MultiOptionPolicy::TakeLast) continue;

@@ -6,8 +6,8 @@
 
 namespace pliant::cli {
 
-/// What the command line asks for. Prints help and the version itself, and returns what does
-/// nothing more. Throws InputError for a command line that cannot be understood.
+/// The action that the command line requests. Prints help and the version itself, and then returns
+/// an action that does nothing. Throws InputError for an invalid command line.
 std::function<ExitStatus()> read_command_line(int argc, const char* const* argv);
 
 }  // namespace pliant::cli

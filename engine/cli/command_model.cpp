@@ -11,7 +11,7 @@ std::string one_line(std::string text) {
   return text;
 }
 
-/// The words of CLI::IsMember, which CLI11 shows as "{dot,json}" behind the type.
+/// The words of CLI::IsMember, which CLI11 shows as "{dot,json}" after the type.
 std::vector<std::string> words_of(const std::string& type) {
   std::vector<std::string> words;
   const std::size_t begin = type.find('{'), end = type.find('}');
@@ -21,7 +21,7 @@ std::vector<std::string> words_of(const std::string& type) {
   return words;
 }
 
-/// Arguments are files or folders, but for the few that are names.
+/// Arguments are files or folders, except for a few that are names.
 Completion completion_of(const OptionModel& option) {
   if (!option.words.empty()) return Completion::words;
   if (option.value == "FOLDER" || option.argument == "FOLDER") return Completion::folders;

@@ -4,21 +4,21 @@
 #include <string>
 #include <vector>
 
-/// The command line as completions and the manual page show it, taken from CLI11's declaration.
+/// The command line for completions and the manual page, from CLI11's declaration.
 namespace pliant::cli {
 
-/// What completes the value of an option or an argument.
+/// How the value of an option or an argument is completed.
 enum class Completion { none, files, folders, words };
 
 struct OptionModel {
   std::vector<std::string> names;  ///< "-h", "--help"; empty for an argument
-  std::string argument;            ///< name of an argument, as CASE
-  std::string value;               ///< as in --out FOLDER; empty for a flag
+  std::string argument;            ///< name of an argument, such as CASE
+  std::string value;               ///< for example FOLDER in --out FOLDER; empty for a flag
   std::string description;
   bool required = false;
   bool repeatable = false;
   Completion completion = Completion::none;
-  std::vector<std::string> words;  ///< that the value may be
+  std::vector<std::string> words;  ///< possible values
 
   const std::string& longest_name() const { return names.back(); }
 };
@@ -29,7 +29,7 @@ struct CommandModel {
   std::vector<CommandModel> commands;
 };
 
-/// `arguments` that name a command complete with the names of `app`'s commands.
+/// The model of `app`. `arguments` that name a command complete with the names of its commands.
 CommandModel model_of(const CLI::App& app);
 
 }  // namespace pliant::cli

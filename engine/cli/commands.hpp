@@ -7,10 +7,10 @@
 
 #include "engine/cli/actions.hpp"
 
-/// The commands of the program as CLI11 knows them.
+/// The commands of the program, declared with CLI11.
 namespace pliant::cli {
 
-/// Each command adds itself to `app`, and says in `chosen` what it does when it is given.
+/// Each command adds itself to `app`, and sets `chosen` to its action when it is given.
 struct Commands {
   CLI::App app{"Simulates elastic solids and soft tissue with particles.", "pliant"};
   std::function<ExitStatus()> chosen;

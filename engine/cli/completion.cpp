@@ -47,7 +47,7 @@ std::string bash_values(const OptionModel& option) {
                      fmt::join(option.words, " "));
 }
 
-/// Lines of the function for a command whose words begin at `place`.
+/// Lines of the function for a command whose words begin at position `place`.
 std::string bash_command(const CommandModel& command, int place, const std::string& indent) {
   std::string text;
   if (!command.commands.empty()) {

@@ -17,7 +17,8 @@
 #include "engine/output/colour.hpp"
 #include "engine/output/error.hpp"
 
-// The program: what a process needs before it opens files, and exit statuses for exceptions.
+// The program: prepares the process before files are opened, and converts exceptions to exit
+// statuses.
 
 namespace {
 
@@ -29,7 +30,7 @@ constexpr auto too_large =
     "the case needs more memory than there is; use a coarser spacing, "
     "--set discretisation.spacing=...";
 
-/// A file that is opened while stderr is closed would take its place and receive its messages.
+/// If stderr is closed, the next file to be opened would take its descriptor and receive messages.
 void open_standard_streams() {
   for (const int descriptor : {0, 1, 2}) {
     if (::fcntl(descriptor, F_GETFD) < 0) ::open("/dev/null", O_RDWR);
@@ -43,7 +44,7 @@ ExitStatus fail(ExitStatus status, std::string_view message) {
   return status;
 }
 
-/// Writes what the present exception says. Only errors in what the user gave are bad input.
+/// Prints the present exception. Only user errors are bad input.
 ExitStatus report_exception() {
   constexpr auto failed = ExitStatus::run_failed;
   try {
@@ -90,8 +91,8 @@ ExitStatus run_program(int argc, char** argv) {
 
 int main(int argc, char** argv) {
   open_standard_streams();
-  // A file beyond the limit of `ulimit -f` is an error like a full disk, not the end of the
-  // process.
+  // Exceeding the file size limit (`ulimit -f`) should be an error like a full disk, not the end of
+  // the process.
   std::signal(SIGXFSZ, SIG_IGN);
   return static_cast<int>(run_program(argc, argv));
 }

@@ -8,7 +8,7 @@ namespace pliant::cli {
 
 namespace {
 
-/// Text as roff takes it literally.
+/// Escapes text for roff.
 std::string literal(std::string_view text) {
   std::string result;
   for (const char letter : text) {

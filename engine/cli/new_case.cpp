@@ -21,7 +21,7 @@ std::string with(std::string text, std::string_view place, const std::string& wo
   return text;
 }
 
-/// Where `pliant run` writes by default: a case has the name of its folder.
+/// The default output folder of `pliant run`: a case is named after its folder.
 std::string results_of(const std::filesystem::path& folder) {
   const auto normal = (folder / "").lexically_normal();
   return "results/" + normal.parent_path().filename().string();
@@ -32,8 +32,8 @@ void add_mesh_files(const Shape& shape, std::vector<std::filesystem::path>& file
   if (shape.kind == Shape::Kind::mesh) files.emplace_back(shape.file);
 }
 
-/// Mesh files of a case relative to its folder. Those outside it are not listed: their paths are
-/// absolute, or InputError is thrown.
+/// Mesh files of a case, relative to its folder. Files outside the folder are not listed: either
+/// their paths are absolute, or InputError is thrown.
 std::vector<std::filesystem::path> mesh_files(const Case& settings,
                                               const std::filesystem::path& folder) {
   std::vector<std::filesystem::path> files, inside;
@@ -53,7 +53,7 @@ std::vector<std::filesystem::path> mesh_files(const Case& settings,
   return inside;
 }
 
-/// Copies a case that can be read, with the files that it names.
+/// Copies a valid case with the files that it names.
 void copy_case(const std::filesystem::path& from, const std::filesystem::path& folder,
                const std::string& name) {
   const std::filesystem::path file = case_path(from);

@@ -8,7 +8,7 @@
 
 namespace pliant::cli {
 
-/// The case that `pliant new` writes, new_case.toml, with @NAME@ for its name.
+/// The case that `pliant new` writes, new_case.toml, with @NAME@ in place of its name.
 extern const std::string_view new_case_text;
 
 struct NewArguments {
@@ -16,7 +16,7 @@ struct NewArguments {
   std::optional<std::filesystem::path> from;  ///< a case to copy
 };
 
-/// Writes a commented case into a new folder, or a copy of a case with its mesh files.
+/// Writes a commented case into a new folder, or copies a case with its mesh files.
 ExitStatus new_case(const NewArguments& arguments);
 
 }  // namespace pliant::cli

@@ -50,15 +50,14 @@ void write(const ProfileArguments& arguments, const std::string& text, const std
   if (!arguments.report.empty()) write_atomically(arguments.report, json, Durable::no);
 }
 
-/// The case with a spacing, as if it had been given on the command line, so that all checks of a
-/// case hold.
+/// The case with a spacing, as from the command line, so that all checks of cases apply.
 Case with_spacing(const ProfileArguments& arguments, double spacing) {
   std::vector<std::string> settings = arguments.source.settings;
   settings.push_back(fmt::format("discretisation.spacing={}", spacing));
   return read_case(arguments.source.path, settings);
 }
 
-/// None where it was interrupted.
+/// None if interrupted.
 std::optional<profile::FitTry> try_spacing(const ProfileArguments& arguments,
                                            profile::ProfileOptions options, double spacing) {
   const Case settings = with_spacing(arguments, spacing);
@@ -84,7 +83,7 @@ void show(const profile::FitTry& found) {
   std::fputs(fmt::format("spacing {:.6g} m: {}\n", found.spacing, result).c_str(), stderr);
 }
 
-// The spacing of the case must work. Others may not: too coarse for a body, too fine for the
+// The spacing of the case must work. Others may fail: too coarse for a body, or too fine for
 // memory.
 ExitStatus fit(const ProfileArguments& arguments, const profile::ProfileOptions& options) {
   const Case settings = read_case(arguments.source.path, arguments.source.settings);

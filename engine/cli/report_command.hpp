@@ -4,7 +4,6 @@
 
 namespace pliant::cli {
 
-/// The page that shows a run or a batch.
 void add_report_command(Commands& commands);
 
 }  // namespace pliant::cli

@@ -8,17 +8,16 @@
 
 namespace pliant::cli {
 
-/// Shows on stderr, from a thread of its own, how much of the memory that a run will need is in
-/// use: one line redrawn in place on a terminal, a line every few seconds elsewhere. A set-up of
-/// less than a second shows nothing.
+/// Shows on stderr, from its own thread, how much of the memory for a run is in use: one line that
+/// is redrawn on a terminal, else a line every few seconds. Shows nothing in the first second.
 class SetupProgress {
  public:
-  /// Begins; `expected` is the size of the whole run [bytes].
+  /// Starts; `expected` is the memory of the whole run [B].
   explicit SetupProgress(std::size_t expected);
   SetupProgress(const SetupProgress&) = delete;
   SetupProgress& operator=(const SetupProgress&) = delete;
 
-  /// Ends, and clears the line. The destructor does the same.
+  /// Ends and clears the line. The destructor does the same.
   void finish();
   ~SetupProgress() { finish(); }
 

@@ -30,7 +30,7 @@ void add_completion(Commands& commands) {
       ->required()
       ->check(CLI::IsMember({"bash", "zsh", "fish"}))
       ->type_name("");
-  // The program itself lives as long as `read_command_line`, hence here and not in `chosen`.
+  // The app only lives during `read_command_line`, so this runs here and not in `chosen`.
   command.callback([&commands, shell] {
     const ExitStatus status = print_completion(commands.app, *shell);
     commands.chosen = [status] { return status; };

@@ -4,7 +4,6 @@
 
 namespace pliant::cli {
 
-/// What shells, `man` and editors know of the program.
 void add_shell_commands(Commands& commands);
 
 }  // namespace pliant::cli

@@ -5,8 +5,8 @@
 
 namespace pliant::finite_elements {
 
-/// Evaluates measurements of a state at one time. Volume and strain energy are those of the
-/// elements; all other measurements use the nodes.
+/// Evaluates measurements of a state at one time: volume and strain energy of the elements, all
+/// others of the nodes.
 template <class T, int D>
 class Measurer final : public point_based::Measurer<T, D> {
  public:

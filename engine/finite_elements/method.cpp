@@ -30,7 +30,7 @@ void check(const Check& check) {
   refuse_measurements(check, Measurer<double, 2>::is_measured);
 }
 
-// The limit comes from a bound on the highest frequency of the elements, (FE.6).
+// By a bound on the highest frequency of the elements, (FE.6).
 StepLimits step_limits(const Case& a_case) {
   StepLimits limits;
   limits.stable_cfl = 1;

@@ -4,7 +4,6 @@
 
 namespace pliant::finite_elements {
 
-/// The entry of this method in the registry.
 RegisteredMethod method();
 
 }  // namespace pliant::finite_elements

@@ -17,12 +17,10 @@ struct Parameters {
   double damping = 0;  ///< mass-proportional, (PB.10) [1/s]
 };
 
-/// Parameters of the method in a case.
 inline const Parameters& parameters_of(const Case& settings) {
   return settings.parameters.as<Parameters>();
 }
 
-/// Visits the keys of the table.
 void visit_keys(MethodKeys& visit, MethodParameters& parameters);
 
 }  // namespace pliant::finite_elements

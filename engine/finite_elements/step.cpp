@@ -9,14 +9,14 @@
 // A step of total Lagrangian explicit dynamics (Miller et al. 2007). All work is in the elements of
 // the undeformed body.
 //
-//    drift       displacement at the time of the kick: half a step on for the leapfrog (PB.10)
-//    loads       forces of pressures (PB.11), tractions and gravity (PB.15) on each node
-//    dilatation  change of volume of each element, distributed to its corners (FE.3)
-//    pressure    of each node, from what its elements have collected (FE.4)
-//    forces      F of each element, the stress, and the forces on its corners (FE.1)-(FE.5)
-//    motion      the force on each node; velocity and displacement (PB.10); the velocity that
-//                walls prescribe, and the work of walls and loads
-//    contact ...     as in the point-based method (TL.12), (TL.15), (TL.16)
+//     drift       displacement at the time of the kick: half a step on for the leapfrog (PB.10)
+//     loads       forces of pressures (PB.11), tractions and gravity (PB.15) on each node
+//     dilatation  change of volume of each element, distributed to its corners (FE.3)
+//     pressure    of each node, from what its elements have collected (FE.4)
+//     forces      F of each element, the stress, and the forces on its corners (FE.1)-(FE.5)
+//     motion      the force on each node; velocity and displacement (PB.10); the velocity that
+//                 walls prescribe, and the work of walls and loads
+//     contact ...     as in the point-based method (TL.12), (TL.15), (TL.16)
 //
 // Without averaged pressure there are no phases `dilatation` and `pressure`. A node sums what
 // several blocks have collected for it in the order of the blocks.

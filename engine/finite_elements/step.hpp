@@ -18,7 +18,6 @@ class Step {
 
   std::vector<scheduler::Phase> phases();
 
-  /// Names of the resources that phases read and write.
   static std::vector<std::string> resources() { return resource_numbers.names(); }
 
   /// Sets the length of the next step and the loads at the time of its kick.

@@ -31,7 +31,7 @@ Point unit_normal(const Corners& c) { return (c[1] - c[0]).cross(c[2] - c[0]).no
 
 using BoxTree = Eigen::KdBVH<double, 3, int>;
 
-/// Finds the triangle nearest to `x`; visits nearer boxes first.
+/// Finds the triangle nearest to `x`, nearer boxes first.
 struct Search {
   const SurfaceMesh& mesh;
   const BoxTree& tree;

@@ -18,8 +18,8 @@ struct HalfEdge;
 /// or a corner, where the normal of a single triangle may point the wrong way, but the sum of the
 /// normals, weighted by their angles at a corner, never does.
 ///
-///       \   x         x is outside and nearest to the corner. The triangle at the lower left
-///     ___\.           faces away from it, but the sum of both normals points towards it.
+///        \   x         x is outside and nearest to the corner. The triangle at the lower left
+///      ___\.           faces away from it, but the sum of both normals points towards it.
 ///
 /// J. A. Baerentzen, H. Aanaes, IEEE Trans. Vis. Comput. Graph. 11 (2005) 243-253.
 class ClosedMesh {

@@ -6,9 +6,8 @@ namespace pliant {
 
 /// Signed distances to a shape at successive points that are close, such as lattice nodes.
 ///
-/// A distance changes by no more than the distance between two points. So the sign near a point
-/// that is deep inside or far outside is known without a new query, and only points near the
-/// surface need a search.
+/// Distances change by no more than the way between two points. So the sign near a point deep
+/// inside or far outside is known, and only points near the surface need a search.
 class DistanceWalk {
  public:
   /// Values whose size is `limit` [m] or more need not be exact.

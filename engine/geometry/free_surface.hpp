@@ -9,11 +9,11 @@
 /// A body has no free surface at a wall that it is attached to. The level set describes only its
 /// free surface, and continues through the wall (and through the ends of a periodic cell).
 ///
-///       wall | body            phi = 0 only along the top and the bottom,
-///    --------+---------        and along their dashed extensions inside the wall
-///       phi < 0 here too
-///    --------+---------
-///            |
+///        wall | body            phi = 0 only along the top and the bottom,
+///     --------+---------        and along their dashed extensions inside the wall
+///        phi < 0 here too
+///     --------+---------
+///             |
 namespace pliant {
 
 /// `body` with every box face that lies against a face of one of `walls` (a half-space or a box)

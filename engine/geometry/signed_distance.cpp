@@ -144,8 +144,8 @@ Box<3> half_space_bounds(const Shape& shape) {
 
 }  // namespace
 
-// Most walls are half-spaces, and a remeshing queries the distance of every slot from every wall.
-// For half-spaces this skips the direction.
+// Skips the direction for half-spaces: most walls are, and a remeshing queries the distance of
+// every slot from every wall.
 double signed_distance(const Shape& shape, const Vector& x, int dimension) {
   if (shape.kind == Shape::Kind::half_space) return above_plane(shape, x, dimension);
   return nearest(shape, x, dimension).distance;

@@ -10,7 +10,7 @@ namespace {
 
 // Rows of a 3D body are stored in square tiles with this many rows on each side.
 constexpr int row_tile = 8;
-// Longer segments are divided, so that a block of a wide body is not one endless row.
+// Longer segments are divided, so that no block of a wide body is one endless row.
 constexpr int longest_segment = 64 * Occupancy<2>::pack;
 
 int tile_of(std::int32_t row) {
@@ -100,8 +100,8 @@ void Layout<D>::cut_segments() {
 }
 
 // A pack joins the segment before it if every neighbouring row continues its run. A row without
-// slots near a pack may have any offset, at least the segment's own: the values loaded are finite,
-// and no interior particle reads them.
+// slots nearby may have any offset: the values loaded are finite, and no interior particle reads
+// them.
 template <int D>
 void Layout<D>::cut_run(const Run& run, Cell<D> row) {
   constexpr int reach = kernels::row_reach;

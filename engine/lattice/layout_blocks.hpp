@@ -11,7 +11,6 @@ namespace pliant {
 template <int D>
 using Layouts = std::vector<const Layout<D>*>;
 
-/// Numbers the blocks of bodies on lattices.
 template <int D>
 void number_blocks(const Layouts<D>& layouts, std::vector<BlockOwner>& owners);
 

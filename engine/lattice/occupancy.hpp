@@ -15,8 +15,8 @@ namespace pliant {
 /// A row stores runs of whole packs. They begin near its first marked cell, not at a column, which
 /// leaves half as many slots vacant. The free slots of a run are divided between its two ends.
 ///
-///    marked       . . . o o o o o o o o o o o o o . . . .
-///    stored      [. . o o o o o o|o o o o o o o .]           packs of 8 slots
+///     marked       . . . o o o o o o o o o o o o o . . . .
+///     stored      [. . o o o o o o|o o o o o o o .]           packs of 8 slots
 template <int D>
 class Occupancy {
  public:

@@ -4,7 +4,6 @@
 
 namespace pliant {
 
-/// a . b
 template <int D>
 double dot(const Point<D>& a, const Point<D>& b) {
   double sum = 0;

@@ -16,14 +16,12 @@ inline void put_clock(ArchiveWriter& archive, const StepClock& clock) {
   archive.put("clock/wave_speed", clock.wave_speed);
 }
 
-/// Reads what `put_clock` has written.
 inline void get_clock(const ArchiveReader& archive, StepClock& clock) {
   clock.step = archive.scalar<std::int64_t>("clock/step");
   clock.time = archive.scalar<double>("clock/time");
   clock.wave_speed = archive.scalar<double>("clock/wave_speed");
 }
 
-/// Writes an energy budget into a group.
 inline void put_energy(ArchiveWriter& archive, const std::string& group,
                        const EnergyBudget& energy) {
   archive.put(group + "/wall_work", energy.wall_work);
@@ -35,7 +33,6 @@ inline void put_energy(ArchiveWriter& archive, const std::string& group,
   archive.put(group + "/friction", energy.friction);
 }
 
-/// Reads what `put_energy` has written.
 inline void get_energy(const ArchiveReader& archive, const std::string& group,
                        EnergyBudget& energy) {
   energy.wall_work = archive.scalar<double>(group + "/wall_work");

@@ -54,7 +54,6 @@ void put_boundaries(ArchiveWriter& archive, const Boundaries<D>& boundaries) {
   archive.put("pressures/set_value", std::span<const double>(pressures));
 }
 
-/// Reads what `put_boundaries` has written.
 template <int D>
 void get_boundaries(const ArchiveReader& archive, Boundaries<D>& boundaries) {
   std::vector<Point<D>> offsets(boundaries.walls.size()), velocities(offsets);

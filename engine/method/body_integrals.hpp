@@ -25,7 +25,6 @@ double value_of(const MeasurementCase& measurement, const BodyIntegrals& sum, in
 void add_motion(BodyIntegrals& sum, double mass, const Vector& r, const Vector& u,
                 double mass_scaling = 1);
 
-/// Adds the integrals of another body.
 void add(BodyIntegrals& sum, const BodyIntegrals& other);
 
 }  // namespace pliant

@@ -43,7 +43,7 @@ bool CachedGraph<D>::serves(const Layouts<D>& layouts) const {
 }
 
 // While the numbers of blocks stay the same, a new graph keeps the neighbours of the old one too.
-// In an oscillating body, blocks come near each other and separate repeatedly. A new graph at every
+// In an oscillating body, blocks approach and separate repeatedly, and a new graph at every
 // remeshing would cost a small body a tenth of its time.
 template <int D>
 scheduler::StepGraph& CachedGraph<D>::over(const Layouts<D>& layouts,

@@ -11,9 +11,9 @@
 
 namespace pliant {
 
-/// A step graph that is built on first use. It is built again only when two blocks become
-/// neighbours that the graph does not know as neighbours, or when the number of blocks of a body
-/// changes. Pairs that are no longer neighbours do no harm: they only restrict the order of nodes.
+/// A step graph that is built on first use, and again only when two blocks become neighbours that
+/// the graph does not know as such, or when the number of blocks of a body changes. Pairs that are
+/// no longer neighbours do no harm: they only restrict the order of nodes.
 template <int D>
 class CachedGraph {
  public:

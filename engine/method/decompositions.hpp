@@ -3,8 +3,8 @@
 #include <Eigen/Core>
 #include <limits>
 
-/// Decompositions of small dense matrices. The compiler needs seconds for each size of Eigen's
-/// templates, so they are instantiated here once for all callers.
+/// Decompositions of small dense matrices. Eigen's templates take seconds to compile for each size,
+/// so they are instantiated only here.
 namespace pliant {
 
 /// Eigenvalues and eigenvectors of a symmetric matrix.

@@ -17,7 +17,6 @@ struct EnergyBudget {
   double losses() const { return damping + friction; }
 };
 
-/// Adds `factor` times another budget.
 inline void add(EnergyBudget& sum, const EnergyBudget& other, double factor = 1) {
   sum.wall_work += factor * other.wall_work;
   sum.load_work += factor * other.load_work;

@@ -4,8 +4,8 @@
 #include <cstddef>
 #include <string_view>
 
-/// The row of a field in the list of fields of a method. Storage, stage copies, checkpoints,
-/// frames, the scheduler's resources and docs/fields.md all follow from these lists.
+/// A row in the list of fields of a method. Storage, stage copies, checkpoints, frames, the
+/// scheduler's resources and docs/fields.md follow from these lists.
 namespace pliant {
 
 /// The components of one item of a field.
@@ -51,8 +51,8 @@ struct FieldDeclaration {
 template <class Name, class Row, std::size_t rows>
 class Table {
  public:
-  /// `name` is the member that holds the enumerator of a row; `last` is the last enumerator. Does
-  /// not compile when a row is missing, when there are too many, or when their order differs.
+  /// `name` is the member with the enumerator of a row; `last` is the last enumerator. Does not
+  /// compile if rows are missing, superfluous or out of order.
   consteval Table(Name Row::*name, Name last, const Row (&list)[rows])
       : list_(std::to_array(list)) {
     if (rows != static_cast<std::size_t>(last) + 1) throw "one row for each enumerator";

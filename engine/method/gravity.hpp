@@ -21,12 +21,9 @@ class Gravity {
     }
   }
 
-  /// Whether gravity is not zero.
   bool acts() const { return acts_; }
-  /// Whether gravity is the same everywhere.
   bool is_uniform() const { return is_uniform_; }
 
-  /// Makes room for `blocks` blocks.
   void reserve(std::size_t blocks) {
     if (acts_ && of_block_.size() < blocks) of_block_.resize(blocks, formula_);
   }

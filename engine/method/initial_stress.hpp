@@ -64,8 +64,8 @@ struct LastingStress {
   }
 };
 
-/// A bound on the speed of waves at rest under the stresses [component][slot] [m/s]. Tension
-/// stiffens the material and makes waves faster.
+/// A bound on the speed of waves at rest under the stresses [component][slot] [m/s]: tension makes
+/// waves faster.
 template <int D, class Stresses>
 double wave_speed_under(const BodyCase& body, const Stresses& stresses, std::int64_t slots) {
   double largest = 0;

@@ -16,8 +16,7 @@ class PhaseRows {
  public:
   explicit PhaseRows(std::vector<scheduler::Phase>& phases) : phases_(phases) {}
 
-  /// Rows of one body. The step graph numbers the blocks of all bodies, while a body numbers its
-  /// own from 0.
+  /// Rows of one body, which numbers its blocks from 0; the step graph numbers those of all bodies.
   PhaseRows(std::vector<scheduler::Phase>& phases, int first_block, std::size_t block_count)
       : phases_(phases), first_block_(first_block), blocks_(block_count) {
     std::iota(blocks_.begin(), blocks_.end(), first_block);
@@ -27,7 +26,7 @@ class PhaseRows {
   PhaseRows(std::vector<scheduler::Phase>& phases, std::vector<int> blocks)
       : phases_(phases), blocks_(std::move(blocks)) {}
 
-  /// The rows that follow belong to one stage of a step, or to one pass of an algorithm.
+  /// Sets the stage of a step, or the pass of an algorithm, of the next rows.
   PhaseRows& at_stage(int stage) {
     stage_ = stage;
     return *this;

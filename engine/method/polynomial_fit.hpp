@@ -43,8 +43,8 @@ class PolynomialFit {
   double value(int field) const { return right_(0, field); }
   /// Slope of a field along an axis [1/unit of r], after `solve`.
   double slope(int field, int axis) const { return right_(axis + 1, field); }
-  /// Variance of the value over that of a weighted mean, if all values have the same random error.
-  /// It is large where the point lies outside the places of the values. After `solve`.
+  /// Variance of the value over that of a weighted mean, for equal random errors; large if the
+  /// point is outside the places of the values. After `solve`.
   double amplification() const { return amplification_; }
 
  private:

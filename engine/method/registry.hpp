@@ -31,7 +31,6 @@ class MethodRegistry {
   /// A solver of the method that the case names, at t = 0.
   std::unique_ptr<Solver> make(const Case& settings, const SolverOptions& options) const;
 
-  /// The rules of all methods, for reading cases.
   MethodList rules() const { return rules_; }
 
  private:

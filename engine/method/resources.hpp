@@ -13,8 +13,8 @@
 /// Resources: the fields of a method as the scheduler knows them, numbered by the list of groups.
 namespace pliant {
 
-/// The slots of a block that a resource covers. Ghosts and images are in the same arrays as
-/// particles, but other phases write them.
+/// The slots of a block that a resource covers; different phases write particles, ghosts and
+/// images.
 enum class Part { particles, ghosts, images };
 inline constexpr int part_count = 3;
 

@@ -58,11 +58,10 @@ class Solver {
   /// Steps until the time is exactly `until` [s]. Throws StepFailure.
   void advance(double until);
 
-  /// Whether look_ahead can show the state at an output time, so that no step has to end there.
+  /// Whether look_ahead shows output times, so that no step has to end there.
   virtual bool looks_ahead() const { return false; }
-  /// Calls `look` with the state at `time` [s], which lies within the next step: the state after a
-  /// shorter step. Afterwards the solver has its present state again, bit by bit. Throws
-  /// StepFailure.
+  /// Calls `look` with the state at `time` [s] within the next step, after a shorter step; then
+  /// restores the present state, bit by bit. Throws StepFailure.
   virtual void look_ahead(double time, const std::function<void()>& look);
 
   virtual std::int64_t particles() const = 0;
@@ -71,11 +70,9 @@ class Solver {
   /// Size of all fields [B].
   virtual std::size_t bytes() const = 0;
 
-  /// One value in SI units for each measurement of the case. It is NaN for measurements that
-  /// evaluate histories and for surfaces that do not exist. Forces are given as impulses since t =
-  /// 0 [N s].
+  /// One value in SI units for each measurement of the case; NaN for those that evaluate histories
+  /// and for missing surfaces. Forces are impulses since t = 0 [N s].
   std::vector<double> measure() { return measure_each(settings_.measurements); }
-  /// The value of one measurement.
   double measure(std::size_t measurement) {
     return measure_each(std::span(settings_.measurements).subspan(measurement, 1))[0];
   }
@@ -83,12 +80,11 @@ class Solver {
   virtual bool is_measuring_due() const { return false; }
   /// Conserved quantities of all bodies together.
   virtual BodyIntegrals integrals() = 0;
-  /// Work and losses since t = 0. A method that does not account for them has a value only for
-  /// bodies on which nothing acts.
+  /// Work and losses since t = 0. Methods that do not account for them know them only for free
+  /// bodies.
   virtual std::optional<EnergyBudget> energy_budget() const;
-  /// Integrals and energy budget at one time. Where a method has velocities and positions at
-  /// different times, it takes both at the time of the velocities, so that the balance (RP.72)
-  /// closes in every step.
+  /// Integrals and energy budget at one time, which is that of the velocities if positions have
+  /// another one, so that the balance (RP.72) closes in every step.
   virtual Balance balance() { return {integrals(), energy_budget()}; }
   /// Whether the case has neither walls, loads, gravity, nor cuts that resist the blade.
   bool bodies_are_free() const;

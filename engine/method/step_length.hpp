@@ -9,8 +9,8 @@ namespace pliant {
 /// If the strain rate [1/s] is known, the largest strain of a step limits it too.
 double asked_step(const Case& settings, double wave_speed, double strain_rate = 0);
 
-/// Length of the next step [s]: `asked`, or `longest` if that is shorter or equal but for rounding.
-/// Throws StepFailure when `asked` is almost zero or not a number.
+/// Length of the next step [s]: `asked`, or `longest` if that is shorter or nearly equal. Throws
+/// StepFailure when `asked` is almost zero or not a number.
 double step_length(const Case& settings, const StepClock& clock, double asked, double longest);
 
 }  // namespace pliant

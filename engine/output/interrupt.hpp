@@ -10,9 +10,9 @@ struct SignalActions {
 };
 
 /// While it exists, SIGINT, SIGTERM and SIGHUP only set a flag, so that a run can stop between
-/// steps with a checkpoint. After the first SIGINT or SIGTERM, the next one ends the process. A
-/// SIGHUP never does, since a closing terminal may send several. A SIGHUP that was ignored before,
-/// as under nohup, stays ignored. Only one object may exist at a time.
+/// steps with a checkpoint. A second SIGINT or SIGTERM ends the process; a SIGHUP never does, since
+/// a closing terminal may send several. If SIGHUP was ignored before, as under nohup, it stays so.
+/// Only one object may exist at a time.
 class Interrupt {
  public:
   Interrupt();
@@ -28,8 +28,8 @@ class Interrupt {
 };
 
 /// While it exists, and until there is an Interrupt, SIGINT, SIGTERM and SIGHUP end the process at
-/// once with an exit status and a message: for the time in which there is nothing to save. A SIGHUP
-/// that was ignored before stays ignored. Only one object may exist at a time.
+/// once with an exit status and a message, since there is nothing to save yet. If SIGHUP was
+/// ignored before, it stays so. Only one object may exist at a time.
 class ExitOnInterrupt {
  public:
   /// `message` is a line that must outlive the object.

@@ -9,7 +9,6 @@
 
 namespace pliant {
 
-/// The present state of a run.
 struct ProgressState {
   double time = 0, end = 0;  ///< [s]
   std::int64_t step = 0;

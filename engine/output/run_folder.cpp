@@ -51,8 +51,8 @@ FolderLock::~FolderLock() {
 }
 
 void clear_earlier_run(const std::filesystem::path& folder) {
-  // If the process is killed between two removals, the folder contains only the earlier run, which
-  // can still be resumed while it has its last checkpoint.
+  // If the process is killed between two removals, the earlier run can still be resumed while it
+  // has its last checkpoint.
   remove_files(folder,
                {"checkpoint.previous.h5", "checkpoint.previous.h5.partial", "checkpoint.h5.partial",
                 "checkpoint.h5", "summary.json", "summary.json.partial", "result.h5.partial"});

@@ -7,8 +7,8 @@
 #include "engine/point_based/point_room.hpp"
 #include "kernels/point_based/arguments.hpp"
 
-/// Arguments of the kernels for the block `local` of a body. The step adds durations and what acts
-/// on all nodes.
+/// Arguments of the kernels for a block of a body. The step adds durations and what acts on all
+/// nodes.
 namespace pliant::point_based {
 
 template <class T, int D>

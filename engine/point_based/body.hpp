@@ -144,7 +144,6 @@ struct Body : undeformed::Body<T, D> {
     }
   }
 
-  /// The block that a slot belongs to.
   const NodeBlock& block_of(std::int64_t slot) const {
     const auto after =
         std::upper_bound(blocks.begin(), blocks.end(), slot,

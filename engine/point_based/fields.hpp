@@ -145,7 +145,6 @@ inline constexpr Table group_list(&GroupDeclaration<Group>::group, Group::result
 
 inline constexpr ResourceNumbers resource_numbers(group_list);
 
-/// The resource of a group.
 inline Resources of(Group group) { return {resource_numbers({group})}; }
 
 }  // namespace pliant::point_based

@@ -8,7 +8,6 @@ namespace pliant::point_based {
 /// Adds problems of body `i` that no method with hyperelastic nodes can solve.
 void check_body(const Check& check, std::size_t i);
 
-/// The entry of this method in the registry.
 RegisteredMethod method();
 
 }  // namespace pliant::point_based

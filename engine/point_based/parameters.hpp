@@ -30,7 +30,6 @@ struct Parameters {
   double stiffness_damping = 0;  ///< beta of (PB.9) [s]
 };
 
-/// Parameters of the method in a case.
 inline const Parameters& parameters_of(const Case& settings) {
   return settings.parameters.as<Parameters>();
 }
@@ -49,7 +48,6 @@ inline bool knows_losses(const Case& settings) {
 /// Neighbours of each node; if the case gives no number, 26 in 3D and 12 in 2D.
 int neighbour_count(const Case& settings);
 
-/// Visits the keys of the table.
 void visit_keys(MethodKeys& visit, MethodParameters& parameters);
 
 }  // namespace pliant::point_based

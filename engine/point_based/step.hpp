@@ -32,7 +32,6 @@ class Step {
   /// Makes room for the present blocks; phases() calls it too.
   void prepare_blocks();
 
-  /// Names of the resources that phases read and write.
   static std::vector<std::string> resources() { return resource_numbers.names(); }
 
   /// Sets the length of the next step and the loads at the time of its kick; moves the blades.

@@ -29,9 +29,9 @@ struct Fit {
 /// result has a `problem`; no result ends the search.
 using TrySpacing = std::function<std::optional<FitTry>(double spacing)>;
 
-/// Starts at `spacing` [m] and searches until the finest spacing that meets the budget and the
-/// coarsest one that does not are within 3 %. It assumes that the time of a frame falls with the
-/// power `dimension + 1` of the spacing; at most 24 tries.
+/// Searches from `spacing` [m] until the finest spacing that meets the budget and the coarsest one
+/// that does not are within 3 %, in at most 24 tries. Assumes that the time of a frame falls with
+/// the power `dimension + 1` of the spacing.
 Fit fit_spacing(double spacing, double budget, int dimension, const TrySpacing& try_spacing);
 
 /// The spacing nearest to `spacing` that divides the shortest period of the case into whole cells;

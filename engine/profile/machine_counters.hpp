@@ -2,7 +2,7 @@
 
 namespace pliant::profile {
 
-/// Counters of Linux up to now; they distinguish delays of the program from those of the machine.
+/// Counters of Linux, to distinguish delays of the program from those of the machine.
 struct MachineCounters {
   double processor_seconds = 0;   ///< of all threads of this process
   double stolen_seconds = 0;      ///< time that the host of a virtual machine gave to other guests

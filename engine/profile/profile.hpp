@@ -9,8 +9,7 @@
 #include "engine/method/registry.hpp"
 #include "engine/profile/frame_record.hpp"
 
-/// Whether a case meets deadlines: it is advanced in frames of equal simulated time, each of which
-/// should take no longer than a budget of wall time.
+/// Whether a case meets deadlines: frames of equal simulated time, each with a budget of wall time.
 namespace pliant::profile {
 
 /// The budget, the frames to measure, and the machine to use.

@@ -25,7 +25,6 @@ class Recorder {
 
   /// Names of the phases so far; frames taken earlier may have fewer.
   const std::vector<std::string>& phases() const { return phases_; }
-  /// The steps of all frames.
   const std::vector<StepTime>& steps() const { return steps_; }
   /// Time that the recorder itself used within steps [s].
   double own_seconds() const { return own_seconds_; }

@@ -29,7 +29,6 @@ class TraceWriter {
 
   /// Records the nodes of the last run of a graph for the present step.
   void add(const scheduler::StepGraph& graph);
-  /// Ends the present step.
   void end_step(Clock::time_point start, double seconds, double simulated_time);
   /// Writes what was recorded; call it between frames.
   void end_frame(Clock::time_point start, double seconds, double simulated_time);

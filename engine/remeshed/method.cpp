@@ -90,7 +90,7 @@ StepLimits limits_of_steps(const Case& a_case) {
   return limits;
 }
 
-// Measured for plates, rings, discs and blocks under pistons with the defaults. Bodies that only
+// Measured for plates, rings, discs and blocks under pistons with the defaults; bodies that only
 // rotate have smaller errors.
 void warn(const Case& a_case, std::vector<std::string>& warnings) {
   static constexpr ThinBodyError errors[] = {

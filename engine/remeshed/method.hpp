@@ -4,7 +4,6 @@
 
 namespace pliant::remeshed {
 
-/// The entry of this method in the registry.
 RegisteredMethod method();
 
 }  // namespace pliant::remeshed

@@ -26,7 +26,6 @@ struct Parameters {
   double mass_scaling = 1;  ///< M of (RP.87): inertia over mass
 };
 
-/// Parameters of the method in a case.
 inline const Parameters& parameters_of(const Case& settings) {
   return settings.parameters.as<Parameters>();
 }
@@ -36,7 +35,6 @@ inline bool reads_volumes(const Case& settings) {
   return parameters_of(settings).gradient == kernels::Gradient::normalised;
 }
 
-/// Visits the keys of the table.
 void visit_keys(MethodKeys& visit, MethodParameters& parameters);
 
 }  // namespace pliant::remeshed

@@ -92,8 +92,7 @@ kernels::Stage<T, D> ParticleUpdate<T, D>::stage_of(Body<T, D>& body, int block,
   work.segment_count = range.segment_count;
   work.spacing = static_cast<T>(body.lattice.spacing);
   work.time_step = static_cast<T>(time_step_);
-  // The wave speed is that at rest. A speed of the present state would be one step late, or that of
-  // another body.
+  // The wave speed is that at rest: a present one would be one step late, or that of another body.
   const DissipationCase& dissipation = settings_.discretisation.dissipation;
   const T rate = kernels::wave_speed_at_rest(body.material) / (16 * work.spacing);
   work.velocity_dissipation = static_cast<T>(dissipation.velocity) * rate;

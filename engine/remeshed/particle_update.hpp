@@ -10,8 +10,7 @@
 
 namespace pliant::remeshed {
 
-/// What ParticleUpdate::advance writes, and what it reads of its own block besides the values that
-/// it also reads of neighbours.
+/// What ParticleUpdate::advance writes, and what it reads only of its own block.
 Accesses read_by_update(int stage);
 Accesses written_by_update(int stage);
 /// The same for ParticleUpdate::evaluate_stress, which also sets slots that no stage advances to

@@ -16,7 +16,7 @@
 
 namespace pliant::remeshed {
 
-/// Advances a case by the remeshed method: takes steps, and remeshes when it is due.
+/// Advances a case by the remeshed method.
 template <class T, int D>
 class Solver final : public pliant::Solver {
  public:
@@ -50,8 +50,7 @@ class Solver final : public pliant::Solver {
   const State<T, D>& state() const { return state_; }
   Remeshing<T, D>& remeshing(int body) { return remeshings_[body]; }
 
-  /// The bodies on lattice nodes at the present time: the particles themselves after a remeshing,
-  /// else a remeshed copy of them. The particles do not change.
+  /// The present bodies on lattice nodes: the particles after a remeshing, else a remeshed copy.
   std::vector<LatticeView<T, D>> on_nodes();
   /// Computes velocity and stress of the ghosts at the present state, for output.
   void refresh_ghosts();

@@ -26,7 +26,6 @@ class StageWork {
         particles_(state, settings, kernels),
         is_measured_(measured_walls(settings)) {}
 
-  /// Makes room for the results of the present blocks.
   void prepare_blocks() { results_.reset(state_.blocks, state_.bodies.size()); }
   /// Sets the time step [s] and what the boundaries impose at each stage.
   void prepare(double time_step);
@@ -77,7 +76,7 @@ class StageWork {
   std::vector<EnergyBudget> work_;  ///< [block] work of walls and loads in this step
   std::vector<char> sticks_;        ///< [block] whether it stuck to contact walls in this step
   std::vector<std::vector<WallShare>> wall_shares_;  ///< [block] in this step
-  std::vector<char> is_measured_;  ///< [wall] whether a measurement asks for its force
+  std::vector<char> is_measured_;  ///< [wall] whether a measurement needs its force
   std::vector<char> is_watched_;   ///< [wall] whether its impulse is summed in this step
 };
 

@@ -4,7 +4,7 @@
 
 namespace pliant::report {
 
-/// Writes a page that shows the runs of a batch: measurements over parameters. Throws OutputError.
+/// Writes the page of a batch: measurements over parameters. Throws OutputError.
 void write_batch_report(const std::filesystem::path& folder, const std::filesystem::path& page);
 
 }  // namespace pliant::report

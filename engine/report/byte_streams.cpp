@@ -54,7 +54,7 @@ void append_numbers(std::string& bytes, const std::vector<std::uint32_t>& values
 std::string deflated(std::string_view bytes) {
   auto size = compressBound(bytes.size());
   std::string packed(size, '\0');
-  // The bound is enough for any input, so only a lack of memory can make this fail.
+  // The bound suffices for any input: only a lack of memory can make this fail.
   if (compress2(reinterpret_cast<Bytef*>(packed.data()), &size,
                 reinterpret_cast<const Bytef*>(bytes.data()), bytes.size(), 6) != Z_OK)
     throw std::bad_alloc();

@@ -9,7 +9,7 @@
 
 namespace pliant::report {
 
-/// What is left out of a large run so that its page stays small.
+/// What is left out of a large run to limit its page.
 struct Thinning {
   int shift = 0;                ///< lowest bits, of the 16 of a number, that are left out
   std::size_t scalars = 0;      ///< number of scalars that are kept, from the first on
@@ -25,8 +25,8 @@ struct PackedSet {
   std::vector<bool> same = {};  ///< [frame] whether the pieces equal those of the frame before
 };
 
-/// The frames of a run for a page: positions and scalars with 16 bits, between the smallest and the
-/// largest value of the run.
+/// The frames of a run for a page: positions and scalars with 16 bits between the extremes of the
+/// run.
 struct PackedFrames {
   Thinning thinning;
   std::vector<Scalar> scalars;

@@ -14,7 +14,7 @@ struct ReportOptions {
   std::size_t limit = 29'000'000;  ///< largest size of the page [B]
 };
 
-/// Writes a page that shows a run. Throws InputError and OutputError.
+/// Writes the page of a run. Throws InputError and OutputError.
 void write_run_report(const std::filesystem::path& folder, const std::filesystem::path& page,
                       const ReportOptions& options);
 

@@ -12,7 +12,6 @@
 
 namespace pliant::report {
 
-/// The history of a measurement.
 struct History {
   std::string name, unit;
   std::vector<double> time, value;

@@ -23,7 +23,7 @@ struct WallPicture {
 };
 
 /// The walls of a case inside a box, at the times of its frames. In 3D, half-spaces are shown as
-/// faces; all other solids are closed at the end of the box. Walls outside the box are left out.
+/// faces; other solids are closed at the end of the box.
 std::vector<WallPicture> picture_walls(const Case& a_case, const Box<3>& box,
                                        const std::vector<double>& times);
 

@@ -5,7 +5,7 @@
 
 #include "engine/simulation/estimate.hpp"
 
-// Estimates the wall time from a few steps of the case itself, on a lattice that is set up quickly.
+// Estimates the wall time from a few steps of the case on a small lattice.
 namespace pliant {
 
 namespace {

@@ -13,9 +13,9 @@
 #include "engine/method/initial_velocity.hpp"
 #include "engine/method/step_length.hpp"
 
-// For small h, the number of slots times h^d is V + S h, with the volume V and a constant S
-// proportional to the surface. Counts on two coarse lattices give both. Methods supply the bytes
-// per slot, ghost and particle.
+// For small h, the number of slots times h^d is V + S h, with the volume V and S proportional to
+// the surface. Counts on two coarse lattices give both; methods supply the bytes per slot, ghost
+// and particle.
 namespace pliant {
 
 namespace {

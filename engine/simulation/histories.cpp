@@ -113,7 +113,7 @@ double Histories::weighted_sum(const MeasurementCase& m) const {
   return sum;
 }
 
-// If a history has no value, the measurements that evaluate it have none for the same reason.
+// Without a value, measurements that evaluate the history have none for the same reason.
 std::string Histories::why_missing(std::size_t m) const {
   const MeasurementCase& measurement = settings_->measurements[m];
   if (std::isfinite(rows_[m].back())) return "";

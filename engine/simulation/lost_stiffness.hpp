@@ -14,7 +14,7 @@
 
 /// Hooke's law in rate form, `linear` in the remeshed method, loses its stiffness against shear in
 /// some direction if sigma_1 - sigma_3 exceeds 2 mu, (RP.94). Strain then localises in bands one or
-/// two spacings wide. From then on stress and force are meaningless.
+/// two spacings wide, and stress and force become meaningless.
 namespace pliant {
 
 /// Whether the largest minus the smallest principal value of a symmetric tensor exceeds `limit`; in

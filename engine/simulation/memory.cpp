@@ -8,7 +8,7 @@
 
 #include "engine/simulation/estimate.hpp"
 
-// Limits of memory from files of Linux. A file that does not exist sets no limit.
+// Limits of memory from files of Linux; a missing file sets no limit.
 namespace pliant {
 
 namespace {
@@ -27,7 +27,7 @@ std::size_t value_in(const char* file, const std::string& key, std::size_t unit)
   return unlimited;
 }
 
-/// The number in a file; "max" or a missing file sets no limit.
+/// The number in a file; "max" sets no limit.
 std::size_t number_in(const char* file) {
   std::ifstream stream(file);
   std::size_t number = 0;

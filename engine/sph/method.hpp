@@ -4,7 +4,6 @@
 
 namespace pliant::sph {
 
-/// The entry of this method in the registry.
 RegisteredMethod method();
 
 }  // namespace pliant::sph

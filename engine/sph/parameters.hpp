@@ -11,12 +11,10 @@ struct Parameters {
   double artificial_stress = 0.3;   ///< epsilon of (RP.28)
 };
 
-/// Parameters of the method in a case.
 inline const Parameters& parameters_of(const Case& settings) {
   return settings.parameters.as<Parameters>();
 }
 
-/// Visits the keys of the table.
 void visit_keys(MethodKeys& visit, MethodParameters& parameters);
 
 }  // namespace pliant::sph

@@ -7,9 +7,9 @@
 // A step of plain SPH, the baseline of H&K. Each of the four stages of the Runge-Kutta method
 // (RP.21) has two phases:
 //
-//    pair stress       sigma/rho^2 of every particle, and its artificial stress (RP.28)
-//    advance           grad u by (RP.25) and the pair forces (RP.26), (RP.27) over neighbour
-//                      lists, the rates (RP.13), the next state and its stress (RP.3)-(RP.9)
+//     pair stress       sigma/rho^2 of every particle, and its artificial stress (RP.28)
+//     advance           grad u by (RP.25) and the pair forces (RP.26), (RP.27) over neighbour
+//                       lists, the rates (RP.13), the next state and its stress (RP.3)-(RP.9)
 //
 // There are no ghosts: particles at a free surface have fewer neighbours. New lists are made before
 // every step, in solver.cpp; they may contain particles of any block.

@@ -16,9 +16,9 @@ namespace pliant {
 /// values yet costs nothing.
 ///
 /// If all large arrays started at the beginning of a page, one slot of twenty fields would compete
-/// for the same set of a cache. A store would also look like the load of another field to the
-/// processor, which only compares the lowest twelve bits of addresses. Each array therefore starts
-/// a different number of cache lines after the start of its memory.
+/// for the same set of a cache. A store would also look like the load of another field, since
+/// processors compare only twelve bits of addresses. Each array therefore starts a different number
+/// of cache lines after the start of its memory.
 template <class T>
 class Buffer {
  public:

@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <tuple>
 
-// A block evaluates every cell that has one of its particles as a corner, also cells that belong to
-// other blocks. The corners of a pack of cells form up to four rows of particles; at the edge of a
-// block only some of these rows belong to it.
+// A block evaluates every cell with one of its particles as a corner, also cells of other blocks.
+// The corners of a pack of cells form up to four rows of particles; at the edge of a block only
+// some of them belong to it.
 namespace pliant::total_lagrangian {
 
 namespace {
@@ -90,7 +90,7 @@ class BlockCellsFinder {
   }
 
   // A pack extends the run before it if their rows of corners are contiguous. No cell of the body
-  // is the last of a lattice row, so a run may extend into the next row.
+  // ends a lattice row, so a run may extend into the next one.
   void append(const kernels::CellRun<D>& next) {
     if (!cells_.runs.empty()) {
       kernels::CellRun<D>& last = cells_.runs.back();

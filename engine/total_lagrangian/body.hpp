@@ -36,9 +36,8 @@ struct SurfacePatch {
   int facet;
   double share;  ///< share of the facet's area, or of its area vector for a pressure
   int pressure;
-  /// For a pressure that acts only on some of the faces that the facet stands for: the rest of the
-  /// loaded area vector, per facet area, as components along the facet's sides from its first
-  /// corner [m].
+  /// For a pressure on only some faces of those that the facet represents: the rest of the loaded
+  /// area vector per facet area, as components along the facet's sides from its first corner [m].
   std::array<double, D - 1> aside = {};
 };
 

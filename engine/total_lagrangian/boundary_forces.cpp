@@ -97,8 +97,7 @@ void BoundaryForces<T, D>::sum_patch_loads(int block) {
   }
 }
 
-// The force of a pressure rotates with the surface. That of a traction does not; find_tractions has
-// stored it in the place of the force.
+// The force of a pressure rotates with the surface; that of a traction comes from find_tractions.
 template <class T, int D>
 Point<D> BoundaryForces<T, D>::force_on(const Body<T, D>& body, std::size_t index) const {
   const SurfacePatch<D>& patch = body.patches[index];

@@ -20,7 +20,6 @@ class BoundaryForces {
   /// Whether loads or gravity act on particles.
   bool act_on_particles() const { return gravity_.acts() || !state_.boundaries.pressures.empty(); }
 
-  /// Makes room for the results of the present blocks.
   void prepare_blocks();
   /// Sets the time at which the next step begins, the duration of forces and that of motion [s].
   void prepare(double time, double kick, double length);

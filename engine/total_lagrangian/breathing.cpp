@@ -6,16 +6,15 @@
 #include <vector>
 
 // Particles at a free surface have half the mass of others, at an edge a quarter. A plane wave
-// moves them in one direction only. In the breathing mode of a bar one cell thick they move in two
-// directions, and the pressure of every cell acts in both. The stiffest such mode depends only on
-// the cells and the masses. Power iteration finds it, starting from the same change of volume in
-// all cells.
+// moves them in one direction. In the breathing mode of a bar one cell thick, the pressure of every
+// cell moves them in two. The stiffest such mode depends only on cells and masses. Power iteration
+// finds it, starting from equal changes of volume in all cells.
 namespace pliant::total_lagrangian {
 
 namespace {
 
-// The modes that matter are close to the start, in which all cells breathe alike: 12 iterations
-// find q of bars, plates and boxes to 1 %.
+// The modes that matter are close to the start, with equal changes of volume in all cells: 12
+// iterations find q of bars, plates and boxes to 1 %.
 constexpr int iterations = 12;
 
 template <class T, int D>

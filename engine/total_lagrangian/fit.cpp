@@ -113,8 +113,8 @@ class WallFitter {
     if (shift.norm() > on_surface * h_) take(p, shift);
   }
 
-  // A held particle moves onto the rim if it is within half a spacing of it. In 3D one that faces a
-  // free particle across the diagonal of a cell moves too.
+  // A held particle moves onto the rim within half a spacing; in 3D also one that is diagonally
+  // opposite to a free particle.
   std::optional<Vec<D>> shift_of_surface(std::int64_t p, const Cell<D>& cell) const {
     if (!held_[p]) return std::nullopt;
     const Vec<D> x = vec<D>(body_.lattice.node(cell));
@@ -146,9 +146,9 @@ class WallFitter {
     return Eigen::Map<const Vec<D>>(n.data());
   }
 
-  // Newton's method on the surface. On a wall that lies on the surface, the distance is 0. It is
-  // therefore evaluated at a depth inside the wall that decreases with the iterations, and
-  // projected along the side of the wall to the surface.
+  // Newton's method on the surface. The distance from a wall on the surface is 0 there. It is
+  // therefore evaluated inside the wall, at decreasing depths, and projected along the side of the
+  // wall.
   std::optional<Vec<D>> rim_near(const Vec<D>& foot, const Vec<D>& n, const Wall<D>& wall) const {
     Vec<D> rim = foot, out;
     double depth = 2 * h_;
@@ -169,7 +169,7 @@ class WallFitter {
     return rim;
   }
 
-  // Whether a free particle lies diagonally opposite in the surface, in the direction of the rim.
+  // Whether a free particle is diagonally opposite, towards the rim.
   bool has_free_opposite(const Cell<D>& cell, const Vec<D>& n, const Vec<D>& shift) const {
     bool found = false;
     Cell<D> lower = cell, upper = cell;
@@ -189,7 +189,7 @@ class WallFitter {
     return found;
   }
 
-  // Passes a shift to the particles above and below, along the lattice line nearest to the normal.
+  // Spreads a shift along the lattice line nearest to the normal.
   void spread_below(const Cell<D>& cell, const Vec<D>& shift) {
     const auto [axis, up] = line_along(normal(vec<D>(body_.lattice.node(cell))));
     for (int k = -1; k < layers; ++k) {

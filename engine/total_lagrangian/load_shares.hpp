@@ -80,8 +80,8 @@ void add_weights(const PlacesInCell<D>& places, const Barycentric<D>& at, double
   }
 }
 
-/// Shares of the corners inside the body whose resultant acts at `middle` [m]. Of all such shares
-/// they have the smallest norm, which makes them linear in the places of the corners.
+/// Shares of the corners inside the body whose resultant acts at `middle` [m]. They have the
+/// smallest norm, and so are linear in the places of the corners.
 template <int D>
 Weights<D> linear_shares(const Cube<D>& cube, const PlaceVector<D>& middle) {
   int count = 0;

@@ -4,7 +4,6 @@
 
 namespace pliant::total_lagrangian {
 
-/// The entry of this method in the registry.
 RegisteredMethod method();
 
 }  // namespace pliant::total_lagrangian

@@ -92,8 +92,8 @@ class Nodes {
   static constexpr int corners = 1 << D;
   static constexpr int sub_cells = 10;        // along a side of a cell that the surface cuts
   static constexpr double on_surface = 1e-9;  // [h] rounding errors of distances
-  // Half a sub-cell plus half its diagonal [h]. If phi in the middle of 2^D sub-cells is at least
-  // this far from 0, the surface cuts none of them, since phi changes by no more than the distance.
+  // Half a sub-cell plus half its diagonal [h]: if abs(phi) in the middle of 2^D sub-cells is at
+  // least this, the surface cuts none of them.
   static constexpr double far = (0.5 + 0.87) / sub_cells;
   static constexpr double never_far = std::numeric_limits<double>::infinity();
 
@@ -143,7 +143,7 @@ class Nodes {
     return x;
   }
 
-  // phi interpolated between the corners, since distances to meshes are expensive.
+  // phi interpolated between the corners, for meshes.
   static double between(const std::array<double, corners>& corner, const Point<D>& s) {
     double value = 0;
     for (int c = 0; c < corners; ++c) value += weight(s, c) * corner[c];

@@ -15,12 +15,10 @@ struct Parameters {
   std::optional<double> damping = 0.;       ///< alpha of (TL.8) [1/s]; none: adaptive, (TL.10)
 };
 
-/// Parameters of the method in a case.
 inline const Parameters& parameters_of(const Case& settings) {
   return settings.parameters.as<Parameters>();
 }
 
-/// Visits the keys of the table.
 void visit_keys(MethodKeys& visit, MethodParameters& parameters);
 
 }  // namespace pliant::total_lagrangian

@@ -24,14 +24,12 @@ namespace pliant::total_lagrangian {
 namespace {
 
 constexpr double on_surface = 1e-9;  // [h] rounding errors of distances
-// Cells of a block. Large blocks evaluate few cells of other blocks, but small bodies need enough
-// blocks for all threads. What a block reads again, two planes of rows, stays in the second-level
-// cache.
+// Cells of a block. Large blocks share fewer cells with others, but small bodies need blocks for
+// all threads. What a block reads again, two planes of rows, stays in the second-level cache.
 constexpr std::int64_t least_cells = 1024, most_cells = 16384, wanted_blocks = 12;
 
-// A whole number of cells fits along the shortest side of the body, so that a body in bending has
-// its exact thickness. If the other sides of a box are multiples of h, nodes lie on both of their
-// faces too.
+// A whole number of cells fits along the shortest side, so that the thickness in bending is exact.
+// If the other sides of a box are multiples of h, nodes lie on all faces.
 template <int D>
 Lattice<D> nodes_on_faces(double spacing, const Box<3>& box) {
   double shortest = std::numeric_limits<double>::infinity();
@@ -117,8 +115,8 @@ void make_room(Body<T, D>& body) {
   });
 }
 
-// A particle is held by the nearest wall within half a spacing. Averaged over the places of the
-// wall between particles, the held boundary is then where the case has it.
+// A particle is held by the nearest wall within half a spacing: on average, the held boundary is
+// then in the right place.
 template <class T, int D>
 void hold(const Boundaries<D>& boundaries, Body<T, D>& body) {
   const double reach = body.lattice.spacing * (0.5 - on_surface);

@@ -40,7 +40,6 @@ class Step {
 
   std::vector<scheduler::Phase> phases();
 
-  /// Names of the resources that phases read and write.
   static std::vector<std::string> resources() { return resource_numbers.names(); }
 
   /// Sets the length of the next step and its damping, and the loads at its time.

@@ -51,13 +51,12 @@ double volumetric_energy(const kernels::Material<double>& material, double j) {
   return modulus / 2 * (j - 1) * (j - 1);
 }
 
-/// What Prony terms of the bulk modulus presently add to the pressure, and to the energy per volume
-/// (RP.64).
+/// Present parts of the bulk Prony terms in the pressure and in the energy per volume (RP.64).
 struct Memory {
   double pressure = 0, energy = 0;
 };
 
-// The p_i are those of the last stress evaluation; (RP.22) advances them to the present time.
+// (RP.22) advances the p_i from the last stress evaluation to the present.
 template <class T, int D>
 Memory relaxed_memory(const Body<T, D>& body, std::int64_t slot, double volume_change) {
   Memory sum;
@@ -115,7 +114,7 @@ CellShape<D> cell_shape(const Body<T, D>& body, std::int64_t slot, const Cell<D>
   return shape;
 }
 
-/// Adds the initial stress to the point. Returns its energy per undeformed volume.
+/// Adds the initial stress. Returns its energy per undeformed volume.
 template <class T, int D>
 double add_prestress(const Body<T, D>& body, std::int64_t slot, StressPoint<D>& point) {
   std::array<double, kernels::symmetric_components<D>> s0;
@@ -147,8 +146,7 @@ double polynomial_energy(const kernels::Material<double>& material, double exces
   return energy;
 }
 
-/// Adds the stress of the networks of (TL.24) at the present time to the point. Returns their
-/// energy per volume.
+/// Adds the present stress of the networks of (TL.24). Returns their energy per volume.
 template <class T, int D>
 double add_networks(const Body<T, D>& body, const kernels::Material<double>& material,
                     std::int64_t slot, const Eigen::Matrix3d& f, StressPoint<D>& point) {

@@ -218,8 +218,7 @@ class SurfaceMaker {
     return x;
   }
 
-  /// Whether the facets of the cell lie on one of its faces, so that the cell holds nothing of the
-  /// body.
+  /// Whether the facets lie on a face of the cell, which then holds nothing of the body.
   bool lies_on_a_face(const Cube<D>& cube) const {
     return std::ranges::none_of(cube, [this](const SurfaceNode<D>& corner) {
       return corner.phi >= 0 && body_.is_particle(corner.slot);

@@ -9,9 +9,9 @@
 namespace pliant::undeformed {
 
 /// The effect of boundaries on the particles in a step. Walls hold their constrained particles.
-/// Impulses of walls and the work of walls, loads and gravity (RP.72) are summed. The work of a
-/// force uses the mean of the velocities before and after the step, so that it is exactly what the
-/// force adds to the kinetic energy.
+/// Impulses of walls and the work of walls, loads and gravity (RP.72) are summed. Work uses the
+/// mean of the velocities before and after the step, so that it is exactly the gain of kinetic
+/// energy.
 template <class T, int D>
 class BoundaryWork {
  public:

@@ -22,7 +22,6 @@ class Measurer {
   /// One value for each measurement; NaN for those that evaluate histories.
   std::vector<double> operator()(std::span<const MeasurementCase> measurements) const;
 
-  /// Integrals of all bodies together.
   BodyIntegrals totals() const;
 
   /// Whether all methods on the undeformed body have a kind of measurement.

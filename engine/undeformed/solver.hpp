@@ -147,8 +147,8 @@ std::optional<EnergyBudget> Solver<State, Step, Measurer>::energy_budget() const
   return present;
 }
 
-// The kinetic energy grows with the square of the time from rest. A budget extrapolated from the
-// middle or the end of a step would miss all of it in a run of one step.
+// From rest, the kinetic energy grows with the square of the time: extrapolated from the middle or
+// the end, the budget of a run of one step would miss all of it.
 template <class State, class Step, class Measurer>
 Balance Solver<State, Step, Measurer>::balance() {
   Clock& clock = state_.clock;

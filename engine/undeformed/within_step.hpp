@@ -20,7 +20,7 @@ void store_start(Body<T, D>& body, bool velocities_lag) {
   }
 }
 
-/// Called after a step: stores its end, since the way back from an output time has rounding errors.
+/// Called after a step: stores its end, since returning from an output time would round.
 template <class T, int D>
 void store_end(Body<T, D>& body, bool velocities_lag) {
   for (int a = 0; a < D; ++a) {

@@ -9,7 +9,7 @@
 // A surgical simulator without a screen: plays a recorded session of a scalpel on soft tissue at 60
 // frames per second, and reports whether it met its deadlines.
 //
-//    scalpel [SESSION.csv [SPACING [THREADS]]]
+//     scalpel [SESSION.csv [SPACING [THREADS]]]
 namespace {
 
 constexpr double frame_time = 1. / 60;  // [s]

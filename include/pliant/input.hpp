@@ -7,8 +7,8 @@
 
 namespace pliant {
 
-/// One action of a caller on a simulation, with its time: a tool moves, a load changes, time
-/// passes. A list of inputs is a session, which can be written, read, and played again.
+/// An action of a caller on a simulation, with its time: a tool moves, a load changes, time passes.
+/// A list of inputs is a session, which can be stored and played again.
 struct Input {
   enum class Kind {
     advance,        ///< time passes up to `time`, on the way to `until`

@@ -13,11 +13,9 @@ struct FiniteElementsTable {
   void (*evaluate_nodal_pressures)(const NodalPressures<T>&);
   PointForcesResult (*evaluate_forces)(const ElementBlock<T, D>&);
 
-  /// Kernels for processors that support `isa`.
   static const FiniteElementsTable& of(Isa isa);
 };
 
-/// The kernels compiled for `isa`.
 template <Isa isa, class T, int D>
 FiniteElementsTable<T, D> finite_elements_kernels();
 

@@ -9,8 +9,8 @@
 /// Arguments of the kernels of the point-based method. Nodes are slots; those of a block are
 /// contiguous, padded to whole packs with slots without mass.
 ///
-///    local numbers of a block:   0 ........ count | count ........ count + halo_count
-///                                 its own slots   |   neighbours in other blocks (halo)
+///     local numbers of a block:   0 ........ count | count ........ count + halo_count
+///                                  its own slots   |   neighbours in other blocks (halo)
 ///
 /// Displacements of both are copied into an array of points with `point_stride` values each, so
 /// that one load gets any neighbour: bonds store the position of the neighbour in such arrays, its

@@ -259,7 +259,6 @@ inline PointForcesResult evaluate_forces_of(const PointForces<Scalar<P>, D>& blo
   return result;
 }
 
-/// See PointForces.
 template <class P, int D>
 PointForcesResult evaluate_point_forces(const PointForces<Scalar<P>, D>& block) {
   switch (block.material.law) {

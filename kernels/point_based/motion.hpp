@@ -5,7 +5,6 @@
 
 namespace pliant::kernels {
 
-/// See PointMotion.
 template <class P, int D>
 void advance_points(const PointMotion<Scalar<P>, D>& block) {
   using T = Scalar<P>;
@@ -40,7 +39,6 @@ void advance_points(const PointMotion<Scalar<P>, D>& block) {
   }
 }
 
-/// See PointDrift.
 template <class P, int D>
 void drift_points(const PointDrift<Scalar<P>, D>& block) {
   for (int a = 0; a < D; ++a) {

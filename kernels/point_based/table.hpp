@@ -15,11 +15,9 @@ struct PointBasedTable {
   void (*advance)(const PointMotion<T, D>&);
   void (*drift)(const PointDrift<T, D>&);
 
-  /// Kernels for processors that support `isa`.
   static const PointBasedTable& of(Isa isa);
 };
 
-/// The kernels compiled for `isa`.
 template <Isa isa, class T, int D>
 PointBasedTable<T, D> point_based_kernels();
 

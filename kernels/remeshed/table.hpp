@@ -11,7 +11,6 @@ namespace pliant::kernels {
 /// for double and float in 2D and 3D.
 template <class T, int D>
 struct RemeshedTable : StageKernels<T, D>, GhostKernels<T, D>, RemeshingKernels<T, D> {
-  /// Kernels compiled for `isa`.
   static const RemeshedTable& of(Isa isa);
 };
 

@@ -5,9 +5,9 @@
 #include "kernels/stiffening.hpp"
 #include "kernels/total_lagrangian/arguments.hpp"
 
-/// The strain energy of a cell, (TL.3) and (TL.6), or (TL.22), and its derivatives. Several loops
-/// use these functions, and states must stay in registers, so the functions must be inlined. The
-/// constants of a linear material are those of its hyperelastic form: N = 1, C10 = mu/2, 2/D = K.
+/// The strain energy of a cell, (TL.3) and (TL.6), or (TL.22), and its derivatives. They must be
+/// inlined, since states must stay in registers. The constants of a linear material are those of
+/// its hyperelastic form: N = 1, C10 = mu/2, 2/D = K.
 namespace pliant::kernels {
 
 /// dU/dJ of the volumetric part, (TL.3), from J and 1/J.

@@ -64,7 +64,7 @@ inline P lattice_wave_speed2(const HyperelasticMaterial<Scalar<P>>& material,
   }
 }
 
-/// Returns the lanes with a stress that is not finite or with J <= 0; the wave speeds of the others
+/// Returns the lanes whose stress is not finite or whose J <= 0; the wave speeds of the others
 /// enter `extremes`.
 template <class P, int D>
 inline auto examine(const CellState<P, D>& state, const CellStress<P, D>& stress, const P& c2,

@@ -4,7 +4,7 @@
 
 #include "kernels/total_lagrangian/cell_forces.hpp"
 
-/// Stress points of fitted cells, (TL.11). They are few and scattered over the block, so they are
+/// Stress points of fitted cells, (TL.11), which are few and scattered over the block, and so
 /// gathered into registers.
 namespace pliant::kernels {
 
@@ -40,8 +40,8 @@ struct CellGroup {
       if (block.has(cell[l]->slot)) to[cell[l]->slot] = value[l];
     }
   }
-  /// Subtracts a value at each corner of each cell, if the corner belongs to the block. It goes
-  /// cell by cell, so that the sums do not depend on the size of registers.
+  /// Subtracts a value at each corner in the block, cell by cell, so that the sums do not depend on
+  /// the size of registers.
   void subtract_at_corners(const Motion<T, D>& block, const P (&pull)[1 << D], T* from) const {
     alignas(64) T value[1 << D][lanes<P>];
     for (int c = 0; c < (1 << D); ++c) pull[c].store_aligned(value[c]);
@@ -68,8 +68,8 @@ inline void gather_modes(const Motion<Scalar<P>, D>& block, const CellGroup<P, D
   }
 }
 
-/// F and the rest of the hourglass modes, which is zero for linear fields. The modes are replaced
-/// by half the derivatives of Q, (TL.6).
+/// F and the rest of the hourglass modes, zero for linear fields. Replaces the modes by half the
+/// derivatives of Q, (TL.6).
 template <class P, int D>
 inline void fitted_state(const CellGroup<P, D>& group, const HourglassWeights<P, D>& weights,
                          const P& slope, const P (&inverse)[D * D], P (&mode)[D][1 << D],

@@ -9,8 +9,8 @@
 /// coordinates in the two directions other than c. If a and c differ, the mode bends the cell:
 /// fibres along a are longer on one side. If they are equal, it twists the cell.
 ///
-///    bends    u_x = x y and u_z = z y, x z and y z, y x and z x
-///    twists   u_x = y z, u_y = x z, u_z = x y
+///     bends    u_x = x y and u_z = z y, x z and y z, y x and z x
+///     twists   u_x = y z, u_y = x z, u_z = x y
 ///
 /// Both bending modes of a pair lengthen fibres across the same plane. In the frame of the
 /// material, where C = F^T A with the modes A_c, they are C_ac and C_ca.

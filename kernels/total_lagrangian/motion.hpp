@@ -83,8 +83,8 @@ class Mover {
   P stiffness_[registers], inertia_[registers], damped_[registers];
 };
 
-/// A particle moves as soon as the cells around it are done, while its displacement and its force
-/// are still in the cache. None of these cells has a higher slot than the particle.
+/// A particle moves as soon as the cells around it are done, while its data are in the cache. None
+/// of these cells has a higher slot.
 template <ElasticLaw law, bool relaxes, class P, int D>
 MotionResult advance_motion_of(const Motion<Scalar<P>, D>& block) {
   StressPointExtremes<P> extremes;

@@ -9,10 +9,10 @@
 /// first Piola-Kirchhoff stress -> forces, mode by mode -> corner forces -> sums over the cells
 /// around a particle.
 ///
-///    cells of row y    | A | B | C | D |      A register of cells has forces on rows of corners:
-///                      /\  /\  /\  /\         at its own slots (lower corners in x) and at the
-///    corners, row r    a   b   c   d   e      next ones (upper corners). The latter are shifted by
-///                                             one lane, with the last cell of the register before.
+///     cells of row y    | A | B | C | D |      A register of cells has forces on rows of corners:
+///                       /\  /\  /\  /\         at its own slots (lower corners in x) and at the
+///     corners, row r    a   b   c   d   e      next ones (upper corners), which are shifted by one
+///                                              lane, with the last cell of the register before.
 namespace pliant::kernels {
 
 /// The slots of a register of cells; values are written inside the body.
@@ -95,9 +95,8 @@ inline void finish_row(const Motion<Scalar<P>, D>& block, const CellRun<D>& run,
   upper.exist = false;
 }
 
-/// Prefetches what the particles of a pack need to move, and what the next row of cells reads that
-/// no earlier row has read. With so many arrays and short rows, the processor would not prefetch it
-/// by itself.
+/// Prefetches what the particles of a pack need to move, and what the next row of cells is the
+/// first to read: too many arrays with short rows for the processor to prefetch.
 template <class T, int D>
 [[gnu::always_inline]] inline void prefetch_pack(const Motion<T, D>& block, const CellRun<D>& run,
                                                  std::int64_t slot) {

@@ -16,7 +16,6 @@ struct TotalLagrangianTable {
   static const TotalLagrangianTable& of(Isa isa);
 };
 
-/// The kernels compiled for `isa`.
 template <Isa isa, class T, int D>
 TotalLagrangianTable<T, D> total_lagrangian_kernels();
 

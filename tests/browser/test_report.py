@@ -24,7 +24,7 @@ try:
 except ImportError:
     webdriver = None
 
-# Draws a picture of the canvas and answers with the number of its colours and a sum over its pixels.
+# Draws a picture of the canvas, and returns the number of its colours and a sum over its pixels.
 READ_PICTURE = """
 const [png, answer] = arguments;
 const image = new Image();
@@ -40,7 +40,7 @@ image.onload = () => {
 image.src = "data:image/png;base64," + png;
 """
 
-# Keeps the width of the canvas and the number of triangles of all pictures from then on.
+# Records the width of the canvas and the number of triangles of all pictures from then on.
 RECORD_PICTURES = """
 window.drawn = [];
 const { prototype } = WebGL2RenderingContext, draw = prototype.drawElements;
@@ -50,7 +50,7 @@ prototype.drawElements = function (mode, count, ...rest) {
 };
 """
 
-# Counts the connected spots of one colour in a canvas, those that are large enough.
+# Counts the connected spots of one colour in a canvas that are large enough.
 COUNT_SPOTS = """
 const [canvas, colour, least] = arguments;
 const { width, height } = canvas;
@@ -202,7 +202,7 @@ class Report(unittest.TestCase):
             return least[0] < 0.5 * sharp[0] and least[1] < sharp[1]
 
         self.wait(is_rough)
-        self.wait(lambda: drawn() == sharp)  # the body rests, though it is still held
+        self.wait(lambda: drawn() == sharp)  # the body rests, though still held
         ActionChains(self.browser).release().perform()
         self.element("reset").click()
         self.wait(lambda: self.picture() == full)

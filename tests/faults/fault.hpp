@@ -7,7 +7,7 @@
 
 #include "tests/engine/case/written_case.hpp"
 
-/// Wrong case files, and what their authors are told.
+/// Wrong case files and their error messages.
 namespace pliant::tests {
 
 struct Fault {
@@ -27,10 +27,10 @@ inline std::string broken(const std::string& part, const std::string& replacemen
   return with(block_case, part, replacement);
 }
 
-/// The block with more lines, the first of them line 10.
+/// The block with more lines, starting at line 10.
 inline std::string extended(const std::string& lines) { return block_case + lines; }
 
-/// A measurement of the block with the given keys, the first of them in line 12.
+/// A measurement of the block with the given keys, starting at line 12.
 inline std::string measuring(const std::string& keys) {
   return extended("[[measurement]]\nname = \"m\"\n" + keys);
 }

@@ -15,7 +15,7 @@ struct MeshFault {
   const char* name;
   const char* file;
   std::string content;
-  const char* message;  ///< after the place and "geometry has a faulty mesh: "
+  const char* message;  ///< what follows the place and "geometry has a faulty mesh: "
 
   friend std::ostream& operator<<(std::ostream& stream, const MeshFault& fault) {
     return stream << fault.name;
@@ -31,7 +31,7 @@ geometry = { shape = "mesh", file = "FILE" }
 material = { model = "linear", youngs_modulus = 100, poissons_ratio = 0.3, density = 2 }
 )";
 
-/// What the reader says about a case with this mesh, the folder left out.
+/// The reader's error message for a case with this mesh, without the folder.
 std::string mesh_complaint(const std::string& file, const std::string& content) {
   const test::TemporaryFolder folder;
   if (!content.empty()) std::ofstream(folder / file, std::ios::binary) << content;

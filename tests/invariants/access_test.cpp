@@ -16,8 +16,8 @@
 #include "tests/engine/case/written_case.hpp"
 #include "tests/invariants/sample_runs.hpp"
 
-// Phases declare all that they read and write: the graph orders them by that, and in several
-// processes it would tell what to send.
+// Phases declare all that they read and write: this orders the graph, and in several processes
+// would determine what to send.
 namespace pliant::test {
 namespace {
 
@@ -30,7 +30,7 @@ using scheduler::StepGraph;
 using scheduler::undeclared_accesses;
 using Region = std::span<std::byte>;
 
-/// Groups whose memory holds integers, which cannot be disturbed.
+/// Groups whose memory holds integers, which cannot be perturbed.
 constexpr std::array integers = {
     Group::kinds,           Group::image_sources, Group::fits,     Group::contact_points,
     Group::neighbour_lists, Group::new_kinds,     Group::new_fits, Group::used,
@@ -62,7 +62,7 @@ bool has_phase(const StepGraph& graph, std::string_view name) {
 /// Whether a group belongs to the new lattice of a remeshing.
 bool is_new(Group group) { return group >= Group::new_state && group != Group::particle_counts; }
 
-/// Of the graphs of steps, whose blocks are those of the present lattice.
+/// Memory of the graphs of steps, whose blocks are those of the present lattice.
 template <int D>
 void add_memory(remeshed::State<double, D>& state, const StepGraph& graph, FieldId field,
                 BlockId block, FieldMemory& memory) {
@@ -74,9 +74,9 @@ void add_memory(remeshed::State<double, D>& state, const StepGraph& graph, Field
   }
 }
 
-/// Of the two graphs of a remeshing. The blocks of the second are those of the new lattice: each
-/// gets the old ones that have its number, counted round and round. The stages of a step are of no
-/// meaning then, and the second graph has taken the lists of ghosts.
+/// Memory of the two graphs of a remeshing. The blocks of the second graph are those of the new
+/// lattice, to which the old blocks are assigned round-robin. The stages of a step have no meaning
+/// then, and the second graph has taken the lists of ghosts.
 template <int D>
 void add_memory_of_remeshing(remeshed::State<double, D>& state, const StepGraph& graph,
                              FieldId field, BlockId block, FieldMemory& memory) {
@@ -106,7 +106,7 @@ std::string text(const std::vector<scheduler::UndeclaredAccess>& accesses) {
   return lines;
 }
 
-/// What is undeclared in the last of some steps.
+/// Undeclared accesses in the last of `steps` steps.
 template <class Method>
 std::string undeclared(const Case& settings, int steps) {
   return text(undeclared_accesses([&](AccessProbe& probe) {
@@ -120,7 +120,7 @@ std::string undeclared(const Case& settings, int steps) {
   }));
 }
 
-/// Steps to the end of the first remeshing after the start.
+/// Number of steps to the end of the first remeshing after the start.
 int steps_to_remeshing(const Case& settings) {
   Solver solver(settings, {.threads = 1});
   int steps = 0;
@@ -138,7 +138,7 @@ TEST_P(Accesses, of_a_step_are_declared) {
   EXPECT_EQ(undeclared<Solver>(GetParam().settled(), GetParam().middle), "");
 }
 
-/// Free surfaces, walls, periods and contact, with a few blocks each and remeshed in the second
+/// Free surfaces, walls, periods and contact, with a few blocks each and a remeshing in the second
 /// step.
 std::vector<SampleRun> remeshed_runs() {
   const Settings disc = {"discretisation.spacing=0.1", "time.step=1e-3", "remeshing.every=2",

@@ -34,7 +34,7 @@ TEST_P(Allocation, a_warm_remeshing_of_an_unchanged_set_allocates_nothing) {
   }
 }
 
-// Lists grow as a body is compressed, until they have found their size.
+// Lists grow as a body is compressed, until they reach their final size.
 TEST(allocation, a_warm_search_for_neighbours_allocates_nothing) {
   for (const SampleRun& run : listed_runs()) {
     for (const int threads : {1, 2, 7}) {
@@ -52,8 +52,8 @@ TEST(allocation, a_warm_search_for_neighbours_allocates_nothing) {
   }
 }
 
-// Moves of a blade lengthen the lists of its cut, and make room while they give nodes new bonds.
-// In the steps between them, gradients that nodes have kept relax.
+// When the blade moves, the lists of its cut grow, and space is allocated for new bonds of nodes.
+// In the steps between, kept gradients of nodes relax.
 TEST(allocation, a_step_allocates_nothing_between_two_moves_of_a_blade) {
   const Case settings = tests::read_text(R"toml(dimension = 3
 method = "point_based"

@@ -8,7 +8,7 @@
 #include "tests/engine/case/written_case.hpp"
 #include "tests/invariants/sample_runs.hpp"
 
-// Bodies that meet: what crosses between them, and what does not.
+// Bodies in contact: what passes between them, and what does not.
 namespace pliant::test {
 namespace {
 
@@ -19,7 +19,7 @@ const std::string soft =
 const std::string hard =
     R"(material = { model = "linear", youngs_modulus = 60, poissons_ratio = 0.4, density = 1 } })";
 
-/// Bodies of unlike shapes and materials, the first at 1.5 m/s into the others.
+/// Bodies of different shapes and materials; the first one moves into the others at 1.5 m/s.
 const std::string bodies =
     R"(body=[{ name = "disc", geometry = { shape = "disc", centre = [-0.51, 0.1], radius = 0.5 }, )"
     R"(velocity = [1.5, 0.2], )" +
@@ -56,7 +56,7 @@ TEST(body_contact, keeps_the_momentum_of_all_bodies_to_rounding) {
   }
 }
 
-// Contact is internal to the two, so that gravity moves them as if there were none. Damping acts on
+// Contact is internal to the two, so that gravity moves them as if it were absent. Damping acts on
 // the velocities within a step, before they are corrected.
 TEST(body_contact, leaves_gravity_and_damping_their_momentum) {
   Solver solver(
@@ -70,8 +70,7 @@ TEST(body_contact, leaves_gravity_and_damping_their_momentum) {
   EXPECT_NEAR(momentum(solver, 1), -2 * gained, 1e-4 * mass);
 }
 
-// The integral over the body and the momentum budget are two sums that share nothing but the
-// particles.
+// The integral over the body and the momentum budget are independent sums over particles.
 TEST(body_contact, has_a_budget_of_what_the_bodies_have) {
   Solver solver(small_case("two_discs", coarse), {2, kernels::widest_supported()});
   for (const double time : {0.1, 0.3, 0.5}) {
@@ -89,7 +88,7 @@ TEST(body_contact, of_like_discs_is_the_same_for_both) {
   EXPECT_NEAR(momentum_of(solver, 0, 0), -momentum_of(solver, 1, 0), 1e-13);
 }
 
-// Momentum of a free body changes by the force on it, of which contact is all there is.
+// The momentum of a free body changes by the force on it, which is that of contact alone.
 TEST(body_contact, force_is_what_changes_the_momentum) {
   const auto force = [](const char* first, const char* second) {
     return std::string("measurement=[{ name = \"push\", kind = \"contact_force\", bodies = [\"") +
@@ -113,8 +112,8 @@ TEST(body_contact, force_is_what_changes_the_momentum) {
   }
 }
 
-/// A block on a block that stands on the ground, both under the stress of their weight, so that
-/// they begin at rest; the upper one starts to the right. mu = 0.2.
+/// A block on a block on the ground, both with the stress of their weight, so that they start in
+/// equilibrium; the upper one moves to the right. mu = 0.2.
 Case block_on_block(const std::string& speed) {
   const std::string text = R"toml(
 [discretisation]
@@ -145,8 +144,8 @@ friction = 0.2
   return tests::read_text("gravity = [0, -10]\n" + text);
 }
 
-// v = v0 - mu g t: 0.2 m/s are left of 0.4 after 0.1 s (0.21 here, 0.200 with half the spacing). At
-// 0.3 s it stands still, but for what swings in it.
+// v = v0 - mu g t: of 0.4 m/s, 0.2 are left after 0.1 s (0.21 here, 0.200 with half the spacing).
+// At 0.3 s the block is at rest except for its vibrations.
 TEST(body_contact, slows_a_block_that_slides_by_its_friction) {
   Solver solver(block_on_block("0.4"), {2, kernels::widest_supported()});
   const double mass = 0.24;
@@ -158,7 +157,7 @@ TEST(body_contact, slows_a_block_that_slides_by_its_friction) {
   EXPECT_NEAR(momentum_of(solver, 1, 0) / mass, 0, 0.03);
 }
 
-// What bounds the shear is the only difference between the three laws.
+// The three laws differ only in the bound on the shear.
 TEST(body_contact, with_friction_has_the_other_two_laws_as_limits) {
   const auto speed_of = [](const std::string& law) {
     Solver solver(small_case("two_discs", coarse + Settings{bodies,
@@ -177,7 +176,7 @@ TEST(body_contact, with_friction_has_the_other_two_laws_as_limits) {
   EXPECT_GT(std::max(slides, holds), between);
 }
 
-// Pulled apart: contact lets go, a bond does not.
+// When bodies are pulled apart, contact ends, but a bond remains.
 TEST(body_contact, pulls_only_where_bodies_are_tied) {
   const Settings pulled = {"discretisation.spacing=0.02", "periodic.upper=[inf, 0.16]",
                            "measurement=[]", "body.left.velocity=[-0.1, 0]"};
@@ -195,7 +194,8 @@ TEST(body_contact, pulls_only_where_bodies_are_tied) {
   }
 }
 
-// Waves of some thousandths pass an interface of 1 to 4: what mixed there would lie between.
+// Waves of some thousandths pass an interface between stiffnesses of 1 and 4: mixed material would
+// be in between.
 TEST(body_contact, does_not_mix_tied_materials) {
   Solver solver(small_case("bimaterial_bar", {"discretisation.spacing=0.02", "remeshing.every=2",
                                               "periodic.upper=[inf, 0.16]", "measurement=[]"}),

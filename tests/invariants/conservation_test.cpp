@@ -8,7 +8,7 @@
 namespace pliant::test {
 namespace {
 
-/// A periodic cell in lively motion that is not remeshed unless a test asks for it.
+/// A periodic cell in strong motion, without remeshing unless a test requests it.
 struct Conservation : testing::TestWithParam<const char*> {
   Solver solver(const Settings& more) const {
     const Settings lively = {"discretisation.spacing=1/24", "remeshing.every=1000",
@@ -48,7 +48,7 @@ Sums particles_of(const Solver& solver) {
   return sums_of({body, body.population, body.stage[0]});
 }
 
-// Sums of 576 equal terms: each addition is off by up to 1.1e-16.
+// Sums of 576 equal terms: each addition has an error of up to 1.1e-16.
 constexpr double rounding = 6e-14;
 
 TEST_P(Conservation, extensive_remeshing_keeps_mass_momentum_and_volume_to_rounding) {
@@ -64,8 +64,8 @@ TEST_P(Conservation, extensive_remeshing_keeps_mass_momentum_and_volume_to_round
 }
 
 TEST_P(Conservation, total_volume_stays_that_of_the_cell) {
-  // Between remeshings the sum of v div u is zero but for the truncation error of div u, which
-  // falls with the square of the spacing.
+  // Between remeshings the sum of v div u is the truncation error of div u, of second order in the
+  // spacing.
   const auto volume_error = [&](const char* spacing) {
     Solver solver = this->solver(
         {std::string("discretisation.spacing=") + spacing, "remeshing.every=5", "time.step=1e-3"});

@@ -34,7 +34,7 @@ double total(Solver& solver, int axis) {
   return remeshed::budget_momentum<double, 2>(solver.state(), 0)[axis];
 }
 
-// What counts is how fast the two come together.
+// Only the relative velocity matters.
 TEST(contact, does_not_depend_on_which_of_the_two_moves) {
   std::vector<double> leaves;
   for (const double of_disc : {-1., -0.3, 0.}) {
@@ -52,7 +52,7 @@ TEST(contact, does_not_depend_on_which_of_the_two_moves) {
 }
 
 // The impulse is the traction on the wall, the momentum an integral over the body: two independent
-// sums. A patch of contact grows by whole slots of h, one tenth of it when it is largest.
+// sums. The contact patch grows by whole slots of h, a tenth of it when it is largest.
 TEST(contact, the_impulse_of_the_wall_is_the_change_of_momentum) {
   for (const char* friction : {"frictionless", "no_slip"}) {
     Solver solver(bouncing_disc({std::string("boundary.wall.friction=") + friction}),
@@ -71,8 +71,8 @@ TEST(contact, the_impulse_of_the_wall_is_the_change_of_momentum) {
   }
 }
 
-// Its impulse is a sum over the ghosts of two layers in all stages of a step, the map one layer at
-// one time. Pressure at the edge of contact differs between layers: one slot of ten to a side.
+// The impulse is a sum over ghosts of two layers in all stages of a step, the map is one layer at
+// one time. Pressure at the edge of contact differs between layers: one slot in ten along a side.
 TEST(contact, the_map_of_the_pressure_adds_up_to_the_force) {
   for (const char* friction : {"frictionless", "no_slip"}) {
     Solver solver(bouncing_disc({std::string("boundary.wall.friction=") + friction}),
@@ -106,7 +106,7 @@ TEST(contact, the_wall_never_pulls) {
   }
 }
 
-// The level set ends at the wall, (RP.54): the body neither enters it nor stays behind.
+// The level set ends at the wall, (RP.54): the body neither enters it nor leaves a gap.
 TEST(contact, the_surface_lies_on_the_wall_where_it_touches) {
   Solver solver(bouncing_disc({}), {2, kernels::widest_supported()});
   advance_until(solver, 0.05);
@@ -121,7 +121,7 @@ TEST(contact, the_surface_lies_on_the_wall_where_it_touches) {
   }
 }
 
-// In the middle, where no fit is singular and has to look farther: 2.6 h up and 1.73 h to the
+// In the middle, where no fit is singular and needs a larger radius: 2.6 h up and 1.73 h to the
 // sides.
 TEST(contact, fits_at_the_wall_look_farther_into_the_body_than_along_it) {
   Solver solver(bouncing_disc({}), {2, kernels::widest_supported()});
@@ -145,7 +145,7 @@ TEST(contact, fits_at_the_wall_look_farther_into_the_body_than_along_it) {
   EXPECT_GT(highest, 1.5 * h);
 }
 
-// Nothing acts along a wall without friction, whichever way it is turned: here by 30 degrees.
+// A frictionless wall exerts no force along itself, whatever its orientation: here 30 degrees.
 TEST(contact, an_oblique_impact_without_friction_keeps_the_momentum_along_the_wall) {
   const double sine = 0.5, cosine = std::sqrt(0.75);
   const std::string wall =
@@ -163,7 +163,7 @@ TEST(contact, an_oblique_impact_without_friction_keeps_the_momentum_along_the_wa
   EXPECT_NEAR(along(), start, 1e-12 * start);
 }
 
-// (RP.98), whichever way the wall is turned: as long as the body slides, its budget has the impulse
+// (RP.98), whatever the orientation of the wall: while the body slides, its budget has the impulse
 // that the wall reports.
 TEST(contact, an_oblique_impact_takes_the_momentum_that_sliding_friction_reports) {
   const double sine = 0.5, cosine = std::sqrt(0.75);
@@ -183,9 +183,9 @@ TEST(contact, an_oblique_impact_takes_the_momentum_that_sliding_friction_reports
   EXPECT_NEAR(along() - start, cosine * impulse[0] - sine * impulse[1], 1e-12 * start);
 }
 
-// From 1 m/s, for 0.2 s: Coulomb's law leaves 1 m/s - 0.2 s mu g, as far as the block, which drops
-// onto the wall at t = 0 and swings, weighs on it. Now and then a slot sticks for a step. What the
-// block loses is lost to friction, (RP.99).
+// From 1 m/s, for 0.2 s: Coulomb's law leaves 1 m/s - 0.2 s mu g, if the weight of the block rests
+// on the wall, onto which it drops at t = 0 and vibrates. Occasionally a slot sticks for one step.
+// The loss of energy is that of friction, (RP.99).
 TEST(contact, a_block_that_slides_on_a_floor_is_slowed_by_its_friction) {
   for (const char* spacing : {"0.04", "0.025"}) {
     for (const double friction : {0.1, 0.3}) {
@@ -228,8 +228,8 @@ TEST(contact, a_block_slides_down_an_incline_as_friction_lets_it) {
   }
 }
 
-// A disc that hits a rigid one head-on, at rest or coming with half the speed: what counts
-// is how fast they meet.
+// A disc that hits a rigid one head-on, which is at rest or approaches with half the speed: only
+// the relative velocity matters.
 TEST(contact, a_round_wall_that_moves_gives_the_momentum_that_it_counts) {
   for (const double speed : {0., 0.5}) {
     const std::string up = std::to_string(speed);

@@ -4,7 +4,7 @@
 #include "engine/remeshed/state/resources.hpp"
 #include "tests/invariants/sample_runs.hpp"
 
-// Nothing but the case decides the bits of a result.
+// The bits of a result depend on the case alone.
 namespace pliant::test {
 namespace {
 
@@ -12,7 +12,7 @@ struct Determinism : OfSampleRuns {};
 INSTANTIATE_TEST_SUITE_P(runs, Determinism, testing::ValuesIn(sample_runs()), name_of);
 INSTANTIATE_TEST_SUITE_P(listed_runs, Determinism, testing::ValuesIn(listed_runs()), name_of);
 
-/// Everything after a run, with what the case measures.
+/// The state after a run, with the measurements of the case.
 Snapshot end_of(const SampleRun& run, int threads) {
   Solver solver(run.settled(), {threads, kernels::widest_supported()});
   advance(solver, run.steps);
@@ -39,13 +39,13 @@ TEST_P(Determinism, measuring_changes_nothing_in_the_trajectory) {
     measured.measure();
     if (i % 3 == 0) measured.refresh_ghosts();
   }
-  // Ghosts hold what was last asked of them.
+  // Ghosts hold whatever was last requested of them.
   EXPECT_EQ(
       differences(snapshot_of(solver, Slots::particles), snapshot_of(measured, Slots::particles)),
       none);
 }
 
-// Looks at times within a step, two of them in each.
+// Observes two times within each step.
 TEST_P(Determinism, looking_ahead_changes_nothing_in_the_trajectory) {
   Solver solver(GetParam().settled(), {1, kernels::widest_supported()});
   Solver watched(GetParam().settled(), {1, kernels::widest_supported()});
@@ -82,7 +82,7 @@ TEST_P(Determinism, a_look_ahead_shows_what_a_step_until_then_leads_to) {
   EXPECT_EQ(solver.clock().time, 0);
 }
 
-/// Runs a graph in the order of its list, or in another legal one.
+/// Runs a graph in the order of its list, or in another valid one.
 void run(scheduler::StepGraph& graph, Solver& solver, std::uint64_t seed) {
   solver.workers().execute([&] { graph.run_serially(seed); });
 }
@@ -106,7 +106,7 @@ TEST_P(Determinism, any_legal_order_of_a_step_gives_the_same_bits) {
   }
 }
 
-/// The graph that `add` makes of a body's phases, over the blocks of `layout`.
+/// The graph of the phases that `add` adds for a body, over the blocks of `layout`.
 template <class F>
 scheduler::StepGraph graph_over(const Layout<2>& layout, F&& add) {
   std::vector<scheduler::Phase> phases;

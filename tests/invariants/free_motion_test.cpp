@@ -6,7 +6,7 @@
 #include "engine/remeshed/solver.hpp"
 #include "tests/engine/remeshed/small_case.hpp"
 
-// The momentum and the spin of bodies that nothing holds, (RP.90), (RP.91).
+// The momentum and the spin of free bodies, (RP.90), (RP.91).
 namespace pliant::test {
 namespace {
 
@@ -28,7 +28,7 @@ const Settings flying_brick = {
 
 template <int D>
 struct Motion {
-  Vector velocity, spin;  ///< of the mass centre, about it
+  Vector velocity, spin;  ///< of the mass centre; about it
 
   explicit Motion(remeshed::Solver<double, D>& solver) {
     const remeshed::Body<double, D>& body = solver.state().bodies[0];
@@ -44,7 +44,7 @@ struct Motion {
   }
 };
 
-/// Steps until particles lie on new nodes.
+/// Steps until particles are on new nodes.
 template <int D>
 void advance_to_remeshing(remeshed::Solver<double, D>& solver) {
   const std::int64_t before = solver.clock().step, count = solver.remeshings();
@@ -52,7 +52,7 @@ void advance_to_remeshing(remeshed::Solver<double, D>& solver) {
   ASSERT_GT(solver.remeshings(), count);
 }
 
-// Sums of some hundred terms each of the size of the whole or less.
+// Sums of some hundred terms, none larger than the sum.
 constexpr double rounding = 1e-12;
 
 template <int D>
@@ -90,8 +90,9 @@ TEST(free_motion, gravity_changes_the_velocity_of_a_square_and_not_its_spin) {
   EXPECT_NEAR(now.spin[2], start.spin[2], rounding);
 }
 
-// exp(-alpha t) of both: (RP.71) acts on all velocities alike. The mean place of the particles is
-// off the mass centre by up to some hundredths of the spacing, 0.1, which the body turns about.
+// Both decay by exp(-alpha t): (RP.71) acts equally on all velocities. The mean place of the
+// particles, about which the body turns, is off the mass centre by some hundredths of the spacing,
+// 0.1.
 TEST(free_motion, damping_takes_the_velocity_and_the_spin_alike) {
   Solver solver(
       small_case("rotating_cylinder", flying_square + Settings{"discretisation.damping=0.2"}),
@@ -106,7 +107,7 @@ TEST(free_motion, damping_takes_the_velocity_and_the_spin_alike) {
   EXPECT_NEAR(now.spin[2] / start.spin[2], left, 5e-3);
 }
 
-// A blow beside its centre turns a disc: what it has got then is not taken away.
+// An off-centre impact makes a disc turn, and the disc keeps this rotation.
 TEST(free_motion, a_blow_turns_a_disc) {
   Solver solver(small_case("two_discs", {"discretisation.spacing=0.1", "measurement=[]",
                                          "contact.0.kind=no_slip", "body.left.velocity=[0.5, 0.4]",
@@ -118,8 +119,8 @@ TEST(free_motion, a_blow_turns_a_disc) {
   const double turned = Motion<2>(solver).spin[2];
   EXPECT_GT(std::abs(turned), 0.01);
   for (int remeshing = 0; remeshing < 4; ++remeshing) advance_to_remeshing(solver);
-  // (RP.69) then moves particles and not the ghosts beside them, which the integrals read too, by
-  // some thousandths of their velocity.
+  // (RP.69) then moves particles but not the ghosts beside them, which the integrals read too; the
+  // error is some thousandths of their velocity.
   EXPECT_NEAR(Motion<2>(solver).spin[2], turned, 2e-3 * std::abs(turned));
 }
 

@@ -24,7 +24,7 @@ TEST_P(InstructionSets, agree_within_rounding) {
   EXPECT_EQ(narrow.at("cell"), wide.at("cell"));
   for (const remeshed::Declaration& field : remeshed::state_fields) {
     // SSE2 has no fused multiply-add: each operation differs by 1e-16 of its terms, which are up to
-    // 1e4 times the differences they leave, and 80 stages add theirs.
+    // 1e4 times their difference, and the errors of 80 stages add up.
     EXPECT_LT(relative_difference(narrow, wide, std::string(field.name)), 1e-10) << field.name;
   }
 }

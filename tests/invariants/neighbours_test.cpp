@@ -3,7 +3,7 @@
 #include "tests/engine/remeshed/neighbours/neighbourhood.hpp"
 #include "tests/invariants/sample_runs.hpp"
 
-// No particle loses a neighbour, however much it strains between remeshings.
+// No particle loses a neighbour, however large the strain between remeshings.
 namespace pliant::test {
 namespace {
 
@@ -11,7 +11,7 @@ struct NeighboursOfRuns : OfSampleRuns {};
 INSTANTIATE_TEST_SUITE_P(runs, NeighboursOfRuns, testing::ValuesIn(sample_runs()), name_of);
 INSTANTIATE_TEST_SUITE_P(listed_runs, NeighboursOfRuns, testing::ValuesIn(listed_runs()), name_of);
 
-/// Particles of a block within a support of each other that its particles do not meet.
+/// Number of particles within the support of a particle of the block that its sums miss.
 int lost(const Body& body, int block, const std::vector<Site>& sites, kernels::Kernel kernel) {
   const bool has_lists = body.neighbours.are_listed && body.neighbours.blocks[block].are_listed;
   const int reach = kernels::stencil_reach(kernel);

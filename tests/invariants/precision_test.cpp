@@ -14,7 +14,7 @@
 #include "tests/engine/output/temporary_folder.hpp"
 #include "tests/invariants/sample_runs.hpp"
 
-// Runs in single precision agree with runs in double, and are as reproducible.
+// Runs in single precision agree with those in double precision, and are as reproducible.
 namespace pliant::test {
 namespace {
 
@@ -41,7 +41,7 @@ std::vector<PrecisionRun> precision_runs() {
     runs.push_back({run.name, run.of, run.settings, run.steps});
   }
   const Settings ball = {"discretisation.spacing=0.1", "body.ball.velocity=[0.1, -0.5, 0]"};
-  // One step later a slot comes into contact in one of the precisions alone.
+  // One step later a slot comes into contact in only one of the precisions.
   runs.push_back({"ball_on_block", "ball_on_block", ball, 16});
   runs.push_back({"liver", "liver_aspiration", {"discretisation.spacing=2.5e-3"}, 100});
   runs.push_back({"sph", "tensile_instability", {"discretisation.spacing=0.1"}, 20});
@@ -73,7 +73,7 @@ const std::vector<double>& velocity(const Frame& frame) {
   return std::get<std::vector<double>>(at->values);
 }
 
-/// What particles and ghosts hold, and what the case measures. It renews the ghosts.
+/// The values of particles and ghosts, and the measurements of the case. Updates the ghosts.
 std::vector<double> content(pliant::Solver& solver) {
   const Frame frame = solver.frame({.ghosts = true});
   std::vector<double> values = frame.position;
@@ -90,7 +90,7 @@ bool have_the_same_bits(const std::vector<double>& a, const std::vector<double>&
   return a.size() == b.size() && std::memcmp(a.data(), b.data(), a.size() * sizeof(double)) == 0;
 }
 
-/// Of pressure waves in the stiffest body [m/s].
+/// Speed of pressure waves in the stiffest body [m/s].
 double wave_speed(const Case& settings) {
   double fastest = 0;
   for (const BodyCase& body : settings.bodies) {
@@ -99,10 +99,10 @@ double wave_speed(const Case& settings) {
   return fastest;
 }
 
-// The stress is rounded to K u, with the unit roundoff u and the modulus K = rho c^2: that is how
-// well the strain is known. Over a cell it accelerates a particle by c^2 u/h, which changes its
-// velocity by c u in the time h/c of a few stages. Rounding is independent from stage to stage:
-// after n of them the velocity is off by c u sqrt(n), times what the sums over neighbours add up.
+// The stress is rounded to K u, with the unit roundoff u and the modulus K = rho c^2: this limits
+// the accuracy of the strain. Over a cell it accelerates a particle by c^2 u/h, which changes its
+// velocity by c u in the time h/c of a few stages. Rounding is independent between stages: after n
+// of them the error of the velocity is c u sqrt(n), times the sums over neighbours.
 TEST_P(Precisions, velocities_differ_by_the_rounding_of_stress) {
   const auto in_double = solver({}), in_single = solver(single);
   take_steps(*in_double, GetParam().steps);

@@ -11,13 +11,13 @@
 #include "tests/engine/output/file_content.hpp"
 #include "tests/engine/output/temporary_folder.hpp"
 
-// The program itself, as people interrupt it.
+// The executable itself, interrupted as by a user.
 namespace pliant::test {
 namespace {
 
 constexpr int done = 0, interrupted = 4;
 
-/// A run of the compression case in a process of its own.
+/// A run of the compression case in a separate process.
 class Process {
  public:
   Process(const std::filesystem::path& folder, bool resume) : id_(fork()) {
@@ -48,11 +48,11 @@ TEST(resuming, an_interrupted_run_goes_on_to_the_same_file) {
   ASSERT_EQ(Process(folder / "whole", false).exit_status(), done);
 
   const Process first(folder / "parts", false);
-  // The first checkpoint of eight: the run is far from its end.
+  // The first of eight checkpoints: the run is far from its end.
   for (int ms = 0; ms < 60000 && !exists(folder / "parts" / "checkpoint.h5"); ++ms) {
     std::this_thread::sleep_for(std::chrono::milliseconds(1));
   }
-  std::this_thread::sleep_for(std::chrono::milliseconds(15));  // wherever that is
+  std::this_thread::sleep_for(std::chrono::milliseconds(15));  // wherever the run is then
   first.terminate();
   ASSERT_EQ(first.exit_status(), interrupted);
   ASSERT_EQ(Process(folder / "parts", true).exit_status(), done);

@@ -8,14 +8,14 @@
 
 namespace pliant::test {
 
-/// A short run through several remeshings of a small case: free surfaces, moving walls, periods;
+/// A short run of a small case through several remeshings: free surfaces, moving walls, periods;
 /// both kinds of material.
 struct SampleRun {
   const char* name;
   const char* of;
   Settings settings;
   int steps;
-  int middle = 4;          ///< steps to a moment that shows what the run is for
+  int middle = 4;          ///< steps to the moment that the run is for
   bool has_lists = false;  ///< whether neighbours come from lists then
 
   Case settled() const { return small_case(of, settings); }
@@ -32,7 +32,7 @@ inline std::vector<SampleRun> sample_runs() {
                           "remeshing.strain_threshold=0.02"};
   const Settings cell = {"discretisation.spacing=1/24", "remeshing.every=6",
                          "body.medium.velocity=[\"2*sin(2*pi*x)*sin(2*pi*y)\", \"1\"]"};
-  // The ball as a disc on its way into the wall.
+  // The ball as a disc, shortly before it hits the wall.
   const Settings ball = {
       "dimension=2",
       "discretisation.spacing=0.018",
@@ -55,7 +55,7 @@ inline std::vector<SampleRun> sample_runs() {
       "{ shape = \"box\", lower = [-2, 0.9], upper = [2, 2] } }, { name = \"pull\", "
       "kind = \"traction\", traction = [9, 1], geometry = "
       "{ shape = \"box\", lower = [0.4, -0.5], upper = [2, 2] } }]"};
-  // Unlike discs on their way into each other, off their axis.
+  // Different discs, shortly before they collide off their axis.
   const Settings discs = {
       "discretisation.spacing=0.05",
       "time.step=2e-3",
@@ -65,7 +65,7 @@ inline std::vector<SampleRun> sample_runs() {
       "body.right.geometry.centre=[0.503, 0]",
       "body.right.material={ model = \"reduced_polynomial\", coefficients = [10], "
       "compressibility = 0.02, density = 2 }"};
-  // Not every step, so that there are steps between remeshings to look at.
+  // Not in every step, so that there are steps between remeshings to test.
   const Settings scheme_of_the_paper = {"discretisation.kernel=quartic_spline",
                                         "discretisation.dissipation=0",
                                         "remeshing.every=3",
@@ -91,7 +91,7 @@ inline std::vector<SampleRun> sample_runs() {
   };
 }
 
-/// Runs that strain so much between remeshings that neighbours come from lists, from `middle` on.
+/// Runs with so much strain between remeshings that neighbours come from lists, from `middle` on.
 inline std::vector<SampleRun> listed_runs() {
   const Settings block = {"discretisation.spacing=1/16", "remeshing.strain_threshold=0.3",
                           "remeshing.deformation_threshold=1", "time.step=1.5e-4"};
@@ -103,7 +103,7 @@ inline std::vector<SampleRun> listed_runs() {
   };
 }
 
-/// A test that is run with each of them.
+/// A test that runs with each of them.
 struct OfSampleRuns : testing::TestWithParam<SampleRun> {
   const std::vector<std::string> none = {};
 };

@@ -4,7 +4,8 @@
 
 #include "tests/engine/remeshed/snapshot.hpp"
 
-// The laws of motion know no place and no direction; a lattice knows quarter turns.
+// The laws of motion do not depend on place or direction; a lattice has the symmetry of quarter
+// turns.
 namespace pliant::test {
 namespace {
 
@@ -15,11 +16,11 @@ std::unique_ptr<Solver> after(const Case& settings, int steps) {
 }
 
 // Coordinates of size 4 are rounded to 4e-16, which is 1e-14 of a spacing. The slopes of level set
-// and walls pass that on, and 20 steps of a few dozen sums each add to it.
+// and walls propagate this, and 20 steps of a few dozen sums each add to it.
 constexpr double rounding = 1e-11;
-// The cubic interpolant of the level set is continuous, its slope is not: on lattice lines, where
-// the closest points of plane surfaces lie, rounding decides which side's slope turns the foot
-// point. Near corners that is 2e-6 spacings, and stresses feel ten times as much.
+// The cubic interpolant of the level set is continuous, but its slope is not: on lattice lines,
+// where the closest points of plane surfaces are, rounding decides which of the two slopes turns
+// the foot point. Near corners that is 2e-6 spacings, and ten times as much in stresses.
 constexpr double closest_points = 2e-5;
 
 const Settings disc = {"discretisation.spacing=1/16", "time.step=1e-3", "remeshing.every=6"};
@@ -53,7 +54,7 @@ TEST(symmetry, a_translated_compression_does_the_same) {
                         *after(small_case("compression_linear", block + there), 25));
 }
 
-/// A quarter turn about the point where the lattice has its origin: (x, y) -> (-y, x).
+/// A quarter turn about the origin of the lattice: (x, y) -> (-y, x).
 Cell<2> turned(const Cell<2>& cell) { return {-1 - cell[1], cell[0]}; }
 
 /// The components of a field after a quarter turn.

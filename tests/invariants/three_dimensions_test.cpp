@@ -12,7 +12,7 @@
 #include "tests/engine/output/temporary_folder.hpp"
 #include "tests/engine/remeshed/small_case.hpp"
 
-// A small body in 3D: all of the method at once.
+// A small body in 3D that uses the whole method.
 namespace pliant::test {
 namespace {
 
@@ -86,7 +86,7 @@ TEST(three_dimensions, lists_of_neighbours_give_the_bits_of_the_stencil) {
   remeshed::Solver<double, 3> lists(settings, {2, kernels::widest_supported()});
   remeshed::Body<double, 3>& body = lists.state().bodies[0];
   for (int step = 0; step < 4; ++step) {
-    body.neighbours.strain = 1;  // more than any stencil bears
+    body.neighbours.strain = 1;  // beyond the range of any stencil
     body.neighbours.strain_rate = 0.05 / lists.time_step();
     for (auto* solver : {&stencil, &lists}) solver->step(HUGE_VAL);
     const auto& blocks = body.neighbours.blocks;
@@ -100,8 +100,8 @@ TEST(three_dimensions, lists_of_neighbours_give_the_bits_of_the_stencil) {
   }
 }
 
-// Along the diagonal (2, 2, 1), whose node is as far as (3, 0, 0) and no part of the stencil: 20 %
-// shorter, so that it alone comes into the support.
+// Compressed along the diagonal (2, 2, 1), whose node is as far away as (3, 0, 0) and not in the
+// stencil: when 20 % shorter, only this one enters the support.
 TEST(three_dimensions, corners_that_the_stencil_leaves_out_are_listed) {
   const Case settings = tests::read_text(ball, {"discretisation.kernel=\"quartic_spline\""});
   remeshed::Solver<double, 3> solver(settings, {1, kernels::widest_supported()});
@@ -118,7 +118,7 @@ TEST(three_dimensions, corners_that_the_stencil_leaves_out_are_listed) {
       }
     });
   }
-  body.neighbours.strain = 1;  // more than any stencil bears
+  body.neighbours.strain = 1;  // beyond the range of any stencil
   solver.step(1e-6);
   const std::int64_t p = layout.slot({0, 0, 0});
   ASSERT_EQ(body.population.kind[p], Kind::interior);

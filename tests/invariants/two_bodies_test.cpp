@@ -28,7 +28,7 @@ std::map<std::string, Snapshot> after_20_steps(const std::string& bodies) {
   return snapshots;
 }
 
-// Nothing couples bodies yet but the step: they may even share a place.
+// Bodies are coupled only by the step: they may even overlap.
 TEST(two_bodies, each_moves_as_if_it_were_alone) {
   const auto together = after_20_steps(disc + ", " + box);
   ASSERT_EQ(together.size(), 2u);

@@ -4,8 +4,8 @@
 
 namespace pliant::kernels::test {
 
-/// A patch with a random but possible state: positions, velocity, density and stress vary from
-/// particle to particle by some per cent.
+/// A patch with a random but valid state: positions, velocity, density and stress vary between
+/// particles by some per cent.
 template <class T, int D>
 struct Body {
   Body(std::array<int, D> cells, T spacing, Model model)
@@ -36,7 +36,7 @@ struct Body {
     for (int n = 1; n < 4; ++n) states[n] = states[0];
   }
 
-  /// The arguments of one stage, current state to next state, by the numbers of `states`.
+  /// The arguments of one stage from the current to the next state, by their indices in `states`.
   Stage<T, D> stage(int number, int current, int next, T time_step) {
     Stage<T, D> arguments{};
     arguments.segments = patch.segments.data();
@@ -60,14 +60,14 @@ struct Body {
     arguments.second = std::as_const(states[1]).evolving();
     arguments.third = std::as_const(states[2]).evolving();
     arguments.next = states[next].evolving();
-    // Two copies serve the drift.
+    // Two copies suffice for the drift.
     arguments.current.drift = std::as_const(states[number % 2]).evolving().drift;
     arguments.next.drift = states[(number + 1) % 2].evolving().drift;
     arguments.next_stress = states[next].stress_fields();
     return arguments;
   }
 
-  /// One whole step, during which ghosts keep their velocity and stress; the result of its last
+  /// One whole step, with constant velocity and stress of ghosts; returns the result of the last
   /// stage. states[0] is the new state.
   StageResult step(const RemeshedTable<T, D>& table, T time_step) {
     const StressOfState<T, D> stress = stress_of(0);

@@ -19,7 +19,7 @@ Material<double> material_of(Model model) {
   return material;
 }
 
-/// Energy per reference volume at J and no deviatoric stress.
+/// Energy per reference volume at J without deviatoric stress.
 double volumetric_energy(const Material<double>& material, double j) {
   const double none[3] = {0, 0, 0};
   return j * linear_energy<double, 2>(material, none, material.density / j);
@@ -33,14 +33,14 @@ TEST(energy, pressure_is_the_slope_of_the_volumetric_part) {
     const auto slope = [&](const Material<double>& m) {
       return (volumetric_energy(m, j + step) - volumetric_energy(m, j - step)) / (2 * step);
     };
-    // (RP.5), (RP.6); differences of second order, moduli of 100.
+    // (RP.5), (RP.6); second-order differences, moduli of 100.
     EXPECT_NEAR(-slope(rho), rho.bulk_modulus * (1 / j - 1), 1e-6);
     EXPECT_NEAR(-slope(log), log.bulk_modulus * std::log(1 / j), 1e-6);
   }
 }
 
 TEST(energy, shear_part_is_the_work_of_hookes_law) {
-  // S = 2 mu e, so that the work is e : S/2 = S : S/(4 mu), S_zz = -(S_xx + S_yy) in plane strain.
+  // S = 2 mu e: the work is e : S/2 = S : S/(4 mu), with S_zz = -(S_xx + S_yy) in plane strain.
   const Material<double> material = material_of(Model::linear);
   const double plane[3] = {3, -2, 5}, space[6] = {3, -2, 0, 5, 0, -8};
   const double square = 9 + 2 * 4 + 25 + 64;

@@ -8,7 +8,7 @@
 
 namespace pliant::kernels::test {
 
-/// Memory as the engine's storage has it: aligned to cache lines, large fields in huge pages.
+/// Memory as in the storage of the engine: aligned to cache lines, large fields in huge pages.
 template <class T>
 struct FieldAllocator {
   using value_type = T;

@@ -9,8 +9,8 @@
 
 namespace pliant::kernels::test {
 
-/// Random particles in a body with a plane surface of its own for each lane of a pack, and a ghost
-/// above it.
+/// Random particles in bodies with plane surfaces, one body for each lane of a pack, and a ghost
+/// above each.
 template <class T, int D>
 struct HalfSpaceOfParticles {
   static constexpr int length = 45, pack = slots_per_pack;
@@ -30,7 +30,7 @@ struct HalfSpaceOfParticles {
     for (int l = 0; l < pack; ++l) fill(l);
   }
 
-  /// Of particle k of a lane.
+  /// Place of particle k of a lane.
   std::array<double, D> place(int k, int lane) const {
     std::array<double, D> x;
     for (int a = 0; a < D; ++a) x[a] = position[a][k * pack + lane];
@@ -60,7 +60,7 @@ struct HalfSpaceOfParticles {
     return work;
   }
 
-  /// What was fitted in a lane.
+  /// The terms that were fitted in a lane.
   FitTerms<double, D> terms(int lane) const {
     FitTerms<double, D> fit;
     fit.steepness = 1 / (radius * radius);

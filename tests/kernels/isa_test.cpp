@@ -25,7 +25,7 @@ void append(Values<T>& values, const std::array<Field<T>, N>& fields) {
   for (const auto& field : fields) values.insert(values.end(), field.begin(), field.end());
 }
 
-/// All that two steps compute, the first with lists.
+/// All results of two steps, the first with lists.
 template <class T, int D>
 Values<T> steps(const RemeshedTable<T, D>& kernels, Model model, Kernel kernel) {
   Body<T, D> body(small_box<T, D>(), T(0.1), model);
@@ -51,7 +51,7 @@ Values<T> steps(const RemeshedTable<T, D>& kernels, Model model, Kernel kernel) 
   return values;
 }
 
-/// Surface records of a row's particles, and ghost sums.
+/// Surface records of the particles of a row, and ghost sums.
 template <class T, int D>
 Values<T> surface(const RemeshedTable<T, D>& kernels, Model model, Kernel) {
   Body<T, D> body(small_box<T, D>(), T(0.1), model);
@@ -115,7 +115,8 @@ Values<T> free_surface(const RemeshedTable<T, D>& kernels, Model, Kernel) {
   NodesOfABall<T, D> ball(6.3);
   kernels.find_closest_points(ball.arguments());
   Values<T> values(ball.converged.begin(), ball.converged.begin() + ball.count);
-  for (Field<T>& coordinate : ball.point) coordinate.resize(ball.count);  // the rest fills a pack
+  for (Field<T>& coordinate : ball.point)
+    coordinate.resize(ball.count);  // the rest fills up a pack
   append(values, ball.point);
   HalfSpaceOfParticles<T, D> space;
   kernels.fit_surface(space.arguments());
@@ -126,8 +127,7 @@ Values<T> free_surface(const RemeshedTable<T, D>& kernels, Model, Kernel) {
   return values;
 }
 
-/// Calls `compare(compute)` for every function, law and kernel, where `compute(isa)` are its
-/// values.
+/// Calls `compare(compute)` for every function, law and kernel; `compute(isa)` returns the values.
 template <class T, int D, class Compare>
 void for_each_combination(const Compare& compare) {
   for (const auto& function : {steps<T, D>, surface<T, D>, remeshing<T, D>, free_surface<T, D>}) {
@@ -157,7 +157,7 @@ TYPED_TEST(isa, every_one_agrees_with_the_baseline_within_rounding) {
         const double scale = 1 + std::abs(double(baseline[i]));
         worst = std::max(worst, std::abs(double(values[i]) - double(baseline[i])) / scale);
       }
-      // Velocity gradients of 10/s and moduli of 100 enlarge the rounding of a few units.
+      // Velocity gradients of 10/s and moduli of 100 amplify the rounding of a few units.
       EXPECT_LT(worst, exact<T>) << name(wide);
     });
   }
@@ -182,7 +182,7 @@ TYPED_TEST(isa, no_two_share_a_kernel) {
     EXPECT_NE((TotalLagrangianTable<T, D>::of(wide).advance_motion),
               (TotalLagrangianTable<T, D>::of(Isa::sse2).advance_motion));
   }
-  // Single precision has nothing wider than AVX2.
+  // In single precision AVX2 is the widest.
   EXPECT_EQ(
       (RemeshedTable<T, D>::of(Isa::avx2).scatter == RemeshedTable<T, D>::of(Isa::avx512).scatter),
       (std::is_same_v<T, float>));

@@ -37,8 +37,8 @@ Tensor<D> symmetric_random() {
   return a + a.transpose();
 }
 
-/// A material whose stress turns with the body by exp(W t) while it hardens as Hooke's law says;
-/// its derivative at t = 0 by a central difference, in three dimensions with e_zz = 0 where D is 2.
+/// A material whose stress rotates with the body by exp(W t) while it grows by Hooke's law: the
+/// derivative at t = 0 by a central difference, in three dimensions with e_zz = 0 if D is 2.
 template <int D>
 Tensor<D> rate_of_motion(const Tensor<D>& s, const Tensor<D>& gradient) {
   const Tensor<D> strain = (gradient + gradient.transpose()) / 2;
@@ -56,7 +56,8 @@ template <int D>
 void expect_rate_of_exact_motion() {
   for (int trial = 0; trial < 20; ++trial) {
     const Tensor<D> s = symmetric_random<D>(), gradient = Tensor<D>::Random();
-    // Difference error step^2 = 1e-10 times third derivatives of order 10; rounding 1e-16/step.
+    // Error of the difference: step^2 = 1e-10 times third derivatives of order 10; rounding
+    // 1e-16/step.
     EXPECT_LT((rate_of<D>(s, gradient) - rate_of_motion<D>(s, gradient)).norm(), 1e-8);
   }
 }
@@ -101,7 +102,7 @@ TEST(linear_elastic, wave_speed_is_that_of_plane_pressure_waves) {
   material.density = 2;
   material.bulk_modulus = 5;
   material.shear_modulus = mu;
-  // At rest both laws are Hooke's: rho0 c^2 = K + 4 mu/3.
+  // At rest both laws are Hooke's law: rho0 c^2 = K + 4 mu/3.
   const double at_rest = (5 + 4 * mu / 3) / 2;
   EXPECT_DOUBLE_EQ(linear_wave_speed2<Model::linear>(material, P(2.)).get(0), at_rest);
   EXPECT_DOUBLE_EQ(linear_wave_speed2<Model::linear_logarithmic>(material, P(2.)).get(0), at_rest);

@@ -22,9 +22,9 @@ std::vector<NodeRow> whole_rows(const std::array<std::int32_t, D>& extent) {
   return rows;
 }
 
-/// A full box of lattice cells in memory, laid out as kernels expect bodies: rows of whole packs
-/// with spare packs between them. Cells nearer than `margin` to the box's faces are not interior,
-/// so that rows begin and end with packs that are interior in some lanes only.
+/// A full box of lattice cells in memory, with the layout that kernels expect: rows of whole packs
+/// with spare packs between them. Cells nearer than `margin` to the faces of the box are not
+/// interior, so that rows begin and end with packs that are interior in some lanes only.
 template <class T, int D>
 class Patch {
  public:
@@ -152,7 +152,7 @@ struct State {
   }
 };
 
-/// Moves every slot's particle by up to `amount` in every direction.
+/// Moves the particle of every slot by up to `amount` in every direction.
 template <class T, std::size_t D>
 void jitter(std::array<Field<T>, D>& drift, T amount, unsigned seed = 1) {
   std::mt19937 random(seed);
@@ -162,8 +162,8 @@ void jitter(std::array<Field<T>, D>& drift, T amount, unsigned seed = 1) {
   }
 }
 
-/// Lists of the lattice neighbours within `reach` cells of every pack that holds interior
-/// particles, padded with the particle itself.
+/// Lists of the lattice neighbours within `reach` cells, for every pack with interior particles,
+/// padded with the particle itself.
 template <int D>
 struct BoxLists {
   template <class T>

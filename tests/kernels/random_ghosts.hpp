@@ -10,8 +10,8 @@
 
 namespace pliant::kernels::test {
 
-/// Ghosts with up to 22 random particles each; some have none at all, every fourth is of a wall,
-/// and some particles lie where a fit does not look.
+/// Ghosts with up to 22 random particles each; some have none, every fourth is a wall ghost, and
+/// some particles are beyond the radius of the fit.
 template <class T, int D>
 struct RandomGhosts {
   static constexpr int width = record_width<D>, particles = 40, ghosts = 50;
@@ -24,7 +24,7 @@ struct RandomGhosts {
     wall_distance.resize(wall_distance.size() + slots_per_pack);
   }
 
-  /// The coefficients of the k-th particle of all ghosts, which is one of ghost g.
+  /// The coefficients of the k-th particle of all ghosts, which belongs to ghost g.
   FitCoefficients<double> coefficients(int g, std::int64_t k) const {
     const FitTerms<T, D>& q = terms[g];
     double square = 0, broad = 0, c = q.linear[0], a = q.surface[0], b = q.constrained[0];
@@ -43,7 +43,7 @@ struct RandomGhosts {
     return {w * c, w * phi * (b + q.constrained[D + 1] * phi), w * a};
   }
 
-  /// Of the values k of the records, with one of the coefficients.
+  /// Sum of the values k of the records, weighted with one kind of coefficient.
   double sum(double FitCoefficients<double>::*fit, int ghost, int k) const {
     double total = 0;
     for (std::int64_t i = begin[ghost]; i < begin[ghost + 1]; ++i) {

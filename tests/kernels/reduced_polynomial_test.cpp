@@ -75,7 +75,7 @@ void expect_stress_of_the_energy() {
     const Deformation expected = nominal_stress(material, f) * f.transpose() / f.determinant();
     for (int i = 0; i < D; ++i) {
       for (int j = i; j < D; ++j) {
-        // Differences of fourth order: step^4 = 1e-12 times fifth derivatives of order 1e3..1e4.
+        // Fourth-order differences: step^4 = 1e-12 times fifth derivatives of order 1e3..1e4.
         EXPECT_NEAR(sigma[symmetric_index<D>(i, j)].get(0), expected(i, j),
                     2e-7 * (1 + expected.norm()));
       }
@@ -122,8 +122,8 @@ TEST(reduced_polynomial, deformation_rate_is_that_of_an_exact_motion) {
   expect_deformation_rate_of_motion<3>();
 }
 
-/// Largest rho c^2 of plane waves along random normals: eigenvalues of the acoustic tensor
-/// Q_ik = n_j n_l F_jJ F_lL d^2W/dF_iJ dF_kL / J, by differences of the energy along a (x) F^T n.
+/// Largest rho c^2 of plane waves along random normals: eigenvalues of the acoustic tensor Q_ik =
+/// n_j n_l F_jJ F_lL d^2W/dF_iJ dF_kL / J, by differences of the energy along a (x) F^T n.
 double largest_modulus(const Material<double>& material, const Deformation& f) {
   const double step = 1e-3;
   double largest = 0;
@@ -160,7 +160,7 @@ TEST(reduced_polynomial, wave_speed_bounds_the_acoustic_tensor) {
   const Material<double> material = liver();
   for (int trial = 0; trial < 50; ++trial) {
     const Deformation plane = random_deformation<2>(0.4), space = random_deformation<3>(0.4);
-    // Second differences overestimate by step^2 times fourth derivatives: below a thousandth.
+    // The error of second differences is step^2 times fourth derivatives: below a thousandth.
     if (plane.determinant() > 0.3) {
       EXPECT_LT(largest_modulus(material, plane), 1.001 * bound<2>(material, plane));
     }

@@ -4,7 +4,8 @@
 
 #include "tests/kernels/body.hpp"
 
-/// A stage written down once more, particle by particle with small matrices, for comparison.
+/// An independent implementation of a stage for comparison, particle by particle with small
+/// matrices.
 namespace pliant::kernels::test {
 
 template <int D>
@@ -64,7 +65,7 @@ std::int64_t slot_along(const Segment<D>& segment, std::int64_t p, int axis, int
   return p + segment.neighbour_row[row_index<D>(dy, dz)] + (axis == 0 ? k : 0);
 }
 
-/// delta^4 f summed over the lattice lines through slot p: third differences flowing between
+/// delta^4 f summed over the lattice lines through slot p: fluxes of third differences between
 /// interior neighbours.
 template <class T, int D>
 double fourth_difference_at(const Field<T>& f, const Patch<T, D>& patch, const Segment<D>& segment,
@@ -72,7 +73,7 @@ double fourth_difference_at(const Field<T>& f, const Patch<T, D>& patch, const S
   double sum = 0;
   for (int axis = 0; axis < D; ++axis) {
     const auto along = [&](int k) { return slot_along<D>(segment, p, axis, k); };
-    const auto flux = [&](int k) {  // from the neighbour at k to that at k + 1
+    const auto flux = [&](int k) {  // from the neighbour at k to the one at k + 1
       if (patch.interior[along(k)] == 0 || patch.interior[along(k + 1)] == 0) return 0.;
       return double(f[along(k + 2)]) - 3. * f[along(k + 1)] + 3. * f[along(k)] - f[along(k - 1)];
     };
@@ -81,8 +82,8 @@ double fourth_difference_at(const Field<T>& f, const Patch<T, D>& patch, const S
   return sum;
 }
 
-/// -delta^6 f/4 summed over the lattice lines through slot p: fifth differences flowing between
-/// interior neighbours that have two more to each side, third ones between others.
+/// -delta^6 f/4 summed over the lattice lines through slot p: fluxes of fifth differences between
+/// interior neighbours with two more on each side, of third differences between others.
 template <class T, int D>
 double sixth_difference_at(const Field<T>& f, const Patch<T, D>& patch, const Segment<D>& segment,
                            std::int64_t p) {
@@ -90,7 +91,7 @@ double sixth_difference_at(const Field<T>& f, const Patch<T, D>& patch, const Se
   double sum = 0;
   for (int axis = 0; axis < D; ++axis) {
     const auto along = [&](int k) { return slot_along<D>(segment, p, axis, k); };
-    const auto flux = [&](int k) {  // from the neighbour at k to that at k + 1
+    const auto flux = [&](int k) {  // from the neighbour at k to the one at k + 1
       if (patch.interior[along(k)] == 0 || patch.interior[along(k + 1)] == 0) return 0.;
       bool is_wide = true;
       double of_third = 0, of_fifth = 0;
@@ -106,8 +107,8 @@ double sixth_difference_at(const Field<T>& f, const Patch<T, D>& patch, const Se
   return sum;
 }
 
-/// Half the derivative by f_p of the sum of the squared second differences of f along the lattice
-/// lines, of those between interior slots; by differences of the sum itself.
+/// Half the derivative with respect to f_p of the sum of squared second differences of f between
+/// interior slots on the lattice lines, by differences of the sum itself.
 template <class T, int D>
 double bending_force_at(const Field<T>& f, const Patch<T, D>& patch, const Segment<D>& segment,
                         std::int64_t p) {
@@ -132,7 +133,7 @@ double bending_force_at(const Field<T>& f, const Patch<T, D>& patch, const Segme
   return slope;
 }
 
-/// The strain rate that stands in Hooke's law for a stress rate, found by solving its equations.
+/// The strain rate that gives a stress rate in Hooke's law, found by solving the equations.
 template <class T, int D>
 Matrix<D> hooke_inverse(const Material<T>& material, const Matrix<D>& stress) {
   const double lame = material.bulk_modulus - 2. / 3 * material.shear_modulus;
@@ -190,7 +191,7 @@ Rates<D> reference_rates(const Body<T, D>& body, const State<T, D>& q, const Seg
       velocity_sum * inverse + hooke_inverse<T, D>(body.material, relaxation);
   Rates<D> rates;
   rates.drift = vector_at<T, D>(q.velocity, p);
-  const double return_rate =  // in 2D alone
+  const double return_rate =  // only in 2D
       (D == 2 ? 0.1 : 0.) / h *
       std::sqrt((body.material.bulk_modulus + 4. / 3 * body.material.shear_modulus) /
                 body.material.density);
@@ -220,7 +221,7 @@ Rates<D> reference_rates(const Body<T, D>& body, const State<T, D>& q, const Seg
   return rates;
 }
 
-/// sigma of (RP.2) with (RP.5), (RP.6) or (RP.9), in three dimensions where D is 2.
+/// sigma of (RP.2) with (RP.5), (RP.6) or (RP.9), in three dimensions if D is 2.
 template <class T, int D>
 Matrix<D> reference_stress(const Body<T, D>& body, const State<T, D>& q, std::int64_t p) {
   const Material<T>& m = body.material;

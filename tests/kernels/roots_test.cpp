@@ -11,7 +11,7 @@ namespace {
 template <class T>
 using Sse2 = xsimd::batch<T, xsimd::sse2>;
 
-/// Largest error of `function` against `exact` in units of the last place, over decades of x.
+/// Largest error of `function` relative to `exact`, in units of the last place, over decades of x.
 template <class T, class F, class G>
 double worst_error(F function, G exact, double lower, double upper) {
   double worst = 0;
@@ -25,7 +25,7 @@ double worst_error(F function, G exact, double lower, double upper) {
   return worst;
 }
 
-/// SSE2 rounds product and sum separately; a handful of units is what Newton steps leave then.
+/// SSE2 rounds product and sum separately; Newton steps then leave errors of a few units.
 constexpr double few_units = 4;
 
 template <class T>
@@ -55,7 +55,7 @@ TYPED_TEST(roots, logarithm_is_accurate_to_rounding) {
   const auto value = [](auto x) { return logarithm(x); };
   const auto exact = [](long double x) { return std::log(x); };
   EXPECT_LT(worst_error<T>(value, exact, 1e-30, 1e30), few_units);
-  // Small compressions: no digits may be lost beside 1.
+  // Small compressions: no digits may be lost next to 1.
   EXPECT_LT(worst_error<T>(value, exact, 1 + 1e-6, 1.01), few_units);
   EXPECT_EQ(logarithm(Sse2<T>(T(1))).get(0), 0);
   EXPECT_TRUE(std::isnan(logarithm(Sse2<T>(T(-1))).get(0)));

@@ -23,7 +23,7 @@ const RemeshedTable<T, D>& baseline_table() {
   return RemeshedTable<T, D>::of(Isa::sse2);
 }
 
-/// What linear fields may lose: 1e-12 in double, the same number of units in float.
+/// Tolerance for linear fields: 1e-12 in double, the same number of units in float.
 template <class T>
 inline constexpr double exact = 4500 * std::numeric_limits<T>::epsilon();
 

@@ -3,7 +3,7 @@ import math
 
 from program import ProgramTest, main
 
-# A block under its own weight at rest: the lower it sags, the softer it is.
+# A block at rest under its own weight: the softer it is, the more it sags.
 CASE = """dimension = 2
 method = "total_lagrangian"
 [discretisation]

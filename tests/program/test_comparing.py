@@ -36,13 +36,13 @@ class Comparing(ProgramTest):
         self.assertEqual(0, self.bench("--compare", self.record)[0])
 
     def test_another_program_is_measured_in_turns(self):
-        # It does not measure, but says what a program 1000 times as fast would.
+        # Does not measure, but reports as a program 1000 times as fast would.
         other = self.folder / "other"
         other.write_text(f"#!/bin/sh\necho other >> {self.folder}/order\nwhile read line; do echo 2e10; done\n")
         other.chmod(0o755)
         status, out, err = self.pliant("bench", "--rows", ROW, "--threads", "1", "--repetitions", "2",
                                        "--against", other)
-        self.assertEqual(0, status, err)  # two pairs are too few to say anything
+        self.assertEqual(0, status, err)  # two pairs are too few for a conclusion
         self.assertEqual(2, (self.folder / "order").read_text().count("other"))
         self.assertRegex(out, f"{ROW} +2 +0\\.0")
 

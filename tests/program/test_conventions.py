@@ -119,7 +119,8 @@ class Conventions(ProgramTest):
         status, _, err = self.pliant("run", "jelly", "--set", "time.end=0.01", "--threads", "2")
         self.assertEqual(0, status, err)
         summary = json.loads((self.folder / "results/jelly/summary.json").read_text())
-        # It falls freely, 0.005 m above the floor: 10.5 mm in 0.01 s, so that it has reached the floor.
+        # It falls freely from 0.005 m above the floor: 10.5 mm in 0.01 s, so that it has reached
+        # the floor.
         self.assertGreater(summary["measurements"]["largest_force"]["value"], 0)
         status, _, err = self.pliant("new", "jelly")
         self.assertEqual(2, status)

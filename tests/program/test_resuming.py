@@ -80,7 +80,7 @@ material = { model = "linear", youngs_modulus = 100, poissons_ratio = 0.3, densi
     def test_a_finished_run_continues_to_a_later_end_with_the_values_of_one_long_run(self):
         long = self.folder / "long"
         self.assertEqual(0, self.run_case("--quiet", out=long, end=0.03)[0])
-        # No multiple of the step or of the interval between frames: its last step is cut short.
+        # Not a multiple of the step or of the frame interval: the last step is cut short.
         self.assertEqual(0, self.run_case("--quiet", end=0.0137)[0])
         self.assertEqual((0, "", ""), self.run_case("--quiet", "--resume", end=0.03))
         self.assert_equal_results(long, self.out)

@@ -108,7 +108,8 @@ class Module(unittest.TestCase):
         self.assertTrue(numpy.isfinite(view).any())
 
     def test_a_blade_in_the_hand_of_the_caller_cuts_and_its_session_plays_again(self):
-        # The scalpel of the case waits; the caller draws it through the block until that is in two parts.
+        # The scalpel of the case waits; the caller moves it through the block until that is in two
+        # parts.
         settings = {"discretisation.spacing": 0.01, "cut.scalpel.start": 99, "cut.scalpel.end": 100}
         first, second = (pliant.Simulation(SOURCE / "cases/block_cut", settings, threads=1) for _ in range(2))
         for y in numpy.linspace(-0.04, 0.04, 17):

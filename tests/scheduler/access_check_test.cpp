@@ -16,10 +16,10 @@ using namespace testing;
 
 enum : FieldId { a, b, list, field_count };
 constexpr int block_count = 4;
-constexpr std::size_t slots = 3;  // of a block
+constexpr std::size_t slots = 3;  // per block
 const std::vector<std::string> names = {"a", "b", "list"};
 
-/// Two arrays with some slots for each block, and a list for each block that grows and shrinks.
+/// Two arrays with some slots per block, and a list per block that grows and shrinks.
 struct Memory {
   std::vector<double> a = std::vector<double>(block_count * slots, 0.5),
                       b = std::vector<double>(block_count * slots, 2.0);

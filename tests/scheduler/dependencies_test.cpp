@@ -17,7 +17,7 @@ using namespace testing;
 constexpr FieldId a = 0, b = 1;
 const std::vector<std::string> names{"a", "b"};
 
-// An edge by (phase, block) of its ends; junctions have block -1.
+// An edge, by (phase, block) of its ends; junctions have block -1.
 using End = std::tuple<int, BlockId>;
 using Ends = std::set<std::pair<End, End>>;
 
@@ -71,7 +71,7 @@ TEST(dependencies, phases_that_touch_different_fields_or_only_read_are_independe
 }
 
 TEST(dependencies, an_edge_that_follows_from_others_is_left_out) {
-  // The write of a in phase 0 is overwritten in 2 behind the reader of phase 1.
+  // The write of a in phase 0 is overwritten in phase 2 after the reader in phase 1.
   const Ends expected{{{0, 0}, {1, 0}}, {{1, 0}, {2, 0}}};
   EXPECT_EQ(edges_of({per_block("write", {}, {{a}}), per_block("read", {{a}}, {{b}}),
                       per_block("again", {{b}}, {{a}})},
@@ -161,7 +161,7 @@ TEST(dependencies, a_phase_whose_blocks_disturb_each_other_is_refused_with_a_rem
   EXPECT_NE(in_place.find("smooth writes a of block"), std::string::npos) << in_place;
   EXPECT_NE(in_place.find("write another field"), std::string::npos) << in_place;
   EXPECT_NE(complaint_about({per_block("scatter", {}, {{a, Reach::all}})}, row_of_blocks(2)), "");
-  // Alone, or in a single block, nobody is disturbed.
+  // A reduce phase, or a phase on a single block, has no other calls to conflict with.
   EXPECT_EQ(
       complaint_about({reduce("smooth", {{a, Reach::all}}, {{a, Reach::all}})}, row_of_blocks(2)),
       "");

@@ -23,22 +23,22 @@ std::vector<std::string> names_of(const std::vector<Phase>& phases) {
 
 using Names = std::vector<std::string>;
 
-/// Blocks in processes of their own: each has its own values and copies of those of all others,
-/// which only exchange and reduce phases renew. A value is the number of the write that set it.
+/// Blocks in separate processes: each has its own values and copies of all others, which only
+/// exchange and reduce phases update. A value is the number of the write that set it.
 class Processes {
  public:
   Processes(const Blocks& blocks, int fields) : blocks_(blocks), fields_(fields) {
     const auto count = static_cast<std::size_t>(blocks.count());
     seen_.assign(count, std::vector<int>(count * static_cast<std::size_t>(fields), 0));
-    // Nothing is known of other blocks before the step.
+    // Before the step nothing is known about other blocks.
     for (int b = 0; b < blocks.count(); ++b) write(b, 1);
   }
 
-  /// Whether all that the phase reads is up to date.
+  /// Whether everything that the phase reads is up to date.
   bool run(const Phase& phase) {
     bool is_up_to_date = true;
     const bool is_exchange = phase.kind == Phase::Kind::exchange;
-    if (phase.kind != Phase::Kind::reduce) {  // which asks every process itself
+    if (phase.kind != Phase::Kind::reduce) {  // which gathers values from all processes itself
       for (int block = 0; block < blocks_.count(); ++block)
         for (const Access& read : phase.reads)
           for (const int other : reached(block, read.reach)) {

@@ -7,7 +7,7 @@
 #include "scheduler/blocks.hpp"
 #include "scheduler/phase.hpp"
 
-/// Short ways to write down phases and blocks.
+/// Shorthands for phases and blocks.
 namespace pliant::scheduler::testing {
 
 inline void do_nothing(BlockId) {}

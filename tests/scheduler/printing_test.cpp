@@ -26,7 +26,7 @@ struct Names {
   std::set<std::string> declared, linked;
 };
 
-// A line that starts with `name [` declares a node, one with `name -> name [` links two.
+// A line that starts with `name [` declares a node; one with `name -> name [` links two nodes.
 Names names_in(const std::string& dot) {
   Names names;
   std::istringstream lines(dot);
@@ -68,7 +68,7 @@ TEST(printing, dot_shows_stages_fields_and_reach) {
             std::string::npos)
       << phases;
   EXPECT_NE(phases.find("fold (reduce)"), std::string::npos) << phases;
-  // What is read of all blocks comes by way of an exchange.
+  // Values that are read from all blocks come through an exchange.
   EXPECT_NE(phases.find("phase_1 -> phase_2 [label=\"next velocity\"]"), std::string::npos);
   EXPECT_NE(phases.find("phase_2 -> phase_3 [label=\"next velocity\"]"), std::string::npos);
   const std::string blocks = printed_graph().dot();

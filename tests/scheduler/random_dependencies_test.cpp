@@ -8,8 +8,8 @@
 #include "scheduler/dependencies.hpp"
 #include "tests/scheduler/phases.hpp"
 
-// The oracle knows nothing of last writers and readers since: it compares every pair of (phase,
-// block) calls and asks whether both touch the same value and one of them writes it.
+// The reference does not track last writers and readers: it compares all pairs of (phase, block)
+// calls, and checks whether both access the same value and one of them writes it.
 namespace pliant::scheduler {
 
 namespace {

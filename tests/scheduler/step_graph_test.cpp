@@ -17,8 +17,8 @@ namespace {
 
 using namespace testing;
 
-/// Diffusion on a ring, cut into blocks, with a global factor folded from per-block sums each
-/// stage: every kind of access that a step has.
+/// Diffusion on a ring that is divided into blocks, with a global factor reduced from sums of the
+/// blocks in each stage: every kind of access in a step.
 class Ring {
  public:
   static constexpr int block_count = 9, stages = 3;
@@ -83,7 +83,7 @@ class Ring {
 
 constexpr int steps = 50;
 
-/// The phases one after another, without a graph.
+/// Runs the phases one after another, without a graph.
 std::vector<double> expected_ring() {
   Ring ring;
   for (int step = 0; step < steps; ++step)

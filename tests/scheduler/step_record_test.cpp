@@ -42,7 +42,7 @@ TEST(step_record, stages_of_a_phase_share_a_timer) {
   EXPECT_EQ(graph.timer_names(), (std::vector<std::string>{"work", "fold"}));
   Workers workers(1);
   graph.run(workers);
-  // Spinning never stops early; how late it stops depends on the machine.
+  // Spinning never ends early; how late it ends depends on the machine.
   EXPECT_GE(graph.record().phase_seconds[0], 8 * 100e-6);
   EXPECT_GE(graph.record().phase_seconds[1], 50e-6);
   for (int b = 0; b < 4; ++b)
@@ -56,7 +56,7 @@ TEST(step_record, phases_blocks_workers_and_spans_sum_to_the_same_time) {
     graph.run(workers);
     const StepRecord& record = graph.record();
     const double total = sum(record.phase_seconds);
-    // The same durations added up in another order: equal but for rounding.
+    // The same durations, summed in another order: equal except for rounding.
     const double rounding = 1e-12;
     EXPECT_NEAR(sum(record.block_seconds), total, rounding);
     EXPECT_NEAR(sum(record.worker_busy_seconds), total, rounding);

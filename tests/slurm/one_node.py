@@ -9,7 +9,7 @@ import time
 from pathlib import Path
 
 PROGRAMS = ("munged", "slurmctld", "slurmd", "sbatch", "squeue", "scancel", "scontrol", "sinfo")
-BATCH_START_TIMEOUT, MESSAGE_TIMEOUT = 1, 5  # [s] after both, tasks that a node does not know are taken as lost
+BATCH_START_TIMEOUT, MESSAGE_TIMEOUT = 1, 5  # [s] after both, tasks unknown to a node count as lost
 PATH = os.environ["PATH"] + ":/usr/sbin:/sbin"
 
 
@@ -106,8 +106,8 @@ class OneNode:
         time.sleep(BATCH_START_TIMEOUT + MESSAGE_TIMEOUT + 1)
         self.start_node()
         self.wait_for(lambda: "RUNNING" not in self.queue() and "COMPLETING" not in self.queue(), "slurmctld")
-        # Tasks that are requeued wait two minutes. The node refuses those that start in the second in which it was told that they
-        # are lost ("credential revoked"), which ends them as failed.
+        # Requeued tasks wait two minutes. The node refuses tasks that start within the second in
+        # which it was told that they are lost ("credential revoked"), which makes them fail.
         for job in set(self.run("squeue", "--noheader", "--format=%F").split()):
             self.run("scontrol", "update", f"JobId={job}", "StartTime=now+3")
 

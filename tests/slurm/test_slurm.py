@@ -57,7 +57,7 @@ class Slurm(ProgramTest):
         NODE.lose()
         process.send_signal(signal.SIGINT)
         NODE.wait_for(lambda: "PENDING" not in NODE.queue(), "scancel")
-        process.send_signal(signal.SIGINT)  # the node does not answer, so nothing is worth waiting for
+        process.send_signal(signal.SIGINT)  # the node does not answer, so waiting is pointless
         process.wait(120)
         self.assertLess(self.done(), 50)
         NODE.start_node()

@@ -11,8 +11,7 @@
 namespace pliant::test {
 namespace {
 
-/// How far a particle of the surface in the hole stands above one nearer to its middle, at most
-/// [m].
+/// Largest height of a surface particle in the hole above one nearer to the middle [m].
 double largest_rise(const total_lagrangian::Body<double, 3>& body) {
   std::vector<std::pair<double, double>> particles;  // distance from the axis, rounded, and height
   for (const Block<3>& block : body.layout.blocks()) {
@@ -32,8 +31,8 @@ double largest_rise(const total_lagrangian::Body<double, 3>& body) {
   return rise;
 }
 
-// Against the mixed finite elements of cases/liver_aspiration/reference.csv. The hole is 6.4 cells
-// across; 6 % is what the coarsest lattice of docs/validation/cases.md has to reach.
+// Compared with the mixed finite elements of cases/liver_aspiration/reference.csv. The hole is 6.4
+// cells across; 6 % is the requirement for the coarsest lattice of docs/validation/cases.md.
 TEST(aspiration, the_tip_of_a_coarse_liver_is_where_finite_elements_have_it) {
   const std::vector<std::string> coarse = {"discretisation.spacing=0.025/16", "time.step=2e-3"};
   const Case settings = read_case(PLIANT_SOURCE_DIR "/cases/liver_aspiration", coarse);
@@ -45,7 +44,7 @@ TEST(aspiration, the_tip_of_a_coarse_liver_is_where_finite_elements_have_it) {
   for (const auto& [suction, tip] : reference) {
     solver.advance(15 * std::sqrt(suction / 30e3));
     EXPECT_NEAR(solver.measure(0), tip, 0.06 * tip) << suction;
-    // The surface is highest in the middle: no hourglass pattern stands out from it.
+    // The surface is highest in the middle, without an hourglass pattern.
     EXPECT_NEAR(solver.measure(1), solver.measure(0), 0.01 * tip) << suction;
     EXPECT_LT(largest_rise(solver.state().bodies[0]), 0.002 * tip) << suction;  // (TL.26)
   }

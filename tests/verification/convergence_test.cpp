@@ -11,8 +11,8 @@
 namespace pliant::test {
 namespace {
 
-/// Largest error of the velocity over its amplitude, against the exact waves, at the end of the
-/// case `periodic_square` or `periodic_cube` with `cells` particles to a wavelength.
+/// Largest error of the velocity over its amplitude, compared with the exact waves, at the end of
+/// the case `periodic_square` or `periodic_cube` with `cells` particles to a wavelength.
 template <int D = 2>
 double wave_error(int cells, const Settings& material) {
   const Case settings =
@@ -47,8 +47,8 @@ TEST(convergence, plane_waves_in_a_hyperelastic_solid_converge_at_second_order) 
 }
 
 /// Velocity amplitude after the time `end` of the standing pressure wave q(t) sin(2 pi x) in the
-/// material of `damped_wave_error`, from its equations of motion: rho q'' = -k^2 [(K0 + 4 mu/3) q -
-/// sum P_i], P_i + tau_i P_i' = g_i K0 q, in many small steps of the midpoint rule.
+/// material of `damped_wave_error`, from its equations of motion in many small steps of the
+/// midpoint rule: rho q'' = -k^2 [(K0 + 4 mu/3) q - sum P_i], P_i + tau_i P_i' = g_i K0 q.
 double damped_amplitude(double start, double end, double viscous = 1) {
   constexpr int terms = 2;
   constexpr double ratio[terms] = {0.3, 0.2}, time[terms] = {0.005, 0.05};
@@ -73,7 +73,7 @@ double damped_amplitude(double start, double end, double viscous = 1) {
 
 constexpr double damped_time = 0.2;
 
-/// Error of the wave's velocity at its crest over the amplitude at the start.
+/// Error of the velocity of the wave at its crest over the amplitude at the start.
 double damped_wave_error(int cells) {
   const double amplitude = 1e-4, end = damped_time;
   const Case settings = small_case(
@@ -91,7 +91,7 @@ double damped_wave_error(int cells) {
 }
 
 TEST(convergence, bulk_viscosity_damps_pressure_waves_to_second_order) {
-  // Or nothing would be shown.
+  // Otherwise the test would prove nothing.
   EXPECT_GT(std::abs(damped_amplitude(1, damped_time) - damped_amplitude(1, damped_time, 0)), 0.3);
   EXPECT_GE(order(damped_wave_error(16), damped_wave_error(64), 4), 1.95);
 }
@@ -100,7 +100,7 @@ TEST(convergence, waves_in_a_linear_cube_converge_at_second_order) {
   EXPECT_GE(order(wave_error<3>(16, {}), wave_error<3>(32, {}), 2), 1.95);
 }
 
-/// State of a periodic cell in lively motion, never remeshed, after `steps` steps to one time.
+/// State of a periodic cell in strong motion, never remeshed, after `steps` steps to a fixed time.
 Snapshot lively_motion(int steps) {
   const double end = 0.04;
   const Case settings = small_case(
@@ -133,7 +133,7 @@ TEST(convergence, a_spinning_disc_keeps_its_angular_momentum_and_energy) {
     advance_until(solver, 0.025 * part);
     const BodyIntegrals now = solver.integrals();
     EXPECT_NEAR(now.angular_momentum[2] / start.angular_momentum[2], 1, 1e-3);
-    // The Jaumann law has no potential: on the exact solution this sum varies by 0.22 %.
+    // The Jaumann law has no potential: for the exact solution this sum varies by 0.22 %.
     EXPECT_NEAR(
         (now.kinetic_energy + now.strain_energy) / (start.kinetic_energy + start.strain_energy), 1,
         4e-3);
@@ -141,23 +141,24 @@ TEST(convergence, a_spinning_disc_keeps_its_angular_momentum_and_energy) {
   }
 }
 
-/// What two discs keep of their energy when they collide, with `cells` particles to a radius.
+/// Share of their energy that two discs keep in a collision, with `cells` particles to a radius.
 double kept_energy(int cells) {
   Solver solver(small_case("two_discs", {"discretisation.spacing=0.5/" + std::to_string(cells)}),
                 {2, kernels::widest_supported()});
   const BodyIntegrals start = solver.integrals();
-  advance_until(solver, 0.45);  // they have parted
+  advance_until(solver, 0.45);  // they have separated
   const BodyIntegrals end = solver.integrals();
   EXPECT_NEAR(end.momentum[0], start.momentum[0], 1e-12 * 0.39);
   return (end.kinetic_energy + end.strain_energy) / start.kinetic_energy;
 }
 
-// Where the discs touch is decided once a step, which adds energy in proportion to the step.
+// Contact of the discs is decided once per step, which adds energy proportional to the step.
 TEST(convergence, colliding_discs_keep_their_energy_to_two_percent) {
   for (const int cells : {5, 20}) EXPECT_NEAR(kept_energy(cells), 1, 0.02) << cells;
 }
 
-/// Errors of the amplitudes that a tied interface passes and returns, over the incoming one.
+/// Errors of the transmitted and the reflected amplitude at a tied interface, relative to the
+/// incoming one.
 std::array<double, 2> interface_errors(int cells) {
   const double h = 1. / cells;
   const Settings settings = {fmt::format("discretisation.spacing={}", h),

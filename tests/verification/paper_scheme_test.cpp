@@ -3,8 +3,8 @@
 #include "engine/remeshed/solver.hpp"
 #include "tests/engine/remeshed/small_case.hpp"
 
-// The paper's own scheme, docs/paper-scheme.md, where the paper shows it. Each bar is what a change
-// may add to the figure of docs/validation before somebody looks.
+// The scheme of the paper, docs/paper-scheme.md, for results shown in the paper. Each tolerance is
+// the deviation from the figure of docs/validation that needs no review.
 namespace pliant::test {
 namespace {
 
@@ -30,7 +30,7 @@ std::vector<double> at_end_of(const Case& settings) {
   return values;
 }
 
-// 0.2440 m is right, for 512 particles the paper has 0.138 m and the default scheme 0.2446 m.
+// 0.2440 m is exact; for 512 particles the paper has 0.138 m and the default scheme 0.2446 m.
 TEST(paper_scheme, runs_the_compression_to_its_end_and_bulges_too_little_when_coarse) {
   const Settings coarse = {"discretisation.spacing=1/16", "time.step=5e-5"};
   for (const char* name : {"compression_linear", "compression_hyperelastic"}) {
@@ -40,7 +40,7 @@ TEST(paper_scheme, runs_the_compression_to_its_end_and_bulges_too_little_when_co
   }
 }
 
-// The averaged ghosts turn more slowly than the surface and brake it, the first-order
+// The averaged ghosts turn more slowly than the surface and slow it down; the first-order
 // reinitialisation wears it off. The default scheme keeps 1.0005.
 TEST(paper_scheme, brakes_the_rotating_cylinder) {
   const Settings a_tenth = {"time.end=0.1", "time.step=1e-3"};

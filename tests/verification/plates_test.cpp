@@ -6,18 +6,17 @@
 #include "tests/engine/case/written_case.hpp"
 #include "tests/engine/remeshed/small_case.hpp"
 
-// Plates and bars that are clamped at one end, whose surface is compressed where it meets the
-// clamp.
+// Plates and bars clamped at one end, whose surface is compressed where it meets the clamp.
 namespace pliant::test {
 namespace {
 
 struct Oscillation {
   std::vector<double> zeros,
-      peaks;          ///< times where the tip passes its rest, and largest deflections
-  double energy = 0;  ///< at the end, of that at the start
+      peaks;          ///< times of zeros of the tip's deflection, and largest deflections
+  double energy = 0;  ///< at the end, relative to the start
 };
 
-/// Plate theory for the first mode, see the case's README.
+/// Plate theory for the first mode, see the README of the case.
 constexpr double right_period = 5.94;
 
 Oscillation swing(double spacing, double amplitude, double end, double thickness = 0.1) {
@@ -57,8 +56,8 @@ Oscillation swing(double spacing, double amplitude, double end, double thickness
 }
 
 // Four times the amplitude of the case, a sixth of the length, with five particles across: too few
-// for the period to be right to better than 3 %, and for a bound on the lost energy. The growth of
-// a wiggling surface made the period 17 % longer.
+// for a period within 3 %, and for a bound on the lost energy. A growing zigzag of the surface used
+// to make the period 17 % longer.
 TEST(plates, that_are_coarse_and_bend_far_stay_stable) {
   const Oscillation found = swing(0.02, 4, 6.5);
   ASSERT_GE(found.zeros.size(), 2u);
@@ -75,7 +74,7 @@ TEST(plates, with_ten_particles_across_keep_period_amplitude_and_energy) {
   EXPECT_LT(found.energy, 1.005);
 }
 
-// With all of the outgoing characteristic it had 2.4 times its energy by then.
+// With the whole outgoing characteristic it would have 2.4 times its energy by then.
 TEST(plates, that_are_thick_gain_no_energy) {
   constexpr double period = 3.05;  // Timoshenko's theory
   const Oscillation found = swing(0.02, 2.26, 3 * period, 0.2);
@@ -85,15 +84,15 @@ TEST(plates, that_are_thick_gain_no_energy) {
   EXPECT_LT(found.energy, 1.005);
 }
 
-/// Largest deflection of a clamped plate under its weight g: bending with the plane strain modulus
+/// Largest deflection of a clamped plate under its weight g: bending with the plane strain modulus,
 /// and shear (Timoshenko).
 double hanging_tip(double thickness, double gravity) {
   const double modulus = 100 / (1 - 0.3 * 0.3), shear_modulus = 100 / 2.6, share = 5. / 6;
   return gravity * (12 / (8 * modulus * thickness * thickness) + 1 / (2 * share * shear_modulus));
 }
 
-/// Deflection of the tip over that of plate theory, and mass over that at the start, of a plate
-/// with five particles across that hangs from its clamp.
+/// Deflection of the tip relative to plate theory, and mass relative to the start, of a plate with
+/// five particles across that hangs from its clamp.
 struct Hanging {
   double tip, mass;
 };
@@ -117,9 +116,9 @@ Hanging hang(const std::string& material, double end) {
   return {-tip / hanging_tip(thickness, gravity), solver.integrals().mass / mass};
 }
 
-// Three periods after the load has come, at what is asked with five across. Particles that are
-// nowhere pulled back to the lattice leave it in a zigzag that the gradient does not see: the tip
-// had sunk by 15 % at 12 s, and the mass had grown by 0.8 %.
+// Three periods after loading, with the recommended minimum of five particles across. Particles
+// that nothing pulls back to the lattice leave it in a zigzag that the gradient does not see: the
+// tip used to sink by 15 % within 12 s, and the mass to grow by 0.8 %.
 TEST(plates, that_hang_from_their_clamp_stay_where_they_are) {
   const Hanging plate =
       hang("{model=\"linear\", youngs_modulus=100, poissons_ratio=0.3, density=1}", 12);
@@ -127,9 +126,9 @@ TEST(plates, that_hang_from_their_clamp_stay_where_they_are) {
   EXPECT_NEAR(plate.mass, 1, 0.003);
 }
 
-// The same material as a law of F, whose shear stress nothing relaxes. Ghosts of the free surface
-// that moved with the lasting part of (RP.50) fed a checkerboard of stress: the plate became
-// unstable within 3 s.
+// The same material as a law of F, without relaxation of shear stress. When ghosts of the free
+// surface moved with the lasting part of (RP.50), they fed a checkerboard of stress: the plate
+// became unstable within 3 s.
 TEST(plates, of_materials_that_carry_f_hang_still) {
   const Hanging plate = hang(
       "{model=\"reduced_polynomial\", coefficients=[19.2308], compressibility=0.024, density=1}",
@@ -163,12 +162,12 @@ point = [1, 0, 0]
 axis = "y"
 )toml";
 
-/// Where trilinear elements of 0.04 and 0.02 m lead to (total_lagrangian: 0.0852 and 0.0860 m);
-/// beam theory of small displacements: 0.0874 m.
+/// Limit of trilinear elements of 0.04 and 0.02 m (total_lagrangian: 0.0852 and 0.0860 m); beam
+/// theory for small displacements gives 0.0874 m.
 constexpr double right_tip_of_bar = 0.0863;
 
-// At what is asked with five across. With all of (RP.50) and shear stress that relaxes, the tip was
-// 12 % too low by now and the bar broke at 13 s.
+// With the recommended minimum of five particles across. With all of (RP.50) and relaxation of the
+// shear stress, the tip was 12 % too low by now and the bar broke at 13 s.
 TEST(bars, that_a_pressure_holds_bent_stay_where_they_are) {
   const Case settings = tests::read_text(bar_under_pressure);
   remeshed::Solver<double, 3> solver(settings, {2, kernels::widest_supported()});

@@ -6,11 +6,11 @@
 #include "tests/engine/finite_elements/meshed_block.hpp"
 #include "tests/engine/remeshed/small_case.hpp"
 
-// Cases of the point-based method against the references in their folders.
+// Cases of the point-based method, compared with the references in their folders.
 namespace pliant::test {
 namespace {
 
-/// The measurements of a case at its end; forces as means over its last sample.
+/// The measurements of a case at its end, with forces averaged over its last sample.
 template <int D>
 std::map<std::string, double> measured_at_end(const std::string& name, const Settings& settings) {
   const Case a_case = small_case(name, settings);
@@ -38,7 +38,7 @@ TEST(point_based_cases, a_cantilever_bends_as_finite_elements_do) {
   EXPECT_NEAR(tetrahedra["tip_displacement"], tip, 0.03 * std::abs(tip));
 }
 
-// Lattices whose inner nodes are moved at random. Tips as in the tests above and below.
+// Lattices whose inner nodes are displaced at random. Tips as in the tests above and below.
 TEST(point_based_cases, a_cantilever_of_irregular_nodes_is_as_stiff_as_one_on_a_lattice) {
   const BlockMesh<3> beams[] = {{{20, 4, 4}, {0, -1, -1}, {10, 1, 1}, 0.2},
                                 {{20, 4, 4}, {0, -1, -1}, {10, 1, 1}, 0.3},
@@ -58,7 +58,7 @@ TEST(point_based_cases, a_cantilever_of_irregular_nodes_is_as_stiff_as_one_on_a_
   }
 }
 
-// Against total Lagrangian hexahedra, extrapolated from spacings of 1/3 and 1/5 m.
+// Compared with total Lagrangian hexahedra, extrapolated from spacings of 1/3 and 1/5 m.
 TEST(point_based_cases, a_nearly_incompressible_cantilever_does_not_lock) {
   const std::map<std::string, double> tips = {
       {"0.45", -0.002501}, {"0.49", -0.002484}, {"0.495", -0.002481}};
@@ -78,13 +78,13 @@ TEST(point_based_cases, a_ball_dents_a_layer_with_the_force_of_hertz_and_dimitri
   EXPECT_NEAR(layer["contact_radius"], 0.003315, 0.05 * 0.003315);
 }
 
-// 4.0 % too little with 20 nodes to the width, 1.6 % with 40.
+// 4.0 % too little with 20 nodes along the width, 1.6 % with 40.
 TEST(point_based_cases, a_cut_opens_as_the_theory_of_fracture_says) {
   auto plate = measured_at_end<2>("edge_cut", {});
   EXPECT_NEAR(plate["upper_lip"] - plate["lower_lip"], 8.9606e-4, 0.05 * 8.9606e-4);
 }
 
-// Exact integrals over the solid that the triangles bound; nodes leave half a percent of it out.
+// Exact integrals over the solid inside the triangles; nodes miss half a percent of it.
 TEST(point_based_cases, ligaments_carry_the_weight_of_an_organ_that_is_cut) {
   auto organ = measured_at_end<3>("organ_cut", {});
   EXPECT_NEAR(organ["mass"], 1.85977, 0.01 * 1.85977);

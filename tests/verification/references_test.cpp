@@ -6,11 +6,11 @@
 #include "engine/remeshed/solver.hpp"
 #include "tests/engine/remeshed/small_case.hpp"
 
-// Cases against the independent computations in their folders.
+// Cases, compared with the independent computations in their folders.
 namespace pliant::test {
 namespace {
 
-/// A column of a case's reference.csv over its first column, time.
+/// A column of the reference.csv of a case over its first column, time.
 struct Reference {
   std::vector<double> time, value;
 
@@ -33,8 +33,8 @@ struct Reference {
   }
 };
 
-/// Runs a case to `end` and expects a measurement to follow the reference within `tolerance` at
-/// every time that the reference has.
+/// Runs a case to `end`, and expects a measurement to follow the reference within `tolerance` at
+/// all times of the reference.
 template <int D = 2>
 void expect_followed(const Case& settings, const std::string& measurement,
                      const Reference& reference, double end, double tolerance) {
@@ -50,7 +50,7 @@ void expect_followed(const Case& settings, const std::string& measurement,
   EXPECT_GE(compared, 5);
 }
 
-// The corners, where the pistons end, are singular and take their share of the tolerances.
+// The corners at the ends of the pistons are singular and contribute to the tolerances.
 TEST(references, compression_of_a_linear_solid_follows_finite_elements) {
   const Reference bulge("compression_linear", "u_x_flank_mid_height");
   expect_followed(small_case("compression_linear", {"discretisation.spacing=1/32"}),
@@ -74,7 +74,7 @@ TEST(references, a_plate_swings_out_as_finite_elements_do) {
   expect_followed(small_case("oscillating_plate", {}), "tip_displacement", tip, 1.5, 0.02 * 0.043);
 }
 
-// The closed form, but for rounding: the medium stays as uniform as it starts.
+// The closed form, except for rounding: the medium stays as uniform as it starts.
 TEST(references, a_suddenly_compressed_medium_relaxes_by_its_prony_series) {
   const Settings flight = {"dimension=3",
                            "discretisation.spacing=0.2",
@@ -95,14 +95,14 @@ TEST(references, a_suddenly_compressed_medium_relaxes_by_its_prony_series) {
   }
 }
 
-// The reference is good to 0.25 % of the momentum of 0.393 N s.
+// The reference is accurate to 0.25 % of the momentum of 0.393 N s.
 TEST(references, colliding_discs_exchange_momentum_as_finite_elements_do) {
   expect_followed(small_case("two_discs", {}), "momentum_of_left",
                   Reference("two_discs", "momentum"), 0.4, 0.01 * 0.393);
 }
 
-// Exact integrals over the solid that the triangles bound, kept in free flight. The surface is met
-// to about (h/40 mm)^2, and every remeshing leaves some of what it smooths.
+// Exact integrals over the solid inside the triangles, which free flight conserves. The surface is
+// resolved to about (h/40 mm)^2, and every remeshing smooths the fields a little.
 TEST(references, a_thrown_organ_keeps_what_its_mesh_and_velocity_give_it) {
   const Case organ = small_case("organ", {"discretisation.spacing=0.008"});
   const std::pair<const char*, double> tolerances[] = {

@@ -7,11 +7,10 @@
 #include "tests/engine/case/written_case.hpp"
 #include "tests/engine/undeformed/loads.hpp"
 
-// The first case that a newcomer runs.
 namespace pliant::test {
 namespace {
 
-// The figure of docs/tutorial.md: it goes stale where this fails.
+// The figure of docs/tutorial.md, which is out of date if this test fails.
 TEST(tutorial, its_ball_flies_up_again_with_the_momentum_that_it_states) {
   const auto run = methods().make(read_case(PLIANT_SOURCE_DIR "/docs/tutorial/case.toml"), {});
   const double start = values(*run)["momentum"];
@@ -19,8 +18,8 @@ TEST(tutorial, its_ball_flies_up_again_with_the_momentum_that_it_states) {
   EXPECT_NEAR(values(*run)["momentum"] / start, -0.8723, 0.002);
 }
 
-// Ghosts fill a shell around the particles: where the ball is round again it has as many as before.
-// At 1 m/s, a fifth of the speed of its waves, it is squeezed to two thirds of its height.
+// Ghosts fill a shell around the particles: when the ball is round again, it has as many as before.
+// At 1 m/s, a fifth of its wave speed, it is compressed to two thirds of its height.
 TEST(tutorial, its_ball_leaves_the_floor_at_twice_its_speed_with_the_ghosts_that_it_had) {
   const std::vector<std::string> faster = {"body.ball.velocity=[0.3, 0, -1]"};
   const auto run =

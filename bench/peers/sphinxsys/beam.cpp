@@ -1,9 +1,9 @@
 // beam FINENESS [THREADS]
 //
-// The cantilever of bench/accuracy.toml with the total Lagrangian method of SPHinXsys, FINENESS
-// particles across the beam. The clamp is three layers of particles. The load is given to the last
-// two layers, 3/2 and -1/2 of it, so that it acts at the end, and the tip is extrapolated to the
-// end in the same way.
+// The cantilever of bench/accuracy.toml with the total Lagrangian method of SPHinXsys, with
+// FINENESS particles across the beam. The clamp is three layers of particles. The last two layers
+// get 3/2 and -1/2 of the load, so that it acts at the end; the displacement of the tip is
+// extrapolated to the end in the same way.
 #include <cstdlib>
 #include <iostream>
 

@@ -51,7 +51,7 @@ void Clock::advance(Real step) {
   ++steps_;
   *time_ += step;
   if (*time_ < *next_ - 1e-9 * stops_.back()) return;
-  *time_ = *next_;  // exactly, so that what is measured then finds it
+  *time_ = *next_;  // exactly, so that measurements find this time
   ++next_;
 }
 

@@ -12,7 +12,7 @@
 
 namespace SPH {
 
-/// Particles where the problem has them.
+/// Makes particles at the places of the problem.
 template <>
 class ParticleGenerator<BaseParticles, peers::Problem> : public ParticleGenerator<BaseParticles> {
  public:
@@ -32,13 +32,13 @@ class ParticleGenerator<BaseParticles, peers::Problem> : public ParticleGenerato
 
 namespace peers {
 
-/// The particles for which `contains(particle)` holds.
+/// The particles with `contains(particle)`.
 class Part : public SPH::BodyPartByParticle {
  public:
   Part(SPH::SPHBody& body, std::function<bool(std::size_t)> contains);
 };
 
-/// Sets the velocity of its particles to that at the start.
+/// Resets the velocity of its particles to that at the start.
 class KeepVelocity : public SPH::MotionConstraint<SPH::BodyPartByParticle> {
  public:
   KeepVelocity(SPH::BodyPartByParticle& part, const Problem& problem);
@@ -48,7 +48,6 @@ class KeepVelocity : public SPH::MotionConstraint<SPH::BodyPartByParticle> {
   const Problem& problem_;
 };
 
-/// The force of the load at the present time.
 class Load : public SPH::BaseLocalDynamics<SPH::BodyPartByParticle> {
  public:
   Load(SPH::BodyPartByParticle& part, const Problem& problem);
@@ -62,7 +61,7 @@ class Load : public SPH::BaseLocalDynamics<SPH::BodyPartByParticle> {
   Real share_ = 0;
 };
 
-/// Damping of the velocity over a step, exactly.
+/// Exact damping of the velocity over a step.
 class Damping : public SPH::LocalDynamics {
  public:
   Damping(SPH::SPHBody& body, const Problem& problem);
@@ -74,7 +73,7 @@ class Damping : public SPH::LocalDynamics {
   Vecd* velocity_;
 };
 
-/// The time, and where steps must end.
+/// The time, and the times at which steps must end.
 class Clock {
  public:
   Clock(SPH::SPHSystem& system, const Problem& problem);
@@ -91,10 +90,10 @@ class Clock {
   int steps_ = 0;
 };
 
-/// A system whose bounds hold the body and its motion.
+/// A system with bounds that contain the body and its motion.
 SPH::SPHSystem system_of(const Problem& problem);
 
-/// Makes the particles, at the velocities of the start.
+/// Makes the particles, with their initial velocities.
 template <class Material, class... Parameters>
 SPH::BaseParticles& fill(SPH::SPHBody& body, const Problem& problem, Parameters... parameters) {
   body.defineMatterMaterial<Material>(parameters...);

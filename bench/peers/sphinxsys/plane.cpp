@@ -1,8 +1,8 @@
 // plane PROBLEM total|updated FINENESS [THREADS]
 //
-// The problems in a plane of bench/accuracy.toml with one of the two methods of SPHinXsys. Walls
-// and clamps are three layers of particles, more than the kernels reach. FINENESS is the number of
-// particles across the block or the plate, or in a square of the area of the disc.
+// The plane problems of bench/accuracy.toml with one of the two methods of SPHinXsys. Walls and
+// clamps are three layers of particles, more than the kernels reach. FINENESS is the number of
+// particles across the block or the plate, or across a square with the area of the disc.
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
@@ -24,11 +24,11 @@ int run(const Problem& problem, bool is_updated, const peers::Observe& observe) 
                     : peers::run_total_lagrangian(problem, observe);
 }
 
-/// Where the line through a particle and the next one on its row of the lattice leaves the body,
-/// half a spacing beyond the outer one.
+/// Where the line through the outer particle and the next one in its row of the lattice leaves the
+/// body, half a spacing beyond the outer one.
 Vecd surface(const Vecd& outer, const Vecd& next) { return 1.5 * outer - 0.5 * next; }
 
-/// A block, squeezed between two pistons to half its height.
+/// A block that two pistons compress to half its height.
 void compression(Problem problem, int across, bool is_updated) {
   constexpr Real c10 = 2.2, compressibility = 0.001, end = 0.02;  // [Pa], [1/Pa], [s]
   const Real shear = 2 * c10, bulk = 2 / compressibility;
@@ -59,8 +59,7 @@ void compression(Problem problem, int across, bool is_updated) {
   peers::print_result(2 * across * across, steps, {{"flank", flank}, {"mid_height", mid_height}});
 }
 
-/// The stretch a + b R^2 of the radius at R = 1, fitted to all particles: the radius of the
-/// surface.
+/// The radius of the surface: the radial stretch a + b R^2 at R = 1, fitted to all particles.
 Real radius(const Problem& problem, const Vecd* position) {
   Real r2 = 0, r4 = 0, r6 = 0, first = 0, third = 0;
   for (std::size_t p = 0; p < problem.position.size(); ++p) {
@@ -82,7 +81,7 @@ Real angular_momentum(const Vecd* position, const Vecd* velocity, const Real* ma
   return sum;
 }
 
-/// Two turns of a free disc.
+/// Two revolutions of a free disc.
 void rotating_cylinder(Problem problem, int across, bool is_updated) {
   problem.youngs_modulus = 100;
   problem.poissons_ratio = 0.3;
@@ -130,7 +129,7 @@ class Crossings {
   Real last_time_ = 0, last_value_ = 0;
 };
 
-/// A clamped plate that swings in its first mode.
+/// A clamped plate that oscillates in its first mode.
 void oscillating_plate(Problem problem, int across, bool is_updated) {
   constexpr Real k = 1.8751041, thickness = 0.1;  // [1/m], [m]
   problem.youngs_modulus = 100;

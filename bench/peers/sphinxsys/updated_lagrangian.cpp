@@ -5,7 +5,7 @@
 namespace peers {
 namespace {
 
-/// Plane strain: GeneralContinuum takes the deviator of a tensor of two dimensions.
+/// Plane strain: GeneralContinuum would take the deviator of a 2D tensor.
 class PlaneStrainSolid : public SPH::GeneralContinuum {
  public:
   PlaneStrainSolid(Real density, Real sound_speed, Real youngs_modulus, Real poissons_ratio,

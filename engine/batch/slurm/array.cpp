@@ -13,7 +13,7 @@
 #include "engine/batch/slurm/tasks.hpp"
 #include "engine/output/interrupt.hpp"
 
-// Tasks write what comes of their runs into files; this process alone writes the ledger.
+// Tasks write the outcomes of their runs to files; only this process writes the ledger.
 namespace pliant::batch {
 
 namespace slurm {
@@ -21,7 +21,7 @@ namespace slurm {
 namespace {
 
 constexpr double seconds_to_stop = 40;    // Slurm kills 30 s after SIGTERM
-constexpr double seconds_of_caches = 90;  // until a shared disk shows what a task has written
+constexpr double seconds_of_caches = 90;  // until a shared disk shows what a task wrote
 
 double clock_seconds() {
   return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
@@ -59,7 +59,7 @@ class Arrays {
   }
 
  private:
-  /// Longer and longer while nothing happens; a signal ends it.
+  /// Sleeps longer and longer while nothing changes; a signal ends it.
   void sleep(bool changed) {
     constexpr double shortest = 0.5, longest = 10, growth = 1.3;
     pause_ = changed ? shortest : std::min(growth * pause_, longest);
@@ -75,7 +75,7 @@ class Arrays {
     return {jobs.begin(), jobs.end()};
   }
 
-  /// Takes runs that Slurm still has, from an earlier part of this batch, out of those that wait.
+  /// Removes runs that Slurm still has, from an earlier part of this batch, from the waiting ones.
   void find_tasks() {
     const auto states = states_of(jobs_in(work_.options().folder));
     if (!states) {
@@ -109,7 +109,7 @@ class Arrays {
     tasks_.insert(tasks_.end(), tasks.begin(), tasks.end());
   }
 
-  /// Reads what has become of the tasks; false where nothing has changed.
+  /// Reads the states of the tasks; false if nothing has changed.
   bool follow(bool is_cancelled) {
     const auto states = states_of(jobs_of_tasks());
     if (!states) return false;
@@ -146,14 +146,15 @@ class Arrays {
     return changed;
   }
 
-  /// A task that ended well has settled all its runs, even where its files are not visible yet.
+  /// Whether a task is over. One that ended normally has settled all its runs, but its files may
+  /// not be visible yet.
   static bool is_final(Task& task, const std::string& state) {
     if (state != "COMPLETED") return true;
     if (task.seconds_over < 0) task.seconds_over = clock_seconds();
     return clock_seconds() - task.seconds_over > seconds_of_caches;
   }
 
-  /// Lets the runs of a task that has ended without them wait again, or fail.
+  /// Runs that a task did not finish wait again, or fail.
   void give_back(Task& task, const std::string& state) {
     for (Waiting& run : task.runs) {
       const auto folder = work_.folder_of(run.name);

@@ -37,7 +37,7 @@ void write_attempt(const std::filesystem::path& folder, const Attempt& attempt) 
                {"processor_seconds", row.outcome.processor_seconds},
                {"peak_memory", row.outcome.peak_memory}};
   if (row.outcome.exit_status) json["exit_status"] = *row.outcome.exit_status;
-  // The messages of a program need not be UTF-8, which JSON is.
+  // Messages of programs may not be UTF-8, but JSON must be.
   write_atomically(file_of(folder), json.dump(1, ' ', false, Json::error_handler_t::replace) + "\n",
                    Durable::no);
 }

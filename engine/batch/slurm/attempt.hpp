@@ -5,8 +5,8 @@
 
 #include "engine/batch/ledger.hpp"
 
-/// The last attempt of a run in a task of Slurm, as a file beside its folder. Only the process that
-/// runs `pliant batch` writes the ledger, since SQLite does not work on many shared disks.
+/// The last attempt at a run in a task of Slurm, as a file next to its folder. Only the process of
+/// `pliant batch` writes the ledger, since SQLite does not work on many shared disks.
 namespace pliant::batch::slurm {
 
 struct Attempt {
@@ -17,7 +17,7 @@ struct Attempt {
 /// Throws OutputError.
 void write_attempt(const std::filesystem::path& folder, const Attempt& attempt);
 
-/// None where no task has begun the run.
+/// None if no task has started the run.
 std::optional<Attempt> read_attempt(const std::filesystem::path& folder);
 
 }  // namespace pliant::batch::slurm

@@ -16,11 +16,11 @@ namespace pliant::batch::slurm {
 
 namespace {
 
-constexpr int usual_most_tasks = 1000;  // of a Slurm that does not say
+constexpr int usual_most_tasks = 1000;  // if Slurm reports none
 
 std::string user_option() { return fmt::format("--user={}", ::getuid()); }
 
-/// Lines of the program, without their ends, as one.
+/// Joins the lines of a program's output.
 std::string one_line(std::string text) {
   std::ranges::replace(text, '\n', ' ');
   text.erase(text.find_last_not_of(' ') + 1);
@@ -79,7 +79,7 @@ std::optional<States> states_of(const std::vector<std::string>& jobs) {
   std::istringstream lines(result.output);
   std::string job, state;
   for (int index = 0; lines >> job >> index >> state;) {
-    // A task that was requeued may have more than one line; the one that is not over counts.
+    // A requeued task may have several lines; the one that is not over counts.
     std::string& known = states[{job, index}];
     if (known.empty() || is_over(known)) known = state;
   }

@@ -18,11 +18,12 @@ namespace pliant::batch::slurm {
 
 namespace {
 
-constexpr double seconds_of_task = 600;  // short enough to share a cluster, long beside its start
-constexpr int usual_tasks = 16;          // of a sweep of short runs
-// Estimates of time hold within a factor of two on this machine, and others may be slower.
+constexpr double seconds_of_task =
+    600;                         // short enough to share a cluster, long relative to its start
+constexpr int usual_tasks = 16;  // for a sweep of short runs
+// Estimates of time are right within a factor of two on this machine, and others may be slower.
 constexpr double time_factor = 4, seconds_to_set_up = 20, seconds_to_start = 120;
-constexpr double memory_factor = 1.25, bytes_of_worker = 1e8;  // estimates hold within a fifth
+constexpr double memory_factor = 1.25, bytes_of_worker = 1e8;  // estimates are right within a fifth
 
 std::filesystem::path array_of(const std::filesystem::path& batch, std::size_t number) {
   return std::filesystem::absolute(batch / "slurm" / fmt::format("{}", number)).lexically_normal();
@@ -63,7 +64,7 @@ double Submission::rate() {
   return rate_;
 }
 
-/// What a task must allow for a run [s]; 0 where that is not known.
+/// The time that a task must allow for a run [s]; 0 if it is unknown.
 double Submission::time_of(const Waiting& run) {
   const double limit = work_.sweep().time_limit * run.attempts_left;
   const double estimate = time_factor * rate() * run.steps;
@@ -80,7 +81,7 @@ std::vector<std::size_t> Submission::sizes_of_tasks() {
                  workers > 0 ? 4 * workers : usual_tasks, most_tasks());
 }
 
-/// Gives the first runs that wait to a task.
+/// Assigns the first waiting runs to a task.
 Task Submission::next_task(int index, std::size_t runs, Request& request) {
   Task task = {array_, {request.name, index}, {}};
   TaskFile file;

@@ -71,8 +71,8 @@ std::vector<std::size_t> grouped(const std::vector<double>& seconds_of_runs, int
   std::vector<std::size_t> sizes;
   double sum = 0;
   for (const double cost : costs) {
-    // The boundaries between tasks lie at multiples of what a task may take, so that there are
-    // never more tasks than that allows.
+    // Tasks are divided at multiples of the time of a task, so that there are never more tasks than
+    // allowed.
     const auto task = static_cast<std::size_t>(sum / of_task * (1 + 1e-12));
     if (task >= sizes.size()) sizes.push_back(0);
     ++sizes.back();

@@ -7,10 +7,9 @@
 
 #include "engine/batch/waiting.hpp"
 
-/// Which runs a task of a job array does, as a file.
+/// The runs of a task of a job array, as a file.
 namespace pliant::batch::slurm {
 
-/// A run with the command that makes it.
 struct TaskRun {
   Waiting run;  ///< without parameters
   std::vector<std::string> command;
@@ -23,12 +22,12 @@ struct TaskFile {
 
 /// Throws OutputError.
 void write_task(const std::filesystem::path& array, int index, const TaskFile& task);
-/// Throws InputError where there is no such task.
+/// Throws InputError if the task does not exist.
 TaskFile read_task(const std::filesystem::path& array, int index);
 
-/// How many runs, of so many seconds each, go into each task, in their order. A task has
-/// `runs_per_task`, or, where that is 0, about `seconds` but so few that there are `least_tasks`.
-/// There are `most_tasks` at most.
+/// The number of runs in each task, in order; `seconds_of_runs` are their durations. A task has
+/// `runs_per_task` runs. If that is 0, it has about `seconds` of work, but no more than leaves at
+/// least `least_tasks`. There are at most `most_tasks`.
 std::vector<std::size_t> grouped(const std::vector<double>& seconds_of_runs, int runs_per_task,
                                  double seconds, int least_tasks, int most_tasks);
 

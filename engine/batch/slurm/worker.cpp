@@ -24,7 +24,7 @@ class Worker {
 
   void operator()(const TaskRun& task) {
     const std::filesystem::path folder = runs_ / task.run.name;
-    // After the loss of a node, its last process may still be at work.
+    // After the loss of a node, the last process of the run may still be working.
     while (is_locked(Job::lock_of(folder)) && !is_interrupted()) end_of_child_.wait();
     if (is_interrupted()) return;
     Waiting run = task.run;

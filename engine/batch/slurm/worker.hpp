@@ -4,9 +4,10 @@
 
 namespace pliant::batch::slurm {
 
-/// What a task of a job array does: its runs, one after the other, with what comes of each beside
-/// its folder. It leaves out those that are done, so that Slurm may start it again. After SIGTERM
-/// the run at work ends with a checkpoint; false then. Throws InputError and OutputError.
+/// Executes a task of a job array: runs its runs one after another and writes the outcome of each
+/// to a file next to its folder. Skips runs that are done, so that Slurm may restart the task.
+/// After SIGTERM, the current run ends with a checkpoint, and the result is false. Throws
+/// InputError and OutputError.
 bool work_on(const std::filesystem::path& array, int index);
 
 }  // namespace pliant::batch::slurm

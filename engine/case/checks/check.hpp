@@ -43,16 +43,14 @@ inline std::string_view axis_name(int axis) { return words<Axis>[axis].text; }
 /// Checks the combinations of values of a case. Each value is valid, and meshes are loaded.
 void check_case(const Check& check);
 
-/// Checks each body: its material, and whether it fits the spacing and the periodic cell.
+/// Checks materials, and whether bodies fit the spacing and the periodic cell.
 void check_bodies(const Check& check);
 
 /// Finds what the method of the case cannot do, and tables of other methods.
 void check_method(const Check& check);
 
-/// Checks pairs of bodies in contact.
 void check_contacts(const Check& check);
 
-/// Checks what measurements refer to.
 void check_measurements(const Check& check);
 
 }  // namespace pliant

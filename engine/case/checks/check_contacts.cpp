@@ -63,8 +63,8 @@ void check_contact_wall(const Check& check, std::size_t body_index, std::size_t 
 
 }  // namespace
 
-// At the edge of a contact, loaded ghosts move next to free ones and distort the level set until
-// the next remeshing.
+// At the edge of contact, loaded ghosts beside free ones distort the level set until the next
+// remeshing.
 void check_contacts(const Check& check) {
   for (std::size_t b = 0; b < check.a_case.bodies.size(); ++b) {
     for (std::size_t w = 0; w < check.a_case.boundaries.size(); ++w) {

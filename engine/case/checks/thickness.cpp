@@ -58,8 +58,8 @@ std::vector<Vector> middles(const Box<3>& box, int dimension, double step) {
   return found;
 }
 
-/// The largest value of a function of distances in and near a body. It is infinite if it exceeds
-/// the length of the body, for example between walls that leave only one face free.
+/// The largest value of a function of distances in and near a body; infinite if it exceeds the
+/// length of the body, for example if only one face is free.
 template <class F>
 double largest(const BodyCase& body, int dimension, const F& value_at) {
   constexpr double endless = std::numeric_limits<double>::infinity();

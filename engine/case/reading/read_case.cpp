@@ -67,7 +67,6 @@ void load_meshes_of(std::vector<Element>& elements, std::string_view list, const
   }
 }
 
-/// Reads the tracks of blades.
 void load_tracks(Case& a_case, const Check& check) {
   for (std::size_t i = 0; i < a_case.cuts.size(); ++i) {
     if (a_case.cuts[i].track.file.empty()) continue;

@@ -19,7 +19,7 @@
 /// Reading of TOML tables through the vocabulary: types, limits, lists of words, unknown keys.
 namespace pliant {
 
-/// The rest of the file as far as reading a single value may need it.
+/// What reading a value may need from the rest of the file.
 struct Reading {
   Problems& problems;
   const toml::table& root;

@@ -4,7 +4,6 @@
 #include "engine/case/vocabulary/shape_keys.hpp"
 #include "engine/case/vocabulary/words.hpp"
 
-/// The part of the vocabulary that describes boundaries.
 namespace pliant {
 
 template <class Visitor>

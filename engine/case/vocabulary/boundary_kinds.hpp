@@ -12,7 +12,6 @@ namespace pliant {
 /// Whether a kind of boundary uses a key.
 enum class Use { no, optional, required };
 
-/// One kind of boundary.
 struct BoundaryKind {
   BoundaryCase::Kind kind;
   std::string_view word;

@@ -11,7 +11,6 @@
 /// between bodies are in kernels/interface_traction.hpp.
 namespace pliant {
 
-/// One contact law.
 struct ContactLawRow {
   ContactLaw kind;
   std::string_view word;

@@ -2,7 +2,6 @@
 
 #include "engine/case/vocabulary/key.hpp"
 
-/// The part of the vocabulary that describes cuts and their blades.
 namespace pliant {
 
 /// Place and motion of a blade.

@@ -3,7 +3,6 @@
 #include "engine/case/vocabulary/key.hpp"
 #include "engine/case/vocabulary/words.hpp"
 
-/// The part of the vocabulary that describes materials.
 namespace pliant {
 
 template <class Visitor>

@@ -15,13 +15,13 @@
 /// Three visitors use it: one reads and checks a file, one writes `case.resolved.toml`, one writes
 /// the reference. A visitor has
 ///
-///    bool visit(key, value, notes)         false: the value is not usable
-///    void visit.table(key, meaning, keys)            [key]
-///    void visit.optional_table(key, meaning, present, keys)
-///    void visit.list(key, meaning, elements, keys)   [[key]]
-///    void visit.materials(key, meaning)              [key.NAME]
-///    int visit.dimension()
-///    MethodList visit.methods()
+///     bool visit(key, value, notes)         false: the value is not usable
+///     void visit.table(key, meaning, keys)            [key]
+///     void visit.optional_table(key, meaning, present, keys)
+///     void visit.list(key, meaning, elements, keys)   [[key]]
+///     void visit.materials(key, meaning)              [key.NAME]
+///     int visit.dimension()
+///     MethodList visit.methods()
 ///
 /// A method declares the keys of its own table, see method_rules.hpp.
 namespace pliant {

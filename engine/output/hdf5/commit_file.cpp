@@ -18,15 +18,15 @@
 // Here such blocks are held back until the flush. Then they are written such that the file is valid
 // after every single write:
 //
-//     0                       committed end               end
-//     | superblock | blocks, values | new blocks, new values |
+//      0                       committed end               end
+//      | superblock | blocks, values | new blocks, new values |
 //
-//  values           at once: nothing refers to them yet beyond the committed end; in a chunk
-//                   that began before, the older values are written again unchanged
-//  1. file size     grows to the end, and the space is allocated: a full disk is detected here
-//  2. new blocks    nothing refers to them yet
-//  3. superblock    contains the new end, which exists
-//  4. old blocks    now refer to new ones, which exist
+//   values           at once: nothing refers to them yet beyond the committed end; in a chunk
+//                    that began before, the older values are written again unchanged
+//   1. file size     grows to the end, and the space is allocated: a full disk is detected here
+//   2. new blocks    nothing refers to them yet
+//   3. superblock    contains the new end, which exists
+//   4. old blocks    now refer to new ones, which exist
 //
 // When the file shrinks, 3 and 4 are swapped: old blocks first drop what is beyond the new end. The
 // order within 4 must not matter. It does not if arrays only grow and are indexed by extensible

@@ -17,11 +17,11 @@
 #include "engine/output/results/xdmf.hpp"
 #include "engine/output/run_folder.hpp"
 
-// Why the file of a killed process is readable: it changes by commits (see commit_driver.cpp),
-// which require that arrays only grow and are indexed by extensible arrays. These came with the
-// format of HDF5 1.10. But the superblock of that format marks a file as open for writing, so
-// readers would refuse the file of a killed process. Hence the superblock has the first format, and
-// everything else the later one.
+// The file of a killed process is readable, since it changes by commits (see commit_driver.cpp).
+// These require that arrays only grow and are indexed by extensible arrays, as in the format of
+// HDF5 1.10. But the superblock of that format marks a file as open for writing, so readers would
+// refuse it after a kill. Hence the superblock has the first format, and everything else the later
+// one.
 
 namespace pliant {
 namespace {

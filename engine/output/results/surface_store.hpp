@@ -17,11 +17,11 @@ struct SurfaceSpan {
 
 /// The surfaces of a run's frames, as the group /surface:
 ///
-///    Points            [N][3]        vertices of all frames
-///    PointData/<field> [N] or [N][component], attribute unit
-///    Connectivity      [M][corner]   pieces of all frames; vertices of a frame count from 0
-///    NumberOfPoints    [F]           of each frame
-///    NumberOfCells     [F]
+///     Points            [N][3]        vertices of all frames
+///     PointData/<field> [N] or [N][component], attribute unit
+///     Connectivity      [M][corner]   pieces of all frames; vertices of a frame count from 0
+///     NumberOfPoints    [F]           of each frame
+///     NumberOfCells     [F]
 ///
 /// The surface of a frame is written before the frame itself, whose count makes both valid.
 class SurfaceStore {

@@ -28,8 +28,8 @@ struct TissueMap {
 /// The force of one blade on the tissue, (PB.18): the resistance of new cut faces and friction. It
 /// acts on the nodes around the edge, along the motion of the edge relative to the tissue.
 ///
-/// The edge is divided into segments. After each move of the edge, a segment finds its nodes and
-/// whether there is uncut tissue ahead of it. Between moves a step does not allocate.
+/// After each move of the edge, its segments find their nodes and whether uncut tissue is ahead.
+/// Between moves a step does not allocate.
 template <class T, int D>
 class BladeResistance {
  public:

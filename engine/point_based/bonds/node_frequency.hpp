@@ -31,8 +31,8 @@ double node_frequency2(const NodeMaterial& node, std::span<const SwingingBond<D>
 /// The factor of lambda_i in (PB.12) on lattices: how many energies act on a node.
 inline constexpr double energies_of_node = 2;
 
-/// The factor, at least 1, by which nodes stiffen each other more than on lattices: where small
-/// nodes lie next to large ones. Found by power iteration, at rest. The bonds must exist.
+/// The factor, at least 1, by which nodes stiffen each other more than on lattices, if small nodes
+/// are next to large ones; by power iteration, at rest. Requires the bonds.
 template <class T, int D>
 double crowding(const Body<T, D>& body);
 

@@ -9,8 +9,7 @@
 
 namespace pliant::point_based {
 
-/// The parts of the volumes of nodes that lie beyond a cut, (PB.37): a cut may pass anywhere
-/// between nodes or through them, and so through the volume that a node represents.
+/// The parts of the volumes of nodes beyond a cut, (PB.37): cuts may pass anywhere between nodes.
 ///
 /// They depend on the cuts alone, and are computed on the first query after a cut has grown.
 template <int D>

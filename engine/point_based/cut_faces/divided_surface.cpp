@@ -220,8 +220,8 @@ class SurfaceDivider {
     });
   }
 
-  // The faces in a tetrahedron form a cone from the lines in its facets to a point inside. If a
-  // single cut passes through and none ends, that point is on an edge.
+  // The faces in a tetrahedron form a cone from the lines in its facets to a point inside, or on an
+  // edge if a single cut passes through.
   void add_faces(const std::array<std::int32_t, 4>& simplex) {
     const std::array<Triangle, 4> facets = {{{simplex[0], simplex[1], simplex[2]},
                                              {simplex[0], simplex[3], simplex[1]},

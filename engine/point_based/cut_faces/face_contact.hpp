@@ -11,10 +11,10 @@
 
 // Contact of the two faces of a cut, (PB.20).
 //
-//      above   o   o   o      A point of a cut stands for a point on each of its faces. A linear
-//              - - - - -      fit to the nodes on the same side gives the present place x of
-//              - - - - -      each and the tangents of the face. Where the upper point lies
-//      below   o   o   o      behind the lower face, both faces are pushed apart.
+//       above   o   o   o      A point of a cut stands for a point on each of its faces. A linear
+//               - - - - -      fit to the nodes on the same side gives the present place x of
+//               - - - - -      each and the tangents of the face. Where the upper point lies
+//       below   o   o   o      behind the lower face, both faces are pushed apart.
 //
 // When faces have slid, the upper point is paired with the point of the lower face that is now
 // below it. Equal and opposite impulses then act along one line. Momentum is conserved exactly, and
@@ -30,14 +30,12 @@ class FaceContact {
 
   /// Adds the pieces between the last two stations of a cut.
   void add(const CutSurface<D>& cut, std::int32_t number);
-  /// Activates contact of faces where the front of their cut is so far ahead that no bond crosses
-  /// Activates contact of faces where the front of their cut is so far ahead that no bond crosses
-  /// them. Along the rims of cuts that end inside the body there is no contact.
+  /// Activates contact of faces that no bond crosses any more, with the front of their cut far
+  /// ahead; not along the rims of cuts that end inside the body.
   void follow(const CutBonds<D>& bonds);
   /// Updates the nodes of each side after bonds of the nodes `changed` have changed.
   void find_nodes(const Body<T, D>& body, const TissueMap<D>& tissue,
                   std::span<const std::int32_t> changed);
-  /// Finds the nodes of all points.
   void find_nodes(const Body<T, D>& body, const TissueMap<D>& tissue);
   /// Pushes overlapping faces apart in a step of `length` [s]; for `drift` [s] of it nodes move at
   /// their present velocities.

@@ -250,8 +250,7 @@ void BodyCuts<T, D>::change_bonds_of(std::int32_t slot, BlockCuts& cuts, Body<T,
       after.stabilisation + strain_energy(body, block, slot, with_kept(body, slot, after.gradient));
 }
 
-// Like set_bonds it considers the neighbours, and the next candidate, whose distance may set the
-// support.
+// Like set_bonds, considers the neighbours and the next candidate, which may set the support.
 template <class T, int D>
 bool BodyCuts<T, D>::keeps_bonds_of(std::int32_t slot) const {
   const std::int64_t first = bonds_.bonds().first[slot];

@@ -4,9 +4,9 @@
 #include "engine/point_based/cutting/body_cuts.hpp"
 
 // The forces of blades, (PB.18), and of cut faces on each other, (PB.20). The case defines how fast
-// its blades move in a step. A caller only defines places: the blade then moves with the mean
-// velocity since the last place, for as long as that move took. If it is put elsewhere before it
-// arrives, the rest of its way is added to the next one.
+// its blades move in a step. A caller only defines places: the blade moves there with the mean
+// velocity since the last place, for as long as that move took. If it is put elsewhere before, the
+// rest of its way is added to the next one.
 namespace pliant::point_based {
 
 template <class T, int D>

@@ -16,7 +16,7 @@ class PieceCrossing {
  public:
   explicit PieceCrossing(const std::array<MaterialPoint<D>, D>& piece);
 
-  /// Where the bond from `p` to `q` crosses the piece; none where it does not.
+  /// Where the bond from `p` to `q` crosses the piece; none if it does not.
   std::optional<MaterialPoint<D>> operator()(const MaterialPoint<D>& p,
                                              const MaterialPoint<D>& q) const;
 
@@ -33,8 +33,7 @@ std::optional<MaterialPoint<D>> crossing(const MaterialPoint<D>& p, const Materi
   return PieceCrossing<D>(piece)(p, q);
 }
 
-/// The crossing of the line from `from` to `to` with a cut that is nearest to `from`; none where
-/// there is no crossing.
+/// The crossing of the line from `from` to `to` with a cut that is nearest to `from`; if any.
 template <int D>
 std::optional<MaterialPoint<D>> first_crossing(const MaterialPoint<D>& from,
                                                const MaterialPoint<D>& to,

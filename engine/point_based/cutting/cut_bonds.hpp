@@ -28,8 +28,8 @@ struct BondRows {
 /// `transparency` it never grows.
 ///
 /// Each bond is tested once against each new piece of a cut, in the undeformed body. The rows may
-/// hold more bonds than are in use, so that a node can replace severed bonds by bonds to nodes
-/// farther away on its own side.
+/// hold unused bonds, so that a node can replace severed bonds by bonds to farther nodes on its own
+/// side.
 ///
 /// First all blades move; then the nodes are updated, part by part. A part is a run of nodes.
 /// Several threads may update parts at once, since only moves change what parts share.

@@ -84,8 +84,8 @@ void NodeLoads<T, D>::load(int block) {
   }
 }
 
-// The kernel of the bonds, if there are any, computes the force of a pressure from pressure times
-// undeformed area. The same force is stored here to compute its power.
+// The kernel of bonds, if any, computes the force of a pressure from pressure times undeformed
+// area; here the same force is stored for its power.
 template <class T, int D>
 void NodeLoads<T, D>::press(Body<T, D>& body, const NodeBlock& block, PressedNode<D>& node) const {
   const SurfacePressure<D>& load = state_.boundaries.pressures[node.pressure];

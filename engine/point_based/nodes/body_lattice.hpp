@@ -13,9 +13,8 @@ namespace pliant::point_based {
 template <int D>
 Point<D> lattice_pitch(const Shape& shape, double spacing);
 
-/// The signed distances of a shape at the points of the lattice of its nodes, and how much of the
-/// cells between them the shape fills. The lattice exceeds the box of the shape by one layer on
-/// each side.
+/// The signed distances of a shape at the points of the lattice of its nodes, and the filling of
+/// the cells between them. The lattice exceeds the box of the shape by a layer on each side.
 template <int D>
 class BodyLattice {
  public:

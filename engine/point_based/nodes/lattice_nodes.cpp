@@ -59,9 +59,8 @@ class NodePlacer {
     nodes_.push_back(std::move(node));
   }
 
-  /// Merges each pair of nodes on the surface that is too close, closest pair first. The node on
-  /// more faces stays; if they are on equally many, it moves to the middle. Returns whether there
-  /// was such a pair.
+  /// Merges pairs of surface nodes that are too close, closest pair first. The node on more faces
+  /// stays; in a tie it moves to the middle. Returns whether there were any.
   bool merge() {
     std::vector<Point<D>> place;
     std::vector<std::size_t> number;

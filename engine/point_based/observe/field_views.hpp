@@ -6,7 +6,6 @@
 
 #include "engine/point_based/body.hpp"
 
-/// Views of the arrays of a body, for callers of the library.
 namespace pliant::point_based {
 
 /// The runs of slots that hold nodes, in ascending order.

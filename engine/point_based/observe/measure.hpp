@@ -41,7 +41,7 @@ class Measurer : public undeformed::Measurer<State<T, D>> {
   double parts(const MeasurementCase& m) const;
 
   /// Slot of the node nearest to a point of the undeformed body, on the same side of all cuts; none
-  /// where the point is outside the body.
+  /// outside the body.
   std::optional<std::int64_t> nearest_node(int body, const Vector& point) const;
   /// The field of a measurement at a place of the undeformed body.
   double value_at(const MeasurementCase& m, const Vector& start) const;

@@ -155,8 +155,8 @@ undeformed::LoadedPart<D> loaded_part(const Boundaries<D>& boundaries,
   return mean;
 }
 
-/// The shares of the nodes in the facets under one load. Area vectors are distributed by the
-/// corners, centres by the loaded parts. Pressures act on all nodes that carry a corner, (PB.51).
+/// The shares of nodes in the facets under one load: area vectors by the corners, centres by the
+/// loaded parts. Pressures act on all nodes that carry a corner, (PB.51).
 template <class T, int D>
 std::map<std::int32_t, PressedNode<D>> pressed_nodes(const Boundaries<D>& boundaries, int number,
                                                      const Body<T, D>& body) {

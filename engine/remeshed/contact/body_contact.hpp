@@ -9,15 +9,15 @@
 
 // Bodies in contact.
 //
-//         body a         Each body keeps the ghosts of its own surface. Where the foot point of a
-//    \___________/       ghost also lies on another body, the surface is not free: it carries the
-//     g g x x g g        traction (RP.56) that two half spaces with the states of the two bodies at
-//        /-----\         that point would exert on each other (a Riemann problem). The ghost is
-//         body b         then that of a loaded surface, (RP.57).
+//          body a         Each body keeps the ghosts of its own surface. Where the foot point of a
+//     \___________/       ghost also lies on another body, the surface is not free: it carries the
+//      g g x x g g        traction (RP.56) that two half spaces with the states of both bodies at
+//         /-----\         that point would exert on each other (a Riemann problem). The ghost is
+//          body b         then that of a loaded surface, (RP.57).
 //
 // The bodies share only that traction. Each has its own lattice, level set and particles and is
-// remeshed by itself; materials never mix. A tied interface is the same, except that it does not
-// ask whether the bodies press: ghosts that are nearer to the other body are tied to it.
+// remeshed by itself; materials never mix. A tied interface is the same, except that ghosts nearer
+// to the other body are tied to it, whether the bodies press or not.
 //
 // Each side computes tractions at its own foot points. Their effect on its particles is accurate to
 // the order of the method, not to rounding. Therefore the momentum that crosses is computed once

@@ -7,11 +7,11 @@
 
 // The edge of contact, where a side of a body meets a contact wall on which the body presses.
 //
-//          side
-//    body   |  s s s      s  free ghosts next to the side whose fits reach the wall
-//    _______|  s s s
-//     c c E    e e e      c  ghosts of the wall under the body; E is the one at the edge
-//     c c c    e e e      e  ghosts behind the wall and beyond the side
+//           side
+//     body   |  s s s      s  free ghosts next to the side whose fits reach the wall
+//     _______|  s s s
+//      c c E    e e e      c  ghosts of the wall under the body; E is the one at the edge
+//      c c c    e e e      e  ghosts behind the wall and beyond the side
 //
 // Fits of s and e contain the bottom of the body, on which the wall pushes, as well as its side.
 // The bottom is not a free surface, so s must not require zero traction there. A fit extrapolated

@@ -28,7 +28,6 @@
 //
 // The mass of a body in its budget is that at t = 0, whatever the sum of its particle masses: the
 // method uses densities, which do not depend on a common factor of the masses.
-// to: the method reads densities, which a common factor of masses does not change.
 namespace pliant::remeshed {
 
 /// Corrects the mean velocities of the bodies of a case with contact after each step, (RP.69).

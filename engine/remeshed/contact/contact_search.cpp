@@ -15,8 +15,8 @@ namespace {
 
 using scheduler::Phase;
 
-// Largest gap of surfaces in contact [h]. With none, the noise of phi would open a pressed surface;
-// with a larger gap, contact would begin too early, which costs energy.
+// Largest gap of surfaces in contact [h]. With 0, noise of phi would open a pressed surface; with
+// more, contact would begin too early, which costs energy.
 constexpr double pressed_gap = 0.01;
 constexpr double clearly_apart = 1;  // [h], larger gaps need no fit
 constexpr double apart = std::numeric_limits<double>::infinity();

@@ -14,9 +14,9 @@ class OpposingFit;
 /// Finds where bodies touch, (RP.58), at the start of each step. Particles of different bodies are
 /// no fixed neighbours of each other, so they are found by position, in three phases:
 ///
-///    samples   surface particles and ghosts of each block, with their positions
-///    cells     those of a body in a cell list, if its box meets that of another
-///    points    ghosts whose foot point lies on another body, and the fit of that body
+///     samples   surface particles and ghosts of each block, with their positions
+///     cells     those of a body in a cell list, if its box meets that of another
+///     points    ghosts whose foot point lies on another body, and the fit of that body
 template <class T, int D>
 class ContactSearch {
  public:

@@ -15,7 +15,7 @@ namespace {
 
 // Largest height of the surface above the wall where it touched before [h]. After compression and
 // remeshing, heights of a few hundredths of h are noise. If they released a slot under pressure for
-// a few steps, the body would be thrown against the wall, and the energy of that would be lost.
+// a few steps, the body would hit the wall and lose that energy.
 constexpr double leaving_height = 0.3;
 
 constexpr double rounding = 1e-9;  // [h], of the place of a slot

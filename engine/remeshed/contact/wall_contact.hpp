@@ -5,11 +5,11 @@
 
 // A body touches a contact wall, presses against it and leaves it; nothing bonds them.
 //
-//         |  body  |
-//    f f f \______/ f f f
-//    -------------------wall
-//    f f f c c c c f f f f
-//    f f f c c c c f f f f
+//          |  body  |
+//     f f f \______/ f f f
+//     -------------------wall
+//     f f f c c c c f f f f
+//     f f f c c c c f f f f
 //
 // Above the wall, ghosts are those of a free surface. Beyond it a slot has two ghosts, each with
 // its own fits: f of the free surface and c of the wall. Once per step, one of them is chosen for

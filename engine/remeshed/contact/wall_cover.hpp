@@ -4,10 +4,10 @@
 
 // How much of a contact wall a body covers.
 //
-//     |    body    |
-//     |  x x x x x |            sides, seen at heights of 1.5 h and 2.5 h
-//     |____________|
-//    ----g--g--g--g--g----wall
+//      |    body    |
+//      |  x x x x x |            sides, seen at heights of 1.5 h and 2.5 h
+//      |____________|
+//     ----g--g--g--g--g----wall
 //
 // Ghosts along a wall each represent h^(d-1) of it. What is beyond the edge of a body must not
 // count, or the wall would push on a larger area than the body has. The level set does not show the

@@ -16,10 +16,9 @@ namespace pliant::remeshed {
 
 namespace {
 
-/// The part of the outgoing characteristic that sets the velocity of a free surface, (RP.83). With
-/// the whole characteristic, clamped plates gain energy. In 3D, and with materials that carry F,
-/// ghosts instead drop its lasting part, (RP.50). Bodies that no wall holds are remeshed before
-/// anything grows.
+/// The part of the outgoing characteristic in the velocity of a free surface, (RP.83). With all of
+/// it, clamped plates gain energy. In 3D, and with materials that carry F, ghosts instead drop its
+/// lasting part, (RP.50). Bodies without walls are remeshed before anything grows.
 template <class T, int D>
 T share_of_characteristic(const Body<T, D>& body, const Boundaries<D>& boundaries) {
   return lets_waves_out_alone(body, boundaries) || !boundaries.have_attached_walls() ? T(1)

@@ -101,9 +101,9 @@ class GhostFinder {
     }
   }
 
-  // Whether a ghost behind an attached wall may drift if no particle reaches it. Ghosts less
-  // than 2 h deep are needed for the force of the wall, (RP.65), and the velocity of ghosts behind
-  // walls with slip depends on the stress, (RP.47).
+  // Whether a ghost behind an attached wall may drift if no particle reaches it: not less than 2 h
+  // deep, since the force of the wall needs it, (RP.65), nor behind walls with slip, where its
+  // velocity depends on the stress, (RP.47).
   bool may_drift(int wall, double distance) const {
     return treatment_ != GhostTreatment::averaged &&
            std::isinf(boundaries_.walls[wall].friction()) && distance <= -2 * body_.lattice.spacing;

@@ -9,9 +9,9 @@ namespace pliant::remeshed {
 
 /// Appends the fits of one block's ghosts to their lists, in the order of calls.
 ///
-/// Ghosts wait until there is one for each lane of a pack. Some are fitted again one by one: those
-/// near contact walls, whose fits reach less far along the surface, and those whose particles
-/// within R do not determine a fit, with more particles or fewer terms.
+/// Ghosts wait until there is one for each lane of a pack. Some are fitted again one by one: near
+/// contact walls, with less reach along the surface, and if the particles within R do not determine
+/// a fit, with more particles or fewer terms.
 template <class T, int D>
 class GhostFitter {
  public:

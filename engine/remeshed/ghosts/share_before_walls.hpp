@@ -8,10 +8,10 @@
 // A ghost represents a part of its wall. How much of it is in front of the other walls that hold
 // bodies:
 //
-//    |            |
-//    |   body     |  another wall
-//    |            |
-//    g---g---g---g+--g    feet on the wall, h apart
+//     |            |
+//     |   body     |  another wall
+//     |            |
+//     g---g---g---g+--g    feet on the wall, h apart
 //
 // The last ghost before the other wall represents the rest of the wall, less or more than h/2:
 // slots beyond the corner belong to the nearer wall.

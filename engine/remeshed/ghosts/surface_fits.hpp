@@ -7,8 +7,8 @@
 
 #include "kernels/remeshed/ghosts/fit_terms.hpp"
 
-/// Weighted least-squares fits to the particles around a foot point on the surface. They depend
-/// only on places, so a fit is a coefficient for each particle: its weight times a polynomial.
+/// Weighted least-squares fits to the particles around a foot point on the surface. A fit is a
+/// coefficient for each particle that depends only on places: its weight times a polynomial.
 namespace pliant::remeshed {
 
 template <int D>

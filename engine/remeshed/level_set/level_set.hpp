@@ -11,12 +11,12 @@
 
 /// The level set of a body on a new lattice: phi < 0 inside, (RP.40).
 ///
-///    near     abs(phi) <= 1.8 h: the remeshed phi is kept or, when reinitialisation is due,
-///             replaced by the distance to the closest point of the zero set (RP.41), but not
-///             near edges of the body (RP.82)
-///    layers   further out, rebuilt at every remeshing: each layer takes the closest point of a
-///             neighbour nearer to the surface and polishes it (RP.41)
-///    beyond   only the sign, times `far`
+///     near     abs(phi) <= 1.8 h: the remeshed phi is kept or, when reinitialisation is due,
+///              replaced by the distance to the closest point of the zero set (RP.41), but not
+///              near edges of the body (RP.82)
+///     layers   further out, rebuilt at every remeshing: each layer takes the closest point of a
+///              neighbour nearer to the surface and polishes it (RP.41)
+///     beyond   only the sign, times `far`
 ///
 /// With the option of the paper (RP.74), the layers too keep the remeshed phi, and reinitialisation
 /// advances phi towards a distance; closest points are only for ghosts.

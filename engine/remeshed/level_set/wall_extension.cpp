@@ -34,9 +34,9 @@ void WallExtension<T, D>::extend(const Block<D>& block, const Boundaries<D>& bou
 }
 
 // phi at `depth` behind a wall, (RP.100): the line through two points 1.5 h and 2.5 h in front of
-// it. Only a surface that meets the wall continues behind it. Far from one, phi keeps its value; a
-// slope steeper than that of a surface at 45 degrees is a kink of phi. A surface that faces the
-// wall ends where it touches the wall; from there the body continues behind it.
+// it. Only a surface that meets the wall continues behind it. Far from one, phi keeps its value;
+// slopes steeper than at 45 degrees are kinks of phi. A surface that faces the wall ends where it
+// touches it; there the body continues behind the wall.
 template <class T, int D>
 double WallExtension<T, D>::behind_wall(const Point<D>& x, const Point<D>& normal,
                                         double depth) const {

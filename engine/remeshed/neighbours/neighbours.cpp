@@ -14,12 +14,12 @@
 // compact kernel 1) contains all neighbours of a particle as long as none from farther away enters
 // the support R. Two particles at distance r, with velocities that vary smoothly between them, obey
 //
-//    d ln r/dt = (u_q - u_p).d/r^2 = the mean of t.eps t along the line between them, t = d/r,
+//     d ln r/dt = (u_q - u_p).d/r^2 = the mean of t.eps t along the line between them, t = d/r,
 //
 // whose absolute value is at most max abs(eps)_2 <= max abs(eps)_F. With E the sum of dt max
 // abs(eps)_F,
 //
-//    r(E2) >= r(E1) exp(-(E2 - E1)).                                                      (RP.24)
+//     r(E2) >= r(E1) exp(-(E2 - E1)).                                                      (RP.24)
 //
 // Outside the stencil r(0) >= (n + 1) h, so it is complete while (n + 1) h exp(-E) >= R. This bound
 // assumes the worst place and the worst direction all the time, and is usually reached much too

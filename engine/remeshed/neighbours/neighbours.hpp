@@ -20,10 +20,10 @@ inline constexpr double largest_step_strain = 0.5;
 /// Finds the neighbours of particles by position when slots outside the stencil may enter the
 /// support, and again before the lists may become incomplete.
 ///
-///    stencil reach   how near such slots are, when the strain since the last remeshing might have
-///                    brought them close: usually the stencil is still enough
-///    cells           sorts particles and ghosts into a cell list for each body
-///    neighbours      the lists of each block, if the stencil is not enough
+///     stencil reach   how near such slots are, when the strain since the last remeshing might have
+///                     brought them close: usually the stencil is still enough
+///     cells           sorts particles and ghosts into a cell list for each body
+///     neighbours      the lists of each block, if the stencil is not enough
 ///
 /// Sums over lists are bitwise equal to sums over the stencil, and do not depend on when the lists
 /// were made: they run in the order of the stencil, and entries outside the support add zeros.

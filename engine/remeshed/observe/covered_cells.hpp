@@ -73,8 +73,8 @@ struct Moments {
     }
   };
 
-  /// Adds a plane; `t` is its position along the third axis. Of components that are equal by
-  /// symmetry, only the one with rising indices is summed.
+  /// Adds a plane; `t` is its position along the third axis. Of symmetric components, only those
+  /// with rising indices are summed.
   void add_plane(const PlaneSums& plane, double t) {
     const std::array<double, 4> power = {1, t, t * t, t * t * t};
     zeroth += plane.sum[0][0];

@@ -6,7 +6,6 @@
 
 #include "engine/remeshed/state/body.hpp"
 
-/// Views of the arrays of a body, for callers of the library.
 namespace pliant::remeshed {
 
 /// The runs of slots that hold particles, in ascending order.

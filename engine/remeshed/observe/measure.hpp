@@ -20,8 +20,7 @@ class Measurer {
   Measurer(const Case& settings, const State<T, D>& state, NodeSource<T, D> find_nodes)
       : settings_(settings), state_(state), find_nodes_(std::move(find_nodes)) {}
 
-  /// One value for each measurement; NaN for those that evaluate histories and for surfaces that do
-  /// not exist. For forces it is the impulse since t = 0, from which histories compute the force.
+  /// One value for each measurement, as in Solver::measure.
   std::vector<double> operator()(std::span<const MeasurementCase> measurements);
 
   /// Conserved quantities of all bodies together, for the summary.

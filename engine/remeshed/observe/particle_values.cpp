@@ -14,9 +14,9 @@ namespace pliant::remeshed {
 namespace {
 
 constexpr double linear_radius = 2.6, quadratic_radius = 3.2;  // [h] radius of a fit
-// Amplification of a quadratic fit. Points among particles have 3 to 5. On a face, half a spacing
-// beyond the last row, it would be 14 and amplify the errors of single particles, so the fit is
-// linear there. The transition is smooth, so that histories do not jump when particles pass.
+// Amplification of a quadratic fit: 3 to 5 among particles, but 14 on a face, half a spacing beyond
+// the last row, where the fit is therefore linear. The transition is smooth, so that histories do
+// not jump when particles pass.
 constexpr double wholly_quadratic = 5, wholly_linear = 10;
 
 double weight_of(double square, double radius) {

@@ -13,8 +13,8 @@ class SurfaceCube {
  public:
   explicit SurfaceCube(const LatticeView<T, D>& view) : view_(view) {}
 
-  /// Reads the cube between the node of `cell` and its neighbours, with level(slot, place) [m] at
-  /// them. False if {level = 0} does not cross the cube, or if one of its nodes is not a particle.
+  /// Reads the cube from the node of `cell` on, with level(slot, place) [m] at its nodes. False if
+  /// {level = 0} does not cross the cube, or if a node is not a particle.
   template <class Level>
   bool read(const Cell<D>& cell, Level&& level) {
     int inside = 0;

@@ -22,9 +22,8 @@
 // - c) is added to the body so that its integrals equal the budget. This does not change strain,
 // stress or relative motion. A change of the mass by a remeshing is not an impulse: it changes the
 // momentum of the budget in proportion, so that the mass centre keeps its velocity. If something
-// has pushed the body since the last remeshing, its budget is unknown, and is set to the state
-// after the remeshing. Bodies that have ghosts of walls or loads after a remeshing have no budget
-// until the next one.
+// has pushed the body since the last remeshing, its budget is set to the state after the remeshing.
+// Bodies with ghosts of walls or loads after a remeshing have no budget until the next one.
 //
 // In a case with contact, the momentum has another budget, which includes the impulses of contacts
 // and is applied after each step: contact_momentum_correction.hpp. This correction then only

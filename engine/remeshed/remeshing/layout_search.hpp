@@ -14,9 +14,8 @@ struct CellBounds {
 };
 
 /// Distance in cells from interior particles up to which cells have slots. Ghosts of a free surface
-/// are within five cells, but the closest points (RP.41) of nodes near the surface interpolate phi
-/// from nodes in the sixth. Where the surface meets a wall, ghosts are as deep behind the wall as
-/// beyond the surface, and the corner is farther away: seven.
+/// are within five cells, but closest points (RP.41) interpolate phi from nodes in the sixth.
+/// Ghosts in the corner between surface and wall are farther away: seven.
 constexpr int layout_reach(bool has_walls) { return has_walls ? 7 : 6; }
 
 /// Finds the slots that a body needs: every cell within reach of an interior particle.

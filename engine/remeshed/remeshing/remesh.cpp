@@ -15,27 +15,27 @@
 // The remeshing of H&K, section 2.3, in two graphs, since the blocks of the new lattice are known
 // only after the first. Over the blocks of the old lattice:
 //
-//    remesh: ghosts    ghosts take the fitted density, material state and displacement
-//    remesh: layout    the packs within reach of any particle become the new lattice
+//     remesh: ghosts    ghosts take the fitted density, material state and displacement
+//     remesh: layout    the packs within reach of any particle become the new lattice
 //
 // Over the blocks of the new lattice:
 //
-//    remesh: scatter   M4' sums over particles and ghosts at the new nodes, and the fields from
-//                      them (RP.31)-(RP.36)
-//    remesh: images    periodic bodies: slots beyond a period copy the nodes one period away
-//    remesh: filter    high-order filter (RP.37)
-//    level set: initial surface   moves phi of bodies that no wall holds towards the surface that
-//                      their displacements give (RP.92)
-//    level set: walls  extends phi through walls
-//    level set: first order   the paper's reinitialisation, if the case uses it (RP.74)
-//    level set: closest points   on the surface, for the nodes near it (RP.41)
-//    level set: distances   if due, phi becomes the distance to them, except near edges (RP.82)
-//    level set: layers           the same layer by layer further out (RP.40)
-//    remesh: kinds     which slots hold particles and ghosts; det F = rho0/rho (RP.38)
-//    ghosts: fits      the coefficients of the ghosts (RP.43), (RP.44)
-//    ghosts: surface   surface records for the particles that fits read
-//    ghosts: loads     the loads on the faces nearest to those particles, and on ghosts (RP.78)
-//    loaded facets     the facets of {phi = 0} on which loads do work (RP.72)
+//     remesh: scatter   M4' sums over particles and ghosts at the new nodes, and the fields from
+//                       them (RP.31)-(RP.36)
+//     remesh: images    periodic bodies: slots beyond a period copy the nodes one period away
+//     remesh: filter    high-order filter (RP.37)
+//     level set: initial surface   moves phi of bodies that no wall holds towards the surface that
+//                       their displacements give (RP.92)
+//     level set: walls  extends phi through walls
+//     level set: first order   the paper's reinitialisation, if the case uses it (RP.74)
+//     level set: closest points   on the surface, for the nodes near it (RP.41)
+//     level set: distances   if due, phi becomes the distance to them, except near edges (RP.82)
+//     level set: layers           the same layer by layer further out (RP.40)
+//     remesh: kinds     which slots hold particles and ghosts; det F = rho0/rho (RP.38)
+//     ghosts: fits      the coefficients of the ghosts (RP.43), (RP.44)
+//     ghosts: surface   surface records for the particles that fits read
+//     ghosts: loads     the loads on the faces nearest to those particles, and on ghosts (RP.78)
+//     loaded facets     the facets of {phi = 0} on which loads do work (RP.72)
 namespace pliant::remeshed {
 
 using namespace resource;

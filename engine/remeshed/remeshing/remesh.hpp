@@ -38,7 +38,7 @@ class Remeshing {
   /// Between the two parts: false if the particles are too far apart for a lattice.
   bool has_layout() const { return has_layout_; }
   /// Between the two parts: sets whether the level set is to be reinitialised, and whether `commit`
-  /// will follow. Only then are ghosts fitted, in the place of the present ones.
+  /// will follow. Only then are ghosts fitted; they replace the present ones.
   void prepare_target(bool reinitialise, bool is_final);
   void commit();
   /// From a checkpoint: first the layout, then what follows from kinds and fits after these are

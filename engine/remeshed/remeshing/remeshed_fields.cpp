@@ -85,7 +85,7 @@ void RemeshedFields<T, D>::take_nodes(int block, ScatterTile<T, D>& tile) {
   });
 }
 
-// (RP.33) for p_i, which a second filling has put into the sums in place of F.
+// (RP.33) for p_i, which the second filling sums in place of F.
 template <class T, int D>
 void RemeshedFields<T, D>::take_memory(int block, ScatterTile<T, D>& tile, int first_term,
                                        int count) {

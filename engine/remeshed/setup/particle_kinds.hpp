@@ -14,9 +14,9 @@ enum class Outside { ghosts, vacant };
 /// Sets the kinds of the slots of one block from the level set and the walls; vacant slots get
 /// harmless values.
 ///
-///    phi < 0, outside every wall        interior (if remeshing reached it: `valid`)
-///    inside a wall, phi < 4.2 h         wall ghost, down to a depth of 4.2 h
-///    0 <= phi < 4.2 h                   free ghost
+///     phi < 0, outside every wall        interior (if remeshing reached it: `valid`)
+///     inside a wall, phi < 4.2 h         wall ghost, down to a depth of 4.2 h
+///     0 <= phi < 4.2 h                   free ghost
 ///
 /// Images stay vacant, and free ghosts too if `outside` is `vacant`. `valid` may share memory with
 /// the drift of `state`, which becomes 0. Returns the number of interior particles.

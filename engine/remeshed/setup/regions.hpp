@@ -13,9 +13,8 @@ namespace pliant::remeshed {
 /// numbered over all bodies; for groups on the new lattice (`new_state` to `record_numbers`), they
 /// are blocks of that lattice. Vacant slots belong to the part of the particles.
 ///
-/// Regions are valid until a phase extends a list, and until the next remeshing. Empty for data
-/// that is private to the classes of phases, one value for each block or body: samples, sites,
-/// sums, results.
+/// Regions are valid until a phase extends a list, or until the next remeshing. Empty for data that
+/// is private to the classes of phases: samples, sites, sums, results.
 template <class T, int D>
 std::vector<std::span<std::byte>> regions(State<T, D>& state, scheduler::FieldId resource,
                                           int block);

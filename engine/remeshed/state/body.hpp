@@ -193,8 +193,8 @@ struct Population {
 ///
 /// A remeshing writes `spare` and `stage[1]`, which are not in use between steps, and then swaps
 /// them with the current ones. Measuring between remeshings is a remeshing without the swap. Its
-/// temporary data are in `stage[2]`, which is not in use between steps either. During steps, the
-/// stress of the odd stages uses the memory of those fields of `stage[1]` that do not evolve.
+/// temporary data are in `stage[2]`, also unused between steps. During steps, the stress of the odd
+/// stages uses the memory of those fields of `stage[1]` that do not evolve.
 template <class T, int D>
 struct Body {
   std::string name;

@@ -12,8 +12,8 @@ namespace pliant::total_lagrangian {
 template <class T, int D>
 double material_value(const Body<T, D>& body, const Vector& start, const std::string& field);
 
-/// Undeformed place of the material that is now at `x` [m], from the nearest cell; none where no
-/// cell is near.
+/// Undeformed place of the material that is now at `x` [m], from the nearest cell; none if no cell
+/// is near.
 template <class T, int D>
 std::optional<Vector> start_of(const Body<T, D>& body, const Vector& x);
 

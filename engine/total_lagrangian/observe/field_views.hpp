@@ -6,7 +6,6 @@
 
 #include "engine/total_lagrangian/body.hpp"
 
-/// Views of the arrays of a body, for callers of the library.
 namespace pliant::total_lagrangian {
 
 /// The runs of slots that hold particles, in ascending order.

@@ -19,8 +19,8 @@
 // velocity of approach, and friction reduces the slip as far as Coulomb's law allows for that
 // impulse, (TL.16).
 //
-// Contact has no memory: it depends only on the state after a step. It has no stiffness, so there
-// is no parameter to choose and no shorter time step.
+// Contact has no memory: it depends only on the state after a step. There is no stiffness: no
+// parameter to choose, no shorter time step.
 namespace pliant::undeformed {
 
 /// The resources of a method that contact reads and writes.
@@ -57,7 +57,6 @@ class BodyContact {
   /// thread runs the sweeps, which add impulses and losses by friction to the state.
   void add_phases(PhaseRows& rows, const ContactFields& fields);
 
-  /// Whether the case has contacts.
   bool exists() const { return !sides_.empty() || !ties_.empty(); }
 
   /// A corner that is too deep for its way out to be certain.
@@ -67,7 +66,6 @@ class BodyContact {
   using Surface = MovingSurface<T, D>;
   using Side = ContactSide<T, D>;
 
-  /// Results of a block.
   struct Found {
     std::vector<Touch<D>> touches;
     Meetings<T, D> meetings;

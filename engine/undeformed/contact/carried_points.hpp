@@ -8,8 +8,8 @@
 #include "engine/undeformed/held_directions.hpp"
 
 /// Points that move with several particles, their carriers, and impulses on such points. Each
-/// carrier takes its share of an impulse. So momentum is conserved, and angular momentum too if the
-/// weighted mean of the carriers is the place of the point.
+/// carrier takes its share of an impulse: momentum is conserved, and angular momentum if the
+/// weighted mean of the carriers is the point.
 ///
 /// Carriers are those of a body (BodyCarriers) or of a surface in contact (MovingSurface). Both
 /// have `carrier(number)` and `change(number, velocity, displacement)`.

@@ -72,8 +72,8 @@ void CornerSearch<T, D>::list_patch(std::span<const Pair> pairs_of_patch) {
   for (const std::int32_t corner : corners_.patches().corners(patch)) list_corner(corner, patch);
 }
 
-// Facets that may become the nearest one are sorted by distance. The others within reach follow
-// unsorted, since searches rarely get to them.
+// Facets that may become the nearest are sorted by distance. The others within reach follow
+// unsorted, since they are rarely needed.
 template <class T, int D>
 void CornerSearch<T, D>::list_corner(std::int32_t corner, std::int32_t patch) {
   const double margin = pairs_.margin(), reach = deepest_ + margin;
@@ -153,8 +153,8 @@ void CornerSearch<T, D>::find(std::size_t first, std::size_t end,
   }
 }
 
-// Finds the nearest point of the facets that face the corner; in a tie the first facet wins. A
-// lower bound on the distance of a facet is its distance at the marks minus the motion since.
+// Finds the nearest point of the facets that face the corner; in a tie the first facet wins. Facets
+// cannot be nearer than at the marks by more than the motion since.
 template <class T, int D>
 bool CornerSearch<T, D>::finds(std::size_t candidate, double moved, Touch<D>& touch) const {
   const std::int32_t corner = corner_[candidate];

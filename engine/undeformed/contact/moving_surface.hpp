@@ -8,7 +8,7 @@
 
 namespace pliant::undeformed {
 
-/// Velocity and shift, in the contact of a step, of a carrier or of a point with several carriers.
+/// Velocity and shift of a carrier, or of a point with several carriers, in the contact of a step.
 template <int D>
 struct Pushed {
   Point<D> velocity;  ///< [m/s]
@@ -18,8 +18,8 @@ struct Pushed {
 /// The surface of a body at the end of a step, and its motion since a search.
 ///
 /// Places and normals are computed once a step, and only for watched corners and facets: a corner
-/// may have dozens of carriers, and many corners look at one facet. The data of a carrier are
-/// contiguous; shares of corners refer to carriers by number.
+/// may have dozens of carriers, and many corners look at one facet. Shares of corners refer to
+/// carriers by number.
 template <class T, int D>
 class MovingSurface {
  public:

@@ -26,8 +26,8 @@ PatchPairs<T, D>::PatchPairs(MovingSurface<T, D>& corners, MovingSurface<T, D>& 
       other_box_(facets.patches().count()),
       moved_(box_.size()) {}
 
-// The motion relative to the mean motion of both surfaces, so that bodies that fly together keep
-// their pairs.
+// The motion relative to the mean of both surfaces, so that bodies that fly together keep their
+// pairs.
 template <class T, int D>
 double PatchPairs<T, D>::motion_in_common_frame() const {
   Point<D> frame;

@@ -42,8 +42,8 @@ double relative_motion(const MotionBall<D>& a, const MotionBall<D>& b) {
 ///
 /// Corners are weighted sums of particles, x = sum_i w_i x_i with sum_i w_i = 1. If the
 /// displacements u_i are in a ball around c, then abs(u - c) <= sum_i abs(w_i) max_i abs(u_i - c).
-/// Since c belongs to a patch and not to a body, bounds stay small where bodies touch even if the
-/// bodies rotate or their far ends move apart, (TL.20).
+/// Since c belongs to a patch, bounds stay small where bodies touch even if the bodies rotate or
+/// their far ends move apart, (TL.20).
 template <int D>
 class SurfacePatches {
  public:

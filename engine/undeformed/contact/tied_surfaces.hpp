@@ -11,11 +11,9 @@ namespace pliant::undeformed {
 template <class T, int D>
 class TiedSurfaces {
  public:
-  /// Ties the corners of the surface with the smaller facets; if they are equal, those of the
-  /// first.
+  /// Ties the corners of the surface with the smaller facets, in a tie those of the first.
   TiedSurfaces(MovingSurface<T, D>& first, MovingSurface<T, D>& second, int contact);
 
-  /// The contact of the case.
   int contact() const { return contact_; }
   /// Whether any corner touches at t = 0.
   bool hold() const { return !ties_.empty(); }

@@ -12,9 +12,8 @@ namespace pliant::undeformed {
 
 namespace {
 
-// Corners share particles, so that a push may press a neighbour into the wall again. Gauss-Seidel
-// sweeps solve (TL.12) for all corners; their remaining error is a small share of the motion in a
-// step.
+// Corners share particles, so a push may press a neighbour into the wall again. The error that
+// Gauss-Seidel sweeps leave in (TL.12) is a small share of the motion in a step.
 constexpr int sweeps = 4;
 constexpr double least_compliance = 1e-3;  // along the normal, relative to other directions
 

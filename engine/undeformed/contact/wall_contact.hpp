@@ -22,7 +22,7 @@
 // loses its velocity of approach, so that a corner at rest on the wall keeps none. No force ever
 // pulls a corner back.
 //
-// There is no penalty stiffness, so there is no parameter to choose and no shorter time step.
+// There is no penalty stiffness: no parameter to choose, no shorter time step.
 namespace pliant::undeformed {
 
 /// Prevents the surfaces of bodies from entering contact walls, (TL.12).
@@ -32,7 +32,6 @@ class WallContact {
   /// A step writes the displacements of a body to its member `moved`.
   WallContact(State<D>& state, const Case& settings, Displacements<T, D> moved);
 
-  /// Whether the case has contact walls.
   bool exists() const { return !walls_.empty(); }
   /// Which carriers of a corner take the impulse on it.
   enum class Bearers { all, first };

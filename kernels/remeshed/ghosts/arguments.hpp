@@ -120,7 +120,6 @@ struct GhostKernels {
   void (*fit_surface)(const SurfaceFits<T, D>&);
 };
 
-/// The kernels compiled for `isa`.
 template <Isa isa, class T, int D>
 GhostKernels<T, D> ghost_kernels();
 

@@ -105,7 +105,6 @@ class GhostLanes {
   int count_ = 0;
 };
 
-/// See FreeSurfaceGhosts.
 template <class P, int D>
 void fill_free_surfaces(const FreeSurfaceGhosts<Scalar<P>, D>& ghosts) {
   GhostLanes<P, D> filling(ghosts);

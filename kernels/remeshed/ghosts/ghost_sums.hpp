@@ -125,7 +125,6 @@ inline void sum_ghost(const GhostSums<Scalar<P>, D>& ghosts, std::int64_t ghost,
   }
 }
 
-/// See GhostSums.
 template <class P, int D>
 void sum_ghosts(const GhostSums<Scalar<P>, D>& ghosts) {
   for (std::int64_t g = 0; g < ghosts.count; ++g) {

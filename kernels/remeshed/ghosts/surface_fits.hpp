@@ -177,7 +177,6 @@ class FitLanes {
   SymmetricSystem<P, terms, 1> curved_;
 };
 
-/// See SurfaceFits.
 template <class P, int D>
 void fit_surface(const SurfaceFits<Scalar<P>, D>& work) {
   for (int lane = 0; lane < slots_per_pack; lane += lanes<P>) {

@@ -74,7 +74,6 @@ void write_records(const SurfaceRecords<Scalar<P>, D>& block) {
   }
 }
 
-/// See SurfaceRecords.
 template <class P, int D>
 void write_surface_records(const SurfaceRecords<Scalar<P>, D>& block) {
   switch (block.material.model) {

@@ -6,8 +6,8 @@
 
 /// grad phi of surface particles, (RP.61): the gradient of phi on the lattice, transformed by the
 /// deformation gradient F since the last remeshing. F is fitted to the drift of the interior
-/// particles around. Differences between single particles would let short waves turn the normals.
-/// The gradients of (RP.20) do not see such waves, so no stress resists them, and they buckle under
+/// particles around. With differences between single particles, short waves would turn the normals:
+/// the gradients of (RP.20) do not see them, so no stress resists them, and they buckle under
 /// compression.
 namespace pliant::kernels {
 

@@ -5,7 +5,7 @@
 
 #include "kernels/remeshed/ghosts/ghost_state.hpp"
 
-/// The traction of a wall on a body that may slide along it, and the ghost that belongs to it.
+/// The traction of a wall on a body that may slide along it, and the ghost for it.
 namespace pliant::kernels {
 
 /// The shear of (RP.53) that prevents the body from sliding along the wall [Pa].

@@ -89,7 +89,6 @@ struct RemeshingKernels {
   void (*find_closest_points)(const ClosestPoints<T, D>&);
 };
 
-/// The kernels compiled for `isa`.
 template <Isa isa, class T, int D>
 RemeshingKernels<T, D> remeshing_kernels();
 

@@ -73,7 +73,6 @@ class NodesAround {
   alignas(64) T value_[power(4, D)][lanes<P>];
 };
 
-/// x.y
 template <class P, int D>
 inline P dot(const P (&x)[D], const P (&y)[D]) {
   P sum = x[0] * y[0];
@@ -126,7 +125,6 @@ void find_closest_points_from(const ClosestPoints<Scalar<P>, D>& work, int first
   xsimd::select(converged, P(T(1)), P(T(0))).store_unaligned(work.converged + first);
 }
 
-/// See ClosestPoints.
 template <class P, int D>
 void find_closest_points(const ClosestPoints<Scalar<P>, D>& work) {
   for (int first = 0; first < work.count; first += lanes<P>) {

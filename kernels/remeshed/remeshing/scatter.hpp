@@ -7,8 +7,7 @@
 ///
 /// Particles are prepared a pack at a time, with one particle in each lane: node positions, the 4 D
 /// factors of the weights, and the values of a node without W. They are then added one by one, with
-/// one value of a node in each lane, so that each of the 4^D nodes takes a few aligned
-/// load-fma-stores.
+/// one value of a node in each lane: a few aligned load-fma-stores for each of the 4^D nodes.
 namespace pliant::kernels {
 
 /// Whether a slot holds a particle that is not an image.

@@ -19,7 +19,6 @@ std::array<T, 9> cofactors(const std::array<T, 9>& f) {
           f[1] * f[5] - f[2] * f[4], f[2] * f[3] - f[0] * f[5], f[0] * f[4] - f[1] * f[3]};
 }
 
-/// det F.
 template <class T, int D>
 T determinant(const std::array<T, D * D>& f) {
   const auto cofactor = cofactors(f);

@@ -130,7 +130,6 @@ struct StageKernels {
   double (*lattice_gradient)(const LatticeField<T, D>&);
 };
 
-/// The kernels compiled for `isa`.
 template <Isa isa, class T, int D>
 StageKernels<T, D> stage_kernels();
 

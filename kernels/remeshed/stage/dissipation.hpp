@@ -7,8 +7,8 @@
 #include "kernels/remeshed/stage/sixth_difference.hpp"
 
 /// The dissipation of (RP.23): differences of velocity, place and stress along lattice lines, which
-/// only see what the lattice does not resolve. Those of the place are a force, the gradient of an
-/// energy, which is the sum of squared second differences. So they cannot amplify anything.
+/// only see what the lattice does not resolve. Those of the place are the gradient of an energy,
+/// the sum of squared second differences, and so cannot amplify anything.
 namespace pliant::kernels {
 
 /// Whether all fluxes between the particles of a pack and their neighbours are between interior

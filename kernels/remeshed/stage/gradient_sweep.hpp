@@ -9,12 +9,12 @@
 ///
 /// For every neighbour q of a pack of particles p: d = x_q - x_p, omega(|d|), and
 ///
-///    A += omega d d^T          H_f += omega d (f_q - f_p)          (grad f = A^-1 H_f at the end)
+///     A += omega d d^T          H_f += omega d (f_q - f_p)          (grad f = A^-1 H_f at the end)
 ///
 /// In 2D, velocity and stress need 13 accumulators, which AVX-512 keeps in registers. In 3D they
 /// would need 33. There the divergence of the stress is summed after A is inverted,
 ///
-///    div sigma_i = sum_q (sigma_q - sigma_p)_ij (A^-1 omega d)_j
+///     div sigma_i = sum_q (sigma_q - sigma_p)_ij (A^-1 omega d)_j
 ///
 /// in three accumulators, from the values omega d that the first sweep has left in the first cache.
 /// Positions are given by the drift xi from the slots: d = (xi_q + offset h) - xi_p, so that the

@@ -60,7 +60,6 @@ P largest_gradient2(const std::array<const Scalar<P>*, D>& field, const Scalar<P
   return largest2;
 }
 
-/// See LatticeField.
 template <class P, int D>
 double lattice_gradient(const LatticeField<Scalar<P>, D>& block) {
   P largest2(Scalar<P>(0));

@@ -10,8 +10,8 @@
 /// The memory streams of a stage cost more than its arithmetic. A single loop would need dozens of
 /// streams at once. Instead a chunk of 64 slots goes through several loops,
 ///
-///    sweep over the neighbours -> gradients in a stack buffer (first cache)
-///    drift, velocity, volume, S or F, stress: one short loop each, few streams at a time
+///     sweep over the neighbours -> gradients in a stack buffer (first cache)
+///     drift, velocity, volume, S or F, stress: one short loop each, few streams at a time
 ///
 /// and what one loop has read or written is still in the cache for the next one. Packs of ghosts
 /// only drift, and vacant packs are skipped.
@@ -118,7 +118,6 @@ StageResult advance_stage_at(const Stage<Scalar<P>, D>& stage) {
           square_root<P>(largest(extremes.wave_speed2)), extremes.non_finite};
 }
 
-/// See Stage.
 template <class P, int D>
 StageResult advance_stage(const Stage<Scalar<P>, D>& stage) {
   switch (stage.stage) {

@@ -82,7 +82,7 @@ TEST(ladders, that_are_shipped_can_be_read) {
   EXPECT_GE(ladders.problems.size(), 8u);
   for (const Problem& problem : ladders.problems) {
     EXPECT_TRUE(std::filesystem::exists(problem.case_file)) << problem.case_file;
-    // Two sizes are no study of convergence.
+    // A study of convergence needs more than two sizes.
     for (const Series& series : problem.series) EXPECT_GE(series.rungs.size(), 3u) << series.name;
   }
 }

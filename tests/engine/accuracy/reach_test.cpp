@@ -9,7 +9,8 @@ namespace {
 
 const double no_answer = std::nan("");
 
-/// A method of second order in 2D with steps in proportion to the spacing: N = 1/h^2, t = 1/h^3.
+/// A method of second order in 2D with time steps proportional to the spacing: N = 1/h^2, t =
+/// 1/h^3.
 std::vector<Rated> second_order_in_2d(std::vector<double> spacings) {
   std::vector<Rated> rungs;
   for (const double h : spacings) rungs.push_back({1 / (h * h), 1 / (h * h * h), h * h});

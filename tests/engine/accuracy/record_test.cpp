@@ -37,7 +37,7 @@ TEST(accuracy_record, takes_the_median_of_the_repetitions) {
 
 TEST(accuracy_record, shows_costs_and_runs_as_tables) {
   const std::string markdown = markdown_of(record());
-  // To 1 %, log(0.1/0.01)/log(0.1/0.005) = 0.7686 of the way: 2 s 10^0.7686 and 100 x 10^0.7686.
+  // For 1 %, log(0.1/0.01)/log(0.1/0.005) = 0.7686 of the way: 2 s 10^0.7686 and 100 x 10^0.7686.
   EXPECT_NE(markdown.find("| block | compact | 5.05 s, 252 | 11.7 s, 587 | - |"), std::string::npos)
       << markdown;
   EXPECT_NE(markdown.find("| block | compact | 1/16 | 1000 | 0 | 20 | 0.5 |"), std::string::npos);

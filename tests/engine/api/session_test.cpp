@@ -9,13 +9,13 @@
 #include "tests/engine/api/one_thread.hpp"
 #include "tests/engine/output/temporary_folder.hpp"
 
-// Blades, loads and time on a budget, as callers of the library enter them.
+// Blades, loads and time budgets through the library.
 namespace pliant {
 namespace {
 
 using Place = std::array<double, 3>;
 
-/// A free block of 1 m x 0.8 m that flies to the right at 2 m/s, with a blade for callers.
+/// A free block of 1 m x 0.8 m that flies to the right at 2 m/s, with a blade that callers move.
 CaseFile flying_block(const std::string& method = "point_based") {
   CaseFile block;
   block.set("method", method).set("discretisation.spacing", 0.1).set("time.end", 10);
@@ -29,7 +29,7 @@ CaseFile flying_block(const std::string& method = "point_based") {
   block.set("boundary.top.geometry",
             R"({ shape = "half_space", point = [0, 0.6], normal = [0, -1] })");
   if (method != "point_based") return block;
-  block.set("time.cfl", 0.3);  // a step for each move of a blade, every 5 ms
+  block.set("time.cfl", 0.3);  // one step for each move of a blade, every 5 ms
   block.add("cut", "scalpel").set("cut.scalpel.from", {0, 0}).set("cut.scalpel.path", {0, 0});
   block.set("cut.scalpel.start", 9).set("cut.scalpel.end", 10);
   block.add("measurement", "parts").set("measurement.parts.kind", "connected_parts");
@@ -37,7 +37,7 @@ CaseFile flying_block(const std::string& method = "point_based") {
   return block;
 }
 
-/// Moves the blade upwards at a place that flies with the block, from frame `first` on.
+/// Moves the blade upwards along the moving block, in frames `first` to `last`.
 void cut(Simulation& simulation, int first, int last) {
   for (int frame = first; frame < last; ++frame) {
     const Place at = {0.75 + 2 * simulation.time(), -0.05 + 0.1 * frame, 0};
@@ -48,7 +48,7 @@ void cut(Simulation& simulation, int first, int last) {
 
 TEST(Session, a_blade_cuts_the_tissue_where_it_is_at_present) {
   Simulation simulation(flying_block(), one_thread());
-  simulation.advance(0.2);  // by then the block is where it did not begin
+  simulation.advance(0.2);  // by then the block has left its initial place
   cut(simulation, 0, 10);
   EXPECT_EQ(2, simulation.measurement("parts"));
   EXPECT_NEAR(0.8 * 0.75, simulation.measurement("largest"), 1e-6);
@@ -104,7 +104,7 @@ TEST(Session, continues_in_the_middle_of_a_cut_to_the_same_bits) {
   Simulation whole(flying_block(), one_thread()), restored(flying_block(), one_thread());
   cut(whole, 0, 4);
   const Place next = {0.75 + 2 * whole.time(), 0.35, 0};
-  whole.move_blade("scalpel", next, next);  // which the next step has not seen yet
+  whole.move_blade("scalpel", next, next);  // the next step has not seen this yet
   whole.save(folder / "state.h5");
   restored.restore(folder / "state.h5");
   EXPECT_TRUE(restored.session().empty());

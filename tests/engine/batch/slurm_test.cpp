@@ -59,7 +59,7 @@ TEST(slurm_task_file, holds_what_was_put_into_it) {
   EXPECT_THROW(read_task(folder.path(), 8), InputError);
 }
 
-// As where the node is lost after a run is done, before its task has written what came of it.
+// As if the node is lost after a run is done, but before its task has recorded the outcome.
 TEST(run_outcome, of_a_process_that_nobody_waited_for_is_whole) {
   const TemporaryFolder folder;
   Summary summary;
@@ -83,7 +83,7 @@ TEST(slurm_attempt_file, holds_what_was_put_into_it) {
   attempt.row.started = 1.25e9;
   attempt.row.ended = std::nan("");
   attempt.row.outcome.exit_status = 139;
-  attempt.row.outcome.message = "ended by signal 11 \xff";  // no UTF-8
+  attempt.row.outcome.message = "ended by signal 11 \xff";  // not UTF-8
   attempt.row.outcome.peak_memory = 123456789012;
   attempt.attempts_left = 2;
   write_attempt(folder / "r1", attempt);

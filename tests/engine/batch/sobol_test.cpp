@@ -20,7 +20,7 @@ std::vector<std::vector<double>> points(int dimensions, std::uint64_t seed) {
   return all;
 }
 
-// The property that defines direction numbers: they are a basis in every dimension.
+// The defining property of direction numbers: they are a basis in every dimension.
 TEST(sobol, has_one_point_in_each_of_as_many_parts_in_every_dimension) {
   const auto all = points(SobolSequence::most_dimensions, 7);
   for (std::size_t d = 0; d < SobolSequence::most_dimensions; ++d) {

@@ -23,7 +23,7 @@ TEST(bench_cases, have_the_spacing_of_the_particles_asked_for) {
   EXPECT_DOUBLE_EQ(bench::compression(64, Kernel::compact).discretisation.spacing, 1. / 64);
 }
 
-// What rates of earlier versions were measured with.
+// The settings with which rates of earlier versions were measured.
 TEST(bench_cases, keep_the_settings_that_rates_depend_on) {
   using Policy = decltype(Case::remeshing)::Policy;
   for (const Case& a_case :

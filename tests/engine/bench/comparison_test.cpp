@@ -9,7 +9,7 @@
 namespace pliant::bench {
 namespace {
 
-/// Three repetitions on a machine with such figures.
+/// Three repetitions on a machine with these figures.
 Record record(double rate, double fma_peak, double triad) {
   RecordedRow row{"disc/compact/0.1/1", 314, 1, {}};
   for (const double noise : {0.97, 1.0, 1.02}) {
@@ -25,7 +25,7 @@ Verdict verdict_of(const Record& before, const Record& after) {
 TEST(comparison, a_slower_machine_is_no_regression) {
   const Record before = record(20e6, 40e9, 10e9);
   EXPECT_EQ(Verdict::same, verdict_of(before, record(10e6, 20e9, 5e9)));
-  // Bound by multiply-adds, or by the memory.
+  // Limited by multiply-adds, then by memory.
   EXPECT_EQ(Verdict::same, verdict_of(before, record(10e6, 20e9, 10e9)));
   EXPECT_EQ(Verdict::same, verdict_of(before, record(10e6, 40e9, 5e9)));
 }
@@ -67,8 +67,8 @@ TEST(comparison, shares_are_percent_or_numbers) {
 }
 
 // n = 16: K = 16 x 17/4 - 3.2905 sqrt(16 x 17 x 33/24) = 4.4, so that the bounds are the fourth
-// smallest and the fourth largest of the 136 Walsh averages. Of the numbers 0, 1, ..., 15 these are
-// 0, 0.5, 1, 1, ... and their reflection.
+// smallest and the fourth largest of the 136 Walsh averages. For the numbers 0, 1, ..., 15 the
+// smallest are 0, 0.5, 1, 1, ..., and the largest their mirror image.
 TEST(comparison, the_interval_is_that_of_the_signed_rank_test) {
   std::vector<double> ratios;
   for (int i = 0; i < 16; ++i) ratios.push_back(std::exp(i));
@@ -84,8 +84,8 @@ TEST(comparison, few_pairs_determine_no_interval) {
   EXPECT_EQ(Verdict::same, judge(ratio, 0));
 }
 
-/// Pairs on a machine whose speed drifts by half, with noise of each figure and now and then an
-/// interruption that makes a figure three times too small.
+/// Pairs on a machine whose speed drifts by half, with noise in each figure and occasional
+/// interruptions that make a figure three times too small.
 Interval measured(double true_ratio, unsigned seed) {
   std::mt19937 random(seed);
   std::normal_distribution<double> noise(0, 0.02);

@@ -16,7 +16,7 @@ struct Region {
   T radius;
 };
 
-/// Label and image of everything within the radius of a position.
+/// Label and image of everything within the search radius of a position.
 template <class T, int D>
 using Found = std::set<std::pair<std::int32_t, std::array<T, D>>>;
 
@@ -169,7 +169,7 @@ TEST(cell_list, sites_carry_any_label_and_keep_their_order) {
     names += site.label.name;
     return false;
   });
-  EXPECT_EQ(names.substr(0, 2), "ab");  // what is farther away may follow
+  EXPECT_EQ(names.substr(0, 2), "ab");  // points farther away may follow
 }
 
 }  // namespace

@@ -24,7 +24,7 @@ struct Cloud {
   }
 };
 
-/// Points in the unit cube, ever denser towards the origin: their distances differ a hundredfold.
+/// Points in the unit cube, denser towards the origin: their distances vary by a factor of 100.
 template <class T, int D>
 Cloud<T, D> graded_cloud(int count) {
   std::mt19937 random(11);
@@ -130,8 +130,8 @@ TEST(point_blocks, points_of_a_block_are_near_each_other) {
     cloud.x[1].push_back(i / side);
   }
   const PointBlocks found = blocks_of_points<double, 2>(cloud.view(), 1, block_size);
-  // Runs of a Hilbert curve of this length are squares of 16 by 16 points, which have four
-  // neighbours at their sides; rows of points would be 64 by 4.
+  // Stretches of this length of a Hilbert curve are squares of 16 by 16 points with a neighbour on
+  // each of the four sides; rows of points would be 64 by 4.
   for (int b = 0; b < found.blocks.count(); ++b) {
     EXPECT_LE(found.blocks.neighbours[b].size(), 4u);
     for (int a = 0; a < 2; ++a) {

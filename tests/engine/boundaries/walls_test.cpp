@@ -8,7 +8,7 @@
 namespace pliant::test {
 namespace {
 
-/// The half-space below y = `level`, moving with the velocities given as formulas of t.
+/// The half-space below y = `level`; `x` and `y` are formulas of t for its velocity.
 BoundaryCase floor(double level, const std::string& x = "0", const std::string& y = "0") {
   BoundaryCase boundary;
   boundary.kind = BoundaryCase::Kind::fixed;
@@ -68,8 +68,8 @@ TEST(walls, distance_and_normal_move_with_the_wall) {
   EXPECT_EQ(wall.velocity(3), (Point<2>{0, -2}));
 }
 
-/// The ball of radius 0.5 about (2, 0, 0), which moves along z and turns about the axis z through
-/// (1, 0, 0).
+/// The ball of radius 0.5 about (2, 0, 0), which moves along z and turns about the axis through (1,
+/// 0, 0) along z.
 BoundaryCase turning_ball() {
   BoundaryCase boundary;
   boundary.kind = BoundaryCase::Kind::moving_wall;
@@ -95,7 +95,7 @@ TEST(walls, that_turn_stand_where_the_angle_says) {
   EXPECT_NEAR(normal[1], 1, 1e-14);
 }
 
-// omega x r, and where a quarter turn takes the centre of the ball.
+// omega x r, and the centre of the ball after a quarter turn.
 TEST(walls, that_turn_move_their_points_as_a_rigid_body) {
   constexpr double pi = 3.14159265358979324;
   const double quarter = std::sqrt(pi / 4), spin = 4 * quarter;
@@ -111,7 +111,7 @@ TEST(walls, that_turn_move_their_points_as_a_rigid_body) {
   }
 }
 
-// The area of a sphere goes with the square of its radius.
+// The area of a sphere is proportional to the square of its radius.
 TEST(walls, a_ball_is_larger_than_the_parallel_surface_inside_it) {
   BoundaryCase boundary = floor(0);
   EXPECT_EQ(Wall<3>(boundary).spread({0, -0.1, 0}, 0.1), 1);

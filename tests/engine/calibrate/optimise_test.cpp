@@ -9,7 +9,7 @@
 namespace pliant::calibrate {
 namespace {
 
-/// Residuals of a formula of the parameters and time against data of its true parameters.
+/// Residuals of a formula of the parameters and time, with data from the true parameters.
 template <class Formula>
 Evaluate evaluate(const Formula& formula, const std::vector<double>& truth, double noise,
                   int* rounds = nullptr) {

@@ -7,7 +7,6 @@
 #include "tests/engine/case/written_case.hpp"
 #include "tests/engine/output/temporary_folder.hpp"
 
-// Blades on recorded tracks.
 namespace pliant::test {
 namespace {
 

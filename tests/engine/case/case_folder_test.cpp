@@ -6,7 +6,6 @@
 
 #include "engine/simulation/methods.hpp"
 
-/// The cases that come with the program.
 namespace pliant {
 namespace {
 
@@ -60,8 +59,8 @@ TEST(cases, the_plate_measures_its_swing) {
   EXPECT_TRUE(names.contains("amplitude_ratio_per_period"));
 }
 
-// g(1) = 1 for the mode's shape over its tip value, so the tip starts at 0.005 of
-// c0 = sqrt(100/1.2) = 9.1287; the formula's constants have eight digits.
+// The shape of the mode over its tip value is g(1) = 1, so the tip starts at 0.005 c0 with c0 =
+// sqrt(100/1.2) = 9.1287; the constants of the formula have eight digits.
 TEST(cases, the_plate_starts_in_its_first_mode) {
   const Case plate = read("oscillating_plate");
   const auto& velocity = plate.bodies.at(0).velocity.translation;
@@ -72,8 +71,8 @@ TEST(cases, the_plate_starts_in_its_first_mode) {
 }
 
 // The exact waves satisfy the equations of linear elastodynamics, rho d2u/dt2 = mu laplace u +
-// (lambda + mu) grad div u, checked by second differences of step 1e-3; their error is the third
-// and higher derivatives, about (2 pi 1e-3)^2 of the terms.
+// (lambda + mu) grad div u. The check uses second differences of step 1e-3, with relative errors of
+// about (2 pi 1e-3)^2 from higher derivatives.
 TEST(cases, the_exact_waves_solve_the_wave_equation) {
   const Case square = read("periodic_square");
   const kernels::Material<double>& material = square.bodies.at(0).material;

@@ -27,7 +27,7 @@ TEST(expression, formulas_see_place_and_time) {
   EXPECT_EQ(value("-25*y", 0, 0.5), -12.5);
 }
 
-// The same double arithmetic as the C library's: equal to the last bit or the one beside it.
+// The same double arithmetic as in the C library: equal up to the last bits.
 TEST(expression, functions_are_those_of_the_c_library) {
   EXPECT_DOUBLE_EQ(value("sin(2*pi*x)", 0.1), std::sin(2 * std::numbers::pi * 0.1));
   EXPECT_DOUBLE_EQ(value("cosh(x) - sinh(x)", 0.5), std::cosh(0.5) - std::sinh(0.5));

@@ -8,7 +8,7 @@
 
 #include "tests/engine/case/written_case.hpp"
 
-// What a case says of walls, loads and blades that have no effect where they are.
+// Warnings about walls, loads and blades that have no effect because of their position.
 namespace pliant {
 namespace {
 
@@ -20,7 +20,7 @@ std::string boundary(std::string_view keys, std::string_view geometry) {
   return fmt::format("[[boundary]]\nname = \"it\"\n{}\ngeometry = {{ {} }}\n", keys, geometry);
 }
 
-/// The block, 1 x 2 at a spacing of 0.1, with what is appended; the first warning.
+/// The first warning about the block, 1 x 2 with a spacing of 0.1, with `added` text.
 std::string warning(const std::string& added, const std::string& method = "total_lagrangian") {
   const auto found = placement_warnings(
       read_text(fmt::format("method = \"{}\"\n{}{}", method, block_case, added)));

@@ -11,7 +11,7 @@
 
 namespace pliant::tests {
 
-/// A small valid case; tests append to it or replace parts of it.
+/// A small valid case, which tests extend or modify.
 inline const std::string block_case = R"(title = "a block"
 [discretisation]
 spacing = 0.1
@@ -23,7 +23,7 @@ geometry = { shape = "box", lower = [0, 0], upper = [1, 2] }
 material = { model = "linear", youngs_modulus = 100, poissons_ratio = 0.3, density = 2 }
 )";
 
-/// Reads `text` as the file block.toml in a folder that lives as long as the call.
+/// Reads `text` as the file block.toml in a temporary folder.
 inline Case read_text(const std::string& text, const std::vector<std::string>& settings = {}) {
   const std::filesystem::path folder =
       std::filesystem::temp_directory_path() / ("pliant_case_" + std::to_string(getpid()));
@@ -36,7 +36,7 @@ inline Case read_text(const std::string& text, const std::vector<std::string>& s
   return read_case(folder / "block.toml", settings);
 }
 
-/// What the reader says about `text`, its folder left out; empty when nothing is wrong.
+/// The reader's error message for `text`, without the folder; empty if there is none.
 inline std::string complaint(const std::string& text,
                              const std::vector<std::string>& settings = {}) {
   try {

@@ -7,7 +7,7 @@
 #include "tests/engine/point_based/deformations.hpp"
 #include "tests/engine/undeformed/forces.hpp"
 
-// Forces of finite elements against their energy, their invariants, and exact solutions.
+// Forces of finite elements, compared with their energy, invariants, and exact solutions.
 namespace pliant::test {
 namespace {
 
@@ -97,7 +97,7 @@ TYPED_TEST(ElementForces, of_a_turned_body_vanish) {
   }
 }
 
-// The patch test: irregular elements in homogeneous deformation, whose energy is that of (PB.6).
+// The patch test: irregular elements in a homogeneous deformation, whose energy is that of (PB.6).
 TYPED_TEST(ElementForces, hold_an_affine_deformation_with_forces_at_the_surface_alone) {
   constexpr int D = TypeParam::value;
   Eigen::Matrix3d full = Eigen::Matrix3d::Identity();
@@ -130,9 +130,9 @@ TYPED_TEST(ElementForces, hold_an_affine_deformation_with_forces_at_the_surface_
   }
 }
 
-// u = (x y, -(x^2 + y^2)/2) changes no volume: its energy is that of 2 mu (eps : eps)/2 =
-// 2 mu y^2, whatever nu. Plain elements see changes of volume that it does not have: they lock.
-// Averages see a few at the surface, and all elements see 7 % too much shear.
+// u = (x y, -(x^2 + y^2)/2) does not change volumes: its energy is that of 2 mu (eps : eps)/2 = 2
+// mu y^2, whatever nu. Plain elements see spurious changes of volume: they lock. Averages see few,
+// at the surface, and all elements see 7 % too much shear.
 TYPED_TEST(ElementForces, of_averaged_pressure_do_not_lock) {
   const std::string text =
       tests::with(this->text("neo_hookean", 8), "poissons_ratio = 0.3", "poissons_ratio = 0.499");

@@ -7,7 +7,6 @@
 #include "tests/engine/finite_elements/meshed_block.hpp"
 #include "tests/engine/point_based/whole_runs.hpp"
 
-// Whole runs of finite elements.
 namespace pliant::test {
 namespace {
 
@@ -45,8 +44,8 @@ TEST_F(ElementRuns, a_tumbling_block_keeps_momenta_to_rounding_and_its_energy) {
   }
 }
 
-// (FE.6) is a bound: vibrations of the whole spectrum stay as they are at CFL number 1, which a
-// step of 1.5 times the bound does not survive.
+// (FE.6) is a bound: at CFL number 1, vibrations of the whole spectrum do not grow; with a step of
+// 1.5 times the bound they do.
 TEST_F(ElementRuns, steps_at_the_limit_are_stable) {
   const std::string noise = tests::with(text(3), tumbling, "") +
                             "velocity = [\"1e-4*sin(50*x + 70*y)\", \"1e-4*cos(90*z)\", 0]\n";
@@ -63,7 +62,7 @@ TEST_F(ElementRuns, bytes_depend_on_neither_threads_nor_a_restart) {
     const Case settings = driven({std::string("precision=") + precision});
     const FileContent one = result_of(settings, folder / precision, 1);
     EXPECT_EQ(result_of(settings, folder / (std::string(precision) + "7"), 7), one);
-    // The last checkpoint lies before the end: continuing from it writes the end once more.
+    // The last checkpoint is before the end: the continued run writes the end once more.
     EXPECT_EQ(result_of(settings, folder / precision, 2, true), one);
   }
 }
@@ -88,7 +87,7 @@ pressure = "0.1*min(t/2, 1)"
               1e-3 * budget.load_work);
 }
 
-/// How far a bar of 3 x 1 x 1 that is clamped at x = 0 hangs down at its other end.
+/// How far a bar of 3 x 1 x 1 that is clamped at x = 0 sags at its other end.
 template <class Solver>
 double sag(const std::filesystem::path& mesh, int cells, const std::vector<std::string>& more) {
   write(BlockMesh<3>{{3 * cells, cells, cells}, {0, 0, 0}, {3, 1, 1}, 0}, mesh);
@@ -115,8 +114,9 @@ damping = 2
   return -lowest;
 }
 
-// One setting apart. Linear tetrahedra are too stiff in bending, by a quarter as much on half the
-// spacing: their sag is extrapolated. What is left of cells is 1 % (decision 27).
+// The cases differ in one setting. Linear tetrahedra are too stiff in bending, with a quarter of
+// the error on half the spacing: their sag is extrapolated. Cells are left with an error of 1 %
+// (decision 27).
 TEST_F(ElementRuns, bend_a_bar_as_the_total_lagrangian_method_does) {
   for (const std::string law : {"neo_hookean", "st_venant_kirchhoff"}) {
     const std::string model = "material.rubber.model=" + law;
@@ -141,7 +141,7 @@ TEST_F(ElementRuns, need_a_mesh_and_no_cuts) {
             std::string::npos);
 }
 
-// A case may hold the tables of several methods, to be run with either.
+// A case may hold the tables of several methods and run with any of them.
 TEST_F(ElementRuns, compare_with_points_one_setting_apart) {
   const std::string both = "[point_based]\ndamping = 1\n[finite_elements]\ndamping = 1\n";
   const std::string block = meshed_block(folder / "block.vtk");

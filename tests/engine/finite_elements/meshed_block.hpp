@@ -14,16 +14,18 @@
 /// Blocks of tetrahedra, in 2D of triangles, for the methods on such meshes.
 namespace pliant::test {
 
-/// A lattice of cells whose inner corners are moved by up to `jitter` cells.
+/// A lattice of cells whose inner corners are displaced by up to `jitter` cells.
 template <int D>
 struct BlockMesh {
   std::array<int, D> cells;
   Point<D> lower, upper;
   double jitter = 0.2;
-  double grading = 1;  ///< power of the places from lower to upper: above 1, dense at the lower end
+  double grading =
+      1;  ///< exponent of the places from lower to upper: above 1, cells are small at the lower end
 };
 
-/// Writes the mesh as a legacy VTK file: each cell is D! elements along its diagonal (Kuhn).
+/// Writes the mesh as a legacy VTK file: each cell is divided into D! elements along its diagonal
+/// (Kuhn).
 template <int D>
 void write(const BlockMesh<D>& mesh, const std::filesystem::path& path) {
   std::ofstream file(path);
@@ -75,7 +77,7 @@ void write(const BlockMesh<D>& mesh, const std::filesystem::path& path) {
   for (std::int64_t e = 0; e < count * all_cells; ++e) file << (D == 2 ? 5 : 10) << '\n';
 }
 
-/// A case of that mesh, to append to.
+/// A case with that mesh, which tests extend.
 inline std::string meshed_block(const std::filesystem::path& mesh) {
   return R"(method = "finite_elements"
 dimension = 3
@@ -93,7 +95,7 @@ geometry = { shape = "mesh", file = ")" +
          mesh.string() + "\" }\n";
 }
 
-/// Reads a case of a mesh. Case files have meshes in 3D only: for triangles, its dimension and its
+/// Reads a case with a mesh. Meshes in case files are 3D only: for triangles, the dimension and the
 /// file are changed afterwards.
 template <int D>
 Case read_meshed(const std::string& text, const std::filesystem::path& mesh,

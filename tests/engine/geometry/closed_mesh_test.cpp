@@ -17,7 +17,7 @@ using namespace tests;
 
 const Vector lower = {-1, -2, -3}, upper = {1.5, 0.5, 1};
 
-// The box has an exact distance of its own. Half of these points are nearest to an edge or a
+// For the box the distance is known exactly. Half of these points are nearest to an edge or a
 // corner.
 TEST(closed_mesh, the_distance_to_a_box_of_triangles_is_that_to_the_box) {
   const ClosedMesh mesh(box_mesh(lower, upper), "box");
@@ -33,7 +33,7 @@ TEST(closed_mesh, the_distance_to_a_box_of_triangles_is_that_to_the_box) {
   }
 }
 
-// Straight out from corners, edges and diagonals, where several triangles are equally near.
+// Points straight out from corners, edges and diagonals, where several triangles are equally near.
 TEST(closed_mesh, signs_hold_where_triangles_meet) {
   const ClosedMesh mesh(box_mesh({-1, -1, -1}, {1, 1, 1}), "cube");
   for (const double x : {-1.0, 0.0, 1.0}) {
@@ -50,8 +50,9 @@ TEST(closed_mesh, signs_hold_where_triangles_meet) {
   }
 }
 
-/// A star of spikes: a sphere whose vertices reach out to three radii in turn. Points of the ray
-/// through a vertex lie inside below it and outside above it, whatever spikes stand around.
+/// A star of spikes: a sphere whose vertices have three different radii in turn. On the ray through
+/// a vertex, points below it are inside and points above it outside, whatever other spikes are
+/// near.
 TEST(closed_mesh, signs_hold_at_the_tips_and_in_the_pits_of_a_star) {
   SurfaceMesh star = sphere_mesh(1, 3);
   for (std::size_t v = 0; v < star.vertices.size(); ++v) {
@@ -71,7 +72,7 @@ TEST(closed_mesh, signs_hold_at_the_tips_and_in_the_pits_of_a_star) {
 TEST(closed_mesh, the_nearest_triangle_is_the_nearest_of_all) {
   const SurfaceMesh sphere = sphere_mesh(1, 4);
   const ClosedMesh mesh(sphere, "sphere");
-  // Every point of the surface lies between the inscribed sphere's radius and 1.
+  // Every point of the surface has a radius between that of the inscribed sphere and 1.
   double inscribed = 1;
   for (const Triangle& t : sphere.triangles) {
     Vector centre;
@@ -97,7 +98,7 @@ TEST(closed_mesh, volume_and_bounds_are_those_of_the_solid) {
   EXPECT_DOUBLE_EQ(mesh.volume(), 2.5 * 2.5 * 4);
   EXPECT_EQ(mesh.bounds().lower, lower);
   EXPECT_EQ(mesh.bounds().upper, upper);
-  // 4^5 * 8 triangles inscribed in the sphere: short by about a squared edge over the radius.
+  // 4^5 * 8 triangles inscribed in the sphere: the error is about a squared edge over the radius.
   EXPECT_NEAR(ClosedMesh(sphere_mesh(1, 5), "sphere").volume(), 4 * std::numbers::pi / 3, 0.01);
 }
 
@@ -118,7 +119,7 @@ TEST(closed_mesh, corners_of_their_own_are_joined_and_triangles_without_area_dro
     soup.triangles.push_back({first, first + 1, first + 2});
   }
   soup.triangles.push_back({0, 0, 1});
-  soup.vertices.push_back({0, 0, 0});  // of no triangle
+  soup.vertices.push_back({0, 0, 0});  // used by no triangle
   const ClosedMesh mesh(soup, "soup");
   EXPECT_EQ(mesh.vertices().size(), 8u);
   EXPECT_EQ(mesh.triangles().size(), 12u);
@@ -144,7 +145,7 @@ TEST(closed_mesh, an_open_surface_is_refused_with_its_first_gap) {
 
 TEST(closed_mesh, an_edge_of_many_triangles_is_refused) {
   SurfaceMesh crowded = box_mesh({0, 0, 0}, {1, 1, 1});
-  const SurfaceMesh other = box_mesh({1, 1, 0}, {2, 2, 1});  // they share an edge
+  const SurfaceMesh other = box_mesh({1, 1, 0}, {2, 2, 1});  // the two boxes share an edge
   for (const Triangle& t : other.triangles) {
     crowded.triangles.push_back({t[0] + 8, t[1] + 8, t[2] + 8});
   }

@@ -15,7 +15,7 @@ using namespace tests;
 
 const Shape block = box({-0.5, -1, 0}, {0.5, 1, 0});
 
-/// From the free surface of a plane body; minus infinity when it has none.
+/// Distance from the free surface of a plane body; minus infinity if it has none.
 double distance(const Shape& body, const std::vector<Shape>& walls, const Vector& x) {
   return signed_distance(free_surface(body, walls, 2), x, 2);
 }
@@ -65,7 +65,7 @@ TEST(free_surface, planes_match_to_rounding) {
   EXPECT_EQ(open.upper[1], infinity);
 }
 
-// The notch touches the wall, so it too runs on through it.
+// The notch touches the wall, so it too continues through the wall.
 TEST(free_surface, parts_of_a_combination_are_opened_alike) {
   const Shape notched = combine(Shape::Kind::subtract, {block, box({-0.1, 0.5, 0}, {0.1, 1, 0})});
   const std::vector<Shape> walls{half_space({0, 1, 0}, {0, -1, 0})};
@@ -73,7 +73,8 @@ TEST(free_surface, parts_of_a_combination_are_opened_alike) {
   EXPECT_DOUBLE_EQ(distance(notched, walls, {0.3, 3, 0}), -0.2);
 }
 
-// A disc of which planes of symmetry leave a part: where walls stand in these planes it is whole.
+// A disc, or a part of it between planes of symmetry: with walls in these planes, the disc is
+// whole.
 TEST(free_surface, half_spaces_that_cut_a_body_at_walls_cut_nothing_off) {
   const Shape disc = ball({0, 0, 0}, 1);
   const Vector oblique = {0.6, 0.8, 0}, back = {-0.6, -0.8, 0};
@@ -84,7 +85,7 @@ TEST(free_surface, half_spaces_that_cut_a_body_at_walls_cut_nothing_off) {
     for (const Vector& x : {Vector{0.1, 0.1, 0}, Vector{-0.3, -0.4, 0}, Vector{2, 0, 0}}) {
       EXPECT_EQ(distance(half, walls, x), signed_distance(disc, x, 2));
     }
-    // A wall in another plane, and one of which the body lies on the other side, change nothing.
+    // A wall in another plane, or one with the body on its other side, changes nothing.
     for (const Shape& wall : {half_space({0.1, 0, 0}, oblique), half_space({0, 0, 0}, back)}) {
       const Vector x = {-0.3, -0.4, 0};
       EXPECT_EQ(distance(half, {wall}, x), signed_distance(half, x, 2));
@@ -92,8 +93,8 @@ TEST(free_surface, half_spaces_that_cut_a_body_at_walls_cut_nothing_off) {
   }
 }
 
-// A box of triangles in the corner of two walls: within its height of the corner the free surface
-// is that of the box whose sides run on through both.
+// A box of triangles in the corner between two walls: nearer to the corner than its height, the
+// free surface is that of the box whose sides continue through both walls.
 TEST(free_surface, a_mesh_runs_on_through_walls_on_which_its_flat_sides_lie) {
   const Shape mesh = mesh_shape(box_mesh({0, 0, 0}, {1, 2, 3}));
   const std::vector<Shape> walls{half_space({0, 0, 0}, {1, 0, 0}), box({-1, -1, -1}, {1, 2, 0})};
@@ -105,7 +106,7 @@ TEST(free_surface, a_mesh_runs_on_through_walls_on_which_its_flat_sides_lie) {
   }
 }
 
-// Walls that the mesh crosses, does not reach, or that do not cover its side.
+// Walls that the mesh crosses, that it does not reach, or that do not cover its side.
 TEST(free_surface, a_mesh_without_a_flat_side_on_a_wall_keeps_its_surface) {
   const Shape mesh = mesh_shape(box_mesh({0, 0, 0}, {1, 2, 3}));
   const std::vector<Shape> walls{

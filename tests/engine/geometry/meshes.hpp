@@ -7,7 +7,6 @@
 
 #include "engine/geometry/closed_mesh.hpp"
 
-/// Meshes for tests.
 namespace pliant::tests {
 
 /// A box of twelve triangles.
@@ -22,7 +21,7 @@ inline SurfaceMesh box_mesh(const Vector& lower, const Vector& upper) {
   return mesh;
 }
 
-/// A sphere about the origin: an octahedron, its triangles divided in four again and again.
+/// A sphere about the origin: an octahedron whose triangles are divided in four repeatedly.
 inline SurfaceMesh sphere_mesh(double radius, int divisions) {
   SurfaceMesh mesh;
   mesh.vertices = {{1, 0, 0}, {-1, 0, 0}, {0, 1, 0}, {0, -1, 0}, {0, 0, 1}, {0, 0, -1}};

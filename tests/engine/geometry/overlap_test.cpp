@@ -32,7 +32,7 @@ TEST(overlap, is_half_the_thickness_of_a_lens) {
   }
 }
 
-// A lens thinner than the distance of the points on which it is looked for.
+// A lens thinner than the distance between the sample points.
 TEST(overlap, finds_lenses_between_the_points) {
   for (const double place : {0., 0.013, 0.037, 0.061}) {
     EXPECT_NEAR(overlap(ball({place, 0.02, 0}, 1), ball({1.96 + place, 0.02, 0}, 1), 0.1, 2), 0.02,

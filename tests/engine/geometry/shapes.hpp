@@ -4,7 +4,6 @@
 
 #include "engine/geometry/shape.hpp"
 
-/// Shapes for tests.
 namespace pliant::tests {
 
 inline constexpr double infinity = std::numeric_limits<double>::infinity();

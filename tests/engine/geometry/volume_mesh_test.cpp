@@ -19,7 +19,7 @@ VolumeMesh read(const std::string& name, const std::string& content, int dimensi
   return read_volume_mesh(folder / name, dimension);
 }
 
-/// What a wrong file is answered with, without the folder.
+/// The error message for a wrong file, without the folder.
 std::string answer(const std::string& name, const std::string& content, int dimension = 3) {
   try {
     read(name, content, dimension);
@@ -119,7 +119,7 @@ TEST(volume_mesh, numbers_of_rows_are_those_of_the_file) {
   EXPECT_THROW(read("a.vtk", changed(vtk_5_text(), "CELLS 7 24", "CELLS 7 " + huge)), MeshError);
 }
 
-// Wherever a file is cut, the answer is a mesh or a MeshError.
+// Wherever a file is cut off, reading gives a mesh or a MeshError.
 TEST(volume_mesh, every_cut_is_survived) {
   for (const auto& [name, whole] : cubes) {
     for (std::size_t length = 0; length < whole.size(); length += 7) {

@@ -5,7 +5,7 @@
 namespace pliant::test {
 namespace {
 
-/// Slots for `cells` cells in a row, in up to `blocks` blocks that reach one cell.
+/// Slots for `cells` cells in a row, in up to `blocks` blocks whose reach is one cell.
 Layout<2> row_of(int cells, int blocks) {
   Occupancy<2> occupancy;
   occupancy.reset({0, 0}, {cells - 1, 0}, 0);

@@ -10,7 +10,7 @@
 namespace pliant::test {
 namespace {
 
-/// Layouts of random cells: rows with holes, lone packs, empty rows.
+/// Layouts of random cells: rows with holes, single packs, empty rows.
 template <class Space>
 struct RandomLayout : testing::Test {
   static constexpr int dimension = Space::dimension;
@@ -117,7 +117,7 @@ TYPED_TEST(RandomLayout, blocks_divide_the_segments_in_order_and_know_their_exte
   EXPECT_EQ(segment, static_cast<int>(this->slots.segments().size()));
 }
 
-/// Whether two blocks come within `reach` cells of each other, through any period.
+/// Whether two blocks are within `reach` cells of each other, across any period.
 template <int D>
 bool come_near(const Block<D>& a, const Block<D>& b, const Cell<D>& period, int reach) {
   bool near = false;

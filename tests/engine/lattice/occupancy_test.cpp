@@ -15,7 +15,7 @@ template <class Space>
 struct Occupancies : testing::Test {};
 TYPED_TEST_SUITE(Occupancies, Dimensions);
 
-/// First cell and slots of each run of a row.
+/// First cell and number of slots of each run of a row.
 using Runs = std::vector<std::pair<std::int32_t, std::int32_t>>;
 
 template <int D>
@@ -44,7 +44,7 @@ TYPED_TEST(Occupancies, runs_hold_whole_packs_with_the_marked_cells_in_their_mid
   EXPECT_EQ(runs_of<D>({-3, 5}), (Runs{{-6, 16}}));
 }
 
-// Rounded up, the runs must be as far apart as a pack of a neighbouring row and its neighbours.
+// After rounding up, runs must be as far apart as a pack of a neighbouring row and its neighbours.
 TYPED_TEST(Occupancies, gaps_that_a_pack_and_its_neighbours_bridge_are_stored) {
   constexpr int D = TypeParam::dimension;
   for (const std::int32_t begin : {-8, -3, 0, 5}) {
@@ -78,7 +78,7 @@ TYPED_TEST(Occupancies, rows_are_found_again_from_their_cells_and_none_outside) 
   }
 }
 
-// The oracle looks at every pair of a cell and a mark.
+// The reference looks at every pair of a cell and a mark.
 TYPED_TEST(Occupancies, dilation_marks_the_cells_within_a_ball_and_no_others) {
   constexpr int D = TypeParam::dimension;
   for (const double radius : {1.0, 1.8, 3.0, 6.0, 8.5}) {

@@ -34,8 +34,8 @@ Cell<D> diagonal(std::int32_t x) {
   return cell;
 }
 
-/// A map over lower..upper of which single cells are marked at random: rows of every kind, with
-/// gaps of all lengths, empty rows between them.
+/// A map over lower..upper with random marked cells: rows of every kind, with gaps of all lengths
+/// and empty rows between them.
 template <int D>
 Occupancy<D> random_occupancy(const Cell<D>& lower, const Cell<D>& upper, double share, int seed) {
   Occupancy<D> occupancy;
@@ -48,7 +48,6 @@ Occupancy<D> random_occupancy(const Cell<D>& lower, const Cell<D>& upper, double
   return occupancy;
 }
 
-/// Every marked cell.
 template <int D>
 std::vector<Cell<D>> marked_cells(const Occupancy<D>& occupancy) {
   std::vector<Cell<D>> cells;

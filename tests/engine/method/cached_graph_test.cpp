@@ -5,7 +5,7 @@
 namespace pliant::test {
 namespace {
 
-/// A layout with a block for each of some rows of cells, which reaches one cell.
+/// A layout with one block for each of the given rows of cells; blocks reach one cell.
 Layout<2> blocks_at(const std::vector<std::int32_t>& rows) {
   constexpr int length = 512;
   Occupancy<2> occupancy;

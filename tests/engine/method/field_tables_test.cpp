@@ -15,7 +15,7 @@
 #include "tests/engine/case/written_case.hpp"
 #include "tests/engine/output/temporary_folder.hpp"
 
-// docs/fields.md, frames and checkpoints show the lists of fields as they are.
+// docs/fields.md, frames and checkpoints show exactly the lists of fields.
 namespace pliant::test {
 namespace {
 
@@ -59,7 +59,7 @@ std::string_view text(Remeshed remeshed) {
   return "";
 }
 
-/// Text for a cell of a table, which `|` would end.
+/// Text for a cell of a table, with `|` escaped.
 std::string cell(std::string_view text) {
   std::string escaped;
   for (const char c : text) escaped += c == '|' ? std::string("\\|") : std::string(1, c);
@@ -113,7 +113,7 @@ TEST(fields, of_the_point_based_method_are_on_their_page) {
 
 using Names = std::set<std::string>;
 
-/// A block of rubber after a step of a method.
+/// A block of rubber after one step of a method.
 std::unique_ptr<Solver> stepped(const std::string& method, const std::string& of_method,
                                 const std::string& rest) {
   const Case settings = tests::read_text("method = \"" + method + R"toml("
@@ -142,7 +142,7 @@ std::unique_ptr<Solver> stepped_total_lagrangian() {
   const std::string in_shear = "prony_shear = { ratios = [0.5], times = [0.1] }\n";
   return stepped("total_lagrangian", "", relaxing + in_shear);
 }
-// With all that there are fields for.
+// A case that uses every field.
 std::unique_ptr<Solver> stepped_point_based() {
   return stepped("point_based", "point_based = { stiffness_damping = 1e-4 }", R"toml([[cut]]
 name = "slit"
@@ -152,7 +152,7 @@ end = 0.5
 )toml");
 }
 
-/// Names with their units.
+/// Names of fields with their units.
 template <class Fields>
 Names shown(const Fields& fields) {
   Names names;
@@ -162,7 +162,7 @@ Names shown(const Fields& fields) {
   return names;
 }
 
-/// Those of a frame that do not follow from other fields.
+/// Fields of a frame that are not derived from others.
 Names fields_of_frame(Solver& solver, const Names& derived) {
   Names names;
   for (const FrameField& f : solver.frame({}).fields) {
@@ -189,7 +189,7 @@ Names saved(const Fields& fields) {
   return names;
 }
 
-/// Names of what a checkpoint holds of groups, but for those that are no fields.
+/// Names of the fields of these groups in a checkpoint, without `others`, which are no fields.
 Names fields_of_checkpoint(const Solver& solver, const std::vector<std::string>& groups,
                            const Names& others) {
   const TemporaryFolder folder;
@@ -208,7 +208,7 @@ Names fields_of_checkpoint(const Solver& solver, const std::vector<std::string>&
 
 TEST(checkpoints, hold_exactly_the_saved_fields) {
   Names of_bodies = saved(remeshed::field_list);
-  // Of each body, but one array for all.
+  // One array for all bodies.
   ASSERT_EQ(of_bodies.erase("momentum_budget"), 1u);
   ASSERT_EQ(of_bodies.erase("motion_budget"), 1u);
   EXPECT_EQ(fields_of_checkpoint(*stepped_remeshed(), {"body/0", "body/0/ghosts"},

@@ -12,7 +12,7 @@
 
 namespace pliant::test {
 
-/// The table [free_flight] of a case.
+/// The table [free_flight] of a case file.
 struct FreeFlightParameters {
   double drag = 0;  ///< rate at which the velocity decays [1/s]
 };
@@ -36,7 +36,7 @@ inline void check_flight(const Check& check) {
                      "give time.step in seconds");
 }
 
-/// The decay of a step, 1 - drag dt, grows above drag dt = 2.
+/// The factor of a step, 1 - drag dt, is unstable above drag dt = 2.
 inline StepLimits limits_of_flight(const Case& a_case) {
   StepLimits limits;
   const double waves = kernels::wave_speed_at_rest(a_case.bodies.at(0).material);
@@ -45,8 +45,8 @@ inline StepLimits limits_of_flight(const Case& a_case) {
   return limits;
 }
 
-/// The smallest method: particles on a grid in every body, which keep their initial velocity but
-/// for drag.
+/// The smallest method: particles on a grid in every body, which keep their initial velocity apart
+/// from drag.
 class FreeFlight final : public pliant::Solver {
  public:
   FreeFlight(const Case& a_case, const SolverOptions& options)

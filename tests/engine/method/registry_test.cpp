@@ -20,7 +20,8 @@
 namespace pliant::test {
 namespace {
 
-// What the guide to contributors lists: a solver, rules for case files, and a place in a registry.
+// What the guide for contributors lists: a solver, rules for case files, and an entry in a
+// registry.
 
 const MethodRegistry& test_methods() {
   static const MethodRegistry registry({{

@@ -10,8 +10,8 @@
 #include <cstdio>
 #include <optional>
 
-// HDF5 is a shared library and finds these before those of libc. File systems that cannot reserve
-// space are the harder case, so that is what they pretend to be.
+// HDF5 is a shared library and finds these functions before those of libc. They behave as file
+// systems that cannot reserve space, which is the harder case.
 
 namespace pliant::test {
 namespace {
@@ -20,7 +20,7 @@ std::optional<Fault> injected;
 long faulty_change = 0, changes_made = 0;
 bool reservations_find_a_full_disk = false;
 
-/// Whether the call shall fail.
+/// Whether the call must fail.
 bool meets_fault() {
   const auto number = changes_made++;
   if (!injected || number < faulty_change) return false;
@@ -66,13 +66,13 @@ int rename(const char* from, const char* to) noexcept {
   return static_cast<int>(syscall(SYS_rename, from, to));
 }
 
-/// Removing needs no room on the disk.
+/// Removing a file needs no space on the disk.
 int unlink(const char* path) noexcept {
   if (injected == Fault::kill) meets_fault();
   return static_cast<int>(syscall(SYS_unlink, path));
 }
 
-/// The disk's cache is no part of these tests, and forcing it out would make them slow.
+/// These tests are not about the cache of the disk, and flushing it would make them slow.
 int fsync(int) { return 0; }
 
 int fallocate(int, int, off_t, off_t) {

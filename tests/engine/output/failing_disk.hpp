@@ -1,6 +1,6 @@
 #pragma once
 
-/// System calls of this process that change files, and what shall happen at one of them.
+/// Intercepts the system calls of this process that change files, and injects faults.
 namespace pliant::test {
 
 enum class Fault {
@@ -8,13 +8,13 @@ enum class Fault {
   disk_full,  ///< this call and all later ones fail
 };
 
-/// From now on the changes are counted from 0, and change `number` meets `fault`.
+/// Changes are counted from 0 from now on; `fault` happens at change `number`.
 void inject(Fault fault, long number);
 
-/// No fault any more.
+/// Removes the fault.
 void repair();
 
-/// Every reservation of space fails with ENOSPC (true), or with EOPNOTSUPP.
+/// Makes every reservation of space fail, with ENOSPC if `disk_full`, else with EOPNOTSUPP.
 void answer_reservations(bool disk_full);
 
 }  // namespace pliant::test

@@ -24,7 +24,7 @@ void expect_path_and_remedy(const OutputError& error, const std::string& path) {
   EXPECT_NE(message.find("free some space"), message.npos) << message;
 }
 
-/// A disk that works again at the end of the test.
+/// Ends the fault at the end of the test.
 struct FailingDisk {
   FailingDisk() = default;
   FailingDisk(const FailingDisk&) = delete;
@@ -75,7 +75,7 @@ TEST(failing_disk, completed_frames_survive_whichever_write_finds_the_disk_full)
     repair();
     EXPECT_FALSE(std::filesystem::exists(folder / "result.h5.partial"));
     if (completed == 0 && !std::filesystem::exists(folder / "result.h5")) continue;
-    // The frame's data may be whole when only its viewer file did not fit any more.
+    // The data of the frame may be complete even if its viewer file did not fit.
     const auto found = whole_frames(content_of(folder / "result.h5"), particles);
     EXPECT_GE(found, completed);
     EXPECT_LE(found, completed + 1);
@@ -110,7 +110,7 @@ TEST(failing_disk, the_last_checkpoint_survives_whichever_write_finds_the_disk_f
     EXPECT_EQ(last, failed ? earlier : later);
     const ArchiveReader previous(folder / "checkpoint.previous.h5");
     const auto before = previous.get<double>("velocity/x");
-    // A failure while the new one is written touches neither.
+    // A failure while the new file is written changes neither.
     EXPECT_TRUE(before == earlier || (failed && before == first));
     if (number == 0) {
       EXPECT_EQ(before, first);

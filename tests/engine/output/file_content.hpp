@@ -10,7 +10,7 @@
 
 namespace pliant::test {
 
-/// An array or an attribute of an HDF5 file, as any reader finds it.
+/// An array or an attribute of an HDF5 file, as any reader sees it.
 struct Content {
   std::vector<std::uint64_t> shape;
   std::string bytes;
@@ -26,12 +26,13 @@ struct Content {
   }
 };
 
-/// All of a file by path: datasets as "/group/name", attributes as "/group/name@attribute"; hard
-/// links appear under each of their names. Reads with plain HDF5 calls, nothing of the writer's.
+/// The whole content of a file by path: datasets as "/group/name", attributes as
+/// "/group/name@attribute"; hard links appear under each of their names. Reads with plain HDF5
+/// calls and none of the writer's code.
 using FileContent = std::map<std::string, Content>;
 FileContent content_of(const std::filesystem::path& path);
 
-/// The paths at which two files differ: empty for files that h5diff calls equal.
+/// The paths at which two files differ; empty for files that h5diff considers equal.
 std::vector<std::string> differences(const FileContent& a, const FileContent& b);
 
 }  // namespace pliant::test

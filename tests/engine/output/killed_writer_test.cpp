@@ -17,7 +17,7 @@
 namespace pliant::test {
 namespace {
 
-// Frames of more than a chunk, so that chunks and their index blocks are added all the time.
+// Frames of more than a chunk, so that chunks and their index blocks keep being added.
 constexpr int particles = 1500;
 
 /// Written by the child, read by the parent.
@@ -32,7 +32,7 @@ Shared& shared_memory() {
   return *memory;
 }
 
-/// Runs `work` in a process of its own; true when SIGKILL ended it.
+/// Runs `work` in a separate process; returns true if SIGKILL ended it.
 template <class Work>
 bool is_killed(Work work) {
   const auto child = ::fork();
@@ -45,7 +45,7 @@ bool is_killed(Work work) {
   return WIFSIGNALED(status) && WTERMSIG(status) == SIGKILL;
 }
 
-/// What a killed run left: every frame that was reported complete is there, and one more at most.
+/// A killed run leaves every frame that was reported complete, and at most one more.
 void expect_completed_frames(const TemporaryFolder& folder, int completed) {
   if (completed == 0 && !std::filesystem::exists(folder / "result.h5")) return;
   int found = -1;
@@ -54,7 +54,7 @@ void expect_completed_frames(const TemporaryFolder& folder, int completed) {
   EXPECT_LE(found, completed + 1);
 }
 
-// The kills are spread over all writes of the run: `stride` keeps the test short.
+// The kills are spread over all writes of the run; `stride` keeps the test short.
 void kill_at_each_change(int frames, long stride) {
   auto& shared = shared_memory();
   for (long number = 0;; number += stride) {
@@ -84,8 +84,8 @@ TEST(killed_writer, leaves_all_completed_frames_whichever_write_is_its_last) {
   kill_at_each_change(12, 17);
 }
 
-// From a checkpoint beyond which the file has grown, to a later end: resuming first cuts the
-// file and replaces the case in it.
+// Resumes to a later end from a checkpoint that is older than the end of the file: first the file
+// is cut, and the case in it replaced.
 TEST(killed_writer, leaves_a_file_that_can_be_resumed_to_the_end) {
   constexpr int kept = 30, end = 36;
   const TemporaryFolder folder;

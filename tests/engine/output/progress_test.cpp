@@ -10,7 +10,7 @@ namespace {
 
 using namespace std::chrono_literals;
 
-/// A progress that writes into a file read back as text, by a clock that the test turns.
+/// Progress written into a file, with a clock that the test sets; the text is read back.
 class Recorded {
  public:
   explicit Recorded(Progress::Style style)
@@ -34,7 +34,7 @@ class Recorded {
   Progress progress_;
 };
 
-/// Step `step` of 100, each of 100 ms and of a million particle-stages.
+/// Step `step` of 100, each with 100 ms and a million particle-stages.
 ProgressState state(int step) {
   return {.time = 0.01 * step,
           .end = 1,
@@ -94,7 +94,7 @@ TEST(progress, no_line_is_wider_than_the_terminal) {
   progress().update(far);
   const auto text = progress.text();
   const auto begin = text.rfind("\r\x1b[K") + 4;
-  EXPECT_LT(text.size() - begin, 80u);  // what a stream without a size counts as
+  EXPECT_LT(text.size() - begin, 80u);  // the width assumed for a stream without a size
 }
 
 TEST(progress, a_message_takes_the_place_of_the_redrawn_line) {

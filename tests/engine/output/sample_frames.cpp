@@ -25,7 +25,7 @@ void require_equal(const std::vector<T>& found, const std::vector<T>& expected,
   if (found != expected) throw std::runtime_error(path + " holds other values");
 }
 
-/// As a VTKHDF reader finds a frame: by its entries in Steps alone.
+/// Finds a frame as a VTKHDF reader does: only by its entries in Steps.
 void require_frame(const FileContent& content, int f, const Frame& frame) {
   const std::string root = "/VTKHDF/", steps = "/VTKHDF/Steps/";
   const auto entry = [&](const std::string& path) {
@@ -42,7 +42,7 @@ void require_frame(const FileContent& content, int f, const Frame& frame) {
   require_equal(rows<double>(content, root + "Points", first, particles, 3), frame.position,
                 "Points");
 
-  // Offsets: a reader finds them after those of all earlier parts, each one longer than its cells.
+  // Offsets of the frame follow those of all earlier parts, one more than their cells each.
   const auto cells = rows<std::int64_t>(content, steps + "CellOffsets", f, 1, 4);
   const auto connections = rows<std::int64_t>(content, steps + "ConnectivityIdOffsets", f, 1, 4);
   std::vector<std::int64_t> count(static_cast<std::size_t>(particles) + 1);
@@ -79,7 +79,7 @@ void require_frame(const FileContent& content, int f, const Frame& frame) {
   }
 }
 
-/// Pieces grow and shrink from frame to frame; one frame in five has none.
+/// The number of pieces varies from frame to frame; one frame in five has none.
 FrameSurface sample_surface(int number) {
   const int vertices = number % 5 == 3 ? 0 : 40 + number * 17 % 60;
   FrameSurface surface;

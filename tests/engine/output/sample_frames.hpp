@@ -9,18 +9,18 @@
 
 namespace pliant::test {
 
-/// Frame `number` of a made-up run with `least` particles or up to half as many more: velocity in
-/// the plane, stress, density, a body and a number; every value tells frame, particle, component. A
-/// surface of triangles, too, in four frames of five.
+/// Frame `number` of an artificial run with `least` particles or up to half as many more: velocity
+/// in the plane, stress, density, a body and a number, where every value identifies frame, particle
+/// and component. Four frames in five also have a surface of triangles.
 Frame sample_frame(int number, int least);
 
 RunDescription sample_run();
 
-/// Writes frames [begin, end) and, before each, three rows of history "extent".
+/// Writes frames [begin, end), and before each of them three rows of the history "extent".
 void write_frames(ResultFile& file, int begin, int end, int least);
 
-/// How many frames a file holds by the count that VTKHDF readers go by, after comparing each with
-/// the sample frame. Throws std::runtime_error at the first difference.
+/// Number of frames in a file, by the count that VTKHDF readers use, after comparing each with the
+/// sample frame. Throws std::runtime_error at the first difference.
 int whole_frames(const FileContent& content, int least);
 
 }  // namespace pliant::test

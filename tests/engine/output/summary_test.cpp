@@ -66,7 +66,7 @@ TEST(summary, keys_keep_their_order) {
                                             "steps", "physical_time", "wall_time", "processor_time",
                                             "peak_memory", "phases", "performance", "conserved",
                                             "checks", "measurements"}));
-  EXPECT_EQ(json["phases"].begin().key(), "stress");  // not alphabetical: the order of the step
+  EXPECT_EQ(json["phases"].begin().key(), "stress");  // in the order of the step, not alphabetical
 }
 
 TEST(summary, without_measurements_has_an_empty_object) {

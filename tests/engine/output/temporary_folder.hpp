@@ -11,13 +11,13 @@
 
 namespace pliant::test {
 
-/// An empty folder of its own for each test, removed when the test ends.
+/// A separate empty folder for each test, removed at the end of the test.
 class TemporaryFolder {
  public:
   TemporaryFolder() {
     const auto& test = *testing::UnitTest::GetInstance()->current_test_info();
     std::string name = test.name();
-    std::replace(name.begin(), name.end(), '/', '.');  // of a test with a parameter
+    std::replace(name.begin(), name.end(), '/', '.');  // as in names of parametrised tests
     path_ = std::filesystem::temp_directory_path() /
             ("pliant." + std::to_string(::getpid()) + "." + name);
     std::filesystem::remove_all(path_);

@@ -27,7 +27,7 @@ TEST(point_contact, a_block_slides_down_a_slope_by_coulombs_law) {
   EXPECT_NEAR(pushed, g * std::cos(angle), 0.3);
   const double sliding = g * std::sin(angle) - mu * pushed;
   EXPECT_NEAR(solver.integrals().momentum[0], sliding, 0.02 * sliding);
-  // mu N times the way of a block of 1 kg with this acceleration
+  // mu N times the path of a block of 1 kg with this acceleration
   EXPECT_NEAR(solver.energy_budget()->friction, mu * pushed * sliding / 2,
               0.05 * mu * pushed * sliding / 2);
 }
@@ -55,8 +55,7 @@ displacement = [0, "-0.1*min(t, 1)"]
   EXPECT_LT(std::abs(balance(solver)), 0.03 * work);
 }
 
-// A capsule is two balls and the cylinder between them. It comes down on a block, askew, and
-// slides.
+// A capsule, two balls and a cylinder between them, comes down on a block obliquely and slides.
 TEST(point_contact, a_capsule_that_moves_dents_a_block_and_nothing_enters_it) {
   const std::string text = free_points(3) +
                            half_space("floor", "kind = \"fixed\"", "[0, 0, 0]", "[0, 0, 1]") +
@@ -94,8 +93,8 @@ of = [{ shape = "ball", centre = [0.3, 0.2, 1.2], radius = 0.15 },
   EXPECT_LT(std::abs(balance(solver)), 0.01 * work);
 }
 
-// A plane of symmetry halves the force on a tool and nothing else: nodes that slide along it are
-// pushed too.
+// A plane of symmetry halves the force on a tool and changes nothing else: nodes that slide along
+// it are pushed too.
 TEST(point_contact, a_plane_of_symmetry_halves_the_force) {
   double force[2];
   for (const bool half : {false, true}) {
@@ -109,7 +108,7 @@ friction = "frictionless"
 geometry = { shape = "disc", centre = [0.5, 2.0], radius = 1 }
 displacement = [0, "-0.1*min(t/0.5, 1)"]
 )toml" + measurement("force", "kind = \"wall_force\"\nboundary = \"tool\"\naxis = \"y\"");
-    // The two bodies differ in their stable steps, and pushes come step by step.
+    // The two bodies have different stable steps, and pushes depend on the step.
     std::vector<std::string> settings = {"point_based.damping=20", "time.step=4e-3"};
     if (half) {
       settings.push_back(

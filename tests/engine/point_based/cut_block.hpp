@@ -10,7 +10,7 @@
 
 namespace pliant::test {
 
-/// A cube [0, 1]^D with a cut body for its surfaces, and cuts that a test has made.
+/// A cube [0, 1]^D with a cut body for its surfaces, and the cuts that a test makes.
 template <int D>
 struct CutBlock {
   PointSolver<D> solver = PointSolver<D>(
@@ -35,7 +35,7 @@ struct CutBlock {
     });
   }
 
-  /// Fills `vertices`, and returns where they come from.
+  /// Fills `vertices`, and returns the divided surface.
   point_based::DividedSurface<D> surface() {
     point_based::OpenedSurface<D> opened(body(), 0.125,
                                          point_based::inside_of<D>(body().source->geometry, 1e-7));
@@ -46,8 +46,8 @@ struct CutBlock {
   }
 };
 
-/// The blade is a point (2D) or the line from z = `bottom` to z = 1.1 (3D), or as long as `tilt`
-/// inclines it.
+/// The blade: a point (2D), or a line from z = `bottom` to z = 1.1 (3D), inclined and extended by
+/// `tilt`.
 template <int D>
 std::vector<Point<D>> station(double x, double y, double bottom = -0.1,
                               const Point<3>& tilt = {0, 0, 1.2}) {

@@ -11,7 +11,6 @@
 #include "tests/engine/point_based/blocks.hpp"
 #include "tests/engine/point_based/whole_runs.hpp"
 
-// Blades in the point-based method.
 namespace pliant::test {
 namespace {
 
@@ -59,7 +58,7 @@ end = 2e-9
   EXPECT_NEAR(solver.measure(1), 1 - 0.4375, 1e-9);
 }
 
-// At 0.5 the cut goes through nodes, at 0.4 and 0.03 beside them.
+// At 0.5 the cut goes through nodes, at 0.4 and 0.03 between them.
 TEST(cuts, leave_parts_that_end_at_them) {
   for (const double x : {0.5, 0.4, 0.03}) {
     const std::string blade = fmt::format(
@@ -76,7 +75,7 @@ TEST(cuts, leave_parts_that_end_at_them) {
   }
 }
 
-// The blade starts between two steps, in the body, and goes once round in four of them.
+// The blade starts in the body between two steps, and turns once around in four steps.
 TEST(cuts, begin_where_the_blade_starts_and_follow_its_path) {
   const std::string blade = R"toml([[cut]]
 name = "blade"
@@ -94,7 +93,7 @@ end = 4.4e-9
   EXPECT_NEAR(solver.measure(1), 1 - std::numbers::pi * 0.09, 0.01);
 }
 
-// The node nearest to a point beside a cut may lie across it.
+// The node nearest to a point beside a cut may be on the other side.
 TEST(cuts, between_a_point_and_its_nearest_node_do_not_move_the_point_with_that_node) {
   const std::string blade = R"toml([[cut]]
 name = "blade"
@@ -117,7 +116,7 @@ end = 2e-9
   EXPECT_NEAR(solver.measure(1), 0.2, 1e-12);
 }
 
-/// Affine and a little more.
+/// Affine with a small wave.
 void shear_and_bend(point_based::Body<double, 3>& body) {
   Eigen::Matrix3d f;
   f << 1.3, 0.2, 0, 0, 0.9, 0.1, 0, 0, 0.95;
@@ -130,7 +129,7 @@ void shear_and_bend(point_based::Body<double, 3>& body) {
   });
 }
 
-// The part of the energy that the stabilisation has may still change.
+// The energy of the stabilisation may still change.
 TEST(cuts, do_not_inject_energy) {
   auto solver = solver_of<3>(free_points(3) + sudden_cut("0.4375"), tiny_steps);
   shear_and_bend(solver.state().bodies[0]);
@@ -159,13 +158,13 @@ TEST(cuts, in_a_moving_body_keep_its_momenta) {
   advance_until(solver, 0.7);
   const BodyIntegrals end = solver.integrals();
   EXPECT_EQ(solver.measure(0), 2);
-  const double momentum = 5;  // a bound of the integral of rho abs(u)
+  const double momentum = 5;  // a bound on the integral of rho abs(u)
   for (int axis = 0; axis < 3; ++axis) {
     EXPECT_NEAR(end.momentum[axis], start.momentum[axis], 1e-14 * momentum);
     EXPECT_NEAR(end.angular_momentum[axis], start.angular_momentum[axis], 1e-13 * momentum);
   }
   const double energy = start.kinetic_energy + start.strain_energy;
-  // Relaxation takes some energy, and nothing gives any.
+  // Relaxation dissipates some energy, and nothing adds any.
   EXPECT_LT(end.kinetic_energy + end.strain_energy, energy * (1 + 1e-3));
   EXPECT_GT(end.kinetic_energy + end.strain_energy, energy * (1 - 0.05));
 }
@@ -178,7 +177,7 @@ TEST(cuts, continue_after_a_restart_to_the_same_bytes) {
   EXPECT_EQ(result_of(settings, folder / "run", 2, true), through);
 }
 
-// A cut above the lowest layer leaves nodes whose neighbours lie in a plane.
+// A cut above the lowest layer leaves nodes whose neighbours are in one plane.
 TEST(cuts, that_leave_a_single_layer_leave_a_sheet_that_feels_no_rotation) {
   auto solver = solver_of<3>(free_points(3) + sudden_cut("0.0625"), tiny_steps);
   for (int step = 0; step < 4; ++step) solver.step(HUGE_VAL);
@@ -224,7 +223,7 @@ TEST(cuts, of_no_length_or_no_time_are_refused) {
             std::string::npos);
 }
 
-// A caller may move it wherever it likes.
+// A caller may move the blade anywhere.
 TEST(cuts, that_wait_for_a_caller_are_not_asked_where_they_start) {
   const std::string blade = free_points(3) +
                             "[[cut]]\nname = \"blade\"\npath = [1, 0, 0]\n"

@@ -7,7 +7,7 @@
 
 namespace pliant::test {
 
-/// x = F X + a wave, so that all parts of the energy count.
+/// x = F X + a wave, so that all parts of the energy contribute.
 template <int D>
 void deform(point_based::Body<double, D>& body, const Eigen::Matrix<double, D, D>& f, double wave) {
   body.for_each_node([&](std::int64_t slot) {

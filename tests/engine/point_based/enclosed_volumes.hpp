@@ -11,7 +11,7 @@
 
 namespace pliant::test {
 
-/// Volume inside each connected part of a closed surface, ascending; areas in 2D.
+/// Volumes inside the connected parts of a closed surface, in ascending order; areas in 2D.
 template <int D>
 std::vector<double> volumes_of(const point_based::SurfaceVertices& vertices) {
   std::vector<std::int64_t> root(vertices.owner.size());
@@ -42,7 +42,7 @@ std::vector<double> volumes_of(const point_based::SurfaceVertices& vertices) {
   return volumes;
 }
 
-/// Whether each ridge of the surface belongs to as many pieces in one direction as in the other.
+/// Whether each ridge belongs to as many pieces in one direction as in the other.
 template <int D>
 bool is_closed(const point_based::SurfaceVertices& vertices) {
   std::map<std::pair<std::int64_t, std::int64_t>, int> balance;

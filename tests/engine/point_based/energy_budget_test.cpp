@@ -10,7 +10,7 @@
 namespace pliant::test {
 namespace {
 
-// A block that swings freely: its energy varies within steps hardly more than from step to step.
+// A block that vibrates freely: its energy hardly varies more within steps than between them.
 TEST(point_energy_budget, kinetic_and_strain_energy_within_a_step_belong_together) {
   const Case settings = tests::read_text(free_points(2) + "velocity = [\"0.2*(x - 0.5)\", 0]\n");
   const auto spread = [&settings](double steps) {
@@ -29,8 +29,8 @@ TEST(point_energy_budget, kinetic_and_strain_energy_within_a_step_belong_togethe
   EXPECT_LT(spread(0.3), 1.1 * spread(1));
 }
 
-// The loads start at once: steps are short for the waves that they make, whose energy the leapfrog
-// sees to second order.
+// The loads start suddenly: steps are short for the resulting waves, whose energy is of second
+// order in the leapfrog method.
 TEST(point_energy_budget, work_of_walls_loads_and_gravity_is_in_the_bar_or_was_damped) {
   const std::string text =
       "gravity = [\"sin(2*t)\", -3]\n" + free_points(2) +
@@ -63,8 +63,8 @@ pressure = 3
   }
 }
 
-// What changed bonds and relaxing gradients do to the strain energy is in the budget, so that the
-// balance closes through a cut.
+// The budget includes changes of the strain energy by changed bonds and by relaxing gradients, so
+// that it closes during a cut.
 TEST(point_energy_budget, closes_through_a_cut) {
   const std::string text =
       free_points(2) + half_space("left", "kind = \"fixed\"", "[0, 0]", "[1, 0]") +

@@ -8,7 +8,7 @@
 #include "tests/engine/point_based/deformations.hpp"
 #include "tests/engine/undeformed/forces.hpp"
 
-// Forces of the point-based method against its energy and its invariants.
+// Forces of the point-based method, compared with its energy and its invariants.
 namespace pliant::test {
 namespace {
 
@@ -84,7 +84,7 @@ TYPED_TEST(PointForces, neither_push_nor_turn_a_free_body) {
   expect_no_push_and_no_turn<D>(body, force);
 }
 
-// On nodes inside and at the surface alike, and with the stabilisation.
+// On nodes inside and at the surface, and with the stabilisation.
 TYPED_TEST(PointForces, see_affine_fields_exactly) {
   constexpr int D = TypeParam::value;
   auto solver = this->solver("neo_hookean");
@@ -101,7 +101,7 @@ TYPED_TEST(PointForces, see_affine_fields_exactly) {
       energy += node.energy;
     }
   }
-  // (PB.6) written out anew.
+  // (PB.6) written independently.
   Eigen::Matrix3d full = Eigen::Matrix3d::Identity();
   full.topLeftCorner<D, D>() = f;
   const double j = full.determinant(), mu = 100 / 2.6, lambda = 100 * 0.3 / (1.3 * 0.4);
@@ -124,13 +124,13 @@ TYPED_TEST(PointForces, resist_a_checkerboard_as_far_as_the_stabilisation_says) 
     return solver.integrals().strain_energy;
   };
   const double none = energy("0"), automatic = energy("automatic"), half = energy("0.05");
-  // Nodes at the surface see the mode without it, too.
+  // Nodes at the surface see the mode even without it.
   EXPECT_GT(automatic, 1.1 * none);
   EXPECT_NEAR(automatic - none, 2 * (half - none), 1e-9 * automatic);
 }
 
-// In 2D u = (x y, -(x^2 + y^2)/2) changes no volume to first order: the energy of such a bend
-// depends on the shear modulus alone. What gradients at the surface get wrong may count a little.
+// In 2D u = (x y, -(x^2 + y^2)/2) does not change volumes to first order: the energy of this
+// bending depends only on the shear modulus, except for small errors of gradients at the surface.
 TEST(point_stabilisation, does_not_resist_bending_more_where_volumes_are_kept) {
   const auto energy = [](double ratio) {
     PointSolver<2> solver(
@@ -147,11 +147,11 @@ TEST(point_stabilisation, does_not_resist_bending_more_where_volumes_are_kept) {
     });
     return solver.integrals().strain_energy;
   };
-  // 1.026 with a stabilisation by the modulus of pressure waves.
+  // It would be 1.026 if the stabilisation used the modulus of pressure waves.
   EXPECT_LT(energy(0.49), 1.01 * energy(0.3));
 }
 
-// The stress on the face x = 1 of a block in homogeneous stretch adds up to P N.
+// In a homogeneous stretch the stress on the face x = 1 of a block adds up to P N.
 TYPED_TEST(PointForces, hold_an_affine_deformation_with_forces_near_the_surface_alone) {
   constexpr int D = TypeParam::value;
   auto solver = this->solver("neo_hookean", {"time.step=1e-9", "discretisation.spacing=0.0625"});
@@ -175,7 +175,7 @@ TYPED_TEST(PointForces, hold_an_affine_deformation_with_forces_near_the_surface_
 }
 
 // The tenth and the eleventh neighbour of a node of a square lattice are equally far away, (PB.2).
-// A deformation that is its own mirror image in y = x exerts forces that are theirs.
+// A deformation that is symmetric about y = x must cause forces with the same symmetry.
 TEST(point_neighbours, that_are_equally_far_away_count_alike) {
   const Case settings =
       tests::read_text(free_points(2), {"point_based.neighbours=10", "time.step=1e-9"});

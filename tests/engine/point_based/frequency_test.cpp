@@ -7,7 +7,7 @@
 #include "tests/engine/point_based/blocks.hpp"
 #include "tests/engine/point_based/deformations.hpp"
 
-// The estimate of the highest frequency from which the time step follows, (PB.12).
+// The estimate of the highest frequency, which determines the time step, (PB.12).
 namespace pliant::test {
 namespace {
 
@@ -19,7 +19,7 @@ PointSolver<3> still_block(const std::vector<std::string>& more = {},
                         {1, kernels::widest_supported()});
 }
 
-/// The largest eigenvalue of the stiffness over the mass [1/s^2]: power iteration with
+/// The largest eigenvalue of the stiffness over the mass [1/s^2], by power iteration with
 /// accelerations in steps so short that nothing moves.
 template <int D>
 double largest_frequency2(PointSolver<D>& solver) {
@@ -55,8 +55,8 @@ double largest_frequency2(PointSolver<D>& solver) {
   return found;
 }
 
-/// The default CFL number, 0.9, leaves 1/0.81. The estimate is least sure where volumes are kept:
-/// 1.056 of it was found on a lattice with nu = 0.45.
+/// The default CFL number, 0.9, has a margin of 1/0.81. The estimate is least accurate for nearly
+/// incompressible bodies: 1/1.056 of the truth on a lattice with nu = 0.45.
 template <int D>
 void expect_near_estimate(PointSolver<D>& solver, const std::string& what) {
   const double found = largest_frequency2(solver), estimate = solver.state().frequency2;
@@ -77,7 +77,7 @@ TEST(frequency, of_lattices_and_octrees_is_near_its_estimate) {
   expect_near_estimate(plane, "2D");
 }
 
-// Many large nodes pull at each small one: the factor 2 of lattices is too small there.
+// Many large nodes pull at each small one: there the factor 2 for lattices is too small.
 TEST(frequency, of_tetrahedra_of_unequal_size_is_near_its_estimate) {
   const TemporaryFolder folder;
   for (const double grading : {1., 2., 3.}) {
@@ -123,7 +123,7 @@ TEST(frequency, grows_with_compression_and_not_with_rotation) {
     const Eigen::Vector3d stretch(squeeze, 1 / std::sqrt(squeeze), 1 / std::sqrt(squeeze));
     deform<3>(solver.state().bodies[0], turn * stretch.asDiagonal(), 0);
     solver.step(HUGE_VAL);
-    // Waves along the axis of compression, of abs(cof F) = 1/squeeze.
+    // Waves along the axis of compression, with abs(cof F) = 1/squeeze.
     const double modulus = mu + (lambda + mu) / (squeeze * squeeze);
     EXPECT_NEAR(solver.state().frequency2 / before, modulus / (lambda + 2 * mu), 1e-9);
   }
@@ -137,7 +137,7 @@ TEST(frequency, sets_the_step_with_the_damping_that_shortens_it) {
   auto damped = still_block({"time.step=cfl", "point_based.stiffness_damping=0.003"});
   const double shorter = std::sqrt(limit * limit + 0.003 * 0.003) - 0.003;
   EXPECT_NEAR(damped.time_step(), 0.9 * shorter, 1e-12 * limit);
-  // A mode of that frequency alternates at that limit: (PB.10) with the viscous stress of (PB.9).
+  // At the limit a mode of that frequency alternates: (PB.10) with the viscous stress of (PB.9).
   EXPECT_NEAR(shorter * shorter + 2 * 0.003 * shorter, limit * limit, 1e-12 * limit * limit);
 }
 

@@ -6,7 +6,8 @@
 #include "tests/engine/point_based/blocks.hpp"
 #include "tests/engine/undeformed/loads.hpp"
 
-// Gravity, tractions and reactions of the point-based method, against solutions in closed form.
+// Gravity, tractions and reactions of the point-based method, compared with solutions in closed
+// form.
 namespace pliant::test {
 namespace {
 
@@ -27,7 +28,7 @@ TEST(point_loads, free_fall_is_exact) {
   }
 }
 
-// Output times lie anywhere in a step: momentum is that of their instant, and bodies are nearly on
+// Output times are anywhere within a step: momentum is exact at that time, and bodies are nearly on
 // their parabola, (PB.45).
 TEST(point_loads, free_fall_is_exact_within_steps) {
   const Case settings = tests::read_text("gravity = [0, -10]\n" + free_points(2));
@@ -44,7 +45,7 @@ TEST(point_loads, free_fall_is_exact_within_steps) {
   }
 }
 
-// Looking at an output time within a step leaves the rest of the run as it is.
+// Observing an output time within a step does not change the rest of the run.
 TEST(point_loads, velocities_within_a_step_do_not_alter_the_run) {
   const Case settings = tests::read_text(free_points(2) + "velocity = [\"0.2*(x - 0.5)\", 0]\n");
   PointSolver<2> looked_at(settings, {1, kernels::widest_supported()});
@@ -67,7 +68,7 @@ TEST(point_loads, velocities_within_a_step_do_not_alter_the_run) {
   });
 }
 
-// The facets of the surface cut off the edge between the end of a round bar and its side.
+// The facets of the surface cut off the edge between the end and the side of a round bar.
 TEST(point_loads, on_the_end_of_a_round_bar_act_on_all_of_it) {
   for (const std::string spacing : {"0.125", "0.1", "0.0625"}) {
     const Case settings = tests::read_text(
@@ -111,7 +112,7 @@ TEST(point_loads, of_a_region_that_begins_in_the_plane_of_a_face_act_on_all_of_i
   }
 }
 
-// F = sigma/E in a bar that slides along its floor; 1 % is what the stretch of 2 % makes of it.
+// F = sigma/E in a bar that slides along its floor; a stretch of 2 % changes it by 1 %.
 TEST(point_loads, a_traction_stretches_a_bar_by_its_modulus) {
   const std::string text =
       free_points(3) + half_space("floor", "kind = \"slip_wall\"", "[0, 0, 0]", "[0, 0, 1]") +
@@ -135,7 +136,7 @@ area = "undeformed"
   EXPECT_NEAR(force, -2, 1e-3);
 }
 
-// A dead load does not follow the surface, and one per present area grows with it.
+// A dead load does not follow the surface; a load per present area grows with the area.
 TEST(point_loads, a_traction_acts_on_the_undeformed_or_on_the_present_area) {
   for (const bool present : {false, true}) {
     const std::string text = free_points(2) + R"toml([[boundary]]

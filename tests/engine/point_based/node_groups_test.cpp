@@ -11,7 +11,7 @@
 #include "tests/engine/point_based/whole_runs.hpp"
 #include "tests/engine/undeformed/forces.hpp"
 
-// Irregular nodes of a body that hardly changes its volume.
+// Irregular nodes of a nearly incompressible body.
 namespace pliant::test {
 namespace {
 
@@ -74,8 +74,8 @@ TYPED_TEST(NodeGroups, neither_push_nor_turn_a_free_body) {
   expect_no_push_and_no_turn<D>(body, force);
 }
 
-// The stress of (PB.6) follows from the pressures that the nodes show: with one F everywhere,
-// groups change nothing.
+// The stress of (PB.6) follows from the pressures of the nodes: with the same F everywhere, groups
+// change nothing.
 TYPED_TEST(NodeGroups, show_the_pressure_of_the_law_in_a_homogeneous_deformation) {
   constexpr int D = TypeParam::value;
   PointSolver<D> solver(this->settings("neo_hookean"), {1, kernels::widest_supported()});
@@ -102,7 +102,8 @@ struct CutGroups : NodeGroups<std::integral_constant<int, 3>> {
   }
 };
 
-// A node of a group has the volume change of its group, and keeps it when a cut dissolves it.
+// A node of a group has the volume change of its group, and keeps it when a cut dissolves the
+// group.
 TEST_F(CutGroups, dissolve_where_a_cut_parts_them_and_inject_no_energy) {
   write(unit_block<3>(9), folder / "block.vtk");
   const Case settings =
@@ -124,7 +125,7 @@ TEST_F(CutGroups, dissolve_where_a_cut_parts_them_and_inject_no_energy) {
   for (int step = 0; step < 3; ++step) solver.step(HUGE_VAL);
   EXPECT_LT(grouped(), whole);
   EXPECT_GT(grouped(), 0);
-  // No group is left with nodes on both sides.
+  // No group has nodes on both sides.
   std::map<std::int64_t, bool> is_above;
   body.for_each_node([&](std::int64_t slot) {
     if (!(body.share[slot] > 0)) return;

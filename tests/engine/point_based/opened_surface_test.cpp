@@ -9,7 +9,7 @@
 #include "tests/engine/point_based/cut_block.hpp"
 #include "tests/engine/point_based/enclosed_volumes.hpp"
 
-// How the surface of a body with cuts moves: with the nodes on the side of each face.
+// The surface of a body with cuts moves with the nodes on the side of each face.
 namespace pliant::test {
 namespace {
 
@@ -62,10 +62,10 @@ void expect_open_lips() {
     EXPECT_NEAR(x[1], 0.53, 1e-12);
     const double moved = block.vertices.displacement[D * v + 1];
     if (std::abs(x[0] - 0.6) < 1e-6) {
-      // All nodes near the front count: those that have not moved, and the ends of the wedge.
+      // All nodes near the front contribute: those that have not moved, and the ends of the wedge.
       EXPECT_NEAR(moved, 0, 0.2 * 0.125 / 2);
       ++at_front;
-    } else if (x[0] < 0.35) {  // all nodes that count are on the straight part
+    } else if (x[0] < 0.35) {  // all nodes involved are on the straight part
       const bool is_above = moved > 0.1 * (0.6 - x[0]);
       EXPECT_NEAR(moved, is_above ? 0.2 * (0.6 - x[0]) : 0, 1e-12) << x[0];
       ++(is_above ? upper : lower);
@@ -120,8 +120,7 @@ end = 2e-9
   PointSolver<2> solver(tests::read_text(free_points(2) + blade, {"time.step=1e-9"}),
                         {1, kernels::widest_supported()});
   for (int step = 0; step < 4; ++step) solver.step(HUGE_VAL);
-  // The outline of the block has 32 pieces; the cut crosses it in eight or more, each with two
-  // faces.
+  // The outline of the block has 32 pieces; the cut crosses at least eight, each with two faces.
   EXPECT_GE(solver.frame({false, true}).surface->vertex.size() / 2, 32 + 2 * 8);
 }
 

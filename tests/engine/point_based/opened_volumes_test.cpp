@@ -8,7 +8,7 @@
 #include "tests/engine/point_based/cut_block.hpp"
 #include "tests/engine/point_based/enclosed_volumes.hpp"
 
-// The volumes inside the surface of a body with cuts, against those that geometry gives.
+// The volumes inside the surface of a body with cuts, compared with exact ones.
 namespace pliant::test {
 namespace {
 
@@ -18,7 +18,7 @@ void expect_volumes(const std::vector<double>& found, std::vector<double> expect
   for (std::size_t i = 0; i < found.size(); ++i) EXPECT_NEAR(found[i], expected[i], bound) << i;
 }
 
-// The surface of a lattice lies 1e-9 spacings outside its points.
+// The surface of a lattice is 1e-9 spacings outside its points.
 constexpr double lattice_rounding = 6 * 0.125e-9;
 
 template <int D>
@@ -57,8 +57,8 @@ TEST(opened_surface, has_the_volumes_of_the_parts_of_an_oblique_cut) {
   expect_volumes(volumes_of<3>(block.vertices), {0.5, 0.5}, lattice_rounding);
 }
 
-// The lines between points on the edges of the lattice cut corners: by h^2/8 times the curvature at
-// most, in all.
+// Lines between points on the edges of the lattice cut corners: in all by at most h^2/8 times the
+// curvature.
 template <int D>
 void expect_curved_parts() {
   CutBlock<D> block;
@@ -103,7 +103,7 @@ TEST(opened_surface, has_the_volumes_of_the_parts_of_cuts_that_cross) {
   expect_crossed_parts<3>(0.2);
 }
 
-// The second one goes through what the first one has opened.
+// The second one goes through the opening of the first one.
 template <int D>
 void expect_coplanar() {
   CutBlock<D> block;
@@ -119,8 +119,8 @@ TEST(opened_surface, has_the_volumes_of_the_parts_of_two_cuts_of_one_plane) {
   expect_coplanar<3>();
 }
 
-// A blade of three points that ends in the body on all sides leaves a pocket, whose surface is
-// apart from that of the block.
+// A blade of three points whose cut ends in the body on all sides leaves a pocket, with a surface
+// separate from that of the block.
 TEST(opened_surface, has_a_pocket_where_a_cut_ends_in_the_body_on_all_sides) {
   CutBlock<3> block;
   point_based::CutSurface<3>& cut = block.add_cut();
@@ -134,7 +134,7 @@ TEST(opened_surface, has_a_pocket_where_a_cut_ends_in_the_body_on_all_sides) {
   const std::vector<double> volumes = volumes_of<3>(block.vertices);
   ASSERT_EQ(volumes.size(), 2u);
   EXPECT_NEAR(volumes[1], 1.1, 0.01);
-  // It is 0.1 high over the middle of the cut, and closes within 0.8 spacings of its rim.
+  // The pocket is 0.1 high over the middle of the cut, and closes within 0.8 spacings of its rim.
   EXPECT_LT(volumes[0], -0.1 * 0.4 * 0.4);
   EXPECT_GT(volumes[0], -0.1 * 0.6 * 0.6);
 }

@@ -6,8 +6,8 @@
 #include "tests/engine/finite_elements/meshed_block.hpp"
 #include "tests/engine/point_based/blocks.hpp"
 
-// The patch test of the point-based method: in a uniform stress P the force on a node is -P a, a
-// its share of the undeformed surface.
+// The patch test of the point-based method: in a uniform stress P the force on a node is -P a, with
+// the node's share a of the undeformed surface.
 namespace pliant::test {
 namespace {
 
@@ -26,7 +26,7 @@ struct Patch : testing::Test {
         {1, kernels::widest_supported()});
   }
 
-  /// The largest force that should not be there, over |P| V^(2/3).
+  /// The largest spurious force over |P| V^(2/3).
   static double error(PointSolver<3>& solver) {
     Matrix3 f;
     f << 1.2, 0.3, -0.1, -0.2, 0.9, 0.15, 0.05, -0.25, 1.1;
@@ -66,7 +66,7 @@ struct Patch : testing::Test {
 TEST_F(Patch, weights_that_pass_it_leave_no_force_inside_and_that_of_the_stress_outside) {
   auto exact = solver("patch_exact");
   EXPECT_LT(error(exact), 1e-5);
-  // Nothing is lost: strains are exact, and weights positive.
+  // No compromise is needed: strains are exact, and weights positive.
   const auto& body = exact.state().bodies[0];
   for (const auto& block : body.blocks) {
     body.for_each_bond(block, block.first,
@@ -74,7 +74,7 @@ TEST_F(Patch, weights_that_pass_it_leave_no_force_inside_and_that_of_the_stress_
   }
 }
 
-// Without weights that balance it, a force of .7 times the stress is left on a node of this block.
+// Without balancing weights, a force of .7 times the stress remains on a node of this block.
 TEST_F(Patch, weights_that_balance_it_leave_a_few_hundredths_of_the_force) {
   auto balanced = solver("moving_least_squares");
   EXPECT_LT(error(balanced), 0.05);
@@ -96,7 +96,7 @@ TEST_F(Patch, a_body_whose_nodes_are_not_on_its_surface_is_refused) {
   }
 }
 
-// What a cut does not reach stays exact: the forces inside are those of the weights next to it.
+// Nodes that the cut does not reach stay exact: forces inside use the weights next to them.
 TEST_F(Patch, bonds_that_no_cut_has_changed_keep_the_weights_that_pass_it) {
   write(unit_block<3>(7), folder / "block.vtk");
   const std::string cut =

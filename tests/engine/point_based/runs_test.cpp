@@ -13,7 +13,6 @@
 #include "tests/engine/point_based/blocks.hpp"
 #include "tests/engine/point_based/whole_runs.hpp"
 
-// Whole runs of the point-based method.
 namespace pliant::test {
 namespace {
 
@@ -24,7 +23,7 @@ TEST(point_based, a_tumbling_block_keeps_momenta_to_rounding_and_its_energy) {
   EXPECT_NEAR(start.mass, 1, 1e-12);
   advance_until(solver, 1);
   const BodyIntegrals end = solver.integrals();
-  const double momentum = 5;  // a bound of the integral of rho abs(u)
+  const double momentum = 5;  // a bound on the integral of rho abs(u)
   for (int axis = 0; axis < 3; ++axis) {
     EXPECT_NEAR(end.momentum[axis], start.momentum[axis], 1e-14 * momentum);
     EXPECT_NEAR(end.angular_momentum[axis], start.angular_momentum[axis], 1e-13 * momentum);
@@ -34,7 +33,7 @@ TEST(point_based, a_tumbling_block_keeps_momenta_to_rounding_and_its_energy) {
   EXPECT_NEAR(end.kinetic_energy + end.strain_energy, energy, 5e-3 * energy);
 }
 
-// A bar between frictionless walls rings along its length: u = A cos(pi x) cos(pi c t).
+// A bar between frictionless walls vibrates along its length: u = A cos(pi x) cos(pi c t).
 double error_of_standing_wave(const std::string& spacing) {
   const std::string walls = R"([[boundary]]
 name = "below"
@@ -62,7 +61,7 @@ geometry = { shape = "half_space", point = [0, 0.25], normal = [0, -1] }
   return error * frequency / 1e-4;
 }
 
-// With six cells across the tip bends by 1.12 times the reference, with eight by 1.03.
+// With six cells across, the tip deflects by 1.12 times the reference, with eight by 1.03.
 TEST(point_based, an_octree_of_few_cells_is_said_to_bend_too_far) {
   const auto said = [](const std::string& nodes, const std::string& spacing) {
     const std::vector<std::string> settings = {"point_based.nodes=" + nodes,
@@ -76,9 +75,9 @@ TEST(point_based, an_octree_of_few_cells_is_said_to_bend_too_far) {
   EXPECT_EQ(said("lattice", "1/3"), "");
 }
 
-// The tip of a beam of 10 x 2 x 1 m whose cells are flattened, as the spacing divides its length
-// and its width alone: bonds across the whole thickness of 0.4 and 2/3 made it 8 and 28 % too soft.
-// Total Lagrangian hexahedra, 6 and 8 of them across, sag by 9.94 mm.
+// The tip of a beam of 10 x 2 x 1 m with flattened cells, as the spacing divides only its length
+// and width: bonds across the whole thickness of 0.4 and 2/3 made it 8 and 28 % too soft. With 6
+// and 8 total Lagrangian hexahedra across, it sags by 9.94 mm.
 TEST(point_based, flattened_cells_bend_as_cubes_do) {
   for (const auto& [spacing, bar] :
        {std::pair{"0.4", 0.025}, std::pair{"1/3", 0.01}, std::pair{"2/3", 0.06}}) {
@@ -119,7 +118,7 @@ TEST(point_based, bytes_do_not_depend_on_a_restart) {
   for (const char* precision : {"double", "single"}) {
     const Case settings = driven({std::string("precision=") + precision});
     const FileContent through = result_of(settings, folder / precision, 1);
-    // The last checkpoint lies before the end: continuing from it writes the end once more.
+    // The last checkpoint is before the end: the continued run writes the end once more.
     EXPECT_EQ(result_of(settings, folder / precision, 2, true), through);
   }
 }

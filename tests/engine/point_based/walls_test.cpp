@@ -22,7 +22,7 @@ TEST(points_at_walls, stretch_a_bar_alike_at_any_spacing) {
   }
 }
 
-// Walls that material sticks to, on both ends of a block: next to them lie the middles of cells.
+// Fixed walls at both ends of a block; the middles of cells are next to them.
 TEST(points_at_walls, hold_an_octree_where_they_are) {
   const auto pull = [](const std::string& nodes, const std::string& spacing) {
     const Case settings =
@@ -38,7 +38,7 @@ TEST(points_at_walls, hold_an_octree_where_they_are) {
 }
 
 // A cube of nodes in cells of three sizes hangs from a wall. Its weight stretches it by 10.1 mm;
-// with plain weights, nodes where sizes meet give way, and it is 13.4 mm.
+// with plain weights, nodes between cells of different sizes are too soft, and it is 13.4 mm.
 TEST(points_at_walls, carry_an_octree_of_cells_of_several_sizes) {
   const std::string end =
       measurement("end", "kind = \"point_displacement\"\npoint = [1, 0.5, 0.5]\naxis = \"x\"");
@@ -52,7 +52,7 @@ TEST(points_at_walls, carry_an_octree_of_cells_of_several_sizes) {
   EXPECT_NEAR(values(solver)["end"], 0.0101, 0.15 * 0.0101);
 }
 
-// A wall ends inside the body: what it covers is rigid, and does not pull at the rest.
+// A wall ends inside the body: the part inside it is rigid, and does not pull at the rest.
 TEST(points_at_walls, hold_what_they_cover) {
   const std::string clamps = stretching_walls(false, "0.3");
   const double right = pull_of_points(clamps, "0.02");

@@ -14,7 +14,7 @@ namespace pliant::test {
 inline const std::string tumbling =
     "velocity = [\"3*y + sin(4*x)\", \"1 - 3*x\", \"2*cos(3*y)\"]\n";
 
-/// A moving wall that holds what lies at x = 0.
+/// A moving wall that holds the nodes at x = 0.
 inline const std::string clamp = R"toml([[boundary]]
 name = "clamp"
 kind = "moving_wall"
@@ -22,7 +22,7 @@ geometry = { shape = "half_space", point = [0, 0, 0], normal = [1, 0, 0] }
 velocity = [0, "0.4*cos(3*t)", 0]
 )toml";
 
-/// What a run to the end leaves in its result.
+/// The content of the result file of a run to the end.
 inline FileContent result_of(const Case& settings, const std::filesystem::path& folder, int threads,
                              bool resume = false) {
   RunOptions options;

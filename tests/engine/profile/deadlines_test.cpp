@@ -29,7 +29,7 @@ TEST(percentiles, leave_so_many_frames_to_miss) {
   EXPECT_EQ(most_missed(50, 99), 0);
 }
 
-/// Frames of a phase `calm` of one second and a phase `wild` of the rest.
+/// Frames with a phase `calm` of one second and a phase `wild` for the rest.
 Profile profile_of(const std::vector<double>& seconds, double budget, double percentile) {
   Profile profile;
   profile.options.budget = budget;

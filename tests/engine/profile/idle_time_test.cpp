@@ -7,7 +7,7 @@ namespace {
 
 using namespace scheduler;
 
-/// `first` on two blocks, then `second` on what both have written.
+/// `first` on two blocks, then `second`, which reads what both have written.
 StepGraph two_then_one() {
   const auto nothing = [](BlockId) {};
   return {{{.name = "first", .writes = {{0}}, .run = nothing},

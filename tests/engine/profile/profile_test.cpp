@@ -31,7 +31,7 @@ const MethodRegistry& registry() {
   return methods;
 }
 
-// 16 steps in a second.
+// 16 steps in one second.
 Case flight() {
   return parse_case(R"(method = "free_flight"
 discretisation = { spacing = 0.25 }
@@ -100,7 +100,8 @@ TEST(profile, ends_as_soon_as_the_budget_cannot_be_held) {
   options.frames = 1000;
   options.budget = 1e-12;
   options.stop_when_missed = true;
-  EXPECT_EQ(run_profile(flight(), options, registry()).frames.size(), 11u);  // 1 % may miss
+  EXPECT_EQ(run_profile(flight(), options, registry()).frames.size(),
+            11u);  // 1 % may miss the deadline
 }
 
 TEST(trace, holds_every_frame_step_and_node_inside_one_another) {
@@ -153,7 +154,7 @@ TEST(trace, keeps_the_longest_nodes_of_a_step_that_has_too_many) {
     EXPECT_GE(event["dur"], 6);
   }
   EXPECT_EQ(nodes, TraceWriter::most_nodes);
-  // 1000 such steps stay below 100 MB.
+  // 1000 such steps take less than 100 MB.
   EXPECT_LT(std::filesystem::file_size(folder / "trace.json"), 100'000u);
 }
 

@@ -6,8 +6,8 @@
 #include "tests/engine/case/written_case.hpp"
 #include "tests/engine/remeshed/small_case.hpp"
 
-// Blocks without a free surface, or with walls that stand anywhere in a cell of the lattice: forces
-// are stresses times areas, and the mass is what it was.
+// Blocks without a free surface, or with walls anywhere within a cell of the lattice: forces must
+// be stress times area, and mass must be conserved.
 namespace pliant::test {
 namespace {
 
@@ -47,7 +47,7 @@ material = {}
       dimension, dimension == 2 ? "[0, 0]" : "[0, 0, 0]", upper, rubber);
 }
 
-/// Measurements, with the mean forces over the last hundredth of the time until `end`.
+/// Measurements, with forces averaged over the last hundredth of the time until `end`.
 template <int D>
 std::map<std::string, double> pressed(remeshed::Solver<double, D>& solver, double end) {
   const auto measure = [&solver] {
@@ -70,9 +70,9 @@ std::map<std::string, double> pressed(remeshed::Solver<double, D>& solver, doubl
   return now;
 }
 
-// The upper wall passes a row of nodes. The row before it counted as a whole or not at all: the
-// mass was up to 6 % and the force on the left up to 13 % off; with 0.96 m the area was wrong by 4
-// %.
+// The upper wall passes a row of nodes. When the row before it counted fully or not at all, the
+// mass was wrong by up to 6 % and the force on the left by up to 13 %; with 0.96 m the area was
+// wrong by 4 %.
 TEST(confined_blocks, keep_their_mass_and_push_every_wall_with_their_stress) {
   for (const double width : {1., 0.96}) {
     const Case settings = tests::read_text(
@@ -114,7 +114,7 @@ TEST(confined_blocks, do_so_in_3d) {
   EXPECT_NEAR(now["floor"] / (-now["stress_zz"] * x * y), 1, 0.01);
 }
 
-// A wall that may leave the block again, between walls that cut cells.
+// A wall that the block may leave again, between walls that cut cells.
 TEST(confined_blocks, push_a_contact_wall_with_their_stress) {
   for (const double width : {0.96, 0.926, 0.872}) {
     const Case settings = tests::read_text(
@@ -131,8 +131,8 @@ TEST(confined_blocks, push_a_contact_wall_with_their_stress) {
   }
 }
 
-// A quarter of a disc, cut out by half-spaces where planes of symmetry stand, under its weight
-// along x: the planes carry as much as its section says, and the floor nothing along x.
+// A quarter of a disc, cut out by half-spaces at planes of symmetry, under its weight along x: the
+// planes carry what the section of the disc implies, and the floor nothing along x.
 TEST(confined_blocks, are_whole_where_half_spaces_cut_them_at_walls) {
   const auto quarter = [](const std::string& geometry) {
     const Case settings = tests::read_text(

@@ -4,11 +4,11 @@
 #include "tests/engine/case/written_case.hpp"
 #include "tests/engine/remeshed/small_case.hpp"
 
-// Runs that fail say why, and do not fill memory before.
+// Runs that fail say why, before they fill memory.
 namespace pliant::test {
 namespace {
 
-/// Steps until a failure, and its message; empty where a hundred steps succeed.
+/// The message of the failure within a hundred steps; empty if there is none.
 std::string failure_of(Solver& solver) {
   try {
     advance(solver, 100);
@@ -23,8 +23,8 @@ testing::AssertionResult holds(const std::string& text, const std::string& part)
   return testing::AssertionFailure() << text << "\nlacks\n" << part;
 }
 
-// CFL 2.9, as the rotating cylinder at spacing 0.004 with its own step: lists of neighbours grew to
-// all pairs of particles.
+// CFL 2.9, as in the rotating cylinder at spacing 0.004 with its own step: lists of neighbours grew
+// to all pairs of particles.
 TEST(failures, of_an_unstable_step_name_the_limit_before_memory_is_full) {
   Solver solver(small_case("rotating_cylinder",
                            {"discretisation.spacing=0.02", "time.step=5e-3", "measurement=[]"}),
@@ -35,8 +35,8 @@ TEST(failures, of_an_unstable_step_name_the_limit_before_memory_is_full) {
   EXPECT_TRUE(holds(message,
                     "; the time step 0.005 s is above the stability limit of 0.00292 s (CFL number "
                     "1.7); set time.step = \"cfl\", or to less than the limit"));
-  // Lists of all neighbours within exp(0.56) of the support: 75 of them, 12 bytes each, beside the
-  // 400 bytes of a slot.
+  // Lists of all neighbours within exp(0.56) times the support: 75 neighbours of 12 bytes each,
+  // compared with the 400 bytes of a slot.
   EXPECT_LT(solver.bytes(), 4 * bytes);
 }
 
@@ -55,7 +55,8 @@ geometry = { shape = "union", of = [
   { shape = "box", lower = [2, 0], upper = [3, 1] } ] }
 )";
 
-// The parts fly a thousand spacings in a step: a lattice over both would not fit into memory.
+// The parts fly a thousand spacings in one step: a lattice that covers both would not fit into
+// memory.
 TEST(failures, of_parts_that_fly_apart_name_the_body) {
   Solver solver(tests::read_text(two_parts, {"body.pair.velocity=[\"x > 0 ? 1e9 : -1e9\", \"0\"]"}),
                 {});
@@ -64,7 +65,7 @@ TEST(failures, of_parts_that_fly_apart_name_the_body) {
                     "lattice; use a smaller time step (time.cfl), "));
 }
 
-// What a wall that holds the body tears off at its edge, no shorter step would save.
+// No shorter step would help against what a wall that holds the body tears off at its edge.
 TEST(failures, beside_a_wall_do_not_advise_a_smaller_step) {
   Solver solver(
       tests::read_text(tests::block_case +

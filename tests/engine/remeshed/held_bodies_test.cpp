@@ -3,11 +3,11 @@
 #include "tests/engine/case/written_case.hpp"
 #include "tests/engine/remeshed/small_case.hpp"
 
-// Plane linear bodies that bear a lasting load come to rest, and stay there.
+// Plane linear bodies under a constant load come to rest and stay at rest.
 namespace pliant::test {
 namespace {
 
-/// Measurements at the end, with `wall_force` as the mean over the last second.
+/// Measurements at the end, with `wall_force` averaged over the last second.
 std::vector<double> values_at(Solver& solver, double end) {
   advance_until(solver, end - 1);
   const std::vector<double> before = solver.measure();
@@ -21,9 +21,9 @@ std::vector<double> values_at(Solver& solver, double end) {
   return now;
 }
 
-// Eight particles across. The ring crept by a tenth in 8 s, and its energy grew from nothing. The
-// displacement is that of Lame in plane strain, u = (1 + nu)/E A ((1 - 2 nu) r + b^2/r) with
-// A = p a^2/(b^2 - a^2); the stairs of a lattice at the inner surface leave 3 %.
+// Eight particles across. The ring used to creep by a tenth in 8 s, with energy growing from
+// nothing. The displacement is Lame's in plane strain, u = (1 + nu)/E A ((1 - 2 nu) r + b^2/r) with
+// A = p a^2/(b^2 - a^2); the steps of the lattice at the inner surface cause errors of 3 %.
 TEST(held_bodies, a_thick_ring_under_pressure_does_not_creep) {
   const Case settings = tests::read_text(R"toml(dimension = 2
 discretisation = { spacing = 0.0625, damping = "adaptive" }
@@ -51,8 +51,8 @@ point = [0.98, 0]
   EXPECT_NEAR(late / early, 1, 0.002);
 }
 
-// A block that stands on a frictionless wall, in its weight. The wall carried 1.033 of it after 20
-// s, and the block sank by 4 % between 7 and 20 s.
+// A block on a frictionless wall under its weight. The wall used to carry 1.033 of it after 20 s,
+// and the block to sink by 4 % between 7 and 20 s.
 TEST(held_bodies, a_block_stands_on_a_slip_wall_with_its_weight) {
   const Case settings = tests::read_text(R"toml(dimension = 2
 gravity = [0, "-5*min(t, 1)"]

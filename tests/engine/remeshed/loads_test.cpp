@@ -9,7 +9,7 @@
 namespace pliant::test {
 namespace {
 
-// A block [0, 1] x [0, 1] whose waves travel 1 in 0.086 s.
+// A block [0, 1] x [0, 1] that waves cross in 0.086 s.
 constexpr double youngs_modulus = 200, poissons_ratio = 0.3, density = 2;
 constexpr double uniaxial =
     youngs_modulus * (1 - poissons_ratio) / ((1 + poissons_ratio) * (1 - 2 * poissons_ratio));
@@ -74,7 +74,7 @@ TEST(body_forces, damping_slows_a_body_exponentially) {
   for_each(body.population, Kind::interior, [&](std::int64_t p, const Cell<2>&) {
     EXPECT_NEAR(body.stage[0].get(Field::velocity, 0)[p], std::exp(-0.8), 1e-6);
   });
-  // The energy is an integral over cells of which the surface cuts some, the loss a sum over
+  // The energy is an integral over cells, some of which the surface cuts; the loss is a sum over
   // particles.
   EXPECT_NEAR(balance(solver), density / 2, 3e-3 * density);
 }
@@ -149,10 +149,10 @@ traction = [1, 0]
   EXPECT_NEAR(at_end["mean_strain"], strain, 0.03 * strain);
   const double across = -poissons_ratio * (1 + poissons_ratio) / youngs_modulus;
   EXPECT_NEAR(at_end["fixed_point"], across, -0.03 * across);
-  EXPECT_NEAR(at_end["centre"], strain / 2, 0.003 * 0.1);  // [h], of a surface in a cell
+  EXPECT_NEAR(at_end["centre"], strain / 2, 0.003 * 0.1);  // [h], as the surface is within a cell
 }
 
-// The region stays behind, the load does not: it goes on pushing the block down.
+// The region stays behind, but the load moves with the block and keeps pushing it down.
 TEST(pressures, follow_the_surface_out_of_their_region) {
   const Case settings = tests::read_text(block + R"(velocity = [4, 0]
 [[boundary]]
@@ -184,8 +184,9 @@ traction = [0.5, 0]
   EXPECT_NEAR(reaction, -0.5, 0.05);
 }
 
-// The region ends in the plane of the face: all of its ghosts bear the load, and what it does is in
-// the energy balance. Rounding decided for each of them, so that the run created all of its energy.
+// The region ends in the plane of the face: all of its ghosts must bear the load, whose work must
+// be in the energy balance. When rounding decided for each ghost, the run created all of its
+// energy.
 TEST(tractions, act_on_a_face_on_which_their_region_ends) {
   const Case settings = tests::read_text(
       R"(dimension = 3
@@ -212,7 +213,7 @@ traction = ["min(t/0.3,1)", 0, 0]
   EXPECT_NEAR(stored + budget.damping, budget.work(), 0.1 * budget.work());
 }
 
-// Walls that pull for a while and stand, and loads: what they have done is in the bar.
+// Loads, and walls that pull for a while and stop: their work must be in the bar.
 TEST(energy_budget_of_the_remeshed_method, work_is_in_the_bar) {
   const std::string walls =
       half_space("left", "kind = \"fixed\"\n", "[0, 0]", "[1, 0]") +

@@ -13,14 +13,14 @@ namespace {
 constexpr double pi = 3.14159265358979323846;
 const kernels::Isa widest = kernels::widest_supported();
 
-/// [x, y] or [x, y, z].
+/// "[x, y]" or "[x, y, z]".
 std::string vector_of(int dimension, const std::string& x, const std::string& y,
                       const std::string& z) {
   return dimension == 2 ? fmt::format("[{}, {}]", x, y) : fmt::format("[{}, {}, {}]", x, y, z);
 }
 
-// A viscous block that falls on a wall under gravity. With M times the inertia all that happens
-// takes sqrt(M) times as long, if speeds are lower by sqrt(M).
+// A viscous block that falls on a wall under gravity. With M times the inertia everything takes
+// sqrt(M) times as long if speeds are lower by sqrt(M).
 std::string falling_block(int dimension, double slower) {
   const auto vector = [dimension](const char* x, const char* y, const char* z) {
     return vector_of(dimension, x, y, z);
@@ -200,7 +200,7 @@ Pulled pulled(const std::string& load, const Settings& settings) {
   return {solver.measure()[0], created / budget.work()};
 }
 
-// The load grows for twenty of the times that a wave runs along the scaled bar.
+// The load grows during 20 crossings of the scaled bar by a wave.
 template <int D>
 void expect_the_same_elongation(double exact, double elongation_bound, double energy_bound) {
   const std::string load = "2*min(t/6, 1)";
@@ -217,13 +217,13 @@ TEST(mass_scaling, leaves_the_elongation_of_a_bar_as_it_is) {
   expect_the_same_elongation<2>(0.5 * 2 / 100 * 0.91, 0.005, 0.03);
 }
 
-// Four particles across. Edges of loads are coarse in 3D, with any mass: 0.05 is what
-// `checks.energy` tolerates.
+// Four particles across. Edges of loads are coarse in 3D, with any mass: 0.05 is the tolerance of
+// `checks.energy`.
 TEST(mass_scaling, leaves_the_elongation_of_a_bar_in_3d_as_it_is) {
   expect_the_same_elongation<3>(0.5 * 2 / 100, 0.01, 0.05);
 }
 
-// A wave runs along the bar in 0.3 s. Without damping the end would swing between 0 and twice the
+// A wave crosses the bar in 0.3 s. Without damping the end would swing between 0 and twice the
 // elongation.
 TEST(adaptive_damping, brings_a_bar_under_a_sudden_load_to_rest) {
   const Settings scaled = {"remeshed.mass_scaling=25", "discretisation.damping=adaptive"};

@@ -55,8 +55,8 @@ point = [1.3, 1]
 )");
 }
 
-// A disc of 8 spacings to the radius: volume and surface are right within 0.2 % wherever it is, as
-// those of one without a cell.
+// A disc with a radius of 8 spacings: wherever it is, volume and surface are right within 0.2 %, as
+// those of a disc without a periodic cell.
 TEST(periodic_bodies, keep_their_surface_and_their_places_through_the_ends_of_the_cell) {
   const Case settings = flying_disc();
   Solver solver(settings, {1, kernels::Isa::sse2});

@@ -3,8 +3,8 @@
 #include "tests/engine/case/written_case.hpp"
 #include "tests/engine/remeshed/small_case.hpp"
 
-// Blocks on a slip wall that loads push or pull slowly: their stress is uniform, whatever the loads
-// beside their edges are.
+// Blocks on a slip wall that loads slowly push or pull: their stress must be uniform, whatever the
+// loads are near their edges.
 namespace pliant::test {
 namespace {
 
@@ -55,7 +55,7 @@ traction = [0, "2*min(t/0.2, 1)"]
 
 const std::string top = "geometry = { shape = \"box\", lower = [-9, 0.195], upper = [9, 9] }\n";
 
-/// What a block carries at rest, over what it should, and its energy balance over the work.
+/// The load that a block carries at rest relative to the exact one, and energy balance over work.
 struct Found {
   double reaction, along, across, balance;
 };

@@ -17,29 +17,29 @@ using remeshed::Field;
 using remeshed::Kind;
 using Settings = std::vector<std::string>;
 
-/// A case that comes with the program, changed by settings as on the command line.
+/// A case of the project, changed by settings as on the command line.
 inline Case small_case(const std::string& name, const Settings& settings) {
   return read_case(std::filesystem::path(PLIANT_SOURCE_DIR) / "cases" / name, settings);
 }
 
-/// `settings` and then `more`, which win.
+/// `settings` followed by `more`, which override them.
 inline Settings operator+(Settings settings, const Settings& more) {
   settings.insert(settings.end(), more.begin(), more.end());
   return settings;
 }
 
-/// Steps of the length that the case asks for.
+/// Takes steps of the length that the case prescribes.
 inline void advance(Solver& solver, int steps) {
   for (int i = 0; i < steps; ++i) solver.step(HUGE_VAL);
 }
 
-/// Steps to `time`, whatever the case's own steps would be.
+/// Steps to `time`, whatever step the case prescribes.
 template <int D>
 void advance_until(remeshed::Solver<double, D>& solver, double time) {
   while (solver.clock().time < time * (1 - 1e-12)) solver.step(time - solver.clock().time);
 }
 
-/// Calls f(slot, cell) for the slots of a population that hold something of kind `kind`.
+/// Calls f(slot, cell) for the slots of a population of kind `kind`.
 template <class F>
 void for_each(const remeshed::Population<double, 2>& population, Kind kind, F&& f) {
   for (const Block<2>& block : population.layout.blocks()) {

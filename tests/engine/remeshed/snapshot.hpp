@@ -11,7 +11,7 @@
 
 namespace pliant::test {
 
-/// What a solver holds at one moment, under the names of the fields; all components together.
+/// The values of a solver at one moment, by the names of fields; all components together.
 using Snapshot = std::map<std::string, std::vector<double>>;
 
 enum class Slots { all, particles };
@@ -111,8 +111,8 @@ inline std::vector<std::string> differences(const Snapshot& a, const Snapshot& b
   return names;
 }
 
-/// Largest difference of the values under `name`, over the largest of the values themselves;
-/// infinite when they are not equally many.
+/// Largest difference of the values under `name`, relative to the largest value; infinite if their
+/// numbers differ.
 inline double relative_difference(const Snapshot& a, const Snapshot& b, const std::string& name) {
   const std::vector<double>&x = a.at(name), &y = b.at(name);
   if (x.size() != y.size()) return HUGE_VAL;

@@ -4,8 +4,8 @@
 
 namespace pliant::test {
 
-/// The disc of radius 1 about `centre` in the first instant of its rotation, on nodes that lie
-/// anyhow towards its surface.
+/// The disc of radius 1 about `centre` at the start of its rotation, with nodes placed irregularly
+/// relative to its surface.
 inline Case spinning_disc(double spacing, const std::string& centre = "[0.013, -0.021]") {
   return small_case(
       "rotating_cylinder",

@@ -12,7 +12,7 @@ namespace {
 
 using Names = std::vector<std::string>;
 
-/// The names in the comments of a source file: what follows `//` and five spaces, as far as two
+/// The names in the comments of a source file: text between `//` with five spaces and the next two
 /// spaces.
 Names essay_of(const std::string& source) {
   std::ifstream file(PLIANT_SOURCE_DIR "/engine/" + source);
@@ -35,8 +35,8 @@ Names names_of(const std::vector<scheduler::Phase>& phases) {
   return names;
 }
 
-/// Checks the order of the names in an essay, and takes them off the list of those that no phase
-/// has had so far.
+/// Checks the order of the names in an essay, and removes them from `missing`, the names without a
+/// phase so far.
 void compare(const Names& found, const Names& essay, Names& missing) {
   auto place = essay.begin();
   for (const std::string& name : found) {

@@ -13,7 +13,7 @@ using report::append_numbers;
 using report::base64;
 using report::deflated;
 
-// The vectors of RFC 4648, section 10.
+// The test vectors of RFC 4648, section 10.
 TEST(byte_streams, base64_is_that_of_the_rfc) {
   EXPECT_EQ(base64(""), "");
   EXPECT_EQ(base64("f"), "Zg==");

@@ -9,7 +9,7 @@
 
 namespace pliant::test {
 
-/// What a page of a report holds, read as its scripts read it.
+/// Content of a page of a report, decoded in the same way as by its scripts.
 struct PageContent {
   std::string text;
   nlohmann::json run;

@@ -116,8 +116,8 @@ TEST(run_report, surfaces_take_fields_from_the_particles_nearby) {
   EXPECT_EQ(first.next(6, 4), (std::vector<std::uint32_t>{0, 1, 2, 0, 2, 3}));
   for (auto& array : numbers) array = second.next(4, 2, array);
   const double lo = page.run["fields"][0]["lo"], hi = page.run["fields"][0]["hi"];
-  // 100 (x - 0.5) with x = X - 0.1 at the corners X = 0 and 1 of the box; particles are about
-  // 0.07 apart, so that the nearest have pressures within 12 of those.
+  // 100 (x - 0.5) with x = X - 0.1 at the corners X = 0 and 1 of the box; particles are about 0.07
+  // apart, so that the nearest pressures differ from it by less than 12.
   EXPECT_NEAR(lo + numbers[3][0] / 65535.0 * (hi - lo), -50, 12);
   EXPECT_NEAR(lo + numbers[3][1] / 65535.0 * (hi - lo), 40, 12);
 }
@@ -139,7 +139,7 @@ TEST(run_report, histories_summary_and_layout_are_in_the_page) {
   EXPECT_EQ(page.run["spacing"], 0.125);
 }
 
-// The browser refuses other addresses by the page's own policy; here nothing asks for one.
+// The policy of the page makes browsers refuse other addresses; here no address is requested.
 TEST(run_report, a_page_refers_to_no_other_file) {
   const std::string page(report::empty_page());
   const std::regex elsewhere(

@@ -22,7 +22,7 @@ TEST(scalars, velocity_and_stress_come_before_the_rest_and_numbers_of_bodies_are
   EXPECT_EQ(scalars[2].name, "density");
 }
 
-// Uniaxial tension s gives s, pure shear t gives sqrt(3) t, and pressure nothing.
+// Uniaxial tension s gives s, pure shear t gives sqrt(3) t, and pressure 0.
 TEST(scalars, von_mises_stress_is_that_of_textbooks) {
   const auto scalar = report::scalar_named("von_mises_stress", fields);
   EXPECT_FLOAT_EQ(report::value_of(scalar, std::array{-3.F, 0.F, 0.F, 0.F, 0.F, 0.F}.data()), 3);

@@ -43,7 +43,7 @@ double area_of(const WallPicture& wall) {
   return area;
 }
 
-/// Six times the volume inside is the sum of the triple products of the corners.
+/// The enclosed volume is a sixth of the sum of the triple products of the corners.
 double volume_of(const WallPicture& wall) {
   double volume = 0;
   for (std::size_t t = 0; t < wall.triangle.size() / 3; ++t) {
@@ -82,7 +82,7 @@ TEST(wall_pictures, outside_the_box_are_left_out) {
   EXPECT_TRUE(pictures(3, shape).empty());
 }
 
-// The chords of a sphere sampled with 40 cells across it miss less than 1 % of its volume.
+// The volume inside the chords of a sphere, 40 cells across, is less than 1 % too small.
 TEST(wall_pictures, of_a_ball_are_closed_and_have_its_volume) {
   Shape shape;
   shape.kind = Shape::Kind::ball;

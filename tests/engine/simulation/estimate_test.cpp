@@ -47,8 +47,8 @@ TEST_P(Estimates, of_particles_and_steps_are_within_a_fifth) {
   EXPECT_NEAR(static_cast<double>(size.steps), steps, 1 + 0.2 * steps);
 }
 
-// 40/s in a run that is too short for waves to change it: ten steps of at most 2 % strain, where
-// waves ask for one.
+// 40/s in a run too short for waves to change it: ten steps of at most 2 % strain, where waves
+// would need one.
 TEST(estimate, knows_the_steps_that_strain_asks_for) {
   const std::string text = tests::with(tests::block_case, "end = 1", "end = 0.005");
   const Case slow = tests::read_text(text),
@@ -80,7 +80,7 @@ TEST(estimate, large_bodies_are_counted_on_a_coarse_lattice) {
   EXPECT_NEAR(static_cast<double>(size.slots), 1e8, 2e6);
 }
 
-// More bytes than a 64-bit number holds.
+// More bytes than fit in a 64-bit number.
 TEST(estimate, no_spacing_is_so_fine_that_it_seems_to_fit) {
   for (const char* spacing : {"1e-8", "1e-9", "1e-12"}) {
     const Case a_case =

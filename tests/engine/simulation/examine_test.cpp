@@ -15,15 +15,15 @@ TEST(examine, counts_nodes_of_a_lattice_whose_volumes_are_those_of_the_block) {
   EXPECT_NEAR(found.bodies[0].volume, 1, 1e-12);
   EXPECT_NEAR(found.bodies[0].volume_error(), 0, 1e-6);
   EXPECT_EQ(found.bodies[0].degenerate, 0);
-  // Nodes on a face see half of the neighbours: the moment across it is a part of that along it.
+  // Nodes on a face have half of the neighbours: the moment across it is smaller than along it.
   EXPECT_GT(found.bodies[0].condition, 1.5);
   EXPECT_LT(found.bodies[0].condition, 10);
-  // (PB.12): the corners swing fastest.
+  // (PB.12): the corners have the highest frequency.
   const double c = std::sqrt(100 * 0.7 / (1.3 * 0.4));
   EXPECT_NEAR(found.time_step * c / 0.125, 1, 0.1);
 }
 
-// A second block, 0.01 m in the first one, and a floor that the first one stands on.
+// A second block that starts 0.01 m inside the first one, which stands on a floor.
 TEST(examine, tells_how_deep_surfaces_that_may_touch_start_in_each_other) {
   const std::string text = free_points(3) + R"toml(
 [[body]]
@@ -40,18 +40,19 @@ friction = "frictionless"
 geometry = { shape = "half_space", point = [0, 0, 0], normal = [0, 0, 1] }
 )toml";
   const Examined found = *examine(tests::read_text(text));
-  ASSERT_EQ(found.contacts.size(), 3u);  // of the bodies, and of each with the floor
+  ASSERT_EQ(found.contacts.size(),
+            3u);  // between the bodies, and between each of them and the floor
   const ExaminedContact& bodies = found.contacts[0];
   // The surface of a cube of n cells along each side has 6 n^2 + 2 corners.
   EXPECT_EQ(bodies.corners, (std::vector<std::int64_t>{6 * 8 * 8 + 2, 6 * 4 * 4 + 2}));
   EXPECT_EQ(bodies.facets, (std::vector<std::int64_t>{2 * 6 * 8 * 8, 2 * 6 * 4 * 4}));
   EXPECT_NEAR(bodies.penetration, 0.01, 1e-9);
-  EXPECT_NEAR(bodies.deepest[2], 0.995, 0.0051);  // a corner of the one or of the other
+  EXPECT_NEAR(bodies.deepest[2], 0.995, 0.0051);  // a corner of either body
   EXPECT_NE(bodies.text().find("0.01 m deep in each other at the start"), std::string::npos);
   EXPECT_LT(found.contacts[1].penetration, 1e-9);
   EXPECT_EQ(found.contacts[2].names, (std::vector<std::string>{"upper", "floor"}));
   EXPECT_EQ(found.contacts[2].penetration, 0);
-  // Impulses need no shorter step; the default stays further below the limit.
+  // Impulses do not need a shorter step; the default has a larger margin below the limit.
   EXPECT_NEAR(found.time_step, 0.6 * found.stable_step, 1e-12);
 }
 

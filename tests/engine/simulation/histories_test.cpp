@@ -15,7 +15,7 @@ namespace {
 
 using Quantity = MeasurementCase::Kind;
 
-/// A mass, the same relative to its start, a tip, and the tip's period.
+/// A mass, the mass relative to its start, a tip, and the period of the tip.
 struct MeasuredHistories : testing::Test {
   Case settings;
   static constexpr double period = 0.8;
@@ -32,7 +32,7 @@ struct MeasuredHistories : testing::Test {
     };
     add("mass", Quantity::mass, false, -1);
     add("mass_ratio", Quantity::mass, true, -1);
-    add("period", Quantity::period, false, 3);  // before what it reads
+    add("period", Quantity::period, false, 3);  // before the measurement that it reads
     add("tip", Quantity::point_displacement, false, -1);
   }
 
@@ -53,7 +53,7 @@ TEST_F(MeasuredHistories, complete_what_depends_on_the_past) {
   EXPECT_EQ(record.last_time(), 1.5);
   EXPECT_EQ(record.last(0), 5.5);
   EXPECT_EQ(record.last(1), 5.5 / 4);
-  EXPECT_NEAR(record.last(2), period, 1e-4);  // a chord's error: 0.07 w^2 dt^3
+  EXPECT_NEAR(record.last(2), period, 1e-4);  // error of a chord: 0.07 w^2 dt^3
 }
 
 TEST_F(MeasuredHistories, know_extremes_values_at_times_and_sums) {
@@ -74,7 +74,7 @@ TEST_F(MeasuredHistories, know_extremes_values_at_times_and_sums) {
   sum.factors = {2, -3};
   Histories record(settings);
   for (int i = 0; i <= 20; ++i) {
-    const double x = i - 8;  // a parabola, and values that do not exist
+    const double x = i - 8;  // a parabola, and missing values
     const double tip = i == 3 ? nothing : x * x;
     record.add(0.01 * i, {5, 5, nothing, tip, nothing, nothing, nothing, nothing, nothing});
   }
@@ -187,7 +187,7 @@ kind = "mass"
   EXPECT_EQ(sampling_warning(
                 tests::read_text(block, {"method=total_lagrangian", "output.measure_every=0.1"})),
             "");
-  // With remeshings it depends on when they came.
+  // With remeshings it depends on their times.
   const Case remeshed = tests::read_text(block);
   EXPECT_EQ(sampling_warning(remeshed), "");
   const double end = remeshed.time.end;

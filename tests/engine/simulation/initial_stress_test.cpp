@@ -6,11 +6,10 @@
 #include "engine/simulation/watch.hpp"
 #include "tests/engine/case/written_case.hpp"
 
-// Bodies that start under stress.
 namespace pliant::test {
 namespace {
 
-/// A hanging bar, 10 x 2 (x 2), fixed at x = 0; its weight asks for sigma_xx = rho g (10 - x).
+/// A bar along x, 10 x 2 (x 2), fixed at x = 0; its weight requires sigma_xx = rho g (10 - x).
 Case hanging_bar(const std::string& method, int dimension, const std::string& stress) {
   const bool is_solid = dimension == 3, has_mesh = method == "finite_elements";
   const std::string box =
@@ -67,9 +66,9 @@ INSTANTIATE_TEST_SUITE_P(methods, Weights,
                                   std::to_string(sample.param.second);
                          });
 
-// A stiff string with clamped ends swings at sqrt(sigma/rho)/(2 L) (1 + 2 e + (4 + pi^2/2) e^2),
-// e = H/L sqrt(E/((1 - nu^2) 12 sigma)) (Fletcher & Rossing 1998, 2.18.1). Without tension the same
-// bar takes three times as long.
+// A stiff string with clamped ends vibrates at sqrt(sigma/rho)/(2 L) (1 + 2 e + (4 + pi^2/2) e^2),
+// with e = H/L sqrt(E/((1 - nu^2) 12 sigma)) (Fletcher & Rossing 1998, 2.18.1). Without tension the
+// period of the bar is three times as long.
 TEST(initial_stress, of_tension_makes_a_bar_a_string) {
   for (const std::string method : {"total_lagrangian", "point_based"}) {
     const Case settings = tests::read_text(

@@ -11,7 +11,7 @@
 namespace pliant::test {
 namespace {
 
-/// The block of tests, of the shear modulus 100/2.6 Pa, under a shear stress from the start.
+/// The block of tests, with shear modulus 100/2.6 Pa, under an initial shear stress.
 std::string warning_under(const std::string& stress,
                           const std::vector<std::string>& settings = {}) {
   const Case block =

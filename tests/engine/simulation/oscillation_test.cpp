@@ -11,7 +11,7 @@ namespace {
 
 constexpr double pi = 3.14159265358979323846;
 
-/// Samples of a function of time, every `step`.
+/// Samples of a function of time at intervals of `step`.
 struct Signal {
   std::vector<double> time, value;
 
@@ -29,7 +29,8 @@ struct Signal {
 TEST(oscillations, period_of_a_sine_is_found_within_the_square_of_the_sampling_interval) {
   for (const double phase : {0.0, 0.4, 2.0}) {
     const auto wave = [&](double t) { return 0.01 * std::sin(2 * pi * t / 5.94 + phase); };
-    // A chord between samples misses a zero by up to 0.07 w^2 dt^3; the mean over 3 spacings less.
+    // A chord between samples misses a zero by up to 0.07 w^2 dt^3; the mean over 3 spacings by
+    // less.
     EXPECT_NEAR(Signal(14, 0.1, wave).period(), 5.94, 0.07 * 1.12 * 1e-3) << phase;
   }
 }
@@ -37,7 +38,7 @@ TEST(oscillations, period_of_a_sine_is_found_within_the_square_of_the_sampling_i
 TEST(oscillations, amplitude_ratio_of_a_decaying_sine_is_its_decay_in_a_period) {
   for (const double decay : {0.0, 0.05, 0.3}) {
     const auto wave = [&](double t) { return std::exp(-decay * t) * std::sin(2 * pi * t); };
-    // The parabola through three samples misses the top by (w dt)^4/384 or so, the same each time.
+    // The parabola through three samples misses the maximum by about (w dt)^4/384, always the same.
     EXPECT_NEAR(Signal(4.3, 0.01, wave).ratio(), std::exp(-decay), 1e-6) << decay;
   }
 }

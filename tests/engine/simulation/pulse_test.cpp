@@ -8,7 +8,7 @@
 namespace pliant::test {
 namespace {
 
-/// Half a wave of sin(pi t), then nothing, as means over samples of `step`.
+/// Half a wave of sin(pi t), then zero, as means over samples of length `step`.
 struct Pulse {
   std::vector<double> time{0}, value{0};
 
@@ -25,7 +25,7 @@ struct Pulse {
 TEST(pulses, peak_moving_average_of_a_half_wave_is_that_of_its_top) {
   const double pi = std::acos(-1.0);
   const Pulse pulse(1 / 64., 2);
-  // Windows that end with samples: one of them is centred at the top.
+  // Windows that end at samples: one of them is centred at the maximum.
   for (const double over : {2 / 64., 8 / 64., 1.0}) {
     const double exact = std::sin(pi * over / 2) / (pi * over / 2);
     EXPECT_NEAR(peak_moving_average(pulse.time, pulse.value, over), exact, 1e-12) << over;

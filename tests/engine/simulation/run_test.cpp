@@ -53,7 +53,7 @@ TEST_F(Running, frames_come_at_their_times_and_at_both_ends) {
   for (std::size_t i = 0; i < times.size(); ++i) EXPECT_NEAR(times[i], expected[i], 1e-15);
 }
 
-// Frames of both runs, some of them between two steps, at the same times and with the same bits.
+// Both runs have frames at the same times with the same bits, some of them between two steps.
 TEST_F(Running, output_times_change_no_bit_of_what_is_seen) {
   for (const Settings& policy : {Settings{}, Settings{"remeshing.every=3"}}) {
     run(policy + Settings{"output.measure_every=0.02"});

@@ -15,7 +15,7 @@
 namespace pliant::test {
 namespace {
 
-// A watch that looks at bodies of other speeds sees their energy and momentum change by themselves.
+// Shows a watch bodies of other speeds, as if their energy and momentum had changed.
 struct Watching : testing::Test {
   Case flying(double speed, const std::string& checks = "", double density = 2) const {
     Case settings = tests::read_text(tests::block_case + "velocity = [" + fmt::format("{}", speed) +
@@ -65,13 +65,13 @@ TEST_F(Watching, names_the_method_for_remeshed_bodies_that_stay_in_contact) {
       << warning;
 }
 
-// What was created must not hide itself: the share is of what there was without it.
+// Created energy must not hide itself: the share is relative to the energy without it.
 TEST_F(Watching, sees_what_was_created_against_what_there_was) {
   EXPECT_EQ(seen(std::sqrt(1.049), "momentum = \"off\""), "");
   EXPECT_NE(seen(std::sqrt(1.051), "momentum = \"off\""), "");
 }
 
-// There is no energy to compare with; strains of 1e-4 leave no trace.
+// There is no energy to compare with; strains of 1e-4 are not noticed.
 TEST_F(Watching, sees_bodies_that_start_to_move_by_themselves) {
   const Case settings = flying(0);
   const double wave = fastest_wave(settings);
@@ -96,7 +96,7 @@ TEST_F(Watching, says_at_the_end_how_much_energy_was_lost) {
   EXPECT_EQ(seen(0.5, off + "\nenergy = \"off\""), "");
 }
 
-// What friction takes is in the budget, so that the rest is lost.
+// Energy taken by friction is in the budget, so that only the rest is lost.
 TEST_F(Watching, says_so_where_there_is_friction_too) {
   const std::string off = "momentum = \"off\"\n";
   const Case settings = flying(1, off + R"([[boundary]]
@@ -126,12 +126,12 @@ TEST_F(Watching, watches_the_angular_momentum_of_a_body_that_turns) {
   watch.begin(before);
   const std::string warning = watch.observe(after, true);
   EXPECT_NE(warning.find("the angular momentum has changed"), warning.npos) << warning;
-  // The box is 10 x 20 particles: a share of 1/200 less turns than if it were filled evenly.
+  // The box is 10 x 20 particles: 1/200 less of the rotation than if it were filled uniformly.
   EXPECT_NEAR(watch.report().angular_momentum.share, 0.1, 0.001);
   EXPECT_LT(watch.report().momentum.share, 1e-12);
 }
 
-// Such a run ends inside its first step or after a few, from rest.
+// Such a run, from rest, ends within its first step or after a few.
 TEST_F(Watching, sees_no_energy_created_in_a_run_of_a_step) {
   for (const std::string method : {"point_based", "total_lagrangian"}) {
     const std::string model = method == "point_based" ? "neo_hookean" : "linear";

@@ -30,7 +30,7 @@ void take_steps(pliant::Solver& solver, int count) {
 }
 
 struct Sph : testing::Test {
-  /// All that a checkpoint holds of a solver.
+  /// Everything that a checkpoint of a solver holds.
   FileContent state_of(const pliant::Solver& solver) const {
     ArchiveWriter writer(folder / "state.h5");
     solver.save(writer);
@@ -40,7 +40,7 @@ struct Sph : testing::Test {
   TemporaryFolder folder;
 };
 
-// The disc stretches by no more than some percent.
+// The disc stretches by only some percent.
 TEST_F(Sph, clumps_in_tension_unless_an_artificial_stress_keeps_particles_apart) {
   EXPECT_LT(measured(disc(coarse), "closest_pair", 0.5), 0.6);
   EXPECT_GT(measured(disc(coarse + gently), "closest_pair", 0.5), 0.75);
@@ -55,7 +55,7 @@ TEST_F(Sph, is_what_clumps_and_not_the_particles_of_the_moment_matrix) {
   }
 }
 
-// Pair forces are opposite; those of the stress are not along the line between two particles.
+// Pair forces are opposite; those of the stress do not act along the line between two particles.
 TEST_F(Sph, keeps_momentum_to_rounding) {
   const Settings thrown = {"discretisation.spacing=0.1",
                            "body.disc.rotation={ centre = [0.5, 0.2], angular_velocity = \"pi\" }"};

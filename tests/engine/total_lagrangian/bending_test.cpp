@@ -5,7 +5,7 @@
 
 #include "tests/engine/total_lagrangian/blocks.hpp"
 
-// Bodies of one and two cells across bend and twist as they should, whatever Poisson's ratio.
+// Bodies one and two cells thick bend and twist correctly, whatever Poisson's ratio.
 namespace pliant::test {
 namespace {
 
@@ -21,7 +21,7 @@ material = {{ model = "linear", youngs_modulus = 100, poissons_ratio = {}, densi
                      box, poissons_ratio);
 }
 
-/// u_a = k[a][c] x_1 x_2 x_3/x_c, summed over c, about the middle of a cube of one cell.
+/// u_a = k[a][c] x_1 x_2 x_3/x_c, summed over c, from the middle of a cube of one cell.
 using Curvatures = std::array<std::array<double, 3>, 3>;
 
 double energy_of(const Curvatures& k, double poissons_ratio) {
@@ -71,14 +71,14 @@ TEST(total_lagrangian, a_cell_that_bends_and_twists_has_the_energy_of_plates) {
   }
 }
 
-/// By how much a body under a load has sunk at the end.
+/// How far a body under a load has sunk at the end.
 double deflection(const std::string& text, double end) {
   LagrangianSolver<3> solver(tests::read_text(text), {1, kernels::widest_supported()});
   advance_until(solver, end);
   return -solver.measure()[0];
 }
 
-/// Of a beam of 10 x 2 x 2 under an end load of 1e-3, on two cells across.
+/// Deflection of a beam of 10 x 2 x 2 under an end load of 1e-3, two cells thick.
 double deflection_of_beam(double poissons_ratio) {
   return deflection(elastic_body("lower = [0, -1, -1], upper = [10, 1, 1]", poissons_ratio) +
                         R"([[boundary]]
@@ -104,8 +104,8 @@ damping = 0.4
                     80);
 }
 
-// Two cells cannot resolve the edges of the clamp, whose stress is singular where nu is not 0: 1.6
-// % with incompatible modes (C3D8I) of implicit finite elements too.
+// Two cells cannot resolve the edges of the clamp, where the stress is singular unless nu is 0:
+// implicit finite elements with incompatible modes (C3D8I) also have an error of 1.6 %.
 TEST(total_lagrangian, a_beam_of_two_cells_bends_right_for_any_poissons_ratio) {
   const double load = 1e-3, length = 10, inertia = 16. / 12, area = 4;
   const double bending = load * length * length * length / (3 * 100 * inertia);
@@ -115,7 +115,7 @@ TEST(total_lagrangian, a_beam_of_two_cells_bends_right_for_any_poissons_ratio) {
   EXPECT_NEAR(deflection_of_beam(0.3) / 2.543e-3, 1, 0.02);
 }
 
-/// Of the middle of a clamped square plate of 1 x 1 x 0.05, one cell thick, over q L^4/D.
+/// Deflection of the middle of a clamped plate of 1 x 1 x 0.05, one cell thick, over q L^4/D.
 double deflection_of_plate(double poissons_ratio) {
   const double thickness = 0.05, load = 1e-6;
   const double rigidity = 100 * std::pow(thickness, 3) / 12 / (1 - poissons_ratio * poissons_ratio);
@@ -152,8 +152,8 @@ spacing = 0.05
   return deflection(text, 30 / frequency) * rigidity / load;
 }
 
-// Kirchhoff's plate has 0.001265; shear adds 4.6 % (nu = 0.3, Mindlin) and, as 1/(1 - nu), 3.2 %
-// (nu = 0).
+// Kirchhoff's plate has 0.001265; shear adds 4.6 % (nu = 0.3, Mindlin) and, proportional to 1/(1 -
+// nu), 3.2 % (nu = 0).
 TEST(total_lagrangian, a_plate_of_one_cell_bends_right_for_any_poissons_ratio) {
   EXPECT_NEAR(deflection_of_plate(0.3) / (1.046 * 0.001265), 1, 0.015);
   EXPECT_NEAR(deflection_of_plate(0) / (1.032 * 0.001265), 1, 0.015);

@@ -29,7 +29,7 @@ geometry = { shape = "box", lower = )" +
          zeros + ", upper = " + ones + " }\n";
 }
 
-/// The same of a material of two constants, E = 30 and nu = 0.3.
+/// The same block of a material with two constants, E = 30 and nu = 0.3.
 inline std::string block_of_law(int dimension, const std::string& model) {
   return tests::with(tests::with(free_block(dimension), "model = \"reduced_polynomial\"",
                                  "model = \"" + model + '"'),

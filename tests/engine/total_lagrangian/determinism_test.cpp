@@ -7,7 +7,7 @@
 #include "tests/engine/output/temporary_folder.hpp"
 #include "tests/engine/total_lagrangian/blocks.hpp"
 
-// Nothing but the case decides the bits of a result.
+// The bits of a result depend on the case alone.
 namespace pliant::test {
 namespace {
 
@@ -44,11 +44,11 @@ TEST(total_lagrangian, bytes_do_not_depend_on_a_restart) {
   const TemporaryFolder folder;
   const Case settings = aspiration({"total_lagrangian.damping=adaptive"});
   const FileContent through = result_of(settings, folder / "through", 1);
-  // The last checkpoint lies before the end: continuing from it writes the end once more.
+  // The last checkpoint is before the end: the continued run writes the end once more.
   EXPECT_EQ(result_of(settings, folder / "through", 2, true), through);
 }
 
-// Fitted cells too have memory.
+// Fitted cells have memory too.
 TEST(total_lagrangian, nor_do_those_of_viscous_tissue) {
   const TemporaryFolder folder;
   const std::string series = "={ratios=[0.3,0.2],times=[0.05,0.2]}";

@@ -7,7 +7,7 @@
 
 #include "tests/engine/total_lagrangian/blocks.hpp"
 
-// The total energy of undamped bodies, as leapfrog conserves it, (TL.30).
+// The total energy of undamped bodies that leapfrog conserves, (TL.30).
 namespace pliant::test {
 namespace {
 
@@ -15,8 +15,8 @@ const std::string total_energy =
     "[[measurement]]\nname = \"energy\"\nkind = \"total_energy\"\nbody = \"block\"\n"
     "relative = true\n";
 
-/// The least and the largest of two energies over that at the start, in samples within steps and
-/// at their ends: the measurement, and kinetic plus strain energy.
+/// Minimum and maximum of two energies relative to the start, sampled within steps and at their
+/// ends: the measured total, and the sum of kinetic and strain energy.
 struct Ranges {
   std::pair<double, double> measured = {1, 1}, sum = {1, 1};
 };
@@ -45,7 +45,7 @@ Ranges ranges_of(const std::string& text, int steps, int samples_of_step) {
   return found;
 }
 
-/// A free plate of 1 m, 5 particles across, with an amplitude of 0.2 m.
+/// A free plate of 1 m, 5 particles thick, with an amplitude of 0.2 m.
 std::string thick_plate() {
   return tests::with(tests::with(tests::with(free_block(2), "spacing = 0.125", "spacing = 0.04"),
                                  "upper = [1, 1]", "upper = [1, 0.2]"),
@@ -58,7 +58,7 @@ TEST(total_lagrangian, thick_plates_keep_their_energy_throughout_at_the_default_
   const Ranges found = ranges_of<2>(thick_plate(), 2000, 1);
   EXPECT_GT(found.measured.first, 0.995);
   EXPECT_LT(found.measured.second, 1.005);
-  EXPECT_GT(found.sum.second, 1.01);  // what kinetic and strain energy at one time make of it
+  EXPECT_GT(found.sum.second, 1.01);  // sum of kinetic and strain energy at one time
 }
 
 }  // namespace

@@ -5,7 +5,7 @@
 
 #include "tests/engine/total_lagrangian/blocks.hpp"
 
-// Particles on the rims at which walls end on a free surface.
+// Particles at rims, where walls end on a free surface.
 namespace pliant::test {
 namespace {
 
@@ -43,7 +43,7 @@ TEST(fit, a_hole_in_a_collar_is_round) {
       }
       on_rim += std::abs(r - radius) < 1e-9;
     });
-    // As many as the circle is long, but for those that lie diagonally.
+    // As many as the length of the circle, except those on diagonals.
     EXPECT_GT(on_rim, 2 * 3.14 * radius / 0.125 / 1.5);
   }
 }
@@ -63,7 +63,7 @@ TEST(fit, a_slanted_edge_is_straight) {
   EXPECT_GE(on_rim, 7);
 }
 
-// Where a wall ends with the body there is no rim on its surface.
+// Where wall and body end together, there is no rim on the surface.
 TEST(fit, a_clamp_at_the_end_of_a_body_leaves_its_particles) {
   const auto solver =
       block_below(R"({ shape = "half_space", point = [0, 0, 0], normal = [1, 0, 0] })");

@@ -18,7 +18,7 @@ TEST(total_lagrangian, a_tumbling_block_keeps_momentum_to_rounding_and_its_energ
   EXPECT_EQ(end.mass, start.mass);
   for (int axis = 0; axis < 3; ++axis) {
     EXPECT_NEAR(end.momentum[axis], start.momentum[axis], 1e-12);
-    // Hourglass forces pull along the lines between particles only on average.
+    // Hourglass forces act along the lines between particles only on average.
     EXPECT_NEAR(end.angular_momentum[axis], start.angular_momentum[axis], 0.01);
   }
   EXPECT_GT(end.strain_energy, 0.01 * end.kinetic_energy);
@@ -26,7 +26,7 @@ TEST(total_lagrangian, a_tumbling_block_keeps_momentum_to_rounding_and_its_energ
               0.01 * start.kinetic_energy);
 }
 
-/// Volume and surface of a ball of radius 1, over the true ones, minus 1.
+/// Relative errors of volume and surface of a ball of radius 1.
 std::pair<double, double> errors_of_ball(const std::string& spacing) {
   const Case settings = tests::read_text(R"(
 method = "total_lagrangian"
@@ -50,8 +50,8 @@ kind = "surface_area"
   return {values[0] / (4 * std::numbers::pi / 3) - 1, values[1] / (4 * std::numbers::pi) - 1};
 }
 
-// The surface is linear within a cell and too far in between its edges, by h^2/(8 R) at most for
-// each of its two directions: 2/R times that is the area lost.
+// The surface is linear within a cell and between its edges at most h^2/(8 R) too far in, in each
+// of its two directions: the area lost is 2/R times that.
 TEST(total_lagrangian, a_ball_has_its_volume_and_its_surface_to_second_order) {
   const auto [volume, surface] = errors_of_ball("0.1");
   const auto [finer_volume, finer_surface] = errors_of_ball("0.05");

@@ -10,7 +10,7 @@
 namespace pliant::test {
 namespace {
 
-/// sigma and psi of (PB.6) or (PB.7) written out anew, for E = 30 and nu = 0.3.
+/// sigma and psi of (PB.6) or (PB.7), written independently for E = 30 and nu = 0.3.
 struct StressAndEnergy {
   Eigen::Matrix3d sigma;
   double energy;

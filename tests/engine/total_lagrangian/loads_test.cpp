@@ -13,7 +13,7 @@ namespace {
 
 constexpr double shear_modulus = 20, bulk_modulus = 2 / 0.05;  // of free_block
 
-/// Steps with their full lengths, so that walls have pushed for known times.
+/// Takes full steps, so that walls have pushed for known times.
 void take_steps(LagrangianSolver<2>& solver, int count) {
   for (int i = 0; i < count; ++i) solver.step(HUGE_VAL);
 }
@@ -28,8 +28,8 @@ TEST(loads, free_fall_is_exact) {
     EXPECT_NEAR(body.displacement[0][p], 0.5 * t * t / 2, 1e-11);
     EXPECT_NEAR(body.displacement[1][p], -9.81 * t * t / 2, 1e-11);
   });
-  // Half a step before the end, where velocities are, the work is exact; its rate of then holds for
-  // the rest.
+  // Half a step before the end, at the time of the velocities, the work is exact; its rate of then
+  // is used for the rest.
   EXPECT_NEAR(balance(solver), 0, 2 * std::pow(0.5 / 50, 2) * solver.integrals().kinetic_energy);
 }
 
@@ -47,8 +47,8 @@ double loaded_area(const LagrangianSolver<D>& solver) {
   return sum;
 }
 
-// The lattice meets no face of the end, or cuts off its edges. The region is thin. In 3D the edges
-// along the bar are cut off too, which takes up to 9 % of a section of 5 by 4 cells.
+// The end face is not on the lattice, or its edges are cut off. The region is thin. In 3D the edges
+// along the bar are cut off too, up to 9 % of a section of 5 by 4 cells.
 TEST(loads, on_a_face_that_the_spacing_does_not_meet_act_on_all_of_it) {
   const auto pulled = [](int dimension, const std::string& upper) {
     return tests::with(free_block(dimension), dimension == 2 ? "[1, 1]" : "[1, 1, 1]", upper) +
@@ -70,7 +70,7 @@ TEST(loads, on_a_face_that_the_spacing_does_not_meet_act_on_all_of_it) {
   }
 }
 
-// Gravity that turns about a point is a linear spring: a body swings as a whole.
+// Gravity that varies about a point as a linear spring: the body swings as a whole.
 TEST(loads, gravity_can_depend_on_place_and_time) {
   const Case settings = tests::read_text("gravity = [\"-4*(x - 0.5)\", \"6*t\"]\n" + free_block(2) +
                                          "velocity = [0, 1]\n");
@@ -81,7 +81,7 @@ TEST(loads, gravity_can_depend_on_place_and_time) {
   EXPECT_NEAR(sum.first_moment[1] / sum.mass, 0.5 + 0.5 + 0.125, 1e-3);
 }
 
-// Uniaxial strain: the stress is rho g (L - y), the top sinks by rho g L^2/(2 M).
+// Uniaxial strain: the stress is rho g (L - y), and the top sinks by rho g L^2/(2 M).
 TEST(loads, a_column_sinks_under_its_weight_as_far_as_it_should_and_rests_on_it) {
   const std::string walls = half_space("left", "kind = \"slip_wall\"\n", "[0, 0]", "[1, 0]") +
                             half_space("right", "kind = \"slip_wall\"\n", "[1, 0]", "[-1, 0]") +
@@ -107,7 +107,7 @@ TEST(loads, a_column_sinks_under_its_weight_as_far_as_it_should_and_rests_on_it)
   EXPECT_NEAR(values(solver)["middle"], -weight / 2, 0.01 * weight);
 }
 
-// What pulls on one end of a bar at rest is what the wall at the other end pulls with.
+// The load on one end of a bar at rest equals the force of the wall at the other end.
 TEST(loads, a_dead_load_on_a_bar_is_the_reaction_of_its_wall) {
   const std::string walls = half_space("left", "kind = \"slip_wall\"\n", "[0, 0]", "[1, 0]") +
                             half_space("below", "kind = \"slip_wall\"\n", "[0, 0]", "[0, 1]");
@@ -160,7 +160,7 @@ traction = [10, 0]
   }
 }
 
-// Rubber so stiff that it slides as one piece.
+// Rubber so stiff that it slides as a rigid block.
 std::string stiff_block(const std::string& friction) {
   std::string text = tests::with(free_block(2), "[10]", "[1e4]");
   text = tests::with(text, "0.05", "5e-5");
@@ -170,7 +170,7 @@ std::string stiff_block(const std::string& friction) {
          measurement("drag", "kind = \"wall_force\"\nboundary = \"plane\"\naxis = \"x\"\n");
 }
 
-// A plane tilted by 30 degrees, seen from the plane: a = g (sin - mu cos).
+// A plane tilted by 30 degrees, in the frame of the plane: a = g (sin - mu cos).
 TEST(contact_walls, a_block_slides_down_a_tilted_plane_as_coulomb_says) {
   for (const double friction : {0., 0.3, 0.8}) {
     const Case settings =
@@ -191,7 +191,7 @@ TEST(contact_walls, a_block_slides_down_a_tilted_plane_as_coulomb_says) {
   }
 }
 
-// The lowest point of a disc that is pressed against a block makes a dent of its own depth.
+// The lowest point of a disc that is pressed into a block makes a dent of the same depth.
 TEST(contact_walls, an_indenter_of_any_shape_stays_outside_the_body) {
   const std::string text =
       free_block(2) + half_space("floor", "kind = \"fixed\"\n", "[0, 0]", "[0, 1]") +
@@ -218,7 +218,7 @@ geometry = { shape = "disc", centre = [0.5, 1.5], radius = 0.5 }
   EXPECT_LT(balance(solver), 0.02 * solver.energy_budget()->wall_work);
 }
 
-// A wall that pulls for a while and stands: what it has done is what the bar holds and has lost.
+// A wall that pulls for a while and then stops: its work is what the bar holds and has lost.
 TEST(energy_budget, the_work_of_a_wall_is_in_the_bar_or_was_damped) {
   const std::string walls =
       half_space("left", "kind = \"fixed\"\n", "[0, 0]", "[1, 0]") +
@@ -259,7 +259,7 @@ pressure = 3
   EXPECT_NEAR(balance(solver), 0, 0.01 * budget.load_work);
 }
 
-// It falls by what its weight strains it, and swings about that.
+// The block sinks by its strain under its weight, and swings about that.
 TEST(energy_budget, gravity_does_work_on_a_block_on_a_contact_wall_as_far_as_it_sinks) {
   const Case settings = tests::read_text(
       "gravity = [0, -9.81]\n" + tests::with(stiff_block("0.3"), "[1e4]", "[200]") +

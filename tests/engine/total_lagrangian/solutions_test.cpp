@@ -6,11 +6,11 @@
 #include "engine/simulation/oscillation.hpp"
 #include "tests/engine/total_lagrangian/blocks.hpp"
 
-// Against solutions in closed form.
+// Tests against solutions in closed form.
 namespace pliant::test {
 namespace {
 
-// A bar between frictionless walls rings along its length: u = A cos(pi x) cos(pi c t).
+// A bar between frictionless walls vibrates along its length: u = A cos(pi x) cos(pi c t).
 double error_of_standing_wave(double spacing, const std::string& cfl) {
   const std::string walls = R"([[boundary]]
 name = "below"
@@ -44,11 +44,11 @@ TEST(total_lagrangian, a_standing_wave_converges_to_second_order) {
   const double fine = error_of_standing_wave(0.03125, "0.5");
   EXPECT_LT(fine, 0.01);
   EXPECT_GT(std::log2(coarse / fine), 1.9);
-  // Near the stability limit the discretisation errors of time and space nearly cancel.
+  // Near the stability limit the errors in time and space nearly cancel.
   EXPECT_LT(error_of_standing_wave(0.03125, "0.9"), fine / 5);
 }
 
-/// Cauchy stress along x, and across, of a block stretched by l1, l2 in plane strain, (RP.9).
+/// Cauchy stress along x and y of a block stretched by l1, l2 in plane strain, (RP.9).
 std::pair<double, double> stress_of_stretch(double l1, double l2) {
   const double j = l1 * l2, scale = std::pow(j, -2. / 3);
   const double b1 = scale * l1 * l1, b2 = scale * l2 * l2, mean = (b1 + b2 + scale) / 3;
@@ -56,8 +56,8 @@ std::pair<double, double> stress_of_stretch(double l1, double l2) {
   return {20 / j * (b1 - mean) + volumetric, 20 / j * (b2 - mean) + volumetric};
 }
 
-// Two walls hold the block along two sides without friction; suction pulls on a third. The pull
-// follows the face as it grows thinner: true stress, not force per original area.
+// Two walls hold two sides of the block without friction; suction pulls on a third. The pull
+// changes with the face as that contracts: true stress, not force per original area.
 TEST(total_lagrangian, a_block_relaxes_to_the_stretch_at_which_it_bears_the_suction) {
   const Case settings = tests::read_text(free_block(2) + R"([[boundary]]
 name = "left"
@@ -77,7 +77,7 @@ pressure = -20
   LagrangianSolver<2> solver(settings, {1, kernels::widest_supported()});
   advance_until(solver, 20);
   double l1 = 1, l2 = 1;
-  for (int i = 0; i < 200; ++i) {  // Newton with differences
+  for (int i = 0; i < 200; ++i) {  // Newton's method with finite differences
     const auto [a, b] = stress_of_stretch(l1, l2);
     const auto [a1, b1] = stress_of_stretch(l1 + 1e-7, l2);
     const auto [a2, b2] = stress_of_stretch(l1, l2 + 1e-7);
@@ -107,12 +107,12 @@ TEST(total_lagrangian, scaled_mass_rings_slower_by_the_root_of_the_scaling) {
   const auto& fast_body = solver.state().bodies[0];
   const auto& slow_body = slow.state().bodies[0];
   for_each_particle<2>(fast_body, [&](std::int64_t p, const Point<2>&) {
-    // The same path on a clock four times slower, so displacements are four times larger.
+    // The same path four times slower, so displacements are four times larger.
     EXPECT_NEAR(slow_body.displacement[0][p], 4 * fast_body.displacement[0][p], 1e-7);
   });
 }
 
-/// Period of a clamped plate, ten times as long as thick, on two cells across.
+/// Period of a clamped plate, ten times as long as thick, two cells thick.
 double period_of_coarse_plate(const std::vector<std::string>& more) {
   std::vector<std::string> changes = {
       "method=total_lagrangian", "discretisation.spacing=0.05",

@@ -6,11 +6,11 @@
 #include "engine/total_lagrangian/breathing.hpp"
 #include "tests/engine/total_lagrangian/blocks.hpp"
 
-// Steps keep their length, whenever a run is looked at.
+// The length of steps does not depend on when a run is observed.
 namespace pliant::test {
 namespace {
 
-/// A plate of rubber, 1 m long and 5 particles across, swings in its first bending mode.
+/// A plate of rubber, 1 m long and 5 particles thick, that swings in its first bending mode.
 std::string plate(const std::string& velocity, const std::string& more = {}) {
   return R"(
 method = "total_lagrangian"
@@ -89,7 +89,7 @@ TEST(total_lagrangian, between_steps_particles_are_on_their_straight_way) {
   }
 }
 
-/// Least and largest energy over that at the start, in a run that is sampled every 3.2 ms.
+/// Minimum and maximum energy relative to the start, in a run that is sampled every 3.2 ms.
 std::pair<double, double> energy_range(const std::string& text, double end) {
   LagrangianSolver<2> solver(tests::read_text(text), {1, kernels::widest_supported()});
   const auto energy = [&] {
@@ -106,7 +106,7 @@ std::pair<double, double> energy_range(const std::string& text, double end) {
   return range;
 }
 
-// Steps that are cut short at the samples multiply the energy by thousands on the way.
+// With steps cut short at the samples, the energy would grow by a factor of thousands.
 TEST(total_lagrangian, undamped_plates_keep_their_energy_at_finite_amplitude) {
   for (const std::string& text : {free_plate(), clamped_plate()}) {
     const auto [least, largest] = energy_range(text, 15);
@@ -125,8 +125,8 @@ double breathing_of_box(int x, int y, int z) {
   return total_lagrangian::breathing_factor(solver.state().bodies[0]);
 }
 
-// (TL.23), beside eigenvalues of the dense matrix of the same cells. A bar is worst at its ends, a
-// box at its corners.
+// (TL.23), compared with eigenvalues of the dense matrix of the same cells. The worst places are
+// the ends of a bar and the corners of a box.
 TEST(total_lagrangian, cells_at_free_surfaces_breathe_faster_than_waves) {
   EXPECT_NEAR(breathing_of_box(1, 1, 1), 3, 1e-12);
   EXPECT_NEAR(breathing_of_box(1, 1, 12), 2.3333, 0.01 * 2.3333);
@@ -135,7 +135,7 @@ TEST(total_lagrangian, cells_at_free_surfaces_breathe_faster_than_waves) {
   EXPECT_NEAR(breathing_of_box(6, 6, 6), 1.3797, 0.01 * 1.3797);
 }
 
-/// A bar of one cell across, nearly incompressible, that swings at its clamp.
+/// A nearly incompressible bar, one cell thick, that is clamped and swings.
 std::string thin_bar(const std::string& poissons_ratio) {
   return R"(
 method = "total_lagrangian"

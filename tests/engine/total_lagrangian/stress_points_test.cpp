@@ -27,7 +27,7 @@ struct StressPoints : testing::Test {
     });
   }
 
-  /// A step so short that only forces count.
+  /// Takes a step so short that only forces matter.
   void weigh() { solver.step(1e-9); }
 
   LagrangianSolver<dimension> solver;
@@ -47,7 +47,7 @@ TYPED_TEST(StressPoints, a_homogeneous_deformation_has_the_stress_of_the_law_eve
   constexpr int D = TypeParam::value;
   const auto f = some_deformation<D>();
   this->deform(f);
-  // (RP.9), (RP.11) written out anew.
+  // (RP.9), (RP.11) written independently.
   Eigen::Matrix3d full = Eigen::Matrix3d::Identity();
   full.topLeftCorner<D, D>() = f;
   const double j = full.determinant();
@@ -109,7 +109,7 @@ TYPED_TEST(StressPoints, a_turned_body_feels_nothing) {
   });
 }
 
-// A cell bent so that its middle does not notice.
+// A cell in an hourglass mode, of which its middle sees no strain.
 TYPED_TEST(StressPoints, an_hourglass_is_resisted_with_the_force_of_its_energy) {
   constexpr int D = TypeParam::value;
   auto& body = this->body();
@@ -153,7 +153,7 @@ std::string collar(int dimension) {
 const std::string linear_rubber =
     "{ model = \"linear\", youngs_modulus = 30, poissons_ratio = 0.3, density = 1 }";
 
-/// Blocks of every law, free and below a collar, the last one viscous in shear.
+/// Blocks of every law, free and below a collar; the last one viscous in shear.
 std::vector<std::string> blocks_of_every_law(int dimension) {
   const std::string free = free_block(dimension), named = "material = \"rubber\"";
   const std::string linear = tests::with(free, named, "material = " + linear_rubber);
@@ -174,14 +174,14 @@ std::vector<std::string> blocks_of_every_law(int dimension) {
           viscous + collar(dimension)};
 }
 
-// Large strains, hourglass modes and all: forces are the derivatives of the energy.
+// Large strains with hourglass modes: forces are the derivatives of the energy.
 TYPED_TEST(StressPoints, forces_are_the_derivatives_of_the_energy) {
   constexpr int D = TypeParam::value;
   for (const std::string& text : blocks_of_every_law(D)) {
     LagrangianSolver<D> block(tests::read_text(text, {"discretisation.spacing=0.25"}),
                               {1, kernels::widest_supported()});
     auto& body = block.state().bodies[0];
-    // Networks that have relaxed in some way, and keep it.
+    // Networks with arbitrary memory, which they keep.
     for (std::size_t c = 0; c < body.network.size(); ++c) {
       for (std::int64_t p = 0; p < body.layout.slots(); ++p) {
         body.network[c][p] = 0.2 * std::sin(3. * static_cast<double>(p + 7 * c));
@@ -219,7 +219,7 @@ TYPED_TEST(StressPoints, forces_are_the_derivatives_of_the_energy) {
   }
 }
 
-// Cells that are fitted to the rim of a wall are no regular cells any more.
+// Cells that are fitted to the rim of a wall are no longer regular.
 TYPED_TEST(StressPoints, linear_displacements_give_fitted_cells_the_stress_of_all_others) {
   constexpr int D = TypeParam::value;
   LagrangianSolver<D> block(tests::read_text(free_block(D) + collar(D)),
@@ -246,7 +246,7 @@ TYPED_TEST(StressPoints, linear_displacements_give_fitted_cells_the_stress_of_al
       EXPECT_NEAR(point.volume_ratio, f.determinant(), 1e-13);
     });
   }
-  EXPECT_NEAR(volume, 1, 1e-3);  // cells have their volume to second order in their distortion
+  EXPECT_NEAR(volume, 1, 1e-3);  // the error is of second order in the distortion of cells
   EXPECT_NEAR(block.integrals().mass, volume, 1e-12);
   block.step(HUGE_VAL);
   double inside = 0, largest = 0;
@@ -258,8 +258,8 @@ TYPED_TEST(StressPoints, linear_displacements_give_fitted_cells_the_stress_of_al
       if (is_inside) inside = std::max(inside, std::abs(body.internal[i][p]));
     }
   });
-  // One point integrates the gradient exactly over any quadrilateral, but over a hexahedron whose
-  // edges are not parallel only to the square of its distortion of about 0.1.
+  // One point integrates the gradient exactly over any quadrilateral; over a hexahedron whose edges
+  // are not parallel the error is the square of its distortion of about 0.1.
   EXPECT_LT(inside, (D == 2 ? 1e-12 : 0.01) * largest);
 }
 

@@ -14,7 +14,7 @@ namespace {
 
 constexpr double modulus = 2 / 0.05, ratios[] = {0.3, 0.2}, times[] = {0.5, 2};
 
-/// A block that a wall holds everywhere, so that it keeps the shape that it is given.
+/// A block that a wall holds everywhere, so that it keeps a given shape.
 std::string held_block(const std::string& moduli) {
   return tests::with(free_block(2), "compressibility = 0.05\n",
                      "compressibility = 0.05\nprony = { ratios = [0.3, 0.2], times = [0.5, 2], "
@@ -37,7 +37,7 @@ double pressure(const total_lagrangian::Body<double, 2>& body) {
   return found;
 }
 
-// (RP.10) for a sudden compression, at output times inside steps too.
+// (RP.10) for a sudden compression, also at output times within steps.
 TEST(viscosity, a_sudden_compression_relaxes_by_its_prony_series) {
   for (const std::string moduli : {"instantaneous", "long_term"}) {
     LagrangianSolver<2> solver(tests::read_text(held_block(moduli)),
@@ -58,7 +58,7 @@ TEST(viscosity, a_sudden_compression_relaxes_by_its_prony_series) {
   }
 }
 
-// What the springs of the series held is lost when they have relaxed.
+// The energy of the springs of the series is lost when they have relaxed.
 TEST(viscosity, a_relaxed_block_has_the_energy_of_its_long_term_modulus) {
   LagrangianSolver<2> solver(tests::read_text(held_block("instantaneous")),
                              {1, kernels::widest_supported()});
@@ -71,7 +71,7 @@ TEST(viscosity, a_relaxed_block_has_the_energy_of_its_long_term_modulus) {
   EXPECT_NEAR(start - solver.integrals().strain_energy, relaxed, 1e-4 * relaxed);
 }
 
-// Blocks evaluate the cells between them each for itself, from the same memory.
+// Each block evaluates the cells between blocks for itself, from the same memory.
 TEST(viscosity, forces_of_cells_between_blocks_are_in_balance) {
   const std::string text = tests::with(
       tests::with(free_block(3), "spacing = 0.125", "spacing = 0.0625"), "compressibility = 0.05\n",
@@ -109,7 +109,7 @@ std::string block_that_relaxes_in_shear(int dimension, const std::string& moduli
          middle + " }\n";
 }
 
-/// Deforms a block suddenly by F, which it keeps.
+/// Deforms a block suddenly and permanently by F.
 template <int D>
 void deform(LagrangianSolver<D>& solver, const Eigen::Matrix<double, D, D>& f) {
   auto& body = solver.state().bodies[0];
@@ -140,8 +140,8 @@ Eigen::Matrix<double, D, D> large_deformation() {
   return f.template topLeftCorner<D, D>();
 }
 
-// (TL.24) for a sudden deformation of any size: all of the deviatoric stress relaxes by the series,
-// the pressure stays.
+// (TL.24) for a sudden deformation of any size: the deviatoric stress relaxes by the series, the
+// pressure stays.
 template <int D>
 void check_relaxation(const std::string& moduli) {
   LagrangianSolver<D> solver(tests::read_text(block_that_relaxes_in_shear(D, moduli)),
@@ -182,7 +182,7 @@ TEST(viscosity, the_deviatoric_stress_of_a_sudden_deformation_relaxes_by_its_pro
   }
 }
 
-// A block that has relaxed while it was sheared, and is turned, carries the stress along.
+// The stress of a block that has relaxed under shear turns with the block.
 TEST(viscosity, relaxed_networks_turn_with_the_body) {
   LagrangianSolver<3> solver(tests::read_text(block_that_relaxes_in_shear(3, "instantaneous")),
                              {1, kernels::widest_supported()});
@@ -215,7 +215,7 @@ std::string traction_on(const std::string& name, const std::string& box, const s
 }
 
 // Creep of the standard linear solid: under a constant shear stress s, the shear goes from s/mu to
-// s/(mu (1 - g)), with the time tau/(1 - g).
+// s/(mu (1 - g)) with the time constant tau/(1 - g).
 TEST(viscosity, a_block_under_constant_shear_creeps_as_the_standard_linear_solid) {
   const std::string text =
       tests::with(free_block(2), "compressibility = 0.05\n",
@@ -232,13 +232,13 @@ TEST(viscosity, a_block_under_constant_shear_creeps_as_the_standard_linear_solid
     const auto point = first_stress_point(solver);
     const double shear = point.deformation_gradient[0][1] + point.deformation_gradient[1][0];
     const double sudden = 0.02 / 20, relaxed = sudden / 0.4;
-    // Damping holds the creep back by alpha/omega^2, about 0.05 s of 5 s.
+    // Damping delays the creep by alpha/omega^2, about 0.05 s of 5 s.
     EXPECT_NEAR(shear, relaxed - (relaxed - sudden) * std::exp(-t * 0.4 / 2), 0.01 * relaxed) << t;
   }
 }
 
-// What the springs lose is what a viscous block damps: a closed strain cycle takes energy, never
-// gives it.
+// The losses of the springs are the damping of a viscous block: a closed strain cycle consumes
+// energy and never supplies it.
 TEST(viscosity, cycles_of_shear_lose_the_energy_of_the_prony_series) {
   LagrangianSolver<2> solver(tests::read_text(block_that_relaxes_in_shear(2, "instantaneous")),
                              {1, kernels::widest_supported()});

@@ -3,7 +3,7 @@
 #include "tests/engine/total_lagrangian/blocks.hpp"
 #include "tests/engine/undeformed/stretched_bar.hpp"
 
-// Walls hold a body where they are, and a body has its volume, whatever the spacing.
+// Walls hold a body where they are, and its volume is right, whatever the spacing.
 namespace pliant::test {
 namespace {
 
@@ -15,7 +15,7 @@ double pull_of_cells(const std::string& walls, const std::string& spacing) {
   return pull_of(solver);
 }
 
-// With 0.125 the nodes lie on both walls.
+// With 0.125 there are nodes on both walls.
 TEST(cells_at_walls, stretch_a_bar_alike_at_any_spacing) {
   for (const bool slip : {true, false}) {
     const double right = pull_of_cells(stretching_walls(slip, "0"), "0.05");
@@ -34,7 +34,7 @@ void expect_mass(const std::string& upper, double volume) {
   EXPECT_NEAR(solver.integrals().mass, volume, 0.002 * volume);
 }
 
-// Edges lie inside cells.
+// Edges are inside cells.
 TEST(cells_at_walls, have_the_mass_of_their_body) {
   expect_mass<2>("[0.93, 1]", 0.93);
   expect_mass<3>("[0.93, 1, 0.89]", 0.93 * 0.89);

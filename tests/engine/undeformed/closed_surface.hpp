@@ -21,8 +21,8 @@ inline std::string walls_of_corner(int dimension) {
          half_space("floor", "kind = \"fixed\"", point, dimension == 2 ? "[0, 1]" : "[0, 0, 1]");
 }
 
-/// Expects that pieces of a frame's surface meet with those beside them, in 2D at places and in 3D
-/// along edges between places, which both pass in opposite directions.
+/// Expects that pieces of the surface of a frame join their neighbours: in 2D at places, in 3D
+/// along edges, which both pass in opposite directions.
 inline void expect_closed(const FrameSurface& surface) {
   using Place = std::array<double, 3>;
   const auto place = [&](std::size_t i) {

@@ -9,7 +9,7 @@
 #include "tests/engine/case/written_case.hpp"
 #include "tests/engine/undeformed/loads.hpp"
 
-// Pressure on surfaces that lattices do not fit, against solutions in closed form.
+// Pressure on surfaces that are not on lattices, compared with solutions in closed form.
 namespace pliant::test {
 namespace {
 
@@ -45,7 +45,7 @@ std::string pressure(const std::string& name, const std::string& value, const st
          "\ngeometry = " + place + "\n";
 }
 
-// What is missing is of second order in the spacing.
+// The error is of second order in the spacing.
 TEST(curved_surfaces, the_pressure_on_a_ball_is_the_stress_inside_it) {
   for (const std::string method : {"total_lagrangian", "point_based"}) {
     for (const auto& [dimension, across_radius] :
@@ -69,7 +69,7 @@ TEST(curved_surfaces, the_pressure_on_a_ball_is_the_stress_inside_it) {
       EXPECT_NEAR(measured["x"], -1, tolerance);
       EXPECT_NEAR(measured["y"], -1, tolerance);
       const double strain = -(1 - 2 * nu) * (dimension == 2 ? 1 + nu : 1) / young;
-      if (across_radius == 8) {  // between two particles of a few, strains vary by more
+      if (across_radius == 8) {  // with few particles strains vary more between two of them
         EXPECT_NEAR(measured["right"] - measured["left"], strain, -0.05 * strain) << method;
       }
       const double work = run->energy_budget()->load_work;
@@ -78,8 +78,8 @@ TEST(curved_surfaces, the_pressure_on_a_ball_is_the_stress_inside_it) {
   }
 }
 
-// Lamé's cylinder between the radii 1 and 2 under the pressures 1 inside and 1.5 outside, ten
-// spacings thick. Cells at the surface that are nearly empty move by some percent more or less.
+// Lamé's cylinder with radii 1 and 2 under the pressures 1 inside and 1.5 outside, ten spacings
+// thick. The displacement of nearly empty cells at the surface is wrong by some percent.
 class ThickCylinder : public testing::TestWithParam<std::string> {};
 
 TEST_P(ThickCylinder, widens_as_in_closed_form) {
@@ -146,9 +146,9 @@ TEST(curved_surfaces, a_quarter_of_a_thick_cylinder_widens_as_in_closed_form) {
   EXPECT_NEAR(measured["outer"], widening(2), 0.01 * widening(2));
 }
 
-// The region of the pressure takes in the planes of symmetry, on which no pressure acts.
-// Equilibrium of a quarter, or of an eighth of a hollow ball, gives their forces, also where facets
-// cut off the rims at which the loaded surface ends.
+// The region of the pressure includes the planes of symmetry, on which no pressure acts.
+// Equilibrium of a quarter, or of an eighth of a hollow ball, determines their forces, also where
+// facets cut off the rims of the loaded surface.
 TEST(curved_surfaces, planes_of_symmetry_bear_the_pressure_on_the_opening_between_them) {
   for (const std::string method : {"total_lagrangian", "point_based"}) {
     for (const int dimension : {2, 3}) {
@@ -178,7 +178,8 @@ TEST(curved_surfaces, planes_of_symmetry_bear_the_pressure_on_the_opening_betwee
       run->advance(2);
       auto after = values(*run);
       const double opening = dimension == 2 ? 1 : std::numbers::pi / 4;
-      for (int a = 0; a < dimension; ++a) {  // 1.0, 0.6, 0.3 % in 3D with 5, 7, 10 spacings
+      for (int a = 0; a < dimension;
+           ++a) {  // errors of 1.0, 0.6, 0.3 % in 3D with 5, 7, 10 spacings
         EXPECT_NEAR((after[axes[a]] - before[axes[a]]) / 0.1, -opening, 0.015 * opening)
             << method << " in " << dimension;
       }

@@ -8,7 +8,7 @@
 
 #include "engine/lattice/lattice.hpp"
 
-/// Forces of a method on the undeformed body, against its energy and its invariants.
+/// Forces of a method on the undeformed body, compared with its energy and its invariants.
 namespace pliant::test {
 
 /// [slot] forces on the nodes of the first body [N], from the change of velocity in a step so short
@@ -26,7 +26,7 @@ std::vector<Eigen::Matrix<double, D, 1>> forces_on_nodes(Solver& solver) {
   return force;
 }
 
-/// f = -dU/du at a node, by central differences.
+/// Expects f = -dU/du at a node, by central differences.
 template <int D, class Solver>
 void expect_slope_of_energy(Solver& solver, std::int64_t slot,
                             const Eigen::Matrix<double, D, 1>& force, double tolerance) {
@@ -43,7 +43,7 @@ void expect_slope_of_energy(Solver& solver, std::int64_t slot,
   }
 }
 
-/// Forces on a free body sum to nothing, and so do their torques.
+/// Expects that forces and torques on a free body sum to zero.
 template <int D, class Body>
 void expect_no_push_and_no_turn(const Body& body,
                                 const std::vector<Eigen::Matrix<double, D, 1>>& force) {

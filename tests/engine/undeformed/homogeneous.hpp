@@ -10,7 +10,7 @@
 
 #include "tests/engine/undeformed/loads.hpp"
 
-/// Measurements of a block [0, 1] x [0, 1] (x [0, 1]) whose places X are now at x = F X.
+/// Measurements of a block [0, 1] x [0, 1] (x [0, 1]) whose points X are now at x = F X.
 namespace pliant::test {
 
 template <int D>
@@ -18,7 +18,7 @@ using SquareMatrix = Eigen::Matrix<double, D, D>;
 template <int D>
 using Column = Eigen::Matrix<double, D, 1>;
 
-/// As case files write it.
+/// A vector in the syntax of case files.
 template <int D>
 std::string list_of(const Column<D>& x) {
   std::string text;
@@ -62,10 +62,10 @@ std::string homogeneous_measurements(const SquareMatrix<D>& f) {
          measurement("radius", "kind = \"mean_radius\"\npoint = " + middle + "\n");
 }
 
-/// How well the surface of a body follows its geometry [m].
+/// How accurately the surface of a body follows its geometry [m].
 constexpr double surface_tolerance = 1e-9;
 
-/// From the middle to the faces of the block, along a direction.
+/// Distance from the middle to the faces of the block along a direction.
 template <int D>
 double distance_from_middle(const SquareMatrix<D>& f, const Column<D>& direction) {
   return 0.5 / (f.inverse() * direction).cwiseAbs().maxCoeff();
@@ -97,7 +97,7 @@ void expect_homogeneous(pliant::Solver& solver, const SquareMatrix<D>& f, double
   EXPECT_NEAR(found["radius"], radii, surface_tolerance);
 }
 
-/// An initial velocity and measurements of its difference from two formulas.
+/// An initial velocity, and measurements of its difference from two formulas.
 inline std::string velocity_errors(int dimension) {
   const std::string zero = dimension == 2 ? "" : ", 0";
   std::string text = "velocity = [\"3*y\", \"sin(x)\"" + zero + "]\n";

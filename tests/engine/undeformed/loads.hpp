@@ -20,7 +20,7 @@ inline std::string measurement(const std::string& name, const std::string& rest)
   return "[[measurement]]\nname = \"" + name + "\"\n" + rest + "\n";
 }
 
-/// Of the measurements of the case, at present.
+/// Present values of the measurements of the case, by name.
 inline std::map<std::string, double> values(pliant::Solver& solver) {
   std::map<std::string, double> named;
   const std::vector<double> measured = solver.measure();
@@ -30,7 +30,7 @@ inline std::map<std::string, double> values(pliant::Solver& solver) {
   return named;
 }
 
-/// Kinetic and strain energy, less the work, plus what damping took [J].
+/// Kinetic and strain energy, minus the work, plus damped energy [J].
 inline double balance(pliant::Solver& solver) {
   const BodyIntegrals sum = solver.integrals();
   const EnergyBudget budget = *solver.energy_budget();

@@ -6,7 +6,7 @@
 #include "tests/engine/case/written_case.hpp"
 #include "tests/engine/undeformed/loads.hpp"
 
-// Bodies go where walls take them, in all steps: also in the one in which a motion stops.
+// Bodies follow walls in all steps, also in the one in which a motion stops.
 namespace pliant::test {
 namespace {
 
@@ -45,7 +45,7 @@ TEST(prescribed_motion, of_a_wall_that_stops_within_a_step_is_that_of_the_body) 
   }
 }
 
-// The lower right corner slides along the moving wall and is held by the one at rest.
+// The lower right corner slides along the moving wall and is held by the wall at rest.
 TEST(prescribed_motion, of_the_last_of_two_walls_is_that_of_their_corner) {
   for (const std::string method : {"total_lagrangian", "point_based"}) {
     const auto run = methods().make(

@@ -8,7 +8,7 @@
 #include "tests/engine/case/written_case.hpp"
 #include "tests/engine/undeformed/loads.hpp"
 
-// Contact of discs and spheres, (TL.15) and (TL.16), against other solutions.
+// Contact of discs and spheres, (TL.15) and (TL.16), compared with other solutions.
 namespace pliant::test {
 namespace {
 
@@ -47,8 +47,8 @@ bodies = ["left", "right"]
   }
 }
 
-/// What brings the middles of two equal spheres of radius R together by this force: Hertz, less
-/// what the other end of each sphere, which is pressed alike, takes of it (Tatara 1989).
+/// Approach of the middles of two equal spheres of radius R under this force: by Hertz, minus the
+/// effect of the other end of each sphere, which is pressed in the same way (Tatara 1989).
 double approach_of_spheres(double force, double radius) {
   constexpr double young = 100, nu = 0.3, pi = 3.14159265358979;
   const double a = std::cbrt(3 * force * (radius / 2) * (1 - nu * nu) / (2 * young));
@@ -58,7 +58,7 @@ double approach_of_spheres(double force, double radius) {
                   (2 * (1 + nu) * radius * radius / std::pow(across, 3) + (1 - nu * nu) / across));
 }
 
-// A quarter of two halves between planes of symmetry; the radius of contact is five spacings.
+// A quarter of two half spheres between planes of symmetry; the radius of contact is five spacings.
 TEST(bodies_in_contact, push_as_the_spheres_of_hertz) {
   const auto half = [](const std::string& name, const std::string& centre, const std::string& lower,
                        const std::string& upper) {
@@ -102,7 +102,7 @@ bodies = ["left", "right"]
 }
 
 // The largest force, its time and the end of contact, by make_reference.py in the folder of the
-// case; waves in the spheres keep a five-hundredth of the momentum.
+// case; waves in the spheres keep 1/500 of the momentum.
 TEST(bodies_in_contact, collide_as_the_spheres_of_hertz) {
   for (const std::string method : {"total_lagrangian", "point_based"}) {
     const auto run = methods().make(read_case(PLIANT_SOURCE_DIR "/cases/two_spheres",
@@ -124,9 +124,9 @@ TEST(bodies_in_contact, collide_as_the_spheres_of_hertz) {
   }
 }
 
-// It meets a wall without friction that comes along once it has turned half-way or all the way
-// round. Its surface has turned with it, so that it leaves the wall with twice the velocity of
-// that, and some more or less as its corners pass.
+// The body meets an approaching frictionless wall after half a turn or a whole turn. Its surface
+// has turned with it, so that it leaves with twice the velocity of the wall, more or less as its
+// corners pass.
 TEST(bodies_that_turn, meet_walls_with_the_surface_that_they_have_then) {
   for (const std::string method : {"total_lagrangian", "point_based"}) {
     for (const std::string angular_velocity : {"0", "2*pi", "4*pi"}) {

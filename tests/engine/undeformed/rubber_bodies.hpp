@@ -35,7 +35,7 @@ struct RubberBodies : testing::TestWithParam<UndeformedSetting> {
   const std::string& method = GetParam().method;
   const int dimension = GetParam().dimension;
 
-  /// Until `end`; Young's modulus 100 Pa, Poisson's ratio 0.3, density 1 kg/m^3.
+  /// A run until `end`; Young's modulus 100 Pa, Poisson's ratio 0.3, density 1 kg/m^3.
   std::string start_of(double spacing, double end) const {
     return fmt::format(R"(method = "{}"
 dimension = {}
@@ -49,11 +49,11 @@ compressibility = 0.024
 )",
                        method, dimension, spacing, end);
   }
-  /// [x, y], in 3D with that z.
+  /// "[x, y]", or "[x, y, z]" in 3D.
   std::string list(double x, double y, double z = 0) const {
     return dimension == 2 ? fmt::format("[{}, {}]", x, y) : fmt::format("[{}, {}, {}]", x, y, z);
   }
-  /// From (x, y) to (x + width, y + height), in 3D `depth` deep; in a mesh with this spacing.
+  /// A box from (x, y) to (x + width, y + height), `depth` deep in 3D; `spacing` is for meshes.
   std::string box_of(const std::string& name, double x, double y, double width, double height,
                      double depth, double spacing) const {
     const std::string begin = fmt::format("[[body]]\nname = \"{}\"\nmaterial = \"rubber\"\n", name);

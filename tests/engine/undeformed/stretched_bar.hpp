@@ -7,7 +7,7 @@
 /// The block [0, 1] x [0, 1] between two walls that stretch it by 2 %.
 namespace pliant::test {
 
-/// The walls let the block slide, or hold it in all directions; where the left one ends.
+/// The walls allow slip or hold the block in all directions; the left one ends at x = `left`.
 inline std::string stretching_walls(bool slip, const std::string& left) {
   return half_space("left", slip ? "kind = \"slip_wall\"" : "kind = \"fixed\"", "[" + left + ", 0]",
                     "[1, 0]") +

@@ -9,7 +9,7 @@
 #include "tests/engine/case/written_case.hpp"
 #include "tests/engine/undeformed/loads.hpp"
 
-// Walls that turn, (TL.31), against rigid motion, torsion, and the work that they do.
+// Turning walls, (TL.31), compared with rigid motion and torsion, and their work.
 namespace pliant::test {
 namespace {
 
@@ -23,7 +23,7 @@ std::string text_of_case(const std::string& method, double spacing, const std::s
       method, spacing, damping, young, nu);
 }
 
-// Every particle lies in the wall, so that nothing strains: L is that of a rigid body.
+// Every particle is in the wall, so that there is no strain: L is that of a rigid body.
 TEST(turning_walls, carry_what_they_hold_as_a_rigid_body) {
   for (const std::string method : {"total_lagrangian", "point_based"}) {
     const std::string text =
@@ -41,22 +41,22 @@ geometry = { shape = "box", lower = [-1, -1, -1], upper = [2, 2, 2] }
 )" + measurement("x", "kind = \"point_displacement\"\naxis = \"x\"\npoint = [0.4, 0.3, 0.1]\n") +
         measurement("y", "kind = \"point_displacement\"\naxis = \"y\"\npoint = [0.4, 0.3, 0.1]\n") +
         measurement("strain_energy", "kind = \"strain_energy\"\n");
-    // Nodes that are all held would take the whole run in one step.
+    // If all nodes are held, the default step would be the whole run.
     const std::string step = "end = 10, step = 0.002";
     const auto run = methods().make(tests::read_text(tests::with(text, "end = 10", step)), {});
     const double end = 1;
     run->advance(end);
     const double angle = 2 * end * end, c = std::cos(angle), s = std::sin(angle);
     auto found = values(*run);
-    // Velocities are those of the middle of a step: (omega dt)^2/24 of the path.
+    // Velocities are those of the middle of a step: the error is (omega dt)^2/24 of the path.
     EXPECT_NEAR(found["x"], 0.2 * c - 0.2 * s - 0.2, 2e-4) << method;
     EXPECT_NEAR(found["y"], 0.2 * s + 0.2 * c - 0.2 + 0.5 * end, 2e-4) << method;
     EXPECT_NEAR(found["strain_energy"], 0, 1e-4 * young * 0.024) << method;
   }
 }
 
-// A square bar of side a twisted by theta over its length l: torque 0.1406 mu a^4 theta/l
-// (Saint-Venant), and what the wall has given is stored as torque times theta over 2.
+// A square bar of side a twisted by theta over its length l: the torque is 0.1406 mu a^4 theta/l
+// (Saint-Venant), and the work of the wall, torque times theta over 2, is stored.
 TEST(turning_walls, twist_a_bar_with_the_moment_of_saint_venant) {
   constexpr double side = 0.2, length = 1, twist = 0.1;
   for (const std::string method : {"total_lagrangian", "point_based"}) {
@@ -90,7 +90,7 @@ geometry = {{ shape = "half_space", point = [1, 0, 0], normal = [-1, 0, 0] }}
     run->advance(5);
     auto after = values(*run);
     const double torque = after["torque"] - before.at("torque");
-    // Both ends keep the section from warping, which stiffens the bar by about a / (4 l).
+    // Both ends prevent warping of the section, which stiffens the bar by about a / (4 l).
     const double free_warping = 0.1406 * shear_modulus * std::pow(side, 4) * twist / length;
     EXPECT_GT(torque, free_warping) << method;
     EXPECT_LT(torque, (1 + 0.25 * side / length) * free_warping) << method;
@@ -99,7 +99,7 @@ geometry = {{ shape = "half_space", point = [1, 0, 0], normal = [-1, 0, 0] }}
   }
 }
 
-// A rough drum turns under a block that a weight holds on it: the block is dragged along.
+// A rough drum turns under a block that a weight presses on it, and drags the block along.
 TEST(turning_walls, drag_what_lies_on_them_by_friction) {
   const std::string text = R"(method = "total_lagrangian"
 dimension = 2
@@ -118,7 +118,7 @@ rotation = { centre = [0, -50], angle = "-0.2*t" }
 geometry = { shape = "disc", centre = [0, -50], radius = 50 }
 )" + measurement("momentum", "kind = \"momentum\"\naxis = \"x\"\n");
   const auto run = methods().make(tests::read_text(text), {});
-  // The surface moves at 10 m/s: Coulomb's law gives 0.2 g for as long as the block is slower.
+  // The surface moves at 10 m/s: Coulomb's law gives 0.2 g as long as the block is slower.
   run->advance(1);
   EXPECT_NEAR(values(*run)["momentum"], 0.2 * 10 * 0.04, 0.03 * 0.2 * 10 * 0.04);
 }

@@ -10,7 +10,7 @@ namespace {
 
 constexpr double bulk_modulus = 40, kept = 0.9, gained = 0.02, time_step = 0.01;
 
-/// A block of rubber: cells are filled where their lowest corner is an interior slot of the patch.
+/// A block of rubber: cells are filled if their lowest corner is an interior slot of the patch.
 template <class T, int D>
 struct Block {
   Block() : patch(cells(), T(0.125)), fraction(patch.slots), inverse_mass(patch.slots) {
@@ -49,7 +49,7 @@ struct Block {
     });
   }
 
-  /// Cells around the particles, a run for each row of cells.
+  /// Cells around the particles, one run for each row of cells.
   std::vector<CellRun<D>> runs() const {
     std::vector<CellRun<D>> found;
     for (const Segment<D>& segment : patch.segments) {
@@ -108,8 +108,8 @@ struct Block {
   MotionResult result{};
 };
 
-/// What rounding displacements to units makes of the force on a particle: strains off by so many
-/// units of d/h, times the modulus and the area of a cell.
+/// Effect of rounding displacements on the force on a particle: strain errors of so many units of
+/// d/h, times the modulus and the area of a cell.
 template <class T, int D>
 double rounding(const Block<T, D>& block) {
   const double h = block.patch.spacing;
@@ -178,7 +178,7 @@ TYPED_TEST(total_lagrangian_kernels, instruction_sets_agree_with_the_baseline_wi
       wide.step(isa);
       narrow.step(Isa::sse2);
       EXPECT_NEAR(wide.result.wave_speed / narrow.result.wave_speed, 1, exact<T>);
-      // A wide register may reach beyond a segment into slots that belong to nobody.
+      // A wide register may extend beyond a segment into unused slots.
       baseline.patch.for_each_interior([&](std::int64_t p, const auto&) {
         for (int i = 0; i < D; ++i) {
           EXPECT_NEAR(wide.velocity[i][p], narrow.velocity[i][p], exact<T>) << name(isa);

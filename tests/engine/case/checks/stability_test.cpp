@@ -14,9 +14,9 @@
 namespace pliant::tests {
 namespace {
 
-constexpr int nodes = 16;  // wave numbers to a side of the zone
+constexpr int nodes = 16;  // wave numbers along a side of the zone
 
-/// (RP.15)-(RP.17) and (RP.18), of the square of the distance over h.
+/// (RP.15)-(RP.17) and (RP.18), as functions of the square of the distance over h.
 double weight(kernels::Kernel kind, double s2) {
   const double s = std::sqrt(s2), t = std::max(0., 1 - s2 / 6.25);
   const auto cube = [](double a) { return a > 0 ? a * a * a : 0; };
@@ -34,13 +34,13 @@ double weight(kernels::Kernel kind, double s2) {
   }
 }
 
-/// Whether Runge-Kutta 4 damps exp(z) or keeps it.
+/// Whether Runge-Kutta 4 does not amplify exp(z).
 bool is_stable(std::complex<double> z) {
   return std::abs(1. + z * (1. + z / 2. * (1. + z / 3. * (1. + z / 4.)))) <= 1 + 1e-9;
 }
 
-/// Largest CFL number at which no plane wave in an endless lattice grows, from (RP.20), (RP.21) and
-/// (RP.23).
+/// Largest CFL number at which no plane wave in an infinite lattice grows, from (RP.20), (RP.21)
+/// and (RP.23).
 double lattice_limit(kernels::Kernel kind, int dimension, double of_velocity, double of_stress) {
   std::vector<std::complex<double>> rates;  // times h/c
   for (int n = 0; n < std::pow(nodes + 1, dimension); ++n) {
@@ -120,7 +120,7 @@ TEST(stability, steps_above_the_limit_are_warned_of_with_the_key_that_sets_them)
             "limit");
 }
 
-// At twice the wave speed at rest, half the limit.
+// At twice the wave speed at rest the limit is half as long.
 TEST(stability, steps_above_the_limit_of_the_present_state_are_warned_of) {
   const Case a_case = read_text(block_case, {"time.step=0.02"});
   EXPECT_EQ(stability_warning(a_case, 8), "");

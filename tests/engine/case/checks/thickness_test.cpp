@@ -51,7 +51,7 @@ TEST(thickness, is_that_between_free_surfaces) {
   EXPECT_NEAR(thickness_of(plate, sides), 1.3, 1e-3);
   EXPECT_NEAR(thickness_of(plate, faces), 30, 1e-2);
   EXPECT_TRUE(std::isinf(thickness_of(plate, sides + faces)));
-  // One face is free: the ball that it touches may be of any size.
+  // One face is free: the touching ball may have any size.
   EXPECT_TRUE(std::isinf(thickness_of(plate, sides + wall("floor", "[0, 0]", "[0, 1]"))));
 }
 
@@ -77,7 +77,7 @@ TEST(opening, has_no_end_without_walls_that_hold_the_body) {
 }
 
 TEST(thickness, only_bodies_below_the_number_are_warned_of_by_their_worst) {
-  const Case a_case = tests::read_text(tests::block_case);  // 1 x 2 at a spacing of 0.1
+  const Case a_case = tests::read_text(tests::block_case);  // 1 x 2 with a spacing of 0.1
   constexpr ThinBodyError errors[] = {{4, "much"}, {11, "a little"}};
   std::vector<std::string> warnings;
   warn_of_thin_bodies(a_case, errors, warnings);

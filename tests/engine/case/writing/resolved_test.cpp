@@ -161,7 +161,7 @@ momentum = "warn"
 )");
 }
 
-/// Every value of the case that the file above sets, compared bit by bit.
+/// Compares every value that the case above sets, bit by bit.
 void expect_equal(const Shape& a, const Shape& b) {
   EXPECT_EQ(a.kind, b.kind);
   EXPECT_EQ(a.lower, b.lower);
@@ -223,7 +223,7 @@ TEST(resolved, reading_it_gives_an_equal_case) {
   EXPECT_EQ(resolved_toml(again), text);
 }
 
-// Each setting changes the resolved text, so no key is read and then left out of it.
+// Each setting changes the resolved text: no key is read without being written.
 TEST(resolved, no_setting_is_lost) {
   const std::string before = resolved_toml(read_text(rich_case));
   for (const char* setting : {"title=b",

@@ -29,7 +29,8 @@ kind = "mass"
       "  measurements: weight\n");
 }
 
-// The area of a disc from a 1024 x 1024 grid: the estimate is good to a particle in a thousand.
+// The area of a disc from a 1024 x 1024 grid: the estimate is accurate to one particle in a
+// thousand.
 TEST(validate_summary, particles_of_a_disc_fill_its_area) {
   const std::string text =
       tests::with(tests::block_case, "{ shape = \"box\", lower = [0, 0], upper = [1, 2] }",

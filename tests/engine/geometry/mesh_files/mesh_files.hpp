@@ -4,22 +4,21 @@
 #include <string>
 #include <string_view>
 
-/// Contents of mesh files for tests.
 namespace pliant::tests {
 
-/// The bytes of a value, as binary files hold it.
+/// The bytes of a value in a binary file.
 template <class Value>
 std::string bytes(Value value) {
   return {reinterpret_cast<const char*>(&value), sizeof value};
 }
 
-/// A tetrahedron with corners at the origin and one along each axis; volume 1/6.
+/// A tetrahedron with corners at the origin and at 1 on each axis; volume 1/6.
 inline constexpr int tetrahedron_corners[4][3] = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
 inline constexpr int tetrahedron[4][3] = {{0, 2, 1}, {0, 1, 3}, {0, 3, 2}, {1, 2, 3}};
 
 inline std::string binary_stl() {
   std::string text(80, '\0');
-  text.replace(0, 5, "solid");  // as some programs write, against the rules
+  text.replace(0, 5, "solid");  // some programs write this, against the rules
   text += bytes(std::uint32_t{4});
   for (const auto& triangle : tetrahedron) {
     text += std::string(12, '\0');

@@ -40,7 +40,7 @@ TEST(read_mesh, lines_may_end_as_on_windows) {
   EXPECT_DOUBLE_EQ(volume("a.obj", text), 1);
 }
 
-// Wherever a file is cut, the answer is a mesh or a MeshError.
+// Wherever a file is cut off, reading gives a mesh or a MeshError.
 TEST(read_mesh, every_cut_is_survived) {
   const std::pair<const char*, std::string> files[] = {{"a.stl", binary_stl()},
                                                        {"a.stl", ascii_stl()},
@@ -59,7 +59,7 @@ TEST(read_mesh, every_cut_is_survived) {
   }
 }
 
-// A header may announce anything: what is read takes no more memory than the file allows.
+// A header may announce any size: the reader must not allocate more than the file can fill.
 TEST(read_mesh, wrong_numbers_of_elements_end_with_the_file) {
   for (const char* key : {"element vertex ", "element face "}) {
     for (const std::string& whole : {ascii_ply, binary_ply()}) {
@@ -76,7 +76,7 @@ TEST(read_mesh, elements_that_are_not_read_may_be_empty) {
   EXPECT_EQ(read("a.ply", content).triangles.size(), 4u);
 }
 
-// Reading a pipe to its end would wait for whoever writes into it.
+// Reading a pipe to its end would wait for the writer.
 TEST(read_mesh, a_pipe_is_no_mesh) {
   const test::TemporaryFolder folder;
   ASSERT_EQ(mkfifo((folder / "a.stl").c_str(), 0600), 0);

@@ -8,13 +8,13 @@
 
 #include "tests/engine/geometry/mesh_files/mesh_files.hpp"
 
-/// The unit cube of six tetrahedra (a triangle on its boundary is listed too) as files hold it.
+/// The unit cube of six tetrahedra (with one boundary triangle) in several file formats.
 namespace pliant::tests {
 
 inline constexpr int cube_elements[6][4] = {{0, 1, 3, 7}, {0, 3, 2, 7}, {0, 2, 6, 7},
                                             {0, 6, 4, 7}, {0, 4, 5, 7}, {0, 5, 1, 7}};
 
-/// Corner `v` has coordinate `axis` 0 or 1.
+/// Coordinate `axis` of corner `v`, 0 or 1.
 inline int cube_coordinate(int v, int axis) { return v >> axis & 1; }
 
 template <class Value>
@@ -24,7 +24,7 @@ std::string big_endian(Value value) {
   return text;
 }
 
-/// Nodes are numbered 10, 20, ...
+/// Number of a node in the files: 10, 20, ...
 inline std::int64_t cube_tag(int v) { return 10 * (v + 1); }
 
 inline std::string gmsh_2_text() {

@@ -108,7 +108,8 @@ TEST(archive, of_another_format_is_refused_by_its_number) {
 TEST(archive, equal_content_makes_equal_files) {
   const TemporaryFolder folder;
   for (const auto* name : {"a.h5", "b.h5"}) {
-    if (std::filesystem::exists(folder / "a.h5"))  // a time stamp of HDF5 counts seconds
+    if (std::filesystem::exists(folder /
+                                "a.h5"))  // time stamps of HDF5 have a resolution of one second
       std::this_thread::sleep_for(std::chrono::milliseconds(1100));
     ArchiveWriter writer(folder / name);
     writer.put("x", awkward);

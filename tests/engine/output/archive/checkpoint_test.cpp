@@ -39,7 +39,8 @@ TEST(checkpoint, a_damaged_last_one_does_not_displace_the_previous) {
   const TemporaryFolder folder;
   write_step(folder, 1);
   write_step(folder, 2);
-  // Damage is found by opening; a run that resumes from the previous one writes the next.
+  // Damage is detected on opening; a run that resumes from the previous checkpoint writes the next
+  // one.
   std::filesystem::resize_file(folder / "checkpoint.h5", 900);
   const auto resumed = step_of(open_checkpoint(folder.path()));
   write_step(folder, resumed + 10);

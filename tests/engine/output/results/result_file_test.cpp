@@ -15,7 +15,7 @@
 namespace pliant::test {
 namespace {
 
-constexpr int particles = 700;  // 5 frames of these fill several chunks of 1024
+constexpr int particles = 700;  // 5 such frames fill several chunks of 1024
 
 TEST(result_file, every_frame_is_found_where_the_vtkhdf_layout_says) {
   const TemporaryFolder folder;
@@ -53,7 +53,8 @@ TEST(result_file, histories_hold_every_row) {
 TEST(result_file, equal_runs_write_equal_bytes) {
   const TemporaryFolder folder;
   for (const auto* name : {"first", "second"}) {
-    if (std::filesystem::exists(folder / "first"))  // a time stamp of HDF5 counts seconds
+    if (std::filesystem::exists(folder /
+                                "first"))  // time stamps of HDF5 have a resolution of one second
       std::this_thread::sleep_for(std::chrono::milliseconds(1100));
     auto file = ResultFile::create(folder / name, sample_run());
     write_frames(file, 0, 4, particles);
@@ -144,7 +145,7 @@ TEST(result_file, can_be_read_while_it_is_written) {
   auto file = ResultFile::create(folder.path(), sample_run());
   for (int f = 0; f < 3; ++f) {
     write_frames(file, f, f + 1, particles);
-    // In a separate process: within this one HDF5 would share the open file.
+    // In a separate process: within this process HDF5 would share the open file.
     const auto child = ::fork();
     if (child == 0) {
       const auto command = "h5dump -H " + (folder / "result.h5").string() + " > /dev/null";

@@ -11,7 +11,7 @@
 namespace pliant::test {
 namespace {
 
-/// A blade of these keys that cuts the block from below, on `path` from t = 0.05 to 0.55.
+/// A blade with these keys that cuts the block from below along `path`, from t = 0.05 to 0.55.
 std::string pushing_blade(int dimension, const std::string& path, const std::string& keys) {
   const std::string edge = dimension == 2
                                ? "from = [0.45, -0.125]\n"
@@ -36,7 +36,8 @@ PointSolver<D> bladed_solver(const std::string& text) {
   return PointSolver<D>(tests::read_text(text), {1, kernels::widest_supported()});
 }
 
-// The edge is in the body or not, and its cut grows, by an eighth of a spacing at a time.
+// Whether the edge is in the body, and how far it has cut, changes in steps of an eighth of a
+// spacing.
 TEST(blade_forces, take_the_energy_of_the_new_faces) {
   for (const std::string path : {"[0, \"2.5*(t - 0.05)\", 0]", "[0, \"5*(t - 0.05)^2\", 0]"}) {
     auto solver = bladed_solver<3>(free_points(3) + pushing_blade(3, path, "resistance = 0.1\n") +
@@ -63,13 +64,13 @@ TEST(blade_forces, close_the_budgets_of_momentum_and_energy) {
   const double gained =
       end.kinetic_energy + end.strain_energy - start.kinetic_energy - start.strain_energy;
   EXPECT_GT(budget.blade_work, 0.5);
-  // The error of the leapfrog.
+  // The error of the leapfrog method.
   EXPECT_NEAR(gained, budget.work(), 2e-3 * budget.blade_work);
 }
 
 TEST(blade_forces, fall_where_the_blade_saws) {
   // F = 1 in a body that hardly moves: with the ratio s of slicing to pushing, the resistance to
-  // pushing is G_c/(1 + s^2), and s times that along the edge.
+  // pushing is G_c/(1 + s^2), and along the edge s times that.
   for (const double s : {0., 1., 2.}) {
     const std::string along = "\"" + std::to_string(s) + "*(t - 0.05)\"";
     auto solver =
@@ -77,13 +78,13 @@ TEST(blade_forces, fall_where_the_blade_saws) {
                                                         "resistance = 1e-4\n"));
     advance_until(solver, 0.3);
     const auto force = solver.blade_force(0);
-    const double length = 1 - std::max(0., 0.25 * s - 0.125);  // of the edge in the body
+    const double length = 1 - std::max(0., 0.25 * s - 0.125);  // of the edge inside the body
     EXPECT_NEAR(force[1], 1e-4 * length / (1 + s * s), 0.07e-4) << s;
     EXPECT_NEAR(force[2], 1e-4 * length * s / (1 + s * s), 0.07e-4) << s;
   }
 }
 
-// Friction alone remains.
+// Only friction remains.
 TEST(blade_forces, take_no_energy_for_what_is_cut_already) {
   const std::string there_and_back = R"toml([0, "0.6 - abs(2.4*(t - 0.05) - 0.6)"])toml";
   auto solver =

@@ -22,7 +22,7 @@ kind = "fixed"
 geometry = { shape = "half_space", point = [0, 1, 0], normal = [0, -1, 0] }
 )toml";
 
-/// A blade that comes from below at this speed from t = 0.05 to 0.55.
+/// A blade that comes from below at this speed, from t = 0.05 to 0.55.
 std::string denting_blade(int dimension, const std::string& speed, double force) {
   const std::string edge = dimension == 2
                                ? "from = [0.45, -0.01]\n"
@@ -53,7 +53,7 @@ PointSolver<D> denting_solver(const std::string& text) {
   return PointSolver<D>(tests::read_text(text), {1, kernels::widest_supported()});
 }
 
-/// The mean force of a blade over the last 0.02 s of each 0.02 s, and when it first cuts.
+/// The mean force of a blade over each interval of 0.02 s, and the time of the first cut.
 struct ForceHistory {
   std::vector<double> mean;
   double entered = HUGE_VAL;
@@ -83,14 +83,14 @@ void expect_puncture() {
   const ForceHistory history = force_history(solver, 0.5);
   ASSERT_LT(history.entered, 0.5);
   const auto top = std::max_element(history.mean.begin(), history.mean.end());
-  // The force of single steps scatters about their mean; the last window holds part of the fall.
+  // The force in single steps scatters about its mean; the last window includes part of the drop.
   EXPECT_NEAR(*top, threshold, 0.15 * threshold);
   for (auto at = history.mean.begin(); at + 2 < top; ++at) EXPECT_LE(*at, *(at + 2)) << D;
   EXPECT_EQ(history.mean.back(), 0);
-  // The edge has been 0.5 (t - 0.05) - 0.01 behind the place of the undeformed surface.
+  // The edge was 0.5 (t - 0.05) - 0.01 behind the place of the undeformed surface.
   const double dent = 0.5 * (history.entered - 0.05) - 0.01;
   EXPECT_GT(dent, 0.02);
-  EXPECT_GT(solver.measure(0), 0.5 * threshold * dent);  // of a force that grows at most linearly
+  EXPECT_GT(solver.measure(0), 0.5 * threshold * dent);  // for a force that grows at most linearly
   EXPECT_LT(solver.measure(0), *top * dent);
 }
 
@@ -121,7 +121,7 @@ TEST(puncture, closes_the_budgets_of_momentum_and_energy) {
   advance_until(solver, 0.5);
   const BodyIntegrals end = solver.integrals();
   const auto& impulse = solver.state().blades[0].impulse;
-  EXPECT_GT(impulse[1], 0.4);  // the body flies off at the speed of the blade, or faster
+  EXPECT_GT(impulse[1], 0.4);  // the body flies off at least at the speed of the blade
   for (int a = 0; a < 3; ++a) {
     EXPECT_NEAR(end.momentum[a] - start.momentum[a], impulse[a], 1e-12);
   }
@@ -129,7 +129,7 @@ TEST(puncture, closes_the_budgets_of_momentum_and_energy) {
   const double gained = end.kinetic_energy + end.strain_energy;
   EXPECT_GT(budget.blade_work, 0.1);
   EXPECT_NEAR(gained, budget.work(),
-              0.05 * budget.blade_work);  // impacts of single nodes take some
+              0.05 * budget.blade_work);  // impacts of single nodes consume some
 }
 
 TEST(puncture, continues_after_a_restart_to_the_same_bytes_on_any_number_of_threads) {
@@ -149,7 +149,7 @@ TEST(puncture, continues_after_a_restart_to_the_same_bytes_on_any_number_of_thre
 
 TEST(puncture, of_a_surface_that_gives_way_first_names_the_cut_whose_force_is_too_large) {
   std::string text = held_block(3, 1e9);
-  text.replace(text.find("0.5*(t"), 6, "1.8*(t");  // through nine tenths of the block
+  text.replace(text.find("0.5*(t"), 6, "1.8*(t");  // through 90 % of the block
   auto solver = denting_solver<3>(text);
   try {
     while (solver.clock().time < 0.55) solver.step(HUGE_VAL);

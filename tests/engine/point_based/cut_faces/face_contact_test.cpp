@@ -21,7 +21,7 @@ std::string dividing_blade(int dimension) {
          "end = 0.01\n";
 }
 
-/// The block between a floor and a plate that comes down by a tenth, and then moves aside.
+/// The block between a floor and a plate that comes down by a tenth and then moves aside.
 std::string press(const std::string& contact) {
   return free_points(2) + "[point_based]\ndamping = 5\ncut_contact = " + contact + R"toml(
 [[boundary]]
@@ -59,7 +59,7 @@ PlateForce mean_force(const std::string& text, double from, double until) {
           (solver.measure(1) - start.aside) / (until - from)};
 }
 
-// Without contact the upper half sinks into the lower one and carries nothing.
+// Without contact the upper half sinks into the lower one without resistance.
 TEST(face_contact, lets_a_divided_block_carry_compression_like_a_whole_one) {
   const double whole = mean_force(press("0"), 0.8, 1).down;
   const double divided = mean_force(press("0") + dividing_blade(2), 0.8, 1).down;
@@ -69,9 +69,9 @@ TEST(face_contact, lets_a_divided_block_carry_compression_like_a_whole_one) {
   EXPECT_NEAR(apart, 0, 0.1 * std::abs(whole));
 }
 
-// A block at rest under its weight is divided along a level: nothing should move. (Faces that were
-// put back against the weight in each step shook with a tenth of the strain energy, and four sweeps
-// over them created a tenth of the work of gravity.)
+// A block at rest under its weight is divided horizontally: nothing should move. (When faces were
+// put back against the weight in each step, they shook with a tenth of the strain energy, and four
+// sweeps over them created a tenth of the work of gravity.)
 TEST(face_contact, keeps_a_block_at_rest_that_is_cut_under_its_weight) {
   const std::string text = tests::with(free_points(2), "dimension = 2\n",
                                        "dimension = 2\ngravity = [0, \"-4*min(t, 1)\"]\n") +
@@ -105,7 +105,7 @@ axis = "y"
   EXPECT_LT(balance(solver) - before, 0.01 * end.strain_energy);
 }
 
-// At a slip of 0.05 m, Coulomb's law sets the shear.
+// At a slip of 0.05 m, Coulomb's law determines the shear.
 TEST(face_contact, slides_with_the_friction_of_coulomb) {
   for (const std::string friction : {"0", "0.1"}) {
     const PlateForce force = mean_force(press(friction) + dividing_blade(2), 2.5, 3);
@@ -119,7 +119,7 @@ const std::string colliding_halves =
     "\"-0.5*(y - 0.4375)/abs(y - 0.4375)\"";
 
 // Faces that are put back onto each other while they slide change the angular momentum by overlap
-// times slip: here, 0.6 m/s across what 1 m/s makes of a step of 8 ms, on a tenth of the mass.
+// times slip: here 0.6 m/s times the overlap from 1 m/s in a step of 8 ms, for a tenth of the mass.
 TEST(face_contact, changes_no_momentum_and_adds_no_energy) {
   for (const std::string friction : {"0", "0.3"}) {
     const std::string contact = "[point_based]\ncut_contact = " + friction + "\n";

@@ -4,11 +4,10 @@
 
 #include "engine/point_based/cutting/cut_bonds.hpp"
 
-/// Nodes and bonds for tests.
 namespace pliant::point_based::tests {
 
-/// Nodes at the centres of the cells of a lattice, `count` cells along each side, of size h, and
-/// the bonds between those less than 2.1 h apart.
+/// Nodes at the centres of the cells of a lattice, with `count` cells of size h along each side,
+/// and the bonds between nodes less than 2.1 h apart.
 template <int D>
 struct LatticeBonds {
   std::vector<MaterialPoint<D>> positions;

@@ -27,7 +27,7 @@ TEST(crossing, the_boundary_of_a_piece_belongs_to_it) {
   EXPECT_TRUE(crossing<3>({0.5, 0.5, -1}, {0.5, 0.5, 1}, {{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}}));
 }
 
-// Two blades that cut one plane in opposite directions would otherwise isolate the nodes on it.
+// Otherwise two blades that cut one plane in opposite directions would isolate the nodes on it.
 TEST(crossing, a_node_on_a_piece_is_on_one_side_whichever_way_the_blade_went) {
   using Segment = std::array<MaterialPoint<2>, 2>;
   for (const Segment& along_x : {Segment{{{0, 0}, {1, 0}}}, Segment{{{1, 0}, {0, 0}}}}) {
@@ -44,8 +44,8 @@ TEST(crossing, a_node_on_a_piece_is_on_one_side_whichever_way_the_blade_went) {
   }
 }
 
-// A turned and shifted strip of triangles through the origin: every bond across it is found, also
-// those through its vertices and edges.
+// A turned and shifted strip of triangles through the origin: every bond across it is found,
+// including those through its vertices and edges.
 TEST(crossing, no_bond_slips_through_between_the_triangles_of_a_strip) {
   std::mt19937 random(1);
   std::uniform_real_distribution<double> uniform(-1, 1);
@@ -60,7 +60,7 @@ TEST(crossing, no_bond_slips_through_between_the_triangles_of_a_strip) {
   }
   ASSERT_EQ(strip.pieces().size(), 24u);
   for (int trial = 0; trial < 3000; ++trial) {
-    // Every third bond goes through a vertex, every other third through an edge.
+    // A third of the bonds go through a vertex, another third through an edge.
     double x = 0.9 * uniform(random), y = 0.9 * uniform(random);
     if (trial % 3 != 2) x = std::round(3 * x) / 3;
     if (trial % 3 == 0) y = 0.1;

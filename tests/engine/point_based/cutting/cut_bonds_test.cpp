@@ -54,7 +54,7 @@ TEST(cut_bonds, a_complete_cut_in_3d_leaves_no_bond_across) {
        {CutRule::visibility, CutRule::transparency, CutRule::enrichment_grid}) {
     CutBonds<3> cut = lattice.cut_by(rule, {1, 1, 1});
     cut.add_cut();
-    // The plane x + z = 0.9, swept along y by a blade that is longer than the body.
+    // The plane x + z = 0.9, swept along y by a blade longer than the body.
     for (double y = -0.1; y < 1.2; y += 0.17) cut.advance(0, {{1.4, y, -0.5}, {-0.5, y, 1.4}});
     int across = 0;
     for_each_bond(cut, [&](std::size_t i, std::size_t j, double factor) {
@@ -69,7 +69,7 @@ TEST(cut_bonds, a_complete_cut_in_3d_leaves_no_bond_across) {
   }
 }
 
-// Cell centres lie on the plane of the cut: they go with one side, and none is left alone.
+// Cell centres on the plane of the cut join one side, and none is isolated.
 TEST(cut_bonds, a_cut_through_nodes_separates_the_body_too) {
   const LatticeBonds<2> lattice({11, 11}, 0.1);
   CutBonds<2> cut = lattice.cut_by(CutRule::transparency, {1.1, 1.1});
@@ -100,7 +100,7 @@ TEST(cut_bonds, crossing_and_branching_cuts_make_four_parts_and_three) {
   }
 }
 
-// One blade goes all round, or four cut one side each, from corner to corner.
+// One blade goes all the way round, or four cut one side each, from corner to corner.
 TEST(cut_bonds, a_closed_cut_divides_the_body) {
   const LatticeBonds<2> lattice({20, 20}, 0.1);
   CutBonds<2> circle = lattice.cut_by(CutRule::transparency, {2, 2});
@@ -146,7 +146,7 @@ TEST(cut_bonds, a_blade_that_goes_back_leaves_the_front_where_it_was) {
   const LatticeBonds<3> lattice({8, 8, 8}, 0.125);
   CutBonds<3> there = lattice.cut_by(CutRule::transparency, {1, 1, 1});
   CutBonds<3> back = lattice.cut_by(CutRule::transparency, {1, 1, 1});
-  // The blade at x = k/20 - 0.1; it turns at x = 0.5, between two rows of nodes.
+  // The blade is at x = k/20 - 0.1; it turns at x = 0.5, between two rows of nodes.
   const auto move = [](CutBonds<3>& cut, int k) {
     const double x = 0.05 * k - 0.1;
     cut.advance(0, {{x, -0.1, 0.46}, {x, 1.1, 0.46}});
@@ -195,7 +195,7 @@ double sum_of_factors(CutRule rule, double front) {
   return sum;
 }
 
-// (CU.1): the front moves by an eighth of the spacing at a time.
+// (CU.1): the front moves in steps of an eighth of the spacing.
 TEST(cut_bonds, transparency_releases_bonds_smoothly_and_visibility_in_jumps) {
   const auto largest_share_of_a_step = [](CutRule rule) {
     double largest = 0;
@@ -223,8 +223,8 @@ TEST(cut_bonds, a_cut_that_advances_in_small_steps_is_the_same_as_one_in_large_s
   }
 }
 
-// Two cuts that meet, one of which ends inside the body. The front that one large step finds
-// anew is that which small steps have followed.
+// Two cuts that meet, one of which ends inside the body. The front found after one large step
+// equals the one updated in small steps.
 TEST(cut_bonds, a_front_that_is_followed_is_that_of_the_whole_cut) {
   const LatticeBonds<3> lattice({8, 8, 8}, 0.125);
   const auto cut_in = [&](int steps) {

@@ -19,8 +19,8 @@ std::string said_of(const std::string& spacing, const std::string& rule) {
   return said_of({"discretisation.spacing=" + spacing, "point_based.cut_rule=" + rule});
 }
 
-// Fracture theory gives the opening; the blade goes from x = -0.05 to 0.5. With a spacing of 1/15
-// the plate opens by 10 % too little, with 1/20 by 5 %; by visibility with 1/27 by 9 % too much.
+// Fracture theory gives the opening; the blade goes from x = -0.05 to 0.5. With spacings of 1/15
+// and 1/20 the plate opens by 10 % and 5 % too little; with 1/27 and visibility, by 9 % too much.
 TEST(resolution, of_a_cut_by_few_spacings_is_said_to_be_too_coarse) {
   EXPECT_NE(said_of("1/15", "transparency").find("the cut `blade` advances by 8.2 spacings"),
             std::string::npos);
@@ -28,7 +28,7 @@ TEST(resolution, of_a_cut_by_few_spacings_is_said_to_be_too_coarse) {
   EXPECT_NE(said_of("1/27", "visibility").find("cut_rule = \"transparency\""), std::string::npos);
 }
 
-// A complete cut of a plate of 20 x 8 nodes leaves it one part.
+// A complete cut of a plate of 20 x 8 nodes does not divide it.
 TEST(resolution, by_products_is_said_to_leave_bonds) {
   EXPECT_NE(said_of("1/20", "product").find("may not divide the body"), std::string::npos);
 }

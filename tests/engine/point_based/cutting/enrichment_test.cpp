@@ -21,8 +21,8 @@ CutSurface<2> straight_cut(int pieces) {
   return cut;
 }
 
-/// Means of the share (1 + sigma_i e_j)/2 of the weights of bonds beside the cut that both ends are
-/// on the same side of, and of those across it.
+/// Means of the share (1 + sigma_i e_j)/2 of the weight that is kept: by bonds beside the cut with
+/// both ends on the same side, and by bonds across it.
 struct Kept {
   double same_side, across;
 };
@@ -55,10 +55,10 @@ double product_share(const CutSurface<2>& cut, const MaterialPoint<2>& p,
   return share;
 }
 
-// The paper's Figure 4: dividing a straight cut must change nothing, and takes the weight of bonds
-// beside it that do not cross it.
+// Figure 4 of the paper: dividing a straight cut should not change anything, but removes weight of
+// bonds beside it that do not cross it.
 TEST(enrichment, the_product_rule_loses_the_weight_beside_a_divided_cut) {
-  // An independent prototype, with other neighbours, had 0.84, 0.43, 0.14 and 0.023.
+  // An independent prototype, with other neighbours, gave 0.84, 0.43, 0.14 and 0.023.
   const double most[] = {0.9, 0.5, 0.2, 0.05};
   for (int k = 0; k < 4; ++k) {
     const CutSurface<2> cut = straight_cut(2 << k);

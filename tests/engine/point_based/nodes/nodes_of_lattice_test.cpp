@@ -45,7 +45,7 @@ TEST(lattice_nodes, of_a_box_lie_on_its_faces_and_fill_it_exactly) {
   EXPECT_NEAR(most, cell, 1e-15);
 }
 
-// The lattice does not fit: what sticks out belongs to the nodes on the last layer.
+// The lattice does not fit: nodes on the last layer get the part that sticks out.
 TEST(lattice_nodes, of_a_box_between_lattice_points_have_its_volume) {
   const auto cloud = lattice_nodes<2>(box({0, 0, 0}, {1, 0.47, 0}), 0.1);
   EXPECT_NEAR(volume_of(cloud), 0.47, 1e-3);
@@ -96,15 +96,16 @@ double volume_error_of_ball(double spacing) {
   return std::abs(volume_of(cloud) / exact - 1);
 }
 
-// phi is linear along the edges of a cell: the volume errs by its curvature, h^2/8 of 3/R at most.
+// phi is linear along the edges of a cell: the error of the volume is at most h^2/8 times 3/R.
 TEST(lattice_nodes, of_a_ball_lie_on_it_or_inside_and_have_its_volume_to_second_order) {
   EXPECT_LT(volume_error_of_ball<2>(0.1), 2 * 2 * 0.01 / 8);
   EXPECT_LT(volume_error_of_ball<3>(0.1), 2 * 3 * 0.01 / 8);
   EXPECT_LT(volume_error_of_ball<3>(0.05), 2 * 3 * 0.0025 / 8);
 }
 
-// Strain in proportion to the distance from the middle, as in torsion: its square over the nodes is
-// the polar moment of area, less the second moments of the cells about their own nodes.
+// A strain proportional to the distance from the middle, as in torsion: the sum of its square over
+// the nodes is the polar moment of area, minus the second moments of the cells about their own
+// nodes.
 TEST(lattice_nodes, of_a_disc_have_its_second_moment) {
   for (const double spacing : {0.25, 0.2, 0.1}) {
     const auto cloud = lattice_nodes<2>(ball_at({0, 0, 0}, 1), spacing);
@@ -117,7 +118,7 @@ TEST(lattice_nodes, of_a_disc_have_its_second_moment) {
   }
 }
 
-// A square that is turned by 0.5: its corners are nodes, and its sides hold nodes.
+// A square turned by 0.5: there are nodes on its corners and on its sides.
 TEST(lattice_nodes, of_a_turned_square_lie_on_its_corners) {
   const double c = std::cos(0.5), s = std::sin(0.5);
   const Shape square = of(Shape::Kind::intersect,
@@ -135,7 +136,7 @@ TEST(lattice_nodes, of_a_turned_square_lie_on_its_corners) {
   }
 }
 
-// The layers of a round rod are alike, those at its ends too.
+// The layers of a round rod are equal, including those at its ends.
 TEST(lattice_nodes, of_a_rod_stand_in_columns) {
   Shape round = ball_at({0, 0, 0}, 1);
   round.kind = Shape::Kind::cylinder;

@@ -30,7 +30,7 @@ Vector position(const NodeCloud<D>& cloud, std::size_t i) {
 TEST(octree_nodes, volumes_sum_to_that_of_the_body) {
   const Shape ball = tests::ball({0.1, 0.2, 0.3}, 1);
   const double volume = 4 * pi / 3;
-  // The sampled fractions of cut cells are of second order.
+  // The sampled volume fractions of cut cells are of second order.
   EXPECT_NEAR(sum(octree_nodes<3>(ball, {0.2, 0.8})), volume, 0.004 * volume);
   EXPECT_NEAR(sum(octree_nodes<3>(ball, {0.1, 0.8})), volume, 0.001 * volume);
   EXPECT_NEAR(sum(octree_nodes<2>(ball, {0.05, 0.4})), pi, 0.001 * pi);
@@ -53,13 +53,13 @@ TEST(octree_nodes, nodes_are_inside_dense_at_the_surface_and_coarse_within) {
     const double d = signed_distance(ball, position(cloud, i), 3),
                  side = std::cbrt(cloud.volumes[i]);
     EXPECT_LT(d, 0);
-    EXPECT_LE(side, 0.05 - 0.5 * d + 0.04);  // and what joined the leaf
+    EXPECT_LE(side, 0.05 - 0.5 * d + 0.04);  // with the volume that joined the leaf
     largest = std::max(largest, side);
     smallest = std::min(smallest, side);
   }
   EXPECT_DOUBLE_EQ(largest, 0.4);
   EXPECT_GE(smallest, 0.05 * std::cbrt(0.3) - 1e-12);
-  // A lattice of the finest size would have 33510 nodes.
+  // A lattice of the smallest size would have 33510 nodes.
   EXPECT_LT(cloud.volumes.size(), 15000u);
 }
 

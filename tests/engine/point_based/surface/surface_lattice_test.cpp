@@ -12,8 +12,8 @@ namespace {
 
 using point_based::SurfaceLattice;
 
-// A load on an end takes the facets that lie in a thin region there: all of the end, for any
-// spacing, or it is too small.
+// A load on an end acts on the facets in a thin region there: it is too small unless this is the
+// whole end for any spacing.
 TEST(surface_lattice, of_a_box_has_its_faces_at_spacings_that_do_not_divide_it) {
   Shape beam;
   beam.kind = Shape::Kind::box;
@@ -35,7 +35,7 @@ TEST(surface_lattice, of_a_box_has_its_faces_at_spacings_that_do_not_divide_it) 
   }
 }
 
-// Some points of this lattice lie on the circle itself, such as (0.6, 0.8).
+// Some points of this lattice are exactly on the circle, such as (0.6, 0.8).
 TEST(surface_lattice, of_a_disc_is_one_closed_line) {
   Shape disc;
   disc.kind = Shape::Kind::ball;

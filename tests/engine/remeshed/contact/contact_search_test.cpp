@@ -13,7 +13,7 @@ namespace {
 
 constexpr double spacing = 0.1;
 
-/// Two blocks of the width 1, the upper one `gap` above the lower one's top at y = 1, at rest.
+/// Two blocks of width 1 at rest, the upper one `gap` above the top of the lower one, y = 1.
 Solver blocks_apart(double gap) {
   const auto block = [](const std::string& name, double bottom) {
     return "[[body]]\nname = \"" + name + "\"\ngeometry = { shape = \"box\", lower = [0, " +
@@ -38,8 +38,8 @@ void for_each_contact_point(const Body& body, F&& f) {
   }
 }
 
-// Gaps are linear in the level sets, which are exact distances from plane surfaces. Areas are
-// shares of one surface: away from corners they add up to its length.
+// Gaps are linear in the level sets, which are exact for plane surfaces. Areas are shares of one
+// surface: away from corners they add up to its length.
 TEST(contact_search, finds_the_gap_and_the_length_of_plane_surfaces_that_face_each_other) {
   for (const double gap : {0.0002, 0.0008}) {
     Solver solver = blocks_apart(gap);

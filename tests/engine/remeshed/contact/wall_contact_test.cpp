@@ -6,15 +6,15 @@
 #include "tests/engine/case/written_case.hpp"
 #include "tests/engine/remeshed/small_case.hpp"
 
-// Bars and blocks on walls, at spacings that divide their sides and at others, with defaults.
+// Bars and blocks on walls, with spacings that divide their sides and others, and default settings.
 namespace pliant::test {
 namespace {
 
-constexpr double side = 0.2, sound = 10;  // [m], [m/s] of waves along a bar without lateral strain
+constexpr double side = 0.2, sound = 10;  // [m]; [m/s], of waves along a bar without lateral strain
 
 struct Block {
   int dimension = 2;
-  double across = 8;  // particles
+  double across = 8;  // [particles]
   double height = side;
   std::string material = "model = \"linear\", youngs_modulus = 100, poissons_ratio = 0.3";
   std::string velocity = "0, 0, 0";
@@ -63,8 +63,8 @@ axis = "y"
   return tests::read_text(text, settings);
 }
 
-/// The wall's force and the change of momentum while a bar of 3 sides comes to rest, over those of
-/// a plane wave.
+/// Force of the wall and change of momentum while a bar 3 sides long comes to rest, relative to a
+/// plane wave.
 template <int D>
 std::pair<double, double> impact(const Block& block) {
   constexpr double speed = 0.1;
@@ -92,7 +92,7 @@ const std::string linear = "model = \"linear\", youngs_modulus = 100, poissons_r
                   hyperelastic =
                       "model = \"reduced_polynomial\", coefficients = [25], compressibility = 0.06";
 
-// The front of the wave is some particles wide when it comes back, earlier the coarser they are.
+// The front of the returning wave is some particles wide: with fewer particles it returns earlier.
 TEST(wall_contact, a_bar_that_hits_a_wall_feels_its_own_section_only) {
   for (const std::string& material : {linear, hyperelastic}) {
     for (const double across : {4., 5., 6.67, 8., 8.8, 12.}) {
@@ -103,7 +103,7 @@ TEST(wall_contact, a_bar_that_hits_a_wall_feels_its_own_section_only) {
   }
 }
 
-// Where the last nodes lie a third of a cell inside, the edges are softer by 3 %.
+// Where the last nodes are a third of a cell inside, the edges are 3 % softer.
 TEST(wall_contact, so_does_one_in_3d) {
   for (const double across : {4., 5., 5.5, 6.67}) {
     const auto [force, momentum] = impact<3>(bar(3, across, linear));
@@ -112,7 +112,7 @@ TEST(wall_contact, so_does_one_in_3d) {
   }
 }
 
-/// A block under its weight, which comes within 0.2 s, a rest of it along the wall.
+/// A block under its weight, which grows within 0.2 s, and `slope` times that along the wall.
 Block heavy(double across, const std::string& wall, double slope = 0) {
   return {.across = across,
           .gravity = fmt::format("\"{}*min(t/0.2,1)\", \"-10*min(t/0.2,1)\", 0", 10 * slope),
@@ -135,7 +135,8 @@ Rest rest(const Block& block, const Settings& settings = {}) {
           solver.integrals().mass / mass};
 }
 
-// sigma_nn rises behind the wall too. The body cannot lose momentum: the rest is that of the area.
+// sigma_nn rises behind the wall too. The body cannot lose momentum: the rest is the error of the
+// area.
 TEST(wall_contact, a_wall_carries_the_weight_of_a_block) {
   for (const std::string& wall : {Block().wall, slip_wall}) {
     for (const double across : {6.67, 8., 12.}) {
@@ -146,7 +147,7 @@ TEST(wall_contact, a_wall_carries_the_weight_of_a_block) {
   }
 }
 
-// They used to be remeshed every ten steps, to creep, and to create energy without end.
+// Blocks used to be remeshed every ten steps, to creep, and to create energy without end.
 TEST(wall_contact, a_block_at_rest_settles_and_keeps_its_mass) {
   for (const double across : {4.5, 5., 8.}) {
     Block block = heavy(across, Block().wall);
@@ -155,7 +156,7 @@ TEST(wall_contact, a_block_at_rest_settles_and_keeps_its_mass) {
     const double mass = solver.integrals().mass;
     advance_until(solver, 4);
     EXPECT_NEAR(solver.integrals().mass, mass, 0.005 * mass) << across;
-    // (rho g)^2 H^3/(6 E') a unit width, E' of plane strain.
+    // (rho g)^2 H^3/(6 E') per unit width, with E' for plane strain.
     const double energy = 100 * std::pow(side, 4) / 6 / (100 / (1 - 0.3 * 0.3));
     EXPECT_NEAR(solver.integrals().strain_energy, energy, 0.05 * energy) << across;
     EXPECT_LE(solver.clock().remeshings, 3) << across;
@@ -173,7 +174,7 @@ TEST(wall_contact, a_block_without_slip_does_not_creep_down_a_slope) {
   EXPECT_NEAR(solver.integrals().mass, mass, 0.005 * mass);
 }
 
-// It used to gain 5 % and to break at 0.43 s.
+// The block used to gain 5 % of mass and to break at 0.43 s.
 TEST(wall_contact, a_block_keeps_its_mass_while_friction_stops_it) {
   const Block block{.dimension = 3,
                     .across = 6,
@@ -187,7 +188,7 @@ TEST(wall_contact, a_block_keeps_its_mass_while_friction_stops_it) {
   EXPECT_NEAR(solver.integrals().momentum[0], 0, 0.1 * mass);
 }
 
-// A pressure of 2 % of Young's modulus spreads the foot of a block between two remeshings.
+// A pressure of 2 % of Young's modulus widens the foot of a block between two remeshings.
 TEST(wall_contact, the_force_of_a_slip_wall_is_that_on_its_present_area) {
   Block block = heavy(10, slip_wall);
   block.gravity = "0, 0, 0";
@@ -204,9 +205,9 @@ TEST(wall_contact, the_force_of_a_slip_wall_is_that_on_its_present_area) {
   EXPECT_NEAR(found.reaction * 10 * side * side / (5 * side), widening, 0.004);
 }
 
-// A column between slip walls, 10 spacings high, that two walls squeeze to 0.85 m. The upper one
-// passes two rows of nodes: a row that lay in the gap before the wall, 0.005 h wide, let go of it
-// until the next remeshing, so that 2 % of the mass and 17 % of the force were lost.
+// A column 10 spacings high between slip walls, squeezed to 0.85 m. The upper wall passes two rows
+// of nodes: in the gap of 0.005 h before the wall, a row lost contact until the next remeshing,
+// which cost 2 % of the mass and 17 % of the force.
 TEST(wall_contact, a_wall_keeps_in_contact_while_it_passes_a_row_of_nodes) {
   for (const double gap : {0.003, 0.01}) {
     const Case column = tests::read_text(fmt::format(R"toml(dimension = 2
@@ -244,7 +245,7 @@ field = "stress_yy"
     const double mass = solver.integrals().mass;
     advance_until(solver, 4);
     EXPECT_NEAR(solver.integrals().mass, mass, 0.002 * mass) << gap;
-    // (RP.3) and (RP.5) under a stretch of 0.85; 0.2 % of the mass are 1.5 % of the pressure.
+    // (RP.3) and (RP.5) for a stretch of 0.85; 0.2 % of the mass are 1.5 % of the pressure.
     const double mu = 100 / 2.6, bulk = 100 / 1.2;
     const double stress = 4 * mu / 3 * std::log(0.85) - bulk * (1 / 0.85 - 1);
     EXPECT_NEAR(solver.measure()[0], stress, -0.015 * stress) << gap;

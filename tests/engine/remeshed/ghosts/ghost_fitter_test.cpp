@@ -10,20 +10,20 @@
 #include "tests/engine/case/written_case.hpp"
 #include "tests/engine/remeshed/small_case.hpp"
 
-// Fits of a ghost above the top, y = 1, of a block at rest. Whatever a fit is made of, it is exact
-// for the functions that it is meant for.
+// Fits of a ghost above the top, y = 1, of a block at rest. Each fit must be exact for the
+// functions that it is made for, whatever its particles.
 namespace pliant::test {
 namespace {
 
 constexpr double cell_size = 0.1;  // h
 constexpr double ghost_height = 0.07;
-// Coefficients add up to one from sizes below 1e2.
+// Coefficients below 1e2 add up to one.
 constexpr double fit_tolerance = 1e-12;
 
 using Ghosts = remeshed::BlockGhosts<double, 2>;
 using Place = Point<2>;
 
-/// A block of the width and the height 1, from y = `bottom` on.
+/// A block of width 1 between y = `bottom` and 1.
 Solver block_from(double bottom, const std::string& boundaries = "") {
   return Solver(
       tests::read_text("discretisation = { spacing = 0.1 }\ntime = { end = 1 }\n[[body]]\n"
@@ -35,7 +35,7 @@ Solver block_from(double bottom, const std::string& boundaries = "") {
       {1, kernels::Isa::sse2});
 }
 
-/// A half-space x < 0, or what its normal makes of it.
+/// A wall on the half-space x < 0, or on another one with this normal.
 std::string wall_at_origin(const std::string& kind, const std::string& normal) {
   return "[[boundary]]\nname = \"wall\"\nkind = \"" + kind +
          "\"\ngeometry = { shape = \"half_space\", point = [0, 0], normal = " + normal + " }\n";
@@ -69,7 +69,7 @@ Fitted fitted_above(const Solver& solver, double x, const Fitting& fit) {
   return fitted;
 }
 
-/// A ghost straight above its foot point.
+/// The fit of a ghost straight above its foot point.
 Fitted fitted_above(const Solver& solver, double x) {
   return fitted_above(solver, x, [](auto& fitter, const Place& foot) {
     remeshed::FitSite<2> site;
@@ -80,7 +80,7 @@ Fitted fitted_above(const Solver& solver, double x) {
   });
 }
 
-/// Calls f(place, linear, constrained, surface) with the coefficients of each particle of the fits.
+/// Calls f(place, linear, constrained, surface) with the coefficients of each particle in the fits.
 template <class F>
 void for_each_coefficient(const Solver& solver, const Fitted& fitted, F&& f) {
   const Body& body = solver.state().bodies[0];
@@ -116,7 +116,7 @@ TEST(ghost_fitter, is_exact_above_a_plane_surface) {
   for (const double x : {0.35, 0.5, 0.62}) expect_exact_fits(solver, fitted_above(solver, x));
 }
 
-// There are fewer particles, on one side alone.
+// At a corner there are fewer particles, all on one side.
 TEST(ghost_fitter, is_exact_at_a_corner) {
   const Solver solver = block_from(0);
   expect_exact_fits(solver, fitted_above(solver, 0));
@@ -139,8 +139,8 @@ TEST(ghost_fitter, finds_no_traction_at_the_rim_of_a_wall) {
   expect_exact_fits(solver, far);
 }
 
-// One row of particles determines no plane: values are taken over, and what vanishes at the surface
-// stays proportional to the distance from it.
+// One row of particles does not determine a plane: values are copied, and values that vanish at the
+// surface stay proportional to the distance from it.
 TEST(ghost_fitter, takes_fewer_terms_where_particles_lie_in_a_row) {
   const Solver solver = block_from(0.89);
   double sum = 0, constrained = 0;

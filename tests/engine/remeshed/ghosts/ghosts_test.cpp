@@ -5,11 +5,11 @@
 #include "engine/remeshed/ghosts/fit_coefficient.hpp"
 #include "tests/engine/remeshed/spinning_disc.hpp"
 
-// What ghosts make of fields that satisfy the boundary conditions already.
+// Ghosts for fields that already satisfy the boundary conditions.
 namespace pliant::test {
 namespace {
 
-/// A strip of the block of the compression case, endless along one axis, at rest.
+/// A strip of the block of the compression case, periodic along one axis, at rest.
 Settings strip(const char* axis) {
   return {"discretisation.spacing=1/16", std::string("periodic.axes=[\"") + axis + "\"]",
           "periodic.lower=[-0.5, -1]", "periodic.upper=[0.5, 1]", "body.block.velocity=[0, 0]"};
@@ -20,9 +20,9 @@ struct Values {
   std::array<double, 3> stress;  ///< xx, xy, yy
 };
 
-/// Gives the particles of a body the values of a function of place, and compares with it what its
-/// ghosts then hold. Neighbours across the period do not follow a field that is not periodic, so
-/// `counts` leaves ghosts near it out.
+/// Gives the particles of a body values by a function of the place, and compares the ghosts with
+/// the same function. `counts` leaves out ghosts near the ends of the period, where a field that is
+/// not periodic jumps.
 int expect_ghosts_follow(Solver& solver, const std::function<Values(const Point<2>&)>& field,
                          const std::function<bool(const Point<2>&)>& counts) {
   Body& body = solver.state().bodies[0];
@@ -38,7 +38,8 @@ int expect_ghosts_follow(Solver& solver, const std::function<Values(const Point<
       const Point<2> x = body.position(p, cell);
       if (!counts(x)) return;
       const Values values = field(x);
-      // Fits amplify rounding by the square of their condition, about 1e2, times fields of size 10.
+      // Fits amplify rounding by the square of their condition number, about 1e2, times fields of
+      // size 10.
       for (int a = 0; a < 2; ++a) {
         EXPECT_NEAR(body.stage[0].get(Field::velocity, a)[p], values.velocity[a], 1e-10)
             << "component " << a << " at " << x[0] << ", " << x[1];
@@ -131,7 +132,7 @@ TEST(ghosts, that_average_continue_uniform_motions) {
   EXPECT_GE(expect_ghosts_follow(solver, field, everywhere), 200);
 }
 
-// Where else they were, the velocity that a lasting traction corrects would carry them away.
+// Anywhere else, the velocity that a lasting traction corrects would carry them away.
 TEST(ghosts, of_free_surfaces_stay_where_the_fit_of_positions_is) {
   Case settings = spinning_disc(0.1);
   settings.remeshing.policy = decltype(settings.remeshing)::Policy::never;
@@ -156,7 +157,7 @@ TEST(ghosts, of_free_surfaces_stay_where_the_fit_of_positions_is) {
   EXPECT_GT(count, 100);
 }
 
-// (RP.60): those that no particle reaches, and that tell no force, only drift.
+// (RP.60): ghosts that no particle reaches and that bear no force only drift.
 TEST(ghosts, deep_behind_a_wall_move_with_it) {
   const Point<2> velocity = {2, -3};
   Case settings = small_case(

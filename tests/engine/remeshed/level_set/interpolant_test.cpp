@@ -17,7 +17,7 @@ CubicInterpolant<double, D> interpolant(const NodeValues<D>& nodes) {
   return {nodes.lattice, nodes.layout, nodes.values.data()};
 }
 
-/// A polynomial of degree 3 in each direction, with every mixed term, and its gradient.
+/// A polynomial of degree 3 in each direction, with all mixed terms, and its gradient.
 template <int D>
 double cubic(const Point<D>& x) {
   double product = 1;
@@ -47,7 +47,8 @@ TYPED_TEST(CubicInterpolation, cubics_and_their_gradients_are_exact) {
     EXPECT_NEAR(value, cubic<D>(x), 1e-13);
     for (int a = 0; a < D; ++a) {
       Point<D> up = x, down = x;
-      const double step = 1e-3;  // the oracle is exact to step^2/6 times a third derivative of 0.02
+      const double step =
+          1e-3;  // the error of the reference is step^2/6 times a third derivative of 0.02
       up[a] += step;
       down[a] -= step;
       EXPECT_NEAR(gradient[a], (cubic<D>(up) - cubic<D>(down)) / (2 * step), 1e-8);
@@ -95,7 +96,7 @@ TYPED_TEST(CubicInterpolation, runs_on_through_a_period) {
     x.fill(s);
     double value = 0;
     ASSERT_TRUE(interpolant(nodes)(x, value, gradient)) << s;
-    // 3/128 (k h)^4 in each direction, k h = 0.39.
+    // 3/128 (k h)^4 in each direction, with k h = 0.39.
     EXPECT_NEAR(value, wave(x), 2 * 3.0 / 128 * std::pow(0.3927, 4)) << s;
   }
 }

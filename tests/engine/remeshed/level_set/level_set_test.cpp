@@ -12,7 +12,7 @@ namespace {
 using remeshed::first_order_passes;
 using remeshed::Reinitialisation;
 
-/// All passes over values on nodes, without walls. Distances in cells, as the spacing is 1.
+/// All passes over values on nodes, without walls. Distances are in cells, as the spacing is 1.
 template <int D>
 struct Passes {
   using LevelSet = remeshed::LevelSet<double, D>;
@@ -72,7 +72,7 @@ double plane(const Point<D>& x) {
   return 0.6 * x[0] + 0.8 * x[1] - 18.3;
 }
 
-/// A disc's or a ball's.
+/// The signed distance from a disc or a ball.
 template <int D>
 double round_body(const Point<D>& x) {
   double square = 0;
@@ -84,7 +84,7 @@ template <class Space>
 struct LevelSets : testing::Test {};
 TYPED_TEST_SUITE(LevelSets, Dimensions);
 
-// Four fifths of a distance: the surface is the same, the slope is not.
+// Four fifths of a distance: the right surface with the wrong slope.
 TYPED_TEST(LevelSets, of_planes_become_exact_distances_in_six_layers) {
   constexpr int D = TypeParam::dimension;
   constexpr int upper = 27;
@@ -116,7 +116,7 @@ TYPED_TEST(LevelSets, of_planes_become_exact_distances_in_six_layers) {
   });
 }
 
-// What a body leaves behind where it recedes: phi of a node near a surface, and no surface there.
+// What a receding body leaves behind: phi of a node near a surface, but no surface there.
 TYPED_TEST(LevelSets, take_no_node_for_near_where_phi_never_changes_its_sign) {
   constexpr int D = TypeParam::dimension;
   constexpr int upper = 27;
@@ -141,7 +141,7 @@ TYPED_TEST(LevelSets, keep_phi_near_the_surface_unless_reinitialised) {
   passes.inside(upper, 9, [&](const Point<D>& x, std::int64_t slot) {
     if (std::abs(0.8 * plane<D>(x)) > 1.8) return;
     EXPECT_EQ(passes.nodes.values[slot], passes.before[slot]);
-    // The closest point is found all the same.
+    // The closest point is found nevertheless.
     EXPECT_NEAR(passes.level_set.surface_distance(slot), plane<D>(x), 1e-6);
   });
 }
@@ -153,7 +153,7 @@ TYPED_TEST(LevelSets, of_round_bodies_are_distances_to_the_error_of_cubic_interp
   int layered = 0;
   passes.inside(upper, 2, [&](const Point<D>& x, std::int64_t slot) {
     const double exact = round_body<D>(x);
-    // Deep inside, where nothing reads them, closest points of neighbouring nodes lie more than a
+    // Deep inside, where nothing reads them, closest points of neighbouring nodes are more than a
     // cell apart, and a node may keep that of its neighbour: 0.2 too far at half of the radius.
     if (exact < -4.2 || exact > 6) return;
     layered += std::abs(exact) > 1.8;
@@ -163,8 +163,8 @@ TYPED_TEST(LevelSets, of_round_bodies_are_distances_to_the_error_of_cubic_interp
   EXPECT_GT(layered, 100);
 }
 
-/// Largest error of phi in the ghost band around a round body of this radius, from `slope` times
-/// its distance [cells].
+/// Largest error of phi in the ghost band around a round body, reinitialised from `slope` times the
+/// distance [cells].
 template <int D>
 double first_order_error(double radius, double slope) {
   const int upper = static_cast<int>(2 * radius + 16);
@@ -186,8 +186,8 @@ double first_order_error(double radius, double slope) {
   return worst;
 }
 
-// Differences over a cell see the slope of phi half a cell away, where it is off by 1/(2 R): over
-// the band that adds up to some tenths of a cell over the radius in cells.
+// Differences over a cell see the slope of phi half a cell away, where it is wrong by 1/(2 R): over
+// the band this adds up to some tenths of a cell over the radius in cells.
 TYPED_TEST(LevelSets, of_round_bodies_become_distances_at_first_order_as_in_the_paper) {
   constexpr int D = TypeParam::dimension;
   for (const double slope : {0.7, 1., 1.5}) {

@@ -15,8 +15,7 @@ Point<D> point_of(const Cell<D>& cell) {
   return x;
 }
 
-/// Values f(x) on the nodes of a solid block of cells 0..upper with the spacing `spacing`; x in
-/// cells.
+/// Values f(x) on the nodes of a full block of cells 0..upper, with x in cells.
 template <int D>
 struct NodeValues {
   template <class F>

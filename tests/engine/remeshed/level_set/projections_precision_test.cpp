@@ -10,7 +10,7 @@
 namespace pliant::test {
 namespace {
 
-/// The nodes around a circle (a ball in 3D) of cells, with their distance from it.
+/// The nodes around a circle (a ball in 3D) with their distance from it, in cells.
 template <class T, int D>
 class NodesOfACircle {
  public:
@@ -28,7 +28,7 @@ class NodesOfACircle {
     });
   }
 
-  /// Largest distance of closest points from those of the circle, of nodes beside it.
+  /// Largest distance of the closest points of nodes beside the circle from the exact ones.
   double error() {
     remeshed::Projections<T, D> nodes;
     nodes.clear(lower_);
@@ -79,7 +79,7 @@ template <class Space>
 struct Projecting : testing::Test {};
 TYPED_TEST_SUITE(Projecting, Dimensions);
 
-// Cubics between nodes follow the distance to about (h/radius)^3 of a cell.
+// Error of cubic interpolation of the distance: about (h/radius)^3 of a cell.
 constexpr double of_cubics = 0.003;
 
 TYPED_TEST(Projecting, leads_to_the_closest_point_of_a_circle) {
@@ -88,7 +88,7 @@ TYPED_TEST(Projecting, leads_to_the_closest_point_of_a_circle) {
   EXPECT_LT((NodesOfACircle<float, D>(0).error()), of_cubics);
 }
 
-// A float near 10^6 resolves 1/16 of a cell.
+// Near 10^6 a float resolves 1/16 of a cell.
 TYPED_TEST(Projecting, is_as_exact_in_single_precision_far_from_the_first_cell) {
   constexpr int D = TypeParam::dimension;
   const double here = NodesOfACircle<float, D>(0).error();

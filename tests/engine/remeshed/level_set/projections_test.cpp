@@ -61,7 +61,7 @@ TYPED_TEST(ProjectionsOnto, planes_are_exact) {
     for (int a = 0; a < D; ++a) sum += normal[a] * x[a];
     return sum;
   };
-  // Away from the rim of the block, whose cubes have no nodes.
+  // Away from the rim of the block, where the interpolation would need nodes outside.
   const NodeValues<D> nodes(diagonal<D>(23), {},
                             [&](const Point<D>& x) { return 0.3 * distance(x); });
   const auto points = projected<D>(nodes, [&](const Point<D>& x) {
@@ -91,7 +91,7 @@ TYPED_TEST(ProjectionsOnto, round_surfaces_are_of_the_order_of_cubic_interpolati
     ASSERT_TRUE(points.has_converged(i)) << i;
     // 3/128 of the fourth derivative of the distance, up to 3/R^3 in each direction.
     EXPECT_NEAR(surface.distance(points.point(i)), 0, D * 9. / 128 / std::pow(7.3 - 2.8, 3)) << i;
-    // Along the surface the error of the gradient counts, times the distance, up to 1.8.
+    // Along the surface the error is that of the gradient times the distance, up to 1.8.
     const Point<D> closest = surface.closest(points.node(i));
     for (int a = 0; a < D; ++a) EXPECT_NEAR(points.point(i)[a], closest[a], 0.005) << i;
   }

@@ -14,7 +14,7 @@ using remeshed::WallExtension;
 constexpr double spacing = 0.5, far = 3.25;
 constexpr int upper = 23;
 
-/// A wall or a contact wall whose surface is the plane y = `height` [m], its solid below.
+/// A wall or a contact wall with the surface y = `height` [m] and the solid below.
 BoundaryCase floor_at(double height, BoundaryCase::Kind kind) {
   BoundaryCase boundary;
   boundary.kind = kind;
@@ -24,7 +24,7 @@ BoundaryCase floor_at(double height, BoundaryCase::Kind kind) {
   return boundary;
 }
 
-/// phi of the places of nodes [m], and what becomes of it.
+/// phi as a function of the place of a node [m], and its extension behind the wall.
 template <int D>
 struct Extension {
   template <class Phi>
@@ -63,7 +63,7 @@ template <class Space>
 struct BehindWalls : testing::Test {};
 TYPED_TEST_SUITE(BehindWalls, Dimensions);
 
-// A surface that meets the wall at an angle, phi = n.x - c: remeshing has left nothing of it behind
+// A surface that meets the wall at an angle, phi = n.x - c: remeshing has left no particles behind
 // the wall.
 TYPED_TEST(BehindWalls, plane_surfaces_run_on_exactly) {
   constexpr int D = TypeParam::dimension;
@@ -77,7 +77,7 @@ TYPED_TEST(BehindWalls, plane_surfaces_run_on_exactly) {
       EXPECT_EQ(value, plane(x));
       return;
     }
-    // Cubic interpolation needs a node beyond on each side.
+    // Cubic interpolation needs one more node on each side.
     if (x[D - 1] > upper * spacing) return;
     // The line through points 1.5 h and 2.5 h in front of the wall, where the surface is near.
     const double in_front = plane(x) + 0.6 * (height + 1.5 * spacing - x[1]);

@@ -29,7 +29,7 @@ inline std::vector<Site> sites_of(const Body& body) {
   return sites;
 }
 
-/// Distance over h of two slots `offset` cells apart.
+/// Distance over h between two slots, one of them shifted by `offset` cells.
 inline double distance(const Body& body, std::int64_t p, std::int64_t q, const Offset& offset) {
   double sum = 0;
   for (int a = 0; a < 2; ++a) {
@@ -41,7 +41,7 @@ inline double distance(const Body& body, std::int64_t p, std::int64_t q, const O
 
 using Neighbours = std::set<std::pair<Offset, std::int64_t>>;
 
-/// Everything within the radius of a particle, images up to `periods` periods away.
+/// Everything within the radius of a particle, with images up to `periods` periods away.
 inline Neighbours found_by_trying_all(const Body& body, const std::vector<Site>& sites,
                                       const Site& p, double radius, int periods) {
   Neighbours found;
@@ -58,7 +58,7 @@ inline Neighbours found_by_trying_all(const Body& body, const std::vector<Site>&
   return found;
 }
 
-/// The list of a particle; checks its order.
+/// The list of a particle, after a check of its order.
 inline Neighbours listed(const Body& body, int block, std::int64_t p) {
   const kernels::NeighbourLists<2> lists = body.neighbours.lists(block);
   Neighbours found;

@@ -15,7 +15,7 @@ namespace {
 using kernels::Kernel;
 using Search = remeshed::NeighbourSearch<double, 2>;
 
-constexpr double never_so_much = 1;  // strain at which no stencil is trusted
+constexpr double never_so_much = 1;  // strain above which no stencil is trusted
 
 template <class F>
 void displace(Body& body, F&& place) {
@@ -30,7 +30,7 @@ void displace(Body& body, F&& place) {
   }
 }
 
-/// Searches for the neighbours of a solver's first body, whatever its strain.
+/// Searches for neighbours of the first body, whatever its strain.
 void search(Solver& solver, std::uint64_t seed = 0) {
   Body& body = solver.state().bodies[0];
   Search search(solver.state(), solver.settings().discretisation.kernel);
@@ -43,7 +43,7 @@ void search(Solver& solver, std::uint64_t seed = 0) {
   solver.workers().execute([&] { graph.run_serially(seed); });
 }
 
-/// Compares all neighbours of a body with what trying all pairs finds; how many particles had
+/// Compares all neighbours of a body with a search over all pairs; returns how many particles had
 /// lists.
 int compare_with_trying_all(const Body& body, Kernel kernel, int periods) {
   const auto sites = sites_of(body);
@@ -69,7 +69,7 @@ int compare_with_trying_all(const Body& body, Kernel kernel, int periods) {
   return count;
 }
 
-/// 60 % as high as it was, sheared, and irregular.
+/// Compressed to 60 %, sheared, and irregular.
 Point<2> compressed(const Point<2>& x) {
   static std::mt19937 random(3);
   std::uniform_real_distribution<double> jitter(-0.01, 0.01);
@@ -167,7 +167,7 @@ const Settings spinning_rubber = {
     "time.step=1e-4",
     R"(body.cylinder.material={ model = "reduced_polynomial", coefficients = [40], compressibility = 0.002, density = 2 })"};
 
-/// The phases of the first stage of a solver's step, in a graph of their own.
+/// The phases of the first stage of a step.
 scheduler::StepGraph first_stage_of(const Solver& solver) {
   std::vector<scheduler::Phase> phases;
   for (const scheduler::Phase& phase : solver.step_graph().phases()) {
@@ -176,8 +176,8 @@ scheduler::StepGraph first_stage_of(const Solver& solver) {
   return {std::move(phases), solver.step_graph().blocks(), remeshed::resource::names()};
 }
 
-/// grad u of every interior particle as the first stage of a step sees it, row by row: F is 1
-/// before it, and 1 + dt/2 grad u in Q2 after it. A whole step finds the neighbours first.
+/// grad u of every interior particle in the first stage of a step, row by row: F is 1 before it,
+/// and 1 + dt/2 grad u in Q2 after it. A whole step would search for neighbours first.
 std::vector<std::array<double, 4>> gradients_of(const VectorExpression& velocity, bool by_search) {
   Solver solver(small_case("rotating_cylinder", spinning_rubber), {1, kernels::widest_supported()});
   Body& body = solver.state().bodies[0];
@@ -235,7 +235,7 @@ TEST(neighbours, that_the_stencil_of_such_a_body_misses_count) {
   EXPECT_GT(largest, 0.01) << "of 4";
 }
 
-/// Before every step: neighbours are to be searched for, far beyond the stencil.
+/// Makes the next step search for neighbours, far beyond the stencil.
 void demand_lists(Solver& solver) {
   constexpr double steps_of_skin = 6;
   for (Body& body : solver.state().bodies) {

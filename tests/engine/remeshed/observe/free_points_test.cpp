@@ -9,7 +9,7 @@
 namespace pliant::test {
 namespace {
 
-/// A block under a collar: a wall that covers its top but for a hole of 0.4 m around x = 0. Its
+/// A block under a collar: a wall that covers its top except for a hole of 0.4 m around x = 0. The
 /// surface is free in the hole; the level set continues through the collar.
 const std::string collared_block = R"(
 [discretisation]
@@ -60,7 +60,8 @@ point = [0.35, 1.02]
 TEST(measuring, surfaces_end_where_a_body_is_attached_to_a_wall) {
   Solver solver(tests::read_text(collared_block), {1, kernels::Isa::sse2});
   const std::vector<double> values = solver.measure();
-  // At the edge of the hole phi has a kink, which a cubic rounds within a part of the spacing.
+  // At the edge of the hole phi has a kink, which cubic interpolation rounds over part of a
+  // spacing.
   EXPECT_NEAR(values[0], 1, 0.2 * 0.05);
   EXPECT_NEAR(values[1], 0.5, 1e-6);
   EXPECT_TRUE(std::isnan(values[2])) << "the line ends at the wall";

@@ -19,8 +19,8 @@ BodyIntegrals integrals_at(double spacing) {
                                         reference_point);
 }
 
-/// Relative errors; r^4 pi/2 is the second moment of a disc. Root mean squares over lattices that
-/// meet the circle differently.
+/// Relative errors, as root mean squares over shifted lattices; r^4 pi/2 is the second moment of a
+/// disc.
 struct Errors {
   double mass = 0, angular_momentum = 0, kinetic_energy = 0;
 
@@ -38,10 +38,10 @@ struct Errors {
   }
 };
 
-// A surface cuts about 10/h sub-cells of area (h/10)^2, each to a random share: (h/10)^1.5 in all.
+// A surface cuts about 10/h sub-cells of area (h/10)^2 at random: (h/10)^1.5 in all.
 TEST(integrals, of_a_disc_converge_with_the_power_three_halves_of_a_tenth_of_the_spacing) {
   const Errors coarse(0.1), fine(0.025);
-  EXPECT_LT(fine.mass, coarse.mass / 6.5);  // 4^1.5 is 8; there is chance in it
+  EXPECT_LT(fine.mass, coarse.mass / 6.5);  // 4^1.5 is 8; chance plays a part
   EXPECT_LT(fine.angular_momentum, coarse.angular_momentum / 6.5);
   EXPECT_LT(fine.kinetic_energy, coarse.kinetic_energy / 6.5);
   const double sampling = std::pow(0.01, 1.5);
@@ -52,7 +52,7 @@ TEST(integrals, of_a_disc_converge_with_the_power_three_halves_of_a_tenth_of_the
 
 TEST(integrals, a_body_that_spins_about_its_centre_has_no_momentum) {
   const BodyIntegrals sum = integrals_at(0.1);
-  // Of the size of the errors of mass, as the nodes lie unevenly about the centre.
+  // As large as the errors of mass, as the nodes are not symmetric about the centre.
   EXPECT_NEAR(sum.momentum[0], 0, 1e-3);
   EXPECT_NEAR(sum.momentum[1], 0, 1e-3);
 }
@@ -76,9 +76,9 @@ TEST(integrals, count_only_what_lies_in_front_of_walls) {
                 {1, kernels::Isa::sse2});
   const BodyIntegrals sum =
       remeshed::integrate<double, 2>(solver.on_nodes()[0], solver.state().boundaries, {});
-  // Surfaces half-way between nodes are met exactly.
+  // Surfaces half-way between nodes are captured exactly.
   EXPECT_NEAR(sum.mass, 2, 1e-12);
-  // u = -25 y. Cells at a surface, less than half of all, are sampled in the middles of sub-cells.
+  // u = -25 y. Cells at a surface, less than half of all, are sampled at the centres of sub-cells.
   const double sampling = 0.5 * 25 * 25 * std::pow(1 / 160.0, 2) / 12;
   EXPECT_NEAR(sum.kinetic_energy, 0.5 * 25 * 25 * 2.0 / 3, sampling);
   EXPECT_NEAR(sum.momentum[1], 0, 1e-12);

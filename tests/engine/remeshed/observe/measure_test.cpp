@@ -29,7 +29,7 @@ double surface_error(double spacing) {
 
 TEST(measuring, the_surface_of_a_disc_is_found_to_fourth_order) {
   const double coarse = surface_error(0.1), fine = surface_error(0.05);
-  // 3/128 h^4 times a fourth derivative of the distance, up to 3, in each direction.
+  // 3/128 h^4 times a fourth derivative of the distance, at most 3, in each direction.
   EXPECT_LT(coarse, 2 * 3.0 / 128 * 3 * 1e-4);
   EXPECT_LT(fine, coarse / 12);
 }
@@ -43,7 +43,7 @@ TEST(measuring, extents_reach_to_the_surface_and_no_farther) {
     for (const bool lower_side : {false, true}) {
       const double side = lower_side ? -1 : 1;
       const double reached = *remeshed::extent<double, 2>(view, axis, lower_side, all);
-      // The circle falls back by h^2/8 between the two node lines around its farthest point.
+      // Between the two node lines around its farthest point the circle recedes by h^2/8.
       EXPECT_LE(side * (reached - centre[axis]), 1 + 1e-6);
       EXPECT_GE(side * (reached - centre[axis]), 1 - 0.05 * 0.05 / 8 - 1e-6);
     }
@@ -51,11 +51,11 @@ TEST(measuring, extents_reach_to_the_surface_and_no_farther) {
   const double cut = *remeshed::extent<double, 2>(view, 0, false, upper_half) - centre[0];
   const double at_the_cut = std::sqrt(1 - std::pow(0.5 - centre[1], 2));
   EXPECT_LE(cut, at_the_cut);
-  EXPECT_GE(cut, at_the_cut - 0.05);  // a node line lies within h above the cut
+  EXPECT_GE(cut, at_the_cut - 0.05);  // a node line is within h above the cut
   EXPECT_FALSE((remeshed::extent<double, 2>(view, 0, false, [](const Vector&) { return false; })));
 }
 
-/// Particles that have drifted off their nodes, in the uniform stretch x = 1.02 X, y = 0.97 Y.
+/// Moves particles off their nodes, in the uniform stretch x = 1.02 X, y = 0.97 Y.
 void stretch(Body& body) {
   for_each(body.population, Kind::interior, [&](std::int64_t p, const Cell<2>& cell) {
     const Point<2> node = body.lattice.node(cell);
@@ -132,7 +132,7 @@ TEST(measuring, everything_that_the_cases_ask_for_has_a_value_at_the_start) {
 TEST(measuring, the_waves_start_without_an_error) {
   const Case settings = small_case("periodic_square", {});
   Solver solver(settings, {1, kernels::Isa::sse2});
-  // The case gives its frequencies and amplitudes with 12 digits.
+  // The case file gives frequencies and amplitudes with 12 digits.
   EXPECT_NEAR(solver.measure()[0], 0, 1e-12);
 }
 

@@ -30,7 +30,7 @@ double perimeter(double spacing) {
   return remeshed::surface_area<double, 2>(solver.on_nodes()[0], solver.state().boundaries);
 }
 
-/// Volume and area over those of the measured_ball.
+/// Volume and area relative to those of `measured_ball`.
 std::array<double, 2> of_a_ball(double spacing) {
   const Case settings =
       tests::read_text(measured_ball, {"discretisation.spacing=" + std::to_string(spacing)});
@@ -39,8 +39,8 @@ std::array<double, 2> of_a_ball(double spacing) {
   return {values[0] / (4 * pi / 3), values[1] / (4 * pi)};
 }
 
-// phi is linear on edges of length l <= sqrt(2) h: zeros lie up to l^2/8 inside the circle, and
-// chords of length l are short by l^2/24 of theirs.
+// phi is linear on edges of length l <= sqrt(2) h: zeros are up to l^2/8 inside the circle, and a
+// chord of length l is short by l^2/24 of its length.
 TEST(surface_area, of_a_disc_is_its_perimeter_to_second_order) {
   for (const double h : {0.1, 0.05, 0.025}) {
     const double ratio = perimeter(h) / (2 * pi);
@@ -49,7 +49,7 @@ TEST(surface_area, of_a_disc_is_its_perimeter_to_second_order) {
   }
 }
 
-// In 3D l <= sqrt(3) h, twice as radii go squared; both errors fall to a quarter with h/2.
+// In 3D l <= sqrt(3) h, and the radius enters squared; with h/2 both errors fall to a quarter.
 TEST(surface_area, of_a_ball_converges_to_second_order) {
   const double coarse = 1 - of_a_ball(0.2)[1], fine = 1 - of_a_ball(0.1)[1];
   EXPECT_GT(coarse, 0);
@@ -57,7 +57,7 @@ TEST(surface_area, of_a_ball_converges_to_second_order) {
   EXPECT_NEAR(coarse / fine, 4, 0.6);
 }
 
-// A surface of area 4 pi cuts that many sub-cells of side h/10, each to a random share.
+// A surface of area 4 pi cuts sub-cells of side h/10 at random.
 TEST(volume, of_a_ball_is_met_to_the_sampling_of_sub_cells) {
   EXPECT_NEAR(of_a_ball(0.2)[0], 1, std::pow(0.02, 2) * 3);
 }

@@ -15,7 +15,7 @@ namespace {
 
 using Place = Eigen::Vector3d;
 
-// Centre and spacing as people give them: nodes that lie on the surface, and those that do not.
+// Centre and spacing as users give them, so that some nodes are on the surface.
 constexpr const char* ball = R"(
 dimension = 3
 discretisation = { spacing = 0.2 }
@@ -47,8 +47,8 @@ double enclosed_volume(const remeshed::ExtractedSurface<3>& surface) {
   return sum;
 }
 
-/// Every edge belongs to two triangles, which run along it in opposite directions, and the surface
-/// is a sphere by Euler's formula.
+/// Every edge belongs to two triangles, which pass it in opposite directions, and by Euler's
+/// formula the surface is a sphere.
 void expect_sphere(const remeshed::ExtractedSurface<3>& surface) {
   std::map<std::pair<std::int64_t, std::int64_t>, int> edges;
   for (const auto& piece : surface.pieces) {
@@ -72,7 +72,7 @@ TEST(surface_mesh, of_a_ball_is_closed_and_holds_its_volume) {
     expect_sphere(surface);
     error[fine] = 1 - enclosed_volume(surface) / (4 * pi / 3);
   }
-  // Zeros and flat triangles lie up to (3/8 + 3/8) h^2 inside, three times that in volume.
+  // Zeros and flat triangles are up to (3/8 + 3/8) h^2 inside; for the volume three times that.
   EXPECT_GT(error[0], 0);
   EXPECT_LT(error[0], 3 * 0.75 * 0.2 * 0.2);
   EXPECT_NEAR(error[0] / error[1], 4, 0.6);
@@ -113,7 +113,7 @@ geometry = {{ shape = "half_space", point = [0, 0, 0], normal = [1, 0, 0] }}
     Solver3 solver(tests::read_text(walls), {1, kernels::Isa::sse2});
     const auto surface = surface_of(solver);
     expect_sphere(surface);
-    // Marching tetrahedra cut off the edges, whose length is 10.4, at half a spacing.
+    // Marching tetrahedra cut off the edges, whose total length is 10.4, at half a spacing.
     EXPECT_NEAR(enclosed_volume(surface), 0.6, 10.4 * 0.1 * 0.1 / 2) << kind;
   }
 }
@@ -171,7 +171,7 @@ TEST(surface_mesh, of_a_disc_is_one_loop_with_the_body_to_its_left) {
   for (std::int64_t v = next.at(0); v != 0; v = next.at(v)) ++length;
   EXPECT_EQ(length, surface.vertices.size());
   EXPECT_EQ(length, surface.pieces.size());
-  // Zeros and chords lie up to (2/8 + 2/8) h^2 inside, twice that in area.
+  // Zeros and chords are up to (2/8 + 2/8) h^2 inside; for the area twice that.
   EXPECT_LT(area, pi);
   EXPECT_GT(area, pi * (1 - 2 * 0.5 * 0.1 * 0.1));
 }

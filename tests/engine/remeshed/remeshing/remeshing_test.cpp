@@ -10,7 +10,7 @@
 namespace pliant::test {
 namespace {
 
-/// Moves the particles (ghosts too) of a solver at rest by `drift`(node); asks for nothing else.
+/// Moves the particles and ghosts of a solver at rest by `drift`(node).
 template <class F>
 void displace(Solver& solver, F&& drift) {
   Body& body = solver.state().bodies[0];
@@ -27,8 +27,8 @@ double wave(const Point<2>& x) {
   return std::sin(2 * pi * x[0] + 0.3) * std::cos(2 * pi * x[1] - 0.2);
 }
 
-/// Largest error of a smooth velocity after one remeshing of displaced particles in a period of
-/// `cells` cells; `displacement` is in cells.
+/// Largest error of a smooth velocity after one remeshing of displaced particles, with `cells`
+/// cells to a period and `displacement` in cells.
 template <class F>
 double remeshing_error(int cells, F&& displacement) {
   Solver solver(
@@ -56,8 +56,8 @@ TEST(remeshing, of_shifted_particles_has_the_third_moment_of_m4_as_its_error) {
   const auto shifted = [&](const Point<2>&) { return Point<2>{theta, theta}; };
   const double coarse = remeshing_error(32, shifted), fine = remeshing_error(64, shifted);
   EXPECT_GT(std::log2(coarse / fine), 2.95);
-  // (RP.31): theta (1 - theta)(1 - 2 theta) h^3/6 times f_xxx + f_yyy, which reaches (2 pi)^3 for
-  // this wave where its two parts add up; the next term is smaller by k h.
+  // (RP.31): theta (1 - theta)(1 - 2 theta) h^3/6 times f_xxx + f_yyy, which for this wave is at
+  // most (2 pi)^3, where its two parts add up; the next term is smaller by k h.
   const double leading = theta * (1 - theta) * (1 - 2 * theta) / 6 * std::pow(2 * pi / 64, 3);
   EXPECT_NEAR(fine, leading, 0.1 * leading);
 }
@@ -66,7 +66,7 @@ TEST(remeshing, of_smoothly_displaced_particles_is_of_third_order) {
   const auto wavy = [](const Point<2>& x) {
     return Point<2>{0.4 * std::sin(2 * pi * x[1]), 0.3 * std::cos(2 * pi * (x[0] + x[1]))};
   };
-  // More nodes come closer to the worst offset in the cell: a little is lost to that.
+  // With more nodes some are closer to the worst offset in the cell, which costs a little.
   EXPECT_GT(std::log2(remeshing_error(32, wavy) / remeshing_error(64, wavy)), 2.8);
 }
 
@@ -129,14 +129,14 @@ TEST(remeshing, of_particles_on_their_nodes_changes_nothing) {
     const std::int64_t q = body.population.layout.slot(cell);
     ASSERT_EQ(body.population.kind[q], Kind::interior);
     EXPECT_NEAR(view.fields.get(Field::mass)[p], body.stage[0].get(Field::mass)[q], 1e-16);
-    // Away from the surface phi is rebuilt, from closest points that are iterated until they move
+    // Away from the surface phi is rebuilt from closest points, which are iterated until they move
     // by less than 1e-6 spacings.
     const double phi = body.stage[0].get(Field::level_set)[q];
     EXPECT_NEAR(view.fields.get(Field::level_set)[p], phi, phi > -0.18 ? 1e-15 : 5e-6 * 0.1);
   });
 }
 
-/// The surface of a disc that was displaced as a whole and remeshed, seen from its new centre.
+/// Errors of the surface of a disc that was displaced as a whole and remeshed.
 struct Surface {
   double radius_error, area_error;
 
@@ -168,11 +168,11 @@ TEST(remeshing, of_a_translated_disc_moves_its_surface_by_the_third_power_of_the
   const Surface coarse(0.1), fine(0.05), finest(0.025);
   EXPECT_GT(std::log2(coarse.radius_error / finest.radius_error) / 2, 2.8);
   EXPECT_LT(fine.radius_error, std::pow(0.05, 3));
-  // The integral is sampled to (h/10)^1.5 at best.
+  // Sampling limits the accuracy of the integral to (h/10)^1.5.
   EXPECT_LT(fine.area_error, std::pow(0.05, 3) * 2 * pi + std::pow(0.005, 1.5));
 }
 
-/// Largest change of an exact distance within 1.8 h of the surface by reinitialisation.
+/// Largest change of an exact distance by reinitialisation, within 1.8 h of the surface.
 double reinitialisation_error(double spacing) {
   Case settings = spinning_disc(spacing);
   settings.bodies[0].velocity = {};
@@ -195,8 +195,8 @@ double reinitialisation_error(double spacing) {
   return largest;
 }
 
-// Cubic interpolation of phi bulges beside edges: distances to its zero set made these blocks
-// grow by 2 to 8 %. A few nodes that see one face only still move by some thousandths of h.
+// Cubic interpolation of phi bulges beside edges: when phi was the distance to its zero set, these
+// blocks grew by 2 to 8 %. A few nodes that see only one face still move by some thousandths of h.
 TEST(remeshing, that_reinitialises_leaves_the_edges_of_a_block_where_they_are) {
   for (const char* spacing : {"0.2", "0.16", "0.11"}) {
     Solver solver(small_case("compression_linear",

@@ -5,7 +5,7 @@
 #include <Eigen/Geometry>
 #include <vector>
 
-// The rigid motion that integrals of a body describe, against that of a few point masses.
+// The rigid motion computed from integrals of a body, tested with a few point masses.
 namespace pliant::remeshed {
 namespace {
 
@@ -14,7 +14,7 @@ struct PointMass {
   Eigen::Vector3d position;
 };
 
-/// Integrals over point masses that move with a + omega x r, r from the origin.
+/// Integrals over point masses that move with a + omega x r, with r from the origin.
 MotionIntegrals integrals_of(const std::vector<PointMass>& points, const Eigen::Vector3d& a,
                              const Eigen::Vector3d& omega) {
   MotionIntegrals sum;

@@ -20,7 +20,7 @@ double m4prime(double s) {
   return s < 2 ? (2 - s) * (2 - s) * (1 - s) / 2 : 0;
 }
 
-/// What (RP.32) sums: 1, m, m u, v, phi.
+/// The sums of (RP.32): 1, m, m u, v, phi.
 using Sums = std::array<double, 6>;
 
 struct Particle {
@@ -28,7 +28,7 @@ struct Particle {
   Sums values;
 };
 
-/// All that is no image, at its place.
+/// All particles and ghosts except images.
 std::vector<Particle> particles_of(Body& body) {
   std::vector<Particle> particles;
   const auto& fields = body.stage[0];
@@ -49,13 +49,13 @@ std::vector<Particle> particles_of(Body& body) {
   return particles;
 }
 
-/// Distance along an axis, to the nearest image where the axis is periodic [cells].
+/// Distance along an axis, to the nearest image if the axis is periodic [cells].
 double along(double from, double to, std::int32_t period) {
   const double distance = to - from;
   return period == 0 ? distance : distance - period * std::round(distance / period);
 }
 
-/// Moves every particle by up to half a cell, all differently; images follow.
+/// Moves every particle by up to half a cell, each differently, and its images with it.
 void displace(Solver& solver) {
   Body& body = solver.state().bodies[0];
   const double h = body.lattice.spacing;

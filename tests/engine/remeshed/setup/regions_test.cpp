@@ -9,7 +9,7 @@
 #include "engine/remeshed/state/resources.hpp"
 #include "tests/invariants/sample_runs.hpp"
 
-// The resources of the scheduler divide the memory of the fields.
+// The resources of the scheduler partition the memory of the fields.
 namespace pliant::test {
 namespace {
 
@@ -30,7 +30,7 @@ std::vector<Region> of_all_blocks(Solver& solver, scheduler::FieldId resource) {
   return all;
 }
 
-/// Of everything that phases of a step write or read on the present lattice.
+/// The regions of every field that phases of a step write or read on the present lattice.
 std::map<scheduler::FieldId, std::vector<Region>> present(Solver& solver) {
   std::map<scheduler::FieldId, std::vector<Region>> found;
   for (int id = 0; id < remeshed::resource_numbers.count(); ++id) {
@@ -86,7 +86,7 @@ TEST_P(Regions, every_slot_of_the_state_belongs_to_a_resource) {
   }
 }
 
-// Phases order themselves by resources: these must have one.
+// Phases are ordered by resources, so these must have one.
 TEST(resources, of_the_odd_stress_are_those_of_the_fields_in_whose_place_it_lies) {
   Solver solver(sample_runs()[0].settled(), {1, kernels::widest_supported()});
   Body& body = solver.state().bodies[0];

@@ -58,7 +58,7 @@ TEST(setup, a_fresh_solver_fills_the_body_with_particles_at_its_density) {
     EXPECT_EQ(body.stage[0].get(Field::volume)[p], 1.0 / 256);
     EXPECT_EQ(body.stage[0].get(Field::mass)[p], 1.0 / 256);
     EXPECT_EQ(body.stage[0].get(Field::velocity, 1)[p], -25 * x[1]);
-    // The free surface runs on through the pistons: the flanks are all there is of it.
+    // The free surface continues through the pistons: it consists of the flanks alone.
     EXPECT_NEAR(body.stage[0].get(Field::level_set)[p], std::max(std::abs(x[0]) - 0.5, -6.5 / 16),
                 1e-15);
   });

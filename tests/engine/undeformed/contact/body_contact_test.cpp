@@ -16,7 +16,7 @@ constexpr double plane_modulus = 100 / (1 - 0.3 * 0.3);
 
 struct BodiesInContact : RubberBodies {
   std::string start(double end) const { return start_of(0.125, end); }
-  /// As box_of, in 3D 0.5 deep.
+  /// As box_of, 0.5 deep in 3D.
   std::string box(const std::string& name, double x, double y, double width, double height,
                   double spacing = 0.125) const {
     return box_of(name, x, y, width, height, 0.5, spacing);
@@ -34,7 +34,7 @@ struct BodiesInContact : RubberBodies {
     return measurement(body, "kind = \"material_value\"\nfield = \"stress_yy\"\nbody = \"" + body +
                                  "\"\npoint = " + point + "\n");
   }
-  /// A velocity about (0.25, 0.25).
+  /// A rotation about (0.25, 0.25).
   std::string spinning() const {
     return std::string("[\"0.5*(0.25 - y)\", \"0.5*(x - 0.25)\"") +
            (dimension == 2 ? "]\n" : ", 0]\n");
@@ -74,7 +74,7 @@ TEST_P(BodiesInContact, have_the_stress_of_one_body_when_they_are_pressed_togeth
   EXPECT_NEAR(found["upper"], expected, -0.03 * expected);
 }
 
-// They meet beside their middles, one turning, and slide: a fifth of a second later they are apart.
+// They meet off centre, one turning, and slide: a fifth of a second later they are apart.
 TEST_P(BodiesInContact, keep_momenta_and_most_of_the_energy_of_an_impact) {
   for (const std::string kind : {"kind = \"frictionless\"", "kind = \"no_slip\""}) {
     const std::string colliding =
@@ -95,7 +95,7 @@ TEST_P(BodiesInContact, keep_momenta_and_most_of_the_energy_of_an_impact) {
   }
 }
 
-// Gravity along a slope of 0.3, which grows in half a second; bodies are stiff.
+// Gravity along a slope of 0.3, which grows in half a second; the bodies are stiff.
 TEST_P(BodiesInContact, stick_and_slide_on_a_slope_by_the_law_of_coulomb) {
   const double across = 1 / std::hypot(1, 0.3), along = 0.3 * across, ramp = 0.5, end = 2;
   for (const double friction : {0.0, 0.2, 0.4}) {
@@ -121,7 +121,7 @@ TEST_P(BodiesInContact, stick_and_slide_on_a_slope_by_the_law_of_coulomb) {
   }
 }
 
-// Two blocks on each other and on the ground; the force between them is the weight of the upper
+// Two blocks on the ground, one on the other; the force between them is the weight of the upper
 // one.
 TEST_P(BodiesInContact, carry_the_weight_of_a_stack) {
   const std::string stack =

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <limits>
 
-// Nearest points of facets, against a search over many points of the facet.
+// Nearest points of facets, compared with a search over many points of the facet.
 namespace pliant::undeformed {
 namespace {
 
@@ -20,7 +20,7 @@ TEST(facet_point, is_the_nearest_point_of_a_segment) {
       const Point<2> other = way_from<2>(segment, {1 - t, t}, x);
       least = std::min(least, std::hypot(other[0], other[1]));
     }
-    // The neighbour of the nearest sample is 1e-3 lengths away, farther only to second order.
+    // The sample next to the nearest one is 1e-3 lengths away, with an error of second order.
     EXPECT_NEAR(std::hypot(way[0], way[1]), least, 1e-6);
   }
 }

@@ -14,7 +14,7 @@ namespace {
 
 struct TiedBodies : RubberBodies {
   std::string start(double end) const { return start_of(0.0625, end); }
-  /// From (x, 0) to (x + width, 0.25), in 3D 0.25 deep.
+  /// From (x, 0) to (x + width, 0.25), 0.25 deep in 3D.
   std::string part(const std::string& name, double x, double width, double spacing) const {
     return box_of(name, x, 0, width, 0.25, 0.25, spacing);
   }
@@ -30,7 +30,7 @@ INSTANTIATE_TEST_SUITE_P(methods, TiedBodies, testing::ValuesIn(undeformed_setti
 /// How a bar that is clamped at its left end swings under sudden gravity.
 struct Swing {
   double tip = 0, period = 0;     ///< largest deflection [m], time from rest to rest [s]
-  double before = 0, behind = 0;  ///< stress_xx on both sides of the middle, then [Pa]
+  double before = 0, behind = 0;  ///< stress_xx on both sides of the middle at that deflection [Pa]
 };
 
 Swing swing_of(pliant::Solver& bar) {
@@ -77,14 +77,15 @@ TEST_P(TiedBodies, bend_and_swing_as_one_bar) {
   EXPECT_NEAR(tied.before, one.before, 0.03 * one.before);
   EXPECT_NEAR(tied.behind, one.behind, 0.03 * one.before);
   if (method == "finite_elements") return;
-  // Halves of 7.5 and 8.5 spacings have nodes that fit neither each other nor the whole bar.
+  // Halves of 7.5 and 8.5 spacings, whose nodes match neither each other nor those of the whole
+  // bar.
   const double bound = method == "point_based" ? 0.15 : 0.06;
   const Swing uneven = bar(halves(0.46875, 0.0625), "first", "second");
   EXPECT_NEAR(uneven.tip, one.tip, bound * one.tip);
   EXPECT_NEAR(uneven.period, one.period, bound / 2 * one.period);
 }
 
-// A bar that turns and stretches, its second half of finer elements in a mesh.
+// A bar that turns and stretches; in a mesh its second half has finer elements.
 TEST_P(TiedBodies, keep_momenta_and_energy_of_a_free_bar) {
   const std::string velocity = std::string("velocity = [\"0.3*(0.125 - y) + 0.2*sin(3*x)\", ") +
                                "\"0.3*(x - 0.5)\"" + (dimension == 2 ? "]\n" : ", 0]\n");

@@ -9,8 +9,8 @@ template <class T>
 class free_surface_ghosts : public testing::Test {};
 TYPED_TEST_SUITE(free_surface_ghosts, Dimensions);
 
-/// Ghosts in the slots of their numbers, counted from the last: every fifth of a wall, every
-/// seventh inactive, every third under a pressure.
+/// Ghosts in slots numbered from the last one backwards: every fifth is a wall ghost, every seventh
+/// is inactive, every third is under a pressure.
 template <class T, int D>
 struct FilledGhosts : RandomGhosts<T, D> {
   using Base = RandomGhosts<T, D>;
@@ -48,7 +48,7 @@ struct FilledGhosts : RandomGhosts<T, D> {
     kernels.fill_free_surfaces(work);
   }
 
-  /// One by one.
+  /// Computes one ghost by itself.
   GhostState<T, D> state(int ghost, const T* sums) const {
     constexpr int stride = Base::width;
     const T p = pressure[ghost] < 0 ? T(0) : static_cast<T>(pressures[pressure[ghost]]);

@@ -83,7 +83,7 @@ TEST(ghost_state, traction_and_shear_are_the_parts_of_the_stress_on_a_plane) {
 }
 
 TEST(ghost_state, a_body_at_rest_under_its_surface_pressure_stays_at_rest) {
-  // All fits of a uniform state agree with it, and the constrained one is that of f - f_surface.
+  // All fits of a uniform state give this state; the constrained one that of f - f_surface.
   const double pressure = 0.3;
   std::array<double, record_width<2>> uniform = {};
   uniform[Place::stress] = uniform[Place::stress + 2] = -pressure;
@@ -111,7 +111,7 @@ TEST(ghost_state, a_body_at_rest_under_its_surface_pressure_stays_at_rest) {
   }
 }
 
-/// Fits of a state of uniform stress s_yy and s_xy that moves with u_y.
+/// Fits of a state of uniform stress s_yy and s_xy and uniform velocity u_y.
 struct UniformFits {
   UniformFits(double s_yy, double s_xy, double u_y) {
     record[Place::velocity + 1] = u_y;
@@ -124,7 +124,7 @@ struct UniformFits {
   std::array<double, record_width<2>> record = {};
 };
 
-// The half space between body and wall: what it moves at is weighed against its stress.
+// The half space between body and wall: its velocity is compared with its stress.
 TEST(ghost_state, the_pressure_of_a_wall_is_that_of_the_wave_it_sends_back) {
   Material<double> material;
   material.bulk_modulus = 80;
@@ -160,13 +160,13 @@ TEST(ghost_state, a_wall_pushes_against_the_traction_and_only_a_no_slip_one_alon
       wall_force_density<double, 2>(at_rest.fits(), {{0, 0}, floor, infinity}, impedance);
   EXPECT_DOUBLE_EQ(no_slip[0], -0.5);
   EXPECT_DOUBLE_EQ(no_slip[1], 3);
-  // Stress-free material that meets a wall at speed w: rho c w in the ghost, nothing before it.
+  // Stress-free material hits a wall at speed w: rho c w in the ghost, nothing before it.
   const auto hit =
       wall_force_density<double, 2>(UniformFits(0, 0, -2).fits(), {{0, 0}, floor, 0.}, impedance);
   EXPECT_DOUBLE_EQ(hit[1], impedance.pressure_wave);
 }
 
-// Uniform stress: both kinds of ghosts find the same pressure.
+// Uniform stress: both kinds of ghosts give the same pressure.
 TEST(ghost_state, friction_holds_up_to_its_coefficient_times_the_pressure) {
   Material<double> material;
   material.bulk_modulus = 80;
@@ -184,7 +184,7 @@ TEST(ghost_state, friction_holds_up_to_its_coefficient_times_the_pressure) {
   }
 }
 
-// Sums at the foot point, of the fits that are linear and constrained one spacing behind it.
+// Sums at the foot point; the linear and constrained fits are evaluated one spacing behind it.
 TEST(ghost_state, behind_a_slip_wall_is_what_lies_at_it_but_what_changes_its_sign) {
   Material<double> material;
   material.bulk_modulus = 80;
@@ -206,7 +206,7 @@ TEST(ghost_state, behind_a_slip_wall_is_what_lies_at_it_but_what_changes_its_sig
   EXPECT_DOUBLE_EQ((wall_pressure<double, 2>(fits, {{7, 0}, {0, 1}, 0.}, false, impedance)), 4);
 }
 
-// sigma_yy = -4 on the wall and 0.5 less for each spacing behind it, as under a weight.
+// sigma_yy is -4 on the wall and decreases by 0.5 per spacing behind it, as under a weight.
 TEST(ghost_state, a_slip_wall_carries_the_weight_between_its_ghosts_and_itself) {
   Material<double> material;
   material.bulk_modulus = 80;

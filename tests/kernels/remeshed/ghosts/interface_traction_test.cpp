@@ -7,7 +7,7 @@
 namespace pliant::kernels {
 namespace {
 
-/// A side of an interface whose outward normal is along grad phi.
+/// A side of an interface, with the outward normal along grad phi.
 template <int D>
 struct Side {
   std::array<double, record_width<D>> record = {};
@@ -70,8 +70,8 @@ TEST(interface_traction, is_opposite_for_the_two_bodies) {
   expect_opposite_tractions<3>();
 }
 
-// What runs out of each half space keeps its invariant: sigma - Z u on the side below, sigma + Z u
-// on the one above; both meet at one velocity.
+// Waves that leave a half space keep their invariant: sigma - Z u below, sigma + Z u above; both
+// sides meet with the same velocity.
 TEST(interface_traction, solves_the_riemann_problem_of_two_half_spaces) {
   const VectorOf<double, 2> n = oblique<2>();
   for (int trial = 0; trial < 20; ++trial) {
@@ -85,8 +85,7 @@ TEST(interface_traction, solves_the_riemann_problem_of_two_half_spaces) {
   }
 }
 
-// Coulomb's law is between the two limits: what lets nothing slide, as far as the pressure bears
-// it.
+// Coulomb's law is between the two limits: no slip, as long as the pressure is sufficient.
 TEST(interface_traction, has_a_shear_of_at_most_the_friction) {
   const VectorOf<double, 3> n = oblique<3>();
   int sliding = 0;
@@ -110,7 +109,7 @@ TEST(interface_traction, has_a_shear_of_at_most_the_friction) {
   EXPECT_GT(sliding, 3);
 }
 
-// Normals of tied surfaces lean at the ends of the interface, and say nothing about the bond.
+// Normals of tied surfaces tilt at the ends of the interface, without meaning for the bond.
 TEST(interface_traction, is_none_between_surfaces_that_do_not_face_each_other_unless_bonded) {
   const VectorOf<double, 2> n = oblique<2>(), t = {-n[1], n[0]};
   for (const VectorOf<double, 2>& other : {n, t}) {

@@ -11,7 +11,7 @@ template <class T>
 class surface : public testing::Test {};
 TYPED_TEST_SUITE(surface, Dimensions);
 
-/// Every third interior particle, packed.
+/// Packs of every third interior particle.
 template <class T, int D>
 std::vector<SurfacePack> every_third_particle(const Patch<T, D>& patch,
                                               std::vector<std::int64_t>& slots) {
@@ -33,7 +33,7 @@ std::vector<SurfacePack> every_third_particle(const Patch<T, D>& patch,
   return packs;
 }
 
-/// Their records, for a level set that was the first coordinate at the remeshing.
+/// The records of these particles, for a level set that was the first coordinate at the remeshing.
 template <class T, int D>
 Field<T> records_of(const Body<T, D>& body, const std::vector<SurfacePack>& packs,
                     std::size_t count) {

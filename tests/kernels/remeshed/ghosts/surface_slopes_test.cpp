@@ -2,7 +2,7 @@
 #include "tests/kernels/body.hpp"
 #include "tests/kernels/tables.hpp"
 
-// Normals of surface particles come from the deformation around them, (RP.61).
+// Normals of surface particles follow from the deformation around them, (RP.61).
 namespace pliant::kernels::test {
 namespace {
 
@@ -10,7 +10,7 @@ template <class T>
 class slopes : public testing::Test {};
 TYPED_TEST_SUITE(slopes, Dimensions);
 
-/// A particle amid others, whose surface record is written.
+/// A particle among others, whose surface record is written.
 template <class T, int D>
 struct SurfaceParticle {
   SurfaceParticle() : body(small_box<T, D>(), T(0.1), Model::linear) {
@@ -23,7 +23,7 @@ struct SurfaceParticle {
 
   State<T, D>& state() { return body.states[0]; }
 
-  /// Sets a slot field to a function of the distance from the particle on the lattice.
+  /// Sets a slot field to a function of the lattice distance from the particle.
   template <class F>
   void set(Field<T>& field, F&& value) {
     const auto origin = body.patch.node(cell);
@@ -34,7 +34,7 @@ struct SurfaceParticle {
     });
   }
 
-  /// Its gradient of phi, `lead` ahead.
+  /// Gradient of phi at the particle, `lead` ahead.
   std::array<T, D> gradient(double lead = 0) {
     const std::int64_t slot = body.patch.slot(cell);
     SurfacePack pack{slot / body.patch.pack * body.patch.pack, 0, 0, 0};
@@ -83,7 +83,7 @@ double displacement(int i, const X& x) {
   return sum;
 }
 
-/// phi of a place, given by where it was.
+/// phi of a particle as a function of its original place.
 template <class X>
 double level_set_of(const X& x) {
   double phi = 0;
@@ -118,8 +118,8 @@ TYPED_TEST(slopes, are_taken_ahead_with_the_velocity) {
   for (int i = 0; i < D; ++i) EXPECT_NEAR(gradient[i], gradient_after[i], 20 * exact<T>);
 }
 
-// One in four particles stands out to each side, as far as (RP.20) hardly sees: differences of
-// neighbours turn the normal by as much as 1.
+// One in four particles is displaced to each side, as far as (RP.20) hardly sees; differences of
+// neighbours would turn the normal by up to 1.
 TYPED_TEST(slopes, hardly_see_wiggles) {
   using T = typename TypeParam::Scalar;
   constexpr int D = TypeParam::dimension;

@@ -12,8 +12,8 @@ template <class T>
 class closest_point : public testing::Test {};
 TYPED_TEST_SUITE(closest_point, Dimensions);
 
-/// The largest distance of a point found [cells] from where it should be, on the line from the
-/// centre of the ball through its node.
+/// The largest distance [cells] of a computed point from the exact one, which is on the line from
+/// the centre of the ball through its node.
 template <class T, int D>
 double largest_error(NodesOfABall<T, D> ball) {
   baseline_table<T, D>().find_closest_points(ball.arguments());

@@ -25,7 +25,7 @@ struct FilteredPatch {
                                    strength, inside.data(), field.data(), result.data()});
   }
 
-  /// Interior cells `cell` with all four neighbours along every axis in the interior too.
+  /// Calls f for interior cells all of whose four neighbours along every axis are interior too.
   template <class F>
   void for_each_inner(F&& f) {
     patch.for_each([&](std::int64_t p, const std::array<int, D>& cell) {
@@ -83,7 +83,7 @@ TYPED_TEST(filter, leaves_cubics_alone) {
     return sum;
   });
   box.filter();
-  // Integers: nothing is rounded.
+  // Integers have no rounding error.
   box.for_each_inner([&](std::int64_t p, const auto&) { EXPECT_EQ(box.result[p], box.field[p]); });
 }
 
@@ -97,7 +97,7 @@ TYPED_TEST(filter, leaves_parabolas_alone_beside_what_is_not_inside) {
   });
   box.inside[box.hole()] = 0;
   box.filter();
-  EXPECT_EQ(box.result, box.field);  // integers: nothing is rounded
+  EXPECT_EQ(box.result, box.field);  // integers have no rounding error
 }
 
 TYPED_TEST(filter, keeps_the_sum_of_what_is_inside_and_all_else) {

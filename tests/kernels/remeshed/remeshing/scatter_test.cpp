@@ -6,14 +6,14 @@
 namespace pliant::kernels::test {
 namespace {
 
-/// M4' as (RP.31) has it.
+/// M4' as in (RP.31).
 double kernel(double s) {
   s = std::abs(s);
   if (s < 1) return 1 - 2.5 * s * s + 1.5 * s * s * s;
   return s < 2 ? (1 - s) * (2 - s) * (2 - s) / 2 : 0;
 }
 
-/// A body whose particles have drifted up to 1.4 cells, and a tile's buffer around it.
+/// A body whose particles have drifted by up to 1.4 cells, and the buffer of a tile around it.
 template <class T, int D>
 struct Tile {
   explicit Tile(Model model) : body(small_box<T, D>(), T(0.1), model) {
@@ -71,7 +71,7 @@ struct Tile {
     return r;
   }
 
-  /// Calls `f(node, cell)` with each node's values.
+  /// Calls `f(node, cell)` with the values of each node.
   template <class F>
   void for_each_node(F&& f) const {
     std::array<std::int32_t, D> cell = lower;
@@ -130,7 +130,7 @@ TYPED_TEST(scatter, agrees_with_a_plain_sum_over_particles) {
   for (const Model model : {Model::linear, Model::reduced_polynomial}) {
     Tile<T, D> tile(model);
     for (int i = 0; i < D; ++i) {
-      tile.shift[i] = i == 0 ? -5 : 4;  // as if a periodic image; particles leave the buffer
+      tile.shift[i] = i == 0 ? -5 : 4;  // as in a periodic image; particles leave the buffer
       tile.lower[i] += 2;
     }
     tile.scatter();
@@ -152,7 +152,7 @@ TYPED_TEST(scatter, agrees_with_a_plain_sum_over_particles) {
       for (int f = 0; f < fields; ++f) worst = std::max(worst, std::abs(node[f] - sum[f]));
       for (int f = fields; f < tile.width; ++f) EXPECT_EQ(node[f], 0);
     });
-    // Cell coordinates up to 60 cost the oracle that many units; the kernel keeps fractions apart.
+    // The reference rounds cell coordinates up to 60; the kernel keeps fractions separate.
     EXPECT_LT(worst, 1000 * std::numeric_limits<T>::epsilon());
   }
 }

@@ -35,7 +35,7 @@ void expect_determinant_and_least_change() {
     set_determinant<double, D>(changed, value);
     const Eigen::Map<Matrix<D>> g(changed.data());
     EXPECT_NEAR(g.determinant(), value, 1e-12);
-    // To first order the change runs along the cofactors: no motion along the constraint is left.
+    // To first order the change is along the cofactors, with no component along the constraint.
     const Matrix<D> cofactor = g.determinant() * g.inverse().transpose();
     const Matrix<D> change = g - f;
     const Matrix<D> along =

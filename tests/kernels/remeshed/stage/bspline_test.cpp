@@ -15,8 +15,8 @@ double w(double x) { return bspline(P(std::abs(x))).get(0); }
 double slope(double s) { return bspline_slope(P(s)).get(0); }
 
 TEST(bspline, is_a_partition_of_unity_with_constant_moments) {
-  // Centred B-splines of order 5 reproduce constants and lines; the second central moment is that
-  // of five uniform distributions, 5/12.
+  // Centred B-splines of order 5 reproduce constant and linear functions; the second central moment
+  // is that of five uniform distributions, 5/12.
   for (double x = 0; x < 1; x += 0.01) {
     double zeroth = 0, first = 0, second = 0;
     for (int i = -3; i <= 4; ++i) {

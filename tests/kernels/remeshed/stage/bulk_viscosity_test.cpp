@@ -18,7 +18,7 @@ double after(double interval, double pressure, double start, double end) {
   return r.decay * pressure + r.start * start + r.end * end;
 }
 
-// p + tau dp/dt = g K0 (J0 + r t) has the solution g K0 (J0 + r (t - tau)) + c exp(-t/tau).
+// The solution of p + tau dp/dt = g K0 (J0 + r t) is g K0 (J0 + r (t - tau)) + c exp(-t/tau).
 TEST(prony_term, is_exact_while_the_volume_changes_evenly) {
   const double start = 0.02, rate = -0.01, pressure = 0.4;
   for (const double a : {1e-9, 1e-3, 0.1, 1., 10., 1e6}) {
@@ -27,13 +27,13 @@ TEST(prony_term, is_exact_while_the_volume_changes_evenly) {
       return term.ratio * bulk_modulus * (start + rate * (s - term.time));
     };
     const double exact = driven(t) + (pressure - driven(0)) * std::exp(-a);
-    // Rounding of 1 - exp(-a), which small intervals enlarge by 1/a.
+    // Rounding of 1 - exp(-a), which small intervals amplify by 1/a.
     EXPECT_NEAR(after(t, pressure, start, start + rate * t), exact, 1e-12 * (1 + std::abs(exact)))
         << a;
   }
 }
 
-/// p at t = 1 while J - 1 = sin(w t), less the exact p.
+/// Error of p at t = 1 for J - 1 = sin(w t).
 double error_of_an_oscillation(int steps) {
   const double w = 3, end = 1, dt = end / steps;
   double p = 0;
@@ -50,7 +50,7 @@ TEST(prony_term, converges_at_second_order_where_the_volume_oscillates) {
   EXPECT_NEAR(error_of_an_oscillation(50) / error_of_an_oscillation(100), 4, 0.01);
 }
 
-/// A box whose particles all have F = 0.95 I and move alike, with p_i of its own.
+/// A box whose particles have F = 0.95 I, the same velocity, and individual p_i.
 template <class T, int D>
 struct RelaxingBox : Body<T, D> {
   static constexpr int terms = 3;
@@ -90,14 +90,14 @@ struct RelaxingBox : Body<T, D> {
       }
       Stage<T, D> stage = this->stage(number, number, (number + 1) % 4, dt);
       stage.viscosity = {terms, relaxation.data(), kept_view.data(), change.data()};
-      // Its force would pull particles that lie anywhere back to the lattice.
+      // Its force would pull irregular particles back to the lattice.
       stage.velocity_dissipation = 0;
       baseline_table<T, D>().advance_stage(stage);
       fill_ghosts((number + 1) % 4);
     }
   }
 
-  /// Around a uniform body they have its stress.
+  /// Around a uniform body ghosts have its stress.
   void fill_ghosts(int number) {
     std::int64_t some = 0;
     this->patch.for_each_interior([&](std::int64_t p, const auto&) { some = p; });
@@ -114,7 +114,7 @@ template <class T>
 class bulk_viscosity : public testing::Test {};
 TYPED_TEST_SUITE(bulk_viscosity, Dimensions);
 
-// Steps far below and far above the relaxation times.
+// Steps much smaller and much larger than the relaxation times.
 TYPED_TEST(bulk_viscosity, pressure_after_a_step_follows_the_closed_form_in_steps_of_any_length) {
   using T = typename TypeParam::Scalar;
   constexpr int D = TypeParam::dimension;
@@ -131,7 +131,7 @@ TYPED_TEST(bulk_viscosity, pressure_after_a_step_follows_the_closed_form_in_step
       T sum = 0;
       for (const auto& field : box.kept) sum += field[p];
       ASSERT_NEAR(sum, relaxed, 1e3 * std::numeric_limits<T>::epsilon() * modulus);
-      // Alike in all directions, F has no deviator.
+      // With equal stretches F has no deviator.
       if constexpr (D == 3) {
         ASSERT_NEAR(box.states[0].stress[0][p], modulus * box.volume_change() - relaxed,
                     1e3 * std::numeric_limits<T>::epsilon() * modulus);
@@ -160,7 +160,8 @@ TYPED_TEST(bulk_viscosity, changes_the_diagonal_of_the_stress_only_and_alike) {
   });
 }
 
-// Held, the energy slope is the pressure; relaxed, the long-term modulus is left.
+// With J held, the slope of the energy is the pressure; after relaxation, the long-term modulus
+// remains.
 TEST(prony_term, energy_belongs_to_the_pressure) {
   const double j = 0.9, step = 1e-6, pressure = 0.7;
   const auto energy = [&](double volume_change, double p) {

@@ -43,7 +43,7 @@ template <Kernel kernel, template <class, int, int> class Sums, class P, int D, 
       });
 }
 
-/// A linear field, its particles' positions, and the largest error of its gradient.
+/// A linear field, the positions of its particles, and the largest error of its gradient.
 template <class T, int D>
 class LinearField {
   using P = xsimd::batch<T, xsimd::sse2>;
@@ -137,8 +137,8 @@ TYPED_TEST(gradient_sweep, linear_fields_are_reproduced_exactly_over_lists) {
   EXPECT_LT(field.template list_error<Kernel::compact>(2), tolerance);
 }
 
-/// The gradient of H&K (RP.19) of a field f(x) over particles off their nodes by up to `disorder`
-/// cells, whose volumes differ by up to `unevenness`.
+/// The gradient of H&K (RP.19) of a field f(x), over particles displaced from their nodes by up to
+/// `disorder` cells, whose volumes differ by up to `unevenness`.
 template <int D>
 class PaperGradient {
   using P = xsimd::batch<double, xsimd::sse2>;
@@ -154,7 +154,7 @@ class PaperGradient {
     for (std::int64_t s = 0; s < patch_.slots; ++s) state_.volume[s] = 1 + excess[0][s];
   }
 
-  /// Largest error of df/dx_axis, where `exact` is that derivative.
+  /// Largest error of df/dx_axis, compared with `exact`.
   template <class F, class Derivative>
   double error(F&& f, int axis, Derivative&& exact) const {
     const Field<double> field = sampled(f);
@@ -165,8 +165,7 @@ class PaperGradient {
     return worst;
   }
 
-  /// sum_p v_p grad f over the interior, for f that is 0 outside: what the force of a stress f sums
-  /// up to.
+  /// sum_p v_p grad f over the interior, for f that is 0 outside: the total force of a stress f.
   Place total(const std::function<double(const Place&)>& f) const {
     const Field<double> field = sampled(f);
     Place sum = {};
@@ -249,8 +248,8 @@ TYPED_TEST(paper_gradient, of_a_coordinate_is_one_along_it_on_any_particles) {
   }
 }
 
-// 1/n_p is a sum for each axis: what the neighbours lack in symmetry stays, and does not get
-// smaller with the spacing. The moment matrix takes it out.
+// 1/n_p is a sum for each axis: the error from asymmetric neighbours remains and does not decrease
+// with the spacing. The moment matrix removes it.
 TYPED_TEST(paper_gradient, of_a_coordinate_across_it_vanishes_on_the_lattice_alone) {
   constexpr int D = TypeParam::value;
   const auto across = [](double spacing, double disorder, double unevenness) {
@@ -277,7 +276,7 @@ TYPED_TEST(paper_gradient, is_of_second_order_on_the_lattice) {
 }
 
 // Both particles of a pair get v_p v_q omega d (f_q - f_p), which is not equal and opposite: these
-// forces cancel where sum_q v_q omega d = 0, as on the lattice.
+// forces cancel if sum_q v_q omega d = 0, as on the lattice.
 TYPED_TEST(paper_gradient, conserves_momentum_on_the_lattice_alone) {
   constexpr int D = TypeParam::value;
   const auto bump = [](const std::array<double, D>& x) {

@@ -9,7 +9,7 @@ namespace {
 
 using P = xsimd::batch<double, xsimd::sse2>;
 
-/// abs of A A^-1 - I, largest component, for random positive definite A = B B^T + I/10.
+/// Largest component of abs(A A^-1 - I) for random positive definite A = B B^T + I/10.
 template <int D>
 double worst_product(std::mt19937& random) {
   std::uniform_real_distribution<double> entry(-1, 1);

@@ -24,7 +24,7 @@ State textbook_step(const State& q, double dt) {
   return next;
 }
 
-/// With three copies of the state, as the engine does it.
+/// With three copies of the state, as in the engine.
 State step(State start, double dt) {
   State second, third;
   const auto advance = [&]<StagePlace place>(const State& current, State& next) {

@@ -9,7 +9,7 @@ namespace pliant::kernels::test {
 namespace {
 
 using P = xsimd::batch<double, xsimd::sse2>;
-constexpr int length = 32, pad = 4;  // slots of a line; beside them, zeros
+constexpr int length = 32, pad = 4;  // slots of a line, and zeros on both sides
 constexpr LineOffsets line = {{-2, -1, 1, 2}};
 constexpr FarOffsets far = {-3, 3};
 
@@ -45,7 +45,7 @@ TEST(sixth_difference, damps_the_shortest_wave_as_the_fourth_difference_does) {
   EXPECT_EQ(inside.get(0), 16 * zigzag.field[pad + 8]);
 }
 
-// Also beside a hole, where fluxes of third differences take over.
+// Also beside a hole, where third differences are used.
 TEST(sixth_difference, keeps_the_sum_over_what_is_inside) {
   Line wave([](double x) { return std::sin(0.7 * x) + 0.01 * x; });
   wave.inside[pad + 13] = 0;

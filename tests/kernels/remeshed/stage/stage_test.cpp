@@ -23,8 +23,8 @@ const Segment<D>& segment_of(const Patch<T, D>& patch, std::int64_t slot) {
   return patch.segments.front();
 }
 
-/// Largest difference between the kernel's first stage and the reference, relative to the scale of
-/// each rate.
+/// Largest difference between the first stage of the kernel and the reference, relative to the
+/// scale of each rate.
 template <class T, int D>
 double worst_rate_error(Body<T, D>& body, const NeighbourLists<D>* lists) {
   const T dt = T(1e-2);
@@ -53,7 +53,7 @@ double worst_rate_error(Body<T, D>& body, const NeighbourLists<D>* lists) {
   return worst;
 }
 
-/// Rounding of the sums, enlarged by the division of a difference by dt/2.
+/// Rounding of the sums, amplified by the division of a difference by dt/2.
 template <class T>
 constexpr double rate_tolerance = 1e5 * std::numeric_limits<T>::epsilon();
 
@@ -96,7 +96,7 @@ TYPED_TEST(stage, lists_give_what_the_stencil_gives) {
   using T = typename TypeParam::Scalar;
   constexpr int D = TypeParam::dimension;
   Body<T, D> body(small_box<T, D>(), T(0.1), Model::linear);
-  // Over lists the quartic takes the place of Kernel::fourth_order.
+  // With lists the quartic replaces Kernel::fourth_order.
   for (const Kernel kernel :
        {Kernel::quartic_spline, Kernel::quartic_spline_fit, Kernel::compact}) {
     body.kernel = kernel;
@@ -167,7 +167,7 @@ TYPED_TEST(stage, particles_that_are_not_interior_only_move_along) {
   });
 }
 
-// (RP.21) with all four velocities, in particles and in ghosts, whose velocities nothing advances.
+// (RP.21) with all four velocities, for particles and for ghosts, whose velocities are not updated.
 TYPED_TEST(stage, places_follow_the_velocities_of_all_stages) {
   using T = typename TypeParam::Scalar;
   constexpr int D = TypeParam::dimension;
@@ -177,7 +177,7 @@ TYPED_TEST(stage, places_follow_the_velocities_of_all_stages) {
   const std::array<T, 4> weight = {dt / 6, dt / 3, dt / 3, dt / 6};
   const std::array<Field<T>, D> start = body.states[0].drift;
   std::array<Field<T>, D> end = start;
-  // Places and ways are of order 1 and below.
+  // Places and displacements are of order 1 or smaller.
   const double tolerance = 16 * std::numeric_limits<T>::epsilon();
   for (int number = 0; number < 4; ++number) {
     std::array<Field<T>, D>& u = body.states[number].velocity;
@@ -206,7 +206,7 @@ TYPED_TEST(stage, vacant_and_padding_slots_stay_finite) {
     Body<T, D> body(small_box<T, D>(), T(0.1), model);
     State<T, D>& state = body.states[0];
     body.patch.for_each([&](std::int64_t p, const auto& cell) {
-      // Beyond one layer of ghosts everything is vacant, and one ghost is in an impossible state.
+      // Beyond one layer of ghosts all slots are vacant, and one ghost is in an impossible state.
       if (body.patch.interior[p] != 0 || cell[0] == 2) return;
       for (int i = 0; i < D; ++i) state.drift[i][p] = state.velocity[i][p] = 0;
       const bool ghost = cell[0] == 1;
@@ -233,7 +233,7 @@ TYPED_TEST(stage, result_holds_the_extremes_of_interior_particles) {
   using T = typename TypeParam::Scalar;
   constexpr int D = TypeParam::dimension;
   Body<T, D> body(small_box<T, D>(), T(0.1), Model::linear);
-  // Outside the body everything is faster and lighter, and must not count.
+  // Outside the body everything is faster and lighter, and must be ignored.
   body.patch.for_each([&](std::int64_t p, const auto&) {
     if (body.patch.interior[p] == 0) body.mass[p] /= 10;
   });
@@ -252,8 +252,8 @@ TYPED_TEST(stage, result_holds_the_extremes_of_interior_particles) {
   EXPECT_EQ(result.non_finite, -1);
 }
 
-// A rotation by 0.3 and a stretch by a tenth: exact by differences, also where a particle has a
-// neighbour to one side only.
+// A rotation by 0.3 and a stretch by a tenth: differences are exact, even where a particle has a
+// neighbour on one side only.
 TYPED_TEST(stage, the_deformation_of_a_linear_drift_is_its_gradient) {
   using T = typename TypeParam::Scalar;
   constexpr int D = TypeParam::dimension;

@@ -112,7 +112,7 @@ TYPED_TEST(symmetric_pairs, rates_agree_with_the_equations_written_with_matrices
     const double rate = (double(next.volume[p]) / start.volume[p] - 1) / (dt / 2);
     worst_volume = std::max(worst_volume, std::abs(rate - gradient.trace()));
   });
-  // Rounding of the sums, enlarged by the division of a difference by dt/2.
+  // Rounding of the sums, amplified by the division of a difference by dt/2.
   const double rounding = 1e5 * std::numeric_limits<T>::epsilon();
   EXPECT_GT(largest, 100);
   EXPECT_LT(worst_velocity, rounding * largest);

@@ -19,14 +19,14 @@ double omega(double s) {
 
 TEST(weights, quartic_is_the_slope_of_the_spline_over_the_distance) {
   for (double s = 0.01; s < 3; s += 0.007) {
-    // Cancellation in the oracle costs 1e-16/s.
+    // Cancellation in the reference costs 1e-16/s.
     EXPECT_NEAR(omega<Kernel::quartic_spline>(s), -bspline_slope(P(s)).get(0) / s, 5e-14) << s;
   }
   EXPECT_NEAR(omega<Kernel::quartic_spline>(0), 1.25, 1e-15);
 }
 
 TEST(weights, polynomial_lies_within_seven_thousandths_of_the_scaled_quartic) {
-  // A constant factor of the kernel drops out of the gradient. The largest difference is 0.00709.
+  // A constant factor of the kernel cancels in the gradient. The largest difference is 0.00709.
   const double at_zero = omega<Kernel::quartic_spline>(0);
   for (double s = 0; s < 2.6; s += 0.003) {
     EXPECT_NEAR(omega<Kernel::quartic_spline_fit>(s), omega<Kernel::quartic_spline>(s) / at_zero,
