@@ -1,6 +1,5 @@
 #pragma once
 
-#include <array>
 #include <string>
 #include <vector>
 
@@ -63,15 +62,14 @@ class Step {
   void meet_faces();
   bool has_punctures() const;
   void dent_surfaces();
-  void keep_velocities(int block);
-  /// Sum of m ((u + u')/2)^2 of a block, u the velocities that it has kept [J].
-  double damped(int block);
+  /// Of loads and gravity on a block, with the present velocities [W].
+  EnergyBudget power(int block) const;
 
   struct Owned {
     Body<T, D>& body;
     int local;
   };
-  Owned owner(int block) {
+  Owned owner(int block) const {
     const BlockOwner& owner = state_.blocks[block];
     return {state_.bodies[owner.body], owner.block};
   }
@@ -90,8 +88,6 @@ class Step {
   std::vector<kernels::PointForcesResult> results_;  ///< [block]
   std::vector<double> inertia_;  ///< [block] sum of m u^2 before the step, with damping [J]
   std::vector<double> damped_;   ///< [block] what damping acts on in it [J]
-  /// [block][component][node] velocities before the step, where there is damping.
-  std::vector<std::array<std::vector<T>, D>> before_;
 };
 
 extern template class Step<double, 2>;

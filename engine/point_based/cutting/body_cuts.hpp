@@ -59,6 +59,8 @@ class BodyCuts {
   /// Relaxes the gradients that nodes of a block have kept, by one step, and lets its bonds follow
   /// the blades. Blocks do not depend on each other.
   void update(int block, Body<T, D>& body);
+  /// Whether a node of a block keeps a gradient other than I.
+  bool keeps_gradients(int block) const { return !blocks_[block].relaxing.empty(); }
   /// By how much all blocks together have changed the strain energy since the last call [J].
   double fold();
 

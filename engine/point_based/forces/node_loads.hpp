@@ -26,7 +26,7 @@ class NodeLoads {
 
   /// Gravity that is the same everywhere, else 0 [m/s^2].
   const Point<D>& uniform_gravity() const { return uniform_gravity_; }
-  /// Of all loads on a block, with the present velocities [W].
+  /// Of all loads on a block but such gravity, with the present velocities [W].
   EnergyBudget power(int block) const;
 
  private:
