@@ -1,8 +1,5 @@
 #pragma once
 
-#include <array>
-#include <numeric>
-
 #include "engine/point_based/body.hpp"
 #include "engine/point_based/point_room.hpp"
 #include "kernels/point_based/arguments.hpp"
@@ -74,44 +71,14 @@ kernels::PointMotion<T, D> motion_arguments(Body<T, D>& body, int local) {
   return arguments;
 }
 
-/// Sum of m u^2 of a block [J]; `squares(slot)` gives u^2 there.
-template <class T, int D, class Squares>
-double inertia_sum(const Body<T, D>& body, const NodeBlock& block, Squares&& squares) {
-  // Several partial sums, since additions to a single one would wait for each other.
-  constexpr int lanes = kernels::slots_per_pack;
-  std::array<double, lanes> sum = {};
-  for (std::int64_t slot = block.first; slot < block.first + block.count; slot += lanes) {
-    for (int l = 0; l < lanes; ++l) sum[l] += body.mass[slot + l] * squares(slot + l);
-  }
-  return std::accumulate(sum.begin(), sum.end(), 0.);
-}
-
-/// The same with the present velocities of the block.
 template <class T, int D>
-double inertia_of(const Body<T, D>& body, const NodeBlock& block) {
-  return inertia_sum(body, block, [&body](std::int64_t slot) {
-    double square = 0;
-    for (int a = 0; a < D; ++a) {
-      const double u = body.velocity[a][slot];
-      square += u * u;
-    }
-    return square;
-  });
-}
-
-/// The same with the means of the present velocities and those before, [component][node of the
-/// block].
-template <class T, int D>
-double inertia_of_means(const Body<T, D>& body, const NodeBlock& block,
-                        const std::array<std::vector<T>, D>& before) {
-  return inertia_sum(body, block, [&](std::int64_t slot) {
-    double square = 0;
-    for (int a = 0; a < D; ++a) {
-      const double u = (before[a][slot - block.first] + body.velocity[a][slot]) / 2;
-      square += u * u;
-    }
-    return square;
-  });
+kernels::PointMomentum<T, D> momentum_arguments(const Body<T, D>& body, int local) {
+  kernels::PointMomentum<T, D> arguments = {};
+  arguments.first = body.blocks[local].first;
+  arguments.count = body.blocks[local].count;
+  arguments.mass = body.mass.get();
+  for (int a = 0; a < D; ++a) arguments.velocity[a] = body.velocity[a].get();
+  return arguments;
 }
 
 }  // namespace pliant::point_based

@@ -56,7 +56,6 @@ void Step<T, D>::prepare_blocks() {
   results_.assign(state_.blocks.size(), {});
   inertia_.assign(state_.blocks.size(), 0);
   damped_.assign(state_.blocks.size(), 0);
-  before_.resize(state_.blocks.size());
   loads_.prepare_blocks();
   work_.clear_blocks();
   for (const Body<T, D>& body : state_.bodies) work_.add_blocks(body);
@@ -214,6 +213,8 @@ void Step<T, D>::evaluate_forces(int block) {
   arguments.viscosity =
       static_cast<T>(parameters_of(settings_).stiffness_damping / advance_.length);
   arguments.examine = advance_.examine || cuts_have_moved_;
+  const auto& cuts = state_.cuts[state_.blocks[block].body];
+  if (cuts && !cuts->keeps_gradients(local)) arguments.kept = {};
   results_[block] = kernels_.evaluate_forces(arguments);
   if (!body.degenerate[local].empty()) add_degenerate_forces(body, local);
 }
@@ -229,37 +230,30 @@ void Step<T, D>::move(int block) {
   for (int a = 0; a < D; ++a) {
     arguments.gravity[a] = static_cast<T>(loads_.uniform_gravity()[a]);
   }
-  work_.begin_motion(block, body, local, loads_.power(block));
-  inertia_[block] = damping == 0 ? 0 : inertia_of(body, body.blocks[local]);
-  keep_velocities(block);
-  kernels_.advance(arguments);
-  damped_[block] = damped(block);
+  if (damping > 0) arguments.mass = body.mass.get();
+  work_.begin_motion(block, body, local, power(block));
+  const kernels::PointMotionSums sums = kernels_.advance(arguments);
+  inertia_[block] = sums.inertia;
+  // Nodes whose velocities change sign from step to step lose little, (TL.28).
+  damped_[block] = sums.inertia_of_means;
   work_.hold(block, body, local);
   if (!bodies_touch()) end_motion(block);
 }
 
 template <class T, int D>
 void Step<T, D>::end_motion(int block) {
-  work_.end_motion(block, loads_.power(block));
+  work_.end_motion(block, power(block));
 }
 
 template <class T, int D>
-void Step<T, D>::keep_velocities(int block) {
-  if (state_.clock.damping == 0 || bodies_touch()) return;
+EnergyBudget Step<T, D>::power(int block) const {
+  EnergyBudget power = loads_.power(block);
+  const Point<D>& gravity = loads_.uniform_gravity();
+  if (gravity == Point<D>{}) return power;
   const auto [body, local] = owner(block);
-  const NodeBlock& range = body.blocks[local];
-  for (int a = 0; a < D; ++a) {
-    const T* const velocity = body.velocity[a].get() + range.first;
-    before_[block][a].assign(velocity, velocity + range.count);
-  }
-}
-
-// Nodes whose velocities change sign from step to step lose little energy, (TL.28).
-template <class T, int D>
-double Step<T, D>::damped(int block) {
-  if (state_.clock.damping == 0 || bodies_touch()) return 0;
-  const auto [body, local] = owner(block);
-  return inertia_of_means<T, D>(body, body.blocks[local], before_[block]);
+  const auto momentum = kernels_.momentum(momentum_arguments(body, local));
+  for (int a = 0; a < D; ++a) power.body_force_work += momentum[a] * gravity[a];
+  return power;
 }
 
 template class Step<double, 2>;

@@ -1,6 +1,5 @@
 #pragma once
 
-#include <array>
 #include <string>
 #include <vector>
 
@@ -62,15 +61,14 @@ class Step {
   void meet_faces();
   bool has_punctures() const;
   void dent_surfaces();
-  void keep_velocities(int block);
-  /// Sum of m ((u + u')/2)^2 of a block [J]; u are the velocities kept from before the step.
-  double damped(int block);
+  /// Power of loads and gravity on a block at the present velocities [W].
+  EnergyBudget power(int block) const;
 
   struct Owned {
     Body<T, D>& body;
     int local;
   };
-  Owned owner(int block) {
+  Owned owner(int block) const {
     const BlockOwner& owner = state_.blocks[block];
     return {state_.bodies[owner.body], owner.block};
   }
@@ -89,8 +87,6 @@ class Step {
   std::vector<kernels::PointForcesResult> results_;  ///< [block]
   std::vector<double> inertia_;  ///< [block] sum of m u^2 before the step, with damping [J]
   std::vector<double> damped_;   ///< [block] the part of it that damping acts on [J]
-  /// [block][component][node] velocities before the step; only with damping.
-  std::vector<std::array<std::vector<T>, D>> before_;
 };
 
 extern template class Step<double, 2>;

@@ -86,7 +86,23 @@ struct PointMotion {
   const T* inverse_mass;     ///< [slot], 0 where there is no node [1/kg]
   std::array<T, D> gravity;  ///< acceleration of all nodes [m/s^2]
   std::array<const T*, D> external;  ///< [slot] external force [N]; null: none
+  const T* mass;                     ///< [slot] [kg]; null: no sums are needed
   std::array<T*, D> velocity, displacement;
+};
+
+/// Sums over the nodes of a block, u their velocities before they were moved and u' after it.
+struct PointMotionSums {
+  double inertia = 0;           ///< of m u^2 [J]
+  double inertia_of_means = 0;  ///< of m ((u + u')/2)^2 [J]
+};
+
+/// Nodes of a block whose momentum is asked for.
+template <class T, int D>
+struct PointMomentum {
+  std::int64_t first;
+  int count;
+  const T* mass;  ///< [slot] [kg]
+  std::array<const T*, D> velocity;
 };
 
 /// Moves the nodes of a block at their velocities.

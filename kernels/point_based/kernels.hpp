@@ -13,7 +13,8 @@ namespace pliant::kernels {
 template <Isa isa, class T, int D>
 PointBasedTable<T, D> point_based_kernels() {
   using P = PackOf<isa, T>;
-  return {evaluate_point_forces<P, D>, advance_points<P, D>, drift_points<P, D>};
+  return {evaluate_point_forces<P, D>, advance_points<P, D>, drift_points<P, D>,
+          momentum_of_points<P, D>};
 }
 
 }  // namespace pliant::kernels

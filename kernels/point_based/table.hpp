@@ -12,8 +12,9 @@ namespace pliant::kernels {
 template <class T, int D>
 struct PointBasedTable {
   PointForcesResult (*evaluate_forces)(const PointForces<T, D>&);
-  void (*advance)(const PointMotion<T, D>&);
+  PointMotionSums (*advance)(const PointMotion<T, D>&);
   void (*drift)(const PointDrift<T, D>&);
+  std::array<double, D> (*momentum)(const PointMomentum<T, D>&);
 
   static const PointBasedTable& of(Isa isa);
 };

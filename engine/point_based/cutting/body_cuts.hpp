@@ -59,6 +59,8 @@ class BodyCuts {
   /// Relaxes the kept gradients of the nodes of a block by one step, and updates its bonds for
   /// moves of the blades. Blocks are independent of each other.
   void update(int block, Body<T, D>& body);
+  /// Whether a node of a block keeps a gradient other than I.
+  bool keeps_gradients(int block) const { return !blocks_[block].relaxing.empty(); }
   /// Change of the strain energy by all blocks since the last call [J].
   double fold();
 

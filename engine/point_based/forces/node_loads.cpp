@@ -130,17 +130,17 @@ EnergyBudget NodeLoads<T, D>::power(int block) const {
     const BladedNode<D>& node = body.bladed[local][i];
     for (int a = 0; a < D; ++a) power.blade_work += node.force[a] * body.velocity[a][node.slot];
   }
+  if (!gravity_varies()) return power;
   of_tractions += power.blade_work;
-  if (!gravity_.acts()) return power;
   const NodeBlock& range = body.blocks[local];
   for (int a = 0; a < D; ++a) {
     const T* const velocity = body.velocity[a].get() + range.first;
-    const T* const force = (gravity_varies() ? body.traction[a] : body.mass).get() + range.first;
+    const T* const force = body.traction[a].get() + range.first;
     double sum = 0;
     for (int i = 0; i < range.nodes; ++i) sum += static_cast<double>(force[i]) * velocity[i];
-    power.body_force_work += gravity_varies() ? sum : sum * uniform_gravity_[a];
+    power.body_force_work += sum;
   }
-  if (gravity_varies()) power.body_force_work -= of_tractions;
+  power.body_force_work -= of_tractions;
   return power;
 }
 

@@ -25,7 +25,7 @@ class NodeLoads {
 
   /// Uniform gravity; 0 if gravity depends on the place [m/s^2].
   const Point<D>& uniform_gravity() const { return uniform_gravity_; }
-  /// Power of all loads on a block at the present velocities [W].
+  /// Power of all loads on a block at the present velocities, without uniform gravity [W].
   EnergyBudget power(int block) const;
 
  private:
