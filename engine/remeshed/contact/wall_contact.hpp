@@ -46,12 +46,6 @@ bool add_impulse(const Body<T, D>& body, int block, int stage, const Surrounding
                  double duration, const kernels::RemeshedTable<T, D>& kernels, Point<D>* impulse,
                  EnergyBudget& energy);
 
-/// (RP.96): whether a body has moved so far towards contact walls, or away from them, since its
-/// last remeshing, that the ghosts between them no longer belong to where it is. Walls that move at
-/// the time `time` [s] always count.
-template <class T, int D>
-bool has_moved_at_walls(const Body<T, D>& body, const Boundaries<D>& boundaries, double time);
-
 /// (RP.55): [slot] of the contact ghosts nearest to the wall, the pressure of the wall on the body
 /// at their feet [Pa], from the records that filling the ghosts has left; 0 of all other slots.
 template <class T, int D>

@@ -38,8 +38,7 @@ void let_waves_out_alone(BlockGhosts<T, D>& ghosts, std::size_t count, FieldStor
   }
 }
 
-/// Follows what lasts of (RP.50) and (RP.95) for a time step [s], but on ghosts that another body
-/// answers.
+/// Follows what lasts of (RP.50) and (RP.95) for a time step [s].
 template <class T, int D>
 void follow_lasting(const Body<T, D>& body, BlockGhosts<T, D>& ghosts, double time_step) {
   const double speed = kernels::wave_speed_at_rest(body.material);
@@ -49,7 +48,6 @@ void follow_lasting(const Body<T, D>& body, BlockGhosts<T, D>& ghosts, double ti
     if (ghosts.active[g] == 0) continue;
     for (int a = 0; a < D; ++a) ghosts.lasting[g][a] += share * ghosts.correction[g][a];
   }
-  for (const std::int32_t g : ghosts.contact_points.ghost) ghosts.lasting[g] = {};
 }
 
 }  // namespace pliant::remeshed
