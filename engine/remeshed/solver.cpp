@@ -83,7 +83,7 @@ template <class T, int D>
 void Solver<T, D>::take_step(double dt) {
   move(dt);
   add_particle_stages(4 * particles());
-  if (remeshing_is_due(settings(), state_)) remesh();
+  if (remeshing_is_due<T, D>(settings(), state_, remeshings_.wall_offset())) remesh();
 }
 
 template <class T, int D>

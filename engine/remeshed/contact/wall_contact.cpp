@@ -2,7 +2,6 @@
 
 #include <cmath>
 
-#include "engine/lattice/point_algebra.hpp"
 #include "engine/remeshed/contact/contact_edges.hpp"
 #include "engine/remeshed/ghosts/fit_evaluator.hpp"
 #include "engine/remeshed/ghosts/wall_site.hpp"
@@ -19,20 +18,6 @@ namespace {
 constexpr double leaving_height = 0.3;
 
 constexpr double rounding = 1e-9;  // [h], of the place of a slot
-
-// Constants of (RP.96).
-constexpr double near_wall = 4;     // [h]: from farther away a body meets no wall within ten steps
-constexpr double small_move = 0.1;  // [h]; also for the wall's normal
-
-// Whether the distance from the wall or its normal at x differs from that at `node`.
-template <int D>
-bool has_moved_at(const Wall<D>& wall, const Point<D>& node, const Point<D>& x, double h) {
-  const double distance = wall.distance(x);
-  if (distance > near_wall * h) return false;
-  if (std::abs(distance - wall.distance(node)) > small_move * h) return true;
-  const Point<D> turn = difference<D>(wall.normal(x), wall.normal(node));
-  return dot<D>(turn, turn) > small_move * small_move;
-}
 
 template <class T, int D>
 T pressure_on(const Body<T, D>& body, const BlockGhosts<T, D>& ghosts, std::int32_t g,
@@ -121,20 +106,6 @@ bool add_impulse(const Body<T, D>& body, int block, int stage, const Surrounding
 }
 
 template <class T, int D>
-bool has_moved_at_walls(const Body<T, D>& body, const Boundaries<D>& boundaries, double time) {
-  const double h = body.lattice.spacing;
-  for (const Wall<D>& wall : boundaries.walls) {
-    if (wall.is_attached()) continue;
-    if (wall.velocity(time) != Point<D>{}) return true;
-    for (const std::int32_t slot : body.population.slot_of_record) {
-      const Cell<D> cell = body.population.layout.cell(slot);
-      if (has_moved_at<D>(wall, body.lattice.node(cell), body.position(slot, cell), h)) return true;
-    }
-  }
-  return false;
-}
-
-template <class T, int D>
 std::vector<double> wall_pressure(const Body<T, D>& body, const Surroundings<D>& around,
                                   const kernels::RemeshedTable<T, D>& table) {
   const Layout<D>& layout = body.population.layout;
@@ -160,7 +131,6 @@ template void release_contact<double, 2>(Body<double, 2>&, int, const Surroundin
 template bool add_impulse<double, 2>(const Body<double, 2>&, int, int, const Surroundings<2>&,
                                      double, const kernels::RemeshedTable<double, 2>&, Point<2>*,
                                      EnergyBudget&);
-template bool has_moved_at_walls(const Body<double, 2>&, const Boundaries<2>&, double);
 template std::vector<double> wall_pressure(const Body<double, 2>&, const Surroundings<2>&,
                                            const kernels::RemeshedTable<double, 2>&);
 template void decide_contact<double, 3>(Body<double, 3>&, int, const Surroundings<3>&,
@@ -170,7 +140,6 @@ template void release_contact<double, 3>(Body<double, 3>&, int, const Surroundin
 template bool add_impulse<double, 3>(const Body<double, 3>&, int, int, const Surroundings<3>&,
                                      double, const kernels::RemeshedTable<double, 3>&, Point<3>*,
                                      EnergyBudget&);
-template bool has_moved_at_walls(const Body<double, 3>&, const Boundaries<3>&, double);
 template std::vector<double> wall_pressure(const Body<double, 3>&, const Surroundings<3>&,
                                            const kernels::RemeshedTable<double, 3>&);
 template void decide_contact<float, 2>(Body<float, 2>&, int, const Surroundings<2>&,
@@ -180,7 +149,6 @@ template void release_contact<float, 2>(Body<float, 2>&, int, const Surroundings
 template bool add_impulse<float, 2>(const Body<float, 2>&, int, int, const Surroundings<2>&, double,
                                     const kernels::RemeshedTable<float, 2>&, Point<2>*,
                                     EnergyBudget&);
-template bool has_moved_at_walls(const Body<float, 2>&, const Boundaries<2>&, double);
 template std::vector<double> wall_pressure(const Body<float, 2>&, const Surroundings<2>&,
                                            const kernels::RemeshedTable<float, 2>&);
 template void decide_contact<float, 3>(Body<float, 3>&, int, const Surroundings<3>&,
@@ -190,7 +158,6 @@ template void release_contact<float, 3>(Body<float, 3>&, int, const Surroundings
 template bool add_impulse<float, 3>(const Body<float, 3>&, int, int, const Surroundings<3>&, double,
                                     const kernels::RemeshedTable<float, 3>&, Point<3>*,
                                     EnergyBudget&);
-template bool has_moved_at_walls(const Body<float, 3>&, const Boundaries<3>&, double);
 template std::vector<double> wall_pressure(const Body<float, 3>&, const Surroundings<3>&,
                                            const kernels::RemeshedTable<float, 3>&);
 

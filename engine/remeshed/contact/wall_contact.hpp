@@ -47,12 +47,6 @@ bool add_impulse(const Body<T, D>& body, int block, int stage, const Surrounding
                  double duration, const kernels::RemeshedTable<T, D>& kernels, Point<D>* impulse,
                  EnergyBudget& energy);
 
-/// (RP.96): whether a body has moved so far towards or away from contact walls since its last
-/// remeshing that the ghosts between them no longer fit. Walls that move at `time` [s] always
-/// count.
-template <class T, int D>
-bool has_moved_at_walls(const Body<T, D>& body, const Boundaries<D>& boundaries, double time);
-
 /// (RP.55): [slot] pressure of the wall on the body at the feet of the contact ghosts nearest to
 /// the wall [Pa], from the records that were used to fill the ghosts; 0 for all other slots.
 template <class T, int D>

@@ -210,10 +210,10 @@ void fill_ghosts(Body<T, D>& body, int block, int stage, int parity, WhichGhosts
     fill.fill_surfaces(values);
     fill.fill_tractions(values);
     fill.fill_beside_edges(around);
+    fill.fill_in_contact();
     if (lets_waves_out_alone(body, around.boundaries))
       let_waves_out_alone(ghosts, count, fill.state);
     if (treatment == GhostTreatment::rigid) fill.turn_rigidly();
-    fill.fill_in_contact();
   }
   fill.fill_walls(around, treatment == GhostTreatment::averaged, work);
 }

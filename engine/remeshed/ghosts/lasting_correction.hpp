@@ -39,8 +39,7 @@ void let_waves_out_alone(BlockGhosts<T, D>& ghosts, std::size_t count, FieldStor
   }
 }
 
-/// Updates the lasting parts of (RP.50) and (RP.95) after a time step [s], except on ghosts in
-/// contact with another body.
+/// Updates the lasting parts of (RP.50) and (RP.95) after a time step [s].
 template <class T, int D>
 void follow_lasting(const Body<T, D>& body, BlockGhosts<T, D>& ghosts, double time_step) {
   const double speed = kernels::wave_speed_at_rest(body.material);
@@ -50,7 +49,6 @@ void follow_lasting(const Body<T, D>& body, BlockGhosts<T, D>& ghosts, double ti
     if (ghosts.active[g] == 0) continue;
     for (int a = 0; a < D; ++a) ghosts.lasting[g][a] += share * ghosts.correction[g][a];
   }
-  for (const std::int32_t g : ghosts.contact_points.ghost) ghosts.lasting[g] = {};
 }
 
 }  // namespace pliant::remeshed

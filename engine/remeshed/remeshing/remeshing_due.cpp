@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "engine/remeshed/contact/wall_contact.hpp"
+#include "engine/remeshed/contact/relative_motion.hpp"
 
 namespace pliant::remeshed {
 
@@ -13,19 +13,34 @@ namespace {
 // contact moves.
 constexpr std::int64_t most_steps_in_contact = 10;
 
+// Bodies without walls and loads fly apart again after a collision.
+template <class T, int D>
+bool may_rest(const State<T, D>& state) {
+  return !state.boundaries.walls.empty() ||
+         std::ranges::any_of(state.bodies, [](const Body<T, D>& body) { return body.bears_loads; });
+}
+
 // (RP.96). If nothing moves, each remeshing would only add its own error.
 template <class T, int D>
-bool moves_in_contact(const Case& settings, const State<T, D>& state) {
-  return !settings.contacts.empty() ||
-         std::ranges::any_of(state.bodies, [&state](const Body<T, D>& body) {
-           return has_moved_at_walls(body, state.boundaries, state.clock.time);
+bool moves_in_contact(const Case& settings, const State<T, D>& state,
+                      const std::vector<Point<D>>& wall_offset) {
+  const auto& bodies = state.bodies;
+  if (!settings.contacts.empty() && !may_rest(state)) return true;
+  return std::ranges::any_of(settings.contacts,
+                             [&](const ContactCase& contact) {
+                               return have_moved_apart(bodies[contact.bodies[0]],
+                                                       bodies[contact.bodies[1]]);
+                             }) ||
+         std::ranges::any_of(bodies, [&](const Body<T, D>& body) {
+           return has_moved_at_walls<T, D>(body, state.boundaries, wall_offset);
          });
 }
 
 }  // namespace
 
 template <class T, int D>
-bool remeshing_is_due(const Case& settings, const State<T, D>& state) {
+bool remeshing_is_due(const Case& settings, const State<T, D>& state,
+                      const std::vector<Point<D>>& wall_offset) {
   using Policy = decltype(Case::remeshing)::Policy;
   const Clock& clock = state.clock;
   switch (settings.remeshing.policy) {
@@ -35,16 +50,20 @@ bool remeshing_is_due(const Case& settings, const State<T, D>& state) {
       return clock.accumulated_strain > settings.remeshing.strain_threshold ||
              clock.deformation > settings.remeshing.deformation_threshold ||
              (clock.steps_since_remeshing >= most_steps_in_contact &&
-              moves_in_contact(settings, state));
+              moves_in_contact<T, D>(settings, state, wall_offset));
     case Policy::never:
       return false;
   }
   return false;
 }
 
-template bool remeshing_is_due(const Case&, const State<double, 2>&);
-template bool remeshing_is_due(const Case&, const State<double, 3>&);
-template bool remeshing_is_due(const Case&, const State<float, 2>&);
-template bool remeshing_is_due(const Case&, const State<float, 3>&);
+template bool remeshing_is_due<double, 2>(const Case&, const State<double, 2>&,
+                                          const std::vector<Point<2>>&);
+template bool remeshing_is_due<double, 3>(const Case&, const State<double, 3>&,
+                                          const std::vector<Point<3>>&);
+template bool remeshing_is_due<float, 2>(const Case&, const State<float, 2>&,
+                                         const std::vector<Point<2>>&);
+template bool remeshing_is_due<float, 3>(const Case&, const State<float, 3>&,
+                                         const std::vector<Point<3>>&);
 
 }  // namespace pliant::remeshed

@@ -1,13 +1,17 @@
 #pragma once
 
+#include <vector>
+
 #include "engine/case/case.hpp"
 #include "engine/remeshed/state/state.hpp"
 
 namespace pliant::remeshed {
 
 /// Whether the policy of a case, `remeshing.policy`, requires a remeshing at the end of a step:
-/// (RP.39), and in contact (RP.96).
+/// (RP.39), and in contact (RP.96). `wall_offset` holds the displacements of the walls at the last
+/// remeshing.
 template <class T, int D>
-bool remeshing_is_due(const Case& settings, const State<T, D>& state);
+bool remeshing_is_due(const Case& settings, const State<T, D>& state,
+                      const std::vector<Point<D>>& wall_offset);
 
 }  // namespace pliant::remeshed

@@ -1,0 +1,21 @@
+#pragma once
+
+#include <vector>
+
+#include "engine/remeshed/state/state.hpp"
+
+// Whether ghosts between a body and what it touches still belong to where both are, (RP.96).
+namespace pliant::remeshed {
+
+/// Whether, since the last remeshing, a contact wall has moved, or the body towards contact walls
+/// or away from them. `wall_offset` holds the displacements of the walls at that remeshing.
+template <class T, int D>
+bool has_moved_at_walls(const Body<T, D>& body, const Boundaries<D>& boundaries,
+                        const std::vector<Point<D>>& wall_offset);
+
+/// Whether particles of two bodies near each other have moved by different displacements since the
+/// last remeshing.
+template <class T, int D>
+bool have_moved_apart(const Body<T, D>& one, const Body<T, D>& other);
+
+}  // namespace pliant::remeshed
