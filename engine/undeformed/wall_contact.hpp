@@ -4,6 +4,7 @@
 #include <span>
 #include <vector>
 
+#include "engine/geometry/shape.hpp"
 #include "engine/undeformed/body.hpp"
 #include "engine/undeformed/contact_surface.hpp"
 #include "engine/undeformed/held_directions.hpp"
@@ -71,7 +72,12 @@ class WallContact {
     double inertia;        ///< impulse over what moves the unscaled mass
     double kick;           ///< for how long it acts [s]
     double length, drift;  ///< for how long particles move, at the present velocities [s]
+    /// The least box around the solid at rest; without end where the wall turns.
+    Box<3> box;
   };
+  /// Whether the box around a wall already tells that x, where the wall is at the start of the
+  /// step, is outside it.
+  bool is_outside_box(const ContactWall& wall, const Point<D>& x) const;
   bool may_touch(const Surface& surface, std::int32_t corner, const ContactWall& wall) const;
   static std::span<const Share> bearers(const Surface& surface, const Corner& corner);
   void add_surface(Body<T, D>& body, ContactSurface<D> surface, Bearers bearing);
