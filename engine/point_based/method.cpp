@@ -88,19 +88,16 @@ std::string coarse_cells_warning(const Case& a_case) {
       finest);
 }
 
-// As the cantilever of docs/validation/robustness.py. Nodes of an octree are the middles of cells:
-// they do not see the strain of the surface.
+// As the cantilever of docs/validation/robustness.py.
 std::string warning(const Case& a_case) {
-  static constexpr ThinBodyError of_lattices[] = {
+  static constexpr ThinBodyError errors[] = {
       {1.5, "two layers of nodes hardly resist bending, and such runs fail"},
       {2, "bending deviates by 5 %"}};
-  static constexpr ThinBodyError of_octrees[] = {{5, "bending in an octree deviates by 26 %"},
-                                                 {7, "bending in an octree deviates by 12 %"}};
   const bool is_octree = parameters_of(a_case).nodes == NodePlacement::octree;
   std::string all;
   for (const std::string& one :
-       {is_octree ? thin_body_warning(a_case, of_octrees) : thin_body_warning(a_case, of_lattices),
-        is_octree ? coarse_cells_warning(a_case) : "", resolution_warning(a_case)}) {
+       {thin_body_warning(a_case, errors), is_octree ? coarse_cells_warning(a_case) : "",
+        resolution_warning(a_case)}) {
     if (!all.empty() && !one.empty()) all += '\n';
     all += one;
   }

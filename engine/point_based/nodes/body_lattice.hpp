@@ -34,7 +34,8 @@ class BodyLattice {
   std::int64_t corner(const Cell<D>& cell, int c) const;
   Point<D> place(const Cell<D>& point) const;
   /// [spacing] exact below 2; points on the surface have 0.
-  double distance(const Cell<D>& point) const { return phi_[index(point)]; }
+  double distance(const Cell<D>& point) const { return distance_at(index(point)); }
+  double distance_at(std::int64_t point) const { return phi_[point]; }
 
   /// What a shape fills of a cell.
   enum class Filling { none, part, all };

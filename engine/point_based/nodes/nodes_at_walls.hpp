@@ -10,8 +10,8 @@ namespace pliant::point_based {
 
 /// [node] what of its volume lies outside the walls that material sticks to [m^D], (PB.21). Nodes
 /// that no mesh gives move onto the surface of an attached wall within half of their distance: the
-/// body is held where the wall is, not at the nearest node. `pitch` [m] is that of a lattice; none:
-/// nodes are as far apart as their volumes say.
+/// body is held where the wall is, not at the nearest node. `pitch` [m] is that of a lattice; nodes
+/// without one, and those of large cells, are as far apart as their volumes say.
 template <int D>
 std::vector<double> fit_to_walls(const Boundaries<D>& boundaries, const Shape& shape,
                                  const std::optional<Point<D>>& pitch, NodeCloud<D>& cloud);

@@ -13,11 +13,10 @@ struct OctreeSizes {
   double growth = 0.5;
 };
 
-/// Nodes of the leaves of an octree over the bounded shape `body`: dense at its surface, coarse
-/// inside. A node lies at the centroid of the part of its leaf inside the body and has the volume
-/// of that part. Parts smaller than 0.3 of a leaf join the largest neighbouring leaf at the
-/// surface, because the smallest volume limits the time step. Equal sizes give a lattice of cell
-/// centres.
+/// Nodes at the corners of the leaves of an octree over the bounded shape `body`: dense at its
+/// surface, coarse inside. Those near the surface are nodes of the lattice of the finest cells, and
+/// lie on it as `lattice_nodes` has them. Volumes are what is nearest to a node. Equal sizes give
+/// that lattice.
 template <int D>
 NodeCloud<D> octree_nodes(const Shape& body, const OctreeSizes& sizes);
 
