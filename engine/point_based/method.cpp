@@ -89,20 +89,13 @@ void warn_of_coarse_cells(const Case& a_case, std::vector<std::string>& warnings
       finest));
 }
 
-// Measured for the cantilever of docs/validation/robustness.py. Nodes of an octree are centres of
-// cells and do not see the strain at the surface.
+// Measured for the cantilever of docs/validation/robustness.py.
 void warn(const Case& a_case, std::vector<std::string>& warnings) {
-  static constexpr ThinBodyError of_lattices[] = {
+  static constexpr ThinBodyError errors[] = {
       {1.5, "two layers of nodes hardly resist bending, and such runs fail"},
       {2, "bending deviates by 5 %"}};
-  static constexpr ThinBodyError of_octrees[] = {{5, "bending in an octree deviates by 26 %"},
-                                                 {7, "bending in an octree deviates by 12 %"}};
-  if (parameters_of(a_case).nodes == NodePlacement::octree) {
-    warn_of_thin_bodies(a_case, of_octrees, warnings);
-    warn_of_coarse_cells(a_case, warnings);
-  } else {
-    warn_of_thin_bodies(a_case, of_lattices, warnings);
-  }
+  warn_of_thin_bodies(a_case, errors, warnings);
+  if (parameters_of(a_case).nodes == NodePlacement::octree) warn_of_coarse_cells(a_case, warnings);
   warn_of_coarse_cuts(a_case, warnings);
 }
 

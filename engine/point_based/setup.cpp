@@ -9,6 +9,7 @@
 
 #include "engine/blocks/point_blocks.hpp"
 #include "engine/geometry/padded.hpp"
+#include "engine/geometry/signed_distance.hpp"
 #include "engine/method/gravity.hpp"
 #include "engine/method/hyperelastic.hpp"
 #include "engine/method/initial_stress.hpp"
@@ -154,6 +155,17 @@ void prestress(const BodyCase& source, Body<T, D>& body) {
   });
 }
 
+/// If all nodes of a lattice lie on the surface, they oscillate faster together than alone,
+/// (PB.12).
+template <int D>
+bool has_two_layers(const Shape& shape, const Case& settings) {
+  const Box<3> box = bounding_box(shape);
+  for (int a = 0; a < D; ++a) {
+    if (box.upper[a] - box.lower[a] < 1.5 * settings.discretisation.spacing) return true;
+  }
+  return false;
+}
+
 // Nodes that a wall holds start with the velocity of the wall.
 template <class T, int D>
 void set_in_motion(const BodyCase& source, const Boundaries<D>& boundaries, Body<T, D>& body) {
@@ -196,6 +208,7 @@ PlacedNodes<D> place_nodes(const Case& settings, const BodyCase& source,
     nodes.alpha = 0.2;
   } else if (parameters_of(settings).nodes == NodePlacement::octree) {
     const double coarsest = parameters_of(settings).coarsest_spacing;
+    pitch = lattice_pitch<D>(shape, spacing);
     nodes.cloud = octree_nodes<D>(shape, {spacing, coarsest > 0 ? coarsest : 4 * spacing});
     nodes.reach = 0.5;
   } else {
@@ -250,8 +263,8 @@ BondChoice<D> make_body(const Case& settings, const BodyCase& source, const Plac
     balance_bonds(nodes.cloud, body, choice);
   }
   make_bonds(choice, body);
-  if (!choice.is_lattice()) {
-    form_groups(body);
+  if (!choice.is_lattice()) form_groups(body);
+  if (!choice.is_lattice() || has_two_layers<D>(source.geometry, settings)) {
     choice.crowding = crowding(body);
     body.for_each_node(
         [&](std::int64_t slot) { body.frequency2[slot] *= static_cast<T>(choice.crowding); });

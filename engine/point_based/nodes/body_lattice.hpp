@@ -35,7 +35,8 @@ class BodyLattice {
   std::int64_t corner(const Cell<D>& cell, int c) const;
   Point<D> place(const Cell<D>& point) const;
   /// [spacing] exact below 2; 0 on the surface.
-  double distance(const Cell<D>& point) const { return phi_[index(point)]; }
+  double distance(const Cell<D>& point) const { return distance_at(index(point)); }
+  double distance_at(std::int64_t point) const { return phi_[point]; }
 
   /// How much of a cell the shape fills.
   enum class Filling { none, part, all };

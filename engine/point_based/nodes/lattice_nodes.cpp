@@ -31,8 +31,11 @@ class NodePlacer {
   NodePlacer(const Shape& shape, double spacing)
       : spacing_(spacing), lattice_(shape, spacing), faces_(shape, spacing) {}
 
-  NodeCloud<D> operator()() {
-    for_each_cell<D>({}, lattice_.last(0), [&](const Cell<D>& point) { place(point); });
+  NodeCloud<D> operator()(const PointChoice<D>& choice) {
+    const std::vector<bool> is_chosen = choice(lattice_);
+    for_each_cell<D>({}, lattice_.last(0), [&](const Cell<D>& point) {
+      if (is_chosen[lattice_.index(point)]) place(point);
+    });
     while (merge()) {
     }
     if (nodes_.empty()) return {};
@@ -144,10 +147,19 @@ class NodePlacer {
 
 template <int D>
 NodeCloud<D> lattice_nodes(const Shape& shape, double spacing) {
-  return NodePlacer<D>(shape, spacing)();
+  return lattice_nodes<D>(shape, spacing, [](const BodyLattice<D>& lattice) {
+    return std::vector<bool>(lattice.points(), true);
+  });
+}
+
+template <int D>
+NodeCloud<D> lattice_nodes(const Shape& shape, double spacing, const PointChoice<D>& choice) {
+  return NodePlacer<D>(shape, spacing)(choice);
 }
 
 template NodeCloud<2> lattice_nodes<2>(const Shape&, double);
 template NodeCloud<3> lattice_nodes<3>(const Shape&, double);
+template NodeCloud<2> lattice_nodes<2>(const Shape&, double, const PointChoice<2>&);
+template NodeCloud<3> lattice_nodes<3>(const Shape&, double, const PointChoice<3>&);
 
 }  // namespace pliant::point_based

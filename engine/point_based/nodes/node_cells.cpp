@@ -12,6 +12,7 @@ namespace {
 // How many nodes around the centre of a lattice cell may be nearest to one of its points.
 constexpr std::size_t nodes_of_lattice_cell(int dimension) { return dimension == 2 ? 12 : 32; }
 constexpr double equally_near = 1e-9;  // relative to the squared pitch
+constexpr double moved_layer = 1.5;    // [h] depth of the nodes that may have moved
 
 template <int D>
 class CellFinder {
@@ -33,7 +34,11 @@ class CellFinder {
       const auto filling = lattice_.filling(cell);
       if (filling == BodyLattice<D>::Filling::none) return;
       if (filling == BodyLattice<D>::Filling::all && give_to_corners(cell)) return;
-      share_out(cell, nearest);
+      if (is_deep(cell)) {
+        share_out_parts(cell, nearest);
+      } else {
+        share_out(cell, nearest);
+      }
     });
     for (std::size_t i = 0; i < position_.size(); ++i) {
       const double volume = cells_.volumes[i];
@@ -70,31 +75,59 @@ class CellFinder {
     return true;
   }
 
-  void share_out(const Cell<D>& cell, const NearestNodes<D>& nearest) {
+  bool is_deep(const Cell<D>& cell) const {
+    for (int c = 0; c < BodyLattice<D>::corners; ++c) {
+      if (lattice_.distance_at(lattice_.corner(cell, c)) > -moved_layer) return false;
+    }
+    return true;
+  }
+
+  std::vector<typename NearestNodes<D>::Found> nodes_around(const Cell<D>& cell,
+                                                            const NearestNodes<D>& nearest) const {
     Point<D> middle = lattice_.place(cell);
     for (int a = 0; a < D; ++a) middle[a] += lattice_.pitch()[a] / 2;
-    const auto around = nearest.nearest(middle, nodes_of_lattice_cell(D));
+    return nearest.nearest(middle, nodes_of_lattice_cell(D));
+  }
+
+  void share_out(const Cell<D>& cell, const NearestNodes<D>& nearest) {
+    const auto around = nodes_around(cell, nearest);
     const std::vector<double> filled = lattice_.filled(cell);
     const double whole = lattice_.cell_volume() / static_cast<double>(filled.size());
     for (std::size_t k = 0; k < filled.size(); ++k) {
       if (filled[k] == 0) continue;
-      const Point<D> x = lattice_.middle(cell, static_cast<int>(k));
-      double least = std::numeric_limits<double>::infinity();
-      takers_.clear();
-      for (const auto& found : around) {
-        double square = 0;
-        for (int a = 0; a < D; ++a) {
-          const double apart = x[a] - position_[found.node][a];
-          square += apart * apart;
-        }
-        if (square > least + tolerance_) continue;
-        if (square < least - tolerance_) takers_.clear();
-        least = std::min(least, square);
-        takers_.push_back(found.node);
-      }
-      const double share = filled[k] * whole / static_cast<double>(takers_.size());
-      for (const std::int32_t node : takers_) add(node, share, x);
+      give_to_nearest(around, filled[k] * whole, lattice_.middle(cell, static_cast<int>(k)));
     }
+  }
+
+  /// Where some of its corners are no nodes, and none has moved: planes halfway between nodes
+  /// hardly divide the parts next to its corners.
+  void share_out_parts(const Cell<D>& cell, const NearestNodes<D>& nearest) {
+    constexpr int corners = BodyLattice<D>::corners;
+    const auto around = nodes_around(cell, nearest);
+    for (int c = 0; c < corners; ++c) {
+      Point<D> x = lattice_.place(cell);
+      for (int a = 0; a < D; ++a) x[a] += (c >> a & 1 ? 0.75 : 0.25) * lattice_.pitch()[a];
+      give_to_nearest(around, lattice_.cell_volume() / corners, x);
+    }
+  }
+
+  void give_to_nearest(const std::vector<typename NearestNodes<D>::Found>& around, double volume,
+                       const Point<D>& x) {
+    double least = std::numeric_limits<double>::infinity();
+    takers_.clear();
+    for (const auto& found : around) {
+      double square = 0;
+      for (int a = 0; a < D; ++a) {
+        const double apart = x[a] - position_[found.node][a];
+        square += apart * apart;
+      }
+      if (square > least + tolerance_) continue;
+      if (square < least - tolerance_) takers_.clear();
+      least = std::min(least, square);
+      takers_.push_back(found.node);
+    }
+    const double share = volume / static_cast<double>(takers_.size());
+    for (const std::int32_t node : takers_) add(node, share, x);
   }
 
   const BodyLattice<D>& lattice_;

@@ -32,6 +32,13 @@ double elastic_share(const Boundaries<D>& boundaries, const Shape& shape, const 
   return inside == 0 ? 1 : static_cast<double>(elastic) / inside;
 }
 
+template <int D>
+double volume_of(const Point<D>& cell) {
+  double volume = 1;
+  for (const double side : cell) volume *= side;
+  return volume;
+}
+
 /// A node that has moved by -`distance` along the normal of a wall, in units of the pitch in that
 /// direction.
 template <int D>
@@ -87,7 +94,7 @@ std::vector<double> fit_to_walls(const Boundaries<D>& boundaries, const Shape& s
     Point<D>& x = cloud.positions[i];
     Point<D> cell;
     cell.fill(std::pow(cloud.volumes[i], 1. / D));
-    if (pitch) cell = *pitch;
+    if (pitch && cloud.volumes[i] < 2 * volume_of<D>(*pitch)) cell = *pitch;
     const double size = *std::max_element(cell.begin(), cell.end());
     if (boundaries.nearest_wall(x).second > size) continue;
     const double distance = boundaries.distance_to_no_slip(x);

@@ -11,7 +11,7 @@ namespace pliant::point_based {
 /// [node] the elastic volume: the part of its volume outside no-slip walls [m^D], (PB.21). Nodes
 /// that are not given by a mesh move onto an attached wall within half of their spacing, so that
 /// the body is held where the wall is and not at the nearest node. `pitch` [m] is that of a
-/// lattice; without it the spacing of nodes follows from their volumes.
+/// lattice; for other nodes and those of large cells, the spacing follows from their volumes.
 template <int D>
 std::vector<double> fit_to_walls(const Boundaries<D>& boundaries, const Shape& shape,
                                  const std::optional<Point<D>>& pitch, NodeCloud<D>& cloud);

@@ -13,10 +13,10 @@ struct OctreeSizes {
   double growth = 0.5;
 };
 
-/// Nodes of the leaves of an octree over the bounded shape `body`, dense at its surface and coarse
-/// inside. A node lies at the centroid of the part of its leaf inside the body, and has its volume.
-/// A part smaller than 0.3 of a leaf joins the largest neighbouring leaf at the surface, because
-/// the smallest volume limits the time step. Equal sizes give a lattice of cell centres.
+/// Nodes at the corners of the leaves of an octree over the bounded shape `body`, dense at its
+/// surface and coarse inside. Nodes near the surface are those of the lattice of the finest cells
+/// and lie on the surface, see `lattice_nodes`. A node has the volume of the points nearest to it.
+/// Equal sizes give that lattice.
 template <int D>
 NodeCloud<D> octree_nodes(const Shape& body, const OctreeSizes& sizes);
 

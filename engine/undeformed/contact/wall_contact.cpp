@@ -6,6 +6,7 @@
 #include <span>
 #include <utility>
 
+#include "engine/geometry/signed_distance.hpp"
 #include "engine/lattice/point_algebra.hpp"
 
 namespace pliant::undeformed {
@@ -17,6 +18,11 @@ namespace {
 constexpr int sweeps = 4;
 constexpr double least_compliance = 1e-3;  // along the normal, relative to other directions
 
+Box<3> without_end() {
+  constexpr double infinity = std::numeric_limits<double>::infinity();
+  return {{-infinity, -infinity, -infinity}, {infinity, infinity, infinity}};
+}
+
 }  // namespace
 
 template <class T, int D>
@@ -27,7 +33,16 @@ WallContact<T, D>::WallContact(State<D>& state, const Case& settings, Displaceme
     if (boundary.kind != BoundaryCase::Kind::contact_wall) continue;
     const int wall = state_.boundaries.wall_of[b];
     const double friction = state_.boundaries.walls[wall].friction();
-    walls_.push_back({wall, friction == 0, friction, {}, 1, 1, 1, 1});
+    const bool turns = boundary.rotation.has_value();
+    walls_.push_back({wall,
+                      friction == 0,
+                      friction,
+                      {},
+                      1,
+                      1,
+                      1,
+                      1,
+                      turns ? without_end() : bounding_box(boundary.geometry)});
   }
 }
 
@@ -75,6 +90,17 @@ void WallContact<T, D>::apply(double time, double kick, double length, double dr
   }
 }
 
+// The distance from a tool of several shapes costs as much as all forces on a node.
+template <class T, int D>
+bool WallContact<T, D>::is_outside_box(const ContactWall& contact, const Point<D>& x) const {
+  const Point<D>& offset = state_.boundaries.walls[contact.wall].pose().offset;
+  for (int a = 0; a < D; ++a) {
+    const double at = x[a] - offset[a];
+    if (at < contact.box.lower[a] || at > contact.box.upper[a]) return true;
+  }
+  return false;
+}
+
 // A cheap test that excludes most corners, which are far from the wall.
 template <class T, int D>
 bool WallContact<T, D>::may_touch(const Surface& surface, std::int32_t corner,
@@ -99,6 +125,7 @@ void WallContact<T, D>::push(Surface& surface, const Corner& corner, const Conta
   // The wall is in its place at the start of the step.
   Point<D> velocity = contact.step.shift_at(x);
   x = difference<D>(x, velocity);
+  if (is_outside_box(contact, x)) return;
   for (double& component : velocity) component /= contact.length;
   const double gap = wall.distance(x);
   if (gap >= 0) return;

@@ -4,6 +4,7 @@
 #include <span>
 #include <vector>
 
+#include "engine/geometry/shape.hpp"
 #include "engine/undeformed/body.hpp"
 #include "engine/undeformed/contact/contact_surface.hpp"
 #include "engine/undeformed/held_directions.hpp"
@@ -70,7 +71,11 @@ class WallContact {
     double inertia;        ///< ratio of the impulse to that on the unscaled mass
     double kick;           ///< how long it acts [s]
     double length, drift;  ///< how long particles move, how long at the present velocities [s]
+    /// The smallest box around the solid at rest; infinite if the wall turns.
+    Box<3> box;
   };
+  /// Whether x is outside the box around a wall, for the wall at the start of the step.
+  bool is_outside_box(const ContactWall& wall, const Point<D>& x) const;
   bool may_touch(const Surface& surface, std::int32_t corner, const ContactWall& wall) const;
   static std::span<const Share> bearers(const Surface& surface, const Corner& corner);
   void add_surface(Body<T, D>& body, ContactSurface<D> surface, Bearers bearing);

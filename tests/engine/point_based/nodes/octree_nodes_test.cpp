@@ -7,6 +7,7 @@
 #include <numeric>
 
 #include "engine/geometry/signed_distance.hpp"
+#include "engine/point_based/nodes/lattice_nodes.hpp"
 #include "tests/engine/geometry/meshes.hpp"
 #include "tests/engine/geometry/shapes.hpp"
 
@@ -35,32 +36,38 @@ TEST(octree_nodes, volumes_sum_to_that_of_the_body) {
   EXPECT_NEAR(sum(octree_nodes<3>(ball, {0.1, 0.8})), volume, 0.001 * volume);
   EXPECT_NEAR(sum(octree_nodes<2>(ball, {0.05, 0.4})), pi, 0.001 * pi);
   const Shape mesh = tests::mesh_shape(tests::sphere_mesh(1, 3));
-  EXPECT_NEAR(sum(octree_nodes<3>(mesh, {0.2, 0.8})), mesh.mesh->volume(), 0.004 * volume);
+  // Distances of meshes are linear between lattice points.
+  EXPECT_NEAR(sum(octree_nodes<3>(mesh, {0.2, 0.8})), sum(lattice_nodes<3>(mesh, 0.2)), 1e-12);
+  EXPECT_NEAR(sum(octree_nodes<3>(mesh, {0.1, 0.8})), mesh.mesh->volume(), 0.004 * volume);
 }
 
-TEST(octree_nodes, a_box_of_whole_cells_has_them_exactly) {
-  const NodeCloud<3> cloud = octree_nodes<3>(tests::box({0, 0, 0}, {1, 0.5, 0.5}), {0.125, 0.125});
-  ASSERT_EQ(cloud.positions.size(), 8u * 4 * 4);
-  for (const double volume : cloud.volumes) EXPECT_DOUBLE_EQ(volume, std::pow(0.125, 3));
-  EXPECT_DOUBLE_EQ(cloud.positions[0][0], 0.0625);
+TEST(octree_nodes, of_one_size_are_those_of_the_lattice) {
+  for (const Shape& shape : {tests::box({0, 0, 0}, {1, 0.5, 0.6}), tests::ball({0, 0, 0}, 0.8)}) {
+    const NodeCloud<3> octree = octree_nodes<3>(shape, {0.125, 0.125});
+    const NodeCloud<3> lattice = lattice_nodes<3>(shape, 0.125);
+    EXPECT_EQ(octree.positions, lattice.positions);
+    EXPECT_EQ(octree.volumes, lattice.volumes);
+  }
 }
 
-TEST(octree_nodes, nodes_are_inside_dense_at_the_surface_and_coarse_within) {
+TEST(octree_nodes, lie_on_the_surface_are_dense_there_and_coarse_within) {
   const Shape ball = tests::ball({0, 0, 0}, 1);
   const NodeCloud<3> cloud = octree_nodes<3>(ball, {0.05, 0.4});
-  double largest = 0, smallest = 1;
+  double largest = 0;
+  std::size_t on_surface = 0;
   for (std::size_t i = 0; i < cloud.volumes.size(); ++i) {
     const double d = signed_distance(ball, position(cloud, i), 3),
                  side = std::cbrt(cloud.volumes[i]);
-    EXPECT_LT(d, 0);
-    EXPECT_LE(side, 0.05 - 0.5 * d + 0.04);  // with the volume that joined the leaf
+    EXPECT_LT(d, 1e-6);
+    EXPECT_LE(side, 0.05 - 0.5 * d + 0.04);
+    if (d > -1e-6) ++on_surface;
     largest = std::max(largest, side);
-    smallest = std::min(smallest, side);
   }
-  EXPECT_DOUBLE_EQ(largest, 0.4);
-  EXPECT_GE(smallest, 0.05 * std::cbrt(0.3) - 1e-12);
-  // A lattice of the smallest size would have 33510 nodes.
-  EXPECT_LT(cloud.volumes.size(), 15000u);
+  EXPECT_GT(largest, 0.2);
+  EXPECT_NEAR(static_cast<double>(on_surface), 4 * pi / (0.05 * 0.05),
+              0.2 * 4 * pi / (0.05 * 0.05));
+  // A lattice of the finest size would have 33510 nodes.
+  EXPECT_LT(cloud.volumes.size(), 17000u);
 }
 
 }  // namespace
