@@ -52,9 +52,9 @@ struct MethodRules {
   /// lattice, `time.strain`, and the tables [remeshing], [level_set] and [ghosts].
   bool remeshes = false;
   /// Whether parts of one body can be in contact with each other.
-  bool meets_itself = false;
+  bool has_self_contact = false;
   /// Whether outputs show a state inside a step, so that no step has to end there.
-  bool looks_ahead = false;
+  bool shows_states_within_steps = false;
 };
 
 /// The methods that a case may name.

@@ -56,7 +56,7 @@ void Measurer<T, D>::add_strain(int index, BodyIntegrals& sum) const {
     sum.volume += volume * f.determinant();
     sum.strain_energy += volume * point_based::strain_energy_density(body, row_by_row);
     if (elements.is_prestressed()) {
-      sum.strain_energy += volume * LastingStress<D>(elements.prestress(e), row_by_row, 1).energy;
+      sum.strain_energy += volume * ConstantStress<D>(elements.prestress(e), row_by_row, 1).energy;
     }
     if (!elements.averages()) continue;
     sum.strain_energy -= volume * modulus / 2 * theta * theta;

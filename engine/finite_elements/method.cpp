@@ -49,7 +49,7 @@ RegisteredMethod method() {
        .keys = visit_keys,
        .step_limits = step_limits,
        .footprint = point_based::footprint,
-       .meets_itself = true},
+       .has_self_contact = true},
       make_solver<Solver>};
 }
 

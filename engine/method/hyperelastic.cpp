@@ -92,7 +92,7 @@ kernels::HyperelasticMaterial<double> hyperelastic_material(const BodyCase& body
           m.bulk_modulus - 2. / 3 * m.shear_modulus, m};
 }
 
-double lasting_share(const std::vector<kernels::PronyTerm<double>>& prony) {
+double long_term_share(const std::vector<kernels::PronyTerm<double>>& prony) {
   double share = 1;
   for (const kernels::PronyTerm<double>& term : prony) share -= term.ratio;
   return share;

@@ -15,7 +15,7 @@ namespace pliant {
 kernels::HyperelasticMaterial<double> hyperelastic_material(const BodyCase& body);
 
 /// The share of a modulus that remains when all terms of a Prony series have relaxed.
-double lasting_share(const std::vector<kernels::PronyTerm<double>>& prony);
+double long_term_share(const std::vector<kernels::PronyTerm<double>>& prony);
 
 /// The stress at a deformation gradient; in 2D that of plane strain.
 template <int D>

@@ -35,12 +35,12 @@ double poissons_ratio(const BodyCase& body);
 /// A constant second Piola-Kirchhoff stress S0: its work per undeformed volume, S0 : E, and its
 /// part of the Cauchy stress, F S0 F^T/J (TL.14). `f` is row-major.
 template <int D>
-struct LastingStress {
+struct ConstantStress {
   double energy = 0;                                                 ///< [Pa]
   std::array<double, kernels::symmetric_components<D>> stress = {};  ///< [Pa]
 
   template <class S>
-  LastingStress(const S& s0, const std::array<double, D * D>& f, double volume_ratio) {
+  ConstantStress(const S& s0, const std::array<double, D * D>& f, double volume_ratio) {
     const auto s = [&s0](int i, int j) -> double { return s0[kernels::symmetric_index<D>(i, j)]; };
     for (int i = 0; i < D; ++i) {
       for (int j = 0; j < D; ++j) {

@@ -59,7 +59,7 @@ class Solver {
   void advance(double until);
 
   /// Whether look_ahead shows output times, so that no step has to end there.
-  virtual bool looks_ahead() const { return false; }
+  virtual bool shows_states_within_steps() const { return false; }
   /// Calls `look` with the state at `time` [s] within the next step, after a shorter step; then
   /// restores the present state, bit by bit. Throws StepFailure.
   virtual void look_ahead(double time, const std::function<void()>& look);

@@ -68,7 +68,7 @@ void check(const Check& check) {
 
 /// Whether forces other than those of bonds act on single nodes. Their fast motion then holds a
 /// share of the energy that grows with the square of the step.
-bool is_pushed_node_by_node(const Case& a_case) {
+bool has_forces_on_single_nodes(const Case& a_case) {
   return parameters_of(a_case).cut_contact.has_value() ||
          std::ranges::any_of(
              a_case.cuts,
@@ -104,7 +104,7 @@ StepLimits step_limits(const Case& a_case) {
   StepLimits limits;
   limits.stable_cfl = 1;
   limits.default_cfl =
-      is_pushed_node_by_node(a_case) ? 0.3 : undeformed::default_cfl_of_nodes(a_case);
+      has_forces_on_single_nodes(a_case) ? 0.3 : undeformed::default_cfl_of_nodes(a_case);
   return limits;
 }
 
@@ -141,7 +141,7 @@ RegisteredMethod method() {
        .step_limits = step_limits,
        .warn = warn,
        .footprint = footprint,
-       .meets_itself = true},
+       .has_self_contact = true},
       make_solver<Solver>};
 }
 

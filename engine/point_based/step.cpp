@@ -60,7 +60,7 @@ void Step<T, D>::prepare_blocks() {
   work_.clear_blocks();
   for (const Body<T, D>& body : state_.bodies) work_.add_blocks(body);
   body_contact_.take_surfaces(state_.bodies);
-  contact_.take_surfaces(state_.bodies, undeformed::WallContact<T, D>::Bearers::first);
+  contact_.take_surfaces(state_.bodies, undeformed::WallContact<T, D>::ImpulseCarriers::first);
 }
 
 template <class T, int D>

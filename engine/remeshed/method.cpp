@@ -129,7 +129,7 @@ RegisteredMethod method() {
        .warn = warn,
        .footprint = footprint,
        .remeshes = true,
-       .looks_ahead = true},
+       .shows_states_within_steps = true},
       make_solver<Solver>};
 }
 

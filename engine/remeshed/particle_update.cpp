@@ -20,7 +20,7 @@ Resources state(int copy) { return slots(Group::velocity, copy) + slots(Group::m
 
 /// Sets v = h^d on ghosts, as after a remeshing; needed where a gradient reads it.
 template <class T, int D>
-void give_ghosts_a_cell(Body<T, D>& body, int block) {
+void set_ghost_volumes(Body<T, D>& body, int block) {
   const T volume = static_cast<T>(std::pow(body.lattice.spacing, D));
   T* v = body.stage[0].get(Field::volume);
   for (const std::int32_t slot : body.population.ghosts[block].slot) v[slot] = volume;
@@ -146,7 +146,7 @@ kernels::StageResult ParticleUpdate<T, D>::evaluate_stress(int block) {
   work.state = body.stage[0].template evolving<const T>();
   work.stress = body.stress_view(0);
   prepare_slots(body, local);
-  if (reads_volumes(settings_)) give_ghosts_a_cell(body, local);
+  if (reads_volumes(settings_)) set_ghost_volumes(body, local);
   work.viscosity = body.viscosity();
   return kernels_.evaluate_stress(work);
 }

@@ -29,7 +29,7 @@ class Solver final : public pliant::Solver {
   std::int64_t ghosts() const override;
   std::int64_t remeshings() const override { return state_.clock.remeshings; }
   std::size_t bytes() const override { return state_.bytes() + before_look_.bytes(); }
-  bool looks_ahead() const override { return true; }
+  bool shows_states_within_steps() const override { return true; }
   void look_ahead(double time, const std::function<void()>& look) override;
 
   /// True after a remeshing, when particles lie on nodes.

@@ -14,7 +14,7 @@ namespace {
 /// Copies the volume of ghosts, constant within a step, to the next stage, whose gradients read it,
 /// (RP.19).
 template <class T, int D>
-void hand_volumes_on(Body<T, D>& body, int block, int stage) {
+void copy_ghost_volumes(Body<T, D>& body, int block, int stage) {
   const T* volume = body.stage[buffer_of(stage)].get(Field::volume);
   T* next = body.stage[buffer_after(stage)].get(Field::volume);
   for (const std::int32_t slot : body.population.ghosts[block].slot) next[slot] = volume[slot];
@@ -125,7 +125,7 @@ void StageWork<T, D>::advance(int block, int stage) {
                             power_of_loads<T, D>(body, local, stage, boundary_values_[stage]);
   results_[block] = particles_.advance(block, stage);
   keep_on_fits(body, local, stage, time_step_, state_.boundaries);
-  if (reads_volumes(settings_)) hand_volumes_on(body, local, stage);
+  if (reads_volumes(settings_)) copy_ghost_volumes(body, local, stage);
 }
 
 template <class T, int D>

@@ -159,8 +159,8 @@ double step_of(const Case& a_case) {
 }
 
 /// Whether the method shows outputs inside a step, so that no step ends for them.
-bool looks_ahead(const Case& a_case) {
-  return a_case.rules != nullptr && a_case.rules->looks_ahead;
+bool shows_states_within_steps(const Case& a_case) {
+  return a_case.rules != nullptr && a_case.rules->shows_states_within_steps;
 }
 
 std::int64_t looks_of(const Case& a_case) {
@@ -168,12 +168,13 @@ std::int64_t looks_of(const Case& a_case) {
   for (const double every : {a_case.output.every, a_case.output.measure_every}) {
     if (every > 0) looks += a_case.time.end / every;
   }
-  return looks_ahead(a_case) ? whole(looks) : 0;
+  return shows_states_within_steps(a_case) ? whole(looks) : 0;
 }
 
 std::int64_t steps_of(const Case& a_case) {
   const double step = step_of(a_case);
-  if (looks_ahead(a_case)) return whole(std::ceil(a_case.time.end / step * (1 - 1e-9)));
+  if (shows_states_within_steps(a_case))
+    return whole(std::ceil(a_case.time.end / step * (1 - 1e-9)));
   std::int64_t steps = 0;
   double time = 0;
   const double end = a_case.time.end;

@@ -70,7 +70,7 @@ class Run {
   // shortens the last one.
   void step() {
     const double end = settings_.time.end, now = solver_->clock().time;
-    if (!solver_->looks_ahead()) {
+    if (!solver_->shows_states_within_steps()) {
       solver_->step(std::min({end, frames_.next(), samples_.next(), checkpoints_.next()}) - now);
       return;
     }

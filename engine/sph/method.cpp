@@ -43,7 +43,7 @@ RegisteredMethod method() {
            .keys = visit_keys,
            .step_limits = step_limits,
            .footprint = remeshed::footprint,
-           .looks_ahead = true},
+           .shows_states_within_steps = true},
           make_solver<Solver>};
 }
 

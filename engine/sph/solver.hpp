@@ -25,7 +25,7 @@ class Solver final : public pliant::Solver {
   std::size_t bytes() const override {
     return state_.bytes() + step_.bytes() + before_look_.bytes();
   }
-  bool looks_ahead() const override { return true; }
+  bool shows_states_within_steps() const override { return true; }
   void look_ahead(double time, const std::function<void()>& look) override;
 
   BodyIntegrals integrals() override;

@@ -65,7 +65,7 @@ class WallFitter {
       const std::optional<Vec<D>> shift =
           is_on_surface(p) ? shift_of_surface(p, cell) : std::nullopt;
       if (shift && shift->norm() > on_surface * h_) spread_below(cell, *shift);
-      if (!shift || is_held_below(cell)) shift_onto_walls(p, cell);
+      if (!shift || wall_continues_inside(cell)) shift_onto_walls(p, cell);
     });
     keep_cells_open();
     std::vector<FittedNode<D>> nodes;
@@ -133,7 +133,7 @@ class WallFitter {
   }
 
   // Whether the wall continues inside the body instead of ending on the surface.
-  bool is_held_below(const Cell<D>& cell) const {
+  bool wall_continues_inside(const Cell<D>& cell) const {
     const auto [axis, up] = line_along(normal(vec<D>(body_.lattice.node(cell))));
     Cell<D> below = cell;
     below[axis] -= up ? 1 : -1;

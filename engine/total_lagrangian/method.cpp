@@ -95,7 +95,7 @@ RegisteredMethod method() {
            .summary = summary,
            .warn = warn,
            .footprint = footprint,
-           .meets_itself = true},
+           .has_self_contact = true},
           make_solver<Solver>};
 }
 

@@ -80,7 +80,7 @@ void take_material(const BodyCase& source, Body<T, D>& body) {
     polynomial.coefficient[0] = polynomial.shear_modulus / 2;
     polynomial.compressibility = 2 / polynomial.bulk_modulus;
   }
-  const double lasting = lasting_share(source.prony_shear);
+  const double lasting = long_term_share(source.prony_shear);
   for (double& coefficient : polynomial.coefficient) coefficient *= lasting;
   body.material = kernels::with_scalar<T>(material);
   body.prony_shear = source.prony_shear;

@@ -9,9 +9,9 @@
 #include "engine/case/checks/stability.hpp"
 #include "engine/lattice/layout_blocks.hpp"
 #include "engine/method/initial_stress.hpp"
-#include "engine/total_lagrangian/breathing.hpp"
 #include "engine/total_lagrangian/parameters.hpp"
 #include "engine/total_lagrangian/setup.hpp"
+#include "engine/total_lagrangian/volumetric_mode.hpp"
 
 namespace pliant::total_lagrangian {
 
@@ -84,7 +84,7 @@ template <class T, int D>
 void Solver<T, D>::limit_cfl(const BodyCase& source, const Body<T, D>& body) {
   const double worst = safe_share / std::sqrt(breathing_ratio(source.material, D));
   if (cfl_ <= worst) return;
-  const double ratio = breathing_ratio(source.material, breathing_factor(body));
+  const double ratio = breathing_ratio(source.material, volumetric_mode_factor(body));
   cfl_ = std::min(cfl_, safe_share / std::sqrt(ratio));
 }
 

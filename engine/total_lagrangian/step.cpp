@@ -52,7 +52,7 @@ std::vector<Phase> Step<T, D>::phases() {
   results_.assign(state_.blocks.size(), {});
   boundary_forces_.prepare_blocks();
   body_contact_.take_surfaces(state_.bodies);
-  contact_.take_surfaces(state_.bodies, undeformed::WallContact<T, D>::Bearers::all);
+  contact_.take_surfaces(state_.bodies, undeformed::WallContact<T, D>::ImpulseCarriers::all);
   reserve_forces();
   prepare_memory();
   std::vector<Phase> phases;
@@ -151,7 +151,7 @@ void Step<T, D>::prepare_memory() {
     memory.shear.resize(body.prony_shear.size());
     memory.shear_ratio.clear();
     for (const kernels::PronyTerm<double>& term : body.prony_shear) {
-      memory.shear_ratio.push_back(static_cast<T>(term.ratio / lasting_share(body.prony_shear)));
+      memory.shear_ratio.push_back(static_cast<T>(term.ratio / long_term_share(body.prony_shear)));
     }
     list_memory(b);
   }

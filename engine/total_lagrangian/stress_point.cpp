@@ -119,7 +119,7 @@ template <class T, int D>
 double add_prestress(const Body<T, D>& body, std::int64_t slot, StressPoint<D>& point) {
   std::array<double, kernels::symmetric_components<D>> s0;
   for (std::size_t c = 0; c < s0.size(); ++c) s0[c] = body.initial_stress[c][slot];
-  const LastingStress<D> lasting(s0, row_by_row(point), point.volume_ratio);
+  const ConstantStress<D> lasting(s0, row_by_row(point), point.volume_ratio);
   for (std::size_t c = 0; c < s0.size(); ++c) point.stress[c] += lasting.stress[c];
   point.pressure += lasting.pressure(*body.source);
   return lasting.energy;
@@ -164,7 +164,7 @@ double add_networks(const Body<T, D>& body, const kernels::Material<double>& mat
     return a;
   };
   const Eigen::Matrix3d before = tensor(body.prony_shear.size());
-  const double lasting = lasting_share(body.prony_shear);
+  const double lasting = long_term_share(body.prony_shear);
   double energy = 0;
   for (std::size_t i = 0; i < body.prony_shear.size(); ++i) {
     const auto term =

@@ -73,12 +73,12 @@ class SurfaceMaker {
       body_.facets.push_back(made);
       load(places_in_cell(piece, cell));
     });
-    if (lies_on_a_face(cube)) share_alike(cube);
+    if (lies_on_a_face(cube)) equalise_shares(cube);
     for (const LoadedFacet& facet : loaded_) push(cube, facet);
   }
 
   // Finds which particles the patches load.
-  void share_out() {
+  void distribute_loads() {
     body_.nodal_loads.assign(body_.layout.blocks().size(), {});
     for (std::size_t b = 0; b < body_.nodal_loads.size(); ++b) {
       NodalLoads& to = body_.nodal_loads[b];
@@ -226,7 +226,7 @@ class SurfaceMaker {
   }
 
   // (TL.27): all facets with the same load get the same shares.
-  void share_alike(const Cube<D>& cube) {
+  void equalise_shares(const Cube<D>& cube) {
     for (int k = 0; k < static_cast<int>(boundaries_.pressures.size()); ++k) {
       double area = 0;
       PlaceVector<D> moment = PlaceVector<D>::Zero();
@@ -274,7 +274,7 @@ void make_surface(const Boundaries<D>& boundaries, Body<T, D>& body) {
     body.first_patch.push_back(static_cast<int>(body.patches.size()));
   }
   body.patch_force.assign(body.patches.size(), {});
-  maker.share_out();
+  maker.distribute_loads();
 }
 
 template void make_surface<double, 2>(const Boundaries<2>&, Body<double, 2>&);

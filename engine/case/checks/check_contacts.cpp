@@ -88,7 +88,7 @@ void check_contacts(const Check& check) {
     }
     if (pair[0] != pair[1]) {
       check_places(check, i);
-    } else if (check.a_case.rules == nullptr || !check.a_case.rules->meets_itself) {
+    } else if (check.a_case.rules == nullptr || !check.a_case.rules->has_self_contact) {
       check.problems.add(check.place("contact", i, "bodies"), "bodies names the same body twice",
                          "name two different bodies, or choose another method");
     }

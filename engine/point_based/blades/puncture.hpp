@@ -39,7 +39,7 @@ class Puncture {
   /// in a step. Returns the force on the body and its power.
   BladeLoad<D> push(Body<T, D>& body, const Edge& before, const Edge& now, const ContactStep& step);
   /// Whether the blade enters: the mean force has reached the threshold.
-  bool has_given_way() const { return mean_force_ >= threshold_; }
+  bool has_entered() const { return mean_force_ >= threshold_; }
 
   double mean_force() const { return mean_force_; }  ///< F of (PB.35) [N]; 0 before the first touch
   void set_mean_force(double force) { mean_force_ = force; }

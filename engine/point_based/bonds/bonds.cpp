@@ -110,7 +110,7 @@ void set_rank(const NodeOperator<D>& made, int block, std::int64_t slot, double 
 template <class T, int D>
 double frequency2_of(const Chosen& chosen, const NodeOperator<D>& made, std::int64_t slot,
                      double volume, const Body<T, D>& body) {
-  std::vector<SwingingBond<D>> bonds;
+  std::vector<BondStiffness<D>> bonds;
   bonds.reserve(chosen.slot.size());
   for (std::size_t k = 0; k < chosen.slot.size(); ++k) {
     bonds.push_back({made.gradient[k], chosen.weight[k], body.mass[chosen.slot[k]]});

@@ -63,13 +63,13 @@ class SmallMotion {
 // : (H W), where C is that of the material. In the axes of W, diagonal H and each pair H_ij, H_ji
 // decouple, and the largest eigenvalue belongs to diagonal H.
 template <int D>
-double node_frequency2(const NodeMaterial& node, std::span<const SwingingBond<D>> bonds) {
+double node_frequency2(const NodeMaterial& node, std::span<const BondStiffness<D>> bonds) {
   using Vector = Eigen::Matrix<double, D, 1>;
   using Matrix = Eigen::Matrix<double, D, D>;
   Matrix w = Matrix::Zero();
   Vector own = Vector::Zero();
   double weights = 0, most = 0;
-  for (const SwingingBond<D>& bond : bonds) {
+  for (const BondStiffness<D>& bond : bonds) {
     const Eigen::Map<const Vector> g(bond.gradient.data());
     w += g * g.transpose() / bond.mass;
     own += g;
@@ -110,8 +110,8 @@ double crowding(const Body<T, D>& body) {
   return std::max(1., highest / (energies_of_node * of_nodes));
 }
 
-template double node_frequency2<2>(const NodeMaterial&, std::span<const SwingingBond<2>>);
-template double node_frequency2<3>(const NodeMaterial&, std::span<const SwingingBond<3>>);
+template double node_frequency2<2>(const NodeMaterial&, std::span<const BondStiffness<2>>);
+template double node_frequency2<3>(const NodeMaterial&, std::span<const BondStiffness<3>>);
 
 template double crowding(const Body<double, 2>&);
 template double crowding(const Body<double, 3>&);

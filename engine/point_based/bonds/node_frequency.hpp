@@ -17,7 +17,7 @@ struct NodeMaterial {
 
 /// A bond of the node in this estimate.
 template <int D>
-struct SwingingBond {
+struct BondStiffness {
   Point<D> gradient;  ///< g_ij [1/m]
   double weight;      ///< w_ij
   double mass;        ///< of the neighbour [kg]
@@ -26,7 +26,7 @@ struct SwingingBond {
 /// lambda_i of (PB.12) [1/s^2]: the highest squared frequency of a node and its neighbours, at
 /// rest, if only this node has an energy.
 template <int D>
-double node_frequency2(const NodeMaterial& node, std::span<const SwingingBond<D>> bonds);
+double node_frequency2(const NodeMaterial& node, std::span<const BondStiffness<D>> bonds);
 
 /// The factor of lambda_i in (PB.12) on lattices: how many energies act on a node.
 inline constexpr double energies_of_node = 2;
@@ -36,7 +36,7 @@ inline constexpr double energies_of_node = 2;
 template <class T, int D>
 double crowding(const Body<T, D>& body);
 
-extern template double node_frequency2<2>(const NodeMaterial&, std::span<const SwingingBond<2>>);
-extern template double node_frequency2<3>(const NodeMaterial&, std::span<const SwingingBond<3>>);
+extern template double node_frequency2<2>(const NodeMaterial&, std::span<const BondStiffness<2>>);
+extern template double node_frequency2<3>(const NodeMaterial&, std::span<const BondStiffness<3>>);
 
 }  // namespace pliant::point_based

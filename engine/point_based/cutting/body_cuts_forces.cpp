@@ -72,7 +72,7 @@ bool BodyCuts<T, D>::enters(std::size_t b, double time) {
     }
   }
   if (blade.puncture->mean_force() == 0) blade.outside = edge_;
-  if (!blade.puncture->has_given_way()) return false;
+  if (!blade.puncture->has_entered()) return false;
   blade.puncture.reset();
   move_blade(b, blade.outside, time);
   return true;

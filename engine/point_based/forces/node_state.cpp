@@ -12,8 +12,8 @@ namespace pliant::point_based {
 namespace {
 
 template <class T, int D>
-LastingStress<D> lasting_stress(const Body<T, D>& body, std::int64_t slot,
-                                const std::array<double, D * D>& f, double volume_ratio) {
+ConstantStress<D> lasting_stress(const Body<T, D>& body, std::int64_t slot,
+                                 const std::array<double, D * D>& f, double volume_ratio) {
   std::array<double, Body<T, D>::symmetric> stress;
   for (std::size_t c = 0; c < stress.size(); ++c) stress[c] = body.initial_stress[c][slot];
   return {stress, f, volume_ratio};
@@ -151,7 +151,8 @@ NodeState<D> node_state(const Body<T, D>& body, const NodeBlock& block, std::int
   state.pressure += shared.pressure;
   for (std::size_t c = 0; c < state.stress.size(); ++c) state.stress[c] += shared.stress[c];
   if (body.is_prestressed()) {
-    const LastingStress<D> lasting = lasting_stress(body, slot, state.gradient, state.volume_ratio);
+    const ConstantStress<D> lasting =
+        lasting_stress(body, slot, state.gradient, state.volume_ratio);
     for (std::size_t c = 0; c < state.stress.size(); ++c) state.stress[c] += lasting.stress[c];
     state.pressure += lasting.pressure(*body.source);
   }

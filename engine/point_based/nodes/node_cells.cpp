@@ -37,7 +37,7 @@ class CellFinder {
       if (is_deep(cell)) {
         share_out_parts(cell, nearest);
       } else {
-        share_out(cell, nearest);
+        distribute_loads(cell, nearest);
       }
     });
     for (std::size_t i = 0; i < position_.size(); ++i) {
@@ -89,7 +89,7 @@ class CellFinder {
     return nearest.nearest(middle, nodes_of_lattice_cell(D));
   }
 
-  void share_out(const Cell<D>& cell, const NearestNodes<D>& nearest) {
+  void distribute_loads(const Cell<D>& cell, const NearestNodes<D>& nearest) {
     const auto around = nodes_around(cell, nearest);
     const std::vector<double> filled = lattice_.filled(cell);
     const double whole = lattice_.cell_volume() / static_cast<double>(filled.size());

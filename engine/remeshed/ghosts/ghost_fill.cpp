@@ -21,8 +21,9 @@ namespace {
 /// lasting part, (RP.50). Bodies without walls are remeshed before anything grows.
 template <class T, int D>
 T share_of_characteristic(const Body<T, D>& body, const Boundaries<D>& boundaries) {
-  return lets_waves_out_alone(body, boundaries) || !boundaries.have_attached_walls() ? T(1)
-                                                                                     : T(0.42);
+  return removes_lasting_correction(body, boundaries) || !boundaries.have_attached_walls()
+             ? T(1)
+             : T(0.42);
 }
 
 /// Computes the first `count` ghosts of a block from their fits to the present records.
@@ -117,7 +118,7 @@ struct GhostFill {
   }
 
   void fill_walls(const Surroundings<D>& around, bool averaged, WallWork<T, D>* work) const {
-    const bool alone = lets_waves_out_alone(body, around.boundaries);
+    const bool alone = removes_lasting_correction(body, around.boundaries);
     const kernels::Impedance<T> impedance(body.material);
     FitEvaluator<T, D> present(body, ghosts, table);
     for (std::size_t g = 0; g < count; ++g) {
@@ -211,8 +212,8 @@ void fill_ghosts(Body<T, D>& body, int block, int stage, int parity, WhichGhosts
     fill.fill_tractions(values);
     fill.fill_beside_edges(around);
     fill.fill_in_contact();
-    if (lets_waves_out_alone(body, around.boundaries))
-      let_waves_out_alone(ghosts, count, fill.state);
+    if (removes_lasting_correction(body, around.boundaries))
+      remove_lasting_correction(ghosts, count, fill.state);
     if (treatment == GhostTreatment::rigid) fill.turn_rigidly();
   }
   fill.fill_walls(around, treatment == GhostTreatment::averaged, work);

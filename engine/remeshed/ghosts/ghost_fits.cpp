@@ -8,7 +8,7 @@
 #include "engine/remeshed/contact/wall_contact.hpp"
 #include "engine/remeshed/ghosts/ghost_fitter.hpp"
 #include "engine/remeshed/ghosts/record_loads.hpp"
-#include "engine/remeshed/ghosts/share_before_walls.hpp"
+#include "engine/remeshed/ghosts/share_in_front_of_walls.hpp"
 #include "engine/storage/push_tightly.hpp"
 
 namespace pliant::remeshed {
@@ -130,7 +130,7 @@ class GhostFinder {
       const double spread = boundaries_.walls[wall].spread(body_.lattice.node(cell), -distance);
       const double apart = h * std::pow(spread, 1. / (D - 1));  // distance of feet on a curved wall
       return spread * WallCover<T, D>(body_.lattice, level_set_).share(foot, normal) *
-             share_before_walls<D>(boundaries_, wall, foot, normal, apart);
+             share_in_front_of_walls<D>(boundaries_, wall, foot, normal, apart);
     };
     ghosts_.contact_area.push_back(layer > 0 ? std::pow(h, D - 1) * layer * share() : 0);
   }

@@ -65,7 +65,7 @@ template <class T, int D>
 void keep_on_fits(Body<T, D>& body, int block, int stage, double time_step,
                   const Boundaries<D>& boundaries) {
   BlockGhosts<T, D>& ghosts = body.population.ghosts[block];
-  if (stage == 0 && lets_waves_out_alone(body, boundaries)) {
+  if (stage == 0 && removes_lasting_correction(body, boundaries)) {
     follow_lasting(body, ghosts, time_step);
   }
   const FieldStore<T, D>& current = body.stage[buffer_of(stage)];

@@ -20,7 +20,7 @@ bool relaxes_shear(const Body<T, D>& body) {
 /// does not relax are unstable with it where they are held. Others are stable with all of it and
 /// lose less energy, but creep where they rest on a contact wall.
 template <class T, int D>
-bool lets_waves_out_alone(const Body<T, D>& body, const Boundaries<D>& boundaries) {
+bool removes_lasting_correction(const Body<T, D>& body, const Boundaries<D>& boundaries) {
   return !relaxes_shear(body) || boundaries.have_contact();
 }
 
@@ -29,7 +29,8 @@ constexpr double lasting_time = 20;  ///< averaging time of (RP.50) [h/c]
 /// Subtracts the lasting part of (RP.50) from the velocity of the first `count` ghosts of a
 /// block.
 template <class T, int D>
-void let_waves_out_alone(BlockGhosts<T, D>& ghosts, std::size_t count, FieldStore<T, D>& state) {
+void remove_lasting_correction(BlockGhosts<T, D>& ghosts, std::size_t count,
+                               FieldStore<T, D>& state) {
   for (std::size_t g = 0; g < count; ++g) {
     if (ghosts.wall[g] >= 0 || ghosts.active[g] == 0) continue;
     for (int a = 0; a < D; ++a) {

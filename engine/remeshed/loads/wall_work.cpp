@@ -5,7 +5,7 @@
 #include <cmath>
 #include <utility>
 
-#include "engine/remeshed/ghosts/share_before_walls.hpp"
+#include "engine/remeshed/ghosts/share_in_front_of_walls.hpp"
 #include "engine/remeshed/ghosts/wall_site.hpp"
 #include "kernels/remeshed/ghosts/wall_friction.hpp"
 
@@ -66,10 +66,10 @@ double share_before_others(const Body<T, D>& body, const BlockGhosts<T, D>& ghos
   for (int a = 0; a < D; ++a) foot[a] += body.stage[0].get(Field::drift, a)[slot];
   const double h = body.lattice.spacing;
   if (!boundaries.walls[wall].slips()) {
-    return share_before_walls<D>(boundaries, wall, foot, ghosts.normal[g], h);
+    return share_in_front_of_walls<D>(boundaries, wall, foot, ghosts.normal[g], h);
   }
-  return share_before_walls<D>(boundaries, wall, foot, ghosts.normal[g], h,
-                               [&] { return stretch_around(body, slot, 0); });
+  return share_in_front_of_walls<D>(boundaries, wall, foot, ghosts.normal[g], h,
+                                    [&] { return stretch_around(body, slot, 0); });
 }
 
 }  // namespace

@@ -26,8 +26,8 @@ Kind kind_of(const Point<D>& x, T phi, double h, bool valid, Outside outside,
 
 // Sets finite values, which no interior particle reads.
 template <class T, int D>
-void vacate(FieldStore<T, D>& state, std::int64_t p, const kernels::Material<T>& material,
-            T volume) {
+void reset_vacant_slot(FieldStore<T, D>& state, std::int64_t p,
+                       const kernels::Material<T>& material, T volume) {
   for (int a = 0; a < D; ++a) {
     state.get(Field::velocity, a)[p] = 0;
     state.get(Field::displacement, a)[p] = 0;
@@ -97,7 +97,7 @@ std::int64_t classify(const Body<T, D>& body, Population<T, D>& population, Fiel
             : Kind::vacant;
     population.kind[p] = kind;
     for (int a = 0; a < D; ++a) state.get(Field::drift, a)[p] = 0;
-    if (kind == Kind::vacant || !is_valid) vacate<T, D>(state, p, body.material, volume);
+    if (kind == Kind::vacant || !is_valid) reset_vacant_slot<T, D>(state, p, body.material, volume);
     particles += kind == Kind::interior;
   });
   for (int i = 0; i < range.segment_count; ++i) {

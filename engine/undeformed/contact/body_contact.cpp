@@ -182,7 +182,7 @@ void BodyContact<T, D>::sweep() {
     for (Found& found : found_) found.meetings.sweep(settings_.contacts, times_);
   }
   add_totals();
-  for (const auto& surface : surfaces_) surface->write_pushed();
+  for (const auto& surface : surfaces_) surface->write_motion();
 }
 
 template <class T, int D>
@@ -197,11 +197,12 @@ void BodyContact<T, D>::add_totals() {
     for (const Meeting<T, D>& meeting : found.meetings.all()) {
       Point<D> on_first;
       for (int a = 0; a < D; ++a) {
-        on_first[a] = inertia * meeting.side->sign *
-                      (meeting.pushed * meeting.touch.normal[a] + meeting.rubbed[a]);
+        on_first[a] =
+            inertia * meeting.side->sign *
+            (meeting.normal_impulse * meeting.touch.normal[a] + meeting.friction_impulse[a]);
       }
       add_force(meeting.side->contact, on_first);
-      const double lost = -inertia * dot<D>(meeting.rubbed, found.meetings.slip(meeting));
+      const double lost = -inertia * dot<D>(meeting.friction_impulse, found.meetings.slip(meeting));
       state_.energy.friction += lost;
       state_.power.friction += lost / times_.kick;
     }

@@ -67,7 +67,7 @@ class BodyContact {
   using Side = ContactSide<T, D>;
 
   struct Found {
-    std::vector<Touch<D>> touches;
+    std::vector<Penetration<D>> touches;
     Meetings<T, D> meetings;
   };
 

@@ -145,8 +145,8 @@ void CornerSearch<T, D>::watch() {
 
 template <class T, int D>
 void CornerSearch<T, D>::find(std::size_t first, std::size_t end,
-                              std::vector<Touch<D>>& touches) const {
-  Touch<D> touch;
+                              std::vector<Penetration<D>>& touches) const {
+  Penetration<D> touch;
   for (std::size_t i = first; i < end; ++i) {
     const double moved = pairs_.moved(patch_[i]);
     if (clearance_[i] <= moved && finds(i, moved, touch)) touches.push_back(touch);
@@ -156,7 +156,7 @@ void CornerSearch<T, D>::find(std::size_t first, std::size_t end,
 // Finds the nearest point of the facets that face the corner; in a tie the first facet wins. Facets
 // cannot be nearer than at the marks by more than the motion since.
 template <class T, int D>
-bool CornerSearch<T, D>::finds(std::size_t candidate, double moved, Touch<D>& touch) const {
+bool CornerSearch<T, D>::finds(std::size_t candidate, double moved, Penetration<D>& touch) const {
   const std::int32_t corner = corner_[candidate];
   const Point<D> x = corners_.place(corner);
   double nearest = deepest_, at_height = 0;

@@ -10,7 +10,7 @@ namespace pliant::undeformed {
 
 /// A corner of one surface and the point of another surface that it touches.
 template <int D>
-struct Touch {
+struct Penetration {
   std::int32_t corner, facet;
   std::array<double, D> weight;  ///< of the facet's corners at that point
   Point<D> normal;               ///< from the corner to that point, out of the other body
@@ -44,7 +44,7 @@ class CornerSearch {
   std::size_t candidates() const { return corner_.size(); }
   /// Appends the touches of the candidates `first` to `end` - 1, in the order of the patches of
   /// corners, (TL.15).
-  void find(std::size_t first, std::size_t end, std::vector<Touch<D>>& touches) const;
+  void find(std::size_t first, std::size_t end, std::vector<Penetration<D>>& touches) const;
 
  private:
   using Pair = typename PatchPairs<T, D>::Pair;
@@ -56,7 +56,7 @@ class CornerSearch {
 
   void list_patch(std::span<const Pair> pairs_of_patch);
   void list_corner(std::int32_t corner, std::int32_t patch);
-  bool finds(std::size_t candidate, double moved, Touch<D>& touch) const;
+  bool finds(std::size_t candidate, double moved, Penetration<D>& touch) const;
   bool are_neighbours(std::int32_t corner, const std::array<std::int32_t, D>& facet) const;
 
   MovingSurface<T, D>& corners_;

@@ -23,9 +23,9 @@ void Meetings<T, D>::clear() {
 }
 
 template <class T, int D>
-void Meetings<T, D>::add(const ContactSide<T, D>& side, std::span<const Touch<D>> touches,
+void Meetings<T, D>::add(const ContactSide<T, D>& side, std::span<const Penetration<D>> touches,
                          const ContactTimes& times) {
-  for (const Touch<D>& touch : touches) {
+  for (const Penetration<D>& touch : touches) {
     Meeting<T, D> meeting{&side, touch, shares_.size(), 0};
     const std::array<Point<D>, D> c = side.facets.places(touch.facet);
     meeting.touch.weight = nearest_weights(c, face_before(meeting, c, times.drift));
@@ -45,13 +45,13 @@ void Meetings<T, D>::add(const ContactSide<T, D>& side, std::span<const Touch<D>
 template <class T, int D>
 Point<D> Meetings<T, D>::face_before(const Meeting<T, D>& meeting, const std::array<Point<D>, D>& c,
                                      double drift) const {
-  const Touch<D>& touch = meeting.touch;
+  const Penetration<D>& touch = meeting.touch;
   const MovingSurface<T, D>& facets = meeting.side->facets;
-  Point<D> w = meeting.side->corners.pushed(corner_shares(meeting)).velocity;
+  Point<D> w = meeting.side->corners.motion(corner_shares(meeting)).velocity;
   for (int v = 0; v < D; ++v) {
     if (touch.weight[v] == 0) continue;
     const std::int32_t corner = facets.facet(touch.facet)[v];
-    const Point<D> u = facets.pushed(facets.shares(corner)).velocity;
+    const Point<D> u = facets.motion(facets.shares(corner)).velocity;
     for (int a = 0; a < D; ++a) w[a] -= touch.weight[v] * u[a];
   }
   const double speed = dot<D>(w, touch.normal);
@@ -81,9 +81,9 @@ void Meetings<T, D>::meet(Meeting<T, D>& meeting, const ContactTimes& times) {
 }
 
 template <class T, int D>
-Pushed<D> Meetings<T, D>::relative(const Meeting<T, D>& meeting) const {
-  const Pushed<D> corner = meeting.side->corners.pushed(corner_shares(meeting));
-  const Pushed<D> point = meeting.side->facets.pushed(facet_shares(meeting));
+ContactMotion<D> Meetings<T, D>::relative(const Meeting<T, D>& meeting) const {
+  const ContactMotion<D> corner = meeting.side->corners.motion(corner_shares(meeting));
+  const ContactMotion<D> point = meeting.side->facets.motion(facet_shares(meeting));
   return {difference<D>(corner.velocity, point.velocity), difference<D>(corner.shift, point.shift)};
 }
 
@@ -101,29 +101,30 @@ void Meetings<T, D>::push(Meeting<T, D>& meeting, const ContactCase& law, double
   const Point<D>& n = meeting.touch.normal;
   const auto [w, apart] = relative(meeting);
   const double gap = meeting.touch.gap + dot<D>(apart, n), speed = dot<D>(w, n);
-  const double pushed = std::max(-(speed + meeting.approach) / meeting.compliance, -meeting.pushed);
-  const double moved = std::max(-gap / meeting.compliance, -meeting.moved);
-  meeting.pushed += pushed;
-  meeting.moved += moved;
-  Point<D> rubbed = meeting.rubbed;
+  const double impulse_now =
+      std::max(-(speed + meeting.approach) / meeting.compliance, -meeting.normal_impulse);
+  const double shift_now = std::max(-gap / meeting.compliance, -meeting.normal_shift);
+  meeting.normal_impulse += impulse_now;
+  meeting.normal_shift += shift_now;
+  Point<D> friction = meeting.friction_impulse;
   if (law.law != ContactLaw::frictionless) {
-    for (int a = 0; a < D; ++a) rubbed[a] -= (w[a] - speed * n[a]) / meeting.largest_compliance;
-    const double size = std::sqrt(dot<D>(rubbed, rubbed));
-    const double most = law.law == ContactLaw::coulomb ? law.friction * meeting.pushed
-                        : meeting.pushed > 0           ? std::numeric_limits<double>::infinity()
+    for (int a = 0; a < D; ++a) friction[a] -= (w[a] - speed * n[a]) / meeting.largest_compliance;
+    const double size = std::sqrt(dot<D>(friction, friction));
+    const double most = law.law == ContactLaw::coulomb ? law.friction * meeting.normal_impulse
+                        : meeting.normal_impulse > 0   ? std::numeric_limits<double>::infinity()
                                                        : 0;
     if (size > most) {
-      for (double& component : rubbed) component *= most / size;
+      for (double& component : friction) component *= most / size;
     }
   }
   Point<D> impulse, shift;
   for (int a = 0; a < D; ++a) {
-    const double along = rubbed[a] - meeting.rubbed[a];
-    impulse[a] = pushed * n[a] + along;
-    shift[a] = moved * n[a] + drift * along;
+    const double along = friction[a] - meeting.friction_impulse[a];
+    impulse[a] = impulse_now * n[a] + along;
+    shift[a] = shift_now * n[a] + drift * along;
   }
   if (impulse == Point<D>{} && shift == Point<D>{}) return;
-  meeting.rubbed = rubbed;
+  meeting.friction_impulse = friction;
   push_point<D>(meeting.side->corners, corner_shares(meeting), impulse, shift);
   for (int a = 0; a < D; ++a) impulse[a] = -impulse[a], shift[a] = -shift[a];
   push_point<D>(meeting.side->facets, facet_shares(meeting), impulse, shift);

@@ -29,13 +29,13 @@ struct ContactTimes {
 template <class T, int D>
 struct Meeting {
   const ContactSide<T, D>* side;
-  Touch<D> touch;
-  std::size_t first_share, end_share;  ///< shares of the point of the facet
-  double compliance = 0;               ///< along the normal [1/kg]
-  double largest_compliance = 0;       ///< as if no wall held the particles [1/kg]
-  double approach = 0;                 ///< velocity of approach that it may keep [m/s]
-  double pushed = 0, moved = 0;        ///< sums along the normal [N s], [kg m]
-  Point<D> rubbed = {};                ///< friction along the surface [N s]
+  Penetration<D> touch;
+  std::size_t first_share, end_share;           ///< shares of the point of the facet
+  double compliance = 0;                        ///< along the normal [1/kg]
+  double largest_compliance = 0;                ///< as if no wall held the particles [1/kg]
+  double approach = 0;                          ///< velocity of approach that it may keep [m/s]
+  double normal_impulse = 0, normal_shift = 0;  ///< sums along the normal [N s], [kg m]
+  Point<D> friction_impulse = {};               ///< friction along the surface [N s]
 };
 
 /// Corners that touch in a step, and the impulses there, (TL.16).
@@ -44,7 +44,7 @@ class Meetings {
  public:
   void clear();
   /// Adds those touches to which bodies can respond.
-  void add(const ContactSide<T, D>& side, std::span<const Touch<D>> touches,
+  void add(const ContactSide<T, D>& side, std::span<const Penetration<D>> touches,
            const ContactTimes& times);
   /// One Gauss-Seidel sweep over all meetings.
   void sweep(std::span<const ContactCase> contacts, const ContactTimes& times);
@@ -57,7 +57,7 @@ class Meetings {
                        double drift) const;
   void meet(Meeting<T, D>& meeting, const ContactTimes& times);
   void push(Meeting<T, D>& meeting, const ContactCase& law, double drift);
-  Pushed<D> relative(const Meeting<T, D>& meeting) const;
+  ContactMotion<D> relative(const Meeting<T, D>& meeting) const;
   std::span<const Share> corner_shares(const Meeting<T, D>& meeting) const {
     return meeting.side->corners.shares(meeting.touch.corner);
   }

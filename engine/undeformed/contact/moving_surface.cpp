@@ -81,7 +81,7 @@ MovingSurface<T, D>::MovingSurface(Body<T, D>& body, Displacements<T, D> moved,
   patches_ = SurfacePatches<D>(surface_, carriers_.size(), spacing_);
   displacement_.resize(carriers_.size());
   marked_.resize(carriers_.size());
-  pushed_.resize(carriers_.size());
+  motion_.resize(carriers_.size());
   place_.resize(surface_.corners());
   normal_.resize(surface_.facet.size());
   is_carrier_watched_.resize(carriers_.size());
@@ -225,17 +225,17 @@ void MovingSurface<T, D>::read_velocities(std::size_t first, std::size_t end) {
   for (std::size_t w = first; w < end; ++w) {
     const std::int32_t i = watched_carriers_[w];
     for (int a = 0; a < D; ++a) {
-      pushed_[i].velocity[a] = body_->velocity[a][carriers_[i].slot];
-      pushed_[i].shift[a] = 0;
+      motion_[i].velocity[a] = body_->velocity[a][carriers_[i].slot];
+      motion_[i].shift[a] = 0;
     }
   }
 }
 
 template <class T, int D>
-Pushed<D> MovingSurface<T, D>::pushed(std::span<const Share> shares) const {
-  Pushed<D> sum = {};
+ContactMotion<D> MovingSurface<T, D>::motion(std::span<const Share> shares) const {
+  ContactMotion<D> sum = {};
   for (const Share& share : shares) {
-    const Pushed<D>& carrier = pushed_[share.slot];
+    const ContactMotion<D>& carrier = motion_[share.slot];
     for (int a = 0; a < D; ++a) sum.velocity[a] += share.weight * carrier.velocity[a];
     for (int a = 0; a < D; ++a) sum.shift[a] += share.weight * carrier.shift[a];
   }
@@ -245,19 +245,19 @@ Pushed<D> MovingSurface<T, D>::pushed(std::span<const Share> shares) const {
 template <class T, int D>
 void MovingSurface<T, D>::change(std::int32_t number, const Point<D>& velocity,
                                  const Point<D>& shift) {
-  Pushed<D>& carrier = pushed_[number];
+  ContactMotion<D>& carrier = motion_[number];
   for (int a = 0; a < D; ++a) carrier.velocity[a] += velocity[a];
   for (int a = 0; a < D; ++a) carrier.shift[a] += shift[a];
 }
 
 template <class T, int D>
-void MovingSurface<T, D>::write_pushed() {
+void MovingSurface<T, D>::write_motion() {
   auto& displacement = body_->*moved_;
   for (const std::int32_t i : watched_carriers_) {
     const std::int32_t slot = carriers_[i].slot;
     for (int a = 0; a < D; ++a) {
-      body_->velocity[a][slot] = static_cast<T>(pushed_[i].velocity[a]);
-      displacement[a][slot] += static_cast<T>(pushed_[i].shift[a]);
+      body_->velocity[a][slot] = static_cast<T>(motion_[i].velocity[a]);
+      displacement[a][slot] += static_cast<T>(motion_[i].shift[a]);
     }
   }
 }

@@ -10,7 +10,7 @@ namespace pliant::undeformed {
 
 /// Velocity and shift of a carrier, or of a point with several carriers, in the contact of a step.
 template <int D>
-struct Pushed {
+struct ContactMotion {
   Point<D> velocity;  ///< [m/s]
   Point<D> shift;     ///< [m]
 };
@@ -90,11 +90,11 @@ class MovingSurface {
   /// Reads the velocities of the carriers of watched corners in the same way.
   void read_velocities(std::size_t first, std::size_t end);
   /// Velocity of a point, and its shift since velocities were read, from those of its carriers.
-  Pushed<D> pushed(std::span<const Share> shares) const;
+  ContactMotion<D> motion(std::span<const Share> shares) const;
   /// Adds to the velocity [m/s] and the shift [m] of a carrier.
   void change(std::int32_t number, const Point<D>& velocity, const Point<D>& shift);
   /// Writes velocities and shifts of the carriers of watched corners into the body.
-  void write_pushed();
+  void write_motion();
 
  private:
   void find_place(std::int32_t corner, const std::vector<Point<D>>& displacement);
@@ -109,7 +109,7 @@ class MovingSurface {
   Groups around_;  ///< [corner] facets around it
   SurfacePatches<D> patches_;
   std::vector<Point<D>> displacement_, marked_;  ///< [carrier] [m]
-  std::vector<Pushed<D>> pushed_;                ///< [carrier]
+  std::vector<ContactMotion<D>> motion_;         ///< [carrier]
   std::vector<Point<D>> place_;                  ///< [corner] [m]
   std::vector<Point<D>> normal_;                 ///< [facet]
   std::vector<std::int32_t> watched_corners_, watched_facets_, watched_carriers_;

@@ -92,8 +92,8 @@ void TiedSurfaces<T, D>::measure() {
 template <class T, int D>
 void TiedSurfaces<T, D>::sweep() {
   for (Tie& tie : ties_) {
-    const Pushed<D> corner = corners_.pushed(corners_.shares(tie.corner));
-    const Pushed<D> point = facets_.pushed(shares(tie));
+    const ContactMotion<D> corner = corners_.motion(corners_.shares(tie.corner));
+    const ContactMotion<D> point = facets_.motion(shares(tie));
     Point<D> impulse, moved;
     for (int a = 0; a < D; ++a) {
       impulse[a] = -(corner.velocity[a] - point.velocity[a]) / tie.compliance;

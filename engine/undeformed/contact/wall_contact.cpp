@@ -47,19 +47,20 @@ WallContact<T, D>::WallContact(State<D>& state, const Case& settings, Displaceme
 }
 
 template <class T, int D>
-void WallContact<T, D>::add_surface(Body<T, D>& body, ContactSurface<D> shape, Bearers bearing) {
+void WallContact<T, D>::add_surface(Body<T, D>& body, ContactSurface<D> shape,
+                                    ImpulseCarriers bearing) {
   Surface& surface = surfaces_.emplace_back();
   surface.body = &body;
   surface.held = held_directions(body);
   surface.shape = std::move(shape);
-  surface.bearers = bearing;
+  surface.impulse_carriers = bearing;
   const BodyCarriers<T, D> carriers(body, body.*moved_, surface.held);
   for (std::int32_t number = 0; number < surface.shape.corners(); ++number) {
     Corner corner{number, {surface.shape.shares(number).front().slot, 1}, 0};
     for (int a = 0; a < D; ++a) {
       Point<D> axis = {};
       axis[a] = 1;
-      const double along = compliance<D>(carriers, bearers(surface, corner), axis);
+      const double along = compliance<D>(carriers, impulse_carriers(surface, corner), axis);
       corner.compliance = std::max(corner.compliance, along);
     }
     if (corner.compliance > 0) surface.corners.push_back(corner);
@@ -67,8 +68,9 @@ void WallContact<T, D>::add_surface(Body<T, D>& body, ContactSurface<D> shape, B
 }
 
 template <class T, int D>
-std::span<const Share> WallContact<T, D>::bearers(const Surface& surface, const Corner& corner) {
-  if (surface.bearers == Bearers::first) return {&corner.first, 1};
+std::span<const Share> WallContact<T, D>::impulse_carriers(const Surface& surface,
+                                                           const Corner& corner) {
+  if (surface.impulse_carriers == ImpulseCarriers::first) return {&corner.first, 1};
   return surface.shape.shares(corner.number);
 }
 
@@ -130,7 +132,7 @@ void WallContact<T, D>::push(Surface& surface, const Corner& corner, const Conta
   const double gap = wall.distance(x);
   if (gap >= 0) return;
   const Point<D> n = wall.normal(x);
-  const std::span<const Share> bearing = bearers(surface, corner);
+  const std::span<const Share> bearing = impulse_carriers(surface, corner);
   BodyCarriers<T, D> carriers(body, body.*moved_, surface.held);
   const double along = compliance<D>(carriers, bearing, n);
   if (along < least_compliance * corner.compliance) return;

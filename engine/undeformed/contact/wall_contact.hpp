@@ -4,7 +4,7 @@
 #include <span>
 #include <vector>
 
-#include "engine/geometry/shape.hpp"
+#include "engine/blocks/box.hpp"
 #include "engine/undeformed/body.hpp"
 #include "engine/undeformed/contact/contact_surface.hpp"
 #include "engine/undeformed/held_directions.hpp"
@@ -35,11 +35,11 @@ class WallContact {
 
   bool exists() const { return !walls_.empty(); }
   /// Which carriers of a corner take the impulse on it.
-  enum class Bearers { all, first };
+  enum class ImpulseCarriers { all, first };
   /// Makes the surfaces of all bodies with contact_surface(body), if the case has contact walls.
   /// The bodies must not move in memory.
   template <class Bodies>
-  void take_surfaces(Bodies& bodies, Bearers bearing) {
+  void take_surfaces(Bodies& bodies, ImpulseCarriers bearing) {
     surfaces_.clear();
     if (!exists()) return;
     for (auto& body : bodies) add_surface(body, contact_surface(body), bearing);
@@ -60,7 +60,7 @@ class WallContact {
     Body<T, D>* body;
     ContactSurface<D> shape;
     HeldDirections<D> held;
-    Bearers bearers;
+    ImpulseCarriers impulse_carriers;
     std::vector<Corner> corners;
   };
   struct ContactWall {
@@ -77,8 +77,8 @@ class WallContact {
   /// Whether x is outside the box around a wall, for the wall at the start of the step.
   bool is_outside_box(const ContactWall& wall, const Point<D>& x) const;
   bool may_touch(const Surface& surface, std::int32_t corner, const ContactWall& wall) const;
-  static std::span<const Share> bearers(const Surface& surface, const Corner& corner);
-  void add_surface(Body<T, D>& body, ContactSurface<D> surface, Bearers bearing);
+  static std::span<const Share> impulse_carriers(const Surface& surface, const Corner& corner);
+  void add_surface(Body<T, D>& body, ContactSurface<D> surface, ImpulseCarriers bearing);
   void push(Surface& surface, const Corner& corner, const ContactWall& wall);
 
   State<D>& state_;

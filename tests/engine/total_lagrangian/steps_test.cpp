@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "engine/total_lagrangian/breathing.hpp"
+#include "engine/total_lagrangian/volumetric_mode.hpp"
 #include "tests/engine/total_lagrangian/blocks.hpp"
 
 // The length of steps does not depend on when a run is observed.
@@ -122,7 +122,7 @@ double breathing_of_box(int x, int y, int z) {
       tests::read_text(tests::with(free_block(3), "upper = [1, 1, 1]", upper),
                        {"discretisation.spacing=1"}),
       {1, kernels::widest_supported()});
-  return total_lagrangian::breathing_factor(solver.state().bodies[0]);
+  return total_lagrangian::volumetric_mode_factor(solver.state().bodies[0]);
 }
 
 // (TL.23), compared with eigenvalues of the dense matrix of the same cells. The worst places are

@@ -24,8 +24,8 @@ using WallStretch = Eigen::Matrix<double, D, D>;
 /// (RP.65): the share of a ghost with this foot point on a wall with this normal; `apart` [m] is
 /// the distance of feet. `stretch()` gives F; it is called only when needed.
 template <int D, class Stretch>
-double share_before_walls(const Boundaries<D>& boundaries, int wall, const Point<D>& foot,
-                          const Point<D>& normal, double apart, Stretch&& stretch) {
+double share_in_front_of_walls(const Boundaries<D>& boundaries, int wall, const Point<D>& foot,
+                               const Point<D>& normal, double apart, Stretch&& stretch) {
   using Direction = Eigen::Matrix<double, D, 1>;
   constexpr double parallel = 0.3;  // slope of a distance along the wall; smaller: no corner
   constexpr double farthest = 2;    // no stretch brings a wall beyond it closer than 1
@@ -47,10 +47,10 @@ double share_before_walls(const Boundaries<D>& boundaries, int wall, const Point
 }
 
 template <int D>
-double share_before_walls(const Boundaries<D>& boundaries, int wall, const Point<D>& foot,
-                          const Point<D>& normal, double apart) {
-  return share_before_walls<D>(boundaries, wall, foot, normal, apart,
-                               [] { return WallStretch<D>::Identity().eval(); });
+double share_in_front_of_walls(const Boundaries<D>& boundaries, int wall, const Point<D>& foot,
+                               const Point<D>& normal, double apart) {
+  return share_in_front_of_walls<D>(boundaries, wall, foot, normal, apart,
+                                    [] { return WallStretch<D>::Identity().eval(); });
 }
 
 }  // namespace pliant::remeshed

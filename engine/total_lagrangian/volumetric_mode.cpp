@@ -1,4 +1,4 @@
-#include "engine/total_lagrangian/breathing.hpp"
+#include "engine/total_lagrangian/volumetric_mode.hpp"
 
 #include <algorithm>
 #include <array>
@@ -117,13 +117,13 @@ class Breathing {
 }  // namespace
 
 template <class T, int D>
-double breathing_factor(const Body<T, D>& body) {
+double volumetric_mode_factor(const Body<T, D>& body) {
   return Breathing<T, D>(body)();
 }
 
-template double breathing_factor(const Body<double, 2>&);
-template double breathing_factor(const Body<double, 3>&);
-template double breathing_factor(const Body<float, 2>&);
-template double breathing_factor(const Body<float, 3>&);
+template double volumetric_mode_factor(const Body<double, 2>&);
+template double volumetric_mode_factor(const Body<double, 3>&);
+template double volumetric_mode_factor(const Body<float, 2>&);
+template double volumetric_mode_factor(const Body<float, 3>&);
 
 }  // namespace pliant::total_lagrangian
