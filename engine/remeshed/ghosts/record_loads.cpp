@@ -12,7 +12,9 @@ namespace pliant::remeshed {
 
 namespace {
 
-constexpr double unseen = 1e-3;  // of the squares of grad phi; below it they have no direction
+constexpr double known = 0.02;    // [h] accuracy of places at t = 0: regions may end on a face
+constexpr double own_face = 0.7;  // cosine between the normals of a ghost and of its own face
+constexpr double unseen = 1e-3;   // of the squares of grad phi; below it they have no direction
 
 /// Finds the faces and loads near the particles of a block.
 template <class T, int D>
@@ -32,7 +34,7 @@ class LoadFinder {
     const Point<D> moved = displacement(slot);
     Point<D> x = lattice_.node(cell);
     for (int a = 0; a < D; ++a) x[a] -= moved[a];
-    const InitialFace<D> initial = face_at<D>(boundaries_, surface_, x);
+    const InitialFace<D> initial = nearest_face(x);
     Point<D> normal, gradient;
     turn(cell, initial.normal, normal, gradient);
     for (int a = 0; a < D; ++a) {
@@ -43,6 +45,22 @@ class LoadFinder {
   }
 
  private:
+  // For a place on the bisector of an edge, rounding would decide which face is nearest: a loaded
+  // face is preferred.
+  InitialFace<D> nearest_face(const Point<D>& start) const {
+    InitialFace<D> face = face_at<D>(boundaries_, surface_, start);
+    for (int a = 0; a < D && face.load < 0; ++a) {
+      for (const double way : {-known, known}) {
+        Point<D> beside = start;
+        beside[a] += way * lattice_.spacing;
+        if (const auto other = face_at<D>(boundaries_, surface_, beside); other.load >= 0) {
+          face = other;
+        }
+      }
+    }
+    return face;
+  }
+
   // Computes the present direction of a normal, F^-T N with F^-1 = I - grad d, and grad phi.
   void turn(const Cell<D>& cell, const Point<D>& initial, Point<D>& normal, Point<D>& slope) const {
     const T* phi = fields_.get(Field::level_set);
@@ -137,7 +155,6 @@ std::int8_t load_at_foot(const Body<T, D>& body, const Shape& surface,
     const std::int32_t slot = body.spare.slot_of_record[kernels::record_of(ghosts.pairs[k])];
     for (int a = 0; a < D; ++a) start[a] -= c * body.stage[1].get(Field::displacement, a)[slot];
   }
-  constexpr double known = 0.02;  // [h] accuracy of places at t = 0: regions may end on a face
   const Vector n = outward_direction(surface, padded<D>(start), D);
   for (int a = 0; a < D; ++a) start[a] += known * body.lattice.spacing * n[a];
   return load_at<D>(boundaries, start);
@@ -199,40 +216,50 @@ Eigen::Matrix<T, D, D> turn_of_normals(const Body<T, D>& body, const BlockGhosts
 
 }  // namespace
 
+// A uniform stress can have the normal tractions of both faces, but not a shear traction on one of
+// them alone: that acts on the ghosts of its own face.
 template <class T, int D>
 kernels::SurfaceLoad<T, D> mixed_load(const Body<T, D>& body, const BlockGhosts<T, D>& ghosts,
                                       std::size_t ghost, const BoundaryValues<D>& values) {
+  using Vector = Eigen::Matrix<T, D, 1>;
   const Eigen::Matrix<T, D, D> turn = turn_of_normals(body, ghosts, ghost);
-  std::array<T, D> slope = {}, force = {};
-  for (std::int64_t k = ghosts.begin[ghost]; k < ghosts.begin[ghost + 1]; ++k) {
-    const std::int64_t record = kernels::record_of(ghosts.pairs[k]);
-    const std::int8_t load = body.population.load[record];
-    const std::array<T, D>& face = body.population.face[record];
-    const T w = FittedParticle<T, D>(ghosts, ghost, k).weight();
-    std::array<T, D> normal = face;
-    T square = 0;
-    for (int a = 0; a < D; ++a) {
-      for (int b = 0; b < D; ++b) normal[a] += turn(a, b) * face[b];
-      slope[a] += w * normal[a];
-      square += normal[a] * normal[a];
+  const auto for_each_face = [&](auto&& f) {
+    for (std::int64_t k = ghosts.begin[ghost]; k < ghosts.begin[ghost + 1]; ++k) {
+      const std::int64_t record = kernels::record_of(ghosts.pairs[k]);
+      const std::int8_t load = body.population.load[record];
+      const Vector face = Eigen::Map<const Vector>(body.population.face[record].data());
+      const Vector normal = face + turn * face;
+      Vector traction = Vector::Zero();
+      if (load >= 0) {
+        const T length = normal.norm();
+        for (int a = 0; a < D; ++a) traction[a] = static_cast<T>(values.traction[load][a]) * length;
+        traction -= static_cast<T>(values.pressure[load]) * normal;
+      }
+      f(FittedParticle<T, D>(ghosts, ghost, k).weight(), normal, traction);
     }
-    if (load < 0) continue;
-    const T pressure = static_cast<T>(values.pressure[load]), length = std::sqrt(square);
-    for (int a = 0; a < D; ++a) {
-      force[a] += w * (static_cast<T>(values.traction[load][a]) * length - pressure * normal[a]);
-    }
-  }
-  T square = 0;
-  for (const T component : slope) square += component * component;
-  const T scale = kernels::InverseRoot<T>::of(square);
-  kernels::SurfaceLoad<T, D> traction = {};
+  };
+  Vector slope = Vector::Zero(), force = Vector::Zero(), shear = Vector::Zero();
+  for_each_face([&](T w, const Vector& normal, const Vector& traction) {
+    slope += w * normal;
+    force += w * traction.dot(normal) / normal.squaredNorm() * normal;
+  });
+  const T scale = kernels::InverseRoot<T>::of(slope.squaredNorm());
+  T own = 0;
+  for_each_face([&](T w, const Vector& normal, const Vector& traction) {
+    if (!(scale * slope.dot(normal) > T(own_face) * normal.norm())) return;
+    own += w * normal.norm();
+    shear += w * (traction - traction.dot(normal) / normal.squaredNorm() * normal);
+  });
+  Vector load = scale * force;
+  if (own > 0) load += shear / own;
+  const Vector n = scale * slope;
+  kernels::SurfaceLoad<T, D> result = {};
+  result.normal = load.dot(n);
   for (int a = 0; a < D; ++a) {
-    traction.n[a] = scale * slope[a];
-    traction.shear[a] = scale * force[a];
-    traction.normal += traction.n[a] * traction.shear[a];
+    result.n[a] = n[a];
+    result.shear[a] = load[a] - result.normal * n[a];
   }
-  for (int a = 0; a < D; ++a) traction.shear[a] -= traction.normal * traction.n[a];
-  return traction;
+  return result;
 }
 
 template InitialFace<2> face_at<2>(const Boundaries<2>&, const Shape&, const Point<2>&);
