@@ -2,8 +2,12 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "engine/case/checks/check.hpp"
 #include "engine/case/checks/thickness.hpp"
+#include "engine/case/vocabulary/boundary_kinds.hpp"
+#include "engine/method/gravity.hpp"
 #include "engine/remeshed/observe/measure.hpp"
 #include "engine/remeshed/parameters.hpp"
 #include "engine/remeshed/setup/footprint.hpp"
@@ -90,6 +94,18 @@ StepLimits limits_of_steps(const Case& a_case) {
   return limits;
 }
 
+// Measured for stacks of two blocks under their weight, docs/decisions/0054.
+void warn_of_resting_bodies(const Case& a_case, std::vector<std::string>& warnings) {
+  const bool has_loads = Gravity<3>(a_case).acts() ||
+                         std::ranges::any_of(a_case.boundaries, [](const BoundaryCase& boundary) {
+                           return !row_of(boundary.kind).is_wall;
+                         });
+  if (a_case.contacts.empty() || !has_loads) return;
+  warnings.push_back(
+      "if bodies rest on each other, the lower one passes on 6 to 17 % too little of their weight, "
+      "and the run may stop; take method = \"total_lagrangian\" for bodies that stay in contact");
+}
+
 // Measured for plates, rings, discs and blocks under pistons with the defaults; bodies that only
 // rotate have smaller errors.
 void warn(const Case& a_case, std::vector<std::string>& warnings) {
@@ -98,6 +114,7 @@ void warn(const Case& a_case, std::vector<std::string>& warnings) {
       {6.5, "figures deviate by 2 to 30 %"},
       {8, "oscillations and collisions deviate by up to 20 %"}};
   warn_of_thin_bodies(a_case, errors, warnings);
+  warn_of_resting_bodies(a_case, warnings);
 }
 
 std::string remeshings(const Case& a_case) {

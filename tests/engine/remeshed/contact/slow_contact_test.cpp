@@ -2,7 +2,9 @@
 
 #include <cmath>
 #include <string>
+#include <vector>
 
+#include "engine/case/method_rules.hpp"
 #include "tests/engine/case/written_case.hpp"
 #include "tests/engine/remeshed/small_case.hpp"
 
@@ -106,6 +108,13 @@ TEST(slow_contact, a_block_at_rest_on_a_block_presses_with_its_weight) {
   const double weight = 10 * 0.12 * 0.12;
   EXPECT_NEAR(mean_after(solver, 2.5), weight, 0.02 * weight);
   EXPECT_LT(solver.integrals().kinetic_energy, 1e-4 * weight * 0.12);
+}
+
+TEST(slow_contact, of_bodies_under_loads_is_warned_of) {
+  const auto warned = warnings_of_method(stack());
+  ASSERT_FALSE(warned.empty());
+  EXPECT_NE(warned.back().find("if bodies rest on each other"), std::string::npos);
+  EXPECT_TRUE(warnings_of_method(small_case("two_discs", {})).empty());
 }
 
 }  // namespace
