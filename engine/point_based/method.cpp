@@ -77,31 +77,14 @@ bool is_pushed_node_by_node(const Case& a_case) {
                              [](const BodyCase& body) { return body.stress.has_value(); });
 }
 
-// A cube of cells of three sizes, 16 of the finest to a side, that hangs under its weight.
-std::string coarse_cells_warning(const Case& a_case) {
-  const double finest = a_case.discretisation.spacing;
-  const double coarsest = parameters_of(a_case).coarsest_spacing;
-  if (coarsest > 0 && coarsest < 2 * finest) return "";
-  return fmt::format(
-      "where cells of an octree change their size, displacements deviate by up to 12 %; give "
-      "point_based.coarsest_spacing = {:.3g} or nodes = \"lattice\" where that matters",
-      finest);
-}
-
 // As the cantilever of docs/validation/robustness.py.
 std::string warning(const Case& a_case) {
   static constexpr ThinBodyError errors[] = {
       {1.5, "two layers of nodes hardly resist bending, and such runs fail"},
       {2, "bending deviates by 5 %"}};
-  const bool is_octree = parameters_of(a_case).nodes == NodePlacement::octree;
-  std::string all;
-  for (const std::string& one :
-       {thin_body_warning(a_case, errors), is_octree ? coarse_cells_warning(a_case) : "",
-        resolution_warning(a_case)}) {
-    if (!all.empty() && !one.empty()) all += '\n';
-    all += one;
-  }
-  return all;
+  const std::string of_bodies = thin_body_warning(a_case, errors);
+  const std::string of_cuts = resolution_warning(a_case);
+  return of_bodies + (of_bodies.empty() || of_cuts.empty() ? "" : "\n") + of_cuts;
 }
 
 // The bound of (PB.12) needs the nodes, which only the solver knows.
