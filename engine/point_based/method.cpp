@@ -77,25 +77,12 @@ bool has_forces_on_single_nodes(const Case& a_case) {
                              [](const BodyCase& body) { return body.stress.has_value(); });
 }
 
-// Measured for a cube with cells of three sizes, 16 of the finest along a side, that hangs under
-// its weight.
-void warn_of_coarse_cells(const Case& a_case, std::vector<std::string>& warnings) {
-  const double finest = a_case.discretisation.spacing;
-  const double coarsest = parameters_of(a_case).coarsest_spacing;
-  if (coarsest > 0 && coarsest < 2 * finest) return;
-  warnings.push_back(fmt::format(
-      "where cells of an octree change their size, displacements deviate by up to 12 %; give "
-      "point_based.coarsest_spacing = {:.3g} or nodes = \"lattice\" where that matters",
-      finest));
-}
-
 // Measured for the cantilever of docs/validation/robustness.py.
 void warn(const Case& a_case, std::vector<std::string>& warnings) {
   static constexpr ThinBodyError errors[] = {
       {1.5, "two layers of nodes hardly resist bending, and such runs fail"},
       {2, "bending deviates by 5 %"}};
   warn_of_thin_bodies(a_case, errors, warnings);
-  if (parameters_of(a_case).nodes == NodePlacement::octree) warn_of_coarse_cells(a_case, warnings);
   warn_of_coarse_cuts(a_case, warnings);
 }
 

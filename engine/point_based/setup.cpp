@@ -74,6 +74,7 @@ bool has_resisted_cuts(const Case& settings, const BodyCase& source) {
 template <class T, int D>
 BondChoice<D> choice_of(const Case& settings, const PlacedNodes<D>& nodes, const Body<T, D>& body) {
   constexpr int candidates_per_neighbour = 3;
+  constexpr int searched = 3;  // nodes more for each neighbour, of which some are too small
   BondChoice<D> choice;
   choice.neighbours = neighbour_count(settings);
   choice.support = nodes.support;
@@ -85,8 +86,11 @@ BondChoice<D> choice_of(const Case& settings, const PlacedNodes<D>& nodes, const
   choice.elastic_volumes = parameters_of(settings).gradient == NodeGradient::patch_exact
                                ? nodes.cloud.volumes
                                : nodes.elastic_volumes;
-  choice.candidates = find_candidates<D>(nodes.stretched(), choice.elastic_volumes,
-                                         ranks * choice.neighbours + 1, body.name);
+  const int candidates = ranks * choice.neighbours + 1;
+  choice.candidates = find_candidates<D>(
+      nodes.stretched(), choice.elastic_volumes,
+      is_lattice ? candidates : candidates + searched * choice.neighbours, body.name);
+  if (!is_lattice) sort_by_size<D>(candidates, choice.candidates);
   for (auto& list : choice.candidates) {
     const auto most = static_cast<std::size_t>(choice.neighbours);
     if (!is_lattice || list.size() <= most) continue;

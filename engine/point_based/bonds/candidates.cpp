@@ -3,14 +3,30 @@
 #include <fmt/format.h>
 #include <pliant/error.hpp>
 
+#include <algorithm>
 #include <optional>
 
 namespace pliant::point_based {
 
 template <int D>
-std::vector<std::vector<typename NearestNodes<D>::Found>> find_candidates(
-    const std::vector<Point<D>>& places, const std::vector<double>& elastic_volumes, int count,
-    const std::string& body) {
+void sort_by_size(std::size_t count, Candidates<D>& candidates) {
+  std::vector<double> size;
+  size.reserve(candidates.size());
+  for (const auto& list : candidates) {
+    size.push_back(list[std::min<std::size_t>(D, list.size()) - 1].distance);
+  }
+  for (std::size_t node = 0; node < candidates.size(); ++node) {
+    auto& list = candidates[node];
+    for (auto& one : list) one.distance *= 2 * size[node] / (size[node] + size[one.node]);
+    std::sort(list.begin(), list.end());
+    if (list.size() > count) list.resize(count);
+  }
+}
+
+template <int D>
+Candidates<D> find_candidates(const std::vector<Point<D>>& places,
+                              const std::vector<double>& elastic_volumes, int count,
+                              const std::string& body) {
   const std::size_t nodes = places.size();
   if (nodes < 2) {
     throw InputError(
@@ -29,7 +45,7 @@ std::vector<std::vector<typename NearestNodes<D>::Found>> find_candidates(
   std::optional<NearestNodes<D>> all_nodes;
   if (elastic.size() < nodes) all_nodes.emplace(places);
   const std::size_t wanted = static_cast<std::size_t>(count) + 1;
-  std::vector<std::vector<typename NearestNodes<D>::Found>> candidates(nodes);
+  Candidates<D> candidates(nodes);
   for (std::size_t node = 0; node < nodes; ++node) {
     const Point<D>& x = places[node];
     const bool is_elastic = elastic_volumes[node] > 0;
@@ -45,9 +61,12 @@ std::vector<std::vector<typename NearestNodes<D>::Found>> find_candidates(
   return candidates;
 }
 
-template std::vector<std::vector<NearestNodes<2>::Found>> find_candidates<2>(
-    const std::vector<Point<2>>&, const std::vector<double>&, int, const std::string&);
-template std::vector<std::vector<NearestNodes<3>::Found>> find_candidates<3>(
-    const std::vector<Point<3>>&, const std::vector<double>&, int, const std::string&);
+template Candidates<2> find_candidates<2>(const std::vector<Point<2>>&, const std::vector<double>&,
+                                          int, const std::string&);
+template Candidates<3> find_candidates<3>(const std::vector<Point<3>>&, const std::vector<double>&,
+                                          int, const std::string&);
+
+template void sort_by_size<2>(std::size_t, Candidates<2>&);
+template void sort_by_size<3>(std::size_t, Candidates<3>&);
 
 }  // namespace pliant::point_based

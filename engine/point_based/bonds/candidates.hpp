@@ -18,12 +18,22 @@ std::size_t whole_shells(std::size_t count, double next, std::size_t least, F&& 
   return whole < least ? count : whole;
 }
 
+/// [node] nodes that may become its neighbours, by distance.
+template <int D>
+using Candidates = std::vector<std::vector<typename NearestNodes<D>::Found>>;
+
 /// The `count` nearest nodes of each place in `places`, or all others if there are fewer. The
 /// candidates of a node with an elastic volume must have one too, (PB.21). Throws InputError that
 /// names `body` if two nodes are at one place or the cloud has only one node.
 template <int D>
-std::vector<std::vector<typename NearestNodes<D>::Found>> find_candidates(
-    const std::vector<Point<D>>& places, const std::vector<double>& elastic_volumes, int count,
-    const std::string& body);
+Candidates<D> find_candidates(const std::vector<Point<D>>& places,
+                              const std::vector<double>& elastic_volumes, int count,
+                              const std::string& body);
+
+/// Keeps the `count` candidates with the smallest ratio of the distance to the mean of the sizes of
+/// both nodes, (PB.2). By distance alone, a node next to smaller ones would have hardly any
+/// neighbour of its own size.
+template <int D>
+void sort_by_size(std::size_t count, Candidates<D>& candidates);
 
 }  // namespace pliant::point_based

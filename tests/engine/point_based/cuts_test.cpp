@@ -93,6 +93,30 @@ end = 4.4e-9
   EXPECT_NEAR(solver.measure(1), 1 - std::numbers::pi * 0.09, 0.01);
 }
 
+// Once a frame the caller gives the place of the blade, and lifts it behind the body. The expected
+// volume follows from the plane that the blade sweeps.
+TEST(cuts, by_a_caller_divide_a_body_as_those_of_a_case_do) {
+  const auto text = [](const std::string& path) {
+    return free_points(3) + "[[cut]]\nname = \"blade\"\nfrom = [0.43, -0.1, -0.1]\n" +
+           "to = [0.47, -0.1, 1.1]\n" + path + parts;
+  };
+  const std::vector<std::string> damped = {"point_based.damping=2"};
+  auto by_case = solver_of<3>(text("path = [\"0.1*t\", \"2*t\", 0]\nend = 0.6\n"), damped);
+  advance_until(by_case, 0.7);
+  auto by_caller = solver_of<3>(text("path = [0, 0, 0]\nstart = 99\nend = 100\n"), damped);
+  for (int frame = 0; frame <= 36; ++frame) {
+    const double t = frame / 60., x = 0.1 * t, y = -0.1 + 2 * t;
+    by_caller.put_blade(0, {0.43 + x, y, -0.1}, {0.47 + x, y, 1.1});
+    advance_until(by_caller, t + 1. / 60);
+  }
+  by_caller.lift_blade(0);
+  advance_until(by_caller, 0.7);
+  for (auto* solver : {&by_case, &by_caller}) {
+    EXPECT_EQ(solver->measure(0), 2);
+    EXPECT_NEAR(solver->measure(1), 0.52, 0.001);
+  }
+}
+
 // The node nearest to a point beside a cut may be on the other side.
 TEST(cuts, between_a_point_and_its_nearest_node_do_not_move_the_point_with_that_node) {
   const std::string blade = R"toml([[cut]]

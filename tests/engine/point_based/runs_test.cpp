@@ -61,20 +61,6 @@ geometry = { shape = "half_space", point = [0, 0.25], normal = [0, -1] }
   return error * frequency / 1e-4;
 }
 
-TEST(point_based, an_octree_of_cells_of_several_sizes_is_said_to_deviate) {
-  const auto said = [](const std::string& nodes, const std::string& spacing,
-                       const std::string& coarsest) {
-    const std::vector<std::string> settings = {"point_based.nodes=" + nodes,
-                                               "point_based.coarsest_spacing=" + coarsest,
-                                               "discretisation.spacing=" + spacing};
-    const Case a_case = read_case(PLIANT_SOURCE_DIR "/cases/cantilever", settings);
-    return fmt::format("{}", fmt::join(warnings_of_method(a_case), "\n"));
-  };
-  EXPECT_NE(said("octree", "0.25", "0").find("coarsest_spacing = 0.25 or"), std::string::npos);
-  EXPECT_EQ(said("octree", "1/3", "1/3"), "");
-  EXPECT_EQ(said("lattice", "1/3", "0"), "");
-}
-
 // The tip of a beam of 10 x 2 x 1 m with flattened cells, as the spacing divides only its length
 // and width: bonds across the whole thickness of 0.4 and 2/3 made it 8 and 28 % too soft. With 6
 // and 8 total Lagrangian hexahedra across, it sags by 9.94 mm.
