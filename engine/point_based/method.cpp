@@ -79,9 +79,8 @@ bool has_forces_on_single_nodes(const Case& a_case) {
 
 // Measured for the cantilever of docs/validation/robustness.py.
 void warn(const Case& a_case, std::vector<std::string>& warnings) {
-  static constexpr ThinBodyError errors[] = {
-      {1.5, "two layers of nodes hardly resist bending, and such runs fail"},
-      {2, "bending deviates by 5 %"}};
+  static constexpr ThinBodyError errors[] = {{1.5, "two layers of nodes hardly resist bending"},
+                                             {2, "bending deviates by 5 %"}};
   warn_of_thin_bodies(a_case, errors, warnings);
   warn_of_coarse_cuts(a_case, warnings);
 }

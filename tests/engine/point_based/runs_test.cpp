@@ -1,4 +1,3 @@
-#include <fmt/ranges.h>
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -7,7 +6,6 @@
 #include <utility>
 #include <vector>
 
-#include "engine/case/method_rules.hpp"
 #include "engine/simulation/methods.hpp"
 #include "tests/engine/output/temporary_folder.hpp"
 #include "tests/engine/point_based/blocks.hpp"
