@@ -101,7 +101,7 @@ void warn_of_resting_bodies(const Case& a_case, std::vector<std::string>& warnin
                            return !row_of(boundary.kind).is_wall;
                          });
   if (a_case.contacts.empty() || !has_loads) return;
-  warnings.push_back(
+  warnings.emplace_back(
       "if bodies rest on each other, the lower one passes on 6 to 17 % too little of their weight, "
       "and the run may stop; take method = \"total_lagrangian\" for bodies that stay in contact");
 }

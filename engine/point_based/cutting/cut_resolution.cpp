@@ -38,7 +38,7 @@ double length_of(const CutCase& cut) {
 void warn_of_coarse_cuts(const Case& settings, std::vector<std::string>& warnings) {
   const CutRule rule = parameters_of(settings).cut_rule;
   if (rule == CutRule::product && !settings.cuts.empty()) {
-    warnings.push_back(
+    warnings.emplace_back(
         "the cut rule \"product\" leaves up to 1 % of some bonds that a cut crosses; a complete "
         "cut "
         "may not divide the body; take point_based.cut_rule = \"transparency\" where parts matter");
