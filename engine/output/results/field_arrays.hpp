@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <string>
 #include <vector>
 
@@ -15,6 +16,13 @@ struct StoredField {
   bool integer;
   int bytes;  ///< of one component
 };
+
+/// Rows in a chunk of fields whose first frame has `rows` rows. The chunk of the largest field must
+/// fit into HDF5's cache of 1 MiB.
+inline hsize_t chunk_rows_for(std::size_t rows) { return std::clamp<hsize_t>(rows, 1024, 16384); }
+
+/// Rows in a chunk of arrays with one row for each frame.
+inline constexpr hsize_t frame_chunk_rows = 256;
 
 StoredField describe(const std::string& name, const hdf5::GrowingArray& array);
 

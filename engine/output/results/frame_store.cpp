@@ -34,9 +34,6 @@ namespace {
 using hdf5::checked;
 using hdf5::GrowingArray;
 
-/// Particles in a chunk; the chunk of the largest field must fit into HDF5's cache of 1 MiB.
-constexpr hsize_t least_chunk_rows = 1024, most_chunk_rows = 16384;
-constexpr hsize_t step_chunk_rows = 256;
 constexpr int topologies = 4;  ///< vertices, lines, polygons, strips
 
 /// Creates a second name for `old_name` of a group.
@@ -60,15 +57,14 @@ FrameStore::FrameStore(hid_t file) : file_(file) {
 }
 
 void FrameStore::create(const Frame& first) {
-  const auto rows =
-      std::clamp<hsize_t>(first.position.size() / 3, least_chunk_rows, most_chunk_rows);
+  const auto rows = chunk_rows_for(first.position.size() / 3);
   const auto reals = hdf5::real_type(first.real_bytes), times = hdf5::type_of<double>(),
              counts = hdf5::type_of<std::int64_t>();
   root_ = hdf5::create_group(file_, "VTKHDF");
   hdf5::write_attribute(root_, "Version", std::vector{2, 0});
   hdf5::write_attribute(root_, "Type", "PolyData");
   points_ = GrowingArray::create(root_, "Points", reals, 3, rows);
-  particles_ = GrowingArray::create(root_, "NumberOfPoints", counts, 0, step_chunk_rows);
+  particles_ = GrowingArray::create(root_, "NumberOfPoints", counts, 0, frame_chunk_rows);
 
   const auto vertices = hdf5::create_group(root_, "Vertices");
   offset_ = GrowingArray::create(vertices, "Offsets", counts, 0, rows);
@@ -76,7 +72,7 @@ void FrameStore::create(const Frame& first) {
   link(vertices, "NumberOfCells", root_, "NumberOfPoints");
   link(vertices, "NumberOfConnectivityIds", root_, "NumberOfPoints");
   const auto lines = hdf5::create_group(root_, "Lines");
-  none_ = GrowingArray::create(lines, "NumberOfCells", counts, 0, step_chunk_rows);
+  none_ = GrowingArray::create(lines, "NumberOfCells", counts, 0, frame_chunk_rows);
   for (const auto* name : {"NumberOfConnectivityIds", "Offsets", "Connectivity"})
     link(lines, name, lines, "NumberOfCells");
   link(root_, "Polygons", root_, "Lines");
@@ -84,20 +80,20 @@ void FrameStore::create(const Frame& first) {
 
   steps_ = hdf5::create_group(root_, "Steps");
   hdf5::write_attribute(steps_, "NSteps", 0);
-  time_ = GrowingArray::create(steps_, "Values", times, 0, step_chunk_rows);
-  part_ = GrowingArray::create(steps_, "PartOffsets", counts, 0, step_chunk_rows);
-  parts_ = GrowingArray::create(steps_, "NumberOfParts", counts, 0, step_chunk_rows);
-  first_ = GrowingArray::create(steps_, "PointOffsets", counts, 0, step_chunk_rows);
-  cells_ = GrowingArray::create(steps_, "CellOffsets", counts, topologies, step_chunk_rows);
+  time_ = GrowingArray::create(steps_, "Values", times, 0, frame_chunk_rows);
+  part_ = GrowingArray::create(steps_, "PartOffsets", counts, 0, frame_chunk_rows);
+  parts_ = GrowingArray::create(steps_, "NumberOfParts", counts, 0, frame_chunk_rows);
+  first_ = GrowingArray::create(steps_, "PointOffsets", counts, 0, frame_chunk_rows);
+  cells_ = GrowingArray::create(steps_, "CellOffsets", counts, topologies, frame_chunk_rows);
   connections_ =
-      GrowingArray::create(steps_, "ConnectivityIdOffsets", counts, topologies, step_chunk_rows);
+      GrowingArray::create(steps_, "ConnectivityIdOffsets", counts, topologies, frame_chunk_rows);
   const auto field_offsets = hdf5::create_group(steps_, "PointDataOffsets");
   const auto point_data = hdf5::create_group(root_, "PointData");
   values_.create(point_data, first.fields, first.real_bytes, rows);
   for (const auto& field : fields()) link(field_offsets, field.name, steps_, "PointOffsets");
 
   const auto frames = hdf5::create_group(file_, "frames");
-  step_ = GrowingArray::create(frames, "step", counts, 0, step_chunk_rows);
+  step_ = GrowingArray::create(frames, "step", counts, 0, frame_chunk_rows);
   link(frames, "time", steps_, "Values");
 }
 

@@ -8,9 +8,6 @@ namespace {
 
 using hdf5::GrowingArray;
 
-constexpr hsize_t least_chunk_rows = 1024, most_chunk_rows = 16384;
-constexpr hsize_t step_chunk_rows = 256;
-
 void check(const FrameSurface& surface) {
   const auto vertices = surface.position.size() / 3;
   const auto in_range = [vertices](std::int64_t v) {
@@ -30,14 +27,13 @@ SurfaceStore::SurfaceStore(hid_t file) : file_(file) {
 }
 
 void SurfaceStore::create(const FrameSurface& first, int real_bytes) {
-  const auto rows =
-      std::clamp<hsize_t>(first.position.size() / 3, least_chunk_rows, most_chunk_rows);
+  const auto rows = chunk_rows_for(first.position.size() / 3);
   const auto reals = hdf5::real_type(real_bytes), counts = hdf5::type_of<std::int64_t>();
   root_ = hdf5::create_group(file_, "surface");
   points_ = GrowingArray::create(root_, "Points", reals, 3, rows);
   connectivity_ = GrowingArray::create(root_, "Connectivity", counts, first.corners, rows);
-  vertices_ = GrowingArray::create(root_, "NumberOfPoints", counts, 0, step_chunk_rows);
-  pieces_ = GrowingArray::create(root_, "NumberOfCells", counts, 0, step_chunk_rows);
+  vertices_ = GrowingArray::create(root_, "NumberOfPoints", counts, 0, frame_chunk_rows);
+  pieces_ = GrowingArray::create(root_, "NumberOfCells", counts, 0, frame_chunk_rows);
   values_.create(hdf5::create_group(root_, "PointData"), first.fields, real_bytes, rows);
 }
 
