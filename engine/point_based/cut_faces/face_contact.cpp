@@ -14,9 +14,11 @@ namespace {
 // Gauss-Seidel sweeps, since points share nodes. The error that remains in each step shakes faces
 // that rest on each other: with 4 sweeps a block under its weight gained a third of its energy.
 constexpr int most_sweeps = 16;
-constexpr double settled = 1e-3;  // changes in a sweep, relative to those in the first
-constexpr int most_tries = 32;    // moves after which a point belongs to a rim
-constexpr double far_apart = 4;   // faces that cannot meet [H]
+constexpr double settled = 1e-3;   // changes in a sweep, relative to those in the first
+constexpr int most_tries = 32;     // moves after which a point belongs to a rim
+constexpr double cell_size = 0.5;  // of a lattice with one pair in each cell that a cut passes [H]
+constexpr double similar = 0.5;    // cosine between normals of pairs in one cell
+constexpr double far_apart = 4;    // faces that cannot meet [H]
 constexpr double deepest_overlap =
     1;  // of a point behind a face; deeper points belong to another place [H]
 constexpr double far_slid = 0.5;  // sliding after which lower nodes are found again [H]
@@ -90,10 +92,27 @@ void FaceContact<T, D>::follow(const CutBonds<D>& bonds) {
     if (bonds.front_distance(waiting.cut, waiting.place, size_) < size_) {
       return ++waiting.tries > most_tries;
     }
-    if (!bonds.is_inside(waiting.place)) return true;
+    if (!bonds.is_inside(waiting.place) || !occupies_cell(waiting)) return true;
     pairs_.push_back({waiting.place, waiting.normal, tangents_of(waiting.normal), {}, {}});
     return true;
   });
+}
+
+template <class T, int D>
+bool FaceContact<T, D>::occupies_cell(const Waiting& waiting) {
+  std::array<std::int64_t, D + 1> key;
+  for (int a = 0; a < D; ++a) {
+    key[a] = static_cast<std::int64_t>(std::floor(waiting.place[a] / (cell_size * size_)));
+  }
+  key[D] = waiting.cut;
+  std::vector<Point<D>>& normals = cells_[key];
+  if (std::ranges::any_of(normals, [&](const Point<D>& n) {
+        return column<D>(n).dot(column<D>(waiting.normal)) > similar;
+      })) {
+    return false;
+  }
+  normals.push_back(waiting.normal);
+  return true;
 }
 
 template <class T, int D>

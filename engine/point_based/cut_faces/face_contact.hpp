@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <map>
 #include <optional>
 #include <span>
 #include <vector>
@@ -85,6 +86,9 @@ class FaceContact {
     std::array<double, D - 1> slid;  ///< sliding of the upper point along the tangents [m]
   };
 
+  /// Whether no other pair of the same cut and of a similar direction is in the cell around a
+  /// point. Blades move by a small part of H at a time, and nodes cannot resolve so many points.
+  bool occupies_cell(const Waiting& waiting);
   std::optional<Opposite> opposite(const Body<T, D>& body, const Point<D>& upper, const Side& below,
                                    bool have_met) const;
   Side side_of(const Body<T, D>& body, const TissueMap<D>& tissue, const Pair& pair,
@@ -103,6 +107,8 @@ class FaceContact {
   undeformed::HeldDirections<D> held_;
   std::vector<Waiting> waiting_;
   std::vector<Pair> pairs_;
+  /// Normals of the pairs in a cell, by the number of the cut and the place of the cell.
+  std::map<std::array<std::int64_t, D + 1>, std::vector<Point<D>>> cells_;
   std::size_t found_ = 0;          ///< pairs that have found their nodes
   std::vector<bool> has_changed_;  ///< [slot] reused memory
   std::vector<Meeting> meetings_;  ///< reused memory
