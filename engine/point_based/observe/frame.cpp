@@ -33,10 +33,12 @@ FrameSurface take_surface(const State<T, D>& state) {
   SurfaceVertices vertices;
   for (std::size_t b = 0; b < state.bodies.size(); ++b) {
     const auto owner = static_cast<int>(b);
-    if (state.cut_surfaces(b).empty()) {
-      add_closed_surface(state.bodies[b], owner, vertices);
-    } else {
+    // A body that blades may cut is shown in one way all the time, so that nothing jumps at the
+    // first cut.
+    if (b < state.cuts.size() && state.cuts[b]) {
       state.cuts[b]->opened_surface(state.bodies[b]).add(state.bodies[b], owner, vertices);
+    } else {
+      add_closed_surface(state.bodies[b], owner, vertices);
     }
   }
   FrameSurface surface;

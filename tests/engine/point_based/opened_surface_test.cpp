@@ -124,5 +124,36 @@ end = 2e-9
   EXPECT_GE(solver.frame({false, true}).surface->vertex.size() / 2, 32 + 2 * 8);
 }
 
+// A held block is stretched along x. By the gradients of single nodes, vertices of held nodes would
+// move too.
+TEST(opened_surface, is_that_of_frames_before_a_blade_cuts_too) {
+  const std::string held_and_cut_late = R"toml([[boundary]]
+name = "clamp"
+kind = "fixed"
+geometry = { shape = "half_space", point = [0.25, 0], normal = [1, 0] }
+[[cut]]
+name = "blade"
+from = [-0.2, 0.53]
+path = ["t - 9", 0]
+start = 9
+end = 10
+)toml";
+  PointSolver<2> solver(tests::read_text("gravity = [5, 0]\n" + free_points(2) + held_and_cut_late),
+                        {1, kernels::widest_supported()});
+  advance_until(solver, 0.3);
+  const auto surface = *solver.frame({false, true}).surface;
+  const auto& moved = std::get<std::vector<double>>(surface.fields[1].values);
+  double farthest = 0;
+  for (std::size_t v = 0; v < surface.position.size() / 3; ++v) {
+    const double u = moved[2 * v];
+    const double start = surface.position[3 * v] - u;
+    farthest = std::max(farthest, u);
+    if (start < 1e-9) {
+      EXPECT_EQ(u, 0);
+    }
+  }
+  EXPECT_GT(farthest, 1e-3);
+}
+
 }  // namespace
 }  // namespace pliant::test
