@@ -10,6 +10,7 @@
 #include "scheduler/chains.hpp"
 #include "scheduler/exchanges.hpp"
 #include "scheduler/node_runner.hpp"
+#include "scheduler/zero_subnormals.hpp"
 
 namespace pliant::scheduler {
 
@@ -70,6 +71,7 @@ struct StepGraph::Flow {
 
   FlowNode& add_node(Task* first_of_chain) {
     return nodes.emplace_back(graph, [first_of_chain](const Message&) {
+      const ZeroSubnormals arithmetic;
       for (Task* task = first_of_chain; task != nullptr; task = task->next)
         (*task)(tbb::this_task_arena::current_thread_index());
     });
@@ -136,6 +138,7 @@ void StepGraph::run(Workers& workers) {
 }
 
 void StepGraph::run_through(NodeRunner& runner) {
+  const ZeroSubnormals arithmetic;
   const auto start = Clock::now();
   for (std::size_t n = 0; n < nodes().size(); ++n) {
     if (nodes()[n].is_junction()) continue;
@@ -148,6 +151,7 @@ void StepGraph::run_through(NodeRunner& runner) {
 }
 
 void StepGraph::run_serially(std::uint64_t seed) {
+  const ZeroSubnormals arithmetic;
   std::mt19937_64 random(seed);
   std::vector<int> waits_for(nodes().size()), ready;
   std::vector<std::vector<int>> successors(nodes().size());

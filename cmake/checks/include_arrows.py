@@ -1,7 +1,7 @@
 """Holds the arrows between folders, and between files: what each may include.
 
     kernels/    the standard library, xsimd and the intrinsics that it lacks
-    scheduler/  the standard library, oneTBB, fmt and JSON
+    scheduler/  the standard library, oneTBB, fmt and JSON, and the control register of SSE
     engine/     kernels, scheduler, and any library; inside it, the folders of the table below
     bench/      all of these, and fixtures of tests/
     tests/      all but bench/, which nothing includes
@@ -52,7 +52,7 @@ ENGINE = {
 # First component of <...>; the standard library needs no entry. Folders not listed may use any.
 LIBRARIES = {
     "kernels": {"xsimd", "immintrin.h"},
-    "scheduler": {"tbb", "oneapi", "fmt", "nlohmann"},
+    "scheduler": {"tbb", "oneapi", "fmt", "nlohmann", "xmmintrin.h"},
 }
 UNITS = {"kernels", "scheduler", "engine"}
 INCLUDE = re.compile(r'\s*#\s*include\s*([<"])([^>"]+)[>"]')

@@ -216,6 +216,27 @@ TEST(step_graph, an_exception_in_a_phase_comes_out_and_the_graph_runs_again) {
   }
 }
 
+// Arithmetic with subnormal numbers takes some hundred cycles.
+TEST(step_graph, computes_with_zero_in_place_of_subnormal_numbers_and_leaves_the_caller_alone) {
+  const volatile float tiny = 1e-20F;
+  std::vector<float> square;
+  StepGraph graph(
+      {per_block("square", {}, {{0}},
+                 [&](BlockId b) { square[static_cast<std::size_t>(b)] = tiny * tiny; })},
+      row_of_blocks(40), {"square"});
+  const std::vector<float> zero(40);
+  for (const int threads : {1, 2}) {
+    square.assign(zero.size(), 1);
+    Workers workers(threads);
+    graph.run(workers);
+    EXPECT_EQ(square, zero);
+  }
+  square.assign(zero.size(), 1);
+  graph.run_serially(0);
+  EXPECT_EQ(square, zero);
+  EXPECT_GT(tiny * tiny, 0) << "the caller keeps its settings";
+}
+
 TEST(step_graph, can_be_moved_and_replaced_between_steps) {
   Ring ring;
   std::optional<StepGraph> graph;
