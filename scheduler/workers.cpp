@@ -2,10 +2,13 @@
 
 #include <fmt/format.h>
 #include <tbb/global_control.h>
+#include <tbb/parallel_for.h>
 #include <tbb/task_arena.h>
 
 #include <atomic>
 #include <stdexcept>
+
+#include "scheduler/zero_subnormals.hpp"
 
 namespace pliant::scheduler {
 
@@ -41,6 +44,18 @@ Workers::~Workers() = default;
 
 void Workers::call(void (*function)(void*), void* what) {
   arena_->arena.execute([=] { function(what); });
+}
+
+void Workers::loop(int count, void (*function)(void*, int), void* what) {
+  arena_->arena.execute([=] {
+    tbb::parallel_for(
+        0, count,
+        [=](int i) {
+          const ZeroSubnormals arithmetic;
+          function(what, i);
+        },
+        tbb::simple_partitioner());
+  });
 }
 
 int Workers::index() const { return tbb::this_task_arena::current_thread_index(); }

@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <memory>
 #include <type_traits>
+#include <vector>
 
 namespace pliant::scheduler {
 
@@ -28,6 +29,26 @@ class Workers {
     call([](void* what) { (*static_cast<Call*>(what))(); }, &f);
   }
 
+  /// Calls f(i) for i = 0..count-1, in parallel and in any order: for work outside steps. Throws
+  /// what f throws.
+  template <class F>
+  void for_each(int count, F&& f) {
+    using Call = std::remove_reference_t<F>;
+    loop(
+        count, [](void* what, int i) { (*static_cast<Call*>(what))(i); }, &f);
+  }
+
+  /// The sum of f(i) over i = 0..count-1, which the function add(sum, part) of the type `Sum` adds
+  /// up in this order, so that it does not depend on the number of threads.
+  template <class Sum, class F>
+  Sum sum(int count, F&& f) {
+    std::vector<Sum> parts(static_cast<std::size_t>(count));
+    for_each(count, [&](int i) { parts[static_cast<std::size_t>(i)] = f(i); });
+    Sum sum = {};
+    for (const Sum& part : parts) add(sum, part);
+    return sum;
+  }
+
   /// Number of the calling worker, 0..threads-1; only for calls inside `execute` or a step.
   int index() const;
 
@@ -43,6 +64,7 @@ class Workers {
   struct Arena;
 
   void call(void (*function)(void*), void* what);
+  void loop(int count, void (*function)(void*, int), void* what);
 
   int threads_;
   std::uint64_t id_;

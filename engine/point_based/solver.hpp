@@ -28,7 +28,7 @@ class Solver final : public undeformed::Solver<State<T, D>, Step<T, D>, Measurer
 
   /// (PB.12)
   double automatic_step() const override;
-  Measurer<T, D> measurer() const override { return Measurer<T, D>(this->state()); }
+  Measurer<T, D> measurer() override { return Measurer<T, D>(this->state()); }
   bool velocities_lag() const override { return !is_leapfrog(this->settings()); }
   bool knows_energy() const override { return knows_losses(this->settings()); }
   StepFailure failure(const StepResult& result) const override;

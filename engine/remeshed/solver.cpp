@@ -228,7 +228,7 @@ void Solver<T, D>::refresh_ghosts() {
 
 template <class T, int D>
 Measurer<T, D>& Solver<T, D>::measurer() {
-  if (!measurer_) measurer_.emplace(settings(), state_, [this] { return on_nodes(); });
+  if (!measurer_) measurer_.emplace(settings(), state_, workers(), [this] { return on_nodes(); });
   return *measurer_;
 }
 

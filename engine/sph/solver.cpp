@@ -89,12 +89,12 @@ void Solver<T, D>::move(double dt) {
 
 template <class T, int D>
 std::vector<double> Solver<T, D>::measure_each(std::span<const MeasurementCase> measurements) {
-  return remeshed::Measurer<T, D>(settings(), state_, {})(measurements);
+  return remeshed::Measurer<T, D>(settings(), state_, workers(), {})(measurements);
 }
 
 template <class T, int D>
 BodyIntegrals Solver<T, D>::integrals() {
-  return remeshed::Measurer<T, D>(settings(), state_, {}).totals();
+  return remeshed::Measurer<T, D>(settings(), state_, workers(), {}).totals();
 }
 
 template <class T, int D>

@@ -32,6 +32,7 @@ class Nodes {
       count *= extent_[a];
     }
     phi_.reserve(count);
+    fraction_.resize(count, unknown);
     for_each([&](const Cell<D>& cell) { phi_.push_back(on_node(lattice.node(cell))); });
   }
 
@@ -39,6 +40,11 @@ class Nodes {
   void move(const Cell<D>& cell, const Point<D>& x) {
     phi_[index(cell)] = on_node(x);
     moved_[index(cell)] = x;
+    for (int c = 0; c < corners; ++c) {
+      Cell<D> around = cell;
+      for (int a = 0; a < D; ++a) around[a] -= c >> a & 1;
+      if (has_cell(around)) fraction_[index(around)] = unknown;
+    }
   }
 
   template <class F>
@@ -66,19 +72,12 @@ class Nodes {
   /// [h]
   double phi(const Cell<D>& cell) const { return phi_[index(cell)]; }
 
-  /// Share of a cell inside the shape, (TL.1); 0 where the cell gets no stress point.
+  /// Share of a cell inside the shape, (TL.1); 0 where the cell gets no stress point. Computed
+  /// once, unless a corner moves.
   double fraction(const Cell<D>& cell) const {
-    std::array<double, corners> corner;
-    for (int c = 0; c < corners; ++c) corner[c] = phi(at_corner(cell, c));
-    const auto [least, most] = std::minmax_element(corner.begin(), corner.end());
-    if (*most <= 0) return 1;
-    if (*least >= 0) return 0;
-    const double fraction =
-        has_mesh_ ? share_inside([&](const Point<D>& s) { return between(corner, s); }, never_far)
-        : is_moved(cell)
-            ? share_inside([&](const Point<D>& s) { return phi_at(within(cell, s)); }, never_far)
-            : share_inside([&](const Point<D>& s) { return phi_at(on_lattice(cell, s)); }, far);
-    return fraction < smallest ? 0 : fraction;
+    double& known = fraction_[index(cell)];
+    if (known == unknown) known = find_fraction(cell);
+    return known;
   }
 
   const Cell<D>& lower() const { return lower_; }
@@ -96,6 +95,26 @@ class Nodes {
   // least this, the surface cuts none of them.
   static constexpr double far = (0.5 + 0.87) / sub_cells;
   static constexpr double never_far = std::numeric_limits<double>::infinity();
+  static constexpr double unknown = -1;  // fraction
+
+  double find_fraction(const Cell<D>& cell) const {
+    std::array<double, corners> corner;
+    for (int c = 0; c < corners; ++c) corner[c] = phi(at_corner(cell, c));
+    const auto [least, most] = std::minmax_element(corner.begin(), corner.end());
+    if (*most <= 0) return 1;
+    if (*least >= 0) return 0;
+    double fraction = 0;
+    if (has_mesh_) {
+      fraction = share_inside([&](const Point<D>& s) { return between(corner, s); }, never_far);
+    } else if (is_moved(cell)) {
+      const auto places = places_of_corners(cell);
+      fraction =
+          share_inside([&](const Point<D>& s) { return phi_at(within(places, s)); }, never_far);
+    } else {
+      fraction = share_inside([&](const Point<D>& s) { return phi_at(on_lattice(cell, s)); }, far);
+    }
+    return fraction < smallest ? 0 : fraction;
+  }
 
   double phi_at(const Point<D>& x) const {
     return signed_distance(shape_, padded<D>(x), D) / lattice_.spacing;
@@ -119,13 +138,21 @@ class Nodes {
     return weight;
   }
 
-  Point<D> within(const Cell<D>& cell, const Point<D>& s) const {
-    Point<D> x = {};
+  std::array<Point<D>, corners> places_of_corners(const Cell<D>& cell) const {
+    std::array<Point<D>, corners> places;
     for (int c = 0; c < corners; ++c) {
       const Cell<D> at = at_corner(cell, c);
       const auto moved = moved_.find(index(at));
-      const Point<D> corner = moved == moved_.end() ? lattice_.node(at) : moved->second;
-      for (int a = 0; a < D; ++a) x[a] += weight(s, c) * corner[a];
+      places[c] = moved == moved_.end() ? lattice_.node(at) : moved->second;
+    }
+    return places;
+  }
+
+  static Point<D> within(const std::array<Point<D>, corners>& places, const Point<D>& s) {
+    Point<D> x = {};
+    for (int c = 0; c < corners; ++c) {
+      const double share = weight(s, c);
+      for (int a = 0; a < D; ++a) x[a] += share * places[c][a];
     }
     return x;
   }
@@ -188,6 +215,7 @@ class Nodes {
   bool has_mesh_;
   Cell<D> lower_, extent_;
   std::vector<double> phi_;
+  mutable std::vector<double> fraction_;    ///< [index] of cells
   std::map<std::int64_t, Point<D>> moved_;  ///< [index]
 };
 

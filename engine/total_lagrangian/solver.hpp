@@ -19,9 +19,7 @@ class Solver final : public undeformed::Solver<State<T, D>, Step<T, D>, Measurer
   using Base = undeformed::Solver<State<T, D>, Step<T, D>, Measurer<T, D>>;
 
   double automatic_step() const override;
-  Measurer<T, D> measurer() const override {
-    return Measurer<T, D>(this->settings(), this->state());
-  }
+  Measurer<T, D> measurer() override { return Measurer<T, D>(this->state(), this->workers()); }
   bool velocities_lag() const override { return true; }
   StepFailure failure(const StepResult& result) const override;
   void adapt(const Advance& advance, const StepResult& result) override;

@@ -1,11 +1,11 @@
 #include "engine/total_lagrangian/stress_point.hpp"
 
+#include <Eigen/Dense>
 #include <algorithm>
 #include <cmath>
 
 #include "engine/method/hyperelastic.hpp"
 #include "engine/method/initial_stress.hpp"
-#include "engine/total_lagrangian/fitted_cells.hpp"
 #include "kernels/total_lagrangian/cell_energy.hpp"
 #include "kernels/total_lagrangian/hourglass.hpp"
 #include "kernels/with_scalar.hpp"
@@ -16,21 +16,23 @@ namespace {
 
 using Pack = xsimd::batch<double, xsimd::sse2>;
 
-// Modes of a cell, [component][mode], (TL.2).
+// Modes of a cell, [component][mode], (TL.2): sums and differences along one axis after another.
 template <class T, int D>
 std::array<std::array<double, (1 << D)>, D> modes(const Body<T, D>& body, const Cell<D>& cell,
                                                   double ahead) {
   std::array<std::array<double, (1 << D)>, D> mode = {};
   const auto corners = body.corners(cell);
-  for (int c = 0; c < (1 << D); ++c) {
-    for (int m = 0; m < (1 << D); ++m) {
-      int sign = 1;
-      for (int a = 0; a < D; ++a) {
-        if (m >> a & 1) sign *= c >> a & 1 ? 1 : -1;
-      }
-      for (int i = 0; i < D; ++i) {
-        const double d = body.displacement[i][corners[c]];
-        mode[i][m] += sign * (ahead == 0 ? d : d + ahead * body.velocity[i][corners[c]]);
+  for (int i = 0; i < D; ++i) {
+    for (int c = 0; c < (1 << D); ++c) {
+      const double d = body.displacement[i][corners[c]];
+      mode[i][c] = ahead == 0 ? d : d + ahead * body.velocity[i][corners[c]];
+    }
+    for (int axis = 1; axis < (1 << D); axis *= 2) {
+      for (int c = 0; c < (1 << D); ++c) {
+        if (c & axis) continue;
+        const double lower = mode[i][c], upper = mode[i][c | axis];
+        mode[i][c] = lower + upper;
+        mode[i][c | axis] = upper - lower;
       }
     }
   }
@@ -96,15 +98,15 @@ CellShape<D> cell_shape(const Body<T, D>& body, std::int64_t slot, const Cell<D>
   const auto fitted = std::lower_bound(
       body.fitted.begin(), body.fitted.end(), is_fitted ? slot : 0,
       [](const auto& fitted_cell, std::int64_t s) { return fitted_cell.slot < s; });
-  const Matrix a = is_fitted ? shape_of<T, D>(body, cell) : Matrix::Identity();
-  Matrix gradient;
+  Matrix gradient, inverse = Matrix::Identity();
   for (int i = 0; i < D; ++i) {
     for (int j = 0; j < D; ++j) gradient(i, j) = mode[i][1 << j] * 2 / ((1 << D) * h);
   }
-  gradient *= a.inverse();
+  for (int c = 0; c < D * D && is_fitted; ++c) inverse(c / D, c % D) = fitted->inverse[c];
+  gradient *= inverse;
   CellShape<D> shape;
   shape.f = Matrix::Identity() + gradient;
-  shape.volume = body.fraction[slot] * std::pow(h, D) * a.determinant();
+  shape.volume = std::pow(h, D) * (is_fitted ? fitted->volume : body.fraction[slot]);
   shape.mode = mode;
   for (int m = 1; m < (1 << D) && is_fitted; ++m) {
     for (int i = 0; i < D; ++i) {

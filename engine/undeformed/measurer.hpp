@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <span>
 #include <utility>
 #include <vector>
@@ -70,13 +71,22 @@ class Measurer {
   double contact_impulse(const MeasurementCase& m) const {
     return state_.contact_impulse_on_first(m);
   }
+  /// `integrals`, computed once for all measurements.
+  const BodyIntegrals& integrals_once(int body, const Vector& about) const;
   double integral(const MeasurementCase& m) const {
-    const BodyIntegrals sum = integrals(m.body, m.point);
+    const BodyIntegrals& sum = integrals_once(m.body, m.point);
     const bool is_total = m.kind == MeasurementCase::Kind::total_energy;
     return is_total ? total_energy(m.body, sum) : value_of(m, sum, D);
   }
 
+  struct Integrated {
+    int body;
+    Vector about;
+    BodyIntegrals sum;
+  };
+
   const State& state_;
+  mutable std::vector<Integrated> integrated_;  ///< empty until first needed
 };
 
 template <class State>
@@ -124,9 +134,17 @@ auto Measurer<State>::function_of(MeasurementCase::Kind kind) -> Function {
 }
 
 template <class State>
+const BodyIntegrals& Measurer<State>::integrals_once(int body, const Vector& about) const {
+  const auto known = std::ranges::find_if(
+      integrated_, [&](const Integrated& one) { return one.body == body && one.about == about; });
+  if (known != integrated_.end()) return known->sum;
+  return integrated_.emplace_back(Integrated{body, about, integrals(body, about)}).sum;
+}
+
+template <class State>
 BodyIntegrals Measurer<State>::totals() const {
   BodyIntegrals sum;
-  for (int b = 0; b < static_cast<int>(state_.bodies.size()); ++b) add(sum, integrals(b, {}));
+  for (int b = 0; b < static_cast<int>(state_.bodies.size()); ++b) add(sum, integrals_once(b, {}));
   return sum;
 }
 

@@ -75,7 +75,7 @@ class Solver : public pliant::Solver {
  private:
   /// Length of the step by the CFL number of the case [s].
   virtual double automatic_step() const = 0;
-  virtual Measurer measurer() const = 0;
+  virtual Measurer measurer() = 0;
   /// Whether velocities belong to the middle of a step, not to its end.
   virtual bool velocities_lag() const = 0;
   /// Whether the work of all forces and all losses are known.

@@ -256,6 +256,21 @@ TEST(step_graph, an_empty_step_runs) {
   EXPECT_TRUE(graph.nodes().empty());
 }
 
+TEST(workers, call_a_function_once_for_each_number_and_pass_its_exception_on) {
+  for (const int threads : {1, 2, 7}) {
+    Workers workers(threads);
+    std::vector<int> calls(500);
+    workers.for_each(500, [&](int i) { ++calls[static_cast<std::size_t>(i)]; });
+    EXPECT_EQ(calls, std::vector<int>(500, 1));
+    workers.for_each(0, [&](int) { FAIL() << "there is nothing to do"; });
+    EXPECT_THROW(workers.for_each(500,
+                                  [](int i) {
+                                    if (i == 77) throw std::runtime_error("");
+                                  }),
+                 std::runtime_error);
+  }
+}
+
 TEST(workers, need_a_thread) { EXPECT_THROW(Workers(0), std::invalid_argument); }
 
 }  // namespace pliant::scheduler

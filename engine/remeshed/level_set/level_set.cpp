@@ -172,6 +172,7 @@ void LevelSet<T, D>::add_layer(const Block<D>& block, int layer,
   for (int s = block.first_segment; s < block.first_segment + block.segment_count; ++s) {
     const kernels::Segment<D>& segment = layout_->segments()[s];
     std::copy_n(before + segment.first, segment.count, after + segment.first);
+    if (layer > last_layer_) continue;
     for (int offset = 0; offset < segment.count; offset += Layout<D>::pack) {
       const std::int64_t first = segment.first + offset;
       const PackOfMarks borders = borders_of_layer(segment, first, layer);

@@ -28,15 +28,18 @@ namespace pliant::remeshed {
 template <class T, int D>
 class LevelSet {
  public:
-  static constexpr double near_band = 1.8;  ///< [h]
-  static constexpr double trusted = 2.5;    ///< [h] more distant closest points do not correct phi
-  static constexpr int layers = 6;          ///< the near nodes are layer 1
-  static constexpr double far = 6.5;        ///< [h]
+  static constexpr double near_band = 1.8;   ///< [h]
+  static constexpr double trusted = 2.5;     ///< [h] more distant closest points do not correct phi
+  static constexpr int layers = 6;           ///< the near nodes are layer 1
+  static constexpr int observed_layers = 4;  ///< what cubic interpolation at the surface reaches
+  static constexpr double far = 6.5;         ///< [h]
 
   explicit LevelSet(Reinitialisation reinitialisation = Reinitialisation::closest_point)
       : is_first_order_(reinitialisation == Reinitialisation::first_order) {}
   bool is_first_order() const { return is_first_order_; }
 
+  /// Layers beyond the `count`-th find no closest points from now on.
+  void use_layers(int count) { last_layer_ = count; }
   void prepare(const Lattice<D>& lattice, const Layout<D>& layout, T* phi);
   /// Sets the memory for phi extended through walls and for closest points. It must stay valid from
   /// the first pass to the last query of a closest point.
@@ -100,6 +103,7 @@ class LevelSet {
                                int layer) const;
 
   bool is_first_order_;
+  int last_layer_ = layers;
   const Lattice<D>* lattice_ = nullptr;
   const Layout<D>* layout_ = nullptr;
   T* phi_ = nullptr;

@@ -3,6 +3,7 @@
 #include "engine/boundaries/walls.hpp"
 #include "engine/method/body_integrals.hpp"
 #include "engine/remeshed/state/lattice_view.hpp"
+#include "scheduler/workers.hpp"
 
 namespace pliant::remeshed {
 
@@ -10,6 +11,11 @@ namespace pliant::remeshed {
 template <class T, int D>
 BodyIntegrals integrate(const LatticeView<T, D>& view, const Boundaries<D>& boundaries,
                         const Vector& about);
+
+/// The same to the last bit, with blocks in parallel.
+template <class T, int D>
+BodyIntegrals integrate(const LatticeView<T, D>& view, const Boundaries<D>& boundaries,
+                        const Vector& about, scheduler::Workers& workers);
 
 /// Sums over the particles, for bodies that are never remeshed or have no surface.
 template <class T, int D>

@@ -197,7 +197,7 @@ BodyIntegrals Measurer<T, D>::integrate_body(int body, const Vector& about) {
   if (!find_nodes_ || settings_.remeshing.policy == Policy::never || !is_bounded) {
     return sum_particles<T, D>(particles, about);
   }
-  BodyIntegrals sum = integrate<T, D>(nodes()[body], state_.boundaries, about);
+  BodyIntegrals sum = integrate<T, D>(nodes()[body], state_.boundaries, about, workers_);
   if (state_.momentum_budgets.empty()) return sum;
   const Point<D> momentum = budget_momentum<T, D>(state_, body);
   std::copy(momentum.begin(), momentum.end(), sum.momentum.begin());

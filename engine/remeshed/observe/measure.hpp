@@ -17,8 +17,9 @@ class Measurer {
  public:
   /// Without `find_nodes`, conserved quantities are sums over particles, and nothing else that
   /// needs nodes can be measured.
-  Measurer(const Case& settings, const State<T, D>& state, NodeSource<T, D> find_nodes)
-      : settings_(settings), state_(state), find_nodes_(std::move(find_nodes)) {}
+  Measurer(const Case& settings, const State<T, D>& state, scheduler::Workers& workers,
+           NodeSource<T, D> find_nodes)
+      : settings_(settings), state_(state), workers_(workers), find_nodes_(std::move(find_nodes)) {}
 
   /// One value for each measurement, as in Solver::measure.
   std::vector<double> operator()(std::span<const MeasurementCase> measurements);
@@ -75,6 +76,7 @@ class Measurer {
 
   const Case& settings_;
   const State<T, D>& state_;
+  scheduler::Workers& workers_;
   NodeSource<T, D> find_nodes_;
   // Empty until first needed.
   std::vector<LatticeView<T, D>> nodes_;

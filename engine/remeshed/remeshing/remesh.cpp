@@ -134,6 +134,7 @@ template <class T, int D>
 void Remeshing<T, D>::prepare_target(bool reinitialise, bool is_final) {
   reinitialise_ = reinitialise;
   is_final_ = is_final;
+  level_set_.use_layers(is_final ? LevelSet<T, D>::layers : LevelSet<T, D>::observed_layers);
   if (!is_final) return;
   body_.spare.ghosts.swap(body_.population.ghosts);
   body_.spare.ghosts.resize(body_.spare.layout.blocks().size());

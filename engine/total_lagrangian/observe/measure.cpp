@@ -14,29 +14,33 @@ namespace pliant::total_lagrangian {
 
 namespace {
 
+template <class T, int D>
+int block_count(const Body<T, D>& body) {
+  return static_cast<int>(body.layout.blocks().size());
+}
+
+template <class T, int D, class F>
+void for_each_particle_of(const Body<T, D>& body, int block, F&& f) {
+  body.layout.for_each_slot(body.layout.blocks()[block], [&](std::int64_t p, const Cell<D>& cell) {
+    if (body.is_particle(p)) f(p, cell);
+  });
+}
+
 template <class T, int D, class F>
 void for_each_particle(const Body<T, D>& body, F&& f) {
-  for (const Block<D>& block : body.layout.blocks()) {
-    body.layout.for_each_slot(block, [&](std::int64_t p, const Cell<D>& cell) {
-      if (body.is_particle(p)) f(p, cell);
-    });
-  }
+  for (int b = 0; b < block_count(body); ++b) for_each_particle_of(body, b, f);
 }
 
-template <class T, int D, class F>
-void for_each_stress_point(const Body<T, D>& body, double ahead, F&& f) {
-  for (const Block<D>& block : body.layout.blocks()) {
-    body.layout.for_each_slot(block, [&](std::int64_t p, const Cell<D>& cell) {
-      if (body.fraction[p] > 0) f(p, stress_point<T, D>(body, p, cell, ahead));
-    });
-  }
-}
-
+/// Volume and strain energy of the stress points of a block.
 template <class T, int D>
-double strain_energy(const Body<T, D>& body, double ahead) {
-  double sum = 0;
-  for_each_stress_point(body, ahead,
-                        [&](std::int64_t, const StressPoint<D>& point) { sum += point.energy; });
+BodyIntegrals integrate_stress_points(const Body<T, D>& body, int block, double ahead) {
+  BodyIntegrals sum;
+  body.layout.for_each_slot(body.layout.blocks()[block], [&](std::int64_t p, const Cell<D>& cell) {
+    if (!(body.fraction[p] > 0)) return;
+    const StressPoint<D> point = stress_point<T, D>(body, p, cell, ahead);
+    sum.strain_energy += point.energy;
+    sum.volume += point.volume * point.volume_ratio;
+  });
   return sum;
 }
 
@@ -149,22 +153,27 @@ BodyIntegrals Measurer<T, D>::integrals(int index, const Vector& about) const {
   const Body<T, D>& body = state_.bodies[index];
   const double scaling = state_.clock.mass_scaling;
   const std::vector<Point<D>> velocity = present_velocity(body);
-  BodyIntegrals sum;
-  for_each_particle(body, [&](std::int64_t p, const Cell<D>& cell) {
-    Vector r = {}, u = {};
-    const Point<D> start = body.place(p, cell);
-    for (int a = 0; a < D; ++a) {
-      r[a] = start[a] + body.displacement[a][p] - about[a];
-      u[a] = velocity[p][a];
-    }
-    sum.mass += body.mass[p];
-    add_motion(sum, body.mass[p], r, u, scaling);
-  });
-  for_each_stress_point(body, 0, [&](std::int64_t, const StressPoint<D>& point) {
-    sum.strain_energy += point.energy;
-    sum.volume += point.volume * point.volume_ratio;
-  });
-  return sum;
+  const auto of_block = [&](int block) {
+    BodyIntegrals sum = integrate_stress_points(body, block, 0);
+    for_each_particle_of(body, block, [&](std::int64_t p, const Cell<D>& cell) {
+      Vector r = {}, u = {};
+      const Point<D> start = body.place(p, cell);
+      for (int a = 0; a < D; ++a) {
+        r[a] = start[a] + body.displacement[a][p] - about[a];
+        u[a] = velocity[p][a];
+      }
+      sum.mass += body.mass[p];
+      add_motion(sum, body.mass[p], r, u, scaling);
+    });
+    return sum;
+  };
+  return workers_.template sum<BodyIntegrals>(block_count(body), of_block);
+}
+
+template <class T, int D>
+double Measurer<T, D>::strain_energy(const Body<T, D>& body, double ahead) const {
+  const auto of_block = [&](int block) { return integrate_stress_points(body, block, ahead); };
+  return workers_.template sum<BodyIntegrals>(block_count(body), of_block).strain_energy;
 }
 
 // A wall takes up the forces on a particle along the directions in which it holds it.

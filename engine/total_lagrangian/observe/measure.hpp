@@ -4,6 +4,7 @@
 
 #include "engine/total_lagrangian/state.hpp"
 #include "engine/undeformed/measurer.hpp"
+#include "scheduler/workers.hpp"
 
 namespace pliant::total_lagrangian {
 
@@ -11,14 +12,16 @@ namespace pliant::total_lagrangian {
 template <class T, int D>
 class Measurer final : public undeformed::Measurer<State<T, D>> {
  public:
-  Measurer(const Case& settings, const State<T, D>& state)
-      : Base(state), settings_(settings), state_(state) {}
+  Measurer(const State<T, D>& state, scheduler::Workers& workers)
+      : Base(state), state_(state), workers_(workers) {}
 
  private:
   using Base = undeformed::Measurer<State<T, D>>;
 
   undeformed::FreeSurface<D> free_surface(int body) const override;
   BodyIntegrals integrals(int body, const Vector& about) const override;
+  /// After particles have moved on by a time [s] at their velocities.
+  double strain_energy(const Body<T, D>& body, double ahead) const;
   /// (TL.30)
   double total_energy(int body, const BodyIntegrals& sum) const override;
   double point_displacement(const MeasurementCase& m) const override;
@@ -32,8 +35,8 @@ class Measurer final : public undeformed::Measurer<State<T, D>> {
   /// Power of loads, walls and damping on a body [W].
   double power_on(const Body<T, D>& body) const;
 
-  const Case& settings_;
   const State<T, D>& state_;
+  scheduler::Workers& workers_;
 };
 
 }  // namespace pliant::total_lagrangian

@@ -50,6 +50,24 @@ TEST(integrals, of_a_disc_converge_with_the_power_three_halves_of_a_tenth_of_the
   EXPECT_LT(coarse.kinetic_energy, 0.2 * sampling);
 }
 
+TEST(integrals, are_the_same_bits_for_any_number_of_threads) {
+  Solver solver(spinning_disc(0.02), {1, kernels::Isa::sse2});
+  const auto view = solver.on_nodes()[0];
+  ASSERT_GT(view.population.layout.blocks().size(), 3U);
+  const auto& walls = solver.state().boundaries;
+  const BodyIntegrals in_turn = remeshed::integrate<double, 2>(view, walls, reference_point);
+  for (const int threads : {1, 2, 7}) {
+    scheduler::Workers workers(threads);
+    const BodyIntegrals sum = remeshed::integrate<double, 2>(view, walls, reference_point, workers);
+    EXPECT_EQ(sum.volume, in_turn.volume);
+    EXPECT_EQ(sum.mass, in_turn.mass);
+    EXPECT_EQ(sum.momentum, in_turn.momentum);
+    EXPECT_EQ(sum.angular_momentum, in_turn.angular_momentum);
+    EXPECT_EQ(sum.kinetic_energy, in_turn.kinetic_energy);
+    EXPECT_EQ(sum.strain_energy, in_turn.strain_energy);
+  }
+}
+
 TEST(integrals, a_body_that_spins_about_its_centre_has_no_momentum) {
   const BodyIntegrals sum = integrals_at(0.1);
   // As large as the errors of mass, as the nodes are not symmetric about the centre.

@@ -130,9 +130,14 @@ TEST(remeshing, of_particles_on_their_nodes_changes_nothing) {
     ASSERT_EQ(body.population.kind[q], Kind::interior);
     EXPECT_NEAR(view.fields.get(Field::mass)[p], body.stage[0].get(Field::mass)[q], 1e-16);
     // Away from the surface phi is rebuilt from closest points, which are iterated until they move
-    // by less than 1e-6 spacings.
+    // by less than 1e-6 spacings; beyond four layers of nodes only its sign is.
     const double phi = body.stage[0].get(Field::level_set)[q];
-    EXPECT_NEAR(view.fields.get(Field::level_set)[p], phi, phi > -0.18 ? 1e-15 : 5e-6 * 0.1);
+    const double remeshed = view.fields.get(Field::level_set)[p];
+    if (phi < -0.4) {
+      EXPECT_LT(remeshed, -0.4);
+    } else {
+      EXPECT_NEAR(remeshed, phi, phi > -0.18 ? 1e-15 : 5e-6 * 0.1);
+    }
   });
 }
 
