@@ -177,9 +177,10 @@ void make_nodes(const Case& settings, const BodyCase& source, const PlacedNodes<
 
 template <class T, int D>
 BondChoice<D> make_body(const Case& settings, const BodyCase& source, const PlacedNodes<D>& nodes,
-                        const Boundaries<D>& boundaries, Body<T, D>& body) {
+                        const Boundaries<D>& boundaries, scheduler::Workers& workers,
+                        Body<T, D>& body) {
   make_nodes(settings, source, nodes, boundaries, PressureForces::of_bonds, body);
-  BondChoice<D> choice = choose_neighbours(settings, nodes, body);
+  BondChoice<D> choice = choose_neighbours(settings, nodes, body, workers);
   if (parameters_of(settings).gradient == NodeGradient::patch_exact) {
     correct_weights(nodes.cloud, body, choice);
   } else if (!choice.is_lattice()) {
@@ -210,19 +211,23 @@ scheduler::Blocks number_blocks(State<T, D>& state) {
 template void make_nodes(const Case&, const BodyCase&, const PlacedNodes<2>&, const Boundaries<2>&,
                          PressureForces, Body<double, 2>&);
 template BondChoice<2> make_body<double, 2>(const Case&, const BodyCase&, const PlacedNodes<2>&,
-                                            const Boundaries<2>&, Body<double, 2>&);
+                                            const Boundaries<2>&, scheduler::Workers&,
+                                            Body<double, 2>&);
 template void make_nodes(const Case&, const BodyCase&, const PlacedNodes<3>&, const Boundaries<3>&,
                          PressureForces, Body<double, 3>&);
 template BondChoice<3> make_body<double, 3>(const Case&, const BodyCase&, const PlacedNodes<3>&,
-                                            const Boundaries<3>&, Body<double, 3>&);
+                                            const Boundaries<3>&, scheduler::Workers&,
+                                            Body<double, 3>&);
 template void make_nodes(const Case&, const BodyCase&, const PlacedNodes<2>&, const Boundaries<2>&,
                          PressureForces, Body<float, 2>&);
 template BondChoice<2> make_body<float, 2>(const Case&, const BodyCase&, const PlacedNodes<2>&,
-                                           const Boundaries<2>&, Body<float, 2>&);
+                                           const Boundaries<2>&, scheduler::Workers&,
+                                           Body<float, 2>&);
 template void make_nodes(const Case&, const BodyCase&, const PlacedNodes<3>&, const Boundaries<3>&,
                          PressureForces, Body<float, 3>&);
 template BondChoice<3> make_body<float, 3>(const Case&, const BodyCase&, const PlacedNodes<3>&,
-                                           const Boundaries<3>&, Body<float, 3>&);
+                                           const Boundaries<3>&, scheduler::Workers&,
+                                           Body<float, 3>&);
 template scheduler::Blocks number_blocks(State<double, 2>&);
 template scheduler::Blocks number_blocks(State<double, 3>&);
 template scheduler::Blocks number_blocks(State<float, 2>&);

@@ -3,6 +3,7 @@
 #include "engine/point_based/bonds/bonds.hpp"
 #include "engine/point_based/nodes/place_nodes.hpp"
 #include "engine/point_based/state.hpp"
+#include "scheduler/workers.hpp"
 
 namespace pliant::point_based {
 
@@ -21,7 +22,8 @@ void make_nodes(const Case& settings, const BodyCase& source, const PlacedNodes<
 /// InputError for nodes that do not form a body. Returns how nodes have chosen their neighbours.
 template <class T, int D>
 BondChoice<D> make_body(const Case& settings, const BodyCase& source, const PlacedNodes<D>& nodes,
-                        const Boundaries<D>& boundaries, Body<T, D>& body);
+                        const Boundaries<D>& boundaries, scheduler::Workers& workers,
+                        Body<T, D>& body);
 
 /// Numbers the blocks of all bodies. Returns which blocks are neighbours.
 template <class T, int D>

@@ -11,7 +11,7 @@ namespace pliant::point_based {
 // Irregular nodes replace neighbours that cuts remove by nodes farther away.
 template <class T, int D>
 BondChoice<D> choose_neighbours(const Case& settings, const PlacedNodes<D>& nodes,
-                                const Body<T, D>& body) {
+                                const Body<T, D>& body, scheduler::Workers& workers) {
   constexpr int candidates_per_neighbour = 3;
   constexpr int searched = 3;  // nodes more for each neighbour, of which some are too small
   BondChoice<D> choice;
@@ -28,7 +28,7 @@ BondChoice<D> choose_neighbours(const Case& settings, const PlacedNodes<D>& node
   const int candidates = ranks * choice.neighbours + 1;
   choice.candidates = find_candidates<D>(
       nodes.stretched(), choice.elastic_volumes,
-      is_lattice ? candidates : candidates + searched * choice.neighbours, body.name);
+      is_lattice ? candidates : candidates + searched * choice.neighbours, body.name, workers);
   if (!is_lattice) sort_by_size<D>(candidates, choice.candidates);
   for (auto& list : choice.candidates) {
     const auto most = static_cast<std::size_t>(choice.neighbours);
@@ -43,11 +43,13 @@ BondChoice<D> choose_neighbours(const Case& settings, const PlacedNodes<D>& node
   return choice;
 }
 
-template BondChoice<2> choose_neighbours(const Case&, const PlacedNodes<2>&,
-                                         const Body<double, 2>&);
-template BondChoice<3> choose_neighbours(const Case&, const PlacedNodes<3>&,
-                                         const Body<double, 3>&);
-template BondChoice<2> choose_neighbours(const Case&, const PlacedNodes<2>&, const Body<float, 2>&);
-template BondChoice<3> choose_neighbours(const Case&, const PlacedNodes<3>&, const Body<float, 3>&);
+template BondChoice<2> choose_neighbours(const Case&, const PlacedNodes<2>&, const Body<double, 2>&,
+                                         scheduler::Workers&);
+template BondChoice<3> choose_neighbours(const Case&, const PlacedNodes<3>&, const Body<double, 3>&,
+                                         scheduler::Workers&);
+template BondChoice<2> choose_neighbours(const Case&, const PlacedNodes<2>&, const Body<float, 2>&,
+                                         scheduler::Workers&);
+template BondChoice<3> choose_neighbours(const Case&, const PlacedNodes<3>&, const Body<float, 3>&,
+                                         scheduler::Workers&);
 
 }  // namespace pliant::point_based
