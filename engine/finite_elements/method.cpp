@@ -8,7 +8,7 @@
 #include "engine/finite_elements/solver.hpp"
 #include "engine/point_based/footprint.hpp"
 #include "engine/point_based/method.hpp"
-#include "engine/point_based/setup.hpp"
+#include "engine/point_based/nodes/place_nodes.hpp"
 #include "engine/undeformed/default_cfl.hpp"
 
 namespace pliant::finite_elements {

@@ -1,8 +1,5 @@
 #include "engine/point_based/setup.hpp"
 
-#include <fmt/format.h>
-#include <pliant/error.hpp>
-
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -14,15 +11,10 @@
 #include "engine/method/hyperelastic.hpp"
 #include "engine/method/initial_stress.hpp"
 #include "engine/method/initial_velocity.hpp"
-#include "engine/point_based/bonds/candidates.hpp"
+#include "engine/point_based/bonds/choose_neighbours.hpp"
 #include "engine/point_based/bonds/node_frequency.hpp"
 #include "engine/point_based/bonds/patch_bonds.hpp"
 #include "engine/point_based/forces/node_groups.hpp"
-#include "engine/point_based/nodes/body_lattice.hpp"
-#include "engine/point_based/nodes/lattice_nodes.hpp"
-#include "engine/point_based/nodes/mesh_nodes.hpp"
-#include "engine/point_based/nodes/nodes_at_walls.hpp"
-#include "engine/point_based/nodes/octree_nodes.hpp"
 #include "engine/point_based/parameters.hpp"
 #include "engine/point_based/surface/surface.hpp"
 #include "kernels/with_scalar.hpp"
@@ -68,40 +60,6 @@ bool has_resisted_cuts(const Case& settings, const BodyCase& source) {
   const auto body = &source - settings.bodies.data();
   return std::any_of(settings.cuts.begin(), settings.cuts.end(),
                      [body](const CutCase& cut) { return cut.body == body && cut.resists(); });
-}
-
-// Irregular nodes replace neighbours that cuts remove by nodes farther away.
-template <class T, int D>
-BondChoice<D> choice_of(const Case& settings, const PlacedNodes<D>& nodes, const Body<T, D>& body) {
-  constexpr int candidates_per_neighbour = 3;
-  constexpr int searched = 3;  // nodes more for each neighbour, of which some are too small
-  BondChoice<D> choice;
-  choice.neighbours = neighbour_count(settings);
-  choice.support = nodes.support;
-  choice.alpha = parameters_of(settings).stabilisation.value_or(nodes.alpha);
-  choice.may_change = has_cuts(settings, *body.source);
-  const bool is_lattice = !std::isinf(nodes.support);
-  const int ranks = !is_lattice && choice.may_change ? candidates_per_neighbour : 1;
-  // The patch test balances the forces on the whole body, including those that walls take.
-  choice.elastic_volumes = parameters_of(settings).gradient == NodeGradient::patch_exact
-                               ? nodes.cloud.volumes
-                               : nodes.elastic_volumes;
-  const int candidates = ranks * choice.neighbours + 1;
-  choice.candidates = find_candidates<D>(
-      nodes.stretched(), choice.elastic_volumes,
-      is_lattice ? candidates : candidates + searched * choice.neighbours, body.name);
-  if (!is_lattice) sort_by_size<D>(candidates, choice.candidates);
-  for (auto& list : choice.candidates) {
-    const auto most = static_cast<std::size_t>(choice.neighbours);
-    if (!is_lattice || list.size() <= most) continue;
-    list.resize(whole_shells(most, list[most].distance, D + 1,
-                             [&](std::size_t n) { return list[n].distance; }));
-  }
-  choice.slot_of.resize(nodes.cloud.positions.size());
-  for (std::int64_t slot = 0; slot < body.slots; ++slot) {
-    if (body.number[slot] >= 0) choice.slot_of[body.number[slot]] = slot;
-  }
-  return choice;
 }
 
 template <class T, int D>
@@ -194,45 +152,6 @@ bool has_cuts(const Case& settings, const BodyCase& body) {
                      [number](const CutCase& cut) { return cut.body == number; });
 }
 
-bool has_elements(const Shape& shape) {
-  return shape.kind == Shape::Kind::mesh &&
-         (shape.file.ends_with(".msh") || shape.file.ends_with(".vtk"));
-}
-
-template <int D>
-PlacedNodes<D> place_nodes(const Case& settings, const BodyCase& source,
-                           const Boundaries<D>& boundaries) {
-  const Shape& shape = source.geometry;
-  const double spacing = settings.discretisation.spacing;
-  std::optional<Point<D>> pitch;
-  PlacedNodes<D> nodes;
-  if (has_elements(shape)) {
-    nodes.cloud = nodes_of_mesh<D>(read_volume_mesh(shape.file, D), shape.scale, shape.translate);
-    nodes.reach = 0.25;  // vertices lie on the surface
-    nodes.alpha = 0.2;
-  } else if (parameters_of(settings).nodes == NodePlacement::octree) {
-    const double coarsest = parameters_of(settings).coarsest_spacing;
-    pitch = lattice_pitch<D>(shape, spacing);
-    nodes.cloud = octree_nodes<D>(shape, {spacing, coarsest > 0 ? coarsest : 4 * spacing});
-    nodes.reach = 0.5;
-  } else {
-    pitch = lattice_pitch<D>(shape, spacing);
-    nodes.cloud = lattice_nodes<D>(shape, spacing);
-    nodes.reach = 0.5;
-    // Nodes at the surface have fewer neighbours, not farther ones, which would soften bending.
-    const double widest = *std::max_element(pitch->begin(), pitch->end());
-    for (int a = 0; a < D; ++a) nodes.stretch[a] = widest / (*pitch)[a];
-    nodes.support = widest * lattice_support<D>(neighbour_count(settings));
-    nodes.alpha = 0.1;
-  }
-  if (nodes.cloud.positions.empty()) {
-    throw InputError(
-        fmt::format("body `{}` holds no node; use a finer discretisation.spacing", source.name));
-  }
-  nodes.elastic_volumes = fit_to_walls<D>(boundaries, shape, pitch, nodes.cloud);
-  return nodes;
-}
-
 template <class T, int D>
 void make_nodes(const Case& settings, const BodyCase& source, const PlacedNodes<D>& nodes,
                 const Boundaries<D>& boundaries, PressureForces pressures, Body<T, D>& body) {
@@ -258,9 +177,10 @@ void make_nodes(const Case& settings, const BodyCase& source, const PlacedNodes<
 
 template <class T, int D>
 BondChoice<D> make_body(const Case& settings, const BodyCase& source, const PlacedNodes<D>& nodes,
-                        const Boundaries<D>& boundaries, Body<T, D>& body) {
+                        const Boundaries<D>& boundaries, scheduler::Workers& workers,
+                        Body<T, D>& body) {
   make_nodes(settings, source, nodes, boundaries, PressureForces::of_bonds, body);
-  BondChoice<D> choice = choice_of(settings, nodes, body);
+  BondChoice<D> choice = choose_neighbours(settings, nodes, body, workers);
   if (parameters_of(settings).gradient == NodeGradient::patch_exact) {
     correct_weights(nodes.cloud, body, choice);
   } else if (!choice.is_lattice()) {
@@ -288,24 +208,26 @@ scheduler::Blocks number_blocks(State<T, D>& state) {
   return join_blocks(blocks);
 }
 
-template PlacedNodes<2> place_nodes<2>(const Case&, const BodyCase&, const Boundaries<2>&);
-template PlacedNodes<3> place_nodes<3>(const Case&, const BodyCase&, const Boundaries<3>&);
 template void make_nodes(const Case&, const BodyCase&, const PlacedNodes<2>&, const Boundaries<2>&,
                          PressureForces, Body<double, 2>&);
 template BondChoice<2> make_body<double, 2>(const Case&, const BodyCase&, const PlacedNodes<2>&,
-                                            const Boundaries<2>&, Body<double, 2>&);
+                                            const Boundaries<2>&, scheduler::Workers&,
+                                            Body<double, 2>&);
 template void make_nodes(const Case&, const BodyCase&, const PlacedNodes<3>&, const Boundaries<3>&,
                          PressureForces, Body<double, 3>&);
 template BondChoice<3> make_body<double, 3>(const Case&, const BodyCase&, const PlacedNodes<3>&,
-                                            const Boundaries<3>&, Body<double, 3>&);
+                                            const Boundaries<3>&, scheduler::Workers&,
+                                            Body<double, 3>&);
 template void make_nodes(const Case&, const BodyCase&, const PlacedNodes<2>&, const Boundaries<2>&,
                          PressureForces, Body<float, 2>&);
 template BondChoice<2> make_body<float, 2>(const Case&, const BodyCase&, const PlacedNodes<2>&,
-                                           const Boundaries<2>&, Body<float, 2>&);
+                                           const Boundaries<2>&, scheduler::Workers&,
+                                           Body<float, 2>&);
 template void make_nodes(const Case&, const BodyCase&, const PlacedNodes<3>&, const Boundaries<3>&,
                          PressureForces, Body<float, 3>&);
 template BondChoice<3> make_body<float, 3>(const Case&, const BodyCase&, const PlacedNodes<3>&,
-                                           const Boundaries<3>&, Body<float, 3>&);
+                                           const Boundaries<3>&, scheduler::Workers&,
+                                           Body<float, 3>&);
 template scheduler::Blocks number_blocks(State<double, 2>&);
 template scheduler::Blocks number_blocks(State<double, 3>&);
 template scheduler::Blocks number_blocks(State<float, 2>&);

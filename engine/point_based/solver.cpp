@@ -53,7 +53,7 @@ Solver<T, D>::Solver(const Case& a_case, const SolverOptions& options) : Base(a_
     const BodyCase& source = this->settings().bodies[b];
     BondChoice<D> choice = make_body(this->settings(), source,
                                      place_nodes<D>(this->settings(), source, state.boundaries),
-                                     state.boundaries, body);
+                                     state.boundaries, this->workers(), body);
     state.cuts.push_back(body.has_cuts()
                              ? std::make_unique<BodyCuts<T, D>>(
                                    this->settings(), static_cast<int>(b), std::move(choice), body)

@@ -26,7 +26,7 @@ void sort_by_size(std::size_t count, Candidates<D>& candidates) {
 template <int D>
 Candidates<D> find_candidates(const std::vector<Point<D>>& places,
                               const std::vector<double>& elastic_volumes, int count,
-                              const std::string& body) {
+                              const std::string& body, scheduler::Workers& workers) {
   const std::size_t nodes = places.size();
   if (nodes < 2) {
     throw InputError(
@@ -46,25 +46,32 @@ Candidates<D> find_candidates(const std::vector<Point<D>>& places,
   if (elastic.size() < nodes) all_nodes.emplace(places);
   const std::size_t wanted = static_cast<std::size_t>(count) + 1;
   Candidates<D> candidates(nodes);
-  for (std::size_t node = 0; node < nodes; ++node) {
+  const auto search = [&](std::size_t node) {
     const Point<D>& x = places[node];
     const bool is_elastic = elastic_volumes[node] > 0;
     auto found = is_elastic ? elastic_nodes.nearest(x, wanted) : all_nodes->nearest(x, wanted);
     for (auto& one : found) one.node = is_elastic ? number[one.node] : one.node;
+    candidates[node] = std::move(found);
+  };
+  constexpr std::size_t nodes_of_task = 1024;
+  workers.for_each(static_cast<int>((nodes + nodes_of_task - 1) / nodes_of_task), [&](int task) {
+    const std::size_t first = nodes_of_task * static_cast<std::size_t>(task);
+    for (std::size_t n = first; n < std::min(first + nodes_of_task, nodes); ++n) search(n);
+  });
+  for (auto& found : candidates) {
     if (found.size() > 1 && found[1].distance == 0) {
       throw InputError(fmt::format("body `{}` has two nodes, {} and {}, at one place; remove one",
                                    body, found[0].node, found[1].node));
     }
     found.erase(found.begin());  // the node itself
-    candidates[node] = std::move(found);
   }
   return candidates;
 }
 
 template Candidates<2> find_candidates<2>(const std::vector<Point<2>>&, const std::vector<double>&,
-                                          int, const std::string&);
+                                          int, const std::string&, scheduler::Workers&);
 template Candidates<3> find_candidates<3>(const std::vector<Point<3>>&, const std::vector<double>&,
-                                          int, const std::string&);
+                                          int, const std::string&, scheduler::Workers&);
 
 template void sort_by_size<2>(std::size_t, Candidates<2>&);
 template void sort_by_size<3>(std::size_t, Candidates<3>&);

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "engine/point_based/bonds/nearest_nodes.hpp"
+#include "scheduler/workers.hpp"
 
 namespace pliant::point_based {
 
@@ -28,7 +29,7 @@ using Candidates = std::vector<std::vector<typename NearestNodes<D>::Found>>;
 template <int D>
 Candidates<D> find_candidates(const std::vector<Point<D>>& places,
                               const std::vector<double>& elastic_volumes, int count,
-                              const std::string& body);
+                              const std::string& body, scheduler::Workers& workers);
 
 /// Keeps the `count` candidates with the smallest ratio of the distance to the mean of the sizes of
 /// both nodes, (PB.2). By distance alone, a node next to smaller ones would have hardly any
