@@ -189,9 +189,10 @@ BondChoice<D> make_body(const Case& settings, const BodyCase& source, const Plac
   make_bonds(choice, body);
   if (!choice.is_lattice()) form_groups(body);
   if (!choice.is_lattice() || has_two_layers<D>(source.geometry, settings)) {
-    choice.crowding = crowding(body);
-    body.for_each_node(
-        [&](std::int64_t slot) { body.frequency2[slot] *= static_cast<T>(choice.crowding); });
+    choice.joint_frequency_factor = joint_frequency_factor(body);
+    body.for_each_node([&](std::int64_t slot) {
+      body.frequency2[slot] *= static_cast<T>(choice.joint_frequency_factor);
+    });
   }
   make_loads(boundaries, body);
   return choice;

@@ -94,10 +94,10 @@ std::vector<Phase> Step<T, D>::phases() {
             own(of(own_forces) + of(velocity) + of(displacement) + of(results)), run(&Step::move));
   const Resources motion = of(displacement) + of(velocity), held = of(constants) + of(mass);
   if (has_faces()) {
-    rows.reduce("cut faces", all(motion + held), all(motion), [this] { meet_faces(); });
+    rows.reduce("cut faces", all(motion + held), all(motion), [this] { push_faces_apart(); });
   }
   if (has_punctures()) {
-    rows.reduce("punctures", all(motion + held), all(motion), [this] { dent_surfaces(); });
+    rows.reduce("punctures", all(motion + held), all(motion), [this] { press_surfaces(); });
   }
   add_contact(rows, {motion, held, of(contact_lists), of(contact_places), of(contact_normals),
                      of(touches)});
@@ -125,10 +125,10 @@ bool Step<T, D>::has_faces() const {
 }
 
 template <class T, int D>
-void Step<T, D>::meet_faces() {
+void Step<T, D>::push_faces_apart() {
   for (std::size_t b = 0; b < state_.cuts.size(); ++b) {
     if (!state_.cuts[b]) continue;
-    state_.cuts[b]->meet(state_.bodies[b], advance_.length, drift_length());
+    state_.cuts[b]->push_faces_apart(state_.bodies[b], advance_.length, drift_length());
   }
 }
 
@@ -139,11 +139,11 @@ bool Step<T, D>::has_punctures() const {
 }
 
 template <class T, int D>
-void Step<T, D>::dent_surfaces() {
+void Step<T, D>::press_surfaces() {
   const double inertia = 1 + state_.clock.damping * advance_.length / 2;
   for (std::size_t b = 0; b < state_.cuts.size(); ++b) {
     if (!state_.cuts[b]) continue;
-    const double power = state_.cuts[b]->dent(
+    const double power = state_.cuts[b]->press_surface(
         state_.bodies[b], advance_.time, {advance_.length, drift_length(), inertia}, state_.blades);
     state_.energy.blade_work += advance_.length * power;
     state_.power.blade_work += power;

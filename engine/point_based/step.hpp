@@ -58,9 +58,9 @@ class Step {
   void cut(int block);
   void evaluate_forces(int block);
   bool has_faces() const;
-  void meet_faces();
+  void push_faces_apart();
   bool has_punctures() const;
-  void dent_surfaces();
+  void press_surfaces();
   /// Power of loads and gravity on a block at the present velocities [W].
   EnergyBudget power(int block) const;
 

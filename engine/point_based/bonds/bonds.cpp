@@ -17,7 +17,7 @@ namespace pliant::point_based {
 namespace {
 
 constexpr double support_over_distance = 1.05;  // of the nearest node that is not a neighbour
-constexpr double crowding_beside_cuts = 1.2;
+constexpr double joint_factor_beside_cuts = 1.2;
 constexpr int lanes = kernels::slots_per_pack;
 
 // Finds the halos of all blocks, in ascending order, so that what a block collects for another
@@ -211,9 +211,10 @@ void set_bonds(const BondChoice<D>& choice, std::span<const double> factors, std
     body.moment[c][slot] = static_cast<T>(made.moment[c]);
   }
   const bool is_cut = std::ranges::any_of(factors, [](double factor) { return factor < 1; });
-  const double crowding = choice.crowding * (is_cut ? crowding_beside_cuts : 1);
+  const double joint_frequency_factor =
+      choice.joint_frequency_factor * (is_cut ? joint_factor_beside_cuts : 1);
   body.frequency2[slot] =
-      static_cast<T>(crowding * frequency2_of(chosen, made, slot, volume, body));
+      static_cast<T>(joint_frequency_factor * frequency2_of(chosen, made, slot, volume, body));
   write_bonds<T, D>(block, slot, {chosen.slot, made.gradient}, chosen.weight, body);
 }
 

@@ -26,8 +26,8 @@ struct BondChoice {
   double alpha = 0;    ///< strength of the stabilisation (PB.5)
   /// [node of the cloud][candidate] factors of the weights, (PB.17) and (PB.61); none: 1.
   std::vector<std::vector<double>> correction;
-  double crowding = 1;      ///< factor of lambda_i, (PB.12)
-  bool may_change = false;  ///< whether cuts may make any candidate a neighbour
+  double joint_frequency_factor = 1;  ///< factor of lambda_i, (PB.12)
+  bool may_change = false;            ///< whether cuts may make any candidate a neighbour
 
   double correction_of(std::int64_t node, std::size_t candidate) const {
     const bool has_factor = !correction.empty() && candidate < correction[node].size();

@@ -85,7 +85,7 @@ double node_frequency2(const NodeMaterial& node, std::span<const BondStiffness<D
 }
 
 template <class T, int D>
-double crowding(const Body<T, D>& body) {
+double joint_frequency_factor(const Body<T, D>& body) {
   constexpr int iterations = 40;
   SmallMotion<T, D> motion(body);
   std::vector<Eigen::Matrix<double, D, 1>> moved(body.slots, Eigen::Matrix<double, D, 1>::Zero());
@@ -113,9 +113,9 @@ double crowding(const Body<T, D>& body) {
 template double node_frequency2<2>(const NodeMaterial&, std::span<const BondStiffness<2>>);
 template double node_frequency2<3>(const NodeMaterial&, std::span<const BondStiffness<3>>);
 
-template double crowding(const Body<double, 2>&);
-template double crowding(const Body<double, 3>&);
-template double crowding(const Body<float, 2>&);
-template double crowding(const Body<float, 3>&);
+template double joint_frequency_factor(const Body<double, 2>&);
+template double joint_frequency_factor(const Body<double, 3>&);
+template double joint_frequency_factor(const Body<float, 2>&);
+template double joint_frequency_factor(const Body<float, 3>&);
 
 }  // namespace pliant::point_based

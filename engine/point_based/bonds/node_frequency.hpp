@@ -34,7 +34,7 @@ inline constexpr double energies_of_node = 2;
 /// The factor, at least 1, by which nodes stiffen each other more than on lattices, if small nodes
 /// are next to large ones; by power iteration, at rest. Requires the bonds.
 template <class T, int D>
-double crowding(const Body<T, D>& body);
+double joint_frequency_factor(const Body<T, D>& body);
 
 extern template double node_frequency2<2>(const NodeMaterial&, std::span<const BondStiffness<2>>);
 extern template double node_frequency2<3>(const NodeMaterial&, std::span<const BondStiffness<3>>);

@@ -169,7 +169,7 @@ auto FaceContact<T, D>::faces_of(const Body<T, D>& body, const TissueMap<D>& tis
 
 template <class T, int D>
 double FaceContact<T, D>::push(Body<T, D>& body, const Side& above, const Faces& faces,
-                               double length, double drift, Meeting& meeting) {
+                               double length, double drift, ContactPair& meeting) {
   const Point<D>& n = faces.normal;
   undeformed::BodyCarriers<T, D> carriers(body, body.displacement, held_);
   const auto soft_side = [&](const Side& side) {
@@ -217,13 +217,13 @@ void FaceContact<T, D>::apply(Body<T, D>& body, const TissueMap<D>& tissue, doub
   for (std::size_t i = 0; i < pairs_.size(); ++i) {
     const auto faces = faces_of(body, tissue, pairs_[i], false);
     if (!faces) continue;
-    Meeting& meeting = meetings_.emplace_back(Meeting{i});
+    ContactPair& meeting = meetings_.emplace_back(ContactPair{i});
     first = std::max(first, push(body, pairs_[i].above, *faces, length, drift, meeting));
   }
   double change = first;
   for (int sweep = 1; sweep < most_sweeps && change > settled * first; ++sweep) {
     change = 0;
-    for (Meeting& meeting : meetings_) {
+    for (ContactPair& meeting : meetings_) {
       const Pair& pair = pairs_[meeting.pair];
       const auto faces = faces_of(body, tissue, pair, true);
       if (!faces) continue;

@@ -72,7 +72,7 @@ class FaceContact {
   };
 
   /// A pair whose faces overlap in this step.
-  struct Meeting {
+  struct ContactPair {
     std::size_t pair = 0;
     double impulse = 0;  ///< sum over the sweeps, along the normals [N s]
     double moved = 0;    ///< the same for the shifts [kg m]
@@ -100,7 +100,7 @@ class FaceContact {
   /// Pushes the faces of a pair apart; a sweep also corrects excess impulses of earlier ones, as in
   /// (TL.16). Returns the distance by which they are pushed [m].
   double push(Body<T, D>& body, const Side& above, const Faces& faces, double length, double drift,
-              Meeting& meeting);
+              ContactPair& meeting);
 
   double size_;  ///< H [m]
   double friction_;
@@ -109,9 +109,9 @@ class FaceContact {
   std::vector<Pair> pairs_;
   /// Normals of the pairs in a cell, by the number of the cut and the place of the cell.
   std::map<std::array<std::int64_t, D + 1>, std::vector<Point<D>>> cells_;
-  std::size_t found_ = 0;          ///< pairs that have found their nodes
-  std::vector<bool> has_changed_;  ///< [slot] reused memory
-  std::vector<Meeting> meetings_;  ///< reused memory
+  std::size_t found_ = 0;              ///< pairs that have found their nodes
+  std::vector<bool> has_changed_;      ///< [slot] reused memory
+  std::vector<ContactPair> meetings_;  ///< reused memory
 };
 
 extern template class FaceContact<double, 2>;

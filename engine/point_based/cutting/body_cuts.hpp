@@ -48,12 +48,13 @@ class BodyCuts {
   void load(double time, double length, Body<T, D>& body, std::span<BladeLoad<D>> sums);
   /// Pushes overlapping faces of cuts apart in a step of `length` [s]; for `drift` [s] of it nodes
   /// move at their present velocities.
-  void meet(Body<T, D>& body, double length, double drift);
+  void push_faces_apart(Body<T, D>& body, double length, double drift);
   /// Whether faces of cuts are in contact when they meet.
   bool faces_meet() const { return !!faces_; }
   /// Lets blades that have not entered yet push the surface of `body` in the step that starts at
   /// `time`, see Puncture. Sums their loads for each cut of the case. Returns their power [W].
-  double dent(Body<T, D>& body, double time, const ContactStep& step, std::span<BladeLoad<D>> sums);
+  double press_surface(Body<T, D>& body, double time, const ContactStep& step,
+                       std::span<BladeLoad<D>> sums);
   /// Whether any blade has to puncture the surface first.
   bool has_punctures() const;
   /// Relaxes the kept gradients of the nodes of a block by one step, and updates its bonds for

@@ -47,7 +47,7 @@ void BodyCuts<T, D>::load(double time, double length, Body<T, D>& body,
 }
 
 template <class T, int D>
-void BodyCuts<T, D>::meet(Body<T, D>& body, double length, double drift) {
+void BodyCuts<T, D>::push_faces_apart(Body<T, D>& body, double length, double drift) {
   if (!faces_) return;
   if (has_moved_) {
     std::vector<std::int32_t> changed;
@@ -85,8 +85,8 @@ bool BodyCuts<T, D>::has_punctures() const {
 }
 
 template <class T, int D>
-double BodyCuts<T, D>::dent(Body<T, D>& body, double time, const ContactStep& step,
-                            std::span<BladeLoad<D>> sums) {
+double BodyCuts<T, D>::press_surface(Body<T, D>& body, double time, const ContactStep& step,
+                                     std::span<BladeLoad<D>> sums) {
   double power = 0;
   for (Blade& blade : blades_) {
     if (!blade.puncture || blade.is_done || time < blade.source.start) continue;
@@ -104,29 +104,29 @@ template void BodyCuts<double, 2>::resist(Blade&, const Station&, double);
 template void BodyCuts<double, 3>::resist(Blade&, const Station&, double);
 template void BodyCuts<float, 2>::resist(Blade&, const Station&, double);
 template void BodyCuts<float, 3>::resist(Blade&, const Station&, double);
-template void BodyCuts<double, 2>::meet(Body<double, 2>&, double, double);
-template void BodyCuts<double, 3>::meet(Body<double, 3>&, double, double);
-template void BodyCuts<float, 2>::meet(Body<float, 2>&, double, double);
-template void BodyCuts<float, 3>::meet(Body<float, 3>&, double, double);
+template void BodyCuts<double, 2>::push_faces_apart(Body<double, 2>&, double, double);
+template void BodyCuts<double, 3>::push_faces_apart(Body<double, 3>&, double, double);
+template void BodyCuts<float, 2>::push_faces_apart(Body<float, 2>&, double, double);
+template void BodyCuts<float, 3>::push_faces_apart(Body<float, 3>&, double, double);
 template void BodyCuts<double, 2>::load(double, double, Body<double, 2>&, std::span<BladeLoad<2>>);
 template void BodyCuts<double, 3>::load(double, double, Body<double, 3>&, std::span<BladeLoad<3>>);
 template void BodyCuts<float, 2>::load(double, double, Body<float, 2>&, std::span<BladeLoad<2>>);
 template void BodyCuts<float, 3>::load(double, double, Body<float, 3>&, std::span<BladeLoad<3>>);
 template bool BodyCuts<double, 2>::enters(std::size_t, double);
 template bool BodyCuts<double, 2>::has_punctures() const;
-template double BodyCuts<double, 2>::dent(Body<double, 2>&, double, const ContactStep&,
-                                          std::span<BladeLoad<2>>);
+template double BodyCuts<double, 2>::press_surface(Body<double, 2>&, double, const ContactStep&,
+                                                   std::span<BladeLoad<2>>);
 template bool BodyCuts<double, 3>::enters(std::size_t, double);
 template bool BodyCuts<double, 3>::has_punctures() const;
-template double BodyCuts<double, 3>::dent(Body<double, 3>&, double, const ContactStep&,
-                                          std::span<BladeLoad<3>>);
+template double BodyCuts<double, 3>::press_surface(Body<double, 3>&, double, const ContactStep&,
+                                                   std::span<BladeLoad<3>>);
 template bool BodyCuts<float, 2>::enters(std::size_t, double);
 template bool BodyCuts<float, 2>::has_punctures() const;
-template double BodyCuts<float, 2>::dent(Body<float, 2>&, double, const ContactStep&,
-                                         std::span<BladeLoad<2>>);
+template double BodyCuts<float, 2>::press_surface(Body<float, 2>&, double, const ContactStep&,
+                                                  std::span<BladeLoad<2>>);
 template bool BodyCuts<float, 3>::enters(std::size_t, double);
 template bool BodyCuts<float, 3>::has_punctures() const;
-template double BodyCuts<float, 3>::dent(Body<float, 3>&, double, const ContactStep&,
-                                         std::span<BladeLoad<3>>);
+template double BodyCuts<float, 3>::press_surface(Body<float, 3>&, double, const ContactStep&,
+                                                  std::span<BladeLoad<3>>);
 
 }  // namespace pliant::point_based

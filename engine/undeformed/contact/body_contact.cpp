@@ -161,14 +161,14 @@ void BodyContact<T, D>::find_normals(int block) {
 template <class T, int D>
 void BodyContact<T, D>::search(int block) {
   Found& found = found_[block];
-  found.meetings.clear();
+  found.pairs.clear();
   if (!acts_) return;
   for_share(
       sides_, block, found_.size(), [](const Side& side) { return side.search.candidates(); },
       [&](const Side& side, std::size_t first, std::size_t end) {
         found.touches.clear();
         side.search.find(first, end, found.touches);
-        found.meetings.add(side, found.touches, times_);
+        found.pairs.add(side, found.touches, times_);
       });
 }
 
@@ -179,7 +179,7 @@ void BodyContact<T, D>::sweep() {
   for (TiedSurfaces<T, D>& ties : ties_) ties.measure();
   for (int sweep = 0; sweep < meeting_sweeps; ++sweep) {
     for (TiedSurfaces<T, D>& ties : ties_) ties.sweep();
-    for (Found& found : found_) found.meetings.sweep(settings_.contacts, times_);
+    for (Found& found : found_) found.pairs.sweep(settings_.contacts, times_);
   }
   add_totals();
   for (const auto& surface : surfaces_) surface->write_motion();
@@ -194,15 +194,14 @@ void BodyContact<T, D>::add_totals() {
     add_force(ties.contact(), on_first);
   }
   for (const Found& found : found_) {
-    for (const Meeting<T, D>& meeting : found.meetings.all()) {
+    for (const ContactPair<T, D>& pair : found.pairs.all()) {
       Point<D> on_first;
       for (int a = 0; a < D; ++a) {
-        on_first[a] =
-            inertia * meeting.side->sign *
-            (meeting.normal_impulse * meeting.touch.normal[a] + meeting.friction_impulse[a]);
+        on_first[a] = inertia * pair.side->sign *
+                      (pair.normal_impulse * pair.touch.normal[a] + pair.friction_impulse[a]);
       }
-      add_force(meeting.side->contact, on_first);
-      const double lost = -inertia * dot<D>(meeting.friction_impulse, found.meetings.slip(meeting));
+      add_force(pair.side->contact, on_first);
+      const double lost = -inertia * dot<D>(pair.friction_impulse, found.pairs.slip(pair));
       state_.energy.friction += lost;
       state_.power.friction += lost / times_.kick;
     }
@@ -221,12 +220,12 @@ template <class T, int D>
 std::optional<Overlap> BodyContact<T, D>::deepest() const {
   std::optional<Overlap> deepest;
   for (const Found& found : found_) {
-    for (const Meeting<T, D>& meeting : found.meetings.all()) {
-      const Side& side = *meeting.side;
-      const double depth = -meeting.touch.gap;
+    for (const ContactPair<T, D>& pair : found.pairs.all()) {
+      const Side& side = *pair.side;
+      const double depth = -pair.touch.gap;
       if (depth <= too_deep * side.facets.spacing()) continue;
       if (deepest && depth <= deepest->depth) continue;
-      deepest = {side.contact, depth, padded<D>(side.corners.place(meeting.touch.corner))};
+      deepest = {side.contact, depth, padded<D>(side.corners.place(pair.touch.corner))};
     }
   }
   return deepest;

@@ -6,7 +6,7 @@
 
 #include "engine/method/phase_rows.hpp"
 #include "engine/undeformed/advance.hpp"
-#include "engine/undeformed/contact/meetings.hpp"
+#include "engine/undeformed/contact/contact_pairs.hpp"
 #include "engine/undeformed/contact/tied_surfaces.hpp"
 #include "engine/undeformed/state.hpp"
 
@@ -68,7 +68,7 @@ class BodyContact {
 
   struct Found {
     std::vector<Penetration<D>> touches;
-    Meetings<T, D> meetings;
+    ContactPairs<T, D> pairs;
   };
 
   void face_each_other();

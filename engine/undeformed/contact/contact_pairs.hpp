@@ -27,7 +27,7 @@ struct ContactTimes {
 
 /// A corner, the point that it touches, and the impulses between them.
 template <class T, int D>
-struct Meeting {
+struct ContactPair {
   const ContactSide<T, D>* side;
   Penetration<D> touch;
   std::size_t first_share, end_share;           ///< shares of the point of the facet
@@ -40,38 +40,38 @@ struct Meeting {
 
 /// Corners that touch in a step, and the impulses there, (TL.16).
 template <class T, int D>
-class Meetings {
+class ContactPairs {
  public:
   void clear();
   /// Adds those touches to which bodies can respond.
   void add(const ContactSide<T, D>& side, std::span<const Penetration<D>> touches,
            const ContactTimes& times);
-  /// One Gauss-Seidel sweep over all meetings.
+  /// One Gauss-Seidel sweep over all pairs.
   void sweep(std::span<const ContactCase> contacts, const ContactTimes& times);
-  const std::vector<Meeting<T, D>>& all() const { return meetings_; }
+  const std::vector<ContactPair<T, D>>& all() const { return pairs_; }
   /// Velocity of the corner relative to the point that it touches [m/s].
-  Point<D> slip(const Meeting<T, D>& meeting) const { return relative(meeting).velocity; }
+  Point<D> slip(const ContactPair<T, D>& pair) const { return relative(pair).velocity; }
 
  private:
-  Point<D> face_before(const Meeting<T, D>& meeting, const std::array<Point<D>, D>& c,
+  Point<D> face_before(const ContactPair<T, D>& pair, const std::array<Point<D>, D>& c,
                        double drift) const;
-  void meet(Meeting<T, D>& meeting, const ContactTimes& times);
-  void push(Meeting<T, D>& meeting, const ContactCase& law, double drift);
-  ContactMotion<D> relative(const Meeting<T, D>& meeting) const;
-  std::span<const Share> corner_shares(const Meeting<T, D>& meeting) const {
-    return meeting.side->corners.shares(meeting.touch.corner);
+  void prepare(ContactPair<T, D>& pair, const ContactTimes& times);
+  void push(ContactPair<T, D>& pair, const ContactCase& law, double drift);
+  ContactMotion<D> relative(const ContactPair<T, D>& pair) const;
+  std::span<const Share> corner_shares(const ContactPair<T, D>& pair) const {
+    return pair.side->corners.shares(pair.touch.corner);
   }
-  std::span<const Share> facet_shares(const Meeting<T, D>& meeting) const {
-    return std::span(shares_).subspan(meeting.first_share, meeting.end_share - meeting.first_share);
+  std::span<const Share> facet_shares(const ContactPair<T, D>& pair) const {
+    return std::span(shares_).subspan(pair.first_share, pair.end_share - pair.first_share);
   }
 
-  std::vector<Meeting<T, D>> meetings_;
+  std::vector<ContactPair<T, D>> pairs_;
   std::vector<Share> shares_;  ///< of the touched points
 };
 
-extern template class Meetings<double, 2>;
-extern template class Meetings<double, 3>;
-extern template class Meetings<float, 2>;
-extern template class Meetings<float, 3>;
+extern template class ContactPairs<double, 2>;
+extern template class ContactPairs<double, 3>;
+extern template class ContactPairs<float, 2>;
+extern template class ContactPairs<float, 3>;
 
 }  // namespace pliant::undeformed

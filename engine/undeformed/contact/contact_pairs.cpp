@@ -1,0 +1,138 @@
+#include "engine/undeformed/contact/contact_pairs.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "engine/undeformed/contact/carried_points.hpp"
+#include "engine/undeformed/contact/facet_point.hpp"
+
+namespace pliant::undeformed {
+
+namespace {
+
+constexpr double least_meeting_compliance =
+    1e-3;  // along the normal, relative to that without walls
+
+}  // namespace
+
+template <class T, int D>
+void ContactPairs<T, D>::clear() {
+  pairs_.clear();
+  shares_.clear();
+}
+
+template <class T, int D>
+void ContactPairs<T, D>::add(const ContactSide<T, D>& side, std::span<const Penetration<D>> touches,
+                             const ContactTimes& times) {
+  for (const Penetration<D>& touch : touches) {
+    ContactPair<T, D> pair{&side, touch, shares_.size(), 0};
+    const std::array<Point<D>, D> c = side.facets.places(touch.facet);
+    pair.touch.weight = nearest_weights(c, face_before(pair, c, times.drift));
+    side.facets.append_shares(touch.facet, pair.touch.weight, shares_);
+    pair.end_share = shares_.size();
+    prepare(pair, times);
+    if (pair.compliance >= least_meeting_compliance * pair.largest_compliance) {
+      pairs_.push_back(pair);
+    } else {
+      shares_.resize(pair.first_share);
+    }
+  }
+}
+
+// The corner pushes the point that it faced when the forces of the step acted. Without slip this is
+// the touched point; with slip, the impulses then exert no torque.
+template <class T, int D>
+Point<D> ContactPairs<T, D>::face_before(const ContactPair<T, D>& pair,
+                                         const std::array<Point<D>, D>& c, double drift) const {
+  const Penetration<D>& touch = pair.touch;
+  const MovingSurface<T, D>& facets = pair.side->facets;
+  Point<D> w = pair.side->corners.motion(corner_shares(pair)).velocity;
+  for (int v = 0; v < D; ++v) {
+    if (touch.weight[v] == 0) continue;
+    const std::int32_t corner = facets.facet(touch.facet)[v];
+    const Point<D> u = facets.motion(facets.shares(corner)).velocity;
+    for (int a = 0; a < D; ++a) w[a] -= touch.weight[v] * u[a];
+  }
+  const double speed = dot<D>(w, touch.normal);
+  Point<D> before;
+  for (int a = 0; a < D; ++a) {
+    before[a] = -drift * (w[a] - speed * touch.normal[a]);
+    for (int v = 0; v < D; ++v) before[a] += touch.weight[v] * c[v][a];
+  }
+  return before;
+}
+
+template <class T, int D>
+void ContactPairs<T, D>::prepare(ContactPair<T, D>& pair, const ContactTimes& times) {
+  const ContactSide<T, D>& side = *pair.side;
+  const Point<D>& n = pair.touch.normal;
+  pair.largest_compliance = free_compliance(side.corners, corner_shares(pair)) +
+                            free_compliance(side.facets, facet_shares(pair));
+  pair.compliance = pair.largest_compliance;
+  if (side.corners.is_held() || side.facets.is_held()) {
+    pair.compliance = compliance<D>(side.corners, corner_shares(pair), n) +
+                      compliance<D>(side.facets, facet_shares(pair), n);
+  }
+  // Velocities of the middle of a step may close a gap that was open at its start.
+  if (times.drift != times.length) return;
+  const double speed = dot<D>(slip(pair), n);
+  pair.approach = std::max(pair.touch.gap / times.length - speed, 0.);
+}
+
+template <class T, int D>
+ContactMotion<D> ContactPairs<T, D>::relative(const ContactPair<T, D>& pair) const {
+  const ContactMotion<D> corner = pair.side->corners.motion(corner_shares(pair));
+  const ContactMotion<D> point = pair.side->facets.motion(facet_shares(pair));
+  return {difference<D>(corner.velocity, point.velocity), difference<D>(corner.shift, point.shift)};
+}
+
+template <class T, int D>
+void ContactPairs<T, D>::sweep(std::span<const ContactCase> contacts, const ContactTimes& times) {
+  for (ContactPair<T, D>& pair : pairs_) {
+    push(pair, contacts[pair.side->contact], times.drift);
+  }
+}
+
+// Summed impulses never pull, and friction is limited by the summed normal impulse: a sweep
+// corrects what an earlier one has pushed too far.
+template <class T, int D>
+void ContactPairs<T, D>::push(ContactPair<T, D>& pair, const ContactCase& law, double drift) {
+  const Point<D>& n = pair.touch.normal;
+  const auto [w, apart] = relative(pair);
+  const double gap = pair.touch.gap + dot<D>(apart, n), speed = dot<D>(w, n);
+  const double impulse_now =
+      std::max(-(speed + pair.approach) / pair.compliance, -pair.normal_impulse);
+  const double shift_now = std::max(-gap / pair.compliance, -pair.normal_shift);
+  pair.normal_impulse += impulse_now;
+  pair.normal_shift += shift_now;
+  Point<D> friction = pair.friction_impulse;
+  if (law.law != ContactLaw::frictionless) {
+    for (int a = 0; a < D; ++a) friction[a] -= (w[a] - speed * n[a]) / pair.largest_compliance;
+    const double size = std::sqrt(dot<D>(friction, friction));
+    const double most = law.law == ContactLaw::coulomb ? law.friction * pair.normal_impulse
+                        : pair.normal_impulse > 0      ? std::numeric_limits<double>::infinity()
+                                                       : 0;
+    if (size > most) {
+      for (double& component : friction) component *= most / size;
+    }
+  }
+  Point<D> impulse, shift;
+  for (int a = 0; a < D; ++a) {
+    const double along = friction[a] - pair.friction_impulse[a];
+    impulse[a] = impulse_now * n[a] + along;
+    shift[a] = shift_now * n[a] + drift * along;
+  }
+  if (impulse == Point<D>{} && shift == Point<D>{}) return;
+  pair.friction_impulse = friction;
+  push_point<D>(pair.side->corners, corner_shares(pair), impulse, shift);
+  for (int a = 0; a < D; ++a) impulse[a] = -impulse[a], shift[a] = -shift[a];
+  push_point<D>(pair.side->facets, facet_shares(pair), impulse, shift);
+}
+
+template class ContactPairs<double, 2>;
+template class ContactPairs<double, 3>;
+template class ContactPairs<float, 2>;
+template class ContactPairs<float, 3>;
+
+}  // namespace pliant::undeformed
