@@ -98,6 +98,11 @@ class Checks(unittest.TestCase):
                               docs__b_dot_md="`[code](none)` [a](a.md#part)\n")
         self.assertEqual(["docs/a.md:1: x.md: the link leads nowhere"], problems)
 
+    def test_sources_that_do_not_exist_are_named(self):
+        problems = self.found(links.check, engine__a__b_dot_cpp="", engine__c_dot_hpp_dot_in="",
+                              d_dot_md="`a/b.cpp` `c.hpp` `NAME/fields.hpp`\n`b/a.cpp`\n")
+        self.assertEqual(["d.md:2: b/a.cpp: there is no such source"], problems)
+
 
 if __name__ == "__main__":
     unittest.main()
