@@ -24,7 +24,7 @@ class BlockCellsFinder {
  public:
   BlockCellsFinder(const Body<T, D>& body, const Block<D>& block) : body_(body), block_(block) {}
 
-  BlockCells<D> operator()() {
+  BlockCells<T, D> operator()() {
     collect();
     for (std::size_t i = 0; i < found_.size();) {
       kernels::CellRun<D> run = run_of(found_[i]);
@@ -107,25 +107,52 @@ class BlockCellsFinder {
     cells_.runs.push_back(next);
   }
 
+  bool has(std::int64_t slot) const {
+    return slot >= block_.first_slot && slot < block_.first_slot + block_.slot_count;
+  }
+
   void add_fitted() {
-    const auto has = [this](std::int64_t slot) {
-      return slot >= block_.first_slot && slot < block_.first_slot + block_.slot_count;
-    };
-    for (std::size_t i = 0; i < body_.fitted.size(); ++i) {
-      const kernels::FittedCell<T, D>& cell = body_.fitted[i];
-      const auto& rows = cell.row;
-      if (std::any_of(rows.begin(), rows.end(), [&](std::int64_t row) {
-            return has(cell.slot + row) || has(cell.slot + row + 1);
-          })) {
-        cells_.fitted.push_back(static_cast<std::int32_t>(i));
+    for (const FittedCell<D>& cell : body_.fitted) {
+      const Corners corners = corners_of(cell);
+      if (std::none_of(corners.begin(), corners.end(),
+                       [this](std::int64_t slot) { return has(slot); })) {
+        continue;
       }
+      if (cells_.fitted.empty() || cells_.fitted.back().count == pack) {
+        cells_.fitted.emplace_back().count = 0;
+      }
+      kernels::FittedPack<T, D>& to = cells_.fitted.back();
+      for (int lane = to.count; lane < pack; ++lane) put(cell, corners, lane, to);
+      ++to.count;
+    }
+  }
+
+  using Corners = std::array<std::int64_t, (1 << D)>;
+  Corners corners_of(const FittedCell<D>& cell) const {
+    const auto row = body_.corner_rows(cell.slot);
+    Corners corners;
+    for (int c = 0; c < (1 << D); ++c) corners[c] = cell.slot + row[c >> 1] + (c & 1);
+    return corners;
+  }
+
+  // Lanes after that of the cell repeat it until the next cell takes their place.
+  void put(const FittedCell<D>& cell, const Corners& corners, int lane,
+           kernels::FittedPack<T, D>& to) const {
+    to.slot[lane] = cell.slot;
+    to.volume[lane] = static_cast<T>(cell.volume);
+    for (int c = 0; c < D * D; ++c) to.inverse[c][lane] = static_cast<T>(cell.inverse[c]);
+    for (int c = 0; c < (1 << D); ++c) {
+      const bool counts = lane == to.count && has(corners[c]);
+      to.corner[c][lane] = corners[c];
+      to.target[c][lane] = counts ? static_cast<std::int32_t>(corners[c] - block_.first_slot) : -1;
+      for (int i = 0; i < D; ++i) to.start[i][c][lane] = static_cast<T>(cell.start[i][c]);
     }
   }
 
   const Body<T, D>& body_;
   const Block<D>& block_;
   std::vector<PackAndRow> found_;
-  BlockCells<D> cells_;
+  BlockCells<T, D> cells_;
 };
 
 }  // namespace

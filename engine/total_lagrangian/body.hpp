@@ -41,6 +41,16 @@ struct SurfacePatch {
   std::array<double, D - 1> aside = {};
 };
 
+/// A cell with a corner that was moved from its lattice node X0 to another place X of the
+/// undeformed body, (TL.11).
+template <int D>
+struct FittedCell {
+  std::int64_t slot;
+  double volume;            ///< f det A: volume of the body in the cell, over h^D
+  double inverse[D * D];    ///< A^-1, row-major
+  double start[D][1 << D];  ///< [component][mode] q_b(X) of the hourglass modes [m]
+};
+
 /// A particle that was moved from its lattice node onto a wall or its rim, (TL.11).
 template <int D>
 struct FittedNode {
@@ -56,10 +66,10 @@ struct NodalLoads {
 };
 
 /// The cells around the particles of a block.
-template <int D>
+template <class T, int D>
 struct BlockCells {
   std::vector<kernels::CellRun<D>> runs;  ///< runs of regular cells, in the order of their slots
-  std::vector<std::int32_t> fitted;       ///< numbers of fitted cells
+  std::vector<kernels::FittedPack<T, D>> fitted;
 };
 
 /// One body in its undeformed shape: particles on the nodes of a lattice, stress points in the
@@ -90,12 +100,11 @@ struct Body : undeformed::Body<T, D> {
   /// [tensor * network_components + component] A_i - I of (TL.24) at the last stress evaluation,
   /// then J^(2/3) C^-1 - I there; empty without prony_shear.
   std::vector<Buffer<T>> network;
-  std::vector<Buffer<T>> next_network;            ///< the same for the next stress
-  double memory_age = 0;                          ///< time since the last stress evaluation [s]
-  std::vector<FittedNode<D>> fitted_nodes;        ///< in the order of the slots
-  std::vector<kernels::FittedCell<T, D>> fitted;  ///< block by block
-  std::vector<int> first_fitted;                  ///< [block + 1]
-  std::vector<BlockCells<D>> cells;               ///< [block]
+  std::vector<Buffer<T>> next_network;      ///< the same for the next stress
+  double memory_age = 0;                    ///< time since the last stress evaluation [s]
+  std::vector<FittedNode<D>> fitted_nodes;  ///< in the order of the slots
+  std::vector<FittedCell<D>> fitted;        ///< block by block
+  std::vector<BlockCells<T, D>> cells;      ///< [block]
   std::vector<Facet<D>> facets;
   std::vector<SurfacePatch<D>> patches;
   std::vector<int> first_patch;         ///< [block + 1]

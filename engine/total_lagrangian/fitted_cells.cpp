@@ -19,19 +19,17 @@ Eigen::Matrix<double, D, D> shape_of(const Body<T, D>& body, const Cell<D>& cell
 
 template <class T, int D>
 void make_fitted_cells(Body<T, D>& body) {
-  body.first_fitted = {0};
   for (const Block<D>& block : body.layout.blocks()) {
     body.layout.for_each_slot(block, [&](std::int64_t p, const Cell<D>& cell) {
       body.regular_fraction[p] = body.fraction[p];
       if (!(body.fraction[p] > 0) || !body.is_fitted(cell)) return;
       body.regular_fraction[p] = 0;
       const Eigen::Matrix<double, D, D> a = shape_of<T, D>(body, cell), inverse = a.inverse();
-      kernels::FittedCell<T, D> fitted = {};
+      FittedCell<D> fitted = {};
       fitted.slot = p;
-      fitted.row = body.corner_rows(p);
-      fitted.volume = static_cast<T>(body.fraction[p] * a.determinant());
+      fitted.volume = body.fraction[p] * a.determinant();
       for (int i = 0; i < D; ++i) {
-        for (int j = 0; j < D; ++j) fitted.inverse[D * i + j] = static_cast<T>(inverse(i, j));
+        for (int j = 0; j < D; ++j) fitted.inverse[D * i + j] = inverse(i, j);
       }
       const auto corners = body.corners(cell);
       for (int m = 1; m < (1 << D); ++m) {
@@ -41,13 +39,12 @@ void make_fitted_cells(Body<T, D>& body) {
           const int lower = kernels::directions_of[m & ~c];
           const Point<D> shift = body.shift(corners[c]);
           for (int i = 0; i < D; ++i) {
-            fitted.start[i][m] += static_cast<T>(lower % 2 == 0 ? shift[i] : -shift[i]);
+            fitted.start[i][m] += lower % 2 == 0 ? shift[i] : -shift[i];
           }
         }
       }
       body.fitted.push_back(fitted);
     });
-    body.first_fitted.push_back(static_cast<int>(body.fitted.size()));
   }
 }
 

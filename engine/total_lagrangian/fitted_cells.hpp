@@ -11,7 +11,7 @@ namespace pliant::total_lagrangian {
 template <class T, int D>
 Eigen::Matrix<double, D, D> shape_of(const Body<T, D>& body, const Cell<D>& cell);
 
-/// Computes `fitted`, `first_fitted` and `regular_fraction` of a body from its fitted nodes.
+/// Computes `fitted` and `regular_fraction` of a body from its fitted nodes.
 template <class T, int D>
 void make_fitted_cells(Body<T, D>& body);
 

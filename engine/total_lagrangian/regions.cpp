@@ -24,8 +24,7 @@ std::vector<std::span<std::byte>> regions(State<T, D>& state, scheduler::FieldId
   });
   const int first = body.first_patch[local], count = body.first_patch[local + 1] - first;
   if (group == Group::constants) {
-    const int begin = body.first_fitted[local];
-    add(body.fitted.data() + begin, body.first_fitted[local + 1] - begin);
+    add(body.cells[local].fitted.data(), body.cells[local].fitted.size());
   }
   if (group == Group::patch_forces) add(body.patch_force.data() + first, count);
   if (group == Group::surface) {

@@ -194,11 +194,10 @@ kernels::CellNetworks<T> Step<T, D>::networks(int b) const {
 
 template <class T, int D>
 void Step<T, D>::set_cells(const Body<T, D>& body, int local, kernels::Motion<T, D>& work) const {
-  const BlockCells<D>& cells = body.cells[local];
+  const BlockCells<T, D>& cells = body.cells[local];
   work.runs = cells.runs.data();
   work.run_count = static_cast<int>(cells.runs.size());
-  work.fitted = body.fitted.data();
-  work.fitted_numbers = cells.fitted.data();
+  work.fitted = cells.fitted.data();
   work.fitted_count = static_cast<int>(cells.fitted.size());
   work.spacing = static_cast<T>(body.lattice.spacing);
   const kernels::HourglassStiffness<double>& hourglass = body.hourglass;

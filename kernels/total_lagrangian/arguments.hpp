@@ -46,15 +46,20 @@ struct CellRun {
                ///< outside the block
 };
 
-/// A cell with a corner that was moved from its lattice node X0 to another place X of the
-/// undeformed body, (TL.11).
+/// Cells that a block evaluates together. Each has a corner that was moved from its lattice node X0
+/// to another place X of the undeformed body, (TL.11). Lanes from `count` on repeat the last cell.
 template <class T, int D>
-struct FittedCell {
-  std::int64_t slot;
-  std::array<std::int64_t, corner_rows<D>> row;  ///< slot offsets to its rows of corners
-  T volume;            ///< f det A: volume of the body in the cell, over h^D
-  T inverse[D * D];    ///< A^-1, row-major
-  T start[D][1 << D];  ///< [component][mode] q_b(X) of the hourglass modes [m]
+struct FittedPack {
+  static constexpr int corners = 1 << D, lanes = slots_per_pack;
+
+  alignas(64) T volume[lanes];             ///< f det A: volume of the body in the cell, over h^D
+  alignas(64) T inverse[D * D][lanes];     ///< A^-1, row-major
+  alignas(64) T start[D][corners][lanes];  ///< [component][mode] q_b(X) of hourglass modes [m]
+  std::int64_t slot[lanes];
+  std::int64_t corner[corners][lanes];  ///< slots of the corners
+  /// The corners relative to the first slot of the block; -1 outside it, and from `count` on.
+  std::int32_t target[corners][lanes];
+  int count;
 };
 
 /// The p_i of (RP.10) at the stress points of a body; a body without Prony terms has none.
@@ -93,9 +98,8 @@ template <class T, int D>
 struct Motion {
   const CellRun<D>* runs;
   int run_count;
-  const FittedCell<T, D>* fitted;      ///< of the body
-  const std::int32_t* fitted_numbers;  ///< those with corners in the block
-  int fitted_count;
+  const FittedPack<T, D>* fitted;       ///< cells with corners in the block
+  int fitted_count;                     ///< packs
   std::int64_t first_slot, slot_count;  ///< of the block, multiples of slots_per_pack
   T spacing;
   HourglassStiffness<T> hourglass;

@@ -4,51 +4,42 @@
 
 #include "kernels/total_lagrangian/cell_forces.hpp"
 
-/// Stress points of fitted cells, (TL.11), which are few and scattered over the block, and so
-/// gathered into registers.
+/// Stress points of fitted cells, (TL.11), which are few and scattered over the block, so that
+/// displacements are gathered into registers.
 namespace pliant::kernels {
 
-/// A register of fitted cells, starting at `first`; lanes after the last cell repeat it.
+/// The cells of a pack from a lane on, one in each lane of a register.
 template <class P, int D>
 struct CellGroup {
   using T = Scalar<P>;
-  const FittedCell<T, D>* cell[lanes<P>];
-  int count;
+  const FittedPack<T, D>& pack;
+  int lane;
 
-  CellGroup(const Motion<T, D>& block, int first)
-      : count(block.fitted_count - first < lanes<P> ? block.fitted_count - first : lanes<P>) {
-    for (int l = 0; l < lanes<P>; ++l) {
-      cell[l] = block.fitted + block.fitted_numbers[first + (l < count ? l : count - 1)];
-    }
-  }
-
-  /// Value f(cell) for each lane.
-  template <class F>
-  P of_each(F&& f) const {
+  P constant(const T (&of_lanes)[slots_per_pack]) const { return load<P>(of_lanes + lane); }
+  /// Values at slots given for each lane.
+  P gather(const std::int64_t (&slot)[slots_per_pack], const T* from) const {
     alignas(64) T value[lanes<P>];
-    for (int l = 0; l < lanes<P>; ++l) value[l] = f(*cell[l]);
+    for (int l = 0; l < lanes<P>; ++l) value[l] = from[slot[lane + l]];
     return P::load_aligned(value);
   }
-  P gather(const T* from) const {
-    return of_each([from](const FittedCell<T, D>& c) { return from[c.slot]; });
-  }
+  P gather(const T* from) const { return gather(pack.slot, from); }
   /// Writes the lanes whose cells belong to the block.
-  void scatter(const Motion<T, D>& block, const P& pack, T* to) const {
-    alignas(64) T value[lanes<P>];
-    pack.store_aligned(value);
-    for (int l = 0; l < count; ++l) {
-      if (block.has(cell[l]->slot)) to[cell[l]->slot] = value[l];
+  void scatter(const Motion<T, D>& block, const P& value, T* to) const {
+    alignas(64) T of_lane[lanes<P>];
+    value.store_aligned(of_lane);
+    for (int l = 0; l < lanes<P> && lane + l < pack.count; ++l) {
+      if (block.has(pack.slot[lane + l])) to[pack.slot[lane + l]] = of_lane[l];
     }
   }
   /// Subtracts a value at each corner in the block, cell by cell, so that the sums do not depend on
   /// the size of registers.
-  void subtract_at_corners(const Motion<T, D>& block, const P (&pull)[1 << D], T* from) const {
+  void subtract_at_corners(const P (&pull)[1 << D], T* from) const {
     alignas(64) T value[1 << D][lanes<P>];
     for (int c = 0; c < (1 << D); ++c) pull[c].store_aligned(value[c]);
-    for (int l = 0; l < count; ++l) {
+    for (int l = 0; l < lanes<P>; ++l) {
       for (int c = 0; c < (1 << D); ++c) {
-        const std::int64_t corner = cell[l]->slot + cell[l]->row[c >> 1] + (c & 1);
-        if (block.has(corner)) from[corner - block.first_slot] -= value[c][l];
+        const std::int32_t corner = pack.target[c][lane + l];
+        if (corner >= 0) from[corner] -= value[c][l];
       }
     }
   }
@@ -60,9 +51,7 @@ inline void gather_modes(const Motion<Scalar<P>, D>& block, const CellGroup<P, D
   for (int i = 0; i < D; ++i) {
     const Scalar<P>* d = block.displacement[i];
     for (int c = 0; c < (1 << D); ++c) {
-      mode[i][c] = group.of_each([d, c](const FittedCell<Scalar<P>, D>& cell) {
-        return d[cell.slot + cell.row[c >> 1] + (c & 1)];
-      });
+      mode[i][c] = group.gather(group.pack.corner[c], d);
     }
     to_modes<P, D>(mode[i]);
   }
@@ -86,10 +75,7 @@ inline void fitted_state(const CellGroup<P, D>& group, const HourglassWeights<P,
   }
   for (int m = 1; m < (1 << D); ++m) {
     if (directions_of[m] < 2) continue;
-    for (int j = 0; j < D; ++j) {
-      start[j][m] =
-          group.of_each([j, m](const FittedCell<T, D>& cell) { return cell.start[j][m]; });
-    }
+    for (int j = 0; j < D; ++j) start[j][m] = group.constant(group.pack.start[j][m]);
     for (int i = 0; i < D; ++i) {
       for (int j = 0; j < D; ++j) {
         mode[i][m] = fused_minus(gradient[D * i + j], start[j][m], mode[i][m]);
@@ -132,8 +118,7 @@ inline void add_fitted_forces(const Motion<Scalar<P>, D>& block, const CellGroup
   constexpr int corners = 1 << D;
   T cell_volume = 1;
   for (int a = 0; a < D; ++a) cell_volume *= block.spacing;
-  const P volume =
-      P(cell_volume) * group.of_each([](const FittedCell<T, D>& cell) { return cell.volume; });
+  const P volume = P(cell_volume) * group.constant(group.pack.volume);
   for (int i = 0; i < D; ++i) {
     P pull[corners], effective[D];  // P minus the part of the hourglass forces that depends on F
     for (int j = 0; j < D; ++j) effective[j] = stress.piola[D * i + j];
@@ -149,47 +134,54 @@ inline void add_fitted_forces(const Motion<Scalar<P>, D>& block, const CellGroup
       pull[1 << a] = volume * slope * sum;
     }
     to_corners<P, D>(pull);
-    group.subtract_at_corners(block, pull, block.force[i]);
+    group.subtract_at_corners(pull, block.force[i]);
   }
 }
 
-/// Subtracts the forces of the fitted cells from `block.force`.
+/// Subtracts the forces of a group of fitted cells from `block.force`.
 template <ElasticLaw law, bool relaxes, class P, int D>
-void evaluate_fitted_cells(const Motion<Scalar<P>, D>& block, StressPointExtremes<P>& extremes) {
+void evaluate_fitted_group(const Motion<Scalar<P>, D>& block, const CellGroup<P, D>& group,
+                           StressPointExtremes<P>& extremes) {
   using T = Scalar<P>;
   constexpr int corners = 1 << D;
   const P slope(T(2) / (corners * block.spacing));
   const HourglassWeights<P, D> weights(block.hourglass, block.spacing);
-  for (int first = 0; first < block.fitted_count; first += lanes<P>) {
-    const CellGroup<P, D> group(block, first);
-    P mode[D][corners], start[D][corners], inverse[D * D];
-    for (int c = 0; c < D * D; ++c) {
-      inverse[c] = group.of_each([c](const FittedCell<T, D>& cell) { return cell.inverse[c]; });
+  P mode[D][corners], start[D][corners], inverse[D * D];
+  for (int c = 0; c < D * D; ++c) inverse[c] = group.constant(group.pack.inverse[c]);
+  gather_modes<P, D>(block, group, mode);
+  CellState<P, D> state;
+  fitted_state<P, D>(group, weights, slope, inverse, mode, start, state);
+  const FittedSlots<P, D> slots = {block, group};
+  const P pressure = relax_pressures<P, D>(block.viscosity, state, slots);
+  CellStress<P, D> stress = cell_stress<law, P, D>(block.material, state, pressure);
+  P networks(T(0));
+  if constexpr (relaxes) networks = relax_networks<P, D>(block, state, slots, stress);
+  add_fitted_prestress<P, D>(block, group, state, stress);
+  add_fitted_forces<P, D>(block, group, slope, inverse, mode, start, stress);
+  if (!block.examine) return;
+  P reverse[D * D];
+  for (int a = 0; a < D; ++a) {
+    for (int i = 0; i < D; ++i) {
+      P sum(T(0));
+      for (int j = 0; j < D; ++j) sum = fused(inverse[D * a + j], state.cof[D * i + j], sum);
+      reverse[D * a + i] = sum;
     }
-    gather_modes<P, D>(block, group, mode);
-    CellState<P, D> state;
-    fitted_state<P, D>(group, weights, slope, inverse, mode, start, state);
-    const FittedSlots<P, D> slots = {block, group};
-    const P pressure = relax_pressures<P, D>(block.viscosity, state, slots);
-    CellStress<P, D> stress = cell_stress<law, P, D>(block.material, state, pressure);
-    P networks(T(0));
-    if constexpr (relaxes) networks = relax_networks<P, D>(block, state, slots, stress);
-    add_fitted_prestress<P, D>(block, group, state, stress);
-    add_fitted_forces<P, D>(block, group, slope, inverse, mode, start, stress);
-    if (!block.examine) continue;
-    P reverse[D * D];
-    for (int a = 0; a < D; ++a) {
-      for (int i = 0; i < D; ++i) {
-        P sum(T(0));
-        for (int j = 0; j < D; ++j) sum = fused(inverse[D * a + j], state.cof[D * i + j], sum);
-        reverse[D * a + i] = sum;
-      }
-    }
-    const P c2 = lattice_wave_speed2<law, P, D>(block.material, state, stress, networks, reverse,
-                                                norm2_bound<P, D>(inverse));
-    const auto broken = examine<P, D>(state, stress, c2, slope == slope, extremes);
-    if (extremes.non_finite < 0 && xsimd::any(broken)) {
-      extremes.non_finite = group.cell[first_lane<P>(broken)]->slot;
+  }
+  const P c2 = lattice_wave_speed2<law, P, D>(block.material, state, stress, networks, reverse,
+                                              norm2_bound<P, D>(inverse));
+  const auto broken = examine<P, D>(state, stress, c2, slope == slope, extremes);
+  if (extremes.non_finite < 0 && xsimd::any(broken)) {
+    extremes.non_finite = group.pack.slot[group.lane + first_lane<P>(broken)];
+  }
+}
+
+/// The same for all fitted cells of the block.
+template <ElasticLaw law, bool relaxes, class P, int D>
+void evaluate_fitted_cells(const Motion<Scalar<P>, D>& block, StressPointExtremes<P>& extremes) {
+  for (int p = 0; p < block.fitted_count; ++p) {
+    const FittedPack<Scalar<P>, D>& pack = block.fitted[p];
+    for (int lane = 0; lane < pack.count; lane += lanes<P>) {
+      evaluate_fitted_group<law, relaxes, P, D>(block, {pack, lane}, extremes);
     }
   }
 }
