@@ -127,7 +127,11 @@ ExitStatus check(const CheckArguments& arguments) {
   checked.warnings = all_warnings(checked.settings);
   checked.size = estimate(checked.settings);
   checked.nodes = examine(checked.settings);
-  if (checked.nodes) count_nodes(*checked.nodes, checked.settings.time.end, checked.size);
+  if (checked.nodes) {
+    count_nodes(*checked.nodes, checked.settings.time.end, checked.size);
+    const std::string unstable = checked.nodes->stability_warning();
+    if (!unstable.empty()) checked.warnings.push_back(unstable);
+  }
   checked.machine = solver_options(0, "");
   for (const std::string& warning : checked.warnings) {
     if (arguments.json) break;

@@ -15,6 +15,9 @@ namespace pliant {
 namespace {
 
 constexpr std::size_t climbers = 8;
+/// Of points from the spacing. Points on the faces of bodies, which are often multiples of the
+/// spacing, would be at the edges of what overlaps, where no axis leads to a deeper point.
+constexpr double offset = 0.382;
 
 /// Keeps the deepest points, in descending order of depth.
 void keep(std::vector<std::pair<double, Vector>>& deepest,
@@ -38,7 +41,7 @@ double overlap(const Shape& a, const Shape& b, double spacing, int dimension) {
     if (low > high) return -(low - high);
     // Infinite shapes are the same everywhere along their axis.
     if (std::isinf(high - low)) continue;
-    lower[i] = low;
+    lower[i] = low + offset * spacing;
     count[i] = static_cast<std::int64_t>((high - low) / spacing) + 1;
   }
   const auto inside = [&](const Shape& shape, const Vector& x) {

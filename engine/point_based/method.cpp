@@ -40,6 +40,11 @@ void check_cut(const Check& check, std::size_t i) {
                        fmt::format("the edge of cut \"{}\" has no length", cut.name),
                        "give two different ends, from and to");
   }
+  if (check.a_case.dimension == 2 && check.root["cut"][i]["to"] && start.from != start.to) {
+    check.problems.add(check.place("cut", i, "to"),
+                       fmt::format("the edge of cut \"{}\" is a point in 2D", cut.name),
+                       "leave `to` out; `path` says where the point goes");
+  }
   if (!moves_in_run(cut, check.a_case)) return;
   check_start_of_motion(check, check.place("cut", i, "path"),
                         fmt::format("the path of cut \"{}\"", cut.name), cut.path, cut.start);
@@ -57,9 +62,21 @@ void check_nodes(const Check& check) {
   }
 }
 
+void check_octree(const Check& check) {
+  const double coarsest = parameters_of(check.a_case).coarsest_spacing,
+               spacing = check.a_case.discretisation.spacing;
+  if (coarsest > 0 && coarsest < spacing) {
+    check.problems.add(
+        check.place("point_based", "coarsest_spacing"),
+        fmt::format("the coarsest spacing {} is below the spacing {}", coarsest, spacing),
+        "give a larger one, or 0 for four times the spacing");
+  }
+}
+
 void check(const Check& check) {
   const Case& a_case = check.a_case;
   check_nodes(check);
+  check_octree(check);
   refuse_tables(check, {"periodic"});
   for (std::size_t i = 0; i < a_case.cuts.size(); ++i) check_cut(check, i);
   for (std::size_t i = 0; i < a_case.bodies.size(); ++i) check_body(check, i);

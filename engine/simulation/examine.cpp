@@ -186,6 +186,14 @@ std::string Examined::step_text() const {
                      contacts.empty() ? "" : "; contact does not shorten it");
 }
 
+std::string Examined::stability_warning() const {
+  if (!(time_step > stable_step)) return "";
+  return fmt::format(
+      "the time step {:.4g} s is above the stability limit of {:.3g} s; set time.step = \"cfl\", "
+      "or to less than the limit",
+      time_step, stable_step);
+}
+
 std::optional<Examined> examine(const Case& a_case) {
   if (a_case.method == "point_based") {
     return a_case.dimension == 2 ? examine_with<point_based::Solver<double, 2>>(a_case)

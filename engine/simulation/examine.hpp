@@ -44,6 +44,8 @@ struct Examined {
 
   /// One line about all bodies together.
   std::string step_text() const;
+  /// What is wrong with the time step of the case; empty if it is stable.
+  std::string stability_warning() const;
 };
 
 /// Sets up a case of a method with nodes and examines the result; none for other methods. Throws

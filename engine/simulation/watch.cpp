@@ -116,7 +116,9 @@ void Watch::look(Solver& solver) {
     is_known_ = 1;
     budget_ = *balance.budget;
     created_ = present_.total_energy - start_.total_energy - budget_.work() + budget_.losses();
-    scale_ = std::max(scale_, largest_of(budget_, present_.total_energy - std::max(created_, 0.)));
+    // Under an initial stress the strain energy becomes negative where a body springs back.
+    const double energy = std::max(present_.total_energy, present_.kinetic_energy);
+    scale_ = std::max(scale_, largest_of(budget_, energy - std::max(created_, 0.)));
     if (scale_ > rounding_energy()) keep(energy_, created_ / scale_);
   }
   keep(mass_, std::abs(present_.mass / start_.mass - 1));

@@ -65,11 +65,12 @@ void for_each_gauss_point(F&& f) {
   }
 }
 
-/// Adds `factor` times the weights of multilinear interpolation at a place on a facet.
+/// Adds `factor` times the weights of multilinear interpolation at a place that is `off` [h] a
+/// place on a facet.
 template <int D>
-void add_weights(const PlacesInCell<D>& places, const Barycentric<D>& at, double factor,
-                 Weights<D>& weights) {
-  Point<D> s = {};
+void add_weights(const PlacesInCell<D>& places, const Barycentric<D>& at, const Point<D>& off,
+                 double factor, Weights<D>& weights) {
+  Point<D> s = off;
   for (int v = 0; v < D; ++v) {
     for (int a = 0; a < D; ++a) s[a] += at[v] * places[v][a];
   }

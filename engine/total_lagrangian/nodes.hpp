@@ -11,6 +11,7 @@
 #include "engine/geometry/padded.hpp"
 #include "engine/geometry/signed_distance.hpp"
 #include "engine/lattice/lattice.hpp"
+#include "engine/lattice/mean_phi.hpp"
 #include "kernels/layout.hpp"
 
 namespace pliant::total_lagrangian {
@@ -34,6 +35,7 @@ class Nodes {
     phi_.reserve(count);
     fraction_.resize(count, unknown);
     for_each([&](const Cell<D>& cell) { phi_.push_back(on_node(lattice.node(cell))); });
+    if (has_mesh_) phi_ = mean_phi<D>(phi_, extent_);
   }
 
   /// Moves the node of a cell to `x`.

@@ -96,10 +96,20 @@ TEST(point_based_cases, a_cut_opens_as_the_theory_of_fracture_says) {
   EXPECT_NEAR(plate["upper_lip"] - plate["lower_lip"], 8.9606e-4, 0.05 * 8.9606e-4);
 }
 
-// Exact integrals over the solid inside the triangles; nodes miss half a percent of it.
+// 8.7 % too little with 20 of the finest cells along the width: the stabilisation of irregular
+// nodes is three times that of a lattice. Before cells were small around cuts, too, it was 33 %.
+TEST(point_based_cases, a_cut_opens_in_an_octree_as_on_a_lattice_of_its_stabilisation) {
+  auto octree = measured_at_end<2>("edge_cut", {"point_based.nodes=octree"});
+  auto lattice = measured_at_end<2>("edge_cut", {"point_based.stabilisation=0.3"});
+  const auto opening = [](auto& plate) { return plate["upper_lip"] - plate["lower_lip"]; };
+  EXPECT_NEAR(opening(octree), opening(lattice), 0.02 * opening(lattice));
+  EXPECT_NEAR(opening(octree), 8.9606e-4, 0.1 * 8.9606e-4);
+}
+
+// Exact integrals over the solid inside the triangles.
 TEST(point_based_cases, ligaments_carry_the_weight_of_an_organ_that_is_cut) {
   auto organ = measured_at_end<3>("organ_cut", {});
-  EXPECT_NEAR(organ["mass"], 1.85977, 0.01 * 1.85977);
+  EXPECT_NEAR(organ["mass"], 1.85977, 0.001 * 1.85977);
   const double carried = organ["force_left"] + organ["force_right"] + organ["force_back"];
   EXPECT_NEAR(carried, 9.81 * organ["mass"], 0.01 * 9.81 * organ["mass"]);
   EXPECT_EQ(organ["parts"], 1);

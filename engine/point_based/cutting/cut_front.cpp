@@ -1,5 +1,6 @@
 #include "engine/point_based/cutting/cut_front.hpp"
 
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -12,6 +13,7 @@ namespace pliant::point_based {
 namespace {
 
 constexpr double slack = 1 + 1e-6;   // in comparisons of squared distances with a bound
+constexpr double no_length = 1e-9;   // of the length of parts
 constexpr double near_other = 0.25;  // of the length of parts
 constexpr double around_own = 0.5;   // (PB.36), of the length of parts
 constexpr double near_own = 0.2;
@@ -37,6 +39,8 @@ void CutFront<D>::add_parts(const CutSurface<D>& cut, const Edge& edge, const Ed
   const MaterialPoint<D>&a = cut.points()[edge[0]], &b = cut.points()[edge[1]];
   const MaterialPoint<D>&a_from = cut.points()[from[0]], &b_from = cut.points()[from[1]];
   const double length = std::sqrt(squared_distance<D>(a, b));
+  // An end of the blade about which it turns has no path.
+  if (D == 3 && length <= no_length * length_) return;
   const int count = std::max(1, static_cast<int>(std::ceil(length / length_)));
   for (int k = 0; k < count; ++k) {
     const double share = 1. / count;

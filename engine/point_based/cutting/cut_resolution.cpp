@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "engine/case/blade_track.hpp"
 #include "engine/point_based/parameters.hpp"
@@ -33,6 +34,30 @@ double length_of(const CutCase& cut) {
   return farthest;
 }
 
+/// Whether the blade moves along the line of its edge only, in 3D, so that it sweeps no surface.
+bool moves_along_its_edge(const CutCase& cut) {
+  constexpr int places = 128;
+  constexpr double little = 1e-6;  // sine of the angle between the motion and the edge
+  for (int k = 0; k < places; ++k) {
+    const double step = (cut.end - cut.start) / places;
+    const BladeEdge edge = edge_of(cut, cut.start + k * step),
+                    next = edge_of(cut, cut.start + (k + 1) * step);
+    const Vector along = {edge.to[0] - edge.from[0], edge.to[1] - edge.from[1],
+                          edge.to[2] - edge.from[2]};
+    for (const auto& [from, to] : {std::pair{edge.from, next.from}, std::pair{edge.to, next.to}}) {
+      const Vector way = {to[0] - from[0], to[1] - from[1], to[2] - from[2]};
+      const Vector normal = {along[1] * way[2] - along[2] * way[1],
+                             along[2] * way[0] - along[0] * way[2],
+                             along[0] * way[1] - along[1] * way[0]};
+      const Vector none = {};
+      if (distance(none, normal) > little * distance(none, along) * distance(none, way)) {
+        return false;
+      }
+    }
+  }
+  return true;
+}
+
 }  // namespace
 
 void warn_of_coarse_cuts(const Case& settings, std::vector<std::string>& warnings) {
@@ -45,6 +70,13 @@ void warn_of_coarse_cuts(const Case& settings, std::vector<std::string>& warning
   }
   for (const CutCase& cut : settings.cuts) {
     if (!moves_in_run(cut, settings)) continue;
+    if (settings.dimension == 3 && length_of(cut) > 0 && moves_along_its_edge(cut)) {
+      warnings.push_back(fmt::format(
+          "the blade of cut `{}` moves along its own edge only, so that it cuts nothing; give a "
+          "path across the edge",
+          cut.name));
+      continue;
+    }
     const double spacings = length_of(cut) / settings.discretisation.spacing;
     if (!(spacings < least_spacings(rule))) continue;
     if (spacings == 0) {

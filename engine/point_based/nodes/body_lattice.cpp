@@ -6,6 +6,7 @@
 #include "engine/geometry/distance_walk.hpp"
 #include "engine/geometry/padded.hpp"
 #include "engine/geometry/signed_distance.hpp"
+#include "engine/lattice/mean_phi.hpp"
 #include "kernels/layout.hpp"
 
 namespace pliant::point_based {
@@ -52,6 +53,7 @@ BodyLattice<D>::BodyLattice(const Shape& shape, double spacing)
     // Points on the surface always count as inside: edges of the body stay sharp.
     phi_.push_back(std::abs(phi) < on_lattice_point ? 0 : phi);
   });
+  if (has_mesh_) mean_phi_ = mean_phi<D>(phi_, extent_);
 }
 
 template <int D>
@@ -92,10 +94,11 @@ Point<D> BodyLattice<D>::place(const Cell<D>& point) const {
 // A cell without a point inside may still contain a thin part of the body.
 template <int D>
 auto BodyLattice<D>::filling(const Cell<D>& cell) const -> Filling {
-  double least = phi_[index(cell)], most = least, longest = 0;
+  const std::vector<double>& phi = has_mesh_ ? mean_phi_ : phi_;
+  double least = phi[index(cell)], most = least, longest = 0;
   for (int c = 1; c < corners; ++c) {
-    least = std::min(least, phi_[corner(cell, c)]);
-    most = std::max(most, phi_[corner(cell, c)]);
+    least = std::min(least, phi[corner(cell, c)]);
+    most = std::max(most, phi[corner(cell, c)]);
   }
   for (const double side : pitch_) longest += side * side;
   if (least > std::sqrt(longest) / 2 / spacing_) return Filling::none;
@@ -167,7 +170,7 @@ double BodyLattice<D>::between(const Cell<D>& cell, const Point<D>& x) const {
       const double s = (x[a] - from[a]) / pitch_[a];
       weight *= c >> a & 1 ? s : 1 - s;
     }
-    value += weight * phi_[corner(cell, c)];
+    value += weight * mean_phi_[corner(cell, c)];
   }
   return value;
 }

@@ -62,6 +62,7 @@ class BodyLattice {
   Cell<D> extent_;
   std::array<std::int64_t, D> stride_;
   std::vector<double> phi_;
+  std::vector<double> mean_phi_;  ///< for interpolation in meshes, (TL.33)
 };
 
 extern template Point<2> lattice_pitch<2>(const Shape&, double);

@@ -8,6 +8,7 @@
 
 #include "engine/point_based/bonds/bonds.hpp"
 #include "engine/point_based/nodes/body_lattice.hpp"
+#include "engine/point_based/nodes/cut_places.hpp"
 #include "engine/point_based/nodes/lattice_nodes.hpp"
 #include "engine/point_based/nodes/mesh_nodes.hpp"
 #include "engine/point_based/nodes/nodes_at_walls.hpp"
@@ -35,7 +36,8 @@ PlacedNodes<D> place_nodes(const Case& settings, const BodyCase& source,
   } else if (parameters_of(settings).nodes == NodePlacement::octree) {
     const double coarsest = parameters_of(settings).coarsest_spacing;
     pitch = lattice_pitch<D>(shape, spacing);
-    nodes.cloud = octree_nodes<D>(shape, {spacing, coarsest > 0 ? coarsest : 4 * spacing});
+    nodes.cloud = octree_nodes<D>(shape, {spacing, coarsest > 0 ? coarsest : 4 * spacing},
+                                  CutPlaces<D>(settings, source, spacing / 2).take());
     nodes.reach = 0.5;
   } else {
     pitch = lattice_pitch<D>(shape, spacing);

@@ -8,18 +8,14 @@
 #include "engine/geometry/padded.hpp"
 #include "engine/geometry/signed_distance.hpp"
 #include "engine/point_based/bonds/nearest_nodes.hpp"
-#include "engine/point_based/surface/contact_surface.hpp"
+#include "engine/point_based/surface/node_loads_of_facets.hpp"
 #include "engine/point_based/surface/surface_lattice.hpp"
-#include "engine/undeformed/contact/surface_place.hpp"
 
 namespace pliant::point_based {
 
 namespace {
 
 using undeformed::area_vector;
-
-constexpr int samples = 8;        // along a side of a facet that crosses the rim of a region
-constexpr double on_face = 1e-5;  // [h]
 
 /// Finds a surface whose corners refer to nodes of the cloud.
 template <int D>
@@ -94,108 +90,6 @@ class SurfaceFinder {
   BodySurface<D> surface_;
 };
 
-/// Calls `f(x)` for places spread evenly over a facet. Returns their number.
-template <int D, class F>
-int for_each_sample(const std::array<Point<D>, D>& corner, F&& f) {
-  int all = 0;
-  const auto at = [&](double u, double v) {
-    Point<D> x;
-    for (int a = 0; a < D; ++a) {
-      x[a] = corner[0][a] + u * (corner[1][a] - corner[0][a]);
-      if (D == 3) x[a] += v * (corner[D - 1][a] - corner[0][a]);
-    }
-    ++all;
-    f(x);
-  };
-  for (int i = 0; i < samples; ++i) {
-    if (D == 2) {
-      at((i + 0.5) / samples, 0);
-      continue;
-    }
-    for (int j = 0; i + j < samples; ++j) {
-      at((i + 1. / 3) / samples, (j + 1. / 3) / samples);
-      if (i + j < samples - 1) at((i + 2. / 3) / samples, (j + 2. / 3) / samples);
-    }
-  }
-  return all;
-}
-
-template <int D>
-bool on_a_wall(const Boundaries<D>& boundaries, const Point<D>& x, double h) {
-  return boundaries.nearest_wall(x).second < on_face * h;
-}
-
-/// The loaded part of a facet: a mean over the part of the surface that the facet represents,
-/// (TL.29).
-template <int D>
-undeformed::LoadedPart<D> loaded_part(const Boundaries<D>& boundaries,
-                                      const SurfacePressure<D>& load, const BodySurface<D>& surface,
-                                      const std::array<Point<D>, D>& corner,
-                                      const Point<D>& normal) {
-  std::vector<undeformed::FaceOfFacet<D>> faces = {{normal}};
-  if (surface.shape != nullptr) {
-    Point<D> middle = {};
-    for (const Point<D>& x : corner) {
-      for (int a = 0; a < D; ++a) middle[a] += x[a] / D;
-    }
-    faces = undeformed::faces_of_facet<D>(*surface.shape, middle, normal, surface.spacing);
-  }
-  const auto acts_at = [&](const Point<D>& x) {
-    return load.acts_at(x) && !on_a_wall<D>(boundaries, x, surface.spacing);
-  };
-  undeformed::LoadedPart<D> mean;
-  const int all = for_each_sample<D>(corner, [&](const Point<D>& x) {
-    const auto part =
-        undeformed::loaded_part<D>(surface.shape, x, normal, faces, surface.spacing, acts_at);
-    mean.area += part.area;
-    for (int a = 0; a < D; ++a) mean.vector[a] += part.vector[a];
-  });
-  mean.area /= all;
-  for (double& component : mean.vector) component /= all;
-  return mean;
-}
-
-/// The shares of nodes in the facets under one load: area vectors by the corners, centres by the
-/// loaded parts. Pressures act on all nodes that carry a corner, (PB.51).
-template <class T, int D>
-std::map<std::int32_t, PressedNode<D>> pressed_nodes(const Boundaries<D>& boundaries, int number,
-                                                     const Body<T, D>& body) {
-  const SurfacePressure<D>& load = boundaries.pressures[number];
-  const BodySurface<D>& surface = body.surface;
-  std::map<std::int32_t, PressedNode<D>> nodes;
-  const auto node_in = [&](std::int32_t slot) -> PressedNode<D>& {
-    return nodes.insert({slot, {slot, number, {}, 0, {}}}).first->second;
-  };
-  for (std::size_t f = 0; f < surface.facet.size(); ++f) {
-    if (!surface.is_free[f]) continue;
-    std::array<Point<D>, D> x;
-    for (int v = 0; v < D; ++v) x[v] = surface.start[surface.facet[f][v]];
-    Point<D> normal = area_vector<D>(x);
-    double square = 0;
-    for (const double component : normal) square += component * component;
-    const double whole = std::sqrt(square);
-    for (double& component : normal) component /= whole;
-    const undeformed::LoadedPart<D> loaded = loaded_part<D>(boundaries, load, surface, x, normal);
-    if (loaded.area == 0) continue;
-    for (const std::int32_t corner : surface.facet[f]) {
-      const double size = loaded.area / D * whole;
-      PressedNode<D>& nearest = node_in(surface.node[corner]);
-      nearest.size += size;
-      for (int a = 0; a < D; ++a) nearest.middle[a] += size * surface.start[corner][a];
-      const std::vector<undeformed::Share> carriers =
-          load.is_traction() ? std::vector<undeformed::Share>{{nearest.slot, 1}}
-                             : shares_of_corner(body, corner);
-      for (const undeformed::Share& carrier : carriers) {
-        PressedNode<D>& node = node_in(carrier.slot);
-        for (int a = 0; a < D; ++a) {
-          node.area[a] += carrier.weight * whole / D * loaded.vector[a];
-        }
-      }
-    }
-  }
-  return nodes;
-}
-
 }  // namespace
 
 template <class T, int D>
@@ -203,7 +97,7 @@ void make_loads(const Boundaries<D>& boundaries, Body<T, D>& body) {
   body.pressed.assign(body.blocks.size(), {});
   for (int k = 0; k < static_cast<int>(boundaries.pressures.size()); ++k) {
     std::size_t b = 0;
-    for (auto& [slot, node] : pressed_nodes(boundaries, k, body)) {
+    for (auto& [slot, node] : NodesUnderLoad<T, D>(boundaries, k, body)()) {
       while (slot >= body.blocks[b].first + body.blocks[b].count) ++b;
       for (double& x : node.middle) x /= node.size > 0 ? node.size : 1;
       body.pressed[b].push_back(node);
@@ -232,7 +126,7 @@ void make_surface(const NodeCloud<D>& cloud, const Shape& shape, double spacing,
     for (const std::int32_t corner : facet) {
       for (int a = 0; a < D; ++a) middle[a] += body.surface.start[corner][a] / D;
     }
-    body.surface.is_free.push_back(!on_a_wall<D>(boundaries, middle, spacing));
+    body.surface.is_free.push_back(!lies_on_a_wall<D>(boundaries, middle, spacing));
   }
 }
 

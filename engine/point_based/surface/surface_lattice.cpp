@@ -6,6 +6,7 @@
 #include "engine/geometry/distance_walk.hpp"
 #include "engine/geometry/padded.hpp"
 #include "engine/geometry/signed_distance.hpp"
+#include "engine/lattice/mean_phi.hpp"
 #include "engine/point_based/nodes/body_lattice.hpp"
 #include "engine/undeformed/body.hpp"
 
@@ -50,6 +51,7 @@ SurfaceLattice<D>::SurfaceLattice(const Shape& shape, double spacing)
     const double phi = distance(padded<D>(place(cell))) / spacing_;
     phi_.push_back(std::abs(phi) < on_shape ? -on_shape : phi);
   });
+  if (contains_mesh(shape)) phi_ = mean_phi<D>(phi_, extent_);
 }
 
 template <int D>

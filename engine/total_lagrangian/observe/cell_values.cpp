@@ -73,7 +73,9 @@ double material_value(const Body<T, D>& body, const Vector& start, const std::st
     }
     const double fraction = square / (radius * radius);
     if (fraction >= 1) return;
-    fit.add(r, (1 - fraction) * (1 - fraction), {cell_value<T, D>(body, p, cell, field)});
+    // The stress of a cell that is nearly empty is that of a displacement that hardly counts.
+    fit.add(r, (1 - fraction) * (1 - fraction) * body.fraction[p],
+            {cell_value<T, D>(body, p, cell, field)});
   });
   return fit.solve() ? fit.value(0) : no_value;
 }

@@ -101,6 +101,7 @@ template <int D>
 struct LoadedPart {
   double area = 0;
   Point<D> vector = {};  ///< area vector
+  double gap = 0;        ///< from the facet to a surface with one face, along the normal [m]
 };
 
 /// The loaded part around the point `x` of a facet with unit normal `normal` and these faces.
@@ -116,7 +117,9 @@ LoadedPart<D> loaded_part(const Shape* shape, const Point<D>& x, const Point<D>&
   if (faces.size() == 1) {
     const SurfacePlace<D> at = surface_place<D>(*shape, x, normal, h);
     if (!is_loaded(at.place)) return {};
-    return {at.area, normal};
+    double gap = 0;
+    for (int a = 0; a < D; ++a) gap += (at.place[a] - x[a]) * normal[a];
+    return {at.area, normal, gap};
   }
   LoadedPart<D> part;
   std::size_t count = 0;

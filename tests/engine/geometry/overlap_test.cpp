@@ -40,6 +40,16 @@ TEST(overlap, finds_lenses_between_the_points) {
   }
 }
 
+// Their faces lie on the sample points, but for an offset.
+TEST(overlap, of_boxes_on_a_lattice_is_half_of_what_they_share) {
+  for (const int dimension : {2, 3}) {
+    EXPECT_NEAR(overlap(box({0, 0, 0}, {1, 1, 1}), box({0.95, 0, 0}, {2, 1, 1}), 0.1, dimension),
+                0.025, 1e-4);
+    EXPECT_NEAR(overlap(box({0, 0, 0}, {1, 1, 1}), box({1, 0, 0}, {2, 1, 1}), 0.1, dimension), 0,
+                1e-4);
+  }
+}
+
 TEST(overlap, is_negative_for_shapes_that_stand_apart) {
   EXPECT_LT(overlap(ball({}, 1), ball({2.1, 0, 0}, 1), 0.02, 2), 0);
   EXPECT_LT(overlap(ball({}, 1), ball({5, 0, 0}, 1), 0.02, 3), -2.9);

@@ -247,6 +247,14 @@ TEST(cuts, of_no_length_or_no_time_are_refused) {
             std::string::npos);
 }
 
+TEST(cuts, with_an_edge_in_2d_are_refused) {
+  const std::string start =
+      free_points(2) + "[[cut]]\nname = \"blade\"\npath = [\"t\", 0]\nend = 1\nfrom = [0, 1]\n";
+  EXPECT_NE(tests::complaint(start + "to = [1, 1]\n").find("\"blade\" is a point in 2D"),
+            std::string::npos);
+  EXPECT_NO_THROW(tests::read_text(start + "to = [0, 1]\n"));
+}
+
 // A caller may move the blade anywhere.
 TEST(cuts, that_wait_for_a_caller_are_not_asked_where_they_start) {
   const std::string blade = free_points(3) +

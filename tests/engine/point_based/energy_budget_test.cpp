@@ -73,7 +73,6 @@ TEST(point_energy_budget, closes_through_a_cut) {
       R"toml([[cut]]
 name = "blade"
 from = [0.53, 1.1]
-to = [0.53, 1.2]
 path = [0, "-2*(t - 0.4)"]
 start = 0.4
 end = 0.8

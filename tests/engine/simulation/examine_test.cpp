@@ -23,6 +23,14 @@ TEST(examine, counts_nodes_of_a_lattice_whose_volumes_are_those_of_the_block) {
   EXPECT_NEAR(found.time_step * c / 0.125, 1, 0.1);
 }
 
+TEST(examine, warns_of_a_step_above_the_stability_limit) {
+  Case a_case = tests::read_text(free_points(3));
+  EXPECT_EQ(examine(a_case)->stability_warning(), "");
+  a_case.time.step = 1.01 * examine(a_case)->stable_step;
+  EXPECT_NE(examine(a_case)->stability_warning().find("is above the stability limit of"),
+            std::string::npos);
+}
+
 // A second block that starts 0.01 m inside the first one, which stands on a floor.
 TEST(examine, tells_how_deep_surfaces_that_may_touch_start_in_each_other) {
   const std::string text = free_points(3) + R"toml(

@@ -2,6 +2,8 @@
 
 #include <numbers>
 
+#include "engine/total_lagrangian/nodes.hpp"
+#include "tests/engine/geometry/meshes.hpp"
 #include "tests/engine/total_lagrangian/blocks.hpp"
 
 namespace pliant::test {
@@ -59,6 +61,20 @@ TEST(total_lagrangian, a_ball_has_its_volume_and_its_surface_to_second_order) {
   EXPECT_LT(std::abs(finer_volume), 2e-4);
   EXPECT_LT(std::abs(surface), 2 * 3 * 0.01 / 8);
   EXPECT_GT(surface / finer_surface, 3.5);
+}
+
+// Distances to meshes are interpolated linearly between the particles, with (TL.33).
+TEST(total_lagrangian, a_ball_from_a_mesh_has_its_volume) {
+  const Shape ball = tests::mesh_shape(tests::sphere_mesh(1, 4));
+  for (const double h : {0.25, 0.2, 0.1}) {
+    const Lattice<3> lattice{h, {0.013, 0.027, 0.041}};
+    const total_lagrangian::Nodes<3> nodes(lattice, ball, bounding_box(ball));
+    double volume = 0;
+    nodes.for_each([&](const Cell<3>& cell) {
+      if (nodes.has_cell(cell)) volume += nodes.fraction(cell) * h * h * h;
+    });
+    EXPECT_NEAR(volume, ball.mesh->volume(), 0.003 * volume) << h;
+  }
 }
 
 TEST(total_lagrangian, pressure_all_around_pushes_a_body_nowhere) {

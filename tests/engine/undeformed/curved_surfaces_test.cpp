@@ -65,7 +65,7 @@ TEST(curved_surfaces, the_pressure_on_a_ball_is_the_stress_inside_it) {
       const auto run = methods().make(settings, {});
       run->advance(2);
       auto measured = values(*run);
-      const double tolerance = (dimension == 2 ? 0.2 : 0.6) / (across_radius * across_radius);
+      const double tolerance = (dimension == 2 ? 0.06 : 0.12) / (across_radius * across_radius);
       EXPECT_NEAR(measured["x"], -1, tolerance);
       EXPECT_NEAR(measured["y"], -1, tolerance);
       const double strain = -(1 - 2 * nu) * (dimension == 2 ? 1 + nu : 1) / young;
@@ -122,6 +122,24 @@ TEST_P(ThickCylinder, widens_as_in_closed_form) {
 INSTANTIATE_TEST_SUITE_P(curved_surfaces, ThickCylinder,
                          testing::Values("total_lagrangian", "point_based"),
                          [](const auto& tested) { return tested.param; });
+
+// Cells that hold next to nothing of the body lie beside the point; their stress is far off.
+TEST(curved_surfaces, the_stress_beside_a_hole_is_that_of_closed_form) {
+  const auto run = methods().make(
+      tests::read_text(
+          round_body("total_lagrangian", 2, 0.1,
+                     R"({ shape = "difference", of = [
+  { shape = "disc", centre = [0, 0], radius = 2 },
+  { shape = "disc", centre = [0, 0], radius = 1 }] })") +
+          pressure("inside", "1", "{ shape = \"disc\", centre = [0, 0], radius = 1.5 }") +
+          measurement("hoop",
+                      "kind = \"material_value\"\nfield = \"stress_yy\"\npoint = [1.02, 0]")),
+      {});
+  run->advance(2);
+  auto measured = values(*run);
+  const double hoop = (1 + 4 / (1.02 * 1.02)) / 3;
+  EXPECT_NEAR(measured["hoop"], hoop, 0.04 * hoop);
+}
 
 // A quarter that slides on planes of symmetry, where partly filled cells meet walls.
 TEST(curved_surfaces, a_quarter_of_a_thick_cylinder_widens_as_in_closed_form) {

@@ -252,6 +252,28 @@ TEST(cut_bonds, a_front_that_is_followed_is_that_of_the_whole_cut) {
   EXPECT_GT(retained, 50);
 }
 
+// A blade that turns once about one of its ends cuts out a disc. Its front is the circle.
+TEST(cut_bonds, a_blade_that_turns_about_its_end_leaves_no_front_there) {
+  constexpr double radius = 0.4;
+  CutSurface<3> disc;
+  for (int k = 0; k <= 48; ++k) {
+    const double angle = 2 * std::numbers::pi * k / 48;
+    std::vector<MaterialPoint<3>> edge;
+    for (int i = 0; i <= 4; ++i) {
+      const double r = radius * i / 4;
+      edge.push_back({0.5 + r * std::cos(angle), 0.5 + r * std::sin(angle), 0.5});
+    }
+    disc.add_station(edge);
+  }
+  CutFront<3> front([](const MaterialPoint<3>&) { return true; }, 0.1);
+  const std::vector<CutSurface<3>> cuts = {disc};
+  front.update(cuts, 0);
+  // The sides of a polygon of 48 corners are nearer than the circle by 0.2 %.
+  for (const double r : {0., 0.1, 0.2, 0.3}) {
+    EXPECT_NEAR(front.distance({0.5 + r, 0.5, 0.52}, 1), std::hypot(radius - r, 0.02), 0.002) << r;
+  }
+}
+
 TEST(cut_bonds, the_parts_of_a_body_follow_a_blade_as_the_whole_body_does) {
   const LatticeBonds<2> lattice({20, 10}, 0.1);
   for (const CutRule rule : all_rules) {

@@ -45,5 +45,21 @@ TEST(resolution, of_a_blade_that_stays_is_none_unless_a_program_moves_it) {
   EXPECT_EQ(said_of({"cut.0.path=[0, 0]", "cut.0.start=200", "cut.0.end=300"}), "");
 }
 
+// In block_cut the edge of the blade lies along z.
+TEST(resolution, of_a_blade_that_moves_along_its_edge_is_none) {
+  const auto said = [](const std::string& path) {
+    std::vector<std::string> warnings;
+    const std::vector<std::string> settings = {"cut.0.path=" + path};
+    const Case a_case = read_case(PLIANT_SOURCE_DIR "/cases/block_cut", settings);
+    point_based::warn_of_coarse_cuts(a_case, warnings);
+    return fmt::format("{}", fmt::join(warnings, "\n"));
+  };
+  const std::string start = "0.1*(t - 0.08)";
+  EXPECT_NE(said("[0, 0, \"" + start + "\"]").find("moves along its own edge only"),
+            std::string::npos);
+  EXPECT_EQ(said("[0, \"" + start + "\", \"" + start + "\"]").find("moves along"),
+            std::string::npos);
+}
+
 }  // namespace
 }  // namespace pliant::test

@@ -1,0 +1,219 @@
+#pragma once
+
+#include <cmath>
+#include <map>
+#include <utility>
+#include <vector>
+
+#include "engine/boundaries/walls.hpp"
+#include "engine/point_based/body.hpp"
+#include "engine/point_based/surface/contact_surface.hpp"
+#include "engine/undeformed/contact/curved_facet.hpp"
+#include "engine/undeformed/contact/surface_place.hpp"
+
+/// The shares of nodes in the facets under one load.
+namespace pliant::point_based {
+
+/// Whether a wall that holds bodies is at this place of a surface with the spacing `h` [m].
+template <int D>
+bool lies_on_a_wall(const Boundaries<D>& boundaries, const Point<D>& x, double h) {
+  constexpr double on_face = 1e-5;  // [h]
+  return boundaries.nearest_wall(x).second < on_face * h;
+}
+
+/// Calls `f(x)` for places spread evenly over a facet. Returns their number.
+template <int D, class F>
+int for_each_sample(const std::array<Point<D>, D>& corner, F&& f) {
+  constexpr int samples = 8;  // along a side
+  int all = 0;
+  const auto at = [&](double u, double v) {
+    Point<D> x;
+    for (int a = 0; a < D; ++a) {
+      x[a] = corner[0][a] + u * (corner[1][a] - corner[0][a]);
+      if (D == 3) x[a] += v * (corner[D - 1][a] - corner[0][a]);
+    }
+    ++all;
+    f(x);
+  };
+  for (int i = 0; i < samples; ++i) {
+    if (D == 2) {
+      at((i + 0.5) / samples, 0);
+      continue;
+    }
+    for (int j = 0; i + j < samples; ++j) {
+      at((i + 1. / 3) / samples, (j + 1. / 3) / samples);
+      if (i + j < samples - 1) at((i + 2. / 3) / samples, (j + 2. / 3) / samples);
+    }
+  }
+  return all;
+}
+
+template <int D>
+using Corners = std::array<Point<D>, D>;
+
+template <int D>
+using Faces = std::vector<undeformed::FaceOfFacet<D>>;
+
+template <int D>
+Faces<D> faces_of(const BodySurface<D>& surface, const Corners<D>& corner, const Point<D>& normal) {
+  if (surface.shape == nullptr) return {{normal}};
+  Point<D> middle = {};
+  for (const Point<D>& x : corner) {
+    for (int a = 0; a < D; ++a) middle[a] += x[a] / D;
+  }
+  return undeformed::faces_of_facet<D>(*surface.shape, middle, normal, surface.spacing);
+}
+
+/// The loaded part of a facet: a mean over the part of the surface that the facet represents,
+/// (TL.29).
+template <int D>
+undeformed::LoadedPart<D> loaded_part(const Boundaries<D>& boundaries,
+                                      const SurfacePressure<D>& load, const BodySurface<D>& surface,
+                                      const Corners<D>& corner, const Point<D>& normal,
+                                      const Faces<D>& faces) {
+  const auto acts_at = [&](const Point<D>& x) {
+    return load.acts_at(x) && !lies_on_a_wall<D>(boundaries, x, surface.spacing);
+  };
+  undeformed::LoadedPart<D> mean;
+  const int all = for_each_sample<D>(corner, [&](const Point<D>& x) {
+    const auto part =
+        undeformed::loaded_part<D>(surface.shape, x, normal, faces, surface.spacing, acts_at);
+    mean.area += part.area;
+    for (int a = 0; a < D; ++a) mean.vector[a] += part.vector[a];
+  });
+  mean.area /= all;
+  for (double& component : mean.vector) component /= all;
+  return mean;
+}
+
+/// A load on the surface around a corner of a facet.
+template <int D>
+struct LoadAtCorner {
+  double size = 0;     ///< area [m^(D-1)]
+  Point<D> area = {};  ///< area vector [m^(D-1)]
+  std::array<Point<D>, D> moment =
+      {};  ///< [a][b] integral of x_a - X_a by area_b, X the corner [m^D]
+};
+
+/// The shares of nodes in the facets under one load: area vectors by the corners, centres by the
+/// loaded parts. Pressures act on all nodes that carry a corner, (PB.51).
+template <class T, int D>
+class NodesUnderLoad {
+ public:
+  NodesUnderLoad(const Boundaries<D>& boundaries, int number, const Body<T, D>& body)
+      : boundaries_(boundaries),
+        number_(number),
+        load_(boundaries.pressures[number]),
+        body_(body),
+        surface_(body.surface) {}
+
+  std::map<std::int32_t, PressedNode<D>> operator()() {
+    for (std::size_t f = 0; f < surface_.facet.size(); ++f) {
+      if (surface_.is_free[f]) add(surface_.facet[f]);
+    }
+    return std::move(nodes_);
+  }
+
+ private:
+  void add(const std::array<std::int32_t, D>& facet) {
+    Corners<D> x;
+    for (int v = 0; v < D; ++v) x[v] = surface_.start[facet[v]];
+    Point<D> normal = undeformed::area_vector<D>(x);
+    const double whole = std::sqrt(dot<D>(normal, normal));
+    for (double& component : normal) component /= whole;
+    const std::array<LoadAtCorner<D>, D> loads = loads_on(x, normal, whole);
+    for (int v = 0; v < D; ++v) {
+      if (loads[v].size > 0) add(facet[v], loads[v]);
+    }
+  }
+
+  std::array<LoadAtCorner<D>, D> loads_on(const Corners<D>& x, const Point<D>& normal,
+                                          double whole) const {
+    const auto faces = faces_of<D>(surface_, x, normal);
+    undeformed::CurvedFacet<D> curved;
+    if (surface_.shape != nullptr && !load_.is_traction()) {
+      curved = {*surface_.shape, x, surface_.spacing};
+    }
+    if (!curved.is_flat() && faces.size() == 1) return loads_on_parts(x, curved);
+    constexpr double whole_facet = 1 - 1e-9;
+    undeformed::LoadedPart<D> loaded =
+        loaded_part<D>(boundaries_, load_, surface_, x, normal, faces);
+    // So that pressures on a closed surface have no resultant.
+    if (!curved.is_flat() && dot<D>(loaded.vector, normal) > whole_facet) {
+      loaded.vector = curved.area();
+      for (double& component : loaded.vector) component /= whole;
+    }
+    std::array<LoadAtCorner<D>, D> loads;
+    for (LoadAtCorner<D>& load : loads) {
+      load.size = loaded.area / D * whole;
+      for (int a = 0; a < D; ++a) load.area[a] = whole / D * loaded.vector[a];
+    }
+    return loads;
+  }
+
+  // (PB.62)
+  std::array<LoadAtCorner<D>, D> loads_on_parts(const Corners<D>& x,
+                                                const undeformed::CurvedFacet<D>& curved) const {
+    std::array<LoadAtCorner<D>, D> loads;
+    for (const undeformed::CurvedPart<D>& part : curved.parts()) {
+      if (!load_.acts_at(part.middle)) continue;
+      if (lies_on_a_wall<D>(boundaries_, part.middle, surface_.spacing)) continue;
+      for (int v = 0; v < D; ++v) {
+        LoadAtCorner<D>& load = loads[v];
+        load.size += part.at[v] * std::sqrt(dot<D>(part.area, part.area));
+        for (int b = 0; b < D; ++b) {
+          const double area = part.at[v] * part.area[b];
+          load.area[b] += area;
+          for (int a = 0; a < D; ++a) load.moment[a][b] += (part.middle[a] - x[v][a]) * area;
+        }
+      }
+    }
+    return loads;
+  }
+
+  void add(std::int32_t corner, const LoadAtCorner<D>& load) {
+    PressedNode<D>& nearest = node_in(surface_.node[corner]);
+    nearest.size += load.size;
+    for (int a = 0; a < D; ++a) nearest.middle[a] += load.size * surface_.start[corner][a];
+    if (load_.is_traction()) {
+      for (int a = 0; a < D; ++a) nearest.area[a] += load.area[a];
+      return;
+    }
+    for (const undeformed::Share& carrier : shares_of_corner(body_, corner)) {
+      PressedNode<D>& node = node_in(carrier.slot);
+      for (int a = 0; a < D; ++a) node.area[a] += carrier.weight * load.area[a];
+    }
+    if (load.moment != std::array<Point<D>, D>{} && !body_.has_cuts())
+      add_moment(nearest.slot, load);
+  }
+
+  // Shares are linear in the place.
+  void add_moment(std::int32_t slot, const LoadAtCorner<D>& load) {
+    body_.for_each_bond(body_.block_of(slot), slot,
+                        [&](int, std::int64_t other, const Point<D>& g, double) {
+                          Point<D> area = {};
+                          for (int a = 0; a < D; ++a) {
+                            for (int b = 0; b < D; ++b) area[b] += g[a] * load.moment[a][b];
+                          }
+                          Point<D>& of_other = node_in(static_cast<std::int32_t>(other)).area;
+                          Point<D>& of_node = node_in(slot).area;
+                          for (int b = 0; b < D; ++b) {
+                            of_other[b] += area[b];
+                            of_node[b] -= area[b];
+                          }
+                        });
+  }
+
+  PressedNode<D>& node_in(std::int32_t slot) {
+    return nodes_.insert({slot, {slot, number_, {}, 0, {}}}).first->second;
+  }
+
+  const Boundaries<D>& boundaries_;
+  int number_;
+  const SurfacePressure<D>& load_;
+  const Body<T, D>& body_;
+  const BodySurface<D>& surface_;
+  std::map<std::int32_t, PressedNode<D>> nodes_;
+};
+
+}  // namespace pliant::point_based
