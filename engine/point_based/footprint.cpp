@@ -3,8 +3,8 @@
 #include <algorithm>
 
 #include "engine/geometry/signed_distance.hpp"
+#include "engine/point_based/nodes/place_nodes.hpp"
 #include "engine/point_based/parameters.hpp"
-#include "engine/point_based/setup.hpp"
 
 namespace pliant::point_based {
 

@@ -1,10 +1,18 @@
 #include "engine/point_based/parameters.hpp"
 
+#include <algorithm>
+
 namespace pliant::point_based {
 
 int neighbour_count(const Case& settings) {
   const int given = parameters_of(settings).neighbours;
   return given > 0 ? given : settings.dimension == 2 ? 12 : 26;
+}
+
+bool has_cuts(const Case& settings, const BodyCase& body) {
+  const auto number = &body - settings.bodies.data();
+  return std::any_of(settings.cuts.begin(), settings.cuts.end(),
+                     [number](const CutCase& cut) { return cut.body == number; });
 }
 
 void visit_keys(MethodKeys& visit, MethodParameters& parameters) {

@@ -48,6 +48,9 @@ inline bool knows_losses(const Case& settings) {
 /// Neighbours of each node; if the case gives no number, 26 in 3D and 12 in 2D.
 int neighbour_count(const Case& settings);
 
+/// Whether blades of the case cut one of its bodies.
+bool has_cuts(const Case& settings, const BodyCase& body);
+
 void visit_keys(MethodKeys& visit, MethodParameters& parameters);
 
 }  // namespace pliant::point_based

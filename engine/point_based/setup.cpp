@@ -146,12 +146,6 @@ void set_in_motion(const BodyCase& source, const Boundaries<D>& boundaries, Body
 
 }  // namespace
 
-bool has_cuts(const Case& settings, const BodyCase& body) {
-  const auto number = &body - settings.bodies.data();
-  return std::any_of(settings.cuts.begin(), settings.cuts.end(),
-                     [number](const CutCase& cut) { return cut.body == number; });
-}
-
 template <class T, int D>
 void make_nodes(const Case& settings, const BodyCase& source, const PlacedNodes<D>& nodes,
                 const Boundaries<D>& boundaries, PressureForces pressures, Body<T, D>& body) {

@@ -7,9 +7,6 @@
 
 namespace pliant::point_based {
 
-/// Whether blades of the case cut one of its bodies.
-bool has_cuts(const Case& settings, const BodyCase& body);
-
 /// What applies pressures: the kernel that evaluates the bonds, or NodeLoads.
 enum class PressureForces { of_bonds, of_loads };
 

@@ -4,7 +4,6 @@
 
 #include "engine/point_based/bonds/candidates.hpp"
 #include "engine/point_based/parameters.hpp"
-#include "engine/point_based/setup.hpp"
 
 namespace pliant::point_based {
 
