@@ -3,7 +3,6 @@
 #include <algorithm>
 
 #include "engine/geometry/signed_distance.hpp"
-#include "engine/point_based/nodes/place_nodes.hpp"
 #include "engine/point_based/parameters.hpp"
 
 namespace pliant::point_based {
