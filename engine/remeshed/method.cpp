@@ -94,16 +94,24 @@ StepLimits limits_of_steps(const Case& a_case) {
   return limits;
 }
 
-// Measured for stacks of two blocks under their weight, docs/decisions/0054.
+// Measured for stacks of two bodies, docs/decisions/0058. Walls that move may press bodies
+// together.
 void warn_of_resting_bodies(const Case& a_case, std::vector<std::string>& warnings) {
   const bool has_loads = Gravity<3>(a_case).acts() ||
                          std::ranges::any_of(a_case.boundaries, [](const BoundaryCase& boundary) {
-                           return !row_of(boundary.kind).is_wall;
+                           return !row_of(boundary.kind).is_wall || boundary.displacement ||
+                                  boundary.kind == BoundaryCase::Kind::moving_wall;
                          });
   if (a_case.contacts.empty() || !has_loads) return;
   warnings.emplace_back(
-      "if bodies rest on each other, the lower one passes on 6 to 17 % too little of their weight, "
-      "and the run may stop; take method = \"total_lagrangian\" for bodies that stay in contact");
+      a_case.discretisation.damping
+          ? "if bodies rest on each other or are pressed together, the run may stop unless "
+            "discretisation.damping = \"adaptive\"; take method = \"total_lagrangian\" for bodies "
+            "that "
+            "stay in contact"
+          : "if bodies rest on each other, the lower one passes on up to 6 % too little of their "
+            "weight, and where walls press bodies together the run may stop; take method = "
+            "\"total_lagrangian\" for bodies that stay in contact");
 }
 
 // Measured for plates, rings, discs and blocks under pistons with the defaults; bodies that only

@@ -17,7 +17,10 @@ using scheduler::Phase;
 
 // (RP.56): the time in which a gap or an overlap is to close [h/c]. With a shorter time contact
 // oscillates; with a longer one bodies sink into each other.
-constexpr double closing_time = 10;
+constexpr double closing_time = 15;
+// Largest gap of surfaces that touch [h]. With 0, noise of phi would open a pressed surface; with
+// more, contact would begin too early, which costs energy.
+constexpr double touching_gap = 0.01;
 
 kernels::InterfaceKind converted(ContactLaw law) {
   switch (law) {
@@ -85,7 +88,8 @@ void BodyContact<T, D>::find_tractions(int block, int stage) {
     const int c = contact_points.contact[k];
     const bool is_first = contacts_[c].bodies[0] == owner;
     const Body<T, D>& other = state_.bodies[contacts_[c].bodies[is_first ? 1 : 0]];
-    const Interaction found = interaction(own, other, ghosts, k, contacts_[c]);
+    const Interaction found =
+        interaction(own, other, ghosts, k, contacts_[c], search_.directions(block)[k]);
     contact_points.traction[k] = found.traction;
     // Impulse on the second body: the mean of the two sides.
     const double share = 0.5 * stage_weight[stage] * time_step_ * contact_points.area[k];
@@ -98,7 +102,8 @@ void BodyContact<T, D>::find_tractions(int block, int stage) {
 template <class T, int D>
 auto BodyContact<T, D>::interaction(const Body<T, D>& own, const Body<T, D>& other,
                                     const BlockGhosts<T, D>& ghosts, std::size_t point,
-                                    const ContactCase& contact) const -> Interaction {
+                                    const ContactCase& contact,
+                                    const ContactDirection<D>& direction) const -> Interaction {
   constexpr int width = kernels::record_width<D>;
   const ContactPoints<T, D>& contact_points = ghosts.contact_points;
   const std::int32_t g = contact_points.ghost[point];
@@ -115,19 +120,32 @@ auto BodyContact<T, D>::interaction(const Body<T, D>& own, const Body<T, D>& oth
                            : std::min<double>(kernels::wave_speed_at_rest(own.material),
                                               kernels::wave_speed_at_rest(other.material));
   const kernels::GhostFits<T, D> fits = present.of(g);
+  auto n = kernels::unit_normal<T, D>(fits.linear);
+  T share = 1;  // of the traction on the plane of the contact, on the surface with the normal n
+  if (contact.law != ContactLaw::tied) {
+    share = 0;
+    for (int a = 0; a < D; ++a) {
+      const T of_contact = static_cast<T>(direction.normal[a]);
+      share += n[a] * of_contact;
+      n[a] = of_contact;
+    }
+    share = std::max(share, T(0)) * static_cast<T>(direction.cover);
+  }
   const kernels::SurfaceLoad<T, D> load = kernels::interface_traction<T, D>(
       {fits.surface, kernels::Impedance<T>(own.material)},
-      {{sum.data()}, kernels::Impedance<T>(other.material)},
-      kernels::unit_normal<T, D>(fits.linear),
+      {{sum.data()}, kernels::Impedance<T>(other.material)}, n,
       static_cast<T>(contact_points.gap[point] * speed / (closing_time * own.lattice.spacing)),
-      converted(contact.law), static_cast<T>(contact.friction));
+      converted(contact.law), static_cast<T>(contact.friction),
+      contact_points.gap[point] < touching_gap * own.lattice.spacing);
   Interaction result{{}, 0};
-  for (int a = 0; a < D; ++a) result.traction[a] = load.normal * load.n[a] + load.shear[a];
+  for (int a = 0; a < D; ++a) {
+    result.traction[a] = share * (load.normal * load.n[a] + load.shear[a]);
+  }
   if (contact.law != ContactLaw::coulomb || !kernels::slides<T, D>(load, contact.friction)) {
     return result;
   }
   const auto slip = kernels::slip_velocity<T, D>(fits.surface, {sum.data()}, load.n);
-  for (int a = 0; a < D; ++a) result.friction += load.shear[a] * slip[a];
+  for (int a = 0; a < D; ++a) result.friction += share * load.shear[a] * slip[a];
   return result;
 }
 

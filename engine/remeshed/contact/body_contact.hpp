@@ -56,7 +56,7 @@ class BodyContact {
   void find_tractions(int block, int stage);
   Interaction interaction(const Body<T, D>& own, const Body<T, D>& other,
                           const BlockGhosts<T, D>& ghosts, std::size_t point,
-                          const ContactCase& contact) const;
+                          const ContactCase& contact, const ContactDirection<D>& direction) const;
 
   State<T, D>& state_;
   const std::vector<ContactCase>& contacts_;

@@ -4,6 +4,7 @@
 
 #include "engine/method/decompositions.hpp"
 #include "engine/method/phase_rows.hpp"
+#include "engine/remeshed/ghosts/record_loads.hpp"
 #include "engine/remeshed/observe/integrals.hpp"
 #include "engine/remeshed/state/resources.hpp"
 
@@ -127,7 +128,8 @@ void ContactMomentumCorrection<T, D>::sum(int block) {
   const auto [body, local] = state_.blocks[block];
   const BlockGhosts<T, D>& ghosts = state_.bodies[body].population.ghosts[local];
   Sum& sum = sums_[block] = {};
-  sum.is_held = std::ranges::any_of(ghosts.pressure, [](std::int8_t load) { return load >= 0; });
+  sum.is_held =
+      std::ranges::any_of(ghosts.pressure, [](std::int8_t load) { return load != no_load; });
   for (std::size_t g = 0; g < ghosts.wall.size(); ++g) {
     if (ghosts.wall[g] < 0) continue;
     const Wall<D>& wall = state_.boundaries.walls[ghosts.wall[g]];
@@ -152,14 +154,6 @@ void ContactMomentumCorrection<T, D>::fold_blocks() {
 
 template <class T, int D>
 void ContactMomentumCorrection<T, D>::add_impulses(const Impulses& impulses) {
-  for (std::size_t c = 0; c < impulses.of_contacts.size(); ++c) {
-    for (int a = 0; a < D; ++a) {
-      const double impulse = impulses.of_contacts[c][a];
-      state_.contact_impulse[c][a] += impulse;
-      state_.momentum_budgets[contacts_[c].bodies[0]].momentum[a] -= impulse;
-      state_.momentum_budgets[contacts_[c].bodies[1]].momentum[a] += impulse;
-    }
-  }
   for (std::size_t b = 0; b < impulses.of_body_forces.size(); ++b) {
     const int body = state_.blocks[b].body;
     MomentumBudget<D>& budget = state_.momentum_budgets[body];
@@ -167,7 +161,33 @@ void ContactMomentumCorrection<T, D>::add_impulses(const Impulses& impulses) {
       budget.momentum[a] += budget.mass / of_body_[body].mass * impulses.of_body_forces[b][a];
     }
   }
+  crossed_ = impulses.of_contacts;
+  find_gains();
+  follow_free_bodies<D>(contacts_, gains_, crossed_);
+  for (std::size_t c = 0; c < crossed_.size(); ++c) {
+    for (int a = 0; a < D; ++a) {
+      const double impulse = crossed_[c][a];
+      state_.contact_impulse[c][a] += impulse;
+      state_.momentum_budgets[contacts_[c].bodies[0]].momentum[a] -= impulse;
+      state_.momentum_budgets[contacts_[c].bodies[1]].momentum[a] += impulse;
+    }
+  }
   add_friction(impulses);
+}
+
+// Momentum along the normals of walls is unknown, so that bodies near walls count as held.
+template <class T, int D>
+void ContactMomentumCorrection<T, D>::find_gains() {
+  gains_.resize(of_body_.size());
+  for (std::size_t b = 0; b < of_body_.size(); ++b) {
+    const Sum& sum = of_body_[b];
+    const MomentumBudget<D>& budget = state_.momentum_budgets[b];
+    gains_[b].is_free = !sum.is_held;
+    for (int a = 0; a < D; ++a) {
+      if (sum.normals[a * (D + 1)] > 0) gains_[b].is_free = false;
+      gains_[b].gained[a] = budget.mass * sum.momentum[a] / sum.mass - budget.momentum[a];
+    }
+  }
 }
 
 // (RP.98). The part along the normals is later removed with the unknown impulses.

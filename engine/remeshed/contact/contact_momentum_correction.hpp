@@ -4,6 +4,7 @@
 #include <functional>
 #include <vector>
 
+#include "engine/remeshed/contact/crossing_momentum.hpp"
 #include "engine/remeshed/state/state.hpp"
 #include "scheduler/phase.hpp"
 
@@ -16,7 +17,8 @@
 // those on the two sides of a contact that moves along a wall. Therefore each body in a case with
 // contact has a momentum budget. It changes only by the impulses of contacts, (RP.68), of body
 // forces, (RP.71), and of friction on contact walls, (RP.98); that of a contact is one number,
-// added to one body and subtracted from the other. After each step and each remeshing, one small
+// added to one body and subtracted from the other. Where one of the two is held, that number is
+// what the momentum of the free one shows, (RP.104). After each step and each remeshing, one small
 // velocity is added to all particles of a body, so that their mean velocity is that of the budget,
 // (RP.69). This does not change strain, stress or relative motion.
 //
@@ -61,6 +63,7 @@ class ContactMomentumCorrection {
   };
   void sum(int block);
   void add_impulses(const Impulses& impulses);
+  void find_gains();
   void add_friction(const Impulses& impulses);
   void fold_blocks();
   void balance();
@@ -68,9 +71,11 @@ class ContactMomentumCorrection {
 
   State<T, D>& state_;
   const std::vector<ContactCase>& contacts_;
-  std::vector<Sum> sums_;        ///< [block]
-  std::vector<Sum> of_body_;     ///< [body]
-  std::vector<Point<D>> shift_;  ///< [body] [m/s]
+  std::vector<Sum> sums_;               ///< [block]
+  std::vector<Sum> of_body_;            ///< [body]
+  std::vector<MomentumGain<D>> gains_;  ///< [body]
+  std::vector<Point<D>> crossed_;       ///< [contact] impulse on its second body [N s]
+  std::vector<Point<D>> shift_;         ///< [body] [m/s]
 };
 
 /// (RP.69) for one body, from its particles [N s]; the body must have a momentum budget.

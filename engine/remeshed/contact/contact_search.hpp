@@ -2,7 +2,8 @@
 
 #include <vector>
 
-#include "engine/remeshed/contact/surface_samples.hpp"
+#include "engine/remeshed/contact/facing_surfaces.hpp"
+#include "engine/remeshed/contact/surface_sampler.hpp"
 #include "engine/remeshed/state/state.hpp"
 #include "scheduler/phase.hpp"
 
@@ -11,56 +12,60 @@ namespace pliant::remeshed {
 template <class T, int D>
 class OpposingFit;
 
-/// Finds where bodies touch, (RP.58), at the start of each step. Particles of different bodies are
-/// no fixed neighbours of each other, so they are found by position, in three phases:
-///
-///     samples   surface particles and ghosts of each block, with their positions
-///     cells     those of a body in a cell list, if its box meets that of another
-///     points    ghosts whose foot point lies on another body, and the fit of that body
+/// How the traction at a contact point acts, (RP.57).
+template <int D>
+struct ContactDirection {
+  Point<D> normal;  ///< unit vector from the own body to the other one
+  double cover;     ///< share of the surface that the other body covers
+};
+
+/// Finds where bodies touch, (RP.58), at the start of each step: the ghosts whose foot points lie
+/// on another body, and the fit of that body there. The phases of SurfaceSampler come first.
 template <class T, int D>
 class ContactSearch {
  public:
   ContactSearch(State<T, D>& state, const std::vector<ContactCase>& contacts);
 
   /// Makes room for the present blocks, before the phases run.
-  void prepare() { samples_.resize(state_.blocks.size()); }
+  void prepare() {
+    sampler_.prepare();
+    directions_.resize(state_.blocks.size());
+  }
   void add_phases(std::vector<scheduler::Phase>& phases);
+  /// [contact point] of a block; without meaning for ties.
+  const std::vector<ContactDirection<D>>& directions(int block) const { return directions_[block]; }
 
  private:
-  /// A surface particle with a record, or a ghost (record -1).
-  struct Sample {
-    Site<double, D> site;  ///< its label is the number among all samples of the body
-    std::int32_t record;
-    double level_set;  ///< [h]
-  };
-
   struct GhostPlace {
     Point<D> position, foot;  ///< [m]
     double distance;          ///< from the surface of its body [h]
   };
 
-  void find_samples(int block);
-  void sort_samples();
-  void gather(int body);
-  bool are_near(const ContactCase& contact) const;
+  struct Found {
+    int contact;
+    double gap;      ///< [m]; infinite if the contact does not affect the ghost
+    Point<D> place;  ///< on the face in contact [m]
+    ContactDirection<D> direction;
+  };
+
+  const std::vector<SurfaceSamples<D>>& surfaces() const { return sampler_.surfaces(); }
   int other_body(int contact, int body) const {
     const std::array<int, 2>& pair = contacts_[contact].bodies;
     return pair[0] == body ? pair[1] : pair[0];
   }
   void find_contact_points(int block);
   bool may_be_in_contact(int owner, const BlockGhosts<T, D>& ghosts, std::int32_t ghost) const;
-  double contact_gap(int contact, int owner, const GhostPlace& ghost,
-                     OpposingFit<T, D>& opposing) const;
-  void find_contact_point(int owner, BlockGhosts<T, D>& ghosts, std::int32_t ghost,
-                          OpposingFit<T, D>& opposing) const;
+  Found look(int contact, int owner, const GhostPlace& ghost, OpposingFit<T, D>& opposing) const;
+  bool find_faces(int owner, int other, Point<D>& x, FacingSurfaces<D>& faces) const;
+  void add_contact_point(int block, std::int32_t ghost, OpposingFit<T, D>& opposing);
   Point<D> foot_point(const Body<T, D>& body, const BlockGhosts<T, D>& ghosts,
                       std::int32_t ghost) const;
 
   State<T, D>& state_;
   const std::vector<ContactCase>& contacts_;
   std::vector<std::vector<int>> contacts_of_;  ///< [body] contacts of the body
-  std::vector<std::vector<Sample>> samples_;   ///< [block]
-  std::vector<SurfaceSamples<D>> surfaces_;    ///< [body]
+  SurfaceSampler<T, D> sampler_;
+  std::vector<std::vector<ContactDirection<D>>> directions_;  ///< [block][contact point]
 };
 
 extern template class ContactSearch<double, 2>;

@@ -16,21 +16,20 @@ template <class T, int D>
 class OpposingFit {
  public:
   /// The gap from x [m] to the surface of a body, by its level set [h]. Infinite if there is too
-  /// little of the body, or if its nearest sample shows that the gap exceeds `farthest`.
-  double gap(const SurfaceSamples<D>& surface, const Lattice<D>& lattice, const Point<D>& x,
-             double farthest);
+  /// little of the body.
+  double gap(const SurfaceSamples<D>& surface, const Lattice<D>& lattice, const Point<D>& x);
 
-  /// Adds the fit of the body's surface particles there to `contact_points`; false if they do not
+  /// Adds the fit of the body's surface particles at x to `contact_points`; false if they do not
   /// determine it.
-  bool add_to(ContactPoints<T, D>& contact_points);
+  bool add_to(ContactPoints<T, D>& contact_points, const SurfaceSamples<D>& surface,
+              const Lattice<D>& lattice, const Point<D>& x);
 
  private:
-  double gather(const Point<D>& at);
-  bool fit(const FitParticles<D>& particles);
+  void gather(const SurfaceSamples<D>& surface, const Point<D>& at, bool with_ghosts);
+  bool fit();
   double coefficient(const FitParticle<D>& particle) const;
 
-  const SurfaceSamples<D>* surface_ = nullptr;
-  FitParticles<D> around_, particles_;  ///< samples near the point; those of them with records
+  FitParticles<D> around_;  ///< samples near the point
   kernels::FitTerms<double, D> terms_;
 };
 

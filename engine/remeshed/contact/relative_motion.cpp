@@ -11,7 +11,10 @@ namespace pliant::remeshed {
 namespace {
 
 constexpr double near = 4;          // [h]: farther away a body meets nothing within ten steps
-constexpr double small_move = 0.1;  // [h], and of the wall's normal
+constexpr double small_move = 0.1;  // [h], at walls, and of the wall's normal
+// Between bodies [h]. Remeshing smooths the stress where bodies touch. With less, the motion after
+// one remeshing of bodies at rest would cause the next one.
+constexpr double small_relative_move = 0.3;
 
 // Whether a particle at x, which stood at `start`, has another distance from the wall or normal.
 template <int D>
@@ -97,7 +100,7 @@ bool have_moved_apart(const Body<T, D>& one, const Body<T, D>& other) {
   add_displacements(one, surface_range(other), near * h, displacements);
   add_displacements(other, surface_range(one), near * h, displacements);
   for (int a = 0; a < D; ++a) {
-    if (displacements.upper[a] - displacements.lower[a] > small_move * h) return true;
+    if (displacements.upper[a] - displacements.lower[a] > small_relative_move * h) return true;
   }
   return false;
 }

@@ -31,6 +31,7 @@ struct SurfaceSamples {
   Point<D> lower, upper;             ///< of the places of sites
   std::vector<std::int32_t> record;  ///< [sample] of a particle; -1: a ghost
   std::vector<double> level_set;     ///< [sample] [h]
+  std::vector<Point<D>> gradient;    ///< [sample] of phi, of a particle
   CellList<double, D> cells;         ///< the label of a site is the number of its sample
   bool is_near_another = false;      ///< another body that it may touch
 

@@ -49,33 +49,35 @@ VectorOf<T, D> slip_velocity(const RecordSum<T, D>& own, const RecordSum<T, D>& 
   return slip;
 }
 
-/// (RP.56): the traction on `own`; n is its outward normal. `closing` is the velocity [m/s] at
-/// which the gap between the surfaces is to vanish, negative where they overlap. Unless they are
-/// tied, surfaces that do not face each other, such as those next to the edge of a contact, have no
-/// traction. `friction` is the coefficient of Coulomb's law, used by that kind only.
+/// (RP.56): the traction on a plane with the normal n, out of `own`. `closing` is the velocity
+/// [m/s] at which the gap between the surfaces is to vanish, negative where they overlap. Surfaces
+/// that do not touch, but did before, push each other as long as their stress shows it. `friction`
+/// is the coefficient of Coulomb's law, used by that kind only.
 template <class T, int D>
 SurfaceLoad<T, D> interface_traction(const InterfaceSide<T, D>& own,
                                      const InterfaceSide<T, D>& other, const VectorOf<T, D>& n,
-                                     T closing, InterfaceKind kind, T friction = 0) {
+                                     T closing, InterfaceKind kind, T friction = 0,
+                                     bool touches = true) {
   VectorOf<T, D> s_n, jump;
   const T own_nn = traction<T, D>(own.surface, n, s_n);
   const T other_nn = traction<T, D>(other.surface, n, s_n);
   SurfaceLoad<T, D> load{n, 0, {}};
-  T opening = 0, facing = 0;
-  const VectorOf<T, D> other_n = unit_normal<T, D>(other.surface);
+  T opening = 0;
 #pragma GCC unroll 3
   for (int i = 0; i < D; ++i) {
     jump[i] = other.surface.velocity(i) - own.surface.velocity(i);
     opening += jump[i] * n[i];
-    facing -= other_n[i] * n[i];
   }
-  if (kind != InterfaceKind::tied && facing < T(0.5)) return load;
   const auto resolve = [](T z, T z_other, T s, T s_other, T u) {
     return (z_other * s + z * s_other + z * z_other * u) / (z + z_other);
   };
-  load.normal = resolve(own.impedance.pressure_wave, other.impedance.pressure_wave, own_nn,
-                        other_nn, opening + closing);
-  if (kind != InterfaceKind::tied && !(load.normal < 0)) {
+  const auto normal = [&](T speed) {
+    return resolve(own.impedance.pressure_wave, other.impedance.pressure_wave, own_nn, other_nn,
+                   speed);
+  };
+  load.normal = normal(opening + closing);
+  const bool pushes = load.normal < 0 && (touches || normal(closing) < 0);
+  if (kind != InterfaceKind::tied && !pushes) {
     load.normal = 0;
     return load;
   }

@@ -109,18 +109,27 @@ TEST(interface_traction, has_a_shear_of_at_most_the_friction) {
   EXPECT_GT(sliding, 3);
 }
 
-// Normals of tied surfaces tilt at the ends of the interface, without meaning for the bond.
-TEST(interface_traction, is_none_between_surfaces_that_do_not_face_each_other_unless_bonded) {
-  const VectorOf<double, 2> n = oblique<2>(), t = {-n[1], n[0]};
-  for (const VectorOf<double, 2>& other : {n, t}) {
-    const Side<2> a(n, 3, 2), b(other, 5, 1);
-    for (const InterfaceKind kind : {InterfaceKind::frictionless, InterfaceKind::no_slip}) {
-      const auto load = interface_traction<double, 2>(a.view(), b.view(), n, -9., kind);
-      EXPECT_EQ(load.normal, 0);
-      EXPECT_EQ(load.shear[0], 0);
+// Bodies that approach each other do not push before they touch. Bodies that pressed before keep
+// their stress.
+TEST(interface_traction, is_none_across_a_gap_unless_the_bodies_are_pressed_or_bonded) {
+  const VectorOf<double, 2> n = oblique<2>();
+  for (const double pressure : {0., 2.}) {
+    Side<2> a(n, 3, 2), b(negative<2>(n), 5, 1);
+    for (Side<2>* side : {&a, &b}) {
+      for (int i = 0; i < 2; ++i) {
+        for (int j = i; j < 2; ++j) {
+          side->record[RecordPlace<2>::stress + symmetric_index<2>(i, j)] = i == j ? -pressure : 0.;
+        }
+        // The bodies approach each other.
+        side->record[RecordPlace<2>::velocity + i] = (side == &a ? 1 : -1) * n[i];
+      }
     }
-    EXPECT_LT(
-        (interface_traction<double, 2>(a.view(), b.view(), n, -9., InterfaceKind::tied).normal), 0);
+    const auto at = [&](InterfaceKind kind, bool touches) {
+      return interface_traction<double, 2>(a.view(), b.view(), n, 1e-3, kind, 0., touches).normal;
+    };
+    EXPECT_LT(at(InterfaceKind::frictionless, true), 0);
+    EXPECT_EQ(at(InterfaceKind::frictionless, false) < 0, pressure > 0);
+    EXPECT_LT(at(InterfaceKind::tied, false), 0);
   }
 }
 
