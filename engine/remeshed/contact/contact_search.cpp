@@ -85,9 +85,13 @@ bool ContactSearch<T, D>::may_be_in_contact(int owner, const BlockGhosts<T, D>& 
   const auto& contacts = contacts_of_[owner];
   return std::any_of(contacts.begin(), contacts.end(), [&](int contact) {
     const int other = other_body(contact, owner);
+    const SurfaceSamples<D>& surface = surfaces()[other];
     const Lattice<D>& lattice = state_.bodies[other].lattice;
-    return surfaces()[other].is_near_another &&
-           surfaces()[other].holds(place<D>(x, lattice), lattice, contact_fit_radius);
+    const Point<D> at = place<D>(x, lattice);
+    return surface.is_near_another && surface.holds(at, lattice, contact_fit_radius) &&
+           surface.cells.any_near(at, [&](const auto& site, const Point<D>&) {
+             return surface.record[site.label] >= 0;
+           });
   });
 }
 
