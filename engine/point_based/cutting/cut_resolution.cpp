@@ -6,7 +6,9 @@
 #include <cmath>
 #include <utility>
 
+#include "engine/boundaries/rigid_motion.hpp"
 #include "engine/case/blade_track.hpp"
+#include "engine/lattice/point_algebra.hpp"
 #include "engine/point_based/parameters.hpp"
 
 namespace pliant::point_based {
@@ -42,15 +44,10 @@ bool moves_along_its_edge(const CutCase& cut) {
     const double step = (cut.end - cut.start) / places;
     const BladeEdge edge = edge_of(cut, cut.start + k * step),
                     next = edge_of(cut, cut.start + (k + 1) * step);
-    const Vector along = {edge.to[0] - edge.from[0], edge.to[1] - edge.from[1],
-                          edge.to[2] - edge.from[2]};
+    const Vector along = difference<3>(edge.to, edge.from);
     for (const auto& [from, to] : {std::pair{edge.from, next.from}, std::pair{edge.to, next.to}}) {
-      const Vector way = {to[0] - from[0], to[1] - from[1], to[2] - from[2]};
-      const Vector normal = {along[1] * way[2] - along[2] * way[1],
-                             along[2] * way[0] - along[0] * way[2],
-                             along[0] * way[1] - along[1] * way[0]};
-      const Vector none = {};
-      if (distance(none, normal) > little * distance(none, along) * distance(none, way)) {
+      const Vector way = difference<3>(to, from), normal = cross(along, way);
+      if (dot<3>(normal, normal) > little * little * dot<3>(along, along) * dot<3>(way, way)) {
         return false;
       }
     }
