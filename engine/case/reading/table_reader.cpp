@@ -4,6 +4,8 @@
 
 #include <algorithm>
 
+#include "engine/case/reading/tables_with_key.hpp"
+
 namespace pliant {
 
 bool Entry::refuse(const std::string& what, const std::string& remedy) const {
@@ -16,7 +18,7 @@ bool Entry::refuse(const std::string& what, const std::string& remedy) const {
 void TableReader::decided(std::string_view key, const toml::node& node, bool good) {
   if (!good) keys_are_known_ = false;
   const auto word = node.value<std::string_view>();
-  if (good && word) keys_are_ = fmt::format("with {} = \"{}\" its keys are", key, *word);
+  if (good && word) decided_by_ = fmt::format("{} = \"{}\"", key, *word);
 }
 
 const toml::node* TableReader::find(std::string_view key, const Notes& notes) {
@@ -62,13 +64,22 @@ void TableReader::finish() const {
     // A key from a setting has no source, but its value has.
     const Place place = key.source().path ? place_of(key) : place_of(node);
     reading_.problems.add(place, fmt::format("unknown key `{}` in {}", key.str(), title_),
-                          suggestion(key.str(), known_, keys_are_));
+                          remedy_for_unknown(key.str()));
   }
   for (const auto& [key, meaning, example] : missing_) {
     if (std::find(meant.begin(), meant.end(), key) != meant.end()) continue;
     reading_.problems.add(place_, fmt::format("{} lacks `{}`, {}", title_, key, meaning),
                           fmt::format("add {} = {}", key, example));
   }
+}
+
+std::string TableReader::remedy_for_unknown(std::string_view key) const {
+  if (!decided_by_.empty()) {
+    return suggestion(key, known_, fmt::format("with {} its keys are", decided_by_));
+  }
+  const std::string owners = tables_with_key(key, reading_.methods);
+  if (owners.empty()) return suggestion(key, known_, "its keys are");
+  return fmt::format("it is a key of {}", owners);
 }
 
 }  // namespace pliant

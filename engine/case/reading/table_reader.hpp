@@ -163,6 +163,9 @@ class TableReader {
   const toml::node* find_table(std::string_view key);
   const toml::array* find_tables(std::string_view key);
 
+  /// The table that has this key, the key that was meant, or all keys.
+  std::string remedy_for_unknown(std::string_view key) const;
+
   const toml::table& table_;
   std::string title_;
   Place place_;
@@ -174,7 +177,7 @@ class TableReader {
   };
   std::vector<Missing> missing_;
   bool keys_are_known_ = true;
-  std::string keys_are_ = "its keys are";
+  std::string decided_by_;  ///< the word that decides which keys the table has
 };
 
 }  // namespace pliant
