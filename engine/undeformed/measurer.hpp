@@ -1,11 +1,10 @@
 #pragma once
 
-#include <algorithm>
 #include <span>
 #include <utility>
 #include <vector>
 
-#include "engine/method/body_integrals.hpp"
+#include "engine/method/integrals_once.hpp"
 #include "engine/method/no_value.hpp"
 #include "engine/undeformed/state.hpp"
 #include "engine/undeformed/surface_measures.hpp"
@@ -79,14 +78,8 @@ class Measurer {
     return is_total ? total_energy(m.body, sum) : value_of(m, sum, D);
   }
 
-  struct Integrated {
-    int body;
-    Vector about;
-    BodyIntegrals sum;
-  };
-
   const State& state_;
-  mutable std::vector<Integrated> integrated_;  ///< empty until first needed
+  mutable IntegralsOnce integrals_once_;
 };
 
 template <class State>
@@ -135,10 +128,7 @@ auto Measurer<State>::function_of(MeasurementCase::Kind kind) -> Function {
 
 template <class State>
 const BodyIntegrals& Measurer<State>::integrals_once(int body, const Vector& about) const {
-  const auto known = std::ranges::find_if(
-      integrated_, [&](const Integrated& one) { return one.body == body && one.about == about; });
-  if (known != integrated_.end()) return known->sum;
-  return integrated_.emplace_back(Integrated{body, about, integrals(body, about)}).sum;
+  return integrals_once_.of(body, about, [&](int b, const Vector& x) { return integrals(b, x); });
 }
 
 template <class State>

@@ -182,11 +182,7 @@ bool Measurer<T, D>::is_in_wall(const Vector& x) const {
 
 template <class T, int D>
 const BodyIntegrals& Measurer<T, D>::integrals(int body, const Vector& about) {
-  for (const Integrated& known : integrals_) {
-    if (known.body == body && known.about == about) return known.sum;
-  }
-  integrals_.push_back({body, about, integrate_body(body, about)});
-  return integrals_.back().sum;
+  return integrals_.of(body, about, [&](int b, const Vector& x) { return integrate_body(b, x); });
 }
 
 template <class T, int D>

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "engine/method/integrals_once.hpp"
 #include "engine/remeshed/observe/integrals.hpp"
 #include "engine/remeshed/state/lattice_view.hpp"
 #include "engine/remeshed/state/state.hpp"
@@ -66,11 +67,6 @@ class Measurer {
   /// Whether a point lies in a wall to which bodies are attached.
   bool is_in_wall(const Vector& x) const;
   /// Integrals of a body; its angular momentum is about `about`.
-  struct Integrated {
-    int body;
-    Vector about;
-    BodyIntegrals sum;
-  };
   const BodyIntegrals& integrals(int body, const Vector& about);
   BodyIntegrals integrate_body(int body, const Vector& about);
 
@@ -78,9 +74,8 @@ class Measurer {
   const State<T, D>& state_;
   scheduler::Workers& workers_;
   NodeSource<T, D> find_nodes_;
-  // Empty until first needed.
-  std::vector<LatticeView<T, D>> nodes_;
-  std::vector<Integrated> integrals_;
+  std::vector<LatticeView<T, D>> nodes_;  ///< empty until first needed
+  IntegralsOnce integrals_;
 };
 
 }  // namespace pliant::remeshed
