@@ -10,14 +10,14 @@ namespace pliant {
 /// The integrals of bodies at one time, each computed once for all measurements that need it.
 class IntegralsOnce {
  public:
-  /// Integrals of a body, with the angular momentum about `about`, from `integrate(body, about)`
-  /// when they are first needed. The reference stays valid.
+  /// Integrals of a body, with the angular momentum about `about`, from `integrate()` when they
+  /// are first needed. The reference stays valid.
   template <class Integrate>
   const BodyIntegrals& of(int body, const Vector& about, Integrate&& integrate) {
     const auto known = std::ranges::find_if(
         known_, [&](const Known& one) { return one.body == body && one.about == about; });
     if (known != known_.end()) return known->sum;
-    return known_.emplace_back(Known{body, about, integrate(body, about)}).sum;
+    return known_.emplace_back(Known{body, about, integrate()}).sum;
   }
 
  private:

@@ -128,7 +128,7 @@ auto Measurer<State>::function_of(MeasurementCase::Kind kind) -> Function {
 
 template <class State>
 const BodyIntegrals& Measurer<State>::integrals_once(int body, const Vector& about) const {
-  return integrals_once_.of(body, about, [&](int b, const Vector& x) { return integrals(b, x); });
+  return integrals_once_.of(body, about, [&] { return integrals(body, about); });
 }
 
 template <class State>

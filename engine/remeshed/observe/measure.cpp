@@ -182,7 +182,7 @@ bool Measurer<T, D>::is_in_wall(const Vector& x) const {
 
 template <class T, int D>
 const BodyIntegrals& Measurer<T, D>::integrals(int body, const Vector& about) {
-  return integrals_.of(body, about, [&](int b, const Vector& x) { return integrate_body(b, x); });
+  return integrals_.of(body, about, [&] { return integrate_body(body, about); });
 }
 
 template <class T, int D>
