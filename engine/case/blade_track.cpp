@@ -99,6 +99,16 @@ BladeEdge edge_of(const CutCase& cut, double time) {
   return edge;
 }
 
+BladeEdge edge_on_path(const CutCase& cut, double interval) {
+  return edge_of(cut, cut.start + (cut.end - cut.start) * interval / path_intervals);
+}
+
+std::vector<BladeEdge> edges_along_path(const CutCase& cut) {
+  std::vector<BladeEdge> path;
+  for (int k = 0; k <= path_intervals; ++k) path.push_back(edge_on_path(cut, k));
+  return path;
+}
+
 void load_track(CutCase& cut, int dimension) {
   const std::string& file = cut.track.file;
   std::ifstream stream(file);

@@ -2,6 +2,7 @@
 
 #include <stdexcept>
 #include <string>
+#include <vector>
 
 #include "engine/case/case.hpp"
 
@@ -14,6 +15,15 @@ struct BladeEdge {
 
 /// The edge of a blade at `time` [s]; outside the times of its track, at the nearer end.
 BladeEdge edge_of(const CutCase& cut, double time);
+
+/// Intervals in which a path that may be curved or turn back is followed.
+inline constexpr int path_intervals = 128;
+
+/// The edge of a blade after a number of these intervals, which need not be whole.
+BladeEdge edge_on_path(const CutCase& cut, double interval);
+
+/// The edge of a blade at the ends of the intervals, from `start` to `end` of the cut.
+std::vector<BladeEdge> edges_along_path(const CutCase& cut);
 
 /// Whether a blade moves before the run ends. One that starts at the end or later waits for a
 /// caller of the library to move it.

@@ -113,9 +113,7 @@ class TangentPlanes {
 class DualContours {
  public:
   DualContours(const Shape& solid, const Box<3>& box) : solid_(solid, box) {
-    double longest = 0;
-    for (int a = 0; a < 3; ++a) longest = std::max(longest, box.upper[a] - box.lower[a]);
-    step_ = longest / cells;
+    step_ = longest_side(box) / cells;
     for (int a = 0; a < 3; ++a) {
       nodes_[a] = static_cast<int>(std::ceil((box.upper[a] - box.lower[a]) / step_)) + 3;
       origin_[a] = box.lower[a] - step_;
@@ -224,6 +222,12 @@ class DualContours {
 
 TriangleMesh surface_of_solid(const Shape& solid, const Box<3>& box) {
   return DualContours(solid, box).mesh();
+}
+
+double longest_side(const Box<3>& box) {
+  double side = 0;
+  for (int a = 0; a < 3; ++a) side = std::max(side, box.upper[a] - box.lower[a]);
+  return side;
 }
 
 }  // namespace pliant::report

@@ -19,4 +19,6 @@ struct TriangleMesh {
 /// contouring of Hermite data, 2002).
 TriangleMesh surface_of_solid(const Shape& solid, const Box<3>& box);
 
+double longest_side(const Box<3>& box);
+
 }  // namespace pliant::report

@@ -20,12 +20,6 @@ Vector between(const Vector& a, const Vector& b, double share) {
   return {a[0] + share * (b[0] - a[0]), a[1] + share * (b[1] - a[1]), a[2] + share * (b[2] - a[2])};
 }
 
-double longest_side(const Box<3>& box) {
-  double side = 0;
-  for (int a = 0; a < 3; ++a) side = std::max(side, box.upper[a] - box.lower[a]);
-  return side;
-}
-
 Box<3> intersection(Box<3> a, const Box<3>& b) {
   for (int i = 0; i < 3; ++i) {
     a.lower[i] = std::max(a.lower[i], b.lower[i]);

@@ -18,11 +18,6 @@ namespace {
 
 constexpr std::int64_t interval =
     256;  // steps between checks, each of which costs as much as a few steps
-constexpr double tolerated = 0.05;  // share of the largest energy or work, of the mass, of momentum
-constexpr double credible =
-    1;  // share of the largest energy or work: the energy has doubled spuriously
-constexpr double tolerated_turn = 0.015;  // share of the angular momentum
-
 double largest_of(const EnergyBudget& budget, double energy) {
   return std::max({energy, std::abs(budget.wall_work), std::abs(budget.load_work),
                    std::abs(budget.body_force_work), std::abs(budget.cut_work),
@@ -61,22 +56,6 @@ double rounding_strain(const Case& settings) {
   return steps_of_rounding * (settings.precision == Precision::binary32
                                   ? std::numeric_limits<float>::epsilon()
                                   : std::numeric_limits<double>::epsilon());
-}
-
-/// If plain SPH does not conserve energy, another method is one more remedy.
-std::string better_than_sph(const Case& settings) {
-  return settings.method == "sph" ? ", or method = \"remeshed\"" : "";
-}
-
-/// Where the surface of one remeshed body ends on another, their contact creates energy as long as
-/// they push each other.
-std::string remedy_for_created_energy(const Case& settings) {
-  const bool meets_remeshed =
-      !settings.contacts.empty() && settings.rules != nullptr && settings.rules->remeshes;
-  return fmt::format(
-      "use a smaller time step or a finer spacing{}{} (or set checks.energy)",
-      better_than_sph(settings),
-      meets_remeshed ? ", or method = \"total_lagrangian\" where bodies stay in contact" : "");
 }
 
 bool is_periodic(const Case& settings) {
@@ -149,96 +128,13 @@ void Watch::look_at_momentum(const Solver& solver) {
   keep(angular_momentum_, angular_scale_, middle.radius * speed_and_mass, angular);
 }
 
-std::string Watch::judge(Excess Watch::*of, CheckResponse response, const Solver& solver,
-                         const std::string& what, const std::string& remedy) {
-  Excess& excess = this->*of;
-  const double bar = of == &Watch::angular_momentum_ ? tolerated_turn : tolerated;
-  if (response == CheckResponse::off || !(excess.share > bar)) return "";
-  const bool is_over = of == &Watch::energy_ && excess.share > credible;
-  if (response == CheckResponse::stop || is_over) {
-    throw failed_step(settings_, solver.clock(), what, {remedy});
-  }
-  // Warns again only when the excess has doubled.
-  if (excess.share < 2 * excess.warned) return "";
-  excess.warned = excess.share;
-  return fmt::format("warning: t = {:.6g} s: {}; {}", solver.clock().time, what, remedy);
-}
-
 std::string Watch::observe(Solver& solver, bool last) {
   const auto& checks = settings_.checks;
   const bool is_off = checks.energy == CheckResponse::off && checks.mass == CheckResponse::off &&
                       checks.momentum == CheckResponse::off;
   if (!last && (is_off || solver.clock().step % interval != 0)) return "";
   look(solver);
-  const std::vector<std::string> warnings = {
-      judge(&Watch::energy_, checks.energy, solver,
-            fmt::format("energy was created without work: {:.3g} of the largest energy or work so "
-                        "far",
-                        energy_.share),
-            remedy_for_created_energy(settings_)),
-      judge(&Watch::mass_, checks.mass, solver,
-            fmt::format("the mass has changed by a share of {:.3g}", mass_.share),
-            "use a finer spacing, or remesh less often (or set checks.mass)"),
-      judge(&Watch::momentum_, checks.momentum, solver,
-            fmt::format("the momentum has changed by a share of {:.3g}, though nothing acts on "
-                        "the bodies",
-                        momentum_.share),
-            "use a finer spacing (or set checks.momentum)"),
-      judge(&Watch::angular_momentum_, checks.momentum, solver,
-            fmt::format("the angular momentum has changed by a share of {:.3g}, though nothing "
-                        "acts on the bodies",
-                        angular_momentum_.share),
-            "use a finer spacing (or set checks.momentum)"),
-      judge_number(solver, last),
-      judge_rest(solver, last),
-      last && checks.energy != CheckResponse::off ? judge_loss() : ""};
-  std::string text;
-  for (const std::string& warning : warnings) {
-    if (!warning.empty()) text += (text.empty() ? "" : "\n") + warning;
-  }
-  return text;
-}
-
-// Comparisons with NaN are false, so no other check would detect an energy that is not a number.
-std::string Watch::judge_number(const Solver& solver, bool last) const {
-  const CheckResponse response = settings_.checks.energy;
-  if (response == CheckResponse::off || std::isfinite(present_.total_energy)) return "";
-  const std::string what = "the energy of the bodies is not a number",
-                    remedy = "use a finer spacing or a smaller load (or set checks.energy)";
-  if (response == CheckResponse::stop) throw failed_step(settings_, solver.clock(), what, {remedy});
-  return last ? fmt::format("warning: in the end {}; {}", what, remedy) : "";
-}
-
-// If bodies had no energy and received none, there is no reference. Strains below the noticed one
-// do not affect other results.
-std::string Watch::judge_rest(const Solver& solver, bool last) const {
-  constexpr double noticed_strain = 1e-4;
-  const CheckResponse response = settings_.checks.energy;
-  const double noticed =
-      start_.mass * mass_scaling_ * std::pow(noticed_strain * fastest_wave(settings_), 2);
-  if (!last || response == CheckResponse::off || is_known_ == 0 || scale_ > rounding_energy() ||
-      !(created_ > noticed)) {
-    return "";
-  }
-  const std::string what = fmt::format("bodies at rest got an energy of {:.3g} J by themselves",
-                                       created_),
-                    remedy = "let them stand apart at the start (or set checks.energy)";
-  if (response == CheckResponse::stop) throw failed_step(settings_, solver.clock(), what, {remedy});
-  return fmt::format("warning: in the end {}; {}", what, remedy);
-}
-
-// Only at the end: energy that a body seems to lose while contact flattens it comes back. The
-// losses of viscous bodies are physical.
-std::string Watch::judge_loss() const {
-  const bool is_viscous = std::any_of(
-      settings_.bodies.begin(), settings_.bodies.end(),
-      [](const BodyCase& body) { return !body.prony.empty() || !body.prony_shear.empty(); });
-  if (is_viscous || !(scale_ > rounding_energy()) || !(-created_ > tolerated * scale_)) return "";
-  return fmt::format(
-      "warning: in the end {:.3g} of the largest energy or work is lost without damping, to "
-      "numerical dissipation, contact and remeshing; use a finer spacing where the motion "
-      "matters{} (or set checks.energy)",
-      -created_ / scale_, better_than_sph(settings_));
+  return fmt::format("{}", fmt::join(verdicts(solver, last), "\n"));
 }
 
 SummaryChecks Watch::report() const {

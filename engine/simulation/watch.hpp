@@ -2,6 +2,7 @@
 
 #include <array>
 #include <string>
+#include <vector>
 
 #include "engine/case/case.hpp"
 #include "engine/case/checks/stability.hpp"
@@ -37,6 +38,8 @@ class Watch {
     double share = 0, time = 0, warned = 0;
   };
   void look(Solver& solver);
+  /// What is wrong at present, and what to do about it.
+  std::vector<std::string> verdicts(const Solver& solver, bool last);
   std::string judge(Excess Watch::*excess, CheckResponse response, const Solver& solver,
                     const std::string& what, const std::string& remedy);
   std::string judge_number(const Solver& solver, bool last) const;

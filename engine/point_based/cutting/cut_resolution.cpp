@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <utility>
+#include <vector>
 
 #include "engine/boundaries/rigid_motion.hpp"
 #include "engine/case/blade_track.hpp"
@@ -26,11 +27,10 @@ double distance(const Vector& a, const Vector& b) {
 
 /// Largest distance of the blade from its start, over the ends of its edge.
 double length_of(const CutCase& cut) {
-  constexpr int places = 128;  // along a path that may be curved or turn back
-  const BladeEdge start = edge_of(cut, cut.start);
+  const std::vector<BladeEdge> path = edges_along_path(cut);
+  const BladeEdge& start = path.front();
   double farthest = 0;
-  for (int k = 1; k <= places; ++k) {
-    const BladeEdge edge = edge_of(cut, cut.start + (cut.end - cut.start) * k / places);
+  for (const BladeEdge& edge : path) {
     farthest = std::max({farthest, distance(start.from, edge.from), distance(start.to, edge.to)});
   }
   return farthest;
@@ -38,12 +38,10 @@ double length_of(const CutCase& cut) {
 
 /// Whether the blade moves along the line of its edge only, in 3D, so that it sweeps no surface.
 bool moves_along_its_edge(const CutCase& cut) {
-  constexpr int places = 128;
   constexpr double little = 1e-6;  // sine of the angle between the motion and the edge
-  for (int k = 0; k < places; ++k) {
-    const double step = (cut.end - cut.start) / places;
-    const BladeEdge edge = edge_of(cut, cut.start + k * step),
-                    next = edge_of(cut, cut.start + (k + 1) * step);
+  const std::vector<BladeEdge> path = edges_along_path(cut);
+  for (std::size_t k = 0; k + 1 < path.size(); ++k) {
+    const BladeEdge &edge = path[k], &next = path[k + 1];
     const Vector along = difference<3>(edge.to, edge.from);
     for (const auto& [from, to] : {std::pair{edge.from, next.from}, std::pair{edge.to, next.to}}) {
       const Vector way = difference<3>(to, from), normal = cross(along, way);

@@ -29,16 +29,13 @@ class CutPlaces {
 
  private:
   void sweep(const CutCase& cut) {
-    constexpr int intervals = 128;  // of a path that may be curved
-    const auto at = [&cut](double interval) {
-      return edge_of(cut, cut.start + (cut.end - cut.start) * interval / intervals);
-    };
-    for (int k = 0; k < intervals; ++k) {
-      const BladeEdge from = at(k), to = at(k + 1);
+    const std::vector<BladeEdge> path = edges_along_path(cut);
+    for (int k = 0; k < path_intervals; ++k) {
+      const BladeEdge &from = path[k], &to = path[k + 1];
       const int parts = count(std::max(apart(from.from, to.from), apart(from.to, to.to)));
-      for (int i = 0; i < parts; ++i) add(at(k + i / static_cast<double>(parts)));
+      for (int i = 0; i < parts; ++i) add(edge_on_path(cut, k + i / static_cast<double>(parts)));
     }
-    add(at(intervals));
+    add(path.back());
   }
 
   void add(const BladeEdge& edge) {
