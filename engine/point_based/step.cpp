@@ -60,7 +60,7 @@ void Step<T, D>::prepare_blocks() {
   work_.clear_blocks();
   for (const Body<T, D>& body : state_.bodies) work_.add_blocks(body);
   body_contact_.take_surfaces(state_.bodies);
-  contact_.take_surfaces(state_.bodies, undeformed::WallContact<T, D>::ImpulseCarriers::first);
+  contact_.take_surfaces(state_.bodies, undeformed::ImpulseCarriers::first);
 }
 
 template <class T, int D>
@@ -110,10 +110,9 @@ std::vector<Phase> Step<T, D>::phases() {
 
 template <class T, int D>
 void Step<T, D>::add_contact(PhaseRows& rows, const undeformed::ContactFields& fields) {
-  if (contact_.exists()) {
-    rows.reduce("contact walls", all(fields.motion + fields.constants), all(fields.motion), [this] {
-      contact_.apply(advance_.time, advance_.length, advance_.length, drift_length());
-    });
+  if (contact_.is_expected()) {
+    rows.reduce("contact walls", all(fields.motion + fields.constants), all(fields.motion),
+                [this] { meet_walls(); });
   }
   body_contact_.add_phases(rows, fields);
 }
@@ -169,7 +168,14 @@ void Step<T, D>::prepare(const Advance& advance) {
 }
 
 template <class T, int D>
+void Step<T, D>::meet_walls() {
+  contact_.apply(advance_.time, advance_.length, advance_.length, drift_length());
+}
+
+// Walls that hold bodies are seldom met by other parts of them, which is not worth a phase.
+template <class T, int D>
 StepResult Step<T, D>::fold() {
+  if (!contact_.is_expected()) meet_walls();
   StepResult result;
   double inertia = 0, damped = 0;
   for (std::size_t b = 0; b < results_.size() && result.non_finite < 0; ++b) {

@@ -49,7 +49,7 @@ class Step {
   bool loads_act() const { return loads_.act_on_blocks(); }
   /// Whether velocities change after `move`.
   bool bodies_touch() const {
-    return contact_.exists() || body_contact_.exists() || has_faces() || has_punctures();
+    return contact_.is_expected() || body_contact_.exists() || has_faces() || has_punctures();
   }
   /// Adds the phases of contact with walls and other bodies.
   void add_contact(PhaseRows& rows, const undeformed::ContactFields& fields);
@@ -61,6 +61,7 @@ class Step {
   void push_faces_apart();
   bool has_punctures() const;
   void press_surfaces();
+  void meet_walls();
   /// Power of loads and gravity on a block at the present velocities [W].
   EnergyBudget power(int block) const;
 

@@ -52,7 +52,7 @@ std::vector<Phase> Step<T, D>::phases() {
   results_.assign(state_.blocks.size(), {});
   boundary_forces_.prepare_blocks();
   body_contact_.take_surfaces(state_.bodies);
-  contact_.take_surfaces(state_.bodies, undeformed::WallContact<T, D>::ImpulseCarriers::all);
+  contact_.take_surfaces(state_.bodies, undeformed::ImpulseCarriers::all);
   reserve_forces();
   prepare_memory();
   std::vector<Phase> phases;
@@ -72,10 +72,8 @@ std::vector<Phase> Step<T, D>::phases() {
             own(of(internal_forces) + of(velocity) + of(next) + of(results)),
             [this](int block) { move(block); });
   const Resources motion = of(next) + of(velocity), held = of(constants) + of(surface);
-  if (contact_.exists()) {
-    rows.reduce("contact walls", all(motion + held), all(motion), [this] {
-      contact_.apply(advance_.time, advance_.kick(), advance_.length, advance_.length);
-    });
+  if (contact_.is_expected()) {
+    rows.reduce("contact walls", all(motion + held), all(motion), [this] { meet_walls(); });
   }
   body_contact_.add_phases(rows, {motion, held, of(contact_lists), of(contact_places),
                                   of(contact_normals), of(touches)});
@@ -121,7 +119,14 @@ void Step<T, D>::prepare(const Advance& advance) {
 }
 
 template <class T, int D>
+void Step<T, D>::meet_walls() {
+  contact_.apply(advance_.time, advance_.kick(), advance_.length, advance_.length);
+}
+
+// Walls that hold bodies are seldom met by other parts of them, which is not worth a phase.
+template <class T, int D>
 StepResult Step<T, D>::fold() {
+  if (!contact_.is_expected()) meet_walls();
   for (Body<T, D>& body : state_.bodies) body.take_next();
   StepResult result;
   double stiffness = 0, inertia = 0, damped = 0;

@@ -49,7 +49,8 @@ class Step {
   StepResult fold();
 
  private:
-  bool bodies_touch() const { return contact_.exists() || body_contact_.exists(); }
+  bool bodies_touch() const { return contact_.is_expected() || body_contact_.exists(); }
+  void meet_walls();
   void prepare_memory();
   void list_memory(std::size_t body);
   kernels::CellViscosity<T> viscosity(int body);

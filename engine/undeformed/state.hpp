@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <cstdint>
 #include <vector>
 
 #include "engine/blocks/numbering.hpp"
@@ -10,6 +11,13 @@
 #include "engine/undeformed/wrench.hpp"
 
 namespace pliant::undeformed {
+
+/// What may soon meet a wall.
+struct NearWall {
+  double unspent = 0;  ///< how far surfaces and wall may still approach until the next search [m]
+  double speed = 0;    ///< bound on the speed of the surfaces until then [m/s]
+  std::vector<std::vector<std::int32_t>> corners;  ///< [surface] ascending
+};
 
 /// The common part of the states of all methods on the undeformed body, without the bodies.
 template <int D>
@@ -29,6 +37,7 @@ struct State {
   Boundaries<D> boundaries;
   std::vector<Wrench<D>> wall_impulse;  ///< [wall] on the bodies, until then [N s], [N m s]
   std::vector<Wrench<D>> wall_force;    ///< [wall] on the bodies, in the last step [N], [N m]
+  std::vector<NearWall> near_walls;     ///< [wall that surfaces may meet]
   std::vector<std::array<int, 2>> contact_bodies;
   std::vector<Point<D>> contact_impulse;  ///< [contact] on its first body, until then [N s]
   std::vector<Point<D>> contact_force;    ///< [contact] the same, in the last step [N]

@@ -1,5 +1,8 @@
 #include "engine/undeformed/state_archive.hpp"
 
+#include <cstdint>
+#include <span>
+
 #include "engine/method/archived_clock.hpp"
 #include "engine/method/archived_points.hpp"
 
@@ -30,6 +33,33 @@ void get_wrenches(const ArchiveReader& archive, const std::string& name,
   for (std::size_t w = 0; w < wrenches.size(); ++w) wrenches[w] = {forces[w], moments[w]};
 }
 
+std::string name_of_list(std::size_t wall, std::size_t surface) {
+  return fmt::format("walls/near/{}/{}", wall, surface);
+}
+
+void put_near_walls(ArchiveWriter& archive, const std::vector<NearWall>& walls) {
+  std::vector<double> numbers;
+  for (std::size_t w = 0; w < walls.size(); ++w) {
+    numbers.insert(numbers.end(), {walls[w].unspent, walls[w].speed});
+    for (std::size_t s = 0; s < walls[w].corners.size(); ++s) {
+      archive.put(name_of_list(w, s), std::span<const std::int32_t>(walls[w].corners[s]));
+    }
+  }
+  archive.put("walls/near/numbers", std::span<const double>(numbers));
+}
+
+void get_near_walls(const ArchiveReader& archive, std::vector<NearWall>& walls) {
+  const auto numbers = archive.get<double>("walls/near/numbers");
+  for (std::size_t w = 0; w < walls.size(); ++w) {
+    walls[w].unspent = numbers.at(2 * w);
+    walls[w].speed = numbers.at(2 * w + 1);
+    for (std::size_t s = 0; s < walls[w].corners.size(); ++s) {
+      const auto corners = archive.get<std::int32_t>(name_of_list(w, s));
+      walls[w].corners[s].assign(corners.begin(), corners.end());
+    }
+  }
+}
+
 }  // namespace
 
 template <int D>
@@ -45,6 +75,7 @@ void put_totals(ArchiveWriter& archive, const State<D>& state) {
   put_boundaries<D>(archive, state.boundaries);
   put_wrenches<D>(archive, "walls/impulse", state.wall_impulse);
   put_wrenches<D>(archive, "walls/force", state.wall_force);
+  put_near_walls(archive, state.near_walls);
   put_points<D>(archive, "contacts/impulse", state.contact_impulse);
   put_points<D>(archive, "contacts/force", state.contact_force);
   put_points<D>(archive, "contacts/marks", state.contact_marks);
@@ -63,6 +94,7 @@ void get_totals(const ArchiveReader& archive, State<D>& state) {
   get_boundaries<D>(archive, state.boundaries);
   get_wrenches<D>(archive, "walls/impulse", state.wall_impulse);
   get_wrenches<D>(archive, "walls/force", state.wall_force);
+  get_near_walls(archive, state.near_walls);
   get_points<D>(archive, "contacts/impulse", state.contact_impulse);
   get_points<D>(archive, "contacts/force", state.contact_force);
   get_points<D>(archive, "contacts/marks", state.contact_marks);

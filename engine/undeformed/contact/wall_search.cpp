@@ -1,0 +1,175 @@
+#include "engine/undeformed/contact/wall_search.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <utility>
+
+#include "engine/lattice/point_algebra.hpp"
+
+namespace pliant::undeformed {
+
+namespace {
+
+// In a step, the wall is in its place at the start, and x at the end.
+template <int D>
+Point<D> place_before(const MetWall<D>& wall, const Point<D>& x) {
+  return difference<D>(x, wall.step.shift_at(x));
+}
+
+/// How far the rotation of a wall moves its point at x in the step [m].
+template <int D>
+double shift_by_turn(const MetWall<D>& wall, const Point<D>& x) {
+  const Point<D> by_turn = difference<D>(wall.step.shift_at(x), wall.step.shift);
+  return std::sqrt(dot<D>(by_turn, by_turn));
+}
+
+}  // namespace
+
+template <class T, int D>
+PushedSurface<T, D>::PushedSurface(Body<T, D>& of, Displacements<T, D> displacements,
+                                   ContactSurface<D> surface, ImpulseCarriers bearing)
+    : body(&of),
+      moved(displacements),
+      shape(std::move(surface)),
+      held(held_directions(of)),
+      impulse_carriers(bearing) {
+  const BodyCarriers<T, D> carriers(of, of.*moved, held);
+  for (std::int32_t number = 0; number < shape.corners(); ++number) {
+    MovableCorner corner{number, {shape.shares(number).front().slot, 1}, 0};
+    for (int a = 0; a < D; ++a) {
+      Point<D> axis = {};
+      axis[a] = 1;
+      const double along = compliance<D>(carriers, carriers_of(corner), axis);
+      corner.compliance = std::max(corner.compliance, along);
+    }
+    if (corner.compliance > 0) corners.push_back(corner);
+  }
+}
+
+template <class T, int D>
+std::span<const Share> PushedSurface<T, D>::carriers_of(const MovableCorner& corner) const {
+  if (impulse_carriers == ImpulseCarriers::first) return {&corner.first, 1};
+  return shape.shares(corner.number);
+}
+
+template <class T, int D>
+Point<D> PushedSurface<T, D>::place(std::int32_t corner) const {
+  Point<D> x = carried<T, D>(body->*moved, shape.shares(corner));
+  for (int a = 0; a < D; ++a) x[a] += shape.start[corner][a];
+  return x;
+}
+
+template <class T, int D>
+void WallSearch<T, D>::begin(const Surfaces& surfaces, const std::vector<MetWall<D>>& walls) {
+  spared_.clear();
+  state_.near_walls.clear();
+  for (const MetWall<D>& wall : walls) {
+    auto& spared = spared_.emplace_back();
+    NearWall& near = state_.near_walls.emplace_back();
+    for (const PushedSurface<T, D>& surface : surfaces) {
+      spared.push_back(spared_by(wall, surface));
+      near.corners.emplace_back().reserve(surface.corners.size());
+    }
+  }
+}
+
+// An attached wall holds particles up to half a spacing away, so that corners nearer than that
+// hardly move; corners on a slip wall stay on it.
+template <class T, int D>
+std::vector<bool> WallSearch<T, D>::spared_by(const MetWall<D>& met,
+                                              const PushedSurface<T, D>& surface) const {
+  constexpr double rounding = 1e-6;  // [spacings]
+  std::vector<bool> spared(surface.corners.size());
+  const Wall<D>& wall = state_.boundaries.walls[met.number];
+  if (!wall.is_attached()) return spared;
+  for (std::size_t i = 0; i < spared.size(); ++i) {
+    const Point<D>& x = surface.shape.start[surface.corners[i].number];
+    spared[i] = wall.distance(x) < (0.5 + rounding) * spacing_;
+  }
+  return spared;
+}
+
+template <class T, int D>
+void WallSearch<T, D>::update(std::size_t w, const Surfaces& surfaces, const MetWall<D>& wall) {
+  NearWall& near = state_.near_walls[w];
+  near.unspent -= wall.length * near.speed + std::sqrt(dot<D>(wall.step.shift, wall.step.shift));
+  if (near.unspent <= 0) search(w, surfaces, wall);
+}
+
+// A larger reach makes lists longer and searches rarer.
+template <class T, int D>
+void WallSearch<T, D>::search(std::size_t w, const Surfaces& surfaces, const MetWall<D>& wall) {
+  constexpr double least_reach = 0.25;  // [spacings]
+  constexpr double slow_steps = 32;     // until the next search if nothing moves
+  constexpr double fast_steps = 8;      // at least
+  constexpr double acceleration = 2;    // ratio of the bound on the speed to the present speed
+  NearWall& near = state_.near_walls[w];
+  const double least = least_reach * spacing_;
+  near.speed =
+      std::max(acceleration * largest_speed(surfaces, wall), least / (slow_steps * wall.length));
+  near.unspent = std::max(least, fast_steps * wall.length * near.speed);
+  for (std::size_t s = 0; s < surfaces.size(); ++s) {
+    const PushedSurface<T, D>& surface = surfaces[s];
+    near.corners[s].clear();
+    for (std::size_t i = 0; i < surface.corners.size(); ++i) {
+      if (!spared_[w][s][i] && may_touch(surface, surface.corners[i].number, wall, near.unspent)) {
+        near.corners[s].push_back(static_cast<std::int32_t>(i));
+      }
+    }
+  }
+}
+
+// That of corners, plus that at which a wall that turns moves through them.
+template <class T, int D>
+double WallSearch<T, D>::largest_speed(const Surfaces& surfaces, const MetWall<D>& wall) const {
+  double square = 0, turned = 0;
+  for (const PushedSurface<T, D>& surface : surfaces) {
+    for (const MovableCorner& corner : surface.corners) {
+      const Point<D> u = carried<T, D>(surface.body->velocity, std::span(&corner.first, 1));
+      square = std::max(square, dot<D>(u, u));
+      if (!wall.turns) continue;
+      turned = std::max(turned, shift_by_turn<D>(wall, surface.place(corner.number)));
+    }
+  }
+  return std::sqrt(square) + turned / wall.length;
+}
+
+// The distance from a tool of several shapes costs as much as all forces on a node.
+template <class T, int D>
+bool WallSearch<T, D>::may_reach(const MetWall<D>& wall, const Point<D>& x, double reach) const {
+  const Point<D>& offset = state_.boundaries.walls[wall.number].pose().offset;
+  for (int a = 0; a < D; ++a) {
+    const double at = x[a] - offset[a];
+    if (at < wall.box.lower[a] - reach || at > wall.box.upper[a] + reach) return false;
+  }
+  return true;
+}
+
+// A corner with many carriers is near its first one.
+template <class T, int D>
+bool WallSearch<T, D>::may_touch(const PushedSurface<T, D>& surface, std::int32_t corner,
+                                 const MetWall<D>& wall, double reach) const {
+  const ContactSurface<D>& shape = surface.shape;
+  const std::span<const Share> shares = shape.shares(corner);
+  Point<D> x = shape.start[corner];
+  if (shares.size() <= 2) {
+    x = surface.place(corner);
+  } else {
+    for (int a = 0; a < D; ++a) x[a] += (surface.body->*surface.moved)[a][shares.front().slot];
+    reach += shape.reach[corner];
+  }
+  x = place_before<D>(wall, x);
+  return may_reach(wall, x, reach) && state_.boundaries.walls[wall.number].distance(x) < reach;
+}
+
+template struct PushedSurface<double, 2>;
+template struct PushedSurface<double, 3>;
+template struct PushedSurface<float, 2>;
+template struct PushedSurface<float, 3>;
+template class WallSearch<double, 2>;
+template class WallSearch<double, 3>;
+template class WallSearch<float, 2>;
+template class WallSearch<float, 3>;
+
+}  // namespace pliant::undeformed

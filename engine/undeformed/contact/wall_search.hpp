@@ -1,0 +1,96 @@
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "engine/blocks/box.hpp"
+#include "engine/undeformed/contact/carried_points.hpp"
+#include "engine/undeformed/contact/contact_surface.hpp"
+#include "engine/undeformed/state.hpp"
+
+namespace pliant::undeformed {
+
+/// A corner that can move: walls that hold its particles leave some direction free.
+struct MovableCorner {
+  std::int32_t number;
+  Share first;
+  double compliance;  ///< in the axis direction where it is largest [1/kg]
+};
+
+/// Which carriers of a corner take an impulse on it.
+enum class ImpulseCarriers { all, first };
+
+/// The surface of a body that walls may push.
+template <class T, int D>
+struct PushedSurface {
+  Body<T, D>* body;
+  Displacements<T, D> moved;  ///< where a step writes displacements
+  ContactSurface<D> shape;
+  HeldDirections<D> held;
+  ImpulseCarriers impulse_carriers;
+  std::vector<MovableCorner> corners;
+
+  PushedSurface(Body<T, D>& of, Displacements<T, D> displacements, ContactSurface<D> surface,
+                ImpulseCarriers bearing);
+  std::span<const Share> carriers_of(const MovableCorner& corner) const;
+  /// Place at the end of the step [m].
+  Point<D> place(std::int32_t corner) const;
+};
+
+/// A wall during a step.
+template <int D>
+struct MetWall {
+  int number;          ///< index in the boundaries
+  RigidStep<D> step;   ///< of the wall
+  double length;       ///< of the step [s]
+  double kick, drift;  ///< how long forces act, and particles move at the new velocities [s]
+  double inertia;      ///< ratio of the impulse to that on the unscaled mass
+  double friction;     ///< coefficient; infinite for no-slip
+  bool turns;
+  Box<3> box;  ///< around the solid at rest; infinite if the wall turns
+};
+
+/// Finds the corners that are near walls. Most are far from all of them. A search lists those that
+/// are nearer to a wall than a reach; the list lasts until surface and wall may have approached
+/// each other by that. A corner that accelerates faster than expected is found, and pushed back, by
+/// the next search. The state keeps the lists, so that a resumed run has the same.
+template <class T, int D>
+class WallSearch {
+ public:
+  using Surfaces = std::vector<PushedSurface<T, D>>;
+
+  WallSearch(State<D>& state, double spacing) : state_(state), spacing_(spacing) {}
+
+  /// Forgets all lists; these are the surfaces and walls of later calls.
+  void begin(const Surfaces& surfaces, const std::vector<MetWall<D>>& walls);
+  /// Makes the list of wall `w` again if it is due. It is `state.near_walls[w]`.
+  void update(std::size_t w, const Surfaces& surfaces, const MetWall<D>& wall);
+
+  /// Whether x, at the start of the step, may be nearer than `reach` to a wall.
+  bool may_reach(const MetWall<D>& wall, const Point<D>& x, double reach) const;
+  /// Whether a corner may be.
+  bool may_touch(const PushedSurface<T, D>& surface, std::int32_t corner, const MetWall<D>& wall,
+                 double reach) const;
+
+ private:
+  void search(std::size_t w, const Surfaces& surfaces, const MetWall<D>& wall);
+  double largest_speed(const Surfaces& surfaces, const MetWall<D>& wall) const;
+  std::vector<bool> spared_by(const MetWall<D>& wall, const PushedSurface<T, D>& surface) const;
+
+  State<D>& state_;
+  double spacing_;  ///< [m]
+  /// [wall][surface][corner] what an attached wall never pushes: corners next to it at the start.
+  std::vector<std::vector<std::vector<bool>>> spared_;
+};
+
+extern template struct PushedSurface<double, 2>;
+extern template struct PushedSurface<double, 3>;
+extern template struct PushedSurface<float, 2>;
+extern template struct PushedSurface<float, 3>;
+extern template class WallSearch<double, 2>;
+extern template class WallSearch<double, 3>;
+extern template class WallSearch<float, 2>;
+extern template class WallSearch<float, 3>;
+
+}  // namespace pliant::undeformed
