@@ -9,6 +9,7 @@
 
 #include "engine/case/blade_track.hpp"
 #include "engine/case/vocabulary/boundary_kinds.hpp"
+#include "engine/geometry/overlap.hpp"
 #include "engine/geometry/signed_distance.hpp"
 
 namespace pliant {
@@ -101,10 +102,37 @@ bool meets_body(const CutCase& cut, const Case& a_case) {
   return false;
 }
 
+/// Bodies with a face in common seem to hold each other.
+void warn_of_bodies_that_touch(const Case& a_case, std::vector<std::string>& warnings) {
+  constexpr double touching = 0.1;  // [spacings] between the surfaces
+  const double spacing = a_case.discretisation.spacing;
+  for (int b = 1; b < static_cast<int>(a_case.bodies.size()); ++b) {
+    for (int a = 0; a < b; ++a) {
+      const BodyCase &first = a_case.bodies[a], &second = a_case.bodies[b];
+      if (have_contact(a_case, a, b) || overlap(first.geometry, second.geometry, spacing,
+                                                a_case.dimension) < -touching * spacing) {
+        continue;
+      }
+      warnings.push_back(fmt::format(
+          "bodies `{}` and `{}` touch at the start, and no [[contact]] names them both, so that "
+          "they neither push nor hold each other; add one (kind = \"tied\" joins them)",
+          first.name, second.name));
+    }
+  }
+}
+
 }  // namespace
+
+bool have_contact(const Case& a_case, int first, int second) {
+  return std::ranges::any_of(a_case.contacts, [&](const ContactCase& contact) {
+    return contact.bodies == std::array{first, second} ||
+           contact.bodies == std::array{second, first};
+  });
+}
 
 std::vector<std::string> placement_warnings(const Case& a_case) {
   std::vector<std::string> warnings;
+  warn_of_bodies_that_touch(a_case, warnings);
   for (const BoundaryCase& boundary : a_case.boundaries) {
     const BoundaryKind& kind = row_of(boundary.kind);
     if (kind.is_attached && !reaches_any_body(boundary.geometry, false, a_case)) {

@@ -7,9 +7,13 @@
 
 namespace pliant {
 
+/// Whether a [[contact]] names both bodies.
+bool have_contact(const Case& a_case, int first, int second);
+
 /// Parts of a case without effect at their place at t = 0: walls that touch no body, loads whose
-/// regions contain no surface, blades that miss their body. One sentence for each, with what to do.
-/// Shapes less than about a spacing apart count as touching.
+/// regions contain no surface, blades that miss their body, bodies that touch without a contact.
+/// One sentence for each, with what to do. Walls and loads less than about a spacing from a body
+/// count as touching it.
 std::vector<std::string> placement_warnings(const Case& a_case);
 
 }  // namespace pliant

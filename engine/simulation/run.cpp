@@ -20,6 +20,7 @@
 #include "engine/output/summary.hpp"
 #include "engine/simulation/histories.hpp"
 #include "engine/simulation/lost_stiffness.hpp"
+#include "engine/simulation/passing_bodies.hpp"
 #include "engine/simulation/run_identity.hpp"
 #include "engine/simulation/run_summary.hpp"
 #include "engine/simulation/schedule.hpp"
@@ -158,6 +159,8 @@ class Run {
     if (save_now && !last) save();
     warn_of_instability();
     if (due || last) warn_of_lost_stiffness();
+    constexpr std::int64_t between_searches = 64;  // steps
+    if (last || solver_->clock().step % between_searches == 0) warn_of_passing_bodies();
     show();
   }
 
@@ -180,6 +183,13 @@ class Run {
     if (is_beyond_range_) return;
     const std::string warning = lost_stiffness_warning(*solver_);
     is_beyond_range_ = !warning.empty();
+    warn(warning);
+  }
+
+  void warn_of_passing_bodies() {
+    if (bodies_pass_) return;
+    const std::string warning = passing_bodies_warning(*solver_);
+    bodies_pass_ = !warning.empty();
     warn(warning);
   }
 
@@ -268,6 +278,7 @@ class Run {
   std::int64_t particles_at_start_ = 0;
   bool has_new_frame_ = false;    ///< since the last checkpoint was considered
   bool is_unstable_ = false;      ///< the step is above the stability limit
+  bool bodies_pass_ = false;      ///< through each other
   bool is_beyond_range_ = false;  ///< a linear material has lost its stiffness
 };
 

@@ -96,6 +96,24 @@ TEST(placement, what_moves_starts_where_the_case_puts_it) {
             "block.toml:14: the angle of wall \"it\" is 1 at t = 0; write angle = \"1 + t - (1)\"");
 }
 
+TEST(placement, bodies_that_touch_without_a_contact_do_not_act_on_each_other) {
+  const auto second = [](std::string_view lower, std::string_view contact) {
+    return fmt::format(
+        "[[body]]\nname = \"top\"\ngeometry = {{ shape = \"box\", lower = [0, {}], upper = [1, 3] "
+        "}}\nmaterial = {{ model = \"linear\", youngs_modulus = 100, poissons_ratio = 0.3, density "
+        "= "
+        "2 }}\n{}",
+        lower, contact);
+  };
+  const std::string expected =
+      "bodies `block` and `top` touch at the start, and no [[contact]] names them both, so that "
+      "they neither push nor hold each other; add one (kind = \"tied\" joins them)";
+  EXPECT_EQ(warning(second("2", "")), expected);
+  EXPECT_EQ(warning(second("1.5", "")), expected);
+  EXPECT_EQ(warning(second("2.05", "")), "");
+  EXPECT_EQ(warning(second("2", "[[contact]]\nbodies = [\"top\", \"block\"]\n")), "");
+}
+
 TEST(placement, walls_turn_in_methods_on_the_undeformed_body) {
   const std::string turning =
       block_case + boundary("kind = \"moving_wall\"\nrotation = { angle = \"t\" }", left);

@@ -1,0 +1,84 @@
+#include "engine/simulation/passing_bodies.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <vector>
+
+#include "engine/blocks/box.hpp"
+#include "engine/case/placement.hpp"
+#include "engine/point_based/bonds/nearest_nodes.hpp"
+
+namespace pliant {
+
+namespace {
+
+using Points = std::vector<Vector>;
+
+/// Particles of two bodies that only touch are farther apart than this, except on lattices whose
+/// nodes lie on the surface, [spacings].
+constexpr double inside = 0.6;
+
+Box<3> box_of(const Points& points) {
+  constexpr double infinity = std::numeric_limits<double>::infinity();
+  Box<3> box = {{infinity, infinity, infinity}, {-infinity, -infinity, -infinity}};
+  for (const Vector& x : points) {
+    for (int a = 0; a < 3; ++a) {
+      box.lower[a] = std::min(box.lower[a], x[a]);
+      box.upper[a] = std::max(box.upper[a], x[a]);
+    }
+  }
+  return box;
+}
+
+Points points_in(const Box<3>& box, const Points& points) {
+  Points found;
+  std::ranges::copy_if(points, std::back_inserter(found), [&](const Vector& x) {
+    for (int a = 0; a < 3; ++a) {
+      if (x[a] < box.lower[a] || x[a] > box.upper[a]) return false;
+    }
+    return true;
+  });
+  return found;
+}
+
+bool are_inside_each_other(const Points& first, const Points& second, double spacing) {
+  const Box<3> of_first = box_of(first), of_second = box_of(second);
+  Box<3> common;
+  for (int a = 0; a < 3; ++a) {
+    common.lower[a] = std::max(of_first.lower[a], of_second.lower[a]);
+    common.upper[a] = std::min(of_first.upper[a], of_second.upper[a]);
+    if (common.lower[a] > common.upper[a]) return false;
+  }
+  const Points near_first = points_in(common, first), near_second = points_in(common, second);
+  if (near_first.empty()) return false;
+  const point_based::NearestNodes<3> nodes(near_first);
+  return std::ranges::any_of(near_second, [&](const Vector& x) {
+    const Vector& y = near_first[nodes.nearest(x)];
+    return std::hypot(x[0] - y[0], x[1] - y[1], x[2] - y[2]) < inside * spacing;
+  });
+}
+
+}  // namespace
+
+std::string passing_bodies_warning(const Solver& solver) {
+  const Case& settings = solver.settings();
+  for (int b = 1; b < static_cast<int>(settings.bodies.size()); ++b) {
+    for (int a = 0; a < b; ++a) {
+      if (have_contact(settings, a, b) ||
+          !are_inside_each_other(solver.positions(a), solver.positions(b),
+                                 settings.discretisation.spacing)) {
+        continue;
+      }
+      return fmt::format(
+          "warning: t = {:.6g} s: bodies `{}` and `{}` pass through each other, since no "
+          "[[contact]] names them both; add one",
+          solver.clock().time, settings.bodies[a].name, settings.bodies[b].name);
+    }
+  }
+  return {};
+}
+
+}  // namespace pliant
