@@ -18,20 +18,14 @@ namespace {
 
 constexpr std::int64_t interval =
     256;  // steps between checks, each of which costs as much as a few steps
+
 double largest_of(const EnergyBudget& budget, double energy) {
   return std::max({energy, std::abs(budget.wall_work), std::abs(budget.load_work),
                    std::abs(budget.body_force_work), std::abs(budget.cut_work),
                    std::abs(budget.blade_work)});
 }
 
-/// The place of all bodies at t = 0: the centre of their bounding box, and the radius of gyration
-/// of the box as a solid of uniform density.
-struct Middle {
-  Vector centre = {};
-  double radius = 0;
-};
-
-Middle middle_of(const Case& settings) {
+Watch::Middle middle_of(const Case& settings) {
   Box<3> all = bounding_box(settings.bodies.front().geometry);
   for (const BodyCase& body : settings.bodies) {
     const Box<3> box = bounding_box(body.geometry);
@@ -40,7 +34,7 @@ Middle middle_of(const Case& settings) {
       all.upper[a] = std::max(all.upper[a], box.upper[a]);
     }
   }
-  Middle middle;
+  Watch::Middle middle;
   double square = 0;
   for (int a = 0; a < settings.dimension; ++a) {
     middle.centre[a] = (all.lower[a] + all.upper[a]) / 2;
@@ -69,6 +63,11 @@ ConservedQuantities conserved(const BodyIntegrals& sum) {
   return {sum.mass,           sum.momentum,      sum.angular_momentum,
           sum.kinetic_energy, sum.strain_energy, sum.kinetic_energy + sum.strain_energy};
 }
+
+Watch::Watch(const Case& settings)
+    : settings_(settings),
+      mass_scaling_(step_limits(settings).mass_scaling),
+      middle_(middle_of(settings)) {}
 
 void Watch::begin(Solver& solver) {
   start_ = conserved(solver.balance().integrals);
@@ -119,13 +118,12 @@ void Watch::look_at_momentum(const Solver& solver) {
   for (int a = 0; a < 3; ++a) linear[a] = present_.momentum[a] - start_.momentum[a];
   keep(momentum_, momentum_scale_, speed_and_mass, linear);
   if (is_periodic(settings_)) return;
-  const Middle middle = middle_of(solver.settings());
   for (int a = 0; a < 3; ++a) {
     const int b = (a + 1) % 3, c = (a + 2) % 3;
     angular[a] = present_.angular_momentum[a] - start_.angular_momentum[a] -
-                 (middle.centre[b] * linear[c] - middle.centre[c] * linear[b]);
+                 (middle_.centre[b] * linear[c] - middle_.centre[c] * linear[b]);
   }
-  keep(angular_momentum_, angular_scale_, middle.radius * speed_and_mass, angular);
+  keep(angular_momentum_, angular_scale_, middle_.radius * speed_and_mass, angular);
 }
 
 std::string Watch::observe(Solver& solver, bool last) {

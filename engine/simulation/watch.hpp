@@ -17,8 +17,14 @@ namespace pliant {
 /// whatever the output times are, and changes nothing.
 class Watch {
  public:
-  explicit Watch(const Case& settings)
-      : settings_(settings), mass_scaling_(step_limits(settings).mass_scaling) {}
+  /// The place of all bodies at t = 0: the centre of their bounding box, and the radius of gyration
+  /// of the box as a solid of uniform density [m].
+  struct Middle {
+    Vector centre = {};
+    double radius = 0;
+  };
+
+  explicit Watch(const Case& settings);
 
   /// Takes the state at t = 0 as the reference.
   void begin(Solver& solver);
@@ -45,6 +51,7 @@ class Watch {
   std::string judge_number(const Solver& solver, bool last) const;
   std::string judge_loss() const;
   std::string judge_rest(const Solver& solver, bool last) const;
+  std::string judge_slow_load(const Solver& solver) const;
   /// Spurious energy of bodies at rest from rounding [J].
   double rounding_energy() const;
   void look_at_momentum(const Solver& solver);
@@ -52,6 +59,7 @@ class Watch {
 
   const Case& settings_;
   double mass_scaling_;  ///< in momenta and kinetic energy
+  Middle middle_;
   ConservedQuantities start_, present_;
   EnergyBudget budget_;
   double created_ = 0, scale_ = 0, momentum_scale_ = 0, angular_scale_ = 0;

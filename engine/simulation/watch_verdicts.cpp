@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <string>
 #include <vector>
 
@@ -24,11 +25,23 @@ std::string better_than_sph(const Case& settings) {
   return settings.method == "sph" ? ", or method = \"remeshed\"" : "";
 }
 
+bool is_remeshed(const Case& settings) {
+  return settings.rules != nullptr && settings.rules->remeshes;
+}
+
+/// The least (mu/rho)^(1/2) of the bodies [m/s].
+double slowest_shear_wave(const Case& settings) {
+  double slowest = std::numeric_limits<double>::infinity();
+  for (const BodyCase& body : settings.bodies) {
+    slowest = std::min(slowest, std::sqrt(body.material.shear_modulus / body.material.density));
+  }
+  return slowest;
+}
+
 /// Where the surface of one remeshed body ends on another, their contact creates energy as long as
 /// they push each other.
 std::string remedy_for_created_energy(const Case& settings) {
-  const bool meets_remeshed =
-      !settings.contacts.empty() && settings.rules != nullptr && settings.rules->remeshes;
+  const bool meets_remeshed = !settings.contacts.empty() && is_remeshed(settings);
   return fmt::format(
       "use a smaller time step or a finer spacing{}{} (or set checks.energy)",
       better_than_sph(settings),
@@ -75,7 +88,8 @@ std::vector<std::string> Watch::verdicts(const Solver& solver, bool last) {
             "use a finer spacing (or set checks.momentum)"),
       judge_number(solver, last),
       judge_rest(solver, last),
-      last && checks.energy != CheckResponse::off ? judge_loss() : ""};
+      last && checks.energy != CheckResponse::off ? judge_loss() : "",
+      last && checks.energy != CheckResponse::off ? judge_slow_load(solver) : ""};
   std::erase(warnings, "");
   return warnings;
 }
@@ -118,8 +132,27 @@ std::string Watch::judge_loss() const {
   return fmt::format(
       "warning: in the end {:.3g} of the largest energy or work is lost without damping, to "
       "numerical dissipation, contact and remeshing; use a finer spacing where the motion "
-      "matters{} (or set checks.energy)",
-      -created_ / scale_, better_than_sph(settings_));
+      "matters{}{} (or set checks.energy)",
+      -created_ / scale_, better_than_sph(settings_),
+      is_remeshed(settings_) ? ", or method = \"total_lagrangian\"" : "");
+}
+
+// Of an incompressible body in tension, the strain energy is 3/2 mu times the square of the strain.
+std::string Watch::judge_slow_load(const Solver& solver) const {
+  constexpr double large_strain = 0.1;
+  constexpr double slow = 30;  // passages of a wave through the radius of gyration
+  const double passages = solver.clock().time * fastest_wave(settings_) / middle_.radius;
+  if (!is_remeshed(settings_) || settings_.boundaries.empty() || !(passages > slow)) return "";
+  const double strain =
+      std::sqrt(present_.strain_energy / (1.5 * present_.mass)) / slowest_shear_wave(settings_);
+  if (!(strain > large_strain)) return "";
+  return fmt::format(
+      "warning: a strain of about {:.2g} lasts in the end, under loads that are slow compared with "
+      "the "
+      "waves in the bodies; the remeshed method creeps then, and its forces may be wrong by 10 % "
+      "or "
+      "more; take method = \"total_lagrangian\" (or set checks.energy)",
+      strain);
 }
 
 }  // namespace pliant

@@ -8,6 +8,7 @@
 
 #include "engine/case/checks/stability.hpp"
 #include "engine/method/step_failure.hpp"
+#include "engine/simulation/methods.hpp"
 #include "tests/engine/case/written_case.hpp"
 #include "tests/engine/method/free_flight.hpp"
 #include "tests/engine/output/temporary_folder.hpp"
@@ -149,6 +150,32 @@ TEST_F(Watching, sees_no_energy_created_in_a_run_of_a_step) {
       EXPECT_EQ(solver->positions(0), after);
     }
   }
+}
+
+// A block squeezed by a fifth in this time between slip walls, which the waves cross in 0.1 s.
+std::string said_of_a_block_squeezed_in(double time, const std::string& method) {
+  const std::string text = fmt::format(
+      "method = \"{0}\"\n{1}[time]\nend = {2}\n[material.gel]\nmodel = \"reduced_polynomial\"\n"
+      "coefficients = [19.23]\ncompressibility = 0.024\ndensity = 1\n[[body]]\nname = \"block\"\n"
+      "material = \"gel\"\ngeometry = {{ shape = \"box\", lower = [0, 0], upper = [1, 1] }}\n"
+      "[[boundary]]\nname = \"floor\"\nkind = \"slip_wall\"\n"
+      "geometry = {{ shape = \"half_space\", point = [0, 0], normal = [0, 1] }}\n"
+      "[[boundary]]\nname = \"plate\"\nkind = \"slip_wall\"\ndisplacement = [0, \"-0.2*t/{2}\"]\n"
+      "geometry = {{ shape = \"half_space\", point = [0, 1], normal = [0, -1] }}\n",
+      method, "dimension = 2\ndiscretisation = { spacing = 0.125 }\n", time);
+  const auto run = methods().make(tests::read_text(text), {});
+  Watch watch(run->settings());
+  watch.begin(*run);
+  run->advance(time);
+  return watch.observe(*run, true);
+}
+
+TEST(watch, names_the_method_for_slow_loads_of_remeshed_bodies) {
+  const std::string warning = said_of_a_block_squeezed_in(2, "remeshed");
+  EXPECT_NE(warning.find("a strain of about 0.2"), warning.npos) << warning;
+  EXPECT_NE(warning.find("method = \"total_lagrangian\""), warning.npos) << warning;
+  EXPECT_EQ(said_of_a_block_squeezed_in(0.5, "remeshed"), "");
+  EXPECT_EQ(said_of_a_block_squeezed_in(2, "total_lagrangian"), "");
 }
 
 TEST_F(Watching, ends_a_run_that_is_no_longer_credible) {
