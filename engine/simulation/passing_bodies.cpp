@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "engine/blocks/box.hpp"
+#include "engine/case/method_rules.hpp"
 #include "engine/case/placement.hpp"
 #include "engine/point_based/bonds/nearest_nodes.hpp"
 
@@ -18,7 +19,7 @@ namespace {
 using Points = std::vector<Vector>;
 
 /// Particles of two bodies that only touch are farther apart than this, except on lattices whose
-/// nodes lie on the surface, [spacings].
+/// nodes lie on the surface, [spacings]; so are those of two parts of a body.
 constexpr double inside = 0.6;
 
 Box<3> box_of(const Points& points) {
@@ -61,6 +62,48 @@ bool are_inside_each_other(const Points& first, const Points& second, double spa
   });
 }
 
+/// Undeformed places of particles from their present ones.
+Points start_of(const Solver& solver, int body, const Points& present) {
+  const std::vector<FieldView> fields = solver.fields(body);
+  const FieldView& displacement = *std::ranges::find(fields, "displacement", &FieldView::name);
+  Points start = present;
+  const auto take_back = [&](const auto& components) {
+    std::size_t i = 0;
+    for (const SlotRun& run : solver.particle_runs(body)) {
+      for (std::int64_t slot = run.first; slot < run.last; ++slot, ++i) {
+        for (std::size_t a = 0; a < components.size(); ++a) start[i][a] -= components[a][slot];
+      }
+    }
+  };
+  if (displacement.values.empty()) {
+    take_back(displacement.single_values);
+  } else {
+    take_back(displacement.values);
+  }
+  return start;
+}
+
+/// A particle that has a nearest neighbour which was far away, so that it is inside another part of
+/// the body; null if there is none. However much a body deforms, the nearest particle is one of the
+/// next.
+const Vector* particle_in_another_part(const Points& start, const Points& present) {
+  constexpr double far = 4;  // ratio to the distance of the next particle at the start
+  const point_based::NearestNodes<3> at_start(start), at_present(present);
+  for (std::size_t i = 0; i < start.size(); ++i) {
+    const Vector& x = start[i];
+    for (const auto& [distance, node] : at_present.nearest(present[i], 2)) {
+      if (static_cast<std::size_t>(node) == i) continue;
+      const Vector& y = start[node];
+      const double next = at_start.nearest(x, 2).back().distance;
+      if (distance < inside * next &&
+          std::hypot(x[0] - y[0], x[1] - y[1], x[2] - y[2]) > far * next) {
+        return &present[i];
+      }
+    }
+  }
+  return nullptr;
+}
+
 }  // namespace
 
 std::string passing_bodies_warning(const Solver& solver) {
@@ -77,6 +120,24 @@ std::string passing_bodies_warning(const Solver& solver) {
           "[[contact]] names them both; add one",
           solver.clock().time, settings.bodies[a].name, settings.bodies[b].name);
     }
+  }
+  return {};
+}
+
+std::string passing_parts_warning(const Solver& solver) {
+  const Case& settings = solver.settings();
+  if (settings.rules == nullptr || !settings.rules->has_self_contact) return {};
+  for (int b = 0; b < static_cast<int>(settings.bodies.size()); ++b) {
+    if (have_contact(settings, b, b)) continue;
+    const Points present = solver.positions(b);
+    const Vector* inside_body = particle_in_another_part(start_of(solver, b, present), present);
+    if (inside_body == nullptr) continue;
+    const auto& [x, y, z] = *inside_body;
+    const std::string& name = settings.bodies[b].name;
+    return fmt::format(
+        "warning: t = {:.6g} s: parts of body `{}` pass through each other at ({:.4g}, {:.4g}, "
+        "{:.4g}); add a [[contact]] with bodies = [\"{}\", \"{}\"]",
+        solver.clock().time, name, x, y, z, name, name);
   }
   return {};
 }

@@ -10,4 +10,8 @@ namespace pliant {
 /// if there are none. Costs about as much as a step.
 std::string passing_bodies_warning(const Solver& solver);
 
+/// The same for two parts of one body, in methods with contact within a body. Costs as much as some
+/// dozen steps.
+std::string passing_parts_warning(const Solver& solver);
+
 }  // namespace pliant

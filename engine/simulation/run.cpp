@@ -159,8 +159,7 @@ class Run {
     if (save_now && !last) save();
     warn_of_instability();
     if (due || last) warn_of_lost_stiffness();
-    constexpr std::int64_t between_searches = 64;  // steps
-    if (last || solver_->clock().step % between_searches == 0) warn_of_passing_bodies();
+    warn_of_passing_bodies(last);
     show();
   }
 
@@ -186,11 +185,17 @@ class Run {
     warn(warning);
   }
 
-  void warn_of_passing_bodies() {
-    if (bodies_pass_) return;
-    const std::string warning = passing_bodies_warning(*solver_);
-    bodies_pass_ = !warning.empty();
-    warn(warning);
+  void warn_of_passing_bodies(bool last) {
+    const auto warn_once = [&](std::int64_t interval, std::string (*search)(const Solver&),
+                               bool& has_warned) {
+      if (has_warned || (!last && solver_->clock().step % interval != 0)) return;
+      const std::string warning = search(*solver_);
+      has_warned = !warning.empty();
+      warn(warning);
+    };
+    constexpr std::int64_t for_bodies = 64, for_parts = 2048;  // steps between searches
+    warn_once(for_bodies, passing_bodies_warning, bodies_pass_);
+    warn_once(for_parts, passing_parts_warning, parts_pass_);
   }
 
   FrameParts parts() const { return {settings_.output.ghosts, settings_.output.surface}; }
@@ -279,6 +284,7 @@ class Run {
   bool has_new_frame_ = false;    ///< since the last checkpoint was considered
   bool is_unstable_ = false;      ///< the step is above the stability limit
   bool bodies_pass_ = false;      ///< through each other
+  bool parts_pass_ = false;       ///< of a body through each other
   bool is_beyond_range_ = false;  ///< a linear material has lost its stiffness
 };
 

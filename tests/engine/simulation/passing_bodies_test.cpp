@@ -51,5 +51,48 @@ TEST(passing_bodies, with_a_contact_are_none) {
   EXPECT_EQ(passing_bodies_warning(*run), "");
 }
 
+/// A hairpin, of which a wall moves one arm towards the other, 0.4 m away, by `way` [m].
+std::unique_ptr<Solver> hairpin(const std::string& method, double way) {
+  std::string text = "method = \"" + method + R"("
+dimension = 2
+discretisation = { spacing = 0.1 }
+time = { end = 1 }
+[material.rubber]
+model = "neo_hookean"
+density = 1
+youngs_modulus = 100
+poissons_ratio = 0.3
+[[body]]
+name = "pin"
+material = "rubber"
+geometry = { shape = "difference", of = [
+  { shape = "box", lower = [0, 0], upper = [2, 1] },
+  { shape = "box", lower = [0.5, 0.3], upper = [3, 0.7] },
+] }
+[[boundary]]
+name = "held"
+kind = "fixed"
+geometry = { shape = "box", lower = [1.8, -1], upper = [3, 0.1] }
+[[boundary]]
+name = "moved"
+kind = "moving_wall"
+geometry = { shape = "box", lower = [1.8, 0.9], upper = [3, 2] }
+displacement = [0, "-)" +
+                     std::to_string(way) + "*t\"]\n";
+  return methods().make(tests::read_text(text), {});
+}
+
+TEST(passing_parts, are_named_once_they_are_inside_each_other) {
+  for (const std::string method : {"total_lagrangian", "point_based"}) {
+    const auto near = hairpin(method, 0.3), through = hairpin(method, 0.6);
+    near->advance(1);
+    EXPECT_EQ(passing_parts_warning(*near), "") << method;
+    through->advance(1);
+    const std::string warning = passing_parts_warning(*through);
+    EXPECT_NE(warning.find("parts of body `pin` pass through each other"), warning.npos) << method;
+    EXPECT_NE(warning.find("bodies = [\"pin\", \"pin\"]"), warning.npos) << warning;
+  }
+}
+
 }  // namespace
 }  // namespace pliant::test
