@@ -63,6 +63,11 @@ using MethodList = std::span<const MethodRules>;
 /// The rules of the method with this word; null if there is none.
 const MethodRules* rules_of(MethodList methods, std::string_view word);
 
+/// Whether the method of a case is known and remeshes particles.
+inline bool is_remeshed(const Case& a_case) {
+  return a_case.rules != nullptr && a_case.rules->remeshes;
+}
+
 /// The warnings of the method of a case.
 std::vector<std::string> warnings_of_method(const Case& a_case);
 

@@ -109,8 +109,8 @@ void warn_of_bodies_that_touch(const Case& a_case, std::vector<std::string>& war
   for (int b = 1; b < static_cast<int>(a_case.bodies.size()); ++b) {
     for (int a = 0; a < b; ++a) {
       const BodyCase &first = a_case.bodies[a], &second = a_case.bodies[b];
-      if (have_contact(a_case, a, b) || overlap(first.geometry, second.geometry, spacing,
-                                                a_case.dimension) < -touching * spacing) {
+      if (have_contact(a_case, {a, b}) || overlap(first.geometry, second.geometry, spacing,
+                                                  a_case.dimension) < -touching * spacing) {
         continue;
       }
       warnings.push_back(fmt::format(
@@ -123,10 +123,9 @@ void warn_of_bodies_that_touch(const Case& a_case, std::vector<std::string>& war
 
 }  // namespace
 
-bool have_contact(const Case& a_case, int first, int second) {
+bool have_contact(const Case& a_case, std::array<int, 2> bodies) {
   return std::ranges::any_of(a_case.contacts, [&](const ContactCase& contact) {
-    return contact.bodies == std::array{first, second} ||
-           contact.bodies == std::array{second, first};
+    return std::ranges::is_permutation(bodies, contact.bodies);
   });
 }
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <string>
 #include <vector>
 
@@ -7,8 +8,8 @@
 
 namespace pliant {
 
-/// Whether a [[contact]] names both bodies.
-bool have_contact(const Case& a_case, int first, int second);
+/// Whether a [[contact]] names both bodies, in either order.
+bool have_contact(const Case& a_case, std::array<int, 2> bodies);
 
 /// Parts of a case without effect at their place at t = 0: walls that touch no body, loads whose
 /// regions contain no surface, blades that miss their body, bodies that touch without a contact.

@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "engine/case/checks/stability.hpp"
+#include "engine/case/method_rules.hpp"
 #include "engine/geometry/distance_walk.hpp"
 #include "engine/geometry/signed_distance.hpp"
 #include "engine/lattice/occupancy.hpp"
@@ -153,8 +154,7 @@ double largest_strain_rate(const Case& a_case) {
 
 /// The step with `time.strain` and the strain rate at the start; impacts may need shorter steps.
 double step_of(const Case& a_case) {
-  const bool bounds_strain = a_case.rules != nullptr && a_case.rules->remeshes;
-  const double rate = bounds_strain && !a_case.time.step ? largest_strain_rate(a_case) : 0;
+  const double rate = is_remeshed(a_case) && !a_case.time.step ? largest_strain_rate(a_case) : 0;
   return asked_step(a_case, fastest_wave(a_case), rate);
 }
 

@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "engine/case/method_rules.hpp"
 #include "engine/method/solver.hpp"
 #include "kernels/layout.hpp"
 
@@ -59,7 +60,7 @@ inline double share_without_stiffness(const Solver& solver, int body) {
 inline std::string lost_stiffness_warning(const Solver& solver) {
   constexpr double part = 0.05;
   const Case& settings = solver.settings();
-  if (settings.rules == nullptr || !settings.rules->remeshes) return {};
+  if (!is_remeshed(settings)) return {};
   for (std::size_t b = 0; b < settings.bodies.size(); ++b) {
     const kernels::Model model = settings.bodies[b].material.model;
     if (model != kernels::Model::linear && model != kernels::Model::linear_logarithmic) continue;

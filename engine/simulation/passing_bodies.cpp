@@ -4,7 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
+#include <optional>
 #include <vector>
 
 #include "engine/blocks/box.hpp"
@@ -22,15 +22,13 @@ using Points = std::vector<Vector>;
 /// nodes lie on the surface, [spacings]; so are those of two parts of a body.
 constexpr double inside = 0.6;
 
+double distance_between(const Vector& x, const Vector& y) {
+  return std::hypot(x[0] - y[0], x[1] - y[1], x[2] - y[2]);
+}
+
 Box<3> box_of(const Points& points) {
-  constexpr double infinity = std::numeric_limits<double>::infinity();
-  Box<3> box = {{infinity, infinity, infinity}, {-infinity, -infinity, -infinity}};
-  for (const Vector& x : points) {
-    for (int a = 0; a < 3; ++a) {
-      box.lower[a] = std::min(box.lower[a], x[a]);
-      box.upper[a] = std::max(box.upper[a], x[a]);
-    }
-  }
+  Box<3> box;
+  for (const Vector& x : points) box.grow(x);
   return box;
 }
 
@@ -57,8 +55,7 @@ bool are_inside_each_other(const Points& first, const Points& second, double spa
   if (near_first.empty()) return false;
   const point_based::NearestNodes<3> nodes(near_first);
   return std::ranges::any_of(near_second, [&](const Vector& x) {
-    const Vector& y = near_first[nodes.nearest(x)];
-    return std::hypot(x[0] - y[0], x[1] - y[1], x[2] - y[2]) < inside * spacing;
+    return distance_between(x, near_first[nodes.nearest(x)]) < inside * spacing;
   });
 }
 
@@ -88,17 +85,16 @@ Points start_of(const Solver& solver, int body, const Points& present) {
 /// next.
 const Vector* particle_in_another_part(const Points& start, const Points& present) {
   constexpr double far = 4;  // ratio to the distance of the next particle at the start
-  const point_based::NearestNodes<3> at_start(start), at_present(present);
+  const point_based::NearestNodes<3> at_present(present);
+  std::optional<point_based::NearestNodes<3>> at_start;  // few runs need it
   for (std::size_t i = 0; i < start.size(); ++i) {
-    const Vector& x = start[i];
     for (const auto& [distance, node] : at_present.nearest(present[i], 2)) {
       if (static_cast<std::size_t>(node) == i) continue;
-      const Vector& y = start[node];
-      const double next = at_start.nearest(x, 2).back().distance;
-      if (distance < inside * next &&
-          std::hypot(x[0] - y[0], x[1] - y[1], x[2] - y[2]) > far * next) {
-        return &present[i];
-      }
+      const double former = distance_between(start[i], start[node]);
+      if (far * distance >= inside * former) continue;
+      if (!at_start) at_start.emplace(start);
+      const double next = at_start->nearest(start[i], 2).back().distance;
+      if (distance < inside * next && former > far * next) return &present[i];
     }
   }
   return nullptr;
@@ -108,11 +104,12 @@ const Vector* particle_in_another_part(const Points& start, const Points& presen
 
 std::string passing_bodies_warning(const Solver& solver) {
   const Case& settings = solver.settings();
-  for (int b = 1; b < static_cast<int>(settings.bodies.size()); ++b) {
+  std::vector<Points> present;
+  for (int b = 0; b < static_cast<int>(settings.bodies.size()); ++b) {
+    present.push_back(solver.positions(b));
     for (int a = 0; a < b; ++a) {
-      if (have_contact(settings, a, b) ||
-          !are_inside_each_other(solver.positions(a), solver.positions(b),
-                                 settings.discretisation.spacing)) {
+      if (have_contact(settings, {a, b}) ||
+          !are_inside_each_other(present[a], present[b], settings.discretisation.spacing)) {
         continue;
       }
       return fmt::format(
@@ -128,7 +125,7 @@ std::string passing_parts_warning(const Solver& solver) {
   const Case& settings = solver.settings();
   if (settings.rules == nullptr || !settings.rules->has_self_contact) return {};
   for (int b = 0; b < static_cast<int>(settings.bodies.size()); ++b) {
-    if (have_contact(settings, b, b)) continue;
+    if (have_contact(settings, {b, b})) continue;
     const Points present = solver.positions(b);
     const Vector* inside_body = particle_in_another_part(start_of(solver, b, present), present);
     if (inside_body == nullptr) continue;

@@ -158,8 +158,7 @@ class Run {
     has_new_frame_ = false;
     if (save_now && !last) save();
     warn_of_instability();
-    if (due || last) warn_of_lost_stiffness();
-    warn_of_passing_bodies(last);
+    warn_of_bodies(due, last);
     show();
   }
 
@@ -177,25 +176,19 @@ class Run {
     progress_.message(fmt::format("warning: t = {:.6g} s: {}", solver_->clock().time, warning));
   }
 
-  // Particles that have lost stiffness are found as bodies deform.
-  void warn_of_lost_stiffness() {
-    if (is_beyond_range_) return;
-    const std::string warning = lost_stiffness_warning(*solver_);
-    is_beyond_range_ = !warning.empty();
-    warn(warning);
-  }
-
-  void warn_of_passing_bodies(bool last) {
-    const auto warn_once = [&](std::int64_t interval, std::string (*search)(const Solver&),
-                               bool& has_warned) {
-      if (has_warned || (!last && solver_->clock().step % interval != 0)) return;
-      const std::string warning = search(*solver_);
-      has_warned = !warning.empty();
+  // What goes wrong only as bodies deform is searched for now and then, and told once.
+  void warn_of_bodies(bool is_measuring_due, bool last) {
+    const auto search = [&](bool is_due, std::string (*warning_of)(const Solver&), bool& is_told) {
+      if (is_told || !(is_due || last)) return;
+      const std::string warning = warning_of(*solver_);
+      is_told = !warning.empty();
       warn(warning);
     };
     constexpr std::int64_t for_bodies = 64, for_parts = 2048;  // steps between searches
-    warn_once(for_bodies, passing_bodies_warning, bodies_pass_);
-    warn_once(for_parts, passing_parts_warning, parts_pass_);
+    const std::int64_t step = solver_->clock().step;
+    search(is_measuring_due, lost_stiffness_warning, is_beyond_range_);
+    search(step % for_bodies == 0, passing_bodies_warning, bodies_pass_);
+    search(step % for_parts == 0, passing_parts_warning, parts_pass_);
   }
 
   FrameParts parts() const { return {settings_.output.ghosts, settings_.output.surface}; }

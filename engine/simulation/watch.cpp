@@ -8,9 +8,7 @@
 #include <vector>
 
 #include "engine/case/checks/stability.hpp"
-#include "engine/case/method_rules.hpp"
 #include "engine/geometry/signed_distance.hpp"
-#include "engine/method/step_failure.hpp"
 
 namespace pliant {
 
@@ -26,14 +24,8 @@ double largest_of(const EnergyBudget& budget, double energy) {
 }
 
 Watch::Middle middle_of(const Case& settings) {
-  Box<3> all = bounding_box(settings.bodies.front().geometry);
-  for (const BodyCase& body : settings.bodies) {
-    const Box<3> box = bounding_box(body.geometry);
-    for (int a = 0; a < settings.dimension; ++a) {
-      all.lower[a] = std::min(all.lower[a], box.lower[a]);
-      all.upper[a] = std::max(all.upper[a], box.upper[a]);
-    }
-  }
+  Box<3> all;
+  for (const BodyCase& body : settings.bodies) all.grow(bounding_box(body.geometry));
   Watch::Middle middle;
   double square = 0;
   for (int a = 0; a < settings.dimension; ++a) {

@@ -25,10 +25,6 @@ std::string better_than_sph(const Case& settings) {
   return settings.method == "sph" ? ", or method = \"remeshed\"" : "";
 }
 
-bool is_remeshed(const Case& settings) {
-  return settings.rules != nullptr && settings.rules->remeshes;
-}
-
 /// The least (mu/rho)^(1/2) of the bodies [m/s].
 double slowest_shear_wave(const Case& settings) {
   double slowest = std::numeric_limits<double>::infinity();
@@ -67,6 +63,7 @@ std::string Watch::judge(Excess Watch::*of, CheckResponse response, const Solver
 
 std::vector<std::string> Watch::verdicts(const Solver& solver, bool last) {
   const auto& checks = settings_.checks;
+  const bool judges_the_end = last && checks.energy != CheckResponse::off;
   std::vector<std::string> warnings = {
       judge(&Watch::energy_, checks.energy, solver,
             fmt::format("energy was created without work: {:.3g} of the largest energy or work so "
@@ -88,8 +85,8 @@ std::vector<std::string> Watch::verdicts(const Solver& solver, bool last) {
             "use a finer spacing (or set checks.momentum)"),
       judge_number(solver, last),
       judge_rest(solver, last),
-      last && checks.energy != CheckResponse::off ? judge_loss() : "",
-      last && checks.energy != CheckResponse::off ? judge_slow_load(solver) : ""};
+      judges_the_end ? judge_loss() : "",
+      judges_the_end ? judge_slow_load(solver) : ""};
   std::erase(warnings, "");
   return warnings;
 }
@@ -148,10 +145,8 @@ std::string Watch::judge_slow_load(const Solver& solver) const {
   if (!(strain > large_strain)) return "";
   return fmt::format(
       "warning: a strain of about {:.2g} lasts in the end, under loads that are slow compared with "
-      "the "
-      "waves in the bodies; the remeshed method creeps then, and its forces may be wrong by 10 % "
-      "or "
-      "more; take method = \"total_lagrangian\" (or set checks.energy)",
+      "the waves in the bodies; the remeshed method creeps then, and its forces may be wrong by "
+      "10 % or more; take method = \"total_lagrangian\" (or set checks.energy)",
       strain);
 }
 

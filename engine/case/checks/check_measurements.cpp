@@ -1,21 +1,13 @@
 #include <fmt/format.h>
 
-#include <algorithm>
-
 #include "engine/case/checks/check.hpp"
+#include "engine/case/placement.hpp"
 #include "engine/geometry/signed_distance.hpp"
 
 namespace pliant {
 namespace {
 
 using Kind = MeasurementCase::Kind;
-
-/// Whether a [[contact]] joins two bodies, in either order.
-bool have_contact(const Case& a_case, std::array<int, 2> bodies) {
-  return std::any_of(a_case.contacts.begin(), a_case.contacts.end(), [&](const ContactCase& c) {
-    return std::is_permutation(bodies.begin(), bodies.end(), c.bodies.begin());
-  });
-}
 
 void check_contact_force(const Check& check, std::size_t i) {
   const Case& a_case = check.a_case;

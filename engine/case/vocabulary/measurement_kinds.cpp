@@ -67,7 +67,7 @@ std::string warning_of(const Case& a_case, const Sampled& names, const std::stri
 }  // namespace
 
 std::string sampling_warning(const Case& a_case) {
-  if (a_case.output.measure_every > 0 || a_case.rules == nullptr || a_case.rules->remeshes) {
+  if (a_case.output.measure_every > 0 || a_case.rules == nullptr || is_remeshed(a_case)) {
     return {};
   }
   const Sampled names = sampled(a_case);
@@ -77,8 +77,7 @@ std::string sampling_warning(const Case& a_case) {
 
 std::string sampling_warning(const Case& a_case, const std::vector<double>& times) {
   constexpr double dense = 0.05;  // longest time between samples, as a share of the run
-  if (a_case.output.measure_every > 0 || a_case.rules == nullptr || !a_case.rules->remeshes ||
-      times.size() < 2) {
+  if (a_case.output.measure_every > 0 || !is_remeshed(a_case) || times.size() < 2) {
     return {};
   }
   double longest = 0;

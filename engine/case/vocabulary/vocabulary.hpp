@@ -207,7 +207,7 @@ void case_keys(Visitor& visit, Case& a_case) {
   visit("method", MethodWord{a_case.method, visit.methods()},
         {.meaning = "numerical method", .example = R"("remeshed")"});
   a_case.rules = rules_of(visit.methods(), a_case.method);
-  const bool remeshes = a_case.rules != nullptr && a_case.rules->remeshes;
+  const bool remeshes = is_remeshed(a_case);
   visit("precision", a_case.precision,
         {.meaning = "precision of the fields; clocks, sums and measurements are double",
          .example = R"("double")"});

@@ -4,7 +4,6 @@
 #include <cmath>
 #include <limits>
 #include <span>
-#include <utility>
 
 #include "engine/geometry/signed_distance.hpp"
 #include "engine/lattice/point_algebra.hpp"
@@ -35,8 +34,7 @@ WallContact<T, D>::WallContact(State<D>& state, const Case& settings, Displaceme
     MetWall<D>& wall = walls_.emplace_back();
     wall.number = number;
     wall.friction = state_.boundaries.walls[number].friction();
-    wall.turns = boundary.rotation.has_value();
-    wall.box = wall.turns ? without_end() : bounding_box(boundary.geometry);
+    wall.box = boundary.rotation ? without_end() : bounding_box(boundary.geometry);
     is_expected_ = is_expected_ || !state_.boundaries.walls[number].is_attached();
   }
 }

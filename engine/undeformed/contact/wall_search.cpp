@@ -128,7 +128,7 @@ double WallSearch<T, D>::largest_speed(const Surfaces& surfaces, const MetWall<D
     for (const MovableCorner& corner : surface.corners) {
       const Point<D> u = carried<T, D>(surface.body->velocity, std::span(&corner.first, 1));
       square = std::max(square, dot<D>(u, u));
-      if (!wall.turns) continue;
+      if (!wall.step.turns) continue;
       turned = std::max(turned, shift_by_turn<D>(wall, surface.place(corner.number)));
     }
   }

@@ -47,8 +47,7 @@ struct MetWall {
   double kick, drift;  ///< how long forces act, and particles move at the new velocities [s]
   double inertia;      ///< ratio of the impulse to that on the unscaled mass
   double friction;     ///< coefficient; infinite for no-slip
-  bool turns;
-  Box<3> box;  ///< around the solid at rest; infinite if the wall turns
+  Box<3> box;          ///< around the solid at rest; infinite if the wall turns
 };
 
 /// Finds the corners that are near walls. Most are far from all of them. A search lists those that

@@ -23,6 +23,20 @@ geometry = { shape = "box", lower = [0, 0], upper = [1, 2] }
 material = { model = "linear", youngs_modulus = 100, poissons_ratio = 0.3, density = 2 }
 )";
 
+/// The start of a case of neo-Hookean bodies with E = 100 Pa, nu = 0.3 and a density of 1 kg/m^3.
+/// A spacing [m] and the end [s] are as case files write them.
+inline std::string rubber_case(const std::string& method, int dimension, const std::string& spacing,
+                               const std::string& end) {
+  return "method = \"" + method + "\"\ndimension = " + std::to_string(dimension) +
+         "\ndiscretisation = { spacing = " + spacing + " }\ntime = { end = " + end + R"( }
+[material.rubber]
+model = "neo_hookean"
+density = 1
+youngs_modulus = 100
+poissons_ratio = 0.3
+)";
+}
+
 /// Reads `text` as the file block.toml in a temporary folder.
 inline Case read_text(const std::string& text, const std::vector<std::string>& settings = {}) {
   const std::filesystem::path folder =

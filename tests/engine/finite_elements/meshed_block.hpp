@@ -79,16 +79,7 @@ void write(const BlockMesh<D>& mesh, const std::filesystem::path& path) {
 
 /// A case with that mesh, which tests extend.
 inline std::string meshed_block(const std::filesystem::path& mesh) {
-  return R"(method = "finite_elements"
-dimension = 3
-discretisation = { spacing = 0.125 }
-time = { end = 1, step = "cfl" }
-[material.rubber]
-model = "neo_hookean"
-density = 1
-youngs_modulus = 100
-poissons_ratio = 0.3
-[[body]]
+  return tests::rubber_case("finite_elements", 3, "0.125", "1, step = \"cfl\"") + R"([[body]]
 name = "block"
 material = "rubber"
 geometry = { shape = "mesh", file = ")" +

@@ -13,15 +13,7 @@ namespace pliant::test {
 inline std::string free_points(int dimension) {
   const std::string zeros = dimension == 2 ? "[0, 0]" : "[0, 0, 0]";
   const std::string ones = dimension == 2 ? "[1, 1]" : "[1, 1, 1]";
-  return "method = \"point_based\"\ndimension = " + std::to_string(dimension) + R"(
-discretisation = { spacing = 0.125 }
-time = { end = 1, step = "cfl" }
-[material.rubber]
-model = "neo_hookean"
-density = 1
-youngs_modulus = 100
-poissons_ratio = 0.3
-[[body]]
+  return tests::rubber_case("point_based", dimension, "0.125", "1, step = \"cfl\"") + R"([[body]]
 name = "block"
 material = "rubber"
 geometry = { shape = "box", lower = )" +

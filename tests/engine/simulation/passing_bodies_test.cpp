@@ -13,16 +13,7 @@ namespace {
 
 /// Two discs 0.1 m apart that approach each other by 2 m each second.
 std::unique_ptr<Solver> discs(const std::string& method, const std::string& contact) {
-  std::string text = "method = \"" + method + R"("
-dimension = 2
-discretisation = { spacing = 0.1 }
-time = { end = 1 }
-[material.rubber]
-model = "neo_hookean"
-density = 1
-youngs_modulus = 100
-poissons_ratio = 0.3
-)" + contact;
+  std::string text = tests::rubber_case(method, 2, "0.1", "1") + contact;
   for (const std::string name : {"left", "right"}) {
     const std::string sign = name == "left" ? "-" : "", other = name == "left" ? "" : "-";
     text += "[[body]]\nname = \"" + name +
@@ -53,16 +44,7 @@ TEST(passing_bodies, with_a_contact_are_none) {
 
 /// A hairpin, of which a wall moves one arm towards the other, 0.4 m away, by `way` [m].
 std::unique_ptr<Solver> hairpin(const std::string& method, double way) {
-  std::string text = "method = \"" + method + R"("
-dimension = 2
-discretisation = { spacing = 0.1 }
-time = { end = 1 }
-[material.rubber]
-model = "neo_hookean"
-density = 1
-youngs_modulus = 100
-poissons_ratio = 0.3
-[[body]]
+  const std::string text = tests::rubber_case(method, 2, "0.1", "1") + R"([[body]]
 name = "pin"
 material = "rubber"
 geometry = { shape = "difference", of = [
@@ -77,8 +59,8 @@ geometry = { shape = "box", lower = [1.8, -1], upper = [3, 0.1] }
 name = "moved"
 kind = "moving_wall"
 geometry = { shape = "box", lower = [1.8, 0.9], upper = [3, 2] }
-displacement = [0, "-)" +
-                     std::to_string(way) + "*t\"]\n";
+displacement = [0, "-)" + std::to_string(way) +
+                           "*t\"]\n";
   return methods().make(tests::read_text(text), {});
 }
 

@@ -75,18 +75,9 @@ geometry = { shape = "box", lower = [-0.5, -0.5, -0.5], upper = [0.5, 0.5, 0.5] 
 TEST(held_walls, are_met_as_planes_of_symmetry_are) {
   for (const std::string& method : methods_with_bonds) {
     const std::string text =
-        "method = \"" + method + R"("
-dimension = 2
-discretisation = { spacing = 0.05 }
-time = { end = 1 }
-[material.gel]
-model = "neo_hookean"
-density = 1
-youngs_modulus = 100
-poissons_ratio = 0.3
-[[body]]
+        tests::rubber_case(method, 2, "0.05", "1") + R"([[body]]
 name = "arch"
-material = "gel"
+material = "rubber"
 geometry = { shape = "difference", of = [
   { shape = "box", lower = [0, 0], upper = [1, 1] },
   { shape = "box", lower = [0, -1], upper = [0.6, 0.7] },
