@@ -124,17 +124,28 @@ void StepGraph::run(Workers& workers) {
   if (NodeRunner* runner = workers.delegate())
     return workers.execute([&] { run_through(*runner); });
   workers.execute([&] {
-    if (!flow_ || flow_->workers_id != workers.id())
-      flow_ = std::make_unique<Flow>(dependencies_, tasks_, workers.id());
     const auto start = Clock::now();
-    try {
-      flow_->run();
-    } catch (...) {
-      flow_.reset();  // it may hold messages of the cancelled step
-      throw;
-    }
+    blocks_.count() > 1 ? run_in_parallel(workers) : run_in_order(workers.index());
     finish_record(start, workers.threads());
   });
+}
+
+void StepGraph::run_in_parallel(const Workers& workers) {
+  if (!flow_ || flow_->workers_id != workers.id())
+    flow_ = std::make_unique<Flow>(dependencies_, tasks_, workers.id());
+  try {
+    flow_->run();
+  } catch (...) {
+    flow_.reset();  // it may hold messages of the cancelled step
+    throw;
+  }
+}
+
+// The nodes of one block wait for each other. Other workers would wake for nothing.
+void StepGraph::run_in_order(int worker) {
+  const ZeroSubnormals arithmetic;
+  for (std::size_t n = 0; n < nodes().size(); ++n)
+    if (!nodes()[n].is_junction()) tasks_[n](worker);
 }
 
 void StepGraph::run_through(NodeRunner& runner) {

@@ -72,6 +72,8 @@ class StepGraph {
   };
   struct Flow;
 
+  void run_in_parallel(const Workers& workers);
+  void run_in_order(int worker);
   void run_through(NodeRunner& runner);
   void name_timers();
   void print_phases(std::string& out) const;

@@ -48,6 +48,10 @@ void Workers::call(void (*function)(void*), void* what) {
 
 void Workers::loop(int count, void (*function)(void*, int), void* what) {
   arena_->arena.execute([=] {
+    if (count == 1) {
+      const ZeroSubnormals arithmetic;
+      return function(what, 0);
+    }
     tbb::parallel_for(
         0, count,
         [=](int i) {

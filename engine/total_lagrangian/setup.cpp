@@ -25,8 +25,10 @@ namespace {
 
 constexpr double on_surface = 1e-9;  // [h] rounding errors of distances
 // Cells of a block. Large blocks share fewer cells with others, but small bodies need blocks for
-// all threads. What a block reads again, two planes of rows, stays in the second-level cache.
+// all threads. With fewer than 640 cells, a second thread takes no time off a step. What a block
+// reads again, two planes of rows, stays in the second-level cache.
 constexpr std::int64_t least_cells = 1024, most_cells = 16384, wanted_blocks = 12;
+constexpr std::int64_t cells_for_two_threads = 640;
 
 // A whole number of cells fits along the shortest side, so that the thickness in bending is exact.
 // If the other sides of a box are multiples of h, nodes lie on all faces.
@@ -65,7 +67,8 @@ void lay_out(const Nodes<D>& nodes, Body<T, D>& body) {
   occupancy.dilate(1.8);     // includes neighbours across edges and corners
   occupancy.fill_columns();  // then packs of cells have their corners in packs of particles
   const std::int64_t cells = std::clamp(marked / wanted_blocks, least_cells, most_cells);
-  const int blocks = static_cast<int>(std::max<std::int64_t>(marked / cells, 2));
+  const std::int64_t least_blocks = marked < cells_for_two_threads ? 1 : 2;
+  const int blocks = static_cast<int>(std::max(marked / cells, least_blocks));
   body.layout.build(occupancy, {}, blocks, 1);
 }
 

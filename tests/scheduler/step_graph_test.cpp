@@ -166,19 +166,24 @@ TEST(step_graph, runs_every_call_once_also_behind_junctions) {
   EXPECT_EQ(late_writes, block_count);
 }
 
-TEST(step_graph, one_worker_is_the_calling_thread_alone) {
+/// Runs steps of that many blocks on a number of threads, and expects the calling thread alone.
+void expect_no_other_thread(int blocks, int threads) {
   const int threads_before = threads_of_this_process();
   std::atomic<int> elsewhere{0};
   const auto caller = std::this_thread::get_id();
   StepGraph graph({per_block("p", {}, {{0}},
                              [&](BlockId) { elsewhere += std::this_thread::get_id() != caller; }),
                    per_block("q", {{0, Reach::all}}, {}, do_nothing)},
-                  row_of_blocks(50), {"a"});
-  Workers workers(1);
+                  row_of_blocks(blocks), {"a"});
+  Workers workers(threads);
   for (int step = 0; step < steps; ++step) graph.run(workers);
   EXPECT_EQ(elsewhere, 0);
   EXPECT_EQ(threads_of_this_process(), threads_before);
 }
+
+TEST(step_graph, one_worker_is_the_calling_thread_alone) { expect_no_other_thread(50, 1); }
+
+TEST(step_graph, one_block_runs_on_the_calling_thread_alone) { expect_no_other_thread(1, 4); }
 
 TEST(step_graph, workers_know_their_index) {
   Workers workers(7);
