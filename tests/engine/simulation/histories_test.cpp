@@ -109,7 +109,7 @@ TEST_F(MeasuredHistories, say_why_there_is_no_value) {
             "measurement `tip` has none: no particles that started around the point remain");
   EXPECT_EQ(record.why_missing(3), "no particles that started around the point remain");
   record.add(1, {0, 0, nothing, 1});
-  EXPECT_EQ(record.why_missing(2), "the measurement crosses zero less than twice");
+  EXPECT_EQ(record.why_missing(2), "the measurement crosses its mean level less than twice");
 }
 
 TEST_F(MeasuredHistories, forces_are_what_impulses_change_by) {

@@ -43,6 +43,20 @@ TEST(oscillations, amplitude_ratio_of_a_decaying_sine_is_its_decay_in_a_period) 
   }
 }
 
+// Bodies under gravity swing about their state of rest, and high modes ride on the swing.
+TEST(oscillations, about_another_level_and_under_high_modes_have_the_same_period_and_ratio) {
+  for (const double decay : {0.0, 0.2}) {
+    const auto swing = [&](double t) {
+      return -0.06 + 0.06 * std::exp(-decay * t) * std::cos(2 * pi * t);
+    };
+    EXPECT_NEAR(Signal(4.3, 0.01, swing).period(), 1, 0.002) << decay;
+    EXPECT_NEAR(Signal(4.3, 0.01, swing).ratio(), std::exp(-decay), 1e-3) << decay;
+    const auto rough = [&](double t) { return swing(t) + 0.002 * std::sin(51 * t); };
+    EXPECT_NEAR(Signal(4.3, 0.01, rough).period(), 1, 0.01) << decay;
+    EXPECT_NEAR(Signal(4.3, 0.01, rough).ratio(), std::exp(-decay), 0.05) << decay;
+  }
+}
+
 TEST(oscillations, a_sample_that_is_exactly_zero_is_a_crossing_on_the_way_down_and_up) {
   const std::vector<double> time = {0, 1, 2, 3, 4, 5, 6, 7, 8};
   const std::vector<double> value = {1, 0, -1, 0, 1, 0, -1, 0, 1};
