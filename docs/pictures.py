@@ -66,6 +66,9 @@ rendered = {
         "cases/oscillating_plate", ["time.end=6"],
         ["--walls", "--stack", "--times", "0", "2", "4", "6", "--field", "velocity", "--label", "speed [m/s]",
          "--size", "900", "760"]),
+    "cases/swinging_beam/result": (
+        "cases/swinging_beam", ["time.end=0.5", "output.every=0.05"],
+        ["--walls", "--times", "0", "0.15", "0.25", "0.45", "--field", "displacement", "--size", "1500", "420"]),
     **{f"cases/{case}/result": (
         f"cases/{case}", [],
         ["--cut", "y", "--place", "0.25", "--times", *times, "--field", "velocity_x", "--scale", "1000",

@@ -14,11 +14,12 @@ class ClosedMesh;
 
 /// A solid in 2D or 3D, in SI units.
 struct Shape {
-  enum class Kind { box, ball, cylinder, half_space, mesh, unite, subtract, intersect };
+  enum class Kind { box, ball, capsule, cylinder, half_space, mesh, unite, subtract, intersect };
   Kind kind = Kind::box;
   Vector lower = {}, upper = {};   ///< box; may be infinite
   Vector centre = {};              ///< ball (a disc in 2D), cylinder
-  double radius = 0;               ///< ball, cylinder
+  Vector from = {}, to = {};       ///< capsule: the ends of its axis
+  double radius = 0;               ///< ball, capsule, cylinder
   Vector axis = {0, 0, 1};         ///< cylinder, infinite along it
   Vector point = {}, normal = {};  ///< half_space: the side opposite to the unit vector `normal`
   std::string file;                ///< mesh; full path

@@ -52,7 +52,8 @@ Nearest nearest_box(const Shape& box, const Vector& x, int dimension) {
 }
 
 /// A ball around the origin of `offset`, or an infinite cylinder if `offset` has no component along
-/// its axis; `at_centre` is the direction at the centre, where all are equivalent.
+/// its axis, or a capsule if `offset` is from the nearest point of its axis; `at_centre` is the
+/// direction at the centre, where all are equivalent.
 Nearest nearest_round(double radius, Vector offset, const Vector& at_centre, int dimension) {
   const double distance = length(offset, dimension);
   if (distance == 0) return {-radius, at_centre};
@@ -60,11 +61,18 @@ Nearest nearest_round(double radius, Vector offset, const Vector& at_centre, int
   return {distance - radius, offset};
 }
 
-/// A unit vector normal to `axis`: the cross product with the coordinate direction farthest from
-/// it.
-Vector across(const Vector& axis) {
-  const Vector product =
-      std::abs(axis[0]) < 0.8 ? Vector{0, axis[2], -axis[1]} : Vector{-axis[2], 0, axis[0]};
+/// A unit vector normal to `axis`, which is not null: the cross product with the z axis in 2D, with
+/// the coordinate direction of its least component in 3D.
+Vector across(const Vector& axis, int dimension) {
+  const Vector size = {std::abs(axis[0]), std::abs(axis[1]), std::abs(axis[2])};
+  Vector product;
+  if (dimension == 2 || (size[2] <= size[0] && size[2] <= size[1])) {
+    product = {axis[1], -axis[0], 0};
+  } else if (size[0] <= size[1]) {
+    product = {0, axis[2], -axis[1]};
+  } else {
+    product = {-axis[2], 0, axis[0]};
+  }
   const double norm = length(product, 3);
   return {product[0] / norm, product[1] / norm, product[2] / norm};
 }
@@ -73,7 +81,17 @@ Nearest nearest_cylinder(const Shape& cylinder, const Vector& x, int dimension) 
   Vector offset = minus(x, cylinder.centre);
   const double along = dot(offset, cylinder.axis, dimension);
   for (int i = 0; i < dimension; ++i) offset[i] -= along * cylinder.axis[i];
-  return nearest_round(cylinder.radius, offset, across(cylinder.axis), dimension);
+  return nearest_round(cylinder.radius, offset, across(cylinder.axis, dimension), dimension);
+}
+
+Nearest nearest_capsule(const Shape& capsule, const Vector& x, int dimension) {
+  const Vector line = minus(capsule.to, capsule.from);
+  Vector offset = minus(x, capsule.from);
+  const double square = dot(line, line, dimension);
+  if (square == 0) return nearest_round(capsule.radius, offset, {1, 0, 0}, dimension);
+  const double share = std::clamp(dot(offset, line, dimension) / square, 0., 1.);
+  for (int i = 0; i < dimension; ++i) offset[i] -= share * line[i];
+  return nearest_round(capsule.radius, offset, across(line, dimension), dimension);
 }
 
 Nearest opposite(Nearest a) {
@@ -110,6 +128,8 @@ Nearest nearest(const Shape& shape, const Vector& x, int dimension) {
       return nearest_box(shape, x, dimension);
     case Shape::Kind::ball:
       return nearest_round(shape.radius, minus(x, shape.centre), {1, 0, 0}, dimension);
+    case Shape::Kind::capsule:
+      return nearest_capsule(shape, x, dimension);
     case Shape::Kind::cylinder:
       return nearest_cylinder(shape, x, dimension);
     case Shape::Kind::half_space:
@@ -161,6 +181,12 @@ Box<3> bounding_box(const Shape& shape) {
       return {shape.lower, shape.upper};
     case Shape::Kind::ball:
       return around(shape.centre, {shape.radius, shape.radius, shape.radius});
+    case Shape::Kind::capsule: {
+      const Vector reach = {shape.radius, shape.radius, shape.radius};
+      Box<3> box = around(shape.from, reach);
+      box.grow(around(shape.to, reach));
+      return box;
+    }
     case Shape::Kind::cylinder: {
       Vector reach;
       for (int i = 0; i < 3; ++i) reach[i] = shape.axis[i] == 0 ? shape.radius : infinity;

@@ -6,9 +6,10 @@
 /// Signed distances to shapes: negative inside. In 2D the z components are ignored.
 namespace pliant {
 
-/// Distance from `x` to the surface of `shape` [m], negative inside. Exact for box, ball, cylinder,
-/// half-space and mesh. For unions, differences and intersections it is the smaller or the larger
-/// of the parts' distances, which has the right sign and is exact near the surface of one part.
+/// Distance from `x` to the surface of `shape` [m], negative inside. Exact for box, ball, capsule,
+/// cylinder, half-space and mesh. For unions, differences and intersections it is the smaller or
+/// the larger of the parts' distances, which has the right sign and is exact near the surface of
+/// one part.
 double signed_distance(const Shape& shape, const Vector& x, int dimension);
 
 /// Unit vector along which `signed_distance` grows fastest at `x`; on the surface, the outward

@@ -10,7 +10,7 @@ const Fault faults[] = {
      "block.toml:8: geometry is a box with lower 0 and upper -2 along y; every component of lower "
      "must be less than that of upper"},
     {"an_unknown_shape", broken("shape = \"box\"", "shape = \"square\""),
-     R"(block.toml:8: shape must be one of "box", "disc", "ball", "cylinder", )"
+     R"(block.toml:8: shape must be one of "box", "disc", "ball", "capsule", "cylinder", )"
      R"("half_space", "mesh", "union", "difference", "intersection", got "square"; use one of )"
      "these"},
     {"a_cylinder_in_two_dimensions",

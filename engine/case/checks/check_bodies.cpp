@@ -16,6 +16,7 @@ bool is_whole(const Shape& shape, int dimension) {
       }
       return true;
     case Shape::Kind::ball:
+    case Shape::Kind::capsule:
     case Shape::Kind::cylinder:
       return shape.radius > 0;
     case Shape::Kind::half_space:

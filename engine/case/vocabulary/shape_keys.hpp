@@ -11,6 +11,8 @@ inline ShapeWord word_of(const Shape& shape, int dimension) {
       return ShapeWord::box;
     case Shape::Kind::ball:
       return dimension == 2 ? ShapeWord::disc : ShapeWord::ball;
+    case Shape::Kind::capsule:
+      return ShapeWord::capsule;
     case Shape::Kind::cylinder:
       return ShapeWord::cylinder;
     case Shape::Kind::half_space:
@@ -34,6 +36,8 @@ inline Shape::Kind kind_of(ShapeWord shape) {
     case ShapeWord::disc:
     case ShapeWord::ball:
       return Shape::Kind::ball;
+    case ShapeWord::capsule:
+      return Shape::Kind::capsule;
     case ShapeWord::cylinder:
       return Shape::Kind::cylinder;
     case ShapeWord::half_space:
@@ -68,11 +72,19 @@ void box_keys(Visitor& visit, Shape& shape) {
 
 template <class Visitor>
 void round_keys(Visitor& visit, Shape& shape) {
-  visit("centre", shape.centre,
-        {.meaning = "centre, or any point of the axis",
-         .unit = "m",
-         .example = "[0, 0]",
-         .required = true});
+  if (shape.kind == Shape::Kind::capsule) {
+    visit("from", shape.from,
+          {.meaning = "first end of the axis", .unit = "m", .example = "[0, 0]", .required = true});
+    visit(
+        "to", shape.to,
+        {.meaning = "second end of the axis", .unit = "m", .example = "[1, 0]", .required = true});
+  } else {
+    visit("centre", shape.centre,
+          {.meaning = "centre, or any point of the axis",
+           .unit = "m",
+           .example = "[0, 0]",
+           .required = true});
+  }
   visit("radius", shape.radius,
         {.meaning = "radius", .unit = "m", .example = "1", .limits = positive, .required = true});
   if (shape.kind == Shape::Kind::cylinder) {
@@ -120,6 +132,7 @@ void shape_keys(Visitor& visit, Shape& shape) {
     case Shape::Kind::box:
       return box_keys(visit, shape);
     case Shape::Kind::ball:
+    case Shape::Kind::capsule:
     case Shape::Kind::cylinder:
       return round_keys(visit, shape);
     case Shape::Kind::half_space:

@@ -24,6 +24,15 @@ inline Shape ball(const Vector& centre, double radius) {
   return shape;
 }
 
+inline Shape capsule(const Vector& from, const Vector& to, double radius) {
+  Shape shape;
+  shape.kind = Shape::Kind::capsule;
+  shape.from = from;
+  shape.to = to;
+  shape.radius = radius;
+  return shape;
+}
+
 inline Shape cylinder(const Vector& centre, double radius, const Vector& axis) {
   Shape shape = ball(centre, radius);
   shape.kind = Shape::Kind::cylinder;

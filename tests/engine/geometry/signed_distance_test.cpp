@@ -36,6 +36,19 @@ TEST(signed_distance, of_round_shapes_is_from_centre_or_axis) {
   EXPECT_EQ(signed_distance(tube, {4, 4, 77}, 3), 4);
 }
 
+TEST(signed_distance, of_a_capsule_is_from_its_axis_and_beyond_it_from_an_end) {
+  const Shape rod = capsule({1, 0, 0}, {1, 4, 0}, 0.5);
+  for (const int dimension : {2, 3}) {
+    EXPECT_EQ(signed_distance(rod, {3, 2, 0}, dimension), 1.5);
+    EXPECT_EQ(signed_distance(rod, {1, 1, 0}, dimension), -0.5);
+    EXPECT_EQ(signed_distance(rod, {4, -4, 0}, dimension), 4.5);  // 3-4-5 from the end (1, 0)
+    EXPECT_EQ(signed_distance(rod, {4, 8, 0}, dimension), 4.5);
+  }
+  EXPECT_EQ(signed_distance(rod, {1, 2, 2}, 3), 1.5);
+  const Shape point = capsule({1, 1, 0}, {1, 1, 0}, 2);
+  EXPECT_EQ(signed_distance(point, {4, 5, 0}, 2), 3);
+}
+
 TEST(signed_distance, in_two_dimensions_ignores_z) {
   EXPECT_EQ(signed_distance(ball({0, 0, 0}, 1), {3, 0, 9}, 2), 2);
   EXPECT_EQ(signed_distance(box({0, 0, 0}, {1, 1, 0}), {0.5, 2, 9}, 2), 1);
@@ -62,8 +75,11 @@ TEST(signed_distance, combinations_have_the_sign_of_their_points) {
 // Central differences of step 1e-6 have an error of about 1e-10 from rounding.
 TEST(signed_distance, the_outward_direction_is_its_gradient) {
   const Shape shapes[] = {
-      box({-1, -2, -3}, {1, 2, 3}), ball({0.2, 0.1, 0}, 1.5),
-      cylinder({0.3, 0, 0}, 0.7, {0, 0.6, 0.8}), half_space({0, 1, 0}, {0, 0.6, 0.8}),
+      box({-1, -2, -3}, {1, 2, 3}),
+      ball({0.2, 0.1, 0}, 1.5),
+      capsule({-0.5, -0.2, 0}, {0.6, 0.9, 0.4}, 0.3),
+      cylinder({0.3, 0, 0}, 0.7, {0, 0.6, 0.8}),
+      half_space({0, 1, 0}, {0, 0.6, 0.8}),
       combine(Shape::Kind::subtract, {box({-2, -2, -2}, {2, 2, 2}), ball({0, 0, 0}, 1)})};
   const Vector points[] = {{0.37, 0.2, -0.4}, {1.9, 2.7, 0.3}, {-0.8, -1.1, 3.9}};
   for (const Shape& shape : shapes) {
@@ -86,17 +102,24 @@ TEST(signed_distance, the_outward_direction_is_its_gradient) {
 }
 
 TEST(signed_distance, the_outward_direction_is_a_unit_vector_even_at_a_centre) {
-  for (const Shape& shape : {ball({0, 0, 0}, 1), cylinder({0, 0, 0}, 1, {1, 0, 0}),
-                             cylinder({0, 0, 0}, 1, {0, 0.6, 0.8})}) {
+  for (const Shape& shape :
+       {ball({0, 0, 0}, 1), cylinder({0, 0, 0}, 1, {1, 0, 0}),
+        cylinder({0, 0, 0}, 1, {0, 0.6, 0.8}), capsule({-1, -2, -2}, {1, 2, 2}, 1),
+        capsule({0, 0, 0}, {0, 0, 0}, 1)}) {
     const Vector direction = outward_direction(shape, {0, 0, 0}, 3);
     EXPECT_DOUBLE_EQ(std::hypot(direction[0], direction[1], direction[2]), 1);
   }
+  const Vector beside = outward_direction(capsule({-3, -4, 0}, {3, 4, 0}, 1), {0, 0, 0}, 2);
+  EXPECT_DOUBLE_EQ(std::hypot(beside[0], beside[1]), 1);
 }
 
 TEST(bounding_box, holds_the_shape) {
   const Box<3> round = bounding_box(ball({1, 2, 3}, 0.5));
   EXPECT_EQ(round.lower, (Vector{0.5, 1.5, 2.5}));
   EXPECT_EQ(round.upper, (Vector{1.5, 2.5, 3.5}));
+  const Box<3> rod = bounding_box(capsule({1, 2, 3}, {0, 4, 3}, 0.5));
+  EXPECT_EQ(rod.lower, (Vector{-0.5, 1.5, 2.5}));
+  EXPECT_EQ(rod.upper, (Vector{1.5, 4.5, 3.5}));
   const Box<3> tube = bounding_box(cylinder({0, 0, 0}, 2, {0, 0, 1}));
   EXPECT_EQ(tube.lower, (Vector{-2, -2, -infinity}));
   const Box<3> floor = bounding_box(half_space({0, 1, 0}, {0, 1, 0}));
