@@ -6,7 +6,9 @@ namespace pliant::point_based {
 
 int neighbour_count(const Case& settings) {
   const int given = parameters_of(settings).neighbours;
-  return given > 0 ? given : settings.dimension == 2 ? 12 : 26;
+  if (given > 0) return given;
+  if (settings.dimension == 3) return 26;
+  return parameters_of(settings).nodes == NodePlacement::lattice ? 8 : 12;
 }
 
 bool has_cuts(const Case& settings, const BodyCase& body) {
@@ -36,10 +38,11 @@ void visit_keys(MethodKeys& visit, MethodParameters& parameters) {
          .limits = not_negative});
   visit("gradient", method.gradient,
         {.meaning = "deformation gradient of a node", .example = R"("moving_least_squares")"});
-  visit("neighbours", method.neighbours,
-        {.meaning = "neighbours of each node (PB.2); 0 takes 26 in 3D and 12 in 2D",
-         .example = "26",
-         .limits = {0, 64, true, true, "from 0 to 64"}});
+  visit(
+      "neighbours", method.neighbours,
+      {.meaning = "neighbours of each node (PB.2); 0 takes 26 in 3D, 8 in 2D, and 12 in 2D octrees",
+       .example = "26",
+       .limits = {0, 64, true, true, "from 0 to 64"}});
   visit("stabilisation", NumberOrWord{method.stabilisation, "automatic", "a number"},
         {.meaning = R"(alpha of (PB.5), or "automatic": 0.1 on lattices, 0.2 in meshes, 0.3 in )"
                     "octrees",

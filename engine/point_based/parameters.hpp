@@ -45,7 +45,8 @@ inline bool knows_losses(const Case& settings) {
   return is_leapfrog(settings) && parameters_of(settings).stiffness_damping == 0;
 }
 
-/// Neighbours of each node; if the case gives no number, 26 in 3D and 12 in 2D.
+/// Neighbours of each node; if the case gives no number, 26 in 3D, 8 in 2D, and 12
+/// in 2D octrees.
 int neighbour_count(const Case& settings);
 
 /// Whether blades of the case cut one of its bodies.

@@ -12,7 +12,8 @@ namespace {
 
 // A block that vibrates freely: its energy hardly varies more within steps than between them.
 TEST(point_energy_budget, kinetic_and_strain_energy_within_a_step_belong_together) {
-  const Case settings = tests::read_text(free_points(2) + "velocity = [\"0.2*(x - 0.5)\", 0]\n");
+  const Case settings = tests::read_text(free_points(2) + "velocity = [\"0.2*(x - 0.5)\", 0]\n",
+                                         {"discretisation.spacing=0.05"});
   const auto spread = [&settings](double steps) {
     PointSolver<2> solver(settings, {1, kernels::widest_supported()});
     const double step = solver.time_step();

@@ -17,7 +17,7 @@ TEST(bodies_in_contact, leave_an_impact_with_the_restitution_of_finite_elements)
   for (const std::string method : {"total_lagrangian", "point_based"}) {
     std::string discs = "method = \"" + method + R"("
 dimension = 2
-discretisation = { spacing = 0.05 }
+discretisation = { spacing = 0.035 }
 time = { end = 0.6 }
 [material.rubber]
 model = "reduced_polynomial"
