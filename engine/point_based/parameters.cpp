@@ -7,8 +7,9 @@ namespace pliant::point_based {
 int neighbour_count(const Case& settings) {
   const int given = parameters_of(settings).neighbours;
   if (given > 0) return given;
-  if (settings.dimension == 3) return 26;
-  return parameters_of(settings).nodes == NodePlacement::lattice ? 8 : 12;
+  const bool is_flat_octree =
+      settings.dimension == 2 && parameters_of(settings).nodes == NodePlacement::octree;
+  return is_flat_octree ? 12 : nodes_around(settings.dimension);
 }
 
 bool has_cuts(const Case& settings, const BodyCase& body) {

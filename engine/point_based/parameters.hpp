@@ -49,6 +49,10 @@ inline bool knows_losses(const Case& settings) {
 /// in 2D octrees.
 int neighbour_count(const Case& settings);
 
+/// The nodes around a node of a lattice: those with which a uniform stress is in equilibrium next
+/// to faces.
+constexpr int nodes_around(int dimension) { return dimension == 2 ? 8 : 26; }
+
 /// Whether blades of the case cut one of its bodies.
 bool has_cuts(const Case& settings, const BodyCase& body);
 
