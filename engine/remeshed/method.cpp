@@ -5,8 +5,10 @@
 #include <algorithm>
 
 #include "engine/case/checks/check.hpp"
+#include "engine/case/checks/stability.hpp"
 #include "engine/case/checks/thickness.hpp"
 #include "engine/case/vocabulary/boundary_kinds.hpp"
+#include "engine/geometry/signed_distance.hpp"
 #include "engine/method/gravity.hpp"
 #include "engine/remeshed/observe/measure.hpp"
 #include "engine/remeshed/parameters.hpp"
@@ -94,21 +96,52 @@ StepLimits limits_of_steps(const Case& a_case) {
   return limits;
 }
 
+bool has_loads(const Case& a_case) {
+  return Gravity<3>(a_case).acts() ||
+         std::ranges::any_of(a_case.boundaries, [](const BoundaryCase& boundary) {
+           return !row_of(boundary.kind).is_wall;
+         });
+}
+
+bool has_no_slip_walls(const Case& a_case) {
+  return std::ranges::any_of(a_case.boundaries, [](const BoundaryCase& boundary) {
+    return boundary.kind == BoundaryCase::Kind::fixed ||
+           boundary.kind == BoundaryCase::Kind::moving_wall;
+  });
+}
+
+// How often the fastest wave passes through the longest half of the bodies.
+double passages_of_waves(const Case& a_case) {
+  Box<3> all;
+  for (const BodyCase& body : a_case.bodies) all.grow(bounding_box(body.geometry));
+  double longest = 0;
+  for (int a = 0; a < a_case.dimension; ++a) {
+    longest = std::max(longest, all.upper[a] - all.lower[a]);
+  }
+  return a_case.time.end * fastest_wave(a_case) / (longest / 2);
+}
+
+// Measured for cantilevers with loads at their ends, docs/decisions/0062.
+void warn_of_slow_bending(const Case& a_case, std::vector<std::string>& warnings) {
+  constexpr double slow = 30;  // passages
+  if (!has_loads(a_case) || !has_no_slip_walls(a_case) || passages_of_waves(a_case) < slow) return;
+  warnings.emplace_back(
+      "slow loads bend bodies that walls hold too little, by up to 8 % with 8 particles across and "
+      "5 % with 12; take method = \"total_lagrangian\" for slow loads");
+}
+
 // Measured for stacks of two bodies, docs/decisions/0058. Walls that move may press bodies
 // together.
 void warn_of_resting_bodies(const Case& a_case, std::vector<std::string>& warnings) {
-  const bool has_loads = Gravity<3>(a_case).acts() ||
-                         std::ranges::any_of(a_case.boundaries, [](const BoundaryCase& boundary) {
-                           return !row_of(boundary.kind).is_wall || boundary.displacement ||
-                                  boundary.kind == BoundaryCase::Kind::moving_wall;
-                         });
-  if (a_case.contacts.empty() || !has_loads) return;
+  const bool has_pistons = std::ranges::any_of(a_case.boundaries, [](const BoundaryCase& boundary) {
+    return boundary.displacement || boundary.kind == BoundaryCase::Kind::moving_wall;
+  });
+  if (a_case.contacts.empty() || (!has_loads(a_case) && !has_pistons)) return;
   warnings.emplace_back(
       a_case.discretisation.damping
           ? "if bodies rest on each other or are pressed together, the run may stop unless "
             "discretisation.damping = \"adaptive\"; take method = \"total_lagrangian\" for bodies "
-            "that "
-            "stay in contact"
+            "that stay in contact"
           : "if bodies rest on each other, the lower one passes on up to 6 % too little of their "
             "weight, and where walls press bodies together the run may stop; take method = "
             "\"total_lagrangian\" for bodies that stay in contact");
@@ -122,6 +155,7 @@ void warn(const Case& a_case, std::vector<std::string>& warnings) {
       {6.5, "figures deviate by 2 to 30 %"},
       {8, "oscillations and collisions deviate by up to 20 %"}};
   warn_of_thin_bodies(a_case, errors, warnings);
+  warn_of_slow_bending(a_case, warnings);
   warn_of_resting_bodies(a_case, warnings);
 }
 

@@ -84,5 +84,41 @@ axis = "y"
   EXPECT_NEAR(late[1] / early, 1, 0.005);
 }
 
+// The total Lagrangian method gives 0.1597 m, and converges to it.
+TEST(held_bodies, that_slow_loads_bend_are_too_stiff_and_warned_of) {
+  const auto beam = [](const std::string& end) {
+    return tests::read_text(
+        "dimension = 2\ndiscretisation = { spacing = 1, damping = 0.02 }\n"
+        "time = { end = " +
+        end + R"toml( }
+[[body]]
+name = "beam"
+geometry = { shape = "box", lower = [0, 0], upper = [48, 8] }
+material = { model = "linear", youngs_modulus = 250, poissons_ratio = 0.3, density = 1 }
+[[boundary]]
+name = "clamp"
+kind = "fixed"
+geometry = { shape = "half_space", point = [0, 0], normal = [1, 0] }
+[[boundary]]
+name = "load"
+kind = "traction"
+traction = [0, "0.00625*min(t/200, 1)"]
+geometry = { shape = "box", lower = [47.99, -1], upper = [50, 9] }
+[[measurement]]
+name = "deflection"
+kind = "point_displacement"
+point = [48, 4]
+axis = "y"
+)toml");
+  };
+  const Case slow = beam("600");
+  ASSERT_EQ(warnings_of_method(slow).size(), 1u);
+  EXPECT_NE(warnings_of_method(slow)[0].find("up to 8 % with 8 particles across"),
+            std::string::npos);
+  EXPECT_TRUE(warnings_of_method(beam("30")).empty());
+  remeshed::Solver<double, 2> solver(slow, {2, kernels::widest_supported()});
+  EXPECT_NEAR(values_at(solver, 600)[0], 0.1597, 0.08 * 0.1597);
+}
+
 }  // namespace
 }  // namespace pliant::test
