@@ -91,7 +91,7 @@ std::vector<double> extrema(const Oscillation& of, Samples time, Samples value) 
 Oscillation oscillation(Samples time, Samples value) {
   if (value.empty()) return {};
   const auto [least, most] = std::ranges::minmax(value);
-  const Oscillation about_middle = oscillation_about((least + most) / 2, time, value);
+  Oscillation about_middle = oscillation_about((least + most) / 2, time, value);
   const std::vector<double> swing = extrema(about_middle, time, value);
   if (swing.size() < 3) return about_middle;
   double sum = 0;

@@ -3,6 +3,7 @@
 #include <map>
 #include <set>
 #include <tuple>
+#include <vector>
 
 namespace pliant::total_lagrangian {
 
@@ -43,9 +44,32 @@ undeformed::ContactSurface<D> contact_surface(const Body<T, D>& body) {
   return surface;
 }
 
+template <class T, int D>
+void add_inner_particles(const Body<T, D>& body, undeformed::ContactSurface<D>& surface) {
+  surface.first_inner = surface.corners();
+  std::vector<int> whole_cells(body.slots);
+  const auto for_each_slot = [&](const auto& f) {
+    for (const Block<D>& block : body.layout.blocks()) body.layout.for_each_slot(block, f);
+  };
+  for_each_slot([&](std::int64_t slot, const Cell<D>& cell) {
+    if (body.fraction[slot] < 1) return;
+    for (const std::int64_t p : body.corners(cell)) ++whole_cells[p];
+  });
+  for_each_slot([&](std::int64_t p, const Cell<D>& cell) {
+    if (whole_cells[p] < 1 << D) return;
+    Point<D> start;
+    for (int a = 0; a < D; ++a) start[a] = body.lattice.node(a, cell[a]);
+    surface.add(start, std::array{undeformed::Share{static_cast<std::int32_t>(p), 1}});
+  });
+}
+
 template undeformed::ContactSurface<2> contact_surface(const Body<double, 2>&);
 template undeformed::ContactSurface<3> contact_surface(const Body<double, 3>&);
 template undeformed::ContactSurface<2> contact_surface(const Body<float, 2>&);
 template undeformed::ContactSurface<3> contact_surface(const Body<float, 3>&);
+template void add_inner_particles(const Body<double, 2>&, undeformed::ContactSurface<2>&);
+template void add_inner_particles(const Body<double, 3>&, undeformed::ContactSurface<3>&);
+template void add_inner_particles(const Body<float, 2>&, undeformed::ContactSurface<2>&);
+template void add_inner_particles(const Body<float, 3>&, undeformed::ContactSurface<3>&);
 
 }  // namespace pliant::total_lagrangian

@@ -10,4 +10,8 @@ namespace pliant::total_lagrangian {
 template <class T, int D>
 undeformed::ContactSurface<D> contact_surface(const Body<T, D>& body);
 
+/// Adds the particles between cells that are in the body as a whole, as corners without facets.
+template <class T, int D>
+void add_inner_particles(const Body<T, D>& body, undeformed::ContactSurface<D>& surface);
+
 }  // namespace pliant::total_lagrangian

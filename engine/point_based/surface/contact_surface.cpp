@@ -1,6 +1,8 @@
 #include "engine/point_based/surface/contact_surface.hpp"
 
+#include <array>
 #include <cmath>
+#include <vector>
 
 namespace pliant::point_based {
 
@@ -46,6 +48,18 @@ undeformed::ContactSurface<D> contact_surface(const Body<T, D>& body) {
   return surface;
 }
 
+template <class T, int D>
+void add_inner_particles(const Body<T, D>& body, undeformed::ContactSurface<D>& surface) {
+  if (body.has_cuts()) return;  // contact_surface has them
+  surface.first_inner = surface.corners();
+  std::vector<bool> is_corner(body.slots);
+  for (const std::int32_t slot : body.surface.node) is_corner[slot] = true;
+  body.for_each_node([&](std::int64_t slot) {
+    if (is_corner[slot]) return;
+    surface.add(body.start[slot], std::array{Share{static_cast<std::int32_t>(slot), 1}});
+  });
+}
+
 template std::vector<Share> shares_of_corner(const Body<double, 2>&, std::size_t);
 template std::vector<Share> shares_of_corner(const Body<double, 3>&, std::size_t);
 template std::vector<Share> shares_of_corner(const Body<float, 2>&, std::size_t);
@@ -54,5 +68,9 @@ template undeformed::ContactSurface<2> contact_surface(const Body<double, 2>&);
 template undeformed::ContactSurface<3> contact_surface(const Body<double, 3>&);
 template undeformed::ContactSurface<2> contact_surface(const Body<float, 2>&);
 template undeformed::ContactSurface<3> contact_surface(const Body<float, 3>&);
+template void add_inner_particles(const Body<double, 2>&, undeformed::ContactSurface<2>&);
+template void add_inner_particles(const Body<double, 3>&, undeformed::ContactSurface<3>&);
+template void add_inner_particles(const Body<float, 2>&, undeformed::ContactSurface<2>&);
+template void add_inner_particles(const Body<float, 3>&, undeformed::ContactSurface<3>&);
 
 }  // namespace pliant::point_based

@@ -19,4 +19,8 @@ std::vector<undeformed::Share> shares_of_corner(const Body<T, D>& body, std::siz
 template <class T, int D>
 undeformed::ContactSurface<D> contact_surface(const Body<T, D>& body);
 
+/// Adds the nodes that are no corners yet, as corners without facets.
+template <class T, int D>
+void add_inner_particles(const Body<T, D>& body, undeformed::ContactSurface<D>& surface);
+
 }  // namespace pliant::point_based

@@ -23,6 +23,8 @@ struct ContactSurface {
   /// [corner] bound on the difference between its displacement and that of its first carrier [m].
   std::vector<double> reach;
   std::vector<std::array<std::int32_t, D>> facet;  ///< corners, ordered as seen from outside
+  /// Corners from this one on are particles inside the body.
+  std::int32_t first_inner = std::numeric_limits<std::int32_t>::max();
 
   std::int32_t corners() const { return static_cast<std::int32_t>(start.size()); }
   std::span<const Share> shares(std::int32_t corner) const {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <utility>
 #include <vector>
 
 #include "engine/undeformed/contact/wall_search.hpp"
@@ -31,13 +32,19 @@ class WallContact {
 
   /// Whether the case has contact walls. Attached walls alone are seldom met.
   bool is_expected() const { return is_expected_; }
-  /// Makes the surfaces of all bodies with contact_surface(body), if the case has walls.
-  /// The bodies must not move in memory.
+  /// Makes the surfaces of all bodies with contact_surface(body), if the case has walls. Contact
+  /// walls meet the particles inside as well, add_inner_particles(body, surface): a tool that is
+  /// small compared with the facets, or pressed in deeper than its radius, passes between the
+  /// corners. The bodies must not move in memory.
   template <class Bodies>
   void take_surfaces(Bodies& bodies, ImpulseCarriers bearing) {
     surfaces_.clear();
     if (walls_.empty()) return;
-    for (auto& body : bodies) surfaces_.emplace_back(body, moved_, contact_surface(body), bearing);
+    for (auto& body : bodies) {
+      ContactSurface<D> surface = contact_surface(body);
+      if (is_expected_) add_inner_particles(body, surface);
+      surfaces_.emplace_back(body, moved_, std::move(surface), bearing);
+    }
     search_.begin(surfaces_, walls_);
   }
   /// Lets the walls push particles that have moved for `length` [s] since `time`, of it for `drift`

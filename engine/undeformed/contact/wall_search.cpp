@@ -43,7 +43,9 @@ PushedSurface<T, D>::PushedSurface(Body<T, D>& of, Displacements<T, D> displacem
       const double along = compliance<D>(carriers, carriers_of(corner), axis);
       corner.compliance = std::max(corner.compliance, along);
     }
-    if (corner.compliance > 0) corners.push_back(corner);
+    if (!(corner.compliance > 0)) continue;
+    corners.push_back(corner);
+    if (number >= shape.first_inner) ++inner_corners;
   }
 }
 
@@ -111,12 +113,21 @@ void WallSearch<T, D>::search(std::size_t w, const Surfaces& surfaces, const Met
   near.unspent = std::max(least, fast_steps * wall.length * near.speed);
   for (std::size_t s = 0; s < surfaces.size(); ++s) {
     const PushedSurface<T, D>& surface = surfaces[s];
+    bool is_near = !near.corners[s].empty();
     near.corners[s].clear();
-    for (std::size_t i = 0; i < surface.corners.size(); ++i) {
-      if (!spared_[w][s][i] && may_touch(surface, surface.corners[i].number, wall, near.unspent)) {
-        near.corners[s].push_back(static_cast<std::int32_t>(i));
+    const auto list = [&](std::size_t first, std::size_t last) {
+      for (std::size_t i = first; i < last; ++i) {
+        if (!spared_[w][s][i] &&
+            may_touch(surface, surface.corners[i].number, wall, near.unspent)) {
+          near.corners[s].push_back(static_cast<std::int32_t>(i));
+        }
       }
-    }
+    };
+    const std::size_t outer = surface.outer_corners().size();
+    list(0, outer);
+    is_near = is_near || !near.corners[s].empty();
+    if (is_near && !state_.boundaries.walls[wall.number].is_attached())
+      list(outer, surface.corners.size());
   }
 }
 
@@ -125,7 +136,7 @@ template <class T, int D>
 double WallSearch<T, D>::largest_speed(const Surfaces& surfaces, const MetWall<D>& wall) const {
   double square = 0, turned = 0;
   for (const PushedSurface<T, D>& surface : surfaces) {
-    for (const MovableCorner& corner : surface.corners) {
+    for (const MovableCorner& corner : surface.outer_corners()) {
       const Point<D> u = carried<T, D>(surface.body->velocity, std::span(&corner.first, 1));
       square = std::max(square, dot<D>(u, u));
       if (!wall.step.turns) continue;

@@ -30,10 +30,15 @@ struct PushedSurface {
   HeldDirections<D> held;
   ImpulseCarriers impulse_carriers;
   std::vector<MovableCorner> corners;
+  std::size_t inner_corners = 0;  ///< those at the end of the list that are inside the body
 
   PushedSurface(Body<T, D>& of, Displacements<T, D> displacements, ContactSurface<D> surface,
                 ImpulseCarriers bearing);
   std::span<const Share> carriers_of(const MovableCorner& corner) const;
+  /// Those that are not inside the body.
+  std::span<const MovableCorner> outer_corners() const {
+    return std::span(corners).first(corners.size() - inner_corners);
+  }
   /// Place at the end of the step [m].
   Point<D> place(std::int32_t corner) const;
 };

@@ -93,6 +93,29 @@ of = [{ shape = "ball", centre = [0.3, 0.2, 1.2], radius = 0.15 },
   EXPECT_LT(std::abs(balance(solver)), 0.01 * work);
 }
 
+// Surface nodes slide off a ball that is pressed in deeper than its radius. It used to pass through
+// the surface, and then the nodes above it pulled it down.
+TEST(point_contact, a_small_tool_that_is_pressed_in_deep_is_resisted_more_and_more) {
+  const std::string text = free_points(3) + "[point_based]\ndamping = 5\n" +
+                           half_space("floor", "kind = \"fixed\"", "[0, 0, 0]", "[0, 0, 1]") +
+                           R"toml([[boundary]]
+name = "tool"
+kind = "contact_wall"
+displacement = [0, 0, "-0.2*t"]
+geometry = { shape = "ball", centre = [0.5, 0.5, 1.2], radius = 0.2 }
+)toml" + measurement("force", "kind = \"wall_force\"\nboundary = \"tool\"\naxis = \"z\"");
+  const Case settings = tests::read_text(text, {"discretisation.spacing=0.05", "time.end=2"});
+  PointSolver<3> solver(settings, {2, kernels::widest_supported()});
+  double impulse = 0, before = 0;
+  for (int sample = 1; sample <= 8; ++sample) {  // to a depth of 1.6 radii
+    advance_until(solver, 0.2 * sample);
+    const double now = values(solver)["force"], force = (impulse - now) / 0.2;
+    EXPECT_GT(force, before) << "at a depth of " << 0.04 * sample;
+    before = force;
+    impulse = now;
+  }
+}
+
 // A plane of symmetry halves the force on a tool and changes nothing else: nodes that slide along
 // it are pushed too.
 TEST(point_contact, a_plane_of_symmetry_halves_the_force) {
