@@ -35,13 +35,24 @@ double slowest_shear_wave(const Case& settings) {
 }
 
 /// Where the surface of one remeshed body ends on another, their contact creates energy as long as
-/// they push each other.
+/// they push each other. Cells of the total Lagrangian method invert under a tool that is pressed
+/// in deeper than its radius.
+std::string better_in_contact(const Case& settings) {
+  if (is_remeshed(settings) && !settings.contacts.empty()) {
+    return ", or method = \"total_lagrangian\" where bodies stay in contact";
+  }
+  const bool has_tools = std::ranges::any_of(settings.boundaries, [](const BoundaryCase& boundary) {
+    return boundary.kind == BoundaryCase::Kind::contact_wall;
+  });
+  if (settings.method == "total_lagrangian" && has_tools) {
+    return ", or method = \"point_based\" if a tool is pressed in deeper than its radius";
+  }
+  return "";
+}
+
 std::string remedy_for_created_energy(const Case& settings) {
-  const bool meets_remeshed = !settings.contacts.empty() && is_remeshed(settings);
-  return fmt::format(
-      "use a smaller time step or a finer spacing{}{} (or set checks.energy)",
-      better_than_sph(settings),
-      meets_remeshed ? ", or method = \"total_lagrangian\" where bodies stay in contact" : "");
+  return fmt::format("use a smaller time step or a finer spacing{}{} (or set checks.energy)",
+                     better_than_sph(settings), better_in_contact(settings));
 }
 
 }  // namespace
