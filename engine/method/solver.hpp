@@ -78,6 +78,8 @@ class Solver {
   }
   /// Whether measurements without a schedule are due at the present time.
   virtual bool is_measuring_due() const { return false; }
+  /// A contact wall that has got between the particles of the surface of a body, or null.
+  virtual const BoundaryCase* tool_inside() const { return nullptr; }
   /// Conserved quantities of all bodies together.
   virtual BodyIntegrals integrals() = 0;
   /// Work and losses since t = 0. Methods that do not account for them know them only for free

@@ -139,4 +139,14 @@ std::string passing_parts_warning(const Solver& solver) {
   return {};
 }
 
+std::string passing_tool_warning(const Solver& solver) {
+  const BoundaryCase* tool = solver.tool_inside();
+  if (tool == nullptr) return {};
+  return fmt::format(
+      "warning: t = {:.6g} s: the contact wall `{}` has got between the particles of the surface "
+      "of a "
+      "body: its force is too small from now on; press in a stiff body with a [[contact]] instead",
+      solver.clock().time, tool->name);
+}
+
 }  // namespace pliant

@@ -14,4 +14,8 @@ std::string passing_bodies_warning(const Solver& solver);
 /// dozen steps.
 std::string passing_parts_warning(const Solver& solver);
 
+/// Names a contact wall that has got through the surface of a body, and a remedy; empty if there is
+/// none.
+std::string passing_tool_warning(const Solver& solver);
+
 }  // namespace pliant

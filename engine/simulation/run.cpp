@@ -187,6 +187,7 @@ class Run {
     constexpr std::int64_t for_bodies = 64, for_parts = 2048;  // steps between searches
     const std::int64_t step = solver_->clock().step;
     search(is_measuring_due, lost_stiffness_warning, is_beyond_range_);
+    search(true, passing_tool_warning, tool_passes_);
     search(step % for_bodies == 0, passing_bodies_warning, bodies_pass_);
     search(step % for_parts == 0, passing_parts_warning, parts_pass_);
   }
@@ -276,6 +277,7 @@ class Run {
   std::int64_t particles_at_start_ = 0;
   bool has_new_frame_ = false;    ///< since the last checkpoint was considered
   bool is_unstable_ = false;      ///< the step is above the stability limit
+  bool tool_passes_ = false;      ///< through the surface of a body
   bool bodies_pass_ = false;      ///< through each other
   bool parts_pass_ = false;       ///< of a body through each other
   bool is_beyond_range_ = false;  ///< a linear material has lost its stiffness

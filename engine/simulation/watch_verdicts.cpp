@@ -35,8 +35,8 @@ double slowest_shear_wave(const Case& settings) {
 }
 
 /// Where the surface of one remeshed body ends on another, their contact creates energy as long as
-/// they push each other. Cells of the total Lagrangian method invert under a tool that is pressed
-/// in deeper than its radius.
+/// they push each other. Cells of the total Lagrangian method may invert under a wall that is
+/// pressed in deeper than its radius.
 std::string better_in_contact(const Case& settings) {
   if (is_remeshed(settings) && !settings.contacts.empty()) {
     return ", or method = \"total_lagrangian\" where bodies stay in contact";
@@ -45,7 +45,7 @@ std::string better_in_contact(const Case& settings) {
     return boundary.kind == BoundaryCase::Kind::contact_wall;
   });
   if (settings.method == "total_lagrangian" && has_tools) {
-    return ", or method = \"point_based\" if a tool is pressed in deeper than its radius";
+    return ", or a stiff body with a [[contact]] in place of a wall that is pressed in deep";
   }
   return "";
 }

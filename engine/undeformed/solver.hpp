@@ -39,6 +39,7 @@ class Solver : public pliant::Solver {
   const Clock& clock() const override { return state_.clock; }
   double time_step() const override;
   std::int64_t particles() const override;
+  const BoundaryCase* tool_inside() const override { return state_.tool_inside; }
   std::size_t bytes() const override;
 
   std::optional<EnergyBudget> energy_budget() const override;

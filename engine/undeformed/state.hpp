@@ -38,6 +38,8 @@ struct State {
   std::vector<Wrench<D>> wall_impulse;  ///< [wall] on the bodies, until then [N s], [N m s]
   std::vector<Wrench<D>> wall_force;    ///< [wall] on the bodies, in the last step [N], [N m]
   std::vector<NearWall> near_walls;     ///< [wall that surfaces may meet]
+  /// A contact wall that has pushed a particle inside a body since the start of the program.
+  const BoundaryCase* tool_inside = nullptr;
   std::vector<std::array<int, 2>> contact_bodies;
   std::vector<Point<D>> contact_impulse;  ///< [contact] on its first body, until then [N s]
   std::vector<Point<D>> contact_force;    ///< [contact] the same, in the last step [N]

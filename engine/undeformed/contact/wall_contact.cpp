@@ -33,6 +33,7 @@ WallContact<T, D>::WallContact(State<D>& state, const Case& settings, Displaceme
     if (number < 0) continue;
     MetWall<D>& wall = walls_.emplace_back();
     wall.number = number;
+    wall.source = &boundary;
     wall.friction = state_.boundaries.walls[number].friction();
     wall.box = boundary.rotation ? without_end() : bounding_box(boundary.geometry);
     is_expected_ = is_expected_ || !state_.boundaries.walls[number].is_attached();
@@ -56,8 +57,11 @@ void WallContact<T, D>::apply(double time, double kick, double length, double dr
       any_inside = false;
       for (std::size_t w = 0; w < walls_.size(); ++w) {
         for (const std::int32_t corner : state_.near_walls[w].corners[s]) {
-          const bool was_inside = push(surfaces_[s], surfaces_[s].corners[corner], walls_[w]);
-          any_inside = any_inside || was_inside;
+          if (!push(surfaces_[s], surfaces_[s].corners[corner], walls_[w])) continue;
+          any_inside = true;
+          if (static_cast<std::size_t>(corner) >= surfaces_[s].outer_corners().size()) {
+            state_.tool_inside = walls_[w].source;
+          }
         }
       }
     }

@@ -46,7 +46,8 @@ struct PushedSurface {
 /// A wall during a step.
 template <int D>
 struct MetWall {
-  int number;          ///< index in the boundaries
+  int number;  ///< index in the boundaries
+  const BoundaryCase* source;
   RigidStep<D> step;   ///< of the wall
   double length;       ///< of the step [s]
   double kick, drift;  ///< how long forces act, and particles move at the new velocities [s]

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "engine/simulation/passing_bodies.hpp"
 #include "tests/engine/point_based/blocks.hpp"
 #include "tests/engine/undeformed/loads.hpp"
 
@@ -113,7 +114,12 @@ geometry = { shape = "ball", centre = [0.5, 0.5, 1.2], radius = 0.2 }
     EXPECT_GT(force, before) << "at a depth of " << 0.04 * sample;
     before = force;
     impulse = now;
+    if (sample == 4) {
+      EXPECT_EQ(passing_tool_warning(solver), "");
+    }
   }
+  EXPECT_NE(passing_tool_warning(solver).find("`tool` has got between the particles"),
+            std::string::npos);
 }
 
 // A plane of symmetry halves the force on a tool and changes nothing else: nodes that slide along
