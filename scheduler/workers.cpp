@@ -48,17 +48,12 @@ void Workers::call(void (*function)(void*), void* what) {
 
 void Workers::loop(int count, void (*function)(void*, int), void* what) {
   arena_->arena.execute([=] {
-    if (count == 1) {
+    const auto call_one = [=](int i) {
       const ZeroSubnormals arithmetic;
-      return function(what, 0);
-    }
-    tbb::parallel_for(
-        0, count,
-        [=](int i) {
-          const ZeroSubnormals arithmetic;
-          function(what, i);
-        },
-        tbb::simple_partitioner());
+      function(what, i);
+    };
+    if (count == 1) return call_one(0);
+    tbb::parallel_for(0, count, call_one, tbb::simple_partitioner());
   });
 }
 

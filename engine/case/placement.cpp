@@ -10,7 +10,6 @@
 #include "engine/case/blade_track.hpp"
 #include "engine/case/vocabulary/boundary_kinds.hpp"
 #include "engine/geometry/overlap.hpp"
-#include "engine/geometry/signed_distance.hpp"
 
 namespace pliant {
 
@@ -122,6 +121,12 @@ void warn_of_bodies_that_touch(const Case& a_case, std::vector<std::string>& war
 }
 
 }  // namespace
+
+Box<3> box_of_bodies(const Case& a_case) {
+  Box<3> all;
+  for (const BodyCase& body : a_case.bodies) all.grow(bounding_box(body.geometry));
+  return all;
+}
 
 bool have_contact(const Case& a_case, std::array<int, 2> bodies) {
   return std::ranges::any_of(a_case.contacts, [&](const ContactCase& contact) {

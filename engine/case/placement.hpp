@@ -5,8 +5,12 @@
 #include <vector>
 
 #include "engine/case/case.hpp"
+#include "engine/geometry/signed_distance.hpp"
 
 namespace pliant {
+
+/// A box around all bodies at t = 0 [m].
+Box<3> box_of_bodies(const Case& a_case);
 
 /// Whether a [[contact]] names both bodies, in either order.
 bool have_contact(const Case& a_case, std::array<int, 2> bodies);

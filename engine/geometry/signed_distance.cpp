@@ -51,18 +51,8 @@ Nearest nearest_box(const Shape& box, const Vector& x, int dimension) {
   return outside;
 }
 
-/// A ball around the origin of `offset`, or an infinite cylinder if `offset` has no component along
-/// its axis, or a capsule if `offset` is from the nearest point of its axis; `at_centre` is the
-/// direction at the centre, where all are equivalent.
-Nearest nearest_round(double radius, Vector offset, const Vector& at_centre, int dimension) {
-  const double distance = length(offset, dimension);
-  if (distance == 0) return {-radius, at_centre};
-  for (int i = 0; i < 3; ++i) offset[i] = i < dimension ? offset[i] / distance : 0;
-  return {distance - radius, offset};
-}
-
-/// A unit vector normal to `axis`, which is not null: the cross product with the z axis in 2D, with
-/// the coordinate direction of its least component in 3D.
+/// A unit vector normal to `axis`, any if `axis` is null: the cross product with the z axis in 2D,
+/// with the coordinate direction of its least component in 3D.
 Vector across(const Vector& axis, int dimension) {
   const Vector size = {std::abs(axis[0]), std::abs(axis[1]), std::abs(axis[2])};
   Vector product;
@@ -74,24 +64,33 @@ Vector across(const Vector& axis, int dimension) {
     product = {-axis[2], 0, axis[0]};
   }
   const double norm = length(product, 3);
+  if (norm == 0) return {1, 0, 0};
   return {product[0] / norm, product[1] / norm, product[2] / norm};
+}
+
+/// A ball, a capsule or an infinite cylinder, by the offset from the nearest point of its axis. The
+/// axis of a ball is null. On the axis all directions across it are equivalent.
+Nearest nearest_round(double radius, Vector offset, const Vector& axis, int dimension) {
+  const double distance = length(offset, dimension);
+  if (distance == 0) return {-radius, across(axis, dimension)};
+  for (int i = 0; i < 3; ++i) offset[i] = i < dimension ? offset[i] / distance : 0;
+  return {distance - radius, offset};
 }
 
 Nearest nearest_cylinder(const Shape& cylinder, const Vector& x, int dimension) {
   Vector offset = minus(x, cylinder.centre);
   const double along = dot(offset, cylinder.axis, dimension);
   for (int i = 0; i < dimension; ++i) offset[i] -= along * cylinder.axis[i];
-  return nearest_round(cylinder.radius, offset, across(cylinder.axis, dimension), dimension);
+  return nearest_round(cylinder.radius, offset, cylinder.axis, dimension);
 }
 
 Nearest nearest_capsule(const Shape& capsule, const Vector& x, int dimension) {
   const Vector line = minus(capsule.to, capsule.from);
   Vector offset = minus(x, capsule.from);
   const double square = dot(line, line, dimension);
-  if (square == 0) return nearest_round(capsule.radius, offset, {1, 0, 0}, dimension);
-  const double share = std::clamp(dot(offset, line, dimension) / square, 0., 1.);
+  const double share = square == 0 ? 0 : std::clamp(dot(offset, line, dimension) / square, 0., 1.);
   for (int i = 0; i < dimension; ++i) offset[i] -= share * line[i];
-  return nearest_round(capsule.radius, offset, across(line, dimension), dimension);
+  return nearest_round(capsule.radius, offset, line, dimension);
 }
 
 Nearest opposite(Nearest a) {
@@ -127,7 +126,7 @@ Nearest nearest(const Shape& shape, const Vector& x, int dimension) {
     case Shape::Kind::box:
       return nearest_box(shape, x, dimension);
     case Shape::Kind::ball:
-      return nearest_round(shape.radius, minus(x, shape.centre), {1, 0, 0}, dimension);
+      return nearest_round(shape.radius, minus(x, shape.centre), {}, dimension);
     case Shape::Kind::capsule:
       return nearest_capsule(shape, x, dimension);
     case Shape::Kind::cylinder:

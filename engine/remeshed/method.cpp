@@ -7,8 +7,8 @@
 #include "engine/case/checks/check.hpp"
 #include "engine/case/checks/stability.hpp"
 #include "engine/case/checks/thickness.hpp"
+#include "engine/case/placement.hpp"
 #include "engine/case/vocabulary/boundary_kinds.hpp"
-#include "engine/geometry/signed_distance.hpp"
 #include "engine/method/gravity.hpp"
 #include "engine/remeshed/observe/measure.hpp"
 #include "engine/remeshed/parameters.hpp"
@@ -112,8 +112,7 @@ bool has_no_slip_walls(const Case& a_case) {
 
 // How often the fastest wave passes through the longest half of the bodies.
 double passages_of_waves(const Case& a_case) {
-  Box<3> all;
-  for (const BodyCase& body : a_case.bodies) all.grow(bounding_box(body.geometry));
+  const Box<3> all = box_of_bodies(a_case);
   double longest = 0;
   for (int a = 0; a < a_case.dimension; ++a) {
     longest = std::max(longest, all.upper[a] - all.lower[a]);

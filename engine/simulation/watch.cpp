@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "engine/case/checks/stability.hpp"
-#include "engine/geometry/signed_distance.hpp"
+#include "engine/case/placement.hpp"
 
 namespace pliant {
 
@@ -24,8 +24,7 @@ double largest_of(const EnergyBudget& budget, double energy) {
 }
 
 Watch::Middle middle_of(const Case& settings) {
-  Box<3> all;
-  for (const BodyCase& body : settings.bodies) all.grow(bounding_box(body.geometry));
+  const Box<3> all = box_of_bodies(settings);
   Watch::Middle middle;
   double square = 0;
   for (int a = 0; a < settings.dimension; ++a) {
