@@ -120,13 +120,16 @@ double passages_of_waves(const Case& a_case) {
   return a_case.time.end * fastest_wave(a_case) / (longest / 2);
 }
 
-// Measured for cantilevers with loads at their ends, docs/decisions/0062.
-void warn_of_slow_bending(const Case& a_case, std::vector<std::string>& warnings) {
+// Measured for cantilevers, docs/decisions/0062.
+void warn_of_slow_tractions(const Case& a_case, std::vector<std::string>& warnings) {
   constexpr double slow = 30;  // passages
-  if (!has_loads(a_case) || !has_no_slip_walls(a_case) || passages_of_waves(a_case) < slow) return;
+  const bool has_tractions = std::ranges::any_of(a_case.boundaries, [](const BoundaryCase& b) {
+    return b.kind == BoundaryCase::Kind::traction;
+  });
+  if (!has_tractions || !has_no_slip_walls(a_case) || passages_of_waves(a_case) < slow) return;
   warnings.emplace_back(
-      "slow loads bend bodies that walls hold too little, by up to 8 % with 8 particles across and "
-      "5 % with 12; take method = \"total_lagrangian\" for slow loads");
+      "a traction along a face bends bodies too little while it lasts, by up to 8 % with 8 "
+      "particles across and 5 % with 12; take method = \"total_lagrangian\" for slow loads");
 }
 
 // Measured for stacks of two bodies, docs/decisions/0058. Walls that move may press bodies
@@ -154,7 +157,7 @@ void warn(const Case& a_case, std::vector<std::string>& warnings) {
       {6.5, "figures deviate by 2 to 30 %"},
       {8, "oscillations and collisions deviate by up to 20 %"}};
   warn_of_thin_bodies(a_case, errors, warnings);
-  warn_of_slow_bending(a_case, warnings);
+  warn_of_slow_tractions(a_case, warnings);
   warn_of_resting_bodies(a_case, warnings);
 }
 

@@ -1,5 +1,7 @@
 #include "engine/remeshed/stage_work.hpp"
 
+#include <algorithm>
+
 #include "engine/remeshed/contact/wall_contact.hpp"
 #include "engine/remeshed/ghosts/surface_records.hpp"
 #include "engine/remeshed/loads/loaded_surface.hpp"
@@ -43,6 +45,12 @@ void StageWork<T, D>::prepare(double time_step) {
   }
   for (std::size_t w = 0; w < is_watched_.size(); ++w) {
     if (!state_.boundaries.walls[w].is_attached()) is_watched_[w] = 0;
+  }
+  needs_momentum_ = std::ranges::any_of(
+      lone_walls_.along(), [this](int wall) { return wall >= 0 && is_watched_[wall] != 0; });
+  if (needs_momentum_) lone_walls_.prepare(time_step);
+  for (std::size_t w = 0; w < is_watched_.size(); ++w) {
+    if (lone_walls_.have_all_of(static_cast<int>(w))) is_watched_[w] = 0;
   }
 }
 
@@ -109,7 +117,7 @@ void StageWork<T, D>::fill_reached_ghosts(int block, int stage) {
   std::vector<WallShare>& shares = wall_shares_[block];
   if (stage == 0) find_wall_shares<T, D>(body, local, now.boundaries, is_watched_, shares);
   WallWork<T, D> of_walls(body, body.population.ghosts[local], stage, now, duration, shares,
-                          impulse, work_[block].wall_work);
+                          lone_walls_.along(), impulse, work_[block].wall_work);
   fill(block, stage, body.neighbours.are_listed ? WhichGhosts::all : WhichGhosts::reached,
        &of_walls);
   drift_ghosts<T, D>(body, local, stage, now.values, settings_.ghosts, kernels_);
@@ -121,9 +129,12 @@ void StageWork<T, D>::fill_reached_ghosts(int block, int stage) {
 template <class T, int D>
 void StageWork<T, D>::advance(int block, int stage) {
   const auto [body, local] = state_.owner(block);
-  work_[block].load_work += stage_weight[stage] * time_step_ *
-                            power_of_loads<T, D>(body, local, stage, boundary_values_[stage]);
+  const BoundaryValues<D>& values = boundary_values_[stage];
+  work_[block].load_work +=
+      stage_weight[stage] * time_step_ * power_of_loads<T, D>(body, local, stage, values);
+  if (needs_momentum_) lone_walls_.begin(block, stage, values);
   results_[block] = particles_.advance(block, stage);
+  if (needs_momentum_) lone_walls_.end(block, stage);
   keep_on_fits(body, local, stage, time_step_, state_.boundaries);
   if (reads_volumes(settings_)) copy_ghost_volumes(body, local, stage);
 }
@@ -135,8 +146,23 @@ void StageWork<T, D>::fold() {
     for (int a = 0; a < D; ++a) state_.wall_impulse[i % walls][a] += impulse_[i][a];
   }
   for (const EnergyBudget& work : work_) add(state_.energy, work);
+  if (needs_momentum_) add_lone_walls();
   particles_.fold();
   results_.fold(state_.blocks);
+}
+
+template <class T, int D>
+void StageWork<T, D>::add_lone_walls() {
+  const Point<D> impulse = lone_walls_.impulse(particles_.body_force_impulse());
+  for (int a = 0; a < D; ++a) {
+    const int wall = lone_walls_.along()[a];
+    if (wall < 0) continue;
+    state_.wall_impulse[wall][a] += impulse[a];
+    for (int stage = 0; stage < 4; ++stage) {
+      const double velocity = boundary_values_[stage].wall_velocity[wall][a];
+      state_.energy.wall_work += stage_weight[stage] * impulse[a] * velocity;
+    }
+  }
 }
 
 template class StageWork<double, 2>;

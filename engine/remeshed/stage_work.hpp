@@ -6,6 +6,7 @@
 #include "engine/method/energy_budget.hpp"
 #include "engine/remeshed/ghosts/ghost_fill.hpp"
 #include "engine/remeshed/ghosts/ghost_motion.hpp"
+#include "engine/remeshed/loads/lone_walls.hpp"
 #include "engine/remeshed/loads/surroundings.hpp"
 #include "engine/remeshed/loads/wall_work.hpp"
 #include "engine/remeshed/particle_update.hpp"
@@ -24,6 +25,7 @@ class StageWork {
         settings_(settings),
         kernels_(kernels),
         particles_(state, settings, kernels),
+        lone_walls_(state, settings),
         is_measured_(measured_walls(settings)) {}
 
   void prepare_blocks() { results_.reset(state_.blocks, state_.bodies.size()); }
@@ -63,12 +65,14 @@ class StageWork {
 
  private:
   void fill(int block, int stage, WhichGhosts which, WallWork<T, D>* work);
+  void add_lone_walls();
   static std::vector<char> measured_walls(const Case& settings);
 
   State<T, D>& state_;
   const Case& settings_;
   const kernels::RemeshedTable<T, D>& kernels_;
   ParticleUpdate<T, D> particles_;
+  LoneWalls<T, D> lone_walls_;
   double time_step_ = 0;
   std::array<BoundaryValues<D>, 4> boundary_values_;  ///< [stage]
   StageResults results_;
@@ -77,7 +81,8 @@ class StageWork {
   std::vector<char> sticks_;        ///< [block] whether it stuck to contact walls in this step
   std::vector<std::vector<WallShare>> wall_shares_;  ///< [block] in this step
   std::vector<char> is_measured_;  ///< [wall] whether a measurement needs its force
-  std::vector<char> is_watched_;   ///< [wall] whether its impulse is summed in this step
+  std::vector<char> is_watched_;   ///< [wall] whether its ghosts are summed in this step
+  bool needs_momentum_ = false;    ///< whether momentum gives the force of a wall in this step
 };
 
 extern template class StageWork<double, 2>;

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "engine/boundaries/boundary_values.hpp"
+#include "engine/lattice/surface_pieces.hpp"
 #include "engine/remeshed/state/lattice_view.hpp"
 
 namespace pliant::remeshed {
@@ -11,6 +12,11 @@ namespace pliant::remeshed {
 template <class T, int D>
 void find_loaded_facets(const LatticeView<T, D>& view, int block, const Shape& surface,
                         const Boundaries<D>& boundaries, std::vector<LoadedFacet<D>>& facets);
+
+/// Sum of the loads on the facets of a block at a stage [N, in 2D N/m].
+template <class T, int D>
+PlaceVector<D> force_of_loads(const Body<T, D>& body, int block, int stage,
+                              const BoundaryValues<D>& values);
 
 /// Power of the loads on the facets of a block at a stage [W, in 2D W/m], (RP.72).
 template <class T, int D>

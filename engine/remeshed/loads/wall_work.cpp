@@ -108,6 +108,7 @@ void WallWork<T, D>::add(std::size_t g, const kernels::GhostFits<T, D>& fits,
   if (around_.boundaries.walls[wall].slips()) area *= growth_on_wall(body_, ghosts_, g, stage_);
   const auto push = kernels::wall_force_density<T, D>(fits, site, impedance_);
   for (int a = 0; a < D; ++a) {
+    if (lone_walls_[a] == wall) continue;
     const double given = duration_ * area * push[a];
     impulse_[wall][a] += given;
     work_ += given * around_.values.wall_velocity[wall][a];

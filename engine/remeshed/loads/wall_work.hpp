@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -27,20 +28,22 @@ template <class T, int D>
 void find_wall_shares(const Body<T, D>& body, int block, const Boundaries<D>& boundaries,
                       const std::vector<char>& watched, std::vector<WallShare>& shares);
 
-/// (RP.65) for a block in one stage: adds the push of walls to impulse[wall], and their work.
+/// (RP.65) for a block in one stage: adds the push of walls to impulse[wall], and their work, but
+/// not along an axis along which momentum gives the force of the wall, see LoneWalls.
 template <class T, int D>
 class WallWork {
  public:
   /// For a stage with the weight `duration` [s] in the step.
   WallWork(const Body<T, D>& body, const BlockGhosts<T, D>& ghosts, int stage,
            const Surroundings<D>& around, double duration, std::span<const WallShare> shares,
-           Point<D>* impulse, double& work)
+           const std::array<int, D>& lone_walls, Point<D>* impulse, double& work)
       : body_(body),
         ghosts_(ghosts),
         stage_(stage),
         around_(around),
         duration_(duration),
         shares_(shares),
+        lone_walls_(lone_walls),
         impulse_(impulse),
         work_(work),
         impedance_(body.material) {}
@@ -56,7 +59,8 @@ class WallWork {
   int stage_;
   const Surroundings<D>& around_;
   double duration_;
-  std::span<const WallShare> shares_;  ///< of the ghosts that follow
+  std::span<const WallShare> shares_;     ///< of the ghosts that follow
+  const std::array<int, D>& lone_walls_;  ///< [axis]
   Point<D>* impulse_;
   double& work_;
   kernels::Impedance<T> impedance_;

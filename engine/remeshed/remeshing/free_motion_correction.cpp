@@ -92,7 +92,7 @@ void FreeMotionCorrection<T, D>::integrate(int block) {
   const auto owner = state_.owner(block);
   const Body<T, D>& body = owner.body;
   MotionIntegrals& sum = of_block_[block] = {};
-  if (!is_followed(body) || is_held(body)) return;
+  if (!is_followed(body)) return;
   const CoveredCells<T, D> cells({body, body.population, body.stage[0]}, state_.boundaries);
   cells.for_each(body.population.layout.blocks()[owner.block],
                  [&](std::int64_t p, const Cell<D>& cell, const Moments<D>& moments) {
@@ -110,11 +110,10 @@ void FreeMotionCorrection<T, D>::balance() {
   for (std::size_t b = 0; b < sums_.size(); ++b) {
     const MotionIntegrals& now = sums_[b];
     MotionBudget<D>& budget = state_.motion_budgets[b];
-    if (!is_followed(state_.bodies[b]) || is_held(state_.bodies[b])) {
+    if (!is_followed(state_.bodies[b])) continue;
+    if (is_held(state_.bodies[b])) {
       budget.is_known = false;
-      continue;
-    }
-    if (budget.is_known) {
+    } else if (budget.is_known) {
       for (double& component : budget.momentum) component *= now.mass / budget.mass;
       of_body_[b] = correction(now, budget);
     } else {

@@ -1,0 +1,53 @@
+#pragma once
+
+#include <array>
+#include <vector>
+
+#include "engine/boundaries/boundary_values.hpp"
+#include "engine/remeshed/state/state.hpp"
+
+namespace pliant::remeshed {
+
+/// Forces of walls from the momentum of the bodies that they hold, (RP.105). Along an axis along
+/// which one wall alone can act on the bodies, that is more accurate than the stress beside it.
+template <class T, int D>
+class LoneWalls {
+ public:
+  LoneWalls(State<T, D>& state, const Case& settings);
+
+  /// [axis] the wall that alone can act along it, or -1.
+  const std::array<int, D>& along() const { return along_; }
+  /// Whether momentum gives all components of the force of a wall.
+  bool have_all_of(int wall) const;
+
+  void prepare(double time_step);
+  /// Reads a block before a stage, and when the stage has written its state.
+  void begin(int block, int stage, const BoundaryValues<D>& values);
+  void end(int block, int stage);
+  /// [axis] impulse on the bodies in the step [N s], with [block] that of body forces.
+  Point<D> impulse(const std::vector<Point<D>>& of_body_forces) const;
+
+ private:
+  /// Of a block, or of a body, in one step.
+  struct Change {
+    double mass = 0;         ///< sum over the particles [kg]
+    Point<D> momentum = {};  ///< change of their sum [N s]
+    Point<D> by_loads = {};  ///< impulse [N s]
+    bool is_held = false;    ///< whether there are ghosts of walls
+  };
+  /// Adds `sign` times mass and momentum of the particles of a block.
+  void add(int block, const FieldStore<T, D>& fields, double sign, Change& sum) const;
+
+  State<T, D>& state_;
+  std::vector<std::array<bool, D>> acts_;  ///< [wall][axis]
+  std::array<int, D> along_;
+  double time_step_ = 0;
+  std::vector<Change> change_;  ///< [block]
+};
+
+extern template class LoneWalls<double, 2>;
+extern template class LoneWalls<double, 3>;
+extern template class LoneWalls<float, 2>;
+extern template class LoneWalls<float, 3>;
+
+}  // namespace pliant::remeshed
