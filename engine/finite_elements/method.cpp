@@ -10,6 +10,7 @@
 #include "engine/point_based/method.hpp"
 #include "engine/point_based/nodes/place_nodes.hpp"
 #include "engine/undeformed/default_cfl.hpp"
+#include "engine/undeformed/slip_walls.hpp"
 
 namespace pliant::finite_elements {
 
@@ -38,6 +39,10 @@ StepLimits step_limits(const Case& a_case) {
   return limits;
 }
 
+void warn(const Case& a_case, std::vector<std::string>& warnings) {
+  undeformed::warn_of_elements_in_slip_walls(a_case, point_based::has_elements, warnings);
+}
+
 }  // namespace
 
 RegisteredMethod method() {
@@ -48,6 +53,7 @@ RegisteredMethod method() {
        .check = check,
        .keys = visit_keys,
        .step_limits = step_limits,
+       .warn = warn,
        .footprint = point_based::footprint,
        .has_self_contact = true},
       make_solver<Solver>};

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <cmath>
+
 #include "engine/lattice/lattice.hpp"
 
 namespace pliant {
@@ -9,6 +11,11 @@ double dot(const Point<D>& a, const Point<D>& b) {
   double sum = 0;
   for (int i = 0; i < D; ++i) sum += a[i] * b[i];
   return sum;
+}
+
+template <int D>
+double norm(const Point<D>& a) {
+  return std::sqrt(dot<D>(a, a));
 }
 
 /// a - b

@@ -9,10 +9,12 @@
 #include "engine/case/checks/thickness.hpp"
 #include "engine/point_based/cutting/cut_resolution.hpp"
 #include "engine/point_based/footprint.hpp"
+#include "engine/point_based/nodes/place_nodes.hpp"
 #include "engine/point_based/observe/measure.hpp"
 #include "engine/point_based/parameters.hpp"
 #include "engine/point_based/solver.hpp"
 #include "engine/undeformed/default_cfl.hpp"
+#include "engine/undeformed/slip_walls.hpp"
 
 namespace pliant::point_based {
 
@@ -100,6 +102,7 @@ void warn(const Case& a_case, std::vector<std::string>& warnings) {
                                              {2, "bending deviates by 5 %"}};
   warn_of_thin_bodies(a_case, errors, warnings);
   warn_of_coarse_cuts(a_case, warnings);
+  undeformed::warn_of_elements_in_slip_walls(a_case, has_elements, warnings);
 }
 
 // The bound of (PB.12) needs the nodes, which only the solver has.

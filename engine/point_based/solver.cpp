@@ -8,7 +8,9 @@
 #include "engine/case/checks/stability.hpp"
 #include "engine/method/initial_stress.hpp"
 #include "engine/point_based/bonds/node_frequency.hpp"
+#include "engine/point_based/nodes/place_nodes.hpp"
 #include "engine/point_based/setup.hpp"
+#include "engine/undeformed/slip_walls.hpp"
 
 namespace pliant::point_based {
 
@@ -45,7 +47,8 @@ void get_blades(const ArchiveReader& archive, std::vector<BladeLoad<D>>& blades)
 }  // namespace
 
 template <class T, int D>
-Solver<T, D>::Solver(const Case& a_case, const SolverOptions& options) : Base(a_case, options) {
+Solver<T, D>::Solver(const Case& a_case, const SolverOptions& options)
+    : Base(undeformed::ended_at_slip_walls(a_case, has_elements), options) {
   State<T, D>& state = this->state();
   state.blades.resize(this->settings().cuts.size());
   for (std::size_t b = 0; b < state.bodies.size(); ++b) {

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "engine/lattice/point_algebra.hpp"
+
 namespace pliant::total_lagrangian {
 
 namespace {
@@ -17,13 +19,6 @@ std::array<Point<D>, D> corners(const Body<T, D>& body, const Facet<D>& facet,
     x[v] = area == BoundaryCase::LoadedArea::undeformed ? vertex.start : body.position(vertex);
   }
   return x;
-}
-
-template <int D>
-double length(const Point<D>& x) {
-  double square = 0;
-  for (const double value : x) square += value * value;
-  return std::sqrt(square);
 }
 
 /// The vector in the plane of a facet with `components` along its sides from the first corner.
@@ -106,14 +101,14 @@ Point<D> BoundaryForces<T, D>::force_on(const Body<T, D>& body, std::size_t inde
   const Point<D> area = area_vector<D>(x);
   Point<D> force;
   if (load.is_traction()) {
-    const double loaded = patch.share * length<D>(area);
+    const double loaded = patch.share * norm<D>(area);
     for (int a = 0; a < D; ++a) force[a] = loaded * body.patch_force[index][a];
     return force;
   }
   const double pressure = at_start_.pressure[patch.pressure];
   for (int a = 0; a < D; ++a) force[a] = -pressure * patch.share * area[a];
   if (patch.aside == std::array<double, D - 1>{}) return force;
-  const double size = length<D>(area);
+  const double size = norm<D>(area);
   const Point<D> aside = in_plane<D>(x, patch.aside);
   for (int a = 0; a < D; ++a) force[a] -= pressure * size * aside[a];
   return force;

@@ -48,7 +48,7 @@ class FacetLoads {
     if (boundaries_.pressures.empty()) return;
     const Facet<D>& facet = body_.facets.back();
     Point<D> normal = area_vector(body_, facet);
-    const double area = length(normal);
+    const double area = norm<D>(normal);
     for (double& component : normal) component /= area;
     const std::vector<FaceOfFacet> faces = faces_of(facet, normal);
     for (int k = 0; k < static_cast<int>(boundaries_.pressures.size()); ++k) {
@@ -82,7 +82,7 @@ class FacetLoads {
       if (on_a_wall(x)) return;
       const undeformed::LoadedPart<D> part = loaded_part(x, pressure, normal, faces);
       if (part.area == 0) return;
-      const double share = pressure.is_traction() ? part.area : length(part.vector);
+      const double share = pressure.is_traction() ? part.area : norm<D>(part.vector);
       ++hit;
       sum.loaded.area += share;
       sum.loaded.gap += part.gap;
@@ -158,8 +158,6 @@ class FacetLoads {
     }
     return x;
   }
-
-  static double length(const Point<D>& x) { return std::sqrt(dot<D>(x, x)); }
 
   static constexpr double on_wall = 1e-5;    // [h]
   static constexpr double no_depth = 1e-9;   // [h]

@@ -12,6 +12,7 @@
 #include "engine/total_lagrangian/parameters.hpp"
 #include "engine/total_lagrangian/setup.hpp"
 #include "engine/total_lagrangian/volumetric_mode.hpp"
+#include "engine/undeformed/slip_walls.hpp"
 
 namespace pliant::total_lagrangian {
 
@@ -45,7 +46,8 @@ constexpr double safe_share = 0.95;
 
 template <class T, int D>
 Solver<T, D>::Solver(const Case& a_case, const SolverOptions& options)
-    : Base(a_case, options), cfl_(cfl_number(this->settings())) {
+    : Base(undeformed::ended_at_slip_walls(a_case, [](const Shape&) { return false; }), options),
+      cfl_(cfl_number(this->settings())) {
   State<T, D>& state = this->state();
   Layouts<D> layouts;
   for (std::size_t b = 0; b < state.bodies.size(); ++b) {

@@ -25,11 +25,6 @@ Vertex<D> vertex(const Crossing<D>& crossing) {
   return v;
 }
 
-template <int D>
-double length(const Point<D>& x) {
-  return std::sqrt(dot<D>(x, x));
-}
-
 template <class T, int D>
 class SurfaceMaker {
  public:
@@ -60,7 +55,7 @@ class SurfaceMaker {
     loaded_.clear();
     for_each_piece<D>(cube, [&](const SurfacePiece<D>& piece) {
       const Facet<D> made = facet(piece);
-      if (length<D>(area_vector(body_, made)) <= smallest_) return;
+      if (norm<D>(area_vector(body_, made)) <= smallest_) return;
       body_.facets.push_back(made);
       loads_.add(places_in_cell(piece, cell), loaded_);
     });
