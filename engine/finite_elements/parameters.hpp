@@ -14,7 +14,8 @@ enum class ElementPressure { averaged, plain };
 struct Parameters {
   ElementPressure pressure = ElementPressure::averaged;
   point_based::Integrator integrator = point_based::Integrator::leapfrog;
-  double damping = 0;  ///< mass-proportional, (PB.10) [1/s]
+  std::optional<double> damping =
+      0.;  ///< mass-proportional, (PB.10) [1/s]; none: adaptive, (PB.65)
 };
 
 inline const Parameters& parameters_of(const Case& settings) {

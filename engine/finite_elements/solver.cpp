@@ -35,7 +35,7 @@ Solver<T, D>::Solver(const Case& a_case, const SolverOptions& options)
               state.elements[b]);
     highest_frequency_ = std::max(highest_frequency_, state.elements[b].highest_frequency);
   }
-  state.clock.damping = parameters_of(this->settings()).damping;
+  state.clock.damping = parameters_of(this->settings()).damping.value_or(0);
   const scheduler::Blocks blocks = point_based::number_blocks<T, D>(state);
   this->set_step(std::make_unique<Step<T, D>>(state, this->settings(), options.isa), blocks);
 }

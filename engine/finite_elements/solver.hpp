@@ -24,6 +24,9 @@ class Solver final : public undeformed::Solver<State<T, D>, Step<T, D>, Measurer
   /// (FE.6)
   double automatic_step() const override;
   Measurer<T, D> measurer() override { return Measurer<T, D>(this->state()); }
+  bool has_adaptive_damping() const override {
+    return !point_based::parameters_of(this->settings()).damping;
+  }
   bool velocities_lag() const override { return !point_based::is_leapfrog(this->settings()); }
   bool knows_energy() const override { return point_based::knows_losses(this->settings()); }
   StepFailure failure(const undeformed::StepResult& result) const override;

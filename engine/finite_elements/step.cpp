@@ -86,7 +86,9 @@ undeformed::StepResult Step<T, D>::fold() {
     result.non_finite = results_[b].non_finite;
     result.failed_block = static_cast<int>(b);
   }
-  result.overlap = nodes_.fold().overlap;
+  const undeformed::StepResult of_nodes = nodes_.fold();
+  result.overlap = of_nodes.overlap;
+  result.rayleigh = of_nodes.rayleigh;
   return result;
 }
 

@@ -51,8 +51,9 @@ void visit_keys(MethodKeys& visit, MethodParameters& parameters) {
          .limits = {0, 2, true, true, "from 0 to 2"}});
   visit("integrator", method.integrator,
         {.meaning = "when the forces of a step act", .example = R"("leapfrog")"});
-  visit("damping", method.damping,
-        {.meaning = "mass-proportional damping rate (PB.10)",
+  visit("damping", NumberOrWord{method.damping, "adaptive", "a rate"},
+        {.meaning = R"(mass-proportional damping rate (PB.10), or "adaptive" for critical damping )"
+                    "of the present motion (PB.65)",
          .unit = "1/s",
          .example = "0.5",
          .limits = not_negative});

@@ -71,7 +71,7 @@ Solver<T, D>::Solver(const Case& a_case, const SolverOptions& options)
     state.clock.wave_speed = std::max(state.clock.wave_speed, taut);
     stiffening_ = std::max(stiffening_, taut * taut / (slack * slack));
   }
-  state.clock.damping = parameters_of(this->settings()).damping;
+  state.clock.damping = parameters_of(this->settings()).damping.value_or(0);
   const scheduler::Blocks blocks = number_blocks(state);
   this->set_step(std::make_unique<Step<T, D>>(state, this->settings(),
                                               kernels::PointBasedTable<T, D>::of(options.isa)),

@@ -32,6 +32,7 @@ class Solver final : public undeformed::Solver<State<T, D>, Step<T, D>, Measurer
   bool velocities_lag() const override { return !is_leapfrog(this->settings()); }
   bool knows_energy() const override { return knows_losses(this->settings()); }
   StepFailure failure(const StepResult& result) const override;
+  bool has_adaptive_damping() const override { return !parameters_of(this->settings()).damping; }
   void adapt(const Advance& advance, const StepResult& result) override;
   void save_state(ArchiveWriter& archive) const override;
   void restore_state(const ArchiveReader& archive) override;

@@ -110,17 +110,11 @@ double Solver<T, D>::automatic_step() const {
 
 template <class T, int D>
 void Solver<T, D>::adapt(const Advance& advance, const StepResult& result) {
-  Clock& clock = this->state().clock;
-  if (!parameters_of(this->settings()).damping) {
-    const double frequency2 =
-        advance.previous > 0 ? result.rayleigh / (advance.previous * clock.mass_scaling) : 0;
-    clock.damping = std::min(2 * std::sqrt(frequency2), 1 / advance.length);
-  }
-  if (advance.examine) {
-    clock.wave_speed = stress_wave_speed_ > 0 ? std::hypot(result.wave_speed, stress_wave_speed_)
-                                              : result.wave_speed;
-    scale_mass();
-  }
+  if (!advance.examine) return;
+  this->state().clock.wave_speed = stress_wave_speed_ > 0
+                                       ? std::hypot(result.wave_speed, stress_wave_speed_)
+                                       : result.wave_speed;
+  scale_mass();
 }
 
 template <class T, int D>

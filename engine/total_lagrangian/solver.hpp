@@ -22,6 +22,7 @@ class Solver final : public undeformed::Solver<State<T, D>, Step<T, D>, Measurer
   Measurer<T, D> measurer() override { return Measurer<T, D>(this->state(), this->workers()); }
   bool velocities_lag() const override { return true; }
   StepFailure failure(const StepResult& result) const override;
+  bool has_adaptive_damping() const override { return !parameters_of(this->settings()).damping; }
   void adapt(const Advance& advance, const StepResult& result) override;
   void show() override { this->state().age_memory(); }
   double smallest_spacing() const;  ///< of all bodies [m]

@@ -19,7 +19,6 @@ using undeformed::Advance;
 /// Results of a step about the state at its end.
 struct StepResult : undeformed::StepResult {
   double wave_speed = 0;  ///< of (TL.9) [m/s]; 0 unless the step computed it
-  double rayleigh = 0;    ///< dt omega^2 of (TL.10), without mass scaling [1/s]
 };
 
 /// The memory of a viscous body as kernels read it.

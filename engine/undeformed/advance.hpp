@@ -1,6 +1,8 @@
 #pragma once
 
+#include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstdint>
 #include <optional>
 
@@ -29,6 +31,15 @@ struct StepResult {
   std::int64_t non_finite = -1;  ///< a slot, or -1
   int failed_block = -1;         ///< block of that slot
   std::optional<Overlap> overlap;
+  double rayleigh = 0;  ///< dt omega^2 of (TL.10), without mass scaling [1/s]; 0 unless computed
 };
+
+/// The rate of adaptive damping after a step, (TL.10) [1/s].
+inline double critical_damping(const Advance& advance, const StepResult& result,
+                               double mass_scaling) {
+  if (advance.previous == 0) return 0;
+  const double frequency2 = result.rayleigh / (advance.previous * mass_scaling);
+  return std::min(2 * std::sqrt(frequency2), 1 / advance.length);
+}
 
 }  // namespace pliant::undeformed

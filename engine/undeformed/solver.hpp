@@ -81,6 +81,8 @@ class Solver : public pliant::Solver {
   virtual bool velocities_lag() const = 0;
   /// Whether the work of all forces and all losses are known.
   virtual bool knows_energy() const { return true; }
+  /// Whether the damping rate is adaptive, (TL.10), (PB.65).
+  virtual bool has_adaptive_damping() const = 0;
   /// The failure of a step whose result is not finite.
   virtual StepFailure failure(const StepResult& result) const = 0;
   StepFailure failure(const Overlap& overlap) const;
@@ -240,6 +242,9 @@ void Solver<State, Step, Measurer>::begin_step() {
   clock.step_end = advance.time + advance.length;
   clock.velocity_time = velocities_lag() ? clock.step_end - advance.length / 2 : clock.step_end;
   ++clock.step;
+  if (has_adaptive_damping()) {
+    state_.clock.damping = critical_damping(advance, result, state_.clock.mass_scaling);
+  }
   adapt(advance, result);
   add_particle_stages(particles());
 }

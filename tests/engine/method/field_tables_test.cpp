@@ -144,7 +144,9 @@ std::unique_ptr<Solver> stepped_total_lagrangian() {
 }
 // A case that uses every field.
 std::unique_ptr<Solver> stepped_point_based() {
-  return stepped("point_based", "point_based = { stiffness_damping = 1e-4 }", R"toml([[cut]]
+  return stepped("point_based",
+                 "point_based = { damping = \"adaptive\", stiffness_damping = 1e-4 }",
+                 R"toml([[cut]]
 name = "slit"
 from = [0.5, 1.1]
 path = [0, "-t"]

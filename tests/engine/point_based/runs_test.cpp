@@ -99,11 +99,12 @@ TEST(point_based, bytes_do_not_depend_on_the_number_of_threads) {
 
 TEST(point_based, bytes_do_not_depend_on_a_restart) {
   const TemporaryFolder folder;
-  for (const char* precision : {"double", "single"}) {
-    const Case settings = driven({std::string("precision=") + precision});
-    const FileContent through = result_of(settings, folder / precision, 1);
+  for (const std::string setting :
+       {"precision=double", "precision=single", "point_based.damping=adaptive"}) {
+    const Case settings = driven({setting});
+    const FileContent through = result_of(settings, folder / setting, 1);
     // The last checkpoint is before the end: the continued run writes the end once more.
-    EXPECT_EQ(result_of(settings, folder / precision, 2, true), through);
+    EXPECT_EQ(result_of(settings, folder / setting, 2, true), through) << setting;
   }
 }
 

@@ -17,12 +17,12 @@ constexpr double young = 1000, nu = 0.3;
 
 std::string round_body(const std::string& method, int dimension, double spacing,
                        const std::string& geometry) {
-  const std::string damping = method == "total_lagrangian" ? "\"adaptive\"" : "20";
   return "method = \"" + method + "\"\ndimension = " + std::to_string(dimension) +
          "\ndiscretisation = { spacing = " + std::to_string(spacing) + R"( }
 time = { end = 2 }
 [)" + method +
-         "]\ndamping = " + damping + R"(
+         R"(]
+damping = "adaptive"
 [material.m]
 model = "neo_hookean"
 density = 1
