@@ -14,8 +14,7 @@ enum class ElementPressure { averaged, plain };
 struct Parameters {
   ElementPressure pressure = ElementPressure::averaged;
   point_based::Integrator integrator = point_based::Integrator::leapfrog;
-  std::optional<double> damping =
-      0.;  ///< mass-proportional, (PB.10) [1/s]; none: adaptive, (PB.65)
+  std::optional<double> damping = 0.;  ///< (PB.10) [1/s]; none: adaptive, (PB.65)
 };
 
 inline const Parameters& parameters_of(const Case& settings) {

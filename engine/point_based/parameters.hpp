@@ -26,9 +26,8 @@ struct Parameters {
   int neighbours = 0;                   ///< of each node; 0: `neighbour_count`
   std::optional<double> stabilisation;  ///< alpha of (PB.5); none: by the placement of the nodes
   Integrator integrator = Integrator::leapfrog;
-  std::optional<double> damping =
-      0.;                        ///< mass-proportional, (PB.10) [1/s]; none: adaptive, (PB.65)
-  double stiffness_damping = 0;  ///< beta of (PB.9) [s]
+  std::optional<double> damping = 0.;  ///< (PB.10) [1/s]; none: adaptive, (PB.65)
+  double stiffness_damping = 0;        ///< beta of (PB.9) [s]
 };
 
 inline const Parameters& parameters_of(const Case& settings) {

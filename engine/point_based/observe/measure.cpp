@@ -21,6 +21,7 @@ namespace pliant::point_based {
 namespace {
 
 constexpr double coincident = 1e-9;  // distance of a point from a node, of that to the farthest one
+constexpr double margin = 1.2;       // gives the farthest node a weight
 
 }  // namespace
 
@@ -110,7 +111,7 @@ double Measurer<T, D>::point_displacement(const MeasurementCase& m) const {
     for (int a = 0; a < D; ++a) {
       displacement += (node.gradient[D * m.axis + a] - (a == m.axis ? 1 : 0)) * r[a];
     }
-    const double weight = std::pow((reach - distance) / distance, 2);
+    const double weight = std::pow((margin * reach - distance) / distance, 2);
     sum += weight * displacement;
     weights += weight;
   }

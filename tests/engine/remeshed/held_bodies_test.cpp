@@ -143,5 +143,32 @@ TEST(held_bodies, bend_under_their_weight_as_they_should) {
   EXPECT_NEAR(found[1], 0.0003 * 384, 1e-3 * 0.0003 * 384);
 }
 
+TEST(held_bodies, that_are_round_are_warned_of_planes_of_symmetry_under_pressure) {
+  const auto quarter = [](const std::string& geometry) {
+    return tests::read_text("dimension = 2\ndiscretisation.spacing = 0.1\ntime.end = 1\n" +
+                            std::string(R"toml([[body]]
+name = "body"
+material = { model = "linear", youngs_modulus = 250, poissons_ratio = 0.3, density = 1 }
+geometry = )toml") + geometry +
+                            R"toml(
+[[boundary]]
+name = "symmetry"
+kind = "slip_wall"
+geometry = { shape = "half_space", point = [0, 0], normal = [1, 0] }
+[[boundary]]
+name = "load"
+kind = "pressure"
+pressure = 1
+geometry = { shape = "box", lower = [-9, 0], upper = [9, 9] }
+)toml");
+  };
+  const std::vector<std::string> of_disc =
+      warnings_of_method(quarter("{ shape = \"disc\", centre = [0, 0], radius = 1 }"));
+  ASSERT_EQ(of_disc.size(), 1u);
+  EXPECT_NE(of_disc[0].find("curved surfaces under pressure"), std::string::npos);
+  EXPECT_TRUE(
+      warnings_of_method(quarter("{ shape = \"box\", lower = [0, -1], upper = [1, 1] }")).empty());
+}
+
 }  // namespace
 }  // namespace pliant::test
